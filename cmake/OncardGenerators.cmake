@@ -1,0 +1,29 @@
+# Source generators. Their output lives only in the build tree.
+
+# oncard_re2c(target lexer.re): adds the scanner made from `lexer.re` to the target.
+function(oncard_re2c target source)
+  find_program(RE2C_EXECUTABLE re2c REQUIRED)
+  get_filename_component(name ${source} NAME_WE)
+  set(output ${CMAKE_CURRENT_BINARY_DIR}/${name}.cc)
+  add_custom_command(
+    OUTPUT ${output}
+    COMMAND ${RE2C_EXECUTABLE} -W -Werror --input-encoding utf8 -i -o ${output}
+            ${CMAKE_CURRENT_SOURCE_DIR}/${source}
+    DEPENDS ${source}
+    VERBATIM)
+  target_sources(${target} PRIVATE ${output})
+endfunction()
+
+# oncard_bison(target parser.yy): adds the parser made from `parser.yy` and its header.
+function(oncard_bison target source)
+  find_package(BISON 3.8 REQUIRED)
+  get_filename_component(name ${source} NAME_WE)
+  set(output ${CMAKE_CURRENT_BINARY_DIR}/${name}.cc)
+  add_custom_command(
+    OUTPUT ${output} ${CMAKE_CURRENT_BINARY_DIR}/${name}.h
+    COMMAND ${BISON_EXECUTABLE} -Wall -Werror --header=${CMAKE_CURRENT_BINARY_DIR}/${name}.h
+            -o ${output} ${CMAKE_CURRENT_SOURCE_DIR}/${source}
+    DEPENDS ${source}
+    VERBATIM)
+  target_sources(${target} PRIVATE ${output})
+endfunction()

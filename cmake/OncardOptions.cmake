@@ -1,0 +1,11 @@
+# How every target of the project is compiled: warnings are errors, results must not depend on
+# floating-point contraction, only the C API is visible in the shared library.
+add_library(oncard_options INTERFACE)
+target_include_directories(oncard_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR})
+target_compile_options(oncard_options INTERFACE
+  -Wall -Wextra -Wconversion -Wshadow -Werror -ffp-contract=off -fvisibility=hidden)
+if(ONCARD_SANITIZE)
+  target_compile_options(oncard_options INTERFACE
+    -fsanitize=${ONCARD_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(oncard_options INTERFACE -fsanitize=${ONCARD_SANITIZE})
+endif()

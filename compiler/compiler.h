@@ -1,0 +1,57 @@
+// Compiles one motion program: source text in, vm::Object and diagnostics out. No output, no
+// exceptions, no global state: usable from any thread.
+// The language is described in docs/language.md.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compiler/diagnostic.h"
+#include "vm/fixed_point.h"
+#include "vm/object.h"
+
+namespace oncard::compiler {
+
+struct Options {
+  vm::DoubleFormat double_format = vm::DoubleFormat::k32_16;
+  /// Folders searched for `#include "file"` after the folder of the including file.
+  std::vector<std::string> include_folders;
+  /// After so many errors the rest is not reported (a note says so). 0: no limit.
+  int max_errors = 50;
+};
+
+/// Gives the bytes of a file, or an Error; tests replace the file system with it.
+using FileReader = std::function<Result<std::string>(const std::string& path)>;
+
+struct Compilation {
+  /// Every file that was read, in order; Diagnostic locations index it. [0] is the program.
+  std::vector<SourceFile> files;
+  /// In source order: by file of the program's inclusion point, line, column.
+  std::vector<Diagnostic> diagnostics;
+  /// Present when there is no error.
+  std::optional<vm::Object> object;
+
+  bool ok() const { return object.has_value(); }
+};
+
+/// Compiles the program at `path`. An unreadable file is a diagnostic (MP022), not a failure.
+Compilation Compile(const std::string& path, const Options& options, const FileReader& reader);
+
+/// The same, reading from the file system.
+Compilation Compile(const std::string& path, const Options& options = {});
+
+/// Compiles text that is in memory under the name `path`; includes go through `reader`.
+Compilation CompileText(const std::string& path, std::string text, const Options& options,
+                        const FileReader& reader);
+
+/// Paths of the pair that belongs to a source: `dir/sum.c` -> `dir/sum.bin`, `dir/sum.ini`, or in
+/// `folder` when it is not empty.
+struct OutputPaths {
+  std::string bin;
+  std::string ini;
+};
+OutputPaths OutputPathsFor(const std::string& source_path, const std::string& folder = {});
+
+}  // namespace oncard::compiler

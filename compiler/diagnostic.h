@@ -1,0 +1,84 @@
+// What the compiler has to say, as data. Printing is diagnostic_printer.h's business.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/message.h"
+
+namespace oncard::compiler {
+
+/// A file that took part in a compilation, with its lines found once.
+class SourceFile {
+ public:
+  SourceFile(std::string path, std::string text);
+
+  const std::string& path() const { return path_; }
+  /// The text as read, without a UTF-8 byte order mark.
+  const std::string& text() const { return text_; }
+  int line_count() const { return static_cast<int>(line_starts_.size()); }
+  /// A line (from 1) without its line end; empty past the last one.
+  std::string_view Line(int line) const;
+  /// Line (from 1) of a byte offset.
+  int LineOf(uint32_t offset) const;
+  /// Column (from 1) of a byte offset, counted in characters: a UTF-8 or GBK sequence is one.
+  int ColumnOf(uint32_t offset) const;
+
+ private:
+  std::string path_;
+  std::string text_;
+  std::vector<uint32_t> line_starts_;
+};
+
+/// A stretch of a file's text: bytes [begin, end).
+struct SourceRange {
+  int file = 0;  ///< index into Compilation::files
+  uint32_t begin = 0;
+  uint32_t end = 0;
+  bool operator==(const SourceRange&) const = default;
+};
+
+enum class Severity : uint8_t { kError, kWarning };
+
+/// A real edit: replace the range by the text. Applying every fix-it of a diagnostic (they do not
+/// overlap) gives the source the message speaks of.
+struct FixIt {
+  SourceRange range;
+  std::string text;
+};
+
+/// A further remark, at a place or (line 0 of nothing) without one.
+struct Note {
+  SourceRange range;
+  bool has_place = false;
+  Message message;
+};
+
+/// A row of diagnostics.def.
+struct DiagnosticInfo {
+  int code;                ///< 27 is printed MP027
+  Severity severity;
+  std::string_view slug;   ///< the word in brackets, such as `undeclared`
+  std::string_view en;     ///< message with {0}, {1}, ...
+  std::string_view zh;
+};
+
+struct Diagnostic {
+  const DiagnosticInfo* info = nullptr;
+  SourceRange range;
+  Message message;
+  std::vector<Note> notes;
+  std::vector<FixIt> fixits;
+};
+
+/// All rows, by code.
+std::span<const DiagnosticInfo> DiagnosticTable();
+/// The row of a code, or nullptr.
+const DiagnosticInfo* FindDiagnostic(int code);
+/// "MP027".
+std::string DiagnosticName(int code);
+
+}  // namespace oncard::compiler

@@ -1,0 +1,74 @@
+// A card's inside as commands see it: the machine, the motion core and the PLC blocks, and the one
+// way every command is called, from the host and from motion programs alike.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "gtcalls/catalogue.h"
+#include "gtcalls/plc_blocks.h"
+#include "motion/motion_core.h"
+#include "vm/machine.h"
+
+namespace oncard::gtcalls {
+
+/// Return code of a command that the catalogue lists but no function implements yet
+/// (GTS: not supported by the firmware).
+inline constexpr int16_t kNotSupported = 8;
+
+/// The parts a command may work on. Owned by the runtime's controller.
+struct Card {
+  vm::Machine& machine;
+  motion::MotionCore& motion;
+  PlcBlocks& plc;
+};
+
+/// A call in flight.
+struct Call {
+  const Command& command;
+  Card& card;
+  int caller = vm::kHostCaller;  ///< thread number, or kHostCaller
+  std::span<vm::CommandArgument> arguments;
+  /// Why the command was refused, for the call log; set beside a return code other than 0.
+  Message reason;
+
+  double value(size_t index) const { return arguments[index].value; }
+  int integer(size_t index) const { return static_cast<int>(arguments[index].value); }
+  bool given(size_t index) const { return !arguments[index].null; }
+  /// What the pointer argument `index` points to, one double per scalar.
+  std::span<double> cells(size_t index) const { return arguments[index].cells; }
+  /// Stores an output when its pointer is not NULL.
+  void Set(size_t index, double result, size_t cell = 0) const {
+    if (!arguments[index].null) arguments[index].cells[cell] = result;
+  }
+  /// Records the reason and gives the code.
+  int16_t Refuse(int16_t code, Message why) {
+    reason = std::move(why);
+    return code;
+  }
+};
+
+/// True when a function implements the command here (the host library's own services, such as
+/// GT_Open and GT_Download, are implemented by the runtime and not counted).
+bool IsImplemented(const Command& command);
+
+/// Checks NULL pointers and the catalogue's ranges (7), then executes. A refused command changes
+/// nothing.
+int16_t ExecuteCommand(Call& call);
+
+/// The machine's view of the catalogue, bound to one card.
+class CardCommands final : public vm::CommandTable {
+ public:
+  /// The card must outlive this object.
+  explicit CardCommands(Card* card) : card_(card) {}
+
+  const vm::CommandShape* Find(uint16_t number) const override;
+  int16_t Execute(uint16_t number, vm::Machine& machine, int thread,
+                  std::span<vm::CommandArgument> arguments) override;
+
+ private:
+  Card* card_;
+};
+
+}  // namespace oncard::gtcalls

@@ -1,0 +1,160 @@
+// The catalogue of GT commands: one row per command (catalogue.def), one per structure and constant
+// of the interface (structures.def, constants.def). The compiler checks calls against it, `gts.h`
+// and the library's entry points are generated from it, the command documentation is printed from
+// it, and commands/ implements it. Read-only data, safe to use from any thread.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "vm/command_table.h"
+
+namespace oncard::gtcalls {
+
+/// C type of a scalar parameter, or of a structure's member.
+enum class Scalar : uint8_t { kChar, kShort, kUnsignedShort, kLong, kUnsignedLong, kDouble };
+
+/// How a parameter travels.
+enum class Passing : uint8_t {
+  kValue,      ///< a scalar by value
+  kInput,      ///< pointer: the command reads what it points to
+  kOutput,     ///< pointer: the command writes what it points to
+  kText,       ///< `char*`: a NUL-terminated name or file name, read only
+  kTextOutput  ///< `char**`: receives the address of a text that the library keeps
+};
+
+/// Where a command may live. The same name can differ between families.
+enum class Family : uint8_t { kGts };
+
+/// Standing of the interface row: A in the manuals or accepted by the vendor's compiler,
+/// B in the basic public header, X thread extensions.
+enum class Tier : uint8_t { kA, kB, kX };
+
+/// What a call from the host costs in virtual time; inside a program every command costs one
+/// statement.
+enum class Cost : uint8_t {
+  kHostCall,     ///< 50 us: a fifth of the card's rate (GTS manual 10.2)
+  kMillisecond,  ///< 1 ms: GT_Update, GT_PtStart, GT_GearStart, GT_FollowStart (manual chapter 7)
+  kNone          ///< no communication with the card: GT_Open, GT_Close, GT_Compile
+};
+
+/// What a command can touch; the explorer decides from it which statements are independent.
+enum class Resource : uint8_t {
+  kNone = 0,
+  kClock,           ///< the card's time
+  kThread,          ///< the calling thread's own schedule (delay, page)
+  kVariable,        ///< a program variable
+  kProgram,         ///< downloaded program, bindings, thread states
+  kDigitalInput,    ///< a DI word
+  kDigitalOutput,   ///< a DO word
+  kAnalog,          ///< ADC or DAC channel
+  kExtension,       ///< an extension I/O module
+  kAxis,            ///< an axis with its profile, status and limits
+  kEncoder,         ///< an encoder or pulse counter
+  kControl,         ///< a servo controller
+  kCrd,             ///< a coordinate system with its FIFOs
+  kCapture,         ///< capture and trigger units
+  kCompare,         ///< position compare outputs
+  kPvtTable,        ///< PVT tables
+  kUserVariable,    ///< GT_SetLongVar and its kin
+  kConfiguration,   ///< card-wide settings
+  kEverything       ///< may touch all of the card
+};
+
+/// Access set: the resource read or written and the parameter that selects which one (-1: all).
+struct Access {
+  Resource resource = Resource::kNone;
+  bool write = false;
+  int selector = -1;    ///< index of the parameter holding the number, or a mask of them
+  bool mask = false;    ///< the selector is a bit mask
+};
+
+/// A member of an interface structure.
+struct Member {
+  std::string_view name;
+  Scalar type = Scalar::kShort;
+  int array_size = 0;  ///< elements, 0 for a scalar
+};
+
+/// A structure of the interface.
+struct Structure {
+  std::string_view name;
+  std::span<const Member> members;
+  /// May be declared in motion programs: TTrapPrm, TJogPrm, TPid.
+  bool in_motion_program = false;
+};
+
+/// A constant of the interface.
+struct Constant {
+  std::string_view name;
+  long value = 0;
+};
+
+/// Unit of a parameter, for documentation and messages.
+enum class Unit : uint8_t {
+  kNone, kPulse, kPulsePerMs, kPulsePerMs2, kMillisecond, kMicrosecond, kCycle, kQuarterMs,
+  kVolt, kIndex, kMask, kBits
+};
+
+/// One parameter.
+struct Parameter {
+  std::string_view name;
+  Scalar type = Scalar::kShort;
+  const Structure* structure = nullptr;  ///< pointer to a structure; `type` is then unused
+  Passing passing = Passing::kValue;
+  Unit unit = Unit::kNone;
+  /// Range of a value (inclusive); checked before the command runs, code 7 outside.
+  double minimum = -std::numeric_limits<double>::infinity();
+  double maximum = std::numeric_limits<double>::infinity();
+  /// The value of a C++ default argument as written in the header; empty = none.
+  std::string_view default_text;
+  /// Pointer: the parameter that says how many elements it covers, -1 for one.
+  int count_parameter = -1;
+  /// Pointer: NULL is allowed (its default is NULL).
+  bool nullable = false;
+};
+
+inline constexpr int kParameterMax = 13;
+
+/// One command.
+struct Command {
+  uint16_t number = 0;  ///< in object files; never renumbered
+  std::string_view name;
+  Family family = Family::kGts;
+  Tier tier = Tier::kA;
+  bool in_motion_program = false;
+  Cost cost = Cost::kHostCall;
+  std::span<const Access> accesses;
+  std::span<const Parameter> parameters;
+  std::string_view brief;   ///< what it does, one line
+  std::string_view source;  ///< document and section the row rests on
+};
+
+/// All commands, in the order of their numbers.
+std::span<const Command> Commands();
+/// By name or number; nullptr when there is none.
+const Command* FindCommand(std::string_view name);
+const Command* FindCommand(uint16_t number);
+/// The command as the machine sees it. Valid for ever.
+const vm::CommandShape& ShapeOf(const Command& command);
+
+/// All structures and constants, in the order of the header.
+std::span<const Structure> Structures();
+const Structure* FindStructure(std::string_view name);
+std::span<const Constant> Constants();
+const Constant* FindConstant(std::string_view name);
+
+/// The data type a motion program uses for a scalar: double for double, int for all others.
+constexpr vm::DataType ProgramType(Scalar scalar) {
+  return scalar == Scalar::kDouble ? vm::DataType::kDouble : vm::DataType::kInt;
+}
+
+/// The C spelling of a scalar type.
+std::string_view SpellScalar(Scalar scalar);
+/// The C declaration of a parameter without its default: `double *pValue`.
+std::string DeclareParameter(const Parameter& parameter);
+
+}  // namespace oncard::gtcalls

@@ -1,0 +1,109 @@
+// One card: machine, motion core, PLC blocks and virtual time. Advance() is the only place where
+// statements, profile cycles, delays and events are interleaved; docs/vm-model.md gives the order.
+//
+// Virtual time counts profile cycles. It passes when the owner says so: by host calls (each has its
+// cost, gtcalls/catalogue.h), by Advance(), or by a real-time clock (clock.h) that calls Advance().
+// Deterministic; not thread-safe: the C API serialises its callers per card.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "base/result.h"
+#include "gtcalls/card.h"
+#include "motion/motion_core.h"
+#include "vm/image.h"
+#include "vm/machine.h"
+
+namespace oncard::runtime {
+
+struct ControllerOptions {
+  motion::MotionConfig motion;
+  /// Statements per millisecond that all threads share (GTS manual 10.2).
+  int rate = 100;
+};
+
+/// Virtual cost of a host call in microseconds (GTS manual 10.2 and end of chapter 7).
+inline constexpr int64_t kHostCallUs = 50;
+
+/// A card's whole state as a value.
+struct ControllerSnapshot {
+  vm::MachineState machine;
+  motion::MotionState motion;
+  gtcalls::PlcBlocks plc;
+  int64_t pending_us = 0;
+  int64_t pending_statements = 0;
+};
+
+/// How RunUntilQuiet() ended.
+enum class RunEnd : uint8_t { kQuiet, kTimeLimit, kDeadlock, kScheduleEnd, kScheduleDiverged };
+
+class Controller {
+ public:
+  explicit Controller(const ControllerOptions& options = {});
+  Controller(const Controller&) = delete;
+  Controller& operator=(const Controller&) = delete;
+
+  const ControllerOptions& options() const { return options_; }
+  vm::Machine& machine() { return machine_; }
+  const vm::Machine& machine() const { return machine_; }
+  motion::MotionCore& motion() { return motion_; }
+  const motion::MotionCore& motion() const { return motion_; }
+  gtcalls::Card& card() { return card_; }
+  const vm::CommandTable& commands() const { return commands_; }
+
+  // --- Programs --------------------------------------------------------------------------------
+
+  /// GT_Download: loads `X.bin` with the `X.ini` beside it. Codes 2007, 2008, 7 as GT_Download
+  /// returns them. On failure the old program stays and goes on.
+  Result<void> Download(const std::string& bin_path);
+  /// Loads an object that is in memory.
+  Result<void> Load(vm::Object object);
+
+  // --- Host calls ------------------------------------------------------------------------------
+
+  /// Executes a command for the host: first its time passes, then it acts. `reason` says in words
+  /// why the code is not 0.
+  int16_t Call(const gtcalls::Command& command, std::span<vm::CommandArgument> arguments,
+               Message* reason = nullptr);
+
+  // --- Time ------------------------------------------------------------------------------------
+
+  /// Lets microseconds pass; a profile cycle runs whenever a whole one has accumulated.
+  void AdvanceUs(int64_t microseconds);
+  /// Runs one profile cycle: motion tick, PLC blocks, then the threads with their budget.
+  void RunCycle();
+  /// Runs cycles until no thread is running. kDeadlock: all running threads wait for values that
+  /// nothing is left to change.
+  RunEnd RunUntilQuiet(int64_t limit_cycles);
+  /// Profile cycles since power-on.
+  int64_t cycle() const { return motion_.state().cycle; }
+  /// The same in milliseconds.
+  double NowMs() const;
+
+  /// GT_Reset: registers, program state and clock to their power-on values; the downloaded program
+  /// is gone, as after power-on.
+  void Reset();
+
+  // --- State -----------------------------------------------------------------------------------
+
+  ControllerSnapshot Snapshot() const;
+  /// Puts back a snapshot taken from this controller with the same program.
+  void Restore(const ControllerSnapshot& snapshot);
+  /// XXH64 of everything that a snapshot holds.
+  uint64_t Hash() const;
+
+ private:
+  ControllerOptions options_;
+  motion::MotionCore motion_;
+  gtcalls::PlcBlocks plc_;
+  gtcalls::CardCommands commands_;
+  vm::Machine machine_;
+  gtcalls::Card card_;
+  int64_t pending_us_ = 0;          // host time not yet turned into cycles
+  int64_t pending_statements_ = 0;  // thousandths of a statement left over by the last cycle
+};
+
+}  // namespace oncard::runtime

@@ -1,0 +1,187 @@
+// The card's machine for motion programs: 32 threads over 32 data pages and the globals.
+//
+// One statement is one atomic step. Which thread steps next is the scheduler policy's choice; the
+// whole machine is a deterministic function of (program, initial values, policy, calls from
+// outside). All of its state is the MachineState value: a snapshot is a copy.
+//
+// Sources: GTS manual 10.2 and 10.3; assumptions are listed in docs/assumptions.md.
+// Not thread-safe: one caller at a time.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "vm/command_table.h"
+#include "vm/image.h"
+#include "vm/limits.h"
+#include "vm/schedule.h"
+#include "vm/scheduler.h"
+
+namespace oncard::vm {
+
+/// Return codes of the card that the machine itself gives (GTS manual table 3-1).
+inline constexpr int16_t kOk = 0;
+inline constexpr int16_t kRefused = 1;
+inline constexpr int16_t kBadParameter = 7;
+
+/// Faults stop the thread that has them; TThreadSts.error holds the number. The card's own return
+/// codes of commands inside programs are below 100.
+enum class Fault : int16_t {
+  kNone = 0,
+  kDivisionByZero = 100,
+  kIndexOutOfBounds = 101,
+  kOutputBeyondStorage = 102,
+};
+
+enum class ThreadRun : uint8_t { kUnbound, kStopped, kRunning, kPaused, kFaulted };
+
+/// Everything the machine knows of one thread.
+struct ThreadState {
+  ThreadRun run = ThreadRun::kUnbound;
+  uint8_t page = 0;
+  uint8_t function = 0;  ///< index, not id
+  bool started = false;  ///< has executed since it was bound: `pc` and `error` mean something
+  /// Index of the current instruction while running or paused, of the last one afterwards.
+  uint16_t pc = 0;
+  /// Return code of the last GT command, or the fault.
+  int16_t error = 0;
+  DataType result_type = DataType::kInt;
+  int64_t result = 0;            ///< int, or raw fixed point
+  int64_t fault_value = 0;       ///< the offending index or element count
+  int64_t fault_limit = 0;       ///< the size it was compared with
+  int64_t wake_cycle = 0;        ///< delayed until this cycle has begun; 0 = not delayed
+  bool waiting = false;          ///< until `wait_slot` holds `wait_value`
+  SlotAddress wait_slot;
+  int64_t wait_value = 0;
+  uint16_t breakpoint_line = 0;  ///< pauses before a statement of this line; 0 = none
+  int64_t period_cycles = 0;     ///< started anew every so many cycles; 0 = not periodic
+  int64_t next_start = 0;        ///< cycle of the next periodic start
+  int64_t overruns = 0;          ///< periodic starts that found the thread still running
+  int16_t priority = 4;          ///< smaller runs first under the priority policy
+  int64_t executed = 0;          ///< statements since the last start
+  int64_t executed_max = 0;      ///< largest `executed` of a completed periodic run
+};
+
+/// The whole state, ready to be copied.
+struct MachineState {
+  std::array<std::array<int64_t, kSlotCount>, kPageCount> pages{};
+  std::array<int64_t, kSlotCount> globals{};
+  std::array<ThreadState, kThreadCount> threads{};
+  SchedulerState scheduler;
+  int64_t executed = 0;  ///< statements since the program was loaded
+  int64_t cycle = 0;     ///< current profile cycle
+};
+
+/// Why Execute() stopped early.
+enum class Stop : uint8_t {
+  kBudget,           ///< everything allowed was executed
+  kIdle,             ///< no thread can run now
+  kScheduleEnd,      ///< a replayed schedule has no more segments
+  kScheduleDiverged  ///< a replayed schedule names a thread that cannot run, or a hash differs
+};
+
+class Machine {
+ public:
+  /// `commands` must outlive the machine.
+  explicit Machine(CommandTable* commands);
+
+  // --- Program ---------------------------------------------------------------------------------
+
+  /// Replaces the program: all threads unbound, all variables 0, the policy back at its start.
+  void Load(std::shared_ptr<const Image> image);
+  /// The program, or nullptr before the first Load().
+  const Image* image() const { return image_.get(); }
+  /// Same pointer, shared.
+  std::shared_ptr<const Image> shared_image() const { return image_; }
+
+  // --- Threads. Each returns the GT command's code --------------------------------------------
+
+  /// Binds function `function_id` (from 1) and `page`. 7: out of range or no such function;
+  /// 1: the thread runs or is paused, or another bound thread holds the page.
+  int16_t Bind(int thread, int function_id, int page);
+  /// Starts a stopped or faulted thread at its first instruction, or resumes a paused one.
+  /// 7: out of range; 1: not bound, or already running.
+  int16_t Run(int thread);
+  /// 7: out of range; 1: not bound. Also ends periodic starts.
+  int16_t StopThread(int thread);
+  /// 7: out of range; 1: not running.
+  int16_t Pause(int thread);
+  /// Executes one statement of a stopped or paused thread, which is paused afterwards unless it
+  /// finished. 7: out of range; 1: not bound, running, or unable to step (delayed, waiting).
+  int16_t Step(int thread);
+  /// Runs until just before a statement of `line`, then pauses. 7: out of range, or the function
+  /// has no statement on that line; 1: as Run().
+  int16_t RunToBreakpoint(int thread, int line);
+  /// Starts the function anew every `period_cycles` cycles, beginning now. 7: out of range;
+  /// 1: as Run().
+  int16_t RunPeriodic(int thread, int64_t period_cycles, int16_t priority);
+
+  // --- For commands executed by a thread -------------------------------------------------------
+
+  /// Switches the page of a thread. 7: out of range; 1: another bound thread holds it.
+  int16_t SwitchPage(int thread, int page);
+  /// Blocks a thread until `cycles` more cycles have begun.
+  void Delay(int thread, int64_t cycles);
+  /// Blocks a thread until the slot holds `raw`.
+  void WaitForValue(int thread, const SlotAddress& slot, int64_t raw);
+
+  // --- Variables -------------------------------------------------------------------------------
+
+  /// The raw content of a slot, interpreted by `slot.type`: an int, or a raw fixed-point number.
+  int64_t ReadRaw(const SlotAddress& slot) const;
+  void WriteRaw(const SlotAddress& slot, int64_t raw);
+  /// The same as a double, exact.
+  double Read(const SlotAddress& slot) const;
+  /// Stores a host's value, truncated toward zero. False, and nothing stored, when the value does
+  /// not fit the slot's type.
+  bool Write(const SlotAddress& slot, double value);
+
+  // --- Execution -------------------------------------------------------------------------------
+
+  /// Starts the policy afresh.
+  void SetPolicy(const Policy& policy);
+  /// Executes up to `budget` statements in the policy's order. Returns how many; `last_stop()` says
+  /// why it returned.
+  int64_t Execute(int64_t budget);
+  Stop last_stop() const { return last_stop_; }
+  /// Executes one statement of a running thread, past the policy. False when it cannot run now.
+  bool ExecuteOne(int thread);
+  /// Bit n: thread n could execute a statement now.
+  uint32_t RunnableThreads() const;
+  /// Moves the clock to a cycle (never backwards): wakes delayed threads, starts periodic ones.
+  void BeginCycle(int64_t cycle);
+  /// True when no thread is running: all are unbound, stopped, paused or faulted, and none is
+  /// periodic.
+  bool Quiet() const;
+
+  // --- Recording -------------------------------------------------------------------------------
+
+  /// Appends what is executed to `schedule` until called with nullptr; the schedule must outlive
+  /// the recording.
+  void Record(Schedule* schedule) { recording_ = schedule; }
+
+  // --- State -----------------------------------------------------------------------------------
+
+  const MachineState& state() const { return *state_; }
+  const ThreadState& thread(int index) const { return state_->threads[static_cast<size_t>(index)]; }
+  /// Puts back a state taken from a machine with the same image.
+  void Restore(const MachineState& state) { *state_ = state; }
+  /// XXH64 of the whole state. Equal states have equal hashes on every machine.
+  uint64_t Hash() const;
+  /// Source line of the current or last instruction of a thread, 0 when unknown.
+  int Line(int thread) const;
+
+ private:
+  friend class Interpreter;
+
+  CommandTable* commands_;
+  std::shared_ptr<const Image> image_;
+  std::unique_ptr<MachineState> state_;  // large: keep Machine itself movable and small
+  Schedule* recording_ = nullptr;
+  Stop last_stop_ = Stop::kBudget;
+};
+
+}  // namespace oncard::vm

@@ -1,0 +1,102 @@
+// A motion program as its compiler knows it and its object files (`X.bin` with `X.ini`) hold it:
+// functions of one-statement instructions over numbered variables, and the symbols that name them.
+// The compiler builds an Object, object_writer.h turns it into the two files, object_reader.h reads
+// them back, verifier.h decides whether it may run, image.h turns it into what the machine executes.
+//
+// A plain value: copyable, no identity, nothing hidden. docs/object-format.md gives the bytes.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "vm/fixed_point.h"
+#include "vm/opcodes.h"
+
+namespace oncard::vm {
+
+/// Where a variable lives, numbered as in the records: the thread's data page, or the globals.
+enum class Storage : uint16_t { kLocal = 1, kGlobal = 3 };
+
+/// One slot: a scalar, a structure's member, or an array's element with a constant index.
+struct Variable {
+  Storage storage = Storage::kLocal;
+  uint16_t id = 0;
+  bool operator==(const Variable&) const = default;
+};
+
+/// An array's element with a variable index, checked against `size` when it runs.
+struct Element {
+  Storage storage = Storage::kLocal;
+  uint16_t base = 0;  ///< id of element 0
+  uint16_t size = 0;
+  Variable index;  ///< an int
+  bool operator==(const Element&) const = default;
+};
+
+/// A literal: a raw 32.16 number, so an int literal n is n * 2^16.
+struct Immediate {
+  int64_t raw = 0;
+  bool operator==(const Immediate&) const = default;
+};
+
+/// The int literal `value`.
+constexpr Immediate ImmediateInt(int32_t value) {
+  return {static_cast<int64_t>(value) * (1 << kFractionBits)};
+}
+
+using Operand = std::variant<Immediate, Variable, Element>;
+
+/// One statement.
+struct Instruction {
+  Opcode opcode = Opcode::kReturn;
+  /// Number of the unary or binary operator, or of the GT command; 0 for jumps and returns.
+  uint16_t op = 0;
+  /// Type of the operands of a unary or binary operator; kInt otherwise.
+  DataType type = DataType::kInt;
+  /// kUnary: src, dst. kBinary: a, b, dst. kJump: cond. kReturn: cond, value. kCommand: the
+  /// arguments; an output's or a structure's operand is the variable whose address is passed.
+  /// A cond is an int variable, or the literal 1 when the jump or return is unconditional.
+  std::vector<Operand> operands;
+  /// kJump: target minus own index.
+  int16_t displacement = 0;
+  bool operator==(const Instruction&) const = default;
+};
+
+/// A name of the `.ini` file.
+struct Symbol {
+  std::string name;  ///< `v`, or `s.member` for one member of a structure
+  uint16_t id = 0;   ///< first slot
+  DataType type = DataType::kInt;
+  uint16_t array_size = 0;  ///< elements, 0 for what is not an array
+  bool operator==(const Symbol&) const = default;
+
+  uint16_t slots() const { return array_size == 0 ? 1 : array_size; }
+};
+
+struct Function {
+  std::string name;
+  std::string file;  ///< source file that defines it, as written in the `.ini`
+  DataType return_type = DataType::kInt;
+  std::vector<Instruction> instructions;
+  std::vector<uint16_t> lines;     ///< source line of each instruction; 0 = unknown
+  std::vector<Symbol> variables;   ///< parameters, then locals, in order of declaration
+  bool operator==(const Function&) const = default;
+};
+
+/// A whole program. Function k (from 0) has id k + 1.
+struct Object {
+  std::vector<Function> functions;
+  std::vector<Symbol> globals;
+  DoubleFormat double_format = DoubleFormat::k32_16;
+  bool operator==(const Object&) const = default;
+};
+
+/// The two files of an object.
+struct ObjectFiles {
+  std::string bin;
+  std::string ini;
+};
+
+}  // namespace oncard::vm

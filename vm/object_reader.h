@@ -1,0 +1,22 @@
+// Reads the vendor's object layout, from any compiler and however damaged: every length is checked
+// before it is used, and nothing read is trusted before Verify() has accepted it.
+#pragma once
+
+#include "base/result.h"
+#include "vm/object.h"
+
+namespace oncard::vm {
+
+/// Decodes the contents of a pair. Fails with code 2008 when a file is damaged, when the two do not
+/// belong together, or when the checksum in `[oncard]` differs; with 7 when there are more than 32
+/// functions. An `.ini` without `[oncard]` is a vendor's: 32.16, no checksum.
+Result<Object> ReadObject(const ObjectFiles& files);
+
+/// Reads `X.bin` and the `X.ini` beside it. Code 2007: no such file, a name too long, or one that
+/// does not end in `.bin`; 2008: unreadable, or as ReadObject().
+Result<Object> ReadObjectPair(const std::string& bin_path);
+
+/// The `.ini` that goes with a `.bin`: the same path with the ending exchanged.
+std::string IniPathFor(const std::string& bin_path);
+
+}  // namespace oncard::vm

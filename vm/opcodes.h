@@ -1,0 +1,66 @@
+// Names and properties of the instructions and operators listed in opcodes.def.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace oncard::vm {
+
+/// Data types as object files number them; kVoid is only a function's return type.
+enum class DataType : uint16_t { kVoid = 0, kInt = 1, kDouble = 2 };
+
+enum class Opcode : uint16_t {
+#define INSTRUCTION(name, number, basis, operands, effect) name = number,
+#include "vm/opcodes.def"
+};
+
+enum class UnaryOperator : uint16_t {
+#define UNARY_OPERATOR(name, number, basis, spelling, types, result, effect) name = number,
+#include "vm/opcodes.def"
+};
+
+enum class BinaryOperator : uint16_t {
+#define BINARY_OPERATOR(name, number, basis, spelling, types, result, effect) name = number,
+#include "vm/opcodes.def"
+};
+
+/// Which operands an operator takes.
+enum class OperandTypes : uint8_t { kInt, kDouble, kBoth };
+/// What it yields.
+enum class ResultType : uint8_t { kInt, kDouble, kSame };
+
+/// One row of opcodes.def.
+struct OperatorInfo {
+  uint16_t number;
+  std::string_view spelling;
+  OperandTypes types;
+  ResultType result;
+  std::string_view effect;
+  bool observed;
+};
+
+/// The row of an operator, or nullptr when no operator has this number.
+const OperatorInfo* FindUnaryOperator(uint16_t number);
+const OperatorInfo* FindBinaryOperator(uint16_t number);
+
+/// True when the operator takes operands of this type.
+constexpr bool Accepts(const OperatorInfo& info, DataType type) {
+  return info.types == OperandTypes::kBoth ||
+         (info.types == OperandTypes::kInt) == (type == DataType::kInt);
+}
+
+/// The type an operator yields for operands of this type.
+constexpr DataType ResultOf(const OperatorInfo& info, DataType operand) {
+  switch (info.result) {
+    case ResultType::kInt:
+      return DataType::kInt;
+    case ResultType::kDouble:
+      return DataType::kDouble;
+    case ResultType::kSame:
+      break;
+  }
+  return operand;
+}
+
+}  // namespace oncard::vm

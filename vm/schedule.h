@@ -1,0 +1,47 @@
+// A recorded schedule: which thread executed how many statements in a row, with state hashes on the
+// way so that a replay that leaves the recorded path is noticed where it does. The text form is
+// described in docs/schedule-format.md.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+
+namespace oncard::vm {
+
+/// `statements` in a row of one thread.
+struct ScheduleSegment {
+  uint8_t thread = 0;
+  int64_t statements = 0;
+  bool operator==(const ScheduleSegment&) const = default;
+};
+
+/// The machine's hash after `statement` statements of the whole run.
+struct ScheduleCheckpoint {
+  int64_t statement = 0;
+  uint64_t hash = 0;
+  bool operator==(const ScheduleCheckpoint&) const = default;
+};
+
+struct Schedule {
+  uint64_t program_hash = 0;  ///< Image::hash
+  /// The scenario that was run (TOML text), so that the file can be replayed on its own.
+  std::string scenario;
+  std::vector<ScheduleSegment> segments;
+  std::vector<ScheduleCheckpoint> checkpoints;
+  bool operator==(const Schedule&) const = default;
+};
+
+/// Statements between two checkpoints of a recording.
+inline constexpr int64_t kCheckpointInterval = 10000;
+
+/// The text of a schedule file; ends in a newline, byte-deterministic.
+std::string FormatSchedule(const Schedule& schedule);
+
+/// Reads it back. The error names the line.
+Result<Schedule> ParseSchedule(std::string_view text);
+
+}  // namespace oncard::vm
