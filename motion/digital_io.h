@@ -1,0 +1,145 @@
+// The card's digital inputs and outputs as one plain value: pins, senses, filters, edge counters,
+// output registers, timed reversals and pulse trains.
+//
+// An input goes from its pin through a filter (a new level counts once it has been sampled at so
+// many ticks in a row) and through its sense (inverted or not) to what GT_GetDi reads. Edges are
+// counted behind the filter and before the sense, so changing a sense counts nothing. A pin that
+// the world has never driven rests at the level that reads 0, whatever its sense.
+//
+// Bits are numbered from 0 here; the commands number inputs and outputs from 1.
+// Tested by tests/motion/digital_io_test.cc.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace oncard::motion {
+
+/// Input words, numbered as MC_LIMIT_POSITIVE ... MC_MPG.
+enum class DiType : uint8_t {
+  kLimitPositive = 0,
+  kLimitNegative = 1,
+  kAlarm = 2,
+  kHome = 3,
+  kGpi = 4,
+  kArrive = 5,
+  kMpg = 6
+};
+inline constexpr int kDiTypeCount = 7;
+
+/// Output words, numbered as MC_ENABLE, MC_CLEAR, MC_GPO.
+enum class DoType : uint8_t { kEnable = 10, kClear = 11, kGpo = 12 };
+inline constexpr int kDoTypeCount = 3;
+
+inline constexpr int kIoWidthMax = 16;
+
+/// The word of a number; empty when no word has it.
+std::optional<DiType> DiTypeFromNumber(int number);
+std::optional<DoType> DoTypeFromNumber(int number);
+
+/// How many inputs or outputs a word has.
+int DiWidth(DiType type);
+int DoWidth(DoType type);
+
+/// Ticks of the input filter after reset (`filterTime` of the vendor's configuration files).
+inline constexpr uint16_t kFilterTicksDefault = 3;
+
+/// One word of inputs. Bit n of each mask belongs to input n.
+struct DiWord {
+  uint32_t driven = 0;                               ///< the world drives this pin
+  uint32_t pins = 0;                                 ///< level of the driven pins
+  uint32_t inverted = 0;                             ///< sense: 1 = low level reads 1
+  uint32_t levels = 0;                               ///< pin levels behind the filter
+  std::array<uint16_t, kIoWidthMax> filter_ticks{};  ///< ticks a new level must last; 0 acts as 1
+  std::array<uint16_t, kIoWidthMax> held_ticks{};    ///< ticks the pin has differed from `levels`
+  std::array<uint32_t, kIoWidthMax> edges{};         ///< changes of `levels`, modulo 2^32
+};
+
+/// A timed reversal or a pulse train of one output: the output flips whenever a phase has passed.
+struct DoTiming {
+  int64_t flips_left = 0;  ///< 0: none; kEndlessFlips: until stopped
+  int64_t phase_us = 0;    ///< time left until the next flip
+  int64_t high_us = 0;     ///< length of a high phase
+  int64_t low_us = 0;      ///< length of a low phase
+};
+inline constexpr int64_t kEndlessFlips = -1;
+
+/// One word of outputs.
+struct DoWord {
+  uint32_t value = 0;     ///< the register that GT_GetDo reads
+  uint32_t inverted = 0;  ///< `reverse` of the configuration: the pin carries the complement
+  std::array<DoTiming, kIoWidthMax> timing{};
+};
+
+/// Unit of the times of GT_SetDoBitReverse, in microseconds.
+inline constexpr int64_t kDoTimeUnitUs = 250;
+
+/// All digital inputs and outputs. Plain data: copy it to keep it.
+class DigitalIo {
+ public:
+  DigitalIo();
+
+  // --- Inputs ----------------------------------------------------------------------------------
+
+  /// The world drives a pin; the level takes effect through the filter.
+  void SetPin(DiType type, int bit, bool level);
+  /// The levels of the pins: undriven ones at the level that reads 0.
+  uint32_t Pins(DiType type) const;
+  /// Filtered levels with the senses applied: what GT_GetDi reads.
+  uint32_t Read(DiType type) const;
+  /// Sets the senses of a whole word; takes effect at once.
+  void SetInverted(DiType type, uint32_t mask);
+  uint32_t inverted(DiType type) const { return At(type).inverted; }
+  /// Ticks a new level must last; 0 and 1 let it through at the first tick.
+  void SetFilterTicks(DiType type, int bit, uint16_t ticks);
+  /// Changes of the filtered level since reset or since the counter was set.
+  uint32_t Edges(DiType type, int bit) const;
+  void SetEdges(DiType type, int bit, uint32_t count);
+
+  // --- Outputs. The last command that writes a bit decides: it ends a reversal or train of it ----
+
+  /// The register: what GT_GetDo reads.
+  uint32_t Register(DoType type) const { return At(type).value; }
+  /// Levels at the terminals: the register with the configured reversal.
+  uint32_t OutputPins(DoType type) const;
+  void SetOutputInverted(DoType type, uint32_t mask);
+  /// Writes the bits of `mask`.
+  void Write(DoType type, uint32_t mask, uint32_t value);
+  /// Writes a bit and sets it to the opposite `delay_us` later; 0 means for ever.
+  void WriteForAWhile(DoType type, int bit, bool level, int64_t delay_us);
+  /// Starts a train of pulses: one high and one low phase each, the first with `first_level`.
+  /// Afterwards the bit stays at the level of the last phase. `pulses` 0: endless.
+  void StartPulses(DoType type, int bit, int64_t high_us, int64_t low_us, int64_t pulses,
+                   bool first_level);
+  /// Ends a train or a reversal; the bit stays as it is.
+  void StopTiming(DoType type, int bit);
+
+  // --- Time ------------------------------------------------------------------------------------
+
+  /// One tick: samples the inputs and counts their edges.
+  void SampleInputs();
+  /// Lets microseconds pass for reversals and trains.
+  void AdvanceOutputs(int64_t microseconds);
+  /// Registers, senses, filters, counters and timings to their defaults. The world's pins stay, and
+  /// the filters are settled at their levels.
+  void Reset();
+
+  /// The words themselves, for serialisation.
+  const std::array<DiWord, kDiTypeCount>& inputs() const { return inputs_; }
+  const std::array<DoWord, kDoTypeCount>& outputs() const { return outputs_; }
+
+ private:
+  DiWord& At(DiType type) { return inputs_[static_cast<size_t>(type)]; }
+  const DiWord& At(DiType type) const { return inputs_[static_cast<size_t>(type)]; }
+  DoWord& At(DoType type) { return outputs_[Slot(type)]; }
+  const DoWord& At(DoType type) const { return outputs_[Slot(type)]; }
+  static size_t Slot(DoType type) {
+    return static_cast<size_t>(type) - static_cast<size_t>(DoType::kEnable);
+  }
+
+  std::array<DiWord, kDiTypeCount> inputs_;
+  std::array<DoWord, kDoTypeCount> outputs_;
+};
+
+}  // namespace oncard::motion
