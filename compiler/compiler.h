@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/result.h"
 #include "compiler/diagnostic.h"
 #include "vm/fixed_point.h"
 #include "vm/object.h"

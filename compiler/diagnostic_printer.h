@@ -1,6 +1,7 @@
 // Diagnostics for people and for programs: clang-like text, one JSON object per line, SARIF 2.1.0.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "compiler/compiler.h"

@@ -1,0 +1,213 @@
+// Tested by tests/compiler/printer_display_test.cc.
+#include "compiler/display_text.h"
+
+#include <fmt/format.h>
+#include <iconv.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace oncard::compiler {
+namespace {
+
+constexpr int kTabWidth = 8;
+
+struct CodeRange {
+  char32_t first;
+  char32_t last;
+};
+
+// Unicode's East Asian Width classes W and F, as far as fonts of programmers have them.
+constexpr std::array kWide = {
+    CodeRange{0x1100, 0x115F},   CodeRange{0x2E80, 0x303E},   CodeRange{0x3041, 0x4DBF},
+    CodeRange{0x4E00, 0xA4CF},   CodeRange{0xA960, 0xA97C},   CodeRange{0xAC00, 0xD7A3},
+    CodeRange{0xF900, 0xFAFF},   CodeRange{0xFE30, 0xFE6F},   CodeRange{0xFF00, 0xFF60},
+    CodeRange{0xFFE0, 0xFFE6},   CodeRange{0x1F300, 0x1F64F}, CodeRange{0x1F900, 0x1F9FF},
+    CodeRange{0x20000, 0x3FFFD},
+};
+
+// Combining marks and invisible joiners take no column of their own.
+constexpr std::array kZeroWidth = {
+    CodeRange{0x0300, 0x036F},
+    CodeRange{0x200B, 0x200F},
+    CodeRange{0x20D0, 0x20FF},
+    CodeRange{0xFE00, 0xFE0F},
+};
+
+// Characters that change how a terminal shows what follows: C1 controls, bidirectional overrides,
+// the byte order mark.
+constexpr std::array kUnsafe = {
+    CodeRange{0x0080, 0x009F},
+    CodeRange{0x202A, 0x202E},
+    CodeRange{0x2066, 0x2069},
+    CodeRange{0xFEFF, 0xFEFF},
+};
+
+template <size_t kSize>
+bool Contains(const std::array<CodeRange, kSize>& ranges, char32_t code) {
+  return std::any_of(ranges.begin(), ranges.end(), [code](const CodeRange& range) {
+    return code >= range.first && code <= range.last;
+  });
+}
+
+int WidthOf(char32_t code) {
+  if (Contains(kZeroWidth, code)) return 0;
+  return Contains(kWide, code) ? 2 : 1;
+}
+
+struct Character {
+  size_t size = 1;  // bytes it takes in the source
+  char32_t code = 0;
+};
+
+// The UTF-8 character at `offset`; nothing when the bytes are not well-formed.
+std::optional<Character> DecodeUtf8(std::string_view text, size_t offset) {
+  const auto byte = [&](size_t index) { return static_cast<uint8_t>(text[index]); };
+  const uint8_t lead = byte(offset);
+  if (lead < 0x80) return Character{1, lead};
+  size_t size = 0;
+  char32_t code = 0;
+  char32_t smallest = 0;
+  if (lead >= 0xC2 && lead <= 0xDF) {
+    size = 2, code = lead & 0x1Fu, smallest = 0x80;
+  } else if (lead >= 0xE0 && lead <= 0xEF) {
+    size = 3, code = lead & 0x0Fu, smallest = 0x800;
+  } else if (lead >= 0xF0 && lead <= 0xF4) {
+    size = 4, code = lead & 0x07u, smallest = 0x10000;
+  } else {
+    return std::nullopt;
+  }
+  if (offset + size > text.size()) return std::nullopt;
+  for (size_t i = 1; i < size; ++i) {
+    if ((byte(offset + i) & 0xC0u) != 0x80u) return std::nullopt;
+    code = (code << 6) | (byte(offset + i) & 0x3Fu);
+  }
+  const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
+  if (code < smallest || code > 0x10FFFF || surrogate) return std::nullopt;
+  return Character{size, code};
+}
+
+bool IsUtf8(std::string_view text) {
+  for (size_t offset = 0; offset < text.size();) {
+    const auto character = DecodeUtf8(text, offset);
+    if (!character) return false;
+    offset += character->size;
+  }
+  return true;
+}
+
+// Converts single GBK characters; without GBK support in the C library nothing converts.
+class GbkDecoder {
+ public:
+  GbkDecoder() : handle_(::iconv_open("UTF-32LE", "GBK")) {}
+  GbkDecoder(const GbkDecoder&) = delete;
+  GbkDecoder& operator=(const GbkDecoder&) = delete;
+  ~GbkDecoder() {
+    if (Available()) ::iconv_close(handle_);
+  }
+
+  std::optional<Character> Decode(std::string_view text, size_t offset) {
+    const uint8_t lead = static_cast<uint8_t>(text[offset]);
+    if (lead < 0x80) return Character{1, lead};
+    if (!Available() || offset + 2 > text.size()) return std::nullopt;
+    char input[2] = {text[offset], text[offset + 1]};
+    uint8_t output[4] = {};
+    char* from = input;
+    char* to = reinterpret_cast<char*>(output);
+    size_t from_left = sizeof input;
+    size_t to_left = sizeof output;
+    ::iconv(handle_, nullptr, nullptr, nullptr, nullptr);
+    if (::iconv(handle_, &from, &from_left, &to, &to_left) == static_cast<size_t>(-1) ||
+        from_left != 0 || to_left != 0) {
+      return std::nullopt;
+    }
+    char32_t code = 0;
+    for (size_t i = 0; i < sizeof output; ++i) code |= static_cast<char32_t>(output[i]) << (8 * i);
+    return Character{2, code};
+  }
+
+ private:
+  // iconv_open() reports failure as the pointer value -1.
+  bool Available() const { return reinterpret_cast<intptr_t>(handle_) != -1; }
+
+  iconv_t handle_;
+};
+
+void AppendUtf8(std::string& text, char32_t code) {
+  const auto put = [&text](char32_t byte) {
+    text += static_cast<char>(static_cast<uint8_t>(byte));
+  };
+  if (code < 0x80) {
+    put(code);
+  } else if (code < 0x800) {
+    put(0xC0 | (code >> 6));
+    put(0x80 | (code & 0x3F));
+  } else if (code < 0x10000) {
+    put(0xE0 | (code >> 12));
+    put(0x80 | ((code >> 6) & 0x3F));
+    put(0x80 | (code & 0x3F));
+  } else {
+    put(0xF0 | (code >> 18));
+    put(0x80 | ((code >> 12) & 0x3F));
+    put(0x80 | ((code >> 6) & 0x3F));
+    put(0x80 | (code & 0x3F));
+  }
+}
+
+bool IsShown(char32_t code) { return code >= 0x20 && code != 0x7F && !Contains(kUnsafe, code); }
+
+// Appends what the terminal shows for `size` bytes of `text` at `offset`, which are `character` or
+// nothing sensible. Gives the columns it takes.
+int AppendShown(std::string& shown, std::string_view text, size_t offset, size_t size,
+                const std::optional<Character>& character) {
+  if (character && IsShown(character->code)) {
+    AppendUtf8(shown, character->code);
+    return WidthOf(character->code);
+  }
+  for (size_t i = 0; i < size; ++i) {
+    shown += fmt::format("<{:02X}>", static_cast<uint8_t>(text[offset + i]));
+  }
+  return static_cast<int>(4 * size);
+}
+
+}  // namespace
+
+DisplayLine::DisplayLine(std::string_view line) {
+  const bool utf8 = IsUtf8(line);
+  std::optional<GbkDecoder> gbk;
+  if (!utf8) gbk.emplace();
+  int column = 0;
+  for (size_t offset = 0; offset < line.size();) {
+    const auto character = utf8 ? DecodeUtf8(line, offset) : gbk->Decode(line, offset);
+    const size_t size = character ? character->size : 1;
+    columns_.insert(columns_.end(), size, column);
+    if (line[offset] == '\t') {
+      const int width = kTabWidth - column % kTabWidth;
+      text_.append(static_cast<size_t>(width), ' ');
+      column += width;
+    } else {
+      column += AppendShown(text_, line, offset, size, character);
+    }
+    offset += size;
+  }
+  columns_.push_back(column);
+}
+
+int DisplayLine::ColumnOf(size_t offset) const {
+  return columns_[std::min(offset, columns_.size() - 1)];
+}
+
+std::string DisplayText(std::string_view text) {
+  std::string shown;
+  for (size_t offset = 0; offset < text.size();) {
+    const auto character = DecodeUtf8(text, offset);
+    const size_t size = character ? character->size : 1;
+    AppendShown(shown, text, offset, size, character);
+    offset += size;
+  }
+  return shown;
+}
+
+}  // namespace oncard::compiler

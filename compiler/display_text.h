@@ -1,0 +1,34 @@
+// A line of source as a terminal shows it: tabs expanded, wide characters counted as two columns,
+// GBK text converted, and whatever is neither text nor printable made visible instead of sent to
+// the terminal.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace oncard::compiler {
+
+/// A line, and where each of its bytes appears.
+class DisplayLine {
+ public:
+  /// A line that is valid UTF-8 is taken as UTF-8, any other as GBK. Bytes that are neither, and
+  /// control characters, show as `<1B>`.
+  explicit DisplayLine(std::string_view line);
+
+  /// UTF-8, without tabs and control characters.
+  const std::string& text() const { return text_; }
+  /// Terminal column (from 0) at which the character that holds byte `offset` begins; offsets at or
+  /// past the end give the width of the whole line.
+  int ColumnOf(size_t offset) const;
+
+ private:
+  std::string text_;
+  std::vector<int> columns_;  // of each byte, then of the end
+};
+
+/// A name or message made safe for a terminal: bytes that are not UTF-8 and control characters show
+/// as `<1B>`.
+std::string DisplayText(std::string_view text);
+
+}  // namespace oncard::compiler
