@@ -6,7 +6,8 @@
 // counted behind the filter and before the sense, so changing a sense counts nothing. A pin that
 // the world has never driven rests at the level that reads 0, whatever its sense.
 //
-// Bits are numbered from 0 here; the commands number inputs and outputs from 1.
+// Bits are numbered from 0 here (the commands number inputs and outputs from 1) and must be below
+// the word's width.
 // Tested by tests/motion/digital_io_test.cc.
 #pragma once
 
@@ -109,7 +110,8 @@ class DigitalIo {
   /// Writes a bit and sets it to the opposite `delay_us` later; 0 means for ever.
   void WriteForAWhile(DoType type, int bit, bool level, int64_t delay_us);
   /// Starts a train of pulses: one high and one low phase each, the first with `first_level`.
-  /// Afterwards the bit stays at the level of the last phase. `pulses` 0: endless.
+  /// Afterwards the bit stays at the level of the last phase. `pulses` 0: endless. Both times are
+  /// at least 1 us.
   void StartPulses(DoType type, int bit, int64_t high_us, int64_t low_us, int64_t pulses,
                    bool first_level);
   /// Ends a train or a reversal; the bit stays as it is.

@@ -1,0 +1,165 @@
+// Digital inputs and outputs. Source: GTS manual chapters 4 and 9 for words and senses, the
+// vendor's configuration files for the filter time, its public header for the timed outputs.
+// Tested by tests/motion/digital_io_test.cc.
+#include "motion/digital_io.h"
+
+namespace oncard::motion {
+namespace {
+
+/// Words that belong to axes have one bit per axis of an 8-axis card.
+/// Assumption: on 12-axis cards too, since GT_LmtSns has two bits per axis in 16.
+constexpr int kAxisIoWidth = 8;
+constexpr int kMpgWidth = 7;
+constexpr int kGeneralIoWidth = 16;
+
+constexpr std::array<int, kDiTypeCount> kDiWidths = {kAxisIoWidth, kAxisIoWidth,    kAxisIoWidth,
+                                                     kAxisIoWidth, kGeneralIoWidth, kAxisIoWidth,
+                                                     kMpgWidth};
+constexpr std::array<int, kDoTypeCount> kDoWidths = {kAxisIoWidth, kAxisIoWidth, kGeneralIoWidth};
+
+constexpr uint32_t BitMask(int bit) { return uint32_t{1} << bit; }
+constexpr uint32_t WidthMask(int width) { return BitMask(width) - 1; }
+
+constexpr uint32_t WithBit(uint32_t word, int bit, bool level) {
+  return level ? word | BitMask(bit) : word & ~BitMask(bit);
+}
+
+/// Undriven pins rest at the level that reads 0: low, or high when the sense is inverted.
+uint32_t PinLevels(const DiWord& word) {
+  return (word.pins & word.driven) | (word.inverted & ~word.driven);
+}
+
+}  // namespace
+
+std::optional<DiType> DiTypeFromNumber(int number) {
+  if (number < 0 || number >= kDiTypeCount) return std::nullopt;
+  return static_cast<DiType>(number);
+}
+
+std::optional<DoType> DoTypeFromNumber(int number) {
+  const int first = static_cast<int>(DoType::kEnable);
+  if (number < first || number >= first + kDoTypeCount) return std::nullopt;
+  return static_cast<DoType>(number);
+}
+
+int DiWidth(DiType type) { return kDiWidths[static_cast<size_t>(type)]; }
+
+int DoWidth(DoType type) {
+  return kDoWidths[static_cast<size_t>(type) - static_cast<size_t>(DoType::kEnable)];
+}
+
+DigitalIo::DigitalIo() { Reset(); }
+
+void DigitalIo::SetPin(DiType type, int bit, bool level) {
+  DiWord& word = At(type);
+  word.driven |= BitMask(bit);
+  word.pins = WithBit(word.pins, bit, level);
+}
+
+uint32_t DigitalIo::Pins(DiType type) const { return PinLevels(At(type)); }
+
+uint32_t DigitalIo::Read(DiType type) const {
+  const DiWord& word = At(type);
+  return word.levels ^ word.inverted;
+}
+
+void DigitalIo::SetInverted(DiType type, uint32_t mask) {
+  DiWord& word = At(type);
+  word.inverted = mask & WidthMask(DiWidth(type));
+  // An undriven pin moves with its sense without passing the filter: nothing has happened outside.
+  word.levels = (word.levels & word.driven) | (word.inverted & ~word.driven);
+}
+
+void DigitalIo::SetFilterTicks(DiType type, int bit, uint16_t ticks) {
+  At(type).filter_ticks[static_cast<size_t>(bit)] = ticks;
+}
+
+uint32_t DigitalIo::Edges(DiType type, int bit) const {
+  return At(type).edges[static_cast<size_t>(bit)];
+}
+
+void DigitalIo::SetEdges(DiType type, int bit, uint32_t count) {
+  At(type).edges[static_cast<size_t>(bit)] = count;
+}
+
+uint32_t DigitalIo::OutputPins(DoType type) const {
+  const DoWord& word = At(type);
+  return word.value ^ word.inverted;
+}
+
+void DigitalIo::SetOutputInverted(DoType type, uint32_t mask) {
+  At(type).inverted = mask & WidthMask(DoWidth(type));
+}
+
+void DigitalIo::Write(DoType type, uint32_t mask, uint32_t value) {
+  DoWord& word = At(type);
+  mask &= WidthMask(DoWidth(type));
+  word.value = (word.value & ~mask) | (value & mask);
+  for (int bit = 0; bit < DoWidth(type); ++bit) {
+    if (mask & BitMask(bit)) StopTiming(type, bit);
+  }
+}
+
+void DigitalIo::WriteForAWhile(DoType type, int bit, bool level, int64_t delay_us) {
+  Write(type, BitMask(bit), WithBit(0, bit, level));
+  if (delay_us <= 0) return;
+  At(type).timing[static_cast<size_t>(bit)] = {.flips_left = 1, .phase_us = delay_us};
+}
+
+void DigitalIo::StartPulses(DoType type, int bit, int64_t high_us, int64_t low_us, int64_t pulses,
+                            bool first_level) {
+  Write(type, BitMask(bit), WithBit(0, bit, first_level));
+  At(type).timing[static_cast<size_t>(bit)] = {
+      .flips_left = pulses == 0 ? kEndlessFlips : 2 * pulses - 1,
+      .phase_us = first_level ? high_us : low_us,
+      .high_us = high_us,
+      .low_us = low_us};
+}
+
+void DigitalIo::StopTiming(DoType type, int bit) { At(type).timing[static_cast<size_t>(bit)] = {}; }
+
+void DigitalIo::SampleInputs() {
+  for (DiWord& word : inputs_) {
+    const uint32_t pins = PinLevels(word);
+    for (size_t bit = 0; bit < kIoWidthMax; ++bit) {
+      if (((pins ^ word.levels) >> bit & 1) == 0) {
+        word.held_ticks[bit] = 0;
+      } else if (++word.held_ticks[bit] >= word.filter_ticks[bit]) {
+        word.held_ticks[bit] = 0;
+        word.levels ^= BitMask(static_cast<int>(bit));
+        ++word.edges[bit];
+      }
+    }
+  }
+}
+
+void DigitalIo::AdvanceOutputs(int64_t microseconds) {
+  for (DoWord& word : outputs_) {
+    for (size_t bit = 0; bit < kIoWidthMax; ++bit) {
+      DoTiming& timing = word.timing[bit];
+      if (timing.flips_left == 0) continue;
+      timing.phase_us -= microseconds;
+      // A cycle can be longer than a phase; the remainder carries over, so trains do not drift.
+      while (timing.flips_left != 0 && timing.phase_us <= 0) {
+        word.value ^= BitMask(static_cast<int>(bit));
+        if (timing.flips_left != kEndlessFlips) --timing.flips_left;
+        timing.phase_us += (word.value >> bit & 1) != 0 ? timing.high_us : timing.low_us;
+      }
+      if (timing.flips_left == 0) timing = {};
+    }
+  }
+}
+
+void DigitalIo::Reset() {
+  for (DiWord& word : inputs_) {
+    const DiWord before = word;
+    word = {};
+    word.driven = before.driven;
+    word.pins = before.pins;
+    word.levels = PinLevels(word);
+    word.filter_ticks.fill(kFilterTicksDefault);
+  }
+  outputs_ = {};
+}
+
+}  // namespace oncard::motion
