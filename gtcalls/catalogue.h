@@ -15,7 +15,15 @@
 namespace oncard::gtcalls {
 
 /// C type of a scalar parameter, or of a structure's member.
-enum class Scalar : uint8_t { kChar, kShort, kUnsignedShort, kLong, kUnsignedLong, kDouble };
+enum class Scalar : uint8_t {
+  kChar,
+  kUnsignedChar,
+  kShort,
+  kUnsignedShort,
+  kLong,
+  kUnsignedLong,
+  kDouble
+};
 
 /// How a parameter travels.
 enum class Passing : uint8_t {
@@ -44,39 +52,45 @@ enum class Cost : uint8_t {
 /// What a command can touch; the explorer decides from it which statements are independent.
 enum class Resource : uint8_t {
   kNone = 0,
-  kClock,           ///< the card's time
-  kThread,          ///< the calling thread's own schedule (delay, page)
-  kVariable,        ///< a program variable
-  kProgram,         ///< downloaded program, bindings, thread states
-  kDigitalInput,    ///< a DI word
-  kDigitalOutput,   ///< a DO word
-  kAnalog,          ///< ADC or DAC channel
-  kExtension,       ///< an extension I/O module
-  kAxis,            ///< an axis with its profile, status and limits
-  kEncoder,         ///< an encoder or pulse counter
-  kControl,         ///< a servo controller
-  kCrd,             ///< a coordinate system with its FIFOs
-  kCapture,         ///< capture and trigger units
-  kCompare,         ///< position compare outputs
-  kPvtTable,        ///< PVT tables
-  kUserVariable,    ///< GT_SetLongVar and its kin
-  kConfiguration,   ///< card-wide settings
-  kEverything       ///< may touch all of the card
+  kClock,          ///< the card's time
+  kThread,         ///< the calling thread's own schedule (delay, page)
+  kVariable,       ///< a program variable
+  kProgram,        ///< downloaded program, bindings, thread states
+  kDigitalInput,   ///< a DI word
+  kDigitalOutput,  ///< a DO word
+  kAnalog,         ///< ADC or DAC channel
+  kExtension,      ///< an extension I/O module
+  kAxis,           ///< an axis with its profile, status and limits
+  kEncoder,        ///< an encoder or pulse counter
+  kControl,        ///< a servo controller
+  kCrd,            ///< a coordinate system with its FIFOs
+  kCapture,        ///< capture and trigger units
+  kCompare,        ///< position compare outputs
+  kPvtTable,       ///< PVT tables
+  kUserVariable,   ///< GT_SetLongVar and its kin
+  kConfiguration,  ///< card-wide settings
+  kEverything      ///< may touch all of the card
 };
 
 /// Access set: the resource read or written and the parameter that selects which one (-1: all).
 struct Access {
   Resource resource = Resource::kNone;
   bool write = false;
-  int selector = -1;    ///< index of the parameter holding the number, or a mask of them
-  bool mask = false;    ///< the selector is a bit mask
+  int selector = -1;  ///< index of the parameter holding the number, or a mask of them
+  bool mask = false;  ///< the selector is a bit mask
+  /// Index of the parameter that says how many consecutive ones are meant, -1 for one.
+  int count_parameter = -1;
 };
+
+struct Structure;
 
 /// A member of an interface structure.
 struct Member {
   std::string_view name;
   Scalar type = Scalar::kShort;
-  int array_size = 0;  ///< elements, 0 for a scalar
+  int array_size = 0;                    ///< elements, 0 for a scalar
+  bool pointer = false;                  ///< a pointer to `type` (TCompileInfo only)
+  const Structure* structure = nullptr;  ///< a nested structure; `type` is then unused
 };
 
 /// A structure of the interface.
@@ -95,8 +109,20 @@ struct Constant {
 
 /// Unit of a parameter, for documentation and messages.
 enum class Unit : uint8_t {
-  kNone, kPulse, kPulsePerMs, kPulsePerMs2, kMillisecond, kMicrosecond, kCycle, kQuarterMs,
-  kVolt, kIndex, kMask, kBits
+  kNone,
+  kPulse,
+  kPulsePerMs,
+  kPulsePerMs2,
+  kMillisecond,
+  kMicrosecond,
+  kCycle,      ///< profile cycles
+  kQuarterMs,  ///< steps of 250 us
+  kEighthMs,   ///< steps of 125 us
+  kVolt,
+  kPercent,
+  kIndex,  ///< the number of an axis, channel, buffer, thread, ...
+  kMask,   ///< one bit per axis or coordinate system
+  kBits    ///< one bit per input or output
 };
 
 /// One parameter.
@@ -106,15 +132,19 @@ struct Parameter {
   const Structure* structure = nullptr;  ///< pointer to a structure; `type` is then unused
   Passing passing = Passing::kValue;
   Unit unit = Unit::kNone;
-  /// Range of a value (inclusive); checked before the command runs, code 7 outside.
+  /// Range of a value (inclusive); checked before the command runs, code 7 outside. An open end is
+  /// written as the nearest double inside.
   double minimum = -std::numeric_limits<double>::infinity();
   double maximum = std::numeric_limits<double>::infinity();
   /// The value of a C++ default argument as written in the header; empty = none.
   std::string_view default_text;
   /// Pointer: the parameter that says how many elements it covers, -1 for one.
   int count_parameter = -1;
-  /// Pointer: NULL is allowed (its default is NULL).
+  /// Pointer: NULL is allowed (mostly because it is the default).
   bool nullable = false;
+  /// Pointer without a count: one element per axis of the coordinate system that the first
+  /// parameter names.
+  bool per_dimension = false;
 };
 
 inline constexpr int kParameterMax = 13;
@@ -126,6 +156,9 @@ struct Command {
   Family family = Family::kGts;
   Tier tier = Tier::kA;
   bool in_motion_program = false;
+  /// Declared in gts.h and exported by the library; false for commands that mean the calling
+  /// thread, such as GT_Delay.
+  bool on_host = true;
   Cost cost = Cost::kHostCall;
   std::span<const Access> accesses;
   std::span<const Parameter> parameters;
@@ -152,9 +185,17 @@ constexpr vm::DataType ProgramType(Scalar scalar) {
   return scalar == Scalar::kDouble ? vm::DataType::kDouble : vm::DataType::kInt;
 }
 
+/// Scalars of a structure, nested ones and array elements counted one by one. Text and pointers
+/// are not counted: programs and commands never see them.
+int CellCount(const Structure& structure);
+
 /// The C spelling of a scalar type.
 std::string_view SpellScalar(Scalar scalar);
 /// The C declaration of a parameter without its default: `double *pValue`.
 std::string DeclareParameter(const Parameter& parameter);
+/// The unit in words for documentation: `pulse/ms`; empty when there is none to name.
+std::string_view SpellUnit(Unit unit);
+/// The range for documentation and messages, `[1, 12]` or `(0, 32767]`; empty when unbounded.
+std::string SpellRange(const Parameter& parameter);
 
 }  // namespace oncard::gtcalls
