@@ -26,6 +26,8 @@ inline constexpr int kThreadLast = 31;
 inline constexpr int kPageLast = 31;
 /// Variables per call of GT_GetVarValue.
 inline constexpr int kVariableMax = 6;
+/// Words per call of GT_LoadPlcCommand.
+inline constexpr int kLoadMax = 24;
 inline constexpr double kPositionMax = 1073741823;
 /// Open ends of ranges: the nearest doubles inside (0, ...) and (..., 32767).
 inline constexpr double kAboveZero = std::numeric_limits<double>::denorm_min();
