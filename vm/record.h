@@ -11,7 +11,8 @@
 
 namespace oncard::vm {
 
-/// The words of a record: len, words, k, links.
+/// The words of a record: len, words, k, links. The instruction must have the operands that its
+/// opcode asks for (object.h), at most kCommandArgumentMax of a command.
 std::vector<uint16_t> EncodeRecord(const Instruction& instruction);
 
 /// A decoded record and the number of words it took.
