@@ -1,0 +1,86 @@
+// Tested by tests/vm/object_writer_test.cc; docs/object-format.md describes the bytes.
+#include "vm/object_writer.h"
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <iterator>
+
+#include "vm/record.h"
+
+namespace oncard::vm {
+namespace {
+
+void AppendWord(uint16_t word, std::string* bin) {
+  bin->push_back(static_cast<char>(word & 0xFF));
+  bin->push_back(static_cast<char>(word >> 8));
+}
+
+std::string WriteBin(const Object& object) {
+  std::string bin;
+  uint16_t id = 0;
+  for (const Function& function : object.functions) {
+    AppendWord(++id, &bin);
+    AppendWord(static_cast<uint16_t>(function.return_type), &bin);
+    AppendWord(static_cast<uint16_t>(function.instructions.size()), &bin);
+    for (const Instruction& instruction : function.instructions) {
+      for (const uint16_t word : EncodeRecord(instruction)) AppendWord(word, &bin);
+    }
+  }
+  return bin;
+}
+
+void WriteSymbols(const std::vector<Symbol>& symbols, std::string* ini) {
+  auto out = std::back_inserter(*ini);
+  for (const Symbol& symbol : symbols) {
+    const int type = static_cast<int>(symbol.type);
+    if (symbol.array_size == 0) {
+      fmt::format_to(out, "{}={},{}\n", symbol.name, symbol.id, type);
+    } else {
+      fmt::format_to(out, "{}[{}]={},{}\n", symbol.name, symbol.array_size, symbol.id, type);
+    }
+  }
+}
+
+std::string WriteVendorSections(const Object& object) {
+  std::string ini = "[function]\n";
+  auto out = std::back_inserter(ini);
+  int id = 0;
+  for (const Function& function : object.functions) {
+    fmt::format_to(out, "{}={},{},{}\n", function.name, ++id, function.file,
+                   static_cast<int>(function.return_type));
+  }
+  ini += "[global]\n";
+  WriteSymbols(object.globals, &ini);
+  for (const Function& function : object.functions) {
+    fmt::format_to(out, "[{}.line]\n", function.name);
+    for (size_t i = 0; i < function.lines.size(); ++i) {
+      fmt::format_to(out, "{}={}\n", i, function.lines[i]);
+    }
+    fmt::format_to(out, "[{}.var]\n", function.name);
+    WriteSymbols(function.variables, &ini);
+  }
+  return ini;
+}
+
+}  // namespace
+
+uint32_t BinChecksum(std::string_view bin) {
+  return static_cast<uint32_t>(crc32_z(0, reinterpret_cast<const Bytef*>(bin.data()), bin.size()));
+}
+
+std::string_view DoubleFormatName(DoubleFormat format) {
+  return format == DoubleFormat::k32_16 ? "32.16" : "16.16";
+}
+
+ObjectFiles WriteObject(const Object& object, bool vendor_format) {
+  ObjectFiles files{WriteBin(object), WriteVendorSections(object)};
+  if (!vendor_format) {
+    fmt::format_to(std::back_inserter(files.ini),
+                   "[oncard]\nformat={}\ndouble={}\nbin_crc32={:08x}\n", kObjectFormat,
+                   DoubleFormatName(object.double_format), BinChecksum(files.bin));
+  }
+  return files;
+}
+
+}  // namespace oncard::vm
