@@ -1,0 +1,31 @@
+#include "runtime/program.h"
+
+#include "base/files.h"
+#include "vm/object_reader.h"
+
+namespace oncard::runtime {
+
+ProgramLoad LoadProgram(const std::string& path, const compiler::Options& options) {
+  ProgramLoad load;
+  if (path.ends_with(".bin")) {
+    auto object = vm::ReadObjectPair(path);
+    if (object.ok()) {
+      load.object = std::move(object).value();
+    } else {
+      load.error = object.error();
+    }
+    return load;
+  }
+  auto text = ReadFile(path);
+  if (!text.ok()) {
+    load.error = text.error();
+    return load;
+  }
+  load.compilation =
+      compiler::CompileText(path, std::move(text).value(), options,
+                            [](const std::string& included) { return ReadFile(included); });
+  load.object = load.compilation->object;
+  return load;
+}
+
+}  // namespace oncard::runtime

@@ -1,0 +1,173 @@
+// Writing scenarios, and the short forms of the command line. Reading is scenario_toml.cc.
+#include "runtime/scenario.h"
+
+#include <charconv>
+#include <filesystem>
+
+#include "runtime/quantity.h"
+#include "vm/limits.h"
+
+namespace oncard::runtime {
+namespace {
+
+// A basic TOML string.
+std::string Quote(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      quoted += '\\';
+      quoted += c;
+    } else if (byte < 0x20 || byte == 0x7F) {
+      quoted += fmt::format("\\u{:04X}", byte);
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + '"';
+}
+
+std::string QuoteAll(const std::vector<std::string>& texts) {
+  std::vector<std::string> quoted;
+  for (const std::string& text : texts) quoted.push_back(Quote(text));
+  return fmt::format("[{}]", fmt::join(quoted, ", "));
+}
+
+std::string FormatValues(const InitialValue& initial) {
+  if (initial.values.size() == 1) {
+    return fmt::format("{} = {}", Quote(initial.name), initial.values.front());
+  }
+  return fmt::format("{} = [{}]", Quote(initial.name), fmt::join(initial.values, ", "));
+}
+
+// Microseconds as the shortest number of milliseconds.
+std::string FormatMs(int64_t microseconds) {
+  return fmt::format("{}", static_cast<double>(microseconds) / 1000);
+}
+
+std::optional<int> ParseInt(std::string_view text) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::optional<double> ParseDouble(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::vector<std::string_view> Split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (size_t begin = 0;;) {
+    const size_t end = text.find(separator, begin);
+    parts.push_back(text.substr(begin, end - begin));
+    if (end == std::string_view::npos) return parts;
+    begin = end + 1;
+  }
+}
+
+Error BadThreadStart(std::string_view text) {
+  return MakeError(1, "'{0}' is not a thread: expected N=function[@page][:name=value,...]",
+                   "“{0}”不是线程描述：应为 N=函数[@页][:变量=值,...]", text);
+}
+
+}  // namespace
+
+std::string FormatScenario(const Scenario& scenario) {
+  std::string text = fmt::format("program = {}\n", Quote(scenario.program));
+  if (!scenario.include_folders.empty()) {
+    text += fmt::format("include = {}\n", QuoteAll(scenario.include_folders));
+  }
+  text += fmt::format("double = \"{}\"\n",
+                      scenario.double_format == vm::DoubleFormat::k16_16 ? "16.16" : "32.16");
+  text += fmt::format("schedule = {}\n", Quote(scenario.schedule));
+  text += fmt::format("rate = {}\ncycle_us = {}\nlimit_ms = {}\n", scenario.rate, scenario.cycle_us,
+                      scenario.limit_ms);
+  if (scenario.until_us) text += fmt::format("until_ms = {}\n", FormatMs(*scenario.until_us));
+  if (!scenario.expectations.empty()) {
+    std::vector<std::string> texts;
+    for (const Expectation& expectation : scenario.expectations) texts.push_back(expectation.text);
+    text += fmt::format("expect = {}\n", QuoteAll(texts));
+  }
+  if (!scenario.globals.empty()) {
+    text += "\n[globals]\n";
+    for (const InitialValue& initial : scenario.globals) text += FormatValues(initial) + '\n';
+  }
+  for (const ThreadStart& start : scenario.threads) {
+    text += fmt::format("\n[[thread]]\nthread = {}\nfunction = {}\npage = {}\n", start.thread,
+                        Quote(start.function), start.page);
+    if (start.period_ms != 0) {
+      text += fmt::format("period_ms = {}\npriority = {}\n", start.period_ms, start.priority);
+    }
+    if (!start.values.empty()) {
+      std::vector<std::string> values;
+      for (const InitialValue& initial : start.values) values.push_back(FormatValues(initial));
+      text += fmt::format("init = {{ {} }}\n", fmt::join(values, ", "));
+    }
+  }
+  for (const InputEvent& event : scenario.inputs) {
+    text += fmt::format("\n[[world.input]]\ntype = \"{}\"\n", InputWordName(event.type));
+    if (event.index != 0) text += fmt::format("index = {}\n", event.index);
+    text += fmt::format("value = {}\nat_ms = {}\n", event.value, FormatMs(event.at_us));
+  }
+  return text;
+}
+
+std::string PathFromScenario(const Scenario& scenario, const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(scenario.path).parent_path();
+  return (folder / path).lexically_normal().string();
+}
+
+Result<ThreadStart> ParseThreadStart(std::string_view text) {
+  ThreadStart start;
+  const size_t equals = text.find('=');
+  if (equals == std::string_view::npos) return BadThreadStart(text);
+  const auto thread = ParseInt(text.substr(0, equals));
+  if (!thread || *thread < 0 || *thread >= vm::kThreadCount) return BadThreadStart(text);
+  start.thread = *thread;
+  start.page = *thread;
+  const std::string_view target = text.substr(equals + 1);
+  const size_t colon = target.find(':');
+  std::string_view function = target.substr(0, colon);
+  if (const size_t at = function.find('@'); at != std::string_view::npos) {
+    const auto page = ParseInt(function.substr(at + 1));
+    if (!page || *page < 0 || *page >= vm::kPageCount) return BadThreadStart(text);
+    start.page = *page;
+    function = function.substr(0, at);
+  }
+  if (function.empty()) return BadThreadStart(text);
+  start.function = function;
+  if (colon == std::string_view::npos) return start;
+  for (const std::string_view part : Split(target.substr(colon + 1), ',')) {
+    auto initial = ParseInitialValue(part);
+    if (!initial.ok()) return initial.error();
+    start.values.push_back(std::move(initial).value());
+  }
+  return start;
+}
+
+Result<InitialValue> ParseInitialValue(std::string_view text) {
+  InitialValue initial;
+  const size_t equals = text.find('=');
+  if (equals != std::string_view::npos && equals > 0) {
+    initial.name = text.substr(0, equals);
+    for (const std::string_view part : Split(text.substr(equals + 1), ',')) {
+      const auto value = ParseDouble(part);
+      if (!value) {
+        initial.values.clear();
+        break;
+      }
+      initial.values.push_back(*value);
+    }
+  }
+  if (initial.values.empty()) {
+    return MakeError(1, "'{0}' sets nothing: expected name=number", "“{0}”不是赋值：应为 变量=数字",
+                     text);
+  }
+  return initial;
+}
+
+}  // namespace oncard::runtime

@@ -1,0 +1,93 @@
+// A scenario: which program runs, how its threads start, what the world does to the card, and what
+// is expected. Scenarios are TOML files (docs/scenarios.md); recordings embed the same text.
+// Tested by tests/runtime/scenario_parse_test.cc.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "motion/digital_io.h"
+#include "runtime/expectation.h"
+#include "vm/fixed_point.h"
+
+namespace oncard::runtime {
+
+/// A variable's value before the start. Several values go to consecutive elements of an array.
+struct InitialValue {
+  std::string name;  ///< `v`, `a`, `a[3]`, `s.member`
+  std::vector<double> values;
+  bool operator==(const InitialValue&) const = default;
+};
+
+/// A thread to bind and start.
+struct ThreadStart {
+  int thread = 0;
+  std::string function;
+  int page = 0;
+  std::vector<InitialValue> values;  ///< parameters and locals
+  /// Started anew every so many milliseconds (GT_RunThreadPeriod); 0 = started once.
+  int64_t period_ms = 0;
+  int priority = 4;  ///< of a periodic thread
+  bool operator==(const ThreadStart&) const = default;
+};
+
+/// The world drives an input pin, or all pins of a word.
+struct InputEvent {
+  int64_t at_us = 0;
+  motion::DiType type = motion::DiType::kGpi;
+  int index = 0;  ///< from 1; 0 = the whole word
+  uint32_t value = 0;
+  bool operator==(const InputEvent&) const = default;
+};
+
+/// Where a scenario's defaults come from, and its limits.
+inline constexpr int kRateDefault = 100;           ///< statements per ms (GTS manual 10.2)
+inline constexpr int64_t kCycleUsDefault = 250;    ///< profile cycle
+inline constexpr int64_t kLimitMsDefault = 60000;  ///< a minute of virtual time
+inline constexpr int64_t kTimeMsMax = 1'000'000'000;
+
+struct Scenario {
+  /// The file it was read from; the program's path is relative to its folder.
+  std::string path;
+  /// `.c` is compiled, `.bin` loaded with the `.ini` beside it.
+  std::string program;
+  std::vector<std::string> include_folders;
+  vm::DoubleFormat double_format = vm::DoubleFormat::k32_16;
+  /// Empty: the function `main`, or else the first one, on thread 0 and page 0.
+  std::vector<ThreadStart> threads;
+  std::vector<InitialValue> globals;
+  std::string schedule = "rr";
+  int rate = kRateDefault;
+  int64_t cycle_us = kCycleUsDefault;
+  /// Reaching it is a failure.
+  int64_t limit_ms = kLimitMsDefault;
+  /// The run ends here, whatever the threads do; empty = when all threads have stopped.
+  std::optional<int64_t> until_us;
+  std::vector<InputEvent> inputs;  ///< in order of time
+  std::vector<Expectation> expectations;
+};
+
+/// Reads TOML text. Errors start with `path:line:column`; an unknown key is one, and names the
+/// nearest known key.
+Result<Scenario> ParseScenario(std::string_view text, const std::string& path);
+
+/// Reads a scenario file.
+Result<Scenario> LoadScenario(const std::string& path);
+
+/// The text that ParseScenario() reads back; ends in a newline.
+std::string FormatScenario(const Scenario& scenario);
+
+/// `path` seen from the scenario's folder.
+std::string PathFromScenario(const Scenario& scenario, const std::string& path);
+
+/// Reads `thread=function[@page][:name=value,...]`, the form of `oncard run --thread`.
+Result<ThreadStart> ParseThreadStart(std::string_view text);
+
+/// Reads `name=value` or `name=value,value,...` (the form of `--set`, for arrays).
+Result<InitialValue> ParseInitialValue(std::string_view text);
+
+}  // namespace oncard::runtime

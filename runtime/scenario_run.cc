@@ -1,0 +1,451 @@
+#include "runtime/scenario_run.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/files.h"
+#include "runtime/near_name.h"
+
+namespace oncard::runtime {
+namespace {
+
+constexpr std::string_view kReplayPrefix = "replay:";
+
+Message Prefixed(std::string_view place, const Message& message) {
+  return {fmt::format("{}: {}", place, message.en), fmt::format("{}：{}", place, message.zh)};
+}
+
+Message DescribeFault(const vm::ThreadState& thread) {
+  switch (static_cast<vm::Fault>(thread.error)) {
+    case vm::Fault::kDivisionByZero:
+      return {"division by zero", "除数为零"};
+    case vm::Fault::kIndexOutOfBounds:
+      return MakeMessage("index {0} is out of bounds: the array has elements 0 to {1}",
+                         "下标 {0} 越界：数组下标为 0 至 {1}", thread.fault_value,
+                         thread.fault_limit - 1);
+    case vm::Fault::kOutputBeyondStorage:
+      return MakeMessage("the command covers {0} variables, but only {1} are there",
+                         "指令涉及 {0} 个变量，而此处只有 {1} 个", thread.fault_value,
+                         thread.fault_limit);
+    case vm::Fault::kNone:
+      break;
+  }
+  return MakeMessage("fault {0}", "故障 {0}", thread.error);
+}
+
+class ScenarioRunner {
+ public:
+  ScenarioRunner(const Scenario& scenario, const RunOptions& options)
+      : scenario_(scenario), options_(options), controller_(OptionsOf(scenario)) {}
+
+  Result<ScenarioResult> Run(vm::Object object) {
+    if (auto loaded = controller_.Load(std::move(object)); !loaded.ok()) return loaded.error();
+    for (const auto step : {&ScenarioRunner::SetUpThreads, &ScenarioRunner::SetUpPolicy,
+                            &ScenarioRunner::SetUpExpectations, &ScenarioRunner::SetUpValues}) {
+      if (auto done = (this->*step)(); !done.ok()) return done.error();
+    }
+    Execute();
+    Report();
+    return std::move(result_);
+  }
+
+ private:
+  struct PendingExpectation {
+    BoundExpectation bound;
+    int64_t cycle = 0;  // with an instant: evaluated at the end of this cycle
+  };
+
+  static ControllerOptions OptionsOf(const Scenario& scenario) {
+    ControllerOptions options;
+    options.motion.cycle_us = scenario.cycle_us;
+    options.rate = scenario.rate;
+    return options;
+  }
+
+  const vm::Image& image() const { return *controller_.machine().image(); }
+
+  // The boundary of cycles at which something of this moment happens.
+  int64_t CycleOf(int64_t microseconds) const {
+    return (microseconds + scenario_.cycle_us - 1) / scenario_.cycle_us;
+  }
+
+  // --- Before the start ------------------------------------------------------------------------
+
+  Result<int> FunctionId(const std::string& name) const {
+    const int index = vm::FindFunction(image(), name);
+    if (index >= 0) return index + 1;
+    std::vector<std::string_view> names;
+    for (const vm::Function& function : image().object.functions) names.push_back(function.name);
+    const std::string_view near = NearestName(name, names);
+    if (near.empty()) {
+      return MakeError(1, "the program has no function '{0}': it has {1}",
+                       "程序中没有函数“{0}”：只有 {1}", name,
+                       fmt::to_string(fmt::join(names, ", ")));
+    }
+    return MakeError(1, "the program has no function '{0}'; did you mean '{1}'?",
+                     "程序中没有函数“{0}”；是否为“{1}”？", name, near);
+  }
+
+  Result<void> SetUpThreads() {
+    std::vector<ThreadStart> starts = scenario_.threads;
+    if (starts.empty()) {
+      if (image().object.functions.empty()) {
+        return MakeError(1, "the program has no function to run", "程序中没有可运行的函数");
+      }
+      ThreadStart start;
+      start.function =
+          vm::FindFunction(image(), "main") >= 0 ? "main" : image().object.functions[0].name;
+      starts.push_back(std::move(start));
+    }
+    vm::Machine& machine = controller_.machine();
+    for (const ThreadStart& start : starts) {
+      const auto id = FunctionId(start.function);
+      if (!id.ok()) return id.error();
+      if (machine.Bind(start.thread, id.value(), start.page) != vm::kOk) {
+        return MakeError(1, "thread {0} cannot have page {1}: another thread has it",
+                         "线程 {0} 不能使用数据页 {1}：已被其它线程占用", start.thread, start.page);
+      }
+    }
+    for (const InitialValue& initial : scenario_.globals) {
+      if (auto set = SetVariable(initial, initial.name); !set.ok()) return set;
+    }
+    for (const ThreadStart& start : starts) {
+      for (const InitialValue& initial : start.values) {
+        const std::string name = fmt::format("page{}.{}", start.page, initial.name);
+        if (auto set = SetVariable(initial, name); !set.ok()) return set;
+      }
+    }
+    for (const ThreadStart& start : starts) {
+      const int64_t period = CycleOf(start.period_ms * 1000);
+      const int16_t code = period == 0 ? machine.Run(start.thread)
+                                       : machine.RunPeriodic(start.thread, period,
+                                                             static_cast<int16_t>(start.priority));
+      if (code != vm::kOk) {
+        return MakeError(code, "thread {0} cannot be started: code {1}",
+                         "线程 {0} 无法启动：返回值 {1}", start.thread, code);
+      }
+    }
+    return {};
+  }
+
+  Result<void> SetVariable(const InitialValue& initial, const std::string& name) {
+    const auto slots = ResolveQuantity(name, controller_);
+    if (!slots.ok()) return slots.error();
+    for (const Quantity& slot : slots.value()) {
+      if (slot.kind != QuantityKind::kVariable) {
+        return MakeError(1, "'{0}' is not a variable of the program", "“{0}”不是程序的变量", name);
+      }
+    }
+    if (initial.values.size() > slots.value().size()) {
+      return MakeError(1, "'{0}' takes {1} values, not {2}", "“{0}”可放 {1} 个值，而不是 {2} 个",
+                       name, slots.value().size(), initial.values.size());
+    }
+    for (size_t i = 0; i < initial.values.size(); ++i) {
+      if (!controller_.machine().Write(slots.value()[i].slot, initial.values[i])) {
+        return MakeError(1, "{0} does not fit '{1}'", "{0} 超出“{1}”的范围", initial.values[i],
+                         slots.value()[i].name);
+      }
+    }
+    return {};
+  }
+
+  Result<void> SetUpPolicy() {
+    vm::Policy policy;
+    if (options_.replay != nullptr) {
+      policy.schedule = options_.replay;
+    } else if (scenario_.schedule.starts_with(kReplayPrefix)) {
+      const std::string path =
+          PathFromScenario(scenario_, scenario_.schedule.substr(kReplayPrefix.size()));
+      auto text = ReadFile(path);
+      if (!text.ok()) return text.error();
+      auto schedule = vm::ParseSchedule(text.value());
+      if (!schedule.ok()) return Error{1, Prefixed(path, schedule.error().message)};
+      policy.schedule = std::make_shared<const vm::Schedule>(std::move(schedule).value());
+    } else {
+      auto parsed = vm::ParsePolicy(scenario_.schedule);
+      if (!parsed.ok()) return parsed.error();
+      policy = std::move(parsed).value();
+    }
+    if (policy.schedule != nullptr) {
+      if (policy.schedule->program_hash != image().hash) {
+        return MakeError(1,
+                         "the schedule was recorded with another program: its hash is {0:016x}, "
+                         "this one's {1:016x}",
+                         "该调度是用另一个程序录制的：其散列值为 {0:016x}，此程序为 {1:016x}",
+                         policy.schedule->program_hash, image().hash);
+      }
+      policy.kind = vm::PolicyKind::kReplay;
+      replayed_ = policy.schedule;
+    }
+    controller_.machine().SetPolicy(policy);
+    if (options_.record) {
+      result_.schedule.emplace();
+      result_.schedule->program_hash = image().hash;
+      controller_.machine().Record(&*result_.schedule);
+    }
+    return {};
+  }
+
+  Result<void> SetUpExpectations() {
+    for (const Expectation& expectation : scenario_.expectations) {
+      auto bound = BindExpectation(expectation, controller_);
+      if (!bound.ok()) {
+        return Error{1, Prefixed("'" + expectation.text + "'", bound.error().message)};
+      }
+      if (bound.value().left.kind == QuantityKind::kThreadError) {
+        fault_expected_.push_back(bound.value().left.thread);
+      }
+      const int64_t cycle = CycleOf(expectation.at_us.value_or(0));
+      auto& list = expectation.at_us ? timed_ : final_;
+      list.push_back({std::move(bound).value(), cycle});
+    }
+    std::stable_sort(timed_.begin(), timed_.end(),
+                     [](const auto& a, const auto& b) { return a.cycle < b.cycle; });
+    return {};
+  }
+
+  Result<void> SetUpValues() {
+    if (options_.show.empty()) {
+      for (const vm::Symbol& symbol : image().object.globals) shown_.push_back(symbol.name);
+    } else {
+      shown_ = options_.show;
+    }
+    std::vector<Quantity> columns;
+    for (const std::string& name : shown_) {
+      auto quantities = ResolveQuantity(name, controller_);
+      if (!quantities.ok()) return quantities.error();
+      columns.insert(columns.end(), quantities.value().begin(), quantities.value().end());
+      shown_quantities_.push_back(std::move(quantities).value());
+    }
+    if (options_.trace) {
+      const bool has_outputs = std::find(shown_.begin(), shown_.end(), "gpo") != shown_.end();
+      auto outputs = ResolveQuantity("gpo", controller_);
+      if (!has_outputs && outputs.ok()) columns.push_back(outputs.value().front());
+      result_.trace.emplace(std::move(columns));
+    }
+    return {};
+  }
+
+  // --- The run ---------------------------------------------------------------------------------
+
+  void Execute() {
+    const int64_t limit = CycleOf(scenario_.limit_ms * 1000);
+    const int64_t until = scenario_.until_us ? CycleOf(*scenario_.until_us) : limit + 1;
+    const int64_t last = std::min(limit, until);
+    bool ended = false;
+    for (;;) {
+      EvaluateDue();
+      ApplyDueInputs();
+      if (result_.trace) result_.trace->Sample(controller_);
+      if (controller_.cycle() >= last) break;
+      if (!ended) ended = controller_.machine().Quiet();
+      if (ended && next_timed_ == timed_.size()) break;
+      int64_t next = last;
+      if (next_timed_ < timed_.size()) next = std::min(next, timed_[next_timed_].cycle);
+      if (next_input_ < scenario_.inputs.size()) {
+        next = std::min(next, CycleOf(scenario_.inputs[next_input_].at_us));
+      }
+      if (result_.trace) next = controller_.cycle() + 1;
+      if (ended) {
+        while (controller_.cycle() < next) controller_.RunCycle();
+        continue;
+      }
+      const RunEnd end = controller_.RunUntilQuiet(next - controller_.cycle());
+      ended = end != RunEnd::kTimeLimit;
+      if (ended) result_.end = end;
+      if (end == RunEnd::kScheduleEnd || end == RunEnd::kScheduleDiverged) break;
+    }
+    if (!ended && !controller_.machine().Quiet()) {
+      result_.end = RunEnd::kTimeLimit;
+      result_.reached_until = until <= limit;
+    }
+    if (result_.trace) result_.trace->Finish(controller_);
+  }
+
+  void ApplyDueInputs() {
+    for (; next_input_ < scenario_.inputs.size(); ++next_input_) {
+      const InputEvent& event = scenario_.inputs[next_input_];
+      if (CycleOf(event.at_us) > controller_.cycle()) break;
+      motion::DigitalIo& io = controller_.motion().state().io;
+      const int width = motion::DiWidth(event.type);
+      for (int bit = 0; bit < width; ++bit) {
+        if (event.index == 0) io.SetPin(event.type, bit, ((event.value >> bit) & 1u) != 0);
+        if (event.index == bit + 1) io.SetPin(event.type, bit, event.value != 0);
+      }
+    }
+  }
+
+  void EvaluateDue() {
+    for (; next_timed_ < timed_.size(); ++next_timed_) {
+      if (timed_[next_timed_].cycle > controller_.cycle()) break;
+      EvaluateNow(timed_[next_timed_].bound);
+    }
+  }
+
+  void EvaluateNow(const BoundExpectation& bound) {
+    const ExpectationResult outcome = Evaluate(bound, controller_);
+    if (outcome.holds) return;
+    if (bound.right) {
+      Fail(bound.expectation.text,
+           MakeMessage("{0} is {1}, {2} is {3}", "{0} 为 {1}，{2} 为 {3}", bound.left.name,
+                       outcome.actual, bound.right->name, outcome.expected));
+    } else {
+      Fail(bound.expectation.text,
+           MakeMessage("{0} is {1}", "{0} 为 {1}", bound.left.name, outcome.actual));
+    }
+  }
+
+  void Fail(std::string expectation, Message message) {
+    result_.failures.push_back({std::move(expectation), std::move(message)});
+  }
+
+  // --- After the run ---------------------------------------------------------------------------
+
+  void Report() {
+    const vm::Machine& machine = controller_.machine();
+    CheckReplay();
+    if (result_.schedule) FinishRecording(*result_.schedule);
+    result_.end_ms = controller_.NowMs();
+    result_.statements = machine.state().executed;
+    result_.hash = controller_.Hash();
+    result_.program_hash = image().hash;
+    for (int thread = 0; thread < vm::kThreadCount; ++thread) {
+      if (machine.thread(thread).run != vm::ThreadRun::kUnbound) ReportThread(thread);
+    }
+    for (; next_timed_ < timed_.size(); ++next_timed_) {
+      Fail(timed_[next_timed_].bound.expectation.text,
+           MakeMessage("the run ended before, at {0} ms", "运行在此之前结束，时刻 {0} ms",
+                       result_.end_ms));
+    }
+    for (const PendingExpectation& pending : final_) EvaluateNow(pending.bound);
+    ReportEnd();
+    for (size_t i = 0; i < shown_.size(); ++i) {
+      ShownValue value;
+      value.name = shown_[i];
+      for (const Quantity& quantity : shown_quantities_[i]) {
+        value.array = quantity.name != shown_[i];
+        value.elements.push_back(FormatNumber(ReadQuantity(quantity, controller_),
+                                              TypeOfQuantity(quantity, controller_)));
+      }
+      result_.values.push_back(std::move(value));
+    }
+  }
+
+  void ReportEnd() {
+    switch (result_.end) {
+      case RunEnd::kQuiet:
+        break;
+      case RunEnd::kTimeLimit:
+        if (result_.reached_until) break;
+        Fail({}, MakeMessage("threads still run at the time limit of {0} ms",
+                             "到时间上限 {0} ms 时仍有线程在运行", scenario_.limit_ms));
+        break;
+      case RunEnd::kDeadlock:
+        Fail({}, MakeMessage("deadlock at {0} ms: every running thread waits for a variable that "
+                             "nothing can change any more",
+                             "在 {0} ms 时死锁：所有运行中的线程都在等待不会再改变的变量",
+                             result_.end_ms));
+        break;
+      case RunEnd::kScheduleEnd:
+        Fail({}, MakeMessage("the schedule ends after statement {0}, but threads can still run",
+                             "调度在第 {0} 条语句之后结束，但仍有线程可运行", result_.statements));
+        break;
+      case RunEnd::kScheduleDiverged:
+        Fail({}, MakeMessage("the replay leaves the recorded run after statement {0}",
+                             "重放在第 {0} 条语句之后偏离录制的运行", result_.statements));
+        break;
+    }
+  }
+
+  // The last checkpoint of a recording is the state at the end of the run.
+  void CheckReplay() {
+    if (replayed_ == nullptr || replayed_->checkpoints.empty()) return;
+    if (result_.end == RunEnd::kScheduleEnd || result_.end == RunEnd::kScheduleDiverged) return;
+    const vm::Machine& machine = controller_.machine();
+    const vm::ScheduleCheckpoint& last = replayed_->checkpoints.back();
+    if (last.statement % vm::kCheckpointInterval == 0) return;  // the machine has compared it
+    if (machine.state().executed == last.statement && machine.Hash() == last.hash) return;
+    result_.end = RunEnd::kScheduleDiverged;
+  }
+
+  void FinishRecording(vm::Schedule& schedule) {
+    vm::Machine& machine = controller_.machine();
+    machine.Record(nullptr);
+    const int64_t executed = machine.state().executed;
+    if (executed > 0 && executed % vm::kCheckpointInterval != 0) {
+      schedule.checkpoints.push_back({executed, machine.Hash()});
+    }
+  }
+
+  void ReportThread(int number) {
+    const vm::Machine& machine = controller_.machine();
+    const vm::ThreadState& thread = machine.thread(number);
+    const vm::Function& function = image().object.functions[thread.function];
+    ThreadReport report;
+    report.thread = number;
+    report.function = function.name;
+    report.page = thread.page;
+    report.run = thread.run;
+    report.error = thread.error;
+    report.statements = thread.executed;
+    const double result = thread.result_type == vm::DataType::kDouble
+                              ? vm::DoubleFromFixed(thread.result)
+                              : static_cast<double>(thread.result);
+    report.result = FormatNumber(result, thread.result_type);
+    const std::filesystem::path program = PathFromScenario(scenario_, scenario_.program);
+    report.place = fmt::format("{}:{}", (program.parent_path() / function.file).string(),
+                               machine.Line(number));
+    report.status = StatusOf(thread, report);
+    if (thread.run == vm::ThreadRun::kFaulted &&
+        std::find(fault_expected_.begin(), fault_expected_.end(), number) ==
+            fault_expected_.end()) {
+      Fail({}, {fmt::format("thread {} {}: {}", number, function.name, report.status.en),
+                fmt::format("线程 {} {}：{}", number, function.name, report.status.zh)});
+    }
+    result_.threads.push_back(std::move(report));
+  }
+
+  Message StatusOf(const vm::ThreadState& thread, const ThreadReport& report) const {
+    switch (thread.run) {
+      case vm::ThreadRun::kFaulted: {
+        const Message fault = DescribeFault(thread);
+        return {fmt::format("fault at {}: {}", report.place, fault.en),
+                fmt::format("在 {} 发生故障：{}", report.place, fault.zh)};
+      }
+      case vm::ThreadRun::kRunning:
+        if (thread.waiting) {
+          return MakeMessage("waiting at {0}", "在 {0} 等待", report.place);
+        }
+        return MakeMessage("running at {0}", "在 {0} 运行", report.place);
+      case vm::ThreadRun::kPaused:
+        return MakeMessage("paused at {0}", "在 {0} 暂停", report.place);
+      case vm::ThreadRun::kStopped:
+      case vm::ThreadRun::kUnbound:
+        break;
+    }
+    if (thread.result_type == vm::DataType::kVoid) return {"finished", "已结束"};
+    return MakeMessage("finished, result {0}", "已结束，返回值 {0}", report.result);
+  }
+
+  const Scenario& scenario_;
+  const RunOptions& options_;
+  Controller controller_;
+  std::shared_ptr<const vm::Schedule> replayed_;
+  std::vector<PendingExpectation> timed_;  // by cycle
+  std::vector<PendingExpectation> final_;
+  size_t next_timed_ = 0;
+  size_t next_input_ = 0;
+  std::vector<int> fault_expected_;  // threads whose error an expectation names
+  std::vector<std::string> shown_;
+  std::vector<std::vector<Quantity>> shown_quantities_;
+  ScenarioResult result_;
+};
+
+}  // namespace
+
+Result<ScenarioResult> RunScenario(const Scenario& scenario, vm::Object object,
+                                   const RunOptions& options) {
+  return ScenarioRunner(scenario, options).Run(std::move(object));
+}
+
+}  // namespace oncard::runtime
