@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "compiler/text.h"
+
 namespace oncard::compiler {
 namespace {
 
@@ -87,15 +89,6 @@ std::optional<Character> DecodeUtf8(std::string_view text, size_t offset) {
   const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
   if (code < smallest || code > 0x10FFFF || surrogate) return std::nullopt;
   return Character{size, code};
-}
-
-bool IsUtf8(std::string_view text) {
-  for (size_t offset = 0; offset < text.size();) {
-    const auto character = DecodeUtf8(text, offset);
-    if (!character) return false;
-    offset += character->size;
-  }
-  return true;
 }
 
 // Converts single GBK characters; without GBK support in the C library nothing converts.
