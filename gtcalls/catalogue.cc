@@ -13,11 +13,6 @@
 namespace oncard::gtcalls {
 namespace {
 
-constexpr Structure kStructures[] = {
-#define STRUCTURE(name, ...) structures::name,
-#include "gtcalls/structures.def"
-};
-
 constexpr Constant kConstants[] = {
 #define CONSTANT(name, value) {#name, value},
 #include "gtcalls/constants.def"
@@ -159,11 +154,11 @@ const Command* FindCommand(uint16_t number) {
 
 const vm::CommandShape& ShapeOf(const Command& command) { return kShapes[command.number - 1u]; }
 
-std::span<const Structure> Structures() { return kStructures; }
+std::span<const Structure> Structures() { return structures::Table::kRows; }
 
 const Structure* FindStructure(std::string_view name) {
-  const auto found = std::ranges::find(kStructures, name, &Structure::name);
-  return found != std::end(kStructures) ? found : nullptr;
+  const auto found = std::ranges::find(structures::Table::kRows, name, &Structure::name);
+  return found != std::end(structures::Table::kRows) ? found : nullptr;
 }
 
 std::span<const Constant> Constants() { return kConstants; }
@@ -248,16 +243,27 @@ std::string_view SpellUnit(Unit unit) {
 }
 
 std::string SpellRange(const Parameter& parameter) {
-  if (parameter.minimum == -kUnbounded && parameter.maximum == kUnbounded) return "";
-  const auto spell = [](double value) { return fmt::format("{:.15g}", value); };
-  std::string low = "[" + spell(parameter.minimum);
-  if (parameter.minimum == -kUnbounded) low = "(-inf";
-  if (parameter.minimum == kAboveZero) low = "(0";
-  if (parameter.minimum == -kBelow32767) low = "(-32767";
-  std::string high = spell(parameter.maximum) + "]";
-  if (parameter.maximum == kUnbounded) high = "inf)";
-  if (parameter.maximum == kBelow32767) high = "32767)";
-  return low + ", " + high;
+  const double low = parameter.minimum;
+  const double high = parameter.maximum;
+  if (low == -kUnbounded && high == kUnbounded) return "";
+  std::string text;
+  if (low == -kUnbounded) {
+    text = "(-inf, ";
+  } else if (low == kAboveZero) {
+    text = "(0, ";
+  } else if (low == -kBelow32767) {
+    text = "(-32767, ";
+  } else {
+    text = fmt::format("[{:.15g}, ", low);
+  }
+  if (high == kUnbounded) {
+    text += "inf)";
+  } else if (high == kBelow32767) {
+    text += "32767)";
+  } else {
+    text += fmt::format("{:.15g}]", high);
+  }
+  return text;
 }
 
 }  // namespace oncard::gtcalls

@@ -76,10 +76,30 @@ constexpr Member Nested(const Structure& structure, std::string_view name) {
   return {name, Scalar::kShort, 0, false, &structure};
 }
 
-#define STRUCTURE(name, in_motion_program, ...)                        \
-  inline constexpr std::array name##Members = std::array{__VA_ARGS__}; \
-  inline constexpr Structure name{#name, name##Members, in_motion_program};
+/// The position of each structure in the table.
+enum Position : size_t {
+#define STRUCTURE(name, ...) k##name,
 #include "gtcalls/structures.def"
+  kCount
+};
+
+/// All structures. Declared before it is filled in, so that a member can refer to the structure
+/// that it nests.
+struct Table {
+  static const Structure kRows[kCount];
+};
+
+#define STRUCTURE(name, ...) inline constexpr const Structure& name = Table::kRows[k##name];
+#include "gtcalls/structures.def"
+
+#define STRUCTURE(name, in_motion_program, ...) \
+  inline constexpr std::array name##Members = std::array{__VA_ARGS__};
+#include "gtcalls/structures.def"
+
+inline constexpr Structure Table::kRows[kCount] = {
+#define STRUCTURE(name, in_motion_program, ...) {#name, name##Members, in_motion_program},
+#include "gtcalls/structures.def"
+};
 
 /// Calls `visit(type)` for every cell of a structure, in the order of its members.
 template <typename Visit>
