@@ -204,6 +204,8 @@ constexpr Spec Crd() { return Index("crd", 1, kCrdMax); }
 /// One of two buffers.
 constexpr Spec Fifo() { return Index("fifo", 0, 1); }
 constexpr Spec Thread() { return Index("thread", 0, kThreadLast); }
+/// Whose variables are meant; -1: the globals.
+constexpr Spec ThreadOrGlobals() { return Index("thread", -1, kThreadLast); }
 /// One of two high-speed output channels.
 constexpr Spec Channel(std::string_view name) { return Index(name, 0, 1); }
 constexpr Spec Module() { return Index("mdl", 0, kModuleLast); }

@@ -1,0 +1,381 @@
+// Writes what follows from the catalogue, at build time:
+//
+//   generate_interface header FILE         gts.h
+//   generate_interface entry-points FILE   the library's functions, one line each
+//   generate_interface structures FILE     the structures of gts.h as cells and back
+//   generate_interface markdown FILE       docs/commands.md
+//
+// gts.h holds every prototype once. Defining GTS_MULTI_CARD before it is included puts
+// `short cardNum` in front of the parameters and renames the function, GT_Update to GTM_Update, so
+// that one library serves both generations and neither can be taken for the other.
+//
+// Tested by tests/gtcalls/interface_test.cc and, at compile time, interface_types_test.cc.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+#include "gtcalls/catalogue.h"
+
+namespace oncard::gtcalls {
+namespace {
+
+/// A line of catalogue.def: a topic, or a command by its name.
+struct Line {
+  std::string_view topic;
+  std::string_view command;
+};
+
+constexpr Line kLines[] = {
+#define TOPIC(title) {title, {}},
+#define COMMAND(number, name, ...) {{}, #name},
+#include "gtcalls/catalogue.def"
+};
+
+template <typename... Args>
+void Append(std::string* out, fmt::format_string<Args...> format, Args&&... args) {
+  fmt::format_to(std::back_inserter(*out), format, std::forward<Args>(args)...);
+}
+
+/// The name of a command with `short cardNum` in front.
+std::string MultiCardName(const Command& command) {
+  const std::string_view name = command.name;
+  return name.starts_with("GT_") ? fmt::format("GTM_{}", name.substr(3))
+                                 : fmt::format("GTM_{}", name);
+}
+
+/// The parameters as declarations, or only their names, each preceded by a comma.
+std::string Declarations(const Command& command) {
+  std::string text;
+  for (const Parameter& parameter : command.parameters) {
+    text += ", " + DeclareParameter(parameter);
+  }
+  return text;
+}
+std::string Names(const Command& command) {
+  std::string text;
+  for (const Parameter& parameter : command.parameters) Append(&text, ", {}", parameter.name);
+  return text;
+}
+
+/// What a reader of the documentation must know of a parameter: unit, range, NULL.
+std::string Describe(const Parameter& parameter, const Command& command) {
+  std::string text(SpellUnit(parameter.unit));
+  const auto add = [&text](const std::string& part) {
+    if (part.empty()) return;
+    if (!text.empty()) text += ", ";
+    text += part;
+  };
+  add(SpellRange(parameter));
+  if (parameter.count_parameter >= 0) {
+    const auto count = static_cast<size_t>(parameter.count_parameter);
+    add(fmt::format("array of {}", command.parameters[count].name));
+  }
+  if (parameter.per_dimension) add("one per axis of the coordinate system");
+  if (parameter.nullable) add("may be NULL");
+  return text;
+}
+
+// --- gts.h --------------------------------------------------------------------------------------
+
+constexpr std::string_view kHeaderHead =
+    R"(/* GT commands of GTS motion controllers, for C and C++. Generated: do not edit.
+
+   Every command returns 0 when it is done, otherwise
+      1   it cannot be executed in the present state
+      7   a parameter is out of range, or NULL
+      8   the command is not supported
+     -1   no communication: the card is not open
+     -6   the card cannot be opened
+     -7   the card does not answer
+   A refused command changes nothing. GT_Download, GT_GetFunId and GT_GetVarId also return 2007 (no
+   such file or name) and 2008 (damaged file).
+
+   Positions are in pulses, velocities in pulse/ms, accelerations in pulse/ms^2. In C++ the default
+   arguments may be left out; in C every argument is written.
+
+   GTS_MULTI_CARD, defined before this file is included, puts `short cardNum` (0 to 15) in front of
+   every command's parameters; gts_multi.h does that. */
+#ifndef ONCARD_GTS_H_
+#define ONCARD_GTS_H_
+
+#include <stddef.h>
+
+#ifdef _WIN32
+#define GTS_CALL_ __stdcall
+#elif defined(__GNUC__)
+#define GTS_CALL_ __attribute__((visibility("default")))
+#else
+#define GTS_CALL_
+#endif
+
+#ifdef __cplusplus
+#define GT_API extern "C" short GTS_CALL_
+#define GTS_DEFAULT_(value) = value
+#else
+#define GT_API short GTS_CALL_
+#define GTS_DEFAULT_(value)
+#endif
+
+/* The error of TThreadSts from 100 on is a fault of the motion program, below it is the return code
+   of the last command. */
+#define GTS_FAULT_DIVISION_BY_ZERO 100
+#define GTS_FAULT_INDEX_OUT_OF_BOUNDS 101
+#define GTS_FAULT_OUTPUT_BEYOND_STORAGE 102
+)";
+
+void AppendMember(std::string* out, const Member& member) {
+  const std::string_view type =
+      member.structure != nullptr ? member.structure->name : SpellScalar(member.type);
+  Append(out, "  {} {}{}", type, member.pointer ? "*" : "", member.name);
+  if (member.array_size > 0) Append(out, "[{}]", member.array_size);
+  *out += ";\n";
+}
+
+void AppendComment(std::string* out, const Command& command) {
+  Append(out, "\n/* {}", command.brief);
+  for (const Parameter& parameter : command.parameters) {
+    const std::string description = Describe(parameter, command);
+    if (!description.empty()) Append(out, "\n     {}: {}", parameter.name, description);
+  }
+  Append(out, "\n   [{}] */\n", command.source);
+}
+
+void AppendPrototype(std::string* out, const Command& command) {
+  if (command.parameters.empty()) {
+    Append(out, "GT_API {}(GTS_CARD_ONLY_);\n", command.name);
+    return;
+  }
+  std::string line = fmt::format("GT_API {}(GTS_CARD_ ", command.name);
+  for (size_t i = 0; i < command.parameters.size(); ++i) {
+    const Parameter& parameter = command.parameters[i];
+    std::string word = DeclareParameter(parameter);
+    if (!parameter.default_text.empty()) {
+      Append(&word, " GTS_DEFAULT_({})", parameter.default_text);
+    }
+    word += i + 1 < command.parameters.size() ? "," : ");";
+    if (line.size() + word.size() > 100) {
+      line.pop_back();
+      *out += line + "\n";
+      line = "    ";
+    }
+    line += word + " ";
+  }
+  line.pop_back();
+  *out += line + "\n";
+}
+
+std::string Header() {
+  std::string out(kHeaderHead);
+  out += "\n/* --- Constants --- */\n\n";
+  for (const Constant& constant : Constants()) {
+    if (constant.value < 0) {
+      Append(&out, "#define {} ({})\n", constant.name, constant.value);
+    } else {
+      Append(&out, "#define {} {}\n", constant.name, constant.value);
+    }
+  }
+  out += "\n/* --- Structures --- */\n";
+  for (const Structure& structure : Structures()) {
+    Append(&out, "\ntypedef struct {} {{\n", structure.name);
+    for (const Member& member : structure.members) AppendMember(&out, member);
+    Append(&out, "}} {};\n", structure.name);
+  }
+  out += "\n#ifdef GTS_MULTI_CARD\n#define GTS_CARD_ short cardNum,\n";
+  out += "#define GTS_CARD_ONLY_ short cardNum\n";
+  for (const Command& command : Commands()) {
+    if (command.on_host) Append(&out, "#define {} {}\n", command.name, MultiCardName(command));
+  }
+  out += "#else\n#define GTS_CARD_\n#define GTS_CARD_ONLY_ void\n#endif\n";
+  for (const Line& line : kLines) {
+    if (!line.topic.empty()) {
+      Append(&out, "\n/* --- {} --- */\n", line.topic);
+      continue;
+    }
+    const Command& command = *FindCommand(line.command);
+    if (!command.on_host) continue;
+    AppendComment(&out, command);
+    AppendPrototype(&out, command);
+  }
+  out += "\n#undef GTS_CARD_\n#undef GTS_CARD_ONLY_\n#undef GTS_DEFAULT_\n\n#endif\n";
+  return out;
+}
+
+// --- Entry points -------------------------------------------------------------------------------
+
+std::string EntryPoints() {
+  std::string out =
+      "// The library's entry points, for one card and with a card number. Generated: do not "
+      "edit.\n"
+      "#include \"gts.h\"\n#include \"runtime/host_api.h\"\n\n"
+      "using oncard::runtime::CallFromHost;\nusing oncard::runtime::kSelectedCard;\n\n";
+  for (const Command& command : Commands()) {
+    if (!command.on_host) continue;
+    const std::string declarations = Declarations(command);
+    const std::string names = Names(command);
+    Append(&out, "GT_API {}({}) {{ return CallFromHost(kSelectedCard, {}{}); }}\n", command.name,
+           declarations.empty() ? "" : declarations.substr(2), command.number, names);
+    Append(&out, "GT_API {}(short cardNum{}) {{ return CallFromHost(cardNum, {}{}); }}\n",
+           MultiCardName(command), declarations, command.number, names);
+  }
+  return out;
+}
+
+// --- Structures as cells ------------------------------------------------------------------------
+
+constexpr std::string_view kStructuresHead =
+    R"(// The structures of gts.h as cells and back. Generated: do not edit.
+#include "runtime/host_structures.h"
+
+#include "gts.h"
+
+namespace oncard::runtime {
+namespace {
+
+/// Takes the scalars of a structure one after the other.
+struct Reader {
+  double* next;
+  template <typename T>
+  void operator()(const T& scalar) {
+    *next++ = static_cast<double>(scalar);
+  }
+};
+
+/// Gives them back; an integer cell holds a value of its member's type.
+struct Writer {
+  const double* next;
+  template <typename T>
+  void operator()(T& scalar) {
+    scalar = static_cast<T>(*next++);
+  }
+};
+
+)";
+
+void AppendVisit(std::string* out, const Member& member) {
+  if (member.pointer || member.type == Scalar::kChar) return;
+  if (member.structure != nullptr) {
+    Append(out, "  Visit{}(structure.{}, visit);\n", member.structure->name, member.name);
+  } else if (member.array_size > 0) {
+    Append(out, "  for (auto& element : structure.{}) visit(element);\n", member.name);
+  } else {
+    Append(out, "  visit(structure.{});\n", member.name);
+  }
+}
+
+std::string StructureConversions() {
+  std::string out(kStructuresHead);
+  std::string read_cases;
+  std::string write_cases;
+  for (const Structure& structure : Structures()) {
+    const std::string_view name = structure.name;
+    Append(&out,
+           "template <typename S, typename Visitor>\n"
+           "void Visit{}([[maybe_unused]] S& structure, [[maybe_unused]] Visitor& visit) {{\n",
+           name);
+    for (const Member& member : structure.members) AppendVisit(&out, member);
+    out += "}\n\n";
+    const auto position = &structure - Structures().data();
+    Append(&read_cases,
+           "    case {0}:\n      return Visit{1}(*static_cast<const {1}*>(host), visit);\n",
+           position, name);
+    Append(&write_cases, "    case {0}:\n      return Visit{1}(*static_cast<{1}*>(host), visit);\n",
+           position, name);
+  }
+  Append(&out,
+         "}}  // namespace\n\n"
+         "void StructureToCells(const gtcalls::Structure& structure, const void* host,\n"
+         "                      std::span<double> cells) {{\n"
+         "  Reader visit{{cells.data()}};\n"
+         "  switch (&structure - gtcalls::Structures().data()) {{\n{}    default:\n      return;\n"
+         "  }}\n}}\n\n"
+         "void StructureFromCells(const gtcalls::Structure& structure,\n"
+         "                        std::span<const double> cells, void* host) {{\n"
+         "  Writer visit{{cells.data()}};\n"
+         "  switch (&structure - gtcalls::Structures().data()) {{\n{}    default:\n      return;\n"
+         "  }}\n}}\n\n}}  // namespace oncard::runtime\n",
+         read_cases, write_cases);
+  return out;
+}
+
+// --- docs/commands.md ---------------------------------------------------------------------------
+
+constexpr std::string_view kMarkdownHead = R"(# Commands
+
+Every GT command of the catalogue, with the number that object files know it by. Generated by
+`generate_interface markdown docs/commands.md`; edit `gtcalls/catalogue.def` instead.
+
+*Where*: `host`, `program` (only in motion programs) or both. *Tier*: A is in the manuals or known to
+the vendor's compiler, B in the basic public header, X a thread extension. A value outside its range
+is refused with 7; `(` and `)` are open ends.
+)";
+
+std::string_view SpellCallers(const Command& command) {
+  if (!command.in_motion_program) return "host";
+  return command.on_host ? "host, program" : "program";
+}
+
+void AppendRow(std::string* out, const Command& command) {
+  std::string prototype = std::string(command.name) + "(";
+  std::string parameters;
+  for (const Parameter& parameter : command.parameters) {
+    if (!prototype.ends_with("(")) prototype += ", ";
+    prototype += DeclareParameter(parameter);
+    if (!parameter.default_text.empty()) Append(&prototype, " = {}", parameter.default_text);
+    const std::string description = Describe(parameter, command);
+    if (description.empty()) continue;
+    Append(&parameters, "{}`{}` {}", parameters.empty() ? "" : "<br>", parameter.name, description);
+  }
+  Append(out, "| {} | `{})` | {} | {} | {} | {} | {} |\n", command.number, prototype,
+         SpellCallers(command),
+         command.tier == Tier::kA   ? "A"
+         : command.tier == Tier::kB ? "B"
+                                    : "X",
+         command.brief, parameters, command.source);
+}
+
+std::string Markdown() {
+  std::string out(kMarkdownHead);
+  for (const Line& line : kLines) {
+    if (line.topic.empty()) {
+      AppendRow(&out, *FindCommand(line.command));
+      continue;
+    }
+    Append(&out, "\n## {}\n\n", line.topic);
+    out += "| no. | command | where | tier | what it does | parameters | source |\n";
+    out += "|---|---|---|---|---|---|---|\n";
+  }
+  return out;
+}
+
+bool WriteFile(const char* path, const std::string& text) {
+  std::FILE* file = std::fopen(path, "wb");
+  if (file == nullptr) return false;
+  const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
+  return (std::fclose(file) == 0) && written;
+}
+
+int Main(int argc, char** argv) {
+  const std::string_view what = argc == 3 ? argv[1] : "";
+  std::string text;
+  if (what == "header") text = Header();
+  if (what == "entry-points") text = EntryPoints();
+  if (what == "structures") text = StructureConversions();
+  if (what == "markdown") text = Markdown();
+  if (text.empty()) {
+    fmt::print(stderr, "usage: generate_interface header|entry-points|structures|markdown FILE\n");
+    return 2;
+  }
+  if (!WriteFile(argv[2], text)) {
+    fmt::print(stderr, "generate_interface: cannot write {}\n", argv[2]);
+    return 1;
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace oncard::gtcalls
+
+int main(int argc, char** argv) { return oncard::gtcalls::Main(argc, argv); }
