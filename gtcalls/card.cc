@@ -1,0 +1,135 @@
+// The one way into every command: looks up its function, checks the arguments against the
+// catalogue, calls it. The functions themselves are listed per topic in commands/.
+// Tested by tests/gtcalls/card_command_test.cc.
+#include "gtcalls/card.h"
+
+#include <cassert>
+#include <cmath>
+#include <vector>
+
+#include "gtcalls/commands/commands.h"
+
+namespace oncard::gtcalls {
+namespace {
+
+/// The command's function by number, nullptr where there is none.
+const std::vector<CommandFunction>& FunctionsByNumber() {
+  static const std::vector<CommandFunction> functions = [] {
+    std::vector<CommandFunction> table;
+    for (const std::span<const CommandEntry> topic :
+         {ThreadCommands(), VariableCommands(), TimeCommands(), DigitalIoCommands(),
+          UserVariableCommands(), PlcCommands(), PlcWordCommands()}) {
+      for (const CommandEntry& entry : topic) {
+        const Command* command = FindCommand(entry.name);
+        assert(command != nullptr);
+        if (table.size() <= command->number) table.resize(size_t{command->number} + 1);
+        table[command->number] = entry.function;
+      }
+    }
+    return table;
+  }();
+  return functions;
+}
+
+CommandFunction FunctionOf(const Command& command) {
+  const std::vector<CommandFunction>& functions = FunctionsByNumber();
+  return command.number < functions.size() ? functions[command.number] : nullptr;
+}
+
+struct Bounds {
+  double minimum;
+  double maximum;
+};
+
+/// What the C type of a parameter can hold on the card, whose long has 32 bits. Masks and bit words
+/// of type long may be written as signed or as unsigned numbers.
+Bounds BoundsOf(const Parameter& parameter) {
+  switch (parameter.type) {
+    case Scalar::kChar:
+      return {-128, 127};
+    case Scalar::kUnsignedChar:
+      return {0, 255};
+    case Scalar::kShort:
+      return {-32768, 32767};
+    case Scalar::kUnsignedShort:
+      return {0, 65535};
+    case Scalar::kLong: {
+      const bool bits = parameter.unit == Unit::kMask || parameter.unit == Unit::kBits;
+      return {-2147483648.0, bits ? 4294967295.0 : 2147483647.0};
+    }
+    case Scalar::kUnsignedLong:
+      return {0, 4294967295.0};
+    case Scalar::kDouble:
+      break;
+  }
+  return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+}
+
+int16_t CheckValue(Call& call, size_t index) {
+  const Parameter& parameter = call.command.parameters[index];
+  const double value = call.value(index);
+  // Written so that a NaN fails.
+  if (!(value >= parameter.minimum && value <= parameter.maximum)) {
+    return call.Refuse(
+        vm::kBadParameter,
+        MakeMessage("parameter {0} is {1}; the range is {2}", "参数 {0} 为 {1}；取值范围为 {2}",
+                    parameter.name, value, SpellRange(parameter)));
+  }
+  const Bounds type = BoundsOf(parameter);
+  if (!(value >= type.minimum && value <= type.maximum)) {
+    return call.Refuse(
+        vm::kBadParameter,
+        MakeMessage("parameter {0} is {1}; its type {2} holds {3} to {4}",
+                    "参数 {0} 为 {1}；其类型 {2} 的范围为 {3} 到 {4}", parameter.name, value,
+                    SpellScalar(parameter.type), type.minimum, type.maximum));
+  }
+  return vm::kOk;
+}
+
+int16_t CheckPointer(Call& call, size_t index) {
+  const Parameter& parameter = call.command.parameters[index];
+  const vm::CommandArgument& argument = call.arguments[index];
+  if (!argument.null) return vm::kOk;
+  if (parameter.nullable) return vm::kOk;
+  return call.Refuse(vm::kBadParameter,
+                     MakeMessage("parameter {0} is NULL; pass the address of a variable",
+                                 "参数 {0} 为 NULL；应传入变量的地址", parameter.name));
+}
+
+int16_t CheckArguments(Call& call) {
+  assert(call.arguments.size() == call.command.parameters.size());
+  for (size_t i = 0; i < call.command.parameters.size(); ++i) {
+    const bool by_value = call.command.parameters[i].passing == Passing::kValue;
+    const int16_t code = by_value ? CheckValue(call, i) : CheckPointer(call, i);
+    if (code != vm::kOk) return code;
+  }
+  return vm::kOk;
+}
+
+}  // namespace
+
+bool IsImplemented(const Command& command) { return FunctionOf(command) != nullptr; }
+
+int16_t ExecuteCommand(Call& call) {
+  const CommandFunction function = FunctionOf(call.command);
+  if (function == nullptr) {
+    return call.Refuse(kNotSupported, MakeMessage("{0} is not supported by this card",
+                                                  "本控制卡不支持 {0}", call.command.name));
+  }
+  const int16_t code = CheckArguments(call);
+  return code != vm::kOk ? code : function(call);
+}
+
+const vm::CommandShape* CardCommands::Find(uint16_t number) const {
+  const Command* command = FindCommand(number);
+  return command == nullptr ? nullptr : &ShapeOf(*command);
+}
+
+int16_t CardCommands::Execute(uint16_t number, vm::Machine&, int thread,
+                              std::span<vm::CommandArgument> arguments) {
+  // The number was verified when the program was loaded.
+  Call call{*FindCommand(number), *card_, thread, arguments, {}};
+  return ExecuteCommand(call);
+}
+
+}  // namespace oncard::gtcalls

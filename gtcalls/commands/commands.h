@@ -1,0 +1,61 @@
+// Internal to gtcalls: how a command is written, and the lists of all that exist. A command is one
+// function; its arguments have passed the catalogue's ranges and NULL checks before it is called.
+// It checks the card's state, then acts; a refused command changes nothing.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "gtcalls/card.h"
+#include "vm/object.h"
+
+namespace oncard::gtcalls {
+
+using CommandFunction = int16_t (*)(Call& call);
+
+/// One command and its function.
+struct CommandEntry {
+  std::string_view name;
+  CommandFunction function = nullptr;
+};
+
+/// The commands of each file of this folder.
+std::span<const CommandEntry> ThreadCommands();
+std::span<const CommandEntry> VariableCommands();
+std::span<const CommandEntry> TimeCommands();
+std::span<const CommandEntry> DigitalIoCommands();
+std::span<const CommandEntry> UserVariableCommands();
+std::span<const CommandEntry> PlcCommands();
+std::span<const CommandEntry> PlcWordCommands();
+
+/// Why a thread is not in the state a command needs: what it is, and what to call first.
+Message DescribeThread(int thread, const vm::ThreadState& state);
+
+/// Refuses a command that only makes sense inside a motion program.
+int16_t RefuseHost(Call& call);
+
+/// Milliseconds as profile cycles, rounded up.
+int64_t CyclesFromMs(const Call& call, int64_t milliseconds);
+
+/// The low 32 bits of a bit word, however its sign was written.
+inline uint32_t BitWord(double value) { return static_cast<uint32_t>(static_cast<int64_t>(value)); }
+
+/// A counter as the card's 32-bit unsigned long shows it.
+inline double UnsignedLong(int64_t count) {
+  return static_cast<double>(static_cast<uint32_t>(count));
+}
+
+/// True for a program that was downloaded by words: it declares no variables.
+bool HasNoSymbols(const vm::Image& image);
+
+/// The data type of a slot according to the symbols; empty when nothing is declared there.
+std::optional<vm::DataType> DeclaredType(const std::vector<vm::Symbol>& symbols, int id);
+
+/// Makes the functions received by words the program when `function_id` is one of them and they
+/// have changed since. 0, or the code with which to refuse GT_Bind; then nothing has changed.
+int16_t LinkPendingWords(Call& call, int function_id);
+
+}  // namespace oncard::gtcalls
