@@ -1,7 +1,8 @@
 // Writes what follows from the catalogue, at build time:
 //
 //   generate_interface header FILE         gts.h
-//   generate_interface entry-points FILE   the library's functions, one line each
+//   generate_interface entry-points FILE   the library's functions
+//   generate_interface multi-entry-points FILE  the same with a card number
 //   generate_interface structures FILE     the structures of gts.h as cells and back
 //   generate_interface markdown FILE       docs/commands.md
 //
@@ -205,20 +206,27 @@ std::string Header() {
 
 // --- Entry points -------------------------------------------------------------------------------
 
-std::string EntryPoints() {
-  std::string out =
-      "// The library's entry points, for one card and with a card number. Generated: do not "
-      "edit.\n"
-      "#include \"gts.h\"\n#include \"runtime/host_api.h\"\n\n"
-      "using oncard::runtime::CallFromHost;\nusing oncard::runtime::kSelectedCard;\n\n";
+/// The functions of one generation, compiled against the prototypes of its header. With a card
+/// number the header renames them.
+std::string EntryPoints(bool multi_card) {
+  std::string out;
+  Append(&out,
+         "// The library's entry points{}. Generated: do not edit.\n"
+         "#include \"{}\"\n"
+         "#include \"runtime/host_api.h\"\n\n"
+         "using oncard::runtime::CallFromHost;\n",
+         multi_card ? " with a card number" : "", multi_card ? "gts_multi.h" : "gts.h");
   for (const Command& command : Commands()) {
     if (!command.on_host) continue;
-    const std::string declarations = Declarations(command);
-    const std::string names = Names(command);
-    Append(&out, "GT_API {}({}) {{ return CallFromHost(kSelectedCard, {}{}); }}\n", command.name,
-           declarations.empty() ? "" : declarations.substr(2), command.number, names);
-    Append(&out, "GT_API {}(short cardNum{}) {{ return CallFromHost(cardNum, {}{}); }}\n",
-           MultiCardName(command), declarations, command.number, names);
+    std::string declarations = Declarations(command);
+    if (multi_card) {
+      declarations.insert(0, "short cardNum");
+    } else if (!declarations.empty()) {
+      declarations.erase(0, 2);
+    }
+    Append(&out, "\nGT_API {}({}) {{\n  return CallFromHost({}, {}{});\n}}\n", command.name,
+           declarations, multi_card ? "cardNum" : "oncard::runtime::kSelectedCard", command.number,
+           Names(command));
   }
   return out;
 }
@@ -361,11 +369,12 @@ int Main(int argc, char** argv) {
   const std::string_view what = argc == 3 ? argv[1] : "";
   std::string text;
   if (what == "header") text = Header();
-  if (what == "entry-points") text = EntryPoints();
+  if (what == "entry-points") text = EntryPoints(false);
+  if (what == "multi-entry-points") text = EntryPoints(true);
   if (what == "structures") text = StructureConversions();
   if (what == "markdown") text = Markdown();
   if (text.empty()) {
-    fmt::print(stderr, "usage: generate_interface header|entry-points|structures|markdown FILE\n");
+    fmt::print(stderr, "usage: generate_interface WHAT FILE\n");
     return 2;
   }
   if (!WriteFile(argv[2], text)) {

@@ -1,0 +1,18 @@
+// gts.h with a card number in front, in C++: default arguments stay, and the functions are others
+// than those of one card, so that both may be used in one program. Compiled only.
+#include <type_traits>
+
+#include "gts_multi.h"
+
+static_assert(std::is_same_v<decltype(GT_Close), short(short)>);
+static_assert(std::is_same_v<decltype(GT_SetPos), short(short, short, long)>);
+static_assert(std::is_same_v<decltype(GT_Download), short(short, const char*)>);
+static_assert(std::is_same_v<decltype(&GTM_SetPos), decltype(&GT_SetPos)>);
+
+// One card's functions do not exist here, and cannot be called by accident.
+short CallCommandsOfCards();
+short CallCommandsOfCards() {
+  double position = 0;
+  const short code = GT_Open(3);
+  return code != 0 ? code : GT_GetPrfPos(3, 1, &position);
+}
