@@ -1,0 +1,63 @@
+#include "runtime/clock.h"
+
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+namespace oncard::runtime {
+namespace {
+
+/// GT_Open's code when the card cannot be opened (GTS manual table 3-1).
+constexpr int kOpenFailed = -6;
+
+}  // namespace
+
+Result<ClockSetting> ParseClockSetting(std::string_view text) {
+  constexpr std::string_view kScalePrefix = "real:";
+  if (text.empty() || text == "real") return ClockSetting{};
+  if (text == "virtual") return ClockSetting{ClockKind::kVirtual, 1};
+  if (text.starts_with(kScalePrefix)) {
+    const std::string_view digits = text.substr(kScalePrefix.size());
+    double scale = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), scale);
+    if (error == std::errc() && end == digits.data() + digits.size() && scale > 0 &&
+        scale <= kClockScaleMax) {
+      return ClockSetting{ClockKind::kReal, scale};
+    }
+  }
+  return MakeError(kOpenFailed,
+                   "ONCARD_CLOCK is '{}', expected real, real:SCALE with a scale above 0 and at "
+                   "most 1000000, or virtual",
+                   "ONCARD_CLOCK 的值为 '{}'，应为 real、real:倍率（大于 0 且不超过 1000000）或 "
+                   "virtual",
+                   text);
+}
+
+CardClock::CardClock(const ClockSetting& setting, WallClock wall_clock)
+    : setting_(setting), wall_clock_(std::move(wall_clock)) {
+  if (setting_.kind == ClockKind::kReal) last_ns_ = wall_clock_();
+}
+
+int64_t CardClock::TakeUs(int64_t cost_us) {
+  if (setting_.kind == ClockKind::kVirtual) return cost_us;
+  const int64_t now_ns = wall_clock_();
+  const double elapsed_us =
+      fraction_us_ + static_cast<double>(now_ns - last_ns_) * setting_.scale / 1000;
+  last_ns_ = now_ns;
+  if (elapsed_us >= static_cast<double>(kCatchUpLimitUs)) {
+    fraction_us_ = 0;
+    return kCatchUpLimitUs;
+  }
+  const double whole_us = std::floor(elapsed_us);
+  fraction_us_ = elapsed_us - whole_us;
+  return static_cast<int64_t>(whole_us);
+}
+
+int64_t CardClock::SteadyNanoseconds() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+}  // namespace oncard::runtime

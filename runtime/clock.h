@@ -1,0 +1,61 @@
+// How a card's virtual time follows its host. With the virtual clock a host call takes what the
+// manual says it costs and nothing else lets time pass: the same host program gives the same run
+// every time. With the real-time clock the card's time follows the wall clock, optionally scaled.
+//
+// The real-time clock catches up when the host calls: what the card does between two calls cannot
+// be observed before the second one, so no thread of its own is needed. Gaps are bounded by
+// kCatchUpLimitUs, so that a call after a night's pause returns at once.
+// Tested by tests/runtime/clock_test.cc.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string_view>
+
+#include "base/result.h"
+
+namespace oncard::runtime {
+
+enum class ClockKind : uint8_t { kVirtual, kReal };
+
+/// Which clock a card has. The default is the one a real card has.
+struct ClockSetting {
+  ClockKind kind = ClockKind::kReal;
+  double scale = 1;  ///< kReal: milliseconds of the card per millisecond of the wall clock
+  bool operator==(const ClockSetting&) const = default;
+};
+
+/// Largest scale of the real-time clock.
+inline constexpr double kClockScaleMax = 1e6;
+
+/// Reads the value of ONCARD_CLOCK: `real`, `real:SCALE` (0 < SCALE <= 1000000) or `virtual`. An
+/// empty text means `real`. Fails with -6, the code of GT_Open.
+Result<ClockSetting> ParseClockSetting(std::string_view text);
+
+/// The most that the real-time clock lets pass at one call: ten minutes of the card's time. A
+/// longer gap is cut, as if the card had stood still meanwhile.
+inline constexpr int64_t kCatchUpLimitUs = 600'000'000;
+
+/// The clock of one card. Not thread-safe.
+class CardClock {
+ public:
+  /// Nanoseconds of a clock that never goes back.
+  using WallClock = std::function<int64_t()>;
+
+  /// `wall_clock` is asked only by the real-time clock; tests replace it.
+  explicit CardClock(const ClockSetting& setting, WallClock wall_clock = SteadyNanoseconds);
+
+  /// How many microseconds of the card's time pass before a host call that costs `cost_us`.
+  int64_t TakeUs(int64_t cost_us);
+
+  /// The system's steady clock.
+  static int64_t SteadyNanoseconds();
+
+ private:
+  ClockSetting setting_;
+  WallClock wall_clock_;
+  int64_t last_ns_ = 0;
+  double fraction_us_ = 0;  // part of a microsecond not given out yet
+};
+
+}  // namespace oncard::runtime

@@ -1,0 +1,93 @@
+#include "runtime/clock.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace oncard::runtime {
+namespace {
+
+constexpr int64_t kMillisecondNs = 1'000'000;
+
+TEST(ClockSettingTest, ReadsEveryForm) {
+  const ClockSetting real{ClockKind::kReal, 1};
+  EXPECT_EQ(ParseClockSetting("").value(), real);
+  EXPECT_EQ(ParseClockSetting("real").value(), real);
+  EXPECT_EQ(ParseClockSetting("real:1").value(), real);
+  EXPECT_EQ(ParseClockSetting("real:0.5").value(), (ClockSetting{ClockKind::kReal, 0.5}));
+  EXPECT_EQ(ParseClockSetting("real:1000000").value(), (ClockSetting{ClockKind::kReal, 1e6}));
+  EXPECT_EQ(ParseClockSetting("virtual").value(), (ClockSetting{ClockKind::kVirtual, 1}));
+}
+
+TEST(ClockSettingTest, RefusesEverythingElseAsAFailedOpen) {
+  for (const std::string text : {"Real", "virtual ", "virtual:2", "real:", "real:0", "real:-1",
+                                 "real:1000001", "real:1x", "real:nan", "real:inf", "fast"}) {
+    const auto setting = ParseClockSetting(text);
+    ASSERT_FALSE(setting.ok()) << text;
+    EXPECT_EQ(setting.error().code, -6) << text;
+    EXPECT_NE(setting.error().message.en.find("'" + text + "'"), std::string::npos);
+    EXPECT_NE(setting.error().message.zh.find("'" + text + "'"), std::string::npos);
+  }
+}
+
+TEST(CardClockTest, VirtualTimeIsTheCostOfTheCall) {
+  CardClock clock({ClockKind::kVirtual, 1}, [] { return int64_t{0}; });
+  EXPECT_EQ(clock.TakeUs(50), 50);
+  EXPECT_EQ(clock.TakeUs(1000), 1000);
+  EXPECT_EQ(clock.TakeUs(0), 0);
+}
+
+TEST(CardClockTest, RealTimeIsWhatPassedOnTheWallWhateverTheCost) {
+  int64_t now = 5 * kMillisecondNs;
+  CardClock clock({ClockKind::kReal, 1}, [&now] { return now; });
+  EXPECT_EQ(clock.TakeUs(50), 0);
+  now += 3 * kMillisecondNs;
+  EXPECT_EQ(clock.TakeUs(1000), 3000);
+  EXPECT_EQ(clock.TakeUs(1000), 0);
+}
+
+TEST(CardClockTest, RealTimeIsScaled) {
+  int64_t now = 0;
+  CardClock fast({ClockKind::kReal, 1000}, [&now] { return now; });
+  now = kMillisecondNs;
+  EXPECT_EQ(fast.TakeUs(50), 1'000'000);
+  CardClock slow({ClockKind::kReal, 0.25}, [&now] { return now; });
+  now += kMillisecondNs;
+  EXPECT_EQ(slow.TakeUs(50), 250);
+}
+
+TEST(CardClockTest, PartsOfAMicrosecondAreNotLost) {
+  int64_t now = 0;
+  CardClock clock({ClockKind::kReal, 1}, [&now] { return now; });
+  int64_t passed = 0;
+  for (int call = 0; call < 1000; ++call) {
+    now += 250;  // a quarter of a microsecond
+    passed += clock.TakeUs(50);
+  }
+  EXPECT_EQ(passed, 250);
+}
+
+TEST(CardClockTest, ALongGapIsCutAndForgotten) {
+  int64_t now = 0;
+  CardClock clock({ClockKind::kReal, 1}, [&now] { return now; });
+  now = int64_t{24} * 3600 * 1'000'000'000;
+  EXPECT_EQ(clock.TakeUs(50), kCatchUpLimitUs);
+  EXPECT_EQ(clock.TakeUs(50), 0);
+  now += kMillisecondNs;
+  EXPECT_EQ(clock.TakeUs(50), 1000);
+}
+
+TEST(CardClockTest, TheLongestGapAtTheLargestScaleDoesNotOverflow) {
+  int64_t now = 0;
+  CardClock clock({ClockKind::kReal, kClockScaleMax}, [&now] { return now; });
+  now = INT64_MAX;
+  EXPECT_EQ(clock.TakeUs(50), kCatchUpLimitUs);
+}
+
+TEST(CardClockTest, TheSteadyClockNeverGoesBack) {
+  const int64_t first = CardClock::SteadyNanoseconds();
+  EXPECT_GE(CardClock::SteadyNanoseconds(), first);
+}
+
+}  // namespace
+}  // namespace oncard::runtime
