@@ -28,6 +28,19 @@ struct ControllerOptions {
 /// Virtual cost of a host call in microseconds (GTS manual 10.2 and end of chapter 7).
 inline constexpr int64_t kHostCallUs = 50;
 
+/// The cost of one command for the host.
+constexpr int64_t HostCostUs(gtcalls::Cost cost) {
+  switch (cost) {
+    case gtcalls::Cost::kMillisecond:
+      return 1000;
+    case gtcalls::Cost::kNone:
+      return 0;
+    case gtcalls::Cost::kHostCall:
+      break;
+  }
+  return kHostCallUs;
+}
+
 /// A card's whole state as a value.
 struct ControllerSnapshot {
   vm::MachineState machine;
@@ -64,10 +77,13 @@ class Controller {
 
   // --- Host calls ------------------------------------------------------------------------------
 
-  /// Executes a command for the host: first its time passes, then it acts. `reason` says in words
-  /// why the code is not 0.
+  /// Executes a command for the host: first its virtual cost passes, then it acts. `reason` says in
+  /// words why the code is not 0.
   int16_t Call(const gtcalls::Command& command, std::span<vm::CommandArgument> arguments,
                Message* reason = nullptr);
+  /// The same without letting time pass, for callers that keep the clock themselves.
+  int16_t Execute(const gtcalls::Command& command, std::span<vm::CommandArgument> arguments,
+                  Message* reason = nullptr);
 
   // --- Time ------------------------------------------------------------------------------------
 
@@ -75,13 +91,18 @@ class Controller {
   void AdvanceUs(int64_t microseconds);
   /// Runs one profile cycle: motion tick, PLC blocks, then the threads with their budget.
   void RunCycle();
-  /// Runs cycles until no thread is running. kDeadlock: all running threads wait for values that
-  /// nothing is left to change.
+  /// Runs at most `limit_cycles` cycles, until no thread is running. kDeadlock: as Deadlocked().
   RunEnd RunUntilQuiet(int64_t limit_cycles);
+  /// True when threads wait for values that nothing is left to change: no thread can run, none is
+  /// delayed or periodic, and no PLC block is bound. Only the host, or whoever changes variables
+  /// from outside, can help then.
+  bool Deadlocked() const;
   /// Profile cycles since power-on.
   int64_t cycle() const { return motion_.state().cycle; }
   /// The same in milliseconds.
   double NowMs() const;
+  /// Microseconds since power-on, with what has passed of the current cycle.
+  int64_t NowUs() const;
 
   /// GT_Reset: registers, program state and clock to their power-on values; the downloaded program
   /// is gone, as after power-on.
@@ -92,7 +113,7 @@ class Controller {
   ControllerSnapshot Snapshot() const;
   /// Puts back a snapshot taken from this controller with the same program.
   void Restore(const ControllerSnapshot& snapshot);
-  /// XXH64 of everything that a snapshot holds.
+  /// XXH64 of everything that a snapshot holds but the scheduler policy's own state.
   uint64_t Hash() const;
 
  private:
@@ -103,7 +124,7 @@ class Controller {
   vm::Machine machine_;
   gtcalls::Card card_;
   int64_t pending_us_ = 0;          // host time not yet turned into cycles
-  int64_t pending_statements_ = 0;  // thousandths of a statement left over by the last cycle
+  int64_t pending_statements_ = 0;  // thousandths of a statement the last budget was rounded by
 };
 
 }  // namespace oncard::runtime

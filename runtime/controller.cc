@@ -1,0 +1,140 @@
+// The order inside a profile cycle, the only order there is:
+//
+//   1. MotionCore::Tick(): the inputs are sampled, outputs and the clock advance;
+//   2. Machine::BeginCycle(): delays that end with this cycle end, periodic threads start;
+//   3. PlcBlocks::Evaluate(): the PLC blocks read inputs, write variables and outputs;
+//   4. the threads share this cycle's statements as the scheduler policy says; a GT command in a
+//      program acts at once, between two statements.
+//
+// A host call acts between two cycles, after the cycles its own time covers.
+//
+// A cycle's budget is rate * cycle length; the part of a statement that a whole number cannot give
+// is carried to the next cycle, so that the rate is exact in the long run. What the threads do not
+// use is lost: an idle card does not save up statements.
+// Tested by tests/runtime/controller_test.cc.
+#include "runtime/controller.h"
+
+#include <xxhash.h>
+
+#include <array>
+#include <utility>
+
+#include "vm/object_reader.h"
+
+namespace oncard::runtime {
+namespace {
+
+/// rate [statements/ms] times cycle [us] gives thousandths of a statement.
+constexpr int64_t kStatementParts = 1000;
+
+}  // namespace
+
+Controller::Controller(const ControllerOptions& options)
+    : options_(options),
+      motion_(options.motion),
+      commands_(&card_),
+      machine_(&commands_),
+      card_{machine_, motion_, plc_} {}
+
+Result<void> Controller::Download(const std::string& bin_path) {
+  auto object = vm::ReadObjectPair(bin_path);
+  if (!object.ok()) return object.error();
+  return Load(std::move(object).value());
+}
+
+Result<void> Controller::Load(vm::Object object) {
+  auto image = vm::LinkObject(std::move(object), commands_);
+  if (!image.ok()) return image.error();
+  plc_.UnbindAll();
+  machine_.Load(std::move(image).value());
+  return {};
+}
+
+int16_t Controller::Call(const gtcalls::Command& command, std::span<vm::CommandArgument> arguments,
+                         Message* reason) {
+  AdvanceUs(HostCostUs(command.cost));
+  return Execute(command, arguments, reason);
+}
+
+int16_t Controller::Execute(const gtcalls::Command& command,
+                            std::span<vm::CommandArgument> arguments, Message* reason) {
+  gtcalls::Call call{command, card_, vm::kHostCaller, arguments, {}};
+  const int16_t code = gtcalls::ExecuteCommand(call);
+  if (reason != nullptr) *reason = std::move(call.reason);
+  return code;
+}
+
+void Controller::AdvanceUs(int64_t microseconds) {
+  pending_us_ += microseconds;
+  while (pending_us_ >= options_.motion.cycle_us) {
+    pending_us_ -= options_.motion.cycle_us;
+    RunCycle();
+  }
+}
+
+void Controller::RunCycle() {
+  motion_.Tick();
+  machine_.BeginCycle(cycle());
+  plc_.Evaluate(machine_, motion_);
+  pending_statements_ += options_.rate * options_.motion.cycle_us;
+  const int64_t budget = pending_statements_ / kStatementParts;
+  pending_statements_ %= kStatementParts;
+  machine_.Execute(budget);
+}
+
+RunEnd Controller::RunUntilQuiet(int64_t limit_cycles) {
+  for (int64_t ran = 0; !machine_.Quiet(); ++ran) {
+    if (Deadlocked()) return RunEnd::kDeadlock;
+    if (ran >= limit_cycles) return RunEnd::kTimeLimit;
+    RunCycle();
+    if (machine_.Quiet()) break;
+    if (machine_.last_stop() == vm::Stop::kScheduleEnd) return RunEnd::kScheduleEnd;
+    if (machine_.last_stop() == vm::Stop::kScheduleDiverged) return RunEnd::kScheduleDiverged;
+  }
+  return RunEnd::kQuiet;
+}
+
+bool Controller::Deadlocked() const {
+  if (machine_.RunnableThreads() != 0 || !plc_.blocks.empty()) return false;
+  bool any_waits = false;
+  for (const vm::ThreadState& thread : machine_.state().threads) {
+    if (thread.period_cycles != 0) return false;
+    if (thread.run != vm::ThreadRun::kRunning) continue;
+    if (thread.wake_cycle > machine_.state().cycle) return false;
+    any_waits = any_waits || thread.waiting;
+  }
+  return any_waits;
+}
+
+double Controller::NowMs() const {
+  return static_cast<double>(cycle() * options_.motion.cycle_us) / 1000;
+}
+
+int64_t Controller::NowUs() const { return cycle() * options_.motion.cycle_us + pending_us_; }
+
+void Controller::Reset() {
+  motion_.Reset();
+  plc_ = {};
+  machine_.Load(nullptr);
+}
+
+ControllerSnapshot Controller::Snapshot() const {
+  return {machine_.state(), motion_.state(), plc_, pending_us_, pending_statements_};
+}
+
+void Controller::Restore(const ControllerSnapshot& snapshot) {
+  machine_.Restore(snapshot.machine);
+  motion_.state() = snapshot.motion;
+  plc_ = snapshot.plc;
+  pending_us_ = snapshot.pending_us;
+  pending_statements_ = snapshot.pending_statements;
+}
+
+uint64_t Controller::Hash() const {
+  const std::array<uint64_t, 5> parts = {machine_.Hash(), motion_.Hash(), plc_.Hash(),
+                                         static_cast<uint64_t>(pending_us_),
+                                         static_cast<uint64_t>(pending_statements_)};
+  return XXH64(parts.data(), sizeof parts, 0);
+}
+
+}  // namespace oncard::runtime
