@@ -1,0 +1,228 @@
+#include "runtime/marshal.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "runtime/host_structures.h"
+#include "vm/machine.h"
+
+namespace oncard::runtime {
+namespace {
+
+using gtcalls::Command;
+using gtcalls::Parameter;
+using gtcalls::Passing;
+using gtcalls::Scalar;
+
+constexpr int64_t kLongMin = std::numeric_limits<int32_t>::min();
+constexpr int64_t kUnsignedLongMax = std::numeric_limits<uint32_t>::max();
+
+/// The number that a host's long or unsigned long stands for, empty when it has no 32 bits.
+std::optional<double> NarrowLong(int64_t bits, bool is_unsigned) {
+  if (bits < kLongMin || bits > kUnsignedLongMax) return std::nullopt;
+  const auto pattern = static_cast<uint32_t>(bits);
+  return is_unsigned ? static_cast<double>(pattern)
+                     : static_cast<double>(static_cast<int32_t>(pattern));
+}
+
+/// A cell as a host's scalar. Commands give values that fit; a value that does not is cut to the
+/// type's range, never undefined.
+template <typename T>
+T FromCell(double value) {
+  if (!(value > static_cast<double>(std::numeric_limits<T>::lowest()))) {
+    return std::numeric_limits<T>::lowest();
+  }
+  if (value >= static_cast<double>(std::numeric_limits<T>::max())) {
+    return std::numeric_limits<T>::max();
+  }
+  return static_cast<T>(value);
+}
+
+template <typename T>
+double ReadElement(const void* host, size_t index) {
+  return static_cast<double>(static_cast<const T*>(host)[index]);
+}
+
+template <typename T>
+void WriteElement(void* host, size_t index, double value) {
+  static_cast<T*>(host)[index] = FromCell<T>(value);
+}
+
+/// One element of a host's array of scalars, empty for a long that has no 32 bits.
+std::optional<double> ReadScalar(Scalar type, const void* host, size_t index) {
+  switch (type) {
+    case Scalar::kChar:
+      return ReadElement<char>(host, index);
+    case Scalar::kUnsignedChar:
+      return ReadElement<unsigned char>(host, index);
+    case Scalar::kShort:
+      return ReadElement<short>(host, index);
+    case Scalar::kUnsignedShort:
+      return ReadElement<unsigned short>(host, index);
+    case Scalar::kLong:
+      return NarrowLong(static_cast<const long*>(host)[index], false);
+    case Scalar::kUnsignedLong:
+      return NarrowLong(static_cast<int64_t>(static_cast<const unsigned long*>(host)[index]), true);
+    case Scalar::kDouble:
+      break;
+  }
+  return static_cast<const double*>(host)[index];
+}
+
+void WriteScalar(Scalar type, void* host, size_t index, double value) {
+  switch (type) {
+    case Scalar::kChar:
+      return WriteElement<char>(host, index, value);
+    case Scalar::kUnsignedChar:
+      return WriteElement<unsigned char>(host, index, value);
+    case Scalar::kShort:
+      return WriteElement<short>(host, index, value);
+    case Scalar::kUnsignedShort:
+      return WriteElement<unsigned short>(host, index, value);
+    case Scalar::kLong:
+      return WriteElement<long>(host, index, value);
+    case Scalar::kUnsignedLong:
+      return WriteElement<unsigned long>(host, index, value);
+    case Scalar::kDouble:
+      break;
+  }
+  static_cast<double*>(host)[index] = value;
+}
+
+Error NotALong(const Parameter& parameter) {
+  return MakeError(vm::kBadParameter, "{} holds a value that does not fit 32 bits",
+                   "{} 中的值超出 32 位范围", parameter.name);
+}
+
+/// The value of a scalar argument.
+Result<double> ReadValue(const Parameter& parameter, const HostArgument& host) {
+  if (host.kind == HostArgument::Kind::kReal) return host.real;
+  if (parameter.type != Scalar::kLong && parameter.type != Scalar::kUnsignedLong) {
+    return static_cast<double>(host.integer);
+  }
+  const auto value = NarrowLong(host.integer, parameter.type == Scalar::kUnsignedLong);
+  if (!value.has_value()) return NotALong(parameter);
+  return *value;
+}
+
+/// How many elements a pointer argument covers.
+Result<size_t> ElementCount(const Command& command, const Parameter& parameter,
+                            const MarshalledCall& call) {
+  if (parameter.count_parameter < 0) return size_t{1};
+  const auto index = static_cast<size_t>(parameter.count_parameter);
+  const Parameter& counter = command.parameters[index];
+  const double count = call.arguments[index].value;
+  const double maximum = std::min<double>(counter.maximum, kElementsMax);
+  if (!(count >= std::max<double>(counter.minimum, 1) && count <= maximum)) {
+    return MakeError(vm::kBadParameter, "{} is {}, expected a number from 1 to {}",
+                     "{} 的值为 {}，应为 1 到 {} 的数", counter.name, count, maximum);
+  }
+  return static_cast<size_t>(count);
+}
+
+bool HasCells(const Parameter& parameter) {
+  return parameter.passing == Passing::kInput || parameter.passing == Passing::kOutput;
+}
+
+/// Copies what an input points to into its cells.
+Result<void> ReadCells(const Parameter& parameter, const vm::CommandArgument& argument) {
+  const size_t per_element = CellsPerElement(parameter);
+  if (parameter.structure != nullptr) {
+    StructureToCells(*parameter.structure, argument.host, argument.cells.first(per_element));
+    return {};
+  }
+  for (size_t i = 0; i < argument.cells.size(); ++i) {
+    const auto value = ReadScalar(parameter.type, argument.host, i);
+    if (!value.has_value()) return NotALong(parameter);
+    argument.cells[i] = *value;
+  }
+  return {};
+}
+
+}  // namespace
+
+size_t CellsPerElement(const Parameter& parameter) {
+  return parameter.structure != nullptr
+             ? static_cast<size_t>(gtcalls::CellCount(*parameter.structure))
+             : 1;
+}
+
+Result<void> ReadArguments(const Command& command, std::span<const HostArgument> host,
+                           MarshalledCall* call) {
+  Result<void> result;
+  const auto fail = [&result](const Error& error) {
+    if (result.ok()) result = error;
+  };
+
+  // Values first: the counts among them say how many cells the pointers need.
+  for (size_t i = 0; i < host.size(); ++i) {
+    const Parameter& parameter = command.parameters[i];
+    vm::CommandArgument& argument = call->arguments[i];
+    argument = {};
+    if (parameter.passing == Passing::kValue) {
+      const auto value = ReadValue(parameter, host[i]);
+      if (value.ok()) {
+        argument.value = value.value();
+      } else {
+        fail(value.error());
+      }
+      continue;
+    }
+    argument.host = host[i].pointer;
+    argument.null = argument.host == nullptr;
+    if (argument.null && !parameter.nullable) {
+      fail(MakeError(vm::kBadParameter, "{} is NULL", "{} 为空指针", parameter.name));
+    }
+  }
+
+  std::array<size_t, gtcalls::kParameterMax> cell_counts{};
+  size_t total = 0;
+  for (size_t i = 0; i < host.size(); ++i) {
+    const Parameter& parameter = command.parameters[i];
+    if (!HasCells(parameter) || call->arguments[i].null) continue;
+    const auto count = ElementCount(command, parameter, *call);
+    if (!count.ok()) {
+      fail(count.error());
+      call->arguments[i].null = true;
+      continue;
+    }
+    cell_counts[i] = count.value() * CellsPerElement(parameter);
+    total += cell_counts[i];
+  }
+
+  call->cells.assign(total, 0.0);
+  std::span<double> free_cells = call->cells;
+  for (size_t i = 0; i < host.size(); ++i) {
+    const Parameter& parameter = command.parameters[i];
+    vm::CommandArgument& argument = call->arguments[i];
+    if (!HasCells(parameter) || argument.null) continue;
+    argument.cells = free_cells.first(cell_counts[i]);
+    free_cells = free_cells.subspan(cell_counts[i]);
+    if (parameter.passing != Passing::kInput) continue;
+    const auto read = ReadCells(parameter, argument);
+    if (!read.ok()) {
+      fail(read.error());
+      argument.null = true;
+    }
+  }
+  return result;
+}
+
+void WriteOutputs(const Command& command, const MarshalledCall& call) {
+  for (size_t i = 0; i < command.parameters.size(); ++i) {
+    const Parameter& parameter = command.parameters[i];
+    const vm::CommandArgument& argument = call.arguments[i];
+    if (parameter.passing != Passing::kOutput || argument.null) continue;
+    if (parameter.structure != nullptr) {
+      StructureFromCells(*parameter.structure, argument.cells, argument.host);
+      continue;
+    }
+    for (size_t cell = 0; cell < argument.cells.size(); ++cell) {
+      WriteScalar(parameter.type, argument.host, cell, argument.cells[cell]);
+    }
+  }
+}
+
+}  // namespace oncard::runtime

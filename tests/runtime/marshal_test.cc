@@ -1,0 +1,170 @@
+#include "runtime/marshal.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+
+#include "gts.h"
+
+namespace oncard::runtime {
+namespace {
+
+const gtcalls::Command& CommandNamed(std::string_view name) { return *gtcalls::FindCommand(name); }
+
+/// The arguments of one call, read from the host.
+template <typename... Args>
+struct Marshalled {
+  explicit Marshalled(std::string_view name, Args... args)
+      : command(CommandNamed(name)),
+        host{ToHostArgument(args)...},
+        read(ReadArguments(command, host, &call)) {}
+
+  int code() const { return read.ok() ? 0 : read.error().code; }
+
+  const gtcalls::Command& command;
+  std::array<HostArgument, sizeof...(Args)> host;
+  MarshalledCall call;
+  Result<void> read;
+};
+
+TEST(MarshalTest, ScalarsTravelAsDoubles) {
+  Marshalled call("GT_SetDo", static_cast<short>(12), -5L);
+  ASSERT_EQ(call.code(), 0);
+  EXPECT_EQ(call.call.arguments[0].value, 12);
+  EXPECT_EQ(call.call.arguments[1].value, -5);
+  EXPECT_FALSE(call.call.arguments[0].null);
+}
+
+TEST(MarshalTest, ALongIsAThirtyTwoBitPattern) {
+  struct Case {
+    int64_t host;
+    int64_t value;
+  };
+  const Case cases[] = {
+      {0, 0},
+      {-1, -1},
+      {0xFFFFFFFF, -1},
+      {0x80000000, INT32_MIN},
+      {INT32_MIN, INT32_MIN},
+      {INT32_MAX, INT32_MAX},
+  };
+  for (const Case& c : cases) {
+    Marshalled call("GT_SetLongVar", static_cast<short>(0), static_cast<long>(c.host));
+    ASSERT_EQ(call.code(), 0) << c.host;
+    EXPECT_EQ(call.call.arguments[1].value, static_cast<double>(c.value)) << c.host;
+  }
+}
+
+TEST(MarshalTest, ALongBeyondThirtyTwoBitsIsOutOfRange) {
+  if (sizeof(long) == 4) GTEST_SKIP() << "long has 32 bits here";
+  for (const int64_t host :
+       {int64_t{INT32_MIN} - 1, int64_t{UINT32_MAX} + 1, std::numeric_limits<int64_t>::max()}) {
+    Marshalled call("GT_SetLongVar", static_cast<short>(0), static_cast<long>(host));
+    EXPECT_EQ(call.code(), 7) << host;
+  }
+}
+
+TEST(MarshalTest, AnUnsignedLongIsAThirtyTwoBitPattern) {
+  std::array<unsigned char, 6> address{};
+  Marshalled call("GetMacAddress", static_cast<unsigned long>(-1), address.data(), 6UL);
+  ASSERT_EQ(call.code(), 0);
+  EXPECT_EQ(call.call.arguments[0].value, 4294967295.0);
+}
+
+TEST(MarshalTest, NullIsRefusedUnlessItMayBeLeftOut) {
+  unsigned long clock = 0;
+  unsigned long* const null = nullptr;
+  EXPECT_EQ(Marshalled("GT_GetClock", &clock, null).code(), 0);
+  EXPECT_EQ(Marshalled("GT_GetClock", null, &clock).code(), 7);
+  const char* const no_text = nullptr;
+  EXPECT_EQ(Marshalled("GT_Download", no_text).code(), 7);
+}
+
+TEST(MarshalTest, TheCountIsCheckedBeforeMemoryIsTouched) {
+  // One element of memory: reading more would be noticed by AddressSanitizer.
+  double value = 1.5;
+  TVarInfo info{};
+  for (const int count : {0, -1, 7, 32767, -32768}) {
+    Marshalled call("GT_SetVarValue", static_cast<short>(-1), &info, &value,
+                    static_cast<short>(count));
+    EXPECT_EQ(call.code(), 7) << count;
+    EXPECT_TRUE(call.call.arguments[2].null) << count;
+  }
+  Marshalled call("GT_SetVarValue", static_cast<short>(-1), &info, &value, static_cast<short>(1));
+  ASSERT_EQ(call.code(), 0);
+  ASSERT_EQ(call.call.arguments[2].cells.size(), 1u);
+  EXPECT_EQ(call.call.arguments[2].cells[0], 1.5);
+}
+
+TEST(MarshalTest, StructuresAreTheirScalarsWithoutText) {
+  TVarInfo info{7, 2, "speed"};
+  double value = 0;
+  Marshalled call("GT_GetVarValue", static_cast<short>(0), &info, &value, static_cast<short>(1));
+  ASSERT_EQ(call.code(), 0);
+  const auto cells = call.call.arguments[1].cells;
+  ASSERT_EQ(cells.size(), 2u);
+  EXPECT_EQ(cells[0], 7);
+  EXPECT_EQ(cells[1], 2);
+}
+
+TEST(MarshalTest, OutputsAreWrittenInTheHostsTypes) {
+  TThreadSts status{};
+  Marshalled call("GT_GetThreadSts", static_cast<short>(0), &status);
+  ASSERT_EQ(call.code(), 0);
+  const auto cells = call.call.arguments[1].cells;
+  ASSERT_EQ(cells.size(), 4u);
+  cells[0] = 1;
+  cells[1] = -7;
+  cells[2] = 0.5;
+  cells[3] = 13;
+  WriteOutputs(call.command, call.call);
+  EXPECT_EQ(status.run, 1);
+  EXPECT_EQ(status.error, -7);
+  EXPECT_EQ(status.result, 0.5);
+  EXPECT_EQ(status.line, 13);
+
+  long value = 0;
+  Marshalled bits("GT_GetDi", static_cast<short>(4), &value);
+  bits.call.arguments[1].cells[0] = -1;
+  WriteOutputs(bits.command, bits.call);
+  EXPECT_EQ(value, -1);
+}
+
+TEST(MarshalTest, AValueThatDoesNotFitTheHostsTypeIsCut) {
+  short index = 0;
+  Marshalled call("GT_GetCardNo", &index);
+  for (const auto& [cell, expected] :
+       {std::pair{1e300, SHRT_MAX}, std::pair{-1e300, SHRT_MIN},
+        std::pair{std::numeric_limits<double>::quiet_NaN(), SHRT_MIN}}) {
+    call.call.arguments[0].cells[0] = cell;
+    WriteOutputs(call.command, call.call);
+    EXPECT_EQ(index, expected) << cell;
+  }
+}
+
+TEST(MarshalTest, EveryCommandTakesNullAndZeroWithoutACrash) {
+  for (const gtcalls::Command& command : gtcalls::Commands()) {
+    std::array<HostArgument, gtcalls::kParameterMax> host{};
+    for (size_t i = 0; i < command.parameters.size(); ++i) {
+      if (command.parameters[i].passing != gtcalls::Passing::kValue) {
+        host[i].kind = HostArgument::Kind::kPointer;
+      }
+    }
+    MarshalledCall call;
+    const auto arguments = std::span(host).first(command.parameters.size());
+    const auto read = ReadArguments(command, arguments, &call);
+    bool needs_pointer = false;
+    for (const gtcalls::Parameter& parameter : command.parameters) {
+      needs_pointer =
+          needs_pointer || (parameter.passing != gtcalls::Passing::kValue && !parameter.nullable);
+    }
+    EXPECT_EQ(read.ok(), !needs_pointer) << command.name;
+    WriteOutputs(command, call);
+  }
+}
+
+}  // namespace
+}  // namespace oncard::runtime
