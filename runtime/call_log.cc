@@ -1,0 +1,152 @@
+#include "runtime/call_log.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
+namespace oncard::runtime {
+namespace {
+
+using gtcalls::Parameter;
+using gtcalls::Passing;
+using gtcalls::Scalar;
+
+std::string Quote(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      quoted += {'\\', c};
+    } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) {
+      quoted += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + '"';
+}
+
+std::string ListOf(std::span<const double> cells) {
+  return fmt::format("[{}]", fmt::join(cells, ", "));
+}
+
+/// A structure's members by name, without those that are not cells; takes its cells from `cells`.
+std::string StructureOf(const gtcalls::Structure& structure, std::span<const double>* cells) {
+  std::string text = "{";
+  for (const gtcalls::Member& member : structure.members) {
+    if (member.pointer || (member.type == Scalar::kChar && member.structure == nullptr)) continue;
+    if (text.size() > 1) text += ", ";
+    text += member.name;
+    text += '=';
+    if (member.structure != nullptr) {
+      text += StructureOf(*member.structure, cells);
+      continue;
+    }
+    const size_t count = member.array_size == 0 ? 1 : static_cast<size_t>(member.array_size);
+    const auto part = cells->first(count);
+    *cells = cells->subspan(count);
+    text += member.array_size == 0 ? fmt::format("{}", part[0]) : ListOf(part);
+  }
+  return text + '}';
+}
+
+/// What a pointer points to.
+std::string ContentOf(const Parameter& parameter, const vm::CommandArgument& argument) {
+  if (parameter.passing == Passing::kTextOutput) {
+    return Quote(*static_cast<const char* const*>(argument.host));
+  }
+  if (parameter.structure == nullptr) return ListOf(argument.cells);
+  std::span<const double> cells = argument.cells;
+  return StructureOf(*parameter.structure, &cells);
+}
+
+std::string ArgumentOf(const Parameter& parameter, const vm::CommandArgument& argument) {
+  if (parameter.passing == Passing::kValue) return fmt::format("{}", argument.value);
+  // A pointer that could not be read, as its count is out of range, is not NULL to the host.
+  if (argument.null) return argument.host == nullptr ? "NULL" : std::string(parameter.name);
+  switch (parameter.passing) {
+    case Passing::kText:
+      return Quote(static_cast<const char*>(argument.host));
+    case Passing::kInput:
+      return ContentOf(parameter, argument);
+    default:
+      return std::string(parameter.name);
+  }
+}
+
+/// True when the call has given out something that the log can show.
+bool HasOutput(const Parameter& parameter, const vm::CommandArgument& argument) {
+  if (argument.null) return false;
+  return parameter.passing == Passing::kTextOutput ||
+         (parameter.passing == Passing::kOutput && !argument.cells.empty());
+}
+
+}  // namespace
+
+std::string FormatCall(const LoggedCall& call, Language language) {
+  std::string line = fmt::format("{}.{:03} card{} {}(", call.time_us / 1000, call.time_us % 1000,
+                                 call.card, call.command.name);
+  for (size_t i = 0; i < call.arguments.size(); ++i) {
+    if (i > 0) line += ", ";
+    line += ArgumentOf(call.command.parameters[i], call.arguments[i]);
+  }
+  line += fmt::format(") = {}", call.code);
+  if (call.code != 0) {
+    const std::string& reason = call.reason.In(language);
+    return reason.empty() ? line : line + ": " + reason;
+  }
+  for (size_t i = 0; i < call.arguments.size(); ++i) {
+    const Parameter& parameter = call.command.parameters[i];
+    if (!HasOutput(parameter, call.arguments[i])) continue;
+    line += fmt::format(", {}={}", parameter.name, ContentOf(parameter, call.arguments[i]));
+  }
+  return line;
+}
+
+CallLog::CallLog(std::string_view setting, Language language) : language_(language) {
+  constexpr std::string_view kFilePrefix = "calls:";
+  if (setting.empty()) return;
+  stream_ = stderr;
+  if (setting == "calls") return;
+  if (!setting.starts_with(kFilePrefix) || setting.size() == kFilePrefix.size()) {
+    WriteLine(MakeMessage("ONCARD_LOG is '{}', expected calls or calls:FILE",
+                          "ONCARD_LOG 的值为 '{}'，应为 calls 或 calls:文件名", setting)
+                  .In(language));
+    return;
+  }
+  const std::string path(setting.substr(kFilePrefix.size()));
+  std::FILE* file = std::fopen(path.c_str(), "w");
+  if (file == nullptr) {
+    WriteLine(MakeMessage("cannot write the call log '{}': {}", "无法写入调用日志 '{}'：{}", path,
+                          std::strerror(errno))
+                  .In(language));
+    return;
+  }
+  stream_ = file;
+}
+
+CallLog::~CallLog() {
+  if (stream_ != nullptr && stream_ != stderr) std::fclose(stream_);
+}
+
+CallLog& CallLog::OfProcess() {
+  // Never destroyed: other threads of the host may still call while the process exits. Every line
+  // is flushed, so nothing is lost.
+  static CallLog& log = *[] {
+    const char* setting = std::getenv("ONCARD_LOG");
+    return new CallLog(setting == nullptr ? "" : setting, LanguageFromEnvironment());
+  }();
+  return log;
+}
+
+void CallLog::Write(const LoggedCall& call) { WriteLine(FormatCall(call, language_)); }
+
+void CallLog::WriteLine(const std::string& line) {
+  const std::string text = line + '\n';
+  const std::lock_guard lock(mutex_);
+  std::fwrite(text.data(), 1, text.size(), stream_);
+  std::fflush(stream_);
+}
+
+}  // namespace oncard::runtime

@@ -1,0 +1,63 @@
+// The log of host calls that ONCARD_LOG asks for, one line per call:
+//
+//   12.250 card0 GT_GetVarValue(-1, {id=0, dataType=1}, pValue, 1) = 0, pValue=[5050]
+//   12.300 card0 GT_Bind(40, 1, 0) = 7: thread is 40, expected a number from 0 to 31
+//
+// The card's virtual time in milliseconds when the command acted, the card, the call with its
+// inputs (an output shows its parameter's name), the code, after a refusal the reason, after a
+// success the outputs. docs/host-api.md describes it for users.
+// Tested by tests/runtime/call_log_test.cc.
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <mutex>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "base/message.h"
+#include "gtcalls/catalogue.h"
+#include "vm/command_table.h"
+
+namespace oncard::runtime {
+
+/// What the log needs to know of one call.
+struct LoggedCall {
+  int64_t time_us = 0;
+  int card = 0;
+  const gtcalls::Command& command;
+  std::span<const vm::CommandArgument> arguments;
+  int16_t code = 0;
+  const Message& reason;
+};
+
+/// The line without its end.
+std::string FormatCall(const LoggedCall& call, Language language);
+
+/// Where the lines go. Thread-safe: a line is written whole.
+class CallLog {
+ public:
+  /// `setting` is the value of ONCARD_LOG: empty for no log, `calls` for standard error,
+  /// `calls:FILE` for a file that is written anew. With any other text, or a file that cannot be
+  /// written, the log goes to standard error and begins by saying so.
+  explicit CallLog(std::string_view setting, Language language);
+  CallLog(const CallLog&) = delete;
+  CallLog& operator=(const CallLog&) = delete;
+  ~CallLog();
+
+  /// The process's log, set up at its first use.
+  static CallLog& OfProcess();
+
+  bool enabled() const { return stream_ != nullptr; }
+  void Write(const LoggedCall& call);
+
+ private:
+  void WriteLine(const std::string& line);
+
+  Language language_;
+  std::mutex mutex_;
+  std::FILE* stream_ = nullptr;
+};
+
+}  // namespace oncard::runtime

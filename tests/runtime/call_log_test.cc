@@ -1,0 +1,130 @@
+#include "runtime/call_log.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "base/files.h"
+
+namespace oncard::runtime {
+namespace {
+
+using Arguments = std::array<vm::CommandArgument, gtcalls::kParameterMax>;
+
+/// The line of a call of card 0 after 12.25 ms.
+std::string Line(std::string_view name, const Arguments& arguments, int16_t code = 0,
+                 const Message& reason = {}, Language language = Language::kEnglish) {
+  const gtcalls::Command& command = *gtcalls::FindCommand(name);
+  return FormatCall(
+      {12'250, 0, command, std::span(arguments).first(command.parameters.size()), code, reason},
+      language);
+}
+
+vm::CommandArgument Value(double value) { return {.value = value}; }
+vm::CommandArgument Cells(std::span<double> cells) { return {.cells = cells}; }
+vm::CommandArgument Null() { return {.null = true}; }
+vm::CommandArgument Text(const char* text) { return {.host = const_cast<char*>(text)}; }
+
+TEST(FormatCallTest, NoArguments) {
+  EXPECT_EQ(Line("GT_Reset", {}), "12.250 card0 GT_Reset() = 0");
+}
+
+TEST(FormatCallTest, ValuesAsShortAsTheyCanBe) {
+  EXPECT_EQ(Line("GT_SetDo", {Value(12), Value(-1)}), "12.250 card0 GT_SetDo(12, -1) = 0");
+  EXPECT_EQ(Line("GT_SetDoubleVar", {Value(3), Value(0.1)}),
+            "12.250 card0 GT_SetDoubleVar(3, 0.1) = 0");
+}
+
+TEST(FormatCallTest, OutputsByNameAndThenWithTheirContent) {
+  double clock = 12;
+  EXPECT_EQ(Line("GT_GetClock", {Cells({&clock, 1}), Null()}),
+            "12.250 card0 GT_GetClock(pClock, NULL) = 0, pClock=[12]");
+  std::array<double, 4> status = {0, 0, 5050, 21};
+  EXPECT_EQ(Line("GT_GetThreadSts", {Value(0), Cells(status)}),
+            "12.250 card0 GT_GetThreadSts(0, pThreadSts) = 0, "
+            "pThreadSts={run=0, error=0, result=5050, line=21}");
+}
+
+TEST(FormatCallTest, InputsWithTheirContent) {
+  std::array<double, 2> info = {4, 1};
+  std::array<double, 3> values = {1, 2.5, -3};
+  EXPECT_EQ(Line("GT_SetVarValue", {Value(-1), Cells(info), Cells(values), Value(3)}),
+            "12.250 card0 GT_SetVarValue(-1, {id=4, dataType=1}, [1, 2.5, -3], 3) = 0");
+}
+
+TEST(FormatCallTest, TextIsQuotedWithControlCharactersVisible) {
+  EXPECT_EQ(Line("GT_Download", {Text("a\\b\"c\n\x7F.bin")}),
+            "12.250 card0 GT_Download(\"a\\\\b\\\"c\\x0a\\x7f.bin\") = 0");
+  EXPECT_EQ(Line("GT_Download", {Text("程序.bin")}), "12.250 card0 GT_Download(\"程序.bin\") = 0");
+}
+
+TEST(FormatCallTest, ATextOutputWithItsText) {
+  const char* version = "010260101010260101";
+  Arguments arguments;
+  arguments[0].host = &version;
+  EXPECT_EQ(Line("GT_GetVersion", arguments),
+            "12.250 card0 GT_GetVersion(pVersion) = 0, pVersion=\"010260101010260101\"");
+}
+
+TEST(FormatCallTest, ARefusalWithItsReasonAndWithoutOutputs) {
+  double clock = 99;
+  const Message reason = {"card 0 is not open", "卡 0 未打开"};
+  EXPECT_EQ(Line("GT_GetClock", {Cells({&clock, 1}), Null()}, -1, reason),
+            "12.250 card0 GT_GetClock(pClock, NULL) = -1: card 0 is not open");
+  EXPECT_EQ(Line("GT_GetClock", {Cells({&clock, 1}), Null()}, -1, reason, Language::kChinese),
+            "12.250 card0 GT_GetClock(pClock, NULL) = -1: 卡 0 未打开");
+  EXPECT_EQ(Line("GT_Reset", {}, 1), "12.250 card0 GT_Reset() = 1");
+}
+
+TEST(FormatCallTest, TimeInMillisecondsWithThreeDecimals) {
+  const Message reason;
+  const gtcalls::Command& reset = *gtcalls::FindCommand("GT_Reset");
+  EXPECT_EQ(FormatCall({50, 15, reset, {}, 0, reason}, Language::kEnglish),
+            "0.050 card15 GT_Reset() = 0");
+  EXPECT_EQ(FormatCall({3'600'000'007, 3, reset, {}, 0, reason}, Language::kEnglish),
+            "3600000.007 card3 GT_Reset() = 0");
+}
+
+TEST(CallLogTest, IsOffUnlessAskedFor) { EXPECT_FALSE(CallLog("", Language::kEnglish).enabled()); }
+
+TEST(CallLogTest, WritesToStandardErrorOrToAFile) {
+  const Message reason;
+  const LoggedCall call = {50, 0, *gtcalls::FindCommand("GT_Reset"), {}, 0, reason};
+  testing::internal::CaptureStderr();
+  CallLog("calls", Language::kEnglish).Write(call);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "0.050 card0 GT_Reset() = 0\n");
+
+  const std::string path = testing::TempDir() + "oncard_call_log_test.log";
+  for (int run = 0; run < 2; ++run) {  // the second run replaces the first one's log
+    CallLog log("calls:" + path, Language::kEnglish);
+    ASSERT_TRUE(log.enabled());
+    log.Write(call);
+    log.Write(call);
+  }
+  EXPECT_EQ(ReadFile(path).value(), "0.050 card0 GT_Reset() = 0\n0.050 card0 GT_Reset() = 0\n");
+  std::remove(path.c_str());
+}
+
+TEST(CallLogTest, ASettingItDoesNotKnowIsSaidInTheLog) {
+  for (const char* setting : {"call", "calls:", "Calls", "1"}) {
+    testing::internal::CaptureStderr();
+    const CallLog log(setting, Language::kEnglish);
+    EXPECT_TRUE(log.enabled());
+    EXPECT_EQ(testing::internal::GetCapturedStderr(),
+              "ONCARD_LOG is '" + std::string(setting) + "', expected calls or calls:FILE\n");
+  }
+}
+
+TEST(CallLogTest, AFileThatCannotBeWrittenIsSaidInTheLog) {
+  testing::internal::CaptureStderr();
+  const CallLog log("calls:/nowhere/x.log", Language::kEnglish);
+  EXPECT_TRUE(log.enabled());
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "cannot write the call log '/nowhere/x.log': No such file or directory\n");
+}
+
+}  // namespace
+}  // namespace oncard::runtime
