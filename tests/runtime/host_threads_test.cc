@@ -1,0 +1,110 @@
+// Many threads of one host on one card and on several: nothing is lost, nothing locks up. The same
+// test runs in the ThreadSanitizer build.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <thread>
+#include <vector>
+
+#include "gts_multi.h"
+
+namespace {
+
+constexpr int kHostThreads = 8;
+constexpr int kRounds = 500;
+
+/// Runs `body(thread)` on kHostThreads threads at once and waits for them.
+template <typename Body>
+void OnAllThreads(const Body& body) {
+  std::vector<std::thread> threads;
+  for (int thread = 0; thread < kHostThreads; ++thread) threads.emplace_back(body, thread);
+  for (std::thread& thread : threads) thread.join();
+}
+
+class HostThreads : public testing::Test {
+ protected:
+  void SetUp() override { setenv("ONCARD_CLOCK", "virtual", 1); }
+  void TearDown() override {
+    for (short card = 0; card < 16; ++card) GT_Close(card);
+  }
+};
+
+TEST_F(HostThreads, OneCardServesThemOneAfterTheOther) {
+  ASSERT_EQ(GT_Open(0), 0);
+  OnAllThreads([](int thread) {
+    const auto index = static_cast<short>(thread);
+    for (long round = 1; round <= kRounds; ++round) {
+      EXPECT_EQ(GT_SetLongVar(0, index, round), 0);
+      long value = 0;
+      EXPECT_EQ(GT_GetLongVar(0, index, &value), 0);
+      EXPECT_EQ(value, round);
+    }
+  });
+  // Every call took its 50 us: none was lost.
+  unsigned long clock = 0;
+  ASSERT_EQ(GT_GetClockHighPrecision(0, &clock), 0);
+  EXPECT_EQ(clock, (kHostThreads * kRounds * 2 + 1) * 50UL / 250 * 2);
+}
+
+TEST_F(HostThreads, CardsDoNotWaitForEachOther) {
+  OnAllThreads([](int thread) {
+    const auto card = static_cast<short>(thread);
+    EXPECT_EQ(GT_Open(card), 0);
+    for (long round = 1; round <= kRounds; ++round) {
+      EXPECT_EQ(GT_SetLongVar(card, 0, round), 0);
+      long value = 0;
+      EXPECT_EQ(GT_GetLongVar(card, 0, &value), 0);
+      EXPECT_EQ(value, round);
+    }
+    EXPECT_EQ(GT_Close(card), 0);
+  });
+}
+
+TEST_F(HostThreads, EveryThreadOnEveryCard) {
+  for (short card = 0; card < 4; ++card) ASSERT_EQ(GT_Open(card), 0);
+  OnAllThreads([](int thread) {
+    for (int round = 0; round < kRounds; ++round) {
+      const auto card = static_cast<short>((thread + round) % 4);
+      EXPECT_EQ(GT_SetDoBit(card, MC_GPO, static_cast<short>(thread + 1), 1), 0);
+      unsigned long clock = 0;
+      EXPECT_EQ(GT_GetClock(card, &clock), 0);
+    }
+  });
+  for (short card = 0; card < 4; ++card) {
+    long outputs = 0;
+    ASSERT_EQ(GT_GetDo(card, MC_GPO, &outputs), 0);
+    EXPECT_EQ(outputs, 0xFF);
+  }
+}
+
+TEST_F(HostThreads, OnlyOneOfThemOpensACard) {
+  std::vector<short> codes(kHostThreads);
+  OnAllThreads([&codes](int thread) { codes[static_cast<size_t>(thread)] = GT_Open(5); });
+  EXPECT_EQ(std::count(codes.begin(), codes.end(), 0), 1);
+  EXPECT_EQ(std::count(codes.begin(), codes.end(), -6), kHostThreads - 1);
+}
+
+TEST_F(HostThreads, ClosingWhileOthersCallIsSafe) {
+  OnAllThreads([](int thread) {
+    for (int round = 0; round < kRounds; ++round) {
+      unsigned long clock = 0;
+      short code = 0;
+      switch (thread % 4) {
+        case 0:
+          code = GT_Open(2);
+          EXPECT_TRUE(code == 0 || code == -6) << code;
+          break;
+        case 1:
+          code = GT_Close(2);
+          EXPECT_TRUE(code == 0 || code == -1) << code;
+          break;
+        default:
+          code = GT_GetClock(2, &clock);
+          EXPECT_TRUE(code == 0 || code == -1) << code;
+      }
+    }
+  });
+}
+
+}  // namespace
