@@ -10,6 +10,19 @@ namespace oncard::vm {
 /// Data types as object files number them; kVoid is only a function's return type.
 enum class DataType : uint16_t { kVoid = 0, kInt = 1, kDouble = 2 };
 
+/// As motion programs spell it; `?` for a number that no type has.
+constexpr std::string_view TypeName(DataType type) {
+  switch (type) {
+    case DataType::kVoid:
+      return "void";
+    case DataType::kInt:
+      return "int";
+    case DataType::kDouble:
+      return "double";
+  }
+  return "?";
+}
+
 enum class Opcode : uint16_t {
 #define INSTRUCTION(name, number, basis, operands, effect) name = number,
 #include "vm/opcodes.def"

@@ -51,18 +51,6 @@ bool ContinuesStructure(const std::vector<Symbol>& symbols, size_t index) {
   return index > 0 && SameStructure(symbols[index - 1], symbols[index]);
 }
 
-const char* TypeName(DataType type) {
-  switch (type) {
-    case DataType::kVoid:
-      return "void";
-    case DataType::kInt:
-      return "int";
-    case DataType::kDouble:
-      return "double";
-  }
-  return "?";
-}
-
 bool IsVariableType(DataType type) { return type == DataType::kInt || type == DataType::kDouble; }
 
 SlotTable BuildSlots(const std::vector<Symbol>& symbols) {
@@ -165,15 +153,22 @@ class Verifier {
       locals_ = BuildSlots(function.variables);
     }
     for (index_ = 0; index_ < count; ++index_) {
-      if (!CheckInstruction(function.instructions[index_])) {
-        const int line = index_ < function.lines.size() ? function.lines[index_] : 0;
-        error_ = At(MakeMessage("function '{0}', instruction {1} (source line {2})",
-                                "函数“{0}”，指令 {1}（源程序第 {2} 行）", name, index_, line),
-                    *reason_);
-        return false;
-      }
+      if (CheckInstruction(function.instructions[index_])) continue;
+      error_ = At(InstructionPlace(name), *reason_);
+      return false;
     }
     return true;
+  }
+
+  Message InstructionPlace(const std::string& printable_name) const {
+    const std::vector<uint16_t>& lines = function_->lines;
+    if (index_ >= lines.size() || lines[index_] == 0) {
+      return MakeMessage("function '{0}', instruction {1}", "函数“{0}”，指令 {1}", printable_name,
+                         index_);
+    }
+    return MakeMessage("function '{0}', instruction {1} (source line {2})",
+                       "函数“{0}”，指令 {1}（源程序第 {2} 行）", printable_name, index_,
+                       lines[index_]);
   }
 
   bool CheckNames(const std::string& printable_name) {
@@ -357,7 +352,11 @@ class Verifier {
                     command->name);
     }
     const auto& arguments = instruction.operands;
-    if (arguments.size() != command->parameters.size() || arguments.size() > kCommandArgumentMax) {
+    if (arguments.size() > kCommandArgumentMax) {
+      return Reject("{0} arguments; a record holds {1}", "有 {0} 个参数；一条记录最多 {1} 个",
+                    arguments.size(), kCommandArgumentMax);
+    }
+    if (arguments.size() != command->parameters.size()) {
       return Reject("{0} takes {1} arguments, not {2}", "{0} 需要 {1} 个参数，而不是 {2} 个",
                     command->name, command->parameters.size(), arguments.size());
     }
