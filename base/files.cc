@@ -42,7 +42,8 @@ class TemporaryFile {
   }
 
   Result<void> Write(std::string_view content) {
-    const int descriptor = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    const int descriptor =
+        ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (descriptor < 0) return WriteError(path_);
     written_ = true;
     const bool complete = WriteAll(descriptor, content);

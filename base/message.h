@@ -16,7 +16,9 @@ struct Message {
   std::string en;
   std::string zh;
 
-  const std::string& In(Language language) const { return language == Language::kChinese ? zh : en; }
+  const std::string& In(Language language) const {
+    return language == Language::kChinese ? zh : en;
+  }
 };
 
 /// Formats both languages with the same arguments (fmt syntax; number the arguments when the

@@ -10,11 +10,12 @@
 #include "base/result.h"
 #include "vm/command_table.h"
 #include "vm/object.h"
+#include "vm/verifier.h"
 
 namespace oncard::vm {
 
-/// One decoded instruction. `op` selects the interpreter's handler; the meaning of a, b and d is
-/// the handler's (interpreter.h).
+/// One decoded instruction. `op` is a number of DecodedOp (handlers.h); the meaning of a, b and d
+/// is the handler's.
 struct Code {
   uint16_t op = 0;
   uint16_t a = 0;
@@ -23,26 +24,30 @@ struct Code {
 };
 static_assert(sizeof(Code) == 8);
 
+/// An element with a variable index.
+struct ElementReference {
+  uint16_t base = 0;
+  uint16_t size = 0;
+  uint16_t index = 0;
+  bool array_global = false;
+  bool index_global = false;
+  bool operator==(const ElementReference&) const = default;
+};
+
 /// One GT call: which command, and where each argument comes from.
 struct CallSite {
   struct Argument {
-    uint16_t operand = 0;  ///< value argument: a packed operand (interpreter.h)
+    uint16_t operand = 0;  ///< packed operand (handlers.h)
     DataType type = DataType::kInt;
     bool address = false;
-    uint16_t first_cell = 0;  ///< address argument: its place in the call's cells
-    int count_argument = -1;  ///< argument whose value is the number of elements
-    /// Address argument: how many slots belong to the variable from its first slot on, when that
-    /// is known at load time; for an element with a variable index, the array's size.
+    int count_argument = -1;  ///< argument whose value is the number of elements, -1 for one
+    /// Address: slots that belong to the variable from the named slot on; for an element with a
+    /// variable index, the array's size.
     uint16_t extent = 1;
-    std::vector<DataType> slots;
+    std::vector<DataType> slots;  ///< types of one element's slots
   };
   uint16_t command = 0;
   std::vector<Argument> arguments;
-};
-
-/// An element with a variable index.
-struct ElementReference {
-  Element element;
 };
 
 /// A function, ready to run.
@@ -63,7 +68,8 @@ struct Image {
 
 /// Verifies the object and decodes it. Fails as Verify() does, and with 2008 when a function has
 /// more distinct literals than an instruction can number.
-Result<std::shared_ptr<const Image>> LinkObject(Object object, const CommandTable& commands);
+Result<std::shared_ptr<const Image>> LinkObject(Object object, const CommandTable& commands,
+                                                Symbols symbols = Symbols::kRequired);
 
 /// The index of a function by name, or -1.
 int FindFunction(const Image& image, std::string_view name);

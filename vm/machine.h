@@ -22,6 +22,9 @@
 
 namespace oncard::vm {
 
+struct Frame;
+enum class Exit : uint8_t;
+
 /// Return codes of the card that the machine itself gives (GTS manual table 3-1).
 inline constexpr int16_t kOk = 0;
 inline constexpr int16_t kRefused = 1;
@@ -49,11 +52,11 @@ struct ThreadState {
   /// Return code of the last GT command, or the fault.
   int16_t error = 0;
   DataType result_type = DataType::kInt;
-  int64_t result = 0;            ///< int, or raw fixed point
-  int64_t fault_value = 0;       ///< the offending index or element count
-  int64_t fault_limit = 0;       ///< the size it was compared with
-  int64_t wake_cycle = 0;        ///< delayed until this cycle has begun; 0 = not delayed
-  bool waiting = false;          ///< until `wait_slot` holds `wait_value`
+  int64_t result = 0;       ///< int, or raw fixed point
+  int64_t fault_value = 0;  ///< the offending index or element count
+  int64_t fault_limit = 0;  ///< the size it was compared with
+  int64_t wake_cycle = 0;   ///< delayed until this cycle has begun; 0 = not delayed
+  bool waiting = false;     ///< until `wait_slot` holds `wait_value`
   SlotAddress wait_slot;
   int64_t wait_value = 0;
   uint16_t breakpoint_line = 0;  ///< pauses before a statement of this line; 0 = none
@@ -169,18 +172,45 @@ class Machine {
   const ThreadState& thread(int index) const { return state_->threads[static_cast<size_t>(index)]; }
   /// Puts back a state taken from a machine with the same image.
   void Restore(const MachineState& state) { *state_ = state; }
-  /// XXH64 of the whole state. Equal states have equal hashes on every machine.
+  /// XXH64 of variables, threads and counters: all of the state but the policy's own. Equal states
+  /// have equal hashes on every machine.
   uint64_t Hash() const;
   /// Source line of the current or last instruction of a thread, 0 when unknown.
   int Line(int thread) const;
 
  private:
-  friend class Interpreter;
+  friend Exit CallCommand(Frame& frame, const CallSite& site);
+
+  ThreadState& ThreadAt(int thread) { return state_->threads[static_cast<size_t>(thread)]; }
+  const Function& FunctionOf(const ThreadState& thread) const;
+  /// True when the thread neither sleeps nor waits for a value.
+  bool CanContinue(const ThreadState& thread) const;
+  /// Puts a bound thread at its function's first instruction.
+  void Start(ThreadState& thread);
+  void PauseAtBreakpoint(ThreadState& thread) const;
+  Frame MakeFrame(int thread);
+  /// Takes over what Interpret() did with a thread.
+  void Settle(const Frame& frame, Exit exit, int64_t executed);
+  /// Executes up to `statements` of a thread; returns how many.
+  int64_t RunTurn(int thread, int64_t statements);
+  void FinishSleepersAtEnd();
+  /// One turn of the policy, or what stops it.
+  int64_t ExecuteTurn(uint32_t runnable, int64_t budget);
+  /// Statements until the next checkpoint of a recording or a replay.
+  int64_t UntilCheckpoint() const;
+  /// Writes the recording's checkpoint, or compares with the replay's. False: the hash differs.
+  bool PassCheckpoint();
+  void RecordTurn(int thread, int64_t statements);
+  /// Threads that take a turn each round: the runnable and those waiting for a value.
+  uint32_t RoundMembers() const;
+  /// Executes `rounds` whole rounds of the one-statement round robin; returns the statements.
+  int64_t ExecuteRounds(uint32_t members, int64_t rounds);
 
   CommandTable* commands_;
   std::shared_ptr<const Image> image_;
   std::unique_ptr<MachineState> state_;  // large: keep Machine itself movable and small
   Schedule* recording_ = nullptr;
+  std::vector<double> cells_;  // scratch of CallCommand(), kept to avoid allocation
   Stop last_stop_ = Stop::kBudget;
 };
 

@@ -1,7 +1,8 @@
 // A motion program as its compiler knows it and its object files (`X.bin` with `X.ini`) hold it:
 // functions of one-statement instructions over numbered variables, and the symbols that name them.
 // The compiler builds an Object, object_writer.h turns it into the two files, object_reader.h reads
-// them back, verifier.h decides whether it may run, image.h turns it into what the machine executes.
+// them back, verifier.h decides whether it may run, image.h turns it into what the machine
+// executes.
 //
 // A plain value: copyable, no identity, nothing hidden. docs/object-format.md gives the bytes.
 #pragma once
@@ -80,8 +81,8 @@ struct Function {
   std::string file;  ///< source file that defines it, as written in the `.ini`
   DataType return_type = DataType::kInt;
   std::vector<Instruction> instructions;
-  std::vector<uint16_t> lines;     ///< source line of each instruction; 0 = unknown
-  std::vector<Symbol> variables;   ///< parameters, then locals, in order of declaration
+  std::vector<uint16_t> lines;    ///< source line of each instruction; 0 = unknown
+  std::vector<Symbol> variables;  ///< parameters, then locals, in order of declaration
   bool operator==(const Function&) const = default;
 };
 

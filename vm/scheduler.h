@@ -29,10 +29,10 @@ enum class PolicyKind : uint8_t { kRoundRobin, kPriority, kRandom, kPct, kReplay
 /// A policy as the user names it.
 struct Policy {
   PolicyKind kind = PolicyKind::kRoundRobin;
-  int64_t quantum = 1;         ///< kRoundRobin: 1..1 000 000 000
-  uint64_t seed = 0;           ///< kRandom, kPct
-  int depth = 1;               ///< kPct: D, 1..64
-  int64_t steps = 1000;        ///< kPct: K
+  int64_t quantum = 1;                       ///< kRoundRobin: 1..1 000 000 000
+  uint64_t seed = 0;                         ///< kRandom, kPct
+  int depth = 1;                             ///< kPct: D, 1..64
+  int64_t steps = 1000;                      ///< kPct: K
   std::shared_ptr<const Schedule> schedule;  ///< kReplay
 };
 
@@ -48,13 +48,14 @@ inline constexpr int kPctDepthMax = 64;
 /// The state of a policy in the middle of a run.
 struct SchedulerState {
   Policy policy;
-  int next_thread = 0;       ///< kRoundRobin, kPriority: first candidate of the next turn
-  int64_t turn_left = 0;     ///< statements left of next_thread's turn; kReplay: of the segment
-  uint64_t random = 0;       ///< kRandom, kPct: generator state
+  int next_thread = 0;    ///< kRoundRobin, kPriority: first candidate of the next turn
+  int64_t turn_left = 0;  ///< kRoundRobin: statements left of next_thread's turn, 0 = none begun
+  uint64_t random = 0;    ///< kRandom, kPct: generator state
   std::array<int32_t, kThreadCount> pct_priority{};  ///< larger runs first
   std::array<int64_t, kPctDepthMax> pct_points{};    ///< statement counts of the changes
   int64_t pct_executed = 0;
   size_t segment = 0;        ///< kReplay: current segment
+  int64_t segment_done = 0;  ///< kReplay: statements of it already executed
 };
 
 /// The state of a policy before the first statement.
@@ -67,13 +68,13 @@ struct Turn {
   int64_t statements = 0;
 };
 
-/// Chooses among the threads whose bits are set in `runnable` (never 0). Does not change the state:
-/// call ConsumeTurn() with what was executed.
-Turn ChooseTurn(SchedulerState& state, uint32_t runnable, int64_t budget,
-                const std::array<int16_t, kThreadCount>& priorities);
+/// Chooses among the threads whose bits are set in `runnable` (never 0), for at most `budget`
+/// statements. Ends a turn whose thread cannot run any more and begins the next one.
+Turn BeginTurn(SchedulerState& state, uint32_t runnable, int64_t budget,
+               const std::array<int16_t, kThreadCount>& priorities);
 
-/// Tells the policy that `thread` has executed `statements` of its turn; `yielded` when it cannot
-/// go on now (it finished, faulted, waits or was paused).
-void ConsumeTurn(SchedulerState& state, int thread, int64_t statements, bool yielded);
+/// Tells the policy that `thread` has executed `statements` of the turn it was given; `yielded`
+/// when it cannot go on now (it finished, faulted, waits or was paused).
+void EndTurn(SchedulerState& state, int thread, int64_t statements, bool yielded);
 
 }  // namespace oncard::vm

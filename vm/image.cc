@@ -1,0 +1,324 @@
+// The linker: turns a verified object into decoded code. One instruction of the object is one Code,
+// so program counters, lines and jump displacements carry over; where two or three neighbours are
+// commonly executed together, the first one's op says so and the interpreter does them in one
+// dispatch, while the others keep their own code for jumps that arrive between them.
+// Tested by tests/vm/image_test.cc, tests/vm/machine_test.cc and the language tests.
+#include "vm/image.h"
+
+#include <xxhash.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "vm/handlers.h"
+#include "vm/object_writer.h"
+#include "vm/verifier.h"
+
+namespace oncard::vm {
+namespace {
+
+// First decoded op of a binary operator.
+uint16_t BinaryOp(BinaryOperator op, DataType type) {
+  if (type == DataType::kDouble) {
+    switch (op) {
+#define DOUBLE_BINARY(name, bad, value) \
+  case BinaryOperator::k##name:         \
+    return kDouble##name##LL;
+#define DOUBLE_COMPARE(name, value) \
+  case BinaryOperator::k##name:     \
+    return kDouble##name##LL;
+#include "vm/handlers.def"
+      default:
+        break;
+    }
+  }
+  switch (op) {
+#define INT_BINARY(name, bad, value) \
+  case BinaryOperator::k##name:      \
+    return kInt##name##LL;
+#include "vm/handlers.def"
+  }
+  return kEnd;
+}
+
+// First decoded op of a unary operator.
+uint16_t UnaryOp(UnaryOperator op, DataType type) {
+  switch (op) {
+    case UnaryOperator::kCopy:
+      return type == DataType::kDouble ? kCopyDoubleL : kCopyIntL;
+    case UnaryOperator::kNot:
+      return kNotL;
+    case UnaryOperator::kInvert:
+      return kInvertL;
+    case UnaryOperator::kAbs:
+      return kAbsL;
+    case UnaryOperator::kFabs:
+      return kFabsL;
+    case UnaryOperator::kToInt:
+      return kToIntL;
+    case UnaryOperator::kToDouble:
+      return kToDoubleL;
+  }
+  return kEnd;
+}
+
+bool IsShared(const Operand& operand) {
+  if (const auto* variable = std::get_if<Variable>(&operand)) {
+    return variable->storage == Storage::kGlobal;
+  }
+  if (const auto* element = std::get_if<Element>(&operand)) {
+    return element->storage == Storage::kGlobal || element->index.storage == Storage::kGlobal;
+  }
+  return false;
+}
+
+uint16_t Displacement(const Instruction& instruction) {
+  return static_cast<uint16_t>(instruction.displacement);
+}
+
+class FunctionLinker {
+ public:
+  FunctionLinker(const Object& object, const Function& function, const CommandTable& commands)
+      : object_(object), function_(function), commands_(commands) {}
+
+  Result<ImageFunction> Link() {
+    linked_.code.reserve(function_.instructions.size() + 1);
+    for (const Instruction& instruction : function_.instructions) {
+      linked_.code.push_back(Decode(instruction));
+    }
+    linked_.code.push_back({kEnd, 0, 0, 0});
+    if (linked_.constants.size() > kPackedIndexCount ||
+        linked_.elements.size() > kPackedIndexCount) {
+      return MakeError(2008,
+                       "function '{0}' has more than {1} different literals or array accesses; "
+                       "split it",
+                       "函数“{0}”中不同的常量或数组访问超过 {1} 个；请拆分该函数", function_.name,
+                       kPackedIndexCount);
+    }
+    FuseTests();
+    FuseLoops();
+    return std::move(linked_);
+  }
+
+ private:
+  Code Decode(const Instruction& instruction) {
+    switch (instruction.opcode) {
+      case Opcode::kUnary:
+        return DecodeUnary(instruction);
+      case Opcode::kBinary:
+        return DecodeBinary(instruction);
+      case Opcode::kJump:
+        return DecodeJump(instruction);
+      case Opcode::kReturn:
+        return DecodeReturn(instruction);
+      case Opcode::kCommand:
+        return DecodeCommand(instruction);
+    }
+    return {};
+  }
+
+  Code DecodeBinary(const Instruction& instruction) {
+    const auto& operands = instruction.operands;
+    const uint16_t first = BinaryOp(static_cast<BinaryOperator>(instruction.op), instruction.type);
+    const uint16_t a = Pack(operands[0], instruction.type);
+    const uint16_t b = Pack(operands[1], instruction.type);
+    const uint16_t d = Pack(operands[2], instruction.type);
+    if (ClassOf(d) == OperandClass::kLocal) {
+      const OperandClass left = ClassOf(a);
+      const OperandClass right = ClassOf(b);
+      uint16_t variant = kVariantP;
+      if (left == OperandClass::kLocal && right == OperandClass::kLocal) variant = kVariantLL;
+      if (left == OperandClass::kLocal && right == OperandClass::kConstant) variant = kVariantLK;
+      if (left == OperandClass::kConstant && right == OperandClass::kLocal) variant = kVariantKL;
+      if (variant != kVariantP) {
+        return {static_cast<uint16_t>(first + variant), IndexOf(a), IndexOf(b), IndexOf(d)};
+      }
+    }
+    const uint16_t variant = AnyShared(instruction) ? kVariantS : kVariantP;
+    return {static_cast<uint16_t>(first + variant), a, b, d};
+  }
+
+  Code DecodeUnary(const Instruction& instruction) {
+    const uint16_t first = UnaryOp(static_cast<UnaryOperator>(instruction.op), instruction.type);
+    const uint16_t a = Pack(instruction.operands[0], instruction.type);
+    const uint16_t d = Pack(instruction.operands[1], instruction.type);
+    if (ClassOf(d) == OperandClass::kLocal && ClassOf(a) == OperandClass::kLocal) {
+      return {static_cast<uint16_t>(first + kUnaryVariantL), IndexOf(a), 0, IndexOf(d)};
+    }
+    if (ClassOf(d) == OperandClass::kLocal && ClassOf(a) == OperandClass::kConstant) {
+      return {static_cast<uint16_t>(first + kUnaryVariantK), IndexOf(a), 0, IndexOf(d)};
+    }
+    const uint16_t variant = AnyShared(instruction) ? kUnaryVariantS : kUnaryVariantP;
+    return {static_cast<uint16_t>(first + variant), a, 0, d};
+  }
+
+  Code DecodeJump(const Instruction& instruction) {
+    const auto* condition = std::get_if<Variable>(&instruction.operands[0]);
+    if (condition == nullptr) return {kGoto, 0, 0, Displacement(instruction)};
+    const uint16_t op = condition->storage == Storage::kLocal ? kIfLocal : kIfGlobal;
+    return {op, condition->id, 0, Displacement(instruction)};
+  }
+
+  Code DecodeReturn(const Instruction& instruction) {
+    const uint16_t op = AnyShared(instruction) ? kReturnS : kReturnP;
+    return {op, Pack(instruction.operands[0], DataType::kInt),
+            Pack(instruction.operands[1], function_.return_type), 0};
+  }
+
+  Code DecodeCommand(const Instruction& instruction) {
+    CallSite site;
+    site.command = instruction.op;
+    const auto parameters = commands_.Find(instruction.op)->parameters;
+    for (size_t i = 0; i < parameters.size(); ++i) {
+      const ParameterShape& parameter = parameters[i];
+      CallSite::Argument argument;
+      argument.type = parameter.slots[0];
+      argument.operand = Pack(instruction.operands[i], argument.type);
+      argument.address = parameter.address;
+      if (parameter.address) {
+        argument.count_argument = parameter.count_parameter;
+        argument.slots.assign(parameter.slots.begin(), parameter.slots.end());
+        argument.extent = ExtentOf(instruction.operands[i]);
+      }
+      site.arguments.push_back(std::move(argument));
+    }
+    linked_.calls.push_back(std::move(site));
+    return {kCommand, static_cast<uint16_t>(linked_.calls.size() - 1), 0, 0};
+  }
+
+  uint16_t ExtentOf(const Operand& operand) const {
+    if (const auto* element = std::get_if<Element>(&operand)) return element->size;
+    const auto* variable = std::get_if<Variable>(&operand);
+    return variable != nullptr ? StorageExtent(object_, function_, *variable) : uint16_t{1};
+  }
+
+  static bool AnyShared(const Instruction& instruction) {
+    return std::any_of(instruction.operands.begin(), instruction.operands.end(), IsShared);
+  }
+
+  // Operand `operand` of type `type`, packed.
+  uint16_t Pack(const Operand& operand, DataType type) {
+    if (const auto* variable = std::get_if<Variable>(&operand)) {
+      const bool local = variable->storage == Storage::kLocal;
+      return PackOperand(local ? OperandClass::kLocal : OperandClass::kGlobal, variable->id);
+    }
+    if (const auto* element = std::get_if<Element>(&operand)) return PackElement(*element);
+    const int64_t raw = std::get<Immediate>(operand).raw;
+    return PackConstant(type == DataType::kDouble ? raw : raw >> kFractionBits);
+  }
+
+  uint16_t PackConstant(int64_t value) {
+    const auto [entry, added] = constant_index_.try_emplace(value, linked_.constants.size());
+    if (added) linked_.constants.push_back(value);
+    return PackOperand(OperandClass::kConstant, entry->second & kOperandIndexMask);
+  }
+
+  uint16_t PackElement(const Element& element) {
+    const ElementReference reference{element.base, element.size, element.index.id,
+                                     element.storage == Storage::kGlobal,
+                                     element.index.storage == Storage::kGlobal};
+    auto& elements = linked_.elements;
+    const auto key =
+        std::pair(uint64_t{element.base} << 32 | uint64_t{element.index.id} << 16 | element.size,
+                  reference.array_global * 2 + reference.index_global);
+    const auto [entry, added] = element_index_.try_emplace(key, elements.size());
+    if (added) elements.push_back(reference);
+    return PackOperand(OperandClass::kElement, entry->second & kOperandIndexMask);
+  }
+
+  // A comparison whose target the next instruction tests.
+  void FuseTests() {
+    auto& code = linked_.code;
+    for (size_t i = 0; i + 1 < code.size(); ++i) {
+      if (code[i + 1].op != kIfLocal || code[i + 1].a != code[i].d) continue;
+      switch (code[i].op) {
+#define INT_COMPARE(name, value)  \
+  case kInt##name##LL:            \
+    code[i].op = kTest##name##LL; \
+    break;                        \
+  case kInt##name##LK:            \
+    code[i].op = kTest##name##LK; \
+    break;
+#include "vm/handlers.def"
+        default:
+          break;
+      }
+    }
+  }
+
+  // A goto to such a comparison.
+  void FuseLoops() {
+    auto& code = linked_.code;
+    for (size_t i = 0; i < code.size(); ++i) {
+      if (code[i].op != kGoto) continue;
+      switch (code[i + static_cast<size_t>(static_cast<int16_t>(code[i].d))].op) {
+#define INT_COMPARE(name, value)  \
+  case kTest##name##LL:           \
+    code[i].op = kLoop##name##LL; \
+    break;                        \
+  case kTest##name##LK:           \
+    code[i].op = kLoop##name##LK; \
+    break;
+#include "vm/handlers.def"
+        default:
+          break;
+      }
+    }
+  }
+
+  const Object& object_;
+  const Function& function_;
+  const CommandTable& commands_;
+  ImageFunction linked_;
+  std::map<int64_t, size_t> constant_index_;
+  std::map<std::pair<uint64_t, int>, size_t> element_index_;
+};
+
+// The object's code and storage without the names and lines, so that a comment or a renamed
+// variable does not make another program.
+uint64_t HashProgram(const Object& object) {
+  std::string bytes = WriteObject(object, true).bin;
+  bytes.push_back(static_cast<char>(object.double_format));
+  return XXH64(bytes.data(), bytes.size(), 0);
+}
+
+const Symbol* FindSymbol(const std::vector<Symbol>& symbols, std::string_view name) {
+  const auto found = std::find_if(symbols.begin(), symbols.end(),
+                                  [&](const Symbol& symbol) { return symbol.name == name; });
+  return found == symbols.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const Image>> LinkObject(Object object, const CommandTable& commands,
+                                                Symbols symbols) {
+  if (auto verified = Verify(object, commands, symbols); !verified.ok()) return verified.error();
+  auto image = std::make_shared<Image>();
+  for (const Function& function : object.functions) {
+    auto linked = FunctionLinker(object, function, commands).Link();
+    if (!linked.ok()) return linked.error();
+    image->functions.push_back(std::move(linked).value());
+  }
+  image->hash = HashProgram(object);
+  image->object = std::move(object);
+  return std::shared_ptr<const Image>(std::move(image));
+}
+
+int FindFunction(const Image& image, std::string_view name) {
+  const auto& functions = image.object.functions;
+  for (size_t i = 0; i < functions.size(); ++i) {
+    if (functions[i].name == name) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+const Symbol* FindGlobal(const Image& image, std::string_view name) {
+  return FindSymbol(image.object.globals, name);
+}
+
+const Symbol* FindLocal(const Image& image, int function, std::string_view name) {
+  return FindSymbol(image.object.functions[static_cast<size_t>(function)].variables, name);
+}
+
+}  // namespace oncard::vm

@@ -1,0 +1,146 @@
+// The interpreter: one handler per decoded op, each ending in a jump to the next handler. With
+// clang the handlers are functions that tail-call each other (musttail), so that the state stays
+// in registers; with g++, which cannot promise that, they are labels of one function (computed
+// goto). The bodies are the same text.
+//
+// Fuel is counted by the program counter: `limit` is where the allowed statements end if no jump is
+// taken, and a jump moves it along. A straight-line statement then costs one comparison and no
+// bookkeeping, and the count is exact at every quantum.
+//
+// Two tables hold the handlers. In the second one every op that can touch globals or the card leads
+// to "stop here", which lets the machine run a thread ahead as long as no other thread could notice
+// (machine.cc).
+// Tested by tests/vm/machine_test.cc, tests/vm/run_ahead_test.cc and the differential tests.
+#include "vm/interpreter.h"
+
+#include "vm/handlers.h"
+
+namespace oncard::vm {
+namespace {
+
+constexpr uint32_t ToUnsigned(int32_t value) { return static_cast<uint32_t>(value); }
+constexpr int32_t ToInt(uint32_t value) { return static_cast<int32_t>(value); }
+// A slot holds an int in its low half; a page that another function used for doubles may hold more.
+constexpr int32_t IntOf(int64_t slot) { return static_cast<int32_t>(slot); }
+
+Exit StopWithFault(Frame* frame, const Code* pc, uintptr_t limit, Fault fault) {
+  frame->pc = pc;
+  frame->fault = fault;
+  frame->left =
+      (static_cast<int64_t>(limit) - static_cast<int64_t>(reinterpret_cast<uintptr_t>(pc))) /
+          static_cast<int64_t>(sizeof(Code)) -
+      1;
+  return Exit::kFault;
+}
+
+int64_t* OperandAddress(Frame* frame, int64_t* locals, const int64_t* constants, uint16_t operand) {
+  switch (ClassOf(operand)) {
+    case OperandClass::kLocal:
+      return locals + IndexOf(operand);
+    case OperandClass::kGlobal:
+      return frame->globals + IndexOf(operand);
+    case OperandClass::kConstant:
+      // Only ever read: the linker puts constants into source operands alone.
+      return const_cast<int64_t*>(constants) + IndexOf(operand);
+    case OperandClass::kElement:
+      break;
+  }
+  frame->locals = locals;
+  return ElementAddress(*frame, operand);
+}
+
+}  // namespace
+
+int64_t* ElementAddress(Frame& frame, uint16_t operand) {
+  const ElementReference& element = frame.function->elements[IndexOf(operand)];
+  const int64_t* index_base = element.index_global ? frame.globals : frame.locals;
+  const int32_t index = IntOf(index_base[element.index]);
+  if (index < 0 || index >= element.size) {
+    frame.fault_value = index;
+    frame.fault_limit = element.size;
+    return nullptr;
+  }
+  return (element.array_global ? frame.globals : frame.locals) + element.base + index;
+}
+
+#if defined(__clang__) && __has_cpp_attribute(clang::musttail)
+
+namespace {
+
+struct HandlerEntry;
+using Handler = Exit (*)(const Code* pc, int64_t* locals, const int64_t* constants, Frame* frame,
+                         uintptr_t limit, const HandlerEntry* table);
+struct HandlerEntry {
+  Handler run;
+};
+
+#define HANDLER(name)                                                                 \
+  Exit name([[maybe_unused]] const Code* pc, [[maybe_unused]] int64_t* locals,        \
+            [[maybe_unused]] const int64_t* constants, [[maybe_unused]] Frame* frame, \
+            [[maybe_unused]] uintptr_t limit, [[maybe_unused]] const HandlerEntry* table)
+#define DISPATCH() \
+  [[clang::musttail]] return table[pc->op].run(pc, locals, constants, frame, limit, table)
+#define ENTRY(name) {name},
+
+#include "vm/handlers.inc"
+
+constexpr HandlerEntry kAllHandlers[] = {
+#include "vm/handler_table.inc"
+};
+#define PRIVATE_ONLY
+constexpr HandlerEntry kPrivateHandlers[] = {
+#include "vm/handler_table.inc"
+};
+#undef PRIVATE_ONLY
+
+Exit Enter(Frame& frame, uintptr_t limit, const HandlerEntry* first, const HandlerEntry* table) {
+  return first[frame.pc->op].run(frame.pc, frame.locals, frame.function->constants.data(), &frame,
+                                 limit, table);
+}
+
+}  // namespace
+
+Exit Interpret(Frame& frame, int64_t statements, Reach reach) {
+  frame.left = 0;
+  if (statements == 0 && frame.pc->op != kEnd) return Exit::kBudget;
+  const uintptr_t limit =
+      reinterpret_cast<uintptr_t>(frame.pc) + static_cast<uintptr_t>(statements) * sizeof(Code);
+  return Enter(frame, limit, reach == Reach::kPrivateOnly ? kPrivateHandlers : kAllHandlers,
+               reach == Reach::kAll ? kAllHandlers : kPrivateHandlers);
+}
+
+#else
+
+#define HANDLER(name) \
+  name:
+#define DISPATCH() goto* table[pc->op]
+#define ENTRY(name) &&name,
+
+Exit Interpret(Frame& entry_frame, int64_t statements, Reach reach) {
+  static const void* const kAllHandlers[] = {
+#include "vm/handler_table.inc"
+  };
+#define PRIVATE_ONLY
+  static const void* const kPrivateHandlers[] = {
+#include "vm/handler_table.inc"
+  };
+#undef PRIVATE_ONLY
+
+  Frame* const frame = &entry_frame;
+  const Code* pc = frame->pc;
+  frame->left = 0;
+  if (statements == 0 && pc->op != kEnd) return Exit::kBudget;
+  int64_t* locals = frame->locals;
+  const int64_t* const constants = frame->function->constants.data();
+  uintptr_t limit =
+      reinterpret_cast<uintptr_t>(pc) + static_cast<uintptr_t>(statements) * sizeof(Code);
+  const void* const* const first = reach == Reach::kPrivateOnly ? kPrivateHandlers : kAllHandlers;
+  const void* const* const table = reach == Reach::kAll ? kAllHandlers : kPrivateHandlers;
+  goto* first[pc->op];
+
+#include "vm/handlers.inc"
+}
+
+#endif
+
+}  // namespace oncard::vm

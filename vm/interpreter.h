@@ -1,0 +1,58 @@
+// Executes one thread's decoded code. The machine prepares a Frame, calls Interpret(), and takes
+// back what happened; nothing here chooses threads.
+#pragma once
+
+#include <cstdint>
+
+#include "vm/image.h"
+#include "vm/machine.h"
+
+namespace oncard::vm {
+
+/// Why Interpret() returned.
+enum class Exit : uint8_t {
+  kBudget,    ///< all allowed statements were executed
+  kShared,    ///< the next statement may touch what threads share (kPrivateOnly)
+  kFinished,  ///< returned, or fell off the end
+  kFault,     ///< the last statement faulted and changed nothing
+  kBlocked    ///< a GT command made the thread unable to go on now
+};
+
+/// What the interpreter needs of a thread; the machine owns it all.
+struct Frame {
+  const ImageFunction* function = nullptr;
+  const Code* pc = nullptr;  ///< in: next instruction; out: next, or the last one when it ended
+  int64_t* locals = nullptr;
+  int64_t* globals = nullptr;
+  int wrap_shift = 0;
+  int thread = 0;
+  Machine* machine = nullptr;
+  int64_t left = 0;    ///< out: statements that were allowed but not executed
+  int64_t result = 0;  ///< out: value of the executed return
+  Fault fault = Fault::kNone;
+  int64_t fault_value = 0;
+  int64_t fault_limit = 0;
+};
+
+/// Which statements may be executed.
+enum class Reach : uint8_t {
+  kAll,            ///< any
+  kPrivateOnly,    ///< only those that touch nothing shared between threads
+  kOneThenPrivate  ///< any statement first, then as kPrivateOnly
+};
+
+/// Statements that one call of Interpret() executes at most.
+inline constexpr int64_t kInterpretMax = int64_t{1} << 40;
+
+/// Executes up to `statements` (0..kInterpretMax) of the frame's thread.
+Exit Interpret(Frame& frame, int64_t statements, Reach reach);
+
+/// Executes a GT command of a program; implemented in command_call.cc. Stores the return code in
+/// the thread, may change frame.locals. kBudget means: go on.
+Exit CallCommand(Frame& frame, const CallSite& site);
+
+/// Where a packed operand lives; `constants` are read only. nullptr, with the fault noted in the
+/// frame, when an index is out of bounds.
+int64_t* ElementAddress(Frame& frame, uint16_t operand);
+
+}  // namespace oncard::vm

@@ -1,0 +1,473 @@
+// The machine's threads, variables, turns and state. The interpreter executes statements
+// (interpreter.cc), the policies choose threads (scheduler.cc), run_ahead.cc is the fast way
+// through the one-statement round robin.
+// Tested by tests/vm/machine_test.cc.
+#include "vm/machine.h"
+
+#include <xxhash.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "vm/handlers.h"
+#include "vm/interpreter.h"
+
+namespace oncard::vm {
+namespace {
+
+bool IsThread(int thread) { return thread >= 0 && thread < kThreadCount; }
+uint32_t Bit(int thread) { return uint32_t{1} << thread; }
+
+bool IsActive(const ThreadState& thread) {
+  return thread.run == ThreadRun::kRunning || thread.run == ThreadRun::kPaused ||
+         thread.period_cycles > 0;
+}
+
+}  // namespace
+
+Machine::Machine(CommandTable* commands)
+    : commands_(commands), state_(std::make_unique<MachineState>()) {}
+
+// --- Program -------------------------------------------------------------------------------------
+
+void Machine::Load(std::shared_ptr<const Image> image) {
+  const int64_t cycle = state_->cycle;
+  const Policy policy = state_->scheduler.policy;
+  image_ = std::move(image);
+  *state_ = MachineState{};
+  state_->cycle = cycle;
+  state_->scheduler = StartPolicy(policy);
+}
+
+const Function& Machine::FunctionOf(const ThreadState& thread) const {
+  return image_->object.functions[thread.function];
+}
+
+// --- Threads -------------------------------------------------------------------------------------
+
+bool Machine::CanContinue(const ThreadState& thread) const {
+  if (thread.run != ThreadRun::kRunning || thread.wake_cycle > state_->cycle) return false;
+  return !thread.waiting || ReadRaw(thread.wait_slot) == thread.wait_value;
+}
+
+void Machine::Start(ThreadState& thread) {
+  thread.run = ThreadRun::kRunning;
+  thread.started = true;
+  thread.pc = 0;
+  thread.error = kOk;
+  thread.result_type = FunctionOf(thread).return_type;
+  thread.result = 0;
+  thread.fault_value = 0;
+  thread.fault_limit = 0;
+  thread.wake_cycle = 0;
+  thread.waiting = false;
+  thread.breakpoint_line = 0;
+  thread.executed = 0;
+  if (FunctionOf(thread).instructions.empty()) thread.run = ThreadRun::kStopped;
+}
+
+int16_t Machine::Bind(int thread, int function_id, int page) {
+  if (!IsThread(thread) || page < 0 || page >= kPageCount) return kBadParameter;
+  if (image_ == nullptr || function_id < 1 ||
+      static_cast<size_t>(function_id) > image_->functions.size()) {
+    return kBadParameter;
+  }
+  if (IsActive(ThreadAt(thread))) return kRefused;
+  for (int other = 0; other < kThreadCount; ++other) {
+    const ThreadState& holder = ThreadAt(other);
+    if (other != thread && holder.run != ThreadRun::kUnbound && holder.page == page) {
+      return kRefused;
+    }
+  }
+  ThreadAt(thread) = ThreadState{};
+  ThreadAt(thread).run = ThreadRun::kStopped;
+  ThreadAt(thread).function = static_cast<uint8_t>(function_id - 1);
+  ThreadAt(thread).page = static_cast<uint8_t>(page);
+  return kOk;
+}
+
+int16_t Machine::Run(int thread) {
+  if (!IsThread(thread)) return kBadParameter;
+  ThreadState& state = ThreadAt(thread);
+  switch (state.run) {
+    case ThreadRun::kUnbound:
+    case ThreadRun::kRunning:
+      return kRefused;
+    case ThreadRun::kPaused:
+      state.run = ThreadRun::kRunning;
+      state.breakpoint_line = 0;
+      return kOk;
+    case ThreadRun::kStopped:
+    case ThreadRun::kFaulted:
+      break;
+  }
+  if (state.period_cycles > 0) return kRefused;
+  Start(state);
+  return kOk;
+}
+
+int16_t Machine::StopThread(int thread) {
+  if (!IsThread(thread)) return kBadParameter;
+  ThreadState& state = ThreadAt(thread);
+  if (state.run == ThreadRun::kUnbound) return kRefused;
+  if (state.run != ThreadRun::kFaulted) state.run = ThreadRun::kStopped;
+  state.period_cycles = 0;
+  state.wake_cycle = 0;
+  state.waiting = false;
+  return kOk;
+}
+
+int16_t Machine::Pause(int thread) {
+  if (!IsThread(thread)) return kBadParameter;
+  if (ThreadAt(thread).run != ThreadRun::kRunning) return kRefused;
+  ThreadAt(thread).run = ThreadRun::kPaused;
+  return kOk;
+}
+
+int16_t Machine::Step(int thread) {
+  if (!IsThread(thread)) return kBadParameter;
+  const ThreadState before = ThreadAt(thread);
+  if (before.run == ThreadRun::kPaused) {
+    ThreadAt(thread).run = ThreadRun::kRunning;
+  } else if (const int16_t code = Run(thread); code != kOk) {
+    return code;
+  }
+  if (ThreadAt(thread).run == ThreadRun::kRunning) {
+    if (!ExecuteOne(thread)) {
+      ThreadAt(thread) = before;
+      return kRefused;
+    }
+    if (ThreadAt(thread).run == ThreadRun::kRunning) ThreadAt(thread).run = ThreadRun::kPaused;
+  }
+  return kOk;
+}
+
+int16_t Machine::RunToBreakpoint(int thread, int line) {
+  if (!IsThread(thread)) return kBadParameter;
+  ThreadState& state = ThreadAt(thread);
+  if (state.run == ThreadRun::kUnbound) return kRefused;
+  const auto& lines = FunctionOf(state).lines;
+  if (line <= 0 || std::find(lines.begin(), lines.end(), line) == lines.end()) return kBadParameter;
+  const bool resumed = state.run == ThreadRun::kPaused;
+  if (const int16_t code = Run(thread); code != kOk) return code;
+  state.breakpoint_line = static_cast<uint16_t>(line);
+  // A thread that was paused at the line goes on from it; one that starts there pauses at once.
+  if (!resumed) PauseAtBreakpoint(state);
+  return kOk;
+}
+
+void Machine::PauseAtBreakpoint(ThreadState& thread) const {
+  if (thread.run != ThreadRun::kRunning || thread.breakpoint_line == 0) return;
+  const auto& lines = FunctionOf(thread).lines;
+  if (thread.pc < lines.size() && lines[thread.pc] == thread.breakpoint_line) {
+    thread.run = ThreadRun::kPaused;
+    thread.breakpoint_line = 0;
+  }
+}
+
+int16_t Machine::RunPeriodic(int thread, int64_t period_cycles, int16_t priority) {
+  if (!IsThread(thread) || period_cycles < 1) return kBadParameter;
+  ThreadState& state = ThreadAt(thread);
+  if (state.run == ThreadRun::kUnbound || IsActive(state)) return kRefused;
+  Start(state);
+  state.period_cycles = period_cycles;
+  state.next_start = state_->cycle + period_cycles;
+  state.overruns = 0;
+  state.executed_max = 0;
+  state.priority = priority;
+  return kOk;
+}
+
+int16_t Machine::SwitchPage(int thread, int page) {
+  if (page < 0 || page >= kPageCount) return kBadParameter;
+  for (int other = 0; other < kThreadCount; ++other) {
+    const ThreadState& holder = ThreadAt(other);
+    if (other != thread && holder.run != ThreadRun::kUnbound && holder.page == page) {
+      return kRefused;
+    }
+  }
+  ThreadAt(thread).page = static_cast<uint8_t>(page);
+  return kOk;
+}
+
+void Machine::Delay(int thread, int64_t cycles) {
+  ThreadAt(thread).wake_cycle = state_->cycle + cycles;
+}
+
+void Machine::WaitForValue(int thread, const SlotAddress& slot, int64_t raw) {
+  ThreadState& state = ThreadAt(thread);
+  state.waiting = true;
+  state.wait_slot = slot;
+  state.wait_value = raw;
+}
+
+// --- Variables -----------------------------------------------------------------------------------
+
+int64_t Machine::ReadRaw(const SlotAddress& slot) const {
+  const int64_t raw = slot.global ? state_->globals[slot.id] : state_->pages[slot.page][slot.id];
+  return slot.type == DataType::kDouble ? raw : static_cast<int32_t>(raw);
+}
+
+void Machine::WriteRaw(const SlotAddress& slot, int64_t raw) {
+  (slot.global ? state_->globals[slot.id] : state_->pages[slot.page][slot.id]) = raw;
+}
+
+double Machine::Read(const SlotAddress& slot) const {
+  const int64_t raw = ReadRaw(slot);
+  return slot.type == DataType::kDouble ? DoubleFromFixed(raw) : static_cast<double>(raw);
+}
+
+bool Machine::Write(const SlotAddress& slot, double value) {
+  int64_t raw = 0;
+  if (slot.type == DataType::kDouble) {
+    const auto format = image_ == nullptr ? DoubleFormat::k32_16 : image_->object.double_format;
+    if (!FixedFromDouble(value, format, &raw)) return false;
+  } else {
+    const double truncated = std::trunc(value);
+    if (!(truncated >= INT32_MIN && truncated <= INT32_MAX)) return false;
+    raw = static_cast<int64_t>(truncated);
+  }
+  WriteRaw(slot, raw);
+  return true;
+}
+
+// --- Execution -----------------------------------------------------------------------------------
+
+void Machine::SetPolicy(const Policy& policy) { state_->scheduler = StartPolicy(policy); }
+
+uint32_t Machine::RunnableThreads() const {
+  uint32_t runnable = 0;
+  for (int thread = 0; thread < kThreadCount; ++thread) {
+    if (CanContinue(state_->threads[static_cast<size_t>(thread)])) runnable |= Bit(thread);
+  }
+  return runnable;
+}
+
+uint32_t Machine::RoundMembers() const {
+  uint32_t members = 0;
+  for (int thread = 0; thread < kThreadCount; ++thread) {
+    const ThreadState& state = state_->threads[static_cast<size_t>(thread)];
+    if (state.run == ThreadRun::kRunning && state.wake_cycle <= state_->cycle) {
+      members |= Bit(thread);
+    }
+  }
+  return members;
+}
+
+Frame Machine::MakeFrame(int thread) {
+  const ThreadState& state = ThreadAt(thread);
+  Frame frame;
+  frame.function = &image_->functions[state.function];
+  frame.pc = frame.function->code.data() + state.pc;
+  frame.locals = state_->pages[state.page].data();
+  frame.globals = state_->globals.data();
+  frame.wrap_shift = WrapShift(image_->object.double_format);
+  frame.thread = thread;
+  frame.machine = this;
+  return frame;
+}
+
+void Machine::Settle(const Frame& frame, Exit exit, int64_t executed) {
+  ThreadState& state = ThreadAt(frame.thread);
+  state.pc = static_cast<uint16_t>(frame.pc - frame.function->code.data());
+  state.executed += executed;
+  state_->executed += executed;
+  if (exit == Exit::kFault) {
+    state.run = ThreadRun::kFaulted;
+    state.period_cycles = 0;
+    state.error = static_cast<int16_t>(frame.fault);
+    state.fault_value = frame.fault_value;
+    state.fault_limit = frame.fault_limit;
+  } else if (exit == Exit::kFinished) {
+    state.run = ThreadRun::kStopped;
+    state.result = frame.result;
+    state.executed_max = std::max(state.executed_max, state.executed);
+  }
+}
+
+int64_t Machine::RunTurn(int thread, int64_t statements) {
+  ThreadState& state = ThreadAt(thread);
+  state.waiting = false;
+  state.wake_cycle = 0;
+  // A breakpoint is looked for after every statement.
+  if (state.breakpoint_line != 0) statements = std::min<int64_t>(statements, 1);
+  Frame frame = MakeFrame(thread);
+  Exit exit = Interpret(frame, statements, Reach::kAll);
+  const int64_t executed = statements - frame.left;
+  // Falling off the end belongs to the last statement.
+  if (exit == Exit::kBudget && frame.pc->op == kEnd) exit = Interpret(frame, 0, Reach::kAll);
+  Settle(frame, exit, executed);
+  PauseAtBreakpoint(state);
+  return executed;
+}
+
+// A thread whose last statement put it to sleep has nothing left to execute when it wakes.
+void Machine::FinishSleepersAtEnd() {
+  for (int thread = 0; thread < kThreadCount; ++thread) {
+    const ThreadState& state = ThreadAt(thread);
+    if (state.wake_cycle == 0 && !state.waiting) continue;
+    if (CanContinue(state) && MakeFrame(thread).pc->op == kEnd) RunTurn(thread, 0);
+  }
+}
+
+bool Machine::ExecuteOne(int thread) {
+  if (!IsThread(thread) || !CanContinue(ThreadAt(thread))) return false;
+  RecordTurn(thread, RunTurn(thread, 1));
+  return true;
+}
+
+int64_t Machine::Execute(int64_t budget) {
+  int64_t executed = 0;
+  last_stop_ = Stop::kBudget;
+  const SchedulerState& scheduler = state_->scheduler;
+  const bool one_statement_rounds = scheduler.policy.kind == PolicyKind::kRoundRobin &&
+                                    scheduler.policy.quantum == 1 && recording_ == nullptr;
+  while (executed < budget) {
+    const int64_t left = std::min(budget - executed, kInterpretMax);
+    FinishSleepersAtEnd();
+    const uint32_t runnable = RunnableThreads();
+    if (runnable == 0) {
+      last_stop_ = Stop::kIdle;
+      break;
+    }
+    if (one_statement_rounds) {
+      const uint32_t members = RoundMembers();
+      if (members == runnable && std::has_single_bit(members)) {
+        const int thread = std::countr_zero(members);
+        executed += RunTurn(thread, left);
+        state_->scheduler.next_thread = (thread + 1) % kThreadCount;
+        continue;
+      }
+      const int64_t rounds = left / std::popcount(members);
+      // A few rounds are not worth the preparation.
+      constexpr int64_t kRoundsMin = 4;
+      if (rounds >= kRoundsMin) {
+        const int64_t done = ExecuteRounds(members, rounds);
+        executed += done;
+        if (done > 0) continue;
+      }
+    }
+    const int64_t done = ExecuteTurn(runnable, left);
+    executed += done;
+    if (last_stop_ != Stop::kBudget) break;
+  }
+  return executed;
+}
+
+int64_t Machine::ExecuteTurn(uint32_t runnable, int64_t budget) {
+  SchedulerState& scheduler = state_->scheduler;
+  std::array<int16_t, kThreadCount> priorities;
+  for (size_t i = 0; i < kThreadCount; ++i) priorities[i] = state_->threads[i].priority;
+  const Turn turn = BeginTurn(scheduler, runnable, std::min(budget, UntilCheckpoint()), priorities);
+  if (turn.thread < 0) {
+    const bool at_end = scheduler.segment >= scheduler.policy.schedule->segments.size();
+    last_stop_ = at_end ? Stop::kScheduleEnd : Stop::kScheduleDiverged;
+    return 0;
+  }
+  const int64_t executed = RunTurn(turn.thread, turn.statements);
+  EndTurn(scheduler, turn.thread, executed, !CanContinue(ThreadAt(turn.thread)));
+  RecordTurn(turn.thread, executed);
+  if (!PassCheckpoint()) last_stop_ = Stop::kScheduleDiverged;
+  return executed;
+}
+
+void Machine::BeginCycle(int64_t cycle) {
+  state_->cycle = std::max(state_->cycle, cycle);
+  for (ThreadState& thread : state_->threads) {
+    if (thread.period_cycles == 0 || thread.next_start > state_->cycle) continue;
+    if (thread.run == ThreadRun::kStopped) {
+      Start(thread);
+    } else {
+      ++thread.overruns;
+    }
+    thread.next_start += thread.period_cycles;
+  }
+}
+
+bool Machine::Quiet() const {
+  return std::none_of(state_->threads.begin(), state_->threads.end(), [](const ThreadState& t) {
+    return t.run == ThreadRun::kRunning || t.period_cycles > 0;
+  });
+}
+
+// --- Recording -----------------------------------------------------------------------------------
+
+void Machine::RecordTurn(int thread, int64_t statements) {
+  if (recording_ == nullptr || statements == 0) return;
+  auto& segments = recording_->segments;
+  if (!segments.empty() && segments.back().thread == thread) {
+    segments.back().statements += statements;
+  } else {
+    segments.push_back({static_cast<uint8_t>(thread), statements});
+  }
+}
+
+int64_t Machine::UntilCheckpoint() const {
+  const bool replaying = state_->scheduler.policy.kind == PolicyKind::kReplay;
+  if (recording_ == nullptr && !replaying) return INT64_MAX;
+  return kCheckpointInterval - state_->executed % kCheckpointInterval;
+}
+
+bool Machine::PassCheckpoint() {
+  if (state_->executed == 0 || state_->executed % kCheckpointInterval != 0) return true;
+  if (recording_ != nullptr) {
+    auto& checkpoints = recording_->checkpoints;
+    if (checkpoints.empty() || checkpoints.back().statement < state_->executed) {
+      checkpoints.push_back({state_->executed, Hash()});
+    }
+  }
+  if (state_->scheduler.policy.kind != PolicyKind::kReplay) return true;
+  const auto& expected = state_->scheduler.policy.schedule->checkpoints;
+  const auto found = std::lower_bound(
+      expected.begin(), expected.end(), state_->executed,
+      [](const ScheduleCheckpoint& checkpoint, int64_t at) { return checkpoint.statement < at; });
+  return found == expected.end() || found->statement != state_->executed || found->hash == Hash();
+}
+
+// --- State ---------------------------------------------------------------------------------------
+
+uint64_t Machine::Hash() const {
+  std::vector<int64_t> words;
+  words.reserve(kThreadCount * 24);
+  for (const ThreadState& t : state_->threads) {
+    words.insert(words.end(), {static_cast<int64_t>(t.run),
+                               t.page,
+                               t.function,
+                               t.started,
+                               t.pc,
+                               t.error,
+                               static_cast<int64_t>(t.result_type),
+                               t.result,
+                               t.fault_value,
+                               t.fault_limit,
+                               t.wake_cycle,
+                               t.waiting,
+                               t.wait_slot.global,
+                               t.wait_slot.page,
+                               t.wait_slot.id,
+                               static_cast<int64_t>(t.wait_slot.type),
+                               t.wait_value,
+                               t.breakpoint_line,
+                               t.period_cycles,
+                               t.next_start,
+                               t.overruns,
+                               t.priority,
+                               t.executed,
+                               t.executed_max});
+  }
+  words.push_back(state_->executed);
+  words.push_back(state_->cycle);
+  uint64_t hash = XXH64(state_->pages.data(), sizeof state_->pages, 0);
+  hash = XXH64(state_->globals.data(), sizeof state_->globals, hash);
+  return XXH64(words.data(), words.size() * sizeof words[0], hash);
+}
+
+int Machine::Line(int thread) const {
+  const ThreadState& state = state_->threads[static_cast<size_t>(thread)];
+  if (image_ == nullptr || state.run == ThreadRun::kUnbound) return 0;
+  const auto& lines = FunctionOf(state).lines;
+  return state.pc < lines.size() ? lines[state.pc] : 0;
+}
+
+}  // namespace oncard::vm

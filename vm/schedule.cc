@@ -1,0 +1,162 @@
+// The text of schedule files. Line by line:
+//
+//   oncard-schedule 1
+//   program 0123456789abcdef
+//   scenario 3                  how many lines of scenario text follow, each after "| "
+//   | program = "sum.c"
+//   run 0 5                     thread, statements
+//   check 10000 0123456789abcdef
+//   end 12
+//
+// `end` gives the total of statements, so that a file that was cut off is noticed.
+// Tested by tests/vm/schedule_test.cc.
+#include "vm/schedule.h"
+
+#include <charconv>
+#include <optional>
+
+#include "vm/limits.h"
+
+namespace oncard::vm {
+namespace {
+
+constexpr std::string_view kFirstLine = "oncard-schedule 1";
+constexpr std::string_view kScenarioPrefix = "| ";
+
+class LineReader {
+ public:
+  explicit LineReader(std::string_view text) : rest_(text) {}
+
+  bool AtEnd() const { return rest_.empty(); }
+  int line_number() const { return line_number_; }
+
+  std::string_view Next() {
+    ++line_number_;
+    const size_t end = rest_.find('\n');
+    std::string_view line = rest_.substr(0, end);
+    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    return line;
+  }
+
+ private:
+  std::string_view rest_;
+  int line_number_ = 0;
+};
+
+template <typename Number>
+std::optional<Number> ParseWhole(std::string_view text, int base = 10) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+// The word before the first space, and what follows it.
+std::string_view TakeWord(std::string_view& line) {
+  const size_t space = line.find(' ');
+  const std::string_view word = line.substr(0, space);
+  line.remove_prefix(space == std::string_view::npos ? line.size() : space + 1);
+  return word;
+}
+
+Error BadLine(const LineReader& reader, std::string_view expected_en,
+              std::string_view expected_zh) {
+  return MakeError(1, "line {0} of the schedule: expected {1}", "调度文件第 {0} 行：应为{2}",
+                   reader.line_number(), expected_en, expected_zh);
+}
+
+}  // namespace
+
+std::string FormatSchedule(const Schedule& schedule) {
+  std::string text = fmt::format("{}\nprogram {:016x}\n", kFirstLine, schedule.program_hash);
+  std::string scenario_lines;
+  int scenario_line_count = 0;
+  for (LineReader reader(schedule.scenario); !reader.AtEnd(); ++scenario_line_count) {
+    scenario_lines += fmt::format("{}{}\n", kScenarioPrefix, reader.Next());
+  }
+  text += fmt::format("scenario {}\n{}", scenario_line_count, scenario_lines);
+  int64_t total = 0;
+  size_t checkpoint = 0;
+  for (const ScheduleSegment& segment : schedule.segments) {
+    text += fmt::format("run {} {}\n", segment.thread, segment.statements);
+    total += segment.statements;
+    for (; checkpoint < schedule.checkpoints.size() &&
+           schedule.checkpoints[checkpoint].statement <= total;
+         ++checkpoint) {
+      text += fmt::format("check {} {:016x}\n", schedule.checkpoints[checkpoint].statement,
+                          schedule.checkpoints[checkpoint].hash);
+    }
+  }
+  text += fmt::format("end {}\n", total);
+  return text;
+}
+
+Result<Schedule> ParseSchedule(std::string_view text) {
+  LineReader reader(text);
+  Schedule schedule;
+  if (reader.Next() != kFirstLine) {
+    return BadLine(reader, "'oncard-schedule 1'", "“oncard-schedule 1”");
+  }
+
+  std::string_view line = reader.Next();
+  const bool is_program = TakeWord(line) == "program";
+  const auto program_hash = ParseWhole<uint64_t>(line, 16);
+  if (!is_program || !program_hash) {
+    return BadLine(reader, "'program' and its hash", "“program”及其散列值");
+  }
+  schedule.program_hash = *program_hash;
+
+  line = reader.Next();
+  const bool is_scenario = TakeWord(line) == "scenario";
+  const auto scenario_lines = ParseWhole<int>(line);
+  if (!is_scenario || !scenario_lines || *scenario_lines < 0) {
+    return BadLine(reader, "'scenario' and a number of lines", "“scenario”及行数");
+  }
+  for (int i = 0; i < *scenario_lines; ++i) {
+    line = reader.Next();
+    if (!line.starts_with(kScenarioPrefix)) {
+      return BadLine(reader, "a scenario line after '| '", "以“| ”开头的场景行");
+    }
+    schedule.scenario += line.substr(kScenarioPrefix.size());
+    schedule.scenario += '\n';
+  }
+
+  int64_t total = 0;
+  while (!reader.AtEnd()) {
+    line = reader.Next();
+    const std::string_view keyword = TakeWord(line);
+    if (keyword == "run") {
+      const auto thread = ParseWhole<int>(TakeWord(line));
+      const auto statements = ParseWhole<int64_t>(line);
+      if (!thread || *thread < 0 || *thread >= kThreadCount || !statements || *statements < 1 ||
+          *statements > INT64_MAX - total) {
+        return BadLine(reader, "'run', a thread 0 to 31 and a number of statements",
+                       "“run”、线程号 0 至 31 及语句数");
+      }
+      schedule.segments.push_back({static_cast<uint8_t>(*thread), *statements});
+      total += *statements;
+    } else if (keyword == "check") {
+      const auto statement = ParseWhole<int64_t>(TakeWord(line));
+      const auto hash = ParseWhole<uint64_t>(line, 16);
+      const int64_t previous =
+          schedule.checkpoints.empty() ? 0 : schedule.checkpoints.back().statement;
+      if (!statement || *statement <= previous || *statement > total || !hash) {
+        return BadLine(reader, "'check', a statement number already reached and a hash",
+                       "“check”、已执行到的语句序号及散列值");
+      }
+      schedule.checkpoints.push_back({*statement, *hash});
+    } else if (keyword == "end") {
+      if (ParseWhole<int64_t>(line) != total || !reader.AtEnd()) {
+        return BadLine(reader, fmt::format("'end {}' as the last line", total),
+                       fmt::format("最后一行“end {}”", total));
+      }
+      return schedule;
+    } else {
+      return BadLine(reader, "'run', 'check' or 'end'", "“run”、“check”或“end”");
+    }
+  }
+  return BadLine(reader, "'end': the file is cut off", "“end”：文件不完整");
+}
+
+}  // namespace oncard::vm
