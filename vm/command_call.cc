@@ -23,25 +23,25 @@ OperandPlace FindPlace(Frame& frame, uint16_t operand, uint8_t page) {
   place.slot.page = page;
   switch (ClassOf(operand)) {
     case OperandClass::kLocal:
-      place.address = frame.locals + IndexOf(operand);
+      place.address = frame.locals() + IndexOf(operand);
       break;
     case OperandClass::kGlobal:
       place.slot.global = true;
-      place.address = frame.globals + IndexOf(operand);
+      place.address = frame.bases[kGlobalBase] + IndexOf(operand);
       break;
     case OperandClass::kElement: {
       const ElementReference& element = frame.function->elements[IndexOf(operand)];
-      place.slot.global = element.array_global;
+      place.slot.global = element.array_class == kGlobalBase;
       place.address = ElementAddress(frame, operand);
       if (place.address == nullptr) return place;
-      const int64_t* base = place.slot.global ? frame.globals : frame.locals;
+      const int64_t* base = frame.bases[element.array_class];
       place.extent_used = static_cast<int>(place.address - base) - element.base;
       break;
     }
     case OperandClass::kConstant:
       break;
   }
-  const int64_t* base = place.slot.global ? frame.globals : frame.locals;
+  const int64_t* base = frame.bases[place.slot.global ? kGlobalBase : kLocalBase];
   place.slot.id = static_cast<uint16_t>(place.address - base);
   return place;
 }
@@ -137,7 +137,7 @@ Exit CallCommand(Frame& frame, const CallSite& site) {
       }
     }
   }
-  frame.locals = machine.state_->pages[thread.page].data();
+  frame.bases[kLocalBase] = machine.state_->pages[thread.page].data();
   return machine.CanContinue(thread) ? Exit::kBudget : Exit::kBlocked;
 }
 

@@ -1,6 +1,7 @@
 // The decoded instruction set: what the linker writes into Code and the interpreter executes.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace oncard::vm {
@@ -33,6 +34,7 @@ constexpr uint16_t IndexOf(uint16_t operand) { return operand & kOperandIndexMas
 ///   kEnd                falls off the end; takes no statement
 ///   kTest...            as the comparison; the next instruction is kIfLocal on its target
 ///   kLoop...            as kGoto; the target is the corresponding kTest
+///   kIncrementLoop...   as kIntAddLK; the next instruction is the corresponding kLoop
 enum DecodedOp : uint16_t {
 #define INT_BINARY(name, bad, value) \
   kInt##name##LL, kInt##name##LK, kInt##name##KL, kInt##name##P, kInt##name##S,
@@ -54,6 +56,8 @@ enum DecodedOp : uint16_t {
 #define INT_COMPARE(name, value) kTest##name##LL, kTest##name##LK,
 #include "vm/handlers.def"
 #define INT_COMPARE(name, value) kLoop##name##LL, kLoop##name##LK,
+#include "vm/handlers.def"
+#define INT_COMPARE(name, value) kIncrementLoop##name##LL, kIncrementLoop##name##LK,
 #include "vm/handlers.def"
   kDecodedOpCount
 };

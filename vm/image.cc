@@ -8,6 +8,7 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <utility>
 
@@ -98,6 +99,7 @@ class FunctionLinker {
     }
     FuseTests();
     FuseLoops();
+    FuseIncrements();
     return std::move(linked_);
   }
 
@@ -216,15 +218,17 @@ class FunctionLinker {
 
   uint16_t PackElement(const Element& element) {
     const ElementReference reference{element.base, element.size, element.index.id,
-                                     element.storage == Storage::kGlobal,
-                                     element.index.storage == Storage::kGlobal};
-    auto& elements = linked_.elements;
-    const auto key =
-        std::pair(uint64_t{element.base} << 32 | uint64_t{element.index.id} << 16 | element.size,
-                  reference.array_global * 2 + reference.index_global);
-    const auto [entry, added] = element_index_.try_emplace(key, elements.size());
-    if (added) elements.push_back(reference);
+                                     BaseOf(element.storage), BaseOf(element.index.storage)};
+    const std::array<uint16_t, 5> key{reference.base, reference.size, reference.index,
+                                      reference.array_class, reference.index_class};
+    const auto [entry, added] = element_index_.try_emplace(key, linked_.elements.size());
+    if (added) linked_.elements.push_back(reference);
     return PackOperand(OperandClass::kElement, entry->second & kOperandIndexMask);
+  }
+
+  static uint8_t BaseOf(Storage storage) {
+    return static_cast<uint8_t>(storage == Storage::kGlobal ? OperandClass::kGlobal
+                                                            : OperandClass::kLocal);
   }
 
   // A comparison whose target the next instruction tests.
@@ -239,6 +243,26 @@ class FunctionLinker {
     break;                        \
   case kInt##name##LK:            \
     code[i].op = kTest##name##LK; \
+    break;
+#include "vm/handlers.def"
+        default:
+          break;
+      }
+    }
+  }
+
+  // An increment before such a loop's goto.
+  void FuseIncrements() {
+    auto& code = linked_.code;
+    for (size_t i = 0; i + 1 < code.size(); ++i) {
+      if (code[i].op != kIntAddLK) continue;
+      switch (code[i + 1].op) {
+#define INT_COMPARE(name, value)           \
+  case kLoop##name##LL:                    \
+    code[i].op = kIncrementLoop##name##LL; \
+    break;                                 \
+  case kLoop##name##LK:                    \
+    code[i].op = kIncrementLoop##name##LK; \
     break;
 #include "vm/handlers.def"
         default:
@@ -272,7 +296,7 @@ class FunctionLinker {
   const CommandTable& commands_;
   ImageFunction linked_;
   std::map<int64_t, size_t> constant_index_;
-  std::map<std::pair<uint64_t, int>, size_t> element_index_;
+  std::map<std::array<uint16_t, 5>, size_t> element_index_;
 };
 
 // The object's code and storage without the names and lines, so that a comment or a renamed

@@ -29,8 +29,8 @@ struct ElementReference {
   uint16_t base = 0;
   uint16_t size = 0;
   uint16_t index = 0;
-  bool array_global = false;
-  bool index_global = false;
+  uint8_t array_class = 0;  ///< OperandClass (handlers.h) of the array: local or global
+  uint8_t index_class = 0;  ///< of the index variable
   bool operator==(const ElementReference&) const = default;
 };
 

@@ -33,34 +33,25 @@ Exit StopWithFault(Frame* frame, const Code* pc, uintptr_t limit, Fault fault) {
   return Exit::kFault;
 }
 
-int64_t* OperandAddress(Frame* frame, int64_t* locals, const int64_t* constants, uint16_t operand) {
-  switch (ClassOf(operand)) {
-    case OperandClass::kLocal:
-      return locals + IndexOf(operand);
-    case OperandClass::kGlobal:
-      return frame->globals + IndexOf(operand);
-    case OperandClass::kConstant:
-      // Only ever read: the linker puts constants into source operands alone.
-      return const_cast<int64_t*>(constants) + IndexOf(operand);
-    case OperandClass::kElement:
-      break;
+// The address of a packed operand, or nullptr when an element's index is out of bounds.
+inline __attribute__((always_inline)) int64_t* OperandAddress(Frame* frame, uint16_t operand) {
+  if (__builtin_expect(ClassOf(operand) == OperandClass::kElement, 0)) {
+    return ElementAddress(*frame, operand);
   }
-  frame->locals = locals;
-  return ElementAddress(*frame, operand);
+  return frame->bases[operand >> kOperandIndexBits] + IndexOf(operand);
 }
 
 }  // namespace
 
 int64_t* ElementAddress(Frame& frame, uint16_t operand) {
   const ElementReference& element = frame.function->elements[IndexOf(operand)];
-  const int64_t* index_base = element.index_global ? frame.globals : frame.locals;
-  const int32_t index = IntOf(index_base[element.index]);
+  const int32_t index = IntOf(frame.bases[element.index_class][element.index]);
   if (index < 0 || index >= element.size) {
     frame.fault_value = index;
     frame.fault_limit = element.size;
     return nullptr;
   }
-  return (element.array_global ? frame.globals : frame.locals) + element.base + index;
+  return frame.bases[element.array_class] + element.base + index;
 }
 
 #if defined(__clang__) && __has_cpp_attribute(clang::musttail)
@@ -94,7 +85,7 @@ constexpr HandlerEntry kPrivateHandlers[] = {
 #undef PRIVATE_ONLY
 
 Exit Enter(Frame& frame, uintptr_t limit, const HandlerEntry* first, const HandlerEntry* table) {
-  return first[frame.pc->op].run(frame.pc, frame.locals, frame.function->constants.data(), &frame,
+  return first[frame.pc->op].run(frame.pc, frame.locals(), frame.bases[kConstantBase], &frame,
                                  limit, table);
 }
 
@@ -130,8 +121,8 @@ Exit Interpret(Frame& entry_frame, int64_t statements, Reach reach) {
   const Code* pc = frame->pc;
   frame->left = 0;
   if (statements == 0 && pc->op != kEnd) return Exit::kBudget;
-  int64_t* locals = frame->locals;
-  const int64_t* const constants = frame->function->constants.data();
+  int64_t* locals = frame->locals();
+  const int64_t* const constants = frame->bases[kConstantBase];
   uintptr_t limit =
       reinterpret_cast<uintptr_t>(pc) + static_cast<uintptr_t>(statements) * sizeof(Code);
   const void* const* const first = reach == Reach::kPrivateOnly ? kPrivateHandlers : kAllHandlers;

@@ -2,8 +2,10 @@
 // back what happened; nothing here chooses threads.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
+#include "vm/handlers.h"
 #include "vm/image.h"
 #include "vm/machine.h"
 
@@ -18,12 +20,17 @@ enum class Exit : uint8_t {
   kBlocked    ///< a GT command made the thread unable to go on now
 };
 
+inline constexpr size_t kLocalBase = static_cast<size_t>(OperandClass::kLocal);
+inline constexpr size_t kGlobalBase = static_cast<size_t>(OperandClass::kGlobal);
+inline constexpr size_t kConstantBase = static_cast<size_t>(OperandClass::kConstant);
+
 /// What the interpreter needs of a thread; the machine owns it all.
 struct Frame {
   const ImageFunction* function = nullptr;
   const Code* pc = nullptr;  ///< in: next instruction; out: next, or the last one when it ended
-  int64_t* locals = nullptr;
-  int64_t* globals = nullptr;
+  /// Where the slots of an OperandClass begin: the thread's page, the globals, the constants (only
+  /// ever read: the linker puts constants into source operands alone).
+  std::array<int64_t*, 3> bases{};
   int wrap_shift = 0;
   int thread = 0;
   Machine* machine = nullptr;
@@ -32,6 +39,8 @@ struct Frame {
   Fault fault = Fault::kNone;
   int64_t fault_value = 0;
   int64_t fault_limit = 0;
+
+  int64_t* locals() const { return bases[kLocalBase]; }
 };
 
 /// Which statements may be executed.
@@ -51,8 +60,8 @@ Exit Interpret(Frame& frame, int64_t statements, Reach reach);
 /// the thread, may change frame.locals. kBudget means: go on.
 Exit CallCommand(Frame& frame, const CallSite& site);
 
-/// Where a packed operand lives; `constants` are read only. nullptr, with the fault noted in the
-/// frame, when an index is out of bounds.
+/// Where a packed operand of class kElement lives. nullptr, with the fault noted in the frame, when
+/// the index is out of bounds.
 int64_t* ElementAddress(Frame& frame, uint16_t operand);
 
 }  // namespace oncard::vm

@@ -260,8 +260,9 @@ Frame Machine::MakeFrame(int thread) {
   Frame frame;
   frame.function = &image_->functions[state.function];
   frame.pc = frame.function->code.data() + state.pc;
-  frame.locals = state_->pages[state.page].data();
-  frame.globals = state_->globals.data();
+  frame.bases[kLocalBase] = state_->pages[state.page].data();
+  frame.bases[kGlobalBase] = state_->globals.data();
+  frame.bases[kConstantBase] = const_cast<int64_t*>(frame.function->constants.data());
   frame.wrap_shift = WrapShift(image_->object.double_format);
   frame.thread = thread;
   frame.machine = this;
