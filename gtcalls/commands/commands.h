@@ -31,6 +31,9 @@ std::span<const CommandEntry> UserVariableCommands();
 std::span<const CommandEntry> PlcCommands();
 std::span<const CommandEntry> PlcWordCommands();
 
+/// The thread is in the middle of its function, or will be started again by its period.
+bool IsActive(const vm::ThreadState& thread);
+
 /// Why a thread is not in the state a command needs: what it is, and what to call first.
 Message DescribeThread(int thread, const vm::ThreadState& state);
 

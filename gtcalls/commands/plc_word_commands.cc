@@ -20,9 +20,7 @@ namespace {
 int16_t CheckIdle(Call& call) {
   for (int i = 0; i < vm::kThreadCount; ++i) {
     const vm::ThreadState& thread = call.card.machine.thread(i);
-    if (thread.run == vm::ThreadRun::kRunning || thread.run == vm::ThreadRun::kPaused) {
-      return call.Refuse(vm::kRefused, DescribeThread(i, thread));
-    }
+    if (IsActive(thread)) return call.Refuse(vm::kRefused, DescribeThread(i, thread));
   }
   return vm::kOk;
 }

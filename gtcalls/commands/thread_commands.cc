@@ -53,9 +53,7 @@ Message WhyNotBound(const Call& call, int16_t code) {
                        count);
   }
   const ThreadState& state = ThreadOf(call);
-  if (state.run == ThreadRun::kRunning || state.run == ThreadRun::kPaused) {
-    return DescribeThread(call.integer(0), state);
-  }
+  if (IsActive(state)) return DescribeThread(call.integer(0), state);
   return MakeMessage("data page {0} belongs to another bound thread; choose another page",
                      "数据页 {0} 已属于另一个已绑定的线程；应选择其他数据页", call.integer(2));
 }
@@ -189,12 +187,21 @@ constexpr CommandEntry kEntries[] = {
 
 std::span<const CommandEntry> ThreadCommands() { return kEntries; }
 
+bool IsActive(const vm::ThreadState& thread) {
+  return thread.run == ThreadRun::kRunning || thread.run == ThreadRun::kPaused ||
+         thread.period_cycles > 0;
+}
+
 Message DescribeThread(int thread, const vm::ThreadState& state) {
   switch (state.run) {
     case ThreadRun::kUnbound:
       return MakeMessage("thread {0} is not bound; call GT_Bind first",
                          "线程 {0} 未绑定；应先调用 GT_Bind", thread);
     case ThreadRun::kStopped:
+      if (state.period_cycles > 0) {
+        return MakeMessage("thread {0} is started periodically; call GT_StopThread first",
+                           "线程 {0} 正在周期运行；应先调用 GT_StopThread", thread);
+      }
       return MakeMessage("thread {0} is stopped; call GT_RunThread first",
                          "线程 {0} 已停止；应先调用 GT_RunThread", thread);
     case ThreadRun::kRunning:

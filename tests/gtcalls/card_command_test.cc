@@ -1,0 +1,207 @@
+// What every command has in common: which are implemented, NULL pointers, ranges, refusals that
+// change nothing.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "tests/gtcalls/command_test_card.h"
+
+namespace oncard::gtcalls {
+namespace {
+
+/// The commands that act on the card itself; the host library's own services are the runtime's.
+const char* const kImplemented[] = {
+    "GT_Bind",
+    "GT_RunThread",
+    "GT_StopThread",
+    "GT_PauseThread",
+    "GT_StepThread",
+    "GT_RunThreadToBreakpoint",
+    "GT_RunThreadPeriod",
+    "GT_GetThreadSts",
+    "GT_GetThreadTime",
+    "GT_GetThread",
+    "GT_SetVarValue",
+    "GT_GetVarValue",
+    "GT_GetClock",
+    "GT_GetClockHighPrecision",
+    "GT_Delay",
+    "GT_DelayHighPrecision",
+    "GT_SetDataPage",
+    "GT_WaitForVarEq",
+    "GT_SetDo",
+    "GT_SetDoMask",
+    "GT_SetDoBit",
+    "GT_SetDoBitReverse",
+    "GT_GetDo",
+    "GT_EnableDoBitPulse",
+    "GT_DisableDoBitPulse",
+    "GT_GetDi",
+    "GT_GetDiRaw",
+    "GT_GetDiReverseCount",
+    "GT_SetDiReverseCount",
+    "GT_LmtSns",
+    "GT_GpiSns",
+    "GT_SetLongVar",
+    "GT_GetLongVar",
+    "GT_SetDoubleVar",
+    "GT_GetDoubleVar",
+    "GT_BindDi",
+    "GT_BindDo",
+    "GT_BindTimer",
+    "GT_BindCounter",
+    "GT_BindFlank",
+    "GT_BindSrff",
+    "GT_UnbindVar",
+    "GT_ClearPlc",
+    "GT_LoadPlc",
+    "GT_LoadPlcCommand",
+};
+
+/// Arguments inside every range, each pointer with room for the largest structure.
+class Arguments {
+ public:
+  explicit Arguments(const Command& command) : cells_(command.parameters.size()) {
+    for (size_t i = 0; i < command.parameters.size(); ++i) {
+      const Parameter& parameter = command.parameters[i];
+      cells_[i].assign(32, 0.0);
+      if (parameter.passing == Passing::kValue) {
+        list.emplace_back(std::clamp(0.0, parameter.minimum, parameter.maximum));
+      } else {
+        list.emplace_back(&cells_[i]);
+      }
+    }
+  }
+
+  std::vector<Argument> list;
+
+ private:
+  std::vector<std::vector<double>> cells_;
+};
+
+template <typename Visit>
+void ForEachImplemented(Visit visit) {
+  for (const Command& command : Commands()) {
+    if (IsImplemented(command)) visit(command);
+  }
+}
+
+TEST(CardCommands, TheListedCommandsAreImplementedAndNoOthers) {
+  for (const char* name : kImplemented) {
+    ASSERT_NE(FindCommand(name), nullptr) << name;
+    EXPECT_TRUE(IsImplemented(*FindCommand(name))) << name;
+  }
+  size_t count = 0;
+  ForEachImplemented([&](const Command&) { ++count; });
+  EXPECT_EQ(count, std::size(kImplemented));
+}
+
+TEST(CardCommands, WhatIsNotImplementedIsNotSupportedByTheFirmware) {
+  CommandTestCard card;
+  const Command& command = *FindCommand("GT_PrfTrap");
+  EXPECT_FALSE(IsImplemented(command));
+  EXPECT_EQ(card.Call(command, {1}), 8);
+  EXPECT_EQ(card.reason.en, "GT_PrfTrap is not supported by this card");
+}
+
+TEST(CardCommands, NullForARequiredPointerIsABadParameter) {
+  ForEachImplemented([](const Command& command) {
+    for (size_t i = 0; i < command.parameters.size(); ++i) {
+      const Parameter& parameter = command.parameters[i];
+      if (parameter.passing == Passing::kValue || parameter.nullable) continue;
+      CommandTestCard card;
+      card.LoadTestProgram();
+      const uint64_t before = card.Hash();
+      Arguments arguments(command);
+      arguments.list[i] = nullptr;
+      EXPECT_EQ(card.Call(command, arguments.list), 7) << command.name << " " << parameter.name;
+      EXPECT_EQ(card.Hash(), before) << command.name;
+    }
+  });
+}
+
+TEST(CardCommands, AValueJustOutsideItsRangeIsABadParameter) {
+  size_t checked = 0;
+  ForEachImplemented([&](const Command& command) {
+    for (size_t i = 0; i < command.parameters.size(); ++i) {
+      const Parameter& parameter = command.parameters[i];
+      if (parameter.passing != Passing::kValue) continue;
+      for (const double value : {parameter.minimum - 1, parameter.maximum + 1}) {
+        if (std::isinf(value)) continue;
+        CommandTestCard card;
+        card.LoadTestProgram();
+        const uint64_t before = card.Hash();
+        Arguments arguments(command);
+        arguments.list[i] = value;
+        EXPECT_EQ(card.Call(command, arguments.list, 0), 7)
+            << command.name << " " << parameter.name << " = " << value;
+        EXPECT_EQ(card.Hash(), before) << command.name;
+        ++checked;
+      }
+    }
+  });
+  EXPECT_GT(checked, 60u);
+}
+
+TEST(CardCommands, AValueThatItsTypeCannotHoldIsABadParameter) {
+  CommandTestCard card;
+  struct {
+    const char* name;
+    std::vector<Argument> arguments;
+  } const cases[] = {
+      {"GT_SetLongVar", {0, 2147483648.0}},
+      {"GT_SetLongVar", {0, -2147483649.0}},
+      {"GT_LmtSns", {65536}},
+      {"GT_LmtSns", {-1}},
+      {"GT_SetDo", {12, 4294967296.0}},
+      {"GT_SetDo", {12, -2147483649.0}},
+      {"GT_SetDoBit", {12, 1, 32768}},
+      {"GT_SetDoMask", {12, 65536, 0}},
+      {"GT_RunThread", {std::numeric_limits<double>::quiet_NaN()}},
+  };
+  for (const auto& c : cases) {
+    EXPECT_EQ(card.Call(c.name, c.arguments), 7) << c.name << " " << c.arguments.back().value;
+  }
+}
+
+TEST(CardCommands, ABitWordMayBeWrittenSignedOrUnsigned) {
+  CommandTestCard card;
+  std::vector<double> value(1);
+  EXPECT_EQ(card.Call("GT_SetDo", {12, 4294967295.0}), 0);
+  EXPECT_EQ(card.Call("GT_GetDo", {12, &value}), 0);
+  EXPECT_EQ(value[0], 65535);
+  EXPECT_EQ(card.Call("GT_SetDo", {12, -2}), 0);
+  EXPECT_EQ(card.Call("GT_GetDo", {12, &value}), 0);
+  EXPECT_EQ(value[0], 65534);
+}
+
+TEST(CardCommands, TheReasonNamesParameterValueAndRange) {
+  CommandTestCard card;
+  EXPECT_EQ(card.Call("GT_RunThread", {32}), 7);
+  EXPECT_EQ(card.reason.en, "parameter thread is 32; the range is [0, 31]");
+  EXPECT_EQ(card.reason.zh, "参数 thread 为 32；取值范围为 [0, 31]");
+}
+
+TEST(CardCommands, TheMachineFindsCommandsByNumber) {
+  CommandTestCard card;
+  const Command& command = *FindCommand("GT_SetDo");
+  const vm::CommandShape* shape = card.commands.Find(command.number);
+  ASSERT_NE(shape, nullptr);
+  EXPECT_EQ(shape->name, "GT_SetDo");
+  EXPECT_EQ(card.commands.Find(65535), nullptr);
+}
+
+TEST(CardCommands, AProgramCallsTheSameFunction) {
+  CommandTestCard card;
+  std::vector<vm::CommandArgument> arguments(2);
+  arguments[0].value = 12;
+  arguments[1].value = 5;
+  EXPECT_EQ(card.commands.Execute(FindCommand("GT_SetDo")->number, card.machine, 0, arguments), 0);
+  EXPECT_EQ(card.motion.state().io.Register(motion::DoType::kGpo), 5u);
+}
+
+}  // namespace
+}  // namespace oncard::gtcalls
