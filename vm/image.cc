@@ -99,7 +99,7 @@ class FunctionLinker {
     }
     FuseTests();
     FuseLoops();
-    FuseIncrements();
+    FusePairs();
     return std::move(linked_);
   }
 
@@ -126,19 +126,26 @@ class FunctionLinker {
     const uint16_t a = Pack(operands[0], instruction.type);
     const uint16_t b = Pack(operands[1], instruction.type);
     const uint16_t d = Pack(operands[2], instruction.type);
-    if (ClassOf(d) == OperandClass::kLocal) {
-      const OperandClass left = ClassOf(a);
-      const OperandClass right = ClassOf(b);
-      uint16_t variant = kVariantP;
-      if (left == OperandClass::kLocal && right == OperandClass::kLocal) variant = kVariantLL;
-      if (left == OperandClass::kLocal && right == OperandClass::kConstant) variant = kVariantLK;
-      if (left == OperandClass::kConstant && right == OperandClass::kLocal) variant = kVariantKL;
-      if (variant != kVariantP) {
-        return {static_cast<uint16_t>(first + variant), IndexOf(a), IndexOf(b), IndexOf(d)};
-      }
+    const bool shared = AnyShared(instruction);
+    const uint16_t variant =
+        BinaryVariantOf(ClassOf(a), ClassOf(b), ClassOf(d), instruction.type, shared);
+    const uint16_t op = static_cast<uint16_t>(first + variant);
+    if (variant == kVariantP || variant == kVariantS) return {op, a, b, d};
+    return {op, IndexOf(a), IndexOf(b), IndexOf(d)};
+  }
+
+  static uint16_t BinaryVariantOf(OperandClass a, OperandClass b, OperandClass d, DataType type,
+                                  bool shared) {
+    using enum OperandClass;
+    if (a == kLocal && b == kLocal && d == kLocal) return kVariantLL;
+    if (a == kLocal && b == kConstant && d == kLocal) return kVariantLK;
+    if (a == kConstant && b == kLocal && d == kLocal) return kVariantKL;
+    if (a == kLocal && b == kElement && d == kLocal && !shared) return kVariantLE;
+    if (type == DataType::kInt && a == kGlobal && d == kGlobal) {
+      if (b == kLocal) return kVariantGL;
+      if (b == kConstant) return kVariantGK;
     }
-    const uint16_t variant = AnyShared(instruction) ? kVariantS : kVariantP;
-    return {static_cast<uint16_t>(first + variant), a, b, d};
+    return shared ? kVariantS : kVariantP;
   }
 
   Code DecodeUnary(const Instruction& instruction) {
@@ -251,32 +258,13 @@ class FunctionLinker {
     }
   }
 
-  // An increment before such a loop's goto.
-  void FuseIncrements() {
-    auto& code = linked_.code;
-    for (size_t i = 0; i + 1 < code.size(); ++i) {
-      if (code[i].op != kIntAddLK) continue;
-      switch (code[i + 1].op) {
-#define INT_COMPARE(name, value)           \
-  case kLoop##name##LL:                    \
-    code[i].op = kIncrementLoop##name##LL; \
-    break;                                 \
-  case kLoop##name##LK:                    \
-    code[i].op = kIncrementLoop##name##LK; \
-    break;
-#include "vm/handlers.def"
-        default:
-          break;
-      }
-    }
-  }
-
   // A goto to such a comparison.
   void FuseLoops() {
     auto& code = linked_.code;
     for (size_t i = 0; i < code.size(); ++i) {
       if (code[i].op != kGoto) continue;
-      switch (code[i + static_cast<size_t>(static_cast<int16_t>(code[i].d))].op) {
+      const auto target = static_cast<ptrdiff_t>(i) + static_cast<int16_t>(code[i].d);
+      switch (code[static_cast<size_t>(target)].op) {
 #define INT_COMPARE(name, value)  \
   case kTest##name##LL:           \
     code[i].op = kLoop##name##LL; \
@@ -285,6 +273,31 @@ class FunctionLinker {
     code[i].op = kLoop##name##LK; \
     break;
 #include "vm/handlers.def"
+        default:
+          break;
+      }
+    }
+  }
+
+  // An increment before such a loop's goto, and any operation before a conditional jump.
+  void FusePairs() {
+    auto& code = linked_.code;
+    for (size_t i = 0; i + 1 < code.size(); ++i) {
+      uint16_t& op = code[i].op;
+      switch (code[i + 1].op) {
+#define INT_COMPARE(name, value)                        \
+  case kLoop##name##LL:                                 \
+    if (op == kIntAddLK) op = kIncrementLoop##name##LL; \
+    break;                                              \
+  case kLoop##name##LK:                                 \
+    if (op == kIntAddLK) op = kIncrementLoop##name##LK; \
+    break;
+#include "vm/handlers.def"
+        case kIfLocal:
+          if (op >= kIntOpEnd) break;
+          if (op % kIntVariantCount == kVariantLL) op += kVariantLLIf - kVariantLL;
+          if (op % kIntVariantCount == kVariantLK) op += kVariantLKIf - kVariantLK;
+          break;
         default:
           break;
       }

@@ -33,10 +33,21 @@ Exit StopWithFault(Frame* frame, const Code* pc, uintptr_t limit, Fault fault) {
   return Exit::kFault;
 }
 
+inline __attribute__((always_inline)) int64_t* AddressOfElement(Frame& frame, uint16_t number) {
+  const ElementReference& element = frame.elements[number];
+  const int32_t index = IntOf(frame.bases[element.index_class][element.index]);
+  if (__builtin_expect(ToUnsigned(index) >= element.size, 0)) {
+    frame.fault_value = index;
+    frame.fault_limit = element.size;
+    return nullptr;
+  }
+  return frame.bases[element.array_class] + element.base + index;
+}
+
 // The address of a packed operand, or nullptr when an element's index is out of bounds.
 inline __attribute__((always_inline)) int64_t* OperandAddress(Frame* frame, uint16_t operand) {
-  if (__builtin_expect(ClassOf(operand) == OperandClass::kElement, 0)) {
-    return ElementAddress(*frame, operand);
+  if (ClassOf(operand) == OperandClass::kElement) {
+    return AddressOfElement(*frame, IndexOf(operand));
   }
   return frame->bases[operand >> kOperandIndexBits] + IndexOf(operand);
 }
@@ -44,14 +55,7 @@ inline __attribute__((always_inline)) int64_t* OperandAddress(Frame* frame, uint
 }  // namespace
 
 int64_t* ElementAddress(Frame& frame, uint16_t operand) {
-  const ElementReference& element = frame.function->elements[IndexOf(operand)];
-  const int32_t index = IntOf(frame.bases[element.index_class][element.index]);
-  if (index < 0 || index >= element.size) {
-    frame.fault_value = index;
-    frame.fault_limit = element.size;
-    return nullptr;
-  }
-  return frame.bases[element.array_class] + element.base + index;
+  return AddressOfElement(frame, IndexOf(operand));
 }
 
 #if defined(__clang__) && __has_cpp_attribute(clang::musttail)

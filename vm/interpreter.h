@@ -31,6 +31,7 @@ struct Frame {
   /// Where the slots of an OperandClass begin: the thread's page, the globals, the constants (only
   /// ever read: the linker puts constants into source operands alone).
   std::array<int64_t*, 3> bases{};
+  const ElementReference* elements = nullptr;
   int wrap_shift = 0;
   int thread = 0;
   Machine* machine = nullptr;

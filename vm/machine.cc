@@ -260,6 +260,7 @@ Frame Machine::MakeFrame(int thread) {
   Frame frame;
   frame.function = &image_->functions[state.function];
   frame.pc = frame.function->code.data() + state.pc;
+  frame.elements = frame.function->elements.data();
   frame.bases[kLocalBase] = state_->pages[state.page].data();
   frame.bases[kGlobalBase] = state_->globals.data();
   frame.bases[kConstantBase] = const_cast<int64_t*>(frame.function->constants.data());
