@@ -47,11 +47,21 @@ int64_t CardClock::TakeUs(int64_t cost_us) {
   last_ns_ = now_ns;
   if (elapsed_us >= static_cast<double>(kCatchUpLimitUs)) {
     fraction_us_ = 0;
-    return kCatchUpLimitUs;
+    taken_us_ = kCatchUpLimitUs;
+    return taken_us_;
   }
   const double whole_us = std::floor(elapsed_us);
   fraction_us_ = elapsed_us - whole_us;
-  return static_cast<int64_t>(whole_us);
+  taken_us_ = static_cast<int64_t>(whole_us);
+  return taken_us_;
+}
+
+void CardClock::CaughtUp() {
+  if (setting_.kind == ClockKind::kVirtual) return;
+  const int64_t now_ns = wall_clock_();
+  const int64_t spent_ns = now_ns - last_ns_;
+  const double spent_us = static_cast<double>(spent_ns) * setting_.scale / 1000;
+  if (spent_ns > kBehindLimitNs && spent_us > static_cast<double>(taken_us_)) last_ns_ = now_ns;
 }
 
 int64_t CardClock::SteadyNanoseconds() {

@@ -4,7 +4,8 @@
 //
 // The real-time clock catches up when the host calls: what the card does between two calls cannot
 // be observed before the second one, so no thread of its own is needed. Gaps are bounded by
-// kCatchUpLimitUs, so that a call after a night's pause returns at once.
+// kCatchUpLimitUs, so that a call after a night's pause returns soon, and a computer that is too
+// slow for the scale falls behind instead of having more to catch up with at every call.
 // Tested by tests/runtime/clock_test.cc.
 #pragma once
 
@@ -36,6 +37,10 @@ Result<ClockSetting> ParseClockSetting(std::string_view text);
 /// longer gap is cut, as if the card had stood still meanwhile.
 inline constexpr int64_t kCatchUpLimitUs = 600'000'000;
 
+/// How long one catching up may take on the wall clock before the card is said to be too slow; an
+/// operating system that takes the processor away for a moment stays below it.
+inline constexpr int64_t kBehindLimitNs = 100'000'000;
+
 /// The clock of one card. Not thread-safe.
 class CardClock {
  public:
@@ -48,6 +53,10 @@ class CardClock {
   /// How many microseconds of the card's time pass before a host call that costs `cost_us`.
   int64_t TakeUs(int64_t cost_us);
 
+  /// To be called when the card has gone through the time that TakeUs() gave. If that took longer
+  /// than the time it stands for, and more than kBehindLimitNs, it is not caught up with in turn.
+  void CaughtUp();
+
   /// The system's steady clock.
   static int64_t SteadyNanoseconds();
 
@@ -56,6 +65,7 @@ class CardClock {
   WallClock wall_clock_;
   int64_t last_ns_ = 0;
   double fraction_us_ = 0;  // part of a microsecond not given out yet
+  int64_t taken_us_ = 0;    // what TakeUs() gave last
 };
 
 }  // namespace oncard::runtime

@@ -35,6 +35,7 @@ int16_t CallLockedCard(int card, CardSlot& slot, const gtcalls::Command& command
   int64_t time_us = 0;
   if (open) {
     slot.controller->AdvanceUs(slot.clock->TakeUs(HostCostUs(command.cost)));
+    slot.clock->CaughtUp();
     time_us = slot.controller->NowUs();
   }
   const auto read = ReadArguments(command, host, &slot.call);

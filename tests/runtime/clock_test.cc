@@ -77,6 +77,30 @@ TEST(CardClockTest, ALongGapIsCutAndForgotten) {
   EXPECT_EQ(clock.TakeUs(50), 1000);
 }
 
+TEST(CardClockTest, TheTimeOfCatchingUpCountsWhileTheComputerIsFastEnough) {
+  int64_t now = 0;
+  CardClock clock({ClockKind::kReal, 1}, [&now] { return now; });
+  now = 10 * kMillisecondNs;
+  EXPECT_EQ(clock.TakeUs(50), 10'000);
+  now += kMillisecondNs;  // going through 10 ms took 1 ms
+  clock.CaughtUp();
+  EXPECT_EQ(clock.TakeUs(50), 1000);
+  now += kBehindLimitNs;  // the operating system had other things to do
+  clock.CaughtUp();
+  EXPECT_EQ(clock.TakeUs(50), 100'000);
+}
+
+TEST(CardClockTest, AComputerThatIsTooSlowFallsBehind) {
+  int64_t now = 0;
+  CardClock clock({ClockKind::kReal, 1000}, [&now] { return now; });
+  for (int call = 0; call < 10; ++call) {
+    now += kMillisecondNs;  // the host's own time between two calls
+    EXPECT_EQ(clock.TakeUs(50), 1'000'000) << call;
+    now += kBehindLimitNs + 1;  // going through one second took 100 ms instead of 1
+    clock.CaughtUp();
+  }
+}
+
 TEST(CardClockTest, TheLongestGapAtTheLargestScaleDoesNotOverflow) {
   int64_t now = 0;
   CardClock clock({ClockKind::kReal, kClockScaleMax}, [&now] { return now; });
