@@ -23,10 +23,26 @@ std::string Line(std::string_view name, const Arguments& arguments, int16_t code
       language);
 }
 
-vm::CommandArgument Value(double value) { return {.value = value}; }
-vm::CommandArgument Cells(std::span<double> cells) { return {.cells = cells}; }
-vm::CommandArgument Null() { return {.null = true}; }
-vm::CommandArgument Text(const char* text) { return {.host = const_cast<char*>(text)}; }
+vm::CommandArgument Value(double value) {
+  vm::CommandArgument argument;
+  argument.value = value;
+  return argument;
+}
+vm::CommandArgument Cells(std::span<double> cells) {
+  vm::CommandArgument argument;
+  argument.cells = cells;
+  return argument;
+}
+vm::CommandArgument Text(const char* text) {
+  vm::CommandArgument argument;
+  argument.host = const_cast<char*>(text);
+  return argument;
+}
+vm::CommandArgument Null() {
+  vm::CommandArgument argument;
+  argument.null = true;
+  return argument;
+}
 
 TEST(FormatCallTest, NoArguments) {
   EXPECT_EQ(Line("GT_Reset", {}), "12.250 card0 GT_Reset() = 0");

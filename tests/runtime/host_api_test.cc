@@ -101,6 +101,7 @@ TEST(HostApiTest, ACardIsSelectedBeforeItIsOpened) {
   EXPECT_EQ(GT_SetLongVar(0, 1), -1);
   ASSERT_EQ(GT_SetCardNo(15), 0);
   EXPECT_EQ(GT_Close(), 0);
+  ASSERT_EQ(GT_SetCardNo(0), 0);
 }
 
 TEST_F(OpenCard, RefusesASecondOpening) {
@@ -164,7 +165,7 @@ TEST_F(OpenCard, RefusesWhatIsOutOfRange) {
          return GetMacAddress(0, address, 5);
        }},
   };
-  for (const short thread : {-1, 32, SHRT_MIN, SHRT_MAX}) {
+  for (const short thread : std::vector<short>{-1, 32, SHRT_MIN, SHRT_MAX}) {
     refusals.push_back({"thread of GT_Bind", 7, [=] { return GT_Bind(thread, 1, 0); }});
     refusals.push_back({"thread of GT_RunThread", 7, [=] { return GT_RunThread(thread); }});
     refusals.push_back({"thread of GT_StopThread", 7, [=] { return GT_StopThread(thread); }});
@@ -172,19 +173,19 @@ TEST_F(OpenCard, RefusesWhatIsOutOfRange) {
     refusals.push_back({"thread of GT_GetThreadSts", 7,
                         [=, &status] { return GT_GetThreadSts(thread, &status); }});
   }
-  for (const short page : {-2, 32, SHRT_MIN, SHRT_MAX}) {
+  for (const short page : std::vector<short>{-2, 32, SHRT_MIN, SHRT_MAX}) {
     refusals.push_back(
         {"page of GT_SetVarValue", 7, [&, page] { return GT_SetVarValue(page, &info, &value); }});
     refusals.push_back(
         {"page of GT_GetVarValue", 7, [&, page] { return GT_GetVarValue(page, &info, &value); }});
   }
-  for (const short count : {0, -1, 7, SHRT_MIN, SHRT_MAX}) {
+  for (const short count : std::vector<short>{0, -1, 7, SHRT_MIN, SHRT_MAX}) {
     refusals.push_back({"count of GT_SetVarValue", 7,
                         [&, count] { return GT_SetVarValue(-1, &info, &value, count); }});
     refusals.push_back({"count of GT_GetVarValue", 7,
                         [&, count] { return GT_GetVarValue(-1, &info, &value, count); }});
   }
-  for (const short id : {-1, 1024, SHRT_MIN, SHRT_MAX}) {
+  for (const short id : std::vector<short>{-1, 1024, SHRT_MIN, SHRT_MAX}) {
     refusals.push_back({"variable id", 7, [&value, id] {
                           TVarInfo wrong{id, 1, ""};
                           return GT_GetVarValue(-1, &wrong, &value);

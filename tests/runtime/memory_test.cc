@@ -1,4 +1,5 @@
 // How much memory a card takes, counted by the allocator itself.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -51,7 +52,7 @@ vm::Object LargestProgram() {
   object.globals.push_back({"g", 0, vm::DataType::kInt, 0});
   for (int f = 0; f < vm::kFunctionMax; ++f) {
     vm::Function function;
-    function.name = "f" + std::to_string(f);
+    function.name = fmt::format("f{}", f);
     function.file = "p.c";
     for (int i = 0; i < 1024; ++i) {
       vm::Instruction copy;

@@ -5,7 +5,6 @@
 int main(void) {
   TCompileInfo nowhere = {NULL, NULL, NULL};
   TVarInfo sum;
-  TThreadSts status;
   short function = 0;
   double values[2] = {1.5, -2};
   double one = 7;
@@ -27,7 +26,6 @@ int main(void) {
   CHECK_EQ(GT_Bind(32, function, 0), 7);
   ACCEPTED(GT_Bind(0, function, 0));
   ACCEPTED(GT_RunThread(0));
-  ACCEPTED(GT_GetThreadSts(0, &status));
   ACCEPTED(GT_SetDo(MC_GPO, 0xFFFF));
   ACCEPTED(GT_GetVersion(&version));
   ACCEPTED(GT_GetClock(&clock, NULL));
