@@ -1,0 +1,370 @@
+// Calls of GT commands.
+#include <algorithm>
+#include <limits>
+
+#include "compiler/checker.h"
+#include "compiler/rewriter.h"
+
+namespace oncard::compiler {
+namespace {
+
+using gtcalls::Parameter;
+using gtcalls::Passing;
+using gtcalls::Scalar;
+using vm::DataType;
+
+struct Limits {
+  int64_t minimum;
+  int64_t maximum;
+};
+
+Limits LimitsOf(Scalar scalar) {
+  switch (scalar) {
+    case Scalar::kChar:
+      return {-128, 255};  // signed and unsigned char are one here
+    case Scalar::kShort:
+      return {INT16_MIN, INT16_MAX};
+    case Scalar::kUnsignedShort:
+      return {0, UINT16_MAX};
+    case Scalar::kUnsignedLong:
+      return {0, UINT32_MAX};
+    default:
+      return {INT32_MIN, INT32_MAX};
+  }
+}
+
+// What C makes of an int that is passed where a narrower type stands.
+int32_t Truncated(int32_t value, Scalar scalar) {
+  switch (scalar) {
+    case Scalar::kShort:
+      return static_cast<int16_t>(value);
+    case Scalar::kUnsignedShort:
+      return static_cast<uint16_t>(value);
+    case Scalar::kChar:
+      return value >= -128 && value <= 255 ? value : static_cast<int8_t>(value);
+    default:
+      return value;
+  }
+}
+
+bool IsAddressParameter(const Parameter& parameter) {
+  return parameter.structure != nullptr || parameter.passing == Passing::kInput ||
+         parameter.passing == Passing::kOutput;
+}
+
+// Whether a parameter numbers an axis: it selects axes in what the command touches.
+bool IsAxis(const gtcalls::Command& command, size_t index) {
+  return std::any_of(command.accesses.begin(), command.accesses.end(),
+                     [index](const gtcalls::Access& access) {
+                       return access.resource == gtcalls::Resource::kAxis && !access.mask &&
+                              access.selector == static_cast<int>(index);
+                     });
+}
+
+std::string NumberText(double value) { return fmt::format("{:g}", value); }
+
+}  // namespace
+
+void Checker::ReportUnknownCall(const Expression& callee) {
+  const std::string_view name = callee.text;
+  if (function_names_.contains(name)) {
+    Teach(Code::kUserCall, callee.range, name);
+    return;
+  }
+  failed_ = true;
+  if (skipped_names_.contains(name)) return;
+  if (const Entity* entity = Lookup(name)) {
+    if (!entity->invalid) {
+      AddNote(reporter_.Report(Code::kMisuse, callee.range, name, DescribeEntity(*entity),
+                               MakeMessage("a GT command", "GT 指令")),
+              entity->range, MakeMessage("it is defined here", "其定义在此处"));
+    }
+    return;
+  }
+  Diagnostic& diagnostic = reporter_.Report(Code::kNotACommand, callee.range, name);
+  if (gtcalls::FindCommand(name) != nullptr) {
+    AddNote(diagnostic, MakeMessage("the command exists, but only the host may call it",
+                                    "该指令存在，但只能由主机调用"));
+    return;
+  }
+  AddNote(diagnostic, name.starts_with("GT_")
+                          ? MakeMessage("no GT command has this name", "没有这个名称的 GT 指令")
+                          : MakeMessage("only GT commands, abs and fabs can be called",
+                                        "只能调用 GT 指令、abs 和 fabs"));
+  Nearest nearest(name);
+  for (const gtcalls::Command& command : gtcalls::Commands()) {
+    if (command.in_motion_program) nearest.Add(command.name);
+  }
+  for (const std::string_view candidate : {"abs", "fabs"}) nearest.Add(candidate);
+  if (!nearest.best().empty()) {
+    AddNote(diagnostic, MakeMessage("did you mean '{0}'?", "您是否想写 '{0}'？", nearest.best()));
+    Replace(diagnostic, callee.range, std::string(nearest.best()));
+  }
+}
+
+void Checker::CheckCall(const Expression& call) {
+  const Expression& callee = *call.operands[0];
+  if (callee.kind != Expression::Kind::kName) {
+    CheckNames(call);
+    return;
+  }
+  const gtcalls::Command* command = gtcalls::FindCommand(callee.text);
+  if (command != nullptr && command->in_motion_program) {
+    CheckCommand(call, *command);
+    return;
+  }
+  if ((callee.text == "abs" || callee.text == "fabs") && Lookup(callee.text) == nullptr) {
+    CheckNames(call);
+    if (!failed_) {
+      lesson_.reset();
+      Fail(Code::kNoEffect, call.range);
+    }
+    return;
+  }
+  ReportUnknownCall(callee);
+}
+
+void Checker::CheckCommand(const Expression& call, const gtcalls::Command& command) {
+  const size_t given = call.operands.size() - 1;
+  const size_t wanted = command.parameters.size();
+  if (given > wanted) {
+    const Expression& extra = *call.operands[wanted + 1];
+    SourceRange range = extra.range;
+    range.end = call.operands.back()->range.end;
+    Diagnostic& diagnostic = Fail(Code::kTooManyParameters, range, command.name,
+                                  static_cast<int64_t>(wanted), static_cast<int64_t>(given));
+    if (wanted > 0) range.begin = call.operands[wanted]->range.end;
+    Replace(diagnostic, range, "");
+  }
+  vm::Instruction instruction;
+  instruction.opcode = vm::Opcode::kCommand;
+  instruction.op = command.number;
+  bool good = true;
+  for (size_t i = 0; i < std::min(given, wanted); ++i) {
+    const Expression& argument = *call.operands[i + 1];
+    const Parameter& parameter = command.parameters[i];
+    const bool fine = IsAddressParameter(parameter)
+                          ? CheckAddress(argument, call, command, i, instruction)
+                          : CheckInput(argument, command, i, instruction);
+    good = good && fine;
+  }
+  if (given < wanted) {
+    ReportMissingArguments(call, command);
+    return;
+  }
+  if (good && !failed_ && !lesson_) Emit(std::move(instruction));
+}
+
+void Checker::ReportMissingArguments(const Expression& call, const gtcalls::Command& command) {
+  const size_t given = call.operands.size() - 1;
+  const bool good_so_far = !failed_ && !lesson_;
+  std::string names;
+  bool can_write = true;
+  for (size_t i = given; i < command.parameters.size(); ++i) {
+    const Parameter& parameter = command.parameters[i];
+    if (!names.empty()) names += ", ";
+    names += fmt::format("'{}'", parameter.name);
+    const bool output = parameter.passing == Passing::kOutput && parameter.structure == nullptr &&
+                        parameter.count_parameter < 0;
+    const bool value = !IsAddressParameter(parameter) && !parameter.default_text.empty();
+    can_write = can_write && (output || value);
+  }
+  SourceRange close = call.range;
+  close.begin = close.end - 1;
+  Diagnostic& diagnostic =
+      Fail(Code::kTooFewArguments, call.range, command.name,
+           static_cast<int64_t>(command.parameters.size()), static_cast<int64_t>(given), names);
+  std::string prototype;
+  for (const Parameter& parameter : command.parameters) {
+    if (!prototype.empty()) prototype += ", ";
+    prototype += gtcalls::DeclareParameter(parameter);
+  }
+  AddNote(diagnostic,
+          MakeMessage("its parameters are {0}({1})", "其参数为 {0}({1})", command.name, prototype));
+  if (!can_write || !good_so_far) return;
+  Rewriter rewriter(*this, diagnostic);
+  std::string text;
+  for (size_t i = given; i < command.parameters.size(); ++i) {
+    const Parameter& parameter = command.parameters[i];
+    if (i > 0) text += ", ";
+    if (parameter.passing == Passing::kOutput) {
+      std::string_view base = parameter.name;
+      if (base.size() > 2 && base[0] == 'p' && base[1] >= 'A' && base[1] <= 'Z') {
+        base.remove_prefix(1);
+      }
+      std::string name(base);
+      name[0] = static_cast<char>(name[0] | 0x20);
+      text += '&';
+      text += rewriter.OutputVariable(name, gtcalls::ProgramType(parameter.type));
+    } else {
+      text += parameter.default_text;
+    }
+  }
+  InsertBefore(diagnostic, close, text);
+  rewriter.Finish();
+}
+
+bool Checker::CheckInput(const Expression& argument, const gtcalls::Command& command, size_t index,
+                         vm::Instruction& instruction) {
+  const Parameter& parameter = command.parameters[index];
+  const DataType wanted = gtcalls::ProgramType(parameter.type);
+  if (argument.kind == Expression::Kind::kUnary && argument.op == "&") {
+    CheckNames(*argument.operands[0]);
+    Diagnostic& diagnostic =
+        Fail(Code::kIllegalOperator, argument.op_range, argument.op,
+             MakeMessage("the parameter '{0}' of {1} takes a value", "{1} 的参数 '{0}' 需要数值",
+                         parameter.name, command.name));
+    Replace(diagnostic, argument.op_range, "");
+    return false;
+  }
+  if (!IsLeaf(argument) && !ConstantOf(argument)) {
+    const bool failed_before = failed_;
+    CheckNames(argument);
+    if (failed_ == failed_before) Teach(Code::kNestedExpression, argument.range);
+    return false;
+  }
+  std::optional<TypedOperand> operand = ResolveOperand(argument);
+  if (!operand) return false;
+  if (!Adapt(*operand, wanted)) {
+    Teach(Code::kTypeMismatch, argument.range, DescribeType(operand->type), DescribeType(wanted));
+    return false;
+  }
+  if (operand->literal && !operand->literal->invalid && wanted == DataType::kInt) {
+    const int32_t value = *IntValue(*operand->literal);
+    if (IsAxis(command, index) && (value < parameter.minimum || value > parameter.maximum)) {
+      Fail(Code::kAxisOutOfRange, argument.range, Source(argument.range), int64_t{value},
+           parameter.name, command.name, NumberText(parameter.minimum),
+           NumberText(parameter.maximum));
+      return false;
+    }
+    const Limits limits = LimitsOf(parameter.type);
+    const bool bits = operand->literal->hexadecimal && parameter.type == Scalar::kUnsignedLong;
+    if (!bits && (value < limits.minimum || value > limits.maximum)) {
+      const int32_t passed = Truncated(value, parameter.type);
+      reporter_.Report(Code::kLiteralTruncated, argument.range, Source(argument.range),
+                       parameter.name, gtcalls::SpellScalar(parameter.type),
+                       parameter.type == Scalar::kUnsignedLong
+                           ? static_cast<int64_t>(static_cast<uint32_t>(value))
+                           : int64_t{passed});
+      operand->operand = vm::ImmediateInt(passed);
+    }
+  }
+  instruction.operands.push_back(operand->operand);
+  return true;
+}
+
+bool Checker::CheckAddress(const Expression& argument, const Expression& call,
+                           const gtcalls::Command& command, size_t index,
+                           vm::Instruction& instruction) {
+  const Parameter& parameter = command.parameters[index];
+  const Message wanted =
+      parameter.structure != nullptr
+          ? MakeMessage("a variable of type {0}", " {0} 类型的变量", parameter.structure->name)
+      : gtcalls::ProgramType(parameter.type) == DataType::kDouble
+          ? MakeMessage("a double variable", " double 变量")
+          : MakeMessage("an int variable", " int 变量");
+  const bool has_ampersand = argument.kind == Expression::Kind::kUnary && argument.op == "&";
+  const Expression& variable = has_ampersand ? *argument.operands[0] : argument;
+  const bool addressable =
+      variable.kind != Expression::Kind::kLiteral && IsLeaf(variable) && !ConstantOf(variable);
+  if (!addressable || !has_ampersand) {
+    if (!IsLeaf(variable)) CheckNames(variable);
+    if (failed_) return false;
+    const Entity* entity =
+        variable.kind == Expression::Kind::kName ? Lookup(variable.text) : nullptr;
+    if (entity != nullptr && entity->invalid) {
+      failed_ = true;
+      return false;
+    }
+    if (addressable && variable.kind == Expression::Kind::kName && entity == nullptr &&
+        gtcalls::FindConstant(variable.text) == nullptr && variable.text != "NULL") {
+      ResolveName(variable);
+      return false;
+    }
+    lesson_.reset();
+    Diagnostic& diagnostic =
+        Fail(Code::kNotAnAddress, argument.range, parameter.name, command.name, wanted);
+    if (parameter.nullable && !addressable) {
+      AddNote(diagnostic, MakeMessage("a motion program cannot leave it out; give a variable",
+                                      "运动程序不能省略该参数；请给出变量"));
+    }
+    if (addressable && entity != nullptr && entity->kind == Entity::Kind::kVariable) {
+      InsertBefore(diagnostic, argument.range, "&");
+      if (entity->array_size != 0) InsertAfter(diagnostic, argument.range, "[0]");
+    } else if (addressable && variable.kind != Expression::Kind::kName) {
+      InsertBefore(diagnostic, argument.range, "&");
+    }
+    return false;
+  }
+
+  // Structures travel whole: as a variable of that type, or, for one that programs cannot declare,
+  // as that many ints of an array.
+  size_t slots = 1;
+  if (parameter.structure != nullptr) {
+    const Entity* entity =
+        variable.kind == Expression::Kind::kName ? ResolveName(variable) : nullptr;
+    if (variable.kind == Expression::Kind::kName && entity == nullptr) return false;
+    if (entity != nullptr && entity->structure == parameter.structure) {
+      instruction.operands.emplace_back(vm::Variable{entity->storage, entity->id});
+      return true;
+    }
+    slots = 0;
+    bool all_int = true;
+    for (const gtcalls::Member& member : parameter.structure->members) {
+      slots += static_cast<size_t>(std::max(1, member.array_size));
+      all_int = all_int && !member.pointer && member.structure == nullptr &&
+                gtcalls::ProgramType(member.type) == DataType::kInt;
+    }
+    if (parameter.structure->in_motion_program || !all_int ||
+        (entity != nullptr && entity->structure != nullptr)) {
+      Message found = ToMessage(fmt::format("'{}'", Source(variable.range)));
+      if (entity != nullptr) found = DescribeEntity(*entity);
+      Fail(Code::kTypeMismatch, argument.range, found, wanted);
+      return false;
+    }
+  } else if (variable.kind == Expression::Kind::kName) {
+    const Entity* entity = ResolveName(variable);
+    if (entity == nullptr) return false;
+    if (entity->structure != nullptr) {
+      Fail(Code::kTypeMismatch, argument.range, DescribeEntity(*entity), wanted);
+      return false;
+    }
+  }
+  const std::optional<TypedOperand> operand = ResolveOperand(variable);
+  if (!operand) return false;
+  const DataType type =
+      parameter.structure != nullptr ? DataType::kInt : gtcalls::ProgramType(parameter.type);
+  if (operand->type != type) {
+    const Message found = operand->type == DataType::kDouble
+                              ? MakeMessage("a double variable", "double 变量")
+                              : MakeMessage("an int variable", "int 变量");
+    Fail(Code::kTypeMismatch, argument.range, found, wanted);
+    return false;
+  }
+
+  // A literal count is checked against what the variable has from here on.
+  int64_t count = 1;
+  const size_t count_index = static_cast<size_t>(parameter.count_parameter);
+  if (parameter.count_parameter >= 0 && count_index + 1 < call.operands.size()) {
+    const std::optional<Literal> literal = ConstantOf(*call.operands[count_index + 1]);
+    const std::optional<int32_t> value = literal ? IntValue(*literal) : std::nullopt;
+    if (value && !literal->invalid) count = *value;
+  }
+  if (const vm::Variable* first = std::get_if<vm::Variable>(&operand->operand)) {
+    int64_t available = 1;
+    if (variable.kind == Expression::Kind::kIndex) {
+      const Entity* array = Lookup(variable.operands[0]->text);
+      available = array->id + array->array_size - first->id;
+    }
+    const int64_t needed = std::max<int64_t>(1, count) * static_cast<int64_t>(slots);
+    if (needed > available) {
+      Fail(Code::kOutputTooSmall, argument.range, parameter.name, command.name, needed,
+           ToMessage(fmt::format("'{}'", Source(argument.range))), available);
+      return false;
+    }
+  }
+  instruction.operands.push_back(operand->operand);
+  return true;
+}
+
+}  // namespace oncard::compiler

@@ -1,0 +1,218 @@
+// Meaning: checks the tree against the rules of the language and translates it, one simple
+// statement to one instruction. Declarations are in declarations.cc, statements in statements.cc,
+// operands and operations in expressions.cc, GT commands in calls.cc. Constructs of C that the
+// language lacks are reported together with edits that rewrite them (rewriter.h).
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "compiler/compiler.h"
+#include "compiler/reporter.h"
+#include "compiler/symbols.h"
+#include "compiler/syntax.h"
+
+namespace oncard::compiler {
+
+/// Where a statement stands, as far as rewriting it is concerned.
+struct Place {
+  /// It is the body of an `if` or a loop without braces: several statements need braces.
+  bool single = false;
+  /// A statement follows it, so that a label may end its rewriting.
+  bool followed = true;
+  /// Inside a loop or switch, which takes care of `break` and `continue`.
+  bool in_loop = false;
+  bool in_switch = false;
+  /// At the top level of a function's body.
+  bool top = true;
+};
+
+/// A value that a statement can use as it stands.
+struct TypedOperand {
+  vm::Operand operand;
+  vm::DataType type = vm::DataType::kInt;
+  /// Set for a literal or macro: it becomes a double beside a double.
+  std::optional<Literal> literal;
+  SourceRange range;
+};
+
+/// The right-hand side of an assignment that one instruction can do.
+struct Operation {
+  vm::Opcode opcode = vm::Opcode::kUnary;
+  uint16_t op = static_cast<uint16_t>(vm::UnaryOperator::kCopy);
+  std::vector<TypedOperand> operands;
+  vm::DataType type = vm::DataType::kInt;    ///< of the operands
+  vm::DataType result = vm::DataType::kInt;  ///< of the value
+};
+
+class Checker {
+ public:
+  /// The files and the tree must outlive the checker.
+  Checker(const Options& options, const std::deque<SourceFile>& files, Reporter& reporter,
+          const std::vector<Token>& tokens);
+
+  /// Says nothing about these names: they were lost in errors that are reported already.
+  void AddSkippedNames(const std::unordered_set<std::string_view>& names);
+  /// Checks everything. The object means something only when nothing was reported.
+  vm::Object Check(const Tree& tree);
+
+ private:
+  friend class Rewriter;
+
+  struct Label {
+    SourceRange range;
+    int instruction = 0;
+    bool defined = true;
+  };
+  struct Jump {
+    size_t instruction;
+    std::string_view label;
+    SourceRange range;
+  };
+  // The function being translated.
+  struct FunctionState {
+    const Function* syntax = nullptr;
+    vm::Function out;
+    bool is_void = false;
+    Scope locals;
+    uint16_t slots = 0;
+    std::unordered_map<std::string_view, Label> labels;
+    std::vector<std::string_view> label_names;
+    std::vector<Jump> jumps;
+    std::unordered_set<std::string_view> undeclared;
+    /// Where the rewriting of a statement may add declarations and first statements.
+    SourceRange declarations_end;
+    SourceRange statements_begin;
+    bool statements_begun = false;
+    bool too_long = false;
+    bool too_many_slots = false;
+    bool too_many_labels = false;
+  };
+  // A construct to be rewritten, found while a statement was checked.
+  struct Lesson {
+    Code code;
+    SourceRange range;
+    std::vector<Message> arguments;
+  };
+
+  // --- declarations.cc ---
+  void CheckFunction(const Function& syntax);
+  void CheckParameters(const Function& syntax);
+  void CheckDeclaration(const Statement& statement, const Place& place);
+  void DefineMacro(const Macro& macro);
+  struct DeclaredType {
+    bool valid = false;
+    bool is_void = false;
+    vm::DataType type = vm::DataType::kInt;
+    const gtcalls::Structure* structure = nullptr;
+  };
+  DeclaredType ResolveType(const Specifiers& specifiers);
+  Entity* Declare(const Declarator& declarator, const DeclaredType& type, bool parameter);
+  bool CheckArraySizes(const Declarator& declarator, Entity& entity);
+  bool ReserveSlots(const Declarator& declarator, Entity& entity);
+  void AddSymbols(const Entity& entity);
+  bool ReportTakenName(std::string_view name, SourceRange range, bool local);
+  void CheckInitialiser(const Declarator& declarator, const Entity* entity);
+  void CheckLateDeclaration(const Statement& statement, const Place& place);
+
+  // --- statements.cc ---
+  void CheckItem(const Statement& statement);
+  void CheckOutside(const Statement& statement);
+  void CheckBody(const std::vector<StatementPtr>& items, const Place& place);
+  void CheckStatement(const Statement& statement, const Place& place);
+  void CheckExpressionStatement(const Statement& statement);
+  void CheckAssignment(const Expression& assignment);
+  void CheckIf(const Statement& statement, const Place& place);
+  void CheckLoop(const Statement& statement, const Place& place);
+  void CheckSwitch(const Statement& statement, const Place& place);
+  void CheckReturn(const Statement& statement, vm::Operand condition);
+  void CheckGoto(const Statement& statement, vm::Operand condition);
+  void CheckLabel(const Statement& statement, bool has_statement);
+  void CheckCondition(const Expression& condition, vm::Operand* operand);
+  void ResolveJumps();
+  void Emit(vm::Instruction instruction);
+
+  // Teaching: a statement begins, finds out what is wrong with it, and ends with at most one
+  // lesson.
+  void BeginStatement(const Statement& statement);
+  void EndStatement(const Statement& statement, const Place& place);
+  template <typename... Args>
+  void Teach(Code code, SourceRange range, const Args&... args) {
+    if (!lesson_) lesson_ = Lesson{code, range, {ToMessage(args)...}};
+  }
+  /// Reports an error that no rewriting can mend.
+  template <typename... Args>
+  Diagnostic& Fail(Code code, SourceRange range, const Args&... args) {
+    failed_ = true;
+    return reporter_.Report(code, range, args...);
+  }
+
+  // --- expressions.cc ---
+  const Entity* Lookup(std::string_view name) const;
+  const Entity* ResolveName(const Expression& expression);
+  std::optional<TypedOperand> ResolveOperand(const Expression& expression);
+  std::optional<TypedOperand> ResolveIndex(const Expression& expression);
+  std::optional<TypedOperand> ResolveMember(const Expression& expression);
+  std::optional<TypedOperand> ResolveTarget(const Expression& expression);
+  std::optional<Operation> ResolveOperation(const Expression& expression);
+  std::optional<Operation> ResolveBinary(const Expression& expression);
+  std::optional<Operation> ResolveUnary(const Expression& expression);
+  std::optional<Operation> ResolveCast(const Expression& expression);
+  std::optional<Operation> ResolveMagnitude(const Expression& expression);
+  void CheckNames(const Expression& expression);
+  void TeachNested(const Expression& expression);
+  /// Turns a literal into the type that stands beside it.
+  bool Adapt(TypedOperand& operand, vm::DataType type);
+  std::optional<TypedOperand> LiteralOperand(const Literal& literal, SourceRange range);
+  void ReportUndeclared(const Expression& expression);
+  static bool IsLeaf(const Expression& expression);
+  std::optional<Literal> ConstantOf(const Expression& expression) const;
+
+  // --- calls.cc ---
+  void CheckCall(const Expression& call);
+  void CheckCommand(const Expression& call, const gtcalls::Command& command);
+  void ReportMissingArguments(const Expression& call, const gtcalls::Command& command);
+  bool CheckInput(const Expression& argument, const gtcalls::Command& command, size_t index,
+                  vm::Instruction& instruction);
+  bool CheckAddress(const Expression& argument, const Expression& call,
+                    const gtcalls::Command& command, size_t index, vm::Instruction& instruction);
+  void ReportUnknownCall(const Expression& callee);
+
+  std::string_view Source(SourceRange range) const;
+  int LineOf(SourceRange range) const;
+
+  const Options& options_;
+  const std::deque<SourceFile>& files_;
+  Reporter& reporter_;
+  vm::Object object_;
+  Scope globals_;  // with macros and functions
+  uint16_t global_slots_ = 0;
+  bool too_many_globals_ = false;
+  size_t function_count_ = 0;
+  std::unordered_map<std::string_view, SourceRange> function_names_;  // of the whole program
+  std::unordered_set<std::string_view> skipped_names_;
+  std::unordered_set<std::string_view> undeclared_macros_;
+  FreshNames fresh_;
+  SourceRange first_item_;  // where #define lines can go
+  FunctionState* function_ = nullptr;
+  const Tree* tree_ = nullptr;
+
+  // Of the statement being checked.
+  std::optional<Lesson> lesson_;
+  bool failed_ = false;
+  uint16_t line_ = 0;
+  SourceRange statement_range_;
+  Diagnostic* flat_array_ = nullptr;  // the declaration of a multi-dimensional array it uses
+  std::unordered_map<std::string_view, Diagnostic*> flat_arrays_;
+};
+
+/// How messages name things.
+Message DescribeType(vm::DataType type);
+Message DescribeEntity(const Entity& entity);
+
+}  // namespace oncard::compiler

@@ -1,0 +1,99 @@
+#include "compiler/compiler.h"
+
+#include <algorithm>
+
+#include "base/files.h"
+#include "compiler/checker.h"
+#include "compiler/directives.h"
+#include "compiler/parser_driver.h"
+
+namespace oncard::compiler {
+namespace {
+
+// Diagnostics come from the lexer, the parser and the checker in turn; they are shown in the order
+// of the source, those of an included file at its #include.
+void SortAndLimit(std::vector<Diagnostic>& diagnostics, const std::vector<uint32_t>& inclusion,
+                  int max_errors) {
+  const auto key = [&inclusion](const Diagnostic& diagnostic) {
+    const SourceRange& range = diagnostic.range;
+    const uint32_t in_program =
+        range.file == 0 ? range.begin : inclusion[static_cast<size_t>(range.file)];
+    return std::tuple(in_program, range.file, range.begin);
+  };
+  std::stable_sort(diagnostics.begin(), diagnostics.end(),
+                   [&key](const Diagnostic& a, const Diagnostic& b) { return key(a) < key(b); });
+  if (max_errors <= 0) return;
+  int errors = 0;
+  for (size_t i = 0; i < diagnostics.size(); ++i) {
+    if (diagnostics[i].info->severity != Severity::kError) continue;
+    if (++errors <= max_errors) continue;
+    const auto hidden = std::count_if(
+        diagnostics.begin() + static_cast<std::ptrdiff_t>(i), diagnostics.end(),
+        [](const Diagnostic& rest) { return rest.info->severity == Severity::kError; });
+    diagnostics.erase(diagnostics.begin() + static_cast<std::ptrdiff_t>(i), diagnostics.end());
+    AddNote(diagnostics.back(),
+            MakeMessage("{0} more errors are not shown", "还有 {0} 个错误没有显示", hidden));
+    return;
+  }
+}
+
+}  // namespace
+
+Compilation CompileText(const std::string& path, std::string text, const Options& options,
+                        const FileReader& reader) {
+  Reporter reporter;
+  Directives directives(options, reader, reporter);
+  directives.Run(SourceFile(path, std::move(text)));
+  ParserDriver driver(directives.tokens(), reporter);
+  driver.tree.macros = std::move(directives.macros());
+  Parser parser(driver);
+  parser.parse();
+
+  Checker checker(options, directives.files(), reporter, directives.tokens());
+  checker.AddSkippedNames(directives.skipped_names());
+  checker.AddSkippedNames(driver.skipped_names());
+  vm::Object object = checker.Check(driver.tree);
+  // A function that begins inside another one mostly means a missing '}', which the end of the file
+  // shows once more.
+  if (reporter.Has(Code::kNestedFunction)) reporter.Drop(Code::kUnexpectedEnd);
+
+  Compilation compilation;
+  if (!reporter.HasErrors()) compilation.object = std::move(object);
+  compilation.diagnostics.assign(std::make_move_iterator(reporter.diagnostics().begin()),
+                                 std::make_move_iterator(reporter.diagnostics().end()));
+  SortAndLimit(compilation.diagnostics, directives.inclusion_points(), options.max_errors);
+  for (SourceFile& file : directives.files()) compilation.files.push_back(std::move(file));
+  return compilation;
+}
+
+Compilation Compile(const std::string& path, const Options& options, const FileReader& reader) {
+  Result<std::string> text = reader(path);
+  if (text.ok()) return CompileText(path, std::move(text).value(), options, reader);
+  Reporter reporter;
+  reporter.Report(Code::kCannotOpen, SourceRange{}, path, text.error().message);
+  Compilation compilation;
+  compilation.files.emplace_back(path, std::string());
+  compilation.diagnostics.push_back(std::move(reporter.diagnostics().front()));
+  return compilation;
+}
+
+Compilation Compile(const std::string& path, const Options& options) {
+  return Compile(path, options, [](const std::string& file) { return ReadFile(file); });
+}
+
+OutputPaths OutputPathsFor(const std::string& source_path, const std::string& folder) {
+  const size_t slash = source_path.find_last_of("/\\");
+  const size_t name_begin = slash == std::string::npos ? 0 : slash + 1;
+  std::string name = source_path.substr(name_begin);
+  const size_t dot = name.find_last_of('.');
+  if (dot != std::string::npos && dot > 0) name.erase(dot);
+  std::string stem = source_path.substr(0, name_begin) + name;
+  if (!folder.empty()) {
+    stem = folder;
+    if (stem.back() != '/' && stem.back() != '\\') stem += '/';
+    stem += name;
+  }
+  return {stem + ".bin", stem + ".ini"};
+}
+
+}  // namespace oncard::compiler

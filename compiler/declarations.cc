@@ -1,0 +1,444 @@
+// Declarations: macros, variables, functions and their parameters.
+#include <algorithm>
+
+#include "compiler/checker.h"
+#include "compiler/rewriter.h"
+#include "vm/limits.h"
+
+namespace oncard::compiler {
+namespace {
+
+using vm::DataType;
+
+bool IsWordOf(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+}  // namespace
+
+Checker::DeclaredType Checker::ResolveType(const Specifiers& specifiers) {
+  DeclaredType type;
+  std::string spelled;
+  bool foreign = specifiers.words.size() > 1;
+  bool is_double = false;
+  bool known = false;
+  for (const Token* word : specifiers.words) {
+    if (!spelled.empty()) spelled += ' ';
+    spelled += word->text;
+    if (IsWordOf(word->text, {"float", "double"})) is_double = true;
+    if (IsWordOf(word->text, {"float", "char", "unsigned", "signed"})) foreign = true;
+    if (IsWordOf(word->text, {"static", "const", "extern"})) foreign = true;
+    if (IsWordOf(word->text, {"int", "long", "short", "double", "void", "float", "char", "unsigned",
+                              "signed", "static", "const", "extern"})) {
+      known = true;
+    }
+    if (word->text == "void") type.is_void = true;
+    const gtcalls::Structure* structure = gtcalls::FindStructure(word->text);
+    if (structure != nullptr && structure->in_motion_program) type.structure = structure;
+  }
+  if (!known && type.structure == nullptr) {
+    const bool skipped = skipped_names_.contains(spelled);
+    if (!skipped) {
+      Diagnostic& diagnostic = reporter_.Report(
+          Code::kNotAType, specifiers.range, ToMessage(fmt::format("'{}'", spelled)),
+          std::string_view("int, double, long, short, TTrapPrm, TJogPrm, TPid"));
+      Nearest nearest(spelled);
+      for (const std::string_view candidate : {"int", "double", "long", "short", "void", "TTrapPrm",
+                                               "TJogPrm", "TPid", "return", "goto", "if"}) {
+        nearest.Add(candidate);
+      }
+      if (!nearest.best().empty()) {
+        AddNote(diagnostic,
+                MakeMessage("did you mean '{0}'?", "您是否想写 '{0}'？", nearest.best()));
+        Replace(diagnostic, specifiers.range, std::string(nearest.best()));
+      }
+    }
+    return type;
+  }
+  type.type = is_double ? DataType::kDouble : DataType::kInt;
+  type.valid = true;
+  if (foreign) {
+    const std::string_view plain = type.structure != nullptr ? type.structure->name
+                                   : type.is_void            ? std::string_view("void")
+                                   : is_double               ? std::string_view("double")
+                                                             : std::string_view("int");
+    const Token* storage = nullptr;
+    for (const Token* word : specifiers.words) {
+      if (IsWordOf(word->text, {"static", "const", "extern"})) storage = word;
+    }
+    Diagnostic& diagnostic =
+        storage != nullptr ? reporter_.Report(Code::kReservedWord, storage->range, storage->text,
+                                              MakeMessage("leave it out", "请去掉它"))
+                           : reporter_.Report(Code::kForeignType, specifiers.range, spelled, plain);
+    Replace(diagnostic, specifiers.range, std::string(plain));
+  }
+  return type;
+}
+
+bool Checker::ReportTakenName(std::string_view name, SourceRange range, bool local) {
+  const Entity* same = nullptr;
+  if (local && function_ != nullptr) same = function_->locals.Find(name);
+  const Entity* global = globals_.Find(name);
+  if (same == nullptr && !local) same = global;
+  if (same != nullptr) {
+    AddNote(reporter_.Report(Code::kRedefinition, range, name), same->range,
+            MakeMessage("the first definition is here", "首次定义在此处"));
+    return true;
+  }
+  if (gtcalls::FindCommand(name) != nullptr) {
+    AddNote(reporter_.Report(Code::kRedefinition, range, name),
+            MakeMessage("'{0}' is a GT command", "'{0}' 是 GT 指令", name));
+    return true;
+  }
+  if (local && global != nullptr) {
+    const bool variable = global->kind == Entity::Kind::kVariable;
+    AddNote(reporter_.Report(
+                Code::kShadowing, range, name,
+                variable ? MakeMessage("a global variable", "全局变量") : DescribeEntity(*global)),
+            global->range, MakeMessage("it is defined here", "其定义在此处"));
+    return true;
+  }
+  return false;
+}
+
+void Checker::DefineMacro(const Macro& macro) {
+  if (ReportTakenName(macro.name, macro.name_range, false)) return;
+  Entity entity;
+  entity.kind = Entity::Kind::kMacro;
+  entity.name = macro.name;
+  entity.range = macro.name_range;
+  entity.value = macro.value;
+  if (!macro.value.invalid) {
+    // A macro that fits nothing is wrong where it is defined, not where it is used.
+    TypedOperand operand;
+    operand.range = macro.name_range;
+    operand.literal = macro.value;
+    Adapt(operand, macro.value.kind == Literal::Kind::kFixed ? DataType::kDouble : DataType::kInt);
+    entity.value.invalid = operand.literal->invalid;
+  }
+  globals_.Add(entity);
+}
+
+bool Checker::CheckArraySizes(const Declarator& declarator, Entity& entity) {
+  int64_t total = 1;
+  for (const ExpressionPtr& size : declarator.sizes) {
+    Message what = MakeMessage("missing", "空");
+    SourceRange range = declarator.name_range;
+    if (size != nullptr) {
+      what = ToMessage(fmt::format("'{}'", Source(size->range)));
+      range = size->range;
+      if (size->kind == Expression::Kind::kError) return false;
+      if (const std::optional<Literal> constant = ConstantOf(*size)) {
+        if (constant->invalid) return false;
+        const std::optional<int32_t> value = IntValue(*constant);
+        if (value && *value >= 1 && *value <= vm::kSlotCount) {
+          entity.dimensions.push_back(*value);
+          total *= *value;
+          if (total <= vm::kSlotCount) continue;
+          what = ToMessage(total);
+        }
+      } else if (size->kind == Expression::Kind::kName && Lookup(size->text) == nullptr) {
+        ReportUndeclared(*size);
+        return false;
+      }
+    }
+    Diagnostic& diagnostic =
+        reporter_.Report(Code::kArraySize, range, declarator.name, what, int64_t{vm::kSlotCount});
+    if (size == nullptr && declarator.initialiser != nullptr &&
+        declarator.initialiser->kind == Expression::Kind::kBraces && declarator.sizes.size() == 1) {
+      SourceRange bracket = declarator.head;
+      bracket.begin = bracket.end - 1;
+      InsertBefore(diagnostic, bracket, std::to_string(declarator.initialiser->operands.size()));
+    }
+    return false;
+  }
+  if (declarator.sizes.size() > 1) {
+    std::string product;
+    for (const int64_t dimension : entity.dimensions) {
+      if (!product.empty()) product += " * ";
+      product += std::to_string(dimension);
+    }
+    SourceRange sizes = declarator.head;
+    sizes.begin = declarator.name_range.end;
+    Diagnostic& diagnostic =
+        reporter_.Report(Code::kMultiDimensional, sizes, declarator.name, product);
+    Replace(diagnostic, sizes, fmt::format("[{}]", total));
+    flat_arrays_[declarator.name] = &diagnostic;
+  } else {
+    flat_arrays_.erase(declarator.name);
+  }
+  entity.array_size = static_cast<uint16_t>(total);
+  return true;
+}
+
+bool Checker::ReserveSlots(const Declarator& declarator, Entity& entity) {
+  const int64_t needed = entity.structure != nullptr
+                             ? static_cast<int64_t>(entity.structure->members.size())
+                             : std::max<int64_t>(1, entity.array_size);
+  const bool local = function_ != nullptr;
+  uint16_t& used = local ? function_->slots : global_slots_;
+  bool& reported = local ? function_->too_many_slots : too_many_globals_;
+  if (used + needed > vm::kSlotCount) {
+    // One report is enough, all that follow are too many as well.
+    if (!reported) {
+      reporter_.Report(local ? Code::kTooManyLocals : Code::kTooManyGlobals, declarator.name_range,
+                       declarator.name, needed, int64_t{vm::kSlotCount - used},
+                       int64_t{vm::kSlotCount});
+    }
+    reported = true;
+    return false;
+  }
+  entity.id = used;
+  used = static_cast<uint16_t>(used + needed);
+  return true;
+}
+
+void Checker::AddSymbols(const Entity& entity) {
+  std::vector<vm::Symbol>& symbols =
+      function_ != nullptr ? function_->out.variables : object_.globals;
+  if (entity.structure == nullptr) {
+    symbols.push_back({std::string(entity.name), entity.id, entity.type, entity.array_size});
+    return;
+  }
+  uint16_t id = entity.id;
+  for (const gtcalls::Member& member : entity.structure->members) {
+    symbols.push_back({fmt::format("{}.{}", entity.name, member.name), id++,
+                       gtcalls::ProgramType(member.type), 0});
+  }
+}
+
+Entity* Checker::Declare(const Declarator& declarator, const DeclaredType& type, bool parameter) {
+  const bool local = function_ != nullptr;
+  Entity entity;
+  entity.name = declarator.name;
+  entity.range = declarator.name_range;
+  entity.storage = local ? vm::Storage::kLocal : vm::Storage::kGlobal;
+  entity.type = type.type;
+  entity.structure = type.structure;
+  entity.invalid = !type.valid;
+  Scope& scope = local ? function_->locals : globals_;
+  if (ReportTakenName(declarator.name, declarator.name_range, local)) {
+    // A local that shadows a global is still the one its function means.
+    if (scope.Find(declarator.name) != nullptr) return nullptr;
+  }
+  if (declarator.pointer) {
+    reporter_.Report(Code::kPointer, declarator.name_range, declarator.name);
+    entity.invalid = true;
+  }
+  if (!declarator.sizes.empty() && !parameter) {
+    if (!CheckArraySizes(declarator, entity)) entity.invalid = true;
+    if (entity.structure != nullptr) {
+      SourceRange sizes = declarator.head;
+      sizes.begin = declarator.name_range.end;
+      Replace(reporter_.Report(Code::kArraySize, sizes, declarator.name,
+                               MakeMessage("given, but there are no arrays of structures",
+                                           "多余的（不支持结构数组）"),
+                               int64_t{vm::kSlotCount}),
+              sizes, "");
+      entity.invalid = true;
+    }
+  }
+  if (!entity.invalid && !ReserveSlots(declarator, entity)) entity.invalid = true;
+  if (!entity.invalid) AddSymbols(entity);
+  return &scope.Add(std::move(entity));
+}
+
+void Checker::CheckDeclaration(const Statement& statement, const Place& place) {
+  if (function_ != nullptr && function_->statements_begun) {
+    CheckLateDeclaration(statement, place);
+    return;
+  }
+  DeclaredType type = ResolveType(statement.specifiers);
+  if (type.is_void) {
+    reporter_.Report(Code::kNotAType, statement.specifiers.range, std::string_view("'void'"),
+                     std::string_view("int, double"));
+    type.valid = false;
+  }
+  for (const Declarator& declarator : statement.declarators) {
+    const Entity* entity = Declare(declarator, type, false);
+    if (declarator.initialiser != nullptr) CheckInitialiser(declarator, entity);
+  }
+}
+
+void Checker::CheckInitialiser(const Declarator& declarator, const Entity* entity) {
+  SourceRange value = declarator.range;
+  value.begin = declarator.head.end;
+  const bool usable = entity != nullptr && !entity->invalid;
+  failed_ = false;
+  lesson_.reset();
+  if (declarator.initialiser->kind == Expression::Kind::kBraces) {
+    for (const ExpressionPtr& element : declarator.initialiser->operands) CheckNames(*element);
+  } else {
+    CheckNames(*declarator.initialiser);
+  }
+  const bool failed = failed_;
+  Diagnostic& diagnostic = reporter_.Report(Code::kInitialiser, value, declarator.name);
+  if (!usable || failed) return;
+  if (function_ == nullptr) {
+    AddNote(diagnostic,
+            MakeMessage("assign it in a function, or set it from the host with GT_SetVarValue",
+                        "请在函数中赋值，或由主机用 GT_SetVarValue 设置"));
+    Replace(diagnostic, value, "");
+    return;
+  }
+  Rewriter rewriter(*this, diagnostic);
+  rewriter.Initialise(declarator, *entity);
+  if (!rewriter.ok()) return;
+  Replace(diagnostic, value, "");
+  rewriter.InsertAtFirstStatement();
+}
+
+void Checker::CheckLateDeclaration(const Statement& statement, const Place& place) {
+  const DeclaredType type = ResolveType(statement.specifiers);
+  bool all_good = type.valid && !type.is_void;
+  std::vector<std::pair<const Declarator*, const Entity*>> declared;
+  std::string list;
+  for (const Declarator& declarator : statement.declarators) {
+    const Entity* known = function_->locals.Find(declarator.name);
+    // Loops often declare the same counter again: one declaration at the top serves them all.
+    const bool again = known != nullptr && !known->invalid && known->structure == nullptr &&
+                       known->array_size == 0 && declarator.sizes.empty() &&
+                       known->type == type.type && type.structure == nullptr;
+    const Entity* entity = again ? known : Declare(declarator, type, false);
+    if (!again && entity != nullptr && !entity->invalid) {
+      if (!list.empty()) list += ", ";
+      list += Source(declarator.head);
+    }
+    if (entity == nullptr || entity->invalid) all_good = false;
+    declared.emplace_back(&declarator, entity);
+  }
+  failed_ = false;
+  for (const Declarator& declarator : statement.declarators) {
+    if (declarator.initialiser == nullptr) continue;
+    if (declarator.initialiser->kind == Expression::Kind::kBraces) {
+      for (const ExpressionPtr& element : declarator.initialiser->operands) CheckNames(*element);
+    } else {
+      CheckNames(*declarator.initialiser);
+    }
+  }
+  lesson_.reset();
+  if (failed_) all_good = false;
+  Diagnostic& diagnostic =
+      reporter_.Report(Code::kLateDeclaration, statement.range, statement.declarators[0].name);
+  if (!all_good) return;
+  Rewriter rewriter(*this, diagnostic);
+  if (!list.empty()) {
+    rewriter.AddDeclaration(fmt::format("{} {};", Source(statement.specifiers.range), list));
+  }
+  for (const auto& [declarator, entity] : declared) {
+    if (declarator->initialiser != nullptr) rewriter.Initialise(*declarator, *entity);
+  }
+  rewriter.ReplaceStatement(statement.range, place);
+}
+
+void Checker::CheckParameters(const Function& syntax) {
+  const std::vector<ParameterDeclaration>& parameters = syntax.parameters;
+  // `f(void)` has none.
+  if (parameters.size() == 1 && parameters[0].declarator.name.empty() &&
+      parameters[0].specifiers.words.size() == 1 &&
+      parameters[0].specifiers.words[0]->text == "void" && !parameters[0].declarator.pointer) {
+    return;
+  }
+  if (parameters.size() > vm::kParameterMax) {
+    reporter_.Report(Code::kTooManyParameters, parameters[vm::kParameterMax].range,
+                     MakeMessage("the function '{0}'", "函数 '{0}'", syntax.name),
+                     int64_t{vm::kParameterMax}, static_cast<int64_t>(parameters.size()));
+  }
+  for (const ParameterDeclaration& parameter : parameters) {
+    DeclaredType type;
+    if (parameter.specifiers.words.empty()) {
+      Diagnostic& diagnostic =
+          reporter_.Report(Code::kNotAType, parameter.range,
+                           ToMessage(fmt::format("'{}'", parameter.declarator.name)),
+                           std::string_view("int, double, long, short"));
+      InsertBefore(diagnostic, parameter.range, "int ");
+    } else {
+      type = ResolveType(parameter.specifiers);
+    }
+    if (type.is_void || type.structure != nullptr) {
+      reporter_.Report(Code::kBadParameter, parameter.range,
+                       ToMessage(fmt::format("'{}'", Source(parameter.range))));
+      type.valid = false;
+    } else if (parameter.declarator.name.empty()) {
+      if (type.valid) {
+        SourceRange end = parameter.range;
+        end.begin = end.end;
+        reporter_.Report(Code::kExpectedName, end,
+                         MakeMessage("a parameter without a name", "没有名称的参数"));
+      }
+      continue;
+    }
+    if (!parameter.declarator.sizes.empty()) {
+      reporter_.Report(Code::kBadParameter, parameter.range,
+                       MakeMessage("the array '{0}'", "数组 '{0}'", parameter.declarator.name));
+      type.valid = false;
+    }
+    if (!parameter.declarator.name.empty()) Declare(parameter.declarator, type, true);
+  }
+}
+
+void Checker::CheckFunction(const Function& syntax) {
+  FunctionState* const outer = function_;
+  function_ = nullptr;
+  const DeclaredType type = ResolveType(syntax.specifiers);
+  if (type.structure != nullptr || syntax.pointer) {
+    reporter_.Report(Code::kNotAType, syntax.specifiers.range,
+                     ToMessage(fmt::format("'{}{}'", Source(syntax.specifiers.range),
+                                           syntax.pointer ? "*" : "")),
+                     std::string_view("int, double, void"));
+  }
+  if (syntax.prototype) {
+    SourceRange semicolon = syntax.close_brace;
+    AddNote(reporter_.Report(Code::kMissingOpenBrace, semicolon, std::string_view("';'")),
+            MakeMessage("functions are not called, so none is declared ahead",
+                        "函数不会被调用，因此不需要提前声明"));
+    function_ = outer;
+    return;
+  }
+  if (!ReportTakenName(syntax.name, syntax.name_range, false)) {
+    Entity entity;
+    entity.kind = Entity::Kind::kFunction;
+    entity.name = syntax.name;
+    entity.range = syntax.name_range;
+    globals_.Add(entity);
+  }
+  ++function_count_;
+  if (function_count_ == vm::kFunctionMax + 1) {
+    reporter_.Report(Code::kTooManyFunctions, syntax.name_range, syntax.name,
+                     int64_t{vm::kFunctionMax});
+  }
+
+  FunctionState state;
+  state.syntax = &syntax;
+  state.is_void = type.is_void;
+  state.out.name = syntax.name;
+  const std::string& path = files_[static_cast<size_t>(syntax.header.file)].path();
+  state.out.file = path.substr(path.find_last_of("/\\") + 1);
+  state.out.return_type = type.is_void ? DataType::kVoid : type.type;
+  state.declarations_end = syntax.open_brace;
+  state.declarations_end.begin = syntax.open_brace.end;
+  state.statements_begin = syntax.close_brace;
+  for (const StatementPtr& item : syntax.body) {
+    if (item->kind != Statement::Kind::kDeclaration && item->kind != Statement::Kind::kMacro) {
+      state.statements_begin = item->range;
+      break;
+    }
+  }
+  function_ = &state;
+  CheckParameters(syntax);
+  // Rewritten statements declare their temporaries after the last declaration.
+  for (const StatementPtr& item : syntax.body) {
+    if (item->kind == Statement::Kind::kMacro) continue;
+    if (item->kind != Statement::Kind::kDeclaration) break;
+    state.declarations_end = item->range;
+    state.declarations_end.begin = item->range.end;
+  }
+  Place place;
+  place.followed = false;
+  CheckBody(syntax.body, place);
+  ResolveJumps();
+  function_ = outer;
+  object_.functions.push_back(std::move(state.out));
+}
+
+}  // namespace oncard::compiler

@@ -1,0 +1,57 @@
+// Turns files into the one sequence of tokens that the parser reads: puts included files in place
+// and takes #define lines out.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "compiler/compiler.h"
+#include "compiler/reporter.h"
+#include "compiler/syntax.h"
+
+namespace oncard::compiler {
+
+class Directives {
+ public:
+  /// The references must outlive this object and its tokens.
+  Directives(const Options& options, const FileReader& reader, Reporter& reporter)
+      : options_(options), reader_(reader), reporter_(reporter) {}
+
+  /// Reads the program, given as text. Call once.
+  void Run(SourceFile program);
+
+  /// The tokens, ending in an end token. #define lines are kMacroDefinition tokens.
+  const std::vector<Token>& tokens() const { return tokens_; }
+  std::vector<Macro>& macros() { return macros_; }
+  /// The files read, the program first, and where each is included: the offset of the directive.
+  std::deque<SourceFile>& files() { return files_; }
+  const std::vector<uint32_t>& inclusion_points() const { return inclusion_points_; }
+  /// Names whose definitions were wrong: nothing more is said about them.
+  const std::unordered_set<std::string_view>& skipped_names() const { return skipped_names_; }
+
+ private:
+  void AddFile(SourceFile file, uint32_t inclusion_point);
+  void Directive(const std::vector<Token>& line);
+  void Define(const std::vector<Token>& line, SourceRange whole);
+  void Include(const std::vector<Token>& line, SourceRange whole);
+  std::string FindInclude(const std::string& name, std::string* text) const;
+
+  const Options& options_;
+  const FileReader& reader_;
+  Reporter& reporter_;
+  std::deque<SourceFile> files_;
+  std::vector<uint32_t> inclusion_points_;
+  std::vector<Token> tokens_;
+  std::vector<Macro> macros_;
+  std::unordered_map<std::string_view, size_t> macro_by_name_;
+  std::unordered_set<std::string_view> skipped_names_;
+  std::vector<SourceRange> open_braces_;
+  SourceRange external_;  // start of the definition that is being read
+};
+
+}  // namespace oncard::compiler

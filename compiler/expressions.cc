@@ -1,0 +1,654 @@
+// Operands and operations: what one instruction can compute, and what is wrong with the rest.
+#include <algorithm>
+
+#include "compiler/checker.h"
+
+namespace oncard::compiler {
+namespace {
+
+using vm::DataType;
+
+std::optional<uint16_t> BinaryNumber(std::string_view spelling) {
+#define BINARY_OPERATOR(name, number, basis, text, types, result, effect) \
+  if (spelling == (text)) return uint16_t{number};
+#include "vm/opcodes.def"
+  return std::nullopt;
+}
+
+Message DescribeRange(DataType type, vm::DoubleFormat format, bool upper) {
+  if (type == DataType::kInt)
+    return ToMessage(std::string_view(upper ? "2147483647" : "-2147483648"));
+  const bool wide = format == vm::DoubleFormat::k32_16;
+  return ToMessage(std::string_view(upper ? (wide ? "2147483647.99998" : "32767.99998")
+                                          : (wide ? "-2147483648" : "-32768")));
+}
+
+}  // namespace
+
+Message DescribeType(DataType type) {
+  if (type == DataType::kDouble) return MakeMessage("a double", "double");
+  if (type == DataType::kInt) return MakeMessage("an int", "int");
+  return MakeMessage("nothing", "无");
+}
+
+Message DescribeEntity(const Entity& entity) {
+  switch (entity.kind) {
+    case Entity::Kind::kMacro:
+      return MakeMessage("a macro", "宏");
+    case Entity::Kind::kFunction:
+      return MakeMessage("a function", "函数");
+    case Entity::Kind::kVariable:
+      break;
+  }
+  if (entity.structure != nullptr) {
+    return MakeMessage("a structure {0}", "{0} 结构", entity.structure->name);
+  }
+  if (entity.array_size != 0) return MakeMessage("an array", "数组");
+  return MakeMessage("a variable", "变量");
+}
+
+bool Checker::IsLeaf(const Expression& expression) {
+  switch (expression.kind) {
+    case Expression::Kind::kName:
+    case Expression::Kind::kLiteral:
+    case Expression::Kind::kIndex:
+    case Expression::Kind::kMember:
+      return true;
+    default:
+      return false;
+  }
+}
+
+const Entity* Checker::Lookup(std::string_view name) const {
+  if (function_ != nullptr) {
+    if (const Entity* local = function_->locals.Find(name)) return local;
+  }
+  return globals_.Find(name);
+}
+
+std::optional<Literal> Checker::ConstantOf(const Expression& expression) const {
+  if (expression.kind == Expression::Kind::kLiteral) return expression.literal;
+  if (expression.kind == Expression::Kind::kName) {
+    const Entity* entity = Lookup(expression.text);
+    if (entity != nullptr && entity->kind == Entity::Kind::kMacro) return entity->value;
+  }
+  if (expression.kind == Expression::Kind::kUnary && expression.op == "-") {
+    const Expression& inner = *expression.operands[0];
+    if (inner.kind != Expression::Kind::kLiteral && inner.kind != Expression::Kind::kName) {
+      return std::nullopt;
+    }
+    std::optional<Literal> literal = ConstantOf(inner);
+    if (literal) literal->negative = !literal->negative;
+    return literal;
+  }
+  return std::nullopt;
+}
+
+void Checker::ReportUndeclared(const Expression& expression) {
+  const std::string_view name = expression.text;
+  failed_ = true;
+  if (skipped_names_.contains(name) || undeclared_macros_.contains(name)) return;
+  if (function_ != nullptr && !function_->undeclared.insert(name).second) return;
+  if (const gtcalls::Command* command = gtcalls::FindCommand(name)) {
+    Diagnostic& diagnostic = reporter_.Report(
+        Code::kMissingOpenParen, expression.range,
+        MakeMessage("the command {0} without arguments", "没有参数的指令 {0}", name));
+    if (command->parameters.empty()) InsertAfter(diagnostic, expression.range, "()");
+    return;
+  }
+  Diagnostic& diagnostic = reporter_.Report(Code::kUndeclared, expression.range, name);
+  if (const gtcalls::Constant* constant = gtcalls::FindConstant(name)) {
+    undeclared_macros_.insert(name);
+    const std::string line = fmt::format("#define {} {}", name, constant->value);
+    AddNote(diagnostic,
+            MakeMessage("the constants of gts.h are not known to motion programs; add '{0}'",
+                        "运动程序不识别 gts.h 中的常量；请加上 '{0}'", line));
+    InsertBefore(diagnostic, first_item_, line + "\n");
+    return;
+  }
+  Nearest nearest(name);
+  if (function_ != nullptr) {
+    for (const Entity& entity : function_->locals.entities()) nearest.Add(entity.name);
+  }
+  for (const Entity& entity : globals_.entities()) {
+    if (entity.kind != Entity::Kind::kFunction) nearest.Add(entity.name);
+  }
+  if (nearest.best().empty()) {
+    const bool like_a_macro = name.size() > 1 && std::none_of(name.begin(), name.end(), [](char c) {
+                                return c >= 'a' && c <= 'z';
+                              });
+    if (like_a_macro) {
+      AddNote(diagnostic,
+              MakeMessage("if it is a macro, add '#define {0} number' before the function",
+                          "如果是宏，请在函数之前加上 '#define {0} 数值'", name));
+    }
+    return;
+  }
+  const Entity* entity = Lookup(nearest.best());
+  AddNote(diagnostic, entity->range,
+          MakeMessage("did you mean '{0}'?", "您是否想写 '{0}'？", nearest.best()));
+  Replace(diagnostic, expression.range, std::string(nearest.best()));
+}
+
+const Entity* Checker::ResolveName(const Expression& expression) {
+  const Entity* entity = Lookup(expression.text);
+  if (entity == nullptr) {
+    ReportUndeclared(expression);
+    return nullptr;
+  }
+  if (entity->invalid) {
+    failed_ = true;
+    return nullptr;
+  }
+  return entity;
+}
+
+std::optional<TypedOperand> Checker::LiteralOperand(const Literal& literal, SourceRange range) {
+  TypedOperand operand;
+  operand.range = range;
+  operand.literal = literal;
+  operand.type = literal.kind == Literal::Kind::kFixed ? DataType::kDouble : DataType::kInt;
+  if (!Adapt(operand, operand.type)) return std::nullopt;
+  return operand;
+}
+
+bool Checker::Adapt(TypedOperand& operand, DataType type) {
+  if (!operand.literal) return operand.type == type;
+  if (type == DataType::kInt && operand.literal->kind == Literal::Kind::kFixed) return false;
+  std::optional<int64_t> raw;
+  if (type == DataType::kInt) {
+    if (const std::optional<int32_t> value = IntValue(*operand.literal)) {
+      raw = vm::ImmediateInt(*value).raw;
+    }
+  } else {
+    raw = FixedValue(*operand.literal, options_.double_format);
+  }
+  if (!raw) {
+    Fail(Code::kLiteralTooLarge, operand.range, Source(operand.range), DescribeType(type),
+         DescribeRange(type, options_.double_format, false),
+         DescribeRange(type, options_.double_format, true));
+    operand.literal->invalid = true;
+    raw = 0;
+  }
+  operand.operand = vm::Immediate{*raw};
+  operand.type = type;
+  return true;
+}
+
+std::optional<TypedOperand> Checker::ResolveOperand(const Expression& expression) {
+  if (const std::optional<Literal> constant = ConstantOf(expression)) {
+    return LiteralOperand(*constant, expression.range);
+  }
+  switch (expression.kind) {
+    case Expression::Kind::kIndex:
+      return ResolveIndex(expression);
+    case Expression::Kind::kMember:
+      return ResolveMember(expression);
+    case Expression::Kind::kName:
+      break;
+    default:
+      return std::nullopt;
+  }
+  const Entity* entity = ResolveName(expression);
+  if (entity == nullptr) return std::nullopt;
+  if (entity->kind == Entity::Kind::kFunction || entity->structure != nullptr) {
+    Diagnostic& diagnostic =
+        Fail(Code::kMisuse, expression.range, expression.text, DescribeEntity(*entity),
+             MakeMessage("a variable or a number", "变量或数"));
+    if (entity->structure != nullptr) {
+      AddNote(diagnostic, MakeMessage("write a member, such as {0}.{1}", "请写成员，例如 {0}.{1}",
+                                      expression.text, entity->structure->members[0].name));
+    }
+    return std::nullopt;
+  }
+  if (entity->array_size != 0) {
+    InsertAfter(Fail(Code::kArrayWithoutIndex, expression.range, expression.text), expression.range,
+                "[0]");
+    return std::nullopt;
+  }
+  TypedOperand operand;
+  operand.operand = vm::Variable{entity->storage, entity->id};
+  operand.type = entity->type;
+  operand.range = expression.range;
+  return operand;
+}
+
+std::optional<TypedOperand> Checker::ResolveIndex(const Expression& expression) {
+  const Expression& array = *expression.operands[0];
+  const Expression& index = *expression.operands[1];
+  if (array.kind == Expression::Kind::kIndex) {
+    // a[i][j]: the declaration has been reported and carries the rewriting of every use.
+    const Expression* base = &array;
+    while (base->kind == Expression::Kind::kIndex) base = base->operands[0].get();
+    const auto flat =
+        base->kind == Expression::Kind::kName ? flat_arrays_.find(base->text) : flat_arrays_.end();
+    if (flat != flat_arrays_.end()) {
+      flat_array_ = flat->second;
+      for (const Expression* level = &expression; level->kind == Expression::Kind::kIndex;
+           level = level->operands[0].get()) {
+        CheckNames(*level->operands[1]);
+      }
+    } else {
+      Fail(Code::kIllegalOperator, expression.range, std::string_view("[]"),
+           MakeMessage("arrays have one dimension", "数组只能是一维"));
+    }
+    return std::nullopt;
+  }
+  if (array.kind != Expression::Kind::kName) {
+    CheckNames(array);
+    CheckNames(index);
+    if (!failed_) {
+      Fail(Code::kIllegalOperator, expression.range, std::string_view("[]"),
+           MakeMessage("only an array has elements", "只有数组才有元素"));
+    }
+    return std::nullopt;
+  }
+  const Entity* entity = ResolveName(array);
+  if (entity == nullptr) {
+    CheckNames(index);
+    return std::nullopt;
+  }
+  if (entity->kind != Entity::Kind::kVariable || entity->array_size == 0) {
+    Fail(Code::kMisuse, array.range, array.text, DescribeEntity(*entity),
+         MakeMessage("an array", "数组"));
+    return std::nullopt;
+  }
+  TypedOperand operand;
+  operand.type = entity->type;
+  operand.range = expression.range;
+  if (const std::optional<Literal> constant = ConstantOf(index)) {
+    if (constant->kind == Literal::Kind::kFixed) {
+      Fail(Code::kIllegalIndex, index.range, MakeMessage("a double", "double"));
+      return std::nullopt;
+    }
+    const std::optional<TypedOperand> literal = LiteralOperand(*constant, index.range);
+    if (!literal || literal->literal->invalid) {
+      failed_ = true;
+      return std::nullopt;
+    }
+    const int32_t value = *IntValue(*constant);
+    if (value < 0 || value >= entity->array_size) {
+      AddNote(Fail(Code::kIndexOutOfBounds, index.range, int64_t{value}, array.text,
+                   int64_t{entity->array_size} - 1),
+              entity->range, MakeMessage("'{0}' is declared here", "'{0}' 在此声明", array.text));
+      return std::nullopt;
+    }
+    operand.operand = vm::Variable{entity->storage, static_cast<uint16_t>(entity->id + value)};
+    return operand;
+  }
+  if (index.kind == Expression::Kind::kIndex) {
+    const bool failed_before = failed_;
+    ResolveOperand(index);
+    if (failed_ == failed_before) {
+      Teach(Code::kElementIndex, index.range, Source(index.range));
+    }
+    return std::nullopt;
+  }
+  if (index.kind != Expression::Kind::kName) {
+    CheckNames(index);
+    Teach(Code::kIllegalIndex, index.range,
+          MakeMessage("the expression '{0}'", "表达式 '{0}'", Source(index.range)));
+    return std::nullopt;
+  }
+  const std::optional<TypedOperand> variable = ResolveOperand(index);
+  if (!variable) return std::nullopt;
+  if (variable->type != DataType::kInt) {
+    Teach(Code::kIllegalIndex, index.range,
+          MakeMessage("the double '{0}'", "double 变量 '{0}'", index.text));
+    return std::nullopt;
+  }
+  operand.operand = vm::Element{entity->storage, entity->id, entity->array_size,
+                                *std::get_if<vm::Variable>(&variable->operand)};
+  return operand;
+}
+
+std::optional<TypedOperand> Checker::ResolveMember(const Expression& expression) {
+  const Expression& base = *expression.operands[0];
+  if (expression.op == "->") {
+    CheckNames(base);
+    Fail(Code::kIllegalOperator, expression.range, expression.op,
+         MakeMessage("there are no pointers; write '.'", "没有指针；请写 '.'"));
+    return std::nullopt;
+  }
+  if (base.kind != Expression::Kind::kName) {
+    CheckNames(base);
+    if (!failed_) {
+      Fail(Code::kNoMember, expression.op_range, ToMessage(fmt::format("'{}'", Source(base.range))),
+           expression.text);
+    }
+    return std::nullopt;
+  }
+  const Entity* entity = ResolveName(base);
+  if (entity == nullptr) return std::nullopt;
+  if (entity->structure == nullptr) {
+    Fail(Code::kNoMember, expression.op_range,
+         MakeMessage("'{0}', {1},", "'{0}'（{2}）", base.text, DescribeEntity(*entity).en,
+                     DescribeEntity(*entity).zh),
+         expression.text);
+    return std::nullopt;
+  }
+  Nearest nearest(expression.text);
+  uint16_t offset = 0;
+  for (const gtcalls::Member& member : entity->structure->members) {
+    if (member.name == expression.text) {
+      TypedOperand operand;
+      operand.operand = vm::Variable{entity->storage, static_cast<uint16_t>(entity->id + offset)};
+      operand.type = gtcalls::ProgramType(member.type);
+      operand.range = expression.range;
+      return operand;
+    }
+    nearest.Add(member.name);
+    ++offset;
+  }
+  Diagnostic& diagnostic =
+      Fail(Code::kNoMember, expression.op_range, entity->structure->name, expression.text);
+  if (nearest.best().empty()) {
+    std::string names;
+    for (const gtcalls::Member& member : entity->structure->members) {
+      if (!names.empty()) names += ", ";
+      names += member.name;
+    }
+    AddNote(diagnostic, MakeMessage("its members are {0}", "它的成员有 {0}", names));
+  } else {
+    AddNote(diagnostic, MakeMessage("did you mean '{0}'?", "您是否想写 '{0}'？", nearest.best()));
+    Replace(diagnostic, expression.op_range, std::string(nearest.best()));
+  }
+  return std::nullopt;
+}
+
+std::optional<TypedOperand> Checker::ResolveTarget(const Expression& expression) {
+  const Message wanted = MakeMessage("a variable to assign to", "可赋值的变量");
+  if (expression.kind == Expression::Kind::kError) {
+    failed_ = true;
+    return std::nullopt;
+  }
+  if (expression.kind == Expression::Kind::kParen) {
+    CheckNames(expression);
+    Teach(Code::kNestedExpression, expression.range);
+    return std::nullopt;
+  }
+  if (expression.kind == Expression::Kind::kUnary && expression.op == "*") {
+    CheckNames(expression);
+    return std::nullopt;
+  }
+  if (!IsLeaf(expression) || expression.kind == Expression::Kind::kLiteral) {
+    CheckNames(expression);
+    if (!failed_) {
+      const Message what = expression.kind == Expression::Kind::kLiteral
+                               ? MakeMessage("a number", "数")
+                               : MakeMessage("an expression", "表达式");
+      Fail(Code::kMisuse, expression.range, Source(expression.range), what, wanted);
+    }
+    return std::nullopt;
+  }
+  if (expression.kind == Expression::Kind::kName) {
+    const Entity* entity = Lookup(expression.text);
+    if (entity != nullptr && entity->kind == Entity::Kind::kMacro) {
+      AddNote(
+          Fail(Code::kMisuse, expression.range, expression.text, DescribeEntity(*entity), wanted),
+          entity->range, MakeMessage("'{0}' is defined here", "'{0}' 在此定义", expression.text));
+      return std::nullopt;
+    }
+  }
+  return ResolveOperand(expression);
+}
+
+void Checker::TeachNested(const Expression& expression) {
+  Teach(Code::kNestedExpression, expression.range);
+  CheckNames(expression);
+}
+
+std::optional<Operation> Checker::ResolveOperation(const Expression& expression) {
+  if (IsLeaf(expression) || ConstantOf(expression)) {
+    std::optional<TypedOperand> operand = ResolveOperand(expression);
+    if (!operand) return std::nullopt;
+    Operation operation;
+    operation.type = operation.result = operand->type;
+    operation.operands.push_back(*operand);
+    return operation;
+  }
+  switch (expression.kind) {
+    case Expression::Kind::kUnary:
+      return ResolveUnary(expression);
+    case Expression::Kind::kBinary:
+      return ResolveBinary(expression);
+    case Expression::Kind::kCast:
+      return ResolveCast(expression);
+    case Expression::Kind::kCall: {
+      const Expression& callee = *expression.operands[0];
+      if (callee.kind == Expression::Kind::kName && Lookup(callee.text) == nullptr &&
+          (callee.text == "abs" || callee.text == "fabs")) {
+        return ResolveMagnitude(expression);
+      }
+      CheckNames(expression);
+      return std::nullopt;
+    }
+    case Expression::Kind::kParen:
+    case Expression::Kind::kAssign:
+    case Expression::Kind::kComma:
+      TeachNested(expression);
+      return std::nullopt;
+    default:
+      CheckNames(expression);
+      return std::nullopt;
+  }
+}
+
+std::optional<Operation> Checker::ResolveBinary(const Expression& expression) {
+  const Expression& left = *expression.operands[0];
+  const Expression& right = *expression.operands[1];
+  const bool simple = (IsLeaf(left) || ConstantOf(left)) && (IsLeaf(right) || ConstantOf(right));
+  if (!simple) {
+    TeachNested(expression);
+    return std::nullopt;
+  }
+  std::optional<TypedOperand> a = ResolveOperand(left);
+  std::optional<TypedOperand> b = ResolveOperand(right);
+  if (!a || !b) return std::nullopt;
+  const uint16_t number = *BinaryNumber(expression.op);
+  const vm::OperatorInfo& info = *vm::FindBinaryOperator(number);
+  const bool any_double = a->type == DataType::kDouble || b->type == DataType::kDouble;
+  const DataType type = any_double ? DataType::kDouble : DataType::kInt;
+  if (any_double && !vm::Accepts(info, type)) {
+    Fail(Code::kIllegalOperator, expression.op_range, expression.op,
+         MakeMessage("it takes two ints", "它只能用于两个 int"));
+    return std::nullopt;
+  }
+  for (TypedOperand* operand : {&*a, &*b}) {
+    if (!Adapt(*operand, type)) {
+      Teach(Code::kTypeMismatch, operand->range,
+            MakeMessage("an int beside a double", "int 与 double 混用"),
+            MakeMessage("two operands of the same type", "两个类型相同的操作数"));
+      return std::nullopt;
+    }
+  }
+  Operation operation;
+  operation.opcode = vm::Opcode::kBinary;
+  operation.op = number;
+  operation.type = type;
+  operation.result = vm::ResultOf(info, type);
+  operation.operands = {*a, *b};
+  return operation;
+}
+
+std::optional<Operation> Checker::ResolveUnary(const Expression& expression) {
+  const Expression& inner = *expression.operands[0];
+  const std::string_view op = expression.op;
+  if (op != "!" && op != "~" && op != "-") {
+    CheckNames(expression);
+    return std::nullopt;
+  }
+  if (!IsLeaf(inner) && !ConstantOf(inner)) {
+    TeachNested(expression);
+    return std::nullopt;
+  }
+  const std::optional<TypedOperand> operand = ResolveOperand(inner);
+  if (!operand) return std::nullopt;
+  if (op == "-") {
+    Teach(Code::kUnaryMinus, expression.range);
+    return std::nullopt;
+  }
+  if (operand->type == DataType::kDouble) {
+    Fail(Code::kIllegalOperator, expression.op_range, op,
+         MakeMessage("it takes an int", "它只能用于 int"));
+    return std::nullopt;
+  }
+  Operation operation;
+  operation.op =
+      static_cast<uint16_t>(op == "!" ? vm::UnaryOperator::kNot : vm::UnaryOperator::kInvert);
+  operation.operands.push_back(*operand);
+  return operation;
+}
+
+std::optional<Operation> Checker::ResolveCast(const Expression& expression) {
+  const Expression& inner = *expression.operands[0];
+  const bool to_double = expression.text == "double";
+  if (!to_double && expression.text != "int" && expression.text != "long" &&
+      expression.text != "short") {
+    CheckNames(inner);
+    Fail(Code::kNotAType, expression.op_range,
+         ToMessage(fmt::format("'{}'", Source(expression.op_range))),
+         std::string_view("int, double"));
+    return std::nullopt;
+  }
+  if (!IsLeaf(inner) && !ConstantOf(inner)) {
+    TeachNested(expression);
+    return std::nullopt;
+  }
+  const std::optional<TypedOperand> operand = ResolveOperand(inner);
+  if (!operand) return std::nullopt;
+  Operation operation;
+  operation.type = operand->type;
+  operation.result = to_double ? DataType::kDouble : DataType::kInt;
+  if (operation.type != operation.result) {
+    operation.op =
+        static_cast<uint16_t>(to_double ? vm::UnaryOperator::kToDouble : vm::UnaryOperator::kToInt);
+  }
+  operation.operands.push_back(*operand);
+  operation.operands[0].literal.reset();  // the result has the type of the cast
+  return operation;
+}
+
+std::optional<Operation> Checker::ResolveMagnitude(const Expression& expression) {
+  const Expression& callee = *expression.operands[0];
+  const DataType type = callee.text == "fabs" ? DataType::kDouble : DataType::kInt;
+  const size_t count = expression.operands.size() - 1;
+  if (count != 1) {
+    for (size_t i = 1; i <= count; ++i) CheckNames(*expression.operands[i]);
+    if (count == 0) {
+      Fail(Code::kTooFewArguments, expression.range, callee.text, int64_t{1}, int64_t{0},
+           MakeMessage("the number", "操作数"));
+    } else {
+      Fail(Code::kTooManyParameters, expression.range, callee.text, int64_t{1},
+           static_cast<int64_t>(count));
+    }
+    return std::nullopt;
+  }
+  const Expression& inner = *expression.operands[1];
+  if (!IsLeaf(inner) && !ConstantOf(inner)) {
+    TeachNested(expression);
+    return std::nullopt;
+  }
+  std::optional<TypedOperand> operand = ResolveOperand(inner);
+  if (!operand) return std::nullopt;
+  if (!Adapt(*operand, type)) {
+    Diagnostic& diagnostic =
+        Fail(Code::kTypeMismatch, inner.range, DescribeType(operand->type), DescribeType(type));
+    const std::string_view other = type == DataType::kInt ? "fabs" : "abs";
+    AddNote(diagnostic,
+            MakeMessage("'{0}' takes {1}", "'{0}' 用于 {2}", other, DescribeType(operand->type).en,
+                        DescribeType(operand->type).zh));
+    Replace(diagnostic, callee.range, std::string(other));
+    return std::nullopt;
+  }
+  Operation operation;
+  operation.op = static_cast<uint16_t>(type == DataType::kDouble ? vm::UnaryOperator::kFabs
+                                                                 : vm::UnaryOperator::kAbs);
+  operation.type = operation.result = type;
+  operation.operands.push_back(*operand);
+  return operation;
+}
+
+// Looks for everything that is wrong inside an expression that no instruction can compute.
+void Checker::CheckNames(const Expression& expression) {
+  switch (expression.kind) {
+    case Expression::Kind::kError:
+      failed_ = true;
+      return;
+    case Expression::Kind::kName:
+    case Expression::Kind::kLiteral:
+    case Expression::Kind::kIndex:
+    case Expression::Kind::kMember:
+      ResolveOperand(expression);
+      return;
+    case Expression::Kind::kString:
+      Fail(Code::kExpectedOperand, expression.range, Source(expression.range));
+      return;
+    case Expression::Kind::kBraces:
+      Fail(Code::kExpectedOperand, expression.range, std::string_view("'{'"));
+      return;
+    case Expression::Kind::kCall: {
+      const Expression& callee = *expression.operands[0];
+      for (size_t i = 1; i < expression.operands.size(); ++i) {
+        const Expression& argument = *expression.operands[i];
+        const bool address = argument.kind == Expression::Kind::kUnary && argument.op == "&";
+        CheckNames(address ? *argument.operands[0] : argument);
+      }
+      if (callee.kind != Expression::Kind::kName) {
+        CheckNames(callee);
+        Fail(Code::kNotACommand, callee.range, Source(callee.range));
+        return;
+      }
+      const Entity* entity = Lookup(callee.text);
+      if (entity == nullptr && (callee.text == "abs" || callee.text == "fabs")) {
+        Teach(Code::kNestedExpression, expression.range);
+      } else if (gtcalls::FindCommand(callee.text) != nullptr) {
+        Teach(Code::kRightOfAssign, callee.range, callee.text);
+      } else {
+        ReportUnknownCall(callee);
+      }
+      return;
+    }
+    case Expression::Kind::kUnary:
+      if (ConstantOf(expression)) {
+        ResolveOperand(expression);
+        return;
+      }
+      if (expression.op == "&") {
+        CheckNames(*expression.operands[0]);
+        Fail(Code::kIllegalOperator, expression.op_range, expression.op,
+             MakeMessage("addresses are only for the outputs of GT commands",
+                         "取地址只能用于 GT 指令的输出参数"));
+        return;
+      }
+      if (expression.op == "*") {
+        CheckNames(*expression.operands[0]);
+        Fail(Code::kIllegalOperator, expression.op_range, expression.op,
+             MakeMessage("there are no pointers", "没有指针"));
+        return;
+      }
+      [[fallthrough]];
+    case Expression::Kind::kPostfix:
+      if (expression.op == "++" || expression.op == "--") {
+        Teach(Code::kIncrement, expression.op_range, expression.op,
+              Source(expression.operands[0]->range), expression.op.substr(1));
+      } else if (expression.op == "+") {
+        Teach(Code::kIllegalOperator, expression.op_range, expression.op,
+              MakeMessage("a sign '+' is not written", "不写正号 '+'"));
+      }
+      break;
+    case Expression::Kind::kCompound:
+      Teach(Code::kCompoundAssignment, expression.op_range, expression.op);
+      break;
+    case Expression::Kind::kConditional:
+      Teach(Code::kIllegalOperator, expression.op_range, std::string_view("?:"),
+            MakeMessage("choose with 'if (variable) goto label;'",
+                        "请用 'if (变量) goto 标号;' 选择"));
+      break;
+    default:
+      break;
+  }
+  for (const ExpressionPtr& operand : expression.operands) CheckNames(*operand);
+}
+
+}  // namespace oncard::compiler

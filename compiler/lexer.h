@@ -1,0 +1,19 @@
+// Splits a file into tokens. Tested by tests/compiler/lexer_test.cc.
+#pragma once
+
+#include <vector>
+
+#include "compiler/reporter.h"
+#include "compiler/syntax.h"
+
+namespace oncard::compiler {
+
+/// The tokens of a file, without an end token. Comments and white space are skipped; malformed
+/// numbers and illegal characters are reported and leave a token that the parser passes over in
+/// silence. The file's text must outlive the tokens.
+std::vector<Token> Tokenize(const SourceFile& file, int file_index, Reporter& reporter);
+
+/// What messages call a token: 'x', or what it is when it has no text.
+Message DescribeToken(const Token& token);
+
+}  // namespace oncard::compiler

@@ -1,0 +1,284 @@
+// The scanner. Bytes above 0x7F may stand in comments and file names only, where GBK and UTF-8 need
+// no telling apart: no second byte of a GBK character is a quote, a star, a slash or a line end.
+#include "compiler/lexer.h"
+
+#include <string>
+#include <unordered_set>
+
+#include "compiler/parser.h"
+#include "compiler/text.h"
+#include "gtcalls/catalogue.h"
+#include "vm/limits.h"
+
+namespace oncard::compiler {
+namespace {
+
+using Kind = Parser::token;
+
+class Lexer {
+ public:
+  Lexer(const SourceFile& file, int file_index, Reporter& reporter)
+      : text_(file.text()), file_(file_index), reporter_(reporter), utf8_(IsUtf8(file.text())) {}
+
+  std::vector<Token> Run();
+
+ private:
+  SourceRange Range(const char* begin, const char* end) const {
+    return {file_, static_cast<uint32_t>(begin - text_.data()),
+            static_cast<uint32_t>(end - text_.data())};
+  }
+  void Add(int kind, const char* begin, const char* end, const Literal& literal = {});
+  void AddName(const char* begin, const char* end);
+  void AddInteger(const char* begin, const char* end);
+  void AddFixed(const char* begin, const char* end);
+  void AddBadNumber(Code code, const char* begin, const char* end);
+  void AddString(const char* begin, const char* end);
+  const char* SkipComment(const char* begin, const char* limit);
+  const char* IllegalCharacters(const char* begin, const char* limit);
+  void Scan(const char* cursor, const char* limit);
+
+  std::string_view text_;
+  int file_;
+  Reporter& reporter_;
+  bool utf8_;
+  bool new_line_ = true;
+  std::vector<Token> tokens_;
+  std::unordered_set<std::string_view> long_names_;
+};
+
+void Lexer::Add(int kind, const char* begin, const char* end, const Literal& literal) {
+  Token& token = tokens_.emplace_back();
+  token.kind = kind;
+  token.range = Range(begin, end);
+  token.text = {begin, static_cast<size_t>(end - begin)};
+  token.literal = literal;
+  token.on_new_line = new_line_;
+  new_line_ = false;
+}
+
+void Lexer::AddName(const char* begin, const char* end) {
+  const std::string_view name(begin, static_cast<size_t>(end - begin));
+  if (name.size() > vm::kNameLengthMax && long_names_.insert(name).second) {
+    reporter_.Report(Code::kNameTooLong, Range(begin, end), name,
+                     static_cast<int64_t>(name.size()), int64_t{vm::kNameLengthMax});
+  }
+  const gtcalls::Structure* structure =
+      name.starts_with('T') ? gtcalls::FindStructure(name) : nullptr;
+  Add(structure != nullptr && structure->in_motion_program ? Kind::kStructureName : Kind::kName,
+      begin, end);
+}
+
+void Lexer::AddInteger(const char* begin, const char* end) {
+  const char* digits_end = end;
+  while (std::string_view("uUlL").find(digits_end[-1]) != std::string_view::npos) --digits_end;
+  Add(Kind::kInteger, begin, end,
+      ParseInteger({begin, static_cast<size_t>(digits_end - begin)}));
+}
+
+void Lexer::AddFixed(const char* begin, const char* end) {
+  Add(Kind::kFixed, begin, end, ParseFixed({begin, static_cast<size_t>(end - begin)}));
+}
+
+void Lexer::AddBadNumber(Code code, const char* begin, const char* end) {
+  const std::string_view text(begin, static_cast<size_t>(end - begin));
+  if (code == Code::kOctal) {
+    std::string decimal(text.substr(std::min(text.find_first_not_of('0'), text.size())));
+    if (decimal.empty() || decimal[0] < '0' || decimal[0] > '9') decimal.insert(0, 1, '0');
+    Replace(reporter_.Report(code, Range(begin, end), text, decimal), Range(begin, end), decimal);
+  } else {
+    reporter_.Report(code, Range(begin, end), text);
+  }
+  Literal literal;
+  literal.invalid = true;
+  Add(Kind::kInteger, begin, end, literal);
+}
+
+void Lexer::AddString(const char* begin, const char* end) {
+  if (end - begin < 2 || end[-1] != *begin) {
+    Diagnostic& diagnostic = reporter_.Report(Code::kMissingQuote, Range(begin, end));
+    InsertAfter(diagnostic, Range(begin, end), std::string(1, *begin));
+  }
+  Add(Kind::kString, begin, end);
+}
+
+const char* Lexer::SkipComment(const char* begin, const char* limit) {
+  const std::string_view rest(begin, static_cast<size_t>(limit - begin));
+  const size_t close = rest.find("*/", 2);
+  if (close == std::string_view::npos) {
+    InsertAfter(reporter_.Report(Code::kUnclosedComment, Range(begin, begin + 2)),
+                Range(begin, limit), "*/");
+    return limit;
+  }
+  if (rest.substr(0, close).find('\n') != std::string_view::npos) new_line_ = true;
+  return begin + close + 2;
+}
+
+// Reports a run of characters that the language has no use for. The full-width forms of ASCII
+// characters, which Chinese input methods produce, are taken for what they look like.
+const char* Lexer::IllegalCharacters(const char* begin, const char* limit) {
+  const auto byte = [](char c) { return static_cast<unsigned char>(c); };
+  const auto length_at = [&](const char* at) {
+    return CharacterLength({at, static_cast<size_t>(limit - at)}, utf8_);
+  };
+  const size_t length = length_at(begin);
+  char ascii = 0;
+  if (utf8_ && length == 3 && byte(begin[0]) == 0xEF && byte(begin[1]) == 0xBC) {
+    ascii = static_cast<char>(byte(begin[2]) - 0x81 + 0x21);
+  } else if (utf8_ && length == 3 && byte(begin[0]) == 0xEF && byte(begin[1]) == 0xBD &&
+             byte(begin[2]) <= 0x9E) {
+    ascii = static_cast<char>(byte(begin[2]) - 0x80 + 0x60);
+  } else if (!utf8_ && length == 2 && byte(begin[0]) == 0xA3 && byte(begin[1]) >= 0xA1) {
+    ascii = static_cast<char>(byte(begin[1]) - 0x80);
+  }
+  const char* end = begin + length;
+  if (ascii == 0) {
+    while (end < limit && (byte(*end) >= 0x80)) end += length_at(end);
+  }
+  const std::string_view text(begin, static_cast<size_t>(end - begin));
+  Message shown;
+  if (text.size() == 1 && byte(text[0]) > 0x20 && byte(text[0]) < 0x7F) {
+    shown = ToMessage(fmt::format("'{}'", text));
+  } else if (ascii != 0) {
+    shown = MakeMessage("'{}' (full-width)", "'{}'（全角）", ascii);
+  } else if (utf8_ && byte(text[0]) >= 0x80) {
+    shown = ToMessage(fmt::format("'{}'", text));
+  } else {
+    shown = ToMessage(fmt::format("0x{:02X}", byte(text[0])));
+  }
+  Diagnostic& diagnostic = reporter_.Report(Code::kIllegalCharacter, Range(begin, end), shown);
+  const size_t count = tokens_.size();
+  if (ascii != 0) {
+    Replace(diagnostic, Range(begin, end), std::string(1, ascii));
+    // One character is lexed on its own, then given its place in the file.
+    const std::string substitute(1, ascii);
+    if (std::string_view("(){}[];:,=<>+-*/%!&|^~?.").find(ascii) != std::string_view::npos) {
+      Scan(substitute.data(), substitute.data() + 1);
+    }
+  }
+  if (tokens_.size() == count) Add(Kind::kInvalid, begin, end);
+  tokens_.back().range = Range(begin, end);
+  tokens_.back().text = text;
+  return end;
+}
+
+void Lexer::Scan(const char* cursor, const char* limit) {
+  const char* marker = cursor;
+  for (;;) {
+    const char* const begin = cursor;
+    /*!re2c
+      re2c:define:YYCTYPE = "unsigned char";
+      re2c:define:YYCURSOR = cursor;
+      re2c:define:YYMARKER = marker;
+      re2c:define:YYLIMIT = limit;
+      re2c:yyfill:enable = 0;
+      re2c:eof = 0;
+
+      digit    = [0-9];
+      letter   = [A-Za-z_];
+      exponent = [eE] [+-]? digit+;
+      suffix   = [uU] [lL]? | [lL];
+      decimal  = "0" | [1-9] digit*;
+      octal    = "0" digit+;
+      hex      = "0" [xX] [0-9a-fA-F]+;
+      fixed    = (digit* "." digit+ | digit+ ".") exponent? | digit+ exponent;
+
+      $                       { return; }
+      [ \t\r\f\v]+            { continue; }
+      "\n"                    { new_line_ = true; continue; }
+      "//" [^\n]*             { continue; }
+      "/*"                    { cursor = SkipComment(begin, limit); continue; }
+
+      (decimal | hex) suffix? { AddInteger(begin, cursor); continue; }
+      fixed                   { AddFixed(begin, cursor); continue; }
+      octal suffix?           { AddBadNumber(Code::kOctal, begin, cursor); continue; }
+      "."? digit (letter | digit | ".")* {
+        AddBadNumber(Code::kMalformedLiteral, begin, cursor);
+        continue;
+      }
+      ["] [^"\n]* ["]?        { AddString(begin, cursor); continue; }
+      ['] [^'\n]* [']         { AddString(begin, cursor); continue; }
+
+      "int"      { Add(Kind::kInt, begin, cursor); continue; }
+      "long"     { Add(Kind::kLong, begin, cursor); continue; }
+      "short"    { Add(Kind::kShort, begin, cursor); continue; }
+      "void"     { Add(Kind::kVoid, begin, cursor); continue; }
+      "double"   { Add(Kind::kDouble, begin, cursor); continue; }
+      "if"       { Add(Kind::kIf, begin, cursor); continue; }
+      "goto"     { Add(Kind::kGoto, begin, cursor); continue; }
+      "return"   { Add(Kind::kReturn, begin, cursor); continue; }
+      "else"     { Add(Kind::kElse, begin, cursor); continue; }
+      "while"    { Add(Kind::kWhile, begin, cursor); continue; }
+      "for"      { Add(Kind::kFor, begin, cursor); continue; }
+      "do"       { Add(Kind::kDo, begin, cursor); continue; }
+      "switch"   { Add(Kind::kSwitch, begin, cursor); continue; }
+      "case"     { Add(Kind::kCase, begin, cursor); continue; }
+      "default"  { Add(Kind::kDefault, begin, cursor); continue; }
+      "break"    { Add(Kind::kBreak, begin, cursor); continue; }
+      "continue" { Add(Kind::kContinue, begin, cursor); continue; }
+      "unsigned" { Add(Kind::kUnsigned, begin, cursor); continue; }
+      "signed"   { Add(Kind::kSigned, begin, cursor); continue; }
+      "char"     { Add(Kind::kChar, begin, cursor); continue; }
+      "float"    { Add(Kind::kFloat, begin, cursor); continue; }
+      "static"   { Add(Kind::kStatic, begin, cursor); continue; }
+      "const"    { Add(Kind::kConst, begin, cursor); continue; }
+      "extern"   { Add(Kind::kExtern, begin, cursor); continue; }
+      "struct" | "typedef" | "sizeof" | "enum" | "union" {
+        Add(Kind::kReserved, begin, cursor);
+        continue;
+      }
+      letter (letter | digit)* { AddName(begin, cursor); continue; }
+
+      "+=" | "-=" | "*=" | "/=" | "%=" | "&=" | "|=" | "^=" | "<<=" | ">>=" {
+        Add(Kind::kCompoundAssign, begin, cursor);
+        continue;
+      }
+      "++" | "--" { Add(Kind::kStep, begin, cursor); continue; }
+      "->"  { Add(Kind::kArrow, begin, cursor); continue; }
+      "&&"  { Add(Kind::kAndAnd, begin, cursor); continue; }
+      "||"  { Add(Kind::kOrOr, begin, cursor); continue; }
+      "==" | "!=" { Add(Kind::kEquality, begin, cursor); continue; }
+      "<" | ">" | "<=" | ">=" { Add(Kind::kRelation, begin, cursor); continue; }
+      "<<" | ">>" { Add(Kind::kShift, begin, cursor); continue; }
+      "*"   { Add(Kind::kStar, begin, cursor); continue; }
+      "/" | "%" { Add(Kind::kDivide, begin, cursor); continue; }
+      "+"   { Add(Kind::kPlus, begin, cursor); continue; }
+      "-"   { Add(Kind::kMinus, begin, cursor); continue; }
+      "!" | "~" { Add(Kind::kNot, begin, cursor); continue; }
+      "&"   { Add(Kind::kAnd, begin, cursor); continue; }
+      "|"   { Add(Kind::kOr, begin, cursor); continue; }
+      "^"   { Add(Kind::kXor, begin, cursor); continue; }
+      "="   { Add(Kind::kAssign, begin, cursor); continue; }
+      "?"   { Add(Kind::kQuestion, begin, cursor); continue; }
+      ":"   { Add(Kind::kColon, begin, cursor); continue; }
+      ";"   { Add(Kind::kSemicolon, begin, cursor); continue; }
+      ","   { Add(Kind::kComma, begin, cursor); continue; }
+      "."   { Add(Kind::kDot, begin, cursor); continue; }
+      "("   { Add(Kind::kOpenParen, begin, cursor); continue; }
+      ")"   { Add(Kind::kCloseParen, begin, cursor); continue; }
+      "["   { Add(Kind::kOpenBracket, begin, cursor); continue; }
+      "]"   { Add(Kind::kCloseBracket, begin, cursor); continue; }
+      "{"   { Add(Kind::kOpenBrace, begin, cursor); continue; }
+      "}"   { Add(Kind::kCloseBrace, begin, cursor); continue; }
+      "#"   { Add(Kind::kHash, begin, cursor); continue; }
+      *     { cursor = IllegalCharacters(begin, limit); continue; }
+    */
+  }
+}
+
+std::vector<Token> Lexer::Run() {
+  Scan(text_.data(), text_.data() + text_.size());
+  return std::move(tokens_);
+}
+
+}  // namespace
+
+std::vector<Token> Tokenize(const SourceFile& file, int file_index, Reporter& reporter) {
+  return Lexer(file, file_index, reporter).Run();
+}
+
+Message DescribeToken(const Token& token) {
+  if (token.kind == Kind::kEnd) return MakeMessage("the end of the file", "文件结尾");
+  return ToMessage(fmt::format("'{}'", token.text));
+}
+
+}  // namespace oncard::compiler

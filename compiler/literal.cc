@@ -1,0 +1,129 @@
+#include "compiler/literal.h"
+
+#include <algorithm>
+#include <string>
+
+namespace oncard::compiler {
+namespace {
+
+// A magnitude with more digits before its point is huge; one with more zeros after it is zero.
+constexpr int64_t kPointMax = 18;
+constexpr int64_t kExponentMax = 1'000'000'000;
+
+int DigitOf(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  return (c | 0x20) - 'a' + 10;
+}
+
+// Doubles the decimal fraction 0.DDD in place and gives the digit that moves before the point.
+int DoubleFraction(std::string& digits) {
+  int carry = 0;
+  for (size_t i = digits.size(); i-- > 0;) {
+    const int sum = 2 * (digits[i] - '0') + carry;
+    digits[i] = static_cast<char>('0' + sum % 10);
+    carry = sum / 10;
+  }
+  while (!digits.empty() && digits.back() == '0') digits.pop_back();
+  return carry;
+}
+
+int64_t ParseExponent(std::string_view text) {
+  if (text.empty()) return 0;
+  const bool negative = text.front() == '-';
+  if (text.front() == '-' || text.front() == '+') text.remove_prefix(1);
+  int64_t value = 0;
+  for (const char c : text) value = std::min(kExponentMax, value * 10 + (c - '0'));
+  return negative ? -value : value;
+}
+
+}  // namespace
+
+Literal ParseInteger(std::string_view digits) {
+  Literal literal;
+  literal.hexadecimal = digits.size() > 1 && (digits[1] | 0x20) == 'x';
+  if (literal.hexadecimal) digits.remove_prefix(2);
+  const uint64_t base = literal.hexadecimal ? 16 : 10;
+  for (const char c : digits) {
+    literal.magnitude = literal.magnitude * base + static_cast<uint64_t>(DigitOf(c));
+    if (literal.magnitude >= kHuge / base) {
+      literal.magnitude = kHuge;
+      break;
+    }
+  }
+  return literal;
+}
+
+Literal ParseFixed(std::string_view text) {
+  Literal literal;
+  literal.kind = Literal::Kind::kFixed;
+  const size_t exponent_at = std::min(text.find_first_of("eE"), text.size());
+  const std::string_view mantissa = text.substr(0, exponent_at);
+  const int64_t exponent = ParseExponent(text.substr(std::min(exponent_at + 1, text.size())));
+
+  // The value is 0.DIGITS times 10^point.
+  std::string digits;
+  const size_t dot = std::min(mantissa.find('.'), mantissa.size());
+  digits.append(mantissa.substr(0, dot));
+  if (dot < mantissa.size()) digits.append(mantissa.substr(dot + 1));
+  int64_t point = static_cast<int64_t>(dot) + exponent;
+  const size_t zeros = std::min(digits.find_first_not_of('0'), digits.size());
+  digits.erase(0, zeros);
+  point -= static_cast<int64_t>(zeros);
+  if (digits.empty() || point < -kPointMax) return literal;
+  if (point > kPointMax) {
+    literal.magnitude = kHuge;
+    return literal;
+  }
+
+  std::string fraction;
+  if (point <= 0) {
+    fraction = std::string(static_cast<size_t>(-point), '0') + digits;
+  } else {
+    const size_t whole = static_cast<size_t>(point);
+    if (digits.size() < whole) digits.append(whole - digits.size(), '0');
+    for (size_t i = 0; i < whole; ++i) {
+      literal.magnitude = literal.magnitude * 10 + static_cast<uint64_t>(digits[i] - '0');
+    }
+    fraction = digits.substr(whole);
+  }
+  if (literal.magnitude >= kHuge >> (vm::kFractionBits + 1)) {
+    literal.magnitude = kHuge;
+    return literal;
+  }
+  for (int bit = 0; bit < vm::kFractionBits; ++bit) {
+    literal.magnitude = literal.magnitude * 2 + static_cast<uint64_t>(DoubleFraction(fraction));
+  }
+  literal.magnitude += static_cast<uint64_t>(DoubleFraction(fraction));
+  return literal;
+}
+
+std::optional<int32_t> IntValue(const Literal& literal) {
+  if (literal.kind != Literal::Kind::kInteger) return std::nullopt;
+  if (literal.invalid) return 0;
+  if (literal.hexadecimal) {
+    if (literal.magnitude > UINT32_MAX) return std::nullopt;
+    const uint32_t bits = static_cast<uint32_t>(literal.magnitude);
+    return static_cast<int32_t>(literal.negative ? 0 - bits : bits);
+  }
+  const int64_t value = literal.negative ? -static_cast<int64_t>(literal.magnitude)
+                                         : static_cast<int64_t>(literal.magnitude);
+  if (value < INT32_MIN || value > INT32_MAX) return std::nullopt;
+  return static_cast<int32_t>(value);
+}
+
+std::optional<int64_t> FixedValue(const Literal& literal, vm::DoubleFormat format) {
+  if (literal.invalid) return 0;
+  int64_t raw = 0;
+  if (literal.kind == Literal::Kind::kInteger) {
+    const std::optional<int32_t> value = IntValue(literal);
+    if (!value) return std::nullopt;
+    raw = static_cast<int64_t>(*value) * (1 << vm::kFractionBits);
+  } else {
+    raw = static_cast<int64_t>(literal.magnitude);
+    if (literal.negative) raw = -raw;
+  }
+  if (raw < vm::FixedMin(format) || raw > vm::FixedMax(format)) return std::nullopt;
+  return raw;
+}
+
+}  // namespace oncard::compiler

@@ -1,0 +1,43 @@
+// Number literals, read exactly: integers of 32 bits, and fixed-point numbers rounded to the
+// nearest multiple of 2^-16 with decimal arithmetic, so that no binary rounding comes between.
+// Tested by tests/compiler/literal_test.cc.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "vm/fixed_point.h"
+
+namespace oncard::compiler {
+
+/// A number as written, without its sign. Whether it fits depends on the sign and on what it is
+/// used for, so that is asked later.
+struct Literal {
+  enum class Kind : uint8_t { kInteger, kFixed };
+  Kind kind = Kind::kInteger;
+  bool hexadecimal = false;
+  /// What it says is not a number or has been reported already; any value will do.
+  bool invalid = false;
+  /// The sign in front belongs to it.
+  bool negative = false;
+  /// The magnitude: of an integer, or of the raw value (times 2^16) of a fixed-point number. Too
+  /// large values are kHuge.
+  uint64_t magnitude = 0;
+};
+
+/// Stands for every magnitude that no type can hold.
+inline constexpr uint64_t kHuge = uint64_t{1} << 62;
+
+/// Reads `12`, `0x1F` (suffixes removed). The digits must be well formed.
+Literal ParseInteger(std::string_view digits);
+/// Reads `12.5`, `.5`, `3.`, `1e-3`. Rounds half away from zero. The text must be well formed.
+Literal ParseFixed(std::string_view text);
+
+/// The value as an int: decimal literals in the range of int, hexadecimal ones of up to 32 bits,
+/// which wrap. Nothing for a fixed-point literal, or when it does not fit.
+std::optional<int32_t> IntValue(const Literal& literal);
+/// The raw value as a double of the given format. Nothing when it does not fit.
+std::optional<int64_t> FixedValue(const Literal& literal, vm::DoubleFormat format);
+
+}  // namespace oncard::compiler

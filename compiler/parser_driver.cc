@@ -1,0 +1,532 @@
+#include "compiler/parser_driver.h"
+
+#include <algorithm>
+
+#include "compiler/lexer.h"
+
+namespace oncard::compiler {
+namespace {
+
+using Kind = Parser::token;
+using Symbol = Parser::symbol_kind;
+
+// How far back a skipped statement is searched for names and for the head of a `for`.
+constexpr size_t kLookBack = 64;
+
+bool IsTypeWord(int kind) {
+  switch (kind) {
+    case Kind::kInt:
+    case Kind::kLong:
+    case Kind::kShort:
+    case Kind::kVoid:
+    case Kind::kDouble:
+    case Kind::kUnsigned:
+    case Kind::kSigned:
+    case Kind::kChar:
+    case Kind::kFloat:
+    case Kind::kStatic:
+    case Kind::kConst:
+    case Kind::kExtern:
+    case Kind::kStructureName:
+      return true;
+    default:
+      return false;
+  }
+}
+
+int DepthOf(const ExpressionPtr& expression) { return expression ? expression->depth : 0; }
+int DepthOf(const StatementPtr& statement) { return statement ? statement->depth : 0; }
+
+SourceRange EndOf(SourceRange range) {
+  range.begin = range.end;
+  return range;
+}
+
+}  // namespace
+
+int ParserDriver::Next(Parser::semantic_type* value, SourceRange* location) {
+  const Token* token = &tokens_[next_];
+  if (token->kind == Kind::kEnd && !braces_.empty()) {
+    if (!end_reported_) {
+      end_reported_ = true;
+      Diagnostic& diagnostic =
+          reporter_.Report(Code::kUnexpectedEnd, EndOf(token->range), std::string_view("'}'"));
+      AddNote(diagnostic, braces_.back().place,
+              MakeMessage("this '{{' is not closed", "此处的 '{{' 没有对应的 '}}'"));
+    }
+    braces_.pop_back();
+    end_brace_.kind = Kind::kCloseBrace;
+    end_brace_.range = EndOf(token->range);
+    end_brace_.on_new_line = true;
+    token = &end_brace_;
+  } else if (token->kind != Kind::kEnd) {
+    ++next_;
+    if (token->kind == Kind::kOpenBrace) {
+      const bool initialiser =
+          last_ != nullptr && (last_->kind == Kind::kAssign ||
+                               (!braces_.empty() && braces_.back().initialiser &&
+                                (last_->kind == Kind::kComma || last_->kind == Kind::kOpenBrace)));
+      braces_.push_back({token->range, initialiser});
+    } else if (token->kind == Kind::kCloseBrace && !braces_.empty()) {
+      braces_.pop_back();
+    }
+  }
+  previous_ = last_;
+  last_ = token;
+  *location = token->range;
+  if (token->kind != Kind::kEnd) value->emplace<const Token*>(token);
+  return token->kind;
+}
+
+void ParserDriver::OpenMissingBrace() {
+  braces_.push_back({last_->range, false});
+  // The token that stands in place of the brace was counted before it.
+  if (last_->kind == Kind::kOpenBrace && braces_.size() >= 2) {
+    std::swap(braces_[braces_.size() - 1], braces_[braces_.size() - 2]);
+  } else if (last_->kind == Kind::kCloseBrace) {
+    braces_.pop_back();
+  }
+  resume_ = false;
+}
+
+bool ParserDriver::InForHeader() const {
+  int closed = 0;
+  const size_t lowest = next_ > kLookBack ? next_ - kLookBack : 0;
+  for (size_t i = next_; i-- > lowest;) {
+    const int kind = tokens_[i].kind;
+    if (kind == Kind::kCloseParen) ++closed;
+    if (kind == Kind::kOpenParen && closed-- == 0) {
+      if (i > 0 && tokens_[i - 1].kind == Kind::kFor) return true;
+      closed = 0;
+    }
+    if (kind == Kind::kOpenBrace || kind == Kind::kCloseBrace) return false;
+  }
+  return false;
+}
+
+void ParserDriver::RememberNames(size_t begin, size_t end) {
+  for (size_t i = begin; i < end; ++i) {
+    if (tokens_[i].kind == Kind::kName) skipped_names_.insert(tokens_[i].text);
+  }
+}
+
+bool ParserDriver::SkipStatement() {
+  if (resume_) {
+    resume_ = false;
+    return false;
+  }
+  if (last_->kind == Kind::kEnd || last_ == &end_brace_) return false;
+
+  size_t begin = next_ - 1;  // the token at which the error was found
+  const bool in_for = InForHeader();
+  int parens = 0;
+  for (size_t lowest = begin > kLookBack ? begin - kLookBack : 0; begin > lowest; --begin) {
+    const int kind = tokens_[begin - 1].kind;
+    if (kind == Kind::kOpenBrace || kind == Kind::kCloseBrace) break;
+    if (kind == Kind::kSemicolon && !in_for) break;
+    if (kind == Kind::kOpenParen) ++parens;
+    if (kind == Kind::kCloseParen) --parens;
+    if (kind == Kind::kFor) {
+      --begin;
+      break;
+    }
+  }
+
+  size_t at = next_ - 1;
+  if (tokens_[at].kind == Kind::kOpenBrace && !braces_.empty()) braces_.pop_back();
+  int depth = 0;
+  if (tokens_[at].kind == Kind::kCloseBrace) {
+    // It closes a block, unless it belongs to an initialiser, which Next() has taken account of.
+    const bool of_initialiser =
+        std::any_of(tokens_.begin() + static_cast<std::ptrdiff_t>(begin),
+                    tokens_.begin() + static_cast<std::ptrdiff_t>(at),
+                    [](const Token& token) { return token.kind == Kind::kOpenBrace; });
+    if (!of_initialiser) {
+      RememberNames(begin, at);
+      return false;
+    }
+  }
+  while (!braces_.empty() && braces_.back().initialiser) {
+    braces_.pop_back();
+    ++depth;
+  }
+  bool consumed = true;
+  for (;; ++at) {
+    const int kind = tokens_[at].kind;
+    if (kind == Kind::kEnd) break;
+    if (kind == Kind::kOpenParen) ++parens;
+    if (kind == Kind::kCloseParen) --parens;
+    if (kind == Kind::kOpenBrace) ++depth;
+    if (kind == Kind::kCloseBrace) {
+      if (depth == 0) {
+        consumed = at + 1 != next_;
+        break;
+      }
+      if (--depth == 0) {
+        // What follows an initialiser still belongs to the statement.
+        if (at + 1 < tokens_.size() &&
+            (tokens_[at + 1].kind == Kind::kSemicolon || tokens_[at + 1].kind == Kind::kComma)) {
+          continue;
+        }
+        ++at;
+        break;
+      }
+    }
+    if (kind == Kind::kSemicolon && depth == 0 && !(in_for && parens > 0)) {
+      ++at;
+      break;
+    }
+  }
+  RememberNames(begin, at);
+  next_ = at;
+  return consumed;
+}
+
+void ParserDriver::ReportReservedWord(const Token& token) {
+  Message hint;
+  if (token.kind == Kind::kElse) {
+    hint = MakeMessage("there is no 'if' before it", "它之前没有 'if'");
+  } else if (token.text == "sizeof") {
+    hint = MakeMessage("write the number", "请直接写出数值");
+  } else if (token.text == "enum") {
+    hint = MakeMessage("write a #define for each name", "请为每个名称写一条 #define");
+  } else if (token.text == "typedef") {
+    hint = MakeMessage("write int or double", "请直接写 int 或 double");
+  } else {
+    hint = MakeMessage("the only structures are TTrapPrm, TJogPrm and TPid",
+                       "只有 TTrapPrm、TJogPrm 和 TPid 三种结构");
+  }
+  reporter_.Report(Code::kReservedWord, token.range, token.text, hint);
+}
+
+void ParserDriver::SyntaxError(std::span<const Parser::symbol_kind_type> expected) {
+  const auto has = [expected](Parser::symbol_kind_type kind) {
+    return std::find(expected.begin(), expected.end(), kind) != expected.end();
+  };
+  const Token& found = *last_;
+  const int before = previous_ != nullptr ? previous_->kind : Kind::kEnd;
+  const SourceRange after_previous = previous_ != nullptr ? EndOf(previous_->range) : found.range;
+  const Message what = DescribeToken(found);
+  resume_ = false;
+
+  if (found.kind == Kind::kInvalid) return;  // the lexer has reported it
+  if (found.kind == Kind::kHash) {
+    reporter_.Report(Code::kIllegalCharacter, found.range, std::string_view("'#'"));
+    return;
+  }
+  if (before == Kind::kGoto) {
+    reporter_.Report(Code::kMissingLabel, found.range, what);
+    return;
+  }
+  const bool statement_start = has(Symbol::S_If);
+  const bool operand = has(Symbol::S_Integer) && !statement_start;
+  if (found.kind == Kind::kReserved || (found.kind == Kind::kElse && statement_start)) {
+    ReportReservedWord(found);
+    return;
+  }
+  const Token* following = next_ < tokens_.size() ? &tokens_[next_] : nullptr;
+  if (!operand && !statement_start && (found.kind == Kind::kInteger || found.kind == Kind::kName) &&
+      following != nullptr && following->kind == Kind::kCloseBracket) {
+    InsertBefore(reporter_.Report(Code::kMissingOpenBracket, found.range, what), found.range, "[");
+    return;
+  }
+  if (has(Symbol::S_OpenBrace) && before == Kind::kCloseParen && !statement_start) {
+    Diagnostic& diagnostic = reporter_.Report(Code::kMissingOpenBrace, found.range, what);
+    InsertAfter(diagnostic, after_previous, " {");
+    return;
+  }
+  if (found.kind == Kind::kEnd) {
+    const char* wanted = has(Symbol::S_Semicolon) && !statement_start ? "';'"
+                         : has(Symbol::S_CloseParen)                  ? "')'"
+                         : has(Symbol::S_CloseBracket)                ? "']'"
+                                                                      : nullptr;
+    reporter_.Report(Code::kUnexpectedEnd, EndOf(found.range),
+                     wanted != nullptr
+                         ? ToMessage(std::string_view(wanted))
+                         : MakeMessage("the rest of the statement", "语句的其余部分"));
+    return;
+  }
+  if (statement_start) {
+    reporter_.Report(Code::kCannotStart, found.range, what);
+  } else if (operand) {
+    reporter_.Report(Code::kExpectedOperand, found.range, what);
+  } else if (IsTypeWord(before) && has(Symbol::S_Name)) {
+    reporter_.Report(Code::kExpectedName, found.range, what);
+  } else if (has(Symbol::S_Semicolon)) {
+    Diagnostic& diagnostic = reporter_.Report(Code::kMissingSemicolon, after_previous, what);
+    InsertAfter(diagnostic, after_previous, ";");
+    resume_ = found.on_new_line || found.kind == Kind::kCloseBrace;
+  } else if (has(Symbol::S_Int) && before != Kind::kStar) {
+    reporter_.Report(Code::kNotAType, found.range, what,
+                     std::string_view("int, double, long, short"));
+  } else if (has(Symbol::S_CloseParen)) {
+    reporter_.Report(Code::kMissingCloseParen, found.range, what);
+  } else if (has(Symbol::S_CloseBracket)) {
+    reporter_.Report(Code::kMissingCloseBracket, found.range, what);
+  } else if (has(Symbol::S_OpenParen) && !has(Symbol::S_Name)) {
+    reporter_.Report(Code::kMissingOpenParen, found.range, what);
+  } else if (has(Symbol::S_Name)) {
+    reporter_.Report(Code::kExpectedName, found.range, what);
+  } else {
+    reporter_.Report(Code::kUnexpected, found.range, what,
+                     std::string_view(has(Symbol::S_Colon)   ? "':'"
+                                      : has(Symbol::S_While) ? "'while (...);'"
+                                                             : "'}'"));
+  }
+}
+
+void ParserDriver::LimitDepth(Expression& expression) {
+  int depth = 0;
+  for (const ExpressionPtr& operand : expression.operands) {
+    depth = std::max(depth, DepthOf(operand));
+  }
+  expression.depth = depth + 1;
+  if (expression.depth <= kDepthMax) return;
+  if (!too_deep_reported_) {
+    reporter_.Report(Code::kTooDeep, expression.range, int64_t{kDepthMax});
+    too_deep_reported_ = true;
+  }
+  expression.kind = Expression::Kind::kError;
+  expression.operands.clear();
+  expression.depth = 1;
+}
+
+StatementPtr ParserDriver::LimitDepth(StatementPtr statement) {
+  int depth = std::max(
+      {DepthOf(statement->initial), DepthOf(statement->body), DepthOf(statement->else_body)});
+  for (const StatementPtr& item : statement->items) depth = std::max(depth, DepthOf(item));
+  if (statement->function != nullptr) {
+    for (const StatementPtr& item : statement->function->body) {
+      depth = std::max(depth, DepthOf(item));
+    }
+  }
+  statement->depth = depth + 1;
+  if (statement->depth <= kDepthMax) return statement;
+  if (!too_deep_reported_) {
+    reporter_.Report(Code::kTooDeep, statement->keyword, int64_t{kDepthMax});
+    too_deep_reported_ = true;
+  }
+  return MakeStatement(Statement::Kind::kError, statement->range);
+}
+
+ExpressionPtr ParserDriver::Binary(Expression::Kind kind, ExpressionPtr left, const Token* op,
+                                   ExpressionPtr right, SourceRange range) {
+  ExpressionPtr result = MakeExpression(kind, range);
+  result->op = op->text;
+  result->op_range = op->range;
+  result->operands.push_back(std::move(left));
+  result->operands.push_back(std::move(right));
+  LimitDepth(*result);
+  return result;
+}
+
+ExpressionPtr ParserDriver::Unary(Expression::Kind kind, const Token* op, ExpressionPtr operand,
+                                  SourceRange range) {
+  ExpressionPtr result = MakeExpression(kind, range);
+  result->op = op->text;
+  result->op_range = op->range;
+  result->operands.push_back(std::move(operand));
+  LimitDepth(*result);
+  return result;
+}
+
+ExpressionPtr ParserDriver::Conditional(ExpressionPtr condition, const Token* op, ExpressionPtr yes,
+                                        ExpressionPtr no, SourceRange range) {
+  ExpressionPtr result = MakeExpression(Expression::Kind::kConditional, range);
+  result->op = op->text;
+  result->op_range = op->range;
+  result->operands.push_back(std::move(condition));
+  result->operands.push_back(std::move(yes));
+  result->operands.push_back(std::move(no));
+  LimitDepth(*result);
+  return result;
+}
+
+ExpressionPtr ParserDriver::Cast(const Specifiers& type, bool pointer, ExpressionPtr operand,
+                                 SourceRange range) {
+  ExpressionPtr result = MakeExpression(Expression::Kind::kCast, range);
+  // Only a single word can be a type to convert to.
+  if (type.words.size() == 1 && !pointer) result->text = type.words[0]->text;
+  result->op_range = type.range;
+  result->operands.push_back(std::move(operand));
+  LimitDepth(*result);
+  return result;
+}
+
+ExpressionPtr ParserDriver::Index(ExpressionPtr array, ExpressionPtr index, SourceRange range) {
+  ExpressionPtr result = MakeExpression(Expression::Kind::kIndex, range);
+  result->operands.push_back(std::move(array));
+  result->operands.push_back(std::move(index));
+  LimitDepth(*result);
+  return result;
+}
+
+ExpressionPtr ParserDriver::Call(ExpressionPtr callee, std::vector<ExpressionPtr> arguments,
+                                 SourceRange range) {
+  ExpressionPtr result = MakeExpression(Expression::Kind::kCall, range);
+  result->operands.push_back(std::move(callee));
+  for (ExpressionPtr& argument : arguments) result->operands.push_back(std::move(argument));
+  LimitDepth(*result);
+  return result;
+}
+
+ExpressionPtr ParserDriver::Member(ExpressionPtr structure, const Token* op, const Token* name,
+                                   SourceRange range) {
+  ExpressionPtr result = MakeExpression(Expression::Kind::kMember, range);
+  result->op = op->text;
+  result->op_range = name->range;
+  result->text = name->text;
+  result->operands.push_back(std::move(structure));
+  LimitDepth(*result);
+  return result;
+}
+
+ExpressionPtr ParserDriver::Paren(ExpressionPtr inner, SourceRange range) {
+  ExpressionPtr result = MakeExpression(Expression::Kind::kParen, range);
+  result->operands.push_back(std::move(inner));
+  LimitDepth(*result);
+  return result;
+}
+
+ExpressionPtr ParserDriver::Braces(std::vector<ExpressionPtr> values, SourceRange range) {
+  ExpressionPtr result = MakeExpression(Expression::Kind::kBraces, range);
+  result->operands = std::move(values);
+  LimitDepth(*result);
+  return result;
+}
+
+StatementPtr ParserDriver::ExpressionStatement(ExpressionPtr value, SourceRange range) {
+  too_deep_reported_ = false;
+  StatementPtr statement = MakeStatement(
+      value == nullptr ? Statement::Kind::kEmpty : Statement::Kind::kExpression, range);
+  statement->value = std::move(value);
+  return statement;
+}
+
+StatementPtr ParserDriver::BrokenStatement(ExpressionPtr value, SourceRange range) {
+  if (resume_) return ExpressionStatement(std::move(value), range);
+  return MakeStatement(Statement::Kind::kError, range);
+}
+
+StatementPtr ParserDriver::If(SourceRange keyword, ExpressionPtr condition, StatementPtr body,
+                              SourceRange else_keyword, StatementPtr else_body, SourceRange range) {
+  StatementPtr statement = MakeStatement(Statement::Kind::kIf, range);
+  statement->keyword = keyword;
+  statement->value = std::move(condition);
+  statement->body = std::move(body);
+  statement->other = else_keyword;
+  statement->else_body = std::move(else_body);
+  return LimitDepth(std::move(statement));
+}
+
+StatementPtr ParserDriver::Loop(Statement::Kind kind, SourceRange keyword, ExpressionPtr condition,
+                                StatementPtr body, SourceRange range) {
+  StatementPtr statement = MakeStatement(kind, range);
+  statement->keyword = keyword;
+  statement->value = std::move(condition);
+  statement->body = std::move(body);
+  return LimitDepth(std::move(statement));
+}
+
+StatementPtr ParserDriver::For(SourceRange keyword, StatementPtr initial, ExpressionPtr condition,
+                               ExpressionPtr step, StatementPtr body, SourceRange range) {
+  StatementPtr statement = MakeStatement(Statement::Kind::kFor, range);
+  statement->keyword = keyword;
+  statement->initial = std::move(initial);
+  statement->value = std::move(condition);
+  statement->step = std::move(step);
+  statement->body = std::move(body);
+  return LimitDepth(std::move(statement));
+}
+
+StatementPtr ParserDriver::Return(SourceRange keyword, ExpressionPtr value, SourceRange range) {
+  too_deep_reported_ = false;
+  StatementPtr statement = MakeStatement(Statement::Kind::kReturn, range);
+  statement->keyword = keyword;
+  statement->value = std::move(value);
+  return statement;
+}
+
+StatementPtr ParserDriver::FunctionItem(std::unique_ptr<Function> function, SourceRange range) {
+  StatementPtr statement = MakeStatement(Statement::Kind::kFunction, range);
+  statement->keyword = function->header;
+  statement->function = std::move(function);
+  return LimitDepth(std::move(statement));
+}
+
+StatementPtr ParserDriver::Block(std::vector<StatementPtr> items, SourceRange range) {
+  StatementPtr statement = MakeStatement(Statement::Kind::kBlock, range);
+  statement->items = std::move(items);
+  statement->keyword = range;
+  statement->keyword.end = range.begin + 1;
+  return LimitDepth(std::move(statement));
+}
+
+SourceRange Join(SourceRange first, SourceRange last) {
+  if (first.file != last.file || last.end < first.begin) return last;
+  return {first.file, first.begin, last.end};
+}
+
+void Append(std::vector<StatementPtr>& items, StatementPtr item) {
+  items.push_back(std::move(item));
+}
+
+StatementPtr MakeStatement(Statement::Kind kind, SourceRange range) {
+  StatementPtr statement = std::make_unique<Statement>();
+  statement->kind = kind;
+  statement->range = statement->keyword = range;
+  return statement;
+}
+
+StatementPtr MakeNamed(Statement::Kind kind, const Token* name, SourceRange name_range,
+                       SourceRange range) {
+  StatementPtr statement = MakeStatement(kind, range);
+  statement->name = name->text;
+  statement->name_range = name_range;
+  return statement;
+}
+
+StatementPtr MakeDeclaration(Specifiers specifiers, std::vector<Declarator> declarators,
+                             SourceRange range) {
+  StatementPtr statement = MakeStatement(Statement::Kind::kDeclaration, range);
+  statement->keyword = specifiers.range;
+  statement->specifiers = std::move(specifiers);
+  statement->declarators = std::move(declarators);
+  return statement;
+}
+
+ExpressionPtr MakeExpression(Expression::Kind kind, SourceRange range) {
+  ExpressionPtr expression = std::make_unique<Expression>();
+  expression->kind = kind;
+  expression->range = range;
+  return expression;
+}
+
+ExpressionPtr MakeLiteral(const Token* token, SourceRange range) {
+  ExpressionPtr expression = MakeExpression(Expression::Kind::kLiteral, range);
+  expression->literal = token->literal;
+  expression->text = token->text;
+  return expression;
+}
+
+std::unique_ptr<Function> MakeFunction(Specifiers specifiers, bool pointer, const Token* name,
+                                       std::vector<ParameterDeclaration> parameters,
+                                       SourceRange range) {
+  auto function = std::make_unique<Function>();
+  function->header = range;
+  function->name = name->text;
+  function->name_range = name->range;
+  function->specifiers = std::move(specifiers);
+  function->pointer = pointer;
+  function->parameters = std::move(parameters);
+  return function;
+}
+
+void CloseFunction(Function& function, SourceRange open_brace, std::vector<StatementPtr> body,
+                   SourceRange close_brace) {
+  function.open_brace = open_brace;
+  function.close_brace = close_brace;
+  function.body = std::move(body);
+}
+
+}  // namespace oncard::compiler

@@ -1,0 +1,114 @@
+// What the generated parser works with: the tokens, the tree under construction, and the judgement
+// of syntax errors.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <unordered_set>
+#include <vector>
+
+#include "compiler/parser.h"
+#include "compiler/reporter.h"
+#include "compiler/syntax.h"
+
+namespace oncard::compiler {
+
+class ParserDriver {
+ public:
+  /// `tokens` end with an end token and must outlive the tree.
+  ParserDriver(std::span<const Token> tokens, Reporter& reporter)
+      : tokens_(tokens), reporter_(reporter) {}
+
+  Tree tree;
+
+  /// Names inside statements that were skipped: they may have been declarations or labels, so
+  /// nothing is said about them any more.
+  const std::unordered_set<std::string_view>& skipped_names() const { return skipped_names_; }
+
+  // --- For the parser --------------------------------------------------------------------------
+
+  /// The next token. At the end of the file, closes the braces that are still open.
+  int Next(Parser::semantic_type* value, SourceRange* location);
+  /// Reports a syntax error at the token that Next() gave last.
+  void SyntaxError(std::span<const Parser::symbol_kind_type> expected);
+  /// Passes over the rest of a statement that has a syntax error. Returns false when the last token
+  /// is good for the next statement.
+  bool SkipStatement();
+  /// The `{` of a function's body is missing and taken as written.
+  void OpenMissingBrace();
+
+  // --- Building blocks of the tree that need the reporter -------------------------------------
+
+  /// Replaces a tree that is too deep by an error.
+  void LimitDepth(Expression& expression);
+  StatementPtr LimitDepth(StatementPtr statement);
+
+  ExpressionPtr Binary(Expression::Kind kind, ExpressionPtr left, const Token* op,
+                       ExpressionPtr right, SourceRange range);
+  ExpressionPtr Unary(Expression::Kind kind, const Token* op, ExpressionPtr operand,
+                      SourceRange range);
+  ExpressionPtr Conditional(ExpressionPtr condition, const Token* op, ExpressionPtr yes,
+                            ExpressionPtr no, SourceRange range);
+  ExpressionPtr Cast(const Specifiers& type, bool pointer, ExpressionPtr operand,
+                     SourceRange range);
+  ExpressionPtr Index(ExpressionPtr array, ExpressionPtr index, SourceRange range);
+  ExpressionPtr Call(ExpressionPtr callee, std::vector<ExpressionPtr> arguments, SourceRange range);
+  ExpressionPtr Member(ExpressionPtr structure, const Token* op, const Token* name,
+                       SourceRange range);
+  ExpressionPtr Paren(ExpressionPtr inner, SourceRange range);
+  ExpressionPtr Braces(std::vector<ExpressionPtr> values, SourceRange range);
+
+  /// `value` may be nullptr: an empty statement.
+  StatementPtr ExpressionStatement(ExpressionPtr value, SourceRange range);
+  /// An expression after which the `;` is missing, or more.
+  StatementPtr BrokenStatement(ExpressionPtr value, SourceRange range);
+  StatementPtr If(SourceRange keyword, ExpressionPtr condition, StatementPtr body,
+                  SourceRange else_keyword, StatementPtr else_body, SourceRange range);
+  StatementPtr Loop(Statement::Kind kind, SourceRange keyword, ExpressionPtr condition,
+                    StatementPtr body, SourceRange range);
+  StatementPtr For(SourceRange keyword, StatementPtr initial, ExpressionPtr condition,
+                   ExpressionPtr step, StatementPtr body, SourceRange range);
+  StatementPtr Return(SourceRange keyword, ExpressionPtr value, SourceRange range);
+  StatementPtr FunctionItem(std::unique_ptr<Function> function, SourceRange range);
+  StatementPtr Block(std::vector<StatementPtr> items, SourceRange range);
+
+ private:
+  bool InForHeader() const;
+  void RememberNames(size_t begin, size_t end);
+  void ReportReservedWord(const Token& token);
+
+  std::span<const Token> tokens_;
+  Reporter& reporter_;
+  size_t next_ = 0;
+  const Token* last_ = nullptr;      // what Next() gave last
+  const Token* previous_ = nullptr;  // and before that
+  Token end_brace_;                  // stands for a `}` that is missing at the end
+  struct Brace {
+    SourceRange place;
+    bool initialiser;
+  };
+  std::vector<Brace> braces_;  // those that are open
+  bool end_reported_ = false;
+  bool resume_ = false;
+  bool too_deep_reported_ = false;
+  std::unordered_set<std::string_view> skipped_names_;
+};
+
+/// The range from the first to the last; when they lie in different files, the last alone.
+SourceRange Join(SourceRange first, SourceRange last);
+
+void Append(std::vector<StatementPtr>& items, StatementPtr item);
+StatementPtr MakeStatement(Statement::Kind kind, SourceRange range);
+StatementPtr MakeNamed(Statement::Kind kind, const Token* name, SourceRange name_range,
+                       SourceRange range);
+StatementPtr MakeDeclaration(Specifiers specifiers, std::vector<Declarator> declarators,
+                             SourceRange range);
+ExpressionPtr MakeExpression(Expression::Kind kind, SourceRange range);
+ExpressionPtr MakeLiteral(const Token* token, SourceRange range);
+std::unique_ptr<Function> MakeFunction(Specifiers specifiers, bool pointer, const Token* name,
+                                       std::vector<ParameterDeclaration> parameters,
+                                       SourceRange range);
+void CloseFunction(Function& function, SourceRange open_brace, std::vector<StatementPtr> body,
+                   SourceRange close_brace);
+
+}  // namespace oncard::compiler

@@ -1,0 +1,462 @@
+// Expressions: splits them into operations that one statement can do.
+#include "compiler/rewriter.h"
+
+#include <algorithm>
+
+namespace oncard::compiler {
+namespace {
+
+using vm::DataType;
+
+const Expression& Unwrapped(const Expression& expression) {
+  const Expression* inner = &expression;
+  while (inner->kind == Expression::Kind::kParen) inner = inner->operands[0].get();
+  return *inner;
+}
+
+bool IsRelation(std::string_view op) {
+  return op == "<" || op == ">" || op == "<=" || op == ">=" || op == "==" || op == "!=";
+}
+
+bool IsIntOnly(std::string_view op) {
+  return op == "%" || op == "&" || op == "|" || op == "^" || op == "<<" || op == ">>";
+}
+
+std::string_view Opposite(std::string_view op) {
+  if (op == "<") return ">=";
+  if (op == ">") return "<=";
+  if (op == "<=") return ">";
+  if (op == ">=") return "<";
+  return op == "==" ? "!=" : "==";
+}
+
+}  // namespace
+
+Rewriter::Value Rewriter::Fail() {
+  ok_ = false;
+  return {};
+}
+
+std::string Rewriter::Temporary(std::string_view base, DataType type) {
+  std::string name = checker_.fresh_.Make(base);
+  declarations_.push_back(
+      fmt::format("{} {};", type == DataType::kDouble ? "double" : "int", name));
+  return name;
+}
+
+std::string Rewriter::ConditionVariable() {
+  if (condition_variable_.empty()) condition_variable_ = Temporary("cc", DataType::kInt);
+  return condition_variable_;
+}
+
+std::string Rewriter::Label(std::string_view base) { return checker_.fresh_.Make(base); }
+
+std::string Rewriter::OutputVariable(std::string_view base, DataType type) {
+  return Temporary(base, type);
+}
+
+Rewriter::Value Rewriter::Operand(Value value) {
+  if (value.leaf) return value;
+  const std::string name = Temporary("tmp", value.type);
+  Emit(fmt::format("{} = {};", name, value.text));
+  return {name, value.type, true, false, true};
+}
+
+Rewriter::Value Rewriter::Converted(Value value, DataType type) {
+  if (value.type == type) return value;
+  // A literal int is a double beside one.
+  if (value.literal && type == DataType::kDouble) {
+    value.type = type;
+    return value;
+  }
+  const Value operand = Operand(std::move(value));
+  return {fmt::format("({}) {}", type == DataType::kDouble ? "double" : "int", operand.text), type,
+          false};
+}
+
+void Rewriter::Assign(const Value& target, Value value) {
+  value = Converted(std::move(value), target.type);
+  if (value.leaf && value.text == target.text) return;
+  Emit(fmt::format("{} = {};", target.text, value.text));
+}
+
+// The text of an index that the language allows: a literal or an int variable.
+std::string Rewriter::IndexText(const Expression& expression) {
+  Value index = Lower(expression);
+  if (!ok_) return {};
+  index = Converted(std::move(index), DataType::kInt);
+  if (index.leaf && (index.literal || index.variable)) return index.text;
+  if (!index.leaf) return Operand(std::move(index)).text;
+  const std::string name = Temporary("tmp", DataType::kInt);
+  Emit(fmt::format("{} = {};", name, index.text));
+  return name;
+}
+
+// The flat index of a[i][j]: ((i * second dimension) + j), and so on.
+std::string Rewriter::FlatIndex(const Expression& expression, const Entity& array) {
+  std::vector<const Expression*> indices;
+  for (const Expression* level = &expression; level->kind == Expression::Kind::kIndex;
+       level = level->operands[0].get()) {
+    indices.insert(indices.begin(), level->operands[1].get());
+  }
+  if (indices.size() != array.dimensions.size()) return Fail().text;
+  bool constant = true;
+  int64_t flat = 0;
+  for (size_t i = 0; i < indices.size(); ++i) {
+    const std::optional<Literal> literal = checker_.ConstantOf(*indices[i]);
+    const std::optional<int32_t> value = literal ? IntValue(*literal) : std::nullopt;
+    constant = constant && value.has_value();
+    if (constant) flat = flat * array.dimensions[i] + *value;
+  }
+  if (constant) return std::to_string(flat);
+  std::string result = IndexText(*indices[0]);
+  for (size_t i = 1; i < indices.size() && ok_; ++i) {
+    const std::string next = IndexText(*indices[i]);
+    const std::string row = Temporary("tmp", DataType::kInt);
+    Emit(fmt::format("{} = {} * {};", row, result, array.dimensions[i]));
+    Emit(fmt::format("{} = {} + {};", row, row, next));
+    result = row;
+  }
+  return result;
+}
+
+Rewriter::Value Rewriter::LeafIndex(const Expression& expression) {
+  const Expression* base = &expression;
+  while (base->kind == Expression::Kind::kIndex) base = base->operands[0].get();
+  if (base->kind != Expression::Kind::kName) return Fail();
+  const Entity* array = checker_.Lookup(base->text);
+  if (array == nullptr || array->invalid || array->array_size == 0) return Fail();
+  const Entity copy = *array;
+  const std::string index = copy.dimensions.size() > 1 ? FlatIndex(expression, copy)
+                            : expression.operands[0].get() == base
+                                ? IndexText(*expression.operands[1])
+                                : Fail().text;
+  return {fmt::format("{}[{}]", base->text, index), copy.type, true};
+}
+
+Rewriter::Value Rewriter::Leaf(const Expression& expression) {
+  if (const std::optional<Literal> constant = checker_.ConstantOf(expression)) {
+    return {std::string(Source(expression.range)),
+            constant->kind == Literal::Kind::kFixed ? DataType::kDouble : DataType::kInt, true,
+            true};
+  }
+  if (expression.kind == Expression::Kind::kIndex) return LeafIndex(expression);
+  const Expression& name =
+      expression.kind == Expression::Kind::kMember ? *expression.operands[0] : expression;
+  if (name.kind != Expression::Kind::kName) return Fail();
+  const Entity* entity = checker_.Lookup(name.text);
+  if (entity == nullptr || entity->invalid || entity->kind != Entity::Kind::kVariable ||
+      entity->array_size != 0) {
+    return Fail();
+  }
+  if (expression.kind == Expression::Kind::kName) {
+    if (entity->structure != nullptr) return Fail();
+    return {std::string(expression.text), entity->type, true, false, true};
+  }
+  if (entity->structure == nullptr) return Fail();
+  for (const gtcalls::Member& member : entity->structure->members) {
+    if (member.name == expression.text) {
+      return {fmt::format("{}.{}", name.text, member.name), gtcalls::ProgramType(member.type),
+              true};
+    }
+  }
+  return Fail();
+}
+
+Rewriter::Value Rewriter::Target(const Expression& expression) {
+  const Expression& inner = Unwrapped(expression);
+  if (checker_.ConstantOf(inner) || !Checker::IsLeaf(inner)) return Fail();
+  return Leaf(inner);
+}
+
+Rewriter::Value Rewriter::LowerBinary(Value left, std::string_view op, Value right) {
+  if (op == "&&" || op == "||") {
+    for (Value* side : {&left, &right}) {
+      if (side->type != DataType::kDouble) continue;
+      *side = {fmt::format("{} != 0.0", side->text), DataType::kInt, false};
+      *side = Operand(std::move(*side));
+    }
+  } else if (left.type != right.type) {
+    if (IsIntOnly(op)) return Fail();
+    left = Operand(Converted(std::move(left), DataType::kDouble));
+    right = Operand(Converted(std::move(right), DataType::kDouble));
+  } else if (left.type == DataType::kDouble && IsIntOnly(op)) {
+    return Fail();
+  }
+  const DataType type = IsRelation(op) || op == "&&" || op == "||" ? DataType::kInt : left.type;
+  return {fmt::format("{} {} {}", left.text, op, right.text), type, false};
+}
+
+Rewriter::Value Rewriter::LowerStep(const Expression& expression, bool value_used) {
+  const Value target = Target(*expression.operands[0]);
+  if (!ok_) return {};
+  Value result = target;
+  if (value_used && expression.kind == Expression::Kind::kPostfix) {
+    result = {Temporary("tmp", target.type), target.type, true, false, true};
+    Emit(fmt::format("{} = {};", result.text, target.text));
+  }
+  Emit(fmt::format("{} = {} {} 1;", target.text, target.text, expression.op.substr(1)));
+  return result;
+}
+
+Rewriter::Value Rewriter::LowerAssignment(const Expression& expression) {
+  const Value target = Target(*expression.operands[0]);
+  if (!ok_) return {};
+  Value value = Lower(*expression.operands[1]);
+  if (!ok_) return {};
+  if (expression.kind == Expression::Kind::kCompound) {
+    const std::string_view op = expression.op.substr(0, expression.op.size() - 1);
+    value = LowerBinary(target, op, Operand(std::move(value)));
+    if (!ok_) return {};
+  }
+  Assign(target, std::move(value));
+  return target;
+}
+
+Rewriter::Value Rewriter::LowerUnary(const Expression& expression) {
+  if (expression.op == "++" || expression.op == "--") return LowerStep(expression, true);
+  Value inner = Lower(*expression.operands[0]);
+  if (!ok_) return {};
+  if (expression.op == "+") return inner;
+  inner = Operand(std::move(inner));
+  if (expression.op == "-") {
+    if (inner.literal && inner.text.front() != '-') {
+      inner.text.insert(0, 1, '-');
+      return inner;
+    }
+    return {fmt::format("0 - {}", inner.text), inner.type, false};
+  }
+  if (expression.op == "!") {
+    if (inner.type == DataType::kDouble) {
+      return {fmt::format("{} == 0.0", inner.text), DataType::kInt, false};
+    }
+    return {fmt::format("!{}", inner.text), DataType::kInt, false};
+  }
+  if (expression.op == "~" && inner.type == DataType::kInt) {
+    return {fmt::format("~{}", inner.text), DataType::kInt, false};
+  }
+  return Fail();
+}
+
+Rewriter::Value Rewriter::LowerConditional(const Expression& expression) {
+  const std::string otherwise = Label("lbl_else");
+  const std::string end = Label("lbl_end");
+  JumpIf(*expression.operands[0], true, otherwise);
+  // The type of both branches must be known before the first one is assigned.
+  Rewriter trial(checker_, diagnostic_);
+  const Value yes_type = trial.Lower(*expression.operands[1]);
+  const Value no_type = trial.Lower(*expression.operands[2]);
+  if (!ok_ || !trial.ok_) return Fail();
+  const DataType type = yes_type.type == DataType::kDouble || no_type.type == DataType::kDouble
+                            ? DataType::kDouble
+                            : DataType::kInt;
+  const Value result = {Temporary("tmp", type), type, true, false, true};
+  Assign(result, Lower(*expression.operands[1]));
+  Emit(fmt::format("goto {};", end));
+  EmitLabel(otherwise);
+  Assign(result, Lower(*expression.operands[2]));
+  EmitLabel(end);
+  return result;
+}
+
+Rewriter::Value Rewriter::LowerCall(const Expression& expression) {
+  const Expression& callee = *expression.operands[0];
+  if (callee.kind != Expression::Kind::kName || checker_.Lookup(callee.text) != nullptr ||
+      (callee.text != "abs" && callee.text != "fabs") || expression.operands.size() != 2) {
+    return Fail();
+  }
+  const DataType type = callee.text == "fabs" ? DataType::kDouble : DataType::kInt;
+  Value operand = Lower(*expression.operands[1]);
+  if (!ok_) return {};
+  operand = Operand(Converted(Operand(std::move(operand)), type));
+  return {fmt::format("{}({})", callee.text, operand.text), type, false};
+}
+
+Rewriter::Value Rewriter::Lower(const Expression& expression) {
+  if (!ok_) return {};
+  if (Checker::IsLeaf(expression) || checker_.ConstantOf(expression)) return Leaf(expression);
+  switch (expression.kind) {
+    case Expression::Kind::kParen:
+      return Lower(*expression.operands[0]);
+    case Expression::Kind::kUnary:
+      return LowerUnary(expression);
+    case Expression::Kind::kPostfix:
+      return LowerStep(expression, true);
+    case Expression::Kind::kAssign:
+    case Expression::Kind::kCompound:
+      return LowerAssignment(expression);
+    case Expression::Kind::kConditional:
+      return LowerConditional(expression);
+    case Expression::Kind::kCall:
+      return LowerCall(expression);
+    case Expression::Kind::kComma:
+      LowerEffect(*expression.operands[0]);
+      return Lower(*expression.operands[1]);
+    case Expression::Kind::kCast: {
+      Value inner = Lower(*expression.operands[0]);
+      if (!ok_ || expression.text.empty()) return Fail();
+      const DataType type = expression.text == "double" ? DataType::kDouble : DataType::kInt;
+      if (inner.type == type) return inner;
+      inner = Operand(std::move(inner));
+      return {fmt::format("({}) {}", expression.text, inner.text), type, false};
+    }
+    case Expression::Kind::kBinary: {
+      Value left = Operand(Lower(*expression.operands[0]));
+      Value right = Operand(Lower(*expression.operands[1]));
+      if (!ok_) return {};
+      return LowerBinary(std::move(left), expression.op, std::move(right));
+    }
+    default:
+      return Fail();
+  }
+}
+
+void Rewriter::LowerCommand(const Expression& call) {
+  const gtcalls::Command* command = gtcalls::FindCommand(call.operands[0]->text);
+  if (command == nullptr || !command->in_motion_program ||
+      command->parameters.size() != call.operands.size() - 1) {
+    ok_ = false;
+    return;
+  }
+  std::string text = std::string(command->name) + '(';
+  for (size_t i = 0; i < command->parameters.size(); ++i) {
+    const gtcalls::Parameter& parameter = command->parameters[i];
+    const Expression& argument = *call.operands[i + 1];
+    if (i > 0) text += ", ";
+    if (argument.kind == Expression::Kind::kUnary && argument.op == "&") {
+      const Expression& variable = *argument.operands[0];
+      text += '&';
+      text += variable.kind == Expression::Kind::kIndex ? LeafIndex(variable).text
+                                                        : std::string(Source(variable.range));
+      continue;
+    }
+    Value value = Lower(argument);
+    if (!ok_) return;
+    text += Operand(Converted(std::move(value), gtcalls::ProgramType(parameter.type))).text;
+  }
+  Emit(text + ");");
+}
+
+void Rewriter::LowerEffect(const Expression& expression) {
+  const Expression& inner = Unwrapped(expression);
+  if (!ok_) return;
+  switch (inner.kind) {
+    case Expression::Kind::kAssign: {
+      // `rtn = GT_...`: the return code goes to the thread's status.
+      const Expression& value = Unwrapped(*inner.operands[1]);
+      if (value.kind == Expression::Kind::kCall &&
+          value.operands[0]->kind == Expression::Kind::kName &&
+          gtcalls::FindCommand(value.operands[0]->text) != nullptr) {
+        LowerCommand(value);
+        return;
+      }
+      LowerAssignment(inner);
+      return;
+    }
+    case Expression::Kind::kCompound:
+      LowerAssignment(inner);
+      return;
+    case Expression::Kind::kComma:
+      LowerEffect(*inner.operands[0]);
+      LowerEffect(*inner.operands[1]);
+      return;
+    case Expression::Kind::kCall:
+      if (inner.operands[0]->kind == Expression::Kind::kName) {
+        LowerCommand(inner);
+      } else {
+        ok_ = false;
+      }
+      return;
+    case Expression::Kind::kPostfix:
+      LowerStep(inner, false);
+      return;
+    case Expression::Kind::kUnary:
+      if (inner.op == "++" || inner.op == "--") {
+        LowerStep(inner, false);
+        return;
+      }
+      ok_ = false;
+      return;
+    default:
+      ok_ = false;
+  }
+}
+
+void Rewriter::Initialise(const Declarator& declarator, const Entity& entity) {
+  const Entity copy = entity;  // lowering may declare more names
+  if (copy.structure != nullptr) {
+    ok_ = false;
+    return;
+  }
+  const std::string name(copy.name);
+  if (declarator.initialiser->kind == Expression::Kind::kBraces) {
+    const std::vector<ExpressionPtr>& values = declarator.initialiser->operands;
+    if (copy.array_size == 0 || copy.dimensions.size() > 1 || values.size() > copy.array_size) {
+      ok_ = false;
+      return;
+    }
+    for (size_t i = 0; i < values.size() && ok_; ++i) {
+      const Value target = {fmt::format("{}[{}]", name, i), copy.type, true};
+      Value value = Lower(*values[i]);
+      if (ok_) Assign(target, std::move(value));
+    }
+    return;
+  }
+  if (copy.array_size != 0) {
+    ok_ = false;
+    return;
+  }
+  Value value = Lower(*declarator.initialiser);
+  if (ok_) Assign({name, copy.type, true, false, true}, std::move(value));
+}
+
+Rewriter::Condition Rewriter::LowerCondition(const Expression& expression, bool negate) {
+  const Expression& inner = Unwrapped(expression);
+  if (inner.kind == Expression::Kind::kUnary && inner.op == "!") {
+    return LowerCondition(*inner.operands[0], !negate);
+  }
+  if (const std::optional<Literal> constant = checker_.ConstantOf(inner)) {
+    const bool zero = constant->kind == Literal::Kind::kInteger
+                          ? IntValue(*constant).value_or(1) == 0
+                          : constant->magnitude == 0;
+    return {true, zero == negate, {}};
+  }
+  Value value;
+  if (inner.kind == Expression::Kind::kBinary && IsRelation(inner.op)) {
+    Value left = Operand(Lower(*inner.operands[0]));
+    Value right = Operand(Lower(*inner.operands[1]));
+    if (!ok_) return {};
+    value = LowerBinary(std::move(left), negate ? Opposite(inner.op) : inner.op, std::move(right));
+    negate = false;
+  } else {
+    value = Lower(inner);
+    if (!ok_) return {};
+    if (value.type == DataType::kDouble) {
+      const Value operand = Operand(std::move(value));
+      value = {fmt::format("{} {} 0.0", operand.text, negate ? "==" : "!="), DataType::kInt, false};
+      negate = false;
+    }
+  }
+  if (!ok_) return {};
+  if (value.leaf && value.variable && !negate) return {false, false, value.text};
+  const std::string variable = ConditionVariable();
+  if (negate && value.leaf) {
+    Emit(fmt::format("{} = !{};", variable, value.text));
+  } else {
+    Emit(fmt::format("{} = {};", variable, value.text));
+    if (negate) Emit(fmt::format("{0} = !{0};", variable));
+  }
+  return {false, false, variable};
+}
+
+void Rewriter::JumpIf(const Expression& condition, bool negate, const std::string& label) {
+  const Condition result = LowerCondition(condition, negate);
+  if (!ok_) return;
+  if (!result.constant) {
+    Emit(fmt::format("if ({}) goto {};", result.variable, label));
+  } else if (result.truth) {
+    Emit(fmt::format("goto {};", label));
+  }
+}
+
+}  // namespace oncard::compiler

@@ -1,0 +1,313 @@
+// Statements: the goto form of loops and branches, and the edits that put it into the text.
+#include <algorithm>
+
+#include "compiler/rewriter.h"
+
+namespace oncard::compiler {
+namespace {
+
+SourceRange Between(SourceRange first, uint32_t begin, uint32_t end) {
+  return {first.file, begin, std::max(begin, end)};
+}
+
+}  // namespace
+
+// A line end with the indentation of the line that holds the range.
+std::string Rewriter::Separator(SourceRange range) const {
+  const SourceFile& file = checker_.files_[static_cast<size_t>(range.file)];
+  const std::string_view line = file.Line(file.LineOf(range.begin));
+  const size_t indent = std::min(line.find_first_not_of(" \t"), line.size());
+  const bool carriage_return = file.text().find("\r\n") != std::string::npos;
+  return (carriage_return ? "\r\n" : "\n") + std::string(line.substr(0, indent));
+}
+
+// Replaces a range by the collected lines, with something before and after them.
+void Rewriter::Substitute(SourceRange range, const Statement& near, std::string_view before,
+                          std::string_view after) {
+  const std::string separator = Separator(near.range);
+  std::string text(before);
+  for (size_t i = 0; i < lines_.size(); ++i) {
+    if (i > 0) text += separator;
+    text += lines_[i];
+  }
+  text += after;
+  lines_.clear();
+  edits_.push_back({range, std::move(text)});
+}
+
+void Rewriter::Finish() {
+  if (!ok_) return;
+  // Statements before temporaries' declarations: edits are kept in the order of the text.
+  if (!declarations_.empty() && checker_.function_ != nullptr) {
+    const SourceRange at = checker_.function_->declarations_end;
+    const bool after_brace = at.begin == checker_.function_->syntax->open_brace.end;
+    const std::vector<StatementPtr>& body = checker_.function_->syntax->body;
+    std::string separator = body.empty() ? "\n" : Separator(body.front()->range);
+    if (after_brace && !body.empty() &&
+        separator == Separator(checker_.function_->syntax->header)) {
+      separator += "  ";
+    }
+    std::string text;
+    for (const std::string& declaration : declarations_) text += separator + declaration;
+    edits_.insert(edits_.begin(), {at, std::move(text)});
+  }
+  for (FixIt& edit : edits_) diagnostic_.fixits.push_back(std::move(edit));
+  edits_.clear();
+  declarations_.clear();
+}
+
+void Rewriter::AddDeclaration(std::string text) { declarations_.push_back(std::move(text)); }
+
+void Rewriter::InsertAtFirstStatement() {
+  SourceRange at = checker_.function_->statements_begin;
+  at.end = at.begin;
+  const bool at_end = at.begin == checker_.function_->syntax->close_brace.begin;
+  const std::string separator = Separator(at);
+  std::string text;
+  for (const std::string& line : lines_) text += (at_end ? "  " : "") + line + separator;
+  lines_.clear();
+  if (!text.empty()) edits_.push_back({at, std::move(text)});
+  Finish();
+}
+
+void Rewriter::ReplaceStatement(SourceRange range, const Place& place) {
+  if (!ok_) return;
+  Statement near;
+  near.range = range;
+  if (lines_.empty()) {
+    // What a label in front of it needs is a statement.
+    edits_.push_back({range, ";"});
+  } else if (place.single && lines_.size() > 1) {
+    Substitute(range, near, "{ ", " }");
+  } else {
+    Substitute(range, near, "", "");
+  }
+  Finish();
+}
+
+void Rewriter::EmitEndLabel(const std::string& label, const Place& place) {
+  EmitLabel(label);
+  if (!place.followed) Emit("return;");
+}
+
+void Rewriter::RewriteSimple(const Statement& statement, const Place& place) {
+  switch (statement.kind) {
+    case Statement::Kind::kExpression:
+      LowerEffect(*statement.value);
+      break;
+    case Statement::Kind::kReturn: {
+      Value value = Lower(*statement.value);
+      if (!ok_) return;
+      value = Operand(Converted(std::move(value), checker_.function_->out.return_type));
+      Emit(fmt::format("return {};", value.text));
+      break;
+    }
+    case Statement::Kind::kIf: {
+      const Statement& body = *statement.body;
+      const bool value_is_plain =
+          body.kind == Statement::Kind::kGoto || body.value == nullptr ||
+          ((Checker::IsLeaf(*body.value) || checker_.ConstantOf(*body.value)) &&
+           Leaf(*body.value).type == checker_.function_->out.return_type && lines_.empty());
+      if (!ok_) return;
+      if (value_is_plain) {
+        const Condition condition = LowerCondition(*statement.value, false);
+        if (!ok_) return;
+        std::string text(Source(body.range));
+        if (text.back() != ';') text += ';';
+        if (!condition.constant) {
+          Emit(fmt::format("if ({}) {}", condition.variable, text));
+        } else if (condition.truth) {
+          Emit(std::move(text));
+        }
+        break;
+      }
+      // The value of `return` must not be computed when the condition does not hold.
+      lines_.clear();
+      const std::string skip = Label("lbl_skip");
+      JumpIf(*statement.value, true, skip);
+      Value value = Lower(*body.value);
+      if (!ok_) return;
+      value = Operand(Converted(std::move(value), checker_.function_->out.return_type));
+      Emit(fmt::format("return {};", value.text));
+      EmitEndLabel(skip, place);
+      break;
+    }
+    default:
+      ok_ = false;
+  }
+  ReplaceStatement(statement.range, place);
+}
+
+// From `first` to where the body begins; a block's brace belongs to it.
+SourceRange Rewriter::Head(SourceRange first, const Statement& body) const {
+  const bool block = body.kind == Statement::Kind::kBlock;
+  return Between(first, first.begin, block ? body.range.begin + 1 : body.range.begin);
+}
+
+// From where the body ends to the end of `last`.
+SourceRange Rewriter::Tail(const Statement& body, SourceRange last) const {
+  const bool block = body.kind == Statement::Kind::kBlock;
+  return Between(body.range, block ? body.range.end - 1 : body.range.end, last.end);
+}
+
+void Rewriter::FindJumps(const Statement& statement, const std::string& break_label,
+                         const std::string& continue_label, Jumps* jumps) {
+  const bool is_break = statement.kind == Statement::Kind::kBreak && !break_label.empty();
+  const bool is_continue = statement.kind == Statement::Kind::kContinue && !continue_label.empty();
+  if (is_break || is_continue) {
+    (is_break ? jumps->breaks : jumps->continues) = true;
+    edits_.push_back(
+        {statement.range, fmt::format("goto {};", is_break ? break_label : continue_label)});
+    return;
+  }
+  const bool loop = statement.kind == Statement::Kind::kWhile ||
+                    statement.kind == Statement::Kind::kDo ||
+                    statement.kind == Statement::Kind::kFor;
+  if (loop) return;
+  // A switch takes the breaks, but not the continues.
+  const std::string inner_break =
+      statement.kind == Statement::Kind::kSwitch ? std::string() : break_label;
+  if (statement.body != nullptr) {
+    FindJumps(*statement.body, inner_break, continue_label, jumps);
+  }
+  if (statement.else_body != nullptr) {
+    FindJumps(*statement.else_body, inner_break, continue_label, jumps);
+  }
+  for (const StatementPtr& item : statement.items) {
+    FindJumps(*item, inner_break, continue_label, jumps);
+  }
+}
+
+Rewriter::Jumps Rewriter::ReplaceJumps(const Statement& body, const std::string& break_label,
+                                       const std::string& continue_label) {
+  Jumps jumps;
+  FindJumps(body, break_label, continue_label, &jumps);
+  return jumps;
+}
+
+void Rewriter::RewriteLoop(const Statement& statement, const Place& place) {
+  const std::string_view open = place.single ? "{ " : "";
+  const std::string_view close = place.single ? " }" : "";
+  const Statement& body = *statement.body;
+  const bool is_do = statement.kind == Statement::Kind::kDo;
+  const bool is_while = statement.kind == Statement::Kind::kWhile;
+  const std::string separator = Separator(statement.range);
+  const std::string loop = Label("lbl_loop");
+  const std::string end = Label("lbl_end");
+  const std::string next = is_while ? loop : Label("lbl_next");
+
+  if (statement.initial != nullptr) {
+    const Statement& initial = *statement.initial;
+    if (initial.kind == Statement::Kind::kExpression) LowerEffect(*initial.value);
+    for (const Declarator& declarator : initial.declarators) {
+      const Entity* entity = checker_.function_->locals.Find(declarator.name);
+      if (entity == nullptr) {
+        ok_ = false;
+      } else if (declarator.initialiser != nullptr) {
+        Initialise(declarator, *entity);
+      }
+    }
+  }
+  EmitLabel(loop);
+  bool leaves = false;  // the condition can jump to the end
+  if (!is_do && statement.value != nullptr) {
+    const size_t before = lines_.size();
+    JumpIf(*statement.value, true, end);
+    leaves = lines_.size() > before;
+  }
+  if (!ok_) return;
+  const bool block = body.kind == Statement::Kind::kBlock;
+  Substitute(Head(statement.range, body), statement, open, block ? "" : separator);
+  const Jumps jumps = ReplaceJumps(body, end, next);
+
+  if (jumps.continues && !is_while) EmitLabel(next);
+  if (is_do) {
+    JumpIf(*statement.value, false, loop);
+  } else {
+    if (statement.step != nullptr) LowerEffect(*statement.step);
+    Emit(fmt::format("goto {};", loop));
+  }
+  if (!ok_) return;
+  if (lines_.empty() || lines_.back().back() == ':' || jumps.breaks || leaves) {
+    EmitEndLabel(end, place);
+  }
+  Substitute(Tail(body, statement.range), statement, block ? "" : separator, close);
+  Finish();
+}
+
+void Rewriter::RewriteIf(const Statement& statement, const Place& place) {
+  const std::string_view open = place.single ? "{ " : "";
+  const std::string_view close = place.single ? " }" : "";
+  const Statement& body = *statement.body;
+  const bool block = body.kind == Statement::Kind::kBlock;
+  const std::string separator = Separator(statement.range);
+  const std::string end = Label("lbl_end");
+  if (statement.else_body == nullptr) {
+    JumpIf(*statement.value, true, end);
+    if (!ok_) return;
+    Substitute(Head(statement.range, body), statement, open, block ? "" : separator);
+    EmitEndLabel(end, place);
+    Substitute(Tail(body, statement.range), statement, block ? "" : separator, close);
+    Finish();
+    return;
+  }
+  const Statement& other = *statement.else_body;
+  const bool other_block = other.kind == Statement::Kind::kBlock;
+  const std::string otherwise = Label("lbl_else");
+  JumpIf(*statement.value, true, otherwise);
+  if (!ok_) return;
+  Substitute(Head(statement.range, body), statement, open, block ? "" : separator);
+  Emit(fmt::format("goto {};", end));
+  EmitLabel(otherwise);
+  const SourceRange middle = Between(body.range, block ? body.range.end - 1 : body.range.end,
+                                     other_block ? other.range.begin + 1 : other.range.begin);
+  Substitute(middle, statement, block ? "" : separator, other_block ? "" : separator);
+  EmitEndLabel(end, place);
+  Substitute(Tail(other, statement.range), statement, other_block ? "" : separator, close);
+  Finish();
+}
+
+void Rewriter::RewriteSwitch(const Statement& statement, const Place& place) {
+  const std::string_view open = place.single ? "{ " : "";
+  const std::string_view close = place.single ? " }" : "";
+  const Statement& body = *statement.body;
+  const std::string end = Label("lbl_end");
+  Value value = Operand(Lower(*statement.value));
+  if (!ok_ || value.type != vm::DataType::kInt) return;
+  if (value.literal) {
+    const std::string variable = Temporary("tmp", vm::DataType::kInt);
+    Emit(fmt::format("{} = {};", variable, value.text));
+    value.text = variable;
+  }
+  const std::string condition = ConditionVariable();
+  std::string otherwise;
+  std::vector<FixIt> labels;
+  for (const StatementPtr& item : body.items) {
+    if (item->kind == Statement::Kind::kCase) {
+      if (!checker_.ConstantOf(*item->value)) return;
+      const std::string label = Label("lbl_case");
+      Emit(fmt::format("{} = {} == {};", condition, value.text, Source(item->value->range)));
+      Emit(fmt::format("if ({}) goto {};", condition, label));
+      labels.push_back({item->range, label + ":"});
+    } else if (item->kind == Statement::Kind::kDefault) {
+      otherwise = Label("lbl_default");
+      labels.push_back({item->range, otherwise + ":"});
+    }
+  }
+  Emit(fmt::format("goto {};", otherwise.empty() ? end : otherwise));
+  Substitute(Head(statement.range, body), statement, open, "");
+  for (FixIt& label : labels) edits_.push_back(std::move(label));
+  ReplaceJumps(body, end, {});
+  EmitEndLabel(end, place);
+  Substitute(Tail(body, statement.range), statement, "", close);
+  Finish();
+}
+
+void Rewriter::RewriteBlock(const Statement& statement) {
+  edits_.push_back(
+      {Between(statement.range, statement.range.begin, statement.range.begin + 1), ""});
+  edits_.push_back({Between(statement.range, statement.range.end - 1, statement.range.end), ""});
+  Finish();
+}
+
+}  // namespace oncard::compiler

@@ -1,0 +1,535 @@
+// Statements and control flow.
+#include <algorithm>
+
+#include "compiler/checker.h"
+#include "compiler/rewriter.h"
+#include "vm/limits.h"
+
+namespace oncard::compiler {
+namespace {
+
+using vm::DataType;
+
+// A return value or condition that is always the same.
+const vm::Operand kOne = vm::ImmediateInt(1);
+const vm::Operand kZero = vm::ImmediateInt(0);
+
+bool IsStatement(const Statement& statement) {
+  switch (statement.kind) {
+    case Statement::Kind::kEmpty:
+    case Statement::Kind::kDeclaration:
+    case Statement::Kind::kLabel:
+    case Statement::Kind::kMacro:
+      return false;
+    default:
+      return true;
+  }
+}
+
+}  // namespace
+
+void Checker::CheckItem(const Statement& statement) {
+  switch (statement.kind) {
+    case Statement::Kind::kDeclaration:
+      CheckDeclaration(statement, {});
+      return;
+    case Statement::Kind::kFunction:
+      CheckFunction(*statement.function);
+      return;
+    case Statement::Kind::kMacro:
+      DefineMacro(tree_->macros[static_cast<size_t>(statement.macro)]);
+      return;
+    case Statement::Kind::kEmpty:
+    case Statement::Kind::kError:
+      return;
+    default:
+      CheckOutside(statement);
+  }
+}
+
+// Only definitions stand at the top level.
+void Checker::CheckOutside(const Statement& statement) {
+  switch (statement.kind) {
+    case Statement::Kind::kStrayBrace:
+      Replace(reporter_.Report(Code::kStrayBrace, statement.range), statement.range, "");
+      return;
+    case Statement::Kind::kLabel:
+      reporter_.Report(Code::kMisplacedLabel, statement.name_range, statement.name,
+                       MakeMessage("outside a function", "函数之外"));
+      return;
+    case Statement::Kind::kExpression: {
+      const Expression& value = *statement.value;
+      if (value.kind == Expression::Kind::kError) return;
+      if (value.kind == Expression::Kind::kCall &&
+          value.operands[0]->kind == Expression::Kind::kName &&
+          gtcalls::FindCommand(value.operands[0]->text) != nullptr) {
+        reporter_.Report(Code::kCommandOutside, statement.range, value.operands[0]->text);
+        return;
+      }
+      break;
+    }
+    default:
+      break;
+  }
+  reporter_.Report(Code::kOutsideFunction, statement.keyword);
+}
+
+void Checker::CheckBody(const std::vector<StatementPtr>& items, const Place& place) {
+  // Position of the last statement: what stands before it is followed by one.
+  size_t last = 0;
+  for (size_t i = 0; i < items.size(); ++i) {
+    if (IsStatement(*items[i])) last = i + 1;
+  }
+  for (size_t i = 0; i < items.size(); ++i) {
+    const Statement& item = *items[i];
+    Place here = place;
+    here.followed = i + 1 < last || place.followed;
+    here.single = false;
+    if (item.kind == Statement::Kind::kLabel) {
+      // A declaration after a label moves to the top: the label is still before a statement.
+      bool before_declaration = i + 1 < items.size() &&
+                                items[i + 1]->kind == Statement::Kind::kDeclaration &&
+                                !function_->statements_begun;
+      if (before_declaration) {
+        reporter_.Report(Code::kMisplacedLabel, item.name_range, item.name,
+                         MakeMessage("before a declaration", "声明之前"));
+      }
+      CheckLabel(item, i + 1 < last || !place.top);
+      if (!before_declaration) function_->statements_begun = true;
+      continue;
+    }
+    CheckStatement(item, here);
+  }
+}
+
+void Checker::CheckLabel(const Statement& statement, bool has_statement) {
+  FunctionState& function = *function_;
+  const auto found = function.labels.find(statement.name);
+  if (found != function.labels.end()) {
+    AddNote(reporter_.Report(Code::kRedefinition, statement.name_range, statement.name),
+            found->second.range, MakeMessage("the first definition is here", "首次定义在此处"));
+    return;
+  }
+  if (function.labels.size() == vm::kLabelMax && !function.too_many_labels) {
+    function.too_many_labels = true;
+    reporter_.Report(Code::kTooManyLabels, statement.name_range, statement.name,
+                     int64_t{vm::kLabelMax});
+  }
+  function.labels[statement.name] = {statement.name_range,
+                                     static_cast<int>(function.out.instructions.size()), true};
+  function.label_names.push_back(statement.name);
+  if (!has_statement) {
+    InsertAfter(
+        reporter_.Report(Code::kLabelWithoutStatement, statement.name_range, statement.name),
+        statement.range, " return;");
+  }
+}
+
+void Checker::ResolveJumps() {
+  FunctionState& function = *function_;
+  for (const Jump& jump : function.jumps) {
+    const auto label = function.labels.find(jump.label);
+    if (label != function.labels.end()) {
+      const int distance = label->second.instruction - static_cast<int>(jump.instruction);
+      if (jump.instruction < function.out.instructions.size()) {
+        function.out.instructions[jump.instruction].displacement = static_cast<int16_t>(distance);
+      }
+      continue;
+    }
+    if (skipped_names_.contains(jump.label)) continue;
+    // Said once for each label.
+    if (!function.labels.emplace(jump.label, Label{jump.range, 0, false}).second) continue;
+    Diagnostic& diagnostic = reporter_.Report(Code::kUnknownLabel, jump.range, jump.label);
+    Nearest nearest(jump.label);
+    for (const std::string_view name : function.label_names) nearest.Add(name);
+    if (!nearest.best().empty()) {
+      AddNote(diagnostic, function.labels[nearest.best()].range,
+              MakeMessage("did you mean '{0}'?", "您是否想写 '{0}'？", nearest.best()));
+      Replace(diagnostic, jump.range, std::string(nearest.best()));
+    }
+  }
+}
+
+void Checker::Emit(vm::Instruction instruction) {
+  FunctionState& function = *function_;
+  if (function.out.instructions.size() == vm::kInstructionMax) {
+    if (!function.too_long) {
+      function.too_long = true;
+      reporter_.Report(Code::kFunctionTooLong, statement_range_, function.syntax->name,
+                       int64_t{vm::kInstructionMax} + 1, int64_t{vm::kInstructionMax});
+    }
+    return;
+  }
+  function.out.instructions.push_back(std::move(instruction));
+  function.out.lines.push_back(line_);
+}
+
+void Checker::BeginStatement(const Statement& statement) {
+  lesson_.reset();
+  failed_ = false;
+  flat_array_ = nullptr;
+  statement_range_ = statement.range;
+  // Lines are words of the object; a later one is written as unknown.
+  const int line = LineOf(statement.range);
+  line_ = line <= UINT16_MAX ? static_cast<uint16_t>(line) : uint16_t{0};
+}
+
+void Checker::EndStatement(const Statement& statement, const Place& place) {
+  if (flat_array_ != nullptr && !failed_) {
+    // Part of the rewriting that the array's declaration carries.
+    Rewriter rewriter(*this, *flat_array_);
+    rewriter.RewriteSimple(statement, place);
+    return;
+  }
+  if (!lesson_) return;
+  Diagnostic& diagnostic = reporter_.Report(lesson_->code, lesson_->range, lesson_->arguments);
+  if (lesson_->code == Code::kUserCall) {
+    AddNote(diagnostic,
+            MakeMessage("bind the function to a thread of its own from the host (GT_Bind, "
+                        "GT_RunThread), or write its statements here",
+                        "请由主机把该函数绑定到单独的线程（GT_Bind、GT_RunThread），"
+                        "或把它的语句写在这里"));
+  }
+  if (!failed_) {
+    Rewriter rewriter(*this, diagnostic);
+    rewriter.RewriteSimple(statement, place);
+  }
+}
+
+void Checker::CheckStatement(const Statement& statement, const Place& place) {
+  if (statement.kind != Statement::Kind::kDeclaration &&
+      statement.kind != Statement::Kind::kMacro) {
+    function_->statements_begun = true;
+  }
+  switch (statement.kind) {
+    case Statement::Kind::kEmpty:
+    case Statement::Kind::kError:
+      return;
+    case Statement::Kind::kExpression:
+      BeginStatement(statement);
+      CheckExpressionStatement(statement);
+      EndStatement(statement, place);
+      return;
+    case Statement::Kind::kDeclaration:
+      CheckDeclaration(statement, place);
+      return;
+    case Statement::Kind::kIf:
+      CheckIf(statement, place);
+      return;
+    case Statement::Kind::kWhile:
+    case Statement::Kind::kDo:
+    case Statement::Kind::kFor:
+      CheckLoop(statement, place);
+      return;
+    case Statement::Kind::kSwitch:
+      CheckSwitch(statement, place);
+      return;
+    case Statement::Kind::kGoto:
+      BeginStatement(statement);
+      CheckGoto(statement, kOne);
+      return;
+    case Statement::Kind::kReturn:
+      BeginStatement(statement);
+      CheckReturn(statement, kOne);
+      EndStatement(statement, place);
+      return;
+    case Statement::Kind::kLabel:
+      CheckLabel(statement, true);
+      return;
+    case Statement::Kind::kCase:
+    case Statement::Kind::kDefault:
+      if (!place.in_switch) {
+        reporter_.Report(Code::kReservedWord, statement.keyword, Source(statement.keyword),
+                         MakeMessage("jump to a label with 'goto'", "请用 'goto' 跳转到标号"));
+      }
+      return;
+    case Statement::Kind::kBreak:
+    case Statement::Kind::kContinue: {
+      const bool is_break = statement.kind == Statement::Kind::kBreak;
+      if (place.in_loop || (is_break && place.in_switch)) return;
+      reporter_.Report(Code::kReservedWord, statement.keyword, Source(statement.keyword),
+                       MakeMessage("jump to a label with 'goto'", "请用 'goto' 跳转到标号"));
+      return;
+    }
+    case Statement::Kind::kBlock: {
+      Diagnostic& diagnostic = reporter_.Report(Code::kBlock, statement.keyword);
+      Rewriter(*this, diagnostic).RewriteBlock(statement);
+      Place inside = place;
+      inside.top = false;
+      CheckBody(statement.items, inside);
+      return;
+    }
+    case Statement::Kind::kFunction: {
+      Diagnostic& diagnostic =
+          reporter_.Report(Code::kNestedFunction, statement.function->name_range,
+                           statement.function->name, function_->syntax->name);
+      AddNote(diagnostic, function_->syntax->open_brace,
+              MakeMessage("'{0}' begins here", "'{0}' 从此处开始", function_->syntax->name));
+      CheckFunction(*statement.function);
+      return;
+    }
+    case Statement::Kind::kMacro:
+      DefineMacro(tree_->macros[static_cast<size_t>(statement.macro)]);
+      return;
+    case Statement::Kind::kStrayBrace:
+      return;
+  }
+}
+
+void Checker::CheckExpressionStatement(const Statement& statement) {
+  const Expression& value = *statement.value;
+  switch (value.kind) {
+    case Expression::Kind::kAssign:
+      CheckAssignment(value);
+      return;
+    case Expression::Kind::kCall:
+      CheckCall(value);
+      return;
+    case Expression::Kind::kCompound:
+    case Expression::Kind::kPostfix:
+      CheckNames(value);
+      ResolveTarget(*value.operands[0]);
+      return;
+    case Expression::Kind::kComma:
+      TeachNested(value);
+      return;
+    case Expression::Kind::kParen: {
+      const Expression* inner = &value;
+      while (inner->kind == Expression::Kind::kParen) inner = inner->operands[0].get();
+      if (inner->kind == Expression::Kind::kAssign || inner->kind == Expression::Kind::kCall ||
+          inner->kind == Expression::Kind::kCompound) {
+        TeachNested(value);
+        return;
+      }
+      break;
+    }
+    case Expression::Kind::kUnary:
+      if (value.op == "++" || value.op == "--") {
+        CheckNames(value);
+        return;
+      }
+      break;
+    default:
+      break;
+  }
+  CheckNames(value);
+  if (!failed_) {
+    lesson_.reset();
+    Fail(Code::kNoEffect, value.range);
+  }
+}
+
+void Checker::CheckAssignment(const Expression& assignment) {
+  const Expression& value = *assignment.operands[1];
+  const std::optional<TypedOperand> target = ResolveTarget(*assignment.operands[0]);
+  std::optional<Operation> operation = ResolveOperation(value);
+  if (!target || !operation) return;
+  const bool plain_literal = operation->opcode == vm::Opcode::kUnary &&
+                             operation->op == static_cast<uint16_t>(vm::UnaryOperator::kCopy) &&
+                             operation->operands[0].literal.has_value();
+  if (operation->result != target->type) {
+    if (!plain_literal || !Adapt(operation->operands[0], target->type)) {
+      Teach(Code::kTypeMismatch, value.range, DescribeType(operation->result),
+            DescribeType(target->type));
+      return;
+    }
+    operation->type = target->type;
+  }
+  vm::Instruction instruction;
+  instruction.opcode = operation->opcode;
+  instruction.op = operation->op;
+  instruction.type = operation->type;
+  for (const TypedOperand& operand : operation->operands) {
+    instruction.operands.push_back(operand.operand);
+  }
+  instruction.operands.push_back(target->operand);
+  Emit(std::move(instruction));
+}
+
+void Checker::CheckGoto(const Statement& statement, vm::Operand condition) {
+  vm::Instruction instruction;
+  instruction.opcode = vm::Opcode::kJump;
+  instruction.operands = {condition};
+  function_->jumps.push_back(
+      {function_->out.instructions.size(), statement.name, statement.name_range});
+  Emit(std::move(instruction));
+}
+
+void Checker::CheckReturn(const Statement& statement, vm::Operand condition) {
+  vm::Instruction instruction;
+  instruction.opcode = vm::Opcode::kReturn;
+  instruction.operands = {condition, kZero};
+  const DataType wanted = function_->out.return_type;
+  if (statement.value == nullptr) {
+    Emit(std::move(instruction));
+    return;
+  }
+  const Expression& value = *statement.value;
+  if (value.kind == Expression::Kind::kError) {
+    failed_ = true;
+    return;
+  }
+  if (function_->is_void) {
+    CheckNames(value);
+    lesson_.reset();
+    Diagnostic& diagnostic = Fail(Code::kReturnValue, value.range, function_->syntax->name);
+    Replace(diagnostic, {value.range.file, statement.keyword.end, value.range.end}, "");
+    return;
+  }
+  if (!IsLeaf(value) && !ConstantOf(value)) {
+    // Says what the expression itself is, so that `return -x;` is about the minus.
+    const bool failed_before = failed_;
+    ResolveOperation(value);
+    if (failed_ == failed_before) Teach(Code::kNestedExpression, value.range);
+    return;
+  }
+  std::optional<TypedOperand> operand = ResolveOperand(value);
+  if (!operand) return;
+  if (!Adapt(*operand, wanted)) {
+    Teach(Code::kTypeMismatch, value.range, DescribeType(operand->type), DescribeType(wanted));
+    return;
+  }
+  instruction.operands[1] = operand->operand;
+  Emit(std::move(instruction));
+}
+
+// Only an int variable may be a condition.
+void Checker::CheckCondition(const Expression& condition, vm::Operand* operand) {
+  if (condition.kind == Expression::Kind::kName || condition.kind == Expression::Kind::kMember) {
+    if (!ConstantOf(condition)) {
+      const std::optional<TypedOperand> variable = ResolveOperand(condition);
+      if (!variable) {
+        failed_ = true;
+        return;
+      }
+      if (variable->type == DataType::kInt) {
+        *operand = variable->operand;
+        return;
+      }
+      Teach(Code::kCondition, condition.range,
+            MakeMessage("the double '{0}'", "double 变量 '{0}'", Source(condition.range)));
+      return;
+    }
+  }
+  CheckNames(condition);
+  lesson_.reset();
+  Teach(Code::kCondition, condition.range, ToMessage(fmt::format("'{}'", Source(condition.range))));
+}
+
+void Checker::CheckIf(const Statement& statement, const Place& place) {
+  BeginStatement(statement);
+  vm::Operand condition = kOne;
+  const Statement& body = *statement.body;
+  const bool jumps = body.kind == Statement::Kind::kGoto || body.kind == Statement::Kind::kReturn;
+  if (jumps && statement.else_body == nullptr) {
+    CheckCondition(*statement.value, &condition);
+    if (body.kind == Statement::Kind::kGoto) {
+      CheckGoto(body, condition);
+    } else {
+      CheckReturn(body, condition);
+    }
+    EndStatement(statement, place);
+    return;
+  }
+  CheckNames(*statement.value);
+  const bool failed = failed_;
+  lesson_.reset();
+  Diagnostic* diagnostic = nullptr;
+  if (statement.else_body != nullptr) {
+    diagnostic = &reporter_.Report(Code::kIfElse, statement.other);
+  } else if (body.kind != Statement::Kind::kError) {
+    const std::string_view text = Source(body.range);
+    const size_t word = std::min(text.find_first_of(" \t\r\n;({"), text.size());
+    diagnostic = &reporter_.Report(
+        Code::kIfBody, body.keyword,
+        ToMessage(fmt::format("'{}'", text.substr(0, std::max<size_t>(word, 1)))));
+  }
+  if (diagnostic != nullptr && !failed) Rewriter(*this, *diagnostic).RewriteIf(statement, place);
+  Place inside = place;
+  inside.top = false;
+  inside.single = true;
+  for (const Statement* branch : {statement.body.get(), statement.else_body.get()}) {
+    if (branch == nullptr) continue;
+    inside.followed = place.followed || (branch == &body && statement.else_body != nullptr);
+    if (branch->kind == Statement::Kind::kBlock) {
+      CheckBody(branch->items, inside);
+    } else {
+      CheckStatement(*branch, inside);
+    }
+  }
+}
+
+void Checker::CheckLoop(const Statement& statement, const Place& place) {
+  BeginStatement(statement);
+  if (statement.initial != nullptr && statement.initial->value != nullptr) {
+    CheckNames(*statement.initial->value);
+  }
+  Place inside = place;
+  inside.top = false;
+  inside.single = true;
+  inside.followed = true;
+  inside.in_loop = true;
+  inside.in_switch = false;
+  std::string declarations;
+  if (statement.initial != nullptr && statement.initial->kind == Statement::Kind::kDeclaration) {
+    const DeclaredType type = ResolveType(statement.initial->specifiers);
+    for (const Declarator& declarator : statement.initial->declarators) {
+      const Entity* known = function_->locals.Find(declarator.name);
+      const bool again = known != nullptr && !known->invalid && known->structure == nullptr &&
+                         known->array_size == 0 && known->type == type.type;
+      if (!again) {
+        const Entity* entity = Declare(declarator, type, false);
+        if (entity == nullptr || entity->invalid) failed_ = true;
+        if (!declarations.empty()) declarations += ", ";
+        declarations += Source(declarator.head);
+      }
+      if (declarator.initialiser != nullptr) CheckNames(*declarator.initialiser);
+    }
+    if (!declarations.empty()) {
+      declarations =
+          fmt::format("{} {};", Source(statement.initial->specifiers.range), declarations);
+    }
+  }
+  if (statement.value != nullptr) CheckNames(*statement.value);
+  if (statement.step != nullptr) CheckNames(*statement.step);
+  lesson_.reset();
+  const Code code = statement.kind == Statement::Kind::kWhile ? Code::kWhileLoop
+                    : statement.kind == Statement::Kind::kFor ? Code::kForLoop
+                                                              : Code::kDoLoop;
+  Diagnostic& diagnostic = reporter_.Report(code, statement.keyword);
+  if (!failed_) {
+    Rewriter rewriter(*this, diagnostic);
+    if (!declarations.empty()) rewriter.AddDeclaration(declarations);
+    rewriter.RewriteLoop(statement, place);
+  }
+  if (statement.body->kind == Statement::Kind::kBlock) {
+    CheckBody(statement.body->items, inside);
+  } else {
+    CheckStatement(*statement.body, inside);
+  }
+}
+
+void Checker::CheckSwitch(const Statement& statement, const Place& place) {
+  BeginStatement(statement);
+  CheckNames(*statement.value);
+  const bool block = statement.body->kind == Statement::Kind::kBlock;
+  if (block) {
+    for (const StatementPtr& item : statement.body->items) {
+      if (item->kind == Statement::Kind::kCase) CheckNames(*item->value);
+    }
+  }
+  lesson_.reset();
+  Diagnostic& diagnostic = reporter_.Report(Code::kSwitch, statement.keyword);
+  if (!failed_ && block) Rewriter(*this, diagnostic).RewriteSwitch(statement, place);
+  Place inside = place;
+  inside.top = false;
+  inside.single = !block;
+  inside.in_switch = true;
+  if (block) {
+    CheckBody(statement.body->items, inside);
+  } else {
+    CheckStatement(*statement.body, inside);
+  }
+}
+
+}  // namespace oncard::compiler

@@ -1,0 +1,81 @@
+// The names of a program.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "compiler/syntax.h"
+#include "gtcalls/catalogue.h"
+#include "vm/object.h"
+
+namespace oncard::compiler {
+
+/// What a name of the program stands for.
+struct Entity {
+  enum class Kind : uint8_t { kVariable, kMacro, kFunction };
+  Kind kind = Kind::kVariable;
+  std::string_view name;
+  SourceRange range;  ///< of the name where it is defined
+  /// The declaration was wrong: uses are accepted in silence.
+  bool invalid = false;
+
+  // kVariable
+  vm::DataType type = vm::DataType::kInt;
+  vm::Storage storage = vm::Storage::kLocal;
+  uint16_t id = 0;          ///< first slot
+  uint16_t array_size = 0;  ///< 0: not an array
+  const gtcalls::Structure* structure = nullptr;
+  /// Dimensions of an array that was declared with several; it is taken as flat.
+  std::vector<int64_t> dimensions;
+
+  // kMacro
+  Literal value;
+};
+
+/// Names in order of definition, found by hash.
+class Scope {
+ public:
+  const Entity* Find(std::string_view name) const;
+  Entity* Find(std::string_view name);
+  /// Adds a name that is not there yet. References are invalidated.
+  Entity& Add(Entity entity);
+  const std::vector<Entity>& entities() const { return entities_; }
+
+ private:
+  std::vector<Entity> entities_;
+  std::unordered_map<std::string_view, size_t> by_name_;
+};
+
+/// The nearest of the candidates, when one is near enough to be what was meant: the candidate with
+/// the fewest edits (letter case counts little), the first of several. Add() all, then ask.
+class Nearest {
+ public:
+  explicit Nearest(std::string_view wanted);
+  void Add(std::string_view candidate);
+  /// Empty when nothing is near.
+  std::string_view best() const { return best_; }
+
+ private:
+  std::string_view wanted_;
+  int limit_;
+  std::string_view best_;
+};
+
+/// Gives names that the program does not use yet.
+class FreshNames {
+ public:
+  /// Names that occur in the program, all of them.
+  void Reserve(std::string_view name) { used_.emplace(name); }
+  /// `base`, or `base1`, `base2`, ...; never the same twice.
+  std::string Make(std::string_view base);
+
+ private:
+  std::unordered_set<std::string> used_;
+  std::unordered_map<std::string, int> next_;
+};
+
+}  // namespace oncard::compiler

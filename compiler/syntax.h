@@ -1,0 +1,155 @@
+// The syntax tree of a program. It is deliberately richer than the language: nearly all of C's
+// statements and expressions have a place in it, so that the checker can say of each construct that
+// the language lacks what to write instead.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "compiler/diagnostic.h"
+#include "compiler/literal.h"
+
+namespace oncard::compiler {
+
+/// A token, or what is left of a directive. `text` points into the text of its file.
+struct Token {
+  int kind = 0;  ///< Parser::token
+  SourceRange range;
+  std::string_view text;
+  Literal literal;  ///< of a number
+  int macro = -1;   ///< of a #define: index into Tree::macros
+  bool on_new_line = false;
+};
+
+/// Trees are processed recursively; deeper ones are refused with MP130.
+inline constexpr int kDepthMax = 200;
+
+struct Expression;
+using ExpressionPtr = std::unique_ptr<Expression>;
+
+struct Expression {
+  enum class Kind : uint8_t {
+    kName,         ///< text
+    kLiteral,      ///< literal
+    kString,       ///< "..." or '.'
+    kIndex,        ///< operands: array, index
+    kMember,       ///< operands: structure; text is the member, op `.` or `->`
+    kUnary,        ///< op, operands: one
+    kPostfix,      ///< op `++` or `--`, operands: one
+    kBinary,       ///< op, operands: two
+    kAssign,       ///< op `=`, operands: target, value
+    kCompound,     ///< op such as `+=`, operands: target, value
+    kCast,         ///< text is the type, operands: one
+    kCall,         ///< operands: callee, arguments
+    kConditional,  ///< operands: three
+    kComma,        ///< operands: two
+    kParen,        ///< operands: one
+    kBraces,       ///< { a, b }: an array's initialiser
+    kError         ///< reported already
+  };
+  Kind kind = Kind::kError;
+  SourceRange range;
+  SourceRange op_range;  ///< of the operator, or of a member's name
+  std::string_view op;
+  std::string_view text;
+  Literal literal;
+  std::vector<ExpressionPtr> operands;
+  int depth = 1;
+};
+
+/// The words before a declared name, such as `unsigned long`.
+struct Specifiers {
+  SourceRange range;
+  std::vector<const Token*> words;
+};
+
+struct Declarator {
+  SourceRange range;  ///< from the name to the end of the initialiser
+  SourceRange name_range;
+  std::string_view name;
+  SourceRange head;  ///< from the name to the last dimension
+  bool pointer = false;
+  std::vector<ExpressionPtr> sizes;  ///< nullptr for `[]`
+  ExpressionPtr initialiser;
+};
+
+struct ParameterDeclaration {
+  SourceRange range;
+  Specifiers specifiers;
+  Declarator declarator;  ///< no name: the type alone
+};
+
+struct Statement;
+using StatementPtr = std::unique_ptr<Statement>;
+
+struct Function {
+  SourceRange header;
+  SourceRange name_range;
+  std::string_view name;
+  Specifiers specifiers;
+  bool pointer = false;
+  std::vector<ParameterDeclaration> parameters;
+  std::vector<StatementPtr> body;
+  SourceRange open_brace;
+  SourceRange close_brace;
+  bool prototype = false;  ///< `int f();`
+};
+
+struct Statement {
+  enum class Kind : uint8_t {
+    kEmpty,
+    kExpression,   ///< value
+    kDeclaration,  ///< specifiers, declarators
+    kIf,           ///< value, body, else_body
+    kWhile,        ///< value, body
+    kDo,           ///< body, value
+    kFor,          ///< initial, value, step, body
+    kSwitch,       ///< value, body
+    kCase,         ///< value
+    kDefault,
+    kLabel,   ///< name
+    kGoto,    ///< name
+    kReturn,  ///< value or nullptr
+    kBreak,
+    kContinue,
+    kBlock,       ///< items
+    kFunction,    ///< function
+    kMacro,       ///< macro
+    kStrayBrace,  ///< `}` outside a function
+    kError        ///< reported already
+  };
+  Kind kind = Kind::kEmpty;
+  SourceRange range;
+  SourceRange keyword;  ///< the first word, or the `while` of a `do`
+  SourceRange other;    ///< `else`
+  std::string_view name;
+  SourceRange name_range;
+  ExpressionPtr value;
+  ExpressionPtr step;
+  StatementPtr initial;
+  StatementPtr body;
+  StatementPtr else_body;
+  std::vector<StatementPtr> items;
+  Specifiers specifiers;
+  std::vector<Declarator> declarators;
+  std::unique_ptr<Function> function;
+  int macro = -1;
+  int depth = 1;
+};
+
+/// A #define.
+struct Macro {
+  std::string_view name;
+  SourceRange name_range;
+  Literal value;
+};
+
+/// A whole program: what stands at the top level, in order, included files in place.
+struct Tree {
+  std::vector<StatementPtr> items;
+  std::vector<Macro> macros;
+};
+
+}  // namespace oncard::compiler
