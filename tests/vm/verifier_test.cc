@@ -290,6 +290,38 @@ INSTANTIATE_TEST_SUITE_P(
     }),
     [](const auto& row) { return row.param.name; });
 
+// The operators by number, and which operands they take, from the language's rules: arithmetic and
+// comparisons take both types, the rest ints; the casts and fabs are the exceptions.
+TEST(VerifierTest, OperatorsTakeTheirTypesAndNoOthers) {
+  // + - * / % && || == != < > <= >= & | ^ << >>
+  const std::string kBinaryInt = "yyyyyyyyyyyyyyyyyy";
+  const std::string kBinaryDouble = "yyyynnnyyyyyynnnnn";
+  for (uint16_t number = 1; number <= 18; ++number) {
+    const auto op = static_cast<BinaryOperator>(number);
+    const bool compares = number >= 8 && number <= 13;
+    EXPECT_EQ(MessageOf(Workbench({Binary(op, kInt, Local(0), Local(0), Local(0))})) == "accepted",
+              kBinaryInt[number - 1u] == 'y')
+        << number;
+    EXPECT_EQ(MessageOf(Workbench({Binary(op, kDouble, Local(1), Local(1),
+                                          compares ? Local(0) : Local(1))})) == "accepted",
+              kBinaryDouble[number - 1u] == 'y')
+        << number;
+  }
+  const auto unary_is_accepted = [](uint16_t number, DataType type) {
+    const bool gives_int = number == 6 || (number != 7 && type == kInt);
+    return MessageOf(Workbench(
+               {Unary(static_cast<UnaryOperator>(number), type, type == kInt ? Local(0) : Local(1),
+                      gives_int ? Local(0) : Local(1))})) == "accepted";
+  };
+  // copy ! ~ abs fabs (int) (double)
+  const std::string kUnaryInt = "yyyynny";
+  const std::string kUnaryDouble = "ynnnyyn";
+  for (uint16_t number = 1; number <= 7; ++number) {
+    EXPECT_EQ(unary_is_accepted(number, kInt), kUnaryInt[number - 1u] == 'y') << number;
+    EXPECT_EQ(unary_is_accepted(number, kDouble), kUnaryDouble[number - 1u] == 'y') << number;
+  }
+}
+
 TEST(VerifierTest, SamplesAreAccepted) {
   EXPECT_EQ(MessageOf(SumObject()), "accepted");
   EXPECT_EQ(MessageOf(ArrayObject()), "accepted");
