@@ -1,7 +1,7 @@
 // The log of host calls that ONCARD_LOG asks for, one line per call:
 //
 //   12.250 card0 GT_GetVarValue(-1, {id=0, dataType=1}, pValue, 1) = 0, pValue=[5050]
-//   12.300 card0 GT_Bind(40, 1, 0) = 7: thread is 40, expected a number from 0 to 31
+//   12.300 card0 GT_Bind(40, 1, 0) = 7: parameter thread is 40; the range is [0, 31]
 //
 // The card's virtual time in milliseconds when the command acted, the card, the call with its
 // inputs (an output shows its parameter's name), the code, after a refusal the reason, after a

@@ -71,9 +71,10 @@ int16_t GetVersion(ServiceCall& call) {
 int16_t GetMacAddress(ServiceCall& call) {
   const std::span<double> address = call.arguments[1].cells;
   if (address.size() < kMacAddressLength) {
-    return call.Refuse(vm::kBadParameter, MakeMessage("ulAddressSize is {}, expected at least {}",
-                                                      "ulAddressSize 的值为 {}，至少应为 {}",
-                                                      address.size(), kMacAddressLength));
+    return call.Refuse(
+        vm::kBadParameter,
+        MakeMessage("parameter ulAddressSize is {}; at least {} is needed",
+                    "参数 ulAddressSize 为 {}；至少应为 {}", address.size(), kMacAddressLength));
   }
   constexpr double kLocallyAdministered = 0x02;
   address[0] = kLocallyAdministered;
@@ -85,8 +86,8 @@ int16_t SetCardNo(ServiceCall& call) {
   const double index = call.arguments[0].value;
   if (!(index >= 0 && index < kCardCount)) {
     return call.Refuse(vm::kBadParameter,
-                       MakeMessage("index is {}, expected a card number from 0 to {}",
-                                   "index 的值为 {}，应为 0 到 {} 的卡号", index, kCardCount - 1));
+                       MakeMessage("parameter index is {}; the range is [0, {}]",
+                                   "参数 index 为 {}；取值范围为 [0, {}]", index, kCardCount - 1));
   }
   call.table.selected = static_cast<int>(index);
   return vm::kOk;

@@ -92,8 +92,8 @@ void WriteScalar(Scalar type, void* host, size_t index, double value) {
 }
 
 Error NotALong(const Parameter& parameter) {
-  return MakeError(vm::kBadParameter, "{} holds a value that does not fit 32 bits",
-                   "{} 中的值超出 32 位范围", parameter.name);
+  return MakeError(vm::kBadParameter, "parameter {} holds a value that does not fit 32 bits",
+                   "参数 {} 中的值超出 32 位范围", parameter.name);
 }
 
 /// The value of a scalar argument.
@@ -116,8 +116,8 @@ Result<size_t> ElementCount(const Command& command, const Parameter& parameter,
   const double count = call.arguments[index].value;
   const double maximum = std::min<double>(counter.maximum, kElementsMax);
   if (!(count >= std::max<double>(counter.minimum, 1) && count <= maximum)) {
-    return MakeError(vm::kBadParameter, "{} is {}, expected a number from 1 to {}",
-                     "{} 的值为 {}，应为 1 到 {} 的数", counter.name, count, maximum);
+    return MakeError(vm::kBadParameter, "parameter {} is {}; the range is [1, {}]",
+                     "参数 {} 为 {}；取值范围为 [1, {}]", counter.name, count, maximum);
   }
   return static_cast<size_t>(count);
 }
@@ -173,7 +173,8 @@ Result<void> ReadArguments(const Command& command, std::span<const HostArgument>
     argument.host = host[i].pointer;
     argument.null = argument.host == nullptr;
     if (argument.null && !parameter.nullable) {
-      fail(MakeError(vm::kBadParameter, "{} is NULL", "{} 为空指针", parameter.name));
+      fail(MakeError(vm::kBadParameter, "parameter {} is NULL; pass the address of a variable",
+                     "参数 {} 为 NULL；应传入变量的地址", parameter.name));
     }
   }
 

@@ -151,6 +151,7 @@ TEST_F(HostPrograms, AFailedDownloadLeavesTheOldProgramRunning) {
   WriteText("bad.bin", "not an object");
   WriteText("bad.ini", "");
   EXPECT_EQ(GT_Download((folder_ + "bad.bin").c_str()), 2008);
+  for (int call = 0; call < 5; ++call) Clock();  // a cycle
   EXPECT_GT(ReadGlobal("count"), before);
   TThreadSts status{};
   ASSERT_EQ(GT_GetThreadSts(0, &status), 0);
