@@ -100,6 +100,7 @@ class FunctionLinker {
     FuseTests();
     FuseLoops();
     FusePairs();
+    FuseLastOfLoops();
     return std::move(linked_);
   }
 
@@ -158,8 +159,11 @@ class FunctionLinker {
     if (ClassOf(d) == OperandClass::kLocal && ClassOf(a) == OperandClass::kConstant) {
       return {static_cast<uint16_t>(first + kUnaryVariantK), IndexOf(a), 0, IndexOf(d)};
     }
-    const uint16_t variant = AnyShared(instruction) ? kUnaryVariantS : kUnaryVariantP;
-    return {static_cast<uint16_t>(first + variant), a, 0, d};
+    const bool shared = AnyShared(instruction);
+    if (ClassOf(d) == OperandClass::kElement && ClassOf(a) == OperandClass::kLocal && !shared) {
+      return {static_cast<uint16_t>(first + kUnaryVariantLE), IndexOf(a), 0, IndexOf(d)};
+    }
+    return {static_cast<uint16_t>(first + (shared ? kUnaryVariantS : kUnaryVariantP)), a, 0, d};
   }
 
   Code DecodeJump(const Instruction& instruction) {
@@ -298,6 +302,28 @@ class FunctionLinker {
           if (op % kIntVariantCount == kVariantLL) op += kVariantLLIf - kVariantLL;
           if (op % kIntVariantCount == kVariantLK) op += kVariantLKIf - kVariantLK;
           break;
+        default:
+          break;
+      }
+    }
+  }
+
+  // What a loop does last before its increment.
+  void FuseLastOfLoops() {
+    auto& code = linked_.code;
+    for (size_t i = 0; i + 1 < code.size(); ++i) {
+      uint16_t& op = code[i].op;
+      switch (code[i + 1].op) {
+#define FUSE_LAST(test)                                       \
+  case kIncrementLoop##test:                                  \
+    if (op == kIntAddLL) op = kAccumulateIntLoop##test;       \
+    if (op == kIntAddGL) op = kAccumulateGlobalLoop##test;    \
+    if (op == kDoubleAddLL) op = kAccumulateDoubleLoop##test; \
+    if (op == kCopyIntLE) op = kStoreIntLoop##test;           \
+    break;
+#define INT_COMPARE(name, value) FUSE_LAST(name##LL) FUSE_LAST(name##LK)
+#include "vm/handlers.def"
+#undef FUSE_LAST
         default:
           break;
       }
