@@ -4,7 +4,7 @@
 #include "gtcalls/card.h"
 
 #include <cassert>
-#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "gtcalls/commands/commands.h"

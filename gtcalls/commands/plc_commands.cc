@@ -125,7 +125,7 @@ int16_t BindTimer(Call& call) {
 int16_t BindCounter(Call& call) {
   if (const int16_t code = CheckPrm(call, 0, 0, 2)) return code;
   if (const int16_t code = CheckPrm(call, 1, 0, 2)) return code;
-  for (const size_t member : {2, 3, 4}) {
+  for (const size_t member : {2U, 3U, 4U}) {
     if (const int16_t code = CheckPrm(call, member, INT32_MIN, INT32_MAX)) return code;
   }
   const int init = Prm(call, 2);

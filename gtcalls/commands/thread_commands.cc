@@ -118,7 +118,8 @@ double ResultOf(const ThreadState& state) {
 }
 
 double MsFromCycles(const Call& call, int64_t cycles) {
-  return static_cast<double>(cycles * call.card.motion.config().cycle_us / 1000);
+  const int64_t whole_ms = cycles * call.card.motion.config().cycle_us / 1000;
+  return static_cast<double>(whole_ms);
 }
 
 int16_t GetThreadSts(Call& call) {
