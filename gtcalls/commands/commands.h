@@ -37,6 +37,9 @@ bool IsActive(const vm::ThreadState& thread);
 /// Why a thread is not in the state a command needs: what it is, and what to call first.
 Message DescribeThread(int thread, const vm::ThreadState& state);
 
+/// Why a data page cannot be used: a page belongs to at most one thread.
+Message DescribeTakenPage(int page);
+
 /// Refuses a command that only makes sense inside a motion program.
 int16_t RefuseHost(Call& call);
 

@@ -54,8 +54,7 @@ Message WhyNotBound(const Call& call, int16_t code) {
   }
   const ThreadState& state = ThreadOf(call);
   if (IsActive(state)) return DescribeThread(call.integer(0), state);
-  return MakeMessage("data page {0} belongs to another bound thread; choose another page",
-                     "数据页 {0} 已属于另一个已绑定的线程；应选择其他数据页", call.integer(2));
+  return DescribeTakenPage(call.integer(2));
 }
 
 int16_t Bind(Call& call) {
@@ -216,6 +215,11 @@ Message DescribeThread(int thread, const vm::ThreadState& state) {
   }
   return MakeMessage("thread {0} stopped with fault {1}; call GT_RunThread to start it again",
                      "线程 {0} 因故障 {1} 停止；可调用 GT_RunThread 重新启动", thread, state.error);
+}
+
+Message DescribeTakenPage(int page) {
+  return MakeMessage("data page {0} belongs to another bound thread; choose another page",
+                     "数据页 {0} 已属于另一个已绑定的线程；应选择其他数据页", page);
 }
 
 }  // namespace oncard::gtcalls

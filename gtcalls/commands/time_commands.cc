@@ -36,13 +36,7 @@ int16_t SetDataPage(Call& call) {
   if (call.caller == vm::kHostCaller) return RefuseHost(call);
   const int page = call.integer(0);
   const int16_t code = call.card.machine.SwitchPage(call.caller, page);
-  if (code == vm::kOk) return code;
-  return call.Refuse(
-      code, code == vm::kBadParameter
-                ? MakeMessage("data page {0} does not exist; pages are 0 to {1}",
-                              "数据页 {0} 不存在；数据页为 0 到 {1}", page, vm::kPageCount - 1)
-                : MakeMessage("data page {0} belongs to another bound thread; choose another page",
-                              "数据页 {0} 已属于另一个已绑定的线程；应选择其他数据页", page));
+  return code == vm::kOk ? code : call.Refuse(code, DescribeTakenPage(page));
 }
 
 /// Assumption: the vendor's compiler knows the name; that it takes a variable and a value, and
