@@ -137,7 +137,7 @@ Exit CallCommand(Frame& frame, const CallSite& site) {
       }
     }
   }
-  frame.bases[kLocalBase] = machine.state_->pages[thread.page].data();
+  frame.bases[kLocalBase] = machine.state_->pages.Use(thread.page).data();
   return machine.CanContinue(thread) ? Exit::kBudget : Exit::kBlocked;
 }
 

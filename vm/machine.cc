@@ -26,6 +26,15 @@ bool IsActive(const ThreadState& thread) {
 
 }  // namespace
 
+DataPages& DataPages::operator=(const DataPages& other) {
+  for (uint32_t rest = used_ | other.used_; rest != 0; rest &= rest - 1) {
+    const auto page = static_cast<size_t>(std::countr_zero(rest));
+    pages_[page] = other.pages_[page];
+  }
+  used_ = other.used_;
+  return *this;
+}
+
 Machine::Machine(CommandTable* commands)
     : commands_(commands), state_(std::make_unique<MachineState>()) {}
 
@@ -210,7 +219,7 @@ int64_t Machine::ReadRaw(const SlotAddress& slot) const {
 }
 
 void Machine::WriteRaw(const SlotAddress& slot, int64_t raw) {
-  (slot.global ? state_->globals[slot.id] : state_->pages[slot.page][slot.id]) = raw;
+  (slot.global ? state_->globals[slot.id] : state_->pages.Use(slot.page)[slot.id]) = raw;
 }
 
 double Machine::Read(const SlotAddress& slot) const {
@@ -261,7 +270,7 @@ Frame Machine::MakeFrame(int thread) {
   frame.function = &image_->functions[state.function];
   frame.pc = frame.function->code.data() + state.pc;
   frame.elements = frame.function->elements.data();
-  frame.bases[kLocalBase] = state_->pages[state.page].data();
+  frame.bases[kLocalBase] = state_->pages.Use(state.page).data();
   frame.bases[kGlobalBase] = state_->globals.data();
   frame.bases[kConstantBase] = const_cast<int64_t*>(frame.function->constants.data());
   frame.wrap_shift = WrapShift(image_->object.double_format);
@@ -460,7 +469,10 @@ uint64_t Machine::Hash() const {
   }
   words.push_back(state_->executed);
   words.push_back(state_->cycle);
-  uint64_t hash = XXH64(state_->pages.data(), sizeof state_->pages, 0);
+  uint64_t hash = 0;
+  for (size_t page = 0; page < kPageCount; ++page) {
+    hash = XXH64(state_->pages[page].data(), sizeof state_->pages[page], hash);
+  }
   hash = XXH64(state_->globals.data(), sizeof state_->globals, hash);
   return XXH64(words.data(), words.size() * sizeof words[0], hash);
 }

@@ -68,9 +68,32 @@ struct ThreadState {
   int64_t executed_max = 0;      ///< largest `executed` of a completed periodic run
 };
 
+/// The data pages. Few programs use more than a handful of the 32, so it remembers which were ever
+/// handed out for writing: the others are all 0, and a copy leaves them alone.
+class DataPages {
+ public:
+  using Page = std::array<int64_t, kSlotCount>;
+
+  DataPages() = default;
+  DataPages(const DataPages& other) { *this = other; }
+  DataPages& operator=(const DataPages& other);
+  ~DataPages() = default;
+
+  const Page& operator[](size_t page) const { return pages_[page]; }
+  /// The page, to be written.
+  Page& Use(size_t page) {
+    used_ |= uint32_t{1} << page;
+    return pages_[page];
+  }
+
+ private:
+  std::array<Page, kPageCount> pages_{};
+  uint32_t used_ = 0;
+};
+
 /// The whole state, ready to be copied.
 struct MachineState {
-  std::array<std::array<int64_t, kSlotCount>, kPageCount> pages{};
+  DataPages pages;
   std::array<int64_t, kSlotCount> globals{};
   std::array<ThreadState, kThreadCount> threads{};
   SchedulerState scheduler;
