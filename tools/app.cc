@@ -1,0 +1,112 @@
+// The root of the command line.
+#include "tools/commands.h"
+
+namespace oncard::tools {
+namespace {
+
+// CLI11's own words, in Chinese.
+void TranslateLabels(CLI::App& app) {
+  const auto formatter = app.get_formatter();
+  formatter->label("Usage", "用法");
+  formatter->label("OPTIONS", "选项");
+  formatter->label("SUBCOMMAND", "子命令");
+  formatter->label("SUBCOMMANDS", "子命令");
+  formatter->label("Subcommands", "子命令");
+  formatter->label("Positionals", "参数");
+  formatter->label("POSITIONALS", "参数");
+  formatter->label("REQUIRED", "必需");
+  app.option_defaults()->group("选项");
+}
+
+std::string ExitCodeFooter(const Session& session) {
+  std::string text = session.Say({"Exit codes:", "退出码："});
+  for (const ExitCodeText& row : kExitCodeTexts) {
+    const bool chinese = session.language == Language::kChinese;
+    text += fmt::format("\n  {} {}", static_cast<int>(row.code),
+                        chinese ? row.meaning_zh : row.meaning_en);
+  }
+  return text;
+}
+
+}  // namespace
+
+CLI::App* AddCommand(CLI::App& app, Session& session, const std::string& name,
+                     const Message& description, std::function<int()> action) {
+  CLI::App* command = app.add_subcommand(name, session.Say(description));
+  command->fallthrough();
+  if (session.language == Language::kChinese) command->group("子命令");
+  command->set_help_flag("-h,--help", session.Say({"print this help", "显示本帮助"}));
+  command->callback([&session, run = std::move(action)] { session.exit_code = run(); });
+  return command;
+}
+
+CLI::Option* AddIncludeOption(CLI::App& command, const Session& session,
+                              std::vector<std::string>& folders) {
+  return command
+      .add_option("-I,--include", folders,
+                  session.Say({"folder searched for #include (repeatable)",
+                               "查找 #include 的文件夹（可重复）"}))
+      ->type_name("DIR")
+      ->allow_extra_args(false);
+}
+
+CLI::Option* AddDoubleOption(CLI::App& command, const Session& session, std::string& format) {
+  return command
+      .add_option("--double", format,
+                  session.Say({"width of the type double: 32.16 (default) or 16.16",
+                               "double 类型的宽度：32.16（默认）或 16.16"}))
+      ->type_name("WIDTH")
+      ->check(CLI::IsMember({"32.16", "16.16"}).description(""));
+}
+
+CLI::Option* AddMaxErrorsOption(CLI::App& command, const Session& session, int& count) {
+  return command
+      .add_option("--max-errors", count,
+                  session.Say({"stop reporting after N errors; 0 = report all (default 50)",
+                               "报告 N 个错误后停止；0 表示全部报告（默认 50）"}))
+      ->type_name("N")
+      ->check(CLI::Range(0, 1'000'000).description(""));
+}
+
+CLI::Option* AddFormatOption(CLI::App& command, const Session& session, std::string& format,
+                             const std::vector<std::string>& choices) {
+  const std::string list = fmt::to_string(fmt::join(choices, "|"));
+  return command
+      .add_option("--format", format,
+                  fmt::format("{}: {}", session.Say({"form of the output", "输出格式"}), list))
+      ->type_name("FORMAT")
+      ->check(CLI::IsMember(choices).description(""));
+}
+
+void DescribeApp(CLI::App& app, Session& session) {
+  if (session.language == Language::kChinese) TranslateLabels(app);
+  app.description(session.Say({"write, run and test Googol GTS motion programs",
+                               "编写、运行和测试固高 GTS 运动程序"}));
+  app.set_help_flag("-h,--help", session.Say({"print this help", "显示本帮助"}));
+  app.set_version_flag("--version", "oncard " ONCARD_VERSION,
+                       session.Say({"print the version", "显示版本"}));
+  // main() has read these two before the help texts were chosen; here they are only described.
+  app.add_option("--lang", session.Say({"language of messages: en or zh (default: the locale's)",
+                                        "消息语言：en 或 zh（默认取自区域设置）"}))
+      ->type_name("LANG")
+      ->check(CLI::IsMember({"en", "zh"}).description(""));
+  app.add_option("--color", session.Say({"colours: auto (default), always or never",
+                                         "颜色：auto（默认）、always 或 never"}))
+      ->type_name("WHEN")
+      ->check(CLI::IsMember({"auto", "always", "never"}).description(""));
+  app.require_subcommand(1);
+  app.footer(ExitCodeFooter(session));
+  AddBuild(app, session);
+  AddCheck(app, session);
+  AddExplain(app, session);
+  AddRun(app, session);
+  AddTest(app, session);
+  AddReplay(app, session);
+  AddDump(app, session);
+  AddVerify(app, session);
+  AddDoctor(app, session);
+  AddCompletion(app, session);
+  AddMan(app, session);
+}
+
+}  // namespace oncard::tools

@@ -1,0 +1,74 @@
+// oncard build: motion programs to object pairs.
+#include "base/files.h"
+#include "tools/commands.h"
+#include "vm/object_writer.h"
+
+namespace oncard::tools {
+namespace {
+
+struct BuildOptions {
+  std::vector<std::string> sources;
+  std::string folder;
+  bool vendor_format = false;
+  std::vector<std::string> include_folders;
+  std::string double_format = "32.16";
+  int max_errors = compiler::Options().max_errors;
+  std::string diagnostics = "text";
+};
+
+int BuildOne(const BuildOptions& options, const std::string& source, const Session& session) {
+  const compiler::Options compile = {DoubleFormatOf(options.double_format), options.include_folders,
+                                     options.max_errors};
+  if (source.ends_with(".bin")) {
+    return Fail(session, kExitUsage,
+                MakeMessage("'{0}' is an object: build takes sources",
+                            "“{0}”是目标文件：build 需要源文件", source));
+  }
+  runtime::ProgramLoad load;
+  const int code = LoadOrReport(session, source, compile, options.diagnostics == "json", &load);
+  if (code != kExitOk) return code;
+  const compiler::OutputPaths paths = compiler::OutputPathsFor(source, options.folder);
+  const vm::ObjectFiles files = vm::WriteObject(*load.object, options.vendor_format);
+  const auto written = WritePairAtomically(paths.bin, files.bin, paths.ini, files.ini);
+  return written.ok() ? kExitOk : Fail(session, kExitUnreadable, written.error().message);
+}
+
+int Build(const BuildOptions& options, const Session& session) {
+  int code = kExitOk;
+  for (const std::string& source : options.sources) {
+    code = std::max(code, BuildOne(options, source, session));
+  }
+  return code;
+}
+
+}  // namespace
+
+void AddBuild(CLI::App& app, Session& session) {
+  const auto options = std::make_shared<BuildOptions>();
+  CLI::App* command = AddCommand(app, session, "build",
+                                 {"compile programs to .bin and .ini", "把程序编译为 .bin 和 .ini"},
+                                 [options, &session] { return Build(*options, session); });
+  command
+      ->add_option("sources", options->sources,
+                   session.Say({"motion programs (.c)", "运动程序（.c）"}))
+      ->required()
+      ->type_name("FILE");
+  command
+      ->add_option("-o,--output", options->folder,
+                   session.Say({"folder of the objects (default: beside each source)",
+                                "目标文件所在文件夹（默认与源文件相同）"}))
+      ->type_name("DIR");
+  command->add_flag("--vendor-format", options->vendor_format,
+                    session.Say({"leave out our section of the .ini, as the vendor's compiler does",
+                                 ".ini 中不写本工具的节，与原厂编译器一致"}));
+  AddIncludeOption(*command, session, options->include_folders);
+  AddDoubleOption(*command, session, options->double_format);
+  AddMaxErrorsOption(*command, session, options->max_errors);
+  command
+      ->add_option("--diagnostics", options->diagnostics,
+                   session.Say({"form of the diagnostics: text|json", "诊断格式：text|json"}))
+      ->type_name("FORMAT")
+      ->check(CLI::IsMember({"text", "json"}).description(""));
+}
+
+}  // namespace oncard::tools

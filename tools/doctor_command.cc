@@ -1,0 +1,154 @@
+// oncard doctor: versions, what this build can do, and what it lacks.
+#include <iconv.h>
+#include <toml++/impl/preprocessor.h>
+#include <xxhash.h>
+#include <zlib.h>
+
+#include <nlohmann/json.hpp>
+
+#include "gtcalls/card.h"
+#include "tools/commands.h"
+
+namespace oncard::tools {
+namespace {
+
+struct DoctorArguments {
+  bool commands = false;
+  std::string format = "text";
+};
+
+struct Fact {
+  std::string key;
+  Message name;
+  std::string value;
+};
+
+bool HasGbk() {
+  const iconv_t handle = ::iconv_open("UTF-32LE", "GBK");
+  if (reinterpret_cast<intptr_t>(handle) == -1) return false;
+  ::iconv_close(handle);
+  return true;
+}
+
+std::vector<Fact> Facts() {
+  const auto commands = gtcalls::Commands();
+  const auto implemented =
+      std::count_if(commands.begin(), commands.end(),
+                    [](const gtcalls::Command& command) { return IsImplemented(command); });
+  const auto in_programs =
+      std::count_if(commands.begin(), commands.end(),
+                    [](const gtcalls::Command& command) { return command.in_motion_program; });
+  const auto count = [](auto number) { return fmt::format("{}", number); };
+  return {
+      {"version", {"oncard", "oncard"}, ONCARD_VERSION},
+      {"compiler", {"built by", "编译器"}, ONCARD_COMPILER},
+      {"build_type", {"build type", "构建类型"}, ONCARD_BUILD_TYPE},
+      {"cli11", {"CLI11", "CLI11"}, CLI11_VERSION},
+      {"fmt",
+       {"fmt", "fmt"},
+       fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
+      {"nlohmann_json",
+       {"nlohmann-json", "nlohmann-json"},
+       fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
+                   NLOHMANN_JSON_VERSION_PATCH)},
+      {"tomlplusplus",
+       {"toml++", "toml++"},
+       fmt::format("{}.{}.{}", TOML_LIB_MAJOR, TOML_LIB_MINOR, TOML_LIB_PATCH)},
+      {"zlib", {"zlib", "zlib"}, zlibVersion()},
+      {"xxhash",
+       {"xxhash", "xxhash"},
+       fmt::format("{}.{}.{}", XXH_VERSION_MAJOR, XXH_VERSION_MINOR, XXH_VERSION_RELEASE)},
+      {"commands", {"commands in the catalogue", "指令目录中的指令"}, count(commands.size())},
+      {"commands_in_programs",
+       {"... allowed in motion programs", "……可在运动程序中使用"},
+       count(in_programs)},
+      {"commands_implemented",
+       {"... that the simulated card executes", "……模拟卡可执行"},
+       count(implemented)},
+      {"diagnostics",
+       {"diagnostics of the compiler", "编译器诊断"},
+       count(compiler::DiagnosticTable().size())},
+  };
+}
+
+// What works only when something else is installed.
+struct OptionalPart {
+  std::string key;
+  Message name;
+  bool present = false;
+  Message remedy;
+};
+
+std::vector<OptionalPart> OptionalParts() {
+  return {{"gbk",
+           {"GBK comments in messages", "消息中显示 GBK 注释"},
+           HasGbk(),
+           {"the C library's converters are missing: install libc-bin and libc6",
+            "缺少 C 库的字符转换模块：请安装 libc-bin 和 libc6"}}};
+}
+
+void PrintText(const Session& session) {
+  std::string text;
+  for (const Fact& fact : Facts()) {
+    text += fmt::format("{}: {}\n", session.Say(fact.name), fact.value);
+  }
+  for (const OptionalPart& part : OptionalParts()) {
+    const Message found = {"yes", "有"};
+    text += fmt::format("{}: {}\n", session.Say(part.name),
+                        session.Say(part.present ? found : part.remedy));
+  }
+  PrintResult(text);
+}
+
+void PrintJson(const Session& session) {
+  nlohmann::ordered_json json;
+  for (const Fact& fact : Facts()) json[fact.key] = fact.value;
+  for (const OptionalPart& part : OptionalParts()) {
+    json["optional"][part.key]["present"] = part.present;
+    if (!part.present) json["optional"][part.key]["remedy"] = session.Say(part.remedy);
+  }
+  PrintResult(json.dump(2) + '\n');
+}
+
+void PrintCommands(bool as_json, const Session& session) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  std::string text;
+  for (const gtcalls::Command& command : gtcalls::Commands()) {
+    const bool implemented = IsImplemented(command);
+    const Message state =
+        implemented ? Message{"implemented", "已实现"} : Message{"not supported", "不支持"};
+    text += fmt::format("{:<28} {}\n", command.name, session.Say(state));
+    list.push_back({{"name", command.name},
+                    {"implemented", implemented},
+                    {"in_motion_program", command.in_motion_program}});
+  }
+  PrintResult(as_json ? list.dump(2) + '\n' : text);
+}
+
+int Doctor(const DoctorArguments& arguments, const Session& session) {
+  const bool json = arguments.format == "json";
+  if (arguments.commands) {
+    PrintCommands(json, session);
+  } else if (json) {
+    PrintJson(session);
+  } else {
+    PrintText(session);
+  }
+  return kExitOk;
+}
+
+}  // namespace
+
+void AddDoctor(CLI::App& app, Session& session) {
+  const auto arguments = std::make_shared<DoctorArguments>();
+  CLI::App* command =
+      AddCommand(app, session, "doctor",
+                 {"versions, and what this build can and cannot do", "显示版本以及本构建的能力"},
+                 [arguments, &session] { return Doctor(*arguments, session); });
+  command->add_flag("--commands", arguments->commands,
+                    session.Say({"list every GT command and whether it is implemented",
+                                 "列出全部 GT 指令及其实现情况"}));
+  AddFormatOption(*command, session, arguments->format, {"text", "json"});
+}
+
+}  // namespace oncard::tools

@@ -1,0 +1,94 @@
+// The oncard command: language and colour first, because the help texts depend on them, then CLI11
+// does the rest. CLI11 reports mistakes by exceptions; they end here.
+#include <unistd.h>
+
+#include <cstdlib>
+#include <optional>
+#include <span>
+
+#include "tools/commands.h"
+
+namespace oncard::tools {
+namespace {
+
+// The value of `--name=value` or `--name value`; the last one counts.
+std::optional<std::string_view> OptionValue(std::span<char*> arguments, std::string_view name) {
+  std::optional<std::string_view> value;
+  for (size_t i = 1; i < arguments.size(); ++i) {
+    std::string_view argument = arguments[i];
+    if (argument == "--") break;
+    if (!argument.starts_with(name)) continue;
+    argument.remove_prefix(name.size());
+    if (argument.starts_with('=')) {
+      value = argument.substr(1);
+    } else if (argument.empty() && i + 1 < arguments.size()) {
+      value = arguments[i + 1];
+    }
+  }
+  return value;
+}
+
+bool UseColor(std::string_view when) {
+  if (when == "always") return true;
+  if (when == "never") return false;
+  // https://no-color.org: set and not empty.
+  const char* no_color = std::getenv("NO_COLOR");
+  if (no_color != nullptr && *no_color != '\0') return false;
+  const char* terminal = std::getenv("TERM");
+  const bool capable = terminal != nullptr && std::string_view(terminal) != "dumb";
+  return capable && ::isatty(STDERR_FILENO) == 1;
+}
+
+Message DescribeMistake(const CLI::ParseError& error) {
+  const std::string name = error.get_name();
+  std::string_view kind = "命令行有误";
+  if (name == "ExtrasError") kind = "多余的参数";
+  if (name == "RequiredError") kind = "缺少必需的参数";
+  if (name == "ValidationError" || name == "ConversionError") kind = "参数值不合法";
+  if (name == "ArgumentMismatch") kind = "参数个数不对";
+  return {error.what(), fmt::format("{}：{}", kind, error.what())};
+}
+
+int ReportMistake(const CLI::App& app, const CLI::ParseError& error, const Session& session) {
+  std::string command = app.get_name();
+  for (const CLI::App* chosen : app.get_subcommands()) command += ' ' + chosen->get_name();
+  Fail(session, kExitUsage, DescribeMistake(error));
+  PrintDiagnostics(session.Say(
+      MakeMessage("run '{0} --help' for its usage\n", "运行“{0} --help”查看用法\n", command)));
+  return kExitUsage;
+}
+
+int Main(int argc, char** argv) {
+  const std::span<char*> arguments(argv, static_cast<size_t>(argc));
+  Session session;
+  const auto language = OptionValue(arguments, "--lang");
+  session.language = language.has_value()
+                         ? (*language == "zh" ? Language::kChinese : Language::kEnglish)
+                         : LanguageFromEnvironment();
+  session.color = UseColor(OptionValue(arguments, "--color").value_or("auto"));
+
+  CLI::App app;
+  app.name("oncard");
+  DescribeApp(app, session);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& wish) {  // --help and --version
+    app.exit(wish);
+    return kExitOk;
+  } catch (const CLI::ParseError& error) {
+    return ReportMistake(app, error, session);
+  }
+  return session.exit_code;
+}
+
+}  // namespace
+}  // namespace oncard::tools
+
+int main(int argc, char** argv) {
+  try {
+    return oncard::tools::Main(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "oncard: internal error: %s\n", error.what());
+    return oncard::tools::kExitInternal;
+  }
+}

@@ -1,0 +1,61 @@
+// oncard replay: a recorded run again, statement by statement.
+#include "base/files.h"
+#include "tools/commands.h"
+#include "tools/run_report.h"
+
+namespace oncard::tools {
+namespace {
+
+struct ReplayArguments {
+  std::string path;
+  std::vector<std::string> show;
+  std::string format = "text";
+};
+
+int Replay(const ReplayArguments& arguments, const Session& session) {
+  const auto text = ReadFile(arguments.path);
+  if (!text.ok()) return Fail(session, kExitUnreadable, text.error().message);
+  auto schedule = vm::ParseSchedule(text.value());
+  if (!schedule.ok()) {
+    const Message& message = schedule.error().message;
+    return Fail(session, kExitUnreadable,
+                {arguments.path + ": " + message.en, arguments.path + "：" + message.zh});
+  }
+  const auto scenario = runtime::ParseScenario(schedule.value().scenario, arguments.path);
+  if (!scenario.ok()) return Fail(session, kExitUnreadable, scenario.error().message);
+  runtime::ProgramLoad load;
+  const int loaded = LoadOrReport(session, runtime::ProgramPath(scenario.value()),
+                                  runtime::CompileOptions(scenario.value()), false, &load);
+  if (loaded != kExitOk) return loaded;
+
+  runtime::RunOptions options;
+  options.replay = std::make_shared<const vm::Schedule>(std::move(schedule).value());
+  options.show = arguments.show;
+  const auto result = runtime::RunScenario(scenario.value(), *load.object, options);
+  if (!result.ok()) return Fail(session, kExitFailed, result.error().message);
+  return ReportRun(result.value(), arguments.format, session);
+}
+
+}  // namespace
+
+void AddReplay(CLI::App& app, Session& session) {
+  const auto arguments = std::make_shared<ReplayArguments>();
+  CLI::App* command = AddCommand(app, session, "replay",
+                                 {"run a recorded schedule again, exactly", "精确重放录制的调度"},
+                                 [arguments, &session] { return Replay(*arguments, session); });
+  command
+      ->add_option("schedule", arguments->path,
+                   session.Say({"file written by 'oncard run --record'",
+                                "由“oncard run --record”写出的文件"}))
+      ->required()
+      ->type_name("FILE");
+  command
+      ->add_option("--show", arguments->show,
+                   session.Say({"print this at the end (repeatable); without it all globals",
+                                "结束时显示的量（可重复）；省略时显示全部全局变量"}))
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  AddFormatOption(*command, session, arguments->format, {"text", "json"});
+}
+
+}  // namespace oncard::tools

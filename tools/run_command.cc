@@ -1,0 +1,213 @@
+// oncard run: a program with options, or a scenario file, to its end.
+#include <filesystem>
+
+#include "tools/commands.h"
+#include "tools/run_report.h"
+
+namespace oncard::tools {
+namespace {
+
+struct RunArguments {
+  std::string path;
+  std::vector<std::string> threads;
+  std::vector<std::string> globals;
+  std::vector<std::string> show;
+  std::vector<std::string> expectations;
+  std::optional<std::string> schedule;
+  std::optional<int> rate;
+  std::optional<int64_t> cycle_us;
+  std::optional<double> until_ms;
+  std::optional<int64_t> limit_ms;
+  std::optional<std::string> double_format;
+  std::vector<std::string> include_folders;
+  std::string record;
+  std::string trace;
+  std::string format = "text";
+};
+
+// The scenario that the command line describes.
+Result<runtime::Scenario> ScenarioOf(const RunArguments& arguments) {
+  runtime::Scenario scenario;
+  if (arguments.path.ends_with(".toml")) {
+    auto loaded = runtime::LoadScenario(arguments.path);
+    if (!loaded.ok()) return Error{kExitUnreadable, loaded.error().message};
+    scenario = std::move(loaded).value();
+    if (!arguments.threads.empty()) scenario.threads.clear();
+  } else {
+    scenario.program = arguments.path;
+  }
+  for (const std::string& text : arguments.threads) {
+    auto start = runtime::ParseThreadStart(text);
+    if (!start.ok()) return Error{kExitUsage, start.error().message};
+    scenario.threads.push_back(std::move(start).value());
+  }
+  for (const std::string& text : arguments.globals) {
+    auto initial = runtime::ParseInitialValue(text);
+    if (!initial.ok()) return Error{kExitUsage, initial.error().message};
+    scenario.globals.push_back(std::move(initial).value());
+  }
+  for (const std::string& text : arguments.expectations) {
+    auto expectation = runtime::ParseExpectation(text);
+    if (!expectation.ok()) return Error{kExitUsage, expectation.error().message};
+    scenario.expectations.push_back(std::move(expectation).value());
+  }
+  for (const std::string& folder : arguments.include_folders) {
+    scenario.include_folders.push_back(runtime::PathToScenario(scenario, folder));
+  }
+  if (arguments.schedule) {
+    scenario.schedule = *arguments.schedule;
+    constexpr std::string_view kReplay = "replay:";
+    if (scenario.schedule.starts_with(kReplay)) {
+      scenario.schedule =
+          std::string(kReplay) +
+          runtime::PathToScenario(scenario, scenario.schedule.substr(kReplay.size()));
+    }
+  }
+  if (arguments.double_format) scenario.double_format = DoubleFormatOf(*arguments.double_format);
+  scenario.rate = arguments.rate.value_or(scenario.rate);
+  scenario.cycle_us = arguments.cycle_us.value_or(scenario.cycle_us);
+  scenario.limit_ms = arguments.limit_ms.value_or(scenario.limit_ms);
+  if (arguments.until_ms) scenario.until_us = std::llround(*arguments.until_ms * 1000);
+  return scenario;
+}
+
+int WriteTrace(const RunArguments& arguments, const runtime::Trace& trace, const Session& session) {
+  const std::string extension = std::filesystem::path(arguments.trace).extension().string();
+  const std::string text = extension == ".vcd"    ? trace.Vcd()
+                           : extension == ".json" ? trace.Json()
+                                                  : trace.Csv();
+  return WriteOutput(session, arguments.trace, text);
+}
+
+int WriteRecording(const RunArguments& arguments, const runtime::Scenario& scenario,
+                   vm::Schedule schedule, const Session& session) {
+  schedule.scenario = runtime::FormatScenario(runtime::MoveScenario(scenario, arguments.record));
+  return WriteOutput(session, arguments.record, vm::FormatSchedule(schedule));
+}
+
+int Run(const RunArguments& arguments, const Session& session) {
+  auto scenario = ScenarioOf(arguments);
+  if (!scenario.ok()) return Fail(session, scenario.error().code, scenario.error().message);
+  runtime::ProgramLoad load;
+  const int loaded = LoadOrReport(session, runtime::ProgramPath(scenario.value()),
+                                  runtime::CompileOptions(scenario.value()), false, &load);
+  if (loaded != kExitOk) return loaded;
+
+  runtime::RunOptions options;
+  options.record = !arguments.record.empty();
+  options.show = arguments.show;
+  options.trace = !arguments.trace.empty();
+  auto result = runtime::RunScenario(scenario.value(), *load.object, options);
+  if (!result.ok()) return Fail(session, kExitUsage, result.error().message);
+
+  int code = ReportRun(result.value(), arguments.format, session);
+  if (options.trace) {
+    code = std::max(code, WriteTrace(arguments, *result.value().trace, session));
+  }
+  if (options.record) {
+    code = std::max(code, WriteRecording(arguments, scenario.value(),
+                                         std::move(*result.value().schedule), session));
+  }
+  return code;
+}
+
+std::string CheckTraceName(const std::string& path) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  if (extension == ".vcd" || extension == ".csv" || extension == ".json") return {};
+  return "the name must end in .vcd, .csv or .json";
+}
+
+// A list option whose every occurrence takes one value.
+void AddList(CLI::App& command, const std::string& name, std::vector<std::string>& values,
+             const std::string& type, const std::string& description) {
+  command.add_option(name, values, description)->type_name(type)->allow_extra_args(false);
+}
+
+}  // namespace
+
+void AddRun(CLI::App& app, Session& session) {
+  const auto arguments = std::make_shared<RunArguments>();
+  const auto say = [&session](std::string_view en, std::string_view zh) {
+    return session.Say({std::string(en), std::string(zh)});
+  };
+  CLI::App* command = AddCommand(app, session, "run",
+                                 {"run a program or a scenario in virtual time, print its results",
+                                  "以虚拟时间运行程序或场景并显示结果"},
+                                 [arguments, &session] { return Run(*arguments, session); });
+  command
+      ->add_option("program", arguments->path,
+                   say("source (.c), object (.bin) or scenario (.toml)",
+                       "源文件（.c）、目标文件（.bin）或场景（.toml）"))
+      ->required()
+      ->type_name("FILE");
+  AddList(
+      *command, "--thread", arguments->threads, "N=FUNCTION[@PAGE][:NAME=VALUE,...]",
+      say("bind and start a thread (repeatable); without it thread 0 runs the function main, or "
+          "else the first one, on page 0",
+          "绑定并启动一个线程（可重复）；省略时由线程 0 在数据页 0 运行 main 或第一个函数"));
+  AddList(*command, "--set", arguments->globals, "NAME=VALUE",
+          say("value of a global before the start (repeatable)", "启动前的全局变量值（可重复）"));
+  AddList(*command, "--show", arguments->show, "NAME",
+          say("print this at the end, such as sum, page0.i, thread0.result, gpo (repeatable); "
+              "without it all globals",
+              "结束时显示的量，如 "
+              "sum、page0.i、thread0.result、gpo（可重复）；省略时显示全部全局变量"));
+  AddList(*command, "--expect", arguments->expectations, "TEXT",
+          say("fail unless it holds, such as 'sum == 5050' or 'gpo == 1 @ 10ms' (repeatable)",
+              "不成立则失败，如 'sum == 5050' 或 'gpo == 1 @ 10ms'（可重复）"));
+  command
+      ->add_option("--schedule", arguments->schedule,
+                   say("rr[:N], priority, random:SEED, pct:SEED:D or replay:FILE (default rr)",
+                       "rr[:N]、priority、random:SEED、pct:SEED:D 或 replay:FILE（默认 rr）"))
+      ->type_name("POLICY");
+  command
+      ->add_option("--rate", arguments->rate,
+                   say("statements per ms, shared by all threads (default 100)",
+                       "每毫秒语句数，由所有线程共享（默认 100）"))
+      ->type_name("N")
+      ->check(CLI::Range(1, 1'000'000).description(""));
+  command
+      ->add_option("--cycle", arguments->cycle_us,
+                   say("profile cycle in us, a multiple of 125 (default 250)",
+                       "规划周期，单位 us，125 的倍数（默认 250）"))
+      ->type_name("US")
+      ->check(CLI::Range(125, 4000).description(""))
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            return std::stol(text) % 125 == 0 ? std::string() : "not a multiple of 125";
+          },
+          ""));
+  command
+      ->add_option("--until", arguments->until_ms,
+                   say("end the run at this time, whatever still runs",
+                       "到此时刻结束运行，不论线程是否仍在运行"))
+      ->type_name("MS")
+      ->check(CLI::Range(0.0, static_cast<double>(runtime::kTimeMsMax)).description(""));
+  command
+      ->add_option("--limit", arguments->limit_ms,
+                   say("fail when threads still run at this time (default 60000)",
+                       "到此时刻仍有线程在运行则失败（默认 60000）"))
+      ->type_name("MS")
+      ->check(CLI::Range(int64_t{1}, runtime::kTimeMsMax).description(""));
+  command
+      ->add_option(
+          "--record", arguments->record,
+          say("write the schedule, for 'oncard replay'", "写出调度文件，供“oncard replay”使用"))
+      ->type_name("FILE");
+  command
+      ->add_option("--trace", arguments->trace,
+                   say("write values over time, as .vcd, .csv or .json",
+                       "写出随时间变化的值，格式为 .vcd、.csv 或 .json"))
+      ->type_name("FILE")
+      ->check(CLI::Validator(CheckTraceName, ""));
+  AddIncludeOption(*command, session, arguments->include_folders);
+  command
+      ->add_option("--double", arguments->double_format,
+                   say("width of the type double of a source: 32.16 (default) or 16.16",
+                       "源文件中 double 类型的宽度：32.16（默认）或 16.16"))
+      ->type_name("WIDTH")
+      ->check(CLI::IsMember({"32.16", "16.16"}).description(""));
+  AddFormatOption(*command, session, arguments->format, {"text", "json"});
+}
+
+}  // namespace oncard::tools

@@ -1,0 +1,109 @@
+#include "tools/run_report.h"
+
+#include <nlohmann/json.hpp>
+
+namespace oncard::tools {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string_view ThreadStateName(vm::ThreadRun run) {
+  switch (run) {
+    case vm::ThreadRun::kUnbound:
+      return "unbound";
+    case vm::ThreadRun::kStopped:
+      return "finished";
+    case vm::ThreadRun::kRunning:
+      return "running";
+    case vm::ThreadRun::kPaused:
+      return "paused";
+    case vm::ThreadRun::kFaulted:
+      return "faulted";
+  }
+  return "unbound";
+}
+
+// Numbers are already written as JSON writes them.
+Json Number(const std::string& text) { return Json::parse(text); }
+
+}  // namespace
+
+std::string_view EndName(const runtime::ScenarioResult& result) {
+  switch (result.end) {
+    case runtime::RunEnd::kQuiet:
+      return "quiet";
+    case runtime::RunEnd::kTimeLimit:
+      return result.reached_until ? "until" : "time-limit";
+    case runtime::RunEnd::kDeadlock:
+      return "deadlock";
+    case runtime::RunEnd::kScheduleEnd:
+      return "schedule-end";
+    case runtime::RunEnd::kScheduleDiverged:
+      return "diverged";
+  }
+  return "quiet";
+}
+
+std::string FormatFailure(const runtime::ScenarioFailure& failure, Language language) {
+  const std::string& message = failure.message.In(language);
+  return failure.expectation.empty() ? message
+                                     : fmt::format("{}: {}", failure.expectation, message);
+}
+
+std::string FormatRunText(const runtime::ScenarioResult& result, const Session& session) {
+  std::string text;
+  for (const runtime::ThreadReport& thread : result.threads) {
+    text += session.Say(MakeMessage("thread {0} {1}: {2}\n", "线程 {0} {1}：{3}\n", thread.thread,
+                                    thread.function, thread.status.en, thread.status.zh));
+  }
+  for (const runtime::ShownValue& value : result.values) {
+    const std::string list = fmt::to_string(fmt::join(value.elements, ", "));
+    text += fmt::format(fmt::runtime(value.array ? "{} = [{}]\n" : "{} = {}\n"), value.name, list);
+  }
+  return text;
+}
+
+std::string FormatRunJson(const runtime::ScenarioResult& result, const Session& session) {
+  Json json;
+  json["passed"] = result.passed();
+  json["end"] = EndName(result);
+  json["time_ms"] = result.end_ms;
+  json["statements"] = result.statements;
+  json["program_hash"] = fmt::format("{:016x}", result.program_hash);
+  json["state_hash"] = fmt::format("{:016x}", result.hash);
+  json["threads"] = Json::array();
+  for (const runtime::ThreadReport& thread : result.threads) {
+    json["threads"].push_back({{"thread", thread.thread},
+                               {"function", thread.function},
+                               {"page", thread.page},
+                               {"state", ThreadStateName(thread.run)},
+                               {"result", Number(thread.result)},
+                               {"error", thread.error},
+                               {"place", thread.place},
+                               {"statements", thread.statements},
+                               {"status", session.Say(thread.status)}});
+  }
+  json["values"] = Json::object();
+  for (const runtime::ShownValue& value : result.values) {
+    Json elements = Json::array();
+    for (const std::string& element : value.elements) elements.push_back(Number(element));
+    json["values"][value.name] = value.array ? elements : elements.front();
+  }
+  json["failures"] = Json::array();
+  for (const runtime::ScenarioFailure& failure : result.failures) {
+    json["failures"].push_back(
+        {{"expectation", failure.expectation}, {"message", session.Say(failure.message)}});
+  }
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+int ReportRun(const runtime::ScenarioResult& result, const std::string& format,
+              const Session& session) {
+  PrintResult(format == "json" ? FormatRunJson(result, session) : FormatRunText(result, session));
+  for (const runtime::ScenarioFailure& failure : result.failures) {
+    PrintDiagnostics(fmt::format("oncard: {}\n", FormatFailure(failure, session.language)));
+  }
+  return result.passed() ? kExitOk : kExitFailed;
+}
+
+}  // namespace oncard::tools

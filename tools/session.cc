@@ -1,0 +1,40 @@
+#include "tools/session.h"
+
+#include <cstdio>
+
+#include "base/files.h"
+#include "compiler/diagnostic_printer.h"
+
+namespace oncard::tools {
+
+void PrintResult(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+
+void PrintDiagnostics(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+
+int Fail(const Session& session, int code, const Message& message) {
+  PrintDiagnostics(fmt::format("oncard: {}\n", session.Say(message)));
+  return code;
+}
+
+int WriteOutput(const Session& session, const std::string& path, std::string_view content) {
+  const auto written = WriteFileAtomically(path, content);
+  return written.ok() ? kExitOk : Fail(session, kExitUnreadable, written.error().message);
+}
+
+int LoadOrReport(const Session& session, const std::string& path, const compiler::Options& options,
+                 bool json, runtime::ProgramLoad* load) {
+  *load = runtime::LoadProgram(path, options);
+  if (load->error) return Fail(session, kExitUnreadable, load->error->message);
+  if (load->compilation) {
+    const compiler::PrintOptions print = {session.language, session.color};
+    PrintDiagnostics(json ? compiler::PrintJson(*load->compilation, print)
+                          : compiler::PrintText(*load->compilation, print));
+  }
+  return load->object ? kExitOk : kExitFailed;
+}
+
+vm::DoubleFormat DoubleFormatOf(std::string_view text) {
+  return text == "16.16" ? vm::DoubleFormat::k16_16 : vm::DoubleFormat::k32_16;
+}
+
+}  // namespace oncard::tools

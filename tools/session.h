@@ -1,0 +1,67 @@
+// What every subcommand shares: the language, colours, the exit code, and the two output streams.
+// Results go to standard output, diagnostics to standard error.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "base/message.h"
+#include "base/result.h"
+#include "compiler/compiler.h"
+#include "runtime/program.h"
+
+namespace oncard::tools {
+
+enum ExitCode : int {
+  kExitOk = 0,
+  kExitFailed = 1,
+  kExitUsage = 2,
+  kExitUnreadable = 3,
+  kExitInternal = 4,
+};
+
+/// What an exit code means, for the help and the manual page.
+struct ExitCodeText {
+  ExitCode code;
+  std::string_view meaning_en;
+  std::string_view meaning_zh;
+};
+
+inline constexpr std::array kExitCodeTexts = {
+    ExitCodeText{kExitOk, "everything went well", "一切正常"},
+    ExitCodeText{kExitFailed, "the program, the test or the replay failed", "程序、测试或重放失败"},
+    ExitCodeText{kExitUsage, "the command line, or a name in it, makes no sense",
+                 "命令行或其中的名称有误"},
+    ExitCodeText{kExitUnreadable, "a file cannot be read or written", "文件无法读写"},
+    ExitCodeText{kExitInternal, "a bug of oncard", "oncard 自身的错误"},
+};
+
+struct Session {
+  Language language = Language::kEnglish;
+  bool color = false;
+  int exit_code = kExitOk;
+
+  /// The text in the session's language.
+  const std::string& Say(const Message& message) const { return message.In(language); }
+};
+
+/// Writes to standard output.
+void PrintResult(std::string_view text);
+/// Writes to standard error.
+void PrintDiagnostics(std::string_view text);
+/// Reports `oncard: message` on standard error and gives `code` back.
+int Fail(const Session& session, int code, const Message& message);
+
+/// Writes a file; reports a failure. Gives the exit code.
+int WriteOutput(const Session& session, const std::string& path, std::string_view content);
+
+/// Loads a program and reports whatever there is to say about it, in the chosen form (`text` or
+/// `json`). Gives the exit code; the object is present when that is kExitOk.
+int LoadOrReport(const Session& session, const std::string& path, const compiler::Options& options,
+                 bool json, runtime::ProgramLoad* load);
+
+/// Reads `32.16` or `16.16`, which the option has checked.
+vm::DoubleFormat DoubleFormatOf(std::string_view text);
+
+}  // namespace oncard::tools

@@ -1,0 +1,122 @@
+// oncard test: every scenario of files and folders.
+#include <filesystem>
+
+#include "compiler/diagnostic_printer.h"
+#include "tools/commands.h"
+#include "tools/run_report.h"
+#include "tools/test_report.h"
+
+namespace oncard::tools {
+namespace {
+
+struct TestArguments {
+  std::vector<std::string> paths;
+  std::string format = "text";
+};
+
+// The scenarios below a folder, sorted by path; a file stands for itself.
+Result<std::vector<std::string>> FindScenarios(const std::string& path) {
+  std::vector<std::string> found;
+  std::error_code error;
+  if (!std::filesystem::is_directory(path, error)) {
+    if (!std::filesystem::exists(path, error)) {
+      return MakeError(1, "cannot open '{0}': no such file or folder",
+                       "无法打开“{0}”：没有该文件或文件夹", path);
+    }
+    found.push_back(path);
+    return found;
+  }
+  using Iterator = std::filesystem::recursive_directory_iterator;
+  for (Iterator entry(path, error); !error && entry != Iterator(); entry.increment(error)) {
+    if (entry->path().extension() == ".toml") found.push_back(entry->path().generic_string());
+  }
+  if (error) {
+    return MakeError(1, "cannot read the folder '{0}': {1}", "无法读取文件夹“{0}”：{1}", path,
+                     error.message());
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+// A failed compilation in one message: its diagnostics as `check` prints them.
+Message DescribeDiagnostics(const compiler::Compilation& compilation) {
+  Message message;
+  message.en = compiler::PrintText(compilation, {Language::kEnglish, false});
+  message.zh = compiler::PrintText(compilation, {Language::kChinese, false});
+  for (std::string* text : {&message.en, &message.zh}) {
+    while (text->ends_with('\n')) text->pop_back();
+  }
+  return message;
+}
+
+TestOutcome RunTest(const std::string& path) {
+  TestOutcome outcome;
+  outcome.path = path;
+  const auto scenario = runtime::LoadScenario(path);
+  if (!scenario.ok()) {
+    outcome.failures.push_back(scenario.error().message);
+    return outcome;
+  }
+  runtime::ProgramLoad load = runtime::LoadProgram(runtime::ProgramPath(scenario.value()),
+                                                   runtime::CompileOptions(scenario.value()));
+  if (!load.object) {
+    outcome.failures.push_back(load.error ? load.error->message
+                                          : DescribeDiagnostics(*load.compilation));
+    return outcome;
+  }
+  const auto result = runtime::RunScenario(scenario.value(), std::move(*load.object));
+  if (!result.ok()) {
+    outcome.failures.push_back(result.error().message);
+    return outcome;
+  }
+  outcome.time_ms = result.value().end_ms;
+  outcome.statements = result.value().statements;
+  for (const runtime::ScenarioFailure& failure : result.value().failures) {
+    outcome.failures.push_back(
+        {FormatFailure(failure, Language::kEnglish), FormatFailure(failure, Language::kChinese)});
+  }
+  return outcome;
+}
+
+int Test(const TestArguments& arguments, const Session& session) {
+  std::vector<TestOutcome> outcomes;
+  for (const std::string& path : arguments.paths) {
+    const auto scenarios = FindScenarios(path);
+    if (!scenarios.ok()) return Fail(session, kExitUnreadable, scenarios.error().message);
+    for (const std::string& scenario : scenarios.value()) outcomes.push_back(RunTest(scenario));
+  }
+  if (outcomes.empty()) {
+    return Fail(session, kExitUnreadable, {"no scenario (.toml) found", "未找到场景文件（.toml）"});
+  }
+  if (arguments.format == "junit") {
+    PrintResult(FormatTestJunit(outcomes, session.language));
+  } else if (arguments.format == "tap") {
+    PrintResult(FormatTestTap(outcomes, session.language));
+  } else if (arguments.format == "json") {
+    PrintResult(FormatTestJson(outcomes, session.language));
+  } else {
+    PrintResult(FormatTestText(outcomes, session.language, session.color));
+  }
+  const bool passed = std::all_of(outcomes.begin(), outcomes.end(),
+                                  [](const TestOutcome& outcome) { return outcome.passed(); });
+  return passed ? kExitOk : kExitFailed;
+}
+
+}  // namespace
+
+void AddTest(CLI::App& app, Session& session) {
+  const auto arguments = std::make_shared<TestArguments>();
+  CLI::App* command =
+      AddCommand(app, session, "test",
+                 {"run scenarios and report which expectations fail", "运行场景并报告未满足的期望"},
+                 [arguments, &session] { return Test(*arguments, session); });
+  command
+      ->add_option("paths", arguments->paths,
+                   session.Say({"scenarios (.toml), or folders searched for them",
+                                "场景文件（.toml）或含有场景的文件夹"}))
+      ->required()
+      ->type_name("PATH");
+  AddFormatOption(*command, session, arguments->format, {"text", "junit", "tap", "json"});
+}
+
+}  // namespace oncard::tools

@@ -1,0 +1,109 @@
+#include "tools/test_report.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "compiler/display_text.h"
+
+namespace oncard::tools {
+namespace {
+
+size_t CountPassed(const std::vector<TestOutcome>& outcomes) {
+  return static_cast<size_t>(std::count_if(outcomes.begin(), outcomes.end(),
+                                           [](const TestOutcome& o) { return o.passed(); }));
+}
+
+std::string EscapeXml(std::string_view text) {
+  std::string escaped;
+  for (const char c : compiler::DisplayText(text)) {
+    switch (c) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      default:
+        escaped += c;
+    }
+  }
+  return escaped;
+}
+
+}  // namespace
+
+std::string FormatTestText(const std::vector<TestOutcome>& outcomes, Language language,
+                           bool color) {
+  const std::string ok = color ? "\x1b[32mok\x1b[0m  " : "ok  ";
+  const std::string fail = color ? "\x1b[1;31mFAIL\x1b[0m" : "FAIL";
+  std::string text;
+  for (const TestOutcome& outcome : outcomes) {
+    text += fmt::format("{} {}\n", outcome.passed() ? ok : fail, outcome.path);
+    for (const Message& failure : outcome.failures) {
+      text += fmt::format("     {}\n", failure.In(language));
+    }
+  }
+  const size_t passed = CountPassed(outcomes);
+  return text + MakeMessage("{0} passed, {1} failed\n", "{0} 个通过，{1} 个失败\n", passed,
+                            outcomes.size() - passed)
+                    .In(language);
+}
+
+std::string FormatTestJunit(const std::vector<TestOutcome>& outcomes, Language language) {
+  std::string text = fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<testsuite name=\"oncard\" tests=\"{}\" failures=\"{}\">\n",
+      outcomes.size(), outcomes.size() - CountPassed(outcomes));
+  for (const TestOutcome& outcome : outcomes) {
+    text += fmt::format("  <testcase name=\"{}\" time=\"{:.6f}\"", EscapeXml(outcome.path),
+                        outcome.time_ms / 1000);
+    if (outcome.passed()) {
+      text += "/>\n";
+      continue;
+    }
+    text += ">\n";
+    for (const Message& failure : outcome.failures) {
+      text += fmt::format("    <failure message=\"{}\"/>\n", EscapeXml(failure.In(language)));
+    }
+    text += "  </testcase>\n";
+  }
+  return text + "</testsuite>\n";
+}
+
+std::string FormatTestTap(const std::vector<TestOutcome>& outcomes, Language language) {
+  std::string text = fmt::format("TAP version 13\n1..{}\n", outcomes.size());
+  for (size_t i = 0; i < outcomes.size(); ++i) {
+    const TestOutcome& outcome = outcomes[i];
+    text += fmt::format("{} {} - {}\n", outcome.passed() ? "ok" : "not ok", i + 1, outcome.path);
+    for (const Message& failure : outcome.failures) {
+      text += fmt::format("# {}\n", compiler::DisplayText(failure.In(language)));
+    }
+  }
+  return text;
+}
+
+std::string FormatTestJson(const std::vector<TestOutcome>& outcomes, Language language) {
+  using Json = nlohmann::ordered_json;
+  Json tests = Json::array();
+  for (const TestOutcome& outcome : outcomes) {
+    Json failures = Json::array();
+    for (const Message& failure : outcome.failures) failures.push_back(failure.In(language));
+    tests.push_back({{"path", outcome.path},
+                     {"passed", outcome.passed()},
+                     {"time_ms", outcome.time_ms},
+                     {"statements", outcome.statements},
+                     {"failures", std::move(failures)}});
+  }
+  const size_t passed = CountPassed(outcomes);
+  const Json document = {
+      {"passed", passed}, {"failed", outcomes.size() - passed}, {"tests", std::move(tests)}};
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace oncard::tools

@@ -1,0 +1,69 @@
+// oncard verify: would a card take these objects, and if not, why.
+#include <nlohmann/json.hpp>
+
+#include "runtime/controller.h"
+#include "tools/commands.h"
+#include "vm/object_reader.h"
+#include "vm/verifier.h"
+
+namespace oncard::tools {
+namespace {
+
+// GT_Download's code for a file that does not exist.
+constexpr int kNoSuchFile = 2007;
+
+struct VerifyArguments {
+  std::vector<std::string> paths;
+  std::string format = "text";
+};
+
+Result<void> VerifyObject(const std::string& path) {
+  const auto object = vm::ReadObjectPair(path);
+  if (!object.ok()) return object.error();
+  const runtime::Controller controller;
+  return vm::Verify(object.value(), controller.commands());
+}
+
+int VerifyAll(const VerifyArguments& arguments, const Session& session) {
+  int code = kExitOk;
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const std::string& path : arguments.paths) {
+    const auto verified = VerifyObject(path);
+    nlohmann::ordered_json item = {{"file", path}, {"accepted", verified.ok()}};
+    if (!verified.ok()) {
+      const Error& error = verified.error();
+      item["code"] = error.code;
+      item["reason"] = session.Say(error.message);
+      const int exit_code = error.code == kNoSuchFile ? kExitUnreadable : kExitFailed;
+      code = std::max(code, exit_code);
+      if (arguments.format == "text") {
+        Fail(session, exit_code,
+             MakeMessage("{0}: refused with code {1}: {2}", "{0}：拒绝，返回值 {1}：{3}", path,
+                         error.code, error.message.en, error.message.zh));
+      }
+    }
+    list.push_back(std::move(item));
+  }
+  if (arguments.format == "json") {
+    PrintResult(list.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
+  }
+  return code;
+}
+
+}  // namespace
+
+void AddVerify(CLI::App& app, Session& session) {
+  const auto arguments = std::make_shared<VerifyArguments>();
+  CLI::App* command = AddCommand(
+      app, session, "verify", {"say why a card would refuse an object", "说明目标文件被拒绝的原因"},
+      [arguments, &session] { return VerifyAll(*arguments, session); });
+  command
+      ->add_option("objects", arguments->paths,
+                   session.Say({"objects (.bin), each with its .ini beside it",
+                                "目标文件（.bin），其 .ini 在同一文件夹"}))
+      ->required()
+      ->type_name("FILE");
+  AddFormatOption(*command, session, arguments->format, {"text", "json"});
+}
+
+}  // namespace oncard::tools
