@@ -1,4 +1,8 @@
-/* GTS manual example 10-1: adds begin..end to sum. */
+/*------------------------------------------------
+sum of whole numbers   累加求和
+begin   first number   累加起点
+end     last number    累加终点
+------------------------------------------------*/
 int sum;
 
 int add(int begin, int end)
