@@ -121,6 +121,38 @@ std::string PathFromScenario(const Scenario& scenario, const std::string& path) 
   return (folder / path).lexically_normal().string();
 }
 
+std::string PathToScenario(const Scenario& scenario, const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(scenario.path).parent_path();
+  if (folder.empty() || std::filesystem::path(path).is_absolute()) return path;
+  std::error_code error;  // the current folder is gone: keep what the user wrote
+  const auto relative = std::filesystem::proximate(path, folder, error);
+  return error ? path : relative.generic_string();
+}
+
+std::string ProgramPath(const Scenario& scenario) {
+  return PathFromScenario(scenario, scenario.program);
+}
+
+compiler::Options CompileOptions(const Scenario& scenario) {
+  compiler::Options options;
+  options.double_format = scenario.double_format;
+  for (const std::string& folder : scenario.include_folders) {
+    options.include_folders.push_back(PathFromScenario(scenario, folder));
+  }
+  return options;
+}
+
+Scenario MoveScenario(const Scenario& scenario, const std::string& path) {
+  Scenario moved = scenario;
+  moved.path = path;
+  const auto move = [&](const std::string& old) {
+    return PathToScenario(moved, PathFromScenario(scenario, old));
+  };
+  moved.program = move(scenario.program);
+  for (std::string& folder : moved.include_folders) folder = move(folder);
+  return moved;
+}
+
 Result<ThreadStart> ParseThreadStart(std::string_view text) {
   ThreadStart start;
   const size_t equals = text.find('=');

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "compiler/compiler.h"
 #include "motion/digital_io.h"
 #include "runtime/expectation.h"
 #include "vm/fixed_point.h"
@@ -81,8 +82,16 @@ Result<Scenario> LoadScenario(const std::string& path);
 /// The text that ParseScenario() reads back; ends in a newline.
 std::string FormatScenario(const Scenario& scenario);
 
-/// `path` seen from the scenario's folder.
+/// A path of the scenario, which is relative to the scenario's folder, for the caller to open.
 std::string PathFromScenario(const Scenario& scenario, const std::string& path);
+/// The reverse: a path of the caller as the scenario would write it.
+std::string PathToScenario(const Scenario& scenario, const std::string& path);
+/// The program file, for the caller to open.
+std::string ProgramPath(const Scenario& scenario);
+/// How a source is compiled.
+compiler::Options CompileOptions(const Scenario& scenario);
+/// The same scenario as the file `path` would hold it.
+Scenario MoveScenario(const Scenario& scenario, const std::string& path);
 
 /// Reads `thread=function[@page][:name=value,...]`, the form of `oncard run --thread`.
 Result<ThreadStart> ParseThreadStart(std::string_view text);

@@ -392,7 +392,7 @@ class ScenarioRunner {
                               ? vm::DoubleFromFixed(thread.result)
                               : static_cast<double>(thread.result);
     report.result = FormatNumber(result, thread.result_type);
-    const std::filesystem::path program = PathFromScenario(scenario_, scenario_.program);
+    const std::filesystem::path program = ProgramPath(scenario_);
     report.place = fmt::format("{}:{}", (program.parent_path() / function.file).string(),
                                machine.Line(number));
     report.status = StatusOf(thread, report);
