@@ -148,8 +148,8 @@ class TextPrinter {
       const size_t end = std::min(block.find('\n', begin), block.size());
       std::string_view line = std::string_view(block).substr(begin, end - begin);
       if (line.ends_with('\r')) line.remove_suffix(1);
-      text_ +=
-          fmt::format("{} {}\n", gutter, Styled(kGreen, "+" + Indented(DisplayLine(line).text())));
+      text_ += fmt::format("{} {}\n", gutter,
+                           Styled(kGreen, fmt::format("+{}", Indented(DisplayLine(line).text()))));
       gutter.assign(gutter.size(), ' ');
       begin = end + 1;
     }
@@ -160,7 +160,9 @@ class TextPrinter {
   }
 
   // One space before a line that has text, so that empty lines end in no blank.
-  static std::string Indented(const std::string& line) { return line.empty() ? line : ' ' + line; }
+  static std::string Indented(const std::string& line) {
+    return line.empty() ? line : fmt::format(" {}", line);
+  }
 
   const Compilation& compilation_;
   const PrintOptions& options_;
