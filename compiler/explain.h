@@ -1,0 +1,45 @@
+// The page that `oncard explain MP027` prints: what a diagnostic means, why the language is so, a
+// program that has it and the same program repaired. The texts are the explain_pages_*.def tables.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/message.h"
+
+namespace oncard::compiler {
+
+/// A row of the tables. The programs are complete sources; they are the same in both languages.
+struct Explanation {
+  int code;
+  /// What is wrong and why: one paragraph of full sentences, without line ends.
+  std::string_view en;
+  std::string_view zh;
+  /// Compiles to this diagnostic and no other. Empty when no program that fits a page has it.
+  std::string_view failing;
+  /// Compiles without a diagnostic; empty when `failing` is.
+  std::string_view fixed;
+};
+
+/// A file beside the programs of an explanation, which they include.
+struct ExplanationFile {
+  int code;
+  std::string_view name;
+  std::string_view text;
+};
+
+/// The row of a code, or nullptr.
+const Explanation* FindExplanation(int code);
+/// The files that the programs of a code include; most need none.
+std::vector<ExplanationFile> ExplanationFiles(int code);
+/// The message of a code with `...` where the compiler fills in what it found; empty for an unknown
+/// code.
+Message MessagePattern(int code);
+
+/// The whole page, plain text of at most 80 columns that ends in a line end; nothing for an unknown
+/// code.
+std::optional<std::string> ExplainPage(int code, Language language);
+
+}  // namespace oncard::compiler
