@@ -139,14 +139,23 @@ void FillCompileInfo(TCompileInfo* info, const compiler::Compilation& compilatio
                               first->message.In(LanguageFromEnvironment())));
 }
 
+/// Refuses a compilation for a reason that lies in no line of the program.
+int16_t RefuseFile(ServiceCall& call, int16_t code, TCompileInfo* info, const Message& why) {
+  FillCompileInfo(info, call.text(0), 0, why.In(LanguageFromEnvironment()));
+  return call.Refuse(code, why);
+}
+
 int16_t Compile(ServiceCall& call) {
   const std::string path = call.text(0);
   auto* info = static_cast<TCompileInfo*>(call.arguments[1].host);
-  auto text = ReadFile(path);
-  if (!text.ok()) {
-    FillCompileInfo(info, path, 0, text.error().message.In(LanguageFromEnvironment()));
-    return call.Refuse(kFileNotFound, text.error().message);
+  const compiler::OutputPaths paths = compiler::OutputPathsFor(path);
+  if (path == paths.bin || path == paths.ini) {
+    return RefuseFile(call, kFileNotFound, info,
+                      MakeMessage("'{}' is an object file; name the source instead",
+                                  "'{}' 是目标文件；应给出源文件", path));
   }
+  auto text = ReadFile(path);
+  if (!text.ok()) return RefuseFile(call, kFileNotFound, info, text.error().message);
   const auto compilation =
       compiler::CompileText(path, std::move(text).value(), compiler::Options{}, ReadFile);
   if (!compilation.ok()) {
@@ -154,12 +163,8 @@ int16_t Compile(ServiceCall& call) {
     return vm::kRefused;
   }
   const vm::ObjectFiles files = vm::WriteObject(*compilation.object, false);
-  const compiler::OutputPaths paths = compiler::OutputPathsFor(path);
   const auto written = WritePairAtomically(paths.bin, files.bin, paths.ini, files.ini);
-  if (!written.ok()) {
-    FillCompileInfo(info, path, 0, written.error().message.In(LanguageFromEnvironment()));
-    return call.Refuse(vm::kRefused, written.error().message);
-  }
+  if (!written.ok()) return RefuseFile(call, vm::kRefused, info, written.error().message);
   FillCompileInfo(info, "", 0, "");
   return vm::kOk;
 }

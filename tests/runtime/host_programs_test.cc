@@ -89,6 +89,15 @@ TEST_F(HostPrograms, APairThatCannotBeWrittenIsRefused) {
   EXPECT_NE(answer.message, "");
 }
 
+TEST_F(HostPrograms, AnObjectFileIsNotTakenForASource) {
+  ASSERT_EQ(Compile(WriteText("sum.c", kSumProgram)).code, 0);
+  const std::string bin = ReadAll("sum.bin");
+  TCompileInfo nowhere{};
+  EXPECT_EQ(GT_Compile((folder_ + "sum.bin").c_str(), &nowhere), 2007);
+  EXPECT_EQ(GT_Compile((folder_ + "sum.ini").c_str(), &nowhere), 2007);
+  EXPECT_EQ(ReadAll("sum.bin"), bin);
+}
+
 TEST_F(HostPrograms, LongTextsAreCutToTheCallersBuffers) {
   // Wide characters, so that a cut at a fixed byte would leave half of one.
   std::string name;
