@@ -143,7 +143,11 @@ class Checker {
   void EndStatement(const Statement& statement, const Place& place);
   template <typename... Args>
   void Teach(Code code, SourceRange range, const Args&... args) {
-    if (!lesson_) lesson_ = Lesson{code, range, {ToMessage(args)...}};
+    // That an expression is nested is the least of what can be said about it.
+    if (!lesson_ || lesson_->code == Code::kNestedExpression) {
+      if (lesson_ && code == Code::kNestedExpression) return;
+      lesson_ = Lesson{code, range, {ToMessage(args)...}};
+    }
   }
   /// Reports an error that no rewriting can mend.
   template <typename... Args>
@@ -205,6 +209,7 @@ class Checker {
   // Of the statement being checked.
   std::optional<Lesson> lesson_;
   bool failed_ = false;
+  bool broken_ = false;  // part of it is missing from the tree: no lesson
   uint16_t line_ = 0;
   SourceRange statement_range_;
   Diagnostic* flat_array_ = nullptr;  // the declaration of a multi-dimensional array it uses

@@ -305,9 +305,15 @@ std::optional<TypedOperand> Checker::ResolveIndex(const Expression& expression) 
 std::optional<TypedOperand> Checker::ResolveMember(const Expression& expression) {
   const Expression& base = *expression.operands[0];
   if (expression.op == "->") {
-    CheckNames(base);
-    Fail(Code::kIllegalOperator, expression.range, expression.op,
-         MakeMessage("there are no pointers; write '.'", "没有指针；请写 '.'"));
+    if (base.kind == Expression::Kind::kName) {
+      ResolveName(base);
+    } else {
+      CheckNames(base);
+    }
+    Diagnostic& diagnostic =
+        Fail(Code::kIllegalOperator, expression.range, expression.op,
+             MakeMessage("there are no pointers; write '.'", "没有指针；请写 '.'"));
+    Replace(diagnostic, {base.range.file, base.range.end, expression.op_range.begin}, ".");
     return std::nullopt;
   }
   if (base.kind != Expression::Kind::kName) {
@@ -573,7 +579,7 @@ std::optional<Operation> Checker::ResolveMagnitude(const Expression& expression)
 void Checker::CheckNames(const Expression& expression) {
   switch (expression.kind) {
     case Expression::Kind::kError:
-      failed_ = true;
+      failed_ = broken_ = true;
       return;
     case Expression::Kind::kName:
     case Expression::Kind::kLiteral:

@@ -15,6 +15,9 @@ namespace {
 
 using Kind = Parser::token;
 
+// Characters that are a token on their own.
+constexpr std::string_view kPunctuation = "(){}[];:,=<>+-*/%!&|^~?.";
+
 class Lexer {
  public:
   Lexer(const SourceFile& file, int file_index, Reporter& reporter)
@@ -149,15 +152,16 @@ const char* Lexer::IllegalCharacters(const char* begin, const char* limit) {
   const size_t count = tokens_.size();
   if (ascii != 0) {
     Replace(diagnostic, Range(begin, end), std::string(1, ascii));
-    // One character is lexed on its own, then given its place in the file.
-    const std::string substitute(1, ascii);
-    if (std::string_view("(){}[];:,=<>+-*/%!&|^~?.").find(ascii) != std::string_view::npos) {
+    // The character that it looks like is lexed on its own, then given its place in the file.
+    const size_t at = kPunctuation.find(ascii);
+    if (at != std::string_view::npos) {
+      const std::string substitute(1, ascii);
       Scan(substitute.data(), substitute.data() + 1);
+      tokens_.back().text = kPunctuation.substr(at, 1);
     }
   }
   if (tokens_.size() == count) Add(Kind::kInvalid, begin, end);
   tokens_.back().range = Range(begin, end);
-  tokens_.back().text = text;
   return end;
 }
 

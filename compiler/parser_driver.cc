@@ -116,6 +116,7 @@ bool ParserDriver::SkipStatement() {
     return false;
   }
   if (last_->kind == Kind::kEnd || last_ == &end_brace_) return false;
+  if (stuck_at_ == next_) return true;  // a `}` that closes nothing here: pass it over
 
   size_t begin = next_ - 1;  // the token at which the error was found
   const bool in_for = InForHeader();
@@ -143,6 +144,7 @@ bool ParserDriver::SkipStatement() {
                     [](const Token& token) { return token.kind == Kind::kOpenBrace; });
     if (!of_initialiser) {
       RememberNames(begin, at);
+      stuck_at_ = next_;
       return false;
     }
   }

@@ -80,6 +80,7 @@ class ParserDriver {
   std::span<const Token> tokens_;
   Reporter& reporter_;
   size_t next_ = 0;
+  size_t stuck_at_ = 0;              // where SkipStatement() last found nothing to skip
   const Token* last_ = nullptr;      // what Next() gave last
   const Token* previous_ = nullptr;  // and before that
   Token end_brace_;                  // stands for a `}` that is missing at the end

@@ -166,7 +166,7 @@ void Checker::Emit(vm::Instruction instruction) {
 
 void Checker::BeginStatement(const Statement& statement) {
   lesson_.reset();
-  failed_ = false;
+  failed_ = broken_ = false;
   flat_array_ = nullptr;
   statement_range_ = statement.range;
   // Lines are words of the object; a later one is written as unknown.
@@ -181,7 +181,7 @@ void Checker::EndStatement(const Statement& statement, const Place& place) {
     rewriter.RewriteSimple(statement, place);
     return;
   }
-  if (!lesson_) return;
+  if (!lesson_ || broken_) return;
   Diagnostic& diagnostic = reporter_.Report(lesson_->code, lesson_->range, lesson_->arguments);
   if (lesson_->code == Code::kUserCall) {
     AddNote(diagnostic,

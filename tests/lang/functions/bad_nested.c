@@ -1,0 +1,6 @@
+int outer() {
+  int inner() { // expect error MP012
+    return 0;
+  }
+  return 0;
+}

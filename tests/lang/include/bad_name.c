@@ -1,0 +1,4 @@
+#include <stdio.h> // expect error MP037
+#include "" // expect error MP037
+#include // expect error MP037
+int t0() { return 0; }

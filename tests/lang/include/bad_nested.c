@@ -1,0 +1,2 @@
+#include "nests.h"
+int t0() { return 0; }

@@ -1,0 +1,2 @@
+#include "unclosed.h"
+int t1() { return 0; }

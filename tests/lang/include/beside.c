@@ -1,0 +1,5 @@
+#include "constants.h"
+int t0() {
+  shared = LIMIT;
+  return 0; // expect: shared=12
+}

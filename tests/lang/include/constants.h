@@ -1,0 +1,2 @@
+#define LIMIT 12
+int shared;

@@ -1,0 +1,1 @@
+#include "constants.h" // expect error MP021

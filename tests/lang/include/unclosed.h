@@ -1,0 +1,3 @@
+int t0() {
+  return 0; // expect error MP004 @3
+

@@ -1,0 +1,5 @@
+int v;
+int t0() {
+  v = 1£»  // expect error MP001
+  return 0;
+}

@@ -1,0 +1,5 @@
+﻿int v; // expect: v=8
+int t0() {
+  v = 8;
+  return 0;
+}

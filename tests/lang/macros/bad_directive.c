@@ -1,0 +1,3 @@
+#pragma once // expect error MP034
+#ifdef X // expect error MP034
+int t0() { return 0; }

@@ -1,0 +1,4 @@
+int t0() {
+#define N 1 // expect error MP023
+  return N;
+}
