@@ -18,8 +18,8 @@ lbl_loop:
 }
 
 /* Keeps its page for a while. */
-int hold(int mark)
+int hold(int kept)
 {
   GT_Delay(10);
-  return mark;
+  return kept;
 }
