@@ -6,6 +6,8 @@
 #include <optional>
 #include <span>
 
+#include "runtime/near_name.h"
+#include "tools/command_tree.h"
 #include "tools/commands.h"
 
 namespace oncard::tools {
@@ -49,10 +51,25 @@ Message DescribeMistake(const CLI::ParseError& error) {
   return {error.what(), fmt::format("{}：{}", kind, error.what())};
 }
 
+// What the user may have meant by a word that is no command.
+Message DescribeUnknownCommand(const CLI::App& app, const std::string& word) {
+  std::vector<std::string_view> names;
+  const std::vector<CommandText> tree = ReadCommandTree(app);
+  for (size_t i = 1; i < tree.size(); ++i) names.push_back(tree[i].name);
+  const std::string_view near = runtime::NearestName(word, names);
+  if (near.empty()) return MakeMessage("there is no command '{0}'", "没有命令“{0}”", word);
+  return MakeMessage("there is no command '{0}'; did you mean '{1}'?",
+                     "没有命令“{0}”；是否为“{1}”？", word, near);
+}
+
 int ReportMistake(const CLI::App& app, const CLI::ParseError& error, const Session& session) {
   std::string command = app.get_name();
   for (const CLI::App* chosen : app.get_subcommands()) command += ' ' + chosen->get_name();
-  Fail(session, kExitUsage, DescribeMistake(error));
+  const std::vector<std::string> words = app.remaining();
+  const bool unknown =
+      app.get_subcommands().empty() && !words.empty() && !words.front().starts_with('-');
+  Fail(session, kExitUsage,
+       unknown ? DescribeUnknownCommand(app, words.front()) : DescribeMistake(error));
   PrintDiagnostics(session.Say(
       MakeMessage("run '{0} --help' for its usage\n", "运行“{0} --help”查看用法\n", command)));
   return kExitUsage;
