@@ -26,21 +26,13 @@ constexpr std::string_view Program(std::string_view text) {
 constexpr Explanation kExplanations[] = {
 #define EXPLAIN(code, en, zh, failing, fixed) {code, en, zh, Program(failing), Program(fixed)},
 #define EXPLAIN_FILE(code, name, text)
-#include "compiler/explain_pages_000.def"
-#include "compiler/explain_pages_025.def"
-#include "compiler/explain_pages_100.def"
-#undef EXPLAIN
-#undef EXPLAIN_FILE
+#include "compiler/explain_pages.def"
 };
 
 constexpr ExplanationFile kFiles[] = {
 #define EXPLAIN(code, en, zh, failing, fixed)
 #define EXPLAIN_FILE(code, name, text) {code, name, Program(text)},
-#include "compiler/explain_pages_000.def"
-#include "compiler/explain_pages_025.def"
-#include "compiler/explain_pages_100.def"
-#undef EXPLAIN
-#undef EXPLAIN_FILE
+#include "compiler/explain_pages.def"
 };
 
 // `...` for {0}, {1}, ..., and single braces for doubled ones, which is how fmt spells them.

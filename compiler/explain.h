@@ -1,5 +1,5 @@
 // The page that `oncard explain MP027` prints: what a diagnostic means, why the language is so, a
-// program that has it and the same program repaired. The texts are the explain_pages_*.def tables.
+// program that has it and the same program repaired. The texts are the rows of explain_pages.def.
 #pragma once
 
 #include <optional>
@@ -11,13 +11,14 @@
 
 namespace oncard::compiler {
 
-/// A row of the tables. The programs are complete sources; they are the same in both languages.
+/// A row of explain_pages.def. The programs are complete sources; they are the same in both languages.
 struct Explanation {
   int code;
   /// What is wrong and why: one paragraph of full sentences, without line ends.
   std::string_view en;
   std::string_view zh;
-  /// Compiles to this diagnostic and no other. Empty when no program that fits a page has it.
+  /// Has this diagnostic and no other, but for the undeclared names that a file leaves behind which
+  /// could not be included. Empty when no program that fits a page has it.
   std::string_view failing;
   /// Compiles without a diagnostic; empty when `failing` is.
   std::string_view fixed;
