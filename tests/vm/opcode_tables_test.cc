@@ -1,0 +1,33 @@
+// The table of opcodes in docs/object-format.md is the one that follows from vm/opcodes.def.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace oncard::vm {
+namespace {
+
+std::string ReadAll(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(OpcodeTablesTest, ObjectFormatDocumentIsUpToDate) {
+  const std::string generated = ReadAll(ONCARD_GENERATED_OBJECT_FORMAT);
+  ASSERT_FALSE(generated.empty());
+  EXPECT_TRUE(ReadAll(ONCARD_SOURCE_DIR "/docs/object-format.md") == generated)
+      << "run `cmake --build . --target update_opcode_tables`";
+}
+
+// Numbers, types and basis of two rows, so that the generator is not its only judge.
+TEST(OpcodeTablesTest, RowsSayWhatTheTableOfOpcodesSays) {
+  const std::string document = ReadAll(ONCARD_SOURCE_DIR "/docs/object-format.md");
+  EXPECT_NE(document.find("\n| 0x5080 | jump | cond rel | | "), std::string::npos);
+  EXPECT_NE(document.find("\n| binary 0x0B | `>` | int or double | int | "), std::string::npos);
+  EXPECT_NE(document.find("\n| binary 0x0F | `\\|` | int | int | bitwise or | A |\n"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace oncard::vm
