@@ -61,10 +61,11 @@ constexpr uint16_t IndexOf(uint16_t operand) { return operand & kOperandIndexMas
 ///   ...If               as without If; the next instruction is kIfLocal
 ///   kTest...            as the comparison; the next instruction is kIfLocal on its target
 ///   kLoop...            as kGoto; the target is the kTest of the same name
-///   kIncrementLoop...   as kIntAddLK; the next instruction is the kLoop of the same name
+///   kIncrementLoop...   as kIntAddLK with a = d; the next instruction is the kLoop of the same name,
+///                       whose comparison is of d
 ///   kAccumulateIntLoop..., kAccumulateGlobalLoop..., kAccumulateDoubleLoop..., kStoreIntLoop...
-///                       as kIntAddLL, kIntAddGL, kDoubleAddLL, kCopyIntLE; the next instruction is
-///                       the kIncrementLoop of the same name
+///                       as kIntAddLL, kIntAddGL, kDoubleAddLL (with a = d), kCopyIntLE; the next
+///                       instruction is the kIncrementLoop of the same name
 enum DecodedOp : uint16_t {
 #define ONCARD_ENUMERATOR(op) k##op,
 #define INT_BINARY(name, bad, value) \

@@ -283,18 +283,19 @@ class FunctionLinker {
     }
   }
 
-  // An increment before such a loop's goto, and any operation before a conditional jump.
+  // `x = x + K` before such a loop's goto when the comparison is of x, and any operation before a
+  // conditional jump.
   void FusePairs() {
     auto& code = linked_.code;
     for (size_t i = 0; i + 1 < code.size(); ++i) {
       uint16_t& op = code[i].op;
       switch (code[i + 1].op) {
-#define INT_COMPARE(name, value)                        \
-  case kLoop##name##LL:                                 \
-    if (op == kIntAddLK) op = kIncrementLoop##name##LL; \
-    break;                                              \
-  case kLoop##name##LK:                                 \
-    if (op == kIntAddLK) op = kIncrementLoop##name##LK; \
+#define INT_COMPARE(name, value)                     \
+  case kLoop##name##LL:                              \
+    if (StepsLoop(i)) op = kIncrementLoop##name##LL; \
+    break;                                           \
+  case kLoop##name##LK:                              \
+    if (StepsLoop(i)) op = kIncrementLoop##name##LK; \
     break;
 #include "vm/handlers.def"
         case kIfLocal:
@@ -308,11 +309,21 @@ class FunctionLinker {
     }
   }
 
-  // What a loop does last before its increment.
+  // True when instruction i increments the variable that the loop whose goto follows compares.
+  bool StepsLoop(size_t i) const {
+    const Code& step = linked_.code[i];
+    const Code& loop = linked_.code[i + 1];
+    const auto target = static_cast<ptrdiff_t>(i) + 1 + static_cast<int16_t>(loop.d);
+    return step.op == kIntAddLK && step.a == step.d &&
+           linked_.code[static_cast<size_t>(target)].a == step.d;
+  }
+
+  // What a loop does last before its increment: `s = s + x` or `a[i] = x`.
   void FuseLastOfLoops() {
     auto& code = linked_.code;
     for (size_t i = 0; i + 1 < code.size(); ++i) {
       uint16_t& op = code[i].op;
+      if (code[i].a != code[i].d && op != kCopyIntLE) continue;
       switch (code[i + 1].op) {
 #define FUSE_LAST(test)                                       \
   case kIncrementLoop##test:                                  \
