@@ -1,0 +1,13 @@
+// The kernels in plain C++, compiled with -O2: what a compiler to machine code makes of them.
+#pragma once
+
+#include <cstdint>
+
+namespace oncard::bench {
+
+int32_t NativeSum(int32_t n);
+int64_t NativeMultiplyAccumulate(int32_t n);  ///< raw 32.16
+int32_t NativePrefixSum(int32_t n);
+int32_t NativeCollatz(int32_t n);
+
+}  // namespace oncard::bench
