@@ -138,7 +138,11 @@ Exit CallCommand(Frame& frame, const CallSite& site) {
     }
   }
   frame.bases[kLocalBase] = machine.state_->pages.Use(thread.page).data();
-  return machine.CanContinue(thread) ? Exit::kBudget : Exit::kBlocked;
+  if (!machine.CanContinue(thread)) return Exit::kBlocked;
+  // A delay or a wait that is over at once leaves no trace.
+  thread.wake_cycle = 0;
+  thread.waiting = false;
+  return Exit::kBudget;
 }
 
 }  // namespace oncard::vm

@@ -292,7 +292,9 @@ void Machine::Settle(const Frame& frame, Exit exit, int64_t executed) {
     state.fault_limit = frame.fault_limit;
   } else if (exit == Exit::kFinished) {
     state.run = ThreadRun::kStopped;
-    state.result = frame.result;
+    // An int is the low half of a slot.
+    state.result = state.result_type == DataType::kDouble ? frame.result
+                                                          : static_cast<int32_t>(frame.result);
     state.executed_max = std::max(state.executed_max, state.executed);
   }
 }
@@ -363,6 +365,7 @@ int64_t Machine::Execute(int64_t budget) {
     executed += done;
     if (last_stop_ != Stop::kBudget) break;
   }
+  FinishSleepersAtEnd();
   return executed;
 }
 

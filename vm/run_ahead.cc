@@ -76,6 +76,9 @@ int64_t Machine::ExecuteRounds(uint32_t members, int64_t rounds) {
   }
 
   Calendar calendar;
+  // Positions that wait with nothing left to execute: they finish as soon as the value holds, not in
+  // a turn of their own.
+  uint32_t ending = 0;
   int64_t total = 0;
   int last_thread = -1;
   while (rounds > 0) {
@@ -85,6 +88,13 @@ int64_t Machine::ExecuteRounds(uint32_t members, int64_t rounds) {
 
     const auto enter = [&](int64_t round, int position) {
       if (round < window) calendar.Enter(round, position);
+    };
+    const auto wait = [&](int64_t round, int position) {
+      if (order[static_cast<size_t>(position)].frame.pc->op == kEnd) {
+        ending |= uint32_t{1} << position;
+      } else {
+        enter(round, position);
+      }
     };
     // Runs a member from `round` on, and enters it in the calendar where it must stop.
     const auto run = [&](int position, int64_t round, Reach reach) {
@@ -103,7 +113,9 @@ int64_t Machine::ExecuteRounds(uint32_t members, int64_t rounds) {
         exit = Interpret(member.frame, 0, Reach::kAll);
       }
       const bool waits = exit == Exit::kBlocked && ThreadAt(member.frame.thread).waiting;
-      if (exit == Exit::kShared || waits) {
+      if (waits) {
+        wait(next, position);
+      } else if (exit == Exit::kShared) {
         enter(next, position);
       } else if (exit != Exit::kBudget) {
         member.alive = false;
@@ -111,11 +123,22 @@ int64_t Machine::ExecuteRounds(uint32_t members, int64_t rounds) {
       }
     };
 
+    const auto finish = [&] {
+      for (uint32_t rest = ending; rest != 0; rest &= rest - 1) {
+        const int position = std::countr_zero(rest);
+        ThreadState& state = ThreadAt(order[static_cast<size_t>(position)].frame.thread);
+        if (!CanContinue(state)) continue;
+        ending &= ~(uint32_t{1} << position);
+        state.waiting = false;
+        run(position, 0, Reach::kAll);
+      }
+    };
+
     for (int position = 0; position < count; ++position) {
       const Member& member = order[static_cast<size_t>(position)];
       if (!member.alive) continue;
       if (ThreadAt(member.frame.thread).waiting) {
-        enter(0, position);
+        wait(0, position);
       } else {
         run(position, 0, Reach::kPrivateOnly);
       }
@@ -130,6 +153,7 @@ int64_t Machine::ExecuteRounds(uint32_t members, int64_t rounds) {
         }
         state.waiting = false;
         run(position, round, Reach::kOneThenPrivate);
+        finish();
       }
     }
     if (last_position < 0) break;

@@ -1,0 +1,183 @@
+// The machine against the reference machine: whatever shortcuts it takes, after any number of
+// statements its state is the one that plain interleaving gives.
+#include <gtest/gtest.h>
+
+#include "tests/vm/program_builder.h"
+#include "tests/vm/random_program.h"
+#include "tests/vm/reference_machine.h"
+
+namespace oncard::vm {
+namespace {
+
+// Both machines with the same program in the same state.
+class Pair {
+ public:
+  Pair(const Object& object, int64_t quantum) : reference(object, quantum), machine(&commands_) {
+    Policy policy;
+    policy.quantum = quantum;
+    machine.SetPolicy(policy);
+    machine.Load(LinkRecords(object, commands_));
+  }
+
+  void Write(const SlotAddress& slot, int64_t raw) {
+    machine.WriteRaw(slot, raw);
+    (slot.global ? reference.globals[slot.id] : reference.pages[slot.page][slot.id]) = raw;
+  }
+
+  void Bind(const RandomProgram::Binding& binding) {
+    ASSERT_EQ(machine.Bind(binding.thread, binding.function + 1, binding.page), kOk);
+    reference.Bind(static_cast<size_t>(binding.thread), static_cast<size_t>(binding.function),
+                   static_cast<size_t>(binding.page));
+  }
+
+  void Run(int thread) {
+    ASSERT_EQ(machine.Run(thread), kOk);
+    reference.Start(static_cast<size_t>(thread));
+  }
+
+  void BeginCycle(int64_t cycle) {
+    machine.BeginCycle(cycle);
+    reference.BeginCycle(cycle);
+  }
+
+  // True when both execute the same and are in the same state afterwards.
+  testing::AssertionResult Execute(int64_t budget) {
+    const int64_t expected = reference.Execute(budget);
+    const int64_t executed = machine.Execute(budget);
+    if (executed != expected) {
+      return testing::AssertionFailure() << executed << " executed, reference " << expected;
+    }
+    const Stop stop = expected == budget ? Stop::kBudget : Stop::kIdle;
+    if (machine.last_stop() != stop) return testing::AssertionFailure() << "wrong reason to stop";
+    const std::string difference = reference.Difference(machine);
+    if (!difference.empty()) return testing::AssertionFailure() << difference;
+    return testing::AssertionSuccess();
+  }
+
+  ReferenceMachine reference;
+
+ private:
+  ThreadCommands commands_;
+
+ public:
+  Machine machine;
+};
+
+int64_t RandomBudget(RandomNumbers& random) {
+  switch (random.Between(0, 9)) {
+    case 0:
+      return 1;
+    case 1:
+    case 2:
+    case 3:
+      return random.Between(1, 12);
+    case 4:
+      return random.OneIn(5) ? random.Between(1, 9000) : random.Between(1, 1000);
+    default:
+      return random.Between(1, 150);
+  }
+}
+
+// Runs a program in random pieces, while the clock goes on and ended threads start again.
+testing::AssertionResult RunInPieces(uint64_t seed, int64_t quantum) {
+  RandomNumbers random(seed);
+  const RandomProgram program = MakeRandomProgram(random);
+  Pair pair(program.object, quantum);
+  for (const auto& value : program.values) pair.Write(value.slot, value.raw);
+  for (const auto& binding : program.bindings) {
+    pair.Bind(binding);
+    pair.Run(binding.thread);
+  }
+  int64_t cycle = 0;
+  for (int piece = 0; piece < 12; ++piece) {
+    auto same = pair.Execute(RandomBudget(random));
+    if (!same) return same << " (seed " << seed << ", piece " << piece << ")";
+    if (random.OneIn(2)) pair.BeginCycle(++cycle);
+    for (const auto& binding : program.bindings) {
+      const ThreadRun run = pair.machine.thread(binding.thread).run;
+      const bool ended = run == ThreadRun::kStopped || run == ThreadRun::kFaulted;
+      if (!ended || !random.OneIn(2)) continue;
+      pair.Write({false, pair.machine.thread(binding.thread).page, 6}, random.Between(0, 7));
+      pair.Run(binding.thread);
+    }
+  }
+  return testing::AssertionSuccess();
+}
+
+class RandomPrograms : public testing::TestWithParam<int64_t> {};
+
+TEST_P(RandomPrograms, EndInTheReferenceStateAfterEveryPiece) {
+  const int64_t quantum = GetParam();
+  const uint64_t programs = quantum == 1 ? 3000 : 500;
+  for (uint64_t seed = 1; seed <= programs; ++seed) {
+    ASSERT_TRUE(RunInPieces(seed * 1000 + static_cast<uint64_t>(quantum), quantum));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Quanta, RandomPrograms, testing::Values(1, 2, 3, 7, 1000));
+
+// Two threads in private loops of different lengths, with one shared statement each.
+TEST(RunAheadTest, ManyWindowsOfPrivateWorkBetweenSharedStatements) {
+  const auto loop = [](int32_t rounds, BinaryOperator shared) {
+    return MakeFunction({
+        Set(Local(0), ImmediateInt(0)),
+        Binary(BinaryOperator::kGreaterEqual, DataType::kInt, Local(0), ImmediateInt(rounds),
+               Local(1)),
+        Jump(Local(1), 4),
+        Add(Local(2), Local(2), Local(0)),
+        Add(Local(0), Local(0), ImmediateInt(1)),
+        Goto(-4),
+        Binary(shared, DataType::kInt, Global(0), ImmediateInt(3), Global(0)),
+        Goto(-7),
+    });
+  };
+  const Object object =
+      MakeObject({loop(700, BinaryOperator::kAdd), loop(113, BinaryOperator::kMultiply)});
+  Pair pair(object, 1);
+  pair.Bind({4, 0, 9});
+  pair.Bind({2, 1, 0});
+  pair.Run(4);
+  pair.Run(2);
+  for (const int64_t budget : {1, 2047, 2048, 2049, 4096, 7001, 20000, 3, 50001}) {
+    ASSERT_TRUE(pair.Execute(budget)) << budget;
+  }
+}
+
+// The flag is up for one statement of another thread only; the waiting thread has its turn then.
+TEST(RunAheadTest, WaitingThreadSeesWhatHoldsAtItsTurn) {
+  const Object object = MakeObject({
+      MakeFunction({Set(Global(0), ImmediateInt(1)), Set(Global(0), ImmediateInt(0)), Goto(-2)}),
+      MakeFunction({Command(kWaitFor, {Global(0), ImmediateInt(1)}),
+                    Add(Local(0), Local(0), ImmediateInt(1)), Goto(-2)}),
+      MakeFunction({Command(kWaitFor, {Global(0), ImmediateInt(1)})}),
+  });
+  for (const int64_t piece : {1, 2, 5, 17, 400}) {
+    Pair pair(object, 1);
+    for (int thread = 0; thread < 3; ++thread) {
+      pair.Bind({thread, thread, thread});
+      pair.Run(thread);
+    }
+    for (int i = 0; i < 40; ++i) ASSERT_TRUE(pair.Execute(piece)) << piece;
+  }
+}
+
+// The value that the last statement waits for holds for one statement only, which is enough.
+TEST(RunAheadTest, WaitAtTheEndOfAFunctionEndsAsSoonAsTheValueHolds) {
+  const Object object = MakeObject({
+      MakeFunction({Command(kWaitFor, {Global(0), ImmediateInt(1)})}),
+      MakeFunction({Goto(1), Goto(1), Set(Global(0), ImmediateInt(1)), Goto(-1)}),
+      MakeFunction({Goto(1), Goto(1), Set(Global(0), ImmediateInt(0)), Goto(-1)}),
+  });
+  for (const int64_t piece : {1, 3, 40}) {
+    Pair pair(object, 1);
+    for (int thread = 0; thread < 3; ++thread) {
+      pair.Bind({thread, thread, thread});
+      pair.Run(thread);
+    }
+    for (int i = 0; i < 40; ++i) ASSERT_TRUE(pair.Execute(piece)) << piece;
+    EXPECT_EQ(pair.machine.thread(0).run, ThreadRun::kStopped);
+  }
+}
+
+}  // namespace
+}  // namespace oncard::vm
