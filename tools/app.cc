@@ -95,7 +95,6 @@ void DescribeApp(CLI::App& app, Session& session) {
       ->type_name("WHEN")
       ->check(CLI::IsMember({"auto", "always", "never"}).description(""));
   app.require_subcommand(1);
-  app.footer(ExitCodeFooter(session));
   AddBuild(app, session);
   AddCheck(app, session);
   AddExplain(app, session);
@@ -107,6 +106,8 @@ void DescribeApp(CLI::App& app, Session& session) {
   AddDoctor(app, session);
   AddCompletion(app, session);
   AddMan(app, session);
+  // After the subcommands, which would inherit it.
+  app.footer(ExitCodeFooter(session));
 }
 
 }  // namespace oncard::tools
