@@ -1,0 +1,183 @@
+// build, check, dump, verify, explain.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/tools/process.h"
+
+namespace oncard::tools {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr const char* kGood = "int sum;\nint f()\n{\n  sum = 3;\n  return sum;\n}\n";
+constexpr const char* kBad = "int f()\n{\n  return total;\n}\n";
+const std::string kSum = ONCARD_SOURCE_DIR "/samples/01_sum/sum.c";
+
+TEST(Build, WritesThePairBesideTheSourceAndSaysNothing) {
+  const ScratchFolder scratch;
+  const ProcessResult result = RunOncard({"build", scratch.Write("p.c", kGood)});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.out + result.err, "");
+  EXPECT_TRUE(scratch.Has("p.bin"));
+  EXPECT_TRUE(scratch.Has("p.ini"));
+}
+
+TEST(Build, WritesIntoAFolderOnRequest) {
+  const ScratchFolder scratch;
+  const std::string source = scratch.Write("p.c", kGood);
+  scratch.Write("out/keep", "");
+  EXPECT_EQ(RunOncard({"build", "-o", scratch.path() + "/out", source}).exit_code, 0);
+  EXPECT_TRUE(scratch.Has("out/p.bin"));
+  EXPECT_FALSE(scratch.Has("p.bin"));
+}
+
+// The sizes of the vendor's own objects of example 10-1.
+TEST(Build, ReproducesTheVendorsFileSizes) {
+  const ScratchFolder scratch;
+  const ProcessResult result = RunOncard({"build", "--vendor-format", "-o", scratch.path(), kSum});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(scratch.Read("sum.bin").size(), 140u);
+  EXPECT_EQ(scratch.Read("sum.ini").size(), 129u);
+}
+
+TEST(Build, LeavesTheOldPairWhenTheProgramIsWrong) {
+  const ScratchFolder scratch;
+  scratch.Write("p.bin", "old");
+  const ProcessResult result = RunOncard({"build", scratch.Write("p.c", kBad)});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(scratch.Read("p.bin"), "old");
+  EXPECT_FALSE(scratch.Has("p.ini"));
+}
+
+TEST(Build, ExitsWithThreeWhenAFileCannotBeRead) {
+  const ProcessResult result = RunOncard({"build", "/nonexistent/p.c"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_NE(result.err.find("/nonexistent/p.c"), std::string::npos);
+}
+
+TEST(Build, RefusesAnObject) { EXPECT_EQ(RunOncard({"build", "p.bin"}).exit_code, 2); }
+
+TEST(Build, StoresTheWidthOfDouble) {
+  const ScratchFolder scratch;
+  RunOncard({"build", "--double=16.16", scratch.Write("p.c", kGood)});
+  EXPECT_NE(scratch.Read("p.ini").find("double=16.16"), std::string::npos);
+}
+
+TEST(Build, FindsIncludedFiles) {
+  const ScratchFolder scratch;
+  scratch.Write("inc/n.h", "#define N 7\n");
+  const std::string source = scratch.Write("p.c", "#include \"n.h\"\nint f()\n{\n  return N;\n}\n");
+  EXPECT_EQ(RunOncard({"build", source}).exit_code, 1);
+  EXPECT_EQ(RunOncard({"build", "-I", scratch.path() + "/inc", source}).exit_code, 0);
+}
+
+TEST(Check, ReportsOnStandardErrorInBothLanguages) {
+  const ScratchFolder scratch;
+  scratch.Write("p.c", kBad);
+  const ProcessResult english = RunOncard({"check", "p.c"}, scratch.path());
+  EXPECT_EQ(english.exit_code, 1);
+  EXPECT_EQ(english.out, "");
+  ExpectGolden("check_undeclared.txt", english.err);
+  const ProcessResult chinese = RunOncard({"check", "--lang=zh", "p.c"}, scratch.path());
+  ExpectGolden("check_undeclared_zh.txt", chinese.err);
+}
+
+TEST(Check, ShowsRepairsOfWhatCHasAndTheLanguageLacks) {
+  const ScratchFolder scratch;
+  scratch.Write("p.c",
+                "int sum;\nint f(int n)\n{\n  int i;\n  i = 0;\n  while (i < n)\n  {\n"
+                "    sum = sum + i * 2;\n    i = i + 1;\n  }\n  return sum;\n}\n");
+  ExpectGolden("check_while.txt", RunOncard({"check", "p.c"}, scratch.path()).err);
+  ExpectGolden("check_while_zh.txt", RunOncard({"check", "--lang=zh", "p.c"}, scratch.path()).err);
+}
+
+TEST(Check, IsSilentAboutAGoodProgram) {
+  const ScratchFolder scratch;
+  const ProcessResult result = RunOncard({"check", scratch.Write("p.c", kGood)});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.out + result.err, "");
+  EXPECT_FALSE(scratch.Has("p.bin"));
+}
+
+TEST(Check, ColoursOnlyWhenTold) {
+  const ScratchFolder scratch;
+  const std::string source = scratch.Write("p.c", kBad);
+  EXPECT_EQ(RunOncard({"check", source}).err.find('\x1b'), std::string::npos);
+  EXPECT_NE(RunOncard({"check", "--color=always", source}).err.find('\x1b'), std::string::npos);
+}
+
+TEST(Check, GivesJsonAndSarifOnStandardOutput) {
+  const ScratchFolder scratch;
+  const std::string bad = scratch.Write("bad.c", kBad);
+  const std::string good = scratch.Write("good.c", kGood);
+  const ProcessResult json = RunOncard({"check", "--diagnostics=json", bad, good});
+  EXPECT_EQ(json.exit_code, 1);
+  EXPECT_EQ(Json::parse(json.out)["code"], "MP027");
+  const ProcessResult sarif = RunOncard({"check", "--format=sarif", bad, good});
+  EXPECT_EQ(Json::parse(sarif.out)["runs"][0]["results"].size(), 1u);
+}
+
+TEST(Check, StopsAfterSoManyErrors) {
+  const ScratchFolder scratch;
+  const std::string source =
+      scratch.Write("p.c", "int f()\n{\n  a = 1;\n  b = 1;\n  c = 1;\n  return 0;\n}\n");
+  const std::string all = RunOncard({"check", source}).err;
+  EXPECT_NE(all.find("3 errors"), std::string::npos) << all;
+  const std::string one = RunOncard({"check", "--max-errors=1", source}).err;
+  EXPECT_NE(one.find("1 error"), std::string::npos) << one;
+}
+
+TEST(Dump, ListsInstructionsWithTheirLines) {
+  const ProcessResult result = RunOncard({"dump", kSum});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("sum := sum + i"), std::string::npos) << result.out;
+  EXPECT_TRUE(Json::accept(RunOncard({"dump", "--json", kSum}).out));
+}
+
+TEST(Verify, AcceptsItsOwnObjectsSilently) {
+  const ScratchFolder scratch;
+  RunOncard({"build", "-o", scratch.path(), kSum});
+  const ProcessResult result = RunOncard({"verify", scratch.path() + "/sum.bin"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out + result.err, "");
+}
+
+TEST(Verify, SaysWhyADamagedObjectIsRefused) {
+  const ScratchFolder scratch;
+  RunOncard({"build", "-o", scratch.path(), kSum});
+  const std::string bytes = scratch.Read("sum.bin");
+  const std::string path = scratch.Write("sum.bin", bytes.substr(0, bytes.size() - 2));
+  const ProcessResult text = RunOncard({"verify", path});
+  EXPECT_EQ(text.exit_code, 1);
+  EXPECT_NE(text.err.find("2008"), std::string::npos) << text.err;
+  const Json json = Json::parse(RunOncard({"verify", "--format=json", path}).out);
+  EXPECT_EQ(json[0]["accepted"], false);
+  EXPECT_EQ(json[0]["code"], 2008);
+}
+
+TEST(Verify, ExitsWithThreeForAMissingFile) {
+  EXPECT_EQ(RunOncard({"verify", "/nonexistent/p.bin"}).exit_code, 3);
+}
+
+TEST(Explain, PrintsThePageOfACode) {
+  const std::string page = RunOncard({"explain", "MP027"}).out;
+  EXPECT_NE(page.find("MP027"), std::string::npos);
+  EXPECT_EQ(RunOncard({"explain", "mp27"}).out, page);
+  EXPECT_EQ(RunOncard({"explain", "27"}).out, page);
+  EXPECT_NE(RunOncard({"--lang=zh", "explain", "MP027"}).out, page);
+}
+
+TEST(Explain, ListsAllCodesWithoutOne) {
+  const std::string list = RunOncard({"explain"}).out;
+  EXPECT_NE(list.find("MP027  undeclared\n"), std::string::npos) << list;
+}
+
+TEST(Explain, KnowsWhatItDoesNotKnow) {
+  for (const char* name : {"MP999", "MPx", "-1", "undeclared"}) {
+    EXPECT_EQ(RunOncard({"explain", "--", name}).exit_code, 2) << name;
+  }
+}
+
+}  // namespace
+}  // namespace oncard::tools

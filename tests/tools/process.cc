@@ -1,0 +1,95 @@
+#include "tests/tools/process.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+
+#include "base/files.h"
+
+namespace oncard::tools {
+namespace {
+
+std::vector<char*> Pointers(std::vector<std::string>& texts) {
+  std::vector<char*> pointers;
+  for (std::string& text : texts) pointers.push_back(text.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+}  // namespace
+
+ProcessResult RunOncard(const std::vector<std::string>& arguments, const std::string& folder,
+                        const std::vector<std::string>& environment) {
+  const ScratchFolder scratch;
+  const std::string out = scratch.path() + "/out";
+  const std::string err = scratch.path() + "/err";
+  std::vector<std::string> command = {ONCARD_BUILD_DIR "/bin/oncard"};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  std::vector<std::string> variables = {"LANG=C", "PATH=/usr/bin:/bin",
+                                        "ASAN_OPTIONS=detect_leaks=0"};
+  variables.insert(variables.end(), environment.begin(), environment.end());
+
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  constexpr int kFlags = O_WRONLY | O_CREAT | O_TRUNC;
+  ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), kFlags, 0600);
+  ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), kFlags, 0600);
+  if (!folder.empty()) ::posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  std::vector<char*> argument_pointers = Pointers(command);
+  std::vector<char*> variable_pointers = Pointers(variables);
+  pid_t process = 0;
+  const int failure = ::posix_spawn(&process, command[0].c_str(), &actions, nullptr,
+                                    argument_pointers.data(), variable_pointers.data());
+  ::posix_spawn_file_actions_destroy(&actions);
+  ProcessResult result;
+  if (failure != 0) return result;
+  int status = 0;
+  ::waitpid(process, &status, 0);
+  result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  result.out = scratch.Read("out");
+  result.err = scratch.Read("err");
+  return result;
+}
+
+ScratchFolder::ScratchFolder() {
+  std::string pattern = testing::TempDir() + "oncard_XXXXXX";
+  path_ = ::mkdtemp(pattern.data());
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+std::string ScratchFolder::Write(const std::string& name, const std::string& content) const {
+  const std::filesystem::path path = path_ / name;
+  std::filesystem::create_directories(path.parent_path());
+  EXPECT_TRUE(WriteFileAtomically(path.string(), content).ok());
+  return path.string();
+}
+
+std::string ScratchFolder::Read(const std::string& name) const {
+  auto content = ReadFile((path_ / name).string());
+  return content.ok() ? content.value() : "";
+}
+
+bool ScratchFolder::Has(const std::string& name) const {
+  return std::filesystem::exists(path_ / name);
+}
+
+void ExpectGolden(const std::string& name, const std::string& actual) {
+  const std::string path = std::string(ONCARD_SOURCE_DIR "/tests/tools/golden/") + name;
+  if (std::getenv("ONCARD_REBASE") != nullptr) {
+    ASSERT_TRUE(WriteFileAtomically(path, actual).ok());
+    return;
+  }
+  const auto expected = ReadFile(path);
+  ASSERT_TRUE(expected.ok()) << expected.error().message.en;
+  EXPECT_EQ(actual, expected.value()) << path;
+}
+
+}  // namespace oncard::tools

@@ -1,0 +1,163 @@
+// test, doctor, completion, man.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/tools/process.h"
+
+namespace oncard::tools {
+namespace {
+
+using Json = nlohmann::json;
+
+const char* const kCommands[] = {"build",  "check", "explain", "run",   "test",
+                                 "replay", "dump",  "verify",  "doctor"};
+
+// Two scenarios in folders, one of which fails.
+class TestCommandTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    scratch_.Write("p.c", "int f()\n{\n  return 7;\n}\n");
+    scratch_.Write("b/good.toml", "program = \"../p.c\"\nexpect = [\"thread0.result == 7\"]\n");
+    scratch_.Write("a/bad.toml",
+                   "program = \"../p.c\"\nexpect = [\"thread0.result == 8\", \"gpo < 0\"]\n");
+    scratch_.Write("b/notes.txt", "not a scenario");
+  }
+  ProcessResult Test(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "test");
+    return RunOncard(arguments, scratch_.path());
+  }
+  ScratchFolder scratch_;
+};
+
+TEST_F(TestCommandTest, RunsAllBelowAFolderInOrder) {
+  const ProcessResult result = Test({"."});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.out,
+            "FAIL ./a/bad.toml\n"
+            "     thread0.result == 8: thread0.result is 7\n"
+            "     gpo < 0: gpo is 0\n"
+            "ok   ./b/good.toml\n"
+            "1 passed, 1 failed\n");
+}
+
+TEST_F(TestCommandTest, SucceedsWhenAllPass) {
+  const ProcessResult result = Test({"b/good.toml"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.out, "ok   b/good.toml\n1 passed, 0 failed\n");
+  EXPECT_EQ(result.err, "");
+}
+
+TEST_F(TestCommandTest, SpeaksChinese) {
+  EXPECT_EQ(Test({"--lang=zh", "b"}).out, "ok   b/good.toml\n1 个通过，0 个失败\n");
+}
+
+TEST_F(TestCommandTest, WritesJunit) {
+  EXPECT_EQ(Test({"--format=junit", "."}).out,
+            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+            "<testsuite name=\"oncard\" tests=\"2\" failures=\"1\">\n"
+            "  <testcase name=\"./a/bad.toml\" time=\"0.000250\">\n"
+            "    <failure message=\"thread0.result == 8: thread0.result is 7\"/>\n"
+            "    <failure message=\"gpo &lt; 0: gpo is 0\"/>\n"
+            "  </testcase>\n"
+            "  <testcase name=\"./b/good.toml\" time=\"0.000250\"/>\n"
+            "</testsuite>\n");
+}
+
+TEST_F(TestCommandTest, WritesTap) {
+  EXPECT_EQ(Test({"--format=tap", "."}).out,
+            "TAP version 13\n"
+            "1..2\n"
+            "not ok 1 - ./a/bad.toml\n"
+            "# thread0.result == 8: thread0.result is 7\n"
+            "# gpo < 0: gpo is 0\n"
+            "ok 2 - ./b/good.toml\n");
+}
+
+TEST_F(TestCommandTest, WritesJson) {
+  const Json json = Json::parse(Test({"--format=json", "."}).out);
+  EXPECT_EQ(json["passed"], 1);
+  EXPECT_EQ(json["failed"], 1);
+  EXPECT_EQ(json["tests"][0]["path"], "./a/bad.toml");
+  EXPECT_EQ(json["tests"][0]["failures"].size(), 2u);
+}
+
+TEST_F(TestCommandTest, ReportsWhatCannotBeRunAsAFailure) {
+  scratch_.Write("c/broken.c", "int f()\n{\n  return x;\n}\n");
+  scratch_.Write("c/compile.toml", "program = \"broken.c\"\n");
+  scratch_.Write("c/missing.toml", "program = \"none.c\"\n");
+  scratch_.Write("c/typo.toml", "program = \"../p.c\"\nexpct = []\n");
+  const ProcessResult result = Test({"c"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.out.find("MP027"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("none.c"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("c/typo.toml:2:1"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("'expect'"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("0 passed, 3 failed"), std::string::npos) << result.out;
+}
+
+TEST_F(TestCommandTest, IsNotSatisfiedWithNothing) {
+  scratch_.Write("empty/keep", "");
+  EXPECT_EQ(Test({"empty"}).exit_code, 3);
+  EXPECT_EQ(Test({"nowhere"}).exit_code, 3);
+}
+
+TEST(Samples, AllPass) {
+  const ProcessResult result = RunOncard({"test", ONCARD_SOURCE_DIR "/samples"});
+  EXPECT_EQ(result.exit_code, 0) << result.out;
+}
+
+TEST(Doctor, TellsTheSameFactsAsTextAndJson) {
+  const ProcessResult text = RunOncard({"doctor"});
+  EXPECT_EQ(text.exit_code, 0);
+  EXPECT_EQ(text.out.rfind("oncard: ", 0), 0u) << text.out;
+  const Json json = Json::parse(RunOncard({"doctor", "--format=json"}).out);
+  for (const char* key : {"version", "compiler", "fmt", "zlib", "commands", "optional"}) {
+    EXPECT_TRUE(json.contains(key)) << key;
+  }
+}
+
+TEST(Doctor, ListsEveryCommandOfTheCatalogue) {
+  const Json facts = Json::parse(RunOncard({"doctor", "--format=json"}).out);
+  const Json list = Json::parse(RunOncard({"doctor", "--commands", "--format=json"}).out);
+  EXPECT_EQ(std::to_string(list.size()), facts["commands"]);
+  const std::string text = RunOncard({"doctor", "--commands"}).out;
+  EXPECT_NE(text.find("GT_Delay "), std::string::npos);
+  for (const Json& command : list) {
+    if (command["name"] == "GT_SetDo") {
+      EXPECT_EQ(command["implemented"], true);
+    }
+  }
+}
+
+class CompletionTest : public testing::TestWithParam<const char*> {};
+
+TEST_P(CompletionTest, MentionsEveryCommandAndOption) {
+  const ProcessResult result = RunOncard({"completion", GetParam()});
+  EXPECT_EQ(result.exit_code, 0);
+  for (const char* command : kCommands) {
+    EXPECT_NE(result.out.find(command), std::string::npos) << command;
+  }
+  for (const char* option : {"vendor-format", "thread", "schedule", "max-errors", "lang"}) {
+    EXPECT_NE(result.out.find(option), std::string::npos) << option;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shells, CompletionTest, testing::Values("bash", "zsh", "fish"));
+
+TEST(Completion, KnowsNoOtherShell) { EXPECT_EQ(RunOncard({"completion", "csh"}).exit_code, 2); }
+
+TEST(Man, HasTheSectionsOfAManualPage) {
+  const std::string page = RunOncard({"man"}).out;
+  EXPECT_EQ(page.rfind(".TH ONCARD 1 ", 0), 0u);
+  for (const char* section :
+       {".SH NAME\noncard \\- ", ".SH SYNOPSIS", ".SH COMMANDS", ".SH EXIT STATUS"}) {
+    EXPECT_NE(page.find(section), std::string::npos) << section;
+  }
+  for (const char* command : kCommands) {
+    EXPECT_NE(page.find(std::string("oncard ") + command), std::string::npos) << command;
+  }
+}
+
+}  // namespace
+}  // namespace oncard::tools

@@ -1,0 +1,262 @@
+// run, replay: results, exit codes, recordings, traces.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/tools/process.h"
+
+namespace oncard::tools {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string kSamples = ONCARD_SOURCE_DIR "/samples";
+const std::string kSum = kSamples + "/01_sum/sum.c";
+const std::string kCounter = kSamples + "/07_shared_global/counter.c";
+
+TEST(Run, PrintsThreadsAndValues) {
+  const ProcessResult result =
+      RunOncard({"run", kSum, "--thread", "0=add:begin=1,end=100", "--show", "sum"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err, "");
+  EXPECT_EQ(result.out, "thread 0 add: finished, result 5050\nsum = 5050\n");
+}
+
+TEST(Run, SpeaksChinese) {
+  const ProcessResult result =
+      RunOncard({"--lang=zh", "run", kSum, "--thread", "0=add:begin=1,end=100"});
+  EXPECT_EQ(result.out, "线程 0 add：已结束，返回值 5050\nsum = 5050\n");
+}
+
+TEST(Run, BindsTheFirstFunctionByDefault) {
+  const ScratchFolder scratch;
+  const std::string first =
+      scratch.Write("p.c", "int one()\n{\n  return 1;\n}\nint two()\n{\n  return 2;\n}\n");
+  EXPECT_EQ(RunOncard({"run", first}).out, "thread 0 one: finished, result 1\n");
+  const std::string named =
+      scratch.Write("q.c", "int one()\n{\n  return 1;\n}\nint main()\n{\n  return 2;\n}\n");
+  EXPECT_EQ(RunOncard({"run", named}).out, "thread 0 main: finished, result 2\n");
+}
+
+TEST(Run, WritesNothingBesideTheSource) {
+  const ScratchFolder scratch;
+  RunOncard({"run", scratch.Write("p.c", "int f()\n{\n  return 1;\n}\n")});
+  EXPECT_FALSE(scratch.Has("p.bin"));
+  EXPECT_FALSE(scratch.Has("p.ini"));
+}
+
+TEST(Run, LoadsObjects) {
+  const ScratchFolder scratch;
+  RunOncard({"build", "-o", scratch.path(), kSum});
+  const ProcessResult result = RunOncard({"run", scratch.path() + "/sum.bin", "--thread",
+                                          "5=add@9:begin=2,end=3", "--show", "page9.i"});
+  EXPECT_EQ(result.out, "thread 5 add: finished, result 5\npage9.i = 4\n");
+}
+
+TEST(Run, SetsGlobalsAndShowsArrays) {
+  const ProcessResult result =
+      RunOncard({"run", kSamples + "/05_arrays/largest.c", "--set", "value=1,2,9,3"});
+  EXPECT_EQ(result.out, "thread 0 largest: finished, result 2\nvalue = [1, 2, 9, 3, 0, 0, 0, 0]\n");
+}
+
+TEST(Run, ReportsAFaultWithItsPlaceAndValues) {
+  const ProcessResult result =
+      RunOncard({"run", "largest.c", "--thread", "0=pick:i=8", "--show", "thread0.error"},
+                kSamples + "/05_arrays");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(
+      result.out,
+      "thread 0 pick: fault at largest.c:35: index 8 is out of bounds: the array has elements "
+      "0 to 7\nthread0.error = 101\n");
+  EXPECT_NE(result.err.find("largest.c:35"), std::string::npos);
+}
+
+TEST(Run, ReportsADivisionByZero) {
+  const ScratchFolder scratch;
+  scratch.Write("p.c", "int f(int n)\n{\n  n = 7 / n;\n  return n;\n}\n");
+  const ProcessResult result = RunOncard({"run", "p.c"}, scratch.path());
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.out, "thread 0 f: fault at p.c:3: division by zero\n");
+}
+
+TEST(Run, ReportsADeadlock) {
+  const ScratchFolder scratch;
+  const std::string source =
+      scratch.Write("p.c", "int go;\nint f()\n{\n  GT_WaitForVarEq(&go, 1);\n  return 1;\n}\n");
+  const ProcessResult result = RunOncard({"run", source, "--format=json"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(Json::parse(result.out)["end"], "deadlock");
+  EXPECT_NE(result.err.find("deadlock"), std::string::npos);
+}
+
+TEST(Run, FailsAtTheTimeLimitButNotAtTheEndAskedFor) {
+  const ScratchFolder scratch;
+  const std::string source = scratch.Write("p.c", "int f()\n{\nlbl:\n  goto lbl;\n}\n");
+  EXPECT_EQ(RunOncard({"run", source, "--limit=5"}).exit_code, 1);
+  const ProcessResult until = RunOncard({"run", source, "--until=2.5", "--format=json"});
+  EXPECT_EQ(until.exit_code, 0) << until.err;
+  const Json json = Json::parse(until.out);
+  EXPECT_EQ(json["end"], "until");
+  EXPECT_EQ(json["time_ms"], 2.5);
+  // 100 statements per ms.
+  EXPECT_EQ(json["statements"], 250);
+}
+
+TEST(Run, RateAndCycleDecideHowMuchATimeHolds) {
+  const ScratchFolder scratch;
+  const std::string source = scratch.Write("p.c", "int f()\n{\nlbl:\n  goto lbl;\n}\n");
+  const ProcessResult result =
+      RunOncard({"run", source, "--until=10", "--rate=10", "--cycle=1000", "--format=json"});
+  EXPECT_EQ(Json::parse(result.out)["statements"], 100);
+}
+
+TEST(Run, ChecksExpectations) {
+  EXPECT_EQ(RunOncard({"run", kSum, "--thread", "0=add:begin=1,end=9", "--expect", "sum == 45"})
+                .exit_code,
+            0);
+  const ProcessResult wrong =
+      RunOncard({"run", kSum, "--thread", "0=add:begin=1,end=9", "--expect", "sum == 46"});
+  EXPECT_EQ(wrong.exit_code, 1);
+  EXPECT_EQ(wrong.err, "oncard: sum == 46: sum is 45\n");
+}
+
+TEST(Run, RunsScenarios) {
+  const ProcessResult result =
+      RunOncard({"run", kSamples + "/04_switch/case_5.toml", "--show", "gpo"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out, "thread 0 choose: finished, result 0\ngpo = 4\n");
+}
+
+TEST(Run, ExitCodesTellWhatWentWrong) {
+  const ScratchFolder scratch;
+  EXPECT_EQ(RunOncard({"run", "/nonexistent.c"}).exit_code, 3);
+  EXPECT_EQ(RunOncard({"run", "/nonexistent.toml"}).exit_code, 3);
+  EXPECT_EQ(RunOncard({"run", scratch.Write("s.toml", "programm = \"x.c\"\n")}).exit_code, 3);
+  EXPECT_EQ(RunOncard({"run", scratch.Write("bad.c", "int f( {\n")}).exit_code, 1);
+  EXPECT_EQ(RunOncard({"run", kSum, "--thread", "add"}).exit_code, 2);
+  EXPECT_EQ(RunOncard({"run", kSum, "--thread", "32=add"}).exit_code, 2);
+  EXPECT_EQ(RunOncard({"run", kSum, "--thread", "0=sub"}).exit_code, 2);
+  EXPECT_EQ(RunOncard({"run", kSum, "--show", "summ"}).exit_code, 2);
+  EXPECT_EQ(RunOncard({"run", kSum, "--schedule", "fifo"}).exit_code, 2);
+  EXPECT_EQ(RunOncard({"run", kSum, "--record", "/nonexistent/x"}).exit_code, 3);
+}
+
+TEST(Run, SuggestsTheNearestName) {
+  EXPECT_NE(RunOncard({"run", kSum, "--thread", "0=ad"}).err.find("'add'"), std::string::npos);
+  EXPECT_NE(RunOncard({"run", kSum, "--show", "summ"}).err.find("'sum'"), std::string::npos);
+}
+
+TEST(Run, WritesTracesInThreeForms) {
+  const ScratchFolder scratch;
+  const std::vector<std::string> base = {
+      "run", kSamples + "/09_blink/blink.c", "--thread", "0=blink:times=1", "--show", "page0.i"};
+  const auto trace = [&](const std::string& name) {
+    std::vector<std::string> arguments = base;
+    arguments.insert(arguments.end(), {"--trace", scratch.path() + "/" + name});
+    EXPECT_EQ(RunOncard(arguments).exit_code, 0);
+    return scratch.Read(name);
+  };
+  // On with the first cycle, off 40 cycles later, the end another 40 cycles later.
+  EXPECT_EQ(trace("t.csv"), "time_ms,page0.i,gpo\n0,0,0\n0.25,0,1\n10.25,0,0\n20.25,1,0\n");
+  const Json json = Json::parse(trace("t.json"));
+  EXPECT_EQ(json["columns"], Json::parse("[\"page0.i\",\"gpo\"]"));
+  EXPECT_EQ(json["rows"][2], Json::parse("[10.25,0,0]"));
+  const std::string vcd = trace("t.vcd");
+  EXPECT_NE(vcd.find("$timescale 1 us $end"), std::string::npos);
+  EXPECT_NE(vcd.find("#10250\nb00000000000000000000000000000000 \"\n"), std::string::npos) << vcd;
+}
+
+class RecordTest : public testing::TestWithParam<const char*> {};
+
+// Four threads that disturb each other: any other order gives other values.
+TEST_P(RecordTest, ReplayGivesTheSameRun) {
+  const ScratchFolder scratch;
+  const std::string file = scratch.path() + "/run.schedule";
+  const ProcessResult run = RunOncard(
+      {"run", kCounter, "--thread", "0=count_in_three:n=700", "--thread", "1=count_in_three:n=500",
+       "--thread", "2=count_in_one:n=900", "--thread", "7=count_in_three:n=800", "--schedule",
+       GetParam(), "--record", file, "--format=json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ProcessResult replay = RunOncard({"replay", file, "--format=json"});
+  EXPECT_EQ(replay.exit_code, 0) << replay.err;
+  const Json first = Json::parse(run.out);
+  const Json second = Json::parse(replay.out);
+  EXPECT_EQ(first["state_hash"], second["state_hash"]);
+  EXPECT_EQ(first["values"], second["values"]);
+  EXPECT_EQ(first["statements"], second["statements"]);
+  // 4 rounds' worth of checkpoints every 10 000 statements, and one at the end.
+  EXPECT_NE(scratch.Read("run.schedule").find("\ncheck 10000 "), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(Policies, RecordTest,
+                         testing::Values("rr", "rr:7", "priority", "random:1", "random:99",
+                                         "pct:5:3"));
+
+TEST(Record, TwoRunsGiveTheSameBytes) {
+  const ScratchFolder scratch;
+  for (const char* name : {"a", "b"}) {
+    RunOncard({"run", kCounter, "--schedule=random:3", "--thread", "0=count_in_three:n=50",
+               "--thread", "1=count_in_three:n=50", "--record", scratch.path() + "/" + name});
+  }
+  EXPECT_NE(scratch.Read("a"), "");
+  EXPECT_EQ(scratch.Read("a"), scratch.Read("b"));
+}
+
+class ReplayTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    scratch_.Write("p.c", kProgram);
+    const ProcessResult run = RunOncard(
+        {"run", "p.c", "--thread", "0=f:n=3", "--thread", "1=f:n=4", "--record", "run.schedule"},
+        scratch_.path());
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+  }
+  ProcessResult Replay() { return RunOncard({"replay", "run.schedule"}, scratch_.path()); }
+  void Edit(const std::string& name, const std::string& from, const std::string& to) {
+    std::string text = scratch_.Read(name);
+    const size_t place = text.find(from);
+    ASSERT_NE(place, std::string::npos) << text;
+    scratch_.Write(name, text.replace(place, from.size(), to));
+  }
+
+  static constexpr const char* kProgram =
+      "int sum;\nint f(int n)\n{\n  int cc;\nlbl:\n  sum = sum + n;\n  n = n - 1;\n  cc = n > 0;\n"
+      "  if (cc) goto lbl;\n  return sum;\n}\n";
+  ScratchFolder scratch_;
+};
+
+TEST_F(ReplayTest, StandsAloneBesideItsProgram) {
+  const ProcessResult result = Replay();
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("sum = 16\n"), std::string::npos) << result.out;
+}
+
+TEST_F(ReplayTest, RefusesAnotherProgramAndShowsBothHashes) {
+  Edit("p.c", "n - 1", "n - 2");
+  const ProcessResult result = Replay();
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.out, "");
+  EXPECT_NE(result.err.find("another program"), std::string::npos) << result.err;
+}
+
+TEST_F(ReplayTest, AllowsOtherNamesAndLines) {
+  Edit("p.c", "int sum;", "int sum;\n\n\n");
+  EXPECT_EQ(Replay().exit_code, 0);
+}
+
+TEST_F(ReplayTest, SaysWhereItLeavesTheRecordedRun) {
+  Edit("run.schedule", "\"n\" = 3", "\"n\" = 2");
+  const ProcessResult result = Replay();
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.err.find("statement"), std::string::npos) << result.err;
+}
+
+TEST_F(ReplayTest, RefusesADamagedFile) {
+  Edit("run.schedule", "end ", "and ");
+  EXPECT_EQ(Replay().exit_code, 3);
+  scratch_.Write("run.schedule", "something else\n");
+  EXPECT_EQ(Replay().exit_code, 3);
+}
+
+}  // namespace
+}  // namespace oncard::tools
