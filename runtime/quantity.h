@@ -11,7 +11,7 @@
 //   clock  statements               milliseconds since GT_Reset; statements since the download
 //
 // A global variable hides a word or `clock` of the same name.
-// Tested by tests/runtime/scenario_quantity_test.cc.
+// Tested by tests/runtime/scenario_names_test.cc.
 #pragma once
 
 #include <optional>

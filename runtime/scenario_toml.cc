@@ -46,7 +46,7 @@ class ScenarioReader {
   void ReadScenario(const toml::table& table) {
     CheckKeys(table, kScenarioKeys);
     Text(table, "program", scenario_.program);
-    if (scenario_.program.empty()) {
+    if (!table.contains("program")) {
       Fail(table.source(), {"'program' is missing: name a .c or .bin file",
                             "缺少“program”：应给出 .c 或 .bin 文件"});
     }
@@ -96,7 +96,7 @@ class ScenarioReader {
     start.thread = static_cast<int>(Whole(table, "thread", 0, 0, vm::kThreadCount - 1));
     start.page = static_cast<int>(Whole(table, "page", start.thread, 0, vm::kPageCount - 1));
     Text(table, "function", start.function);
-    if (start.function.empty()) {
+    if (!table.contains("function")) {
       Fail(table.source(), {"'function' is missing: name a function of the program",
                             "缺少“function”：应给出程序中的函数名"});
     }

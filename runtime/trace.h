@@ -1,6 +1,6 @@
 // Values over virtual time: one row per profile cycle in which anything changed, and three ways to
 // write them down. Deterministic and locale-free; every text ends in a newline.
-// Tested by tests/runtime/scenario_trace_test.cc.
+// Tested by tests/runtime/scenario_run_test.cc and tests/tools/run_command_test.cc.
 #pragma once
 
 #include <cstdint>

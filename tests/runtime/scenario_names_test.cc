@@ -1,0 +1,125 @@
+#include <gtest/gtest.h>
+
+#include "runtime/near_name.h"
+#include "tests/runtime/scenario_support.h"
+
+namespace oncard::runtime {
+namespace {
+
+struct NearCase {
+  const char* name;
+  const char* expected;
+};
+
+class NearestNameTest : public testing::TestWithParam<NearCase> {};
+
+TEST_P(NearestNameTest, FindsWhatWasMeant) {
+  const std::vector<std::string_view> candidates = {"program", "rate", "cycle_us", "expect"};
+  EXPECT_EQ(NearestName(GetParam().name, candidates), GetParam().expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(Names, NearestNameTest,
+                         testing::Values(NearCase{"programm", "program"}, NearCase{"rat", "rate"},
+                                         NearCase{"raet", "rate"}, NearCase{"expects", "expect"},
+                                         NearCase{"cycle", ""}, NearCase{"zebra", ""},
+                                         NearCase{"", ""}));
+
+// --- Quantities ----------------------------------------------------------------------------------
+
+constexpr const char* kProgram =
+    "int sum;\nint a[3];\ndouble x;\nTTrapPrm trap;\nint gpo;\n"
+    "int f(int n)\n{\n  int b[2];\n  b[1] = n;\n  return n;\n}\n"
+    "int g(int m)\n{\n  return m;\n}\n";
+
+class QuantityTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(controller_.Load(CompileForTest(kProgram)).ok());
+    ASSERT_EQ(controller_.machine().Bind(0, 1, 4), 0);
+  }
+  std::vector<std::string> Names(const std::string& name) {
+    std::vector<std::string> names;
+    const auto found = ResolveQuantity(name, controller_);
+    if (!found.ok()) return {"error: " + found.error().message.en};
+    for (const Quantity& quantity : found.value()) names.push_back(quantity.name);
+    return names;
+  }
+  Controller controller_;
+  using Texts = std::vector<std::string>;
+};
+
+TEST_F(QuantityTest, NamesVariables) {
+  EXPECT_EQ(Names("sum"), Texts{"sum"});
+  EXPECT_EQ(Names("a[2]"), Texts{"a[2]"});
+  EXPECT_EQ(Names("trap.acc"), Texts{"trap.acc"});
+  EXPECT_EQ(Names("page4.n"), Texts{"page4.n"});
+  EXPECT_EQ(Names("page4.b[1]"), Texts{"page4.b[1]"});
+}
+
+TEST_F(QuantityTest, NamesAllElementsOfAnArray) {
+  EXPECT_EQ(Names("a"), (Texts{"a[0]", "a[1]", "a[2]"}));
+  EXPECT_EQ(Names("page4.b"), (Texts{"page4.b[0]", "page4.b[1]"}));
+}
+
+TEST_F(QuantityTest, ReadsAPageWithoutAThreadAsTheOnlyFunctionThatHasTheName) {
+  EXPECT_EQ(Names("page9.n"), Texts{"page9.n"});
+  EXPECT_EQ(Names("page9.m")[0],
+            "error: no thread is bound to page 9, so 'm' has no meaning there");
+}
+
+TEST_F(QuantityTest, LetsAGlobalHideAWord) {
+  const auto found = ResolveQuantity("gpo", controller_);
+  EXPECT_EQ(found.value().front().kind, QuantityKind::kVariable);
+}
+
+TEST_F(QuantityTest, NamesThreadsWordsAndTime) {
+  for (const char* name :
+       {"thread0.result", "thread31.run", "thread0.error", "thread0.line", "thread0.page",
+        "thread0.statements", "gpi", "gpi[16]", "enable[1]", "clock", "statements"}) {
+    EXPECT_EQ(Names(name), Texts{name});
+  }
+}
+
+struct UnknownCase {
+  const char* name;
+  const char* says;
+};
+
+TEST_F(QuantityTest, SaysWhatIsWrongWithAName) {
+  for (const UnknownCase& c : {
+           UnknownCase{"summ", "nothing is named 'summ'; did you mean 'sum'?"},
+           UnknownCase{"a[3]", "'a' has elements 0 to 2, not 3"},
+           UnknownCase{"sum[0]", "'sum' is not an array"},
+           UnknownCase{"a[i]", "'a[i]' is not a name; an index is a number, as in 'a[3]'"},
+           UnknownCase{"thread0.resutl", "nothing is named 'resutl'; did you mean 'result'?"},
+           UnknownCase{"thread32.run", "'thread32.run': threads are numbered 0 to 31"},
+           UnknownCase{"page32.n", "'page32': pages are numbered 0 to 31"},
+           UnknownCase{"gpi[0]", "bits of 'gpi' are numbered 1 to 16"},
+           UnknownCase{"gpi[17]", "bits of 'gpi' are numbered 1 to 16"},
+           UnknownCase{"nonsense", "nothing is named 'nonsense'"},
+       }) {
+    EXPECT_EQ(Names(c.name)[0], std::string("error: ") + c.says);
+  }
+}
+
+TEST_F(QuantityTest, ReadsValues) {
+  controller_.machine().Write({true, 0, 0, vm::DataType::kInt}, -7);
+  EXPECT_EQ(ReadQuantity(ResolveQuantity("sum", controller_).value()[0], controller_), -7);
+  controller_.motion().state().io.Write(motion::DoType::kEnable, 0x3, 0x2);
+  EXPECT_EQ(ReadQuantity(ResolveQuantity("enable", controller_).value()[0], controller_), 2);
+  EXPECT_EQ(ReadQuantity(ResolveQuantity("enable[2]", controller_).value()[0], controller_), 1);
+  EXPECT_EQ(ReadQuantity(ResolveQuantity("enable[1]", controller_).value()[0], controller_), 0);
+  for (int i = 0; i < 8; ++i) controller_.RunCycle();
+  EXPECT_EQ(ReadQuantity(ResolveQuantity("clock", controller_).value()[0], controller_), 2);
+}
+
+TEST(FormatNumber, GivesTheExactValue) {
+  EXPECT_EQ(FormatNumber(5050, vm::DataType::kInt), "5050");
+  EXPECT_EQ(FormatNumber(-1, vm::DataType::kInt), "-1");
+  EXPECT_EQ(FormatNumber(3, vm::DataType::kDouble), "3.0");
+  EXPECT_EQ(FormatNumber(12.5, vm::DataType::kDouble), "12.5");
+  EXPECT_EQ(FormatNumber(1.0 / 65536, vm::DataType::kDouble), "0.0000152587890625");
+}
+
+}  // namespace
+}  // namespace oncard::runtime

@@ -1,0 +1,200 @@
+#include <gtest/gtest.h>
+
+#include "runtime/scenario.h"
+
+namespace oncard::runtime {
+namespace {
+
+constexpr const char* kFull = R"(# everything there is
+program = "sum.c"
+include = ["inc", "../common"]
+double = "16.16"
+schedule = "random:7"
+rate = 200
+cycle_us = 1000
+limit_ms = 500
+until_ms = 12.5
+expect = ["sum == 3", "gpo == 1 @ 2ms"]
+
+[globals]
+sum = 0
+"a[1]" = -2
+b = [1, 2.5, 3]
+
+[[thread]]
+thread = 3
+function = "add"
+init = { begin = 1, end = 100 }
+
+[[thread]]
+thread = 4
+function = "add"
+page = 9
+period_ms = 20
+priority = 2
+
+[[world.input]]
+type = "home"
+value = 5
+at_ms = 7.25
+
+[[world.input]]
+index = 2
+value = 1
+at_ms = 5
+)";
+
+Scenario Parse(const std::string& text) {
+  auto scenario = ParseScenario(text, "dir/s.toml");
+  EXPECT_TRUE(scenario.ok()) << (scenario.ok() ? "" : scenario.error().message.en);
+  return scenario.ok() ? scenario.value() : Scenario();
+}
+
+std::string ErrorOf(const std::string& text) {
+  const auto scenario = ParseScenario(text, "s.toml");
+  return scenario.ok() ? "no error" : scenario.error().message.en;
+}
+
+TEST(ParseScenario, ReadsEverything) {
+  const Scenario s = Parse(kFull);
+  EXPECT_EQ(s.program, "sum.c");
+  EXPECT_EQ(s.include_folders, (std::vector<std::string>{"inc", "../common"}));
+  EXPECT_EQ(s.double_format, vm::DoubleFormat::k16_16);
+  EXPECT_EQ(s.schedule, "random:7");
+  EXPECT_EQ(s.rate, 200);
+  EXPECT_EQ(s.cycle_us, 1000);
+  EXPECT_EQ(s.limit_ms, 500);
+  EXPECT_EQ(s.until_us, 12500);
+  ASSERT_EQ(s.expectations.size(), 2u);
+  EXPECT_EQ(s.expectations[1].at_us, 2000);
+  ASSERT_EQ(s.globals.size(), 3u);
+  EXPECT_EQ(s.globals[1], (InitialValue{"a[1]", {-2}}));
+  EXPECT_EQ(s.globals[2], (InitialValue{"b", {1, 2.5, 3}}));
+  ASSERT_EQ(s.threads.size(), 2u);
+  EXPECT_EQ(s.threads[0], (ThreadStart{3, "add", 3, {{"begin", {1}}, {"end", {100}}}, 0, 4}));
+  EXPECT_EQ(s.threads[1], (ThreadStart{4, "add", 9, {}, 20, 2}));
+}
+
+TEST(ParseScenario, SortsTheWorldByTime) {
+  const Scenario s = Parse(kFull);
+  ASSERT_EQ(s.inputs.size(), 2u);
+  EXPECT_EQ(s.inputs[0], (InputEvent{5000, motion::DiType::kGpi, 2, 1}));
+  EXPECT_EQ(s.inputs[1], (InputEvent{7250, motion::DiType::kHome, 0, 5}));
+}
+
+TEST(ParseScenario, HasDefaults) {
+  const Scenario s = Parse("program = \"p.c\"\n");
+  EXPECT_EQ(s.schedule, "rr");
+  EXPECT_EQ(s.rate, 100);
+  EXPECT_EQ(s.cycle_us, 250);
+  EXPECT_EQ(s.limit_ms, 60000);
+  EXPECT_FALSE(s.until_us.has_value());
+  EXPECT_EQ(s.double_format, vm::DoubleFormat::k32_16);
+}
+
+TEST(FormatScenario, IsReadBackAsTheSame) {
+  const Scenario first = Parse(kFull);
+  const std::string text = FormatScenario(first);
+  const Scenario second = Parse(text);
+  EXPECT_EQ(FormatScenario(second), text);
+  EXPECT_EQ(second.threads, first.threads);
+  EXPECT_EQ(second.globals, first.globals);
+  EXPECT_EQ(second.inputs, first.inputs);
+  EXPECT_EQ(second.until_us, first.until_us);
+}
+
+TEST(FormatScenario, QuotesWhatTomlQuotes) {
+  Scenario s;
+  s.program = "a\"b\\c\n轴.c";
+  EXPECT_EQ(Parse(FormatScenario(s)).program, s.program);
+}
+
+struct BadCase {
+  const char* text;
+  const char* error;
+};
+
+class BadScenarioTest : public testing::TestWithParam<BadCase> {};
+
+TEST_P(BadScenarioTest, IsRejectedAtItsPlace) {
+  EXPECT_EQ(ErrorOf(GetParam().text), GetParam().error);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenarios, BadScenarioTest,
+    testing::Values(
+        BadCase{"program = \"p.c\"\nrat = 5\n",
+                "s.toml:2:1: unknown key 'rat'; did you mean 'rate'?"},
+        BadCase{"program = \"p.c\"\n[[thread]]\nfunction = \"f\"\npag = 1\n",
+                "s.toml:4:1: unknown key 'pag'; did you mean 'page'?"},
+        BadCase{"program = \"p.c\"\n[[world.input]]\nvalue = 1\nwhen = 5\n",
+                "s.toml:4:1: unknown key 'when': expected one of type, index, value, at_ms"},
+        BadCase{"program = 5\n", "s.toml:1:11: 'program' must be a text"},
+        BadCase{"program = \"p.c\"\nrate = 0\n",
+                "s.toml:2:8: 'rate' must be a whole number from 1 to 1000000"},
+        BadCase{"program = \"p.c\"\nrate = 1.5\n",
+                "s.toml:2:8: 'rate' must be a whole number from 1 to 1000000"},
+        BadCase{"program = \"p.c\"\ncycle_us = 300\n",
+                "s.toml:2:12: 'cycle_us' must be a multiple of 125"},
+        BadCase{"program = \"p.c\"\ndouble = \"8.8\"\n",
+                "s.toml:2:10: 'double' is '8.8': expected \"32.16\" or \"16.16\""},
+        BadCase{"program = \"p.c\"\nuntil_ms = -1\n",
+                "s.toml:2:12: 'until_ms' must be a time in ms, from 0 to 1000000000"},
+        BadCase{"program = \"p.c\"\nexpect = \"x == 1\"\n",
+                "s.toml:2:10: 'expect' must be a list of texts, as in [\"sum == 5050\"]"},
+        BadCase{"program = \"p.c\"\nglobals = 3\n",
+                "s.toml:2:11: 'globals' must be a table, as in [globals]"},
+        BadCase{"program = \"p.c\"\n[globals]\nx = \"1\"\n",
+                "s.toml:3:1: 'x' must be a number or a list of numbers"},
+        BadCase{"program = \"p.c\"\n[thread]\nfunction = \"f\"\n",
+                "s.toml:2:1: 'thread' must be a list of tables, each under [[thread]]"}));
+
+TEST(ParseScenario, SaysWhatIsMissing) {
+  EXPECT_NE(ErrorOf("rate = 5\n").find("'program' is missing"), std::string::npos);
+  EXPECT_NE(ErrorOf("program = \"p.c\"\n[[thread]]\npage = 1\n").find("'function' is missing"),
+            std::string::npos);
+  EXPECT_NE(ErrorOf("program = \"p.c\"\n[[world.input]]\nat_ms = 1\n").find("'value' is missing"),
+            std::string::npos);
+}
+
+TEST(ParseScenario, BindsAThreadOnce) {
+  EXPECT_NE(
+      ErrorOf("program = \"p.c\"\n[[thread]]\nfunction = \"f\"\n[[thread]]\nfunction = \"g\"\n")
+          .find("thread 0 is bound twice"),
+      std::string::npos);
+}
+
+TEST(ParseScenario, ReportsTomlMistakesWithTheirPlace) {
+  EXPECT_EQ(ErrorOf("program = \"p.c\"\nrate = = 5\n").rfind("s.toml:2:", 0), 0u);
+}
+
+TEST(ParseScenario, NamesTheInputsThereAre) {
+  EXPECT_NE(ErrorOf("program = \"p.c\"\n[[world.input]]\ntype = \"gpio\"\nvalue = 1\n")
+                .find("limit_positive"),
+            std::string::npos);
+}
+
+TEST(ParseThreadStart, ReadsTheShortForm) {
+  EXPECT_EQ(ParseThreadStart("0=add").value(), (ThreadStart{0, "add", 0, {}, 0, 4}));
+  EXPECT_EQ(ParseThreadStart("7=add@3").value(), (ThreadStart{7, "add", 3, {}, 0, 4}));
+  EXPECT_EQ(ParseThreadStart("7=add:a=1,b[2]=-2.5").value(),
+            (ThreadStart{7, "add", 7, {{"a", {1}}, {"b[2]", {-2.5}}}, 0, 4}));
+  for (const char* text : {"", "add", "0=", "32=add", "-1=add", "0=add@32", "0=add@",
+                           "0=add:", "0=add:x", "0=add:x=y", "0=:x=1"}) {
+    EXPECT_FALSE(ParseThreadStart(text).ok()) << text;
+  }
+}
+
+TEST(MoveScenario, KeepsTheFilesReachable) {
+  Scenario s;
+  s.path = "a/b/s.toml";
+  s.program = "../p.c";
+  s.include_folders = {"inc"};
+  const Scenario moved = MoveScenario(s, "a/out/x.schedule");
+  EXPECT_EQ(moved.program, "../p.c");
+  EXPECT_EQ(moved.include_folders, std::vector<std::string>{"../b/inc"});
+  EXPECT_EQ(ProgramPath(moved), "a/p.c");
+}
+
+}  // namespace
+}  // namespace oncard::runtime

@@ -1,0 +1,164 @@
+#include <gtest/gtest.h>
+
+#include "tests/runtime/scenario_support.h"
+
+namespace oncard::runtime {
+namespace {
+
+constexpr const char* kCount = "int n;\nint f(int k)\n{\n  n = n + k;\n  return n;\n}\n";
+constexpr const char* kSpin = "int n;\nint f()\n{\nlbl:\n  n = n + 1;\n  goto lbl;\n}\n";
+
+std::string ErrorOf(const std::string& program, const std::string& scenario) {
+  const auto result = RunScenario(ScenarioForTest(scenario), CompileForTest(program));
+  return result.ok() ? "no error" : result.error().message.en;
+}
+
+TEST(RunScenario, RunsTheFirstFunctionWithoutThreads) {
+  const ScenarioResult result = RunForTest(kCount, "");
+  ASSERT_EQ(result.threads.size(), 1u);
+  EXPECT_EQ(result.threads[0].function, "f");
+  EXPECT_EQ(result.threads[0].status.en, "finished, result 0");
+  EXPECT_EQ(result.end, RunEnd::kQuiet);
+  EXPECT_EQ(result.statements, 2);
+}
+
+TEST(RunScenario, SetsGlobalsAndLocalsBeforeTheStart) {
+  const ScenarioResult result =
+      RunForTest(kCount,
+                 "[globals]\nn = 10\n[[thread]]\nthread = 2\nfunction = \"f\"\npage = 5\n"
+                 "init = { k = 4 }\n");
+  EXPECT_EQ(result.threads[0].page, 5);
+  EXPECT_EQ(result.threads[0].result, "14");
+}
+
+TEST(RunScenario, SaysWhatDoesNotFitTheProgram) {
+  const std::string thread = "[[thread]]\nfunction = \"f\"\n";
+  EXPECT_EQ(ErrorOf(kCount, "[[thread]]\nfunction = \"ff\"\n"),
+            "the program has no function 'ff'; did you mean 'f'?");
+  EXPECT_EQ(ErrorOf(kCount, "[[thread]]\nfunction = \"other\"\n"),
+            "the program has no function 'other': it has f");
+  EXPECT_EQ(ErrorOf(kCount, thread + "init = { j = 1 }\n"),
+            "nothing is named 'j'; did you mean 'k'?");
+  EXPECT_EQ(ErrorOf(kCount, thread + "init = { k = 1e12 }\n"),
+            "1000000000000 does not fit 'page0.k'");
+  EXPECT_EQ(ErrorOf(kCount, "[globals]\nn = [1, 2]\n"), "'n' takes 1 values, not 2");
+  EXPECT_EQ(ErrorOf(kCount, "[globals]\ngpo = 1\n"), "'gpo' is not a variable of the program");
+  EXPECT_EQ(ErrorOf(kCount, thread + "[[thread]]\nthread = 1\npage = 0\nfunction = \"f\"\n"),
+            "thread 1 cannot have page 0: another thread has it");
+  EXPECT_EQ(ErrorOf(kCount, "expect = [\"m == 1\"]"),
+            "'m == 1': nothing is named 'm'; did you mean 'n'?");
+}
+
+TEST(RunScenario, FailsAtTheTimeLimit) {
+  const ScenarioResult result = RunForTest(kSpin, "limit_ms = 2");
+  EXPECT_EQ(result.end, RunEnd::kTimeLimit);
+  EXPECT_EQ(result.end_ms, 2);
+  ASSERT_EQ(result.failures.size(), 1u);
+  EXPECT_EQ(result.failures[0].message.en, "threads still run at the time limit of 2 ms");
+  EXPECT_EQ(result.threads[0].status.en.rfind("running at p.c:", 0), 0u);
+}
+
+TEST(RunScenario, EndsWithoutFailureAtUntil) {
+  const ScenarioResult result = RunForTest(kSpin, "until_ms = 1\nexpect = [\"n == 50\"]");
+  EXPECT_TRUE(result.passed());
+  EXPECT_TRUE(result.reached_until);
+}
+
+TEST(RunScenario, GoesOnAfterTheThreadsUntilTheLastInstant) {
+  const ScenarioResult result =
+      RunForTest(kCount, "expect = [\"clock == 20 @ 20ms\", \"thread0.run == 0 @ 20ms\"]");
+  EXPECT_TRUE(result.passed());
+  EXPECT_EQ(result.end_ms, 20);
+}
+
+TEST(RunScenario, ReportsInstantsThatWereNotReached) {
+  const ScenarioResult result = RunForTest(kSpin, "until_ms = 5\nexpect = [\"n > 0 @ 6ms\"]");
+  ASSERT_EQ(result.failures.size(), 1u);
+  EXPECT_EQ(result.failures[0].message.en, "the run ended before, at 5 ms");
+}
+
+TEST(RunScenario, EvaluatesAnInstantBeforeTheInputsOfThatInstant) {
+  // The filter takes three cycles: the change of 1 ms is there at 1.75 ms.
+  const ScenarioResult result = RunForTest(
+      kSpin,
+      "until_ms = 3\nexpect = [\"gpi == 0 @ 1ms\", \"gpi == 0 @ 1.5ms\", \"gpi == 5 @ 1.75ms\"]\n"
+      "[[world.input]]\nvalue = 5\nat_ms = 1\n");
+  EXPECT_TRUE(result.passed()) << result.failures[0].message.en;
+}
+
+TEST(RunScenario, FailsOnAFaultUnlessItIsExpected) {
+  const char* program = "int f(int k)\n{\n  k = 1 / k;\n  return k;\n}\n";
+  const ScenarioResult unexpected = RunForTest(program, "");
+  ASSERT_EQ(unexpected.failures.size(), 1u);
+  EXPECT_EQ(unexpected.failures[0].message.en, "thread 0 f: fault at p.c:3: division by zero");
+  EXPECT_TRUE(RunForTest(program, "expect = [\"thread0.error == 100\"]").passed());
+}
+
+TEST(RunScenario, DescribesFaultsWithTheirValues) {
+  const ScenarioResult output =
+      RunForTest("int a[2];\nint f(int k)\n{\n  GT_GetClock(&a[0], &a[k]);\n  return k;\n}\n",
+                 "[[thread]]\nfunction = \"f\"\ninit = { k = -1 }\n");
+  EXPECT_EQ(output.threads[0].status.en,
+            "fault at p.c:4: index -1 is out of bounds: the array has elements 0 to 1");
+}
+
+TEST(RunScenario, NoticesADeadlock) {
+  const ScenarioResult result =
+      RunForTest("int go;\nint f()\n{\n  GT_WaitForVarEq(&go, 1);\n  return 1;\n}\n", "");
+  EXPECT_EQ(result.end, RunEnd::kDeadlock);
+  EXPECT_FALSE(result.passed());
+  EXPECT_EQ(result.threads[0].status.en.rfind("waiting at p.c:", 0), 0u);
+}
+
+TEST(RunScenario, StartsPeriodicThreadsAnew) {
+  const ScenarioResult result = RunForTest(
+      kCount,
+      "until_ms = 9.5\nexpect = [\"n == 5\"]\n[[thread]]\nfunction = \"f\"\nperiod_ms = 2\n"
+      "init = { k = 1 }\n");
+  EXPECT_TRUE(result.passed()) << result.failures[0].message.en;
+}
+
+TEST(RunScenario, IsDeterministic) {
+  const char* scenario =
+      "schedule = \"random:5\"\nuntil_ms = 4\n[[thread]]\nfunction = \"f\"\n"
+      "[[thread]]\nthread = 1\nfunction = \"f\"\n";
+  EXPECT_EQ(RunForTest(kSpin, scenario).hash, RunForTest(kSpin, scenario).hash);
+}
+
+TEST(RunScenario, ReplaysWhatItRecorded) {
+  const std::string threads =
+      "until_ms = 4\n[[thread]]\nfunction = \"f\"\n[[thread]]\nthread = 1\n"
+      "function = \"f\"\n";
+  RunOptions record;
+  record.record = true;
+  const ScenarioResult first = RunForTest(kSpin, "schedule = \"random:9\"\n" + threads, record);
+  ASSERT_TRUE(first.schedule.has_value());
+  RunOptions replay;
+  replay.replay = std::make_shared<const vm::Schedule>(*first.schedule);
+  const ScenarioResult second = RunForTest(kSpin, threads, replay);
+  EXPECT_TRUE(second.passed());
+  EXPECT_EQ(second.hash, first.hash);
+}
+
+TEST(RunScenario, NoticesThatAReplayEndsElsewhere) {
+  RunOptions record;
+  record.record = true;
+  const ScenarioResult first = RunForTest(kCount, "", record);
+  RunOptions replay;
+  replay.replay = std::make_shared<const vm::Schedule>(*first.schedule);
+  const ScenarioResult second = RunForTest(kCount, "[globals]\nn = 1\n", replay);
+  EXPECT_EQ(second.end, RunEnd::kScheduleDiverged);
+  EXPECT_FALSE(second.passed());
+}
+
+TEST(Trace, KeepsTheCyclesInWhichSomethingChanged) {
+  RunOptions options;
+  options.trace = true;
+  options.show = {"n"};
+  // Two statements each round, 25 a cycle.
+  const ScenarioResult result = RunForTest(kSpin, "until_ms = 0.5", options);
+  EXPECT_EQ(result.trace->Csv(), "time_ms,n,gpo\n0,0,0\n0.25,13,0\n0.5,25,0\n");
+}
+
+}  // namespace
+}  // namespace oncard::runtime

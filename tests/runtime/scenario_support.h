@@ -1,0 +1,37 @@
+// Programs as literal text, for tests of scenarios.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "compiler/diagnostic_printer.h"
+#include "runtime/scenario_run.h"
+
+namespace oncard::runtime {
+
+inline vm::Object CompileForTest(const std::string& text) {
+  const auto no_files = [](const std::string&) -> Result<std::string> {
+    return MakeError(1, "no file", "没有文件");
+  };
+  compiler::Compilation compilation = compiler::CompileText("p.c", text, {}, no_files);
+  EXPECT_TRUE(compilation.ok()) << compiler::PrintText(compilation, {});
+  return compilation.ok() ? *compilation.object : vm::Object();
+}
+
+/// A scenario whose text lacks only the program's name.
+inline Scenario ScenarioForTest(const std::string& text) {
+  auto scenario = ParseScenario("program = \"p.c\"\n" + text, "t.toml");
+  EXPECT_TRUE(scenario.ok()) << (scenario.ok() ? "" : scenario.error().message.en);
+  return scenario.ok() ? scenario.value() : Scenario();
+}
+
+/// Runs it; the error's English text instead of a result fails the test.
+inline ScenarioResult RunForTest(const std::string& program, const std::string& scenario,
+                                 const RunOptions& options = {}) {
+  auto result = RunScenario(ScenarioForTest(scenario), CompileForTest(program), options);
+  EXPECT_TRUE(result.ok()) << (result.ok() ? "" : result.error().message.en);
+  return result.ok() ? std::move(result).value() : ScenarioResult();
+}
+
+}  // namespace oncard::runtime
