@@ -293,8 +293,8 @@ void Machine::Settle(const Frame& frame, Exit exit, int64_t executed) {
   } else if (exit == Exit::kFinished) {
     state.run = ThreadRun::kStopped;
     // An int is the low half of a slot.
-    state.result = state.result_type == DataType::kDouble ? frame.result
-                                                          : static_cast<int32_t>(frame.result);
+    state.result =
+        state.result_type == DataType::kDouble ? frame.result : static_cast<int32_t>(frame.result);
     state.executed_max = std::max(state.executed_max, state.executed);
   }
 }

@@ -1,0 +1,387 @@
+// However the linker encodes a statement, and whichever neighbours it fuses, the program computes
+// what the reference machine computes, statement for statement.
+#include "vm/image.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/vm/program_builder.h"
+#include "tests/vm/reference_machine.h"
+
+namespace oncard::vm {
+namespace {
+
+// --- Operators -----------------------------------------------------------------------------------
+
+// Where an operand of the statement under test lives.
+enum class Shape {
+  kLiteral,
+  kLocal,
+  kGlobal,
+  kLocalElement,
+  kLocalElementByGlobal,
+  kGlobalElement,
+  kGlobalElementByGlobal
+};
+constexpr Shape kShapes[] = {Shape::kLiteral,
+                             Shape::kLocal,
+                             Shape::kGlobal,
+                             Shape::kLocalElement,
+                             Shape::kLocalElementByGlobal,
+                             Shape::kGlobalElement,
+                             Shape::kGlobalElementByGlobal};
+
+// Slots 8 * position .. 8 * position + 3 of either storage are the operand's; the index is local or
+// global slot 0, which holds 2.
+Operand Place(Shape shape, uint16_t position, const Operand& literal) {
+  const auto base = static_cast<uint16_t>(8 * position);
+  switch (shape) {
+    case Shape::kLiteral:
+      return literal;
+    case Shape::kLocal:
+      return Local(base);
+    case Shape::kGlobal:
+      return Global(base);
+    case Shape::kLocalElement:
+      return Element{Storage::kLocal, base, 4, Local(0)};
+    case Shape::kLocalElementByGlobal:
+      return Element{Storage::kLocal, base, 4, Global(0)};
+    case Shape::kGlobalElement:
+      return Element{Storage::kGlobal, base, 4, Local(0)};
+    case Shape::kGlobalElementByGlobal:
+      return Element{Storage::kGlobal, base, 4, Global(0)};
+  }
+  return literal;
+}
+
+std::vector<Operand> EdgeValues(DataType type, DoubleFormat format) {
+  if (type == DataType::kInt) {
+    std::vector<Operand> values;
+    for (const int32_t value : {0, 1, -1, 2, -7, 31, 32, 33, 46341, INT32_MAX, INT32_MIN}) {
+      values.push_back(ImmediateInt(value));
+    }
+    return values;
+  }
+  const int64_t max =
+      format == DoubleFormat::k32_16 ? 0x7FFFFFFFFFFF : 0x7FFFFFFF;  // 48 and 32 bits
+  return {Raw(0),     Raw(1),        Raw(-1),  Raw(65536),   Raw(-65536),
+          Raw(98304), Raw(-0x18001), Raw(max), Raw(max - 1), Raw(-max - 1)};
+}
+
+// Copies values into the operands, applies the operator, and keeps each result in a slot of its
+// own.
+class OperatorProgram {
+ public:
+  OperatorProgram(const OperatorInfo& info, DataType type) : info_(info), type_(type) {}
+
+  void AddUnary(Shape source, Shape target, const Operand& a) {
+    Assign(source, 1, a);
+    code_.push_back(Unary(static_cast<UnaryOperator>(info_.number), type_, Place(source, 1, a),
+                          Place(target, 3, a)));
+    Keep(target);
+  }
+
+  void AddBinary(Shape left, Shape right, Shape target, const Operand& a, const Operand& b) {
+    Assign(left, 1, a);
+    Assign(right, 2, b);
+    code_.push_back(Binary(static_cast<BinaryOperator>(info_.number), type_, Place(left, 1, a),
+                           Place(right, 2, b), Place(target, 3, a)));
+    Keep(target);
+  }
+
+  std::vector<Instruction> TakeCode() { return std::move(code_); }
+
+ private:
+  void Assign(Shape shape, uint16_t position, const Operand& value) {
+    if (shape == Shape::kLiteral) return;
+    code_.push_back(Unary(UnaryOperator::kCopy, type_, value, Place(shape, position, value)));
+  }
+
+  void Keep(Shape target) {
+    constexpr uint16_t kFirstResult = 100;
+    code_.push_back(Unary(UnaryOperator::kCopy, ResultOf(info_, type_),
+                          Place(target, 3, ImmediateInt(0)),
+                          Local(static_cast<uint16_t>(kFirstResult + kept_++))));
+  }
+
+  const OperatorInfo& info_;
+  DataType type_;
+  std::vector<Instruction> code_;
+  int kept_ = 0;
+};
+
+// Runs one function on both machines to its end.
+testing::AssertionResult SameResults(std::vector<Instruction> code, DoubleFormat format) {
+  const auto statements = static_cast<int64_t>(code.size());
+  Object object = MakeObject({MakeFunction(std::move(code))});
+  object.double_format = format;
+  ThreadCommands commands;
+  Machine machine(&commands);
+  machine.Load(LinkRecords(object, commands));
+  ReferenceMachine reference(object, 1);
+  machine.WriteRaw({false, 0, 0}, 2);
+  machine.WriteRaw({true, 0, 0}, 2);
+  reference.pages[0][0] = reference.globals[0] = 2;
+  reference.Bind(0, 0, 0);
+  reference.Start(0);
+  if (machine.Bind(0, 1, 0) != kOk || machine.Run(0) != kOk) return testing::AssertionFailure();
+  reference.Execute(statements);
+  if (machine.Execute(statements) != statements) return testing::AssertionFailure() << "stopped";
+  const std::string difference = reference.Difference(machine);
+  if (!difference.empty()) return testing::AssertionFailure() << difference;
+  return testing::AssertionSuccess();
+}
+
+struct OperatorCase {
+  const OperatorInfo* info;
+  bool unary;
+};
+
+std::vector<OperatorCase> AllOperators() {
+  std::vector<OperatorCase> all;
+  for (uint16_t number = 1; FindUnaryOperator(number) != nullptr; ++number) {
+    all.push_back({FindUnaryOperator(number), true});
+  }
+  for (uint16_t number = 1; FindBinaryOperator(number) != nullptr; ++number) {
+    all.push_back({FindBinaryOperator(number), false});
+  }
+  return all;
+}
+
+class OperatorsTest : public testing::TestWithParam<OperatorCase> {
+ protected:
+  void CheckUnary(DataType type, DoubleFormat format) {
+    for (const Shape source : kShapes) {
+      for (const Shape target : kShapes) {
+        if (target == Shape::kLiteral) continue;
+        OperatorProgram program(*GetParam().info, type);
+        for (const Operand& a : EdgeValues(type, format)) program.AddUnary(source, target, a);
+        ASSERT_TRUE(SameResults(program.TakeCode(), format))
+            << static_cast<int>(source) << ' ' << static_cast<int>(target);
+      }
+    }
+  }
+
+  void CheckBinary(DataType type, DoubleFormat format) {
+    for (const Shape left : kShapes) {
+      for (const Shape right : kShapes) {
+        for (const Shape target : kShapes) {
+          if (target == Shape::kLiteral) continue;
+          ASSERT_TRUE(SameResults(BinaryCode(left, right, target, type, format), format))
+              << static_cast<int>(left) << ' ' << static_cast<int>(right) << ' '
+              << static_cast<int>(target);
+        }
+      }
+    }
+  }
+
+ private:
+  std::vector<Instruction> BinaryCode(Shape left, Shape right, Shape target, DataType type,
+                                      DoubleFormat format) {
+    const OperatorInfo& info = *GetParam().info;
+    const bool divides = info.spelling == "/" || info.spelling == "%";
+    OperatorProgram program(info, type);
+    for (const Operand& a : EdgeValues(type, format)) {
+      for (const Operand& b : EdgeValues(type, format)) {
+        if (divides && std::get<Immediate>(b).raw == 0) continue;
+        program.AddBinary(left, right, target, a, b);
+      }
+    }
+    return program.TakeCode();
+  }
+};
+
+TEST_P(OperatorsTest, ComputeTheSameWithEveryKindOfOperand) {
+  for (const DataType type : {DataType::kInt, DataType::kDouble}) {
+    if (!Accepts(*GetParam().info, type)) continue;
+    for (const DoubleFormat format : {DoubleFormat::k32_16, DoubleFormat::k16_16}) {
+      // The format decides nothing about ints but how they become doubles.
+      if (GetParam().unary) {
+        CheckUnary(type, format);
+      } else if (type == DataType::kDouble || format == DoubleFormat::k32_16) {
+        CheckBinary(type, format);
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, OperatorsTest, testing::ValuesIn(AllOperators()));
+
+// --- Loops ---------------------------------------------------------------------------------------
+
+// What a loop does before its increment.
+enum class Body { kNothing, kSumInt, kSumGlobal, kSumDouble, kStore, kStoreThenSum, kTestInside };
+constexpr Body kBodies[] = {Body::kNothing, Body::kSumInt,       Body::kSumGlobal, Body::kSumDouble,
+                            Body::kStore,   Body::kStoreThenSum, Body::kTestInside};
+
+constexpr Variable kI = Local(1);
+constexpr Variable kCondition = Local(2);
+constexpr Variable kBound = Local(3);
+constexpr Variable kSum = Local(4);
+
+// goto entry; loop: cc = i REL n; if (cc) goto end; BODY; i = i + 1; goto loop; end: return sum;
+// `entry` is the statement of the loop that is executed first.
+std::vector<Instruction> Loop(BinaryOperator relation, bool literal_bound, Body body,
+                              int16_t entry) {
+  std::vector<Instruction> code;
+  code.push_back(Goto(static_cast<int16_t>(entry + 1)));
+  code.push_back(Binary(relation, DataType::kInt, kI,
+                        literal_bound ? Operand(ImmediateInt(3)) : Operand(kBound), kCondition));
+  code.push_back(Jump(kCondition, 0));
+  const Element element{Storage::kLocal, 32, 4, kI};
+  const Instruction store = Set(element, kSum);
+  switch (body) {
+    case Body::kNothing:
+      break;
+    case Body::kSumInt:
+      code.push_back(Add(kSum, kSum, kI));
+      break;
+    case Body::kSumGlobal:
+      code.push_back(Add(Global(4), Global(4), kI));
+      break;
+    case Body::kSumDouble:
+      code.push_back(Binary(BinaryOperator::kAdd, DataType::kDouble, Local(8), Local(9), Local(8)));
+      break;
+    case Body::kStore:
+      code.push_back(store);
+      break;
+    case Body::kStoreThenSum:
+      code.push_back(store);
+      code.push_back(Binary(BinaryOperator::kAdd, DataType::kInt, kSum, element, kSum));
+      break;
+    case Body::kTestInside:
+      code.push_back(Binary(BinaryOperator::kAnd, DataType::kInt, kI, ImmediateInt(1), kCondition));
+      code.push_back(Jump(kCondition, 2));
+      code.push_back(Add(kSum, kSum, kI));
+      break;
+  }
+  code.push_back(Add(kI, kI, ImmediateInt(1)));
+  code.push_back(Goto(static_cast<int16_t>(1 - static_cast<int>(code.size()))));
+  code[2].displacement = static_cast<int16_t>(code.size() - 2);
+  code.push_back(Return(kAlways, kSum));
+  return code;
+}
+
+// Executes `budget` statements of the loop on `threads` threads of both machines, then 40 more.
+testing::AssertionResult SameLoop(const Object& object, const std::shared_ptr<const Image>& image,
+                                  int threads, int64_t budget) {
+  ThreadCommands commands;
+  Machine machine(&commands);
+  machine.Load(image);
+  ReferenceMachine reference(object, 1);
+  for (size_t thread = 0; thread < static_cast<size_t>(threads); ++thread) {
+    // The second thread begins at another i, so that the two leave the loop at different times.
+    const std::pair<uint16_t, int64_t> values[] = {
+        {kI.id, static_cast<int64_t>(thread)}, {kBound.id, 3}, {kSum.id, 100}, {8, 5}, {9, 70000}};
+    for (const auto& [id, value] : values) {
+      machine.WriteRaw({false, static_cast<uint8_t>(thread), id}, value);
+      reference.pages[thread][id] = value;
+    }
+    reference.Bind(thread, 0, thread);
+    reference.Start(thread);
+    machine.Bind(static_cast<int>(thread), 1, static_cast<int>(thread));
+    machine.Run(static_cast<int>(thread));
+  }
+  for (const int64_t piece : {budget, int64_t{40}}) {
+    reference.Execute(piece);
+    machine.Execute(piece);
+    const std::string difference = reference.Difference(machine);
+    if (!difference.empty()) return testing::AssertionFailure() << difference;
+  }
+  return testing::AssertionSuccess();
+}
+
+class LoopsTest : public testing::TestWithParam<BinaryOperator> {};
+
+TEST_P(LoopsTest, StopExactlyWhereTheBudgetEndsWhereverTheyAreEntered) {
+  ThreadCommands commands;
+  for (const bool literal_bound : {false, true}) {
+    for (const Body body : kBodies) {
+      const auto size = static_cast<int16_t>(Loop(GetParam(), literal_bound, body, 0).size());
+      for (int16_t entry = 0; entry + 1 < size; ++entry) {
+        const Object object =
+            MakeObject({MakeFunction(Loop(GetParam(), literal_bound, body, entry))});
+        const auto image = LinkRecords(object, commands);
+        for (int64_t budget = 1; budget <= 20; ++budget) {
+          ASSERT_TRUE(SameLoop(object, image, 1, budget))
+              << static_cast<int>(body) << " entered at " << entry << ", budget " << budget;
+        }
+        for (const int64_t budget : {8, 9, 23}) {
+          ASSERT_TRUE(SameLoop(object, image, 2, budget))
+              << static_cast<int>(body) << " entered at " << entry << ", budget " << budget;
+        }
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Relations, LoopsTest,
+                         testing::Values(BinaryOperator::kEqual, BinaryOperator::kNotEqual,
+                                         BinaryOperator::kLess, BinaryOperator::kGreater,
+                                         BinaryOperator::kLessEqual,
+                                         BinaryOperator::kGreaterEqual));
+
+// --- The image -----------------------------------------------------------------------------------
+
+TEST(ImageTest, KeepsOneCodePerInstructionAndAnEndMarker) {
+  const ThreadCommands commands;
+  const auto image = LinkRecords(SumObject(), commands);
+  ASSERT_EQ(image->functions.size(), 1u);
+  EXPECT_EQ(image->functions[0].code.size(), 8u);
+  EXPECT_EQ(image->object, SumObject());
+}
+
+TEST(ImageTest, FindsFunctionsAndVariablesByName) {
+  const FakeCommands commands;
+  const auto image = LinkObject(ArrayObject(), commands);
+  ASSERT_TRUE(image.ok());
+  EXPECT_EQ(FindFunction(*image.value(), "work"), 0);
+  EXPECT_EQ(FindFunction(*image.value(), "nothing"), 1);
+  EXPECT_EQ(FindFunction(*image.value(), "Work"), -1);
+  ASSERT_NE(FindGlobal(*image.value(), "pos"), nullptr);
+  EXPECT_EQ(FindGlobal(*image.value(), "pos")->id, 9);
+  EXPECT_EQ(FindGlobal(*image.value(), "a"), nullptr);
+  ASSERT_NE(FindLocal(*image.value(), 0, "a"), nullptr);
+  EXPECT_EQ(FindLocal(*image.value(), 0, "a")->array_size, 5);
+  EXPECT_EQ(FindLocal(*image.value(), 1, "a"), nullptr);
+}
+
+TEST(ImageTest, RefusesWhatTheVerifierRefuses) {
+  const ThreadCommands commands;
+  const Object object = MakeObject({MakeFunction({Goto(1)})});
+  const auto image = LinkObject(object, commands, Symbols::kAbsent);
+  ASSERT_FALSE(image.ok());
+  EXPECT_EQ(image.error().code, 2008);
+}
+
+TEST(ImageTest, RefusesMoreDistinctLiteralsThanInstructionsCanNumber) {
+  const ThreadCommands commands;
+  std::vector<Instruction> code;
+  for (int32_t i = 0; i < 16384; ++i) code.push_back(Set(Local(0), ImmediateInt(i)));
+  EXPECT_NE(LinkRecords(MakeObject({MakeFunction(code)}), commands), nullptr);
+  code.push_back(Set(Local(0), ImmediateInt(-1)));
+  const auto image = LinkObject(MakeObject({MakeFunction(code)}), commands, Symbols::kAbsent);
+  ASSERT_FALSE(image.ok());
+  EXPECT_EQ(image.error().code, 2008);
+}
+
+TEST(ImageTest, HashDependsOnWhatTheProgramDoesOnly) {
+  const ThreadCommands commands;
+  const Object original = SumObject();
+  const uint64_t hash = LinkRecords(original, commands)->hash;
+
+  Object renamed = original;
+  renamed.functions[0].lines.assign(7, 1);
+  renamed.functions[0].variables[0].name = "first";
+  EXPECT_EQ(LinkRecords(renamed, commands)->hash, hash);
+
+  Object narrow = original;
+  narrow.double_format = DoubleFormat::k16_16;
+  EXPECT_NE(LinkRecords(narrow, commands)->hash, hash);
+
+  Object changed = original;
+  changed.functions[0].instructions[4].operands[1] = ImmediateInt(2);
+  EXPECT_NE(LinkRecords(changed, commands)->hash, hash);
+}
+
+}  // namespace
+}  // namespace oncard::vm
