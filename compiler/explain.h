@@ -11,7 +11,7 @@
 
 namespace oncard::compiler {
 
-/// A row of explain_pages.def. The programs are complete sources; they are the same in both languages.
+/// A row of explain_pages.def. The programs are complete sources, the same in both languages.
 struct Explanation {
   int code;
   /// What is wrong and why: one paragraph of full sentences, without line ends.
