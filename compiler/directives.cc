@@ -170,11 +170,11 @@ void Directives::Define(const std::vector<Token>& line, SourceRange whole) {
     }
   }
   if (macros_.size() == vm::kMacroMax) {
-    reporter_.Report(Code::kTooManyMacros, name.range, name.text, int64_t{vm::kMacroMax});
-    skipped_names_.insert(name.text);
-    return;
-  }
-  if (macros_.size() > vm::kMacroMax) {
+    // One report is enough, all that follow are too many as well.
+    if (!too_many_) {
+      reporter_.Report(Code::kTooManyMacros, name.range, name.text, int64_t{vm::kMacroMax});
+    }
+    too_many_ = true;
     skipped_names_.insert(name.text);
     return;
   }

@@ -50,6 +50,7 @@ class Directives {
   std::vector<Macro> macros_;
   std::unordered_map<std::string_view, size_t> macro_by_name_;
   std::unordered_set<std::string_view> skipped_names_;
+  bool too_many_ = false;
   std::vector<SourceRange> open_braces_;
   SourceRange external_;  // start of the definition that is being read
 };

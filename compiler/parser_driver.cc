@@ -78,15 +78,14 @@ int ParserDriver::Next(Parser::semantic_type* value, SourceRange* location) {
   return token->kind;
 }
 
-void ParserDriver::OpenMissingBrace() {
+bool ParserDriver::OpenMissingBrace() {
   braces_.push_back({last_->range, false});
   // The token that stands in place of the brace was counted before it.
   if (last_->kind == Kind::kOpenBrace && braces_.size() >= 2) {
     std::swap(braces_[braces_.size() - 1], braces_[braces_.size() - 2]);
-  } else if (last_->kind == Kind::kCloseBrace) {
-    braces_.pop_back();
   }
   resume_ = false;
+  return last_->kind == Kind::kEnd;
 }
 
 bool ParserDriver::InForHeader() const {
@@ -210,6 +209,9 @@ void ParserDriver::SyntaxError(std::span<const Parser::symbol_kind_type> expecte
   const SourceRange after_previous = previous_ != nullptr ? EndOf(previous_->range) : found.range;
   const Message what = DescribeToken(found);
   resume_ = false;
+  errors_here_ = last_ == error_at_ ? errors_here_ + 1 : 0;
+  error_at_ = last_;
+  if (errors_here_ > 0) return;
 
   if (found.kind == Kind::kInvalid) return;  // the lexer has reported it
   if (found.kind == Kind::kHash) {

@@ -34,8 +34,11 @@ class ParserDriver {
   /// Passes over the rest of a statement that has a syntax error. Returns false when the last token
   /// is good for the next statement.
   bool SkipStatement();
-  /// The `{` of a function's body is missing and taken as written.
-  void OpenMissingBrace();
+  /// The `{` of a function's body is missing and taken as written. Returns true when the last token
+  /// was the end of the file, which now comes after a `}`.
+  bool OpenMissingBrace();
+  /// True when recovery does not get past a token; the rest of the file is given up then.
+  bool Stalled() const { return errors_here_ > kErrorsHereMax; }
 
   // --- Building blocks of the tree that need the reporter -------------------------------------
 
@@ -80,6 +83,9 @@ class ParserDriver {
   std::span<const Token> tokens_;
   Reporter& reporter_;
   size_t next_ = 0;
+  static constexpr int kErrorsHereMax = 8;
+  const Token* error_at_ = nullptr;  // the token of the last syntax error
+  int errors_here_ = 0;              // how many it has had
   size_t stuck_at_ = 0;              // where SkipStatement() last found nothing to skip
   const Token* last_ = nullptr;      // what Next() gave last
   const Token* previous_ = nullptr;  // and before that

@@ -1,0 +1,61 @@
+// What the compiler's tests share: compiling text, listing what was reported, applying fix-its.
+#pragma once
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "compiler/compiler.h"
+#include "gtcalls/catalogue.h"
+#include "vm/command_table.h"
+
+namespace oncard::compiler {
+
+/// Files that exist only in a test.
+using MemoryFiles = std::map<std::string, std::string>;
+
+inline Compilation CompileString(const std::string& text, const Options& options = {},
+                                 const MemoryFiles& files = {}) {
+  return CompileText("test.c", text, options,
+                     [files](const std::string& path) -> Result<std::string> {
+                       const auto found = files.find(path);
+                       if (found == files.end()) return MakeError(1, "missing", "缺少");
+                       return found->second;
+                     });
+}
+
+/// The codes that were reported, in order.
+inline std::vector<int> CodesOf(const Compilation& compilation) {
+  std::vector<int> codes;
+  for (const Diagnostic& diagnostic : compilation.diagnostics) {
+    codes.push_back(diagnostic.info->code);
+  }
+  return codes;
+}
+
+/// The text after the edits of one diagnostic. Insertions at the same place keep their order.
+inline std::string ApplyFixIts(std::string text, const Diagnostic& diagnostic) {
+  std::vector<FixIt> edits = diagnostic.fixits;
+  std::stable_sort(edits.begin(), edits.end(),
+                   [](const FixIt& a, const FixIt& b) { return a.range.begin < b.range.begin; });
+  for (size_t i = edits.size(); i-- > 0;) {
+    text.replace(edits[i].range.begin, edits[i].range.end - edits[i].range.begin, edits[i].text);
+  }
+  return text;
+}
+
+/// The catalogue as the object verifier wants it; executes nothing.
+class CatalogueShapes final : public vm::CommandTable {
+ public:
+  const vm::CommandShape* Find(uint16_t number) const override {
+    const gtcalls::Command* command = gtcalls::FindCommand(number);
+    return command == nullptr ? nullptr : &gtcalls::ShapeOf(*command);
+  }
+  int16_t Execute(uint16_t /*number*/, vm::Machine& /*machine*/, int /*thread*/,
+                  std::span<vm::CommandArgument> /*arguments*/) override {
+    return 0;
+  }
+};
+
+}  // namespace oncard::compiler

@@ -1,0 +1,92 @@
+#include "compiler/literal.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace oncard::compiler {
+namespace {
+
+using vm::DoubleFormat;
+
+struct FixedCase {
+  const char* text;
+  int64_t raw;
+};
+
+class FixedLiteralTest : public testing::TestWithParam<FixedCase> {};
+
+TEST_P(FixedLiteralTest, RoundsToTheNearestMultiple) {
+  const Literal literal = ParseFixed(GetParam().text);
+  ASSERT_TRUE(FixedValue(literal, DoubleFormat::k32_16).has_value());
+  EXPECT_EQ(*FixedValue(literal, DoubleFormat::k32_16), GetParam().raw);
+}
+
+// Raw values are the numbers times 65536, worked out by hand.
+INSTANTIATE_TEST_SUITE_P(
+    Values, FixedLiteralTest,
+    testing::Values(FixedCase{"0.0", 0}, FixedCase{"1.0", 65536}, FixedCase{"12.5", 819200},
+                    FixedCase{".5", 32768}, FixedCase{"3.", 196608}, FixedCase{"1e2", 6553600},
+                    FixedCase{"25e-2", 16384}, FixedCase{"0.0000152587890625", 1},
+                    // Half a step rounds away from zero, a hair less rounds down.
+                    FixedCase{"0.00000762939453125", 1}, FixedCase{"0.00000762939453124999999", 0},
+                    FixedCase{"0.000022888183593750", 2},
+                    FixedCase{"0.00002288818359374999999999999999", 1},
+                    // 0.1 * 65536 = 6553.6
+                    FixedCase{"0.1", 6554}, FixedCase{"1e-1", 6554},
+                    FixedCase{"2147483647.99998", 140737488355327},
+                    FixedCase{"000000000000000000000000001.5", 98304},
+                    FixedCase{"0.000000000000000000000000000001e30", 65536},
+                    FixedCase{"1e-999999999999", 0}));
+
+TEST(FixedLiteral, IsExactWhereADoubleIsNot) {
+  // 53 bits cannot tell this number from the half step above it.
+  const Literal literal = ParseFixed("1073741823.00000762939453124999999999999");
+  EXPECT_EQ(*FixedValue(literal, DoubleFormat::k32_16), int64_t{1073741823} * 65536);
+}
+
+TEST(FixedLiteral, HasTheRangeOfItsFormat) {
+  Literal literal = ParseFixed("2147483648.0");
+  EXPECT_FALSE(FixedValue(literal, DoubleFormat::k32_16).has_value());
+  literal.negative = true;
+  EXPECT_EQ(*FixedValue(literal, DoubleFormat::k32_16), int64_t{-2147483648} * 65536);
+  literal = ParseFixed("32768.0");
+  EXPECT_FALSE(FixedValue(literal, DoubleFormat::k16_16).has_value());
+  literal.negative = true;
+  EXPECT_EQ(*FixedValue(literal, DoubleFormat::k16_16), int64_t{-32768} * 65536);
+  EXPECT_FALSE(FixedValue(ParseFixed("1e999999999"), DoubleFormat::k32_16).has_value());
+  EXPECT_FALSE(FixedValue(ParseFixed(std::string(1000, '9') + ".0"), DoubleFormat::k32_16));
+  // Rounding up may leave the range.
+  EXPECT_FALSE(FixedValue(ParseFixed("2147483647.999999"), DoubleFormat::k32_16));
+}
+
+TEST(IntegerLiteral, HasTheRangeOfInt) {
+  EXPECT_EQ(IntValue(ParseInteger("2147483647")), 2147483647);
+  EXPECT_FALSE(IntValue(ParseInteger("2147483648")).has_value());
+  Literal literal = ParseInteger("2147483648");
+  literal.negative = true;
+  EXPECT_EQ(IntValue(literal), INT32_MIN);
+  literal.magnitude += 1;
+  EXPECT_FALSE(IntValue(literal).has_value());
+  EXPECT_FALSE(IntValue(ParseInteger(std::string(100, '9'))).has_value());
+  EXPECT_FALSE(IntValue(ParseInteger("18446744073709551617")).has_value());
+}
+
+TEST(IntegerLiteral, WrapsHexadecimalsOf32Bits) {
+  EXPECT_EQ(IntValue(ParseInteger("0x7FFFFFFF")), INT32_MAX);
+  EXPECT_EQ(IntValue(ParseInteger("0x80000000")), INT32_MIN);
+  EXPECT_EQ(IntValue(ParseInteger("0Xffffffff")), -1);
+  EXPECT_FALSE(IntValue(ParseInteger("0x100000000")).has_value());
+  Literal literal = ParseInteger("0x80000000");
+  literal.negative = true;
+  EXPECT_EQ(IntValue(literal), INT32_MIN);
+}
+
+TEST(IntegerLiteral, IsTheSameNumberAsADouble) {
+  EXPECT_EQ(*FixedValue(ParseInteger("5"), DoubleFormat::k16_16), 5 * 65536);
+  EXPECT_FALSE(FixedValue(ParseInteger("40000"), DoubleFormat::k16_16).has_value());
+  EXPECT_EQ(*FixedValue(ParseInteger("40000"), DoubleFormat::k32_16), int64_t{40000} * 65536);
+}
+
+}  // namespace
+}  // namespace oncard::compiler
