@@ -1,4 +1,6 @@
 // oncard run: a program with options, or a scenario file, to its end.
+#include <charconv>
+#include <cmath>
 #include <filesystem>
 
 #include "tools/commands.h"
@@ -117,6 +119,23 @@ std::string CheckTraceName(const std::string& path) {
   return "the name must end in .vcd, .csv or .json";
 }
 
+// CLI11's own range lets NaN through.
+std::string CheckTime(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool good = error == std::errc() && end == text.data() + text.size() && value >= 0 &&
+                    value <= static_cast<double>(runtime::kTimeMsMax);
+  return good ? "" : fmt::format("{} is not a time from 0 to {} ms", text, runtime::kTimeMsMax);
+}
+
+std::string CheckCycle(const std::string& text) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool good = error == std::errc() && end == text.data() + text.size() && value >= 125 &&
+                    value <= 4000 && value % 125 == 0;
+  return good ? "" : fmt::format("{} is not a multiple of 125 from 125 to 4000", text);
+}
+
 // A list option whose every occurrence takes one value.
 void AddList(CLI::App& command, const std::string& name, std::vector<std::string>& values,
              const std::string& type, const std::string& description) {
@@ -171,18 +190,13 @@ void AddRun(CLI::App& app, Session& session) {
                    say("profile cycle in us, a multiple of 125 (default 250)",
                        "规划周期，单位 us，125 的倍数（默认 250）"))
       ->type_name("US")
-      ->check(CLI::Range(125, 4000).description(""))
-      ->check(CLI::Validator(
-          [](const std::string& text) {
-            return std::stol(text) % 125 == 0 ? std::string() : "not a multiple of 125";
-          },
-          ""));
+      ->check(CLI::Validator(CheckCycle, ""));
   command
       ->add_option("--until", arguments->until_ms,
                    say("end the run at this time, whatever still runs",
                        "到此时刻结束运行，不论线程是否仍在运行"))
       ->type_name("MS")
-      ->check(CLI::Range(0.0, static_cast<double>(runtime::kTimeMsMax)).description(""));
+      ->check(CLI::Validator(CheckTime, ""));
   command
       ->add_option("--limit", arguments->limit_ms,
                    say("fail when threads still run at this time (default 60000)",
