@@ -1,0 +1,67 @@
+// Executes random programs by way of oncard: compiler, linker, machine.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "base/result.h"
+#include "compiler/compiler.h"
+#include "oracle.h"
+#include "random_program.h"
+#include "vm/command_table.h"
+#include "vm/image.h"
+#include "vm/machine.h"
+
+namespace oncard::differential {
+
+/// A card without commands; the random programs call none.
+class NoCommands final : public vm::CommandTable {
+ public:
+  const vm::CommandShape* Find(uint16_t) const override { return nullptr; }
+  int16_t Execute(uint16_t, vm::Machine&, int, std::span<vm::CommandArgument>) override {
+    return 0;
+  }
+};
+
+/// Compiles text under the name `random.c`; includes are not found.
+compiler::Compilation CompileSource(const std::string& text, vm::DoubleFormat format);
+
+/// The errors of a compilation, one per line.
+std::string ErrorsOf(const compiler::Compilation& compilation);
+
+/// The program, compiled and linked. The error holds the first diagnostics.
+Result<std::shared_ptr<const vm::Image>> CompileAndLink(const RandomProgram& program);
+
+/// Statements after which a program is taken for endless.
+inline constexpr int64_t kEndless = 1'000'000;
+
+/// One execution of a random program: function k on thread k and data page k.
+class MachineRun {
+ public:
+  /// Loads the program and gives every variable its initial value.
+  MachineRun(const RandomProgram& program, std::shared_ptr<const vm::Image> image);
+
+  /// Runs one function after the other, up to `chunk` statements a call of the machine. False when
+  /// one does not end.
+  bool RunInSequence(int64_t chunk);
+  /// Runs them as threads. False when they do not end.
+  bool RunInterleaved(const Interleaving& interleaving);
+  /// Final values in the order that RunOracle() has.
+  Values FinalValues() const;
+  uint64_t Hash() const { return machine_.Hash(); }
+  /// Statements executed.
+  int64_t executed() const { return machine_.state().executed; }
+
+ private:
+  vm::SlotAddress Address(int function, const Declaration::Slot& slot) const;
+  void Initialise(int function, const std::vector<Declaration>& declarations);
+  void Collect(int function, const std::vector<Declaration>& declarations, Values* values) const;
+
+  NoCommands commands_;
+  vm::Machine machine_;
+  const RandomProgram& program_;
+};
+
+}  // namespace oncard::differential
