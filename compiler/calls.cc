@@ -91,6 +91,7 @@ void Checker::ReportUnknownCall(const Expression& callee) {
                           ? MakeMessage("no GT command has this name", "没有这个名称的 GT 指令")
                           : MakeMessage("only GT commands, abs and fabs can be called",
                                         "只能调用 GT 指令、abs 和 fabs"));
+  if (!MaySuggest()) return;
   Nearest nearest(name);
   for (const gtcalls::Command& command : gtcalls::Commands()) {
     if (command.in_motion_program) nearest.Add(command.name);

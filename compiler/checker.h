@@ -141,6 +141,9 @@ class Checker {
   // lesson.
   void BeginStatement(const Statement& statement);
   void EndStatement(const Statement& statement, const Place& place);
+  /// The diagnostic that carries the rewriting of a construct: its own, or that of the declaration
+  /// of a multi-dimensional array it uses, which mends all uses together.
+  Diagnostic& Bearer(Diagnostic& own) const { return flat_array_ != nullptr ? *flat_array_ : own; }
   template <typename... Args>
   void Teach(Code code, SourceRange range, const Args&... args) {
     // That an expression is nested is the least of what can be said about it.
@@ -174,6 +177,9 @@ class Checker {
   bool Adapt(TypedOperand& operand, vm::DataType type);
   std::optional<TypedOperand> LiteralOperand(const Literal& literal, SourceRange range);
   void ReportUndeclared(const Expression& expression);
+  /// Searching for near names costs time; a program with more wrong names than this has other
+  /// troubles.
+  bool MaySuggest() { return suggestions_++ < kSuggestionMax; }
   static bool IsLeaf(const Expression& expression);
   std::optional<Literal> ConstantOf(const Expression& expression) const;
 
@@ -201,6 +207,8 @@ class Checker {
   std::unordered_map<std::string_view, SourceRange> function_names_;  // of the whole program
   std::unordered_set<std::string_view> skipped_names_;
   std::unordered_set<std::string_view> undeclared_macros_;
+  static constexpr int kSuggestionMax = 100;
+  int suggestions_ = 0;
   FreshNames fresh_;
   SourceRange first_item_;  // where #define lines can go
   FunctionState* function_ = nullptr;

@@ -106,6 +106,7 @@ void Checker::ReportUndeclared(const Expression& expression) {
     InsertBefore(diagnostic, first_item_, line + "\n");
     return;
   }
+  if (!MaySuggest()) return;
   Nearest nearest(name);
   if (function_ != nullptr) {
     for (const Entity& entity : function_->locals.entities()) nearest.Add(entity.name);

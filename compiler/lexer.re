@@ -270,6 +270,7 @@ void Lexer::Scan(const char* cursor, const char* limit) {
 }
 
 std::vector<Token> Lexer::Run() {
+  tokens_.reserve(text_.size() / 3 + 1);
   Scan(text_.data(), text_.data() + text_.size());
   return std::move(tokens_);
 }

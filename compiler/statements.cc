@@ -140,6 +140,7 @@ void Checker::ResolveJumps() {
     // Said once for each label.
     if (!function.labels.emplace(jump.label, Label{jump.range, 0, false}).second) continue;
     Diagnostic& diagnostic = reporter_.Report(Code::kUnknownLabel, jump.range, jump.label);
+    if (!MaySuggest()) continue;
     Nearest nearest(jump.label);
     for (const std::string_view name : function.label_names) nearest.Add(name);
     if (!nearest.best().empty()) {
@@ -176,9 +177,7 @@ void Checker::BeginStatement(const Statement& statement) {
 
 void Checker::EndStatement(const Statement& statement, const Place& place) {
   if (flat_array_ != nullptr && !failed_) {
-    // Part of the rewriting that the array's declaration carries.
-    Rewriter rewriter(*this, *flat_array_);
-    rewriter.RewriteSimple(statement, place);
+    Rewriter(*this, *flat_array_).RewriteSimple(statement, place);
     return;
   }
   if (!lesson_ || broken_) return;
@@ -288,7 +287,7 @@ void Checker::CheckExpressionStatement(const Statement& statement) {
     case Expression::Kind::kCompound:
     case Expression::Kind::kPostfix:
       CheckNames(value);
-      ResolveTarget(*value.operands[0]);
+      if (!failed_) ResolveTarget(*value.operands[0]);
       return;
     case Expression::Kind::kComma:
       TeachNested(value);
@@ -444,7 +443,9 @@ void Checker::CheckIf(const Statement& statement, const Place& place) {
         Code::kIfBody, body.keyword,
         ToMessage(fmt::format("'{}'", text.substr(0, std::max<size_t>(word, 1)))));
   }
-  if (diagnostic != nullptr && !failed) Rewriter(*this, *diagnostic).RewriteIf(statement, place);
+  if (diagnostic != nullptr && !failed) {
+    Rewriter(*this, Bearer(*diagnostic)).RewriteIf(statement, place);
+  }
   Place inside = place;
   inside.top = false;
   inside.single = true;
@@ -498,7 +499,7 @@ void Checker::CheckLoop(const Statement& statement, const Place& place) {
                                                               : Code::kDoLoop;
   Diagnostic& diagnostic = reporter_.Report(code, statement.keyword);
   if (!failed_) {
-    Rewriter rewriter(*this, diagnostic);
+    Rewriter rewriter(*this, Bearer(diagnostic));
     if (!declarations.empty()) rewriter.AddDeclaration(declarations);
     rewriter.RewriteLoop(statement, place);
   }
@@ -520,7 +521,7 @@ void Checker::CheckSwitch(const Statement& statement, const Place& place) {
   }
   lesson_.reset();
   Diagnostic& diagnostic = reporter_.Report(Code::kSwitch, statement.keyword);
-  if (!failed_ && block) Rewriter(*this, diagnostic).RewriteSwitch(statement, place);
+  if (!failed_ && block) Rewriter(*this, Bearer(diagnostic)).RewriteSwitch(statement, place);
   Place inside = place;
   inside.top = false;
   inside.single = !block;

@@ -187,6 +187,10 @@ const Whole kPrograms[] = {
     {"global_initialiser", "int v = 5; int t0() { return v; }\n"},
     {"two_dimensions",
      "int m[2][3]; int v; int t0() { int i; i = 1; m[i][2] = 4; v = m[1][i + 1] * 2; }\n"},
+    {"two_dimensions_in_loop",
+     "int m[2][3]; int t0() { int i; while (m[i][1] < 3) { m[i][1] = m[i][1] + 1; } if (m[i][0]) i "
+     "= 2; "
+     "else i = m[1][i]; switch (m[0][i]) { case 1: i = 1; } return m[i][i]; }\n"},
     {"sized_by_values", "int t0() { int n[] = {1, 2, 3}; return n[2]; }\n"},
     {"constants", "int t0() { GT_SetDo(MC_GPO, 1); GT_SetDo(MC_GPO, 2); return 0; }\n"},
     {"macro_inside", "int t0() {\n#define N 3\n  return N;\n}\n"},
