@@ -1,10 +1,11 @@
 // Executes random programs by way of oncard: compiler, linker, machine.
 #pragma once
 
+#include <cstdint>
 #include <memory>
-#include <optional>
+#include <span>
 #include <string>
-#include <utility>
+#include <vector>
 
 #include "base/result.h"
 #include "compiler/compiler.h"
