@@ -116,7 +116,8 @@ class Machine {
 
   // --- Program ---------------------------------------------------------------------------------
 
-  /// Replaces the program: all threads unbound, all variables 0, the policy back at its start.
+  /// Replaces the program (nullptr: by none): all threads unbound, all variables 0, the policy back
+  /// at its start. The clock goes on.
   void Load(std::shared_ptr<const Image> image);
   /// The program, or nullptr before the first Load().
   const Image* image() const { return image_.get(); }
