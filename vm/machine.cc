@@ -395,7 +395,10 @@ void Machine::BeginCycle(int64_t cycle) {
     } else {
       ++thread.overruns;
     }
-    thread.next_start += thread.period_cycles;
+    // Starts that the clock jumped over are not made up for.
+    const int64_t missed = (state_->cycle - thread.next_start) / thread.period_cycles;
+    thread.overruns += missed;
+    thread.next_start += (missed + 1) * thread.period_cycles;
   }
 }
 

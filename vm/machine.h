@@ -62,7 +62,7 @@ struct ThreadState {
   uint16_t breakpoint_line = 0;  ///< pauses before a statement of this line; 0 = none
   int64_t period_cycles = 0;     ///< started anew every so many cycles; 0 = not periodic
   int64_t next_start = 0;        ///< cycle of the next periodic start
-  int64_t overruns = 0;          ///< periodic starts that found the thread still running
+  int64_t overruns = 0;          ///< periodic starts missed: it still ran, or the clock jumped
   int16_t priority = 4;          ///< smaller runs first under the priority policy
   int64_t executed = 0;          ///< statements since the last start
   int64_t executed_max = 0;      ///< largest `executed` of a completed periodic run
@@ -143,7 +143,7 @@ class Machine {
   /// has no statement on that line; 1: as Run().
   int16_t RunToBreakpoint(int thread, int line);
   /// Starts the function anew every `period_cycles` cycles, beginning now. 7: out of range;
-  /// 1: as Run().
+  /// 1: not bound, running or paused, or already periodic.
   int16_t RunPeriodic(int thread, int64_t period_cycles, int16_t priority);
 
   // --- For commands executed by a thread -------------------------------------------------------
