@@ -288,6 +288,7 @@ class ScenarioReader {
              std::pair(b.first.begin.line, b.first.begin.column);
     });
     std::vector<InitialValue> values;
+    values.reserve(placed.size());
     for (auto& [place, initial] : placed) values.push_back(std::move(initial));
     return values;
   }
