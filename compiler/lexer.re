@@ -175,6 +175,7 @@ void Lexer::Scan(const char* cursor, const char* limit) {
       re2c:define:YYMARKER = marker;
       re2c:define:YYLIMIT = limit;
       re2c:yyfill:enable = 0;
+      re2c:yych:conversion = 1;
       re2c:eof = 0;
 
       digit    = [0-9];
