@@ -8,6 +8,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "base/nearest.h"
 #include "compiler/syntax.h"
 #include "gtcalls/catalogue.h"
 #include "vm/object.h"
@@ -48,21 +49,6 @@ class Scope {
  private:
   std::vector<Entity> entities_;
   std::unordered_map<std::string_view, size_t> by_name_;
-};
-
-/// The nearest of the candidates, when one is near enough to be what was meant: the candidate with
-/// the fewest edits (letter case counts little), the first of several. Add() all, then ask.
-class Nearest {
- public:
-  explicit Nearest(std::string_view wanted);
-  void Add(std::string_view candidate);
-  /// Empty when nothing is near.
-  std::string_view best() const { return best_; }
-
- private:
-  std::string_view wanted_;
-  int limit_;
-  std::string_view best_;
 };
 
 /// Gives names that the program does not use yet.

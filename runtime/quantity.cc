@@ -5,7 +5,7 @@
 #include <charconv>
 #include <optional>
 
-#include "runtime/near_name.h"
+#include "base/nearest.h"
 
 namespace oncard::runtime {
 namespace {

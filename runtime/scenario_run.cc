@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "base/files.h"
-#include "runtime/near_name.h"
+#include "base/nearest.h"
 
 namespace oncard::runtime {
 namespace {

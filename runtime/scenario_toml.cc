@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "base/files.h"
-#include "runtime/near_name.h"
+#include "base/nearest.h"
 #include "runtime/quantity.h"
 #include "runtime/scenario.h"
 #include "vm/limits.h"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include "runtime/near_name.h"
+#include "base/nearest.h"
 #include "tools/command_tree.h"
 #include "tools/commands.h"
 
@@ -56,7 +56,7 @@ Message DescribeUnknownCommand(const CLI::App& app, const std::string& word) {
   std::vector<std::string_view> names;
   const std::vector<CommandText> tree = ReadCommandTree(app);
   for (size_t i = 1; i < tree.size(); ++i) names.push_back(tree[i].name);
-  const std::string_view near = runtime::NearestName(word, names);
+  const std::string_view near = NearestName(word, names);
   if (near.empty()) return MakeMessage("there is no command '{0}'", "没有命令“{0}”", word);
   return MakeMessage("there is no command '{0}'; did you mean '{1}'?",
                      "没有命令“{0}”；是否为“{1}”？", word, near);

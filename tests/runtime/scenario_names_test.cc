@@ -1,28 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "runtime/near_name.h"
 #include "tests/runtime/scenario_support.h"
 
 namespace oncard::runtime {
 namespace {
-
-struct NearCase {
-  const char* name;
-  const char* expected;
-};
-
-class NearestNameTest : public testing::TestWithParam<NearCase> {};
-
-TEST_P(NearestNameTest, FindsWhatWasMeant) {
-  const std::vector<std::string_view> candidates = {"program", "rate", "cycle_us", "expect"};
-  EXPECT_EQ(NearestName(GetParam().name, candidates), GetParam().expected);
-}
-
-INSTANTIATE_TEST_SUITE_P(Names, NearestNameTest,
-                         testing::Values(NearCase{"programm", "program"}, NearCase{"rat", "rate"},
-                                         NearCase{"raet", "rate"}, NearCase{"expects", "expect"},
-                                         NearCase{"cycle", ""}, NearCase{"zebra", ""},
-                                         NearCase{"", ""}));
 
 // --- Quantities ----------------------------------------------------------------------------------
 
