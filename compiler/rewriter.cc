@@ -126,12 +126,11 @@ Rewriter::Value Rewriter::LeafIndex(const Expression& expression) {
   if (base->kind != Expression::Kind::kName) return Fail();
   const Entity* array = checker_.Lookup(base->text);
   if (array == nullptr || array->invalid || array->array_size == 0) return Fail();
-  const Entity copy = *array;
-  const std::string index = copy.dimensions.size() > 1 ? FlatIndex(expression, copy)
+  const std::string index = array->dimensions.size() > 1 ? FlatIndex(expression, *array)
                             : expression.operands[0].get() == base
                                 ? IndexText(*expression.operands[1])
                                 : Fail().text;
-  return {fmt::format("{}[{}]", base->text, index), copy.type, true};
+  return {fmt::format("{}[{}]", base->text, index), array->type, true};
 }
 
 Rewriter::Value Rewriter::Leaf(const Expression& expression) {
@@ -383,31 +382,31 @@ void Rewriter::LowerEffect(const Expression& expression) {
 }
 
 void Rewriter::Initialise(const Declarator& declarator, const Entity& entity) {
-  const Entity copy = entity;  // lowering may declare more names
-  if (copy.structure != nullptr) {
+  if (entity.structure != nullptr) {
     ok_ = false;
     return;
   }
-  const std::string name(copy.name);
+  const std::string name(entity.name);
   if (declarator.initialiser->kind == Expression::Kind::kBraces) {
     const std::vector<ExpressionPtr>& values = declarator.initialiser->operands;
-    if (copy.array_size == 0 || copy.dimensions.size() > 1 || values.size() > copy.array_size) {
+    if (entity.array_size == 0 || entity.dimensions.size() > 1 ||
+        values.size() > entity.array_size) {
       ok_ = false;
       return;
     }
     for (size_t i = 0; i < values.size() && ok_; ++i) {
-      const Value target = {fmt::format("{}[{}]", name, i), copy.type, true};
+      const Value target = {fmt::format("{}[{}]", name, i), entity.type, true};
       Value value = Lower(*values[i]);
       if (ok_) Assign(target, std::move(value));
     }
     return;
   }
-  if (copy.array_size != 0) {
+  if (entity.array_size != 0) {
     ok_ = false;
     return;
   }
   Value value = Lower(*declarator.initialiser);
-  if (ok_) Assign({name, copy.type, true, false, true}, std::move(value));
+  if (ok_) Assign({name, entity.type, true, false, true}, std::move(value));
 }
 
 Rewriter::Condition Rewriter::LowerCondition(const Expression& expression, bool negate) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -42,12 +43,12 @@ class Scope {
  public:
   const Entity* Find(std::string_view name) const;
   Entity* Find(std::string_view name);
-  /// Adds a name that is not there yet. References are invalidated.
+  /// Adds a name that is not there yet. References to entities stay valid.
   Entity& Add(Entity entity);
-  const std::vector<Entity>& entities() const { return entities_; }
+  const std::deque<Entity>& entities() const { return entities_; }
 
  private:
-  std::vector<Entity> entities_;
+  std::deque<Entity> entities_;
   std::unordered_map<std::string_view, size_t> by_name_;
 };
 

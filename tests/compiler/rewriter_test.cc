@@ -132,6 +132,7 @@ const Foreign kBodies[] = {
      312},
     {"block", "{ v = 1; { v = v + 1; } }", 2},
     {"late", "v = 1; int n = v + 4; v = n;", 5},
+    {"late_many", "v = 1; int n = 1, m = 2, o = 3, p = 4, q = 5; v = n + m + o + p + q;", 15},
     {"late_in_block", "i = 1; if (i) { int n; n = 3; v = n; }", 3},
     {"late_array", "v = 1; int n[2] = {4, 5}; v = n[0] + n[1];", 9},
     {"missing_semicolon", "v = 1\nv = v + 1;", 2},
