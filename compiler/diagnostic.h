@@ -59,10 +59,10 @@ struct Note {
 
 /// A row of diagnostics.def.
 struct DiagnosticInfo {
-  int code;                ///< 27 is printed MP027
+  int code;  ///< 27 is printed MP027
   Severity severity;
-  std::string_view slug;   ///< the word in brackets, such as `undeclared`
-  std::string_view en;     ///< message with {0}, {1}, ...
+  std::string_view slug;  ///< the word in brackets, such as `undeclared`
+  std::string_view en;    ///< message with {0}, {1}, ...
   std::string_view zh;
 };
 

@@ -18,8 +18,8 @@ struct PrintOptions {
 /// Closes with a line that counts errors and warnings when there are any.
 std::string PrintText(const Compilation& compilation, const PrintOptions& options);
 
-/// One JSON object per diagnostic and line: code, severity, slug, message in the chosen language and
-/// both as "message_en"/"message_zh", file, line, column, end_line, end_column, notes, fixits.
+/// One JSON object per diagnostic and line: code, severity, slug, message in the chosen language
+/// and both as "message_en"/"message_zh", file, line, column, end_line, end_column, notes, fixits.
 std::string PrintJson(const Compilation& compilation, const PrintOptions& options);
 
 /// One SARIF document for a whole run.

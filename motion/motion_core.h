@@ -15,16 +15,16 @@ namespace oncard::motion {
 
 /// Sizes and timing of a card.
 struct MotionConfig {
-  int axis_count = 8;        ///< 4, 8 or 12
-  int64_t cycle_us = 250;    ///< profile cycle; a multiple of 125, 125..4000
+  int axis_count = 8;      ///< 4, 8 or 12
+  int64_t cycle_us = 250;  ///< profile cycle; a multiple of 125, 125..4000
 };
 
 /// GT_SetLongVar, GT_SetDoubleVar (assumption: 1024 of each, the manuals name no number).
 inline constexpr int kUserVariableCount = 1024;
 
 struct MotionState {
-  int64_t cycle = 0;         ///< profile cycles since power-on
-  int64_t clock_cycle = 0;   ///< profile cycles since the last GT_Reset
+  int64_t cycle = 0;        ///< profile cycles since power-on
+  int64_t clock_cycle = 0;  ///< profile cycles since the last GT_Reset
   DigitalIo io;
   std::array<int32_t, kUserVariableCount> long_vars{};
   std::array<double, kUserVariableCount> double_vars{};

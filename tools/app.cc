@@ -80,8 +80,8 @@ CLI::Option* AddFormatOption(CLI::App& command, const Session& session, std::str
 
 void DescribeApp(CLI::App& app, Session& session) {
   if (session.language == Language::kChinese) TranslateLabels(app);
-  app.description(session.Say({"write, run and test Googol GTS motion programs",
-                               "编写、运行和测试固高 GTS 运动程序"}));
+  app.description(session.Say(
+      {"write, run and test Googol GTS motion programs", "编写、运行和测试固高 GTS 运动程序"}));
   app.set_help_flag("-h,--help", session.Say({"print this help", "显示本帮助"}));
   app.set_version_flag("--version", "oncard " ONCARD_VERSION,
                        session.Say({"print the version", "显示版本"}));

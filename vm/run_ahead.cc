@@ -76,8 +76,8 @@ int64_t Machine::ExecuteRounds(uint32_t members, int64_t rounds) {
   }
 
   Calendar calendar;
-  // Positions that wait with nothing left to execute: they finish as soon as the value holds, not in
-  // a turn of their own.
+  // Positions that wait with nothing left to execute: they finish as soon as the value holds, not
+  // in a turn of their own.
   uint32_t ending = 0;
   int64_t total = 0;
   int last_thread = -1;

@@ -5,7 +5,7 @@
 short CallCommandsFromC(void);
 short CallCommandsFromC(void) {
   char name[8] = "add";
-  char *version = NULL;
+  char* version = NULL;
   double position[8];
   unsigned long clock = 0;
   TTrapPrm trap = {0.25, 0.125, 0, 25};
