@@ -14,14 +14,15 @@ function(oncard_re2c target source)
   target_sources(${target} PRIVATE ${output})
 endfunction()
 
-# oncard_bison(target parser.yy): adds the parser made from `parser.yy` and its header.
+# oncard_bison(target parser.yy): adds the parser made from `parser.yy` and its header, parser.hh,
+# which by that name clang-tidy does not take for a header of ours.
 function(oncard_bison target source)
   find_package(BISON 3.8 REQUIRED)
   get_filename_component(name ${source} NAME_WE)
   set(output ${CMAKE_CURRENT_BINARY_DIR}/${name}.cc)
   add_custom_command(
-    OUTPUT ${output} ${CMAKE_CURRENT_BINARY_DIR}/${name}.h
-    COMMAND ${BISON_EXECUTABLE} -Wall -Werror --header=${CMAKE_CURRENT_BINARY_DIR}/${name}.h
+    OUTPUT ${output} ${CMAKE_CURRENT_BINARY_DIR}/${name}.hh
+    COMMAND ${BISON_EXECUTABLE} -Wall -Werror --header=${CMAKE_CURRENT_BINARY_DIR}/${name}.hh
             -o ${output} ${CMAKE_CURRENT_SOURCE_DIR}/${source}
     DEPENDS ${source}
     VERBATIM)

@@ -1,6 +1,6 @@
 #include "compiler/checker.h"
 
-#include "compiler/parser.h"
+#include "compiler/parser.hh"
 
 namespace oncard::compiler {
 

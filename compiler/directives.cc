@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "compiler/lexer.h"
-#include "compiler/parser.h"
+#include "compiler/parser.hh"
 #include "vm/limits.h"
 
 namespace oncard::compiler {

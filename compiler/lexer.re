@@ -5,7 +5,7 @@
 #include <string>
 #include <unordered_set>
 
-#include "compiler/parser.h"
+#include "compiler/parser.hh"
 #include "compiler/text.h"
 #include "gtcalls/catalogue.h"
 #include "vm/limits.h"

@@ -7,7 +7,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "compiler/parser.h"
+#include "compiler/parser.hh"
 #include "compiler/reporter.h"
 #include "compiler/syntax.h"
 
