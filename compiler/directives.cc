@@ -53,7 +53,6 @@ void Directives::AddFile(SourceFile file, uint32_t inclusion_point) {
   for (size_t i = 0; i < tokens.size();) {
     const Token& token = tokens[i];
     if (external_begins && open_braces_.empty()) external_ = token.range;
-    external_begins = false;
     if (token.kind == Kind::kHash && token.on_new_line) {
       std::vector<Token> line;
       do {

@@ -250,11 +250,13 @@ void ParserDriver::SyntaxError(std::span<const Parser::symbol_kind_type> expecte
                          : MakeMessage("the rest of the statement", "语句的其余部分"));
     return;
   }
+  const bool other_than_name = has(Symbol::S_Semicolon) || has(Symbol::S_Int) ||
+                               has(Symbol::S_CloseParen) || has(Symbol::S_CloseBracket);
   if (statement_start) {
     reporter_.Report(Code::kCannotStart, found.range, what);
   } else if (operand) {
     reporter_.Report(Code::kExpectedOperand, found.range, what);
-  } else if (IsTypeWord(before) && has(Symbol::S_Name)) {
+  } else if (has(Symbol::S_Name) && (IsTypeWord(before) || !other_than_name)) {
     reporter_.Report(Code::kExpectedName, found.range, what);
   } else if (has(Symbol::S_Semicolon)) {
     Diagnostic& diagnostic = reporter_.Report(Code::kMissingSemicolon, after_previous, what);
@@ -267,10 +269,8 @@ void ParserDriver::SyntaxError(std::span<const Parser::symbol_kind_type> expecte
     reporter_.Report(Code::kMissingCloseParen, found.range, what);
   } else if (has(Symbol::S_CloseBracket)) {
     reporter_.Report(Code::kMissingCloseBracket, found.range, what);
-  } else if (has(Symbol::S_OpenParen) && !has(Symbol::S_Name)) {
+  } else if (has(Symbol::S_OpenParen)) {
     reporter_.Report(Code::kMissingOpenParen, found.range, what);
-  } else if (has(Symbol::S_Name)) {
-    reporter_.Report(Code::kExpectedName, found.range, what);
   } else {
     reporter_.Report(Code::kUnexpected, found.range, what,
                      std::string_view(has(Symbol::S_Colon)   ? "':'"

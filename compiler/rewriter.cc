@@ -87,7 +87,7 @@ std::string Rewriter::IndexText(const Expression& expression) {
   index = Converted(std::move(index), DataType::kInt);
   if (index.leaf && (index.literal || index.variable)) return index.text;
   if (!index.leaf) return Operand(std::move(index)).text;
-  const std::string name = Temporary("tmp", DataType::kInt);
+  std::string name = Temporary("tmp", DataType::kInt);
   Emit(fmt::format("{} = {};", name, index.text));
   return name;
 }
@@ -199,7 +199,7 @@ Rewriter::Value Rewriter::LowerStep(const Expression& expression, bool value_use
 }
 
 Rewriter::Value Rewriter::LowerAssignment(const Expression& expression) {
-  const Value target = Target(*expression.operands[0]);
+  Value target = Target(*expression.operands[0]);
   if (!ok_) return {};
   Value value = Lower(*expression.operands[1]);
   if (!ok_) return {};
@@ -237,19 +237,68 @@ Rewriter::Value Rewriter::LowerUnary(const Expression& expression) {
   return Fail();
 }
 
+// The type of an expression, before any of it is lowered.
+DataType Rewriter::TypeOf(const Expression& expression) const {
+  if (const std::optional<Literal> constant = checker_.ConstantOf(expression)) {
+    return constant->kind == Literal::Kind::kFixed ? DataType::kDouble : DataType::kInt;
+  }
+  const auto either = [this](const Expression& a, const Expression& b) {
+    return TypeOf(a) == DataType::kDouble ? DataType::kDouble : TypeOf(b);
+  };
+  const auto entity_type = [this](const Expression& name) {
+    const Entity* entity = checker_.Lookup(name.text);
+    return entity != nullptr ? entity->type : DataType::kInt;
+  };
+  switch (expression.kind) {
+    case Expression::Kind::kName:
+      return entity_type(expression);
+    case Expression::Kind::kIndex: {
+      const Expression* base = &expression;
+      while (base->kind == Expression::Kind::kIndex) base = base->operands[0].get();
+      return entity_type(*base);
+    }
+    case Expression::Kind::kMember: {
+      const Entity* entity = checker_.Lookup(expression.operands[0]->text);
+      if (entity == nullptr || entity->structure == nullptr) return DataType::kInt;
+      for (const gtcalls::Member& member : entity->structure->members) {
+        if (member.name == expression.text) return gtcalls::ProgramType(member.type);
+      }
+      return DataType::kInt;
+    }
+    case Expression::Kind::kCast:
+      return expression.text == "double" ? DataType::kDouble : DataType::kInt;
+    case Expression::Kind::kCall:
+      return expression.operands[0]->text == "fabs" ? DataType::kDouble : DataType::kInt;
+    case Expression::Kind::kUnary:
+      if (expression.op == "!" || expression.op == "~") return DataType::kInt;
+      return TypeOf(*expression.operands[0]);
+    case Expression::Kind::kBinary:
+      if (IsRelation(expression.op) || IsIntOnly(expression.op) || expression.op == "&&" ||
+          expression.op == "||") {
+        return DataType::kInt;
+      }
+      return either(*expression.operands[0], *expression.operands[1]);
+    case Expression::Kind::kConditional:
+      return either(*expression.operands[1], *expression.operands[2]);
+    case Expression::Kind::kComma:
+      return TypeOf(*expression.operands[1]);
+    case Expression::Kind::kParen:
+    case Expression::Kind::kPostfix:
+    case Expression::Kind::kAssign:
+    case Expression::Kind::kCompound:
+      return TypeOf(*expression.operands[0]);
+    default:
+      return DataType::kInt;
+  }
+}
+
 Rewriter::Value Rewriter::LowerConditional(const Expression& expression) {
   const std::string otherwise = Label("lbl_else");
   const std::string end = Label("lbl_end");
   JumpIf(*expression.operands[0], true, otherwise);
-  // The type of both branches must be known before the first one is assigned.
-  Rewriter trial(checker_, diagnostic_);
-  const Value yes_type = trial.Lower(*expression.operands[1]);
-  const Value no_type = trial.Lower(*expression.operands[2]);
-  if (!ok_ || !trial.ok_) return Fail();
-  const DataType type = yes_type.type == DataType::kDouble || no_type.type == DataType::kDouble
-                            ? DataType::kDouble
-                            : DataType::kInt;
-  const Value result = {Temporary("tmp", type), type, true, false, true};
+  if (!ok_) return {};
+  const DataType type = TypeOf(expression);
+  Value result = {Temporary("tmp", type), type, true, false, true};
   Assign(result, Lower(*expression.operands[1]));
   Emit(fmt::format("goto {};", end));
   EmitLabel(otherwise);

@@ -67,6 +67,7 @@ class Rewriter {
   Value Lower(const Expression& expression);
   Value LowerUnary(const Expression& expression);
   Value LowerBinary(Value left, std::string_view op, Value right);
+  vm::DataType TypeOf(const Expression& expression) const;
   Value LowerConditional(const Expression& expression);
   Value LowerCall(const Expression& expression);
   Value LowerAssignment(const Expression& expression);

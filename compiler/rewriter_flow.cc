@@ -64,7 +64,11 @@ void Rewriter::InsertAtFirstStatement() {
   const bool at_end = at.begin == checker_.function_->syntax->close_brace.begin;
   const std::string separator = Separator(at);
   std::string text;
-  for (const std::string& line : lines_) text += (at_end ? "  " : "") + line + separator;
+  for (const std::string& line : lines_) {
+    if (at_end) text += "  ";
+    text += line;
+    text += separator;
+  }
   lines_.clear();
   if (!text.empty()) edits_.push_back({at, std::move(text)});
   Finish();

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "base/files.h"
+#include "compiler/syntax.h"
 #include "tests/compiler/compiler_support.h"
 #include "vm/verifier.h"
 
@@ -195,6 +196,30 @@ TEST(Fuzz, ManyOfOneThing) {
     for (int i = 0; i < 3000; ++i) text += piece;
     ASSERT_NO_FATAL_FAILURE(Check(text)) << piece;
     ASSERT_NO_FATAL_FAILURE(Check(text.substr(18))) << piece;
+  }
+}
+
+// Well-formed nesting up to the depth that is accepted, in every position that rewriting treats
+// specially: its work must not double with each level.
+TEST(Fuzz, DeepButWellFormed) {
+  struct Nest {
+    const char* open;
+    const char* middle;
+    const char* close;
+  };
+  for (const Nest& nest :
+       {Nest{"v ? 1 : ", "v", ""}, Nest{"v ? ", "v", " : 2"}, Nest{"(", "v", ")"},
+        Nest{"a[", "v", "]"}, Nest{"v = ", "v", ""}, Nest{"-", "v", ""}, Nest{"abs(", "v", ")"},
+        Nest{"v + (", "v", " * 2)"}, Nest{"(double) (", "v", ")"}, Nest{"(v, ", "v", ")"}}) {
+    std::string expression = nest.middle;
+    for (int i = 0; i < kDepthMax / 2 - 2; ++i) expression = nest.open + expression + nest.close;
+    for (const char* form : {"v = ", "if (", "while (", "return "}) {
+      std::string text = "int v, a[4]; int t0() { ";
+      text += form;
+      text += expression;
+      text += form == std::string("if (") || form == std::string("while (") ? ") v = 1; }" : "; }";
+      ASSERT_NO_FATAL_FAILURE(Check(text));
+    }
   }
 }
 
