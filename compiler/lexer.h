@@ -1,4 +1,4 @@
-// Splits a file into tokens. Tested by tests/compiler/lexer_test.cc.
+// Splits a file into tokens. Tested by tests/compiler/literal_test.cc and tests/lang/lexical.
 #pragma once
 
 #include <vector>
