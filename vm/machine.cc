@@ -446,7 +446,7 @@ bool Machine::PassCheckpoint() {
 
 uint64_t Machine::Hash() const {
   std::vector<int64_t> words;
-  words.reserve(kThreadCount * 24);
+  words.reserve(size_t{kThreadCount} * 24);
   for (const ThreadState& t : state_->threads) {
     words.insert(words.end(), {static_cast<int64_t>(t.run),
                                t.page,
