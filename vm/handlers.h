@@ -31,26 +31,24 @@ constexpr uint16_t IndexOf(uint16_t operand) { return operand & kOperandIndexMas
 // increment before a kLoop (kIncrementLoop), and what loops mostly do last before their increment:
 // accumulate or store (kAccumulate..., kStore...). Measured, not guessed: with the relation as data
 // instead of in the op they ran slower.
-#define ONCARD_INT_BINARY_OPS(X, SHARED, name)                                           \
-  X(name##LL)                                                                            \
-  X(name##LK)                                                                            \
-  X(name##KL)                                                                            \
-  X(name##LE) X(name##P) SHARED(name##S) SHARED(name##GL) SHARED(name##GK) X(name##LLIf) \
-      X(name##LKIf)
+// clang-format off
+#define ONCARD_INT_BINARY_OPS(X, SHARED, name)                               \
+  X(name##LL) X(name##LK) X(name##KL) X(name##LE) X(name##P) SHARED(name##S) \
+  SHARED(name##GL) SHARED(name##GK) X(name##LLIf) X(name##LKIf)
 #define ONCARD_DOUBLE_BINARY_OPS(X, SHARED, name) \
   X(name##LL) X(name##LK) X(name##KL) X(name##LE) X(name##P) SHARED(name##S)
 #define ONCARD_UNARY_OPS(X, SHARED, name) \
   X(name##L) X(name##K) X(name##LE) X(name##P) SHARED(name##S)
-#define ONCARD_COMPARE_OPS(X, SHARED, name)                                                 \
-  X(Test##name##LL)                                                                         \
-  X(Test##name##LK)                                                                         \
-  X(Loop##name##LL) X(Loop##name##LK) X(IncrementLoop##name##LL) X(IncrementLoop##name##LK) \
-      X(AccumulateIntLoop##name##LL) X(AccumulateIntLoop##name##LK)                         \
-          SHARED(AccumulateGlobalLoop##name##LL) SHARED(AccumulateGlobalLoop##name##LK)     \
-              X(AccumulateDoubleLoop##name##LL) X(AccumulateDoubleLoop##name##LK)           \
-                  X(StoreIntLoop##name##LL) X(StoreIntLoop##name##LK)
+#define ONCARD_COMPARE_OPS(X, SHARED, name)                                               \
+  X(Test##name##LL) X(Test##name##LK) X(Loop##name##LL) X(Loop##name##LK)                 \
+  X(IncrementLoop##name##LL) X(IncrementLoop##name##LK)                                   \
+  X(AccumulateIntLoop##name##LL) X(AccumulateIntLoop##name##LK)                           \
+  SHARED(AccumulateGlobalLoop##name##LL) SHARED(AccumulateGlobalLoop##name##LK)           \
+  X(AccumulateDoubleLoop##name##LL) X(AccumulateDoubleLoop##name##LK)                     \
+  X(StoreIntLoop##name##LL) X(StoreIntLoop##name##LK)
 #define ONCARD_OTHER_OPS(X, SHARED) \
   X(Goto) X(IfLocal) SHARED(IfGlobal) X(ReturnP) SHARED(ReturnS) SHARED(Command) X(End)
+// clang-format on
 
 /// Everything one dispatch can do. Fields of Code by op:
 ///   P, S                packed operands
