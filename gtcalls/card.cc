@@ -75,6 +75,13 @@ int16_t CheckValue(Call& call, size_t index) {
         MakeMessage("parameter {0} is {1}; the range is {2}", "参数 {0} 为 {1}；取值范围为 {2}",
                     parameter.name, value, SpellRange(parameter)));
   }
+  const int axes = call.card.motion.config().axis_count;
+  if (parameter.axis_number && value > axes) {
+    return call.Refuse(
+        vm::kBadParameter,
+        MakeMessage("parameter {0} is {1}; this card has 1 to {2}",
+                    "参数 {0} 为 {1}；本控制卡的编号为 1 到 {2}", parameter.name, value, axes));
+  }
   const Bounds type = BoundsOf(parameter);
   if (!(value >= type.minimum && value <= type.maximum)) {
     return call.Refuse(
@@ -96,11 +103,24 @@ int16_t CheckPointer(Call& call, size_t index) {
                                  "参数 {0} 为 NULL；应传入变量的地址", parameter.name));
 }
 
+/// A count of axes must not reach past the last one.
+int16_t CheckLastAxis(Call& call, size_t index) {
+  const int axes = call.card.motion.config().axis_count;
+  const int count = call.integer(index);
+  const int last = call.integer(0) + count - 1;
+  if (!call.command.parameters[0].axis_number || last <= axes) return vm::kOk;
+  return call.Refuse(vm::kBadParameter,
+                     MakeMessage("{0} from {1} on reach to {2}; this card has 1 to {3}",
+                                 "从 {1} 起共 {0} 个，到 {2} 为止；本控制卡的编号为 1 到 {3}",
+                                 count, call.integer(0), last, axes));
+}
+
 int16_t CheckArguments(Call& call) {
   assert(call.arguments.size() == call.command.parameters.size());
   for (size_t i = 0; i < call.command.parameters.size(); ++i) {
     const bool by_value = call.command.parameters[i].passing == Passing::kValue;
-    const int16_t code = by_value ? CheckValue(call, i) : CheckPointer(call, i);
+    int16_t code = by_value ? CheckValue(call, i) : CheckPointer(call, i);
+    if (code == vm::kOk && call.command.parameters[i].axis_count) code = CheckLastAxis(call, i);
     if (code != vm::kOk) return code;
   }
   return vm::kOk;

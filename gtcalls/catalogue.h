@@ -145,6 +145,11 @@ struct Parameter {
   /// Pointer without a count: one element per axis of the coordinate system that the first
   /// parameter names.
   bool per_dimension = false;
+  /// The number of an axis, profile, encoder, controller or output; the card at hand may have fewer
+  /// than `maximum`.
+  bool axis_number = false;
+  /// How many of them are meant, from the first parameter's number on.
+  bool axis_count = false;
 };
 
 inline constexpr int kParameterMax = 13;

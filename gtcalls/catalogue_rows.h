@@ -199,7 +199,12 @@ constexpr Spec Struct(const Structure& structure, std::string_view name) {
 constexpr Spec Index(std::string_view name, double first, double last) {
   return Short(name).In(Unit::kIndex).Range(first, last);
 }
-constexpr Spec Axis(std::string_view name) { return Index(name, 1, kAxisMax); }
+/// Axes, and what there are as many of: profiles, encoders, controllers, DACs, pulse outputs.
+constexpr Spec Axis(std::string_view name) {
+  Spec spec = Index(name, 1, kAxisMax);
+  spec.parameter.axis_number = true;
+  return spec;
+}
 constexpr Spec Crd() { return Index("crd", 1, kCrdMax); }
 /// One of two buffers.
 constexpr Spec Fifo() { return Index("fifo", 0, 1); }
@@ -212,8 +217,13 @@ constexpr Spec Module() { return Index("mdl", 0, kModuleLast); }
 constexpr Spec DiType(std::string_view name) { return Short(name).Range(0, 6); }
 constexpr Spec DoType() { return Short("doType").Range(10, 12); }
 constexpr Spec Mask() { return Long("mask").In(Unit::kMask); }
-/// How many consecutive axes or channels.
+/// How many consecutive elements, or axes.
 constexpr Spec Count(int maximum) { return Short("count").Range(1, maximum); }
+constexpr Spec AxisCount(int maximum) {
+  Spec spec = Count(maximum);
+  spec.parameter.axis_count = true;
+  return spec;
+}
 /// The time at which the values were taken.
 constexpr Spec Clock() { return ULong("pClock").Output().In(Unit::kMillisecond).Optional(); }
 constexpr Spec Position(std::string_view name) {

@@ -14,6 +14,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <tuple>
 
 namespace oncard::motion {
 
@@ -55,6 +56,10 @@ struct DiWord {
   std::array<uint16_t, kIoWidthMax> filter_ticks{};  ///< ticks a new level must last; 0 acts as 1
   std::array<uint16_t, kIoWidthMax> held_ticks{};    ///< ticks the pin has differed from `levels`
   std::array<uint32_t, kIoWidthMax> edges{};         ///< changes of `levels`, modulo 2^32
+
+  auto Fields() const {
+    return std::tie(driven, pins, inverted, levels, filter_ticks, held_ticks, edges);
+  }
 };
 
 /// A timed reversal or a pulse train of one output: the output flips whenever a phase has passed.
@@ -63,6 +68,8 @@ struct DoTiming {
   int64_t phase_us = 0;    ///< time left until the next flip
   int64_t high_us = 0;     ///< length of a high phase
   int64_t low_us = 0;      ///< length of a low phase
+
+  auto Fields() const { return std::tie(flips_left, phase_us, high_us, low_us); }
 };
 inline constexpr int64_t kEndlessFlips = -1;
 
@@ -71,6 +78,8 @@ struct DoWord {
   uint32_t value = 0;     ///< the register that GT_GetDo reads
   uint32_t inverted = 0;  ///< `reverse` of the configuration: the pin carries the complement
   std::array<DoTiming, kIoWidthMax> timing{};
+
+  auto Fields() const { return std::tie(value, inverted, timing); }
 };
 
 /// Unit of the times of GT_SetDoBitReverse, in microseconds.
@@ -127,9 +136,7 @@ class DigitalIo {
   /// the filters are settled at their levels.
   void Reset();
 
-  /// The words themselves, for serialisation.
-  const std::array<DiWord, kDiTypeCount>& inputs() const { return inputs_; }
-  const std::array<DoWord, kDoTypeCount>& outputs() const { return outputs_; }
+  auto Fields() const { return std::tie(inputs_, outputs_); }
 
  private:
   DiWord& At(DiType type) { return inputs_[static_cast<size_t>(type)]; }

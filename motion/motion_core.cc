@@ -1,45 +1,71 @@
-// Time, digital inputs and outputs, user variables.
-// Tested by tests/motion/motion_core_test.cc.
+// The order of a cycle, and what commands do to axes and profiles.
+// Tested by tests/motion/motion_core_test.cc and axis_test.cc.
 #include "motion/motion_core.h"
+
+#include <bit>
+#include <cmath>
 
 #include "motion/state_hash.h"
 
 namespace oncard::motion {
 namespace {
 
+static_assert(kFieldsComplete<MotionState> && kFieldsComplete<Profile> && kFieldsComplete<Axis> &&
+              kFieldsComplete<AxisValue> && kFieldsComplete<Encoder> && kFieldsComplete<Plant>);
+
 /// GT_GetClockHighPrecision counts in steps of this many microseconds (two servo sub-steps of a
 /// 250 us profile cycle).
 constexpr int64_t kFineClockUs = 125;
 
-void AddIo(const DigitalIo& io, StateHash* hash) {
-  for (const DiWord& word : io.inputs()) {
-    hash->Add(word.driven).Add(word.pins).Add(word.inverted).Add(word.levels);
-    for (size_t bit = 0; bit < kIoWidthMax; ++bit) {
-      hash->Add(word.filter_ticks[bit]).Add(word.held_ticks[bit]).Add(word.edges[bit]);
-    }
-  }
-  for (const DoWord& word : io.outputs()) {
-    hash->Add(word.value).Add(word.inverted);
-    for (const DoTiming& timing : word.timing) {
-      hash->Add(timing.flips_left).Add(timing.phase_us).Add(timing.high_us).Add(timing.low_us);
-    }
+/// GT_SetAxisBand counts time in these steps.
+constexpr Micros kBandTimeUs = 250;
+
+/// Calls `function` with the number of every bit of `map` below `count`.
+template <typename Function>
+void ForEachBit(uint32_t map, size_t count, Function function) {
+  for (map &= (uint32_t{1} << count) - 1; map != 0; map &= map - 1) {
+    function(static_cast<size_t>(std::countr_zero(map)));
   }
 }
 
 }  // namespace
 
-MotionCore::MotionCore(const MotionConfig& config) : config_(config) {}
+Axis DefaultAxis(int number) {
+  const auto bit = static_cast<int16_t>(number);
+  Axis axis;
+  axis.alarm = {DiType::kAlarm, bit};
+  axis.positive_limit = {DiType::kLimitPositive, bit};
+  axis.negative_limit = {DiType::kLimitNegative, bit};
+  axis.profile_map = uint32_t{1} << number;
+  axis.encoder_map = uint32_t{1} << number;
+  return axis;
+}
+
+MotionCore::MotionCore(const MotionConfig& config) : config_(config) { Reset(); }
 
 void MotionCore::Tick() {
   state_.io.SampleInputs();
   state_.io.AdvanceOutputs(config_.cycle_us);
   ++state_.cycle;
   ++state_.clock_cycle;
+  AdvanceProfiles();
+  MapProfiles();
+  for (size_t i = 0; i < axis_count(); ++i) GuardAxis(i);
+  AdvanceMachine();
+  for (size_t i = 0; i < axis_count(); ++i) JudgeAxis(i);
 }
 
 void MotionCore::Reset() {
   state_.clock_cycle = 0;
   state_.io.Reset();
+  state_.profiles.fill({});
+  state_.encoders.fill({});
+  for (size_t i = 0; i < kAxisMax; ++i) {
+    state_.axes[i] = DefaultAxis(static_cast<int>(i));
+    // The machine stays where it is; its encoder counts from here.
+    state_.encoders[i].source = EncoderSource(i);
+    state_.plants[i].lead = state_.plants[i].position;
+  }
   state_.long_vars.fill(0);
   state_.double_vars.fill(0);
 }
@@ -50,13 +76,211 @@ int64_t MotionCore::Clock125us() const {
   return state_.clock_cycle * config_.cycle_us / kFineClockUs;
 }
 
-uint64_t MotionCore::Hash() const {
-  StateHash hash;
-  hash.Add(state_.cycle).Add(state_.clock_cycle);
-  AddIo(state_.io, &hash);
-  for (int32_t value : state_.long_vars) hash.Add(value);
-  for (double value : state_.double_vars) hash.Add(value);
-  return hash.value();
+// --- Steps of a tick ---------------------------------------------------------------------------
+
+void MotionCore::AdvanceProfiles() {
+  for (size_t i = 0; i < axis_count(); ++i) state_.profiles[i].Advance(now());
 }
+
+void MotionCore::MapProfiles() {
+  for (size_t i = 0; i < axis_count(); ++i) {
+    Axis& axis = state_.axes[i];
+    double velocity = 0;
+    double acceleration = 0;
+    axis.moving = false;
+    ForEachBit(axis.profile_map, axis_count(), [&](size_t profile) {
+      const Sample& sample = state_.profiles[profile].now;
+      velocity += sample.velocity;
+      acceleration += sample.acceleration;
+      axis.moving = axis.moving || sample.moving;
+    });
+    axis.profile.position = MappedProfiles(axis) + axis.profile.offset;
+    axis.profile.velocity = velocity * axis.profile_scale.factor();
+    axis.profile.acceleration = acceleration * axis.profile_scale.factor();
+  }
+}
+
+void MotionCore::GuardAxis(size_t index) {
+  Axis& axis = state_.axes[index];
+  axis.latched |= ActiveCauses(axis);
+  if ((axis.latched & kAlarmBit) != 0 && axis.servo_on) ServoOff(index);
+  if (!axis.moving) return;
+  const double velocity = axis.profile.velocity;
+  const bool into_limit = (velocity > 0 && (axis.latched & kPositiveLimitBit) != 0) ||
+                          (velocity < 0 && (axis.latched & kNegativeLimitBit) != 0);
+  if (into_limit || (axis.latched & (kAlarmBit | kAbruptStopBit)) != 0) {
+    StopAxis(axis, true);
+  } else if ((axis.latched & kSmoothStopBit) != 0) {
+    StopAxis(axis, false);
+  }
+}
+
+void MotionCore::AdvanceMachine() {
+  const double cycle_ms = static_cast<double>(config_.cycle_us) / 1000;
+  for (size_t i = 0; i < axis_count(); ++i) {
+    const Axis& axis = state_.axes[i];
+    Plant& plant = state_.plants[i];
+    plant.velocity = 0;
+    if (axis.servo_on) {
+      plant.position = axis.profile.position + plant.lead;
+      plant.velocity = axis.profile.velocity;
+    }
+    Encoder& encoder = state_.encoders[i];
+    const double source = EncoderSource(i);
+    const double velocity = (source - encoder.source) / cycle_ms;
+    encoder.acceleration = (velocity - encoder.velocity) / cycle_ms;
+    encoder.velocity = velocity;
+    encoder.position += source - encoder.source;
+    encoder.source = source;
+  }
+  for (size_t i = 0; i < axis_count(); ++i) {
+    Axis& axis = state_.axes[i];
+    double velocity = 0;
+    double acceleration = 0;
+    ForEachBit(axis.encoder_map, axis_count(), [&](size_t encoder) {
+      velocity += state_.encoders[encoder].velocity;
+      acceleration += state_.encoders[encoder].acceleration;
+    });
+    axis.encoder.position = MappedEncoders(axis) + axis.encoder.offset;
+    axis.encoder.velocity = velocity * axis.encoder_scale.factor();
+    axis.encoder.acceleration = acceleration * axis.encoder_scale.factor();
+  }
+}
+
+void MotionCore::JudgeAxis(size_t index) {
+  Axis& axis = state_.axes[index];
+  const double error = std::fabs(axis.profile.position - axis.encoder.position);
+  axis.moving = false;
+  ForEachBit(axis.profile_map, axis_count(), [&](size_t profile) {
+    axis.moving = axis.moving || state_.profiles[profile].now.moving;
+  });
+  const bool inside = axis.band_set && !axis.moving && error < axis.band;
+  if (!inside) {
+    axis.in_band_us = 0;
+    axis.in_position = false;
+    return;
+  }
+  axis.in_band_us += config_.cycle_us;
+  if (axis.in_band_us >= axis.band_time * kBandTimeUs) axis.in_position = true;
+}
+
+// --- Axes and profiles -------------------------------------------------------------------------
+
+void MotionCore::ServoOn(size_t axis) {
+  state_.axes[axis].servo_on = true;
+  Plant& plant = state_.plants[axis];
+  plant.lead = plant.position - state_.axes[axis].profile.position;
+  state_.io.Write(DoType::kEnable, uint32_t{1} << axis, ~uint32_t{0});
+}
+
+void MotionCore::ServoOff(size_t axis) {
+  state_.axes[axis].servo_on = false;
+  state_.io.Write(DoType::kEnable, uint32_t{1} << axis, 0);
+  StopAxis(state_.axes[axis], true);
+}
+
+bool MotionCore::InputActive(const InputChoice& input) const {
+  return input.bit >= 0 && (state_.io.Read(input.type) >> input.bit & 1) != 0;
+}
+
+void MotionCore::ClearStatus(size_t axis) {
+  state_.axes[axis].latched = ActiveCauses(state_.axes[axis]);
+}
+
+void MotionCore::StopProfile(size_t profile, bool abrupt) {
+  Profile& stopped = state_.profiles[profile];
+  stopped.Stop(now(), abrupt ? stopped.abrupt_stop : stopped.smooth_stop);
+}
+
+void MotionCore::SetProfilePosition(size_t profile, double position) {
+  state_.profiles[profile].SetPosition(position);
+  for (Axis& axis : state_.axes) {
+    axis.profile.offset = axis.profile.position - MappedProfiles(axis);
+  }
+}
+
+void MotionCore::SetEncoderPosition(size_t encoder, double position) {
+  state_.encoders[encoder].position = position;
+  for (Axis& axis : state_.axes) {
+    axis.encoder.offset = axis.encoder.position - MappedEncoders(axis);
+  }
+}
+
+void MotionCore::SynchAxis(size_t index) {
+  Axis& axis = state_.axes[index];
+  axis.profile.offset = 0;
+  MoveAxisOrigin(index, MappedProfiles(axis));
+  axis.encoder.offset = 0;
+  axis.encoder.position = MappedEncoders(axis);
+}
+
+void MotionCore::ZeroAxis(size_t axis) {
+  SetProfilePosition(axis, 0);
+  SetEncoderPosition(axis, 0);
+  SynchAxis(axis);
+}
+
+void MotionCore::SetProfileScale(size_t axis, Scale scale) {
+  state_.axes[axis].profile_scale = scale;
+  state_.axes[axis].profile.offset = 0;
+  MoveAxisOrigin(axis, MappedProfiles(state_.axes[axis]));
+}
+
+void MotionCore::SetEncoderScale(size_t axis, Scale scale) {
+  state_.axes[axis].encoder_scale = scale;
+  state_.axes[axis].encoder.offset = 0;
+  state_.axes[axis].encoder.position = MappedEncoders(state_.axes[axis]);
+}
+
+double MotionCore::EncoderSource(size_t index) const {
+  const Encoder& encoder = state_.encoders[index];
+  if (!encoder.external) return std::round(state_.axes[index].profile.position);
+  const double direction = encoder.reversed == encoder.wired_reversed ? 1 : -1;
+  return std::round(direction * state_.plants[index].position);
+}
+
+double MotionCore::MappedProfiles(const Axis& axis) const {
+  double sum = 0;
+  ForEachBit(axis.profile_map, axis_count(),
+             [&](size_t profile) { sum += state_.profiles[profile].now.position; });
+  return sum * axis.profile_scale.factor();
+}
+
+double MotionCore::MappedEncoders(const Axis& axis) const {
+  double sum = 0;
+  ForEachBit(axis.encoder_map, axis_count(),
+             [&](size_t encoder) { sum += state_.encoders[encoder].position; });
+  return sum * axis.encoder_scale.factor();
+}
+
+uint32_t MotionCore::ActiveCauses(const Axis& axis) const {
+  uint32_t causes = 0;
+  if (axis.alarm_on && InputActive(axis.alarm)) causes |= kAlarmBit;
+  if (InputActive(axis.smooth_stop)) causes |= kSmoothStopBit;
+  if (InputActive(axis.abrupt_stop)) causes |= kAbruptStopBit;
+  const double position = axis.profile.position;
+  if ((axis.positive_limit_on && InputActive(axis.positive_limit)) ||
+      (axis.soft_positive != kNoPositiveLimit && position > axis.soft_positive)) {
+    causes |= kPositiveLimitBit;
+  }
+  if ((axis.negative_limit_on && InputActive(axis.negative_limit)) ||
+      (axis.soft_negative != kNoNegativeLimit && position < axis.soft_negative)) {
+    causes |= kNegativeLimitBit;
+  }
+  return causes;
+}
+
+void MotionCore::MoveAxisOrigin(size_t index, double position) {
+  AxisValue& value = state_.axes[index].profile;
+  // The machine does not move.
+  state_.plants[index].lead += value.position - position;
+  value.position = position;
+}
+
+void MotionCore::StopAxis(const Axis& axis, bool abrupt) {
+  ForEachBit(axis.profile_map, axis_count(), [&](size_t profile) { StopProfile(profile, abrupt); });
+}
+
+uint64_t MotionCore::Hash() const { return StateHash().Add(state_).value(); }
 
 }  // namespace oncard::motion

@@ -1,15 +1,36 @@
-// The card's body. In this state of the project: time, digital inputs and outputs, user variables;
-// axes, profiles and coordinate systems join it here.
+// The card's body: digital I/O, profiles, coordinate systems, axes, encoders, servo, captures,
+// compare outputs, and the machine around it.
 //
-// All state is plain data in MotionState: a snapshot is a copy, comparison is memberwise. Tick() is
-// the only function that lets time pass. Deterministic: integers and IEEE basic operations only.
-// Not thread-safe: one caller at a time.
+// All state is plain data in MotionState: a snapshot is a copy. Tick() is the only function that
+// lets time pass; its order is the only order there is:
+//
+//   1. the world's events of the instant act on the pins; inputs are sampled, timed outputs advance
+//   2. profiles, in ascending order: independent modes and the slaves of anything but a coordinate
+//      system; coordinate systems; slaves of coordinate systems
+//   3. axes: mapping, alarm, stop inputs, limits; a stop replaces what was just planned
+//   4. servo and plants; encoders, captures
+//   5. following error, in-position band, compare outputs
+//
+// The instant of a tick is the end of the cycle it stands for: a plan that starts between two ticks
+// starts at the instant of the earlier one.
+//
+// Deterministic: integers and IEEE basic operations only. Nothing is allocated in a tick. Not
+// thread-safe: one caller at a time. Functions assume valid numbers (indices from 0) and a state in
+// which they may act; the commands of gtcalls check both and refuse in words.
+// Tested by tests/motion/motion_core_test.cc.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <tuple>
+#include <vector>
 
+#include "motion/axis.h"
 #include "motion/digital_io.h"
+#include "motion/encoder.h"
+#include "motion/marks.h"
+#include "motion/profile.h"
+#include "motion/sizes.h"
 
 namespace oncard::motion {
 
@@ -26,8 +47,19 @@ struct MotionState {
   int64_t cycle = 0;        ///< profile cycles since power-on
   int64_t clock_cycle = 0;  ///< profile cycles since the last GT_Reset
   DigitalIo io;
+  std::array<Profile, kAxisMax> profiles;
+  std::array<Axis, kAxisMax> axes;
+  std::array<Encoder, kAxisMax> encoders;
+  std::array<Plant, kAxisMax> plants;
+  std::vector<PositionSwitch> switches;
+  std::array<IndexMarks, kAxisMax> index_marks;
   std::array<int32_t, kUserVariableCount> long_vars{};
   std::array<double, kUserVariableCount> double_vars{};
+
+  auto Fields() const {
+    return std::tie(cycle, clock_cycle, io, profiles, axes, encoders, plants, switches, index_marks,
+                    long_vars, double_vars);
+  }
 };
 
 class MotionCore {
@@ -37,21 +69,68 @@ class MotionCore {
   const MotionConfig& config() const { return config_; }
   const MotionState& state() const { return state_; }
   MotionState& state() { return state_; }
+  size_t axis_count() const { return static_cast<size_t>(config_.axis_count); }
 
-  /// One profile cycle: samples the inputs, counts their edges, advances timed outputs and time.
+  // --- Time ------------------------------------------------------------------------------------
+
+  /// One profile cycle.
   void Tick();
-  /// GT_Reset: every register to its default, the clock to 0; inputs keep their pins' levels.
+  /// GT_Reset: every register to its default, the clock to 0; inputs keep their pins' levels, the
+  /// machine stays where it is.
   void Reset();
-
+  /// The instant of the last tick.
+  Micros now() const { return state_.cycle * config_.cycle_us; }
   /// Milliseconds since GT_Reset, rounded down (GT_GetClock).
   int64_t ClockMs() const;
   /// The same in units of 125 us (GT_GetClockHighPrecision).
   int64_t Clock125us() const;
 
+  // --- Axes and profiles -----------------------------------------------------------------------
+
+  /// The enable output and bit 9.
+  void ServoOn(size_t axis);
+  /// The same off; profiles of the axis stop abruptly.
+  void ServoOff(size_t axis);
+  /// Level of an input as GT_GetDi reads it; false for none.
+  bool InputActive(const InputChoice& input) const;
+  /// Latched bits whose cause has gone are cleared (GT_ClrSts).
+  void ClearStatus(size_t axis);
+  /// Stops a profile as its registers say; one that belongs to a coordinate system stops all of it.
+  void StopProfile(size_t profile, bool abrupt);
+  /// Sets a resting profile's position; the axes keep theirs.
+  void SetProfilePosition(size_t profile, double position);
+  /// Sets an encoder's position; the axes keep theirs.
+  void SetEncoderPosition(size_t encoder, double position);
+  /// Axis positions := the mapped sums (GT_SynchAxisPos).
+  void SynchAxis(size_t axis);
+  /// Profile, encoder and both positions of an axis := 0 (GT_ZeroPos).
+  void ZeroAxis(size_t axis);
+  /// Sets a scale; the axis position is computed anew.
+  void SetProfileScale(size_t axis, Scale scale);
+  void SetEncoderScale(size_t axis, Scale scale);
+
   /// XXH64 of the whole state.
   uint64_t Hash() const;
 
  private:
+  void AdvanceProfiles();
+  void MapProfiles();
+  void GuardAxis(size_t index);
+  void AdvanceMachine();
+  void JudgeAxis(size_t index);
+
+  /// The mapped sum of an axis' profiles or encoders, without the offset.
+  double MappedProfiles(const Axis& axis) const;
+  double MappedEncoders(const Axis& axis) const;
+  /// Whole pulses of what an encoder counts.
+  double EncoderSource(size_t index) const;
+  /// Bits of kLatchedBits whose causes exist now; following errors are judged apart.
+  uint32_t ActiveCauses(const Axis& axis) const;
+  /// Gives an axis another planned position without motion.
+  void MoveAxisOrigin(size_t index, double position);
+  /// Stops every profile that an axis maps.
+  void StopAxis(const Axis& axis, bool abrupt);
+
   MotionConfig config_;
   MotionState state_;
 };

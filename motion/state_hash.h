@@ -1,14 +1,26 @@
 // XXH64 over state values one by one, in the order they are added: no padding, no addresses, the
 // same number on every machine.
+//
+// A structure joins the hash by listing its members once:
+//
+//   auto Fields() const { return std::tie(mode, position, table); }
+//
+// What the list leaves out does not exist for the hash; kFieldsComplete<T> says at compile time
+// whether an aggregate's list is as long as the aggregate.
 #pragma once
 
 // The state's layout, so that it can be a member.
 #define XXH_STATIC_LINKING_ONLY
 #include <xxhash.h>
 
+#include <array>
 #include <bit>
 #include <cstdint>
+#include <memory>
+#include <optional>
+#include <tuple>
 #include <type_traits>
+#include <vector>
 
 namespace oncard::motion {
 
@@ -28,10 +40,67 @@ class StateHash {
   /// Adds the bits of a double.
   StateHash& Add(double value) { return Add(std::bit_cast<uint64_t>(value)); }
 
+  /// Adds the elements, and of a vector their number first.
+  template <typename T, size_t kSize>
+  StateHash& Add(const std::array<T, kSize>& values) {
+    for (const T& value : values) Add(value);
+    return *this;
+  }
+  template <typename T>
+  StateHash& Add(const std::vector<T>& values) {
+    Add(values.size());
+    for (const T& value : values) Add(value);
+    return *this;
+  }
+  template <typename T>
+  StateHash& Add(const std::optional<T>& value) {
+    Add(value.has_value());
+    if (value.has_value()) Add(*value);
+    return *this;
+  }
+  /// Adds what the pointer leads to.
+  template <typename T>
+  StateHash& Add(const std::shared_ptr<const T>& value) {
+    Add(value != nullptr);
+    if (value != nullptr) Add(*value);
+    return *this;
+  }
+
+  /// Adds the members that a structure lists.
+  template <typename T>
+  requires requires(const T& value) { value.Fields(); }
+  StateHash& Add(const T& value) {
+    std::apply([this](const auto&... fields) { (Add(fields), ...); }, value.Fields());
+    return *this;
+  }
+
   uint64_t value() const { return XXH64_digest(&state_); }
 
  private:
   XXH64_state_t state_;
 };
+
+namespace internal {
+
+struct AnyValue {
+  template <typename T>
+  operator T() const;  // NOLINT(google-explicit-constructor): stands for a value of any type
+};
+
+template <typename T, typename... Values>
+constexpr size_t CountFields() {
+  if constexpr (requires { T{Values{}..., AnyValue{}}; }) {
+    return CountFields<T, Values..., AnyValue>();
+  } else {
+    return sizeof...(Values);
+  }
+}
+
+}  // namespace internal
+
+/// True when an aggregate's Fields() lists as many members as it has.
+template <typename T>
+inline constexpr bool kFieldsComplete =
+    std::tuple_size_v<decltype(std::declval<const T&>().Fields())> == internal::CountFields<T>();
 
 }  // namespace oncard::motion

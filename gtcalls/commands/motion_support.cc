@@ -1,0 +1,96 @@
+#include "gtcalls/commands/motion_support.h"
+
+namespace oncard::gtcalls {
+
+using motion::Axis;
+using motion::Profile;
+using motion::ProfileMode;
+
+std::string_view ModeName(ProfileMode mode) {
+  switch (mode) {
+    case ProfileMode::kTrap:
+      return "Trap";
+    case ProfileMode::kJog:
+      return "Jog";
+    case ProfileMode::kPt:
+      return "PT";
+    case ProfileMode::kGear:
+      return "Gear";
+    case ProfileMode::kFollow:
+      return "Follow";
+    case ProfileMode::kCrd:
+      return "Crd";
+    case ProfileMode::kPvt:
+      break;
+  }
+  return "PVT";
+}
+
+int16_t CheckAtRest(Call& call, size_t profile) {
+  if (!call.card.motion.state().profiles[profile].now.moving) return vm::kOk;
+  return call.Refuse(vm::kRefused,
+                     MakeMessage("profile {0} is moving, call GT_Stop and wait until bit 10 of "
+                                 "GT_GetSts is 0",
+                                 "规划器 {0} 正在运动，请先调用 GT_Stop 并等待 GT_GetSts 的第 10 "
+                                 "位变为 0",
+                                 profile + 1));
+}
+
+int16_t CheckMode(Call& call, size_t profile, ProfileMode mode) {
+  const ProfileMode present = call.card.motion.state().profiles[profile].mode;
+  if (present == mode) return vm::kOk;
+  return call.Refuse(vm::kRefused, MakeMessage("profile {0} is in mode {1}; this needs mode {2}",
+                                               "规划器 {0} 处于 {1} 模式；该指令需要 {2} 模式",
+                                               profile + 1, ModeName(present), ModeName(mode)));
+}
+
+int16_t CheckModeAtRest(Call& call, size_t profile, ProfileMode mode) {
+  const int16_t code = CheckMode(call, profile, mode);
+  return code != vm::kOk ? code : CheckAtRest(call, profile);
+}
+
+int16_t ChooseMode(Call& call, size_t profile, ProfileMode mode) {
+  const int16_t code = CheckAtRest(call, profile);
+  if (code != vm::kOk) return code;
+  call.card.motion.state().profiles[profile].mode = mode;
+  return vm::kOk;
+}
+
+int16_t CheckMayStart(Call& call, size_t profile, double direction) {
+  const motion::MotionCore& core = call.card.motion;
+  for (size_t i = 0; i < core.axis_count(); ++i) {
+    const Axis& axis = core.state().axes[i];
+    if ((axis.profile_map >> profile & 1) == 0) continue;
+    const auto refuse = [&](std::string_view en, std::string_view zh) {
+      return call.Refuse(vm::kRefused, MakeMessage("axis {0} {1}, call GT_ClrSts",
+                                                   "轴 {0} {2}，请调用 GT_ClrSts", i + 1, en, zh));
+    };
+    if ((axis.latched & motion::kAlarmBit) != 0) return refuse("alarm latched", "报警已锁存");
+    if ((axis.latched & (motion::kSmoothStopBit | motion::kAbruptStopBit)) != 0) {
+      return refuse("stop input latched", "停止输入已锁存");
+    }
+    const double along = direction * axis.profile_scale.factor();
+    if (along > 0 && (axis.latched & motion::kPositiveLimitBit) != 0) {
+      return refuse("positive limit latched: move away from it", "正限位已锁存：请反向离开限位");
+    }
+    if (along < 0 && (axis.latched & motion::kNegativeLimitBit) != 0) {
+      return refuse("negative limit latched: move away from it", "负限位已锁存：请反向离开限位");
+    }
+  }
+  return vm::kOk;
+}
+
+std::vector<size_t> SelectedProfiles(Call& call) {
+  std::vector<size_t> selected;
+  const uint32_t mask = BitWord(call.value(0));
+  for (size_t i = 0; i < call.card.motion.axis_count(); ++i) {
+    if ((mask >> i & 1) != 0) selected.push_back(i);
+  }
+  if (selected.empty()) {
+    call.reason = MakeMessage("the mask selects no axis of this card; bit 0 is axis 1",
+                              "掩码未选中本控制卡的任何轴；第 0 位对应轴 1");
+  }
+  return selected;
+}
+
+}  // namespace oncard::gtcalls

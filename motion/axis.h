@@ -1,0 +1,118 @@
+// An axis: which profiles and encoders it combines, its inputs, limits, band and status word. The
+// motion core evaluates it once per profile cycle (motion_core.h).
+//
+// An axis position is the sum of the mapped profiles (or encoders), each times beta/alpha, plus an
+// offset. GT_SetPrfPos and GT_SetEncPos change a profile or encoder and the offset against it, so
+// that the axis keeps its position until GT_SynchAxisPos sets the offset to 0.
+// Source: GTS manual 4.3, 4.4, 6, 9 and 11. Tested by tests/motion/axis_test.cc.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <tuple>
+
+#include "motion/digital_io.h"
+#include "motion/sizes.h"
+
+namespace oncard::motion {
+
+/// Bits of the status word (GT_GetSts).
+enum AxisStatus : uint32_t {
+  kAlarmBit = 1u << 1,
+  kFollowingErrorBit = 1u << 4,
+  kPositiveLimitBit = 1u << 5,
+  kNegativeLimitBit = 1u << 6,
+  kSmoothStopBit = 1u << 7,
+  kAbruptStopBit = 1u << 8,
+  kServoOnBit = 1u << 9,
+  kMovingBit = 1u << 10,
+  kInPositionBit = 1u << 11
+};
+
+/// The bits that stay set until GT_ClrSts, and then only go when their cause has gone.
+inline constexpr uint32_t kLatchedBits = kAlarmBit | kFollowingErrorBit | kPositiveLimitBit |
+                                         kNegativeLimitBit | kSmoothStopBit | kAbruptStopBit;
+
+/// A digital input that an axis listens to; bit -1: none.
+struct InputChoice {
+  DiType type = DiType::kGpi;
+  int16_t bit = -1;
+
+  auto Fields() const { return std::tie(type, bit); }
+  bool operator==(const InputChoice&) const = default;
+};
+
+/// P_axis = P_profile * beta / alpha (GTS manual 4.3.1); |alpha| >= |beta| > 0.
+struct Scale {
+  int16_t alpha = 1;
+  int16_t beta = 1;
+
+  double factor() const { return static_cast<double>(beta) / alpha; }
+  auto Fields() const { return std::tie(alpha, beta); }
+  bool operator==(const Scale&) const = default;
+};
+
+/// GT_SetSoftLimit: these values mean that there is none.
+inline constexpr int32_t kNoPositiveLimit = std::numeric_limits<int32_t>::max();
+inline constexpr int32_t kNoNegativeLimit = std::numeric_limits<int32_t>::min();
+
+/// Position, velocity, acceleration of an axis, from its profiles or from its encoders.
+struct AxisValue {
+  double position = 0;
+  double velocity = 0;
+  double acceleration = 0;
+  double offset = 0;  ///< between the mapped sum and the position
+
+  auto Fields() const { return std::tie(position, velocity, acceleration, offset); }
+};
+
+struct Axis {
+  // Configuration.
+  InputChoice alarm;
+  InputChoice positive_limit;
+  InputChoice negative_limit;
+  InputChoice smooth_stop;
+  InputChoice abrupt_stop;
+  uint32_t profile_map = 0;  ///< bit n-1: profile n
+  uint32_t encoder_map = 0;
+  Scale profile_scale;
+  Scale encoder_scale;
+
+  // Registers.
+  bool alarm_on = true;
+  bool positive_limit_on = true;
+  bool negative_limit_on = true;
+  int32_t soft_positive = kNoPositiveLimit;
+  int32_t soft_negative = kNoNegativeLimit;
+  int32_t band = 0;       ///< pulses
+  int32_t band_time = 0;  ///< steps of 250 us
+  bool band_set = false;  ///< GT_SetAxisBand has been called; bit 11 exists only then
+
+  // State.
+  AxisValue profile;  ///< planned
+  AxisValue encoder;  ///< measured
+  uint32_t latched = 0;
+  bool servo_on = false;
+  bool moving = false;  ///< a mapped profile moves
+  bool in_position = false;
+  Micros in_band_us = 0;  ///< how long the error has been inside the band
+
+  /// The status word.
+  uint32_t Status() const {
+    return latched | (servo_on ? kServoOnBit : 0u) | (moving ? kMovingBit : 0u) |
+           (in_position ? kInPositionBit : 0u);
+  }
+
+  auto Fields() const {
+    return std::tie(alarm, positive_limit, negative_limit, smooth_stop, abrupt_stop, profile_map,
+                    encoder_map, profile_scale, encoder_scale, alarm_on, positive_limit_on,
+                    negative_limit_on, soft_positive, soft_negative, band, band_time, band_set,
+                    profile, encoder, latched, servo_on, moving, in_position, in_band_us);
+  }
+};
+
+/// Axis `number` (from 0) after reset: inputs, profile and encoder of the same number, no stop
+/// inputs (GTS manual table 4-4).
+Axis DefaultAxis(int number);
+
+}  // namespace oncard::motion

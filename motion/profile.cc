@@ -1,0 +1,59 @@
+#include "motion/profile.h"
+
+namespace oncard::motion {
+
+void Profile::Start(Micros instant) {
+  stopping = false;
+  if (mode == ProfileMode::kTrap) {
+    trap.Start(instant, now);
+    now.moving = trap.running;
+  } else if (mode == ProfileMode::kJog) {
+    jog.Start(instant, now);
+    now.moving = jog.running;
+  }
+}
+
+void Profile::Stop(Micros instant, double deceleration) {
+  if (!now.moving) return;
+  if (stopping && deceleration <= stop_deceleration) return;
+  HaltMode();
+  stopping = true;
+  stop_deceleration = deceleration;
+  stop_begin = instant;
+  stop_plan = PlanStop(now.position, now.velocity, deceleration);
+  now.moving = stop_plan.count > 0;
+  if (!now.moving) stopping = false;
+}
+
+void Profile::Advance(Micros instant) {
+  if (!now.moving) return;
+  if (stopping) {
+    now = stop_plan.At(MsBetween(stop_begin, instant));
+    stopping = now.moving;
+    return;
+  }
+  now = SampleMode(instant);
+}
+
+void Profile::HaltMode() {
+  trap.Halt();
+  jog.Halt();
+}
+
+Sample Profile::SampleMode(Micros instant) {
+  switch (mode) {
+    case ProfileMode::kTrap:
+      return trap.At(instant);
+    case ProfileMode::kJog:
+      return jog.At(instant);
+    case ProfileMode::kPt:
+    case ProfileMode::kGear:
+    case ProfileMode::kFollow:
+    case ProfileMode::kCrd:
+    case ProfileMode::kPvt:
+      break;
+  }
+  return now;
+}
+
+}  // namespace oncard::motion

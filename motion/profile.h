@@ -1,0 +1,63 @@
+// A profile: what one profile generator of the card plans, in the mode that is chosen for it.
+//
+// Each mode is a structure of its own with the registers that commands write and the run that
+// Start() begins; all keep their registers when another mode is chosen. A stop (GT_Stop, a limit,
+// an alarm) takes over from whatever runs, decelerating from the velocity that came out last.
+// Tested by tests/motion/profile_test.cc.
+#pragma once
+
+#include <cstdint>
+#include <tuple>
+
+#include "motion/jog_mode.h"
+#include "motion/plan.h"
+#include "motion/sample.h"
+#include "motion/sizes.h"
+#include "motion/trap_mode.h"
+
+namespace oncard::motion {
+
+/// Numbered as GT_GetPrfMode gives them.
+enum class ProfileMode : uint8_t { kTrap, kJog, kPt, kGear, kFollow, kCrd, kPvt };
+
+/// GT_SetStopDec, pulse/ms^2 (defaults of the GTS manual 4.4).
+inline constexpr double kSmoothStopDefault = 1;
+inline constexpr double kAbruptStopDefault = 1000;
+
+struct Profile {
+  ProfileMode mode = ProfileMode::kTrap;
+  /// What came out at the last tick, and what a command since has made of it.
+  Sample now;
+  double smooth_stop = kSmoothStopDefault;
+  double abrupt_stop = kAbruptStopDefault;
+
+  TrapMode trap;
+  JogMode jog;
+
+  /// A stop under way: it replaces the mode's run.
+  bool stopping = false;
+  double stop_deceleration = 0;
+  Micros stop_begin = 0;
+  Plan stop_plan;
+
+  /// Begins the run of an independent mode (Trap, Jog) with its registers.
+  void Start(Micros instant);
+  /// Decelerates to rest; an own stop under way is only replaced by a faster one. Resting profiles
+  /// stay as they are.
+  void Stop(Micros instant, double deceleration);
+  /// The output at `instant`: of the stop, or of the mode's run.
+  void Advance(Micros instant);
+  /// Sets the position of a profile at rest.
+  void SetPosition(double position) { now = AtRest(position); }
+
+  auto Fields() const {
+    return std::tie(mode, now, smooth_stop, abrupt_stop, trap, jog, stopping, stop_deceleration,
+                    stop_begin, stop_plan);
+  }
+
+ private:
+  void HaltMode();
+  Sample SampleMode(Micros instant);
+};
+
+}  // namespace oncard::motion

@@ -1,0 +1,29 @@
+// How many of each resource a card has, and the units in which the motion core counts.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace oncard::motion {
+
+/// Axes, profiles, encoders, servo controllers, DACs and pulse outputs of the largest card. A
+/// smaller card uses the first MotionConfig::axis_count of each.
+inline constexpr size_t kAxisMax = 12;
+/// Coordinate systems (GT_SetCrdPrm).
+inline constexpr size_t kCrdCount = 2;
+/// Axes of a coordinate system: X, Y, Z, A.
+inline constexpr size_t kCrdDimensionMax = 4;
+/// PVT tables and points of each (GT_PvtTable).
+inline constexpr size_t kPvtTableCount = 32;
+inline constexpr size_t kPvtPointMax = 1024;
+
+/// Largest absolute position a command may name, pulses (GTS manual, GT_SetPos).
+inline constexpr int32_t kPositionMax = 1'073'741'823;
+
+/// Virtual time in microseconds since power-on. All events of the motion core lie on whole ones.
+using Micros = int64_t;
+
+/// Milliseconds from one instant to a later one; the unit of all planning.
+constexpr double MsBetween(Micros from, Micros to) { return static_cast<double>(to - from) / 1000; }
+
+}  // namespace oncard::motion
