@@ -7,9 +7,11 @@
 // Source: GTS manual 4.3, 4.4, 6, 9 and 11. Tested by tests/motion/axis_test.cc.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <tuple>
+#include <vector>
 
 #include "motion/digital_io.h"
 #include "motion/sizes.h"
@@ -47,7 +49,10 @@ struct Scale {
   int16_t alpha = 1;
   int16_t beta = 1;
 
-  double factor() const { return static_cast<double>(beta) / alpha; }
+  /// A profile's or encoder's value in units of the axis; exact where the quotient is.
+  double Apply(double value) const { return alpha == beta ? value : value * beta / alpha; }
+  /// Whether the axis counts against the profile.
+  bool reverses() const { return (alpha < 0) != (beta < 0); }
   auto Fields() const { return std::tie(alpha, beta); }
   bool operator==(const Scale&) const = default;
 };
@@ -56,14 +61,40 @@ struct Scale {
 inline constexpr int32_t kNoPositiveLimit = std::numeric_limits<int32_t>::max();
 inline constexpr int32_t kNoNegativeLimit = std::numeric_limits<int32_t>::min();
 
+/// Largest exponent of GT_SetAxisPrfVelFilter (assumption; the header names no range).
+inline constexpr int16_t kVelocityFilterMax = 8;
+
+/// The mean of a velocity over the last 2^exponent profile cycles, for reading only (assumption:
+/// the public header calls the parameter `filterNumExp` and says no more).
+struct VelocityFilter {
+  int16_t exponent = 0;
+  uint32_t next = 0;           ///< where the next velocity goes
+  std::vector<double> window;  ///< empty: no filter
+
+  /// Chooses the length; the window is filled with the present velocity.
+  void Set(int16_t new_exponent, double velocity);
+  void Add(double velocity) {
+    if (window.empty()) return;
+    window[next] = velocity;
+    next = (next + 1) % static_cast<uint32_t>(window.size());
+  }
+  /// The mean; the present velocity when there is no filter.
+  double Mean(double velocity) const;
+
+  auto Fields() const { return std::tie(exponent, next, window); }
+};
+
 /// Position, velocity, acceleration of an axis, from its profiles or from its encoders.
 struct AxisValue {
   double position = 0;
   double velocity = 0;
   double acceleration = 0;
   double offset = 0;  ///< between the mapped sum and the position
+  VelocityFilter filter;
 
-  auto Fields() const { return std::tie(position, velocity, acceleration, offset); }
+  /// The velocity as commands read it.
+  double FilteredVelocity() const { return filter.Mean(velocity); }
+  auto Fields() const { return std::tie(position, velocity, acceleration, offset, filter); }
 };
 
 struct Axis {
@@ -93,21 +124,15 @@ struct Axis {
   AxisValue encoder;  ///< measured
   uint32_t latched = 0;
   bool servo_on = false;
-  bool moving = false;  ///< a mapped profile moves
+  bool in_band = false;      ///< at rest, and the error is inside the band
+  Micros in_band_since = 0;  ///< the tick since which it has been
   bool in_position = false;
-  Micros in_band_us = 0;  ///< how long the error has been inside the band
-
-  /// The status word.
-  uint32_t Status() const {
-    return latched | (servo_on ? kServoOnBit : 0u) | (moving ? kMovingBit : 0u) |
-           (in_position ? kInPositionBit : 0u);
-  }
 
   auto Fields() const {
     return std::tie(alarm, positive_limit, negative_limit, smooth_stop, abrupt_stop, profile_map,
                     encoder_map, profile_scale, encoder_scale, alarm_on, positive_limit_on,
                     negative_limit_on, soft_positive, soft_negative, band, band_time, band_set,
-                    profile, encoder, latched, servo_on, moving, in_position, in_band_us);
+                    profile, encoder, latched, servo_on, in_band, in_band_since, in_position);
   }
 };
 

@@ -10,8 +10,8 @@
 namespace oncard::motion {
 namespace {
 
-static_assert(kFieldsComplete<MotionState> && kFieldsComplete<Profile> && kFieldsComplete<Axis> &&
-              kFieldsComplete<AxisValue> && kFieldsComplete<Encoder> && kFieldsComplete<Plant>);
+static_assert(kFieldsComplete<MotionState> && kFieldsComplete<Profile> &&
+              kFieldsComplete<Encoder> && kFieldsComplete<Plant>);
 
 /// GT_GetClockHighPrecision counts in steps of this many microseconds (two servo sub-steps of a
 /// 250 us profile cycle).
@@ -29,17 +29,6 @@ void ForEachBit(uint32_t map, size_t count, Function function) {
 }
 
 }  // namespace
-
-Axis DefaultAxis(int number) {
-  const auto bit = static_cast<int16_t>(number);
-  Axis axis;
-  axis.alarm = {DiType::kAlarm, bit};
-  axis.positive_limit = {DiType::kLimitPositive, bit};
-  axis.negative_limit = {DiType::kLimitNegative, bit};
-  axis.profile_map = uint32_t{1} << number;
-  axis.encoder_map = uint32_t{1} << number;
-  return axis;
-}
 
 MotionCore::MotionCore(const MotionConfig& config) : config_(config) { Reset(); }
 
@@ -85,26 +74,28 @@ void MotionCore::AdvanceProfiles() {
 void MotionCore::MapProfiles() {
   for (size_t i = 0; i < axis_count(); ++i) {
     Axis& axis = state_.axes[i];
-    double velocity = 0;
-    double acceleration = 0;
-    axis.moving = false;
+    Sample sum;
     ForEachBit(axis.profile_map, axis_count(), [&](size_t profile) {
       const Sample& sample = state_.profiles[profile].now;
-      velocity += sample.velocity;
-      acceleration += sample.acceleration;
-      axis.moving = axis.moving || sample.moving;
+      sum.position += sample.position;
+      sum.velocity += sample.velocity;
+      sum.acceleration += sample.acceleration;
     });
-    axis.profile.position = MappedProfiles(axis) + axis.profile.offset;
-    axis.profile.velocity = velocity * axis.profile_scale.factor();
-    axis.profile.acceleration = acceleration * axis.profile_scale.factor();
+    axis.profile.position = axis.profile_scale.Apply(sum.position) + axis.profile.offset;
+    axis.profile.velocity = axis.profile_scale.Apply(sum.velocity);
+    axis.profile.acceleration = axis.profile_scale.Apply(sum.acceleration);
+    axis.profile.filter.Add(axis.profile.velocity);
   }
 }
 
 void MotionCore::GuardAxis(size_t index) {
   Axis& axis = state_.axes[index];
-  axis.latched |= ActiveCauses(axis);
-  if ((axis.latched & kAlarmBit) != 0 && axis.servo_on) ServoOff(index);
-  if (!axis.moving) return;
+  const uint32_t causes = ActiveCauses(axis);
+  axis.latched |= causes;
+  if (axis.latched == 0) return;
+  // A latched alarm whose cause has gone keeps the axis from moving, not from being enabled.
+  if ((causes & kAlarmBit) != 0 && axis.servo_on) ServoOff(index);
+  if (!AxisMoving(axis)) return;
   const double velocity = axis.profile.velocity;
   const bool into_limit = (velocity > 0 && (axis.latched & kPositiveLimitBit) != 0) ||
                           (velocity < 0 && (axis.latched & kNegativeLimitBit) != 0);
@@ -142,26 +133,20 @@ void MotionCore::AdvanceMachine() {
       acceleration += state_.encoders[encoder].acceleration;
     });
     axis.encoder.position = MappedEncoders(axis) + axis.encoder.offset;
-    axis.encoder.velocity = velocity * axis.encoder_scale.factor();
-    axis.encoder.acceleration = acceleration * axis.encoder_scale.factor();
+    axis.encoder.velocity = axis.encoder_scale.Apply(velocity);
+    axis.encoder.acceleration = axis.encoder_scale.Apply(acceleration);
+    axis.encoder.filter.Add(axis.encoder.velocity);
   }
 }
 
 void MotionCore::JudgeAxis(size_t index) {
   Axis& axis = state_.axes[index];
+  if (!axis.band_set) return;
   const double error = std::fabs(axis.profile.position - axis.encoder.position);
-  axis.moving = false;
-  ForEachBit(axis.profile_map, axis_count(), [&](size_t profile) {
-    axis.moving = axis.moving || state_.profiles[profile].now.moving;
-  });
-  const bool inside = axis.band_set && !axis.moving && error < axis.band;
-  if (!inside) {
-    axis.in_band_us = 0;
-    axis.in_position = false;
-    return;
-  }
-  axis.in_band_us += config_.cycle_us;
-  if (axis.in_band_us >= axis.band_time * kBandTimeUs) axis.in_position = true;
+  const bool inside = error < axis.band && !AxisMoving(axis);
+  if (inside && !axis.in_band) axis.in_band_since = now();
+  axis.in_band = inside;
+  axis.in_position = inside && now() - axis.in_band_since >= axis.band_time * kBandTimeUs;
 }
 
 // --- Axes and profiles -------------------------------------------------------------------------
@@ -183,6 +168,25 @@ bool MotionCore::InputActive(const InputChoice& input) const {
   return input.bit >= 0 && (state_.io.Read(input.type) >> input.bit & 1) != 0;
 }
 
+bool MotionCore::AxisMoving(const Axis& axis) const {
+  bool moving = false;
+  ForEachBit(axis.profile_map, axis_count(),
+             [&](size_t profile) { moving = moving || state_.profiles[profile].now.moving; });
+  return moving;
+}
+
+uint32_t MotionCore::Status(size_t index) const {
+  const Axis& axis = state_.axes[index];
+  uint32_t status = axis.latched;
+  if (axis.servo_on) status |= kServoOnBit;
+  if (AxisMoving(axis)) {
+    status |= kMovingBit;
+  } else if (axis.in_position) {
+    status |= kInPositionBit;
+  }
+  return status;
+}
+
 void MotionCore::ClearStatus(size_t axis) {
   state_.axes[axis].latched = ActiveCauses(state_.axes[axis]);
 }
@@ -195,6 +199,7 @@ void MotionCore::StopProfile(size_t profile, bool abrupt) {
 void MotionCore::SetProfilePosition(size_t profile, double position) {
   state_.profiles[profile].SetPosition(position);
   for (Axis& axis : state_.axes) {
+    if ((axis.profile_map >> profile & 1) == 0) continue;
     axis.profile.offset = axis.profile.position - MappedProfiles(axis);
   }
 }
@@ -202,6 +207,7 @@ void MotionCore::SetProfilePosition(size_t profile, double position) {
 void MotionCore::SetEncoderPosition(size_t encoder, double position) {
   state_.encoders[encoder].position = position;
   for (Axis& axis : state_.axes) {
+    if ((axis.encoder_map >> encoder & 1) == 0) continue;
     axis.encoder.offset = axis.encoder.position - MappedEncoders(axis);
   }
 }
@@ -243,14 +249,14 @@ double MotionCore::MappedProfiles(const Axis& axis) const {
   double sum = 0;
   ForEachBit(axis.profile_map, axis_count(),
              [&](size_t profile) { sum += state_.profiles[profile].now.position; });
-  return sum * axis.profile_scale.factor();
+  return axis.profile_scale.Apply(sum);
 }
 
 double MotionCore::MappedEncoders(const Axis& axis) const {
   double sum = 0;
   ForEachBit(axis.encoder_map, axis_count(),
              [&](size_t encoder) { sum += state_.encoders[encoder].position; });
-  return sum * axis.encoder_scale.factor();
+  return axis.encoder_scale.Apply(sum);
 }
 
 uint32_t MotionCore::ActiveCauses(const Axis& axis) const {
@@ -272,9 +278,10 @@ uint32_t MotionCore::ActiveCauses(const Axis& axis) const {
 
 void MotionCore::MoveAxisOrigin(size_t index, double position) {
   AxisValue& value = state_.axes[index].profile;
-  // The machine does not move.
+  // The machine does not move, and no pulses are sent.
   state_.plants[index].lead += value.position - position;
   value.position = position;
+  if (!state_.encoders[index].external) state_.encoders[index].source = EncoderSource(index);
 }
 
 void MotionCore::StopAxis(const Axis& axis, bool abrupt) {

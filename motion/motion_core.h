@@ -91,6 +91,12 @@ class MotionCore {
   void ServoOn(size_t axis);
   /// The same off; profiles of the axis stop abruptly.
   void ServoOff(size_t axis);
+  /// The status word as it is now (GT_GetSts): bit 10 follows a start or stop at once.
+  uint32_t Status(size_t axis) const;
+  /// A profile that the axis maps moves.
+  bool AxisMoving(const Axis& axis) const;
+  /// Begins the run of a profile in an independent mode (GT_Update).
+  void StartProfile(size_t profile) { state_.profiles[profile].Start(now()); }
   /// Level of an input as GT_GetDi reads it; false for none.
   bool InputActive(const InputChoice& input) const;
   /// Latched bits whose cause has gone are cleared (GT_ClrSts).

@@ -21,8 +21,9 @@ void Profile::Stop(Micros instant, double deceleration) {
   stop_deceleration = deceleration;
   stop_begin = instant;
   stop_plan = PlanStop(now.position, now.velocity, deceleration);
-  now.moving = stop_plan.count > 0;
-  if (!now.moving) stopping = false;
+  if (stop_plan.count > 0) return;
+  now = AtRest(now.position);
+  stopping = false;
 }
 
 void Profile::Advance(Micros instant) {

@@ -30,6 +30,9 @@ std::span<const CommandEntry> DigitalIoCommands();
 std::span<const CommandEntry> UserVariableCommands();
 std::span<const CommandEntry> PlcCommands();
 std::span<const CommandEntry> PlcWordCommands();
+std::span<const CommandEntry> AxisCommands();
+std::span<const CommandEntry> PositionCommands();
+std::span<const CommandEntry> TrapCommands();
 
 /// The thread is in the middle of its function, or will be started again by its period.
 bool IsActive(const vm::ThreadState& thread);

@@ -36,6 +36,15 @@ int16_t CheckAtRest(Call& call, size_t profile) {
                                  profile + 1));
 }
 
+int16_t CheckAxisAtRest(Call& call, size_t axis) {
+  const uint32_t map = call.card.motion.state().axes[axis].profile_map;
+  for (size_t i = 0; i < call.card.motion.axis_count(); ++i) {
+    const int16_t code = (map >> i & 1) != 0 ? CheckAtRest(call, i) : vm::kOk;
+    if (code != vm::kOk) return code;
+  }
+  return vm::kOk;
+}
+
 int16_t CheckMode(Call& call, size_t profile, ProfileMode mode) {
   const ProfileMode present = call.card.motion.state().profiles[profile].mode;
   if (present == mode) return vm::kOk;
@@ -69,7 +78,7 @@ int16_t CheckMayStart(Call& call, size_t profile, double direction) {
     if ((axis.latched & (motion::kSmoothStopBit | motion::kAbruptStopBit)) != 0) {
       return refuse("stop input latched", "停止输入已锁存");
     }
-    const double along = direction * axis.profile_scale.factor();
+    const double along = axis.profile_scale.reverses() ? -direction : direction;
     if (along > 0 && (axis.latched & motion::kPositiveLimitBit) != 0) {
       return refuse("positive limit latched: move away from it", "正限位已锁存：请反向离开限位");
     }

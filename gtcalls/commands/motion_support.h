@@ -29,6 +29,8 @@ std::string_view ModeName(motion::ProfileMode mode);
 
 /// 0, or 1 with the reason when the profile moves.
 int16_t CheckAtRest(Call& call, size_t profile);
+/// 0, or 1 with the reason when a profile that the axis maps moves.
+int16_t CheckAxisAtRest(Call& call, size_t axis);
 /// 0, or 1 with the reason when the profile is in another mode.
 int16_t CheckMode(Call& call, size_t profile, motion::ProfileMode mode);
 /// Both, for commands that set up a mode.

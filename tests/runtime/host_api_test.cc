@@ -235,11 +235,10 @@ TEST_F(OpenCard, ARefusedCommandChangesNothing) {
 }
 
 TEST_F(OpenCard, CommandsThatNoFunctionImplementsSaySo) {
-  unsigned long loop = 0;
-  double speed = 0;
-  EXPECT_EQ(GT_LoadConfig("card.cfg"), 8);
-  EXPECT_EQ(GT_Update(1), 8);
-  EXPECT_EQ(GT_GetPrfVel(1, &speed, 1, &loop), 8);
+  short mode = 9;
+  EXPECT_EQ(GT_SetAxisMode(1, 0), 8);
+  EXPECT_EQ(GT_GetAxisMode(1, &mode), 8);
+  EXPECT_EQ(mode, 9);
 }
 
 TEST_F(OpenCard, TheVersionHasEighteenCharacters) {
