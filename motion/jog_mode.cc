@@ -9,58 +9,60 @@ namespace {
 
 static_assert(kFieldsComplete<JogMode> && kFieldsComplete<JogParameters>);
 
-/// base^(microseconds / 1000) for whole multiples of 125 us: square roots and products, which are
-/// the same on every machine.
-double PowerOfMs(double base, Micros microseconds) {
-  double factor = std::sqrt(std::sqrt(std::sqrt(base)));
-  double result = 1;
-  for (Micros eighths = microseconds / 125; eighths > 0; eighths /= 2) {
-    if (eighths % 2 != 0) result *= factor;
-    factor *= factor;
-  }
-  return result;
-}
+constexpr Micros kStepUs = 1000;
 
 }  // namespace
 
 void JogMode::Start(Micros now, const Sample& from) {
   // The filter goes on from what came out; the plan goes on from what it planned.
   const double planned = running ? plan.At(MsBetween(begin, now)).velocity : from.velocity;
-  output = from;
   plan = PlanToVelocity(from.position, planned, velocity,
                         {std::fabs(velocity), parameters.acc, parameters.dec, 0});
   begin = now;
-  last = now;
   smooth = parameters.smooth;
   filtered = smooth > 0;
+  step = from;
+  step_at = now;
+  if (filtered) PrepareStep();
   running = plan.count > 0 || velocity != 0 || from.velocity != 0;
 }
 
+/// What the filter gives 1 ms after its last step.
+void JogMode::PrepareStep() {
+  const double t = MsBetween(begin, step_at + kStepUs);
+  const double planned = plan.At(t).velocity;
+  next_velocity = smooth * step.velocity + (1 - smooth) * planned;
+  if (t >= plan.duration && std::fabs(next_velocity - planned) < kJogSettled) {
+    next_velocity = planned;
+  }
+}
+
+void JogMode::Step() {
+  step.position += (step.velocity + next_velocity) / 2;
+  step.velocity = next_velocity;
+  step_at += kStepUs;
+  if (MsBetween(begin, step_at) >= plan.duration && step.velocity == plan.end_velocity) {
+    // From here on the plan can be followed directly, from where the filter got to.
+    plan = PlanToVelocity(step.position, step.velocity, step.velocity,
+                          {std::fabs(step.velocity), 1, 1, 0});
+    begin = step_at;
+    filtered = false;
+  } else {
+    PrepareStep();
+  }
+}
+
 Sample JogMode::At(Micros now) {
-  Sample planned = plan.At(MsBetween(begin, now));
+  while (filtered && now >= step_at + kStepUs) Step();
   if (!filtered) {
+    const Sample planned = plan.At(MsBetween(begin, now));
     running = planned.moving;
     return planned;
   }
-  const double dt = MsBetween(last, now);
-  if (dt > 0) {
-    const double k = PowerOfMs(smooth, now - last);
-    double v = k * output.velocity + (1 - k) * planned.velocity;
-    const bool settled = std::fabs(v - planned.velocity) < kJogSettled;
-    if (settled) v = planned.velocity;
-    output = {output.position + (output.velocity + v) / 2 * dt, v, (v - output.velocity) / dt,
-              true};
-    last = now;
-    if (settled && !(MsBetween(begin, now) < plan.duration)) {
-      // From here on the plan can be followed directly, from where the filter got to.
-      plan = PlanToVelocity(output.position, v, v, {std::fabs(v), 1, 1, 0});
-      begin = now;
-      filtered = false;
-      running = v != 0;
-      output.moving = running;
-    }
-  }
-  return output;
+  const double t = MsBetween(step_at, now);
+  const double acceleration = next_velocity - step.velocity;  // in 1 ms
+  return {step.position + t * (step.velocity + t * (acceleration / 2)),
+          step.velocity + t * acceleration, acceleration, true};
 }
 
 }  // namespace oncard::motion

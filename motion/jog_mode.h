@@ -1,8 +1,9 @@
 // Constant velocity (mode Jog): GT_SetVel and GT_SetJogPrm write registers, Start() commits them.
 //
 // Without smoothing the motion is a plan in closed form. With a smoothing factor k in (0, 1) the
-// plan's velocity goes through a first-order filter that keeps k of itself per millisecond;
-// position is the trapezoidal integral of what the filter gives (assumptions: the manual only says
+// plan's velocity goes through a first-order filter that keeps k of itself per millisecond. The
+// filter steps at whole milliseconds after the start, whatever the profile cycle is; between its
+// steps velocity is linear, and position is its integral (assumptions: the manual only says
 // that the factor makes velocity changes smoother). Source: GTS manual 7.3. Tested by
 // tests/motion/jog_mode_test.cc.
 #pragma once
@@ -37,11 +38,12 @@ struct JogMode {
   // The run.
   bool running = false;
   Plan plan;
-  Micros begin = 0;
-  Micros last = 0;        ///< the instant of `output`
+  Micros begin = 0;       ///< of the plan
   double smooth = 0;      ///< of this run
-  bool filtered = false;  ///< `output` lags behind the plan
-  Sample output;
+  bool filtered = false;  ///< the output lags behind the plan
+  Sample step;            ///< output at the filter's last step
+  Micros step_at = 0;
+  double next_velocity = 0;  ///< 1 ms later
 
   /// Plans from `from` to the velocity register; a running motion is replanned.
   void Start(Micros now, const Sample& from);
@@ -51,8 +53,13 @@ struct JogMode {
   void Halt() { running = false; }
 
   auto Fields() const {
-    return std::tie(parameters, velocity, running, plan, begin, last, smooth, filtered, output);
+    return std::tie(parameters, velocity, running, plan, begin, smooth, filtered, step, step_at,
+                    next_velocity);
   }
+
+ private:
+  void PrepareStep();
+  void Step();
 };
 
 }  // namespace oncard::motion

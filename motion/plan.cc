@@ -83,7 +83,9 @@ Plan PlanToPosition(double position, double velocity, double target, const MoveL
   Plan plan = BeginAt(position);
   double distance = target - position;
   double from = velocity;
-  const double stop_distance = velocity * velocity / (2 * limits.deceleration);
+  const double start = std::min(limits.start_velocity, limits.velocity);
+  const double last = std::min(start, std::fabs(velocity));
+  const double stop_distance = (velocity * velocity - last * last) / (2 * limits.deceleration);
   // Rounding must not turn a stop that just fits into a reversal.
   const double slack = 1e-9 * (1 + std::fabs(distance));
   if (velocity != 0 &&
@@ -94,7 +96,6 @@ Plan PlanToPosition(double position, double velocity, double target, const MoveL
     from = 0;
   }
   if (distance != 0 && limits.velocity > 0) {
-    const double start = std::min(limits.start_velocity, limits.velocity);
     const double speed = from == 0 ? start : std::fabs(from);
     AppendApproach({Sign(distance), speed, std::min(start, speed), std::fabs(distance)}, limits,
                    &plan);

@@ -86,14 +86,24 @@ void KeepPast(double elapsed, TrapMode* mode) {
 
 void TrapMode::Start(Micros now, const Sample& from) {
   Sample raw = from;
-  if (running) {
+  // A run that has not moved yet is planned anew.
+  if (running && now > begin) {
     const double elapsed = MsBetween(begin, now);
     raw = plan.At(elapsed);
     if (smooth > 0) KeepPast(elapsed, this);
-  } else {
+  } else if (!running) {
     past.clear();
     smooth = parameters.smooth_time;
+    if (smooth > 0 && from.velocity != 0) {
+      // Out of a stop: the mean goes on as if the velocity had been constant until now.
+      const double half = from.velocity * smooth / 2;
+      past.push_back({smooth, from.position - half, from.velocity, 0});
+      raw.position += half;
+    }
+  } else {
+    raw = unplanned;
   }
+  unplanned = raw;
   plan =
       PlanToPosition(raw.position, raw.velocity, target,
                      {std::fabs(velocity), parameters.acc, parameters.dec, parameters.vel_start});

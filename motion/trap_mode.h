@@ -40,6 +40,7 @@ struct TrapMode {
   // The run.
   bool running = false;
   Plan plan;          ///< from `begin` on
+  Sample unplanned;   ///< at `begin`, before the plan's start velocity; without the mean
   Micros begin = 0;   ///< of the plan
   double smooth = 0;  ///< ms, of this run
   /// Pieces of replanned plans that the mean still needs, oldest first; what came before them was
@@ -55,7 +56,7 @@ struct TrapMode {
   void Halt();
 
   auto Fields() const {
-    return std::tie(parameters, target, velocity, running, plan, begin, smooth, past);
+    return std::tie(parameters, target, velocity, running, plan, unplanned, begin, smooth, past);
   }
 };
 
