@@ -86,12 +86,7 @@ void KeepPast(double elapsed, TrapMode* mode) {
 
 void TrapMode::Start(Micros now, const Sample& from) {
   Sample raw = from;
-  // A run that has not moved yet is planned anew.
-  if (running && now > begin) {
-    const double elapsed = MsBetween(begin, now);
-    raw = plan.At(elapsed);
-    if (smooth > 0) KeepPast(elapsed, this);
-  } else if (!running) {
+  if (!running) {
     past.clear();
     smooth = parameters.smooth_time;
     if (smooth > 0 && from.velocity != 0) {
@@ -100,6 +95,10 @@ void TrapMode::Start(Micros now, const Sample& from) {
       past.push_back({smooth, from.position - half, from.velocity, 0});
       raw.position += half;
     }
+  } else if (now > begin) {
+    const double elapsed = MsBetween(begin, now);
+    raw = plan.At(elapsed);
+    if (smooth > 0) KeepPast(elapsed, this);
   } else {
     raw = unplanned;
   }
