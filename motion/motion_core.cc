@@ -4,14 +4,15 @@
 
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "motion/state_hash.h"
 
 namespace oncard::motion {
 namespace {
 
-static_assert(kFieldsComplete<MotionState> && kFieldsComplete<Profile> &&
-              kFieldsComplete<Encoder> && kFieldsComplete<Plant>);
+static_assert(kFieldsComplete<MotionState> && kFieldsComplete<Profile> && kFieldsComplete<Plant> &&
+              kFieldsComplete<WorldEvent> && kFieldsComplete<WorldProgress>);
 
 /// GT_GetClockHighPrecision counts in steps of this many microseconds (two servo sub-steps of a
 /// 250 us profile cycle).
@@ -33,7 +34,9 @@ void ForEachBit(uint32_t map, size_t count, Function function) {
 MotionCore::MotionCore(const MotionConfig& config) : config_(config) { Reset(); }
 
 void MotionCore::Tick() {
+  ApplyWorldEvents();
   state_.io.SampleInputs();
+  for (Adc& adc : state_.adcs) adc.Sample();
   state_.io.AdvanceOutputs(config_.cycle_us);
   ++state_.cycle;
   ++state_.clock_cycle;
@@ -52,8 +55,14 @@ void MotionCore::Reset() {
   for (size_t i = 0; i < kAxisMax; ++i) {
     state_.axes[i] = DefaultAxis(static_cast<int>(i));
     // The machine stays where it is; its encoder counts from here.
-    state_.encoders[i].source = EncoderSource(i);
+    RebaseEncoder(i);
     state_.plants[i].lead = state_.plants[i].position;
+  }
+  state_.dacs.fill({});
+  for (Adc& adc : state_.adcs) adc = {.volts = adc.volts, .filtered = adc.volts};
+  for (ExtensionModule& module : state_.modules) {
+    module.outputs = 0;
+    module.output_volts.fill(0);
   }
   state_.long_vars.fill(0);
   state_.double_vars.fill(0);
@@ -63,6 +72,59 @@ int64_t MotionCore::ClockMs() const { return state_.clock_cycle * config_.cycle_
 
 int64_t MotionCore::Clock125us() const {
   return state_.clock_cycle * config_.cycle_us / kFineClockUs;
+}
+
+// --- The world ---------------------------------------------------------------------------------
+
+void MotionCore::SetWorld(std::shared_ptr<const WorldEvents> events) {
+  state_.world = {std::move(events), 0};
+}
+
+void MotionCore::PlaceMachine(size_t machine, double position) {
+  Plant& plant = state_.plants[machine];
+  plant.lead += position - plant.position;
+  plant.position = position;
+  RebaseEncoder(machine);
+}
+
+void MotionCore::ApplyWorldEvents() {
+  WorldProgress& world = state_.world;
+  if (world.events == nullptr) return;
+  const WorldEvents& events = *world.events;
+  for (; world.next < events.size() && events[world.next].at <= now(); ++world.next) {
+    const WorldEvent& event = events[world.next];
+    const size_t item = event.item;
+    switch (event.kind) {
+      case WorldEventKind::kPin:
+        state_.io.SetPin(static_cast<DiType>(event.item), event.index, event.value != 0);
+        break;
+      case WorldEventKind::kAdc:
+        state_.adcs[item].volts = event.value;
+        break;
+      case WorldEventKind::kModuleInputs:
+        state_.modules[item].inputs = static_cast<uint16_t>(event.value);
+        break;
+      case WorldEventKind::kModuleVoltage:
+        state_.modules[item].input_volts[event.index] = event.value;
+        break;
+      case WorldEventKind::kStall:
+        state_.plants[item].stalled = event.value != 0;
+        break;
+      case WorldEventKind::kEncoderHeld:
+        state_.encoder_faults[item].held = event.value != 0;
+        break;
+      case WorldEventKind::kEncoderNoise:
+        state_.encoder_faults[item].noise = static_cast<int32_t>(event.value);
+        state_.encoder_faults[item].random = event.index;
+        break;
+      case WorldEventKind::kEncoderDrift:
+        state_.encoder_faults[item].drift = event.value;
+        break;
+      case WorldEventKind::kSwitchConnected:
+        state_.switches[event.index].connected = event.value != 0;
+        break;
+    }
+  }
 }
 
 // --- Steps of a tick ---------------------------------------------------------------------------
@@ -107,22 +169,18 @@ void MotionCore::GuardAxis(size_t index) {
 }
 
 void MotionCore::AdvanceMachine() {
-  const double cycle_ms = static_cast<double>(config_.cycle_us) / 1000;
   for (size_t i = 0; i < axis_count(); ++i) {
     const Axis& axis = state_.axes[i];
     Plant& plant = state_.plants[i];
     plant.velocity = 0;
-    if (axis.servo_on) {
+    if (plant.stalled) {
+      // Pulses that come meanwhile are lost.
+      plant.lead = plant.position - axis.profile.position;
+    } else if (axis.servo_on) {
       plant.position = axis.profile.position + plant.lead;
       plant.velocity = axis.profile.velocity;
     }
-    Encoder& encoder = state_.encoders[i];
-    const double source = EncoderSource(i);
-    const double velocity = (source - encoder.source) / cycle_ms;
-    encoder.acceleration = (velocity - encoder.velocity) / cycle_ms;
-    encoder.velocity = velocity;
-    encoder.position += source - encoder.source;
-    encoder.source = source;
+    CountEncoder(i);
   }
   for (size_t i = 0; i < axis_count(); ++i) {
     Axis& axis = state_.axes[i];
@@ -137,6 +195,30 @@ void MotionCore::AdvanceMachine() {
     axis.encoder.acceleration = axis.encoder_scale.Apply(acceleration);
     axis.encoder.filter.Add(axis.encoder.velocity);
   }
+}
+
+void MotionCore::CountEncoder(size_t index) {
+  if (state_.encoder_faults[index].any()) AdvanceEncoderFault(index);
+  Encoder& encoder = state_.encoders[index];
+  const double cycle_ms = static_cast<double>(config_.cycle_us) / 1000;
+  const double source = EncoderSource(index);
+  const double counted = encoder.active ? source - encoder.source : 0;
+  const double velocity = counted / cycle_ms;
+  encoder.acceleration = (velocity - encoder.velocity) / cycle_ms;
+  encoder.velocity = velocity;
+  encoder.position += counted;
+  encoder.source = source;
+}
+
+void MotionCore::AdvanceEncoderFault(size_t index) {
+  EncoderFault& fault = state_.encoder_faults[index];
+  if (fault.held) {
+    // What the machine does while the signal is cut off never arrives.
+    fault.slip += state_.encoders[index].source - EncoderSource(index);
+    return;
+  }
+  fault.error = fault.noise == 0 ? 0 : fault.NextError();
+  fault.slip += fault.drift * static_cast<double>(config_.cycle_us) / 1000;
 }
 
 void MotionCore::JudgeAxis(size_t index) {
@@ -212,6 +294,16 @@ void MotionCore::SetEncoderPosition(size_t encoder, double position) {
   }
 }
 
+void MotionCore::SetEncoderSense(size_t encoder, bool reversed) {
+  state_.encoders[encoder].reversed = reversed;
+  RebaseEncoder(encoder);
+}
+
+void MotionCore::SetEncoderExternal(size_t encoder, bool external) {
+  state_.encoders[encoder].external = external;
+  RebaseEncoder(encoder);
+}
+
 void MotionCore::SynchAxis(size_t index) {
   Axis& axis = state_.axes[index];
   axis.profile.offset = 0;
@@ -242,7 +334,8 @@ double MotionCore::EncoderSource(size_t index) const {
   const Encoder& encoder = state_.encoders[index];
   if (!encoder.external) return std::round(state_.axes[index].profile.position);
   const double direction = encoder.reversed == encoder.wired_reversed ? 1 : -1;
-  return std::round(direction * state_.plants[index].position);
+  const EncoderFault& fault = state_.encoder_faults[index];
+  return std::round(direction * state_.plants[index].position + fault.slip) + fault.error;
 }
 
 double MotionCore::MappedProfiles(const Axis& axis) const {

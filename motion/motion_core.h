@@ -25,12 +25,16 @@
 #include <tuple>
 #include <vector>
 
+#include "motion/analog.h"
 #include "motion/axis.h"
 #include "motion/digital_io.h"
 #include "motion/encoder.h"
+#include "motion/extension.h"
 #include "motion/marks.h"
+#include "motion/plant.h"
 #include "motion/profile.h"
 #include "motion/sizes.h"
+#include "motion/world.h"
 
 namespace oncard::motion {
 
@@ -50,15 +54,20 @@ struct MotionState {
   std::array<Profile, kAxisMax> profiles;
   std::array<Axis, kAxisMax> axes;
   std::array<Encoder, kAxisMax> encoders;
+  std::array<EncoderFault, kAxisMax> encoder_faults;
   std::array<Plant, kAxisMax> plants;
+  std::array<Dac, kAxisMax> dacs;
+  std::array<Adc, kAdcCount> adcs;
+  std::array<ExtensionModule, kModuleCount> modules;
+  WorldProgress world;
   std::vector<PositionSwitch> switches;
   std::array<IndexMarks, kAxisMax> index_marks;
   std::array<int32_t, kUserVariableCount> long_vars{};
   std::array<double, kUserVariableCount> double_vars{};
 
   auto Fields() const {
-    return std::tie(cycle, clock_cycle, io, profiles, axes, encoders, plants, switches, index_marks,
-                    long_vars, double_vars);
+    return std::tie(cycle, clock_cycle, io, profiles, axes, encoders, encoder_faults, plants, dacs,
+                    adcs, modules, world, switches, index_marks, long_vars, double_vars);
   }
 };
 
@@ -107,6 +116,9 @@ class MotionCore {
   void SetProfilePosition(size_t profile, double position);
   /// Sets an encoder's position; the axes keep theirs.
   void SetEncoderPosition(size_t encoder, double position);
+  /// GT_EncSns, GT_EncOn and GT_EncOff: the encoder goes on counting from its position.
+  void SetEncoderSense(size_t encoder, bool reversed);
+  void SetEncoderExternal(size_t encoder, bool external);
   /// Axis positions := the mapped sums (GT_SynchAxisPos).
   void SynchAxis(size_t axis);
   /// Profile, encoder and both positions of an axis := 0 (GT_ZeroPos).
@@ -115,10 +127,19 @@ class MotionCore {
   void SetProfileScale(size_t axis, Scale scale);
   void SetEncoderScale(size_t axis, Scale scale);
 
+  // --- The world -------------------------------------------------------------------------------
+
+  /// What will happen from now on; in order of time. Events whose instant has passed happen at the
+  /// next tick.
+  void SetWorld(std::shared_ptr<const WorldEvents> events);
+  /// A place where the machine is put by hand; the encoder does not notice.
+  void PlaceMachine(size_t machine, double position);
+
   /// XXH64 of the whole state.
   uint64_t Hash() const;
 
  private:
+  void ApplyWorldEvents();
   void AdvanceProfiles();
   void MapProfiles();
   void GuardAxis(size_t index);
@@ -130,6 +151,11 @@ class MotionCore {
   double MappedEncoders(const Axis& axis) const;
   /// Whole pulses of what an encoder counts.
   double EncoderSource(size_t index) const;
+  /// The encoder counts from its source as it is now.
+  void RebaseEncoder(size_t index) { state_.encoders[index].source = EncoderSource(index); }
+  /// One cycle of what is wrong with an encoder.
+  void AdvanceEncoderFault(size_t index);
+  void CountEncoder(size_t index);
   /// Bits of kLatchedBits whose causes exist now; following errors are judged apart.
   uint32_t ActiveCauses(const Axis& axis) const;
   /// Gives an axis another planned position without motion.

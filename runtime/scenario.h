@@ -78,6 +78,8 @@ Result<Scenario> ParseScenario(std::string_view text, const std::string& path);
 
 /// Reads a scenario file.
 Result<Scenario> LoadScenario(const std::string& path);
+/// Reads a scenario file for the card and the world it describes; it need not name a program.
+Result<Scenario> LoadWorld(const std::string& path);
 
 /// The text that ParseScenario() reads back; ends in a newline.
 std::string FormatScenario(const Scenario& scenario);

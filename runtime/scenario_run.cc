@@ -5,6 +5,7 @@
 
 #include "base/files.h"
 #include "base/nearest.h"
+#include "runtime/scenario_world.h"
 
 namespace oncard::runtime {
 namespace {
@@ -36,10 +37,11 @@ Message DescribeFault(const vm::ThreadState& thread) {
 class ScenarioRunner {
  public:
   ScenarioRunner(const Scenario& scenario, const RunOptions& options)
-      : scenario_(scenario), options_(options), controller_(OptionsOf(scenario)) {}
+      : scenario_(scenario), options_(options), controller_(CardOptions(scenario)) {}
 
   Result<ScenarioResult> Run(vm::Object object) {
     if (auto loaded = controller_.Load(std::move(object)); !loaded.ok()) return loaded.error();
+    ApplyWorld(scenario_, &controller_);
     for (const auto step : {&ScenarioRunner::SetUpThreads, &ScenarioRunner::SetUpPolicy,
                             &ScenarioRunner::SetUpExpectations, &ScenarioRunner::SetUpValues}) {
       if (auto done = (this->*step)(); !done.ok()) return done.error();
@@ -54,13 +56,6 @@ class ScenarioRunner {
     BoundExpectation bound;
     int64_t cycle = 0;  // with an instant: evaluated at the end of this cycle
   };
-
-  static ControllerOptions OptionsOf(const Scenario& scenario) {
-    ControllerOptions options;
-    options.motion.cycle_us = scenario.cycle_us;
-    options.rate = scenario.rate;
-    return options;
-  }
 
   const vm::Image& image() const { return *controller_.machine().image(); }
 
@@ -235,16 +230,12 @@ class ScenarioRunner {
     bool ended = false;
     for (;;) {
       EvaluateDue();
-      ApplyDueInputs();
       if (result_.trace) result_.trace->Sample(controller_);
       if (controller_.cycle() >= last) break;
       if (!ended) ended = controller_.machine().Quiet();
       if (ended && next_timed_ == timed_.size()) break;
       int64_t next = last;
       if (next_timed_ < timed_.size()) next = std::min(next, timed_[next_timed_].cycle);
-      if (next_input_ < scenario_.inputs.size()) {
-        next = std::min(next, CycleOf(scenario_.inputs[next_input_].at_us));
-      }
       if (result_.trace) next = controller_.cycle() + 1;
       if (ended) {
         while (controller_.cycle() < next) controller_.RunCycle();
@@ -260,19 +251,6 @@ class ScenarioRunner {
       result_.reached_until = until <= limit;
     }
     if (result_.trace) result_.trace->Finish(controller_);
-  }
-
-  void ApplyDueInputs() {
-    for (; next_input_ < scenario_.inputs.size(); ++next_input_) {
-      const InputEvent& event = scenario_.inputs[next_input_];
-      if (CycleOf(event.at_us) > controller_.cycle()) break;
-      motion::DigitalIo& io = controller_.motion().state().io;
-      const int width = motion::DiWidth(event.type);
-      for (int bit = 0; bit < width; ++bit) {
-        if (event.index == 0) io.SetPin(event.type, bit, ((event.value >> bit) & 1u) != 0);
-        if (event.index == bit + 1) io.SetPin(event.type, bit, event.value != 0);
-      }
-    }
   }
 
   void EvaluateDue() {
@@ -434,7 +412,6 @@ class ScenarioRunner {
   std::vector<PendingExpectation> timed_;  // by cycle
   std::vector<PendingExpectation> final_;
   size_t next_timed_ = 0;
-  size_t next_input_ = 0;
   std::vector<int> fault_expected_;  // threads whose error an expectation names
   std::vector<std::string> shown_;
   std::vector<std::vector<Quantity>> shown_quantities_;

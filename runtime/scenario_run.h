@@ -2,8 +2,8 @@
 //
 // Order: download, bind every thread, set globals and locals, start the threads in the order of the
 // scenario. At the boundary of two profile cycles, expectations of that instant are evaluated
-// first, then input events of that instant act. The run ends when no thread is running and every
-// expectation with an instant has been evaluated, or at a limit.
+// first, then the world's events of that instant act. The run ends when no thread is running and
+// every expectation with an instant has been evaluated, or at a limit.
 //
 // Deterministic: the same scenario and program give the same result, hash included.
 // Tested by tests/runtime/scenario_run_test.cc.

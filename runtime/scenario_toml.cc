@@ -27,7 +27,10 @@ constexpr std::array<std::string_view, 4> kInputKeys = {"type", "index", "value"
 
 class ScenarioReader {
  public:
-  explicit ScenarioReader(const std::string& path) : path_(path) { scenario_.path = path; }
+  ScenarioReader(const std::string& path, bool program_needed)
+      : path_(path), program_needed_(program_needed) {
+    scenario_.path = path;
+  }
 
   Result<Scenario> Read(std::string_view text) {
     toml::parse_result parsed = toml::parse(text, path_);
@@ -46,7 +49,7 @@ class ScenarioReader {
   void ReadScenario(const toml::table& table) {
     CheckKeys(table, kScenarioKeys);
     Text(table, "program", scenario_.program);
-    if (!table.contains("program")) {
+    if (program_needed_ && !table.contains("program")) {
       Fail(table.source(), {"'program' is missing: name a .c or .bin file",
                             "缺少“program”：应给出 .c 或 .bin 文件"});
     }
@@ -303,6 +306,7 @@ class ScenarioReader {
   }
 
   const std::string& path_;
+  const bool program_needed_;
   Scenario scenario_;
   std::optional<Error> error_;
   std::pair<toml::source_index, toml::source_index> error_place_;
@@ -311,13 +315,19 @@ class ScenarioReader {
 }  // namespace
 
 Result<Scenario> ParseScenario(std::string_view text, const std::string& path) {
-  return ScenarioReader(path).Read(text);
+  return ScenarioReader(path, true).Read(text);
 }
 
 Result<Scenario> LoadScenario(const std::string& path) {
   auto text = ReadFile(path);
   if (!text.ok()) return text.error();
   return ParseScenario(text.value(), path);
+}
+
+Result<Scenario> LoadWorld(const std::string& path) {
+  auto text = ReadFile(path);
+  if (!text.ok()) return text.error();
+  return ScenarioReader(path, false).Read(text.value());
 }
 
 }  // namespace oncard::runtime

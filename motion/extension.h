@@ -1,0 +1,34 @@
+// Extension modules: 16 digital inputs and outputs and analogue channels each.
+//
+// Assumption: with no word about the machine all modules are there, with inputs that read 0, so
+// that a host program that talks to its modules runs as it is; a world that lists modules has only
+// those. Assumption: 8 analogue channels from 0, converter values 0 to 65535 for -10 to 10 V (the
+// public header has them unsigned). Tested by tests/motion/extension_test.cc.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+
+namespace oncard::motion {
+
+inline constexpr size_t kModuleCount = 16;
+inline constexpr size_t kModuleChannels = 8;
+inline constexpr double kModuleFullVolts = 10;
+
+struct ExtensionModule {
+  bool present = true;  ///< the world's
+  uint16_t inputs = 0;  ///< the world's
+  uint16_t outputs = 0;
+  std::array<double, kModuleChannels> input_volts{};  ///< the world's
+  std::array<double, kModuleChannels> output_volts{};
+
+  auto Fields() const { return std::tie(present, inputs, outputs, input_volts, output_volts); }
+};
+
+/// The converter's value of a voltage, and the voltage of a value. Volts outside +-10 are limited.
+uint16_t ModuleValue(double volts);
+double ModuleVolts(uint16_t value);
+
+}  // namespace oncard::motion
