@@ -150,7 +150,9 @@ int16_t CardCommands::Execute(uint16_t number, vm::Machine&, int thread,
                               std::span<vm::CommandArgument> arguments) {
   // The number was verified when the program was loaded.
   Call call{*FindCommand(number), *card_, thread, arguments, {}};
-  return ExecuteCommand(call);
+  const int16_t code = ExecuteCommand(call);
+  if (code != vm::kOk && observer_) observer_(call, code);
+  return code;
 }
 
 }  // namespace oncard::gtcalls

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "gtcalls/catalogue.h"
 #include "gtcalls/plc_blocks.h"
@@ -57,11 +59,17 @@ bool IsImplemented(const Command& command);
 /// nothing.
 int16_t ExecuteCommand(Call& call);
 
+/// Told of a command that a thread of the motion program was refused, with the code it got.
+using RefusalObserver = std::function<void(const Call& call, int16_t code)>;
+
 /// The machine's view of the catalogue, bound to one card.
 class CardCommands final : public vm::CommandTable {
  public:
   /// The card must outlive this object.
   explicit CardCommands(Card* card) : card_(card) {}
+
+  /// Programs see only a code; the observer gets the reason as well. An empty one ends it.
+  void ObserveRefusals(RefusalObserver observer) { observer_ = std::move(observer); }
 
   const vm::CommandShape* Find(uint16_t number) const override;
   int16_t Execute(uint16_t number, vm::Machine& machine, int thread,
@@ -69,6 +77,7 @@ class CardCommands final : public vm::CommandTable {
 
  private:
   Card* card_;
+  RefusalObserver observer_;
 };
 
 }  // namespace oncard::gtcalls

@@ -204,6 +204,7 @@ std::string DeclareParameter(const Parameter& parameter) {
       return fmt::format("char **{}", parameter.name);
     case Passing::kInput:
     case Passing::kOutput:
+    case Passing::kLent:
       break;
   }
   return fmt::format("{} *{}", type, parameter.name);

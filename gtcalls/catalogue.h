@@ -30,6 +30,7 @@ enum class Passing : uint8_t {
   kValue,      ///< a scalar by value
   kInput,      ///< pointer: the command reads what it points to
   kOutput,     ///< pointer: the command writes what it points to
+  kLent,       ///< pointer to working memory for the vendor's library: never touched here
   kText,       ///< `char*`: a NUL-terminated name or file name, read only
   kTextOutput  ///< `char**`: receives the address of a text that the library keeps
 };
@@ -145,6 +146,8 @@ struct Parameter {
   /// Pointer without a count: one element per axis of the coordinate system that the first
   /// parameter names.
   bool per_dimension = false;
+  /// The same: one element per capture offset of the encoder that the first parameter names.
+  bool per_offset = false;
   /// The number of an axis, profile, encoder, controller or output; the card at hand may have fewer
   /// than `maximum`.
   bool axis_number = false;

@@ -153,6 +153,8 @@ struct Spec {
   /// A pointer that is read, or written.
   constexpr Spec Input() const { return Passed(Passing::kInput); }
   constexpr Spec Output() const { return Passed(Passing::kOutput); }
+  /// A pointer to memory that the card does not need.
+  constexpr Spec Lent() const { return Passed(Passing::kLent); }
   /// As many elements as the parameter of that name says.
   constexpr Spec Elements(std::string_view count) const {
     Spec changed = *this;
@@ -162,6 +164,11 @@ struct Spec {
   constexpr Spec PerDimension() const {
     Spec changed = *this;
     changed.parameter.per_dimension = true;
+    return changed;
+  }
+  constexpr Spec PerOffset() const {
+    Spec changed = *this;
+    changed.parameter.per_offset = true;
     return changed;
   }
   constexpr Spec Nullable() const {

@@ -75,6 +75,8 @@ std::string Describe(const Parameter& parameter, const Command& command) {
     add(fmt::format("array of {}", command.parameters[count].name));
   }
   if (parameter.per_dimension) add("one per axis of the coordinate system");
+  if (parameter.per_offset) add("one per offset of the list");
+  if (parameter.passing == Passing::kLent) add("not used by the simulated card");
   if (parameter.nullable) add("may be NULL");
   return text;
 }
@@ -277,6 +279,7 @@ std::string StructureConversions() {
   std::string out(kStructuresHead);
   std::string read_cases;
   std::string write_cases;
+  std::string size_cases;
   for (const Structure& structure : Structures()) {
     const std::string_view name = structure.name;
     Append(&out,
@@ -291,20 +294,25 @@ std::string StructureConversions() {
            position, name);
     Append(&write_cases, "    case {0}:\n      return Visit{1}(*static_cast<{1}*>(host), visit);\n",
            position, name);
+    Append(&size_cases, "    case {}:\n      return sizeof({});\n", position, name);
   }
-  Append(&out,
-         "}}  // namespace\n\n"
-         "void StructureToCells(const gtcalls::Structure& structure, const void* host,\n"
-         "                      std::span<double> cells) {{\n"
-         "  Reader visit{{cells.data()}};\n"
-         "  switch (&structure - gtcalls::Structures().data()) {{\n{}    default:\n      return;\n"
-         "  }}\n}}\n\n"
-         "void StructureFromCells(const gtcalls::Structure& structure,\n"
-         "                        std::span<const double> cells, void* host) {{\n"
-         "  Writer visit{{cells.data()}};\n"
-         "  switch (&structure - gtcalls::Structures().data()) {{\n{}    default:\n      return;\n"
-         "  }}\n}}\n\n}}  // namespace oncard::runtime\n",
-         read_cases, write_cases);
+  Append(
+      &out,
+      "}}  // namespace\n\n"
+      "void StructureToCells(const gtcalls::Structure& structure, const void* host,\n"
+      "                      std::span<double> cells) {{\n"
+      "  Reader visit{{cells.data()}};\n"
+      "  switch (&structure - gtcalls::Structures().data()) {{\n{}    default:\n      return;\n"
+      "  }}\n}}\n\n"
+      "void StructureFromCells(const gtcalls::Structure& structure,\n"
+      "                        std::span<const double> cells, void* host) {{\n"
+      "  Writer visit{{cells.data()}};\n"
+      "  switch (&structure - gtcalls::Structures().data()) {{\n{}    default:\n      return;\n"
+      "  }}\n}}\n\n"
+      "size_t StructureSize(const gtcalls::Structure& structure) {{\n"
+      "  switch (&structure - gtcalls::Structures().data()) {{\n{}    default:\n      return 0;\n"
+      "  }}\n}}\n\n}}  // namespace oncard::runtime\n",
+      read_cases, write_cases, size_cases);
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <vector>
 
 namespace oncard::runtime {
 namespace {
@@ -29,6 +30,16 @@ std::string Quote(std::string_view text) {
 
 std::string ListOf(std::span<const double> cells) {
   return fmt::format("[{}]", fmt::join(cells, ", "));
+}
+
+/// A scalar of a parameter: masks and bit words as hexadecimal patterns of their type's width.
+std::string NumberOf(const Parameter& parameter, double value) {
+  if (parameter.unit != gtcalls::Unit::kMask && parameter.unit != gtcalls::Unit::kBits) {
+    return fmt::format("{}", value);
+  }
+  const auto bits = static_cast<uint32_t>(static_cast<int64_t>(value));
+  const bool narrow = parameter.type == Scalar::kShort || parameter.type == Scalar::kUnsignedShort;
+  return fmt::format("{:#x}", narrow ? bits & 0xFFFF : bits);
 }
 
 /// A structure's members by name, without those that are not cells; takes its cells from `cells`.
@@ -56,13 +67,23 @@ std::string ContentOf(const Parameter& parameter, const vm::CommandArgument& arg
   if (parameter.passing == Passing::kTextOutput) {
     return Quote(*static_cast<const char* const*>(argument.host));
   }
-  if (parameter.structure == nullptr) return ListOf(argument.cells);
+  if (parameter.structure == nullptr) {
+    std::vector<std::string> numbers;
+    for (const double cell : argument.cells) numbers.push_back(NumberOf(parameter, cell));
+    return fmt::format("[{}]", fmt::join(numbers, ", "));
+  }
   std::span<const double> cells = argument.cells;
-  return StructureOf(*parameter.structure, &cells);
+  if (parameter.count_parameter < 0) return StructureOf(*parameter.structure, &cells);
+  std::string text = "[";
+  while (!cells.empty()) {
+    if (text.size() > 1) text += ", ";
+    text += StructureOf(*parameter.structure, &cells);
+  }
+  return text + ']';
 }
 
 std::string ArgumentOf(const Parameter& parameter, const vm::CommandArgument& argument) {
-  if (parameter.passing == Passing::kValue) return fmt::format("{}", argument.value);
+  if (parameter.passing == Passing::kValue) return NumberOf(parameter, argument.value);
   // A pointer that could not be read, as its count is out of range, is not NULL to the host.
   if (argument.null) return argument.host == nullptr ? "NULL" : std::string(parameter.name);
   switch (parameter.passing) {
@@ -85,8 +106,10 @@ bool HasOutput(const Parameter& parameter, const vm::CommandArgument& argument) 
 }  // namespace
 
 std::string FormatCall(const LoggedCall& call, Language language) {
-  std::string line = fmt::format("{}.{:03} card{} {}(", call.time_us / 1000, call.time_us % 1000,
-                                 call.card, call.command.name);
+  std::string line =
+      fmt::format("{}.{:03} card{} ", call.time_us / 1000, call.time_us % 1000, call.card);
+  if (call.caller != vm::kHostCaller) line += fmt::format("thread {}: ", call.caller);
+  line += fmt::format("{}(", call.command.name);
   for (size_t i = 0; i < call.arguments.size(); ++i) {
     if (i > 0) line += ", ";
     line += ArgumentOf(call.command.parameters[i], call.arguments[i]);

@@ -2,10 +2,12 @@
 //
 //   12.250 card0 GT_GetVarValue(-1, {id=0, dataType=1}, pValue, 1) = 0, pValue=[5050]
 //   12.300 card0 GT_Bind(40, 1, 0) = 7: parameter thread is 40; the range is [0, 31]
+//   12.500 card0 thread 3: GT_Update(0x1) = 1: axis 1 is not in Trap mode
 //
-// The card's virtual time in milliseconds when the command acted, the card, the call with its
-// inputs (an output shows its parameter's name), the code, after a refusal the reason, after a
-// success the outputs. docs/host-api.md describes it for users.
+// The card's virtual time in milliseconds when the command acted, the card, the thread when a
+// motion program was refused a command, the call with its inputs (masks and bit words in hex; an
+// output shows its parameter's name), the code, after a refusal the reason, after a success the
+// outputs. docs/host-api.md describes it for users.
 // Tested by tests/runtime/call_log_test.cc.
 #pragma once
 
@@ -26,6 +28,7 @@ namespace oncard::runtime {
 struct LoggedCall {
   int64_t time_us = 0;
   int card = 0;
+  int caller = vm::kHostCaller;  ///< or the thread of the motion program
   const gtcalls::Command& command;
   std::span<const vm::CommandArgument> arguments;
   int16_t code = 0;

@@ -36,6 +36,12 @@ Controller::Controller(const ControllerOptions& options)
       machine_(&commands_),
       card_{machine_, motion_, plc_} {}
 
+void Controller::LogRefusals(CallLog* log, int card) {
+  commands_.ObserveRefusals([this, log, card](const gtcalls::Call& call, int16_t code) {
+    log->Write({NowUs(), card, call.caller, call.command, call.arguments, code, call.reason});
+  });
+}
+
 Result<void> Controller::Download(const std::string& bin_path) {
   auto object = vm::ReadObjectPair(bin_path);
   if (!object.ok()) return object.error();

@@ -14,6 +14,7 @@
 #include "base/result.h"
 #include "gtcalls/card.h"
 #include "motion/motion_core.h"
+#include "runtime/call_log.h"
 #include "vm/image.h"
 #include "vm/machine.h"
 
@@ -66,6 +67,10 @@ class Controller {
   const motion::MotionCore& motion() const { return motion_; }
   gtcalls::Card& card() { return card_; }
   const vm::CommandTable& commands() const { return commands_; }
+
+  /// From now on the log gets a line for every command that a thread is refused, under this card
+  /// number. The log must outlive the controller.
+  void LogRefusals(CallLog* log, int card);
 
   // --- Programs --------------------------------------------------------------------------------
 

@@ -38,7 +38,8 @@ int16_t CallLockedCard(int card, CardSlot& slot, const gtcalls::Command& command
     slot.clock->CaughtUp();
     time_us = slot.controller->NowUs();
   }
-  const auto read = ReadArguments(command, host, &slot.call);
+  const auto read =
+      ReadArguments(command, host, open ? &slot.controller->card() : nullptr, &slot.call);
   const auto arguments = std::span(slot.call.arguments).first(host.size());
   Message reason;
   int16_t code = vm::kOk;
@@ -54,7 +55,7 @@ int16_t CallLockedCard(int card, CardSlot& slot, const gtcalls::Command& command
     if (code == vm::kOk) WriteOutputs(command, slot.call);
   }
   CallLog& log = CallLog::OfProcess();
-  if (log.enabled()) log.Write({time_us, card, command, arguments, code, reason});
+  if (log.enabled()) log.Write({time_us, card, vm::kHostCaller, command, arguments, code, reason});
   return code;
 }
 

@@ -9,6 +9,7 @@
 #include "base/files.h"
 #include "compiler/compiler.h"
 #include "gts.h"
+#include "runtime/call_log.h"
 #include "vm/object_writer.h"
 
 namespace oncard::runtime {
@@ -34,6 +35,10 @@ constexpr size_t kCompileMessageSize = 128;
 
 // --- The card itself -----------------------------------------------------------------------------
 
+int CardNumber(const ServiceCall& call) {
+  return static_cast<int>(&call.slot - call.table.slots.data());
+}
+
 int16_t Open(ServiceCall& call) {
   CardSlot& slot = call.slot;
   if (slot.controller != nullptr) {
@@ -44,6 +49,9 @@ int16_t Open(ServiceCall& call) {
   if (!clock.ok()) return call.Refuse(kOpenFailed, clock.error().message);
   slot.controller = std::make_unique<Controller>();
   slot.clock.emplace(clock.value());
+  if (CallLog& log = CallLog::OfProcess(); log.enabled()) {
+    slot.controller->LogRefusals(&log, CardNumber(call));
+  }
   slot.no_program_code = vm::kRefused;
   return vm::kOk;
 }
@@ -78,7 +86,7 @@ int16_t GetMacAddress(ServiceCall& call) {
   }
   constexpr double kLocallyAdministered = 0x02;
   address[0] = kLocallyAdministered;
-  address[kMacAddressLength - 1] = static_cast<double>(&call.slot - call.table.slots.data());
+  address[kMacAddressLength - 1] = CardNumber(call);
   return vm::kOk;
 }
 

@@ -5,6 +5,7 @@
 // elements one by one; text and pointers are not cells (gtcalls::CellCount()).
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "gtcalls/catalogue.h"
@@ -18,5 +19,8 @@ void StructureToCells(const gtcalls::Structure& structure, const void* host,
 /// Writes them; what is not a cell stays as it is.
 void StructureFromCells(const gtcalls::Structure& structure, std::span<const double> cells,
                         void* host);
+
+/// Bytes of one element of a host's array of them.
+size_t StructureSize(const gtcalls::Structure& structure);
 
 }  // namespace oncard::runtime

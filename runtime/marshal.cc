@@ -1,10 +1,10 @@
 #include "runtime/marshal.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <optional>
 
+#include "gtcalls/card_elements.h"
 #include "runtime/host_structures.h"
 #include "vm/machine.h"
 
@@ -109,15 +109,17 @@ Result<double> ReadValue(const Parameter& parameter, const HostArgument& host) {
 
 /// How many elements a pointer argument covers.
 Result<size_t> ElementCount(const Command& command, const Parameter& parameter,
-                            const MarshalledCall& call) {
+                            const gtcalls::Card* card, const MarshalledCall& call) {
+  if (parameter.per_dimension || parameter.per_offset) {
+    return card == nullptr ? 0 : ElementsOnCard(parameter, *card, call.arguments[0].value);
+  }
   if (parameter.count_parameter < 0) return size_t{1};
   const auto index = static_cast<size_t>(parameter.count_parameter);
   const Parameter& counter = command.parameters[index];
   const double count = call.arguments[index].value;
-  const double maximum = std::min<double>(counter.maximum, kElementsMax);
-  if (!(count >= std::max<double>(counter.minimum, 1) && count <= maximum)) {
-    return MakeError(vm::kBadParameter, "parameter {} is {}; the range is [1, {}]",
-                     "参数 {} 为 {}；取值范围为 [1, {}]", counter.name, count, maximum);
+  if (!(count >= counter.minimum && count <= counter.maximum)) {
+    return MakeError(vm::kBadParameter, "parameter {} is {}; the range is {}",
+                     "参数 {} 为 {}；取值范围为 {}", counter.name, count, SpellRange(counter));
   }
   return static_cast<size_t>(count);
 }
@@ -126,11 +128,24 @@ bool HasCells(const Parameter& parameter) {
   return parameter.passing == Passing::kInput || parameter.passing == Passing::kOutput;
 }
 
+/// Calls `visit(address, cells)` for each structure of a host's array.
+template <typename Visit>
+void ForEachStructure(const Parameter& parameter, const vm::CommandArgument& argument,
+                      const Visit& visit) {
+  const size_t per_element = CellsPerElement(parameter);
+  char* address = static_cast<char*>(argument.host);
+  for (size_t cell = 0; cell < argument.cells.size(); cell += per_element) {
+    visit(address, argument.cells.subspan(cell, per_element));
+    address += StructureSize(*parameter.structure);
+  }
+}
+
 /// Copies what an input points to into its cells.
 Result<void> ReadCells(const Parameter& parameter, const vm::CommandArgument& argument) {
-  const size_t per_element = CellsPerElement(parameter);
   if (parameter.structure != nullptr) {
-    StructureToCells(*parameter.structure, argument.host, argument.cells.first(per_element));
+    ForEachStructure(parameter, argument, [&](const char* host, std::span<double> cells) {
+      StructureToCells(*parameter.structure, host, cells);
+    });
     return {};
   }
   for (size_t i = 0; i < argument.cells.size(); ++i) {
@@ -150,7 +165,7 @@ size_t CellsPerElement(const Parameter& parameter) {
 }
 
 Result<void> ReadArguments(const Command& command, std::span<const HostArgument> host,
-                           MarshalledCall* call) {
+                           const gtcalls::Card* card, MarshalledCall* call) {
   Result<void> result;
   const auto fail = [&result](const Error& error) {
     if (result.ok()) result = error;
@@ -183,7 +198,7 @@ Result<void> ReadArguments(const Command& command, std::span<const HostArgument>
   for (size_t i = 0; i < host.size(); ++i) {
     const Parameter& parameter = command.parameters[i];
     if (!HasCells(parameter) || call->arguments[i].null) continue;
-    const auto count = ElementCount(command, parameter, *call);
+    const auto count = ElementCount(command, parameter, card, *call);
     if (!count.ok()) {
       fail(count.error());
       call->arguments[i].null = true;
@@ -217,7 +232,9 @@ void WriteOutputs(const Command& command, const MarshalledCall& call) {
     const vm::CommandArgument& argument = call.arguments[i];
     if (parameter.passing != Passing::kOutput || argument.null) continue;
     if (parameter.structure != nullptr) {
-      StructureFromCells(*parameter.structure, argument.cells, argument.host);
+      ForEachStructure(parameter, argument, [&](char* host, std::span<double> cells) {
+        StructureFromCells(*parameter.structure, cells, host);
+      });
       continue;
     }
     for (size_t cell = 0; cell < argument.cells.size(); ++cell) {

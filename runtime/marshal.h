@@ -15,15 +15,12 @@
 #include <vector>
 
 #include "base/result.h"
+#include "gtcalls/card.h"
 #include "gtcalls/catalogue.h"
 #include "runtime/host_api.h"
 #include "vm/command_table.h"
 
 namespace oncard::runtime {
-
-/// The most elements a host's pointer may cover where the catalogue gives the count no range
-/// (assumption: as many as the largest buffer of the manuals, the 4096 segments of GT_CrdData).
-inline constexpr int kElementsMax = 4096;
 
 /// The arguments of one call in the form commands take. `cells` keeps its memory between calls.
 struct MarshalledCall {
@@ -31,11 +28,13 @@ struct MarshalledCall {
   std::vector<double> cells;
 };
 
-/// Fills `call` from what the host passed; there is one host argument per parameter. All arguments
-/// are filled even on failure, those that cannot be read as NULL. Fails with 7 on NULL where it is
-/// not allowed, a count out of range, or a long that is no 32-bit number.
+/// Fills `call` from what the host passed; there is one host argument per parameter. `card` says
+/// how much memory the pointers cover that have no count; NULL for a card that is not open, which
+/// makes them cover nothing. All arguments are filled even on failure, those that cannot be read as
+/// NULL. Fails with 7 on NULL where it is not allowed, a count out of range, or a long that is no
+/// 32-bit number.
 Result<void> ReadArguments(const gtcalls::Command& command, std::span<const HostArgument> host,
-                           MarshalledCall* call);
+                           const gtcalls::Card* card, MarshalledCall* call);
 
 /// Copies the outputs to the host's memory.
 void WriteOutputs(const gtcalls::Command& command, const MarshalledCall& call);

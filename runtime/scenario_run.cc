@@ -40,6 +40,7 @@ class ScenarioRunner {
       : scenario_(scenario), options_(options), controller_(CardOptions(scenario)) {}
 
   Result<ScenarioResult> Run(vm::Object object) {
+    if (CallLog& log = CallLog::OfProcess(); log.enabled()) controller_.LogRefusals(&log, 0);
     if (auto loaded = controller_.Load(std::move(object)); !loaded.ok()) return loaded.error();
     ApplyWorld(scenario_, &controller_);
     for (const auto step : {&ScenarioRunner::SetUpThreads, &ScenarioRunner::SetUpPolicy,

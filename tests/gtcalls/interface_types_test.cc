@@ -56,6 +56,7 @@ constexpr bool Agrees(const Parameter& parameter) {
       return std::is_same_v<T, char**>;
     case Passing::kInput:
     case Passing::kOutput:
+    case Passing::kLent:
       break;
   }
   if (!std::is_pointer_v<T>) return false;

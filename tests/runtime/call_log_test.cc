@@ -18,9 +18,9 @@ using Arguments = std::array<vm::CommandArgument, gtcalls::kParameterMax>;
 std::string Line(std::string_view name, const Arguments& arguments, int16_t code = 0,
                  const Message& reason = {}, Language language = Language::kEnglish) {
   const gtcalls::Command& command = *gtcalls::FindCommand(name);
-  return FormatCall(
-      {12'250, 0, command, std::span(arguments).first(command.parameters.size()), code, reason},
-      language);
+  return FormatCall({12'250, 0, vm::kHostCaller, command,
+                     std::span(arguments).first(command.parameters.size()), code, reason},
+                    language);
 }
 
 vm::CommandArgument Value(double value) {
@@ -49,9 +49,32 @@ TEST(FormatCallTest, NoArguments) {
 }
 
 TEST(FormatCallTest, ValuesAsShortAsTheyCanBe) {
-  EXPECT_EQ(Line("GT_SetDo", {Value(12), Value(-1)}), "12.250 card0 GT_SetDo(12, -1) = 0");
   EXPECT_EQ(Line("GT_SetDoubleVar", {Value(3), Value(0.1)}),
             "12.250 card0 GT_SetDoubleVar(3, 0.1) = 0");
+}
+
+TEST(FormatCallTest, MasksAndBitWordsInHexAsWideAsTheirTypes) {
+  EXPECT_EQ(Line("GT_SetDo", {Value(12), Value(-1)}), "12.250 card0 GT_SetDo(12, 0xffffffff) = 0");
+  EXPECT_EQ(Line("GT_Update", {Value(5)}), "12.250 card0 GT_Update(0x5) = 0");
+  EXPECT_EQ(Line("GT_CrdStart", {Value(3), Value(-1)}),
+            "12.250 card0 GT_CrdStart(0x3, 0xffff) = 0");
+  double inputs = 0x8001;
+  EXPECT_EQ(Line("GT_GetDi", {Value(4), Cells({&inputs, 1})}),
+            "12.250 card0 GT_GetDi(4, pValue) = 0, pValue=[0x8001]");
+}
+
+TEST(FormatCallTest, ArraysOfStructuresOneAfterTheOther) {
+  std::array<double, 4> points = {1, 2, 3, 4};
+  EXPECT_EQ(Line("GT_2DCompareData", {Value(0), Value(2), Cells(points), Value(1)}),
+            "12.250 card0 GT_2DCompareData(0, 2, [{px=1, py=2}, {px=3, py=4}], 1) = 0");
+}
+
+TEST(FormatCallTest, TheThreadThatWasRefused) {
+  const Message reason = {"axis 1 is not in Trap mode", "轴 1 不在点位模式"};
+  const gtcalls::Command& update = *gtcalls::FindCommand("GT_Update");
+  std::array<vm::CommandArgument, 1> mask = {Value(1)};
+  EXPECT_EQ(FormatCall({12'250, 0, 3, update, mask, 1, reason}, Language::kEnglish),
+            "12.250 card0 thread 3: GT_Update(0x1) = 1: axis 1 is not in Trap mode");
 }
 
 TEST(FormatCallTest, OutputsByNameAndThenWithTheirContent) {
@@ -98,17 +121,19 @@ TEST(FormatCallTest, ARefusalWithItsReasonAndWithoutOutputs) {
 TEST(FormatCallTest, TimeInMillisecondsWithThreeDecimals) {
   const Message reason;
   const gtcalls::Command& reset = *gtcalls::FindCommand("GT_Reset");
-  EXPECT_EQ(FormatCall({50, 15, reset, {}, 0, reason}, Language::kEnglish),
+  EXPECT_EQ(FormatCall({50, 15, vm::kHostCaller, reset, {}, 0, reason}, Language::kEnglish),
             "0.050 card15 GT_Reset() = 0");
-  EXPECT_EQ(FormatCall({3'600'000'007, 3, reset, {}, 0, reason}, Language::kEnglish),
-            "3600000.007 card3 GT_Reset() = 0");
+  EXPECT_EQ(
+      FormatCall({3'600'000'007, 3, vm::kHostCaller, reset, {}, 0, reason}, Language::kEnglish),
+      "3600000.007 card3 GT_Reset() = 0");
 }
 
 TEST(CallLogTest, IsOffUnlessAskedFor) { EXPECT_FALSE(CallLog("", Language::kEnglish).enabled()); }
 
 TEST(CallLogTest, WritesToStandardErrorOrToAFile) {
   const Message reason;
-  const LoggedCall call = {50, 0, *gtcalls::FindCommand("GT_Reset"), {}, 0, reason};
+  const LoggedCall call = {50, 0, vm::kHostCaller, *gtcalls::FindCommand("GT_Reset"),
+                           {}, 0, reason};
   testing::internal::CaptureStderr();
   CallLog("calls", Language::kEnglish).Write(call);
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "0.050 card0 GT_Reset() = 0\n");

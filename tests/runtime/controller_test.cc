@@ -411,5 +411,26 @@ TEST(ControllerStateTest, DelaysAfterALoadStillTakeTheirTime) {
   EXPECT_EQ(card.controller.cycle(), 400 + 1 + 20);  // 100 ms, the command, 5 ms
 }
 
+TEST(ControllerTest, ARefusalInAProgramIsLoggedWithItsReason) {
+  constexpr std::string_view kProgram = R"(int f()
+{
+  int bit;
+  bit = 99;
+  GT_SetDoBit(12, bit, 1);
+  GT_SetDoBit(12, 1, 1);
+  return bit;
+}
+)";
+  LoadedCard card(kProgram);
+  testing::internal::CaptureStderr();
+  CallLog log("calls", Language::kEnglish);
+  card.controller.LogRefusals(&log, 2);
+  card.Run(5, 0);
+  card.controller.RunCycle();
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "0.250 card2 thread 5: GT_SetDoBit(12, 99, 1) = 7: parameter doIndex is 99; the range "
+            "is [1, 16]\n");
+}
+
 }  // namespace
 }  // namespace oncard::runtime

@@ -6,8 +6,10 @@
 #include <cstdint>
 #include <limits>
 #include <string_view>
+#include <vector>
 
 #include "gts.h"
+#include "runtime/controller.h"
 
 namespace oncard::runtime {
 namespace {
@@ -20,11 +22,12 @@ struct Marshalled {
   explicit Marshalled(std::string_view name, Args... args)
       : command(CommandNamed(name)),
         host{ToHostArgument(args)...},
-        read(ReadArguments(command, host, &call)) {}
+        read(ReadArguments(command, host, &controller.card(), &call)) {}
 
   int code() const { return read.ok() ? 0 : read.error().code; }
 
   const gtcalls::Command& command;
+  Controller controller;
   std::array<HostArgument, sizeof...(Args)> host;
   MarshalledCall call;
   Result<void> read;
@@ -133,6 +136,57 @@ TEST(MarshalTest, OutputsAreWrittenInTheHostsTypes) {
   EXPECT_EQ(value, -1);
 }
 
+TEST(MarshalTest, EveryElementOfAnArrayOfStructuresIsRead) {
+  T2DCompareData points[3] = {{1, -2}, {3, -4}, {5, -6}};
+  Marshalled call("GT_2DCompareData", static_cast<short>(0), static_cast<short>(3), points,
+                  static_cast<short>(0));
+  ASSERT_EQ(call.code(), 0);
+  const auto cells = call.call.arguments[2].cells;
+  EXPECT_EQ(std::vector(cells.begin(), cells.end()), (std::vector<double>{1, -2, 3, -4, 5, -6}));
+}
+
+TEST(MarshalTest, EveryElementOfAnArrayOfStructuresIsWrittenAndNoMore) {
+  TTriggerStatus status[4] = {};
+  status[3].position = -77;
+  Marshalled call("GT_GetTriggerStatus", static_cast<short>(1), status, static_cast<short>(3));
+  ASSERT_EQ(call.code(), 0);
+  const auto cells = call.call.arguments[1].cells;
+  ASSERT_EQ(cells.size(), 9u);
+  for (size_t cell = 0; cell < cells.size(); ++cell) cells[cell] = static_cast<double>(10 + cell);
+  WriteOutputs(call.command, call.call);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(status[i].execute, 10 + 3 * i);
+    EXPECT_EQ(status[i].done, 11 + 3 * i);
+    EXPECT_EQ(status[i].position, 12 + 3 * i);
+  }
+  EXPECT_EQ(status[3].position, -77);
+}
+
+TEST(MarshalTest, ACountOfZeroWhereItIsAllowedCoversNothing) {
+  long positions[1] = {5};
+  Marshalled call("GT_CompareData", static_cast<short>(1), static_cast<short>(0),
+                  static_cast<short>(0), static_cast<short>(0), static_cast<short>(10), positions,
+                  static_cast<short>(1), positions, static_cast<short>(0));
+  ASSERT_EQ(call.code(), 0);
+  EXPECT_EQ(call.call.arguments[5].cells.size(), 1u);
+  EXPECT_EQ(call.call.arguments[7].cells.size(), 0u);
+  EXPECT_FALSE(call.call.arguments[7].null);
+}
+
+// The vendor's library plans ahead in the host's memory; the simulated card has its own.
+TEST(MarshalTest, LentMemoryIsNotTouched) {
+  TCrdData* const no_buffer = nullptr;
+  TCrdData* const no_address = reinterpret_cast<TCrdData*>(sizeof(TCrdData));
+  const auto crd = static_cast<short>(1);
+  const auto fifo = static_cast<short>(0);
+  const auto count = static_cast<short>(200);
+  Marshalled call("GT_InitLookAhead", crd, fifo, 5.0, 10.0, count, no_address);
+  EXPECT_EQ(call.code(), 0);
+  EXPECT_FALSE(call.call.arguments[5].null);
+  EXPECT_TRUE(call.call.cells.empty());
+  EXPECT_EQ(Marshalled("GT_InitLookAhead", crd, fifo, 5.0, 10.0, count, no_buffer).code(), 7);
+}
+
 TEST(MarshalTest, AValueThatDoesNotFitTheHostsTypeIsCut) {
   short index = 0;
   Marshalled call("GT_GetCardNo", &index);
@@ -155,7 +209,7 @@ TEST(MarshalTest, EveryCommandTakesNullAndZeroWithoutACrash) {
     }
     MarshalledCall call;
     const auto arguments = std::span(host).first(command.parameters.size());
-    const auto read = ReadArguments(command, arguments, &call);
+    const auto read = ReadArguments(command, arguments, nullptr, &call);
     bool needs_pointer = false;
     for (const gtcalls::Parameter& parameter : command.parameters) {
       needs_pointer =
