@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "base/files.h"
-#include "base/nearest.h"
+#include "runtime/scenario_start.h"
 #include "runtime/scenario_world.h"
 
 namespace oncard::runtime {
@@ -41,10 +41,10 @@ class ScenarioRunner {
 
   Result<ScenarioResult> Run(vm::Object object) {
     if (CallLog& log = CallLog::OfProcess(); log.enabled()) controller_.LogRefusals(&log, 0);
-    if (auto loaded = controller_.Load(std::move(object)); !loaded.ok()) return loaded.error();
-    ApplyWorld(scenario_, &controller_);
-    for (const auto step : {&ScenarioRunner::SetUpThreads, &ScenarioRunner::SetUpPolicy,
-                            &ScenarioRunner::SetUpExpectations, &ScenarioRunner::SetUpValues}) {
+    auto started = StartScenario(scenario_, std::move(object), &controller_);
+    if (!started.ok()) return started.error();
+    for (const auto step : {&ScenarioRunner::SetUpPolicy, &ScenarioRunner::SetUpExpectations,
+                            &ScenarioRunner::SetUpValues}) {
       if (auto done = (this->*step)(); !done.ok()) return done.error();
     }
     Execute();
@@ -60,90 +60,7 @@ class ScenarioRunner {
 
   const vm::Image& image() const { return *controller_.machine().image(); }
 
-  // The boundary of cycles at which something of this moment happens.
-  int64_t CycleOf(int64_t microseconds) const {
-    return (microseconds + scenario_.cycle_us - 1) / scenario_.cycle_us;
-  }
-
   // --- Before the start ------------------------------------------------------------------------
-
-  Result<int> FunctionId(const std::string& name) const {
-    const int index = vm::FindFunction(image(), name);
-    if (index >= 0) return index + 1;
-    std::vector<std::string_view> names;
-    for (const vm::Function& function : image().object.functions) names.push_back(function.name);
-    const std::string_view near = NearestName(name, names);
-    if (near.empty()) {
-      return MakeError(1, "the program has no function '{0}': it has {1}",
-                       "程序中没有函数“{0}”：只有 {1}", name,
-                       fmt::to_string(fmt::join(names, ", ")));
-    }
-    return MakeError(1, "the program has no function '{0}'; did you mean '{1}'?",
-                     "程序中没有函数“{0}”；是否为“{1}”？", name, near);
-  }
-
-  Result<void> SetUpThreads() {
-    std::vector<ThreadStart> starts = scenario_.threads;
-    if (starts.empty()) {
-      if (image().object.functions.empty()) {
-        return MakeError(1, "the program has no function to run", "程序中没有可运行的函数");
-      }
-      ThreadStart start;
-      start.function =
-          vm::FindFunction(image(), "main") >= 0 ? "main" : image().object.functions[0].name;
-      starts.push_back(std::move(start));
-    }
-    vm::Machine& machine = controller_.machine();
-    for (const ThreadStart& start : starts) {
-      const auto id = FunctionId(start.function);
-      if (!id.ok()) return id.error();
-      if (machine.Bind(start.thread, id.value(), start.page) != vm::kOk) {
-        return MakeError(1, "thread {0} cannot have page {1}: another thread has it",
-                         "线程 {0} 不能使用数据页 {1}：已被其它线程占用", start.thread, start.page);
-      }
-    }
-    for (const InitialValue& initial : scenario_.globals) {
-      if (auto set = SetVariable(initial, initial.name); !set.ok()) return set;
-    }
-    for (const ThreadStart& start : starts) {
-      for (const InitialValue& initial : start.values) {
-        const std::string name = fmt::format("page{}.{}", start.page, initial.name);
-        if (auto set = SetVariable(initial, name); !set.ok()) return set;
-      }
-    }
-    for (const ThreadStart& start : starts) {
-      const int64_t period = CycleOf(start.period_ms * 1000);
-      const int16_t code = period == 0 ? machine.Run(start.thread)
-                                       : machine.RunPeriodic(start.thread, period,
-                                                             static_cast<int16_t>(start.priority));
-      if (code != vm::kOk) {
-        return MakeError(code, "thread {0} cannot be started: code {1}",
-                         "线程 {0} 无法启动：返回值 {1}", start.thread, code);
-      }
-    }
-    return {};
-  }
-
-  Result<void> SetVariable(const InitialValue& initial, const std::string& name) {
-    const auto slots = ResolveQuantity(name, controller_);
-    if (!slots.ok()) return slots.error();
-    for (const Quantity& slot : slots.value()) {
-      if (slot.kind != QuantityKind::kVariable) {
-        return MakeError(1, "'{0}' is not a variable of the program", "“{0}”不是程序的变量", name);
-      }
-    }
-    if (initial.values.size() > slots.value().size()) {
-      return MakeError(1, "'{0}' takes {1} values, not {2}", "“{0}”可放 {1} 个值，而不是 {2} 个",
-                       name, slots.value().size(), initial.values.size());
-    }
-    for (size_t i = 0; i < initial.values.size(); ++i) {
-      if (!controller_.machine().Write(slots.value()[i].slot, initial.values[i])) {
-        return MakeError(1, "{0} does not fit '{1}'", "{0} 超出“{1}”的范围", initial.values[i],
-                         slots.value()[i].name);
-      }
-    }
-    return {};
-  }
 
   Result<void> SetUpPolicy() {
     vm::Policy policy;
@@ -191,7 +108,7 @@ class ScenarioRunner {
       if (bound.value().left.kind == QuantityKind::kThreadError) {
         fault_expected_.push_back(bound.value().left.thread);
       }
-      const int64_t cycle = CycleOf(expectation.at_us.value_or(0));
+      const int64_t cycle = CycleOf(scenario_, expectation.at_us.value_or(0));
       auto& list = expectation.at_us ? timed_ : final_;
       list.push_back({std::move(bound).value(), cycle});
     }
@@ -225,8 +142,8 @@ class ScenarioRunner {
   // --- The run ---------------------------------------------------------------------------------
 
   void Execute() {
-    const int64_t limit = CycleOf(scenario_.limit_ms * 1000);
-    const int64_t until = scenario_.until_us ? CycleOf(*scenario_.until_us) : limit + 1;
+    const int64_t limit = CycleOf(scenario_, scenario_.limit_ms * 1000);
+    const int64_t until = scenario_.until_us ? CycleOf(scenario_, *scenario_.until_us) : limit + 1;
     const int64_t last = std::min(limit, until);
     bool ended = false;
     for (;;) {
