@@ -18,8 +18,8 @@ const std::vector<CommandFunction>& FunctionsByNumber() {
     std::vector<CommandFunction> table;
     for (const std::span<const CommandEntry> topic :
          {ThreadCommands(), VariableCommands(), TimeCommands(), DigitalIoCommands(),
-          UserVariableCommands(), PlcCommands(), PlcWordCommands(), AxisCommands(),
-          PositionCommands(), TrapCommands()}) {
+          UserVariableCommands(), AnalogCommands(), ExtensionCommands(), EncoderCommands(),
+          PlcCommands(), PlcWordCommands(), AxisCommands(), PositionCommands(), TrapCommands()}) {
       for (const CommandEntry& entry : topic) {
         const Command* command = FindCommand(entry.name);
         assert(command != nullptr);

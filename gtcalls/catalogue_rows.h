@@ -42,6 +42,8 @@ inline constexpr int kPvtPointMax = 1024;
 inline constexpr int kUserVariableLast = 1023;
 /// Assumption: extension modules are numbered from 0.
 inline constexpr int kModuleLast = 15;
+/// Assumption: analogue channels of an extension module; one less than motion::kModuleChannels.
+inline constexpr int kModuleChannelLast = 7;
 
 // --- Sources ------------------------------------------------------------------------------------
 
@@ -221,6 +223,7 @@ constexpr Spec ThreadOrGlobals() { return Index("thread", -1, kThreadLast); }
 /// One of two high-speed output channels.
 constexpr Spec Channel(std::string_view name) { return Index(name, 0, 1); }
 constexpr Spec Module() { return Index("mdl", 0, kModuleLast); }
+constexpr Spec ModuleChannel() { return Index("chn", 0, kModuleChannelLast); }
 constexpr Spec DiType(std::string_view name) { return Short(name).Range(0, 6); }
 constexpr Spec DoType() { return Short("doType").Range(10, 12); }
 constexpr Spec Mask() { return Long("mask").In(Unit::kMask); }

@@ -1,0 +1,90 @@
+// Events of the world: when they act, on what, and what survives GT_Reset.
+#include "motion/world.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "motion/motion_core.h"
+
+namespace oncard::motion {
+namespace {
+
+void Happen(MotionCore& core, WorldEvents events) {
+  core.SetWorld(std::make_shared<const WorldEvents>(std::move(events)));
+}
+
+TEST(WorldEvent, ActsInTheCycleThatBeginsAtItsInstantOrNext) {
+  struct {
+    int64_t at_us;
+    int cycle;  // the first one that sees it
+  } const cases[] = {{0, 1}, {1, 2}, {249, 2}, {250, 2}, {251, 3}, {1000, 5}};
+  for (const auto& c : cases) {
+    MotionCore core({});
+    Happen(core, {{.at = c.at_us, .kind = WorldEventKind::kAdc, .item = 2, .value = 5}});
+    int cycle = 0;
+    while (core.state().adcs[2].volts == 0 && cycle < 10) {
+      core.Tick();
+      ++cycle;
+    }
+    EXPECT_EQ(cycle, c.cycle) << c.at_us;
+  }
+}
+
+TEST(WorldEvent, EventsOfOneInstantActInTheirOrder) {
+  MotionCore core({});
+  Happen(core,
+         {{.kind = WorldEventKind::kAdc, .value = 1}, {.kind = WorldEventKind::kAdc, .value = 2}});
+  core.Tick();
+  EXPECT_EQ(core.state().adcs[0].volts, 2);
+}
+
+TEST(WorldEvent, EachKindActsOnItsPart) {
+  MotionCore core({});
+  core.state().switches.push_back({});
+  Happen(core, {{.kind = WorldEventKind::kPin, .item = 3, .index = 1, .value = 1},
+                {.kind = WorldEventKind::kModuleInputs, .item = 4, .value = 65535},
+                {.kind = WorldEventKind::kModuleVoltage, .item = 5, .index = 6, .value = -2.5},
+                {.kind = WorldEventKind::kStall, .item = 1, .value = 1},
+                {.kind = WorldEventKind::kSwitchConnected, .index = 0, .value = 0}});
+  core.Tick();
+  EXPECT_EQ(core.state().io.Pins(DiType::kHome), 2u);
+  EXPECT_EQ(core.state().modules[4].inputs, 65535);
+  EXPECT_EQ(core.state().modules[5].input_volts[6], -2.5);
+  EXPECT_TRUE(core.state().plants[1].stalled);
+  EXPECT_FALSE(core.state().switches[0].connected);
+}
+
+TEST(WorldState, ResetClearsTheCardAndLeavesTheWorldAlone) {
+  MotionCore core({});
+  Happen(core, {{.kind = WorldEventKind::kAdc, .value = 3},
+                {.kind = WorldEventKind::kModuleVoltage, .value = 4},
+                {.kind = WorldEventKind::kStall, .item = 1, .value = 1}});
+  core.state().adcs[0].filter = 100;
+  core.Tick();
+  core.state().modules[0].outputs = 7;
+  core.state().modules[0].output_volts[1] = 1;
+  core.state().modules[9].present = false;
+  core.state().dacs[0].value = 5;
+  core.Reset();
+  EXPECT_EQ(core.state().adcs[0].Volts(), Adc({.volts = 3, .filtered = 3}).Volts());
+  EXPECT_EQ(core.state().adcs[0].filter, 0);
+  EXPECT_EQ(core.state().modules[0].input_volts[0], 4);
+  EXPECT_EQ(core.state().modules[0].outputs, 0);
+  EXPECT_EQ(core.state().modules[0].output_volts[1], 0);
+  EXPECT_FALSE(core.state().modules[9].present);
+  EXPECT_TRUE(core.state().plants[1].stalled);
+  EXPECT_EQ(core.state().dacs[0].value, 0);
+}
+
+TEST(WorldState, AMachineMovedByHandStaysWhereItIsPut) {
+  MotionCore core({});
+  core.PlaceMachine(0, -500);
+  core.ServoOn(0);
+  core.Tick();
+  EXPECT_EQ(core.state().plants[0].position, -500);
+  EXPECT_EQ(core.state().encoders[0].position, 0);
+}
+
+}  // namespace
+}  // namespace oncard::motion
