@@ -184,11 +184,11 @@ ExpectationResult Evaluate(const BoundExpectation& bound, const Controller& cont
   const Expectation& expectation = bound.expectation;
   const double left = ReadQuantity(bound.left, controller);
   ExpectationResult result;
-  result.actual = FormatNumber(left, TypeOfQuantity(bound.left, controller));
+  result.actual = FormatNumber(left, FormOfQuantity(bound.left, controller));
   double right = 0;
   if (bound.right) {
     right = ReadQuantity(*bound.right, controller);
-    result.expected = FormatNumber(right, TypeOfQuantity(*bound.right, controller));
+    result.expected = FormatNumber(right, FormOfQuantity(*bound.right, controller));
   } else {
     right = std::get<double>(expectation.right);
     result.expected = fmt::format("{}", right);

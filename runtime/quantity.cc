@@ -181,6 +181,64 @@ std::optional<NumberedName> SplitNumbered(std::string_view name, std::string_vie
   return NumberedName{*number, name.substr(dot + 1)};
 }
 
+// "axis1.prfPos", "dac1": the part's name, its number and the name of the value.
+struct PartName {
+  std::string_view part;
+  int number = 0;
+  std::string_view value;
+};
+
+std::optional<PartName> SplitPart(std::string_view name) {
+  const size_t dot = std::min(name.find('.'), name.size());
+  const size_t digits = name.find_first_of("0123456789");
+  if (digits == 0 || digits >= dot) return std::nullopt;
+  const auto number = ParseIndex(name.substr(digits, dot - digits));
+  if (!number) return std::nullopt;
+  return PartName{name.substr(0, digits), *number, name.substr(std::min(dot + 1, name.size()))};
+}
+
+Result<std::vector<Quantity>> ResolveMotion(std::string_view name, const PartName& split,
+                                            const MotionPart& part,
+                                            const motion::MotionCore& core) {
+  const size_t count = part.count(core);
+  if (split.number < 1 || static_cast<size_t>(split.number) > count) {
+    return MakeError(1, "'{0}': this card has {1}1 to {1}{2}", "“{0}”：此卡只有 {1}1 至 {1}{2}",
+                     name, part.name, count);
+  }
+  const MotionValue* value = FindMotionValue(part, split.value);
+  if (value == nullptr && split.value.empty()) {
+    std::vector<std::string_view> values;
+    for (const MotionValue& known : part.values) values.push_back(known.name);
+    return MakeError(1, "'{0}' has the values {1}", "“{0}”的量有 {1}", name,
+                     fmt::to_string(fmt::join(values, ", ")));
+  }
+  if (value == nullptr) {
+    std::vector<std::string> names;
+    for (const MotionValue& known : part.values) {
+      names.push_back(fmt::format("{}{}.{}", part.name, split.number, known.name));
+    }
+    const std::vector<std::string_view> candidates(names.begin(), names.end());
+    return UnknownName(name, candidates);
+  }
+  Quantity quantity;
+  quantity.name = name;
+  quantity.kind = QuantityKind::kMotion;
+  quantity.value = value;
+  quantity.index = static_cast<size_t>(split.number) - 1;
+  return std::vector{quantity};
+}
+
+// A name with a number in it whose part is unknown.
+Error UnknownPart(std::string_view name, const PartName& split) {
+  std::vector<std::string_view> parts = {"thread", "page"};
+  for (const MotionPart& part : MotionParts()) parts.push_back(part.name);
+  const std::string_view near = NearestName(split.part, parts);
+  if (near.empty()) return UnknownName(name, {});
+  const std::string meant = fmt::format("{}{}", near, name.substr(split.part.size()));
+  const std::string_view only[] = {meant};
+  return UnknownName(name, only);
+}
+
 Result<std::vector<Quantity>> ResolveWord(const WordName& word, const IndexedName& name) {
   Quantity quantity;
   quantity.word = word.number;
@@ -218,6 +276,12 @@ Result<std::vector<Quantity>> ResolveQuantity(std::string_view name, const Contr
   if (const auto page = SplitNumbered(indexed->base, "page")) {
     return ResolveLocal(page->number, {page->rest, indexed->index}, machine);
   }
+  const auto part_name = SplitPart(name);
+  if (part_name) {
+    if (const MotionPart* part = FindMotionPart(part_name->part)) {
+      return ResolveMotion(name, *part_name, *part, controller.motion());
+    }
+  }
   std::vector<std::string_view> candidates;
   for (const vm::Symbol& global : machine.image()->object.globals) {
     candidates.push_back(global.name);
@@ -235,6 +299,7 @@ Result<std::vector<Quantity>> ResolveQuantity(std::string_view name, const Contr
     }
     candidates.push_back(row.name);
   }
+  if (part_name && NearestName(name, candidates).empty()) return UnknownPart(name, *part_name);
   return UnknownName(name, candidates);
 }
 
@@ -278,6 +343,8 @@ double ReadQuantity(const Quantity& quantity, const Controller& controller) {
       return io.Register(static_cast<motion::DoType>(quantity.word));
     case QuantityKind::kOutputBit:
       return (io.Register(static_cast<motion::DoType>(quantity.word)) >> quantity.bit) & 1u;
+    case QuantityKind::kMotion:
+      return quantity.value->read(controller.motion(), quantity.index);
     case QuantityKind::kClock:
       return static_cast<double>(controller.motion().ClockMs());
     case QuantityKind::kStatements:
@@ -286,21 +353,53 @@ double ReadQuantity(const Quantity& quantity, const Controller& controller) {
   return 0;
 }
 
-DataType TypeOfQuantity(const Quantity& quantity, const Controller& controller) {
-  if (quantity.kind == QuantityKind::kVariable) return quantity.slot.type;
-  if (quantity.kind == QuantityKind::kThreadResult) {
-    return controller.machine().thread(quantity.thread).result_type;
+NumberForm FormOfQuantity(const Quantity& quantity, const Controller& controller) {
+  switch (quantity.kind) {
+    case QuantityKind::kVariable:
+      return FormOf(quantity.slot.type);
+    case QuantityKind::kThreadResult:
+      return FormOf(controller.machine().thread(quantity.thread).result_type);
+    case QuantityKind::kMotion:
+      return quantity.value->form;
+    case QuantityKind::kInputBit:
+    case QuantityKind::kOutputBit:
+      return NumberForm::kFlag;
+    default:
+      return NumberForm::kWhole;
   }
-  return DataType::kInt;
 }
 
-std::string FormatNumber(double value, DataType type) {
-  if (type != DataType::kDouble) return fmt::format("{}", static_cast<int64_t>(value));
-  // Fixed-point numbers have at most 16 decimals of which no exponent is wanted.
-  std::string text = fmt::format("{:.16f}", value);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.ends_with('.')) text += '0';
+NumberForm FormOf(DataType type) {
+  return type == DataType::kDouble ? NumberForm::kFixedPoint : NumberForm::kWhole;
+}
+
+std::string FormatNumber(double value, NumberForm form) {
+  std::string text;
+  switch (form) {
+    case NumberForm::kWhole:
+    case NumberForm::kFlag:
+      return fmt::format("{}", static_cast<int64_t>(value));
+    case NumberForm::kFixedPoint:
+      // At most 16 decimals, of which no exponent is wanted.
+      text = fmt::format("{:.16f}", value);
+      text.erase(text.find_last_not_of('0') + 1);
+      if (text.ends_with('.')) text += '0';
+      return text;
+    case NumberForm::kReal:
+      break;
+  }
+  text = fmt::format("{}", value);
+  if (text.find_first_of(".en") == std::string::npos) text += ".0";
   return text;
+}
+
+std::span<const std::string_view> WordNames() {
+  static constexpr auto kNames = [] {
+    std::array<std::string_view, kWords.size()> names;
+    for (size_t i = 0; i < names.size(); ++i) names[i] = kWords[i].name;
+    return names;
+  }();
+  return kNames;
 }
 
 std::optional<motion::DiType> FindInputWord(std::string_view name) {

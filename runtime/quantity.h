@@ -5,6 +5,7 @@
 //   page1.i  page1.a[2]             local variables on a data page
 //   thread0.result  thread0.run     what GT_GetThreadSts tells: run, result, error, line;
 //                                   and page, statements
+//   axis1.prfPos  profile1.vel      what the motion core computes (motion_values.h)
 //   gpo  gpo[1]                     a digital output or input word, or one bit of it, numbered from
 //                                   1 as GT_SetDoBit does: enable clear gpo limit_positive
 //                                   limit_negative alarm home gpi arrive mpg
@@ -21,6 +22,7 @@
 
 #include "base/result.h"
 #include "runtime/controller.h"
+#include "runtime/motion_values.h"
 
 namespace oncard::runtime {
 
@@ -36,6 +38,7 @@ enum class QuantityKind : uint8_t {
   kInputBit,
   kOutputWord,
   kOutputBit,
+  kMotion,
   kClock,
   kStatements,
 };
@@ -44,10 +47,14 @@ enum class QuantityKind : uint8_t {
 struct Quantity {
   std::string name;
   QuantityKind kind = QuantityKind::kClock;
-  vm::SlotAddress slot;  ///< kVariable
-  int thread = 0;        ///< kThread...
-  int word = 0;          ///< number of the input or output word
-  int bit = 0;           ///< from 0
+  vm::SlotAddress slot;                ///< kVariable
+  int thread = 0;                      ///< kThread...
+  int word = 0;                        ///< number of the input or output word
+  int bit = 0;                         ///< from 0
+  const MotionValue* value = nullptr;  ///< kMotion
+  size_t index = 0;                    ///< of the part, from 0
+
+  Unit unit() const { return value == nullptr ? Unit::kNone : value->unit; }
 };
 
 /// Finds what a name means for the controller's program and its bindings: a local is one of the
@@ -62,12 +69,17 @@ std::vector<Quantity> GlobalQuantities(const Controller& controller);
 /// The value now. Every int and every fixed-point number is exact as a double.
 double ReadQuantity(const Quantity& quantity, const Controller& controller);
 
-/// The type of the value now; a thread's result has its function's return type.
-vm::DataType TypeOfQuantity(const Quantity& quantity, const Controller& controller);
+/// How the value now is written; a thread's result has its function's return type.
+NumberForm FormOfQuantity(const Quantity& quantity, const Controller& controller);
 
-/// A value as users read it: `5050`, `12.5`, `3.0`; the shortest digits that give the exact value.
-std::string FormatNumber(double value, vm::DataType type);
+/// How values of a type of the language are written.
+NumberForm FormOf(vm::DataType type);
 
+/// A value as users read it: `5050`, `12.5`, `3.0`; the shortest digits that give the value back.
+std::string FormatNumber(double value, NumberForm form);
+
+/// Names of all input and output words.
+std::span<const std::string_view> WordNames();
 /// The input word of a name above; empty for another name.
 std::optional<motion::DiType> FindInputWord(std::string_view name);
 /// The name of an input word.

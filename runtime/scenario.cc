@@ -34,11 +34,19 @@ std::string QuoteAll(const std::vector<std::string>& texts) {
   return fmt::format("[{}]", fmt::join(quoted, ", "));
 }
 
-std::string FormatValues(const InitialValue& initial) {
+std::string FormatValue(const InitialValue& initial) {
   if (initial.values.size() == 1) {
     return fmt::format("{} = {}", Quote(initial.name), initial.values.front());
   }
   return fmt::format("{} = [{}]", Quote(initial.name), fmt::join(initial.values, ", "));
+}
+
+// The inside of an inline table.
+std::string FormatValues(const std::vector<InitialValue>& values) {
+  std::vector<std::string> texts;
+  texts.reserve(values.size());
+  for (const InitialValue& value : values) texts.push_back(FormatValue(value));
+  return fmt::format("{{ {} }}", fmt::join(texts, ", "));
 }
 
 // Microseconds as the shortest number of milliseconds.
@@ -79,6 +87,7 @@ Error BadThreadStart(std::string_view text) {
 
 std::string FormatScenario(const Scenario& scenario) {
   std::string text = fmt::format("program = {}\n", Quote(scenario.program));
+  if (!scenario.title.empty()) text += fmt::format("title = {}\n", Quote(scenario.title));
   if (!scenario.include_folders.empty()) {
     text += fmt::format("include = {}\n", QuoteAll(scenario.include_folders));
   }
@@ -88,6 +97,7 @@ std::string FormatScenario(const Scenario& scenario) {
   text += fmt::format("rate = {}\ncycle_us = {}\nlimit_ms = {}\n", scenario.rate, scenario.cycle_us,
                       scenario.limit_ms);
   if (scenario.until_us) text += fmt::format("until_ms = {}\n", FormatMs(*scenario.until_us));
+  if (!scenario.trace.empty()) text += fmt::format("trace = {}\n", QuoteAll(scenario.trace));
   if (!scenario.expectations.empty()) {
     std::vector<std::string> texts;
     for (const Expectation& expectation : scenario.expectations) texts.push_back(expectation.text);
@@ -95,7 +105,7 @@ std::string FormatScenario(const Scenario& scenario) {
   }
   if (!scenario.globals.empty()) {
     text += "\n[globals]\n";
-    for (const InitialValue& initial : scenario.globals) text += FormatValues(initial) + '\n';
+    for (const InitialValue& initial : scenario.globals) text += FormatValue(initial) + '\n';
   }
   for (const ThreadStart& start : scenario.threads) {
     text += fmt::format("\n[[thread]]\nthread = {}\nfunction = {}\npage = {}\n", start.thread,
@@ -104,15 +114,17 @@ std::string FormatScenario(const Scenario& scenario) {
       text += fmt::format("period_ms = {}\npriority = {}\n", start.period_ms, start.priority);
     }
     if (!start.values.empty()) {
-      std::vector<std::string> values;
-      for (const InitialValue& initial : start.values) values.push_back(FormatValues(initial));
-      text += fmt::format("init = {{ {} }}\n", fmt::join(values, ", "));
+      text += fmt::format("init = {}\n", FormatValues(start.values));
     }
   }
   for (const InputEvent& event : scenario.inputs) {
     text += fmt::format("\n[[world.input]]\ntype = \"{}\"\n", InputWordName(event.type));
     if (event.index != 0) text += fmt::format("index = {}\n", event.index);
     text += fmt::format("value = {}\nat_ms = {}\n", event.value, FormatMs(event.at_us));
+  }
+  for (const HostEvent& event : scenario.host) {
+    text += fmt::format("\n[[host]]\nat_ms = {}\nset = {}\n", FormatMs(event.at_us),
+                        FormatValues(event.values));
   }
   return text;
 }

@@ -45,6 +45,13 @@ struct InputEvent {
   bool operator==(const InputEvent&) const = default;
 };
 
+/// The host writes variables, as by GT_SetVarValue.
+struct HostEvent {
+  int64_t at_us = 0;
+  std::vector<InitialValue> values;
+  bool operator==(const HostEvent&) const = default;
+};
+
 /// Where a scenario's defaults come from, and its limits.
 inline constexpr int kRateDefault = 100;           ///< statements per ms (GTS manual 10.2)
 inline constexpr int64_t kCycleUsDefault = 250;    ///< profile cycle
@@ -54,6 +61,8 @@ inline constexpr int64_t kTimeMsMax = 1'000'000'000;
 struct Scenario {
   /// The file it was read from; the program's path is relative to its folder.
   std::string path;
+  /// What its picture is called; empty: the file's name.
+  std::string title;
   /// `.c` is compiled, `.bin` loaded with the `.ini` beside it.
   std::string program;
   std::vector<std::string> include_folders;
@@ -69,6 +78,9 @@ struct Scenario {
   /// The run ends here, whatever the threads do; empty = when all threads have stopped.
   std::optional<int64_t> until_us;
   std::vector<InputEvent> inputs;  ///< in order of time
+  std::vector<HostEvent> host;     ///< in order of time
+  /// Names whose values over time a trace holds; empty: RunOptions::trace says which.
+  std::vector<std::string> trace;
   std::vector<Expectation> expectations;
 };
 

@@ -43,8 +43,9 @@ class ScenarioRunner {
     if (CallLog& log = CallLog::OfProcess(); log.enabled()) controller_.LogRefusals(&log, 0);
     auto started = StartScenario(scenario_, std::move(object), &controller_);
     if (!started.ok()) return started.error();
-    for (const auto step : {&ScenarioRunner::SetUpPolicy, &ScenarioRunner::SetUpExpectations,
-                            &ScenarioRunner::SetUpValues}) {
+    for (const auto step :
+         {&ScenarioRunner::SetUpPolicy, &ScenarioRunner::SetUpExpectations,
+          &ScenarioRunner::SetUpHost, &ScenarioRunner::SetUpValues, &ScenarioRunner::SetUpTrace}) {
       if (auto done = (this->*step)(); !done.ok()) return done.error();
     }
     Execute();
@@ -56,6 +57,12 @@ class ScenarioRunner {
   struct PendingExpectation {
     BoundExpectation bound;
     int64_t cycle = 0;  // with an instant: evaluated at the end of this cycle
+  };
+
+  struct PendingWrite {
+    int64_t cycle = 0;
+    Quantity variable;
+    double value = 0;
   };
 
   const vm::Image& image() const { return *controller_.machine().image(); }
@@ -117,25 +124,54 @@ class ScenarioRunner {
     return {};
   }
 
+  // What the host writes is tried once now, so that nothing can fail later.
+  Result<void> SetUpHost() {
+    const ControllerSnapshot before = controller_.Snapshot();
+    for (const HostEvent& event : scenario_.host) {
+      for (const InitialValue& written : event.values) {
+        auto variables = SetVariable(written, written.name, &controller_);
+        if (!variables.ok()) return variables.error();
+        for (size_t i = 0; i < written.values.size(); ++i) {
+          writes_.push_back({CycleOf(scenario_, event.at_us), std::move(variables.value()[i]),
+                             written.values[i]});
+        }
+      }
+    }
+    controller_.Restore(before);
+    return {};
+  }
+
   Result<void> SetUpValues() {
     if (options_.show.empty()) {
       for (const vm::Symbol& symbol : image().object.globals) shown_.push_back(symbol.name);
     } else {
       shown_ = options_.show;
     }
-    std::vector<Quantity> columns;
     for (const std::string& name : shown_) {
       auto quantities = ResolveQuantity(name, controller_);
       if (!quantities.ok()) return quantities.error();
-      columns.insert(columns.end(), quantities.value().begin(), quantities.value().end());
       shown_quantities_.push_back(std::move(quantities).value());
     }
-    if (options_.trace) {
-      const bool has_outputs = std::find(shown_.begin(), shown_.end(), "gpo") != shown_.end();
-      auto outputs = ResolveQuantity("gpo", controller_);
-      if (!has_outputs && outputs.ok()) columns.push_back(outputs.value().front());
-      result_.trace.emplace(std::move(columns));
+    return {};
+  }
+
+  Result<void> SetUpTrace() {
+    if (!options_.trace) return {};
+    std::vector<TraceColumn> columns;
+    for (const std::string& name : scenario_.trace) {
+      auto quantities = ResolveQuantity(name, controller_);
+      if (!quantities.ok()) return quantities.error();
+      for (Quantity& quantity : quantities.value()) columns.push_back({std::move(quantity)});
     }
+    if (scenario_.trace.empty()) {
+      for (const std::vector<Quantity>& quantities : shown_quantities_) {
+        for (const Quantity& quantity : quantities) columns.push_back({quantity});
+      }
+      auto outputs = ResolveQuantity("gpo", controller_);
+      if (outputs.ok()) columns.push_back({std::move(outputs).value().front()});
+      for (TraceColumn& column : DefaultColumns(controller_)) columns.push_back(std::move(column));
+    }
+    result_.trace.emplace(std::move(columns));
     return {};
   }
 
@@ -148,19 +184,22 @@ class ScenarioRunner {
     bool ended = false;
     for (;;) {
       EvaluateDue();
+      ApplyDueWrites();
       if (result_.trace) result_.trace->Sample(controller_);
       if (controller_.cycle() >= last) break;
       if (!ended) ended = controller_.machine().Quiet();
       if (ended && next_timed_ == timed_.size()) break;
       int64_t next = last;
       if (next_timed_ < timed_.size()) next = std::min(next, timed_[next_timed_].cycle);
+      if (next_write_ < writes_.size()) next = std::min(next, writes_[next_write_].cycle);
       if (result_.trace) next = controller_.cycle() + 1;
-      if (ended) {
+      const bool host_is_awaited = next_write_ < writes_.size();
+      if (ended || (host_is_awaited && controller_.Deadlocked())) {
         while (controller_.cycle() < next) controller_.RunCycle();
         continue;
       }
       const RunEnd end = controller_.RunUntilQuiet(next - controller_.cycle());
-      ended = end != RunEnd::kTimeLimit;
+      ended = end != RunEnd::kTimeLimit && !(end == RunEnd::kDeadlock && host_is_awaited);
       if (ended) result_.end = end;
       if (end == RunEnd::kScheduleEnd || end == RunEnd::kScheduleDiverged) break;
     }
@@ -169,6 +208,17 @@ class ScenarioRunner {
       result_.reached_until = until <= limit;
     }
     if (result_.trace) result_.trace->Finish(controller_);
+  }
+
+  void ApplyDueWrites() {
+    for (; next_write_ < writes_.size(); ++next_write_) {
+      const PendingWrite& write = writes_[next_write_];
+      if (write.cycle > controller_.cycle()) break;
+      controller_.machine().Write(write.variable.slot, write.value);
+      if (result_.trace) {
+        result_.trace->Mark(controller_, fmt::format("{} = {}", write.variable.name, write.value));
+      }
+    }
   }
 
   void EvaluateDue() {
@@ -221,7 +271,7 @@ class ScenarioRunner {
       for (const Quantity& quantity : shown_quantities_[i]) {
         value.array = quantity.name != shown_[i];
         value.elements.push_back(FormatNumber(ReadQuantity(quantity, controller_),
-                                              TypeOfQuantity(quantity, controller_)));
+                                              FormOfQuantity(quantity, controller_)));
       }
       result_.values.push_back(std::move(value));
     }
@@ -287,7 +337,7 @@ class ScenarioRunner {
     const double result = thread.result_type == vm::DataType::kDouble
                               ? vm::DoubleFromFixed(thread.result)
                               : static_cast<double>(thread.result);
-    report.result = FormatNumber(result, thread.result_type);
+    report.result = FormatNumber(result, FormOf(thread.result_type));
     const std::filesystem::path program = ProgramPath(scenario_);
     report.place = fmt::format("{}:{}", (program.parent_path() / function.file).string(),
                                machine.Line(number));
@@ -330,6 +380,8 @@ class ScenarioRunner {
   std::vector<PendingExpectation> timed_;  // by cycle
   std::vector<PendingExpectation> final_;
   size_t next_timed_ = 0;
+  std::vector<PendingWrite> writes_;  // of the host, by cycle
+  size_t next_write_ = 0;
   std::vector<int> fault_expected_;  // threads whose error an expectation names
   std::vector<std::string> shown_;
   std::vector<std::vector<Quantity>> shown_quantities_;

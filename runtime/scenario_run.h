@@ -2,8 +2,9 @@
 //
 // Order: download, bind every thread, set globals and locals, start the threads in the order of the
 // scenario. At the boundary of two profile cycles, expectations of that instant are evaluated
-// first, then the world's events of that instant act. The run ends when no thread is running and
-// every expectation with an instant has been evaluated, or at a limit.
+// first, then the world's events of that instant act, then the host writes its variables. The run
+// ends when no thread is running and every expectation with an instant has been evaluated, or at a
+// limit.
 //
 // Deterministic: the same scenario and program give the same result, hash included.
 // Tested by tests/runtime/scenario_run_test.cc.
@@ -31,7 +32,9 @@ struct RunOptions {
   bool record = false;
   /// Names whose values at the end are wanted (quantity.h); empty = all global variables.
   std::vector<std::string> show;
-  /// Keep values over time in ScenarioResult::trace: of the names in `show`, and of the outputs.
+  /// Keep values over time in ScenarioResult::trace: of the names in the scenario's `trace`, or,
+  /// when that is empty, of those in `show`, of the outputs, and of whatever moves
+  /// (DefaultColumns).
   bool trace = false;
 };
 

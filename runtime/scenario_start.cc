@@ -23,28 +23,6 @@ Result<int> FunctionId(const std::string& name, const vm::Image& image) {
                    "程序中没有函数“{0}”；是否为“{1}”？", name, near);
 }
 
-Result<void> SetVariable(const InitialValue& initial, const std::string& name,
-                         Controller* controller) {
-  const auto slots = ResolveQuantity(name, *controller);
-  if (!slots.ok()) return slots.error();
-  for (const Quantity& slot : slots.value()) {
-    if (slot.kind != QuantityKind::kVariable) {
-      return MakeError(1, "'{0}' is not a variable of the program", "“{0}”不是程序的变量", name);
-    }
-  }
-  if (initial.values.size() > slots.value().size()) {
-    return MakeError(1, "'{0}' takes {1} values, not {2}", "“{0}”可放 {1} 个值，而不是 {2} 个",
-                     name, slots.value().size(), initial.values.size());
-  }
-  for (size_t i = 0; i < initial.values.size(); ++i) {
-    if (!controller->machine().Write(slots.value()[i].slot, initial.values[i])) {
-      return MakeError(1, "{0} does not fit '{1}'", "{0} 超出“{1}”的范围", initial.values[i],
-                       slots.value()[i].name);
-    }
-  }
-  return {};
-}
-
 /// The threads of the scenario, or the one it has when it names none.
 Result<std::vector<ThreadStart>> ThreadsOf(const Scenario& scenario, const vm::Image& image) {
   if (!scenario.threads.empty()) return scenario.threads;
@@ -71,12 +49,12 @@ Result<void> BindThreads(const std::vector<ThreadStart>& starts, vm::Machine* ma
 Result<void> SetValues(const Scenario& scenario, const std::vector<ThreadStart>& starts,
                        Controller* controller) {
   for (const InitialValue& initial : scenario.globals) {
-    if (auto set = SetVariable(initial, initial.name, controller); !set.ok()) return set;
+    if (auto set = SetVariable(initial, initial.name, controller); !set.ok()) return set.error();
   }
   for (const ThreadStart& start : starts) {
     for (const InitialValue& initial : start.values) {
       const std::string name = fmt::format("page{}.{}", start.page, initial.name);
-      if (auto set = SetVariable(initial, name, controller); !set.ok()) return set;
+      if (auto set = SetVariable(initial, name, controller); !set.ok()) return set.error();
     }
   }
   return {};
@@ -108,6 +86,28 @@ Result<void> StartScenario(const Scenario& scenario, vm::Object object, Controll
   if (auto bound = BindThreads(starts.value(), &machine); !bound.ok()) return bound;
   if (auto set = SetValues(scenario, starts.value(), controller); !set.ok()) return set;
   return RunThreads(scenario, starts.value(), &machine);
+}
+
+Result<std::vector<Quantity>> SetVariable(const InitialValue& initial, const std::string& name,
+                                          Controller* controller) {
+  auto slots = ResolveQuantity(name, *controller);
+  if (!slots.ok()) return slots;
+  for (const Quantity& slot : slots.value()) {
+    if (slot.kind != QuantityKind::kVariable) {
+      return MakeError(1, "'{0}' is not a variable of the program", "“{0}”不是程序的变量", name);
+    }
+  }
+  if (initial.values.size() > slots.value().size()) {
+    return MakeError(1, "'{0}' takes {1} values, not {2}", "“{0}”可放 {1} 个值，而不是 {2} 个",
+                     name, slots.value().size(), initial.values.size());
+  }
+  for (size_t i = 0; i < initial.values.size(); ++i) {
+    if (!controller->machine().Write(slots.value()[i].slot, initial.values[i])) {
+      return MakeError(1, "{0} does not fit '{1}'", "{0} 超出“{1}”的范围", initial.values[i],
+                       slots.value()[i].name);
+    }
+  }
+  return slots;
 }
 
 int64_t CycleOf(const Scenario& scenario, int64_t microseconds) {

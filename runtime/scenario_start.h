@@ -4,6 +4,7 @@
 
 #include "base/result.h"
 #include "runtime/controller.h"
+#include "runtime/quantity.h"
 #include "runtime/scenario.h"
 #include "vm/object.h"
 
@@ -14,6 +15,12 @@ namespace oncard::runtime {
 /// set, then the threads started in the order of the scenario. Fails when the scenario does not fit
 /// the program.
 Result<void> StartScenario(const Scenario& scenario, vm::Object object, Controller* controller);
+
+/// Writes the values to the variable `name`, an array's to its first elements. Gives all the
+/// variables that the name stands for; fails when it stands for something else, for fewer than
+/// there are values, or a value does not fit.
+Result<std::vector<Quantity>> SetVariable(const InitialValue& initial, const std::string& name,
+                                          Controller* controller);
 
 /// The boundary of profile cycles at which something of an instant happens: the first that is not
 /// before it.

@@ -17,11 +17,12 @@
 namespace oncard::runtime {
 namespace {
 
-constexpr std::array<std::string_view, 12> kScenarioKeys = {
-    "program",  "include",  "double",  "schedule", "rate",  "cycle_us",
-    "limit_ms", "until_ms", "globals", "thread",   "world", "expect"};
+constexpr std::array<std::string_view, 15> kScenarioKeys = {
+    "program",  "title",   "include", "double", "schedule", "rate",  "cycle_us", "limit_ms",
+    "until_ms", "globals", "thread",  "world",  "host",     "trace", "expect"};
 constexpr std::array<std::string_view, 6> kThreadKeys = {"thread", "function",  "page",
                                                          "init",   "period_ms", "priority"};
+constexpr std::array<std::string_view, 2> kHostKeys = {"at_ms", "set"};
 constexpr std::array<std::string_view, 1> kWorldKeys = {"input"};
 constexpr std::array<std::string_view, 4> kInputKeys = {"type", "index", "value", "at_ms"};
 
@@ -53,6 +54,7 @@ class ScenarioReader {
       Fail(table.source(), {"'program' is missing: name a .c or .bin file",
                             "缺少“program”：应给出 .c 或 .bin 文件"});
     }
+    Text(table, "title", scenario_.title);
     Texts(table, "include", scenario_.include_folders);
     ReadDouble(table);
     Text(table, "schedule", scenario_.schedule);
@@ -70,6 +72,10 @@ class ScenarioReader {
     }
     std::stable_sort(scenario_.inputs.begin(), scenario_.inputs.end(),
                      [](const InputEvent& a, const InputEvent& b) { return a.at_us < b.at_us; });
+    for (const toml::table* event : Tables(table, "host")) ReadHost(*event);
+    std::stable_sort(scenario_.host.begin(), scenario_.host.end(),
+                     [](const HostEvent& a, const HostEvent& b) { return a.at_us < b.at_us; });
+    Texts(table, "trace", scenario_.trace);
     ReadExpectations(table);
   }
 
@@ -140,6 +146,18 @@ class ScenarioReader {
     }
     event.at_us = Time(table, "at_ms");
     scenario_.inputs.push_back(event);
+  }
+
+  void ReadHost(const toml::table& table) {
+    CheckKeys(table, kHostKeys);
+    HostEvent event;
+    event.at_us = Time(table, "at_ms");
+    if (const toml::table* values = Table(table, "set")) event.values = Values(*values);
+    if (event.values.empty()) {
+      Fail(table.source(), {"'set' is missing: the variables to write, as in { go = 1 }",
+                            "缺少“set”：要写入的变量，如 { go = 1 }"});
+    }
+    scenario_.host.push_back(std::move(event));
   }
 
   void ReadExpectations(const toml::table& table) {

@@ -78,6 +78,16 @@ TEST_F(QuantityTest, SaysWhatIsWrongWithAName) {
            UnknownCase{"gpi[0]", "bits of 'gpi' are numbered 1 to 16"},
            UnknownCase{"gpi[17]", "bits of 'gpi' are numbered 1 to 16"},
            UnknownCase{"nonsense", "nothing is named 'nonsense'"},
+           UnknownCase{"nonsense1", "nothing is named 'nonsense1'"},
+           UnknownCase{"axis1.prfPso",
+                       "nothing is named 'axis1.prfPso'; did you mean "
+                       "'axis1.prfPos'?"},
+           UnknownCase{"axs1.prfPos",
+                       "nothing is named 'axs1.prfPos'; did you mean "
+                       "'axis1.prfPos'?"},
+           UnknownCase{"axis0.prfPos", "'axis0.prfPos': this card has axis1 to axis8"},
+           UnknownCase{"encoder9.pos", "'encoder9.pos': this card has encoder1 to encoder8"},
+           UnknownCase{"profile1", "'profile1' has the values pos, vel, acc, mode"},
        }) {
     EXPECT_EQ(Names(c.name)[0], std::string("error: ") + c.says);
   }
@@ -95,11 +105,15 @@ TEST_F(QuantityTest, ReadsValues) {
 }
 
 TEST(FormatNumber, GivesTheExactValue) {
-  EXPECT_EQ(FormatNumber(5050, vm::DataType::kInt), "5050");
-  EXPECT_EQ(FormatNumber(-1, vm::DataType::kInt), "-1");
-  EXPECT_EQ(FormatNumber(3, vm::DataType::kDouble), "3.0");
-  EXPECT_EQ(FormatNumber(12.5, vm::DataType::kDouble), "12.5");
-  EXPECT_EQ(FormatNumber(1.0 / 65536, vm::DataType::kDouble), "0.0000152587890625");
+  EXPECT_EQ(FormatNumber(5050, NumberForm::kWhole), "5050");
+  EXPECT_EQ(FormatNumber(-1, NumberForm::kWhole), "-1");
+  EXPECT_EQ(FormatNumber(3, NumberForm::kFixedPoint), "3.0");
+  EXPECT_EQ(FormatNumber(12.5, NumberForm::kFixedPoint), "12.5");
+  EXPECT_EQ(FormatNumber(1.0 / 65536, NumberForm::kFixedPoint), "0.0000152587890625");
+  EXPECT_EQ(FormatNumber(1, NumberForm::kFlag), "1");
+  EXPECT_EQ(FormatNumber(50000, NumberForm::kReal), "50000.0");
+  EXPECT_EQ(FormatNumber(-0.1, NumberForm::kReal), "-0.1");
+  EXPECT_EQ(FormatNumber(1e-9, NumberForm::kReal), "1e-09");
 }
 
 }  // namespace

@@ -82,6 +82,22 @@ TEST(ParseScenario, SortsTheWorldByTime) {
   EXPECT_EQ(s.inputs[1], (InputEvent{7250, motion::DiType::kHome, 0, 5}));
 }
 
+TEST(ParseScenario, ReadsTheHostsWritesAndWhatATraceHolds) {
+  const Scenario s = Parse(
+      "program = \"p.c\"\ntitle = \"Two axes\"\ntrace = [\"axis1.prfPos\", \"gpo\"]\n"
+      "[[host]]\nat_ms = 20\nset = { stop = 1 }\n"
+      "[[host]]\nat_ms = 10\nset = { go = 1, a = [2, 3] }\n");
+  EXPECT_EQ(s.title, "Two axes");
+  EXPECT_EQ(s.trace, (std::vector<std::string>{"axis1.prfPos", "gpo"}));
+  ASSERT_EQ(s.host.size(), 2u);
+  EXPECT_EQ(s.host[0], (HostEvent{10000, {{"go", {1}}, {"a", {2, 3}}}}));
+  EXPECT_EQ(s.host[1], (HostEvent{20000, {{"stop", {1}}}}));
+  const Scenario again = Parse(FormatScenario(s));
+  EXPECT_EQ(again.host, s.host);
+  EXPECT_EQ(again.title, s.title);
+  EXPECT_EQ(again.trace, s.trace);
+}
+
 TEST(ParseScenario, HasDefaults) {
   const Scenario s = Parse("program = \"p.c\"\n");
   EXPECT_EQ(s.schedule, "rr");

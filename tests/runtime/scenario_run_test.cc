@@ -149,13 +149,37 @@ TEST(RunScenario, NoticesThatAReplayEndsElsewhere) {
   EXPECT_FALSE(second.passed());
 }
 
-TEST(Trace, KeepsTheCyclesInWhichSomethingChanged) {
-  RunOptions options;
-  options.trace = true;
-  options.show = {"n"};
-  // Two statements each round, 25 a cycle.
-  const ScenarioResult result = RunForTest(kSpin, "until_ms = 0.5", options);
-  EXPECT_EQ(result.trace->Csv(), "time_ms,n,gpo\n0,0,0\n0.25,13,0\n0.5,25,0\n");
+// --- The host ------------------------------------------------------------------------------------
+
+TEST(Host, WritesVariablesWhileTheProgramRuns) {
+  const ScenarioResult result = RunForTest(
+      "int go;\nint seen;\nint f()\n{\n  int cc;\nlbl:\n  cc = go == 0;\n  if (cc) goto lbl;\n"
+      "  seen = go;\n  return 0;\n}\n",
+      "expect = [\"seen == 0 @ 10ms\", \"seen == 5 @ 10.25ms\"]\n"
+      "[[host]]\nat_ms = 10\nset = { go = 5 }\n");
+  EXPECT_TRUE(result.passed()) << result.failures.front().message.en;
+}
+
+TEST(Host, EndsAWaitThatNothingElseCanEnd) {
+  constexpr const char* kWaits =
+      "int go;\nint f()\n{\n  GT_WaitForVarEq(&go, 1);\n  return 7;\n}\n";
+  for (const bool traced : {false, true}) {
+    RunOptions options;
+    options.trace = traced;
+    const ScenarioResult result =
+        RunForTest(kWaits, "[[host]]\nat_ms = 10\nset = { go = 1 }\n", options);
+    EXPECT_EQ(result.end, RunEnd::kQuiet);
+    EXPECT_EQ(result.threads[0].result, "7");
+  }
+  EXPECT_EQ(RunForTest(kWaits, "[[host]]\nat_ms = 10\nset = { go = 2 }\n").end, RunEnd::kDeadlock);
+}
+
+TEST(Host, IsRefusedWhatIsNoVariableOrDoesNotFit) {
+  const vm::Object object = CompileForTest("int go;\nint f()\n{\n  return 0;\n}\n");
+  for (const char* set : {"{ gpo = 1 }", "{ goo = 1 }", "{ go = 3e9 }", "{ go = [1, 2] }"}) {
+    const Scenario scenario = ScenarioForTest(std::string("[[host]]\nset = ") + set);
+    EXPECT_FALSE(RunScenario(scenario, object).ok()) << set;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,54 @@
+// What can be observed of axes, profiles, encoders and the other numbered parts of a card: one
+// table of names, units and readers, from which expectations, results, traces, plots and their help
+// all follow. A name is the part, its number from 1, and a value of it: `axis1.prfPos`. Tested by
+// tests/runtime/motion_values_test.cc.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "motion/motion_core.h"
+
+namespace oncard::runtime {
+
+/// How a number is written and drawn.
+enum class NumberForm : uint8_t {
+  kWhole,       ///< an integer
+  kFixedPoint,  ///< a double of a motion program
+  kReal,        ///< a double
+  kFlag,        ///< 0 or 1
+};
+
+enum class Unit : uint8_t { kNone, kPulse, kPulsePerMs, kPulsePerMs2 };
+
+/// The unit as text: "pulse", "pulse/ms", "pulse/ms²"; empty for none.
+std::string_view UnitName(Unit unit);
+
+/// One value that every part of a kind has.
+struct MotionValue {
+  std::string_view name;  ///< empty: the part is the value
+  NumberForm form = NumberForm::kReal;
+  Unit unit = Unit::kNone;
+  double (*read)(const motion::MotionCore& core, size_t index) = nullptr;
+};
+
+/// A kind of part.
+struct MotionPart {
+  std::string_view name;  ///< of one, without its number
+  /// How many this card has.
+  size_t (*count)(const motion::MotionCore& core) = nullptr;
+  std::span<const MotionValue> values;
+};
+
+/// All kinds, in the order of the documentation.
+std::span<const MotionPart> MotionParts();
+
+/// The kind of this name, or nullptr.
+const MotionPart* FindMotionPart(std::string_view name);
+/// The part's value of this name, or nullptr.
+const MotionValue* FindMotionValue(const MotionPart& part, std::string_view name);
+
+}  // namespace oncard::runtime

@@ -1,0 +1,98 @@
+#include "runtime/motion_values.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/runtime/scenario_support.h"
+
+namespace oncard::runtime {
+namespace {
+
+class MotionValuesTest : public testing::Test {
+ protected:
+  void SetUp() override { ASSERT_TRUE(controller_.Load(CompileForTest(kProgram)).ok()); }
+  double Read(const std::string& name) {
+    const auto found = ResolveQuantity(name, controller_);
+    EXPECT_TRUE(found.ok()) << name;
+    return found.ok() ? ReadQuantity(found.value().front(), controller_) : -1;
+  }
+  motion::MotionState& state() { return controller_.motion().state(); }
+  static constexpr const char* kProgram = "int f()\n{\n  return 0;\n}\n";
+  Controller controller_;
+};
+
+TEST_F(MotionValuesTest, ReadsAxes) {
+  motion::Axis& axis = state().axes[1];
+  axis.profile = {100.25, 2, 0.5, 0};
+  axis.encoder = {90, 1.5, 0.25, 0};
+  EXPECT_EQ(Read("axis2.prfPos"), 100.25);
+  EXPECT_EQ(Read("axis2.prfVel"), 2);
+  EXPECT_EQ(Read("axis2.prfAcc"), 0.5);
+  EXPECT_EQ(Read("axis2.encPos"), 90);
+  EXPECT_EQ(Read("axis2.encVel"), 1.5);
+  EXPECT_EQ(Read("axis2.encAcc"), 0.25);
+  EXPECT_EQ(Read("axis2.error"), 10.25);
+  EXPECT_EQ(Read("axis1.prfPos"), 0);
+}
+
+struct FlagCase {
+  const char* name;
+  uint32_t latched;
+  int bit;
+};
+
+TEST_F(MotionValuesTest, NamesTheBitsOfTheStatusWord) {
+  for (const FlagCase& c : {
+           FlagCase{"axis1.alarm", motion::kAlarmBit, 1},
+           FlagCase{"axis1.followingError", motion::kFollowingErrorBit, 4},
+           FlagCase{"axis1.posLimit", motion::kPositiveLimitBit, 5},
+           FlagCase{"axis1.negLimit", motion::kNegativeLimitBit, 6},
+           FlagCase{"axis1.smoothStop", motion::kSmoothStopBit, 7},
+           FlagCase{"axis1.abruptStop", motion::kAbruptStopBit, 8},
+       }) {
+    state().axes[0].latched = 0;
+    EXPECT_EQ(Read(c.name), 0) << c.name;
+    state().axes[0].latched = c.latched;
+    EXPECT_EQ(Read(c.name), 1) << c.name;
+    EXPECT_EQ(Read("axis1.sts"), 1 << c.bit) << c.name;
+  }
+  state().axes[0].latched = 0;
+  state().axes[0].servo_on = true;
+  EXPECT_EQ(Read("axis1.servoOn"), 1);
+  EXPECT_EQ(Read("axis1.sts"), 1 << 9);
+  state().axes[0].moving = true;
+  EXPECT_EQ(Read("axis1.moving"), 1);
+  state().axes[0].in_position = true;
+  EXPECT_EQ(Read("axis1.inPosition"), 1);
+  EXPECT_EQ(Read("axis1.sts"), 7 << 9);
+}
+
+TEST_F(MotionValuesTest, ReadsProfilesEncodersAndTheMachine) {
+  state().profiles[7].now = {5, 6, 7, true};
+  state().profiles[7].mode = motion::ProfileMode::kPvt;
+  EXPECT_EQ(Read("profile8.pos"), 5);
+  EXPECT_EQ(Read("profile8.vel"), 6);
+  EXPECT_EQ(Read("profile8.acc"), 7);
+  EXPECT_EQ(Read("profile8.mode"), 6);
+  state().encoders[0].position = -3;
+  state().encoders[0].velocity = 4;
+  EXPECT_EQ(Read("encoder1.pos"), -3);
+  EXPECT_EQ(Read("encoder1.vel"), 4);
+  state().plants[0].position = 12.5;
+  EXPECT_EQ(Read("plant1.pos"), 12.5);
+}
+
+TEST(MotionParts, HaveUniqueNames) {
+  std::set<std::string_view> parts;
+  for (const MotionPart& part : MotionParts()) {
+    EXPECT_TRUE(parts.insert(part.name).second) << part.name;
+    std::set<std::string_view> values;
+    for (const MotionValue& value : part.values) {
+      EXPECT_TRUE(values.insert(value.name).second) << part.name << '.' << value.name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace oncard::runtime

@@ -1,0 +1,117 @@
+#include "runtime/trace.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/runtime/scenario_support.h"
+
+namespace oncard::runtime {
+namespace {
+
+constexpr const char* kSpin = "int n;\nint f()\n{\nlbl:\n  n = n + 1;\n  goto lbl;\n}\n";
+
+Trace TraceOf(const std::string& program, const std::string& scenario,
+              const std::vector<std::string>& show = {}) {
+  RunOptions options;
+  options.trace = true;
+  options.show = show;
+  return *RunForTest(program, scenario, options).trace;
+}
+
+TEST(Trace, KeepsTheCyclesInWhichSomethingChanged) {
+  // Two statements each round, 25 a cycle.
+  EXPECT_EQ(TraceOf(kSpin, "until_ms = 0.5", {"n"}).Csv(),
+            "time_ms,n,gpo\n0,0,0\n0.25,13,0\n0.5,25,0\n");
+}
+
+TEST(Trace, HoldsWhatTheScenarioNames) {
+  EXPECT_EQ(TraceOf(kSpin, "until_ms = 0.5\ntrace = [\"axis2.prfPos\", \"gpo[1]\", \"n\"]").Csv(),
+            "time_ms,axis2.prfPos,gpo[1],n\n0,0.0,0,0\n0.25,0.0,0,13\n0.5,0.0,0,25\n");
+}
+
+TEST(Trace, RefusesAnUnknownName) {
+  RunOptions options;
+  options.trace = true;
+  const auto result =
+      RunScenario(ScenarioForTest("trace = [\"axis2.prfPso\"]"), CompileForTest(kSpin), options);
+  ASSERT_FALSE(result.ok());
+  EXPECT_NE(result.error().message.en.find("did you mean 'axis2.prfPos'"), std::string::npos);
+}
+
+TEST(Trace, ShowsInputsAndOutputsThatChange) {
+  const Trace trace =
+      TraceOf("int f()\n{\n  GT_SetDoBit(11, 2, 1);\n  GT_Delay(2);\n  return 0;\n}\n",
+              "[[world.input]]\ntype = \"home\"\nindex = 3\nvalue = 1\n");
+  EXPECT_EQ(trace.Csv(), "time_ms,gpo,home,clear\n0,0,0,0\n0.25,0,0,2\n0.75,0,4,2\n2.25,0,4,2\n");
+}
+
+// An axis that moves without a program: the core's state is set by hand.
+Trace MovingAxis() {
+  Controller controller;
+  EXPECT_TRUE(controller.Load(CompileForTest("int f()\n{\n  return 0;\n}\n")).ok());
+  controller.motion().ServoOn(2);
+  Trace trace(DefaultColumns(controller));
+  trace.Sample(controller);
+  motion::Profile& profile = controller.motion().state().profiles[2];
+  profile.trap.target = 4;
+  profile.trap.velocity = 2;
+  profile.trap.parameters = {4, 4, 0, 0};  // 0.5 ms up, 1.5 ms at 2, 0.5 ms down
+  profile.Start(0);
+  trace.Mark(controller, "start \"3\"");
+  while (controller.cycle() < 11) {
+    controller.RunCycle();
+    trace.Sample(controller);
+  }
+  trace.Finish(controller);
+  return trace;
+}
+
+TEST(Trace, ShowsTheAxesThatMoveAndNoOthers) {
+  const std::string csv = MovingAxis().Csv();
+  EXPECT_TRUE(csv.starts_with(
+      "time_ms,axis3.prfPos,axis3.prfVel,axis3.prfAcc\n0,0.0,0.0,0.0\n0.25,0.125,1.0,4.0\n"
+      "0.5,0.5,2.0,"))
+      << csv;
+  EXPECT_NE(csv.find("\n1,1.5,2.0,0.0\n"), std::string::npos) << csv;
+  EXPECT_TRUE(csv.ends_with("\n2.5,4.0,0.0,0.0\n2.75,4.0,0.0,0.0\n")) << csv;
+}
+
+TEST(Trace, WritesRealsAndScopesForWaveformViewers) {
+  const std::string vcd = MovingAxis().Vcd();
+  EXPECT_TRUE(
+      vcd.starts_with("$timescale 1 us $end\n$scope module oncard $end\n"
+                      "$scope module axis3 $end\n$var real 64 ! prfPos $end\n"))
+      << vcd;
+  EXPECT_NE(vcd.find("$upscope $end\n$upscope $end\n$enddefinitions $end\n#0\nr0.0 !\n"),
+            std::string::npos)
+      << vcd;
+  EXPECT_NE(vcd.find("#250\nr0.125 !\nr1.0 \"\nr4.0 #\n"), std::string::npos) << vcd;
+}
+
+TEST(Trace, WritesTraceEvents) {
+  const std::string json = MovingAxis().Json();
+  for (const char* event :
+       {R"({"name":"axis3.prfPos","ph":"C","pid":1,"ts":250,"args":{"value":0.125}})",
+        R"({"name":"start \"3\"","cat":"host","ph":"i","s":"p","pid":1,"tid":32,"ts":0})"}) {
+    EXPECT_NE(json.find(event), std::string::npos) << event << '\n' << json;
+  }
+}
+
+TEST(Trace, WritesWhenThreadsRan) {
+  const std::string json = TraceOf("int f()\n{\n  GT_Delay(2);\n  return 0;\n}\n",
+                                   "[[thread]]\nthread = 3\nfunction = \"f\"\n")
+                               .Json();
+  for (const char* event :
+       {R"({"name":"thread_name","ph":"M","pid":1,"tid":3,"args":{"name":"thread 3"}})",
+        R"({"name":"f","cat":"thread","ph":"X","pid":1,"tid":3,"ts":0,"dur":2250})"}) {
+    EXPECT_NE(json.find(event), std::string::npos) << event << '\n' << json;
+  }
+}
+
+TEST(Trace, MarksWhatTheHostWrites) {
+  const std::string json =
+      TraceOf(kSpin, "until_ms = 2\n[[host]]\nat_ms = 1\nset = { n = 5 }\n").Json();
+  EXPECT_NE(json.find(R"({"name":"n = 5","cat":"host","ph":"i")"), std::string::npos) << json;
+}
+
+}  // namespace
+}  // namespace oncard::runtime
