@@ -8,6 +8,7 @@
 
 #include "gtcalls/card.h"
 #include "tools/commands.h"
+#include "tools/gnuplot.h"
 
 namespace oncard::tools {
 namespace {
@@ -84,7 +85,11 @@ std::vector<OptionalPart> OptionalParts() {
            {"GBK comments in messages", "消息中显示 GBK 注释"},
            HasGbk(),
            {"the C library's converters are missing: install libc-bin and libc6",
-            "缺少 C 库的字符转换模块：请安装 libc-bin 和 libc6"}}};
+            "缺少 C 库的字符转换模块：请安装 libc-bin 和 libc6"}},
+          {"gnuplot",
+           {"pictures (--plot)", "图形（--plot）"},
+           !GnuplotVersion().empty(),
+           GnuplotRemedy()}};
 }
 
 void PrintText(const Session& session) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "tools/commands.h"
+#include "tools/gnuplot.h"
 #include "tools/run_report.h"
 
 namespace oncard::tools {
@@ -24,6 +25,7 @@ struct RunArguments {
   std::vector<std::string> include_folders;
   std::string record;
   std::string trace;
+  std::string plot;
   std::string format = "text";
 };
 
@@ -81,6 +83,12 @@ int WriteTrace(const RunArguments& arguments, const runtime::Trace& trace, const
   return WriteOutput(session, arguments.trace, text);
 }
 
+std::string TitleOf(const runtime::Scenario& scenario) {
+  if (!scenario.title.empty()) return scenario.title;
+  const std::string& path = scenario.path.empty() ? scenario.program : scenario.path;
+  return std::filesystem::path(path).stem().string();
+}
+
 int WriteRecording(const RunArguments& arguments, const runtime::Scenario& scenario,
                    vm::Schedule schedule, const Session& session) {
   schedule.scenario = runtime::FormatScenario(runtime::MoveScenario(scenario, arguments.record));
@@ -98,13 +106,17 @@ int Run(const RunArguments& arguments, const Session& session) {
   runtime::RunOptions options;
   options.record = !arguments.record.empty();
   options.show = arguments.show;
-  options.trace = !arguments.trace.empty();
+  options.trace = !arguments.trace.empty() || !arguments.plot.empty();
   auto result = runtime::RunScenario(scenario.value(), *load.object, options);
   if (!result.ok()) return Fail(session, kExitUsage, result.error().message);
 
   int code = ReportRun(result.value(), arguments.format, session);
-  if (options.trace) {
+  if (!arguments.trace.empty()) {
     code = std::max(code, WriteTrace(arguments, *result.value().trace, session));
+  }
+  if (!arguments.plot.empty()) {
+    code = std::max(code, WritePicture(session, arguments.plot, *result.value().trace,
+                                       TitleOf(scenario.value())));
   }
   if (options.record) {
     code = std::max(code, WriteRecording(arguments, scenario.value(),
@@ -117,6 +129,12 @@ std::string CheckTraceName(const std::string& path) {
   const std::string extension = std::filesystem::path(path).extension().string();
   if (extension == ".vcd" || extension == ".csv" || extension == ".json") return {};
   return "the name must end in .vcd, .csv or .json";
+}
+
+std::string CheckPlotName(const std::string& path) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  if (extension == ".svg" || extension == ".png") return {};
+  return "the name must end in .svg or .png";
 }
 
 // CLI11's own range lets NaN through.
@@ -214,6 +232,12 @@ void AddRun(CLI::App& app, Session& session) {
                        "写出随时间变化的值，格式为 .vcd、.csv 或 .json"))
       ->type_name("FILE")
       ->check(CLI::Validator(CheckTraceName, ""));
+  command
+      ->add_option("--plot", arguments->plot,
+                   say("draw values over time, as .svg or .png (needs gnuplot)",
+                       "绘制随时间变化的曲线，格式为 .svg 或 .png（需要 gnuplot）"))
+      ->type_name("FILE")
+      ->check(CLI::Validator(CheckPlotName, ""));
   AddIncludeOption(*command, session, arguments->include_folders);
   command
       ->add_option("--double", arguments->double_format,
