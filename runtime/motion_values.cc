@@ -15,7 +15,7 @@ const motion::Axis& AxisAt(const MotionCore& core, size_t index) {
 
 template <uint32_t kBit>
 double StatusBit(const MotionCore& core, size_t index) {
-  return (AxisAt(core, index).Status() & kBit) != 0 ? 1 : 0;
+  return (core.Status(index) & kBit) != 0 ? 1 : 0;
 }
 
 constexpr MotionValue Flag(std::string_view name,
@@ -41,7 +41,7 @@ constexpr MotionValue kAxisValues[] = {
        return AxisAt(core, i).profile.position - AxisAt(core, i).encoder.position;
      }},
     {"sts", NumberForm::kWhole, Unit::kNone,
-     [](const MotionCore& core, size_t i) -> double { return AxisAt(core, i).Status(); }},
+     [](const MotionCore& core, size_t i) -> double { return core.Status(i); }},
     Flag("alarm", StatusBit<motion::kAlarmBit>),
     Flag("followingError", StatusBit<motion::kFollowingErrorBit>),
     Flag("posLimit", StatusBit<motion::kPositiveLimitBit>),

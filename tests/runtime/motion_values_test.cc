@@ -24,8 +24,12 @@ class MotionValuesTest : public testing::Test {
 
 TEST_F(MotionValuesTest, ReadsAxes) {
   motion::Axis& axis = state().axes[1];
-  axis.profile = {100.25, 2, 0.5, 0};
-  axis.encoder = {90, 1.5, 0.25, 0};
+  axis.profile.position = 100.25;
+  axis.profile.velocity = 2;
+  axis.profile.acceleration = 0.5;
+  axis.encoder.position = 90;
+  axis.encoder.velocity = 1.5;
+  axis.encoder.acceleration = 0.25;
   EXPECT_EQ(Read("axis2.prfPos"), 100.25);
   EXPECT_EQ(Read("axis2.prfVel"), 2);
   EXPECT_EQ(Read("axis2.prfAcc"), 0.5);
@@ -61,11 +65,12 @@ TEST_F(MotionValuesTest, NamesTheBitsOfTheStatusWord) {
   state().axes[0].servo_on = true;
   EXPECT_EQ(Read("axis1.servoOn"), 1);
   EXPECT_EQ(Read("axis1.sts"), 1 << 9);
-  state().axes[0].moving = true;
-  EXPECT_EQ(Read("axis1.moving"), 1);
   state().axes[0].in_position = true;
   EXPECT_EQ(Read("axis1.inPosition"), 1);
-  EXPECT_EQ(Read("axis1.sts"), 7 << 9);
+  EXPECT_EQ(Read("axis1.sts"), 5 << 9);
+  state().profiles[0].now.moving = true;
+  EXPECT_EQ(Read("axis1.moving"), 1);
+  EXPECT_EQ(Read("axis1.sts"), 3 << 9);
 }
 
 TEST_F(MotionValuesTest, ReadsProfilesEncodersAndTheMachine) {
