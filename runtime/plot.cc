@@ -12,8 +12,8 @@ namespace {
 // Sizes in pixels.
 constexpr int kTimeWidth = 960;
 constexpr int kPathWidth = 520;
-constexpr int kLeftMargin = 92;
-constexpr int kLegendWidth = 168;
+constexpr int kLeftMargin = 132;
+constexpr int kLegendWidth = 150;
 constexpr int kTitleHeight = 46;
 constexpr int kFooterHeight = 54;
 constexpr int kGap = 16;

@@ -29,9 +29,10 @@ ProcessResult RunOncard(const std::vector<std::string>& arguments, const std::st
   const std::string err = scratch.path() + "/err";
   std::vector<std::string> command = {ONCARD_BUILD_DIR "/bin/oncard"};
   command.insert(command.end(), arguments.begin(), arguments.end());
-  std::vector<std::string> variables = {"LANG=C", "PATH=/usr/bin:/bin",
-                                        "ASAN_OPTIONS=detect_leaks=0"};
-  variables.insert(variables.end(), environment.begin(), environment.end());
+  // The first of a name counts.
+  std::vector<std::string> variables = environment;
+  variables.insert(variables.end(),
+                   {"LANG=C", "PATH=/usr/bin:/bin", "ASAN_OPTIONS=detect_leaks=0"});
 
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);

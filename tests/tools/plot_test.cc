@@ -1,0 +1,99 @@
+// run --plot: with gnuplot, and without it; the pictures of the documentation.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/files.h"
+#include "tests/tools/process.h"
+
+namespace oncard::tools {
+namespace {
+
+const std::string kSource = ONCARD_SOURCE_DIR;
+const std::string kBlink = kSource + "/samples/09_blink/blink.toml";
+
+bool HasGnuplot() { return std::filesystem::exists("/usr/bin/gnuplot"); }
+
+#define REQUIRE_GNUPLOT() \
+  if (!HasGnuplot()) GTEST_SKIP() << "gnuplot is not installed: apt-get install gnuplot-nox"
+
+std::string Draw(const std::string& scenario, const ScratchFolder& scratch,
+                 const std::string& name) {
+  const ProcessResult result = RunOncard({"run", scenario, "--plot", scratch.path() + "/" + name});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  return scratch.Read(name);
+}
+
+TEST(Plot, DrawsTheSameBytesEveryTime) {
+  REQUIRE_GNUPLOT();
+  const ScratchFolder scratch;
+  const std::string first = Draw(kBlink, scratch, "a.svg");
+  EXPECT_NE(first.find("<svg"), std::string::npos);
+  EXPECT_NE(first.find("gpo[1]"), std::string::npos);
+  EXPECT_EQ(first, Draw(kBlink, scratch, "b.svg"));
+}
+
+TEST(Plot, DrawsPng) {
+  REQUIRE_GNUPLOT();
+  const ScratchFolder scratch;
+  EXPECT_TRUE(Draw(kBlink, scratch, "a.png").starts_with("\x89PNG"));
+}
+
+TEST(Plot, SaysHowToInstallGnuplot) {
+  const ScratchFolder scratch;
+  const ProcessResult result =
+      RunOncard({"run", kBlink, "--plot", scratch.path() + "/a.svg"}, {}, {"PATH=/nonexistent"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_EQ(result.err, "oncard: gnuplot is not installed: apt-get install gnuplot-nox\n");
+  EXPECT_FALSE(scratch.Has("a.svg"));
+}
+
+TEST(Plot, SaysWhenThereIsNothingToSee) {
+  const ScratchFolder scratch;
+  const std::string source = scratch.Write("p.c", "int f()\n{\n  return 1;\n}\n");
+  const ProcessResult result = RunOncard({"run", source, "--plot", scratch.path() + "/a.svg"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.err, "oncard: nothing to draw: no value changed during the run\n");
+}
+
+TEST(Plot, DoctorNamesGnuplot) {
+  const ProcessResult result = RunOncard({"doctor"}, {}, {"PATH=/nonexistent"});
+  EXPECT_NE(result.out.find("pictures (--plot): gnuplot is not installed: apt-get install "
+                            "gnuplot-nox\n"),
+            std::string::npos)
+      << result.out;
+}
+
+// The line of an SVG that names the version of gnuplot.
+std::string Producer(const std::string& svg) {
+  const size_t begin = svg.find("<desc>");
+  return begin == std::string::npos ? "" : svg.substr(begin, svg.find('\n', begin) - begin);
+}
+
+// samples/10_trap/trap.toml is drawn in docs/pictures/10_trap.svg, and so on. After a change that
+// is meant to be seen: ./x pictures.
+TEST(Plot, PicturesOfTheDocumentationShowTheSamples) {
+  REQUIRE_GNUPLOT();
+  const ScratchFolder scratch;
+  std::vector<std::filesystem::path> pictures;
+  for (const auto& entry : std::filesystem::directory_iterator(kSource + "/docs/pictures")) {
+    pictures.push_back(entry.path());
+  }
+  std::sort(pictures.begin(), pictures.end());
+  ASSERT_FALSE(pictures.empty());
+  for (const std::filesystem::path& picture : pictures) {
+    const std::string folder = picture.stem().string();
+    const std::string scenario = fmt::format("{0}/samples/{1}/{2}.toml", kSource, folder,
+                                             folder.substr(folder.find('_') + 1));
+    const std::string committed = ReadFile(picture.string()).value();
+    const std::string drawn = Draw(scenario, scratch, folder + ".svg");
+    if (Producer(drawn) != Producer(committed)) {
+      GTEST_SKIP() << "drawn by another gnuplot: " << Producer(committed);
+    }
+    EXPECT_TRUE(drawn == committed) << picture << " differs: run ./x pictures";
+  }
+}
+
+}  // namespace
+}  // namespace oncard::tools
