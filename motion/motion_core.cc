@@ -374,7 +374,7 @@ void MotionCore::MoveAxisOrigin(size_t index, double position) {
   // The machine does not move, and no pulses are sent.
   state_.plants[index].lead += value.position - position;
   value.position = position;
-  if (!state_.encoders[index].external) state_.encoders[index].source = EncoderSource(index);
+  if (!state_.encoders[index].external) RebaseEncoder(index);
 }
 
 void MotionCore::StopAxis(const Axis& axis, bool abrupt) {
