@@ -19,7 +19,8 @@ const std::vector<CommandFunction>& FunctionsByNumber() {
     for (const std::span<const CommandEntry> topic :
          {ThreadCommands(), VariableCommands(), TimeCommands(), DigitalIoCommands(),
           UserVariableCommands(), AnalogCommands(), ExtensionCommands(), EncoderCommands(),
-          PlcCommands(), PlcWordCommands(), AxisCommands(), PositionCommands(), TrapCommands()}) {
+          ServoCommands(), PlcCommands(), PlcWordCommands(), AxisCommands(), PositionCommands(),
+          TrapCommands()}) {
       for (const CommandEntry& entry : topic) {
         const Command* command = FindCommand(entry.name);
         assert(command != nullptr);

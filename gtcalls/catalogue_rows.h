@@ -35,6 +35,8 @@ inline constexpr double kBelow32767 = 32767.0 - 0x1p-38;
 inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 /// GT_SetPosErr.
 inline constexpr double kPositionErrorMax = 2147483648.0;
+/// Assumption: the largest exponent of GT_SetKvffFilter; as motion::kKvffFilterMax.
+inline constexpr int kKvffFilterMax = 8;
 /// PVT tables and the points of one (GTS manual chapter 7).
 inline constexpr int kPvtTableMax = 32;
 inline constexpr int kPvtPointMax = 1024;

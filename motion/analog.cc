@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/rounding.h"
 #include "motion/state_hash.h"
 
 namespace oncard::motion {
@@ -18,7 +19,7 @@ constexpr double kArrivedVolts = kAdcFullVolts / kAdcFull / 10;
 int16_t Dac::Output() const {
   if (!active) return 0;
   const double bound = limit;
-  return static_cast<int16_t>(std::clamp(std::round(value + bias), -bound, bound));
+  return static_cast<int16_t>(Whole(std::clamp(value + bias, -bound, bound)));
 }
 
 double Dac::Volts() const {

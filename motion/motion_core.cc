@@ -44,6 +44,7 @@ void MotionCore::Tick() {
   MapProfiles();
   for (size_t i = 0; i < axis_count(); ++i) GuardAxis(i);
   AdvanceMachine();
+  for (size_t i = 0; i < axis_count(); ++i) JudgeControl(state_.controls[i]);
   for (size_t i = 0; i < axis_count(); ++i) JudgeAxis(i);
 }
 
@@ -54,16 +55,8 @@ void MotionCore::Reset() {
   state_.encoders.fill({});
   for (size_t i = 0; i < kAxisMax; ++i) {
     state_.axes[i] = DefaultAxis(static_cast<int>(i));
-    // The machine stays where it is; its encoder counts from here.
-    RebaseEncoder(i);
-    state_.plants[i].lead = state_.plants[i].position;
   }
-  state_.dacs.fill({});
-  for (Adc& adc : state_.adcs) adc = {.volts = adc.volts, .filtered = adc.volts};
-  for (ExtensionModule& module : state_.modules) {
-    module.outputs = 0;
-    module.output_volts.fill(0);
-  }
+  ResetMachine();
   state_.long_vars.fill(0);
   state_.double_vars.fill(0);
 }
@@ -72,59 +65,6 @@ int64_t MotionCore::ClockMs() const { return state_.clock_cycle * config_.cycle_
 
 int64_t MotionCore::Clock125us() const {
   return state_.clock_cycle * config_.cycle_us / kFineClockUs;
-}
-
-// --- The world ---------------------------------------------------------------------------------
-
-void MotionCore::SetWorld(std::shared_ptr<const WorldEvents> events) {
-  state_.world = {std::move(events), 0};
-}
-
-void MotionCore::PlaceMachine(size_t machine, double position) {
-  Plant& plant = state_.plants[machine];
-  plant.lead += position - plant.position;
-  plant.position = position;
-  RebaseEncoder(machine);
-}
-
-void MotionCore::ApplyWorldEvents() {
-  WorldProgress& world = state_.world;
-  if (world.events == nullptr) return;
-  const WorldEvents& events = *world.events;
-  for (; world.next < events.size() && events[world.next].at <= now(); ++world.next) {
-    const WorldEvent& event = events[world.next];
-    const size_t item = event.item;
-    switch (event.kind) {
-      case WorldEventKind::kPin:
-        state_.io.SetPin(static_cast<DiType>(event.item), event.index, event.value != 0);
-        break;
-      case WorldEventKind::kAdc:
-        state_.adcs[item].volts = event.value;
-        break;
-      case WorldEventKind::kModuleInputs:
-        state_.modules[item].inputs = static_cast<uint16_t>(event.value);
-        break;
-      case WorldEventKind::kModuleVoltage:
-        state_.modules[item].input_volts[event.index] = event.value;
-        break;
-      case WorldEventKind::kStall:
-        state_.plants[item].stalled = event.value != 0;
-        break;
-      case WorldEventKind::kEncoderHeld:
-        state_.encoder_faults[item].held = event.value != 0;
-        break;
-      case WorldEventKind::kEncoderNoise:
-        state_.encoder_faults[item].noise = static_cast<int32_t>(event.value);
-        state_.encoder_faults[item].random = event.index;
-        break;
-      case WorldEventKind::kEncoderDrift:
-        state_.encoder_faults[item].drift = event.value;
-        break;
-      case WorldEventKind::kSwitchConnected:
-        state_.switches[event.index].connected = event.value != 0;
-        break;
-    }
-  }
 }
 
 // --- Steps of a tick ---------------------------------------------------------------------------
@@ -169,19 +109,8 @@ void MotionCore::GuardAxis(size_t index) {
 }
 
 void MotionCore::AdvanceMachine() {
-  for (size_t i = 0; i < axis_count(); ++i) {
-    const Axis& axis = state_.axes[i];
-    Plant& plant = state_.plants[i];
-    plant.velocity = 0;
-    if (plant.stalled) {
-      // Pulses that come meanwhile are lost.
-      plant.lead = plant.position - axis.profile.position;
-    } else if (axis.servo_on) {
-      plant.position = axis.profile.position + plant.lead;
-      plant.velocity = axis.profile.velocity;
-    }
-    CountEncoder(i);
-  }
+  for (size_t i = 0; i < axis_count(); ++i) AdvancePlant(i);
+  for (size_t i = 0; i < axis_count(); ++i) CountEncoder(i);
   for (size_t i = 0; i < axis_count(); ++i) {
     Axis& axis = state_.axes[i];
     double velocity = 0;
@@ -195,30 +124,6 @@ void MotionCore::AdvanceMachine() {
     axis.encoder.acceleration = axis.encoder_scale.Apply(acceleration);
     axis.encoder.filter.Add(axis.encoder.velocity);
   }
-}
-
-void MotionCore::CountEncoder(size_t index) {
-  if (state_.encoder_faults[index].any()) AdvanceEncoderFault(index);
-  Encoder& encoder = state_.encoders[index];
-  const double cycle_ms = static_cast<double>(config_.cycle_us) / 1000;
-  const double source = EncoderSource(index);
-  const double counted = encoder.active ? source - encoder.source : 0;
-  const double velocity = counted / cycle_ms;
-  encoder.acceleration = (velocity - encoder.velocity) / cycle_ms;
-  encoder.velocity = velocity;
-  encoder.position += counted;
-  encoder.source = source;
-}
-
-void MotionCore::AdvanceEncoderFault(size_t index) {
-  EncoderFault& fault = state_.encoder_faults[index];
-  if (fault.held) {
-    // What the machine does while the signal is cut off never arrives.
-    fault.slip += state_.encoders[index].source - EncoderSource(index);
-    return;
-  }
-  fault.error = fault.noise == 0 ? 0 : fault.NextError();
-  fault.slip += fault.drift * static_cast<double>(config_.cycle_us) / 1000;
 }
 
 void MotionCore::JudgeAxis(size_t index) {
@@ -235,13 +140,13 @@ void MotionCore::JudgeAxis(size_t index) {
 
 void MotionCore::ServoOn(size_t axis) {
   state_.axes[axis].servo_on = true;
-  Plant& plant = state_.plants[axis];
-  plant.lead = plant.position - state_.axes[axis].profile.position;
+  EnableMachine(axis);
   state_.io.Write(DoType::kEnable, uint32_t{1} << axis, ~uint32_t{0});
 }
 
 void MotionCore::ServoOff(size_t axis) {
   state_.axes[axis].servo_on = false;
+  DisableMachine(axis);
   state_.io.Write(DoType::kEnable, uint32_t{1} << axis, 0);
   StopAxis(state_.axes[axis], true);
 }
@@ -270,7 +175,9 @@ uint32_t MotionCore::Status(size_t index) const {
 }
 
 void MotionCore::ClearStatus(size_t axis) {
-  state_.axes[axis].latched = ActiveCauses(state_.axes[axis]);
+  uint32_t& latched = state_.axes[axis].latched;
+  const uint32_t error = FollowingErrorExceeded(axis) ? latched & kFollowingErrorBit : 0;
+  latched = ActiveCauses(state_.axes[axis]) | error;
 }
 
 void MotionCore::StopProfile(size_t profile, bool abrupt) {
@@ -292,16 +199,6 @@ void MotionCore::SetEncoderPosition(size_t encoder, double position) {
     if ((axis.encoder_map >> encoder & 1) == 0) continue;
     axis.encoder.offset = axis.encoder.position - MappedEncoders(axis);
   }
-}
-
-void MotionCore::SetEncoderSense(size_t encoder, bool reversed) {
-  state_.encoders[encoder].reversed = reversed;
-  RebaseEncoder(encoder);
-}
-
-void MotionCore::SetEncoderExternal(size_t encoder, bool external) {
-  state_.encoders[encoder].external = external;
-  RebaseEncoder(encoder);
 }
 
 void MotionCore::SynchAxis(size_t index) {
@@ -328,14 +225,6 @@ void MotionCore::SetEncoderScale(size_t axis, Scale scale) {
   state_.axes[axis].encoder_scale = scale;
   state_.axes[axis].encoder.offset = 0;
   state_.axes[axis].encoder.position = MappedEncoders(state_.axes[axis]);
-}
-
-double MotionCore::EncoderSource(size_t index) const {
-  const Encoder& encoder = state_.encoders[index];
-  if (!encoder.external) return std::round(state_.axes[index].profile.position);
-  const double direction = encoder.reversed == encoder.wired_reversed ? 1 : -1;
-  const EncoderFault& fault = state_.encoder_faults[index];
-  return std::round(direction * state_.plants[index].position + fault.slip) + fault.error;
 }
 
 double MotionCore::MappedProfiles(const Axis& axis) const {

@@ -27,6 +27,7 @@
 
 #include "motion/analog.h"
 #include "motion/axis.h"
+#include "motion/control.h"
 #include "motion/digital_io.h"
 #include "motion/encoder.h"
 #include "motion/extension.h"
@@ -55,7 +56,10 @@ struct MotionState {
   std::array<Axis, kAxisMax> axes;
   std::array<Encoder, kAxisMax> encoders;
   std::array<EncoderFault, kAxisMax> encoder_faults;
+  std::array<Drive, kAxisMax> drives;
   std::array<Plant, kAxisMax> plants;
+  std::array<Step, kAxisMax> steps;
+  std::array<Control, kAxisMax> controls;
   std::array<Dac, kAxisMax> dacs;
   std::array<Adc, kAdcCount> adcs;
   std::array<ExtensionModule, kModuleCount> modules;
@@ -66,8 +70,9 @@ struct MotionState {
   std::array<double, kUserVariableCount> double_vars{};
 
   auto Fields() const {
-    return std::tie(cycle, clock_cycle, io, profiles, axes, encoders, encoder_faults, plants, dacs,
-                    adcs, modules, world, switches, index_marks, long_vars, double_vars);
+    return std::tie(cycle, clock_cycle, io, profiles, axes, encoders, encoder_faults, drives,
+                    plants, steps, controls, dacs, adcs, modules, world, switches, index_marks,
+                    long_vars, double_vars);
   }
 };
 
@@ -116,6 +121,16 @@ class MotionCore {
   void SetProfilePosition(size_t profile, double position);
   /// Sets an encoder's position; the axes keep theirs.
   void SetEncoderPosition(size_t encoder, double position);
+  /// GT_CtrlMode for an axis whose drive is off: closed loop through the DAC of the same number, or
+  /// pulses.
+  void SetClosedLoop(size_t axis, bool closed);
+  /// The axis' drive is commanded by a servo controller.
+  bool InClosedLoop(size_t axis) const;
+  /// |planned - measured| is beyond the limit of the axis' controller.
+  bool FollowingErrorExceeded(size_t axis) const;
+  /// Joins motors, pulse outputs and controllers as the configuration says; after every change of
+  /// it.
+  void Wire();
   /// GT_EncSns, GT_EncOn and GT_EncOff: the encoder goes on counting from its position.
   void SetEncoderSense(size_t encoder, bool reversed);
   void SetEncoderExternal(size_t encoder, bool external);
@@ -144,13 +159,29 @@ class MotionCore {
   void MapProfiles();
   void GuardAxis(size_t index);
   void AdvanceMachine();
+  void AdvancePlant(size_t index);
+  void AdvanceClosedLoop(size_t index);
+  void ResetMachine();
+  void EnableMachine(size_t axis);
+  void DisableMachine(size_t axis);
+  /// The planned position of an axis has been renamed by -difference; the machine does not move.
+  void KeepMachine(size_t axis, double difference);
   void JudgeAxis(size_t index);
+  void JudgeControl(Control& control);
+  /// The controlled encoder has been silent for too long while its motor was driven.
+  bool EncoderSilent(Control& control);
 
   /// The mapped sum of an axis' profiles or encoders, without the offset.
   double MappedProfiles(const Axis& axis) const;
   double MappedEncoders(const Axis& axis) const;
   /// Whole pulses of what an encoder counts.
   double EncoderSource(size_t index) const;
+  /// The planned axis position as the drive is told it.
+  double CommandedPosition(size_t axis) const { return state_.axes[axis].profile.position; }
+  /// The position the controller's encoder gives its axis right now, between two ticks.
+  double MeasuredPosition(const Control& control) const;
+  /// Planned position := measured position, without motion.
+  void AlignWithEncoder(size_t index);
   /// The encoder counts from its source as it is now.
   void RebaseEncoder(size_t index) { state_.encoders[index].source = EncoderSource(index); }
   /// One cycle of what is wrong with an encoder.

@@ -31,6 +31,7 @@ std::span<const CommandEntry> UserVariableCommands();
 std::span<const CommandEntry> AnalogCommands();
 std::span<const CommandEntry> ExtensionCommands();
 std::span<const CommandEntry> EncoderCommands();
+std::span<const CommandEntry> ServoCommands();
 std::span<const CommandEntry> PlcCommands();
 std::span<const CommandEntry> PlcWordCommands();
 std::span<const CommandEntry> AxisCommands();

@@ -1,0 +1,96 @@
+// Servo controllers: they compare an axis' planned and measured position and put out a voltage.
+//
+//   U = kp E + ki sum(E) / 256 + kd (E - E_before) + kvff v + kaff a
+//
+// once in every servo sub-step; sum and difference are limited, then U. E in pulses, v in pulse/ms,
+// a in pulse/ms^2, U in DAC units. The bias is added and the output limited at the DAC (analog.h).
+// Source: GT-400 manual (servo filter); public header for TPid. Tested by
+// tests/motion/control_test.cc.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+
+#include "motion/sizes.h"
+
+namespace oncard::motion {
+
+inline constexpr size_t kPidSetCount = 3;
+/// Largest exponent of GT_SetKvffFilter (assumption).
+inline constexpr int16_t kKvffFilterMax = 8;
+
+/// What an exceeded following error limit does besides bit 4 of the status word. Assumption: the
+/// drive is switched off and the profiles stop abruptly; false: the bit is all.
+inline constexpr bool kFollowingErrorStops = true;
+
+/// TPid and GT_SetKvffFilter. Assumption: after reset all gains are 0 and all limits 32767, as the
+/// GE manual has them.
+struct PidSet {
+  double kp = 0;
+  double ki = 0;
+  double kd = 0;
+  double kvff = 0;
+  double kaff = 0;
+  int32_t integral_limit = 32767;
+  int32_t derivative_limit = 32767;
+  int16_t limit = 32767;
+  /// The fed-forward velocity takes a 2^n-th of its difference in each sub-step (assumption).
+  int16_t kvff_filter = 0;
+  double kvff_acc_max = 0;  ///< pulse/ms^2 by which it changes at most; 0: no limit (assumption)
+
+  auto Fields() const {
+    return std::tie(kp, ki, kd, kvff, kaff, integral_limit, derivative_limit, limit, kvff_filter,
+                    kvff_acc_max);
+  }
+};
+
+/// GT_SetEncResponseCheck: a voltage without motion means a broken encoder. Assumption: the time
+/// counts steps of 250 us, and the reaction is that of the following error.
+struct ResponseCheck {
+  bool on = false;
+  int16_t threshold = 0;    ///< DAC units
+  double min_velocity = 0;  ///< pulse/ms
+  int32_t time = 0;         ///< steps of 250 us
+  bool silent = false;
+  Micros silent_since = 0;
+
+  auto Fields() const { return std::tie(on, threshold, min_velocity, time, silent, silent_since); }
+};
+
+struct Control {
+  // Configuration.
+  bool active = true;   ///< an inactive controller watches no following error
+  int8_t axis = -1;     ///< whose positions it compares, from 0; -1: none
+  int8_t encoder = -1;  ///< the encoder that its motor turns, from 0; -1: none
+  bool closed = false;  ///< it commands the drive through a DAC
+
+  // Registers.
+  std::array<PidSet, kPidSetCount> sets;
+  uint8_t selected = 0;
+  int64_t error_limit = 32767;  ///< GT_SetPosErr, pulses
+  ResponseCheck check;
+
+  // State.
+  double reference = 0;  ///< commanded position at the last tick
+  double sum = 0;
+  double error_before = 0;
+  double feed = 0;  ///< the fed-forward velocity, pulse/ms
+
+  const PidSet& pid() const { return sets[selected]; }
+  /// Forgets what has summed up; the drive has just been enabled at `position`.
+  void Begin(double position);
+  /// One servo sub-step; the output within the set's limit.
+  double Advance(double error, double velocity, double acceleration);
+
+  auto Fields() const {
+    return std::tie(active, axis, encoder, closed, sets, selected, error_limit, check, reference,
+                    sum, error_before, feed);
+  }
+};
+
+/// Controller `number` (from 0) after reset: axis and encoder of the same number, not closed.
+Control DefaultControl(int number);
+
+}  // namespace oncard::motion
