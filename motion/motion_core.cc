@@ -70,22 +70,79 @@ int64_t MotionCore::Clock125us() const {
 // --- Steps of a tick ---------------------------------------------------------------------------
 
 void MotionCore::AdvanceProfiles() {
-  for (size_t i = 0; i < axis_count(); ++i) state_.profiles[i].Advance(now());
+  bool crd_slaves = false;
+  for (size_t i = 0; i < axis_count(); ++i) {
+    if (FollowsCrd(state_.profiles[i])) {
+      crd_slaves = true;
+    } else {
+      AdvanceProfile(i);
+    }
+  }
+  if (!crd_slaves) return;
+  for (size_t i = 0; i < axis_count(); ++i) {
+    if (FollowsCrd(state_.profiles[i])) AdvanceProfile(i);
+  }
+}
+
+void MotionCore::AdvanceProfile(size_t index) {
+  Profile& profile = state_.profiles[index];
+  if (const Master* master = profile.FollowedMaster(); master != nullptr) {
+    profile.AdvanceSlave(ReadMaster(*master));
+  } else {
+    profile.Advance(now());
+  }
+}
+
+bool MotionCore::FollowsCrd(const Profile& profile) const {
+  const Master* master = profile.FollowedMaster();
+  if (master == nullptr || master->type == MasterType::kEncoder) return false;
+  if (master->type == MasterType::kAxis && master->encoder_side) return false;
+  const uint32_t profiles = master->type == MasterType::kProfile
+                                ? uint32_t{1} << master->index
+                                : state_.axes[master->index].profile_map;
+  bool found = false;
+  ForEachBit(profiles, axis_count(),
+             [&](size_t i) { found = found || state_.profiles[i].mode == ProfileMode::kCrd; });
+  return found;
+}
+
+MasterValue MotionCore::ReadMaster(const Master& master) const {
+  switch (master.type) {
+    case MasterType::kEncoder: {
+      const Encoder& encoder = state_.encoders[master.index];
+      return {encoder.position, encoder.velocity, encoder.acceleration};
+    }
+    case MasterType::kProfile: {
+      const Sample& sample = state_.profiles[master.index].now;
+      return {sample.position, sample.velocity, sample.acceleration};
+    }
+    case MasterType::kAxis:
+      break;
+  }
+  const Axis& axis = state_.axes[master.index];
+  if (!master.encoder_side) return PlannedAxis(axis);
+  return {axis.encoder.position, axis.encoder.velocity, axis.encoder.acceleration};
+}
+
+MasterValue MotionCore::PlannedAxis(const Axis& axis) const {
+  MasterValue sum;
+  ForEachBit(axis.profile_map, axis_count(), [&](size_t profile) {
+    const Sample& sample = state_.profiles[profile].now;
+    sum.position += sample.position;
+    sum.velocity += sample.velocity;
+    sum.acceleration += sample.acceleration;
+  });
+  return {axis.profile_scale.Apply(sum.position) + axis.profile.offset,
+          axis.profile_scale.Apply(sum.velocity), axis.profile_scale.Apply(sum.acceleration)};
 }
 
 void MotionCore::MapProfiles() {
   for (size_t i = 0; i < axis_count(); ++i) {
     Axis& axis = state_.axes[i];
-    Sample sum;
-    ForEachBit(axis.profile_map, axis_count(), [&](size_t profile) {
-      const Sample& sample = state_.profiles[profile].now;
-      sum.position += sample.position;
-      sum.velocity += sample.velocity;
-      sum.acceleration += sample.acceleration;
-    });
-    axis.profile.position = axis.profile_scale.Apply(sum.position) + axis.profile.offset;
-    axis.profile.velocity = axis.profile_scale.Apply(sum.velocity);
-    axis.profile.acceleration = axis.profile_scale.Apply(sum.acceleration);
+    const MasterValue planned = PlannedAxis(axis);
+    axis.profile.position = planned.position;
+    axis.profile.velocity = planned.velocity;
+    axis.profile.acceleration = planned.acceleration;
     axis.profile.filter.Add(axis.profile.velocity);
   }
 }

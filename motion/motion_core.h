@@ -111,6 +111,8 @@ class MotionCore {
   bool AxisMoving(const Axis& axis) const;
   /// Begins the run of a profile in an independent mode (GT_Update).
   void StartProfile(size_t profile) { state_.profiles[profile].Start(now()); }
+  /// A master now, for a slave that starts or follows.
+  MasterValue ReadMaster(const Master& master) const;
   /// Level of an input as GT_GetDi reads it; false for none.
   bool InputActive(const InputChoice& input) const;
   /// Latched bits whose cause has gone are cleared (GT_ClrSts).
@@ -156,6 +158,9 @@ class MotionCore {
  private:
   void ApplyWorldEvents();
   void AdvanceProfiles();
+  void AdvanceProfile(size_t index);
+  /// A slave whose master is planned by a coordinate system.
+  bool FollowsCrd(const Profile& profile) const;
   void MapProfiles();
   void GuardAxis(size_t index);
   void AdvanceMachine();
@@ -171,6 +176,8 @@ class MotionCore {
   /// The controlled encoder has been silent for too long while its motor was driven.
   bool EncoderSilent(Control& control);
 
+  /// What the profiles of an axis make of it now.
+  MasterValue PlannedAxis(const Axis& axis) const;
   /// The mapped sum of an axis' profiles or encoders, without the offset.
   double MappedProfiles(const Axis& axis) const;
   double MappedEncoders(const Axis& axis) const;

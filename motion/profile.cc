@@ -13,6 +13,25 @@ void Profile::Start(Micros instant) {
   }
 }
 
+void Profile::StartGear(const MasterValue& master) {
+  stopping = false;
+  gear.Start(now, master);
+  now.moving = true;
+}
+
+void Profile::StartFollow(uint8_t fifo, const MasterValue& master) {
+  stopping = false;
+  follow.Start(fifo, now, master);
+  now.moving = true;
+}
+
+const Master* Profile::FollowedMaster() const {
+  if (!now.moving || stopping) return nullptr;
+  if (mode == ProfileMode::kGear) return &gear.master;
+  if (mode == ProfileMode::kFollow) return &follow.master;
+  return nullptr;
+}
+
 void Profile::Stop(Micros instant, double deceleration) {
   if (!now.moving) return;
   if (stopping && deceleration <= stop_deceleration) return;
@@ -36,7 +55,13 @@ void Profile::Advance(Micros instant) {
   now = SampleMode(instant);
 }
 
+void Profile::AdvanceSlave(const MasterValue& master) {
+  now = mode == ProfileMode::kGear ? gear.At(now, master) : follow.At(now, master);
+}
+
 void Profile::HaltMode() {
+  gear.Halt();
+  follow.Halt();
   trap.Halt();
   jog.Halt();
 }

@@ -9,7 +9,10 @@
 #include <cstdint>
 #include <tuple>
 
+#include "motion/follow_mode.h"
+#include "motion/gear_mode.h"
 #include "motion/jog_mode.h"
+#include "motion/master.h"
 #include "motion/plan.h"
 #include "motion/sample.h"
 #include "motion/sizes.h"
@@ -33,6 +36,8 @@ struct Profile {
 
   TrapMode trap;
   JogMode jog;
+  GearMode gear;
+  FollowMode follow;
 
   /// A stop under way: it replaces the mode's run.
   bool stopping = false;
@@ -42,17 +47,24 @@ struct Profile {
 
   /// Begins the run of an independent mode (Trap, Jog) with its registers.
   void Start(Micros instant);
+  /// Begins to follow the master of Gear, or of Follow with one of its FIFOs.
+  void StartGear(const MasterValue& master);
+  void StartFollow(uint8_t fifo, const MasterValue& master);
+  /// The master of the mode's run; nullptr when it has none.
+  const Master* FollowedMaster() const;
   /// Decelerates to rest; an own stop under way is only replaced by a faster one. Resting profiles
   /// stay as they are.
   void Stop(Micros instant, double deceleration);
   /// The output at `instant`: of the stop, or of the mode's run.
   void Advance(Micros instant);
+  /// The same of a profile with a FollowedMaster().
+  void AdvanceSlave(const MasterValue& master);
   /// Sets the position of a profile at rest.
   void SetPosition(double position) { now = AtRest(position); }
 
   auto Fields() const {
-    return std::tie(mode, now, smooth_stop, abrupt_stop, trap, jog, stopping, stop_deceleration,
-                    stop_begin, stop_plan);
+    return std::tie(mode, now, smooth_stop, abrupt_stop, trap, jog, gear, follow, stopping,
+                    stop_deceleration, stop_begin, stop_plan);
   }
 
  private:

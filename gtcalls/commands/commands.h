@@ -37,6 +37,8 @@ std::span<const CommandEntry> PlcWordCommands();
 std::span<const CommandEntry> AxisCommands();
 std::span<const CommandEntry> PositionCommands();
 std::span<const CommandEntry> TrapCommands();
+std::span<const CommandEntry> GearCommands();
+std::span<const CommandEntry> FollowCommands();
 
 /// The thread is in the middle of its function, or will be started again by its period.
 bool IsActive(const vm::ThreadState& thread);

@@ -89,6 +89,42 @@ int16_t CheckMayStart(Call& call, size_t profile, double direction) {
   return vm::kOk;
 }
 
+int16_t CheckDirection(Call& call, ProfileMode mode, int present, int wanted) {
+  if (ProfileOf(call).mode != mode || present == wanted) return vm::kOk;
+  return call.Refuse(
+      vm::kRefused,
+      MakeMessage("profile {0} is in mode {1} with direction {2}: choose another mode "
+                  "before another direction",
+                  "规划器 {0} 已处于 {1} 模式，方向为 {2}：改变方向前请先切换到其它模式",
+                  NumberOf(call) + 1, ModeName(mode), present));
+}
+
+std::optional<motion::Master> ReadMasterArguments(Call& call) {
+  motion::Master master;
+  const int index = call.integer(1);
+  master.chosen = true;
+  master.type = static_cast<motion::MasterType>(call.integer(2));
+  master.encoder_side = call.integer(3) != 0;
+  const int last = call.card.motion.config().axis_count;
+  if (index < 1 || index > last) {
+    call.reason = MakeMessage("masterIndex is {0}; this card has 1 to {1}",
+                              "masterIndex 为 {0}；本控制卡的编号为 1 到 {1}", index, last);
+    return std::nullopt;
+  }
+  master.index = static_cast<uint8_t>(index - 1);
+  if (master.type == motion::MasterType::kProfile && master.index == NumberOf(call)) {
+    call.reason = MakeMessage("profile {0} cannot follow itself", "规划器 {0} 不能跟随自身", index);
+    return std::nullopt;
+  }
+  return master;
+}
+
+void SetMasterOutputs(const Call& call, const motion::Master& master) {
+  call.Set(1, master.chosen ? master.index + 1 : 0);
+  call.Set(2, static_cast<int>(master.type));
+  call.Set(3, master.encoder_side ? 1 : 0);
+}
+
 std::vector<size_t> SelectedProfiles(Call& call) {
   std::vector<size_t> selected;
   const uint32_t mask = BitWord(call.value(0));

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -41,6 +42,16 @@ int16_t ChooseMode(Call& call, size_t profile, motion::ProfileMode mode);
 /// 0, or 1 with the reason when an axis of the profile may not start to move in `direction` (its
 /// sign; 0: not known): a stop input or alarm is latched, or the limit in that direction is.
 int16_t CheckMayStart(Call& call, size_t profile, double direction);
+
+/// GT_PrfGear, GT_PrfFollow: 1 with the reason when the profile is in `mode` with another
+/// direction.
+int16_t CheckDirection(Call& call, motion::ProfileMode mode, int present, int wanted);
+
+/// Arguments 1 to 3 of GT_SetGearMaster and GT_SetFollowMaster. Empty, with the reason recorded,
+/// when the card has no such master or it is the slave itself: refuse with 7.
+std::optional<motion::Master> ReadMasterArguments(Call& call);
+/// The same as outputs of GT_GetGearMaster and GT_GetFollowMaster; index 0: none has been set.
+void SetMasterOutputs(const Call& call, const motion::Master& master);
 
 /// The profiles that argument 0, a mask, selects; those the card does not have are left out. Empty,
 /// with the reason recorded, when none is selected: refuse with 1.

@@ -54,6 +54,15 @@ class CommandTestCard {
     return Call(*FindCommand(name), arguments, caller);
   }
 
+  /// Calls a command as the host does and expects its code; refused, it must have changed nothing.
+  void Expect(int16_t code, std::string_view name, const std::vector<Argument>& arguments = {}) {
+    const uint64_t before = Hash();
+    EXPECT_EQ(Call(name, arguments), code) << name << ": " << reason.en;
+    if (code != 0) {
+      EXPECT_EQ(Hash(), before) << name << " was refused and changed something";
+    }
+  }
+
   /// Links an object and makes it the program.
   void Load(const vm::Object& object) {
     auto image = vm::LinkObject(object, commands);

@@ -1,0 +1,53 @@
+// What a slave profile (Gear, Follow) takes its motion from.
+// Source: GTS manual 7.5, 7.6.
+#pragma once
+
+#include <cstdint>
+#include <tuple>
+
+namespace oncard::motion {
+
+/// Numbered as GEAR_MASTER_ENCODER ... GEAR_MASTER_AXIS and FOLLOW_MASTER_...
+enum class MasterType : uint8_t { kEncoder = 1, kProfile = 2, kAxis = 3 };
+
+struct Master {
+  bool chosen = false;  ///< a master has been set
+  MasterType type = MasterType::kProfile;
+  uint8_t index = 0;          ///< from 0
+  bool encoder_side = false;  ///< of an axis: its encoder position instead of its planned one
+
+  auto Fields() const { return std::tie(chosen, type, index, encoder_side); }
+  bool operator==(const Master&) const = default;
+};
+
+/// A master at an instant; pulse, pulse/ms, pulse/ms^2.
+struct MasterValue {
+  double position = 0;
+  double velocity = 0;
+  double acceleration = 0;
+};
+
+/// How far a master has come, in the directions that a slave follows: 0 both, 1 and -1 one of them.
+/// Motion the other way is not counted.
+struct MasterTravel {
+  int8_t direction = 0;
+  double last = 0;    ///< the master's position when it was read last
+  double travel = 0;  ///< pulses, signed, since Restart()
+
+  /// Counts from a position of the master on.
+  void Restart(double position) {
+    last = position;
+    travel = 0;
+  }
+  void MoveTo(double position) {
+    const double step = position - last;
+    if (step * direction >= 0) travel += step;
+    last = position;
+  }
+  /// True when motion at this velocity is counted.
+  bool Counts(double velocity) const { return velocity * direction >= 0; }
+
+  auto Fields() const { return std::tie(direction, last, travel); }
+};
+
+}  // namespace oncard::motion

@@ -1,0 +1,188 @@
+// Electronic gear (motion/gear_mode.h): the clutch, ratio changes, directions, events, and the
+// order of master and slave within a cycle.
+#include "motion/gear_mode.h"
+
+#include <gtest/gtest.h>
+
+#include "motion/motion_core.h"
+
+namespace oncard::motion {
+namespace {
+
+constexpr size_t kMaster = 0;
+constexpr size_t kSlave = 1;
+
+class GearTest : public ::testing::Test {
+ protected:
+  explicit GearTest(int64_t cycle_us = 250) : core_({.axis_count = 8, .cycle_us = cycle_us}) {}
+
+  Profile& profile(size_t index) { return core_.state().profiles[index]; }
+
+  void Jog(size_t index, double acc, double velocity) {
+    profile(index).mode = ProfileMode::kJog;
+    profile(index).jog.parameters = {acc, acc, 0};
+    profile(index).jog.velocity = velocity;
+    core_.StartProfile(index);
+  }
+  void Gear(size_t slave, size_t master, int32_t master_even, int32_t slave_even, int32_t slope,
+            int8_t direction = 0) {
+    GearMode& gear = profile(slave).gear;
+    profile(slave).mode = ProfileMode::kGear;
+    gear.direction = direction;
+    gear.master = {true, MasterType::kProfile, static_cast<uint8_t>(master), false};
+    gear.master_even = master_even;
+    gear.slave_even = slave_even;
+    gear.slope = slope;
+    profile(slave).StartGear(core_.ReadMaster(gear.master));
+  }
+  void RunTo(double ms) {
+    while (core_.now() < static_cast<Micros>(ms * 1000)) core_.Tick();
+  }
+  const Sample& Slave() { return profile(kSlave).now; }
+
+  MotionCore core_;
+};
+
+// Manual example 7-5: master acc 1 to 100; ratio 2:1 over 100000 pulses of the master.
+TEST_F(GearTest, ClutchIsLinearInTheMastersDisplacement) {
+  Jog(kMaster, 1, 100);
+  Gear(kSlave, kMaster, 2, 1, 100000);
+  RunTo(100);
+  // x = 5000: s = 0.5 / 100000 * x^2 / 2.
+  EXPECT_DOUBLE_EQ(Slave().position, 0.25e-5 * 5000 * 5000);
+  RunTo(1050);
+  EXPECT_NEAR(Slave().position, 25000, 1e-6);
+  EXPECT_NEAR(Slave().velocity, 50, 1e-9);
+  RunTo(1060);
+  EXPECT_NEAR(Slave().position, 25500, 1e-6);
+  EXPECT_DOUBLE_EQ(Slave().velocity, 50);
+}
+
+TEST_F(GearTest, WithoutAClutchTheRatioHoldsAtOnce) {
+  Jog(kMaster, 1, 10);
+  RunTo(20);
+  Gear(kSlave, kMaster, 4, 3, 0);
+  const double begin = profile(kMaster).now.position;
+  RunTo(50);
+  EXPECT_DOUBLE_EQ(Slave().position, (profile(kMaster).now.position - begin) * 0.75);
+  EXPECT_DOUBLE_EQ(Slave().velocity, 7.5);
+}
+
+TEST_F(GearTest, ARatioChangedInMotionStartsANewClutch) {
+  Jog(kMaster, 10, 10);
+  Gear(kSlave, kMaster, 4, 3, 0);
+  RunTo(100);
+  const double before = Slave().position;
+  GearMode& gear = profile(kSlave).gear;
+  gear.master_even = 2;
+  gear.slave_even = 1;
+  gear.slope = 100;
+  gear.ChangeRatio(Slave());
+  RunTo(110);  // 100 pulses of the master: the whole clutch, at the mean ratio
+  EXPECT_NEAR(Slave().position, before + 62.5, 1e-9);
+  EXPECT_DOUBLE_EQ(Slave().velocity, 5);
+}
+
+TEST_F(GearTest, AMasterThatTurnsBackInTheClutchTakesTheRatioBack) {
+  Jog(kMaster, 10, 10);
+  Gear(kSlave, kMaster, 1, 1, 1000);
+  RunTo(51);
+  Jog(kMaster, 10, -10);
+  RunTo(52);
+  while (profile(kMaster).now.position > 0) core_.Tick();
+  EXPECT_NEAR(Slave().position, 0, 1e-2);
+}
+
+TEST_F(GearTest, ADirectionFollowsOnlyOneWay) {
+  Jog(kMaster, 10, 10);
+  Gear(kSlave, kMaster, 1, 1, 0, -1);
+  RunTo(50);
+  EXPECT_EQ(Slave().position, 0);
+  EXPECT_EQ(Slave().velocity, 0);
+  Jog(kMaster, 10, -10);
+  RunTo(100);
+  EXPECT_LT(Slave().position, -450);
+  EXPECT_DOUBLE_EQ(Slave().velocity, -10);
+}
+
+TEST_F(GearTest, TheSlaveMovesWhileTheMasterRests) {
+  Gear(kSlave, kMaster, 1, 1, 0);
+  core_.Tick();
+  EXPECT_TRUE(Slave().moving);
+}
+
+TEST_F(GearTest, AStopLeavesTheGear) {
+  Jog(kMaster, 10, 10);
+  Gear(kSlave, kMaster, 1, 1, 0);
+  RunTo(50);
+  core_.StopProfile(kSlave, true);
+  RunTo(60);
+  EXPECT_FALSE(Slave().moving);
+  const double stopped = Slave().position;
+  RunTo(70);
+  EXPECT_EQ(Slave().position, stopped);
+}
+
+TEST_F(GearTest, HigherSlavesHaveNoLagLowerOnesOneCycle) {
+  Jog(3, 10, 10);
+  RunTo(10);
+  const double begin = profile(3).now.position;
+  Gear(5, 3, 1, 1, 0);
+  Gear(0, 3, 1, 1, 0);
+  RunTo(20);
+  EXPECT_DOUBLE_EQ(profile(5).now.position, profile(3).now.position - begin);
+  EXPECT_DOUBLE_EQ(profile(0).now.position, profile(3).now.position - begin - 2.5);
+}
+
+TEST_F(GearTest, PassEventStartsExactlyAtThePosition) {
+  GearMode& gear = profile(kSlave).gear;
+  gear.event = GearEvent::kPass;
+  gear.event_first = 101;
+  Jog(kMaster, 10, 10);
+  Gear(kSlave, kMaster, 1, 1, 0);
+  RunTo(5);
+  EXPECT_EQ(Slave().position, 0);
+  RunTo(50);
+  EXPECT_NEAR(Slave().position, profile(kMaster).now.position - 101, 1e-9);
+}
+
+TEST_F(GearTest, AreaEventStartsAtTheAreasEdge) {
+  GearMode& gear = profile(kSlave).gear;
+  gear.event = GearEvent::kArea;
+  gear.event_first = 300;
+  gear.event_last = 200;
+  Jog(kMaster, 10, 10);
+  Gear(kSlave, kMaster, 1, 1, 0);
+  RunTo(50);
+  EXPECT_NEAR(Slave().position, profile(kMaster).now.position - 200, 1e-9);
+}
+
+TEST_F(GearTest, AnEncoderIsReadAsOfTheCycleBefore) {
+  core_.ServoOn(kMaster);
+  Jog(kMaster, 10, 10);
+  GearMode& gear = profile(kSlave).gear;
+  profile(kSlave).mode = ProfileMode::kGear;
+  gear.master = {true, MasterType::kEncoder, kMaster, false};
+  profile(kSlave).StartGear(core_.ReadMaster(gear.master));
+  RunTo(100);
+  const double before = core_.state().encoders[kMaster].position;
+  core_.Tick();
+  EXPECT_EQ(Slave().position, before);
+}
+
+class GearCycleTest : public GearTest, public ::testing::WithParamInterface<int64_t> {
+ protected:
+  GearCycleTest() : GearTest(GetParam()) {}
+};
+
+TEST_P(GearCycleTest, ValuesDoNotDependOnTheCycle) {
+  Jog(kMaster, 1, 100);
+  Gear(kSlave, kMaster, 2, 1, 100000);
+  RunTo(600);
+  // x = 5000 + 500 * 100.
+  EXPECT_NEAR(Slave().position, 0.25e-5 * 55000.0 * 55000.0, 1e-6);
+}
+INSTANTIATE_TEST_SUITE_P(Cycles, GearCycleTest, ::testing::Values(125, 250, 500, 1000, 2000, 4000));
+
+}  // namespace
+}  // namespace oncard::motion
