@@ -34,13 +34,17 @@ Result<ClockSetting> ParseClockSetting(std::string_view text) {
                    text);
 }
 
-CardClock::CardClock(const ClockSetting& setting, WallClock wall_clock)
-    : setting_(setting), wall_clock_(std::move(wall_clock)) {
-  if (setting_.kind == ClockKind::kReal) last_ns_ = wall_clock_();
+CardClock::CardClock(const ClockSetting& setting, WallClock wall_clock, VirtualTime& virtual_time)
+    : setting_(setting), wall_clock_(std::move(wall_clock)), virtual_time_(virtual_time) {
+  last_ns_ = setting_.kind == ClockKind::kReal ? wall_clock_() : virtual_time_.NowNs();
 }
 
 int64_t CardClock::TakeUs(int64_t cost_us) {
-  if (setting_.kind == ClockKind::kVirtual) return cost_us;
+  if (setting_.kind == ClockKind::kVirtual) {
+    const int64_t passed_us = (virtual_time_.Pass(cost_us * 1000) - last_ns_) / 1000;
+    last_ns_ += passed_us * 1000;
+    return passed_us;
+  }
   const int64_t now_ns = wall_clock_();
   const double elapsed_us =
       fraction_us_ + static_cast<double>(now_ns - last_ns_) * setting_.scale / 1000;

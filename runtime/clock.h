@@ -1,12 +1,13 @@
-// How a card's virtual time follows its host. With the virtual clock a host call takes what the
-// manual says it costs and nothing else lets time pass: the same host program gives the same run
-// every time. With the real-time clock the card's time follows the wall clock, optionally scaled.
+// How a card's time follows its host. With the virtual clock it follows the process's virtual time
+// (virtual_time.h), in which a host call takes what the manual says it costs: the same host program
+// gives the same run every time. With the real-time clock it follows the wall clock, optionally
+// scaled.
 //
-// The real-time clock catches up when the host calls: what the card does between two calls cannot
-// be observed before the second one, so no thread of its own is needed. Gaps are bounded by
-// kCatchUpLimitUs, so that a call after a night's pause returns soon, and a computer that is too
-// slow for the scale falls behind instead of having more to catch up with at every call.
-// Tested by tests/runtime/clock_test.cc.
+// Either way the card catches up when the host calls: what it does between two calls cannot be
+// observed before the second one, so no thread of its own is needed. Gaps of the real-time clock
+// are bounded by kCatchUpLimitUs, so that a call after a night's pause returns soon, and a computer
+// that is too slow for the scale falls behind instead of having more to catch up with at every
+// call. Tested by tests/runtime/clock_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +15,7 @@
 #include <string_view>
 
 #include "base/result.h"
+#include "runtime/virtual_time.h"
 
 namespace oncard::runtime {
 
@@ -47,10 +49,13 @@ class CardClock {
   /// Nanoseconds of a clock that never goes back.
   using WallClock = std::function<int64_t()>;
 
-  /// `wall_clock` is asked only by the real-time clock; tests replace it.
-  explicit CardClock(const ClockSetting& setting, WallClock wall_clock = SteadyNanoseconds);
+  /// `wall_clock` is asked only by the real-time clock, `virtual_time` only by the virtual one;
+  /// tests replace them.
+  explicit CardClock(const ClockSetting& setting, WallClock wall_clock = SteadyNanoseconds,
+                     VirtualTime& virtual_time = VirtualTime::OfProcess());
 
-  /// How many microseconds of the card's time pass before a host call that costs `cost_us`.
+  /// How many microseconds of the card's time pass before a host call that costs `cost_us`: all
+  /// that have passed since the last call, or the opening.
   int64_t TakeUs(int64_t cost_us);
 
   /// To be called when the card has gone through the time that TakeUs() gave. If that took longer
@@ -63,6 +68,7 @@ class CardClock {
  private:
   ClockSetting setting_;
   WallClock wall_clock_;
+  VirtualTime& virtual_time_;
   int64_t last_ns_ = 0;
   double fraction_us_ = 0;  // part of a microsecond not given out yet
   int64_t taken_us_ = 0;    // what TakeUs() gave last

@@ -30,11 +30,26 @@ TEST(ClockSettingTest, RefusesEverythingElseAsAFailedOpen) {
   }
 }
 
-TEST(CardClockTest, VirtualTimeIsTheCostOfTheCall) {
-  CardClock clock({ClockKind::kVirtual, 1}, [] { return int64_t{0}; });
+TEST(CardClockTest, VirtualTimeIsTheCostOfTheCallsAndWhatTheHostLetPass) {
+  VirtualTime time;
+  time.Pass(7'000'000);  // before the card is opened
+  CardClock clock({ClockKind::kVirtual, 1}, CardClock::SteadyNanoseconds, time);
   EXPECT_EQ(clock.TakeUs(50), 50);
   EXPECT_EQ(clock.TakeUs(1000), 1000);
   EXPECT_EQ(clock.TakeUs(0), 0);
+  time.Pass(2'000'700);
+  EXPECT_EQ(clock.TakeUs(50), 2050);
+  time.Pass(300);  // with the 700 ns that were left, a microsecond
+  EXPECT_EQ(clock.TakeUs(0), 1);
+}
+
+TEST(CardClockTest, CardsShareTheVirtualTime) {
+  VirtualTime time;
+  CardClock first({ClockKind::kVirtual, 1}, CardClock::SteadyNanoseconds, time);
+  CardClock second({ClockKind::kVirtual, 1}, CardClock::SteadyNanoseconds, time);
+  EXPECT_EQ(first.TakeUs(1000), 1000);
+  EXPECT_EQ(second.TakeUs(50), 1050);
+  EXPECT_EQ(first.TakeUs(50), 100);
 }
 
 TEST(CardClockTest, RealTimeIsWhatPassedOnTheWallWhateverTheCost) {

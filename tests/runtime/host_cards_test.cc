@@ -37,12 +37,15 @@ TEST_F(Cards, EachHasItsOwnState) {
   }
 }
 
-TEST_F(Cards, EachHasItsOwnTime) {
+TEST_F(Cards, TimePassesForAllOfThemAndEachCountsFromItsReset) {
   unsigned long clock = 0;
   for (int call = 0; call < 100; ++call) ASSERT_EQ(GT_GetClockHighPrecision(3, &clock), 0);
   EXPECT_EQ(clock, 40u);  // 100 * 50 us
   ASSERT_EQ(GT_GetClockHighPrecision(4, &clock), 0);
-  EXPECT_EQ(clock, 0u);
+  EXPECT_EQ(clock, 40u);
+  ASSERT_EQ(GT_Reset(5), 0);
+  for (int call = 0; call < 5; ++call) ASSERT_EQ(GT_GetClockHighPrecision(5, &clock), 0);
+  EXPECT_EQ(clock, 2u);
 }
 
 TEST_F(Cards, ClosingAndResettingOneLeavesTheOthers) {

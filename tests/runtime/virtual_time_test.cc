@@ -1,0 +1,112 @@
+#include "runtime/virtual_time.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace oncard::runtime {
+namespace {
+
+constexpr int64_t kMs = 1'000'000;
+
+TEST(VirtualTimeTest, PassesWithWhatIsDone) {
+  VirtualTime time;
+  EXPECT_EQ(time.NowNs(), 0);
+  EXPECT_EQ(time.Pass(50), 50);
+  EXPECT_EQ(time.Pass(7), 57);
+  EXPECT_EQ(time.NowNs(), 57);
+}
+
+TEST(VirtualTimeTest, JumpsToTheEndOfALonelySleep) {
+  VirtualTime time;
+  time.SleepUntil(10'000 * kMs);
+  EXPECT_EQ(time.NowNs(), 10'000 * kMs);
+  time.SleepUntil(9'000 * kMs);  // that moment has gone
+  EXPECT_EQ(time.NowNs(), 10'000 * kMs);
+}
+
+TEST(VirtualTimeTest, SleepersWakeInTheOrderOfTheirMoments) {
+  VirtualTime time;
+  std::mutex mutex;
+  std::vector<std::string> order;
+  const auto sleep = [&](const char* name, std::vector<int64_t> moments) {
+    for (const int64_t moment : moments) {
+      time.SleepUntil(moment * kMs);
+      const std::lock_guard lock(mutex);
+      order.push_back(name + std::to_string(time.NowNs() / kMs));
+    }
+  };
+  // This thread waits in join() and the three take turns.
+  std::thread a(sleep, "a", std::vector<int64_t>{10, 40, 50});
+  std::thread b(sleep, "b", std::vector<int64_t>{20, 30, 80});
+  std::thread c(sleep, "c", std::vector<int64_t>{25, 60, 70});
+  a.join();
+  b.join();
+  c.join();
+  EXPECT_EQ(order, (std::vector<std::string>{"a10", "b20", "c25", "b30", "a40", "a50", "c60", "c70",
+                                             "b80"}));
+}
+
+TEST(VirtualTimeTest, DoesNotJumpWhileAThreadWorks) {
+  std::atomic<bool> waits = false;
+  VirtualTime time([&] { return waits.load(); });
+  std::thread sleeper([&] { time.SleepUntil(100 * kMs); });
+  for (int step = 0; step < 50; ++step) {
+    EXPECT_EQ(time.Pass(kMs), (step + 1) * kMs);
+    std::this_thread::yield();
+  }
+  EXPECT_EQ(time.NowNs(), 50 * kMs);
+  waits = true;
+  sleeper.join();
+  EXPECT_EQ(time.NowNs(), 100 * kMs);
+}
+
+TEST(VirtualTimeTest, DoesNotRunPastASleeper) {
+  VirtualTime time([] { return false; });
+  std::vector<int64_t> woken;
+  std::atomic<bool> ready = false;
+  std::thread sleeper([&] {
+    ready = true;
+    for (int64_t moment = 10; moment <= 50; moment += 10) {
+      time.SleepUntil(moment * kMs);
+      woken.push_back(time.NowNs() / kMs);
+    }
+  });
+  while (!ready) std::this_thread::yield();
+  while (time.NowNs() < 60 * kMs) time.Pass(kMs / 10);
+  sleeper.join();
+  // Whoever lets time pass goes on together with the sleeper that it woke, hence the tolerance.
+  ASSERT_EQ(woken.size(), 5u);
+  for (size_t i = 0; i < woken.size(); ++i) {
+    EXPECT_GE(woken[i], static_cast<int64_t>(10 * (i + 1)));
+  }
+}
+
+TEST(VirtualTimeTest, SeesWhetherOtherThreadsWait) {
+  std::atomic<bool> work = true;
+  std::atomic<bool> working = false;
+  std::mutex mutex;
+  mutex.lock();
+  std::thread worker([&] {
+    working = true;
+    while (work) {
+    }
+    const std::lock_guard lock(mutex);
+  });
+  while (!working) std::this_thread::yield();
+  for (int look = 0; look < 100; ++look) EXPECT_FALSE(VirtualTime::OtherThreadsWait());
+  work = false;
+  int looks = 0;
+  while (!VirtualTime::OtherThreadsWait() && looks < 10'000'000) ++looks;
+  EXPECT_TRUE(VirtualTime::OtherThreadsWait());
+  mutex.unlock();
+  worker.join();
+  EXPECT_TRUE(VirtualTime::OtherThreadsWait());
+}
+
+}  // namespace
+}  // namespace oncard::runtime
