@@ -10,6 +10,7 @@
 #include "runtime/clock.h"
 #include "runtime/controller.h"
 #include "runtime/host_api.h"
+#include "runtime/host_scenario.h"
 #include "runtime/marshal.h"
 
 namespace oncard::runtime {
@@ -22,17 +23,26 @@ struct CardSlot {
   std::mutex mutex;
   std::unique_ptr<Controller> controller;  ///< nullptr while the card is not open
   std::optional<CardClock> clock;          ///< set while the card is open
+  std::optional<CardWatch> watch;          ///< set while the card is open and there is a scenario
   /// What GT_GetFunId and GT_GetVarId answer while there is no program: why GT_Download failed, or
   /// 1 when it has not been called.
   int16_t no_program_code = 1;
   /// The text whose address GT_GetVersion gives out.
   std::array<char, kVersionLength + 1> version{};
   MarshalledCall call;  ///< arguments of the call in progress
+
+  /// Lets an open card catch up with the time of its host, after a call that costs `cost_us`.
+  void CatchUp(int64_t cost_us);
+  /// Closes the card if it is open.
+  void SwitchOff();
 };
 
 struct CardTable {
   std::array<CardSlot, kCardCount> slots;
   std::atomic<int> selected = 0;  ///< the card of the single-card header
+
+  /// The cards of this process.
+  static CardTable& OfProcess();
 };
 
 }  // namespace oncard::runtime

@@ -197,4 +197,12 @@ ExpectationResult Evaluate(const BoundExpectation& bound, const Controller& cont
   return result;
 }
 
+Message DescribeFailure(const BoundExpectation& bound, const ExpectationResult& outcome) {
+  if (bound.right) {
+    return MakeMessage("{0} is {1}, {2} is {3}", "{0} 为 {1}，{2} 为 {3}", bound.left.name,
+                       outcome.actual, bound.right->name, outcome.expected);
+  }
+  return MakeMessage("{0} is {1}", "{0} 为 {1}", bound.left.name, outcome.actual);
+}
+
 }  // namespace oncard::runtime

@@ -64,4 +64,7 @@ struct ExpectationResult {
 /// Evaluates it now.
 ExpectationResult Evaluate(const BoundExpectation& bound, const Controller& controller);
 
+/// The values of an expectation that does not hold, in words: `sum is 5, last is 6`.
+Message DescribeFailure(const BoundExpectation& bound, const ExpectationResult& outcome);
+
 }  // namespace oncard::runtime

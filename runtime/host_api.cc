@@ -12,17 +12,11 @@ namespace {
 /// Communication with a card that is not open (GTS manual table 3-1).
 constexpr int16_t kNotOpen = -1;
 
-CardTable& Cards() {
-  // Never destroyed: other threads of the host may still call while the process exits.
-  static CardTable& table = *new CardTable;
-  return table;
-}
-
 /// Executes a command whose arguments have been read. The card is locked.
 int16_t Dispatch(const gtcalls::Command& command, const HostService* service, CardSlot& slot,
                  std::span<vm::CommandArgument> arguments, Message* reason) {
   if (service == nullptr) return slot.controller->Execute(command, arguments, reason);
-  ServiceCall call{Cards(), slot, arguments, {}};
+  ServiceCall call{CardTable::OfProcess(), slot, arguments, {}};
   const int16_t code = service->function(call);
   *reason = std::move(call.reason);
   return code;
@@ -34,8 +28,7 @@ int16_t CallLockedCard(int card, CardSlot& slot, const gtcalls::Command& command
   const bool open = slot.controller != nullptr;
   int64_t time_us = 0;
   if (open) {
-    slot.controller->AdvanceUs(slot.clock->TakeUs(HostCostUs(command.cost)));
-    slot.clock->CaughtUp();
+    slot.CatchUp(HostCostUs(command.cost));
     time_us = slot.controller->NowUs();
   }
   const auto read =
@@ -62,7 +55,7 @@ int16_t CallLockedCard(int card, CardSlot& slot, const gtcalls::Command& command
 }  // namespace
 
 int16_t CallCard(int card, uint16_t number, std::span<const HostArgument> arguments) {
-  CardTable& table = Cards();
+  CardTable& table = CardTable::OfProcess();
   const int index = card == kSelectedCard ? table.selected.load() : card;
   if (index < 0 || index >= kCardCount) return vm::kBadParameter;
   CardSlot& slot = table.slots[static_cast<size_t>(index)];

@@ -10,6 +10,7 @@
 #include "compiler/compiler.h"
 #include "gts.h"
 #include "runtime/call_log.h"
+#include "runtime/scenario_world.h"
 #include "vm/object_writer.h"
 
 namespace oncard::runtime {
@@ -47,7 +48,15 @@ int16_t Open(ServiceCall& call) {
   const char* setting = std::getenv("ONCARD_CLOCK");
   const auto clock = ParseClockSetting(setting == nullptr ? "" : setting);
   if (!clock.ok()) return call.Refuse(kOpenFailed, clock.error().message);
-  slot.controller = std::make_unique<Controller>();
+  const auto scenario = ScenarioFromEnvironment();
+  if (!scenario.ok()) return call.Refuse(kOpenFailed, scenario.error().message);
+  if (scenario.value() == nullptr) {
+    slot.controller = std::make_unique<Controller>();
+  } else {
+    slot.controller = std::make_unique<Controller>(CardOptions(*scenario.value()));
+    ApplyWorld(*scenario.value(), slot.controller.get());
+    slot.watch.emplace(scenario.value(), CardNumber(call));
+  }
   slot.clock.emplace(clock.value());
   if (CallLog& log = CallLog::OfProcess(); log.enabled()) {
     slot.controller->LogRefusals(&log, CardNumber(call));
@@ -57,8 +66,7 @@ int16_t Open(ServiceCall& call) {
 }
 
 int16_t Close(ServiceCall& call) {
-  call.slot.controller.reset();
-  call.slot.clock.reset();
+  call.slot.SwitchOff();
   return vm::kOk;
 }
 

@@ -103,6 +103,14 @@ std::string FormatScenario(const Scenario& scenario) {
     for (const Expectation& expectation : scenario.expectations) texts.push_back(expectation.text);
     text += fmt::format("expect = {}\n", QuoteAll(texts));
   }
+  if (!scenario.keys.empty()) {
+    std::vector<std::string> presses;
+    for (const KeyPress& press : scenario.keys) {
+      presses.push_back(
+          fmt::format("{{ at_ms = {}, text = {} }}", FormatMs(press.at_us), Quote(press.text)));
+    }
+    text += fmt::format("keys = [{}]\n", fmt::join(presses, ", "));
+  }
   if (!scenario.globals.empty()) {
     text += "\n[globals]\n";
     for (const InitialValue& initial : scenario.globals) text += FormatValue(initial) + '\n';

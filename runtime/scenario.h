@@ -13,6 +13,7 @@
 #include "compiler/compiler.h"
 #include "motion/digital_io.h"
 #include "runtime/expectation.h"
+#include "runtime/key_script.h"
 #include "vm/fixed_point.h"
 
 namespace oncard::runtime {
@@ -82,6 +83,7 @@ struct Scenario {
   /// Names whose values over time a trace holds; empty: RunOptions::trace says which.
   std::vector<std::string> trace;
   std::vector<Expectation> expectations;
+  std::vector<KeyPress> keys;  ///< of a host program, in order of time
 };
 
 /// Reads TOML text. Errors start with `path:line:column`; an unknown key is one, and names the

@@ -230,15 +230,7 @@ class ScenarioRunner {
 
   void EvaluateNow(const BoundExpectation& bound) {
     const ExpectationResult outcome = Evaluate(bound, controller_);
-    if (outcome.holds) return;
-    if (bound.right) {
-      Fail(bound.expectation.text,
-           MakeMessage("{0} is {1}, {2} is {3}", "{0} 为 {1}，{2} 为 {3}", bound.left.name,
-                       outcome.actual, bound.right->name, outcome.expected));
-    } else {
-      Fail(bound.expectation.text,
-           MakeMessage("{0} is {1}", "{0} 为 {1}", bound.left.name, outcome.actual));
-    }
+    if (!outcome.holds) Fail(bound.expectation.text, DescribeFailure(bound, outcome));
   }
 
   void Fail(std::string expectation, Message message) {

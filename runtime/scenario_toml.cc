@@ -17,9 +17,10 @@
 namespace oncard::runtime {
 namespace {
 
-constexpr std::array<std::string_view, 15> kScenarioKeys = {
+constexpr std::array<std::string_view, 16> kScenarioKeys = {
     "program",  "title",   "include", "double", "schedule", "rate",  "cycle_us", "limit_ms",
-    "until_ms", "globals", "thread",  "world",  "host",     "trace", "expect"};
+    "until_ms", "globals", "thread",  "world",  "host",     "trace", "expect",   "keys"};
+constexpr std::array<std::string_view, 2> kKeyKeys = {"at_ms", "text"};
 constexpr std::array<std::string_view, 6> kThreadKeys = {"thread", "function",  "page",
                                                          "init",   "period_ms", "priority"};
 constexpr std::array<std::string_view, 2> kHostKeys = {"at_ms", "set"};
@@ -77,6 +78,9 @@ class ScenarioReader {
                      [](const HostEvent& a, const HostEvent& b) { return a.at_us < b.at_us; });
     Texts(table, "trace", scenario_.trace);
     ReadExpectations(table);
+    for (const toml::table* key : Tables(table, "keys")) ReadKeys(*key);
+    std::stable_sort(scenario_.keys.begin(), scenario_.keys.end(),
+                     [](const KeyPress& a, const KeyPress& b) { return a.at_us < b.at_us; });
   }
 
   void ReadDouble(const toml::table& table) {
@@ -158,6 +162,17 @@ class ScenarioReader {
                             "缺少“set”：要写入的变量，如 { go = 1 }"});
     }
     scenario_.host.push_back(std::move(event));
+  }
+
+  void ReadKeys(const toml::table& table) {
+    CheckKeys(table, kKeyKeys);
+    KeyPress press;
+    press.at_us = Time(table, "at_ms");
+    Text(table, "text", press.text);
+    if (press.text.empty()) {
+      Fail(table.source(), {"'text' is missing: the keys to press", "缺少“text”：要按的键"});
+    }
+    scenario_.keys.push_back(std::move(press));
   }
 
   void ReadExpectations(const toml::table& table) {

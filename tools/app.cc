@@ -103,6 +103,7 @@ void DescribeApp(CLI::App& app, Session& session) {
   AddReplay(app, session);
   AddDump(app, session);
   AddVerify(app, session);
+  AddExec(app, session);
   AddDoctor(app, session);
   AddCompletion(app, session);
   AddMan(app, session);

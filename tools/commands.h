@@ -23,6 +23,7 @@ void AddTest(CLI::App& app, Session& session);
 void AddDump(CLI::App& app, Session& session);
 void AddVerify(CLI::App& app, Session& session);
 void AddReplay(CLI::App& app, Session& session);
+void AddExec(CLI::App& app, Session& session);
 void AddDoctor(CLI::App& app, Session& session);
 /// Hidden: what packagers install.
 void AddCompletion(CLI::App& app, Session& session);

@@ -1,0 +1,76 @@
+/* The part of <windows.h> that host programs of motion cards use: types, sleeping, clocks. Sleep and
+   the clocks go by the virtual time of the card when ONCARD_CLOCK is virtual. `long` is as wide as
+   the computer's: DWORD and LONG are the types of gts.h, as they are on Windows. */
+#ifndef ONCARD_COMPAT_WINDOWS_H_
+#define ONCARD_COMPAT_WINDOWS_H_
+
+#include <stdint.h>
+#include <string.h>
+
+#include "oncard_host.h"
+
+#define WINAPI
+#define CALLBACK
+#define APIENTRY
+#ifndef __stdcall
+#define __stdcall
+#endif
+#ifndef __cdecl
+#define __cdecl
+#endif
+
+typedef int BOOL;
+typedef unsigned char BYTE;
+typedef unsigned short WORD;
+typedef unsigned long DWORD;
+typedef char CHAR;
+typedef short SHORT;
+typedef int INT;
+typedef unsigned int UINT;
+typedef long LONG;
+typedef unsigned long ULONG;
+typedef long long LONGLONG;
+typedef unsigned long long ULONGLONG;
+typedef float FLOAT;
+typedef double DOUBLE;
+typedef char* LPSTR;
+typedef const char* LPCSTR;
+
+#ifndef TRUE
+#define TRUE 1
+#endif
+#ifndef FALSE
+#define FALSE 0
+#endif
+
+typedef union {
+  struct {
+    uint32_t LowPart;
+    int32_t HighPart;
+  } u;
+  LONGLONG QuadPart;
+} LARGE_INTEGER;
+
+#define ZeroMemory(destination, length) memset((destination), 0, (length))
+
+static inline void Sleep(DWORD milliseconds) {
+  oncard_host_sleep_ns((long long)milliseconds * 1000000);
+}
+
+static inline ULONGLONG GetTickCount64(void) {
+  return (ULONGLONG)(oncard_host_time_ns() / 1000000);
+}
+static inline DWORD GetTickCount(void) { return (DWORD)(uint32_t)GetTickCount64(); }
+static inline DWORD timeGetTime(void) { return GetTickCount(); }
+
+/* Steps of 100 ns, as on Windows. */
+static inline BOOL QueryPerformanceFrequency(LARGE_INTEGER* frequency) {
+  frequency->QuadPart = 10000000;
+  return TRUE;
+}
+static inline BOOL QueryPerformanceCounter(LARGE_INTEGER* counter) {
+  counter->QuadPart = oncard_host_time_ns() / 100;
+  return TRUE;
+}
+
+#endif

@@ -1,0 +1,32 @@
+#include "runtime/card_table.h"
+
+namespace oncard::runtime {
+
+CardTable& CardTable::OfProcess() {
+  // Never destroyed: other threads of the host may still call while the process exits.
+  static CardTable& table = *new CardTable;
+  return table;
+}
+
+void CardSlot::CatchUp(int64_t cost_us) {
+  const int64_t passed_us = clock->TakeUs(cost_us);
+  if (watch) {
+    watch->AdvanceUs(controller.get(), passed_us);
+  } else {
+    controller->AdvanceUs(passed_us);
+  }
+  clock->CaughtUp();
+}
+
+void CardSlot::SwitchOff() {
+  if (controller == nullptr) return;
+  if (watch) {
+    CatchUp(0);
+    watch->Finish(controller.get());
+  }
+  watch.reset();
+  controller.reset();
+  clock.reset();
+}
+
+}  // namespace oncard::runtime

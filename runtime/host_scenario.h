@@ -1,0 +1,48 @@
+// The scenario that ONCARD_SCENARIO names for a host program: every card that is opened gets its
+// world, and its expectations are judged while the host runs. There is no program in it: the host
+// downloads one, or none. Tested by tests/tools/exec_command_test.cc.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "runtime/controller.h"
+#include "runtime/scenario.h"
+
+namespace oncard::runtime {
+
+/// The scenario, read at the first question; NULL when the environment names none.
+Result<std::shared_ptr<const Scenario>> ScenarioFromEnvironment();
+
+/// The expectations of a scenario on one card, from its opening on.
+class CardWatch {
+ public:
+  CardWatch(std::shared_ptr<const Scenario> scenario, int card);
+
+  /// Lets time pass on the card and judges what is due on the way.
+  void AdvanceUs(Controller* controller, int64_t microseconds);
+  /// The card is closed, or the host has ended: judges the rest and hands over to FinishHost().
+  void Finish(Controller* controller);
+
+ private:
+  void Judge(const Expectation& expectation, const Controller& controller);
+  void Fail(const Expectation& expectation, const Message& why);
+  int64_t CycleOf(const Expectation& expectation) const;
+
+  std::shared_ptr<const Scenario> scenario_;
+  int card_;
+  std::vector<const Expectation*> timed_;  // in order of time, from next_ on to be judged
+  size_t next_ = 0;
+  std::vector<Message> failures_;
+};
+
+/// Called when the host ends: judges the cards that are still open and reports failed expectations
+/// on standard error. If there are any, and the host itself has ended well, ends the process
+/// with 1.
+void FinishHost();
+
+}  // namespace oncard::runtime

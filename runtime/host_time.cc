@@ -1,0 +1,40 @@
+#include "runtime/host_time.h"
+
+#include <cstdlib>
+#include <string_view>
+#include <thread>
+
+#include "runtime/clock.h"
+#include "runtime/virtual_time.h"
+
+namespace oncard::runtime {
+namespace {
+
+const int64_t begin_ns = CardClock::SteadyNanoseconds();
+
+}  // namespace
+
+bool HostTimeIsVirtual() {
+  const char* setting = std::getenv("ONCARD_CLOCK");
+  return setting != nullptr && std::string_view(setting) == "virtual";
+}
+
+int64_t LookAtHostTimeNs() {
+  if (HostTimeIsVirtual()) return VirtualTime::OfProcess().Pass(kLookNs);
+  return CardClock::SteadyNanoseconds() - begin_ns;
+}
+
+void SleepHostNs(int64_t duration_ns) {
+  if (duration_ns <= 0) {
+    LookAtHostTimeNs();
+    return;
+  }
+  if (HostTimeIsVirtual()) {
+    VirtualTime& time = VirtualTime::OfProcess();
+    time.SleepUntil(time.NowNs() + duration_ns);
+  } else {
+    std::this_thread::sleep_for(std::chrono::nanoseconds(duration_ns));
+  }
+}
+
+}  // namespace oncard::runtime

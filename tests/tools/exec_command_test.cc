@@ -1,0 +1,183 @@
+// Host programs under `oncard exec`: the clients of tests/runtime, which know nothing of it.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "tests/tools/process.h"
+
+namespace oncard::tools {
+namespace {
+
+std::string Client(const std::string& name) {
+  return std::string(ONCARD_BUILD_DIR "/tests/runtime/") + name;
+}
+
+/// `oncard exec options -- client arguments`.
+ProcessResult Exec(const std::vector<std::string>& options,
+                   const std::vector<std::string>& command) {
+  std::vector<std::string> arguments = {"exec"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  arguments.push_back("--");
+  arguments.insert(arguments.end(), command.begin(), command.end());
+  return RunOncard(arguments);
+}
+
+// --- Time ----------------------------------------------------------------------------------------
+
+TEST(Exec, EverySleepTakesItsTimeAndNoMore) {
+  const auto begin = std::chrono::steady_clock::now();
+  const ProcessResult result = Exec({}, {Client("sleeper"), "0", "600"});
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(60));
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err, "");
+  // Besides the sleeps, every look at a clock takes 1 us, and reading the card's clock 50 us.
+  EXPECT_EQ(result.out,
+            "open 0.001\n"
+            "usleep 1.002\n"
+            "nanosleep 251.003\n"
+            "clock_nanosleep 501.004\n"
+            "until 1501.007\n"
+            "select 2001.008\n"
+            "poll 2126.009\n"
+            "sleep 602126.010\n"
+            "2026-01-01 00:10:02, card 602126 ms\n");
+}
+
+TEST(Exec, AMoveEndsWhereAndWhenItShould) {
+  for (int run = 0; run < 2; ++run) {
+    const ProcessResult result = Exec({}, {Client("trap_move")});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out, "50000 pulses in 1325 ms\n");
+  }
+}
+
+TEST(Exec, ThreadsOfTheHostShareTheTime) {
+  const ProcessResult result = Exec({}, {Client("two_card_moves")});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+}
+
+TEST(Exec, TheRealClockIsTheWallClock) {
+  const auto begin = std::chrono::steady_clock::now();
+  const ProcessResult result = Exec({"--clock=real"}, {Client("sleeper"), "0", "1"});
+  EXPECT_GE(std::chrono::steady_clock::now() - begin, std::chrono::seconds(3));
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out.find("2026-01-01 00:00:0"), std::string::npos);
+}
+
+TEST(Exec, WorksThroughAShell) {
+  const ProcessResult result =
+      Exec({}, {"sh", "-c", Client("sleeper") + " 0 100 && echo shell goes on"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("card 102126 ms\nshell goes on\n"), std::string::npos) << result.out;
+}
+
+// --- Keys ----------------------------------------------------------------------------------------
+
+TEST(Exec, PressesKeys) {
+  // 10 pulse/ms from 0 to 500 ms, 30 to 1000 ms, then to rest with 1 pulse/ms^2; every change of
+  // velocity by d takes d ms and is seen within the 10 ms of the host's loop.
+  const ProcessResult result = Exec({"--keys=500:++,1000:q,1500:x"}, {Client("windows_style")});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  int pulses = 0;
+  int ticks = 0;
+  double seconds = 0;
+  ASSERT_EQ(std::sscanf(result.out.c_str(), "%d pulses, %d ms, %lf s\npress any key\n", &pulses,
+                        &ticks, &seconds),
+            3)
+      << result.out;
+  EXPECT_NEAR(pulses, 500 * 10 + 500 * 30, 500);
+  EXPECT_NEAR(ticks, 1000, 25);
+  EXPECT_NEAR(seconds, 1, 0.025);
+  EXPECT_EQ(result.out, Exec({"--keys=500:++,1000:q,1500:x"}, {Client("windows_style")}).out);
+}
+
+TEST(Exec, TakesKeysFromTheScenario) {
+  const ScratchFolder folder;
+  const std::string scenario = folder.Write("keys.toml", "keys = [{at_ms = 300, text = \"q\"}]\n");
+  const ProcessResult result = Exec({"--scenario=" + scenario}, {Client("windows_style")});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find(" 0.3"), std::string::npos) << result.out;
+}
+
+// --- Scenarios -----------------------------------------------------------------------------------
+
+constexpr const char* kInputAt500 =
+    "expect = [\"gpo[1] == 0 @ 499ms\", \"gpo[1] == 1 @ 510ms\", \"gpo[1] == 1\"]\n"
+    "[[world.input]]\ntype = \"gpi\"\nindex = 1\nvalue = 1\nat_ms = 500\n";
+
+TEST(Exec, PutsTheHostIntoTheWorldOfAScenario) {
+  const ScratchFolder folder;
+  const std::string scenario = folder.Write("s.toml", kInputAt500);
+  const ProcessResult result = Exec({"--scenario=" + scenario}, {Client("watched"), "0"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err, "");
+  EXPECT_NE(result.out.find("input 1 at 50"), std::string::npos) << result.out;
+}
+
+TEST(Exec, ReportsWhatIsNotAsExpectedAndExitsWithOne) {
+  const ScratchFolder folder;
+  const std::string scenario = folder.Write(
+      "s.toml",
+      "expect = [\"gpo[1] == 1 @ 100ms\", \"clock > 10 @ 1h\", \"gpo == 2\", \"nothing == 1\"]\n");
+  EXPECT_EQ(Exec({"--scenario=" + scenario}, {Client("watched"), "0"}).exit_code, 3);
+
+  const std::string right = folder.Write("r.toml",
+                                         "expect = [\"gpo[1] == 1 @ 100ms\", \"clock > 10 @ "
+                                         "3600s\", \"gpo == 2\", \"nothing == 1\"]\n");
+  const ProcessResult result = Exec({"--scenario=" + right}, {Client("watched"), "0"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.out.find("input 0"), std::string::npos) << "its own output is complete";
+  EXPECT_NE(result.err.find("oncard: card 0: 'gpo[1] == 1 @ 100ms' does not hold: gpo[1] is 0\n"),
+            std::string::npos)
+      << result.err;
+  EXPECT_NE(result.err.find("'clock > 10 @ 3600s' does not hold: the host ended before"),
+            std::string::npos)
+      << result.err;
+  EXPECT_NE(result.err.find("'gpo == 2' does not hold: gpo is 1\n"), std::string::npos)
+      << result.err;
+  EXPECT_NE(result.err.find("'nothing == 1' does not hold: "), std::string::npos) << result.err;
+}
+
+TEST(Exec, LeavesTheHostsOwnFailureAlone) {
+  const ScratchFolder folder;
+  const std::string scenario = folder.Write("s.toml", "expect = [\"gpo == 2\"]\n");
+  EXPECT_EQ(Exec({"--scenario=" + scenario}, {Client("watched"), "9"}).exit_code, 9);
+}
+
+// --- Exit codes ----------------------------------------------------------------------------------
+
+TEST(Exec, PassesTheExitCodeOn) {
+  EXPECT_EQ(Exec({}, {Client("sleeper"), "42", "0"}).exit_code, 42);
+}
+
+TEST(Exec, SaysWhatIsWrong) {
+  struct Case {
+    std::vector<std::string> options;
+    std::string host;
+    int code;
+    std::string says;
+  };
+  const ScratchFolder folder;
+  const std::string text = folder.Write("text", "no program\n");
+  const std::string bad = folder.Write("bad.toml", "expcet = []\n");
+  const Case cases[] = {
+      {{}, "./nothing", 3, "oncard: cannot run './nothing': No such file or directory\n"},
+      {{}, text, 3, "oncard: cannot run '" + text + "': Permission denied\n"},
+      {{"--scenario=nothing.toml"}, "true", 3, "nothing.toml"},
+      {{"--scenario=" + bad}, "true", 3, "did you mean 'expect'?"},
+      {{"--clock=fast"}, "true", 2, "--clock is 'fast', expected virtual, real or real:SCALE\n"},
+      {{"--keys=q"}, "true", 2, "the keys are 'q', expected MS:TEXT"},
+  };
+  for (const Case& c : cases) {
+    const ProcessResult result = Exec(c.options, {c.host});
+    EXPECT_EQ(result.exit_code, c.code) << c.says;
+    EXPECT_EQ(result.out, "");
+    EXPECT_NE(result.err.find(c.says), std::string::npos) << result.err;
+  }
+  EXPECT_EQ(RunOncard({"exec"}).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace oncard::tools
