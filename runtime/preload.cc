@@ -100,12 +100,6 @@ long long BeginOf(clockid_t clock) {
 
 timespec Calendar(const Hooks& hooks) { return ToTimespec(kCalendarBeginNs + hooks.time_ns()); }
 
-/// Sleeps; gives what is left of it, which is nothing.
-void SleepFor(const Hooks& hooks, const timespec& duration, timespec* rest) {
-  hooks.sleep_ns(ToNs(duration));
-  if (rest != nullptr) *rest = {0, 0};
-}
-
 int Fail(int error) {
   errno = error;
   return -1;
@@ -131,7 +125,7 @@ ONCARD_EXPORT int nanosleep(const timespec* duration, timespec* rest) {
   const Hooks* hooks = VirtualHooks();
   if (hooks == nullptr) return ORIGINAL(nanosleep)(duration, rest);
   if (!IsValid(*duration)) return Fail(EINVAL);
-  SleepFor(*hooks, *duration, rest);
+  hooks->sleep_ns(ToNs(*duration));
   return 0;
 }
 
@@ -144,7 +138,7 @@ ONCARD_EXPORT int clock_nanosleep(clockid_t clock, int flags, const timespec* ti
   }
   if (!IsValid(*time)) return EINVAL;
   if ((flags & TIMER_ABSTIME) == 0) {
-    SleepFor(*hooks, *time, rest);
+    hooks->sleep_ns(ToNs(*time));
   } else {
     hooks->sleep_ns(ToNs(*time) - begin_ns - hooks->time_ns());
   }

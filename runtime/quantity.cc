@@ -77,6 +77,12 @@ std::optional<IndexedName> SplitIndex(std::string_view name) {
   return IndexedName{name.substr(0, open), index};
 }
 
+/// The global variables; none while no program is loaded, as on the card of a host program.
+std::span<const vm::Symbol> GlobalsOf(const vm::Machine& machine) {
+  if (machine.image() == nullptr) return {};
+  return machine.image()->object.globals;
+}
+
 Error UnknownName(std::string_view name, std::span<const std::string_view> candidates) {
   const std::string_view near = NearestName(name, candidates);
   if (near.empty()) {
@@ -267,9 +273,9 @@ Result<std::vector<Quantity>> ResolveQuantity(std::string_view name, const Contr
     return MakeError(1, "'{0}' is not a name; an index is a number, as in 'a[3]'",
                      "“{0}”不是名称；下标应为数字，如“a[3]”", name);
   }
-  if (const vm::Symbol* symbol = vm::FindGlobal(*machine.image(), indexed->base)) {
-    return SlotsOf(*symbol, "", indexed->index, true, 0);
-  }
+  const vm::Image* image = machine.image();
+  const vm::Symbol* symbol = image != nullptr ? vm::FindGlobal(*image, indexed->base) : nullptr;
+  if (symbol != nullptr) return SlotsOf(*symbol, "", indexed->index, true, 0);
   if (const auto thread = SplitNumbered(name, "thread")) {
     return ResolveThread(name, thread->number, thread->rest);
   }
@@ -283,9 +289,7 @@ Result<std::vector<Quantity>> ResolveQuantity(std::string_view name, const Contr
     }
   }
   std::vector<std::string_view> candidates;
-  for (const vm::Symbol& global : machine.image()->object.globals) {
-    candidates.push_back(global.name);
-  }
+  for (const vm::Symbol& global : GlobalsOf(machine)) candidates.push_back(global.name);
   for (const WordName& word : kWords) {
     if (word.name == indexed->base) return ResolveWord(word, *indexed);
     candidates.push_back(word.name);
@@ -305,7 +309,7 @@ Result<std::vector<Quantity>> ResolveQuantity(std::string_view name, const Contr
 
 std::vector<Quantity> GlobalQuantities(const Controller& controller) {
   std::vector<Quantity> all;
-  for (const vm::Symbol& symbol : controller.machine().image()->object.globals) {
+  for (const vm::Symbol& symbol : GlobalsOf(controller.machine())) {
     auto slots = SlotsOf(symbol, "", std::nullopt, true, 0);
     all.insert(all.end(), slots.value().begin(), slots.value().end());
   }
