@@ -3,6 +3,8 @@
 // Tested by tests/motion/digital_io_test.cc.
 #include "motion/digital_io.h"
 
+#include <bit>
+
 namespace oncard::motion {
 namespace {
 
@@ -58,11 +60,6 @@ void DigitalIo::SetPin(DiType type, int bit, bool level) {
 
 uint32_t DigitalIo::Pins(DiType type) const { return PinLevels(At(type)); }
 
-uint32_t DigitalIo::Read(DiType type) const {
-  const DiWord& word = At(type);
-  return word.levels ^ word.inverted;
-}
-
 void DigitalIo::SetInverted(DiType type, uint32_t mask) {
   DiWord& word = At(type);
   word.inverted = mask & WidthMask(DiWidth(type));
@@ -95,57 +92,75 @@ void DigitalIo::Write(DoType type, uint32_t mask, uint32_t value) {
   DoWord& word = At(type);
   mask &= WidthMask(DoWidth(type));
   word.value = (word.value & ~mask) | (value & mask);
-  for (int bit = 0; bit < DoWidth(type); ++bit) {
-    if (mask & BitMask(bit)) StopTiming(type, bit);
+  for (uint32_t ended = mask & word.timed; ended != 0; ended &= ended - 1) {
+    StopTiming(type, std::countr_zero(ended));
   }
 }
 
 void DigitalIo::WriteForAWhile(DoType type, int bit, bool level, int64_t delay_us) {
   Write(type, BitMask(bit), WithBit(0, bit, level));
   if (delay_us <= 0) return;
-  At(type).timing[static_cast<size_t>(bit)] = {.flips_left = 1, .phase_us = delay_us};
+  SetTiming(type, bit, {.flips_left = 1, .phase_us = delay_us});
 }
 
 void DigitalIo::StartPulses(DoType type, int bit, int64_t high_us, int64_t low_us, int64_t pulses,
                             bool first_level) {
   Write(type, BitMask(bit), WithBit(0, bit, first_level));
-  At(type).timing[static_cast<size_t>(bit)] = {
-      .flips_left = pulses == 0 ? kEndlessFlips : 2 * pulses - 1,
-      .phase_us = first_level ? high_us : low_us,
-      .high_us = high_us,
-      .low_us = low_us};
+  SetTiming(type, bit,
+            {.flips_left = pulses == 0 ? kEndlessFlips : 2 * pulses - 1,
+             .phase_us = first_level ? high_us : low_us,
+             .high_us = high_us,
+             .low_us = low_us});
 }
 
-void DigitalIo::StopTiming(DoType type, int bit) { At(type).timing[static_cast<size_t>(bit)] = {}; }
+void DigitalIo::StopTiming(DoType type, int bit) { SetTiming(type, bit, {}); }
+
+void DigitalIo::SetTiming(DoType type, int bit, const DoTiming& timing) {
+  DoWord& word = At(type);
+  word.timing[static_cast<size_t>(bit)] = timing;
+  word.timed = WithBit(word.timed, bit, timing.flips_left != 0);
+}
 
 void DigitalIo::SampleInputs() {
   for (DiWord& word : inputs_) {
     const uint32_t pins = PinLevels(word);
-    for (size_t bit = 0; bit < kIoWidthMax; ++bit) {
-      if (((pins ^ word.levels) >> bit & 1) == 0) {
-        word.held_ticks[bit] = 0;
-      } else if (++word.held_ticks[bit] >= word.filter_ticks[bit]) {
-        word.held_ticks[bit] = 0;
-        word.levels ^= BitMask(static_cast<int>(bit));
-        ++word.edges[bit];
-      }
+    if (pins != word.levels || word.held != 0) SampleWord(word, pins);
+  }
+}
+
+void DigitalIo::SampleWord(DiWord& word, uint32_t pins) {
+  const uint32_t differing = pins ^ word.levels;
+  for (uint32_t bits = differing | word.held; bits != 0; bits &= bits - 1) {
+    const int number = std::countr_zero(bits);
+    const auto bit = static_cast<size_t>(number);
+    if ((differing >> bit & 1) == 0) {
+      word.held_ticks[bit] = 0;
+    } else if (++word.held_ticks[bit] >= word.filter_ticks[bit]) {
+      word.held_ticks[bit] = 0;
+      word.levels ^= BitMask(number);
+      ++word.edges[bit];
     }
+    word.held = WithBit(word.held, number, word.held_ticks[bit] != 0);
   }
 }
 
 void DigitalIo::AdvanceOutputs(int64_t microseconds) {
   for (DoWord& word : outputs_) {
-    for (size_t bit = 0; bit < kIoWidthMax; ++bit) {
+    for (uint32_t bits = word.timed; bits != 0; bits &= bits - 1) {
+      const int number = std::countr_zero(bits);
+      const auto bit = static_cast<size_t>(number);
       DoTiming& timing = word.timing[bit];
-      if (timing.flips_left == 0) continue;
       timing.phase_us -= microseconds;
       // A cycle can be longer than a phase; the remainder carries over, so trains do not drift.
       while (timing.flips_left != 0 && timing.phase_us <= 0) {
-        word.value ^= BitMask(static_cast<int>(bit));
+        word.value ^= BitMask(number);
         if (timing.flips_left != kEndlessFlips) --timing.flips_left;
         timing.phase_us += (word.value >> bit & 1) != 0 ? timing.high_us : timing.low_us;
       }
-      if (timing.flips_left == 0) timing = {};
+      if (timing.flips_left == 0) {
+        timing = {};
+        word.timed = WithBit(word.timed, number, false);
+      }
     }
   }
 }

@@ -55,10 +55,11 @@ struct DiWord {
   uint32_t levels = 0;                               ///< pin levels behind the filter
   std::array<uint16_t, kIoWidthMax> filter_ticks{};  ///< ticks a new level must last; 0 acts as 1
   std::array<uint16_t, kIoWidthMax> held_ticks{};    ///< ticks the pin has differed from `levels`
+  uint32_t held = 0;                                 ///< where held_ticks is not 0
   std::array<uint32_t, kIoWidthMax> edges{};         ///< changes of `levels`, modulo 2^32
 
   auto Fields() const {
-    return std::tie(driven, pins, inverted, levels, filter_ticks, held_ticks, edges);
+    return std::tie(driven, pins, inverted, levels, filter_ticks, held_ticks, held, edges);
   }
 };
 
@@ -77,9 +78,10 @@ inline constexpr int64_t kEndlessFlips = -1;
 struct DoWord {
   uint32_t value = 0;     ///< the register that GT_GetDo reads
   uint32_t inverted = 0;  ///< `reverse` of the configuration: the pin carries the complement
+  uint32_t timed = 0;     ///< where a timing runs
   std::array<DoTiming, kIoWidthMax> timing{};
 
-  auto Fields() const { return std::tie(value, inverted, timing); }
+  auto Fields() const { return std::tie(value, inverted, timed, timing); }
 };
 
 /// Unit of the times of GT_SetDoBitReverse, in microseconds.
@@ -97,7 +99,7 @@ class DigitalIo {
   /// The levels of the pins: undriven ones at the level that reads 0.
   uint32_t Pins(DiType type) const;
   /// Filtered levels with the senses applied: what GT_GetDi reads.
-  uint32_t Read(DiType type) const;
+  uint32_t Read(DiType type) const { return At(type).levels ^ At(type).inverted; }
   /// Sets the senses of a whole word; takes effect at once.
   void SetInverted(DiType type, uint32_t mask);
   uint32_t inverted(DiType type) const { return At(type).inverted; }
@@ -140,6 +142,9 @@ class DigitalIo {
 
  private:
   DiWord& At(DiType type) { return inputs_[static_cast<size_t>(type)]; }
+  /// Begins a timing in place of the bit's last one; one without flips ends it.
+  void SetTiming(DoType type, int bit, const DoTiming& timing);
+  static void SampleWord(DiWord& word, uint32_t pins);
   const DiWord& At(DiType type) const { return inputs_[static_cast<size_t>(type)]; }
   DoWord& At(DoType type) { return outputs_[Slot(type)]; }
   const DoWord& At(DoType type) const { return outputs_[Slot(type)]; }

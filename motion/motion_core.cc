@@ -208,10 +208,6 @@ void MotionCore::ServoOff(size_t axis) {
   StopAxis(state_.axes[axis], true);
 }
 
-bool MotionCore::InputActive(const InputChoice& input) const {
-  return input.bit >= 0 && (state_.io.Read(input.type) >> input.bit & 1) != 0;
-}
-
 bool MotionCore::AxisMoving(const Axis& axis) const {
   bool moving = false;
   ForEachBit(axis.profile_map, axis_count(),

@@ -114,7 +114,9 @@ class MotionCore {
   /// A master now, for a slave that starts or follows.
   MasterValue ReadMaster(const Master& master) const;
   /// Level of an input as GT_GetDi reads it; false for none.
-  bool InputActive(const InputChoice& input) const;
+  bool InputActive(const InputChoice& input) const {
+    return input.bit >= 0 && (state_.io.Read(input.type) >> input.bit & 1) != 0;
+  }
   /// Latched bits whose cause has gone are cleared (GT_ClrSts).
   void ClearStatus(size_t axis);
   /// Stops a profile as its registers say; one that belongs to a coordinate system stops all of it.
