@@ -314,9 +314,8 @@ uint32_t MotionCore::ActiveCauses(const Axis& axis) const {
 void MotionCore::MoveAxisOrigin(size_t index, double position) {
   AxisValue& value = state_.axes[index].profile;
   // The machine does not move, and no pulses are sent.
-  state_.plants[index].lead += value.position - position;
+  KeepMachine(index, value.position - position);
   value.position = position;
-  if (!state_.encoders[index].external) RebaseEncoder(index);
 }
 
 void MotionCore::StopAxis(const Axis& axis, bool abrupt) {
