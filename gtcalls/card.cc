@@ -20,7 +20,7 @@ const std::vector<CommandFunction>& FunctionsByNumber() {
          {ThreadCommands(), VariableCommands(), TimeCommands(), DigitalIoCommands(),
           UserVariableCommands(), AnalogCommands(), ExtensionCommands(), EncoderCommands(),
           ServoCommands(), PlcCommands(), PlcWordCommands(), AxisCommands(), PositionCommands(),
-          TrapCommands(), GearCommands(), FollowCommands()}) {
+          TrapCommands(), GearCommands(), FollowCommands(), PtCommands(), PvtCommands()}) {
       for (const CommandEntry& entry : topic) {
         const Command* command = FindCommand(entry.name);
         assert(command != nullptr);

@@ -52,6 +52,7 @@ void MotionCore::Reset() {
   state_.clock_cycle = 0;
   state_.io.Reset();
   state_.profiles.fill({});
+  state_.pvt_tables.fill(nullptr);
   state_.encoders.fill({});
   for (size_t i = 0; i < kAxisMax; ++i) {
     state_.axes[i] = DefaultAxis(static_cast<int>(i));

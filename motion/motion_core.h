@@ -34,6 +34,7 @@
 #include "motion/marks.h"
 #include "motion/plant.h"
 #include "motion/profile.h"
+#include "motion/pvt_table.h"
 #include "motion/sizes.h"
 #include "motion/world.h"
 
@@ -53,6 +54,7 @@ struct MotionState {
   int64_t clock_cycle = 0;  ///< profile cycles since the last GT_Reset
   DigitalIo io;
   std::array<Profile, kAxisMax> profiles;
+  std::array<PvtTablePointer, kPvtTableCount> pvt_tables;
   std::array<Axis, kAxisMax> axes;
   std::array<Encoder, kAxisMax> encoders;
   std::array<EncoderFault, kAxisMax> encoder_faults;
@@ -70,9 +72,9 @@ struct MotionState {
   std::array<double, kUserVariableCount> double_vars{};
 
   auto Fields() const {
-    return std::tie(cycle, clock_cycle, io, profiles, axes, encoders, encoder_faults, drives,
-                    plants, steps, controls, dacs, adcs, modules, world, switches, index_marks,
-                    long_vars, double_vars);
+    return std::tie(cycle, clock_cycle, io, profiles, pvt_tables, axes, encoders, encoder_faults,
+                    drives, plants, steps, controls, dacs, adcs, modules, world, switches,
+                    index_marks, long_vars, double_vars);
   }
 };
 

@@ -10,6 +10,12 @@ void Profile::Start(Micros instant) {
   } else if (mode == ProfileMode::kJog) {
     jog.Start(instant, now);
     now.moving = jog.running;
+  } else if (mode == ProfileMode::kPt) {
+    pt.Start(instant, now.position);
+    now.moving = true;
+  } else if (mode == ProfileMode::kPvt) {
+    pvt.Start(instant, now.position);
+    now.moving = true;
   }
 }
 
@@ -64,6 +70,8 @@ void Profile::HaltMode() {
   follow.Halt();
   trap.Halt();
   jog.Halt();
+  pt.Halt();
+  pvt.Halt();
 }
 
 Sample Profile::SampleMode(Micros instant) {
@@ -73,11 +81,13 @@ Sample Profile::SampleMode(Micros instant) {
     case ProfileMode::kJog:
       return jog.At(instant);
     case ProfileMode::kPt:
+      return pt.At(instant);
     case ProfileMode::kGear:
     case ProfileMode::kFollow:
     case ProfileMode::kCrd:
-    case ProfileMode::kPvt:
       break;
+    case ProfileMode::kPvt:
+      return pvt.At(instant);
   }
   return now;
 }

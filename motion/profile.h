@@ -14,6 +14,8 @@
 #include "motion/jog_mode.h"
 #include "motion/master.h"
 #include "motion/plan.h"
+#include "motion/pt_mode.h"
+#include "motion/pvt_mode.h"
 #include "motion/sample.h"
 #include "motion/sizes.h"
 #include "motion/trap_mode.h"
@@ -38,6 +40,8 @@ struct Profile {
   JogMode jog;
   GearMode gear;
   FollowMode follow;
+  PtMode pt;
+  PvtMode pvt;
 
   /// A stop under way: it replaces the mode's run.
   bool stopping = false;
@@ -45,7 +49,7 @@ struct Profile {
   Micros stop_begin = 0;
   Plan stop_plan;
 
-  /// Begins the run of an independent mode (Trap, Jog) with its registers.
+  /// Begins the run of an independent mode with its registers.
   void Start(Micros instant);
   /// Begins to follow the master of Gear, or of Follow with one of its FIFOs.
   void StartGear(const MasterValue& master);
@@ -63,7 +67,7 @@ struct Profile {
   void SetPosition(double position) { now = AtRest(position); }
 
   auto Fields() const {
-    return std::tie(mode, now, smooth_stop, abrupt_stop, trap, jog, gear, follow, stopping,
+    return std::tie(mode, now, smooth_stop, abrupt_stop, trap, jog, gear, follow, pt, pvt, stopping,
                     stop_deceleration, stop_begin, stop_plan);
   }
 

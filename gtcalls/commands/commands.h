@@ -39,6 +39,8 @@ std::span<const CommandEntry> PositionCommands();
 std::span<const CommandEntry> TrapCommands();
 std::span<const CommandEntry> GearCommands();
 std::span<const CommandEntry> FollowCommands();
+std::span<const CommandEntry> PtCommands();
+std::span<const CommandEntry> PvtCommands();
 
 /// The thread is in the middle of its function, or will be started again by its period.
 bool IsActive(const vm::ThreadState& thread);
