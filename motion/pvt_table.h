@@ -6,7 +6,7 @@
 // which the times follow. A filled table never changes: runs and snapshots share it.
 //
 // Units: ms, pulse, pulse/ms, pulse/ms^2. Pure functions; the describing arrays are equally long.
-// Source: GTS manual 7.7 and its examples 6-17 to 6-20. Tested by tests/motion/pvt_table_test.cc.
+// Source: GTS manual 7.7 and its examples 6-17 to 6-20. Tested by tests/motion/pvt_mode_test.cc.
 #pragma once
 
 #include <cstddef>
