@@ -5,17 +5,15 @@
 #include <unistd.h>
 #include <lua.hpp>
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "base/files.h"
+#include "bench/measure.h"
 #include "bench/native_kernels.h"
 #include "compiler/compiler.h"
 #include "runtime/controller.h"
@@ -24,41 +22,6 @@
 
 namespace oncard::bench {
 namespace {
-
-constexpr int kRepetitions = 7;
-
-[[noreturn]] void Fail(const std::string& why) {
-  std::fprintf(stderr, "oncard_bench: %s\n", why.c_str());
-  std::exit(1);
-}
-
-double Median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
-// Median CPU seconds of `work`.
-double MeasureCpu(const std::function<void()>& work) {
-  std::vector<double> seconds;
-  for (int i = 0; i < kRepetitions; ++i) {
-    const std::clock_t start = std::clock();
-    work();
-    seconds.push_back(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-  }
-  return Median(seconds);
-}
-
-// Median wall-clock seconds of `work`.
-double MeasureWall(const std::function<void()>& work) {
-  std::vector<double> seconds;
-  for (int i = 0; i < kRepetitions; ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    seconds.push_back(
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-  }
-  return Median(seconds);
-}
 
 double GeometricMean(const std::vector<double>& values) {
   double logarithms = 0;
@@ -258,8 +221,13 @@ void MeasureTool() {
 }
 
 int Main(int argc, char** argv) {
-  if (argc != 2 || std::string(argv[1]) != "vm") {
-    std::fprintf(stderr, "usage: oncard_bench vm\n");
+  const std::string what = argc == 2 ? argv[1] : "";
+  if (what == "motion") {
+    BenchMotion();
+    return 0;
+  }
+  if (what != "vm") {
+    std::fprintf(stderr, "usage: oncard_bench vm|motion\n");
     return 2;
   }
   runtime::Controller controller;

@@ -152,7 +152,7 @@ class Picture {
                         options.format == PictureFormat::kSvg ? "'sans-serif,13'" : "'sans,10'");
     text += "set style line 100 lc rgb '#D8D8D8' lt 1 lw 1\n";
     text += "set grid ls 100\nset border 3 lc rgb '#606060'\nset tics nomirror out\n";
-    text += "set key outside right top reverse Left samplen 1.6\n";
+    text += "set key at graph 1.02, graph 1 left top reverse Left samplen 1.6\n";
     WriteData(text);
     text += fmt::format("set multiplot title {} font ',16'\n", Quoted(options.title));
     WritePanels(text);
@@ -471,7 +471,7 @@ class Picture {
       {"velocity [pulse/ms]", {}, false},
       {"acceleration [pulse/ms²]", {}, false},
       {"following error [pulse]", {}, false},
-      {"value", {}, false},
+      {"variables", {}, false},
       {"", {}, true},
   };
   std::vector<Path> paths_;

@@ -139,6 +139,10 @@ Result<std::vector<Quantity>> ResolveThread(std::string_view name, int thread,
   return UnknownName(field, candidates);
 }
 
+Error NoProgram() {
+  return MakeError(1, "no program is downloaded, so it has no variables", "尚未下载程序，没有变量");
+}
+
 // The function whose locals a page holds.
 Result<int> FunctionOnPage(int page, std::string_view variable, const vm::Machine& machine) {
   std::vector<int> having;
@@ -161,6 +165,7 @@ Result<std::vector<Quantity>> ResolveLocal(int page, const IndexedName& variable
     return MakeError(1, "'page{0}': pages are numbered 0 to {1}", "“page{0}”：数据页号为 0 至 {1}",
                      page, vm::kPageCount - 1);
   }
+  if (machine.image() == nullptr) return NoProgram();
   const auto function = FunctionOnPage(page, variable.base, machine);
   if (!function.ok()) return function.error();
   const vm::Symbol* symbol = vm::FindLocal(*machine.image(), function.value(), variable.base);

@@ -88,6 +88,16 @@ TEST_F(MotionValuesTest, ReadsProfilesEncodersAndTheMachine) {
   EXPECT_EQ(Read("plant1.pos"), 12.5);
 }
 
+TEST(MotionValues, NeedNoProgram) {
+  const Controller controller;
+  EXPECT_TRUE(ResolveQuantity("axis1.prfPos", controller).ok());
+  EXPECT_TRUE(ResolveQuantity("gpo[1]", controller).ok());
+  EXPECT_FALSE(ResolveQuantity("sum", controller).ok());
+  EXPECT_EQ(ResolveQuantity("page0.i", controller).error().message.en,
+            "no program is downloaded, so it has no variables");
+  EXPECT_TRUE(GlobalQuantities(controller).empty());
+}
+
 TEST(MotionParts, HaveUniqueNames) {
   std::set<std::string_view> parts;
   for (const MotionPart& part : MotionParts()) {

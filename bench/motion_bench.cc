@@ -1,0 +1,107 @@
+// `oncard_bench motion`: what a profile cycle costs per axis, how much faster than real time a card
+// runs, and what a command of the C API costs. CPU time, the median of several repetitions.
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+
+#include "bench/measure.h"
+#include "gts.h"
+#include "motion/motion_core.h"
+
+namespace oncard::bench {
+namespace {
+
+void PrintTicks(const char* what, const motion::MotionConfig& config, int64_t ticks,
+                double seconds) {
+  const double nanoseconds = seconds * 1e9 / static_cast<double>(ticks);
+  const double simulated = static_cast<double>(ticks * config.cycle_us) * 1e-6;
+  std::printf("%-44s %8.1f ns/cycle %7.1f ns/axis-cycle %9.0f x real time\n", what, nanoseconds,
+              nanoseconds / config.axis_count, simulated / seconds);
+}
+
+// A card on which nothing moves.
+void MeasureIdle() {
+  constexpr int64_t kTicks = 500'000;
+  motion::MotionConfig config;
+  config.axis_count = 12;
+  motion::MotionCore core(config);
+  const double seconds = MeasureCpu([&] {
+    for (int64_t i = 0; i < kTicks; ++i) core.Tick();
+  });
+  PrintTicks("12 axes, idle, 250 us", config, kTicks, seconds);
+}
+
+// Example 7-1 of the GTS manual on 8 axes, there and back again without a pause.
+void MeasureTrap() {
+  constexpr int64_t kTicks = 500'000;
+  motion::MotionConfig config;
+  config.axis_count = 8;
+  config.cycle_us = 1000;
+  motion::MotionCore core(config);
+  for (size_t i = 0; i < core.axis_count(); ++i) {
+    motion::TrapMode& trap = core.state().profiles[i].trap;
+    trap.parameters = {0.25, 0.125, 0, 25};
+    trap.velocity = 50;
+  }
+  int64_t moves = 0;
+  const double seconds = MeasureCpu([&] {
+    for (int64_t tick = 0; tick < kTicks; ++tick) {
+      for (size_t i = 0; i < core.axis_count(); ++i) {
+        motion::Profile& profile = core.state().profiles[i];
+        if (profile.now.moving) continue;
+        profile.trap.target = profile.trap.target == 0 ? 50'000 : 0;
+        core.StartProfile(i);
+        ++moves;
+      }
+      core.Tick();
+    }
+  });
+  if (moves < 8 * kTicks / 1400) Fail("the axes did not move");
+  PrintTicks("8 axes, Trap without servo, 1 ms", config, kTicks, seconds);
+}
+
+void Accept(const char* command, short code) {
+  if (code != 0) Fail(std::string(command) + " = " + std::to_string(code));
+}
+#define ACCEPT(call) Accept(#call, call)
+
+void PrintCalls(const char* what, int64_t calls, double seconds) {
+  std::printf("%-44s %8.1f ns/call\n", what, seconds * 1e9 / static_cast<double>(calls));
+}
+
+// Calls from the same process, by virtual time: 50 us of it pass with each, a cycle with every
+// fifth.
+void MeasureCalls() {
+  constexpr int64_t kCalls = 200'000;
+  ::setenv("ONCARD_CLOCK", "virtual", 1);
+  ACCEPT(GT_Open());
+  ACCEPT(GT_AxisOn(1));
+  ACCEPT(GT_PrfJog(1));
+  TJogPrm jog = {1, 1, 0};
+  ACCEPT(GT_SetJogPrm(1, &jog));
+  ACCEPT(GT_SetVel(1, 10));
+  ACCEPT(GT_Update(1));
+  double position = 0;
+  PrintCalls("GT_GetPrfPos", kCalls, MeasureCpu([&] {
+               for (int64_t i = 0; i < kCalls; ++i) ACCEPT(GT_GetPrfPos(1, &position));
+             }));
+  if (position <= 0) Fail("the axis did not move");
+  PrintCalls("GT_SetVel", kCalls, MeasureCpu([&] {
+               for (int64_t i = 0; i < kCalls; ++i) ACCEPT(GT_SetVel(1, i % 2 == 0 ? 10 : 11));
+             }));
+  PrintCalls("GT_Update", kCalls, MeasureCpu([&] {
+               for (int64_t i = 0; i < kCalls; ++i) ACCEPT(GT_Update(1));
+             }));
+  ACCEPT(GT_Close());
+}
+
+}  // namespace
+
+void BenchMotion() {
+  MeasureIdle();
+  MeasureTrap();
+  MeasureCalls();
+}
+
+}  // namespace oncard::bench
