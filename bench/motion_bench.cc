@@ -83,14 +83,14 @@ void MeasureCalls() {
   ACCEPT(GT_SetVel(1, 10));
   ACCEPT(GT_Update(1));
   double position = 0;
-  PrintCalls("GT_GetPrfPos", kCalls, MeasureCpu([&] {
+  PrintCalls("GT_GetPrfPos (50 us pass)", kCalls, MeasureCpu([&] {
                for (int64_t i = 0; i < kCalls; ++i) ACCEPT(GT_GetPrfPos(1, &position));
              }));
   if (position <= 0) Fail("the axis did not move");
-  PrintCalls("GT_SetVel", kCalls, MeasureCpu([&] {
+  PrintCalls("GT_SetVel (50 us pass)", kCalls, MeasureCpu([&] {
                for (int64_t i = 0; i < kCalls; ++i) ACCEPT(GT_SetVel(1, i % 2 == 0 ? 10 : 11));
              }));
-  PrintCalls("GT_Update", kCalls, MeasureCpu([&] {
+  PrintCalls("GT_Update (1 ms passes)", kCalls, MeasureCpu([&] {
                for (int64_t i = 0; i < kCalls; ++i) ACCEPT(GT_Update(1));
              }));
   ACCEPT(GT_Close());
