@@ -1,5 +1,7 @@
 #include "runtime/motion_values.h"
 
+#include <fmt/format.h>
+
 #include <array>
 
 namespace oncard::runtime {
@@ -80,11 +82,33 @@ constexpr MotionValue kPlantValues[] = {
      [](const MotionCore& core, size_t i) { return core.state().plants[i].velocity; }},
 };
 
+constexpr MotionValue kStepValues[] = {
+    {"pos", NumberForm::kReal, Unit::kPulse,
+     [](const MotionCore& core, size_t i) { return core.state().steps[i].position; }},
+};
+
+constexpr MotionValue kDacValues[] = {
+    {"", NumberForm::kWhole, Unit::kNone,
+     [](const MotionCore& core, size_t i) -> double { return core.state().dacs[i].Output(); }},
+    {"volts", NumberForm::kReal, Unit::kVolt,
+     [](const MotionCore& core, size_t i) { return core.state().dacs[i].Volts(); }},
+};
+
+constexpr MotionValue kAdcValues[] = {
+    {"", NumberForm::kWhole, Unit::kNone,
+     [](const MotionCore& core, size_t i) -> double { return core.state().adcs[i].Value(); }},
+    {"volts", NumberForm::kReal, Unit::kVolt,
+     [](const MotionCore& core, size_t i) { return core.state().adcs[i].Volts(); }},
+};
+
 constexpr std::array kParts = {
     MotionPart{"axis", AxisCount, kAxisValues},
     MotionPart{"profile", AxisCount, kProfileValues},
     MotionPart{"encoder", AxisCount, kEncoderValues},
     MotionPart{"plant", AxisCount, kPlantValues},
+    MotionPart{"step", AxisCount, kStepValues},
+    MotionPart{"dac", AxisCount, kDacValues},
+    MotionPart{"adc", [](const MotionCore&) { return motion::kAdcCount; }, kAdcValues},
 };
 
 }  // namespace
@@ -99,6 +123,8 @@ std::string_view UnitName(Unit unit) {
       return "pulse/ms";
     case Unit::kPulsePerMs2:
       return "pulse/ms²";
+    case Unit::kVolt:
+      return "V";
   }
   return {};
 }
@@ -117,6 +143,10 @@ const MotionValue* FindMotionValue(const MotionPart& part, std::string_view name
     if (value.name == name) return &value;
   }
   return nullptr;
+}
+
+std::string MotionValueName(const MotionPart& part, int number, std::string_view value) {
+  return fmt::format("{}{}{}{}", part.name, number, value.empty() ? "" : ".", value);
 }
 
 }  // namespace oncard::runtime

@@ -22,9 +22,9 @@ enum class NumberForm : uint8_t {
   kFlag,        ///< 0 or 1
 };
 
-enum class Unit : uint8_t { kNone, kPulse, kPulsePerMs, kPulsePerMs2 };
+enum class Unit : uint8_t { kNone, kPulse, kPulsePerMs, kPulsePerMs2, kVolt };
 
-/// The unit as text: "pulse", "pulse/ms", "pulse/ms²"; empty for none.
+/// The unit as text: "pulse", "pulse/ms", "pulse/ms²", "V"; empty for none.
 std::string_view UnitName(Unit unit);
 
 /// One value that every part of a kind has.
@@ -50,5 +50,7 @@ std::span<const MotionPart> MotionParts();
 const MotionPart* FindMotionPart(std::string_view name);
 /// The part's value of this name, or nullptr.
 const MotionValue* FindMotionValue(const MotionPart& part, std::string_view name);
+/// The full name of a value: `axis1.prfPos`, `dac1`.
+std::string MotionValueName(const MotionPart& part, int number, std::string_view value);
 
 }  // namespace oncard::runtime

@@ -178,6 +178,7 @@ class Picture {
       case Unit::kPulsePerMs2:
         return panels_[2];
       case Unit::kNone:
+      case Unit::kVolt:
         break;
     }
     return panels_[4];

@@ -226,7 +226,7 @@ Result<std::vector<Quantity>> ResolveMotion(std::string_view name, const PartNam
   if (value == nullptr) {
     std::vector<std::string> names;
     for (const MotionValue& known : part.values) {
-      names.push_back(fmt::format("{}{}.{}", part.name, split.number, known.name));
+      names.push_back(MotionValueName(part, split.number, known.name));
     }
     const std::vector<std::string_view> candidates(names.begin(), names.end());
     return UnknownName(name, candidates);

@@ -150,6 +150,12 @@ std::string PathToScenario(const Scenario& scenario, const std::string& path) {
   return error ? path : relative.generic_string();
 }
 
+std::string TitleOf(const Scenario& scenario) {
+  if (!scenario.title.empty()) return scenario.title;
+  const std::string& path = scenario.path.empty() ? scenario.program : scenario.path;
+  return std::filesystem::path(path).stem().string();
+}
+
 std::string ProgramPath(const Scenario& scenario) {
   return PathFromScenario(scenario, scenario.program);
 }

@@ -102,6 +102,8 @@ std::string FormatScenario(const Scenario& scenario);
 std::string PathFromScenario(const Scenario& scenario, const std::string& path);
 /// The reverse: a path of the caller as the scenario would write it.
 std::string PathToScenario(const Scenario& scenario, const std::string& path);
+/// What a picture of the scenario is called: its title, or else its file's or program's name.
+std::string TitleOf(const Scenario& scenario);
 /// The program file, for the caller to open.
 std::string ProgramPath(const Scenario& scenario);
 /// How a source is compiled.

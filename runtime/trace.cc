@@ -28,7 +28,7 @@ constexpr DefaultValue kDefaultValues[] = {
     {"axis", "alarm"},      {"axis", "followingError"},
     {"axis", "posLimit"},   {"axis", "negLimit"},
     {"axis", "smoothStop"}, {"axis", "abruptStop"},
-    {"axis", "inPosition"},
+    {"axis", "inPosition"}, {"dac", ""},
 };
 
 std::string VcdCode(size_t index) {
@@ -97,9 +97,10 @@ std::vector<TraceColumn> DefaultColumns(const Controller& controller) {
     }
   };
   for (const DefaultValue& row : kDefaultValues) {
-    const size_t count = FindMotionPart(row.part)->count(controller.motion());
-    for (size_t number = 1; number <= count; ++number) {
-      add(fmt::format("{}{}.{}", row.part, number, row.value), row.threshold);
+    const MotionPart& part = *FindMotionPart(row.part);
+    const int count = static_cast<int>(part.count(controller.motion()));
+    for (int number = 1; number <= count; ++number) {
+      add(MotionValueName(part, number, row.value), row.threshold);
     }
   }
   for (const std::string_view word : WordNames()) add(std::string(word), 0);

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "runtime/plot.h"
+#include "runtime/trace_file.h"
 
 namespace oncard::tools {
 namespace {
@@ -90,21 +90,24 @@ Message GnuplotRemedy() {
           "未安装 gnuplot：apt-get install gnuplot-nox"};
 }
 
-int WritePicture(const Session& session, const std::string& path, const runtime::Trace& trace,
-                 const std::string& title) {
-  runtime::PlotOptions options;
-  options.title = title;
-  options.format =
-      path.ends_with(".png") ? runtime::PictureFormat::kPng : runtime::PictureFormat::kSvg;
-  const auto script = runtime::PlotScript(trace, options);
-  if (!script.ok()) return Fail(session, kExitFailed, script.error().message);
+int WritePicture(const Session& session, const std::string& path, const std::string& script) {
   // -d: without the user's own initialisation file.
-  const auto run = RunGnuplot({"-d", "-"}, script.value());
+  const auto run = RunGnuplot({"-d", "-"}, script);
   if (!run) return Fail(session, kExitUnreadable, GnuplotRemedy());
   if (run->out.empty()) {
     return Fail(session, kExitInternal, MakeMessage("gnuplot: {0}", "gnuplot：{0}", run->err));
   }
   return WriteOutput(session, path, run->out);
+}
+
+std::string CheckPictureName(const std::string& path) {
+  if (path.ends_with(".svg") || path.ends_with(".png")) return {};
+  return "the name must end in .svg or .png";
+}
+
+std::string CheckTraceName(const std::string& path) {
+  if (runtime::IsTraceName(path)) return {};
+  return "the name must end in .vcd, .csv, .json or .gnuplot";
 }
 
 }  // namespace oncard::tools

@@ -4,7 +4,6 @@
 
 #include <string>
 
-#include "runtime/trace.h"
 #include "tools/session.h"
 
 namespace oncard::tools {
@@ -15,8 +14,13 @@ std::string GnuplotVersion();
 /// What to do when it is not.
 Message GnuplotRemedy();
 
-/// Draws a trace to a file that ends in .svg or .png; reports what goes wrong. Gives the exit code.
-int WritePicture(const Session& session, const std::string& path, const runtime::Trace& trace,
-                 const std::string& title);
+/// Runs a script (runtime/plot.h) and writes the picture to a file; reports what goes wrong. Gives
+/// the exit code.
+int WritePicture(const Session& session, const std::string& path, const std::string& script);
+
+/// Empty for a name of a picture, .svg or .png; otherwise what is wrong with it.
+std::string CheckPictureName(const std::string& path);
+/// The same for a name that runtime::TraceText() knows.
+std::string CheckTraceName(const std::string& path);
 
 }  // namespace oncard::tools

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "runtime/trace_file.h"
 #include "tools/commands.h"
 #include "tools/gnuplot.h"
 #include "tools/run_report.h"
@@ -75,18 +76,20 @@ Result<runtime::Scenario> ScenarioOf(const RunArguments& arguments) {
   return scenario;
 }
 
-int WriteTrace(const RunArguments& arguments, const runtime::Trace& trace, const Session& session) {
-  const std::string extension = std::filesystem::path(arguments.trace).extension().string();
-  const std::string text = extension == ".vcd"    ? trace.Vcd()
-                           : extension == ".json" ? trace.Json()
-                                                  : trace.Csv();
-  return WriteOutput(session, arguments.trace, text);
-}
-
-std::string TitleOf(const runtime::Scenario& scenario) {
-  if (!scenario.title.empty()) return scenario.title;
-  const std::string& path = scenario.path.empty() ? scenario.program : scenario.path;
-  return std::filesystem::path(path).stem().string();
+int WriteTrace(const RunArguments& arguments, const runtime::Trace& trace, const std::string& title,
+               const Session& session) {
+  int code = kExitOk;
+  if (!arguments.trace.empty()) {
+    const auto text = runtime::TraceText(trace, arguments.trace, title);
+    if (!text.ok()) return Fail(session, kExitFailed, text.error().message);
+    code = WriteOutput(session, arguments.trace, text.value());
+  }
+  if (!arguments.plot.empty()) {
+    const auto script = runtime::TraceText(trace, arguments.plot + ".gnuplot", title);
+    if (!script.ok()) return Fail(session, kExitFailed, script.error().message);
+    code = std::max(code, WritePicture(session, arguments.plot, script.value()));
+  }
+  return code;
 }
 
 int WriteRecording(const RunArguments& arguments, const runtime::Scenario& scenario,
@@ -111,30 +114,15 @@ int Run(const RunArguments& arguments, const Session& session) {
   if (!result.ok()) return Fail(session, kExitUsage, result.error().message);
 
   int code = ReportRun(result.value(), arguments.format, session);
-  if (!arguments.trace.empty()) {
-    code = std::max(code, WriteTrace(arguments, *result.value().trace, session));
-  }
-  if (!arguments.plot.empty()) {
-    code = std::max(code, WritePicture(session, arguments.plot, *result.value().trace,
-                                       TitleOf(scenario.value())));
+  if (options.trace) {
+    code = std::max(code, WriteTrace(arguments, *result.value().trace,
+                                     runtime::TitleOf(scenario.value()), session));
   }
   if (options.record) {
     code = std::max(code, WriteRecording(arguments, scenario.value(),
                                          std::move(*result.value().schedule), session));
   }
   return code;
-}
-
-std::string CheckTraceName(const std::string& path) {
-  const std::string extension = std::filesystem::path(path).extension().string();
-  if (extension == ".vcd" || extension == ".csv" || extension == ".json") return {};
-  return "the name must end in .vcd, .csv or .json";
-}
-
-std::string CheckPlotName(const std::string& path) {
-  const std::string extension = std::filesystem::path(path).extension().string();
-  if (extension == ".svg" || extension == ".png") return {};
-  return "the name must end in .svg or .png";
 }
 
 // CLI11's own range lets NaN through.
@@ -228,8 +216,8 @@ void AddRun(CLI::App& app, Session& session) {
       ->type_name("FILE");
   command
       ->add_option("--trace", arguments->trace,
-                   say("write values over time, as .vcd, .csv or .json",
-                       "写出随时间变化的值，格式为 .vcd、.csv 或 .json"))
+                   say("write values over time, as .vcd, .csv, .json or .gnuplot",
+                       "写出随时间变化的值，格式为 .vcd、.csv、.json 或 .gnuplot"))
       ->type_name("FILE")
       ->check(CLI::Validator(CheckTraceName, ""));
   command
@@ -237,7 +225,7 @@ void AddRun(CLI::App& app, Session& session) {
                    say("draw values over time, as .svg or .png (needs gnuplot)",
                        "绘制随时间变化的曲线，格式为 .svg 或 .png（需要 gnuplot）"))
       ->type_name("FILE")
-      ->check(CLI::Validator(CheckPlotName, ""));
+      ->check(CLI::Validator(CheckPictureName, ""));
   AddIncludeOption(*command, session, arguments->include_folders);
   command
       ->add_option("--double", arguments->double_format,

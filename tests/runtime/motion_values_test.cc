@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "base/files.h"
 #include "tests/runtime/scenario_support.h"
 
 namespace oncard::runtime {
@@ -86,6 +87,12 @@ TEST_F(MotionValuesTest, ReadsProfilesEncodersAndTheMachine) {
   EXPECT_EQ(Read("encoder1.vel"), 4);
   state().plants[0].position = 12.5;
   EXPECT_EQ(Read("plant1.pos"), 12.5);
+  state().steps[1].position = 8;
+  EXPECT_EQ(Read("step2.pos"), 8);
+  state().dacs[0].value = 32767;
+  EXPECT_EQ(Read("dac1"), 32767);
+  EXPECT_EQ(Read("dac1.volts"), 10);
+  EXPECT_EQ(Read("adc8"), 0);
 }
 
 TEST(MotionValues, NeedNoProgram) {
@@ -96,6 +103,22 @@ TEST(MotionValues, NeedNoProgram) {
   EXPECT_EQ(ResolveQuantity("page0.i", controller).error().message.en,
             "no program is downloaded, so it has no variables");
   EXPECT_TRUE(GlobalQuantities(controller).empty());
+}
+
+TEST(MotionParts, AreDocumented) {
+  const std::string page = ReadFile(ONCARD_SOURCE_DIR "/docs/scenarios.md").value();
+  for (const MotionPart& part : MotionParts()) {
+    const size_t begin = page.find(fmt::format("| `{}1`", part.name));
+    const size_t other = page.find(fmt::format(" `{}1` |", part.name));
+    const size_t row = std::min(begin, other);
+    ASSERT_NE(row, std::string::npos) << part.name;
+    const std::string text = page.substr(row, page.find('\n', row) - row);
+    for (const MotionValue& value : part.values) {
+      if (value.name.empty()) continue;
+      EXPECT_NE(text.find(fmt::format("`{}`", value.name)), std::string::npos)
+          << part.name << '.' << value.name;
+    }
+  }
 }
 
 TEST(MotionParts, HaveUniqueNames) {
