@@ -7,8 +7,10 @@
 #include <cstdlib>
 #include <mutex>
 
+#include "base/files.h"
 #include "runtime/card_table.h"
 #include "runtime/expectation.h"
+#include "runtime/trace_file.h"
 
 namespace oncard::runtime {
 namespace {
@@ -43,8 +45,21 @@ Result<std::shared_ptr<const Scenario>> ScenarioFromEnvironment() {
   return scenario;
 }
 
-CardWatch::CardWatch(std::shared_ptr<const Scenario> scenario, int card)
-    : scenario_(std::move(scenario)), card_(card) {
+std::vector<std::string> TraceFilesFromEnvironment() {
+  const char* names = std::getenv("ONCARD_TRACE");
+  std::vector<std::string> files;
+  std::string_view rest = names == nullptr ? "" : names;
+  while (!rest.empty()) {
+    const std::string_view name = rest.substr(0, rest.find(':'));
+    if (!name.empty()) files.emplace_back(name);
+    rest.remove_prefix(std::min(name.size() + 1, rest.size()));
+  }
+  return files;
+}
+
+CardWatch::CardWatch(std::shared_ptr<const Scenario> scenario, int card,
+                     std::vector<std::string> trace_files)
+    : scenario_(std::move(scenario)), card_(card), trace_files_(std::move(trace_files)) {
   for (const Expectation& expectation : scenario_->expectations) {
     if (expectation.at_us) timed_.push_back(&expectation);
   }
@@ -62,10 +77,51 @@ void CardWatch::AdvanceUs(Controller* controller, int64_t microseconds) {
   for (; next_ < timed_.size(); ++next_) {
     const int64_t due_us = CycleOf(*timed_[next_]) * scenario_->cycle_us;
     if (due_us > end_us) break;
-    if (due_us > controller->NowUs()) controller->AdvanceUs(due_us - controller->NowUs());
+    if (due_us > controller->NowUs()) AdvanceTracedUs(controller, due_us - controller->NowUs());
     Judge(*timed_[next_], *controller);
   }
-  controller->AdvanceUs(end_us - controller->NowUs());
+  AdvanceTracedUs(controller, end_us - controller->NowUs());
+}
+
+void CardWatch::AdvanceTracedUs(Controller* controller, int64_t microseconds) {
+  if (trace_files_.empty()) {
+    controller->AdvanceUs(microseconds);
+    return;
+  }
+  if (!trace_) BeginTrace(*controller);
+  const int64_t end_us = controller->NowUs() + microseconds;
+  const int64_t cycle_us = controller->options().motion.cycle_us;
+  while (controller->NowUs() < end_us) {
+    const int64_t cycle = controller->cycle();
+    const int64_t rest_us = end_us - controller->NowUs();
+    controller->AdvanceUs(std::min(rest_us, cycle_us - controller->NowUs() % cycle_us));
+    if (controller->cycle() != cycle) trace_->Sample(*controller);
+  }
+}
+
+void CardWatch::BeginTrace(const Controller& controller) {
+  std::vector<TraceColumn> columns;
+  for (const std::string& name : scenario_->trace) {
+    auto found = ResolveQuantity(name, controller);
+    if (!found.ok()) {
+      failures_.push_back(found.error().message);
+      continue;
+    }
+    for (Quantity& quantity : found.value()) columns.push_back({std::move(quantity)});
+  }
+  if (scenario_->trace.empty()) columns = DefaultColumns(controller);
+  trace_.emplace(std::move(columns));
+  trace_->Sample(controller);
+}
+
+void CardWatch::WriteTrace(const Controller& controller) {
+  if (!trace_) return;
+  trace_->Finish(controller);
+  for (const std::string& file : trace_files_) {
+    const auto text = TraceText(*trace_, file, TitleOf(*scenario_));
+    const auto written = text.ok() ? WriteFileAtomically(file, text.value()) : text.error();
+    if (!written.ok()) failures_.push_back(written.error().message);
+  }
 }
 
 void CardWatch::Finish(Controller* controller) {
@@ -76,6 +132,7 @@ void CardWatch::Finish(Controller* controller) {
   for (const Expectation& expectation : scenario_->expectations) {
     if (!expectation.at_us) Judge(expectation, *controller);
   }
+  WriteTrace(*controller);
   Verdict& verdict = VerdictOfProcess();
   const std::lock_guard lock(verdict.mutex);
   verdict.failures.insert(verdict.failures.end(), failures_.begin(), failures_.end());

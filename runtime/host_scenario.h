@@ -12,16 +12,22 @@
 #include "base/result.h"
 #include "runtime/controller.h"
 #include "runtime/scenario.h"
+#include "runtime/trace.h"
 
 namespace oncard::runtime {
 
 /// The scenario, read at the first question; NULL when the environment names none.
 Result<std::shared_ptr<const Scenario>> ScenarioFromEnvironment();
 
-/// The expectations of a scenario on one card, from its opening on.
+/// The names of the files that ONCARD_TRACE names, between colons: what a trace of the first card
+/// that is opened is written to (trace_file.h).
+std::vector<std::string> TraceFilesFromEnvironment();
+
+/// The expectations of a scenario on one card, from its opening on, and the trace of the card.
 class CardWatch {
  public:
-  CardWatch(std::shared_ptr<const Scenario> scenario, int card);
+  CardWatch(std::shared_ptr<const Scenario> scenario, int card,
+            std::vector<std::string> trace_files = {});
 
   /// Lets time pass on the card and judges what is due on the way.
   void AdvanceUs(Controller* controller, int64_t microseconds);
@@ -29,6 +35,9 @@ class CardWatch {
   void Finish(Controller* controller);
 
  private:
+  void AdvanceTracedUs(Controller* controller, int64_t microseconds);
+  void BeginTrace(const Controller& controller);
+  void WriteTrace(const Controller& controller);
   void Judge(const Expectation& expectation, const Controller& controller);
   void Fail(const Expectation& expectation, const Message& why);
   int64_t CycleOf(const Expectation& expectation) const;
@@ -38,6 +47,8 @@ class CardWatch {
   std::vector<const Expectation*> timed_;  // in order of time, from next_ on to be judged
   size_t next_ = 0;
   std::vector<Message> failures_;
+  std::vector<std::string> trace_files_;
+  std::optional<Trace> trace_;  // since the card was opened, when there are files
 };
 
 /// Called when the host ends: judges the cards that are still open and reports failed expectations

@@ -50,12 +50,16 @@ int16_t Open(ServiceCall& call) {
   if (!clock.ok()) return call.Refuse(kOpenFailed, clock.error().message);
   const auto scenario = ScenarioFromEnvironment();
   if (!scenario.ok()) return call.Refuse(kOpenFailed, scenario.error().message);
-  if (scenario.value() == nullptr) {
+  std::shared_ptr<const Scenario> world = scenario.value();
+  std::vector<std::string> trace_files;
+  if (CardNumber(call) == 0) trace_files = TraceFilesFromEnvironment();
+  if (world == nullptr && !trace_files.empty()) world = std::make_shared<const Scenario>();
+  if (world == nullptr) {
     slot.controller = std::make_unique<Controller>();
   } else {
-    slot.controller = std::make_unique<Controller>(CardOptions(*scenario.value()));
-    ApplyWorld(*scenario.value(), slot.controller.get());
-    slot.watch.emplace(scenario.value(), CardNumber(call));
+    slot.controller = std::make_unique<Controller>(CardOptions(*world));
+    ApplyWorld(*world, slot.controller.get());
+    slot.watch.emplace(world, CardNumber(call), std::move(trace_files));
   }
   slot.clock.emplace(clock.value());
   if (CallLog& log = CallLog::OfProcess(); log.enabled()) {
