@@ -1,4 +1,6 @@
 // oncard exec: a host program in virtual time.
+#include <spawn.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -7,10 +9,12 @@
 #include <filesystem>
 #include <system_error>
 
+#include "base/files.h"
 #include "runtime/clock.h"
 #include "runtime/key_script.h"
 #include "runtime/scenario.h"
 #include "tools/commands.h"
+#include "tools/gnuplot.h"
 
 namespace oncard::tools {
 namespace {
@@ -22,6 +26,8 @@ struct ExecArguments {
   std::string scenario;
   std::string keys;
   std::string clock = "virtual";
+  std::string trace;
+  std::string plot;
 };
 
 /// The folder of libgts and the preload library: beside the command, or in ../lib.
@@ -44,6 +50,43 @@ void ExtendList(const char* name, const std::string& value, const char* separato
   ::setenv(name, list.c_str(), 1);
 }
 
+/// What the host library writes the script of the picture to.
+std::string ScriptPath(const ExecArguments& arguments) { return arguments.plot + ".gnuplot"; }
+
+/// Tells the host library what to write: the trace, and the script of the picture.
+void RequestTrace(const ExecArguments& arguments) {
+  // The host may change its folder.
+  const auto absolute = [](const std::string& path) {
+    std::error_code error;
+    return std::filesystem::absolute(path, error).string();
+  };
+  std::string files;
+  if (!arguments.trace.empty()) files = absolute(arguments.trace);
+  if (!arguments.plot.empty()) files += ':' + absolute(ScriptPath(arguments));
+  if (!files.empty()) ::setenv("ONCARD_TRACE", files.c_str(), 1);
+}
+
+/// Runs the host to its end, then draws. Gives the host's exit code unless drawing fails.
+int RunAndDraw(const ExecArguments& arguments, char* const* host, const Session& session) {
+  pid_t process = 0;
+  const int failure = ::posix_spawnp(&process, host[0], nullptr, nullptr, host, environ);
+  if (failure != 0) {
+    return Fail(session, kExitUnreadable,
+                MakeMessage("cannot run '{0}': {1}", "无法运行“{0}”：{1}", host[0],
+                            std::strerror(failure)));
+  }
+  int status = 0;
+  if (::waitpid(process, &status, 0) != process) return kExitInternal;
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  const auto script = ReadFile(ScriptPath(arguments));
+  if (!script.ok()) return code != 0 ? code : Fail(session, kExitFailed, script.error().message);
+  std::error_code ignored;
+  std::filesystem::remove(ScriptPath(arguments), ignored);
+  ::unsetenv("LD_PRELOAD");  // gnuplot goes by the real time
+  const int drawn = WritePicture(session, arguments.plot, script.value());
+  return code != 0 ? code : drawn;
+}
+
 int Exec(const ExecArguments& arguments, const Session& session) {
   const auto clock = runtime::ParseClockSetting(arguments.clock);
   if (!clock.ok()) {
@@ -58,6 +101,7 @@ int Exec(const ExecArguments& arguments, const Session& session) {
     if (!scenario.ok()) return Fail(session, kExitUnreadable, scenario.error().message);
     ::setenv("ONCARD_SCENARIO", arguments.scenario.c_str(), 1);
   }
+  RequestTrace(arguments);
   if (!arguments.keys.empty()) ::setenv("ONCARD_KEYS", arguments.keys.c_str(), 1);
   ::setenv("ONCARD_CLOCK", arguments.clock.c_str(), 1);
 
@@ -76,6 +120,9 @@ int Exec(const ExecArguments& arguments, const Session& session) {
   std::vector<char*> pointers;
   for (std::string& argument : host) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
+  if (!arguments.plot.empty()) {
+    return RunAndDraw(arguments, pointers.data(), session);
+  }
   ::execvp(pointers[0], pointers.data());
   return Fail(
       session, kExitUnreadable,
@@ -110,6 +157,18 @@ void AddExec(CLI::App& app, Session& session) {
                    session.Say({"virtual (default), real or real:SCALE",
                                 "virtual（默认）、real 或 real:倍率"}))
       ->type_name("CLOCK");
+  command
+      ->add_option("--trace", arguments->trace,
+                   session.Say({"write values over time, as .vcd, .csv, .json or .gnuplot",
+                                "写出随时间变化的值，格式为 .vcd、.csv、.json 或 .gnuplot"}))
+      ->type_name("FILE")
+      ->check(CLI::Validator(CheckTraceName, ""));
+  command
+      ->add_option("--plot", arguments->plot,
+                   session.Say({"draw values over time, as .svg or .png (needs gnuplot)",
+                                "绘制随时间变化的曲线，格式为 .svg 或 .png（需要 gnuplot）"}))
+      ->type_name("FILE")
+      ->check(CLI::Validator(CheckPictureName, ""));
 }
 
 }  // namespace oncard::tools

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,26 @@ TEST(Exec, AMoveEndsWhereAndWhenItShould) {
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.out, "50000 pulses in 1325 ms\n");
   }
+}
+
+TEST(Exec, TracesTheFirstCard) {
+  const ScratchFolder scratch;
+  const ProcessResult result = Exec({"--trace", scratch.path() + "/t.csv"}, {Client("trap_move")});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const std::string csv = scratch.Read("t.csv");
+  EXPECT_TRUE(csv.starts_with("time_ms,axis1.prfPos,axis1.prfVel,axis1.prfAcc,")) << csv;
+  EXPECT_NE(csv.find(",50000.0,0.0,0.0,"), std::string::npos) << csv.substr(csv.size() - 200);
+}
+
+TEST(Exec, DrawsTheFirstCard) {
+  if (!std::filesystem::exists("/usr/bin/gnuplot")) {
+    GTEST_SKIP() << "gnuplot is not installed: apt-get install gnuplot-nox";
+  }
+  const ScratchFolder scratch;
+  const ProcessResult result = Exec({"--plot", scratch.path() + "/t.svg"}, {Client("trap_move")});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(scratch.Read("t.svg").find("axis1.prfVel"), std::string::npos);
+  EXPECT_FALSE(scratch.Has("t.svg.gnuplot"));
 }
 
 TEST(Exec, ThreadsOfTheHostShareTheTime) {
