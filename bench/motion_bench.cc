@@ -61,6 +61,30 @@ void MeasureTrap() {
   PrintTicks("8 axes, Trap without servo, 1 ms", config, kTicks, seconds);
 }
 
+// Closed loop: 12 axes jog, each with a controller and a velocity drive of its own.
+void MeasureServo() {
+  constexpr int64_t kTicks = 200'000;
+  motion::MotionConfig config;
+  config.axis_count = 12;
+  motion::MotionCore core(config);
+  for (size_t i = 0; i < core.axis_count(); ++i) {
+    core.state().drives[i] = motion::VelocityDrive(100, 2, 0);
+    core.state().controls[i].sets[0] = {.kp = 20};
+    core.SetClosedLoop(i, true);
+    core.ServoOn(i);
+    motion::Profile& profile = core.state().profiles[i];
+    profile.mode = motion::ProfileMode::kJog;
+    profile.jog.velocity = 10;
+    core.StartProfile(i);
+  }
+  const double seconds = MeasureCpu([&] {
+    for (int64_t i = 0; i < kTicks; ++i) core.Tick();
+  });
+  const motion::Axis& last = core.state().axes[core.axis_count() - 1];
+  if (last.encoder.velocity < 5) Fail("the drives did not follow");
+  PrintTicks("12 axes, Jog with servo, 250 us", config, kTicks, seconds);
+}
+
 void Accept(const char* command, short code) {
   if (code != 0) Fail(std::string(command) + " = " + std::to_string(code));
 }
@@ -101,6 +125,7 @@ void MeasureCalls() {
 void BenchMotion() {
   MeasureIdle();
   MeasureTrap();
+  MeasureServo();
   MeasureCalls();
 }
 

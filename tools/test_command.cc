@@ -14,6 +14,9 @@ struct TestArguments {
   std::string format = "text";
 };
 
+// Scenarios of host programs are named so: `oncard exec` runs them.
+constexpr std::string_view kHostScenario = ".host.toml";
+
 // The scenarios below a folder, sorted by path; a file stands for itself.
 Result<std::vector<std::string>> FindScenarios(const std::string& path) {
   std::vector<std::string> found;
@@ -28,7 +31,8 @@ Result<std::vector<std::string>> FindScenarios(const std::string& path) {
   }
   using Iterator = std::filesystem::recursive_directory_iterator;
   for (Iterator entry(path, error); !error && entry != Iterator(); entry.increment(error)) {
-    if (entry->path().extension() == ".toml") found.push_back(entry->path().generic_string());
+    const std::string name = entry->path().filename().string();
+    if (name.ends_with(".toml") && !name.ends_with(kHostScenario)) found.push_back(entry->path().generic_string());
   }
   if (error) {
     return MakeError(1, "cannot read the folder '{0}': {1}", "无法读取文件夹“{0}”：{1}", path,
