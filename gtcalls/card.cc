@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gtcalls/commands/commands.h"
+#include "gtcalls/unsupported.h"
 
 namespace oncard::gtcalls {
 namespace {
@@ -135,8 +136,13 @@ bool IsImplemented(const Command& command) { return FunctionOf(command) != nullp
 int16_t ExecuteCommand(Call& call) {
   const CommandFunction function = FunctionOf(call.command);
   if (function == nullptr) {
-    return call.Refuse(kNotSupported, MakeMessage("{0} is not supported by this card",
-                                                  "本控制卡不支持 {0}", call.command.name));
+    Message reason =
+        MakeMessage("{0} is not supported by this card", "本控制卡不支持 {0}", call.command.name);
+    if (const Message* why = WhyUnsupported(call.command)) {
+      reason.en += ": " + why->en;
+      reason.zh += "：" + why->zh;
+    }
+    return call.Refuse(kNotSupported, std::move(reason));
   }
   const int16_t code = CheckArguments(call);
   return code != vm::kOk ? code : function(call);

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "gtcalls/card.h"
+#include "gtcalls/unsupported.h"
+#include "runtime/host_services.h"
 #include "tools/commands.h"
 #include "tools/gnuplot.h"
 
@@ -17,6 +19,11 @@ struct DoctorArguments {
   bool commands = false;
   std::string format = "text";
 };
+
+/// Executed by the card, or answered by the host library.
+bool IsAnswered(const gtcalls::Command& command) {
+  return IsImplemented(command) || runtime::FindHostService(command.name) != nullptr;
+}
 
 struct Fact {
   std::string key;
@@ -35,7 +42,7 @@ std::vector<Fact> Facts() {
   const auto commands = gtcalls::Commands();
   const auto implemented =
       std::count_if(commands.begin(), commands.end(),
-                    [](const gtcalls::Command& command) { return IsImplemented(command); });
+                    [](const gtcalls::Command& command) { return IsAnswered(command); });
   const auto in_programs =
       std::count_if(commands.begin(), commands.end(),
                     [](const gtcalls::Command& command) { return command.in_motion_program; });
@@ -63,9 +70,7 @@ std::vector<Fact> Facts() {
       {"commands_in_programs",
        {"... allowed in motion programs", "……可在运动程序中使用"},
        count(in_programs)},
-      {"commands_implemented",
-       {"... that the simulated card executes", "……模拟卡可执行"},
-       count(implemented)},
+      {"commands_implemented", {"... that are implemented", "……已实现"}, count(implemented)},
       {"diagnostics",
        {"diagnostics of the compiler", "编译器诊断"},
        count(compiler::DiagnosticTable().size())},
@@ -119,13 +124,19 @@ void PrintCommands(bool as_json, const Session& session) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   std::string text;
   for (const gtcalls::Command& command : gtcalls::Commands()) {
-    const bool implemented = IsImplemented(command);
-    const Message state =
+    const bool implemented = IsAnswered(command);
+    Message state =
         implemented ? Message{"implemented", "已实现"} : Message{"not supported", "不支持"};
+    const Message* why = implemented ? nullptr : gtcalls::WhyUnsupported(command);
+    if (why != nullptr) {
+      state.en += ": " + why->en;
+      state.zh += "：" + why->zh;
+    }
     text += fmt::format("{:<28} {}\n", command.name, session.Say(state));
     list.push_back({{"name", command.name},
                     {"implemented", implemented},
                     {"in_motion_program", command.in_motion_program}});
+    if (why != nullptr) list.back()["reason"] = session.Say(*why);
   }
   PrintResult(as_json ? list.dump(2) + '\n' : text);
 }

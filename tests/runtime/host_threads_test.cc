@@ -85,6 +85,34 @@ TEST_F(HostThreads, OnlyOneOfThemOpensACard) {
   EXPECT_EQ(std::count(codes.begin(), codes.end(), -6), kHostThreads - 1);
 }
 
+// Motion commands: each thread moves an axis of its own on a card that all share, and reads
+// everybody else's.
+TEST_F(HostThreads, EachMovesAnAxisOfTheSameCard) {
+  ASSERT_EQ(GT_Open(0), 0);
+  ASSERT_EQ(GT_ClrSts(0, 1, kHostThreads), 0);
+  OnAllThreads([](int thread) {
+    const auto axis = static_cast<short>(thread + 1);
+    EXPECT_EQ(GT_AxisOn(0, axis), 0);
+    EXPECT_EQ(GT_PrfTrap(0, axis), 0);
+    TTrapPrm trap = {1, 1, 0, 0};
+    EXPECT_EQ(GT_SetTrapPrm(0, axis, &trap), 0);
+    EXPECT_EQ(GT_SetVel(0, axis, 10), 0);
+    for (int round = 1; round <= 5; ++round) {
+      EXPECT_EQ(GT_SetPos(0, axis, round * 100L * axis), 0);
+      EXPECT_EQ(GT_Update(0, 1 << thread), 0);
+      long status[kHostThreads] = {};
+      double positions[kHostThreads] = {};
+      do {
+        EXPECT_EQ(GT_GetSts(0, 1, status, kHostThreads), 0);
+        EXPECT_EQ(GT_GetPrfPos(0, 1, positions, kHostThreads), 0);
+      } while ((status[thread] & 0x400) != 0);
+      EXPECT_EQ(GT_GetPrfPos(0, axis, positions), 0);
+      EXPECT_EQ(positions[0], round * 100.0 * axis);
+    }
+    EXPECT_EQ(GT_AxisOff(0, axis), 0);
+  });
+}
+
 TEST_F(HostThreads, ClosingWhileOthersCallIsSafe) {
   OnAllThreads([](int thread) {
     for (int round = 0; round < kRounds; ++round) {

@@ -1,0 +1,28 @@
+// Every command of the catalogue is executed by the card, answered by the host library, or has a
+// reason why not.
+#include <gtest/gtest.h>
+
+#include "gtcalls/card.h"
+#include "gtcalls/unsupported.h"
+#include "runtime/host_services.h"
+
+namespace oncard::runtime {
+namespace {
+
+TEST(SupportedCommandsTest, WhatIsNotExecutedHasAReason) {
+  for (const gtcalls::Command& command : gtcalls::Commands()) {
+    if (IsImplemented(command) || FindHostService(command.name) != nullptr) continue;
+    const Message* why = gtcalls::WhyUnsupported(command);
+    ASSERT_NE(why, nullptr) << command.name << " needs a row in gtcalls/unsupported.def";
+    EXPECT_FALSE(why->en.empty()) << command.name;
+    EXPECT_FALSE(why->zh.empty()) << command.name;
+  }
+}
+
+TEST(SupportedCommandsTest, ReasonsNameCommandsOfTheCatalogue) {
+#define UNSUPPORTED(name, id) EXPECT_NE(gtcalls::FindCommand(#name), nullptr) << #name;
+#include "gtcalls/unsupported.def"
+}
+
+}  // namespace
+}  // namespace oncard::runtime
