@@ -102,9 +102,7 @@ std::vector<Point> Simplify(const std::vector<Point>& points) {
   Point last = points.front();
   double lowest = -HUGE_VAL;
   double highest = HUGE_VAL;
-  const auto rise = [&](double y, double x) {
-    return (y - kept.back().y) / (x - kept.back().x);
-  };
+  const auto rise = [&](double y, double x) { return (y - kept.back().y) / (x - kept.back().x); };
   for (size_t i = 1; i < points.size(); ++i) {
     const Point& point = points[i];
     const double slope = rise(point.y, point.x);

@@ -71,8 +71,27 @@ std::string Producer(const std::string& svg) {
   return begin == std::string::npos ? "" : svg.substr(begin, svg.find('\n', begin) - begin);
 }
 
-// samples/10_trap/trap.toml is drawn in docs/pictures/10_trap.svg, and so on. After a change that
-// is meant to be seen: ./x pictures.
+// Draws the sample of this folder: a scenario with a program, or one of a host program.
+std::string DrawSample(const std::string& folder, const ScratchFolder& scratch) {
+  const std::string name = folder.substr(folder.find('_') + 1);
+  const std::string scenario = fmt::format("{}/samples/{}/{}", kSource, folder, name);
+  if (std::filesystem::exists(scenario + ".toml")) {
+    return Draw(scenario + ".toml", scratch, folder + ".svg");
+  }
+  const std::string host = fmt::format("{}/samples/sample_{}", ONCARD_BUILD_DIR, folder);
+  const ProcessResult result = RunOncard({"exec", "--scenario", scenario + ".host.toml", "--plot",
+                                          scratch.path() + "/host.svg", "--", host});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  return scratch.Read("host.svg");
+}
+
+bool CanDraw(const std::string& folder) {
+  const bool needs_host = std::filesystem::exists(kSource + "/samples/" + folder + "/host.c");
+  return !needs_host || std::filesystem::exists(ONCARD_BUILD_DIR "/samples/sample_" + folder);
+}
+
+// samples/10_trap is drawn in docs/pictures/10_trap.svg, and so on. After a change that is meant to
+// be seen: ./x pictures.
 TEST(Plot, PicturesOfTheDocumentationShowTheSamples) {
   REQUIRE_GNUPLOT();
   const ScratchFolder scratch;
@@ -84,10 +103,9 @@ TEST(Plot, PicturesOfTheDocumentationShowTheSamples) {
   ASSERT_FALSE(pictures.empty());
   for (const std::filesystem::path& picture : pictures) {
     const std::string folder = picture.stem().string();
-    const std::string scenario = fmt::format("{0}/samples/{1}/{2}.toml", kSource, folder,
-                                             folder.substr(folder.find('_') + 1));
+    if (!CanDraw(folder)) continue;  // built with a sanitizer, without oncard exec
     const std::string committed = ReadFile(picture.string()).value();
-    const std::string drawn = Draw(scenario, scratch, folder + ".svg");
+    const std::string drawn = DrawSample(folder, scratch);
     if (Producer(drawn) != Producer(committed)) {
       GTEST_SKIP() << "drawn by another gnuplot: " << Producer(committed);
     }
