@@ -18,10 +18,12 @@ const std::vector<CommandFunction>& FunctionsByNumber() {
   static const std::vector<CommandFunction> functions = [] {
     std::vector<CommandFunction> table;
     for (const std::span<const CommandEntry> topic :
-         {ThreadCommands(), VariableCommands(), TimeCommands(), DigitalIoCommands(),
-          UserVariableCommands(), AnalogCommands(), ExtensionCommands(), EncoderCommands(),
-          ServoCommands(), PlcCommands(), PlcWordCommands(), AxisCommands(), PositionCommands(),
-          TrapCommands(), GearCommands(), FollowCommands(), PtCommands(), PvtCommands()}) {
+         {ThreadCommands(),       VariableCommands(), TimeCommands(),      DigitalIoCommands(),
+          UserVariableCommands(), AnalogCommands(),   ExtensionCommands(), EncoderCommands(),
+          ServoCommands(),        PlcCommands(),      PlcWordCommands(),   AxisCommands(),
+          PositionCommands(),     TrapCommands(),     GearCommands(),      FollowCommands(),
+          PtCommands(),           PvtCommands(),      CrdCommands(),       SegmentCommands(),
+          BufferCommands()}) {
       for (const CommandEntry& entry : topic) {
         const Command* command = FindCommand(entry.name);
         assert(command != nullptr);

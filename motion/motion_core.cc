@@ -53,6 +53,7 @@ void MotionCore::Reset() {
   state_.io.Reset();
   state_.profiles.fill({});
   state_.pvt_tables.fill(nullptr);
+  state_.crds = {};
   state_.encoders.fill({});
   for (size_t i = 0; i < kAxisMax; ++i) {
     state_.axes[i] = DefaultAxis(static_cast<int>(i));
@@ -78,6 +79,9 @@ void MotionCore::AdvanceProfiles() {
     } else {
       AdvanceProfile(i);
     }
+  }
+  for (Crd& crd : state_.crds) {
+    if (crd.run.running) AdvanceCrd(crd);
   }
   if (!crd_slaves) return;
   for (size_t i = 0; i < axis_count(); ++i) {
@@ -235,6 +239,10 @@ void MotionCore::ClearStatus(size_t axis) {
 }
 
 void MotionCore::StopProfile(size_t profile, bool abrupt) {
+  for (size_t i = 0; i < kCrdCount && state_.profiles[profile].driven; ++i) {
+    if (state_.crds[i].Drives(profile)) StopCrd(i, abrupt);
+  }
+  if (state_.profiles[profile].driven) return;
   Profile& stopped = state_.profiles[profile];
   stopped.Stop(now(), abrupt ? stopped.abrupt_stop : stopped.smooth_stop);
 }

@@ -28,6 +28,7 @@
 #include "motion/analog.h"
 #include "motion/axis.h"
 #include "motion/control.h"
+#include "motion/crd.h"
 #include "motion/digital_io.h"
 #include "motion/encoder.h"
 #include "motion/extension.h"
@@ -55,6 +56,7 @@ struct MotionState {
   DigitalIo io;
   std::array<Profile, kAxisMax> profiles;
   std::array<PvtTablePointer, kPvtTableCount> pvt_tables;
+  std::array<Crd, kCrdCount> crds;
   std::array<Axis, kAxisMax> axes;
   std::array<Encoder, kAxisMax> encoders;
   std::array<EncoderFault, kAxisMax> encoder_faults;
@@ -72,9 +74,9 @@ struct MotionState {
   std::array<double, kUserVariableCount> double_vars{};
 
   auto Fields() const {
-    return std::tie(cycle, clock_cycle, io, profiles, pvt_tables, axes, encoders, encoder_faults,
-                    drives, plants, steps, controls, dacs, adcs, modules, world, switches,
-                    index_marks, long_vars, double_vars);
+    return std::tie(cycle, clock_cycle, io, profiles, pvt_tables, crds, axes, encoders,
+                    encoder_faults, drives, plants, steps, controls, dacs, adcs, modules, world,
+                    switches, index_marks, long_vars, double_vars);
   }
 };
 
@@ -148,6 +150,21 @@ class MotionCore {
   void SetProfileScale(size_t axis, Scale scale);
   void SetEncoderScale(size_t axis, Scale scale);
 
+  // --- Coordinate systems ------------------------------------------------------------------------
+
+  /// GT_SetCrdPrm: the profiles change to mode Crd, the FIFOs are emptied. They must be at rest.
+  void SetUpCrd(size_t crd, CrdParameters parameters);
+  /// Where the members are, relative to the origin.
+  Coordinates CrdPosition(size_t crd) const;
+  /// Appends a slot to a FIFO; false when there is no room.
+  bool AppendToCrd(size_t crd, size_t fifo, const PathSlot& slot) {
+    return state_.crds[crd].Append(fifo, slot, now());
+  }
+  /// Begins or resumes a run; `single_step` ends it after one segment.
+  void StartCrd(size_t crd, size_t fifo, bool single_step);
+  /// Stops a run along its path.
+  void StopCrd(size_t crd, bool abrupt);
+
   // --- The world -------------------------------------------------------------------------------
 
   /// What will happen from now on; in order of time. Events whose instant has passed happen at the
@@ -165,6 +182,13 @@ class MotionCore {
   void AdvanceProfile(size_t index);
   /// A slave whose master is planned by a coordinate system.
   bool FollowsCrd(const Profile& profile) const;
+  void AdvanceCrd(Crd& crd);
+  /// A buffered command, at the tick in which the segment before it ended.
+  void CarryOut(Crd& crd, const BufferedCommand& command);
+  void StartBufferedMove(Crd& crd, const BufferedCommand& command);
+  void StartGear(Crd& crd, const BufferedCommand& command);
+  /// Members and geared profiles to where the path has come.
+  void WriteCrd(Crd& crd);
   void MapProfiles();
   void GuardAxis(size_t index);
   void AdvanceMachine();

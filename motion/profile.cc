@@ -4,6 +4,7 @@ namespace oncard::motion {
 
 void Profile::Start(Micros instant) {
   stopping = false;
+  driven = false;
   if (mode == ProfileMode::kTrap) {
     trap.Start(instant, now);
     now.moving = trap.running;
@@ -21,18 +22,20 @@ void Profile::Start(Micros instant) {
 
 void Profile::StartGear(const MasterValue& master) {
   stopping = false;
+  driven = false;
   gear.Start(now, master);
   now.moving = true;
 }
 
 void Profile::StartFollow(uint8_t fifo, const MasterValue& master) {
   stopping = false;
+  driven = false;
   follow.Start(fifo, now, master);
   now.moving = true;
 }
 
 const Master* Profile::FollowedMaster() const {
-  if (!now.moving || stopping) return nullptr;
+  if (!now.moving || stopping || driven) return nullptr;
   if (mode == ProfileMode::kGear) return &gear.master;
   if (mode == ProfileMode::kFollow) return &follow.master;
   return nullptr;
@@ -52,7 +55,7 @@ void Profile::Stop(Micros instant, double deceleration) {
 }
 
 void Profile::Advance(Micros instant) {
-  if (!now.moving) return;
+  if (!now.moving || driven) return;
   if (stopping) {
     now = stop_plan.At(MsBetween(stop_begin, instant));
     stopping = now.moving;

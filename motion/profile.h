@@ -33,6 +33,8 @@ struct Profile {
   ProfileMode mode = ProfileMode::kTrap;
   /// What came out at the last tick, and what a command since has made of it.
   Sample now;
+  /// A coordinate system writes the output, as a member's or as a BufGear axis'.
+  bool driven = false;
   double smooth_stop = kSmoothStopDefault;
   double abrupt_stop = kAbruptStopDefault;
 
@@ -67,8 +69,8 @@ struct Profile {
   void SetPosition(double position) { now = AtRest(position); }
 
   auto Fields() const {
-    return std::tie(mode, now, smooth_stop, abrupt_stop, trap, jog, gear, follow, pt, pvt, stopping,
-                    stop_deceleration, stop_begin, stop_plan);
+    return std::tie(mode, now, driven, smooth_stop, abrupt_stop, trap, jog, gear, follow, pt, pvt,
+                    stopping, stop_deceleration, stop_begin, stop_plan);
   }
 
  private:

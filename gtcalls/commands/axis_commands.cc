@@ -3,7 +3,7 @@
 // Tested by tests/gtcalls/axis_command_test.cc.
 #include <cstdlib>
 
-#include "gtcalls/commands/motion_support.h"
+#include "gtcalls/commands/crd_support.h"
 
 namespace oncard::gtcalls {
 namespace {
@@ -141,11 +141,16 @@ int16_t GetStopDec(Call& call) {
 }
 
 /// Bit n-1 of the mask: profile n. A 0 at the same place of the option stops it smoothly, a 1
-/// abruptly.
+/// abruptly. The bits behind the axes stand for coordinate systems.
 int16_t Stop(Call& call) {
   const std::vector<size_t> profiles = SelectedProfiles(call);
-  if (profiles.empty()) return vm::kRefused;
+  const std::vector<size_t> crds = CrdsOfAxisMask(call, call.value(0));
+  if (profiles.empty() && crds.empty()) return vm::kRefused;
+  call.reason = {};
   const uint32_t abrupt = BitWord(call.value(1));
+  for (const size_t i : crds) {
+    call.card.motion.StopCrd(i, (abrupt >> (FirstCrdBit(call) + i) & 1) != 0);
+  }
   for (const size_t i : profiles) call.card.motion.StopProfile(i, (abrupt >> i & 1) != 0);
   return vm::kOk;
 }

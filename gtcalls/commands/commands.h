@@ -41,6 +41,9 @@ std::span<const CommandEntry> GearCommands();
 std::span<const CommandEntry> FollowCommands();
 std::span<const CommandEntry> PtCommands();
 std::span<const CommandEntry> PvtCommands();
+std::span<const CommandEntry> CrdCommands();
+std::span<const CommandEntry> SegmentCommands();
+std::span<const CommandEntry> BufferCommands();
 
 /// The thread is in the middle of its function, or will be started again by its period.
 bool IsActive(const vm::ThreadState& thread);

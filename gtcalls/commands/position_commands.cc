@@ -3,7 +3,7 @@
 // Tested by tests/gtcalls/position_command_test.cc.
 #include <cmath>
 
-#include "gtcalls/commands/motion_support.h"
+#include "gtcalls/commands/crd_support.h"
 
 namespace oncard::gtcalls {
 namespace {
@@ -68,10 +68,24 @@ int16_t GetAxisError(Call& call) {
   });
 }
 
+/// Assumption: a coordinate system's bit stands for the axes that map its members.
+void SynchMembers(const Call& call, size_t crd) {
+  motion::MotionCore& core = call.card.motion;
+  for (size_t axis = 0; axis < core.axis_count(); ++axis) {
+    for (size_t i = 0; i < core.state().crds[crd].dimension(); ++i) {
+      const auto member = static_cast<unsigned>(core.state().crds[crd].members[i]);
+      if ((core.state().axes[axis].profile_map >> member & 1) != 0) core.SynchAxis(axis);
+    }
+  }
+}
+
 int16_t SynchAxisPos(Call& call) {
   const std::vector<size_t> axes = SelectedProfiles(call);
-  if (axes.empty()) return vm::kRefused;
+  const std::vector<size_t> crds = CrdsOfAxisMask(call, call.value(0));
+  if (axes.empty() && crds.empty()) return vm::kRefused;
+  call.reason = {};
   for (const size_t axis : axes) call.card.motion.SynchAxis(axis);
+  for (const size_t crd : crds) SynchMembers(call, crd);
   return vm::kOk;
 }
 

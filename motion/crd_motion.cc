@@ -1,0 +1,180 @@
+// The motion core's part of coordinate systems: what their paths and buffered commands do to
+// profiles, outputs and registers. Tested by tests/motion/crd_test.cc.
+#include "motion/motion_core.h"
+
+namespace oncard::motion {
+
+void MotionCore::SetUpCrd(size_t index, CrdParameters parameters) {
+  Crd& crd = state_.crds[index];
+  for (size_t i = 0; i < crd.dimension(); ++i) {
+    Profile& left = state_.profiles[static_cast<size_t>(crd.members[i])];
+    if (left.mode == ProfileMode::kCrd) left.mode = ProfileMode::kTrap;
+  }
+  for (uint32_t i = 0; i < crd.gear_count; ++i) {
+    state_.profiles[static_cast<size_t>(crd.gears[i].profile)].driven = false;
+  }
+  crd = {};
+  crd.parameters = parameters;
+  for (size_t i = 0; i < kCrdParameterAxes; ++i) {
+    if (parameters.profile[i] == 0) continue;
+    const auto coordinate = static_cast<size_t>(parameters.profile[i] - 1);
+    Profile& member = state_.profiles[i];
+    crd.members[coordinate] = static_cast<int32_t>(i);
+    crd.origin[coordinate] =
+        parameters.set_origin != 0 ? parameters.origin[coordinate] : member.now.position;
+    member.mode = ProfileMode::kCrd;
+  }
+  crd.position = CrdPosition(index);
+  for (CrdFifo& fifo : crd.fifos) fifo.slots.slots.reserve(kCrdFifoSize);
+}
+
+Coordinates MotionCore::CrdPosition(size_t index) const {
+  const Crd& crd = state_.crds[index];
+  Coordinates position{};
+  for (size_t i = 0; i < crd.dimension(); ++i) {
+    const Profile& member = state_.profiles[static_cast<size_t>(crd.members[i])];
+    position[i] = member.now.position - crd.origin[i];
+  }
+  return position;
+}
+
+void MotionCore::StartCrd(size_t index, size_t fifo, bool single_step) {
+  Crd& crd = state_.crds[index];
+  crd.position = CrdPosition(index);
+  crd.Start(fifo, single_step, now());
+  WriteCrd(crd);
+}
+
+void MotionCore::StopCrd(size_t index, bool abrupt) {
+  Crd& crd = state_.crds[index];
+  crd.Stop(abrupt, now());
+  if (!crd.run.running) WriteCrd(crd);
+}
+
+void MotionCore::AdvanceCrd(Crd& crd) {
+  const BufferedCommand* command = nullptr;
+  do {
+    const auto awaited = static_cast<size_t>(crd.run.wait_profile);
+    if (crd.run.wait == CrdWait::kMove && !state_.profiles[awaited].now.moving) {
+      crd.EndWait(now());
+    }
+    command = crd.Advance(now());
+    if (command != nullptr) CarryOut(crd, *command);
+  } while (command != nullptr);
+  WriteCrd(crd);
+}
+
+void MotionCore::CarryOut(Crd& crd, const BufferedCommand& command) {
+  const auto item = static_cast<size_t>(command.item);
+  const std::array<double, 4>& values = command.values;
+  switch (command.kind) {
+    case BufferedKind::kDelay:
+    case BufferedKind::kHold:
+      break;
+    case BufferedKind::kOutputs:
+      state_.io.Write(static_cast<DoType>(command.item), static_cast<uint32_t>(values[0]),
+                      static_cast<uint32_t>(values[1]));
+      break;
+    case BufferedKind::kPulses:
+      state_.io.StartPulses(static_cast<DoType>(command.item), command.detail,
+                            static_cast<int64_t>(values[0]), static_cast<int64_t>(values[1]),
+                            static_cast<int64_t>(values[2]), values[3] != 0);
+      break;
+    case BufferedKind::kStopPulses:
+      state_.io.StopTiming(static_cast<DoType>(command.item), command.detail);
+      break;
+    case BufferedKind::kAnalogOutput:
+      if (state_.dacs[item].control < 0) state_.dacs[item].value = values[0];
+      break;
+    case BufferedKind::kLimits:
+      if (command.detail != 1) state_.axes[item].positive_limit_on = values[0] != 0;
+      if (command.detail != 0) state_.axes[item].negative_limit_on = values[0] != 0;
+      break;
+    case BufferedKind::kStopInput: {
+      Axis& axis = state_.axes[item];
+      (command.detail != 0 ? axis.abrupt_stop : axis.smooth_stop) = {
+          static_cast<DiType>(values[0]), static_cast<int16_t>(values[1])};
+      break;
+    }
+    case BufferedKind::kMove:
+      StartBufferedMove(crd, command);
+      break;
+    case BufferedKind::kGear:
+      StartGear(crd, command);
+      break;
+    case BufferedKind::kSynchronise:
+      if (state_.profiles[item].now.moving) break;
+      SetProfilePosition(item, state_.encoders[static_cast<size_t>(command.detail)].position);
+      break;
+    case BufferedKind::kIntegerValue:
+      state_.long_vars[item] = static_cast<int32_t>(values[0]);
+      break;
+    case BufferedKind::kFractionalValue:
+      state_.double_vars[item] = values[0];
+      break;
+  }
+}
+
+void MotionCore::StartBufferedMove(Crd& crd, const BufferedCommand& command) {
+  Profile& profile = state_.profiles[static_cast<size_t>(command.item)];
+  if (profile.mode != ProfileMode::kTrap || profile.driven) return;
+  profile.trap.parameters = {.acc = command.values[2], .dec = command.values[2]};
+  profile.trap.target = static_cast<int32_t>(command.values[0]);
+  profile.trap.velocity = command.values[1];
+  profile.Start(now());
+  if (command.detail == 0) return;
+  crd.run.velocity = 0;
+  crd.run.wait = CrdWait::kMove;
+  crd.run.wait_profile = command.item;
+}
+
+void MotionCore::StartGear(Crd& crd, const BufferedCommand& command) {
+  // Gears of segments that ended in this tick come first.
+  WriteCrd(crd);
+  Profile& profile = state_.profiles[static_cast<size_t>(command.item)];
+  if (profile.now.moving || crd.gear_count == crd.gears.size()) return;
+  profile.driven = true;
+  crd.gears[crd.gear_count++] = {command.item,      profile.now.position, command.values[0],
+                                 command.values[1], command.values[2],    false};
+}
+
+void MotionCore::WriteCrd(Crd& crd) {
+  const bool running = crd.run.running;
+  const CrdFifo& fifo = crd.active();
+  const Segment& segment = fifo.current.segment;
+  const double speed = crd.run.velocity;
+  Coordinates tangent{};
+  Coordinates curvature{};
+  double part = 0;
+  if (fifo.executing) {
+    part = fifo.path / segment.length;
+    crd.position = segment.PointAt(fifo.path);
+    tangent = segment.TangentAt(fifo.path);
+    curvature = segment.CurvatureAt(fifo.path);
+  }
+  for (size_t i = 0; i < crd.dimension(); ++i) {
+    Profile& member = state_.profiles[static_cast<size_t>(crd.members[i])];
+    member.now = {crd.origin[i] + crd.position[i], tangent[i] * speed,
+                  tangent[i] * crd.run.acceleration + curvature[i] * speed * speed, running};
+    member.driven = running;
+  }
+  uint32_t kept = 0;
+  for (uint32_t i = 0; i < crd.gear_count; ++i) {
+    const GearShare gear = crd.gears[i];
+    Profile& profile = state_.profiles[static_cast<size_t>(gear.profile)];
+    // GT_Update has taken the profile over.
+    if (!profile.driven) continue;
+    if (gear.finished) {
+      profile.now = AtRest(gear.begin + gear.displacement);
+      profile.driven = false;
+      continue;
+    }
+    const double slope = fifo.executing ? gear.SlopeAt(part) / segment.length : 0;
+    profile.now = {gear.PositionAt(part), slope * speed, slope * crd.run.acceleration, running};
+    profile.driven = true;
+    crd.gears[kept++] = gear;
+  }
+  crd.gear_count = kept;
+}
+
+}  // namespace oncard::motion
