@@ -14,7 +14,7 @@ constexpr int kNoInput = -1;
 /// Assumption: GT_BufSetStopIo's stop types are those of GT_SetStopIo.
 constexpr int kAbruptStopType = 0;
 /// The times of GT_BufEnableDoBitPulse, as of GT_EnableDoBitPulse.
-constexpr double kPulseTimeUnitUs = 250;
+constexpr double kPulseTimeUnitUs = motion::kDoTimeUnitUs;
 /// Bound of velocities and accelerations; not included.
 constexpr double kRateBound = 32767;
 

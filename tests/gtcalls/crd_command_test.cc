@@ -1,0 +1,158 @@
+// Coordinate systems: set-up, start, status, stops, look-ahead.
+#include <gtest/gtest.h>
+
+#include "tests/gtcalls/crd_command_support.h"
+
+namespace oncard::gtcalls {
+namespace {
+
+TEST(SetCrdPrm, EveryMemberIsChecked) {
+  struct {
+    size_t cell;
+    double value;
+    int code;
+  } const cases[] = {{0, 0, 7},          {0, 5, 7},      {1, 2, 7},       {1, 3, 7},
+                     {8, 1, 7},          {9, 0, 7},      {9, 32766.9, 0}, {9, 32767, 7},
+                     {10, 0, 7},         {10, 32767, 7}, {11, -1, 7},     {11, 32766, 0},
+                     {11, 32767, 7},     {12, 1, 0},     {12, 2, 7},      {13, 1073741823, 0},
+                     {13, 1073741824, 7}};
+  for (const auto& c : cases) {
+    CrdCommandCard card;
+    std::vector<double> cells = CrdCommandCard::Parameters(2);
+    cells[c.cell] = c.value;
+    EXPECT_EQ(card.Call("GT_SetCrdPrm", {1, &cells}), c.code) << c.cell << ' ' << c.value;
+  }
+}
+
+TEST(SetCrdPrm, TakesProfilesAtRestThatAreFree) {
+  CrdCommandCard card;
+  std::vector<double> cells = CrdCommandCard::Parameters(2);
+  card.MoveTo(2, 100, 10);
+  card.ExpectRefused(1, "GT_SetCrdPrm", {1, &cells});
+  card.CyclesToRest(2);
+  card.SetUp();
+  EXPECT_EQ(card.Read("GT_GetPrfMode", 1), 5);
+  card.ExpectRefused(1, "GT_SetCrdPrm", {2, &cells});
+  EXPECT_EQ(card.reason.en,
+            "profile 1 belongs to coordinate system 1, call GT_PrfTrap to take it out");
+  std::vector<double> read(21);
+  EXPECT_EQ(card.Call("GT_GetCrdPrm", {1, &read}), 0);
+  EXPECT_EQ(read, cells);
+  card.ExpectRefused(1, "GT_GetCrdPrm", {2, &read});
+  EXPECT_EQ(card.reason.en, "coordinate system 2 has not been set up, call GT_SetCrdPrm");
+}
+
+TEST(CrdStart, NeedsSegmentsAndAxesAtTheirBegin) {
+  CrdCommandCard card;
+  card.ExpectRefused(1, "GT_CrdStart", {1, 0});
+  card.SetUp();
+  card.ExpectRefused(1, "GT_CrdStart", {0, 0});
+  card.ExpectRefused(1, "GT_CrdStart", {1, 0});
+  EXPECT_EQ(card.Line(100, 0), 0);
+  EXPECT_EQ(card.Call("GT_SetPrfPos", {1, 5}), 0);
+  card.ExpectRefused(1, "GT_CrdStart", {1, 0});
+  EXPECT_EQ(card.reason.en,
+            "coordinate 1 is at 5, the path goes on at 0: move the axes back, or call GT_CrdClear");
+  EXPECT_EQ(card.Call("GT_SetPrfPos", {1, 0}), 0);
+  EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 0);
+  card.ExpectRefused(1, "GT_CrdStart", {1, 0});
+  card.CyclesToEnd();
+  EXPECT_EQ(card.Read("GT_GetPrfPos"), 100);
+}
+
+TEST(CrdStart, StatusAndCounters) {
+  CrdCommandCard card;
+  card.SetUp();
+  EXPECT_EQ(card.ReadFifo("GT_CrdSpace"), 4096);
+  EXPECT_EQ(card.Call("GT_SetUserSegNum", {1, 77, 0}), 0);
+  EXPECT_EQ(card.Call("GT_LnXYWN", {1, 1000, 0, 10, 1, 0, 5, 0}), 0);
+  EXPECT_EQ(card.Line(1000, 1000), 0);
+  EXPECT_EQ(card.ReadFifo("GT_CrdSpace"), 4094);
+  EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 0);
+  card.Cycles(20);
+  EXPECT_TRUE(card.Running());
+  EXPECT_EQ(card.Status(1) & kMoving, kMoving);
+  EXPECT_EQ(card.Status(2) & kMoving, kMoving);
+  EXPECT_EQ(card.ReadFifo("GT_GetUserSegNum"), 77);
+  EXPECT_EQ(card.ReadFifo("GT_GetUserSegNumWN"), 5);
+  EXPECT_EQ(card.ReadFifo("GT_GetRemainderSegNum"), 2);
+  EXPECT_EQ(card.ReadCrd("GT_GetCrdVel"), 10);
+  EXPECT_EQ(card.ReadCrd("GT_GetUserTargetVel"), 10);
+  std::vector<double> pos(2);
+  EXPECT_EQ(card.Call("GT_GetCrdPos", {1, &pos}), 0);
+  EXPECT_EQ(pos, (std::vector<double>{150, 0}));
+  EXPECT_EQ(card.Call("GT_GetSegTargetPos", {1, &pos}), 0);
+  EXPECT_EQ(pos, (std::vector<double>{1000, 0}));
+  card.CyclesToEnd();
+  EXPECT_FALSE(card.Running());
+  EXPECT_EQ(card.motion.state().crds[0].fifos[0].done, 2);
+  EXPECT_EQ(card.Status(1) & kMoving, 0);
+}
+
+TEST(Stop, BitsBehindTheAxesStopCoordinateSystems) {
+  for (const auto& [axes, bit] : {std::pair{8, 8}, {12, 12}}) {
+    CrdCommandCard card({.axis_count = axes, .cycle_us = 1000});
+    card.SetUp();
+    EXPECT_EQ(card.Line(1000, 0), 0);
+    EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 0);
+    card.Cycles(20);
+    EXPECT_EQ(card.Call("GT_Stop", {1 << bit, 0}), 0);
+    card.CyclesToEnd();
+    EXPECT_EQ(card.Read("GT_GetPrfPos"), 200);
+    EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 0);
+    card.CyclesToEnd();
+    EXPECT_EQ(card.Read("GT_GetPrfPos"), 1000);
+  }
+}
+
+TEST(CrdClear, ForgetsTheBreakpoint) {
+  CrdCommandCard card;
+  card.SetUp();
+  EXPECT_EQ(card.Line(1000, 0), 0);
+  EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 0);
+  card.Cycles(20);
+  card.ExpectRefused(1, "GT_CrdClear", {1, 0});
+  EXPECT_EQ(card.Call("GT_Stop", {0x100, 0x100}), 0);
+  card.CyclesToEnd();
+  EXPECT_EQ(card.Call("GT_CrdClear", {1, 0}), 0);
+  card.ExpectRefused(1, "GT_CrdStart", {1, 0});
+}
+
+TEST(SetOverride, ScalesTheVelocity) {
+  CrdCommandCard card;
+  card.ExpectRefused(1, "GT_SetOverride", {1, 0.5});
+  card.SetUp();
+  EXPECT_EQ(card.Call("GT_SetOverride", {1, 0}), 7);
+  EXPECT_EQ(card.Call("GT_SetOverride", {1, 1.01}), 7);
+  EXPECT_EQ(card.Call("GT_SetOverride2", {1, 0.2}), 0);
+  EXPECT_EQ(card.Call("GT_SetOverride", {1, 0.5}), 0);
+  EXPECT_EQ(card.Line(1000, 0), 0);
+  EXPECT_EQ(card.Call("GT_LnXYOverride2", {1, 2000, 0, 10, 1, 0, 0}), 0);
+  EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 0);
+  card.Cycles(100);
+  EXPECT_EQ(card.ReadCrd("GT_GetCrdVel"), 5);
+  card.Cycles(200);
+  EXPECT_EQ(card.ReadCrd("GT_GetCrdVel"), 2);
+}
+
+TEST(InitLookAhead, ChecksAndCounts) {
+  CrdCommandCard card;
+  std::vector<double> buffer(36);
+  card.ExpectRefused(1, "GT_InitLookAhead", {1, 0, 5, 1, 10, &buffer});
+  card.SetUp();
+  EXPECT_EQ(card.Call("GT_InitLookAhead", {1, 0, 0, 1, 10, &buffer}), 7);
+  EXPECT_EQ(card.Call("GT_InitLookAhead", {1, 0, 5, 0, 10, &buffer}), 7);
+  EXPECT_EQ(card.Call("GT_InitLookAhead", {1, 0, 5, 1, 32767, &buffer}), 7);
+  EXPECT_EQ(card.Call("GT_InitLookAhead", {1, 0, 5, 1, 10, &buffer}), 0);
+  EXPECT_EQ(card.Line(100, 0), 0);
+  EXPECT_EQ(card.ReadFifo("GT_GetLookAheadSpace"), 9);
+  EXPECT_EQ(card.ReadFifo("GT_GetLookAheadSegCount"), 1);
+  card.ExpectRefused(1, "GT_InitLookAhead", {1, 0, 5, 1, 10, &buffer});
+  card.ExpectRefused(1, "GT_CrdStart", {1, 0});
+  EXPECT_EQ(card.Call("GT_CrdData", {1, nullptr, 0}), 0);
+  EXPECT_EQ(card.ReadFifo("GT_GetLookAheadSegCount"), 0);
+  EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 0);
+}
+
+}  // namespace
+}  // namespace oncard::gtcalls
