@@ -32,7 +32,8 @@ Result<std::vector<std::string>> FindScenarios(const std::string& path) {
   using Iterator = std::filesystem::recursive_directory_iterator;
   for (Iterator entry(path, error); !error && entry != Iterator(); entry.increment(error)) {
     const std::string name = entry->path().filename().string();
-    if (name.ends_with(".toml") && !name.ends_with(kHostScenario)) found.push_back(entry->path().generic_string());
+    if (name.ends_with(".toml") && !name.ends_with(kHostScenario))
+      found.push_back(entry->path().generic_string());
   }
   if (error) {
     return MakeError(1, "cannot read the folder '{0}': {1}", "无法读取文件夹“{0}”：{1}", path,

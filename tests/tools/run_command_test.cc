@@ -159,8 +159,8 @@ TEST(Run, WritesTracesInThreeForms) {
   // On with the first cycle, off 40 cycles later, the end another 40 cycles later.
   EXPECT_EQ(trace("t.csv"), "time_ms,page0.i,gpo\n0,0,0\n0.25,0,1\n10.25,0,0\n20.25,1,0\n");
   const Json events = Json::parse(trace("t.json"))["traceEvents"];
-  const Json lamp_off = Json::parse(
-      R"({"name":"gpo","ph":"C","pid":1,"ts":10250,"args":{"value":0}})");
+  const Json lamp_off =
+      Json::parse(R"({"name":"gpo","ph":"C","pid":1,"ts":10250,"args":{"value":0}})");
   EXPECT_NE(std::find(events.begin(), events.end(), lamp_off), events.end()) << events.dump(2);
   const std::string vcd = trace("t.vcd");
   EXPECT_NE(vcd.find("$timescale 1 us $end"), std::string::npos);
