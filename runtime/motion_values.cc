@@ -82,6 +82,26 @@ constexpr MotionValue kPlantValues[] = {
      [](const MotionCore& core, size_t i) { return core.state().plants[i].velocity; }},
 };
 
+size_t CrdCount(const MotionCore& core) { return core.state().crds.size(); }
+
+template <size_t kCoordinate>
+double CrdPosition(const MotionCore& core, size_t index) {
+  return core.CrdPosition(index)[kCoordinate];
+}
+
+constexpr MotionValue kCrdValues[] = {
+    {"x", NumberForm::kReal, Unit::kPulse, CrdPosition<0>},
+    {"y", NumberForm::kReal, Unit::kPulse, CrdPosition<1>},
+    {"z", NumberForm::kReal, Unit::kPulse, CrdPosition<2>},
+    {"a", NumberForm::kReal, Unit::kPulse, CrdPosition<3>},
+    {"vel", NumberForm::kReal, Unit::kPulsePerMs,
+     [](const MotionCore& core, size_t i) { return core.state().crds[i].run.velocity; }},
+    Flag("run", [](const MotionCore& core,
+                   size_t i) { return core.state().crds[i].run.running ? 1.0 : 0.0; }),
+    {"segment", NumberForm::kWhole, Unit::kNone,
+     [](const MotionCore& core, size_t i) -> double { return core.state().crds[i].active().done; }},
+};
+
 constexpr MotionValue kStepValues[] = {
     {"pos", NumberForm::kReal, Unit::kPulse,
      [](const MotionCore& core, size_t i) { return core.state().steps[i].position; }},
@@ -105,6 +125,7 @@ constexpr std::array kParts = {
     MotionPart{"axis", AxisCount, kAxisValues},
     MotionPart{"profile", AxisCount, kProfileValues},
     MotionPart{"encoder", AxisCount, kEncoderValues},
+    MotionPart{"crd", CrdCount, kCrdValues},
     MotionPart{"plant", AxisCount, kPlantValues},
     MotionPart{"step", AxisCount, kStepValues},
     MotionPart{"dac", AxisCount, kDacValues},

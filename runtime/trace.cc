@@ -29,6 +29,8 @@ constexpr DefaultValue kDefaultValues[] = {
     {"axis", "posLimit"},   {"axis", "negLimit"},
     {"axis", "smoothStop"}, {"axis", "abruptStop"},
     {"axis", "inPosition"}, {"dac", ""},
+    {"crd", "x"},           {"crd", "y"},
+    {"crd", "z"},           {"crd", "vel"},
 };
 
 std::string VcdCode(size_t index) {

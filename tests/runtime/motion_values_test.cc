@@ -87,6 +87,10 @@ TEST_F(MotionValuesTest, ReadsProfilesEncodersAndTheMachine) {
   EXPECT_EQ(Read("encoder1.vel"), 4);
   state().plants[0].position = 12.5;
   EXPECT_EQ(Read("plant1.pos"), 12.5);
+  state().crds[1].run.velocity = 9;
+  EXPECT_EQ(Read("crd2.vel"), 9);
+  EXPECT_EQ(Read("crd2.x"), 0);
+  EXPECT_EQ(Read("crd2.run"), 0);
   state().steps[1].position = 8;
   EXPECT_EQ(Read("step2.pos"), 8);
   state().dacs[0].value = 32767;
