@@ -23,7 +23,8 @@ const std::vector<CommandFunction>& FunctionsByNumber() {
           ServoCommands(),        PlcCommands(),      PlcWordCommands(),   AxisCommands(),
           PositionCommands(),     TrapCommands(),     GearCommands(),      FollowCommands(),
           PtCommands(),           PvtCommands(),      CrdCommands(),       SegmentCommands(),
-          BufferCommands()}) {
+          BufferCommands(),       CaptureCommands(),  HomeCommands(),      CompareCommands(),
+          MramCommands()}) {
       for (const CommandEntry& entry : topic) {
         const Command* command = FindCommand(entry.name);
         assert(command != nullptr);

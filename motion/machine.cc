@@ -71,11 +71,8 @@ void MotionCore::ApplyWorldEvents() {
 }
 
 double MotionCore::EncoderSource(size_t index) const {
-  const Encoder& encoder = state_.encoders[index];
-  if (!encoder.external) return Whole(state_.steps[index].position);
-  const double direction = encoder.reversed == encoder.wired_reversed ? 1 : -1;
-  const EncoderFault& fault = state_.encoder_faults[index];
-  return Whole(direction * state_.plants[index].position + fault.slip) + fault.error;
+  const double whole = Whole(SourcePosition(index));
+  return state_.encoders[index].external ? whole + state_.encoder_faults[index].error : whole;
 }
 
 // --- Configuration -----------------------------------------------------------------------------

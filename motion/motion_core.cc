@@ -43,9 +43,15 @@ void MotionCore::Tick() {
   AdvanceProfiles();
   MapProfiles();
   for (size_t i = 0; i < axis_count(); ++i) GuardAxis(i);
-  AdvanceMachine();
+  if (Observed()) {
+    AdvanceObserved();
+  } else {
+    AdvanceMachine();
+  }
   for (size_t i = 0; i < axis_count(); ++i) JudgeControl(state_.controls[i]);
   for (size_t i = 0; i < axis_count(); ++i) JudgeAxis(i);
+  if (state_.homing_runs) AdvanceHomings();
+  state_.mram.Advance(now());
 }
 
 void MotionCore::Reset() {
@@ -59,6 +65,11 @@ void MotionCore::Reset() {
     state_.axes[i] = DefaultAxis(static_cast<int>(i));
   }
   ResetMachine();
+  state_.capture.Reset();
+  state_.compare = {};
+  state_.homing.fill({});
+  state_.homing_runs = false;
+  state_.mram.Reset();
   state_.long_vars.fill(0);
   state_.double_vars.fill(0);
 }

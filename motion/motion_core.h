@@ -27,12 +27,16 @@
 
 #include "motion/analog.h"
 #include "motion/axis.h"
+#include "motion/capture.h"
+#include "motion/compare.h"
 #include "motion/control.h"
 #include "motion/crd.h"
 #include "motion/digital_io.h"
 #include "motion/encoder.h"
 #include "motion/extension.h"
+#include "motion/homing.h"
 #include "motion/marks.h"
+#include "motion/mram.h"
 #include "motion/plant.h"
 #include "motion/profile.h"
 #include "motion/pvt_table.h"
@@ -70,13 +74,19 @@ struct MotionState {
   WorldProgress world;
   std::vector<PositionSwitch> switches;
   std::array<IndexMarks, kAxisMax> index_marks;
+  CaptureUnit capture;
+  CompareUnit compare;
+  std::array<Homing, kAxisMax> homing;
+  bool homing_runs = false;  ///< any of them
+  Mram mram;
   std::array<int32_t, kUserVariableCount> long_vars{};
   std::array<double, kUserVariableCount> double_vars{};
 
   auto Fields() const {
     return std::tie(cycle, clock_cycle, io, profiles, pvt_tables, crds, axes, encoders,
                     encoder_faults, drives, plants, steps, controls, dacs, adcs, modules, world,
-                    switches, index_marks, long_vars, double_vars);
+                    switches, index_marks, capture, compare, homing, homing_runs, mram, long_vars,
+                    double_vars);
   }
 };
 
@@ -113,6 +123,8 @@ class MotionCore {
   uint32_t Status(size_t axis) const;
   /// A profile that the axis maps moves.
   bool AxisMoving(const Axis& axis) const;
+  /// An encoder's position with fractions of pulses.
+  double CountedPosition(size_t encoder) const;
   /// Begins the run of a profile in an independent mode (GT_Update).
   void StartProfile(size_t profile) { state_.profiles[profile].Start(now()); }
   /// A master now, for a slave that starts or follows.
@@ -165,6 +177,16 @@ class MotionCore {
   /// Stops a run along its path.
   void StopCrd(size_t crd, bool abrupt);
 
+  // --- Homing ----------------------------------------------------------------------------------
+
+  /// Why smart homing of an axis cannot begin.
+  HomeError CheckHoming(size_t index, HomeMode mode) const;
+  /// GT_GoHome, for a resting profile.
+  void BeginHoming(size_t index, const HomeParameters& parameters);
+  /// GT_Home, GT_HomeStop, GT_Index: to `position` until the capture answers.
+  void BeginSimpleHoming(size_t index, HomeKind kind, int32_t position, double velocity,
+                         double acceleration, int32_t offset);
+
   // --- The world -------------------------------------------------------------------------------
 
   /// What will happen from now on; in order of time. Events whose instant has passed happen at the
@@ -192,6 +214,42 @@ class MotionCore {
   void MapProfiles();
   void GuardAxis(size_t index);
   void AdvanceMachine();
+  /// Where machines and encoders were before a cycle's motion, and the encoders after it.
+  struct CycleWay {
+    std::array<double, kAxisMax> machines{};
+    EncoderWay encoders;
+  };
+  /// Something has to know what the machine passes inside a cycle.
+  bool Observed() const;
+  /// AdvanceMachine() and what is passed meanwhile.
+  void AdvanceObserved();
+  void OperateSwitch(const PositionSwitch& contact, const CycleWay& way);
+  void PassIndexMarks(const CycleWay& way);
+  /// An encoder's position at a fraction of the cycle, and where a machine is at a place on its
+  /// way.
+  double PositionAt(size_t encoder, double fraction, const CycleWay& way) const;
+  double PositionWhere(size_t encoder, size_t machine, double place, const CycleWay& way) const;
+  void AdvanceHomings();
+  void AdvanceHoming(size_t index);
+  void BeginHomingSearch(size_t index);
+  void SearchHome(size_t index);
+  void SearchIndex(size_t index);
+  void ArmHoming(size_t trigger, CaptureSource source, bool rising);
+  /// What has been searched was captured; a stop of homing's own is over; a move is over.
+  void TakeHomingCapture(size_t index);
+  void ContinueHoming(size_t index);
+  void ArriveHoming(size_t index);
+  void EndHoming(size_t index);
+  void FailHoming(size_t index, HomeError error);
+  /// Starts a move by `distance` from here.
+  void MoveHoming(size_t index, HomeStage stage, double distance, double velocity);
+  /// The capture that an axis' homing uses.
+  size_t HomingTrigger(size_t index) const;
+  /// The limit input in a direction, and the same with the latched status bit.
+  bool LimitActive(size_t index, int direction) const;
+  bool LimitReached(size_t index, int direction) const;
+  /// Clears the latched limit bit of a direction if its cause has gone.
+  void ForgetLimit(size_t index, int direction);
   void AdvancePlant(size_t index);
   void AdvanceClosedLoop(size_t index);
   void ResetMachine();
@@ -209,7 +267,9 @@ class MotionCore {
   /// The mapped sum of an axis' profiles or encoders, without the offset.
   double MappedProfiles(const Axis& axis) const;
   double MappedEncoders(const Axis& axis) const;
-  /// Whole pulses of what an encoder counts.
+  /// What an encoder counts, with fractions of pulses.
+  double SourcePosition(size_t index) const;
+  /// The same in whole pulses, with the error of reading.
   double EncoderSource(size_t index) const;
   /// The planned axis position as the drive is told it.
   double CommandedPosition(size_t axis) const { return state_.axes[axis].profile.position; }

@@ -44,6 +44,10 @@ std::span<const CommandEntry> PvtCommands();
 std::span<const CommandEntry> CrdCommands();
 std::span<const CommandEntry> SegmentCommands();
 std::span<const CommandEntry> BufferCommands();
+std::span<const CommandEntry> CaptureCommands();
+std::span<const CommandEntry> HomeCommands();
+std::span<const CommandEntry> CompareCommands();
+std::span<const CommandEntry> MramCommands();
 
 /// The thread is in the middle of its function, or will be started again by its period.
 bool IsActive(const vm::ThreadState& thread);

@@ -1,0 +1,197 @@
+// Homing: smart (GT_GoHome) and simple (GT_Home and its kin).
+// Source: application notes on smart homing; public header and GE manual for the simple commands.
+// Tested by tests/gtcalls/home_command_test.cc.
+#include <limits>
+
+#include "gtcalls/commands/motion_support.h"
+
+namespace oncard::gtcalls {
+namespace {
+
+using motion::HomeError;
+using motion::HomeKind;
+using motion::HomeParameters;
+using motion::Homing;
+
+/// Cells of THomePrm.
+enum HomeCell : size_t {
+  kMode,
+  kMoveDir,
+  kIndexDir,
+  kEdge,
+  kTriggerIndex,
+  kPad1,
+  kVelHigh = kPad1 + 3,
+  kVelLow,
+  kAcc,
+  kDec,
+  kSmoothTime,
+  kPad2,
+  kHomeOffset = kPad2 + 3,
+  kSearchHomeDistance,
+  kSearchIndexDistance,
+  kEscapeStep
+};
+
+Homing& HomingOf(const Call& call) { return call.card.motion.state().homing[NumberOf(call)]; }
+
+/// Members that a range bounds, THomePrm.
+struct Bound {
+  HomeCell cell;
+  std::string_view name;
+  double minimum;
+  double maximum;
+};
+constexpr double kLongMax = 2147483647;
+constexpr Bound kBounds[] = {
+    {kEdge, "edge", 0, 1},
+    {kVelHigh, "velHigh", std::numeric_limits<double>::denorm_min(), 32767},
+    {kVelLow, "velLow", std::numeric_limits<double>::denorm_min(), 32767},
+    {kAcc, "acc", std::numeric_limits<double>::denorm_min(), 32767},
+    {kDec, "dec", std::numeric_limits<double>::denorm_min(), 32767},
+    {kSmoothTime, "smoothTime", 0, motion::kSmoothTimeMax},
+    {kSearchHomeDistance, "searchHomeDistance", 0, kLongMax},
+    {kSearchIndexDistance, "searchIndexDistance", 0, kLongMax},
+    {kEscapeStep, "escapeStep", 0, kLongMax},
+};
+
+int16_t RefuseMember(Call& call, std::string_view name, double value, double minimum,
+                     double maximum) {
+  return call.Refuse(vm::kBadParameter, MakeMessage("THomePrm.{0} is {1}; {2} to {3} is expected",
+                                                    "THomePrm.{0} 为 {1}；应为 {2} 到 {3}", name,
+                                                    value, minimum, maximum));
+}
+
+/// 0, or 7 when a member of THomePrm is out of its range.
+int16_t CheckMembers(Call& call, motion::HomeMode mode) {
+  const std::span<double> cells = call.cells(1);
+  for (const Bound& bound : kBounds) {
+    const double value = cells[bound.cell];
+    if (!(value >= bound.minimum && value <= bound.maximum)) {
+      return RefuseMember(call, bound.name, value, bound.minimum, bound.maximum);
+    }
+  }
+  const int axes = call.card.motion.config().axis_count;
+  if (cells[kTriggerIndex] < 0 || cells[kTriggerIndex] > axes) {
+    return RefuseMember(call, "triggerIndex", cells[kTriggerIndex], 0, axes);
+  }
+  const auto is_direction = [](double value) { return value == 1 || value == -1; };
+  if (mode != motion::HomeMode::kIndex && !is_direction(cells[kMoveDir])) {
+    return RefuseMember(call, "moveDir", cells[kMoveDir], -1, 1);
+  }
+  if (motion::SearchesIndex(mode) && !is_direction(cells[kIndexDir])) {
+    return RefuseMember(call, "indexDir", cells[kIndexDir], -1, 1);
+  }
+  if ((cells[kPad2 + 1] == 1 || mode == motion::HomeMode::kLimit) && cells[kEscapeStep] == 0) {
+    return RefuseMember(call, "escapeStep", 0, 1, kLongMax);
+  }
+  return vm::kOk;
+}
+
+/// Refuses; the reason can be read with GT_GetHomeStatus too.
+int16_t RefuseHoming(Call& call, HomeError error) {
+  Homing& homing = HomingOf(call);
+  if (!homing.running) homing.error = error;
+  const size_t axis = NumberOf(call) + 1;
+  switch (error) {
+    case HomeError::kNotTrap:
+      return call.Refuse(vm::kRefused, MakeMessage("axis {0} is not in mode Trap, call GT_PrfTrap",
+                                                   "轴 {0} 不在点位模式，请调用 GT_PrfTrap", axis));
+    case HomeError::kDisabled:
+      return call.Refuse(vm::kRefused, MakeMessage("axis {0} is disabled, call GT_AxisOn",
+                                                   "轴 {0} 未使能，请调用 GT_AxisOn", axis));
+    case HomeError::kAlarm:
+      return call.Refuse(vm::kRefused, MakeMessage("axis {0} has an alarm latched, call GT_ClrSts",
+                                                   "轴 {0} 报警已锁存，请调用 GT_ClrSts", axis));
+    default:
+      break;
+  }
+  return call.Refuse(
+      vm::kBadParameter,
+      MakeMessage("THomePrm.mode is {0}; 10, 11, 12, 13, 20, 22, 30, 40 or 41 is expected",
+                  "THomePrm.mode 为 {0}；应为 10、11、12、13、20、22、30、40 或 41",
+                  call.cells(1)[kMode]));
+}
+
+int16_t CheckIdle(Call& call) {
+  if (!HomingOf(call).running) return CheckAtRest(call, NumberOf(call));
+  return call.Refuse(vm::kRefused,
+                     MakeMessage("axis {0} is homing, wait until it is done or call GT_Stop",
+                                 "轴 {0} 正在回零，请等待完成或调用 GT_Stop", NumberOf(call) + 1));
+}
+
+int16_t GoHome(Call& call) {
+  const std::span<double> cells = call.cells(1);
+  const auto mode = motion::HomeModeFromNumber(static_cast<int>(cells[kMode]));
+  if (mode == motion::HomeMode::kNone) return RefuseHoming(call, HomeError::kMode);
+  int16_t code = CheckMembers(call, mode);
+  if (code == vm::kOk) code = CheckIdle(call);
+  if (code != vm::kOk) return code;
+  const HomeError error = call.card.motion.CheckHoming(NumberOf(call), mode);
+  if (error != HomeError::kNone) return RefuseHoming(call, error);
+  HomeParameters p;
+  p.mode = mode;
+  p.move_direction = cells[kMoveDir] < 0 ? int8_t{-1} : int8_t{1};
+  p.index_direction = cells[kIndexDir] < 0 ? int8_t{-1} : int8_t{1};
+  p.rising = cells[kEdge] != 0;
+  p.trigger_index = static_cast<int16_t>(cells[kTriggerIndex]);
+  p.final_fast = cells[kPad1] == 1;
+  p.high = cells[kVelHigh];
+  p.low = cells[kVelLow];
+  p.acc = cells[kAcc];
+  p.dec = cells[kDec];
+  p.smooth_time = static_cast<int16_t>(cells[kSmoothTime]);
+  p.check_start = cells[kPad2 + 1] == 1;
+  p.offset = static_cast<int32_t>(cells[kHomeOffset]);
+  p.home_distance = static_cast<int32_t>(cells[kSearchHomeDistance]);
+  p.index_distance = static_cast<int32_t>(cells[kSearchIndexDistance]);
+  p.escape = static_cast<int32_t>(cells[kEscapeStep]);
+  call.card.motion.BeginHoming(NumberOf(call), p);
+  return vm::kOk;
+}
+
+int16_t GetHomePrm(Call& call) {
+  const HomeParameters& p = HomingOf(call).parameters;
+  for (size_t i = 0; i < call.cells(1).size(); ++i) call.Set(1, 0, i);
+  call.Set(1, static_cast<int>(p.mode), kMode);
+  call.Set(1, p.move_direction, kMoveDir);
+  call.Set(1, p.index_direction, kIndexDir);
+  call.Set(1, p.rising ? 1 : 0, kEdge);
+  call.Set(1, p.trigger_index == 0 ? call.value(0) : p.trigger_index, kTriggerIndex);
+  call.Set(1, p.final_fast ? 1 : 0, kPad1);
+  call.Set(1, p.high, kVelHigh);
+  call.Set(1, p.low, kVelLow);
+  call.Set(1, p.acc, kAcc);
+  call.Set(1, p.dec, kDec);
+  call.Set(1, p.smooth_time, kSmoothTime);
+  call.Set(1, p.check_start ? 1 : 0, kPad2 + 1);
+  call.Set(1, p.offset, kHomeOffset);
+  call.Set(1, p.home_distance, kSearchHomeDistance);
+  call.Set(1, p.index_distance, kSearchIndexDistance);
+  call.Set(1, p.escape, kEscapeStep);
+  return vm::kOk;
+}
+
+int16_t GetHomeStatus(Call& call) {
+  const Homing& homing = HomingOf(call);
+  const double status[] = {homing.running ? 1.0 : 0.0,
+                           static_cast<double>(homing.stage),
+                           static_cast<double>(homing.error),
+                           0,
+                           homing.captured,
+                           homing.target};
+  for (size_t i = 0; i < std::size(status); ++i) call.Set(1, status[i], i);
+  return vm::kOk;
+}
+
+constexpr CommandEntry kEntries[] = {
+    {"GT_GoHome", GoHome},
+    {"GT_GetHomePrm", GetHomePrm},
+    {"GT_GetHomeStatus", GetHomeStatus},
+};
+
+}  // namespace
+
+std::span<const CommandEntry> HomeCommands() { return kEntries; }
+
+}  // namespace oncard::gtcalls

@@ -1,0 +1,116 @@
+#include "motion/compare.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/rounding.h"
+#include "motion/state_hash.h"
+
+namespace oncard::motion {
+namespace {
+
+static_assert(kFieldsComplete<HsioOutput> && kFieldsComplete<ComparePoint> &&
+              kFieldsComplete<CompareHit> && kFieldsComplete<CompareParameters> &&
+              kFieldsComplete<CompareSeries> && kFieldsComplete<CompareModule>);
+
+bool IsOver(const CompareModule& module) {
+  if (module.series.count > 0) return module.hits >= module.series.count;
+  return module.waiting() == 0;
+}
+
+ComparePoint NextPoint(const CompareModule& module) {
+  if (module.series.count == 0) return module.points[module.next];
+  return {0, module.series.first + module.hits * module.series.interval};
+}
+
+}  // namespace
+
+double FindHit(double x0, double y0, double x1, double y1, bool use_x, ComparePoint point,
+               int max_error, double begin) {
+  const double dx = use_x ? x1 - x0 : 0;
+  const double dy = y1 - y0;
+  const double length = dx * dx + dy * dy;
+  double nearest = begin;
+  if (length > 0) {
+    nearest = ((use_x ? (point.x - x0) * dx : 0) + (point.y - y0) * dy) / length;
+    if (nearest > 1) return -1;
+    nearest = std::max(nearest, begin);
+  }
+  const double error_y = std::fabs(Whole(y0 + nearest * dy) - point.y);
+  const double error_x = use_x ? std::fabs(Whole(x0 + nearest * dx) - point.x) : 0;
+  return error_x <= max_error && error_y <= max_error ? nearest : -1;
+}
+
+void CompareUnit::Pulse(size_t channel, Micros now, int16_t time_us) {
+  outputs_[channel].pulse_end = static_cast<double>(now) + time_us;
+}
+
+void CompareUnit::SetLevel(size_t channel, bool level) {
+  outputs_[channel] = {.level = level, .pulse_end = 0};
+}
+
+void CompareUnit::Append(size_t channel, const std::vector<ComparePoint>& points) {
+  CompareModule& module = modules_[channel];
+  module.points.erase(module.points.begin(), module.points.begin() + module.next);
+  module.next = 0;
+  module.points.insert(module.points.end(), points.begin(), points.end());
+}
+
+void CompareUnit::Start(size_t channel, double x, double y) {
+  CompareModule& module = modules_[channel];
+  module.running = true;
+  module.hits = 0;
+  module.origin_x = x;
+  module.origin_y = y;
+  if (module.parameters.level_output) SetLevel(channel, module.parameters.start_level);
+  // A tick allocates nothing.
+  log_.reserve(kCompareLogSize);
+}
+
+void CompareUnit::Stop(size_t channel) { modules_[channel].running = false; }
+
+void CompareUnit::Clear(size_t channel) {
+  CompareModule& module = modules_[channel];
+  module.points.clear();
+  module.next = 0;
+  module.series = {};
+}
+
+void CompareUnit::Advance(Micros begin, Micros length, const EncoderWay& way) {
+  for (size_t i = 0; i < kHsioCount; ++i) AdvanceModule(i, begin, length, way);
+}
+
+void CompareUnit::AdvanceModule(size_t channel, Micros begin, Micros length,
+                                const EncoderWay& way) {
+  CompareModule& module = modules_[channel];
+  const CompareParameters& p = module.parameters;
+  double fraction = 0;
+  while (module.running) {
+    const double x0 = way.from[p.x] - module.origin_x;
+    const double y0 = way.from[p.y] - module.origin_y;
+    const double x1 = way.to[p.x] - module.origin_x;
+    const double y1 = way.to[p.y] - module.origin_y;
+    fraction = FindHit(x0, y0, x1, y1, p.two_dimensional, NextPoint(module), p.max_error, fraction);
+    if (fraction < 0) return;
+    Fire(channel, {.channel = static_cast<uint8_t>(channel),
+                   .instant = static_cast<double>(begin) + fraction * static_cast<double>(length),
+                   .x = Whole(x0 + fraction * (x1 - x0) + module.origin_x),
+                   .y = Whole(y0 + fraction * (y1 - y0) + module.origin_y)});
+    ++module.hits;
+    if (module.series.count == 0) ++module.next;
+    module.running = !IsOver(module);
+  }
+}
+
+void CompareUnit::Fire(size_t channel, const CompareHit& hit) {
+  HsioOutput& output = outputs_[channel];
+  const CompareParameters& p = modules_[channel].parameters;
+  if (p.level_output) {
+    output.level = !output.level;
+  } else {
+    output.pulse_end = hit.instant + p.time;
+  }
+  if (log_.size() < kCompareLogSize) log_.push_back(hit);
+}
+
+}  // namespace oncard::motion

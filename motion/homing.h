@@ -1,0 +1,135 @@
+// Homing: state machines that drive a profile in mode Trap and the capture of the same number, one
+// for each axis, all independent. They write the mode's registers and start and stop it as a
+// program would.
+//
+// Smart homing (GT_GoHome) knows nine modes. A limit search runs at the high velocity until the
+// limit, mode 10 then leaves it by the escape step and comes back at the low velocity: where the
+// limit answers again is the origin. Otherwise the search turns round for the home switch, or goes
+// on to the index pulse. A home switch is searched at the high velocity with its capture armed; an
+// index pulse at the low one. The end is at the captured position plus the offset; no position is
+// set to 0.
+//
+// Simple homing (GT_Home, GT_HomeStop, GT_Index) moves to a position until the capture answers.
+//
+// Assumptions: captured encoder positions are taken as profile positions; the forced modes 40 and
+// 41 search the other way when a limit comes before the home switch; the limit search ends after
+// the longest distance; a limit still active after the escape step is a stage error.
+// Source: application notes on smart homing, GE manual. Tested by tests/motion/homing_test.cc.
+#pragma once
+
+#include <cstdint>
+#include <tuple>
+
+#include "motion/sizes.h"
+
+namespace oncard::motion {
+
+/// Modes, stages and errors, numbered as HOME_MODE_..., HOME_STAGE_..., HOME_ERROR_...
+enum class HomeMode : uint8_t {
+  kNone = 0,
+  kLimit = 10,
+  kLimitHome = 11,
+  kLimitIndex = 12,
+  kLimitHomeIndex = 13,
+  kHome = 20,
+  kHomeIndex = 22,
+  kIndex = 30,
+  kForcedHome = 40,
+  kForcedHomeIndex = 41
+};
+enum class HomeStage : uint8_t {
+  kIdle = 0,
+  kStart = 1,
+  kEscape = 2,
+  kSearchLimit = 10,
+  kSearchLimitStop = 11,
+  kLimitEscape = 13,
+  kLimitReturn = 15,
+  kLimitReturnStop = 16,
+  kSearchHome = 20,
+  kSearchHomeStop = 22,
+  kHomeReturn = 25,
+  kSearchIndex = 30,
+  kGoHome = 80,
+  kEnd = 100
+};
+enum class HomeError : uint8_t {
+  kNone = 0,
+  kNotTrap = 1,
+  kDisabled = 2,
+  kAlarm = 3,
+  kStop = 4,
+  kStage = 5,
+  kMode = 6,
+  kSetCaptureHome = 7,
+  kNoHome = 8,
+  kSetCaptureIndex = 9,
+  kNoIndex = 10
+};
+
+/// The mode of a number; kNone when there is none.
+HomeMode HomeModeFromNumber(int number);
+bool SearchesLimit(HomeMode mode);
+bool SearchesHome(HomeMode mode);
+bool SearchesIndex(HomeMode mode);
+
+/// A search distance of 0 means this one.
+inline constexpr int32_t kSearchDistanceMax = 805306368;
+
+/// THomePrm. Velocities in pulse/ms, accelerations in pulse/ms^2; the defaults of those are 0 and
+/// have to be set.
+struct HomeParameters {
+  HomeMode mode = HomeMode::kHome;
+  int8_t move_direction = 1;
+  int8_t index_direction = 1;
+  bool rising = false;
+  int16_t trigger_index = 0;  ///< 0: the axis' own
+  bool final_fast = false;    ///< pad1[0]
+  double high = 0;
+  double low = 0;
+  double acc = 0;
+  double dec = 0;
+  int16_t smooth_time = 0;
+  bool check_start = false;  ///< pad2[1]
+  int32_t offset = 0;
+  int32_t home_distance = 0;
+  int32_t index_distance = 0;
+  int32_t escape = 0;
+
+  auto Fields() const {
+    return std::tie(mode, move_direction, index_direction, rising, trigger_index, final_fast, high,
+                    low, acc, dec, smooth_time, check_start, offset, home_distance, index_distance,
+                    escape);
+  }
+  bool operator==(const HomeParameters&) const = default;
+};
+
+/// What simple homing does after the capture; kSmart: not simple.
+enum class HomeKind : uint8_t { kSmart, kHome, kStop, kIndex };
+
+struct Homing {
+  HomeParameters parameters;
+  bool running = false;
+  HomeStage stage = HomeStage::kIdle;
+  HomeError error = HomeError::kNone;
+  double captured = 0;
+  double target = 0;
+
+  HomeKind kind = HomeKind::kSmart;
+  int8_t direction = 1;   ///< of the present search
+  bool turned = false;    ///< a forced mode has turned round
+  bool stopping = false;  ///< a stop of its own is under way
+  bool prepared = false;  ///< GT_HomeInit
+  /// Simple homing: its velocity, offset and result.
+  double simple_velocity = 0;
+  double simple_acc = 0;
+  int32_t simple_offset = 0;
+  bool found = false;
+
+  auto Fields() const {
+    return std::tie(parameters, running, stage, error, captured, target, kind, direction, turned,
+                    stopping, prepared, simple_velocity, simple_acc, simple_offset, found);
+  }
+};
+
+}  // namespace oncard::motion

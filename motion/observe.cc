@@ -1,0 +1,95 @@
+// The part of the motion core that sees where inside a cycle the machine passes something: switches
+// and index marks, captures, compare points.
+// Tested by tests/motion/marks_test.cc, capture_test.cc and compare_test.cc.
+#include "motion/motion_core.h"
+#include "motion/rounding.h"
+
+namespace oncard::motion {
+
+double MotionCore::SourcePosition(size_t index) const {
+  const Encoder& encoder = state_.encoders[index];
+  if (!encoder.external) return state_.steps[index].position;
+  const double direction = encoder.reversed == encoder.wired_reversed ? 1 : -1;
+  return direction * state_.plants[index].position + state_.encoder_faults[index].slip;
+}
+
+double MotionCore::CountedPosition(size_t index) const {
+  const Encoder& encoder = state_.encoders[index];
+  if (!encoder.active) return encoder.position;
+  return encoder.position + (SourcePosition(index) - encoder.source);
+}
+
+double MotionCore::PositionAt(size_t encoder, double fraction, const CycleWay& way) const {
+  const double from = way.encoders.from[encoder];
+  return Whole(from + fraction * (way.encoders.to[encoder] - from));
+}
+
+double MotionCore::PositionWhere(size_t encoder, size_t machine, double place,
+                                 const CycleWay& way) const {
+  const Encoder& counter = state_.encoders[encoder];
+  if (encoder == machine && counter.external && counter.active) {
+    // Without the detour over the fraction: exact.
+    const double direction = counter.reversed == counter.wired_reversed ? 1 : -1;
+    return counter.position - counter.source +
+           Whole(direction * place + state_.encoder_faults[encoder].slip);
+  }
+  const double length = state_.plants[machine].position - way.machines[machine];
+  return PositionAt(encoder, length == 0 ? 1 : (place - way.machines[machine]) / length, way);
+}
+
+bool MotionCore::Observed() const {
+  return !state_.switches.empty() || state_.capture.armed() || state_.compare.running();
+}
+
+void MotionCore::AdvanceObserved() {
+  CycleWay way;
+  for (size_t i = 0; i < axis_count(); ++i) {
+    way.machines[i] = state_.plants[i].position;
+    way.encoders.from[i] = CountedPosition(i);
+  }
+  AdvanceMachine();
+  for (size_t i = 0; i < axis_count(); ++i) way.encoders.to[i] = CountedPosition(i);
+  const auto at_tick = [&](size_t encoder) { return PositionAt(encoder, 1, way); };
+  if (state_.capture.armed()) state_.capture.SampleEdges(state_.io, at_tick);
+  for (const PositionSwitch& contact : state_.switches) OperateSwitch(contact, way);
+  if (state_.capture.armed()) {
+    PassIndexMarks(way);
+    state_.capture.Look(state_.io);
+  }
+  if (state_.compare.running()) {
+    state_.compare.Advance(now() - config_.cycle_us, config_.cycle_us, way.encoders);
+  }
+}
+
+void MotionCore::OperateSwitch(const PositionSwitch& contact, const CycleWay& way) {
+  const size_t machine = contact.axis;
+  const double to = state_.plants[machine].position;
+  const bool level = contact.Level(to);
+  const bool before = (state_.io.Pins(contact.type) >> contact.bit & 1) != 0;
+  state_.io.SetPin(contact.type, contact.bit, level);
+  if (!state_.capture.armed()) return;
+  const auto edge = [&](bool rising, double place) {
+    state_.capture.Edge(contact.type, contact.bit, rising, [&](size_t encoder) {
+      return PositionWhere(encoder, machine, place, way);
+    });
+  };
+  SwitchPassage passage;
+  if (contact.connected) passage = PassSwitch(contact, way.machines[machine], to);
+  if (passage.enters) edge(!contact.active_low, passage.entry);
+  if (passage.leaves) edge(contact.active_low, passage.exit);
+  if (!passage.enters && !passage.leaves && level != before) edge(level, to);
+}
+
+void MotionCore::PassIndexMarks(const CycleWay& way) {
+  for (size_t i = 0; i < axis_count(); ++i) {
+    if (!state_.capture.WaitsForIndex(i)) continue;
+    ForEachMark(state_.index_marks[i], way.machines[i], state_.plants[i].position,
+                [&](double place) {
+                  state_.capture.Index(
+                      i, [&](size_t encoder) { return PositionWhere(encoder, i, place, way); });
+                  return state_.capture.WaitsForIndex(i);
+                });
+  }
+}
+
+}  // namespace oncard::motion

@@ -1,0 +1,180 @@
+// Smart homing through its commands.
+#include <gtest/gtest.h>
+
+#include "tests/gtcalls/command_test_card.h"
+
+namespace oncard::gtcalls {
+namespace {
+
+using Cells = std::vector<double>;
+constexpr size_t kCells = 22;
+
+/// The example of the application notes.
+Cells Example(CommandTestCard& card) {
+  Cells cells(kCells);
+  EXPECT_EQ(card.Call("GT_GetHomePrm", {1, &cells}), 0);
+  cells[0] = 20;
+  cells[1] = 1;
+  cells[2] = 1;
+  cells[3] = 0;
+  cells[8] = 5;
+  cells[9] = 1;
+  cells[10] = 0.1;
+  cells[11] = 0.1;
+  cells[17] = 200000;
+  cells[18] = 30000;
+  cells[19] = 1000;
+  return cells;
+}
+
+Cells Status(CommandTestCard& card) {
+  Cells status(6);
+  EXPECT_EQ(card.Call("GT_GetHomeStatus", {1, &status}), 0);
+  return status;
+}
+
+int RunToEnd(CommandTestCard& card) {
+  int ticks = 0;
+  while (Status(card)[0] == 1 && ticks < 1000000) {
+    card.motion.Tick();
+    ++ticks;
+  }
+  return ticks;
+}
+
+void AddSwitch(CommandTestCard& card, motion::DiType type, double first, double last) {
+  card.motion.state().switches.push_back({.axis = 0, .type = type, .first = first, .last = last});
+  card.motion.Tick();
+}
+
+TEST(GoHome, TheExampleAcceleratesInFiftyMsAndEndsAtTheFallingEdge) {
+  CommandTestCard card;
+  ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
+  AddSwitch(card, motion::DiType::kHome, 4000, 6000);
+  Cells cells = Example(card);
+  cells[16] = 250;  // homeOffset
+  ASSERT_EQ(card.Call("GT_GoHome", {1, &cells}), 0);
+  EXPECT_EQ(Status(card)[0], 1);
+  EXPECT_EQ(Status(card)[1], 20);
+  for (int i = 0; i < 200; ++i) card.motion.Tick();
+  EXPECT_NEAR(card.motion.state().profiles[0].now.position, 125, 1e-9);
+  EXPECT_NEAR(card.motion.state().profiles[0].now.velocity, 5, 1e-9);
+  RunToEnd(card);
+  EXPECT_EQ(Status(card), (Cells{0, 100, 0, 0, 6000, 6250}));
+  EXPECT_EQ(card.motion.state().encoders[0].position, 6250);
+}
+
+TEST(GoHome, FailsWhenTheSearchDistanceIsPassed) {
+  CommandTestCard card;
+  ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
+  Cells cells = Example(card);
+  ASSERT_EQ(card.Call("GT_GoHome", {1, &cells}), 0);
+  RunToEnd(card);
+  EXPECT_EQ(Status(card)[2], 8);
+  EXPECT_EQ(card.motion.state().profiles[0].now.position, 200000);
+}
+
+TEST(GoHome, EveryModeEndsAtItsOrigin) {
+  struct {
+    double mode, edge, captured;
+  } const cases[] = {{11, 1, 6000}, {13, 1, 4000}, {12, 0, 18000}, {20, 1, 4000},
+                     {22, 1, 5000}, {30, 0, 1000}, {40, 1, 4000},  {41, 1, 5000}};
+  for (const auto& c : cases) {
+    CommandTestCard card;
+    ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
+    card.motion.state().index_marks[0] = {.offset = 0, .period = 1000};
+    AddSwitch(card, motion::DiType::kHome, 4000, 6000);
+    AddSwitch(card, motion::DiType::kLimitPositive, 18000, 1e9);
+    Cells cells = Example(card);
+    cells[0] = c.mode;
+    cells[3] = c.edge;
+    if (c.mode == 12 || c.mode == 13) cells[2] = -1;
+    ASSERT_EQ(card.Call("GT_GoHome", {1, &cells}), 0) << c.mode;
+    RunToEnd(card);
+    EXPECT_EQ(Status(card)[2], 0) << c.mode;
+    EXPECT_EQ(Status(card)[1], 100) << c.mode;
+    if (c.mode == 13) {
+      EXPECT_EQ(Status(card)[4], 5000);
+    } else {
+      EXPECT_EQ(Status(card)[4], c.captured) << c.mode;
+    }
+    EXPECT_EQ(card.motion.state().profiles[0].now.position, Status(card)[4]) << c.mode;
+  }
+}
+
+TEST(GoHome, LimitModeComesBackSlowly) {
+  CommandTestCard card;
+  ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
+  AddSwitch(card, motion::DiType::kLimitPositive, 18000, 1e9);
+  Cells cells = Example(card);
+  cells[0] = 10;
+  ASSERT_EQ(card.Call("GT_GoHome", {1, &cells}), 0);
+  RunToEnd(card);
+  EXPECT_EQ(Status(card)[1], 100);
+  // At 1 pulse/ms the filter's three cycles of 250 us are one pulse.
+  EXPECT_NEAR(Status(card)[4], 18000, 2);
+}
+
+TEST(GoHome, ForcedHomeTurnsAtTheLimit) {
+  CommandTestCard card;
+  ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
+  AddSwitch(card, motion::DiType::kHome, -6000, -4000);
+  AddSwitch(card, motion::DiType::kLimitPositive, 3000, 1e9);
+  Cells cells = Example(card);
+  cells[0] = 40;
+  cells[3] = 1;
+  ASSERT_EQ(card.Call("GT_GoHome", {1, &cells}), 0);
+  RunToEnd(card);
+  EXPECT_EQ(Status(card), (Cells{0, 100, 0, 0, -4000, -4000}));
+}
+
+TEST(GoHome, AStopFromOutsideIsError4) {
+  CommandTestCard card;
+  ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
+  Cells cells = Example(card);
+  ASSERT_EQ(card.Call("GT_GoHome", {1, &cells}), 0);
+  for (int i = 0; i < 100; ++i) card.motion.Tick();
+  ASSERT_EQ(card.Call("GT_Stop", {1, 0}), 0);
+  RunToEnd(card);
+  EXPECT_EQ(Status(card)[2], 4);
+}
+
+TEST(GoHome, RefusalsAreErrorsOfTheStatusToo) {
+  CommandTestCard card;
+  Cells cells = Example(card);
+  EXPECT_EQ(card.Call("GT_GoHome", {1, &cells}), 1);
+  EXPECT_EQ(Status(card)[2], 2);
+  ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
+  cells[0] = 21;
+  EXPECT_EQ(card.Call("GT_GoHome", {1, &cells}), 7);
+  EXPECT_EQ(Status(card)[2], 6);
+  cells[0] = 20;
+  ASSERT_EQ(card.Call("GT_PrfJog", {1}), 0);
+  EXPECT_EQ(card.Call("GT_GoHome", {1, &cells}), 1);
+  EXPECT_EQ(Status(card)[2], 1);
+}
+
+TEST(GoHome, MembersAreChecked) {
+  CommandTestCard card;
+  ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
+  const uint64_t before = card.Hash();
+  for (const auto& [cell, value] : {std::pair<size_t, double>{1, 0},
+                                    {3, 2},
+                                    {4, 9},
+                                    {8, 0},
+                                    {9, 0},
+                                    {10, 0},
+                                    {11, -1},
+                                    {12, 51},
+                                    {17, -1},
+                                    {18, -1},
+                                    {19, -1}}) {
+    Cells cells = Example(card);
+    cells[cell] = value;
+    EXPECT_EQ(card.Call("GT_GoHome", {1, &cells}), 7) << cell;
+  }
+  EXPECT_EQ(card.Hash(), before);
+}
+
+}  // namespace
+}  // namespace oncard::gtcalls
