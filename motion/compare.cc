@@ -11,17 +11,7 @@ namespace {
 
 static_assert(kFieldsComplete<HsioOutput> && kFieldsComplete<ComparePoint> &&
               kFieldsComplete<CompareHit> && kFieldsComplete<CompareParameters> &&
-              kFieldsComplete<CompareSeries> && kFieldsComplete<CompareModule>);
-
-bool IsOver(const CompareModule& module) {
-  if (module.series.count > 0) return module.hits >= module.series.count;
-  return module.waiting() == 0;
-}
-
-ComparePoint NextPoint(const CompareModule& module) {
-  if (module.series.count == 0) return module.points[module.next];
-  return {0, module.series.first + module.hits * module.series.interval};
-}
+              kFieldsComplete<CompareModule>);
 
 }  // namespace
 
@@ -73,7 +63,6 @@ void CompareUnit::Clear(size_t channel) {
   CompareModule& module = modules_[channel];
   module.points.clear();
   module.next = 0;
-  module.series = {};
 }
 
 void CompareUnit::Advance(Micros begin, Micros length, const EncoderWay& way) {
@@ -90,15 +79,16 @@ void CompareUnit::AdvanceModule(size_t channel, Micros begin, Micros length,
     const double y0 = way.from[p.y] - module.origin_y;
     const double x1 = way.to[p.x] - module.origin_x;
     const double y1 = way.to[p.y] - module.origin_y;
-    fraction = FindHit(x0, y0, x1, y1, p.two_dimensional, NextPoint(module), p.max_error, fraction);
+    fraction = FindHit(x0, y0, x1, y1, p.two_dimensional, module.points[module.next], p.max_error,
+                       fraction);
     if (fraction < 0) return;
     Fire(channel, {.channel = static_cast<uint8_t>(channel),
                    .instant = static_cast<double>(begin) + fraction * static_cast<double>(length),
                    .x = Whole(x0 + fraction * (x1 - x0) + module.origin_x),
                    .y = Whole(y0 + fraction * (y1 - y0) + module.origin_y)});
     ++module.hits;
-    if (module.series.count == 0) ++module.next;
-    module.running = !IsOver(module);
+    ++module.next;
+    module.running = module.waiting() > 0;
   }
 }
 

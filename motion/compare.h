@@ -70,20 +70,10 @@ struct CompareParameters {
   bool operator==(const CompareParameters&) const = default;
 };
 
-/// Points at equal distances instead of a list (GT_CompareLinear).
-struct CompareSeries {
-  int32_t first = 0;
-  int32_t interval = 0;
-  int32_t count = 0;  ///< 0: no series
-
-  auto Fields() const { return std::tie(first, interval, count); }
-};
-
 struct CompareModule {
   CompareParameters parameters;
   std::vector<ComparePoint> points;
   uint32_t next = 0;  ///< the point waited for
-  CompareSeries series;
   bool running = false;
   double origin_x = 0;
   double origin_y = 0;
@@ -91,7 +81,7 @@ struct CompareModule {
 
   size_t waiting() const { return points.size() - next; }
   auto Fields() const {
-    return std::tie(parameters, points, next, series, running, origin_x, origin_y, hits);
+    return std::tie(parameters, points, next, running, origin_x, origin_y, hits);
   }
 };
 

@@ -1,5 +1,8 @@
 // Position compare in two dimensions. Source: application notes on 2-D compare; public header.
 // Tested by tests/gtcalls/compare_command_test.cc.
+#include <array>
+#include <span>
+
 #include "gtcalls/commands/motion_support.h"
 
 namespace oncard::gtcalls {
@@ -47,20 +50,40 @@ int16_t Mode2D(Call& call) {
   return vm::kOk;
 }
 
-int16_t Pulse2D(Call& call) {
-  const bool level = call.integer(2) != 0;
-  if (!level && (call.integer(1) != 1 || call.integer(3) < 1)) {
-    return call.Refuse(vm::kBadParameter,
-                       MakeMessage("a pulse needs level 1 and a time of at least 1 us",
-                                   "脉冲方式下 level 应为 1，time 至少为 1 us"));
+/// Puts out a level, or a pulse, of which the arguments from `first` on are level, type and time.
+int16_t PutOut(Call& call, size_t first, std::span<const size_t> channels) {
+  const int level = call.integer(first);
+  const int type = call.integer(first + 1);
+  const int time = call.integer(first + 2);
+  if (level < 0 || level > 1 || type < 0 || type > 1 || (type == 0 && (level != 1 || time < 1))) {
+    return call.Refuse(
+        vm::kBadParameter,
+        MakeMessage(
+            "level {0}, outputType {1}, time {2}: level and outputType are 0 or 1, and a "
+            "pulse (outputType 0) needs level 1 and a time of at least 1 us",
+            "level 为 {0}，outputType 为 {1}，time 为 {2}：level 与 outputType 应为 0 或 1；"
+            "脉冲方式（outputType 为 0）下 level 应为 1，time 至少为 1 us",
+            level, type, time));
   }
-  if (level) {
-    CompareOf(call).SetLevel(ChannelOf(call), call.integer(1) != 0);
-  } else {
-    CompareOf(call).Pulse(ChannelOf(call), call.card.motion.now(),
-                          static_cast<int16_t>(call.integer(3)));
+  for (const size_t channel : channels) {
+    if (type != 0) {
+      CompareOf(call).SetLevel(channel, level != 0);
+    } else {
+      CompareOf(call).Pulse(channel, call.card.motion.now(), static_cast<int16_t>(time));
+    }
   }
   return vm::kOk;
+}
+
+int16_t Pulse2D(Call& call) {
+  const std::array channels = {ChannelOf(call)};
+  return PutOut(call, 1, channels);
+}
+
+/// Assumption: both high-speed outputs, as the command names none.
+int16_t ComparePulse(Call& call) {
+  constexpr std::array<size_t, 2> kChannels = {0, 1};
+  return PutOut(call, 0, kChannels);
 }
 
 /// 0, or 7 when an encoder does not count what `source` asks for.
@@ -177,10 +200,11 @@ int16_t Status2D(Call& call) {
 }
 
 constexpr CommandEntry kEntries[] = {
-    {"GT_2DCompareMode", Mode2D},     {"GT_2DComparePulse", Pulse2D},
-    {"GT_2DCompareSetPrm", SetPrm2D}, {"GT_2DCompareData", Data2D},
-    {"GT_2DCompareStart", Start2D},   {"GT_2DCompareStop", Stop2D},
-    {"GT_2DCompareClear", Clear2D},   {"GT_2DCompareStatus", Status2D},
+    {"GT_ComparePulse", ComparePulse}, {"GT_2DCompareMode", Mode2D},
+    {"GT_2DComparePulse", Pulse2D},    {"GT_2DCompareSetPrm", SetPrm2D},
+    {"GT_2DCompareData", Data2D},      {"GT_2DCompareStart", Start2D},
+    {"GT_2DCompareStop", Stop2D},      {"GT_2DCompareClear", Clear2D},
+    {"GT_2DCompareStatus", Status2D},
 };
 
 }  // namespace

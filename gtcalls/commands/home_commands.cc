@@ -184,10 +184,63 @@ int16_t GetHomeStatus(Call& call) {
   return vm::kOk;
 }
 
+// --- Simple homing ---------------------------------------------------------------------------
+
+int16_t HomeInit(Call& call) {
+  for (Homing& homing : call.card.motion.state().homing) homing.prepared = true;
+  return vm::kOk;
+}
+
+/// Searches an axis' home switch or index pulse up to the position of argument 1.
+int16_t SearchSimply(Call& call, HomeKind kind, double velocity, double acceleration,
+                     int32_t offset) {
+  if (!(velocity > 0 && velocity <= 32767 && acceleration > 0 && acceleration <= 32767)) {
+    return call.Refuse(
+        vm::kBadParameter,
+        MakeMessage("vel {0} and acc {1} are given; both lie in (0, 32767]",
+                    "vel 为 {0}，acc 为 {1}；两者取值范围均为 (0, 32767]", velocity, acceleration));
+  }
+  const size_t axis = NumberOf(call);
+  if (!HomingOf(call).prepared) {
+    return call.Refuse(vm::kRefused, {"simple homing is not prepared, call GT_HomeInit",
+                                      "回零尚未初始化，请调用 GT_HomeInit"});
+  }
+  const int16_t code = CheckModeAtRest(call, axis, motion::ProfileMode::kTrap);
+  if (code != vm::kOk) return code;
+  if (!AxisOf(call).servo_on) {
+    return call.Refuse(vm::kRefused, MakeMessage("axis {0} is not enabled, call GT_AxisOn",
+                                                 "轴 {0} 未使能，请调用 GT_AxisOn", axis + 1));
+  }
+  call.card.motion.BeginSimpleHoming(axis, kind, call.integer(1), velocity, acceleration, offset);
+  return vm::kOk;
+}
+
+int16_t Home(Call& call) {
+  return SearchSimply(call, HomeKind::kHome, call.value(2), call.value(3), call.integer(4));
+}
+
+int16_t HomeStop(Call& call) {
+  return SearchSimply(call, HomeKind::kStop, call.value(2), call.value(3), 0);
+}
+
+/// At half the velocity of the GT_Home before it.
+int16_t Index(Call& call) {
+  const Homing& homing = HomingOf(call);
+  return SearchSimply(call, HomeKind::kIndex, homing.simple_velocity / 2, homing.simple_acc,
+                      call.integer(2));
+}
+
+int16_t HomeSts(Call& call) {
+  const Homing& homing = HomingOf(call);
+  call.Set(1, !homing.running && homing.found ? 1 : 0);
+  return vm::kOk;
+}
+
 constexpr CommandEntry kEntries[] = {
-    {"GT_GoHome", GoHome},
-    {"GT_GetHomePrm", GetHomePrm},
-    {"GT_GetHomeStatus", GetHomeStatus},
+    {"GT_HomeInit", HomeInit},     {"GT_Home", Home},
+    {"GT_HomeStop", HomeStop},     {"GT_HomeSts", HomeSts},
+    {"GT_Index", Index},           {"GT_GoHome", GoHome},
+    {"GT_GetHomePrm", GetHomePrm}, {"GT_GetHomeStatus", GetHomeStatus},
 };
 
 }  // namespace

@@ -89,5 +89,15 @@ TEST(Compare2D, SinglePulsesAndLevels) {
   EXPECT_FALSE(level());
 }
 
+TEST(ComparePulse, PutsOutOnBothOutputs) {
+  CommandTestCard card;
+  card.Expect(7, "GT_ComparePulse", {2, 0, 100});
+  card.Expect(7, "GT_ComparePulse", {1, 2, 100});
+  card.Expect(7, "GT_ComparePulse", {1, 0, 0});
+  const uint64_t before = card.Hash();
+  card.Expect(0, "GT_ComparePulse", {1, 0, 100});
+  EXPECT_NE(card.Hash(), before);
+}
+
 }  // namespace
 }  // namespace oncard::gtcalls

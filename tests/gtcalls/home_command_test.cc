@@ -176,5 +176,66 @@ TEST(GoHome, MembersAreChecked) {
   EXPECT_EQ(card.Hash(), before);
 }
 
+// --- Simple homing -------------------------------------------------------------------------------
+
+int RunSimply(CommandTestCard& card) {
+  Cells done(1);
+  int ticks = 0;
+  while (card.motion.state().homing[0].running && ticks < 1000000) {
+    card.motion.Tick();
+    ++ticks;
+  }
+  EXPECT_EQ(card.Call("GT_HomeSts", {1, &done}), 0);
+  return static_cast<int>(done[0]);
+}
+
+TEST(SimpleHome, GoesToTheSwitchAndTheOffset) {
+  CommandTestCard card;
+  ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
+  AddSwitch(card, motion::DiType::kHome, 4000, 6000);
+  card.Expect(1, "GT_Home", {1, 100000, 10.0, 1.0, 100});  // not prepared
+  card.Expect(0, "GT_HomeInit");
+  card.Expect(7, "GT_Home", {1, 100000, 0.0, 1.0, 100});
+  card.Expect(7, "GT_Home", {1, 100000, 10.0, 0.0, 100});
+  card.Expect(1, "GT_Home", {2, 100000, 10.0, 1.0, 100});  // not enabled
+  card.Expect(0, "GT_Home", {1, 100000, 10.0, 1.0, 100});
+  EXPECT_EQ(RunSimply(card), 1);
+  // The falling edge is where the switch ends.
+  EXPECT_NEAR(card.motion.state().profiles[0].now.position, 6100, 1);
+}
+
+TEST(SimpleHome, StopsBehindTheSwitch) {
+  CommandTestCard card;
+  ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
+  AddSwitch(card, motion::DiType::kHome, 4000, 6000);
+  card.Expect(0, "GT_HomeInit");
+  card.Expect(0, "GT_HomeStop", {1, 100000, 10.0, 1.0});
+  EXPECT_EQ(RunSimply(card), 1);
+  // 10 pulse/ms at 1 pulse/ms^2: 50 pulses, begun within a cycle.
+  EXPECT_NEAR(card.motion.state().profiles[0].now.position, 6050, 3);
+}
+
+TEST(SimpleHome, EndsWithoutSuccessAtTheSearchPosition) {
+  CommandTestCard card;
+  ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
+  card.Expect(0, "GT_HomeInit");
+  card.Expect(0, "GT_Home", {1, 5000, 10.0, 1.0, 100});
+  EXPECT_EQ(RunSimply(card), 0);
+  EXPECT_EQ(card.motion.state().profiles[0].now.position, 5000);
+}
+
+TEST(SimpleHome, IndexFollowsAtHalfTheVelocity) {
+  CommandTestCard card;
+  ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
+  AddSwitch(card, motion::DiType::kHome, 4000, 6000);
+  card.Expect(0, "GT_HomeInit");
+  card.Expect(7, "GT_Index", {1, 100000, 0});  // no velocity without GT_Home before
+  card.Expect(0, "GT_Home", {1, 100000, 10.0, 1.0, 0});
+  RunSimply(card);
+  card.Expect(0, "GT_Index", {1, 100000, 0});
+  EXPECT_EQ(RunSimply(card), 1);
+  EXPECT_NEAR(card.motion.state().profiles[0].now.position, 10000, 1);
+}
+
 }  // namespace
 }  // namespace oncard::gtcalls
