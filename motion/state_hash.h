@@ -70,7 +70,7 @@ class StateHash {
   template <typename T>
   requires requires(const T& value) { value.Fields(); }
   StateHash& Add(const T& value) {
-    std::apply([this](const auto&... fields) { (Add(fields), ...); }, value.Fields());
+    std::apply([this](const auto&... fields) { (this->Add(fields), ...); }, value.Fields());
     return *this;
   }
 
