@@ -1,6 +1,6 @@
-/* The part of <windows.h> that host programs of motion cards use: types, sleeping, clocks. Sleep and
-   the clocks go by the virtual time of the card when ONCARD_CLOCK is virtual. `long` is as wide as
-   the computer's: DWORD and LONG are the types of gts.h, as they are on Windows. */
+/* The part of <windows.h> that host programs of motion cards use: types, sleeping, clocks. Sleep
+   and the clocks go by the virtual time of the card when ONCARD_CLOCK is virtual. `long` is as wide
+   as the computer's: DWORD and LONG are the types of gts.h, as they are on Windows. */
 #ifndef ONCARD_COMPAT_WINDOWS_H_
 #define ONCARD_COMPAT_WINDOWS_H_
 

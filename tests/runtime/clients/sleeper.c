@@ -18,9 +18,7 @@ static double Now(clockid_t clock) {
   return (double)now.tv_sec * 1000 + (double)now.tv_nsec / 1e6;
 }
 
-static void Report(const char* name) {
-  printf("%s %.3f\n", name, Now(CLOCK_MONOTONIC) - 1e6);
-}
+static void Report(const char* name) { printf("%s %.3f\n", name, Now(CLOCK_MONOTONIC) - 1e6); }
 
 int main(int argc, char** argv) {
   struct timespec duration = {0, 250000000};
