@@ -1,6 +1,7 @@
 #include "motion/gear_mode.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "motion/state_hash.h"
 
@@ -15,7 +16,6 @@ void GearMode::Start(const Sample& from, const MasterValue& value) {
   from_ratio = 0;
   to_ratio = Ratio();
   clutch = slope;
-  clutch_sign = 0;
   travel.direction = direction;
   travel.Restart(value.position);
   double position = 0;
@@ -23,17 +23,16 @@ void GearMode::Start(const Sample& from, const MasterValue& value) {
 }
 
 void GearMode::ChangeRatio(const Sample& now) {
-  from_ratio = RatioAt(Engaged());
+  from_ratio = waiting ? 0 : RatioAt(std::fabs(travel.travel));
   to_ratio = Ratio();
   base = now.position;
   clutch = slope;
-  clutch_sign = 0;
   travel.travel = 0;
 }
 
 double GearMode::RatioAt(double engaged) const {
   if (engaged >= clutch) return to_ratio;
-  return from_ratio + (to_ratio - from_ratio) * std::max(engaged, 0.0) / clutch;
+  return from_ratio + (to_ratio - from_ratio) * engaged / clutch;
 }
 
 bool GearMode::EventBetween(double before, double after, double* position) const {
@@ -58,24 +57,22 @@ Sample GearMode::At(const Sample& now, const MasterValue& value) {
     waiting = false;
   }
   travel.MoveTo(value.position);
-  if (clutch_sign == 0 && travel.travel != 0) clutch_sign = travel.travel < 0 ? -1 : 1;
-  const double x = Engaged();
+  const double sign = travel.travel < 0 ? -1 : 1;
+  const double x = std::fabs(travel.travel);
   double moved = 0;
   double bend = 0;  // of the ratio per pulse of the master
   if (x >= clutch) {
     moved = (from_ratio + to_ratio) / 2 * clutch + to_ratio * (x - clutch);
-  } else if (x < 0) {
-    moved = from_ratio * x;
   } else {
     bend = (to_ratio - from_ratio) / clutch;
     moved = x * (from_ratio + bend / 2 * x);
   }
   const bool follows = travel.Counts(value.velocity);
   const double ratio = follows ? RatioAt(x) : 0;
-  return {base + clutch_sign * moved, ratio * value.velocity,
-          ratio * value.acceleration +
-              (follows ? bend * clutch_sign * value.velocity * value.velocity : 0),
-          true};
+  return {
+      base + sign * moved, ratio * value.velocity,
+      ratio * value.acceleration + (follows ? bend * sign * value.velocity * value.velocity : 0),
+      true};
 }
 
 }  // namespace oncard::motion

@@ -40,8 +40,7 @@ struct GearMode {
   double base = 0;       ///< the slave's position at the clutch's begin
   double from_ratio = 0;
   double to_ratio = 0;
-  double clutch = 0;       ///< pulses of the master
-  double clutch_sign = 0;  ///< the direction in which the master engages; 0: it has not moved yet
+  double clutch = 0;  ///< pulses of the master
   MasterTravel travel;
 
   /// Begins to follow, or to wait for the event, with the registers' ratio reached over the clutch.
@@ -56,13 +55,12 @@ struct GearMode {
   auto Fields() const {
     return std::tie(direction, master, ratio_set, master_even, slave_even, slope, event,
                     event_first, event_last, running, waiting, base, from_ratio, to_ratio, clutch,
-                    clutch_sign, travel);
+                    travel);
   }
 
  private:
   double Ratio() const { return static_cast<double>(slave_even) / master_even; }
-  /// The master's displacement in the clutch, positive in the direction in which it engages.
-  double Engaged() const { return travel.travel * clutch_sign; }
+  /// `engaged`: how far the master has come in the clutch, either way.
   double RatioAt(double engaged) const;
   /// The position of the master at which waiting ends between two of its positions.
   bool EventBetween(double before, double after, double* position) const;

@@ -93,6 +93,37 @@ TEST_F(GearTest, AMasterThatTurnsBackInTheClutchTakesTheRatioBack) {
   EXPECT_NEAR(Slave().position, 0, 1e-2);
 }
 
+TEST_F(GearTest, AStepBackBeforeTheMoveDoesNotHoldTheClutch) {
+  Gear(kSlave, kMaster, 1, 1, 1000);
+  Jog(kMaster, 10, -1);
+  RunTo(1);
+  Jog(kMaster, 10, 100);
+  RunTo(100);
+  EXPECT_DOUBLE_EQ(Slave().velocity, 100);
+}
+
+TEST_F(GearTest, ANewPositionOfTheMasterDoesNotMoveTheSlave) {
+  Gear(kSlave, kMaster, 1, 1, 0);
+  core_.Tick();
+  core_.SetProfilePosition(kMaster, 100000);
+  core_.Tick();
+  EXPECT_EQ(Slave().position, 0);
+}
+
+TEST_F(GearTest, ARatioChangedWhileWaitingBeginsAtZero) {
+  GearMode& gear = profile(kSlave).gear;
+  gear.event = GearEvent::kPass;
+  gear.event_first = 100;
+  Jog(kMaster, 10, 10);
+  Gear(kSlave, kMaster, 1, 5, 0);
+  gear.master_even = 1;
+  gear.slave_even = 1;
+  gear.slope = 1000;
+  gear.ChangeRatio(Slave());
+  while (profile(kMaster).now.position < 110) core_.Tick();
+  EXPECT_LT(Slave().velocity, 0.2);
+}
+
 TEST_F(GearTest, ADirectionFollowsOnlyOneWay) {
   Jog(kMaster, 10, 10);
   Gear(kSlave, kMaster, 1, 1, 0, -1);
