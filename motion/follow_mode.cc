@@ -1,6 +1,7 @@
 #include "motion/follow_mode.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "motion/state_hash.h"
 
@@ -88,7 +89,20 @@ bool FollowMode::NextPass() {
   return true;
 }
 
+void FollowMode::SkipPasses() {
+  const FollowSegment end = fifos[fifo].back();
+  // A table that begins with CONTINUE takes something over from pass to pass.
+  if (switching || fifos[fifo].front().type == FollowSegmentType::kContinue) return;
+  double whole = std::floor(travel.travel / end.master) - 1;
+  if (loop >= 1) whole = std::min(whole, static_cast<double>(loop - passes - 1));
+  if (whole < 1) return;
+  slave_base += whole * end.slave;
+  travel.travel -= whole * end.master;
+  passes = static_cast<int32_t>(std::min(passes + whole, 2147483647.0));
+}
+
 bool FollowMode::FindSegment() {
+  SkipPasses();
   while (PartOf(segment) >= 1) {
     if (segment + 1 < fifos[fifo].size()) {
       ++segment;

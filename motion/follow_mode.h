@@ -80,6 +80,8 @@ struct FollowMode {
   bool EventBetween(double before, double after) const;
   /// Sets the ratios of segment `segment` from the ratio before it.
   void EnterSegment(double ratio_before);
+  /// Goes over whole passes at once when the master has come far.
+  void SkipPasses();
   /// Goes on to the segment, or back to the one, that the master is in. False: the run is over.
   bool FindSegment();
   /// True when there is a next pass.

@@ -258,7 +258,21 @@ void MotionCore::StopProfile(size_t profile, bool abrupt) {
   stopped.Stop(now(), abrupt ? stopped.abrupt_stop : stopped.smooth_stop);
 }
 
+void MotionCore::ShiftSlaves(const Master& master, double shift) {
+  for (Profile& profile : state_.profiles) {
+    if (const Master* followed = profile.FollowedMaster();
+        followed == nullptr || !(*followed == master)) {
+      continue;
+    }
+    MasterTravel& travel =
+        profile.mode == ProfileMode::kGear ? profile.gear.travel : profile.follow.travel;
+    travel.last += shift;
+  }
+}
+
 void MotionCore::SetProfilePosition(size_t profile, double position) {
+  ShiftSlaves({true, MasterType::kProfile, static_cast<uint8_t>(profile), false},
+              position - state_.profiles[profile].now.position);
   state_.profiles[profile].SetPosition(position);
   for (Axis& axis : state_.axes) {
     if ((axis.profile_map >> profile & 1) == 0) continue;
@@ -267,6 +281,8 @@ void MotionCore::SetProfilePosition(size_t profile, double position) {
 }
 
 void MotionCore::SetEncoderPosition(size_t encoder, double position) {
+  ShiftSlaves({true, MasterType::kEncoder, static_cast<uint8_t>(encoder), false},
+              position - state_.encoders[encoder].position);
   state_.encoders[encoder].position = position;
   for (Axis& axis : state_.axes) {
     if ((axis.encoder_map >> encoder & 1) == 0) continue;
@@ -279,7 +295,7 @@ void MotionCore::SynchAxis(size_t index) {
   axis.profile.offset = 0;
   MoveAxisOrigin(index, MappedProfiles(axis));
   axis.encoder.offset = 0;
-  axis.encoder.position = MappedEncoders(axis);
+  MoveEncoderOrigin(index, MappedEncoders(axis));
 }
 
 void MotionCore::ZeroAxis(size_t axis) {
@@ -297,7 +313,14 @@ void MotionCore::SetProfileScale(size_t axis, Scale scale) {
 void MotionCore::SetEncoderScale(size_t axis, Scale scale) {
   state_.axes[axis].encoder_scale = scale;
   state_.axes[axis].encoder.offset = 0;
-  state_.axes[axis].encoder.position = MappedEncoders(state_.axes[axis]);
+  MoveEncoderOrigin(axis, MappedEncoders(state_.axes[axis]));
+}
+
+void MotionCore::MoveEncoderOrigin(size_t index, double position) {
+  AxisValue& value = state_.axes[index].encoder;
+  ShiftSlaves({true, MasterType::kAxis, static_cast<uint8_t>(index), true},
+              position - value.position);
+  value.position = position;
 }
 
 double MotionCore::MappedProfiles(const Axis& axis) const {
@@ -332,6 +355,8 @@ uint32_t MotionCore::ActiveCauses(const Axis& axis) const {
 }
 
 void MotionCore::MoveAxisOrigin(size_t index, double position) {
+  ShiftSlaves({true, MasterType::kAxis, static_cast<uint8_t>(index), false},
+              position - state_.axes[index].profile.position);
   AxisValue& value = state_.axes[index].profile;
   // The machine does not move, and no pulses are sent.
   KeepMachine(index, value.position - position);

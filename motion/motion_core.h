@@ -284,6 +284,10 @@ class MotionCore {
   void CountEncoder(size_t index);
   /// Bits of kLatchedBits whose causes exist now; following errors are judged apart.
   uint32_t ActiveCauses(const Axis& axis) const;
+  /// Slaves of a master whose position has been changed without motion take no notice.
+  void ShiftSlaves(const Master& master, double shift);
+  /// Gives an axis another measured position without motion.
+  void MoveEncoderOrigin(size_t index, double position);
   /// Gives an axis another planned position without motion.
   void MoveAxisOrigin(size_t index, double position);
   /// Stops every profile that an axis maps.

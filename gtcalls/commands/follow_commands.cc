@@ -51,7 +51,7 @@ int16_t SetFollowLoop(Call& call) {
 
 int16_t GetFollowLoop(Call& call) {
   const int16_t code = CheckFollow(call);
-  if (code == vm::kOk) call.Set(1, FollowOf(call).loop);
+  if (code == vm::kOk) call.Set(1, FollowOf(call).passes);
   return code;
 }
 
@@ -133,10 +133,12 @@ int16_t FollowClear(Call& call) {
   if (code != vm::kOk) return code;
   FollowMode& follow = FollowOf(call);
   const size_t which = FifoArgument(call, 1);
-  if (follow.running && follow.fifo == which) {
+  if (follow.running && (follow.fifo == which || follow.switching)) {
     return call.Refuse(
-        vm::kRefused, MakeMessage("FIFO {0} is in use, stop the profile or switch to the other one",
-                                  "FIFO {0} 正在使用，请先停止运动或切换到另一个 FIFO", which));
+        vm::kRefused,
+        MakeMessage("FIFO {0} is in use or switched to, stop the profile or wait for the "
+                    "switch",
+                    "FIFO {0} 正在使用或即将切换，请先停止运动或等待切换完成", which));
   }
   follow.fifos[which].clear();
   return vm::kOk;

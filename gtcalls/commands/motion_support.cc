@@ -112,7 +112,7 @@ std::optional<motion::Master> ReadMasterArguments(Call& call) {
     return std::nullopt;
   }
   master.index = static_cast<uint8_t>(index - 1);
-  if (master.type == motion::MasterType::kProfile && master.index == NumberOf(call)) {
+  if (master.index == NumberOf(call)) {
     call.reason = MakeMessage("profile {0} cannot follow itself", "规划器 {0} 不能跟随自身", index);
     return std::nullopt;
   }

@@ -166,6 +166,14 @@ TEST_F(FollowTest, AMasterThatTurnsBackTakesTheSlaveBack) {
   EXPECT_EQ(Slave().velocity, 0);
 }
 
+TEST_F(FollowTest, AFarMasterGoesOverManyPassesAtOnce) {
+  follow().fifos[0] = {{1, 2, kNormal}};
+  Start();
+  const Sample slave = Slave();
+  EXPECT_NEAR(follow().At(slave, {1e9 + 0.5, 0, 0}).position, 2e9 + 0.5, 1e-3);
+  EXPECT_EQ(follow().passes, 1000000000);
+}
+
 TEST_F(FollowTest, AMasterMayGoTheNegativeWay) {
   follow().fifos[0] = {{-1000, 500, kEven}};
   Jog(1000, -10);
