@@ -32,7 +32,7 @@ struct Call {
   Card& card;
   int caller = vm::kHostCaller;  ///< thread number, or kHostCaller
   std::span<vm::CommandArgument> arguments;
-  /// Why the command was refused, for the call log; set beside a return code other than 0.
+  /// Why the command was refused, for the call log; beside the code 0 it holds remarks.
   Message reason;
 
   double value(size_t index) const { return arguments[index].value; }
@@ -48,6 +48,11 @@ struct Call {
   int16_t Refuse(int16_t code, Message why) {
     reason = std::move(why);
     return code;
+  }
+  /// Adds a remark on a command that is done.
+  void Note(const Message& remark) {
+    if (!reason.en.empty()) reason = {reason.en + "; ", reason.zh + "；"};
+    reason = {reason.en + remark.en, reason.zh + remark.zh};
   }
 };
 

@@ -99,6 +99,7 @@ struct AxisValue {
 
 struct Axis {
   // Configuration.
+  bool active = true;  ///< an inactive axis computes and watches nothing
   InputChoice alarm;
   InputChoice positive_limit;
   InputChoice negative_limit;
@@ -129,10 +130,11 @@ struct Axis {
   bool in_position = false;
 
   auto Fields() const {
-    return std::tie(alarm, positive_limit, negative_limit, smooth_stop, abrupt_stop, profile_map,
-                    encoder_map, profile_scale, encoder_scale, alarm_on, positive_limit_on,
-                    negative_limit_on, soft_positive, soft_negative, band, band_time, band_set,
-                    profile, encoder, latched, servo_on, in_band, in_band_since, in_position);
+    return std::tie(active, alarm, positive_limit, negative_limit, smooth_stop, abrupt_stop,
+                    profile_map, encoder_map, profile_scale, encoder_scale, alarm_on,
+                    positive_limit_on, negative_limit_on, soft_positive, soft_negative, band,
+                    band_time, band_set, profile, encoder, latched, servo_on, in_band,
+                    in_band_since, in_position);
   }
 };
 

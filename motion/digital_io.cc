@@ -8,9 +8,6 @@
 namespace oncard::motion {
 namespace {
 
-/// Words that belong to axes have one bit per axis of an 8-axis card.
-/// Assumption: on 12-axis cards too, since GT_LmtSns has two bits per axis in 16.
-constexpr int kAxisIoWidth = 8;
 constexpr int kMpgWidth = 7;
 constexpr int kGeneralIoWidth = 16;
 
@@ -81,7 +78,7 @@ void DigitalIo::SetEdges(DiType type, int bit, uint32_t count) {
 
 uint32_t DigitalIo::OutputPins(DoType type) const {
   const DoWord& word = At(type);
-  return word.value ^ word.inverted;
+  return (word.value ^ word.inverted) & word.active;
 }
 
 void DigitalIo::SetOutputInverted(DoType type, uint32_t mask) {

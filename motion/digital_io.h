@@ -35,6 +35,9 @@ enum class DoType : uint8_t { kEnable = 10, kClear = 11, kGpo = 12 };
 inline constexpr int kDoTypeCount = 3;
 
 inline constexpr int kIoWidthMax = 16;
+/// Words that belong to axes have one bit per axis of an 8-axis card.
+/// Assumption: on 12-axis cards too, since GT_LmtSns has two bits per axis in 16.
+inline constexpr int kAxisIoWidth = 8;
 
 /// The word of a number; empty when no word has it.
 std::optional<DiType> DiTypeFromNumber(int number);
@@ -52,6 +55,7 @@ struct DiWord {
   uint32_t driven = 0;                               ///< the world drives this pin
   uint32_t pins = 0;                                 ///< level of the driven pins
   uint32_t inverted = 0;                             ///< sense: 1 = low level reads 1
+  uint32_t active = ~uint32_t{0};                    ///< configuration: others read 0
   uint32_t levels = 0;                               ///< pin levels behind the filter
   std::array<uint16_t, kIoWidthMax> filter_ticks{};  ///< ticks a new level must last; 0 acts as 1
   std::array<uint16_t, kIoWidthMax> held_ticks{};    ///< ticks the pin has differed from `levels`
@@ -59,7 +63,7 @@ struct DiWord {
   std::array<uint32_t, kIoWidthMax> edges{};         ///< changes of `levels`, modulo 2^32
 
   auto Fields() const {
-    return std::tie(driven, pins, inverted, levels, filter_ticks, held_ticks, held, edges);
+    return std::tie(driven, pins, inverted, active, levels, filter_ticks, held_ticks, held, edges);
   }
 };
 
@@ -78,10 +82,11 @@ inline constexpr int64_t kEndlessFlips = -1;
 struct DoWord {
   uint32_t value = 0;     ///< the register that GT_GetDo reads
   uint32_t inverted = 0;  ///< `reverse` of the configuration: the pin carries the complement
-  uint32_t timed = 0;     ///< where a timing runs
+  uint32_t active = ~uint32_t{0};  ///< configuration: the pins of others stay low
+  uint32_t timed = 0;              ///< where a timing runs
   std::array<DoTiming, kIoWidthMax> timing{};
 
-  auto Fields() const { return std::tie(value, inverted, timed, timing); }
+  auto Fields() const { return std::tie(value, inverted, active, timed, timing); }
 };
 
 /// Unit of the times of GT_SetDoBitReverse, in microseconds.
@@ -99,10 +104,14 @@ class DigitalIo {
   /// The levels of the pins: undriven ones at the level that reads 0.
   uint32_t Pins(DiType type) const;
   /// Filtered levels with the senses applied: what GT_GetDi reads.
-  uint32_t Read(DiType type) const { return At(type).levels ^ At(type).inverted; }
+  uint32_t Read(DiType type) const {
+    return (At(type).levels ^ At(type).inverted) & At(type).active;
+  }
   /// Sets the senses of a whole word; takes effect at once.
   void SetInverted(DiType type, uint32_t mask);
   uint32_t inverted(DiType type) const { return At(type).inverted; }
+  /// Inputs that are switched off in the configuration read 0.
+  void SetInputsActive(DiType type, uint32_t mask) { At(type).active = mask; }
   /// Ticks a new level must last; 0 and 1 let it through at the first tick.
   void SetFilterTicks(DiType type, int bit, uint16_t ticks);
   /// Changes of the filtered level since reset or since the counter was set.
@@ -116,6 +125,8 @@ class DigitalIo {
   /// Levels at the terminals: the register with the configured reversal.
   uint32_t OutputPins(DoType type) const;
   void SetOutputInverted(DoType type, uint32_t mask);
+  /// The pins of outputs that are switched off in the configuration stay low.
+  void SetOutputsActive(DoType type, uint32_t mask) { At(type).active = mask; }
   /// Writes the bits of `mask`.
   void Write(DoType type, uint32_t mask, uint32_t value);
   /// Writes a bit and sets it to the opposite `delay_us` later; 0 means for ever.

@@ -110,6 +110,13 @@ void MotionCore::Wire() {
   }
 }
 
+void MotionCore::RestartDrives() {
+  Wire();
+  for (size_t i = 0; i < kAxisMax; ++i) {
+    if (state_.axes[i].servo_on) EnableMachine(i);
+  }
+}
+
 void MotionCore::SetClosedLoop(size_t axis, bool closed) {
   Control& control = state_.controls[axis];
   control.closed = closed;

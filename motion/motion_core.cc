@@ -64,6 +64,9 @@ void MotionCore::Reset() {
   for (size_t i = 0; i < kAxisMax; ++i) {
     state_.axes[i] = DefaultAxis(static_cast<int>(i));
   }
+  for (size_t i = 0; i < state_.enable_axes.size(); ++i) {
+    state_.enable_axes[i] = static_cast<int8_t>(i);
+  }
   ResetMachine();
   state_.capture.Reset();
   state_.compare = {};
@@ -155,6 +158,7 @@ MasterValue MotionCore::PlannedAxis(const Axis& axis) const {
 void MotionCore::MapProfiles() {
   for (size_t i = 0; i < axis_count(); ++i) {
     Axis& axis = state_.axes[i];
+    if (!axis.active) continue;
     const MasterValue planned = PlannedAxis(axis);
     axis.profile.position = planned.position;
     axis.profile.velocity = planned.velocity;
@@ -165,6 +169,7 @@ void MotionCore::MapProfiles() {
 
 void MotionCore::GuardAxis(size_t index) {
   Axis& axis = state_.axes[index];
+  if (!axis.active) return;
   const uint32_t causes = ActiveCauses(axis);
   axis.latched |= causes;
   if (axis.latched == 0) return;
@@ -186,6 +191,7 @@ void MotionCore::AdvanceMachine() {
   for (size_t i = 0; i < axis_count(); ++i) CountEncoder(i);
   for (size_t i = 0; i < axis_count(); ++i) {
     Axis& axis = state_.axes[i];
+    if (!axis.active) continue;
     double velocity = 0;
     double acceleration = 0;
     ForEachBit(axis.encoder_map, axis_count(), [&](size_t encoder) {
@@ -201,7 +207,7 @@ void MotionCore::AdvanceMachine() {
 
 void MotionCore::JudgeAxis(size_t index) {
   Axis& axis = state_.axes[index];
-  if (!axis.band_set) return;
+  if (!axis.band_set || !axis.active) return;
   const double error = std::fabs(axis.profile.position - axis.encoder.position);
   const bool inside = error < axis.band && !AxisMoving(axis);
   if (inside && !axis.in_band) axis.in_band_since = now();
@@ -214,14 +220,22 @@ void MotionCore::JudgeAxis(size_t index) {
 void MotionCore::ServoOn(size_t axis) {
   state_.axes[axis].servo_on = true;
   EnableMachine(axis);
-  state_.io.Write(DoType::kEnable, uint32_t{1} << axis, ~uint32_t{0});
+  state_.io.Write(DoType::kEnable, EnableOutputs(axis), ~uint32_t{0});
 }
 
 void MotionCore::ServoOff(size_t axis) {
   state_.axes[axis].servo_on = false;
   DisableMachine(axis);
-  state_.io.Write(DoType::kEnable, uint32_t{1} << axis, 0);
+  state_.io.Write(DoType::kEnable, EnableOutputs(axis), 0);
   StopAxis(state_.axes[axis], true);
+}
+
+uint32_t MotionCore::EnableOutputs(size_t axis) const {
+  uint32_t outputs = 0;
+  for (size_t i = 0; i < state_.enable_axes.size(); ++i) {
+    if (state_.enable_axes[i] == static_cast<int8_t>(axis)) outputs |= uint32_t{1} << i;
+  }
+  return outputs;
 }
 
 bool MotionCore::AxisMoving(const Axis& axis) const {
@@ -358,7 +372,6 @@ void MotionCore::MoveAxisOrigin(size_t index, double position) {
   ShiftSlaves({true, MasterType::kAxis, static_cast<uint8_t>(index), false},
               position - state_.axes[index].profile.position);
   AxisValue& value = state_.axes[index].profile;
-  // The machine does not move, and no pulses are sent.
   KeepMachine(index, value.position - position);
   value.position = position;
 }

@@ -62,6 +62,8 @@ struct MotionState {
   std::array<PvtTablePointer, kPvtTableCount> pvt_tables;
   std::array<Crd, kCrdCount> crds;
   std::array<Axis, kAxisMax> axes;
+  /// Configuration: the axis that an enable output follows, from 0; -1: none.
+  std::array<int8_t, kAxisIoWidth> enable_axes{};
   std::array<Encoder, kAxisMax> encoders;
   std::array<EncoderFault, kAxisMax> encoder_faults;
   std::array<Drive, kAxisMax> drives;
@@ -83,7 +85,7 @@ struct MotionState {
   std::array<double, kUserVariableCount> double_vars{};
 
   auto Fields() const {
-    return std::tie(cycle, clock_cycle, io, profiles, pvt_tables, crds, axes, encoders,
+    return std::tie(cycle, clock_cycle, io, profiles, pvt_tables, crds, axes, enable_axes, encoders,
                     encoder_faults, drives, plants, steps, controls, dacs, adcs, modules, world,
                     switches, index_marks, capture, compare, homing, homing_runs, mram, long_vars,
                     double_vars);
@@ -133,6 +135,8 @@ class MotionCore {
   bool InputActive(const InputChoice& input) const {
     return input.bit >= 0 && (state_.io.Read(input.type) >> input.bit & 1) != 0;
   }
+  /// The enable outputs that follow an axis.
+  uint32_t EnableOutputs(size_t axis) const;
   /// Latched bits whose cause has gone are cleared (GT_ClrSts).
   void ClearStatus(size_t axis);
   /// Stops a profile as its registers say; one that belongs to a coordinate system stops all of it.
@@ -151,6 +155,10 @@ class MotionCore {
   /// Joins motors, pulse outputs and controllers as the configuration says; after every change of
   /// it.
   void Wire();
+  /// The same for a card at rest: enabled drives go on from where they are.
+  void RestartDrives();
+  /// The encoder counts from its source as it is now; after a change of its configuration.
+  void RebaseEncoder(size_t index) { state_.encoders[index].source = EncoderSource(index); }
   /// GT_EncSns, GT_EncOn and GT_EncOff: the encoder goes on counting from its position.
   void SetEncoderSense(size_t encoder, bool reversed);
   void SetEncoderExternal(size_t encoder, bool external);
@@ -277,8 +285,6 @@ class MotionCore {
   double MeasuredPosition(const Control& control) const;
   /// Planned position := measured position, without motion.
   void AlignWithEncoder(size_t index);
-  /// The encoder counts from its source as it is now.
-  void RebaseEncoder(size_t index) { state_.encoders[index].source = EncoderSource(index); }
   /// One cycle of what is wrong with an encoder.
   void AdvanceEncoderFault(size_t index);
   void CountEncoder(size_t index);

@@ -30,6 +30,7 @@ inline constexpr double kSmoothStopDefault = 1;
 inline constexpr double kAbruptStopDefault = 1000;
 
 struct Profile {
+  bool active = true;  ///< configuration: an inactive profile plans nothing
   ProfileMode mode = ProfileMode::kTrap;
   /// What came out at the last tick, and what a command since has made of it.
   Sample now;
@@ -69,8 +70,8 @@ struct Profile {
   void SetPosition(double position) { now = AtRest(position); }
 
   auto Fields() const {
-    return std::tie(mode, now, driven, smooth_stop, abrupt_stop, trap, jog, gear, follow, pt, pvt,
-                    stopping, stop_deceleration, stop_begin, stop_plan);
+    return std::tie(active, mode, now, driven, smooth_stop, abrupt_stop, trap, jog, gear, follow,
+                    pt, pvt, stopping, stop_deceleration, stop_begin, stop_plan);
   }
 
  private:

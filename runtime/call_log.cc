@@ -115,10 +115,8 @@ std::string FormatCall(const LoggedCall& call, Language language) {
     line += ArgumentOf(call.command.parameters[i], call.arguments[i]);
   }
   line += fmt::format(") = {}", call.code);
-  if (call.code != 0) {
-    const std::string& reason = call.reason.In(language);
-    return reason.empty() ? line : line + ": " + reason;
-  }
+  const std::string& reason = call.reason.In(language);
+  if (call.code != 0 || !reason.empty()) return reason.empty() ? line : line + ": " + reason;
   for (size_t i = 0; i < call.arguments.size(); ++i) {
     const Parameter& parameter = call.command.parameters[i];
     if (!HasOutput(parameter, call.arguments[i])) continue;

@@ -20,6 +20,10 @@ constexpr int kNoInput = -1;
 
 int16_t AxisOn(Call& call) {
   const Axis& axis = AxisOf(call);
+  if (!axis.active) {
+    return call.Refuse(vm::kRefused, MakeMessage("axis {0} is not active in the configuration",
+                                                 "轴 {0} 在配置中未激活", call.integer(0)));
+  }
   if (axis.alarm_on && call.card.motion.InputActive(axis.alarm)) {
     return call.Refuse(
         vm::kRefused, MakeMessage("the drive of axis {0} reports an alarm; remove its cause, or "

@@ -32,6 +32,7 @@ std::span<const CommandEntry> AnalogCommands();
 std::span<const CommandEntry> ExtensionCommands();
 std::span<const CommandEntry> EncoderCommands();
 std::span<const CommandEntry> ServoCommands();
+std::span<const CommandEntry> ConfigCommands();
 std::span<const CommandEntry> PlcCommands();
 std::span<const CommandEntry> PlcWordCommands();
 std::span<const CommandEntry> AxisCommands();

@@ -67,9 +67,13 @@ int16_t ChooseMode(Call& call, size_t profile, ProfileMode mode) {
 
 int16_t CheckMayStart(Call& call, size_t profile, double direction) {
   const motion::MotionCore& core = call.card.motion;
+  if (!core.state().profiles[profile].active) {
+    return call.Refuse(vm::kRefused, MakeMessage("profile {0} is not active in the configuration",
+                                                 "规划器 {0} 在配置中未激活", profile + 1));
+  }
   for (size_t i = 0; i < core.axis_count(); ++i) {
     const Axis& axis = core.state().axes[i];
-    if ((axis.profile_map >> profile & 1) == 0) continue;
+    if (!axis.active || (axis.profile_map >> profile & 1) == 0) continue;
     const auto refuse = [&](std::string_view en, std::string_view zh) {
       return call.Refuse(vm::kRefused, MakeMessage("axis {0} {1}, call GT_ClrSts",
                                                    "轴 {0} {2}，请调用 GT_ClrSts", i + 1, en, zh));
