@@ -108,7 +108,7 @@ TEST(AxisScale, AChangeComputesThePositionAnewAndMovesNothing) {
 TEST(AxisMap, AnAxisAddsTheProfilesOfItsMap) {
   AxisCard card;
   card.axis(0).profile_map = 0b11;
-  for (const size_t i : {0, 1}) card.SetTrap({.acc = 1, .dec = 1}, i);
+  for (size_t i = 0; i < 2; ++i) card.SetTrap({.acc = 1, .dec = 1}, i);
   card.MoveTo(100, 10, 0);
   card.MoveTo(1000, 20, 1);
   card.Ticks(10);
@@ -132,7 +132,7 @@ TEST(AxisMap, AnAxisMovesWhileOneOfItsProfilesDoes) {
 TEST(AxisMap, AStopOfTheAxisStopsAllOfItsProfiles) {
   AxisCard card;
   card.axis(0).profile_map = 0b11;
-  for (const size_t i : {0, 1}) {
+  for (size_t i = 0; i < 2; ++i) {
     card.SetTrap({.acc = 1, .dec = 1}, i);
     card.MoveTo(100000, 20, i);
   }
@@ -355,7 +355,7 @@ TEST(LimitSwitch, EachAxisHearsItsOwnInput) {
   card.axis(2).positive_limit = {DiType::kGpi, 15};
   card.Drive(DiType::kGpi, 15, true);
   card.Drive(DiType::kLimitPositive, 5, true);
-  for (const size_t i : {0, 1, 2, 3, 4, 5, 6, 7}) {
+  for (size_t i = 0; i < 8; ++i) {
     EXPECT_EQ(card.status(i), i == 2 || i == 5 ? kPositiveLimitBit : 0u) << i;
   }
 }
