@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/rounding.h"
 #include "motion/state_hash.h"
 
 namespace oncard::motion {
@@ -15,12 +14,6 @@ static_assert(kFieldsComplete<Dac> && kFieldsComplete<Adc>);
 constexpr double kArrivedVolts = kAdcFullVolts / kAdcFull / 10;
 
 }  // namespace
-
-int16_t Dac::Output() const {
-  if (!active) return 0;
-  const double bound = limit;
-  return static_cast<int16_t>(Whole(std::clamp(value + bias, -bound, bound)));
-}
 
 double Dac::Volts() const {
   const double volts = Output() * kDacFullVolts / kDacFull;

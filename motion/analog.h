@@ -5,9 +5,12 @@
 // value + bias, limited. Tested by tests/motion/analog_test.cc.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <tuple>
+
+#include "motion/rounding.h"
 
 namespace oncard::motion {
 
@@ -29,7 +32,11 @@ struct Dac {
 
   /// What GT_GetDac reads: value + bias, rounded, within +-limit. A drive is wired so that this
   /// sign is its direction.
-  int16_t Output() const;
+  int16_t Output() const {
+    if (!active) return 0;
+    const double bound = limit;
+    return static_cast<int16_t>(Whole(std::clamp(value + bias, -bound, bound)));
+  }
   /// At the terminal.
   double Volts() const;
 

@@ -8,15 +8,19 @@
 // tests/motion/control_test.cc.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <tuple>
 
+#include "motion/plant.h"
 #include "motion/sizes.h"
 
 namespace oncard::motion {
 
+/// The integral gain counts 256ths (GT-400 manual).
+inline constexpr double kIntegralUnit = 1.0 / 256;
 inline constexpr size_t kPidSetCount = 3;
 /// Largest exponent of GT_SetKvffFilter (assumption).
 inline constexpr int16_t kKvffFilterMax = 8;
@@ -39,6 +43,16 @@ struct PidSet {
   /// The fed-forward velocity takes a 2^n-th of its difference in each sub-step (assumption).
   int16_t kvff_filter = 0;
   double kvff_acc_max = 0;  ///< pulse/ms^2 by which it changes at most; 0: no limit (assumption)
+
+  /// The velocity to feed forward, one servo sub-step after `feed`.
+  double FeedForward(double feed, double velocity) const {
+    if (kvff_filter == 0 && kvff_acc_max <= 0) return velocity;
+    double change = (velocity - feed) / (1 << kvff_filter);
+    if (kvff_acc_max > 0) {
+      change = std::clamp(change, -kvff_acc_max * kServoMs, kvff_acc_max * kServoMs);
+    }
+    return feed + change;
+  }
 
   auto Fields() const {
     return std::tie(kp, ki, kd, kvff, kaff, integral_limit, derivative_limit, limit, kvff_filter,
@@ -82,7 +96,19 @@ struct Control {
   /// Forgets what has summed up; the drive has just been enabled at `position`.
   void Begin(double position);
   /// One servo sub-step; the output within the set's limit.
-  double Advance(double error, double velocity, double acceleration);
+  double Advance(double error, double velocity, double acceleration) {
+    const PidSet& set = pid();
+    const auto limited = [](double value, double limit) {
+      return std::clamp(value, -limit, limit);
+    };
+    sum = limited(sum + error, set.integral_limit);
+    const double difference = limited(error - error_before, set.derivative_limit);
+    error_before = error;
+    feed = set.FeedForward(feed, velocity);
+    const double output = set.kp * error + set.ki * (sum * kIntegralUnit) + set.kd * difference +
+                          set.kvff * feed + set.kaff * acceleration;
+    return limited(output, set.limit);
+  }
 
   auto Fields() const {
     return std::tie(active, axis, encoder, closed, sets, selected, error_limit, check, reference,

@@ -6,13 +6,6 @@
 
 namespace oncard::motion {
 
-double MotionCore::SourcePosition(size_t index) const {
-  const Encoder& encoder = state_.encoders[index];
-  if (!encoder.external) return state_.steps[index].position;
-  const double direction = encoder.reversed == encoder.wired_reversed ? 1 : -1;
-  return direction * state_.plants[index].position + state_.encoder_faults[index].slip;
-}
-
 double MotionCore::CountedPosition(size_t index) const {
   const Encoder& encoder = state_.encoders[index];
   if (!encoder.active) return encoder.position;
