@@ -1,5 +1,7 @@
 // `oncard_bench motion`: what a profile cycle costs per axis, how much faster than real time a card
-// runs, and what a command of the C API costs. CPU time, the median of several repetitions.
+// runs, what a segment of a path costs, and what a command of the C API costs. CPU time, the median
+// of several repetitions.
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -85,6 +87,56 @@ void MeasureServo() {
   PrintTicks("12 axes, Jog with servo, 250 us", config, kTicks, seconds);
 }
 
+// A path of a million short lines through a look-ahead of 200, fed as the FIFO makes room. The tool
+// goes round a polygon of 360 sides, 3 pulses each; it must never come to rest before the end.
+void MeasurePath() {
+  constexpr int kSegments = 1'000'000;
+  constexpr int kSides = 360;
+  constexpr double kSide = 3;
+  std::vector<motion::Coordinates> corners;
+  for (int i = 0; i < kSides; ++i) {
+    const double angle = 2 * M_PI * i / kSides;
+    const double radius = kSide * kSides / (2 * M_PI);
+    corners.push_back({radius * std::sin(angle), radius - radius * std::cos(angle)});
+  }
+  int64_t ticks = 0;
+  const double seconds = MeasureCpu([&] {
+    motion::MotionConfig config;
+    config.cycle_us = 1000;
+    motion::MotionCore core(config);
+    core.SetUpCrd(0,
+                  {.dimension = 2, .profile = {1, 2}, .velocity_max = 100, .acceleration_max = 1});
+    motion::Crd& crd = core.state().crds[0];
+    motion::CrdFifo& fifo = crd.fifos[0];
+    fifo.look_ahead.time = 5;
+    fifo.look_ahead.acceleration = 1;
+    fifo.look_ahead.capacity = 200;
+    const auto append = [&](int number) {
+      motion::PathSlot slot;
+      slot.is_segment = true;
+      slot.segment = *motion::MakeLine(corners[static_cast<size_t>(number % kSides)],
+                                       corners[static_cast<size_t>((number + 1) % kSides)]);
+      slot.velocity = 15;
+      slot.acceleration = 0.2;
+      return core.AppendToCrd(0, 0, slot);
+    };
+    int sent = 0;
+    ticks = 0;
+    while (sent < kSegments && append(sent)) ++sent;
+    core.StartCrd(0, 0, false);
+    for (; crd.run.running; ++ticks) {
+      while (sent < kSegments && append(sent)) ++sent;
+      if (sent == kSegments && !fifo.look_ahead.ring.empty()) fifo.Flush();
+      core.Tick();
+    }
+    if (sent != kSegments || fifo.done != kSegments) Fail("the path has not been run to its end");
+  });
+  // 3 million pulses at 15 pulse/ms, and less than a second to reach that speed and to stop.
+  if (ticks > 201'000) Fail("the path was interrupted");
+  std::printf("%-44s %8.1f ns/segment, cycles included\n", "1 million segments through look-ahead",
+              seconds * 1e9 / kSegments);
+}
+
 void Accept(const char* command, short code) {
   if (code != 0) Fail(std::string(command) + " = " + std::to_string(code));
 }
@@ -126,6 +178,7 @@ void BenchMotion() {
   MeasureIdle();
   MeasureTrap();
   MeasureServo();
+  MeasurePath();
   MeasureCalls();
 }
 
