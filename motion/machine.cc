@@ -173,7 +173,8 @@ void MotionCore::KeepMachine(size_t axis, double difference) {
 
 void MotionCore::AlignWithEncoder(size_t index) {
   Axis& axis = state_.axes[index];
-  const double measured = axis.encoder.position;
+  // What compensation adds is in the measured position already.
+  const double measured = axis.encoder.position - state_.compensations[index].Amount();
   if (std::has_single_bit(axis.profile_map)) {
     // The axis' own profile goes along, so that both agree as after GT_SynchAxisPos.
     const auto profile = static_cast<size_t>(std::countr_zero(axis.profile_map));
@@ -247,6 +248,33 @@ double MotionCore::MeasuredPosition(const Control& control) const {
   const Encoder& encoder = state_.encoders[index];
   if (!encoder.active || (axis.encoder_map >> index & 1) == 0) return axis.encoder.position;
   return axis.encoder.position + axis.encoder_scale.Apply(EncoderSource(index) - encoder.source);
+}
+
+// --- Compensation ------------------------------------------------------------------------------
+
+void MotionCore::AdvanceCompensations() {
+  state_.compensates = false;
+  for (size_t i = 0; i < axis_count(); ++i) {
+    Compensation& compensation = state_.compensations[i];
+    if (!compensation.InUse()) continue;
+    const AxisValue& planned = state_.axes[i].profile;
+    compensation.Advance(now() - config_.cycle_us, now(), planned.position, planned.velocity);
+    state_.compensates = state_.compensates || compensation.InUse();
+  }
+}
+
+void MotionCore::SetBacklash(size_t axis, const Backlash& backlash) {
+  state_.compensations[axis].SetBacklash(backlash);
+  state_.compensates = true;
+}
+
+void MotionCore::SetPitchTable(size_t axis, PitchTablePointer table) {
+  state_.compensations[axis].pitch_table = std::move(table);
+}
+
+void MotionCore::EnablePitchCompensation(size_t axis, bool on) {
+  state_.compensations[axis].pitch_on = on;
+  state_.compensates = true;
 }
 
 // --- Following error ---------------------------------------------------------------------------

@@ -43,6 +43,7 @@ void MotionCore::Tick() {
   AdvanceProfiles();
   MapProfiles();
   for (size_t i = 0; i < axis_count(); ++i) GuardAxis(i);
+  if (state_.compensates) AdvanceCompensations();
   if (Observed()) {
     AdvanceObserved();
   } else {
@@ -67,6 +68,8 @@ void MotionCore::Reset() {
   for (size_t i = 0; i < state_.enable_axes.size(); ++i) {
     state_.enable_axes[i] = static_cast<int8_t>(i);
   }
+  state_.compensations.fill({});
+  state_.compensates = false;
   ResetMachine();
   state_.capture.Reset();
   state_.compare = {};
@@ -208,7 +211,7 @@ void MotionCore::AdvanceMachine() {
 void MotionCore::JudgeAxis(size_t index) {
   Axis& axis = state_.axes[index];
   if (!axis.band_set || !axis.active) return;
-  const double error = std::fabs(axis.profile.position - axis.encoder.position);
+  const double error = std::fabs(CommandedPosition(index) - axis.encoder.position);
   const bool inside = error < axis.band && !AxisMoving(axis);
   if (inside && !axis.in_band) axis.in_band_since = now();
   axis.in_band = inside;

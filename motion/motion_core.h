@@ -8,7 +8,7 @@
 //   2. profiles, in ascending order: independent modes and the slaves of anything but a coordinate
 //      system; coordinate systems; slaves of coordinate systems
 //   3. axes: mapping, alarm, stop inputs, limits; a stop replaces what was just planned
-//   4. servo and plants; encoders, captures
+//   4. compensation; servo and plants; encoders, captures
 //   5. following error, in-position band, compare outputs
 //
 // The instant of a tick is the end of the cycle it stands for: a plan that starts between two ticks
@@ -29,6 +29,7 @@
 #include "motion/axis.h"
 #include "motion/capture.h"
 #include "motion/compare.h"
+#include "motion/compensation.h"
 #include "motion/control.h"
 #include "motion/crd.h"
 #include "motion/digital_io.h"
@@ -64,6 +65,8 @@ struct MotionState {
   std::array<Axis, kAxisMax> axes;
   /// Configuration: the axis that an enable output follows, from 0; -1: none.
   std::array<int8_t, kAxisIoWidth> enable_axes{};
+  std::array<Compensation, kAxisMax> compensations;
+  bool compensates = false;  ///< any of them
   std::array<Encoder, kAxisMax> encoders;
   std::array<EncoderFault, kAxisMax> encoder_faults;
   std::array<Drive, kAxisMax> drives;
@@ -85,10 +88,10 @@ struct MotionState {
   std::array<double, kUserVariableCount> double_vars{};
 
   auto Fields() const {
-    return std::tie(cycle, clock_cycle, io, profiles, pvt_tables, crds, axes, enable_axes, encoders,
-                    encoder_faults, drives, plants, steps, controls, dacs, adcs, modules, world,
-                    switches, index_marks, capture, compare, homing, homing_runs, mram, long_vars,
-                    double_vars);
+    return std::tie(cycle, clock_cycle, io, profiles, pvt_tables, crds, axes, enable_axes,
+                    compensations, compensates, encoders, encoder_faults, drives, plants, steps,
+                    controls, dacs, adcs, modules, world, switches, index_marks, capture, compare,
+                    homing, homing_runs, mram, long_vars, double_vars);
   }
 };
 
@@ -170,6 +173,13 @@ class MotionCore {
   void SetProfileScale(size_t axis, Scale scale);
   void SetEncoderScale(size_t axis, Scale scale);
 
+  /// GT_SetBacklash.
+  void SetBacklash(size_t axis, const Backlash& backlash);
+  /// GT_SetLeadScrewComp; a table in use is replaced.
+  void SetPitchTable(size_t axis, PitchTablePointer table);
+  /// GT_EnableLeadScrewComp; the axis must have a table to switch it on.
+  void EnablePitchCompensation(size_t axis, bool on);
+
   // --- Coordinate systems ------------------------------------------------------------------------
 
   /// GT_SetCrdPrm: the profiles change to mode Crd, the FIFOs are emptied. They must be at rest.
@@ -222,6 +232,7 @@ class MotionCore {
   void MapProfiles();
   void GuardAxis(size_t index);
   void AdvanceMachine();
+  void AdvanceCompensations();
   /// Where machines and encoders were before a cycle's motion, and the encoders after it.
   struct CycleWay {
     std::array<double, kAxisMax> machines{};
@@ -280,7 +291,9 @@ class MotionCore {
   /// The same in whole pulses, with the error of reading.
   double EncoderSource(size_t index) const;
   /// The planned axis position as the drive is told it.
-  double CommandedPosition(size_t axis) const { return state_.axes[axis].profile.position; }
+  double CommandedPosition(size_t axis) const {
+    return state_.axes[axis].profile.position + state_.compensations[axis].Amount();
+  }
   /// The position the controller's encoder gives its axis right now, between two ticks.
   double MeasuredPosition(const Control& control) const;
   /// Planned position := measured position, without motion.

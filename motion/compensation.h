@@ -1,0 +1,84 @@
+// What is added to an axis' planned position on its way to the drive: backlash and the pitch error
+// of a lead screw. Planned positions as commands read them stay as they are; encoders count what
+// the drive does.
+//
+// Backlash is taken up while the axis moves in one of the two directions. The pitch error is read
+// from one of two tables, one per direction, by the planned position: linear between the points,
+// none outside. The direction is that of the last motion.
+// Source: vendor's comments on GT_SetBacklash; application note on pitch error compensation.
+// Tested by tests/motion/compensation_test.cc.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+#include "motion/sizes.h"
+
+namespace oncard::motion {
+
+/// Largest values of GT_SetBacklash, pulse and pulse/ms.
+inline constexpr int32_t kBacklashMax = 1073741824;
+
+/// GT_SetBacklash.
+struct Backlash {
+  int32_t value = 0;      ///< pulses; 0: none
+  double change = 0;      ///< pulse/ms; 0, or as much as `value`: at once
+  bool positive = false;  ///< the direction of motion in which it is added
+
+  auto Fields() const { return std::tie(value, change, positive); }
+  bool operator==(const Backlash&) const = default;
+};
+
+/// Most points of a pitch error table, and the fewest (one segment).
+inline constexpr int kPitchPointsMax = 256;
+inline constexpr int kPitchPointsMin = 2;
+
+/// GT_SetLeadScrewComp: points at equal distances over `length` pulses from `start` on.
+struct PitchTable {
+  double start = 0;
+  double length = 0;              ///< > 0
+  std::vector<int32_t> positive;  ///< pulses at each point for motion in the positive direction
+  std::vector<int32_t> negative;  ///< as many for the negative
+
+  /// The correction at a planned position, pulses.
+  double At(double position, bool moving_positive) const;
+
+  auto Fields() const { return std::tie(start, length, positive, negative); }
+};
+using PitchTablePointer = std::shared_ptr<const PitchTable>;
+
+struct Compensation {
+  // Registers.
+  Backlash backlash;
+  PitchTablePointer pitch_table;
+  bool pitch_on = false;
+
+  // State.
+  int8_t direction = 0;       ///< of the last motion: -1, 1; 0: none yet
+  double ramp_from = 0;       ///< backlash goes from here ...
+  double ramp_to = 0;         ///< ... to here
+  Micros ramp_begin = 0;      ///< since this instant
+  double backlash_error = 0;  ///< in effect, pulses
+  double pitch_error = 0;     ///< in effect, pulses
+
+  /// Anything to do in a cycle: a register asks for it, or something is still in effect.
+  bool InUse() const { return pitch_on || backlash.value != 0 || Amount() != 0; }
+  /// What the drive is told beyond the planned position, pulses.
+  double Amount() const { return backlash_error + pitch_error; }
+  /// Changes the backlash; what is in effect goes to the new value from where it is.
+  void SetBacklash(const Backlash& registers);
+  /// A cycle from `begin` to `end` that ended at a planned position with a velocity.
+  void Advance(Micros begin, Micros end, double position, double velocity);
+
+  auto Fields() const {
+    return std::tie(backlash, pitch_table, pitch_on, direction, ramp_from, ramp_to, ramp_begin,
+                    backlash_error, pitch_error);
+  }
+
+ private:
+  void AdvanceBacklash(Micros begin, Micros end);
+};
+
+}  // namespace oncard::motion
