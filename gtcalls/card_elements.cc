@@ -9,8 +9,22 @@ size_t CrdDimension(const Card& card, double crd) {
   return 0;
 }
 
+namespace {
+
+/// The length of an encoder's list of capture offsets; 0 for a number the card does not have.
+size_t OffsetCount(const Card& card, double encoder) {
+  for (size_t i = 0; i < card.motion.axis_count(); ++i) {
+    if (encoder != static_cast<double>(i + 1)) continue;
+    return card.motion.state().capture.capture(i).offsets.size();
+  }
+  return 0;
+}
+
+}  // namespace
+
 size_t ElementsOnCard(const Parameter& parameter, const Card& card, double first) {
   if (parameter.per_dimension) return CrdDimension(card, first);
+  if (parameter.per_offset) return OffsetCount(card, first);
   return 1;
 }
 

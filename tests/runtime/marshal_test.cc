@@ -102,6 +102,27 @@ TEST(MarshalTest, TheCountIsCheckedBeforeMemoryIsTouched) {
   EXPECT_EQ(call.call.arguments[2].cells[0], 1.5);
 }
 
+TEST(MarshalTest, CaptureOffsetsAreAsManyAsTheListHas) {
+  Controller controller;
+  controller.card().motion.state().capture.SetOffsets(1, {10, -20, 30}, 1);
+  const gtcalls::Command& command = CommandNamed("GT_GetCaptureOffset");
+  struct Case {
+    int encoder;
+    size_t elements;
+  };
+  for (const Case& c : {Case{2, 3}, {1, 0}, {0, 0}, {9, 0}, {-1, 0}}) {
+    std::array<long, 3> offsets{};
+    short count = 0;
+    long loop = 0;
+    const std::array host = {ToHostArgument(static_cast<short>(c.encoder)),
+                             ToHostArgument(offsets.data()), ToHostArgument(&count),
+                             ToHostArgument(&loop)};
+    MarshalledCall call;
+    ASSERT_TRUE(ReadArguments(command, host, &controller.card(), &call).ok());
+    EXPECT_EQ(call.arguments[1].cells.size(), c.elements) << c.encoder;
+  }
+}
+
 TEST(MarshalTest, StructuresAreTheirScalarsWithoutText) {
   TVarInfo info{7, 2, "speed"};
   double value = 0;
