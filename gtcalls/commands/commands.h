@@ -48,6 +48,7 @@ std::span<const CommandEntry> BufferCommands();
 std::span<const CommandEntry> CaptureCommands();
 std::span<const CommandEntry> HomeCommands();
 std::span<const CommandEntry> CompareCommands();
+std::span<const CommandEntry> CompensationCommands();
 std::span<const CommandEntry> MramCommands();
 
 /// The thread is in the middle of its function, or will be started again by its period.
