@@ -5,7 +5,7 @@
 // Backlash is taken up while the axis moves in one of the two directions. The pitch error is read
 // from one of two tables, one per direction, by the planned position: linear between the points,
 // none outside. The direction is that of the last motion.
-// Source: vendor's comments on GT_SetBacklash; application note on pitch error compensation.
+// Source: comments in a public C# interface (backlash); a public note on GTS pitch compensation.
 // Tested by tests/motion/compensation_test.cc.
 #pragma once
 

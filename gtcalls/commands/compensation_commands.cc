@@ -1,5 +1,5 @@
-// Compensation of backlash and of the pitch error of lead screws. Source: public header; vendor's
-// comments and application note. Tested by tests/gtcalls/compensation_command_test.cc.
+// Compensation of backlash and of the pitch error of lead screws. Source: public header; public
+// interface comments and a public note. Tested by tests/gtcalls/compensation_command_test.cc.
 #include <memory>
 #include <vector>
 
