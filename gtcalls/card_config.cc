@@ -227,11 +227,17 @@ class ConfigReader {
 
 // --- Applying ----------------------------------------------------------------------------------
 
-/// The number of an axis or controller counted from 0; -1 for none and for numbers that are not.
+/// The number of an axis, controller or encoder counted from 0; empty for none and for numbers that
+/// are not.
+std::optional<size_t> IndexFrom(double number) {
+  if (!(number >= 1 && number <= static_cast<double>(motion::kAxisMax))) return std::nullopt;
+  return static_cast<size_t>(number - 1);
+}
+
+/// The same as registers hold it: -1 for none.
 int8_t NumberFrom(double number) {
-  return number >= 1 && number <= static_cast<double>(motion::kAxisMax)
-             ? static_cast<int8_t>(number - 1)
-             : int8_t{-1};
+  const auto index = IndexFrom(number);
+  return index ? static_cast<int8_t>(*index) : int8_t{-1};
 }
 
 int16_t ShortFrom(double value, double smallest, double largest) {
@@ -312,13 +318,14 @@ void ApplyControls(const CardConfig& config, MotionCore& core) {
     dac.limit = ShortFrom(from.limit, 0, motion::kDacFull);
     dac.value = 0;
     dac.control = -1;
-    const int8_t owner = NumberFrom(from.control);
-    if (owner < 0 || !dac.active) continue;
-    motion::Control& control = state.controls[static_cast<size_t>(owner)];
-    if (!control.active || control.axis < 0 || control.encoder < 0) continue;
-    if (!state.encoders[static_cast<size_t>(control.encoder)].external) continue;
+    const auto owner = IndexFrom(from.control);
+    if (!owner || !dac.active) continue;
+    motion::Control& control = state.controls[*owner];
+    const auto encoder = IndexFrom(config.controls[*owner].encoder);
+    if (!control.active || control.axis < 0 || !encoder) continue;
+    if (!state.encoders[*encoder].external) continue;
     control.closed = true;
-    dac.control = owner;
+    dac.control = static_cast<int8_t>(*owner);
   }
 }
 
@@ -331,10 +338,6 @@ void ApplySteps(const CardConfig& config, MotionCore& core) {
     step.mode = ShortFrom(from.mode, -32768, 32767);
     step.parameter = ShortFrom(from.parameter, -32768, 32767);
     step.reversed = from.reverse != 0;
-    // The count goes on from where it is.
-    if (step.axis < 0) continue;
-    const motion::Axis& axis = core.state().axes[static_cast<size_t>(step.axis)];
-    step.lead = step.position - axis.profile.position;
   }
 }
 

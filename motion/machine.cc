@@ -119,6 +119,11 @@ void MotionCore::Wire() {
 
 void MotionCore::RestartDrives() {
   Wire();
+  for (Step& step : state_.steps) {
+    if (step.axis >= 0) {
+      step.lead = step.position - CommandedPosition(static_cast<uint8_t>(step.axis));
+    }
+  }
   for (size_t i = 0; i < kAxisMax; ++i) {
     if (state_.axes[i].servo_on) EnableMachine(i);
   }

@@ -158,7 +158,7 @@ class MotionCore {
   /// Joins motors, pulse outputs and controllers as the configuration says; after every change of
   /// it.
   void Wire();
-  /// The same for a card at rest: enabled drives go on from where they are.
+  /// The same for a card at rest: enabled drives and pulse outputs go on from where they are.
   void RestartDrives();
   /// The encoder counts from its source as it is now; after a change of its configuration.
   void RebaseEncoder(size_t index) { state_.encoders[index].source = EncoderSource(index); }

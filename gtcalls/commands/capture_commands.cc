@@ -112,8 +112,8 @@ int16_t GetCaptureRepeatPos(Call& call) {
                     "读取第 {0} 到 {1} 个位置；已捕获 {2} 个，从 0 编号", first, first + count - 1,
                     positions.size()));
   }
-  for (int i = 0; i < count; ++i) {
-    call.Set(1, positions[static_cast<size_t>(first + i)], static_cast<size_t>(i));
+  for (size_t i = 0; i < static_cast<size_t>(count); ++i) {
+    call.Set(1, positions[static_cast<size_t>(first) + i], i);
   }
   return vm::kOk;
 }
