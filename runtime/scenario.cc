@@ -4,7 +4,6 @@
 #include <charconv>
 #include <filesystem>
 
-#include "runtime/quantity.h"
 #include "vm/limits.h"
 
 namespace oncard::runtime {
@@ -94,8 +93,8 @@ std::string FormatScenario(const Scenario& scenario) {
   text += fmt::format("double = \"{}\"\n",
                       scenario.double_format == vm::DoubleFormat::k16_16 ? "16.16" : "32.16");
   text += fmt::format("schedule = {}\n", Quote(scenario.schedule));
-  text += fmt::format("rate = {}\ncycle_us = {}\nlimit_ms = {}\n", scenario.rate, scenario.cycle_us,
-                      scenario.limit_ms);
+  text += fmt::format("rate = {}\naxes = {}\ncycle_us = {}\nlimit_ms = {}\n", scenario.rate,
+                      scenario.axis_count, scenario.cycle_us, scenario.limit_ms);
   if (scenario.until_us) text += fmt::format("until_ms = {}\n", FormatMs(*scenario.until_us));
   if (!scenario.trace.empty()) text += fmt::format("trace = {}\n", QuoteAll(scenario.trace));
   if (!scenario.expectations.empty()) {
@@ -125,11 +124,7 @@ std::string FormatScenario(const Scenario& scenario) {
       text += fmt::format("init = {}\n", FormatValues(start.values));
     }
   }
-  for (const InputEvent& event : scenario.inputs) {
-    text += fmt::format("\n[[world.input]]\ntype = \"{}\"\n", InputWordName(event.type));
-    if (event.index != 0) text += fmt::format("index = {}\n", event.index);
-    text += fmt::format("value = {}\nat_ms = {}\n", event.value, FormatMs(event.at_us));
-  }
+  text += FormatWorld(scenario.world);
   for (const HostEvent& event : scenario.host) {
     text += fmt::format("\n[[host]]\nat_ms = {}\nset = {}\n", FormatMs(event.at_us),
                         FormatValues(event.values));

@@ -11,9 +11,10 @@
 
 #include "base/result.h"
 #include "compiler/compiler.h"
-#include "motion/digital_io.h"
+#include "motion/motion_core.h"
 #include "runtime/expectation.h"
 #include "runtime/key_script.h"
+#include "runtime/world.h"
 #include "vm/fixed_point.h"
 
 namespace oncard::runtime {
@@ -35,15 +36,6 @@ struct ThreadStart {
   int64_t period_ms = 0;
   int priority = 4;  ///< of a periodic thread
   bool operator==(const ThreadStart&) const = default;
-};
-
-/// The world drives an input pin, or all pins of a word.
-struct InputEvent {
-  int64_t at_us = 0;
-  motion::DiType type = motion::DiType::kGpi;
-  int index = 0;  ///< from 1; 0 = the whole word
-  uint32_t value = 0;
-  bool operator==(const InputEvent&) const = default;
 };
 
 /// The host writes variables, as by GT_SetVarValue.
@@ -73,13 +65,14 @@ struct Scenario {
   std::vector<InitialValue> globals;
   std::string schedule = "rr";
   int rate = kRateDefault;
+  int axis_count = motion::MotionConfig{}.axis_count;
   int64_t cycle_us = kCycleUsDefault;
   /// Reaching it is a failure.
   int64_t limit_ms = kLimitMsDefault;
   /// The run ends here, whatever the threads do; empty = when all threads have stopped.
   std::optional<int64_t> until_us;
-  std::vector<InputEvent> inputs;  ///< in order of time
-  std::vector<HostEvent> host;     ///< in order of time
+  World world;
+  std::vector<HostEvent> host;  ///< in order of time
   /// Names whose values over time a trace holds; empty: RunOptions::trace says which.
   std::vector<std::string> trace;
   std::vector<Expectation> expectations;

@@ -10,6 +10,8 @@ using motion::WorldEvent;
 using motion::WorldEventKind;
 using motion::WorldEvents;
 
+uint8_t FromZero(int number) { return static_cast<uint8_t>(number - 1); }
+
 void AddInput(const InputEvent& input, WorldEvents& events) {
   for (int bit = 0; bit < motion::DiWidth(input.type); ++bit) {
     if (input.index != 0 && input.index != bit + 1) continue;
@@ -22,21 +24,101 @@ void AddInput(const InputEvent& input, WorldEvents& events) {
   }
 }
 
+/// The event that begins a fault. Noise has the axis as its seed.
+WorldEvent BeginOf(const WorldFault& fault) {
+  const uint8_t axis = FromZero(fault.number);
+  switch (fault.kind) {
+    case FaultKind::kStall:
+      return {fault.at_us, WorldEventKind::kStall, axis, 0, 1};
+    case FaultKind::kLostEncoder:
+      return {fault.at_us, WorldEventKind::kEncoderHeld, axis, 0, 1};
+    case FaultKind::kNoise:
+      return {fault.at_us, WorldEventKind::kEncoderNoise, axis, axis, fault.amount};
+    case FaultKind::kSlip:
+      return {fault.at_us, WorldEventKind::kEncoderDrift, axis, 0, fault.amount};
+    case FaultKind::kAlarm:
+      return {fault.at_us, WorldEventKind::kPin, static_cast<uint8_t>(motion::DiType::kAlarm), axis,
+              1};
+    case FaultKind::kCutSwitch:
+      break;
+  }
+  return {fault.at_us, WorldEventKind::kSwitchConnected, 0, axis, 0};
+}
+
+void AddFault(const WorldFault& fault, WorldEvents& events) {
+  const WorldEvent begin = BeginOf(fault);
+  events.push_back(begin);
+  if (!fault.until_us) return;
+  WorldEvent end = begin;
+  end.at = *fault.until_us;
+  end.value = fault.kind == FaultKind::kCutSwitch ? 1 : 0;
+  events.push_back(end);
+}
+
+void AddModule(const ModuleEvent& module, WorldEvents& events) {
+  const auto item = static_cast<uint8_t>(module.module);
+  if (module.inputs) {
+    events.push_back({module.at_us, WorldEventKind::kModuleInputs, item, 0,
+                      static_cast<double>(*module.inputs)});
+  }
+  for (size_t i = 0; i < module.volts.size(); ++i) {
+    events.push_back({module.at_us, WorldEventKind::kModuleVoltage, item, static_cast<uint16_t>(i),
+                      module.volts[i]});
+  }
+}
+
+void SetUpMachine(const MachineSetup& setup, motion::MotionCore& core) {
+  const size_t index = FromZero(setup.axis);
+  if (setup.drive == motion::DriveKind::kVelocity) {
+    core.state().drives[index] = motion::VelocityDrive(setup.gain, setup.tau_ms, setup.friction);
+  }
+  core.state().index_marks[index] = {setup.index_offset, setup.index_period};
+  core.PlaceMachine(index, setup.position);
+}
+
+motion::PositionSwitch SwitchOf(const SwitchSetup& setup) {
+  return {.axis = FromZero(setup.axis),
+          .type = setup.type,
+          .bit = FromZero(setup.index),
+          .first = setup.from,
+          .last = setup.to,
+          .active_low = setup.active_low};
+}
+
 }  // namespace
 
 ControllerOptions CardOptions(const Scenario& scenario) {
   ControllerOptions options;
+  options.motion.axis_count = scenario.axis_count;
   options.motion.cycle_us = scenario.cycle_us;
   options.rate = scenario.rate;
   return options;
 }
 
 void ApplyWorld(const Scenario& scenario, Controller* controller) {
+  const World& world = scenario.world;
+  motion::MotionCore& core = controller->motion();
+  for (const MachineSetup& machine : world.machines) SetUpMachine(machine, core);
+  for (const SwitchSetup& contact : world.switches) {
+    core.state().switches.push_back(SwitchOf(contact));
+  }
+  if (!world.modules.empty()) {
+    for (motion::ExtensionModule& module : core.state().modules) module.present = false;
+  }
   WorldEvents events;
-  for (const InputEvent& input : scenario.inputs) AddInput(input, events);
+  for (const InputEvent& input : world.inputs) AddInput(input, events);
+  for (const WorldFault& fault : world.faults) AddFault(fault, events);
+  for (const VoltageEvent& voltage : world.voltages) {
+    events.push_back(
+        {voltage.at_us, WorldEventKind::kAdc, FromZero(voltage.channel), 0, voltage.volts});
+  }
+  for (const ModuleEvent& module : world.modules) {
+    core.state().modules[static_cast<size_t>(module.module)].present = true;
+    AddModule(module, events);
+  }
   std::stable_sort(events.begin(), events.end(),
                    [](const WorldEvent& a, const WorldEvent& b) { return a.at < b.at; });
-  controller->motion().SetWorld(std::make_shared<const WorldEvents>(std::move(events)));
+  core.SetWorld(std::make_shared<const WorldEvents>(std::move(events)));
 }
 
 }  // namespace oncard::runtime

@@ -77,9 +77,9 @@ TEST(ParseScenario, ReadsEverything) {
 
 TEST(ParseScenario, SortsTheWorldByTime) {
   const Scenario s = Parse(kFull);
-  ASSERT_EQ(s.inputs.size(), 2u);
-  EXPECT_EQ(s.inputs[0], (InputEvent{5000, motion::DiType::kGpi, 2, 1}));
-  EXPECT_EQ(s.inputs[1], (InputEvent{7250, motion::DiType::kHome, 0, 5}));
+  ASSERT_EQ(s.world.inputs.size(), 2u);
+  EXPECT_EQ(s.world.inputs[0], (InputEvent{5000, motion::DiType::kGpi, 2, 1}));
+  EXPECT_EQ(s.world.inputs[1], (InputEvent{7250, motion::DiType::kHome, 0, 5}));
 }
 
 TEST(ParseScenario, ReadsTheHostsWritesAndWhatATraceHolds) {
@@ -115,7 +115,7 @@ TEST(FormatScenario, IsReadBackAsTheSame) {
   EXPECT_EQ(FormatScenario(second), text);
   EXPECT_EQ(second.threads, first.threads);
   EXPECT_EQ(second.globals, first.globals);
-  EXPECT_EQ(second.inputs, first.inputs);
+  EXPECT_EQ(second.world, first.world);
   EXPECT_EQ(second.until_us, first.until_us);
 }
 

@@ -1,6 +1,8 @@
 // The world of a scenario as a card sees it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "runtime/scenario_world.h"
 
 namespace oncard::runtime {
@@ -57,6 +59,222 @@ at_ms = 1
   controller.Reset();
   for (int i = 0; i < 4; ++i) controller.RunCycle();
   EXPECT_EQ(controller.motion().state().io.Pins(DiType::kGpi), 1u);
+}
+
+/// A card in the world of a scenario, and what its first axis does.
+class WorldCard {
+ public:
+  explicit WorldCard(const std::string& world)
+      : scenario_(Parsed("program = \"x.c\"\n" + world)), controller_(CardOptions(scenario_)) {
+    ApplyWorld(scenario_, &controller_);
+  }
+  motion::MotionState& state() { return controller_.motion().state(); }
+  uint32_t status() { return controller_.motion().Status(0); }
+  /// Enables axis 1 and lets it jog.
+  void Jog(double velocity) {
+    controller_.motion().ServoOn(0);
+    motion::Profile& profile = state().profiles[0];
+    profile.mode = motion::ProfileMode::kJog;
+    profile.jog.parameters = {.acc = 1, .dec = 1};
+    profile.jog.velocity = velocity;
+    controller_.motion().StartProfile(0);
+  }
+  void RunUntil(double ms) {
+    while (controller_.NowMs() < ms) controller_.RunCycle();
+  }
+
+ private:
+  Scenario scenario_;
+  Controller controller_;
+};
+
+TEST(ScenarioWorld, AnAxisRunsIntoItsLimitSwitch) {
+  WorldCard card("[[world.switch]]\naxis = 1\ntype = \"limit_positive\"\nfrom = 20000\n");
+  card.Jog(100);
+  card.RunUntil(190);
+  EXPECT_EQ(card.status() & motion::kPositiveLimitBit, 0u);
+  card.RunUntil(1000);
+  EXPECT_NE(card.status() & motion::kPositiveLimitBit, 0u);
+  EXPECT_EQ(card.status() & motion::kMovingBit, 0u);
+  // It stops behind the switch, within the filter's time and the abrupt stop.
+  EXPECT_GT(card.state().plants[0].position, 20000);
+  EXPECT_LT(card.state().plants[0].position, 20200);
+}
+
+TEST(ScenarioWorld, ACutLimitSwitchStopsNothing) {
+  WorldCard card(
+      "[[world.switch]]\naxis = 1\ntype = \"limit_positive\"\nfrom = 20000\n"
+      "[[world.fault]]\nkind = \"cut_switch\"\nswitch = 1\n");
+  card.Jog(100);
+  card.RunUntil(1000);
+  EXPECT_EQ(card.status() & motion::kPositiveLimitBit, 0u);
+  EXPECT_GT(card.state().plants[0].position, 90000);
+}
+
+TEST(ScenarioWorld, AStalledMachineExceedsTheFollowingError) {
+  WorldCard card("[[world.fault]]\nkind = \"stall\"\naxis = 1\nat_ms = 500\n");
+  card.Jog(100);
+  card.RunUntil(500);
+  EXPECT_EQ(card.status() & motion::kFollowingErrorBit, 0u);
+  const double held = card.state().plants[0].position;
+  // 32767 pulses at 100 pulse/ms.
+  card.RunUntil(820);
+  EXPECT_EQ(card.status() & motion::kFollowingErrorBit, 0u);
+  card.RunUntil(830);
+  EXPECT_NE(card.status() & motion::kFollowingErrorBit, 0u);
+  EXPECT_EQ(card.state().plants[0].position, held);
+}
+
+TEST(ScenarioWorld, AnAlarmLastsAsLongAsTheFileSays) {
+  WorldCard card("[[world.fault]]\nkind = \"alarm\"\naxis = 1\nat_ms = 10\nuntil_ms = 20\n");
+  const auto alarm = [&] { return card.state().io.Read(DiType::kAlarm) & 1; };
+  card.RunUntil(9);
+  EXPECT_EQ(alarm(), 0u);
+  card.RunUntil(12);
+  EXPECT_EQ(alarm(), 1u);
+  EXPECT_NE(card.status() & motion::kAlarmBit, 0u);
+  card.RunUntil(22);
+  EXPECT_EQ(alarm(), 0u);
+}
+
+TEST(ScenarioWorld, EncodersLoseTheirSignalSlipAndReadNoise) {
+  WorldCard lost("[[world.fault]]\nkind = \"lost_encoder\"\naxis = 1\nat_ms = 100\n");
+  lost.Jog(10);
+  lost.RunUntil(100);
+  const double last = lost.state().encoders[0].position;
+  lost.RunUntil(300);
+  EXPECT_EQ(lost.state().encoders[0].position, last);
+  EXPECT_GT(lost.state().plants[0].position, last + 1900);
+
+  WorldCard slip("[[world.fault]]\nkind = \"slip\"\naxis = 1\nvelocity = 0.5\n");
+  slip.RunUntil(1000);
+  EXPECT_NEAR(slip.state().encoders[0].position, 500, 1);
+
+  WorldCard noise("[[world.fault]]\nkind = \"noise\"\naxis = 1\npulses = 3\n");
+  double smallest = 0;
+  double largest = 0;
+  for (int ms = 1; ms <= 200; ++ms) {
+    noise.RunUntil(ms);
+    smallest = std::min(smallest, noise.state().encoders[0].position);
+    largest = std::max(largest, noise.state().encoders[0].position);
+  }
+  EXPECT_EQ(smallest, -3);
+  EXPECT_EQ(largest, 3);
+}
+
+TEST(ScenarioWorld, MachinesStandAndTurnAsDescribed) {
+  WorldCard card(
+      "axes = 4\n[[world.axis]]\naxis = 1\ndrive = \"velocity\"\ngain = 50\ntau_ms = 5\n"
+      "friction = 0.5\nposition = -300\nindex_offset = 20\nindex_period = 4000\n");
+  const motion::Drive& drive = card.state().drives[0];
+  EXPECT_EQ(drive.kind, motion::DriveKind::kVelocity);
+  EXPECT_EQ(drive.Fields(), motion::VelocityDrive(50, 5, 0.5).Fields());
+  EXPECT_EQ(card.state().plants[0].position, -300);
+  EXPECT_EQ(card.state().index_marks[0], (motion::IndexMarks{20, 4000}));
+  card.RunUntil(1);
+  EXPECT_EQ(card.state().encoders[0].position, 0);
+}
+
+TEST(ScenarioWorld, AnalogueInputsAndModulesChangeOverTime) {
+  WorldCard card(
+      "[[world.analog]]\nchannel = 3\nvolts = -2.5\nat_ms = 5\n"
+      "[[world.module]]\nmodule = 2\ninputs = 0x11\nvolts = [0, 5]\nat_ms = 3\n");
+  EXPECT_FALSE(card.state().modules[0].present);
+  EXPECT_TRUE(card.state().modules[2].present);
+  card.RunUntil(2);
+  EXPECT_EQ(card.state().modules[2].inputs, 0);
+  card.RunUntil(6);
+  EXPECT_EQ(card.state().modules[2].inputs, 0x11);
+  EXPECT_EQ(card.state().modules[2].input_volts[1], 5);
+  EXPECT_EQ(card.state().adcs[2].volts, -2.5);
+}
+
+constexpr const char* kWholeWorld = R"(program = "x.c"
+axes = 12
+[[world.input]]
+type = "home"
+value = 3
+at_ms = 0.5
+[[world.axis]]
+axis = 12
+drive = "velocity"
+gain = 80.5
+index_period = 0
+[[world.switch]]
+axis = 2
+type = "limit_negative"
+to = -1000.5
+active_low = true
+[[world.switch]]
+axis = 2
+index = 4
+from = 10
+to = 20
+[[world.fault]]
+kind = "cut_switch"
+switch = 2
+at_ms = 7
+until_ms = 8.25
+[[world.fault]]
+kind = "noise"
+axis = 3
+pulses = 4
+[[world.fault]]
+kind = "slip"
+axis = 3
+velocity = -0.25
+[[world.analog]]
+channel = 8
+volts = 12.5
+[[world.module]]
+module = 15
+volts = [1, -2.5]
+)";
+
+TEST(ScenarioWorld, IsWrittenAsItIsRead) {
+  const Scenario first = Parsed(kWholeWorld);
+  EXPECT_EQ(first.axis_count, 12);
+  EXPECT_EQ(first.world.switches[0].index, 2);
+  EXPECT_EQ(first.world.switches[1].type, DiType::kHome);
+  EXPECT_EQ(first.world.faults[0].until_us, 8250);
+  const Scenario second = Parsed(FormatScenario(first));
+  EXPECT_EQ(second.world, first.world);
+  EXPECT_EQ(second.axis_count, 12);
+}
+
+TEST(ScenarioWorld, MistakesSayWhatToDo) {
+  const struct {
+    const char* text;
+    const char* message;
+  } cases[] = {
+      {"axes = 5\n", "w.toml:2:8: 'axes' must be 4, 8 or 12"},
+      {"[[world.axes]]\n", "unknown key 'axes'; did you mean 'axis'?"},
+      {"[[world.axis]]\ndrive = \"ideal\"\n", "'axis' is missing: the number of the axis, from 1"},
+      {"[[world.axis]]\naxis = 9\n", "'axis' must be a whole number from 1 to 8"},
+      {"[[world.axis]]\naxis = 1\ndrive = \"stepper\"\n", "'drive' must be one of ideal, velocity"},
+      {"[[world.axis]]\naxis = 1\ngain = -1\n", "'gain' must be a number from 0 to 32767"},
+      {"[[world.axis]]\naxis = 1\n[[world.axis]]\naxis = 1\n", "axis 1 is described twice"},
+      {"[[world.switch]]\naxis = 1\n", "'from' or 'to' is missing"},
+      {"[[world.switch]]\naxis = 1\nfrom = 2\nto = 1\n", "'from' is greater than 'to'"},
+      {"[[world.switch]]\naxis = 1\nfrom = 1\nactive_low = 1\n",
+       "'active_low' must be true or false"},
+      {"[[world.fault]]\naxis = 1\n", "'kind' is missing: one of stall, lost_encoder"},
+      {"[[world.fault]]\nkind = \"stal\"\naxis = 1\n", "'kind' must be one of stall"},
+      {"[[world.fault]]\nkind = \"noise\"\naxis = 1\n", "'pulses' is missing"},
+      {"[[world.fault]]\nkind = \"cut_switch\"\nswitch = 1\n", "there is no switch to cut"},
+      {"[[world.switch]]\naxis = 1\nto = 0\n[[world.fault]]\nkind = \"cut_switch\"\nswitch = 2\n",
+       "'switch' must be a whole number from 1 to 1"},
+      {"[[world.fault]]\nkind = \"stall\"\naxis = 1\nat_ms = 5\nuntil_ms = 5\n",
+       "'until_ms' must be later than 'at_ms'"},
+      {"[[world.analog]]\nvolts = 13\n", "'volts' must be a number from -12.5 to 12.5"},
+      {"[[world.module]]\nvolts = [11]\n", "at most 8 voltages from -10 to 10"},
+  };
+  for (const auto& c : cases) {
+    const auto scenario = ParseScenario(std::string("program = \"x.c\"\n") + c.text, "w.toml");
+    ASSERT_FALSE(scenario.ok()) << c.text;
+    EXPECT_NE(scenario.error().message.en.find(c.message), std::string::npos)
+        << scenario.error().message.en;
+  }
 }
 
 TEST(ScenarioWorld, TheCardHasTheScenariosCycleAndRate) {
