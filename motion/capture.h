@@ -8,7 +8,8 @@
 // Assumptions: the probe and the high-speed inputs are general inputs 1, 2 and 3 (EXI0 to EXI2; the
 // GE manual has the probe on EXI0); an index pulse has no sense; the status is 1 from the first of
 // several captures on; a list of offsets that is used up adds nothing more.
-// Source: public header; GE manual (probe). Tested by tests/motion/capture_test.cc.
+// Source: public header; GE manual (probe). Tested by
+// tests/gtcalls/capture_command_test.cc.
 #pragma once
 
 #include <array>

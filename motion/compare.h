@@ -6,7 +6,8 @@
 // between two ticks, and one tick can have several. A point is hit where the way comes nearest to
 // it, if both coordinates are within the tolerance there. One-dimensional compare looks at Y only.
 // All hits are kept in a log of limited length.
-// Source: application notes on 2-D compare; public header. Tested by tests/motion/compare_test.cc.
+// Source: application notes on 2-D compare; public header. Tested by
+// tests/gtcalls/compare_command_test.cc.
 #pragma once
 
 #include <array>

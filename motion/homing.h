@@ -14,7 +14,8 @@
 // Assumptions: captured encoder positions are taken as profile positions; the forced modes 40 and
 // 41 search the other way when a limit comes before the home switch; the limit search ends after
 // the longest distance; a limit still active after the escape step is a stage error.
-// Source: application notes on smart homing, GE manual. Tested by tests/motion/homing_test.cc.
+// Source: application notes on smart homing, GE manual. Tested by
+// tests/gtcalls/home_command_test.cc.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Tested by tests/tools/completion_test.cc.
+// Tested by tests/tools/report_commands_test.cc.
 #include "tools/command_tree.h"
 
 #include <fmt/format.h>

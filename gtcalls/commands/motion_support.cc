@@ -3,7 +3,6 @@
 namespace oncard::gtcalls {
 
 using motion::Axis;
-using motion::Profile;
 using motion::ProfileMode;
 
 std::string_view ModeName(ProfileMode mode) {

@@ -1,6 +1,8 @@
 // Smart homing through its commands.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/gtcalls/command_test_card.h"
 
 namespace oncard::gtcalls {
@@ -152,6 +154,67 @@ TEST(GoHome, RefusalsAreErrorsOfTheStatusToo) {
   ASSERT_EQ(card.Call("GT_PrfJog", {1}), 0);
   EXPECT_EQ(card.Call("GT_GoHome", {1, &cells}), 1);
   EXPECT_EQ(Status(card)[2], 1);
+}
+
+TEST(GoHome, AnAlarmIsError3) {
+  CommandTestCard card;
+  ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
+  Cells cells = Example(card);
+  card.motion.state().axes[0].latched |= motion::kAlarmBit;
+  EXPECT_EQ(card.Call("GT_GoHome", {1, &cells}), 1);
+  EXPECT_EQ(Status(card)[2], 3);
+}
+
+TEST(GoHome, NoIndexWithinItsDistanceIsError10) {
+  CommandTestCard card;
+  ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
+  card.motion.state().index_marks[0] = {.offset = 0, .period = 0};
+  Cells cells = Example(card);
+  cells[0] = 30;
+  ASSERT_EQ(card.Call("GT_GoHome", {1, &cells}), 0);
+  EXPECT_EQ(Status(card)[1], 30);
+  RunToEnd(card);
+  EXPECT_EQ(Status(card)[2], 10);
+  EXPECT_EQ(card.motion.state().profiles[0].now.position, 30000);
+}
+
+TEST(GoHome, TheLastWayIsSlowUnlessPad1SaysFast) {
+  for (const bool fast : {false, true}) {
+    CommandTestCard card;
+    ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
+    AddSwitch(card, motion::DiType::kHome, 4000, 6000);
+    Cells cells = Example(card);
+    cells[5] = fast ? 1 : 0;
+    cells[16] = 5000;
+    ASSERT_EQ(card.Call("GT_GoHome", {1, &cells}), 0);
+    double fastest = 0;
+    while (Status(card)[0] == 1) {
+      card.motion.Tick();
+      if (Status(card)[1] == 80) {
+        fastest = std::max(fastest, card.motion.state().profiles[0].now.velocity);
+      }
+    }
+    EXPECT_NEAR(fastest, fast ? 5 : 1, 1e-9);
+    EXPECT_EQ(card.motion.state().profiles[0].now.position, 11000);
+  }
+}
+
+TEST(GoHome, LeavesASwitchItStandsOnWhenAskedTo) {
+  // On the switch, searching forwards for its rising edge at 4000: the escape of 1000 goes back.
+  CommandTestCard card;
+  ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
+  card.motion.PlaceMachine(0, 4500);
+  AddSwitch(card, motion::DiType::kHome, 4000, 6000);
+  Cells cells = Example(card);
+  cells[3] = 1;
+  cells[14] = 1;
+  ASSERT_EQ(card.Call("GT_GoHome", {1, &cells}), 0);
+  card.motion.Tick();
+  EXPECT_EQ(Status(card)[1], 2);
+  RunToEnd(card);
+  EXPECT_EQ(Status(card)[2], 0);
+  // The encoder read 0 at 4500.
+  EXPECT_EQ(card.motion.state().encoders[0].position, -500);
 }
 
 TEST(GoHome, MembersAreChecked) {
