@@ -44,6 +44,7 @@ struct Curve {
   std::vector<Point> points;
   bool steps = false;
   size_t color = 0;
+  int dash = 0;  ///< 0: solid; others tell curves of one colour in a panel apart
 };
 
 struct Range {
@@ -228,6 +229,8 @@ class Picture {
     curve.steps = form != NumberForm::kReal;
     curve.points = curve.steps ? Changes(points) : Simplify(points);
     curve.color = quantity.value == nullptr ? panel.curves.size() : ColorOfPart(quantity.name);
+    curve.dash = static_cast<int>(
+        std::ranges::count(panel.curves, curve.color, [](const Curve& c) { return c.color; }));
     panel.curves.push_back(std::move(curve));
   }
 
@@ -427,8 +430,9 @@ class Picture {
     std::vector<std::string> plots;
     for (size_t c = 0; c < panel.curves.size(); ++c) {
       const Curve& curve = panel.curves[c];
-      plots.push_back(fmt::format("$p{}c{} with {} lw 2 lc rgb '{}' title {}", p, c,
-                                  curve.steps ? "steps" : "lines",
+      const std::string dash = curve.dash == 0 ? "" : fmt::format(" dt {}", curve.dash + 1);
+      plots.push_back(fmt::format("$p{}c{} with {} lw 2{} lc rgb '{}' title {}", p, c,
+                                  curve.steps ? "steps" : "lines", dash,
                                   kColors[curve.color % kColors.size()], Quoted(curve.name)));
     }
     text += fmt::format("plot {}\n", fmt::join(plots, ", \\\n     "));
