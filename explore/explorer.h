@@ -1,0 +1,93 @@
+// Answers whether any interleaving of a problem's threads can go wrong, and if so how.
+//
+// Two engines can prove it: `dpor`, one execution per Mazurkiewicz trace, and `stateful`, the graph
+// of all states. Neither is always better; `auto` runs both at the same time on two cores.
+// Deterministic but for what `auto` happens to count beside the verdict. docs/interleavings.md says
+// when which engine is the right one. Tested by tests/explore/explorer_test.cc.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "explore/problem.h"
+
+namespace oncard::explore {
+
+enum class EngineKind : uint8_t { kAuto, kDpor, kStateful };
+
+/// `auto`, `dpor`, `stateful`; empty for any other name.
+std::optional<EngineKind> EngineNamed(std::string_view name);
+std::string_view EngineName(EngineKind engine);
+
+enum class Verdict : uint8_t {
+  kProved,     ///< no interleaving goes wrong
+  kFailed,     ///< one does; Exploration::failure shows it
+  kIncomplete  ///< a limit was reached before the search was done
+};
+
+/// `PROVED`, `FAILED`, `INCOMPLETE`.
+std::string_view VerdictName(Verdict verdict);
+
+struct ExploreOptions {
+  EngineKind engine = EngineKind::kAuto;
+  int64_t execution_limit = 100'000'000;
+  uint32_t state_limit = 50'000'000;
+  /// Statements of one execution; the dpor engine gives up on longer ones.
+  int64_t depth_limit = 100'000;
+};
+
+/// What the dpor engine counted.
+struct TraceCounts {
+  int64_t executions = 0;
+  int64_t blocked = 0;
+  int64_t redundant = 0;
+  int64_t bad_traces = 0;
+  int64_t final_globals = 0;  ///< different values of the globals at the end
+  int64_t final_full = 0;     ///< the same with what the threads returned
+  bool complete = false;
+};
+
+/// What the stateful engine counted.
+struct StateCounts {
+  int64_t states = 0;
+  int64_t transitions = 0;
+  int64_t bad_states = 0;
+  int64_t final_globals = 0;
+  int64_t final_full = 0;
+  /// Different final globals with at most that many preemptions.
+  std::vector<int64_t> finals_within;
+  bool complete = false;
+};
+
+/// Number of elements of StateCounts::finals_within.
+inline constexpr int kPreemptionBounds = 4;
+
+/// How it goes wrong.
+struct Failure {
+  bool livelock = false;
+  Fault fault;                 ///< of the last state; none for a livelock
+  std::vector<uint8_t> steps;  ///< threads of the model, one per statement
+  std::vector<uint8_t> cycle;  ///< livelock: what then repeats for ever
+  int preemptions = 0;
+  bool fewest_preemptions = false;  ///< no schedule with fewer fails
+  int64_t fewest_steps = 0;         ///< of any failing schedule; 0 when not known
+  /// Statements after which a good end could still be reached; -1 when not known.
+  int64_t last_escape = -1;
+};
+
+struct Exploration {
+  Verdict verdict = Verdict::kIncomplete;
+  EngineKind engine = EngineKind::kAuto;  ///< the one whose verdict it is
+  Message why;                            ///< kIncomplete: what was reached
+  std::optional<TraceCounts> traces;
+  std::optional<StateCounts> states;
+  std::optional<Failure> failure;
+};
+
+/// Explores. Fails when the engine cannot answer the problem's requirements.
+Result<Exploration> Explore(const Problem& problem, const ExploreOptions& options);
+
+}  // namespace oncard::explore

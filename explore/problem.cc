@@ -1,0 +1,137 @@
+#include "explore/problem.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+namespace oncard::explore {
+namespace {
+
+constexpr std::string_view kMark = "//@";
+
+std::string_view Trim(std::string_view text) {
+  const size_t first = text.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+Error AtLine(const std::string& path, int line, const Message& message) {
+  return {1,
+          {fmt::format("{}:{}: {}", path, line, message.en),
+           fmt::format("{}:{}：{}", path, line, message.zh)}};
+}
+
+std::optional<Scope> ScopeNamed(std::string_view name) {
+  if (name == "final") return Scope::kFinal;
+  if (name == "always") return Scope::kAlways;
+  if (name == "never") return Scope::kNever;
+  return std::nullopt;
+}
+
+/// Reads `g=1, h=5`.
+Result<void> ReadInitialValues(std::string_view text, runtime::Scenario* scenario) {
+  while (!text.empty()) {
+    const size_t comma = text.find(',');
+    auto value = runtime::ParseInitialValue(Trim(text.substr(0, comma)));
+    if (!value.ok()) return value.error();
+    scenario->globals.push_back(std::move(value).value());
+    text = comma == std::string_view::npos ? std::string_view{} : text.substr(comma + 1);
+  }
+  return {};
+}
+
+Result<void> ReadComment(std::string_view comment, CommentProblem* problem) {
+  const size_t colon = comment.find(':');
+  const std::string_view key = Trim(comment.substr(0, colon));
+  const std::string_view rest =
+      colon == std::string_view::npos ? std::string_view{} : Trim(comment.substr(colon + 1));
+  if (key == "init" && !rest.empty()) return ReadInitialValues(rest, &problem->scenario);
+  if (const auto scope = ScopeNamed(key); scope && !rest.empty()) {
+    problem->requirements.push_back({*scope, std::string(rest)});
+    return {};
+  }
+  return MakeError(1,
+                   "'{0}' says nothing to the explorer: expected //@ init: v=1, or //@ final:, "
+                   "//@ always: or //@ never: with an expression",
+                   "“{0}”不是探索注释：应为 //@ init: v=1，或 //@ final:、//@ always:、//@ never: "
+                   "加表达式",
+                   Trim(comment));
+}
+
+bool HasFunction(const vm::Object& object, const std::string& name) {
+  for (const vm::Function& function : object.functions) {
+    if (function.name == name) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Result<CommentProblem> ReadComments(const std::string& path, std::string_view source,
+                                    const vm::Object& object) {
+  CommentProblem problem;
+  problem.scenario.path = path;
+  problem.scenario.program = runtime::PathToScenario(problem.scenario, path);
+  for (int thread = 0; thread < vm::kThreadCount; ++thread) {
+    runtime::ThreadStart start;
+    start.thread = thread;
+    start.page = thread;
+    start.function = fmt::format("t{}", thread);
+    if (!HasFunction(object, start.function)) break;
+    problem.scenario.threads.push_back(std::move(start));
+  }
+  if (problem.scenario.threads.empty()) {
+    return MakeError(
+        1,
+        "{0} has no function t0: name the threads' functions t0, t1, ..., or explore a "
+        "scenario that binds them",
+        "{0} 中没有函数 t0：请将各线程的函数命名为 t0、t1……，或改用绑定线程的场景文件", path);
+  }
+  int line = 1;
+  for (size_t begin = 0; begin < source.size(); ++line) {
+    const size_t end = std::min(source.find('\n', begin), source.size());
+    const std::string_view text = Trim(source.substr(begin, end - begin));
+    begin = end + 1;
+    if (!text.starts_with(kMark)) continue;
+    if (auto read = ReadComment(text.substr(kMark.size()), &problem); !read.ok()) {
+      return AtLine(path, line, read.error().message);
+    }
+  }
+  return problem;
+}
+
+bool Problem::HasInvariants() const {
+  for (const BoundRequirement& requirement : requirements) {
+    if (requirement.scope != Scope::kFinal) return true;
+  }
+  return false;
+}
+
+Result<Problem> BindProblem(Model model, const std::vector<Requirement>& requirements) {
+  Problem problem{std::move(model), {}};
+  for (const Requirement& requirement : requirements) {
+    auto property = Property::Parse(requirement.text, problem.model);
+    if (!property.ok()) return property.error();
+    problem.requirements.push_back({requirement.scope, std::move(property).value()});
+  }
+  return problem;
+}
+
+Fault FindFault(const Problem& problem, const Model& state) {
+  for (int thread = 0; thread < state.thread_count(); ++thread) {
+    const ThreadEnd end = state.End(thread);
+    if (end != ThreadEnd::kRunning && end != ThreadEnd::kFinished) {
+      return {Fault::Kind::kThread, 0, thread};
+    }
+  }
+  for (size_t i = 0; i < problem.requirements.size(); ++i) {
+    const BoundRequirement& requirement = problem.requirements[i];
+    if (requirement.scope == Scope::kFinal && state.runnable() != 0) continue;
+    if (requirement.property.Holds(state) == (requirement.scope == Scope::kNever)) {
+      return {Fault::Kind::kRequirement, static_cast<int>(i), 0};
+    }
+  }
+  return {};
+}
+
+}  // namespace oncard::explore

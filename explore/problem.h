@@ -1,0 +1,77 @@
+// What is to be explored: a program with its threads at their first statements, and what must hold.
+//
+// A source without a scenario says it in comments, one per line:
+//
+//   //@ init: g=1, h=5         values of globals before the start
+//   //@ final: EXPRESSION      must hold when all threads have ended
+//   //@ always: EXPRESSION     must hold in every state
+//   //@ never: EXPRESSION      must hold in no state
+//
+// and its functions t0, t1, ... are bound to threads 0, 1, ... on pages 0, 1, ...
+// Tested by tests/explore/problem_test.cc.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "explore/model.h"
+#include "explore/property.h"
+#include "runtime/scenario.h"
+#include "vm/object.h"
+
+namespace oncard::explore {
+
+/// Which states a requirement speaks of.
+enum class Scope : uint8_t { kFinal, kAlways, kNever };
+
+/// A requirement as written.
+struct Requirement {
+  Scope scope = Scope::kFinal;
+  std::string text;
+};
+
+/// What the comments of a source say, as the scenario that it stands for.
+struct CommentProblem {
+  runtime::Scenario scenario;  ///< program, threads, initial values
+  std::vector<Requirement> requirements;
+};
+
+/// Reads the comments of a source, whose functions are those of `object`. Fails, naming the line,
+/// on a comment that cannot be read, and when there is no function t0.
+Result<CommentProblem> ReadComments(const std::string& path, std::string_view source,
+                                    const vm::Object& object);
+
+struct BoundRequirement {
+  Scope scope = Scope::kFinal;
+  Property property;
+};
+
+struct Problem {
+  Model model;  ///< before the first statement
+  std::vector<BoundRequirement> requirements;
+
+  /// True when a requirement speaks of states on the way.
+  bool HasInvariants() const;
+};
+
+/// Finds the names of the requirements. Fails when one is unknown.
+Result<Problem> BindProblem(Model model, const std::vector<Requirement>& requirements);
+
+/// What is wrong with a state.
+struct Fault {
+  enum class Kind : uint8_t { kNone, kRequirement, kThread };
+  Kind kind = Kind::kNone;
+  int requirement = 0;  ///< kRequirement: which one is violated
+  int thread = 0;       ///< kThread: which one ended with a fault
+
+  explicit operator bool() const { return kind != Kind::kNone; }
+};
+
+/// The first fault of a state: a thread's, an invariant's, or, when all threads have ended, a final
+/// requirement's.
+Fault FindFault(const Problem& problem, const Model& state);
+
+}  // namespace oncard::explore

@@ -1,0 +1,301 @@
+#include "explore/property.h"
+
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <optional>
+
+#include "base/nearest.h"
+#include "vm/fixed_point.h"
+
+namespace oncard::explore {
+namespace {
+
+bool IsNameCharacter(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
+}
+
+std::optional<int> ParseNumber(std::string_view text) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || value < 0) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+/// Recursive descent; each level appends to the property's elements.
+class PropertyParser {
+ public:
+  using Kind = Property::Kind;
+  using Element = Property::Element;
+
+  PropertyParser(std::string_view text, const Model& model) : text_(text), model_(model) {
+    property_.text_ = text;
+  }
+
+  Result<Property> Parse() {
+    Level(0);
+    SkipSpace();
+    if (!failed_ && at_ != text_.size()) {
+      Fail(MakeMessage("'{0}' is not expected in '{1}'", "“{1}”中不应出现“{0}”",
+                       text_.substr(at_, 1), text_));
+    }
+    if (!failed_ && property_.elements_.size() > Property::kElementMax) {
+      Fail(MakeMessage("'{0}' is too long: at most {1} names, numbers and operators",
+                       "“{0}”过长：名称、数字和运算符最多 {1} 个", text_, Property::kElementMax));
+    }
+    if (failed_) return Error{1, reason_};
+    return std::move(property_);
+  }
+
+ private:
+  struct Operator {
+    std::string_view text;
+    Kind kind;
+    int level;
+  };
+  /// Longer spellings first.
+  static constexpr std::array<Operator, 11> kOperators = {{{"||", Kind::kOr, 0},
+                                                           {"&&", Kind::kAnd, 1},
+                                                           {"==", Kind::kEqual, 2},
+                                                           {"!=", Kind::kNotEqual, 2},
+                                                           {"<=", Kind::kLessEqual, 3},
+                                                           {">=", Kind::kGreaterEqual, 3},
+                                                           {"<", Kind::kLess, 3},
+                                                           {">", Kind::kGreater, 3},
+                                                           {"+", Kind::kAdd, 4},
+                                                           {"-", Kind::kSubtract, 4},
+                                                           {"*", Kind::kMultiply, 5}}};
+  static constexpr int kUnaryLevel = 6;
+
+  void Fail(Message reason) {
+    if (!failed_) reason_ = std::move(reason);
+    failed_ = true;
+  }
+  void SkipSpace() {
+    while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) ++at_;
+  }
+  bool Take(std::string_view token) {
+    SkipSpace();
+    if (!text_.substr(at_).starts_with(token)) return false;
+    at_ += token.size();
+    return true;
+  }
+  void Append(Kind kind) { property_.elements_.push_back({.kind = kind}); }
+
+  /// Operators of a level, from the left; operands are of the next level.
+  void Level(int level) {
+    if (level == kUnaryLevel) return Unary();
+    Level(level + 1);
+    while (!failed_) {
+      const Operator* found = nullptr;
+      for (const Operator& candidate : kOperators) {
+        if (candidate.level == level && Take(candidate.text)) {
+          found = &candidate;
+          break;
+        }
+      }
+      if (found == nullptr) return;
+      Level(level + 1);
+      Append(found->kind);
+    }
+  }
+
+  void Unary() {
+    if (Take("!")) {
+      Unary();
+      return Append(Kind::kNot);
+    }
+    if (Take("-")) {
+      Unary();
+      return Append(Kind::kNegate);
+    }
+    if (Take("(")) {
+      Level(0);
+      if (!Take(")")) Fail(MakeMessage("')' is missing in '{0}'", "“{0}”中缺少“)”", text_));
+      return;
+    }
+    Primary();
+  }
+
+  void Primary() {
+    SkipSpace();
+    const size_t begin = at_;
+    while (at_ < text_.size() && IsNameCharacter(text_[at_])) ++at_;
+    const std::string_view word = text_.substr(begin, at_ - begin);
+    if (word.empty()) {
+      return Fail(MakeMessage("a variable or a number is missing in '{0}'", "“{0}”中缺少变量或数字",
+                              text_));
+    }
+    double number = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (error == std::errc() && end == word.data() + word.size()) {
+      property_.elements_.push_back({.kind = Kind::kNumber, .number = number});
+      return;
+    }
+    Name(word, Subscript());
+  }
+
+  std::optional<int> Subscript() {
+    if (!Take("[")) return std::nullopt;
+    SkipSpace();
+    const size_t begin = at_;
+    while (at_ < text_.size() && text_[at_] != ']') ++at_;
+    const auto index = ParseNumber(text_.substr(begin, at_ - begin));
+    if (!index || !Take("]")) {
+      Fail(MakeMessage("an index in '{0}' is not a number", "“{0}”中的下标不是数字", text_));
+    }
+    return index;
+  }
+
+  void Name(std::string_view name, std::optional<int> index) {
+    for (const std::string_view prefix : {"ret", "thread"}) {
+      if (!name.starts_with(prefix)) continue;
+      std::string_view digits = name.substr(prefix.size());
+      if (prefix == "thread") {
+        if (!digits.ends_with(".result")) continue;
+        digits.remove_suffix(std::string_view(".result").size());
+      }
+      if (const auto number = ParseNumber(digits)) return Returned(name, *number);
+    }
+    if (name.starts_with("page")) {
+      const size_t dot = name.find('.');
+      const auto page =
+          dot == std::string_view::npos ? std::nullopt : ParseNumber(name.substr(4, dot - 4));
+      if (page) return Local(*page, name.substr(dot + 1), index);
+    }
+    const vm::Symbol* symbol = vm::FindGlobal(model_.image(), name);
+    if (symbol == nullptr) return Unknown(name);
+    Slot(*symbol, index, true, 0);
+  }
+
+  void Returned(std::string_view name, int number) {
+    for (int thread = 0; thread < model_.thread_count(); ++thread) {
+      if (model_.setup(thread).thread != number) continue;
+      const auto function = static_cast<size_t>(model_.setup(thread).function);
+      property_.elements_.push_back(
+          {.kind = Kind::kReturn,
+           .thread = thread,
+           .type = model_.image().object.functions[function].return_type});
+      return;
+    }
+    Fail(MakeMessage("'{0}': there is no thread {1}", "“{0}”：没有线程 {1}", name, number));
+  }
+
+  void Local(int page, std::string_view name, std::optional<int> index) {
+    for (int thread = 0; thread < model_.thread_count(); ++thread) {
+      if (model_.setup(thread).page != page) continue;
+      const vm::Symbol* symbol = vm::FindLocal(model_.image(), model_.setup(thread).function, name);
+      if (symbol == nullptr) break;
+      return Slot(*symbol, index, false, page);
+    }
+    Fail(MakeMessage("no thread has a variable '{0}' on page {1}", "数据页 {1} 上没有变量“{0}”",
+                     name, page));
+  }
+
+  void Slot(const vm::Symbol& symbol, std::optional<int> index, bool global, int page) {
+    if (index.has_value() != (symbol.array_size != 0) || index.value_or(0) >= symbol.slots()) {
+      return Fail(MakeMessage("'{0}' has {1} elements: write a number below that in brackets",
+                              "“{0}”有 {1} 个元素：请在方括号中写出下标", symbol.name,
+                              symbol.array_size));
+    }
+    vm::SlotAddress slot;
+    slot.global = global;
+    slot.page = static_cast<uint8_t>(page);
+    slot.id = static_cast<uint16_t>(symbol.id + index.value_or(0));
+    slot.type = symbol.type;
+    property_.elements_.push_back({.kind = Kind::kSlot, .slot = slot, .type = symbol.type});
+  }
+
+  void Unknown(std::string_view name) {
+    Nearest nearest(name);
+    for (const vm::Symbol& symbol : model_.image().object.globals) nearest.Add(symbol.name);
+    if (!nearest.best().empty()) {
+      return Fail(MakeMessage("there is no variable '{0}'; did you mean '{1}'?",
+                              "没有变量“{0}”；是否想写“{1}”？", name, nearest.best()));
+    }
+    Fail(MakeMessage("there is no variable '{0}'", "没有变量“{0}”", name));
+  }
+
+  std::string_view text_;
+  const Model& model_;
+  Property property_;
+  size_t at_ = 0;
+  bool failed_ = false;
+  Message reason_;
+};
+
+Result<Property> Property::Parse(std::string_view text, const Model& model) {
+  return PropertyParser(text, model).Parse();
+}
+
+bool Property::Holds(const Model& model) const {
+  std::array<double, kElementMax> stack{};
+  size_t top = 0;
+  const auto number = [](int64_t raw, vm::DataType type) {
+    return type == vm::DataType::kDouble ? vm::DoubleFromFixed(raw)
+                                         : static_cast<double>(static_cast<int32_t>(raw));
+  };
+  for (const Element& element : elements_) {
+    switch (element.kind) {
+      case Kind::kNumber:
+        stack[top++] = element.number;
+        continue;
+      case Kind::kSlot:
+        stack[top++] = number(model.Read(element.slot), element.type);
+        continue;
+      case Kind::kReturn:
+        stack[top++] = number(model.ReturnValue(element.thread), element.type);
+        continue;
+      case Kind::kNot:
+        stack[top - 1] = stack[top - 1] == 0 ? 1 : 0;
+        continue;
+      case Kind::kNegate:
+        stack[top - 1] = -stack[top - 1];
+        continue;
+      default:
+        break;
+    }
+    const double right = stack[--top];
+    double& left = stack[top - 1];
+    switch (element.kind) {
+      case Kind::kOr:
+        left = left != 0 || right != 0 ? 1 : 0;
+        break;
+      case Kind::kAnd:
+        left = left != 0 && right != 0 ? 1 : 0;
+        break;
+      case Kind::kEqual:
+        left = left == right ? 1 : 0;
+        break;
+      case Kind::kNotEqual:
+        left = left != right ? 1 : 0;
+        break;
+      case Kind::kLess:
+        left = left < right ? 1 : 0;
+        break;
+      case Kind::kLessEqual:
+        left = left <= right ? 1 : 0;
+        break;
+      case Kind::kGreater:
+        left = left > right ? 1 : 0;
+        break;
+      case Kind::kGreaterEqual:
+        left = left >= right ? 1 : 0;
+        break;
+      case Kind::kAdd:
+        left += right;
+        break;
+      case Kind::kSubtract:
+        left -= right;
+        break;
+      default:
+        left *= right;
+        break;
+    }
+  }
+  return stack[0] != 0;
+}
+
+}  // namespace oncard::explore

@@ -1,0 +1,83 @@
+// The graph of all reachable states, and what can be read off it: it ends for every program with
+// finitely many states, loops that wait for another thread included, and answers exactly how few
+// preemptions or steps lead to a state.
+//
+// Deterministic; not thread-safe. Tested by tests/explore/state_graph_test.cc.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "explore/model.h"
+
+namespace oncard::explore {
+
+/// What a state is, as bits.
+enum StateFlag : uint8_t {
+  kTerminal = 1,  ///< no thread can go on
+  kBad = 2        ///< the caller says so
+};
+
+struct StateGraph {
+  static constexpr uint32_t kNone = ~uint32_t{0};
+
+  int threads = 0;
+  /// Of state s and thread t: element s * threads + t; kNone when the thread cannot step there. The
+  /// first state is 0.
+  std::vector<uint32_t> successors;
+  std::vector<uint8_t> flags;
+  int64_t transitions = 0;
+  /// False when the search was ended early; some successors are then missing.
+  bool complete = false;
+
+  uint32_t size() const { return static_cast<uint32_t>(flags.size()); }
+  uint32_t Next(uint32_t state, int thread) const {
+    return successors[size_t{state} * static_cast<size_t>(threads) + static_cast<size_t>(thread)];
+  }
+};
+
+struct StateLimits {
+  uint32_t states = 200'000'000;
+  /// Set from another thread: the search ends soon.
+  const std::atomic<bool>* stop = nullptr;
+};
+
+/// Called once for each state; true when it is bad.
+using StateJudge = std::function<bool(const Model& model)>;
+
+/// Explores from the model's present state, depth first, and leaves it there.
+StateGraph BuildStateGraph(Model* model, const StateLimits& limits, const StateJudge& judge);
+
+/// The threads of a path from the first state, one per step.
+struct Path {
+  bool found = false;
+  std::vector<uint8_t> steps;
+  int preemptions = 0;
+};
+
+/// A path with the fewest preemptions, and among those with the fewest steps, to a state with one
+/// of the flags. A preemption is a change of threads while the one before could have gone on.
+Path FewestPreemptions(const StateGraph& graph, uint8_t flag);
+
+/// A path with the fewest steps.
+Path FewestSteps(const StateGraph& graph, uint8_t flag);
+
+/// Of every state the fewest preemptions that reach it.
+std::vector<int> PreemptionsTo(const StateGraph& graph);
+
+/// A cycle that a fair schedule can follow for ever: every thread that could go on takes steps in
+/// it.
+struct Lasso {
+  bool found = false;
+  std::vector<uint8_t> stem;   ///< to the cycle's first state
+  std::vector<uint8_t> cycle;  ///< back to it
+};
+Lasso FindFairCycle(const StateGraph& graph);
+
+/// How many steps of a path can be taken before no terminal state that is not bad can be reached
+/// any more; -1 when there is none from the start.
+int64_t LastEscape(const StateGraph& graph, const std::vector<uint8_t>& path);
+
+}  // namespace oncard::explore

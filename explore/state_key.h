@@ -1,0 +1,30 @@
+// Numbers of 128 bits that name states.
+#pragma once
+
+#include <cstdint>
+
+namespace oncard::explore {
+
+/// The exclusive or of what AddToKey() makes of (place, value) pairs: equal sets of pairs have
+/// equal keys, and different ones different keys for all practical purposes.
+struct StateKey {
+  uint64_t low = 0;
+  uint64_t high = 0;
+  bool operator==(const StateKey&) const = default;
+};
+
+/// Scrambles a value at a place into 64 bits (the finaliser of MurmurHash3 over a Weyl step).
+constexpr uint64_t MixPlace(uint64_t seed, uint32_t place, int64_t value) {
+  uint64_t x = static_cast<uint64_t>(value) + seed * (uint64_t{place} + 1);
+  x = (x ^ (x >> 33)) * 0xff51afd7ed558ccdULL;
+  x = (x ^ (x >> 33)) * 0xc4ceb9fe1a85ec53ULL;
+  return x ^ (x >> 33);
+}
+
+/// Adds a pair, or takes it out again.
+constexpr void AddToKey(uint32_t place, int64_t value, StateKey* key) {
+  key->low ^= MixPlace(0x9e3779b97f4a7c15ULL, place, value);
+  key->high ^= MixPlace(0xd1b54a32d192ed03ULL, place, value);
+}
+
+}  // namespace oncard::explore

@@ -1,0 +1,92 @@
+// Exactly one execution per Mazurkiewicz trace (explore/dpor.h). The counts are known: of
+// increments, from other tools and from brute force; of readers and writers, by counting.
+#include "explore/dpor.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "explore_programs.h"
+
+namespace oncard::explore {
+namespace {
+
+DporResult Count(const std::string& source, const DporLimits& limits = {.count_redundant = true}) {
+  Problem problem = ProblemOf(source);
+  problem.model.TrackKey(false);
+  return ExploreTraces(&problem.model, limits, [](const Model&) { return true; });
+}
+
+void ExpectTraces(const std::string& source, int64_t traces) {
+  const DporResult result = Count(source);
+  EXPECT_TRUE(result.complete);
+  EXPECT_EQ(result.executions, traces);
+  EXPECT_EQ(result.blocked, 0);
+  EXPECT_EQ(result.redundant, 0);
+}
+
+TEST(DporTest, LostUpdates) {
+  ExpectTraces(Increments(2, 1), 4);
+  ExpectTraces(Increments(2, 2), 34);
+  ExpectTraces(Increments(3, 1), 36);
+  ExpectTraces(Increments(3, 2), 7134);
+}
+
+TEST(DporTest, IndependentThreadsAreOneTrace) {
+  std::string source = "int a[4];\n";
+  for (int i = 0; i < 4; ++i) {
+    source += fmt::format("int t{0}() {{\n  a[{0}] = 1;\n  a[{0}] = 2;\n  return 0;\n}}\n", i);
+  }
+  ExpectTraces(source, 1);
+}
+
+// n writers of one variable can come in n! orders.
+TEST(DporTest, WritersOfOneVariable) {
+  std::string source = "int x;\n";
+  int64_t orders = 1;
+  for (int i = 0; i < 6; ++i) {
+    source += fmt::format("int t{0}() {{\n  x = {0};\n  return 0;\n}}\n", i);
+    orders *= i + 1;
+    ExpectTraces(source, orders);
+  }
+}
+
+// Each of n readers comes before or after the one write.
+TEST(DporTest, ReadersOfOneWrite) {
+  std::string source = "int x;\nint t0() {\n  x = 1;\n  return 0;\n}\n";
+  for (int readers = 1; readers <= 7; ++readers) {
+    source += fmt::format("int t{}() {{\n  int r;\n  r = x;\n  return r;\n}}\n", readers);
+    ExpectTraces(source, int64_t{1} << readers);
+  }
+}
+
+// An element's cell is known only when the statement runs.
+TEST(DporTest, ElementsWithVariableIndices) {
+  ExpectTraces(
+      "int a[2], i;\n"
+      "int t0() {\n  i = 1;\n  return 0;\n}\n"
+      "int t1() {\n  int k;\n  k = i;\n  a[k] = 1;\n  return 0;\n}\n"
+      "int t2() {\n  a[0] = 2;\n  return 0;\n}\n",
+      3);
+}
+
+TEST(DporTest, ALimitLeavesTheSearchIncomplete) {
+  const DporResult result = Count(Increments(3, 2), {.executions = 100});
+  EXPECT_FALSE(result.complete);
+  EXPECT_EQ(result.executions, 100);
+}
+
+TEST(DporTest, AnExecutionThatDoesNotEndIsGivenUp) {
+  const DporResult result = Count(MutualWait(), {.depth = 1000});
+  EXPECT_FALSE(result.complete);
+}
+
+TEST(DporTest, TheModelIsLeftWhereItWas) {
+  Problem problem = ProblemOf(Increments(2, 2));
+  const StateKey before = problem.model.key();
+  ExploreTraces(&problem.model, {}, [](const Model&) { return true; });
+  EXPECT_EQ(problem.model.key(), before);
+  EXPECT_EQ(problem.model.depth(), 0);
+}
+
+}  // namespace
+}  // namespace oncard::explore

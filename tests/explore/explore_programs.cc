@@ -1,0 +1,71 @@
+#include "explore_programs.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "compiler/compiler.h"
+#include "runtime/scenario_start.h"
+#include "runtime/scenario_world.h"
+
+namespace oncard::explore {
+namespace {
+
+template <typename T>
+T Need(Result<T> result) {
+  if (!result.ok()) {
+    std::fprintf(stderr, "%s\n", result.error().message.en.c_str());
+    std::abort();
+  }
+  return std::move(result).value();
+}
+
+}  // namespace
+
+Problem ProblemOf(const std::string& source) {
+  auto compilation = compiler::CompileText("program.c", source, {}, [](const std::string&) {
+    return Result<std::string>(MakeError(1, "no files", "无文件"));
+  });
+  if (!compilation.ok()) std::abort();
+  CommentProblem read = Need(ReadComments("program.c", source, *compilation.object));
+  runtime::Controller controller(runtime::CardOptions(read.scenario));
+  if (!runtime::StartScenario(read.scenario, *compilation.object, &controller).ok()) std::abort();
+  return Need(BindProblem(Need(Model::Create(controller.machine())), read.requirements));
+}
+
+std::string Increments(int threads, int times) {
+  std::string source = fmt::format("int x;\n//@ final: x == {}\n", threads * times);
+  for (int thread = 0; thread < threads; ++thread) {
+    source += fmt::format("int t{}() {{\n  int t;\n", thread);
+    for (int i = 0; i < times; ++i) source += "  t = x;\n  t = t + 1;\n  x = t;\n";
+    source += "  return 0;\n}\n";
+  }
+  return source;
+}
+
+std::string Peterson(bool broken) {
+  std::string source = "int f0, f1, turn, c;\n//@ final: c == 2\n";
+  for (int own = 0; own < 2; ++own) {
+    const int other = 1 - own;
+    source += fmt::format(
+        "int t{0}() {{\n  int a, cc;\n  f{0} = 1;\n  turn = {2};\nW:\n  a = f{1};\n  cc = a == 0;\n"
+        "  if (cc) goto C;\n  a = turn;\n  cc = a == {1};\n  if (cc) goto W;\nC:\n  a = c;\n"
+        "  a = a + 1;\n  c = a;\n  f{0} = 0;\n  return 0;\n}}\n",
+        own, other, broken ? own : other);
+  }
+  return source;
+}
+
+std::string MutualWait() {
+  std::string source = "int f0, f1;\n";
+  for (int own = 0; own < 2; ++own) {
+    source += fmt::format(
+        "int t{0}() {{\n  int a, cc;\nW:\n  a = f{1};\n  cc = a == 0;\n  if (cc) goto W;\n"
+        "  f{0} = 1;\n  return 0;\n}}\n",
+        own, 1 - own);
+  }
+  return source;
+}
+
+}  // namespace oncard::explore

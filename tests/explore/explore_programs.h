@@ -1,0 +1,23 @@
+// Programs of threads for the explorer's tests: compiled from text, bound as comments say.
+#pragma once
+
+#include <string>
+
+#include "explore/problem.h"
+
+namespace oncard::explore {
+
+/// The problem of a source with //@ comments; a failure is reported and aborts the test program.
+Problem ProblemOf(const std::string& source);
+
+/// `threads` threads that each increment `x` `times` times in three statements, from 0 on.
+std::string Increments(int threads, int times);
+
+/// Peterson's lock around an increment, with loops that wait. With `broken`, each thread gives
+/// itself the turn, and both can enter.
+std::string Peterson(bool broken);
+
+/// Two threads that wait for each other's flag, for ever.
+std::string MutualWait();
+
+}  // namespace oncard::explore

@@ -1,0 +1,83 @@
+// Verdicts of both engines (explore/explorer.h).
+#include "explore/explorer.h"
+
+#include <gtest/gtest.h>
+
+#include "explore_programs.h"
+
+namespace oncard::explore {
+namespace {
+
+Exploration RunOn(const std::string& source, const ExploreOptions& options) {
+  auto result = Explore(ProblemOf(source), options);
+  EXPECT_TRUE(result.ok());
+  return std::move(result).value();
+}
+
+TEST(ExplorerTest, BothEnginesProveAndRefuteAlike) {
+  struct Case {
+    std::string source;
+    Verdict verdict;
+  };
+  const std::string good =
+      "int x, y;\n//@ final: x == 1 && y == 1\nint t0() {\n x = 1;\n}\n"
+      "int t1() {\n y = 1;\n}\n";
+  for (const Case& c : {Case{good, Verdict::kProved}, Case{Increments(2, 2), Verdict::kFailed}}) {
+    for (const EngineKind engine : {EngineKind::kAuto, EngineKind::kDpor, EngineKind::kStateful}) {
+      EXPECT_EQ(RunOn(c.source, {.engine = engine}).verdict, c.verdict) << EngineName(engine);
+    }
+  }
+}
+
+TEST(ExplorerTest, WaitingLoopsAreDecidedByStates) {
+  EXPECT_EQ(RunOn(Peterson(false), {}).verdict, Verdict::kProved);
+  EXPECT_EQ(RunOn(Peterson(true), {}).verdict, Verdict::kFailed);
+  const Exploration livelock = RunOn(MutualWait(), {});
+  EXPECT_EQ(livelock.verdict, Verdict::kFailed);
+  EXPECT_TRUE(livelock.failure->livelock);
+}
+
+TEST(ExplorerTest, TheFailureIsTheSimplestWhereStatesAreKnown) {
+  const Exploration exploration = RunOn(Increments(2, 1), {.engine = EngineKind::kStateful});
+  ASSERT_TRUE(exploration.failure);
+  EXPECT_TRUE(exploration.failure->fewest_preemptions);
+  EXPECT_EQ(exploration.failure->preemptions, 1);
+  EXPECT_EQ(exploration.failure->fewest_steps, 8);
+  EXPECT_EQ(exploration.failure->last_escape, 1);
+  EXPECT_EQ(exploration.states->finals_within, (std::vector<int64_t>{1, 2, 2, 2}));
+}
+
+TEST(ExplorerTest, DporCountsTracesAndEnds) {
+  const Exploration exploration = RunOn(Increments(3, 2), {.engine = EngineKind::kDpor});
+  EXPECT_EQ(exploration.traces->executions, 7134);
+  EXPECT_EQ(exploration.traces->bad_traces, 7044);
+  EXPECT_EQ(exploration.traces->final_globals, 5);
+  EXPECT_EQ(exploration.failure->preemptions, 1);
+}
+
+TEST(ExplorerTest, ALimitIsNotAProof) {
+  const Exploration exploration =
+      RunOn(Increments(3, 2) + "\n", {.engine = EngineKind::kStateful, .state_limit = 10});
+  EXPECT_EQ(exploration.verdict, Verdict::kIncomplete);
+  EXPECT_FALSE(exploration.why.en.empty());
+}
+
+TEST(ExplorerTest, InvariantsNeedStates) {
+  const std::string source =
+      "int x;\n//@ never: x == 1\nint t0() {\n  x = 1;\n  x = 0;\n}\nint t1() {\n  int r;\n  r = "
+      "x;\n}\n";
+  EXPECT_FALSE(Explore(ProblemOf(source), {.engine = EngineKind::kDpor}).ok());
+  const Exploration exploration = RunOn(source, {});
+  EXPECT_EQ(exploration.verdict, Verdict::kFailed);
+  EXPECT_EQ(exploration.failure->steps.size(), 1u);
+}
+
+TEST(ExplorerTest, EnginesHaveNames) {
+  for (const EngineKind engine : {EngineKind::kAuto, EngineKind::kDpor, EngineKind::kStateful}) {
+    EXPECT_EQ(EngineNamed(EngineName(engine)), engine);
+  }
+  EXPECT_FALSE(EngineNamed("spin"));
+}
+
+}  // namespace
+}  // namespace oncard::explore

@@ -1,0 +1,70 @@
+// Comments of a source as a problem (explore/problem.h).
+#include "explore/problem.h"
+
+#include <gtest/gtest.h>
+
+#include "explore_programs.h"
+
+namespace oncard::explore {
+namespace {
+
+vm::Object ObjectWith(std::initializer_list<const char*> functions) {
+  vm::Object object;
+  for (const char* name : functions) {
+    object.functions.emplace_back();
+    object.functions.back().name = name;
+  }
+  return object;
+}
+
+TEST(ProblemTest, CommentsAreRead) {
+  const auto read = ReadComments("dir/p.c",
+                                 "int g, h; //@ not at the line's begin\n"
+                                 "//@ init: g=1, h=-5\n"
+                                 "  //@ final: g == 1\n"
+                                 "//@ never: h > 0\n"
+                                 "//@ always: h < 0\n",
+                                 ObjectWith({"t0", "t1", "t3"}));
+  ASSERT_TRUE(read.ok()) << read.error().message.en;
+  const runtime::Scenario& scenario = read.value().scenario;
+  EXPECT_EQ(scenario.program, "p.c");
+  ASSERT_EQ(scenario.threads.size(), 2u);
+  EXPECT_EQ(scenario.threads[1].function, "t1");
+  EXPECT_EQ(scenario.threads[1].page, 1);
+  ASSERT_EQ(scenario.globals.size(), 2u);
+  EXPECT_EQ(scenario.globals[1].name, "h");
+  EXPECT_EQ(scenario.globals[1].values, std::vector<double>{-5});
+  ASSERT_EQ(read.value().requirements.size(), 3u);
+  EXPECT_EQ(read.value().requirements[1].scope, Scope::kNever);
+  EXPECT_EQ(read.value().requirements[1].text, "h > 0");
+}
+
+TEST(ProblemTest, ACommentThatSaysNothingIsAnError) {
+  for (const char* comment : {"//@ finally: x == 1", "//@ final:", "//@", "//@ init: x"}) {
+    const auto read = ReadComments("p.c", std::string("\n") + comment, ObjectWith({"t0"}));
+    ASSERT_FALSE(read.ok()) << comment;
+    EXPECT_EQ(read.error().message.en.substr(0, 6), "p.c:2:") << comment;
+  }
+}
+
+TEST(ProblemTest, ThreadsAreNamed) {
+  EXPECT_FALSE(ReadComments("p.c", "", ObjectWith({"main", "t1"})).ok());
+}
+
+TEST(ProblemTest, FaultsOfAState) {
+  Problem problem = ProblemOf(
+      "int x;\n//@ never: x == 1\n//@ final: x == 3\n"
+      "int t0() {\n  x = 1;\n  x = 2;\n  x = x / 0;\n  return 0;\n}\n");
+  EXPECT_TRUE(problem.HasInvariants());
+  EXPECT_FALSE(FindFault(problem, problem.model));
+  problem.model.Step(0);
+  EXPECT_EQ(FindFault(problem, problem.model).kind, Fault::Kind::kRequirement);
+  EXPECT_EQ(FindFault(problem, problem.model).requirement, 0);
+  problem.model.Step(0);
+  EXPECT_FALSE(FindFault(problem, problem.model));
+  problem.model.Step(0);
+  EXPECT_EQ(FindFault(problem, problem.model).kind, Fault::Kind::kThread);
+}
+
+}  // namespace
+}  // namespace oncard::explore

@@ -1,0 +1,134 @@
+// Random programs of a few statements over a few variables: the dpor engine's executions are the
+// traces that brute force finds, and both engines see the same ends.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+#include <set>
+
+#include "explore/dpor.h"
+#include "explore/explorer.h"
+#include "explore_programs.h"
+
+namespace oncard::explore {
+namespace {
+
+std::string RandomThreads(uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto below = [&](uint64_t n) { return static_cast<int>(random() % n); };
+  std::string source = "int g[3];\n//@ final: g[0] != 2\n";
+  const int threads = 2 + below(2);
+  for (int thread = 0; thread < threads; ++thread) {
+    source += fmt::format("int t{}() {{\n  int r, k, c;\n", thread);
+    const int statements = 1 + below(threads == 2 ? 4 : 2);
+    bool skips = false;
+    for (int i = 0; i < statements; ++i) {
+      switch (below(6)) {
+        case 0:
+          source += fmt::format("  r = g[{}];\n", below(3));
+          break;
+        case 1:
+          source += fmt::format("  g[{}] = r + {};\n", below(3), 1 + below(2));
+          break;
+        case 2:
+          source += fmt::format("  g[{0}] = g[{0}] + 1;\n", below(3));
+          break;
+        case 3:
+          source += fmt::format("  g[{}] = g[{}];\n", below(3), below(3));
+          break;
+        case 4:
+          source += "  k = r & 1;\n  g[k] = 2;\n";
+          break;
+        default:
+          source += fmt::format("  c = g[{}] > 0;\n  if (c) goto E;\n", below(3));
+          skips = true;
+          break;
+      }
+    }
+    source += skips ? "E:\n  return r;\n}\n" : "  return r;\n}\n";
+  }
+  return source;
+}
+
+/// The traces among all interleavings: of each, the order of dependent statements, as the
+/// predecessors of every statement.
+class BruteForce {
+ public:
+  explicit BruteForce(Model model) : model_(std::move(model)) { Go(); }
+  size_t traces() const { return traces_.size(); }
+  size_t ends() const { return ends_.size(); }
+
+ private:
+  struct Event {
+    int thread;
+    AccessSet access;
+  };
+
+  void Go() {
+    if (model_.runnable() == 0) {
+      traces_.insert(Trace());
+      const StateKey key = model_.FinalKey();
+      ends_.insert({key.low, key.high});
+      return;
+    }
+    for (int thread = 0; thread < model_.thread_count(); ++thread) {
+      if (!model_.Running(thread)) continue;
+      events_.push_back({thread, model_.NextAccess(thread)});
+      model_.Step(thread);
+      Go();
+      model_.Undo();
+      events_.pop_back();
+    }
+  }
+
+  /// For every event, named (thread, number), the earlier events that it depends on.
+  std::string Trace() const {
+    std::map<std::pair<int, int>, std::set<std::pair<int, int>>> before;
+    std::map<int, int> numbers;
+    std::vector<std::pair<int, int>> names;
+    for (size_t i = 0; i < events_.size(); ++i) {
+      names.emplace_back(events_[i].thread, numbers[events_[i].thread]++);
+      auto& set = before[names[i]];
+      for (size_t j = 0; j < i; ++j) {
+        if (events_[j].access.DependsOn(events_[i].access)) set.insert(names[j]);
+      }
+    }
+    std::string text;
+    for (const auto& [event, set] : before) {
+      text += fmt::format("{}.{}:", event.first, event.second);
+      for (const auto& [thread, number] : set) text += fmt::format("{}.{},", thread, number);
+    }
+    return text;
+  }
+
+  Model model_;
+  std::vector<Event> events_;
+  std::set<std::string> traces_;
+  std::set<std::pair<uint64_t, uint64_t>> ends_;
+};
+
+class RandomThreadsTest : public ::testing::TestWithParam<int> {};
+
+TEST_P(RandomThreadsTest, EnginesAgreeWithBruteForce) {
+  constexpr int kPerBatch = 50;
+  for (int i = 0; i < kPerBatch; ++i) {
+    const auto seed = static_cast<uint64_t>(GetParam() * kPerBatch + i);
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    const Problem problem = ProblemOf(RandomThreads(seed));
+    const BruteForce all(problem.model);
+    const auto dpor = Explore(problem, {.engine = EngineKind::kDpor});
+    const auto stateful = Explore(problem, {.engine = EngineKind::kStateful});
+    const TraceCounts& traces = *dpor.value().traces;
+    ASSERT_EQ(traces.executions, static_cast<int64_t>(all.traces()));
+    ASSERT_EQ(traces.blocked, 0);
+    ASSERT_EQ(traces.redundant, 0);
+    ASSERT_EQ(traces.final_full, static_cast<int64_t>(all.ends()));
+    ASSERT_EQ(stateful.value().states->final_full, traces.final_full);
+    ASSERT_EQ(stateful.value().verdict, dpor.value().verdict);
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Batches, RandomThreadsTest, ::testing::Range(0, 10));
+
+}  // namespace
+}  // namespace oncard::explore

@@ -1,0 +1,67 @@
+// Reports for people and programs (explore/report.h).
+#include "explore/report.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "explore_programs.h"
+
+namespace oncard::explore {
+namespace {
+
+TEST(ReportTest, AFailureIsATableOfThreads) {
+  const std::string source = Increments(2, 1);
+  const Problem problem = ProblemOf(source);
+  const auto exploration = Explore(problem, {.engine = EngineKind::kStateful});
+  EXPECT_EQ(TextReport(problem, exploration.value(), source, Language::kEnglish),
+            "FAILED\n"
+            "stateful: 41 states, 60 transitions, 1 bad, 2 different ends\n"
+            "\n"
+            "final: x == 2 does not hold\n"
+            "8 statements with 1 preemptions; no schedule with fewer preemptions fails\n"
+            "\n"
+            "        thread 0 t0                  thread 1 t1\n"
+            "     1     5  t = x;\n"
+            "     2                                 12  t = x;   <- from here on every end is bad\n"
+            "     3                                 13  t = t + 1;   -> t = 1\n"
+            "     4                                 14  x = t;   -> x = 1\n"
+            "     5                                 15  return 0;\n"
+            "     6     6  t = t + 1;   -> t = 1\n"
+            "     7     7  x = t;\n"
+            "     8     8  return 0;\n");
+}
+
+TEST(ReportTest, JsonHasTheCounts) {
+  const Problem problem = ProblemOf(Increments(2, 1));
+  const auto exploration = Explore(problem, {});
+  const auto json = nlohmann::json::parse(JsonReport(problem, exploration.value()));
+  EXPECT_EQ(json["verdict"], "FAILED");
+  EXPECT_EQ(json["executions"], 4);
+  EXPECT_EQ(json["blocked"], 0);
+  EXPECT_EQ(json["redundant"], 0);
+  EXPECT_EQ(json["traces"], 4);
+  EXPECT_EQ(json["bad_traces"], 2);
+  EXPECT_EQ(json["states"], 41);
+  EXPECT_EQ(json["transitions"], 60);
+  EXPECT_EQ(json["bad_states"], 1);
+  EXPECT_EQ(json["final_globals"], 2);
+  EXPECT_EQ(json["final_full"], 2);
+  EXPECT_EQ(json["finals_pb0"], 1);
+  EXPECT_EQ(json["finals_pb1"], 2);
+  EXPECT_EQ(json["min_preemptions_to_bad"], 1);
+  EXPECT_EQ(json["min_steps_to_bad"], 8);
+  EXPECT_EQ(json["schedule"].size(), 3u);
+}
+
+TEST(ReportTest, TheScheduleJoinsStepsOfAThread) {
+  const Problem problem = ProblemOf(Increments(2, 1));
+  Failure failure;
+  failure.steps = {0, 1, 1, 0};
+  const vm::Schedule schedule = ScheduleOf(problem, failure);
+  EXPECT_EQ(schedule.segments, (std::vector<vm::ScheduleSegment>{{0, 1}, {1, 2}, {0, 1}}));
+  EXPECT_EQ(schedule.program_hash, problem.model.image().hash);
+}
+
+}  // namespace
+}  // namespace oncard::explore

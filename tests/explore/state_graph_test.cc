@@ -1,0 +1,95 @@
+// The graph of all states (explore/state_graph.h) and what is read off it.
+#include "explore/state_graph.h"
+
+#include <gtest/gtest.h>
+
+#include "explore_programs.h"
+
+namespace oncard::explore {
+namespace {
+
+StateGraph GraphOf(const std::string& source, const StateLimits& limits = {}) {
+  Problem problem = ProblemOf(source);
+  Model model = problem.model;
+  return BuildStateGraph(&model, limits, [&](const Model& state) {
+    return static_cast<bool>(FindFault(problem, state));
+  });
+}
+
+int64_t CountFlags(const StateGraph& graph, uint8_t flag) {
+  return std::count_if(graph.flags.begin(), graph.flags.end(),
+                       [&](uint8_t flags) { return (flags & flag) != 0; });
+}
+
+TEST(StateGraphTest, CountsOfLostUpdates) {
+  const StateGraph graph = GraphOf(Increments(2, 1));
+  EXPECT_TRUE(graph.complete);
+  EXPECT_EQ(graph.size(), 41u);
+  EXPECT_EQ(graph.transitions, 60);
+  EXPECT_EQ(CountFlags(graph, kBad), 1);
+  EXPECT_EQ(FewestPreemptions(graph, kBad).preemptions, 1);
+  EXPECT_EQ(FewestSteps(graph, kBad).steps.size(), 8u);
+}
+
+// One statement a thread: the states are the subsets of threads that have taken it.
+TEST(StateGraphTest, IndependentThreadsSpanACube) {
+  const StateGraph graph = GraphOf(
+      "int a, b, c;\nint t0() {\n a = 1;\n}\nint t1() {\n b = 1;\n}\nint t2() {\n c = 1;\n}\n");
+  EXPECT_EQ(graph.size(), 8u);
+  EXPECT_EQ(graph.transitions, 12);
+  EXPECT_EQ(CountFlags(graph, kTerminal), 1);
+}
+
+TEST(StateGraphTest, ThePathWithTheFewestPreemptionsLeadsThere) {
+  Problem problem = ProblemOf(Increments(3, 1));
+  Model model = problem.model;
+  const StateGraph graph = BuildStateGraph(
+      &model, {}, [&](const Model& state) { return static_cast<bool>(FindFault(problem, state)); });
+  const Path path = FewestPreemptions(graph, kBad);
+  ASSERT_TRUE(path.found);
+  EXPECT_EQ(path.steps.size(), 12u);
+  for (const uint8_t thread : path.steps) model.Step(thread);
+  EXPECT_TRUE(FindFault(problem, model));
+}
+
+TEST(StateGraphTest, PreemptionsToEveryState) {
+  const StateGraph graph = GraphOf(Increments(2, 1));
+  const std::vector<int> fewest = PreemptionsTo(graph);
+  EXPECT_EQ(fewest[0], 0);
+  // Both have read 0 and written 1, and neither has returned: one is interrupted behind its read,
+  // the other behind its write.
+  EXPECT_EQ(*std::max_element(fewest.begin(), fewest.end()), 2);
+}
+
+TEST(StateGraphTest, AFairCycleIsALivelock) {
+  const Lasso lasso = FindFairCycle(GraphOf(MutualWait()));
+  ASSERT_TRUE(lasso.found);
+  for (uint8_t thread = 0; thread < 2; ++thread) {
+    EXPECT_NE(std::find(lasso.cycle.begin(), lasso.cycle.end(), thread), lasso.cycle.end());
+  }
+}
+
+// A thread can wait for ever only while the other is never let go on.
+TEST(StateGraphTest, WaitingThatOnlyUnfairSchedulesProlongIsNone) {
+  const StateGraph graph = GraphOf(Peterson(false));
+  EXPECT_TRUE(graph.complete);
+  EXPECT_FALSE(FindFairCycle(graph).found);
+  EXPECT_EQ(CountFlags(graph, kBad), 0);
+}
+
+TEST(StateGraphTest, TheLastEscapeIsBeforeTheUpdateIsLost) {
+  const StateGraph graph = GraphOf(Increments(2, 1));
+  // Thread 0 reads, thread 1 reads: now one of the increments is lost.
+  EXPECT_EQ(LastEscape(graph, {0, 1, 1, 1, 1, 0, 0, 0}), 1);
+  // In turn: every state can end well.
+  EXPECT_EQ(LastEscape(graph, {0, 0, 0, 0, 1, 1, 1, 1}), 8);
+}
+
+TEST(StateGraphTest, ALimitLeavesItIncomplete) {
+  const StateGraph graph = GraphOf(Increments(3, 1), {.states = 100});
+  EXPECT_FALSE(graph.complete);
+  EXPECT_EQ(graph.size(), 100u);
+}
+
+}  // namespace
+}  // namespace oncard::explore
