@@ -100,6 +100,7 @@ void DescribeApp(CLI::App& app, Session& session) {
   AddExplain(app, session);
   AddRun(app, session);
   AddTest(app, session);
+  AddExplore(app, session);
   AddReplay(app, session);
   AddDump(app, session);
   AddVerify(app, session);

@@ -22,6 +22,7 @@ void AddRun(CLI::App& app, Session& session);
 void AddTest(CLI::App& app, Session& session);
 void AddDump(CLI::App& app, Session& session);
 void AddVerify(CLI::App& app, Session& session);
+void AddExplore(CLI::App& app, Session& session);
 void AddReplay(CLI::App& app, Session& session);
 void AddExec(CLI::App& app, Session& session);
 void AddDoctor(CLI::App& app, Session& session);

@@ -19,6 +19,7 @@ enum ExitCode : int {
   kExitUsage = 2,
   kExitUnreadable = 3,
   kExitInternal = 4,
+  kExitIncomplete = 6,
 };
 
 /// What an exit code means, for the help and the manual page.
@@ -35,6 +36,8 @@ inline constexpr std::array kExitCodeTexts = {
                  "命令行或其中的名称有误"},
     ExitCodeText{kExitUnreadable, "a file cannot be read or written", "文件无法读写"},
     ExitCodeText{kExitInternal, "a bug of oncard", "oncard 自身的错误"},
+    ExitCodeText{kExitIncomplete, "the search reached a limit before it was done",
+                 "搜索达到上限而未完成"},
 };
 
 struct Session {

@@ -19,7 +19,7 @@ TEST(ReportTest, AFailureIsATableOfThreads) {
             "stateful: 41 states, 60 transitions, 1 bad, 2 different ends\n"
             "\n"
             "final: x == 2 does not hold\n"
-            "8 statements with 1 preemptions; no schedule with fewer preemptions fails\n"
+            "statements: 8, preemptions: 1; no schedule with fewer preemptions fails\n"
             "\n"
             "        thread 0 t0                  thread 1 t1\n"
             "     1     5  t = x;\n"

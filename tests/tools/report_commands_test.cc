@@ -10,8 +10,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-const char* const kCommands[] = {"build",  "check", "explain", "run",   "test",
-                                 "replay", "dump",  "verify",  "doctor"};
+const char* const kCommands[] = {"build",  "check", "explain", "run",     "test",
+                                 "replay", "dump",  "verify",  "explore", "doctor"};
 
 // Two scenarios in folders, one of which fails.
 class TestCommandTest : public testing::Test {

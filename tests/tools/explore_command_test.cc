@@ -1,0 +1,102 @@
+// explore: verdicts, exit codes, what it refuses, schedules that replay.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/tools/process.h"
+
+namespace oncard::tools {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Two threads that add 1 each: with `g = g + 1` in two statements an update can be lost.
+constexpr const char* kLostUpdate = R"(int g;
+//@ final: g == 2
+int t0()
+{
+  int r;
+  r = g;
+  g = r + 1;
+  return 0;
+}
+int t1()
+{
+  int r;
+  r = g;
+  g = r + 1;
+  return 0;
+}
+)";
+
+std::string Replaced(std::string text, const std::string& from, const std::string& to) {
+  text.replace(text.find(from), from.size(), to);
+  return text;
+}
+
+TEST(Explore, ShowsTheScheduleThatFails) {
+  const ScratchFolder scratch;
+  const ProcessResult result =
+      RunOncard({"explore", "--engine=stateful", scratch.Write("p.c", kLostUpdate)});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.err, "");
+  ExpectGolden("explore_lost_update.txt", result.out);
+}
+
+TEST(Explore, ProvesWithEveryEngine) {
+  const ScratchFolder scratch;
+  const std::string file =
+      scratch.Write("p.c", Replaced(kLostUpdate, "g == 2", "g == 1 || g == 2"));
+  for (const char* engine : {"auto", "dpor", "stateful"}) {
+    const ProcessResult result =
+        RunOncard({"explore", file, std::string("--engine=") + engine, "--format=json"});
+    EXPECT_EQ(result.exit_code, 0) << engine;
+    EXPECT_EQ(Json::parse(result.out)["verdict"], "PROVED") << engine;
+  }
+}
+
+TEST(Explore, ALimitIsNoVerdict) {
+  const ScratchFolder scratch;
+  const std::string file = scratch.Write("p.c", Replaced(kLostUpdate, "g == 2", "g < 3"));
+  EXPECT_EQ(RunOncard({"explore", "--engine=stateful", "--max-states=3", file}).exit_code, 6);
+  EXPECT_EQ(RunOncard({"explore", "--engine=dpor", "--max-executions=1", file}).exit_code, 6);
+}
+
+TEST(Explore, TheSavedScheduleReplays) {
+  const ScratchFolder scratch;
+  const std::string saved = scratch.path() + "/lost.schedule";
+  RunOncard({"explore", scratch.Write("p.c", kLostUpdate), "--save", saved});
+  const ProcessResult replay = RunOncard({"replay", saved, "--format=json"});
+  EXPECT_EQ(replay.exit_code, 0) << replay.err;
+  EXPECT_EQ(Json::parse(replay.out)["values"]["g"], 1);
+}
+
+TEST(Explore, TakesScenarios) {
+  const ScratchFolder scratch;
+  scratch.Write("p.c", kLostUpdate);
+  const std::string threads =
+      "[[thread]]\nthread = 0\nfunction = \"t0\"\n[[thread]]\nthread = 1\n"
+      "function = \"t1\"\n";
+  const auto explore = [&](const std::string& head, const std::string& tail = {}) {
+    return RunOncard({"explore", scratch.Write("s.toml", head + threads + tail)});
+  };
+  EXPECT_EQ(explore("program = \"p.c\"\nexpect = [\"g == 2\"]\n").exit_code, 1);
+  EXPECT_EQ(explore("program = \"p.c\"\nexpect = [\"g >= 1\"]\n").exit_code, 0);
+  const ProcessResult instant = explore("program = \"p.c\"\nexpect = [\"g == 2 @ 5ms\"]\n");
+  EXPECT_EQ(instant.exit_code, 2);
+  EXPECT_NE(instant.err.find("no instant"), std::string::npos) << instant.err;
+  const ProcessResult periodic = explore("program = \"p.c\"\n", "period_ms = 10\n");
+  EXPECT_EQ(periodic.exit_code, 2);
+  EXPECT_NE(periodic.err.find("periodic"), std::string::npos) << periodic.err;
+}
+
+TEST(Explore, RefusesWhatDependsOnTheCard) {
+  const ScratchFolder scratch;
+  const ProcessResult result = RunOncard(
+      {"explore", scratch.Write("p.c", "int t0()\n{\n  GT_AxisOn(1);\n  return 0;\n}\n")});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("function t0 calls a GT command"), std::string::npos) << result.err;
+}
+
+}  // namespace
+}  // namespace oncard::tools

@@ -1,0 +1,185 @@
+// oncard explore: can any interleaving of the threads go wrong?
+#include <algorithm>
+
+#include "base/files.h"
+#include "explore/report.h"
+#include "runtime/scenario_run.h"
+#include "runtime/scenario_start.h"
+#include "runtime/scenario_world.h"
+#include "tools/commands.h"
+
+namespace oncard::tools {
+namespace {
+
+struct ExploreArguments {
+  std::string path;
+  std::string engine = "auto";
+  std::string format = "text";
+  std::string save;
+  int64_t execution_limit = explore::ExploreOptions{}.execution_limit;
+  uint32_t state_limit = explore::ExploreOptions{}.state_limit;
+};
+
+/// A file to be explored: its scenario, what it requires, its program.
+struct Subject {
+  runtime::Scenario scenario;
+  std::vector<explore::Requirement> requirements;
+  vm::Object object;
+  std::string source;  ///< of a program that was compiled
+};
+
+Result<std::vector<explore::Requirement>> RequirementsOf(const runtime::Scenario& scenario) {
+  std::vector<explore::Requirement> requirements;
+  for (const runtime::Expectation& expectation : scenario.expectations) {
+    if (expectation.at_us || expectation.tolerance != 0) {
+      return MakeError(1,
+                       "'{0}' cannot be explored: an expectation of an interleaving has no instant "
+                       "and no tolerance",
+                       "无法探索“{0}”：交错探索的期望不能带时刻或容差", expectation.text);
+    }
+    requirements.push_back({explore::Scope::kFinal, expectation.text});
+  }
+  return requirements;
+}
+
+/// Fails when the scenario has things happen at instants.
+Result<void> CheckTimeless(const runtime::Scenario& scenario) {
+  const bool periodic = std::ranges::any_of(
+      scenario.threads, [](const runtime::ThreadStart& start) { return start.period_ms != 0; });
+  if (!periodic && scenario.host.empty()) return {};
+  return MakeError(
+      1,
+      "a scenario with periodic threads or host events cannot be explored: an "
+      "interleaving has no instants; remove them, or start the thread once",
+      "带周期线程或主机事件的场景无法探索：交错没有时刻；应去掉它们，或只启动线程一次");
+}
+
+/// Gives the exit code; the subject is filled in when that is kExitOk.
+int ReadSource(const ExploreArguments& arguments, const Session& session, Subject* subject) {
+  runtime::ProgramLoad load;
+  const int loaded = LoadOrReport(session, arguments.path, {}, arguments.format == "json", &load);
+  if (loaded != kExitOk) return loaded;
+  subject->source = load.compilation ? load.compilation->files[0].text() : std::string();
+  auto read = explore::ReadComments(arguments.path, subject->source, *load.object);
+  if (!read.ok()) return Fail(session, kExitUsage, read.error().message);
+  subject->scenario = std::move(read.value().scenario);
+  subject->requirements = std::move(read.value().requirements);
+  subject->object = std::move(*load.object);
+  return kExitOk;
+}
+
+int ReadScenario(const ExploreArguments& arguments, const Session& session, Subject* subject) {
+  auto scenario = runtime::LoadScenario(arguments.path);
+  if (!scenario.ok()) return Fail(session, kExitUnreadable, scenario.error().message);
+  subject->scenario = std::move(scenario).value();
+  const auto timeless = CheckTimeless(subject->scenario);
+  if (!timeless.ok()) return Fail(session, kExitUsage, timeless.error().message);
+  auto requirements = RequirementsOf(subject->scenario);
+  if (!requirements.ok()) return Fail(session, kExitUsage, requirements.error().message);
+  subject->requirements = std::move(requirements).value();
+  runtime::ProgramLoad load;
+  const int loaded =
+      LoadOrReport(session, runtime::ProgramPath(subject->scenario),
+                   runtime::CompileOptions(subject->scenario), arguments.format == "json", &load);
+  if (loaded != kExitOk) return loaded;
+  subject->source = load.compilation ? load.compilation->files[0].text() : std::string();
+  subject->object = std::move(*load.object);
+  return kExitOk;
+}
+
+/// Writes the failing schedule with checkpoints, as a run of it records them.
+int Save(const ExploreArguments& arguments, const Session& session, const Subject& subject,
+         const explore::Problem& problem, const explore::Failure& failure) {
+  const runtime::Scenario moved = runtime::MoveScenario(subject.scenario, arguments.save);
+  runtime::RunOptions options;
+  options.record = true;
+  options.replay = std::make_shared<const vm::Schedule>(explore::ScheduleOf(problem, failure));
+  auto run = runtime::RunScenario(subject.scenario, subject.object, options);
+  if (!run.ok()) return Fail(session, kExitInternal, run.error().message);
+  vm::Schedule schedule = std::move(*run.value().schedule);
+  schedule.scenario = runtime::FormatScenario(moved);
+  return WriteOutput(session, arguments.save, vm::FormatSchedule(schedule));
+}
+
+int ExitCodeOf(explore::Verdict verdict) {
+  switch (verdict) {
+    case explore::Verdict::kProved:
+      return kExitOk;
+    case explore::Verdict::kFailed:
+      return kExitFailed;
+    case explore::Verdict::kIncomplete:
+      break;
+  }
+  return kExitIncomplete;
+}
+
+int Explore(const ExploreArguments& arguments, const Session& session) {
+  Subject subject;
+  const bool is_scenario = arguments.path.ends_with(".toml");
+  const int read = is_scenario ? ReadScenario(arguments, session, &subject)
+                               : ReadSource(arguments, session, &subject);
+  if (read != kExitOk) return read;
+  runtime::Controller controller(runtime::CardOptions(subject.scenario));
+  auto started = runtime::StartScenario(subject.scenario, subject.object, &controller);
+  if (!started.ok()) return Fail(session, kExitUsage, started.error().message);
+  auto model = explore::Model::Create(controller.machine());
+  if (!model.ok()) return Fail(session, kExitUsage, model.error().message);
+  const auto problem = explore::BindProblem(std::move(model).value(), subject.requirements);
+  if (!problem.ok()) return Fail(session, kExitUsage, problem.error().message);
+  explore::ExploreOptions options;
+  options.engine = *explore::EngineNamed(arguments.engine);
+  options.execution_limit = arguments.execution_limit;
+  options.state_limit = arguments.state_limit;
+  const auto exploration = explore::Explore(problem.value(), options);
+  if (!exploration.ok()) return Fail(session, kExitUsage, exploration.error().message);
+  PrintResult(arguments.format == "json" ? explore::JsonReport(problem.value(), exploration.value())
+                                         : explore::TextReport(problem.value(), exploration.value(),
+                                                               subject.source, session.language));
+  if (exploration.value().failure && !arguments.save.empty()) {
+    const int saved =
+        Save(arguments, session, subject, problem.value(), *exploration.value().failure);
+    if (saved != kExitOk) return saved;
+  }
+  return ExitCodeOf(exploration.value().verdict);
+}
+
+}  // namespace
+
+void AddExplore(CLI::App& app, Session& session) {
+  const auto arguments = std::make_shared<ExploreArguments>();
+  CLI::App* command =
+      AddCommand(app, session, "explore",
+                 {"prove that no interleaving of the threads goes wrong, or show one that does",
+                  "证明线程的任何交错都不会出错，或给出一个出错的交错"},
+                 [arguments, &session] { return Explore(*arguments, session); });
+  command
+      ->add_option("file", arguments->path,
+                   session.Say({"scenario (.toml), or a source with //@ comments",
+                                "场景文件（.toml），或带 //@ 注释的源程序"}))
+      ->required()
+      ->type_name("FILE");
+  command
+      ->add_option(
+          "--engine", arguments->engine,
+          session.Say({"auto (default), dpor or stateful", "auto（默认）、dpor 或 stateful"}))
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"auto", "dpor", "stateful"}).description(""));
+  command
+      ->add_option("--save", arguments->save,
+                   session.Say({"write a failing schedule for 'oncard replay'",
+                                "写出失败的调度，供“oncard replay”使用"}))
+      ->type_name("FILE");
+  command
+      ->add_option("--max-executions", arguments->execution_limit,
+                   session.Say({"end the search after so many executions", "执行次数上限"}))
+      ->type_name("N")
+      ->check(CLI::Range(int64_t{1}, int64_t{1'000'000'000'000}).description(""));
+  command
+      ->add_option("--max-states", arguments->state_limit,
+                   session.Say({"end the search after so many states", "状态数上限"}))
+      ->type_name("N")
+      ->check(CLI::Range(1u, 4'000'000'000u).description(""));
+  AddFormatOption(*command, session, arguments->format, {"text", "json"});
+}
+
+}  // namespace oncard::tools
