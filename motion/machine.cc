@@ -108,7 +108,8 @@ void MotionCore::Wire() {
     Plant& plant = state_.plants[i];
     const Step& step = state_.steps[i];
     const int8_t owner = state_.dacs[i].control;
-    plant.control = owner >= 0 && state_.controls[static_cast<size_t>(owner)].closed ? owner : -1;
+    const bool closed = owner >= 0 && state_.controls[static_cast<size_t>(owner)].closed;
+    plant.control = closed ? owner : int8_t{-1};
     if (plant.control >= 0) {
       plant.axis = state_.controls[static_cast<size_t>(plant.control)].axis;
     } else {
@@ -225,10 +226,10 @@ void MotionCore::AdvanceClosedLoop(size_t index) {
   const Drive& drive = state_.drives[index];
   const Axis& axis = state_.axes[static_cast<size_t>(control.axis)];
   const double commanded = CommandedPosition(static_cast<size_t>(control.axis));
-  const auto sub_steps = static_cast<double>(config_.cycle_us / kServoUs);
+  const auto sub_steps = static_cast<int32_t>(config_.cycle_us / kServoUs);
   const double advance = (commanded - control.reference) / sub_steps;
   const bool ideal = drive.kind == DriveKind::kIdeal;
-  for (double i = 0; i < sub_steps; ++i) {
+  for (int32_t i = 0; i < sub_steps; ++i) {
     const double reference = control.reference + i * advance;
     const double error = reference - MeasuredPosition(control);
     state_.dacs[index].value =

@@ -1,7 +1,7 @@
 // The part of the motion core that sees where inside a cycle the machine passes something: switches
 // and index marks, captures, compare points.
-// Tested by tests/motion/marks_test.cc and by capture_command_test.cc and compare_command_test.cc of
-// tests/gtcalls.
+// Tested by tests/motion/marks_test.cc and, in tests/gtcalls, by capture_command_test.cc and
+// compare_command_test.cc.
 #include "motion/motion_core.h"
 #include "motion/rounding.h"
 

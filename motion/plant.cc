@@ -11,7 +11,10 @@ double ExpMinus(double x) {
   constexpr double kSmall = 1.0 / 64;
   constexpr int kTerms = 8;  // the next one is below 64^-9 / 9!, 1e-21
   int squarings = 0;
-  for (; x > kSmall; x /= 2) ++squarings;
+  while (x > kSmall) {
+    x /= 2;
+    ++squarings;
+  }
   double value = 1;
   for (int n = kTerms; n > 0; --n) value = 1 - value * x / n;
   for (; squarings > 0; --squarings) value *= value;

@@ -31,6 +31,7 @@ class StateHash {
   /// Adds an integer, bool or enumerator as 64 bits, least significant byte first.
   template <typename T>
   requires std::is_integral_v<T> || std::is_enum_v<T> StateHash& Add(T value) {
+    // NOLINTNEXTLINE(bugprone-signed-char-misuse): an int8_t is a number here
     const auto bits = static_cast<uint64_t>(value);
     unsigned char bytes[8];
     for (unsigned i = 0; i < 8; ++i) bytes[i] = static_cast<unsigned char>(bits >> (8 * i));

@@ -216,7 +216,7 @@ class Picture {
     if (IsWord(quantity)) {
       AddBits(quantity.name, points);
     } else if (trace_.form(column) == NumberForm::kFlag) {
-      AddSignal(quantity.name, std::move(points));
+      AddSignal(quantity.name, points);
     } else if (RangeOf(points).size() > 0) {
       AddCurve(quantity, trace_.form(column), points);
     }
@@ -250,11 +250,11 @@ class Picture {
       for (const Point& point : points) {
         levels.push_back({point.x, static_cast<double>(static_cast<int64_t>(point.y) >> bit & 1)});
       }
-      AddSignal(fmt::format("{}[{}]", word, bit + 1), std::move(levels));
+      AddSignal(fmt::format("{}[{}]", word, bit + 1), levels);
     }
   }
 
-  void AddSignal(const std::string& name, std::vector<Point> points) {
+  void AddSignal(const std::string& name, const std::vector<Point>& points) {
     if (RangeOf(points).size() == 0) return;
     Signals().curves.push_back({name, Changes(points), true, Signals().curves.size()});
   }

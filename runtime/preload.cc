@@ -56,8 +56,8 @@ Function* Original(const char* name) {
   }()
 
 struct Hooks {
-  decltype(oncard_host_time_ns)* time_ns = nullptr;
-  decltype(oncard_host_sleep_ns)* sleep_ns = nullptr;
+  decltype(oncard_host_time_ns)* time_ns = [] { return 0LL; };
+  decltype(oncard_host_sleep_ns)* sleep_ns = [](long long) {};
 };
 
 /// The way to virtual time; NULL when this process does not go by it.
@@ -67,8 +67,10 @@ const Hooks* VirtualHooks() {
   if (__atomic_load_n(&found, __ATOMIC_ACQUIRE)) return &hooks;
   auto* is_virtual = OfLibgts<decltype(oncard_host_virtual)>("oncard_host_virtual");
   if (is_virtual == nullptr || is_virtual() == 0) return nullptr;
-  hooks.time_ns = OfLibgts<decltype(oncard_host_time_ns)>("oncard_host_time_ns");
-  hooks.sleep_ns = OfLibgts<decltype(oncard_host_sleep_ns)>("oncard_host_sleep_ns");
+  auto* time_ns = OfLibgts<decltype(oncard_host_time_ns)>("oncard_host_time_ns");
+  auto* sleep_ns = OfLibgts<decltype(oncard_host_sleep_ns)>("oncard_host_sleep_ns");
+  if (time_ns == nullptr || sleep_ns == nullptr) return nullptr;
+  hooks = {time_ns, sleep_ns};
   __atomic_store_n(&found, true, __ATOMIC_RELEASE);
   return &hooks;
 }

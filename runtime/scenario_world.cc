@@ -45,14 +45,16 @@ WorldEvent BeginOf(const WorldFault& fault) {
   return {fault.at_us, WorldEventKind::kSwitchConnected, 0, axis, 0};
 }
 
-void AddFault(const WorldFault& fault, WorldEvents& events) {
-  const WorldEvent begin = BeginOf(fault);
-  events.push_back(begin);
-  if (!fault.until_us) return;
-  WorldEvent end = begin;
-  end.at = *fault.until_us;
-  end.value = fault.kind == FaultKind::kCutSwitch ? 1 : 0;
-  events.push_back(end);
+/// Ends come before begins, so that one fault can follow another at the same instant.
+void AddFaults(const std::vector<WorldFault>& faults, WorldEvents& events) {
+  for (const WorldFault& fault : faults) {
+    if (!fault.until_us) continue;
+    WorldEvent end = BeginOf(fault);
+    end.at = *fault.until_us;
+    end.value = fault.kind == FaultKind::kCutSwitch ? 1 : 0;
+    events.push_back(end);
+  }
+  for (const WorldFault& fault : faults) events.push_back(BeginOf(fault));
 }
 
 void AddModule(const ModuleEvent& module, WorldEvents& events) {
@@ -107,7 +109,7 @@ void ApplyWorld(const Scenario& scenario, Controller* controller) {
   }
   WorldEvents events;
   for (const InputEvent& input : world.inputs) AddInput(input, events);
-  for (const WorldFault& fault : world.faults) AddFault(fault, events);
+  AddFaults(world.faults, events);
   for (const VoltageEvent& voltage : world.voltages) {
     events.push_back(
         {voltage.at_us, WorldEventKind::kAdc, FromZero(voltage.channel), 0, voltage.volts});

@@ -53,6 +53,7 @@ class WorldReader {
     for (const toml::table* fault : keys_.Tables(table, "fault")) ReadFault(*fault);
     for (const toml::table* voltage : keys_.Tables(table, "analog")) ReadVoltage(*voltage);
     for (const toml::table* module : keys_.Tables(table, "module")) ReadModule(*module);
+    CheckInputs(table);
     SortByTime(world_.inputs);
     SortByTime(world_.voltages);
     SortByTime(world_.modules);
@@ -81,6 +82,9 @@ class WorldReader {
     MachineSetup machine;
     machine.axis = AxisOf(table);
     machine.drive = static_cast<motion::DriveKind>(keys_.Choice(table, "drive", kDriveNames, 0));
+    for (const char* key : {"gain", "tau_ms", "friction"}) {
+      Refuse(table, key, machine.drive == motion::DriveKind::kIdeal);
+    }
     machine.gain = keys_.Number(table, "gain", machine.gain, 0, kVelocityMax);
     machine.tau_ms = keys_.Number(table, "tau_ms", machine.tau_ms, 0, kTauMsMax);
     machine.friction = keys_.Number(table, "friction", machine.friction, 0, kVelocityMax);
@@ -103,8 +107,10 @@ class WorldReader {
     contact.axis = AxisOf(table);
     contact.type = InputType(table, "home");
     const int width = motion::DiWidth(contact.type);
-    contact.index =
-        static_cast<int>(keys_.Whole(table, "index", std::min(contact.axis, width), 1, width));
+    contact.index = static_cast<int>(keys_.Whole(table, "index", contact.axis, 1, width));
+    if (contact.index > width) {
+      Need(table, "index", {"there is no input of the axis' number", "没有与轴号相同的输入"});
+    }
     contact.from = Position(table, "from", contact.from);
     contact.to = Position(table, "to", contact.to);
     contact.active_low = keys_.Flag(table, "active_low", false);
@@ -114,6 +120,13 @@ class WorldReader {
     } else if (contact.from > contact.to) {
       keys_.Fail(table.source(),
                  {"'from' is greater than 'to': exchange them", "“from”大于“to”：应对调"});
+    }
+    if (std::ranges::any_of(world_.switches, [&](const SwitchSetup& other) {
+          return other.type == contact.type && other.index == contact.index;
+        })) {
+      keys_.Fail(table.source(),
+                 {"two switches are wired to this input: give one of them another 'index'",
+                  "两个开关接到同一输入：应为其中一个指定其他“index”"});
     }
     world_.switches.push_back(contact);
   }
@@ -132,6 +145,10 @@ class WorldReader {
     } else {
       fault.number = AxisOf(table);
     }
+    const bool cut = fault.kind == FaultKind::kCutSwitch;
+    Refuse(table, cut ? "axis" : "switch", true);
+    Refuse(table, "pulses", fault.kind != FaultKind::kNoise);
+    Refuse(table, "velocity", fault.kind != FaultKind::kSlip);
     if (fault.kind == FaultKind::kNoise) {
       fault.amount =
           static_cast<double>(keys_.Whole(table, "pulses", 0, 1, static_cast<int64_t>(kNoiseMax)));
@@ -148,7 +165,37 @@ class WorldReader {
                    {"'until_ms' must be later than 'at_ms'", "“until_ms”应晚于“at_ms”"});
       }
     }
+    CheckFault(table, fault);
     world_.faults.push_back(fault);
+  }
+
+  /// Faults of one kind must not overlap: the end of one would end the other.
+  void CheckFault(const toml::table& table, const WorldFault& fault) {
+    for (const WorldFault& other : world_.faults) {
+      const bool same = other.kind == fault.kind && other.number == fault.number;
+      const bool before = fault.until_us && *fault.until_us <= other.at_us;
+      const bool after = other.until_us && *other.until_us <= fault.at_us;
+      if (!same || before || after) continue;
+      keys_.Fail(table.source(),
+                 {"this fault overlaps another one of its kind: end one before the other begins",
+                  "该故障与同类故障在时间上重叠：应使其先后发生"});
+    }
+  }
+
+  /// Inputs that a switch drives do what the machine does.
+  void CheckInputs(const toml::table& table) {
+    for (const InputEvent& event : world_.inputs) {
+      const bool driven = std::ranges::any_of(world_.switches, [&](const SwitchSetup& contact) {
+        return contact.type == event.type && (event.index == 0 || event.index == contact.index);
+      });
+      if (!driven) continue;
+      keys_.Fail(
+          table.source(),
+          {"a [[world.input]] drives an input that a [[world.switch]] is wired to: remove "
+           "one of them, or give the input an 'index'",
+           "[[world.input]] 与 [[world.switch]] 驱动同一输入：应去掉其一，或为输入指定“index”"});
+      return;
+    }
   }
 
   void ReadVoltage(const toml::table& table) {
@@ -188,6 +235,13 @@ class WorldReader {
                MakeMessage("'volts' must be a list of at most {0} voltages from -{1} to {1}",
                            "“volts”应为至多 {0} 个电压的列表，取值 -{1} 至 {1}",
                            motion::kModuleChannels, motion::kModuleFullVolts));
+  }
+
+  /// An error when a key is there that says nothing about this kind of thing.
+  void Refuse(const toml::table& table, std::string_view key, bool meaningless) {
+    if (!meaningless || !table.contains(key)) return;
+    keys_.Fail(table.get(key)->source(),
+               MakeMessage("'{0}' means nothing here: remove it", "“{0}”在此无意义：应去掉", key));
   }
 
   int AxisOf(const toml::table& table) {
@@ -241,11 +295,14 @@ class WorldReader {
 double Ms(int64_t microseconds) { return static_cast<double>(microseconds) / 1000; }
 
 std::string FormatMachine(const MachineSetup& machine) {
-  return fmt::format(
-      "\n[[world.axis]]\naxis = {}\ndrive = \"{}\"\ngain = {}\ntau_ms = {}\nfriction = {}\n"
-      "position = {}\nindex_offset = {}\nindex_period = {}\n",
-      machine.axis, kDriveNames[static_cast<size_t>(machine.drive)], machine.gain, machine.tau_ms,
-      machine.friction, machine.position, machine.index_offset, machine.index_period);
+  std::string text = fmt::format("\n[[world.axis]]\naxis = {}\ndrive = \"{}\"\n", machine.axis,
+                                 kDriveNames[static_cast<size_t>(machine.drive)]);
+  if (machine.drive == motion::DriveKind::kVelocity) {
+    text += fmt::format("gain = {}\ntau_ms = {}\nfriction = {}\n", machine.gain, machine.tau_ms,
+                        machine.friction);
+  }
+  return text + fmt::format("position = {}\nindex_offset = {}\nindex_period = {}\n",
+                            machine.position, machine.index_offset, machine.index_period);
 }
 
 std::string FormatSwitch(const SwitchSetup& contact) {

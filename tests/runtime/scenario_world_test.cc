@@ -137,6 +137,19 @@ TEST(ScenarioWorld, AnAlarmLastsAsLongAsTheFileSays) {
   EXPECT_EQ(alarm(), 0u);
 }
 
+TEST(ScenarioWorld, OneFaultCanFollowAnotherAtOnceInAnyOrder) {
+  WorldCard card(
+      "[[world.fault]]\nkind = \"alarm\"\naxis = 1\nat_ms = 20\nuntil_ms = 30\n"
+      "[[world.fault]]\nkind = \"alarm\"\naxis = 1\nat_ms = 10\nuntil_ms = 20\n");
+  const auto alarm = [&] { return card.state().io.Read(DiType::kAlarm) & 1; };
+  card.RunUntil(15);
+  EXPECT_EQ(alarm(), 1u);
+  card.RunUntil(25);
+  EXPECT_EQ(alarm(), 1u);
+  card.RunUntil(35);
+  EXPECT_EQ(alarm(), 0u);
+}
+
 TEST(ScenarioWorld, EncodersLoseTheirSignalSlipAndReadNoise) {
   WorldCard lost("[[world.fault]]\nkind = \"lost_encoder\"\naxis = 1\nat_ms = 100\n");
   lost.Jog(10);
@@ -193,12 +206,17 @@ constexpr const char* kWholeWorld = R"(program = "x.c"
 axes = 12
 [[world.input]]
 type = "home"
-value = 3
+index = 1
+value = 1
 at_ms = 0.5
 [[world.axis]]
 axis = 12
 drive = "velocity"
 gain = 80.5
+tau_ms = 0
+friction = 1.5
+position = -20
+index_offset = 3
 index_period = 0
 [[world.switch]]
 axis = 2
@@ -220,15 +238,27 @@ kind = "noise"
 axis = 3
 pulses = 4
 [[world.fault]]
+kind = "stall"
+axis = 4
+[[world.fault]]
+kind = "lost_encoder"
+axis = 4
+[[world.fault]]
+kind = "alarm"
+axis = 4
+[[world.fault]]
 kind = "slip"
 axis = 3
 velocity = -0.25
 [[world.analog]]
 channel = 8
 volts = 12.5
+at_ms = 40
 [[world.module]]
 module = 15
+inputs = 0x8001
 volts = [1, -2.5]
+at_ms = 2
 )";
 
 TEST(ScenarioWorld, IsWrittenAsItIsRead) {
@@ -266,6 +296,16 @@ TEST(ScenarioWorld, MistakesSayWhatToDo) {
        "'switch' must be a whole number from 1 to 1"},
       {"[[world.fault]]\nkind = \"stall\"\naxis = 1\nat_ms = 5\nuntil_ms = 5\n",
        "'until_ms' must be later than 'at_ms'"},
+      {"[[world.fault]]\nkind = \"alarm\"\naxis = 1\nat_ms = 10\nuntil_ms = 40\n"
+       "[[world.fault]]\nkind = \"alarm\"\naxis = 1\nat_ms = 12\nuntil_ms = 20\n",
+       "w.toml:7:1: this fault overlaps another one of its kind"},
+      {"[[world.fault]]\nkind = \"stall\"\naxis = 1\npulses = 3\n",
+       "w.toml:5:10: 'pulses' means nothing here"},
+      {"[[world.axis]]\naxis = 1\ntau_ms = 3\n", "'tau_ms' means nothing here"},
+      {"[[world.switch]]\naxis = 1\nfrom = 1\n[[world.switch]]\naxis = 2\nindex = 1\nto = 1\n",
+       "two switches are wired to this input"},
+      {"[[world.switch]]\naxis = 1\nfrom = 1\n[[world.input]]\ntype = \"home\"\nvalue = 0\n",
+       "drives an input that a [[world.switch]] is wired to"},
       {"[[world.analog]]\nvolts = 13\n", "'volts' must be a number from -12.5 to 12.5"},
       {"[[world.module]]\nvolts = [11]\n", "at most 8 voltages from -10 to 10"},
   };
@@ -274,7 +314,12 @@ TEST(ScenarioWorld, MistakesSayWhatToDo) {
     ASSERT_FALSE(scenario.ok()) << c.text;
     EXPECT_NE(scenario.error().message.en.find(c.message), std::string::npos)
         << scenario.error().message.en;
+    EXPECT_NE(scenario.error().message.zh, scenario.error().message.en);
   }
+  const auto nine = ParseScenario(
+      "program = \"x.c\"\naxes = 12\n[[world.switch]]\naxis = 9\nfrom = 1\n", "w.toml");
+  ASSERT_FALSE(nine.ok());
+  EXPECT_NE(nine.error().message.en.find("'index' is missing"), std::string::npos);
 }
 
 TEST(ScenarioWorld, TheCardHasTheScenariosCycleAndRate) {
