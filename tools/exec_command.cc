@@ -118,6 +118,7 @@ int Exec(const ExecArguments& arguments, const Session& session) {
   }
   std::vector<std::string> host = arguments.host;
   std::vector<char*> pointers;
+  pointers.reserve(host.size() + 1);
   for (std::string& argument : host) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
   if (!arguments.plot.empty()) {

@@ -61,6 +61,7 @@ std::optional<GnuplotRun> RunGnuplot(const std::vector<std::string>& options,
   std::vector<std::string> arguments = {"gnuplot"};
   arguments.insert(arguments.end(), options.begin(), options.end());
   std::vector<char*> pointers;
+  pointers.reserve(arguments.size() + 1);
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
   pid_t process = 0;

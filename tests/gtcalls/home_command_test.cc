@@ -168,7 +168,7 @@ TEST(GoHome, AnAlarmIsError3) {
 TEST(GoHome, NoIndexWithinItsDistanceIsError10) {
   CommandTestCard card;
   ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
-  card.motion.state().index_marks[0] = {.offset = 0, .period = 0};
+  card.motion.state().index_marks[0] = {.offset = 30001, .period = 1e6};
   Cells cells = Example(card);
   cells[0] = 30;
   ASSERT_EQ(card.Call("GT_GoHome", {1, &cells}), 0);
@@ -176,6 +176,17 @@ TEST(GoHome, NoIndexWithinItsDistanceIsError10) {
   RunToEnd(card);
   EXPECT_EQ(Status(card)[2], 10);
   EXPECT_EQ(card.motion.state().profiles[0].now.position, 30000);
+}
+
+TEST(GoHome, AnEncoderWithoutIndexIsError9) {
+  CommandTestCard card;
+  ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
+  card.motion.state().index_marks[0] = {.offset = 0, .period = 0};
+  Cells cells = Example(card);
+  cells[0] = 30;
+  ASSERT_EQ(card.Call("GT_GoHome", {1, &cells}), 0);
+  RunToEnd(card);
+  EXPECT_EQ(Status(card)[2], 9);
 }
 
 TEST(GoHome, TheLastWayIsSlowUnlessPad1SaysFast) {
@@ -205,6 +216,7 @@ TEST(GoHome, LeavesASwitchItStandsOnWhenAskedTo) {
   ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
   card.motion.PlaceMachine(0, 4500);
   AddSwitch(card, motion::DiType::kHome, 4000, 6000);
+  for (int i = 0; i < 3; ++i) card.motion.Tick();  // through the input's filter
   Cells cells = Example(card);
   cells[3] = 1;
   cells[14] = 1;
