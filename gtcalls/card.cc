@@ -24,7 +24,7 @@ const std::vector<CommandFunction>& FunctionsByNumber() {
           PositionCommands(),     TrapCommands(),     GearCommands(),      FollowCommands(),
           PtCommands(),           PvtCommands(),      CrdCommands(),       SegmentCommands(),
           BufferCommands(),       CaptureCommands(),  HomeCommands(),      CompareCommands(),
-          CompensationCommands(), MramCommands(),     ConfigCommands()}) {
+          CompensationCommands(), GantryCommands(),   MramCommands(),      ConfigCommands()}) {
       for (const CommandEntry& entry : topic) {
         const Command* command = FindCommand(entry.name);
         assert(command != nullptr);

@@ -46,6 +46,13 @@ void CompareUnit::Append(size_t channel, const std::vector<ComparePoint>& points
   module.points.insert(module.points.end(), points.begin(), points.end());
 }
 
+void CompareUnit::Repeat(size_t channel, int32_t first, int32_t repeats, int32_t interval) {
+  Clear(channel);
+  Append(channel, {{.y = first}});
+  modules_[channel].repeats = repeats;
+  modules_[channel].interval = interval;
+}
+
 void CompareUnit::Start(size_t channel, double x, double y) {
   CompareModule& module = modules_[channel];
   module.running = true;
@@ -63,6 +70,7 @@ void CompareUnit::Clear(size_t channel) {
   CompareModule& module = modules_[channel];
   module.points.clear();
   module.next = 0;
+  module.repeats = 0;
 }
 
 void CompareUnit::Advance(Micros begin, Micros length, const EncoderWay& way) {
@@ -87,7 +95,12 @@ void CompareUnit::AdvanceModule(size_t channel, Micros begin, Micros length,
                    .x = Whole(x0 + fraction * (x1 - x0) + module.origin_x),
                    .y = Whole(y0 + fraction * (y1 - y0) + module.origin_y)});
     ++module.hits;
-    ++module.next;
+    if (module.repeats > 0) {
+      --module.repeats;
+      module.points[module.next].y += module.interval;
+    } else {
+      ++module.next;
+    }
     module.running = module.waiting() > 0;
   }
 }

@@ -5,7 +5,8 @@
 // encoders were at the start; the instant of a hit is found inside the tick on the straight line
 // between two ticks, and one tick can have several. A point is hit where the way comes nearest to
 // it, if both coordinates are within the tolerance there. One-dimensional compare looks at Y only.
-// All hits are kept in a log of limited length.
+// A point can stand for a row of them at equal distances. All hits are kept in a log of limited
+// length.
 // Source: application notes on 2-D compare; public header. Tested by
 // tests/gtcalls/compare_command_test.cc.
 #pragma once
@@ -74,7 +75,9 @@ struct CompareParameters {
 struct CompareModule {
   CompareParameters parameters;
   std::vector<ComparePoint> points;
-  uint32_t next = 0;  ///< the point waited for
+  uint32_t next = 0;     ///< the point waited for
+  int32_t repeats = 0;   ///< how often it comes again after its hit, each time ...
+  int32_t interval = 0;  ///< ... so many pulses further along Y
   bool running = false;
   double origin_x = 0;
   double origin_y = 0;
@@ -82,7 +85,7 @@ struct CompareModule {
 
   size_t waiting() const { return points.size() - next; }
   auto Fields() const {
-    return std::tie(parameters, points, next, running, origin_x, origin_y, hits);
+    return std::tie(parameters, points, next, repeats, interval, running, origin_x, origin_y, hits);
   }
 };
 
@@ -109,6 +112,8 @@ class CompareUnit {
   void SetLevel(size_t channel, bool level);
   /// Appends points; those that are done make room.
   void Append(size_t channel, const std::vector<ComparePoint>& points);
+  /// One point along Y that comes `repeats` times again at an `interval`, in place of all others.
+  void Repeat(size_t channel, int32_t first, int32_t repeats, int32_t interval);
   /// Begins with the encoders at (x, y).
   void Start(size_t channel, double x, double y);
   void Stop(size_t channel);

@@ -112,6 +112,9 @@ void MotionCore::CarryOut(Crd& crd, const BufferedCommand& command) {
     case BufferedKind::kFractionalValue:
       state_.double_vars[item] = values[0];
       break;
+    case BufferedKind::kProgramValue:
+      state_.program_writes.push_back(command);
+      break;
   }
 }
 

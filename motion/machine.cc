@@ -181,7 +181,8 @@ void MotionCore::AlignWithEncoder(size_t index) {
   Axis& axis = state_.axes[index];
   // What compensation adds is in the measured position already.
   const double measured = axis.encoder.position - state_.compensations[index].Amount();
-  if (std::has_single_bit(axis.profile_map)) {
+  const bool gantry_slave = state_.gantry.on && state_.gantry.slave == index;
+  if (std::has_single_bit(axis.profile_map) && !gantry_slave) {
     // The axis' own profile goes along, so that both agree as after GT_SynchAxisPos.
     const auto profile = static_cast<size_t>(std::countr_zero(axis.profile_map));
     const Scale& scale = axis.profile_scale;
@@ -229,11 +230,13 @@ void MotionCore::AdvanceClosedLoop(size_t index) {
   const auto sub_steps = static_cast<int32_t>(config_.cycle_us / kServoUs);
   const double advance = (commanded - control.reference) / sub_steps;
   const bool ideal = drive.kind == DriveKind::kIdeal;
+  const double correction =
+      state_.gantry.on ? GantryCorrection(static_cast<size_t>(control.axis)) : 0;
   for (int32_t i = 0; i < sub_steps; ++i) {
     const double reference = control.reference + i * advance;
     const double error = reference - MeasuredPosition(control);
     state_.dacs[index].value =
-        control.Advance(error, axis.profile.velocity, axis.profile.acceleration);
+        control.Advance(error, axis.profile.velocity, axis.profile.acceleration) + correction;
     if (ideal && !plant.stalled) plant.position = reference + advance + plant.lead;
     if (!ideal) plant.Advance(drive, state_.dacs[index].Output());
   }

@@ -50,6 +50,7 @@ void MotionCore::Tick() {
     AdvanceMachine();
   }
   for (size_t i = 0; i < axis_count(); ++i) JudgeControl(state_.controls[i]);
+  if (state_.gantry.on) JudgeGantry();
   for (size_t i = 0; i < axis_count(); ++i) JudgeAxis(i);
   if (state_.homing_runs) AdvanceHomings();
   state_.mram.Advance(now());
@@ -73,11 +74,13 @@ void MotionCore::Reset() {
   ResetMachine();
   state_.capture.Reset();
   state_.compare = {};
+  state_.gantry = {};
   state_.homing.fill({});
   state_.homing_runs = false;
   state_.mram.Reset();
   state_.long_vars.fill(0);
   state_.double_vars.fill(0);
+  state_.program_writes.clear();
 }
 
 int64_t MotionCore::ClockMs() const { return state_.clock_cycle * config_.cycle_us / 1000; }

@@ -35,6 +35,7 @@
 #include "motion/digital_io.h"
 #include "motion/encoder.h"
 #include "motion/extension.h"
+#include "motion/gantry.h"
 #include "motion/homing.h"
 #include "motion/marks.h"
 #include "motion/mram.h"
@@ -81,17 +82,21 @@ struct MotionState {
   std::array<IndexMarks, kAxisMax> index_marks;
   CaptureUnit capture;
   CompareUnit compare;
+  Gantry gantry;
   std::array<Homing, kAxisMax> homing;
   bool homing_runs = false;  ///< any of them
   Mram mram;
   std::array<int32_t, kUserVariableCount> long_vars{};
   std::array<double, kUserVariableCount> double_vars{};
+  /// What GT_BufSetVarValue has reached in this tick, for the controller to carry out after it. Has
+  /// room for a whole FIFO once the command has been used.
+  std::vector<BufferedCommand> program_writes;
 
   auto Fields() const {
     return std::tie(cycle, clock_cycle, io, profiles, pvt_tables, crds, axes, enable_axes,
                     compensations, compensates, encoders, encoder_faults, drives, plants, steps,
                     controls, dacs, adcs, modules, world, switches, index_marks, capture, compare,
-                    homing, homing_runs, mram, long_vars, double_vars);
+                    gantry, homing, homing_runs, mram, long_vars, double_vars, program_writes);
   }
 };
 
@@ -179,6 +184,12 @@ class MotionCore {
   void SetPitchTable(size_t axis, PitchTablePointer table);
   /// GT_EnableLeadScrewComp; the axis must have a table to switch it on.
   void EnablePitchCompensation(size_t axis, bool on);
+
+  /// GT_EnableGantry, for two axes at rest and no gantry yet; ends with GT_DisableGantry.
+  void EnableGantry(size_t master, size_t slave, double master_kp, double slave_kp);
+  void DisableGantry();
+  /// How far the measured slave is ahead of the master since the gantry began, pulses.
+  double GantrySkew() const;
 
   // --- Coordinate systems ------------------------------------------------------------------------
 
@@ -278,6 +289,10 @@ class MotionCore {
   void KeepMachine(size_t axis, double difference);
   void JudgeAxis(size_t index);
   void JudgeControl(Control& control);
+  /// The skew of the gantry is beyond its limit.
+  void JudgeGantry();
+  /// What the gantry adds to the output of an axis' controller, DAC units.
+  double GantryCorrection(size_t axis) const;
   /// The controlled encoder has been silent for too long while its motor was driven.
   bool EncoderSilent(Control& control);
 

@@ -1,6 +1,7 @@
 // The order inside a profile cycle, the only order there is:
 //
-//   1. MotionCore::Tick(): the inputs are sampled, outputs and the clock advance;
+//   1. MotionCore::Tick(): the inputs are sampled, outputs and the clock advance; variables that
+//      coordinate systems reached in it are written (GT_BufSetVarValue);
 //   2. Machine::BeginCycle(): delays that end with this cycle end, periodic threads start;
 //   3. PlcBlocks::Evaluate(): the PLC blocks read inputs, write variables and outputs;
 //   4. the threads share this cycle's statements as the scheduler policy says; a GT command in a
@@ -18,6 +19,7 @@
 
 #include <array>
 #include <utility>
+#include <vector>
 
 #include "vm/object_reader.h"
 
@@ -78,14 +80,32 @@ void Controller::AdvanceUs(int64_t microseconds) {
   }
 }
 
-void Controller::RunCycle() {
+void Controller::RunCycle() { machine_.Execute(BeginCycle()); }
+
+int64_t Controller::BeginCycle() {
   motion_.Tick();
+  WriteBufferedValues();
   machine_.BeginCycle(cycle());
   plc_.Evaluate(machine_, motion_);
   pending_statements_ += options_.rate * options_.motion.cycle_us;
   const int64_t budget = pending_statements_ / kStatementParts;
   pending_statements_ %= kStatementParts;
-  machine_.Execute(budget);
+  return budget;
+}
+
+void Controller::WriteBufferedValues() {
+  std::vector<motion::BufferedCommand>& writes = motion_.state().program_writes;
+  for (const motion::BufferedCommand& write : writes) {
+    const bool global = write.detail < 0;
+    const vm::SlotAddress slot = {
+        .global = global,
+        .page = static_cast<uint8_t>(global ? 0 : write.detail),
+        .id = static_cast<uint16_t>(write.item),
+        .type = write.values[1] != 0 ? vm::DataType::kDouble : vm::DataType::kInt};
+    // A value that no longer fits, of a program that came later, is dropped.
+    machine_.Write(slot, write.values[0]);
+  }
+  writes.clear();
 }
 
 RunEnd Controller::RunUntilQuiet(int64_t limit_cycles) {
@@ -124,16 +144,29 @@ void Controller::Reset() {
   machine_.Load(nullptr);
 }
 
-ControllerSnapshot Controller::Snapshot() const {
-  return {machine_.state(), motion_.state(), plc_, pending_us_, pending_statements_};
+ControllerSnapshot Controller::Snapshot() const { return {machine_.state(), Body()}; }
+
+CardBody Controller::Body() const {
+  return {motion_.state(), plc_, pending_us_, pending_statements_};
 }
 
 void Controller::Restore(const ControllerSnapshot& snapshot) {
   machine_.Restore(snapshot.machine);
-  motion_.state() = snapshot.motion;
-  plc_ = snapshot.plc;
-  pending_us_ = snapshot.pending_us;
-  pending_statements_ = snapshot.pending_statements;
+  RestoreBody(snapshot.body);
+}
+
+void Controller::RestoreBody(const CardBody& body) {
+  motion_.state() = body.motion;
+  plc_ = body.plc;
+  pending_us_ = body.pending_us;
+  pending_statements_ = body.pending_statements;
+}
+
+uint64_t Controller::BodyHash() const {
+  const std::array<uint64_t, 4> parts = {motion_.Hash(), plc_.Hash(),
+                                         static_cast<uint64_t>(pending_us_),
+                                         static_cast<uint64_t>(pending_statements_)};
+  return XXH64(parts.data(), sizeof parts, 0);
 }
 
 uint64_t Controller::Hash() const {

@@ -42,13 +42,18 @@ constexpr int64_t HostCostUs(gtcalls::Cost cost) {
   return kHostCallUs;
 }
 
-/// A card's whole state as a value.
-struct ControllerSnapshot {
-  vm::MachineState machine;
+/// A card's state around the machine. Statements change it through GT commands only, cycles always.
+struct CardBody {
   motion::MotionState motion;
   gtcalls::PlcBlocks plc;
   int64_t pending_us = 0;
   int64_t pending_statements = 0;
+};
+
+/// A card's whole state as a value.
+struct ControllerSnapshot {
+  vm::MachineState machine;
+  CardBody body;
 };
 
 /// How RunUntilQuiet() ended.
@@ -96,6 +101,9 @@ class Controller {
   void AdvanceUs(int64_t microseconds);
   /// Runs one profile cycle: motion tick, PLC blocks, then the threads with their budget.
   void RunCycle();
+  /// The same without the threads: gives the statements that they may execute before the next cycle
+  /// begins, for a caller that chooses their order.
+  int64_t BeginCycle();
   /// Runs at most `limit_cycles` cycles, until no thread is running. kDeadlock: as Deadlocked().
   RunEnd RunUntilQuiet(int64_t limit_cycles);
   /// True when threads wait for values that nothing is left to change: no thread can run, none is
@@ -118,10 +126,18 @@ class Controller {
   ControllerSnapshot Snapshot() const;
   /// Puts back a snapshot taken from this controller with the same program.
   void Restore(const ControllerSnapshot& snapshot);
+  /// The parts apart; together with Machine::Restore(), as the above.
+  CardBody Body() const;
+  void RestoreBody(const CardBody& body);
+  /// XXH64 of the body alone.
+  uint64_t BodyHash() const;
   /// XXH64 of everything that a snapshot holds but the scheduler policy's own state.
   uint64_t Hash() const;
 
  private:
+  /// GT_BufSetVarValue: what coordinate systems have reached in the last tick.
+  void WriteBufferedValues();
+
   ControllerOptions options_;
   motion::MotionCore motion_;
   gtcalls::PlcBlocks plc_;

@@ -80,6 +80,8 @@ class DataPages {
   ~DataPages() = default;
 
   const Page& operator[](size_t page) const { return pages_[page]; }
+  /// Bit n: page n may hold something else than 0.
+  uint32_t used() const { return used_; }
   /// The page, to be written.
   Page& Use(size_t page) {
     used_ |= uint32_t{1} << page;

@@ -143,6 +143,17 @@ int16_t BufSetDoubleVar(Call& call) {
   return Append(call, BufferedKind::kFractionalValue, call.integer(1), 0, {call.value(2)});
 }
 
+/// The variable is looked up when the command is appended.
+int16_t BufSetVarValue(Call& call) {
+  const std::optional<vm::SlotAddress> slot =
+      FindVariable(call, call.integer(1), call.cells(2), call.value(3));
+  if (!slot) return vm::kBadParameter;
+  // A tick allocates nothing.
+  call.card.motion.state().program_writes.reserve(motion::kCrdFifoSize);
+  return Append(call, BufferedKind::kProgramValue, slot->id, slot->global ? -1 : slot->page,
+                {call.value(3), slot->type == vm::DataType::kDouble ? 1.0 : 0.0});
+}
+
 constexpr CommandEntry kEntries[] = {
     {"GT_BufIO", BufIO},
     {"GT_BufEnableDoBitPulse", BufEnableDoBitPulse},
@@ -159,6 +170,7 @@ constexpr CommandEntry kEntries[] = {
     {"GT_BufSynchPrfPos", BufSynchPrfPos},
     {"GT_BufSetLongVar", BufSetLongVar},
     {"GT_BufSetDoubleVar", BufSetDoubleVar},
+    {"GT_BufSetVarValue", BufSetVarValue},
 };
 
 }  // namespace

@@ -49,6 +49,7 @@ std::span<const CommandEntry> CaptureCommands();
 std::span<const CommandEntry> HomeCommands();
 std::span<const CommandEntry> CompareCommands();
 std::span<const CommandEntry> CompensationCommands();
+std::span<const CommandEntry> GantryCommands();
 std::span<const CommandEntry> MramCommands();
 
 /// The thread is in the middle of its function, or will be started again by its period.
@@ -73,6 +74,12 @@ inline uint32_t BitWord(double value) { return static_cast<uint32_t>(static_cast
 inline double UnsignedLong(int64_t count) {
   return static_cast<double>(static_cast<uint32_t>(count));
 }
+
+/// The slot of the program's variable that `info`, the cells of a TVarInfo, describes on a page
+/// (-1: the globals), if it can hold `value`. Empty otherwise, with the reason recorded: refuse
+/// with 7.
+std::optional<vm::SlotAddress> FindVariable(Call& call, int page, std::span<const double> info,
+                                            double value);
 
 /// True for a program that was downloaded by words: it declares no variables.
 bool HasNoSymbols(const vm::Image& image);

@@ -1,5 +1,7 @@
-// Position compare in two dimensions. Source: application notes on 2-D compare; public header.
+// Position compare in two dimensions, and its older form in one. Both use the two modules of the
+// high-speed outputs. Source: application notes on 2-D compare; public header.
 // Tested by tests/gtcalls/compare_command_test.cc.
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -199,11 +201,117 @@ int16_t Status2D(Call& call) {
   return vm::kOk;
 }
 
+// --- One dimension -----------------------------------------------------------------------------
+
+/// 0, or 1 when a module is at work.
+int16_t CheckBothStopped(Call& call) {
+  if (!CompareOf(call).running()) return vm::kOk;
+  return call.Refuse(vm::kRefused, MakeMessage("compare is running, call GT_CompareStop",
+                                               "位置比较正在运行，请调用 GT_CompareStop"));
+}
+
+void StartLinear(const Call& call, size_t channel, const CompareParameters& parameters) {
+  CompareOf(call).module(channel).parameters = parameters;
+  CompareOf(call).Start(channel, 0, call.card.motion.state().encoders[parameters.y].position);
+}
+
+/// Assumption: positions count from where the encoder is, as those of GT_2DCompareData; the first
+/// list is for HSIO0, the second for HSIO1.
+int16_t CompareData(Call& call) {
+  constexpr std::array<size_t, 2> kLists = {5, 7};
+  const bool level_output = call.integer(2) != 0;
+  if (!level_output && call.integer(4) < 1) {
+    return call.Refuse(vm::kBadParameter,
+                       MakeMessage("time is {0}; a pulse lasts 1 to 32767 us",
+                                   "time 为 {0}；脉冲宽度应为 1 到 32767 us", call.integer(4)));
+  }
+  std::array<std::vector<ComparePoint>, motion::kHsioCount> points;
+  for (size_t channel = 0; channel < kLists.size(); ++channel) {
+    const size_t list = kLists[channel];
+    const auto count = static_cast<size_t>(call.integer(list + 1));
+    if (count != 0 && !call.given(list)) {
+      return call.Refuse(vm::kBadParameter, MakeMessage("{0} is NULL", "{0} 为 NULL",
+                                                        channel == 0 ? "pBuf1" : "pBuf2"));
+    }
+    for (size_t i = 0; i < count; ++i) {
+      points[channel].push_back({.y = static_cast<int32_t>(call.cells(list)[i])});
+    }
+  }
+  if (points[0].empty() && points[1].empty()) {
+    return call.Refuse(vm::kBadParameter, MakeMessage("count1 and count2 are 0: there is no point",
+                                                      "count1 与 count2 均为 0：没有比较数据"));
+  }
+  int16_t code = CheckSource(call, call.value(0), call.integer(1) != 0);
+  if (code == vm::kOk) code = CheckBothStopped(call);
+  if (code != vm::kOk) return code;
+  CompareParameters parameters;
+  parameters.y = static_cast<uint8_t>(NumberOf(call));
+  parameters.source = static_cast<int16_t>(call.integer(1));
+  parameters.level_output = level_output;
+  parameters.start_level = call.integer(3) != 0;
+  parameters.time = static_cast<int16_t>(call.integer(4));
+  for (size_t channel = 0; channel < points.size(); ++channel) {
+    CompareOf(call).Clear(channel);
+    if (points[channel].empty()) continue;
+    CompareOf(call).Append(channel, points[channel]);
+    StartLinear(call, channel, parameters);
+  }
+  return vm::kOk;
+}
+
+/// Assumption: `repeatTimes` counts the pulses, the first one comes `startPos` pulses from where
+/// the encoder is.
+int16_t CompareLinear(Call& call) {
+  const auto channel = static_cast<size_t>(call.integer(1));
+  const int64_t first = call.integer(2);
+  const int64_t count = call.integer(3);
+  const int64_t interval = call.integer(4);
+  if (interval == 0 && count > 1) {
+    return call.Refuse(vm::kBadParameter,
+                       MakeMessage("interval is 0: {0} pulses need a distance",
+                                   "interval 为 0：输出 {0} 个脉冲需要间隔", count));
+  }
+  // |interval| and count are below 2^31, their product below 2^62.
+  const int64_t last = first + interval * (count - 1);
+  if (last != static_cast<int32_t>(last)) {
+    return call.Refuse(vm::kBadParameter,
+                       MakeMessage("the last position {0} does not fit in a long",
+                                   "最后一个位置 {0} 超出 long 的范围", last));
+  }
+  int16_t code = CheckSource(call, call.value(0), call.integer(6) != 0);
+  if (code == vm::kOk) code = CheckBothStopped(call);
+  if (code != vm::kOk) return code;
+  CompareParameters parameters;
+  parameters.y = static_cast<uint8_t>(NumberOf(call));
+  parameters.source = static_cast<int16_t>(call.integer(6));
+  parameters.time = static_cast<int16_t>(call.integer(5));
+  CompareOf(call).Clear(1 - channel);
+  CompareOf(call).Repeat(channel, static_cast<int32_t>(first), static_cast<int32_t>(count - 1),
+                         static_cast<int32_t>(interval));
+  StartLinear(call, channel, parameters);
+  return vm::kOk;
+}
+
+/// Assumption: the status is 1 while points are waited for; the count is that of both outputs.
+int16_t CompareStatus(Call& call) {
+  const CompareUnit& compare = CompareOf(call);
+  call.Set(0, compare.running() ? 1 : 0);
+  call.Set(1, compare.module(0).hits + compare.module(1).hits);
+  return vm::kOk;
+}
+
+int16_t CompareStop(Call& call) {
+  for (size_t channel = 0; channel < motion::kHsioCount; ++channel) CompareOf(call).Stop(channel);
+  return vm::kOk;
+}
+
 constexpr CommandEntry kEntries[] = {
-    {"GT_ComparePulse", ComparePulse}, {"GT_2DCompareMode", Mode2D},
-    {"GT_2DComparePulse", Pulse2D},    {"GT_2DCompareSetPrm", SetPrm2D},
-    {"GT_2DCompareData", Data2D},      {"GT_2DCompareStart", Start2D},
-    {"GT_2DCompareStop", Stop2D},      {"GT_2DCompareClear", Clear2D},
+    {"GT_ComparePulse", ComparePulse},   {"GT_CompareData", CompareData},
+    {"GT_CompareLinear", CompareLinear}, {"GT_CompareStatus", CompareStatus},
+    {"GT_CompareStop", CompareStop},     {"GT_2DCompareMode", Mode2D},
+    {"GT_2DComparePulse", Pulse2D},      {"GT_2DCompareSetPrm", SetPrm2D},
+    {"GT_2DCompareData", Data2D},        {"GT_2DCompareStart", Start2D},
+    {"GT_2DCompareStop", Stop2D},        {"GT_2DCompareClear", Clear2D},
     {"GT_2DCompareStatus", Status2D},
 };
 

@@ -28,6 +28,7 @@ int16_t LoadConfig(Call& call) {
   const auto text = ReadFile(path);
   if (!text.ok()) return call.Refuse(kFileNotFound, text.error().message);
   const CardConfig config = ParseCardConfig(text.value());
+  core.DisableGantry();
   ApplyCardConfig(config, &core);
   for (const Message& remark : config.remarks) call.Note(remark);
   return vm::kOk;

@@ -70,6 +70,15 @@ int16_t CheckMayStart(Call& call, size_t profile, double direction) {
     return call.Refuse(vm::kRefused, MakeMessage("profile {0} is not active in the configuration",
                                                  "规划器 {0} 在配置中未激活", profile + 1));
   }
+  const motion::Gantry& gantry = core.state().gantry;
+  if (gantry.on && gantry.slave == profile && (gantry.slave_map >> profile & 1) != 0) {
+    return call.Refuse(
+        vm::kRefused,
+        MakeMessage("axis {0} is the slave of a gantry: command its master, axis {1}, or call "
+                    "GT_DisableGantry",
+                    "轴 {0} 是龙门从轴：请控制主轴 {1}，或调用 GT_DisableGantry", profile + 1,
+                    gantry.master + 1));
+  }
   for (size_t i = 0; i < core.axis_count(); ++i) {
     const Axis& axis = core.state().axes[i];
     if (!axis.active || (axis.profile_map >> profile & 1) == 0) continue;

@@ -105,6 +105,12 @@ std::optional<Slots> FindSlots(Call& call, const Target& target) {
   return slots;
 }
 
+Message DescribeMisfit(const vm::SlotAddress& slot, double value) {
+  return MakeMessage("variable {0} is of type {1} and cannot hold {2}",
+                     "变量 {0} 的类型为 {1}，不能存放 {2}", slot.id,
+                     slot.type == DataType::kInt ? "int" : "double", value);
+}
+
 int16_t SetVarValue(Call& call) {
   const Target target = TargetOf(call);
   const std::optional<Slots> slots = FindSlots(call, target);
@@ -116,12 +122,8 @@ int16_t SetVarValue(Call& call) {
     before[i] = machine.ReadRaw(slot);
     if (machine.Write(slot, call.cells(2)[i])) continue;
     while (i-- > 0) machine.WriteRaw((*slots)[i], before[i]);
-    const bool is_int = slot.type == DataType::kInt;
-    return call.Refuse(
-        vm::kBadParameter,
-        MakeMessage("variable {0} is of type {1} and cannot hold {2}",
-                    "变量 {0} 的类型为 {1}，不能存放 {2}", slot.id, is_int ? "int" : "double",
-                    call.cells(2)[static_cast<size_t>(slot.id - target.id)]));
+    const auto cell = static_cast<size_t>(slot.id - target.id);
+    return call.Refuse(vm::kBadParameter, DescribeMisfit(slot, call.cells(2)[cell]));
   }
   return vm::kOk;
 }
@@ -144,6 +146,22 @@ constexpr CommandEntry kEntries[] = {
 }  // namespace
 
 std::span<const CommandEntry> VariableCommands() { return kEntries; }
+
+std::optional<vm::SlotAddress> FindVariable(Call& call, int page, std::span<const double> info,
+                                            double value) {
+  const Target target = {
+      .page = page, .id = static_cast<int>(info[0]), .data_type = static_cast<int>(info[1])};
+  const std::optional<Slots> slots = FindSlots(call, target);
+  if (!slots) return std::nullopt;
+  const vm::SlotAddress slot = slots->front();
+  vm::Machine& machine = call.card.machine;
+  const int64_t before = machine.ReadRaw(slot);
+  const bool fits = machine.Write(slot, value);
+  machine.WriteRaw(slot, before);
+  if (fits) return slot;
+  call.reason = DescribeMisfit(slot, value);
+  return std::nullopt;
+}
 
 bool HasNoSymbols(const vm::Image& image) {
   const std::vector<vm::Function>& functions = image.object.functions;

@@ -1,4 +1,4 @@
-// 2-D position compare through its commands.
+// Position compare through its commands.
 #include <gtest/gtest.h>
 
 #include "tests/gtcalls/command_test_card.h"
@@ -97,6 +97,127 @@ TEST(ComparePulse, PutsOutOnBothOutputs) {
   const uint64_t before = card.Hash();
   card.Expect(0, "GT_ComparePulse", {1, 0, 100});
   EXPECT_NE(card.Hash(), before);
+}
+
+/// Axis 1 counts its own pulses and moves at 100 pulse/ms, to which it accelerates in 100 ms.
+void MoveAxis1(CommandTestCard& card, int target) {
+  EXPECT_EQ(card.Call("GT_EncOff", {1}), 0);
+  EXPECT_EQ(card.Call("GT_AxisOn", {1}), 0);
+  motion::Profile& profile = card.motion.state().profiles[0];
+  profile.trap.target = target;
+  profile.trap.velocity = 100;
+  profile.trap.parameters.acc = 1;
+  card.motion.StartProfile(0);
+}
+
+/// GT_CompareStatus: status and count.
+Cells LinearStatus(CommandTestCard& card) {
+  Cells status(1), count(1);
+  EXPECT_EQ(card.Call("GT_CompareStatus", {&status, &count}), 0);
+  return {status[0], count[0]};
+}
+
+TEST(CompareData, EachListHasItsOutput) {
+  CommandTestCard card;
+  MoveAxis1(card, 30000);
+  Cells first = {10000, 20000};
+  Cells second = {15000};
+  ASSERT_EQ(card.Call("GT_CompareData", {1, 0, 0, 0, 500, &first, 2, &second, 1}), 0);
+  EXPECT_EQ(LinearStatus(card), (Cells{1, 0}));
+  card.Cycles(800);  // 200 ms: 15000 pulses are reached
+  EXPECT_EQ(LinearStatus(card), (Cells{1, 2}));
+  card.Cycles(800);
+  EXPECT_EQ(LinearStatus(card), (Cells{0, 3}));
+  const auto& log = card.motion.state().compare.log();
+  ASSERT_EQ(log.size(), 3u);
+  const struct {
+    int channel;
+    double position, instant;
+  } expected[] = {{0, 10000, 150000}, {1, 15000, 200000}, {0, 20000, 250000}};
+  for (size_t i = 0; i < log.size(); ++i) {
+    EXPECT_EQ(log[i].channel, expected[i].channel);
+    EXPECT_EQ(log[i].y, expected[i].position);
+    EXPECT_NEAR(log[i].instant, expected[i].instant, 1e-6);
+  }
+}
+
+TEST(CompareData, LevelsChangeAtEachPoint) {
+  CommandTestCard card;
+  MoveAxis1(card, 30000);
+  Cells points = {10000, 20000};
+  ASSERT_EQ(card.Call("GT_CompareData", {1, 0, 1, 1, 0, &points, 2, nullptr, 0}), 0);
+  const auto level = [&] { return card.motion.state().compare.output(0).Level(card.motion.now()); };
+  EXPECT_TRUE(level());
+  card.Cycles(640);
+  EXPECT_FALSE(level());
+  card.Cycles(400);
+  EXPECT_TRUE(level());
+}
+
+TEST(CompareLinear, PulsesComeAtEqualDistances) {
+  CommandTestCard card;
+  MoveAxis1(card, 30000);
+  ASSERT_EQ(card.Call("GT_CompareLinear", {1, 1, 10000, 1000, 10, 5, 0}), 0);
+  card.Cycles(1600);
+  EXPECT_EQ(LinearStatus(card), (Cells{0, 1000}));
+  const auto& log = card.motion.state().compare.log();
+  ASSERT_EQ(log.size(), 1000u);
+  for (size_t i = 0; i < log.size(); ++i) {
+    EXPECT_EQ(log[i].channel, 1);
+    EXPECT_EQ(log[i].y, 10000 + 10 * static_cast<double>(i));
+    EXPECT_NEAR(log[i].instant, 150000 + 100 * static_cast<double>(i), 1e-6);
+  }
+}
+
+TEST(CompareLinear, BackwardsAndStopped) {
+  CommandTestCard card;
+  MoveAxis1(card, -30000);
+  ASSERT_EQ(card.Call("GT_CompareLinear", {1, 0, -10000, 5, -1000, 5, 0}), 0);
+  card.Cycles(648);  // 162 ms: -11200 pulses
+  EXPECT_EQ(LinearStatus(card), (Cells{1, 2}));
+  EXPECT_EQ(card.Call("GT_CompareStop", {}), 0);
+  card.Cycles(800);
+  EXPECT_EQ(LinearStatus(card), (Cells{0, 2}));
+}
+
+TEST(CompareLinear, ParametersAreChecked) {
+  constexpr int kLongMax = 2147483647;
+  CommandTestCard card;
+  EXPECT_EQ(card.Call("GT_EncOff", {1}), 0);
+  Cells points = {100};
+  Cells many(4097, 1);
+  const struct {
+    const char* name;
+    std::vector<Argument> arguments;
+    int code;
+  } cases[] = {
+      {"GT_CompareData", {0, 0, 0, 0, 1, &points, 1, nullptr, 0}, 7},
+      {"GT_CompareData", {1, 2, 0, 0, 1, &points, 1, nullptr, 0}, 7},
+      {"GT_CompareData", {1, 1, 0, 0, 1, &points, 1, nullptr, 0}, 7},  // a pulse counter
+      {"GT_CompareData", {1, 0, 2, 0, 1, &points, 1, nullptr, 0}, 7},
+      {"GT_CompareData", {1, 0, 0, 2, 1, &points, 1, nullptr, 0}, 7},
+      {"GT_CompareData", {1, 0, 0, 0, 0, &points, 1, nullptr, 0}, 7},
+      {"GT_CompareData", {1, 0, 0, 0, 1, nullptr, 0, nullptr, 0}, 7},
+      {"GT_CompareData", {1, 0, 0, 0, 1, nullptr, 1, nullptr, 0}, 7},
+      {"GT_CompareData", {1, 0, 0, 0, 1, &many, 4097, nullptr, 0}, 7},
+      {"GT_CompareData", {1, 0, 0, 0, 1, &many, 4096, nullptr, 0}, 0},
+      {"GT_CompareLinear", {9, 0, 0, 1, 1, 1, 0}, 7},
+      {"GT_CompareLinear", {1, 2, 0, 1, 1, 1, 0}, 7},
+      {"GT_CompareLinear", {1, 0, 0, 0, 1, 1, 0}, 7},
+      {"GT_CompareLinear", {1, 0, 0, 2, 0, 1, 0}, 7},
+      {"GT_CompareLinear", {1, 0, 0, 1, 1, 0, 0}, 7},
+      {"GT_CompareLinear", {1, 0, 0, 1, 1, 1, 2}, 7},
+      {"GT_CompareLinear", {1, 0, 1, kLongMax, 1, 1, 0}, 0},
+      {"GT_CompareLinear", {1, 0, 2, kLongMax, 1, 1, 0}, 7},
+      {"GT_CompareLinear", {1, 1, -1, 1, 0, 1, 0}, 0},
+  };
+  for (const auto& c : cases) {
+    EXPECT_EQ(card.Call("GT_CompareStop", {}), 0);
+    EXPECT_EQ(card.Call(c.name, c.arguments), c.code) << c.name;
+  }
+  // The last one waits.
+  EXPECT_EQ(card.Call("GT_CompareLinear", {1, 0, 0, 1, 1, 1, 0}), 1);
+  EXPECT_EQ(card.Call("GT_CompareData", {1, 0, 0, 0, 1, &points, 1, nullptr, 0}), 1);
 }
 
 }  // namespace

@@ -242,6 +242,46 @@ loop:
 
 // --- Ends of a run -------------------------------------------------------------------------------
 
+TEST(ControllerTest, ACoordinateSystemWritesVariablesBetweenItsSegments) {
+  LoadedCard card("int reached;\ndouble part;\nint main() { return 0; }\n",
+                  {.motion = {.cycle_us = 1000}});
+  const auto call = [&](std::string_view name, std::vector<double> values,
+                        std::vector<double> cells = {}, size_t pointer = 1) {
+    std::vector<vm::CommandArgument> arguments(values.size());
+    for (size_t i = 0; i < values.size(); ++i) arguments[i].value = values[i];
+    if (!cells.empty()) arguments[pointer].cells = cells;
+    return card.controller.Execute(*gtcalls::FindCommand(name), arguments);
+  };
+  // X is profile 1, Y is profile 2; 100 pulse/ms and 10 pulse/ms^2 at most.
+  std::vector<double> parameters(1 + 8 + 2 + 2 + 8);
+  parameters[0] = 2;
+  parameters[1] = 1;
+  parameters[2] = 2;
+  parameters[9] = 100;
+  parameters[10] = 10;
+  ASSERT_EQ(call("GT_SetCrdPrm", {1, 0}, parameters), 0);
+  const auto info = [&](std::string_view name) {
+    const vm::SlotAddress slot = card.Global(name);
+    std::vector<double> cells(2 + 32);
+    cells[0] = slot.id;
+    cells[1] = static_cast<double>(slot.type);
+    return cells;
+  };
+  ASSERT_EQ(call("GT_LnXY", {1, 100, 0, 10, 1, 0, 0}), 0);
+  ASSERT_EQ(call("GT_BufSetVarValue", {1, -1, 0, 7, 0}, info("reached"), 2), 0);
+  ASSERT_EQ(call("GT_BufSetVarValue", {1, -1, 0, 0.25, 0}, info("part"), 2), 0);
+  EXPECT_EQ(call("GT_BufSetVarValue", {1, -1, 0, 3e9, 0}, info("reached"), 2), 7);
+  EXPECT_EQ(call("GT_BufSetVarValue", {1, 5, 0, 1, 0}, info("reached"), 2), 7);
+  ASSERT_EQ(call("GT_LnXY", {1, 200, 0, 10, 1, 0, 0}), 0);
+  ASSERT_EQ(call("GT_CrdStart", {1, 0}), 0);
+  // 100 pulses from rest to rest at 10 pulse/ms and 1 pulse/ms^2 take 20 ms.
+  for (int i = 0; i < 19; ++i) card.controller.RunCycle();
+  EXPECT_EQ(card.Read("reached"), 0);
+  card.controller.RunCycle();
+  EXPECT_EQ(card.Read("reached"), 7);
+  EXPECT_EQ(card.Read("part"), 0.25);
+}
+
 TEST(RunUntilQuietTest, StopsAtTheTimeLimit) {
   LoadedCard card(kEndlessProgram);
   card.Run(0, 0);

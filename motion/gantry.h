@@ -1,0 +1,40 @@
+// Two axes that carry one beam: the slave moves as the master is planned to, and what stops one of
+// them stops both.
+//
+// In closed loop each of the two controllers gets the skew, times a gain of its own, on top of its
+// output, so that the side that is ahead waits for the other. When the skew exceeds its limit both
+// drives are switched off.
+// Source: the public header names the commands; the rest is assumption (docs/assumptions.md).
+// Tested by tests/motion/gantry_test.cc and tests/gtcalls/gantry_command_test.cc.
+#pragma once
+
+#include <cstdint>
+#include <tuple>
+
+#include "motion/axis.h"
+
+namespace oncard::motion {
+
+/// The skew that switches the drives off until GT_SetGantryErrLmt says otherwise, pulses
+/// (assumption: that of the following error).
+inline constexpr int32_t kGantryErrorLimit = 32767;
+
+struct Gantry {
+  bool on = false;
+  uint8_t master = 0;  ///< axes, from 0
+  uint8_t slave = 0;
+  double master_kp = 0;  ///< DAC units per pulse of skew
+  double slave_kp = 0;
+  int32_t error_limit = kGantryErrorLimit;
+  double skew_origin = 0;  ///< slave - master when the gantry began, measured
+  // What the slave axis had before.
+  uint32_t slave_map = 0;
+  Scale slave_scale;
+
+  auto Fields() const {
+    return std::tie(on, master, slave, master_kp, slave_kp, error_limit, skew_origin, slave_map,
+                    slave_scale);
+  }
+};
+
+}  // namespace oncard::motion

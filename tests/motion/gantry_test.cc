@@ -1,0 +1,109 @@
+// Gantries: the slave moves as its master, the controllers share the skew, its limit.
+#include "motion/gantry.h"
+
+#include <gtest/gtest.h>
+
+#include "motion/motion_core.h"
+
+namespace oncard::motion {
+namespace {
+
+void Ticks(MotionCore& core, int count) {
+  for (int i = 0; i < count; ++i) core.Tick();
+}
+
+/// Axes 1 and 2 in closed loop; the second drive turns a tenth slower at the same voltage.
+MotionCore UnevenCore(double coupling) {
+  MotionCore core({});
+  for (const size_t axis : {size_t{0}, size_t{1}}) {
+    core.state().drives[axis] = VelocityDrive(axis == 0 ? 100 : 90, 2, 0);
+    core.state().controls[axis].sets[0] = {.kp = 20};
+    core.SetClosedLoop(axis, true);
+    core.ServoOn(axis);
+  }
+  core.EnableGantry(0, 1, coupling, coupling);
+  return core;
+}
+
+void Jog(MotionCore& core, double velocity) {
+  Profile& profile = core.state().profiles[0];
+  profile.mode = ProfileMode::kJog;
+  profile.jog.velocity = velocity;
+  profile.Start(core.now());
+}
+
+TEST(Gantry, TheSlaveMovesAsItsMasterFromWhereItIs) {
+  MotionCore core({.cycle_us = 1000});
+  core.ServoOn(0);
+  core.ServoOn(1);
+  core.state().axes[1].profile_map = 0b10;
+  core.SetProfilePosition(1, 700);
+  core.SynchAxis(1);
+  core.EnableGantry(0, 1, 0, 0);
+  Jog(core, 10);
+  Ticks(core, 100);
+  const double moved = core.state().axes[0].profile.position;
+  EXPECT_GT(moved, 500);
+  EXPECT_EQ(core.state().axes[1].profile.position, 700 + moved);
+  EXPECT_EQ(core.GantrySkew(), 0);
+  // Afterwards each is itself again, where it is.
+  core.StopProfile(0, true);
+  while (core.AxisMoving(core.state().axes[0])) core.Tick();
+  const double end = core.state().axes[0].profile.position;
+  core.DisableGantry();
+  Ticks(core, 1);
+  EXPECT_EQ(core.state().axes[1].profile.position, 700 + end);
+  EXPECT_EQ(core.state().axes[1].profile_map, 0b10u);
+}
+
+TEST(Gantry, ASwitchOfTheSlaveStopsBoth) {
+  MotionCore core({.cycle_us = 1000});
+  core.ServoOn(0);
+  core.ServoOn(1);
+  core.EnableGantry(0, 1, 0, 0);
+  core.state().axes[1].soft_positive = 300;
+  Jog(core, 10);
+  Ticks(core, 200);
+  EXPECT_NE(core.Status(1) & kPositiveLimitBit, 0u);
+  EXPECT_EQ(core.Status(0) & kMovingBit, 0u);
+  EXPECT_EQ(core.state().axes[0].profile.position, core.state().axes[1].profile.position);
+}
+
+TEST(Gantry, TheCouplingSharesTheSkew) {
+  // At the velocity v the drives need U1 = 32767 v / 100 and U2 = 32767 v / 90. Without coupling
+  // E = U / kp, so that the skew is (U1 - U2) / kp; with it kp E1 + k s = U1 and kp E2 - k s = U2,
+  // s = E1 - E2, so that s = (U1 - U2) / (kp + 2 k).
+  const double difference = 32767 * 10 / 100.0 - 32767 * 10 / 90.0;
+  for (const double coupling : {0.0, 10.0, 40.0}) {
+    MotionCore core = UnevenCore(coupling);
+    Jog(core, 10);
+    Ticks(core, 4000);
+    double sum = 0;
+    constexpr int kTicks = 4000;
+    for (int i = 0; i < kTicks; ++i) {
+      core.Tick();
+      sum += core.GantrySkew();
+    }
+    EXPECT_NEAR(sum / kTicks, difference / (20 + 2 * coupling), 0.6) << coupling;
+  }
+}
+
+TEST(Gantry, TooMuchSkewSwitchesBothOff) {
+  MotionCore core({.cycle_us = 1000});
+  core.ServoOn(0);
+  core.ServoOn(1);
+  core.EnableGantry(0, 1, 0, 0);
+  core.state().gantry.error_limit = 50;
+  core.state().plants[1].stalled = true;
+  Jog(core, 1);
+  while (core.state().axes[0].encoder.position < 50) core.Tick();
+  EXPECT_NE(core.Status(0) & kServoOnBit, 0u);
+  Ticks(core, 2);
+  for (const size_t axis : {size_t{0}, size_t{1}}) {
+    EXPECT_NE(core.Status(axis) & kFollowingErrorBit, 0u) << axis;
+    EXPECT_EQ(core.Status(axis) & (kServoOnBit | kMovingBit), 0u) << axis;
+  }
+}
+
+}  // namespace
+}  // namespace oncard::motion
