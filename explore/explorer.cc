@@ -8,6 +8,7 @@
 #include <mutex>
 #include <thread>
 
+#include "explore/card_graph.h"
 #include "explore/dpor.h"
 #include "explore/key_set.h"
 #include "explore/shrink.h"
@@ -110,22 +111,30 @@ StateSearch SearchStates(const Problem& problem, const ExploreOptions& options,
   return search;
 }
 
+/// The way to a bad state of the graph; its fault is left to the caller.
+std::optional<Failure> WayToBadState(const StateGraph& graph) {
+  Path path = FewestPreemptions(graph, kBad);
+  if (!path.found) return std::nullopt;
+  Failure failure;
+  failure.steps = std::move(path.steps);
+  failure.preemptions = path.preemptions;
+  failure.fewest_preemptions = graph.complete;
+  if (graph.complete) {
+    failure.fewest_steps = static_cast<int64_t>(FewestSteps(graph, kBad).steps.size());
+    failure.last_escape = LastEscape(graph, failure.steps);
+  }
+  return failure;
+}
+
 /// A failing state of the graph, or a livelock; nothing when there is neither.
 std::optional<Failure> FailureIn(const Problem& problem, const StateGraph& graph) {
-  Failure failure;
-  if (Path path = FewestPreemptions(graph, kBad); path.found) {
-    failure.steps = std::move(path.steps);
-    failure.preemptions = path.preemptions;
-    failure.fewest_preemptions = graph.complete;
-    if (graph.complete) {
-      failure.fewest_steps = static_cast<int64_t>(FewestSteps(graph, kBad).steps.size());
-      failure.last_escape = LastEscape(graph, failure.steps);
-    }
+  if (auto bad = WayToBadState(graph)) {
     Model model = problem.model;
-    for (const uint8_t thread : failure.steps) model.Step(thread);
-    failure.fault = FindFault(problem, model);
-    return failure;
+    for (const uint8_t thread : bad->steps) model.Step(thread);
+    bad->fault = FindFault(problem, model);
+    return bad;
   }
+  Failure failure;
   if (!graph.complete) return std::nullopt;
   if (Lasso lasso = FindFairCycle(graph); lasso.found) {
     failure.livelock = true;
@@ -233,6 +242,8 @@ std::string_view VerdictName(Verdict verdict) {
   switch (verdict) {
     case Verdict::kProved:
       return "PROVED";
+    case Verdict::kPassed:
+      return "PASSED";
     case Verdict::kFailed:
       return "FAILED";
     case Verdict::kIncomplete:
@@ -263,6 +274,36 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
     SearchBoth(problem, options, &traces, &states, &engine);
   }
   return Conclude(problem, options, std::move(traces), std::move(states), engine);
+}
+
+Exploration ExploreCard(CardModel* model, const ExploreOptions& options) {
+  const CardGraph found = BuildCardGraph(model, {options.state_limit, nullptr});
+  Exploration exploration;
+  exploration.engine = EngineKind::kStateful;
+  exploration.states = StateCounts{.states = found.graph.size(),
+                                   .transitions = found.graph.transitions,
+                                   .bad_states = found.bad_states,
+                                   .final_globals = found.final_globals,
+                                   .final_full = found.final_full,
+                                   .finals_within = {},
+                                   .complete = found.graph.complete};
+  exploration.failure = WayToBadState(found.graph);
+  if (exploration.failure) {
+    CardModel::State state = model->Start();
+    for (const uint8_t thread : exploration.failure->steps) state = model->Step(state, thread);
+    exploration.failure->fault = state.fault;
+    exploration.verdict = Verdict::kFailed;
+  } else if (!found.graph.complete) {
+    exploration.why = MakeMessage("the limit of {0} states was reached", "已达到 {0} 个状态的上限",
+                                  options.state_limit);
+  } else if (found.cut) {
+    exploration.verdict = Verdict::kPassed;
+    exploration.why = {"nothing goes wrong until the scenario's until_ms; threads still run then",
+                       "在场景的 until_ms 之前没有错误；此时仍有线程在运行"};
+  } else {
+    exploration.verdict = Verdict::kProved;
+  }
+  return exploration;
 }
 
 }  // namespace oncard::explore

@@ -2,6 +2,7 @@
 //
 // Two engines can prove it: `dpor`, one execution per Mazurkiewicz trace, and `stateful`, the graph
 // of all states. Neither is always better; `auto` runs both at the same time on two cores.
+// A program that calls GT commands is explored together with its card, by its state graph.
 // Deterministic but for what `auto` happens to count beside the verdict. docs/interleavings.md says
 // when which engine is the right one. Tested by tests/explore/explorer_test.cc.
 #pragma once
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "explore/card_model.h"
 #include "explore/problem.h"
 
 namespace oncard::explore {
@@ -24,11 +26,12 @@ std::string_view EngineName(EngineKind engine);
 
 enum class Verdict : uint8_t {
   kProved,     ///< no interleaving goes wrong
+  kPassed,     ///< none does until the scenario's `until_ms`
   kFailed,     ///< one does; Exploration::failure shows it
   kIncomplete  ///< a limit was reached before the search was done
 };
 
-/// `PROVED`, `FAILED`, `INCOMPLETE`.
+/// `PROVED`, `PASSED`, `FAILED`, `INCOMPLETE`.
 std::string_view VerdictName(Verdict verdict);
 
 struct ExploreOptions {
@@ -81,7 +84,7 @@ struct Failure {
 struct Exploration {
   Verdict verdict = Verdict::kIncomplete;
   EngineKind engine = EngineKind::kAuto;  ///< the one whose verdict it is
-  Message why;                            ///< kIncomplete: what was reached
+  Message why;                            ///< kPassed, kIncomplete: what was reached
   std::optional<TraceCounts> traces;
   std::optional<StateCounts> states;
   std::optional<Failure> failure;
@@ -89,5 +92,8 @@ struct Exploration {
 
 /// Explores. Fails when the engine cannot answer the problem's requirements.
 Result<Exploration> Explore(const Problem& problem, const ExploreOptions& options);
+
+/// The same for a card, whatever the engine: the graph of all its states.
+Exploration ExploreCard(CardModel* model, const ExploreOptions& options);
 
 }  // namespace oncard::explore

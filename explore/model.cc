@@ -100,6 +100,18 @@ int64_t Unary(uint16_t op, DataType type, int64_t source, [[maybe_unused]] int w
 
 }  // namespace
 
+std::string DescribeSlot(const std::vector<vm::Symbol>& symbols, uint32_t id, int64_t raw) {
+  for (const vm::Symbol& symbol : symbols) {
+    if (id < symbol.id || id >= uint32_t{symbol.id} + symbol.slots()) continue;
+    const std::string index =
+        symbol.array_size == 0 ? std::string() : fmt::format("[{}]", id - symbol.id);
+    const double value = symbol.type == DataType::kDouble ? vm::DoubleFromFixed(raw)
+                                                          : static_cast<double>(IntOf(raw));
+    return fmt::format("{}{} = {}", symbol.name, index, value);
+  }
+  return {};
+}
+
 Result<Model> Model::Create(const vm::Machine& machine) {
   Model model;
   model.image_ = machine.shared_image();
@@ -293,16 +305,7 @@ std::string Model::DescribeCell(uint32_t cell, const Thread& writer) const {
   const std::vector<vm::Symbol>& symbols =
       global ? image_->object.globals : image_->object.functions[function].variables;
   const uint32_t id = global ? cell : cell - writer.first_local;
-  for (const vm::Symbol& symbol : symbols) {
-    if (id < symbol.id || id >= uint32_t{symbol.id} + symbol.slots()) continue;
-    const std::string index =
-        symbol.array_size == 0 ? std::string() : fmt::format("[{}]", id - symbol.id);
-    const double value = symbol.type == DataType::kDouble
-                             ? vm::DoubleFromFixed(cells_[cell])
-                             : static_cast<double>(IntOf(cells_[cell]));
-    return fmt::format("{}{} = {}", symbol.name, index, value);
-  }
-  return {};
+  return DescribeSlot(symbols, id, cells_[cell]);
 }
 
 // --- Steps -------------------------------------------------------------------------------------

@@ -57,6 +57,9 @@ struct AccessSet {
   }
 };
 
+/// `name = value` of a slot among the variables; empty when none has it.
+std::string DescribeSlot(const std::vector<vm::Symbol>& symbols, uint32_t id, int64_t raw);
+
 /// How a thread stands.
 enum class ThreadEnd : uint8_t { kRunning, kFinished, kDivisionByZero, kIndexOutOfBounds };
 
@@ -69,6 +72,8 @@ class Model {
   int thread_count() const { return static_cast<int>(threads_.size()); }
   const ThreadSetup& setup(int thread) const { return threads_[Index(thread)].setup; }
   const vm::Image& image() const { return *image_; }
+  /// Same pointer, shared.
+  const std::shared_ptr<const vm::Image>& shared_image() const { return image_; }
 
   // --- The present state. Threads are numbered from 0, in the order of their
   // --- numbers on the card --------------------------

@@ -62,10 +62,16 @@ Result<Problem> BindProblem(Model model, const std::vector<Requirement>& require
 
 /// What is wrong with a state.
 struct Fault {
-  enum class Kind : uint8_t { kNone, kRequirement, kThread };
+  enum class Kind : uint8_t {
+    kNone,
+    kRequirement,
+    kThread,
+    kDeadlock,  ///< threads wait for what nothing can change any more
+    kTimeLimit  ///< threads still run at the scenario's `limit_ms`
+  };
   Kind kind = Kind::kNone;
   int requirement = 0;  ///< kRequirement: which one is violated
-  int thread = 0;       ///< kThread: which one ended with a fault
+  int thread = 0;       ///< kThread: which one ended with a fault, as the model counts
 
   explicit operator bool() const { return kind != Kind::kNone; }
 };

@@ -1,5 +1,7 @@
 #include "explore/property.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cctype>
 #include <charconv>
@@ -24,13 +26,121 @@ std::optional<int> ParseNumber(std::string_view text) {
 
 }  // namespace
 
+/// The names of a program's variables and results.
+class ModelNames {
+ public:
+  using Kind = Property::Kind;
+  using Element = Property::Element;
+
+  explicit ModelNames(const Model& model) : model_(model) {}
+
+  Result<Element> Find(std::string_view name, std::optional<int> index, Property*) const {
+    for (const std::string_view prefix : {"ret", "thread"}) {
+      if (!name.starts_with(prefix)) continue;
+      std::string_view digits = name.substr(prefix.size());
+      if (prefix == "thread") {
+        if (!digits.ends_with(".result")) continue;
+        digits.remove_suffix(std::string_view(".result").size());
+      }
+      if (const auto number = ParseNumber(digits)) return Returned(name, *number);
+    }
+    if (name.starts_with("page")) {
+      const size_t dot = name.find('.');
+      const auto page =
+          dot == std::string_view::npos ? std::nullopt : ParseNumber(name.substr(4, dot - 4));
+      if (page) return Local(*page, name.substr(dot + 1), index);
+    }
+    const vm::Symbol* symbol = vm::FindGlobal(model_.image(), name);
+    if (symbol == nullptr) return Unknown(name);
+    return Slot(*symbol, index, true, 0);
+  }
+
+ private:
+  Result<Element> Returned(std::string_view name, int number) const {
+    for (int thread = 0; thread < model_.thread_count(); ++thread) {
+      if (model_.setup(thread).thread != number) continue;
+      const auto function = static_cast<size_t>(model_.setup(thread).function);
+      return Element{.kind = Kind::kReturn,
+                     .thread = thread,
+                     .type = model_.image().object.functions[function].return_type};
+    }
+    return MakeError(1, "'{0}': there is no thread {1}", "“{0}”：没有线程 {1}", name, number);
+  }
+
+  Result<Element> Local(int page, std::string_view name, std::optional<int> index) const {
+    for (int thread = 0; thread < model_.thread_count(); ++thread) {
+      if (model_.setup(thread).page != page) continue;
+      const vm::Symbol* symbol = vm::FindLocal(model_.image(), model_.setup(thread).function, name);
+      if (symbol == nullptr) break;
+      return Slot(*symbol, index, false, page);
+    }
+    return MakeError(1, "no thread has a variable '{0}' on page {1}", "数据页 {1} 上没有变量“{0}”",
+                     name, page);
+  }
+
+  Result<Element> Slot(const vm::Symbol& symbol, std::optional<int> index, bool global,
+                       int page) const {
+    if (index.has_value() != (symbol.array_size != 0) || index.value_or(0) >= symbol.slots()) {
+      return MakeError(1, "'{0}' has {1} elements: write a number below that in brackets",
+                       "“{0}”有 {1} 个元素：请在方括号中写出下标", symbol.name, symbol.array_size);
+    }
+    vm::SlotAddress slot;
+    slot.global = global;
+    slot.page = static_cast<uint8_t>(page);
+    slot.id = static_cast<uint16_t>(symbol.id + index.value_or(0));
+    slot.type = symbol.type;
+    return Element{.kind = Kind::kSlot, .slot = slot, .type = symbol.type};
+  }
+
+  Result<Element> Unknown(std::string_view name) const {
+    Nearest nearest(name);
+    for (const vm::Symbol& symbol : model_.image().object.globals) nearest.Add(symbol.name);
+    if (!nearest.best().empty()) {
+      return MakeError(1, "there is no variable '{0}'; did you mean '{1}'?",
+                       "没有变量“{0}”；是否想写“{1}”？", name, nearest.best());
+    }
+    return MakeError(1, "there is no variable '{0}'", "没有变量“{0}”", name);
+  }
+
+  const Model& model_;
+};
+
+/// The names of what can be observed of a card; `retN` stands for `threadN.result`.
+class CardNames {
+ public:
+  using Kind = Property::Kind;
+  using Element = Property::Element;
+
+  explicit CardNames(const runtime::Controller& controller) : controller_(controller) {}
+
+  Result<Element> Find(std::string_view name, std::optional<int> index, Property* property) const {
+    std::string full(name);
+    if (name.starts_with("ret") && ParseNumber(name.substr(3))) {
+      full = fmt::format("thread{}.result", name.substr(3));
+    }
+    if (index) full += fmt::format("[{}]", *index);
+    auto found = runtime::ResolveQuantity(full, controller_);
+    if (!found.ok()) return found.error();
+    if (found.value().size() != 1) {
+      return MakeError(1, "'{0}' has {1} elements: write a number below that in brackets",
+                       "“{0}”有 {1} 个元素：请在方括号中写出下标", full, found.value().size());
+    }
+    property->quantities_.push_back(std::move(found.value().front()));
+    return Element{.kind = Kind::kQuantity, .quantity = property->quantities_.size() - 1};
+  }
+
+ private:
+  const runtime::Controller& controller_;
+};
+
 /// Recursive descent; each level appends to the property's elements.
+template <typename Names>
 class PropertyParser {
  public:
   using Kind = Property::Kind;
   using Element = Property::Element;
 
-  PropertyParser(std::string_view text, const Model& model) : text_(text), model_(model) {
+  PropertyParser(std::string_view text, Names names) : text_(text), names_(names) {
     property_.text_ = text;
   }
 
@@ -134,7 +244,11 @@ class PropertyParser {
       property_.elements_.push_back({.kind = Kind::kNumber, .number = number});
       return;
     }
-    Name(word, Subscript());
+    const std::optional<int> index = Subscript();
+    if (failed_) return;
+    const auto element = names_.Find(word, index, &property_);
+    if (!element.ok()) return Fail(element.error().message);
+    property_.elements_.push_back(element.value());
   }
 
   std::optional<int> Subscript() {
@@ -149,77 +263,8 @@ class PropertyParser {
     return index;
   }
 
-  void Name(std::string_view name, std::optional<int> index) {
-    for (const std::string_view prefix : {"ret", "thread"}) {
-      if (!name.starts_with(prefix)) continue;
-      std::string_view digits = name.substr(prefix.size());
-      if (prefix == "thread") {
-        if (!digits.ends_with(".result")) continue;
-        digits.remove_suffix(std::string_view(".result").size());
-      }
-      if (const auto number = ParseNumber(digits)) return Returned(name, *number);
-    }
-    if (name.starts_with("page")) {
-      const size_t dot = name.find('.');
-      const auto page =
-          dot == std::string_view::npos ? std::nullopt : ParseNumber(name.substr(4, dot - 4));
-      if (page) return Local(*page, name.substr(dot + 1), index);
-    }
-    const vm::Symbol* symbol = vm::FindGlobal(model_.image(), name);
-    if (symbol == nullptr) return Unknown(name);
-    Slot(*symbol, index, true, 0);
-  }
-
-  void Returned(std::string_view name, int number) {
-    for (int thread = 0; thread < model_.thread_count(); ++thread) {
-      if (model_.setup(thread).thread != number) continue;
-      const auto function = static_cast<size_t>(model_.setup(thread).function);
-      property_.elements_.push_back(
-          {.kind = Kind::kReturn,
-           .thread = thread,
-           .type = model_.image().object.functions[function].return_type});
-      return;
-    }
-    Fail(MakeMessage("'{0}': there is no thread {1}", "“{0}”：没有线程 {1}", name, number));
-  }
-
-  void Local(int page, std::string_view name, std::optional<int> index) {
-    for (int thread = 0; thread < model_.thread_count(); ++thread) {
-      if (model_.setup(thread).page != page) continue;
-      const vm::Symbol* symbol = vm::FindLocal(model_.image(), model_.setup(thread).function, name);
-      if (symbol == nullptr) break;
-      return Slot(*symbol, index, false, page);
-    }
-    Fail(MakeMessage("no thread has a variable '{0}' on page {1}", "数据页 {1} 上没有变量“{0}”",
-                     name, page));
-  }
-
-  void Slot(const vm::Symbol& symbol, std::optional<int> index, bool global, int page) {
-    if (index.has_value() != (symbol.array_size != 0) || index.value_or(0) >= symbol.slots()) {
-      return Fail(MakeMessage("'{0}' has {1} elements: write a number below that in brackets",
-                              "“{0}”有 {1} 个元素：请在方括号中写出下标", symbol.name,
-                              symbol.array_size));
-    }
-    vm::SlotAddress slot;
-    slot.global = global;
-    slot.page = static_cast<uint8_t>(page);
-    slot.id = static_cast<uint16_t>(symbol.id + index.value_or(0));
-    slot.type = symbol.type;
-    property_.elements_.push_back({.kind = Kind::kSlot, .slot = slot, .type = symbol.type});
-  }
-
-  void Unknown(std::string_view name) {
-    Nearest nearest(name);
-    for (const vm::Symbol& symbol : model_.image().object.globals) nearest.Add(symbol.name);
-    if (!nearest.best().empty()) {
-      return Fail(MakeMessage("there is no variable '{0}'; did you mean '{1}'?",
-                              "没有变量“{0}”；是否想写“{1}”？", name, nearest.best()));
-    }
-    Fail(MakeMessage("there is no variable '{0}'", "没有变量“{0}”", name));
-  }
-
   std::string_view text_;
-  const Model& model_;
+  Names names_;
   Property property_;
   size_t at_ = 0;
   bool failed_ = false;
@@ -227,26 +272,41 @@ class PropertyParser {
 };
 
 Result<Property> Property::Parse(std::string_view text, const Model& model) {
-  return PropertyParser(text, model).Parse();
+  return PropertyParser(text, ModelNames(model)).Parse();
+}
+
+Result<Property> Property::Parse(std::string_view text, const runtime::Controller& controller) {
+  return PropertyParser(text, CardNames(controller)).Parse();
 }
 
 bool Property::Holds(const Model& model) const {
+  return Evaluate([&](const Element& element) {
+    const int64_t raw = element.kind == Kind::kReturn ? model.ReturnValue(element.thread)
+                                                      : model.Read(element.slot);
+    return element.type == vm::DataType::kDouble ? vm::DoubleFromFixed(raw)
+                                                 : static_cast<double>(static_cast<int32_t>(raw));
+  });
+}
+
+bool Property::Holds(const runtime::Controller& controller) const {
+  return Evaluate([&](const Element& element) {
+    return runtime::ReadQuantity(quantities_[element.quantity], controller);
+  });
+}
+
+template <typename Value>
+bool Property::Evaluate(Value value) const {
   std::array<double, kElementMax> stack{};
   size_t top = 0;
-  const auto number = [](int64_t raw, vm::DataType type) {
-    return type == vm::DataType::kDouble ? vm::DoubleFromFixed(raw)
-                                         : static_cast<double>(static_cast<int32_t>(raw));
-  };
   for (const Element& element : elements_) {
     switch (element.kind) {
       case Kind::kNumber:
         stack[top++] = element.number;
         continue;
       case Kind::kSlot:
-        stack[top++] = number(model.Read(element.slot), element.type);
-        continue;
       case Kind::kReturn:
-        stack[top++] = number(model.ReturnValue(element.thread), element.type);
+      case Kind::kQuantity:
+        stack[top++] = value(element);
         continue;
       case Kind::kNot:
         stack[top - 1] = stack[top - 1] == 0 ? 1 : 0;

@@ -20,19 +20,29 @@ std::string_view ScopeName(Scope scope) {
   return "never";
 }
 
-Message DescribeFault(const Problem& problem, const Failure& failure) {
+Message DescribeFault(const Subject& subject, const Failure& failure) {
   if (failure.livelock) {
     return {"livelock: all threads can go on for ever without any coming to its end",
             "活锁：各线程可以一直运行而都不结束"};
   }
-  if (failure.fault.kind == Fault::Kind::kThread) {
-    return MakeMessage("thread {0} ends with a fault", "线程 {0} 因故障结束",
-                       problem.model.setup(failure.fault.thread).thread);
+  switch (failure.fault.kind) {
+    case Fault::Kind::kThread:
+      return MakeMessage("thread {0} ends with a fault", "线程 {0} 因故障结束",
+                         subject.threads[static_cast<size_t>(failure.fault.thread)].thread);
+    case Fault::Kind::kDeadlock:
+      return {
+          "deadlock: every running thread waits for a variable that nothing can change any more",
+          "死锁：所有运行中的线程都在等待不会再改变的变量"};
+    case Fault::Kind::kTimeLimit:
+      return {"threads still run at the scenario's limit_ms", "到场景的 limit_ms 时仍有线程在运行"};
+    case Fault::Kind::kNone:
+    case Fault::Kind::kRequirement:
+      break;
   }
-  const BoundRequirement& violated =
-      problem.requirements[static_cast<size_t>(failure.fault.requirement)];
+  const Requirement& violated =
+      subject.requirements[static_cast<size_t>(failure.fault.requirement)];
   return MakeMessage("{0}: {1} does not hold", "{0}: {1} 不成立", ScopeName(violated.scope),
-                     violated.property.text());
+                     violated.text);
 }
 
 std::vector<std::string_view> Lines(std::string_view source) {
@@ -49,60 +59,49 @@ std::vector<std::string_view> Lines(std::string_view source) {
   return lines;
 }
 
-/// One statement of the failing schedule.
-struct Row {
-  int thread = 0;
-  std::string text;
-};
-
 /// `12  t = x;` and, when it changed a variable, `-> t = 0`.
-std::vector<Row> RowsOf(const Problem& problem, const std::vector<uint8_t>& steps,
-                        const std::vector<std::string_view>& lines) {
-  std::vector<Row> rows;
-  Model model = problem.model;
-  for (const uint8_t thread : steps) {
-    const int line = model.Line(thread);
-    model.Step(thread);
-    Row row;
-    row.thread = thread;
-    row.text = fmt::format("{:>4}  ", line);
-    if (line > 0 && static_cast<size_t>(line) <= lines.size()) {
-      row.text += lines[static_cast<size_t>(line) - 1];
-    }
-    if (const std::string written = model.LastWrite(); !written.empty()) {
-      row.text += "   -> " + written;
-    }
-    rows.push_back(std::move(row));
+std::string TextOf(const TrailStep& step, const std::vector<std::string_view>& lines) {
+  std::string text = fmt::format("{:>4}  ", step.line);
+  if (step.line > 0 && static_cast<size_t>(step.line) <= lines.size()) {
+    text += lines[static_cast<size_t>(step.line) - 1];
   }
-  return rows;
+  if (!step.written.empty()) text += "   -> " + step.written;
+  return text;
 }
 
-std::string Table(const Problem& problem, const std::vector<Row>& rows, int64_t last_escape,
+/// A column per thread. With a card, a line of its own says when a cycle begins.
+std::string Table(const Subject& subject, const std::vector<TrailStep>& steps,
+                  const std::vector<std::string_view>& lines, int64_t last_escape,
                   Language language) {
-  const auto columns = static_cast<size_t>(problem.model.thread_count());
+  const size_t columns = subject.threads.size();
   std::vector<size_t> widths(columns);
   std::vector<std::string> heads(columns);
   for (size_t i = 0; i < columns; ++i) {
-    const ThreadSetup& setup = problem.model.setup(static_cast<int>(i));
-    const auto& functions = problem.model.image().object.functions;
+    const ThreadSetup& setup = subject.threads[i];
+    const auto& functions = subject.image->object.functions;
     heads[i] = fmt::format("{} {} {}", language == Language::kChinese ? "线程" : "thread",
                            setup.thread, functions[static_cast<size_t>(setup.function)].name);
     widths[i] = heads[i].size();
   }
-  for (const Row& row : rows) {
-    size_t& width = widths[static_cast<size_t>(row.thread)];
-    width = std::max(width, row.text.size());
+  std::vector<std::string> texts;
+  for (const TrailStep& step : steps) {
+    texts.push_back(TextOf(step, lines));
+    size_t& width = widths[static_cast<size_t>(step.thread)];
+    width = std::max(width, texts.back().size());
   }
   std::string text = "      ";
   for (size_t i = 0; i < columns; ++i) text += fmt::format("  {:<{}}", heads[i], widths[i]);
   while (text.ends_with(' ')) text.pop_back();
   text += '\n';
-  for (size_t i = 0; i < rows.size(); ++i) {
+  double at_ms = -1;
+  for (size_t i = 0; i < steps.size(); ++i) {
+    if (steps[i].at_ms != at_ms) text += fmt::format("{} ms\n", steps[i].at_ms);
+    at_ms = steps[i].at_ms;
     std::string line = fmt::format("{:>6}", i + 1);
-    for (size_t column = 0; column < static_cast<size_t>(rows[i].thread); ++column) {
+    for (size_t column = 0; column < static_cast<size_t>(steps[i].thread); ++column) {
       line += std::string(widths[column] + 2, ' ');
     }
-    line += "  " + rows[i].text;
+    line += "  " + texts[i];
     if (static_cast<int64_t>(i) == last_escape) {
       line += language == Language::kChinese ? "   <- 此后再无正确结局"
                                              : "   <- from here on every end is bad";
@@ -131,9 +130,8 @@ std::string CountsText(const Exploration& exploration, Language language) {
   return text;
 }
 
-std::string FailureText(const Problem& problem, const Failure& failure, std::string_view source,
-                        Language language) {
-  std::string text = DescribeFault(problem, failure).In(language) + '\n';
+std::string FailureText(const Findings& findings, const Failure& failure, Language language) {
+  std::string text = DescribeFault(findings.subject, failure).In(language) + '\n';
   text += MakeMessage(
               failure.fewest_preemptions
                   ? "statements: {0}, preemptions: {1}; no schedule with fewer preemptions fails"
@@ -143,31 +141,30 @@ std::string FailureText(const Problem& problem, const Failure& failure, std::str
               failure.steps.size(), failure.preemptions)
               .In(language) +
           "\n\n";
-  const auto lines = Lines(source);
-  text += Table(problem, RowsOf(problem, failure.steps, lines), failure.last_escape, language);
+  const auto lines = Lines(findings.source);
+  text += Table(findings.subject, findings.trail.steps, lines, failure.last_escape, language);
   if (failure.livelock) {
     text += MakeMessage("\nand then for ever:\n", "\n然后永远重复：\n").In(language);
-    Problem later = problem;
-    for (const uint8_t thread : failure.steps) later.model.Step(thread);
-    text += Table(problem, RowsOf(later, failure.cycle, lines), -1, language);
+    text += Table(findings.subject, findings.trail.cycle, lines, -1, language);
   }
   return text;
 }
 
 }  // namespace
 
-std::string TextReport(const Problem& problem, const Exploration& exploration,
-                       std::string_view source, Language language) {
+std::string TextReport(const Findings& findings, Language language) {
+  const Exploration& exploration = findings.exploration;
   std::string text = std::string(VerdictName(exploration.verdict)) + '\n';
-  if (exploration.verdict == Verdict::kIncomplete) text += exploration.why.In(language) + '\n';
+  if (!exploration.why.en.empty()) text += exploration.why.In(language) + '\n';
   text += CountsText(exploration, language);
   if (exploration.failure) {
-    text += '\n' + FailureText(problem, *exploration.failure, source, language);
+    text += '\n' + FailureText(findings, *exploration.failure, language);
   }
   return text;
 }
 
-std::string JsonReport(const Problem& problem, const Exploration& exploration) {
+std::string JsonReport(const Findings& findings) {
+  const Exploration& exploration = findings.exploration;
   nlohmann::ordered_json json;
   json["verdict"] = VerdictName(exploration.verdict);
   json["engine"] = EngineName(exploration.engine);
@@ -196,9 +193,9 @@ std::string JsonReport(const Problem& problem, const Exploration& exploration) {
       }
     }
   }
-  if (exploration.verdict == Verdict::kIncomplete) json["why"] = exploration.why.en;
+  if (!exploration.why.en.empty()) json["why"] = exploration.why.en;
   if (const auto& failure = exploration.failure) {
-    json["reason"] = DescribeFault(problem, *failure).en;
+    json["reason"] = DescribeFault(findings.subject, *failure).en;
     if (failure->fewest_preemptions) {
       json["min_preemptions_to_bad"] = failure->preemptions;
       json["min_steps_to_bad"] = failure->fewest_steps;
@@ -206,19 +203,19 @@ std::string JsonReport(const Problem& problem, const Exploration& exploration) {
     json["preemptions"] = failure->preemptions;
     json["last_escape"] = failure->last_escape;
     auto& segments = json["schedule"] = nlohmann::ordered_json::array();
-    for (const vm::ScheduleSegment& segment : ScheduleOf(problem, *failure).segments) {
+    for (const vm::ScheduleSegment& segment : ScheduleOf(findings.subject, *failure).segments) {
       segments.push_back({{"thread", segment.thread}, {"statements", segment.statements}});
     }
   }
   return json.dump(2) + '\n';
 }
 
-vm::Schedule ScheduleOf(const Problem& problem, const Failure& failure) {
+vm::Schedule ScheduleOf(const Subject& subject, const Failure& failure) {
   vm::Schedule schedule;
-  schedule.program_hash = problem.model.image().hash;
+  schedule.program_hash = subject.image->hash;
   const auto add = [&](const std::vector<uint8_t>& steps) {
     for (const uint8_t step : steps) {
-      const auto thread = static_cast<uint8_t>(problem.model.setup(step).thread);
+      const auto thread = static_cast<uint8_t>(subject.threads[step].thread);
       if (schedule.segments.empty() || schedule.segments.back().thread != thread) {
         schedule.segments.push_back({thread, 0});
       }

@@ -10,24 +10,33 @@
 
 #include "base/message.h"
 #include "explore/explorer.h"
+#include "explore/trail.h"
 #include "vm/schedule.h"
 
 namespace oncard::explore {
 
+/// All that a report is made of.
+struct Findings {
+  Subject subject;
+  Exploration exploration;
+  Trail trail;  ///< of the failure
+  /// The program's text, of which lines are shown; empty: line numbers alone.
+  std::string source;
+};
+
 /// The verdict with its counts; a failure as a table with one column per thread: source lines, what
-/// each statement wrote, and after which of them no good end was possible any more. `source` is the
-/// program's text, of which lines are shown; empty: line numbers alone.
-std::string TextReport(const Problem& problem, const Exploration& exploration,
-                       std::string_view source, Language language);
+/// each statement wrote, with a card the instants, and after which statement no good end was
+/// possible any more.
+std::string TextReport(const Findings& findings, Language language);
 
 /// A JSON object: `verdict`, `engine`, the counts of both engines that ran (`executions`,
 /// `blocked`, `redundant`, `traces`, `bad_traces`; `states`, `transitions`, `bad_states`;
 /// `final_globals`, `final_full`, `finals_pb0` ...), and of a failure `min_preemptions_to_bad` and
 /// `min_steps_to_bad` when they are exact, and its `schedule`.
-std::string JsonReport(const Problem& problem, const Exploration& exploration);
+std::string JsonReport(const Findings& findings);
 
 /// The failure's statements as a schedule that `oncard replay` runs; without checkpoints and
 /// scenario. A livelock's cycle is taken once.
-vm::Schedule ScheduleOf(const Problem& problem, const Failure& failure);
+vm::Schedule ScheduleOf(const Subject& subject, const Failure& failure);
 
 }  // namespace oncard::explore

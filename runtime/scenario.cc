@@ -48,6 +48,15 @@ std::string FormatValues(const std::vector<InitialValue>& values) {
   return fmt::format("{{ {} }}", fmt::join(texts, ", "));
 }
 
+// An inline table.
+std::string FormatWish(const ExploreWish& wish) {
+  std::string text =
+      fmt::format("{{ engine = {}, verdict = {}", Quote(wish.engine), Quote(wish.verdict));
+  if (wish.max_executions != 0) text += fmt::format(", max_executions = {}", wish.max_executions);
+  if (wish.max_states != 0) text += fmt::format(", max_states = {}", wish.max_states);
+  return text + " }";
+}
+
 // Microseconds as the shortest number of milliseconds.
 std::string FormatMs(int64_t microseconds) {
   return fmt::format("{}", static_cast<double>(microseconds) / 1000);
@@ -102,6 +111,9 @@ std::string FormatScenario(const Scenario& scenario) {
     for (const Expectation& expectation : scenario.expectations) texts.push_back(expectation.text);
     text += fmt::format("expect = {}\n", QuoteAll(texts));
   }
+  if (!scenario.always.empty()) text += fmt::format("always = {}\n", QuoteAll(scenario.always));
+  if (!scenario.never.empty()) text += fmt::format("never = {}\n", QuoteAll(scenario.never));
+  if (scenario.explore) text += fmt::format("explore = {}\n", FormatWish(*scenario.explore));
   if (!scenario.keys.empty()) {
     std::vector<std::string> presses;
     for (const KeyPress& press : scenario.keys) {

@@ -45,6 +45,16 @@ struct HostEvent {
   bool operator==(const HostEvent&) const = default;
 };
 
+/// How a scenario is explored.
+struct ExploreWish {
+  std::string engine = "auto";
+  std::string verdict = "PROVED";  ///< that must come of it
+  /// 0: what the explorer takes by itself.
+  int64_t max_executions = 0;
+  int64_t max_states = 0;
+  bool operator==(const ExploreWish&) const = default;
+};
+
 /// Where a scenario's defaults come from, and its limits.
 inline constexpr int kRateDefault = 100;           ///< statements per ms (GTS manual 10.2)
 inline constexpr int64_t kCycleUsDefault = 250;    ///< profile cycle
@@ -76,6 +86,11 @@ struct Scenario {
   /// Names whose values over time a trace holds; empty: RunOptions::trace says which.
   std::vector<std::string> trace;
   std::vector<Expectation> expectations;
+  /// For the explorer: expressions that must hold, or not hold, in every state.
+  std::vector<std::string> always;
+  std::vector<std::string> never;
+  /// `oncard test` explores the scenario, too.
+  std::optional<ExploreWish> explore;
   std::vector<KeyPress> keys;  ///< of a host program, in order of time
 };
 

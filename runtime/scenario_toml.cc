@@ -13,10 +13,15 @@
 namespace oncard::runtime {
 namespace {
 
-constexpr std::array<std::string_view, 17> kScenarioKeys = {
-    "program", "title",    "include",  "double",   "schedule", "rate",
-    "axes",    "cycle_us", "limit_ms", "until_ms", "globals",  "thread",
-    "world",   "host",     "trace",    "expect",   "keys"};
+constexpr std::array<std::string_view, 20> kScenarioKeys = {
+    "program",  "title",    "include",  "double",  "schedule", "rate",  "axes",
+    "cycle_us", "limit_ms", "until_ms", "globals", "thread",   "world", "host",
+    "trace",    "expect",   "always",   "never",   "explore",  "keys"};
+constexpr std::array<std::string_view, 4> kExploreKeys = {"engine", "verdict", "max_executions",
+                                                          "max_states"};
+constexpr std::array<std::string_view, 3> kEngineNames = {"auto", "dpor", "stateful"};
+constexpr std::array<std::string_view, 4> kVerdictNames = {"PROVED", "PASSED", "FAILED",
+                                                           "INCOMPLETE"};
 constexpr std::array<std::string_view, 2> kKeyKeys = {"at_ms", "text"};
 constexpr std::array<std::string_view, 6> kThreadKeys = {"thread", "function",  "page",
                                                          "init",   "period_ms", "priority"};
@@ -71,6 +76,9 @@ class ScenarioReader : private TomlKeys {
                      [](const HostEvent& a, const HostEvent& b) { return a.at_us < b.at_us; });
     Texts(table, "trace", scenario_.trace);
     ReadExpectations(table);
+    Texts(table, "always", scenario_.always);
+    Texts(table, "never", scenario_.never);
+    ReadExplore(table);
     for (const toml::table* key : Tables(table, "keys")) ReadKeys(*key);
     std::stable_sort(scenario_.keys.begin(), scenario_.keys.end(),
                      [](const KeyPress& a, const KeyPress& b) { return a.at_us < b.at_us; });
@@ -147,6 +155,27 @@ class ScenarioReader : private TomlKeys {
       Fail(table.source(), {"'text' is missing: the keys to press", "缺少“text”：要按的键"});
     }
     scenario_.keys.push_back(std::move(press));
+  }
+
+  void ReadExplore(const toml::table& table) {
+    const toml::node* node = table.get("explore");
+    if (node == nullptr) return;
+    ExploreWish wish;
+    if (node->value_exact<std::string>() == "prove") {
+      scenario_.explore = wish;
+    } else if (const toml::table* wishes = node->as_table()) {
+      CheckKeys(*wishes, kExploreKeys);
+      wish.engine = kEngineNames[Choice(*wishes, "engine", kEngineNames, 0)];
+      wish.verdict = kVerdictNames[Choice(*wishes, "verdict", kVerdictNames, 0)];
+      wish.max_executions = Whole(*wishes, "max_executions", 0, 1, 1'000'000'000'000);
+      wish.max_states = Whole(*wishes, "max_states", 0, 1, 4'000'000'000);
+      scenario_.explore = std::move(wish);
+    } else {
+      Fail(node->source(),
+           {"'explore' must be \"prove\", or a table as in { engine = \"stateful\", verdict = "
+            "\"FAILED\" }",
+            "“explore”应为 \"prove\"，或如 { engine = \"stateful\", verdict = \"FAILED\" } 的表"});
+    }
   }
 
   void ReadExpectations(const toml::table& table) {

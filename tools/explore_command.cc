@@ -1,11 +1,7 @@
 // oncard explore: can any interleaving of the threads go wrong?
-#include <algorithm>
-
 #include "base/files.h"
-#include "explore/report.h"
+#include "explore/scenario_exploration.h"
 #include "runtime/scenario_run.h"
-#include "runtime/scenario_start.h"
-#include "runtime/scenario_world.h"
 #include "tools/commands.h"
 
 namespace oncard::tools {
@@ -13,11 +9,11 @@ namespace {
 
 struct ExploreArguments {
   std::string path;
-  std::string engine = "auto";
+  std::string engine;  ///< empty: as the scenario says
   std::string format = "text";
   std::string save;
-  int64_t execution_limit = explore::ExploreOptions{}.execution_limit;
-  uint32_t state_limit = explore::ExploreOptions{}.state_limit;
+  int64_t execution_limit = 0;  ///< 0: as the scenario says
+  uint32_t state_limit = 0;
 };
 
 /// A file to be explored: its scenario, what it requires, its program.
@@ -27,32 +23,6 @@ struct Subject {
   vm::Object object;
   std::string source;  ///< of a program that was compiled
 };
-
-Result<std::vector<explore::Requirement>> RequirementsOf(const runtime::Scenario& scenario) {
-  std::vector<explore::Requirement> requirements;
-  for (const runtime::Expectation& expectation : scenario.expectations) {
-    if (expectation.at_us || expectation.tolerance != 0) {
-      return MakeError(1,
-                       "'{0}' cannot be explored: an expectation of an interleaving has no instant "
-                       "and no tolerance",
-                       "无法探索“{0}”：交错探索的期望不能带时刻或容差", expectation.text);
-    }
-    requirements.push_back({explore::Scope::kFinal, expectation.text});
-  }
-  return requirements;
-}
-
-/// Fails when the scenario has things happen at instants.
-Result<void> CheckTimeless(const runtime::Scenario& scenario) {
-  const bool periodic = std::ranges::any_of(
-      scenario.threads, [](const runtime::ThreadStart& start) { return start.period_ms != 0; });
-  if (!periodic && scenario.host.empty()) return {};
-  return MakeError(
-      1,
-      "a scenario with periodic threads or host events cannot be explored: an "
-      "interleaving has no instants; remove them, or start the thread once",
-      "带周期线程或主机事件的场景无法探索：交错没有时刻；应去掉它们，或只启动线程一次");
-}
 
 /// Gives the exit code; the subject is filled in when that is kExitOk.
 int ReadSource(const ExploreArguments& arguments, const Session& session, Subject* subject) {
@@ -72,11 +42,7 @@ int ReadScenario(const ExploreArguments& arguments, const Session& session, Subj
   auto scenario = runtime::LoadScenario(arguments.path);
   if (!scenario.ok()) return Fail(session, kExitUnreadable, scenario.error().message);
   subject->scenario = std::move(scenario).value();
-  const auto timeless = CheckTimeless(subject->scenario);
-  if (!timeless.ok()) return Fail(session, kExitUsage, timeless.error().message);
-  auto requirements = RequirementsOf(subject->scenario);
-  if (!requirements.ok()) return Fail(session, kExitUsage, requirements.error().message);
-  subject->requirements = std::move(requirements).value();
+  subject->requirements = explore::RequirementsOf(subject->scenario);
   runtime::ProgramLoad load;
   const int loaded =
       LoadOrReport(session, runtime::ProgramPath(subject->scenario),
@@ -89,11 +55,12 @@ int ReadScenario(const ExploreArguments& arguments, const Session& session, Subj
 
 /// Writes the failing schedule with checkpoints, as a run of it records them.
 int Save(const ExploreArguments& arguments, const Session& session, const Subject& subject,
-         const explore::Problem& problem, const explore::Failure& failure) {
+         const explore::Findings& findings) {
   const runtime::Scenario moved = runtime::MoveScenario(subject.scenario, arguments.save);
   runtime::RunOptions options;
   options.record = true;
-  options.replay = std::make_shared<const vm::Schedule>(explore::ScheduleOf(problem, failure));
+  options.replay = std::make_shared<const vm::Schedule>(
+      explore::ScheduleOf(findings.subject, *findings.exploration.failure));
   auto run = runtime::RunScenario(subject.scenario, subject.object, options);
   if (!run.ok()) return Fail(session, kExitInternal, run.error().message);
   vm::Schedule schedule = std::move(*run.value().schedule);
@@ -105,6 +72,8 @@ int ExitCodeOf(explore::Verdict verdict) {
   switch (verdict) {
     case explore::Verdict::kProved:
       return kExitOk;
+    case explore::Verdict::kPassed:
+      return kExitBounded;
     case explore::Verdict::kFailed:
       return kExitFailed;
     case explore::Verdict::kIncomplete:
@@ -119,28 +88,22 @@ int Explore(const ExploreArguments& arguments, const Session& session) {
   const int read = is_scenario ? ReadScenario(arguments, session, &subject)
                                : ReadSource(arguments, session, &subject);
   if (read != kExitOk) return read;
-  runtime::Controller controller(runtime::CardOptions(subject.scenario));
-  auto started = runtime::StartScenario(subject.scenario, subject.object, &controller);
-  if (!started.ok()) return Fail(session, kExitUsage, started.error().message);
-  auto model = explore::Model::Create(controller.machine());
-  if (!model.ok()) return Fail(session, kExitUsage, model.error().message);
-  const auto problem = explore::BindProblem(std::move(model).value(), subject.requirements);
-  if (!problem.ok()) return Fail(session, kExitUsage, problem.error().message);
-  explore::ExploreOptions options;
-  options.engine = *explore::EngineNamed(arguments.engine);
-  options.execution_limit = arguments.execution_limit;
-  options.state_limit = arguments.state_limit;
-  const auto exploration = explore::Explore(problem.value(), options);
-  if (!exploration.ok()) return Fail(session, kExitUsage, exploration.error().message);
-  PrintResult(arguments.format == "json" ? explore::JsonReport(problem.value(), exploration.value())
-                                         : explore::TextReport(problem.value(), exploration.value(),
-                                                               subject.source, session.language));
-  if (exploration.value().failure && !arguments.save.empty()) {
-    const int saved =
-        Save(arguments, session, subject, problem.value(), *exploration.value().failure);
+  explore::ExploreOptions options =
+      explore::OptionsOf(subject.scenario.explore.value_or(runtime::ExploreWish{}));
+  if (!arguments.engine.empty()) options.engine = *explore::EngineNamed(arguments.engine);
+  if (arguments.execution_limit != 0) options.execution_limit = arguments.execution_limit;
+  if (arguments.state_limit != 0) options.state_limit = arguments.state_limit;
+  auto findings =
+      explore::ExploreScenario(subject.scenario, subject.requirements, subject.object, options);
+  if (!findings.ok()) return Fail(session, kExitUsage, findings.error().message);
+  findings.value().source = subject.source;
+  PrintResult(arguments.format == "json" ? explore::JsonReport(findings.value())
+                                         : explore::TextReport(findings.value(), session.language));
+  if (findings.value().exploration.failure && !arguments.save.empty()) {
+    const int saved = Save(arguments, session, subject, findings.value());
     if (saved != kExitOk) return saved;
   }
-  return ExitCodeOf(exploration.value().verdict);
+  return ExitCodeOf(findings.value().exploration.verdict);
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ enum ExitCode : int {
   kExitUsage = 2,
   kExitUnreadable = 3,
   kExitInternal = 4,
+  kExitBounded = 5,
   kExitIncomplete = 6,
 };
 
@@ -36,6 +37,8 @@ inline constexpr std::array kExitCodeTexts = {
                  "命令行或其中的名称有误"},
     ExitCodeText{kExitUnreadable, "a file cannot be read or written", "文件无法读写"},
     ExitCodeText{kExitInternal, "a bug of oncard", "oncard 自身的错误"},
+    ExitCodeText{kExitBounded, "nothing goes wrong up to the bound of the search",
+                 "在搜索范围内没有错误"},
     ExitCodeText{kExitIncomplete, "the search reached a limit before it was done",
                  "搜索达到上限而未完成"},
 };

@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "compiler/diagnostic_printer.h"
+#include "explore/scenario_exploration.h"
 #include "tools/commands.h"
 #include "tools/run_report.h"
 #include "tools/test_report.h"
@@ -54,6 +55,29 @@ Message DescribeDiagnostics(const compiler::Compilation& compilation) {
   return message;
 }
 
+// Explores in place of a run: the verdict must be the one that the scenario names.
+void ExploreTest(const runtime::Scenario& scenario, runtime::ProgramLoad load,
+                 TestOutcome* outcome) {
+  auto findings =
+      explore::ExploreScenario(scenario, explore::RequirementsOf(scenario), std::move(*load.object),
+                               explore::OptionsOf(*scenario.explore));
+  if (!findings.ok()) {
+    outcome->failures.push_back(findings.error().message);
+    return;
+  }
+  if (load.compilation) findings.value().source = load.compilation->files[0].text();
+  const std::string_view verdict = explore::VerdictName(findings.value().exploration.verdict);
+  if (verdict == scenario.explore->verdict) return;
+  const auto report = [&](Language language) {
+    std::string text = explore::TextReport(findings.value(), language);
+    while (text.ends_with('\n')) text.pop_back();
+    return text;
+  };
+  outcome->failures.push_back(MakeMessage("the verdict should be {0}:\n{1}", "结论应为 {0}：\n{2}",
+                                          scenario.explore->verdict, report(Language::kEnglish),
+                                          report(Language::kChinese)));
+}
+
 TestOutcome RunTest(const std::string& path) {
   TestOutcome outcome;
   outcome.path = path;
@@ -67,6 +91,10 @@ TestOutcome RunTest(const std::string& path) {
   if (!load.object) {
     outcome.failures.push_back(load.error ? load.error->message
                                           : DescribeDiagnostics(*load.compilation));
+    return outcome;
+  }
+  if (scenario.value().explore) {
+    ExploreTest(scenario.value(), std::move(load), &outcome);
     return outcome;
   }
   const auto result = runtime::RunScenario(scenario.value(), std::move(*load.object));

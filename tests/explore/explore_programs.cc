@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "compiler/compiler.h"
+#include "explore/scenario_exploration.h"
 #include "runtime/scenario_start.h"
 #include "runtime/scenario_world.h"
 
@@ -32,6 +33,18 @@ Problem ProblemOf(const std::string& source) {
   runtime::Controller controller(runtime::CardOptions(read.scenario));
   if (!runtime::StartScenario(read.scenario, *compilation.object, &controller).ok()) std::abort();
   return Need(BindProblem(Need(Model::Create(controller.machine())), read.requirements));
+}
+
+CardModel CardOf(const std::string& source, const std::string& keys) {
+  auto compilation = compiler::CompileText("program.c", source, {}, [](const std::string&) {
+    return Result<std::string>(MakeError(1, "no files", "无文件"));
+  });
+  if (!compilation.ok()) std::abort();
+  const CommentProblem read = Need(ReadComments("program.c", source, *compilation.object));
+  runtime::Scenario scenario =
+      Need(runtime::ParseScenario("program = \"program.c\"\n" + keys, "test.toml"));
+  scenario.threads = read.scenario.threads;
+  return Need(CardModel::Create(scenario, RequirementsOf(scenario), *compilation.object));
 }
 
 std::string Increments(int threads, int times) {

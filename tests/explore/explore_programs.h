@@ -3,12 +3,17 @@
 
 #include <string>
 
+#include "explore/card_model.h"
 #include "explore/problem.h"
 
 namespace oncard::explore {
 
 /// The problem of a source with //@ comments; a failure is reported and aborts the test program.
 Problem ProblemOf(const std::string& source);
+
+/// A card whose functions t0, t1, ... are bound as comments would bind them; `keys` are further
+/// lines of the scenario.
+CardModel CardOf(const std::string& source, const std::string& keys);
 
 /// `threads` threads that each increment `x` `times` times in three statements, from 0 on.
 std::string Increments(int threads, int times);

@@ -10,11 +10,18 @@
 namespace oncard::explore {
 namespace {
 
+Findings FindingsOf(const Problem& problem, const Exploration& exploration,
+                    const std::string& source = {}) {
+  Findings findings = {SubjectOf(problem), exploration, {}, source};
+  if (exploration.failure) findings.trail = Follow(problem, *exploration.failure);
+  return findings;
+}
+
 TEST(ReportTest, AFailureIsATableOfThreads) {
   const std::string source = Increments(2, 1);
   const Problem problem = ProblemOf(source);
   const auto exploration = Explore(problem, {.engine = EngineKind::kStateful});
-  EXPECT_EQ(TextReport(problem, exploration.value(), source, Language::kEnglish),
+  EXPECT_EQ(TextReport(FindingsOf(problem, exploration.value(), source), Language::kEnglish),
             "FAILED\n"
             "stateful: 41 states, 60 transitions, 1 bad, 2 different ends\n"
             "\n"
@@ -35,7 +42,7 @@ TEST(ReportTest, AFailureIsATableOfThreads) {
 TEST(ReportTest, JsonHasTheCounts) {
   const Problem problem = ProblemOf(Increments(2, 1));
   const auto exploration = Explore(problem, {});
-  const auto json = nlohmann::json::parse(JsonReport(problem, exploration.value()));
+  const auto json = nlohmann::json::parse(JsonReport(FindingsOf(problem, exploration.value())));
   EXPECT_EQ(json["verdict"], "FAILED");
   EXPECT_EQ(json["executions"], 4);
   EXPECT_EQ(json["blocked"], 0);
@@ -58,7 +65,7 @@ TEST(ReportTest, TheScheduleJoinsStepsOfAThread) {
   const Problem problem = ProblemOf(Increments(2, 1));
   Failure failure;
   failure.steps = {0, 1, 1, 0};
-  const vm::Schedule schedule = ScheduleOf(problem, failure);
+  const vm::Schedule schedule = ScheduleOf(SubjectOf(problem), failure);
   EXPECT_EQ(schedule.segments, (std::vector<vm::ScheduleSegment>{{0, 1}, {1, 2}, {0, 1}}));
   EXPECT_EQ(schedule.program_hash, problem.model.image().hash);
 }

@@ -15,6 +15,9 @@ cycle_us = 1000
 limit_ms = 500
 until_ms = 12.5
 expect = ["sum == 3", "gpo == 1 @ 2ms"]
+always = ["sum < 100"]
+never = ["gpo == 2 && sum == 1"]
+explore = { engine = "stateful", verdict = "PASSED", max_states = 1000 }
 
 [globals]
 sum = 0
@@ -53,6 +56,15 @@ Scenario Parse(const std::string& text) {
 std::string ErrorOf(const std::string& text) {
   const auto scenario = ParseScenario(text, "s.toml");
   return scenario.ok() ? "no error" : scenario.error().message.en;
+}
+
+TEST(ParseScenario, ReadsHowToExplore) {
+  const Scenario s = Parse(kFull);
+  EXPECT_EQ(s.always, std::vector<std::string>{"sum < 100"});
+  EXPECT_EQ(s.never, std::vector<std::string>{"gpo == 2 && sum == 1"});
+  EXPECT_EQ(s.explore, (ExploreWish{"stateful", "PASSED", 0, 1000}));
+  EXPECT_EQ(Parse("program = \"p.c\"\nexplore = \"prove\"\n").explore, ExploreWish{});
+  EXPECT_FALSE(Parse("program = \"p.c\"\n").explore);
 }
 
 TEST(ParseScenario, ReadsEverything) {
@@ -156,6 +168,11 @@ INSTANTIATE_TEST_SUITE_P(
                 "s.toml:2:10: 'double' is '8.8': expected \"32.16\" or \"16.16\""},
         BadCase{"program = \"p.c\"\nuntil_ms = -1\n",
                 "s.toml:2:12: 'until_ms' must be a time in ms, from 0 to 1000000000"},
+        BadCase{"program = \"p.c\"\nexplore = \"maybe\"\n",
+                "s.toml:2:11: 'explore' must be \"prove\", or a table as in { engine = "
+                "\"stateful\", verdict = \"FAILED\" }"},
+        BadCase{"program = \"p.c\"\nexplore = { engin = \"dpor\" }\n",
+                "s.toml:2:13: unknown key 'engin'; did you mean 'engine'?"},
         BadCase{"program = \"p.c\"\nexpect = \"x == 1\"\n",
                 "s.toml:2:10: 'expect' must be a list of texts, as in [\"sum == 5050\"]"},
         BadCase{"program = \"p.c\"\nglobals = 3\n",

@@ -29,6 +29,8 @@ int t1()
 }
 )";
 
+const std::string kEstop = ONCARD_SOURCE_DIR "/samples/28_estop";
+
 std::string Replaced(std::string text, const std::string& from, const std::string& to) {
   text.replace(text.find(from), from.size(), to);
   return text;
@@ -82,20 +84,49 @@ TEST(Explore, TakesScenarios) {
   };
   EXPECT_EQ(explore("program = \"p.c\"\nexpect = [\"g == 2\"]\n").exit_code, 1);
   EXPECT_EQ(explore("program = \"p.c\"\nexpect = [\"g >= 1\"]\n").exit_code, 0);
-  const ProcessResult instant = explore("program = \"p.c\"\nexpect = [\"g == 2 @ 5ms\"]\n");
-  EXPECT_EQ(instant.exit_code, 2);
-  EXPECT_NE(instant.err.find("no instant"), std::string::npos) << instant.err;
-  const ProcessResult periodic = explore("program = \"p.c\"\n", "period_ms = 10\n");
-  EXPECT_EQ(periodic.exit_code, 2);
-  EXPECT_NE(periodic.err.find("periodic"), std::string::npos) << periodic.err;
+  // Time and the card come in where the scenario asks for them.
+  EXPECT_EQ(explore("program = \"p.c\"\nexpect = [\"g == 2 @ 5ms\"]\n").exit_code, 1);
+  EXPECT_EQ(explore("program = \"p.c\"\nexpect = [\"g >= 1 @ 5ms\"]\n").exit_code, 0);
+  EXPECT_EQ(explore("program = \"p.c\"\nuntil_ms = 3\nalways = [\"g < 50\"]\n", "period_ms = 1\n")
+                .exit_code,
+            5);
+  EXPECT_EQ(explore("program = \"p.c\"\nnever = [\"g == 2 && ret0 == 1\"]\n").exit_code, 0);
 }
 
-TEST(Explore, RefusesWhatDependsOnTheCard) {
+TEST(Explore, RefusesHostEvents) {
   const ScratchFolder scratch;
-  const ProcessResult result = RunOncard(
-      {"explore", scratch.Write("p.c", "int t0()\n{\n  GT_AxisOn(1);\n  return 0;\n}\n")});
+  scratch.Write("p.c", kLostUpdate);
+  const ProcessResult result =
+      RunOncard({"explore", scratch.Write("s.toml",
+                                          "program = \"p.c\"\n[[thread]]\nfunction = \"t0\"\n"
+                                          "[[host]]\nat_ms = 1\nset = { g = 1 }\n")});
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_NE(result.err.find("function t0 calls a GT command"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("host events"), std::string::npos) << result.err;
+}
+
+TEST(Explore, TheDporEngineKnowsNoTime) {
+  const ScratchFolder scratch;
+  const ProcessResult result =
+      RunOncard({"explore", "--engine=dpor",
+                 scratch.Write("p.c", "int t0()\n{\n  GT_AxisOn(1);\n  return 0;\n}\n")});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("stateful"), std::string::npos) << result.err;
+}
+
+TEST(Explore, FindsTheOrderInWhichTheAxisMovesAfterTheStop) {
+  const ProcessResult result = RunOncard({"explore", kEstop + "/check_act.toml"});
+  EXPECT_EQ(result.exit_code, 1);
+  ExpectGolden("explore_estop.txt", result.out);
+  EXPECT_EQ(RunOncard({"explore", kEstop + "/act_check.toml"}).exit_code, 0);
+}
+
+TEST(Explore, TheScheduleWithACardReplays) {
+  const ScratchFolder scratch;
+  const std::string saved = scratch.path() + "/estop.schedule";
+  RunOncard({"explore", kEstop + "/check_act.toml", "--save", saved});
+  const ProcessResult replay = RunOncard({"replay", saved, "--format=json"});
+  EXPECT_EQ(replay.exit_code, 1);
+  EXPECT_NE(replay.out.find("axis1.moving == 0 @ 100ms"), std::string::npos) << replay.out;
 }
 
 }  // namespace

@@ -1,0 +1,87 @@
+#include "explore/card_graph.h"
+
+#include <bit>
+#include <deque>
+#include <utility>
+
+#include "explore/key_set.h"
+
+namespace oncard::explore {
+namespace {
+
+class CardSearch {
+ public:
+  CardSearch(CardModel* model, const StateLimits& limits) : model_(*model), limits_(limits) {
+    result_.graph.threads = model->thread_count();
+  }
+
+  CardGraph Run() {
+    StateGraph& graph = result_.graph;
+    Enter(model_.Start());
+    for (; !waiting_.empty(); waiting_.pop_front()) {
+      if (graph.size() > limits_.states) return Finish(false);
+      if (limits_.stop != nullptr && limits_.stop->load(std::memory_order_relaxed)) {
+        return Finish(false);
+      }
+      const auto& [number, state] = waiting_.front();
+      for (uint32_t choices = state.choices; choices != 0; choices &= choices - 1) {
+        const int thread = std::countr_zero(choices);
+        const uint32_t next = Enter(model_.Step(state, thread));
+        graph.successors[size_t{number} * static_cast<size_t>(graph.threads) +
+                         static_cast<size_t>(thread)] = next;
+        ++graph.transitions;
+      }
+    }
+    return Finish(true);
+  }
+
+ private:
+  /// The number of a state; a new one is judged and waits for its turn.
+  uint32_t Enter(CardModel::State state) {
+    bool added = false;
+    const uint32_t number = numbers_.FindOrAdd(model_.KeyOf(state), &added);
+    if (!added) return number;
+    StateGraph& graph = result_.graph;
+    graph.successors.resize(graph.successors.size() + static_cast<size_t>(graph.threads),
+                            StateGraph::kNone);
+    uint8_t flags = 0;
+    if (state.ended) {
+      flags |= kTerminal;
+      result_.cut = result_.cut || (!state.finished && !state.fault);
+    }
+    if (state.finished) {
+      globals_.Insert(model_.GlobalsKey(state));
+      full_.Insert(model_.FinalKey(state));
+    }
+    if (state.fault) {
+      flags |= kBad;
+      ++result_.bad_states;
+    }
+    graph.flags.push_back(flags);
+    if (!state.ended) waiting_.emplace_back(number, std::move(state));
+    return number;
+  }
+
+  CardGraph Finish(bool complete) {
+    result_.graph.complete = complete;
+    result_.final_globals = globals_.size();
+    result_.final_full = full_.size();
+    return std::move(result_);
+  }
+
+  CardModel& model_;
+  const StateLimits& limits_;
+  CardGraph result_;
+  std::deque<std::pair<uint32_t, CardModel::State>> waiting_;
+  KeySet numbers_;
+  KeySet globals_;
+  KeySet full_;
+};
+
+}  // namespace
+
+CardGraph BuildCardGraph(CardModel* model, const StateLimits& limits) {
+  return CardSearch(model, limits).Run();
+}
+
+}  // namespace oncard::explore

@@ -1,0 +1,94 @@
+#include "explore/scenario_exploration.h"
+
+#include <algorithm>
+
+#include "runtime/scenario_start.h"
+#include "runtime/scenario_world.h"
+
+namespace oncard::explore {
+namespace {
+
+Result<Findings> ExploreProgram(const runtime::Scenario& scenario,
+                                std::vector<Requirement> requirements, vm::Object object,
+                                const ExploreOptions& options) {
+  for (const runtime::Expectation& expectation : scenario.expectations) {
+    requirements.push_back({Scope::kFinal, expectation.text});
+  }
+  runtime::Controller controller(runtime::CardOptions(scenario));
+  auto started = runtime::StartScenario(scenario, std::move(object), &controller);
+  if (!started.ok()) return started.error();
+  auto model = Model::Create(controller.machine());
+  if (!model.ok()) return model.error();
+  const auto problem = BindProblem(std::move(model).value(), requirements);
+  if (!problem.ok()) return problem.error();
+  auto exploration = Explore(problem.value(), options);
+  if (!exploration.ok()) return exploration.error();
+  Findings findings = {SubjectOf(problem.value()), std::move(exploration).value(), {}, {}};
+  if (findings.exploration.failure) {
+    findings.trail = Follow(problem.value(), *findings.exploration.failure);
+  }
+  return findings;
+}
+
+Result<Findings> ExploreWithCard(const runtime::Scenario& scenario,
+                                 const std::vector<Requirement>& requirements, vm::Object object,
+                                 const ExploreOptions& options) {
+  if (options.engine == EngineKind::kDpor) {
+    return MakeError(1, "time and the card are part of the states here: use the engine stateful",
+                     "此处时间与控制卡属于状态的一部分：请使用 stateful 引擎");
+  }
+  auto model = CardModel::Create(scenario, requirements, std::move(object));
+  if (!model.ok()) return model.error();
+  Findings findings = {SubjectOf(model.value()), ExploreCard(&model.value(), options), {}, {}};
+  if (findings.exploration.failure) {
+    findings.trail = Follow(&model.value(), *findings.exploration.failure);
+  }
+  return findings;
+}
+
+}  // namespace
+
+std::vector<Requirement> RequirementsOf(const runtime::Scenario& scenario) {
+  std::vector<Requirement> requirements;
+  for (const std::string& text : scenario.always) requirements.push_back({Scope::kAlways, text});
+  for (const std::string& text : scenario.never) requirements.push_back({Scope::kNever, text});
+  return requirements;
+}
+
+ExploreOptions OptionsOf(const runtime::ExploreWish& wish) {
+  ExploreOptions options;
+  options.engine = EngineNamed(wish.engine).value_or(EngineKind::kAuto);
+  if (wish.max_executions != 0) options.execution_limit = wish.max_executions;
+  if (wish.max_states != 0) options.state_limit = static_cast<uint32_t>(wish.max_states);
+  return options;
+}
+
+bool NeedsCard(const runtime::Scenario& scenario, const vm::Object& object) {
+  const auto calls = [](const vm::Function& function) {
+    return std::ranges::any_of(function.instructions, [](const vm::Instruction& instruction) {
+      return instruction.opcode == vm::Opcode::kCommand;
+    });
+  };
+  return std::ranges::any_of(object.functions, calls) ||
+         std::ranges::any_of(scenario.threads,
+                             [](const auto& thread) { return thread.period_ms != 0; }) ||
+         std::ranges::any_of(scenario.expectations, [](const auto& expectation) {
+           return expectation.at_us.has_value() || expectation.tolerance != 0;
+         });
+}
+
+Result<Findings> ExploreScenario(const runtime::Scenario& scenario,
+                                 const std::vector<Requirement>& requirements, vm::Object object,
+                                 const ExploreOptions& options) {
+  if (!scenario.host.empty()) {
+    return MakeError(1,
+                     "a scenario with host events cannot be explored: start the threads with the "
+                     "values that the host would write",
+                     "带主机事件的场景无法探索：应在启动线程时就给出主机要写入的值");
+  }
+  return NeedsCard(scenario, object)
+             ? ExploreWithCard(scenario, requirements, std::move(object), options)
+             : ExploreProgram(scenario, requirements, std::move(object), options);
+}
+
+}  // namespace oncard::explore

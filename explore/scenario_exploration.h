@@ -1,0 +1,31 @@
+// Explores a scenario: chooses whether the program is explored alone or together with its card.
+// Tested by tests/explore/scenario_exploration_test.cc.
+#pragma once
+
+#include <vector>
+
+#include "base/result.h"
+#include "explore/report.h"
+#include "runtime/scenario.h"
+#include "vm/object.h"
+
+namespace oncard::explore {
+
+/// `always` and `never` of a scenario.
+std::vector<Requirement> RequirementsOf(const runtime::Scenario& scenario);
+
+/// What the scenario wishes, where it wishes something.
+ExploreOptions OptionsOf(const runtime::ExploreWish& wish);
+
+/// True when time or the card matters: the program calls GT commands, a thread is periodic, or an
+/// expectation has an instant.
+bool NeedsCard(const runtime::Scenario& scenario, const vm::Object& object);
+
+/// Explores the scenario with its expectations and the requirements; Findings::source is left to
+/// the caller. Fails when the scenario does not fit the program, has host events, or a requirement
+/// makes no sense.
+Result<Findings> ExploreScenario(const runtime::Scenario& scenario,
+                                 const std::vector<Requirement>& requirements, vm::Object object,
+                                 const ExploreOptions& options);
+
+}  // namespace oncard::explore

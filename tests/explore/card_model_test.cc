@@ -1,0 +1,166 @@
+// A card as a transition system: time, fairness, ends, states that can be put back.
+#include "explore/card_model.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <random>
+
+#include "explore/card_graph.h"
+#include "explore/explorer.h"
+#include "explore_programs.h"
+
+namespace oncard::explore {
+namespace {
+
+/// Follows the choices that `choose` makes among the possible ones, to the end.
+template <typename Choose>
+CardModel::State RunToEnd(CardModel* model, Choose choose, std::string* order = nullptr) {
+  CardModel::State state = model->Start();
+  while (!state.ended) {
+    const int thread = choose(state.choices);
+    if (order != nullptr) *order += static_cast<char>('0' + thread);
+    state = model->Step(state, thread);
+  }
+  return state;
+}
+
+int First(uint32_t choices) { return std::countr_zero(choices); }
+
+constexpr const char* kTwoThreads =
+    "int a, b;\n"
+    "int t0() { a = 1; a = 2; a = 3; a = 4; return a; }\n"
+    "int t1() { b = 1; b = 2; b = 3; b = 4; return b; }\n";
+
+TEST(CardModel, EveryThreadGetsAStatementInEveryCycle) {
+  // 4 statements a cycle.
+  CardModel model = CardOf(kTwoThreads, "rate = 16\n");
+  std::string order;
+  RunToEnd(&model, First, &order);
+  EXPECT_EQ(order,
+            "0001"
+            "0011"
+            "11");
+  order.clear();
+  RunToEnd(
+      &model, [](uint32_t choices) { return 31 - std::countl_zero(choices); }, &order);
+  EXPECT_EQ(order,
+            "1110"
+            "1100"
+            "00");
+}
+
+TEST(CardModel, ACycleBeginsWhenItsStatementsAreUsedUp) {
+  CardModel model = CardOf(kTwoThreads, "rate = 16\n");
+  RunToEnd(&model, First);
+  EXPECT_EQ(model.controller().cycle(), 3);
+  CardModel fast = CardOf(kTwoThreads, "rate = 100\n");
+  RunToEnd(&fast, First);
+  EXPECT_EQ(fast.controller().cycle(), 1);
+}
+
+TEST(CardModel, AWaitingThreadTakesNoStatements) {
+  CardModel model = CardOf(
+      "int go;\nint t0() { GT_WaitForVarEq(&go, 1); return 0; }\n"
+      "int t1() { GT_Delay(5); go = 1; return 0; }\n",
+      {});
+  std::string order;
+  const CardModel::State end = RunToEnd(&model, First, &order);
+  EXPECT_EQ(order,
+            "011"
+            "01");
+  EXPECT_TRUE(end.finished);
+  EXPECT_FALSE(end.fault);
+  EXPECT_GE(model.controller().NowMs(), 5);
+}
+
+TEST(CardModel, SaysHowARunEnds) {
+  const auto fault = [](const char* program, const char* keys) {
+    CardModel model = CardOf(program, keys);
+    return RunToEnd(&model, First).fault.kind;
+  };
+  EXPECT_EQ(fault("int go;\nint t0() { GT_WaitForVarEq(&go, 1); return 0; }\n", ""),
+            Fault::Kind::kDeadlock);
+  EXPECT_EQ(fault("int t0() { L: goto L; }\n", "limit_ms = 2\n"), Fault::Kind::kTimeLimit);
+  EXPECT_EQ(fault("int t0() { L: goto L; }\n", "until_ms = 2\n"), Fault::Kind::kNone);
+  EXPECT_EQ(fault("int z;\nint t0() { z = 1 / z; return 0; }\n", ""), Fault::Kind::kThread);
+  EXPECT_EQ(
+      fault("int z;\nint t0() { z = 1 / z; return 0; }\n", "expect = [\"thread0.error == 99\"]\n"),
+      Fault::Kind::kRequirement);
+  EXPECT_EQ(fault("int a;\nint t0() { a = 7; a = 0; return 0; }\n", "never = [\"a == 7\"]\n"),
+            Fault::Kind::kRequirement);
+  EXPECT_EQ(fault("int a;\nint t0() { a = 7; a = 0; return 0; }\n", "expect = [\"a == 0\"]\n"),
+            Fault::Kind::kNone);
+}
+
+TEST(CardModel, MotionGoesOnUntilTheLastInstantThatIsAskedFor) {
+  constexpr const char* kJog =
+      "int t0() { GT_AxisOn(1); GT_PrfJog(1); GT_SetVel(1, 10); GT_Update(1); return 0; }\n";
+  CardModel model = CardOf(kJog, "expect = [\"axis1.prfVel == 10 @ 50ms\"]\n");
+  EXPECT_FALSE(RunToEnd(&model, First).fault);
+  EXPECT_EQ(model.controller().NowMs(), 50);
+  // While it moves an invariant sees every cycle.
+  CardModel watched =
+      CardOf(kJog, "expect = [\"axis1.moving == 1 @ 50ms\"]\nalways = [\"axis1.prfPos < 100\"]\n");
+  EXPECT_EQ(RunToEnd(&watched, First).fault.kind, Fault::Kind::kRequirement);
+  EXPECT_LT(watched.controller().NowMs(), 50);
+}
+
+TEST(CardModel, AStateThatIsPutBackGoesOnAsItDid) {
+  CardModel model = CardOf(
+      "int a;\nint t0() { GT_AxisOn(1); GT_PrfJog(1); GT_SetVel(1, 10); GT_Update(1); a = a + 1;"
+      " return a; }\nint t1() { a = a + 2; GT_Delay(3); a = a * 2; return a; }\n",
+      "rate = 8\n");
+  std::vector<CardModel::State> states = {model.Start()};
+  std::mt19937_64 random(7);
+  while (!states.back().ended) {
+    const uint32_t choices = states.back().choices;
+    int thread = static_cast<int>(random() % 2);
+    if ((choices >> thread & 1) == 0) thread = 1 - thread;
+    states.push_back(model.Step(states.back(), thread));
+  }
+  for (size_t i = states.size() - 1; i-- > 0;) {
+    bool found = false;
+    for (int thread = 0; thread < 2; ++thread) {
+      if ((states[i].choices >> thread & 1) == 0) continue;
+      const CardModel::State next = model.Step(states[i], thread);
+      found = found || model.KeyOf(next) == model.KeyOf(states[i + 1]);
+    }
+    EXPECT_TRUE(found) << i;
+  }
+}
+
+// A card that executes everything within one cycle has the ends that the program alone has, if none
+// of its threads waits for another one.
+TEST(CardGraph, HasTheEndsOfTheProgramAlone) {
+  for (const auto& source : {Increments(2, 2), Increments(3, 1)}) {
+    CardModel model = CardOf(source, "rate = 1000\n");
+    const CardGraph card = BuildCardGraph(&model, {});
+    const auto program = Explore(ProblemOf(source), {.engine = EngineKind::kStateful});
+    EXPECT_TRUE(card.graph.complete);
+    EXPECT_EQ(card.final_globals, program.value().states->final_globals);
+    EXPECT_EQ(card.final_full, program.value().states->final_full);
+  }
+}
+
+TEST(CardGraph, ALimitEndsTheSearch) {
+  CardModel model = CardOf(Increments(3, 2), {});
+  EXPECT_FALSE(BuildCardGraph(&model, {.states = 100}).graph.complete);
+}
+
+TEST(ExploreCard, TellsAProofFromABound) {
+  CardModel proved = CardOf(kTwoThreads, "expect = [\"a == 4\"]\n");
+  EXPECT_EQ(ExploreCard(&proved, {}).verdict, Verdict::kProved);
+  CardModel passed = CardOf("int t0() { L: goto L; }\n", "until_ms = 2\n");
+  EXPECT_EQ(ExploreCard(&passed, {}).verdict, Verdict::kPassed);
+  CardModel failed = CardOf(Increments(2, 1), "expect = [\"x == 2\"]\n");
+  const Exploration exploration = ExploreCard(&failed, {});
+  EXPECT_EQ(exploration.verdict, Verdict::kFailed);
+  EXPECT_EQ(exploration.failure->preemptions, 1);
+  EXPECT_TRUE(exploration.failure->fewest_preemptions);
+  CardModel large = CardOf(Increments(3, 2), {});
+  EXPECT_EQ(ExploreCard(&large, {.state_limit = 50}).verdict, Verdict::kIncomplete);
+}
+
+}  // namespace
+}  // namespace oncard::explore
