@@ -163,8 +163,8 @@ CardModel::State CardModel::Step(const State& from, int thread) {
   const int number = setup(thread).thread;
   const ThreadState& before = machine.thread(number);
   const vm::Function& function = image_->object.functions[before.function];
-  const bool changes = before.pc < function.instructions.size() &&
-                       ChangesBody(function.instructions[before.pc]);
+  const bool changes =
+      before.pc < function.instructions.size() && ChangesBody(function.instructions[before.pc]);
   const int64_t cycle = controller_->cycle();
   State state;
   // From here on the card is no longer what `from` holds.

@@ -121,6 +121,31 @@ TEST(Trigger, MembersAreChecked) {
   }
 }
 
+TEST(Capture, TheModeReadsBackUntilItHasCaptured) {
+  CommandTestCard card;
+  AddHome(card, 3333, 4444);
+  Cells modes(2);
+  ASSERT_EQ(card.Call("GT_GetCaptureMode", {1, &modes, 2}), 0);
+  EXPECT_EQ(modes, (Cells{0, 0}));
+  ASSERT_EQ(card.Call("GT_SetCaptureMode", {1, 1}), 0);
+  ASSERT_EQ(card.Call("GT_SetCaptureMode", {2, 2}), 0);
+  ASSERT_EQ(card.Call("GT_GetCaptureMode", {1, &modes, 2}), 0);
+  EXPECT_EQ(modes, (Cells{1, 2}));
+}
+
+TEST(Capture, ATriggerCanLatchAnotherEncoder) {
+  CommandTestCard card;
+  AddHome(card, 3333, 4444);
+  ASSERT_EQ(card.Call("GT_SetEncPos", {2, 777}), 0);
+  EXPECT_EQ(card.Call("GT_SetCaptureEncoder", {1, 9}), 7);
+  EXPECT_EQ(card.Call("GT_SetCaptureEncoder", {9, 1}), 7);
+  ASSERT_EQ(card.Call("GT_SetCaptureEncoder", {1, 2}), 0);
+  ASSERT_EQ(card.Call("GT_SetCaptureMode", {1, 1}), 0);
+  EXPECT_EQ(card.Call("GT_SetCaptureEncoder", {1, 1}), 1);
+  Move(card, 20000);
+  EXPECT_EQ(Captured(card), (std::pair{1.0, 777.0}));
+}
+
 TEST(Capture, SourcesAreChecked) {
   CommandTestCard card;
   for (const auto& [mode, code] :

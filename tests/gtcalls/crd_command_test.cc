@@ -135,6 +135,128 @@ TEST(SetOverride, ScalesTheVelocity) {
   EXPECT_EQ(card.ReadCrd("GT_GetCrdVel"), 2);
 }
 
+TEST(SetOverride, ChangesTheVelocityOfARunningSegment) {
+  CrdCommandCard card;
+  card.SetUp();
+  EXPECT_EQ(card.Line(1000, 0), 0);
+  EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 0);
+  card.Cycles(5);
+  EXPECT_EQ(card.ReadCrd("GT_GetCrdVel"), 5);
+  EXPECT_EQ(card.Call("GT_SetOverride", {1, 0.2}), 0);
+  // From 5 pulse/ms at 12.5 pulses down to 2 at 1 pulse/ms^2.
+  card.Cycles(3);
+  EXPECT_EQ(card.ReadCrd("GT_GetCrdVel"), 2);
+  EXPECT_EQ(card.Read("GT_GetPrfPos"), 12.5 + 3 * 3.5);
+  EXPECT_EQ(card.Call("GT_SetOverride", {1, 1}), 0);
+  card.Cycles(8);
+  EXPECT_EQ(card.ReadCrd("GT_GetCrdVel"), 10);
+  card.CyclesToEnd();
+  EXPECT_EQ(card.Read("GT_GetPrfPos"), 1000);
+}
+
+TEST(CrdStatus, PositionAndVelocityWhileItMoves) {
+  CrdCommandCard card;
+  card.SetUp();
+  EXPECT_EQ(card.Line(60, 80), 0);
+  EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 0);
+  // 100 pulses at 10 pulse/ms and 1 pulse/ms^2 from rest to rest: 20 ms.
+  const struct {
+    int cycles;
+    double path, velocity;
+  } cases[] = {{5, 12.5, 5}, {5, 50, 10}, {5, 87.5, 5}, {5, 100, 0}};
+  for (const auto& c : cases) {
+    card.Cycles(c.cycles);
+    std::vector<double> position(2);
+    EXPECT_EQ(card.Call("GT_GetCrdPos", {1, &position}), 0);
+    EXPECT_DOUBLE_EQ(position[0], 0.6 * c.path);
+    EXPECT_DOUBLE_EQ(position[1], 0.8 * c.path);
+    EXPECT_DOUBLE_EQ(card.ReadCrd("GT_GetCrdVel"), c.velocity);
+  }
+}
+
+TEST(CrdSpace, CountsSegmentsAndBufferedCommands) {
+  CrdCommandCard card;
+  std::vector<double> space(1);
+  card.ExpectRefused(1, "GT_CrdSpace", {1, &space, 0});
+  card.SetUp();
+  EXPECT_EQ(card.ReadFifo("GT_CrdSpace"), 4096);
+  EXPECT_EQ(card.ReadFifo("GT_CrdSpace", 1), 4096);
+  EXPECT_EQ(card.Line(100, 0), 0);
+  EXPECT_EQ(card.Call("GT_BufDelay", {1, 5, 0}), 0);
+  EXPECT_EQ(card.ReadFifo("GT_CrdSpace"), 4094);
+  EXPECT_EQ(card.ReadFifo("GT_CrdSpace", 1), 4096);
+  EXPECT_EQ(card.Call("GT_CrdClear", {1, 0}), 0);
+  EXPECT_EQ(card.ReadFifo("GT_CrdSpace"), 4096);
+}
+
+TEST(SetCrdStopDec, GivesTheDecelerationOfStops) {
+  CrdCommandCard card;
+  card.SetUp();
+  std::vector<double> smooth(1);
+  std::vector<double> abrupt(1);
+  EXPECT_EQ(card.Call("GT_GetCrdStopDec", {1, &smooth, &abrupt}), 0);
+  EXPECT_EQ(smooth[0], 1);
+  EXPECT_EQ(abrupt[0], 1000);
+  card.ExpectRefused(7, "GT_SetCrdStopDec", {1, 0, 10});
+  card.ExpectRefused(7, "GT_SetCrdStopDec", {1, 10, 32767.5});
+  EXPECT_EQ(card.Call("GT_SetCrdStopDec", {1, 2, 32767}), 0);
+  EXPECT_EQ(card.Call("GT_GetCrdStopDec", {1, &smooth, &abrupt}), 0);
+  EXPECT_EQ(smooth[0], 2);
+  EXPECT_EQ(abrupt[0], 32767);
+  EXPECT_EQ(card.Line(1000, 0), 0);
+  EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 0);
+  card.Cycles(20);
+  EXPECT_EQ(card.Call("GT_Stop", {0x100, 0}), 0);
+  // 150 pulses are done; 10 pulse/ms at 2 pulse/ms^2 take 25 more.
+  card.CyclesToEnd();
+  EXPECT_EQ(card.Read("GT_GetPrfPos"), 175);
+}
+
+TEST(SetCrdSingleMaxVel, LimitsThePathByItsAxes) {
+  CrdCommandCard card;
+  card.SetUp();
+  std::vector<double> limits = {5, 5};
+  EXPECT_EQ(card.Call("GT_SetCrdSingleMaxVel", {1, &limits}), 0);
+  std::vector<double> read(2);
+  EXPECT_EQ(card.Call("GT_GetCrdSingleMaxVel", {1, &read}), 0);
+  EXPECT_EQ(read, limits);
+  EXPECT_EQ(card.Line(600, 800), 0);
+  EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 0);
+  card.Cycles(50);
+  EXPECT_DOUBLE_EQ(card.ReadCrd("GT_GetCrdVel"), 5 / 0.8);
+}
+
+TEST(CrdStartStep, EndsAtRestAfterEachSegment) {
+  CrdCommandCard card;
+  card.SetUp();
+  EXPECT_EQ(card.Call("GT_LnXY", {1, 100, 0, 10, 1, 10, 0}), 0);
+  EXPECT_EQ(card.Call("GT_LnXY", {1, 200, 0, 10, 1, 10, 0}), 0);
+  for (const double end : {100.0, 200.0}) {
+    EXPECT_EQ(card.Call("GT_CrdStartStep", {1, 0}), 0);
+    card.CyclesToEnd();
+    EXPECT_FALSE(card.Running());
+    EXPECT_EQ(card.Read("GT_GetPrfPos"), end);
+  }
+  card.ExpectRefused(1, "GT_CrdStartStep", {1, 0});
+}
+
+TEST(CrdStepMode, EndsEveryRunAfterASegmentUntilItIsSwitchedOff) {
+  CrdCommandCard card;
+  card.ExpectRefused(1, "GT_CrdStepMode", {1, 1});
+  card.SetUp();
+  for (int x = 100; x <= 400; x += 100) EXPECT_EQ(card.Line(x, 0), 0);
+  EXPECT_EQ(card.Call("GT_CrdStepMode", {1, 1}), 0);
+  for (const double end : {100.0, 200.0}) {
+    EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 0);
+    card.CyclesToEnd();
+    EXPECT_EQ(card.Read("GT_GetPrfPos"), end);
+  }
+  EXPECT_EQ(card.Call("GT_CrdStepMode", {1, 0}), 0);
+  EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 0);
+  card.CyclesToEnd();
+  EXPECT_EQ(card.Read("GT_GetPrfPos"), 400);
+}
+
 TEST(InitLookAhead, ChecksAndCounts) {
   CrdCommandCard card;
   std::vector<double> buffer(36);

@@ -1,6 +1,7 @@
 // Segments: every form of a line, arc or helix, and what makes one impossible.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -51,6 +52,43 @@ TEST(Segments, EveryCommandMovesItsAxesToTheEnd) {
     }
   }
   EXPECT_EQ(count, 74);
+}
+
+// Of every form: the second override holds for Override2 alone, the number is that of WN, and a G0
+// segment ends at rest whatever comes next.
+TEST(Segments, EveryCommandSaysWhatItsNameSays) {
+  for (const Command& command : Commands()) {
+    if (command.number < 230 || command.number > 303) continue;
+    const std::string name(command.name);
+    const auto has = [&](std::string_view part) { return name.find(part) != std::string::npos; };
+    CrdCommandCard card;
+    card.SetUp(4);
+    EXPECT_EQ(card.Call("GT_SetOverride", {1, 0.5}), 0);
+    EXPECT_EQ(card.Call("GT_SetOverride2", {1, 0.2}), 0);
+    std::vector<Argument> arguments = ArgumentsFor(command);
+    for (size_t i = 0; i < arguments.size(); ++i) {
+      if (command.parameters[i].name == "velEnd") arguments[i] = 1;
+    }
+    ASSERT_EQ(card.Call(command, arguments), 0) << name;
+    EXPECT_EQ(card.Call("GT_LnXYZA", {1, 900, 900, 900, 900, 10, 1, 0, 0}), 0);
+    EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 0);
+    card.Cycles(8);
+    EXPECT_DOUBLE_EQ(card.ReadCrd("GT_GetCrdVel"), has("Override2") ? 2 : 5) << name;
+    EXPECT_EQ(card.ReadFifo("GT_GetUserSegNumWN"), has("WN") ? 9 : 0) << name;
+    // The slowest moment around the end of the segment.
+    double slowest = 10;
+    const auto& fifo = card.motion.state().crds[0].fifos[0];
+    for (int i = 0; i < 300 && fifo.done == 0; ++i) {
+      slowest = card.ReadCrd("GT_GetCrdVel");
+      card.Cycle();
+    }
+    slowest = std::min(slowest, card.ReadCrd("GT_GetCrdVel"));
+    if (has("G0")) {
+      EXPECT_LT(slowest, 1) << name;
+    } else {
+      EXPECT_GE(slowest, 1) << name;
+    }
+  }
 }
 
 TEST(Segments, ImpossibleOnesAreRefused) {
