@@ -17,10 +17,50 @@
 namespace oncard::explore {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, EngineKind>, 3> kEngines = {
+constexpr std::array<std::pair<std::string_view, EngineKind>, 6> kEngines = {
     {{"auto", EngineKind::kAuto},
      {"dpor", EngineKind::kDpor},
-     {"stateful", EngineKind::kStateful}}};
+     {"stateful", EngineKind::kStateful},
+     {"random", EngineKind::kRandom},
+     {"pct", EngineKind::kPct},
+     {"pos", EngineKind::kPos}}};
+
+/// Empty for engines that search.
+std::optional<SampleOptions> SamplingOf(const ExploreOptions& options) {
+  SampleOptions sampling = {.runs = options.runs,
+                            .seed = options.seed,
+                            .depth = options.depth,
+                            .statement_limit = options.depth_limit};
+  switch (options.engine) {
+    case EngineKind::kRandom:
+      sampling.kind = SamplerKind::kRandom;
+      return sampling;
+    case EngineKind::kPct:
+      sampling.kind = SamplerKind::kPct;
+      return sampling;
+    case EngineKind::kPos:
+      sampling.kind = SamplerKind::kPos;
+      return sampling;
+    case EngineKind::kAuto:
+    case EngineKind::kDpor:
+    case EngineKind::kStateful:
+      break;
+  }
+  return std::nullopt;
+}
+
+/// The verdict of random schedules; the failure is left to the caller.
+Exploration ConcludeSamples(EngineKind engine, SampleCounts samples) {
+  Exploration exploration;
+  exploration.engine = engine;
+  exploration.verdict = samples.bad > 0 ? Verdict::kFailed : Verdict::kPassed;
+  if (samples.bad == 0) {
+    exploration.why = MakeMessage("none of {0} random schedules goes wrong; others were not tried",
+                                  "{0} 个随机调度均未出错；其它调度未尝试", samples.runs);
+  }
+  exploration.samples = std::move(samples);
+  return exploration;
+}
 
 /// `auto`: when one engine has an answer, the other may go on counting for this part of the time
 /// that has passed, and at least for kGraceMin.
@@ -157,6 +197,21 @@ Failure FailureOf(const Problem& problem, const std::vector<uint8_t>& steps) {
   return failure;
 }
 
+/// A schedule as it is, with the fault that it leads to.
+Failure FailureOfCard(CardModel* model, const std::vector<uint8_t>& steps) {
+  Failure failure;
+  failure.steps = steps;
+  CardModel::State state = model->Start();
+  for (size_t i = 0; i < steps.size(); ++i) {
+    if (i > 0 && steps[i] != steps[i - 1] && (state.choices >> steps[i - 1] & 1) != 0) {
+      ++failure.preemptions;
+    }
+    state = model->Step(state, steps[i]);
+  }
+  failure.fault = state.fault;
+  return failure;
+}
+
 /// Runs both searches at the same time; each is told to stop some time after the other has an
 /// answer.
 void SearchBoth(const Problem& problem, const ExploreOptions& options,
@@ -253,6 +308,13 @@ std::string_view VerdictName(Verdict verdict) {
 }
 
 Result<Exploration> Explore(const Problem& problem, const ExploreOptions& options) {
+  if (const auto sampling = SamplingOf(options)) {
+    Exploration exploration = ConcludeSamples(options.engine, Sample(problem, *sampling));
+    if (exploration.samples->bad > 0) {
+      exploration.failure = FailureOf(problem, exploration.samples->failing);
+    }
+    return exploration;
+  }
   EngineKind engine = options.engine;
   if (problem.HasInvariants()) {
     if (engine == EngineKind::kDpor) {
@@ -277,6 +339,13 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
 }
 
 Exploration ExploreCard(CardModel* model, const ExploreOptions& options) {
+  if (const auto sampling = SamplingOf(options)) {
+    Exploration exploration = ConcludeSamples(options.engine, SampleCard(model, *sampling));
+    if (exploration.samples->bad > 0) {
+      exploration.failure = FailureOfCard(model, exploration.samples->failing);
+    }
+    return exploration;
+  }
   const CardGraph found = BuildCardGraph(model, {options.state_limit, nullptr});
   Exploration exploration;
   exploration.engine = EngineKind::kStateful;
@@ -289,9 +358,7 @@ Exploration ExploreCard(CardModel* model, const ExploreOptions& options) {
                                    .complete = found.graph.complete};
   exploration.failure = WayToBadState(found.graph);
   if (exploration.failure) {
-    CardModel::State state = model->Start();
-    for (const uint8_t thread : exploration.failure->steps) state = model->Step(state, thread);
-    exploration.failure->fault = state.fault;
+    exploration.failure->fault = FailureOfCard(model, exploration.failure->steps).fault;
     exploration.verdict = Verdict::kFailed;
   } else if (!found.graph.complete) {
     exploration.why = MakeMessage("the limit of {0} states was reached", "已达到 {0} 个状态的上限",

@@ -2,6 +2,7 @@
 //
 // Two engines can prove it: `dpor`, one execution per Mazurkiewicz trace, and `stateful`, the graph
 // of all states. Neither is always better; `auto` runs both at the same time on two cores.
+// What is too large can be tried by random schedules (sampler.h).
 // A program that calls GT commands is explored together with its card, by its state graph.
 // Deterministic but for what `auto` happens to count beside the verdict. docs/interleavings.md says
 // when which engine is the right one. Tested by tests/explore/explorer_test.cc.
@@ -15,18 +16,19 @@
 #include "base/result.h"
 #include "explore/card_model.h"
 #include "explore/problem.h"
+#include "explore/sampler.h"
 
 namespace oncard::explore {
 
-enum class EngineKind : uint8_t { kAuto, kDpor, kStateful };
+enum class EngineKind : uint8_t { kAuto, kDpor, kStateful, kRandom, kPct, kPos };
 
-/// `auto`, `dpor`, `stateful`; empty for any other name.
+/// `auto`, `dpor`, `stateful`, `random`, `pct`, `pos`; empty for any other name.
 std::optional<EngineKind> EngineNamed(std::string_view name);
 std::string_view EngineName(EngineKind engine);
 
 enum class Verdict : uint8_t {
   kProved,     ///< no interleaving goes wrong
-  kPassed,     ///< none does until the scenario's `until_ms`
+  kPassed,     ///< none that was tried does: some were not, or until `until_ms` only
   kFailed,     ///< one does; Exploration::failure shows it
   kIncomplete  ///< a limit was reached before the search was done
 };
@@ -40,6 +42,10 @@ struct ExploreOptions {
   uint32_t state_limit = 50'000'000;
   /// Statements of one execution; the dpor engine gives up on longer ones.
   int64_t depth_limit = 100'000;
+  // Of the engines that try random schedules.
+  int64_t runs = SampleOptions{}.runs;
+  uint64_t seed = SampleOptions{}.seed;
+  int depth = SampleOptions{}.depth;  ///< kPct: 1..64
 };
 
 /// What the dpor engine counted.
@@ -87,13 +93,14 @@ struct Exploration {
   Message why;                            ///< kPassed, kIncomplete: what was reached
   std::optional<TraceCounts> traces;
   std::optional<StateCounts> states;
+  std::optional<SampleCounts> samples;
   std::optional<Failure> failure;
 };
 
 /// Explores. Fails when the engine cannot answer the problem's requirements.
 Result<Exploration> Explore(const Problem& problem, const ExploreOptions& options);
 
-/// The same for a card, whatever the engine: the graph of all its states.
+/// The same for a card: the graph of all its states, or random schedules.
 Exploration ExploreCard(CardModel* model, const ExploreOptions& options);
 
 }  // namespace oncard::explore

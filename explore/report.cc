@@ -59,14 +59,25 @@ std::vector<std::string_view> Lines(std::string_view source) {
   return lines;
 }
 
+/// The line that a statement stands in; empty when there is no source.
+std::string_view SourceLine(const TrailStep& step, const std::vector<std::string_view>& lines) {
+  if (step.line <= 0 || static_cast<size_t>(step.line) > lines.size()) return {};
+  return lines[static_cast<size_t>(step.line) - 1];
+}
+
 /// `12  t = x;` and, when it changed a variable, `-> t = 0`.
 std::string TextOf(const TrailStep& step, const std::vector<std::string_view>& lines) {
-  std::string text = fmt::format("{:>4}  ", step.line);
-  if (step.line > 0 && static_cast<size_t>(step.line) <= lines.size()) {
-    text += lines[static_cast<size_t>(step.line) - 1];
-  }
+  std::string text = fmt::format("{:>4}  {}", step.line, SourceLine(step, lines));
   if (!step.written.empty()) text += "   -> " + step.written;
   return text;
+}
+
+/// `thread 0 add`.
+std::string ThreadHead(const Subject& subject, size_t index, Language language) {
+  const ThreadSetup& setup = subject.threads[index];
+  const auto& functions = subject.image->object.functions;
+  return fmt::format("{} {} {}", language == Language::kChinese ? "线程" : "thread", setup.thread,
+                     functions[static_cast<size_t>(setup.function)].name);
 }
 
 /// A column per thread. With a card, a line of its own says when a cycle begins.
@@ -77,10 +88,7 @@ std::string Table(const Subject& subject, const std::vector<TrailStep>& steps,
   std::vector<size_t> widths(columns);
   std::vector<std::string> heads(columns);
   for (size_t i = 0; i < columns; ++i) {
-    const ThreadSetup& setup = subject.threads[i];
-    const auto& functions = subject.image->object.functions;
-    heads[i] = fmt::format("{} {} {}", language == Language::kChinese ? "线程" : "thread",
-                           setup.thread, functions[static_cast<size_t>(setup.function)].name);
+    heads[i] = ThreadHead(subject, i, language);
     widths[i] = heads[i].size();
   }
   std::vector<std::string> texts;
@@ -121,6 +129,13 @@ std::string CountsText(const Exploration& exploration, Language language) {
         traces->blocked, traces->redundant, traces->bad_traces, traces->final_full,
         traces->complete ? "" : "; not all", traces->complete ? "" : "；未搜索完"));
   }
+  if (const auto& samples = exploration.samples) {
+    add(MakeMessage(
+        "{0}: {1} runs ({2} given up), {3} bad, {4} different ends, {5} statements at most",
+        "{0}：{1} 次运行（放弃 {2}），错误 {3}，不同结局 {4}，最多 {5} 条语句",
+        EngineName(exploration.engine), samples->runs, samples->cut, samples->bad,
+        samples->different_ends, samples->longest));
+  }
   if (const auto& states = exploration.states) {
     add(MakeMessage("stateful: {0} states, {1} transitions, {2} bad, {3} different ends{4}",
                     "stateful：{0} 个状态，{1} 次转移，错误 {2}，不同结局 {3}{5}", states->states,
@@ -130,17 +145,22 @@ std::string CountsText(const Exploration& exploration, Language language) {
   return text;
 }
 
+/// What is wrong and how it is reached, in two lines.
+std::string SummaryOf(const Findings& findings, const Failure& failure, Language language) {
+  return DescribeFault(findings.subject, failure).In(language) + '\n' +
+         MakeMessage(
+             failure.fewest_preemptions
+                 ? "statements: {0}, preemptions: {1}; no schedule with fewer preemptions fails"
+                 : "statements: {0}, preemptions: {1}",
+             failure.fewest_preemptions ? "{0} 条语句，{1} 次抢占；更少的抢占不会出错"
+                                        : "{0} 条语句，{1} 次抢占",
+             failure.steps.size(), failure.preemptions)
+             .In(language) +
+         '\n';
+}
+
 std::string FailureText(const Findings& findings, const Failure& failure, Language language) {
-  std::string text = DescribeFault(findings.subject, failure).In(language) + '\n';
-  text += MakeMessage(
-              failure.fewest_preemptions
-                  ? "statements: {0}, preemptions: {1}; no schedule with fewer preemptions fails"
-                  : "statements: {0}, preemptions: {1}",
-              failure.fewest_preemptions ? "{0} 条语句，{1} 次抢占；更少的抢占不会出错"
-                                         : "{0} 条语句，{1} 次抢占",
-              failure.steps.size(), failure.preemptions)
-              .In(language) +
-          "\n\n";
+  std::string text = SummaryOf(findings, failure, language) + '\n';
   const auto lines = Lines(findings.source);
   text += Table(findings.subject, findings.trail.steps, lines, failure.last_escape, language);
   if (failure.livelock) {
@@ -148,6 +168,91 @@ std::string FailureText(const Findings& findings, const Failure& failure, Langua
     text += Table(findings.subject, findings.trail.cycle, lines, -1, language);
   }
   return text;
+}
+
+// --- HTML ----------------------------------------------------------------------------------------
+
+constexpr std::string_view kPageStyle =
+    "body { font-family: sans-serif; margin: 2em; }\n"
+    "table { border-collapse: collapse; font-family: monospace; }\n"
+    "th, td { padding: 0.15em 0.8em; text-align: left; vertical-align: top; white-space: pre; }\n"
+    "th { border-bottom: 2px solid #555; }\n"
+    "td.number, td.line { color: #888; text-align: right; }\n"
+    "td.statement { background: #eef3fb; }\n"
+    "td.escape { border-top: 2px solid #c00; }\n"
+    "tr.time td { color: #555; border-top: 1px solid #bbb; }\n"
+    "span.written { color: #06592a; }\n"
+    "h1.FAILED { color: #c00; }\nh1.PROVED, h1.PASSED { color: #06592a; }\n";
+
+std::string Escaped(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      default:
+        escaped += c;
+    }
+  }
+  return escaped;
+}
+
+std::string HtmlTable(const Findings& findings, const std::vector<TrailStep>& steps,
+                      int64_t last_escape, Language language) {
+  const Subject& subject = findings.subject;
+  const auto lines = Lines(findings.source);
+  std::string table = "<table>\n<tr><th></th><th></th>";
+  for (size_t i = 0; i < subject.threads.size(); ++i) {
+    table += fmt::format("<th>{}</th>", Escaped(ThreadHead(subject, i, language)));
+  }
+  table += "</tr>\n";
+  double at_ms = -1;
+  for (size_t i = 0; i < steps.size(); ++i) {
+    const TrailStep& step = steps[i];
+    if (step.at_ms != at_ms) {
+      table += fmt::format("<tr class=\"time\"><td colspan=\"{}\">{} ms</td></tr>\n",
+                           subject.threads.size() + 2, step.at_ms);
+    }
+    at_ms = step.at_ms;
+    table +=
+        fmt::format("<tr><td class=\"number\">{}</td><td class=\"line\">{}</td>", i + 1, step.line);
+    for (int column = 0; column < step.thread; ++column) table += "<td></td>";
+    table += fmt::format("<td class=\"statement{}\">{}",
+                         static_cast<int64_t>(i) == last_escape ? " escape" : "",
+                         Escaped(SourceLine(step, lines)));
+    if (!step.written.empty()) {
+      table += fmt::format("   <span class=\"written\">{}</span>", Escaped(step.written));
+    }
+    table += "</td></tr>\n";
+  }
+  return table + "</table>\n";
+}
+
+std::string FailureHtml(const Findings& findings, const Failure& failure, Language language) {
+  std::string html =
+      fmt::format("<pre>{}</pre>\n", Escaped(SummaryOf(findings, failure, language)));
+  html += HtmlTable(findings, findings.trail.steps, failure.last_escape, language);
+  const auto paragraph = [&](const Message& message) {
+    html += fmt::format("<p>{}</p>\n", message.In(language));
+  };
+  if (failure.last_escape >= 0) {
+    paragraph({"From the red line on every end is bad.", "红线之后再无正确结局。"});
+  }
+  if (failure.livelock) {
+    paragraph({"And then for ever:", "然后永远重复："});
+    html += HtmlTable(findings, findings.trail.cycle, -1, language);
+  }
+  return html;
 }
 
 }  // namespace
@@ -180,6 +285,12 @@ std::string JsonReport(const Findings& findings) {
       json["final_full"] = traces->final_full;
     }
   }
+  if (const auto& samples = exploration.samples) {
+    json["runs"] = samples->runs;
+    json["bad_runs"] = samples->bad;
+    json["given_up"] = samples->cut;
+    json["different_ends"] = samples->different_ends;
+  }
   if (const auto& states = exploration.states) {
     json["states"] = states->states;
     json["transitions"] = states->transitions;
@@ -208,6 +319,58 @@ std::string JsonReport(const Findings& findings) {
     }
   }
   return json.dump(2) + '\n';
+}
+
+std::string HtmlReport(const Findings& findings, Language language) {
+  const Exploration& exploration = findings.exploration;
+  const bool chinese = language == Language::kChinese;
+  const auto verdict = std::string(VerdictName(exploration.verdict));
+  std::string page = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"{0}\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<title>oncard explore: {1}</title>\n<style>\n{2}</style>\n</head>\n<body>\n"
+      "<h1 class=\"{1}\">{1}</h1>\n",
+      chinese ? "zh" : "en", verdict, kPageStyle);
+  if (!exploration.why.en.empty()) {
+    page += fmt::format("<p>{}</p>\n", Escaped(exploration.why.In(language)));
+  }
+  page += fmt::format("<pre>{}</pre>\n", Escaped(CountsText(exploration, language)));
+  if (exploration.failure) {
+    page += FailureHtml(findings, *exploration.failure, language);
+  }
+  return page + "</body>\n</html>\n";
+}
+
+std::string ChromeReport(const Findings& findings) {
+  nlohmann::ordered_json events = nlohmann::ordered_json::array();
+  const Subject& subject = findings.subject;
+  const auto lines = Lines(findings.source);
+  for (size_t i = 0; i < subject.threads.size(); ++i) {
+    events.push_back({{"ph", "M"},
+                      {"pid", 0},
+                      {"tid", subject.threads[i].thread},
+                      {"name", "thread_name"},
+                      {"args", {{"name", ThreadHead(subject, i, Language::kEnglish)}}}});
+  }
+  int64_t at = 0;
+  for (const auto* steps : {&findings.trail.steps, &findings.trail.cycle}) {
+    for (const TrailStep& step : *steps) {
+      nlohmann::ordered_json arguments = {{"statement", at + 1}, {"line", step.line}};
+      if (!step.written.empty()) arguments["written"] = step.written;
+      if (step.at_ms >= 0) arguments["at_ms"] = step.at_ms;
+      if (steps == &findings.trail.cycle) arguments["repeats"] = true;
+      const std::string_view line = SourceLine(step, lines);
+      events.push_back(
+          {{"ph", "X"},
+           {"pid", 0},
+           {"tid", subject.threads[static_cast<size_t>(step.thread)].thread},
+           {"ts", at++},
+           {"dur", 1},
+           {"name", line.empty() ? fmt::format("line {}", step.line) : std::string(line)},
+           {"args", std::move(arguments)}});
+    }
+  }
+  const nlohmann::ordered_json report = {{"traceEvents", std::move(events)}};
+  return report.dump(1) + '\n';
 }
 
 vm::Schedule ScheduleOf(const Subject& subject, const Failure& failure) {

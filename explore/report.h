@@ -35,6 +35,14 @@ std::string TextReport(const Findings& findings, Language language);
 /// `min_steps_to_bad` when they are exact, and its `schedule`.
 std::string JsonReport(const Findings& findings);
 
+/// One HTML page that needs no other file: the verdict, the counts, and a failure as a table with a
+/// column per thread.
+std::string HtmlReport(const Findings& findings, Language language);
+
+/// The failure as trace events for chrome://tracing and ui.perfetto.dev: a row per thread, a bar
+/// per statement, as long as one another. Without a failure there are no events.
+std::string ChromeReport(const Findings& findings);
+
 /// The failure's statements as a schedule that `oncard replay` runs; without checkpoints and
 /// scenario. A livelock's cycle is taken once.
 vm::Schedule ScheduleOf(const Subject& subject, const Failure& failure);

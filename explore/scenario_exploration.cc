@@ -33,9 +33,12 @@ Result<Findings> ExploreProgram(const runtime::Scenario& scenario,
 Result<Findings> ExploreWithCard(const runtime::Scenario& scenario,
                                  const std::vector<Requirement>& requirements, vm::Object object,
                                  const ExploreOptions& options) {
-  if (options.engine == EngineKind::kDpor) {
-    return MakeError(1, "time and the card are part of the states here: use the engine stateful",
-                     "此处时间与控制卡属于状态的一部分：请使用 stateful 引擎");
+  if (options.engine == EngineKind::kDpor || options.engine == EngineKind::kPos) {
+    return MakeError(
+        1,
+        "time and the card are part of the states here: use the engine stateful, random "
+        "or pct",
+        "此处时间与控制卡属于状态的一部分：请使用 stateful、random 或 pct 引擎");
   }
   auto model = CardModel::Create(scenario, requirements, std::move(object));
   if (!model.ok()) return model.error();
@@ -60,6 +63,7 @@ ExploreOptions OptionsOf(const runtime::ExploreWish& wish) {
   options.engine = EngineNamed(wish.engine).value_or(EngineKind::kAuto);
   if (wish.max_executions != 0) options.execution_limit = wish.max_executions;
   if (wish.max_states != 0) options.state_limit = static_cast<uint32_t>(wish.max_states);
+  if (wish.runs != 0) options.runs = wish.runs;
   return options;
 }
 

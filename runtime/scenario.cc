@@ -54,6 +54,7 @@ std::string FormatWish(const ExploreWish& wish) {
       fmt::format("{{ engine = {}, verdict = {}", Quote(wish.engine), Quote(wish.verdict));
   if (wish.max_executions != 0) text += fmt::format(", max_executions = {}", wish.max_executions);
   if (wish.max_states != 0) text += fmt::format(", max_states = {}", wish.max_states);
+  if (wish.runs != 0) text += fmt::format(", runs = {}", wish.runs);
   return text + " }";
 }
 

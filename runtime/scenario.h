@@ -51,6 +51,7 @@ struct ExploreWish {
   std::string verdict = "PROVED";  ///< that must come of it
   /// 0: what the explorer takes by itself.
   int64_t max_executions = 0;
+  int64_t runs = 0;
   int64_t max_states = 0;
   bool operator==(const ExploreWish&) const = default;
 };

@@ -17,9 +17,10 @@ constexpr std::array<std::string_view, 20> kScenarioKeys = {
     "program",  "title",    "include",  "double",  "schedule", "rate",  "axes",
     "cycle_us", "limit_ms", "until_ms", "globals", "thread",   "world", "host",
     "trace",    "expect",   "always",   "never",   "explore",  "keys"};
-constexpr std::array<std::string_view, 4> kExploreKeys = {"engine", "verdict", "max_executions",
-                                                          "max_states"};
-constexpr std::array<std::string_view, 3> kEngineNames = {"auto", "dpor", "stateful"};
+constexpr std::array<std::string_view, 5> kExploreKeys = {"engine", "verdict", "max_executions",
+                                                          "max_states", "runs"};
+constexpr std::array<std::string_view, 6> kEngineNames = {"auto",   "dpor", "stateful",
+                                                          "random", "pct",  "pos"};
 constexpr std::array<std::string_view, 4> kVerdictNames = {"PROVED", "PASSED", "FAILED",
                                                            "INCOMPLETE"};
 constexpr std::array<std::string_view, 2> kKeyKeys = {"at_ms", "text"};
@@ -169,6 +170,7 @@ class ScenarioReader : private TomlKeys {
       wish.verdict = kVerdictNames[Choice(*wishes, "verdict", kVerdictNames, 0)];
       wish.max_executions = Whole(*wishes, "max_executions", 0, 1, 1'000'000'000'000);
       wish.max_states = Whole(*wishes, "max_states", 0, 1, 4'000'000'000);
+      wish.runs = Whole(*wishes, "runs", 0, 1, 1'000'000'000'000);
       scenario_.explore = std::move(wish);
     } else {
       Fail(node->source(),

@@ -12,8 +12,12 @@ struct ExploreArguments {
   std::string engine;  ///< empty: as the scenario says
   std::string format = "text";
   std::string save;
+  std::string report;
   int64_t execution_limit = 0;  ///< 0: as the scenario says
   uint32_t state_limit = 0;
+  int64_t runs = 0;
+  uint64_t seed = explore::ExploreOptions{}.seed;
+  int depth = explore::ExploreOptions{}.depth;
 };
 
 /// A file to be explored: its scenario, what it requires, its program.
@@ -93,12 +97,22 @@ int Explore(const ExploreArguments& arguments, const Session& session) {
   if (!arguments.engine.empty()) options.engine = *explore::EngineNamed(arguments.engine);
   if (arguments.execution_limit != 0) options.execution_limit = arguments.execution_limit;
   if (arguments.state_limit != 0) options.state_limit = arguments.state_limit;
+  if (arguments.runs != 0) options.runs = arguments.runs;
+  options.seed = arguments.seed;
+  options.depth = arguments.depth;
   auto findings =
       explore::ExploreScenario(subject.scenario, subject.requirements, subject.object, options);
   if (!findings.ok()) return Fail(session, kExitUsage, findings.error().message);
   findings.value().source = subject.source;
   PrintResult(arguments.format == "json" ? explore::JsonReport(findings.value())
                                          : explore::TextReport(findings.value(), session.language));
+  if (!arguments.report.empty()) {
+    const std::string report = arguments.report.ends_with(".html")
+                                   ? explore::HtmlReport(findings.value(), session.language)
+                                   : explore::ChromeReport(findings.value());
+    const int written = WriteOutput(session, arguments.report, report);
+    if (written != kExitOk) return written;
+  }
   if (findings.value().exploration.failure && !arguments.save.empty()) {
     const int saved = Save(arguments, session, subject, findings.value());
     if (saved != kExitOk) return saved;
@@ -124,14 +138,44 @@ void AddExplore(CLI::App& app, Session& session) {
   command
       ->add_option(
           "--engine", arguments->engine,
-          session.Say({"auto (default), dpor or stateful", "auto（默认）、dpor 或 stateful"}))
+          session.Say(
+              {"auto (default), dpor or stateful search all schedules; random, pct and pos "
+               "try some",
+               "auto（默认）、dpor 或 stateful 搜索所有调度；random、pct 和 pos 只尝试一部分"}))
       ->type_name("NAME")
-      ->check(CLI::IsMember({"auto", "dpor", "stateful"}).description(""));
+      ->check(CLI::IsMember({"auto", "dpor", "stateful", "random", "pct", "pos"}).description(""));
+  command
+      ->add_option("--runs", arguments->runs,
+                   session.Say({"random schedules to try (default 10000)",
+                                "尝试的随机调度数（默认 10000）"}))
+      ->type_name("N")
+      ->check(CLI::Range(int64_t{1}, int64_t{1'000'000'000'000}).description(""));
+  command
+      ->add_option("--seed", arguments->seed,
+                   session.Say({"of the random schedules (default 1)", "随机调度的种子（默认 1）"}))
+      ->type_name("N");
+  command
+      ->add_option("--depth", arguments->depth,
+                   session.Say({"orderings that a fault needs, for pct (default 3)",
+                                "pct 引擎所假定的错误深度（默认 3）"}))
+      ->type_name("N")
+      ->check(CLI::Range(1, 64).description(""));
   command
       ->add_option("--save", arguments->save,
                    session.Say({"write a failing schedule for 'oncard replay'",
                                 "写出失败的调度，供“oncard replay”使用"}))
       ->type_name("FILE");
+  command
+      ->add_option("--report", arguments->report,
+                   session.Say({"write the result as a page (.html), or a failure as trace events "
+                                "(.json)",
+                                "将结果写成网页（.html），或将失败写成跟踪事件（.json）"}))
+      ->type_name("FILE")
+      ->check([&session](const std::string& path) {
+        if (path.ends_with(".html") || path.ends_with(".json")) return std::string();
+        return session.Say(
+            {"the file must end in .html or .json", "文件名应以 .html 或 .json 结尾"});
+      });
   command
       ->add_option("--max-executions", arguments->execution_limit,
                    session.Say({"end the search after so many executions", "执行次数上限"}))

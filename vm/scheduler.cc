@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/random.h"
 #include "vm/schedule.h"
 
 namespace oncard::vm {
@@ -16,20 +17,6 @@ namespace {
 
 constexpr int64_t kQuantumMax = 1'000'000'000;
 constexpr int64_t kPctStepsMax = 1'000'000'000'000;
-
-uint64_t NextRandom(uint64_t& state) {
-  state += 0x9E3779B97F4A7C15u;
-  uint64_t z = state;
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-  return z ^ (z >> 31);
-}
-
-// A number in [0, bound), by the high half of a 128-bit product.
-uint64_t RandomBelow(uint64_t& state, uint64_t bound) {
-  __extension__ using Wide = unsigned __int128;
-  return static_cast<uint64_t>((static_cast<Wide>(NextRandom(state)) * bound) >> 64);
-}
 
 // The first runnable thread at or after `first`, round the end.
 int FirstRunnable(uint32_t runnable, int first) {

@@ -61,6 +61,37 @@ TEST(ReportTest, JsonHasTheCounts) {
   EXPECT_EQ(json["schedule"].size(), 3u);
 }
 
+TEST(ReportTest, ThePageNeedsNothingElse) {
+  const std::string source = Increments(2, 1);
+  const Problem problem = ProblemOf(source);
+  const auto exploration = Explore(problem, {.engine = EngineKind::kStateful});
+  const Findings findings = FindingsOf(problem, exploration.value(), source);
+  const std::string page = HtmlReport(findings, Language::kEnglish);
+  EXPECT_TRUE(page.starts_with("<!DOCTYPE html>"));
+  EXPECT_EQ(page.find("http"), std::string::npos);
+  EXPECT_NE(page.find("<th>thread 0 t0</th><th>thread 1 t1</th>"), std::string::npos);
+  EXPECT_NE(page.find("<td class=\"number\">4</td><td class=\"line\">14</td><td></td>"
+                      "<td class=\"statement\">x = t;   <span class=\"written\">x = 1</span>"),
+            std::string::npos)
+      << page;
+  EXPECT_NE(HtmlReport(findings, Language::kChinese).find("线程 0 t0"), std::string::npos);
+}
+
+TEST(ReportTest, TraceEventsHaveABarPerStatement) {
+  const std::string source = Increments(2, 1);
+  const Problem problem = ProblemOf(source);
+  const auto exploration = Explore(problem, {.engine = EngineKind::kStateful});
+  const auto json =
+      nlohmann::json::parse(ChromeReport(FindingsOf(problem, exploration.value(), source)));
+  const auto& events = json["traceEvents"];
+  ASSERT_EQ(events.size(), 2u + 8u);
+  EXPECT_EQ(events[0]["args"]["name"], "thread 0 t0");
+  EXPECT_EQ(events[5]["name"], "x = t;");
+  EXPECT_EQ(events[5]["tid"], 1);
+  EXPECT_EQ(events[5]["ts"], 3);
+  EXPECT_EQ(events[5]["args"]["written"], "x = 1");
+}
+
 TEST(ReportTest, TheScheduleJoinsStepsOfAThread) {
   const Problem problem = ProblemOf(Increments(2, 1));
   Failure failure;

@@ -73,6 +73,35 @@ TEST(Explore, TheSavedScheduleReplays) {
   EXPECT_EQ(Json::parse(replay.out)["values"]["g"], 1);
 }
 
+TEST(Explore, WritesReports) {
+  const ScratchFolder scratch;
+  const std::string file = scratch.Write("p.c", kLostUpdate);
+  RunOncard({"explore", file, "--report", scratch.path() + "/r.html"});
+  EXPECT_NE(scratch.Read("r.html").find("<h1 class=\"FAILED\">"), std::string::npos);
+  RunOncard({"explore", file, "--report", scratch.path() + "/r.json"});
+  EXPECT_EQ(Json::parse(scratch.Read("r.json"))["traceEvents"][0]["ph"], "M");
+  EXPECT_EQ(RunOncard({"explore", file, "--report", scratch.path() + "/r.txt"}).exit_code, 2);
+}
+
+TEST(Explore, TriesRandomSchedules) {
+  const ScratchFolder scratch;
+  const std::string file = scratch.Write("p.c", kLostUpdate);
+  for (const char* engine : {"random", "pct", "pos"}) {
+    const auto explore = [&](const char* runs, const char* seed) {
+      return RunOncard({"explore", file, std::string("--engine=") + engine, "--runs", runs,
+                        "--seed", seed, "--format=json"});
+    };
+    const ProcessResult found = explore("1000", "4");
+    EXPECT_EQ(found.exit_code, 1) << engine;
+    EXPECT_EQ(Json::parse(found.out)["runs"], 1000);
+    EXPECT_EQ(found.out, explore("1000", "4").out);
+  }
+  const std::string right = scratch.Write("right.c", Replaced(kLostUpdate, "g == 2", "g >= 1"));
+  const ProcessResult passed = RunOncard({"explore", right, "--engine=random", "--runs=50"});
+  EXPECT_EQ(passed.exit_code, 5);
+  EXPECT_NE(passed.out.find("PASSED\nnone of 50 random schedules"), std::string::npos);
+}
+
 TEST(Explore, TakesScenarios) {
   const ScratchFolder scratch;
   scratch.Write("p.c", kLostUpdate);

@@ -1,0 +1,162 @@
+#include "explore/sampler.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <utility>
+
+#include "base/random.h"
+#include "explore/key_set.h"
+
+namespace oncard::explore {
+namespace {
+
+/// A program of variables, walked through from its start.
+class ProgramWalk {
+ public:
+  explicit ProgramWalk(const Problem& problem) : problem_(problem), model_(problem.model) {
+    model_.TrackKey(false);
+  }
+
+  int thread_count() const { return model_.thread_count(); }
+  void Restart() {
+    while (model_.depth() > 0) model_.Undo();
+  }
+  bool ended() const { return model_.runnable() == 0; }
+  uint32_t choices() const { return model_.runnable(); }
+  bool wrong() const { return static_cast<bool>(FindFault(problem_, model_)); }
+  void Step(int thread) { model_.Step(thread); }
+  StateKey EndKey() const { return model_.FinalKey(); }
+  bool DependOnEachOther(int a, int b) const {
+    return model_.NextAccess(a).DependsOn(model_.NextAccess(b));
+  }
+
+ private:
+  const Problem& problem_;
+  Model model_;
+};
+
+class CardWalk {
+ public:
+  explicit CardWalk(CardModel* model) : model_(*model), start_(model->Start()), state_(start_) {}
+
+  int thread_count() const { return model_.thread_count(); }
+  void Restart() { state_ = start_; }
+  bool ended() const { return state_.ended; }
+  uint32_t choices() const { return state_.choices; }
+  bool wrong() const { return static_cast<bool>(state_.fault); }
+  void Step(int thread) { state_ = model_.Step(state_, thread); }
+  StateKey EndKey() const { return model_.FinalKey(state_); }
+  bool DependOnEachOther(int, int) const { return true; }
+
+ private:
+  CardModel& model_;
+  CardModel::State start_;
+  CardModel::State state_;
+};
+
+template <typename Walk>
+class Sampler {
+ public:
+  Sampler(Walk walk, const SampleOptions& options)
+      : walk_(std::move(walk)), options_(options), random_(options.seed) {}
+
+  SampleCounts Run() {
+    KeySet ends;
+    for (; counts_.runs < options_.runs; ++counts_.runs) {
+      RunOnce();
+      if (walk_.ended()) ends.Insert(walk_.EndKey());
+    }
+    counts_.different_ends = ends.size();
+    return std::move(counts_);
+  }
+
+ private:
+  void RunOnce() {
+    walk_.Restart();
+    steps_.clear();
+    DrawPriorities();
+    bool wrong = walk_.wrong();
+    while (!wrong && !walk_.ended()) {
+      if (static_cast<int64_t>(steps_.size()) >= options_.statement_limit) {
+        ++counts_.cut;
+        break;
+      }
+      const int thread = Choose();
+      steps_.push_back(static_cast<uint8_t>(thread));
+      walk_.Step(thread);
+      wrong = walk_.wrong();
+    }
+    counts_.longest = std::max(counts_.longest, static_cast<int64_t>(steps_.size()));
+    if (wrong && counts_.bad++ == 0) counts_.failing = steps_;
+  }
+
+  void DrawPriorities() {
+    for (int64_t& priority : priorities_) priority = Draw();
+    changes_.clear();
+    if (options_.kind != SamplerKind::kPct) return;
+    const auto length = static_cast<uint64_t>(std::max<int64_t>(counts_.longest, 1));
+    for (int i = 1; i < options_.depth; ++i) {
+      changes_.push_back(static_cast<int64_t>(RandomBelow(random_, length)));
+    }
+  }
+  /// A priority above all that changes give.
+  int64_t Draw() { return static_cast<int64_t>(NextRandom(random_) >> 1); }
+
+  int Choose() {
+    const uint32_t choices = walk_.choices();
+    if (options_.kind == SamplerKind::kRandom) {
+      uint32_t left = choices;
+      const auto count = static_cast<uint64_t>(std::popcount(choices));
+      for (uint64_t skip = RandomBelow(random_, count); skip > 0; --skip) left &= left - 1;
+      return std::countr_zero(left);
+    }
+    int best = Highest(choices);
+    if (options_.kind == SamplerKind::kPct) {
+      for (size_t i = 0; i < changes_.size(); ++i) {
+        if (changes_[i] != static_cast<int64_t>(steps_.size())) continue;
+        // Lower than all others, and the later ones lower still.
+        priorities_[static_cast<size_t>(best)] = -1 - static_cast<int64_t>(i);
+        best = Highest(choices);
+      }
+      return best;
+    }
+    for (int other = 0; other < walk_.thread_count(); ++other) {
+      if (other == best || (choices >> other & 1) == 0) continue;
+      if (walk_.DependOnEachOther(best, other)) priorities_[static_cast<size_t>(other)] = Draw();
+    }
+    priorities_[static_cast<size_t>(best)] = Draw();
+    return best;
+  }
+
+  int Highest(uint32_t choices) const {
+    int best = std::countr_zero(choices);
+    for (uint32_t left = choices; left != 0; left &= left - 1) {
+      const int thread = std::countr_zero(left);
+      if (priorities_[static_cast<size_t>(thread)] > priorities_[static_cast<size_t>(best)]) {
+        best = thread;
+      }
+    }
+    return best;
+  }
+
+  Walk walk_;
+  const SampleOptions& options_;
+  uint64_t random_;
+  SampleCounts counts_;
+  std::vector<uint8_t> steps_;
+  std::array<int64_t, kThreadMax> priorities_{};
+  std::vector<int64_t> changes_;  ///< kPct: statements before which a priority falls
+};
+
+}  // namespace
+
+SampleCounts Sample(const Problem& problem, const SampleOptions& options) {
+  return Sampler(ProgramWalk(problem), options).Run();
+}
+
+SampleCounts SampleCard(CardModel* model, const SampleOptions& options) {
+  return Sampler(CardWalk(model), options).Run();
+}
+
+}  // namespace oncard::explore

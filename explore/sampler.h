@@ -1,0 +1,50 @@
+// Tries random schedules, for what is too large to be explored whole.
+//
+//   random  every statement of a thread drawn uniformly from those that can go on
+//   pct     probabilistic concurrency testing (Burckhardt et al., ASPLOS 2010): threads run by
+//   random
+//           priorities, which change at depth - 1 random statements; finds a fault that needs
+//           `depth` orderings with a known probability
+//   pos     partial order sampling (Yuan, Yang, Gu, CAV 2018): every statement has a random
+//   priority,
+//           which is drawn anew when another one that depends on it goes first; programs of
+//           variables only
+//
+// Reproducible: the same seed gives the same runs everywhere. Tested by
+// tests/explore/sampler_test.cc.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "explore/card_model.h"
+#include "explore/problem.h"
+
+namespace oncard::explore {
+
+enum class SamplerKind : uint8_t { kRandom, kPct, kPos };
+
+struct SampleOptions {
+  SamplerKind kind = SamplerKind::kRandom;
+  int64_t runs = 10'000;
+  uint64_t seed = 1;
+  int depth = 3;  ///< kPct
+  /// Statements of one run; a longer one is given up.
+  int64_t statement_limit = 100'000;
+};
+
+struct SampleCounts {
+  int64_t runs = 0;
+  int64_t bad = 0;
+  int64_t cut = 0;             ///< given up
+  int64_t longest = 0;         ///< statements
+  int64_t different_ends = 0;  ///< globals and what the threads returned
+  /// The threads of the first run that went wrong, counted as the model does.
+  std::vector<uint8_t> failing;
+};
+
+SampleCounts Sample(const Problem& problem, const SampleOptions& options);
+/// The same with a card; not kPos.
+SampleCounts SampleCard(CardModel* model, const SampleOptions& options);
+
+}  // namespace oncard::explore
