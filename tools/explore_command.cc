@@ -1,6 +1,7 @@
 // oncard explore: can any interleaving of the threads go wrong?
 #include "base/files.h"
 #include "explore/scenario_exploration.h"
+#include "runtime/adapted_schedule.h"
 #include "runtime/scenario_run.h"
 #include "tools/commands.h"
 
@@ -69,6 +70,9 @@ int Save(const ExploreArguments& arguments, const Session& session, const Subjec
   if (!run.ok()) return Fail(session, kExitInternal, run.error().message);
   vm::Schedule schedule = std::move(*run.value().schedule);
   schedule.scenario = runtime::FormatScenario(moved);
+  auto annotated =
+      runtime::AnnotateSchedule(subject.scenario, subject.object, subject.source, &schedule);
+  if (!annotated.ok()) return Fail(session, kExitInternal, annotated.error().message);
   return WriteOutput(session, arguments.save, vm::FormatSchedule(schedule));
 }
 

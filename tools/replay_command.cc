@@ -1,5 +1,6 @@
 // oncard replay: a recorded run again, statement by statement.
 #include "base/files.h"
+#include "runtime/adapted_schedule.h"
 #include "tools/commands.h"
 #include "tools/run_report.h"
 
@@ -10,7 +11,24 @@ struct ReplayArguments {
   std::string path;
   std::vector<std::string> show;
   std::string format = "text";
+  bool tolerant = false;
 };
+
+/// The schedule as the program of today can follow it; what it cannot is said.
+Result<vm::Schedule> Adapt(const runtime::Scenario& scenario, const runtime::ProgramLoad& load,
+                           const vm::Schedule& schedule, const Session& session) {
+  const std::string source = load.compilation ? load.compilation->files[0].text() : std::string();
+  auto adapted = runtime::AdaptSchedule(scenario, *load.object, source, schedule);
+  if (!adapted.ok()) return adapted.error();
+  const Message followed =
+      MakeMessage("followed {0} of {1} segments of the schedule", "已按调度执行 {0} / {1} 段",
+                  adapted.value().followed, schedule.segments.size());
+  fmt::print(stderr, "{}\n", followed.In(session.language));
+  if (adapted.value().divergence) {
+    fmt::print(stderr, "{}\n", adapted.value().divergence->In(session.language));
+  }
+  return std::move(adapted.value().schedule);
+}
 
 int Replay(const ReplayArguments& arguments, const Session& session) {
   const auto text = ReadFile(arguments.path);
@@ -28,6 +46,10 @@ int Replay(const ReplayArguments& arguments, const Session& session) {
                                   runtime::CompileOptions(scenario.value()), false, &load);
   if (loaded != kExitOk) return loaded;
 
+  if (arguments.tolerant) {
+    schedule = Adapt(scenario.value(), load, schedule.value(), session);
+    if (!schedule.ok()) return Fail(session, kExitFailed, schedule.error().message);
+  }
   runtime::RunOptions options;
   options.replay = std::make_shared<const vm::Schedule>(std::move(schedule).value());
   options.show = arguments.show;
@@ -49,6 +71,10 @@ void AddReplay(CLI::App& app, Session& session) {
                                 "由“oncard run --record”写出的文件"}))
       ->required()
       ->type_name("FILE");
+  command->add_flag("--tolerant", arguments->tolerant,
+                    session.Say({"for a program that was edited: threads take turns at the same "
+                                 "lines as before, as far as it comes to them",
+                                 "用于修改过的程序：各线程仍在原来的行处切换，直到无法继续"}));
   command
       ->add_option("--show", arguments->show,
                    session.Say({"print this at the end (repeatable); without it all globals",

@@ -5,6 +5,8 @@
 //   scenario 3                  how many lines of scenario text follow, each after "| "
 //   | program = "sum.c"
 //   run 0 5                     thread, statements
+//   next 12 1 g = r + 1;        optional: source line of its next statement, how often the thread
+//                               came to it, its text; `next 0 0` at the end of the thread
 //   check 10000 0123456789abcdef
 //   end 12
 //
@@ -78,8 +80,14 @@ std::string FormatSchedule(const Schedule& schedule) {
   text += fmt::format("scenario {}\n{}", scenario_line_count, scenario_lines);
   int64_t total = 0;
   size_t checkpoint = 0;
-  for (const ScheduleSegment& segment : schedule.segments) {
+  for (size_t i = 0; i < schedule.segments.size(); ++i) {
+    const ScheduleSegment& segment = schedule.segments[i];
     text += fmt::format("run {} {}\n", segment.thread, segment.statements);
+    if (i < schedule.stops.size()) {
+      const ScheduleStop& stop = schedule.stops[i];
+      text += fmt::format("next {} {}{}{}\n", stop.line, stop.passes, stop.text.empty() ? "" : " ",
+                          stop.text);
+    }
     total += segment.statements;
     for (; checkpoint < schedule.checkpoints.size() &&
            schedule.checkpoints[checkpoint].statement <= total;
@@ -136,6 +144,16 @@ Result<Schedule> ParseSchedule(std::string_view text) {
       }
       schedule.segments.push_back({static_cast<uint8_t>(*thread), *statements});
       total += *statements;
+    } else if (keyword == "next") {
+      const auto source_line = ParseWhole<int>(TakeWord(line));
+      const auto passes = ParseWhole<int64_t>(TakeWord(line));
+      const bool expected = schedule.stops.size() + 1 == schedule.segments.size();
+      if (!expected || !source_line || *source_line < 0 || !passes || *passes < 0) {
+        return BadLine(reader,
+                       "'next' after each 'run' or none, a line and how often it is reached",
+                       "每个“run”之后均有或均无的“next”、行号及到达次数");
+      }
+      schedule.stops.push_back({*source_line, *passes, std::string(line)});
     } else if (keyword == "check") {
       const auto statement = ParseWhole<int64_t>(TakeWord(line));
       const auto hash = ParseWhole<uint64_t>(line, 16);
@@ -150,6 +168,10 @@ Result<Schedule> ParseSchedule(std::string_view text) {
       if (ParseWhole<int64_t>(line) != total || !reader.AtEnd()) {
         return BadLine(reader, fmt::format("'end {}' as the last line", total),
                        fmt::format("最后一行“end {}”", total));
+      }
+      if (!schedule.stops.empty() && schedule.stops.size() != schedule.segments.size()) {
+        return BadLine(reader, "'next' after each 'run' or none",
+                       "每个“run”之后均有或均无的“next”");
       }
       return schedule;
     } else {

@@ -19,6 +19,14 @@ struct ScheduleSegment {
   bool operator==(const ScheduleSegment&) const = default;
 };
 
+/// Where in the source a segment stops, for replays of an edited program.
+struct ScheduleStop {
+  int line = 0;        ///< of the thread's next statement; 0: it has ended
+  int64_t passes = 0;  ///< how often the thread came to a line with this text in the segment
+  std::string text;    ///< of that line
+  bool operator==(const ScheduleStop&) const = default;
+};
+
 /// The machine's hash after `statement` statements of the whole run.
 struct ScheduleCheckpoint {
   int64_t statement = 0;
@@ -31,6 +39,7 @@ struct Schedule {
   /// The scenario that was run (TOML text), so that the file can be replayed on its own.
   std::string scenario;
   std::vector<ScheduleSegment> segments;
+  std::vector<ScheduleStop> stops;  ///< one for each segment, or none at all
   std::vector<ScheduleCheckpoint> checkpoints;
   bool operator==(const Schedule&) const = default;
 };

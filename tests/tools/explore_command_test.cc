@@ -73,6 +73,20 @@ TEST(Explore, TheSavedScheduleReplays) {
   EXPECT_EQ(Json::parse(replay.out)["values"]["g"], 1);
 }
 
+TEST(Explore, TheSavedScheduleFollowsAnEditedProgram) {
+  const ScratchFolder scratch;
+  const std::string saved = scratch.path() + "/lost.schedule";
+  RunOncard({"explore", scratch.Write("p.c", kLostUpdate), "--save", saved});
+  scratch.Write("p.c", Replaced(kLostUpdate, "  g = r + 1;", "  r = r + 0;\n  g = r + 1;"));
+  const ProcessResult strict = RunOncard({"replay", saved});
+  EXPECT_EQ(strict.exit_code, 1);
+  EXPECT_NE(strict.err.find("recorded with another program"), std::string::npos) << strict.err;
+  const ProcessResult tolerant = RunOncard({"replay", "--tolerant", saved, "--format=json"});
+  EXPECT_EQ(tolerant.exit_code, 0) << tolerant.err;
+  EXPECT_EQ(tolerant.err, "followed 3 of 3 segments of the schedule\n");
+  EXPECT_EQ(Json::parse(tolerant.out)["values"]["g"], 1);
+}
+
 TEST(Explore, WritesReports) {
   const ScratchFolder scratch;
   const std::string file = scratch.Write("p.c", kLostUpdate);

@@ -33,6 +33,21 @@ constexpr std::string_view kSampleText =
 
 TEST(ScheduleTextTest, IsWrittenLineByLine) { EXPECT_EQ(FormatSchedule(Sample()), kSampleText); }
 
+TEST(ScheduleTextTest, SaysWhereSegmentsStop) {
+  Schedule schedule = Sample();
+  schedule.stops = {{6, 1, "g = r + 1;"}, {12, 300, "goto  lbl;"}, {0, 0, ""}};
+  const std::string text = FormatSchedule(schedule);
+  EXPECT_NE(text.find("run 0 5\nnext 6 1 g = r + 1;\nrun 31"), std::string::npos) << text;
+  EXPECT_NE(text.find("run 0 1\nnext 0 0\nend"), std::string::npos) << text;
+  const auto read = ParseSchedule(text);
+  ASSERT_TRUE(read.ok()) << read.error().message.en;
+  EXPECT_EQ(read.value(), schedule);
+  // After each segment or after none.
+  std::string some = text;
+  some.erase(some.find("next 12"), some.find("check") - some.find("next 12"));
+  EXPECT_FALSE(ParseSchedule(some).ok());
+}
+
 TEST(ScheduleTextTest, IsReadBack) {
   const auto schedule = ParseSchedule(kSampleText);
   ASSERT_TRUE(schedule.ok()) << schedule.error().message.en;
