@@ -226,8 +226,12 @@ int Main(int argc, char** argv) {
     BenchMotion();
     return 0;
   }
+  if (what == "explore") {
+    BenchExplore();
+    return 0;
+  }
   if (what != "vm") {
-    std::fprintf(stderr, "usage: oncard_bench vm|motion\n");
+    std::fprintf(stderr, "usage: oncard_bench vm|motion|explore\n");
     return 2;
   }
   runtime::Controller controller;

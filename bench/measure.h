@@ -17,4 +17,7 @@ double MeasureWall(const std::function<void()>& work);
 /// `oncard_bench motion`: what a profile cycle and a command cost.
 void BenchMotion();
 
+/// `oncard_bench explore`: how fast interleavings are searched, beside SPIN.
+void BenchExplore();
+
 }  // namespace oncard::bench
