@@ -100,6 +100,10 @@ Result<void> CardModel::BindRequirements(const std::vector<Requirement>& require
     if (expectation.at_us) {
       requirement.cycle = runtime::CycleOf(scenario_, *expectation.at_us);
       last_instant_ = std::max(last_instant_, requirement.cycle);
+      if (last_instant_ > last_cycle_) {
+        return MakeError(1, "the expectation '{0}' lies after the end of the run",
+                         "期望“{0}”的时刻在运行结束之后", expectation.text);
+      }
     }
     requirements_.push_back(std::move(requirement));
   }

@@ -133,6 +133,10 @@ TEST(Explore, TakesScenarios) {
   EXPECT_EQ(explore("program = \"p.c\"\nuntil_ms = 3\nalways = [\"g < 50\"]\n", "period_ms = 1\n")
                 .exit_code,
             5);
+  const ProcessResult late =
+      explore("program = \"p.c\"\nuntil_ms = 3\nexpect = [\"g >= 1 @ 5ms\"]\n");
+  EXPECT_EQ(late.exit_code, 2);
+  EXPECT_NE(late.err.find("after the end of the run"), std::string::npos) << late.err;
   EXPECT_EQ(explore("program = \"p.c\"\nnever = [\"g == 2 && ret0 == 1\"]\n").exit_code, 0);
 }
 
