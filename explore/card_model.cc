@@ -141,6 +141,15 @@ void CardModel::Judge(Scope scope, State* state) const {
   }
 }
 
+void CardModel::JudgeInstant(State* state) const {
+  for (size_t i = 0; i < requirements_.size() && !state->fault; ++i) {
+    const BoundRequirement& bound = requirements_[i];
+    if (bound.cycle == controller_->cycle() && !Holds(bound)) {
+      state->fault = {Fault::Kind::kRequirement, static_cast<int>(i), 0};
+    }
+  }
+}
+
 void CardModel::JudgeThreads(State* state) const {
   for (int i = 0; i < thread_count() && !state->fault; ++i) {
     const int number = setup(i).thread;
@@ -200,13 +209,7 @@ void CardModel::Settle(State* state) {
       return End(state);
     }
     if (state->left > 0 && machine.RunnableThreads() != 0) break;
-    // The end of a cycle.
-    for (size_t i = 0; i < requirements_.size() && !state->fault; ++i) {
-      const BoundRequirement& bound = requirements_[i];
-      if (bound.cycle == controller_->cycle() && !Holds(bound)) {
-        state->fault = {Fault::Kind::kRequirement, static_cast<int>(i), 0};
-      }
-    }
+    JudgeInstant(state);
     if (state->fault) break;
     if (controller_->Deadlocked()) {
       state->fault.kind = Fault::Kind::kDeadlock;
@@ -235,12 +238,7 @@ void CardModel::End(State* state) {
   state->ended = true;
   // Without threads the card goes on until the last instant that was asked for.
   for (;;) {
-    for (size_t i = 0; i < requirements_.size() && !state->fault; ++i) {
-      const BoundRequirement& bound = requirements_[i];
-      if (bound.cycle == controller_->cycle() && !Holds(bound)) {
-        state->fault = {Fault::Kind::kRequirement, static_cast<int>(i), 0};
-      }
-    }
+    JudgeInstant(state);
     if (state->fault || controller_->cycle() >= std::min(last_instant_, last_cycle_)) break;
     controller_->BeginCycle();
     if (has_invariants_) Judge(Scope::kAlways, state);

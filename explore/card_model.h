@@ -84,8 +84,10 @@ class CardModel {
   CardModel() = default;
   Result<void> BindRequirements(const std::vector<Requirement>& requirements);
   bool Holds(const BoundRequirement& bound) const;
-  /// Looks at requirements of a scope; those with an instant only in their cycle.
+  /// Looks at the final requirements that have no instant, or at the invariants.
   void Judge(Scope scope, State* state) const;
+  /// Looks at the expectations whose instant is the end of this cycle.
+  void JudgeInstant(State* state) const;
   void JudgeThreads(State* state) const;
   /// Begins cycles until a thread has a choice or the run has ended.
   void Settle(State* state);
