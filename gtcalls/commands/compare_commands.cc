@@ -292,10 +292,11 @@ int16_t CompareLinear(Call& call) {
   return vm::kOk;
 }
 
-/// Assumption: the status is 1 while points are waited for; the count is that of both outputs.
+/// Assumption: the status is that of GT_2DCompareStatus, 0 while points are waited for and 1
+/// afterwards; the count is that of both outputs.
 int16_t CompareStatus(Call& call) {
   const CompareUnit& compare = CompareOf(call);
-  call.Set(0, compare.running() ? 1 : 0);
+  call.Set(0, compare.running() ? 0 : 1);
   call.Set(1, compare.module(0).hits + compare.module(1).hits);
   return vm::kOk;
 }

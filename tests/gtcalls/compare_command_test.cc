@@ -110,7 +110,7 @@ void MoveAxis1(CommandTestCard& card, int target) {
   card.motion.StartProfile(0);
 }
 
-/// GT_CompareStatus: status and count.
+/// GT_CompareStatus: 0 while it runs, and the count.
 Cells LinearStatus(CommandTestCard& card) {
   Cells status(1), count(1);
   EXPECT_EQ(card.Call("GT_CompareStatus", {&status, &count}), 0);
@@ -123,11 +123,11 @@ TEST(CompareData, EachListHasItsOutput) {
   Cells first = {10000, 20000};
   Cells second = {15000};
   ASSERT_EQ(card.Call("GT_CompareData", {1, 0, 0, 0, 500, &first, 2, &second, 1}), 0);
-  EXPECT_EQ(LinearStatus(card), (Cells{1, 0}));
+  EXPECT_EQ(LinearStatus(card), (Cells{0, 0}));
   card.Cycles(800);  // 200 ms: 15000 pulses are reached
-  EXPECT_EQ(LinearStatus(card), (Cells{1, 2}));
+  EXPECT_EQ(LinearStatus(card), (Cells{0, 2}));
   card.Cycles(800);
-  EXPECT_EQ(LinearStatus(card), (Cells{0, 3}));
+  EXPECT_EQ(LinearStatus(card), (Cells{1, 3}));
   const auto& log = card.motion.state().compare.log();
   ASSERT_EQ(log.size(), 3u);
   const struct {
@@ -159,7 +159,7 @@ TEST(CompareLinear, PulsesComeAtEqualDistances) {
   MoveAxis1(card, 30000);
   ASSERT_EQ(card.Call("GT_CompareLinear", {1, 1, 10000, 1000, 10, 5, 0}), 0);
   card.Cycles(1600);
-  EXPECT_EQ(LinearStatus(card), (Cells{0, 1000}));
+  EXPECT_EQ(LinearStatus(card), (Cells{1, 1000}));
   const auto& log = card.motion.state().compare.log();
   ASSERT_EQ(log.size(), 1000u);
   for (size_t i = 0; i < log.size(); ++i) {
@@ -174,10 +174,10 @@ TEST(CompareLinear, BackwardsAndStopped) {
   MoveAxis1(card, -30000);
   ASSERT_EQ(card.Call("GT_CompareLinear", {1, 0, -10000, 5, -1000, 5, 0}), 0);
   card.Cycles(648);  // 162 ms: -11200 pulses
-  EXPECT_EQ(LinearStatus(card), (Cells{1, 2}));
+  EXPECT_EQ(LinearStatus(card), (Cells{0, 2}));
   EXPECT_EQ(card.Call("GT_CompareStop", {}), 0);
   card.Cycles(800);
-  EXPECT_EQ(LinearStatus(card), (Cells{0, 2}));
+  EXPECT_EQ(LinearStatus(card), (Cells{1, 2}));
 }
 
 TEST(CompareLinear, ParametersAreChecked) {
