@@ -7,6 +7,7 @@
 
 #include "runtime/scenario_start.h"
 #include "runtime/scenario_world.h"
+#include "vm/thread_words.h"
 
 namespace oncard::explore {
 
@@ -20,29 +21,8 @@ namespace {
 
 using vm::ThreadState;
 
-/// All of a thread that the future depends on: not how many statements it has executed.
-std::array<int64_t, 20> Words(const ThreadState& t) {
-  return {static_cast<int64_t>(t.run),
-          t.page,
-          t.function,
-          t.started,
-          t.pc,
-          t.error,
-          static_cast<int64_t>(t.result_type),
-          t.result,
-          t.wake_cycle,
-          t.waiting,
-          t.wait_slot.global,
-          t.wait_slot.page,
-          t.wait_slot.id,
-          static_cast<int64_t>(t.wait_slot.type),
-          t.wait_value,
-          t.breakpoint_line,
-          t.period_cycles,
-          t.next_start,
-          t.overruns,
-          t.priority};
-}
+/// The words at the end of WordsOf() on which the future does not depend: counts of statements.
+constexpr size_t kCountWords = 2;
 
 /// True for a statement that may change the card around the machine.
 bool ChangesBody(const vm::Instruction& instruction) {
@@ -295,8 +275,8 @@ StateKey CardModel::KeyOf(const State& state) const {
   std::vector<int64_t> words = state.slots;
   words.push_back(state.used_pages);
   for (const ThreadState& thread : state.threads) {
-    const auto of_thread = Words(thread);
-    words.insert(words.end(), of_thread.begin(), of_thread.end());
+    const auto of_thread = vm::WordsOf(thread);
+    words.insert(words.end(), of_thread.begin(), of_thread.end() - kCountWords);
   }
   words.insert(words.end(), {static_cast<int64_t>(state.body->hash), state.left,
                              static_cast<int64_t>(state.served), state.ended,

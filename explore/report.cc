@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/markup.h"
+
 namespace oncard::explore {
 namespace {
 
@@ -184,36 +186,13 @@ constexpr std::string_view kPageStyle =
     "span.written { color: #06592a; }\n"
     "h1.FAILED { color: #c00; }\nh1.PROVED, h1.PASSED { color: #06592a; }\n";
 
-std::string Escaped(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
-}
-
 std::string HtmlTable(const Findings& findings, const std::vector<TrailStep>& steps,
                       int64_t last_escape, Language language) {
   const Subject& subject = findings.subject;
   const auto lines = Lines(findings.source);
   std::string table = "<table>\n<tr><th></th><th></th>";
   for (size_t i = 0; i < subject.threads.size(); ++i) {
-    table += fmt::format("<th>{}</th>", Escaped(ThreadHead(subject, i, language)));
+    table += fmt::format("<th>{}</th>", EscapeMarkup(ThreadHead(subject, i, language)));
   }
   table += "</tr>\n";
   double at_ms = -1;
@@ -229,9 +208,9 @@ std::string HtmlTable(const Findings& findings, const std::vector<TrailStep>& st
     for (int column = 0; column < step.thread; ++column) table += "<td></td>";
     table += fmt::format("<td class=\"statement{}\">{}",
                          static_cast<int64_t>(i) == last_escape ? " escape" : "",
-                         Escaped(SourceLine(step, lines)));
+                         EscapeMarkup(SourceLine(step, lines)));
     if (!step.written.empty()) {
-      table += fmt::format("   <span class=\"written\">{}</span>", Escaped(step.written));
+      table += fmt::format("   <span class=\"written\">{}</span>", EscapeMarkup(step.written));
     }
     table += "</td></tr>\n";
   }
@@ -240,7 +219,7 @@ std::string HtmlTable(const Findings& findings, const std::vector<TrailStep>& st
 
 std::string FailureHtml(const Findings& findings, const Failure& failure, Language language) {
   std::string html =
-      fmt::format("<pre>{}</pre>\n", Escaped(SummaryOf(findings, failure, language)));
+      fmt::format("<pre>{}</pre>\n", EscapeMarkup(SummaryOf(findings, failure, language)));
   html += HtmlTable(findings, findings.trail.steps, failure.last_escape, language);
   const auto paragraph = [&](const Message& message) {
     html += fmt::format("<p>{}</p>\n", message.In(language));
@@ -331,9 +310,9 @@ std::string HtmlReport(const Findings& findings, Language language) {
       "<h1 class=\"{1}\">{1}</h1>\n",
       chinese ? "zh" : "en", verdict, kPageStyle);
   if (!exploration.why.en.empty()) {
-    page += fmt::format("<p>{}</p>\n", Escaped(exploration.why.In(language)));
+    page += fmt::format("<p>{}</p>\n", EscapeMarkup(exploration.why.In(language)));
   }
-  page += fmt::format("<pre>{}</pre>\n", Escaped(CountsText(exploration, language)));
+  page += fmt::format("<pre>{}</pre>\n", EscapeMarkup(CountsText(exploration, language)));
   if (exploration.failure) {
     page += FailureHtml(findings, *exploration.failure, language);
   }

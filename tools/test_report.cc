@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/markup.h"
 #include "compiler/display_text.h"
 
 namespace oncard::tools {
@@ -13,28 +14,7 @@ size_t CountPassed(const std::vector<TestOutcome>& outcomes) {
                                            [](const TestOutcome& o) { return o.passed(); }));
 }
 
-std::string EscapeXml(std::string_view text) {
-  std::string escaped;
-  for (const char c : compiler::DisplayText(text)) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
-}
+std::string EscapeXml(std::string_view text) { return EscapeMarkup(compiler::DisplayText(text)); }
 
 }  // namespace
 

@@ -12,6 +12,7 @@
 
 #include "vm/handlers.h"
 #include "vm/interpreter.h"
+#include "vm/thread_words.h"
 
 namespace oncard::vm {
 namespace {
@@ -444,34 +445,39 @@ bool Machine::PassCheckpoint() {
 
 // --- State ---------------------------------------------------------------------------------------
 
+std::array<int64_t, kThreadWordCount> WordsOf(const ThreadState& thread) {
+  return {static_cast<int64_t>(thread.run),
+          thread.page,
+          thread.function,
+          thread.started,
+          thread.pc,
+          thread.error,
+          static_cast<int64_t>(thread.result_type),
+          thread.result,
+          thread.fault_value,
+          thread.fault_limit,
+          thread.wake_cycle,
+          thread.waiting,
+          thread.wait_slot.global,
+          thread.wait_slot.page,
+          thread.wait_slot.id,
+          static_cast<int64_t>(thread.wait_slot.type),
+          thread.wait_value,
+          thread.breakpoint_line,
+          thread.period_cycles,
+          thread.next_start,
+          thread.overruns,
+          thread.priority,
+          thread.executed,
+          thread.executed_max};
+}
+
 uint64_t Machine::Hash() const {
   std::vector<int64_t> words;
-  words.reserve(size_t{kThreadCount} * 24);
-  for (const ThreadState& t : state_->threads) {
-    words.insert(words.end(), {static_cast<int64_t>(t.run),
-                               t.page,
-                               t.function,
-                               t.started,
-                               t.pc,
-                               t.error,
-                               static_cast<int64_t>(t.result_type),
-                               t.result,
-                               t.fault_value,
-                               t.fault_limit,
-                               t.wake_cycle,
-                               t.waiting,
-                               t.wait_slot.global,
-                               t.wait_slot.page,
-                               t.wait_slot.id,
-                               static_cast<int64_t>(t.wait_slot.type),
-                               t.wait_value,
-                               t.breakpoint_line,
-                               t.period_cycles,
-                               t.next_start,
-                               t.overruns,
-                               t.priority,
-                               t.executed,
-                               t.executed_max});
+  words.reserve(size_t{kThreadCount} * kThreadWordCount + 2);
+  for (const ThreadState& thread : state_->threads) {
+    const auto of_thread = WordsOf(thread);
+    words.insert(words.end(), of_thread.begin(), of_thread.end());
   }
   words.push_back(state_->executed);
   words.push_back(state_->cycle);

@@ -1,0 +1,15 @@
+#include "base/markup.h"
+
+#include <gtest/gtest.h>
+
+namespace oncard {
+namespace {
+
+TEST(EscapeMarkup, ReplacesWhatMeansSomething) {
+  EXPECT_EQ(EscapeMarkup("a < b && c > \"d\""), "a &lt; b &amp;&amp; c &gt; &quot;d&quot;");
+  EXPECT_EQ(EscapeMarkup("线程 0"), "线程 0");
+  EXPECT_EQ(EscapeMarkup(""), "");
+}
+
+}  // namespace
+}  // namespace oncard

@@ -1,0 +1,16 @@
+// A thread's state as words, for hashes. Internal to the machine and to searches of its states.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "vm/machine.h"
+
+namespace oncard::vm {
+
+inline constexpr size_t kThreadWordCount = 24;
+
+/// All that the machine knows of a thread; the two counts of statements come last.
+std::array<int64_t, kThreadWordCount> WordsOf(const ThreadState& thread);
+
+}  // namespace oncard::vm
