@@ -203,11 +203,23 @@ int16_t Status2D(Call& call) {
 
 // --- One dimension -----------------------------------------------------------------------------
 
-/// 0, or 1 when a module is at work.
-int16_t CheckBothStopped(Call& call) {
-  if (!CompareOf(call).running()) return vm::kOk;
-  return call.Refuse(vm::kRefused, MakeMessage("compare is running, call GT_CompareStop",
-                                               "位置比较正在运行，请调用 GT_CompareStop"));
+/// What the one-dimensional commands have in common: the encoder is argument 0, the others are
+/// where they are told. Both modules are emptied; refused, nothing has changed.
+int16_t PrepareLinear(Call& call, size_t source, size_t time, CompareParameters* parameters) {
+  const int16_t code = CheckSource(call, call.value(0), call.integer(source) != 0);
+  if (code != vm::kOk) return code;
+  if (CompareOf(call).running()) {
+    return call.Refuse(vm::kRefused, MakeMessage("compare is running, call GT_CompareStop",
+                                                 "位置比较正在运行，请调用 GT_CompareStop"));
+  }
+  for (size_t channel = 0; channel < motion::kHsioCount; ++channel) {
+    CompareOf(call).Clear(channel);
+    CompareOf(call).module(channel).hits = 0;
+  }
+  parameters->y = static_cast<uint8_t>(NumberOf(call));
+  parameters->source = static_cast<int16_t>(call.integer(source));
+  parameters->time = static_cast<int16_t>(call.integer(time));
+  return vm::kOk;
 }
 
 void StartLinear(const Call& call, size_t channel, const CompareParameters& parameters) {
@@ -241,17 +253,12 @@ int16_t CompareData(Call& call) {
     return call.Refuse(vm::kBadParameter, MakeMessage("count1 and count2 are 0: there is no point",
                                                       "count1 与 count2 均为 0：没有比较数据"));
   }
-  int16_t code = CheckSource(call, call.value(0), call.integer(1) != 0);
-  if (code == vm::kOk) code = CheckBothStopped(call);
-  if (code != vm::kOk) return code;
   CompareParameters parameters;
-  parameters.y = static_cast<uint8_t>(NumberOf(call));
-  parameters.source = static_cast<int16_t>(call.integer(1));
+  const int16_t code = PrepareLinear(call, 1, 4, &parameters);
+  if (code != vm::kOk) return code;
   parameters.level_output = level_output;
   parameters.start_level = call.integer(3) != 0;
-  parameters.time = static_cast<int16_t>(call.integer(4));
   for (size_t channel = 0; channel < points.size(); ++channel) {
-    CompareOf(call).Clear(channel);
     if (points[channel].empty()) continue;
     CompareOf(call).Append(channel, points[channel]);
     StartLinear(call, channel, parameters);
@@ -278,14 +285,9 @@ int16_t CompareLinear(Call& call) {
                        MakeMessage("the last position {0} does not fit in a long",
                                    "最后一个位置 {0} 超出 long 的范围", last));
   }
-  int16_t code = CheckSource(call, call.value(0), call.integer(6) != 0);
-  if (code == vm::kOk) code = CheckBothStopped(call);
-  if (code != vm::kOk) return code;
   CompareParameters parameters;
-  parameters.y = static_cast<uint8_t>(NumberOf(call));
-  parameters.source = static_cast<int16_t>(call.integer(6));
-  parameters.time = static_cast<int16_t>(call.integer(5));
-  CompareOf(call).Clear(1 - channel);
+  const int16_t code = PrepareLinear(call, 6, 5, &parameters);
+  if (code != vm::kOk) return code;
   CompareOf(call).Repeat(channel, static_cast<int32_t>(first), static_cast<int32_t>(count - 1),
                          static_cast<int32_t>(interval));
   StartLinear(call, channel, parameters);

@@ -141,6 +141,17 @@ TEST(CompareData, EachListHasItsOutput) {
   }
 }
 
+TEST(CompareData, TheCountIsThatOfTheLastCommand) {
+  CommandTestCard card;
+  MoveAxis1(card, 30000);
+  Cells points = {10000, 20000};
+  ASSERT_EQ(card.Call("GT_CompareData", {1, 0, 0, 0, 500, &points, 2, &points, 2}), 0);
+  card.Cycles(1600);
+  EXPECT_EQ(LinearStatus(card), (Cells{1, 4}));
+  ASSERT_EQ(card.Call("GT_CompareLinear", {1, 0, 0, 1, 0, 5, 0}), 0);
+  EXPECT_EQ(LinearStatus(card), (Cells{0, 0}));
+}
+
 TEST(CompareData, LevelsChangeAtEachPoint) {
   CommandTestCard card;
   MoveAxis1(card, 30000);
