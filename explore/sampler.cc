@@ -23,6 +23,8 @@ class ProgramWalk {
     while (model_.depth() > 0) model_.Undo();
   }
   bool ended() const { return model_.runnable() == 0; }
+  /// It has ended because no thread runs any more.
+  bool finished() const { return ended(); }
   uint32_t choices() const { return model_.runnable(); }
   bool wrong() const { return static_cast<bool>(FindFault(problem_, model_)); }
   void Step(int thread) { model_.Step(thread); }
@@ -43,6 +45,7 @@ class CardWalk {
   int thread_count() const { return model_.thread_count(); }
   void Restart() { state_ = start_; }
   bool ended() const { return state_.ended; }
+  bool finished() const { return state_.finished; }
   uint32_t choices() const { return state_.choices; }
   bool wrong() const { return static_cast<bool>(state_.fault); }
   void Step(int thread) { state_ = model_.Step(state_, thread); }
@@ -65,7 +68,7 @@ class Sampler {
     KeySet ends;
     for (; counts_.runs < options_.runs; ++counts_.runs) {
       RunOnce();
-      if (walk_.ended()) ends.Insert(walk_.EndKey());
+      if (walk_.finished()) ends.Insert(walk_.EndKey());
     }
     counts_.different_ends = ends.size();
     return std::move(counts_);

@@ -111,6 +111,13 @@ TEST(Sampler, TriesCards) {
   EXPECT_EQ(counts.different_ends, 2);
 }
 
+TEST(Sampler, ARunThatGoesWrongOnTheWayHasNoEnd) {
+  CardModel model = CardOf(Increments(2, 1), "never = [\"x == 1\"]\n");
+  const SampleCounts counts = SampleCard(&model, {.runs = 20});
+  EXPECT_EQ(counts.bad, 20);
+  EXPECT_EQ(counts.different_ends, 0);
+}
+
 TEST(Sampler, TheVerdictIsNeverAProof) {
   const auto passed =
       Explore(ProblemOf("int a;\n//@ final: a == 1\nint t0() { a = 1; return 0; }\n"),
