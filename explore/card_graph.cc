@@ -44,7 +44,7 @@ class CardSearch {
     StateGraph& graph = result_.graph;
     graph.successors.resize(graph.successors.size() + static_cast<size_t>(graph.threads),
                             StateGraph::kNone);
-    uint8_t flags = 0;
+    uint32_t flags = 0;
     if (state.ended) {
       flags |= kTerminal;
       result_.cut = result_.cut || (!state.finished && !state.fault);

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <functional>
+#include <numeric>
+#include <span>
+#include <utility>
 #include <vector>
-
-#include "explore/key_set.h"
 
 namespace oncard::explore {
 namespace {
@@ -58,6 +60,9 @@ struct Event {
   /// Of each thread, how many events happen before this one or are it.
   std::array<uint32_t, kThreadMax> clock{};
   uint32_t number = 0;  ///< among its thread's events, from 1
+  /// What Latest said before the event, in the order in which it was changed.
+  std::array<uint32_t, AccessSet::kReadMax + 2> before{};
+  uint64_t trace = 0;  ///< names the trace up to and with this event; kept on request
   std::vector<uint32_t>
       races;  ///< earlier events it races with, while their reversal is not settled
 };
@@ -71,6 +76,9 @@ struct Frame {
 /// How a step stands to a sequence: one of its first, independent of all of it, or neither.
 enum class Initial : uint8_t { kNo, kFirst, kIndependent };
 
+/// Traces whose keys are kept to count redundant ones: half a gigabyte of them.
+constexpr size_t kNotedTraceMax = size_t{1} << 26;
+
 class Search {
  public:
   Search(Model* model, const DporLimits& limits, const FinalVisitor& visit)
@@ -82,6 +90,7 @@ class Search {
     for (int thread = 0; thread < model_.thread_count(); ++thread) RunPrivate(thread);
     frames_.resize(1);
     Explore();
+    result_.redundant = CountRedundant();
     while (model_.depth() > start) model_.Undo();
     return result_;
   }
@@ -90,7 +99,7 @@ class Search {
   /// Executes a thread's statements up to the next that touches shared cells.
   void RunPrivate(int thread) {
     while (model_.Running(thread) && model_.depth() < limits_.depth &&
-           model_.NextAccess(thread).empty()) {
+           (model_.NextIsPrivate(thread) || model_.NextAccess(thread).empty())) {
       model_.Step(thread);
       ++result_.steps;
     }
@@ -162,24 +171,111 @@ class Search {
     event.step = step;
     event.races.clear();
     std::fill_n(event.clock.begin(), threads_, 0u);
-    for (size_t i = count_; i-- > 0;) {
-      const Event& earlier = events_[i];
+    FindPredecessors(step);
+    for (size_t p = 0; p < predecessor_count_; ++p) {
+      const uint32_t i = predecessors_[p];
+      const Event& earlier = events_[i - 1];
       const auto thread = static_cast<size_t>(earlier.step.thread);
       if (earlier.number <= event.clock[thread]) continue;  // something in between orders them
-      const bool same_thread = earlier.step.thread == step.thread;
-      if (!same_thread && !earlier.step.access.DependsOn(step.access)) continue;
       for (size_t t = 0; t < threads_; ++t) {
         event.clock[t] = std::max(event.clock[t], earlier.clock[t]);
       }
-      if (!same_thread) event.races.push_back(static_cast<uint32_t>(i));
+      if (earlier.step.thread != step.thread) event.races.push_back(i - 1);
     }
     event.number = ++event.clock[static_cast<size_t>(step.thread)];
+    if (!event.races.empty()) unsettled_.push_back(static_cast<uint32_t>(count_));
+    if (limits_.count_redundant) NameTrace(&event);
     ++count_;
+    size_t changed = 0;
+    ForLatest(step, [&](uint32_t* latest) {
+      event.before[changed++] = std::exchange(*latest, static_cast<uint32_t>(count_));
+    });
+  }
+
+  /// Of the events that a step depends on, those that may come before it directly: the latest
+  /// first.
+  void FindPredecessors(const Step& step) {
+    predecessor_count_ = 0;
+    const auto add = [this](uint32_t latest) {
+      if (latest == 0) return;
+      size_t at = predecessor_count_++;
+      for (; at > 0 && predecessors_[at - 1] < latest; --at) {
+        predecessors_[at] = predecessors_[at - 1];
+      }
+      predecessors_[at] = latest;
+    };
+    add(latest_of_thread_[static_cast<size_t>(step.thread)]);
+    for (uint32_t i = 0; i < step.access.read_count; ++i) {
+      add(LatestOf(step.access.reads[i])[threads_]);
+    }
+    if (step.access.write != AccessSet::kNone) {
+      const uint32_t* latest = LatestOf(step.access.write);
+      for (size_t i = 0; i <= threads_; ++i) add(latest[i]);
+    }
+  }
+
+  /// Calls `change` with every element of what is known of the latest events that says something
+  /// else after this step, always in the same order.
+  template <typename Change>
+  void ForLatest(const Step& step, const Change& change) {
+    change(&latest_of_thread_[static_cast<size_t>(step.thread)]);
+    for (uint32_t i = 0; i < step.access.read_count; ++i) {
+      change(LatestOf(step.access.reads[i]) + step.thread);
+    }
+    if (step.access.write != AccessSet::kNone) change(LatestOf(step.access.write) + threads_);
+  }
+
+  /// Of a cell: each thread's latest event that reads it, then the latest that writes it, counted
+  /// from 1; 0 when there is none.
+  uint32_t* LatestOf(uint32_t cell) {
+    const size_t begin = size_t{cell} * (threads_ + 1);
+    if (latest_of_cell_.size() < begin + threads_ + 1) latest_of_cell_.resize(begin + threads_ + 1);
+    return &latest_of_cell_[begin];
+  }
+
+  /// Names a trace by what happens before each of its events, in whatever order they came.
+  void NameTrace(Event* event) {
+    uint64_t name = static_cast<uint64_t>(event->step.thread);
+    for (size_t t = 0; t < threads_; ++t) {
+      name = (name ^ name >> 29 ^ event->clock[t]) * 0x9e3779b97f4a7c15ULL;
+    }
+    event->trace = (count_ == 0 ? 0 : events_[count_ - 1].trace) + (name ^ name >> 32);
+  }
+
+  /// Remembers the present trace.
+  void NoteTrace() {
+    if (traces_.size() == kNotedTraceMax) return;
+    traces_.push_back(count_ == 0 ? 0 : events_[count_ - 1].trace);
+  }
+  /// How many of the remembered traces are there more than once. Sorting them at the end is much
+  /// faster than looking up each in a table that is larger than the processor's caches.
+  int64_t CountRedundant() {
+    // By their first bits into parts that fit into a cache, which are then sorted one by one.
+    constexpr int kPartBits = 12;
+    std::vector<size_t> ends(size_t{1} << kPartBits);
+    const auto part_of = [](uint64_t trace) { return trace >> (64 - kPartBits); };
+    for (const uint64_t trace : traces_) ++ends[part_of(trace)];
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    std::vector<size_t> begins = ends;
+    std::vector<uint64_t> parts(traces_.size());
+    for (const uint64_t trace : traces_) parts[--begins[part_of(trace)]] = trace;
+    int64_t redundant = 0;
+    for (size_t part = 0; part < ends.size(); ++part) {
+      const std::span<uint64_t> own(&parts[0] + begins[part], &parts[0] + ends[part]);
+      std::ranges::sort(own);
+      redundant += static_cast<int64_t>(std::ranges::unique(own).size());
+    }
+    return redundant;
   }
 
   /// Takes back the last event: its step goes to sleep, what was planned for it is done.
   void Leave() {
     const Event& event = events_[--count_];
+    if (!unsettled_.empty() && unsettled_.back() == count_) unsettled_.pop_back();
+    std::array<uint32_t*, AccessSet::kReadMax + 2> changed{};
+    size_t changes = 0;
+    ForLatest(event.step, [&](uint32_t* latest) { changed[changes++] = latest; });
+    while (changes-- > 0) *changed[changes] = event.before[changes];
     for (int64_t i = 0; i < event.statements; ++i) model_.Undo();
     Frame& frame = frames_[count_];
     frame.sleep.push_back(event.step);
@@ -190,30 +286,17 @@ class Search {
 
   void Finish() {
     ++result_.executions;
-    if (limits_.count_redundant && !traces_.Insert(TraceKey())) ++result_.redundant;
+    if (limits_.count_redundant) NoteTrace();
     const bool told = limits_.stop != nullptr && limits_.stop->load(std::memory_order_relaxed);
     if (!visit_(model_) || told || result_.executions >= limits_.executions) {
       stopped_ = true;
       return;
     }
-    for (size_t later = 1; later < count_; ++later) {
+    std::erase_if(unsettled_, [this](uint32_t later) {
       std::vector<uint32_t>& races = events_[later].races;
       std::erase_if(races, [&](uint32_t earlier) { return Reverse(earlier, later); });
-    }
-  }
-
-  /// Names the trace: for every event what happens before it, in whatever order they came.
-  StateKey TraceKey() const {
-    StateKey key;
-    for (size_t i = 0; i < count_; ++i) {
-      const Event& event = events_[i];
-      StateKey name;
-      for (size_t t = 0; t < threads_; ++t) {
-        AddToKey(static_cast<uint32_t>(t), event.clock[t], &name);
-      }
-      AddToKey(static_cast<uint32_t>(event.step.thread), static_cast<int64_t>(name.low), &key);
-    }
-    return key;
+      return races.empty();
+    });
   }
 
   bool HappensBefore(const Event& first, const Event& second) const {
@@ -313,7 +396,13 @@ class Search {
   std::vector<Event> events_;
   std::vector<Frame> frames_;
   std::vector<const Step*> rest_;
-  KeySet traces_;
+  std::array<uint32_t, kThreadMax> latest_of_thread_{};  ///< event, counted from 1
+  std::vector<uint32_t> latest_of_cell_;                 ///< see LatestOf()
+  /// See FindPredecessors(): of the own thread, of each cell read, of the cell written.
+  std::array<uint32_t, 1 + AccessSet::kReadMax + kThreadMax + 1> predecessors_{};
+  size_t predecessor_count_ = 0;
+  std::vector<uint32_t> unsettled_;  ///< events with races, the latest last
+  std::vector<uint64_t> traces_;
 };
 
 }  // namespace

@@ -36,7 +36,7 @@ struct DporLimits {
   int64_t executions = INT64_MAX;
   /// Statements of one execution; a program that may run longer is not for this engine.
   int64_t depth = 1'000'000;
-  /// Keeps a key of every trace to count redundant executions.
+  /// Keeps keys of traces, the first 67 million, to count redundant executions.
   bool count_redundant = false;
   /// Set from another thread: the search ends soon.
   const std::atomic<bool>* stop = nullptr;

@@ -65,7 +65,7 @@ Exploration ConcludeSamples(EngineKind engine, SampleCounts samples) {
 /// `auto`: when one engine has an answer, the other may go on counting for this part of the time
 /// that has passed, and at least for kGraceMin.
 constexpr double kGracePart = 0.5;
-constexpr std::chrono::milliseconds kGraceMin{300};
+constexpr std::chrono::milliseconds kGraceMin{20};
 
 /// What the dpor engine found.
 struct TraceSearch {
@@ -92,8 +92,7 @@ TraceSearch SearchTraces(const Problem& problem, const ExploreOptions& options,
   limits.count_redundant = true;
   limits.stop = stop;
   const DporResult result = ExploreTraces(&model, limits, [&](const Model& state) {
-    globals.Insert(state.GlobalsKey());
-    full.Insert(state.FinalKey());
+    if (full.Insert(state.FinalKey())) globals.Insert(state.GlobalsKey());
     if (!FindFault(problem, state)) return true;
     if (search.counts.bad_traces++ == 0) {
       for (int64_t i = 0; i < state.depth(); ++i) {
@@ -127,7 +126,7 @@ StateSearch SearchStates(const Problem& problem, const ExploreOptions& options,
       full.Insert(state.FinalKey());
     }
     search.counts.bad_states += bad ? 1 : 0;
-    return bad;
+    return bad ? kBad : 0u;
   });
   search.counts.states = search.graph.size();
   search.counts.transitions = search.graph.transitions;
@@ -136,7 +135,7 @@ StateSearch SearchStates(const Problem& problem, const ExploreOptions& options,
   search.counts.complete = search.graph.complete;
   if (!search.counts.complete) return search;
 
-  const std::vector<int> preemptions = PreemptionsTo(search.graph);
+  const std::vector<int> preemptions = PreemptionsTo(search.graph, kPreemptionBounds - 1);
   std::vector<int> fewest(globals.size(), kPreemptionBounds);
   size_t terminal = 0;
   for (uint32_t state = 0; state < search.graph.size(); ++state) {
@@ -257,7 +256,10 @@ Exploration Conclude(const Problem& problem, const ExploreOptions& options,
   if (traces) exploration.traces = traces->counts;
   if (states) {
     exploration.states = std::move(states->counts);
-    exploration.failure = FailureIn(problem, states->graph);
+    const bool looks_for_cycles = exploration.states->complete;
+    if (exploration.states->bad_states > 0 || looks_for_cycles) {
+      exploration.failure = FailureIn(problem, states->graph);
+    }
   }
   if (!exploration.failure && traces && !traces->failing.empty()) {
     exploration.failure = FailureOf(problem, traces->failing);

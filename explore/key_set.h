@@ -5,24 +5,22 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/large_pages.h"
 #include "explore/state_key.h"
 
 namespace oncard::explore {
 
 class KeySet {
  public:
-  KeySet() : keys_(kFirstSize), numbers_(kFirstSize, kEmpty) {}
+  KeySet() : slots_(kFirstSize) {}
 
   /// The number of a key; the next free one, from 0, when it is new.
   uint32_t FindOrAdd(StateKey key, bool* added) {
-    if (2 * size_t{size_} >= keys_.size()) Grow();
-    const size_t slot = SlotOf(key);
-    *added = numbers_[slot] == kEmpty;
-    if (*added) {
-      keys_[slot] = key;
-      numbers_[slot] = size_++;
-    }
-    return numbers_[slot];
+    if (2 * size_t{size_} >= slots_.size()) Grow();
+    Slot& slot = slots_[SlotOf(key)];
+    *added = slot.number == kEmpty;
+    if (*added) slot = {key, size_++};
+    return slot.number;
   }
   /// True when the key is new.
   bool Insert(StateKey key) {
@@ -31,33 +29,40 @@ class KeySet {
     return added;
   }
   uint32_t size() const { return size_; }
+  /// In the order of their numbers.
+  std::vector<StateKey> Keys() const {
+    std::vector<StateKey> keys(size_);
+    for (const Slot& slot : slots_) {
+      if (slot.number != kEmpty) keys[slot.number] = slot.key;
+    }
+    return keys;
+  }
 
  private:
   static constexpr size_t kFirstSize = 1024;  // a power of two
   static constexpr uint32_t kEmpty = ~uint32_t{0};
 
+  struct Slot {
+    StateKey key;
+    uint32_t number = kEmpty;
+  };
+
   size_t SlotOf(StateKey key) const {
-    size_t slot = key.low & (keys_.size() - 1);
-    while (numbers_[slot] != kEmpty && !(keys_[slot] == key)) {
-      slot = (slot + 1) & (keys_.size() - 1);
+    size_t slot = key.low & (slots_.size() - 1);
+    while (slots_[slot].number != kEmpty && !(slots_[slot].key == key)) {
+      slot = (slot + 1) & (slots_.size() - 1);
     }
     return slot;
   }
   void Grow() {
-    std::vector<StateKey> old_keys(keys_.size() * 2);
-    std::vector<uint32_t> old_numbers(keys_.size() * 2, kEmpty);
-    old_keys.swap(keys_);
-    old_numbers.swap(numbers_);
-    for (size_t i = 0; i < old_keys.size(); ++i) {
-      if (old_numbers[i] == kEmpty) continue;
-      const size_t slot = SlotOf(old_keys[i]);
-      keys_[slot] = old_keys[i];
-      numbers_[slot] = old_numbers[i];
+    decltype(slots_) old(slots_.size() * 2);
+    old.swap(slots_);
+    for (const Slot& slot : old) {
+      if (slot.number != kEmpty) slots_[SlotOf(slot.key)] = slot;
     }
   }
 
-  std::vector<StateKey> keys_;
-  std::vector<uint32_t> numbers_;
+  std::vector<Slot, LargePageAllocator<Slot>> slots_;
   uint32_t size_ = 0;
 };
 

@@ -223,6 +223,9 @@ Model::Statement Model::Translate(const vm::Instruction& instruction, const Thre
     case Opcode::kCommand:
       break;
   }
+  for (const Operand* operand : {&statement.a, &statement.b, &statement.target}) {
+    statement.shared = statement.shared || operand->shared || operand->index_shared;
+  }
   return statement;
 }
 
@@ -248,8 +251,7 @@ void Model::Note(const Operand& operand, bool written, AccessSet* set) const {
 }
 
 AccessSet Model::NextAccess(int thread) const {
-  const Thread& taking = threads_[Index(thread)];
-  const Statement& statement = taking.statements[static_cast<size_t>(cells_[taking.position_cell])];
+  const Statement& statement = NextStatement(threads_[Index(thread)]);
   AccessSet set;
   Note(statement.a, false, &set);
   Note(statement.b, false, &set);
@@ -322,11 +324,14 @@ bool Model::Load(const Operand& operand, int64_t* value) const {
 }
 
 void Model::Write(uint32_t cell, int64_t value) {
-  const int64_t old = cells_[cell];
-  if (old == value) return;
-  journal_.push_back({cell, old});
+  if (cells_[cell] == value) return;
+  journal_.push_back({cell, cells_[cell]});
+  Replace(cell, value);
+}
+
+void Model::Replace(uint32_t cell, int64_t value) {
   if (track_key_) {
-    AddToKey(cell, old, &key_);
+    AddToKey(cell, cells_[cell], &key_);
     AddToKey(cell, value, &key_);
   }
   cells_[cell] = value;
@@ -372,16 +377,16 @@ ThreadEnd Model::Execute(const Statement& statement, const Thread& thread) {
   }
   // Falling off the end takes no statement: the thread stays at its last one.
   if (next >= static_cast<int64_t>(thread.statements.size())) return ThreadEnd::kFinished;
-  Write(thread.position_cell, next);
+  Replace(thread.position_cell, next);
   return ThreadEnd::kRunning;
 }
 
 void Model::Step(int thread) {
-  marks_.push_back(
-      {static_cast<uint32_t>(journal_.size()), runnable_, static_cast<uint8_t>(thread)});
   const Thread& taking = threads_[Index(thread)];
-  const ThreadEnd end =
-      Execute(taking.statements[static_cast<size_t>(cells_[taking.position_cell])], taking);
+  marks_.push_back({static_cast<uint32_t>(journal_.size()), runnable_,
+                    static_cast<uint32_t>(cells_[taking.position_cell]),
+                    static_cast<uint8_t>(thread), key_});
+  const ThreadEnd end = Execute(NextStatement(taking), taking);
   if (end != ThreadEnd::kRunning) Finish(thread, end);
 }
 
@@ -391,13 +396,11 @@ void Model::Undo() {
   while (journal_.size() > mark.journal) {
     const Change change = journal_.back();
     journal_.pop_back();
-    if (track_key_) {
-      AddToKey(change.cell, cells_[change.cell], &key_);
-      AddToKey(change.cell, change.old, &key_);
-    }
     cells_[change.cell] = change.old;
   }
+  cells_[threads_[mark.thread].position_cell] = mark.position;
   runnable_ = mark.runnable;
+  key_ = mark.key;
 }
 
 }  // namespace oncard::explore

@@ -84,6 +84,8 @@ class Model {
   }
   /// Bit n: thread n can take a step.
   uint32_t runnable() const { return runnable_; }
+  /// True when the next statement of a running thread touches no shared cell, wherever it is.
+  bool NextIsPrivate(int thread) const { return !NextStatement(threads_[Index(thread)]).shared; }
   /// What the next statement of a running thread touches.
   AccessSet NextAccess(int thread) const;
   /// Index of the next statement of a running thread, of the last one afterwards.
@@ -138,6 +140,7 @@ class Model {
     Operand b;
     Operand target;
     int32_t displacement = 0;
+    bool shared = false;  ///< an operand is global
   };
   struct Thread {
     ThreadSetup setup;
@@ -156,6 +159,9 @@ class Model {
   Model() = default;
   Result<void> AddThread(int number, const vm::ThreadState& state, const vm::Machine& machine);
   static size_t Index(int thread) { return static_cast<size_t>(thread); }
+  const Statement& NextStatement(const Thread& thread) const {
+    return thread.statements[static_cast<size_t>(cells_[thread.position_cell])];
+  }
   Operand Translate(const vm::Operand& operand, const Thread& thread, vm::DataType type) const;
   Statement Translate(const vm::Instruction& instruction, const Thread& thread) const;
   /// The cell of an operand that is not a constant; kNoCell when the index is out of bounds.
@@ -163,7 +169,10 @@ class Model {
   /// False when the index is out of bounds.
   bool Load(const Operand& operand, int64_t* value) const;
   void Note(const Operand& operand, bool written, AccessSet* set) const;
+  /// Writes a cell, with an entry in the journal.
   void Write(uint32_t cell, int64_t value);
+  /// Writes a cell that the marks take care of.
+  void Replace(uint32_t cell, int64_t value);
   /// `name = value` of a variable's cell; empty for a thread's register.
   std::string DescribeCell(uint32_t cell, const Thread& writer) const;
   void Finish(int thread, ThreadEnd end);
@@ -180,7 +189,9 @@ class Model {
   struct Mark {
     uint32_t journal = 0;   ///< its size before the step
     uint32_t runnable = 0;  ///< before the step
+    uint32_t position = 0;  ///< of the thread, before the step
     uint8_t thread = 0;     ///< that took it
+    StateKey key;           ///< before the step; while it is tracked
   };
   std::vector<Change> journal_;
   std::vector<Mark> marks_;

@@ -13,79 +13,100 @@ namespace {
 
 constexpr uint32_t kNone = StateGraph::kNone;
 
-/// Shortest paths by (preemptions, steps) over states and the thread that stepped last.
+/// Shortest paths by (preemptions, steps) over states and the thread that stepped last. Within one
+/// number of preemptions, the entries that a preemption added and those that were added on the way
+/// are two queues, both ordered by their steps.
 class PreemptionSearch {
  public:
-  explicit PreemptionSearch(const StateGraph& graph)
+  PreemptionSearch(const StateGraph& graph, uint32_t avoid)
       : graph_(graph),
+        avoid_(avoid),
         width_(static_cast<size_t>(graph.threads) + 1),
-        best_(graph.size() * width_, kUnreached),
-        parent_(graph.size() * width_, ~size_t{0}) {}
+        parents_(graph.size() * width_) {}
 
-  /// Runs until a state with one of the flags is settled (its index), or all are (kNone).
-  size_t Run(uint8_t flag) {
-    Push(0, {0, 0}, ~size_t{0});
-    while (!queue_.empty()) {
-      const auto [cost, index] = queue_.top();
-      queue_.pop();
-      if (cost != best_[index]) continue;
-      const auto state = static_cast<uint32_t>(index / width_);
-      if ((graph_.flags[state] & flag) != 0) return index;
-      Expand(index, cost);
+  /// Runs until a state with one of the flags is settled, true, or all are that `bound` preemptions
+  /// reach. `settle` hears of every state and its preemptions, more than once of some.
+  template <typename Settle>
+  bool Run(uint32_t flag, int bound, const Settle& settle) {
+    std::vector<Entry> preempted;
+    if ((graph_.flags[0] & avoid_) == 0) preempted.push_back({});
+    for (preemptions_ = 0; !preempted.empty() && preemptions_ <= bound; ++preemptions_) {
+      after_preemption_.clear();
+      std::queue<Entry> going_on;
+      for (size_t i = 0; i < preempted.size() || !going_on.empty();) {
+        const bool first = going_on.empty() ||
+                           (i < preempted.size() && preempted[i].steps < going_on.front().steps);
+        const Entry entry = first ? preempted[i++] : going_on.front();
+        if (!first) going_on.pop();
+        Parent& parent = parents_[IndexOf(entry.state, entry.last)];
+        if (parent.settled) continue;
+        parent = {entry.parent, entry.parent_last, true};
+        settle(entry.state, preemptions_);
+        found_ = entry;
+        if ((graph_.flags[entry.state] & flag) != 0) return true;
+        Expand(entry, &going_on);
+      }
+      preempted.swap(after_preemption_);
     }
-    return ~size_t{0};
+    return false;
   }
 
-  Path PathTo(size_t index) const {
+  /// The way to the state that was found.
+  Path PathToFound() const {
     Path path;
     path.found = true;
-    path.preemptions = best_[index].first;
-    for (; parent_[index] != ~size_t{0}; index = parent_[index]) {
-      path.steps.push_back(static_cast<uint8_t>(index % width_ - 1));
+    path.preemptions = preemptions_;
+    uint32_t state = found_.state;
+    for (uint8_t last = found_.last; last != 0;) {
+      path.steps.push_back(static_cast<uint8_t>(last - 1));
+      const Parent& parent = parents_[IndexOf(state, last)];
+      state = parent.state;
+      last = parent.last;
     }
     std::reverse(path.steps.begin(), path.steps.end());
     return path;
   }
 
-  std::vector<int> PreemptionsOfStates() const {
-    std::vector<int> fewest(graph_.size());
-    for (size_t state = 0; state < fewest.size(); ++state) {
-      const auto first = best_.begin() + static_cast<std::ptrdiff_t>(state * width_);
-      fewest[state] = std::min_element(first, first + static_cast<std::ptrdiff_t>(width_))->first;
-    }
-    return fewest;
-  }
-
  private:
-  using Cost = std::pair<int, int>;
-  static constexpr Cost kUnreached = {std::numeric_limits<int>::max(), 0};
+  /// Threads are counted from 1 here; 0 is none.
+  struct Entry {
+    uint32_t state = 0;
+    uint32_t parent = 0;
+    int steps = 0;
+    uint8_t last = 0;
+    uint8_t parent_last = 0;
+  };
+  struct Parent {
+    uint32_t state = 0;
+    uint8_t last = 0;
+    bool settled = false;
+  };
 
-  void Push(size_t index, Cost cost, size_t parent) {
-    if (cost >= best_[index]) return;
-    best_[index] = cost;
-    parent_[index] = parent;
-    queue_.emplace(cost, index);
-  }
+  size_t IndexOf(uint32_t state, uint8_t last) const { return size_t{state} * width_ + last; }
 
-  void Expand(size_t index, Cost cost) {
-    const auto state = static_cast<uint32_t>(index / width_);
-    const int last = static_cast<int>(index % width_) - 1;
-    const bool last_could = last >= 0 && graph_.Next(state, last) != kNone;
+  void Expand(const Entry& entry, std::queue<Entry>* going_on) {
+    const bool last_could = entry.last != 0 && graph_.Next(entry.state, entry.last - 1) != kNone;
     for (int thread = 0; thread < graph_.threads; ++thread) {
-      const uint32_t next = graph_.Next(state, thread);
-      if (next == kNone) continue;
-      const int preempts = last_could && thread != last ? 1 : 0;
-      Push(size_t{next} * width_ + static_cast<size_t>(thread) + 1,
-           {cost.first + preempts, cost.second + 1}, index);
+      const uint32_t next = graph_.Next(entry.state, thread);
+      if (next == kNone || (graph_.flags[next] & avoid_) != 0) continue;
+      const auto last = static_cast<uint8_t>(thread + 1);
+      if (parents_[IndexOf(next, last)].settled) continue;
+      const Entry after = {next, entry.state, entry.steps + 1, last, entry.last};
+      if (last_could && last != entry.last) {
+        after_preemption_.push_back(after);
+      } else {
+        going_on->push(after);
+      }
     }
   }
 
   const StateGraph& graph_;
+  uint32_t avoid_;
   size_t width_;
-  std::vector<Cost> best_;
-  std::vector<size_t> parent_;
-  std::priority_queue<std::pair<Cost, size_t>, std::vector<std::pair<Cost, size_t>>, std::greater<>>
-      queue_;
+  std::vector<Parent> parents_;
+  int preemptions_ = 0;
+  Entry found_;
+  std::vector<Entry> after_preemption_;
 };
 
 /// The steps of a shortest path from one state to another inside a set of states.
@@ -179,8 +200,7 @@ StateGraph BuildStateGraph(Model* model, const StateLimits& limits, const StateJ
     const uint32_t state = known.FindOrAdd(model->key(), added);
     if (!*added) return state;
     graph.successors.resize(graph.successors.size() + static_cast<size_t>(graph.threads), kNone);
-    graph.flags.push_back(static_cast<uint8_t>((model->runnable() == 0 ? kTerminal : 0) |
-                                               (judge(*model) ? kBad : 0)));
+    graph.flags.push_back((model->runnable() == 0 ? kTerminal : 0u) | judge(*model));
     stopped = graph.size() >= limits.states ||
               (limits.stop != nullptr && limits.stop->load(std::memory_order_relaxed));
     return state;
@@ -211,13 +231,13 @@ StateGraph BuildStateGraph(Model* model, const StateLimits& limits, const StateJ
   return graph;
 }
 
-Path FewestPreemptions(const StateGraph& graph, uint8_t flag) {
-  PreemptionSearch search(graph);
-  const size_t found = search.Run(flag);
-  return found == ~size_t{0} ? Path{} : search.PathTo(found);
+Path FewestPreemptions(const StateGraph& graph, uint32_t flag, uint32_t avoid) {
+  PreemptionSearch search(graph, avoid);
+  const bool found = search.Run(flag, std::numeric_limits<int>::max() - 1, [](uint32_t, int) {});
+  return found ? search.PathToFound() : Path{};
 }
 
-Path FewestSteps(const StateGraph& graph, uint8_t flag) {
+Path FewestSteps(const StateGraph& graph, uint32_t flag) {
   std::vector<uint32_t> parent(graph.size(), kNone);
   std::vector<uint8_t> by(graph.size(), 0);
   std::queue<uint32_t> queue;
@@ -243,10 +263,12 @@ Path FewestSteps(const StateGraph& graph, uint8_t flag) {
   return {};
 }
 
-std::vector<int> PreemptionsTo(const StateGraph& graph) {
-  PreemptionSearch search(graph);
-  search.Run(0);
-  return search.PreemptionsOfStates();
+std::vector<int> PreemptionsTo(const StateGraph& graph, int bound) {
+  std::vector<int> fewest(graph.size(), bound + 1);
+  PreemptionSearch(graph, 0).Run(0, bound, [&](uint32_t state, int preemptions) {
+    fewest[state] = std::min(fewest[state], preemptions);
+  });
+  return fewest;
 }
 
 Lasso FindFairCycle(const StateGraph& graph) {
@@ -307,7 +329,7 @@ int64_t LastEscape(const StateGraph& graph, const std::vector<uint8_t>& path) {
       const uint32_t next = graph.Next(state, thread);
       if (next != kNone) before[next].push_back(state);
     }
-    if (graph.flags[state] == kTerminal) {
+    if ((graph.flags[state] & (kTerminal | kBad)) == kTerminal) {
       escapes[state] = 1;
       open.push_back(state);
     }

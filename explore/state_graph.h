@@ -14,10 +14,11 @@
 
 namespace oncard::explore {
 
-/// What a state is, as bits.
-enum StateFlag : uint8_t {
+/// What a state is, as bits. The caller's own begin with kCallersFlag.
+enum StateFlag : uint32_t {
   kTerminal = 1,  ///< no thread can go on
-  kBad = 2        ///< the caller says so
+  kBad = 2,       ///< the caller says so
+  kCallersFlag = 4
 };
 
 struct StateGraph {
@@ -27,7 +28,7 @@ struct StateGraph {
   /// Of state s and thread t: element s * threads + t; kNone when the thread cannot step there. The
   /// first state is 0.
   std::vector<uint32_t> successors;
-  std::vector<uint8_t> flags;
+  std::vector<uint32_t> flags;
   int64_t transitions = 0;
   /// False when the search was ended early; some successors are then missing.
   bool complete = false;
@@ -44,8 +45,8 @@ struct StateLimits {
   const std::atomic<bool>* stop = nullptr;
 };
 
-/// Called once for each state; true when it is bad.
-using StateJudge = std::function<bool(const Model& model)>;
+/// Called once for each state, in the order of their numbers: its flags but for kTerminal.
+using StateJudge = std::function<uint32_t(const Model& model)>;
 
 /// Explores from the model's present state, depth first, and leaves it there.
 StateGraph BuildStateGraph(Model* model, const StateLimits& limits, const StateJudge& judge);
@@ -58,14 +59,15 @@ struct Path {
 };
 
 /// A path with the fewest preemptions, and among those with the fewest steps, to a state with one
-/// of the flags. A preemption is a change of threads while the one before could have gone on.
-Path FewestPreemptions(const StateGraph& graph, uint8_t flag);
+/// of the flags; not through, or to, states with a flag to `avoid`. A preemption is a change of
+/// threads while the one before could have gone on.
+Path FewestPreemptions(const StateGraph& graph, uint32_t flag, uint32_t avoid = 0);
 
 /// A path with the fewest steps.
-Path FewestSteps(const StateGraph& graph, uint8_t flag);
+Path FewestSteps(const StateGraph& graph, uint32_t flag);
 
-/// Of every state the fewest preemptions that reach it.
-std::vector<int> PreemptionsTo(const StateGraph& graph);
+/// Of every state the fewest preemptions that reach it, bound + 1 when more are needed.
+std::vector<int> PreemptionsTo(const StateGraph& graph, int bound);
 
 /// A cycle that a fair schedule can follow for ever: every thread that could go on takes steps in
 /// it.

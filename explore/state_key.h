@@ -1,6 +1,7 @@
 // Numbers of 128 bits that name states.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 
 namespace oncard::explore {
@@ -10,7 +11,7 @@ namespace oncard::explore {
 struct StateKey {
   uint64_t low = 0;
   uint64_t high = 0;
-  bool operator==(const StateKey&) const = default;
+  auto operator<=>(const StateKey&) const = default;
 };
 
 /// Scrambles a value at a place into 64 bits (the finaliser of MurmurHash3 over a Weyl step).

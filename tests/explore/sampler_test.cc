@@ -18,7 +18,7 @@ namespace {
 double ChanceOfBad(const Problem& problem) {
   Model model = problem.model;
   const StateGraph graph = BuildStateGraph(
-      &model, {}, [&](const Model& state) { return static_cast<bool>(FindFault(problem, state)); });
+      &model, {}, [&](const Model& state) { return FindFault(problem, state) ? kBad : 0u; });
   // Every state's probability, once those of all states before it are known.
   std::vector<int> waits_for(graph.size());
   for (uint32_t state = 0; state < graph.size(); ++state) {

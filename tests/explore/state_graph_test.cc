@@ -11,14 +11,13 @@ namespace {
 StateGraph GraphOf(const std::string& source, const StateLimits& limits = {}) {
   Problem problem = ProblemOf(source);
   Model model = problem.model;
-  return BuildStateGraph(&model, limits, [&](const Model& state) {
-    return static_cast<bool>(FindFault(problem, state));
-  });
+  return BuildStateGraph(&model, limits,
+                         [&](const Model& state) { return FindFault(problem, state) ? kBad : 0u; });
 }
 
-int64_t CountFlags(const StateGraph& graph, uint8_t flag) {
+int64_t CountFlags(const StateGraph& graph, uint32_t flag) {
   return std::count_if(graph.flags.begin(), graph.flags.end(),
-                       [&](uint8_t flags) { return (flags & flag) != 0; });
+                       [&](uint32_t flags) { return (flags & flag) != 0; });
 }
 
 TEST(StateGraphTest, CountsOfLostUpdates) {
@@ -44,7 +43,7 @@ TEST(StateGraphTest, ThePathWithTheFewestPreemptionsLeadsThere) {
   Problem problem = ProblemOf(Increments(3, 1));
   Model model = problem.model;
   const StateGraph graph = BuildStateGraph(
-      &model, {}, [&](const Model& state) { return static_cast<bool>(FindFault(problem, state)); });
+      &model, {}, [&](const Model& state) { return FindFault(problem, state) ? kBad : 0u; });
   const Path path = FewestPreemptions(graph, kBad);
   ASSERT_TRUE(path.found);
   EXPECT_EQ(path.steps.size(), 12u);
@@ -54,7 +53,7 @@ TEST(StateGraphTest, ThePathWithTheFewestPreemptionsLeadsThere) {
 
 TEST(StateGraphTest, PreemptionsToEveryState) {
   const StateGraph graph = GraphOf(Increments(2, 1));
-  const std::vector<int> fewest = PreemptionsTo(graph);
+  const std::vector<int> fewest = PreemptionsTo(graph, 5);
   EXPECT_EQ(fewest[0], 0);
   // Both have read 0 and written 1, and neither has returned: one is interrupted behind its read,
   // the other behind its write.
