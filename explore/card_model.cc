@@ -112,12 +112,33 @@ bool CardModel::Holds(const BoundRequirement& bound) const {
          (bound.requirement.scope == Scope::kNever);
 }
 
-void CardModel::Judge(Scope scope, State* state) const {
+void CardModel::JudgeEnd(State* state) const {
+  uint32_t bit = 1;
   for (size_t i = 0; i < requirements_.size() && !state->fault; ++i) {
     const BoundRequirement& bound = requirements_[i];
-    if ((bound.requirement.scope == Scope::kFinal) != (scope == Scope::kFinal)) continue;
-    if (bound.cycle >= 0) continue;
-    if (!Holds(bound)) state->fault = {Fault::Kind::kRequirement, static_cast<int>(i), 0};
+    bool holds = true;
+    if (bound.requirement.scope == Scope::kEventually) {
+      holds = (state->reached & bit) != 0;
+      bit <<= 1;
+    } else if (bound.requirement.scope == Scope::kFinal && bound.cycle < 0) {
+      holds = Holds(bound);
+    }
+    if (!holds) state->fault = {Fault::Kind::kRequirement, static_cast<int>(i), 0};
+  }
+}
+
+void CardModel::JudgeState(State* state) const {
+  uint32_t bit = 1;
+  for (size_t i = 0; i < requirements_.size() && !state->fault; ++i) {
+    const BoundRequirement& bound = requirements_[i];
+    if (bound.requirement.scope == Scope::kFinal) continue;
+    const bool holds = Holds(bound);
+    if (bound.requirement.scope == Scope::kEventually) {
+      if (holds) state->reached |= bit;
+      bit <<= 1;
+    } else if (!holds) {
+      state->fault = {Fault::Kind::kRequirement, static_cast<int>(i), 0};
+    }
   }
 }
 
@@ -144,7 +165,7 @@ CardModel::State CardModel::Start() {
   Load(initial_);
   held_ = nullptr;
   State state;
-  if (has_invariants_) Judge(Scope::kAlways, &state);
+  if (has_invariants_) JudgeState(&state);
   Settle(&state);
   Save(nullptr, &state);
   return state;
@@ -164,11 +185,12 @@ CardModel::State CardModel::Step(const State& from, int thread) {
   held_ = nullptr;
   state.left = from.left - 1;
   state.served = from.served | 1u << number;
+  state.reached = from.reached;
   machine.ExecuteOne(number);
   // Threads that wake up at their end come to it.
   machine.Execute(0);
   JudgeThreads(&state);
-  if (has_invariants_) Judge(Scope::kAlways, &state);
+  if (has_invariants_) JudgeState(&state);
   Settle(&state);
   const bool same_body = !changes && controller_->cycle() == cycle;
   Save(same_body ? from.body : nullptr, &state);
@@ -203,7 +225,7 @@ void CardModel::Settle(State* state) {
       state->left = controller_->BeginCycle();
       state->served = 0;
       controller_->machine().Execute(0);
-      if (has_invariants_) Judge(Scope::kAlways, state);
+      if (has_invariants_) JudgeState(state);
     }
   }
   if (state->fault) state->ended = true;
@@ -221,9 +243,9 @@ void CardModel::End(State* state) {
     JudgeInstant(state);
     if (state->fault || controller_->cycle() >= std::min(last_instant_, last_cycle_)) break;
     controller_->BeginCycle();
-    if (has_invariants_) Judge(Scope::kAlways, state);
+    if (has_invariants_) JudgeState(state);
   }
-  Judge(Scope::kFinal, state);
+  JudgeEnd(state);
 }
 
 // --- States --------------------------------------------------------------------------------------
@@ -279,7 +301,7 @@ StateKey CardModel::KeyOf(const State& state) const {
     words.insert(words.end(), of_thread.begin(), of_thread.end() - kCountWords);
   }
   words.insert(words.end(), {static_cast<int64_t>(state.body->hash), state.left,
-                             static_cast<int64_t>(state.served), state.ended,
+                             static_cast<int64_t>(state.served), state.ended, state.reached,
                              static_cast<int64_t>(state.fault.kind)});
   return KeyOfWords(words);
 }

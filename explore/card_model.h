@@ -43,6 +43,7 @@ class CardModel {
     bool ended = false;     ///< nothing happens any more that the scenario asks for
     bool finished = false;  ///< it has ended because no thread runs any more
     uint32_t choices = 0;   ///< bit n: thread n of the model may take the next statement
+    uint32_t reached = 0;   ///< bit n: the n-th kEventually has held on the way
     Fault fault;            ///< what is wrong with it, or with a cycle that led to it
   };
 
@@ -84,8 +85,10 @@ class CardModel {
   CardModel() = default;
   Result<void> BindRequirements(const std::vector<Requirement>& requirements);
   bool Holds(const BoundRequirement& bound) const;
-  /// Looks at the final requirements that have no instant, or at the invariants.
-  void Judge(Scope scope, State* state) const;
+  /// Looks at the final requirements that have no instant and at what should have held by now.
+  void JudgeEnd(State* state) const;
+  /// Looks at what must hold now, and at what must hold some time.
+  void JudgeState(State* state) const;
   /// Looks at the expectations whose instant is the end of this cycle.
   void JudgeInstant(State* state) const;
   void JudgeThreads(State* state) const;
@@ -107,7 +110,7 @@ class CardModel {
   std::vector<ThreadSetup> setups_;
   std::vector<BoundRequirement> requirements_;
   uint32_t fault_expected_ = 0;  ///< threads whose error an expectation names
-  bool has_invariants_ = false;
+  bool has_invariants_ = false;  ///< or kEventually
   int64_t last_cycle_ = 0;       ///< `until_ms` or `limit_ms`
   bool last_is_failure_ = true;  ///< it is the latter
   int64_t last_instant_ = 0;     ///< cycle of the last expectation with an instant

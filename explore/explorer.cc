@@ -5,22 +5,26 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <map>
 #include <mutex>
 #include <thread>
 
 #include "explore/card_graph.h"
 #include "explore/dpor.h"
 #include "explore/key_set.h"
+#include "explore/races.h"
 #include "explore/shrink.h"
 #include "explore/state_graph.h"
+#include "explore/walk.h"
 
 namespace oncard::explore {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, EngineKind>, 6> kEngines = {
+constexpr std::array<std::pair<std::string_view, EngineKind>, 7> kEngines = {
     {{"auto", EngineKind::kAuto},
      {"dpor", EngineKind::kDpor},
      {"stateful", EngineKind::kStateful},
+     {"bounded", EngineKind::kBounded},
      {"random", EngineKind::kRandom},
      {"pct", EngineKind::kPct},
      {"pos", EngineKind::kPos}}};
@@ -44,6 +48,7 @@ std::optional<SampleOptions> SamplingOf(const ExploreOptions& options) {
     case EngineKind::kAuto:
     case EngineKind::kDpor:
     case EngineKind::kStateful:
+    case EngineKind::kBounded:
       break;
   }
   return std::nullopt;
@@ -62,6 +67,31 @@ Exploration ConcludeSamples(EngineKind engine, SampleCounts samples) {
   return exploration;
 }
 
+BoundedOptions BoundsOf(const ExploreOptions& options) {
+  return {.preemptions = options.preemption_limit,
+          .statement_limit = options.depth_limit,
+          .state_limit = options.state_limit};
+}
+
+/// The verdict of the schedules with few preemptions; the failure is left to the caller.
+Exploration ConcludeBounded(BoundedCounts bounded, const ExploreOptions& options) {
+  Exploration exploration;
+  exploration.engine = EngineKind::kBounded;
+  if (bounded.bad) {
+    exploration.verdict = Verdict::kFailed;
+  } else if (bounded.complete) {
+    exploration.verdict = Verdict::kPassed;
+    exploration.why = MakeMessage("no schedule with at most {0} preemptions goes wrong",
+                                  "抢占不超过 {0} 次的调度均未出错", bounded.preemptions);
+  } else {
+    exploration.why = MakeMessage(
+        "a limit was reached: {0} states, or {1} statements in one schedule",
+        "已达到上限：{0} 个状态，或单个调度 {1} 条语句", options.state_limit, options.depth_limit);
+  }
+  exploration.bounded = std::move(bounded);
+  return exploration;
+}
+
 /// `auto`: when one engine has an answer, the other may go on counting for this part of the time
 /// that has passed, and at least for kGraceMin.
 constexpr double kGracePart = 0.5;
@@ -77,6 +107,58 @@ struct TraceSearch {
 struct StateSearch {
   StateCounts counts;
   StateGraph graph;
+  std::vector<FoundRace> races;
+};
+
+/// Flags of states: a race that is not allowed; from the second on, that a requirement holds.
+constexpr uint32_t kRacing = kCallersFlag;
+constexpr uint32_t kFirstHolds = kCallersFlag << 1;
+
+/// The flags of a state for the requirements of the scope kEventually, in their order.
+uint32_t HoldingFlags(const Problem& problem, const Model& state) {
+  uint32_t flags = 0;
+  uint32_t flag = kFirstHolds;
+  for (const BoundRequirement& requirement : problem.requirements) {
+    if (requirement.scope != Scope::kEventually) continue;
+    if (requirement.property.Holds(state)) flags |= flag;
+    flag <<= 1;
+  }
+  return flags;
+}
+
+/// Looks for races in the states of a graph while it is built.
+class RaceSearch {
+ public:
+  explicit RaceSearch(const Problem& problem) : problem_(problem) {}
+
+  /// Told of the next state.
+  void Look(const Model& state) {
+    if (problem_.races != RaceRule::kAny) {
+      for (const Race& race : FindRaces(state, problem_.sync)) states_[race].push_back(next_);
+    }
+    ++next_;
+  }
+
+  /// Flags the states with races that are not allowed. `end_of` as for ReachableEnds().
+  std::vector<FoundRace> Finish(const std::vector<uint32_t>& end_of, StateGraph* graph) const {
+    std::vector<uint32_t> ends;
+    if (!states_.empty() && graph->complete) ends = ReachableEnds(*graph, end_of);
+    std::vector<FoundRace> races;
+    for (const auto& [race, states] : states_) {
+      const bool benign = !ends.empty() && std::ranges::none_of(states, [&](uint32_t state) {
+        return OrderMatters(*graph, ends, state, race);
+      });
+      races.push_back({race, benign});
+      if (problem_.races == RaceRule::kBenign && (benign || !graph->complete)) continue;
+      for (const uint32_t state : states) graph->flags[state] |= kRacing;
+    }
+    return races;
+  }
+
+ private:
+  const Problem& problem_;
+  std::map<Race, std::vector<uint32_t>> states_;  ///< that have it
+  uint32_t next_ = 0;
 };
 
 TraceSearch SearchTraces(const Problem& problem, const ExploreOptions& options,
@@ -91,9 +173,16 @@ TraceSearch SearchTraces(const Problem& problem, const ExploreOptions& options,
   limits.depth = options.depth_limit;
   limits.count_redundant = true;
   limits.stop = stop;
+  ProgramWalk walk(problem);
+  const auto goes_wrong = [&](const Model& state) {
+    if (problem.races == RaceRule::kAny) return static_cast<bool>(FindFault(problem, state));
+    walk.Restart();
+    for (int64_t i = 0; i < state.depth() && !walk.fault(); ++i) walk.Step(state.StepThread(i));
+    return static_cast<bool>(walk.fault());
+  };
   const DporResult result = ExploreTraces(&model, limits, [&](const Model& state) {
     if (full.Insert(state.FinalKey())) globals.Insert(state.GlobalsKey());
-    if (!FindFault(problem, state)) return true;
+    if (!goes_wrong(state)) return true;
     if (search.counts.bad_traces++ == 0) {
       for (int64_t i = 0; i < state.depth(); ++i) {
         search.failing.push_back(static_cast<uint8_t>(state.StepThread(i)));
@@ -117,17 +206,23 @@ StateSearch SearchStates(const Problem& problem, const ExploreOptions& options,
   model.TrackKey(true);
   KeySet globals;
   KeySet full;
+  RaceSearch races(problem);
   std::vector<uint32_t> final_of;  // of each terminal state, in order, the number of its globals
+  std::vector<uint32_t> end_of;    // of each state, the number of its end if it is one
   search.graph = BuildStateGraph(&model, {options.state_limit, stop}, [&](const Model& state) {
     const bool bad = static_cast<bool>(FindFault(problem, state));
+    uint32_t end = 0;
     if (state.runnable() == 0) {
       bool added = false;
       final_of.push_back(globals.FindOrAdd(state.GlobalsKey(), &added));
-      full.Insert(state.FinalKey());
+      end = full.FindOrAdd(state.FinalKey(), &added);
     }
+    races.Look(state);
+    if (problem.races != RaceRule::kAny) end_of.push_back(end);
     search.counts.bad_states += bad ? 1 : 0;
-    return bad ? kBad : 0u;
+    return (bad ? kBad : 0u) | HoldingFlags(problem, state);
   });
+  search.races = races.Finish(end_of, &search.graph);
   search.counts.states = search.graph.size();
   search.counts.transitions = search.graph.transitions;
   search.counts.final_globals = globals.size();
@@ -150,32 +245,67 @@ StateSearch SearchStates(const Problem& problem, const ExploreOptions& options,
   return search;
 }
 
-/// The way to a bad state of the graph; its fault is left to the caller.
-std::optional<Failure> WayToBadState(const StateGraph& graph) {
-  Path path = FewestPreemptions(graph, kBad);
+/// The way to a state with one of the flags; its fault is left to the caller.
+std::optional<Failure> WayTo(const StateGraph& graph, uint32_t flag, uint32_t avoid = 0) {
+  Path path = FewestPreemptions(graph, flag, avoid);
   if (!path.found) return std::nullopt;
   Failure failure;
   failure.steps = std::move(path.steps);
   failure.preemptions = path.preemptions;
   failure.fewest_preemptions = graph.complete;
-  if (graph.complete) {
-    failure.fewest_steps = static_cast<int64_t>(FewestSteps(graph, kBad).steps.size());
+  if (graph.complete && avoid == 0) {
+    failure.fewest_steps = static_cast<int64_t>(FewestSteps(graph, flag).steps.size());
     failure.last_escape = LastEscape(graph, failure.steps);
   }
   return failure;
 }
 
-/// A failing state of the graph, or a livelock; nothing when there is neither.
-std::optional<Failure> FailureIn(const Problem& problem, const StateGraph& graph) {
-  if (auto bad = WayToBadState(graph)) {
-    Model model = problem.model;
-    for (const uint8_t thread : bad->steps) model.Step(thread);
-    bad->fault = FindFault(problem, model);
-    return bad;
+/// A run that ends without a state in which a requirement holds that must hold eventually.
+std::optional<Failure> WayWithout(const Problem& problem, const StateGraph& graph) {
+  uint32_t flag = kFirstHolds;
+  for (size_t i = 0; i < problem.requirements.size(); ++i) {
+    if (problem.requirements[i].scope != Scope::kEventually) continue;
+    if (auto way = WayTo(graph, kTerminal, flag)) {
+      way->fault = {Fault::Kind::kRequirement, static_cast<int>(i), 0};
+      return way;
+    }
+    flag <<= 1;
   }
-  Failure failure;
-  if (!graph.complete) return std::nullopt;
-  if (Lasso lasso = FindFairCycle(graph); lasso.found) {
+  return std::nullopt;
+}
+
+/// Takes the two statements of a race, at which the failure's steps have arrived.
+void TakeRacingStatements(const Problem& problem, Failure* failure) {
+  if (failure->fault.kind != Fault::Kind::kRace) return;
+  Model model = problem.model;
+  for (const uint8_t thread : failure->steps) model.Step(thread);
+  for (const RacingStatement& racing : {failure->fault.race.first, failure->fault.race.second}) {
+    if (!model.Running(racing.thread) || model.Position(racing.thread) != racing.position) continue;
+    model.Step(racing.thread);
+    failure->steps.push_back(static_cast<uint8_t>(racing.thread));
+  }
+  model = problem.model;
+  failure->preemptions = CountPreemptions(&model, failure->steps);
+}
+
+/// Where the graph goes wrong: in a state, at the end of a run, for ever, or by a race; nothing
+/// when it does not.
+std::optional<Failure> FailureIn(const Problem& problem, const StateSearch& search) {
+  const StateGraph& graph = search.graph;
+  const auto walk_to_end = [&](const Failure& failure) {
+    Model model = problem.model;
+    for (const uint8_t thread : failure.steps) model.Step(thread);
+    return model;
+  };
+  if (search.counts.bad_states > 0) {
+    if (auto bad = WayTo(graph, kBad)) {
+      bad->fault = FindFault(problem, walk_to_end(*bad));
+      return bad;
+    }
+  }
+  if (auto without = WayWithout(problem, graph)) return without;
+  if (Lasso lasso = graph.complete ? FindFairCycle(graph) : Lasso{}; lasso.found) {
+    Failure failure;
     failure.livelock = true;
     failure.steps = std::move(lasso.stem);
     failure.cycle = std::move(lasso.cycle);
@@ -183,31 +313,23 @@ std::optional<Failure> FailureIn(const Problem& problem, const StateGraph& graph
     failure.preemptions = CountPreemptions(&model, failure.steps);
     return failure;
   }
-  return std::nullopt;
+  if (search.races.empty()) return std::nullopt;
+  auto racing = WayTo(graph, kRacing);
+  if (!racing) return std::nullopt;
+  racing->last_escape = -1;
+  racing->fault.kind = Fault::Kind::kRace;
+  for (const Race& race : FindRaces(walk_to_end(*racing), problem.sync)) {
+    const auto found = std::ranges::find(search.races, race, &FoundRace::race);
+    racing->fault.race = race;
+    if (problem.races == RaceRule::kNone || !found->benign) break;
+  }
+  TakeRacingStatements(problem, &*racing);
+  return racing;
 }
 
 Failure FailureOf(const Problem& problem, const std::vector<uint8_t>& steps) {
-  Failure failure;
-  failure.steps = Shrink(problem, steps);
-  Model model = problem.model;
-  failure.preemptions = CountPreemptions(&model, failure.steps);
-  for (const uint8_t thread : failure.steps) model.Step(thread);
-  failure.fault = FindFault(problem, model);
-  return failure;
-}
-
-/// A schedule as it is, with the fault that it leads to.
-Failure FailureOfCard(CardModel* model, const std::vector<uint8_t>& steps) {
-  Failure failure;
-  failure.steps = steps;
-  CardModel::State state = model->Start();
-  for (size_t i = 0; i < steps.size(); ++i) {
-    if (i > 0 && steps[i] != steps[i - 1] && (state.choices >> steps[i - 1] & 1) != 0) {
-      ++failure.preemptions;
-    }
-    state = model->Step(state, steps[i]);
-  }
-  failure.fault = state.fault;
+  Failure failure = Shrink(problem, steps);
+  TakeRacingStatements(problem, &failure);
   return failure;
 }
 
@@ -255,11 +377,9 @@ Exploration Conclude(const Problem& problem, const ExploreOptions& options,
   exploration.engine = engine;
   if (traces) exploration.traces = traces->counts;
   if (states) {
+    exploration.failure = FailureIn(problem, *states);
     exploration.states = std::move(states->counts);
-    const bool looks_for_cycles = exploration.states->complete;
-    if (exploration.states->bad_states > 0 || looks_for_cycles) {
-      exploration.failure = FailureIn(problem, states->graph);
-    }
+    exploration.races = std::move(states->races);
   }
   if (!exploration.failure && traces && !traces->failing.empty()) {
     exploration.failure = FailureOf(problem, traces->failing);
@@ -310,6 +430,13 @@ std::string_view VerdictName(Verdict verdict) {
 }
 
 Result<Exploration> Explore(const Problem& problem, const ExploreOptions& options) {
+  if (problem.races == RaceRule::kBenign && options.engine != EngineKind::kAuto &&
+      options.engine != EngineKind::kStateful) {
+    return MakeError(1,
+                     "whether a race is benign shows in the graph of all states only: use the "
+                     "engine stateful",
+                     "竞争是否无害只能由全部状态的图判定：请使用 stateful 引擎");
+  }
   if (const auto sampling = SamplingOf(options)) {
     Exploration exploration = ConcludeSamples(options.engine, Sample(problem, *sampling));
     if (exploration.samples->bad > 0) {
@@ -317,14 +444,26 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
     }
     return exploration;
   }
+  if (options.engine == EngineKind::kBounded) {
+    Exploration exploration = ConcludeBounded(SearchBounded(problem, BoundsOf(options)), options);
+    if (exploration.bounded->bad) {
+      exploration.failure = FailureOf(problem, exploration.bounded->failing);
+      exploration.failure->fewest_preemptions = problem.races == RaceRule::kAny;
+    }
+    return exploration;
+  }
   EngineKind engine = options.engine;
+  if (engine == EngineKind::kAuto && problem.races != RaceRule::kAny) {
+    engine = EngineKind::kStateful;
+  }
   if (problem.HasInvariants()) {
     if (engine == EngineKind::kDpor) {
       return MakeError(
           1,
-          "'always' and 'never' speak of states on the way, which traces pass over: "
+          "'always', 'never' and 'eventually' speak of states on the way, which traces pass over: "
           "use the engine stateful",
-          "“always”和“never”涉及中间状态，而 dpor 引擎会跳过它们：请使用 stateful 引擎");
+          "“always”、“never”和“eventually”涉及中间状态，而 dpor 引擎会跳过它们：请使用 stateful "
+          "引擎");
     }
     engine = EngineKind::kStateful;
   }
@@ -344,7 +483,15 @@ Exploration ExploreCard(CardModel* model, const ExploreOptions& options) {
   if (const auto sampling = SamplingOf(options)) {
     Exploration exploration = ConcludeSamples(options.engine, SampleCard(model, *sampling));
     if (exploration.samples->bad > 0) {
-      exploration.failure = FailureOfCard(model, exploration.samples->failing);
+      exploration.failure = ShrinkCard(model, exploration.samples->failing);
+    }
+    return exploration;
+  }
+  if (options.engine == EngineKind::kBounded) {
+    Exploration exploration = ConcludeBounded(SearchCardBounded(model, BoundsOf(options)), options);
+    if (exploration.bounded->bad) {
+      exploration.failure = ShrinkCard(model, exploration.bounded->failing);
+      exploration.failure->fewest_preemptions = true;
     }
     return exploration;
   }
@@ -358,9 +505,11 @@ Exploration ExploreCard(CardModel* model, const ExploreOptions& options) {
                                    .final_full = found.final_full,
                                    .finals_within = {},
                                    .complete = found.graph.complete};
-  exploration.failure = WayToBadState(found.graph);
+  exploration.failure = WayTo(found.graph, kBad);
   if (exploration.failure) {
-    exploration.failure->fault = FailureOfCard(model, exploration.failure->steps).fault;
+    CardWalk walk(model, false);
+    for (const uint8_t thread : exploration.failure->steps) walk.Step(thread);
+    exploration.failure->fault = walk.fault();
     exploration.verdict = Verdict::kFailed;
   } else if (!found.graph.complete) {
     exploration.why = MakeMessage("the limit of {0} states was reached", "已达到 {0} 个状态的上限",

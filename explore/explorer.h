@@ -14,15 +14,17 @@
 #include <vector>
 
 #include "base/result.h"
+#include "explore/bounded_search.h"
 #include "explore/card_model.h"
+#include "explore/failure.h"
 #include "explore/problem.h"
 #include "explore/sampler.h"
 
 namespace oncard::explore {
 
-enum class EngineKind : uint8_t { kAuto, kDpor, kStateful, kRandom, kPct, kPos };
+enum class EngineKind : uint8_t { kAuto, kDpor, kStateful, kBounded, kRandom, kPct, kPos };
 
-/// `auto`, `dpor`, `stateful`, `random`, `pct`, `pos`; empty for any other name.
+/// `auto`, `dpor`, `stateful`, `bounded`, `random`, `pct`, `pos`; empty for any other name.
 std::optional<EngineKind> EngineNamed(std::string_view name);
 std::string_view EngineName(EngineKind engine);
 
@@ -42,6 +44,7 @@ struct ExploreOptions {
   uint32_t state_limit = 50'000'000;
   /// Statements of one execution; the dpor engine gives up on longer ones.
   int64_t depth_limit = 100'000;
+  int preemption_limit = BoundedOptions{}.preemptions;  ///< kBounded
   // Of the engines that try random schedules.
   int64_t runs = SampleOptions{}.runs;
   uint64_t seed = SampleOptions{}.seed;
@@ -59,6 +62,12 @@ struct TraceCounts {
   bool complete = false;
 };
 
+/// A race that some schedule has.
+struct FoundRace {
+  Race race;
+  bool benign = false;  ///< neither order of the two statements changes what ends can be reached
+};
+
 /// What the stateful engine counted.
 struct StateCounts {
   int64_t states = 0;
@@ -74,26 +83,15 @@ struct StateCounts {
 /// Number of elements of StateCounts::finals_within.
 inline constexpr int kPreemptionBounds = 4;
 
-/// How it goes wrong.
-struct Failure {
-  bool livelock = false;
-  Fault fault;                 ///< of the last state; none for a livelock
-  std::vector<uint8_t> steps;  ///< threads of the model, one per statement
-  std::vector<uint8_t> cycle;  ///< livelock: what then repeats for ever
-  int preemptions = 0;
-  bool fewest_preemptions = false;  ///< no schedule with fewer fails
-  int64_t fewest_steps = 0;         ///< of any failing schedule; 0 when not known
-  /// Statements after which a good end could still be reached; -1 when not known.
-  int64_t last_escape = -1;
-};
-
 struct Exploration {
   Verdict verdict = Verdict::kIncomplete;
   EngineKind engine = EngineKind::kAuto;  ///< the one whose verdict it is
   Message why;                            ///< kPassed, kIncomplete: what was reached
   std::optional<TraceCounts> traces;
   std::optional<StateCounts> states;
+  std::optional<BoundedCounts> bounded;
   std::optional<SampleCounts> samples;
+  std::vector<FoundRace> races;  ///< all of the program, when the stateful engine looked for them
   std::optional<Failure> failure;
 };
 

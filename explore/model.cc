@@ -98,18 +98,28 @@ int64_t Unary(uint16_t op, DataType type, int64_t source, [[maybe_unused]] int w
   return source;
 }
 
+const vm::Symbol* SymbolOfSlot(const std::vector<vm::Symbol>& symbols, uint32_t id) {
+  for (const vm::Symbol& symbol : symbols) {
+    if (id >= symbol.id && id < uint32_t{symbol.id} + symbol.slots()) return &symbol;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
+std::string NameOfSlot(const std::vector<vm::Symbol>& symbols, uint32_t id) {
+  const vm::Symbol* symbol = SymbolOfSlot(symbols, id);
+  if (symbol == nullptr) return {};
+  return symbol->array_size == 0 ? symbol->name
+                                 : fmt::format("{}[{}]", symbol->name, id - symbol->id);
+}
+
 std::string DescribeSlot(const std::vector<vm::Symbol>& symbols, uint32_t id, int64_t raw) {
-  for (const vm::Symbol& symbol : symbols) {
-    if (id < symbol.id || id >= uint32_t{symbol.id} + symbol.slots()) continue;
-    const std::string index =
-        symbol.array_size == 0 ? std::string() : fmt::format("[{}]", id - symbol.id);
-    const double value = symbol.type == DataType::kDouble ? vm::DoubleFromFixed(raw)
-                                                          : static_cast<double>(IntOf(raw));
-    return fmt::format("{}{} = {}", symbol.name, index, value);
-  }
-  return {};
+  const vm::Symbol* symbol = SymbolOfSlot(symbols, id);
+  if (symbol == nullptr) return {};
+  const double value = symbol->type == DataType::kDouble ? vm::DoubleFromFixed(raw)
+                                                         : static_cast<double>(IntOf(raw));
+  return fmt::format("{} = {}", NameOfSlot(symbols, id), value);
 }
 
 Result<Model> Model::Create(const vm::Machine& machine) {

@@ -57,6 +57,9 @@ struct AccessSet {
   }
 };
 
+/// `v`, `a[3]` of a slot among the variables; empty when none has it.
+std::string NameOfSlot(const std::vector<vm::Symbol>& symbols, uint32_t id);
+
 /// `name = value` of a slot among the variables; empty when none has it.
 std::string DescribeSlot(const std::vector<vm::Symbol>& symbols, uint32_t id, int64_t raw);
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 namespace oncard::explore {
@@ -25,6 +26,7 @@ std::optional<Scope> ScopeNamed(std::string_view name) {
   if (name == "final") return Scope::kFinal;
   if (name == "always") return Scope::kAlways;
   if (name == "never") return Scope::kNever;
+  if (name == "eventually") return Scope::kEventually;
   return std::nullopt;
 }
 
@@ -40,21 +42,39 @@ Result<void> ReadInitialValues(std::string_view text, runtime::Scenario* scenari
   return {};
 }
 
+/// Reads `f, g`.
+void ReadNames(std::string_view text, std::vector<std::string>* names) {
+  while (!text.empty()) {
+    const size_t comma = text.find(',');
+    names->emplace_back(Trim(text.substr(0, comma)));
+    text = comma == std::string_view::npos ? std::string_view{} : text.substr(comma + 1);
+  }
+}
+
 Result<void> ReadComment(std::string_view comment, CommentProblem* problem) {
   const size_t colon = comment.find(':');
   const std::string_view key = Trim(comment.substr(0, colon));
   const std::string_view rest =
       colon == std::string_view::npos ? std::string_view{} : Trim(comment.substr(colon + 1));
   if (key == "init" && !rest.empty()) return ReadInitialValues(rest, &problem->scenario);
+  if (key == "sync" && !rest.empty()) {
+    ReadNames(rest, &problem->scenario.sync);
+    return {};
+  }
+  if (key == "races" && RaceRuleNamed(rest)) {
+    problem->scenario.races = rest;
+    return {};
+  }
   if (const auto scope = ScopeNamed(key); scope && !rest.empty()) {
     problem->requirements.push_back({*scope, std::string(rest)});
     return {};
   }
   return MakeError(1,
-                   "'{0}' says nothing to the explorer: expected //@ init: v=1, or //@ final:, "
-                   "//@ always: or //@ never: with an expression",
-                   "“{0}”不是探索注释：应为 //@ init: v=1，或 //@ final:、//@ always:、//@ never: "
-                   "加表达式",
+                   "'{0}' says nothing to the explorer: expected //@ init: v=1, //@ final:, "
+                   "//@ always:, //@ never: or //@ eventually: with an expression, //@ sync: v, or "
+                   "//@ races: none or benign",
+                   "“{0}”不是探索注释：应为 //@ init: v=1，//@ final:、//@ always:、//@ never: 或 "
+                   "//@ eventually: 加表达式，//@ sync: v，或 //@ races: none 或 benign",
                    Trim(comment));
 }
 
@@ -114,7 +134,33 @@ Result<Problem> BindProblem(Model model, const std::vector<Requirement>& require
     if (!property.ok()) return property.error();
     problem.requirements.push_back({requirement.scope, std::move(property).value()});
   }
+  if (std::ranges::count(requirements, Scope::kEventually, &Requirement::scope) > kEventuallyMax) {
+    return MakeError(1, "more than {0} expressions must hold eventually",
+                     "“eventually”表达式超过 {0} 个", kEventuallyMax);
+  }
   return problem;
+}
+
+std::optional<RaceRule> RaceRuleNamed(std::string_view name) {
+  if (name == "any") return RaceRule::kAny;
+  if (name == "benign") return RaceRule::kBenign;
+  if (name == "none") return RaceRule::kNone;
+  return std::nullopt;
+}
+
+Result<SyncCells> SyncCellsNamed(const std::vector<std::string>& names, const vm::Object& object) {
+  SyncCells cells;
+  for (const std::string& name : names) {
+    const auto found = std::ranges::find(object.globals, name, &vm::Symbol::name);
+    if (found == object.globals.end()) {
+      return MakeError(1, "'sync' names '{0}', which is no global variable",
+                       "“sync”中的“{0}”不是全局变量", name);
+    }
+    const size_t end = size_t{found->id} + found->slots();
+    if (cells.size() < end) cells.resize(end);
+    std::fill(cells.begin() + found->id, cells.begin() + static_cast<std::ptrdiff_t>(end), true);
+  }
+  return cells;
 }
 
 Fault FindFault(const Problem& problem, const Model& state) {
@@ -126,6 +172,7 @@ Fault FindFault(const Problem& problem, const Model& state) {
   }
   for (size_t i = 0; i < problem.requirements.size(); ++i) {
     const BoundRequirement& requirement = problem.requirements[i];
+    if (requirement.scope == Scope::kEventually) continue;
     if (requirement.scope == Scope::kFinal && state.runnable() != 0) continue;
     if (requirement.property.Holds(state) == (requirement.scope == Scope::kNever)) {
       return {Fault::Kind::kRequirement, static_cast<int>(i), 0};

@@ -6,12 +6,16 @@
 //   //@ final: EXPRESSION      must hold when all threads have ended
 //   //@ always: EXPRESSION     must hold in every state
 //   //@ never: EXPRESSION      must hold in no state
+//   //@ eventually: EXPRESSION every run must have a state in which it holds
+//   //@ races: none            no data race is allowed; benign: those that change no final value
+//   //@ sync: f, g             variables that order what threads do, and do not race themselves
 //
 // and its functions t0, t1, ... are bound to threads 0, 1, ... on pages 0, 1, ...
 // Tested by tests/explore/problem_test.cc.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,13 +23,19 @@
 #include "base/result.h"
 #include "explore/model.h"
 #include "explore/property.h"
+#include "explore/races.h"
 #include "runtime/scenario.h"
 #include "vm/object.h"
 
 namespace oncard::explore {
 
 /// Which states a requirement speaks of.
-enum class Scope : uint8_t { kFinal, kAlways, kNever };
+enum class Scope : uint8_t {
+  kFinal,
+  kAlways,
+  kNever,
+  kEventually  ///< every run has a state in which it holds
+};
 
 /// A requirement as written.
 struct Requirement {
@@ -49,16 +59,28 @@ struct BoundRequirement {
   Property property;
 };
 
+/// Requirements of a problem that speak of what must hold eventually.
+inline constexpr int kEventuallyMax = 24;
+
 struct Problem {
   Model model;  ///< before the first statement
-  std::vector<BoundRequirement> requirements;
+  std::vector<BoundRequirement> requirements = {};
+  RaceRule races = RaceRule::kAny;
+  SyncCells sync = {};
 
   /// True when a requirement speaks of states on the way.
   bool HasInvariants() const;
 };
 
-/// Finds the names of the requirements. Fails when one is unknown.
+/// Finds the names of the requirements. Fails when one is unknown, or there are too many.
 Result<Problem> BindProblem(Model model, const std::vector<Requirement>& requirements);
+
+/// The rule with a name: `any`, `benign`, `none`.
+std::optional<RaceRule> RaceRuleNamed(std::string_view name);
+
+/// The cells of the globals, each a variable, an array or a structure's member. Fails when one is
+/// unknown.
+Result<SyncCells> SyncCellsNamed(const std::vector<std::string>& names, const vm::Object& object);
 
 /// What is wrong with a state.
 struct Fault {
@@ -66,18 +88,20 @@ struct Fault {
     kNone,
     kRequirement,
     kThread,
-    kDeadlock,  ///< threads wait for what nothing can change any more
-    kTimeLimit  ///< threads still run at the scenario's `limit_ms`
+    kDeadlock,   ///< threads wait for what nothing can change any more
+    kTimeLimit,  ///< threads still run at the scenario's `limit_ms`
+    kRace        ///< two threads touch a variable without order
   };
   Kind kind = Kind::kNone;
   int requirement = 0;  ///< kRequirement: which one is violated
   int thread = 0;       ///< kThread: which one ended with a fault, as the model counts
+  Race race = {};       ///< kRace
 
   explicit operator bool() const { return kind != Kind::kNone; }
 };
 
-/// The first fault of a state: a thread's, an invariant's, or, when all threads have ended, a final
-/// requirement's.
+/// The first fault that a state shows by itself: a thread's, an invariant's, or, when all threads
+/// have ended, a final requirement's. What depends on the way there is ProgramWalk's (walk.h).
 Fault FindFault(const Problem& problem, const Model& state);
 
 }  // namespace oncard::explore

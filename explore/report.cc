@@ -17,9 +17,35 @@ std::string_view ScopeName(Scope scope) {
     case Scope::kAlways:
       return "always";
     case Scope::kNever:
+      return "never";
+    case Scope::kEventually:
       break;
   }
-  return "never";
+  return "eventually";
+}
+
+int LineOf(const Subject& subject, const RacingStatement& statement) {
+  const ThreadSetup& setup = subject.threads[static_cast<size_t>(statement.thread)];
+  return subject.image->object.functions[static_cast<size_t>(setup.function)]
+      .lines[static_cast<size_t>(statement.position)];
+}
+
+Message DescribeRace(const Subject& subject, const Race& race) {
+  const auto number = [&](const RacingStatement& statement) {
+    return subject.threads[static_cast<size_t>(statement.thread)].thread;
+  };
+  const auto does = [](const RacingStatement& statement) {
+    return statement.writes ? Message{"writes", "写"} : Message{"reads", "读"};
+  };
+  const auto& [cell, first, second] = race;
+  const std::string name = NameOfSlot(subject.image->object.globals, cell);
+  return {fmt::format("data race: thread {} {} {} in line {}, thread {} {} it in line {}, and "
+                      "nothing orders the two",
+                      number(first), does(first).en, name, LineOf(subject, first), number(second),
+                      does(second).en, LineOf(subject, second)),
+          fmt::format("数据竞争：线程 {} 在第 {} 行{} {}，线程 {} 在第 {} 行{}它，两者之间没有顺序",
+                      number(first), LineOf(subject, first), does(first).zh, name, number(second),
+                      LineOf(subject, second), does(second).zh)};
 }
 
 Message DescribeFault(const Subject& subject, const Failure& failure) {
@@ -37,6 +63,8 @@ Message DescribeFault(const Subject& subject, const Failure& failure) {
           "死锁：所有运行中的线程都在等待不会再改变的变量"};
     case Fault::Kind::kTimeLimit:
       return {"threads still run at the scenario's limit_ms", "到场景的 limit_ms 时仍有线程在运行"};
+    case Fault::Kind::kRace:
+      return DescribeRace(subject, failure.fault.race);
     case Fault::Kind::kNone:
     case Fault::Kind::kRequirement:
       break;
@@ -121,7 +149,8 @@ std::string Table(const Subject& subject, const std::vector<TrailStep>& steps,
   return text;
 }
 
-std::string CountsText(const Exploration& exploration, Language language) {
+std::string CountsText(const Findings& findings, Language language) {
+  const Exploration& exploration = findings.exploration;
   std::string text;
   const auto add = [&](const Message& message) { text += message.In(language) + '\n'; };
   if (const auto& traces = exploration.traces) {
@@ -130,6 +159,13 @@ std::string CountsText(const Exploration& exploration, Language language) {
         "dpor：{0} 次执行（阻塞 {1}，冗余 {2}），错误 {3}，不同结局 {4}{6}", traces->executions,
         traces->blocked, traces->redundant, traces->bad_traces, traces->final_full,
         traces->complete ? "" : "; not all", traces->complete ? "" : "；未搜索完"));
+  }
+  if (const auto& bounded = exploration.bounded) {
+    add(MakeMessage(
+        "bounded: {0} states, {1} different ends, schedules with at most {2} preemptions{3}",
+        "bounded：{0} 个状态，不同结局 {1}，抢占不超过 {2} 次的调度{4}", bounded->states,
+        bounded->different_ends, bounded->preemptions, bounded->bad ? "; up to a bad one" : "",
+        bounded->bad ? "；至首个出错者为止" : ""));
   }
   if (const auto& samples = exploration.samples) {
     add(MakeMessage(
@@ -143,6 +179,11 @@ std::string CountsText(const Exploration& exploration, Language language) {
                     "stateful：{0} 个状态，{1} 次转移，错误 {2}，不同结局 {3}{5}", states->states,
                     states->transitions, states->bad_states, states->final_full,
                     states->complete ? "" : "; not all", states->complete ? "" : "；未搜索完"));
+  }
+  for (const FoundRace& found : exploration.races) {
+    const Message race = DescribeRace(findings.subject, found.race);
+    const Message benign = {" (benign)", "（无害）"};
+    add({race.en + (found.benign ? benign.en : ""), race.zh + (found.benign ? benign.zh : "")});
   }
   return text;
 }
@@ -234,13 +275,25 @@ std::string FailureHtml(const Findings& findings, const Failure& failure, Langua
   return html;
 }
 
+nlohmann::ordered_json RaceJson(const Subject& subject, const Race& race) {
+  nlohmann::ordered_json json;
+  json["variable"] = NameOfSlot(subject.image->object.globals, race.cell);
+  for (const RacingStatement& statement : {race.first, race.second}) {
+    json["statements"].push_back(
+        {{"thread", subject.threads[static_cast<size_t>(statement.thread)].thread},
+         {"line", LineOf(subject, statement)},
+         {"writes", statement.writes}});
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string TextReport(const Findings& findings, Language language) {
   const Exploration& exploration = findings.exploration;
   std::string text = std::string(VerdictName(exploration.verdict)) + '\n';
   if (!exploration.why.en.empty()) text += exploration.why.In(language) + '\n';
-  text += CountsText(exploration, language);
+  text += CountsText(findings, language);
   if (exploration.failure) {
     text += '\n' + FailureText(findings, *exploration.failure, language);
   }
@@ -264,6 +317,11 @@ std::string JsonReport(const Findings& findings) {
       json["final_full"] = traces->final_full;
     }
   }
+  if (const auto& bounded = exploration.bounded) {
+    json["bounded_states"] = bounded->states;
+    json["bounded_preemptions"] = bounded->preemptions;
+    json["different_ends"] = bounded->different_ends;
+  }
   if (const auto& samples = exploration.samples) {
     json["runs"] = samples->runs;
     json["bad_runs"] = samples->bad;
@@ -283,9 +341,16 @@ std::string JsonReport(const Findings& findings) {
       }
     }
   }
+  for (const FoundRace& found : exploration.races) {
+    json["races"].push_back(RaceJson(findings.subject, found.race));
+    json["races"].back()["benign"] = found.benign;
+  }
   if (!exploration.why.en.empty()) json["why"] = exploration.why.en;
   if (const auto& failure = exploration.failure) {
     json["reason"] = DescribeFault(findings.subject, *failure).en;
+    if (failure->fault.kind == Fault::Kind::kRace) {
+      json["race"] = RaceJson(findings.subject, failure->fault.race);
+    }
     if (failure->fewest_preemptions) {
       json["min_preemptions_to_bad"] = failure->preemptions;
       json["min_steps_to_bad"] = failure->fewest_steps;
@@ -312,7 +377,7 @@ std::string HtmlReport(const Findings& findings, Language language) {
   if (!exploration.why.en.empty()) {
     page += fmt::format("<p>{}</p>\n", EscapeMarkup(exploration.why.In(language)));
   }
-  page += fmt::format("<pre>{}</pre>\n", EscapeMarkup(CountsText(exploration, language)));
+  page += fmt::format("<pre>{}</pre>\n", EscapeMarkup(CountsText(findings, language)));
   if (exploration.failure) {
     page += FailureHtml(findings, *exploration.failure, language);
   }

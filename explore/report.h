@@ -31,8 +31,8 @@ std::string TextReport(const Findings& findings, Language language);
 
 /// A JSON object: `verdict`, `engine`, the counts of both engines that ran (`executions`,
 /// `blocked`, `redundant`, `traces`, `bad_traces`; `states`, `transitions`, `bad_states`;
-/// `final_globals`, `final_full`, `finals_pb0` ...), and of a failure `min_preemptions_to_bad` and
-/// `min_steps_to_bad` when they are exact, and its `schedule`.
+/// `final_globals`, `final_full`, `finals_pb0` ...; `races`), and of a failure
+/// `min_preemptions_to_bad` and `min_steps_to_bad` when they are exact, and its `schedule`.
 std::string JsonReport(const Findings& findings);
 
 /// One HTML page that needs no other file: the verdict, the counts, and a failure as a table with a

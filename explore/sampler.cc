@@ -7,56 +7,10 @@
 
 #include "base/random.h"
 #include "explore/key_set.h"
+#include "explore/walk.h"
 
 namespace oncard::explore {
 namespace {
-
-/// A program of variables, walked through from its start.
-class ProgramWalk {
- public:
-  explicit ProgramWalk(const Problem& problem) : problem_(problem), model_(problem.model) {
-    model_.TrackKey(false);
-  }
-
-  int thread_count() const { return model_.thread_count(); }
-  void Restart() {
-    while (model_.depth() > 0) model_.Undo();
-  }
-  bool ended() const { return model_.runnable() == 0; }
-  /// It has ended because no thread runs any more.
-  bool finished() const { return ended(); }
-  uint32_t choices() const { return model_.runnable(); }
-  bool wrong() const { return static_cast<bool>(FindFault(problem_, model_)); }
-  void Step(int thread) { model_.Step(thread); }
-  StateKey EndKey() const { return model_.FinalKey(); }
-  bool DependOnEachOther(int a, int b) const {
-    return model_.NextAccess(a).DependsOn(model_.NextAccess(b));
-  }
-
- private:
-  const Problem& problem_;
-  Model model_;
-};
-
-class CardWalk {
- public:
-  explicit CardWalk(CardModel* model) : model_(*model), start_(model->Start()), state_(start_) {}
-
-  int thread_count() const { return model_.thread_count(); }
-  void Restart() { state_ = start_; }
-  bool ended() const { return state_.ended; }
-  bool finished() const { return state_.finished; }
-  uint32_t choices() const { return state_.choices; }
-  bool wrong() const { return static_cast<bool>(state_.fault); }
-  void Step(int thread) { state_ = model_.Step(state_, thread); }
-  StateKey EndKey() const { return model_.FinalKey(state_); }
-  bool DependOnEachOther(int, int) const { return true; }
-
- private:
-  CardModel& model_;
-  CardModel::State start_;
-  CardModel::State state_;
-};
 
 template <typename Walk>
 class Sampler {
@@ -79,7 +33,7 @@ class Sampler {
     walk_.Restart();
     steps_.clear();
     DrawPriorities();
-    bool wrong = walk_.wrong();
+    bool wrong = static_cast<bool>(walk_.fault());
     while (!wrong && !walk_.ended()) {
       if (static_cast<int64_t>(steps_.size()) >= options_.statement_limit) {
         ++counts_.cut;
@@ -88,7 +42,7 @@ class Sampler {
       const int thread = Choose();
       steps_.push_back(static_cast<uint8_t>(thread));
       walk_.Step(thread);
-      wrong = walk_.wrong();
+      wrong = static_cast<bool>(walk_.fault());
     }
     counts_.longest = std::max(counts_.longest, static_cast<int64_t>(steps_.size()));
     if (wrong && counts_.bad++ == 0) counts_.failing = steps_;
@@ -159,7 +113,7 @@ SampleCounts Sample(const Problem& problem, const SampleOptions& options) {
 }
 
 SampleCounts SampleCard(CardModel* model, const SampleOptions& options) {
-  return Sampler(CardWalk(model), options).Run();
+  return Sampler(CardWalk(model, false), options).Run();
 }
 
 }  // namespace oncard::explore

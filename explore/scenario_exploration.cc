@@ -9,17 +9,9 @@ namespace oncard::explore {
 namespace {
 
 Result<Findings> ExploreProgram(const runtime::Scenario& scenario,
-                                std::vector<Requirement> requirements, vm::Object object,
+                                const std::vector<Requirement>& requirements, vm::Object object,
                                 const ExploreOptions& options) {
-  for (const runtime::Expectation& expectation : scenario.expectations) {
-    requirements.push_back({Scope::kFinal, expectation.text});
-  }
-  runtime::Controller controller(runtime::CardOptions(scenario));
-  auto started = runtime::StartScenario(scenario, std::move(object), &controller);
-  if (!started.ok()) return started.error();
-  auto model = Model::Create(controller.machine());
-  if (!model.ok()) return model.error();
-  const auto problem = BindProblem(std::move(model).value(), requirements);
+  const auto problem = ProblemOfScenario(scenario, requirements, std::move(object));
   if (!problem.ok()) return problem.error();
   auto exploration = Explore(problem.value(), options);
   if (!exploration.ok()) return exploration.error();
@@ -36,9 +28,15 @@ Result<Findings> ExploreWithCard(const runtime::Scenario& scenario,
   if (options.engine == EngineKind::kDpor || options.engine == EngineKind::kPos) {
     return MakeError(
         1,
-        "time and the card are part of the states here: use the engine stateful, random "
+        "time and the card are part of the states here: use the engine stateful, bounded, random "
         "or pct",
-        "此处时间与控制卡属于状态的一部分：请使用 stateful、random 或 pct 引擎");
+        "此处时间与控制卡属于状态的一部分：请使用 stateful、bounded、random 或 pct 引擎");
+  }
+  if (scenario.races != runtime::Scenario{}.races) {
+    return MakeError(1,
+                     "data races are looked for in programs of variables only: explore the "
+                     "functions without GT commands on their own",
+                     "只在纯变量程序中查找数据竞争：请单独探索不含 GT 指令的函数");
   }
   auto model = CardModel::Create(scenario, requirements, std::move(object));
   if (!model.ok()) return model.error();
@@ -55,6 +53,9 @@ std::vector<Requirement> RequirementsOf(const runtime::Scenario& scenario) {
   std::vector<Requirement> requirements;
   for (const std::string& text : scenario.always) requirements.push_back({Scope::kAlways, text});
   for (const std::string& text : scenario.never) requirements.push_back({Scope::kNever, text});
+  for (const std::string& text : scenario.eventually) {
+    requirements.push_back({Scope::kEventually, text});
+  }
   return requirements;
 }
 
@@ -79,6 +80,26 @@ bool NeedsCard(const runtime::Scenario& scenario, const vm::Object& object) {
          std::ranges::any_of(scenario.expectations, [](const auto& expectation) {
            return expectation.at_us.has_value() || expectation.tolerance != 0;
          });
+}
+
+Result<Problem> ProblemOfScenario(const runtime::Scenario& scenario,
+                                  const std::vector<Requirement>& requirements, vm::Object object) {
+  std::vector<Requirement> all = requirements;
+  for (const runtime::Expectation& expectation : scenario.expectations) {
+    all.push_back({Scope::kFinal, expectation.text});
+  }
+  runtime::Controller controller(runtime::CardOptions(scenario));
+  auto started = runtime::StartScenario(scenario, std::move(object), &controller);
+  if (!started.ok()) return started.error();
+  auto model = Model::Create(controller.machine());
+  if (!model.ok()) return model.error();
+  auto problem = BindProblem(std::move(model).value(), all);
+  if (!problem.ok()) return problem.error();
+  auto sync = SyncCellsNamed(scenario.sync, controller.machine().image()->object);
+  if (!sync.ok()) return sync.error();
+  problem.value().sync = std::move(sync).value();
+  problem.value().races = *RaceRuleNamed(scenario.races);
+  return problem;
 }
 
 Result<Findings> ExploreScenario(const runtime::Scenario& scenario,

@@ -11,7 +11,7 @@
 
 namespace oncard::explore {
 
-/// `always` and `never` of a scenario.
+/// `always`, `never` and `eventually` of a scenario.
 std::vector<Requirement> RequirementsOf(const runtime::Scenario& scenario);
 
 /// What the scenario wishes, where it wishes something.
@@ -20,6 +20,11 @@ ExploreOptions OptionsOf(const runtime::ExploreWish& wish);
 /// True when time or the card matters: the program calls GT commands, a thread is periodic, or an
 /// expectation has an instant.
 bool NeedsCard(const runtime::Scenario& scenario, const vm::Object& object);
+
+/// A scenario whose program needs no card, with its expectations and the requirements. Fails when
+/// the scenario does not fit the program, or a requirement makes no sense.
+Result<Problem> ProblemOfScenario(const runtime::Scenario& scenario,
+                                  const std::vector<Requirement>& requirements, vm::Object object);
 
 /// Explores the scenario with its expectations and the requirements; Findings::source is left to
 /// the caller. Fails when the scenario does not fit the program, has host events, or a requirement

@@ -2,6 +2,9 @@
 
 #include <bit>
 #include <cstddef>
+#include <utility>
+
+#include "explore/walk.h"
 
 namespace oncard::explore {
 namespace {
@@ -21,35 +24,6 @@ std::vector<Turn> TurnsOf(const std::vector<uint8_t>& steps) {
   return turns;
 }
 
-/// How many steps a schedule goes on after the last turn that it was given.
-constexpr int64_t kExtraSteps = 100'000;
-
-/// Follows the turns, then lets the threads run one after the other. The steps up to the first
-/// fault; empty when there is none.
-std::vector<uint8_t> Follow(const Problem& problem, Model* model, const std::vector<Turn>& turns) {
-  const int64_t start = model->depth();
-  std::vector<uint8_t> taken;
-  bool failed = false;
-  const auto take = [&](int thread) {
-    model->Step(thread);
-    taken.push_back(static_cast<uint8_t>(thread));
-    failed = static_cast<bool>(FindFault(problem, *model));
-  };
-  for (const Turn& turn : turns) {
-    for (int64_t i = 0; i < turn.steps && !failed && model->Running(turn.thread); ++i) {
-      take(turn.thread);
-    }
-  }
-  int thread = taken.empty() ? 0 : taken.back();
-  for (int64_t i = 0; i < kExtraSteps && !failed && model->runnable() != 0; ++i) {
-    if (!model->Running(thread)) thread = std::countr_zero(model->runnable());
-    take(thread);
-  }
-  while (model->depth() > start) model->Undo();
-  if (!failed) taken.clear();
-  return taken;
-}
-
 /// The turns with turn `index` joined to the next turn of its thread; false when it has none.
 bool JoinWithNext(const std::vector<Turn>& turns, size_t index, std::vector<Turn>* joined) {
   for (size_t next = index + 2; next < turns.size(); ++next) {
@@ -61,6 +35,94 @@ bool JoinWithNext(const std::vector<Turn>& turns, size_t index, std::vector<Turn
   }
   return false;
 }
+
+/// How many steps a schedule goes on after the last turn that it was given.
+constexpr int64_t kExtraSteps = 100'000;
+/// Statements that may be spent on finding a simpler schedule.
+constexpr int64_t kProgramEffort = 20'000'000;
+constexpr int64_t kCardEffort = 500'000;
+
+/// A schedule that leads to a fault.
+struct Way {
+  std::vector<uint8_t> steps;
+  int preemptions = 0;
+  Fault fault;
+
+  bool SimplerThan(const Way& other) const {
+    return std::pair(preemptions, steps.size()) < std::pair(other.preemptions, other.steps.size());
+  }
+};
+
+template <typename Walk>
+class Shrinker {
+ public:
+  Shrinker(Walk walk, int64_t effort) : walk_(std::move(walk)), effort_(effort) {}
+
+  Failure Run(const std::vector<uint8_t>& steps) {
+    Way best = Follow(TurnsOf(steps));
+    while (effort_ > 0 && Improve(&best)) {
+    }
+    Failure failure;
+    failure.steps = std::move(best.steps);
+    failure.preemptions = best.preemptions;
+    failure.fault = best.fault;
+    return failure;
+  }
+
+ private:
+  /// Follows the turns, then lets the threads run one after the other, to the first fault.
+  Way Follow(const std::vector<Turn>& turns) {
+    walk_.Restart();
+    Way way;
+    int last = -1;
+    const auto take = [&](int thread) {
+      if (last >= 0 && thread != last && (walk_.choices() >> last & 1) != 0) ++way.preemptions;
+      walk_.Step(thread);
+      way.steps.push_back(static_cast<uint8_t>(thread));
+      last = thread;
+      --effort_;
+    };
+    const auto going = [&] { return !walk_.fault() && !walk_.ended(); };
+    for (const Turn& turn : turns) {
+      for (int64_t i = 0; i < turn.steps && going(); ++i) {
+        if ((walk_.choices() >> turn.thread & 1) == 0) break;
+        take(turn.thread);
+      }
+    }
+    for (int64_t i = 0; i < kExtraSteps && going(); ++i) {
+      const bool goes_on = last >= 0 && (walk_.choices() >> last & 1) != 0;
+      take(goes_on ? last : std::countr_zero(walk_.choices()));
+    }
+    way.fault = walk_.fault();
+    return way;
+  }
+
+  /// Takes the first simpler schedule over, if there is one.
+  bool Improve(Way* best) {
+    const std::vector<Turn> turns = TurnsOf(best->steps);
+    for (size_t i = 0; i < turns.size() && effort_ > 0; ++i) {
+      std::vector<Turn> joined;
+      if (JoinWithNext(turns, i, &joined) && Try(joined, best)) return true;
+      std::vector<Turn> without = turns;
+      without.erase(without.begin() + static_cast<std::ptrdiff_t>(i));
+      if (Try(without, best)) return true;
+      std::vector<Turn> shorter = turns;
+      shorter[i].steps /= 2;
+      if (shorter[i].steps > 0 && Try(shorter, best)) return true;
+    }
+    return false;
+  }
+
+  bool Try(const std::vector<Turn>& turns, Way* best) {
+    Way way = Follow(turns);
+    if (!way.fault || !way.SimplerThan(*best)) return false;
+    *best = std::move(way);
+    return true;
+  }
+
+  Walk walk_;
+  int64_t effort_;
+};
 
 }  // namespace
 
@@ -75,28 +137,12 @@ int CountPreemptions(Model* model, const std::vector<uint8_t>& steps) {
   return preemptions;
 }
 
-std::vector<uint8_t> Shrink(const Problem& problem, const std::vector<uint8_t>& steps) {
-  Model model = problem.model;
-  model.TrackKey(false);
-  std::vector<uint8_t> best = steps;
-  int fewest = CountPreemptions(&model, best);
-  bool better = true;
-  while (better && fewest > 0) {
-    better = false;
-    const std::vector<Turn> turns = TurnsOf(best);
-    std::vector<Turn> joined;
-    for (size_t i = 0; i < turns.size() && !better; ++i) {
-      if (!JoinWithNext(turns, i, &joined)) continue;
-      const std::vector<uint8_t> tried = Follow(problem, &model, joined);
-      if (tried.empty()) continue;
-      const int preemptions = CountPreemptions(&model, tried);
-      if (preemptions > fewest || (preemptions == fewest && tried.size() >= best.size())) continue;
-      best = tried;
-      fewest = preemptions;
-      better = true;
-    }
-  }
-  return best;
+Failure Shrink(const Problem& problem, const std::vector<uint8_t>& steps) {
+  return Shrinker(ProgramWalk(problem), kProgramEffort).Run(steps);
+}
+
+Failure ShrinkCard(CardModel* model, const std::vector<uint8_t>& steps) {
+  return Shrinker(CardWalk(model, false), kCardEffort).Run(steps);
 }
 
 }  // namespace oncard::explore

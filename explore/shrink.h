@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "explore/card_model.h"
+#include "explore/failure.h"
 #include "explore/problem.h"
 
 namespace oncard::explore {
@@ -12,9 +14,12 @@ namespace oncard::explore {
 /// Preemptions of a schedule: changes of threads while the one before could have gone on.
 int CountPreemptions(Model* model, const std::vector<uint8_t>& steps);
 
-/// A schedule that still leads to a fault, with as few preemptions as merging a thread's turns one
-/// by one can reach. `steps` leads to a fault. Where the state graph is known, FewestPreemptions()
-/// (state_graph.h) is exact instead.
-std::vector<uint8_t> Shrink(const Problem& problem, const std::vector<uint8_t>& steps);
+/// A schedule that still leads to a fault, with as few preemptions, and then statements, as
+/// joining, shortening and leaving out turns of threads one by one can reach: what has nothing to
+/// do with the fault goes. `steps` leads to a fault. Where the state graph is known,
+/// FewestPreemptions() (state_graph.h) is exact instead.
+Failure Shrink(const Problem& problem, const std::vector<uint8_t>& steps);
+/// The same with a card.
+Failure ShrinkCard(CardModel* model, const std::vector<uint8_t>& steps);
 
 }  // namespace oncard::explore

@@ -138,52 +138,6 @@ std::vector<uint8_t> PathBetween(const StateGraph& graph, uint32_t from, uint32_
   return {};
 }
 
-/// Strongly connected components, numbered; Tarjan's algorithm without recursion.
-std::vector<uint32_t> Components(const StateGraph& graph, uint32_t* count) {
-  struct Visit {
-    uint32_t state;
-    int next_thread;
-  };
-  std::vector<uint32_t> component(graph.size(), kNone);
-  std::vector<uint32_t> order(graph.size(), kNone);
-  std::vector<uint32_t> low(graph.size(), 0);
-  std::vector<uint32_t> open;
-  std::vector<Visit> path;
-  uint32_t visited = 0;
-  *count = 0;
-  const auto enter = [&](uint32_t state) {
-    order[state] = low[state] = visited++;
-    open.push_back(state);
-    path.push_back({state, 0});
-  };
-  enter(0);
-  while (!path.empty()) {
-    Visit& visit = path.back();
-    const uint32_t state = visit.state;
-    if (visit.next_thread < graph.threads) {
-      const uint32_t next = graph.Next(state, visit.next_thread++);
-      if (next == kNone || component[next] != kNone) continue;
-      if (order[next] == kNone) {
-        enter(next);
-      } else {
-        low[state] = std::min(low[state], order[next]);
-      }
-      continue;
-    }
-    path.pop_back();
-    if (!path.empty()) low[path.back().state] = std::min(low[path.back().state], low[state]);
-    if (low[state] != order[state]) continue;
-    uint32_t member = kNone;
-    do {
-      member = open.back();
-      open.pop_back();
-      component[member] = *count;
-    } while (member != state);
-    ++*count;
-  }
-  return component;
-}
-
 }  // namespace
 
 StateGraph BuildStateGraph(Model* model, const StateLimits& limits, const StateJudge& judge) {
@@ -269,6 +223,52 @@ std::vector<int> PreemptionsTo(const StateGraph& graph, int bound) {
     fewest[state] = std::min(fewest[state], preemptions);
   });
   return fewest;
+}
+
+// Tarjan's algorithm without recursion.
+std::vector<uint32_t> Components(const StateGraph& graph, uint32_t* count) {
+  struct Visit {
+    uint32_t state;
+    int next_thread;
+  };
+  std::vector<uint32_t> component(graph.size(), kNone);
+  std::vector<uint32_t> order(graph.size(), kNone);
+  std::vector<uint32_t> low(graph.size(), 0);
+  std::vector<uint32_t> open;
+  std::vector<Visit> path;
+  uint32_t visited = 0;
+  *count = 0;
+  const auto enter = [&](uint32_t state) {
+    order[state] = low[state] = visited++;
+    open.push_back(state);
+    path.push_back({state, 0});
+  };
+  enter(0);
+  while (!path.empty()) {
+    Visit& visit = path.back();
+    const uint32_t state = visit.state;
+    if (visit.next_thread < graph.threads) {
+      const uint32_t next = graph.Next(state, visit.next_thread++);
+      if (next == kNone || component[next] != kNone) continue;
+      if (order[next] == kNone) {
+        enter(next);
+      } else {
+        low[state] = std::min(low[state], order[next]);
+      }
+      continue;
+    }
+    path.pop_back();
+    if (!path.empty()) low[path.back().state] = std::min(low[path.back().state], low[state]);
+    if (low[state] != order[state]) continue;
+    uint32_t member = kNone;
+    do {
+      member = open.back();
+      open.pop_back();
+      component[member] = *count;
+    } while (member != state);
+    ++*count;
+  }
+  return component;
 }
 
 Lasso FindFairCycle(const StateGraph& graph) {

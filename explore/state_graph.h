@@ -78,6 +78,10 @@ struct Lasso {
 };
 Lasso FindFairCycle(const StateGraph& graph);
 
+/// Strongly connected components: of each state its number. A component's successors have smaller
+/// numbers.
+std::vector<uint32_t> Components(const StateGraph& graph, uint32_t* count);
+
 /// How many steps of a path can be taken before no terminal state that is not bad can be reached
 /// any more; -1 when there is none from the start.
 int64_t LastEscape(const StateGraph& graph, const std::vector<uint8_t>& path);

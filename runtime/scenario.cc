@@ -114,6 +114,13 @@ std::string FormatScenario(const Scenario& scenario) {
   }
   if (!scenario.always.empty()) text += fmt::format("always = {}\n", QuoteAll(scenario.always));
   if (!scenario.never.empty()) text += fmt::format("never = {}\n", QuoteAll(scenario.never));
+  if (!scenario.eventually.empty()) {
+    text += fmt::format("eventually = {}\n", QuoteAll(scenario.eventually));
+  }
+  if (scenario.races != Scenario{}.races) {
+    text += fmt::format("races = {}\n", Quote(scenario.races));
+  }
+  if (!scenario.sync.empty()) text += fmt::format("sync = {}\n", QuoteAll(scenario.sync));
   if (scenario.explore) text += fmt::format("explore = {}\n", FormatWish(*scenario.explore));
   if (!scenario.keys.empty()) {
     std::vector<std::string> presses;

@@ -90,6 +90,12 @@ struct Scenario {
   /// For the explorer: expressions that must hold, or not hold, in every state.
   std::vector<std::string> always;
   std::vector<std::string> never;
+  /// Expressions that every run must have a state for.
+  std::vector<std::string> eventually;
+  /// Data races: `any` is allowed, `benign` ones are, `none` is.
+  std::string races = "any";
+  /// Globals that order what threads do, and do not race themselves.
+  std::vector<std::string> sync;
   /// `oncard test` explores the scenario, too.
   std::optional<ExploreWish> explore;
   std::vector<KeyPress> keys;  ///< of a host program, in order of time

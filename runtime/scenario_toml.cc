@@ -13,13 +13,14 @@
 namespace oncard::runtime {
 namespace {
 
-constexpr std::array<std::string_view, 20> kScenarioKeys = {
-    "program",  "title",    "include",  "double",  "schedule", "rate",  "axes",
-    "cycle_us", "limit_ms", "until_ms", "globals", "thread",   "world", "host",
-    "trace",    "expect",   "always",   "never",   "explore",  "keys"};
+constexpr std::array<std::string_view, 23> kScenarioKeys = {
+    "program",  "title",    "include",    "double", "schedule", "rate",    "axes",  "cycle_us",
+    "limit_ms", "until_ms", "globals",    "thread", "world",    "host",    "trace", "expect",
+    "always",   "never",    "eventually", "races",  "sync",     "explore", "keys"};
+constexpr std::array<std::string_view, 3> kRaceRules = {"any", "benign", "none"};
 constexpr std::array<std::string_view, 5> kExploreKeys = {"engine", "verdict", "max_executions",
                                                           "max_states", "runs"};
-constexpr std::array<std::string_view, 6> kEngineNames = {"auto",   "dpor", "stateful",
+constexpr std::array<std::string_view, 7> kEngineNames = {"auto",   "dpor", "stateful", "bounded",
                                                           "random", "pct",  "pos"};
 constexpr std::array<std::string_view, 4> kVerdictNames = {"PROVED", "PASSED", "FAILED",
                                                            "INCOMPLETE"};
@@ -79,6 +80,9 @@ class ScenarioReader : private TomlKeys {
     ReadExpectations(table);
     Texts(table, "always", scenario_.always);
     Texts(table, "never", scenario_.never);
+    Texts(table, "eventually", scenario_.eventually);
+    scenario_.races = kRaceRules[Choice(table, "races", kRaceRules, 0)];
+    Texts(table, "sync", scenario_.sync);
     ReadExplore(table);
     for (const toml::table* key : Tables(table, "keys")) ReadKeys(*key);
     std::stable_sort(scenario_.keys.begin(), scenario_.keys.end(),

@@ -19,6 +19,9 @@ struct ExploreArguments {
   int64_t runs = 0;
   uint64_t seed = explore::ExploreOptions{}.seed;
   int depth = explore::ExploreOptions{}.depth;
+  int preemptions = explore::ExploreOptions{}.preemption_limit;
+  bool races = false;
+  bool benign = false;
 };
 
 /// A file to be explored: its scenario, what it requires, its program.
@@ -104,6 +107,9 @@ int Explore(const ExploreArguments& arguments, const Session& session) {
   if (arguments.runs != 0) options.runs = arguments.runs;
   options.seed = arguments.seed;
   options.depth = arguments.depth;
+  options.preemption_limit = arguments.preemptions;
+  if (arguments.races) subject.scenario.races = "none";
+  if (arguments.benign) subject.scenario.races = "benign";
   auto findings =
       explore::ExploreScenario(subject.scenario, subject.requirements, subject.object, options);
   if (!findings.ok()) return Fail(session, kExitUsage, findings.error().message);
@@ -143,11 +149,25 @@ void AddExplore(CLI::App& app, Session& session) {
       ->add_option(
           "--engine", arguments->engine,
           session.Say(
-              {"auto (default), dpor or stateful search all schedules; random, pct and pos "
-               "try some",
-               "auto（默认）、dpor 或 stateful 搜索所有调度；random、pct 和 pos 只尝试一部分"}))
+              {"auto (default), dpor or stateful search all schedules; bounded those with few "
+               "preemptions; random, pct and pos try some",
+               "auto（默认）、dpor 或 stateful 搜索所有调度；bounded "
+               "搜索抢占较少的调度；random、pct "
+               "和 pos 只尝试一部分"}))
       ->type_name("NAME")
-      ->check(CLI::IsMember({"auto", "dpor", "stateful", "random", "pct", "pos"}).description(""));
+      ->check(CLI::IsMember({"auto", "dpor", "stateful", "bounded", "random", "pct", "pos"})
+                  .description(""));
+  command
+      ->add_option("--preemptions", arguments->preemptions,
+                   session.Say({"the most preemptions of a schedule, for bounded (default 2)",
+                                "bounded 引擎的最大抢占次数（默认 2）"}))
+      ->type_name("N")
+      ->check(CLI::Range(0, 1000).description(""));
+  command->add_flag("--races", arguments->races,
+                    session.Say({"a data race is a failure", "将数据竞争视为失败"}));
+  command->add_flag("--benign", arguments->benign,
+                    session.Say({"the same, but for races that change no final value",
+                                 "同上，但不改变任何最终值的竞争除外"}));
   command
       ->add_option("--runs", arguments->runs,
                    session.Say({"random schedules to try (default 10000)",

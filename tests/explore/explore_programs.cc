@@ -7,8 +7,6 @@
 
 #include "compiler/compiler.h"
 #include "explore/scenario_exploration.h"
-#include "runtime/scenario_start.h"
-#include "runtime/scenario_world.h"
 
 namespace oncard::explore {
 namespace {
@@ -30,9 +28,7 @@ Problem ProblemOf(const std::string& source) {
   });
   if (!compilation.ok()) std::abort();
   CommentProblem read = Need(ReadComments("program.c", source, *compilation.object));
-  runtime::Controller controller(runtime::CardOptions(read.scenario));
-  if (!runtime::StartScenario(read.scenario, *compilation.object, &controller).ok()) std::abort();
-  return Need(BindProblem(Need(Model::Create(controller.machine())), read.requirements));
+  return Need(ProblemOfScenario(read.scenario, read.requirements, *compilation.object));
 }
 
 CardModel CardOf(const std::string& source, const std::string& keys) {

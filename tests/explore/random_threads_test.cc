@@ -108,6 +108,22 @@ class BruteForce {
   std::set<std::pair<uint64_t, uint64_t>> ends_;
 };
 
+/// Races seen in states and those seen by clocks in all traces are there or not there alike.
+TEST(RandomRacesTest, StatesAndClocksAgree) {
+  for (uint64_t seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    for (const bool synchronised : {false, true}) {
+      Problem problem = ProblemOf(RandomThreads(seed));
+      problem.requirements.clear();
+      problem.races = RaceRule::kNone;
+      if (synchronised) problem.sync = {true, true, false};
+      const auto dpor = Explore(problem, {.engine = EngineKind::kDpor});
+      const auto stateful = Explore(problem, {.engine = EngineKind::kStateful});
+      ASSERT_EQ(stateful.value().verdict, dpor.value().verdict);
+    }
+  }
+}
+
 class RandomThreadsTest : public ::testing::TestWithParam<int> {};
 
 TEST_P(RandomThreadsTest, EnginesAgreeWithBruteForce) {
@@ -126,9 +142,16 @@ TEST_P(RandomThreadsTest, EnginesAgreeWithBruteForce) {
     ASSERT_EQ(traces.final_full, static_cast<int64_t>(all.ends()));
     ASSERT_EQ(stateful.value().states->final_full, traces.final_full);
     ASSERT_EQ(stateful.value().verdict, dpor.value().verdict);
+    // With as many preemptions as there are statements, all schedules are searched.
+    const auto bounded = Explore(problem, {.engine = EngineKind::kBounded, .preemption_limit = 50});
+    ASSERT_EQ(bounded.value().verdict == Verdict::kFailed,
+              stateful.value().verdict == Verdict::kFailed);
+    if (stateful.value().failure) {
+      ASSERT_EQ(bounded.value().failure->preemptions, stateful.value().failure->preemptions);
+    }
   }
 }
-INSTANTIATE_TEST_SUITE_P(Batches, RandomThreadsTest, ::testing::Range(0, 10));
+INSTANTIATE_TEST_SUITE_P(Batches, RandomThreadsTest, ::testing::Range(0, 20));
 
 }  // namespace
 }  // namespace oncard::explore

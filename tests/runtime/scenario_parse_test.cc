@@ -17,6 +17,9 @@ until_ms = 12.5
 expect = ["sum == 3", "gpo == 1 @ 2ms"]
 always = ["sum < 100"]
 never = ["gpo == 2 && sum == 1"]
+eventually = ["sum == 4"]
+races = "benign"
+sync = ["flag", "a"]
 explore = { engine = "stateful", verdict = "PASSED", max_states = 1000, runs = 7 }
 
 [globals]
@@ -62,6 +65,9 @@ TEST(ParseScenario, ReadsHowToExplore) {
   const Scenario s = Parse(kFull);
   EXPECT_EQ(s.always, std::vector<std::string>{"sum < 100"});
   EXPECT_EQ(s.never, std::vector<std::string>{"gpo == 2 && sum == 1"});
+  EXPECT_EQ(s.eventually, std::vector<std::string>{"sum == 4"});
+  EXPECT_EQ(s.races, "benign");
+  EXPECT_EQ(s.sync, (std::vector<std::string>{"flag", "a"}));
   EXPECT_EQ(s.explore, (ExploreWish{"stateful", "PASSED", 0, 7, 1000}));
   EXPECT_EQ(Parse("program = \"p.c\"\nexplore = \"prove\"\n").explore, ExploreWish{});
   EXPECT_FALSE(Parse("program = \"p.c\"\n").explore);

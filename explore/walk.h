@@ -1,0 +1,96 @@
+// Runs of a program, alone or with its card, one statement after the other: what samplers, the
+// search by preemptions and shrinking walk through without knowing which of the two it is.
+//
+// A walk knows its way: it finds faults that no single state shows, a race, or a run that has ended
+// without what must eventually hold. Not thread-safe. Tested by tests/explore/walk_test.cc.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "explore/card_model.h"
+#include "explore/problem.h"
+#include "explore/races.h"
+
+namespace oncard::explore {
+
+/// A program of variables. The problem outlives the walk.
+class ProgramWalk {
+ public:
+  explicit ProgramWalk(const Problem& problem);
+
+  int thread_count() const { return model_.thread_count(); }
+  /// Bit n: thread n of the model can take the next statement.
+  uint32_t choices() const { return model_.runnable(); }
+  bool ended() const { return choices() == 0; }
+  /// It has ended because no thread runs any more.
+  bool finished() const { return ended(); }
+  /// What is wrong here, or went wrong on the way.
+  const Fault& fault() const { return marks_.back().fault; }
+
+  void Step(int thread);
+  void Undo();
+  /// Back to the start.
+  void Restart();
+
+  /// Names the state and what of the way matters to the future.
+  StateKey Key() const;
+  /// Names the final values of an ended run.
+  StateKey EndKey() const { return model_.FinalKey(); }
+  /// Whether the next statements of two threads touch a common variable and one writes it.
+  bool DependOnEachOther(int a, int b) const {
+    return model_.NextAccess(a).DependsOn(model_.NextAccess(b));
+  }
+
+ private:
+  struct Mark {
+    Fault fault;
+    uint32_t reached = 0;  ///< bit n: the n-th kEventually has held in some state
+  };
+
+  /// What the present state adds to what was known before it.
+  Mark Judge(const Mark& before, const Race& race) const;
+
+  const Problem& problem_;
+  Model model_;
+  std::vector<Mark> marks_;              ///< one more than statements
+  std::vector<RaceDetector> detectors_;  ///< the same, when races are looked for
+};
+
+/// A program with its card.
+class CardWalk {
+ public:
+  /// Without its way, which takes much memory, it cannot Undo().
+  CardWalk(CardModel* model, bool keeps_way)
+      : model_(*model), keeps_way_(keeps_way), start_(model->Start()), states_({start_}) {}
+
+  int thread_count() const { return model_.thread_count(); }
+  uint32_t choices() const { return states_.back().choices; }
+  bool ended() const { return states_.back().ended; }
+  bool finished() const { return states_.back().finished; }
+  const Fault& fault() const { return states_.back().fault; }
+
+  void Step(int thread) {
+    CardModel::State next = model_.Step(states_.back(), thread);
+    if (keeps_way_) {
+      states_.push_back(std::move(next));
+    } else {
+      states_.back() = std::move(next);
+    }
+  }
+  void Undo() { states_.pop_back(); }
+  void Restart() { states_.assign(1, start_); }
+
+  StateKey Key() const { return model_.KeyOf(states_.back()); }
+  StateKey EndKey() const { return model_.FinalKey(states_.back()); }
+  bool DependOnEachOther(int, int) const { return true; }
+
+ private:
+  CardModel& model_;
+  bool keeps_way_;
+  CardModel::State start_;
+  std::vector<CardModel::State> states_;  ///< the present one is the last
+};
+
+}  // namespace oncard::explore
