@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <deque>
 #include <functional>
 #include <numeric>
 #include <span>
@@ -16,6 +17,8 @@ namespace {
 struct Step {
   int thread = 0;
   AccessSet access;
+  /// It sleeps because another unit of the search begins with it.
+  bool elsewhere = false;
 };
 
 /// A plan: sequences of steps that share their beginnings, as a tree in a pool. Siblings are tried
@@ -31,6 +34,7 @@ struct PlanNode {
 class PlanPool {
  public:
   PlanNode& operator[](PlanIndex index) { return nodes_[index]; }
+  const PlanNode& operator[](PlanIndex index) const { return nodes_[index]; }
   PlanIndex Take(const Step& step) {
     PlanIndex index = free_;
     if (index == kNoPlan) {
@@ -84,15 +88,46 @@ class Search {
   Search(Model* model, const DporLimits& limits, const FinalVisitor& visit)
       : model_(*model), limits_(limits), visit_(visit) {}
 
-  DporResult Run() {
+  DporResult Run(TraceUnit* unit) {
     const int64_t start = model_.depth();
     threads_ = static_cast<size_t>(model_.thread_count());
     for (int thread = 0; thread < model_.thread_count(); ++thread) RunPrivate(thread);
-    frames_.resize(1);
+    TakePrefix(*unit);
+    if (unit->frames.empty()) {
+      Descend();
+    } else {
+      Restore(unit->frames);
+    }
     Explore();
+    const bool goes_on = !result_.complete && !result_.too_deep;
+    unit->frames = goes_on ? Save() : std::vector<SavedFrame>{};
     result_.redundant = CountRedundant();
     while (model_.depth() > start) model_.Undo();
     return result_;
+  }
+
+  std::vector<TraceUnit> Split(size_t count) {
+    const int64_t start = model_.depth();
+    threads_ = static_cast<size_t>(model_.thread_count());
+    for (int thread = 0; thread < model_.thread_count(); ++thread) RunPrivate(thread);
+    std::deque<TraceUnit> open = {TraceUnit{}};
+    std::vector<TraceUnit> whole;  // of one execution
+    while (!open.empty() && open.size() + whole.size() < count) {
+      const int64_t before = model_.depth();
+      const TraceUnit unit = std::move(open.front());
+      open.pop_front();
+      TakePrefix(unit);
+      if (model_.runnable() == 0) {
+        whole.push_back(unit);
+      } else {
+        SplitInto(unit, &open);
+      }
+      while (model_.depth() > before) model_.Undo();
+      Forget();
+    }
+    while (model_.depth() > start) model_.Undo();
+    whole.insert(whole.end(), open.begin(), open.end());
+    return whole;
   }
 
  private:
@@ -105,13 +140,130 @@ class Search {
     }
   }
 
+  /// The step that a thread takes next.
+  Step NextStep(int thread) const { return {thread, model_.NextAccess(thread)}; }
+  std::vector<Step> NextSteps(const std::vector<uint8_t>& threads) const {
+    std::vector<Step> steps;
+    for (const uint8_t thread : threads) steps.push_back(NextStep(thread));
+    return steps;
+  }
+
+  // --- Parts of a search
+  // ---------------------------------------------------------------------------
+
+  /// Takes the steps before the unit, for which there is nothing else to be tried.
+  void TakePrefix(const TraceUnit& unit) {
+    frames_.resize(std::max<size_t>(frames_.size(), unit.prefix.size() + 1));
+    for (const uint8_t thread : unit.prefix) {
+      frames_[count_].sleep.clear();
+      frames_[count_].plans = pool_.Take(NextStep(thread));
+      Execute();
+    }
+    first_ = count_;
+    frames_[count_].sleep = NextSteps(unit.sleep);
+    for (Step& step : frames_[count_].sleep) step.elsewhere = true;
+  }
+
+  /// Forgets the steps of a unit, whose statements the model has undone.
+  void Forget() {
+    while (count_ > 0) {
+      --count_;
+      pool_.Release(frames_[count_].plans);
+      frames_[count_].plans = kNoPlan;
+    }
+    unsettled_.clear();
+    latest_of_thread_ = {};
+    latest_of_cell_.clear();
+  }
+
+  /// The units that begin with one step more.
+  void SplitInto(const TraceUnit& unit, std::deque<TraceUnit>* units) const {
+    std::vector<Step> sleep = frames_[count_].sleep;
+    for (uint32_t left = model_.runnable(); left != 0; left &= left - 1) {
+      const int thread = std::countr_zero(left);
+      if (std::ranges::find(sleep, thread, &Step::thread) != sleep.end()) continue;
+      const Step step = NextStep(thread);
+      TraceUnit longer = {unit.prefix, {}};
+      longer.prefix.push_back(static_cast<uint8_t>(thread));
+      for (const Step& asleep : sleep) {
+        if (asleep.access.DependsOn(step.access)) continue;
+        longer.sleep.push_back(static_cast<uint8_t>(asleep.thread));
+      }
+      units->push_back(std::move(longer));
+      sleep.push_back(step);
+    }
+  }
+
+  std::vector<SavedFrame> Save() const {
+    std::vector<SavedFrame> frames;
+    for (size_t i = first_; i < count_; ++i) {
+      SavedFrame frame;
+      for (const Step& step : frames_[i].sleep) {
+        frame.sleep.push_back(static_cast<uint8_t>(step.thread));
+      }
+      frame.plans = SavePlans(frames_[i].plans);
+      frame.races = events_[i].races;
+      frames.push_back(std::move(frame));
+    }
+    return frames;
+  }
+  std::vector<PlannedStep> SavePlans(PlanIndex plan) const {
+    std::vector<PlannedStep> plans;
+    for (; plan != kNoPlan; plan = pool_[plan].next_sibling) {
+      plans.push_back(
+          {static_cast<uint8_t>(pool_[plan].step.thread), SavePlans(pool_[plan].first_child)});
+    }
+    return plans;
+  }
+
+  /// Takes the path of an interrupted search again.
+  void Restore(const std::vector<SavedFrame>& saved) {
+    for (const SavedFrame& frame : saved) {
+      std::vector<Step> sleep = NextSteps(frame.sleep);
+      for (Step& step : sleep) step.elsewhere = SleepsElsewhere(frames_[count_], step.thread);
+      frames_[count_].sleep = std::move(sleep);
+      frames_[count_].plans = RestorePlans(frame.plans, 0);
+      Execute();
+      const size_t event = count_ - 1;
+      events_[event].races = frame.races;
+      std::erase(unsettled_, static_cast<uint32_t>(event));
+      if (!frame.races.empty()) unsettled_.push_back(static_cast<uint32_t>(event));
+    }
+  }
+  static bool SleepsElsewhere(const Frame& frame, int thread) {
+    return std::ranges::any_of(frame.sleep, [&](const Step& asleep) {
+      return asleep.thread == thread && asleep.elsewhere;
+    });
+  }
+  /// What the planned steps touch shows when they are taken.
+  PlanIndex RestorePlans(const std::vector<PlannedStep>& plans, size_t index) {
+    if (index == plans.size()) return kNoPlan;
+    const PlannedStep& planned = plans[index];
+    const PlanIndex plan = pool_.Take(NextStep(planned.thread));
+    if (!planned.next.empty()) {
+      const int64_t before = model_.depth();
+      model_.Step(planned.thread);
+      RunPrivate(planned.thread);
+      const PlanIndex child = RestorePlans(planned.next, 0);
+      pool_[plan].first_child = child;
+      while (model_.depth() > before) model_.Undo();
+    }
+    const PlanIndex sibling = RestorePlans(plans, index + 1);
+    pool_[plan].next_sibling = sibling;
+    return plan;
+  }
+
+  // --- The search
+  // ----------------------------------------------------------------------------------
+
+  /// From the end of an execution on.
   void Explore() {
-    Descend();
-    while (!stopped_ && count_ > 0) {
+    while (!stopped_ && count_ > first_) {
       Leave();
       if (frames_[count_].plans != kNoPlan) Descend();
     }
-    result_.complete = !stopped_;
+    const bool nothing_left = count_ == first_ && !result_.too_deep;
+    result_.complete = !stopped_ || nothing_left;
   }
 
   /// Goes on from the present state until an execution has ended.
@@ -119,10 +271,12 @@ class Search {
     while (model_.runnable() != 0) {
       if (model_.depth() >= limits_.depth) {
         stopped_ = true;
+        result_.too_deep = true;
         return;
       }
       if (frames_[count_].plans == kNoPlan && !PlanFirst(&frames_[count_])) {
         ++result_.blocked;
+        ReverseRaces();
         return;
       }
       Execute();
@@ -288,10 +442,12 @@ class Search {
     ++result_.executions;
     if (limits_.count_redundant) NoteTrace();
     const bool told = limits_.stop != nullptr && limits_.stop->load(std::memory_order_relaxed);
-    if (!visit_(model_) || told || result_.executions >= limits_.executions) {
-      stopped_ = true;
-      return;
-    }
+    stopped_ = !visit_(model_) || told || result_.executions >= limits_.executions;
+    ReverseRaces();
+  }
+
+  /// Plans for the races of an execution.
+  void ReverseRaces() {
     std::erase_if(unsettled_, [this](uint32_t later) {
       std::vector<uint32_t>& races = events_[later].races;
       std::erase_if(races, [&](uint32_t earlier) { return Reverse(earlier, later); });
@@ -307,6 +463,7 @@ class Search {
   /// planned or has been seen. True when that holds for all executions that begin as this one does
   /// up to the later event.
   bool Reverse(size_t earlier, size_t later) {
+    if (earlier < first_) return true;  // another unit begins with the reversal
     rest_.clear();
     for (size_t i = earlier + 1; i < later; ++i) AppendConcurrent(earlier, i);
     rest_.push_back(&events_[later].step);
@@ -316,7 +473,12 @@ class Search {
     Frame& frame = frames_[earlier];
     for (const Step& asleep : frame.sleep) {
       size_t decided = 0;
-      if (InitialOf(asleep, &decided) != Initial::kNo) return decided < certain;
+      const Initial initial = InitialOf(asleep, &decided);
+      if (initial == Initial::kNo) continue;
+      // The unit that begins with a step cannot tell this one what it finds, so that sequences
+      // after which it is woken must be tried, although they could have come after it, too.
+      if (initial == Initial::kIndependent && asleep.elsewhere) continue;
+      return decided < certain;
     }
     Insert(&frame.plans);
     return true;
@@ -390,6 +552,7 @@ class Search {
   size_t threads_ = 0;
   DporResult result_;
   bool stopped_ = false;
+  size_t first_ = 0;  ///< the unit's first event; those before it are its prefix
   PlanPool pool_;
   // Only grown, so that their memory is used again: events_[0..count_), frames_[0..count_].
   size_t count_ = 0;
@@ -407,8 +570,19 @@ class Search {
 
 }  // namespace
 
+std::vector<TraceUnit> SplitTraces(Model* model, size_t count) {
+  const DporLimits limits;
+  return Search(model, limits, {}).Split(count);
+}
+
+DporResult ExploreUnit(Model* model, TraceUnit* unit, const DporLimits& limits,
+                       const FinalVisitor& visit) {
+  return Search(model, limits, visit).Run(unit);
+}
+
 DporResult ExploreTraces(Model* model, const DporLimits& limits, const FinalVisitor& visit) {
-  return Search(model, limits, visit).Run();
+  TraceUnit whole;
+  return ExploreUnit(model, &whole, limits, visit);
 }
 
 }  // namespace oncard::explore

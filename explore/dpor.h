@@ -18,6 +18,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "explore/model.h"
 
@@ -26,10 +27,12 @@ namespace oncard::explore {
 /// How a search ended, with what it did.
 struct DporResult {
   int64_t executions = 0;  ///< to the end: one per trace
-  int64_t blocked = 0;     ///< given up because every thread that could go on slept
-  int64_t redundant = 0;   ///< whose trace another execution had; counted on request
-  bool complete = false;   ///< everything was explored
-  int64_t steps = 0;       ///< statements executed
+  /// Given up because every thread that could go on slept. Only parts of a search have such.
+  int64_t blocked = 0;
+  int64_t redundant = 0;  ///< whose trace another execution had; counted on request
+  bool complete = false;  ///< everything was explored
+  bool too_deep = false;  ///< an execution was longer than the limit; the search cannot go on
+  int64_t steps = 0;      ///< statements executed
 };
 
 struct DporLimits {
@@ -42,10 +45,45 @@ struct DporLimits {
   const std::atomic<bool>* stop = nullptr;
 };
 
+/// Steps that are still to be tried, as a tree: a thread, then what comes after its step.
+struct PlannedStep {
+  uint8_t thread = 0;
+  std::vector<PlannedStep> next;
+  bool operator==(const PlannedStep&) const = default;
+};
+
+/// What an interrupted search knows of one state on its present path.
+struct SavedFrame {
+  std::vector<uint8_t> sleep;      ///< threads whose next step need not be tried here
+  std::vector<PlannedStep> plans;  ///< the first one is under way
+  std::vector<uint32_t> races =
+      {};  ///< earlier steps of the path that the step under way races with
+  bool operator==(const SavedFrame&) const = default;
+};
+
+/// A part of a search: all traces that begin with the steps `prefix`, but for those that might as
+/// well begin with the next step of a thread that sleeps then. The whole search has neither.
+struct TraceUnit {
+  std::vector<uint8_t> prefix;  ///< threads
+  std::vector<uint8_t> sleep;   ///< threads
+  /// Where it was interrupted; empty: it has not begun.
+  std::vector<SavedFrame> frames = {};
+  bool operator==(const TraceUnit&) const = default;
+};
+
+/// At least `count` units, if there are so many, that have every trace in exactly one of them:
+/// always the same ones. A unit may have none; its search then ends with a blocked execution.
+std::vector<TraceUnit> SplitTraces(Model* model, size_t count);
+
 /// Called at the end of each execution with the model in its final state; false ends the search.
 using FinalVisitor = std::function<bool(const Model& model)>;
 
-/// Explores from the model's present state and leaves it there.
+/// Explores a unit from where it was interrupted, with the model at the start of the whole search,
+/// and leaves it there. A search that ends early leaves in the unit where it was.
+DporResult ExploreUnit(Model* model, TraceUnit* unit, const DporLimits& limits,
+                       const FinalVisitor& visit);
+
+/// Explores everything from the model's present state and leaves it there.
 DporResult ExploreTraces(Model* model, const DporLimits& limits, const FinalVisitor& visit);
 
 }  // namespace oncard::explore

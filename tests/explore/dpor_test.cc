@@ -5,6 +5,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <set>
+#include <utility>
+
 #include "explore_programs.h"
 
 namespace oncard::explore {
@@ -73,6 +76,42 @@ TEST(DporTest, ALimitLeavesTheSearchIncomplete) {
   const DporResult result = Count(Increments(3, 2), {.executions = 100});
   EXPECT_FALSE(result.complete);
   EXPECT_EQ(result.executions, 100);
+}
+
+// However often it is interrupted, a search has the executions of one that is not.
+TEST(DporTest, AnInterruptedSearchGoesOn) {
+  for (const int64_t at_once : {1, 3, 100}) {
+    Problem problem = ProblemOf(Increments(3, 1));
+    TraceUnit whole;
+    int64_t executions = 0;
+    std::set<std::pair<uint64_t, uint64_t>> ends;
+    DporResult result;
+    do {
+      result = ExploreUnit(&problem.model, &whole, {.executions = at_once, .count_redundant = true},
+                           [&](const Model& model) {
+                             ends.insert({model.FinalKey().low, model.FinalKey().high});
+                             return true;
+                           });
+      executions += result.executions;
+      EXPECT_EQ(result.blocked, 0);
+    } while (!result.complete);
+    EXPECT_EQ(executions, 36);
+    EXPECT_EQ(ends.size(), 3u);
+  }
+}
+
+TEST(DporTest, UnitsHaveEveryTraceOnce) {
+  for (const size_t count : {1, 2, 7, 40, 1000}) {
+    Problem problem = ProblemOf(Increments(3, 1));
+    std::vector<TraceUnit> units = SplitTraces(&problem.model, count);
+    EXPECT_EQ(units, SplitTraces(&problem.model, count));
+    int64_t executions = 0;
+    for (TraceUnit& unit : units) {
+      executions +=
+          ExploreUnit(&problem.model, &unit, {}, [](const Model&) { return true; }).executions;
+    }
+    EXPECT_EQ(executions, 36) << count;
+  }
 }
 
 TEST(DporTest, AnExecutionThatDoesNotEndIsGivenUp) {

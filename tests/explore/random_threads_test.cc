@@ -124,6 +124,20 @@ TEST(RandomRacesTest, StatesAndClocksAgree) {
   }
 }
 
+/// Executions of a search that is split, each part of which is interrupted again and again.
+int64_t ExecutionsOfUnits(const Problem& problem, size_t count) {
+  Model model = problem.model;
+  int64_t executions = 0;
+  for (TraceUnit& unit : SplitTraces(&model, count)) {
+    DporResult result;
+    do {
+      result = ExploreUnit(&model, &unit, {.executions = 2}, [](const Model&) { return true; });
+      executions += result.executions;
+    } while (!result.complete);
+  }
+  return executions;
+}
+
 class RandomThreadsTest : public ::testing::TestWithParam<int> {};
 
 TEST_P(RandomThreadsTest, EnginesAgreeWithBruteForce) {
@@ -142,6 +156,7 @@ TEST_P(RandomThreadsTest, EnginesAgreeWithBruteForce) {
     ASSERT_EQ(traces.final_full, static_cast<int64_t>(all.ends()));
     ASSERT_EQ(stateful.value().states->final_full, traces.final_full);
     ASSERT_EQ(stateful.value().verdict, dpor.value().verdict);
+    ASSERT_EQ(ExecutionsOfUnits(problem, 6), traces.executions);
     // With as many preemptions as there are statements, all schedules are searched.
     const auto bounded = Explore(problem, {.engine = EngineKind::kBounded, .preemption_limit = 50});
     ASSERT_EQ(bounded.value().verdict == Verdict::kFailed,
