@@ -23,6 +23,11 @@ class CardSearch {
       if (limits_.stop != nullptr && limits_.stop->load(std::memory_order_relaxed)) {
         return Finish(false);
       }
+      if (limits_.progress != nullptr) {
+        limits_.progress->states.store(graph.size(), std::memory_order_relaxed);
+        limits_.progress->frontier.store(static_cast<int64_t>(waiting_.size()),
+                                         std::memory_order_relaxed);
+      }
       const auto& [number, state] = waiting_.front();
       for (uint32_t choices = state.choices; choices != 0; choices &= choices - 1) {
         const int thread = std::countr_zero(choices);

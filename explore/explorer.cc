@@ -5,16 +5,11 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
-#include <map>
 #include <mutex>
 #include <thread>
 
 #include "explore/card_graph.h"
-#include "explore/dpor.h"
-#include "explore/key_set.h"
-#include "explore/races.h"
 #include "explore/shrink.h"
-#include "explore/state_graph.h"
 #include "explore/walk.h"
 
 namespace oncard::explore {
@@ -67,10 +62,15 @@ Exploration ConcludeSamples(EngineKind engine, SampleCounts samples) {
   return exploration;
 }
 
+const std::atomic<bool>* StopOf(const ExploreOptions& options) {
+  return options.progress == nullptr ? nullptr : &options.progress->stop;
+}
+
 BoundedOptions BoundsOf(const ExploreOptions& options) {
   return {.preemptions = options.preemption_limit,
           .statement_limit = options.depth_limit,
-          .state_limit = options.state_limit};
+          .state_limit = options.state_limit,
+          .stop = StopOf(options)};
 }
 
 /// The verdict of the schedules with few preemptions; the failure is left to the caller.
@@ -96,235 +96,20 @@ Exploration ConcludeBounded(BoundedCounts bounded, const ExploreOptions& options
 /// that has passed, and at least for kGraceMin.
 constexpr double kGracePart = 0.5;
 constexpr std::chrono::milliseconds kGraceMin{20};
+/// `auto`: how often it is looked whether both engines are to be stopped.
+constexpr std::chrono::milliseconds kStopPolled{50};
 
-/// What the dpor engine found.
-struct TraceSearch {
-  TraceCounts counts;
-  std::vector<uint8_t> failing;  ///< steps of the first execution that went wrong
-};
-
-/// What the stateful engine found.
-struct StateSearch {
-  StateCounts counts;
-  StateGraph graph;
-  std::vector<FoundRace> races;
-};
-
-/// Flags of states: a race that is not allowed; from the second on, that a requirement holds.
-constexpr uint32_t kRacing = kCallersFlag;
-constexpr uint32_t kFirstHolds = kCallersFlag << 1;
-
-/// The flags of a state for the requirements of the scope kEventually, in their order.
-uint32_t HoldingFlags(const Problem& problem, const Model& state) {
-  uint32_t flags = 0;
-  uint32_t flag = kFirstHolds;
-  for (const BoundRequirement& requirement : problem.requirements) {
-    if (requirement.scope != Scope::kEventually) continue;
-    if (requirement.property.Holds(state)) flags |= flag;
-    flag <<= 1;
-  }
-  return flags;
-}
-
-/// Looks for races in the states of a graph while it is built.
-class RaceSearch {
- public:
-  explicit RaceSearch(const Problem& problem) : problem_(problem) {}
-
-  /// Told of the next state.
-  void Look(const Model& state) {
-    if (problem_.races != RaceRule::kAny) {
-      for (const Race& race : FindRaces(state, problem_.sync)) states_[race].push_back(next_);
-    }
-    ++next_;
-  }
-
-  /// Flags the states with races that are not allowed. `end_of` as for ReachableEnds().
-  std::vector<FoundRace> Finish(const std::vector<uint32_t>& end_of, StateGraph* graph) const {
-    std::vector<uint32_t> ends;
-    if (!states_.empty() && graph->complete) ends = ReachableEnds(*graph, end_of);
-    std::vector<FoundRace> races;
-    for (const auto& [race, states] : states_) {
-      const bool benign = !ends.empty() && std::ranges::none_of(states, [&](uint32_t state) {
-        return OrderMatters(*graph, ends, state, race);
-      });
-      races.push_back({race, benign});
-      if (problem_.races == RaceRule::kBenign && (benign || !graph->complete)) continue;
-      for (const uint32_t state : states) graph->flags[state] |= kRacing;
-    }
-    return races;
-  }
-
- private:
-  const Problem& problem_;
-  std::map<Race, std::vector<uint32_t>> states_;  ///< that have it
-  uint32_t next_ = 0;
-};
-
-TraceSearch SearchTraces(const Problem& problem, const ExploreOptions& options,
-                         const std::atomic<bool>* stop) {
-  TraceSearch search;
-  Model model = problem.model;
-  model.TrackKey(false);
-  KeySet globals;
-  KeySet full;
-  DporLimits limits;
-  limits.executions = options.execution_limit;
-  limits.depth = options.depth_limit;
-  limits.count_redundant = true;
-  limits.stop = stop;
-  ProgramWalk walk(problem);
-  const auto goes_wrong = [&](const Model& state) {
-    if (problem.races == RaceRule::kAny) return static_cast<bool>(FindFault(problem, state));
-    walk.Restart();
-    for (int64_t i = 0; i < state.depth() && !walk.fault(); ++i) walk.Step(state.StepThread(i));
-    return static_cast<bool>(walk.fault());
-  };
-  const DporResult result = ExploreTraces(&model, limits, [&](const Model& state) {
-    if (full.Insert(state.FinalKey())) globals.Insert(state.GlobalsKey());
-    if (!goes_wrong(state)) return true;
-    if (search.counts.bad_traces++ == 0) {
-      for (int64_t i = 0; i < state.depth(); ++i) {
-        search.failing.push_back(static_cast<uint8_t>(state.StepThread(i)));
-      }
-    }
-    return true;
-  });
-  search.counts.executions = result.executions;
-  search.counts.blocked = result.blocked;
-  search.counts.redundant = result.redundant;
-  search.counts.complete = result.complete;
-  search.counts.final_globals = globals.size();
-  search.counts.final_full = full.size();
+/// The search of traces from where the options say, which begins there.
+TraceSearch TracesOf(const Problem& problem, const ExploreOptions& options,
+                     const std::atomic<bool>* stop) {
+  TraceSearch search = options.begun == nullptr ? TraceSearch{} : *options.begun;
+  SearchTraces(problem,
+               {.executions = options.execution_limit,
+                .depth = options.depth_limit,
+                .stop = stop,
+                .progress = options.progress},
+               &search);
   return search;
-}
-
-StateSearch SearchStates(const Problem& problem, const ExploreOptions& options,
-                         const std::atomic<bool>* stop) {
-  StateSearch search;
-  Model model = problem.model;
-  model.TrackKey(true);
-  KeySet globals;
-  KeySet full;
-  RaceSearch races(problem);
-  std::vector<uint32_t> final_of;  // of each terminal state, in order, the number of its globals
-  std::vector<uint32_t> end_of;    // of each state, the number of its end if it is one
-  search.graph = BuildStateGraph(&model, {options.state_limit, stop}, [&](const Model& state) {
-    const bool bad = static_cast<bool>(FindFault(problem, state));
-    uint32_t end = 0;
-    if (state.runnable() == 0) {
-      bool added = false;
-      final_of.push_back(globals.FindOrAdd(state.GlobalsKey(), &added));
-      end = full.FindOrAdd(state.FinalKey(), &added);
-    }
-    races.Look(state);
-    if (problem.races != RaceRule::kAny) end_of.push_back(end);
-    search.counts.bad_states += bad ? 1 : 0;
-    return (bad ? kBad : 0u) | HoldingFlags(problem, state);
-  });
-  search.races = races.Finish(end_of, &search.graph);
-  search.counts.states = search.graph.size();
-  search.counts.transitions = search.graph.transitions;
-  search.counts.final_globals = globals.size();
-  search.counts.final_full = full.size();
-  search.counts.complete = search.graph.complete;
-  if (!search.counts.complete) return search;
-
-  const std::vector<int> preemptions = PreemptionsTo(search.graph, kPreemptionBounds - 1);
-  std::vector<int> fewest(globals.size(), kPreemptionBounds);
-  size_t terminal = 0;
-  for (uint32_t state = 0; state < search.graph.size(); ++state) {
-    if ((search.graph.flags[state] & kTerminal) == 0) continue;
-    int& best = fewest[final_of[terminal++]];
-    best = std::min(best, preemptions[state]);
-  }
-  for (int bound = 0; bound < kPreemptionBounds; ++bound) {
-    search.counts.finals_within.push_back(
-        std::count_if(fewest.begin(), fewest.end(), [&](int least) { return least <= bound; }));
-  }
-  return search;
-}
-
-/// The way to a state with one of the flags; its fault is left to the caller.
-std::optional<Failure> WayTo(const StateGraph& graph, uint32_t flag, uint32_t avoid = 0) {
-  Path path = FewestPreemptions(graph, flag, avoid);
-  if (!path.found) return std::nullopt;
-  Failure failure;
-  failure.steps = std::move(path.steps);
-  failure.preemptions = path.preemptions;
-  failure.fewest_preemptions = graph.complete;
-  if (graph.complete && avoid == 0) {
-    failure.fewest_steps = static_cast<int64_t>(FewestSteps(graph, flag).steps.size());
-    failure.last_escape = LastEscape(graph, failure.steps);
-  }
-  return failure;
-}
-
-/// A run that ends without a state in which a requirement holds that must hold eventually.
-std::optional<Failure> WayWithout(const Problem& problem, const StateGraph& graph) {
-  uint32_t flag = kFirstHolds;
-  for (size_t i = 0; i < problem.requirements.size(); ++i) {
-    if (problem.requirements[i].scope != Scope::kEventually) continue;
-    if (auto way = WayTo(graph, kTerminal, flag)) {
-      way->fault = {Fault::Kind::kRequirement, static_cast<int>(i), 0};
-      return way;
-    }
-    flag <<= 1;
-  }
-  return std::nullopt;
-}
-
-/// Takes the two statements of a race, at which the failure's steps have arrived.
-void TakeRacingStatements(const Problem& problem, Failure* failure) {
-  if (failure->fault.kind != Fault::Kind::kRace) return;
-  Model model = problem.model;
-  for (const uint8_t thread : failure->steps) model.Step(thread);
-  for (const RacingStatement& racing : {failure->fault.race.first, failure->fault.race.second}) {
-    if (!model.Running(racing.thread) || model.Position(racing.thread) != racing.position) continue;
-    model.Step(racing.thread);
-    failure->steps.push_back(static_cast<uint8_t>(racing.thread));
-  }
-  model = problem.model;
-  failure->preemptions = CountPreemptions(&model, failure->steps);
-}
-
-/// Where the graph goes wrong: in a state, at the end of a run, for ever, or by a race; nothing
-/// when it does not.
-std::optional<Failure> FailureIn(const Problem& problem, const StateSearch& search) {
-  const StateGraph& graph = search.graph;
-  const auto walk_to_end = [&](const Failure& failure) {
-    Model model = problem.model;
-    for (const uint8_t thread : failure.steps) model.Step(thread);
-    return model;
-  };
-  if (search.counts.bad_states > 0) {
-    if (auto bad = WayTo(graph, kBad)) {
-      bad->fault = FindFault(problem, walk_to_end(*bad));
-      return bad;
-    }
-  }
-  if (auto without = WayWithout(problem, graph)) return without;
-  if (Lasso lasso = graph.complete ? FindFairCycle(graph) : Lasso{}; lasso.found) {
-    Failure failure;
-    failure.livelock = true;
-    failure.steps = std::move(lasso.stem);
-    failure.cycle = std::move(lasso.cycle);
-    Model model = problem.model;
-    failure.preemptions = CountPreemptions(&model, failure.steps);
-    return failure;
-  }
-  if (search.races.empty()) return std::nullopt;
-  auto racing = WayTo(graph, kRacing);
-  if (!racing) return std::nullopt;
-  racing->last_escape = -1;
-  racing->fault.kind = Fault::Kind::kRace;
-  for (const Race& race : FindRaces(walk_to_end(*racing), problem.sync)) {
-    const auto found = std::ranges::find(search.races, race, &FoundRace::race);
-    racing->fault.race = race;
-    if (problem.races == RaceRule::kNone || !found->benign) break;
-  }
-  TakeRacingStatements(problem, &*racing);
-  return racing;
 }
 
 Failure FailureOf(const Problem& problem, const std::vector<uint8_t>& steps) {
@@ -350,16 +135,19 @@ void SearchBoth(const Problem& problem, const ExploreOptions& options,
     answered.notify_all();
   };
   std::thread tracing([&] {
-    *traces = SearchTraces(problem, options, &stop);
-    report(EngineKind::kDpor, (*traces)->counts.complete);
+    *traces = TracesOf(problem, options, &stop);
+    report(EngineKind::kDpor, (*traces)->complete());
   });
   std::thread stating([&] {
-    *states = SearchStates(problem, options, &stop);
+    *states = SearchStates(problem, {options.state_limit, &stop, options.progress});
     report(EngineKind::kStateful, (*states)->counts.complete);
   });
   {
     std::unique_lock lock(mutex);
-    answered.wait(lock, [&] { return running == 0 || *first != EngineKind::kAuto; });
+    const auto done = [&] { return running == 0 || *first != EngineKind::kAuto; };
+    while (!answered.wait_for(lock, kStopPolled, done)) {
+      if (options.progress != nullptr && options.progress->stop) stop = true;
+    }
     const auto passed = std::chrono::steady_clock::now() - start;
     const auto grace = std::max<std::chrono::nanoseconds>(
         kGraceMin, std::chrono::duration_cast<std::chrono::nanoseconds>(passed * kGracePart));
@@ -375,7 +163,7 @@ Exploration Conclude(const Problem& problem, const ExploreOptions& options,
                      EngineKind engine) {
   Exploration exploration;
   exploration.engine = engine;
-  if (traces) exploration.traces = traces->counts;
+  if (traces) exploration.traces = traces->Counts();
   if (states) {
     exploration.failure = FailureIn(problem, *states);
     exploration.states = std::move(states->counts);
@@ -385,17 +173,20 @@ Exploration Conclude(const Problem& problem, const ExploreOptions& options,
     exploration.failure = FailureOf(problem, traces->failing);
   }
   const bool complete =
-      (traces && traces->counts.complete) || (exploration.states && exploration.states->complete);
+      (traces && traces->complete()) || (exploration.states && exploration.states->complete);
   if (exploration.failure) {
     exploration.verdict = Verdict::kFailed;
   } else if (complete) {
     exploration.verdict = Verdict::kProved;
+  } else if (options.progress != nullptr && options.progress->stop) {
+    exploration.why = {"it was interrupted", "已中断"};
   } else {
     exploration.why = MakeMessage(
         "a limit was reached: {0} executions, {1} states, or {2} statements in one execution",
         "已达到上限：{0} 次执行、{1} 个状态，或单次执行 {2} 条语句", options.execution_limit,
         options.state_limit, options.depth_limit);
   }
+  if (traces) exploration.search = std::move(*traces);
   return exploration;
 }
 
@@ -470,9 +261,9 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
   std::optional<TraceSearch> traces;
   std::optional<StateSearch> states;
   if (engine == EngineKind::kDpor) {
-    traces = SearchTraces(problem, options, nullptr);
+    traces = TracesOf(problem, options, StopOf(options));
   } else if (engine == EngineKind::kStateful) {
-    states = SearchStates(problem, options, nullptr);
+    states = SearchStates(problem, {options.state_limit, StopOf(options), options.progress});
   } else {
     SearchBoth(problem, options, &traces, &states, &engine);
   }
@@ -495,7 +286,8 @@ Exploration ExploreCard(CardModel* model, const ExploreOptions& options) {
     }
     return exploration;
   }
-  const CardGraph found = BuildCardGraph(model, {options.state_limit, nullptr});
+  const CardGraph found =
+      BuildCardGraph(model, {options.state_limit, StopOf(options), options.progress});
   Exploration exploration;
   exploration.engine = EngineKind::kStateful;
   exploration.states = StateCounts{.states = found.graph.size(),

@@ -18,7 +18,10 @@
 #include "explore/card_model.h"
 #include "explore/failure.h"
 #include "explore/problem.h"
+#include "explore/progress.h"
 #include "explore/sampler.h"
+#include "explore/state_search.h"
+#include "explore/trace_search.h"
 
 namespace oncard::explore {
 
@@ -49,45 +52,17 @@ struct ExploreOptions {
   int64_t runs = SampleOptions{}.runs;
   uint64_t seed = SampleOptions{}.seed;
   int depth = SampleOptions{}.depth;  ///< kPct: 1..64
-};
 
-/// What the dpor engine counted.
-struct TraceCounts {
-  int64_t executions = 0;
-  int64_t blocked = 0;
-  int64_t redundant = 0;
-  int64_t bad_traces = 0;
-  int64_t final_globals = 0;  ///< different values of the globals at the end
-  int64_t final_full = 0;     ///< the same with what the threads returned
-  bool complete = false;
+  const TraceSearch* begun = nullptr;  ///< kAuto, kDpor: a search to go on with
+  SearchProgress* progress = nullptr;  ///< for another thread to look at
 };
-
-/// A race that some schedule has.
-struct FoundRace {
-  Race race;
-  bool benign = false;  ///< neither order of the two statements changes what ends can be reached
-};
-
-/// What the stateful engine counted.
-struct StateCounts {
-  int64_t states = 0;
-  int64_t transitions = 0;
-  int64_t bad_states = 0;
-  int64_t final_globals = 0;
-  int64_t final_full = 0;
-  /// Different final globals with at most that many preemptions.
-  std::vector<int64_t> finals_within;
-  bool complete = false;
-};
-
-/// Number of elements of StateCounts::finals_within.
-inline constexpr int kPreemptionBounds = 4;
 
 struct Exploration {
   Verdict verdict = Verdict::kIncomplete;
   EngineKind engine = EngineKind::kAuto;  ///< the one whose verdict it is
   Message why;                            ///< kPassed, kIncomplete: what was reached
   std::optional<TraceCounts> traces;
+  TraceSearch search;  ///< kAuto, kDpor: to go on with when it is not complete
   std::optional<StateCounts> states;
   std::optional<BoundedCounts> bounded;
   std::optional<SampleCounts> samples;

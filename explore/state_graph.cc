@@ -177,6 +177,11 @@ StateGraph BuildStateGraph(Model* model, const StateLimits& limits, const StateJ
                      static_cast<size_t>(thread)] = next;
     if (added) {
       path.push_back({next, model->runnable()});
+      if (limits.progress != nullptr) {
+        limits.progress->states.store(graph.size(), std::memory_order_relaxed);
+        limits.progress->frontier.store(static_cast<int64_t>(path.size()),
+                                        std::memory_order_relaxed);
+      }
     } else {
       model->Undo();
     }

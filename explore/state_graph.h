@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "explore/model.h"
+#include "explore/progress.h"
 
 namespace oncard::explore {
 
@@ -43,6 +44,7 @@ struct StateLimits {
   uint32_t states = 200'000'000;
   /// Set from another thread: the search ends soon.
   const std::atomic<bool>* stop = nullptr;
+  SearchProgress* progress = nullptr;
 };
 
 /// Called once for each state, in the order of their numbers: its flags but for kTerminal.

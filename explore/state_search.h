@@ -1,0 +1,57 @@
+// The search of a problem's states (state_graph.h): what it counts, and how the graph goes wrong.
+// Deterministic; not thread-safe. Tested by tests/explore/explorer_test.cc.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "explore/failure.h"
+#include "explore/problem.h"
+#include "explore/races.h"
+#include "explore/state_graph.h"
+
+namespace oncard::explore {
+
+/// A race that some schedule has.
+struct FoundRace {
+  Race race;
+  bool benign = false;  ///< neither order of the two statements changes what ends can be reached
+};
+
+/// What the stateful engine counted.
+struct StateCounts {
+  int64_t states = 0;
+  int64_t transitions = 0;
+  int64_t bad_states = 0;
+  int64_t final_globals = 0;
+  int64_t final_full = 0;
+  /// Different final globals with at most that many preemptions.
+  std::vector<int64_t> finals_within;
+  bool complete = false;
+};
+
+/// Number of elements of StateCounts::finals_within.
+inline constexpr int kPreemptionBounds = 4;
+
+/// What the stateful engine found.
+struct StateSearch {
+  StateCounts counts;
+  StateGraph graph;
+  std::vector<FoundRace> races;
+};
+
+StateSearch SearchStates(const Problem& problem, const StateLimits& limits);
+
+/// The way to a state with one of the flags that avoids those with others; its fault is left to the
+/// caller. Nothing when there is none.
+std::optional<Failure> WayTo(const StateGraph& graph, uint32_t flag, uint32_t avoid = 0);
+
+/// Where the graph goes wrong: in a state, at the end of a run, for ever, or by a race; nothing
+/// when it does not.
+std::optional<Failure> FailureIn(const Problem& problem, const StateSearch& search);
+
+/// Takes the two statements of a race, at which the failure's steps have arrived.
+void TakeRacingStatements(const Problem& problem, Failure* failure);
+
+}  // namespace oncard::explore
