@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "explore/card_graph.h"
+#include "explore/estimate.h"
 #include "explore/shrink.h"
 #include "explore/walk.h"
 
@@ -24,12 +25,19 @@ constexpr std::array<std::pair<std::string_view, EngineKind>, 7> kEngines = {
      {"pct", EngineKind::kPct},
      {"pos", EngineKind::kPos}}};
 
+const std::atomic<bool>* StopOf(const ExploreOptions& options) {
+  return options.progress == nullptr ? nullptr : &options.progress->stop;
+}
+
 /// Empty for engines that search.
 std::optional<SampleOptions> SamplingOf(const ExploreOptions& options) {
   SampleOptions sampling = {.runs = options.runs,
+                            .first_run = options.first_run,
                             .seed = options.seed,
                             .depth = options.depth,
-                            .statement_limit = options.depth_limit};
+                            .statement_limit = options.depth_limit,
+                            .stop = StopOf(options),
+                            .progress = options.progress};
   switch (options.engine) {
     case EngineKind::kRandom:
       sampling.kind = SamplerKind::kRandom;
@@ -47,23 +55,6 @@ std::optional<SampleOptions> SamplingOf(const ExploreOptions& options) {
       break;
   }
   return std::nullopt;
-}
-
-/// The verdict of random schedules; the failure is left to the caller.
-Exploration ConcludeSamples(EngineKind engine, SampleCounts samples) {
-  Exploration exploration;
-  exploration.engine = engine;
-  exploration.verdict = samples.bad > 0 ? Verdict::kFailed : Verdict::kPassed;
-  if (samples.bad == 0) {
-    exploration.why = MakeMessage("none of {0} random schedules goes wrong; others were not tried",
-                                  "{0} 个随机调度均未出错；其它调度未尝试", samples.runs);
-  }
-  exploration.samples = std::move(samples);
-  return exploration;
-}
-
-const std::atomic<bool>* StopOf(const ExploreOptions& options) {
-  return options.progress == nullptr ? nullptr : &options.progress->stop;
 }
 
 BoundedOptions BoundsOf(const ExploreOptions& options) {
@@ -99,6 +90,10 @@ constexpr std::chrono::milliseconds kGraceMin{20};
 /// `auto`: how often it is looked whether both engines are to be stopped.
 constexpr std::chrono::milliseconds kStopPolled{50};
 
+/// How the number of traces is estimated: with so many descents of at most so many statements.
+constexpr int kDescents = 1000;
+constexpr int64_t kDescentDepth = 10'000;
+
 /// The search of traces from where the options say, which begins there.
 TraceSearch TracesOf(const Problem& problem, const ExploreOptions& options,
                      const std::atomic<bool>* stop) {
@@ -110,12 +105,6 @@ TraceSearch TracesOf(const Problem& problem, const ExploreOptions& options,
                 .progress = options.progress},
                &search);
   return search;
-}
-
-Failure FailureOf(const Problem& problem, const std::vector<uint8_t>& steps) {
-  Failure failure = Shrink(problem, steps);
-  TakeRacingStatements(problem, &failure);
-  return failure;
 }
 
 /// Runs both searches at the same time; each is told to stop some time after the other has an
@@ -170,7 +159,7 @@ Exploration Conclude(const Problem& problem, const ExploreOptions& options,
     exploration.races = std::move(states->races);
   }
   if (!exploration.failure && traces && !traces->failing.empty()) {
-    exploration.failure = FailureOf(problem, traces->failing);
+    exploration.failure = Shrink(problem, traces->failing);
   }
   const bool complete =
       (traces && traces->complete()) || (exploration.states && exploration.states->complete);
@@ -220,6 +209,18 @@ std::string_view VerdictName(Verdict verdict) {
   return "INCOMPLETE";
 }
 
+Exploration ConcludeSamples(EngineKind engine, SampleCounts samples) {
+  Exploration exploration;
+  exploration.engine = engine;
+  exploration.verdict = samples.bad > 0 ? Verdict::kFailed : Verdict::kPassed;
+  if (samples.bad == 0) {
+    exploration.why = MakeMessage("none of {0} random schedules goes wrong; others were not tried",
+                                  "{0} 个随机调度均未出错；其它调度未尝试", samples.runs);
+  }
+  exploration.samples = std::move(samples);
+  return exploration;
+}
+
 Result<Exploration> Explore(const Problem& problem, const ExploreOptions& options) {
   if (problem.races == RaceRule::kBenign && options.engine != EngineKind::kAuto &&
       options.engine != EngineKind::kStateful) {
@@ -231,14 +232,14 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
   if (const auto sampling = SamplingOf(options)) {
     Exploration exploration = ConcludeSamples(options.engine, Sample(problem, *sampling));
     if (exploration.samples->bad > 0) {
-      exploration.failure = FailureOf(problem, exploration.samples->failing);
+      exploration.failure = Shrink(problem, exploration.samples->failing);
     }
     return exploration;
   }
   if (options.engine == EngineKind::kBounded) {
     Exploration exploration = ConcludeBounded(SearchBounded(problem, BoundsOf(options)), options);
     if (exploration.bounded->bad) {
-      exploration.failure = FailureOf(problem, exploration.bounded->failing);
+      exploration.failure = Shrink(problem, exploration.bounded->failing);
       exploration.failure->fewest_preemptions = problem.races == RaceRule::kAny;
     }
     return exploration;
@@ -257,6 +258,12 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
           "引擎");
     }
     engine = EngineKind::kStateful;
+  }
+  if (options.progress != nullptr && engine != EngineKind::kStateful) {
+    Model model = problem.model;
+    const TraceEstimate estimate = EstimateTraces(&model, kDescents, options.seed, kDescentDepth);
+    options.progress->expected = estimate.traces;
+    options.progress->expected_error = estimate.error;
   }
   std::optional<TraceSearch> traces;
   std::optional<StateSearch> states;

@@ -50,6 +50,7 @@ struct ExploreOptions {
   int preemption_limit = BoundedOptions{}.preemptions;  ///< kBounded
   // Of the engines that try random schedules.
   int64_t runs = SampleOptions{}.runs;
+  int64_t first_run = 0;
   uint64_t seed = SampleOptions{}.seed;
   int depth = SampleOptions{}.depth;  ///< kPct: 1..64
 
@@ -69,6 +70,9 @@ struct Exploration {
   std::vector<FoundRace> races;  ///< all of the program, when the stateful engine looked for them
   std::optional<Failure> failure;
 };
+
+/// The verdict of random schedules; the failure is left to the caller.
+Exploration ConcludeSamples(EngineKind engine, SampleCounts samples);
 
 /// Explores. Fails when the engine cannot answer the problem's requirements.
 Result<Exploration> Explore(const Problem& problem, const ExploreOptions& options);

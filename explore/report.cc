@@ -172,7 +172,7 @@ std::string CountsText(const Findings& findings, Language language) {
         "{0}: {1} runs ({2} given up), {3} bad, {4} different ends, {5} statements at most",
         "{0}：{1} 次运行（放弃 {2}），错误 {3}，不同结局 {4}，最多 {5} 条语句",
         EngineName(exploration.engine), samples->runs, samples->cut, samples->bad,
-        samples->different_ends, samples->longest));
+        samples->ends.size(), samples->longest));
   }
   if (const auto& states = exploration.states) {
     add(MakeMessage("stateful: {0} states, {1} transitions, {2} bad, {3} different ends{4}",
@@ -326,7 +326,7 @@ std::string JsonReport(const Findings& findings) {
     json["runs"] = samples->runs;
     json["bad_runs"] = samples->bad;
     json["given_up"] = samples->cut;
-    json["different_ends"] = samples->different_ends;
+    json["different_ends"] = samples->ends.size();
   }
   if (const auto& states = exploration.states) {
     json["states"] = states->states;

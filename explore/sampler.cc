@@ -7,6 +7,7 @@
 
 #include "base/random.h"
 #include "explore/key_set.h"
+#include "explore/merge.h"
 #include "explore/walk.h"
 
 namespace oncard::explore {
@@ -19,20 +20,42 @@ class Sampler {
       : walk_(std::move(walk)), options_(options), random_(options.seed) {}
 
   SampleCounts Run() {
+    if (options_.kind == SamplerKind::kPct) length_ = MeasureLength();
     KeySet ends;
     for (; counts_.runs < options_.runs; ++counts_.runs) {
+      if (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed)) break;
+      SeedRun(options_.first_run + counts_.runs);
+      DrawPriorities();
       RunOnce();
       if (walk_.finished()) ends.Insert(walk_.EndKey());
+      if (options_.progress != nullptr) {
+        options_.progress->executions.store(counts_.runs + 1, std::memory_order_relaxed);
+      }
     }
-    counts_.different_ends = ends.size();
+    counts_.ends = ends.Keys();
+    std::ranges::sort(counts_.ends);
     return std::move(counts_);
   }
 
  private:
+  void SeedRun(int64_t run) {
+    uint64_t state = options_.seed + static_cast<uint64_t>(run) * 0xd1342543de82ef95ULL;
+    random_ = NextRandom(state);
+  }
+
+  /// The statements of a run, about, for kPct.
+  uint64_t MeasureLength() {
+    SeedRun(-1);
+    DrawPriorities();
+    RunOnce();
+    const int64_t statements = counts_.longest;
+    counts_ = {};
+    return static_cast<uint64_t>(std::max<int64_t>(statements, 1));
+  }
+
   void RunOnce() {
     walk_.Restart();
     steps_.clear();
-    DrawPriorities();
     bool wrong = static_cast<bool>(walk_.fault());
     while (!wrong && !walk_.ended()) {
       if (static_cast<int64_t>(steps_.size()) >= options_.statement_limit) {
@@ -52,9 +75,8 @@ class Sampler {
     for (int64_t& priority : priorities_) priority = Draw();
     changes_.clear();
     if (options_.kind != SamplerKind::kPct) return;
-    const auto length = static_cast<uint64_t>(std::max<int64_t>(counts_.longest, 1));
     for (int i = 1; i < options_.depth; ++i) {
-      changes_.push_back(static_cast<int64_t>(RandomBelow(random_, length)));
+      changes_.push_back(static_cast<int64_t>(RandomBelow(random_, length_)));
     }
   }
   /// A priority above all that changes give.
@@ -100,6 +122,7 @@ class Sampler {
   Walk walk_;
   const SampleOptions& options_;
   uint64_t random_;
+  uint64_t length_ = 1;  ///< kPct
   SampleCounts counts_;
   std::vector<uint8_t> steps_;
   std::array<int64_t, kThreadMax> priorities_{};
@@ -107,6 +130,15 @@ class Sampler {
 };
 
 }  // namespace
+
+void MergeInto(SampleCounts* samples, const SampleCounts& other) {
+  samples->runs += other.runs;
+  samples->bad += other.bad;
+  samples->cut += other.cut;
+  samples->longest = std::max(samples->longest, other.longest);
+  samples->ends = UnionOf(samples->ends, other.ends);
+  TakeSimpler(other.failing, &samples->failing);
+}
 
 SampleCounts Sample(const Problem& problem, const SampleOptions& options) {
   return Sampler(ProgramWalk(problem), options).Run();

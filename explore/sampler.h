@@ -14,11 +14,14 @@
 // tests/explore/sampler_test.cc.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
 #include "explore/card_model.h"
 #include "explore/problem.h"
+#include "explore/progress.h"
+#include "explore/state_key.h"
 
 namespace oncard::explore {
 
@@ -27,10 +30,15 @@ enum class SamplerKind : uint8_t { kRandom, kPct, kPos };
 struct SampleOptions {
   SamplerKind kind = SamplerKind::kRandom;
   int64_t runs = 10'000;
+  /// Number of the first run: each run has random numbers of its own, so that parts of the runs can
+  /// be taken elsewhere.
+  int64_t first_run = 0;
   uint64_t seed = 1;
   int depth = 3;  ///< kPct
   /// Statements of one run; a longer one is given up.
   int64_t statement_limit = 100'000;
+  const std::atomic<bool>* stop = nullptr;
+  SearchProgress* progress = nullptr;
 };
 
 struct SampleCounts {
@@ -38,10 +46,13 @@ struct SampleCounts {
   int64_t bad = 0;
   int64_t cut = 0;             ///< given up
   int64_t longest = 0;         ///< statements
-  int64_t different_ends = 0;  ///< globals and what the threads returned
+  std::vector<StateKey> ends;  ///< different ones, in order: globals and what the threads returned
   /// The threads of the first run that went wrong, counted as the model does.
   std::vector<uint8_t> failing;
 };
+
+/// Adds what other runs of the same sampler have found.
+void MergeInto(SampleCounts* samples, const SampleCounts& other);
 
 SampleCounts Sample(const Problem& problem, const SampleOptions& options);
 /// The same with a card; not kPos.

@@ -15,11 +15,7 @@ Result<Findings> ExploreProgram(const runtime::Scenario& scenario,
   if (!problem.ok()) return problem.error();
   auto exploration = Explore(problem.value(), options);
   if (!exploration.ok()) return exploration.error();
-  Findings findings = {SubjectOf(problem.value()), std::move(exploration).value(), {}, {}};
-  if (findings.exploration.failure) {
-    findings.trail = Follow(problem.value(), *findings.exploration.failure);
-  }
-  return findings;
+  return FindingsOf(problem.value(), std::move(exploration).value());
 }
 
 Result<Findings> ExploreWithCard(const runtime::Scenario& scenario,
@@ -80,6 +76,14 @@ bool NeedsCard(const runtime::Scenario& scenario, const vm::Object& object) {
          std::ranges::any_of(scenario.expectations, [](const auto& expectation) {
            return expectation.at_us.has_value() || expectation.tolerance != 0;
          });
+}
+
+Findings FindingsOf(const Problem& problem, Exploration exploration) {
+  Findings findings = {SubjectOf(problem), std::move(exploration), {}, {}};
+  if (findings.exploration.failure) {
+    findings.trail = Follow(problem, *findings.exploration.failure);
+  }
+  return findings;
 }
 
 Result<Problem> ProblemOfScenario(const runtime::Scenario& scenario,

@@ -26,6 +26,9 @@ bool NeedsCard(const runtime::Scenario& scenario, const vm::Object& object);
 Result<Problem> ProblemOfScenario(const runtime::Scenario& scenario,
                                   const std::vector<Requirement>& requirements, vm::Object object);
 
+/// What a report of the exploration is made of; Findings::source is left to the caller.
+Findings FindingsOf(const Problem& problem, Exploration exploration);
+
 /// Explores the scenario with its expectations and the requirements; Findings::source is left to
 /// the caller. Fails when the scenario does not fit the program, has host events, or a requirement
 /// makes no sense.

@@ -137,8 +137,23 @@ int CountPreemptions(Model* model, const std::vector<uint8_t>& steps) {
   return preemptions;
 }
 
+void TakeRacingStatements(const Problem& problem, Failure* failure) {
+  if (failure->fault.kind != Fault::Kind::kRace) return;
+  Model model = problem.model;
+  for (const uint8_t thread : failure->steps) model.Step(thread);
+  for (const RacingStatement& racing : {failure->fault.race.first, failure->fault.race.second}) {
+    if (!model.Running(racing.thread) || model.Position(racing.thread) != racing.position) continue;
+    model.Step(racing.thread);
+    failure->steps.push_back(static_cast<uint8_t>(racing.thread));
+  }
+  model = problem.model;
+  failure->preemptions = CountPreemptions(&model, failure->steps);
+}
+
 Failure Shrink(const Problem& problem, const std::vector<uint8_t>& steps) {
-  return Shrinker(ProgramWalk(problem), kProgramEffort).Run(steps);
+  Failure failure = Shrinker(ProgramWalk(problem), kProgramEffort).Run(steps);
+  TakeRacingStatements(problem, &failure);
+  return failure;
 }
 
 Failure ShrinkCard(CardModel* model, const std::vector<uint8_t>& steps) {

@@ -14,6 +14,9 @@ namespace oncard::explore {
 /// Preemptions of a schedule: changes of threads while the one before could have gone on.
 int CountPreemptions(Model* model, const std::vector<uint8_t>& steps);
 
+/// Takes the two statements of a race, at which the failure's steps have arrived.
+void TakeRacingStatements(const Problem& problem, Failure* failure);
+
 /// A schedule that still leads to a fault, with as few preemptions, and then statements, as
 /// joining, shortening and leaving out turns of threads one by one can reach: what has nothing to
 /// do with the fault goes. `steps` leads to a fault. Where the state graph is known,

@@ -136,19 +136,6 @@ std::optional<Failure> WayTo(const StateGraph& graph, uint32_t flag, uint32_t av
   return failure;
 }
 
-void TakeRacingStatements(const Problem& problem, Failure* failure) {
-  if (failure->fault.kind != Fault::Kind::kRace) return;
-  Model model = problem.model;
-  for (const uint8_t thread : failure->steps) model.Step(thread);
-  for (const RacingStatement& racing : {failure->fault.race.first, failure->fault.race.second}) {
-    if (!model.Running(racing.thread) || model.Position(racing.thread) != racing.position) continue;
-    model.Step(racing.thread);
-    failure->steps.push_back(static_cast<uint8_t>(racing.thread));
-  }
-  model = problem.model;
-  failure->preemptions = CountPreemptions(&model, failure->steps);
-}
-
 std::optional<Failure> FailureIn(const Problem& problem, const StateSearch& search) {
   const StateGraph& graph = search.graph;
   const auto walk_to_end = [&](const Failure& failure) {

@@ -51,7 +51,4 @@ std::optional<Failure> WayTo(const StateGraph& graph, uint32_t flag, uint32_t av
 /// when it does not.
 std::optional<Failure> FailureIn(const Problem& problem, const StateSearch& search);
 
-/// Takes the two statements of a race, at which the failure's steps have arrived.
-void TakeRacingStatements(const Problem& problem, Failure* failure);
-
 }  // namespace oncard::explore

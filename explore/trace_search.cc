@@ -1,34 +1,19 @@
 #include "explore/trace_search.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "explore/key_set.h"
+#include "explore/merge.h"
 #include "explore/walk.h"
 
 namespace oncard::explore {
 namespace {
 
-std::vector<StateKey> UnionOf(const std::vector<StateKey>& a, const std::vector<StateKey>& b) {
-  std::vector<StateKey> both;
-  std::ranges::set_union(a, b, std::back_inserter(both));
-  return both;
-}
-
 std::vector<StateKey> SortedKeys(const KeySet& set) {
   std::vector<StateKey> keys = set.Keys();
   std::ranges::sort(keys);
   return keys;
-}
-
-/// The simpler one of two failing runs; empty ones are none.
-void TakeSimpler(const std::vector<uint8_t>& other, std::vector<uint8_t>* failing) {
-  if (other.empty()) return;
-  const auto simpler = [](const auto& a, const auto& b) {
-    return std::pair(a.size(), a) < std::pair(b.size(), b);
-  };
-  if (failing->empty() || simpler(other, *failing)) *failing = other;
 }
 
 std::vector<uint8_t> StepsOf(const Model& model) {

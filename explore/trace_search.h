@@ -1,7 +1,7 @@
 // The search of a problem's traces (dpor.h): what it counts, in one piece or in parts that can be
 // interrupted, done elsewhere, and put together again.
 //
-// Deterministic; not thread-safe. Tested by tests/explore/trace_search_test.cc.
+// Deterministic; not thread-safe. Tested by tests/explore/search_file_test.cc.
 #pragma once
 
 #include <atomic>

@@ -1,15 +1,21 @@
 // oncard explore: can any interleaving of the threads go wrong?
-#include "base/files.h"
+#include <unistd.h>
+
+#include <filesystem>
+
 #include "explore/scenario_exploration.h"
 #include "runtime/adapted_schedule.h"
 #include "runtime/scenario_run.h"
 #include "tools/commands.h"
+#include "tools/explore_search.h"
+#include "tools/explore_subject.h"
+#include "tools/search_watch.h"
 
 namespace oncard::tools {
 namespace {
 
 struct ExploreArguments {
-  std::string path;
+  std::vector<std::string> paths;
   std::string engine;  ///< empty: as the scenario says
   std::string format = "text";
   std::string save;
@@ -22,47 +28,14 @@ struct ExploreArguments {
   int preemptions = explore::ExploreOptions{}.preemption_limit;
   bool races = false;
   bool benign = false;
+  std::string search;  ///< file that keeps the search
+  std::string shard;   ///< `I/N`
+  bool merge = false;
+  bool progress = false;
 };
-
-/// A file to be explored: its scenario, what it requires, its program.
-struct Subject {
-  runtime::Scenario scenario;
-  std::vector<explore::Requirement> requirements;
-  vm::Object object;
-  std::string source;  ///< of a program that was compiled
-};
-
-/// Gives the exit code; the subject is filled in when that is kExitOk.
-int ReadSource(const ExploreArguments& arguments, const Session& session, Subject* subject) {
-  runtime::ProgramLoad load;
-  const int loaded = LoadOrReport(session, arguments.path, {}, arguments.format == "json", &load);
-  if (loaded != kExitOk) return loaded;
-  subject->source = load.compilation ? load.compilation->files[0].text() : std::string();
-  auto read = explore::ReadComments(arguments.path, subject->source, *load.object);
-  if (!read.ok()) return Fail(session, kExitUsage, read.error().message);
-  subject->scenario = std::move(read.value().scenario);
-  subject->requirements = std::move(read.value().requirements);
-  subject->object = std::move(*load.object);
-  return kExitOk;
-}
-
-int ReadScenario(const ExploreArguments& arguments, const Session& session, Subject* subject) {
-  auto scenario = runtime::LoadScenario(arguments.path);
-  if (!scenario.ok()) return Fail(session, kExitUnreadable, scenario.error().message);
-  subject->scenario = std::move(scenario).value();
-  subject->requirements = explore::RequirementsOf(subject->scenario);
-  runtime::ProgramLoad load;
-  const int loaded =
-      LoadOrReport(session, runtime::ProgramPath(subject->scenario),
-                   runtime::CompileOptions(subject->scenario), arguments.format == "json", &load);
-  if (loaded != kExitOk) return loaded;
-  subject->source = load.compilation ? load.compilation->files[0].text() : std::string();
-  subject->object = std::move(*load.object);
-  return kExitOk;
-}
 
 /// Writes the failing schedule with checkpoints, as a run of it records them.
-int Save(const ExploreArguments& arguments, const Session& session, const Subject& subject,
+int Save(const ExploreArguments& arguments, const Session& session, const ExploreSubject& subject,
          const explore::Findings& findings) {
   const runtime::Scenario moved = runtime::MoveScenario(subject.scenario, arguments.save);
   runtime::RunOptions options;
@@ -93,12 +66,13 @@ int ExitCodeOf(explore::Verdict verdict) {
   return kExitIncomplete;
 }
 
-int Explore(const ExploreArguments& arguments, const Session& session) {
-  Subject subject;
-  const bool is_scenario = arguments.path.ends_with(".toml");
-  const int read = is_scenario ? ReadScenario(arguments, session, &subject)
-                               : ReadSource(arguments, session, &subject);
-  if (read != kExitOk) return read;
+void ApplyRaceRule(const ExploreArguments& arguments, ExploreSubject* subject) {
+  if (arguments.races) subject->scenario.races = "none";
+  if (arguments.benign) subject->scenario.races = "benign";
+}
+
+explore::ExploreOptions OptionsOf(const ExploreArguments& arguments,
+                                  const ExploreSubject& subject) {
   explore::ExploreOptions options =
       explore::OptionsOf(subject.scenario.explore.value_or(runtime::ExploreWish{}));
   if (!arguments.engine.empty()) options.engine = *explore::EngineNamed(arguments.engine);
@@ -108,41 +82,160 @@ int Explore(const ExploreArguments& arguments, const Session& session) {
   options.seed = arguments.seed;
   options.depth = arguments.depth;
   options.preemption_limit = arguments.preemptions;
-  if (arguments.races) subject.scenario.races = "none";
-  if (arguments.benign) subject.scenario.races = "benign";
-  auto findings =
-      explore::ExploreScenario(subject.scenario, subject.requirements, subject.object, options);
-  if (!findings.ok()) return Fail(session, kExitUsage, findings.error().message);
-  findings.value().source = subject.source;
-  PrintResult(arguments.format == "json" ? explore::JsonReport(findings.value())
-                                         : explore::TextReport(findings.value(), session.language));
+  return options;
+}
+
+/// Writes whatever was asked for. Gives the exit code.
+int Report(const ExploreArguments& arguments, const Session& session, const ExploreSubject& subject,
+           explore::Findings findings) {
+  findings.source = subject.source;
+  PrintResult(arguments.format == "json" ? explore::JsonReport(findings)
+                                         : explore::TextReport(findings, session.language));
   if (!arguments.report.empty()) {
     const std::string report = arguments.report.ends_with(".html")
-                                   ? explore::HtmlReport(findings.value(), session.language)
-                                   : explore::ChromeReport(findings.value());
+                                   ? explore::HtmlReport(findings, session.language)
+                                   : explore::ChromeReport(findings);
     const int written = WriteOutput(session, arguments.report, report);
     if (written != kExitOk) return written;
   }
-  if (findings.value().exploration.failure && !arguments.save.empty()) {
-    const int saved = Save(arguments, session, subject, findings.value());
+  if (findings.exploration.failure && !arguments.save.empty()) {
+    const int saved = Save(arguments, session, subject, findings);
     if (saved != kExitOk) return saved;
   }
-  return ExitCodeOf(findings.value().exploration.verdict);
+  return ExitCodeOf(findings.exploration.verdict);
+}
+
+/// Where a search is kept that nobody has named a file for.
+std::string DefaultSearch(const std::string& input) {
+  return std::filesystem::path(input).stem().string() + ".search";
+}
+
+/// Goes on with a search that lives in a file.
+int ExploreKept(const ExploreArguments& arguments, const Session& session,
+                const ExploreSubject& subject, const std::string& path, explore::SearchFile file) {
+  SearchWatch watch(session, arguments.progress);
+  explore::ExploreOptions options = OptionsOf(arguments, subject);
+  options.progress = watch.progress();
+  auto findings = GoOn(subject, options, &file);
+  if (!findings.ok()) return Fail(session, kExitUsage, findings.error().message);
+  const int written = WriteOutput(session, path, explore::FormatSearchFile(file));
+  if (written != kExitOk) return written;
+  return Report(arguments, session, subject, std::move(findings).value());
+}
+
+/// Begins a search that lives in a file, or goes on with it when there is one.
+int ExploreIntoFile(const ExploreArguments& arguments, const Session& session) {
+  const std::string& input = arguments.paths.front();
+  const bool json = arguments.format == "json";
+  explore::SearchPart part;
+  if (!arguments.shard.empty()) {
+    const auto parsed = explore::ParsePart(arguments.shard);
+    if (!parsed.ok()) return Fail(session, kExitUsage, parsed.error().message);
+    part = parsed.value();
+  }
+  std::string path = arguments.search;
+  if (path.empty()) {
+    path = fmt::format("{}.{}-of-{}.search", std::filesystem::path(input).stem().string(),
+                       part.number, part.count);
+  }
+  ExploreSubject subject;
+  explore::SearchFile file;
+  if (std::filesystem::exists(path)) {
+    const int read = ReadSearch(session, path, json, &file, &subject);
+    if (read != kExitOk) return read;
+    return ExploreKept(arguments, session, subject, path, std::move(file));
+  }
+  const int read = ReadSubject(session, input, json, &subject);
+  if (read != kExitOk) return read;
+  ApplyRaceRule(arguments, &subject);
+  auto begun = BeginSearch(subject, input, path, part, OptionsOf(arguments, subject));
+  if (!begun.ok()) return Fail(session, kExitUsage, begun.error().message);
+  return ExploreKept(arguments, session, subject, path, std::move(begun).value());
+}
+
+int Merge(const ExploreArguments& arguments, const Session& session) {
+  ExploreSubject subject;
+  explore::SearchFile file;
+  const int merged =
+      MergeSearches(session, arguments.paths, arguments.format == "json", &file, &subject);
+  if (merged != kExitOk) return merged;
+  if (!arguments.search.empty()) {
+    MoveSearch(arguments.paths.front(), arguments.search, &file);
+    const int written = WriteOutput(session, arguments.search, explore::FormatSearchFile(file));
+    if (written != kExitOk) return written;
+  }
+  auto findings = ConcludeSearch(subject, file);
+  if (!findings.ok()) return Fail(session, kExitUsage, findings.error().message);
+  return Report(arguments, session, subject, std::move(findings).value());
+}
+
+/// Keeps a search that Ctrl-C has ended, when it is one that can go on.
+int KeepInterrupted(const ExploreArguments& arguments, const Session& session,
+                    const ExploreSubject& subject, const explore::Exploration& exploration) {
+  const std::string path = DefaultSearch(arguments.paths.front());
+  explore::ExploreOptions options;
+  options.engine = explore::EngineKind::kDpor;
+  auto file = BeginSearch(subject, arguments.paths.front(), path, {}, options);
+  if (!file.ok() || !exploration.traces || exploration.search.too_deep) return kExitOk;
+  file.value().traces = exploration.search;
+  const int written = WriteOutput(session, path, explore::FormatSearchFile(file.value()));
+  if (written != kExitOk) return written;
+  const Message hint =
+      MakeMessage("to go on: oncard explore {0}\n", "继续：oncard explore {0}\n", path);
+  PrintDiagnostics(session.Say(hint));
+  return kExitOk;
+}
+
+int Explore(const ExploreArguments& arguments, const Session& session) {
+  if (arguments.merge) return Merge(arguments, session);
+  if (arguments.paths.size() > 1) {
+    return Fail(session, kExitUsage,
+                {"one file is explored at a time; several are for --merge",
+                 "一次只能探索一个文件；多个文件用于 --merge"});
+  }
+  const std::string& input = arguments.paths.front();
+  const bool json = arguments.format == "json";
+  ExploreSubject subject;
+  if (input.ends_with(".search")) {
+    explore::SearchFile file;
+    const int read = ReadSearch(session, input, json, &file, &subject);
+    if (read != kExitOk) return read;
+    return ExploreKept(arguments, session, subject, input, std::move(file));
+  }
+  if (!arguments.search.empty() || !arguments.shard.empty()) {
+    return ExploreIntoFile(arguments, session);
+  }
+  const int read = ReadSubject(session, input, json, &subject);
+  if (read != kExitOk) return read;
+  ApplyRaceRule(arguments, &subject);
+  SearchWatch watch(session, arguments.progress);
+  explore::ExploreOptions options = OptionsOf(arguments, subject);
+  options.progress = watch.progress();
+  auto findings =
+      explore::ExploreScenario(subject.scenario, subject.requirements, subject.object, options);
+  if (!findings.ok()) return Fail(session, kExitUsage, findings.error().message);
+  if (watch.interrupted()) {
+    const int kept = KeepInterrupted(arguments, session, subject, findings.value().exploration);
+    if (kept != kExitOk) return kept;
+  }
+  return Report(arguments, session, subject, std::move(findings).value());
 }
 
 }  // namespace
 
 void AddExplore(CLI::App& app, Session& session) {
   const auto arguments = std::make_shared<ExploreArguments>();
+  arguments->progress = ::isatty(STDERR_FILENO) == 1;
   CLI::App* command =
       AddCommand(app, session, "explore",
                  {"prove that no interleaving of the threads goes wrong, or show one that does",
                   "证明线程的任何交错都不会出错，或给出一个出错的交错"},
                  [arguments, &session] { return Explore(*arguments, session); });
   command
-      ->add_option("file", arguments->path,
-                   session.Say({"scenario (.toml), or a source with //@ comments",
-                                "场景文件（.toml），或带 //@ 注释的源程序"}))
+      ->add_option("file", arguments->paths,
+                   session.Say({"scenario (.toml), a source with //@ comments, or an interrupted "
+                                "search (.search)",
+                                "场景文件（.toml）、带 //@ 注释的源程序，或中断的搜索（.search）"}))
       ->required()
       ->type_name("FILE");
   command
@@ -210,6 +303,23 @@ void AddExplore(CLI::App& app, Session& session) {
                    session.Say({"end the search after so many states", "状态数上限"}))
       ->type_name("N")
       ->check(CLI::Range(1u, 4'000'000'000u).description(""));
+  command
+      ->add_option("--search", arguments->search,
+                   session.Say({"keep the search in this file, and go on with it if it is there",
+                                "将搜索保存到该文件；文件已存在时继续该搜索"}))
+      ->type_name("FILE");
+  command
+      ->add_option(
+          "--shard", arguments->shard,
+          session.Say({"search the I-th of N parts only, for --merge; kept in a search file",
+                       "只搜索 N 部分中的第 I 部分，供 --merge 合并；结果存入搜索文件"}))
+      ->type_name("I/N");
+  command->add_flag(
+      "--merge", arguments->merge,
+      session.Say({"put the search files of parts together", "合并各部分的搜索文件"}));
+  command->add_flag("--progress", arguments->progress,
+                    session.Say({"say every second how far the search is (default on a terminal)",
+                                 "每秒显示搜索进度（终端上默认开启）"}));
   AddFormatOption(*command, session, arguments->format, {"text", "json"});
 }
 

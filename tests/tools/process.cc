@@ -24,11 +24,17 @@ std::vector<char*> Pointers(std::vector<std::string>& texts) {
 
 ProcessResult RunOncard(const std::vector<std::string>& arguments, const std::string& folder,
                         const std::vector<std::string>& environment) {
+  std::vector<std::string> command = {ONCARD_BUILD_DIR "/bin/oncard"};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  return RunProgram(command, folder, environment);
+}
+
+ProcessResult RunProgram(const std::vector<std::string>& words, const std::string& folder,
+                         const std::vector<std::string>& environment) {
   const ScratchFolder scratch;
   const std::string out = scratch.path() + "/out";
   const std::string err = scratch.path() + "/err";
-  std::vector<std::string> command = {ONCARD_BUILD_DIR "/bin/oncard"};
-  command.insert(command.end(), arguments.begin(), arguments.end());
+  std::vector<std::string> command = words;
   // The first of a name counts.
   std::vector<std::string> variables = environment;
   variables.insert(variables.end(),
@@ -43,8 +49,8 @@ ProcessResult RunOncard(const std::vector<std::string>& arguments, const std::st
   std::vector<char*> argument_pointers = Pointers(command);
   std::vector<char*> variable_pointers = Pointers(variables);
   pid_t process = 0;
-  const int failure = ::posix_spawn(&process, command[0].c_str(), &actions, nullptr,
-                                    argument_pointers.data(), variable_pointers.data());
+  const int failure = ::posix_spawnp(&process, command[0].c_str(), &actions, nullptr,
+                                     argument_pointers.data(), variable_pointers.data());
   ::posix_spawn_file_actions_destroy(&actions);
   ProcessResult result;
   if (failure != 0) return result;

@@ -1,4 +1,4 @@
-// Runs the oncard command as a user does, without a shell.
+// Runs the oncard command, and others, as a user does, without a shell.
 #pragma once
 
 #include <filesystem>
@@ -17,6 +17,10 @@ struct ProcessResult {
 /// with `environment` ("NAME=value") added.
 ProcessResult RunOncard(const std::vector<std::string>& arguments, const std::string& folder = {},
                         const std::vector<std::string>& environment = {});
+
+/// The same for any program, found as the shell would find it.
+ProcessResult RunProgram(const std::vector<std::string>& command, const std::string& folder = {},
+                         const std::vector<std::string>& environment = {});
 
 /// A folder of its own for a test, removed with the object.
 class ScratchFolder {

@@ -1,0 +1,114 @@
+// oncard explore with searches that live in files: interrupted, in parts, merged.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/tools/process.h"
+
+namespace oncard::tools {
+namespace {
+
+std::string Increments() {
+  std::string source = "int x;\n//@ final: x <= 6\n";
+  for (const char* name : {"t0", "t1", "t2"}) {
+    source += std::string("int ") + name + "() {\n  int t;\n";
+    for (int i = 0; i < 2; ++i) source += "  t = x;\n  t = t + 1;\n  x = t;\n";
+    source += "  return 0;\n}\n";
+  }
+  return source;
+}
+
+class ExploreSearch : public ::testing::Test {
+ protected:
+  ExploreSearch() { scratch_.Write("inc.c", Increments()); }
+  ProcessResult Explore(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "explore");
+    return RunOncard(arguments, scratch_.path());
+  }
+  nlohmann::json Json(std::vector<std::string> arguments) const {
+    arguments.emplace_back("--format=json");
+    return nlohmann::json::parse(Explore(std::move(arguments)).out);
+  }
+
+  ScratchFolder scratch_;
+};
+
+TEST_F(ExploreSearch, GoesOnFromItsFile) {
+  const auto begun =
+      Json({"inc.c", "--engine=dpor", "--max-executions=1000", "--search=kept.search"});
+  EXPECT_EQ(begun["verdict"], "INCOMPLETE");
+  EXPECT_EQ(begun["executions"], 1000);
+  const auto more = Json({"kept.search", "--max-executions=2000"});
+  EXPECT_EQ(more["verdict"], "INCOMPLETE");
+  EXPECT_EQ(more["executions"], 3000);
+  const auto done = Json({"inc.c", "--search=kept.search"});
+  EXPECT_EQ(done["verdict"], "PROVED");
+  EXPECT_EQ(done["traces"], 7134);
+  EXPECT_EQ(done["blocked"], 0);
+  EXPECT_EQ(done["final_full"], 5);
+}
+
+TEST_F(ExploreSearch, PartsMakeTheWhole) {
+  for (const char* part : {"1/3", "2/3", "3/3"}) {
+    const auto found = Json({"inc.c", "--shard", part});
+    EXPECT_EQ(found["verdict"], "PASSED");
+  }
+  // In any order, and in steps.
+  EXPECT_EQ(Json({"--merge", "inc.3-of-3.search", "inc.1-of-3.search",
+                  "--search=some.search"})["verdict"],
+            "PASSED");
+  const auto all = Json({"--merge", "some.search", "inc.2-of-3.search"});
+  EXPECT_EQ(all["verdict"], "PROVED");
+  EXPECT_EQ(all["traces"], 7134);
+  EXPECT_EQ(all["final_globals"], 5);
+}
+
+TEST_F(ExploreSearch, RandomRunsInPartsAreThoseInOnePiece) {
+  const std::vector<std::string> how = {"inc.c", "--engine=pct", "--runs=101", "--seed=5"};
+  for (const char* part : {"1/2", "2/2"}) {
+    std::vector<std::string> arguments = how;
+    arguments.insert(arguments.end(), {"--shard", part});
+    EXPECT_EQ(Explore(arguments).exit_code, 5);
+  }
+  auto merged = Json({"--merge", "inc.1-of-2.search", "inc.2-of-2.search"});
+  auto whole = Json(how);
+  EXPECT_EQ(merged, whole);
+}
+
+TEST_F(ExploreSearch, WhatDoesNotBelongTogetherIsRefused) {
+  EXPECT_EQ(Explore({"inc.c", "--shard=1/2"}).exit_code, 5);
+  EXPECT_EQ(Explore({"inc.c", "--shard=2/3"}).exit_code, 5);
+  const ProcessResult twice = Explore({"--merge", "inc.1-of-2.search", "inc.1-of-2.search"});
+  EXPECT_EQ(twice.exit_code, 2);
+  EXPECT_NE(twice.err.find("part 1"), std::string::npos) << twice.err;
+  EXPECT_EQ(Explore({"--merge", "inc.1-of-2.search", "inc.2-of-3.search"}).exit_code, 2);
+  EXPECT_EQ(Explore({"inc.c", "--shard=3/2"}).exit_code, 2);
+  EXPECT_EQ(
+      Explore({"inc.c", "--shard=1/2", "--engine=stateful", "--search=other.search"}).exit_code, 2);
+  EXPECT_EQ(Explore({"inc.c", "inc.c"}).exit_code, 2);
+}
+
+TEST_F(ExploreSearch, AChangedProgramOrFileIsRefused) {
+  EXPECT_EQ(Explore({"inc.c", "--shard=1/2"}).exit_code, 5);
+  const std::string kept = scratch_.Read("inc.1-of-2.search");
+  std::string edited = kept;
+  edited.replace(edited.find("\"bad\": 0"), 8, "\"bad\": 1");
+  scratch_.Write("inc.1-of-2.search", edited);
+  EXPECT_EQ(Explore({"inc.1-of-2.search"}).exit_code, 3);
+  scratch_.Write("inc.1-of-2.search", "{}");
+  EXPECT_EQ(Explore({"inc.1-of-2.search"}).exit_code, 3);
+  scratch_.Write("inc.1-of-2.search", kept);
+  scratch_.Write("inc.c", "int y;\n" + Increments());
+  const ProcessResult changed = Explore({"inc.1-of-2.search"});
+  EXPECT_EQ(changed.exit_code, 1);
+  EXPECT_NE(changed.err.find("has changed"), std::string::npos) << changed.err;
+}
+
+TEST_F(ExploreSearch, AProgramWithItsCardCannotBeSplit) {
+  scratch_.Write("card.c", "int t0() {\n  GT_AxisOn(1);\n  return 0;\n}\n");
+  EXPECT_EQ(Explore({"card.c", "--shard=1/2"}).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace oncard::tools

@@ -1,0 +1,101 @@
+// The templates that explore in parts (tools/launch): each has the counts of the search in one
+// piece.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/tools/process.h"
+
+namespace oncard::tools {
+namespace {
+
+const std::string kTemplates = ONCARD_SOURCE_DIR "/tools/launch/";
+
+/// Three threads that each increment `x`: 36 traces, 30 of which lose an update.
+constexpr const char* kIncrements =
+    "int x;\n//@ final: x == 3\n"
+    "int t0() {\n  int t;\n  t = x;\n  t = t + 1;\n  x = t;\n  return 0;\n}\n"
+    "int t1() {\n  int t;\n  t = x;\n  t = t + 1;\n  x = t;\n  return 0;\n}\n"
+    "int t2() {\n  int t;\n  t = x;\n  t = t + 1;\n  x = t;\n  return 0;\n}\n";
+
+/// With the oncard of this build on the path.
+ProcessResult RunTemplate(const std::vector<std::string>& words, const ScratchFolder& scratch,
+                          const std::vector<std::string>& variables = {}) {
+  std::vector<std::string> command = {"env", "PATH=" ONCARD_BUILD_DIR "/bin:/usr/bin:/bin"};
+  command.insert(command.end(), variables.begin(), variables.end());
+  command.insert(command.end(), words.begin(), words.end());
+  return RunProgram(command, scratch.path());
+}
+
+bool Installed(const std::string& program) {
+  return RunProgram({"sh", "-c", "command -v " + program}).exit_code == 0;
+}
+
+void ExpectWholeSearch(const ScratchFolder& scratch) {
+  const ProcessResult merged = RunProgram(
+      {"sh", "-c", ONCARD_BUILD_DIR "/bin/oncard explore --format=json --merge *.search"},
+      scratch.path());
+  const auto json = nlohmann::json::parse(merged.out);
+  EXPECT_EQ(json["verdict"], "FAILED");
+  EXPECT_EQ(json["traces"], 36);
+  EXPECT_EQ(json["bad_traces"], 30);
+}
+
+TEST(LaunchTest, LocalProcesses) {
+  const ScratchFolder scratch;
+  scratch.Write("inc.c", kIncrements);
+  const ProcessResult result =
+      RunTemplate({kTemplates + "explore_local.sh", "inc.c", "3"}, scratch);
+  EXPECT_EQ(result.exit_code, 1) << result.err;
+  EXPECT_NE(result.out.find("dpor: 36 executions"), std::string::npos) << result.out;
+  ExpectWholeSearch(scratch);
+}
+
+TEST(LaunchTest, LocalProcessesPassOptionsOn) {
+  const ScratchFolder scratch;
+  scratch.Write("inc.c", kIncrements);
+  const ProcessResult result = RunTemplate(
+      {kTemplates + "explore_local.sh", "inc.c", "2", "--engine", "random", "--runs", "100"},
+      scratch);
+  EXPECT_EQ(result.exit_code, 1) << result.err;
+  EXPECT_NE(result.out.find("random: 100 runs"), std::string::npos) << result.out;
+}
+
+TEST(LaunchTest, GnuParallel) {
+  if (!Installed("parallel")) GTEST_SKIP() << "the package parallel is not installed";
+  const ScratchFolder scratch;
+  scratch.Write("inc.c", kIncrements);
+  const ProcessResult result =
+      RunTemplate({kTemplates + "explore_parallel.sh", "inc.c", "3"}, scratch);
+  EXPECT_EQ(result.exit_code, 1) << result.err;
+  ExpectWholeSearch(scratch);
+}
+
+// What the tasks of a job array run, with the variables that Slurm gives them.
+TEST(LaunchTest, TasksOfASlurmJobArray) {
+  const ScratchFolder scratch;
+  scratch.Write("inc.c", kIncrements);
+  for (const char* task : {"1", "2", "3"}) {
+    const ProcessResult result =
+        RunTemplate({"sh", kTemplates + "explore_slurm.sh", "inc.c"}, scratch,
+                    {std::string("SLURM_ARRAY_TASK_ID=") + task, "SLURM_ARRAY_TASK_MAX=3"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+  }
+  ExpectWholeSearch(scratch);
+}
+
+TEST(LaunchTest, SlurmJobArray) {
+  if (!Installed("sbatch") || RunProgram({"sinfo"}).exit_code != 0) {
+    GTEST_SKIP() << "the package slurm-wlm is not installed, or no controller runs";
+  }
+  const ScratchFolder scratch;
+  scratch.Write("inc.c", kIncrements);
+  const ProcessResult result = RunTemplate(
+      {"sbatch", "--wait", "--array=1-3", kTemplates + "explore_slurm.sh", "inc.c"}, scratch);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  ExpectWholeSearch(scratch);
+}
+
+}  // namespace
+}  // namespace oncard::tools

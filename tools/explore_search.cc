@@ -1,0 +1,150 @@
+#include "tools/explore_search.h"
+
+#include <utility>
+
+#include "base/files.h"
+#include "explore/scenario_exploration.h"
+
+namespace oncard::tools {
+namespace {
+
+/// A place for paths that are written as a file at `path` would write them.
+runtime::Scenario At(const std::string& path) {
+  runtime::Scenario scenario;
+  scenario.path = path;
+  return scenario;
+}
+
+Result<explore::Problem> ProblemOf(const ExploreSubject& subject) {
+  if (explore::NeedsCard(subject.scenario, subject.object)) {
+    return MakeError(1,
+                     "the states of a program with its card cannot be kept or split: explore it "
+                     "in one piece",
+                     "带控制卡的程序的搜索不能保存或拆分：请一次完成探索");
+  }
+  return explore::ProblemOfScenario(subject.scenario, subject.requirements, subject.object);
+}
+
+Result<explore::SearchFile> ReadFileOf(const std::string& path) {
+  const auto text = ReadFile(path);
+  if (!text.ok()) return text.error();
+  auto file = explore::ParseSearchFile(text.value());
+  if (file.ok()) return file;
+  const Message& message = file.error().message;
+  return MakeError(1, "{0}: {1}", "{0}：{2}", path, message.en, message.zh);
+}
+
+}  // namespace
+
+int ReadSearch(const Session& session, const std::string& path, bool json,
+               explore::SearchFile* file, ExploreSubject* subject) {
+  auto read = ReadFileOf(path);
+  if (!read.ok()) return Fail(session, kExitUnreadable, read.error().message);
+  *file = std::move(read).value();
+  const std::string input = runtime::PathFromScenario(At(path), file->input);
+  const int found = ReadSubject(session, input, json, subject);
+  if (found != kExitOk) return found;
+  subject->scenario.races = file->races;
+  const auto problem = ProblemOf(*subject);
+  if (!problem.ok()) return Fail(session, kExitUsage, problem.error().message);
+  if (explore::HashOf(problem.value()) == file->problem) return kExitOk;
+  return Fail(session, kExitFailed,
+              MakeMessage("{0} has changed since {1} was written: explore it anew",
+                          "{1} 写出之后 {0} 已改变：请重新探索", input, path));
+}
+
+int MergeSearches(const Session& session, const std::vector<std::string>& paths, bool json,
+                  explore::SearchFile* file, ExploreSubject* subject) {
+  const int read = ReadSearch(session, paths.front(), json, file, subject);
+  if (read != kExitOk) return read;
+  for (size_t i = 1; i < paths.size(); ++i) {
+    const auto other = ReadFileOf(paths[i]);
+    if (!other.ok()) return Fail(session, kExitUnreadable, other.error().message);
+    if (const auto merged = MergeInto(file, other.value()); !merged.ok()) {
+      const Message& message = merged.error().message;
+      return Fail(session, kExitUsage,
+                  MakeMessage("{0}: {1}", "{0}：{2}", paths[i], message.en, message.zh));
+    }
+  }
+  return kExitOk;
+}
+
+Result<explore::SearchFile> BeginSearch(const ExploreSubject& subject, const std::string& input,
+                                        const std::string& path, const explore::SearchPart& part,
+                                        const explore::ExploreOptions& options) {
+  using explore::EngineKind;
+  const auto problem = ProblemOf(subject);
+  if (!problem.ok()) return problem.error();
+  explore::SearchFile file;
+  file.input = runtime::PathToScenario(At(path), input);
+  file.problem = explore::HashOf(problem.value());
+  file.races = subject.scenario.races;
+  file.parts = part.count;
+  file.held = {part.number};
+  switch (options.engine) {
+    case EngineKind::kAuto:
+    case EngineKind::kDpor:
+      file.traces = explore::TracesOfPart(problem.value(), part);
+      return file;
+    case EngineKind::kRandom:
+    case EngineKind::kPct:
+    case EngineKind::kPos:
+      file.engine = options.engine;
+      file.seed = options.seed;
+      file.depth = options.depth;
+      file.runs = options.runs;
+      file.runs_cut = explore::RunsOfPart(options.runs, part).second;
+      return file;
+    case EngineKind::kStateful:
+    case EngineKind::kBounded:
+      break;
+  }
+  return MakeError(1,
+                   "searches of the engine {0} cannot be kept or split: use dpor, random, pct or "
+                   "pos",
+                   "{0} 引擎的搜索不能保存或拆分：请使用 dpor、random、pct 或 pos",
+                   explore::EngineName(options.engine));
+}
+
+Result<explore::Findings> GoOn(const ExploreSubject& subject,
+                               const explore::ExploreOptions& options, explore::SearchFile* file) {
+  const auto problem = ProblemOf(subject);
+  if (!problem.ok()) return problem.error();
+  explore::ExploreOptions own = options;
+  own.engine = file->engine;
+  if (file->engine == explore::EngineKind::kDpor) {
+    own.begun = &file->traces;
+  } else {
+    const explore::SearchPart part = {file->held.front(), file->parts};
+    const auto [first, runs] = explore::RunsOfPart(file->runs, part);
+    own.first_run = first + runs - file->runs_cut;
+    own.runs = file->runs_cut;
+    own.seed = file->seed;
+    own.depth = file->depth;
+  }
+  auto exploration = Explore(problem.value(), own);
+  if (!exploration.ok()) return exploration.error();
+  if (file->engine == explore::EngineKind::kDpor) {
+    file->traces = std::move(exploration.value().search);
+  } else {
+    file->runs_cut -= exploration.value().samples->runs;
+    explore::MergeInto(&file->samples, *exploration.value().samples);
+  }
+  explore::Exploration concluded = Conclude(problem.value(), *file);
+  if (concluded.verdict == explore::Verdict::kIncomplete) concluded.why = exploration.value().why;
+  return FindingsOf(problem.value(), std::move(concluded));
+}
+
+Result<explore::Findings> ConcludeSearch(const ExploreSubject& subject,
+                                         const explore::SearchFile& file) {
+  const auto problem = ProblemOf(subject);
+  if (!problem.ok()) return problem.error();
+  return FindingsOf(problem.value(), Conclude(problem.value(), file));
+}
+
+void MoveSearch(const std::string& from, const std::string& to, explore::SearchFile* file) {
+  const std::string input = runtime::PathFromScenario(At(from), file->input);
+  file->input = runtime::PathToScenario(At(to), input);
+}
+
+}  // namespace oncard::tools

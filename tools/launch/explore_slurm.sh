@@ -1,0 +1,23 @@
+#!/bin/sh
+#SBATCH --job-name=oncard-explore
+#SBATCH --cpus-per-task=1
+# Explores one part of a search; submitted as a job array with a task for every part:
+#
+#   sbatch --array=1-64 explore_slurm.sh INPUT [OPTIONS OF oncard explore]
+#
+# Each part is kept in NAME.I-of-64.search in the folder of the submission. Submitted again, it goes
+# on with the parts that are not done. When all have ended:
+#
+#   oncard explore --merge NAME.*-of-64.search
+set -u
+
+input=$1
+shift
+
+oncard explore "$input" --shard "$SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_MAX" "$@"
+code=$?
+# Proved, failed, passed within its bound: the task has done its work. A limit leaves it undone.
+case $code in
+  0 | 1 | 5) exit 0 ;;
+  *) exit "$code" ;;
+esac
