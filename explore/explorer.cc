@@ -52,6 +52,7 @@ std::optional<SampleOptions> SamplingOf(const ExploreOptions& options) {
     case EngineKind::kDpor:
     case EngineKind::kStateful:
     case EngineKind::kBounded:
+    case EngineKind::kFollow:
       break;
   }
   return std::nullopt;
@@ -192,7 +193,7 @@ std::string_view EngineName(EngineKind engine) {
   for (const auto& [text, kind] : kEngines) {
     if (kind == engine) return text;
   }
-  return {};
+  return "schedule";
 }
 
 std::string_view VerdictName(Verdict verdict) {

@@ -25,7 +25,16 @@
 
 namespace oncard::explore {
 
-enum class EngineKind : uint8_t { kAuto, kDpor, kStateful, kBounded, kRandom, kPct, kPos };
+enum class EngineKind : uint8_t {
+  kAuto,
+  kDpor,
+  kStateful,
+  kBounded,
+  kRandom,
+  kPct,
+  kPos,
+  kFollow  ///< one given schedule: FollowSchedule() (scenario_exploration.h)
+};
 
 /// `auto`, `dpor`, `stateful`, `bounded`, `random`, `pct`, `pos`; empty for any other name.
 std::optional<EngineKind> EngineNamed(std::string_view name);

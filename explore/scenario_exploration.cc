@@ -2,11 +2,34 @@
 
 #include <algorithm>
 
+#include "explore/shrink.h"
+#include "runtime/adapted_schedule.h"
 #include "runtime/scenario_start.h"
 #include "runtime/scenario_world.h"
 
 namespace oncard::explore {
 namespace {
+
+Findings FindingsOf(CardModel* model, Exploration exploration) {
+  Findings findings = {SubjectOf(*model), std::move(exploration), {}, {}};
+  if (findings.exploration.failure) {
+    findings.trail = Follow(model, *findings.exploration.failure);
+  }
+  return findings;
+}
+
+/// The statements of a schedule, by the threads of the subject.
+std::vector<uint8_t> StepsOf(const Subject& subject, const vm::Schedule& schedule) {
+  std::vector<uint8_t> steps;
+  for (const vm::ScheduleSegment& segment : schedule.segments) {
+    for (size_t thread = 0; thread < subject.threads.size(); ++thread) {
+      if (subject.threads[thread].thread != segment.thread) continue;
+      steps.insert(steps.end(), static_cast<size_t>(segment.statements),
+                   static_cast<uint8_t>(thread));
+    }
+  }
+  return steps;
+}
 
 Result<Findings> ExploreProgram(const runtime::Scenario& scenario,
                                 const std::vector<Requirement>& requirements, vm::Object object,
@@ -36,17 +59,14 @@ Result<Findings> ExploreWithCard(const runtime::Scenario& scenario,
   }
   auto model = CardModel::Create(scenario, requirements, std::move(object));
   if (!model.ok()) return model.error();
-  Findings findings = {SubjectOf(model.value()), ExploreCard(&model.value(), options), {}, {}};
-  if (findings.exploration.failure) {
-    findings.trail = Follow(&model.value(), *findings.exploration.failure);
-  }
-  return findings;
+  return FindingsOf(&model.value(), ExploreCard(&model.value(), options));
 }
 
 }  // namespace
 
 std::vector<Requirement> RequirementsOf(const runtime::Scenario& scenario) {
   std::vector<Requirement> requirements;
+  for (const std::string& text : scenario.final) requirements.push_back({Scope::kFinal, text});
   for (const std::string& text : scenario.always) requirements.push_back({Scope::kAlways, text});
   for (const std::string& text : scenario.never) requirements.push_back({Scope::kNever, text});
   for (const std::string& text : scenario.eventually) {
@@ -106,6 +126,42 @@ Result<Problem> ProblemOfScenario(const runtime::Scenario& scenario,
   return problem;
 }
 
+Result<Findings> FollowSchedule(const runtime::Scenario& scenario,
+                                const std::vector<Requirement>& requirements,
+                                const vm::Object& object, std::string_view source,
+                                const vm::Schedule& schedule) {
+  auto adapted = runtime::AdaptSchedule(scenario, object, source, schedule);
+  if (!adapted.ok()) return adapted.error();
+  Exploration exploration;
+  exploration.engine = EngineKind::kFollow;
+  exploration.verdict = Verdict::kPassed;
+  exploration.why = MakeMessage(
+      "nothing goes wrong under this schedule, of which {0} of {1} segments could be followed; "
+      "others were not tried",
+      "在该调度下未出错（共 {1} 段，跟随了 {0} 段）；其它调度未尝试", adapted.value().followed,
+      schedule.segments.size());
+  const auto conclude = [&](const Subject& subject, const auto& follow) {
+    Failure failure = follow(StepsOf(subject, adapted.value().schedule));
+    if (failure.fault) {
+      exploration.verdict = Verdict::kFailed;
+      exploration.why = {};
+      exploration.failure = std::move(failure);
+    }
+  };
+  if (NeedsCard(scenario, object)) {
+    auto model = CardModel::Create(scenario, requirements, object);
+    if (!model.ok()) return model.error();
+    CardModel& card = model.value();
+    conclude(SubjectOf(card), [&](const auto& steps) { return TakeCardSteps(&card, steps); });
+    return FindingsOf(&card, std::move(exploration));
+  }
+  const auto problem = ProblemOfScenario(scenario, requirements, object);
+  if (!problem.ok()) return problem.error();
+  conclude(SubjectOf(problem.value()),
+           [&](const auto& steps) { return TakeSteps(problem.value(), steps); });
+  return FindingsOf(problem.value(), std::move(exploration));
+}
+
 Result<Findings> ExploreScenario(const runtime::Scenario& scenario,
                                  const std::vector<Requirement>& requirements, vm::Object object,
                                  const ExploreOptions& options) {
@@ -118,6 +174,18 @@ Result<Findings> ExploreScenario(const runtime::Scenario& scenario,
   return NeedsCard(scenario, object)
              ? ExploreWithCard(scenario, requirements, std::move(object), options)
              : ExploreProgram(scenario, requirements, std::move(object), options);
+}
+
+Result<Findings> ExploreAsWished(const runtime::Scenario& scenario, const vm::Object& object,
+                                 std::string_view source) {
+  const runtime::ExploreWish& wish = *scenario.explore;
+  const std::vector<Requirement> requirements = RequirementsOf(scenario);
+  if (wish.follow.empty()) {
+    return ExploreScenario(scenario, requirements, object, OptionsOf(wish));
+  }
+  const auto schedule = vm::LoadSchedule(runtime::PathFromScenario(scenario, wish.follow));
+  if (!schedule.ok()) return schedule.error();
+  return FollowSchedule(scenario, requirements, object, source, schedule.value());
 }
 
 }  // namespace oncard::explore

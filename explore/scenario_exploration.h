@@ -2,16 +2,18 @@
 // Tested by tests/explore/scenario_exploration_test.cc.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
 #include "explore/report.h"
 #include "runtime/scenario.h"
 #include "vm/object.h"
+#include "vm/schedule.h"
 
 namespace oncard::explore {
 
-/// `always`, `never` and `eventually` of a scenario.
+/// `final`, `always`, `never` and `eventually` of a scenario.
 std::vector<Requirement> RequirementsOf(const runtime::Scenario& scenario);
 
 /// What the scenario wishes, where it wishes something.
@@ -29,11 +31,23 @@ Result<Problem> ProblemOfScenario(const runtime::Scenario& scenario,
 /// What a report of the exploration is made of; Findings::source is left to the caller.
 Findings FindingsOf(const Problem& problem, Exploration exploration);
 
+/// Looks at one schedule only: follows it as far as the program of today does
+/// (runtime/adapted_schedule.h). The verdict is kPassed or kFailed. Fails as ExploreScenario(), and
+/// when the schedule cannot be adapted.
+Result<Findings> FollowSchedule(const runtime::Scenario& scenario,
+                                const std::vector<Requirement>& requirements,
+                                const vm::Object& object, std::string_view source,
+                                const vm::Schedule& schedule);
+
 /// Explores the scenario with its expectations and the requirements; Findings::source is left to
 /// the caller. Fails when the scenario does not fit the program, has host events, or a requirement
 /// makes no sense.
 Result<Findings> ExploreScenario(const runtime::Scenario& scenario,
                                  const std::vector<Requirement>& requirements, vm::Object object,
                                  const ExploreOptions& options);
+
+/// Explores a scenario as its key `explore` says.
+Result<Findings> ExploreAsWished(const runtime::Scenario& scenario, const vm::Object& object,
+                                 std::string_view source);
 
 }  // namespace oncard::explore

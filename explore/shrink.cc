@@ -62,14 +62,20 @@ class Shrinker {
     Way best = Follow(TurnsOf(steps));
     while (effort_ > 0 && Improve(&best)) {
     }
+    return FailureOf(std::move(best));
+  }
+
+  Failure Take(const std::vector<uint8_t>& steps) { return FailureOf(Follow(TurnsOf(steps))); }
+
+ private:
+  static Failure FailureOf(Way way) {
     Failure failure;
-    failure.steps = std::move(best.steps);
-    failure.preemptions = best.preemptions;
-    failure.fault = best.fault;
+    failure.steps = std::move(way.steps);
+    failure.preemptions = way.preemptions;
+    failure.fault = way.fault;
     return failure;
   }
 
- private:
   /// Follows the turns, then lets the threads run one after the other, to the first fault.
   Way Follow(const std::vector<Turn>& turns) {
     walk_.Restart();
@@ -158,6 +164,16 @@ Failure Shrink(const Problem& problem, const std::vector<uint8_t>& steps) {
 
 Failure ShrinkCard(CardModel* model, const std::vector<uint8_t>& steps) {
   return Shrinker(CardWalk(model, false), kCardEffort).Run(steps);
+}
+
+Failure TakeSteps(const Problem& problem, const std::vector<uint8_t>& steps) {
+  Failure failure = Shrinker(ProgramWalk(problem), kProgramEffort).Take(steps);
+  TakeRacingStatements(problem, &failure);
+  return failure;
+}
+
+Failure TakeCardSteps(CardModel* model, const std::vector<uint8_t>& steps) {
+  return Shrinker(CardWalk(model, false), kCardEffort).Take(steps);
 }
 
 }  // namespace oncard::explore

@@ -25,4 +25,10 @@ Failure Shrink(const Problem& problem, const std::vector<uint8_t>& steps);
 /// The same with a card.
 Failure ShrinkCard(CardModel* model, const std::vector<uint8_t>& steps);
 
+/// Takes the statements as far as the threads can, then lets the threads run one after the other:
+/// what goes wrong first; nothing when Failure::fault is none.
+Failure TakeSteps(const Problem& problem, const std::vector<uint8_t>& steps);
+/// The same with a card.
+Failure TakeCardSteps(CardModel* model, const std::vector<uint8_t>& steps);
+
 }  // namespace oncard::explore

@@ -55,6 +55,7 @@ std::string FormatWish(const ExploreWish& wish) {
   if (wish.max_executions != 0) text += fmt::format(", max_executions = {}", wish.max_executions);
   if (wish.max_states != 0) text += fmt::format(", max_states = {}", wish.max_states);
   if (wish.runs != 0) text += fmt::format(", runs = {}", wish.runs);
+  if (!wish.follow.empty()) text += fmt::format(", follow = {}", Quote(wish.follow));
   return text + " }";
 }
 
@@ -112,6 +113,7 @@ std::string FormatScenario(const Scenario& scenario) {
     for (const Expectation& expectation : scenario.expectations) texts.push_back(expectation.text);
     text += fmt::format("expect = {}\n", QuoteAll(texts));
   }
+  if (!scenario.final.empty()) text += fmt::format("final = {}\n", QuoteAll(scenario.final));
   if (!scenario.always.empty()) text += fmt::format("always = {}\n", QuoteAll(scenario.always));
   if (!scenario.never.empty()) text += fmt::format("never = {}\n", QuoteAll(scenario.never));
   if (!scenario.eventually.empty()) {
@@ -192,6 +194,9 @@ Scenario MoveScenario(const Scenario& scenario, const std::string& path) {
   };
   moved.program = move(scenario.program);
   for (std::string& folder : moved.include_folders) folder = move(folder);
+  if (moved.explore && !moved.explore->follow.empty()) {
+    moved.explore->follow = move(moved.explore->follow);
+  }
   return moved;
 }
 

@@ -53,6 +53,8 @@ struct ExploreWish {
   int64_t max_executions = 0;
   int64_t runs = 0;
   int64_t max_states = 0;
+  /// A schedule file: only this schedule is looked at, as far as the program still follows it.
+  std::string follow = {};
   bool operator==(const ExploreWish&) const = default;
 };
 
@@ -87,7 +89,9 @@ struct Scenario {
   /// Names whose values over time a trace holds; empty: RunOptions::trace says which.
   std::vector<std::string> trace;
   std::vector<Expectation> expectations;
-  /// For the explorer: expressions that must hold, or not hold, in every state.
+  /// For the explorer: expressions that must hold at the end of every run.
+  std::vector<std::string> final;
+  /// Expressions that must hold, or not hold, in every state.
   std::vector<std::string> always;
   std::vector<std::string> never;
   /// Expressions that every run must have a state for.

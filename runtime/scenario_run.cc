@@ -76,10 +76,8 @@ class ScenarioRunner {
     } else if (scenario_.schedule.starts_with(kReplayPrefix)) {
       const std::string path =
           PathFromScenario(scenario_, scenario_.schedule.substr(kReplayPrefix.size()));
-      auto text = ReadFile(path);
-      if (!text.ok()) return text.error();
-      auto schedule = vm::ParseSchedule(text.value());
-      if (!schedule.ok()) return Error{1, Prefixed(path, schedule.error().message)};
+      auto schedule = vm::LoadSchedule(path);
+      if (!schedule.ok()) return schedule.error();
       policy.schedule = std::make_shared<const vm::Schedule>(std::move(schedule).value());
     } else {
       auto parsed = vm::ParsePolicy(scenario_.schedule);

@@ -13,13 +13,13 @@
 namespace oncard::runtime {
 namespace {
 
-constexpr std::array<std::string_view, 23> kScenarioKeys = {
-    "program",  "title",    "include",    "double", "schedule", "rate",    "axes",  "cycle_us",
-    "limit_ms", "until_ms", "globals",    "thread", "world",    "host",    "trace", "expect",
-    "always",   "never",    "eventually", "races",  "sync",     "explore", "keys"};
+constexpr std::array<std::string_view, 24> kScenarioKeys = {
+    "program",  "title",    "include", "double",     "schedule", "rate", "axes",    "cycle_us",
+    "limit_ms", "until_ms", "globals", "thread",     "world",    "host", "trace",   "expect",
+    "final",    "always",   "never",   "eventually", "races",    "sync", "explore", "keys"};
 constexpr std::array<std::string_view, 3> kRaceRules = {"any", "benign", "none"};
-constexpr std::array<std::string_view, 5> kExploreKeys = {"engine", "verdict", "max_executions",
-                                                          "max_states", "runs"};
+constexpr std::array<std::string_view, 6> kExploreKeys = {"engine",     "verdict", "max_executions",
+                                                          "max_states", "runs",    "follow"};
 constexpr std::array<std::string_view, 7> kEngineNames = {"auto",   "dpor", "stateful", "bounded",
                                                           "random", "pct",  "pos"};
 constexpr std::array<std::string_view, 4> kVerdictNames = {"PROVED", "PASSED", "FAILED",
@@ -78,6 +78,7 @@ class ScenarioReader : private TomlKeys {
                      [](const HostEvent& a, const HostEvent& b) { return a.at_us < b.at_us; });
     Texts(table, "trace", scenario_.trace);
     ReadExpectations(table);
+    Texts(table, "final", scenario_.final);
     Texts(table, "always", scenario_.always);
     Texts(table, "never", scenario_.never);
     Texts(table, "eventually", scenario_.eventually);
@@ -175,6 +176,7 @@ class ScenarioReader : private TomlKeys {
       wish.max_executions = Whole(*wishes, "max_executions", 0, 1, 1'000'000'000'000);
       wish.max_states = Whole(*wishes, "max_states", 0, 1, 4'000'000'000);
       wish.runs = Whole(*wishes, "runs", 0, 1, 1'000'000'000'000);
+      Text(*wishes, "follow", wish.follow);
       scenario_.explore = std::move(wish);
     } else {
       Fail(node->source(),

@@ -19,6 +19,7 @@ struct ExploreArguments {
   std::string engine;  ///< empty: as the scenario says
   std::string format = "text";
   std::string save;
+  std::string regression;
   std::string report;
   int64_t execution_limit = 0;  ///< 0: as the scenario says
   uint32_t state_limit = 0;
@@ -35,9 +36,9 @@ struct ExploreArguments {
 };
 
 /// Writes the failing schedule with checkpoints, as a run of it records them.
-int Save(const ExploreArguments& arguments, const Session& session, const ExploreSubject& subject,
+int Save(const std::string& path, const Session& session, const ExploreSubject& subject,
          const explore::Findings& findings) {
-  const runtime::Scenario moved = runtime::MoveScenario(subject.scenario, arguments.save);
+  const runtime::Scenario moved = runtime::MoveScenario(subject.scenario, path);
   runtime::RunOptions options;
   options.record = true;
   options.replay = std::make_shared<const vm::Schedule>(
@@ -49,7 +50,44 @@ int Save(const ExploreArguments& arguments, const Session& session, const Explor
   auto annotated =
       runtime::AnnotateSchedule(subject.scenario, subject.object, subject.source, &schedule);
   if (!annotated.ok()) return Fail(session, kExitInternal, annotated.error().message);
-  return WriteOutput(session, arguments.save, vm::FormatSchedule(schedule));
+  return WriteOutput(session, path, vm::FormatSchedule(schedule));
+}
+
+/// Writes a scenario that looks at the failing schedule again and expects that nothing goes wrong
+/// any more, with the schedule beside it.
+int SaveRegression(const ExploreArguments& arguments, const Session& session,
+                   const ExploreSubject& subject, const explore::Findings& findings) {
+  const std::string schedule =
+      std::filesystem::path(arguments.regression).replace_extension(".schedule").string();
+  const int saved = Save(schedule, session, subject, findings);
+  if (saved != kExitOk) return saved;
+  runtime::Scenario scenario = runtime::MoveScenario(subject.scenario, arguments.regression);
+  using explore::Scope;
+  scenario.final.clear();
+  scenario.always.clear();
+  scenario.never.clear();
+  scenario.eventually.clear();
+  for (const explore::Requirement& requirement : subject.requirements) {
+    switch (requirement.scope) {
+      case Scope::kFinal:
+        scenario.final.push_back(requirement.text);
+        break;
+      case Scope::kAlways:
+        scenario.always.push_back(requirement.text);
+        break;
+      case Scope::kNever:
+        scenario.never.push_back(requirement.text);
+        break;
+      case Scope::kEventually:
+        scenario.eventually.push_back(requirement.text);
+        break;
+    }
+  }
+  runtime::ExploreWish wish;
+  wish.verdict = explore::VerdictName(explore::Verdict::kPassed);
+  wish.follow = runtime::PathToScenario(scenario, schedule);
+  scenario.explore = std::move(wish);
+  return WriteOutput(session, arguments.regression, runtime::FormatScenario(scenario));
 }
 
 int ExitCodeOf(explore::Verdict verdict) {
@@ -99,7 +137,11 @@ int Report(const ExploreArguments& arguments, const Session& session, const Expl
     if (written != kExitOk) return written;
   }
   if (findings.exploration.failure && !arguments.save.empty()) {
-    const int saved = Save(arguments, session, subject, findings);
+    const int saved = Save(arguments.save, session, subject, findings);
+    if (saved != kExitOk) return saved;
+  }
+  if (findings.exploration.failure && !arguments.regression.empty()) {
+    const int saved = SaveRegression(arguments, session, subject, findings);
     if (saved != kExitOk) return saved;
   }
   return ExitCodeOf(findings.exploration.verdict);
@@ -208,6 +250,12 @@ int Explore(const ExploreArguments& arguments, const Session& session) {
   const int read = ReadSubject(session, input, json, &subject);
   if (read != kExitOk) return read;
   ApplyRaceRule(arguments, &subject);
+  const auto& wish = subject.scenario.explore;
+  if (arguments.engine.empty() && wish && !wish->follow.empty()) {
+    auto findings = explore::ExploreAsWished(subject.scenario, subject.object, subject.source);
+    if (!findings.ok()) return Fail(session, kExitUsage, findings.error().message);
+    return Report(arguments, session, subject, std::move(findings).value());
+  }
   SearchWatch watch(session, arguments.progress);
   explore::ExploreOptions options = OptionsOf(arguments, subject);
   options.progress = watch.progress();
@@ -282,6 +330,16 @@ void AddExplore(CLI::App& app, Session& session) {
                    session.Say({"write a failing schedule for 'oncard replay'",
                                 "写出失败的调度，供“oncard replay”使用"}))
       ->type_name("FILE");
+  command
+      ->add_option("--regression", arguments->regression,
+                   session.Say({"write a scenario for 'oncard test' that looks at a failing "
+                                "schedule again, and the schedule beside it",
+                                "写出供“oncard test”再次检查失败调度的场景，调度文件在其旁边"}))
+      ->type_name("FILE.toml")
+      ->check([&session](const std::string& path) {
+        if (path.ends_with(".toml")) return std::string();
+        return session.Say({"the file must end in .toml", "文件名应以 .toml 结尾"});
+      });
   command
       ->add_option("--report", arguments->report,
                    session.Say({"write the result as a page (.html), or a failure as trace events "

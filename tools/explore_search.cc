@@ -97,6 +97,7 @@ Result<explore::SearchFile> BeginSearch(const ExploreSubject& subject, const std
       return file;
     case EngineKind::kStateful:
     case EngineKind::kBounded:
+    case EngineKind::kFollow:
       break;
   }
   return MakeError(1,

@@ -31,14 +31,8 @@ Result<vm::Schedule> Adapt(const runtime::Scenario& scenario, const runtime::Pro
 }
 
 int Replay(const ReplayArguments& arguments, const Session& session) {
-  const auto text = ReadFile(arguments.path);
-  if (!text.ok()) return Fail(session, kExitUnreadable, text.error().message);
-  auto schedule = vm::ParseSchedule(text.value());
-  if (!schedule.ok()) {
-    const Message& message = schedule.error().message;
-    return Fail(session, kExitUnreadable,
-                {arguments.path + ": " + message.en, arguments.path + "：" + message.zh});
-  }
+  auto schedule = vm::LoadSchedule(arguments.path);
+  if (!schedule.ok()) return Fail(session, kExitUnreadable, schedule.error().message);
   const auto scenario = runtime::ParseScenario(schedule.value().scenario, arguments.path);
   if (!scenario.ok()) return Fail(session, kExitUnreadable, scenario.error().message);
   runtime::ProgramLoad load;

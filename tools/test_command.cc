@@ -56,16 +56,15 @@ Message DescribeDiagnostics(const compiler::Compilation& compilation) {
 }
 
 // Explores in place of a run: the verdict must be the one that the scenario names.
-void ExploreTest(const runtime::Scenario& scenario, runtime::ProgramLoad load,
+void ExploreTest(const runtime::Scenario& scenario, const runtime::ProgramLoad& load,
                  TestOutcome* outcome) {
-  auto findings =
-      explore::ExploreScenario(scenario, explore::RequirementsOf(scenario), std::move(*load.object),
-                               explore::OptionsOf(*scenario.explore));
+  const std::string source = load.compilation ? load.compilation->files[0].text() : std::string();
+  auto findings = explore::ExploreAsWished(scenario, *load.object, source);
   if (!findings.ok()) {
     outcome->failures.push_back(findings.error().message);
     return;
   }
-  if (load.compilation) findings.value().source = load.compilation->files[0].text();
+  findings.value().source = source;
   const std::string_view verdict = explore::VerdictName(findings.value().exploration.verdict);
   if (verdict == scenario.explore->verdict) return;
   const auto report = [&](Language language) {
@@ -94,7 +93,7 @@ TestOutcome RunTest(const std::string& path) {
     return outcome;
   }
   if (scenario.value().explore) {
-    ExploreTest(scenario.value(), std::move(load), &outcome);
+    ExploreTest(scenario.value(), load, &outcome);
     return outcome;
   }
   const auto result = runtime::RunScenario(scenario.value(), std::move(*load.object));

@@ -17,6 +17,7 @@
 #include <charconv>
 #include <optional>
 
+#include "base/files.h"
 #include "vm/limits.h"
 
 namespace oncard::vm {
@@ -179,6 +180,15 @@ Result<Schedule> ParseSchedule(std::string_view text) {
     }
   }
   return BadLine(reader, "'end': the file is cut off", "“end”：文件不完整");
+}
+
+Result<Schedule> LoadSchedule(const std::string& path) {
+  const auto text = ReadFile(path);
+  if (!text.ok()) return text.error();
+  auto schedule = ParseSchedule(text.value());
+  if (schedule.ok()) return schedule;
+  const Message& message = schedule.error().message;
+  return MakeError(1, "{0}: {1}", "{0}：{2}", path, message.en, message.zh);
 }
 
 }  // namespace oncard::vm

@@ -53,4 +53,7 @@ std::string FormatSchedule(const Schedule& schedule);
 /// Reads it back. The error names the line.
 Result<Schedule> ParseSchedule(std::string_view text);
 
+/// Reads a schedule file; errors begin with its path.
+Result<Schedule> LoadSchedule(const std::string& path);
+
 }  // namespace oncard::vm

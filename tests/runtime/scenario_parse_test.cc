@@ -15,12 +15,13 @@ cycle_us = 1000
 limit_ms = 500
 until_ms = 12.5
 expect = ["sum == 3", "gpo == 1 @ 2ms"]
+final = ["sum == 3 || sum == 4"]
 always = ["sum < 100"]
 never = ["gpo == 2 && sum == 1"]
 eventually = ["sum == 4"]
 races = "benign"
 sync = ["flag", "a"]
-explore = { engine = "stateful", verdict = "PASSED", max_states = 1000, runs = 7 }
+explore = { engine = "stateful", verdict = "PASSED", max_states = 1000, runs = 7, follow = "x.schedule" }
 
 [globals]
 sum = 0
@@ -63,12 +64,13 @@ std::string ErrorOf(const std::string& text) {
 
 TEST(ParseScenario, ReadsHowToExplore) {
   const Scenario s = Parse(kFull);
+  EXPECT_EQ(s.final, std::vector<std::string>{"sum == 3 || sum == 4"});
   EXPECT_EQ(s.always, std::vector<std::string>{"sum < 100"});
   EXPECT_EQ(s.never, std::vector<std::string>{"gpo == 2 && sum == 1"});
   EXPECT_EQ(s.eventually, std::vector<std::string>{"sum == 4"});
   EXPECT_EQ(s.races, "benign");
   EXPECT_EQ(s.sync, (std::vector<std::string>{"flag", "a"}));
-  EXPECT_EQ(s.explore, (ExploreWish{"stateful", "PASSED", 0, 7, 1000}));
+  EXPECT_EQ(s.explore, (ExploreWish{"stateful", "PASSED", 0, 7, 1000, "x.schedule"}));
   EXPECT_EQ(Parse("program = \"p.c\"\nexplore = \"prove\"\n").explore, ExploreWish{});
   EXPECT_FALSE(Parse("program = \"p.c\"\n").explore);
 }

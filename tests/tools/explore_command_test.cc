@@ -140,6 +140,32 @@ TEST(Explore, TakesScenarios) {
   EXPECT_EQ(explore("program = \"p.c\"\nnever = [\"g == 2 && ret0 == 1\"]\n").exit_code, 0);
 }
 
+// A failing schedule becomes a scenario for 'oncard test', which fails until the fault is mended.
+TEST(Explore, AFailureBecomesARegressionScenario) {
+  const ScratchFolder scratch;
+  scratch.Write("p.c", kLostUpdate);
+  const auto run = [&](std::vector<std::string> arguments) {
+    return RunOncard(arguments, scratch.path());
+  };
+  EXPECT_EQ(run({"explore", "p.c", "--regression", "lost.toml"}).exit_code, 1);
+  EXPECT_TRUE(scratch.Has("lost.schedule"));
+  EXPECT_EQ(run({"test", "lost.toml"}).exit_code, 1);
+  EXPECT_EQ(run({"explore", "lost.toml"}).exit_code, 1);
+  // Lines above the fault do not matter.
+  scratch.Write("p.c", std::string("int other;\n") + kLostUpdate);
+  EXPECT_EQ(run({"test", "lost.toml"}).exit_code, 1);
+  std::string mended = kLostUpdate;
+  for (size_t at = mended.find("g = r + 1;"); at != std::string::npos;
+       at = mended.find("g = r + 1;")) {
+    mended.replace(at, 10, "g = g + 1;");
+  }
+  scratch.Write("p.c", mended);
+  const ProcessResult test = run({"test", "lost.toml"});
+  EXPECT_EQ(test.exit_code, 0) << test.out;
+  EXPECT_EQ(run({"explore", "lost.toml"}).exit_code, 5);
+  EXPECT_EQ(run({"explore", "p.c", "--regression", "lost.txt"}).exit_code, 2);
+}
+
 TEST(Explore, RefusesHostEvents) {
   const ScratchFolder scratch;
   scratch.Write("p.c", kLostUpdate);
