@@ -3,17 +3,23 @@
 // motion program is one step of a process. Wall-clock time.
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "base/files.h"
 #include "bench/measure.h"
 #include "compiler/compiler.h"
 #include "explore/scenario_exploration.h"
+#include "explore/shrink.h"
+#include "runtime/scenario_start.h"
+#include "runtime/scenario_world.h"
 #include "vm/fixed_point.h"
 
 namespace oncard::bench {
@@ -41,6 +47,54 @@ constexpr const char* kLock =
     "  if (cc) goto C;\n  a = turn;\n  cc = a == 0;\n  if (cc) goto W;\nC:\n  a = c;\n  a = a + "
     "1;\n"
     "  c = a;\n  f1 = 0;\n  return 0;\n}\n";
+
+/// A lock that looks and takes in two statements.
+constexpr const char* kNaiveLock =
+    "int lock, c;\n//@ final: c == 2\n"
+    "int t0() {\n  int a;\nW:\n  a = lock;\n  if (a) goto W;\n  lock = 1;\n  a = c;\n  a = a + 1;\n"
+    "  c = a;\n  lock = 0;\n  return 0;\n}\n"
+    "int t1() {\n  int a;\nW:\n  a = lock;\n  if (a) goto W;\n  lock = 1;\n  a = c;\n  a = a + 1;\n"
+    "  c = a;\n  lock = 0;\n  return 0;\n}\n";
+
+/// Threads that each write `x` once.
+std::string Writers(int threads) {
+  std::string source = "int x;\n";
+  for (int i = 0; i < threads; ++i) {
+    source += fmt::format("int t{}() {{\n  x = {};\n  return 0;\n}}\n", i, i + 1);
+  }
+  return source;
+}
+
+/// A thread that writes `x` and others that read it.
+std::string Readers(int readers) {
+  std::string source = "int x;\nint t0() {\n  x = 42;\n  return 0;\n}\n";
+  for (int i = 1; i <= readers; ++i) {
+    source += fmt::format("int t{}() {{\n  int r;\n  r = x;\n  return r;\n}}\n", i);
+  }
+  return source;
+}
+
+/// A thread that looks for the last zero, from the end on, while each of the others makes an
+/// element one more than the one before it.
+std::string LastZero(int writers) {
+  std::string source = "int a[32];\nint t0() {\n  int c, r;\n";
+  std::string ends;
+  for (int i = writers; i >= 1; --i) {
+    source += fmt::format("  r = a[{0}];\n  c = r == 0;\n  if (c) goto E{0};\n", i);
+    ends += fmt::format("E{0}:\n  return {0};\n", i);
+  }
+  source += "  r = a[0];\n  return 0;\n" + ends + "}\n";
+  for (int i = 1; i <= writers; ++i) {
+    source += fmt::format(
+        "int t{0}() {{\n  int r;\n  r = a[{1}];\n  r = r + 1;\n  a[{0}] = r;\n  return 0;\n}}\n", i,
+        i - 1);
+  }
+  return source;
+}
+
+/// A thread that counts for ever.
+constexpr const char* kCounter =
+    "int n;\nint t0() {\nL:\n  n = n + 1;\n  goto L;\n  return 0;\n}\n";
 
 /// A thread that asks for the status of a moving axis again and again, and one that counts.
 constexpr const char* kMove =
@@ -196,13 +250,139 @@ void MeasureCard(const char* name, const std::string& source) {
               states / seconds * 1e-6);
 }
 
+/// Seconds until the verdict.
+double MeasureVerdict(const Program& program, explore::EngineKind engine) {
+  return MeasureWall([&] { Search(program, engine); });
+}
+
+/// A program of which the graph of states is decided, however long its loops wait.
+void MeasureLoop(const char* name, const std::string& source, explore::Verdict verdict) {
+  const Program program = ProgramOf(source);
+  if (Search(program, explore::EngineKind::kAuto).verdict != verdict) Fail("another verdict");
+  std::printf("%-28s %-12s %20.4f s\n", name, std::string(explore::VerdictName(verdict)).c_str(),
+              MeasureVerdict(program, explore::EngineKind::kAuto));
+}
+
+/// Both engines alone, and racing.
+void MeasureAuto(const char* name, const std::string& source) {
+  const Program program = ProgramOf(source);
+  const double dpor = MeasureVerdict(program, explore::EngineKind::kDpor);
+  const double stateful = MeasureVerdict(program, explore::EngineKind::kStateful);
+  const double both = MeasureVerdict(program, explore::EngineKind::kAuto);
+  std::printf("%-28s dpor %8.3f s, stateful %8.3f s, auto %8.3f s: %4.2f times the better one\n",
+              name, dpor, stateful, both, both / std::min(dpor, stateful));
+}
+
+/// The same search as one process and as two at the same time.
+void MeasureShards(const std::string& source) {
+  char folder[] = "/tmp/oncard-bench-XXXXXX";
+  if (mkdtemp(folder) == nullptr) Fail("cannot make a folder");
+  const std::string path = folder;
+  if (!WriteFileAtomically(path + "/p.c", source).ok()) Fail("cannot write a program");
+  const auto seconds = [&](const std::string& command) {
+    return MeasureWall([&] {
+      const std::string clean = "cd " + path + " && rm -f *.search && ";
+      if (std::system((clean + command + " >/dev/null").c_str()) != 0) Fail("a part failed");
+    });
+  };
+  const std::string explore = ONCARD_TOOL " explore p.c --engine dpor --shard ";
+  const auto part = [&](const char* which) {
+    return "{ " + explore + which + " || [ $? -le 5 ]; }";
+  };
+  const double one = seconds(part("1/1"));
+  const double two = seconds(part("1/2") + " & " + part("2/2") + "; wait");
+  std::printf("%-28s one process %8.3f s, two %8.3f s: %4.2f times as fast\n", "parts of a search",
+              one, two, one / two);
+  std::filesystem::remove_all(path);
+}
+
+explore::Problem ProblemOf(const Program& program) {
+  auto problem = explore::ProblemOfScenario(program.scenario, program.requirements, program.object);
+  if (!problem.ok()) Fail(problem.error().message.en);
+  return std::move(problem).value();
+}
+
+/// How long it takes to make a random failing schedule simple.
+void MeasureShrinking(const char* name, const std::string& source) {
+  const explore::Problem problem = ProblemOf(ProgramOf(source));
+  const auto samples = explore::Sample(problem, {.runs = 1000});
+  if (samples.bad == 0) Fail("no random schedule fails");
+  int preemptions = 0;
+  const double seconds =
+      MeasureWall([&] { preemptions = explore::Shrink(problem, samples.failing).preemptions; });
+  std::printf("%-28s %d preemptions %21.4f s\n", name, preemptions, seconds);
+}
+
+/// Records random runs and replays them: every pair must end in the same state.
+void MeasureReplays(int64_t pairs) {
+  const Program program = ProgramOf(Increments(2, 2));
+  runtime::Controller controller(runtime::CardOptions(program.scenario));
+  if (!runtime::StartScenario(program.scenario, program.object, &controller).ok()) {
+    Fail("cannot start a program");
+  }
+  vm::Machine& machine = controller.machine();
+  const auto start = std::make_unique<vm::MachineState>(machine.state());
+  const auto run = [&](const vm::Policy& policy) {
+    machine.Restore(*start);
+    machine.SetPolicy(policy);
+    machine.Execute(INT64_MAX);
+    return machine.Hash();
+  };
+  const auto before = std::chrono::steady_clock::now();
+  for (int64_t i = 0; i < pairs; ++i) {
+    vm::Policy policy;
+    policy.kind = vm::PolicyKind::kRandom;
+    policy.seed = static_cast<uint64_t>(i);
+    const auto schedule = std::make_shared<vm::Schedule>();
+    machine.Record(schedule.get());
+    const uint64_t recorded = run(policy);
+    machine.Record(nullptr);
+    policy.kind = vm::PolicyKind::kReplay;
+    policy.schedule = schedule;
+    if (run(policy) != recorded) Fail("a replay ends in another state");
+  }
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - before;
+  std::printf("%-28s %12.0f pairs   %10.3f s\n", "recorded and replayed",
+              static_cast<double>(pairs), seconds.count());
+}
+
+/// How long the slowest of a hundred steps back takes in a long run.
+void MeasureStepsBack(int64_t steps) {
+  explore::Model model = ProblemOf(ProgramOf(kCounter)).model;
+  for (int64_t i = 0; i < steps; ++i) model.Step(0);
+  std::vector<double> microseconds;
+  for (int i = 0; i < 100'000; ++i) {
+    const auto before = std::chrono::steady_clock::now();
+    model.Undo();
+    const std::chrono::duration<double, std::micro> passed =
+        std::chrono::steady_clock::now() - before;
+    microseconds.push_back(passed.count());
+  }
+  const auto p99 =
+      microseconds.begin() + static_cast<std::ptrdiff_t>(microseconds.size() / 100 * 99);
+  std::nth_element(microseconds.begin(), p99, microseconds.end());
+  std::printf("%-28s %12.0f steps, p99 of a step back %8.3f us\n", "steps back",
+              static_cast<double>(steps), *p99);
+}
+
 }  // namespace
 
 void BenchExplore() {
   MeasureTraces("3 threads x 3 increments", Increments(3, 3));
   MeasureStates("3 threads x 3 increments", Increments(3, 3));
+  MeasureStates("4 threads x 2 increments", Increments(4, 2));
   MeasureStates("Peterson's lock", kLock);
   MeasureCard("a moving axis, two threads", kMove);
+  MeasureLoop("Peterson's lock", kLock, explore::Verdict::kProved);
+  MeasureLoop("a lock that looks, then takes", kNaiveLock, explore::Verdict::kFailed);
+  MeasureAuto("4 threads x 2 increments", Increments(4, 2));
+  MeasureAuto("9 writers", Writers(9));
+  MeasureAuto("13 readers", Readers(13));
+  MeasureAuto("last zero of 10", LastZero(10));
+  MeasureShards(Increments(3, 3));
+  MeasureShrinking("3 threads x 3 increments", Increments(3, 3));
+  MeasureReplays(1'000'000);
+  MeasureStepsBack(10'000'000);
 }
 
 }  // namespace oncard::bench

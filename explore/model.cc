@@ -301,6 +301,23 @@ StateKey Model::FinalKey() const {
   return key;
 }
 
+std::string Model::DescribeShared(uint32_t cell) const {
+  return DescribeSlot(image_->object.globals, cell, cells_[cell]);
+}
+
+std::string Model::NextReads(int thread) const {
+  const AccessSet access = NextAccess(thread);
+  std::string text;
+  for (uint32_t i = 0; i < access.read_count; ++i) {
+    const uint32_t cell = access.reads[i];
+    const auto earlier = access.reads.begin() + i;
+    if (std::find(access.reads.begin(), earlier, cell) != earlier) continue;
+    if (!text.empty()) text += ", ";
+    text += DescribeShared(cell);
+  }
+  return text;
+}
+
 std::string Model::LastWrite() const {
   const Mark& mark = marks_.back();
   for (size_t i = mark.journal; i < journal_.size(); ++i) {

@@ -117,6 +117,10 @@ class Model {
   void Step(int thread);
   /// Takes back the last step.
   void Undo();
+  /// `name = value` of a shared cell.
+  std::string DescribeShared(uint32_t cell) const;
+  /// The globals that the next statement of a running thread reads, as in `x = 3, a[1] = 0`.
+  std::string NextReads(int thread) const;
   /// What the last step wrote: the variable as a program names it and its value, as in `x = 3`;
   /// empty when it wrote none, or the value that was there.
   std::string LastWrite() const;

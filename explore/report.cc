@@ -30,7 +30,7 @@ int LineOf(const Subject& subject, const RacingStatement& statement) {
       .lines[static_cast<size_t>(statement.position)];
 }
 
-Message DescribeRace(const Subject& subject, const Race& race) {
+Message DescribePair(const Subject& subject, const Race& race) {
   const auto number = [&](const RacingStatement& statement) {
     return subject.threads[static_cast<size_t>(statement.thread)].thread;
   };
@@ -39,13 +39,18 @@ Message DescribeRace(const Subject& subject, const Race& race) {
   };
   const auto& [cell, first, second] = race;
   const std::string name = NameOfSlot(subject.image->object.globals, cell);
-  return {fmt::format("data race: thread {} {} {} in line {}, thread {} {} it in line {}, and "
-                      "nothing orders the two",
-                      number(first), does(first).en, name, LineOf(subject, first), number(second),
-                      does(second).en, LineOf(subject, second)),
-          fmt::format("数据竞争：线程 {} 在第 {} 行{} {}，线程 {} 在第 {} 行{}它，两者之间没有顺序",
-                      number(first), LineOf(subject, first), does(first).zh, name, number(second),
+  return {fmt::format("thread {} {} {} in line {}, thread {} {} it in line {}", number(first),
+                      does(first).en, name, LineOf(subject, first), number(second), does(second).en,
+                      LineOf(subject, second)),
+          fmt::format("线程 {} 在第 {} 行{} {}，线程 {} 在第 {} 行{}它", number(first),
+                      LineOf(subject, first), does(first).zh, name, number(second),
                       LineOf(subject, second), does(second).zh)};
+}
+
+Message DescribeRace(const Subject& subject, const Race& race) {
+  const Message pair = DescribePair(subject, race);
+  return {"data race: " + pair.en + ", and nothing orders the two",
+          "数据竞争：" + pair.zh + "，两者之间没有顺序"};
 }
 
 Message DescribeFault(const Subject& subject, const Failure& failure) {
@@ -95,9 +100,10 @@ std::string_view SourceLine(const TrailStep& step, const std::vector<std::string
   return lines[static_cast<size_t>(step.line) - 1];
 }
 
-/// `12  t = x;` and, when it changed a variable, `-> t = 0`.
+/// `12  t = x;`, what it read, `[x = 0]`, and the variable that it changed, `-> t = 0`.
 std::string TextOf(const TrailStep& step, const std::vector<std::string_view>& lines) {
   std::string text = fmt::format("{:>4}  {}", step.line, SourceLine(step, lines));
+  if (!step.read.empty()) text += "   [" + step.read + ']';
   if (!step.written.empty()) text += "   -> " + step.written;
   return text;
 }
@@ -188,8 +194,13 @@ std::string CountsText(const Findings& findings, Language language) {
   return text;
 }
 
-/// What is wrong and how it is reached, in two lines.
+/// What is wrong and how it is reached, a line each.
 std::string SummaryOf(const Findings& findings, const Failure& failure, Language language) {
+  std::string pair;
+  if (findings.trail.pair) {
+    const Message touched = DescribePair(findings.subject, findings.trail.pair);
+    pair = MakeMessage("racing pair: {0}\n", "竞争对：{1}\n", touched.en, touched.zh).In(language);
+  }
   return DescribeFault(findings.subject, failure).In(language) + '\n' +
          MakeMessage(
              failure.fewest_preemptions
@@ -199,7 +210,7 @@ std::string SummaryOf(const Findings& findings, const Failure& failure, Language
                                         : "{0} 条语句，{1} 次抢占",
              failure.steps.size(), failure.preemptions)
              .In(language) +
-         '\n';
+         '\n' + pair;
 }
 
 std::string FailureText(const Findings& findings, const Failure& failure, Language language) {
@@ -224,6 +235,7 @@ constexpr std::string_view kPageStyle =
     "td.statement { background: #eef3fb; }\n"
     "td.escape { border-top: 2px solid #c00; }\n"
     "tr.time td { color: #555; border-top: 1px solid #bbb; }\n"
+    "span.read { color: #555; }\n"
     "span.written { color: #06592a; }\n"
     "h1.FAILED { color: #c00; }\nh1.PROVED, h1.PASSED { color: #06592a; }\n";
 
@@ -250,6 +262,9 @@ std::string HtmlTable(const Findings& findings, const std::vector<TrailStep>& st
     table += fmt::format("<td class=\"statement{}\">{}",
                          static_cast<int64_t>(i) == last_escape ? " escape" : "",
                          EscapeMarkup(SourceLine(step, lines)));
+    if (!step.read.empty()) {
+      table += fmt::format("   <span class=\"read\">[{}]</span>", EscapeMarkup(step.read));
+    }
     if (!step.written.empty()) {
       table += fmt::format("   <span class=\"written\">{}</span>", EscapeMarkup(step.written));
     }
@@ -357,6 +372,9 @@ std::string JsonReport(const Findings& findings) {
     }
     json["preemptions"] = failure->preemptions;
     json["last_escape"] = failure->last_escape;
+    if (findings.trail.pair) {
+      json["racing_pair"] = RaceJson(findings.subject, findings.trail.pair);
+    }
     auto& segments = json["schedule"] = nlohmann::ordered_json::array();
     for (const vm::ScheduleSegment& segment : ScheduleOf(findings.subject, *failure).segments) {
       segments.push_back({{"thread", segment.thread}, {"statements", segment.statements}});
@@ -399,6 +417,7 @@ std::string ChromeReport(const Findings& findings) {
   for (const auto* steps : {&findings.trail.steps, &findings.trail.cycle}) {
     for (const TrailStep& step : *steps) {
       nlohmann::ordered_json arguments = {{"statement", at + 1}, {"line", step.line}};
+      if (!step.read.empty()) arguments["read"] = step.read;
       if (!step.written.empty()) arguments["written"] = step.written;
       if (step.at_ms >= 0) arguments["at_ms"] = step.at_ms;
       if (steps == &findings.trail.cycle) arguments["repeats"] = true;

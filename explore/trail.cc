@@ -1,5 +1,7 @@
 #include "explore/trail.h"
 
+#include <utility>
+
 namespace oncard::explore {
 namespace {
 
@@ -17,6 +19,35 @@ std::string Written(const CardModel& model, int thread, const vm::MachineState& 
     if (before.pages[page][id] == after.pages[page][id]) continue;
     const auto function = static_cast<size_t>(setup.function);
     return DescribeSlot(object.functions[function].variables, id, after.pages[page][id]);
+  }
+  return {};
+}
+
+/// A statement of a schedule and what it touched.
+struct Touch {
+  int thread = 0;
+  int position = 0;
+  AccessSet access;
+};
+
+Race PairOf(const Touch& one, const Touch& other) {
+  if (one.thread == other.thread || !one.access.DependsOn(other.access)) return {};
+  const bool writes =
+      one.access.write != AccessSet::kNone && other.access.Touches(one.access.write);
+  const uint32_t cell = writes ? one.access.write : other.access.write;
+  return {cell,
+          {one.thread, one.position, one.access.write == cell},
+          {other.thread, other.position, other.access.write == cell}};
+}
+
+/// A statement with the nearest one that it depends on, the earlier ones first.
+Race PairOf(const std::vector<Touch>& touches, size_t statement) {
+  if (statement >= touches.size()) return {};
+  for (size_t i = statement; i-- > 0;) {
+    if (const Race pair = PairOf(touches[i], touches[statement])) return pair;
+  }
+  for (size_t i = statement + 1; i < touches.size(); ++i) {
+    if (const Race pair = PairOf(touches[statement], touches[i])) return pair;
   }
   return {};
 }
@@ -42,14 +73,26 @@ Subject SubjectOf(const CardModel& model) {
 Trail Follow(const Problem& problem, const Failure& failure) {
   Trail trail;
   Model model = problem.model;
+  std::vector<Touch> touches;
   const auto follow = [&](const std::vector<uint8_t>& threads, std::vector<TrailStep>* steps) {
     for (const uint8_t thread : threads) {
-      const int line = model.Line(thread);
+      TrailStep step = {.thread = thread, .line = model.Line(thread)};
+      step.read = model.NextReads(thread);
+      touches.push_back({thread, model.Position(thread), model.NextAccess(thread)});
       model.Step(thread);
-      steps->push_back({.thread = thread, .line = line, .written = model.LastWrite()});
+      step.written = model.LastWrite();
+      // Also the value that was there.
+      const uint32_t written = touches.back().access.write;
+      if (step.written.empty() && written != AccessSet::kNone) {
+        step.written = model.DescribeShared(written);
+      }
+      steps->push_back(std::move(step));
     }
   };
   follow(failure.steps, &trail.steps);
+  if (failure.last_escape >= 0) {
+    trail.pair = PairOf(touches, static_cast<size_t>(failure.last_escape));
+  }
   follow(failure.cycle, &trail.cycle);
   return trail;
 }

@@ -26,8 +26,10 @@ Subject SubjectOf(const CardModel& model);
 struct TrailStep {
   int thread = 0;  ///< index in Subject::threads
   int line = 0;    ///< of the source, 0 when unknown
-  /// The variable that it changed, as in `x = 3`; empty when there is none.
-  std::string written;
+  /// The globals that it read, as in `x = 3`; without a card.
+  std::string read = {};
+  /// The variable that it wrote, as in `x = 3`; empty when there is none.
+  std::string written = {};
   double at_ms = -1;  ///< with a card: the cycle in which it is executed
 };
 
@@ -35,6 +37,9 @@ struct TrailStep {
 struct Trail {
   std::vector<TrailStep> steps;
   std::vector<TrailStep> cycle;
+  /// The statement with which every end became bad, and one of another thread that touches the same
+  /// variable; without a card, where the states are known.
+  Race pair;
 };
 
 Trail Follow(const Problem& problem, const Failure& failure);

@@ -21,22 +21,25 @@ TEST(ReportTest, AFailureIsATableOfThreads) {
   const std::string source = Increments(2, 1);
   const Problem problem = ProblemOf(source);
   const auto exploration = Explore(problem, {.engine = EngineKind::kStateful});
-  EXPECT_EQ(TextReport(FindingsOf(problem, exploration.value(), source), Language::kEnglish),
-            "FAILED\n"
-            "stateful: 41 states, 60 transitions, 1 bad, 2 different ends\n"
-            "\n"
-            "final: x == 2 does not hold\n"
-            "statements: 8, preemptions: 1; no schedule with fewer preemptions fails\n"
-            "\n"
-            "        thread 0 t0                  thread 1 t1\n"
-            "     1     5  t = x;\n"
-            "     2                                 12  t = x;   <- from here on every end is bad\n"
-            "     3                                 13  t = t + 1;   -> t = 1\n"
-            "     4                                 14  x = t;   -> x = 1\n"
-            "     5                                 15  return 0;\n"
-            "     6     6  t = t + 1;   -> t = 1\n"
-            "     7     7  x = t;\n"
-            "     8     8  return 0;\n");
+  EXPECT_EQ(
+      TextReport(FindingsOf(problem, exploration.value(), source), Language::kEnglish),
+      "FAILED\n"
+      "stateful: 41 states, 60 transitions, 1 bad, 2 different ends\n"
+      "\n"
+      "final: x == 2 does not hold\n"
+      "statements: 8, preemptions: 1; no schedule with fewer preemptions fails\n"
+      "racing pair: thread 1 reads x in line 12, thread 0 writes it in line 7\n"
+      "\n"
+      "        thread 0 t0                  thread 1 t1\n"
+      "     1     5  t = x;   [x = 0]\n"
+      "     2                                 12  t = x;   [x = 0]   <- from here on every end is "
+      "bad\n"
+      "     3                                 13  t = t + 1;   -> t = 1\n"
+      "     4                                 14  x = t;   -> x = 1\n"
+      "     5                                 15  return 0;\n"
+      "     6     6  t = t + 1;   -> t = 1\n"
+      "     7     7  x = t;   -> x = 1\n"
+      "     8     8  return 0;\n");
 }
 
 TEST(ReportTest, JsonHasTheCounts) {
