@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "explore/statement_access.h"
 #include "runtime/scenario_start.h"
 #include "runtime/scenario_world.h"
 #include "vm/thread_words.h"
@@ -291,6 +292,12 @@ void CardModel::Load(const State& state) {
   controller_->machine().Restore(machine);
   if (held_ != state.body) controller_->RestoreBody(state.body->values);
   held_ = state.body;
+}
+
+bool CardModel::DependOnEachOther(const State& state, int a, int b) {
+  Load(state);
+  return FindDependence(NextAccess(*controller_, setup(a).thread),
+                        NextAccess(*controller_, setup(b).thread)) != nullptr;
 }
 
 StateKey CardModel::KeyOf(const State& state) const {

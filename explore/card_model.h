@@ -69,6 +69,8 @@ class CardModel {
   State Step(const State& state, int thread);
   /// Puts the card into a state.
   void Load(const State& state);
+  /// Whether the next statements of two threads touch the same, and one writes it.
+  bool DependOnEachOther(const State& state, int a, int b);
   /// Names all that the future depends on.
   StateKey KeyOf(const State& state) const;
   /// Name the final values of the globals alone, and with what the threads returned.

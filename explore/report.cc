@@ -24,33 +24,42 @@ std::string_view ScopeName(Scope scope) {
   return "eventually";
 }
 
-int LineOf(const Subject& subject, const RacingStatement& statement) {
-  const ThreadSetup& setup = subject.threads[static_cast<size_t>(statement.thread)];
-  return subject.image->object.functions[static_cast<size_t>(setup.function)]
-      .lines[static_cast<size_t>(statement.position)];
+/// One of two statements that touch the same, as sentences name it.
+struct Party {
+  int thread = 0;
+  int line = 0;
+  bool writes = false;
+};
+
+Message DescribeParties(const std::string& what, const Party& first, const Party& second) {
+  const auto does = [](const Party& party) {
+    return party.writes ? Message{"writes", "写"} : Message{"reads", "读"};
+  };
+  return {
+      fmt::format("thread {} {} {} in line {}, thread {} {} it in line {}", first.thread,
+                  does(first).en, what, first.line, second.thread, does(second).en, second.line),
+      fmt::format("线程 {} 在第 {} 行{} {}，线程 {} 在第 {} 行{}它", first.thread, first.line,
+                  does(first).zh, what, second.thread, second.line, does(second).zh)};
 }
 
-Message DescribePair(const Subject& subject, const Race& race) {
-  const auto number = [&](const RacingStatement& statement) {
-    return subject.threads[static_cast<size_t>(statement.thread)].thread;
-  };
-  const auto does = [](const RacingStatement& statement) {
-    return statement.writes ? Message{"writes", "写"} : Message{"reads", "读"};
-  };
-  const auto& [cell, first, second] = race;
-  const std::string name = NameOfSlot(subject.image->object.globals, cell);
-  return {fmt::format("thread {} {} {} in line {}, thread {} {} it in line {}", number(first),
-                      does(first).en, name, LineOf(subject, first), number(second), does(second).en,
-                      LineOf(subject, second)),
-          fmt::format("线程 {} 在第 {} 行{} {}，线程 {} 在第 {} 行{}它", number(first),
-                      LineOf(subject, first), does(first).zh, name, number(second),
-                      LineOf(subject, second), does(second).zh)};
+Party PartyOf(const Subject& subject, const RacingStatement& statement) {
+  const ThreadSetup& setup = subject.threads[static_cast<size_t>(statement.thread)];
+  const auto& function = subject.image->object.functions[static_cast<size_t>(setup.function)];
+  return {setup.thread, function.lines[static_cast<size_t>(statement.position)], statement.writes};
 }
 
 Message DescribeRace(const Subject& subject, const Race& race) {
-  const Message pair = DescribePair(subject, race);
-  return {"data race: " + pair.en + ", and nothing orders the two",
-          "数据竞争：" + pair.zh + "，两者之间没有顺序"};
+  const Message parties =
+      DescribeParties(NameOfSlot(subject.image->object.globals, race.cell),
+                      PartyOf(subject, race.first), PartyOf(subject, race.second));
+  return {"data race: " + parties.en + ", and nothing orders the two",
+          "数据竞争：" + parties.zh + "，两者之间没有顺序"};
+}
+
+Party PartyOf(const Findings& findings, const RacingPair::Statement& statement) {
+  const TrailStep& step = findings.trail.steps[statement.step];
+  return {findings.subject.threads[static_cast<size_t>(step.thread)].thread, step.line,
+          statement.writes};
 }
 
 Message DescribeFault(const Subject& subject, const Failure& failure) {
@@ -198,7 +207,9 @@ std::string CountsText(const Findings& findings, Language language) {
 std::string SummaryOf(const Findings& findings, const Failure& failure, Language language) {
   std::string pair;
   if (findings.trail.pair) {
-    const Message touched = DescribePair(findings.subject, findings.trail.pair);
+    const RacingPair& racing = *findings.trail.pair;
+    const Message touched = DescribeParties(racing.what, PartyOf(findings, racing.first),
+                                            PartyOf(findings, racing.second));
     pair = MakeMessage("racing pair: {0}\n", "竞争对：{1}\n", touched.en, touched.zh).In(language);
   }
   return DescribeFault(findings.subject, failure).In(language) + '\n' +
@@ -290,16 +301,20 @@ std::string FailureHtml(const Findings& findings, const Failure& failure, Langua
   return html;
 }
 
-nlohmann::ordered_json RaceJson(const Subject& subject, const Race& race) {
+nlohmann::ordered_json PartiesJson(const std::string& what, const Party& first,
+                                   const Party& second) {
   nlohmann::ordered_json json;
-  json["variable"] = NameOfSlot(subject.image->object.globals, race.cell);
-  for (const RacingStatement& statement : {race.first, race.second}) {
+  json["what"] = what;
+  for (const Party& party : {first, second}) {
     json["statements"].push_back(
-        {{"thread", subject.threads[static_cast<size_t>(statement.thread)].thread},
-         {"line", LineOf(subject, statement)},
-         {"writes", statement.writes}});
+        {{"thread", party.thread}, {"line", party.line}, {"writes", party.writes}});
   }
   return json;
+}
+
+nlohmann::ordered_json RaceJson(const Subject& subject, const Race& race) {
+  return PartiesJson(NameOfSlot(subject.image->object.globals, race.cell),
+                     PartyOf(subject, race.first), PartyOf(subject, race.second));
 }
 
 }  // namespace
@@ -373,7 +388,9 @@ std::string JsonReport(const Findings& findings) {
     json["preemptions"] = failure->preemptions;
     json["last_escape"] = failure->last_escape;
     if (findings.trail.pair) {
-      json["racing_pair"] = RaceJson(findings.subject, findings.trail.pair);
+      const RacingPair& pair = *findings.trail.pair;
+      json["racing_pair"] =
+          PartiesJson(pair.what, PartyOf(findings, pair.first), PartyOf(findings, pair.second));
     }
     auto& segments = json["schedule"] = nlohmann::ordered_json::array();
     for (const vm::ScheduleSegment& segment : ScheduleOf(findings.subject, *failure).segments) {

@@ -55,7 +55,7 @@ struct SampleCounts {
 void MergeInto(SampleCounts* samples, const SampleCounts& other);
 
 SampleCounts Sample(const Problem& problem, const SampleOptions& options);
-/// The same with a card; not kPos.
+/// The same with a card.
 SampleCounts SampleCard(CardModel* model, const SampleOptions& options);
 
 }  // namespace oncard::explore

@@ -44,12 +44,12 @@ Result<Findings> ExploreProgram(const runtime::Scenario& scenario,
 Result<Findings> ExploreWithCard(const runtime::Scenario& scenario,
                                  const std::vector<Requirement>& requirements, vm::Object object,
                                  const ExploreOptions& options) {
-  if (options.engine == EngineKind::kDpor || options.engine == EngineKind::kPos) {
+  if (options.engine == EngineKind::kDpor) {
     return MakeError(
         1,
-        "time and the card are part of the states here: use the engine stateful, bounded, random "
-        "or pct",
-        "此处时间与控制卡属于状态的一部分：请使用 stateful、bounded、random 或 pct 引擎");
+        "time and the card are part of the states here: use the engine stateful, bounded, random, "
+        "pct or pos",
+        "此处时间与控制卡属于状态的一部分：请使用 stateful、bounded、random、pct 或 pos 引擎");
   }
   if (scenario.races != runtime::Scenario{}.races) {
     return MakeError(1,

@@ -1,6 +1,9 @@
 #include "explore/trail.h"
 
+#include <algorithm>
 #include <utility>
+
+#include "explore/statement_access.h"
 
 namespace oncard::explore {
 namespace {
@@ -26,30 +29,51 @@ std::string Written(const CardModel& model, int thread, const vm::MachineState& 
 /// A statement of a schedule and what it touched.
 struct Touch {
   int thread = 0;
-  int position = 0;
-  AccessSet access;
+  StatementAccess access;
 };
 
-Race PairOf(const Touch& one, const Touch& other) {
-  if (one.thread == other.thread || !one.access.DependsOn(other.access)) return {};
-  const bool writes =
-      one.access.write != AccessSet::kNone && other.access.Touches(one.access.write);
-  const uint32_t cell = writes ? one.access.write : other.access.write;
-  return {cell,
-          {one.thread, one.position, one.access.write == cell},
-          {other.thread, other.position, other.access.write == cell}};
+/// The same, of a program without a card.
+StatementAccess GeneralAccess(const AccessSet& access) {
+  StatementAccess general;
+  for (uint32_t i = 0; i < access.read_count; ++i) {
+    general.push_back({gtcalls::Resource::kVariable, access.reads[i], false});
+  }
+  if (access.write != AccessSet::kNone) {
+    general.push_back({gtcalls::Resource::kVariable, access.write, true});
+  }
+  return general;
 }
 
-/// A statement with the nearest one that it depends on, the earlier ones first.
-Race PairOf(const std::vector<Touch>& touches, size_t statement) {
-  if (statement >= touches.size()) return {};
-  for (size_t i = statement; i-- > 0;) {
-    if (const Race pair = PairOf(touches[i], touches[statement])) return pair;
-  }
+bool Writes(const StatementAccess& access, const Touched& touched) {
+  return std::ranges::any_of(access, [&](const Touched& each) {
+    return each.write && each.resource == touched.resource &&
+           (each.number == touched.number || each.number == Touched::kAll);
+  });
+}
+
+/// A statement with the nearest one of another thread that depends on it: a later one, which the
+/// other order would have taken first, or else an earlier one.
+std::optional<RacingPair> PairOf(const std::vector<Touch>& touches, int64_t last_escape,
+                                 const vm::Object& object) {
+  const auto statement = static_cast<size_t>(last_escape);
+  if (last_escape < 0 || statement >= touches.size()) return std::nullopt;
+  const Touch& fatal = touches[statement];
+  const auto pair_with = [&](size_t other) -> std::optional<RacingPair> {
+    if (touches[other].thread == fatal.thread) return std::nullopt;
+    const Touched* both = FindDependence(fatal.access, touches[other].access);
+    if (both == nullptr) return std::nullopt;
+    const auto [first, second] = std::minmax(statement, other);
+    return RacingPair{NameOf(*both, object),
+                      {first, Writes(touches[first].access, *both)},
+                      {second, Writes(touches[second].access, *both)}};
+  };
   for (size_t i = statement + 1; i < touches.size(); ++i) {
-    if (const Race pair = PairOf(touches[statement], touches[i])) return pair;
+    if (auto pair = pair_with(i)) return pair;
   }
-  return {};
+  for (size_t i = statement; i-- > 0;) {
+    if (auto pair = pair_with(i)) return pair;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -78,11 +102,12 @@ Trail Follow(const Problem& problem, const Failure& failure) {
     for (const uint8_t thread : threads) {
       TrailStep step = {.thread = thread, .line = model.Line(thread)};
       step.read = model.NextReads(thread);
-      touches.push_back({thread, model.Position(thread), model.NextAccess(thread)});
+      const AccessSet access = model.NextAccess(thread);
+      touches.push_back({thread, GeneralAccess(access)});
       model.Step(thread);
       step.written = model.LastWrite();
       // Also the value that was there.
-      const uint32_t written = touches.back().access.write;
+      const uint32_t written = access.write;
       if (step.written.empty() && written != AccessSet::kNone) {
         step.written = model.DescribeShared(written);
       }
@@ -90,18 +115,18 @@ Trail Follow(const Problem& problem, const Failure& failure) {
     }
   };
   follow(failure.steps, &trail.steps);
-  if (failure.last_escape >= 0) {
-    trail.pair = PairOf(touches, static_cast<size_t>(failure.last_escape));
-  }
+  trail.pair = PairOf(touches, failure.last_escape, problem.model.image().object);
   follow(failure.cycle, &trail.cycle);
   return trail;
 }
 
 Trail Follow(CardModel* model, const Failure& failure) {
   Trail trail;
+  std::vector<Touch> touches;
   CardModel::State state = model->Start();
   for (const uint8_t thread : failure.steps) {
     model->Load(state);
+    touches.push_back({thread, NextAccess(model->controller(), model->setup(thread).thread)});
     const vm::MachineState before = model->controller().machine().state();
     const int line = model->controller().machine().Line(model->setup(thread).thread);
     const double at_ms = model->controller().NowMs();
@@ -111,6 +136,7 @@ Trail Follow(CardModel* model, const Failure& failure) {
                            .written = Written(*model, thread, before),
                            .at_ms = at_ms});
   }
+  trail.pair = PairOf(touches, failure.last_escape, model->image()->object);
   return trail;
 }
 

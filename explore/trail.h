@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,13 +34,23 @@ struct TrailStep {
   double at_ms = -1;  ///< with a card: the cycle in which it is executed
 };
 
+/// The statement with which every end became bad, and the nearest one of another thread that
+/// depends on it: a later one if there is any, since the other order would have taken that first.
+struct RacingPair {
+  struct Statement {
+    size_t step = 0;  ///< index in Trail::steps
+    bool writes = false;
+  };
+  std::string what;  ///< that both touch: `x`, `axis 1`
+  Statement first;
+  Statement second;
+};
+
 /// A failure's statements, and those that then repeat for ever.
 struct Trail {
   std::vector<TrailStep> steps;
   std::vector<TrailStep> cycle;
-  /// The statement with which every end became bad, and one of another thread that touches the same
-  /// variable; without a card, where the states are known.
-  Race pair;
+  std::optional<RacingPair> pair;  ///< where the states are known
 };
 
 Trail Follow(const Problem& problem, const Failure& failure);

@@ -84,7 +84,7 @@ class CardWalk {
 
   StateKey Key() const { return model_.KeyOf(states_.back()); }
   StateKey EndKey() const { return model_.FinalKey(states_.back()); }
-  bool DependOnEachOther(int, int) const { return true; }
+  bool DependOnEachOther(int a, int b) { return model_.DependOnEachOther(states_.back(), a, b); }
 
  private:
   CardModel& model_;

@@ -1,0 +1,85 @@
+// What statements touch (explore/statement_access.h).
+#include "explore/statement_access.h"
+
+#include <gtest/gtest.h>
+
+#include "explore/explorer.h"
+#include "explore/trail.h"
+#include "explore_programs.h"
+
+namespace oncard::explore {
+namespace {
+
+/// The names of what the statements of t0 touch, one after the other; `!` marks what is written.
+std::vector<std::string> AccessesOf(const std::string& source) {
+  CardModel model = CardOf(source, "rate = 1000\n");
+  CardModel::State state = model.Start();
+  std::vector<std::string> accesses;
+  while (!state.ended) {
+    model.Load(state);
+    std::string text;
+    for (const Touched& touched : NextAccess(model.controller(), 0)) {
+      if (!text.empty()) text += ' ';
+      text += NameOf(touched, model.image()->object) + (touched.write ? "!" : "");
+    }
+    accesses.push_back(text);
+    state = model.Step(state, 0);
+  }
+  return accesses;
+}
+
+TEST(StatementAccessTest, Variables) {
+  EXPECT_EQ(
+      AccessesOf("int g, a[4], k;\nint t0() {\n int l;\n l = 2;\n g = l;\n k = 3;\n a[k] = g;\n"
+                 " a[1] = a[k];\n if (g) goto E;\nE:\n return g;\n}\n"),
+      (std::vector<std::string>{"", "g!", "k!", "g k a[3]!", "k a[3] a[1]!", "g", "g"}));
+}
+
+TEST(StatementAccessTest, CommandsTouchWhatTheCatalogueSays) {
+  EXPECT_EQ(
+      AccessesOf("int n, s;\nint t0() {\n int c;\n n = 3;\n GT_AxisOn(n);\n GT_SetVel(2, 5);\n"
+                 " GT_GetSts(1, &s, 1, &c);\n GT_Update(5);\n GT_Delay(1);\n}\n"),
+      (std::vector<std::string>{"n!", "n axis 3! do!", "axis 2!", "s! axis 1", "axis 1! axis 3!",
+                                ""}));
+}
+
+TEST(StatementAccessTest, DependenceIsACommonThingThatOneWrites) {
+  using gtcalls::Resource;
+  const StatementAccess reads = {{Resource::kAxis, 1, false}};
+  const StatementAccess writes = {{Resource::kAxis, 1, true}};
+  const StatementAccess other = {{Resource::kAxis, 2, true}};
+  const StatementAccess all = {{Resource::kAxis, Touched::kAll, true}};
+  EXPECT_EQ(FindDependence(reads, reads), nullptr);
+  EXPECT_NE(FindDependence(reads, writes), nullptr);
+  EXPECT_EQ(FindDependence(writes, other), nullptr);
+  ASSERT_NE(FindDependence(all, other), nullptr);
+  EXPECT_EQ(FindDependence(all, other)->number, 2u);
+}
+
+// The emergency stop comes between the look and the start.
+TEST(StatementAccessTest, ThePairOfACardsFailureIsNamed) {
+  CardModel model = CardOf(
+      "int stopped;\n"
+      "int t0() {\n int halt;\n GT_AxisOn(1);\n GT_PrfJog(1);\n GT_SetVel(1, 50);\n halt = "
+      "stopped;\n"
+      " if (halt) goto E;\n GT_Update(1);\nE:\n return 0;\n}\n"
+      "int t1() {\n stopped = 1;\n GT_Stop(1, 1);\n return 0;\n}\n",
+      "expect = [\"axis1.moving == 0 @ 20ms\"]\ncycle_us = 1000\nrate = 100\n");
+  const Exploration exploration = ExploreCard(&model, {});
+  ASSERT_TRUE(exploration.failure);
+  const Trail trail = Follow(&model, *exploration.failure);
+  ASSERT_TRUE(trail.pair);
+  EXPECT_EQ(trail.pair->what, "axis 1");
+}
+
+TEST(StatementAccessTest, PrioritiesOfStatementsKnowTheCard) {
+  CardModel model = CardOf(
+      "int x;\nint t0() {\n int t;\n GT_AxisOn(1);\n t = x;\n x = t + 1;\n}\n"
+      "int t1() {\n int t;\n GT_AxisOn(2);\n t = x;\n x = t + 1;\n}\n",
+      "expect = [\"x == 2\"]\nrate = 100\n");
+  const Exploration found = ExploreCard(&model, {.engine = EngineKind::kPos, .runs = 500});
+  EXPECT_EQ(found.verdict, Verdict::kFailed);
+}
+
+}  // namespace
+}  // namespace oncard::explore
