@@ -29,6 +29,14 @@ const std::atomic<bool>* StopOf(const ExploreOptions& options) {
   return options.progress == nullptr ? nullptr : &options.progress->stop;
 }
 
+/// Why a search is not done: it was told to stop, or has reached this limit.
+Message WhyIncomplete(const ExploreOptions& options, Message limit) {
+  if (options.progress != nullptr && options.progress->stop) {
+    return {"it was interrupted", "已中断"};
+  }
+  return limit;
+}
+
 /// Empty for engines that search.
 std::optional<SampleOptions> SamplingOf(const ExploreOptions& options) {
   SampleOptions sampling = {.runs = options.runs,
@@ -76,9 +84,10 @@ Exploration ConcludeBounded(BoundedCounts bounded, const ExploreOptions& options
     exploration.why = MakeMessage("no schedule with at most {0} preemptions goes wrong",
                                   "抢占不超过 {0} 次的调度均未出错", bounded.preemptions);
   } else {
-    exploration.why = MakeMessage(
-        "a limit was reached: {0} states, or {1} statements in one schedule",
-        "已达到上限：{0} 个状态，或单个调度 {1} 条语句", options.state_limit, options.depth_limit);
+    exploration.why = WhyIncomplete(
+        options, MakeMessage("a limit was reached: {0} states, or {1} statements in one schedule",
+                             "已达到上限：{0} 个状态，或单个调度 {1} 条语句", options.state_limit,
+                             options.depth_limit));
   }
   exploration.bounded = std::move(bounded);
   return exploration;
@@ -168,13 +177,13 @@ Exploration Conclude(const Problem& problem, const ExploreOptions& options,
     exploration.verdict = Verdict::kFailed;
   } else if (complete) {
     exploration.verdict = Verdict::kProved;
-  } else if (options.progress != nullptr && options.progress->stop) {
-    exploration.why = {"it was interrupted", "已中断"};
   } else {
-    exploration.why = MakeMessage(
-        "a limit was reached: {0} executions, {1} states, or {2} statements in one execution",
-        "已达到上限：{0} 次执行、{1} 个状态，或单次执行 {2} 条语句", options.execution_limit,
-        options.state_limit, options.depth_limit);
+    exploration.why = WhyIncomplete(
+        options,
+        MakeMessage(
+            "a limit was reached: {0} executions, {1} states, or {2} statements in one execution",
+            "已达到上限：{0} 次执行、{1} 个状态，或单次执行 {2} 条语句", options.execution_limit,
+            options.state_limit, options.depth_limit));
   }
   if (traces) exploration.search = std::move(*traces);
   return exploration;
@@ -260,7 +269,8 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
     }
     engine = EngineKind::kStateful;
   }
-  if (options.progress != nullptr && engine != EngineKind::kStateful) {
+  if (options.progress != nullptr && options.progress->estimates &&
+      engine != EngineKind::kStateful) {
     Model model = problem.model;
     const TraceEstimate estimate = EstimateTraces(&model, kDescents, options.seed, kDescentDepth);
     options.progress->expected = estimate.traces;
@@ -312,8 +322,9 @@ Exploration ExploreCard(CardModel* model, const ExploreOptions& options) {
     exploration.failure->fault = walk.fault();
     exploration.verdict = Verdict::kFailed;
   } else if (!found.graph.complete) {
-    exploration.why = MakeMessage("the limit of {0} states was reached", "已达到 {0} 个状态的上限",
-                                  options.state_limit);
+    exploration.why =
+        WhyIncomplete(options, MakeMessage("the limit of {0} states was reached",
+                                           "已达到 {0} 个状态的上限", options.state_limit));
   } else if (found.cut) {
     exploration.verdict = Verdict::kPassed;
     exploration.why = {"nothing goes wrong until the scenario's until_ms; threads still run then",

@@ -9,6 +9,8 @@ namespace oncard::explore {
 struct SearchProgress {
   /// Set by the watcher: the search ends soon, with what it knows.
   std::atomic<bool> stop{false};
+  /// Set before the search: it first estimates how many executions there are.
+  bool estimates = false;
   // Set by the search.
   std::atomic<int64_t> executions{0};  ///< of the dpor engine, or random runs
   std::atomic<int64_t> states{0};

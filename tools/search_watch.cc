@@ -45,6 +45,7 @@ Message ProgressText(const explore::SearchProgress& progress, double seconds) {
 }  // namespace
 
 SearchWatch::SearchWatch(const Session& session, bool shows) : session_(session) {
+  progress_.estimates = shows;
   stop_of_search = &progress_.stop;
   static_cast<void>(std::signal(SIGINT, StopSearch));
   if (shows) showing_ = std::thread([this] { Show(); });
