@@ -133,11 +133,7 @@ class Search {
  private:
   /// Executes a thread's statements up to the next that touches shared cells.
   void RunPrivate(int thread) {
-    while (model_.Running(thread) && model_.depth() < limits_.depth &&
-           (model_.NextIsPrivate(thread) || model_.NextAccess(thread).empty())) {
-      model_.Step(thread);
-      ++result_.steps;
-    }
+    result_.steps += model_.StepPrivate(thread, limits_.depth - model_.depth());
   }
 
   /// The step that a thread takes next.

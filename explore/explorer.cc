@@ -117,6 +117,13 @@ TraceSearch TracesOf(const Problem& problem, const ExploreOptions& options,
   return search;
 }
 
+StateLimits StatesOf(const ExploreOptions& options, const std::atomic<bool>* stop) {
+  return {.states = options.state_limit,
+          .merge_private = options.merge_private,
+          .stop = stop,
+          .progress = options.progress};
+}
+
 /// Runs both searches at the same time; each is told to stop some time after the other has an
 /// answer.
 void SearchBoth(const Problem& problem, const ExploreOptions& options,
@@ -138,7 +145,7 @@ void SearchBoth(const Problem& problem, const ExploreOptions& options,
     report(EngineKind::kDpor, (*traces)->complete());
   });
   std::thread stating([&] {
-    *states = SearchStates(problem, {options.state_limit, &stop, options.progress});
+    *states = SearchStates(problem, StatesOf(options, &stop));
     report(EngineKind::kStateful, (*states)->counts.complete);
   });
   {
@@ -239,6 +246,15 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
                      "engine stateful",
                      "竞争是否无害只能由全部状态的图判定：请使用 stateful 引擎");
   }
+  const auto sees_locals = [](const BoundRequirement& requirement) {
+    return requirement.scope != Scope::kFinal && requirement.property.SeesLocals();
+  };
+  if (options.merge_private && std::ranges::any_of(problem.requirements, sees_locals)) {
+    return MakeError(1,
+                     "'always', 'never' and 'eventually' cannot name locals when statements that "
+                     "touch only locals are merged",
+                     "合并只涉及局部变量的语句时，“always”、“never”和“eventually”不能引用局部变量");
+  }
   if (const auto sampling = SamplingOf(options)) {
     Exploration exploration = ConcludeSamples(options.engine, Sample(problem, *sampling));
     if (exploration.samples->bad > 0) {
@@ -281,7 +297,7 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
   if (engine == EngineKind::kDpor) {
     traces = TracesOf(problem, options, StopOf(options));
   } else if (engine == EngineKind::kStateful) {
-    states = SearchStates(problem, {options.state_limit, StopOf(options), options.progress});
+    states = SearchStates(problem, StatesOf(options, StopOf(options)));
   } else {
     SearchBoth(problem, options, &traces, &states, &engine);
   }
@@ -304,8 +320,7 @@ Exploration ExploreCard(CardModel* model, const ExploreOptions& options) {
     }
     return exploration;
   }
-  const CardGraph found =
-      BuildCardGraph(model, {options.state_limit, StopOf(options), options.progress});
+  const CardGraph found = BuildCardGraph(model, StatesOf(options, StopOf(options)));
   Exploration exploration;
   exploration.engine = EngineKind::kStateful;
   exploration.states = StateCounts{.states = found.graph.size(),

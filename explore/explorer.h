@@ -56,6 +56,9 @@ struct ExploreOptions {
   uint32_t state_limit = 50'000'000;
   /// Statements of one execution; the dpor engine gives up on longer ones.
   int64_t depth_limit = 100'000;
+  /// kStateful, kAuto: a statement that touches no global goes with the one before it
+  /// (StateLimits).
+  bool merge_private = false;
   int preemption_limit = BoundedOptions{}.preemptions;  ///< kBounded
   // Of the engines that try random schedules.
   int64_t runs = SampleOptions{}.runs;

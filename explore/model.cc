@@ -417,6 +417,15 @@ void Model::Step(int thread) {
   if (end != ThreadEnd::kRunning) Finish(thread, end);
 }
 
+int64_t Model::StepPrivate(int thread, int64_t limit) {
+  int64_t steps = 0;
+  for (; steps < limit && Running(thread); ++steps) {
+    if (!NextIsPrivate(thread) && !NextAccess(thread).empty()) break;
+    Step(thread);
+  }
+  return steps;
+}
+
 void Model::Undo() {
   const Mark mark = marks_.back();
   marks_.pop_back();

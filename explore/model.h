@@ -115,6 +115,9 @@ class Model {
 
   /// Executes one statement of a running thread.
   void Step(int thread);
+  /// Executes a thread's statements up to the next that touches a shared cell, or its end, at most
+  /// `limit` of them. Gives their number.
+  int64_t StepPrivate(int thread, int64_t limit);
   /// Takes back the last step.
   void Undo();
   /// `name = value` of a shared cell.

@@ -1,5 +1,7 @@
 #include "explore/property.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include <array>
@@ -277,6 +279,12 @@ Result<Property> Property::Parse(std::string_view text, const Model& model) {
 
 Result<Property> Property::Parse(std::string_view text, const runtime::Controller& controller) {
   return PropertyParser(text, CardNames(controller)).Parse();
+}
+
+bool Property::SeesLocals() const {
+  return std::ranges::any_of(elements_, [](const Element& element) {
+    return element.kind == Kind::kSlot && !element.slot.global;
+  });
 }
 
 bool Property::Holds(const Model& model) const {

@@ -32,6 +32,8 @@ class Property {
   static constexpr size_t kElementMax = 128;
 
   const std::string& text() const { return text_; }
+  /// True when it names a local variable.
+  bool SeesLocals() const;
   /// Evaluates it in the present state of what it was parsed for.
   bool Holds(const Model& model) const;
   bool Holds(const runtime::Controller& controller) const;

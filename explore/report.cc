@@ -383,7 +383,7 @@ std::string JsonReport(const Findings& findings) {
     }
     if (failure->fewest_preemptions) {
       json["min_preemptions_to_bad"] = failure->preemptions;
-      json["min_steps_to_bad"] = failure->fewest_steps;
+      if (failure->fewest_steps > 0) json["min_steps_to_bad"] = failure->fewest_steps;
     }
     json["preemptions"] = failure->preemptions;
     json["last_escape"] = failure->last_escape;

@@ -51,6 +51,10 @@ Result<Findings> ExploreWithCard(const runtime::Scenario& scenario,
         "pct or pos",
         "此处时间与控制卡属于状态的一部分：请使用 stateful、bounded、random、pct 或 pos 引擎");
   }
+  if (options.merge_private) {
+    return MakeError(1, "with the card every statement takes time: none can be merged",
+                     "带控制卡时每条语句都占用时间：不能合并");
+  }
   if (scenario.races != runtime::Scenario{}.races) {
     return MakeError(1,
                      "data races are looked for in programs of variables only: explore the "

@@ -146,7 +146,8 @@ StateGraph BuildStateGraph(Model* model, const StateLimits& limits, const StateJ
   KeySet known;
   struct Visit {
     uint32_t state;
-    uint32_t untried;  // threads
+    uint32_t untried;    // threads
+    int64_t statements;  // of the step that led here
   };
   std::vector<Visit> path;
   bool stopped = false;
@@ -159,33 +160,43 @@ StateGraph BuildStateGraph(Model* model, const StateLimits& limits, const StateJ
               (limits.stop != nullptr && limits.stop->load(std::memory_order_relaxed));
     return state;
   };
+  const auto undo = [&](int64_t statements) {
+    for (; statements > 0; --statements) model->Undo();
+  };
+  const int64_t start = model->depth();
+  const auto merge = [&](int thread) {
+    return limits.merge_private ? model->StepPrivate(thread, kMergedMax) : 0;
+  };
+  for (int thread = 0; thread < graph.threads; ++thread) merge(thread);
   bool added = false;
-  path.push_back({enter(&added), model->runnable()});
+  path.push_back({enter(&added), model->runnable(), 0});
   while (!path.empty()) {
     Visit& visit = path.back();
     if (visit.untried == 0 || stopped) {
+      undo(visit.statements);
       path.pop_back();
-      if (!path.empty()) model->Undo();
       continue;
     }
     const int thread = std::countr_zero(visit.untried);
     visit.untried &= visit.untried - 1;
     model->Step(thread);
+    const int64_t statements = 1 + merge(thread);
     ++graph.transitions;
     const uint32_t next = enter(&added);
     graph.successors[size_t{visit.state} * static_cast<size_t>(graph.threads) +
                      static_cast<size_t>(thread)] = next;
     if (added) {
-      path.push_back({next, model->runnable()});
+      path.push_back({next, model->runnable(), statements});
       if (limits.progress != nullptr) {
         limits.progress->states.store(graph.size(), std::memory_order_relaxed);
         limits.progress->frontier.store(static_cast<int64_t>(path.size()),
                                         std::memory_order_relaxed);
       }
     } else {
-      model->Undo();
+      undo(statements);
     }
   }
+  undo(model->depth() - start);
   graph.complete = !stopped;
   return graph;
 }

@@ -40,8 +40,14 @@ struct StateGraph {
   }
 };
 
+/// Private statements that are merged with one; a loop of nothing else is then cut.
+inline constexpr int64_t kMergedMax = 10'000;
+
 struct StateLimits {
   uint32_t states = 200'000'000;
+  /// A step is a statement with all after it, and those at the thread's start, that touch nothing
+  /// shared: there are fewer states, and the same ends with as few preemptions.
+  bool merge_private = false;
   /// Set from another thread: the search ends soon.
   const std::atomic<bool>* stop = nullptr;
   SearchProgress* progress = nullptr;
@@ -50,7 +56,8 @@ struct StateLimits {
 /// Called once for each state, in the order of their numbers: its flags but for kTerminal.
 using StateJudge = std::function<uint32_t(const Model& model)>;
 
-/// Explores from the model's present state, depth first, and leaves it there.
+/// Explores from the model's present state, depth first, and leaves it there. When statements are
+/// merged, the first state is that behind all private statements at the threads' starts.
 StateGraph BuildStateGraph(Model* model, const StateLimits& limits, const StateJudge& judge);
 
 /// The threads of a path from the first state, one per step.

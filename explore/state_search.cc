@@ -75,10 +75,72 @@ std::optional<Failure> WayWithout(const Problem& problem, const StateGraph& grap
   return std::nullopt;
 }
 
+/// Takes a graph's steps statement by statement.
+class StatementPath {
+ public:
+  explicit StatementPath(const Problem& problem) : problem_(problem), model_(problem.model) {}
+
+  void Take(const std::vector<uint8_t>& steps) {
+    for (const uint8_t thread : steps) {
+      Begin(thread);
+      starts_.push_back(static_cast<int64_t>(taken_.size()));
+      model_.Step(thread);
+      taken_.push_back(thread);
+      TakePrivate(thread);
+    }
+  }
+  /// Takes the private statements at the starts of threads that have taken none yet.
+  void BeginAll() {
+    for (int thread = 0; thread < model_.thread_count(); ++thread) Begin(thread);
+  }
+  bool fault() const { return static_cast<bool>(FindFault(problem_, model_)); }
+  /// The statements since the last call.
+  std::vector<uint8_t> Taken() { return std::exchange(taken_, {}); }
+  /// Of each step of the graph, how many statements come before its first one that is not private.
+  const std::vector<int64_t>& starts() const { return starts_; }
+
+ private:
+  void Begin(int thread) {
+    if ((begun_ >> thread & 1) != 0) return;
+    begun_ |= 1u << thread;
+    TakePrivate(thread);
+  }
+  void TakePrivate(int thread) {
+    const int64_t steps = model_.StepPrivate(thread, kMergedMax);
+    taken_.insert(taken_.end(), static_cast<size_t>(steps), static_cast<uint8_t>(thread));
+  }
+
+  const Problem& problem_;
+  Model model_;
+  uint32_t begun_ = 0;
+  std::vector<uint8_t> taken_;
+  std::vector<int64_t> starts_;
+};
+
+/// Tells a failure of a graph of merged statements in statements.
+void Unmerge(const Problem& problem, Failure* failure) {
+  StatementPath path(problem);
+  path.Take(failure->steps);
+  if (failure->livelock || !path.fault()) path.BeginAll();
+  failure->steps = path.Taken();
+  if (failure->last_escape >= 0) {
+    const auto escape = static_cast<size_t>(failure->last_escape);
+    failure->last_escape = escape < path.starts().size()
+                               ? path.starts()[escape]
+                               : static_cast<int64_t>(failure->steps.size());
+  }
+  path.Take(failure->cycle);
+  failure->cycle = path.Taken();
+  failure->fewest_steps = 0;
+  Model model = problem.model;
+  failure->preemptions = CountPreemptions(&model, failure->steps);
+}
+
 }  // namespace
 
 StateSearch SearchStates(const Problem& problem, const StateLimits& limits) {
   StateSearch search;
+  search.merged = limits.merge_private;
   Model model = problem.model;
   model.TrackKey(true);
   KeySet globals;
@@ -138,29 +200,37 @@ std::optional<Failure> WayTo(const StateGraph& graph, uint32_t flag, uint32_t av
 
 std::optional<Failure> FailureIn(const Problem& problem, const StateSearch& search) {
   const StateGraph& graph = search.graph;
+  const auto in_statements = [&](std::optional<Failure> failure) {
+    if (failure && search.merged) Unmerge(problem, &*failure);
+    return failure;
+  };
   const auto walk_to_end = [&](const Failure& failure) {
     Model model = problem.model;
     for (const uint8_t thread : failure.steps) model.Step(thread);
     return model;
   };
   if (search.counts.bad_states > 0) {
-    if (auto bad = WayTo(graph, kBad)) {
+    if (auto bad = in_statements(WayTo(graph, kBad))) {
       bad->fault = FindFault(problem, walk_to_end(*bad));
       return bad;
     }
   }
-  if (auto without = WayWithout(problem, graph)) return without;
+  if (auto without = in_statements(WayWithout(problem, graph))) return without;
   if (Lasso lasso = graph.complete ? FindFairCycle(graph) : Lasso{}; lasso.found) {
     Failure failure;
     failure.livelock = true;
     failure.steps = std::move(lasso.stem);
     failure.cycle = std::move(lasso.cycle);
     Model model = problem.model;
-    failure.preemptions = CountPreemptions(&model, failure.steps);
+    if (search.merged) {
+      Unmerge(problem, &failure);
+    } else {
+      failure.preemptions = CountPreemptions(&model, failure.steps);
+    }
     return failure;
   }
   if (search.races.empty()) return std::nullopt;
-  auto racing = WayTo(graph, kRacing);
+  auto racing = in_statements(WayTo(graph, kRacing));
   if (!racing) return std::nullopt;
   racing->last_escape = -1;
   racing->fault.kind = Fault::Kind::kRace;

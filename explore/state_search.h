@@ -34,11 +34,13 @@ struct StateCounts {
 /// Number of elements of StateCounts::finals_within.
 inline constexpr int kPreemptionBounds = 4;
 
-/// What the stateful engine found.
+/// What the stateful engine found. With merged statements (StateLimits::merge_private) the graph's
+/// steps are several statements; failures are told in statements all the same.
 struct StateSearch {
   StateCounts counts;
   StateGraph graph;
   std::vector<FoundRace> races;
+  bool merged = false;
 };
 
 StateSearch SearchStates(const Problem& problem, const StateLimits& limits);

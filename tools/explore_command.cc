@@ -27,6 +27,7 @@ struct ExploreArguments {
   uint64_t seed = explore::ExploreOptions{}.seed;
   int depth = explore::ExploreOptions{}.depth;
   int preemptions = explore::ExploreOptions{}.preemption_limit;
+  bool merge_private = false;
   bool races = false;
   bool benign = false;
   std::string search;  ///< file that keeps the search
@@ -120,6 +121,7 @@ explore::ExploreOptions OptionsOf(const ExploreArguments& arguments,
   options.seed = arguments.seed;
   options.depth = arguments.depth;
   options.preemption_limit = arguments.preemptions;
+  options.merge_private = arguments.merge_private;
   return options;
 }
 
@@ -304,6 +306,10 @@ void AddExplore(CLI::App& app, Session& session) {
                                 "bounded 引擎的最大抢占次数（默认 2）"}))
       ->type_name("N")
       ->check(CLI::Range(0, 1000).description(""));
+  command->add_flag(
+      "--merge-private", arguments->merge_private,
+      session.Say({"let statements that touch no global go with the one before them: fewer states",
+                   "将不涉及全局变量的语句并入前一条语句：状态更少"}));
   command->add_flag("--races", arguments->races,
                     session.Say({"a data race is a failure", "将数据竞争视为失败"}));
   command->add_flag("--benign", arguments->benign,

@@ -37,6 +37,28 @@ TEST(ExplorerTest, WaitingLoopsAreDecidedByStates) {
   EXPECT_TRUE(livelock.failure->livelock);
 }
 
+TEST(ExplorerTest, MergedStatementsDecideTheSame) {
+  const ExploreOptions merged = {.engine = EngineKind::kStateful, .merge_private = true};
+  for (const std::string& source :
+       {Peterson(false), Peterson(true), MutualWait(), Increments(3, 2)}) {
+    const Exploration whole = RunOn(source, {.engine = EngineKind::kStateful});
+    const Exploration less = RunOn(source, merged);
+    EXPECT_EQ(less.verdict, whole.verdict);
+    EXPECT_LT(less.states->states, whole.states->states);
+    EXPECT_EQ(less.states->final_full, whole.states->final_full);
+    if (!whole.failure) continue;
+    EXPECT_EQ(less.failure->livelock, whole.failure->livelock);
+    EXPECT_EQ(less.failure->preemptions, whole.failure->preemptions);
+    // What is told is a way of the program, statement by statement.
+    Model model = ProblemOf(source).model;
+    for (const uint8_t thread : less.failure->steps) {
+      ASSERT_TRUE(model.Running(thread));
+      model.Step(thread);
+    }
+  }
+  EXPECT_FALSE(Explore(ProblemOf(Increments(2, 1) + "//@ never: page0.t == 7\n"), merged).ok());
+}
+
 TEST(ExplorerTest, TheFailureIsTheSimplestWhereStatesAreKnown) {
   const Exploration exploration = RunOn(Increments(2, 1), {.engine = EngineKind::kStateful});
   ASSERT_TRUE(exploration.failure);

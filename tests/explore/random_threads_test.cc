@@ -156,6 +156,16 @@ TEST_P(RandomThreadsTest, EnginesAgreeWithBruteForce) {
     ASSERT_EQ(traces.final_full, static_cast<int64_t>(all.ends()));
     ASSERT_EQ(stateful.value().states->final_full, traces.final_full);
     ASSERT_EQ(stateful.value().verdict, dpor.value().verdict);
+    const auto merged = Explore(problem, {.engine = EngineKind::kStateful, .merge_private = true});
+    ASSERT_EQ(merged.value().verdict, stateful.value().verdict);
+    ASSERT_EQ(merged.value().states->final_full, traces.final_full);
+    ASSERT_EQ(merged.value().states->finals_within, stateful.value().states->finals_within);
+    ASSERT_LE(merged.value().states->states, stateful.value().states->states);
+    if (stateful.value().failure) {
+      const Failure& failure = *merged.value().failure;
+      ASSERT_EQ(failure.preemptions, stateful.value().failure->preemptions);
+      ASSERT_EQ(failure.fault.kind, stateful.value().failure->fault.kind);
+    }
     ASSERT_EQ(ExecutionsOfUnits(problem, 6), traces.executions);
     // With as many preemptions as there are statements, all schedules are searched.
     const auto bounded = Explore(problem, {.engine = EngineKind::kBounded, .preemption_limit = 50});
