@@ -6,7 +6,6 @@
 #include <deque>
 #include <functional>
 #include <numeric>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -411,9 +410,10 @@ class Search {
     for (const uint64_t trace : traces_) parts[--begins[part_of(trace)]] = trace;
     int64_t redundant = 0;
     for (size_t part = 0; part < ends.size(); ++part) {
-      const std::span<uint64_t> own(&parts[0] + begins[part], &parts[0] + ends[part]);
-      std::ranges::sort(own);
-      redundant += static_cast<int64_t>(std::ranges::unique(own).size());
+      const auto first = parts.begin() + static_cast<std::ptrdiff_t>(begins[part]);
+      const auto last = parts.begin() + static_cast<std::ptrdiff_t>(ends[part]);
+      std::sort(first, last);
+      redundant += last - std::unique(first, last);
     }
     return redundant;
   }

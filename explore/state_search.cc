@@ -44,7 +44,9 @@ class RaceSearch {
     std::vector<uint32_t> ends;
     if (!states_.empty() && graph->complete) ends = ReachableEnds(*graph, end_of);
     std::vector<FoundRace> races;
-    for (const auto& [race, states] : states_) {
+    for (const auto& entry : states_) {
+      const Race& race = entry.first;
+      const std::vector<uint32_t>& states = entry.second;
       const bool benign = !ends.empty() && std::ranges::none_of(states, [&](uint32_t state) {
         return OrderMatters(*graph, ends, state, race);
       });

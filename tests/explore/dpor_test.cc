@@ -101,7 +101,7 @@ TEST(DporTest, AnInterruptedSearchGoesOn) {
 }
 
 TEST(DporTest, UnitsHaveEveryTraceOnce) {
-  for (const size_t count : {1, 2, 7, 40, 1000}) {
+  for (const size_t count : {size_t{1}, size_t{2}, size_t{7}, size_t{40}, size_t{1000}}) {
     Problem problem = ProblemOf(Increments(3, 1));
     std::vector<TraceUnit> units = SplitTraces(&problem.model, count);
     EXPECT_EQ(units, SplitTraces(&problem.model, count));
