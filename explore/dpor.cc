@@ -139,6 +139,7 @@ class Search {
   Step NextStep(int thread) const { return {thread, model_.NextAccess(thread)}; }
   std::vector<Step> NextSteps(const std::vector<uint8_t>& threads) const {
     std::vector<Step> steps;
+    steps.reserve(threads.size());
     for (const uint8_t thread : threads) steps.push_back(NextStep(thread));
     return steps;
   }
