@@ -95,8 +95,8 @@ Exploration ConcludeBounded(BoundedCounts bounded, const ExploreOptions& options
 
 /// `auto`: when one engine has an answer, the other may go on counting for this part of the time
 /// that has passed, and at least for kGraceMin.
-constexpr double kGracePart = 0.5;
-constexpr std::chrono::milliseconds kGraceMin{20};
+constexpr double kGracePart = 0.3;
+constexpr std::chrono::milliseconds kGraceMin{10};
 /// `auto`: how often it is looked whether both engines are to be stopped.
 constexpr std::chrono::milliseconds kStopPolled{50};
 
@@ -133,6 +133,7 @@ void SearchBoth(const Problem& problem, const ExploreOptions& options,
   std::condition_variable answered;
   std::atomic<bool> stop{false};
   int running = 2;
+  bool endless = false;  // the traces will never be all searched
   const auto start = std::chrono::steady_clock::now();
   const auto report = [&](EngineKind engine, bool complete) {
     const std::lock_guard lock(mutex);
@@ -146,7 +147,12 @@ void SearchBoth(const Problem& problem, const ExploreOptions& options,
   });
   std::thread stating([&] {
     *states = SearchStates(problem, StatesOf(options, &stop));
-    report(EngineKind::kStateful, (*states)->counts.complete);
+    const bool complete = (*states)->counts.complete;
+    if (complete && IsCyclic((*states)->graph)) {
+      const std::lock_guard lock(mutex);
+      endless = true;
+    }
+    report(EngineKind::kStateful, complete);
   });
   {
     std::unique_lock lock(mutex);
@@ -157,7 +163,7 @@ void SearchBoth(const Problem& problem, const ExploreOptions& options,
     const auto passed = std::chrono::steady_clock::now() - start;
     const auto grace = std::max<std::chrono::nanoseconds>(
         kGraceMin, std::chrono::duration_cast<std::chrono::nanoseconds>(passed * kGracePart));
-    answered.wait_for(lock, grace, [&] { return running == 0; });
+    answered.wait_for(lock, grace, [&] { return running == 0 || endless; });
     stop = true;
   }
   tracing.join();

@@ -335,6 +335,18 @@ Lasso FindFairCycle(const StateGraph& graph) {
   return {};
 }
 
+bool IsCyclic(const StateGraph& graph) {
+  uint32_t count = 0;
+  Components(graph, &count);
+  if (count < graph.size()) return true;
+  for (uint32_t state = 0; state < graph.size(); ++state) {
+    for (int thread = 0; thread < graph.threads; ++thread) {
+      if (graph.Next(state, thread) == state) return true;
+    }
+  }
+  return false;
+}
+
 int64_t LastEscape(const StateGraph& graph, const std::vector<uint8_t>& path) {
   // Backwards from the good ends, to a fixed point over the reversed edges.
   std::vector<std::vector<uint32_t>> before(graph.size());

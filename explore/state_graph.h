@@ -91,6 +91,9 @@ Lasso FindFairCycle(const StateGraph& graph);
 /// numbers.
 std::vector<uint32_t> Components(const StateGraph& graph, uint32_t* count);
 
+/// True when some run never ends.
+bool IsCyclic(const StateGraph& graph);
+
 /// How many steps of a path can be taken before no terminal state that is not bad can be reached
 /// any more; -1 when there is none from the start.
 int64_t LastEscape(const StateGraph& graph, const std::vector<uint8_t>& path);

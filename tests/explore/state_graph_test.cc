@@ -76,6 +76,12 @@ TEST(StateGraphTest, WaitingThatOnlyUnfairSchedulesProlongIsNone) {
   EXPECT_EQ(CountFlags(graph, kBad), 0);
 }
 
+TEST(StateGraphTest, ARunThatNeverEndsIsACycle) {
+  EXPECT_FALSE(IsCyclic(GraphOf(Increments(2, 1))));
+  EXPECT_TRUE(IsCyclic(GraphOf(Peterson(false))));
+  EXPECT_TRUE(IsCyclic(GraphOf("int t0() {\nL:\n goto L;\n}\n")));
+}
+
 TEST(StateGraphTest, TheLastEscapeIsBeforeTheUpdateIsLost) {
   const StateGraph graph = GraphOf(Increments(2, 1));
   // Thread 0 reads, thread 1 reads: now one of the increments is lost.
