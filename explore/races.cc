@@ -133,6 +133,30 @@ Race RaceDetector::BeforeStep(const Model& model, int thread) {
   return found;
 }
 
+StateKey RaceDetector::Key() const {
+  StateKey key;
+  uint32_t place = 0;
+  const auto add = [&](int64_t value) { AddToKey(place++, value, &key); };
+  const auto add_clocks = [&](const std::vector<Clock>& clocks) {
+    for (const Clock& clock : clocks) {
+      add(static_cast<int64_t>(clock.size()));
+      for (const uint32_t time : clock) add(time);
+    }
+  };
+  add_clocks(clocks_);
+  add_clocks(sync_clocks_);
+  for (const Cell& cell : cells_) {
+    for (const std::vector<Access>* accesses : {&cell.reads, &cell.writes}) {
+      add(static_cast<int64_t>(accesses->size()));
+      for (const Access& access : *accesses) {
+        add(access.clock);
+        add(access.position);
+      }
+    }
+  }
+  return key;
+}
+
 // --- Which races matter --------------------------------------------------------------------------
 
 std::vector<uint32_t> ReachableEnds(const StateGraph& graph, const std::vector<uint32_t>& end_of) {

@@ -3,8 +3,8 @@
 // what a thread did before it wrote one happens before what another one does after reading that.
 //
 // A program races under some schedule exactly when it has a state in which two threads are about to
-// touch a variable in this way; FindRace() looks at states. RaceDetector finds the races of one run
-// by vector clocks, also between statements that are far apart. Deterministic. Tested by
+// touch a variable in this way; FindRaces() looks at states. RaceDetector finds the races of one
+// run by vector clocks, also between statements that are far apart. Deterministic. Tested by
 // tests/explore/races_test.cc.
 #pragma once
 
@@ -24,7 +24,7 @@ struct RacingStatement {
   auto operator<=>(const RacingStatement&) const = default;
 };
 
-/// `first` is that of the smaller thread (FindRace), or the earlier one (RaceDetector).
+/// `first` is that of the smaller thread (FindRaces), or the earlier one (RaceDetector).
 struct Race {
   uint32_t cell = AccessSet::kNone;  ///< kNone: there is no race
   RacingStatement first;
@@ -54,6 +54,8 @@ class RaceDetector {
 
   /// Told before each statement; a race between it and an earlier one, if there is any.
   Race BeforeStep(const Model& model, int thread);
+  /// Names what it knows: which races later statements have depends on it.
+  StateKey Key() const;
 
  private:
   /// A thread's clock at an access, 0 for none, and where that was.

@@ -1,6 +1,13 @@
 #include "explore/walk.h"
 
 namespace oncard::explore {
+namespace {
+
+/// In keys, beyond all cells of a model.
+constexpr uint32_t kPlaceOfReached = 0xfffffff8;
+constexpr uint32_t kPlaceOfRaces = 0xfffffffa;
+
+}  // namespace
 
 ProgramWalk::ProgramWalk(const Problem& problem) : problem_(problem), model_(problem.model) {
   marks_.push_back(Judge({}, {}));
@@ -50,7 +57,12 @@ void ProgramWalk::Restart() {
 
 StateKey ProgramWalk::Key() const {
   StateKey key = model_.key();
-  AddToKey(~uint32_t{0}, static_cast<int64_t>(marks_.back().reached), &key);
+  AddToKey(kPlaceOfReached, static_cast<int64_t>(marks_.back().reached), &key);
+  if (!detectors_.empty()) {
+    const StateKey races = detectors_.back().Key();
+    AddToKey(kPlaceOfRaces, static_cast<int64_t>(races.low), &key);
+    AddToKey(kPlaceOfRaces + 1, static_cast<int64_t>(races.high), &key);
+  }
   return key;
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "explore/explorer.h"
+#include "explore/walk.h"
 #include "explore_programs.h"
 
 namespace oncard::explore {
@@ -80,6 +81,22 @@ TEST(RacesTest, ABenignRaceChangesNoEnd) {
 TEST(RacesTest, WhetherARaceIsBenignNeedsAllStates) {
   EXPECT_FALSE(
       Explore(ProblemOf(HandOver("//@ races: benign\n")), {.engine = EngineKind::kDpor}).ok());
+}
+
+// What the clocks know is part of a walk's state: two ways to the same values are not the same.
+TEST(RacesTest, WaysThatOrderDifferentlyAreDifferentStates) {
+  Problem problem = ProblemOf(
+      "int x, f;\nint t0() {\n x = 1;\n f = 1;\n}\nint t1() {\n int r;\n f = 1;\n r = f;\n r = "
+      "x;\n}\n");
+  problem.races = RaceRule::kNone;
+  problem.sync = {false, true};
+  const auto key_after = [&](std::initializer_list<int> threads) {
+    ProgramWalk walk(problem);
+    for (const int thread : threads) walk.Step(thread);
+    return walk.Key();
+  };
+  // Thread 1 reads f before or after thread 0 wrote the same value.
+  EXPECT_FALSE(key_after({0, 1, 1, 0}) == key_after({0, 0, 1, 1}));
 }
 
 // The clocks order statements that are far apart: thread 1 reads x long after thread 0 wrote it.
