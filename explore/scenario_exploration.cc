@@ -145,11 +145,15 @@ Result<Findings> FollowSchedule(const runtime::Scenario& scenario,
       "在该调度下未出错（共 {1} 段，跟随了 {0} 段）；其它调度未尝试", adapted.value().followed,
       schedule.segments.size());
   const auto conclude = [&](const Subject& subject, const auto& follow) {
-    Failure failure = follow(StepsOf(subject, adapted.value().schedule));
-    if (failure.fault) {
+    FollowedRun run = follow(StepsOf(subject, adapted.value().schedule));
+    if (run.failure.fault) {
       exploration.verdict = Verdict::kFailed;
       exploration.why = {};
-      exploration.failure = std::move(failure);
+      exploration.failure = std::move(run.failure);
+    } else if (!run.ended) {
+      exploration.verdict = Verdict::kIncomplete;
+      exploration.why = {"the run that begins with this schedule does not come to its end",
+                         "以该调度开始的运行没有结束"};
     }
   };
   if (NeedsCard(scenario, object)) {

@@ -32,8 +32,8 @@ Result<Problem> ProblemOfScenario(const runtime::Scenario& scenario,
 Findings FindingsOf(const Problem& problem, Exploration exploration);
 
 /// Looks at one schedule only: follows it as far as the program of today does
-/// (runtime/adapted_schedule.h). The verdict is kPassed or kFailed. Fails as ExploreScenario(), and
-/// when the schedule cannot be adapted.
+/// (runtime/adapted_schedule.h). The verdict is kPassed, kFailed, or kIncomplete when the run does
+/// not come to its end. Fails as ExploreScenario(), and when the schedule cannot be adapted.
 Result<Findings> FollowSchedule(const runtime::Scenario& scenario,
                                 const std::vector<Requirement>& requirements,
                                 const vm::Object& object, std::string_view source,

@@ -36,8 +36,10 @@ bool JoinWithNext(const std::vector<Turn>& turns, size_t index, std::vector<Turn
   return false;
 }
 
-/// How many steps a schedule goes on after the last turn that it was given.
+/// How many steps a schedule goes on after the last turn that it was given, and how many of them in
+/// a row are one thread's: one that waits in a loop must let the others go on.
 constexpr int64_t kExtraSteps = 100'000;
+constexpr int64_t kExtraTurn = 1000;
 /// Statements that may be spent on finding a simpler schedule.
 constexpr int64_t kProgramEffort = 20'000'000;
 constexpr int64_t kCardEffort = 500'000;
@@ -66,6 +68,8 @@ class Shrinker {
   }
 
   Failure Take(const std::vector<uint8_t>& steps) { return FailureOf(Follow(TurnsOf(steps))); }
+  /// Whether the last run came to its end.
+  bool ended() const { return ended_; }
 
  private:
   static Failure FailureOf(Way way) {
@@ -95,11 +99,20 @@ class Shrinker {
         take(turn.thread);
       }
     }
-    for (int64_t i = 0; i < kExtraSteps && going(); ++i) {
-      const bool goes_on = last >= 0 && (walk_.choices() >> last & 1) != 0;
-      take(goes_on ? last : std::countr_zero(walk_.choices()));
+    for (int64_t i = 0, turn = 0; i < kExtraSteps && going(); ++i) {
+      const uint32_t choices = walk_.choices();
+      const bool can_go_on = last >= 0 && (choices >> last & 1) != 0;
+      if (!can_go_on || turn == kExtraTurn) {
+        turn = 0;
+        const uint32_t behind = last < 0 ? choices : choices & (~uint32_t{1} << last);
+        take(std::countr_zero(behind != 0 ? behind : choices));
+      } else {
+        take(last);
+      }
+      ++turn;
     }
     way.fault = walk_.fault();
+    ended_ = walk_.ended();
     return way;
   }
 
@@ -128,6 +141,7 @@ class Shrinker {
 
   Walk walk_;
   int64_t effort_;
+  bool ended_ = false;
 };
 
 }  // namespace
@@ -166,14 +180,16 @@ Failure ShrinkCard(CardModel* model, const std::vector<uint8_t>& steps) {
   return Shrinker(CardWalk(model, false), kCardEffort).Run(steps);
 }
 
-Failure TakeSteps(const Problem& problem, const std::vector<uint8_t>& steps) {
-  Failure failure = Shrinker(ProgramWalk(problem), kProgramEffort).Take(steps);
-  TakeRacingStatements(problem, &failure);
-  return failure;
+FollowedRun TakeSteps(const Problem& problem, const std::vector<uint8_t>& steps) {
+  Shrinker shrinker(ProgramWalk(problem), kProgramEffort);
+  FollowedRun run = {shrinker.Take(steps), shrinker.ended()};
+  TakeRacingStatements(problem, &run.failure);
+  return run;
 }
 
-Failure TakeCardSteps(CardModel* model, const std::vector<uint8_t>& steps) {
-  return Shrinker(CardWalk(model, false), kCardEffort).Take(steps);
+FollowedRun TakeCardSteps(CardModel* model, const std::vector<uint8_t>& steps) {
+  Shrinker shrinker(CardWalk(model, false), kCardEffort);
+  return {shrinker.Take(steps), shrinker.ended()};
 }
 
 }  // namespace oncard::explore

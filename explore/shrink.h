@@ -25,10 +25,15 @@ Failure Shrink(const Problem& problem, const std::vector<uint8_t>& steps);
 /// The same with a card.
 Failure ShrinkCard(CardModel* model, const std::vector<uint8_t>& steps);
 
-/// Takes the statements as far as the threads can, then lets the threads run one after the other:
-/// what goes wrong first; nothing when Failure::fault is none.
-Failure TakeSteps(const Problem& problem, const std::vector<uint8_t>& steps);
+/// A schedule that was followed.
+struct FollowedRun {
+  Failure failure;     ///< what went wrong first; Failure::fault is none when nothing did
+  bool ended = false;  ///< it came to its end
+};
+
+/// Takes the statements as far as the threads can, then lets the threads go on in turns.
+FollowedRun TakeSteps(const Problem& problem, const std::vector<uint8_t>& steps);
 /// The same with a card.
-Failure TakeCardSteps(CardModel* model, const std::vector<uint8_t>& steps);
+FollowedRun TakeCardSteps(CardModel* model, const std::vector<uint8_t>& steps);
 
 }  // namespace oncard::explore
