@@ -268,6 +268,10 @@ Result<void> MergeInto(SearchFile* file, const SearchFile& other) {
                      "must be the same",
                      "这些文件属于不同的搜索：引擎、部分数、种子、深度和次数应相同");
   }
+  if (file->runs_cut != 0 || other.runs_cut != 0) {
+    return MakeError(1, "the random runs of a part are not all done: go on with its file first",
+                     "有一部分的随机运行尚未完成：请先继续该文件");
+  }
   std::vector<int> both;
   std::ranges::set_intersection(file->held, other.held, std::back_inserter(both));
   if (!both.empty()) {
@@ -276,13 +280,12 @@ Result<void> MergeInto(SearchFile* file, const SearchFile& other) {
   }
   file->held.insert(file->held.end(), other.held.begin(), other.held.end());
   std::ranges::sort(file->held);
-  file->runs_cut += other.runs_cut;
   MergeInto(&file->traces, other.traces);
   MergeInto(&file->samples, other.samples);
   return {};
 }
 
-Exploration Conclude(const Problem& problem, const SearchFile& file) {
+Exploration Conclude(const Problem& problem, const SearchFile& file, std::optional<Failure> known) {
   const bool random = file.engine != EngineKind::kDpor;
   Exploration exploration;
   exploration.engine = file.engine;
@@ -296,7 +299,7 @@ Exploration Conclude(const Problem& problem, const SearchFile& file) {
   const std::vector<uint8_t>& failing = random ? file.samples.failing : file.traces.failing;
   if (random ? file.samples.bad > 0 : file.traces.bad > 0) {
     exploration.verdict = Verdict::kFailed;
-    exploration.failure = Shrink(problem, failing);
+    exploration.failure = known ? std::move(known) : Shrink(problem, failing);
   } else if (!file.done() || !file.whole()) {
     exploration.verdict = file.done() ? Verdict::kPassed : Verdict::kIncomplete;
     exploration.why = WhyNotProved(file, file.done());

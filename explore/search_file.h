@@ -7,8 +7,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
@@ -39,7 +41,7 @@ struct SearchFile {
   uint64_t seed = 0;
   int depth = 0;
   int64_t runs = 0;      ///< of the whole search
-  int64_t runs_cut = 0;  ///< that its parts should have made and did not
+  int64_t runs_cut = 0;  ///< that its part should have made and did not
   SampleCounts samples;
 
   bool done() const;   ///< of its parts nothing is left to be done
@@ -60,11 +62,13 @@ std::string FormatSearchFile(const SearchFile& file);
 /// Reads it back. Fails when it is none, or not as it was written.
 Result<SearchFile> ParseSearchFile(std::string_view text);
 
-/// Adds the parts of another file. Fails, saying why, when the two are not parts of one search or
-/// have a part in common.
+/// Adds the parts of another file. Fails, saying why, when the two are not parts of one search,
+/// have a part in common, or random runs of one are not all done.
 Result<void> MergeInto(SearchFile* file, const SearchFile& other);
 
 /// What the parts have found: a failure, a proof when all are there and done, or what is missing.
-Exploration Conclude(const Problem& problem, const SearchFile& file);
+/// `known` is a failure that has been shown already.
+Exploration Conclude(const Problem& problem, const SearchFile& file,
+                     std::optional<Failure> known = {});
 
 }  // namespace oncard::explore

@@ -131,7 +131,8 @@ Result<explore::Findings> GoOn(const ExploreSubject& subject,
     file->runs_cut -= exploration.value().samples->runs;
     explore::MergeInto(&file->samples, *exploration.value().samples);
   }
-  explore::Exploration concluded = Conclude(problem.value(), *file);
+  explore::Exploration concluded =
+      Conclude(problem.value(), *file, std::move(exploration.value().failure));
   if (concluded.verdict == explore::Verdict::kIncomplete) concluded.why = exploration.value().why;
   return FindingsOf(problem.value(), std::move(concluded));
 }

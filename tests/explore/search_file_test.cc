@@ -60,6 +60,21 @@ TEST(SearchFileTest, PartsAreNumberedFromOne) {
   }
 }
 
+TEST(SearchFileTest, RandomRunsThatAreNotDoneAreNotMerged) {
+  SearchFile first;
+  first.engine = EngineKind::kRandom;
+  first.parts = 2;
+  first.held = {1};
+  SearchFile second = first;
+  second.held = {2};
+  second.runs_cut = 3;
+  SearchFile file = first;
+  EXPECT_FALSE(MergeInto(&file, second).ok());
+  second.runs_cut = 0;
+  EXPECT_TRUE(MergeInto(&file, second).ok());
+  EXPECT_TRUE(file.whole());
+}
+
 TEST(SearchFileTest, RunsAreSharedOut) {
   EXPECT_EQ(RunsOfPart(10, {1, 3}), (std::pair<int64_t, int64_t>{0, 4}));
   EXPECT_EQ(RunsOfPart(10, {2, 3}), (std::pair<int64_t, int64_t>{4, 3}));
