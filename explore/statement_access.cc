@@ -49,13 +49,16 @@ class NextStatement {
         machine_.ReadRaw({variable.storage == vm::Storage::kGlobal,
                           static_cast<uint8_t>(state_.page), variable.id, vm::DataType::kInt}));
   }
-  /// A selector or a count; 0 for an element, which none of them is in practice.
+  /// A selector or a count. 0 for an element out of bounds: the statement faults.
   int32_t ValueOf(const vm::Operand& operand) const {
     if (const auto* immediate = std::get_if<vm::Immediate>(&operand)) {
       return static_cast<int32_t>(immediate->raw >> vm::kFractionBits);
     }
-    const auto* variable = std::get_if<vm::Variable>(&operand);
-    return variable == nullptr ? 0 : ValueOf(*variable);
+    if (const auto* variable = std::get_if<vm::Variable>(&operand)) return ValueOf(*variable);
+    const auto& element = std::get<vm::Element>(operand);
+    const auto index = static_cast<uint32_t>(ValueOf(element.index));
+    if (index >= element.size) return 0;
+    return ValueOf(vm::Variable{element.storage, static_cast<uint16_t>(element.base + index)});
   }
 
   /// The globals of an operand that stands for `slots` consecutive ones.
@@ -78,8 +81,9 @@ class NextStatement {
   void AddCommand(const vm::Instruction& instruction) {
     const gtcalls::Command* command = gtcalls::FindCommand(instruction.op);
     const vm::CommandShape* shape = controller_.commands().Find(instruction.op);
-    if (command == nullptr || shape == nullptr)
+    if (command == nullptr || shape == nullptr) {
       return Add(Resource::kEverything, Touched::kAll, true);
+    }
     const auto& operands = instruction.operands;
     for (size_t i = 0; i < operands.size() && i < shape->parameters.size(); ++i) {
       const vm::ParameterShape& parameter = shape->parameters[i];

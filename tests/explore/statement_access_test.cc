@@ -43,6 +43,12 @@ TEST(StatementAccessTest, CommandsTouchWhatTheCatalogueSays) {
                                 ""}));
 }
 
+TEST(StatementAccessTest, AnElementSelectsAnAxisToo) {
+  EXPECT_EQ(
+      AccessesOf("int a[3];\nint t0() {\n int k;\n k = 1;\n a[1] = 4;\n GT_SetVel(a[k], 5);\n}\n"),
+      (std::vector<std::string>{"", "a[1]!", "a[1] axis 4!"}));
+}
+
 TEST(StatementAccessTest, DependenceIsACommonThingThatOneWrites) {
   using gtcalls::Resource;
   const StatementAccess reads = {{Resource::kAxis, 1, false}};
