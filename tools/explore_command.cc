@@ -58,6 +58,12 @@ int Save(const std::string& path, const Session& session, const ExploreSubject& 
 /// any more, with the schedule beside it.
 int SaveRegression(const ExploreArguments& arguments, const Session& session,
                    const ExploreSubject& subject, const explore::Findings& findings) {
+  if (findings.exploration.failure->livelock) {
+    return Fail(session, kExitUsage,
+                {"a livelock is no run that can be repeated to its end: keep a scenario with "
+                 "explore = \"prove\"",
+                 "活锁不是可以重复到底的一次运行：请保留带 explore = \"prove\" 的场景"});
+  }
   const std::string schedule =
       std::filesystem::path(arguments.regression).replace_extension(".schedule").string();
   const int saved = Save(schedule, session, subject, findings);

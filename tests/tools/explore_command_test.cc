@@ -166,6 +166,20 @@ TEST(Explore, AFailureBecomesARegressionScenario) {
   EXPECT_EQ(run({"explore", "p.c", "--regression", "lost.txt"}).exit_code, 2);
 }
 
+// A schedule cannot show that something goes on for ever.
+TEST(Explore, ALivelockIsNoRegressionScenario) {
+  const ScratchFolder scratch;
+  scratch.Write(
+      "p.c",
+      "int a, b;\nint t0() {\n  int w;\nL:\n  w = a == 0;\n  if (w) goto L;\n  b = 1;\n}\n"
+      "int t1() {\n  int w;\nL:\n  w = b == 0;\n  if (w) goto L;\n  a = 1;\n}\n");
+  const ProcessResult result =
+      RunOncard({"explore", "p.c", "--regression", "live.toml"}, scratch.path());
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("livelock"), std::string::npos) << result.err;
+  EXPECT_FALSE(scratch.Has("live.toml"));
+}
+
 TEST(Explore, RefusesHostEvents) {
   const ScratchFolder scratch;
   scratch.Write("p.c", kLostUpdate);
