@@ -144,8 +144,7 @@ class Search {
     return steps;
   }
 
-  // --- Parts of a search
-  // ---------------------------------------------------------------------------
+  // --- Parts of a search -------------------------------------------------------------------------
 
   /// Takes the steps before the unit, for which there is nothing else to be tried.
   void TakePrefix(const TraceUnit& unit) {
@@ -249,8 +248,7 @@ class Search {
     return plan;
   }
 
-  // --- The search
-  // ----------------------------------------------------------------------------------
+  // --- The search --------------------------------------------------------------------------------
 
   /// From the end of an execution on.
   void Explore() {

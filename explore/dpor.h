@@ -54,10 +54,12 @@ struct PlannedStep {
 
 /// What an interrupted search knows of one state on its present path.
 struct SavedFrame {
-  std::vector<uint8_t> sleep;      ///< threads whose next step need not be tried here
-  std::vector<PlannedStep> plans;  ///< the first one is under way
-  std::vector<uint32_t> races =
-      {};  ///< earlier steps of the path that the step under way races with
+  /// Threads whose next step need not be tried here.
+  std::vector<uint8_t> sleep;
+  /// The first one is under way.
+  std::vector<PlannedStep> plans;
+  /// Earlier steps of the path with which the one under way races.
+  std::vector<uint32_t> races = {};
   bool operator==(const SavedFrame&) const = default;
 };
 

@@ -36,7 +36,7 @@ struct TraceSearch {
   bool too_deep = false;          ///< an execution was longer than the limit
   std::vector<StateKey> globals;  ///< different final values, in order
   std::vector<StateKey> full;     ///< the same with what the threads returned
-  /// Of the executions that went wrong, the threads of the first in order of their length.
+  /// The threads of an execution that went wrong, the shortest of the first thousand.
   std::vector<uint8_t> failing;
 
   bool complete() const { return units.empty() && !too_deep; }
