@@ -4,6 +4,8 @@
 #ifndef ONCARD_COMPAT_CONIO_H_
 #define ONCARD_COMPAT_CONIO_H_
 
+/* As on Windows, toupper() comes along. */
+#include <ctype.h>
 #include <stdio.h>
 
 #include "oncard_host.h"

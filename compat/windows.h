@@ -4,7 +4,12 @@
 #ifndef ONCARD_COMPAT_WINDOWS_H_
 #define ONCARD_COMPAT_WINDOWS_H_
 
+/* As on Windows, these come along. */
+#include <ctype.h>
+#include <stdarg.h>
+#include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "oncard_host.h"
@@ -52,6 +57,16 @@ typedef union {
 } LARGE_INTEGER;
 
 #define ZeroMemory(destination, length) memset((destination), 0, (length))
+
+/* Steps that a host asks for to make its sleeps exact; they are. */
+static inline UINT timeBeginPeriod(UINT milliseconds) {
+  (void)milliseconds;
+  return 0;
+}
+static inline UINT timeEndPeriod(UINT milliseconds) {
+  (void)milliseconds;
+  return 0;
+}
 
 static inline void Sleep(DWORD milliseconds) {
   oncard_host_sleep_ns((long long)milliseconds * 1000000);

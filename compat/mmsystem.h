@@ -1,0 +1,2 @@
+/* timeGetTime() and its kin: windows.h has them. */
+#include "windows.h"
