@@ -1,7 +1,8 @@
 // The vocabulary in which catalogue.def, structures.def and constants.def are written, and their
 // rows as constants: one array of parameters and one of accesses per command, named like it. All of
 // it is evaluated by the compiler; a row that names a parameter it does not have fails to compile.
-// Only catalogue.cc and the test that compares the header with the catalogue include this file.
+// Only catalogue.cc, the generator of gts.h (for basic_layouts.def) and the test that compares the
+// header with the catalogue include this file.
 #pragma once
 
 #include <algorithm>

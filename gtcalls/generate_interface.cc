@@ -3,6 +3,7 @@
 //   generate_interface header FILE         gts.h
 //   generate_interface entry-points FILE   the library's functions
 //   generate_interface multi-entry-points FILE  the same with a card number
+//   generate_interface basic-entry-points FILE  the same for hosts of the vendor's basic header
 //   generate_interface structures FILE     the structures of gts.h as cells and back
 //   generate_interface markdown FILE       docs/commands.md
 //
@@ -10,15 +11,21 @@
 // `short cardNum` in front of the parameters and renames the function, GT_Update to GTM_Update, so
 // that one library serves both generations and neither can be taken for the other.
 //
+// A host may be compiled with the vendor's own gts.h, which lies beside its source. Where a
+// structure is laid out otherwise there (basic_layouts.def), the commands that take it have two
+// entry points: the plain name for that header, and the name in front of which gts.h puts GTX_.
+//
 // Tested by tests/gtcalls/interface_test.cc and, at compile time, interface_types_test.cc.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <iterator>
 #include <string>
 #include <string_view>
 
 #include "gtcalls/catalogue.h"
+#include "gtcalls/catalogue_rows.h"
 
 namespace oncard::gtcalls {
 namespace {
@@ -35,16 +42,45 @@ constexpr Line kLines[] = {
 #include "gtcalls/catalogue.def"
 };
 
+namespace basic {
+
+using namespace structures;
+
+#define BASIC_LAYOUT(name, ...) constexpr std::array name##Basic = std::array{__VA_ARGS__};
+#include "gtcalls/basic_layouts.def"
+
+constexpr Structure kLayouts[] = {
+#define BASIC_LAYOUT(name, ...) {#name, name##Basic, false},
+#include "gtcalls/basic_layouts.def"
+};
+
+}  // namespace basic
+
 template <typename... Args>
 void Append(std::string* out, fmt::format_string<Args...> format, Args&&... args) {
   fmt::format_to(std::back_inserter(*out), format, std::forward<Args>(args)...);
 }
 
-/// The name of a command with `short cardNum` in front.
-std::string MultiCardName(const Command& command) {
+/// The name of a command with another prefix than GT_.
+std::string Renamed(std::string_view prefix, const Command& command) {
   const std::string_view name = command.name;
-  return name.starts_with("GT_") ? fmt::format("GTM_{}", name.substr(3))
-                                 : fmt::format("GTM_{}", name);
+  return fmt::format("{}{}", prefix, name.starts_with("GT_") ? name.substr(3) : name);
+}
+/// The name of a command with `short cardNum` in front.
+std::string MultiCardName(const Command& command) { return Renamed("GTM_", command); }
+/// The name of a command that takes a structure of ours which the vendor's basic header lays out
+/// otherwise.
+std::string WideName(const Command& command) { return Renamed("GTX_", command); }
+
+/// True for a parameter whose memory the basic header lays out otherwise. Memory that is only lent
+/// has no layout.
+bool IsBasic(const Parameter& parameter) {
+  return parameter.structure != nullptr && parameter.passing != Passing::kLent &&
+         std::any_of(std::begin(basic::kLayouts), std::end(basic::kLayouts),
+                     [&](const Structure& s) { return s.name == parameter.structure->name; });
+}
+bool HasBasic(const Command& command) {
+  return std::any_of(command.parameters.begin(), command.parameters.end(), IsBasic);
 }
 
 /// The parameters as declarations, or only their names, each preceded by a comma.
@@ -129,6 +165,21 @@ constexpr std::string_view kHeaderHead =
 #define GTS_FAULT_OUTPUT_BEYOND_STORAGE 102
 )";
 
+/// How the prototypes of one card are named.
+constexpr std::string_view kHeaderNames = R"(#define GTS_WIDE_(name)
+#else
+#define GTS_CARD_
+#define GTS_CARD_ONLY_ void
+/* Commands that take a structure which the vendor's basic gts.h lays out otherwise have a name of
+   their own in the library; the plain name is for hosts that were compiled with that header. */
+#ifdef __GNUC__
+#define GTS_WIDE_(name) __asm__(#name)
+#else
+#error "gts.h needs a compiler that can name functions for the linker, as gcc and clang do"
+#endif
+#endif
+)";
+
 void AppendMember(std::string* out, const Member& member) {
   const std::string_view type =
       member.structure != nullptr ? member.structure->name : SpellScalar(member.type);
@@ -158,7 +209,11 @@ void AppendPrototype(std::string* out, const Command& command) {
     if (!parameter.default_text.empty()) {
       Append(&word, " GTS_DEFAULT_({})", parameter.default_text);
     }
-    word += i + 1 < command.parameters.size() ? "," : ");";
+    if (i + 1 < command.parameters.size()) {
+      word += ",";
+    } else {
+      word += HasBasic(command) ? fmt::format(") GTS_WIDE_({});", WideName(command)) : ");";
+    }
     if (line.size() + word.size() > 100) {
       line.pop_back();
       *out += line + "\n";
@@ -191,7 +246,7 @@ std::string Header() {
   for (const Command& command : Commands()) {
     if (command.on_host) Append(&out, "#define {} {}\n", command.name, MultiCardName(command));
   }
-  out += "#else\n#define GTS_CARD_\n#define GTS_CARD_ONLY_ void\n#endif\n";
+  out += kHeaderNames;
   for (const Line& line : kLines) {
     if (!line.topic.empty()) {
       Append(&out, "\n/* --- {} --- */\n", line.topic);
@@ -202,7 +257,9 @@ std::string Header() {
     AppendComment(&out, command);
     AppendPrototype(&out, command);
   }
-  out += "\n#undef GTS_CARD_\n#undef GTS_CARD_ONLY_\n#undef GTS_DEFAULT_\n\n#endif\n";
+  out +=
+      "\n#undef GTS_CARD_\n#undef GTS_CARD_ONLY_\n#undef GTS_DEFAULT_\n#undef "
+      "GTS_WIDE_\n\n#endif\n";
   return out;
 }
 
@@ -231,6 +288,95 @@ std::string EntryPoints(bool multi_card) {
            Names(command));
   }
   return out;
+}
+
+/// The declaration of a basic layout, which has the structure's name in a namespace of its own, and
+/// the way from it to ours and back.
+void AppendBasicLayout(std::string* out, const Structure& layout) {
+  Append(out, "namespace basic {{\nstruct {} {{\n", layout.name);
+  for (const Member& member : layout.members) AppendMember(out, member);
+  *out += "};\n}  // namespace basic\n\n";
+  for (const bool widen : {true, false}) {
+    Append(out, "[[maybe_unused]] static void Copy(const {0}{2}& from, {1}{2}* to) {{\n",
+           widen ? "basic::" : "::", widen ? "::" : "basic::", layout.name);
+    for (const Member& member : layout.members) {
+      if (member.array_size > 0) {
+        Append(out, "  std::copy_n(from.{0}, {1}, to->{0});\n", member.name, member.array_size);
+      } else {
+        Append(out, "  to->{0} = from.{0};\n", member.name);
+      }
+    }
+    *out += "}\n\n";
+  }
+}
+
+/// The parameters as a host of the basic header passes them.
+std::string BasicDeclarations(const Command& command) {
+  std::string text;
+  for (const Parameter& parameter : command.parameters) {
+    text += text.empty() ? "" : ", ";
+    if (IsBasic(parameter)) text += "basic::";
+    text += DeclareParameter(parameter);
+  }
+  return text;
+}
+
+void AppendBasicEntryPoint(std::string* out, const Command& command) {
+  const std::string declarations = BasicDeclarations(command);
+  Append(out,
+         "extern \"C\" GTS_CALL_ short Basic{0}({1}) __asm__(\"{0}\");\nshort Basic{0}({1}) {{\n",
+         command.name, declarations);
+  std::string before;
+  std::string names;
+  std::string after;
+  for (const Parameter& parameter : command.parameters) {
+    names += names.empty() ? "" : ", ";
+    if (!IsBasic(parameter)) {
+      names += parameter.name;
+      continue;
+    }
+    Append(&names, "Wide({0}, &wide_{0})", parameter.name);
+    Append(&before, "  {0} wide_{1}{{}};\n", parameter.structure->name, parameter.name);
+    if (parameter.passing == Passing::kInput) {
+      Append(&before, "  if (IsAddress({0})) Copy(*{0}, &wide_{0});\n", parameter.name);
+    } else {
+      Append(&after, "  if (code == 0) Copy(wide_{0}, {0});\n", parameter.name);
+    }
+  }
+  Append(out, "{}  const short code = {}({});\n{}  return code;\n}}\n\n", before, command.name,
+         names, after);
+}
+
+constexpr std::string_view kBasicHead =
+    R"(// The library's entry points for hosts that were compiled with the vendor's basic gts.h, where its
+// structures differ. Generated: do not edit.
+#include <algorithm>
+
+#include "gts.h"
+#include "runtime/host_api.h"
+
+namespace oncard::runtime {
+namespace {
+
+/// What is passed on for a pointer to a basic structure; what cannot be one is left to be refused.
+template <typename Basic, typename Ours>
+Ours* Wide(Basic* host, Ours* wide) {
+  return IsAddress(host) ? wide : reinterpret_cast<Ours*>(host);
+}
+
+}  // namespace
+
+)";
+
+/// The functions with plain names, as the vendor's basic header declares them. They pass on to
+/// ours.
+std::string BasicEntryPoints() {
+  std::string out(kBasicHead);
+  for (const Structure& layout : basic::kLayouts) AppendBasicLayout(&out, layout);
+  for (const Command& command : Commands()) {
+    if (command.on_host && HasBasic(command)) AppendBasicEntryPoint(&out, command);
+  }
+  return out + "}  // namespace oncard::runtime\n";
 }
 
 // --- Structures as cells ------------------------------------------------------------------------
@@ -379,6 +525,7 @@ int Main(int argc, char** argv) {
   if (what == "header") text = Header();
   if (what == "entry-points") text = EntryPoints(false);
   if (what == "multi-entry-points") text = EntryPoints(true);
+  if (what == "basic-entry-points") text = BasicEntryPoints();
   if (what == "structures") text = StructureConversions();
   if (what == "markdown") text = Markdown();
   if (text.empty()) {

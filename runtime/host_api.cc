@@ -3,6 +3,7 @@
 #include <mutex>
 
 #include "runtime/call_log.h"
+#include "runtime/card_number_hint.h"
 #include "runtime/card_table.h"
 #include "runtime/host_services.h"
 
@@ -59,8 +60,11 @@ int16_t CallCard(int card, uint16_t number, std::span<const HostArgument> argume
   const int index = card == kSelectedCard ? table.selected.load() : card;
   if (index < 0 || index >= kCardCount) return vm::kBadParameter;
   CardSlot& slot = table.slots[static_cast<size_t>(index)];
+  const gtcalls::Command& command = *gtcalls::FindCommand(number);
   const std::lock_guard lock(slot.mutex);
-  return CallLockedCard(index, slot, *gtcalls::FindCommand(number), arguments);
+  const int16_t code = CallLockedCard(index, slot, command, arguments);
+  if (card == kSelectedCard) HintAtCardNumber(command, arguments, code);
+  return code;
 }
 
 }  // namespace oncard::runtime

@@ -22,6 +22,13 @@ inline constexpr int kCardCount = 16;
 /// host passes as a card number equals it.
 inline constexpr int kSelectedCard = 0x10000;
 
+/// The lowest memory of a process is never mapped: what points there is a number that a host passes
+/// where a pointer belongs.
+inline bool IsAddress(const void* pointer) {
+  constexpr uintptr_t kPageSize = 4096;
+  return reinterpret_cast<uintptr_t>(pointer) >= kPageSize;
+}
+
 /// One argument exactly as the host passed it.
 struct HostArgument {
   enum class Kind : uint8_t { kInteger, kReal, kPointer };

@@ -187,7 +187,13 @@ Result<void> ReadArguments(const Command& command, std::span<const HostArgument>
     }
     argument.host = host[i].pointer;
     argument.null = argument.host == nullptr;
-    if (argument.null && !parameter.nullable) {
+    if (!argument.null && parameter.passing != Passing::kLent && !IsAddress(argument.host)) {
+      argument.null = true;
+      fail(MakeError(vm::kBadParameter,
+                     "parameter {} is the number {}; pass the address of a variable",
+                     "参数 {} 为数值 {}；应传入变量的地址", parameter.name,
+                     reinterpret_cast<uintptr_t>(argument.host)));
+    } else if (argument.null && !parameter.nullable) {
       fail(MakeError(vm::kBadParameter, "parameter {} is NULL; pass the address of a variable",
                      "参数 {} 为 NULL；应传入变量的地址", parameter.name));
     }

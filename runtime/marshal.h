@@ -31,8 +31,8 @@ struct MarshalledCall {
 /// Fills `call` from what the host passed; there is one host argument per parameter. `card` says
 /// how much memory the pointers cover that have no count; NULL for a card that is not open, which
 /// makes them cover nothing. All arguments are filled even on failure, those that cannot be read as
-/// NULL. Fails with 7 on NULL where it is not allowed, a count out of range, or a long that is no
-/// 32-bit number.
+/// NULL. Fails with 7 on NULL where it is not allowed, a pointer that is no address, a count out of
+/// range, or a long that is no 32-bit number.
 Result<void> ReadArguments(const gtcalls::Command& command, std::span<const HostArgument> host,
                            const gtcalls::Card* card, MarshalledCall* call);
 

@@ -195,6 +195,12 @@ TEST(MarshalTest, ACountOfZeroWhereItIsAllowedCoversNothing) {
 }
 
 // The vendor's library plans ahead in the host's memory; the simulated card has its own.
+TEST(MarshalTest, ANumberIsNoAddress) {
+  const auto axis = static_cast<short>(1);
+  auto* const number = reinterpret_cast<double*>(sizeof(double));
+  EXPECT_EQ(Marshalled("GT_GetVel", axis, number).code(), 7);
+}
+
 TEST(MarshalTest, LentMemoryIsNotTouched) {
   TCrdData* const no_buffer = nullptr;
   TCrdData* const no_address = reinterpret_cast<TCrdData*>(sizeof(TCrdData));

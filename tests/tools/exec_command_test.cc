@@ -167,6 +167,38 @@ TEST(Exec, LeavesTheHostsOwnFailureAlone) {
   EXPECT_EQ(Exec({"--scenario=" + scenario}, {Client("watched"), "9"}).exit_code, 9);
 }
 
+// --- The vendor's headers ------------------------------------------------------------------------
+
+TEST(Exec, RunsAHostOfTheVendorsBasicHeader) {
+  const ProcessResult result = Exec({}, {Client("vendor_basic")});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+}
+
+TEST(Exec, SaysThatAHostHasTheVendorsHeaderOfSeveralCards) {
+  struct Case {
+    const char* cards;
+    const char* tries;
+    const char* code;
+    const char* command;
+  };
+  const Case cases[] = {
+      {"0", "axis", "7\n", "GT_AxisOn"},     {"0", "file", "7\n", "GT_LoadConfig"},
+      {"1", "file", "7\n", "GT_LoadConfig"}, {"0", "clock", "7\n", "GT_GetClock"},
+      {"1", "clock", "7\n", "GT_GetClock"},  {"01", "nothing", "-6\n", "GT_Open"},
+  };
+  for (const Case& c : cases) {
+    const ProcessResult result = Exec({}, {Client("vendor_multi"), c.cards, c.tries});
+    EXPECT_EQ(result.out, c.code) << c.cards << c.tries;
+    EXPECT_EQ(result.err.rfind(std::string("oncard: ") + c.command +
+                               " was called with what looks like a card's number"),
+              0u)
+        << c.cards << c.tries << result.err;
+  }
+  // GT_Open(0, 0) alone says nothing: hosts of one card write it too.
+  EXPECT_EQ(Exec({}, {Client("vendor_multi"), "0", "nothing"}).err, "");
+}
+
 // --- Exit codes ----------------------------------------------------------------------------------
 
 TEST(Exec, PassesTheExitCodeOn) {

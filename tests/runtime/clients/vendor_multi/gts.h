@@ -1,0 +1,12 @@
+#pragma once
+
+// A few lines in the manner of the vendor's header for several cards: the functions have the names
+// that they have for one card, and a card's number in front of their parameters.
+#define GT_API extern "C" short __stdcall
+
+GT_API GT_Open(short cardNum, short channel = 0, short param = 1);
+GT_API GT_Reset(short cardNum);
+GT_API GT_LoadConfig(short cardNum, char* pFile);
+GT_API GT_ClrSts(short cardNum, short axis, short count = 1);
+GT_API GT_AxisOn(short cardNum, short axis);
+GT_API GT_GetClock(short cardNum, unsigned long* pClock, unsigned long* pLoop = NULL);
