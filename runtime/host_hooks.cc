@@ -1,8 +1,14 @@
 #include "runtime/host_hooks.h"
 
+#include <pthread.h>
+
+#include "runtime/card_table.h"
 #include "runtime/host_keys.h"
 #include "runtime/host_scenario.h"
 #include "runtime/host_time.h"
+#include "runtime/virtual_time.h"
+
+using oncard::runtime::VirtualTime;
 
 #define ONCARD_EXPORT extern "C" __attribute__((visibility("default")))
 
@@ -14,6 +20,19 @@ ONCARD_EXPORT void oncard_host_sleep_ns(long long duration_ns) {
   oncard::runtime::SleepHostNs(duration_ns);
 }
 
+ONCARD_EXPORT void oncard_host_wait_begin(long long deadline_ns, oncard_host_wait* wait) {
+  const VirtualTime::Wait begun = VirtualTime::OfProcess().BeginWait(deadline_ns);
+  *wait = {begun.deadline_ns, begun.number};
+}
+
+ONCARD_EXPORT long long oncard_host_wait_slice_ns(const oncard_host_wait* wait) {
+  return VirtualTime::OfProcess().NextSliceNs({wait->deadline_ns, wait->number});
+}
+
+ONCARD_EXPORT void oncard_host_wait_end(const oncard_host_wait* wait, int expired) {
+  VirtualTime::OfProcess().EndWait({wait->deadline_ns, wait->number}, expired != 0);
+}
+
 ONCARD_EXPORT int oncard_host_kbhit() {
   return oncard::runtime::HostKeys::OfProcess().Hit() ? 1 : 0;
 }
@@ -22,7 +41,33 @@ ONCARD_EXPORT int oncard_host_getch() { return oncard::runtime::HostKeys::OfProc
 
 namespace {
 
+using oncard::runtime::CardSlot;
+using oncard::runtime::CardTable;
+
 /// Runs when the host has ended, after its own destructors.
 __attribute__((destructor)) void JudgeHost() { oncard::runtime::FinishHost(); }
+
+// A host may fork while other threads of it are in a command: the locks are taken first, so that
+// the child gets cards and time as they are between two commands. It has copies of them.
+void LockEverything() {
+  for (CardSlot& slot : CardTable::OfProcess().slots) slot.mutex.lock();
+  VirtualTime::OfProcess().LockForFork();
+}
+void UnlockCards() {
+  for (CardSlot& slot : CardTable::OfProcess().slots) slot.mutex.unlock();
+}
+void UnlockParent() {
+  VirtualTime::OfProcess().UnlockAfterFork();
+  UnlockCards();
+}
+void UnlockChild() {
+  VirtualTime::OfProcess().BecomeChild();
+  UnlockCards();
+  oncard::runtime::LeaveJudgingToParent();
+}
+
+__attribute__((constructor)) void WatchForks() {
+  pthread_atfork(LockEverything, UnlockParent, UnlockChild);
+}
 
 }  // namespace

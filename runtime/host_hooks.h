@@ -18,6 +18,18 @@ int oncard_host_virtual(void);
 long long oncard_host_time_ns(void);
 /** Sleeps; with virtual time, without delay. A duration of 0 or less is a look at the clock. */
 void oncard_host_sleep_ns(long long duration_ns);
+/** A wait for something else than time that ends at a moment of virtual time (virtual_time.h). */
+struct oncard_host_wait {
+  long long deadline_ns;
+  long long number;
+};
+/** The calling thread begins such a wait; the moment counts from the start of the host. */
+void oncard_host_wait_begin(long long deadline_ns, struct oncard_host_wait* wait);
+/** How long it is to wait in reality before it asks again; 0 when the moment has come, or would
+   come now as all threads wait: then it looks a last time and ends. */
+long long oncard_host_wait_slice_ns(const struct oncard_host_wait* wait);
+/** Ends it; with `expired` other than 0 the moment has come. */
+void oncard_host_wait_end(const struct oncard_host_wait* wait, int expired);
 /** 1 when a key has been pressed and not read. Keys come from ONCARD_KEYS and from the scenario's
     `keys`, without either from the terminal. */
 int oncard_host_kbhit(void);

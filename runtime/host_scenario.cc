@@ -20,6 +20,7 @@ struct Verdict {
   std::mutex mutex;
   std::vector<Message> failures;
   int exit_status = 0;
+  bool in_child = false;
 };
 
 Verdict& VerdictOfProcess() {
@@ -156,7 +157,10 @@ void CardWatch::Fail(const Expectation& expectation, const Message& why) {
   failures_.push_back(std::move(failure));
 }
 
+void LeaveJudgingToParent() { VerdictOfProcess().in_child = true; }
+
 void FinishHost() {
+  if (VerdictOfProcess().in_child) return;
   for (CardSlot& slot : CardTable::OfProcess().slots) {
     // A thread that is inside a command now will not come back from it.
     const std::unique_lock lock(slot.mutex, std::try_to_lock);

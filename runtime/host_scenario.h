@@ -55,5 +55,7 @@ class CardWatch {
 /// on standard error. If there are any, and the host itself has ended well, ends the process
 /// with 1.
 void FinishHost();
+/// Called in a child of fork(): what comes of the host is the parent's to say, and to write.
+void LeaveJudgingToParent();
 
 }  // namespace oncard::runtime

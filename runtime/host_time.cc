@@ -32,7 +32,7 @@ void SleepHostNs(int64_t duration_ns) {
   }
   if (HostTimeIsVirtual()) {
     VirtualTime& time = VirtualTime::OfProcess();
-    time.SleepUntil(time.NowNs() + duration_ns);
+    time.SleepUntil(time.After(duration_ns));
   } else {
     std::this_thread::sleep_for(std::chrono::nanoseconds(duration_ns));
   }

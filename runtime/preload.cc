@@ -1,32 +1,24 @@
 // liboncard_host.so, which `oncard exec` loads before everything else of a host program: the C
-// library's sleeps and clocks go by the virtual time of libgts, so that a program that sleeps
-// through a ten-second move finishes at once.
+// library's sleeps, clocks and time-outs go by the virtual time of libgts, so that a program that
+// sleeps through a ten-second move finishes at once. This file: sleeps and clocks.
 //
-//   sleep usleep nanosleep clock_nanosleep        sleeps
-//   select pselect poll ppoll without descriptors  likewise; with descriptors they are left alone
-//   clock_gettime gettimeofday time timespec_get  clocks: the calendar begins on 2026-01-01 00:00
-//                                                 UTC, the monotonic clocks at 1000 s
+//   sleep usleep nanosleep clock_nanosleep thrd_sleep
+//   clock_gettime gettimeofday time timespec_get times   the calendar begins on 2026-01-01 00:00
+//   UTC,
+//                                                        the monotonic clocks at 1000 s
 //
-// The processor-time clocks are left alone, and so is everything in a process that has no libgts (a
-// shell that starts the host) or that does not go by virtual time. The library has no state but the
-// addresses that it has found, and calls nothing of C++.
+// preload_locks.cc has the time-outs of locks and conditions, preload_descriptors.cc those of
+// descriptors. The processor-time clocks are left alone.
 // Tested by tests/tools/exec_command_test.cc.
-#include <dlfcn.h>
-#include <errno.h>
-#include <poll.h>
-#include <signal.h>
-#include <sys/select.h>
-#include <sys/time.h>
-#include <time.h>
+#include <sys/times.h>
+#include <threads.h>
 #include <unistd.h>
 
-#include "runtime/host_hooks.h"
+#include "runtime/preload.h"
 
-#define ONCARD_EXPORT extern "C" __attribute__((visibility("default")))
-
+namespace oncard::preload {
 namespace {
 
-constexpr long long kSecondNs = 1'000'000'000;
 /// Where the clocks begin: the same in every run.
 constexpr long long kCalendarBeginNs = 1'767'225'600 * kSecondNs;  // 2026-01-01 00:00:00 UTC
 constexpr long long kMonotonicBeginNs = 1000 * kSecondNs;
@@ -34,56 +26,39 @@ constexpr long long kMonotonicBeginNs = 1000 * kSecondNs;
 /// A function of libgts, or NULL in a process without it. A library that was loaded for one caller
 /// only, as Python does, is found by its name.
 template <typename Function>
-Function* OfLibgts(const char* name) {
+bool FindInLibgts(const char* name, Function** function) {
   void* found = dlsym(RTLD_DEFAULT, name);
   if (found == nullptr) {
     void* library = dlopen("libgts.so", RTLD_LAZY | RTLD_NOLOAD);
     if (library != nullptr) found = dlsym(library, name);
   }
-  return reinterpret_cast<Function*>(found);
+  *function = reinterpret_cast<Function*>(found);
+  return found != nullptr;
 }
 
-/// What the C library, or the next one that replaces it, has under a name.
-template <typename Function>
-Function* Original(const char* name) {
-  return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
-}
+timespec Calendar(const Hooks& hooks) { return ToTimespec(kCalendarBeginNs + hooks.time_ns()); }
 
-#define ORIGINAL(name)                                             \
-  [] {                                                             \
-    static auto* const original = Original<decltype(name)>(#name); \
-    return original;                                               \
-  }()
+}  // namespace
 
-struct Hooks {
-  decltype(oncard_host_time_ns)* time_ns = [] { return 0LL; };
-  decltype(oncard_host_sleep_ns)* sleep_ns = [](long long) {};
-};
-
-/// The way to virtual time; NULL when this process does not go by it.
 const Hooks* VirtualHooks() {
   static Hooks hooks;
   static bool found = false;
   if (__atomic_load_n(&found, __ATOMIC_ACQUIRE)) return &hooks;
-  auto* is_virtual = OfLibgts<decltype(oncard_host_virtual)>("oncard_host_virtual");
-  if (is_virtual == nullptr || is_virtual() == 0) return nullptr;
-  auto* time_ns = OfLibgts<decltype(oncard_host_time_ns)>("oncard_host_time_ns");
-  auto* sleep_ns = OfLibgts<decltype(oncard_host_sleep_ns)>("oncard_host_sleep_ns");
-  if (time_ns == nullptr || sleep_ns == nullptr) return nullptr;
-  hooks = {time_ns, sleep_ns};
+  decltype(oncard_host_virtual)* is_virtual = nullptr;
+  if (!FindInLibgts("oncard_host_virtual", &is_virtual) || is_virtual() == 0) return nullptr;
+  Hooks all;
+  if (!FindInLibgts("oncard_host_time_ns", &all.time_ns) ||
+      !FindInLibgts("oncard_host_sleep_ns", &all.sleep_ns) ||
+      !FindInLibgts("oncard_host_wait_begin", &all.wait_begin) ||
+      !FindInLibgts("oncard_host_wait_slice_ns", &all.wait_slice_ns) ||
+      !FindInLibgts("oncard_host_wait_end", &all.wait_end)) {
+    return nullptr;
+  }
+  hooks = all;
   __atomic_store_n(&found, true, __ATOMIC_RELEASE);
   return &hooks;
 }
 
-bool IsValid(const timespec& time) {
-  return time.tv_sec >= 0 && time.tv_nsec >= 0 && time.tv_nsec < kSecondNs;
-}
-long long ToNs(const timespec& time) { return time.tv_sec * kSecondNs + time.tv_nsec; }
-timespec ToTimespec(long long ns) {
-  return {static_cast<time_t>(ns / kSecondNs), static_cast<long>(ns % kSecondNs)};
-}
-
-/// The time of a clock when virtual time begins; -1 for one that is left alone.
 long long BeginOf(clockid_t clock) {
   switch (clock) {
     case CLOCK_REALTIME:
@@ -100,26 +75,23 @@ long long BeginOf(clockid_t clock) {
   }
 }
 
-timespec Calendar(const Hooks& hooks) { return ToTimespec(kCalendarBeginNs + hooks.time_ns()); }
-
-int Fail(int error) {
-  errno = error;
-  return -1;
+long long ToNs(const timespec& time) {
+  if (time.tv_sec < 0) return 0;
+  if (time.tv_sec >= kForeverNs / kSecondNs) return kForeverNs;
+  return time.tv_sec * kSecondNs + time.tv_nsec;
+}
+long long ToNs(const timeval& time) {
+  const long long seconds = time.tv_sec + time.tv_usec / 1'000'000;
+  return ToNs(
+      timespec{static_cast<time_t>(seconds), static_cast<long>(time.tv_usec % 1'000'000) * 1000});
+}
+timespec ToTimespec(long long ns) {
+  return {static_cast<time_t>(ns / kSecondNs), static_cast<long>(ns % kSecondNs)};
 }
 
-bool IsEmpty(int count, const fd_set* set) {
-  if (set == nullptr) return true;
-  for (int descriptor = 0; descriptor < count; ++descriptor) {
-    if (FD_ISSET(descriptor, set)) return false;
-  }
-  return true;
-}
+}  // namespace oncard::preload
 
-bool AreEmpty(int count, const fd_set* read, const fd_set* write, const fd_set* except) {
-  return IsEmpty(count, read) && IsEmpty(count, write) && IsEmpty(count, except);
-}
-
-}  // namespace
+using namespace oncard::preload;
 
 // --- Sleeps --------------------------------------------------------------------------------------
 
@@ -161,48 +133,11 @@ ONCARD_EXPORT int usleep(useconds_t microseconds) {
   return 0;
 }
 
-// --- Time-outs without descriptors
-// ----------------------------------------------------------------
-
-ONCARD_EXPORT int select(int count, fd_set* read, fd_set* write, fd_set* except, timeval* timeout) {
+ONCARD_EXPORT int thrd_sleep(const timespec* duration, timespec* rest) {
   const Hooks* hooks = VirtualHooks();
-  if (hooks == nullptr || timeout == nullptr || !AreEmpty(count, read, write, except)) {
-    return ORIGINAL(select)(count, read, write, except, timeout);
-  }
-  if (timeout->tv_sec < 0 || timeout->tv_usec < 0) return Fail(EINVAL);
-  hooks->sleep_ns(timeout->tv_sec * kSecondNs + timeout->tv_usec * 1000LL);
-  *timeout = {0, 0};
-  return 0;
-}
-
-ONCARD_EXPORT int pselect(int count, fd_set* read, fd_set* write, fd_set* except,
-                          const timespec* timeout, const sigset_t* mask) {
-  const Hooks* hooks = VirtualHooks();
-  if (hooks == nullptr || timeout == nullptr || !AreEmpty(count, read, write, except)) {
-    return ORIGINAL(pselect)(count, read, write, except, timeout, mask);
-  }
-  if (!IsValid(*timeout)) return Fail(EINVAL);
-  hooks->sleep_ns(ToNs(*timeout));
-  return 0;
-}
-
-ONCARD_EXPORT int poll(pollfd* descriptors, nfds_t count, int timeout_ms) {
-  const Hooks* hooks = VirtualHooks();
-  if (hooks == nullptr || count != 0 || timeout_ms < 0) {
-    return ORIGINAL(poll)(descriptors, count, timeout_ms);
-  }
-  hooks->sleep_ns(timeout_ms * 1'000'000LL);
-  return 0;
-}
-
-ONCARD_EXPORT int ppoll(pollfd* descriptors, nfds_t count, const timespec* timeout,
-                        const sigset_t* mask) {
-  const Hooks* hooks = VirtualHooks();
-  if (hooks == nullptr || count != 0 || timeout == nullptr) {
-    return ORIGINAL(ppoll)(descriptors, count, timeout, mask);
-  }
-  if (!IsValid(*timeout)) return Fail(EINVAL);
-  hooks->sleep_ns(ToNs(*timeout));
+  if (hooks == nullptr) return ORIGINAL(thrd_sleep)(duration, rest);
+  if (!IsValid(*duration)) return -2;  // less than -1, which stands for a signal
+  hooks->sleep_ns(ToNs(*duration));
   return 0;
 }
 
@@ -237,4 +172,12 @@ ONCARD_EXPORT int timespec_get(timespec* time, int base) noexcept {
   if (hooks == nullptr || base != TIME_UTC) return ORIGINAL(timespec_get)(time, base);
   *time = Calendar(*hooks);
   return base;
+}
+
+ONCARD_EXPORT clock_t times(tms* buffer) noexcept {
+  const Hooks* hooks = VirtualHooks();
+  const clock_t real = ORIGINAL(times)(buffer);
+  if (hooks == nullptr || real == static_cast<clock_t>(-1)) return real;
+  const long long tick_ns = kSecondNs / sysconf(_SC_CLK_TCK);
+  return static_cast<clock_t>((BeginOf(CLOCK_MONOTONIC) + hooks->time_ns()) / tick_ns);
 }

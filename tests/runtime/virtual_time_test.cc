@@ -53,7 +53,7 @@ TEST(VirtualTimeTest, SleepersWakeInTheOrderOfTheirMoments) {
 
 TEST(VirtualTimeTest, DoesNotJumpWhileAThreadWorks) {
   std::atomic<bool> waits = false;
-  VirtualTime time([&] { return waits.load(); });
+  VirtualTime time([&](auto) { return waits.load(); });
   std::thread sleeper([&] { time.SleepUntil(100 * kMs); });
   for (int step = 0; step < 50; ++step) {
     EXPECT_EQ(time.Pass(kMs), (step + 1) * kMs);
@@ -66,7 +66,7 @@ TEST(VirtualTimeTest, DoesNotJumpWhileAThreadWorks) {
 }
 
 TEST(VirtualTimeTest, DoesNotRunPastASleeper) {
-  VirtualTime time([] { return false; });
+  VirtualTime time([](auto) { return false; });
   std::vector<int64_t> woken;
   std::atomic<bool> ready = false;
   std::thread sleeper([&] {
@@ -86,6 +86,47 @@ TEST(VirtualTimeTest, DoesNotRunPastASleeper) {
   }
 }
 
+TEST(VirtualTimeTest, EndsAWaitAtItsDeadlineWhenNobodyElseGoesOn) {
+  VirtualTime time([](auto) { return true; });
+  const VirtualTime::Wait wait = time.BeginWait(100 * kMs);
+  EXPECT_EQ(time.NextSliceNs(wait), 0);
+  EXPECT_EQ(time.NowNs(), 0) << "what it waits for may come at the last look";
+  time.EndWait(wait, true);
+  EXPECT_EQ(time.NowNs(), 100 * kMs);
+}
+
+TEST(VirtualTimeTest, AWaitThatEndsEarlyLetsNoTimePass) {
+  VirtualTime time([](auto) { return true; });
+  const VirtualTime::Wait wait = time.BeginWait(100 * kMs);
+  time.EndWait(wait, false);
+  EXPECT_EQ(time.NowNs(), 0);
+  time.SleepUntil(200 * kMs);  // is not held up by it
+  EXPECT_EQ(time.NowNs(), 200 * kMs);
+}
+
+TEST(VirtualTimeTest, AWaitGoesOnWhileAThreadWorksOrAnotherDeadlineIsEarlier) {
+  bool others_wait = false;
+  VirtualTime time([&](auto) { return others_wait; });
+  const VirtualTime::Wait late = time.BeginWait(100 * kMs);
+  EXPECT_GT(time.NextSliceNs(late), 0);
+  others_wait = true;
+  const VirtualTime::Wait early = time.BeginWait(50 * kMs);
+  EXPECT_GT(time.NextSliceNs(late), 0);
+  EXPECT_EQ(time.NextSliceNs(early), 0);
+  time.EndWait(early, true);
+  EXPECT_EQ(time.NowNs(), 50 * kMs);
+  EXPECT_EQ(time.NextSliceNs(late), 0);
+  time.EndWait(late, true);
+}
+
+TEST(VirtualTimeTest, EndsWithTheLastMomentInsteadOfOverflowing) {
+  VirtualTime time([](auto) { return true; });
+  EXPECT_EQ(time.After(INT64_MAX), VirtualTime::kEndNs);
+  time.SleepUntil(time.After(INT64_MAX));
+  EXPECT_EQ(time.NowNs(), VirtualTime::kEndNs);
+  EXPECT_EQ(time.Pass(INT64_MAX), VirtualTime::kEndNs);
+}
+
 TEST(VirtualTimeTest, SeesWhetherOtherThreadsWait) {
   std::atomic<bool> work = true;
   std::atomic<bool> working = false;
@@ -98,14 +139,14 @@ TEST(VirtualTimeTest, SeesWhetherOtherThreadsWait) {
     const std::lock_guard lock(mutex);
   });
   while (!working) std::this_thread::yield();
-  for (int look = 0; look < 100; ++look) EXPECT_FALSE(VirtualTime::OtherThreadsWait());
+  for (int look = 0; look < 100; ++look) EXPECT_FALSE(VirtualTime::OtherThreadsWait({}));
   work = false;
   int looks = 0;
-  while (!VirtualTime::OtherThreadsWait() && looks < 10'000'000) ++looks;
-  EXPECT_TRUE(VirtualTime::OtherThreadsWait());
+  while (!VirtualTime::OtherThreadsWait({}) && looks < 10'000'000) ++looks;
+  EXPECT_TRUE(VirtualTime::OtherThreadsWait({}));
   mutex.unlock();
   worker.join();
-  EXPECT_TRUE(VirtualTime::OtherThreadsWait());
+  EXPECT_TRUE(VirtualTime::OtherThreadsWait({}));
 }
 
 }  // namespace

@@ -46,6 +46,42 @@ TEST(Exec, EverySleepTakesItsTimeAndNoMore) {
             "2026-01-01 00:01:02, card 62126 ms\n");
 }
 
+/// The waits of the C and C++ library that take a time-out.
+class ExecWaits : public testing::TestWithParam<const char*> {};
+
+TEST_P(ExecWaits, EndsByVirtualTime) {
+  // 2 s when nothing comes; otherwise when another thread, after 300 ms, brings it.
+  const ProcessResult result = Exec({}, {Client("waits"), GetParam()});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out, "timeout 2000\ncame 300\n");
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ExecWaits,
+                         testing::Values("cond_realtime", "cond_monotonic", "cond_clockwait",
+                                         "cnd_timedwait", "mutex_timedlock", "mutex_clocklock",
+                                         "mtx_timedlock", "rwlock_timedrdlock",
+                                         "rwlock_timedwrlock", "rwlock_clockrdlock",
+                                         "rwlock_clockwrlock", "sem_timedwait", "sem_clockwait",
+                                         "mq_timedreceive", "mq_timedsend", "poll", "ppoll",
+                                         "select", "pselect", "epoll_wait", "epoll_pwait",
+                                         "epoll_pwait2", "timedjoin", "clockjoin", "sigtimedwait",
+                                         "cpp_condition_for", "cpp_condition_until", "cpp_future",
+                                         "cpp_semaphore", "cpp_mutex", "cpp_shared_mutex"),
+                         [](const auto& wait) { return std::string(wait.param); });
+
+TEST(Exec, SleepsWithoutEndGoToTheEndOfTime) {
+  EXPECT_EQ(Exec({}, {Client("waits"), "forever"}).out, "the end\n");
+}
+
+TEST(Exec, TimesCountsVirtualTime) {
+  EXPECT_EQ(Exec({}, {Client("waits"), "times"}).out, "150 ticks\n");
+}
+
+TEST(Exec, AHostOfSeveralThreadsForks) {
+  const ProcessResult result = Exec({}, {Client("waits"), "fork"});
+  EXPECT_EQ(result.out, "50 children\n") << result.err;
+}
+
 TEST(Exec, AMoveEndsWhereAndWhenItShould) {
   for (int run = 0; run < 2; ++run) {
     const ProcessResult result = Exec({}, {Client("trap_move")});
