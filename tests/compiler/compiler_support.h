@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compiler/compiler.h"
+#include "compiler/mender.h"
 #include "gtcalls/catalogue.h"
 #include "vm/command_table.h"
 
@@ -34,15 +35,18 @@ inline std::vector<int> CodesOf(const Compilation& compilation) {
   return codes;
 }
 
-/// The text after the edits of one diagnostic. Insertions at the same place keep their order.
-inline std::string ApplyFixIts(std::string text, const Diagnostic& diagnostic) {
-  std::vector<FixIt> edits = diagnostic.fixits;
-  std::stable_sort(edits.begin(), edits.end(),
-                   [](const FixIt& a, const FixIt& b) { return a.range.begin < b.range.begin; });
-  for (size_t i = edits.size(); i-- > 0;) {
-    text.replace(edits[i].range.begin, edits[i].range.end - edits[i].range.begin, edits[i].text);
-  }
-  return text;
+/// The text after the edits of one diagnostic.
+inline std::string ApplyFixIts(const std::string& text, const Diagnostic& diagnostic) {
+  return ApplyEdits(text, diagnostic.fixits);
+}
+
+/// The program after all fix-its.
+inline Mended MendString(const std::string& text, const MemoryFiles& files = {}) {
+  return Mend("test.c", text, {}, [files](const std::string& path) -> Result<std::string> {
+    const auto found = files.find(path);
+    if (found == files.end()) return MakeError(1, "missing", "缺少");
+    return found->second;
+  });
 }
 
 /// The catalogue as the object verifier wants it; executes nothing.

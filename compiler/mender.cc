@@ -1,0 +1,129 @@
+#include "compiler/mender.h"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+namespace oncard::compiler {
+namespace {
+
+// What a diagnostic's edits take of a file. Insertions before the diagnostic itself, which declare
+// something, are in nobody's way.
+struct Stretch {
+  int file = 0;
+  uint32_t begin = UINT32_MAX;
+  uint32_t end = 0;
+};
+
+bool IsDeclaration(const FixIt& edit, const Diagnostic& diagnostic) {
+  return edit.range.begin == edit.range.end && edit.range.file == diagnostic.range.file &&
+         edit.range.end < diagnostic.range.begin;
+}
+
+std::vector<Stretch> StretchesOf(const Diagnostic& diagnostic) {
+  std::map<int, Stretch> by_file;
+  std::vector<Stretch> stretches;
+  for (const FixIt& edit : diagnostic.fixits) {
+    if (IsDeclaration(edit, diagnostic)) {
+      stretches.push_back({edit.range.file, edit.range.begin, edit.range.end});
+      continue;
+    }
+    Stretch& stretch = by_file[edit.range.file];
+    stretch.file = edit.range.file;
+    stretch.begin = std::min(stretch.begin, edit.range.begin);
+    stretch.end = std::max(stretch.end, edit.range.end);
+  }
+  for (const auto& [file, stretch] : by_file) stretches.push_back(stretch);
+  return stretches;
+}
+
+// Two insertions of declarations at one place do not touch.
+bool Touch(const Stretch& a, const Stretch& b) {
+  const bool same_insertion = a.begin == a.end && b.begin == b.end && a.begin == b.begin;
+  return a.file == b.file && a.begin <= b.end && b.begin <= a.end && !same_insertion;
+}
+
+bool Overlap(std::vector<FixIt> edits) {
+  std::sort(edits.begin(), edits.end(), [](const FixIt& a, const FixIt& b) {
+    return std::tuple(a.range.file, a.range.begin, a.range.end) <
+           std::tuple(b.range.file, b.range.begin, b.range.end);
+  });
+  return std::adjacent_find(edits.begin(), edits.end(), [](const FixIt& a, const FixIt& b) {
+           return a.range.file == b.range.file && a.range.end > b.range.begin;
+         }) != edits.end();
+}
+
+// Tells texts apart that have been seen from those that have not.
+size_t Fingerprint(const std::map<std::string, std::string>& files) {
+  size_t value = 0;
+  for (const auto& [path, text] : files) {
+    value = value * 1'000'003 + std::hash<std::string>()(path + '\n' + text);
+  }
+  return value;
+}
+
+// The edits of as many diagnostics as can be mended at once, by file; how many these are.
+int Choose(const Compilation& compilation, std::map<int, std::vector<FixIt>>* edits) {
+  std::vector<Stretch> taken;
+  int count = 0;
+  for (const Diagnostic& diagnostic : compilation.diagnostics) {
+    if (diagnostic.fixits.empty() || Overlap(diagnostic.fixits)) continue;
+    const std::vector<Stretch> stretches = StretchesOf(diagnostic);
+    const bool free = std::none_of(stretches.begin(), stretches.end(), [&](const Stretch& mine) {
+      return std::any_of(taken.begin(), taken.end(),
+                         [&mine](const Stretch& other) { return Touch(mine, other); });
+    });
+    if (!free) continue;
+    taken.insert(taken.end(), stretches.begin(), stretches.end());
+    for (const FixIt& edit : diagnostic.fixits) (*edits)[edit.range.file].push_back(edit);
+    ++count;
+  }
+  return count;
+}
+
+}  // namespace
+
+std::string ApplyEdits(const std::string& text, std::vector<FixIt> edits) {
+  std::stable_sort(edits.begin(), edits.end(),
+                   [](const FixIt& a, const FixIt& b) { return a.range.begin < b.range.begin; });
+  std::string result;
+  size_t position = 0;
+  for (const FixIt& edit : edits) {
+    result.append(text, position, edit.range.begin - position);
+    result += edit.text;
+    position = edit.range.end;
+  }
+  return result.append(text, position);
+}
+
+Mended Mend(const std::string& path, std::string text, const Options& options,
+            const FileReader& reader) {
+  Mended mended;
+  const FileReader mended_reader = [&](const std::string& name) -> Result<std::string> {
+    const auto found = mended.files.find(name);
+    if (found != mended.files.end()) return found->second;
+    return reader(name);
+  };
+  Options all = options;
+  all.max_errors = 0;
+  std::set<size_t> seen;
+  for (;;) {
+    const Compilation compilation = CompileText(path, text, all, mended_reader);
+    std::map<int, std::vector<FixIt>> edits;
+    const int count = Choose(compilation, &edits);
+    std::map<std::string, std::string> files = mended.files;
+    for (const auto& [file, of_file] : edits) {
+      const SourceFile& source = compilation.files[static_cast<size_t>(file)];
+      files[source.path()] = ApplyEdits(source.text(), of_file);
+    }
+    if (count == 0 || !seen.insert(Fingerprint(files)).second) break;
+    mended.files = std::move(files);
+    mended.count += count;
+    const auto program = mended.files.find(path);
+    if (program != mended.files.end()) text = program->second;
+  }
+  mended.compilation = CompileText(path, std::move(text), options, mended_reader);
+  return mended;
+}
+
+}  // namespace oncard::compiler

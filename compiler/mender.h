@@ -1,0 +1,32 @@
+// Applies fix-its: those of one diagnostic, or of a whole program until none is left.
+// Tested by tests/compiler/mender_test.cc.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "compiler/compiler.h"
+
+namespace oncard::compiler {
+
+/// A program after its fix-its.
+struct Mended {
+  /// Of the text as it is now: what no fix-it mends.
+  Compilation compilation;
+  /// Diagnostics that were mended.
+  int count = 0;
+  /// The files that changed, by path, with their texts.
+  std::map<std::string, std::string> files;
+};
+
+/// The text after the edits, which must not overlap. Insertions at the same place keep their order.
+std::string ApplyEdits(const std::string& text, std::vector<FixIt> edits);
+
+/// Compiles, applies, and compiles again. Of fix-its whose stretches of text touch, the first one
+/// is applied and the others are found anew: each is written for the text as it stands. Included
+/// files are mended as well. Ends: an edit that leads back to an earlier text is the last one.
+Mended Mend(const std::string& path, std::string text, const Options& options,
+            const FileReader& reader);
+
+}  // namespace oncard::compiler
