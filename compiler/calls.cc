@@ -298,6 +298,9 @@ bool Checker::CheckAddress(const Expression& argument, const Expression& call,
     return false;
   }
 
+  CheckWritable(variable);
+  if (failed_) return false;
+
   // Structures travel whole: as a variable of that type, or, for one that programs cannot declare,
   // as that many ints of an array.
   size_t slots = 1;

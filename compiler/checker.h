@@ -6,6 +6,7 @@
 
 #include <deque>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -13,9 +14,11 @@
 #include <vector>
 
 #include "compiler/compiler.h"
+#include "compiler/constant_folding.h"
 #include "compiler/reporter.h"
 #include "compiler/symbols.h"
 #include "compiler/syntax.h"
+#include "compiler/tree_walk.h"
 
 namespace oncard::compiler {
 
@@ -74,6 +77,21 @@ class Checker {
     std::string_view label;
     SourceRange range;
   };
+  struct Goto {
+    std::string_view label;
+    SourceRange range;
+  };
+  // A block of C, or a `for` with its counters. Names declared in it end with it.
+  struct Block {
+    const Statement* statement = nullptr;  ///< nullptr: the body of the function
+    std::vector<std::string_view> names;
+  };
+  // Of the variables at the top of a function.
+  struct InitialValues {
+    std::vector<std::pair<const Declarator*, const Entity*>> list;
+    bool good = true;
+    Diagnostic* bearer = nullptr;  // of the edits
+  };
   // The function being translated.
   struct FunctionState {
     const Function* syntax = nullptr;
@@ -89,6 +107,12 @@ class Checker {
     SourceRange declarations_end;
     SourceRange statements_begin;
     bool statements_begun = false;
+    std::vector<Block> blocks;                                // those that are open
+    std::unordered_map<std::string_view, size_t> open_names;  // and the block that declares each
+    std::vector<Goto> gotos;
+    std::unordered_map<std::string_view, int> declarations;  // how often a name is declared
+    std::optional<NameTable> uses;                           // built when they are first asked for
+    InitialValues initial_values;
     bool too_long = false;
     bool too_many_slots = false;
     bool too_many_labels = false;
@@ -110,15 +134,41 @@ class Checker {
     bool is_void = false;
     vm::DataType type = vm::DataType::kInt;
     const gtcalls::Structure* structure = nullptr;
+    bool is_const = false;
+    bool is_static = false;  ///< `static` or `extern`
+    bool is_parameter = false;
+    /// Set when the words mean nothing here: what has been reported, for edits to be added.
+    Diagnostic* report = nullptr;
+    std::string plain;  ///< the words to write instead
   };
   DeclaredType ResolveType(const Specifiers& specifiers);
   Entity* Declare(const Declarator& declarator, const DeclaredType& type, bool parameter);
   bool CheckArraySizes(const Declarator& declarator, Entity& entity);
   bool ReserveSlots(const Declarator& declarator, Entity& entity);
   void AddSymbols(const Entity& entity);
-  bool ReportTakenName(std::string_view name, SourceRange range, bool local);
-  void CheckInitialiser(const Declarator& declarator, const Entity* entity);
+  bool ReportTakenName(std::string_view name, SourceRange range, bool local,
+                       const Declarator* declarator);
+  void CheckInitialiser(const Declarator& declarator, const Entity* entity,
+                        const DeclaredType& type);
+  void MendInitialValues();
+  void OpenName(std::string_view name);
+  const Entity* Reopen(const Declarator& declarator, const DeclaredType& type);
   void CheckLateDeclaration(const Statement& statement, const Place& place);
+
+  // --- foreign_declarations.cc ---
+  bool MendType(const Specifiers& specifiers, const DeclaredType& type,
+                std::span<const Declarator> declarators, SourceRange declaration);
+  bool MendConst(const DeclaredType& type, std::span<const Declarator> declarators,
+                 SourceRange declaration, bool* as_macros);
+  bool KeepsMeaning(const Specifiers& specifiers, const DeclaredType& type,
+                    std::span<const Declarator> declarators);
+  void MendGlobalInitialiser(const Declarator& declarator, Diagnostic& diagnostic,
+                             SourceRange value);
+  void Rename(const Declarator& declarator, Diagnostic& diagnostic);
+  const std::vector<StatementPtr>& ScopeOfNames() const;
+  NameUses UsesInFunction(std::string_view name);
+  NameUses UsesHere(std::string_view name);
+  std::optional<Constant> FoldHere(const Expression& expression) const;
 
   // --- statements.cc ---
   void CheckItem(const Statement& statement);
@@ -128,7 +178,13 @@ class Checker {
   void CheckExpressionStatement(const Statement& statement);
   void CheckAssignment(const Expression& assignment);
   void CheckIf(const Statement& statement, const Place& place);
+  void CheckBlock(const Statement& statement, const Place& place);
+  void OpenBlock(const Statement* statement);
+  void CloseBlock();
   void CheckLoop(const Statement& statement, const Place& place);
+  const Goto* JumpInto(const Statement& loop) const;
+  bool NeedsBraces(const Statement& block) const;
+  void CheckCases(const Statement& statement);
   void CheckSwitch(const Statement& statement, const Place& place);
   void CheckReturn(const Statement& statement, vm::Operand condition);
   void CheckGoto(const Statement& statement, vm::Operand condition);
@@ -141,9 +197,6 @@ class Checker {
   // lesson.
   void BeginStatement(const Statement& statement);
   void EndStatement(const Statement& statement, const Place& place);
-  /// The diagnostic that carries the rewriting of a construct: its own, or that of the declaration
-  /// of a multi-dimensional array it uses, which mends all uses together.
-  Diagnostic& Bearer(Diagnostic& own) const { return flat_array_ != nullptr ? *flat_array_ : own; }
   template <typename... Args>
   void Teach(Code code, SourceRange range, const Args&... args) {
     // That an expression is nested is the least of what can be said about it.
@@ -164,6 +217,10 @@ class Checker {
   const Entity* ResolveName(const Expression& expression);
   std::optional<TypedOperand> ResolveOperand(const Expression& expression);
   std::optional<TypedOperand> ResolveIndex(const Expression& expression);
+  void ResolveManyIndices(const Expression& expression);
+  void LeaveArray(std::string_view name);
+  bool CheckBounds(const Entity& array, int64_t size, const Expression& index);
+  void CheckWritable(const Expression& target);
   std::optional<TypedOperand> ResolveMember(const Expression& expression);
   std::optional<TypedOperand> ResolveTarget(const Expression& expression);
   std::optional<Operation> ResolveOperation(const Expression& expression);
@@ -220,8 +277,14 @@ class Checker {
   bool broken_ = false;  // part of it is missing from the tree: no lesson
   uint16_t line_ = 0;
   SourceRange statement_range_;
-  Diagnostic* flat_array_ = nullptr;  // the declaration of a multi-dimensional array it uses
-  std::unordered_map<std::string_view, Diagnostic*> flat_arrays_;
+  bool uses_flat_array_ = false;  // a multi-dimensional array, whose declaration mends its uses
+  struct FlatArray {
+    Diagnostic* report = nullptr;  ///< of the declaration, with the edits of all uses
+    bool good = true;              ///< no use is wrong
+  };
+  std::unordered_map<std::string_view, FlatArray> flat_arrays_;
+  std::unordered_set<const Expression*> flattened_;
+  std::optional<NameTable> program_uses_;
 };
 
 /// How messages name things.

@@ -64,22 +64,40 @@ Checker::DeclaredType Checker::ResolveType(const Specifiers& specifiers) {
                                                              : std::string_view("int");
     const Token* storage = nullptr;
     for (const Token* word : specifiers.words) {
-      if (IsWordOf(word->text, {"static", "const", "extern"})) storage = word;
+      const bool is_const = word->text == "const";
+      const bool is_static = IsWordOf(word->text, {"static", "extern"});
+      type.is_const = type.is_const || is_const;
+      type.is_static = type.is_static || is_static;
+      if (is_const || is_static) storage = word;
     }
-    Diagnostic& diagnostic =
-        storage != nullptr ? reporter_.Report(Code::kReservedWord, storage->range, storage->text,
-                                              MakeMessage("leave it out", "请去掉它"))
-                           : reporter_.Report(Code::kForeignType, specifiers.range, spelled, plain);
-    Replace(diagnostic, specifiers.range, std::string(plain));
+    type.report = storage != nullptr
+                      ? &reporter_.Report(Code::kReservedWord, storage->range, storage->text,
+                                          MakeMessage("leave it out", "请去掉它"))
+                      : &reporter_.Report(Code::kForeignType, specifiers.range, spelled, plain);
+    type.plain = plain;
   }
   return type;
 }
 
-bool Checker::ReportTakenName(std::string_view name, SourceRange range, bool local) {
+// Reports a name that something else has already. Locals of inner blocks and locals with the name
+// of a global are given another one, for which their declarator is needed.
+bool Checker::ReportTakenName(std::string_view name, SourceRange range, bool local,
+                              const Declarator* declarator) {
   const Entity* same = nullptr;
   if (local && function_ != nullptr) same = function_->locals.Find(name);
   const Entity* global = globals_.Find(name);
   if (same == nullptr && !local) same = global;
+  if (same != nullptr && local) {
+    const auto open = function_->open_names.find(name);
+    if (open == function_->open_names.end() || open->second + 1 < function_->blocks.size()) {
+      Diagnostic& diagnostic =
+          reporter_.Report(Code::kShadowing, range, name,
+                           MakeMessage("another variable of the function", "函数中另一个变量"));
+      AddNote(diagnostic, same->range, MakeMessage("it is defined here", "其定义在此处"));
+      if (declarator != nullptr) Rename(*declarator, diagnostic);
+      return true;
+    }
+  }
   if (same != nullptr) {
     AddNote(reporter_.Report(Code::kRedefinition, range, name), same->range,
             MakeMessage("the first definition is here", "首次定义在此处"));
@@ -92,17 +110,20 @@ bool Checker::ReportTakenName(std::string_view name, SourceRange range, bool loc
   }
   if (local && global != nullptr) {
     const bool variable = global->kind == Entity::Kind::kVariable;
-    AddNote(reporter_.Report(
-                Code::kShadowing, range, name,
-                variable ? MakeMessage("a global variable", "全局变量") : DescribeEntity(*global)),
-            global->range, MakeMessage("it is defined here", "其定义在此处"));
+    Diagnostic& diagnostic = reporter_.Report(
+        Code::kShadowing, range, name,
+        variable ? MakeMessage("a global variable", "全局变量") : DescribeEntity(*global));
+    AddNote(diagnostic, global->range, MakeMessage("it is defined here", "其定义在此处"));
+    if (declarator != nullptr && global->kind != Entity::Kind::kMacro) {
+      Rename(*declarator, diagnostic);
+    }
     return true;
   }
   return false;
 }
 
 void Checker::DefineMacro(const Macro& macro) {
-  if (ReportTakenName(macro.name, macro.name_range, false)) return;
+  if (ReportTakenName(macro.name, macro.name_range, false, nullptr)) return;
   Entity entity;
   entity.kind = Entity::Kind::kMacro;
   entity.name = macro.name;
@@ -163,7 +184,7 @@ bool Checker::CheckArraySizes(const Declarator& declarator, Entity& entity) {
     Diagnostic& diagnostic =
         reporter_.Report(Code::kMultiDimensional, sizes, declarator.name, product);
     Replace(diagnostic, sizes, fmt::format("[{}]", total));
-    flat_arrays_[declarator.name] = &diagnostic;
+    flat_arrays_[declarator.name] = {&diagnostic, true};
   } else {
     flat_arrays_.erase(declarator.name);
   }
@@ -216,8 +237,10 @@ Entity* Checker::Declare(const Declarator& declarator, const DeclaredType& type,
   entity.type = type.type;
   entity.structure = type.structure;
   entity.invalid = !type.valid;
+  entity.is_const = type.is_const;
   Scope& scope = local ? function_->locals : globals_;
-  if (ReportTakenName(declarator.name, declarator.name_range, local)) {
+  if (ReportTakenName(declarator.name, declarator.name_range, local,
+                      parameter ? nullptr : &declarator)) {
     // A local that shadows a global is still the one its function means.
     if (scope.Find(declarator.name) != nullptr) return nullptr;
   }
@@ -240,6 +263,7 @@ Entity* Checker::Declare(const Declarator& declarator, const DeclaredType& type,
   }
   if (!entity.invalid && !ReserveSlots(declarator, entity)) entity.invalid = true;
   if (!entity.invalid) AddSymbols(entity);
+  if (local) OpenName(declarator.name);
   return &scope.Add(std::move(entity));
 }
 
@@ -254,13 +278,17 @@ void Checker::CheckDeclaration(const Statement& statement, const Place& place) {
                      std::string_view("int, double"));
     type.valid = false;
   }
+  const bool as_macros =
+      MendType(statement.specifiers, type, statement.declarators, statement.range);
   for (const Declarator& declarator : statement.declarators) {
     const Entity* entity = Declare(declarator, type, false);
-    if (declarator.initialiser != nullptr) CheckInitialiser(declarator, entity);
+    if (declarator.initialiser == nullptr || as_macros) continue;
+    CheckInitialiser(declarator, entity, type);
   }
 }
 
-void Checker::CheckInitialiser(const Declarator& declarator, const Entity* entity) {
+void Checker::CheckInitialiser(const Declarator& declarator, const Entity* entity,
+                               const DeclaredType& type) {
   SourceRange value = declarator.range;
   value.begin = declarator.head.end;
   const bool usable = entity != nullptr && !entity->invalid;
@@ -273,32 +301,60 @@ void Checker::CheckInitialiser(const Declarator& declarator, const Entity* entit
   }
   const bool failed = failed_;
   Diagnostic& diagnostic = reporter_.Report(Code::kInitialiser, value, declarator.name);
-  if (!usable || failed) return;
   if (function_ == nullptr) {
-    AddNote(diagnostic,
-            MakeMessage("assign it in a function, or set it from the host with GT_SetVarValue",
-                        "请在函数中赋值，或由主机用 GT_SetVarValue 设置"));
-    Replace(diagnostic, value, "");
+    if (usable && !failed) MendGlobalInitialiser(declarator, diagnostic, value);
     return;
   }
-  Rewriter rewriter(*this, diagnostic);
-  rewriter.Initialise(declarator, *entity);
+  InitialValues& values = function_->initial_values;
+  // The words before it are mended first.
+  if (!usable || failed || type.is_static || type.is_const) values.good = false;
+  if (values.bearer == nullptr) values.bearer = &diagnostic;
+  values.list.emplace_back(&declarator, entity);
+}
+
+// One fix-it moves all initial values of a function to its first statement, because each may need
+// the one before it.
+void Checker::MendInitialValues() {
+  const InitialValues& values = function_->initial_values;
+  if (values.bearer == nullptr || !values.good) return;
+  Rewriter rewriter(*this, *values.bearer);
+  for (const auto& [declarator, entity] : values.list) rewriter.Initialise(*declarator, *entity);
   if (!rewriter.ok()) return;
-  Replace(diagnostic, value, "");
+  for (const auto& [declarator, entity] : values.list) {
+    SourceRange value = declarator->range;
+    value.begin = declarator->head.end;
+    Replace(*values.bearer, value, "");
+  }
   rewriter.InsertAtFirstStatement();
+}
+
+void Checker::OpenName(std::string_view name) {
+  if (!function_->open_names.emplace(name, function_->blocks.size() - 1).second) return;
+  function_->blocks.back().names.push_back(name);
+}
+
+// Loops often declare the same counter again: one declaration at the top serves them all, as long
+// as no two of them hold each other.
+const Entity* Checker::Reopen(const Declarator& declarator, const DeclaredType& type) {
+  const Entity* known = function_->locals.Find(declarator.name);
+  const bool again = known != nullptr && !function_->open_names.contains(declarator.name) &&
+                     !known->invalid && known->structure == nullptr && known->array_size == 0 &&
+                     declarator.sizes.empty() && known->type == type.type &&
+                     type.structure == nullptr && !type.is_const;
+  if (!again) return nullptr;
+  OpenName(declarator.name);
+  return known;
 }
 
 void Checker::CheckLateDeclaration(const Statement& statement, const Place& place) {
   const DeclaredType type = ResolveType(statement.specifiers);
-  bool all_good = type.valid && !type.is_void;
+  MendType(statement.specifiers, type, statement.declarators, statement.range);
+  bool all_good = type.valid && !type.is_void && !type.is_static;
   std::vector<std::pair<const Declarator*, const Entity*>> declared;
   std::string list;
   for (const Declarator& declarator : statement.declarators) {
-    const Entity* known = function_->locals.Find(declarator.name);
-    // Loops often declare the same counter again: one declaration at the top serves them all.
-    const bool again = known != nullptr && !known->invalid && known->structure == nullptr &&
-                       known->array_size == 0 && declarator.sizes.empty() &&
-                       known->type == type.type && type.structure == nullptr;
+    const Entity* known = Reopen(declarator, type);
+    const bool again = known != nullptr;
     const Entity* entity = again ? known : Declare(declarator, type, false);
     if (!again && entity != nullptr && !entity->invalid) {
       if (!list.empty()) list += ", ";
@@ -354,6 +410,8 @@ void Checker::CheckParameters(const Function& syntax) {
       InsertBefore(diagnostic, parameter.range, "int ");
     } else {
       type = ResolveType(parameter.specifiers);
+      type.is_parameter = true;
+      MendType(parameter.specifiers, type, {&parameter.declarator, 1}, parameter.range);
     }
     if (type.is_void || type.structure != nullptr) {
       reporter_.Report(Code::kBadParameter, parameter.range,
@@ -381,6 +439,7 @@ void Checker::CheckFunction(const Function& syntax) {
   FunctionState* const outer = function_;
   function_ = nullptr;
   const DeclaredType type = ResolveType(syntax.specifiers);
+  MendType(syntax.specifiers, type, {}, syntax.header);
   if (type.structure != nullptr || syntax.pointer) {
     reporter_.Report(Code::kNotAType, syntax.specifiers.range,
                      ToMessage(fmt::format("'{}{}'", Source(syntax.specifiers.range),
@@ -395,7 +454,7 @@ void Checker::CheckFunction(const Function& syntax) {
     function_ = outer;
     return;
   }
-  if (!ReportTakenName(syntax.name, syntax.name_range, false)) {
+  if (!ReportTakenName(syntax.name, syntax.name_range, false, nullptr)) {
     Entity entity;
     entity.kind = Entity::Kind::kFunction;
     entity.name = syntax.name;
@@ -424,7 +483,19 @@ void Checker::CheckFunction(const Function& syntax) {
       break;
     }
   }
+  for (const StatementPtr& item : syntax.body) {
+    ForEachStatement(*item, [&state](const Statement& below) {
+      if (below.kind == Statement::Kind::kGoto) {
+        state.gotos.push_back({below.name, below.name_range});
+      }
+      for (const Declarator& declarator : below.declarators) ++state.declarations[declarator.name];
+    });
+  }
+  for (const ParameterDeclaration& parameter : syntax.parameters) {
+    ++state.declarations[parameter.declarator.name];
+  }
   function_ = &state;
+  OpenBlock(nullptr);
   CheckParameters(syntax);
   // Rewritten statements declare their temporaries after the last declaration.
   for (const StatementPtr& item : syntax.body) {
@@ -436,6 +507,7 @@ void Checker::CheckFunction(const Function& syntax) {
   Place place;
   place.followed = false;
   CheckBody(syntax.body, place);
+  MendInitialValues();
   ResolveJumps();
   function_ = outer;
   object_.functions.push_back(std::move(state.out));

@@ -214,25 +214,79 @@ std::optional<TypedOperand> Checker::ResolveOperand(const Expression& expression
   return operand;
 }
 
+// A constant index outside the array is wrong whatever the rest becomes.
+bool Checker::CheckBounds(const Entity& array, int64_t size, const Expression& index) {
+  const std::optional<Constant> value = FoldHere(index);
+  if (!value || value->is_double || (value->integer >= 0 && value->integer < size)) return true;
+  AddNote(Fail(Code::kIndexOutOfBounds, index.range, value->integer, array.name, size - 1),
+          array.range, MakeMessage("'{0}' is declared here", "'{0}' 在此声明", array.name));
+  return false;
+}
+
+// A use of a multi-dimensional array is wrong: its declaration stays until that is mended.
+void Checker::LeaveArray(std::string_view name) {
+  const auto flat = flat_arrays_.find(name);
+  if (flat == flat_arrays_.end()) return;
+  flat->second.report->fixits.clear();
+  flat->second.good = false;
+}
+
+// a[i][j] of an array that was declared so: its declaration, which has been reported, carries the
+// edits of all uses. They leave one index to compute, which is mended in its turn.
+void Checker::ResolveManyIndices(const Expression& expression) {
+  std::vector<const Expression*> levels;
+  const Expression* base = &expression;
+  for (; base->kind == Expression::Kind::kIndex; base = base->operands[0].get()) {
+    levels.insert(levels.begin(), base);
+  }
+  const Entity* array = base->kind == Expression::Kind::kName ? Lookup(base->text) : nullptr;
+  const auto flat = flat_arrays_.find(base->text);
+  if (array == nullptr || array->dimensions.size() != levels.size() || flat == flat_arrays_.end()) {
+    Fail(Code::kIllegalOperator, expression.range, std::string_view("[]"),
+         MakeMessage("arrays have one dimension", "数组只能是一维"));
+    LeaveArray(base->text);
+    return;
+  }
+  uses_flat_array_ = true;
+  bool good = true;
+  std::optional<int64_t> number = 0;
+  for (size_t i = 0; i < levels.size(); ++i) {
+    const Expression& index = *levels[i]->operands[1];
+    CheckNames(index);
+    good = CheckBounds(*array, array->dimensions[i], index) && good;
+    const std::optional<Constant> value = FoldHere(index);
+    number = number && value && !value->is_double
+                 ? std::optional(*number * array->dimensions[i] + value->integer)
+                 : std::nullopt;
+  }
+  if (!good) LeaveArray(array->name);
+  if (!flat->second.good || !flattened_.insert(&expression).second) return;
+  Diagnostic& bearer = *flat->second.report;
+  const SourceRange first = levels.front()->operands[1]->range;
+  if (number) {
+    Replace(bearer, {first.file, first.begin, expression.range.end - 1}, std::to_string(*number));
+    return;
+  }
+  // ((i) * 3 + j) * 4 + k; what is more than a name or a number stands in parentheses.
+  const auto open = [](const Expression& index) { return IsLeaf(index) ? "" : "("; };
+  const auto close = [](const Expression& index) { return IsLeaf(index) ? "" : ")"; };
+  InsertBefore(bearer, first, std::string(levels.size() - 2, '(') + open(*levels[0]->operands[1]));
+  for (size_t i = 1; i < levels.size(); ++i) {
+    const Expression& before = *levels[i - 1]->operands[1];
+    const Expression& index = *levels[i]->operands[1];
+    Replace(bearer, {index.range.file, before.range.end, index.range.begin},
+            fmt::format("{}{} * {} + {}", close(before), i > 1 ? ")" : "", array->dimensions[i],
+                        open(index)));
+  }
+  const Expression& last = *levels.back()->operands[1];
+  if (!IsLeaf(last)) InsertAfter(bearer, last.range, ")");
+}
+
 std::optional<TypedOperand> Checker::ResolveIndex(const Expression& expression) {
   const Expression& array = *expression.operands[0];
   const Expression& index = *expression.operands[1];
   if (array.kind == Expression::Kind::kIndex) {
-    // a[i][j]: the declaration has been reported and carries the rewriting of every use.
-    const Expression* base = &array;
-    while (base->kind == Expression::Kind::kIndex) base = base->operands[0].get();
-    const auto flat =
-        base->kind == Expression::Kind::kName ? flat_arrays_.find(base->text) : flat_arrays_.end();
-    if (flat != flat_arrays_.end()) {
-      flat_array_ = flat->second;
-      for (const Expression* level = &expression; level->kind == Expression::Kind::kIndex;
-           level = level->operands[0].get()) {
-        CheckNames(*level->operands[1]);
-      }
-    } else {
-      Fail(Code::kIllegalOperator, expression.range, std::string_view("[]"),
-           MakeMessage("arrays have one dimension", "数组只能是一维"));
-    }
+    ResolveManyIndices(expression);
     return std::nullopt;
   }
   if (array.kind != Expression::Kind::kName) {
@@ -252,6 +306,13 @@ std::optional<TypedOperand> Checker::ResolveIndex(const Expression& expression) 
   if (entity->kind != Entity::Kind::kVariable || entity->array_size == 0) {
     Fail(Code::kMisuse, array.range, array.text, DescribeEntity(*entity),
          MakeMessage("an array", "数组"));
+    return std::nullopt;
+  }
+  if (entity->dimensions.size() > 1) {
+    AddNote(Fail(Code::kIllegalOperator, expression.range, std::string_view("[]"),
+                 MakeMessage("a row is no element", "一行不是一个元素")),
+            MakeMessage("write an index for each dimension", "请为每一维写一个下标"));
+    LeaveArray(entity->name);
     return std::nullopt;
   }
   TypedOperand operand;
@@ -363,8 +424,20 @@ std::optional<TypedOperand> Checker::ResolveMember(const Expression& expression)
   return std::nullopt;
 }
 
+// A const stays what it is. Other targets are judged where they are used.
+void Checker::CheckWritable(const Expression& target) {
+  const Entity* entity = Lookup(BaseName(target));
+  if (entity == nullptr || !entity->is_const) return;
+  AddNote(Fail(Code::kMisuse, target.range, Source(target.range), MakeMessage("const", "常量"),
+               MakeMessage("a variable to assign to", "可赋值的变量")),
+          entity->range, MakeMessage("'{0}' is defined here", "'{0}' 在此定义", entity->name));
+}
+
 std::optional<TypedOperand> Checker::ResolveTarget(const Expression& expression) {
   const Message wanted = MakeMessage("a variable to assign to", "可赋值的变量");
+  const bool failed_before = failed_;
+  CheckWritable(expression);
+  if (failed_ != failed_before) return std::nullopt;
   if (expression.kind == Expression::Kind::kError) {
     failed_ = true;
     return std::nullopt;
@@ -588,9 +661,14 @@ void Checker::CheckNames(const Expression& expression) {
     case Expression::Kind::kMember:
       ResolveOperand(expression);
       return;
-    case Expression::Kind::kString:
-      Fail(Code::kExpectedOperand, expression.range, Source(expression.range));
+    case Expression::Kind::kString: {
+      Diagnostic& diagnostic =
+          Fail(Code::kExpectedOperand, expression.range, Source(expression.range));
+      if (const std::optional<int> character = CharacterValue(expression.text)) {
+        Replace(diagnostic, expression.range, std::to_string(*character));
+      }
       return;
+    }
     case Expression::Kind::kBraces:
       Fail(Code::kExpectedOperand, expression.range, std::string_view("'{'"));
       return;
@@ -621,6 +699,7 @@ void Checker::CheckNames(const Expression& expression) {
         ResolveOperand(expression);
         return;
       }
+      if (expression.op == "++" || expression.op == "--") CheckWritable(*expression.operands[0]);
       if (expression.op == "&") {
         CheckNames(*expression.operands[0]);
         Fail(Code::kIllegalOperator, expression.op_range, expression.op,
@@ -636,6 +715,7 @@ void Checker::CheckNames(const Expression& expression) {
       }
       [[fallthrough]];
     case Expression::Kind::kPostfix:
+      if (expression.kind == Expression::Kind::kPostfix) CheckWritable(*expression.operands[0]);
       if (expression.op == "++" || expression.op == "--") {
         Teach(Code::kIncrement, expression.op_range, expression.op,
               Source(expression.operands[0]->range), expression.op.substr(1));
@@ -644,7 +724,11 @@ void Checker::CheckNames(const Expression& expression) {
               MakeMessage("a sign '+' is not written", "不写正号 '+'"));
       }
       break;
+    case Expression::Kind::kAssign:
+      CheckWritable(*expression.operands[0]);
+      break;
     case Expression::Kind::kCompound:
+      CheckWritable(*expression.operands[0]);
       Teach(Code::kCompoundAssignment, expression.op_range, expression.op);
       break;
     case Expression::Kind::kConditional:

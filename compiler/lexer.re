@@ -201,7 +201,7 @@ void Lexer::Scan(const char* cursor, const char* limit) {
         continue;
       }
       ["] [^"\n]* ["]?        { AddString(begin, cursor); continue; }
-      ['] [^'\n]* [']         { AddString(begin, cursor); continue; }
+      ['] ([^'\\\n] | [\\] [^\n])* ['] { AddString(begin, cursor); continue; }
 
       "int"      { Add(Kind::kInt, begin, cursor); continue; }
       "long"     { Add(Kind::kLong, begin, cursor); continue; }

@@ -97,6 +97,22 @@ Literal ParseFixed(std::string_view text) {
   return literal;
 }
 
+std::optional<int> CharacterValue(std::string_view text) {
+  if (text.size() < 3 || text.front() != '\'' || text.back() != '\'') return std::nullopt;
+  text = text.substr(1, text.size() - 2);
+  if (text.size() == 1) {
+    const unsigned char character = static_cast<unsigned char>(text[0]);
+    return character < 0x80 && character != '\\' ? std::optional<int>(character) : std::nullopt;
+  }
+  if (text.size() != 2 || text[0] != '\\') return std::nullopt;
+  constexpr std::string_view kEscapes = "abtnvfr";  // 7 to 13
+  const size_t escape = kEscapes.find(text[1]);
+  if (escape != std::string_view::npos) return 7 + static_cast<int>(escape);
+  if (text[1] == '0') return 0;
+  if (std::string_view("'\"\\?").find(text[1]) != std::string_view::npos) return text[1];
+  return std::nullopt;
+}
+
 std::optional<int32_t> IntValue(const Literal& literal) {
   if (literal.kind != Literal::Kind::kInteger) return std::nullopt;
   if (literal.invalid) return 0;

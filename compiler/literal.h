@@ -34,6 +34,9 @@ Literal ParseInteger(std::string_view digits);
 /// Reads `12.5`, `.5`, `3.`, `1e-3`. Rounds half away from zero. The text must be well formed.
 Literal ParseFixed(std::string_view text);
 
+/// The number that `'x'` is in C, with the quotes: of one ASCII character or one of C's escapes.
+std::optional<int> CharacterValue(std::string_view text);
+
 /// The value as an int: decimal literals in the range of int, hexadecimal ones of up to 32 bits,
 /// which wrap. Nothing for a fixed-point literal, or when it does not fit.
 std::optional<int32_t> IntValue(const Literal& literal);

@@ -3,10 +3,15 @@
 
 #include <algorithm>
 
+#include "compiler/tree_walk.h"
+
 namespace oncard::compiler {
 namespace {
 
 using vm::DataType;
+
+// So many elements are set to 0 in statements of their own; more take a loop.
+constexpr size_t kZeroesInLine = 8;
 
 const Expression& Unwrapped(const Expression& expression) {
   const Expression* inner = &expression;
@@ -22,6 +27,11 @@ bool IsIntOnly(std::string_view op) {
   return op == "%" || op == "&" || op == "|" || op == "^" || op == "<<" || op == ">>";
 }
 
+bool IsLogical(const Expression& expression) {
+  return expression.kind == Expression::Kind::kBinary &&
+         (expression.op == "&&" || expression.op == "||");
+}
+
 std::string_view Opposite(std::string_view op) {
   if (op == "<") return ">=";
   if (op == ">") return "<=";
@@ -35,6 +45,16 @@ std::string_view Opposite(std::string_view op) {
 Rewriter::Value Rewriter::Fail() {
   ok_ = false;
   return {};
+}
+
+void Rewriter::Refuse(Message reason) {
+  if (ok_) AddNote(diagnostic_, std::move(reason));
+  ok_ = false;
+}
+
+void Rewriter::Refuse(SourceRange place, Message reason) {
+  if (ok_) AddNote(diagnostic_, place, std::move(reason));
+  ok_ = false;
 }
 
 std::string Rewriter::Temporary(std::string_view base, DataType type) {
@@ -92,45 +112,16 @@ std::string Rewriter::IndexText(const Expression& expression) {
   return name;
 }
 
-// The flat index of a[i][j]: ((i * second dimension) + j), and so on.
-std::string Rewriter::FlatIndex(const Expression& expression, const Entity& array) {
-  std::vector<const Expression*> indices;
-  for (const Expression* level = &expression; level->kind == Expression::Kind::kIndex;
-       level = level->operands[0].get()) {
-    indices.insert(indices.begin(), level->operands[1].get());
-  }
-  if (indices.size() != array.dimensions.size()) return Fail().text;
-  bool constant = true;
-  int64_t flat = 0;
-  for (size_t i = 0; i < indices.size(); ++i) {
-    const std::optional<Literal> literal = checker_.ConstantOf(*indices[i]);
-    const std::optional<int32_t> value = literal ? IntValue(*literal) : std::nullopt;
-    constant = constant && value.has_value();
-    if (constant) flat = flat * array.dimensions[i] + *value;
-  }
-  if (constant) return std::to_string(flat);
-  std::string result = IndexText(*indices[0]);
-  for (size_t i = 1; i < indices.size() && ok_; ++i) {
-    const std::string next = IndexText(*indices[i]);
-    const std::string row = Temporary("tmp", DataType::kInt);
-    Emit(fmt::format("{} = {} * {};", row, result, array.dimensions[i]));
-    Emit(fmt::format("{} = {} + {};", row, row, next));
-    result = row;
-  }
-  return result;
-}
-
 Rewriter::Value Rewriter::LeafIndex(const Expression& expression) {
-  const Expression* base = &expression;
-  while (base->kind == Expression::Kind::kIndex) base = base->operands[0].get();
-  if (base->kind != Expression::Kind::kName) return Fail();
-  const Entity* array = checker_.Lookup(base->text);
-  if (array == nullptr || array->invalid || array->array_size == 0) return Fail();
-  const std::string index = array->dimensions.size() > 1 ? FlatIndex(expression, *array)
-                            : expression.operands[0].get() == base
-                                ? IndexText(*expression.operands[1])
-                                : Fail().text;
-  return {fmt::format("{}[{}]", base->text, index), array->type, true};
+  const Expression& base = *expression.operands[0];
+  if (base.kind != Expression::Kind::kName) return Fail();
+  const Entity* array = checker_.Lookup(base.text);
+  if (array == nullptr || array->invalid || array->array_size == 0 ||
+      array->dimensions.size() > 1) {
+    return Fail();
+  }
+  const std::string index = IndexText(*expression.operands[1]);
+  return {fmt::format("{}[{}]", base.text, index), array->type, true};
 }
 
 Rewriter::Value Rewriter::Leaf(const Expression& expression) {
@@ -162,6 +153,17 @@ Rewriter::Value Rewriter::Leaf(const Expression& expression) {
   return Fail();
 }
 
+// Whether the text of an expression can stand as an operand as it is.
+bool Rewriter::IsPlainOperand(const Expression& expression) const {
+  if (checker_.ConstantOf(expression)) return true;
+  if (expression.kind == Expression::Kind::kIndex) {
+    const Expression& index = *expression.operands[1];
+    return checker_.ConstantOf(index) ||
+           (index.kind == Expression::Kind::kName && TypeOf(index) == DataType::kInt);
+  }
+  return expression.kind == Expression::Kind::kName || expression.kind == Expression::Kind::kMember;
+}
+
 Rewriter::Value Rewriter::Target(const Expression& expression) {
   const Expression& inner = Unwrapped(expression);
   if (checker_.ConstantOf(inner) || !Checker::IsLeaf(inner)) return Fail();
@@ -184,6 +186,56 @@ Rewriter::Value Rewriter::LowerBinary(Value left, std::string_view op, Value rig
   }
   const DataType type = IsRelation(op) || op == "&&" || op == "||" ? DataType::kInt : left.type;
   return {fmt::format("{} {} {}", left.text, op, right.text), type, false};
+}
+
+// Whether an expression can be computed when C would not have come to it: it changes nothing and
+// cannot stop the thread.
+bool Rewriter::IsSafe(const Expression& expression) const {
+  if (checker_.ConstantOf(expression)) return true;
+  switch (expression.kind) {
+    case Expression::Kind::kName:
+    case Expression::Kind::kMember:
+      return true;
+    case Expression::Kind::kIndex:
+      return checker_.ConstantOf(*expression.operands[1]).has_value();
+    case Expression::Kind::kBinary:
+      if (expression.op == "/" || expression.op == "%") {
+        const std::optional<Literal> divisor = checker_.ConstantOf(*expression.operands[1]);
+        if (!divisor || divisor->magnitude == 0) return false;
+      }
+      break;
+    case Expression::Kind::kUnary:
+    case Expression::Kind::kParen:
+    case Expression::Kind::kCast:
+      break;
+    case Expression::Kind::kCall:  // abs, fabs
+      return !HasEffects(expression) &&
+             std::all_of(expression.operands.begin() + 1, expression.operands.end(),
+                         [this](const ExpressionPtr& argument) { return IsSafe(*argument); });
+    default:
+      return false;
+  }
+  return !HasEffects(expression) &&
+         std::all_of(expression.operands.begin(), expression.operands.end(),
+                     [this](const ExpressionPtr& operand) { return IsSafe(*operand); });
+}
+
+// The value of `a && b` or `a || b`. The second operand is computed only when the first leaves the
+// answer open, unless that makes no difference.
+Rewriter::Value Rewriter::LowerLogical(const Expression& expression) {
+  if (IsSafe(*expression.operands[1])) {
+    Value left = Operand(Lower(*expression.operands[0]));
+    Value right = Operand(Lower(*expression.operands[1]));
+    if (!ok_) return {};
+    return LowerBinary(std::move(left), expression.op, std::move(right));
+  }
+  Value result = {Temporary("tmp", DataType::kInt), DataType::kInt, true, false, true};
+  const std::string end = Label("lbl_end");
+  Emit(fmt::format("{} = 0;", result.text));
+  JumpIf(expression, true, end);
+  Emit(fmt::format("{} = 1;", result.text));
+  EmitLabel(end);
+  return result;
 }
 
 Rewriter::Value Rewriter::LowerStep(const Expression& expression, bool value_used) {
@@ -343,12 +395,17 @@ Rewriter::Value Rewriter::Lower(const Expression& expression) {
     case Expression::Kind::kCast: {
       Value inner = Lower(*expression.operands[0]);
       if (!ok_ || expression.text.empty()) return Fail();
+      if (expression.text != "double" && expression.text != "int" && expression.text != "long" &&
+          expression.text != "short") {
+        return Fail();
+      }
       const DataType type = expression.text == "double" ? DataType::kDouble : DataType::kInt;
       if (inner.type == type) return inner;
       inner = Operand(std::move(inner));
       return {fmt::format("({}) {}", expression.text, inner.text), type, false};
     }
     case Expression::Kind::kBinary: {
+      if (IsLogical(expression)) return LowerLogical(expression);
       Value left = Operand(Lower(*expression.operands[0]));
       Value right = Operand(Lower(*expression.operands[1]));
       if (!ok_) return {};
@@ -385,6 +442,31 @@ void Rewriter::LowerCommand(const Expression& call) {
   Emit(text + ");");
 }
 
+// A return code that nobody looks at can be left out.
+void Rewriter::DropResult(const Expression& target) {
+  const std::string_view name = BaseName(target);
+  const Entity* entity = checker_.Lookup(name);
+  if (entity == nullptr || HasEffects(target)) {
+    ok_ = false;
+    return;
+  }
+  if (entity->storage == vm::Storage::kGlobal) {
+    Refuse(MakeMessage(
+        "the host may read the global '{0}'; let it look at TThreadSts.error "
+        "instead, then remove '{0} ='",
+        "主机可能读取全局变量 '{0}'；请改为查看 TThreadSts.error，再去掉 '{0} ='", name));
+    return;
+  }
+  if (const Expression* read = checker_.UsesInFunction(name).first_read) {
+    Refuse(read->range,
+           MakeMessage("'{0}' is read here, but a motion program cannot see return codes; remove "
+                       "this use, the host finds the code in TThreadSts.error",
+                       "此处使用了 '{0}'，但运动程序看不到返回值；请去掉此处的使用，主机可在 "
+                       "TThreadSts.error 中查看返回值",
+                       name));
+  }
+}
+
 void Rewriter::LowerEffect(const Expression& expression) {
   const Expression& inner = Unwrapped(expression);
   if (!ok_) return;
@@ -395,6 +477,7 @@ void Rewriter::LowerEffect(const Expression& expression) {
       if (value.kind == Expression::Kind::kCall &&
           value.operands[0]->kind == Expression::Kind::kName &&
           gtcalls::FindCommand(value.operands[0]->text) != nullptr) {
+        DropResult(*inner.operands[0]);
         LowerCommand(value);
         return;
       }
@@ -423,39 +506,60 @@ void Rewriter::LowerEffect(const Expression& expression) {
         LowerStep(inner, false);
         return;
       }
-      ok_ = false;
-      return;
+      break;
     default:
-      ok_ = false;
+      break;
   }
+  // The value is dropped; what it changes on the way is not.
+  if (HasEffects(inner)) Lower(inner);
+}
+
+// Elements without a value are 0 in C, every time the declaration is reached.
+void Rewriter::InitialiseArray(const std::vector<ExpressionPtr>& values, const Entity& array) {
+  if (array.dimensions.size() > 1 || values.size() > array.array_size) {
+    ok_ = false;
+    return;
+  }
+  for (size_t i = 0; i < values.size() && ok_; ++i) {
+    const Value target = {fmt::format("{}[{}]", array.name, i), array.type, true};
+    Value value = Lower(*values[i]);
+    if (ok_) Assign(target, std::move(value));
+  }
+  const size_t rest = array.array_size - values.size();
+  if (rest <= kZeroesInLine) {
+    for (size_t i = values.size(); i < array.array_size; ++i) {
+      Emit(fmt::format("{}[{}] = 0;", array.name, i));
+    }
+    return;
+  }
+  const std::string index = Temporary("tmp", DataType::kInt);
+  const std::string loop = Label("lbl_loop");
+  const std::string condition = ConditionVariable();
+  Emit(fmt::format("{} = {};", index, values.size()));
+  EmitLabel(loop);
+  Emit(fmt::format("{}[{}] = 0;", array.name, index));
+  Emit(fmt::format("{0} = {0} + 1;", index));
+  Emit(fmt::format("{} = {} < {};", condition, index, array.array_size));
+  Emit(fmt::format("if ({}) goto {};", condition, loop));
 }
 
 void Rewriter::Initialise(const Declarator& declarator, const Entity& entity) {
   if (entity.structure != nullptr) {
+    Refuse(MakeMessage("assign the members of '{0}' one by one in statements",
+                       "请用语句逐个给 '{0}' 的成员赋值", entity.name));
+    return;
+  }
+  const bool braces = declarator.initialiser->kind == Expression::Kind::kBraces;
+  if (braces != (entity.array_size != 0)) {
     ok_ = false;
     return;
   }
-  const std::string name(entity.name);
-  if (declarator.initialiser->kind == Expression::Kind::kBraces) {
-    const std::vector<ExpressionPtr>& values = declarator.initialiser->operands;
-    if (entity.array_size == 0 || entity.dimensions.size() > 1 ||
-        values.size() > entity.array_size) {
-      ok_ = false;
-      return;
-    }
-    for (size_t i = 0; i < values.size() && ok_; ++i) {
-      const Value target = {fmt::format("{}[{}]", name, i), entity.type, true};
-      Value value = Lower(*values[i]);
-      if (ok_) Assign(target, std::move(value));
-    }
-    return;
-  }
-  if (entity.array_size != 0) {
-    ok_ = false;
+  if (braces) {
+    InitialiseArray(declarator.initialiser->operands, entity);
     return;
   }
   Value value = Lower(*declarator.initialiser);
-  if (ok_) Assign({name, entity.type, true, false, true}, std::move(value));
+  if (ok_) Assign({std::string(entity.name), entity.type, true, false, true}, std::move(value));
 }
 
 Rewriter::Condition Rewriter::LowerCondition(const Expression& expression, bool negate) {
@@ -497,8 +601,33 @@ Rewriter::Condition Rewriter::LowerCondition(const Expression& expression, bool 
   return {false, false, variable};
 }
 
+// Jumps when the condition holds, or with `negate` when it does not.
 void Rewriter::JumpIf(const Expression& condition, bool negate, const std::string& label) {
-  const Condition result = LowerCondition(condition, negate);
+  const Expression& inner = Unwrapped(condition);
+  if (!ok_) return;
+  if (inner.kind == Expression::Kind::kUnary && inner.op == "!") {
+    JumpIf(*inner.operands[0], !negate, label);
+    return;
+  }
+  if (inner.kind == Expression::Kind::kComma) {
+    LowerEffect(*inner.operands[0]);
+    JumpIf(*inner.operands[1], negate, label);
+    return;
+  }
+  if (IsLogical(inner)) {
+    const bool takes_both = (inner.op == "&&") != negate;
+    if (!takes_both) {
+      JumpIf(*inner.operands[0], negate, label);
+      JumpIf(*inner.operands[1], negate, label);
+      return;
+    }
+    const std::string skip = Label("lbl_skip");
+    JumpIf(*inner.operands[0], !negate, skip);
+    JumpIf(*inner.operands[1], negate, label);
+    EmitLabel(skip);
+    return;
+  }
+  const Condition result = LowerCondition(inner, negate);
   if (!ok_) return;
   if (!result.constant) {
     Emit(fmt::format("if ({}) goto {};", result.variable, label));

@@ -41,6 +41,10 @@ class Rewriter {
   void Finish();
 
  private:
+  /// Nothing is rewritten: says why, and what to do instead. Only the first reason is told.
+  void Refuse(Message reason);
+  void Refuse(SourceRange place, Message reason);
+
   /// An expression in core form: `text` is an operand when `leaf`, otherwise one operation.
   struct Value {
     std::string text;
@@ -62,11 +66,13 @@ class Rewriter {
   Value Fail();
   Value Leaf(const Expression& expression);
   Value LeafIndex(const Expression& expression);
-  std::string FlatIndex(const Expression& expression, const Entity& array);
   std::string IndexText(const Expression& expression);
   Value Lower(const Expression& expression);
   Value LowerUnary(const Expression& expression);
   Value LowerBinary(Value left, std::string_view op, Value right);
+  Value LowerLogical(const Expression& expression);
+  bool IsSafe(const Expression& expression) const;
+  bool IsPlainOperand(const Expression& expression) const;
   vm::DataType TypeOf(const Expression& expression) const;
   Value LowerConditional(const Expression& expression);
   Value LowerCall(const Expression& expression);
@@ -74,6 +80,8 @@ class Rewriter {
   Value LowerStep(const Expression& expression, bool value_used);
   void LowerEffect(const Expression& expression);
   void LowerCommand(const Expression& call);
+  void DropResult(const Expression& target);
+  void InitialiseArray(const std::vector<ExpressionPtr>& values, const Entity& array);
   Value Target(const Expression& expression);
   Value Operand(Value value);
   Value Converted(Value value, vm::DataType type);
@@ -93,8 +101,9 @@ class Rewriter {
                      const std::string& continue_label);
   void FindJumps(const Statement& statement, const std::string& break_label,
                  const std::string& continue_label, Jumps* jumps);
-  SourceRange Head(SourceRange first, const Statement& body) const;
-  SourceRange Tail(const Statement& body, SourceRange last) const;
+  SourceRange Head(SourceRange first, const Statement& body);
+  SourceRange Tail(const Statement& body, SourceRange last);
+  bool HasBothBraces(const Statement& block) const;
   std::string_view Source(SourceRange range) const { return checker_.Source(range); }
   std::string Separator(SourceRange range) const;
 

@@ -10,6 +10,29 @@ SourceRange Between(SourceRange first, uint32_t begin, uint32_t end) {
   return {first.file, begin, std::max(begin, end)};
 }
 
+// Whether a case of a switch stands deeper than in the switch's own block.
+bool HasInnerCase(const Statement& statement, bool direct) {
+  const bool is_case =
+      statement.kind == Statement::Kind::kCase || statement.kind == Statement::Kind::kDefault;
+  if (is_case) return !direct;
+  if (statement.kind == Statement::Kind::kSwitch) return false;
+  for (const Statement* below : {statement.body.get(), statement.else_body.get()}) {
+    if (below != nullptr && HasInnerCase(*below, false)) return true;
+  }
+  return std::any_of(statement.items.begin(), statement.items.end(),
+                     [](const StatementPtr& item) { return HasInnerCase(*item, false); });
+}
+
+// Whether one comparison, or one variable, decides.
+bool IsOneCondition(const Expression& condition) {
+  const Expression* inner = &condition;
+  while (inner->kind == Expression::Kind::kParen ||
+         (inner->kind == Expression::Kind::kUnary && inner->op == "!")) {
+    inner = inner->operands[0].get();
+  }
+  return inner->op != "&&" && inner->op != "||" && inner->kind != Expression::Kind::kComma;
+}
+
 }  // namespace
 
 // A line end with the indentation of the line that holds the range.
@@ -108,12 +131,14 @@ void Rewriter::RewriteSimple(const Statement& statement, const Place& place) {
     }
     case Statement::Kind::kIf: {
       const Statement& body = *statement.body;
-      const bool value_is_plain =
-          body.kind == Statement::Kind::kGoto || body.value == nullptr ||
-          ((Checker::IsLeaf(*body.value) || checker_.ConstantOf(*body.value)) &&
-           Leaf(*body.value).type == checker_.function_->out.return_type && lines_.empty());
-      if (!ok_) return;
-      if (value_is_plain) {
+      if (body.kind == Statement::Kind::kGoto) {
+        JumpIf(*statement.value, false, std::string(body.name));
+        break;
+      }
+      const vm::DataType type = checker_.function_->out.return_type;
+      const bool plain_value =
+          body.value == nullptr || (IsPlainOperand(*body.value) && TypeOf(*body.value) == type);
+      if (plain_value && IsOneCondition(*statement.value)) {
         const Condition condition = LowerCondition(*statement.value, false);
         if (!ok_) return;
         std::string text(Source(body.range));
@@ -126,14 +151,17 @@ void Rewriter::RewriteSimple(const Statement& statement, const Place& place) {
         break;
       }
       // The value of `return` must not be computed when the condition does not hold.
-      lines_.clear();
       const std::string skip = Label("lbl_skip");
       JumpIf(*statement.value, true, skip);
-      Value value = Lower(*body.value);
-      if (!ok_) return;
-      value = Operand(Converted(std::move(value), checker_.function_->out.return_type));
-      Emit(fmt::format("return {};", value.text));
-      EmitEndLabel(skip, place);
+      if (body.value == nullptr) {
+        Emit("return;");
+      } else {
+        Value value = Lower(*body.value);
+        if (!ok_) return;
+        value = Operand(Converted(std::move(value), type));
+        Emit(fmt::format("return {};", value.text));
+      }
+      EmitLabel(skip);
       break;
     }
     default:
@@ -142,15 +170,23 @@ void Rewriter::RewriteSimple(const Statement& statement, const Place& place) {
   ReplaceStatement(statement.range, place);
 }
 
+// A block whose end is missing ends with the file.
+bool Rewriter::HasBothBraces(const Statement& block) const {
+  const std::string_view text = Source(block.range);
+  return text.size() >= 2 && text.front() == '{' && text.back() == '}';
+}
+
 // From `first` to where the body begins; a block's brace belongs to it.
-SourceRange Rewriter::Head(SourceRange first, const Statement& body) const {
+SourceRange Rewriter::Head(SourceRange first, const Statement& body) {
   const bool block = body.kind == Statement::Kind::kBlock;
+  if (block && (!HasBothBraces(body) || checker_.NeedsBraces(body))) ok_ = false;
   return Between(first, first.begin, block ? body.range.begin + 1 : body.range.begin);
 }
 
 // From where the body ends to the end of `last`.
-SourceRange Rewriter::Tail(const Statement& body, SourceRange last) const {
+SourceRange Rewriter::Tail(const Statement& body, SourceRange last) {
   const bool block = body.kind == Statement::Kind::kBlock;
+  if (block && (!HasBothBraces(body) || checker_.NeedsBraces(body))) ok_ = false;
   return Between(body.range, block ? body.range.end - 1 : body.range.end, last.end);
 }
 
@@ -275,6 +311,14 @@ void Rewriter::RewriteSwitch(const Statement& statement, const Place& place) {
   const std::string_view open = place.single ? "{ " : "";
   const std::string_view close = place.single ? " }" : "";
   const Statement& body = *statement.body;
+  if (std::any_of(body.items.begin(), body.items.end(),
+                  [](const StatementPtr& item) { return HasInnerCase(*item, true); })) {
+    Refuse(
+        MakeMessage("a case stands inside another statement; move it into the block of the "
+                    "switch itself",
+                    "有 case 位于其它语句内部；请把它移到 switch 自己的语句块中"));
+    return;
+  }
   const std::string end = Label("lbl_end");
   Value value = Operand(Lower(*statement.value));
   if (!ok_ || value.type != vm::DataType::kInt) return;
@@ -288,9 +332,13 @@ void Rewriter::RewriteSwitch(const Statement& statement, const Place& place) {
   std::vector<FixIt> labels;
   for (const StatementPtr& item : body.items) {
     if (item->kind == Statement::Kind::kCase) {
-      if (!checker_.ConstantOf(*item->value)) return;
+      const std::optional<Constant> number = checker_.FoldHere(*item->value);
+      if (!number || number->is_double) return;
+      const std::string_view written = Source(item->value->range);
+      const bool constant = checker_.ConstantOf(*item->value).has_value();
       const std::string label = Label("lbl_case");
-      Emit(fmt::format("{} = {} == {};", condition, value.text, Source(item->value->range)));
+      Emit(fmt::format("{} = {} == {};", condition, value.text,
+                       constant ? std::string(written) : number->Text()));
       Emit(fmt::format("if ({}) goto {};", condition, label));
       labels.push_back({item->range, label + ":"});
     } else if (item->kind == Statement::Kind::kDefault) {
@@ -308,6 +356,7 @@ void Rewriter::RewriteSwitch(const Statement& statement, const Place& place) {
 }
 
 void Rewriter::RewriteBlock(const Statement& statement) {
+  if (!HasBothBraces(statement) || checker_.NeedsBraces(statement)) return;
   edits_.push_back(
       {Between(statement.range, statement.range.begin, statement.range.begin + 1), ""});
   edits_.push_back({Between(statement.range, statement.range.end - 1, statement.range.end), ""});

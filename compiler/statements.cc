@@ -168,7 +168,7 @@ void Checker::Emit(vm::Instruction instruction) {
 void Checker::BeginStatement(const Statement& statement) {
   lesson_.reset();
   failed_ = broken_ = false;
-  flat_array_ = nullptr;
+  uses_flat_array_ = false;
   statement_range_ = statement.range;
   // Lines are words of the object; a later one is written as unknown.
   const int line = LineOf(statement.range);
@@ -176,10 +176,8 @@ void Checker::BeginStatement(const Statement& statement) {
 }
 
 void Checker::EndStatement(const Statement& statement, const Place& place) {
-  if (flat_array_ != nullptr && !failed_) {
-    Rewriter(*this, *flat_array_).RewriteSimple(statement, place);
-    return;
-  }
+  // First the array becomes flat.
+  if (uses_flat_array_ && !failed_) return;
   if (!lesson_ || broken_) return;
   Diagnostic& diagnostic = reporter_.Report(lesson_->code, lesson_->range, lesson_->arguments);
   if (lesson_->code == Code::kUserCall) {
@@ -255,7 +253,7 @@ void Checker::CheckStatement(const Statement& statement, const Place& place) {
       Rewriter(*this, diagnostic).RewriteBlock(statement);
       Place inside = place;
       inside.top = false;
-      CheckBody(statement.items, inside);
+      CheckBlock(statement, inside);
       return;
     }
     case Statement::Kind::kFunction: {
@@ -443,8 +441,8 @@ void Checker::CheckIf(const Statement& statement, const Place& place) {
         Code::kIfBody, body.keyword,
         ToMessage(fmt::format("'{}'", text.substr(0, std::max<size_t>(word, 1)))));
   }
-  if (diagnostic != nullptr && !failed) {
-    Rewriter(*this, Bearer(*diagnostic)).RewriteIf(statement, place);
+  if (diagnostic != nullptr && !failed && !uses_flat_array_) {
+    Rewriter(*this, *diagnostic).RewriteIf(statement, place);
   }
   Place inside = place;
   inside.top = false;
@@ -453,15 +451,59 @@ void Checker::CheckIf(const Statement& statement, const Place& place) {
     if (branch == nullptr) continue;
     inside.followed = place.followed || (branch == &body && statement.else_body != nullptr);
     if (branch->kind == Statement::Kind::kBlock) {
-      CheckBody(branch->items, inside);
+      CheckBlock(*branch, inside);
     } else {
       CheckStatement(*branch, inside);
     }
   }
 }
 
+void Checker::OpenBlock(const Statement* statement) {
+  function_->blocks.push_back({statement, {}});
+}
+
+void Checker::CloseBlock() {
+  for (const std::string_view name : function_->blocks.back().names) {
+    function_->open_names.erase(name);
+  }
+  function_->blocks.pop_back();
+}
+
+void Checker::CheckBlock(const Statement& statement, const Place& place) {
+  OpenBlock(&statement);
+  CheckBody(statement.items, place);
+  CloseBlock();
+}
+
+// Whether a block declares a name that means something else outside: first it gets another one.
+bool Checker::NeedsBraces(const Statement& block) const {
+  return std::any_of(block.items.begin(), block.items.end(), [this](const StatementPtr& item) {
+    return std::any_of(item->declarators.begin(), item->declarators.end(),
+                       [this](const Declarator& declarator) {
+                         return function_->declarations.at(declarator.name) > 1 ||
+                                globals_.Find(declarator.name) != nullptr;
+                       });
+  });
+}
+
+// A jump from elsewhere into the body of a loop, past its condition and first part; or nullptr.
+const Checker::Goto* Checker::JumpInto(const Statement& loop) const {
+  std::unordered_set<std::string_view> labels;
+  ForEachStatement(*loop.body, [&labels](const Statement& below) {
+    if (below.kind == Statement::Kind::kLabel) labels.insert(below.name);
+  });
+  if (labels.empty()) return nullptr;
+  for (const Goto& jump : function_->gotos) {
+    const bool inside = jump.range.file == loop.range.file &&
+                        jump.range.begin >= loop.range.begin && jump.range.end <= loop.range.end;
+    if (!inside && labels.contains(jump.label)) return &jump;
+  }
+  return nullptr;
+}
+
 void Checker::CheckLoop(const Statement& statement, const Place& place) {
   BeginStatement(statement);
+  OpenBlock(&statement);
   if (statement.initial != nullptr && statement.initial->value != nullptr) {
     CheckNames(*statement.initial->value);
   }
@@ -474,11 +516,11 @@ void Checker::CheckLoop(const Statement& statement, const Place& place) {
   std::string declarations;
   if (statement.initial != nullptr && statement.initial->kind == Statement::Kind::kDeclaration) {
     const DeclaredType type = ResolveType(statement.initial->specifiers);
+    MendType(statement.initial->specifiers, type, statement.initial->declarators,
+             statement.initial->range);
+    if (type.is_static) failed_ = true;
     for (const Declarator& declarator : statement.initial->declarators) {
-      const Entity* known = function_->locals.Find(declarator.name);
-      const bool again = known != nullptr && !known->invalid && known->structure == nullptr &&
-                         known->array_size == 0 && known->type == type.type;
-      if (!again) {
+      if (Reopen(declarator, type) == nullptr) {
         const Entity* entity = Declare(declarator, type, false);
         if (entity == nullptr || entity->invalid) failed_ = true;
         if (!declarations.empty()) declarations += ", ";
@@ -498,15 +540,50 @@ void Checker::CheckLoop(const Statement& statement, const Place& place) {
                     : statement.kind == Statement::Kind::kFor ? Code::kForLoop
                                                               : Code::kDoLoop;
   Diagnostic& diagnostic = reporter_.Report(code, statement.keyword);
-  if (!failed_) {
-    Rewriter rewriter(*this, Bearer(diagnostic));
+  if (const Goto* jump = JumpInto(statement)) {
+    failed_ = true;
+    AddNote(diagnostic, jump->range,
+            MakeMessage("this jumps into the middle of the loop; move the label '{0}' to where the "
+                        "loop begins, or behind it",
+                        "此处跳到循环中间；请把标号 '{0}' 移到循环开头或循环之后", jump->label));
+  }
+  if (!failed_ && !uses_flat_array_) {
+    Rewriter rewriter(*this, diagnostic);
     if (!declarations.empty()) rewriter.AddDeclaration(declarations);
     rewriter.RewriteLoop(statement, place);
   }
   if (statement.body->kind == Statement::Kind::kBlock) {
-    CheckBody(statement.body->items, inside);
+    CheckBlock(*statement.body, inside);
   } else {
     CheckStatement(*statement.body, inside);
+  }
+  CloseBlock();
+}
+
+// Each case is a different number, in the switch's own block.
+void Checker::CheckCases(const Statement& statement) {
+  std::unordered_map<int64_t, SourceRange> seen;
+  SourceRange default_at;
+  for (const StatementPtr& item : statement.body->items) {
+    SourceRange* first = nullptr;
+    if (item->kind == Statement::Kind::kCase) {
+      CheckNames(*item->value);
+      const std::optional<Constant> value = FoldHere(*item->value);
+      if (!value || value->is_double) continue;
+      first = &seen[value->integer];
+    } else if (item->kind == Statement::Kind::kDefault) {
+      first = &default_at;
+    } else {
+      continue;
+    }
+    if (first->end == 0) {
+      *first = item->range;
+      continue;
+    }
+    std::string_view name = Source(item->range);
+    name.remove_suffix(1);
+    AddNote(Fail(Code::kRedefinition, item->range, name), *first,
+            MakeMessage("the first one is here", "第一个在此处"));
   }
 }
 
@@ -514,20 +591,18 @@ void Checker::CheckSwitch(const Statement& statement, const Place& place) {
   BeginStatement(statement);
   CheckNames(*statement.value);
   const bool block = statement.body->kind == Statement::Kind::kBlock;
-  if (block) {
-    for (const StatementPtr& item : statement.body->items) {
-      if (item->kind == Statement::Kind::kCase) CheckNames(*item->value);
-    }
-  }
+  if (block) CheckCases(statement);
   lesson_.reset();
   Diagnostic& diagnostic = reporter_.Report(Code::kSwitch, statement.keyword);
-  if (!failed_ && block) Rewriter(*this, Bearer(diagnostic)).RewriteSwitch(statement, place);
+  if (!failed_ && !uses_flat_array_ && block) {
+    Rewriter(*this, diagnostic).RewriteSwitch(statement, place);
+  }
   Place inside = place;
   inside.top = false;
   inside.single = !block;
   inside.in_switch = true;
   if (block) {
-    CheckBody(statement.body->items, inside);
+    CheckBlock(*statement.body, inside);
   } else {
     CheckStatement(*statement.body, inside);
   }

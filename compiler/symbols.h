@@ -24,6 +24,7 @@ struct Entity {
   SourceRange range;  ///< of the name where it is defined
   /// The declaration was wrong: uses are accepted in silence.
   bool invalid = false;
+  bool is_const = false;
 
   // kVariable
   vm::DataType type = vm::DataType::kInt;

@@ -12,15 +12,17 @@ namespace {
 // Some constructs hold many others; each round mends one.
 constexpr int kRoundMax = 60;
 
-// Applies the fix-its of the first error until there is none, or an error has no fix-it.
-std::string Mend(std::string text, std::string* trace) {
+// Applies the fix-its of the first error that has any until there is none.
+std::string MendOneByOne(std::string text, std::string* trace) {
   for (int round = 0; round < kRoundMax; ++round) {
     const Compilation compilation = CompileString(text);
     if (compilation.ok()) return text;
-    const Diagnostic& first = compilation.diagnostics.front();
-    *trace += DiagnosticName(first.info->code) + ": " + first.message.en + "\n" + text + "\n";
-    if (first.fixits.empty()) return text;
-    text = ApplyFixIts(text, first);
+    const auto first =
+        std::find_if(compilation.diagnostics.begin(), compilation.diagnostics.end(),
+                     [](const Diagnostic& diagnostic) { return !diagnostic.fixits.empty(); });
+    if (first == compilation.diagnostics.end()) return text;
+    *trace += DiagnosticName(first->info->code) + ": " + first->message.en + "\n" + text + "\n";
+    text = ApplyFixIts(text, *first);
   }
   return text;
 }
@@ -148,6 +150,36 @@ const Foreign kBodies[] = {
     {"command_value", "i = 1; GT_Delay(&i); v = 2;", 2},
     {"command_extra", "GT_Delay(1, 2); v = 2;", 2},
     {"command_misspelt", "GT_Dealy(1); v = 2;", 2},
+    {"guarded_element", "i = -1; while (i >= 0 && a[i] > 0) i = i - 1; v = i;", -1},
+    {"guarded_division", "i = 0; if (i != 0 && 10 / i > 2) v = 1; else v = 2;", 2},
+    {"guarded_value", "i = 9; v = i < 4 && a[i] == 0; v = v + (i > 3 || a[i]) * 10;", 10},
+    {"second_step_skipped", "i = 1; if (i++ > 2 && i++ > 3) v = 100; v += i;", 2},
+    {"second_step_taken", "i = 3; if (i++ > 2 && i++ > 3) v = 100; v += i;", 105},
+    {"or_skips", "i = 5; if (i > 3 || i++ > 0) v = 10; v += i;", 15},
+    {"or_of_ands", "i = 1; if ((i > 3 && j++) || (i < 2 && ++k)) v = 1; v += j * 10 + k;", 2},
+    {"not_of_or", "i = 1; while (!(i > 5 || i++ > 9)) v++; v = v * 10 + i;", 56},
+    {"logic_to_goto", "i = 5; if (i > 3 && i < 7) goto done; v = 1; done: v += 5;", 5},
+    {"logic_to_return", "i = 5; v = 1; if (i > 3 && v++) return; v = 9;", 2},
+    {"logic_at_the_end", "v = 1; if (v && i) goto done; if (v) goto done; v = 2; done: ;", 1},
+    {"logic_in_do", "do v++; while (v < 9 && v != 4);", 4},
+    {"choice_of_logic", "i = 4; v = i > 3 && i < 9 ? 7 : 8;", 7},
+    {"comma_condition", "if (i = 3, i > 2) v = i;", 3},
+    {"double_logic", "x = 0.5; v = x && x < 1.0;", 1},
+    {"values_in_order", "int n = 2; int m = n + 1, o = m * n; v = o * 10 + m; ", 63},
+    {"rest_is_zero", "a[1] = 5; a[2] = 6; { int n[3] = {7}; n[1]++; v = n[0] + n[1] + n[2]; }", 8},
+    {"big_rest_is_zero", "{ int n[40] = {7, 8}; for (i = 0; i < 40; i++) v += n[i]; }", 15},
+    {"hidden_name", "i = 7; { int i = 2; v = i; } v = v * 10 + i;", 27},
+    {"hidden_counter", "i = 7; for (int i = 0; i < 3; i++) v += i; v = v * 10 + i;", 37},
+    {"hidden_twice",
+     "for (int n = 0; n < 2; n++) { v += 100; for (int n = 0; n < 3; n++) v += n; }", 206},
+    {"other_type", "{ int n = 7; v = n; } { double n = 0.5; x = n * 2; } v += (int) x;", 8},
+    {"local_const", "const int n = 3; v = n * 2;", 6},
+    {"case_expressions", "i = 5; switch (i) { case 2 + 3: v = 1; break; case -5: v = 2; }", 1},
+    {"inner_case", "i = 2; switch (i) { case 1: if (j) { case 2: v = 3; } }", 3},
+    {"unsigned_counter", "unsigned int n; for (n = 0; n < 4; n++) v += n;", 6},
+    {"three_dimensions",
+     "int m[2][3][4]; i = 1; m[i][2][i + 2] = 5; v = m[1][i * 2][3] + m[0][0][0];", 5},
+    {"constant_dimensions", "int m[2][3]; m[1][2] = 5; i = 1; v = m[i][i + i];", 5},
     {"everything",
      "for (int n = 0; n < 5; n++) { if (n % 2 == 0) { v += n * 2; } else if (n == 3) { "
      "while (v > 1) v -= 2; } else { switch (n) { case 1: v++; break; } } }",
@@ -162,7 +194,7 @@ TEST_P(RewriterTest, MendsTheProgramToWhatCMeans) {
                                "  double x;\n  v = 0;\n  ") +
                            GetParam().body + "\n}\n";
   std::string trace;
-  const std::string mended = Mend(text, &trace);
+  const std::string mended = MendOneByOne(text, &trace);
   const Compilation compilation = CompileString(mended);
   ASSERT_TRUE(compilation.ok()) << trace << compilation.diagnostics.front().message.en << '\n'
                                 << mended;
@@ -170,6 +202,11 @@ TEST_P(RewriterTest, MendsTheProgramToWhatCMeans) {
   const Result<void> verified = vm::Verify(*compilation.object, shapes);
   ASSERT_TRUE(verified.ok()) << verified.error().message.en;
   EXPECT_EQ(RunAndRead(*compilation.object, "v"), GetParam().v) << trace << mended;
+
+  const Mended at_once = MendString(text);
+  ASSERT_TRUE(at_once.compilation.ok()) << at_once.files.at("test.c");
+  EXPECT_EQ(RunAndRead(*at_once.compilation.object, "v"), GetParam().v)
+      << at_once.files.at("test.c");
 }
 
 INSTANTIATE_TEST_SUITE_P(Bodies, RewriterTest, testing::ValuesIn(kBodies),
@@ -185,7 +222,11 @@ struct Whole {
 // Programs whose errors are not in statements.
 const Whole kPrograms[] = {
     {"unsigned_long", "unsigned long v; float f; char c; static int s; int t0() { return v; }\n"},
-    {"global_initialiser", "int v = 5; int t0() { return v; }\n"},
+    {"global_zero", "int v = 0; double d = 0.0; int a[3] = {0, 0}; int t0() { return v; }\n"},
+    {"const_number",
+     "const int N = 2 * 3; static const double K = 4; int a[N]; "
+     "double t0() { return K; }\n"},
+    {"plain_char", "char c; unsigned short m; int t0() { c = 'x'; m = 0xFFFF; return c + m; }\n"},
     {"two_dimensions",
      "int m[2][3]; int v; int t0() { int i; i = 1; m[i][2] = 4; v = m[1][i + 1] * 2; }\n"},
     {"two_dimensions_in_loop",
@@ -214,7 +255,7 @@ class ProgramTest : public testing::TestWithParam<Whole> {};
 
 TEST_P(ProgramTest, CanBeMended) {
   std::string trace;
-  const std::string mended = Mend(GetParam().text, &trace);
+  const std::string mended = MendOneByOne(GetParam().text, &trace);
   const Compilation compilation = CompileString(mended);
   EXPECT_TRUE(compilation.ok()) << trace << compilation.diagnostics.front().message.en << '\n'
                                 << mended;
@@ -222,6 +263,97 @@ TEST_P(ProgramTest, CanBeMended) {
 
 INSTANTIATE_TEST_SUITE_P(Programs, ProgramTest, testing::ValuesIn(kPrograms),
                          [](const testing::TestParamInfo<Whole>& program) {
+                           return std::string(program.param.name);
+                         });
+
+struct Unmendable {
+  const char* name;
+  const char* text;
+  std::vector<int> codes;  ///< that are left
+  const char* note;        ///< part of a note of what to do
+};
+
+// What no edit can say in the language, or what C has no meaning for: it stays an error.
+const Unmendable kUnmendable[] = {
+    {"global_value", "int rate = 25; int t0() { return rate; }\n", {110}, "#define"},
+    {"global_array", "int a[2] = {0, 1}; int t0() { return a[1]; }\n", {110}, "in a function"},
+    {"const_table", "const int a[2] = {1, 2}; int t0() { return a[1]; }\n", {115, 110}, "#define"},
+    {"changed_const",
+     "const int n = 3; int t0() { n = 4; return n; }\n",
+     {115, 110, 31},
+     "changed"},
+    {"stepped_const",
+     "int t0() { const int n = 3; n++; return n; }\n",
+     {115, 110, 31, 107},
+     "changed"},
+    {"nested_const",
+     "int v; int t0() { const int n = 3; v = 1 + (n = 2); }\n",
+     {115, 110, 100, 31},
+     "changed"},
+    {"const_output",
+     "const int n = 3; int t0() { GT_GetSts(1, &n, 1, &n); }\n",
+     {115, 110, 31, 31},
+     "changed"},
+    {"const_parameter", "int t0(const int n) { n = 4; return n; }\n", {115, 31}, "changed"},
+    {"const_without_value", "const int n; int t0() { return n; }\n", {115}, "no value"},
+    {"static_local", "int t0() { static int n = 5; n = n + 1; return n; }\n", {115, 110}, "global"},
+    {"extern_local", "int t0() { extern int n; n = 1; return n; }\n", {115}, "global"},
+    {"twice_the_case",
+     "int v; int t0() { switch (v) { case 1: v = 2; break; case 1: v = 3; } }\n",
+     {105, 13},
+     "first"},
+    {"twice_the_same_sum",
+     "int v; int t0() { switch (v) { case 3: v = 2; break; case 1 + 2: v = 3; } }\n",
+     {105, 13},
+     "first"},
+    {"twice_default",
+     "int v; int t0() { switch (v) { default: v = 2; default: v = 3; } }\n",
+     {105, 13},
+     "first"},
+    {"column_too_big",
+     "int m[3][4]; int t0() { m[1][5] = 1; return m[2][3]; }\n",
+     {111, 17},
+     "declared"},
+    {"row_negative", "int m[3][4]; int t0() { return m[-1][5]; }\n", {111, 17, 17}, "declared"},
+    {"row_alone", "int m[3][4]; int t0() { return m[5]; }\n", {111, 28}, "each dimension"},
+    {"into_a_loop",
+     "int v; int t0() { goto in; while (v < 9) { v = v + 2; in: v = v + 1; } }\n",
+     {101},
+     "label"},
+    {"into_a_for",
+     "int i; int t0() { for (i = 0; i < 3; i++) { in: i++; } goto in; }\n",
+     {102},
+     "label"},
+    {"code_read",
+     "int t0() { int r; r = GT_Update(1); if (r) return 1; return 0; }\n",
+     {49},
+     "read"},
+    {"code_global", "int r; int t0() { r = GT_Update(1); }\n", {49}, "host"},
+    {"unsigned_wraps",
+     "int v; int t0() { unsigned n; n = v - 1; if (n > 5) v = 1; }\n",
+     {114},
+     "sign"},
+    {"char_wraps", "int v; int t0() { char c; c = v; v = c + 1; }\n", {114}, "sign"},
+    {"long_long", "long long n; int t0() { return n; }\n", {114}, "32 bits"},
+};
+
+class UnmendableTest : public testing::TestWithParam<Unmendable> {};
+
+TEST_P(UnmendableTest, StaysAnErrorThatSaysWhatToDo) {
+  const Mended mended = MendString(GetParam().text);
+  std::string all;
+  std::string notes;
+  for (const Diagnostic& diagnostic : mended.compilation.diagnostics) {
+    all += DiagnosticName(diagnostic.info->code) + ": " + diagnostic.message.en + '\n';
+    for (const Note& note : diagnostic.notes) notes += note.message.en + '\n';
+  }
+  EXPECT_FALSE(mended.compilation.ok());
+  EXPECT_EQ(CodesOf(mended.compilation), GetParam().codes) << all << notes;
+  EXPECT_NE(notes.find(GetParam().note), std::string::npos) << all << notes;
+}
+
+INSTANTIATE_TEST_SUITE_P(Programs, UnmendableTest, testing::ValuesIn(kUnmendable),
+                         [](const testing::TestParamInfo<Unmendable>& program) {
                            return std::string(program.param.name);
                          });
 

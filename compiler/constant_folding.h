@@ -1,0 +1,31 @@
+// Computes expressions of numbers as C does at compile time, so that a fix-it can put the number in
+// their place. Tested by tests/compiler/rewriter_test.cc.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "compiler/syntax.h"
+
+namespace oncard::compiler {
+
+/// The literal that a name stands for, or nothing.
+using MacroLookup = std::function<std::optional<Literal>(std::string_view name)>;
+
+/// A number of C: an int of 32 bits, or a double.
+struct Constant {
+  bool is_double = false;
+  int64_t integer = 0;
+  double real = 0;
+
+  double AsDouble() const { return is_double ? real : static_cast<double>(integer); }
+  /// As a literal of the language.
+  std::string Text() const;
+};
+
+/// The value of an expression of literals and macros. Nothing when there is anything else in it,
+/// when it divides by zero, or when an int overflows, which C leaves open.
+std::optional<Constant> Fold(const Expression& expression, const MacroLookup& lookup);
+
+}  // namespace oncard::compiler

@@ -1,0 +1,305 @@
+// Declarations of C that the language lacks: `const`, `static`, `extern`, `unsigned`, `char`,
+// initial values of globals, names that hide others. Each is mended where that keeps what the
+// program means; otherwise a note says what stands against it.
+#include <algorithm>
+
+#include "compiler/checker.h"
+#include "vm/limits.h"
+
+namespace oncard::compiler {
+namespace {
+
+using vm::DataType;
+
+bool IsAnyOf(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+bool HasWord(const Specifiers& specifiers, std::string_view word) {
+  return std::any_of(specifiers.words.begin(), specifiers.words.end(),
+                     [word](const Token* token) { return token->text == word; });
+}
+
+bool Mentions(const Expression& expression, std::string_view name) {
+  bool found = false;
+  ForEachExpression(expression, [&found, name](const Expression& inner) {
+    found = found || (inner.kind == Expression::Kind::kName && inner.text == name);
+  });
+  return found;
+}
+
+// What an integer type of C can hold.
+struct Range {
+  int64_t minimum = INT32_MIN;
+  int64_t maximum = INT32_MAX;
+  bool narrow = false;  ///< holds less than an int
+  bool is_signed = true;
+};
+
+Range RangeOf(const Specifiers& specifiers) {
+  const bool is_unsigned = HasWord(specifiers, "unsigned");
+  if (HasWord(specifiers, "char")) {
+    return is_unsigned ? Range{0, UINT8_MAX, true, false} : Range{INT8_MIN, INT8_MAX, true, true};
+  }
+  if (is_unsigned && HasWord(specifiers, "short")) return {0, UINT16_MAX, true, false};
+  if (is_unsigned) return {0, INT32_MAX, false, false};
+  return {};
+}
+
+// Looks for a use of a variable that would compute something else if the variable were an int.
+class IntSearch {
+ public:
+  using Folder = std::function<std::optional<Constant>(const Expression&)>;
+
+  IntSearch(std::string_view name, Range range, Folder fold)
+      : name_(name), range_(range), fold_(std::move(fold)) {}
+
+  void Add(const Statement& statement) {
+    for (const Declarator& declarator : statement.declarators) {
+      if (declarator.name == name_ && declarator.initialiser != nullptr) {
+        CheckValue(*declarator.initialiser);
+      }
+    }
+    ForEachWholeExpression(statement, [this](const Expression& whole) {
+      ForEachExpression(whole, [this](const Expression& inner) { Check(inner); });
+    });
+  }
+
+  /// The use, or nullptr.
+  const Expression* difference() const {
+    if (uncertain_value_ == nullptr) return nullptr;
+    return range_.narrow ? uncertain_value_ : sensitive_use_;
+  }
+
+ private:
+  bool Fits(const Expression& value) const {
+    const std::optional<Constant> constant = fold_(value);
+    return constant && !constant->is_double && constant->integer >= range_.minimum &&
+           constant->integer <= range_.maximum;
+  }
+  void CheckValue(const Expression& value) {
+    if (value.kind == Expression::Kind::kBraces) {
+      for (const ExpressionPtr& element : value.operands) CheckValue(*element);
+    } else if (!Fits(value) && uncertain_value_ == nullptr) {
+      uncertain_value_ = &value;
+    }
+  }
+  void Check(const Expression& expression) {
+    const bool assigns = IsAnyOf(expression.op, {"=", "++", "--", "&"}) ||
+                         expression.kind == Expression::Kind::kCompound;
+    if (assigns && !expression.operands.empty() && BaseName(*expression.operands[0]) == name_) {
+      CheckWrite(expression);
+    }
+    // Where a sign or the 32nd bit matters.
+    const bool sensitive =
+        IsAnyOf(expression.op, {"/", "%", ">>", "<", ">", "<=", ">=", "/=", "%=", ">>="});
+    if (sensitive && sensitive_use_ == nullptr && Mentions(expression, name_)) {
+      sensitive_use_ = &expression;
+    }
+  }
+  void CheckWrite(const Expression& expression) {
+    if (expression.kind == Expression::Kind::kBinary) return;  // `a & b`
+    const bool never_negative =
+        !range_.narrow &&
+        (expression.op == "++" || (IsAnyOf(expression.op, {"+=", "&=", "/=", "%=", ">>="}) &&
+                                   Fits(*expression.operands[1])));
+    if (never_negative) return;
+    if (expression.kind == Expression::Kind::kAssign) {
+      CheckValue(*expression.operands[1]);
+    } else if (uncertain_value_ == nullptr) {
+      uncertain_value_ = &expression;
+    }
+  }
+
+  std::string_view name_;
+  Range range_;
+  Folder fold_;
+  const Expression* uncertain_value_ = nullptr;
+  const Expression* sensitive_use_ = nullptr;
+};
+
+bool IsZero(const Expression& value, const std::function<bool(const Expression&)>& is_zero) {
+  if (value.kind != Expression::Kind::kBraces) return is_zero(value);
+  return std::all_of(value.operands.begin(), value.operands.end(),
+                     [&is_zero](const ExpressionPtr& item) { return IsZero(*item, is_zero); });
+}
+
+}  // namespace
+
+const std::vector<StatementPtr>& Checker::ScopeOfNames() const {
+  return function_ != nullptr ? function_->syntax->body : tree_->items;
+}
+
+NameUses Checker::UsesInFunction(std::string_view name) {
+  std::optional<NameTable>& uses = function_->uses;
+  if (!uses) uses.emplace().Add(function_->syntax->body);
+  return uses->Find(name);
+}
+
+NameUses Checker::UsesHere(std::string_view name) {
+  if (function_ != nullptr) return UsesInFunction(name);
+  if (!program_uses_) program_uses_.emplace().Add(tree_->items);
+  return program_uses_->Find(name);
+}
+
+std::optional<Constant> Checker::FoldHere(const Expression& expression) const {
+  return Fold(expression, [this](std::string_view name) -> std::optional<Literal> {
+    const Entity* entity = Lookup(name);
+    if (entity == nullptr || entity->kind != Entity::Kind::kMacro) return std::nullopt;
+    return entity->value;
+  });
+}
+
+// Whether an int computes what a variable of the foreign type does, as far as can be seen.
+bool Checker::KeepsMeaning(const Specifiers& specifiers, const DeclaredType& type,
+                           std::span<const Declarator> declarators) {
+  if (type.type == DataType::kDouble || type.is_void || type.structure != nullptr) return true;
+  const auto longs = std::count_if(specifiers.words.begin(), specifiers.words.end(),
+                                   [](const Token* word) { return word->text == "long"; });
+  if (longs > 1) {
+    AddNote(*type.report, MakeMessage("an int has 32 bits; if that is enough, write 'int' yourself",
+                                      "int 只有 32 位；如果足够，请自行改为 int"));
+    return false;
+  }
+  const Range range = RangeOf(specifiers);
+  if (range.is_signed && !range.narrow) return true;
+  for (const Declarator& declarator : declarators) {
+    IntSearch search(declarator.name, range,
+                     [this](const Expression& value) { return FoldHere(value); });
+    for (const StatementPtr& item : ScopeOfNames()) {
+      ForEachStatement(*item, [&search](const Statement& below) { search.Add(below); });
+    }
+    const Expression* difference = search.difference();
+    if (difference == nullptr) continue;
+    AddNote(*type.report, difference->range,
+            MakeMessage("with an int, which has a sign and 32 bits, this can give another result; "
+                        "if it cannot, write 'int' yourself",
+                        "int 有符号且为 32 位，此处的结果可能因此不同；如果不会，请自行改为 int"));
+    return false;
+  }
+  return true;
+}
+
+// A const that is a number becomes a macro where it is a global, and a variable elsewhere.
+bool Checker::MendConst(const DeclaredType& type, std::span<const Declarator> declarators,
+                        SourceRange declaration, bool* as_macros) {
+  std::string macros;
+  bool numbers = !declarators.empty();
+  for (const Declarator& declarator : declarators) {
+    if (const Expression* write = UsesHere(declarator.name).first_write) {
+      AddNote(*type.report, write->range,
+              MakeMessage("'{0}' is changed here; remove this statement, or 'const'",
+                          "'{0}' 在此处被修改；请去掉该语句，或去掉 const", declarator.name));
+      return false;
+    }
+    if (type.is_parameter) return true;
+    if (declarator.initialiser == nullptr) {
+      AddNote(*type.report,
+              MakeMessage("'{0}' has no value and can never get one; write it here",
+                          "'{0}' 没有值，以后也无法赋值；请在此写出", declarator.name));
+      return false;
+    }
+    std::optional<Constant> value = FoldHere(*declarator.initialiser);
+    if (!value || !declarator.sizes.empty() || declarator.pointer) {
+      numbers = false;
+      continue;
+    }
+    if (value->is_double && type.type == DataType::kInt) {
+      value->integer = static_cast<int64_t>(value->real);
+    }
+    value->real = value->AsDouble();
+    value->is_double = type.type == DataType::kDouble;
+    macros +=
+        fmt::format("{}#define {} {}", macros.empty() ? "" : "\n", declarator.name, value->Text());
+  }
+  if (function_ != nullptr) return true;
+  if (!numbers) {
+    AddNote(*type.report,
+            MakeMessage("globals have no initial values; write numbers as #define, and fill arrays "
+                        "in a function or from the host",
+                        "全局变量没有初值；数值请写成 #define，数组请在函数中或由主机赋值"));
+    return false;
+  }
+  // A directive stands on lines of its own.
+  const std::string_view text = files_[static_cast<size_t>(declaration.file)].text();
+  const size_t line_begin = text.rfind('\n', declaration.begin) + 1;
+  const std::string_view before = text.substr(line_begin, declaration.begin - line_begin);
+  const size_t next = text.find_first_not_of(" \t\r", declaration.end);
+  const bool alone_before = before.find_first_not_of(" \t") == std::string_view::npos;
+  const bool alone_behind = next == std::string_view::npos || text[next] == '\n';
+  Replace(*type.report, declaration,
+          fmt::format("{}{}{}", alone_before ? "" : "\n", macros, alone_behind ? "" : "\n"));
+  *as_macros = true;
+  return true;
+}
+
+// Offers the plain words in place of foreign ones. True when the declaration becomes #define lines,
+// which have their values already.
+bool Checker::MendType(const Specifiers& specifiers, const DeclaredType& type,
+                       std::span<const Declarator> declarators, SourceRange declaration) {
+  if (type.report == nullptr || !type.valid) return false;
+  if (type.is_static && function_ != nullptr) {
+    AddNote(*type.report,
+            MakeMessage("a variable that all runs of a function share is a global; declare it "
+                        "before the function",
+                        "函数各次运行共用的变量是全局变量；请在函数之前声明"));
+    return false;
+  }
+  if (!KeepsMeaning(specifiers, type, declarators)) return false;
+  bool as_macros = false;
+  if (type.is_const && !declarators.empty() &&
+      !MendConst(type, declarators, declaration, &as_macros)) {
+    return false;
+  }
+  if (!as_macros) Replace(*type.report, specifiers.range, type.plain);
+  return as_macros;
+}
+
+// Storage starts at 0, so only that value may be left out.
+void Checker::MendGlobalInitialiser(const Declarator& declarator, Diagnostic& diagnostic,
+                                    SourceRange value) {
+  const bool zero = IsZero(*declarator.initialiser, [this](const Expression& element) {
+    const std::optional<Constant> constant = FoldHere(element);
+    return constant && constant->AsDouble() == 0;
+  });
+  if (zero) {
+    Replace(diagnostic, value, "");
+    return;
+  }
+  AddNote(diagnostic,
+          MakeMessage("assign it in a function, or set it from the host with GT_SetVarValue; a "
+                      "number that never changes can be a #define",
+                      "请在函数中赋值，或由主机用 GT_SetVarValue 设置；不变的数值可写成 #define"));
+}
+
+// Gives a name that hides another one a name of its own, throughout the block that declares it.
+void Checker::Rename(const Declarator& declarator, Diagnostic& diagnostic) {
+  constexpr int kRoomForNumber = 4;
+  const std::string_view old = declarator.name;
+  const std::string fresh =
+      fresh_.Make(old.substr(0, std::min<size_t>(old.size(), vm::kNameLengthMax - kRoomForNumber)));
+  const uint32_t begin = declarator.name_range.begin;
+  const auto rename = [&](const Statement& statement) {
+    for (const Declarator& other : statement.declarators) {
+      if (other.name == old && other.name_range.begin >= begin) {
+        Replace(diagnostic, other.name_range, fresh);
+      }
+    }
+    ForEachWholeExpression(statement, [&](const Expression& whole) {
+      ForEachExpression(whole, [&](const Expression& inner) {
+        if (inner.kind == Expression::Kind::kName && inner.text == old &&
+            inner.range.begin >= begin) {
+          Replace(diagnostic, inner.range, fresh);
+        }
+      });
+    });
+  };
+  const Statement* block = function_->blocks.back().statement;
+  if (block != nullptr) {
+    ForEachStatement(*block, rename);
+    return;
+  }
+  for (const StatementPtr& item : function_->syntax->body) ForEachStatement(*item, rename);
+}
+
+}  // namespace oncard::compiler

@@ -1,0 +1,52 @@
+// Looks through whole trees: what is in them, and how they use names. A name means the same
+// variable throughout a function, and throughout the program when it is a global.
+// Tested by tests/compiler/rewriter_test.cc, by way of the fix-its that depend on it.
+#pragma once
+
+#include <functional>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "compiler/syntax.h"
+
+namespace oncard::compiler {
+
+using StatementVisitor = std::function<void(const Statement&)>;
+using ExpressionVisitor = std::function<void(const Expression&)>;
+
+/// Calls `visit` for a statement and all below it, in the order of the text.
+void ForEachStatement(const Statement& statement, const StatementVisitor& visit);
+/// Calls `visit` for an expression and all below it, outer ones first.
+void ForEachExpression(const Expression& expression, const ExpressionVisitor& visit);
+/// Calls `visit` for every expression that is not part of another one, in the statement alone, not
+/// in those below it.
+void ForEachWholeExpression(const Statement& statement, const ExpressionVisitor& visit);
+
+/// The name at the bottom of `a`, `a[i][j]`, `s.m` and `(a)`; empty when there is none.
+std::string_view BaseName(const Expression& expression);
+
+/// How a program uses a variable. Handing its address to a command counts as both.
+struct NameUses {
+  const Expression* first_read = nullptr;
+  const Expression* first_write = nullptr;
+};
+
+/// The uses of every name.
+class NameTable {
+ public:
+  void Add(const std::vector<StatementPtr>& items);
+  /// All empty for a name that does not occur.
+  NameUses Find(std::string_view name) const;
+
+ private:
+  void Read(const Expression& expression);
+  void Write(const Expression& target);
+
+  std::unordered_map<std::string_view, NameUses> uses_;
+};
+
+/// Whether computing the expression changes something, so that it matters how often it is done.
+bool HasEffects(const Expression& expression);
+
+}  // namespace oncard::compiler
