@@ -186,20 +186,23 @@ bool Shell(const std::string& command, const std::string& output) {
 Result<std::vector<Values>> RunOracle(const std::vector<RandomProgram>& programs,
                                       const std::vector<Interleaving>& interleavings,
                                       const std::string& folder) {
+  const std::string prelude =
+      fmt::format("-std=gnu++20 -I '{}/tests/differential'", ONCARD_SOURCE_DIR);
+  return RunOracle(OracleSource(programs, interleavings), prelude, folder);
+}
+
+Result<std::vector<Values>> RunOracle(const std::string& text, const std::string& flags,
+                                      const std::string& folder) {
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
   const std::string source = folder + "/oracle.cc", program = folder + "/oracle";
   const std::string messages = folder + "/messages.txt", values = folder + "/values.txt";
-  if (auto written = WriteFileAtomically(source, OracleSource(programs, interleavings));
-      !written.ok()) {
-    return written.error();
-  }
+  if (auto written = WriteFileAtomically(source, text); !written.ok()) return written.error();
   if (!Shell(fmt::format("{} --version", kOracleCompiler), messages)) {
     return MakeError(1, "{0} is not on this machine; the differential tests need it: install {0}",
                      "本机没有 {0}；差分测试需要它：请安装 {0}", kOracleCompiler);
   }
-  if (!Shell(fmt::format("{} -std=gnu++20 -O0 -w -I '{}/tests/differential' -o '{}' '{}'",
-                         kOracleCompiler, ONCARD_SOURCE_DIR, program, source),
+  if (!Shell(fmt::format("{} -O0 -w {} -o '{}' '{}'", kOracleCompiler, flags, program, source),
              messages)) {
     const auto said = ReadFile(messages);
     return MakeError(1, "{} does not compile {}: {}", "{} 无法编译 {}：{}", kOracleCompiler, source,
@@ -208,10 +211,10 @@ Result<std::vector<Values>> RunOracle(const std::vector<RandomProgram>& programs
   if (!Shell(fmt::format("timeout {} '{}'", kSecondsMax, program), values)) {
     return MakeError(1, "{} did not run to its end", "{} 没有运行到结束", program);
   }
-  const auto text = ReadFile(values);
-  if (!text.ok()) return text.error();
+  const auto printed = ReadFile(values);
+  if (!printed.ok()) return printed.error();
   std::vector<Values> all;
-  std::istringstream lines(text.value());
+  std::istringstream lines(printed.value());
   for (std::string line; std::getline(lines, line);) {
     std::istringstream numbers(line);
     all.emplace_back();

@@ -28,6 +28,11 @@ Result<std::vector<Values>> RunOracle(const std::vector<RandomProgram>& programs
                                       const std::vector<Interleaving>& interleavings,
                                       const std::string& folder);
 
+/// Compiles a source with `flags`, which name the language, in `folder`, which is created, and runs
+/// it. Every line that it prints is a list of numbers.
+Result<std::vector<Values>> RunOracle(const std::string& text, const std::string& flags,
+                                      const std::string& folder);
+
 /// One name for each of the Values of a program.
 std::vector<std::string> ValueNames(const RandomProgram& program);
 

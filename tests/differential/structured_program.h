@@ -1,0 +1,23 @@
+// Random programs of ordinary C: nested blocks, loops and branches, guards and side effects inside
+// conditions, nested expressions, initial values, hidden names, arrays of two dimensions. They are
+// what `oncard check --fix` is for, and every one has exactly one meaning in C: no operand order
+// matters, nothing overflows but ints that wrap, guards keep divisors and indices right, and a
+// global that counts down in conditions ends every loop.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace oncard::differential {
+
+struct StructuredProgram {
+  uint64_t seed = 0;
+  std::string text;                  ///< with one function, `int f()`
+  std::vector<std::string> globals;  ///< int scalars, then elements of int arrays: `g0`, `a[3]`
+};
+
+/// Everything is derived from the seed.
+StructuredProgram MakeStructuredProgram(uint64_t seed);
+
+}  // namespace oncard::differential
