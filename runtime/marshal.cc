@@ -96,13 +96,20 @@ Error NotALong(const Parameter& parameter) {
                    "参数 {} 中的值超出 32 位范围", parameter.name);
 }
 
+/// True for a word of bits, of which a card takes the lower 32: what a host whose `long` has 64
+/// adds above them, with `mask = mask | 1` of a variable that was never set, is not looked at.
+bool IsWordOfBits(const Parameter& parameter) {
+  return parameter.unit == gtcalls::Unit::kMask || parameter.unit == gtcalls::Unit::kBits;
+}
+
 /// The value of a scalar argument.
 Result<double> ReadValue(const Parameter& parameter, const HostArgument& host) {
   if (host.kind == HostArgument::Kind::kReal) return host.real;
   if (parameter.type != Scalar::kLong && parameter.type != Scalar::kUnsignedLong) {
     return static_cast<double>(host.integer);
   }
-  const auto value = NarrowLong(host.integer, parameter.type == Scalar::kUnsignedLong);
+  const int64_t bits = IsWordOfBits(parameter) ? static_cast<int32_t>(host.integer) : host.integer;
+  const auto value = NarrowLong(bits, parameter.type == Scalar::kUnsignedLong);
   if (!value.has_value()) return NotALong(parameter);
   return *value;
 }

@@ -5,7 +5,8 @@
 //
 // The vendor's `long` has 32 bits, ours may have 64. A 64-bit value that is a 32-bit pattern
 // extended with or without its sign is taken for that pattern, so that 0x80000000 and
-// 0xFFFFFFFF mean what they mean to a 32-bit host; other values are out of range.
+// 0xFFFFFFFF mean what they mean to a 32-bit host; other values are out of range. Of masks and bit
+// words the lower 32 bits count.
 // Tested by tests/runtime/marshal_test.cc.
 #pragma once
 

@@ -70,6 +70,21 @@ TEST(MarshalTest, ALongBeyondThirtyTwoBitsIsOutOfRange) {
   }
 }
 
+TEST(MarshalTest, OfAMaskTheLowerThirtyTwoBitsCount) {
+  if (sizeof(long) == 4) GTEST_SKIP() << "long has 32 bits here";
+  constexpr auto kGpo = static_cast<short>(12);
+  const int64_t from_the_stack = 0x7FFD'1234'0000'0000;
+  for (const int64_t bits : {int64_t{3}, int64_t{-1}, int64_t{INT32_MIN}}) {
+    const auto host = static_cast<long>(from_the_stack | (bits & UINT32_MAX));
+    Marshalled mask("GT_Update", host);
+    ASSERT_EQ(mask.code(), 0) << bits;
+    EXPECT_EQ(mask.call.arguments[0].value, static_cast<double>(bits)) << bits;
+    Marshalled word("GT_SetDo", kGpo, host);
+    ASSERT_EQ(word.code(), 0) << bits;
+    EXPECT_EQ(word.call.arguments[1].value, static_cast<double>(bits)) << bits;
+  }
+}
+
 TEST(MarshalTest, AnUnsignedLongIsAThirtyTwoBitPattern) {
   std::array<unsigned char, 6> address{};
   Marshalled call("GetMacAddress", static_cast<unsigned long>(-1), address.data(), 6UL);
