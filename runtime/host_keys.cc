@@ -1,6 +1,6 @@
 #include "runtime/host_keys.h"
 
-#include <poll.h>
+#include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -15,6 +15,10 @@
 
 namespace oncard::runtime {
 namespace {
+
+/// How often a host may ask for a key after the last one. Once is usual: "press any key" at its
+/// end.
+constexpr int kReadsAfterEnd = 1000;
 
 /// The terminal gives single keys without echo from the first question to the end of the process.
 class RawTerminal {
@@ -83,11 +87,28 @@ bool HostKeys::Hit() {
     return next_ < keys_.size() && keys_[next_].at_ns <= now_ns;
   }
   OpenTerminal();
-  pollfd input = {STDIN_FILENO, POLLIN, 0};
-  return ::poll(&input, 1, 0) == 1 && (input.revents & POLLIN) != 0;
+  // Not poll(): the end of the input is no key.
+  int available = 0;
+  return ::ioctl(STDIN_FILENO, FIONREAD, &available) == 0 && available > 0;
 }
 
 int HostKeys::Read() {
+  const int key = ReadNext();
+  if (key >= 0) return key;
+  std::unique_lock lock(mutex_);
+  if (++reads_after_end_ < kReadsAfterEnd) return key;
+  lock.unlock();
+  const Message message = MakeMessage(
+      "the host has asked {0} times for a key after the last one; give the keys that it ends with "
+      "(--keys, ONCARD_KEYS or the scenario)",
+      "最后一个按键之后主机程序又等待了 {0} 次按键；请给出使其结束的按键（--keys、ONCARD_KEYS "
+      "或场景文件）",
+      kReadsAfterEnd);
+  std::fprintf(stderr, "oncard: %s\n", message.In(LanguageFromEnvironment()).c_str());
+  std::exit(kExitNoMoreKeys);
+}
+
+int HostKeys::ReadNext() {
   if (scripted_) {
     std::unique_lock lock(mutex_);
     if (next_ == keys_.size()) return -1;

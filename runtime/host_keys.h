@@ -21,10 +21,12 @@ class HostKeys {
 
   /// True when a key has been pressed and not read. A look takes time (host_time.h).
   bool Hit();
-  /// Waits for a key; -1 when no more can come.
+  /// Waits for a key; -1 when no more can come. A host that goes on asking then is in a loop
+  /// without end: it is told so and ended with kExitNoMoreKeys.
   int Read();
 
  private:
+  int ReadNext();
   struct Key {
     int64_t at_ns;
     unsigned char character;
@@ -34,6 +36,7 @@ class HostKeys {
   const bool scripted_;
   std::vector<Key> keys_;
   size_t next_ = 0;
+  int reads_after_end_ = 0;
 };
 
 }  // namespace oncard::runtime

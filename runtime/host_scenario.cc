@@ -173,7 +173,7 @@ void FinishHost() {
     std::fprintf(stderr, "oncard: %s\n", failure.In(LanguageFromEnvironment()).c_str());
   }
   std::fflush(nullptr);
-  if (verdict.exit_status == 0) ::_exit(1);
+  if (verdict.exit_status == 0) ::_exit(kExitNotAsExpected);
 }
 
 }  // namespace oncard::runtime

@@ -51,9 +51,14 @@ class CardWatch {
   std::optional<Trace> trace_;  // since the card was opened, when there are files
 };
 
+/// Exit codes that hosts do not use themselves: the host ended with 0, but what was expected of it
+/// does not hold, or what was asked for could not be written; it asks for keys that cannot come.
+inline constexpr int kExitNotAsExpected = 120;
+inline constexpr int kExitNoMoreKeys = 121;
+
 /// Called when the host ends: judges the cards that are still open and reports failed expectations
-/// on standard error. If there are any, and the host itself has ended well, ends the process
-/// with 1.
+/// on standard error. If there are any, and the host itself has ended well, ends the process with
+/// kExitNotAsExpected.
 void FinishHost();
 /// Called in a child of fork(): what comes of the host is the parent's to say, and to write.
 void LeaveJudgingToParent();

@@ -158,6 +158,40 @@ TEST(Exec, TakesKeysFromTheScenario) {
   EXPECT_NE(result.out.find(" 0.3"), std::string::npos) << result.out;
 }
 
+/// The host `keys` with nothing more on its standard input.
+ProcessResult ExecWithoutInput(const std::vector<std::string>& options, const std::string& mode) {
+  std::string command = "exec \"$0\" exec";
+  for (const std::string& option : options) command += " " + option;
+  return RunProgram({"sh", "-c", command + " -- \"$1\" \"$2\" < /dev/null",
+                     ONCARD_BUILD_DIR "/bin/oncard", Client("keys"), mode});
+}
+
+TEST(Exec, TheEndOfTheInputIsNoKey) {
+  EXPECT_EQ(ExecWithoutInput({}, "until_hit").out, "100 looks\n");
+  // What is in a pipe is.
+  const ProcessResult piped = RunProgram({"sh", "-c", "printf ab | \"$0\" exec -- \"$1\" until_hit",
+                                          ONCARD_BUILD_DIR "/bin/oncard", Client("keys")});
+  EXPECT_EQ(piped.out, "a\nb\n100 looks\n");
+}
+
+TEST(Exec, AHostMayWaitForALastKeyThatDoesNotCome) {
+  const ProcessResult result = ExecWithoutInput({}, "last");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out, "press any key\n");
+}
+
+TEST(Exec, AHostThatGoesOnAskingForKeysFails) {
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{}, std::vector<std::string>{"--keys=10:a"}}) {
+    const ProcessResult result = ExecWithoutInput(options, "until_q");
+    EXPECT_EQ(result.exit_code, 121);
+    EXPECT_EQ(result.out, options.empty() ? "begins\n" : "begins\na\n");
+    EXPECT_EQ(result.err,
+              "oncard: the host has asked 1000 times for a key after the last one; give the keys "
+              "that it ends with (--keys, ONCARD_KEYS or the scenario)\n");
+  }
+}
+
 // --- Scenarios -----------------------------------------------------------------------------------
 
 constexpr const char* kInputAt500 =
@@ -173,7 +207,7 @@ TEST(Exec, PutsTheHostIntoTheWorldOfAScenario) {
   EXPECT_NE(result.out.find("input 1 at 50"), std::string::npos) << result.out;
 }
 
-TEST(Exec, ReportsWhatIsNotAsExpectedAndExitsWithOne) {
+TEST(Exec, ReportsWhatIsNotAsExpectedWithAnExitCodeOfItsOwn) {
   const ScratchFolder folder;
   const std::string scenario = folder.Write(
       "s.toml",
@@ -184,7 +218,7 @@ TEST(Exec, ReportsWhatIsNotAsExpectedAndExitsWithOne) {
                                          "expect = [\"gpo[1] == 1 @ 100ms\", \"clock > 10 @ "
                                          "3600s\", \"gpo == 2\", \"nothing == 1\"]\n");
   const ProcessResult result = Exec({"--scenario=" + right}, {Client("watched"), "0"});
-  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.exit_code, 120);
   EXPECT_NE(result.out.find("input 0"), std::string::npos) << "its own output is complete";
   EXPECT_NE(result.err.find("oncard: card 0: 'gpo[1] == 1 @ 100ms' does not hold: gpo[1] is 0\n"),
             std::string::npos)
@@ -200,7 +234,10 @@ TEST(Exec, ReportsWhatIsNotAsExpectedAndExitsWithOne) {
 TEST(Exec, LeavesTheHostsOwnFailureAlone) {
   const ScratchFolder folder;
   const std::string scenario = folder.Write("s.toml", "expect = [\"gpo == 2\"]\n");
-  EXPECT_EQ(Exec({"--scenario=" + scenario}, {Client("watched"), "9"}).exit_code, 9);
+  for (const int code : {1, 9}) {
+    EXPECT_EQ(Exec({"--scenario=" + scenario}, {Client("watched"), std::to_string(code)}).exit_code,
+              code);
+  }
 }
 
 // --- The vendor's headers ------------------------------------------------------------------------
