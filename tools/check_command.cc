@@ -1,42 +1,119 @@
-// oncard check: diagnostics only. Text goes to standard error like any diagnostics; JSON and SARIF
-// are what was asked for, so they go to standard output.
+// oncard check: diagnostics only, or with --fix their fix-its. Text goes to standard error like any
+// diagnostics; JSON and SARIF are what was asked for, so they go to standard output.
+#include <algorithm>
+#include <cstdio>
+
+#include "base/files.h"
 #include "compiler/diagnostic_printer.h"
+#include "compiler/mender.h"
 #include "tools/commands.h"
 
 namespace oncard::tools {
 namespace {
 
+// Stands for standard input, and for its name in messages.
+constexpr std::string_view kStandardInput = "-";
+constexpr std::string_view kStandardInputName = "<stdin>";
+// Far more than any program: what does not end must not fill the memory.
+constexpr size_t kStandardInputMax = size_t{16} << 20;
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
 struct CheckOptions {
   std::vector<std::string> sources;
+  bool fix = false;
   std::vector<std::string> include_folders;
   std::string double_format = "32.16";
   int max_errors = compiler::Options().max_errors;
   std::string diagnostics = "text";
 };
 
+Result<std::string> ReadStandardInput() {
+  std::string text;
+  char part[4096];
+  size_t count = 0;
+  while ((count = std::fread(part, 1, sizeof part, stdin)) > 0) {
+    text.append(part, count);
+    if (text.size() > kStandardInputMax) {
+      return MakeError(kExitUnreadable, "standard input has more than {} bytes",
+                       "标准输入超过 {} 字节", kStandardInputMax);
+    }
+  }
+  return text;
+}
+
+Result<std::string> ReadSource(const std::string& source) {
+  return source == kStandardInput ? ReadStandardInput() : ReadFile(source);
+}
+
+// Writes what was mended: files in place, standard input to standard output.
+int WriteMended(const compiler::Mended& mended, const std::string& name, const std::string& text,
+                const Session& session) {
+  int code = kExitOk;
+  for (const auto& [path, content] : mended.files) {
+    if (path == kStandardInputName) continue;
+    const auto before = ReadFile(path);
+    const bool marked = before.ok() && before.value().starts_with(kByteOrderMark);
+    code = std::max(
+        code, WriteOutput(session, path, (marked ? std::string(kByteOrderMark) : "") + content));
+  }
+  if (name == kStandardInputName) {
+    const auto found = mended.files.find(name);
+    PrintResult(found != mended.files.end() ? found->second : text);
+  } else if (mended.count > 0) {
+    PrintDiagnostics(fmt::format(
+        "{}\n",
+        session.Say(MakeMessage("{0}: {1} mended", "{0}：修改了 {1} 处", name, mended.count))));
+  }
+  return code;
+}
+
+// Compiles one source, and mends it when asked to. Nothing when it cannot be read.
+std::optional<compiler::Compilation> CheckOne(const CheckOptions& options,
+                                              const compiler::Options& compile,
+                                              const std::string& source, const Session& session,
+                                              int* code) {
+  Result<std::string> text = ReadSource(source);
+  if (!text.ok()) {
+    *code = std::max<int>(*code, Fail(session, kExitUnreadable, text.error().message));
+    return std::nullopt;
+  }
+  const std::string name(source == kStandardInput ? kStandardInputName : source);
+  const compiler::FileReader reader = [](const std::string& path) { return ReadFile(path); };
+  if (!options.fix) return compiler::CompileText(name, std::move(text).value(), compile, reader);
+  compiler::Mended mended = compiler::Mend(name, text.value(), compile, reader);
+  *code = std::max(*code, WriteMended(mended, name, text.value(), session));
+  return std::move(mended.compilation);
+}
+
 int Check(const CheckOptions& options, const Session& session) {
   const compiler::Options compile = {DoubleFormatOf(options.double_format), options.include_folders,
                                      options.max_errors};
   const compiler::PrintOptions print = {session.language, session.color};
   int code = kExitOk;
+  const bool mends_input = options.fix && std::find(options.sources.begin(), options.sources.end(),
+                                                    kStandardInput) != options.sources.end();
+  if (mends_input && options.diagnostics != "text") {
+    return Fail(session, kExitUsage,
+                MakeMessage("--fix - writes the program to standard output: leave out --format",
+                            "--fix - 把程序写到标准输出：请去掉 --format"));
+  }
   std::vector<compiler::Compilation> compilations;
   for (const std::string& source : options.sources) {
-    runtime::ProgramLoad load = runtime::LoadProgram(source, compile);
-    if (load.error) {
-      code = std::max<int>(code, Fail(session, kExitUnreadable, load.error->message));
-    } else if (load.compilation) {
-      if (!load.object) code = std::max<int>(code, kExitFailed);
-      if (options.diagnostics == "text") {
-        PrintDiagnostics(compiler::PrintText(*load.compilation, print));
-      } else if (options.diagnostics == "json") {
-        PrintResult(compiler::PrintJson(*load.compilation, print));
-      }
-      compilations.push_back(std::move(*load.compilation));
-    } else {
+    if (source.ends_with(".bin")) {
       code = std::max<int>(code, Fail(session, kExitUsage,
                                       MakeMessage("'{0}' is an object: use 'oncard verify'",
                                                   "“{0}”是目标文件：请用“oncard verify”", source)));
+      continue;
     }
+    auto compilation = CheckOne(options, compile, source, session, &code);
+    if (!compilation) continue;
+    if (!compilation->ok()) code = std::max<int>(code, kExitFailed);
+    if (options.diagnostics == "text") {
+      PrintDiagnostics(compiler::PrintText(*compilation, print));
+    } else if (options.diagnostics == "json") {
+      PrintResult(compiler::PrintJson(*compilation, print));
+    }
+    compilations.push_back(std::move(*compilation));
   }
   if (options.diagnostics == "sarif") PrintResult(compiler::PrintSarif(compilations, print));
   return code;
@@ -48,13 +125,17 @@ void AddCheck(CLI::App& app, Session& session) {
   const auto options = std::make_shared<CheckOptions>();
   CLI::App* command = AddCommand(
       app, session, "check",
-      {"report what is wrong with programs, write nothing", "检查程序并报告问题，不写任何文件"},
+      {"report what is wrong with programs, mend it on request", "检查程序并报告问题，可自动修改"},
       [options, &session] { return Check(*options, session); });
   command
       ->add_option("sources", options->sources,
-                   session.Say({"motion programs (.c)", "运动程序（.c）"}))
+                   session.Say({"motion programs (.c); - is standard input",
+                                "运动程序（.c）；- 表示标准输入"}))
       ->required()
       ->type_name("FILE");
+  command->add_flag("--fix", options->fix,
+                    session.Say({"apply all fix-its, in place; those of - go to standard output",
+                                 "就地应用所有修改建议；- 的结果写到标准输出"}));
   AddIncludeOption(*command, session, options->include_folders);
   AddDoubleOption(*command, session, options->double_format);
   AddMaxErrorsOption(*command, session, options->max_errors);

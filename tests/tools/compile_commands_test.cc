@@ -128,6 +128,63 @@ TEST(Check, StopsAfterSoManyErrors) {
   EXPECT_NE(one.find("1 error"), std::string::npos) << one;
 }
 
+constexpr const char* kLoop =
+    "int v;\nint f()\n{\n  int i;\n  for (i = 0; i < 3; i++) { { v += i; } }\n  return v;\n}\n";
+
+TEST(Check, MendsInPlace) {
+  const ScratchFolder scratch;
+  const std::string source = scratch.Write("p.c", kLoop);
+  const ProcessResult result = RunOncard({"check", "--fix", source});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.err.find("3 mended"), std::string::npos) << result.err;
+  EXPECT_EQ(RunOncard({"check", source}).err, "");
+  EXPECT_EQ(scratch.Read("p.c").find('{', scratch.Read("p.c").find('{') + 1), std::string::npos);
+}
+
+TEST(Check, MendsIncludedFilesToo) {
+  const ScratchFolder scratch;
+  scratch.Write("n.h", "const int N = 7;\n");
+  const std::string source = scratch.Write("p.c", "#include \"n.h\"\nint f()\n{\n  return N;\n}\n");
+  EXPECT_EQ(RunOncard({"check", "--fix", source}).exit_code, 0);
+  EXPECT_EQ(scratch.Read("n.h"), "#define N 7\n");
+  EXPECT_EQ(scratch.Read("p.c"), "#include \"n.h\"\nint f()\n{\n  return N;\n}\n");
+}
+
+TEST(Check, KeepsAByteOrderMarkWhenItMends) {
+  const ScratchFolder scratch;
+  const std::string source = scratch.Write("p.c", std::string("\xEF\xBB\xBF") + kLoop);
+  EXPECT_EQ(RunOncard({"check", "--fix", source}).exit_code, 0);
+  EXPECT_TRUE(scratch.Read("p.c").starts_with("\xEF\xBB\xBFint v;"));
+}
+
+TEST(Check, ReportsWhatNoFixItMends) {
+  const ScratchFolder scratch;
+  const std::string source = scratch.Write("p.c", "int rate = 25;\nint f()\n{\n  rate++;\n}\n");
+  const ProcessResult result = RunOncard({"check", "--fix", source});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.err.find("MP110"), std::string::npos) << result.err;
+  EXPECT_EQ(scratch.Read("p.c"), "int rate = 25;\nint f()\n{\n  rate = rate + 1;\n}\n");
+}
+
+TEST(Check, ReadsStandardInput) {
+  const ScratchFolder scratch;
+  scratch.Write("bad.c", kBad);
+  scratch.Write("loop.c", kLoop);
+  const auto piped = [&](const std::string& file, const std::string& arguments) {
+    return RunProgram(
+        {"sh", "-c", ONCARD_BUILD_DIR "/bin/oncard check " + arguments + " < " + file},
+        scratch.path());
+  };
+  const ProcessResult bad = piped("bad.c", "-");
+  EXPECT_EQ(bad.exit_code, 1);
+  EXPECT_NE(bad.err.find("<stdin>:3:10: error MP027"), std::string::npos) << bad.err;
+  const ProcessResult mended = piped("loop.c", "--fix -");
+  EXPECT_EQ(mended.exit_code, 0) << mended.err;
+  EXPECT_NE(mended.out.find("goto lbl_loop;"), std::string::npos) << mended.out;
+  EXPECT_EQ(piped("loop.c", "--fix --format=json -").exit_code, 2);
+  EXPECT_EQ(piped("/dev/zero", "-").exit_code, 3);
+}
+
 TEST(Dump, ListsInstructionsWithTheirLines) {
   const ProcessResult result = RunOncard({"dump", kSum});
   EXPECT_EQ(result.exit_code, 0) << result.err;
