@@ -1,12 +1,13 @@
 #include "gtcalls/card_config.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <optional>
 #include <string>
+
+#include "base/number.h"
 
 namespace oncard::gtcalls {
 namespace {
@@ -117,21 +118,6 @@ std::string_view Trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
-/// Decimal numbers, whole or not, and hexadecimal ones after 0x.
-std::optional<double> ParseNumber(std::string_view text) {
-  const char* end = text.data() + text.size();
-  if (text.starts_with("0x") || text.starts_with("0X")) {
-    uint32_t value = 0;
-    const auto [stop, error] = std::from_chars(text.data() + 2, end, value, 16);
-    if (error != std::errc() || stop != end) return std::nullopt;
-    return value;
-  }
-  double value = 0;
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
 class ConfigReader {
  public:
   CardConfig Read(std::string_view text) {
@@ -160,7 +146,7 @@ class ConfigReader {
     const std::string_view inside = line.substr(1, line.find(']') - 1);
     const size_t digits = std::min(inside.find_first_of("0123456789"), inside.size());
     section_ = inside.substr(0, digits);
-    const auto number = ParseNumber(inside.substr(digits));
+    const auto number = ReadNumber(inside.substr(digits));
     number_ = number && *number >= 1 && *number <= motion::kIoWidthMax ? size_t(*number) : 0;
     if (Count(section_) >= number_ && number_ > 0 && line.back() == ']') return;
     Remark(MakeMessage("section '{0}' is unknown and has no effect", "未知的节“{0}”，不起作用",
@@ -202,7 +188,7 @@ class ConfigReader {
     for (const Key<Section>& key : keys) {
       if (key.name != name) continue;
       if (key.member == nullptr) return;
-      if (const auto value = ParseNumber(text)) {
+      if (const auto value = ReadNumber(text)) {
         section.*key.member = *value;
       } else {
         Remark(MakeMessage("key '{0}' of sections '{1}' is '{2}', which is no number",

@@ -1,9 +1,10 @@
 #include "runtime/clock.h"
 
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <utility>
+
+#include "base/number.h"
 
 namespace oncard::runtime {
 namespace {
@@ -18,12 +19,9 @@ Result<ClockSetting> ParseClockSetting(std::string_view text) {
   if (text.empty() || text == "real") return ClockSetting{};
   if (text == "virtual") return ClockSetting{ClockKind::kVirtual, 1};
   if (text.starts_with(kScalePrefix)) {
-    const std::string_view digits = text.substr(kScalePrefix.size());
-    double scale = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), scale);
-    if (error == std::errc() && end == digits.data() + digits.size() && scale > 0 &&
-        scale <= kClockScaleMax) {
-      return ClockSetting{ClockKind::kReal, scale};
+    const auto scale = ReadNumber(text.substr(kScalePrefix.size()));
+    if (scale && *scale > 0 && *scale <= kClockScaleMax) {
+      return ClockSetting{ClockKind::kReal, *scale};
     }
   }
   return MakeError(kOpenFailed,

@@ -1,8 +1,9 @@
 #include "runtime/expectation.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
+
+#include "base/number.h"
 
 namespace oncard::runtime {
 namespace {
@@ -27,26 +28,6 @@ std::string_view Trim(std::string_view text) {
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
   while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
   return text;
-}
-
-// Decimal or 0x hexadecimal, with an optional sign.
-std::optional<double> ParseNumber(std::string_view text) {
-  const bool negative = text.starts_with('-');
-  std::string_view digits = text;
-  if (negative || text.starts_with('+')) digits.remove_prefix(1);
-  if (digits.empty() || digits.front() == '-' || digits.front() == '+') return std::nullopt;
-  const char* end = digits.data() + digits.size();
-  double value = 0;
-  if (digits.starts_with("0x") || digits.starts_with("0X")) {
-    uint32_t bits = 0;
-    const auto [stop, error] = std::from_chars(digits.data() + 2, end, bits, 16);
-    if (error != std::errc() || stop != end) return std::nullopt;
-    value = bits;
-  } else {
-    const auto [stop, error] = std::from_chars(digits.data(), end, value);
-    if (error != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
-  }
-  return negative ? -value : value;
 }
 
 bool IsName(std::string_view text) {
@@ -77,7 +58,7 @@ std::optional<int64_t> ParseInstant(std::string_view text) {
   } else {
     return std::nullopt;
   }
-  const auto value = ParseNumber(Trim(text));
+  const auto value = ReadNumber(Trim(text));
   if (!value || *value < 0 || *value * scale > kInstantMaxMs) return std::nullopt;
   return std::llround(*value * scale * 1000);
 }
@@ -143,7 +124,7 @@ Result<Expectation> ParseExpectation(std::string_view text) {
   std::string_view right = Trim(rest.substr(place + found->spelling.size()));
 
   if (const size_t sign = right.find(kTolerance); sign != std::string_view::npos) {
-    const auto tolerance = ParseNumber(Trim(right.substr(sign + kTolerance.size())));
+    const auto tolerance = ReadNumber(Trim(right.substr(sign + kTolerance.size())));
     const bool equality = expectation.comparison == Comparison::kEqual ||
                           expectation.comparison == Comparison::kNotEqual;
     if (!tolerance || *tolerance < 0 || !equality) {
@@ -156,7 +137,7 @@ Result<Expectation> ParseExpectation(std::string_view text) {
   if (!IsName(expectation.left)) {
     return Malformed(text, "on the left stands a name", "左边应为名称");
   }
-  if (const auto number = ParseNumber(right)) {
+  if (const auto number = ReadNumber(right)) {
     expectation.right = *number;
   } else if (IsName(right)) {
     expectation.right = std::string(right);

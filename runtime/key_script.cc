@@ -1,10 +1,10 @@
 #include "runtime/key_script.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
+#include "base/number.h"
 #include "runtime/scenario.h"
 
 namespace oncard::runtime {
@@ -36,25 +36,21 @@ std::optional<char> TakeCharacter(std::string_view* text) {
       return std::nullopt;
   }
   if (text->size() < 2) return std::nullopt;
-  uint8_t code = 0;
-  const char* end = text->data() + 2;
-  if (std::from_chars(text->data(), end, code, 16).ptr != end) return std::nullopt;
+  const auto code = ReadWhole<uint8_t>(text->substr(0, 2), 16);
+  if (!code) return std::nullopt;
   text->remove_prefix(2);
-  return static_cast<char>(code);
+  return static_cast<char>(*code);
 }
 
 /// Takes `MS:TEXT` up to the comma or the end; empty when it is not that.
 std::optional<KeyPress> TakePress(std::string_view* text) {
-  double at_ms = 0;
-  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), at_ms);
-  if (error != std::errc() || !(at_ms >= 0 && at_ms <= static_cast<double>(kTimeMsMax))) {
-    return std::nullopt;
-  }
-  text->remove_prefix(static_cast<size_t>(end - text->data()));
-  if (!text->starts_with(':')) return std::nullopt;
-  text->remove_prefix(1);
+  const size_t colon = text->find(':');
+  if (colon == std::string_view::npos) return std::nullopt;
+  const auto at_ms = ReadNumber(text->substr(0, colon));
+  if (!at_ms || *at_ms < 0 || *at_ms > static_cast<double>(kTimeMsMax)) return std::nullopt;
+  text->remove_prefix(colon + 1);
   KeyPress press;
-  press.at_us = std::llround(at_ms * 1000);
+  press.at_us = std::llround(*at_ms * 1000);
   while (!text->empty() && !text->starts_with(',')) {
     const auto character = TakeCharacter(text);
     if (!character) return std::nullopt;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <optional>
 
 #include "base/nearest.h"
+#include "base/number.h"
 
 namespace oncard::runtime {
 namespace {
@@ -56,10 +56,8 @@ constexpr std::array kPlainNames = {
 };
 
 std::optional<int> ParseIndex(std::string_view text) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || value < 0) return std::nullopt;
-  return value;
+  const auto value = ReadWhole<int>(text);
+  return value.value_or(-1) < 0 ? std::nullopt : value;
 }
 
 // `base[index]`, or `base` alone.

@@ -1,9 +1,9 @@
 // Writing scenarios, and the short forms of the command line. Reading is scenario_toml.cc.
 #include "runtime/scenario.h"
 
-#include <charconv>
 #include <filesystem>
 
+#include "base/number.h"
 #include "vm/limits.h"
 
 namespace oncard::runtime {
@@ -62,20 +62,6 @@ std::string FormatWish(const ExploreWish& wish) {
 // Microseconds as the shortest number of milliseconds.
 std::string FormatMs(int64_t microseconds) {
   return fmt::format("{}", static_cast<double>(microseconds) / 1000);
-}
-
-std::optional<int> ParseInt(std::string_view text) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
-std::optional<double> ParseDouble(std::string_view text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
 }
 
 std::vector<std::string_view> Split(std::string_view text, char separator) {
@@ -204,7 +190,7 @@ Result<ThreadStart> ParseThreadStart(std::string_view text) {
   ThreadStart start;
   const size_t equals = text.find('=');
   if (equals == std::string_view::npos) return BadThreadStart(text);
-  const auto thread = ParseInt(text.substr(0, equals));
+  const auto thread = ReadWhole<int>(text.substr(0, equals));
   if (!thread || *thread < 0 || *thread >= vm::kThreadCount) return BadThreadStart(text);
   start.thread = *thread;
   start.page = *thread;
@@ -212,7 +198,7 @@ Result<ThreadStart> ParseThreadStart(std::string_view text) {
   const size_t colon = target.find(':');
   std::string_view function = target.substr(0, colon);
   if (const size_t at = function.find('@'); at != std::string_view::npos) {
-    const auto page = ParseInt(function.substr(at + 1));
+    const auto page = ReadWhole<int>(function.substr(at + 1));
     if (!page || *page < 0 || *page >= vm::kPageCount) return BadThreadStart(text);
     start.page = *page;
     function = function.substr(0, at);
@@ -234,7 +220,7 @@ Result<InitialValue> ParseInitialValue(std::string_view text) {
   if (equals != std::string_view::npos && equals > 0) {
     initial.name = text.substr(0, equals);
     for (const std::string_view part : Split(text.substr(equals + 1), ',')) {
-      const auto value = ParseDouble(part);
+      const auto value = ReadNumber(part);
       if (!value) {
         initial.values.clear();
         break;

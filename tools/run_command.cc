@@ -1,8 +1,8 @@
 // oncard run: a program with options, or a scenario file, to its end.
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 
+#include "base/number.h"
 #include "runtime/trace_file.h"
 #include "tools/commands.h"
 #include "tools/gnuplot.h"
@@ -127,18 +127,14 @@ int Run(const RunArguments& arguments, const Session& session) {
 
 // CLI11's own range lets NaN through.
 std::string CheckTime(const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool good = error == std::errc() && end == text.data() + text.size() && value >= 0 &&
-                    value <= static_cast<double>(runtime::kTimeMsMax);
+  const auto value = ReadNumber(text);
+  const bool good = value && *value >= 0 && *value <= static_cast<double>(runtime::kTimeMsMax);
   return good ? "" : fmt::format("{} is not a time from 0 to {} ms", text, runtime::kTimeMsMax);
 }
 
 std::string CheckCycle(const std::string& text) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool good = error == std::errc() && end == text.data() + text.size() && value >= 125 &&
-                    value <= 4000 && value % 125 == 0;
+  const auto value = ReadWhole<int>(text);
+  const bool good = value && *value >= 125 && *value <= 4000 && *value % 125 == 0;
   return good ? "" : fmt::format("{} is not a multiple of 125 from 125 to 4000", text);
 }
 

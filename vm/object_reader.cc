@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -22,6 +21,7 @@
 #include <vector>
 
 #include "base/files.h"
+#include "base/number.h"
 #include "vm/limits.h"
 #include "vm/object_error.h"
 #include "vm/object_writer.h"
@@ -67,12 +67,8 @@ Error FunctionCountError() {
 
 // A decimal number without sign or leading zeros.
 std::optional<uint16_t> ParseNumber(std::string_view text) {
-  uint16_t value = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end) return std::nullopt;
   if (text.size() > 1 && text.front() == '0') return std::nullopt;
-  return value;
+  return ReadWhole<uint16_t>(text);
 }
 
 // --- Splitting the .ini --------------------------------------------------------------------------

@@ -14,10 +14,10 @@
 // Tested by tests/vm/schedule_test.cc.
 #include "vm/schedule.h"
 
-#include <charconv>
 #include <optional>
 
 #include "base/files.h"
+#include "base/number.h"
 #include "vm/limits.h"
 
 namespace oncard::vm {
@@ -46,14 +46,6 @@ class LineReader {
   std::string_view rest_;
   int line_number_ = 0;
 };
-
-template <typename Number>
-std::optional<Number> ParseWhole(std::string_view text, int base = 10) {
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
 
 // The word before the first space, and what follows it.
 std::string_view TakeWord(std::string_view& line) {
@@ -110,7 +102,7 @@ Result<Schedule> ParseSchedule(std::string_view text) {
 
   std::string_view line = reader.Next();
   const bool is_program = TakeWord(line) == "program";
-  const auto program_hash = ParseWhole<uint64_t>(line, 16);
+  const auto program_hash = ReadWhole<uint64_t>(line, 16);
   if (!is_program || !program_hash) {
     return BadLine(reader, "'program' and its hash", "“program”及其散列值");
   }
@@ -118,7 +110,7 @@ Result<Schedule> ParseSchedule(std::string_view text) {
 
   line = reader.Next();
   const bool is_scenario = TakeWord(line) == "scenario";
-  const auto scenario_lines = ParseWhole<int>(line);
+  const auto scenario_lines = ReadWhole<int>(line);
   if (!is_scenario || !scenario_lines || *scenario_lines < 0) {
     return BadLine(reader, "'scenario' and a number of lines", "“scenario”及行数");
   }
@@ -136,8 +128,8 @@ Result<Schedule> ParseSchedule(std::string_view text) {
     line = reader.Next();
     const std::string_view keyword = TakeWord(line);
     if (keyword == "run") {
-      const auto thread = ParseWhole<int>(TakeWord(line));
-      const auto statements = ParseWhole<int64_t>(line);
+      const auto thread = ReadWhole<int>(TakeWord(line));
+      const auto statements = ReadWhole<int64_t>(line);
       if (!thread || *thread < 0 || *thread >= kThreadCount || !statements || *statements < 1 ||
           *statements > INT64_MAX - total) {
         return BadLine(reader, "'run', a thread 0 to 31 and a number of statements",
@@ -146,8 +138,8 @@ Result<Schedule> ParseSchedule(std::string_view text) {
       schedule.segments.push_back({static_cast<uint8_t>(*thread), *statements});
       total += *statements;
     } else if (keyword == "next") {
-      const auto source_line = ParseWhole<int>(TakeWord(line));
-      const auto passes = ParseWhole<int64_t>(TakeWord(line));
+      const auto source_line = ReadWhole<int>(TakeWord(line));
+      const auto passes = ReadWhole<int64_t>(TakeWord(line));
       const bool expected = schedule.stops.size() + 1 == schedule.segments.size();
       if (!expected || !source_line || *source_line < 0 || !passes || *passes < 0) {
         return BadLine(reader,
@@ -156,8 +148,8 @@ Result<Schedule> ParseSchedule(std::string_view text) {
       }
       schedule.stops.push_back({*source_line, *passes, std::string(line)});
     } else if (keyword == "check") {
-      const auto statement = ParseWhole<int64_t>(TakeWord(line));
-      const auto hash = ParseWhole<uint64_t>(line, 16);
+      const auto statement = ReadWhole<int64_t>(TakeWord(line));
+      const auto hash = ReadWhole<uint64_t>(line, 16);
       const int64_t previous =
           schedule.checkpoints.empty() ? 0 : schedule.checkpoints.back().statement;
       if (!statement || *statement <= previous || *statement > total || !hash) {
@@ -166,7 +158,7 @@ Result<Schedule> ParseSchedule(std::string_view text) {
       }
       schedule.checkpoints.push_back({*statement, *hash});
     } else if (keyword == "end") {
-      if (ParseWhole<int64_t>(line) != total || !reader.AtEnd()) {
+      if (ReadWhole<int64_t>(line) != total || !reader.AtEnd()) {
         return BadLine(reader, fmt::format("'end {}' as the last line", total),
                        fmt::format("最后一行“end {}”", total));
       }

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <optional>
 #include <vector>
 
+#include "base/number.h"
 #include "base/random.h"
 #include "vm/schedule.h"
 
@@ -127,11 +127,8 @@ std::vector<std::string_view> SplitColons(std::string_view text) {
 
 template <typename Number>
 std::optional<Number> ParseNumber(std::string_view text, Number minimum, Number maximum) {
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  if (value < minimum || value > maximum) return std::nullopt;
-  return value;
+  const auto value = ReadWhole<Number>(text);
+  return value && (*value < minimum || *value > maximum) ? std::nullopt : value;
 }
 
 std::optional<Policy> ParseParts(const std::vector<std::string_view>& parts) {

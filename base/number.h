@@ -1,0 +1,29 @@
+// Numbers as people and files write them. One reader, so that every place takes the same ones:
+// infinity and "not a number" are none, whatever the language's libraries think; `inf` and `nan`
+// are names like any other. Independent of the locale. Tested by tests/base/number_test.cc.
+#pragma once
+
+#include <charconv>
+#include <concepts>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+namespace oncard {
+
+/// The whole text as a finite number: decimal, as in `12`, `-1.5`, `.5`, `2e3`, or hexadecimal of
+/// at most 32 bits after `0x`; a sign may stand before either. Empty for anything else.
+std::optional<double> ReadNumber(std::string_view text);
+
+/// The whole text as a whole number that fits the type: digits of the base, after a `-` when the
+/// type has a sign. Empty for anything else.
+template <std::integral Number>
+std::optional<Number> ReadWhole(std::string_view text, int base = 10) {
+  Number value{};
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value, base);
+  if (error != std::errc() || stop != end) return std::nullopt;
+  return value;
+}
+
+}  // namespace oncard

@@ -1,0 +1,50 @@
+// Numbers as people and files write them (base/number.h).
+#include "base/number.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+
+namespace oncard {
+namespace {
+
+struct NumberCase {
+  const char* text;
+  double value;
+};
+
+class ANumber : public testing::TestWithParam<NumberCase> {};
+
+TEST_P(ANumber, IsRead) { EXPECT_EQ(ReadNumber(GetParam().text), GetParam().value); }
+
+INSTANTIATE_TEST_SUITE_P(ReadNumber, ANumber,
+                         testing::Values(NumberCase{"0", 0}, NumberCase{"12", 12},
+                                         NumberCase{"-1.5", -1.5}, NumberCase{"+3", 3},
+                                         NumberCase{".5", 0.5}, NumberCase{"2e3", 2000},
+                                         NumberCase{"1e-3", 0.001}, NumberCase{"007", 7},
+                                         NumberCase{"0x10", 16}, NumberCase{"-0XfF", -255},
+                                         NumberCase{"0xFFFFFFFF", 4294967295.0}));
+
+class NoNumber : public testing::TestWithParam<const char*> {};
+
+TEST_P(NoNumber, IsRefused) { EXPECT_FALSE(ReadNumber(GetParam()).has_value()); }
+
+INSTANTIATE_TEST_SUITE_P(ReadNumber, NoNumber,
+                         testing::Values("", "-", "+", ".", "x", "1x", " 1", "1 ", "--1", "+-1",
+                                         "inf", "-inf", "INF", "infinity", "nan", "-nan", "nan(1)",
+                                         "e5", "1e", "1e999", "0x", "0x-1", "0x100000000", "0x1p3",
+                                         "1,5", "1.2.3"));
+
+TEST(ReadWhole, TakesWhatFitsTheType) {
+  EXPECT_EQ(ReadWhole<int>("-12"), -12);
+  EXPECT_EQ(ReadWhole<uint8_t>("255"), 255);
+  EXPECT_EQ(ReadWhole<uint64_t>("ffffffffffffffff", 16), UINT64_MAX);
+  EXPECT_FALSE(ReadWhole<uint8_t>("256").has_value());
+  EXPECT_FALSE(ReadWhole<uint32_t>("-1").has_value());
+  EXPECT_FALSE(ReadWhole<int>("+1").has_value());
+  EXPECT_FALSE(ReadWhole<int>("1.0").has_value());
+  EXPECT_FALSE(ReadWhole<int>("").has_value());
+}
+
+}  // namespace
+}  // namespace oncard
