@@ -6,10 +6,10 @@
 
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <optional>
 
 #include "base/nearest.h"
+#include "base/number.h"
 #include "vm/fixed_point.h"
 
 namespace oncard::explore {
@@ -20,10 +20,8 @@ bool IsNameCharacter(char c) {
 }
 
 std::optional<int> ParseNumber(std::string_view text) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || value < 0) return std::nullopt;
-  return value;
+  const auto value = ReadWhole<int>(text);
+  return value.value_or(-1) < 0 ? std::nullopt : value;
 }
 
 }  // namespace
@@ -37,6 +35,8 @@ class ModelNames {
   explicit ModelNames(const Model& model) : model_(model) {}
 
   Result<Element> Find(std::string_view name, std::optional<int> index, Property*) const {
+    const vm::Symbol* global = vm::FindGlobal(model_.image(), name);
+    if (global != nullptr) return Slot(*global, index, true, 0);
     for (const std::string_view prefix : {"ret", "thread"}) {
       if (!name.starts_with(prefix)) continue;
       std::string_view digits = name.substr(prefix.size());
@@ -52,9 +52,7 @@ class ModelNames {
           dot == std::string_view::npos ? std::nullopt : ParseNumber(name.substr(4, dot - 4));
       if (page) return Local(*page, name.substr(dot + 1), index);
     }
-    const vm::Symbol* symbol = vm::FindGlobal(model_.image(), name);
-    if (symbol == nullptr) return Unknown(name);
-    return Slot(*symbol, index, true, 0);
+    return Unknown(name);
   }
 
  private:
@@ -117,7 +115,8 @@ class CardNames {
 
   Result<Element> Find(std::string_view name, std::optional<int> index, Property* property) const {
     std::string full(name);
-    if (name.starts_with("ret") && ParseNumber(name.substr(3))) {
+    const bool global = vm::FindGlobal(*controller_.machine().image(), name) != nullptr;
+    if (!global && name.starts_with("ret") && ParseNumber(name.substr(3))) {
       full = fmt::format("thread{}.result", name.substr(3));
     }
     if (index) full += fmt::format("[{}]", *index);
@@ -152,10 +151,6 @@ class PropertyParser {
     if (!failed_ && at_ != text_.size()) {
       Fail(MakeMessage("'{0}' is not expected in '{1}'", "“{1}”中不应出现“{0}”",
                        text_.substr(at_, 1), text_));
-    }
-    if (!failed_ && property_.elements_.size() > Property::kElementMax) {
-      Fail(MakeMessage("'{0}' is too long: at most {1} names, numbers and operators",
-                       "“{0}”过长：名称、数字和运算符最多 {1} 个", text_, Property::kElementMax));
     }
     if (failed_) return Error{1, reason_};
     return std::move(property_);
@@ -194,7 +189,19 @@ class PropertyParser {
     at_ += token.size();
     return true;
   }
-  void Append(Kind kind) { property_.elements_.push_back({.kind = kind}); }
+  void Append(const Element& element) {
+    if (failed_) return;
+    property_.elements_.push_back(element);
+    if (property_.elements_.size() <= Property::kElementMax) return;
+    Fail(MakeMessage("'{0}' is too long: at most {1} names, numbers and operators",
+                     "“{0}”过长：名称、数字和运算符最多 {1} 个", Beginning(),
+                     Property::kElementMax));
+  }
+  /// What a message quotes of a text that is too long.
+  std::string Beginning() const {
+    constexpr size_t kQuoted = 40;
+    return std::string(text_.substr(0, kQuoted)) + (text_.size() > kQuoted ? "..." : "");
+  }
 
   /// Operators of a level, from the left; operands are of the next level.
   void Level(int level) {
@@ -210,25 +217,31 @@ class PropertyParser {
       }
       if (found == nullptr) return;
       Level(level + 1);
-      Append(found->kind);
+      Append({.kind = found->kind});
     }
   }
 
   void Unary() {
+    if (nesting_ > Property::kNestingMax) {
+      return Fail(MakeMessage(
+          "'{0}' is too deep: at most {1} parentheses, '!' and '-' inside each "
+          "other",
+          "“{0}”嵌套过深：括号、“!”和“-”最多 {1} 层", Beginning(), Property::kNestingMax));
+    }
+    ++nesting_;
     if (Take("!")) {
       Unary();
-      return Append(Kind::kNot);
-    }
-    if (Take("-")) {
+      Append({.kind = Kind::kNot});
+    } else if (Take("-")) {
       Unary();
-      return Append(Kind::kNegate);
-    }
-    if (Take("(")) {
+      Append({.kind = Kind::kNegate});
+    } else if (Take("(")) {
       Level(0);
       if (!Take(")")) Fail(MakeMessage("')' is missing in '{0}'", "“{0}”中缺少“)”", text_));
-      return;
+    } else {
+      Primary();
     }
-    Primary();
+    --nesting_;
   }
 
   void Primary() {
@@ -240,17 +253,14 @@ class PropertyParser {
       return Fail(MakeMessage("a variable or a number is missing in '{0}'", "“{0}”中缺少变量或数字",
                               text_));
     }
-    double number = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (error == std::errc() && end == word.data() + word.size()) {
-      property_.elements_.push_back({.kind = Kind::kNumber, .number = number});
-      return;
+    if (const auto number = ReadNumber(word)) {
+      return Append({.kind = Kind::kNumber, .number = *number});
     }
     const std::optional<int> index = Subscript();
     if (failed_) return;
     const auto element = names_.Find(word, index, &property_);
     if (!element.ok()) return Fail(element.error().message);
-    property_.elements_.push_back(element.value());
+    Append(element.value());
   }
 
   std::optional<int> Subscript() {
@@ -269,6 +279,7 @@ class PropertyParser {
   Names names_;
   Property property_;
   size_t at_ = 0;
+  int nesting_ = 0;
   bool failed_ = false;
   Message reason_;
 };

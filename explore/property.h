@@ -23,13 +23,16 @@ namespace oncard::explore {
 
 class Property {
  public:
-  /// Fails with what is wrong and where when the text is no expression or a name is unknown.
+  /// Fails with what is wrong and where when the text is no expression, is longer or deeper than
+  /// the limits below, or a name is unknown. A global hides whatever else has its name.
   static Result<Property> Parse(std::string_view text, const Model& model);
   /// The same for what can be observed of a card with its program.
   static Result<Property> Parse(std::string_view text, const runtime::Controller& controller);
 
   /// Names, numbers and operators of one property.
   static constexpr size_t kElementMax = 128;
+  /// Parentheses and prefix operators inside each other.
+  static constexpr int kNestingMax = 100;
 
   const std::string& text() const { return text_; }
   /// True when it names a local variable.
