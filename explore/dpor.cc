@@ -101,7 +101,7 @@ class Search {
     const bool goes_on = !result_.complete && !result_.too_deep;
     unit->frames = goes_on ? Save() : std::vector<SavedFrame>{};
     result_.redundant = CountRedundant();
-    while (model_.depth() > start) model_.Undo();
+    UndoTo(start);
     return result_;
   }
 
@@ -121,10 +121,10 @@ class Search {
       } else {
         SplitInto(unit, &open);
       }
-      while (model_.depth() > before) model_.Undo();
+      UndoTo(before);
       Forget();
     }
-    while (model_.depth() > start) model_.Undo();
+    UndoTo(start);
     whole.insert(whole.end(), open.begin(), open.end());
     return whole;
   }
@@ -133,6 +133,10 @@ class Search {
   /// Executes a thread's statements up to the next that touches shared cells.
   void RunPrivate(int thread) {
     result_.steps += model_.StepPrivate(thread, limits_.depth - model_.depth());
+  }
+
+  void UndoTo(int64_t depth) {
+    while (model_.depth() > depth) model_.Undo();
   }
 
   /// The step that a thread takes next.
@@ -202,11 +206,19 @@ class Search {
     }
     return frames;
   }
-  std::vector<PlannedStep> SavePlans(PlanIndex plan) const {
+  std::vector<PlannedStep> SavePlans(PlanIndex first) const {
     std::vector<PlannedStep> plans;
-    for (; plan != kNoPlan; plan = pool_[plan].next_sibling) {
-      plans.push_back(
-          {static_cast<uint8_t>(pool_[plan].step.thread), SavePlans(pool_[plan].first_child)});
+    std::vector<PlanIndex> open = {first};
+    while (!open.empty()) {
+      const PlanIndex plan = open.back();
+      open.pop_back();
+      if (plan == kNoPlan) continue;
+      const PlanNode& node = pool_[plan];
+      PlannedStep planned = {static_cast<uint8_t>(node.step.thread), 0};
+      for (PlanIndex i = node.first_child; i != kNoPlan; i = pool_[i].next_sibling) ++planned.next;
+      plans.push_back(planned);
+      open.push_back(node.next_sibling);
+      open.push_back(node.first_child);
     }
     return plans;
   }
@@ -217,12 +229,15 @@ class Search {
       std::vector<Step> sleep = NextSteps(frame.sleep);
       for (Step& step : sleep) step.elsewhere = SleepsElsewhere(frames_[count_], step.thread);
       frames_[count_].sleep = std::move(sleep);
-      frames_[count_].plans = RestorePlans(frame.plans, 0);
+      frames_[count_].plans = RestorePlans(frame.plans);
       Execute();
-      const size_t event = count_ - 1;
-      events_[event].races = frame.races;
-      std::erase(unsettled_, static_cast<uint32_t>(event));
-      if (!frame.races.empty()) unsettled_.push_back(static_cast<uint32_t>(event));
+      // Those that are not settled yet.
+      std::vector<uint32_t>& races = events_[count_ - 1].races;
+      if (races.empty()) continue;
+      std::erase_if(races, [&](uint32_t earlier) {
+        return std::ranges::find(frame.races, earlier) == frame.races.end();
+      });
+      if (races.empty()) unsettled_.pop_back();
     }
   }
   static bool SleepsElsewhere(const Frame& frame, int thread) {
@@ -231,21 +246,36 @@ class Search {
     });
   }
   /// What the planned steps touch shows when they are taken.
-  PlanIndex RestorePlans(const std::vector<PlannedStep>& plans, size_t index) {
-    if (index == plans.size()) return kNoPlan;
-    const PlannedStep& planned = plans[index];
-    const PlanIndex plan = pool_.Take(NextStep(planned.thread));
-    if (!planned.next.empty()) {
-      const int64_t before = model_.depth();
+  PlanIndex RestorePlans(const std::vector<PlannedStep>& plans) {
+    /// Of the plans with one step before them.
+    struct Level {
+      size_t left = 0;               ///< plans still to come
+      int64_t depth = 0;             ///< of the model before that step
+      PlanIndex before = kNoPlan;    ///< that step
+      PlanIndex previous = kNoPlan;  ///< the plan before the one that comes
+    };
+    PlanIndex first = kNoPlan;
+    std::vector<Level> levels = {{plans.size(), model_.depth()}};
+    for (const PlannedStep& planned : plans) {
+      for (; levels.back().left == 0; levels.pop_back()) UndoTo(levels.back().depth);
+      Level& level = levels.back();
+      --level.left;
+      const PlanIndex plan = pool_.Take(NextStep(planned.thread));
+      PlanIndex* link = &first;
+      if (level.previous != kNoPlan) {
+        link = &pool_[level.previous].next_sibling;
+      } else if (level.before != kNoPlan) {
+        link = &pool_[level.before].first_child;
+      }
+      *link = plan;
+      level.previous = plan;
+      if (planned.next == 0) continue;
+      levels.push_back({planned.next, model_.depth(), plan});
       model_.Step(planned.thread);
       RunPrivate(planned.thread);
-      const PlanIndex child = RestorePlans(planned.next, 0);
-      pool_[plan].first_child = child;
-      while (model_.depth() > before) model_.Undo();
     }
-    const PlanIndex sibling = RestorePlans(plans, index + 1);
-    pool_[plan].next_sibling = sibling;
-    return plan;
+    UndoTo(levels.front().depth);
+    return first;
   }
 
   // --- The search --------------------------------------------------------------------------------

@@ -45,10 +45,11 @@ struct DporLimits {
   const std::atomic<bool>* stop = nullptr;
 };
 
-/// Steps that are still to be tried, as a tree: a thread, then what comes after its step.
+/// Steps that are still to be tried are trees. In a list of them each comes before what is planned
+/// after it, however deep that is: a thread, and how many steps are planned directly after its own.
 struct PlannedStep {
   uint8_t thread = 0;
-  std::vector<PlannedStep> next;
+  uint32_t next = 0;
   bool operator==(const PlannedStep&) const = default;
 };
 

@@ -64,7 +64,7 @@ struct ExploreOptions {
   int64_t runs = SampleOptions{}.runs;
   int64_t first_run = 0;
   uint64_t seed = SampleOptions{}.seed;
-  int depth = SampleOptions{}.depth;  ///< kPct: 1..64
+  int depth = SampleOptions{}.depth;  ///< kPct: 1..kPctDepthMax
 
   const TraceSearch* begun = nullptr;  ///< kAuto, kDpor: a search to go on with
   SearchProgress* progress = nullptr;  ///< for another thread to look at

@@ -27,6 +27,8 @@ namespace oncard::explore {
 
 enum class SamplerKind : uint8_t { kRandom, kPct, kPos };
 
+inline constexpr int kPctDepthMax = 64;
+
 struct SampleOptions {
   SamplerKind kind = SamplerKind::kRandom;
   int64_t runs = 10'000;
@@ -34,7 +36,7 @@ struct SampleOptions {
   /// be taken elsewhere.
   int64_t first_run = 0;
   uint64_t seed = 1;
-  int depth = 3;  ///< kPct
+  int depth = 3;  ///< kPct: 1..kPctDepthMax
   /// Statements of one run; a longer one is given up.
   int64_t statement_limit = 100'000;
   const std::atomic<bool>* stop = nullptr;

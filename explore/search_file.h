@@ -39,7 +39,7 @@ struct SearchFile {
   TraceSearch traces;     ///< kDpor
   // Of the engines that try random schedules.
   uint64_t seed = 0;
-  int depth = 0;
+  int depth = SampleOptions{}.depth;
   int64_t runs = 0;      ///< of the whole search
   int64_t runs_cut = 0;  ///< that its part should have made and did not
   SampleCounts samples;
@@ -59,7 +59,8 @@ std::pair<int64_t, int64_t> RunsOfPart(int64_t runs, const SearchPart& part);
 
 /// The text of a search file; ends in a newline.
 std::string FormatSearchFile(const SearchFile& file);
-/// Reads it back. Fails when it is none, or not as it was written.
+/// Reads it back. Fails when it is none, or not as it was written, and names the first value that
+/// is not what it should be. What it says of the program is for CheckSearch() (search_check.h).
 Result<SearchFile> ParseSearchFile(std::string_view text);
 
 /// Adds the parts of another file. Fails, saying why, when the two are not parts of one search,

@@ -336,7 +336,7 @@ void AddExplore(CLI::App& app, Session& session) {
                    session.Say({"orderings that a fault needs, for pct (default 3)",
                                 "pct 引擎所假定的错误深度（默认 3）"}))
       ->type_name("N")
-      ->check(CLI::Range(1, 64).description(""));
+      ->check(CLI::Range(1, explore::kPctDepthMax).description(""));
   command
       ->add_option("--save", arguments->save,
                    session.Say({"write a failing schedule for 'oncard replay'",

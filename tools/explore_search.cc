@@ -4,6 +4,7 @@
 
 #include "base/files.h"
 #include "explore/scenario_exploration.h"
+#include "explore/search_check.h"
 
 namespace oncard::tools {
 namespace {
@@ -25,13 +26,24 @@ Result<explore::Problem> ProblemOf(const ExploreSubject& subject) {
   return explore::ProblemOfScenario(subject.scenario, subject.requirements, subject.object);
 }
 
+Error Prefixed(const std::string& path, const Message& message) {
+  return MakeError(1, "{0}: {1}", "{0}：{2}", path, message.en, message.zh);
+}
+
+/// Looks at what a file says of its program. Gives the exit code.
+int Check(const Session& session, const std::string& path, const explore::Problem& problem,
+          const explore::SearchFile& file) {
+  const auto checked = explore::CheckSearch(problem, file);
+  if (checked.ok()) return kExitOk;
+  return Fail(session, kExitUnreadable, Prefixed(path, checked.error().message).message);
+}
+
 Result<explore::SearchFile> ReadFileOf(const std::string& path) {
   const auto text = ReadFile(path);
   if (!text.ok()) return text.error();
   auto file = explore::ParseSearchFile(text.value());
   if (file.ok()) return file;
-  const Message& message = file.error().message;
-  return MakeError(1, "{0}: {1}", "{0}：{2}", path, message.en, message.zh);
+  return Prefixed(path, file.error().message);
 }
 
 }  // namespace
@@ -47,23 +59,29 @@ int ReadSearch(const Session& session, const std::string& path, bool json,
   subject->scenario.races = file->races;
   const auto problem = ProblemOf(*subject);
   if (!problem.ok()) return Fail(session, kExitUsage, problem.error().message);
-  if (explore::HashOf(problem.value()) == file->problem) return kExitOk;
-  return Fail(session, kExitFailed,
-              MakeMessage("{0} has changed since {1} was written: explore it anew",
-                          "{1} 写出之后 {0} 已改变：请重新探索", input, path));
+  if (explore::HashOf(problem.value()) != file->problem) {
+    return Fail(session, kExitFailed,
+                MakeMessage("{0} has changed since {1} was written: explore it anew",
+                            "{1} 写出之后 {0} 已改变：请重新探索", input, path));
+  }
+  return Check(session, path, problem.value(), *file);
 }
 
 int MergeSearches(const Session& session, const std::vector<std::string>& paths, bool json,
                   explore::SearchFile* file, ExploreSubject* subject) {
   const int read = ReadSearch(session, paths.front(), json, file, subject);
   if (read != kExitOk) return read;
+  const auto problem = ProblemOf(*subject);
+  if (!problem.ok()) return Fail(session, kExitUsage, problem.error().message);
   for (size_t i = 1; i < paths.size(); ++i) {
     const auto other = ReadFileOf(paths[i]);
     if (!other.ok()) return Fail(session, kExitUnreadable, other.error().message);
+    if (other.value().problem == file->problem) {
+      const int checked = Check(session, paths[i], problem.value(), other.value());
+      if (checked != kExitOk) return checked;
+    }
     if (const auto merged = MergeInto(file, other.value()); !merged.ok()) {
-      const Message& message = merged.error().message;
-      return Fail(session, kExitUsage,
-                  MakeMessage("{0}: {1}", "{0}：{2}", paths[i], message.en, message.zh));
+      return Fail(session, kExitUsage, Prefixed(paths[i], merged.error().message).message);
     }
   }
   return kExitOk;

@@ -2,7 +2,11 @@
 // tests/tools/explore_search_test.cc.
 #include "explore/search_file.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <xxhash.h>
+
+#include <nlohmann/json.hpp>
 
 #include "explore_programs.h"
 
@@ -33,6 +37,120 @@ TEST(SearchFileTest, TheTextHoldsEverything) {
   EXPECT_EQ(read.value().traces.full, file.traces.full);
   EXPECT_EQ(read.value().traces.failing, file.traces.failing);
   EXPECT_EQ(FormatSearchFile(read.value()), FormatSearchFile(file));
+}
+
+/// A search can plan a whole run ahead; the file is no deeper for that.
+TEST(SearchFileTest, LongPlansDoNotNest) {
+  SearchFile file;
+  file.held = {1};
+  SavedFrame frame;
+  for (int i = 0; i < 100'000; ++i) frame.plans.push_back({0, 1});
+  frame.plans.back().next = 0;
+  file.traces.units = {{{}, {}, {frame}}};
+  const auto read = ParseSearchFile(FormatSearchFile(file));
+  ASSERT_TRUE(read.ok()) << read.error().message.en;
+  EXPECT_EQ(read.value().traces.units, file.traces.units);
+}
+
+/// The text of a file with another value at a place, and the check that goes with it.
+std::string WithValue(const SearchFile& file, const std::string& place, const std::string& value) {
+  auto json = nlohmann::ordered_json::parse(FormatSearchFile(file));
+  json[nlohmann::ordered_json::json_pointer(place)] = nlohmann::ordered_json::parse(value);
+  json.erase("check");
+  const std::string text = json.dump();
+  json["check"] = fmt::format("{:016x}", XXH64(text.data(), text.size(), 0));
+  return json.dump();
+}
+
+struct BadValue {
+  const char* place;
+  const char* value;
+  const char* error;
+};
+
+class BadSearchFile : public ::testing::TestWithParam<BadValue> {};
+
+TEST_P(BadSearchFile, IsRefusedWithThePlace) {
+  const auto [place, value, error] = GetParam();
+  static const Problem problem = ProblemOf(Increments(3, 2));
+  SearchFile file = Interrupted(problem, 500);
+  if (std::string(place).starts_with("/samples")) {
+    file.engine = EngineKind::kPct;
+    file.runs = 10;
+    file.parts = 2;
+    file.runs_cut = 5;
+    file.samples = Sample(problem, {.runs = 0});
+  }
+  ASSERT_TRUE(ParseSearchFile(FormatSearchFile(file)).ok());
+  const auto read = ParseSearchFile(WithValue(file, place, value));
+  ASSERT_FALSE(read.ok());
+  EXPECT_EQ(read.error().message.en, error);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    SearchFileTest, BadSearchFile,
+    ::testing::Values(
+        BadValue{"/input", "7", "'input' is 7: expected a text"},
+        BadValue{"/problem", "\"12\"", "'problem' is \"12\": expected 16 hexadecimal digits"},
+        BadValue{"/races", "\"some\"", "'races' is \"some\": expected any, benign or none"},
+        BadValue{"/engine", "\"auto\"", "'engine' is \"auto\": expected dpor, random, pct or pos"},
+        BadValue{"/engine", "[]", "'engine' is []: expected a text"},
+        BadValue{"/parts", "0", "'parts' is 0: expected a whole number from 1 to 100000"},
+        BadValue{"/parts", "1e3", "'parts' is 1000.0: expected a whole number from 1 to 100000"},
+        BadValue{"/held", "[]", "'held' is []: expected numbers of parts, in order"},
+        BadValue{"/held", "[2]", "'held[0]' is 2: expected a whole number from 1 to 1"},
+        BadValue{"/held", "{\"a\":1}", "'held' is {\"a\":1}: expected a list"},
+        BadValue{"/traces", "3", "'traces' is 3: expected an object"},
+        BadValue{"/traces", "null", "'traces' is missing: expected an object"},
+        BadValue{"/traces/units/0", "[]", "'traces.units[0]' is []: expected an object"},
+        BadValue{"/traces/units/0/prefix", "[0,32]",
+                 "'traces.units[0].prefix[1]' is 32: expected a whole number from 0 to 31"},
+        BadValue{"/traces/units/0/sleep", "[-1]",
+                 "'traces.units[0].sleep[0]' is -1: expected a whole number from 0 to 31"},
+        BadValue{"/traces/units/0/frames/1/plans", "[1]",
+                 "'traces.units[0].frames[1].plans' is [1]: expected pairs of numbers"},
+        BadValue{"/traces/units/0/frames/1/plans", "[99,0]",
+                 "'traces.units[0].frames[1].plans' is [99,0]: expected threads from 0 to 31"},
+        BadValue{"/traces/units/0/frames/0/races", "[\"a\"]",
+                 "'traces.units[0].frames[0].races[0]' is \"a\": expected a whole number from 0 "
+                 "to 4294967295"},
+        BadValue{"/traces/executions", "-1",
+                 "'traces.executions' is -1: expected a whole number from 0 to 1000000000000000"},
+        BadValue{"/traces/bad", "18446744073709551615",
+                 "'traces.bad' is 18446744073709551615: expected a whole number from 0 to "
+                 "1000000000000000"},
+        BadValue{"/traces/too_deep", "0", "'traces.too_deep' is 0: expected true or false"},
+        BadValue{"/traces/globals", "[\"xyz\"]",
+                 "'traces.globals[0]' is \"xyz\": expected 32 hexadecimal digits, after the ones "
+                 "before it"},
+        BadValue{"/traces/failing", "[255]",
+                 "'traces.failing[0]' is 255: expected a whole number from 0 to 31"},
+        BadValue{"/samples/depth", "65",
+                 "'samples.depth' is 65: expected a whole number from 1 to 64"},
+        BadValue{"/samples/runs_cut", "6",
+                 "'samples.runs_cut' is 6: expected at most the 5 runs of its part"}));
+
+TEST(SearchFileTest, KeysComeInOrder) {
+  SearchFile file;
+  file.held = {1};
+  file.traces.globals = {{2, 0}, {1, 0}};
+  EXPECT_FALSE(ParseSearchFile(FormatSearchFile(file)).ok());
+  file.traces.globals = {{1, 0}, {2, 0}};
+  EXPECT_TRUE(ParseSearchFile(FormatSearchFile(file)).ok());
+}
+
+/// The reader of JSON takes any depth, and what then writes or forgets it does not.
+TEST(SearchFileTest, DeepFilesAreRefused) {
+  for (const char* open : {"[", "{\"a\":", "[{\"a\":"}) {
+    std::string text;
+    for (int i = 0; i < 60'000; ++i) text += open;
+    const auto read = ParseSearchFile(text);
+    ASSERT_FALSE(read.ok());
+    EXPECT_NE(read.error().message.en.find("nests more than 16 deep"), std::string::npos);
+  }
+  const auto quoted = ParseSearchFile("{\"kind\": \"" + std::string(100, '[') + "\\\"[[\"}");
+  EXPECT_NE(quoted.error().message.en.find("this is no file of a search: expected"),
+            std::string::npos);
 }
 
 TEST(SearchFileTest, SaysWhetherItIsDone) {

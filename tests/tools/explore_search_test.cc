@@ -1,5 +1,7 @@
 // oncard explore with searches that live in files: interrupted, in parts, merged.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <xxhash.h>
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -103,6 +105,32 @@ TEST_F(ExploreSearch, AChangedProgramOrFileIsRefused) {
   const ProcessResult changed = Explore({"inc.1-of-2.search"});
   EXPECT_EQ(changed.exit_code, 1);
   EXPECT_NE(changed.err.find("has changed"), std::string::npos) << changed.err;
+}
+
+TEST_F(ExploreSearch, AHostileFileIsRefused) {
+  EXPECT_EQ(
+      Explore({"inc.c", "--engine=dpor", "--max-executions=10", "--search=kept.search"}).exit_code,
+      6);
+  const std::string kept = scratch_.Read("kept.search");
+  const auto with_value = [&](const char* place, const nlohmann::ordered_json& value) {
+    auto json = nlohmann::ordered_json::parse(kept);
+    json[nlohmann::ordered_json::json_pointer(place)] = value;
+    json.erase("check");
+    const std::string text = json.dump();
+    json["check"] = fmt::format("{:016x}", XXH64(text.data(), text.size(), 0));
+    scratch_.Write("kept.search", json.dump());
+    return Explore({"kept.search"});
+  };
+  EXPECT_EQ(with_value("/traces/units/0/prefix", {0, "a"}).exit_code, 3);
+  const ProcessResult thread = with_value("/traces/units/0/frames/0/plans/0", 31);
+  EXPECT_EQ(thread.exit_code, 3);
+  EXPECT_NE(thread.err.find("kept.search: units[0].frames[0].plans: thread 31 of the search"),
+            std::string::npos)
+      << thread.err;
+  scratch_.Write("kept.search", std::string(60'000, '['));
+  const ProcessResult deep = Explore({"kept.search"});
+  EXPECT_EQ(deep.exit_code, 3);
+  EXPECT_NE(deep.err.find("nests more than 16 deep"), std::string::npos) << deep.err;
 }
 
 TEST_F(ExploreSearch, AProgramWithItsCardCannotBeSplit) {

@@ -1,0 +1,139 @@
+// What a search file says of its program is looked at before it is believed
+// (explore/search_check.h).
+#include "explore/search_check.h"
+
+#include <gtest/gtest.h>
+
+#include "explore_programs.h"
+
+namespace oncard::explore {
+namespace {
+
+/// An interrupted search of two threads with three statements and a return each, of which one
+/// touches nothing shared: with frames, plans and races.
+class SearchCheck : public ::testing::Test {
+ protected:
+  SearchCheck() : problem_(ProblemOf(Increments(2, 2))) {
+    file_.problem = HashOf(problem_);
+    file_.held = {1};
+    SearchTraces(problem_, {.executions = 4}, &file_.traces);
+    frames_ = &file_.traces.units.front().frames;
+  }
+  /// Empty when the file is good.
+  std::string Error() const {
+    const auto checked = CheckSearch(problem_, file_);
+    return checked.ok() ? "" : checked.error().message.en;
+  }
+  TraceUnit& unit() { return file_.traces.units.front(); }
+
+  Problem problem_;
+  SearchFile file_;
+  std::vector<SavedFrame>* frames_ = nullptr;
+};
+
+TEST_F(SearchCheck, WhatASearchHasWrittenIsGood) {
+  ASSERT_GT(frames_->size(), 3u);
+  EXPECT_EQ(Error(), "");
+  for (int64_t executions = 1; executions < 15; ++executions) {
+    file_.traces = {};
+    SearchTraces(problem_, {.executions = executions}, &file_.traces);
+    EXPECT_EQ(Error(), "") << executions;
+  }
+  file_.traces = TracesOfPart(problem_, {2, 3});
+  EXPECT_EQ(Error(), "");
+}
+
+TEST_F(SearchCheck, AThreadThatThereIsNot) {
+  for (const int thread : {2, 31}) {
+    frames_->front().plans.front().thread = static_cast<uint8_t>(thread);
+    EXPECT_EQ(Error(), "units[0].frames[0].plans: thread " + std::to_string(thread) +
+                           " of the search cannot take a step there; explore anew");
+  }
+  unit() = {{0, 1, 7}, {}};
+  EXPECT_EQ(Error(),
+            "units[0].prefix[2]: thread 7 of the search cannot take a step there; explore anew");
+  unit() = {{0}, {1, 2}};
+  EXPECT_EQ(Error(),
+            "units[0].sleep: thread 2 of the search cannot take a step there; explore anew");
+  unit() = {{}, {}, {{.sleep = {9}, .plans = {{0, 0}}}}};
+  EXPECT_NE(Error().find("units[0].frames[0].sleep: thread 9"), std::string::npos);
+}
+
+TEST_F(SearchCheck, AThreadThatHasEnded) {
+  // Four steps that touch x; the thread then runs to its end.
+  unit() = {{0, 0, 0, 0}, {}};
+  EXPECT_EQ(Error(), "");
+  unit() = {{0, 0, 0, 0, 0}, {}};
+  EXPECT_NE(Error().find("prefix[4]: thread 0"), std::string::npos);
+  unit() = {{0, 0, 0, 0}, {0}};
+  EXPECT_NE(Error().find("sleep: thread 0"), std::string::npos);
+}
+
+TEST_F(SearchCheck, PlansThatAreNoTrees) {
+  const auto with_plans = [&](std::vector<PlannedStep> plans) {
+    unit() = {{}, {}, {{.sleep = {}, .plans = std::move(plans)}}};
+    return Error();
+  };
+  EXPECT_EQ(with_plans({{0, 1}, {1, 0}, {1, 0}}), "");
+  EXPECT_NE(with_plans({}).find("no list of plans"), std::string::npos);
+  EXPECT_NE(with_plans({{0, 1}}).find("no list of plans"), std::string::npos);
+  EXPECT_NE(with_plans({{0, 4'000'000'000}, {1, 0}}).find("no list of plans"), std::string::npos);
+  EXPECT_NE(with_plans({{0, 1}, {0, 1}, {0, 1}, {0, 1}, {0, 0}}).find("thread 0"),
+            std::string::npos);
+}
+
+TEST_F(SearchCheck, RacesWithWhatIsNotEarlier) {
+  for (size_t i = 0; i < frames_->size(); ++i) {
+    const SavedFrame kept = (*frames_)[i];
+    (*frames_)[i].races = {static_cast<uint32_t>(i)};
+    EXPECT_NE(Error().find(".races: " + std::to_string(i) + " is no earlier step"),
+              std::string::npos);
+    (*frames_)[i].races = {UINT32_MAX};
+    EXPECT_NE(Error().find(".races: 4294967295"), std::string::npos);
+    (*frames_)[i] = kept;
+  }
+}
+
+/// Races with steps that are earlier but do not race are none: the search counts what it would.
+TEST_F(SearchCheck, RacesThatAreNoneAreForgotten) {
+  TraceSearch whole;
+  SearchTraces(problem_, {}, &whole);
+  for (size_t i = 0; i < frames_->size(); ++i) {
+    for (uint32_t earlier = 0; earlier < i; ++earlier) {
+      if (std::ranges::find((*frames_)[i].races, earlier) == (*frames_)[i].races.end()) {
+        (*frames_)[i].races.push_back(earlier);
+      }
+    }
+  }
+  EXPECT_EQ(Error(), "");
+  SearchTraces(problem_, {}, &file_.traces);
+  EXPECT_TRUE(file_.traces.complete());
+  EXPECT_EQ(file_.traces.full, whole.full);
+}
+
+TEST_F(SearchCheck, RunsThatDoNotFail) {
+  ASSERT_GT(file_.traces.bad, 0);
+  const std::vector<uint8_t> failing = file_.traces.failing;
+  file_.traces.failing.back() = 5;
+  EXPECT_NE(Error().find("thread 5"), std::string::npos);
+  // One thread after the other: no addition is lost.
+  file_.traces.failing = std::vector<uint8_t>(7, 0);
+  file_.traces.failing.insert(file_.traces.failing.end(), 7, 1);
+  EXPECT_EQ(Error(), "failing: nothing goes wrong in this run; explore anew");
+  file_.traces.failing.clear();
+  EXPECT_NE(Error(), "");
+  file_.traces.failing = failing;
+  file_.traces.bad = 0;
+  EXPECT_NE(Error(), "");
+}
+
+TEST_F(SearchCheck, RunsThatAreLongerThanTheSearchFollows) {
+  unit() = {{0, 0, 0, 0}, {}};
+  EXPECT_TRUE(CheckSearch(problem_, file_, 100).ok());
+  const auto checked = CheckSearch(problem_, file_, 4);
+  ASSERT_FALSE(checked.ok());
+  EXPECT_NE(checked.error().message.en.find("longer than 4 statements"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace oncard::explore
