@@ -9,6 +9,9 @@ namespace oncard::explore {
 struct SearchProgress {
   /// Set by the watcher: the search ends soon, with what it knows.
   std::atomic<bool> stop{false};
+  /// Set before `stop`: why. For good; or only so that what is known can be kept (kept_search.h).
+  std::atomic<bool> interrupted{false};
+  std::atomic<bool> pausing{false};
   /// Set before the search: it first estimates how many executions there are.
   bool estimates = false;
   // Set by the search.

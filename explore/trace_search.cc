@@ -51,11 +51,12 @@ void SearchTraces(const Problem& problem, const TraceSearchLimits& limits, Trace
     for (int64_t i = 0; i < state.depth() && !walk.fault(); ++i) walk.Step(state.StepThread(i));
     return static_cast<bool>(walk.fault());
   };
+  const int64_t before = search->executions;
   int64_t executions = 0;
   const auto visit = [&](const Model& state) {
     ++executions;
     if (limits.progress != nullptr) {
-      limits.progress->executions.store(executions, std::memory_order_relaxed);
+      limits.progress->executions.store(before + executions, std::memory_order_relaxed);
     }
     if (full.Insert(state.FinalKey())) globals.Insert(state.GlobalsKey());
     if (!goes_wrong(state)) return true;

@@ -163,13 +163,17 @@ std::string DefaultSearch(const std::string& input) {
 /// Goes on with a search that lives in a file.
 int ExploreKept(const ExploreArguments& arguments, const Session& session,
                 const ExploreSubject& subject, const std::string& path, explore::SearchFile file) {
-  SearchWatch watch(session, arguments.progress);
+  SearchWatch watch(session, {.shows = arguments.progress, .pauses = true});
   explore::ExploreOptions options = OptionsOf(arguments, subject);
   options.progress = watch.progress();
-  auto findings = GoOn(subject, options, &file);
+  int written = kExitOk;
+  const auto keep = [&](const explore::SearchFile& present) {
+    written = WriteOutput(session, path, explore::FormatSearchFile(present));
+    return written == kExitOk;
+  };
+  auto findings = GoOn(subject, options, keep, &file);
   if (!findings.ok()) return Fail(session, kExitUsage, findings.error().message);
-  const int written = WriteOutput(session, path, explore::FormatSearchFile(file));
-  if (written != kExitOk) return written;
+  if (written != kExitOk || !keep(file)) return written;
   return Report(arguments, session, subject, std::move(findings).value());
 }
 
@@ -219,7 +223,7 @@ int Merge(const ExploreArguments& arguments, const Session& session) {
   return Report(arguments, session, subject, std::move(findings).value());
 }
 
-/// Keeps a search that Ctrl-C has ended, when it is one that can go on.
+/// Keeps a search that a signal has ended, when it is one that can go on.
 int KeepInterrupted(const ExploreArguments& arguments, const Session& session,
                     const ExploreSubject& subject, const explore::Exploration& exploration) {
   const std::string path = DefaultSearch(arguments.paths.front());
@@ -264,7 +268,7 @@ int Explore(const ExploreArguments& arguments, const Session& session) {
     if (!findings.ok()) return Fail(session, kExitUsage, findings.error().message);
     return Report(arguments, session, subject, std::move(findings).value());
   }
-  SearchWatch watch(session, arguments.progress);
+  SearchWatch watch(session, {.shows = arguments.progress});
   explore::ExploreOptions options = OptionsOf(arguments, subject);
   options.progress = watch.progress();
   auto findings =

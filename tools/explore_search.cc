@@ -126,33 +126,13 @@ Result<explore::SearchFile> BeginSearch(const ExploreSubject& subject, const std
 }
 
 Result<explore::Findings> GoOn(const ExploreSubject& subject,
-                               const explore::ExploreOptions& options, explore::SearchFile* file) {
+                               const explore::ExploreOptions& options,
+                               const explore::SearchKeeper& keep, explore::SearchFile* file) {
   const auto problem = ProblemOf(subject);
   if (!problem.ok()) return problem.error();
-  explore::ExploreOptions own = options;
-  own.engine = file->engine;
-  if (file->engine == explore::EngineKind::kDpor) {
-    own.begun = &file->traces;
-  } else {
-    const explore::SearchPart part = {file->held.front(), file->parts};
-    const auto [first, runs] = explore::RunsOfPart(file->runs, part);
-    own.first_run = first + runs - file->runs_cut;
-    own.runs = file->runs_cut;
-    own.seed = file->seed;
-    own.depth = file->depth;
-  }
-  auto exploration = Explore(problem.value(), own);
+  auto exploration = explore::GoOn(problem.value(), options, keep, file);
   if (!exploration.ok()) return exploration.error();
-  if (file->engine == explore::EngineKind::kDpor) {
-    file->traces = std::move(exploration.value().search);
-  } else {
-    file->runs_cut -= exploration.value().samples->runs;
-    explore::MergeInto(&file->samples, *exploration.value().samples);
-  }
-  explore::Exploration concluded =
-      Conclude(problem.value(), *file, std::move(exploration.value().failure));
-  if (concluded.verdict == explore::Verdict::kIncomplete) concluded.why = exploration.value().why;
-  return FindingsOf(problem.value(), std::move(concluded));
+  return FindingsOf(problem.value(), std::move(exploration).value());
 }
 
 Result<explore::Findings> ConcludeSearch(const ExploreSubject& subject,

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "explore/kept_search.h"
 #include "explore/report.h"
 #include "explore/search_file.h"
 #include "tools/explore_subject.h"
@@ -26,10 +27,10 @@ Result<explore::SearchFile> BeginSearch(const ExploreSubject& subject, const std
                                         const std::string& path, const explore::SearchPart& part,
                                         const explore::ExploreOptions& options);
 
-/// Goes on with a search until it is done, a limit is reached or it is stopped; `file` is then what
-/// is to be kept.
+/// Goes on with a search (explore/kept_search.h); `file` is then what is to be kept.
 Result<explore::Findings> GoOn(const ExploreSubject& subject,
-                               const explore::ExploreOptions& options, explore::SearchFile* file);
+                               const explore::ExploreOptions& options,
+                               const explore::SearchKeeper& keep, explore::SearchFile* file);
 
 /// What a file's parts have found.
 Result<explore::Findings> ConcludeSearch(const ExploreSubject& subject,

@@ -11,14 +11,17 @@ namespace oncard::tools {
 namespace {
 
 constexpr std::chrono::seconds kShown{1};
+/// A search that dies loses no more than this.
+constexpr std::chrono::seconds kKept{60};
 
-/// Of the search that Ctrl-C ends.
-std::atomic<std::atomic<bool>*> stop_of_search{nullptr};
+/// Of the search that a signal ends.
+std::atomic<explore::SearchProgress*> watched{nullptr};
 
 extern "C" void StopSearch(int /*signal*/) {
-  std::atomic<bool>* stop = stop_of_search.load();
-  if (stop != nullptr) stop->store(true);
-  static_cast<void>(std::signal(SIGINT, SIG_DFL));
+  explore::SearchProgress* progress = watched.load();
+  if (progress == nullptr) return;
+  progress->interrupted = true;
+  progress->stop = true;
 }
 
 Message ProgressText(const explore::SearchProgress& progress, double seconds) {
@@ -44,11 +47,19 @@ Message ProgressText(const explore::SearchProgress& progress, double seconds) {
 
 }  // namespace
 
-SearchWatch::SearchWatch(const Session& session, bool shows) : session_(session) {
-  progress_.estimates = shows;
-  stop_of_search = &progress_.stop;
-  static_cast<void>(std::signal(SIGINT, StopSearch));
-  if (shows) showing_ = std::thread([this] { Show(); });
+SearchWatch::SearchWatch(const Session& session, const WatchOptions& options)
+    : session_(session), options_(options) {
+  progress_.estimates = options.shows;
+  watched = &progress_;
+  struct sigaction stops = {};
+  stops.sa_handler = StopSearch;
+  stops.sa_flags = static_cast<int>(SA_RESETHAND);
+  for (size_t i = 0; i < kSignals.size(); ++i) {
+    ::sigaction(kSignals[i], nullptr, &before_[i]);
+    const bool ignored = before_[i].sa_handler == SIG_IGN;
+    if (kSignals[i] != SIGHUP || !ignored) ::sigaction(kSignals[i], &stops, nullptr);
+  }
+  if (options.shows || options.pauses) watching_ = std::thread([this] { Watch(); });
 }
 
 SearchWatch::~SearchWatch() {
@@ -57,17 +68,26 @@ SearchWatch::~SearchWatch() {
     over_ = true;
   }
   changed_.notify_all();
-  if (showing_.joinable()) showing_.join();
-  static_cast<void>(std::signal(SIGINT, SIG_DFL));
-  stop_of_search = nullptr;
+  if (watching_.joinable()) watching_.join();
+  for (size_t i = 0; i < kSignals.size(); ++i) ::sigaction(kSignals[i], &before_[i], nullptr);
+  watched = nullptr;
 }
 
-void SearchWatch::Show() {
+void SearchWatch::Watch() {
   const auto start = std::chrono::steady_clock::now();
+  auto kept = start;
   std::unique_lock lock(mutex_);
   while (!changed_.wait_for(lock, kShown, [this] { return over_; })) {
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-    PrintDiagnostics(session_.Say(ProgressText(progress_, passed.count())) + '\n');
+    const auto now = std::chrono::steady_clock::now();
+    if (options_.shows) {
+      const std::chrono::duration<double> passed = now - start;
+      PrintDiagnostics(session_.Say(ProgressText(progress_, passed.count())) + '\n');
+    }
+    if (options_.pauses && now - kept >= kKept) {
+      kept = now;
+      progress_.pausing = true;
+      progress_.stop = true;
+    }
   }
 }
 

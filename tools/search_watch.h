@@ -1,7 +1,10 @@
-// Watches a search while it runs: shows how far it is, and ends it early on Ctrl-C.
+// Watches a search while it runs: shows how far it is, lets it be kept every minute, and ends it
+// early on SIGINT (Ctrl-C), SIGTERM (Slurm before the time limit) and SIGHUP (a closed terminal).
 #pragma once
 
+#include <array>
 #include <condition_variable>
+#include <csignal>
 #include <mutex>
 #include <thread>
 
@@ -10,29 +13,37 @@
 
 namespace oncard::tools {
 
-/// One at a time. Ctrl-C tells the search to stop as long as it lives; a second one ends the
-/// program as usual.
+struct WatchOptions {
+  bool shows = false;   ///< a line on standard error says every second how far the search is
+  bool pauses = false;  ///< the search pauses every minute (SearchProgress::pausing)
+};
+
+/// One at a time. A signal tells the search to stop as long as it lives; the same signal again ends
+/// the program as usual. SIGHUP that is ignored (nohup) stays so.
 class SearchWatch {
  public:
-  /// With `shows`, a line on standard error says every second how far the search is.
-  SearchWatch(const Session& session, bool shows);
+  SearchWatch(const Session& session, const WatchOptions& options);
   ~SearchWatch();
   SearchWatch(const SearchWatch&) = delete;
   SearchWatch& operator=(const SearchWatch&) = delete;
 
   /// For the search.
   explore::SearchProgress* progress() { return &progress_; }
-  bool interrupted() const { return progress_.stop; }
+  bool interrupted() const { return progress_.interrupted; }
 
  private:
-  void Show();
+  void Watch();
+
+  static constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP};
 
   const Session& session_;
+  WatchOptions options_;
   explore::SearchProgress progress_;
   std::mutex mutex_;
   std::condition_variable changed_;
   bool over_ = false;
-  std::thread showing_;
+  std::array<struct sigaction, kSignals.size()> before_{};  ///< what the signals did
+  std::thread watching_;
 };
 
 }  // namespace oncard::tools

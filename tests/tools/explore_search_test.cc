@@ -107,6 +107,39 @@ TEST_F(ExploreSearch, AChangedProgramOrFileIsRefused) {
   EXPECT_NE(changed.err.find("has changed"), std::string::npos) << changed.err;
 }
 
+/// A search of a minute and more, ended by a signal as soon as it catches it.
+class ExploreSignal : public ExploreSearch, public ::testing::WithParamInterface<const char*> {};
+
+TEST_P(ExploreSignal, KeepsTheSearch) {
+  std::string source = "int x;\n//@ final: x <= 64\n";
+  for (const char* name : {"t0", "t1", "t2", "t3"}) {
+    source += std::string("int ") + name + "() {\n  int t;\n";
+    for (int i = 0; i < 8; ++i) source += "  t = x;\n  t = t + 1;\n  x = t;\n";
+    source += "  return 0;\n}\n";
+  }
+  scratch_.Write("long.c", source);
+  constexpr const char* kScript =
+      "\"$0\" explore long.c --engine=dpor $2 & pid=$!\n"
+      "n=$(kill -l $1)\n"
+      "while caught=$(sed -n 's/^SigCgt:[^0-9a-f]*//p' /proc/$pid/status) &&\n"
+      "      test $(( 0x${caught:-0} >> (n - 1) & 1 )) = 0; do :; done\n"
+      "kill -$1 $pid\n"
+      "wait $pid";
+  for (const char* option : {"", "--search=long.search"}) {
+    const ProcessResult ended =
+        RunProgram({"bash", "-c", kScript, ONCARD_BUILD_DIR "/bin/oncard", GetParam(), option},
+                   scratch_.path());
+    EXPECT_EQ(ended.exit_code, 6) << ended.err;
+    EXPECT_NE(ended.out.find("it was interrupted"), std::string::npos) << ended.out;
+    ASSERT_TRUE(scratch_.Has("long.search"));
+    const auto more = Json({"long.search", "--max-executions=5"});
+    EXPECT_EQ(more["verdict"], "INCOMPLETE");
+    EXPECT_GT(more["executions"], 5);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(ExploreSearch, ExploreSignal, ::testing::Values("INT", "TERM", "HUP"));
+
 TEST_F(ExploreSearch, AHostileFileIsRefused) {
   EXPECT_EQ(
       Explore({"inc.c", "--engine=dpor", "--max-executions=10", "--search=kept.search"}).exit_code,

@@ -1,0 +1,102 @@
+// Searches that are kept while they go on (explore/kept_search.h).
+#include "explore/kept_search.h"
+
+#include <gtest/gtest.h>
+
+#include "explore/search_check.h"
+#include "explore_programs.h"
+
+namespace oncard::explore {
+namespace {
+
+class KeptSearch : public ::testing::Test {
+ protected:
+  /// Asks for a pause, as the watcher does every minute.
+  void Pause() {
+    progress_.pausing = true;
+    progress_.stop = true;
+  }
+  SearchFile Begin(EngineKind engine) {
+    SearchFile file;
+    file.input = "inc.c";
+    file.problem = HashOf(problem_);
+    file.engine = engine;
+    file.held = {1};
+    file.runs = file.runs_cut = engine == EngineKind::kDpor ? 0 : 50;
+    return file;
+  }
+
+  Problem problem_ = ProblemOf(Increments(2, 3));
+  SearchProgress progress_;
+  ExploreOptions options_{.progress = &progress_};
+};
+
+TEST_F(KeptSearch, GoesOnAfterEachTimeAndLosesNothing) {
+  for (const EngineKind engine : {EngineKind::kDpor, EngineKind::kRandom, EngineKind::kPct}) {
+    SearchFile whole = Begin(engine);
+    ASSERT_TRUE(GoOn(problem_, {}, {}, &whole).ok());
+
+    SearchFile file = Begin(engine);
+    int kept = 0;
+    Pause();
+    const auto keep = [&](const SearchFile& present) {
+      const auto read = ParseSearchFile(FormatSearchFile(present));
+      EXPECT_TRUE(read.ok() && CheckSearch(problem_, read.value()).ok());
+      EXPECT_FALSE(present.done());
+      if (++kept < 4) Pause();
+      return true;
+    };
+    const auto found = GoOn(problem_, options_, keep, &file);
+    ASSERT_TRUE(found.ok());
+    EXPECT_EQ(kept, 4);
+    EXPECT_TRUE(file.done());
+    EXPECT_EQ(file.traces.executions, whole.traces.executions);
+    EXPECT_EQ(file.traces.full, whole.traces.full);
+    EXPECT_EQ(file.traces.bad, whole.traces.bad);
+    EXPECT_EQ(file.samples.runs, whole.samples.runs);
+    EXPECT_EQ(file.samples.bad, whole.samples.bad);
+    EXPECT_EQ(file.samples.ends, whole.samples.ends);
+  }
+}
+
+TEST_F(KeptSearch, AnInterruptionEndsItEvenDuringAPause) {
+  SearchFile file = Begin(EngineKind::kDpor);
+  Pause();
+  progress_.interrupted = true;
+  const auto found = GoOn(
+      problem_, options_,
+      [](const SearchFile&) {
+        ADD_FAILURE() << "the search goes on";
+        return true;
+      },
+      &file);
+  ASSERT_TRUE(found.ok());
+  EXPECT_FALSE(file.done());
+  EXPECT_FALSE(file.traces.units.empty());
+}
+
+TEST_F(KeptSearch, EndsWhenItCannotBeKept) {
+  SearchFile file = Begin(EngineKind::kDpor);
+  Pause();
+  int asked = 0;
+  ASSERT_TRUE(GoOn(
+                  problem_, options_, [&](const SearchFile&) { return ++asked > 1; }, &file)
+                  .ok());
+  EXPECT_EQ(asked, 1);
+  EXPECT_FALSE(file.done());
+}
+
+TEST_F(KeptSearch, TheLimitOfExecutionsIsThatOfAllPieces) {
+  SearchFile file = Begin(EngineKind::kDpor);
+  options_.execution_limit = 7;
+  Pause();
+  const auto keep = [&](const SearchFile&) {
+    Pause();
+    return true;
+  };
+  ASSERT_TRUE(GoOn(problem_, options_, keep, &file).ok());
+  EXPECT_EQ(file.traces.executions, 7);
+}
+
+}  // namespace
+}  // namespace oncard::explore
