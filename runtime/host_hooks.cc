@@ -2,6 +2,9 @@
 
 #include <pthread.h>
 
+#include <cstdio>
+#include <cstdlib>
+
 #include "runtime/card_table.h"
 #include "runtime/host_keys.h"
 #include "runtime/host_scenario.h"
@@ -64,6 +67,11 @@ void UnlockChild() {
   VirtualTime::OfProcess().BecomeChild();
   UnlockCards();
   oncard::runtime::LeaveJudgingToParent();
+}
+
+/// A host whose output `oncard exec` reads behaves as on a terminal: line by line.
+__attribute__((constructor)) void WriteLines() {
+  if (std::getenv("ONCARD_LINES") != nullptr) std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
 }
 
 __attribute__((constructor)) void WatchForks() {

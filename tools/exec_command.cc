@@ -1,4 +1,5 @@
 // oncard exec: a host program in virtual time.
+#include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -14,6 +15,7 @@
 #include "runtime/key_script.h"
 #include "runtime/scenario.h"
 #include "tools/commands.h"
+#include "tools/gbk_output.h"
 #include "tools/gnuplot.h"
 
 namespace oncard::tools {
@@ -28,6 +30,7 @@ struct ExecArguments {
   std::string clock = "virtual";
   std::string trace;
   std::string plot;
+  bool gbk = false;
 };
 
 /// The folder of libgts and the preload library: beside the command, or in ../lib.
@@ -66,18 +69,18 @@ void RequestTrace(const ExecArguments& arguments) {
   if (!files.empty()) ::setenv("ONCARD_TRACE", files.c_str(), 1);
 }
 
-/// Runs the host to its end, then draws. Gives the host's exit code unless drawing fails.
-int RunAndDraw(const ExecArguments& arguments, char* const* host, const Session& session) {
-  pid_t process = 0;
-  const int failure = ::posix_spawnp(&process, host[0], nullptr, nullptr, host, environ);
-  if (failure != 0) {
-    return Fail(session, kExitUnreadable,
-                MakeMessage("cannot run '{0}': {1}", "无法运行“{0}”：{1}", host[0],
-                            std::strerror(failure)));
-  }
-  int status = 0;
-  if (::waitpid(process, &status, 0) != process) return kExitInternal;
-  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+/// Starts the host, with `output` (-1: ours) as its standard output. Gives the error's number.
+int Start(char* const* host, int output, pid_t* process) {
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  if (output >= 0) ::posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
+  const int failure = ::posix_spawnp(process, host[0], &actions, nullptr, host, environ);
+  ::posix_spawn_file_actions_destroy(&actions);
+  return failure;
+}
+
+/// Draws what a host with that exit code has left; gives the code unless drawing fails.
+int Draw(const ExecArguments& arguments, int code, const Session& session) {
   const auto script = ReadFile(ScriptPath(arguments));
   if (!script.ok()) return code != 0 ? code : Fail(session, kExitFailed, script.error().message);
   std::error_code ignored;
@@ -85,6 +88,31 @@ int RunAndDraw(const ExecArguments& arguments, char* const* host, const Session&
   ::unsetenv("LD_PRELOAD");  // gnuplot goes by the real time
   const int drawn = WritePicture(session, arguments.plot, script.value());
   return code != 0 ? code : drawn;
+}
+
+/// Runs the host to its end, makes UTF-8 of what it writes, then draws; as far as asked for. Gives
+/// the host's exit code unless the rest fails.
+int RunToEnd(const ExecArguments& arguments, char* const* host, const Session& session) {
+  int output[2] = {-1, -1};
+  if (arguments.gbk && ::pipe2(output, O_CLOEXEC) != 0) return kExitInternal;
+  pid_t process = 0;
+  const int failure = Start(host, output[1], &process);
+  if (failure != 0) {
+    return Fail(session, kExitUnreadable,
+                MakeMessage("cannot run '{0}': {1}", "无法运行“{0}”：{1}", host[0],
+                            std::strerror(failure)));
+  }
+  Result<void> relayed;
+  if (arguments.gbk) {
+    ::close(output[1]);
+    relayed = RelayGbk(output[0], STDOUT_FILENO);
+    ::close(output[0]);
+  }
+  int status = 0;
+  if (::waitpid(process, &status, 0) != process) return kExitInternal;
+  int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  if (!relayed.ok() && code == 0) code = Fail(session, kExitFailed, relayed.error().message);
+  return arguments.plot.empty() ? code : Draw(arguments, code, session);
 }
 
 int Exec(const ExecArguments& arguments, const Session& session) {
@@ -121,8 +149,9 @@ int Exec(const ExecArguments& arguments, const Session& session) {
   pointers.reserve(host.size() + 1);
   for (std::string& argument : host) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
-  if (!arguments.plot.empty()) {
-    return RunAndDraw(arguments, pointers.data(), session);
+  if (arguments.gbk) ::setenv("ONCARD_LINES", "1", 1);
+  if (!arguments.plot.empty() || arguments.gbk) {
+    return RunToEnd(arguments, pointers.data(), session);
   }
   ::execvp(pointers[0], pointers.data());
   return Fail(
@@ -158,6 +187,9 @@ void AddExec(CLI::App& app, Session& session) {
                    session.Say({"virtual (default), real or real:SCALE",
                                 "virtual（默认）、real 或 real:倍率"}))
       ->type_name("CLOCK");
+  command->add_flag("--gbk", arguments->gbk,
+                    session.Say({"show what the host prints in GBK as UTF-8",
+                                 "将主机程序以 GBK 输出的文字转为 UTF-8"}));
   command
       ->add_option("--trace", arguments->trace,
                    session.Say({"write values over time, as .vcd, .csv, .json or .gnuplot",

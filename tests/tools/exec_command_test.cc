@@ -192,6 +192,31 @@ TEST(Exec, AHostThatGoesOnAskingForKeysFails) {
   }
 }
 
+// --- Output --------------------------------------------------------------------------------------
+
+TEST(Exec, ShowsGbkAsUtf8) {
+  struct Case {
+    const char* gbk;  // as printf of the shell writes it
+    const char* shown;
+  };
+  const Case cases[] = {
+      {R"(pos 1\n)", "pos 1\n"},
+      {R"(\316\273\326\303 1\r)", "位置 1\r"},
+      {R"(\316)", ""},                  // half a character is none
+      {R"(\377\377!\n)", "\uFFFD!\n"},  // no character
+      {R"(\316\n)", "\uFFFD\n"},        // broken by the end of the line
+  };
+  for (const Case& c : cases) {
+    EXPECT_EQ(Exec({"--gbk"}, {"printf", c.gbk}).out, c.shown) << c.gbk;
+  }
+  // A character in two pieces, and the exit code.
+  const ProcessResult result =
+      Exec({"--gbk"}, {"sh", "-c", R"(printf '\316'; sleep 0.01; printf '\273\n'; exit 7)"});
+  EXPECT_EQ(result.out, "位\n");
+  EXPECT_EQ(result.exit_code, 7);
+  EXPECT_EQ(Exec({"--gbk"}, {"./nothing"}).exit_code, 3);
+}
+
 // --- Scenarios -----------------------------------------------------------------------------------
 
 constexpr const char* kInputAt500 =
