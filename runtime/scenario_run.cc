@@ -48,6 +48,7 @@ class ScenarioRunner {
           &ScenarioRunner::SetUpHost, &ScenarioRunner::SetUpValues, &ScenarioRunner::SetUpTrace}) {
       if (auto done = (this->*step)(); !done.ok()) return done.error();
     }
+    if (options_.steps) result_.steps.emplace();
     Execute();
     Report();
     return std::move(result_);
@@ -196,7 +197,9 @@ class ScenarioRunner {
         while (controller_.cycle() < next) controller_.RunCycle();
         continue;
       }
-      const RunEnd end = controller_.RunUntilQuiet(next - controller_.cycle());
+      const int64_t cycles = next - controller_.cycle();
+      const RunEnd end = result_.steps ? RunLogged(&controller_, cycles, &*result_.steps)
+                                       : controller_.RunUntilQuiet(cycles);
       ended = end != RunEnd::kTimeLimit && !(end == RunEnd::kDeadlock && host_is_awaited);
       if (ended) result_.end = end;
       if (end == RunEnd::kScheduleEnd || end == RunEnd::kScheduleDiverged) break;

@@ -19,6 +19,7 @@
 #include "base/result.h"
 #include "runtime/controller.h"
 #include "runtime/scenario.h"
+#include "runtime/step_log.h"
 #include "runtime/trace.h"
 #include "vm/object.h"
 #include "vm/schedule.h"
@@ -36,6 +37,8 @@ struct RunOptions {
   /// when that is empty, of those in `show`, of the outputs, and of whatever moves
   /// (DefaultColumns).
   bool trace = false;
+  /// Keep what every statement does in ScenarioResult::steps.
+  bool steps = false;
 };
 
 /// How a thread ended.
@@ -76,6 +79,7 @@ struct ScenarioResult {
   std::vector<ScenarioFailure> failures;
   std::optional<vm::Schedule> schedule;
   std::optional<Trace> trace;
+  std::optional<StepLog> steps;
 
   bool passed() const { return failures.empty(); }
 };

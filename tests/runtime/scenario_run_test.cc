@@ -47,6 +47,51 @@ TEST(RunScenario, SaysWhatDoesNotFitTheProgram) {
   EXPECT_EQ(ErrorOf(kCount, "expect = [\"m == 1\"]"), "'m == 1': nothing is named 'm'");
 }
 
+RunOptions WithSteps() {
+  RunOptions options;
+  options.steps = true;
+  return options;
+}
+
+TEST(RunScenario, LogsWhatItsStatementsDo) {
+  const Scenario scenario = ScenarioForTest("[[thread]]\nfunction = \"f\"\ninit = { k = 4 }\n");
+  const ScenarioResult result = RunScenario(scenario, CompileForTest(kCount), WithSteps()).value();
+  ASSERT_TRUE(result.steps);
+  ASSERT_EQ(result.steps->steps.size(), 2u);
+  const vm::Object& object = result.steps->image->object;
+  const LoggedStep& add = result.steps->steps[0];
+  EXPECT_EQ(add.line, 4);
+  ASSERT_EQ(add.reads.size(), 2u);
+  EXPECT_EQ(NameOf(add, add.reads[1].slot, object), "k");
+  EXPECT_EQ(ValueText(add, add.reads[1].slot, add.reads[1].raw, object), "4");
+  ASSERT_EQ(add.writes.size(), 1u);
+  EXPECT_EQ(NameOf(add, add.writes[0].slot, object), "n");
+  EXPECT_EQ(add.writes[0].before, 0);
+  EXPECT_EQ(add.writes[0].after, 4);
+}
+
+/// Whatever chooses the next thread, the run with a log is the run without.
+TEST(RunScenario, ALogChangesNothing) {
+  const std::string program =
+      "int n, a[3];\nint f(int k)\n{\n  int cc;\n  int q;\nlbl:\n  n = n + 1;\n  a[k] = n;\n"
+      "  cc = a[k] < 500;\n  if (cc) goto lbl;\n  GT_Delay(2);\n  q = n / k;\n  return q;\n}\n";
+  for (const char* policy : {"rr", "rr:7", "priority", "random:3", "pct:5:3"}) {
+    const Scenario scenario =
+        ScenarioForTest(std::string("schedule = \"") + policy + "\"\n" +
+                        "[[thread]]\nthread = 0\nfunction = \"f\"\ninit = { k = 0 }\n"
+                        "[[thread]]\nthread = 1\nfunction = \"f\"\ninit = { k = 1 }\n"
+                        "[[thread]]\nthread = 2\nfunction = \"f\"\ninit = { k = 2 }\n");
+    const auto plain = RunScenario(scenario, CompileForTest(program));
+    const auto logged = RunScenario(scenario, CompileForTest(program), WithSteps());
+    ASSERT_TRUE(plain.ok() && logged.ok());
+    EXPECT_EQ(logged.value().hash, plain.value().hash) << policy;
+    EXPECT_EQ(logged.value().end_ms, plain.value().end_ms) << policy;
+    // The division by zero is a statement, too, though none that was executed to its end.
+    EXPECT_GE(static_cast<int64_t>(logged.value().steps->steps.size()), plain.value().statements)
+        << policy;
+  }
+}
+
 TEST(RunScenario, FailsAtTheTimeLimit) {
   const ScenarioResult result = RunForTest(kSpin, "limit_ms = 2");
   EXPECT_EQ(result.end, RunEnd::kTimeLimit);
