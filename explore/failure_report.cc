@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "base/markup.h"
+#include "explore/culprit.h"
+#include "explore/step_table.h"
 
 namespace oncard::explore {
 namespace {
@@ -50,8 +52,7 @@ Party PartyOf(const Subject& subject, const RacingStatement& statement) {
 
 Party PartyOf(const Findings& findings, const RacingPair::Statement& statement) {
   const TrailStep& step = findings.trail.steps[statement.step];
-  return {findings.subject.threads[static_cast<size_t>(step.thread)].thread, step.line,
-          statement.writes};
+  return {step.log.thread, step.log.line, statement.writes};
 }
 
 Message DescribeFault(const Subject& subject, const Failure& failure) {
@@ -81,134 +82,88 @@ Message DescribeFault(const Subject& subject, const Failure& failure) {
                      violated.text);
 }
 
-std::vector<std::string_view> Lines(std::string_view source) {
-  std::vector<std::string_view> lines;
-  for (size_t begin = 0; begin < source.size();) {
-    const size_t end = std::min(source.find('\n', begin), source.size());
-    std::string_view line = source.substr(begin, end - begin);
-    const size_t first = line.find_first_not_of(" \t");
-    line = first == std::string_view::npos ? std::string_view{} : line.substr(first);
-    while (line.ends_with('\r') || line.ends_with(' ')) line.remove_suffix(1);
-    lines.push_back(line);
-    begin = end + 1;
+/// Adds a line to a text that may be empty in this case.
+void AddLine(const Message& message, Language language, std::string* text) {
+  if (!message.en.empty()) *text += message.In(language) + '\n';
+}
+
+/// What comes of the two orders of a data race.
+Message DescribeOrder(const RaceOrder& order, const std::vector<RaceOrder>& orders) {
+  const RaceOrder& other = &order == &orders.front() ? orders.back() : orders.front();
+  const Message end = order.end.empty() ? Message{"the ends are the same", "最终结果相同"}
+                                        : MakeMessage("at the end {0}", "最终 {0}", order.end);
+  return {fmt::format("  thread {} first, then thread {}: {}; {}", order.first, other.first,
+                      order.after, end.en),
+          fmt::format("  线程 {} 在先，线程 {} 在后：{}；{}", order.first, other.first, order.after,
+                      end.zh)};
+}
+
+/// What is wrong, who is to blame and how it is reached, a line each.
+std::string SummaryOf(const Findings& findings, const Failure& failure,
+                      const std::optional<Culprit>& culprit, Language language) {
+  const Trail& trail = findings.trail;
+  Message wrong = DescribeFault(findings.subject, failure);
+  if (!trail.actual.en.empty()) {
+    wrong.en += ": " + trail.actual.en;
+    wrong.zh += "：" + trail.actual.zh;
   }
-  return lines;
-}
-
-/// The line that a statement stands in; empty when there is no source.
-std::string_view SourceLine(const TrailStep& step, const std::vector<std::string_view>& lines) {
-  if (step.line <= 0 || static_cast<size_t>(step.line) > lines.size()) return {};
-  return lines[static_cast<size_t>(step.line) - 1];
-}
-
-/// `12  t = x;`, what it read, `[x = 0]`, and the variable that it changed, `-> t = 0`.
-std::string TextOf(const TrailStep& step, const std::vector<std::string_view>& lines) {
-  std::string text = fmt::format("{:>4}  {}", step.line, SourceLine(step, lines));
-  if (!step.read.empty()) text += "   [" + step.read + ']';
-  if (!step.written.empty()) text += "   -> " + step.written;
-  return text;
-}
-
-/// `thread 0 add`.
-std::string ThreadHead(const Subject& subject, size_t index, Language language) {
-  const ThreadSetup& setup = subject.threads[index];
-  const auto& functions = subject.image->object.functions;
-  return fmt::format("{} {} {}", language == Language::kChinese ? "线程" : "thread", setup.thread,
-                     functions[static_cast<size_t>(setup.function)].name);
-}
-
-/// A column per thread. With a card, a line of its own says when a cycle begins.
-std::string Table(const Subject& subject, const std::vector<TrailStep>& steps,
-                  const std::vector<std::string_view>& lines, int64_t last_escape,
-                  Language language) {
-  const size_t columns = subject.threads.size();
-  std::vector<size_t> widths(columns);
-  std::vector<std::string> heads(columns);
-  for (size_t i = 0; i < columns; ++i) {
-    heads[i] = ThreadHead(subject, i, language);
-    widths[i] = heads[i].size();
-  }
-  std::vector<std::string> texts;
-  for (const TrailStep& step : steps) {
-    texts.push_back(TextOf(step, lines));
-    size_t& width = widths[static_cast<size_t>(step.thread)];
-    width = std::max(width, texts.back().size());
-  }
-  std::string text = "      ";
-  for (size_t i = 0; i < columns; ++i) text += fmt::format("  {:<{}}", heads[i], widths[i]);
-  while (text.ends_with(' ')) text.pop_back();
-  text += '\n';
-  double at_ms = -1;
-  for (size_t i = 0; i < steps.size(); ++i) {
-    if (steps[i].at_ms != at_ms) text += fmt::format("{} ms\n", steps[i].at_ms);
-    at_ms = steps[i].at_ms;
-    std::string line = fmt::format("{:>6}", i + 1);
-    for (size_t column = 0; column < static_cast<size_t>(steps[i].thread); ++column) {
-      line += std::string(widths[column] + 2, ' ');
+  std::string text = wrong.In(language) + '\n';
+  if (culprit) AddLine(culprit->sentence, language, &text);
+  if (!trail.orders.empty()) {
+    AddLine({"both orders of the two statements:", "两条语句的两种顺序："}, language, &text);
+    for (const RaceOrder& order : trail.orders) {
+      AddLine(DescribeOrder(order, trail.orders), language, &text);
     }
-    line += "  " + texts[i];
-    if (static_cast<int64_t>(i) == last_escape) {
-      line += language == Language::kChinese ? "   <- 此后再无正确结局"
-                                             : "   <- from here on every end is bad";
-    }
-    text += line + '\n';
+  }
+  AddLine(MakeMessage(failure.fewest_preemptions ? "statements: {0}, preemptions: {1}; no schedule "
+                                                   "with fewer preemptions fails"
+                                                 : "statements: {0}, preemptions: {1}",
+                      failure.fewest_preemptions ? "{0} 条语句，{1} 次抢占；更少的抢占不会出错"
+                                                 : "{0} 条语句，{1} 次抢占",
+                      failure.steps.size(), failure.preemptions),
+          language, &text);
+  if (trail.pair) {
+    const Message touched = DescribeParties(trail.pair->what, PartyOf(findings, trail.pair->first),
+                                            PartyOf(findings, trail.pair->second));
+    AddLine({"racing pair: " + touched.en, "竞争对：" + touched.zh}, language, &text);
   }
   return text;
 }
 
-/// What is wrong and how it is reached, a line each.
-std::string SummaryOf(const Findings& findings, const Failure& failure, Language language) {
-  std::string pair;
-  if (findings.trail.pair) {
-    const RacingPair& racing = *findings.trail.pair;
-    const Message touched = DescribeParties(racing.what, PartyOf(findings, racing.first),
-                                            PartyOf(findings, racing.second));
-    pair = MakeMessage("racing pair: {0}\n", "竞争对：{1}\n", touched.en, touched.zh).In(language);
+StepView ViewOf(const Findings& findings, const Failure& failure,
+                const std::optional<Culprit>& culprit, bool full) {
+  const Trail& trail = findings.trail;
+  StepView view = {findings.subject, trail.steps, findings.source};
+  view.detail = full ? Detail::kFull : Detail::kBrief;
+  view.with_card = trail.with_card;
+  view.trace = trail.trace ? &*trail.trace : nullptr;
+  view.last_escape = failure.last_escape;
+  if (culprit) view.named = culprit->steps;
+  if (trail.pair) {
+    view.named.push_back(trail.pair->first.step);
+    view.named.push_back(trail.pair->second.step);
   }
-  return DescribeFault(findings.subject, failure).In(language) + '\n' +
-         MakeMessage(
-             failure.fewest_preemptions
-                 ? "statements: {0}, preemptions: {1}; no schedule with fewer preemptions fails"
-                 : "statements: {0}, preemptions: {1}",
-             failure.fewest_preemptions ? "{0} 条语句，{1} 次抢占；更少的抢占不会出错"
-                                        : "{0} 条语句，{1} 次抢占",
-             failure.steps.size(), failure.preemptions)
+  if (failure.fault.kind == Fault::Kind::kThread && !trail.steps.empty()) {
+    view.named.push_back(trail.steps.size() - 1);
+  }
+  return view;
+}
+
+/// The steps that repeat for ever.
+StepView CycleOf(const Findings& findings, bool full) {
+  StepView view = {findings.subject, findings.trail.cycle, findings.source};
+  view.detail = full ? Detail::kFull : Detail::kBrief;
+  return view;
+}
+
+/// What is not shown, and how it is.
+std::string LeftOutText(const StepView& view, Language language) {
+  const size_t count = RowsOf(view, language).left_out;
+  if (count == 0) return {};
+  return MakeMessage("statements that touch nothing shared are left out: {0} (--full shows them)",
+                     "未列出的不涉及共享内容的语句：{0} 条（--full 可全部列出）", count)
              .In(language) +
-         '\n' + pair;
-}
-
-std::string HtmlTable(const Findings& findings, const std::vector<TrailStep>& steps,
-                      int64_t last_escape, Language language) {
-  const Subject& subject = findings.subject;
-  const auto lines = Lines(findings.source);
-  std::string table = "<table>\n<tr><th></th><th></th>";
-  for (size_t i = 0; i < subject.threads.size(); ++i) {
-    table += fmt::format("<th>{}</th>", EscapeMarkup(ThreadHead(subject, i, language)));
-  }
-  table += "</tr>\n";
-  double at_ms = -1;
-  for (size_t i = 0; i < steps.size(); ++i) {
-    const TrailStep& step = steps[i];
-    if (step.at_ms != at_ms) {
-      table += fmt::format("<tr class=\"time\"><td colspan=\"{}\">{} ms</td></tr>\n",
-                           subject.threads.size() + 2, step.at_ms);
-    }
-    at_ms = step.at_ms;
-    table +=
-        fmt::format("<tr><td class=\"number\">{}</td><td class=\"line\">{}</td>", i + 1, step.line);
-    for (int column = 0; column < step.thread; ++column) table += "<td></td>";
-    table += fmt::format("<td class=\"statement{}\">{}",
-                         static_cast<int64_t>(i) == last_escape ? " escape" : "",
-                         EscapeMarkup(SourceLine(step, lines)));
-    if (!step.read.empty()) {
-      table += fmt::format("   <span class=\"read\">[{}]</span>", EscapeMarkup(step.read));
-    }
-    if (!step.written.empty()) {
-      table += fmt::format("   <span class=\"written\">{}</span>", EscapeMarkup(step.written));
-    }
-    table += "</td></tr>\n";
-  }
-  return table + "</table>\n";
+         '\n';
 }
 
 nlohmann::ordered_json PartiesJson(const std::string& what, const Party& first,
@@ -232,21 +187,26 @@ Message DescribeRace(const Subject& subject, const Race& race) {
           "数据竞争：" + parties.zh + "，两者之间没有顺序"};
 }
 
-std::string FailureText(const Findings& findings, const Failure& failure, Language language) {
-  std::string text = SummaryOf(findings, failure, language) + '\n';
-  const auto lines = Lines(findings.source);
-  text += Table(findings.subject, findings.trail.steps, lines, failure.last_escape, language);
+std::string FailureText(const Findings& findings, const Failure& failure,
+                        const ReportOptions& options, Language language) {
+  const auto culprit = FindCulprit(findings.subject, failure, findings.trail);
+  std::string text = SummaryOf(findings, failure, culprit, language) + '\n';
+  const StepView view = ViewOf(findings, failure, culprit, options.full);
+  text += TextTable(view, options.width, language);
   if (failure.livelock) {
-    text += MakeMessage("\nand then for ever:\n", "\n然后永远重复：\n").In(language);
-    text += Table(findings.subject, findings.trail.cycle, lines, -1, language);
+    AddLine({"\nand then for ever:", "\n然后永远重复："}, language, &text);
+    text += TextTable(CycleOf(findings, options.full), options.width, language);
   }
-  return text;
+  return text + LeftOutText(view, language);
 }
 
-std::string FailureHtml(const Findings& findings, const Failure& failure, Language language) {
+std::string FailureHtml(const Findings& findings, const Failure& failure,
+                        const ReportOptions& options, Language language) {
+  const auto culprit = FindCulprit(findings.subject, failure, findings.trail);
   std::string html =
-      fmt::format("<pre>{}</pre>\n", EscapeMarkup(SummaryOf(findings, failure, language)));
-  html += HtmlTable(findings, findings.trail.steps, failure.last_escape, language);
+      fmt::format("<pre>{}</pre>\n", EscapeMarkup(SummaryOf(findings, failure, culprit, language)));
+  const StepView view = ViewOf(findings, failure, culprit, options.full);
+  html += HtmlTable(view, language);
   const auto paragraph = [&](const Message& message) {
     html += fmt::format("<p>{}</p>\n", message.In(language));
   };
@@ -255,8 +215,10 @@ std::string FailureHtml(const Findings& findings, const Failure& failure, Langua
   }
   if (failure.livelock) {
     paragraph({"And then for ever:", "然后永远重复："});
-    html += HtmlTable(findings, findings.trail.cycle, -1, language);
+    html += HtmlTable(CycleOf(findings, options.full), language);
   }
+  const std::string left_out = LeftOutText(view, language);
+  if (!left_out.empty()) html += fmt::format("<p>{}</p>\n", EscapeMarkup(left_out));
   return html;
 }
 
@@ -267,6 +229,15 @@ nlohmann::ordered_json RaceJson(const Subject& subject, const Race& race) {
 
 void AddFailure(const Findings& findings, const Failure& failure, nlohmann::ordered_json* json) {
   (*json)["reason"] = DescribeFault(findings.subject, failure).en;
+  const Trail& trail = findings.trail;
+  if (!trail.actual.en.empty()) (*json)["actual"] = trail.actual.en;
+  if (const auto culprit = FindCulprit(findings.subject, failure, trail)) {
+    (*json)["culprit"] = culprit->sentence.en;
+  }
+  for (const RaceOrder& order : trail.orders) {
+    (*json)["orders"].push_back(
+        {{"first", order.first}, {"after", order.after}, {"end", order.end}});
+  }
   if (failure.fault.kind == Fault::Kind::kRace) {
     (*json)["race"] = RaceJson(findings.subject, failure.fault.race);
   }
@@ -285,40 +256,6 @@ void AddFailure(const Findings& findings, const Failure& failure, nlohmann::orde
   for (const vm::ScheduleSegment& segment : ScheduleOf(findings.subject, failure).segments) {
     segments.push_back({{"thread", segment.thread}, {"statements", segment.statements}});
   }
-}
-
-std::string ChromeReport(const Findings& findings) {
-  nlohmann::ordered_json events = nlohmann::ordered_json::array();
-  const Subject& subject = findings.subject;
-  const auto lines = Lines(findings.source);
-  for (size_t i = 0; i < subject.threads.size(); ++i) {
-    events.push_back({{"ph", "M"},
-                      {"pid", 0},
-                      {"tid", subject.threads[i].thread},
-                      {"name", "thread_name"},
-                      {"args", {{"name", ThreadHead(subject, i, Language::kEnglish)}}}});
-  }
-  int64_t at = 0;
-  for (const auto* steps : {&findings.trail.steps, &findings.trail.cycle}) {
-    for (const TrailStep& step : *steps) {
-      nlohmann::ordered_json arguments = {{"statement", at + 1}, {"line", step.line}};
-      if (!step.read.empty()) arguments["read"] = step.read;
-      if (!step.written.empty()) arguments["written"] = step.written;
-      if (step.at_ms >= 0) arguments["at_ms"] = step.at_ms;
-      if (steps == &findings.trail.cycle) arguments["repeats"] = true;
-      const std::string_view line = SourceLine(step, lines);
-      events.push_back(
-          {{"ph", "X"},
-           {"pid", 0},
-           {"tid", subject.threads[static_cast<size_t>(step.thread)].thread},
-           {"ts", at++},
-           {"dur", 1},
-           {"name", line.empty() ? fmt::format("line {}", step.line) : std::string(line)},
-           {"args", std::move(arguments)}});
-    }
-  }
-  const nlohmann::ordered_json report = {{"traceEvents", std::move(events)}};
-  return report.dump(1) + '\n';
 }
 
 vm::Schedule ScheduleOf(const Subject& subject, const Failure& failure) {

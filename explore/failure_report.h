@@ -15,15 +15,18 @@ namespace oncard::explore {
 Message DescribeRace(const Subject& subject, const Race& race);
 
 /// For a terminal; ends in a newline.
-std::string FailureText(const Findings& findings, const Failure& failure, Language language);
+std::string FailureText(const Findings& findings, const Failure& failure,
+                        const ReportOptions& options, Language language);
 
 /// Paragraphs and tables of a page.
-std::string FailureHtml(const Findings& findings, const Failure& failure, Language language);
+std::string FailureHtml(const Findings& findings, const Failure& failure,
+                        const ReportOptions& options, Language language);
 
 /// `what` both touch and the two `statements`.
 nlohmann::ordered_json RaceJson(const Subject& subject, const Race& race);
 
-/// Adds `reason`, the counts of the failing run, its `racing_pair` and its `schedule`.
+/// Adds `reason`, `actual`, `culprit`, the `orders` of a data race, the counts of the failing run,
+/// its `racing_pair` and its `schedule`.
 void AddFailure(const Findings& findings, const Failure& failure, nlohmann::ordered_json* json);
 
 }  // namespace oncard::explore

@@ -58,6 +58,9 @@ constexpr std::string_view kPageStyle =
     "th { border-bottom: 2px solid #555; }\n"
     "td.number, td.line { color: #888; text-align: right; }\n"
     "td.statement { background: #eef3fb; }\n"
+    "td.repeat { color: #555; font-style: italic; }\n"
+    "div.beside { display: flex; gap: 2em; align-items: flex-start; }\n"
+    "svg text { font: 11px sans-serif; }\n"
     "td.escape { border-top: 2px solid #c00; }\n"
     "tr.time td { color: #555; border-top: 1px solid #bbb; }\n"
     "span.read { color: #555; }\n"
@@ -66,13 +69,13 @@ constexpr std::string_view kPageStyle =
 
 }  // namespace
 
-std::string TextReport(const Findings& findings, Language language) {
+std::string TextReport(const Findings& findings, Language language, const ReportOptions& options) {
   const Exploration& exploration = findings.exploration;
   std::string text = std::string(VerdictName(exploration.verdict)) + '\n';
   if (!exploration.why.en.empty()) text += exploration.why.In(language) + '\n';
   text += CountsText(findings, language);
   if (exploration.failure) {
-    text += '\n' + FailureText(findings, *exploration.failure, language);
+    text += '\n' + FailureText(findings, *exploration.failure, options, language);
   }
   return text;
 }
@@ -129,7 +132,7 @@ std::string JsonReport(const Findings& findings) {
   return json.dump(2) + '\n';
 }
 
-std::string HtmlReport(const Findings& findings, Language language) {
+std::string HtmlReport(const Findings& findings, Language language, const ReportOptions& options) {
   const Exploration& exploration = findings.exploration;
   const bool chinese = language == Language::kChinese;
   const auto verdict = std::string(VerdictName(exploration.verdict));
@@ -143,7 +146,7 @@ std::string HtmlReport(const Findings& findings, Language language) {
   }
   page += fmt::format("<pre>{}</pre>\n", EscapeMarkup(CountsText(findings, language)));
   if (exploration.failure) {
-    page += FailureHtml(findings, *exploration.failure, language);
+    page += FailureHtml(findings, *exploration.failure, options, language);
   }
   return page + "</body>\n</html>\n";
 }

@@ -24,10 +24,18 @@ struct Findings {
   std::string source;
 };
 
-/// The verdict with its counts; a failure as a table with one column per thread: source lines, what
-/// each statement wrote, with a card the instants, and after which statement no good end was
-/// possible any more.
-std::string TextReport(const Findings& findings, Language language);
+/// How much of a failing run is shown, and in how many columns.
+struct ReportOptions {
+  bool full = false;  ///< every statement, loops one by one
+  int width = 0;      ///< of the terminal; 0: as wide as it must be
+};
+
+/// The verdict with its counts; a failure with the values that are wrong, the step that is to
+/// blame, and a table with one column per thread (step_table.h): source lines, what each statement
+/// read and wrote, with a card the instants, and after which statement no good end was possible any
+/// more.
+std::string TextReport(const Findings& findings, Language language,
+                       const ReportOptions& options = {});
 
 /// A JSON object: `verdict`, `engine`, the counts of both engines that ran (`executions`,
 /// `blocked`, `redundant`, `traces`, `bad_traces`; `states`, `transitions`, `bad_states`;
@@ -37,7 +45,8 @@ std::string JsonReport(const Findings& findings);
 
 /// One HTML page that needs no other file: the verdict, the counts, and a failure as a table with a
 /// column per thread.
-std::string HtmlReport(const Findings& findings, Language language);
+std::string HtmlReport(const Findings& findings, Language language,
+                       const ReportOptions& options = {});
 
 /// The failure as trace events for chrome://tracing and ui.perfetto.dev: a row per thread, a bar
 /// per statement, as long as one another. Without a failure there are no events.

@@ -4,6 +4,7 @@
 
 #include "explore/shrink.h"
 #include "runtime/adapted_schedule.h"
+#include "runtime/scenario_run.h"
 #include "runtime/scenario_start.h"
 #include "runtime/scenario_world.h"
 
@@ -16,6 +17,18 @@ Findings FindingsOf(CardModel* model, Exploration exploration) {
     findings.trail = Follow(model, *findings.exploration.failure);
   }
   return findings;
+}
+
+/// What the card does in the failing run, by a run of its schedule. A run that fails before its end
+/// has no more; it shows what there is.
+void AddTrace(const runtime::Scenario& scenario, const vm::Object& object, Findings* findings) {
+  if (!findings->exploration.failure) return;
+  runtime::RunOptions options;
+  options.trace = true;
+  options.replay = std::make_shared<const vm::Schedule>(
+      ScheduleOf(findings->subject, *findings->exploration.failure));
+  auto run = runtime::RunScenario(scenario, object, options);
+  if (run.ok()) findings->trail.trace = std::move(run.value().trace);
 }
 
 /// The statements of a schedule, by the threads of the subject.
@@ -63,7 +76,9 @@ Result<Findings> ExploreWithCard(const runtime::Scenario& scenario,
   }
   auto model = CardModel::Create(scenario, requirements, std::move(object));
   if (!model.ok()) return model.error();
-  return FindingsOf(&model.value(), ExploreCard(&model.value(), options));
+  Findings findings = FindingsOf(&model.value(), ExploreCard(&model.value(), options));
+  AddTrace(scenario, model.value().image()->object, &findings);
+  return findings;
 }
 
 }  // namespace
@@ -161,7 +176,9 @@ Result<Findings> FollowSchedule(const runtime::Scenario& scenario,
     if (!model.ok()) return model.error();
     CardModel& card = model.value();
     conclude(SubjectOf(card), [&](const auto& steps) { return TakeCardSteps(&card, steps); });
-    return FindingsOf(&card, std::move(exploration));
+    Findings findings = FindingsOf(&card, std::move(exploration));
+    AddTrace(scenario, object, &findings);
+    return findings;
   }
   const auto problem = ProblemOfScenario(scenario, requirements, object);
   if (!problem.ok()) return problem.error();

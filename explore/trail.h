@@ -1,5 +1,5 @@
-// What a schedule does, statement by statement, as reports show it.
-// Tested by tests/explore/report_test.cc.
+// What a failing schedule does, statement by statement, as reports show it.
+// Tested by tests/explore/failure_test.cc and tests/explore/report_test.cc.
 #pragma once
 
 #include <memory>
@@ -10,6 +10,8 @@
 #include "explore/card_model.h"
 #include "explore/explorer.h"
 #include "explore/problem.h"
+#include "runtime/step_log.h"
+#include "runtime/trace.h"
 
 namespace oncard::explore {
 
@@ -26,12 +28,7 @@ Subject SubjectOf(const CardModel& model);
 /// One statement.
 struct TrailStep {
   int thread = 0;  ///< index in Subject::threads
-  int line = 0;    ///< of the source, 0 when unknown
-  /// The globals that it read, as in `x = 3`; without a card.
-  std::string read = {};
-  /// The variable that it wrote, as in `x = 3`; empty when there is none.
-  std::string written = {};
-  double at_ms = -1;  ///< with a card: the cycle in which it is executed
+  runtime::LoggedStep log;
 };
 
 /// The statement with which every end became bad, and the nearest one of another thread that
@@ -46,14 +43,32 @@ struct RacingPair {
   Statement second;
 };
 
+/// What comes of one order of two racing statements.
+struct RaceOrder {
+  int first = 0;      ///< number of the thread that is first
+  std::string after;  ///< `[x = 0] x = 2`: what they read, and what both touch after both
+  /// The final values, as in `x = 2, y = 0`, of the globals that the two orders give different
+  /// ones.
+  std::string end;
+};
+
 /// A failure's statements, and those that then repeat for ever.
 struct Trail {
+  bool with_card = false;  ///< LoggedStep::at_ms says something
   std::vector<TrailStep> steps;
   std::vector<TrailStep> cycle;
   std::optional<RacingPair> pair;  ///< where the states are known
+  Message actual;                  ///< `sum is 3, expected 10`; empty where there is nothing to say
+  std::vector<RaceOrder> orders;   ///< of a data race: both, or none
+  /// With a card: values over the failing run.
+  std::optional<runtime::Trace> trace;
 };
 
 Trail Follow(const Problem& problem, const Failure& failure);
 Trail Follow(CardModel* model, const Failure& failure);
+
+/// What a violated requirement names, as it is now: `sum is 3, expected 10` of a comparison, or
+/// `x is 1, y is 0`. Empty when it names nothing.
+Message DescribeValues(std::string_view requirement, const runtime::Controller& controller);
 
 }  // namespace oncard::explore

@@ -10,6 +10,7 @@
 #include "tools/explore_search.h"
 #include "tools/explore_subject.h"
 #include "tools/search_watch.h"
+#include "tools/terminal.h"
 
 namespace oncard::tools {
 namespace {
@@ -33,6 +34,7 @@ struct ExploreArguments {
   std::string search;  ///< file that keeps the search
   std::string shard;   ///< `I/N`
   bool merge = false;
+  bool full = false;
   bool progress = false;
 };
 
@@ -135,11 +137,12 @@ explore::ExploreOptions OptionsOf(const ExploreArguments& arguments,
 int Report(const ExploreArguments& arguments, const Session& session, const ExploreSubject& subject,
            explore::Findings findings) {
   findings.source = subject.source;
+  const explore::ReportOptions shown = {arguments.full, OutputWidth()};
   PrintResult(arguments.format == "json" ? explore::JsonReport(findings)
-                                         : explore::TextReport(findings, session.language));
+                                         : explore::TextReport(findings, session.language, shown));
   if (!arguments.report.empty()) {
     const std::string report = arguments.report.ends_with(".html")
-                                   ? explore::HtmlReport(findings, session.language)
+                                   ? explore::HtmlReport(findings, session.language, shown)
                                    : explore::ChromeReport(findings);
     const int written = WriteOutput(session, arguments.report, report);
     if (written != kExitOk) return written;
@@ -320,6 +323,9 @@ void AddExplore(CLI::App& app, Session& session) {
       "--merge-private", arguments->merge_private,
       session.Say({"let statements that touch no global go with the one before them: fewer states",
                    "将不涉及全局变量的语句并入前一条语句：状态更少"}));
+  command->add_flag("--full", arguments->full,
+                    session.Say({"show every statement of a failing run, loops one by one",
+                                 "列出出错运行的每条语句，循环逐次列出"}));
   command->add_flag("--races", arguments->races,
                     session.Say({"a data race is a failure", "将数据竞争视为失败"}));
   command->add_flag("--benign", arguments->benign,

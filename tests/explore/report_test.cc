@@ -26,20 +26,30 @@ TEST(ReportTest, AFailureIsATableOfThreads) {
       "FAILED\n"
       "stateful: 41 states, 60 transitions, 1 bad, 2 different ends\n"
       "\n"
-      "final: x == 2 does not hold\n"
+      "final: x == 2 does not hold: x is 1, expected 2\n"
+      "thread 0 wrote x = 1 over thread 1's 1 at step 7, because it had read x = 0 at step 1, "
+      "before thread 1 wrote it at step 4\n"
       "statements: 8, preemptions: 1; no schedule with fewer preemptions fails\n"
       "racing pair: thread 1 reads x in line 12, thread 0 writes it in line 7\n"
       "\n"
-      "        thread 0 t0                  thread 1 t1\n"
-      "     1     5  t = x;   [x = 0]\n"
-      "     2                                 12  t = x;   [x = 0]   <- from here on every end is "
-      "bad\n"
-      "     3                                 13  t = t + 1;   -> t = 1\n"
-      "     4                                 14  x = t;   -> x = 1\n"
-      "     5                                 15  return 0;\n"
-      "     6     6  t = t + 1;   -> t = 1\n"
-      "     7     7  x = t;   -> x = 1\n"
-      "     8     8  return 0;\n");
+      "        thread 0 t0                         thread 1 t1\n"
+      "     1     5  t = x;   [x = 0]   t: 0 -> 0\n"
+      "     2                                        12  t = x;   [x = 0]   t: 0 -> 0   <- from "
+      "here on every end is bad\n"
+      "     4                                        14  x = t;   x: 0 -> 1\n"
+      "     7     7  x = t;   x: 1 -> 1\n"
+      "statements that touch nothing shared are left out: 4 (--full shows them)\n");
+}
+
+TEST(ReportTest, AFullOneShowsEveryStatement) {
+  const std::string source = Increments(2, 1);
+  const Problem problem = ProblemOf(source);
+  const auto exploration = Explore(problem, {.engine = EngineKind::kStateful});
+  const std::string text = TextReport(FindingsOf(problem, exploration.value(), source),
+                                      Language::kEnglish, {.full = true});
+  EXPECT_NE(text.find("     6     6  t = t + 1;   [t = 0]   t: 0 -> 1\n"), std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("left out"), std::string::npos) << text;
 }
 
 TEST(ReportTest, JsonHasTheCounts) {
@@ -62,6 +72,9 @@ TEST(ReportTest, JsonHasTheCounts) {
   EXPECT_EQ(json["min_preemptions_to_bad"], 1);
   EXPECT_EQ(json["min_steps_to_bad"], 8);
   EXPECT_EQ(json["schedule"].size(), 3u);
+  EXPECT_EQ(json["actual"], "x is 1, expected 2");
+  EXPECT_NE(json["culprit"].get<std::string>().find("because it had read x = 0"),
+            std::string::npos);
 }
 
 TEST(ReportTest, ThePageNeedsNothingElse) {
@@ -73,9 +86,10 @@ TEST(ReportTest, ThePageNeedsNothingElse) {
   EXPECT_TRUE(page.starts_with("<!DOCTYPE html>"));
   EXPECT_EQ(page.find("http"), std::string::npos);
   EXPECT_NE(page.find("<th>thread 0 t0</th><th>thread 1 t1</th>"), std::string::npos);
-  EXPECT_NE(page.find("<td class=\"number\">4</td><td class=\"line\">14</td><td></td>"
-                      "<td class=\"statement\">x = t;   <span class=\"written\">x = 1</span>"),
-            std::string::npos)
+  EXPECT_NE(
+      page.find("<td class=\"number\">4</td><td class=\"line\">14</td><td></td>"
+                "<td class=\"statement\">x = t;   <span class=\"written\">x: 0 -&gt; 1</span>"),
+      std::string::npos)
       << page;
   EXPECT_NE(HtmlReport(findings, Language::kChinese).find("线程 0 t0"), std::string::npos);
 }
@@ -92,7 +106,7 @@ TEST(ReportTest, TraceEventsHaveABarPerStatement) {
   EXPECT_EQ(events[5]["name"], "x = t;");
   EXPECT_EQ(events[5]["tid"], 1);
   EXPECT_EQ(events[5]["ts"], 3);
-  EXPECT_EQ(events[5]["args"]["written"], "x = 1");
+  EXPECT_EQ(events[5]["args"]["written"]["x"], (nlohmann::json{"0", "1"}));
 }
 
 TEST(ReportTest, TheScheduleJoinsStepsOfAThread) {

@@ -5,8 +5,9 @@
 #
 #   sbatch --array=1-64 explore_slurm.sh INPUT [OPTIONS OF oncard explore]
 #
-# Each part is kept in NAME.I-of-64.search in the folder of the submission. Submitted again, it goes
-# on with the parts that are not done. When all have ended:
+# Each part is kept in NAME.I-of-64.search in the folder of the submission, every minute and when
+# the time limit ends it. Submitted again, it goes on with the parts that are not done. When all
+# have ended:
 #
 #   oncard explore --merge NAME.*-of-64.search
 set -u

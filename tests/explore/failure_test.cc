@@ -1,0 +1,136 @@
+// What a failure's report says beside its steps: the values that are wrong (explore/trail.h), who
+// is to blame (explore/culprit.h), both orders of a data race (explore/race_orders.h).
+#include <gtest/gtest.h>
+
+#include "explore/culprit.h"
+#include "explore/race_orders.h"
+#include "explore_programs.h"
+
+namespace oncard::explore {
+namespace {
+
+struct Told {
+  std::string actual;
+  std::string culprit;
+};
+
+Told Tell(const std::string& source) {
+  const Problem problem = ProblemOf(source);
+  const auto exploration = Explore(problem, {.engine = EngineKind::kStateful});
+  if (!exploration.ok() || !exploration.value().failure) return {"no failure", ""};
+  const Failure& failure = *exploration.value().failure;
+  const Trail trail = Follow(problem, failure);
+  const auto culprit = FindCulprit(SubjectOf(problem), failure, trail);
+  return {trail.actual.en, culprit ? culprit->sentence.en : ""};
+}
+
+TEST(FailureTest, ALostUpdateIsAWriteOverWhatWasNotSeen) {
+  const Told told = Tell(Increments(2, 1));
+  EXPECT_EQ(told.actual, "x is 1, expected 2");
+  EXPECT_EQ(told.culprit,
+            "thread 0 wrote x = 1 over thread 1's 1 at step 7, because it had read x = 0 at step "
+            "1, before thread 1 wrote it at step 4");
+}
+
+TEST(FailureTest, ADecisionOnWhatNoLongerHolds) {
+  const Told told = Tell(
+      "int stop, moves;\n"
+      "//@ final: moves == 0\n"
+      "int t0() {\n  int halt;\n  halt = stop;\n  if (halt) goto E;\n  moves = 1;\nE:\n"
+      "  return 0;\n}\n"
+      "int t1() {\n  stop = 1;\n  moves = 0;\n  return 0;\n}\n");
+  EXPECT_EQ(told.actual, "moves is 1, expected 0");
+  EXPECT_TRUE(told.culprit.starts_with("thread 0 went on to step ")) << told.culprit;
+  EXPECT_NE(told.culprit.find("because it had read stop = 0 at step 1; thread 1 had made it 1"),
+            std::string::npos)
+      << told.culprit;
+}
+
+TEST(FailureTest, AReadBeforeTheWrite) {
+  const Told told = Tell(
+      "int ready, got;\n"
+      "//@ final: got == 1\n"
+      "int t0() {\n  got = ready;\n  return 0;\n}\n"
+      "int t1() {\n  ready = 1;\n  return 0;\n}\n");
+  EXPECT_EQ(told.actual, "got is 0, expected 1");
+  EXPECT_NE(told.culprit.find("thread 0 read ready = 0 at step 1, before thread 1 wrote ready = 1"),
+            std::string::npos)
+      << told.culprit;
+}
+
+struct ActualCase {
+  const char* requirement;
+  const char* actual;
+};
+
+class ActualValue : public ::testing::TestWithParam<ActualCase> {};
+
+TEST_P(ActualValue, StandsBesideTheExpectedOne) {
+  const Told told = Tell(std::string("int x, y;\ndouble d;\n//@ ") + GetParam().requirement +
+                         "\nint t0() {\n  x = 3;\n  y = 4;\n  d = 2.5;\n  return 7;\n}\n");
+  EXPECT_EQ(told.actual, GetParam().actual);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    FailureTest, ActualValue,
+    ::testing::Values(ActualCase{"final: x == 10", "x is 3, expected 10"},
+                      ActualCase{"final: x != 3", "x is 3, expected != 3"},
+                      ActualCase{"final: x <= 2", "x is 3, expected <= 2"},
+                      ActualCase{"final: d > 3", "d is 2.5, expected > 3"},
+                      ActualCase{"final: x == y", "x is 3, y is 4"},
+                      ActualCase{"final: ret0 == 1", "thread0.result is 7, expected 1"},
+                      ActualCase{"final: x == 3 && y + x == 8", "x is 3, y is 4"},
+                      ActualCase{"never: x == 3", "x is 3, expected 3"}));
+
+TEST(FailureTest, AFaultSaysWhatLedToIt) {
+  EXPECT_EQ(
+      Tell("int x, a[3];\nint t0() {\n  int i;\n  i = 5;\n  a[i] = 1;\n  return 0;\n}\n").actual,
+      "in line 5 the index is 5, the array has 3 elements");
+  EXPECT_EQ(Tell("int x;\nint t0() {\n  int i;\n  i = 1 / x;\n  return i;\n}\n").actual,
+            "division by zero in line 4");
+}
+
+TEST(FailureTest, ADataRaceShowsBothOrders) {
+  const Problem problem = ProblemOf(
+      "int x, y;\n//@ races: none\n"
+      "int t0() {\n  x = 1;\n  return 0;\n}\n"
+      "int t1() {\n  x = 2;\n  y = x;\n  return 0;\n}\n");
+  const auto exploration = Explore(problem, {.engine = EngineKind::kStateful});
+  ASSERT_TRUE(exploration.ok() && exploration.value().failure);
+  const auto orders = BothOrders(problem, *exploration.value().failure);
+  ASSERT_EQ(orders.size(), 2u);
+  EXPECT_EQ(orders[0].first + orders[1].first, 1);
+  const RaceOrder& zero_first = orders[0].first == 0 ? orders[0] : orders[1];
+  const RaceOrder& one_first = orders[0].first == 0 ? orders[1] : orders[0];
+  EXPECT_EQ(zero_first.after, "x = 2");
+  EXPECT_EQ(one_first.after, "x = 1");
+  EXPECT_EQ(zero_first.end.substr(0, 5), "x = 2");
+  EXPECT_EQ(one_first.end.substr(0, 5), "x = 1");
+}
+
+TEST(FailureTest, WhatARacingStatementReadIsToldOfBothOrders) {
+  const Problem problem = ProblemOf(
+      "int y;\n//@ races: none\n"
+      "int t0() {\n  y = 200;\n  return 0;\n}\n"
+      "int t1() {\n  int got;\n  got = y;\n  return got;\n}\n");
+  const auto exploration = Explore(problem, {.engine = EngineKind::kStateful});
+  ASSERT_TRUE(exploration.ok() && exploration.value().failure);
+  const auto orders = BothOrders(problem, *exploration.value().failure);
+  ASSERT_EQ(orders.size(), 2u);
+  const RaceOrder& write_first = orders[0].first == 0 ? orders[0] : orders[1];
+  const RaceOrder& read_first = orders[0].first == 0 ? orders[1] : orders[0];
+  EXPECT_EQ(write_first.after, "[y = 200] y = 200");
+  EXPECT_EQ(write_first.end, "thread1.result = 200");
+  EXPECT_EQ(read_first.after, "[y = 0] y = 200");
+  EXPECT_EQ(read_first.end, "thread1.result = 0");
+}
+
+TEST(FailureTest, WhatIsNoDataRaceHasNoOrders) {
+  const Problem problem = ProblemOf(Increments(2, 1));
+  Failure failure;
+  failure.steps = {0, 1};
+  EXPECT_TRUE(BothOrders(problem, failure).empty());
+}
+
+}  // namespace
+}  // namespace oncard::explore
