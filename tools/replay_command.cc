@@ -3,6 +3,7 @@
 #include "runtime/adapted_schedule.h"
 #include "tools/commands.h"
 #include "tools/run_report.h"
+#include "tools/run_views.h"
 
 namespace oncard::tools {
 namespace {
@@ -12,6 +13,7 @@ struct ReplayArguments {
   std::vector<std::string> show;
   std::string format = "text";
   bool tolerant = false;
+  RunViews views;
 };
 
 /// The schedule as the program of today can follow it; what it cannot is said.
@@ -47,9 +49,13 @@ int Replay(const ReplayArguments& arguments, const Session& session) {
   runtime::RunOptions options;
   options.replay = std::make_shared<const vm::Schedule>(std::move(schedule).value());
   options.show = arguments.show;
+  ApplyViews(arguments.views, &options);
   const auto result = runtime::RunScenario(scenario.value(), *load.object, options);
   if (!result.ok()) return Fail(session, kExitFailed, result.error().message);
-  return ReportRun(result.value(), arguments.format, session);
+  PrintSteps(result.value(), load, arguments.views, arguments.format, session);
+  const int code = ReportRun(result.value(), arguments.format, session);
+  return std::max(code, WriteViews(result.value(), arguments.views,
+                                   runtime::TitleOf(scenario.value()), session));
 }
 
 }  // namespace
@@ -75,6 +81,7 @@ void AddReplay(CLI::App& app, Session& session) {
                                 "结束时显示的量（可重复）；省略时显示全部全局变量"}))
       ->type_name("NAME")
       ->allow_extra_args(false);
+  AddViewOptions(*command, session, arguments->views);
   AddFormatOption(*command, session, arguments->format, {"text", "json"});
 }
 

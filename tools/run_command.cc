@@ -3,10 +3,9 @@
 #include <filesystem>
 
 #include "base/number.h"
-#include "runtime/trace_file.h"
 #include "tools/commands.h"
-#include "tools/gnuplot.h"
 #include "tools/run_report.h"
+#include "tools/run_views.h"
 
 namespace oncard::tools {
 namespace {
@@ -25,8 +24,7 @@ struct RunArguments {
   std::optional<std::string> double_format;
   std::vector<std::string> include_folders;
   std::string record;
-  std::string trace;
-  std::string plot;
+  RunViews views;
   std::string format = "text";
 };
 
@@ -76,22 +74,6 @@ Result<runtime::Scenario> ScenarioOf(const RunArguments& arguments) {
   return scenario;
 }
 
-int WriteTrace(const RunArguments& arguments, const runtime::Trace& trace, const std::string& title,
-               const Session& session) {
-  int code = kExitOk;
-  if (!arguments.trace.empty()) {
-    const auto text = runtime::TraceText(trace, arguments.trace, title);
-    if (!text.ok()) return Fail(session, kExitFailed, text.error().message);
-    code = WriteOutput(session, arguments.trace, text.value());
-  }
-  if (!arguments.plot.empty()) {
-    const auto script = runtime::TraceText(trace, arguments.plot + ".gnuplot", title);
-    if (!script.ok()) return Fail(session, kExitFailed, script.error().message);
-    code = std::max(code, WritePicture(session, arguments.plot, script.value()));
-  }
-  return code;
-}
-
 int WriteRecording(const RunArguments& arguments, const runtime::Scenario& scenario,
                    vm::Schedule schedule, const Session& session) {
   schedule.scenario = runtime::FormatScenario(runtime::MoveScenario(scenario, arguments.record));
@@ -109,15 +91,14 @@ int Run(const RunArguments& arguments, const Session& session) {
   runtime::RunOptions options;
   options.record = !arguments.record.empty();
   options.show = arguments.show;
-  options.trace = !arguments.trace.empty() || !arguments.plot.empty();
+  ApplyViews(arguments.views, &options);
   auto result = runtime::RunScenario(scenario.value(), *load.object, options);
   if (!result.ok()) return Fail(session, kExitUsage, result.error().message);
 
+  PrintSteps(result.value(), load, arguments.views, arguments.format, session);
   int code = ReportRun(result.value(), arguments.format, session);
-  if (options.trace) {
-    code = std::max(code, WriteTrace(arguments, *result.value().trace,
-                                     runtime::TitleOf(scenario.value()), session));
-  }
+  code = std::max(code, WriteViews(result.value(), arguments.views,
+                                   runtime::TitleOf(scenario.value()), session));
   if (options.record) {
     code = std::max(code, WriteRecording(arguments, scenario.value(),
                                          std::move(*result.value().schedule), session));
@@ -210,18 +191,7 @@ void AddRun(CLI::App& app, Session& session) {
           "--record", arguments->record,
           say("write the schedule, for 'oncard replay'", "写出调度文件，供“oncard replay”使用"))
       ->type_name("FILE");
-  command
-      ->add_option("--trace", arguments->trace,
-                   say("write values over time, as .vcd, .csv, .json or .gnuplot",
-                       "写出随时间变化的值，格式为 .vcd、.csv、.json 或 .gnuplot"))
-      ->type_name("FILE")
-      ->check(CLI::Validator(CheckTraceName, ""));
-  command
-      ->add_option("--plot", arguments->plot,
-                   say("draw values over time, as .svg or .png (needs gnuplot)",
-                       "绘制随时间变化的曲线，格式为 .svg 或 .png（需要 gnuplot）"))
-      ->type_name("FILE")
-      ->check(CLI::Validator(CheckPictureName, ""));
+  AddViewOptions(*command, session, arguments->views);
   AddIncludeOption(*command, session, arguments->include_folders);
   command
       ->add_option("--double", arguments->double_format,

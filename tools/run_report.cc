@@ -26,6 +26,26 @@ std::string_view ThreadStateName(vm::ThreadRun run) {
 // Numbers are already written as JSON writes them.
 Json Number(const std::string& text) { return Json::parse(text); }
 
+/// `reads` by name, `writes` as `[old, new]`.
+Json StepsJson(const runtime::StepLog& log) {
+  Json steps = Json::array();
+  for (const runtime::LoggedStep& step : log.steps) {
+    const vm::Object& object = log.image->object;
+    Json json = {{"thread", step.thread}, {"line", step.line}, {"at_ms", step.at_ms}};
+    for (const runtime::SlotValue& read : step.reads) {
+      json["reads"][NameOf(step, read.slot, object)] =
+          Number(ValueText(step, read.slot, read.raw, object));
+    }
+    for (const runtime::SlotChange& write : step.writes) {
+      json["writes"][NameOf(step, write.slot, object)] = {
+          Number(ValueText(step, write.slot, write.before, object)),
+          Number(ValueText(step, write.slot, write.after, object))};
+    }
+    steps.push_back(std::move(json));
+  }
+  return steps;
+}
+
 }  // namespace
 
 std::string_view EndName(const runtime::ScenarioResult& result) {
@@ -89,6 +109,7 @@ std::string FormatRunJson(const runtime::ScenarioResult& result, const Session& 
     for (const std::string& element : value.elements) elements.push_back(Number(element));
     json["values"][value.name] = value.array ? elements : elements.front();
   }
+  if (result.steps) json["steps"] = StepsJson(*result.steps);
   json["failures"] = Json::array();
   for (const runtime::ScenarioFailure& failure : result.failures) {
     json["failures"].push_back(

@@ -259,5 +259,60 @@ TEST_F(ReplayTest, RefusesADamagedFile) {
   EXPECT_EQ(Replay().exit_code, 3);
 }
 
+constexpr const char* kCountToThree =
+    "int n;\nint f()\n{\n  int cc;\nlbl:\n  n = n + 1;\n  cc = n < 3;\n  if (cc) goto lbl;\n"
+    "  return n;\n}\n";
+
+TEST(RunSteps, ShowsWhatEveryStatementDoes) {
+  const ScratchFolder scratch;
+  const std::string program = scratch.Write("p.c", kCountToThree);
+  const std::string table =
+      "        thread 0 f\n"
+      "0.25 ms\n"
+      "     1     6  n = n + 1;   [n = 0]   n: 0 -> 1\n"
+      "     2     7  cc = n < 3;   [n = 1]   cc: 0 -> 1\n"
+      "     3     8  if (cc) goto lbl;   [cc = 1]\n"
+      "   ...        lines 6–8 × 2 more   n: 1 -> 3, cc: 1 -> 0\n"
+      "    10     9  return n;   [n = 3]\n"
+      "\n";
+  const std::string results = "thread 0 f: finished, result 3\nn = 3\n";
+  EXPECT_EQ(RunOncard({"run", program, "--steps"}).out, table + results);
+  EXPECT_EQ(RunOncard({"run", program}).out, results);
+  const ProcessResult full = RunOncard({"run", program, "--steps", "--full"});
+  EXPECT_NE(full.out.find("     7     6  n = n + 1;   [n = 2]   n: 2 -> 3\n"), std::string::npos)
+      << full.out;
+  const ProcessResult narrow = RunOncard({"run", program, "--steps"}, {}, {"COLUMNS=40"});
+  EXPECT_NE(narrow.out.find("     1     6  n = n + 1;   [n = 0]\n"
+                            "                n: 0 -> 1\n"),
+            std::string::npos)
+      << narrow.out;
+}
+
+TEST(RunSteps, AreInJson) {
+  const ScratchFolder scratch;
+  const std::string program = scratch.Write("p.c", kCountToThree);
+  const auto json =
+      nlohmann::json::parse(RunOncard({"run", program, "--steps", "--format=json"}).out);
+  ASSERT_EQ(json["steps"].size(), 10u);
+  EXPECT_EQ(json["steps"][3]["line"], 6);
+  EXPECT_EQ(json["steps"][3]["reads"]["n"], 1);
+  EXPECT_EQ(json["steps"][3]["writes"]["n"], (nlohmann::json{1, 2}));
+}
+
+TEST(RunSteps, AReplayShowsTheSame) {
+  const ScratchFolder scratch;
+  scratch.Write("p.c", kCountToThree);
+  const auto run = [&](std::vector<std::string> arguments) {
+    return RunOncard(arguments, scratch.path());
+  };
+  const ProcessResult recorded =
+      run({"run", "p.c", "--steps", "--record=r.schedule", "--trace=a.csv"});
+  const ProcessResult replayed = run({"replay", "r.schedule", "--steps", "--trace=b.csv"});
+  EXPECT_EQ(replayed.exit_code, 0) << replayed.err;
+  EXPECT_EQ(replayed.out, recorded.out);
+  EXPECT_NE(scratch.Read("a.csv"), "");
+  EXPECT_EQ(scratch.Read("b.csv"), scratch.Read("a.csv"));
+}
+
 }  // namespace
 }  // namespace oncard::tools

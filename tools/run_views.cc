@@ -1,0 +1,96 @@
+#include "tools/run_views.h"
+
+#include <algorithm>
+
+#include "explore/step_table.h"
+#include "runtime/trace_file.h"
+#include "tools/gnuplot.h"
+#include "tools/terminal.h"
+
+namespace oncard::tools {
+namespace {
+
+/// The run statement by statement, with a column per thread (explore/step_table.h). `source` is the
+/// program's text, or empty.
+std::string FormatSteps(const runtime::ScenarioResult& result, std::string_view source, bool full,
+                        const Session& session) {
+  const runtime::StepLog& log = *result.steps;
+  if (log.steps.empty()) return {};
+  explore::Subject subject;
+  subject.image = log.image;
+  std::vector<explore::TrailStep> steps;
+  for (const runtime::ThreadReport& thread : result.threads) {
+    const int function = vm::FindFunction(*log.image, thread.function);
+    subject.threads.push_back({thread.thread, function, thread.page});
+  }
+  for (const runtime::LoggedStep& step : log.steps) {
+    const auto found =
+        std::ranges::find(subject.threads, step.thread, &explore::ThreadSetup::thread);
+    if (found == subject.threads.end()) continue;  // unbound since
+    steps.push_back({static_cast<int>(found - subject.threads.begin()), step});
+  }
+  explore::StepView view = {subject, steps, source};
+  view.detail = full ? explore::Detail::kFull : explore::Detail::kLoops;
+  view.with_card = true;
+  view.trace = result.trace ? &*result.trace : nullptr;
+  std::string text = explore::TextTable(view, OutputWidth(), session.language);
+  if (log.executed > static_cast<int64_t>(log.steps.size())) {
+    text += session.Say(MakeMessage("these are the first {0} of {1} statements\n",
+                                    "以上为 {1} 条语句中的前 {0} 条\n", log.steps.size(),
+                                    log.executed));
+  }
+  return text + '\n';
+}
+
+}  // namespace
+
+void AddViewOptions(CLI::App& command, const Session& session, RunViews& views) {
+  command.add_flag("--steps", views.steps,
+                   session.Say({"print what every statement reads and writes, a column per thread",
+                                "列出每条语句的读写，每个线程一列"}));
+  command.add_flag(
+      "--full", views.full,
+      session.Say({"with --steps: loops one by one", "与 --steps 合用：循环逐次列出"}));
+  command
+      .add_option("--trace", views.trace,
+                  session.Say({"write values over time, as .vcd, .csv, .json or .gnuplot",
+                               "写出随时间变化的值，格式为 .vcd、.csv、.json 或 .gnuplot"}))
+      ->type_name("FILE")
+      ->check(CLI::Validator(CheckTraceName, ""));
+  command
+      .add_option("--plot", views.plot,
+                  session.Say({"draw values over time, as .svg or .png (needs gnuplot)",
+                               "绘制随时间变化的曲线，格式为 .svg 或 .png（需要 gnuplot）"}))
+      ->type_name("FILE")
+      ->check(CLI::Validator(CheckPictureName, ""));
+}
+
+void ApplyViews(const RunViews& views, runtime::RunOptions* options) {
+  options->steps = views.steps;
+  options->trace = views.steps || !views.trace.empty() || !views.plot.empty();
+}
+
+void PrintSteps(const runtime::ScenarioResult& result, const runtime::ProgramLoad& load,
+                const RunViews& views, const std::string& format, const Session& session) {
+  if (!result.steps || format != "text") return;
+  const std::string source = load.compilation ? load.compilation->files[0].text() : std::string();
+  PrintResult(FormatSteps(result, source, views.full, session));
+}
+
+int WriteViews(const runtime::ScenarioResult& result, const RunViews& views,
+               const std::string& title, const Session& session) {
+  int code = kExitOk;
+  if (!views.trace.empty()) {
+    const auto text = runtime::TraceText(*result.trace, views.trace, title);
+    if (!text.ok()) return Fail(session, kExitFailed, text.error().message);
+    code = WriteOutput(session, views.trace, text.value());
+  }
+  if (!views.plot.empty()) {
+    const auto script = runtime::TraceText(*result.trace, views.plot + ".gnuplot", title);
+    if (!script.ok()) return Fail(session, kExitFailed, script.error().message);
+    code = std::max(code, WritePicture(session, views.plot, script.value()));
+  }
+  return code;
+}
+
+}  // namespace oncard::tools

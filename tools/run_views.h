@@ -1,0 +1,34 @@
+// Ways to look at a run beside its results: its statements, its values over time as a file or a
+// picture. For run and replay.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "runtime/scenario_run.h"
+#include "tools/session.h"
+
+namespace oncard::tools {
+
+struct RunViews {
+  bool steps = false;
+  bool full = false;
+  std::string trace;  ///< file
+  std::string plot;   ///< file
+};
+
+/// Describes `--steps`, `--full`, `--trace` and `--plot`.
+void AddViewOptions(CLI::App& command, const Session& session, RunViews& views);
+
+/// What the run must keep for them.
+void ApplyViews(const RunViews& views, runtime::RunOptions* options);
+
+/// Prints the statements, if they are wanted and the results are printed as text.
+void PrintSteps(const runtime::ScenarioResult& result, const runtime::ProgramLoad& load,
+                const RunViews& views, const std::string& format, const Session& session);
+
+/// Writes the files. Gives the exit code.
+int WriteViews(const runtime::ScenarioResult& result, const RunViews& views,
+               const std::string& title, const Session& session);
+
+}  // namespace oncard::tools
