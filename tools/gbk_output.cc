@@ -36,7 +36,7 @@ void AppendCharacter(iconv_t converter, char lead, char trail, std::string* out)
 GbkText::GbkText() : converter_(::iconv_open("UTF-8", "GBK")) {}
 
 GbkText::~GbkText() {
-  if (converter_ != reinterpret_cast<iconv_t>(-1)) ::iconv_close(converter_);
+  if (reinterpret_cast<intptr_t>(converter_) != -1) ::iconv_close(converter_);  // -1: none
 }
 
 std::string GbkText::Convert(std::string_view piece) {
