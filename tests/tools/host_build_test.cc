@@ -110,6 +110,38 @@ TEST_F(HostBuild, AHeaderBesideTheHostWins) {
   EXPECT_EQ(Run().out, "1 500\n");
 }
 
+TEST_F(HostBuild, AVendorHeaderBeforeEverythingNeedsOneOption) {
+  folder_.Write("gts.h",
+                "#pragma once\n#define GT_API extern \"C\" short __stdcall\n"
+                "GT_API GT_Open(short channel=0,short param=1);\n");
+  const char* const host = "#include \"gts.h\"\nint main()\n{\n\treturn GT_Open();\n}\n";
+  EXPECT_NE(Build(host).exit_code, 0);
+  const ProcessResult built = Build(host, "-D__stdcall=");
+  ASSERT_EQ(built.exit_code, 0) << built.err;
+  EXPECT_EQ(Run().exit_code, 0);
+}
+
+TEST_F(HostBuild, ALaterVendorHeaderNeedsTheNamesOfOurs) {
+  folder_.Write("gts.h",
+                "#pragma once\n#define GT_API extern \"C\" short __stdcall\n"
+                "typedef struct Trigger\n{\n\tshort encoder;\n\tshort probeType;\n"
+                "\tshort probeIndex;\n\tshort sense;\n\tshort offset;\n\tunsigned long loop;\n"
+                "\tshort windowOnly;\n\tlong firstPosition;\n\tlong lastPosition;\n} TTrigger;\n"
+                "GT_API GT_Open(short channel=0,short param=1);\n"
+                "GT_API GT_SetTrigger(short i,TTrigger *pTrigger);\n"
+                "GT_API GT_GetTrigger(short i,TTrigger *pTrigger);\n");
+  const ProcessResult built = Build(
+      "#include \"stdafx.h\"\n#include \"gts.h\"\n"
+      "int main()\n{\n\tTTrigger set = {2, 1, 3, 1, 40, 5, 1, -7, 8}, got;\n"
+      "\tGT_Open();\n\tif (GT_SetTrigger(1, &set) != 0) return 1;\n"
+      "\tif (GT_GetTrigger(1, &got) != 0) return 2;\n"
+      "\tprintf(\"%d %d %lu %ld\\n\", got.sense, got.offset, got.loop, got.lastPosition);\n"
+      "\treturn 0;\n}\n",
+      "-DGT_SetTrigger=GTX_SetTrigger -DGT_GetTrigger=GTX_GetTrigger");
+  ASSERT_EQ(built.exit_code, 0) << built.err;
+  EXPECT_EQ(Run().out, "1 40 5 8\n");
+}
+
 // --- GBK -----------------------------------------------------------------------------------------
 
 // "位置" and a comment whose last byte is that of a backslash, 0x5C.
