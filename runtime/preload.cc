@@ -99,7 +99,7 @@ ONCARD_EXPORT int nanosleep(const timespec* duration, timespec* rest) {
   const Hooks* hooks = VirtualHooks();
   if (hooks == nullptr) return ORIGINAL(nanosleep)(duration, rest);
   if (!IsValid(*duration)) return Fail(EINVAL);
-  hooks->sleep_ns(ToNs(*duration));
+  Sleep(*hooks, ToNs(*duration));
   return 0;
 }
 
@@ -112,9 +112,9 @@ ONCARD_EXPORT int clock_nanosleep(clockid_t clock, int flags, const timespec* ti
   }
   if (!IsValid(*time)) return EINVAL;
   if ((flags & TIMER_ABSTIME) == 0) {
-    hooks->sleep_ns(ToNs(*time));
+    Sleep(*hooks, ToNs(*time));
   } else {
-    hooks->sleep_ns(ToNs(*time) - begin_ns - hooks->time_ns());
+    Sleep(*hooks, ToNs(*time) - begin_ns - hooks->time_ns());
   }
   return 0;
 }
@@ -122,14 +122,14 @@ ONCARD_EXPORT int clock_nanosleep(clockid_t clock, int flags, const timespec* ti
 ONCARD_EXPORT unsigned sleep(unsigned seconds) {
   const Hooks* hooks = VirtualHooks();
   if (hooks == nullptr) return ORIGINAL(sleep)(seconds);
-  hooks->sleep_ns(seconds * kSecondNs);
+  Sleep(*hooks, seconds * kSecondNs);
   return 0;
 }
 
 ONCARD_EXPORT int usleep(useconds_t microseconds) {
   const Hooks* hooks = VirtualHooks();
   if (hooks == nullptr) return ORIGINAL(usleep)(microseconds);
-  hooks->sleep_ns(microseconds * 1000LL);
+  Sleep(*hooks, microseconds * 1000LL);
   return 0;
 }
 
@@ -137,7 +137,7 @@ ONCARD_EXPORT int thrd_sleep(const timespec* duration, timespec* rest) {
   const Hooks* hooks = VirtualHooks();
   if (hooks == nullptr) return ORIGINAL(thrd_sleep)(duration, rest);
   if (!IsValid(*duration)) return -2;  // less than -1, which stands for a signal
-  hooks->sleep_ns(ToNs(*duration));
+  Sleep(*hooks, ToNs(*duration));
   return 0;
 }
 

@@ -6,6 +6,7 @@
 
 #include <dlfcn.h>
 #include <errno.h>
+#include <pthread.h>
 #include <sys/time.h>
 #include <time.h>
 
@@ -61,12 +62,32 @@ inline int Fail(int error) {
   return -1;
 }
 
+/// While it lives the thread is not cancelled: virtual time would wait for it for ever. Waits at
+/// which a thread may be cancelled begin with pthread_testcancel().
+class Uncancelled {
+ public:
+  Uncancelled() { pthread_setcancelstate(PTHREAD_CANCEL_DISABLE, &before_); }
+  Uncancelled(const Uncancelled&) = delete;
+  Uncancelled& operator=(const Uncancelled&) = delete;
+  ~Uncancelled() { pthread_setcancelstate(before_, nullptr); }
+
+ private:
+  int before_ = PTHREAD_CANCEL_ENABLE;
+};
+
+inline void Sleep(const Hooks& hooks, long long duration_ns) {
+  pthread_testcancel();
+  const Uncancelled sleep;
+  hooks.sleep_ns(duration_ns);
+}
+
 /// Waits until `attempt` has what it waits for, or a moment of virtual time has come: true or
 /// false. `attempt(slice_ns)` waits in reality at most that long, with 0 not at all, and gives true
 /// when the wait is over, with success or an error. Beginning takes a look at the clock, so that a
 /// host that only looks gets on.
 template <typename Attempt>
 bool WaitUntil(const Hooks& hooks, long long deadline_ns, const Attempt& attempt) {
+  const Uncancelled wait_to_its_end;
   hooks.time_ns();
   if (attempt(0)) return true;
   oncard_host_wait wait;

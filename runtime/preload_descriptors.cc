@@ -22,6 +22,7 @@ namespace {
 /// the number of descriptors that are ready, 0 when the time is up, -1 with errno. Gives the same.
 template <typename WaitFor>
 int WaitForDescriptors(const Hooks& hooks, long long deadline_ns, const WaitFor& wait_for) {
+  pthread_testcancel();
   int ready = 0;
   WaitUntil(hooks, deadline_ns, [&](long long slice_ns) {
     const timespec slice = ToTimespec(slice_ns);
@@ -42,7 +43,7 @@ long long DeadlineAfter(const Hooks& hooks, long long timeout_ns) {
 int Poll(const Hooks& hooks, pollfd* descriptors, nfds_t count, long long timeout_ns,
          const sigset_t* mask) {
   if (count == 0 && mask == nullptr) {
-    hooks.sleep_ns(timeout_ns);
+    Sleep(hooks, timeout_ns);
     return 0;
   }
   return WaitForDescriptors(hooks, DeadlineAfter(hooks, timeout_ns), [&](const timespec* slice) {
@@ -126,7 +127,7 @@ ONCARD_EXPORT int select(int count, fd_set* read, fd_set* write, fd_set* except,
   const long long timeout_ns = ToNs(*timeout);
   Sets sets(read, write, except);
   if (sets.AreEmpty(count)) {
-    hooks->sleep_ns(timeout_ns);
+    Sleep(*hooks, timeout_ns);
     *timeout = {0, 0};
     return 0;
   }
@@ -147,7 +148,7 @@ ONCARD_EXPORT int pselect(int count, fd_set* read, fd_set* write, fd_set* except
   }
   Sets sets(read, write, except);
   if (sets.AreEmpty(count) && mask == nullptr) {
-    hooks->sleep_ns(ToNs(*timeout));
+    Sleep(*hooks, ToNs(*timeout));
     return 0;
   }
   return Select(*hooks, count, &sets, DeadlineAfter(*hooks, ToNs(*timeout)), mask);

@@ -116,6 +116,7 @@ int Wake(const void* condition, bool all) {
 template <typename Unlock, typename Lock>
 int WaitForCondition(const Hooks& hooks, const void* condition, long long deadline_ns,
                      const Unlock& unlock, const Lock& lock) {
+  pthread_testcancel();
   Waiter waiter = {condition};
   Enlist(&waiter);
   const int not_held = unlock();
@@ -284,6 +285,7 @@ ONCARD_RWLOCK(pthread_rwlock_clockwrlock, pthread_rwlock_timedwrlock, pthread_rw
 ONCARD_EXPORT int sem_clockwait(sem_t* semaphore, clockid_t clock, const timespec* until) {
   const Hooks* hooks = VirtualHooks();
   if (!IsOurs(hooks, clock, until)) return ORIGINAL(sem_clockwait)(semaphore, clock, until);
+  pthread_testcancel();
   const int error = TakeUntil(
       *hooks, BeginOf(clock), *until,
       [semaphore] {
@@ -306,6 +308,7 @@ ONCARD_EXPORT int sem_timedwait(sem_t* semaphore, const timespec* until) {
 /// there is none by then.
 template <typename Exchange>
 ssize_t ExchangeUntil(const Hooks& hooks, const timespec& until, const Exchange& exchange) {
+  pthread_testcancel();
   constexpr timespec kLongAgo = {0, 0};
   ssize_t result = -1;
   const auto error_of = [&](const timespec* end) {
@@ -346,6 +349,7 @@ ONCARD_EXPORT int pthread_clockjoin_np(pthread_t thread, void** result, clockid_
   if (until == nullptr || !IsOurs(hooks, clock, until)) {
     return ORIGINAL(pthread_clockjoin_np)(thread, result, clock, until);
   }
+  pthread_testcancel();
   return TakeUntil(
       *hooks, BeginOf(clock), *until, [&] { return pthread_tryjoin_np(thread, result); },
       [&](const timespec* end) { return ORIGINAL(pthread_timedjoin_np)(thread, result, end); });
@@ -365,6 +369,7 @@ ONCARD_EXPORT int sigtimedwait(const sigset_t* __restrict signals, siginfo_t* __
   if (hooks == nullptr || timeout == nullptr || !IsValid(*timeout)) {
     return ORIGINAL(sigtimedwait)(signals, info, timeout);
   }
+  pthread_testcancel();
   int signal = -1;
   const long long now_ns = hooks->time_ns();
   const long long timeout_ns = ToNs(*timeout);

@@ -77,6 +77,11 @@ TEST(Exec, TimesCountsVirtualTime) {
   EXPECT_EQ(Exec({}, {Client("waits"), "times"}).out, "150 ticks\n");
 }
 
+TEST(Exec, TimeGoesOnWithoutCancelledThreads) {
+  const ProcessResult result = Exec({}, {Client("waits"), "cancel"});
+  EXPECT_EQ(result.out, "4 cancelled\n") << result.err;
+}
+
 TEST(Exec, AHostOfSeveralThreadsForks) {
   const ProcessResult result = Exec({}, {Client("waits"), "fork"});
   EXPECT_EQ(result.out, "50 children\n") << result.err;

@@ -372,6 +372,44 @@ void Times() {
   printf("%ld ticks\n", static_cast<long>(times(&used) - begin));
 }
 
+// Threads that are cancelled while they wait, again and again; time goes on without them.
+void Cancel() {
+  const std::function<void()> waits[] = {
+      [] { usleep(1000000); },
+      [] { poll(nullptr, 0, 1000); },
+      [] {
+        sem_t semaphore;
+        sem_init(&semaphore, 0, 0);
+        const timespec until = In(CLOCK_REALTIME, 1000);
+        sem_timedwait(&semaphore, &until);
+      },
+      [] {
+        pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
+        pthread_cond_t condition = PTHREAD_COND_INITIALIZER;
+        const timespec until = In(CLOCK_REALTIME, 1000);
+        pthread_mutex_lock(&mutex);
+        pthread_cond_timedwait(&condition, &mutex, &until);
+        pthread_mutex_unlock(&mutex);
+      },
+  };
+  for (const auto& wait : waits) {
+    pthread_t thread;
+    pthread_create(
+        &thread, nullptr,
+        [](void* argument) -> void* {
+          while (true) (*static_cast<const std::function<void()>*>(argument))();
+        },
+        const_cast<std::function<void()>*>(&wait));
+    usleep(2500000);
+    pthread_cancel(thread);
+    void* result = nullptr;
+    pthread_join(thread, &result);
+    CHECK_EQ(result == PTHREAD_CANCELED, 1);
+    sleep(100);
+  }
+  printf("%zu cancelled\n", sizeof waits / sizeof waits[0]);
+}
+
 // A child of a host of several threads, one of which is in a command at any time and one asleep.
 void Fork() {
   std::atomic<bool> work = true;
@@ -426,6 +464,7 @@ int main(int argc, char** argv) {
   if (begins("cpp_")) Cpp(name);
   if (name == "forever") ForEver();
   if (name == "times") Times();
+  if (name == "cancel") Cancel();
   if (name == "fork") Fork();
   fflush(stdout);
   return 0;
