@@ -134,6 +134,7 @@ void Crd::Clear(size_t fifo) {
   cleared.look_ahead.Clear();
   cleared.executing = false;
   cleared.path = 0;
+  cleared.awaits_move = false;
   cleared.done = 0;
 }
 
@@ -175,6 +176,7 @@ void Crd::Start(size_t fifo, bool single_step, Micros now) {
   run.begin = now;
   run.single_step = single_step;
   if (active().executing) run.plan = PlanCurrent();
+  if (active().awaits_move) run.wait = CrdWait::kMove;
 }
 
 void Crd::Stop(bool abrupt, Micros now) {
@@ -196,7 +198,15 @@ void Crd::Replan(Micros now) {
   run.plan = PlanCurrent();
 }
 
-void Crd::EndWait(Micros now) {
+void Crd::AwaitMove(const BufferedCommand& move) {
+  run.velocity = 0;
+  run.wait = CrdWait::kMove;
+  active().awaits_move = true;
+  active().move = move;
+}
+
+void Crd::EndMove(Micros now) {
+  active().awaits_move = false;
   run.wait = CrdWait::kNone;
   run.at = MsBetween(run.begin, now);
 }

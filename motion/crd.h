@@ -73,12 +73,16 @@ struct CrdFifo {
   Coordinates tail{};      ///< where the last segment ends
   bool executing = false;  ///< `current` has begun and not ended: a breakpoint when nothing runs
   PathSlot current;
-  double path = 0;          ///< reached in `current`
+  double path = 0;           ///< reached in `current`
+  bool awaits_move = false;  ///< `move`, which is modal, has begun; a pause does not end the wait
+  BufferedCommand move;
   int32_t done = 0;         ///< segments completed (GT_CrdStatus)
   int32_t user_number = 0;  ///< GT_SetUserSegNum, for segments to come
 
   /// Nothing is waiting or under way.
-  bool idle() const { return !executing && slots.empty() && look_ahead.ring.empty(); }
+  bool idle() const {
+    return !executing && !awaits_move && slots.empty() && look_ahead.ring.empty();
+  }
   size_t space() const { return kCrdFifoSize - slots.size(); }
   /// Segments that have not ended.
   size_t Remaining() const {
@@ -90,7 +94,8 @@ struct CrdFifo {
   bool Flush();
 
   auto Fields() const {
-    return std::tie(slots, look_ahead, tail, executing, current, path, done, user_number);
+    return std::tie(slots, look_ahead, tail, executing, current, path, awaits_move, move, done,
+                    user_number);
   }
 };
 
@@ -127,13 +132,12 @@ struct CrdRun {
   double stop_deceleration = 0;
   bool single_step = false;  ///< ends after one segment
   CrdWait wait = CrdWait::kNone;
-  double wait_until = 0;  ///< ms since `begin`
-  int32_t wait_profile = 0;
+  double wait_until = 0;    ///< ms since `begin`
   BufferedCommand command;  ///< being carried out
 
   auto Fields() const {
     return std::tie(running, fifo, begin, at, plan, velocity, acceleration, stopping,
-                    stop_deceleration, single_step, wait, wait_until, wait_profile, command);
+                    stop_deceleration, single_step, wait, wait_until, command);
   }
 };
 
@@ -172,7 +176,8 @@ struct Crd {
   /// Empties a FIFO and its look-ahead ring, and forgets the breakpoint.
   void Clear(size_t fifo);
 
-  /// Begins a run, or resumes at the breakpoint; there must be something to do.
+  /// Begins a run, or resumes at the breakpoint, waiting for a modal move that has not ended; there
+  /// must be something to do.
   void Start(size_t fifo, bool single_step, Micros now);
   /// Decelerates along the path; a faster stop replaces a slower one.
   void Stop(bool abrupt, Micros now);
@@ -180,8 +185,10 @@ struct Crd {
   void Replan(Micros now);
   /// Lets time pass until `now`. Not NULL: a command to carry out first; then call it again.
   const BufferedCommand* Advance(Micros now);
-  /// A profile that GT_BufMove waits for has arrived at `now`.
-  void EndWait(Micros now);
+  /// Waits for a modal GT_BufMove until EndMove().
+  void AwaitMove(const BufferedCommand& move);
+  /// The profile that is waited for has arrived at `now`.
+  void EndMove(Micros now);
 
   auto Fields() const {
     return std::tie(parameters, members, origin, position, smooth_stop, abrupt_stop, override_ratio,

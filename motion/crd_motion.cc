@@ -42,6 +42,9 @@ void MotionCore::StartCrd(size_t index, size_t fifo, bool single_step) {
   Crd& crd = state_.crds[index];
   crd.position = CrdPosition(index);
   crd.Start(fifo, single_step, now());
+  if (crd.run.wait == CrdWait::kMove && !AwaitedMoveUnderWay(crd)) {
+    StartBufferedMove(crd, BufferedCommand(crd.active().move));
+  }
   WriteCrd(crd);
 }
 
@@ -54,10 +57,7 @@ void MotionCore::StopCrd(size_t index, bool abrupt) {
 void MotionCore::AdvanceCrd(Crd& crd) {
   const BufferedCommand* command = nullptr;
   do {
-    const auto awaited = static_cast<size_t>(crd.run.wait_profile);
-    if (crd.run.wait == CrdWait::kMove && !state_.profiles[awaited].now.moving) {
-      crd.EndWait(now());
-    }
+    if (crd.run.wait == CrdWait::kMove) JudgeAwaitedMove(crd);
     command = crd.Advance(now());
     if (command != nullptr) CarryOut(crd, *command);
   } while (command != nullptr);
@@ -125,10 +125,26 @@ void MotionCore::StartBufferedMove(Crd& crd, const BufferedCommand& command) {
   profile.trap.target = static_cast<int32_t>(command.values[0]);
   profile.trap.velocity = command.values[1];
   profile.Start(now());
-  if (command.detail == 0) return;
-  crd.run.velocity = 0;
-  crd.run.wait = CrdWait::kMove;
-  crd.run.wait_profile = command.item;
+  if (command.detail != 0) crd.AwaitMove(command);
+}
+
+bool MotionCore::AwaitedMoveUnderWay(const Crd& crd) const {
+  const BufferedCommand& move = crd.active().move;
+  const Profile& profile = state_.profiles[static_cast<size_t>(move.item)];
+  return profile.now.moving && profile.mode == ProfileMode::kTrap && profile.trap.running &&
+         profile.trap.target == static_cast<int32_t>(move.values[0]);
+}
+
+void MotionCore::JudgeAwaitedMove(Crd& crd) {
+  const BufferedCommand& move = crd.active().move;
+  const Sample& awaited = state_.profiles[static_cast<size_t>(move.item)].now;
+  if (awaited.moving) return;
+  if (awaited.position == move.values[0]) {
+    crd.EndMove(now());
+  } else {
+    // Stopped short: the path must not go on before the axis is where the program wants it.
+    crd.EndRun();
+  }
 }
 
 void MotionCore::StartGear(Crd& crd, const BufferedCommand& command) {

@@ -237,6 +237,10 @@ class MotionCore {
   /// A buffered command, at the tick in which the segment before it ended.
   void CarryOut(Crd& crd, const BufferedCommand& command);
   void StartBufferedMove(Crd& crd, const BufferedCommand& command);
+  /// The profile that a path waits for is on its way.
+  bool AwaitedMoveUnderWay(const Crd& crd) const;
+  /// Ends the wait when the profile has arrived, and the run when it has been stopped short.
+  void JudgeAwaitedMove(Crd& crd);
   void StartGear(Crd& crd, const BufferedCommand& command);
   /// Members and geared profiles to where the path has come.
   void WriteCrd(Crd& crd);

@@ -208,6 +208,16 @@ int16_t GetCrdSingleMaxVel(Call& call) {
 
 // --- Run -------------------------------------------------------------------------------------
 
+/// 0, or 1 with the reason when an axis whose modal GT_BufMove was stopped short cannot go on.
+int16_t CheckAwaitedMove(Call& call, const CrdFifo& fifo) {
+  if (!fifo.awaits_move) return vm::kOk;
+  const auto profile = static_cast<size_t>(fifo.move.item);
+  const motion::Profile& awaited = call.card.motion.state().profiles[profile];
+  const int16_t code = CheckMode(call, profile, ProfileMode::kTrap);
+  return code != vm::kOk ? code
+                         : CheckMayStart(call, profile, fifo.move.values[0] - awaited.now.position);
+}
+
 /// 0, or the refusal of a start of FIFO `number`: nothing to do, axes elsewhere or not free.
 int16_t CheckStart(Call& call, size_t index, size_t number) {
   int16_t code = CheckCrd(call, index);
@@ -215,7 +225,7 @@ int16_t CheckStart(Call& call, size_t index, size_t number) {
   if (code != vm::kOk) return code;
   const Crd& crd = call.card.motion.state().crds[index];
   const CrdFifo& fifo = crd.fifos[number];
-  if (!fifo.executing && fifo.slots.empty()) {
+  if (!fifo.executing && !fifo.awaits_move && fifo.slots.empty()) {
     return call.Refuse(vm::kRefused,
                        MakeMessage("FIFO {0} of coordinate system {1} is empty: append segments, "
                                    "and with look-ahead call GT_CrdData with NULL",
@@ -223,6 +233,8 @@ int16_t CheckStart(Call& call, size_t index, size_t number) {
                                    "NULL 调用 GT_CrdData",
                                    number, index + 1));
   }
+  code = CheckAwaitedMove(call, fifo);
+  if (code != vm::kOk) return code;
   const motion::PathSlot* first = fifo.executing ? &fifo.current : nullptr;
   for (size_t i = 0; first == nullptr && i < fifo.slots.size(); ++i) {
     if (fifo.slots.At(i).is_segment) first = &fifo.slots.At(i);

@@ -60,6 +60,25 @@ TEST(CrdStart, NeedsSegmentsAndAxesAtTheirBegin) {
   EXPECT_EQ(card.Read("GT_GetPrfPos"), 100);
 }
 
+TEST(CrdStart, GoesOnWithAModalMoveThatWasStoppedShort) {
+  CrdCommandCard card;
+  card.SetUp();
+  ASSERT_EQ(card.Call("GT_BufMove", {1, 3, 1000, 10, 1, 1, 0}), 0);
+  ASSERT_EQ(card.Call("GT_CrdStart", {1, 0}), 0);
+  card.Cycles(20);
+  ASSERT_EQ(card.Call("GT_Stop", {4, 0}), 0);
+  card.CyclesToEnd();
+  ASSERT_EQ(card.Call("GT_PrfJog", {3}), 0);
+  EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 1);
+  EXPECT_NE(card.reason.en.find("needs mode Trap"), std::string::npos) << card.reason.en;
+  ASSERT_EQ(card.Call("GT_PrfTrap", {3}), 0);
+  EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 0);
+  card.CyclesToEnd();
+  EXPECT_EQ(card.motion.state().profiles[2].now.position, 1000);
+  // Nothing is left to wait for.
+  EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 1);
+}
+
 TEST(CrdStart, StatusAndCounters) {
   CrdCommandCard card;
   card.SetUp();

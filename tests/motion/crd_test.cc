@@ -328,6 +328,71 @@ TEST(CrdBuffer, AMoveWaitsOnlyWhenModal) {
   }
 }
 
+TEST(CrdBuffer, AModalMoveIsWaitedForAcrossAPause) {
+  CrdRunTest test;
+  ASSERT_TRUE(test.Command({BufferedKind::kMove, 4, 1, {1000, 10, 1}}));
+  ASSERT_TRUE(test.Line({100, 0}, 10, 1));
+  test.Start();
+  test.RunUntil(20);
+  test.core.StopCrd(0, false);
+  EXPECT_FALSE(test.running());
+  test.RunUntil(30);
+  EXPECT_TRUE(test.profile(4).moving);
+  test.Start();
+  while (test.profile(4).moving) {
+    ASSERT_EQ(test.profile(0).position, 0) << "at " << test.core.now() << " us";
+    test.core.Tick();
+  }
+  EXPECT_EQ(test.profile(4).position, 1000);
+  test.TicksToEnd();
+  EXPECT_EQ(test.profile(0).position, 100);
+}
+
+TEST(CrdBuffer, AModalMoveThatEndedDuringAPauseIsNotMadeAgain) {
+  CrdRunTest test;
+  ASSERT_TRUE(test.Command({BufferedKind::kMove, 4, 1, {1000, 10, 1}}));
+  ASSERT_TRUE(test.Line({100, 0}, 10, 1));
+  test.Start();
+  test.RunUntil(20);
+  test.core.StopCrd(0, false);
+  test.RunUntil(200);
+  ASSERT_EQ(test.profile(4).position, 1000);
+  test.Start();
+  EXPECT_NEAR(test.TicksToEnd(), 20, 1);
+}
+
+TEST(CrdBuffer, AModalMoveStoppedShortPausesThePathAndGoesOnWithIt) {
+  CrdRunTest test;
+  ASSERT_TRUE(test.Command({BufferedKind::kMove, 4, 1, {1000, 10, 1}}));
+  ASSERT_TRUE(test.Line({100, 0}, 10, 1));
+  test.Start();
+  test.RunUntil(20);
+  test.core.StopProfile(4, false);
+  EXPECT_TRUE(test.running());
+  test.TicksToEnd();
+  EXPECT_EQ(test.profile(0).position, 0);
+  EXPECT_LT(test.profile(4).position, 1000);
+  test.Start();
+  test.TicksToEnd();
+  EXPECT_EQ(test.profile(4).position, 1000);
+  EXPECT_EQ(test.profile(0).position, 100);
+}
+
+TEST(CrdBuffer, AWaitBelongsToItsFifo) {
+  CrdRunTest test;
+  ASSERT_TRUE(test.Command({BufferedKind::kMove, 4, 1, {1000, 10, 1}}));
+  ASSERT_TRUE(test.Line({100, 0}, 10, 1));
+  ASSERT_TRUE(test.Line({0, 50}, 10, 1, 0, 1));
+  test.Start();
+  test.RunUntil(20);
+  test.core.StopCrd(0, false);
+  test.Start(1);
+  EXPECT_NEAR(test.TicksToEnd(), 15, 1);
+  EXPECT_TRUE(test.profile(4).moving);
+  test.crd().Clear(0);
+  EXPECT_TRUE(test.fifo().idle());
+}
+
 TEST(CrdBuffer, AHoldWaitsForAnotherStart) {
   CrdRunTest test;
   ASSERT_TRUE(test.Line({100, 0}, 10, 1, 10));
