@@ -250,8 +250,6 @@ std::string SpellRange(const Parameter& parameter) {
   std::string text;
   if (low == -kUnbounded) {
     text = "(-inf, ";
-  } else if (low == kAboveZero) {
-    text = "(0, ";
   } else if (low == -kBelow32767) {
     text = "(-32767, ";
   } else {

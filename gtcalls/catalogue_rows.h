@@ -30,8 +30,9 @@ inline constexpr int kVariableMax = 6;
 /// Words per call of GT_LoadPlcCommand.
 inline constexpr int kLoadMax = 24;
 inline constexpr double kPositionMax = 1073741823;
-/// Open ends of ranges: the nearest doubles inside (0, ...) and (..., 32767).
-inline constexpr double kAboveZero = std::numeric_limits<double>::denorm_min();
+/// Assumption: the smallest value where the manuals say "> 0"; as motion::kRateMin.
+inline constexpr double kAboveZero = 1e-9;
+/// The open end of a range: the nearest double inside (..., 32767).
 inline constexpr double kBelow32767 = 32767.0 - 0x1p-38;
 inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 /// GT_SetPosErr.
@@ -138,7 +139,7 @@ struct Spec {
     changed.parameter.unit = unit;
     return changed;
   }
-  /// Inclusive; open ends are kAboveZero and kBelow32767.
+  /// Inclusive; an open end is kBelow32767.
   constexpr Spec Range(double minimum, double maximum) const {
     Spec changed = *this;
     changed.parameter.minimum = minimum;

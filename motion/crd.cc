@@ -48,7 +48,9 @@ Plan PlanSpan(const PathSpan& span) {
         const double energy = acc * distance + (square + last * last) / 2;
         const double te = span.even_time;
         const double half = acc * te / 2;
-        peak = std::min(peak, std::sqrt(half * half + energy) - half);
+        const double root = std::sqrt(half * half + energy);
+        // root - half, which would lose a short way beside a long time at the peak.
+        peak = std::min(peak, half == 0 ? root : energy / (root + half));
         peak = std::max({peak, from, last});
       }
       const double rise = std::fabs(peak * peak - square) / (2 * acc);

@@ -16,15 +16,16 @@ constexpr Micros kStepUs = 1000;
 void JogMode::Start(Micros now, const Sample& from) {
   // The filter goes on from what came out; the plan goes on from what it planned.
   const double planned = running ? plan.At(MsBetween(begin, now)).velocity : from.velocity;
-  plan = PlanToVelocity(from.position, planned, velocity,
-                        {std::fabs(velocity), parameters.acc, parameters.dec, 0});
+  const double target = PlannedVelocityOf(velocity);
+  plan = PlanToVelocity(from.position, planned, target,
+                        {std::fabs(target), parameters.acc, parameters.dec, 0});
   begin = now;
   smooth = parameters.smooth;
   filtered = smooth > 0;
   step = from;
   step_at = now;
   if (filtered) PrepareStep();
-  running = plan.count > 0 || velocity != 0 || from.velocity != 0;
+  running = plan.count > 0 || target != 0 || from.velocity != 0;
 }
 
 /// What the filter gives 1 ms after its last step.

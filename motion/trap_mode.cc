@@ -103,9 +103,9 @@ void TrapMode::Start(Micros now, const Sample& from) {
     raw = unplanned;
   }
   unplanned = raw;
-  plan =
-      PlanToPosition(raw.position, raw.velocity, target,
-                     {std::fabs(velocity), parameters.acc, parameters.dec, parameters.vel_start});
+  plan = PlanToPosition(raw.position, raw.velocity, target,
+                        {PlannedVelocityOf(std::fabs(velocity)), parameters.acc, parameters.dec,
+                         parameters.vel_start});
   begin = now;
   running = plan.count > 0 || !past.empty();
 }

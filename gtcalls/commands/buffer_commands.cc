@@ -100,11 +100,11 @@ int16_t BufSetStopIo(Call& call) {
 }
 
 int16_t BufMove(Call& call) {
-  if (!(call.value(3) > 0 && call.value(3) < kRateBound)) {
-    return RefuseRange(call, "vel", call.value(3), "(0, 32767)");
+  if (!(call.value(3) >= motion::kRateMin && call.value(3) < kRateBound)) {
+    return RefuseRange(call, "vel", call.value(3), "[1e-09, 32767)");
   }
-  if (!(call.value(4) > 0 && call.value(4) < kRateBound)) {
-    return RefuseRange(call, "acc", call.value(4), "(0, 32767)");
+  if (!(call.value(4) >= motion::kRateMin && call.value(4) < kRateBound)) {
+    return RefuseRange(call, "acc", call.value(4), "[1e-09, 32767)");
   }
   int16_t code = CheckOutside(call);
   if (code == vm::kOk) code = CheckMode(call, NumberOf(call, 1), motion::ProfileMode::kTrap);

@@ -77,8 +77,8 @@ int16_t CheckParameters(Call& call) {
   if (code != vm::kOk) return code;
   for (const auto& [cell, name] :
        {std::pair{kVelocityCell, "synVelMax"}, std::pair{kAccelerationCell, "synAccMax"}}) {
-    if (!(cells[cell] > 0 && cells[cell] < kRateBound)) {
-      return RefuseMember(call, name, cells[cell], "(0, 32767)");
+    if (!(cells[cell] >= motion::kRateMin && cells[cell] < kRateBound)) {
+      return RefuseMember(call, name, cells[cell], "[1e-09, 32767)");
     }
   }
   if (!(cells[kEvenTimeCell] >= 0 && cells[kEvenTimeCell] < kRateBound)) {
@@ -185,8 +185,8 @@ int16_t SetCrdSingleMaxVel(Call& call) {
   if (code != vm::kOk) return code;
   for (size_t i = 0; i < CoordinateCells(call); ++i) {
     const double velocity = call.cells(1)[i];
-    if (!(velocity > 0 && velocity <= Crd::kNoVelocityLimit)) {
-      return RefuseMember(call, "pMaxVel", velocity, "(0, 32767]");
+    if (!(velocity >= motion::kRateMin && velocity <= Crd::kNoVelocityLimit)) {
+      return RefuseMember(call, "pMaxVel", velocity, "[1e-09, 32767]");
     }
   }
   for (size_t i = 0; i < CoordinateCells(call); ++i) {
@@ -392,9 +392,11 @@ int16_t GetSegTargetPos(Call& call) {
 int16_t InitLookAhead(Call& call) {
   const double time = call.value(2);
   const double acceleration = call.value(3);
-  if (!(time > 0 && time < kRateBound)) return RefuseMember(call, "T", time, "(0, 32767)");
-  if (!(acceleration > 0 && acceleration < kRateBound)) {
-    return RefuseMember(call, "accMax", acceleration, "(0, 32767)");
+  if (!(time >= motion::kRateMin && time < kRateBound)) {
+    return RefuseMember(call, "T", time, "[1e-09, 32767)");
+  }
+  if (!(acceleration >= motion::kRateMin && acceleration < kRateBound)) {
+    return RefuseMember(call, "accMax", acceleration, "[1e-09, 32767)");
   }
   const int16_t code = CheckCrd(call, NumberOf(call));
   if (code != vm::kOk) return code;

@@ -1,8 +1,6 @@
 // Homing: smart (GT_GoHome) and simple (GT_Home and its kin).
 // Source: application notes on smart homing; public header and GE manual for the simple commands.
 // Tested by tests/gtcalls/home_command_test.cc.
-#include <limits>
-
 #include "gtcalls/commands/motion_support.h"
 
 namespace oncard::gtcalls {
@@ -45,10 +43,10 @@ struct Bound {
 constexpr double kLongMax = 2147483647;
 constexpr Bound kBounds[] = {
     {kEdge, "edge", 0, 1},
-    {kVelHigh, "velHigh", std::numeric_limits<double>::denorm_min(), 32767},
-    {kVelLow, "velLow", std::numeric_limits<double>::denorm_min(), 32767},
-    {kAcc, "acc", std::numeric_limits<double>::denorm_min(), 32767},
-    {kDec, "dec", std::numeric_limits<double>::denorm_min(), 32767},
+    {kVelHigh, "velHigh", motion::kRateMin, 32767},
+    {kVelLow, "velLow", motion::kRateMin, 32767},
+    {kAcc, "acc", motion::kRateMin, 32767},
+    {kDec, "dec", motion::kRateMin, 32767},
     {kSmoothTime, "smoothTime", 0, motion::kSmoothTimeMax},
     {kSearchHomeDistance, "searchHomeDistance", 0, kLongMax},
     {kSearchIndexDistance, "searchIndexDistance", 0, kLongMax},
@@ -194,11 +192,12 @@ int16_t HomeInit(Call& call) {
 /// Searches an axis' home switch or index pulse up to the position of argument 1.
 int16_t SearchSimply(Call& call, HomeKind kind, double velocity, double acceleration,
                      int32_t offset) {
-  if (!(velocity > 0 && velocity <= 32767 && acceleration > 0 && acceleration <= 32767)) {
-    return call.Refuse(
-        vm::kBadParameter,
-        MakeMessage("vel {0} and acc {1} are given; both lie in (0, 32767]",
-                    "vel 为 {0}，acc 为 {1}；两者取值范围均为 (0, 32767]", velocity, acceleration));
+  const auto in_range = [](double value) { return value >= motion::kRateMin && value <= 32767; };
+  if (!in_range(velocity) || !in_range(acceleration)) {
+    return call.Refuse(vm::kBadParameter,
+                       MakeMessage("vel {0} and acc {1} are given; both lie in [1e-09, 32767]",
+                                   "vel 为 {0}，acc 为 {1}；两者取值范围均为 [1e-09, 32767]",
+                                   velocity, acceleration));
   }
   const size_t axis = NumberOf(call);
   if (!HomingOf(call).prepared) {

@@ -21,7 +21,7 @@ using motion::PvtTablePointer;
 /// Assumptions: bounds of what the arrays hold; the manual names none but for positions.
 constexpr double kTimeMax = 2147483647;
 constexpr double kVelocityMax = 32767;
-constexpr double kAccelerationMin = 1e-9;
+constexpr double kAccelerationMin = motion::kRateMin;
 constexpr double kAccelerationMax = 1e9;
 
 int16_t CheckPvt(Call& call, size_t profile) { return CheckMode(call, profile, ProfileMode::kPvt); }

@@ -184,9 +184,10 @@ constexpr double kRateBound = 32767;
 /// their ranges.
 bool CheckData(Call& call, bool arc) {
   const std::span<double> cells = call.cells(1);
-  bool good = cells[kVelocityCell] > 0 && cells[kVelocityCell] < kRateBound &&
-              cells[kAccelerationCell] > 0 && cells[kAccelerationCell] < kRateBound &&
-              cells[kEndVelocityCell] >= 0 && cells[kEndVelocityCell] < kRateBound;
+  bool good = cells[kVelocityCell] >= motion::kRateMin && cells[kVelocityCell] < kRateBound &&
+              cells[kAccelerationCell] >= motion::kRateMin &&
+              cells[kAccelerationCell] < kRateBound && cells[kEndVelocityCell] >= 0 &&
+              cells[kEndVelocityCell] < kRateBound;
   for (size_t i = 0; i < motion::kCrdDimensionMax; ++i) {
     good = good && cells[kPositionCell + i] >= -motion::kPositionMax &&
            cells[kPositionCell + i] <= motion::kPositionMax;
@@ -198,9 +199,9 @@ bool CheckData(Call& call, bool arc) {
   if (!good) {
     call.reason = MakeMessage(
         "a member of TCrdData is out of range: positions +-1073741823, vel "
-        "and acc (0, 32767), velEnd [0, 32767), circlePlat [0, 2], circleDir "
+        "and acc [1e-09, 32767), velEnd [0, 32767), circlePlat [0, 2], circleDir "
         "[0, 1]",
-        "TCrdData 的成员超出范围：位置 ±1073741823，vel 和 acc 为 (0, "
+        "TCrdData 的成员超出范围：位置 ±1073741823，vel 和 acc 为 [1e-09, "
         "32767)，velEnd 为 [0, 32767)，circlePlat 为 [0, 2]，circleDir 为 "
         "[0, 1]");
   }

@@ -9,7 +9,7 @@ using motion::ProfileMode;
 
 /// Assumption: bounds of accelerations. The manual says > 0; outside these a motion would last
 /// years, or change velocity faster than numbers can tell.
-constexpr double kAccelerationMin = 1e-9;
+constexpr double kAccelerationMin = motion::kRateMin;
 constexpr double kAccelerationMax = 1e9;
 
 /// Largest TTrapPrm.velStart, as of velocities.

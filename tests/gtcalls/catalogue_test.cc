@@ -265,31 +265,28 @@ TEST_P(RangeTest, IsTheManuals) {
   EXPECT_EQ(SpellRange(ParameterOf(GetParam().command, GetParam().parameter)), GetParam().range);
 }
 
-INSTANTIATE_TEST_SUITE_P(CatalogueTest, RangeTest,
-                         testing::Values(RangeCase{"GT_SetPos", "pos", "[-1073741823, 1073741823]"},
-                                         RangeCase{"GT_SetStopDec", "decSmoothStop", "(0, 32767]"},
-                                         RangeCase{"GT_SetStopDec", "decAbruptStop", "(0, 32767]"},
-                                         RangeCase{"GT_ProfileScale", "alpha", "[-32766, 32766]"},
-                                         RangeCase{"GT_EncScale", "beta", "[-32766, 32766]"},
-                                         RangeCase{"GT_SetPosErr", "error", "[1, 2147483648]"},
-                                         RangeCase{"GT_SetFollowLoop", "loop", "[-32768, 32767]"},
-                                         RangeCase{"GT_SetPtLoop", "loop", "[0, inf)"},
-                                         RangeCase{"GT_PrfGear", "dir", "[-1, 1]"},
-                                         RangeCase{"GT_LmtsOn", "limitType", "[-1, 1]"},
-                                         RangeCase{"GT_Bind", "thread", "[0, 31]"},
-                                         RangeCase{"GT_Bind", "page", "[0, 31]"},
-                                         RangeCase{"GT_GetVarValue", "page", "[-1, 31]"},
-                                         RangeCase{"GT_GetVarValue", "count", "[1, 6]"},
-                                         RangeCase{"GT_GetEncPos", "encoder", "[1, 12]"},
-                                         RangeCase{"GT_GetEncPos", "count", "[1, 8]"},
-                                         RangeCase{"GT_SetCaptureSense", "sense", "[0, 1]"},
-                                         RangeCase{"GT_SetOverride", "synVelRatio", "(0, 1]"},
-                                         RangeCase{"GT_SetVel", "vel", "(-32767, 32767)"},
-                                         RangeCase{"GT_GetSts", "pSts", ""}),
-                         [](const auto& param_info) {
-                           return std::string(param_info.param.command) + "_" +
-                                  param_info.param.parameter;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    CatalogueTest, RangeTest,
+    testing::Values(
+        RangeCase{"GT_SetPos", "pos", "[-1073741823, 1073741823]"},
+        RangeCase{"GT_SetStopDec", "decSmoothStop", "[1e-09, 32767]"},
+        RangeCase{"GT_SetStopDec", "decAbruptStop", "[1e-09, 32767]"},
+        RangeCase{"GT_ProfileScale", "alpha", "[-32766, 32766]"},
+        RangeCase{"GT_EncScale", "beta", "[-32766, 32766]"},
+        RangeCase{"GT_SetPosErr", "error", "[1, 2147483648]"},
+        RangeCase{"GT_SetFollowLoop", "loop", "[-32768, 32767]"},
+        RangeCase{"GT_SetPtLoop", "loop", "[0, inf)"}, RangeCase{"GT_PrfGear", "dir", "[-1, 1]"},
+        RangeCase{"GT_LmtsOn", "limitType", "[-1, 1]"}, RangeCase{"GT_Bind", "thread", "[0, 31]"},
+        RangeCase{"GT_Bind", "page", "[0, 31]"}, RangeCase{"GT_GetVarValue", "page", "[-1, 31]"},
+        RangeCase{"GT_GetVarValue", "count", "[1, 6]"},
+        RangeCase{"GT_GetEncPos", "encoder", "[1, 12]"},
+        RangeCase{"GT_GetEncPos", "count", "[1, 8]"},
+        RangeCase{"GT_SetCaptureSense", "sense", "[0, 1]"},
+        RangeCase{"GT_SetOverride", "synVelRatio", "[1e-09, 1]"},
+        RangeCase{"GT_SetVel", "vel", "(-32767, 32767)"}, RangeCase{"GT_GetSts", "pSts", ""}),
+    [](const auto& param_info) {
+      return std::string(param_info.param.command) + "_" + param_info.param.parameter;
+    });
 
 // --- Shapes for the machine ---------------------------------------------------------------------
 
