@@ -13,9 +13,18 @@ constexpr Micros kStepUs = 1000;
 
 }  // namespace
 
+/// What the filter takes for the plan's velocity: between its steps a straight line, as its output
+/// is. Their difference then never exceeds what a steady acceleration makes of it.
+double JogMode::PlannedVelocity(Micros now) const {
+  if (!filtered) return plan.At(MsBetween(begin, now)).velocity;
+  const double last = plan.At(MsBetween(begin, step_at)).velocity;
+  const double next = plan.At(MsBetween(begin, step_at + kStepUs)).velocity;
+  return last + MsBetween(step_at, now) * (next - last);
+}
+
 void JogMode::Start(Micros now, const Sample& from) {
   // The filter goes on from what came out; the plan goes on from what it planned.
-  const double planned = running ? plan.At(MsBetween(begin, now)).velocity : from.velocity;
+  const double planned = running ? PlannedVelocity(now) : from.velocity;
   const double target = PlannedVelocityOf(velocity);
   plan = PlanToVelocity(from.position, planned, target,
                         {std::fabs(target), parameters.acc, parameters.dec, 0});

@@ -58,6 +58,7 @@ struct JogMode {
   }
 
  private:
+  double PlannedVelocity(Micros now) const;
   void PrepareStep();
   void Step();
 };

@@ -125,8 +125,8 @@ TEST(JogSmoothing, ComesToRest) {
 
 // --- Everything --------------------------------------------------------------------------------
 
-/// Random changes of velocity at multiples of 2 ms; the samples there.
-std::vector<Sample> Play(unsigned seed, Micros cycle_us) {
+/// Random changes of velocity at multiples of `raster_us`; the samples there.
+std::vector<Sample> Play(unsigned seed, Micros cycle_us, Micros raster_us = 2000) {
   std::mt19937 random(seed);
   const auto draw = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
@@ -140,12 +140,12 @@ std::vector<Sample> Play(unsigned seed, Micros cycle_us) {
   std::vector<Sample> shared;
   for (int change = 0; change < 6; ++change) {
     run.JogAt(change % 4 == 3 ? 0 : draw(-60, 60));
-    const Micros until = run.now + 2000 * static_cast<Micros>(draw(0, 100));
+    const Micros until = run.now + raster_us * static_cast<Micros>(draw(0, 100));
     while (run.now < until) {
       const testing::AssertionResult ok = checker.Next(run.Tick());
       EXPECT_TRUE(ok) << "at " << run.now;
       if (!ok) return shared;
-      if (run.now % 2000 == 0) shared.push_back(run.profile.now);
+      if (run.now % raster_us == 0) shared.push_back(run.profile.now);
     }
   }
   return shared;
@@ -155,6 +155,13 @@ TEST(Jog, RandomChangesStayWithinTheirBounds) {
   for (unsigned seed = 1; seed <= 3000 && !HasFailure(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Play(seed, 1000);
+  }
+}
+
+TEST(JogSmoothing, ChangesBetweenTheFiltersStepsStayWithinTheirBounds) {
+  for (unsigned seed = 1; seed <= 3000 && !HasFailure(); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Play(seed, 250, 250);
   }
 }
 
