@@ -17,6 +17,13 @@ void FollowMode::SetMemory(bool large) {
   }
 }
 
+double FollowMode::Direction(uint8_t which, const MasterValue& value) const {
+  if (event == FollowEvent::kPass || !MasterTravel{direction}.Counts(value.velocity)) return 0;
+  // The other way the slave waits.
+  const FollowSegment& first = fifos[which].front();
+  return first.master * value.velocity > 0 ? first.slave : 0;
+}
+
 void FollowMode::Start(uint8_t which, const Sample& from, const MasterValue& value) {
   running = true;
   waiting = event == FollowEvent::kPass;

@@ -63,6 +63,9 @@ struct FollowMode {
   /// Reserves what a FIFO may hold, so that filling and clearing it never allocates in a cycle.
   void SetMemory(bool large);
 
+  /// Where a start with a FIFO that is not empty would move the slave at once, by its sign; 0:
+  /// nowhere.
+  double Direction(uint8_t which, const MasterValue& value) const;
   /// Begins the first pass of a FIFO that is not empty, or to wait for the event.
   void Start(uint8_t which, const Sample& from, const MasterValue& value);
   /// The slave's output; ends the run after the last pass.

@@ -10,6 +10,11 @@ namespace oncard::motion {
 static_assert(kFieldsComplete<GearMode> && kFieldsComplete<Master> &&
               kFieldsComplete<MasterTravel>);
 
+double GearMode::Direction(const MasterValue& value) const {
+  const bool at_once = event == GearEvent::kStart;
+  return at_once && MasterTravel{direction}.Counts(value.velocity) ? Ratio() * value.velocity : 0;
+}
+
 void GearMode::Start(const Sample& from, const MasterValue& value) {
   running = true;
   base = from.position;

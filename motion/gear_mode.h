@@ -43,6 +43,8 @@ struct GearMode {
   double clutch = 0;  ///< pulses of the master
   MasterTravel travel;
 
+  /// Where a start would move the slave at once, by its sign; 0: nowhere.
+  double Direction(const MasterValue& value) const;
   /// Begins to follow, or to wait for the event, with the registers' ratio reached over the clutch.
   void Start(const Sample& from, const MasterValue& value);
   /// Takes over the registers' ratio in motion.

@@ -111,11 +111,31 @@ void MotionCore::AdvanceProfiles() {
 
 void MotionCore::AdvanceProfile(size_t index) {
   Profile& profile = state_.profiles[index];
+  if (!profile.now.moving || profile.driven) return;
+  const Sample before = profile.now;
   if (const Master* master = profile.FollowedMaster(); master != nullptr) {
     profile.AdvanceSlave(ReadMaster(*master));
   } else {
     profile.Advance(now());
   }
+  const double way = profile.now.position - before.position;
+  if (before.velocity != 0 || way == 0 || !LimitForbids(index, way)) return;
+  // What a latched limit would stop does not begin.
+  profile.now = before;
+  StopProfile(index, true);
+}
+
+bool MotionCore::LimitForbids(size_t profile, double direction) const {
+  for (size_t i = 0; i < axis_count(); ++i) {
+    const Axis& axis = state_.axes[i];
+    if (!axis.active || (axis.profile_map >> profile & 1) == 0) continue;
+    const double along = axis.profile_scale.reverses() ? -direction : direction;
+    if ((along > 0 && (axis.latched & kPositiveLimitBit) != 0) ||
+        (along < 0 && (axis.latched & kNegativeLimitBit) != 0)) {
+      return true;
+    }
+  }
+  return false;
 }
 
 bool MotionCore::FollowsCrd(const Profile& profile) const {

@@ -231,6 +231,8 @@ class MotionCore {
   void ApplyWorldEvents();
   void AdvanceProfiles();
   void AdvanceProfile(size_t index);
+  /// A limit that is latched for an axis of the profile lies in a direction, given by its sign.
+  bool LimitForbids(size_t profile, double direction) const;
   /// A slave whose master is planned by a coordinate system.
   bool FollowsCrd(const Profile& profile) const;
   void AdvanceCrd(Crd& crd);

@@ -75,6 +75,14 @@ void PtMode::Clear(size_t buffer) {
 
 bool PtMode::HasData(size_t buffer) const { return dynamic ? !Empty() : !buffers[buffer].empty(); }
 
+double PtMode::Direction(size_t buffer) const {
+  for (const PtSegment& segment : buffers[dynamic ? run_buffer : buffer]) {
+    if (segment.velocity != 0) return segment.velocity;
+    if (segment.end_velocity != 0) return segment.end_velocity;
+  }
+  return 0;
+}
+
 size_t PtMode::Remainder() const {
   const size_t held = dynamic ? buffers[0].size() + buffers[1].size() : buffers[run_buffer].size();
   return running ? held - index - 1 : held;

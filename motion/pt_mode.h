@@ -80,6 +80,8 @@ struct PtMode {
   /// Segments that wait behind the one in execution; at rest, those that a run would execute.
   size_t Remainder() const;
 
+  /// Where the first motion of the data goes, by its sign; 0: there is none.
+  double Direction(size_t buffer) const;
   /// Begins a run at `position`: through `run_buffer`, or through the dynamic data. There must be
   /// data.
   void Start(Micros now, double position);

@@ -95,6 +95,15 @@ struct Interval {
 
 }  // namespace
 
+double PvtTable::Direction() const {
+  for (const PvtPiece& piece : pieces) {
+    for (const double derivative : {piece.velocity, piece.acceleration, piece.jerk}) {
+      if (derivative != 0) return derivative;
+    }
+  }
+  return 0;
+}
+
 Sample PvtTable::At(double t) const {
   if (pieces.empty() || t < begin) return {0, 0, 0, true};
   const auto after =

@@ -39,6 +39,8 @@ struct PvtTable {
   /// Assumption: storage that the description takes, a piece each and one for the last point.
   size_t slots() const { return pieces.size() + 1; }
   double period() const { return end - begin; }
+  /// Where the first motion goes, by its sign; 0: there is none.
+  double Direction() const;
   /// The motion at a time in [0, end], positions counting from the first point.
   Sample At(double t) const;
 

@@ -156,8 +156,7 @@ int16_t RefuseEmpty(Call& call, size_t profile, size_t which) {
 size_t StartFifo(const Call& call, size_t profile) { return BitWord(call.value(1)) >> profile & 1; }
 
 int16_t CheckFollowStart(Call& call, size_t profile) {
-  int16_t code = CheckModeAtRest(call, profile, ProfileMode::kFollow);
-  if (code == vm::kOk) code = CheckMayStart(call, profile, 0);
+  const int16_t code = CheckModeAtRest(call, profile, ProfileMode::kFollow);
   if (code != vm::kOk) return code;
   const FollowMode& follow = call.card.motion.state().profiles[profile].follow;
   if (!follow.master.chosen) {
@@ -166,7 +165,9 @@ int16_t CheckFollowStart(Call& call, size_t profile) {
                                    "规划器 {0} 没有主轴，请调用 GT_SetFollowMaster", profile + 1));
   }
   const size_t which = StartFifo(call, profile);
-  return follow.fifos[which].empty() ? RefuseEmpty(call, profile, which) : vm::kOk;
+  if (follow.fifos[which].empty()) return RefuseEmpty(call, profile, which);
+  const motion::MasterValue master = call.card.motion.ReadMaster(follow.master);
+  return CheckMayStart(call, profile, follow.Direction(static_cast<uint8_t>(which), master));
 }
 
 int16_t FollowStart(Call& call) {

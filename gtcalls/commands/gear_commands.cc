@@ -92,8 +92,7 @@ int16_t GetGearEvent(Call& call) {
 }
 
 int16_t CheckGearStart(Call& call, size_t profile) {
-  int16_t code = CheckModeAtRest(call, profile, ProfileMode::kGear);
-  if (code == vm::kOk) code = CheckMayStart(call, profile, 0);
+  const int16_t code = CheckModeAtRest(call, profile, ProfileMode::kGear);
   if (code != vm::kOk) return code;
   const GearMode& gear = call.card.motion.state().profiles[profile].gear;
   if (!gear.master.chosen) {
@@ -106,7 +105,7 @@ int16_t CheckGearStart(Call& call, size_t profile) {
                        MakeMessage("profile {0} has no ratio, call GT_SetGearRatio",
                                    "规划器 {0} 没有传动比，请调用 GT_SetGearRatio", profile + 1));
   }
-  return vm::kOk;
+  return CheckMayStart(call, profile, gear.Direction(call.card.motion.ReadMaster(gear.master)));
 }
 
 int16_t GearStart(Call& call) {

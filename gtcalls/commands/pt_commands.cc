@@ -133,7 +133,9 @@ int16_t PtStart(Call& call) {
   auto& states = call.card.motion.state().profiles;
   for (const size_t i : profiles) {
     int16_t code = CheckModeAtRest(call, i, ProfileMode::kPt);
-    if (code == vm::kOk) code = CheckMayStart(call, i, 0);
+    if (code == vm::kOk) {
+      code = CheckMayStart(call, i, states[i].pt.Direction(option >> i & 1));
+    }
     if (code != vm::kOk) return code;
     if (!states[i].pt.HasData(option >> i & 1)) {
       return call.Refuse(vm::kRefused,

@@ -245,10 +245,12 @@ int16_t PvtStart(Call& call) {
   auto& states = call.card.motion.state().profiles;
   for (const size_t i : profiles) {
     int16_t code = CheckModeAtRest(call, i, ProfileMode::kPvt);
-    if (code == vm::kOk) code = CheckMayStart(call, i, 0);
+    const motion::PvtTable* table = TablesOf(call)[states[i].pvt.selected].get();
+    if (code == vm::kOk) {
+      code = CheckMayStart(call, i, table == nullptr ? 0 : table->Direction());
+    }
     if (code != vm::kOk) return code;
-    const size_t table = states[i].pvt.selected;
-    if (TablesOf(call)[table] == nullptr) return RefuseEmpty(call, table);
+    if (table == nullptr) return RefuseEmpty(call, states[i].pvt.selected);
   }
   for (const size_t i : profiles) {
     states[i].pvt.next = TablesOf(call)[states[i].pvt.selected];

@@ -10,6 +10,93 @@ namespace {
 using motion::DiType;
 using motion::DoType;
 
+// --- Starts into a latched limit ---------------------------------------------------------------
+
+/// Axis 2 in a mode, everything but its start; the way goes to `direction`. Axis 1 is the master.
+void PrepareMode(AxisCommandCard& card, std::string_view mode, int direction) {
+  if (mode == "PT") {
+    EXPECT_EQ(card.Call("GT_PrfPt", {2, 0}), 0);
+    EXPECT_EQ(card.Call("GT_PtData", {2, 0.0, 5, 0, 0}), 0);
+    EXPECT_EQ(card.Call("GT_PtData", {2, direction * 100.0, 20, 0, 0}), 0);
+  } else if (mode == "PVT") {
+    std::vector<double> times = {0, 10, 20};
+    std::vector<double> positions = {0, 0, direction * 100.0};
+    std::vector<double> velocities = {0, 0, 0};
+    EXPECT_EQ(card.Call("GT_PrfPvt", {2}), 0);
+    EXPECT_EQ(card.Call("GT_PvtTable", {1, 3, &times, &positions, &velocities}), 0);
+    EXPECT_EQ(card.Call("GT_PvtTableSelect", {2, 1}), 0);
+  } else if (mode == "Gear") {
+    EXPECT_EQ(card.Call("GT_PrfGear", {2, 0}), 0);
+    EXPECT_EQ(card.Call("GT_SetGearMaster", {2, 1, 2, 0}), 0);
+    EXPECT_EQ(card.Call("GT_SetGearRatio", {2, 1, direction, 0}), 0);
+  } else if (mode == "Follow") {
+    EXPECT_EQ(card.Call("GT_PrfFollow", {2, 0}), 0);
+    EXPECT_EQ(card.Call("GT_SetFollowMaster", {2, 1, 2, 0}), 0);
+    EXPECT_EQ(card.Call("GT_FollowData", {2, 100000, direction * 1000.0, 1, 0}), 0);
+  } else {
+    card.PrepareTrap(2, direction * 1000, 10);
+  }
+}
+
+int16_t StartMode(AxisCommandCard& card, std::string_view mode) {
+  if (mode == "PT") return card.Call("GT_PtStart", {2, 0});
+  if (mode == "PVT") return card.Call("GT_PvtStart", {2});
+  if (mode == "Gear") return card.Call("GT_GearStart", {2});
+  if (mode == "Follow") return card.Call("GT_FollowStart", {2, 0});
+  return card.Call("GT_Update", {2});
+}
+
+constexpr std::string_view kModes[] = {"Trap", "PT", "PVT", "Gear", "Follow"};
+
+TEST(LatchedLimit, NoModeStartsIntoIt) {
+  for (const std::string_view mode : kModes) {
+    for (const int direction : {1, -1}) {
+      AxisCommandCard card;
+      card.PrepareJog(1, 10);
+      EXPECT_EQ(card.Update(1), 0);
+      const DiType limit = direction > 0 ? DiType::kLimitPositive : DiType::kLimitNegative;
+      card.Drive(limit, 1, true);
+      PrepareMode(card, mode, direction);
+      EXPECT_EQ(StartMode(card, mode), 1) << mode;
+      EXPECT_EQ(card.reason.en, direction > 0 ? "axis 2 positive limit latched: move away from it, "
+                                                "call GT_ClrSts"
+                                              : "axis 2 negative limit latched: move away from it, "
+                                                "call GT_ClrSts");
+      card.Cycles(30);
+      EXPECT_EQ(card.Read("GT_GetPrfPos", 2), 0) << mode;
+    }
+  }
+}
+
+TEST(LatchedLimit, EveryModeStartsAwayFromIt) {
+  for (const std::string_view mode : kModes) {
+    AxisCommandCard card;
+    card.PrepareJog(1, 10);
+    EXPECT_EQ(card.Update(1), 0);
+    card.Drive(DiType::kLimitNegative, 1, true);
+    PrepareMode(card, mode, 1);
+    EXPECT_EQ(StartMode(card, mode), 0) << mode;
+    card.Cycles(20);
+    EXPECT_GT(card.Read("GT_GetPrfPos", 2), 0.1) << mode;
+  }
+}
+
+TEST(LatchedLimit, ASlaveIsHeldWhenItsMasterBeginsToMove) {
+  for (const std::string_view mode : {"Gear", "Follow"}) {
+    AxisCommandCard card;
+    card.Drive(DiType::kLimitPositive, 1, true);
+    PrepareMode(card, mode, 1);
+    EXPECT_EQ(StartMode(card, mode), 0) << mode;
+    card.PrepareJog(1, 10);
+    EXPECT_EQ(card.Update(1), 0);
+    for (int i = 0; i < 30; ++i) {
+      card.Cycle();
+      ASSERT_EQ(card.Read("GT_GetPrfPos", 2), 0) << mode;
+    }
+    EXPECT_EQ(card.Status(2) & kMoving, 0) << mode;
+  }
+}
+
 // --- Drive -------------------------------------------------------------------------------------
 
 TEST(AxisOn, SetsTheEnableOutputAndBit9) {
