@@ -31,7 +31,13 @@ void Compensation::SetBacklash(const Backlash& registers) {
 void Compensation::Advance(Micros begin, Micros end, double position, double velocity) {
   if (velocity != 0) direction = velocity > 0 ? 1 : -1;
   AdvanceBacklash(begin, end);
-  pitch_error = pitch_on ? pitch_table->At(position, direction >= 0) : 0;
+  pitch_error = PitchErrorAt(position);
+}
+
+void Compensation::MoveOrigin(double from, double to) {
+  const double change = PitchErrorAt(to) - PitchErrorAt(from);
+  origin += change;
+  pitch_error += change;
 }
 
 void Compensation::AdvanceBacklash(Micros begin, Micros end) {

@@ -62,22 +62,28 @@ struct Compensation {
   Micros ramp_begin = 0;      ///< since this instant
   double backlash_error = 0;  ///< in effect, pulses
   double pitch_error = 0;     ///< in effect, pulses
+  double origin = 0;          ///< of both, where planned and measured positions were made equal
 
   /// Anything to do in a cycle: a register asks for it, or something is still in effect.
   bool InUse() const { return pitch_on || backlash.value != 0 || Amount() != 0; }
   /// What the drive is told beyond the planned position, pulses.
-  double Amount() const { return backlash_error + pitch_error; }
+  double Amount() const { return backlash_error + pitch_error - origin; }
   /// Changes the backlash; what is in effect goes to the new value from where it is.
   void SetBacklash(const Backlash& registers);
+  /// The planned position `from` is called `to` from now on: what is added stays.
+  void MoveOrigin(double from, double to);
   /// A cycle from `begin` to `end` that ended at a planned position with a velocity.
   void Advance(Micros begin, Micros end, double position, double velocity);
 
   auto Fields() const {
     return std::tie(backlash, pitch_table, pitch_on, direction, ramp_from, ramp_to, ramp_begin,
-                    backlash_error, pitch_error);
+                    backlash_error, pitch_error, origin);
   }
 
  private:
+  double PitchErrorAt(double position) const {
+    return pitch_on ? pitch_table->At(position, direction >= 0) : 0;
+  }
   void AdvanceBacklash(Micros begin, Micros end);
 };
 

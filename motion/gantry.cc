@@ -38,6 +38,11 @@ void MotionCore::DisableGantry() {
   state_.gantry.on = false;
 }
 
+void MotionCore::StopCommanded(size_t profile, bool abrupt) {
+  StopProfile(profile, abrupt);
+  if (IsGantrySlave(profile)) StopAxis(state_.axes[profile], abrupt);
+}
+
 double MotionCore::GantrySkew() const {
   const Gantry& gantry = state_.gantry;
   return state_.axes[gantry.slave].encoder.position - state_.axes[gantry.master].encoder.position -

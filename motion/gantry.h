@@ -26,7 +26,7 @@ struct Gantry {
   double master_kp = 0;  ///< DAC units per pulse of skew
   double slave_kp = 0;
   int32_t error_limit = kGantryErrorLimit;
-  double skew_origin = 0;  ///< slave - master when the gantry began, measured
+  double skew_origin = 0;  ///< slave - master when the gantry began, as they are counted now
   // What the slave axis had before.
   uint32_t slave_map = 0;
   Scale slave_scale;

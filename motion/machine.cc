@@ -181,15 +181,14 @@ void MotionCore::AlignWithEncoder(size_t index) {
   Axis& axis = state_.axes[index];
   // What compensation adds is in the measured position already.
   const double measured = axis.encoder.position - state_.compensations[index].Amount();
-  const bool gantry_slave = state_.gantry.on && state_.gantry.slave == index;
-  if (std::has_single_bit(axis.profile_map) && !gantry_slave) {
+  const uint32_t map = axis.profile_map & ((uint32_t{1} << axis_count()) - 1);
+  if (std::has_single_bit(map) && !IsGantrySlave(index)) {
     // The axis' own profile goes along, so that both agree as after GT_SynchAxisPos.
-    const auto profile = static_cast<size_t>(std::countr_zero(axis.profile_map));
+    const auto profile = static_cast<size_t>(std::countr_zero(map));
     const Scale& scale = axis.profile_scale;
     SetProfilePosition(profile, measured * scale.alpha / scale.beta);
   }
-  MoveAxisOrigin(index, measured);
-  axis.profile.offset = measured - MappedProfiles(axis);
+  RenamePlanned(index, measured);
 }
 
 void MotionCore::AdvancePlant(size_t index) {

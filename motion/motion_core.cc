@@ -332,22 +332,45 @@ void MotionCore::SetEncoderPosition(size_t encoder, double position) {
 
 void MotionCore::SynchAxis(size_t index) {
   Axis& axis = state_.axes[index];
-  axis.profile.offset = 0;
-  MoveAxisOrigin(index, MappedProfiles(axis));
+  const double before = axis.profile.position;
   axis.encoder.offset = 0;
-  MoveEncoderOrigin(index, MappedEncoders(axis));
+  const double measured = MappedEncoders(axis);
+  if (IsGantrySlave(index)) {
+    // Its profiles are its master's: it is renamed as its encoder is, so that the beam stays.
+    RenamePlanned(index, axis.profile.position + (measured - axis.encoder.position));
+  } else {
+    axis.profile.offset = 0;
+    MoveAxisOrigin(index, MappedProfiles(axis));
+  }
+  state_.compensations[index].MoveOrigin(before, axis.profile.position);
+  MoveEncoderOrigin(index, measured);
 }
 
 void MotionCore::ZeroAxis(size_t axis) {
   SetProfilePosition(axis, 0);
   SetEncoderPosition(axis, 0);
   SynchAxis(axis);
+  Compensation& compensation = state_.compensations[axis];
+  if (IsGantrySlave(axis)) {
+    compensation.MoveOrigin(state_.axes[axis].profile.position, 0);
+    RenamePlanned(axis, 0);
+  }
+  // What compensation has added so far is in the place that is 0 now.
+  const double amount = compensation.Amount();
+  compensation.origin += amount;
+  KeepMachine(axis, amount);
 }
 
 void MotionCore::SetProfileScale(size_t axis, Scale scale) {
+  const double before = state_.axes[axis].profile.position;
   state_.axes[axis].profile_scale = scale;
   state_.axes[axis].profile.offset = 0;
   MoveAxisOrigin(axis, MappedProfiles(state_.axes[axis]));
+  state_.compensations[axis].MoveOrigin(before, state_.axes[axis].profile.position);
+  if (!state_.gantry.on || state_.gantry.master != axis) return;
+  Axis& follower = state_.axes[state_.gantry.slave];
+  follower.profile_scale = scale;
+  follower.profile.offset = follower.profile.position - MappedProfiles(follower);
 }
 
 void MotionCore::SetEncoderScale(size_t axis, Scale scale) {
@@ -358,8 +381,12 @@ void MotionCore::SetEncoderScale(size_t axis, Scale scale) {
 
 void MotionCore::MoveEncoderOrigin(size_t index, double position) {
   AxisValue& value = state_.axes[index].encoder;
-  ShiftSlaves({true, MasterType::kAxis, static_cast<uint8_t>(index), true},
-              position - value.position);
+  const double shift = position - value.position;
+  ShiftSlaves({true, MasterType::kAxis, static_cast<uint8_t>(index), true}, shift);
+  // Names change, the machine does not: neither does the skew.
+  Gantry& gantry = state_.gantry;
+  if (gantry.on && gantry.slave == index) gantry.skew_origin += shift;
+  if (gantry.on && gantry.master == index) gantry.skew_origin -= shift;
   value.position = position;
 }
 
@@ -400,6 +427,12 @@ void MotionCore::MoveAxisOrigin(size_t index, double position) {
   AxisValue& value = state_.axes[index].profile;
   KeepMachine(index, value.position - position);
   value.position = position;
+}
+
+void MotionCore::RenamePlanned(size_t index, double position) {
+  Axis& axis = state_.axes[index];
+  MoveAxisOrigin(index, position);
+  axis.profile.offset = position - MappedProfiles(axis);
 }
 
 void MotionCore::StopAxis(const Axis& axis, bool abrupt) {

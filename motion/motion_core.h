@@ -149,6 +149,8 @@ class MotionCore {
   void ClearStatus(size_t axis);
   /// Stops a profile as its registers say; one that belongs to a coordinate system stops all of it.
   void StopProfile(size_t profile, bool abrupt);
+  /// GT_Stop of one axis: its profile, or what moves it as the slave of a gantry.
+  void StopCommanded(size_t profile, bool abrupt);
   /// Sets a resting profile's position; the axes keep theirs.
   void SetProfilePosition(size_t profile, double position);
   /// Sets an encoder's position; the axes keep theirs.
@@ -190,6 +192,7 @@ class MotionCore {
   void DisableGantry();
   /// How far the measured slave is ahead of the master since the gantry began, pulses.
   double GantrySkew() const;
+  bool IsGantrySlave(size_t axis) const { return state_.gantry.on && state_.gantry.slave == axis; }
 
   // --- Coordinate systems ------------------------------------------------------------------------
 
@@ -328,8 +331,9 @@ class MotionCore {
   void ShiftSlaves(const Master& master, double shift);
   /// Gives an axis another measured position without motion.
   void MoveEncoderOrigin(size_t index, double position);
-  /// Gives an axis another planned position without motion.
+  /// Gives an axis another planned position without motion; the second, against its profiles.
   void MoveAxisOrigin(size_t index, double position);
+  void RenamePlanned(size_t index, double position);
   /// Stops every profile that an axis maps.
   void StopAxis(const Axis& axis, bool abrupt);
 

@@ -155,7 +155,7 @@ int16_t Stop(Call& call) {
   for (const size_t i : crds) {
     call.card.motion.StopCrd(i, (abrupt >> (FirstCrdBit(call) + i) & 1) != 0);
   }
-  for (const size_t i : profiles) call.card.motion.StopProfile(i, (abrupt >> i & 1) != 0);
+  for (const size_t i : profiles) call.card.motion.StopCommanded(i, (abrupt >> i & 1) != 0);
   return vm::kOk;
 }
 
@@ -196,7 +196,8 @@ motion::Scale ScaleOf(const Call& call) {
 }
 
 int16_t ProfileScale(Call& call) {
-  const int16_t code = CheckScale(call);
+  int16_t code = CheckScale(call);
+  if (code == vm::kOk) code = CheckNoGantrySlave(call, NumberOf(call));
   if (code == vm::kOk) call.card.motion.SetProfileScale(NumberOf(call), ScaleOf(call));
   return code;
 }

@@ -112,10 +112,9 @@ int16_t RefuseHoming(Call& call, HomeError error) {
 }
 
 int16_t CheckIdle(Call& call) {
-  if (!HomingOf(call).running) return CheckAtRest(call, NumberOf(call));
-  return call.Refuse(vm::kRefused,
-                     MakeMessage("axis {0} is homing, wait until it is done or call GT_Stop",
-                                 "轴 {0} 正在回零，请等待完成或调用 GT_Stop", NumberOf(call) + 1));
+  int16_t code = CheckNotHoming(call, NumberOf(call));
+  if (code == vm::kOk) code = CheckNoGantrySlave(call, NumberOf(call));
+  return code == vm::kOk ? CheckAtRest(call, NumberOf(call)) : code;
 }
 
 int16_t GoHome(Call& call) {

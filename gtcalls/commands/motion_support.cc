@@ -64,6 +64,23 @@ int16_t ChooseMode(Call& call, size_t profile, ProfileMode mode) {
   return vm::kOk;
 }
 
+int16_t CheckNoGantrySlave(Call& call, size_t axis) {
+  if (!call.card.motion.IsGantrySlave(axis)) return vm::kOk;
+  return call.Refuse(
+      vm::kRefused,
+      MakeMessage("axis {0} is the slave of a gantry: command its master, axis {1}, or call "
+                  "GT_DisableGantry",
+                  "轴 {0} 是龙门从轴：请控制主轴 {1}，或调用 GT_DisableGantry", axis + 1,
+                  call.card.motion.state().gantry.master + 1));
+}
+
+int16_t CheckNotHoming(Call& call, size_t axis) {
+  if (!call.card.motion.state().homing[axis].running) return vm::kOk;
+  return call.Refuse(vm::kRefused,
+                     MakeMessage("axis {0} is homing, wait until it is done or call GT_Stop",
+                                 "轴 {0} 正在回零，请等待完成或调用 GT_Stop", axis + 1));
+}
+
 int16_t CheckMayStart(Call& call, size_t profile, double direction) {
   const motion::MotionCore& core = call.card.motion;
   if (!core.state().profiles[profile].active) {
@@ -71,13 +88,9 @@ int16_t CheckMayStart(Call& call, size_t profile, double direction) {
                                                  "规划器 {0} 在配置中未激活", profile + 1));
   }
   const motion::Gantry& gantry = core.state().gantry;
-  if (gantry.on && gantry.slave == profile && (gantry.slave_map >> profile & 1) != 0) {
-    return call.Refuse(
-        vm::kRefused,
-        MakeMessage("axis {0} is the slave of a gantry: command its master, axis {1}, or call "
-                    "GT_DisableGantry",
-                    "轴 {0} 是龙门从轴：请控制主轴 {1}，或调用 GT_DisableGantry", profile + 1,
-                    gantry.master + 1));
+  if (gantry.on && (gantry.slave_map >> profile & 1) != 0) {
+    const int16_t code = CheckNoGantrySlave(call, profile);
+    if (code != vm::kOk) return code;
   }
   for (size_t i = 0; i < core.axis_count(); ++i) {
     const Axis& axis = core.state().axes[i];

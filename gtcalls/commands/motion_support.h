@@ -39,6 +39,11 @@ int16_t CheckModeAtRest(Call& call, size_t profile, motion::ProfileMode mode);
 /// GT_PrfTrap and its kin: chooses a mode for a resting profile that no coordinate system uses.
 int16_t ChooseMode(Call& call, size_t profile, motion::ProfileMode mode);
 
+/// 0, or 1 with the reason when the axis is the slave of a gantry.
+int16_t CheckNoGantrySlave(Call& call, size_t axis);
+/// 0, or 1 with the reason while homing moves the axis.
+int16_t CheckNotHoming(Call& call, size_t axis);
+
 /// 0, or 1 with the reason when an axis of the profile may not start to move in `direction` (its
 /// sign; 0: not known): a stop input or alarm is latched, or the limit in that direction is.
 int16_t CheckMayStart(Call& call, size_t profile, double direction);

@@ -36,6 +36,40 @@ TEST(GantryCommand, TheSlaveIsNotCommanded) {
   EXPECT_EQ(card.Update(2), 0);
 }
 
+TEST(GantryCommand, TheSlavesBitStopsBoth) {
+  for (const int abrupt : {0, 1}) {
+    AxisCommandCard card;
+    EXPECT_EQ(card.Call("GT_AxisOn", {1}), 0);
+    EXPECT_EQ(card.Call("GT_AxisOn", {2}), 0);
+    EXPECT_EQ(card.Call("GT_EnableGantry", {1, 2, 0, 0}), 0);
+    card.MoveTo(1, 100000, 10);
+    card.Cycles(50);
+    EXPECT_EQ(card.Call("GT_Stop", {2, abrupt << 1}), 0);
+    card.Cycles(abrupt != 0 ? 1 : 11);
+    EXPECT_EQ(card.Status(1) & kMoving, 0);
+    EXPECT_EQ(card.Status(2) & kMoving, 0);
+  }
+}
+
+TEST(GantryCommand, HomingAndScalesDoNotReachTheSlave) {
+  AxisCommandCard card;
+  EXPECT_EQ(card.Call("GT_AxisOn", {2}), 0);
+  EXPECT_EQ(card.Call("GT_HomeInit", {}), 0);
+  Cells parameters(22);
+  EXPECT_EQ(card.Call("GT_GetHomePrm", {2, &parameters}), 0);
+  for (const size_t cell : {8, 9, 10, 11}) parameters[cell] = 1;  // velocities, accelerations
+  EXPECT_EQ(card.Call("GT_EnableGantry", {1, 2, 0, 0}), 0);
+  card.ExpectRefused(1, "GT_GoHome", {2, &parameters});
+  EXPECT_EQ(card.reason.en,
+            "axis 2 is the slave of a gantry: command its master, axis 1, or call "
+            "GT_DisableGantry");
+  card.ExpectRefused(1, "GT_Home", {2, 1000, 10.0, 1.0, 0});
+  card.ExpectRefused(1, "GT_ProfileScale", {2, 2, 1});
+  EXPECT_EQ(card.Call("GT_DisableGantry", {}), 0);
+  EXPECT_EQ(card.Call("GT_ProfileScale", {2, 2, 1}), 0);
+  EXPECT_EQ(card.Call("GT_GoHome", {2, &parameters}), 0);
+}
+
 TEST(GantryCommand, ChecksParametersAndState) {
   AxisCommandCard card;
   const struct {

@@ -192,6 +192,51 @@ TEST(CompensatedAxis, DoesNotJumpWhenAClosedLoopIsEnabled) {
   EXPECT_NEAR(jog.core.state().plants[0].position, machine, 1);
 }
 
+TEST(CompensatedAxis, RenamingItsPositionsMovesNothing) {
+  for (const bool closed : {false, true}) {
+    for (const bool zero : {false, true}) {
+      JoggingCore jog;
+      MotionCore& core = jog.core;
+      if (closed) {
+        core.ServoOff(0);
+        core.state().drives[0] = VelocityDrive(100, 2, 0);
+        core.state().controls[0].sets[0] = {.kp = 20};
+        core.SetClosedLoop(0, true);
+        core.ServoOn(0);
+        core.StartProfile(0);
+      }
+      core.SetBacklash(0, {300, 0, true});
+      // Another error everywhere: 500 at 0, 0 at 1000.
+      core.SetPitchTable(
+          0, std::make_shared<const PitchTable>(PitchTable{0, 1000, {500, 0}, {500, 0}}));
+      core.EnablePitchCompensation(0, true);
+      jog.Ticks(40);
+      core.StopProfile(0, true);
+      jog.Ticks(400);
+      const double machine = core.state().plants[0].position;
+      ASSERT_NEAR(machine, 400 + 300 + 300, 5);
+      if (zero) {
+        core.ZeroAxis(0);
+        EXPECT_EQ(core.state().axes[0].profile.position, 0);
+        EXPECT_EQ(core.state().axes[0].encoder.position, 0);
+      } else {
+        core.SynchAxis(0);
+      }
+      EXPECT_EQ(core.state().plants[0].position, machine);
+      jog.Ticks(400);
+      EXPECT_NEAR(core.state().plants[0].position, machine, 2) << closed << zero;
+      EXPECT_NEAR(core.state().axes[0].encoder.position, zero ? 0 : machine, 2) << closed << zero;
+      // Afterwards the backlash is given back as before.
+      jog.Reverse();
+      jog.Ticks(2);
+      core.StopProfile(0, true);
+      jog.Ticks(400);
+      EXPECT_NEAR(core.state().compensations[0].backlash_error, 0, 1e-9);
+      EXPECT_LT(core.state().plants[0].position, machine - 290) << closed << zero;
+    }
+  }
+}
+
 TEST(CompensatedAxis, ForgetsEverythingAtReset) {
   JoggingCore jog;
   jog.core.SetBacklash(0, {1000, 0, true});

@@ -88,6 +88,47 @@ TEST(Gantry, TheCouplingSharesTheSkew) {
   }
 }
 
+TEST(Gantry, RenamingPositionsMovesNothingAndIsNoSkew) {
+  for (const size_t axis : {size_t{0}, size_t{1}}) {
+    for (const bool zero : {true, false}) {
+      MotionCore core = UnevenCore(10);
+      core.state().gantry.error_limit = 20;
+      Jog(core, 10);
+      Ticks(core, 2000);
+      core.StopProfile(0, true);
+      Ticks(core, 2000);
+      const double skew = core.GantrySkew();
+      const double beam[] = {core.state().plants[0].position, core.state().plants[1].position};
+      ASSERT_GT(beam[0], 4000);
+      if (zero) {
+        core.ZeroAxis(axis);
+        EXPECT_EQ(core.state().axes[axis].profile.position, 0);
+        EXPECT_EQ(core.state().axes[axis].encoder.position, 0);
+      } else {
+        core.SynchAxis(axis);
+      }
+      EXPECT_EQ(core.GantrySkew(), skew);
+      Ticks(core, 2000);
+      for (const size_t side : {size_t{0}, size_t{1}}) {
+        EXPECT_NEAR(core.state().plants[side].position, beam[side], 2) << "axis " << axis;
+        EXPECT_NE(core.Status(side) & kServoOnBit, 0u) << "axis " << axis;
+      }
+    }
+  }
+}
+
+TEST(Gantry, AScaleOfTheMasterIsTheSlavesToo) {
+  MotionCore core({.cycle_us = 1000});
+  core.ServoOn(0);
+  core.ServoOn(1);
+  core.EnableGantry(0, 1, 0, 0);
+  core.SetProfileScale(0, {2, 1});
+  Jog(core, 10);
+  Ticks(core, 100);
+  EXPECT_GT(core.state().plants[0].position, 200);
+  EXPECT_EQ(core.state().plants[0].position, core.state().plants[1].position);
+}
+
 TEST(Gantry, TooMuchSkewSwitchesBothOff) {
   MotionCore core({.cycle_us = 1000});
   core.ServoOn(0);
