@@ -62,6 +62,7 @@ HomeError MotionCore::CheckHoming(size_t index, HomeMode mode) const {
 void MotionCore::BeginHoming(size_t index, const HomeParameters& parameters) {
   Homing& homing = state_.homing[index];
   homing = {.parameters = parameters, .running = true, .prepared = homing.prepared};
+  homing.ahead = PlannedAhead(index);
   homing.direction = parameters.move_direction;
   state_.homing_runs = true;
   TrapMode& trap = state_.profiles[index].trap;
@@ -90,16 +91,64 @@ void MotionCore::BeginSimpleHoming(size_t index, HomeKind kind, int32_t position
   homing.error = HomeError::kNone;
   homing.found = false;
   homing.stopping = false;
+  homing.ahead = PlannedAhead(index);
   homing.parameters.trigger_index = 0;
   homing.simple_velocity = velocity;
   homing.simple_acc = acceleration;
   homing.simple_offset = offset;
   state_.homing_runs = true;
-  const bool search_index = kind == HomeKind::kIndex;
   state_.profiles[index].trap.parameters = {acceleration, acceleration, 0, 0};
-  state_.capture.Arm(index, search_index ? CaptureSource::kIndex : CaptureSource::kHome, state_.io);
-  MoveHoming(index, search_index ? HomeStage::kSearchIndex : HomeStage::kSearchHome,
-             position - state_.profiles[index].now.position, velocity);
+  state_.capture.Arm(index, CaptureSource::kHome, state_.io);
+  MoveHoming(index, HomeStage::kSearchHome, position - state_.profiles[index].now.position,
+             velocity);
+}
+
+void MotionCore::SetIndexSearch(size_t index, int32_t distance, int32_t offset) {
+  Homing& homing = state_.homing[index];
+  homing.index_follows = true;
+  homing.index_distance = distance;
+  homing.index_offset = offset;
+  if (homing.running || homing.kind != HomeKind::kHome || !homing.found) return;
+  homing.running = true;
+  state_.homing_runs = true;
+  SearchIndexSimply(index);
+}
+
+void MotionCore::SearchIndexSimply(size_t index) {
+  Homing& homing = state_.homing[index];
+  homing.kind = HomeKind::kIndex;
+  homing.found = false;
+  homing.index_follows = false;
+  homing.simple_velocity /= 2;
+  homing.simple_offset = homing.index_offset;
+  state_.capture.Arm(index, CaptureSource::kIndex, state_.io);
+  MoveHoming(index, HomeStage::kSearchIndex, homing.index_distance, homing.simple_velocity);
+}
+
+double MotionCore::PlannedAhead(size_t index) const {
+  // A closed loop holds the axis at its planned position.
+  if (InClosedLoop(index)) return 0;
+  const Axis& axis = state_.axes[index];
+  double fraction = 0;
+  for (size_t i = 0; i < axis_count(); ++i) {
+    if ((axis.encoder_map >> i & 1) != 0)
+      fraction += CountedPosition(i) - state_.encoders[i].position;
+  }
+  const double measured = axis.encoder.position + axis.encoder_scale.Apply(fraction);
+  return CommandedPosition(index) - measured;
+}
+
+double MotionCore::ProfilePositionOf(size_t index, double captured) const {
+  const Axis& axis = state_.axes[index];
+  const Encoder& encoder = state_.encoders[HomingTrigger(index)];
+  const double measured =
+      axis.encoder.position + axis.encoder_scale.Apply(captured - encoder.position);
+  const double planned =
+      measured + state_.homing[index].ahead - state_.compensations[index].Amount();
+  const Scale& scale = axis.profile_scale;
+  const double way = planned - (MappedProfiles(axis) + axis.profile.offset);
+  const Scale inverse = {scale.beta, scale.alpha};
+  return state_.profiles[index].now.position + inverse.Apply(way);
 }
 
 void MotionCore::AdvanceHomings() {
@@ -115,6 +164,10 @@ void MotionCore::AdvanceHoming(size_t index) {
   Homing& homing = state_.homing[index];
   const HomeParameters& p = homing.parameters;
   const Sample& now = state_.profiles[index].now;
+  if (homing.failing) {
+    homing.running = homing.failing = now.moving;
+    return;
+  }
   if (!state_.axes[index].servo_on) return FailHoming(index, HomeError::kStop);
   if (homing.stopping) {
     if (!now.moving) ContinueHoming(index);
@@ -125,6 +178,7 @@ void MotionCore::AdvanceHoming(size_t index) {
       (homing.stage == HomeStage::kSearchLimit || homing.stage == HomeStage::kLimitReturn)) {
     // In whole pulses on the near side: the way to the origin must not lead into the limit.
     homing.captured = homing.direction > 0 ? std::floor(now.position) : std::ceil(now.position);
+    homing.origin = homing.captured;
     homing.stage = homing.stage == HomeStage::kSearchLimit ? HomeStage::kSearchLimitStop
                                                            : HomeStage::kLimitReturnStop;
     homing.stopping = true;
@@ -151,10 +205,11 @@ void MotionCore::AdvanceHoming(size_t index) {
 void MotionCore::TakeHomingCapture(size_t index) {
   Homing& homing = state_.homing[index];
   homing.captured = state_.capture.capture(HomingTrigger(index)).value;
+  homing.origin = ProfilePositionOf(index, homing.captured);
   if (homing.kind == HomeKind::kHome || homing.kind == HomeKind::kIndex) {
     homing.found = true;
     return MoveHoming(index, HomeStage::kGoHome,
-                      homing.captured + homing.simple_offset - state_.profiles[index].now.position,
+                      homing.origin + homing.simple_offset - state_.profiles[index].now.position,
                       homing.simple_velocity);
   }
   if (homing.stage == HomeStage::kSearchHome) homing.stage = HomeStage::kSearchHomeStop;
@@ -185,13 +240,13 @@ void MotionCore::ContinueHoming(size_t index) {
         return EndHoming(index);
       }
       if (SearchesIndex(p.mode)) {
-        return MoveHoming(index, HomeStage::kHomeReturn, homing.captured - position, p.low);
+        return MoveHoming(index, HomeStage::kHomeReturn, homing.origin - position, p.low);
       }
       break;
     default:
       break;
   }
-  MoveHoming(index, HomeStage::kGoHome, homing.captured + p.offset - position,
+  MoveHoming(index, HomeStage::kGoHome, homing.origin + p.offset - position,
              p.final_fast ? p.high : p.low);
 }
 
@@ -207,7 +262,8 @@ void MotionCore::ArriveHoming(size_t index) {
     case HomeStage::kHomeReturn:
       return SearchIndex(index);
     case HomeStage::kGoHome:
-      return EndHoming(index);
+      return homing.kind == HomeKind::kHome && homing.index_follows ? SearchIndexSimply(index)
+                                                                    : EndHoming(index);
     case HomeStage::kSearchIndex:
       return FailHoming(index, HomeError::kNoIndex);
     default:
@@ -244,7 +300,7 @@ void MotionCore::SearchIndex(size_t index) {
   const size_t trigger = HomingTrigger(index);
   homing.stage = HomeStage::kSearchIndex;
   homing.direction = homing.parameters.index_direction;
-  if (state_.index_marks[trigger].period <= 0 || !state_.encoders[trigger].active) {
+  if (!state_.encoders[trigger].active) {
     return FailHoming(index, HomeError::kSetCaptureIndex);
   }
   ArmHoming(trigger, CaptureSource::kIndex, homing.parameters.rising);
@@ -296,7 +352,7 @@ void MotionCore::EndHoming(size_t index) {
 
 void MotionCore::FailHoming(size_t index, HomeError error) {
   Homing& homing = state_.homing[index];
-  homing.running = false;
+  homing.running = homing.failing = state_.profiles[index].now.moving;
   homing.error = error;
   state_.capture.Disarm(HomingTrigger(index));
 }

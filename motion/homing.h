@@ -9,11 +9,15 @@
 // index pulse at the low one. The end is at the captured position plus the offset; no position is
 // set to 0.
 //
-// Simple homing (GT_Home, GT_HomeStop, GT_Index) moves to a position until the capture answers.
+// Simple homing (GT_Home, GT_HomeStop) moves to a position until the capture answers. GT_Index
+// before it adds a search for the index pulse, from where GT_Home would end.
 //
-// Assumptions: captured encoder positions are taken as profile positions; the forced modes 40 and
-// 41 search the other way when a limit comes before the home switch; the limit search ends after
-// the longest distance; a limit still active after the escape step is a stage error.
+// A captured position is an encoder's. Where the profile has to go to be there again follows from
+// the way between it and where the encoder is now, so that scales and set positions do not matter.
+//
+// Assumptions: the forced modes 40 and 41 search the other way when a limit comes before the home
+// switch; the limit search ends after the longest distance; a limit still active after the escape
+// step is a stage error.
 // Source: application notes on smart homing, GE manual. Tested by
 // tests/gtcalls/home_command_test.cc.
 #pragma once
@@ -113,23 +117,30 @@ struct Homing {
   bool running = false;
   HomeStage stage = HomeStage::kIdle;
   HomeError error = HomeError::kNone;
-  double captured = 0;
+  double captured = 0;  ///< as the capture gave it
+  double origin = 0;    ///< the same place as a profile position
   double target = 0;
 
   HomeKind kind = HomeKind::kSmart;
   int8_t direction = 1;   ///< of the present search
   bool turned = false;    ///< a forced mode has turned round
   bool stopping = false;  ///< a stop of its own is under way
+  bool failing = false;   ///< `error` has ended it, the axis comes to rest
+  double ahead = 0;       ///< planned minus measured axis position at rest, without compensation
   bool prepared = false;  ///< GT_HomeInit
   /// Simple homing: its velocity, offset and result.
   double simple_velocity = 0;
   double simple_acc = 0;
   int32_t simple_offset = 0;
   bool found = false;
+  bool index_follows = false;  ///< GT_Index: after the home switch comes the index pulse ...
+  int32_t index_distance = 0;  ///< ... within this way, in profile pulses
+  int32_t index_offset = 0;
 
   auto Fields() const {
-    return std::tie(parameters, running, stage, error, captured, target, kind, direction, turned,
-                    stopping, prepared, simple_velocity, simple_acc, simple_offset, found);
+    return std::tie(parameters, running, stage, error, captured, origin, target, kind, direction,
+                    turned, stopping, failing, ahead, prepared, simple_velocity, simple_acc,
+                    simple_offset, found, index_follows, index_distance, index_offset);
   }
 };
 

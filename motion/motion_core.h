@@ -215,9 +215,11 @@ class MotionCore {
   HomeError CheckHoming(size_t index, HomeMode mode) const;
   /// GT_GoHome, for a resting profile.
   void BeginHoming(size_t index, const HomeParameters& parameters);
-  /// GT_Home, GT_HomeStop, GT_Index: to `position` until the capture answers.
+  /// GT_Home, GT_HomeStop: to `position` until the capture answers.
   void BeginSimpleHoming(size_t index, HomeKind kind, int32_t position, double velocity,
                          double acceleration, int32_t offset);
+  /// GT_Index: the index pulse after the next home switch, or after the one just found.
+  void SetIndexSearch(size_t index, int32_t distance, int32_t offset);
 
   // --- The world -------------------------------------------------------------------------------
 
@@ -274,6 +276,11 @@ class MotionCore {
   void SearchHome(size_t index);
   void SearchIndex(size_t index);
   void ArmHoming(size_t trigger, CaptureSource source, bool rising);
+  void SearchIndexSimply(size_t index);
+  /// Planned minus measured position of a resting axis, without its compensation.
+  double PlannedAhead(size_t index) const;
+  /// The profile position of a captured one.
+  double ProfilePositionOf(size_t index, double captured) const;
   /// What has been searched was captured; a stop of homing's own is over; a move is over.
   void TakeHomingCapture(size_t index);
   void ContinueHoming(size_t index);

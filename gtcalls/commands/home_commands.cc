@@ -184,11 +184,24 @@ int16_t GetHomeStatus(Call& call) {
 // --- Simple homing ---------------------------------------------------------------------------
 
 int16_t HomeInit(Call& call) {
-  for (Homing& homing : call.card.motion.state().homing) homing.prepared = true;
+  for (Homing& homing : call.card.motion.state().homing) {
+    homing.prepared = true;
+    homing.index_follows = false;
+    if (homing.running || homing.kind == HomeKind::kSmart) continue;
+    homing.kind = HomeKind::kSmart;
+    homing.error = HomeError::kNone;
+    homing.found = false;
+  }
   return vm::kOk;
 }
 
-/// Searches an axis' home switch or index pulse up to the position of argument 1.
+int16_t CheckPrepared(Call& call) {
+  if (HomingOf(call).prepared) return vm::kOk;
+  return call.Refuse(vm::kRefused, {"simple homing is not prepared, call GT_HomeInit",
+                                    "回零尚未初始化，请调用 GT_HomeInit"});
+}
+
+/// Searches an axis' home switch up to the position of argument 1.
 int16_t SearchSimply(Call& call, HomeKind kind, double velocity, double acceleration,
                      int32_t offset) {
   const auto in_range = [](double value) { return value >= motion::kRateMin && value <= 32767; };
@@ -199,11 +212,9 @@ int16_t SearchSimply(Call& call, HomeKind kind, double velocity, double accelera
                                    velocity, acceleration));
   }
   const size_t axis = NumberOf(call);
-  if (!HomingOf(call).prepared) {
-    return call.Refuse(vm::kRefused, {"simple homing is not prepared, call GT_HomeInit",
-                                      "回零尚未初始化，请调用 GT_HomeInit"});
-  }
-  const int16_t code = CheckModeAtRest(call, axis, motion::ProfileMode::kTrap);
+  int16_t code = CheckPrepared(call);
+  if (code == vm::kOk) code = CheckMode(call, axis, motion::ProfileMode::kTrap);
+  if (code == vm::kOk) code = CheckIdle(call);
   if (code != vm::kOk) return code;
   if (!AxisOf(call).servo_on) {
     return call.Refuse(vm::kRefused, MakeMessage("axis {0} is not enabled, call GT_AxisOn",
@@ -221,16 +232,30 @@ int16_t HomeStop(Call& call) {
   return SearchSimply(call, HomeKind::kStop, call.value(2), call.value(3), 0);
 }
 
-/// At half the velocity of the GT_Home before it.
+/// Assumption: before GT_Home it has the index pulse searched after the home switch; behind a
+/// GT_Home that has found its switch the search begins at once. At half the velocity of GT_Home.
 int16_t Index(Call& call) {
   const Homing& homing = HomingOf(call);
-  return SearchSimply(call, HomeKind::kIndex, homing.simple_velocity / 2, homing.simple_acc,
-                      call.integer(2));
+  const size_t axis = NumberOf(call);
+  int16_t code = CheckPrepared(call);
+  if (code == vm::kOk && !homing.running && homing.kind == HomeKind::kHome && homing.found) {
+    code = CheckMode(call, axis, motion::ProfileMode::kTrap);
+    if (code == vm::kOk) code = CheckIdle(call);
+  }
+  if (code != vm::kOk) return code;
+  call.card.motion.SetIndexSearch(axis, call.integer(1), call.integer(2));
+  return vm::kOk;
 }
+
+/// Assumption: what GT_HomeSts gives.
+enum SimpleStatus : int { kSearching = 0, kFound = 1, kNotFound = 2 };
 
 int16_t HomeSts(Call& call) {
   const Homing& homing = HomingOf(call);
-  call.Set(1, !homing.running && homing.found ? 1 : 0);
+  SimpleStatus status = kSearching;
+  if (!homing.running && homing.found) status = kFound;
+  if (!homing.running && !homing.found && homing.error != HomeError::kNone) status = kNotFound;
+  call.Set(1, status);
   return vm::kOk;
 }
 

@@ -58,7 +58,8 @@ int16_t CheckModeAtRest(Call& call, size_t profile, ProfileMode mode) {
 }
 
 int16_t ChooseMode(Call& call, size_t profile, ProfileMode mode) {
-  const int16_t code = CheckAtRest(call, profile);
+  int16_t code = CheckNotHoming(call, profile);
+  if (code == vm::kOk) code = CheckAtRest(call, profile);
   if (code != vm::kOk) return code;
   call.card.motion.state().profiles[profile].mode = mode;
   return vm::kOk;

@@ -67,7 +67,8 @@ int16_t GetTrapPrm(Call& call) {
 }
 
 int16_t SetPos(Call& call) {
-  const int16_t code = CheckMode(call, NumberOf(call), ProfileMode::kTrap);
+  int16_t code = CheckMode(call, NumberOf(call), ProfileMode::kTrap);
+  if (code == vm::kOk) code = CheckNotHoming(call, NumberOf(call));
   if (code == vm::kOk) ProfileOf(call).trap.target = call.integer(1);
   return code;
 }
@@ -124,7 +125,8 @@ double& VelocityOf(const Call& call) {
 }
 
 int16_t SetVel(Call& call) {
-  const int16_t code = CheckUpdated(call, NumberOf(call));
+  int16_t code = CheckUpdated(call, NumberOf(call));
+  if (code == vm::kOk) code = CheckNotHoming(call, NumberOf(call));
   if (code == vm::kOk) VelocityOf(call) = call.value(1);
   return code;
 }
@@ -146,6 +148,7 @@ int16_t Update(Call& call) {
   if (profiles.empty()) return vm::kRefused;
   for (const size_t i : profiles) {
     int16_t code = CheckUpdated(call, i);
+    if (code == vm::kOk) code = CheckNotHoming(call, i);
     if (code == vm::kOk) {
       code = CheckMayStart(call, i, DirectionOf(call.card.motion.state().profiles[i]));
     }

@@ -178,7 +178,7 @@ TEST(GoHome, NoIndexWithinItsDistanceIsError10) {
   EXPECT_EQ(card.motion.state().profiles[0].now.position, 30000);
 }
 
-TEST(GoHome, AnEncoderWithoutIndexIsError9) {
+TEST(GoHome, AnEncoderWithoutMarksIsSearchedToTheEnd) {
   CommandTestCard card;
   ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
   card.motion.state().index_marks[0] = {.offset = 0, .period = 0};
@@ -186,7 +186,82 @@ TEST(GoHome, AnEncoderWithoutIndexIsError9) {
   cells[0] = 30;
   ASSERT_EQ(card.Call("GT_GoHome", {1, &cells}), 0);
   RunToEnd(card);
+  EXPECT_EQ(Status(card)[2], 10);
+  EXPECT_EQ(card.motion.state().profiles[0].now.position, 30000);
+}
+
+TEST(GoHome, AnInactiveEncoderIsError9) {
+  CommandTestCard card;
+  ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
+  card.motion.state().encoders[0].active = false;
+  Cells cells = Example(card);
+  cells[0] = 30;
+  ASSERT_EQ(card.Call("GT_GoHome", {1, &cells}), 0);
+  RunToEnd(card);
   EXPECT_EQ(Status(card)[2], 9);
+}
+
+TEST(GoHome, EndsAtTheSwitchWhateverPositionsAreCalled) {
+  // The switch's falling edge is at 6000 of the machine, which stands at 0; homeOffset 250.
+  struct Case {
+    std::string_view name, command;
+    std::vector<Argument> arguments;
+    double machine, captured, profile;
+  };
+  const Case cases[] = {
+      {"as it is", "GT_ProfileScale", {1, 1, 1}, 6250, 6000, 6250},
+      {"two of the profile for one of the axis", "GT_ProfileScale", {1, 2, 1}, 6125, 6000, 12250},
+      {"the profile counts the other way", "GT_ProfileScale", {1, -1, 1}, 5750, 6000, -5750},
+      {"a set profile position", "GT_SetPrfPos", {1, 1000}, 6250, 6000, 7250},
+      {"a set encoder position", "GT_SetEncPos", {1, -3000}, 6250, 3000, 6250},
+  };
+  for (const Case& c : cases) {
+    CommandTestCard card;
+    ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
+    AddSwitch(card, motion::DiType::kHome, 4000, 6000);
+    ASSERT_EQ(card.Call(c.command, c.arguments), 0) << c.name;
+    Cells cells = Example(card);
+    cells[16] = 250;
+    if (c.profile < 0) cells[1] = -1;
+    ASSERT_EQ(card.Call("GT_GoHome", {1, &cells}), 0) << c.name;
+    RunToEnd(card);
+    EXPECT_EQ(Status(card)[2], 0) << c.name;
+    EXPECT_EQ(Status(card)[4], c.captured) << c.name;
+    EXPECT_EQ(card.motion.state().profiles[0].now.position, c.profile) << c.name;
+    EXPECT_EQ(card.motion.state().plants[0].position, c.machine) << c.name;
+  }
+}
+
+TEST(GoHome, RunIs1UntilTheAxisRests) {
+  CommandTestCard card;
+  ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
+  Cells cells = Example(card);
+  ASSERT_EQ(card.Call("GT_GoHome", {1, &cells}), 0);
+  for (int i = 0; i < 400; ++i) card.motion.Tick();
+  ASSERT_EQ(card.Call("GT_SetStopDec", {1, 0.1, 10}), 0);
+  ASSERT_EQ(card.Call("GT_Stop", {1, 0}), 0);
+  // 5 pulse/ms at 0.1 pulse/ms^2: 50 ms.
+  EXPECT_NEAR(RunToEnd(card), 200, 2);
+  EXPECT_EQ(Status(card)[2], 4);
+  EXPECT_FALSE(card.motion.state().profiles[0].now.moving);
+}
+
+TEST(GoHome, NothingElseCommandsTheAxisMeanwhile) {
+  CommandTestCard card;
+  ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
+  Cells cells = Example(card);
+  ASSERT_EQ(card.Call("GT_GoHome", {1, &cells}), 0);
+  card.motion.Tick();
+  card.Expect(1, "GT_SetPos", {1, 100});
+  EXPECT_EQ(card.reason.en, "axis 1 is homing, wait until it is done or call GT_Stop");
+  card.Expect(1, "GT_SetVel", {1, 100.0});
+  card.Expect(1, "GT_Update", {1});
+  card.Expect(1, "GT_PrfJog", {1});
+  card.Expect(0, "GT_SetPos", {2, 100});
+  ASSERT_EQ(card.Call("GT_Stop", {1, 1}), 0);
+  RunToEnd(card);
+  card.Expect(0, "GT_SetPos", {1, 100});
+  card.Expect(0, "GT_Update", {1});
 }
 
 TEST(GoHome, TheLastWayIsSlowUnlessPad1SaysFast) {
@@ -290,13 +365,51 @@ TEST(SimpleHome, StopsBehindTheSwitch) {
   EXPECT_NEAR(card.motion.state().profiles[0].now.position, 6050, 3);
 }
 
-TEST(SimpleHome, EndsWithoutSuccessAtTheSearchPosition) {
+TEST(SimpleHome, EndsWithStatus2AtTheSearchPosition) {
   CommandTestCard card;
   ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
   card.Expect(0, "GT_HomeInit");
   card.Expect(0, "GT_Home", {1, 5000, 10.0, 1.0, 100});
-  EXPECT_EQ(RunSimply(card), 0);
+  EXPECT_EQ(RunSimply(card), 2);
   EXPECT_EQ(card.motion.state().profiles[0].now.position, 5000);
+  card.Expect(0, "GT_HomeInit");
+  EXPECT_EQ(RunSimply(card), 0);
+}
+
+TEST(SimpleHome, AnIndexSearchSetUpBeforeItFollowsTheSwitch) {
+  // The home switch's falling edge at 60000, its offset 2000; the next index mark within 20000
+  // after it, at 66123, and its offset 2000.
+  CommandTestCard card;
+  ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
+  card.motion.state().index_marks[0] = {.offset = 6123, .period = 10000};
+  AddSwitch(card, motion::DiType::kHome, 58000, 60000);
+  card.Expect(0, "GT_HomeInit");
+  card.Expect(0, "GT_Index", {1, 20000, 2000});
+  EXPECT_FALSE(card.motion.state().profiles[0].now.moving);
+  card.Expect(0, "GT_Home", {1, 200000, 10.0, 0.5, 2000});
+  double fastest = 0;
+  Cells done(1);
+  while (done[0] == 0) {
+    card.motion.Tick();
+    EXPECT_EQ(card.Call("GT_HomeSts", {1, &done}), 0);
+    const motion::Sample& now = card.motion.state().profiles[0].now;
+    if (now.position > 62500) fastest = std::max(fastest, now.velocity);
+  }
+  EXPECT_EQ(done[0], 1);
+  EXPECT_EQ(card.motion.state().profiles[0].now.position, 68123);
+  EXPECT_NEAR(fastest, 5, 1e-9);
+}
+
+TEST(SimpleHome, AnIndexThatIsNotFoundEndsWithStatus2) {
+  CommandTestCard card;
+  ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
+  card.motion.state().index_marks[0] = {.offset = 9000, .period = 100000};
+  AddSwitch(card, motion::DiType::kHome, 4000, 6000);
+  card.Expect(0, "GT_HomeInit");
+  card.Expect(0, "GT_Index", {1, 2000, 0});
+  card.Expect(0, "GT_Home", {1, 200000, 10.0, 0.5, 500});
+  EXPECT_EQ(RunSimply(card), 2);
+  EXPECT_EQ(card.motion.state().profiles[0].now.position, 8500);
 }
 
 TEST(SimpleHome, IndexFollowsAtHalfTheVelocity) {
@@ -304,7 +417,6 @@ TEST(SimpleHome, IndexFollowsAtHalfTheVelocity) {
   ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
   AddSwitch(card, motion::DiType::kHome, 4000, 6000);
   card.Expect(0, "GT_HomeInit");
-  card.Expect(7, "GT_Index", {1, 100000, 0});  // no velocity without GT_Home before
   card.Expect(0, "GT_Home", {1, 100000, 10.0, 1.0, 0});
   RunSimply(card);
   card.Expect(0, "GT_Index", {1, 100000, 0});
