@@ -230,8 +230,15 @@ int16_t ShortFrom(double value, double smallest, double largest) {
   return static_cast<int16_t>(std::clamp(value, smallest, largest));
 }
 
-uint32_t MaskFrom(double value) {
-  return value >= 0 && value <= 4294967295.0 ? static_cast<uint32_t>(value) : 0;
+/// Profiles or encoders of the largest card; bits beyond them stand for nothing.
+uint32_t MapFrom(double value) {
+  constexpr uint32_t kAll = (uint32_t{1} << motion::kAxisMax) - 1;
+  return value >= 0 && value <= 4294967295.0 ? static_cast<uint32_t>(value) & kAll : 0;
+}
+
+/// A deceleration as GT_SetStopDec takes it; others leave the old one.
+double DecelerationFrom(double value, double old) {
+  return value >= motion::kRateMin && value <= 32767 ? value : old;
 }
 
 /// Inputs that a word is too short for never trigger.
@@ -243,6 +250,8 @@ motion::InputChoice ChoiceFrom(double type, double index) {
 
 /// A ratio that no axis can have leaves the old one.
 motion::Scale ScaleFrom(double alpha, double beta, const motion::Scale& old) {
+  alpha = std::trunc(alpha);
+  beta = std::trunc(beta);
   const double magnitude = std::fabs(alpha);
   if (!(beta != 0 && magnitude >= std::fabs(beta) && magnitude < 32767)) return old;
   return {static_cast<int16_t>(alpha), static_cast<int16_t>(beta)};
@@ -264,11 +273,11 @@ void ApplyAxis(const CardConfig::Axis& config, size_t index, MotionCore& core) {
   const motion::Scale encoder =
       ScaleFrom(config.encoder_alpha, config.encoder_beta, axis.encoder_scale);
   const bool same = profile == axis.profile_scale && encoder == axis.encoder_scale &&
-                    axis.profile_map == MaskFrom(config.profile_map) &&
-                    axis.encoder_map == MaskFrom(config.encoder_map);
+                    axis.profile_map == MapFrom(config.profile_map) &&
+                    axis.encoder_map == MapFrom(config.encoder_map);
   if (same) return;
-  axis.profile_map = MaskFrom(config.profile_map);
-  axis.encoder_map = MaskFrom(config.encoder_map);
+  axis.profile_map = MapFrom(config.profile_map);
+  axis.encoder_map = MapFrom(config.encoder_map);
   axis.profile_scale = profile;
   axis.encoder_scale = encoder;
   core.SynchAxis(index);
@@ -384,8 +393,8 @@ void ApplyCardConfig(const CardConfig& config, MotionCore* core) {
   for (size_t i = 0; i < motion::kAxisMax; ++i) {
     motion::Profile& profile = core->state().profiles[i];
     profile.active = config.profiles[i].active != 0;
-    if (config.profiles[i].smooth_stop > 0) profile.smooth_stop = config.profiles[i].smooth_stop;
-    if (config.profiles[i].abrupt_stop > 0) profile.abrupt_stop = config.profiles[i].abrupt_stop;
+    profile.smooth_stop = DecelerationFrom(config.profiles[i].smooth_stop, profile.smooth_stop);
+    profile.abrupt_stop = DecelerationFrom(config.profiles[i].abrupt_stop, profile.abrupt_stop);
     ApplyAxis(config.axes[i], i, *core);
   }
   ApplySteps(config, *core);
