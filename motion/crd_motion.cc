@@ -1,5 +1,7 @@
 // The motion core's part of coordinate systems: what their paths and buffered commands do to
 // profiles, outputs and registers. Tested by tests/motion/crd_test.cc.
+#include <algorithm>
+
 #include "motion/motion_core.h"
 
 namespace oncard::motion {
@@ -38,6 +40,20 @@ Coordinates MotionCore::CrdPosition(size_t index) const {
   return position;
 }
 
+bool MotionCore::AppendToCrd(size_t crd, size_t fifo, const PathSlot& slot) {
+  const LookAhead& ahead = state_.crds[crd].fifos[fifo].look_ahead;
+  double corner = 0;
+  double wanted = 0;
+  if (observer_ && slot.is_segment && ahead.on() && ahead.has_newest && !ahead.newest_rests) {
+    corner = CornerVelocity(ahead.newest_tangent, slot.segment.TangentAt(0), ahead.time,
+                            ahead.acceleration);
+    wanted = std::min(slot.velocity, ahead.newest_velocity);
+  }
+  if (!state_.crds[crd].Append(fifo, slot, now())) return false;
+  if (corner < wanted) Tell(HappeningKind::kCornerLimited, crd, corner, wanted);
+  return true;
+}
+
 void MotionCore::StartCrd(size_t index, size_t fifo, bool single_step) {
   Crd& crd = state_.crds[index];
   crd.position = CrdPosition(index);
@@ -58,10 +74,25 @@ void MotionCore::AdvanceCrd(Crd& crd) {
   const BufferedCommand* command = nullptr;
   do {
     if (crd.run.wait == CrdWait::kMove) JudgeAwaitedMove(crd);
-    command = crd.Advance(now());
+    command = nullptr;
+    if (crd.run.running) {
+      command = crd.Advance(now());
+      if (observer_ && !crd.run.running) TellRunEnd(crd);
+    }
     if (command != nullptr) CarryOut(crd, *command);
   } while (command != nullptr);
   WriteCrd(crd);
+}
+
+void MotionCore::TellRunEnd(const Crd& crd) const {
+  const CrdFifo& fifo = crd.active();
+  if (fifo.executing || !fifo.slots.empty()) return;
+  if (!fifo.look_ahead.ring.empty()) {
+    Tell(HappeningKind::kStarved, IndexOf(crd),
+         static_cast<double>(fifo.look_ahead.ring.CountSegments()));
+  } else if (crd.run.plan.end_velocity > 0) {
+    Tell(HappeningKind::kEndedMoving, IndexOf(crd), crd.run.plan.end_velocity);
+  }
 }
 
 void MotionCore::CarryOut(Crd& crd, const BufferedCommand& command) {
@@ -142,6 +173,7 @@ void MotionCore::JudgeAwaitedMove(Crd& crd) {
   if (awaited.position == move.values[0]) {
     crd.EndMove(now());
   } else {
+    Tell(HappeningKind::kMoveStopped, IndexOf(crd), awaited.position, move.item);
     // Stopped short: the path must not go on before the axis is where the program wants it.
     crd.EndRun();
   }

@@ -59,6 +59,7 @@ void MotionCore::JudgeGantry() {
   const Gantry& gantry = state_.gantry;
   if (!state_.axes[gantry.master].servo_on && !state_.axes[gantry.slave].servo_on) return;
   if (std::fabs(GantrySkew()) <= gantry.error_limit) return;
+  Tell(HappeningKind::kGantrySkew, gantry.master, GantrySkew(), gantry.error_limit);
   for (const size_t axis : {size_t{gantry.master}, size_t{gantry.slave}}) {
     state_.axes[axis].latched |= kFollowingErrorBit;
     if (kFollowingErrorStops) ServoOff(axis);

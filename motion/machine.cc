@@ -303,7 +303,14 @@ void MotionCore::JudgeControl(Control& control) {
   Axis& axis = state_.axes[index];
   if (!axis.servo_on) return;
   const double error = std::fabs(CommandedPosition(index) - axis.encoder.position);
-  if (error <= static_cast<double>(control.error_limit) && !EncoderSilent(control)) return;
+  const auto limit = static_cast<double>(control.error_limit);
+  if (error > limit) {
+    Tell(HappeningKind::kFollowingError, index, error, limit);
+  } else if (EncoderSilent(control)) {
+    Tell(HappeningKind::kEncoderSilent, index, axis.encoder.velocity, control.check.min_velocity);
+  } else {
+    return;
+  }
   axis.latched |= kFollowingErrorBit;
   if (kFollowingErrorStops) ServoOff(index);
 }

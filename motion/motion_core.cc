@@ -122,6 +122,7 @@ void MotionCore::AdvanceProfile(size_t index) {
   if (before.velocity != 0 || way == 0 || !LimitForbids(index, way)) return;
   // What a latched limit would stop does not begin.
   profile.now = before;
+  Tell(HappeningKind::kHeldAtLimit, index, before.position);
   StopProfile(index, true);
 }
 
@@ -197,6 +198,7 @@ void MotionCore::GuardAxis(size_t index) {
   Axis& axis = state_.axes[index];
   if (!axis.active) return;
   const uint32_t causes = ActiveCauses(axis);
+  if (observer_) TellCauses(index, causes & ~axis.latched);
   axis.latched |= causes;
   if (axis.latched == 0) return;
   // A latched alarm whose cause has gone keeps the axis from moving, not from being enabled.
@@ -419,6 +421,31 @@ uint32_t MotionCore::ActiveCauses(const Axis& axis) const {
     causes |= kNegativeLimitBit;
   }
   return causes;
+}
+
+void MotionCore::TellCauses(size_t index, uint32_t causes) const {
+  const Axis& axis = state_.axes[index];
+  const double position = axis.profile.position;
+  const auto tell = [&](HappeningKind kind, double bound = 0) {
+    Tell(kind, index, position, bound);
+  };
+  if ((causes & kAlarmBit) != 0) tell(HappeningKind::kAlarm);
+  if ((causes & kSmoothStopBit) != 0) tell(HappeningKind::kSmoothStopInput);
+  if ((causes & kAbruptStopBit) != 0) tell(HappeningKind::kAbruptStopInput);
+  if ((causes & kPositiveLimitBit) != 0) {
+    if (axis.positive_limit_on && InputActive(axis.positive_limit)) {
+      tell(HappeningKind::kPositiveLimitSwitch);
+    } else {
+      tell(HappeningKind::kPositiveSoftLimit, axis.soft_positive);
+    }
+  }
+  if ((causes & kNegativeLimitBit) != 0) {
+    if (axis.negative_limit_on && InputActive(axis.negative_limit)) {
+      tell(HappeningKind::kNegativeLimitSwitch);
+    } else {
+      tell(HappeningKind::kNegativeSoftLimit, axis.soft_negative);
+    }
+  }
 }
 
 void MotionCore::MoveAxisOrigin(size_t index, double position) {

@@ -36,6 +36,7 @@
 #include "motion/encoder.h"
 #include "motion/extension.h"
 #include "motion/gantry.h"
+#include "motion/happening.h"
 #include "motion/homing.h"
 #include "motion/marks.h"
 #include "motion/mram.h"
@@ -108,6 +109,8 @@ class MotionCore {
   const MotionState& state() const { return state_; }
   MotionState& state() { return state_; }
   size_t axis_count() const { return static_cast<size_t>(config_.axis_count); }
+  /// Tells `observer` from now on what the card does by itself; it must not change the card.
+  void Observe(HappeningObserver observer) { observer_ = std::move(observer); }
 
   // --- Time ------------------------------------------------------------------------------------
 
@@ -201,9 +204,7 @@ class MotionCore {
   /// Where the members are, relative to the origin.
   Coordinates CrdPosition(size_t crd) const;
   /// Appends a slot to a FIFO; false when there is no room.
-  bool AppendToCrd(size_t crd, size_t fifo, const PathSlot& slot) {
-    return state_.crds[crd].Append(fifo, slot, now());
-  }
+  bool AppendToCrd(size_t crd, size_t fifo, const PathSlot& slot);
   /// Begins or resumes a run; `single_step` ends it after one segment.
   void StartCrd(size_t crd, size_t fifo, bool single_step);
   /// Stops a run along its path.
@@ -233,6 +234,12 @@ class MotionCore {
   uint64_t Hash() const;
 
  private:
+  void Tell(HappeningKind kind, size_t item, double value, double bound = 0) const {
+    if (observer_) observer_({kind, item, value, bound});
+  }
+  /// Tells of causes that an axis has just met.
+  void TellCauses(size_t index, uint32_t causes) const;
+  size_t IndexOf(const Crd& crd) const { return static_cast<size_t>(&crd - state_.crds.data()); }
   void ApplyWorldEvents();
   void AdvanceProfiles();
   void AdvanceProfile(size_t index);
@@ -241,6 +248,8 @@ class MotionCore {
   /// A slave whose master is planned by a coordinate system.
   bool FollowsCrd(const Profile& profile) const;
   void AdvanceCrd(Crd& crd);
+  /// Tells of a run that ended because its FIFO was empty.
+  void TellRunEnd(const Crd& crd) const;
   /// A buffered command, at the tick in which the segment before it ended.
   void CarryOut(Crd& crd, const BufferedCommand& command);
   void StartBufferedMove(Crd& crd, const BufferedCommand& command);
@@ -346,6 +355,7 @@ class MotionCore {
 
   MotionConfig config_;
   MotionState state_;
+  HappeningObserver observer_;
 };
 
 }  // namespace oncard::motion

@@ -163,6 +163,11 @@ CallLog& CallLog::OfProcess() {
 
 void CallLog::Write(const LoggedCall& call) { WriteLine(FormatCall(call, language_)); }
 
+void CallLog::Write(int64_t time_us, int card, const Message& what) {
+  WriteLine(
+      fmt::format("{}.{:03} card{}: {}", time_us / 1000, time_us % 1000, card, what.In(language_)));
+}
+
 void CallLog::WriteLine(const std::string& line) {
   const std::string text = line + '\n';
   const std::lock_guard lock(mutex_);

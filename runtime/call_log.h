@@ -3,12 +3,13 @@
 //   12.250 card0 GT_GetVarValue(-1, {id=0, dataType=1}, pValue, 1) = 0, pValue=[5050]
 //   12.300 card0 GT_Bind(40, 1, 0) = 7: parameter thread is 40; the range is [0, 31]
 //   12.500 card0 thread 3: GT_Update(0x1) = 1: axis 1 is not in Trap mode
+//   13.000 card0: axis 1 passed its positive soft limit 2000 at 2012.5: ...
 //
 // The card's virtual time in milliseconds when the command acted, the card, the thread when a
 // motion program was refused a command, the call with its inputs (masks and bit words in hex; an
 // output shows its parameter's name), the code, after a refusal the reason, after a success the
-// outputs. docs/host-api.md describes it for users.
-// Tested by tests/runtime/call_log_test.cc.
+// outputs. What a card does by itself has a line without a call. docs/host-api.md describes it for
+// users. Tested by tests/runtime/call_log_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -54,6 +55,8 @@ class CallLog {
 
   bool enabled() const { return stream_ != nullptr; }
   void Write(const LoggedCall& call);
+  /// Something that a card did by itself.
+  void Write(int64_t time_us, int card, const Message& what);
 
  private:
   void WriteLine(const std::string& line);

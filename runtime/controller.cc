@@ -21,6 +21,7 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/happening_text.h"
 #include "vm/object_reader.h"
 
 namespace oncard::runtime {
@@ -41,6 +42,12 @@ Controller::Controller(const ControllerOptions& options)
 void Controller::LogRefusals(CallLog* log, int card) {
   commands_.ObserveRefusals([this, log, card](const gtcalls::Call& call, int16_t code) {
     log->Write({NowUs(), card, call.caller, call.command, call.arguments, code, call.reason});
+  });
+}
+
+void Controller::LogHappenings(CallLog* log, int card) {
+  motion_.Observe([this, log, card](const motion::Happening& happening) {
+    log->Write(motion_.now(), card, DescribeHappening(happening));
   });
 }
 

@@ -76,6 +76,8 @@ class Controller {
   /// From now on the log gets a line for every command that a thread is refused, under this card
   /// number. The log must outlive the controller.
   void LogRefusals(CallLog* log, int card);
+  /// The same for what the card does by itself: stops, paths that run dry (happening_text.h).
+  void LogHappenings(CallLog* log, int card);
 
   // --- Programs --------------------------------------------------------------------------------
 

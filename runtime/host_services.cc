@@ -64,6 +64,7 @@ int16_t Open(ServiceCall& call) {
   slot.clock.emplace(clock.value());
   if (CallLog& log = CallLog::OfProcess(); log.enabled()) {
     slot.controller->LogRefusals(&log, CardNumber(call));
+    slot.controller->LogHappenings(&log, CardNumber(call));
   }
   slot.no_program_code = vm::kRefused;
   return vm::kOk;

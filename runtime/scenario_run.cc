@@ -40,7 +40,10 @@ class ScenarioRunner {
       : scenario_(scenario), options_(options), controller_(CardOptions(scenario)) {}
 
   Result<ScenarioResult> Run(vm::Object object) {
-    if (CallLog& log = CallLog::OfProcess(); log.enabled()) controller_.LogRefusals(&log, 0);
+    if (CallLog& log = CallLog::OfProcess(); log.enabled()) {
+      controller_.LogRefusals(&log, 0);
+      controller_.LogHappenings(&log, 0);
+    }
     auto started = StartScenario(scenario_, std::move(object), &controller_);
     if (!started.ok()) return started.error();
     for (const auto step :

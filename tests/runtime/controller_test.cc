@@ -472,5 +472,16 @@ TEST(ControllerTest, ARefusalInAProgramIsLoggedWithItsReason) {
             "is [1, 16]\n");
 }
 
+TEST(ControllerTest, AStopOfTheCardIsLoggedWithItsInstant) {
+  Controller controller;
+  testing::internal::CaptureStderr();
+  CallLog log("calls", Language::kChinese);
+  controller.LogHappenings(&log, 1);
+  controller.motion().state().axes[2].soft_negative = 10;
+  controller.AdvanceUs(500);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "0.250 card1: 轴 3 在 0 处越过负软限位 10：调用 GT_ClrSts 前不能向该方向运动\n");
+}
+
 }  // namespace
 }  // namespace oncard::runtime

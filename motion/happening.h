@@ -1,0 +1,40 @@
+// What the card does by itself and a log should say: why it stopped, what a path could not do. It
+// is told to an observer as it happens and is no part of the card's state.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+
+namespace oncard::motion {
+
+enum class HappeningKind : uint8_t {
+  // Of an axis; `value` is its planned position.
+  kPositiveLimitSwitch,
+  kNegativeLimitSwitch,
+  kPositiveSoftLimit,  ///< `bound`: the limit
+  kNegativeSoftLimit,
+  kAlarm,
+  kSmoothStopInput,
+  kAbruptStopInput,
+  kFollowingError,  ///< `value`: the error, `bound`: its limit, pulses
+  kEncoderSilent,   ///< `value`: velocity of the encoder, `bound`: the least, pulse/ms
+  kGantrySkew,      ///< of the master; `value`: the skew, `bound`: its limit, pulses
+  kHeldAtLimit,     ///< of a profile; it was to begin to move into a latched limit
+  // Of a coordinate system.
+  kStarved,       ///< the FIFO is empty; `value`: segments in the look-ahead ring
+  kEndedMoving,   ///< the FIFO ran empty at the velocity `value`, which drops to 0
+  kMoveStopped,   ///< `value`: position of the profile `bound` that a modal GT_BufMove waits for
+  kCornerLimited  ///< a segment appended: `value` is the corner's velocity, `bound` the commanded
+};
+
+struct Happening {
+  HappeningKind kind;
+  size_t item = 0;  ///< axis, profile or coordinate system, from 0
+  double value = 0;
+  double bound = 0;
+};
+
+using HappeningObserver = std::function<void(const Happening&)>;
+
+}  // namespace oncard::motion

@@ -1,0 +1,198 @@
+// What a card does by itself, as its log says it: each line from the machine that makes it happen.
+#include "runtime/happening_text.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "motion/motion_core.h"
+
+namespace oncard::runtime {
+namespace {
+
+using motion::MotionCore;
+
+/// A card of 1 ms cycles and what it says.
+struct TalkingCard {
+  TalkingCard() {
+    core.Observe([this](const motion::Happening& happening) {
+      const Message message = DescribeHappening(happening);
+      EXPECT_EQ(message.zh.empty(), message.en.empty());
+      said.push_back(message.en);
+    });
+    for (const size_t axis : {size_t{0}, size_t{1}}) core.ServoOn(axis);
+  }
+  void Jog(size_t profile, double velocity) {
+    motion::Profile& jogging = core.state().profiles[profile];
+    jogging.mode = motion::ProfileMode::kJog;
+    jogging.jog.parameters = {1000, 1000, 0};
+    jogging.jog.velocity = velocity;
+    core.StartProfile(profile);
+  }
+  void Ticks(int count) {
+    for (int i = 0; i < count; ++i) core.Tick();
+  }
+  void SetUpPath() {
+    motion::CrdParameters parameters;
+    parameters.dimension = 2;
+    parameters.profile = {1, 2};
+    parameters.velocity_max = 1000;
+    parameters.acceleration_max = 100;
+    core.SetUpCrd(0, parameters);
+  }
+  bool Line(const motion::Coordinates& end, double end_velocity) {
+    motion::PathSlot slot;
+    slot.is_segment = true;
+    slot.segment = *motion::MakeLine(core.state().crds[0].fifos[0].tail, end);
+    slot.velocity = 100;
+    slot.acceleration = 1;
+    slot.end_velocity = end_velocity;
+    return core.AppendToCrd(0, 0, slot);
+  }
+
+  MotionCore core{{.axis_count = 8, .cycle_us = 1000}};
+  std::vector<std::string> said;
+};
+
+using Lines = std::vector<std::string>;
+
+TEST(Happening, ASoftLimitIsSaidOnce) {
+  TalkingCard card;
+  card.core.state().axes[0].soft_positive = 95;
+  card.Jog(0, 10);
+  card.Ticks(100);
+  EXPECT_EQ(card.said, (Lines{"axis 1 passed its positive soft limit 95 at 99.95: no motion that "
+                              "way until GT_ClrSts"}));
+  card.core.state().axes[1].soft_negative = -5;
+  card.said.clear();
+  card.Jog(1, -1000);
+  card.Ticks(10);
+  EXPECT_EQ(card.said, (Lines{"axis 2 passed its negative soft limit -5 at -500: no motion that "
+                              "way until GT_ClrSts"}));
+}
+
+TEST(Happening, InputsThatStopAnAxis) {
+  struct Case {
+    motion::DiType type;
+    std::string_view line;
+  };
+  const Case cases[] = {
+      {motion::DiType::kLimitPositive,
+       "axis 1 met its positive limit switch at 0: no motion that way until GT_ClrSts"},
+      {motion::DiType::kLimitNegative,
+       "axis 1 met its negative limit switch at 0: no motion that way until GT_ClrSts"},
+      {motion::DiType::kAlarm, "the drive of axis 1 reports an alarm at 0: it is switched off"},
+      {motion::DiType::kGpi, "axis 1 met its smooth stop input at 0: no motion until GT_ClrSts"},
+      {motion::DiType::kArrive,
+       "axis 1 met its abrupt stop input at 0: no motion until GT_ClrSts"}};
+  for (const Case& c : cases) {
+    TalkingCard card;
+    card.core.state().axes[0].smooth_stop = {motion::DiType::kGpi, 0};
+    card.core.state().axes[0].abrupt_stop = {motion::DiType::kArrive, 0};
+    card.core.state().io.SetPin(c.type, 0, true);
+    card.Ticks(10);
+    EXPECT_EQ(card.said, Lines{std::string(c.line)});
+  }
+}
+
+TEST(Happening, AFollowingErrorAndASkew) {
+  TalkingCard card;
+  card.core.state().controls[0].error_limit = 25;
+  card.core.state().plants[0].stalled = true;
+  card.Jog(0, 1000);
+  card.Ticks(5);
+  EXPECT_EQ(card.said, (Lines{"axis 1 has a following error of 500, its limit is 25 "
+                              "(GT_SetPosErr): the drive is switched off"}));
+  TalkingCard gantry;
+  gantry.core.EnableGantry(0, 1, 0, 0);
+  gantry.core.state().gantry.error_limit = 20;
+  gantry.core.state().plants[1].stalled = true;
+  gantry.Jog(0, 1000);
+  gantry.Ticks(5);
+  EXPECT_EQ(gantry.said, (Lines{"the gantry of axis 1 has a skew of -500, its limit is 20 "
+                                "(GT_SetGantryErrLmt): both drives are switched off"}));
+}
+
+TEST(Happening, ASlaveThatIsHeld) {
+  TalkingCard card;
+  card.core.state().axes[1].latched = motion::kPositiveLimitBit;
+  motion::Profile& slave = card.core.state().profiles[1];
+  slave.mode = motion::ProfileMode::kGear;
+  slave.gear.master = {true, motion::MasterType::kProfile, 0, false};
+  slave.StartGear({});
+  card.Jog(0, 10);
+  card.Ticks(10);
+  EXPECT_EQ(card.said, (Lines{"profile 2 is held at 0: it was to move into a latched limit"}));
+}
+
+TEST(Happening, APathThatRunsDryAndAPathThatWaits) {
+  TalkingCard card;
+  card.SetUpPath();
+  ASSERT_TRUE(card.Line({1000, 0}, 5));
+  card.core.StartCrd(0, 0, false);
+  card.Ticks(200);
+  EXPECT_EQ(card.said, (Lines{"coordinate system 1 stops at once from 5 pulse/ms: the FIFO is "
+                              "empty and the last segment has velEnd, append segments sooner or "
+                              "end with velEnd 0"}));
+  card.said.clear();
+  motion::PathSlot move;
+  move.command = {motion::BufferedKind::kMove, 4, 1, {1000, 10, 1}};
+  ASSERT_TRUE(card.core.AppendToCrd(0, 0, move));
+  card.core.StartCrd(0, 0, false);
+  card.Ticks(20);
+  const double place = card.core.state().profiles[4].now.position;
+  card.core.state().profiles[4].abrupt_stop = 1e9;
+  card.core.StopProfile(4, true);
+  card.Ticks(2);
+  EXPECT_EQ(card.said.size(), 1u);
+  EXPECT_EQ(card.said.at(0).substr(0, 67),
+            "coordinate system 1 pauses: axis 5 of a modal GT_BufMove was stoppe");
+  EXPECT_NEAR(card.core.state().profiles[4].now.position, place, 1);
+}
+
+TEST(Happening, WhatLookAheadDoes) {
+  TalkingCard card;
+  card.SetUpPath();
+  motion::LookAhead& look_ahead = card.core.state().crds[0].fifos[0].look_ahead;
+  look_ahead.time = 5;
+  look_ahead.acceleration = 1;
+  look_ahead.capacity = 2;
+  ASSERT_TRUE(card.Line({1000, 0}, 0));
+  EXPECT_TRUE(card.said.empty());
+  // A right angle: 1 * 5 / (2 sin 45 degrees).
+  ASSERT_TRUE(card.Line({1000, 1000}, 0));
+  ASSERT_EQ(card.said.size(), 1u);
+  EXPECT_EQ(card.said[0].substr(0, 72),
+            "coordinate system 1 passes the corner before this segment at 3.535533905");
+  EXPECT_NE(card.said[0].find(" of 100 pulse/ms at most"), std::string::npos);
+  // Straight on: no corner.
+  ASSERT_TRUE(card.Line({1000, 3000}, 0));
+  ASSERT_EQ(card.said.size(), 1u);
+  // One segment has gone to the FIFO, two are kept back.
+  card.core.StartCrd(0, 0, false);
+  card.Ticks(500);
+  ASSERT_EQ(card.said.size(), 2u);
+  EXPECT_EQ(card.said[1],
+            "coordinate system 1 ends its run: the FIFO is empty while 2 segments wait in the "
+            "look-ahead buffer, call GT_CrdData with NULL until it returns 0");
+}
+
+TEST(Happening, IsNoPartOfTheState) {
+  TalkingCard card;
+  MotionCore silent({.axis_count = 8, .cycle_us = 1000});
+  for (const size_t axis : {size_t{0}, size_t{1}}) silent.ServoOn(axis);
+  for (MotionCore* core : {&card.core, &silent}) {
+    core->state().axes[0].soft_positive = 95;
+    motion::Profile& jogging = core->state().profiles[0];
+    jogging.mode = motion::ProfileMode::kJog;
+    jogging.jog.velocity = 10;
+    core->StartProfile(0);
+    for (int i = 0; i < 100; ++i) core->Tick();
+  }
+  EXPECT_FALSE(card.said.empty());
+  EXPECT_EQ(card.core.Hash(), silent.Hash());
+}
+
+}  // namespace
+}  // namespace oncard::runtime
