@@ -47,13 +47,34 @@ struct StaleUse {
   size_t use = 0;
 };
 
-/// Follows values from globals through locals and decisions.
+/// Which of two uses is to be told: what overwrites before what decides before what computes; then
+/// one that has to do with the statement with which every end became bad; then the later one.
+struct UseRank {
+  int64_t last_escape = -1;
+
+  std::pair<int, bool> Of(const StaleUse& use) const {
+    const auto fatal = static_cast<size_t>(last_escape);
+    const bool escapes =
+        last_escape >= 0 && (use.write == fatal || use.use == fatal || use.read == fatal);
+    switch (use.kind) {
+      case StaleUse::Kind::kOverwrites:
+        return {2, escapes};
+      case StaleUse::Kind::kDecides:
+        return {1, escapes};
+      case StaleUse::Kind::kComputes:
+        break;
+    }
+    return {0, escapes};
+  }
+};
+
+/// Follows values from globals through locals and decisions, and keeps the use to be told.
 class Flow {
  public:
-  explicit Flow(const std::vector<TrailStep>& steps) : steps_(steps) {
+  Flow(const std::vector<TrailStep>& steps, int64_t last_escape) : rank_{last_escape} {
     for (now_ = 0; now_ < steps.size(); ++now_) Take(steps[now_]);
   }
-  const std::vector<StaleUse>& uses() const { return uses_; }
+  const std::optional<StaleUse>& use() const { return use_; }
 
  private:
   static int KeyOf(const SlotAddress& local) { return local.page * vm::kSlotCount + local.id; }
@@ -71,9 +92,9 @@ class Flow {
                         return w.slot.global;
                       });
     if (acts) {
-      for (const Source& source : sources) Look(source, step);
+      for (const Source& source : sources) Look(source, KindOf(source, step), step.thread);
       for (const Source& source : decisions_[step.thread]) {
-        Look(source, StaleUse::Kind::kDecides);
+        Look(source, StaleUse::Kind::kDecides, step.thread);
       }
     }
     if (step.log.decides) decisions_[step.thread] = sources;
@@ -82,39 +103,45 @@ class Flow {
         locals_[KeyOf(write.slot)] = sources;
         continue;
       }
-      writes_.push_back({now_, step.thread, write.slot});
+      Writers& writers = writers_[write.slot.id];
+      if (writers.last && writers.last->thread != step.thread) writers.other = writers.last;
+      writers.last = GlobalWrite{now_, step.thread};
     }
   }
 
-  void Look(const Source& source, const TrailStep& step) {
+  static StaleUse::Kind KindOf(const Source& source, const TrailStep& step) {
     const bool back = std::ranges::any_of(step.log.writes, [&](const SlotChange& write) {
       return runtime::SameSlot(write.slot, source.value.slot);
     });
-    Look(source, back ? StaleUse::Kind::kOverwrites : StaleUse::Kind::kComputes);
+    return back ? StaleUse::Kind::kOverwrites : StaleUse::Kind::kComputes;
   }
 
-  void Look(const Source& source, StaleUse::Kind kind) {
-    const int thread = steps_[now_].thread;
-    for (size_t i = writes_.size(); i-- > 0 && writes_[i].step > source.step;) {
-      if (writes_[i].thread == thread || !runtime::SameSlot(writes_[i].slot, source.value.slot))
-        continue;
-      uses_.push_back({kind, source.value, source.step, writes_[i].step, now_});
-      return;
-    }
+  /// Whether another thread has written what the source has read since.
+  void Look(const Source& source, StaleUse::Kind kind, int thread) {
+    const Writers& writers = writers_[source.value.slot.id];
+    const auto& write =
+        writers.last && writers.last->thread != thread ? writers.last : writers.other;
+    if (!write || write->thread == thread || write->step <= source.step) return;
+    const StaleUse use = {kind, source.value, source.step, write->step, now_};
+    if (!use_ || rank_.Of(use) >= rank_.Of(*use_)) use_ = use;
   }
 
   struct GlobalWrite {
     size_t step = 0;
     int thread = 0;
-    SlotAddress slot;
+  };
+  /// The latest write of a global, and the latest of any thread but that one's.
+  struct Writers {
+    std::optional<GlobalWrite> last;
+    std::optional<GlobalWrite> other;
   };
 
-  const std::vector<TrailStep>& steps_;
+  UseRank rank_;
   size_t now_ = 0;
   std::map<int, Sources> locals_;     ///< by page and slot
   std::map<int, Sources> decisions_;  ///< of each thread, the latest
-  std::vector<GlobalWrite> writes_;   ///< in their order
-  std::vector<StaleUse> uses_;
+  std::map<int, Writers> writers_;    ///< by slot
+  std::optional<StaleUse> use_;
 };
 
 /// Puts steps into words.
@@ -209,25 +236,6 @@ class Teller {
   const vm::Object& object_;
 };
 
-/// Of several, the one to tell: what overwrites before what decides before what computes; then one
-/// whose write, or use, is the statement with which every end became bad; then the last.
-const StaleUse* Choose(const std::vector<StaleUse>& uses, int64_t last_escape) {
-  const StaleUse* best = nullptr;
-  const auto rank = [&](const StaleUse& use) {
-    const auto fatal = static_cast<size_t>(last_escape);
-    const bool escapes =
-        last_escape >= 0 && (use.write == fatal || use.use == fatal || use.read == fatal);
-    const int order = use.kind == StaleUse::Kind::kOverwrites ? 2
-                      : use.kind == StaleUse::Kind::kDecides  ? 1
-                                                              : 0;
-    return std::pair(order, escapes);
-  };
-  for (const StaleUse& use : uses) {
-    if (best == nullptr || rank(use) >= rank(*best)) best = &use;
-  }
-  return best;
-}
-
 }  // namespace
 
 std::optional<Culprit> FindCulprit(const Subject& subject, const Failure& failure,
@@ -236,8 +244,8 @@ std::optional<Culprit> FindCulprit(const Subject& subject, const Failure& failur
                             failure.fault.kind == Fault::Kind::kDeadlock;
   if (told_already) return std::nullopt;
   const Teller teller(subject, trail);
-  const Flow flow(trail.steps);
-  if (const StaleUse* use = Choose(flow.uses(), failure.last_escape)) return teller.Tell(*use);
+  const Flow flow(trail.steps, failure.last_escape);
+  if (flow.use()) return teller.Tell(*flow.use());
   if (trail.pair) return teller.Tell(*trail.pair);
   return std::nullopt;
 }
