@@ -78,7 +78,9 @@ Message DescribeFault(const Subject& subject, const Failure& failure) {
   }
   const Requirement& violated =
       subject.requirements[static_cast<size_t>(failure.fault.requirement)];
-  return MakeMessage("{0}: {1} does not hold", "{0}: {1} 不成立", ScopeName(violated.scope),
+  const bool never = violated.scope == Scope::kNever;
+  return MakeMessage(never ? "{0}: {1} holds" : "{0}: {1} does not hold",
+                     never ? "{0}: {1} 成立" : "{0}: {1} 不成立", ScopeName(violated.scope),
                      violated.text);
 }
 

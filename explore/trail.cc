@@ -144,6 +144,33 @@ Message DescribeComparison(const runtime::BoundExpectation& bound,
                      outcome.actual, than, outcome.expected, tolerance);
 }
 
+/// What a violated requirement names, as it is now: `sum is 3, expected 10` of a comparison that
+/// should hold, or `x is 1, y is 0`. Empty when it names nothing.
+Message DescribeValues(const Requirement& requirement, const runtime::Controller& controller) {
+  auto expectation = runtime::ParseExpectation(requirement.text);
+  if (expectation.ok() && requirement.scope != Scope::kNever) {
+    expectation.value().left = QuantityName(expectation.value().left, controller);
+    if (auto* right = std::get_if<std::string>(&expectation.value().right)) {
+      *right = QuantityName(*right, controller);
+    }
+    const auto bound = runtime::BindExpectation(std::move(expectation).value(), controller);
+    if (bound.ok()) {
+      return DescribeComparison(bound.value(), runtime::Evaluate(bound.value(), controller));
+    }
+  }
+  Message text;
+  for (const std::string& name : NamesIn(requirement.text)) {
+    const auto found = runtime::ResolveQuantity(QuantityName(name, controller), controller);
+    if (!found.ok() || found.value().size() != 1) continue;
+    const runtime::Quantity& quantity = found.value().front();
+    const std::string value = runtime::FormatNumber(runtime::ReadQuantity(quantity, controller),
+                                                    runtime::FormOfQuantity(quantity, controller));
+    text.en += fmt::format("{}{} is {}", text.en.empty() ? "" : ", ", quantity.name, value);
+    text.zh += fmt::format("{}{} 为 {}", text.zh.empty() ? "" : "，", quantity.name, value);
+  }
+  return text;
+}
+
 /// The thread's fault with what led to it.
 Message DescribeFault(const vm::ThreadState& thread, int line) {
   switch (static_cast<vm::Fault>(thread.error)) {
@@ -192,7 +219,7 @@ Message DescribeActual(const Subject& subject, const Failure& failure,
   switch (failure.fault.kind) {
     case Fault::Kind::kRequirement: {
       const auto requirement = static_cast<size_t>(failure.fault.requirement);
-      return DescribeValues(subject.requirements[requirement].text, controller);
+      return DescribeValues(subject.requirements[requirement], controller);
     }
     case Fault::Kind::kThread: {
       const int number = subject.threads[static_cast<size_t>(failure.fault.thread)].thread;
@@ -224,30 +251,6 @@ Subject SubjectOf(const Problem& problem) {
 
 Subject SubjectOf(const CardModel& model) {
   return {model.setups(), model.image(), model.Requirements()};
-}
-
-Message DescribeValues(std::string_view requirement, const runtime::Controller& controller) {
-  if (auto expectation = runtime::ParseExpectation(requirement); expectation.ok()) {
-    expectation.value().left = QuantityName(expectation.value().left, controller);
-    if (auto* right = std::get_if<std::string>(&expectation.value().right)) {
-      *right = QuantityName(*right, controller);
-    }
-    const auto bound = runtime::BindExpectation(std::move(expectation).value(), controller);
-    if (bound.ok()) {
-      return DescribeComparison(bound.value(), runtime::Evaluate(bound.value(), controller));
-    }
-  }
-  Message text;
-  for (const std::string& name : NamesIn(requirement)) {
-    const auto found = runtime::ResolveQuantity(QuantityName(name, controller), controller);
-    if (!found.ok() || found.value().size() != 1) continue;
-    const runtime::Quantity& quantity = found.value().front();
-    const std::string value = runtime::FormatNumber(runtime::ReadQuantity(quantity, controller),
-                                                    runtime::FormOfQuantity(quantity, controller));
-    text.en += fmt::format("{}{} is {}", text.en.empty() ? "" : ", ", quantity.name, value);
-    text.zh += fmt::format("{}{} 为 {}", text.zh.empty() ? "" : "，", quantity.name, value);
-  }
-  return text;
 }
 
 Trail Follow(const Problem& problem, const Failure& failure) {

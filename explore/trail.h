@@ -67,8 +67,4 @@ struct Trail {
 Trail Follow(const Problem& problem, const Failure& failure);
 Trail Follow(CardModel* model, const Failure& failure);
 
-/// What a violated requirement names, as it is now: `sum is 3, expected 10` of a comparison, or
-/// `x is 1, y is 0`. Empty when it names nothing.
-Message DescribeValues(std::string_view requirement, const runtime::Controller& controller);
-
 }  // namespace oncard::explore
