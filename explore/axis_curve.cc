@@ -68,7 +68,8 @@ std::vector<double> AxisCurve::TailAfter(double at_ms) const {
   const auto cycles = static_cast<int64_t>(std::lround((end - at_ms) / cycle));
   const int64_t rows = std::min<int64_t>(kTailRows, cycles);
   for (int64_t i = 1; i <= rows; ++i) {
-    instants.push_back(at_ms + static_cast<double>(cycles * i / rows) * cycle);
+    const int64_t whole = cycles * i / rows;
+    instants.push_back(at_ms + static_cast<double>(whole) * cycle);
   }
   return instants;
 }

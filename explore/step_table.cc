@@ -395,7 +395,7 @@ class TextMaker {
     return shared_ || row.thread < 0 ? 0 : static_cast<size_t>(row.thread);
   }
   std::string Cell(const StepRow& row) const {
-    const std::string cell = CellOf(row, language_);
+    std::string cell = CellOf(row, language_);
     if (!shared_ || row.thread < 0) return cell;
     return ThreadHead(view_.subject, static_cast<size_t>(row.thread), language_) + cell;
   }
