@@ -114,14 +114,6 @@ std::string NameOfSlot(const std::vector<vm::Symbol>& symbols, uint32_t id) {
                                  : fmt::format("{}[{}]", symbol->name, id - symbol->id);
 }
 
-std::string DescribeSlot(const std::vector<vm::Symbol>& symbols, uint32_t id, int64_t raw) {
-  const vm::Symbol* symbol = SymbolOfSlot(symbols, id);
-  if (symbol == nullptr) return {};
-  const double value = symbol->type == DataType::kDouble ? vm::DoubleFromFixed(raw)
-                                                         : static_cast<double>(IntOf(raw));
-  return fmt::format("{} = {}", NameOfSlot(symbols, id), value);
-}
-
 Result<Model> Model::Create(const vm::Machine& machine) {
   Model model;
   model.image_ = machine.shared_image();
@@ -299,42 +291,6 @@ StateKey Model::FinalKey() const {
     AddToKey(thread.result_cell, cells_[thread.result_cell], &key);
   }
   return key;
-}
-
-std::string Model::DescribeShared(uint32_t cell) const {
-  return DescribeSlot(image_->object.globals, cell, cells_[cell]);
-}
-
-std::string Model::NextReads(int thread) const {
-  const AccessSet access = NextAccess(thread);
-  std::string text;
-  for (uint32_t i = 0; i < access.read_count; ++i) {
-    const uint32_t cell = access.reads[i];
-    const auto earlier = access.reads.begin() + i;
-    if (std::find(access.reads.begin(), earlier, cell) != earlier) continue;
-    if (!text.empty()) text += ", ";
-    text += DescribeShared(cell);
-  }
-  return text;
-}
-
-std::string Model::LastWrite() const {
-  const Mark& mark = marks_.back();
-  for (size_t i = mark.journal; i < journal_.size(); ++i) {
-    std::string text = DescribeCell(journal_[i].cell, threads_[mark.thread]);
-    if (!text.empty()) return text;
-  }
-  return {};
-}
-
-std::string Model::DescribeCell(uint32_t cell, const Thread& writer) const {
-  const bool global = cell < global_count_;
-  if (!global && cell >= writer.position_cell) return {};
-  const auto function = static_cast<size_t>(writer.setup.function);
-  const std::vector<vm::Symbol>& symbols =
-      global ? image_->object.globals : image_->object.functions[function].variables;
-  const uint32_t id = global ? cell : cell - writer.first_local;
-  return DescribeSlot(symbols, id, cells_[cell]);
 }
 
 // --- Steps -------------------------------------------------------------------------------------

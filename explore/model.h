@@ -60,9 +60,6 @@ struct AccessSet {
 /// `v`, `a[3]` of a slot among the variables; empty when none has it.
 std::string NameOfSlot(const std::vector<vm::Symbol>& symbols, uint32_t id);
 
-/// `name = value` of a slot among the variables; empty when none has it.
-std::string DescribeSlot(const std::vector<vm::Symbol>& symbols, uint32_t id, int64_t raw);
-
 /// How a thread stands.
 enum class ThreadEnd : uint8_t { kRunning, kFinished, kDivisionByZero, kIndexOutOfBounds };
 
@@ -120,13 +117,6 @@ class Model {
   int64_t StepPrivate(int thread, int64_t limit);
   /// Takes back the last step.
   void Undo();
-  /// `name = value` of a shared cell.
-  std::string DescribeShared(uint32_t cell) const;
-  /// The globals that the next statement of a running thread reads, as in `x = 3, a[1] = 0`.
-  std::string NextReads(int thread) const;
-  /// What the last step wrote: the variable as a program names it and its value, as in `x = 3`;
-  /// empty when it wrote none, or the value that was there.
-  std::string LastWrite() const;
   /// The thread that took a step, counted from 0.
   int StepThread(int64_t step) const { return marks_[static_cast<size_t>(step)].thread; }
 
@@ -183,8 +173,6 @@ class Model {
   void Write(uint32_t cell, int64_t value);
   /// Writes a cell that the marks take care of.
   void Replace(uint32_t cell, int64_t value);
-  /// `name = value` of a variable's cell; empty for a thread's register.
-  std::string DescribeCell(uint32_t cell, const Thread& writer) const;
   void Finish(int thread, ThreadEnd end);
   ThreadEnd Execute(const Statement& statement, const Thread& thread);
 

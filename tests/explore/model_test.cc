@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "explore_programs.h"
+#include "vm/fixed_point.h"
 
 namespace oncard::explore {
 namespace {
@@ -31,13 +32,18 @@ constexpr char kMixed[] =
 TEST(ModelTest, StatementsDoWhatTheMachineDoes) {
   Problem problem = ProblemOf(kMixed);
   Model& model = problem.model;
-  std::vector<std::string> written;
-  while (model.Running(0)) {
-    model.Step(0);
-    written.push_back(model.LastWrite());
-  }
-  EXPECT_EQ(written,
-            (std::vector<std::string>{"i = 3", "g[3] = 7", "e = 1.5", "d = 2.25", "i = 1", ""}));
+  const auto value = [&](const vm::Symbol* symbol, bool global, int index = 0) {
+    const int64_t raw =
+        model.Read({global, 0, static_cast<uint16_t>(symbol->id + index), symbol->type});
+    return symbol->type == vm::DataType::kDouble ? vm::DoubleFromFixed(raw)
+                                                 : static_cast<double>(raw);
+  };
+  while (model.Running(0)) model.Step(0);
+  const vm::Image& image = model.image();
+  EXPECT_EQ(value(vm::FindGlobal(image, "g"), true, 3), 7);
+  EXPECT_EQ(value(vm::FindGlobal(image, "d"), true), 2.25);
+  EXPECT_EQ(value(vm::FindLocal(image, 0, "e"), false), 1.5);
+  EXPECT_EQ(value(vm::FindLocal(image, 0, "i"), false), 1);
   EXPECT_EQ(model.End(0), ThreadEnd::kFinished);
   EXPECT_EQ(model.ReturnValue(0), 1);
   EXPECT_EQ(model.runnable(), 2u);
