@@ -8,8 +8,8 @@
 namespace oncard::motion {
 
 static_assert(kFieldsComplete<LookAhead> && kFieldsComplete<SpeedChain> &&
-              kFieldsComplete<SpeedLink> && kFieldsComplete<SlotQueue> &&
-              kFieldsComplete<PathSlot> && kFieldsComplete<BufferedCommand>);
+              kFieldsComplete<SpeedLink> && kFieldsComplete<PathSlot> &&
+              kFieldsComplete<BufferedCommand>);
 
 double CornerVelocity(const Coordinates& before, const Coordinates& after, double time,
                       double acceleration) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -108,7 +109,8 @@ struct SlotQueue {
     return nullptr;
   }
 
-  auto Fields() const { return std::tie(slots, head); }
+  /// What has been taken out does not exist any more.
+  auto Fields() const { return std::tuple(std::span(slots).subspan(head)); }
 };
 
 }  // namespace oncard::motion

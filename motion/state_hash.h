@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <type_traits>
 #include <vector>
@@ -41,7 +42,7 @@ class StateHash {
   /// Adds the bits of a double.
   StateHash& Add(double value) { return Add(std::bit_cast<uint64_t>(value)); }
 
-  /// Adds the elements, and of a vector their number first.
+  /// Adds the elements, and where their number varies that first.
   template <typename T, size_t kSize>
   StateHash& Add(const std::array<T, kSize>& values) {
     for (const T& value : values) Add(value);
@@ -49,6 +50,10 @@ class StateHash {
   }
   template <typename T>
   StateHash& Add(const std::vector<T>& values) {
+    return Add(std::span(values));
+  }
+  template <typename T>
+  StateHash& Add(std::span<const T> values) {
     Add(values.size());
     for (const T& value : values) Add(value);
     return *this;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "motion/state_hash.h"
 #include "tests/motion/crd_run.h"
 
 namespace oncard::motion {
@@ -22,6 +23,24 @@ TEST(CornerVelocity, IsLimitedByTheChangeOfDirection) {
     EXPECT_NEAR(CornerVelocity({1, 0}, {std::cos(angle), std::sin(angle)}, 5, 1), c.velocity, 1e-6);
   }
   EXPECT_GT(CornerVelocity({1, 0}, {1, 0}, 5, 1), 1e9);
+}
+
+// Two buffers with the same to come are the same, whatever has been taken out of them.
+TEST(SlotQueue, IsNamedByWhatItHolds) {
+  const auto slot = [](int32_t number) {
+    PathSlot made;
+    made.user_number = number;
+    return made;
+  };
+  SlotQueue taken;
+  for (int32_t i = 0; i < 5; ++i) taken.Push(slot(i));
+  taken.Pop();
+  taken.Pop();
+  SlotQueue fresh;
+  for (int32_t i = 2; i < 5; ++i) fresh.Push(slot(i));
+  EXPECT_EQ(StateHash().Add(taken).value(), StateHash().Add(fresh).value());
+  fresh.Pop();
+  EXPECT_NE(StateHash().Add(taken).value(), StateHash().Add(fresh).value());
 }
 
 TEST(LookAhead, MatchesABackwardPassOverTheWholeWindow) {
