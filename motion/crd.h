@@ -169,6 +169,10 @@ struct Crd {
   CrdFifo& active() { return fifos[run.fifo]; }
   const CrdFifo& active() const { return fifos[run.fifo]; }
 
+  /// The run has still to write a motion program's variable. What waits in the look-ahead ring does
+  /// not come by itself.
+  bool WillWriteVariables() const;
+
   /// The largest velocity along a segment that GT_SetCrdSingleMaxVel allows.
   double VelocityLimit(const Segment& segment) const;
   /// Appends a slot to a FIFO; false when there is no room, then nothing has changed.

@@ -17,6 +17,7 @@
 
 #include <xxhash.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -136,7 +137,7 @@ bool Controller::Deadlocked() const {
     if (thread.wake_cycle > machine_.state().cycle) return false;
     any_waits = any_waits || thread.waiting;
   }
-  return any_waits;
+  return any_waits && std::ranges::none_of(motion_.state().crds, &motion::Crd::WillWriteVariables);
 }
 
 double Controller::NowMs() const {

@@ -109,8 +109,9 @@ class Controller {
   /// Runs at most `limit_cycles` cycles, until no thread is running. kDeadlock: as Deadlocked().
   RunEnd RunUntilQuiet(int64_t limit_cycles);
   /// True when threads wait for values that nothing is left to change: no thread can run, none is
-  /// delayed or periodic, and no PLC block is bound. Only the host, or whoever changes variables
-  /// from outside, can help then.
+  /// delayed or periodic, no PLC block is bound, and no coordinate system that runs has
+  /// GT_BufSetVarValue ahead of it. Only the host, or whoever changes variables from outside, can
+  /// help then.
   bool Deadlocked() const;
   /// Profile cycles since power-on.
   int64_t cycle() const { return motion_.state().cycle; }

@@ -320,6 +320,33 @@ TEST(RunUntilQuietTest, SeesThatNothingIsLeftToChangeAValue) {
   EXPECT_EQ(card.controller.RunUntilQuiet(1000), RunEnd::kQuiet);
 }
 
+TEST(RunUntilQuietTest, ACoordinateSystemCanStillHelp) {
+  LoadedCard card(kWaitingProgram);
+  card.Run(0, 0);
+  motion::MotionCore& motion = card.controller.motion();
+  motion::CrdParameters parameters;
+  parameters.dimension = 2;
+  parameters.profile = {1, 2};
+  motion.SetUpCrd(0, parameters);
+  motion::PathSlot delay;
+  delay.command = {.kind = motion::BufferedKind::kDelay, .values = {5}};
+  motion::PathSlot write;
+  write.command = {.kind = motion::BufferedKind::kProgramValue,
+                   .item = card.Global("go").id,
+                   .detail = -1,
+                   .values = {1}};
+  ASSERT_TRUE(motion.AppendToCrd(0, 0, delay));
+  ASSERT_TRUE(motion.AppendToCrd(0, 0, write));
+  EXPECT_EQ(card.controller.RunUntilQuiet(1000), RunEnd::kDeadlock) << "before it is started";
+  motion.StartCrd(0, 0, false);
+  EXPECT_EQ(card.controller.RunUntilQuiet(1000), RunEnd::kQuiet);
+  EXPECT_EQ(card.Read("go"), 1);
+  // What has been written does not come again.
+  card.controller.machine().Write(card.Global("go"), 0);
+  ASSERT_EQ(card.controller.machine().Run(0), vm::kOk);
+  EXPECT_EQ(card.controller.RunUntilQuiet(1000), RunEnd::kDeadlock);
+}
+
 TEST(RunUntilQuietTest, ADelayedThreadCanStillHelp) {
   LoadedCard card(kWaitingProgram);
   card.Run(0, 0);
