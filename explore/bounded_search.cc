@@ -85,7 +85,9 @@ class BoundedSearch {
     AddToKey(kPlaceOfVisit, last, &key);
     AddToKey(kPlaceOfVisit + 1, preemptions, &key);
     if (!visited_.Insert(key) && !walk_.fault()) return false;
-    if (walk_.finished()) ends_.Insert(walk_.EndKey());
+    if (walk_.finished() && ends_.Insert(walk_.EndKey()) && walk_.asks_nothing()) {
+      counts_.ends.Add(walk_.EndNow());
+    }
     Visit visit = {walk_.ended() ? 0 : walk_.choices(), last, preemptions};
     if (preemptions == bound && last >= 0 && (visit.untried >> last & 1) != 0) {
       cut_ = cut_ || visit.untried != 1u << last;

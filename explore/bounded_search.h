@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "explore/card_model.h"
+#include "explore/ends.h"
 #include "explore/problem.h"
 
 namespace oncard::explore {
@@ -28,6 +29,7 @@ struct BoundedCounts {
       -1;              ///< all schedules with so many were searched; -1 when not even those with 0
   int64_t states = 0;  ///< of the last bound, with the thread and the preemptions
   int64_t different_ends = 0;
+  EndSet ends;  ///< where nothing is asked of results
   bool bad = false;
   /// The threads of the schedule that went wrong, counted as the model does.
   std::vector<uint8_t> failing;

@@ -1,5 +1,6 @@
 #include "explore/card_graph.h"
 
+#include <algorithm>
 #include <bit>
 #include <deque>
 #include <utility>
@@ -20,6 +21,9 @@ class CardSearch {
     Enter(model_.Start());
     for (; !waiting_.empty(); waiting_.pop_front()) {
       if (graph.size() > limits_.states) return Finish(false);
+      if (graph.size() - std::min(first_bad_, graph.size()) > limits_.states_after_bad) {
+        return Finish(false);
+      }
       if (limits_.stop != nullptr && limits_.stop->load(std::memory_order_relaxed)) {
         return Finish(false);
       }
@@ -56,11 +60,13 @@ class CardSearch {
     }
     if (state.finished) {
       globals_.Insert(model_.GlobalsKey(state));
-      full_.Insert(model_.FinalKey(state));
+      const bool new_end = full_.Insert(model_.FinalKey(state));
+      if (new_end && model_.asks_nothing()) result_.ends.Add(EndOf(model_, state));
     }
     if (state.fault) {
       flags |= kBad;
       ++result_.bad_states;
+      first_bad_ = std::min(first_bad_, graph.size());
     }
     graph.flags.push_back(flags);
     if (!state.ended) waiting_.emplace_back(number, std::move(state));
@@ -81,6 +87,7 @@ class CardSearch {
   KeySet numbers_;
   KeySet globals_;
   KeySet full_;
+  uint32_t first_bad_ = StateGraph::kNone;  ///< the first bad state
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "explore/card_model.h"
+#include "explore/ends.h"
 #include "explore/state_graph.h"
 
 namespace oncard::explore {
@@ -12,6 +13,7 @@ struct CardGraph {
   int64_t bad_states = 0;
   int64_t final_globals = 0;  ///< different values of the globals at the end
   int64_t final_full = 0;     ///< the same with what the threads returned
+  EndSet ends;                ///< where nothing is asked of results
   bool cut = false;           ///< some run ended because `until_ms` came
 };
 

@@ -163,39 +163,51 @@ void CardModel::JudgeThreads(State* state) const {
 // --- Steps ---------------------------------------------------------------------------------------
 
 CardModel::State CardModel::Start() {
+  State state = Begin();
+  Save(nullptr, &state);
+  return state;
+}
+
+CardModel::State CardModel::Begin() {
   Load(initial_);
   held_ = nullptr;
   State state;
   if (has_invariants_) JudgeState(&state);
   Settle(&state);
-  Save(nullptr, &state);
   return state;
 }
 
 CardModel::State CardModel::Step(const State& from, int thread) {
   Load(from);
-  vm::Machine& machine = controller_->machine();
-  const int number = setup(thread).thread;
-  const ThreadState& before = machine.thread(number);
+  const ThreadState& before = controller_->machine().thread(setup(thread).thread);
   const vm::Function& function = image_->object.functions[before.function];
   const bool changes =
       before.pc < function.instructions.size() && ChangesBody(function.instructions[before.pc]);
   const int64_t cycle = controller_->cycle();
   State state;
-  // From here on the card is no longer what `from` holds.
-  held_ = nullptr;
-  state.left = from.left - 1;
-  state.served = from.served | 1u << number;
+  state.left = from.left;
+  state.served = from.served;
   state.reached = from.reached;
-  machine.ExecuteOne(number);
-  // Threads that wake up at their end come to it.
-  machine.Execute(0);
-  JudgeThreads(&state);
-  if (has_invariants_) JudgeState(&state);
-  Settle(&state);
+  Advance(&state, thread);
   const bool same_body = !changes && controller_->cycle() == cycle;
   Save(same_body ? from.body : nullptr, &state);
   return state;
+}
+
+void CardModel::Advance(State* state, int thread) {
+  // From here on the card is no longer what some state holds.
+  held_ = nullptr;
+  vm::Machine& machine = controller_->machine();
+  const int number = setup(thread).thread;
+  --state->left;
+  state->served |= 1u << number;
+  state->choices = 0;
+  machine.ExecuteOne(number);
+  // Threads that wake up at their end come to it.
+  machine.Execute(0);
+  JudgeThreads(state);
+  if (has_invariants_) JudgeState(state);
+  Settle(state);
 }
 
 uint32_t CardModel::Candidates(const State& state) const {
@@ -294,8 +306,13 @@ void CardModel::Load(const State& state) {
   held_ = state.body;
 }
 
-bool CardModel::DependOnEachOther(const State& state, int a, int b) {
-  Load(state);
+void CardModel::CopyVariables(State* state) const {
+  const vm::MachineState& machine = controller_->machine().state();
+  state->slots.assign(machine.globals.begin(), machine.globals.end());
+  state->threads = machine.threads;
+}
+
+bool CardModel::NextDependOnEachOther(int a, int b) const {
   return FindDependence(NextAccess(*controller_, setup(a).thread),
                         NextAccess(*controller_, setup(b).thread)) != nullptr;
 }

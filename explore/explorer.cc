@@ -89,6 +89,7 @@ Exploration ConcludeBounded(BoundedCounts bounded, const ExploreOptions& options
                              "已达到上限：{0} 个状态，或单个调度 {1} 条语句", options.state_limit,
                              options.depth_limit));
   }
+  exploration.ends = bounded.ends.ends();
   exploration.bounded = std::move(bounded);
   return exploration;
 }
@@ -176,8 +177,11 @@ Exploration Conclude(const Problem& problem, const ExploreOptions& options,
   Exploration exploration;
   exploration.engine = engine;
   if (traces) exploration.traces = traces->Counts();
+  if (traces) exploration.ends = traces->ends.ends();
   if (states) {
     exploration.failure = FailureIn(problem, *states);
+    exploration.merged = states->merged;
+    if (states->counts.complete || !traces) exploration.ends = states->ends.ends();
     exploration.states = std::move(states->counts);
     exploration.races = std::move(states->races);
   }
@@ -240,6 +244,7 @@ Exploration ConcludeSamples(EngineKind engine, SampleCounts samples) {
     exploration.why = MakeMessage("none of {0} random schedules goes wrong; others were not tried",
                                   "{0} 个随机调度均未出错；其它调度未尝试", samples.runs);
   }
+  exploration.ends = samples.values.ends();
   exploration.samples = std::move(samples);
   return exploration;
 }
@@ -336,6 +341,7 @@ Exploration ExploreCard(CardModel* model, const ExploreOptions& options) {
                                    .final_full = found.final_full,
                                    .finals_within = {},
                                    .complete = found.graph.complete};
+  exploration.ends = found.ends.ends();
   exploration.failure = WayTo(found.graph, kBad);
   if (exploration.failure) {
     CardWalk walk(model, false);

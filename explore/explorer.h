@@ -16,6 +16,7 @@
 #include "base/result.h"
 #include "explore/bounded_search.h"
 #include "explore/card_model.h"
+#include "explore/ends.h"
 #include "explore/failure.h"
 #include "explore/problem.h"
 #include "explore/progress.h"
@@ -80,6 +81,9 @@ struct Exploration {
   std::optional<BoundedCounts> bounded;
   std::optional<SampleCounts> samples;
   std::vector<FoundRace> races;  ///< all of the program, when the stateful engine looked for them
+  /// Different ends, the smallest few; where nothing is asked of results.
+  std::vector<End> ends;
+  bool merged = false;  ///< ExploreOptions::merge_private
   std::optional<Failure> failure;
 };
 

@@ -12,19 +12,8 @@
 namespace oncard::explore {
 namespace {
 
-std::string_view ScopeName(Scope scope) {
-  switch (scope) {
-    case Scope::kFinal:
-      return "final";
-    case Scope::kAlways:
-      return "always";
-    case Scope::kNever:
-      return "never";
-    case Scope::kEventually:
-      break;
-  }
-  return "eventually";
-}
+/// Segments of a schedule in JSON; a longer one is for a schedule file.
+constexpr size_t kSegmentsMax = 10'000;
 
 /// One of two statements that touch the same, as sentences name it.
 struct Party {
@@ -129,6 +118,12 @@ std::string SummaryOf(const Findings& findings, const Failure& failure,
                                             PartyOf(findings, trail.pair->second));
     AddLine({"racing pair: " + touched.en, "竞争对：" + touched.zh}, language, &text);
   }
+  if (trail.skipped > 0) {
+    AddLine(
+        MakeMessage("shown: the last {0} statements, after {1} others",
+                    "仅显示最后 {0} 条语句，之前还有 {1} 条", trail.steps.size(), trail.skipped),
+        language, &text);
+  }
   return text;
 }
 
@@ -139,7 +134,7 @@ StepView ViewOf(const Findings& findings, const Failure& failure,
   view.detail = full ? Detail::kFull : Detail::kBrief;
   view.with_card = trail.with_card;
   view.trace = trail.trace ? &*trail.trace : nullptr;
-  view.last_escape = failure.last_escape;
+  view.last_escape = failure.last_escape - trail.skipped;
   if (culprit) view.named = culprit->steps;
   if (trail.pair) {
     view.named.push_back(trail.pair->first.step);
@@ -254,8 +249,10 @@ void AddFailure(const Findings& findings, const Failure& failure, nlohmann::orde
     (*json)["racing_pair"] =
         PartiesJson(pair.what, PartyOf(findings, pair.first), PartyOf(findings, pair.second));
   }
+  const auto schedule = ScheduleOf(findings.subject, failure).segments;
+  if (schedule.size() > kSegmentsMax) return;
   auto& segments = (*json)["schedule"] = nlohmann::ordered_json::array();
-  for (const vm::ScheduleSegment& segment : ScheduleOf(findings.subject, failure).segments) {
+  for (const vm::ScheduleSegment& segment : schedule) {
     segments.push_back({{"thread", segment.thread}, {"statements", segment.statements}});
   }
 }

@@ -87,6 +87,20 @@ bool HasFunction(const vm::Object& object, const std::string& name) {
 
 }  // namespace
 
+std::string_view ScopeName(Scope scope) {
+  switch (scope) {
+    case Scope::kFinal:
+      return "final";
+    case Scope::kAlways:
+      return "always";
+    case Scope::kNever:
+      return "never";
+    case Scope::kEventually:
+      break;
+  }
+  return "eventually";
+}
+
 Result<CommentProblem> ReadComments(const std::string& path, std::string_view source,
                                     const vm::Object& object) {
   CommentProblem problem;

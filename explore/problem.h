@@ -37,6 +37,9 @@ enum class Scope : uint8_t {
   kEventually  ///< every run has a state in which it holds
 };
 
+/// `final`, `always`, `never`, `eventually`.
+std::string_view ScopeName(Scope scope);
+
 /// A requirement as written.
 struct Requirement {
   Scope scope = Scope::kFinal;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/markup.h"
+#include "explore/claim.h"
 #include "explore/failure_report.h"
 
 namespace oncard::explore {
@@ -63,6 +64,8 @@ constexpr std::string_view kPageStyle =
     "svg text { font: 11px sans-serif; }\n"
     "td.escape { border-top: 2px solid #c00; }\n"
     "tr.time td { color: #555; border-top: 1px solid #bbb; }\n"
+    "table.claim { font-family: inherit; }\n"
+    "table.claim th { border: none; }\ntable.claim td { white-space: normal; }\n"
     "span.read { color: #555; }\n"
     "span.written { color: #06592a; }\n"
     "h1.FAILED { color: #c00; }\nh1.PROVED, h1.PASSED { color: #06592a; }\n";
@@ -73,6 +76,7 @@ std::string TextReport(const Findings& findings, Language language, const Report
   const Exploration& exploration = findings.exploration;
   std::string text = std::string(VerdictName(exploration.verdict)) + '\n';
   if (!exploration.why.en.empty()) text += exploration.why.In(language) + '\n';
+  text += ClaimText(findings, language);
   text += CountsText(findings, language);
   if (exploration.failure) {
     text += '\n' + FailureText(findings, *exploration.failure, options, language);
@@ -85,6 +89,7 @@ std::string JsonReport(const Findings& findings) {
   nlohmann::ordered_json json;
   json["verdict"] = VerdictName(exploration.verdict);
   json["engine"] = EngineName(exploration.engine);
+  AddClaim(findings, &json);
   if (const auto& traces = exploration.traces) {
     json["executions"] = traces->executions;
     json["blocked"] = traces->blocked;
@@ -144,6 +149,7 @@ std::string HtmlReport(const Findings& findings, Language language, const Report
   if (!exploration.why.en.empty()) {
     page += fmt::format("<p>{}</p>\n", EscapeMarkup(exploration.why.In(language)));
   }
+  page += ClaimHtml(findings, language);
   page += fmt::format("<pre>{}</pre>\n", EscapeMarkup(CountsText(findings, language)));
   if (exploration.failure) {
     page += FailureHtml(findings, *exploration.failure, options, language);

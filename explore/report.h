@@ -4,11 +4,13 @@
 // Tested by tests/explore/report_test.cc and tests/tools/explore_command_test.cc.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/message.h"
+#include "explore/ends.h"
 #include "explore/explorer.h"
 #include "explore/trail.h"
 #include "vm/schedule.h"
@@ -22,6 +24,9 @@ struct Findings {
   Trail trail;  ///< of the failure
   /// The program's text, of which lines are shown; empty: line numbers alone.
   std::string source;
+  // Where nothing is asked of results:
+  End start = {};                      ///< the values before the first statement
+  std::optional<End> serial_end = {};  ///< of the threads one after the other, if they end
 };
 
 /// How much of a failing run is shown, and in how many columns.
@@ -30,21 +35,22 @@ struct ReportOptions {
   int width = 0;      ///< of the terminal; 0: as wide as it must be
 };
 
-/// The verdict with its counts; a failure with the values that are wrong, the step that is to
-/// blame, and a table with one column per thread (step_table.h): source lines, what each statement
-/// read and wrote, with a card the instants, and after which statement no good end was possible any
-/// more.
+/// The verdict with what it speaks of (claim.h) and its counts; a failure with the values that are
+/// wrong, the step that is to blame, and a table with one column per thread (step_table.h): source
+/// lines, what each statement read and wrote, with a card the instants, and after which statement
+/// no good end was possible any more.
 std::string TextReport(const Findings& findings, Language language,
                        const ReportOptions& options = {});
 
-/// A JSON object: `verdict`, `engine`, the counts of both engines that ran (`executions`,
-/// `blocked`, `redundant`, `traces`, `bad_traces`; `states`, `transitions`, `bad_states`;
-/// `final_globals`, `final_full`, `finals_pb0` ...; `races`), and of a failure
-/// `min_preemptions_to_bad` and `min_steps_to_bad` when they are exact, and its `schedule`.
+/// A JSON object: `verdict`, `engine`, what it speaks of (claim.h), the counts of both engines that
+/// ran (`executions`, `blocked`, `redundant`, `traces`, `bad_traces`; `states`, `transitions`,
+/// `bad_states`; `final_globals`, `final_full`, `finals_pb0` ...; `races`), and of a failure
+/// `min_preemptions_to_bad` and `min_steps_to_bad` when they are exact, and its `schedule` of at
+/// most 10 000 segments.
 std::string JsonReport(const Findings& findings);
 
-/// One HTML page that needs no other file: the verdict, the counts, and a failure as a table with a
-/// column per thread.
+/// One HTML page that needs no other file: the verdict, what it speaks of, the counts, and a
+/// failure as a table with a column per thread.
 std::string HtmlReport(const Findings& findings, Language language,
                        const ReportOptions& options = {});
 

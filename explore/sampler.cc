@@ -24,14 +24,19 @@ class Sampler {
     KeySet ends;
     for (; counts_.runs < options_.runs; ++counts_.runs) {
       if (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed)) break;
+      if (statements_ >= options_.all_statements) break;
+      if (options_.until_bad && counts_.bad > 0) break;
       SeedRun(options_.first_run + counts_.runs);
       DrawPriorities();
       RunOnce();
-      if (walk_.finished()) ends.Insert(walk_.EndKey());
+      if (walk_.finished() && ends.Insert(walk_.EndKey()) && walk_.asks_nothing()) {
+        counts_.values.Add(walk_.EndNow());
+      }
       if (options_.progress != nullptr) {
         options_.progress->executions.store(counts_.runs + 1, std::memory_order_relaxed);
       }
     }
+    counts_.seed = options_.seed;
     counts_.ends = ends.Keys();
     std::ranges::sort(counts_.ends);
     return std::move(counts_);
@@ -67,6 +72,7 @@ class Sampler {
       walk_.Step(thread);
       wrong = static_cast<bool>(walk_.fault());
     }
+    statements_ += static_cast<int64_t>(steps_.size());
     counts_.longest = std::max(counts_.longest, static_cast<int64_t>(steps_.size()));
     if (wrong && counts_.bad++ == 0) counts_.failing = steps_;
   }
@@ -124,6 +130,7 @@ class Sampler {
   uint64_t random_;
   uint64_t length_ = 1;  ///< kPct
   SampleCounts counts_;
+  int64_t statements_ = 0;  ///< of all runs
   std::vector<uint8_t> steps_;
   std::array<int64_t, kThreadMax> priorities_{};
   std::vector<int64_t> changes_;  ///< kPct: statements before which a priority falls
@@ -137,6 +144,8 @@ void MergeInto(SampleCounts* samples, const SampleCounts& other) {
   samples->cut += other.cut;
   samples->longest = std::max(samples->longest, other.longest);
   samples->ends = UnionOf(samples->ends, other.ends);
+  samples->seed = other.seed;
+  for (const End& end : other.values.ends()) samples->values.Add(end);
   TakeSimpler(other.failing, &samples->failing);
 }
 

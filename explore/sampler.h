@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "explore/card_model.h"
+#include "explore/ends.h"
 #include "explore/problem.h"
 #include "explore/progress.h"
 #include "explore/state_key.h"
@@ -39,6 +40,8 @@ struct SampleOptions {
   int depth = 3;  ///< kPct: 1..kPctDepthMax
   /// Statements of one run; a longer one is given up.
   int64_t statement_limit = 100'000;
+  int64_t all_statements = INT64_MAX;  ///< no run begins after so many of all runs
+  bool until_bad = false;              ///< the first run that goes wrong is the last one
   const std::atomic<bool>* stop = nullptr;
   SearchProgress* progress = nullptr;
 };
@@ -46,9 +49,11 @@ struct SampleOptions {
 struct SampleCounts {
   int64_t runs = 0;
   int64_t bad = 0;
-  int64_t cut = 0;             ///< given up
-  int64_t longest = 0;         ///< statements
+  int64_t cut = 0;      ///< given up
+  int64_t longest = 0;  ///< statements
+  uint64_t seed = 0;
   std::vector<StateKey> ends;  ///< different ones, in order: globals and what the threads returned
+  EndSet values;               ///< of some of them, where nothing is asked of results
   /// The threads of the first run that went wrong, counted as the model does.
   std::vector<uint8_t> failing;
 };

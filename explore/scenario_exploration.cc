@@ -1,8 +1,13 @@
 #include "explore/scenario_exploration.h"
 
+#include <xxhash.h>
+
 #include <algorithm>
+#include <bit>
+#include <filesystem>
 
 #include "explore/shrink.h"
+#include "explore/walk.h"
 #include "runtime/adapted_schedule.h"
 #include "runtime/scenario_run.h"
 #include "runtime/scenario_start.h"
@@ -11,10 +16,39 @@
 namespace oncard::explore {
 namespace {
 
-Findings FindingsOf(CardModel* model, Exploration exploration) {
+/// How many statements the threads may take one after the other, and how many in a row one that
+/// can go on: a thread that waits in a loop must let the others go on.
+constexpr int64_t kSerialSteps = 100'000;
+constexpr int64_t kSerialTurn = 10'000;
+
+/// What the threads end with when each runs as long as it can; nothing when they do not end.
+template <typename Walk>
+std::optional<End> SerialEnd(Walk* walk) {
+  int last = -1;
+  int64_t turn = 0;
+  for (int64_t step = 0; step < kSerialSteps && !walk->ended(); ++step) {
+    const uint32_t choices = walk->choices();
+    if (last < 0 || (choices >> last & 1) == 0 || turn == kSerialTurn) {
+      const uint32_t others = last < 0 ? choices : choices & ~(uint32_t{1} << last);
+      last = std::countr_zero(others != 0 ? others : choices);
+      turn = 0;
+    }
+    walk->Step(last);
+    ++turn;
+  }
+  if (!walk->finished()) return std::nullopt;
+  return walk->EndNow();
+}
+
+Findings FindingsOf(const runtime::Scenario& scenario, CardModel* model, Exploration exploration) {
   Findings findings = {SubjectOf(*model), std::move(exploration), {}, {}};
+  Describe(scenario, &findings.subject);
   if (findings.exploration.failure) {
     findings.trail = Follow(model, *findings.exploration.failure);
+  } else if (findings.subject.requirements.empty()) {
+    CardWalk walk(model, false);
+    findings.start = walk.EndNow();
+    findings.serial_end = SerialEnd(&walk);
   }
   return findings;
 }
@@ -22,7 +56,8 @@ Findings FindingsOf(CardModel* model, Exploration exploration) {
 /// What the card does in the failing run, by a run of its schedule. A run that fails before its end
 /// has no more; it shows what there is.
 void AddTrace(const runtime::Scenario& scenario, const vm::Object& object, Findings* findings) {
-  if (!findings->exploration.failure) return;
+  // What is too long to be listed is too long to be drawn.
+  if (!findings->exploration.failure || findings->trail.skipped > 0) return;
   runtime::RunOptions options;
   options.trace = true;
   options.replay = std::make_shared<const vm::Schedule>(
@@ -51,7 +86,7 @@ Result<Findings> ExploreProgram(const runtime::Scenario& scenario,
   if (!problem.ok()) return problem.error();
   auto exploration = Explore(problem.value(), options);
   if (!exploration.ok()) return exploration.error();
-  return FindingsOf(problem.value(), std::move(exploration).value());
+  return FindingsOf(scenario, problem.value(), std::move(exploration).value());
 }
 
 Result<Findings> ExploreWithCard(const runtime::Scenario& scenario,
@@ -76,7 +111,7 @@ Result<Findings> ExploreWithCard(const runtime::Scenario& scenario,
   }
   auto model = CardModel::Create(scenario, requirements, std::move(object));
   if (!model.ok()) return model.error();
-  Findings findings = FindingsOf(&model.value(), ExploreCard(&model.value(), options));
+  Findings findings = FindingsOf(scenario, &model.value(), ExploreCard(&model.value(), options));
   AddTrace(scenario, model.value().image()->object, &findings);
   return findings;
 }
@@ -117,10 +152,35 @@ bool NeedsCard(const runtime::Scenario& scenario, const vm::Object& object) {
          });
 }
 
-Findings FindingsOf(const Problem& problem, Exploration exploration) {
+void Describe(const runtime::Scenario& scenario, Subject* subject) {
+  const auto name_of = [](const std::string& path) {
+    return std::filesystem::path(path).filename().string();
+  };
+  subject->program = name_of(scenario.program);
+  if (scenario.path.ends_with(".toml")) subject->scenario = name_of(scenario.path);
+  // Where the files lie says nothing of what was explored.
+  runtime::Scenario hashed = scenario;
+  hashed.program = subject->program;
+  hashed.include_folders.clear();
+  const std::string text = runtime::FormatScenario(hashed);
+  subject->scenario_hash = XXH64(text.data(), text.size(), 0);
+  subject->races = *RaceRuleNamed(scenario.races);
+  subject->sync = scenario.sync;
+  if (!NeedsCard(scenario, subject->image->object)) return;
+  subject->card = CardConditions{scenario.rate,     scenario.cycle_us, scenario.axis_count,
+                                 scenario.limit_ms, scenario.until_us, scenario.world};
+}
+
+Findings FindingsOf(const runtime::Scenario& scenario, const Problem& problem,
+                    Exploration exploration) {
   Findings findings = {SubjectOf(problem), std::move(exploration), {}, {}};
+  Describe(scenario, &findings.subject);
   if (findings.exploration.failure) {
     findings.trail = Follow(problem, *findings.exploration.failure);
+  } else if (findings.subject.requirements.empty()) {
+    ProgramWalk walk(problem);
+    findings.start = walk.EndNow();
+    findings.serial_end = SerialEnd(&walk);
   }
   return findings;
 }
@@ -176,7 +236,7 @@ Result<Findings> FollowSchedule(const runtime::Scenario& scenario,
     if (!model.ok()) return model.error();
     CardModel& card = model.value();
     conclude(SubjectOf(card), [&](const auto& steps) { return TakeCardSteps(&card, steps); });
-    Findings findings = FindingsOf(&card, std::move(exploration));
+    Findings findings = FindingsOf(scenario, &card, std::move(exploration));
     AddTrace(scenario, object, &findings);
     return findings;
   }
@@ -184,7 +244,7 @@ Result<Findings> FollowSchedule(const runtime::Scenario& scenario,
   if (!problem.ok()) return problem.error();
   conclude(SubjectOf(problem.value()),
            [&](const auto& steps) { return TakeSteps(problem.value(), steps); });
-  return FindingsOf(problem.value(), std::move(exploration));
+  return FindingsOf(scenario, problem.value(), std::move(exploration));
 }
 
 Result<Findings> ExploreScenario(const runtime::Scenario& scenario,

@@ -28,8 +28,12 @@ bool NeedsCard(const runtime::Scenario& scenario, const vm::Object& object);
 Result<Problem> ProblemOfScenario(const runtime::Scenario& scenario,
                                   const std::vector<Requirement>& requirements, vm::Object object);
 
+/// Fills in what the scenario says of the subject: names, hash, conditions.
+void Describe(const runtime::Scenario& scenario, Subject* subject);
+
 /// What a report of the exploration is made of; Findings::source is left to the caller.
-Findings FindingsOf(const Problem& problem, Exploration exploration);
+Findings FindingsOf(const runtime::Scenario& scenario, const Problem& problem,
+                    Exploration exploration);
 
 /// Looks at one schedule only: follows it as far as the program of today does
 /// (runtime/adapted_schedule.h). The verdict is kPassed, kFailed, or kIncomplete when the run does

@@ -294,6 +294,7 @@ void SamplesFrom(TypedReader& reader, const Value& value, SearchFile* file) {
   file->runs = reader.Count(reader.Member(value, "runs_of_all"));
   const Value runs_cut = reader.Member(value, "runs_cut");
   file->runs_cut = reader.Count(runs_cut);
+  file->samples.seed = file->seed;
   file->samples.runs = reader.Count(reader.Member(value, "runs"));
   file->samples.bad = reader.Count(reader.Member(value, "bad"));
   file->samples.cut = reader.Count(reader.Member(value, "cut"));

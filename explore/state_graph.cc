@@ -151,12 +151,15 @@ StateGraph BuildStateGraph(Model* model, const StateLimits& limits, const StateJ
   };
   std::vector<Visit> path;
   bool stopped = false;
+  uint32_t after_bad = kNone;  // how many states there were at the first bad one
   const auto enter = [&](bool* added) {
     const uint32_t state = known.FindOrAdd(model->key(), added);
     if (!*added) return state;
     graph.successors.resize(graph.successors.size() + static_cast<size_t>(graph.threads), kNone);
     graph.flags.push_back((model->runnable() == 0 ? kTerminal : 0u) | judge(*model));
+    if ((graph.flags.back() & kBad) != 0) after_bad = std::min(after_bad, graph.size());
     stopped = graph.size() >= limits.states ||
+              graph.size() - std::min(after_bad, graph.size()) >= limits.states_after_bad ||
               (limits.stop != nullptr && limits.stop->load(std::memory_order_relaxed));
     return state;
   };

@@ -45,6 +45,8 @@ inline constexpr int64_t kMergedMax = 10'000;
 
 struct StateLimits {
   uint32_t states = 200'000'000;
+  /// How many more states are looked at after the first that is kBad.
+  uint32_t states_after_bad = ~uint32_t{0};
   /// A step is a statement with all after it, and those at the thread's start, that touch nothing
   /// shared: there are fewer states, and the same ends with as few preemptions.
   bool merge_private = false;

@@ -157,6 +157,7 @@ StateSearch SearchStates(const Problem& problem, const StateLimits& limits) {
       bool added = false;
       final_of.push_back(globals.FindOrAdd(state.GlobalsKey(), &added));
       end = full.FindOrAdd(state.FinalKey(), &added);
+      if (added && problem.requirements.empty()) search.ends.Add(EndOf(state));
     }
     races.Look(state);
     if (problem.races != RaceRule::kAny) end_of.push_back(end);

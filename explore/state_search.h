@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "explore/ends.h"
 #include "explore/failure.h"
 #include "explore/problem.h"
 #include "explore/races.h"
@@ -40,6 +41,7 @@ struct StateSearch {
   StateCounts counts;
   StateGraph graph;
   std::vector<FoundRace> races;
+  EndSet ends;  ///< where nothing is asked of results
   bool merged = false;
 };
 

@@ -53,15 +53,21 @@ void SearchTraces(const Problem& problem, const TraceSearchLimits& limits, Trace
   };
   const int64_t before = search->executions;
   int64_t executions = 0;
+  int64_t after_bad = 0;
   const auto visit = [&](const Model& state) {
     ++executions;
     if (limits.progress != nullptr) {
       limits.progress->executions.store(before + executions, std::memory_order_relaxed);
     }
-    if (full.Insert(state.FinalKey())) globals.Insert(state.GlobalsKey());
-    if (!goes_wrong(state)) return true;
-    if (search->bad++ < kFailingTried) TakeSimpler(StepsOf(state), &search->failing);
-    return true;
+    if (full.Insert(state.FinalKey())) {
+      globals.Insert(state.GlobalsKey());
+      if (problem.requirements.empty()) search->ends.Add(EndOf(state));
+    }
+    if (goes_wrong(state) && search->bad++ < kFailingTried) {
+      TakeSimpler(StepsOf(state), &search->failing);
+    }
+    if (search->bad > 0) after_bad += state.depth();
+    return after_bad <= limits.statements_after_bad;
   };
   while (!search->units.empty()) {
     const DporLimits of_unit = {.executions = limits.executions - executions,
@@ -76,7 +82,7 @@ void SearchTraces(const Problem& problem, const TraceSearchLimits& limits, Trace
     if (!result.complete) break;
     search->units.erase(search->units.begin());
     const bool told = limits.stop != nullptr && limits.stop->load(std::memory_order_relaxed);
-    if (told || executions >= limits.executions) break;
+    if (told || executions >= limits.executions || after_bad > limits.statements_after_bad) break;
   }
   search->globals = UnionOf(search->globals, SortedKeys(globals));
   search->full = UnionOf(search->full, SortedKeys(full));
@@ -91,6 +97,7 @@ void MergeInto(TraceSearch* search, const TraceSearch& other) {
   search->too_deep = search->too_deep || other.too_deep;
   search->globals = UnionOf(search->globals, other.globals);
   search->full = UnionOf(search->full, other.full);
+  for (const End& end : other.ends.ends()) search->ends.Add(end);
   TakeSimpler(other.failing, &search->failing);
 }
 

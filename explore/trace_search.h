@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "explore/dpor.h"
+#include "explore/ends.h"
 #include "explore/problem.h"
 #include "explore/progress.h"
 #include "explore/state_key.h"
@@ -36,6 +37,9 @@ struct TraceSearch {
   bool too_deep = false;          ///< an execution was longer than the limit
   std::vector<StateKey> globals;  ///< different final values, in order
   std::vector<StateKey> full;     ///< the same with what the threads returned
+  /// Where nothing is asked of results: different ones that were found since the search was read
+  /// from its file.
+  EndSet ends;
   /// The threads of an execution that went wrong, the shortest of the first thousand.
   std::vector<uint8_t> failing;
 
@@ -46,6 +50,9 @@ struct TraceSearch {
 struct TraceSearchLimits {
   int64_t executions = INT64_MAX;
   int64_t depth = 100'000;
+  /// How far the search goes on after the first execution that goes wrong, as the sum of the
+  /// executions' statements.
+  int64_t statements_after_bad = INT64_MAX;
   const std::atomic<bool>* stop = nullptr;
   SearchProgress* progress = nullptr;
 };

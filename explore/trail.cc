@@ -15,6 +15,11 @@
 namespace oncard::explore {
 namespace {
 
+/// Statements of a run with its card that are shown: the last ones. Where threads still run at the
+/// limit, a few say in what loop they are.
+constexpr int64_t kShownMax = 10'000;
+constexpr int64_t kShownAtTheLimit = 40;
+
 /// A statement of a schedule and what it touched.
 struct Touch {
   int thread = 0;
@@ -246,11 +251,16 @@ Subject SubjectOf(const Problem& problem) {
   for (const BoundRequirement& bound : problem.requirements) {
     subject.requirements.push_back({bound.scope, bound.property.text()});
   }
+  subject.races = problem.races;
   return subject;
 }
 
 Subject SubjectOf(const CardModel& model) {
-  return {model.setups(), model.image(), model.Requirements()};
+  Subject subject;
+  subject.threads = model.setups();
+  subject.image = model.image();
+  subject.requirements = model.Requirements();
+  return subject;
 }
 
 Trail Follow(const Problem& problem, const Failure& failure) {
@@ -282,17 +292,22 @@ Trail Follow(CardModel* model, const Failure& failure) {
   Trail trail;
   trail.with_card = true;
   std::vector<Touch> touches;
-  CardModel::State state = model->Start();
+  const auto shown = static_cast<size_t>(
+      failure.fault.kind == Fault::Kind::kTimeLimit ? kShownAtTheLimit : kShownMax);
+  const size_t skipped = failure.steps.size() - std::min(failure.steps.size(), shown);
+  trail.skipped = static_cast<int64_t>(skipped);
+  CardModel::State state = model->Begin();
+  for (size_t i = 0; i < skipped; ++i) model->Advance(&state, failure.steps[i]);
   runtime::StepWatch watch(model->controller());
-  for (const uint8_t thread : failure.steps) {
-    model->Load(state);
+  for (size_t i = skipped; i < failure.steps.size(); ++i) {
+    const uint8_t thread = failure.steps[i];
     const int number = model->setup(thread).thread;
     touches.push_back({thread, NextAccess(model->controller(), number)});
     watch.Before();
-    state = model->Step(state, thread);
+    model->Advance(&state, thread);
     trail.steps.push_back({thread, watch.After(number)});
   }
-  trail.pair = PairOf(touches, failure.last_escape, model->image()->object);
+  trail.pair = PairOf(touches, failure.last_escape - trail.skipped, model->image()->object);
   trail.actual = DescribeActual(SubjectOf(*model), failure, model->controller());
   return trail;
 }

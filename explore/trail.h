@@ -15,11 +15,28 @@
 
 namespace oncard::explore {
 
-/// What has been explored.
+/// The card with which a program was explored, as its scenario says.
+struct CardConditions {
+  int rate = 0;  ///< statements per ms
+  int64_t cycle_us = 0;
+  int axis_count = 0;
+  int64_t limit_ms = 0;
+  std::optional<int64_t> until_us;
+  runtime::World world;
+};
+
+/// What has been explored, and what was asked of it.
 struct Subject {
   std::vector<ThreadSetup> threads;
   std::shared_ptr<const vm::Image> image;
   std::vector<Requirement> requirements;
+  // As Describe() (scenario_exploration.h) fills them in.
+  std::string program = {};    ///< its file's name
+  std::string scenario = {};   ///< its file's name; empty: a source with comments
+  uint64_t scenario_hash = 0;  ///< of all that the scenario says but the program's place
+  RaceRule races = RaceRule::kAny;
+  std::vector<std::string> sync = {};
+  std::optional<CardConditions> card = {};  ///< empty: variables alone, no time
 };
 
 Subject SubjectOf(const Problem& problem);
@@ -55,6 +72,8 @@ struct RaceOrder {
 /// A failure's statements, and those that then repeat for ever.
 struct Trail {
   bool with_card = false;  ///< LoggedStep::at_ms says something
+  /// Statements before those of `steps`, of a run that is too long to be shown whole.
+  int64_t skipped = 0;
   std::vector<TrailStep> steps;
   std::vector<TrailStep> cycle;
   std::optional<RacingPair> pair;  ///< where the states are known

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "explore/card_model.h"
+#include "explore/ends.h"
 #include "explore/problem.h"
 #include "explore/races.h"
 
@@ -38,6 +39,10 @@ class ProgramWalk {
   StateKey Key() const;
   /// Names the final values of an ended run.
   StateKey EndKey() const { return model_.FinalKey(); }
+  /// The values as they are now.
+  End EndNow() const { return EndOf(model_); }
+  /// Nothing is asked of results: the different ones are to be shown.
+  bool asks_nothing() const { return problem_.requirements.empty(); }
   /// Whether the next statements of two threads touch a common variable and one writes it.
   bool DependOnEachOther(int a, int b) const {
     return model_.NextAccess(a).DependsOn(model_.NextAccess(b));
@@ -61,35 +66,52 @@ class ProgramWalk {
 /// A program with its card.
 class CardWalk {
  public:
-  /// Without its way, which takes much memory, it cannot Undo().
-  CardWalk(CardModel* model, bool keeps_way)
-      : model_(*model), keeps_way_(keeps_way), start_(model->Start()), states_({start_}) {}
+  /// Without its way, which takes much memory and time, it can neither Undo() nor tell its Key(),
+  /// and nothing else may use the model while it lives.
+  CardWalk(CardModel* model, bool keeps_way) : model_(*model), keeps_way_(keeps_way) { Restart(); }
 
   int thread_count() const { return model_.thread_count(); }
-  uint32_t choices() const { return states_.back().choices; }
-  bool ended() const { return states_.back().ended; }
-  bool finished() const { return states_.back().finished; }
-  const Fault& fault() const { return states_.back().fault; }
+  uint32_t choices() const { return now().choices; }
+  bool ended() const { return now().ended; }
+  bool finished() const { return now().finished; }
+  const Fault& fault() const { return now().fault; }
 
   void Step(int thread) {
-    CardModel::State next = model_.Step(states_.back(), thread);
     if (keeps_way_) {
-      states_.push_back(std::move(next));
+      states_.push_back(model_.Step(now(), thread));
     } else {
-      states_.back() = std::move(next);
+      model_.Advance(&states_.back(), thread);
     }
   }
   void Undo() { states_.pop_back(); }
-  void Restart() { states_.assign(1, start_); }
+  void Restart() {
+    if (!keeps_way_) {
+      states_.assign(1, model_.Begin());
+    } else if (states_.empty()) {
+      states_.push_back(model_.Start());
+    } else {
+      states_.resize(1);
+    }
+  }
 
-  StateKey Key() const { return model_.KeyOf(states_.back()); }
-  StateKey EndKey() const { return model_.FinalKey(states_.back()); }
-  bool DependOnEachOther(int a, int b) { return model_.DependOnEachOther(states_.back(), a, b); }
+  StateKey Key() const { return model_.KeyOf(now()); }
+  StateKey EndKey() { return model_.FinalKey(WithVariables()); }
+  End EndNow() { return EndOf(model_, WithVariables()); }
+  bool asks_nothing() const { return model_.asks_nothing(); }
+  bool DependOnEachOther(int a, int b) {
+    if (keeps_way_) model_.Load(now());
+    return model_.NextDependOnEachOther(a, b);
+  }
 
  private:
+  const CardModel::State& now() const { return states_.back(); }
+  const CardModel::State& WithVariables() {
+    if (!keeps_way_) model_.CopyVariables(&states_.back());
+    return now();
+  }
+
   CardModel& model_;
   bool keeps_way_;
-  CardModel::State start_;
   std::vector<CardModel::State> states_;  ///< the present one is the last
 };
 

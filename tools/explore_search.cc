@@ -132,14 +132,14 @@ Result<explore::Findings> GoOn(const ExploreSubject& subject,
   if (!problem.ok()) return problem.error();
   auto exploration = explore::GoOn(problem.value(), options, keep, file);
   if (!exploration.ok()) return exploration.error();
-  return FindingsOf(problem.value(), std::move(exploration).value());
+  return FindingsOf(subject.scenario, problem.value(), std::move(exploration).value());
 }
 
 Result<explore::Findings> ConcludeSearch(const ExploreSubject& subject,
                                          const explore::SearchFile& file) {
   const auto problem = ProblemOf(subject);
   if (!problem.ok()) return problem.error();
-  return FindingsOf(problem.value(), Conclude(problem.value(), file));
+  return FindingsOf(subject.scenario, problem.value(), Conclude(problem.value(), file));
 }
 
 void MoveSearch(const std::string& from, const std::string& to, explore::SearchFile* file) {

@@ -20,27 +20,47 @@ T Need(Result<T> result) {
   return std::move(result).value();
 }
 
+vm::Object Compiled(const std::string& source) {
+  auto compilation = compiler::CompileText("program.c", source, {}, [](const std::string&) {
+    return Result<std::string>(MakeError(1, "no files", "无文件"));
+  });
+  if (!compilation.ok()) std::abort();
+  return *compilation.object;
+}
+
+runtime::Scenario ScenarioOf(const std::string& source, const std::string& keys,
+                             const vm::Object& object) {
+  runtime::Scenario scenario =
+      Need(runtime::ParseScenario("program = \"program.c\"\n" + keys, "test.toml"));
+  scenario.threads = Need(ReadComments("program.c", source, object)).scenario.threads;
+  return scenario;
+}
+
 }  // namespace
 
 Problem ProblemOf(const std::string& source) {
-  auto compilation = compiler::CompileText("program.c", source, {}, [](const std::string&) {
-    return Result<std::string>(MakeError(1, "no files", "无文件"));
-  });
-  if (!compilation.ok()) std::abort();
-  CommentProblem read = Need(ReadComments("program.c", source, *compilation.object));
-  return Need(ProblemOfScenario(read.scenario, read.requirements, *compilation.object));
+  const vm::Object object = Compiled(source);
+  const CommentProblem read = Need(ReadComments("program.c", source, object));
+  return Need(ProblemOfScenario(read.scenario, read.requirements, object));
 }
 
 CardModel CardOf(const std::string& source, const std::string& keys) {
-  auto compilation = compiler::CompileText("program.c", source, {}, [](const std::string&) {
-    return Result<std::string>(MakeError(1, "no files", "无文件"));
-  });
-  if (!compilation.ok()) std::abort();
-  const CommentProblem read = Need(ReadComments("program.c", source, *compilation.object));
-  runtime::Scenario scenario =
-      Need(runtime::ParseScenario("program = \"program.c\"\n" + keys, "test.toml"));
-  scenario.threads = read.scenario.threads;
-  return Need(CardModel::Create(scenario, RequirementsOf(scenario), *compilation.object));
+  const vm::Object object = Compiled(source);
+  const runtime::Scenario scenario = ScenarioOf(source, keys, object);
+  return Need(CardModel::Create(scenario, RequirementsOf(scenario), object));
+}
+
+Findings FindingsOf(const std::string& source, const ExploreOptions& options) {
+  const vm::Object object = Compiled(source);
+  const CommentProblem read = Need(ReadComments("program.c", source, object));
+  return Need(ExploreScenario(read.scenario, read.requirements, object, options));
+}
+
+Findings FindingsOf(const std::string& source, const std::string& keys,
+                    const ExploreOptions& options) {
+  const vm::Object object = Compiled(source);
+  const runtime::Scenario scenario = ScenarioOf(source, keys, object);
+  return Need(ExploreScenario(scenario, RequirementsOf(scenario), object, options));
 }
 
 std::string Increments(int threads, int times) {

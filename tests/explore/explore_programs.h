@@ -5,6 +5,7 @@
 
 #include "explore/card_model.h"
 #include "explore/problem.h"
+#include "explore/report.h"
 
 namespace oncard::explore {
 
@@ -14,6 +15,12 @@ Problem ProblemOf(const std::string& source);
 /// A card whose functions t0, t1, ... are bound as comments would bind them; `keys` are further
 /// lines of the scenario.
 CardModel CardOf(const std::string& source, const std::string& keys);
+
+/// What an exploration of a source with //@ comments finds.
+Findings FindingsOf(const std::string& source, const ExploreOptions& options);
+/// The same of a scenario with further lines, as for CardOf().
+Findings FindingsOf(const std::string& source, const std::string& keys,
+                    const ExploreOptions& options);
 
 /// `threads` threads that each increment `x` `times` times in three statements, from 0 on.
 std::string Increments(int threads, int times);

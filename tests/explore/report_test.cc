@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "explore/claim.h"
 #include "explore_programs.h"
 
 namespace oncard::explore {
@@ -23,22 +24,23 @@ TEST(ReportTest, AFailureIsATableOfThreads) {
   const auto exploration = Explore(problem, {.engine = EngineKind::kStateful});
   EXPECT_EQ(
       TextReport(FindingsOf(problem, exploration.value(), source), Language::kEnglish),
-      "FAILED\n"
-      "stateful: 41 states, 60 transitions, 1 bad, 2 different ends\n"
-      "\n"
-      "final: x == 2 does not hold: x is 1, expected 2\n"
-      "thread 0 wrote x = 1 over thread 1's 1 at step 7, because it had read x = 0 at step 1, "
-      "before thread 1 wrote it at step 4\n"
-      "statements: 8, preemptions: 1; no schedule with fewer preemptions fails\n"
-      "racing pair: thread 1 reads x in line 12, thread 0 writes it in line 7\n"
-      "\n"
-      "        thread 0 t0                         thread 1 t1\n"
-      "     1     5  t = x;   [x = 0]   t: 0 -> 0\n"
-      "     2                                        12  t = x;   [x = 0]   t: 0 -> 0   <- from "
-      "here on every end is bad\n"
-      "     4                                        14  x = t;   x: 0 -> 1\n"
-      "     7     7  x = t;   x: 1 -> 1\n"
-      "statements that touch nothing shared are left out: 4 (--full shows them)\n");
+      "FAILED\n" + ClaimText(FindingsOf(problem, exploration.value()), Language::kEnglish) +
+          "stateful: 41 states, 60 transitions, 1 bad, 2 different ends\n"
+          "\n"
+          "final: x == 2 does not hold: x is 1, expected 2\n"
+          "thread 0 wrote x = 1 over thread 1's 1 at step 7, because it had read x = 0 at step 1, "
+          "before thread 1 wrote it at step 4\n"
+          "statements: 8, preemptions: 1; no schedule with fewer preemptions fails\n"
+          "racing pair: thread 1 reads x in line 12, thread 0 writes it in line 7\n"
+          "\n"
+          "        thread 0 t0                         thread 1 t1\n"
+          "     1     5  t = x;   [x = 0]   t: 0 -> 0\n"
+          "     2                                        12  t = x;   [x = 0]   t: 0 -> 0   <- "
+          "from "
+          "here on every end is bad\n"
+          "     4                                        14  x = t;   x: 0 -> 1\n"
+          "     7     7  x = t;   x: 1 -> 1\n"
+          "statements that touch nothing shared are left out: 4 (--full shows them)\n");
 }
 
 TEST(ReportTest, AFullOneShowsEveryStatement) {
