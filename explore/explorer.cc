@@ -10,6 +10,7 @@
 
 #include "explore/card_graph.h"
 #include "explore/estimate.h"
+#include "explore/first_look.h"
 #include "explore/shrink.h"
 #include "explore/walk.h"
 
@@ -32,7 +33,8 @@ const std::atomic<bool>* StopOf(const ExploreOptions& options) {
 /// Why a search is not done: it was told to stop, or has reached this limit.
 Message WhyIncomplete(const ExploreOptions& options, Message limit) {
   if (options.progress != nullptr && options.progress->stop) {
-    return {"it was interrupted", "已中断"};
+    return options.progress->out_of_time ? Message{"its time was over", "时间已到"}
+                                         : Message{"it was interrupted", "已中断"};
   }
   return limit;
 }
@@ -73,7 +75,8 @@ BoundedOptions BoundsOf(const ExploreOptions& options) {
           .stop = StopOf(options)};
 }
 
-/// The verdict of the schedules with few preemptions; the failure is left to the caller.
+/// The verdict of the schedules with few preemptions; the failure is left to
+/// the caller.
 Exploration ConcludeBounded(BoundedCounts bounded, const ExploreOptions& options) {
   Exploration exploration;
   exploration.engine = EngineKind::kBounded;
@@ -84,24 +87,43 @@ Exploration ConcludeBounded(BoundedCounts bounded, const ExploreOptions& options
     exploration.why = MakeMessage("no schedule with at most {0} preemptions goes wrong",
                                   "抢占不超过 {0} 次的调度均未出错", bounded.preemptions);
   } else {
-    exploration.why = WhyIncomplete(
-        options, MakeMessage("a limit was reached: {0} states, or {1} statements in one schedule",
-                             "已达到上限：{0} 个状态，或单个调度 {1} 条语句", options.state_limit,
-                             options.depth_limit));
+    exploration.why =
+        WhyIncomplete(options, MakeMessage("a limit was reached: {0} states, or {1} "
+                                           "statements in one schedule",
+                                           "已达到上限：{0} 个状态，或单个调度 {1} 条语句",
+                                           options.state_limit, options.depth_limit));
   }
   exploration.ends = bounded.ends.ends();
   exploration.bounded = std::move(bounded);
   return exploration;
 }
 
-/// `auto`: when one engine has an answer, the other may go on counting for this part of the time
-/// that has passed, and at least for kGraceMin.
+/// `auto`: when one engine has an answer, the other may go on counting for this
+/// part of the time that has passed, and at least for kGraceMin.
 constexpr double kGracePart = 0.3;
 constexpr std::chrono::milliseconds kGraceMin{10};
 /// `auto`: how often it is looked whether both engines are to be stopped.
 constexpr std::chrono::milliseconds kStopPolled{50};
 
-/// How the number of traces is estimated: with so many descents of at most so many statements.
+/// How far a search goes on after the first failure: long enough for a small
+/// program's counts to be complete. `auto` shows what its first look has found,
+/// and goes on for less.
+struct Aftermath {
+  int64_t statements = 0;  ///< of executions (TraceSearchLimits)
+  uint32_t states = 0;
+  uint32_t card_states = 0;
+};
+constexpr Aftermath kAftermath = {100'000'000, 4'000'000, 200'000};
+constexpr Aftermath kShortAftermath = {10'000'000, 500'000, 5000};
+
+const Aftermath& AftermathOf(const ExploreOptions& options) {
+  static constexpr Aftermath kAll = {INT64_MAX, ~uint32_t{0}, ~uint32_t{0}};
+  if (options.all || options.begun != nullptr) return kAll;
+  return options.engine == EngineKind::kAuto ? kShortAftermath : kAftermath;
+}
+
+/// How the number of traces is estimated: with so many descents of at most so
+/// many statements.
 constexpr int kDescents = 1000;
 constexpr int64_t kDescentDepth = 10'000;
 
@@ -112,6 +134,7 @@ TraceSearch TracesOf(const Problem& problem, const ExploreOptions& options,
   SearchTraces(problem,
                {.executions = options.execution_limit,
                 .depth = options.depth_limit,
+                .statements_after_bad = AftermathOf(options).statements,
                 .stop = stop,
                 .progress = options.progress},
                &search);
@@ -120,14 +143,16 @@ TraceSearch TracesOf(const Problem& problem, const ExploreOptions& options,
 
 StateLimits StatesOf(const ExploreOptions& options, const std::atomic<bool>* stop) {
   return {.states = options.state_limit,
+          .states_after_bad = AftermathOf(options).states,
           .merge_private = options.merge_private,
           .stop = stop,
           .progress = options.progress};
 }
 
-/// Runs both searches at the same time; each is told to stop some time after the other has an
-/// answer.
-void SearchBoth(const Problem& problem, const ExploreOptions& options,
+/// Runs both searches at the same time; each is told to stop some time after
+/// the other has an answer. Where it is known that something goes wrong, the
+/// search of states comes to its own end.
+void SearchBoth(const Problem& problem, const ExploreOptions& options, bool known_bad,
                 std::optional<TraceSearch>* traces, std::optional<StateSearch>* states,
                 EngineKind* first) {
   std::mutex mutex;
@@ -135,29 +160,34 @@ void SearchBoth(const Problem& problem, const ExploreOptions& options,
   std::atomic<bool> stop{false};
   int running = 2;
   bool endless = false;  // the traces will never be all searched
+  bool stated = false;   // the search of states is over
   const auto start = std::chrono::steady_clock::now();
-  const auto report = [&](EngineKind engine, bool complete) {
+  const auto report = [&](EngineKind engine, bool answers) {
     const std::lock_guard lock(mutex);
     --running;
-    if (complete && *first == EngineKind::kAuto) *first = engine;
+    if (answers && *first == EngineKind::kAuto) *first = engine;
     answered.notify_all();
   };
   std::thread tracing([&] {
     *traces = TracesOf(problem, options, &stop);
-    report(EngineKind::kDpor, (*traces)->complete());
+    report(EngineKind::kDpor, (*traces)->complete() || (*traces)->bad > 0);
   });
   std::thread stating([&] {
     *states = SearchStates(problem, StatesOf(options, &stop));
-    const bool complete = (*states)->counts.complete;
-    if (complete && IsCyclic((*states)->graph)) {
+    const StateCounts& counts = (*states)->counts;
+    const bool cyclic = counts.complete && IsCyclic((*states)->graph);
+    {
       const std::lock_guard lock(mutex);
-      endless = true;
+      endless = cyclic;
+      stated = true;
     }
-    report(EngineKind::kStateful, complete);
+    report(EngineKind::kStateful, counts.complete || counts.bad_states > 0);
   });
   {
     std::unique_lock lock(mutex);
-    const auto done = [&] { return running == 0 || *first != EngineKind::kAuto; };
+    const auto done = [&] {
+      return running == 0 || (known_bad ? stated : *first != EngineKind::kAuto);
+    };
     while (!answered.wait_for(lock, kStopPolled, done)) {
       if (options.progress != nullptr && options.progress->stop) stop = true;
     }
@@ -171,22 +201,44 @@ void SearchBoth(const Problem& problem, const ExploreOptions& options,
   stating.join();
 }
 
-Exploration Conclude(const Problem& problem, const ExploreOptions& options,
+/// The failure that is shown: the simplest one where all states are known, or
+/// else what was found first in an order that depends on the clock as little as
+/// can be.
+std::optional<Failure> FailureOf(const Problem& problem, const FirstLook& look,
+                                 const std::optional<TraceSearch>& traces,
+                                 const std::optional<StateSearch>& states) {
+  if (states && states->counts.complete) {
+    if (auto failure = FailureIn(problem, *states)) return failure;
+  }
+  if (look.found()) {
+    Failure failure = Shrink(problem, look.failing);
+    failure.fewest_preemptions = look.fewest_preemptions;
+    return failure;
+  }
+  const bool traced = traces && !traces->failing.empty();
+  if (traced && traces->complete()) return Shrink(problem, traces->failing);
+  if (states && !states->counts.complete) {
+    auto failure = FailureIn(problem, *states);
+    if (failure && failure->fault.kind == Fault::Kind::kRace) return failure;
+    if (failure) return Shrink(problem, failure->steps);
+  }
+  if (traced) return Shrink(problem, traces->failing);
+  return std::nullopt;
+}
+
+Exploration Conclude(const Problem& problem, const ExploreOptions& options, const FirstLook& look,
                      std::optional<TraceSearch> traces, std::optional<StateSearch> states,
                      EngineKind engine) {
   Exploration exploration;
   exploration.engine = engine;
   if (traces) exploration.traces = traces->Counts();
+  exploration.failure = FailureOf(problem, look, traces, states);
   if (traces) exploration.ends = traces->ends.ends();
   if (states) {
-    exploration.failure = FailureIn(problem, *states);
     exploration.merged = states->merged;
     if (states->counts.complete || !traces) exploration.ends = states->ends.ends();
     exploration.states = std::move(states->counts);
     exploration.races = std::move(states->races);
-  }
-  if (!exploration.failure && traces && !traces->failing.empty()) {
-    exploration.failure = Shrink(problem, traces->failing);
   }
   const bool complete =
       (traces && traces->complete()) || (exploration.states && exploration.states->complete);
@@ -196,11 +248,10 @@ Exploration Conclude(const Problem& problem, const ExploreOptions& options,
     exploration.verdict = Verdict::kProved;
   } else {
     exploration.why = WhyIncomplete(
-        options,
-        MakeMessage(
-            "a limit was reached: {0} executions, {1} states, or {2} statements in one execution",
-            "已达到上限：{0} 次执行、{1} 个状态，或单次执行 {2} 条语句", options.execution_limit,
-            options.state_limit, options.depth_limit));
+        options, MakeMessage("a limit was reached: {0} executions, {1} states, or {2} "
+                             "statements in one execution",
+                             "已达到上限：{0} 次执行、{1} 个状态，或单次执行 {2} 条语句",
+                             options.execution_limit, options.state_limit, options.depth_limit));
   }
   if (traces) exploration.search = std::move(*traces);
   return exploration;
@@ -253,7 +304,8 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
   if (problem.races == RaceRule::kBenign && options.engine != EngineKind::kAuto &&
       options.engine != EngineKind::kStateful) {
     return MakeError(1,
-                     "whether a race is benign shows in the graph of all states only: use the "
+                     "whether a race is benign shows in the graph of all states only: use "
+                     "the "
                      "engine stateful",
                      "竞争是否无害只能由全部状态的图判定：请使用 stateful 引擎");
   }
@@ -262,9 +314,11 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
   };
   if (options.merge_private && std::ranges::any_of(problem.requirements, sees_locals)) {
     return MakeError(1,
-                     "'always', 'never' and 'eventually' cannot name locals when statements that "
+                     "'always', 'never' and 'eventually' cannot name locals "
+                     "when statements that "
                      "touch only locals are merged",
-                     "合并只涉及局部变量的语句时，“always”、“never”和“eventually”不能引用局部变量");
+                     "合并只涉及局部变量的语句时，“always”、“never”和“eventuall"
+                     "y”不能引用局部变量");
   }
   if (const auto sampling = SamplingOf(options)) {
     Exploration exploration = ConcludeSamples(options.engine, Sample(problem, *sampling));
@@ -287,12 +341,13 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
   }
   if (problem.HasInvariants()) {
     if (engine == EngineKind::kDpor) {
-      return MakeError(
-          1,
-          "'always', 'never' and 'eventually' speak of states on the way, which traces pass over: "
-          "use the engine stateful",
-          "“always”、“never”和“eventually”涉及中间状态，而 dpor 引擎会跳过它们：请使用 stateful "
-          "引擎");
+      return MakeError(1,
+                       "'always', 'never' and 'eventually' speak of states on "
+                       "the way, which traces pass over: "
+                       "use the engine stateful",
+                       "“always”、“never”和“eventually”涉及中间状态，而 dpor "
+                       "引擎会跳过它们：请使用 stateful "
+                       "引擎");
     }
     engine = EngineKind::kStateful;
   }
@@ -303,16 +358,24 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
     options.progress->expected = estimate.traces;
     options.progress->expected_error = estimate.error;
   }
+  FirstLook look;
+  if (options.engine == EngineKind::kAuto && !options.all && options.begun == nullptr) {
+    look = LookFirst(problem, StopOf(options));
+  }
   std::optional<TraceSearch> traces;
   std::optional<StateSearch> states;
-  if (engine == EngineKind::kDpor) {
-    traces = TracesOf(problem, options, StopOf(options));
-  } else if (engine == EngineKind::kStateful) {
-    states = SearchStates(problem, StatesOf(options, StopOf(options)));
-  } else {
-    SearchBoth(problem, options, &traces, &states, &engine);
+  ExploreOptions searched = options;
+  if (look.found()) {
+    searched.state_limit = std::min(options.state_limit, AftermathOf(options).states);
   }
-  return Conclude(problem, options, std::move(traces), std::move(states), engine);
+  if (engine == EngineKind::kDpor) {
+    traces = TracesOf(problem, searched, StopOf(options));
+  } else if (engine == EngineKind::kStateful) {
+    states = SearchStates(problem, StatesOf(searched, StopOf(options)));
+  } else {
+    SearchBoth(problem, searched, look.found(), &traces, &states, &engine);
+  }
+  return Conclude(problem, options, look, std::move(traces), std::move(states), engine);
 }
 
 Exploration ExploreCard(CardModel* model, const ExploreOptions& options) {
@@ -331,7 +394,14 @@ Exploration ExploreCard(CardModel* model, const ExploreOptions& options) {
     }
     return exploration;
   }
-  const CardGraph found = BuildCardGraph(model, StatesOf(options, StopOf(options)));
+  FirstLook look;
+  if (options.engine == EngineKind::kAuto && !options.all) {
+    look = LookFirstAtCard(model, StopOf(options));
+  }
+  StateLimits limits = StatesOf(options, StopOf(options));
+  limits.states_after_bad = AftermathOf(options).card_states;
+  if (look.found()) limits.states = std::min(limits.states, limits.states_after_bad);
+  const CardGraph found = BuildCardGraph(model, limits);
   Exploration exploration;
   exploration.engine = EngineKind::kStateful;
   exploration.states = StateCounts{.states = found.graph.size(),
@@ -343,10 +413,17 @@ Exploration ExploreCard(CardModel* model, const ExploreOptions& options) {
                                    .complete = found.graph.complete};
   exploration.ends = found.ends.ends();
   exploration.failure = WayTo(found.graph, kBad);
-  if (exploration.failure) {
+  if (exploration.failure && found.graph.complete) {
     CardWalk walk(model, false);
     for (const uint8_t thread : exploration.failure->steps) walk.Step(thread);
     exploration.failure->fault = walk.fault();
+  } else if (look.found()) {
+    exploration.failure = ShrinkCard(model, look.failing);
+    exploration.failure->fewest_preemptions = look.fewest_preemptions;
+  } else if (exploration.failure) {
+    exploration.failure = ShrinkCard(model, exploration.failure->steps);
+  }
+  if (exploration.failure) {
     exploration.verdict = Verdict::kFailed;
   } else if (!found.graph.complete) {
     exploration.why =
@@ -354,8 +431,10 @@ Exploration ExploreCard(CardModel* model, const ExploreOptions& options) {
                                            "已达到 {0} 个状态的上限", options.state_limit));
   } else if (found.cut) {
     exploration.verdict = Verdict::kPassed;
-    exploration.why = {"nothing goes wrong until the scenario's until_ms; threads still run then",
-                       "在场景的 until_ms 之前没有错误；此时仍有线程在运行"};
+    exploration.why = {
+        "nothing goes wrong until the scenario's until_ms; "
+        "threads still run then",
+        "在场景的 until_ms 之前没有错误；此时仍有线程在运行"};
   } else {
     exploration.verdict = Verdict::kProved;
   }

@@ -1,11 +1,14 @@
 // Answers whether any interleaving of a problem's threads can go wrong, and if so how.
 //
 // Two engines can prove it: `dpor`, one execution per Mazurkiewicz trace, and `stateful`, the graph
-// of all states. Neither is always better; `auto` runs both at the same time on two cores.
+// of all states. Neither is always better; `auto` takes a first look (first_look.h), then runs both
+// at the same time on two cores.
 // What is too large can be tried by random schedules (sampler.h).
 // A program that calls GT commands is explored together with its card, by its state graph.
-// Deterministic but for what `auto` happens to count beside the verdict. docs/interleavings.md says
-// when which engine is the right one. Tested by tests/explore/explorer_test.cc.
+// Deterministic but for what `auto` happens to count beside the verdict, and which of several
+// failures it shows where the first look has found none and the states are too many.
+// docs/interleavings.md says when which engine is the right one. Tested by
+// tests/explore/explorer_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -60,6 +63,9 @@ struct ExploreOptions {
   /// kStateful, kAuto: a statement that touches no global goes with the one before it
   /// (StateLimits).
   bool merge_private = false;
+  /// After the first failure the search goes on to its end, so that all are counted. Otherwise it
+  /// goes on for a while only, after which a small program's counts are complete all the same.
+  bool all = false;
   int preemption_limit = BoundedOptions{}.preemptions;  ///< kBounded
   // Of the engines that try random schedules.
   int64_t runs = SampleOptions{}.runs;

@@ -12,6 +12,8 @@ struct SearchProgress {
   /// Set before `stop`: why. For good; or only so that what is known can be kept (kept_search.h).
   std::atomic<bool> interrupted{false};
   std::atomic<bool> pausing{false};
+  /// Set before `stop`, when that is because the time that was given is over.
+  std::atomic<bool> out_of_time{false};
   /// Set before the search: it first estimates how many executions there are.
   bool estimates = false;
   // Set by the search.

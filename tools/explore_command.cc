@@ -36,6 +36,8 @@ struct ExploreArguments {
   bool merge = false;
   bool full = false;
   bool progress = false;
+  double seconds = 0;  ///< 0: as long as it takes
+  bool all = false;
 };
 
 /// Writes the failing schedule with checkpoints, as a run of it records them.
@@ -130,6 +132,7 @@ explore::ExploreOptions OptionsOf(const ExploreArguments& arguments,
   options.depth = arguments.depth;
   options.preemption_limit = arguments.preemptions;
   options.merge_private = arguments.merge_private;
+  options.all = arguments.all;
   return options;
 }
 
@@ -166,7 +169,8 @@ std::string DefaultSearch(const std::string& input) {
 /// Goes on with a search that lives in a file.
 int ExploreKept(const ExploreArguments& arguments, const Session& session,
                 const ExploreSubject& subject, const std::string& path, explore::SearchFile file) {
-  SearchWatch watch(session, {.shows = arguments.progress, .pauses = true});
+  SearchWatch watch(session,
+                    {.shows = arguments.progress, .seconds = arguments.seconds, .pauses = true});
   explore::ExploreOptions options = OptionsOf(arguments, subject);
   options.progress = watch.progress();
   int written = kExitOk;
@@ -271,7 +275,7 @@ int Explore(const ExploreArguments& arguments, const Session& session) {
     if (!findings.ok()) return Fail(session, kExitUsage, findings.error().message);
     return Report(arguments, session, subject, std::move(findings).value());
   }
-  SearchWatch watch(session, {.shows = arguments.progress});
+  SearchWatch watch(session, {.shows = arguments.progress, .seconds = arguments.seconds});
   explore::ExploreOptions options = OptionsOf(arguments, subject);
   options.progress = watch.progress();
   auto findings =
@@ -383,6 +387,15 @@ void AddExplore(CLI::App& app, Session& session) {
                    session.Say({"end the search after so many states", "状态数上限"}))
       ->type_name("N")
       ->check(CLI::Range(1u, 4'000'000'000u).description(""));
+  command
+      ->add_option("--time", arguments->seconds,
+                   session.Say({"end the search after so many seconds, with what is known",
+                                "搜索超过该秒数后结束，并给出已知结果"}))
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.001, 1e9).description(""));
+  command->add_flag("--all", arguments->all,
+                    session.Say({"go on after a failure, so that all are counted",
+                                 "出错后继续搜索，以统计全部错误"}));
   command
       ->add_option("--search", arguments->search,
                    session.Say({"keep the search in this file, and go on with it if it is there",

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -59,7 +60,8 @@ SearchWatch::SearchWatch(const Session& session, const WatchOptions& options)
     const bool ignored = before_[i].sa_handler == SIG_IGN;
     if (kSignals[i] != SIGHUP || !ignored) ::sigaction(kSignals[i], &stops, nullptr);
   }
-  if (options.shows || options.pauses) watching_ = std::thread([this] { Watch(); });
+  if (options.shows || options.pauses || options.seconds > 0)
+    watching_ = std::thread([this] { Watch(); });
 }
 
 SearchWatch::~SearchWatch() {
@@ -75,12 +77,24 @@ SearchWatch::~SearchWatch() {
 
 void SearchWatch::Watch() {
   const auto start = std::chrono::steady_clock::now();
+  const std::chrono::duration<double> given(options_.seconds);
   auto kept = start;
+  const auto next = [&]() -> std::chrono::duration<double> {
+    if (options_.seconds == 0) return kShown;
+    const std::chrono::duration<double> left = start + given - std::chrono::steady_clock::now();
+    return std::min<std::chrono::duration<double>>(left, kShown);
+  };
   std::unique_lock lock(mutex_);
-  while (!changed_.wait_for(lock, kShown, [this] { return over_; })) {
+  while (!changed_.wait_for(lock, next(), [this] { return over_; })) {
     const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<double> passed = now - start;
+    if (options_.seconds > 0 && passed >= given) {
+      progress_.out_of_time = true;
+      progress_.interrupted = true;
+      progress_.stop = true;
+      return;
+    }
     if (options_.shows) {
-      const std::chrono::duration<double> passed = now - start;
       PrintDiagnostics(session_.Say(ProgressText(progress_, passed.count())) + '\n');
     }
     if (options_.pauses && now - kept >= kKept) {

@@ -1,5 +1,6 @@
 // Watches a search while it runs: shows how far it is, lets it be kept every minute, and ends it
-// early on SIGINT (Ctrl-C), SIGTERM (Slurm before the time limit) and SIGHUP (a closed terminal).
+// early on SIGINT (Ctrl-C), SIGTERM (Slurm before the time limit) and SIGHUP (a closed terminal),
+// or when the time that was given to it is over.
 #pragma once
 
 #include <array>
@@ -15,6 +16,7 @@ namespace oncard::tools {
 
 struct WatchOptions {
   bool shows = false;   ///< a line on standard error says every second how far the search is
+  double seconds = 0;   ///< after which the search is told to stop, too; 0: as long as it takes
   bool pauses = false;  ///< the search pauses every minute (SearchProgress::pausing)
 };
 

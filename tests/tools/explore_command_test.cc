@@ -71,6 +71,37 @@ TEST(Explore, ALimitIsNoVerdict) {
   EXPECT_EQ(RunOncard({"explore", "--engine=dpor", "--max-executions=1", file}).exit_code, 6);
 }
 
+// Two threads that count to a hundred in three statements have more interleavings than atoms; that
+// additions are lost shows without any preemption too many.
+TEST(Explore, AFaultThatNeedsNoPreemptionIsFoundAtOnce) {
+  const ProcessResult result =
+      RunOncard({"explore", ONCARD_SOURCE_DIR "/samples/07_shared_global/taking_turns.toml",
+                 "--format=json"});
+  EXPECT_EQ(result.exit_code, 1) << result.err;
+  const Json json = Json::parse(result.out);
+  EXPECT_EQ(json["preemptions"], 0);
+  EXPECT_EQ(json["min_preemptions_to_bad"], 0);
+}
+
+TEST(Explore, ASearchEndsWhenItsTimeIsOver) {
+  const ScratchFolder scratch;
+  scratch.Write("p.c", Replaced(kLostUpdate, "g == 2", "g < 3"));
+  const ProcessResult in_time = RunOncard({"explore", "p.c", "--time=600"}, scratch.path());
+  EXPECT_EQ(in_time.exit_code, 0) << in_time.err;
+  std::string large = "int x;\n//@ final: x >= 0\n";
+  for (int thread = 0; thread < 8; ++thread) {
+    large += "int t" + std::to_string(thread) + "()\n{\n  int t;\n";
+    for (int i = 0; i < 50; ++i) large += "  t = x;\n  x = t + 1;\n";
+    large += "}\n";
+  }
+  scratch.Write("large.c", large);
+  const ProcessResult late = RunOncard({"explore", "large.c", "--time=0.2"}, scratch.path());
+  EXPECT_EQ(late.exit_code, 6) << late.err;
+  EXPECT_TRUE(late.out.starts_with("INCOMPLETE\nits time was over\n")) << late.out;
+  EXPECT_NE(late.err.find("to go on: oncard explore large.search"), std::string::npos) << late.err;
+  EXPECT_EQ(RunOncard({"explore", "p.c", "--time=0"}, scratch.path()).exit_code, 2);
+}
+
 TEST(Explore, TheSavedScheduleReplays) {
   const ScratchFolder scratch;
   const std::string saved = scratch.path() + "/lost.schedule";
