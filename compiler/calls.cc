@@ -205,6 +205,23 @@ void Checker::ReportMissingArguments(const Expression& call, const gtcalls::Comm
   rewriter.Finish();
 }
 
+// A fixed-point number where a whole one is wanted: C would cut it, GT_Delay(0.5) would not wait.
+void Checker::ReportFraction(const Expression& argument, const Literal& literal,
+                             std::string_view parameter) {
+  Diagnostic& diagnostic = Fail(Code::kTypeMismatch, argument.range,
+                                DescribeType(DataType::kDouble), DescribeType(DataType::kInt));
+  const uint64_t one = uint64_t{1} << vm::kFractionBits;
+  const uint64_t whole = literal.magnitude / one;
+  if (literal.magnitude % one == 0 && whole <= INT32_MAX) {
+    Replace(diagnostic, argument.range, fmt::format("{}{}", literal.negative ? "-" : "", whole));
+    return;
+  }
+  AddNote(diagnostic,
+          MakeMessage("'{0}' takes whole numbers; a cast would cut {1} to {2}{3}",
+                      "'{0}' 需要整数；强制转换会把 {1} 截断为 {2}{3}", parameter,
+                      Source(argument.range), literal.negative && whole > 0 ? "-" : "", whole));
+}
+
 bool Checker::CheckInput(const Expression& argument, const gtcalls::Command& command, size_t index,
                          vm::Instruction& instruction) {
   const Parameter& parameter = command.parameters[index];
@@ -227,7 +244,11 @@ bool Checker::CheckInput(const Expression& argument, const gtcalls::Command& com
   std::optional<TypedOperand> operand = ResolveOperand(argument);
   if (!operand) return false;
   if (!Adapt(*operand, wanted)) {
-    Teach(Code::kTypeMismatch, argument.range, DescribeType(operand->type), DescribeType(wanted));
+    if (operand->literal) {
+      ReportFraction(argument, *operand->literal, parameter.name);
+    } else {
+      Teach(Code::kTypeMismatch, argument.range, DescribeType(operand->type), DescribeType(wanted));
+    }
     return false;
   }
   if (operand->literal && !operand->literal->invalid && wanted == DataType::kInt) {

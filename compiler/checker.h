@@ -15,6 +15,7 @@
 
 #include "compiler/compiler.h"
 #include "compiler/constant_folding.h"
+#include "compiler/flow_warnings.h"
 #include "compiler/reporter.h"
 #include "compiler/symbols.h"
 #include "compiler/syntax.h"
@@ -63,6 +64,8 @@ class Checker {
   void AddSkippedNames(const std::unordered_set<std::string_view>& names);
   /// Checks everything. The object means something only when nothing was reported.
   vm::Object Check(const Tree& tree);
+  /// Where the statements of the object's functions stand.
+  const std::vector<FunctionPlaces>& places() const { return places_; }
 
  private:
   friend class Rewriter;
@@ -96,6 +99,7 @@ class Checker {
   struct FunctionState {
     const Function* syntax = nullptr;
     vm::Function out;
+    FunctionPlaces places;
     bool is_void = false;
     Scope locals;
     uint16_t slots = 0;
@@ -248,6 +252,8 @@ class Checker {
                   vm::Instruction& instruction);
   bool CheckAddress(const Expression& argument, const Expression& call,
                     const gtcalls::Command& command, size_t index, vm::Instruction& instruction);
+  void ReportFraction(const Expression& argument, const Literal& literal,
+                      std::string_view parameter);
   void ReportUnknownCall(const Expression& callee);
 
   std::string_view Source(SourceRange range) const;
@@ -257,6 +263,7 @@ class Checker {
   const std::deque<SourceFile>& files_;
   Reporter& reporter_;
   vm::Object object_;
+  std::vector<FunctionPlaces> places_;
   Scope globals_;  // with macros and functions
   uint16_t global_slots_ = 0;
   bool too_many_globals_ = false;

@@ -5,6 +5,7 @@
 #include "base/files.h"
 #include "compiler/checker.h"
 #include "compiler/directives.h"
+#include "compiler/flow_warnings.h"
 #include "compiler/parser_driver.h"
 
 namespace oncard::compiler {
@@ -25,11 +26,11 @@ void SortAndLimit(std::vector<Diagnostic>& diagnostics, const std::vector<uint32
   if (max_errors <= 0) return;
   int errors = 0;
   for (size_t i = 0; i < diagnostics.size(); ++i) {
-    if (diagnostics[i].info->severity != Severity::kError) continue;
+    if (diagnostics[i].severity != Severity::kError) continue;
     if (++errors <= max_errors) continue;
-    const auto hidden = std::count_if(
-        diagnostics.begin() + static_cast<std::ptrdiff_t>(i), diagnostics.end(),
-        [](const Diagnostic& rest) { return rest.info->severity == Severity::kError; });
+    const auto hidden =
+        std::count_if(diagnostics.begin() + static_cast<std::ptrdiff_t>(i), diagnostics.end(),
+                      [](const Diagnostic& rest) { return rest.severity == Severity::kError; });
     diagnostics.erase(diagnostics.begin() + static_cast<std::ptrdiff_t>(i), diagnostics.end());
     AddNote(diagnostics.back(),
             MakeMessage("{0} more errors are not shown", "还有 {0} 个错误没有显示", hidden));
@@ -37,7 +38,29 @@ void SortAndLimit(std::vector<Diagnostic>& diagnostics, const std::vector<uint32
   }
 }
 
+void ApplyWarningOptions(const Options& options, Reporter& reporter) {
+  for (const int code : options.silent_warnings) reporter.Drop(static_cast<Code>(code));
+  if (!options.warnings_are_errors) return;
+  for (Diagnostic& diagnostic : reporter.diagnostics()) diagnostic.severity = Severity::kError;
+}
+
 }  // namespace
+
+bool ReadWarningOption(std::string_view text, Options* options) {
+  constexpr std::string_view kNo = "no-";
+  if (text == "error") {
+    if (options != nullptr) options->warnings_are_errors = true;
+    return true;
+  }
+  if (!text.starts_with(kNo)) return false;
+  text.remove_prefix(kNo.size());
+  for (const DiagnosticInfo& info : DiagnosticTable()) {
+    if (info.slug != text || info.severity != Severity::kWarning) continue;
+    if (options != nullptr) options->silent_warnings.push_back(info.code);
+    return true;
+  }
+  return false;
+}
 
 Compilation CompileText(const std::string& path, std::string text, const Options& options,
                         const FileReader& reader) {
@@ -56,6 +79,9 @@ Compilation CompileText(const std::string& path, std::string text, const Options
   // A function that begins inside another one mostly means a missing '}', which the end of the file
   // shows once more.
   if (reporter.Has(Code::kNestedFunction)) reporter.Drop(Code::kUnexpectedEnd);
+
+  if (!reporter.HasErrors()) WarnAboutFlow(object, checker.places(), reporter);
+  ApplyWarningOptions(options, reporter);
 
   Compilation compilation;
   if (!reporter.HasErrors()) compilation.object = std::move(object);

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
@@ -21,7 +22,15 @@ struct Options {
   std::vector<std::string> include_folders;
   /// After so many errors the rest is not reported (a note says so). 0: no limit.
   int max_errors = 50;
+  /// Warnings are errors: a program that has any gives no object.
+  bool warnings_are_errors = false;
+  /// Codes of warnings that are not reported.
+  std::vector<int> silent_warnings = {};
 };
+
+/// Reads `error`, or `no-` with the slug of a warning, into the options unless they are nullptr.
+/// False for anything else.
+bool ReadWarningOption(std::string_view text, Options* options);
 
 /// Gives the bytes of a file, or an Error; tests replace the file system with it.
 using FileReader = std::function<Result<std::string>(const std::string& path)>;

@@ -497,6 +497,7 @@ void Checker::CheckFunction(const Function& syntax) {
   function_ = &state;
   OpenBlock(nullptr);
   CheckParameters(syntax);
+  state.places.parameter_slots = state.slots;
   // Rewritten statements declare their temporaries after the last declaration.
   for (const StatementPtr& item : syntax.body) {
     if (item->kind == Statement::Kind::kMacro) continue;
@@ -511,6 +512,7 @@ void Checker::CheckFunction(const Function& syntax) {
   ResolveJumps();
   function_ = outer;
   object_.functions.push_back(std::move(state.out));
+  places_.push_back(std::move(state.places));
 }
 
 }  // namespace oncard::compiler

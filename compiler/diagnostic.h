@@ -68,6 +68,8 @@ struct DiagnosticInfo {
 
 struct Diagnostic {
   const DiagnosticInfo* info = nullptr;
+  /// That of the row, unless warnings are taken for errors.
+  Severity severity = Severity::kError;
   SourceRange range;
   Message message;
   std::vector<Note> notes;

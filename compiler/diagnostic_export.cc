@@ -49,7 +49,7 @@ Json DiagnosticToJson(const Compilation& compilation, const Diagnostic& diagnost
                       Language language) {
   Json json;
   json["code"] = DiagnosticName(diagnostic.info->code);
-  json["severity"] = SeverityName(diagnostic.info->severity);
+  json["severity"] = SeverityName(diagnostic.severity);
   json["slug"] = diagnostic.info->slug;
   AddMessage(json, diagnostic.message, language);
   AddPlace(json, compilation, diagnostic.range);
@@ -129,7 +129,7 @@ Json Fix(const Compilation& compilation, const Diagnostic& diagnostic) {
 Json ResultOf(const Compilation& compilation, const Diagnostic& diagnostic, Language language) {
   Json result;
   result["ruleId"] = DiagnosticName(diagnostic.info->code);
-  result["level"] = SeverityName(diagnostic.info->severity);
+  result["level"] = SeverityName(diagnostic.severity);
   std::string text = diagnostic.message.In(language);
   Json related = Json::array();
   for (const Note& note : diagnostic.notes) {

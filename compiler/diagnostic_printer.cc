@@ -29,7 +29,7 @@ class TextPrinter {
       : compilation_(compilation), options_(options) {}
 
   void Print(const Diagnostic& diagnostic) {
-    const bool error = diagnostic.info->severity == Severity::kError;
+    const bool error = diagnostic.severity == Severity::kError;
     const Message label = error ? Message{"error", "错误"} : Message{"warning", "警告"};
     PrintHeadline(
         FileOf(diagnostic.range), diagnostic.range, error ? kRed : kMagenta,
@@ -48,7 +48,7 @@ class TextPrinter {
   void PrintSummary() {
     const auto count = [this](Severity severity) {
       return std::count_if(compilation_.diagnostics.begin(), compilation_.diagnostics.end(),
-                           [severity](const auto& d) { return d.info->severity == severity; });
+                           [severity](const auto& d) { return d.severity == severity; });
     };
     const auto errors = count(Severity::kError);
     const auto warnings = count(Severity::kWarning);

@@ -9,6 +9,7 @@ namespace oncard::compiler {
 Diagnostic& Reporter::Add(Code code, SourceRange range, const std::vector<Message>& arguments) {
   Diagnostic& diagnostic = diagnostics_.emplace_back();
   diagnostic.info = FindDiagnostic(static_cast<int>(code));
+  diagnostic.severity = diagnostic.info->severity;
   diagnostic.range = range;
   fmt::dynamic_format_arg_store<fmt::format_context> en;
   fmt::dynamic_format_arg_store<fmt::format_context> zh;
@@ -29,7 +30,7 @@ void Reporter::Drop(Code code) {
 
 bool Reporter::HasErrors() const {
   return std::any_of(diagnostics_.begin(), diagnostics_.end(), [](const Diagnostic& diagnostic) {
-    return diagnostic.info->severity == Severity::kError;
+    return diagnostic.severity == Severity::kError;
   });
 }
 

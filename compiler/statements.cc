@@ -163,6 +163,7 @@ void Checker::Emit(vm::Instruction instruction) {
   }
   function.out.instructions.push_back(std::move(instruction));
   function.out.lines.push_back(line_);
+  function.places.statements.push_back(statement_range_);
 }
 
 void Checker::BeginStatement(const Statement& statement) {

@@ -145,7 +145,7 @@ void FillCompileInfo(TCompileInfo* info, const compiler::Compilation& compilatio
                      Message* reason) {
   const auto& diagnostics = compilation.diagnostics;
   const auto first = std::find_if(diagnostics.begin(), diagnostics.end(), [](const auto& d) {
-    return d.info->severity == compiler::Severity::kError;
+    return d.severity == compiler::Severity::kError;
   });
   const compiler::SourceFile& file = compilation.files[static_cast<size_t>(first->range.file)];
   const std::string_view token =

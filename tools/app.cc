@@ -68,6 +68,24 @@ CLI::Option* AddMaxErrorsOption(CLI::App& command, const Session& session, int& 
       ->check(CLI::Range(0, 1'000'000).description(""));
 }
 
+CLI::Option* AddWarningOption(CLI::App& command, const Session& session,
+                              std::vector<std::string>& warnings) {
+  return command
+      .add_option("-W", warnings,
+                  session.Say({"-Werror takes warnings for errors, -Wno-NAME leaves one out "
+                               "(repeatable)",
+                               "-Werror 把警告当作错误，-Wno-名称 不报告某种警告（可重复）"}))
+      ->type_name("WARNING")
+      ->allow_extra_args(false)
+      ->check(CLI::Validator(
+          [](const std::string& value) {
+            return compiler::ReadWarningOption(value, nullptr)
+                       ? std::string()
+                       : "expected error or no-NAME, where NAME is in the brackets of a warning";
+          },
+          ""));
+}
+
 CLI::Option* AddFormatOption(CLI::App& command, const Session& session, std::string& format,
                              const std::vector<std::string>& choices) {
   const std::string list = fmt::to_string(fmt::join(choices, "|"));

@@ -11,14 +11,18 @@ struct BuildOptions {
   std::string folder;
   bool vendor_format = false;
   std::vector<std::string> include_folders;
+  std::vector<std::string> warnings;
   std::string double_format = "32.16";
   int max_errors = compiler::Options().max_errors;
   std::string diagnostics = "text";
 };
 
 int BuildOne(const BuildOptions& options, const std::string& source, const Session& session) {
-  const compiler::Options compile = {DoubleFormatOf(options.double_format), options.include_folders,
-                                     options.max_errors};
+  compiler::Options compile = {DoubleFormatOf(options.double_format), options.include_folders,
+                               options.max_errors};
+  for (const std::string& warning : options.warnings) {
+    compiler::ReadWarningOption(warning, &compile);
+  }
   if (source.ends_with(".bin")) {
     return Fail(session, kExitUsage,
                 MakeMessage("'{0}' is an object: build takes sources",
@@ -64,6 +68,7 @@ void AddBuild(CLI::App& app, Session& session) {
   AddIncludeOption(*command, session, options->include_folders);
   AddDoubleOption(*command, session, options->double_format);
   AddMaxErrorsOption(*command, session, options->max_errors);
+  AddWarningOption(*command, session, options->warnings);
   command
       ->add_option("--diagnostics", options->diagnostics,
                    session.Say({"form of the diagnostics: text|json", "诊断格式：text|json"}))

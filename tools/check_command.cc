@@ -22,6 +22,7 @@ struct CheckOptions {
   std::vector<std::string> sources;
   bool fix = false;
   std::vector<std::string> include_folders;
+  std::vector<std::string> warnings;
   std::string double_format = "32.16";
   int max_errors = compiler::Options().max_errors;
   std::string diagnostics = "text";
@@ -86,8 +87,11 @@ std::optional<compiler::Compilation> CheckOne(const CheckOptions& options,
 }
 
 int Check(const CheckOptions& options, const Session& session) {
-  const compiler::Options compile = {DoubleFormatOf(options.double_format), options.include_folders,
-                                     options.max_errors};
+  compiler::Options compile = {DoubleFormatOf(options.double_format), options.include_folders,
+                               options.max_errors};
+  for (const std::string& warning : options.warnings) {
+    compiler::ReadWarningOption(warning, &compile);
+  }
   const compiler::PrintOptions print = {session.language, session.color};
   int code = kExitOk;
   const bool mends_input = options.fix && std::find(options.sources.begin(), options.sources.end(),
@@ -139,6 +143,7 @@ void AddCheck(CLI::App& app, Session& session) {
   AddIncludeOption(*command, session, options->include_folders);
   AddDoubleOption(*command, session, options->double_format);
   AddMaxErrorsOption(*command, session, options->max_errors);
+  AddWarningOption(*command, session, options->warnings);
   command
       ->add_option(
           "--diagnostics,--format", options->diagnostics,

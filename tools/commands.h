@@ -39,6 +39,9 @@ CLI::Option* AddIncludeOption(CLI::App& command, const Session& session,
                               std::vector<std::string>& folders);
 CLI::Option* AddDoubleOption(CLI::App& command, const Session& session, std::string& format);
 CLI::Option* AddMaxErrorsOption(CLI::App& command, const Session& session, int& count);
+/// `-Werror`, `-Wno-NAME`: one value for each, without the W.
+CLI::Option* AddWarningOption(CLI::App& command, const Session& session,
+                              std::vector<std::string>& warnings);
 CLI::Option* AddFormatOption(CLI::App& command, const Session& session, std::string& format,
                              const std::vector<std::string>& choices);
 

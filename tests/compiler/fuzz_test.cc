@@ -45,7 +45,7 @@ void Check(const std::string& text) {
   }
   ASSERT_NE(compilation.ok(),
             std::any_of(compilation.diagnostics.begin(), compilation.diagnostics.end(),
-                        [](const Diagnostic& d) { return d.info->severity == Severity::kError; }));
+                        [](const Diagnostic& d) { return d.severity == Severity::kError; }));
   if (!compilation.ok()) return;
   const CatalogueShapes shapes;
   const Result<void> verified = vm::Verify(*compilation.object, shapes);

@@ -27,6 +27,7 @@ inline Diagnostic& Report(Compilation& compilation, const DiagnosticInfo& info,
                           std::string_view what, Message message) {
   Diagnostic diagnostic;
   diagnostic.info = &info;
+  diagnostic.severity = info.severity;
   diagnostic.range = RangeOf(compilation, what);
   diagnostic.message = std::move(message);
   compilation.diagnostics.push_back(std::move(diagnostic));

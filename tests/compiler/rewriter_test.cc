@@ -150,6 +150,7 @@ const Foreign kBodies[] = {
     {"command_value", "i = 1; GT_Delay(&i); v = 2;", 2},
     {"command_extra", "GT_Delay(1, 2); v = 2;", 2},
     {"command_misspelt", "GT_Dealy(1); v = 2;", 2},
+    {"whole_number", "GT_Delay(2.0); v = 2;", 2},
     {"guarded_element", "i = -1; while (i >= 0 && a[i] > 0) i = i - 1; v = i;", -1},
     {"guarded_division", "i = 0; if (i != 0 && 10 / i > 2) v = 1; else v = 2;", 2},
     {"guarded_value", "i = 9; v = i < 4 && a[i] == 0; v = v + (i > 3 || a[i]) * 10;", 10},
@@ -334,6 +335,7 @@ const Unmendable kUnmendable[] = {
      {114},
      "sign"},
     {"char_wraps", "int v; int t0() { char c; c = v; v = c + 1; }\n", {114}, "sign"},
+    {"no_wait", "int t0() { GT_Delay(0.5); }\n", {19}, "cut 0.5 to 0"},
     {"long_long", "long long n; int t0() { return n; }\n", {114}, "32 bits"},
 };
 

@@ -21,7 +21,7 @@ compiler::Compilation CompileSource(const std::string& text, vm::DoubleFormat fo
 std::string ErrorsOf(const compiler::Compilation& compilation) {
   std::string text;
   for (const compiler::Diagnostic& diagnostic : compilation.diagnostics) {
-    if (diagnostic.info->severity != compiler::Severity::kError) continue;
+    if (diagnostic.severity != compiler::Severity::kError) continue;
     const auto& file = compilation.files[static_cast<size_t>(diagnostic.range.file)];
     text +=
         fmt::format("line {}: {}\n", file.LineOf(diagnostic.range.begin), diagnostic.message.en);

@@ -138,7 +138,7 @@ TEST_P(LangTest, MeetsItsExpectations) {
   for (const compiler::Diagnostic& diagnostic : compilation.diagnostics) {
     const compiler::SourceFile& file =
         compilation.files[static_cast<size_t>(diagnostic.range.file)];
-    const bool error = diagnostic.info->severity == compiler::Severity::kError;
+    const bool error = diagnostic.severity == compiler::Severity::kError;
     reported.push_back(Describe(file.path(), file.LineOf(diagnostic.range.begin),
                                 error ? "error" : "warning",
                                 compiler::DiagnosticName(diagnostic.info->code)));

@@ -131,6 +131,24 @@ TEST(Check, StopsAfterSoManyErrors) {
 constexpr const char* kLoop =
     "int v;\nint f()\n{\n  int i;\n  for (i = 0; i < 3; i++) { { v += i; } }\n  return v;\n}\n";
 
+constexpr const char* kSuspicious = "int f()\n{\n  return 1;\n  return 2;\n  GT_Delay(1);\n}\n";
+
+TEST(Check, TakesWarningsForErrorsOrLeavesThemOut) {
+  const ScratchFolder scratch;
+  const std::string source = scratch.Write("p.c", kSuspicious);
+  const ProcessResult plain = RunOncard({"check", source});
+  EXPECT_EQ(plain.exit_code, 0);
+  EXPECT_NE(plain.err.find("warning MP136"), std::string::npos) << plain.err;
+  const ProcessResult errors = RunOncard({"check", "-Werror", source});
+  EXPECT_EQ(errors.exit_code, 1);
+  EXPECT_NE(errors.err.find("error MP136"), std::string::npos) << errors.err;
+  EXPECT_EQ(RunOncard({"check", "-Werror", "-Wno-unreachable", source}).err, "");
+  EXPECT_EQ(RunOncard({"check", "-Wno-such", source}).exit_code, 2);
+  EXPECT_EQ(RunOncard({"build", "-Werror", source}).exit_code, 1);
+  const Json sarif = Json::parse(RunOncard({"check", "--format=sarif", source}).out);
+  EXPECT_EQ(sarif["runs"][0]["results"][0]["level"], "warning");
+}
+
 TEST(Check, MendsInPlace) {
   const ScratchFolder scratch;
   const std::string source = scratch.Write("p.c", kLoop);

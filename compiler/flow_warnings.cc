@@ -1,0 +1,354 @@
+#include "compiler/flow_warnings.h"
+
+#include <algorithm>
+#include <deque>
+#include <string_view>
+
+#include "gtcalls/catalogue.h"
+
+namespace oncard::compiler {
+namespace {
+
+using vm::Instruction;
+using vm::Opcode;
+using vm::Storage;
+using vm::Symbol;
+
+// New positions and velocities take effect with GT_Update (GTS manual chapter 7).
+constexpr std::string_view kUpdate = "GT_Update";
+constexpr std::string_view kWaitForUpdate[] = {"GT_SetPos", "GT_SetVel"};
+
+constexpr int kNone = -1;
+
+bool IsCommand(const Instruction& instruction, std::string_view name) {
+  return instruction.opcode == Opcode::kCommand &&
+         gtcalls::FindCommand(instruction.op)->name == name;
+}
+
+bool IsAlways(const Instruction& instruction) {
+  return std::holds_alternative<vm::Immediate>(instruction.operands[0]);
+}
+
+// Variables by the slots they take.
+class Slots {
+ public:
+  explicit Slots(const std::vector<Symbol>& symbols) : symbols_(symbols) {
+    for (size_t i = 0; i < symbols.size(); ++i) {
+      const size_t end = static_cast<size_t>(symbols[i].id) + symbols[i].slots();
+      if (by_slot_.size() < end) by_slot_.resize(end, kNone);
+      std::fill(by_slot_.begin() + symbols[i].id,
+                by_slot_.begin() + static_cast<std::ptrdiff_t>(end), static_cast<int>(i));
+    }
+  }
+
+  int At(size_t slot) const { return slot < by_slot_.size() ? by_slot_[slot] : kNone; }
+  const Symbol& operator[](int index) const { return symbols_[static_cast<size_t>(index)]; }
+  size_t size() const { return symbols_.size(); }
+
+ private:
+  const std::vector<Symbol>& symbols_;
+  std::vector<int> by_slot_;
+};
+
+// The variables of one storage that an instruction reads, writes, and hands over by address.
+struct Uses {
+  std::vector<int> reads, writes, addresses;
+};
+
+class UseFinder {
+ public:
+  UseFinder(Storage storage, const Slots& slots) : storage_(storage), slots_(slots) {}
+
+  Uses Find(const Instruction& instruction) const {
+    Uses uses;
+    const size_t count = instruction.operands.size();
+    const bool computes =
+        instruction.opcode == Opcode::kUnary || instruction.opcode == Opcode::kBinary;
+    const vm::CommandShape* shape = instruction.opcode == Opcode::kCommand
+                                        ? &gtcalls::ShapeOf(*gtcalls::FindCommand(instruction.op))
+                                        : nullptr;
+    for (size_t i = 0; i < count; ++i) {
+      const vm::Operand& operand = instruction.operands[i];
+      const bool address = shape != nullptr && shape->parameters[i].address;
+      const bool target = computes && i + 1 == count;
+      const size_t slots = address ? std::max<size_t>(1, shape->parameters[i].slots.size()) : 1;
+      Add(operand, slots, address ? &uses.addresses : target ? &uses.writes : &uses.reads);
+      if (const auto* element = std::get_if<vm::Element>(&operand)) {
+        Add(element->index, 1, &uses.reads);
+      }
+    }
+    return uses;
+  }
+
+  /// The variable of an operand, or kNone.
+  int Of(const vm::Operand& operand) const {
+    if (const auto* variable = std::get_if<vm::Variable>(&operand)) {
+      return variable->storage == storage_ ? slots_.At(variable->id) : kNone;
+    }
+    if (const auto* element = std::get_if<vm::Element>(&operand)) {
+      return element->storage == storage_ ? slots_.At(element->base) : kNone;
+    }
+    return kNone;
+  }
+
+ private:
+  void Add(const vm::Operand& operand, size_t slots, std::vector<int>* list) const {
+    const int first = Of(operand);
+    if (first == kNone) return;
+    list->push_back(first);
+    const auto* variable = std::get_if<vm::Variable>(&operand);
+    for (size_t i = 1; variable != nullptr && i < slots; ++i) {
+      const int next = slots_.At(variable->id + i);
+      if (next != kNone && next != list->back()) list->push_back(next);
+    }
+  }
+
+  Storage storage_;
+  const Slots& slots_;
+};
+
+// The paths through a function. The place behind the last statement is its end.
+class Paths {
+ public:
+  explicit Paths(const vm::Function& function) : code_(function.instructions) {
+    const size_t count = code_.size();
+    next_.resize(count + 1);
+    before_.resize(count + 1);
+    for (size_t i = 0; i < count; ++i) {
+      const Instruction& instruction = code_[i];
+      const bool leaves =
+          instruction.opcode == Opcode::kJump || instruction.opcode == Opcode::kReturn;
+      if (!leaves || !IsAlways(instruction)) Add(i, i + 1);
+      if (instruction.opcode == Opcode::kJump) {
+        Add(i, static_cast<size_t>(static_cast<std::ptrdiff_t>(i) + instruction.displacement));
+      }
+      if (instruction.opcode == Opcode::kReturn) Add(i, count);
+    }
+  }
+
+  const std::vector<size_t>& After(size_t at) const { return next_[at]; }
+  size_t end() const { return code_.size(); }
+
+  /// What can be reached from a place, itself included only when a path leads back to it.
+  std::vector<bool> ReachedFrom(size_t from) const { return Search({from}, next_); }
+  /// What can come to one of the places, which are included.
+  std::vector<bool> ComingTo(const std::vector<size_t>& places) const {
+    std::vector<bool> found = Search(places, before_);
+    for (const size_t place : places) found[place] = true;
+    return found;
+  }
+
+ private:
+  using Edges = std::vector<std::vector<size_t>>;
+
+  void Add(size_t from, size_t to) {
+    next_[from].push_back(to);
+    before_[to].push_back(from);
+  }
+  static std::vector<bool> Search(std::vector<size_t> open, const Edges& edges) {
+    std::vector<bool> found(edges.size());
+    while (!open.empty()) {
+      const size_t at = open.back();
+      open.pop_back();
+      for (const size_t next : edges[at]) {
+        if (found[next]) continue;
+        found[next] = true;
+        open.push_back(next);
+      }
+    }
+    return found;
+  }
+
+  const std::vector<Instruction>& code_;
+  Edges next_, before_;
+};
+
+class FunctionWarnings {
+ public:
+  FunctionWarnings(const vm::Function& function, const FunctionPlaces& places, Reporter& reporter)
+      : function_(function),
+        code_(function.instructions),
+        places_(places),
+        reporter_(reporter),
+        paths_(function),
+        locals_(function.variables),
+        finder_(Storage::kLocal, locals_) {
+    reached_ = paths_.ReachedFrom(0);
+    if (!code_.empty()) reached_[0] = true;
+  }
+
+  void Unreachable() {
+    for (size_t i = 0; i < code_.size(); ++i) {
+      if (reached_[i]) continue;
+      size_t end = i;
+      while (end < code_.size() && !reached_[end]) ++end;
+      // A return behind an endless loop is a habit that does no harm.
+      const bool only_returns =
+          end == code_.size() &&
+          std::all_of(code_.begin() + static_cast<std::ptrdiff_t>(i), code_.end(),
+                      [](const Instruction& rest) { return rest.opcode == Opcode::kReturn; });
+      if (!only_returns) reporter_.Report(Code::kUnreachable, places_.statements[i]);
+      i = end;
+    }
+  }
+
+  void EndlessLoop() {
+    std::vector<size_t> ways_out = {paths_.end()};
+    for (size_t i = 0; i < code_.size(); ++i) {
+      // Commands wait, or watch inputs and axes.
+      if (code_[i].opcode == Opcode::kCommand) ways_out.push_back(i);
+    }
+    const std::vector<bool> leaves = paths_.ComingTo(ways_out);
+    for (size_t i = 0; i < code_.size(); ++i) {
+      if (!reached_[i] || leaves[i]) continue;
+      reporter_.Report(Code::kEndlessLoop, places_.statements[i], function_.name);
+      return;
+    }
+  }
+
+  // What no path from the beginning has written.
+  void NeverWritten() {
+    std::vector<bool> reported(locals_.size());
+    const std::vector<std::vector<bool>> written = MayBeWritten();
+    for (size_t i = 0; i < code_.size(); ++i) {
+      if (!reached_[i]) continue;
+      for (const int variable : finder_.Find(code_[i]).reads) {
+        const size_t index = static_cast<size_t>(variable);
+        if (IsParameter(variable) || written[i][index] || reported[index]) continue;
+        reported[index] = true;
+        reporter_.Report(Code::kNeverWritten, places_.statements[i], locals_[variable].name);
+      }
+    }
+  }
+
+  void UnusedResult() {
+    std::vector<bool> used(locals_.size());
+    for (const Instruction& instruction : code_) {
+      const Uses uses = finder_.Find(instruction);
+      for (const int variable : uses.reads) used[static_cast<size_t>(variable)] = true;
+      for (const int variable : uses.addresses) used[static_cast<size_t>(variable)] = true;
+    }
+    for (size_t i = 0; i < code_.size(); ++i) {
+      for (const int variable : finder_.Find(code_[i]).writes) {
+        const size_t index = static_cast<size_t>(variable);
+        // A structure may be filled whole for a command that takes part of it.
+        const bool member = locals_[variable].name.find('.') != std::string::npos;
+        if (used[index] || member || IsParameter(variable)) continue;
+        used[index] = true;
+        reporter_.Report(Code::kUnusedResult, places_.statements[i], locals_[variable].name);
+      }
+    }
+  }
+
+  bool CallsUpdate() const {
+    return std::any_of(code_.begin(), code_.end(), [](const Instruction& instruction) {
+      return IsCommand(instruction, kUpdate);
+    });
+  }
+
+  void MissingUpdate() {
+    std::vector<size_t> updates;
+    for (size_t i = 0; i < code_.size(); ++i) {
+      if (IsCommand(code_[i], kUpdate)) updates.push_back(i);
+    }
+    const std::vector<bool> updated = paths_.ComingTo(updates);
+    for (size_t i = 0; i < code_.size(); ++i) {
+      const bool waits =
+          std::any_of(std::begin(kWaitForUpdate), std::end(kWaitForUpdate),
+                      [this, i](std::string_view name) { return IsCommand(code_[i], name); });
+      if (!waits || !reached_[i] || updated[i]) continue;
+      reporter_.Report(Code::kNoUpdate, places_.statements[i],
+                       gtcalls::FindCommand(code_[i].op)->name);
+      return;
+    }
+  }
+
+ private:
+  bool IsParameter(int variable) const { return locals_[variable].id < places_.parameter_slots; }
+
+  std::vector<std::vector<bool>> MayBeWritten() const {
+    std::vector<std::vector<bool>> before(code_.size() + 1, std::vector<bool>(locals_.size()));
+    std::vector<bool> seen(code_.size() + 1);
+    std::vector<size_t> open = {0};
+    seen[0] = true;
+    while (!open.empty()) {
+      const size_t at = open.back();
+      open.pop_back();
+      if (at == code_.size()) continue;
+      std::vector<bool> after = before[at];
+      const Uses uses = finder_.Find(code_[at]);
+      for (const int variable : uses.writes) after[static_cast<size_t>(variable)] = true;
+      for (const int variable : uses.addresses) after[static_cast<size_t>(variable)] = true;
+      for (const size_t next : paths_.After(at)) {
+        bool changed = !seen[next];
+        seen[next] = true;
+        for (size_t i = 0; i < after.size(); ++i) {
+          if (!after[i] || before[next][i]) continue;
+          before[next][i] = true;
+          changed = true;
+        }
+        if (changed) open.push_back(next);
+      }
+    }
+    return before;
+  }
+
+  const vm::Function& function_;
+  const std::vector<Instruction>& code_;
+  const FunctionPlaces& places_;
+  Reporter& reporter_;
+  Paths paths_;
+  Slots locals_;
+  UseFinder finder_;
+  std::vector<bool> reached_;
+};
+
+// A global that no function writes is 0 until the host writes it, if it ever does.
+void WarnAboutDivisors(const vm::Object& object, const std::vector<FunctionPlaces>& places,
+                       Reporter& reporter) {
+  const Slots globals(object.globals);
+  const UseFinder finder(Storage::kGlobal, globals);
+  std::vector<bool> written(globals.size());
+  for (const vm::Function& function : object.functions) {
+    for (const Instruction& instruction : function.instructions) {
+      const Uses uses = finder.Find(instruction);
+      for (const int variable : uses.writes) written[static_cast<size_t>(variable)] = true;
+      for (const int variable : uses.addresses) written[static_cast<size_t>(variable)] = true;
+    }
+  }
+  for (size_t f = 0; f < object.functions.size(); ++f) {
+    const std::vector<Instruction>& code = object.functions[f].instructions;
+    for (size_t i = 0; i < code.size(); ++i) {
+      const bool divides = code[i].opcode == Opcode::kBinary &&
+                           (code[i].op == static_cast<uint16_t>(vm::BinaryOperator::kDivide) ||
+                            code[i].op == static_cast<uint16_t>(vm::BinaryOperator::kRemainder));
+      const int divisor = divides ? finder.Of(code[i].operands[1]) : kNone;
+      if (divisor == kNone || written[static_cast<size_t>(divisor)]) continue;
+      written[static_cast<size_t>(divisor)] = true;
+      reporter.Report(Code::kZeroDivisor, places[f].statements[i], globals[divisor].name);
+    }
+  }
+}
+
+}  // namespace
+
+void WarnAboutFlow(const vm::Object& object, const std::vector<FunctionPlaces>& places,
+                   Reporter& reporter) {
+  std::deque<FunctionWarnings> functions;  // which stay where they are
+  for (size_t i = 0; i < object.functions.size(); ++i) {
+    functions.emplace_back(object.functions[i], places[i], reporter);
+  }
+  // Another thread may update what this one sets.
+  const bool updates = std::any_of(functions.begin(), functions.end(),
+                                   [](const auto& function) { return function.CallsUpdate(); });
+  for (FunctionWarnings& function : functions) {
+    function.Unreachable();
+    function.EndlessLoop();
+    function.NeverWritten();
+    function.UnusedResult();
+    if (!updates || function.CallsUpdate()) function.MissingUpdate();
+  }
+  WarnAboutDivisors(object, places, reporter);
+}
+
+}  // namespace oncard::compiler
