@@ -304,12 +304,11 @@ void MotionCore::JudgeControl(Control& control) {
   if (!axis.servo_on) return;
   const double error = std::fabs(CommandedPosition(index) - axis.encoder.position);
   const auto limit = static_cast<double>(control.error_limit);
+  if (error <= limit && !EncoderSilent(control)) return;
   if (error > limit) {
     Tell(HappeningKind::kFollowingError, index, error, limit);
-  } else if (EncoderSilent(control)) {
-    Tell(HappeningKind::kEncoderSilent, index, axis.encoder.velocity, control.check.min_velocity);
   } else {
-    return;
+    Tell(HappeningKind::kEncoderSilent, index, axis.encoder.velocity, control.check.min_velocity);
   }
   axis.latched |= kFollowingErrorBit;
   if (kFollowingErrorStops) ServoOff(index);

@@ -112,17 +112,18 @@ void MotionCore::AdvanceProfiles() {
 void MotionCore::AdvanceProfile(size_t index) {
   Profile& profile = state_.profiles[index];
   if (!profile.now.moving || profile.driven) return;
-  const Sample before = profile.now;
+  const double begin = profile.now.position;
+  const bool rested = profile.now.velocity == 0;
   if (const Master* master = profile.FollowedMaster(); master != nullptr) {
     profile.AdvanceSlave(ReadMaster(*master));
   } else {
     profile.Advance(now());
   }
-  const double way = profile.now.position - before.position;
-  if (before.velocity != 0 || way == 0 || !LimitForbids(index, way)) return;
+  if (!rested || profile.now.position == begin) return;
+  if (!LimitForbids(index, profile.now.position - begin)) return;
   // What a latched limit would stop does not begin.
-  profile.now = before;
-  Tell(HappeningKind::kHeldAtLimit, index, before.position);
+  profile.now = {begin, 0, 0, true};
+  Tell(HappeningKind::kHeldAtLimit, index, begin);
   StopProfile(index, true);
 }
 
@@ -198,9 +199,10 @@ void MotionCore::GuardAxis(size_t index) {
   Axis& axis = state_.axes[index];
   if (!axis.active) return;
   const uint32_t causes = ActiveCauses(axis);
-  if (observer_) TellCauses(index, causes & ~axis.latched);
+  const uint32_t fresh = causes & ~axis.latched;
   axis.latched |= causes;
   if (axis.latched == 0) return;
+  if (fresh != 0 && observer_) TellCauses(index, fresh);
   // A latched alarm whose cause has gone keeps the axis from moving, not from being enabled.
   if ((causes & kAlarmBit) != 0 && axis.servo_on) ServoOff(index);
   if (!AxisMoving(axis)) return;
