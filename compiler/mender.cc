@@ -57,7 +57,9 @@ bool Overlap(std::vector<FixIt> edits) {
 size_t Fingerprint(const std::map<std::string, std::string>& files) {
   size_t value = 0;
   for (const auto& [path, text] : files) {
-    value = value * 1'000'003 + std::hash<std::string>()(path + '\n' + text);
+    for (const std::string* part : {&path, &text}) {
+      value = value * 1'000'003 + std::hash<std::string>()(*part);
+    }
   }
   return value;
 }
