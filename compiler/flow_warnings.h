@@ -1,7 +1,7 @@
 // Warnings about programs that compile and cannot be meant, found in the translated statements:
 // what is never reached, never written, never read, never ends. Each says only what holds on every
 // path, so that a good program draws none.
-// Tested by tests/lang/warnings and tests/compiler/warning_test.cc.
+// Tested by tests/lang/warnings.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Applies fix-its: those of one diagnostic, or of a whole program until none is left.
-// Tested by tests/compiler/mender_test.cc.
+// Tested by tests/compiler/rewriter_test.cc and tests/differential/structured_test.cc.
 #pragma once
 
 #include <map>
