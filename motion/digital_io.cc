@@ -162,16 +162,24 @@ void DigitalIo::AdvanceOutputs(int64_t microseconds) {
   }
 }
 
+void DigitalIo::Settle() {
+  for (DiWord& word : inputs_) {
+    word.levels = PinLevels(word);
+    word.held_ticks.fill(0);
+    word.held = 0;
+  }
+}
+
 void DigitalIo::Reset() {
   for (DiWord& word : inputs_) {
     const DiWord before = word;
     word = {};
     word.driven = before.driven;
     word.pins = before.pins;
-    word.levels = PinLevels(word);
     word.filter_ticks.fill(kFilterTicksDefault);
   }
   outputs_ = {};
+  Settle();
 }
 
 }  // namespace oncard::motion

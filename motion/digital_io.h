@@ -145,6 +145,8 @@ class DigitalIo {
   void SampleInputs();
   /// Lets microseconds pass for reversals and trains.
   void AdvanceOutputs(int64_t microseconds);
+  /// The pins have been as they are for long: the filters let their levels through. No edge counts.
+  void Settle();
   /// Registers, senses, filters, counters and timings to their defaults. The world's pins stay, and
   /// the filters are settled at their levels.
   void Reset();

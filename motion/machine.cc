@@ -18,8 +18,16 @@ constexpr Micros kCheckTimeUs = 250;
 
 // --- The world ---------------------------------------------------------------------------------
 
-void MotionCore::SetWorld(std::shared_ptr<const WorldEvents> events) {
+void MotionCore::PowerOn(std::shared_ptr<const WorldEvents> events) {
   state_.world = {std::move(events), 0};
+  ApplyWorldEvents();
+  for (const PositionSwitch& contact : state_.switches) {
+    state_.io.SetPin(contact.type, contact.bit,
+                     contact.Level(state_.plants[contact.axis].position));
+  }
+  state_.io.Settle();
+  for (Adc& adc : state_.adcs) adc.filtered = adc.volts;
+  LatchCauses();
 }
 
 void MotionCore::PlaceMachine(size_t machine, double position) {
@@ -34,39 +42,42 @@ void MotionCore::ApplyWorldEvents() {
   if (world.events == nullptr) return;
   const WorldEvents& events = *world.events;
   for (; world.next < events.size() && events[world.next].at <= now(); ++world.next) {
-    const WorldEvent& event = events[world.next];
-    const size_t item = event.item;
-    switch (event.kind) {
-      case WorldEventKind::kPin:
-        state_.io.SetPin(static_cast<DiType>(event.item), event.index, event.value != 0);
-        break;
-      case WorldEventKind::kAdc:
-        state_.adcs[item].volts = event.value;
-        break;
-      case WorldEventKind::kModuleInputs:
-        state_.modules[item].inputs = static_cast<uint16_t>(event.value);
-        break;
-      case WorldEventKind::kModuleVoltage:
-        state_.modules[item].input_volts[event.index] = event.value;
-        break;
-      case WorldEventKind::kStall:
-        state_.plants[item].stalled = event.value != 0;
-        if (event.value != 0) state_.plants[item].velocity = 0;
-        break;
-      case WorldEventKind::kEncoderHeld:
-        state_.encoder_faults[item].held = event.value != 0;
-        break;
-      case WorldEventKind::kEncoderNoise:
-        state_.encoder_faults[item].noise = static_cast<int32_t>(event.value);
-        state_.encoder_faults[item].random = event.index;
-        break;
-      case WorldEventKind::kEncoderDrift:
-        state_.encoder_faults[item].drift = event.value;
-        break;
-      case WorldEventKind::kSwitchConnected:
-        state_.switches[event.index].connected = event.value != 0;
-        break;
-    }
+    Apply(events[world.next]);
+  }
+}
+
+void MotionCore::Apply(const WorldEvent& event) {
+  const size_t item = event.item;
+  switch (event.kind) {
+    case WorldEventKind::kPin:
+      state_.io.SetPin(static_cast<DiType>(event.item), event.index, event.value != 0);
+      break;
+    case WorldEventKind::kAdc:
+      state_.adcs[item].volts = event.value;
+      break;
+    case WorldEventKind::kModuleInputs:
+      state_.modules[item].inputs = static_cast<uint16_t>(event.value);
+      break;
+    case WorldEventKind::kModuleVoltage:
+      state_.modules[item].input_volts[event.index] = event.value;
+      break;
+    case WorldEventKind::kStall:
+      state_.plants[item].stalled = event.value != 0;
+      if (event.value != 0) state_.plants[item].velocity = 0;
+      break;
+    case WorldEventKind::kEncoderHeld:
+      state_.encoder_faults[item].held = event.value != 0;
+      break;
+    case WorldEventKind::kEncoderNoise:
+      state_.encoder_faults[item].noise = static_cast<int32_t>(event.value);
+      state_.encoder_faults[item].random = event.index;
+      break;
+    case WorldEventKind::kEncoderDrift:
+      state_.encoder_faults[item].drift = event.value;
+      break;
+    case WorldEventKind::kSwitchConnected:
+      state_.switches[event.index].connected = event.value != 0;
+      break;
   }
 }
 

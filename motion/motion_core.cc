@@ -81,6 +81,7 @@ void MotionCore::Reset() {
   state_.long_vars.fill(0);
   state_.double_vars.fill(0);
   state_.program_writes.clear();
+  LatchCauses();
 }
 
 int64_t MotionCore::ClockMs() const { return state_.clock_cycle * config_.cycle_us / 1000; }
@@ -447,6 +448,14 @@ void MotionCore::TellCauses(size_t index, uint32_t causes) const {
     } else {
       tell(HappeningKind::kNegativeSoftLimit, axis.soft_negative);
     }
+  }
+}
+
+void MotionCore::LatchCauses() {
+  for (size_t i = 0; i < axis_count(); ++i) {
+    const uint32_t causes = ActiveCauses(state_.axes[i]) & ~state_.axes[i].latched;
+    TellCauses(i, causes);
+    state_.axes[i].latched |= causes;
   }
 }
 

@@ -224,9 +224,10 @@ class MotionCore {
 
   // --- The world -------------------------------------------------------------------------------
 
-  /// What will happen from now on; in order of time. Events whose instant has passed happen at the
-  /// next tick.
-  void SetWorld(std::shared_ptr<const WorldEvents> events);
+  /// Switches a new card on in a world: what happens there, in order of time. Events of instant 0
+  /// have happened, switches stand as their machines do, and filters have settled, so that the
+  /// first call sees all of it.
+  void PowerOn(std::shared_ptr<const WorldEvents> events);
   /// A place where the machine is put by hand; the encoder does not notice.
   void PlaceMachine(size_t machine, double position);
 
@@ -241,6 +242,8 @@ class MotionCore {
   void TellCauses(size_t index, uint32_t causes) const;
   size_t IndexOf(const Crd& crd) const { return static_cast<size_t>(&crd - state_.crds.data()); }
   void ApplyWorldEvents();
+  /// An event of the present instant.
+  void Apply(const WorldEvent& event);
   void AdvanceProfiles();
   void AdvanceProfile(size_t index);
   /// A limit that is latched for an axis of the profile lies in a direction, given by its sign.
@@ -343,6 +346,8 @@ class MotionCore {
   void CountEncoder(size_t index);
   /// Bits of kLatchedBits whose causes exist now; following errors are judged apart.
   uint32_t ActiveCauses(const Axis& axis) const;
+  /// Status bits whose causes exist before the first tick are set, as that one would set them.
+  void LatchCauses();
   /// Slaves of a master whose position has been changed without motion take no notice.
   void ShiftSlaves(const Master& master, double shift);
   /// Gives an axis another measured position without motion.

@@ -1,5 +1,6 @@
 // What the world does to the card over time: a list of events that the motion core works off at
-// the begin of its ticks. An event takes effect in the cycle that begins at its instant, or next.
+// the begin of its ticks. An event takes effect in the cycle that begins at its instant, or next;
+// what the world is like at 0 is there when the card is switched on.
 // Tested by tests/motion/world_test.cc.
 #pragma once
 

@@ -120,7 +120,7 @@ void ApplyWorld(const Scenario& scenario, Controller* controller) {
   }
   std::stable_sort(events.begin(), events.end(),
                    [](const WorldEvent& a, const WorldEvent& b) { return a.at < b.at; });
-  core.SetWorld(std::make_shared<const WorldEvents>(std::move(events)));
+  core.PowerOn(std::make_shared<const WorldEvents>(std::move(events)));
 }
 
 }  // namespace oncard::runtime

@@ -91,7 +91,7 @@ TEST(Encoder, AnInactiveOneCountsNothing) {
 }
 
 void Happen(MotionCore& core, WorldEvents events) {
-  core.SetWorld(std::make_shared<const WorldEvents>(std::move(events)));
+  core.PowerOn(std::make_shared<const WorldEvents>(std::move(events)));
 }
 
 TEST(EncoderFault, AHeldEncoderLosesWhatTheMachineDoes) {

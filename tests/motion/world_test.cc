@@ -11,14 +11,14 @@ namespace oncard::motion {
 namespace {
 
 void Happen(MotionCore& core, WorldEvents events) {
-  core.SetWorld(std::make_shared<const WorldEvents>(std::move(events)));
+  core.PowerOn(std::make_shared<const WorldEvents>(std::move(events)));
 }
 
 TEST(WorldEvent, ActsInTheCycleThatBeginsAtItsInstantOrNext) {
   struct {
     int64_t at_us;
-    int cycle;  // the first one that sees it
-  } const cases[] = {{0, 1}, {1, 2}, {249, 2}, {250, 2}, {251, 3}, {1000, 5}};
+    int cycle;  // the first one that sees it; 0: what comes before the first
+  } const cases[] = {{0, 0}, {1, 2}, {249, 2}, {250, 2}, {251, 3}, {1000, 5}};
   for (const auto& c : cases) {
     MotionCore core({});
     Happen(core, {{.at = c.at_us, .kind = WorldEventKind::kAdc, .item = 2, .value = 5}});
@@ -29,6 +29,37 @@ TEST(WorldEvent, ActsInTheCycleThatBeginsAtItsInstantOrNext) {
     }
     EXPECT_EQ(cycle, c.cycle) << c.at_us;
   }
+}
+
+TEST(PowerOn, TheFirstCallSeesTheWorldOfInstantZero) {
+  MotionCore core({});
+  core.state().switches.push_back({.type = DiType::kHome, .bit = 4, .first = 0, .last = 10});
+  core.state().switches.push_back(
+      {.type = DiType::kHome, .bit = 5, .first = 5, .last = 10, .active_low = true});
+  const auto pin = [](DiType type, uint16_t bit) {
+    return WorldEvent{.item = static_cast<uint8_t>(type), .index = bit, .value = 1};
+  };
+  Happen(core, {pin(DiType::kAlarm, 1),
+                pin(DiType::kLimitPositive, 2),
+                pin(DiType::kGpi, 3),
+                {.kind = WorldEventKind::kAdc, .item = 2, .value = 5}});
+  const DigitalIo& io = core.state().io;
+  EXPECT_EQ(io.Read(DiType::kAlarm), 0b10u);
+  EXPECT_EQ(io.Read(DiType::kGpi), 0b1000u);
+  EXPECT_EQ(io.Read(DiType::kHome), 0b110000u);
+  EXPECT_EQ(io.Edges(DiType::kGpi, 3), 0u);
+  EXPECT_EQ(core.Status(0), 0u);
+  EXPECT_EQ(core.Status(1), kAlarmBit);
+  EXPECT_EQ(core.Status(2), kPositiveLimitBit);
+  // 5 V of 12.5 V.
+  EXPECT_EQ(core.state().adcs[2].Value(), 13107);
+}
+
+TEST(PowerOn, ResetFindsTheAlarmThatIsOn) {
+  MotionCore core({});
+  Happen(core, {{.item = static_cast<uint8_t>(DiType::kAlarm), .value = 1}});
+  core.Reset();
+  EXPECT_EQ(core.Status(0), kAlarmBit);
 }
 
 TEST(WorldEvent, EventsOfOneInstantActInTheirOrder) {

@@ -34,7 +34,7 @@ at_ms = 0.5
   Controller controller(CardOptions(scenario));
   ApplyWorld(scenario, &controller);
   const auto pins = [&](DiType type) { return controller.motion().state().io.Pins(type); };
-  EXPECT_EQ(pins(DiType::kGpi), 0u);
+  EXPECT_EQ(pins(DiType::kGpi), 0x8001u);
   controller.RunCycle();
   EXPECT_EQ(pins(DiType::kGpi), 0x8001u);
   controller.RunCycle();

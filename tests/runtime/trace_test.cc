@@ -40,8 +40,8 @@ TEST(Trace, RefusesAnUnknownName) {
 TEST(Trace, ShowsInputsAndOutputsThatChange) {
   const Trace trace =
       TraceOf("int f()\n{\n  GT_SetDoBit(11, 2, 1);\n  GT_Delay(2);\n  return 0;\n}\n",
-              "[[world.input]]\ntype = \"home\"\nindex = 3\nvalue = 1\n");
-  EXPECT_EQ(trace.Csv(), "time_ms,gpo,home,clear\n0,0,0,0\n0.25,0,0,2\n0.75,0,4,2\n2.25,0,4,2\n");
+              "[[world.input]]\ntype = \"home\"\nindex = 3\nvalue = 1\nat_ms = 0.25\n");
+  EXPECT_EQ(trace.Csv(), "time_ms,gpo,home,clear\n0,0,0,0\n0.25,0,0,2\n1,0,4,2\n2.25,0,4,2\n");
 }
 
 // An axis that moves without a program: the core's state is set by hand.
