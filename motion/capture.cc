@@ -23,14 +23,12 @@ bool SourceListens(CaptureSource source, size_t index, DiType type, int bit) {
       return type == DiType::kHome && bit == own;
     case CaptureSource::kProbe:
       return type == DiType::kGpi && bit == kProbeInput;
-    case CaptureSource::kHsio0:
-      return type == DiType::kGpi && bit == kHsio0Input;
-    case CaptureSource::kHsio1:
-      return type == DiType::kGpi && bit == kHsio1Input;
     case CaptureSource::kHomeGpi:
       return (type == DiType::kHome || type == DiType::kGpi) && bit == own;
     case CaptureSource::kNone:
     case CaptureSource::kIndex:
+    case CaptureSource::kHsio0:
+    case CaptureSource::kHsio1:
       break;
   }
   return false;
@@ -46,13 +44,21 @@ void CaptureUnit::Reset() {
   armed_ = false;
 }
 
-void CaptureUnit::Arm(size_t index, CaptureSource source, const DigitalIo& io) {
+void CaptureUnit::Arm(size_t index, CaptureSource source) {
   Clear(index);
-  captures_[index].source = source;
+  Capture& capture = captures_[index];
+  capture.source = source;
   // A tick allocates nothing.
-  captures_[index].positions.reserve(captures_[index].repeat);
-  Arming(io);
-  captures_[index].armed = true;
+  capture.positions.reserve(capture.repeat);
+  capture.armed = true;
+  armed_ = true;
+}
+
+void CaptureUnit::SetRepeat(size_t index, uint16_t repeat) {
+  Capture& capture = captures_[index];
+  capture.repeat = repeat;
+  capture.positions.reserve(repeat);
+  if (capture.positions.size() >= repeat) capture.armed = false;
 }
 
 void CaptureUnit::Clear(size_t index) {
@@ -74,10 +80,10 @@ void CaptureUnit::LinkOffsets(size_t index, size_t source) {
   captures_[index].loops_done = 0;
 }
 
-void CaptureUnit::SetTrigger(size_t index, const Trigger& registers, const DigitalIo& io) {
-  Arming(io);
+void CaptureUnit::SetTrigger(size_t index, const Trigger& registers) {
   triggers_[index] = registers;
   triggers_[index].armed = true;
+  armed_ = true;
 }
 
 void CaptureUnit::ClearTrigger(size_t index) {
@@ -93,12 +99,6 @@ bool CaptureUnit::WaitsForIndex(size_t machine) const {
     if (t.armed && t.source == CaptureSource::kIndex && t.input == machine) return true;
   }
   return false;
-}
-
-void CaptureUnit::Look(const DigitalIo& io) {
-  home_seen_ = io.Pins(DiType::kHome);
-  gpi_seen_ = io.Pins(DiType::kGpi);
-  CountArmed();
 }
 
 void CaptureUnit::Take(size_t index, double position) {
@@ -131,11 +131,6 @@ double CaptureUnit::NextOffset(size_t index) {
     ++capture.loops_done;
   }
   return offset;
-}
-
-void CaptureUnit::Arming(const DigitalIo& io) {
-  if (!armed_) Look(io);
-  armed_ = true;
 }
 
 void CaptureUnit::CountArmed() {

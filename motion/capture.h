@@ -1,19 +1,19 @@
 // Position capture: an edge of an input or an index pulse latches an encoder's position.
 //
 // Each encoder has a capture (GT_SetCaptureMode) and each number a trigger (GT_SetTrigger); they
-// are independent. Captures look at the pins, without filter and sense. An edge that the moving
-// machine makes is latched where it happens, whatever the cycle; an edge that the world makes at
-// some time is latched at the tick that samples it.
+// are independent. Captures look at the pins, without filter and sense. An edge is latched where it
+// happens, whatever the cycle: where the moving machine makes it, at the instant at which the world
+// makes it, and where the card's own high-speed outputs (compare.h) make it.
 //
-// Assumptions: the probe and the high-speed inputs are general inputs 1, 2 and 3 (EXI0 to EXI2; the
-// GE manual has the probe on EXI0); an index pulse has no sense; the status is 1 from the first of
-// several captures on; a list of offsets that is used up adds nothing more.
-// Source: public header; GE manual (probe). Tested by
+// Assumptions: the probe is general input 1 (EXI0, as in the GE manual); HSIO0 and HSIO1 are the
+// outputs of position compare (a public sample captures the pulse that compare puts out); an index
+// pulse has no sense; the status is 1 from the first of several captures on; a list of offsets that
+// is used up adds nothing more.
+// Source: public header and samples; GE manual (probe). Tested by
 // tests/gtcalls/capture_command_test.cc.
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <tuple>
 #include <vector>
@@ -40,8 +40,6 @@ CaptureSource CaptureSourceFromNumber(int number);
 inline constexpr uint16_t kCaptureRepeatMax = 256;
 
 inline constexpr int kProbeInput = 0;
-inline constexpr int kHsio0Input = 1;
-inline constexpr int kHsio1Input = 2;
 
 /// True when edges of the input reach a source; `index`, from 0, numbers the home input.
 bool SourceListens(CaptureSource source, size_t index, DiType type, int bit);
@@ -106,7 +104,7 @@ class CaptureUnit {
   const Trigger& trigger(size_t index) const { return triggers_[index]; }
 
   /// Arms a capture; what it has captured before is forgotten.
-  void Arm(size_t index, CaptureSource source, const DigitalIo& io);
+  void Arm(size_t index, CaptureSource source);
   void Disarm(size_t index) { captures_[index].armed = false; }
   /// Forgets what has been captured.
   void Clear(size_t index);
@@ -114,11 +112,13 @@ class CaptureUnit {
   void SetOffsets(size_t index, std::vector<int32_t> offsets, int32_t loop);
   void LinkOffsets(size_t index, size_t source);
   /// Arms a trigger with its registers.
-  void SetTrigger(size_t index, const Trigger& registers, const DigitalIo& io);
+  void SetTrigger(size_t index, const Trigger& registers);
   void ClearTrigger(size_t index);
 
-  /// Something is armed.
+  /// Something may be armed.
   bool armed() const { return armed_; }
+  /// Looks whether something still is; once a tick.
+  void CountArmed();
   /// Something waits for the index pulses of a machine.
   bool WaitsForIndex(size_t machine) const;
 
@@ -150,37 +150,28 @@ class CaptureUnit {
       }
     }
   }
-  /// Edges that pins have made since the last look, other than by the moving machine.
+  /// An edge of a high-speed output.
   template <typename Position>
-  void SampleEdges(const DigitalIo& io, Position position) {
-    for (const DiType type : {DiType::kHome, DiType::kGpi}) {
-      const uint32_t pins = io.Pins(type);
-      uint32_t changed = pins ^ Seen(type);
-      for (; changed != 0; changed &= changed - 1) {
-        const int bit = std::countr_zero(changed);
-        Edge(type, bit, (pins >> bit & 1) != 0, position);
-      }
+  void OutputEdge(size_t channel, bool rising, Position position) {
+    const CaptureSource source = channel == 0 ? CaptureSource::kHsio0 : CaptureSource::kHsio1;
+    for (size_t i = 0; i < kAxisMax; ++i) {
+      const Capture& c = captures_[i];
+      if (c.armed && c.source == source && c.Rising() == rising) Take(i, position(c.encoder));
+      const Trigger& t = triggers_[i];
+      if (t.armed && t.source == source && t.rising == rising) TakeTrigger(i, position(t.encoder));
     }
-    Look(io);
   }
-  /// Takes the pins as they are: what has changed is no edge.
-  void Look(const DigitalIo& io);
 
-  auto Fields() const { return std::tie(captures_, triggers_, armed_, home_seen_, gpi_seen_); }
+  auto Fields() const { return std::tie(captures_, triggers_, armed_); }
 
  private:
-  uint32_t Seen(DiType type) const { return type == DiType::kHome ? home_seen_ : gpi_seen_; }
   void Take(size_t index, double position);
   void TakeTrigger(size_t index, double position);
   double NextOffset(size_t index);
-  void Arming(const DigitalIo& io);
-  void CountArmed();
 
   std::array<Capture, kAxisMax> captures_;
   std::array<Trigger, kAxisMax> triggers_;
   bool armed_ = false;
-  uint32_t home_seen_ = 0;
-  uint32_t gpi_seen_ = 0;
 };
 
 }  // namespace oncard::motion

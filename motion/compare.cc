@@ -36,7 +36,8 @@ void CompareUnit::Pulse(size_t channel, Micros now, int16_t time_us) {
 }
 
 void CompareUnit::SetLevel(size_t channel, bool level) {
-  outputs_[channel] = {.level = level, .pulse_end = 0};
+  outputs_[channel].level = level;
+  outputs_[channel].pulse_end = 0;
 }
 
 void CompareUnit::Append(size_t channel, const std::vector<ComparePoint>& points) {
@@ -62,6 +63,7 @@ void CompareUnit::Start(size_t channel, double x, double y) {
   if (module.parameters.level_output) SetLevel(channel, module.parameters.start_level);
   // A tick allocates nothing.
   log_.reserve(kCompareLogSize);
+  edges_.reserve(kHsioEdgesMax);
 }
 
 void CompareUnit::Stop(size_t channel) { modules_[channel].running = false; }
@@ -74,7 +76,14 @@ void CompareUnit::Clear(size_t channel) {
 }
 
 void CompareUnit::Advance(Micros begin, Micros length, const EncoderWay& way) {
-  for (size_t i = 0; i < kHsioCount; ++i) AdvanceModule(i, begin, length, way);
+  edges_.clear();
+  const auto end = static_cast<double>(begin + length);
+  for (size_t i = 0; i < kHsioCount; ++i) {
+    // What a command has done since the last tick.
+    Show(i, static_cast<double>(begin));
+    AdvanceModule(i, begin, length, way);
+    EndPulse(i, end);
+  }
 }
 
 void CompareUnit::AdvanceModule(size_t channel, Micros begin, Micros length,
@@ -106,6 +115,7 @@ void CompareUnit::AdvanceModule(size_t channel, Micros begin, Micros length,
 }
 
 void CompareUnit::Fire(size_t channel, const CompareHit& hit) {
+  EndPulse(channel, hit.instant);
   HsioOutput& output = outputs_[channel];
   const CompareParameters& p = modules_[channel].parameters;
   if (p.level_output) {
@@ -113,7 +123,26 @@ void CompareUnit::Fire(size_t channel, const CompareHit& hit) {
   } else {
     output.pulse_end = hit.instant + p.time;
   }
+  Show(channel, hit.instant);
   if (log_.size() < kCompareLogSize) log_.push_back(hit);
+}
+
+void CompareUnit::EndPulse(size_t channel, double instant) {
+  HsioOutput& output = outputs_[channel];
+  if (output.pulse_end == 0 || output.pulse_end > instant) return;
+  const double end = output.pulse_end;
+  output.pulse_end = 0;
+  Show(channel, end);
+}
+
+void CompareUnit::Show(size_t channel, double instant) {
+  HsioOutput& output = outputs_[channel];
+  const bool level = output.Level(instant);
+  if (level == output.shown) return;
+  output.shown = level;
+  if (edges_.size() < kHsioEdgesMax) {
+    edges_.push_back({static_cast<uint8_t>(channel), level, instant});
+  }
 }
 
 }  // namespace oncard::motion

@@ -27,14 +27,28 @@ inline constexpr size_t kCompareBufferSize = 4096;
 /// Hits the log keeps; later ones are counted only.
 inline constexpr size_t kCompareLogSize = 4096;
 
+/// Edges of the outputs that are kept of one tick; later ones reach no capture and no trace.
+inline constexpr size_t kHsioEdgesMax = 4096;
+
 /// A high-speed output. A pulse inverts its level for a while.
 struct HsioOutput {
   bool level = false;
-  double pulse_end = 0;  ///< us since power-on
+  double pulse_end = 0;  ///< us since power-on; 0: no pulse
+  bool shown = false;    ///< the level behind its last edge
 
-  bool Level(Micros now) const { return level != (static_cast<double>(now) < pulse_end); }
+  bool Level(double instant) const { return level != (instant < pulse_end); }
+  bool Level(Micros now) const { return Level(static_cast<double>(now)); }
 
-  auto Fields() const { return std::tie(level, pulse_end); }
+  auto Fields() const { return std::tie(level, pulse_end, shown); }
+};
+
+/// An output's level changes.
+struct HsioEdge {
+  uint8_t channel = 0;
+  bool level = false;  ///< from now on
+  double instant = 0;  ///< us since power-on
+
+  auto Fields() const { return std::tie(channel, level, instant); }
 };
 
 struct ComparePoint {
@@ -106,6 +120,11 @@ class CompareUnit {
   CompareModule& module(size_t channel) { return modules_[channel]; }
   const HsioOutput& output(size_t channel) const { return outputs_[channel]; }
   const std::vector<CompareHit>& log() const { return log_; }
+  /// What the outputs did in the last tick; those of one output are in order of time.
+  const std::vector<HsioEdge>& edges() const { return edges_; }
+
+  /// GT_Reset: no points, both outputs low.
+  void Reset();
 
   /// A single pulse, or a level.
   void Pulse(size_t channel, Micros now, int16_t time_us);
@@ -121,18 +140,25 @@ class CompareUnit {
   void Clear(size_t channel);
 
   bool running() const { return modules_[0].running || modules_[1].running; }
+  /// The next tick has something to do: points are waited for, or an output changes.
+  bool active() const;
   /// A tick that begins at `begin`.
   void Advance(Micros begin, Micros length, const EncoderWay& way);
 
-  auto Fields() const { return std::tie(modules_, outputs_, log_); }
+  auto Fields() const { return std::tie(modules_, outputs_, log_, edges_); }
 
  private:
   void AdvanceModule(size_t channel, Micros begin, Micros length, const EncoderWay& way);
   void Fire(size_t channel, const CompareHit& hit);
+  /// Ends a pulse that is over at `instant`.
+  void EndPulse(size_t channel, double instant);
+  /// Notes the edge when the level at `instant` is another one than before.
+  void Show(size_t channel, double instant);
 
   std::array<CompareModule, kHsioCount> modules_;
   std::array<HsioOutput, kHsioCount> outputs_;
   std::vector<CompareHit> log_;
+  std::vector<HsioEdge> edges_;
 };
 
 }  // namespace oncard::motion

@@ -98,7 +98,7 @@ void MotionCore::BeginSimpleHoming(size_t index, HomeKind kind, int32_t position
   homing.simple_offset = offset;
   state_.homing_runs = true;
   state_.profiles[index].trap.parameters = {acceleration, acceleration, 0, 0};
-  state_.capture.Arm(index, CaptureSource::kHome, state_.io);
+  state_.capture.Arm(index, CaptureSource::kHome);
   MoveHoming(index, HomeStage::kSearchHome, position - state_.profiles[index].now.position,
              velocity);
 }
@@ -121,7 +121,7 @@ void MotionCore::SearchIndexSimply(size_t index) {
   homing.index_follows = false;
   homing.simple_velocity /= 2;
   homing.simple_offset = homing.index_offset;
-  state_.capture.Arm(index, CaptureSource::kIndex, state_.io);
+  state_.capture.Arm(index, CaptureSource::kIndex);
   MoveHoming(index, HomeStage::kSearchIndex, homing.index_distance, homing.simple_velocity);
 }
 
@@ -314,7 +314,7 @@ void MotionCore::ArmHoming(size_t trigger, CaptureSource source, bool rising) {
   const auto bit = static_cast<uint16_t>(1u << static_cast<unsigned>(source));
   capture.rising = static_cast<uint16_t>(rising ? capture.rising | bit : capture.rising & ~bit);
   capture.repeat = 1;
-  state_.capture.Arm(trigger, source, state_.io);
+  state_.capture.Arm(trigger, source);
 }
 
 void MotionCore::MoveHoming(size_t index, HomeStage stage, double distance, double velocity) {

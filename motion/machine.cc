@@ -50,7 +50,7 @@ void MotionCore::Apply(const WorldEvent& event) {
   const size_t item = event.item;
   switch (event.kind) {
     case WorldEventKind::kPin:
-      state_.io.SetPin(static_cast<DiType>(event.item), event.index, event.value != 0);
+      DrivePin(event);
       break;
     case WorldEventKind::kAdc:
       state_.adcs[item].volts = event.value;
@@ -79,6 +79,17 @@ void MotionCore::Apply(const WorldEvent& event) {
       state_.switches[event.index].connected = event.value != 0;
       break;
   }
+}
+
+void MotionCore::DrivePin(const WorldEvent& event) {
+  const auto type = static_cast<DiType>(event.item);
+  const bool level = event.value != 0;
+  const bool before = (state_.io.Pins(type) >> event.index & 1) != 0;
+  state_.io.SetPin(type, event.index, level);
+  // An edge inside a cycle has been seen there.
+  if (level == before || event.at != now() || !state_.capture.armed()) return;
+  state_.capture.Edge(type, event.index, level,
+                      [&](size_t encoder) { return Whole(CountedPosition(encoder)); });
 }
 
 double MotionCore::SourcePosition(size_t index) const {

@@ -73,7 +73,7 @@ void MotionCore::Reset() {
   state_.compensates = false;
   ResetMachine();
   state_.capture.Reset();
-  state_.compare = {};
+  state_.compare.Reset();
   state_.gantry = {};
   state_.homing.fill({});
   state_.homing_runs = false;

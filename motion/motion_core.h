@@ -244,6 +244,7 @@ class MotionCore {
   void ApplyWorldEvents();
   /// An event of the present instant.
   void Apply(const WorldEvent& event);
+  void DrivePin(const WorldEvent& event);
   void AdvanceProfiles();
   void AdvanceProfile(size_t index);
   /// A limit that is latched for an axis of the profile lies in a direction, given by its sign.
@@ -276,6 +277,9 @@ class MotionCore {
   bool Observed() const;
   /// AdvanceMachine() and what is passed meanwhile.
   void AdvanceObserved();
+  /// Edges that the world makes inside the cycle.
+  void PassWorldEdges(const CycleWay& way);
+  void PassComparePoints(const CycleWay& way);
   void OperateSwitch(const PositionSwitch& contact, const CycleWay& way);
   void PassIndexMarks(const CycleWay& way);
   /// An encoder's position at a fraction of the cycle, and where a machine is at a place on its

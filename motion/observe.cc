@@ -32,7 +32,7 @@ double MotionCore::PositionWhere(size_t encoder, size_t machine, double place,
 }
 
 bool MotionCore::Observed() const {
-  return !state_.switches.empty() || state_.capture.armed() || state_.compare.running();
+  return !state_.switches.empty() || state_.capture.armed() || state_.compare.active();
 }
 
 void MotionCore::AdvanceObserved() {
@@ -46,12 +46,41 @@ void MotionCore::AdvanceObserved() {
   const auto at_tick = [&](size_t encoder) { return PositionAt(encoder, 1, way); };
   if (state_.capture.armed()) state_.capture.SampleEdges(state_.io, at_tick);
   for (const PositionSwitch& contact : state_.switches) OperateSwitch(contact, way);
-  if (state_.capture.armed()) {
-    PassIndexMarks(way);
-    state_.capture.Look(state_.io);
+  if (state_.capture.armed()) PassIndexMarks(way);
+  if (state_.compare.active()) PassComparePoints(way);
+  state_.capture.CountArmed();
+}
+
+void MotionCore::PassWorldEdges(const CycleWay& way) {
+  const WorldProgress& world = state_.world;
+  if (world.events == nullptr) return;
+  const WorldEvents& events = *world.events;
+  const Micros begin = now() - config_.cycle_us;
+  // The filters sample the pins at the next tick; a capture sees the edges themselves.
+  std::array<uint32_t, kDiTypeCount> pins{};
+  for (size_t i = 0; i < pins.size(); ++i) pins[i] = state_.io.Pins(static_cast<DiType>(i));
+  for (size_t i = world.next; i < events.size() && events[i].at < now(); ++i) {
+    const WorldEvent& event = events[i];
+    if (event.kind != WorldEventKind::kPin) continue;
+    const uint32_t mask = uint32_t{1} << event.index;
+    const bool level = event.value != 0;
+    if (((pins[event.item] & mask) != 0) == level) continue;
+    pins[event.item] ^= mask;
+    const double fraction =
+        static_cast<double>(event.at - begin) / static_cast<double>(config_.cycle_us);
+    state_.capture.Edge(static_cast<DiType>(event.item), event.index, level,
+                        [&](size_t encoder) { return PositionAt(encoder, fraction, way); });
   }
-  if (state_.compare.running()) {
-    state_.compare.Advance(now() - config_.cycle_us, config_.cycle_us, way.encoders);
+}
+
+void MotionCore::PassComparePoints(const CycleWay& way) {
+  const Micros begin = now() - config_.cycle_us;
+  state_.compare.Advance(begin, config_.cycle_us, way.encoders);
+  for (const HsioEdge& edge : state_.compare.edges()) {
+    const double fraction =
+        (edge.instant - static_cast<double>(begin)) / static_cast<double>(config_.cycle_us);
+    state_.capture.OutputEdge(edge.channel, edge.level,
+                              [&](size_t encoder) { return PositionAt(encoder, fraction, way); });
   }
 }
 

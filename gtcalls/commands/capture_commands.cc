@@ -48,8 +48,7 @@ int16_t RefuseRange(Call& call, std::string_view name, double value, double firs
 int16_t SetCaptureMode(Call& call) {
   const int16_t code = CheckSource(call, call.value(1));
   if (code != vm::kOk) return code;
-  UnitOf(call).Arm(NumberOf(call), motion::CaptureSourceFromNumber(call.integer(1)),
-                   call.card.motion.state().io);
+  UnitOf(call).Arm(NumberOf(call), motion::CaptureSourceFromNumber(call.integer(1)));
   return vm::kOk;
 }
 
@@ -89,6 +88,7 @@ int16_t CheckDisarmed(Call& call) {
                                                "捕获 {0} 已启动，请等待捕获完成", call.integer(0)));
 }
 
+/// Public samples call it after GT_SetCaptureMode.
 int16_t SetCaptureRepeat(Call& call) {
   const int16_t code = CheckDisarmed(call);
   if (code != vm::kOk) return code;
@@ -101,6 +101,7 @@ int16_t GetCaptureRepeatStatus(Call& call) {
   return vm::kOk;
 }
 
+/// Positions count from 1, as public samples count them.
 int16_t GetCaptureRepeatPos(Call& call) {
   const std::vector<double>& positions = CaptureOf(call).positions;
   const int first = call.integer(2);
@@ -190,7 +191,7 @@ int16_t SetTrigger(Call& call) {
   trigger.window_only = cells[kWindowOnly] != 0;
   trigger.first = static_cast<int32_t>(cells[kFirstPosition]);
   trigger.last = static_cast<int32_t>(cells[kLastPosition]);
-  UnitOf(call).SetTrigger(NumberOf(call), trigger, call.card.motion.state().io);
+  UnitOf(call).SetTrigger(NumberOf(call), trigger);
   return vm::kOk;
 }
 

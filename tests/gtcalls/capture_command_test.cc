@@ -55,22 +55,137 @@ TEST(Capture, IndexMarksRepeatInOrder) {
     Cells count(1), positions(3);
     ASSERT_EQ(card.Call("GT_GetCaptureRepeatStatus", {1, &count}), 0);
     EXPECT_EQ(count[0], 3);
-    ASSERT_EQ(card.Call("GT_GetCaptureRepeatPos", {1, &positions, 0, 3}), 0);
+    ASSERT_EQ(card.Call("GT_GetCaptureRepeatPos", {1, &positions, 1, 3}), 0);
     EXPECT_EQ(positions, (Cells{7, 107, 207}));
-    EXPECT_EQ(card.Call("GT_GetCaptureRepeatPos", {1, &positions, 1, 3}), 7);
+    EXPECT_EQ(card.Call("GT_GetCaptureRepeatPos", {1, &positions, 0, 3}), 7);
+    EXPECT_EQ(card.Call("GT_GetCaptureRepeatPos", {1, &positions, 2, 3}), 7);
   }
 }
 
-TEST(Capture, APinDrivenByTimeIsLatchedAtItsTick) {
+motion::WorldEvent Pin(motion::Micros at, motion::DiType type, uint16_t bit, bool level) {
+  return {.at = at, .item = static_cast<uint8_t>(type), .index = bit, .value = level ? 1.0 : 0.0};
+}
+
+void PowerOn(CommandTestCard& card, motion::WorldEvents events) {
+  card.motion.PowerOn(std::make_shared<const motion::WorldEvents>(std::move(events)));
+}
+
+// 5000 pulses in 100 ms, then 100 pulse/ms: the probe's pulse from 150.3 to 150.4 ms begins at
+// 10030 and ends at 10040. One from 152 to 156 ms begins and ends with cycles of any length.
+TEST(Capture, AnEdgeOfTheWorldIsLatchedAtItsInstant) {
+  const struct {
+    motion::Micros rise, fall;
+    int rising;
+    double position;
+  } cases[] = {{150'300, 150'400, 1, 10030},
+               {150'300, 150'400, 0, 10040},
+               {152'000, 156'000, 1, 10200},
+               {152'000, 156'000, 0, 10600}};
+  for (const auto& c : cases) {
+    for (const int64_t cycle_us : {125, 250, 1000, 4000}) {
+      CommandTestCard card({.cycle_us = cycle_us});
+      PowerOn(card, {Pin(c.rise, motion::DiType::kGpi, 0, true),
+                     Pin(c.fall, motion::DiType::kGpi, 0, false)});
+      ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
+      ASSERT_EQ(card.Call("GT_SetCaptureSense", {1, 3, c.rising}), 0);
+      ASSERT_EQ(card.Call("GT_SetCaptureMode", {1, 3}), 0);
+      Move(card, 20000);
+      EXPECT_EQ(Captured(card), (std::pair{1.0, c.position})) << cycle_us;
+    }
+  }
+}
+
+TEST(Capture, IsForgottenWhenItsStatusIsCleared) {
   CommandTestCard card;
+  PowerOn(card, {Pin(100, motion::DiType::kGpi, 0, true)});
   ASSERT_EQ(card.Call("GT_SetCaptureSense", {1, 3, 1}), 0);
   ASSERT_EQ(card.Call("GT_SetCaptureMode", {1, 3}), 0);
-  card.motion.state().encoders[0].position = 55;
-  card.motion.state().io.SetPin(motion::DiType::kGpi, 0, true);
   card.motion.Tick();
-  EXPECT_EQ(Captured(card), (std::pair{1.0, 55.0}));
+  EXPECT_EQ(Captured(card).first, 1);
   ASSERT_EQ(card.Call("GT_ClearCaptureStatus", {1}), 0);
   EXPECT_EQ(Captured(card).first, 0);
+}
+
+TEST(Capture, WhatIsHighAtPowerOnOrRestsByItsSenseMakesNoEdge) {
+  CommandTestCard card;
+  card.motion.state().switches.push_back({.axis = 0, .first = 10, .last = 20, .active_low = true});
+  PowerOn(card, {Pin(0, motion::DiType::kGpi, 0, true)});
+  for (const int source : {1, 3}) ASSERT_EQ(card.Call("GT_SetCaptureSense", {1, source, 1}), 0);
+  ASSERT_EQ(card.Call("GT_SetCaptureSense", {2, 1, 1}), 0);
+  ASSERT_EQ(card.Call("GT_SetCaptureMode", {1, 1}), 0);
+  ASSERT_EQ(card.Call("GT_SetCaptureMode", {2, 1}), 0);
+  Cells trigger = {1, 3, 1, 1, 0, 0, 0, 0, 0};
+  ASSERT_EQ(card.Call("GT_SetTrigger", {1, &trigger}), 0);
+  // Nothing is wired to home input 2.
+  card.motion.state().io.SetInverted(motion::DiType::kHome, 2);
+  card.Cycles(3);
+  Cells status(2), values(2), triggered(3);
+  ASSERT_EQ(card.Call("GT_GetCaptureStatus", {1, &status, &values, 2, nullptr}), 0);
+  EXPECT_EQ(status, (Cells{0, 0}));
+  ASSERT_EQ(card.Call("GT_GetTriggerStatus", {1, &triggered, 1}), 0);
+  EXPECT_EQ(triggered[1], 0);
+}
+
+/// Axes 1 and 2 go to 3000 at 10 pulse/ms, to which they accelerate in 40 ms and 200 pulses. Axis
+/// 1 puts out pulses of 500 us at the points on HSIO0; they are captured on encoder 2.
+void MoveAndCompare(CommandTestCard& card, Cells points, int rising) {
+  ASSERT_EQ(card.Call("GT_CompareData",
+                      {1, 1, 0, 0, 500, &points, static_cast<int>(points.size()), nullptr, 0}),
+            0);
+  ASSERT_EQ(card.Call("GT_SetCaptureSense", {2, 6, rising}), 0);
+  for (const int axis : {1, 2}) {
+    ASSERT_EQ(card.Call("GT_AxisOn", {axis}), 0);
+    motion::Profile& profile = card.motion.state().profiles[static_cast<size_t>(axis - 1)];
+    profile.trap.target = 3000;
+    profile.trap.velocity = 10;
+    profile.trap.parameters.acc = 0.25;
+    card.motion.StartProfile(static_cast<size_t>(axis - 1));
+  }
+}
+
+TEST(Capture, AHighSpeedOutputCapturesAnotherEncoder) {
+  for (const int64_t cycle_us : {125, 250, 1000, 4000}) {
+    // The pulse begins at 1000 and ends 5 pulses later.
+    for (const auto& [rising, position] : {std::pair{1, 1000.0}, {0, 1005.0}}) {
+      CommandTestCard card({.cycle_us = cycle_us});
+      ASSERT_EQ(card.Call("GT_SetCaptureMode", {2, 6}), 0);
+      MoveAndCompare(card, {1000}, rising);
+      for (int64_t us = 0; us < 400'000; us += cycle_us) card.motion.Tick();
+      Cells status(1), value(1);
+      ASSERT_EQ(card.Call("GT_GetCaptureStatus", {2, &status, &value, 1, nullptr}), 0);
+      EXPECT_EQ(status[0], 1) << cycle_us;
+      EXPECT_EQ(value[0], position) << cycle_us;
+    }
+  }
+}
+
+TEST(Capture, PulsesAreCapturedInARow) {
+  CommandTestCard card;
+  // The number is given when the capture is armed already.
+  ASSERT_EQ(card.Call("GT_SetCaptureMode", {2, 6}), 0);
+  ASSERT_EQ(card.Call("GT_SetCaptureRepeat", {2, 5}), 0);
+  MoveAndCompare(card, {1000, 1100, 1200, 1300, 1400, 1500}, 1);
+  Cells count(1), positions(5);
+  for (int i = 0; i < 1600; ++i) card.motion.Tick();
+  ASSERT_EQ(card.Call("GT_GetCaptureRepeatStatus", {2, &count}), 0);
+  EXPECT_EQ(count[0], 5);
+  ASSERT_EQ(card.Call("GT_GetCaptureRepeatPos", {2, &positions, 1, 5}), 0);
+  EXPECT_EQ(positions, (Cells{1000, 1100, 1200, 1300, 1400}));
+}
+
+TEST(Capture, ASmallerNumberThanIsCapturedEndsIt) {
+  CommandTestCard card;
+  PowerOn(card, {Pin(100, motion::DiType::kGpi, 0, true), Pin(600, motion::DiType::kGpi, 0, false),
+                 Pin(1100, motion::DiType::kGpi, 0, true)});
+  ASSERT_EQ(card.Call("GT_SetCaptureSense", {1, 3, 1}), 0);
+  ASSERT_EQ(card.Call("GT_SetCaptureMode", {1, 3}), 0);
+  ASSERT_EQ(card.Call("GT_SetCaptureRepeat", {1, 5}), 0);
+  card.Cycles(2);
+  ASSERT_EQ(card.Call("GT_SetCaptureRepeat", {1, 1}), 0);
+  card.Cycles(5);
+  Cells count(1);
+  ASSERT_EQ(card.Call("GT_GetCaptureRepeatStatus", {1, &count}), 0);
+  EXPECT_EQ(count[0], 1);
 }
 
 TEST(Capture, OffsetsAreAddedToSuccessiveCaptures) {
@@ -83,7 +198,7 @@ TEST(Capture, OffsetsAreAddedToSuccessiveCaptures) {
   ASSERT_EQ(card.Call("GT_SetCaptureMode", {1, 2}), 0);
   Move(card, 20000);
   Cells positions(3), used(1), loops(1), raw(1);
-  ASSERT_EQ(card.Call("GT_GetCaptureRepeatPos", {1, &positions, 0, 3}), 0);
+  ASSERT_EQ(card.Call("GT_GetCaptureRepeatPos", {1, &positions, 1, 3}), 0);
   EXPECT_EQ(positions, (Cells{1010, 2020, 3000}));
   ASSERT_EQ(card.Call("GT_GetCaptureOffsetStatus", {1, &used, &loops, &raw}), 0);
   EXPECT_EQ(loops[0], 1);
@@ -153,7 +268,6 @@ TEST(Capture, SourcesAreChecked) {
     EXPECT_EQ(card.Call("GT_SetCaptureMode", {1, mode}), code) << mode;
     EXPECT_EQ(card.Call("GT_SetCaptureSense", {1, mode, 1}), code) << mode;
   }
-  EXPECT_EQ(card.Call("GT_SetCaptureRepeat", {1, 2}), 1);
   EXPECT_EQ(card.Call("GT_SetCaptureRepeat", {2, 257}), 7);
   EXPECT_EQ(card.Call("GT_LinkCaptureOffset", {1, 9}), 7);
   EXPECT_EQ(card.Call("GT_LinkCaptureOffset", {1, 8}), 0);

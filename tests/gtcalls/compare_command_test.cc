@@ -8,6 +8,17 @@ namespace {
 
 using Cells = std::vector<double>;
 
+/// Axis 1 counts its own pulses and moves at 100 pulse/ms, to which it accelerates in 100 ms.
+void MoveAxis1(CommandTestCard& card, int target) {
+  EXPECT_EQ(card.Call("GT_EncOff", {1}), 0);
+  EXPECT_EQ(card.Call("GT_AxisOn", {1}), 0);
+  motion::Profile& profile = card.motion.state().profiles[0];
+  profile.trap.target = target;
+  profile.trap.velocity = 100;
+  profile.trap.parameters.acc = 1;
+  card.motion.StartProfile(0);
+}
+
 // Example 4 of the application notes: two pulses of 500 us at +10000 and +20000 of axis 1.
 TEST(Compare2D, TheExampleGivesTwoPulsesWhateverTheCycle) {
   for (const int64_t cycle_us : {125, 250, 1000, 4000}) {
@@ -97,17 +108,6 @@ TEST(ComparePulse, PutsOutOnBothOutputs) {
   const uint64_t before = card.Hash();
   card.Expect(0, "GT_ComparePulse", {1, 0, 100});
   EXPECT_NE(card.Hash(), before);
-}
-
-/// Axis 1 counts its own pulses and moves at 100 pulse/ms, to which it accelerates in 100 ms.
-void MoveAxis1(CommandTestCard& card, int target) {
-  EXPECT_EQ(card.Call("GT_EncOff", {1}), 0);
-  EXPECT_EQ(card.Call("GT_AxisOn", {1}), 0);
-  motion::Profile& profile = card.motion.state().profiles[0];
-  profile.trap.target = target;
-  profile.trap.velocity = 100;
-  profile.trap.parameters.acc = 1;
-  card.motion.StartProfile(0);
 }
 
 /// GT_CompareStatus: 0 while it runs, and the count.
