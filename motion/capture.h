@@ -106,6 +106,9 @@ class CaptureUnit {
   /// Arms a capture; what it has captured before is forgotten.
   void Arm(size_t index, CaptureSource source);
   void Disarm(size_t index) { captures_[index].armed = false; }
+  /// Sets how many positions are captured in a row; an armed capture that has as many already has
+  /// done.
+  void SetRepeat(size_t index, uint16_t repeat);
   /// Forgets what has been captured.
   void Clear(size_t index);
   /// Sets the list of offsets, from the begin.

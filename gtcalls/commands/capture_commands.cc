@@ -90,9 +90,7 @@ int16_t CheckDisarmed(Call& call) {
 
 /// Public samples call it after GT_SetCaptureMode.
 int16_t SetCaptureRepeat(Call& call) {
-  const int16_t code = CheckDisarmed(call);
-  if (code != vm::kOk) return code;
-  CaptureOf(call).repeat = static_cast<uint16_t>(call.integer(1));
+  UnitOf(call).SetRepeat(NumberOf(call), static_cast<uint16_t>(call.integer(1)));
   return vm::kOk;
 }
 
@@ -106,15 +104,15 @@ int16_t GetCaptureRepeatPos(Call& call) {
   const std::vector<double>& positions = CaptureOf(call).positions;
   const int first = call.integer(2);
   const int count = call.integer(3);
-  if (first < 0 || first + count > static_cast<int>(positions.size())) {
+  if (first < 1 || first + count - 1 > static_cast<int>(positions.size())) {
     return call.Refuse(
         vm::kBadParameter,
-        MakeMessage("positions {0} to {1} are asked for; {2} are captured, counted from 0",
-                    "读取第 {0} 到 {1} 个位置；已捕获 {2} 个，从 0 编号", first, first + count - 1,
+        MakeMessage("positions {0} to {1} are asked for; {2} are captured, counted from 1",
+                    "读取第 {0} 到 {1} 个位置；已捕获 {2} 个，从 1 编号", first, first + count - 1,
                     positions.size()));
   }
   for (size_t i = 0; i < static_cast<size_t>(count); ++i) {
-    call.Set(1, positions[static_cast<size_t>(first) + i], i);
+    call.Set(1, positions[static_cast<size_t>(first - 1) + i], i);
   }
   return vm::kOk;
 }
