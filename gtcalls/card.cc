@@ -42,6 +42,18 @@ CommandFunction FunctionOf(const Command& command) {
   return command.number < functions.size() ? functions[command.number] : nullptr;
 }
 
+/// "1-11", or "1-4, 9-11", in signs that both languages read.
+std::string SpellEncoders(const motion::MotionCore& core) {
+  const size_t axes = core.axis_count();
+  if (!core.has_auxiliary()) return fmt::format("1-{}", axes);
+  constexpr size_t kLast = motion::kAuxiliaryFirst + motion::kAuxiliaryCount;
+  if (axes == motion::kAuxiliaryFirst) return fmt::format("1-{}", kLast);
+  return fmt::format("1-{}, {}-{}", axes, motion::kAuxiliaryFirst + 1, kLast);
+}
+
+constexpr double kLongMax = 2147483647;
+constexpr double kUnsignedLongMax = 4294967295;
+
 struct Bounds {
   double minimum;
   double maximum;
@@ -64,7 +76,7 @@ Bounds BoundsOf(const Parameter& parameter) {
       return {-2147483648.0, bits ? 4294967295.0 : 2147483647.0};
     }
     case Scalar::kUnsignedLong:
-      return {0, 4294967295.0};
+      return {0, kUnsignedLongMax};
     case Scalar::kDouble:
       break;
   }
@@ -114,6 +126,14 @@ int16_t CheckLastAxis(Call& call, size_t index) {
   const int axes = call.card.motion.config().axis_count;
   const int count = call.integer(index);
   const int last = call.integer(0) + count - 1;
+  for (int number = call.integer(0); call.command.parameters[0].encoder_number && number <= last;
+       ++number) {
+    if (call.card.motion.HasEncoder(static_cast<size_t>(number) - 1)) continue;
+    return call.Refuse(vm::kBadParameter,
+                       MakeMessage("{0} from {1} on reach to {2}; this card has the encoders {3}",
+                                   "从 {1} 起共 {0} 个，到 {2} 为止；本控制卡的编码器为 {3}", count,
+                                   call.integer(0), last, SpellEncoders(call.card.motion)));
+  }
   if (!call.command.parameters[0].axis_number || last <= axes) return vm::kOk;
   return call.Refuse(vm::kBadParameter,
                      MakeMessage("{0} from {1} on reach to {2}; this card has 1 to {3}",

@@ -13,7 +13,7 @@ namespace {
 
 /// The length of an encoder's list of capture offsets; 0 for a number the card does not have.
 size_t OffsetCount(const Card& card, double encoder) {
-  for (size_t i = 0; i < card.motion.axis_count(); ++i) {
+  for (size_t i = 0; i < motion::kAxisMax; ++i) {
     if (encoder != static_cast<double>(i + 1)) continue;
     return card.motion.state().capture.capture(i).offsets.size();
   }

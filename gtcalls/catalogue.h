@@ -151,6 +151,8 @@ struct Parameter {
   /// The number of an axis, profile, encoder, controller or output; the card at hand may have fewer
   /// than `maximum`.
   bool axis_number = false;
+  /// The same of an encoder: beyond the axes there are auxiliary ones.
+  bool encoder_number = false;
   /// How many of them are meant, from the first parameter's number on.
   bool axis_count = false;
 };

@@ -218,6 +218,12 @@ constexpr Spec Axis(std::string_view name) {
   spec.parameter.axis_number = true;
   return spec;
 }
+/// An encoder of an axis, or an auxiliary one.
+constexpr Spec Encoder(std::string_view name) {
+  Spec spec = Index(name, 1, kAxisMax);
+  spec.parameter.encoder_number = true;
+  return spec;
+}
 constexpr Spec Crd() { return Index("crd", 1, kCrdMax); }
 /// One of two buffers.
 constexpr Spec Fifo() { return Index("fifo", 0, 1); }

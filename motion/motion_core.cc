@@ -220,6 +220,7 @@ void MotionCore::GuardAxis(size_t index) {
 void MotionCore::AdvanceMachine() {
   for (size_t i = 0; i < axis_count(); ++i) AdvancePlant(i);
   for (size_t i = 0; i < axis_count(); ++i) CountEncoder(i);
+  if (has_auxiliary()) AdvanceAuxiliary();
   for (size_t i = 0; i < axis_count(); ++i) {
     Axis& axis = state_.axes[i];
     if (!axis.active) continue;
@@ -233,6 +234,13 @@ void MotionCore::AdvanceMachine() {
     axis.encoder.velocity = axis.encoder_scale.Apply(velocity);
     axis.encoder.acceleration = axis.encoder_scale.Apply(acceleration);
     axis.encoder.filter.Add(axis.encoder.velocity);
+  }
+}
+
+void MotionCore::AdvanceAuxiliary() {
+  for (size_t i = kAuxiliaryFirst; i < kAuxiliaryFirst + kAuxiliaryCount; ++i) {
+    if (state_.plants[i].hand != 0) TurnByHand(state_.plants[i]);
+    CountEncoder(i);
   }
 }
 

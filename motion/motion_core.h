@@ -111,6 +111,13 @@ class MotionCore {
   size_t axis_count() const { return static_cast<size_t>(config_.axis_count); }
   /// Tells `observer` from now on what the card does by itself; it must not change the card.
   void Observe(HappeningObserver observer) { observer_ = std::move(observer); }
+  /// The card has auxiliary encoders (sizes.h).
+  bool has_auxiliary() const { return axis_count() <= kAuxiliaryFirst; }
+  /// The card has an encoder of that number: of an axis, or an auxiliary one.
+  bool HasEncoder(size_t index) const {
+    return index < axis_count() || (has_auxiliary() && index >= kAuxiliaryFirst &&
+                                    index < kAuxiliaryFirst + kAuxiliaryCount);
+  }
 
   // --- Time ------------------------------------------------------------------------------------
 
@@ -267,6 +274,7 @@ class MotionCore {
   void MapProfiles();
   void GuardAxis(size_t index);
   void AdvanceMachine();
+  void AdvanceAuxiliary();
   void AdvanceCompensations();
   /// Where machines and encoders were before a cycle's motion, and the encoders after it.
   struct CycleWay {

@@ -37,14 +37,13 @@ bool MotionCore::Observed() const {
 
 void MotionCore::AdvanceObserved() {
   CycleWay way;
-  for (size_t i = 0; i < axis_count(); ++i) {
+  for (size_t i = 0; i < kAxisMax; ++i) {
     way.machines[i] = state_.plants[i].position;
     way.encoders.from[i] = CountedPosition(i);
   }
   AdvanceMachine();
-  for (size_t i = 0; i < axis_count(); ++i) way.encoders.to[i] = CountedPosition(i);
-  const auto at_tick = [&](size_t encoder) { return PositionAt(encoder, 1, way); };
-  if (state_.capture.armed()) state_.capture.SampleEdges(state_.io, at_tick);
+  for (size_t i = 0; i < kAxisMax; ++i) way.encoders.to[i] = CountedPosition(i);
+  if (state_.capture.armed()) PassWorldEdges(way);
   for (const PositionSwitch& contact : state_.switches) OperateSwitch(contact, way);
   if (state_.capture.armed()) PassIndexMarks(way);
   if (state_.compare.active()) PassComparePoints(way);
@@ -104,7 +103,7 @@ void MotionCore::OperateSwitch(const PositionSwitch& contact, const CycleWay& wa
 }
 
 void MotionCore::PassIndexMarks(const CycleWay& way) {
-  for (size_t i = 0; i < axis_count(); ++i) {
+  for (size_t i = 0; i < kAxisMax; ++i) {
     if (!state_.capture.WaitsForIndex(i)) continue;
     ForEachMark(state_.index_marks[i], way.machines[i], state_.plants[i].position,
                 [&](double place) {

@@ -45,6 +45,14 @@ int16_t RefuseRange(Call& call, std::string_view name, double value, double firs
                                  "{0} 为 {1}；应为 {2} 到 {3}", name, value, first, last));
 }
 
+/// 0, or 7 when the card has no encoder of that number.
+int16_t CheckEncoder(Call& call, std::string_view name, double number) {
+  if (number >= 1 && call.card.motion.HasEncoder(static_cast<size_t>(number) - 1)) return vm::kOk;
+  return call.Refuse(vm::kBadParameter,
+                     MakeMessage("{0} is {1}; this card has no such encoder",
+                                 "{0} 为 {1}；本控制卡没有该编码器", name, number));
+}
+
 int16_t SetCaptureMode(Call& call) {
   const int16_t code = CheckSource(call, call.value(1));
   if (code != vm::kOk) return code;
@@ -150,10 +158,8 @@ int16_t GetCaptureOffsetStatus(Call& call) {
 }
 
 int16_t LinkCaptureOffset(Call& call) {
-  const int axes = call.card.motion.config().axis_count;
-  if (call.integer(1) < 1 || call.integer(1) > axes) {
-    return RefuseRange(call, "source", call.value(1), 1, axes);
-  }
+  const int16_t code = CheckEncoder(call, "source", call.value(1));
+  if (code != vm::kOk) return code;
   UnitOf(call).LinkOffsets(NumberOf(call), NumberOf(call, 1));
   return vm::kOk;
 }
@@ -161,10 +167,8 @@ int16_t LinkCaptureOffset(Call& call) {
 int16_t SetTrigger(Call& call) {
   const std::span<double> cells = call.cells(1);
   const int axes = call.card.motion.config().axis_count;
-  if (cells[kEncoder] < 1 || cells[kEncoder] > axes) {
-    return RefuseRange(call, "TTrigger.encoder", cells[kEncoder], 1, axes);
-  }
-  int16_t code = CheckSource(call, cells[kProbeType]);
+  int16_t code = CheckEncoder(call, "TTrigger.encoder", cells[kEncoder]);
+  if (code == vm::kOk) code = CheckSource(call, cells[kProbeType]);
   if (code != vm::kOk) return code;
   if (cells[kProbeIndex] < 1 || cells[kProbeIndex] > axes) {
     return RefuseRange(call, "TTrigger.probeIndex", cells[kProbeIndex], 1, axes);

@@ -102,16 +102,28 @@ int16_t CheckSource(Call& call, double number, bool external) {
                         "source 为 0 时编码器 {0} 应为内部脉冲计数器，请调用 GT_EncOff", number));
 }
 
+/// 0, or 7 when the card has no encoder of that number.
+int16_t CheckEncoder(Call& call, std::string_view name, double number) {
+  if (number >= 1 && call.card.motion.HasEncoder(static_cast<size_t>(number) - 1)) return vm::kOk;
+  return call.Refuse(vm::kBadParameter,
+                     MakeMessage("T2DComparePrm.{0} is {1}; this card has no such encoder",
+                                 "T2DComparePrm.{0} 为 {1}；本控制卡没有该编码器", name, number));
+}
+
 int16_t SetPrm2D(Call& call) {
   const std::span<double> cells = call.cells(1);
-  const int axes = call.card.motion.config().axis_count;
+  for (const auto& [cell, name] : {std::pair{kEncX, "encx"}, {kEncY, "ency"}}) {
+    const int16_t code = CheckEncoder(call, name, cells[cell]);
+    if (code != vm::kOk) return code;
+  }
   const struct {
     CompareCell cell;
     std::string_view name;
     double first, last;
-  } bounds[] = {{kEncX, "encx", 1.0, double(axes)}, {kEncY, "ency", 1.0, double(axes)},
-                {kSource, "source", 0, 1},          {kOutputType, "outputType", 0, 1},
-                {kStartLevel, "startLevel", 0, 1},  {kMaxError, "maxerr", 0, 511},
+  } bounds[] = {{kSource, "source", 0, 1},
+                {kOutputType, "outputType", 0, 1},
+                {kStartLevel, "startLevel", 0, 1},
+                {kMaxError, "maxerr", 0, 511},
                 {kThreshold, "threshold", 0, 0}};
   for (const auto& bound : bounds) {
     const double value = cells[bound.cell];

@@ -28,8 +28,10 @@ int16_t EncOff(Call& call) {
 /// Bit n-1 reverses encoder n.
 int16_t EncSns(Call& call) {
   const uint32_t sense = BitWord(call.value(0));
-  for (size_t i = 0; i < call.card.motion.axis_count(); ++i) {
-    call.card.motion.SetEncoderSense(i, (sense >> i & 1) != 0);
+  for (size_t i = 0; i < motion::kAxisMax; ++i) {
+    if (call.card.motion.HasEncoder(i)) {
+      call.card.motion.SetEncoderSense(i, (sense >> i & 1) != 0);
+    }
   }
   return vm::kOk;
 }

@@ -132,7 +132,9 @@ std::optional<motion::Master> ReadMasterArguments(Call& call) {
   master.type = static_cast<motion::MasterType>(call.integer(2));
   master.encoder_side = call.integer(3) != 0;
   const int last = call.card.motion.config().axis_count;
-  if (index < 1 || index > last) {
+  const bool auxiliary = master.type == motion::MasterType::kEncoder && index > last &&
+                         call.card.motion.HasEncoder(static_cast<size_t>(index) - 1);
+  if (index < 1 || (index > last && !auxiliary)) {
     call.reason = MakeMessage("masterIndex is {0}; this card has 1 to {1}",
                               "masterIndex 为 {0}；本控制卡的编号为 1 到 {1}", index, last);
     return std::nullopt;

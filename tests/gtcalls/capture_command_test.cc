@@ -221,7 +221,7 @@ TEST(Trigger, IgnoresEdgesOutsideItsWindow) {
 
 TEST(Trigger, MembersAreChecked) {
   for (const auto& [cell, value] : {std::pair<size_t, double>{0, 0},
-                                    {0, 9},
+                                    {0, 12},
                                     {1, 0},
                                     {1, 4},
                                     {1, 9},
@@ -252,7 +252,7 @@ TEST(Capture, ATriggerCanLatchAnotherEncoder) {
   CommandTestCard card;
   AddHome(card, 3333, 4444);
   ASSERT_EQ(card.Call("GT_SetEncPos", {2, 777}), 0);
-  EXPECT_EQ(card.Call("GT_SetCaptureEncoder", {1, 9}), 7);
+  EXPECT_EQ(card.Call("GT_SetCaptureEncoder", {1, 12}), 7);
   EXPECT_EQ(card.Call("GT_SetCaptureEncoder", {9, 1}), 7);
   ASSERT_EQ(card.Call("GT_SetCaptureEncoder", {1, 2}), 0);
   ASSERT_EQ(card.Call("GT_SetCaptureMode", {1, 1}), 0);
@@ -269,7 +269,7 @@ TEST(Capture, SourcesAreChecked) {
     EXPECT_EQ(card.Call("GT_SetCaptureSense", {1, mode, 1}), code) << mode;
   }
   EXPECT_EQ(card.Call("GT_SetCaptureRepeat", {2, 257}), 7);
-  EXPECT_EQ(card.Call("GT_LinkCaptureOffset", {1, 9}), 7);
+  EXPECT_EQ(card.Call("GT_LinkCaptureOffset", {1, 12}), 7);
   EXPECT_EQ(card.Call("GT_LinkCaptureOffset", {1, 8}), 0);
 }
 

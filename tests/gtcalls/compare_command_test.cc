@@ -52,12 +52,90 @@ TEST(Compare2D, TheExampleGivesTwoPulsesWhateverTheCycle) {
   }
 }
 
+// The way (10 + 2s, s - 10) comes nearest to the origin at s = -2, in (6, -12): too far in Y. From
+// s = -0.5 to 0.25 whole pulses are within 10 in both; the nearest of these places is (9, -10.5).
+TEST(Compare2D, HitsWhereBothErrorsAreSmallEnough) {
+  EXPECT_NEAR(motion::FindHit(-90, -60, 110, 40, true, {0, 0}, 10, 0), 0.495, 1e-6);
+  EXPECT_EQ(motion::FindHit(-90, -60, 110, 40, true, {0, 0}, 9, 0), -1);
+  // Whatever the length of the ticks.
+  for (const int ticks : {1, 2, 3, 7, 100}) {
+    motion::CompareUnit compare;
+    compare.module(0).parameters = {.two_dimensional = true, .x = 0, .y = 1, .max_error = 10};
+    compare.Append(0, {{0, 0}});
+    compare.Start(0, 0, 0);
+    for (int i = 0; i < ticks; ++i) {
+      motion::EncoderWay way;
+      const double from = -50 + 100.0 * i / ticks;
+      const double to = -50 + 100.0 * (i + 1) / ticks;
+      way.from = {10 + 2 * from, from - 10};
+      way.to = {10 + 2 * to, to - 10};
+      compare.Advance(250 * i, 250, way);
+    }
+    ASSERT_EQ(compare.log().size(), 1u) << ticks;
+    EXPECT_EQ(compare.log()[0].x, 9) << ticks;
+    EXPECT_EQ(compare.log()[0].y, -10) << ticks;
+  }
+}
+
+TEST(Compare2D, HitsWhatItTurnsBackFrom) {
+  motion::CompareUnit compare;
+  compare.module(0).parameters = {.two_dimensional = true, .x = 0, .y = 1, .max_error = 3};
+  compare.Append(0, {{100, 0}});
+  compare.Start(0, 0, 0);
+  motion::EncoderWay way;
+  way.to[0] = 98;
+  compare.Advance(0, 250, way);
+  EXPECT_EQ(compare.log().size(), 0u) << "it still comes nearer";
+  way.from[0] = 98;
+  way.to[0] = 0;
+  compare.Advance(250, 250, way);
+  ASSERT_EQ(compare.log().size(), 1u);
+  EXPECT_EQ(compare.log()[0].x, 98);
+  EXPECT_EQ(compare.log()[0].instant, 250);
+}
+
+TEST(HsioOutput, ItsEdgesAreExactWhateverTheCycle) {
+  for (const int64_t cycle_us : {125, 250, 1000, 4000}) {
+    CommandTestCard card({.cycle_us = cycle_us});
+    MoveAxis1(card, 30000);
+    Cells points = {10000, 10020, 20000};
+    // The second point comes 200 us after the first and makes its pulse longer.
+    ASSERT_EQ(card.Call("GT_CompareData", {1, 0, 0, 0, 500, &points, 3, nullptr, 0}), 0);
+    std::vector<motion::HsioEdge> edges;
+    for (int64_t us = 0; us < 400'000; us += cycle_us) {
+      card.motion.Tick();
+      const auto& last = card.motion.state().compare.edges();
+      edges.insert(edges.end(), last.begin(), last.end());
+    }
+    const double expected[] = {150'000, 150'700, 250'000, 250'500};
+    ASSERT_EQ(edges.size(), std::size(expected)) << cycle_us;
+    for (size_t i = 0; i < edges.size(); ++i) {
+      EXPECT_EQ(edges[i].channel, 0);
+      EXPECT_EQ(edges[i].level, i % 2 == 0);
+      EXPECT_NEAR(edges[i].instant, expected[i], 1e-6) << cycle_us;
+    }
+  }
+}
+
+TEST(HsioOutput, ResetLowersIt) {
+  CommandTestCard card;
+  ASSERT_EQ(card.Call("GT_2DComparePulse", {1, 1, 1, 0}), 0);
+  card.motion.Tick();
+  ASSERT_EQ(card.motion.state().compare.edges().size(), 1u);
+  card.motion.Reset();
+  card.motion.Tick();
+  ASSERT_EQ(card.motion.state().compare.edges().size(), 1u);
+  EXPECT_FALSE(card.motion.state().compare.edges()[0].level);
+  card.motion.Tick();
+  EXPECT_TRUE(card.motion.state().compare.edges().empty());
+}
+
 TEST(Compare2D, MembersAndSourcesAreChecked) {
   struct {
     size_t cell;
     double value;
     int code;
-  } const cases[] = {{0, 0, 7},   {0, 9, 7},   {1, 0, 7}, {2, 2, 7}, {2, 0, 7},
+  } const cases[] = {{0, 0, 7},   {0, 12, 7},  {1, 0, 7}, {2, 2, 7}, {2, 0, 7},
                      {3, 2, 7},   {4, 2, 7},   {5, 0, 7}, {5, 1, 0}, {6, -1, 7},
                      {6, 511, 0}, {6, 512, 7}, {7, 1, 7}, {0, 8, 0}};
   for (const auto& c : cases) {
@@ -212,7 +290,7 @@ TEST(CompareLinear, ParametersAreChecked) {
       {"GT_CompareData", {1, 0, 0, 0, 1, nullptr, 1, nullptr, 0}, 7},
       {"GT_CompareData", {1, 0, 0, 0, 1, &many, 4097, nullptr, 0}, 7},
       {"GT_CompareData", {1, 0, 0, 0, 1, &many, 4096, nullptr, 0}, 0},
-      {"GT_CompareLinear", {9, 0, 0, 1, 1, 1, 0}, 7},
+      {"GT_CompareLinear", {12, 0, 0, 1, 1, 1, 0}, 7},
       {"GT_CompareLinear", {1, 2, 0, 1, 1, 1, 0}, 7},
       {"GT_CompareLinear", {1, 0, 0, 0, 1, 1, 0}, 7},
       {"GT_CompareLinear", {1, 0, 0, 2, 0, 1, 0}, 7},
