@@ -65,6 +65,10 @@ void MotionCore::Apply(const WorldEvent& event) {
       state_.plants[item].stalled = event.value != 0;
       if (event.value != 0) state_.plants[item].velocity = 0;
       break;
+    case WorldEventKind::kHand:
+      state_.plants[item].hand = event.value;
+      if (event.value == 0 && !Enabled(item)) state_.plants[item].velocity = 0;
+      break;
     case WorldEventKind::kEncoderHeld:
       state_.encoder_faults[item].held = event.value != 0;
       break;
@@ -220,10 +224,11 @@ void MotionCore::AdvancePlant(size_t index) {
   }
   Plant& plant = state_.plants[index];
   const Drive& drive = state_.drives[index];
-  // A drive that no axis commands is enabled with the axis of its own number.
-  const size_t axis_index = plant.axis >= 0 ? static_cast<size_t>(plant.axis) : index;
+  const size_t axis_index = EnablingAxis(index);
   const Axis& axis = state_.axes[axis_index];
-  if (plant.control >= 0 && axis.servo_on) {
+  if (plant.hand != 0 && !axis.servo_on) {
+    TurnByHand(plant);
+  } else if (plant.control >= 0 && axis.servo_on) {
     AdvanceClosedLoop(index);
   } else if (drive.kind == DriveKind::kVelocity) {
     const double output = axis.servo_on ? state_.dacs[index].Output() : 0;
@@ -240,6 +245,11 @@ void MotionCore::AdvancePlant(size_t index) {
       plant.velocity = axis.profile.velocity;
     }
   }
+}
+
+void MotionCore::TurnByHand(Plant& plant) {
+  plant.velocity = plant.stalled ? 0 : plant.hand;
+  plant.position += plant.velocity * static_cast<double>(config_.cycle_us) / 1000;
 }
 
 void MotionCore::AdvanceClosedLoop(size_t index) {

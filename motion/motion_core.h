@@ -321,6 +321,15 @@ class MotionCore {
   /// Clears the latched limit bit of a direction if its cause has gone.
   void ForgetLimit(size_t index, int direction);
   void AdvancePlant(size_t index);
+  /// The axis whose enable output enables a machine's drive; that of its own number when no axis
+  /// commands it.
+  size_t EnablingAxis(size_t plant) const {
+    const int8_t axis = state_.plants[plant].axis;
+    return axis >= 0 ? static_cast<size_t>(axis) : plant;
+  }
+  bool Enabled(size_t plant) const { return state_.axes[EnablingAxis(plant)].servo_on; }
+  /// One cycle of a machine without a drive, or with one that is off, that somebody turns.
+  void TurnByHand(Plant& plant);
   void AdvanceClosedLoop(size_t index);
   void ResetMachine();
   void EnableMachine(size_t axis);

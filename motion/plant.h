@@ -3,7 +3,8 @@
 //
 // An ideal drive follows an enabled axis exactly, whether it is commanded by pulses or, in closed
 // loop, through the servo controller. A velocity drive turns the voltage of its analogue output
-// into a speed with a first-order lag; pulses do not reach it.
+// into a speed with a first-order lag; pulses do not reach it. A machine whose drive is off can be
+// turned by hand; an enabled drive holds it.
 // Tested by tests/motion/plant_test.cc.
 #pragma once
 
@@ -61,6 +62,7 @@ struct Plant {
   /// Distance to the commanded position while an ideal drive follows it.
   double lead = 0;
   bool stalled = false;  ///< held by force: stays at rest, whatever the drive does
+  double hand = 0;       ///< pulse/ms by which it is turned by hand while its drive is off
 
   /// One servo sub-step of a velocity drive at `output`: the lag's exact solution.
   void Advance(const Drive& drive, double output) {
@@ -71,7 +73,7 @@ struct Plant {
     velocity = commanded + difference * drive.decay;
   }
 
-  auto Fields() const { return std::tie(position, velocity, axis, control, lead, stalled); }
+  auto Fields() const { return std::tie(position, velocity, axis, control, lead, stalled, hand); }
 };
 
 /// A pulse output.

@@ -19,6 +19,7 @@ enum class WorldEventKind : uint8_t {
   kModuleInputs,    ///< item: module, value: word
   kModuleVoltage,   ///< item: module, index: channel, value: volts
   kStall,           ///< item: machine, value: 1 stalled, 0 free
+  kHand,            ///< item: machine, value: pulse/ms by which it is turned by hand
   kEncoderHeld,     ///< item: encoder, value: 1 held, 0 working
   kEncoderNoise,    ///< item: encoder, index: seed, value: largest error in pulses
   kEncoderDrift,    ///< item: encoder, value: pulse/ms

@@ -132,7 +132,7 @@ std::string FormatScenario(const Scenario& scenario) {
       text += fmt::format("init = {}\n", FormatValues(start.values));
     }
   }
-  text += FormatWorld(scenario.world);
+  text += FormatWorld(scenario.world, scenario.axis_count);
   for (const HostEvent& event : scenario.host) {
     text += fmt::format("\n[[host]]\nat_ms = {}\nset = {}\n", FormatMs(event.at_us),
                         FormatValues(event.values));

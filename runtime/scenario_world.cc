@@ -57,6 +57,21 @@ void AddFaults(const std::vector<WorldFault>& faults, WorldEvents& events) {
   for (const WorldFault& fault : faults) events.push_back(BeginOf(fault));
 }
 
+/// In whole cycles, so that the distance is exact. Ends come before begins, as with faults.
+void AddHands(const Scenario& scenario, WorldEvents& events) {
+  const auto whole = [&](int64_t us) {
+    return (us + scenario.cycle_us - 1) / scenario.cycle_us * scenario.cycle_us;
+  };
+  for (const HandTurn& turn : scenario.world.hands) {
+    events.push_back({whole(turn.until_us), WorldEventKind::kHand, FromZero(turn.number), 0, 0});
+  }
+  for (const HandTurn& turn : scenario.world.hands) {
+    const double ms = static_cast<double>(whole(turn.until_us) - whole(turn.at_us)) / 1000;
+    events.push_back(
+        {whole(turn.at_us), WorldEventKind::kHand, FromZero(turn.number), 0, turn.pulses / ms});
+  }
+}
+
 void AddModule(const ModuleEvent& module, WorldEvents& events) {
   const auto item = static_cast<uint8_t>(module.module);
   if (module.inputs) {
@@ -110,6 +125,7 @@ void ApplyWorld(const Scenario& scenario, Controller* controller) {
   WorldEvents events;
   for (const InputEvent& input : world.inputs) AddInput(input, events);
   AddFaults(world.faults, events);
+  AddHands(scenario, events);
   for (const VoltageEvent& voltage : world.voltages) {
     events.push_back(
         {voltage.at_us, WorldEventKind::kAdc, FromZero(voltage.channel), 0, voltage.volts});

@@ -69,6 +69,17 @@ struct WorldFault {
   bool operator==(const WorldFault&) const = default;
 };
 
+/// Somebody turns a machine whose drive is off, or the shaft of an auxiliary encoder.
+struct HandTurn {
+  int number = 1;  ///< of the axis, or of the encoder
+  double pulses = 0;
+  int64_t at_us = 0;
+  int64_t until_us = 0;
+  bool operator==(const HandTurn&) const = default;
+};
+/// A turn is not shorter: as long as the longest profile cycle.
+inline constexpr int64_t kHandTurnUsMin = 4000;
+
 /// A voltage at an analogue input.
 struct VoltageEvent {
   int64_t at_us = 0;
@@ -91,6 +102,7 @@ struct World {
   std::vector<MachineSetup> machines;
   std::vector<SwitchSetup> switches;
   std::vector<WorldFault> faults;
+  std::vector<HandTurn> hands;
   std::vector<VoltageEvent> voltages;  ///< in order of time
   /// In order of time. Empty: every module is there; else only those that are listed.
   std::vector<ModuleEvent> modules;
@@ -103,7 +115,8 @@ inline constexpr std::string_view kFaultNames[] = {"stall", "lost_encoder", "noi
 /// `ideal` `velocity`, in the order of DriveKind.
 inline constexpr std::string_view kDriveNames[] = {"ideal", "velocity"};
 
-/// The tables of a scenario file that are read back as the same world (world_toml.h).
-std::string FormatWorld(const World& world);
+/// The tables of a scenario file that are read back as the same world (world_toml.h), for a card
+/// of so many axes.
+std::string FormatWorld(const World& world, int axis_count);
 
 }  // namespace oncard::runtime

@@ -16,8 +16,8 @@ namespace {
 
 using Keys = std::span<const std::string_view>;
 
-constexpr std::array<std::string_view, 6> kWorldKeys = {"input", "axis",   "switch",
-                                                        "fault", "analog", "module"};
+constexpr std::array<std::string_view, 7> kWorldKeys = {"input", "axis",   "switch", "fault",
+                                                        "hand",  "analog", "module"};
 constexpr std::array<std::string_view, 4> kInputKeys = {"type", "index", "value", "at_ms"};
 constexpr std::array<std::string_view, 8> kMachineKeys = {
     "axis", "drive", "gain", "tau_ms", "friction", "position", "index_offset", "index_period"};
@@ -25,6 +25,8 @@ constexpr std::array<std::string_view, 6> kSwitchKeys = {"axis", "type", "index"
                                                          "from", "to",   "active_low"};
 constexpr std::array<std::string_view, 7> kFaultKeys = {"kind",     "axis",   "switch",  "at_ms",
                                                         "until_ms", "pulses", "velocity"};
+constexpr std::array<std::string_view, 5> kHandKeys = {"axis", "encoder", "pulses", "at_ms",
+                                                       "until_ms"};
 constexpr std::array<std::string_view, 3> kVoltageKeys = {"channel", "volts", "at_ms"};
 constexpr std::array<std::string_view, 4> kModuleKeys = {"module", "inputs", "volts", "at_ms"};
 
@@ -51,6 +53,7 @@ class WorldReader {
     for (const toml::table* machine : keys_.Tables(table, "axis")) ReadMachine(*machine);
     for (const toml::table* contact : keys_.Tables(table, "switch")) ReadSwitch(*contact);
     for (const toml::table* fault : keys_.Tables(table, "fault")) ReadFault(*fault);
+    for (const toml::table* hand : keys_.Tables(table, "hand")) ReadHand(*hand);
     for (const toml::table* voltage : keys_.Tables(table, "analog")) ReadVoltage(*voltage);
     for (const toml::table* module : keys_.Tables(table, "module")) ReadModule(*module);
     CheckInputs(table);
@@ -180,6 +183,54 @@ class WorldReader {
                  {"this fault overlaps another one of its kind: end one before the other begins",
                   "该故障与同类故障在时间上重叠：应使其先后发生"});
     }
+  }
+
+  void ReadHand(const toml::table& table) {
+    keys_.CheckKeys(table, kHandKeys);
+    HandTurn turn;
+    if (!table.contains("encoder")) {
+      turn.number = AxisOf(table);
+    } else {
+      Refuse(table, "axis", true);
+      turn.number = AuxiliaryOf(table);
+    }
+    turn.pulses = Position(table, "pulses", 0);
+    Need(table, "pulses", {"how far, negative for backwards", "转动的脉冲数，反向为负"});
+    turn.at_us = keys_.Time(table, "at_ms");
+    turn.until_us = keys_.Time(table, "until_ms");
+    Need(table, "until_ms", {"when it is there", "转到的时刻"});
+    CheckHand(table, turn);
+    world_.hands.push_back(turn);
+  }
+
+  void CheckHand(const toml::table& table, const HandTurn& turn) {
+    if (!table.contains("until_ms")) return;
+    const int64_t length_us = turn.until_us - turn.at_us;
+    if (length_us < kHandTurnUsMin) {
+      keys_.Fail(table.source(),
+                 MakeMessage("'until_ms' must be at least {0} ms after 'at_ms'",
+                             "“until_ms”应比“at_ms”晚至少 {0} ms", kHandTurnUsMin / 1000));
+    } else if (std::fabs(turn.pulses) > kVelocityMax * static_cast<double>(length_us) / 1000) {
+      keys_.Fail(table.source(), MakeMessage("that is faster than {0} pulse/ms: give it more time",
+                                             "速度超过 {0} pulse/ms：应延长时间", kVelocityMax));
+    }
+    for (const HandTurn& other : world_.hands) {
+      const bool apart = turn.until_us <= other.at_us || other.until_us <= turn.at_us;
+      if (other.number != turn.number || apart) continue;
+      keys_.Fail(table.source(), {"this turn overlaps another one: end one before the other begins",
+                                  "该转动与另一次转动在时间上重叠：应使其先后发生"});
+    }
+  }
+
+  int AuxiliaryOf(const toml::table& table) {
+    constexpr int kFirst = static_cast<int>(motion::kAuxiliaryFirst) + 1;
+    constexpr int kLast = kFirst + static_cast<int>(motion::kAuxiliaryCount) - 1;
+    if (axis_count_ >= kFirst) {
+      keys_.Fail(table.get("encoder")->source(),
+                 MakeMessage("a card of {0} axes has no auxiliary encoders: turn an 'axis'",
+                             "{0} 轴控制卡没有辅助编码器：应指定“axis”", axis_count_));
+    }
+    return static_cast<int>(keys_.Whole(table, "encoder", kFirst, kFirst, kLast));
   }
 
   /// Inputs that a switch drives do what the machine does.
@@ -325,13 +376,19 @@ std::string FormatFault(const WorldFault& fault) {
   return text;
 }
 
+std::string FormatHand(const HandTurn& turn, int axis_count) {
+  return fmt::format("\n[[world.hand]]\n{} = {}\npulses = {}\nat_ms = {}\nuntil_ms = {}\n",
+                     turn.number > axis_count ? "encoder" : "axis", turn.number, turn.pulses,
+                     Ms(turn.at_us), Ms(turn.until_us));
+}
+
 }  // namespace
 
 World ReadWorld(const toml::table& table, int axis_count, TomlKeys& keys) {
   return WorldReader(axis_count, keys).Read(table);
 }
 
-std::string FormatWorld(const World& world) {
+std::string FormatWorld(const World& world, int axis_count) {
   std::string text;
   for (const InputEvent& event : world.inputs) {
     text += fmt::format("\n[[world.input]]\ntype = \"{}\"\n", InputWordName(event.type));
@@ -341,6 +398,7 @@ std::string FormatWorld(const World& world) {
   for (const MachineSetup& machine : world.machines) text += FormatMachine(machine);
   for (const SwitchSetup& contact : world.switches) text += FormatSwitch(contact);
   for (const WorldFault& fault : world.faults) text += FormatFault(fault);
+  for (const HandTurn& turn : world.hands) text += FormatHand(turn, axis_count);
   for (const VoltageEvent& event : world.voltages) {
     text += fmt::format("\n[[world.analog]]\nchannel = {}\nvolts = {}\nat_ms = {}\n", event.channel,
                         event.volts, Ms(event.at_us));

@@ -25,6 +25,56 @@ TEST(EncoderCommand, EncSnsSetsTheSenseOfEach) {
   }
 }
 
+/// Somebody turns the shaft of encoder `number` at 2 pulse/ms.
+void Turn(CommandTestCard& card, int number) {
+  card.motion.PowerOn(std::make_shared<const motion::WorldEvents>(
+      motion::WorldEvents{{.kind = motion::WorldEventKind::kHand,
+                           .item = static_cast<uint8_t>(number - 1),
+                           .value = 2}}));
+}
+
+TEST(AuxiliaryEncoder, IsReadSetAndReversedAsTheOthers) {
+  CommandTestCard card;
+  Turn(card, 9);
+  card.Cycles(40);
+  std::vector<double> value(1);
+  ASSERT_EQ(card.Call("GT_GetEncPos", {9, &value, 1, nullptr}), 0);
+  EXPECT_EQ(value[0], 20);
+  ASSERT_EQ(card.Call("GT_GetEncVel", {9, &value, 1, nullptr}), 0);
+  EXPECT_NEAR(value[0], 2, 2);  // whole pulses in a cycle of 250 us
+  ASSERT_EQ(card.Call("GT_SetEncPos", {9, 1000}), 0);
+  ASSERT_EQ(card.Call("GT_EncSns", {0xff}), 0);
+  card.Cycles(40);
+  ASSERT_EQ(card.Call("GT_GetEncPos", {9, &value, 1, nullptr}), 0);
+  EXPECT_EQ(value[0], 980);
+}
+
+TEST(AuxiliaryEncoder, LeadsAGear) {
+  CommandTestCard card;
+  Turn(card, 11);
+  ASSERT_EQ(card.Call("GT_PrfGear", {1, 0}), 0);
+  ASSERT_EQ(card.Call("GT_SetGearMaster", {1, 11, 1, 0}), 0);
+  ASSERT_EQ(card.Call("GT_SetGearRatio", {1, 1, 10, 0}), 0);
+  ASSERT_EQ(card.Call("GT_GearStart", {1}), 0);
+  card.Cycles(41);
+  EXPECT_EQ(card.motion.state().profiles[0].now.position, 200);
+  EXPECT_EQ(card.Call("GT_SetGearMaster", {1, 11, 2, 0}), 7) << "there is no profile 11";
+}
+
+TEST(AuxiliaryEncoder, ExistsWhereTheCardHasOne) {
+  struct {
+    int axes, first, count, code;
+  } const cases[] = {{4, 4, 1, 0},  {4, 5, 1, 7},  {4, 9, 1, 0},   {4, 11, 1, 0}, {4, 12, 1, 7},
+                     {4, 1, 5, 7},  {4, 9, 3, 0},  {8, 8, 2, 0},   {8, 9, 3, 0},  {8, 9, 4, 7},
+                     {8, 11, 1, 0}, {8, 12, 1, 7}, {12, 12, 1, 0}, {12, 12, 2, 7}};
+  for (const auto& c : cases) {
+    CommandTestCard card({.axis_count = c.axes});
+    std::vector<double> values(8);
+    EXPECT_EQ(card.Call("GT_GetEncPos", {c.first, &values, c.count, nullptr}), c.code)
+        << c.axes << " " << c.first << " " << c.count << " " << card.reason.en;
+  }
+}
+
 TEST(EncoderCommand, NumbersAreCheckedAtBothEnds) {
   for (const auto& [axes, encoder, code] :
        {std::tuple{8, 0, 7}, {8, 1, 0}, {8, 8, 0}, {8, 9, 7}, {12, 12, 0}, {12, 13, 7}}) {

@@ -188,6 +188,41 @@ TEST(ScenarioWorld, MachinesStandAndTurnAsDescribed) {
   EXPECT_EQ(card.state().encoders[0].position, 0);
 }
 
+TEST(ScenarioWorld, AHandTurnsWhatNoDriveHolds) {
+  const char* turns =
+      "[[world.hand]]\naxis = 1\npulses = 4321\nat_ms = 10\nuntil_ms = 33.3\n"
+      "[[world.hand]]\naxis = 1\npulses = -321\nat_ms = 40\nuntil_ms = 50\n"
+      "[[world.hand]]\nencoder = 9\npulses = 77\nuntil_ms = 100\n";
+  WorldCard card(turns);
+  const auto encoder = [&](size_t i) { return card.state().encoders[i].position; };
+  card.RunUntil(10);
+  EXPECT_EQ(encoder(0), 0);
+  card.RunUntil(21.75);  // half of 23.5 ms: whole cycles
+  EXPECT_NEAR(encoder(0), 4321.0 / 2, 1);
+  card.RunUntil(40);
+  EXPECT_EQ(encoder(0), 4321);
+  card.RunUntil(200);
+  EXPECT_EQ(encoder(0), 4000);
+  EXPECT_EQ(card.state().plants[0].velocity, 0);
+  EXPECT_EQ(encoder(8), 77);
+
+  WorldCard enabled(turns);
+  enabled.Jog(1);
+  enabled.RunUntil(200);
+  EXPECT_NEAR(enabled.state().plants[0].position, 199.5, 1e-6);
+}
+
+TEST(ScenarioWorld, AMachineTurnedByHandStaysWhenItsDriveComesOn) {
+  WorldCard card(
+      "[[world.axis]]\naxis = 1\ndrive = \"velocity\"\n"
+      "[[world.hand]]\naxis = 1\npulses = 500\nuntil_ms = 10\n");
+  card.RunUntil(12);
+  EXPECT_NEAR(card.state().plants[0].position, 500, 1e-6);
+  card.Jog(0);
+  card.RunUntil(20);
+  EXPECT_NEAR(card.state().plants[0].position, 500, 1e-6);
+}
+
 TEST(ScenarioWorld, AnalogueInputsAndModulesChangeOverTime) {
   WorldCard card(
       "[[world.analog]]\nchannel = 3\nvolts = -2.5\nat_ms = 5\n"
@@ -250,6 +285,11 @@ axis = 4
 kind = "slip"
 axis = 3
 velocity = -0.25
+[[world.hand]]
+axis = 11
+pulses = -20.5
+at_ms = 1.5
+until_ms = 8
 [[world.analog]]
 channel = 8
 volts = 12.5
@@ -270,6 +310,10 @@ TEST(ScenarioWorld, IsWrittenAsItIsRead) {
   const Scenario second = Parsed(FormatScenario(first));
   EXPECT_EQ(second.world, first.world);
   EXPECT_EQ(second.axis_count, 12);
+  const Scenario wheel =
+      Parsed("program = \"x.c\"\n[[world.hand]]\nencoder = 11\npulses = 5\nuntil_ms = 4\n");
+  EXPECT_EQ(wheel.world.hands[0].number, 11);
+  EXPECT_EQ(Parsed(FormatScenario(wheel)).world, wheel.world);
 }
 
 TEST(ScenarioWorld, MistakesSayWhatToDo) {
@@ -307,6 +351,21 @@ TEST(ScenarioWorld, MistakesSayWhatToDo) {
        "two switches are wired to this input"},
       {"[[world.switch]]\naxis = 1\nfrom = 1\n[[world.input]]\ntype = \"home\"\nvalue = 0\n",
        "drives an input that a [[world.switch]] is wired to"},
+      {"[[world.hand]]\npulses = 3\nuntil_ms = 9\n", "'axis' is missing"},
+      {"[[world.hand]]\naxis = 1\nuntil_ms = 9\n", "'pulses' is missing: how far"},
+      {"[[world.hand]]\naxis = 1\npulses = 3\n", "'until_ms' is missing"},
+      {"[[world.hand]]\naxis = 1\npulses = 3\nat_ms = 5\nuntil_ms = 8\n",
+       "'until_ms' must be at least 4 ms after 'at_ms'"},
+      {"[[world.hand]]\naxis = 1\npulses = 1e6\nuntil_ms = 5\n", "faster than 32767 pulse/ms"},
+      {"[[world.hand]]\naxis = 1\npulses = 3\nuntil_ms = 9\n"
+       "[[world.hand]]\naxis = 1\npulses = 3\nat_ms = 8\nuntil_ms = 19\n",
+       "w.toml:6:1: this turn overlaps another one"},
+      {"[[world.hand]]\nencoder = 8\npulses = 3\nuntil_ms = 9\n",
+       "'encoder' must be a whole number from 9 to 11"},
+      {"[[world.hand]]\naxis = 1\nencoder = 9\npulses = 3\nuntil_ms = 9\n",
+       "'axis' means nothing here"},
+      {"axes = 12\n[[world.hand]]\nencoder = 9\npulses = 3\nuntil_ms = 9\n",
+       "a card of 12 axes has no auxiliary encoders"},
       {"[[world.analog]]\nvolts = 13\n", "'volts' must be a number from -12.5 to 12.5"},
       {"[[world.module]]\nvolts = [11]\n", "at most 8 voltages from -10 to 10"},
   };
