@@ -11,7 +11,30 @@ namespace {
 
 static_assert(kFieldsComplete<HsioOutput> && kFieldsComplete<ComparePoint> &&
               kFieldsComplete<CompareHit> && kFieldsComplete<CompareParameters> &&
-              kFieldsComplete<CompareModule>);
+              kFieldsComplete<CompareModule> && kFieldsComplete<HsioEdge>);
+
+/// Whole pulses are counted from halfway between two of them; this close to the half a place counts
+/// as beyond.
+constexpr double kHalfPulse = 0.5 - 1e-6;
+
+/// A part of the way, as fractions of it.
+struct Part {
+  double first;
+  double last;
+
+  bool empty() const { return first > last; }
+  /// Leaves what lies within `half` of `point` on a way from `from` by `length`.
+  void Narrow(double from, double length, double point, double half) {
+    if (length == 0) {
+      if (std::fabs(from - point) > half) last = first - 1;
+      return;
+    }
+    const double a = (point - half - from) / length;
+    const double b = (point + half - from) / length;
+    first = std::max(first, std::min(a, b));
+    last = std::min(last, std::max(a, b));
+  }
+};
 
 }  // namespace
 
@@ -19,16 +42,28 @@ double FindHit(double x0, double y0, double x1, double y1, bool use_x, ComparePo
                int max_error, double begin) {
   const double dx = use_x ? x1 - x0 : 0;
   const double dy = y1 - y0;
+  Part within{begin, 1};
+  within.Narrow(y0, dy, point.y, max_error + kHalfPulse);
+  if (use_x) within.Narrow(x0, dx, point.x, max_error + kHalfPulse);
+  if (within.empty()) return -1;
   const double length = dx * dx + dy * dy;
-  double nearest = begin;
-  if (length > 0) {
-    nearest = ((use_x ? (point.x - x0) * dx : 0) + (point.y - y0) * dy) / length;
-    if (nearest > 1) return -1;
-    nearest = std::max(nearest, begin);
-  }
-  const double error_y = std::fabs(Whole(y0 + nearest * dy) - point.y);
-  const double error_x = use_x ? std::fabs(Whole(x0 + nearest * dx) - point.x) : 0;
-  return error_x <= max_error && error_y <= max_error ? nearest : -1;
+  if (length == 0) return begin;
+  const double nearest = ((use_x ? (point.x - x0) * dx : 0) + (point.y - y0) * dy) / length;
+  if (nearest > 1 && within.last == 1) return -1;
+  return std::clamp(nearest, within.first, within.last);
+}
+
+void CompareUnit::Reset() {
+  modules_ = {};
+  log_.clear();
+  for (HsioOutput& output : outputs_) output = {.shown = output.shown};
+}
+
+bool CompareUnit::active() const {
+  if (running() || !edges_.empty()) return true;
+  return std::any_of(outputs_.begin(), outputs_.end(), [](const HsioOutput& output) {
+    return output.pulse_end > 0 || output.level != output.shown;
+  });
 }
 
 void CompareUnit::Pulse(size_t channel, Micros now, int16_t time_us) {

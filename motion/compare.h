@@ -3,10 +3,10 @@
 //
 // There are two modules. Each works off a list of points in order, which are relative to where the
 // encoders were at the start; the instant of a hit is found inside the tick on the straight line
-// between two ticks, and one tick can have several. A point is hit where the way comes nearest to
-// it, if both coordinates are within the tolerance there. One-dimensional compare looks at Y only.
-// A point can stand for a row of them at equal distances. All hits are kept in a log of limited
-// length.
+// between two ticks, and one tick can have several. A point is hit where both coordinates are
+// within the tolerance, at the place on the way that is nearest to it. One-dimensional compare
+// looks at Y only. A point can stand for a row of them at equal distances. All hits are kept in a
+// log of limited length; what the outputs did in the last tick is kept edge by edge.
 // Source: application notes on 2-D compare; public header. Tested by
 // tests/gtcalls/compare_command_test.cc.
 #pragma once
@@ -109,8 +109,9 @@ struct EncoderWay {
   std::array<double, kAxisMax> to{};
 };
 
-/// Where on the way from (x0, y0) to (x1, y1) a point is hit: the fraction in [`begin`, 1], or -1.
-/// `max_error` counts whole pulses; without `use_x` only Y counts.
+/// Where on the way from (x0, y0) to (x1, y1) a point is hit: the fraction in [`begin`, 1], or -1,
+/// also while the way still comes nearer to the point at its end. `max_error` counts whole pulses;
+/// without `use_x` only Y counts.
 double FindHit(double x0, double y0, double x1, double y1, bool use_x, ComparePoint point,
                int max_error, double begin);
 
