@@ -121,15 +121,27 @@ constexpr MotionValue kAdcValues[] = {
      [](const MotionCore& core, size_t i) { return core.state().adcs[i].Volts(); }},
 };
 
+size_t EncoderCount(const MotionCore& core) {
+  return core.has_auxiliary() ? motion::kAuxiliaryFirst + motion::kAuxiliaryCount
+                              : core.axis_count();
+}
+
+constexpr MotionValue kHsioValues[] = {
+    Flag("", [](const MotionCore& core,
+                size_t i) { return core.state().compare.output(i).Level(core.now()) ? 1.0 : 0.0; }),
+};
+
 constexpr std::array kParts = {
     MotionPart{"axis", AxisCount, kAxisValues},
     MotionPart{"profile", AxisCount, kProfileValues},
-    MotionPart{"encoder", AxisCount, kEncoderValues},
+    MotionPart{"encoder", EncoderCount, kEncoderValues, 1,
+               [](const MotionCore& core, size_t i) { return core.HasEncoder(i); }},
     MotionPart{"crd", CrdCount, kCrdValues},
     MotionPart{"plant", AxisCount, kPlantValues},
     MotionPart{"step", AxisCount, kStepValues},
     MotionPart{"dac", AxisCount, kDacValues},
     MotionPart{"adc", [](const MotionCore&) { return motion::kAdcCount; }, kAdcValues},
+    MotionPart{kHsioPart, [](const MotionCore&) { return motion::kHsioCount; }, kHsioValues, 0},
 };
 
 }  // namespace

@@ -38,10 +38,17 @@ struct MotionValue {
 /// A kind of part.
 struct MotionPart {
   std::string_view name;  ///< of one, without its number
-  /// How many this card has.
+  /// How many numbers this card has.
   size_t (*count)(const motion::MotionCore& core) = nullptr;
   std::span<const MotionValue> values;
+  /// The number of the first one, as the commands count.
+  int first = 1;
+  /// The card has the one at an index; all of them when empty.
+  bool (*has)(const motion::MotionCore& core, size_t index) = nullptr;
 };
+
+/// The high-speed outputs: `hsio0`, `hsio1`. They can change inside a cycle (Trace).
+inline constexpr std::string_view kHsioPart = "hsio";
 
 /// All kinds, in the order of the documentation.
 std::span<const MotionPart> MotionParts();

@@ -200,6 +200,8 @@ class Picture {
     std::vector<Point> points;
     const TraceRow* before = nullptr;
     for (const TraceRow& row : trace_.rows()) {
+      // Inside a cycle only outputs are known.
+      if (row.inside_cycle && trace_.form(column) == NumberForm::kReal) continue;
       if (before != nullptr && row.time_us - before->time_us > trace_.cycle_us()) {
         points.push_back({Ms(row.time_us - trace_.cycle_us()), before->values[column]});
       }

@@ -209,10 +209,15 @@ std::optional<PartName> SplitPart(std::string_view name) {
 Result<std::vector<Quantity>> ResolveMotion(std::string_view name, const PartName& split,
                                             const MotionPart& part,
                                             const motion::MotionCore& core) {
-  const size_t count = part.count(core);
-  if (split.number < 1 || static_cast<size_t>(split.number) > count) {
-    return MakeError(1, "'{0}': this card has {1}1 to {1}{2}", "“{0}”：此卡只有 {1}1 至 {1}{2}",
-                     name, part.name, count);
+  const int last = part.first + static_cast<int>(part.count(core)) - 1;
+  if (split.number < part.first || split.number > last) {
+    return MakeError(1, "'{0}': this card has {1}{2} to {1}{3}", "“{0}”：此卡只有 {1}{2} 至 {1}{3}",
+                     name, part.name, part.first, last);
+  }
+  const auto index = static_cast<size_t>(split.number - part.first);
+  if (part.has != nullptr && !part.has(core, index)) {
+    return MakeError(1, "'{0}': this card has no {1}{2}", "“{0}”：此卡没有 {1}{2}", name, part.name,
+                     split.number);
   }
   const MotionValue* value = FindMotionValue(part, split.value);
   if (value == nullptr && split.value.empty()) {
@@ -233,7 +238,7 @@ Result<std::vector<Quantity>> ResolveMotion(std::string_view name, const PartNam
   quantity.name = name;
   quantity.kind = QuantityKind::kMotion;
   quantity.value = value;
-  quantity.index = static_cast<size_t>(split.number) - 1;
+  quantity.index = index;
   return std::vector{quantity};
 }
 

@@ -31,6 +31,7 @@ constexpr DefaultValue kDefaultValues[] = {
     {"axis", "inPosition"}, {"dac", ""},
     {"crd", "x"},           {"crd", "y"},
     {"crd", "z"},           {"crd", "vel"},
+    {kHsioPart, ""},
 };
 
 std::string VcdCode(size_t index) {
@@ -101,8 +102,8 @@ std::vector<TraceColumn> DefaultColumns(const Controller& controller) {
   for (const DefaultValue& row : kDefaultValues) {
     const MotionPart& part = *FindMotionPart(row.part);
     const int count = static_cast<int>(part.count(controller.motion()));
-    for (int number = 1; number <= count; ++number) {
-      add(MotionValueName(part, number, row.value), row.threshold);
+    for (int i = 0; i < count; ++i) {
+      add(MotionValueName(part, part.first + i, row.value), row.threshold);
     }
   }
   for (const std::string_view word : WordNames()) add(std::string(word), 0);
@@ -121,6 +122,8 @@ Trace::Trace(std::vector<TraceColumn> columns) {
 void Trace::Sample(const Controller& controller) {
   TraceRow row;
   row.time_us = TimeOf(controller);
+  if (!rows_.empty() && row.time_us > sampled_us_) AddOutputEdges(controller, row.time_us);
+  sampled_us_ = row.time_us;
   row.values.reserve(columns_.size());
   for (const TraceColumn& column : columns_) {
     row.values.push_back(ReadQuantity(column.quantity, controller));
@@ -135,6 +138,33 @@ void Trace::Sample(const Controller& controller) {
     return;
   }
   rows_.push_back(std::move(row));
+}
+
+void Trace::AddOutputEdges(const Controller& controller, int64_t time_us) {
+  struct Change {
+    int64_t at_us;
+    size_t column;
+    double level;
+  };
+  std::vector<Change> changes;
+  const MotionValue* output = FindMotionPart(kHsioPart)->values.data();
+  for (const motion::HsioEdge& edge : controller.motion().state().compare.edges()) {
+    const auto at_us = static_cast<int64_t>(std::round(edge.instant));
+    if (at_us >= time_us) continue;  // in the sample itself
+    for (size_t i = 0; i < columns_.size(); ++i) {
+      const Quantity& quantity = columns_[i].quantity;
+      if (quantity.value != output || quantity.index != edge.channel) continue;
+      changes.push_back({at_us, i, edge.level ? 1.0 : 0.0});
+    }
+  }
+  std::stable_sort(changes.begin(), changes.end(),
+                   [](const Change& a, const Change& b) { return a.at_us < b.at_us; });
+  for (const Change& change : changes) {
+    if (rows_.back().time_us < change.at_us) {
+      rows_.push_back({change.at_us, rows_.back().values, true});
+    }
+    rows_.back().values[change.column] = change.level;
+  }
 }
 
 void Trace::SampleThreads(const Controller& controller, int64_t time_us) {

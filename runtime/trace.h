@@ -1,6 +1,7 @@
-// Values over virtual time: one row per profile cycle in which anything changed, and three ways to
-// write them down. Deterministic and locale-free; every text ends in a newline.
-// Tested by tests/runtime/trace_test.cc and tests/tools/run_command_test.cc.
+// Values over virtual time: one row per profile cycle in which anything changed, and one per edge
+// of a high-speed output between two cycles; and three ways to write them down. Deterministic and
+// locale-free; every text ends in a newline. Tested by tests/runtime/trace_test.cc and
+// tests/tools/run_command_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -21,6 +22,8 @@ struct TraceColumn {
 struct TraceRow {
   int64_t time_us = 0;
   std::vector<double> values;  ///< one per column
+  /// A high-speed output changed inside a cycle; the other values are those of the row before.
+  bool inside_cycle = false;
 };
 
 /// A thread was running from one instant to the other.
@@ -74,6 +77,8 @@ class Trace {
 
  private:
   void SampleThreads(const Controller& controller, int64_t time_us);
+  /// Rows for what high-speed outputs did since the last sample.
+  void AddOutputEdges(const Controller& controller, int64_t time_us);
   void DropUnchanged();
 
   std::vector<TraceColumn> columns_;
@@ -83,6 +88,7 @@ class Trace {
   std::vector<TraceSpan> open_;   // threads that run now
   std::vector<TraceMark> marks_;
   int64_t cycle_us_ = 0;
+  int64_t sampled_us_ = 0;  // the last sample
 };
 
 }  // namespace oncard::runtime

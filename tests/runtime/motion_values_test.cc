@@ -41,6 +41,22 @@ TEST_F(MotionValuesTest, ReadsAxes) {
   EXPECT_EQ(Read("axis1.prfPos"), 0);
 }
 
+TEST_F(MotionValuesTest, ReadsAuxiliaryEncodersAndHighSpeedOutputs) {
+  state().encoders[8].position = 12;
+  state().compare.SetLevel(1, true);
+  EXPECT_EQ(Read("encoder9.pos"), 12);
+  EXPECT_EQ(Read("hsio0"), 0);
+  EXPECT_EQ(Read("hsio1"), 1);
+  for (const char* name : {"encoder12.pos", "hsio2", "axis9.prfPos"}) {
+    EXPECT_FALSE(ResolveQuantity(name, controller_).ok()) << name;
+  }
+  ControllerOptions options;
+  options.motion.axis_count = 4;
+  const Controller small(options);
+  EXPECT_TRUE(ResolveQuantity("encoder9.pos", small).ok());
+  EXPECT_FALSE(ResolveQuantity("encoder5.pos", small).ok());
+}
+
 struct FlagCase {
   const char* name;
   uint32_t latched;

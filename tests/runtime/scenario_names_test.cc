@@ -86,7 +86,7 @@ TEST_F(QuantityTest, SaysWhatIsWrongWithAName) {
                        "nothing is named 'axs1.prfPos'; did you mean "
                        "'axis1.prfPos'?"},
            UnknownCase{"axis0.prfPos", "'axis0.prfPos': this card has axis1 to axis8"},
-           UnknownCase{"encoder9.pos", "'encoder9.pos': this card has encoder1 to encoder8"},
+           UnknownCase{"encoder12.pos", "'encoder12.pos': this card has encoder1 to encoder11"},
            UnknownCase{"profile1", "'profile1' has the values pos, vel, acc, mode"},
        }) {
     EXPECT_EQ(Names(c.name)[0], std::string("error: ") + c.says);

@@ -87,6 +87,24 @@ TEST(Trace, WritesRealsAndScopesForWaveformViewers) {
   EXPECT_NE(vcd.find("#250\nr0.125 !\nr1.0 \"\nr4.0 #\n"), std::string::npos) << vcd;
 }
 
+// The program runs at 250 us; both outputs pulse for 100 us, between two cycles.
+constexpr const char* kPulse =
+    "int f()\n{\n  GT_ComparePulse(1, 0, 100);\n  GT_Delay(1);\n  return 0;\n}\n";
+
+TEST(Trace, ShowsPulsesOfHighSpeedOutputsInsideACycle) {
+  const Trace trace = TraceOf(kPulse, "");
+  EXPECT_EQ(trace.Csv(), "time_ms,gpo,hsio0,hsio1\n0,0,0,0\n0.25,0,1,1\n0.35,0,0,0\n1.25,0,0,0\n");
+  EXPECT_NE(trace.Vcd().find("#350\n0\"\n0#\n"), std::string::npos) << trace.Vcd();
+  EXPECT_NE(trace.Json().find(R"({"name":"hsio1","ph":"C","pid":1,"ts":350,"args":{"value":0}})"),
+            std::string::npos)
+      << trace.Json();
+}
+
+TEST(Trace, HoldsTheOutputThatTheScenarioNames) {
+  EXPECT_EQ(TraceOf(kPulse, "trace = [\"hsio1\"]").Csv(),
+            "time_ms,hsio1\n0,0\n0.25,1\n0.35,0\n1.25,0\n");
+}
+
 TEST(Trace, WritesTraceEvents) {
   const std::string json = MovingAxis().Json();
   for (const char* event :
