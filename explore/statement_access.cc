@@ -92,7 +92,11 @@ class NextStatement {
         continue;
       }
       const int count = parameter.count_parameter;
-      const int32_t elements = count < 0 ? 1 : std::max(0, ValueOf(operands[Index(count)]));
+      int32_t elements = count < 0 ? 1 : std::max(0, ValueOf(operands[Index(count)]));
+      if (parameter.elements_on_card) {
+        elements = static_cast<int32_t>(
+            controller_.commands().Elements(instruction.op, i, ValueOf(operands[0])));
+      }
       const auto slots = static_cast<uint32_t>(parameter.slots.size()) *
                          static_cast<uint32_t>(std::min(elements, vm::kSlotCount));
       AddOperand(operands[i], slots, command->parameters[i].passing == gtcalls::Passing::kOutput);

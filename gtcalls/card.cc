@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "gtcalls/card_elements.h"
 #include "gtcalls/commands/commands.h"
 #include "gtcalls/unsupported.h"
 
@@ -174,6 +175,11 @@ int16_t ExecuteCommand(Call& call) {
 const vm::CommandShape* CardCommands::Find(uint16_t number) const {
   const Command* command = FindCommand(number);
   return command == nullptr ? nullptr : &ShapeOf(*command);
+}
+
+int64_t CardCommands::Elements(uint16_t number, size_t parameter, double first) const {
+  const Command& command = *FindCommand(number);
+  return static_cast<int64_t>(ElementsOnCard(command.parameters[parameter], *card_, first));
 }
 
 int16_t CardCommands::Execute(uint16_t number, vm::Machine&, int thread,

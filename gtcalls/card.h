@@ -77,6 +77,7 @@ class CardCommands final : public vm::CommandTable {
   void ObserveRefusals(RefusalObserver observer) { observer_ = std::move(observer); }
 
   const vm::CommandShape* Find(uint16_t number) const override;
+  int64_t Elements(uint16_t number, size_t parameter, double first) const override;
   int16_t Execute(uint16_t number, vm::Machine& machine, int thread,
                   std::span<vm::CommandArgument> arguments) override;
 

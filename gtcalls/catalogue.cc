@@ -90,6 +90,7 @@ constexpr vm::ParameterShape ShapeOfParameter(const Parameter& parameter) {
   shape.name = parameter.name;
   shape.address = parameter.passing != Passing::kValue;
   shape.count_parameter = parameter.count_parameter;
+  shape.elements_on_card = parameter.per_dimension || parameter.per_offset;
   if (parameter.structure != nullptr) {
     shape.slots = SlotsBehind(parameter.structure);
   } else if (parameter.type != Scalar::kChar) {

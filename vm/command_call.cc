@@ -96,6 +96,8 @@ Exit CallCommand(Frame& frame, const CallSite& site) {
       elements =
           static_cast<int64_t>(arguments[static_cast<size_t>(argument.count_argument)].value);
       if (elements < 0) elements = 0;  // the command refuses such a count
+    } else if (argument.elements_on_card) {
+      elements = machine.commands_->Elements(site.command, i, arguments[0].value);
     }
     const int64_t slots = elements * static_cast<int64_t>(argument.slots.size());
     const int64_t extent = argument.extent - places[i].extent_used;

@@ -26,6 +26,8 @@ struct ParameterShape {
   std::span<const DataType> slots;
   /// Index of the parameter that says how many elements the address covers, or -1 for one.
   int count_parameter = -1;
+  /// Without such a parameter: as many elements as CommandTable::Elements() says.
+  bool elements_on_card = false;
 };
 
 /// Shape of one command.
@@ -62,6 +64,12 @@ class CommandTable {
 
   /// The shape of a command, or nullptr when no command has this number.
   virtual const CommandShape* Find(uint16_t number) const = 0;
+
+  /// How many elements the address parameter `parameter` of a command covers now, for those that
+  /// say elements_on_card; `first` is the command's first argument.
+  virtual int64_t Elements(uint16_t /*number*/, size_t /*parameter*/, double /*first*/) const {
+    return 1;
+  }
 
   /// Executes a command for a motion-program thread of `machine` and gives its return code. The
   /// command may delay the thread, make it wait, or switch its page through Machine.

@@ -191,6 +191,7 @@ class FunctionLinker {
       argument.address = parameter.address;
       if (parameter.address) {
         argument.count_argument = parameter.count_parameter;
+        argument.elements_on_card = parameter.elements_on_card;
         argument.slots.assign(parameter.slots.begin(), parameter.slots.end());
         argument.extent = ExtentOf(instruction.operands[i]);
       }

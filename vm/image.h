@@ -40,7 +40,8 @@ struct CallSite {
     uint16_t operand = 0;  ///< packed operand (handlers.h)
     DataType type = DataType::kInt;
     bool address = false;
-    int count_argument = -1;  ///< argument whose value is the number of elements, -1 for one
+    int count_argument = -1;        ///< argument whose value is the number of elements, -1 for one
+    bool elements_on_card = false;  ///< the command table says how many
     /// Address: slots that belong to the variable from the named slot on; for an element with a
     /// variable index, the array's size.
     uint16_t extent = 1;

@@ -115,6 +115,33 @@ TEST(ControllerTest, ALoadRemovesTheBlocksBoundToTheOldVariables) {
   EXPECT_TRUE(card.controller.card().plc.blocks.empty());
 }
 
+TEST(ControllerTest, AProgramReadsItsWholeListOfCaptureOffsets) {
+  LoadedCard card(R"(int back[4];
+int count;
+int loop;
+int f()
+{
+  int offsets[3];
+  offsets[0] = 10;
+  offsets[1] = -20;
+  offsets[2] = 30;
+  GT_SetCaptureOffset(1, &offsets[0], 3, 2);
+  GT_GetCaptureOffset(1, &back[0], &count, &loop);
+  return 0;
+}
+)");
+  card.Run(0, 0);
+  EXPECT_EQ(card.controller.RunUntilQuiet(10), RunEnd::kQuiet);
+  const vm::SlotAddress back = card.Global("back");
+  const double expected[] = {10, -20, 30, 0};
+  for (uint16_t i = 0; i < 4; ++i) {
+    const vm::SlotAddress slot = {true, 0, static_cast<uint16_t>(back.id + i), back.type};
+    EXPECT_EQ(card.controller.machine().Read(slot), expected[i]) << i;
+  }
+  EXPECT_EQ(card.Read("count"), 3);
+  EXPECT_EQ(card.Read("loop"), 2);
+}
+
 // --- Time ----------------------------------------------------------------------------------------
 
 TEST(ControllerTest, ACycleRunsWhenAWholeOneHasPassed) {

@@ -28,6 +28,11 @@ class OneCommand final : public CommandTable {
     return action_(arguments);
   }
 
+  int64_t Elements(uint16_t, size_t parameter, double first) const override {
+    EXPECT_EQ(parameter, 1u);
+    return static_cast<int64_t>(first) + 1;
+  }
+
   int calls = 0;
 
  private:
@@ -128,6 +133,22 @@ TEST_F(CommandCallTest, OutputsHoldTheOldValuesFirst) {
     EXPECT_EQ(arguments[2].cells[0], 0.25);
     return kOk;
   });
+}
+
+TEST_F(CommandCallTest, TheCardSaysHowManyElementsThereAre) {
+  const ParameterShape list = {"list", true, kIntSlot, -1, true};
+  values_ = {{2, 10}, {3, 11}, {4, 12}};
+  Call({kInt, list}, {ImmediateInt(2), Local(2)}, [](auto arguments) {
+    EXPECT_EQ(arguments[1].cells.size(), 3u);
+    EXPECT_EQ(arguments[1].cells[2], 12);
+    arguments[1].cells[2] = 22;
+    return kOk;
+  });
+  EXPECT_EQ(LocalRaw(4), 22);
+  EXPECT_EQ(LocalRaw(5), 0);
+  Call({kInt, list}, {ImmediateInt(4), Local(2)}, [](auto) { return kOk; });
+  EXPECT_EQ(thread().error, static_cast<int>(Fault::kOutputBeyondStorage));
+  EXPECT_EQ(table_->calls, 0);
 }
 
 TEST_F(CommandCallTest, AddressNamesItsSlot) {
