@@ -56,9 +56,13 @@ const Function& Machine::FunctionOf(const ThreadState& thread) const {
 
 // --- Threads -------------------------------------------------------------------------------------
 
+bool Machine::Blocked(const ThreadState& thread) const {
+  if (thread.wake_cycle > state_->cycle) return true;
+  return thread.waiting && ReadRaw(thread.wait_slot) != thread.wait_value;
+}
+
 bool Machine::CanContinue(const ThreadState& thread) const {
-  if (thread.run != ThreadRun::kRunning || thread.wake_cycle > state_->cycle) return false;
-  return !thread.waiting || ReadRaw(thread.wait_slot) == thread.wait_value;
+  return thread.run == ThreadRun::kRunning && !Blocked(thread);
 }
 
 void Machine::Start(ThreadState& thread) {
@@ -493,7 +497,10 @@ int Machine::Line(int thread) const {
   const ThreadState& state = state_->threads[static_cast<size_t>(thread)];
   if (image_ == nullptr || state.run == ThreadRun::kUnbound) return 0;
   const auto& lines = FunctionOf(state).lines;
-  return state.pc < lines.size() ? lines[state.pc] : 0;
+  // A delay or a wait has been executed, but is not over: it is where the thread is.
+  const bool alive = state.run == ThreadRun::kRunning || state.run == ThreadRun::kPaused;
+  const size_t pc = state.pc - size_t{alive && Blocked(state)};
+  return pc < lines.size() ? lines[pc] : 0;
 }
 
 }  // namespace oncard::vm

@@ -209,6 +209,8 @@ class Machine {
 
   ThreadState& ThreadAt(int thread) { return state_->threads[static_cast<size_t>(thread)]; }
   const Function& FunctionOf(const ThreadState& thread) const;
+  /// The thread is in a delay, or waits for a value that is not there.
+  bool Blocked(const ThreadState& thread) const;
   /// True when the thread neither sleeps nor waits for a value.
   bool CanContinue(const ThreadState& thread) const;
   /// Puts a bound thread at its function's first instruction.

@@ -66,6 +66,23 @@ TEST_F(BlockingTest, DelayGoesOnWhileTheThreadIsPaused) {
   EXPECT_EQ(machine_.Execute(25), 1);
 }
 
+TEST_F(BlockingTest, ASleepingThreadIsAtItsDelay) {
+  LoadAndStart({CountUp(), Command(kDelay, {ImmediateInt(2)}), CountUp(), Goto(-3)});
+  machine_.Execute(25);
+  EXPECT_EQ(machine_.Line(0), 20);
+  machine_.Pause(0);
+  EXPECT_EQ(machine_.Line(0), 20);
+  machine_.Run(0);
+  machine_.BeginCycle(2);
+  EXPECT_EQ(machine_.Line(0), 30) << "it is over";
+}
+
+TEST_F(BlockingTest, AWaitingThreadIsAtItsWait) {
+  LoadAndStart({CountUp(), Command(kWaitFor, {Global(0), ImmediateInt(3)})});
+  machine_.Execute(25);
+  EXPECT_EQ(machine_.Line(0), 20);
+}
+
 // --- Waiting for a value -------------------------------------------------------------------------
 
 TEST_F(BlockingTest, WaitEndsWhenTheVariableHasTheValue) {
