@@ -3,6 +3,9 @@
 // Tested by tests/gtcalls/card_command_test.cc.
 #include "gtcalls/card.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cassert>
 #include <limits>
 #include <vector>
@@ -62,8 +65,8 @@ struct Bounds {
 
 /// What the C type of a parameter can hold on the card, whose long has 32 bits. Masks and bit words
 /// of type long may be written as signed or as unsigned numbers.
-Bounds BoundsOf(const Parameter& parameter) {
-  switch (parameter.type) {
+Bounds BoundsOf(Scalar type, Unit unit) {
+  switch (type) {
     case Scalar::kChar:
       return {-128, 127};
     case Scalar::kUnsignedChar:
@@ -73,8 +76,8 @@ Bounds BoundsOf(const Parameter& parameter) {
     case Scalar::kUnsignedShort:
       return {0, 65535};
     case Scalar::kLong: {
-      const bool bits = parameter.unit == Unit::kMask || parameter.unit == Unit::kBits;
-      return {-2147483648.0, bits ? 4294967295.0 : 2147483647.0};
+      const bool bits = unit == Unit::kMask || unit == Unit::kBits;
+      return {-kLongMax - 1, bits ? kUnsignedLongMax : kLongMax};
     }
     case Scalar::kUnsignedLong:
       return {0, kUnsignedLongMax};
@@ -101,7 +104,13 @@ int16_t CheckValue(Call& call, size_t index) {
         MakeMessage("parameter {0} is {1}; this card has 1 to {2}",
                     "参数 {0} 为 {1}；本控制卡的编号为 1 到 {2}", parameter.name, value, axes));
   }
-  const Bounds type = BoundsOf(parameter);
+  if (parameter.encoder_number && !call.card.motion.HasEncoder(static_cast<size_t>(value) - 1)) {
+    return call.Refuse(vm::kBadParameter,
+                       MakeMessage("parameter {0} is {1}; this card has the encoders {2}",
+                                   "参数 {0} 为 {1}；本控制卡的编码器为 {2}", parameter.name, value,
+                                   SpellEncoders(call.card.motion)));
+  }
+  const Bounds type = BoundsOf(parameter.type, parameter.unit);
   if (!(value >= type.minimum && value <= type.maximum)) {
     return call.Refuse(
         vm::kBadParameter,
@@ -122,7 +131,56 @@ int16_t CheckPointer(Call& call, size_t index) {
                                  "参数 {0} 为 NULL；应传入变量的地址", parameter.name));
 }
 
-/// A count of axes must not reach past the last one.
+/// Calls `visit(name, type)` for the cells of a structure in their order, until it gives a code
+/// other than 0.
+template <typename Visit>
+int16_t VisitCells(const Structure& structure, const Visit& visit) {
+  for (const Member& member : structure.members) {
+    if (member.pointer || (member.structure == nullptr && member.type == Scalar::kChar)) continue;
+    for (int i = 0; i < std::max(member.array_size, 1); ++i) {
+      const int16_t code = member.structure != nullptr ? VisitCells(*member.structure, visit)
+                                                       : visit(member.name, member.type);
+      if (code != vm::kOk) return code;
+    }
+  }
+  return vm::kOk;
+}
+
+/// Members that only fill a structure up: hosts leave them as they find them.
+bool IsPadding(std::string_view member) { return member.starts_with("pad"); }
+
+/// What an input points to must fit its integer types as a value must: an int of a motion program
+/// is wider than a short, a host's long can be wider than the card's. A structure's long may be
+/// a word of bits, written unsigned. Doubles are judged by the commands that use them.
+int16_t CheckCells(Call& call, size_t index) {
+  const Parameter& parameter = call.command.parameters[index];
+  const std::span<const double> cells = call.cells(index);
+  size_t next = 0;
+  const auto check = [&](std::string_view name, Scalar type, Unit unit) {
+    const double value = cells[next++];
+    if (type == Scalar::kDouble) return vm::kOk;
+    const Bounds bounds = BoundsOf(type, unit);
+    // Written so that a NaN fails.
+    if (value >= bounds.minimum && value <= bounds.maximum) return vm::kOk;
+    return call.Refuse(vm::kBadParameter,
+                       MakeMessage("{0} holds {1}; its type {2} holds {3} to {4}",
+                                   "{0} 中的值为 {1}；其类型 {2} 的范围为 {3} 到 {4}", name, value,
+                                   SpellScalar(type), bounds.minimum, bounds.maximum));
+  };
+  int16_t code = vm::kOk;
+  while (code == vm::kOk && next < cells.size()) {
+    if (parameter.structure == nullptr) {
+      code = check(parameter.name, parameter.type, parameter.unit);
+    } else {
+      code = VisitCells(*parameter.structure, [&](std::string_view member, Scalar type) {
+        return check(member, IsPadding(member) ? Scalar::kDouble : type, Unit::kBits);
+      });
+    }
+  }
+  return code;
+}
+
+/// A count of axes must not reach past the last one, and encoders must all exist.
 int16_t CheckLastAxis(Call& call, size_t index) {
   const int axes = call.card.motion.config().axis_count;
   const int count = call.integer(index);
@@ -147,6 +205,9 @@ int16_t CheckArguments(Call& call) {
   for (size_t i = 0; i < call.command.parameters.size(); ++i) {
     const bool by_value = call.command.parameters[i].passing == Passing::kValue;
     int16_t code = by_value ? CheckValue(call, i) : CheckPointer(call, i);
+    if (code == vm::kOk && call.command.parameters[i].passing == Passing::kInput && call.given(i)) {
+      code = CheckCells(call, i);
+    }
     if (code == vm::kOk && call.command.parameters[i].axis_count) code = CheckLastAxis(call, i);
     if (code != vm::kOk) return code;
   }

@@ -397,14 +397,18 @@ struct Reader {
   void operator()(const T& scalar) {
     *next++ = static_cast<double>(scalar);
   }
+  void operator()(const long& scalar) { *next++ = LongCell(scalar, false); }
+  void operator()(const unsigned long& scalar) {
+    *next++ = LongCell(static_cast<int64_t>(scalar), true);
+  }
 };
 
-/// Gives them back; an integer cell holds a value of its member's type.
+/// Gives them back.
 struct Writer {
   const double* next;
   template <typename T>
   void operator()(T& scalar) {
-    scalar = static_cast<T>(*next++);
+    scalar = FromCell<T>(*next++);
   }
 };
 

@@ -1,7 +1,6 @@
 #include "runtime/marshal.h"
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 
 #include "gtcalls/card_elements.h"
@@ -15,30 +14,6 @@ using gtcalls::Command;
 using gtcalls::Parameter;
 using gtcalls::Passing;
 using gtcalls::Scalar;
-
-constexpr int64_t kLongMin = std::numeric_limits<int32_t>::min();
-constexpr int64_t kUnsignedLongMax = std::numeric_limits<uint32_t>::max();
-
-/// The number that a host's long or unsigned long stands for, empty when it has no 32 bits.
-std::optional<double> NarrowLong(int64_t bits, bool is_unsigned) {
-  if (bits < kLongMin || bits > kUnsignedLongMax) return std::nullopt;
-  const auto pattern = static_cast<uint32_t>(bits);
-  return is_unsigned ? static_cast<double>(pattern)
-                     : static_cast<double>(static_cast<int32_t>(pattern));
-}
-
-/// A cell as a host's scalar. Commands give values that fit; a value that does not is cut to the
-/// type's range, never undefined.
-template <typename T>
-T FromCell(double value) {
-  if (!(value > static_cast<double>(std::numeric_limits<T>::lowest()))) {
-    return std::numeric_limits<T>::lowest();
-  }
-  if (value >= static_cast<double>(std::numeric_limits<T>::max())) {
-    return std::numeric_limits<T>::max();
-  }
-  return static_cast<T>(value);
-}
 
 template <typename T>
 double ReadElement(const void* host, size_t index) {

@@ -15,13 +15,6 @@ Dac& DacOf(const Call& call, int offset = 0) {
 Adc& AdcOf(const Call& call, size_t index) { return call.card.motion.state().adcs[index]; }
 
 int16_t CheckDac(Call& call, int offset) {
-  const double value = call.cells(1)[static_cast<size_t>(offset)];
-  if (value < -motion::kDacFull) {
-    return call.Refuse(
-        vm::kBadParameter,
-        MakeMessage("the value {0} is out of range; the range is [-{1}, {1}]",
-                    "数值 {0} 超出范围；取值范围为 [-{1}, {1}]", value, motion::kDacFull));
-  }
   if (DacOf(call, offset).control < 0) return vm::kOk;
   return call.Refuse(
       vm::kRefused,

@@ -25,10 +25,20 @@ TEST(DacCommand, ChannelCountAndValueAreCheckedAtBothEnds) {
   for (const auto& [dac, count, code] : {std::tuple{0, 1, 7}, {9, 1, 7}, {8, 2, 7}, {1, 0, 7}}) {
     EXPECT_EQ(card.Call("GT_SetDac", {dac, &values, count}), code) << dac << " " << count;
   }
-  values[1] = -32768;
-  EXPECT_EQ(card.Call("GT_SetDac", {1, &values, 2}), 7);
+  for (const double value : {-32769, 32768}) {
+    values[1] = value;
+    EXPECT_EQ(card.Call("GT_SetDac", {1, &values, 2}), 7) << value;
+  }
   EXPECT_EQ(card.Hash(), before);
-  EXPECT_EQ(card.Call("GT_SetDac", {1, &values, 1}), 0);
+  for (const double value : {-32768, 32767}) {
+    values[1] = value;
+    EXPECT_EQ(card.Call("GT_SetDac", {1, &values, 2}), 0) << value;
+  }
+  // Beyond -10 V there is no voltage.
+  values[1] = -32768;
+  EXPECT_EQ(card.Call("GT_SetDac", {1, &values, 2}), 0);
+  EXPECT_EQ(card.Call("GT_GetDac", {2, &values, 1, nullptr}), 0);
+  EXPECT_EQ(values[0], -32767);
 }
 
 TEST(DacCommand, AChannelOfAServoControllerIsRefused) {

@@ -89,6 +89,45 @@ void ForEachImplemented(Visit visit) {
   }
 }
 
+TEST(CardCommands, WhatPointersPointToMustFitItsTypes) {
+  // Cells: of TPid kp, ki, kd, kvff, kaff, two longs and a short; of TTrigger encoder, probeType,
+  // probeIndex, sense, offset, unsigned long loop, windowOnly and two longs.
+  const std::vector<double> pid = {1, 0, 0, 0, 0, 100, 200, 300};
+  const std::vector<double> trigger = {1, 1, 1, 0, 5, 0, 0, -7, 7};
+  const struct {
+    const char* name;
+    std::vector<Argument> before;
+    const std::vector<double>& cells;
+    size_t cell;
+    double value;
+    int code;
+  } cases[] = {
+      {"GT_SetPid", {1, 1}, pid, 5, 7e18, 7},
+      {"GT_SetPid", {1, 1}, pid, 5, -2147483649.0, 7},
+      {"GT_SetPid", {1, 1}, pid, 6, 2147483647, 0},
+      {"GT_SetPid", {1, 1}, pid, 7, 32768, 7},
+      {"GT_SetTrigger", {1}, trigger, 4, -32769, 7},
+      {"GT_SetTrigger", {1}, trigger, 5, -1, 7},
+      {"GT_SetTrigger", {1}, trigger, 5, 4294967295, 0},
+      {"GT_SetTrigger", {1}, trigger, 8, 5e9, 7},
+  };
+  for (const auto& c : cases) {
+    CommandTestCard card;
+    std::vector<double> cells = c.cells;
+    cells[c.cell] = c.value;
+    std::vector<Argument> arguments = c.before;
+    arguments.emplace_back(&cells);
+    card.Expect(static_cast<int16_t>(c.code), c.name, arguments);
+  }
+}
+
+TEST(CardCommands, EveryFunctionIsOfACommandInTheCatalogue) {
+  for (const CommandEntry& entry : AllCommands()) {
+    EXPECT_NE(FindCommand(entry.name), nullptr) << entry.name;
+    EXPECT_NE(entry.function, nullptr) << entry.name;
+  }
+}
+
 TEST(CardCommands, TheListedCommandsAreImplemented) {
   for (const char* name : kImplemented) {
     ASSERT_NE(FindCommand(name), nullptr) << name;

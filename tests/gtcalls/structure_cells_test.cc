@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -28,6 +29,26 @@ TEST(StructureCellsTest, AreTheMembersInTheirOrder) {
   EXPECT_EQ(ToCells("TTrapPrm", TTrapPrm{0.25, 0.125, 1.5, 25}),
             (std::vector{0.25, 0.125, 1.5, 25.0}));
   EXPECT_EQ(ToCells("TThreadSts", TThreadSts{1, 7, -2.5, 30}), (std::vector{1.0, 7.0, -2.5, 30.0}));
+}
+
+// On a host whose long has 64 bits: what has 32 is taken signed, what has more is left to the
+// command's range.
+TEST(StructureCellsTest, ReadLongsAsTheCardDoes) {
+  TPid pid = {};
+  pid.integralLimit = static_cast<long>(0xffffffffu);
+  pid.derivativeLimit = std::numeric_limits<long>::max();
+  const std::vector<double> cells = ToCells("TPid", pid);
+  EXPECT_EQ(cells[5], -1);
+  EXPECT_EQ(cells[6], static_cast<double>(std::numeric_limits<long>::max()));
+}
+
+TEST(StructureCellsTest, GiveBackNumbersWithinTheirTypes) {
+  TPid pid = {};
+  StructureFromCells(*FindStructure("TPid"), std::vector<double>{0, 0, 0, 0, 0, 1e30, -1e30, 1e30},
+                     &pid);
+  EXPECT_EQ(pid.integralLimit, std::numeric_limits<long>::max());
+  EXPECT_EQ(pid.derivativeLimit, std::numeric_limits<long>::min());
+  EXPECT_EQ(pid.limit, 32767);
 }
 
 TEST(StructureCellsTest, CountArraysElementByElement) {
