@@ -52,6 +52,9 @@ std::span<const CommandEntry> CompensationCommands();
 std::span<const CommandEntry> GantryCommands();
 std::span<const CommandEntry> MramCommands();
 
+/// All of them.
+std::vector<CommandEntry> AllCommands();
+
 /// The thread is in the middle of its function, or will be started again by its period.
 bool IsActive(const vm::ThreadState& thread);
 
