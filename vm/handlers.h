@@ -13,6 +13,10 @@ inline constexpr uint16_t kOperandIndexMask = (1u << kOperandIndexBits) - 1;
 /// Distinct literals, and distinct elements, that one function can have.
 inline constexpr int kPackedIndexCount = 1 << kOperandIndexBits;
 
+/// Statements that one op does at most. As many end markers follow a function's code, so that an op
+/// can ask how far it is allowed to go without a pointer outside of the code.
+inline constexpr size_t kLookAhead = 5;
+
 constexpr uint16_t PackOperand(OperandClass operand_class, size_t index) {
   return static_cast<uint16_t>(static_cast<size_t>(operand_class) << kOperandIndexBits | index);
 }

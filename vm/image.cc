@@ -84,11 +84,11 @@ class FunctionLinker {
       : object_(object), function_(function), commands_(commands) {}
 
   Result<ImageFunction> Link() {
-    linked_.code.reserve(function_.instructions.size() + 1);
+    linked_.code.reserve(function_.instructions.size() + kLookAhead);
     for (const Instruction& instruction : function_.instructions) {
       linked_.code.push_back(Decode(instruction));
     }
-    linked_.code.push_back({kEnd, 0, 0, 0});
+    linked_.code.insert(linked_.code.end(), kLookAhead, Code{kEnd, 0, 0, 0});
     if (linked_.constants.size() > kPackedIndexCount ||
         linked_.elements.size() > kPackedIndexCount) {
       return MakeError(2008,
