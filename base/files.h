@@ -1,16 +1,24 @@
-// Whole-file access. Writing is atomic: a reader sees the old content or the new one, never a
-// part, and a failed write leaves the old file as it was.
+// Whole-file access. Reading takes regular files only and no more of them than their kind allows.
+// Writing is atomic: a reader sees the old content or the new one, never a part, and a failed write
+// leaves the old file as it was. Every function may be called from several threads and processes at
+// once.
 #pragma once
 
 #include <string>
 #include <string_view>
 
+#include "base/limits.h"
 #include "base/result.h"
 
 namespace oncard {
 
-/// The bytes of a regular file. Fails when it is missing, a folder, or unreadable.
-Result<std::string> ReadFile(const std::string& path);
+/// The code of ReadFile's Error when there is no such file (GTS manual chapter 13, GT_Download).
+inline constexpr int kNoSuchFile = 2007;
+
+/// The bytes of a regular file. Fails when it is missing (kNoSuchFile), unreadable, larger than its
+/// kind allows (judged while reading, for files that grow), a folder, a device, a pipe or a socket:
+/// these never end or make the reader wait. `path` may not hold a NUL.
+Result<std::string> ReadFile(const std::string& path, const FileKind& kind = kOwnKind);
 
 /// Writes a temporary file beside `path`, flushes it and renames it over `path`. On failure the
 /// temporary file is gone.

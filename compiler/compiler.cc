@@ -103,8 +103,10 @@ Compilation Compile(const std::string& path, const Options& options, const FileR
   return compilation;
 }
 
+Result<std::string> ReadSource(const std::string& path) { return ReadFile(path, kSourceKind); }
+
 Compilation Compile(const std::string& path, const Options& options) {
-  return Compile(path, options, [](const std::string& file) { return ReadFile(file); });
+  return Compile(path, options, ReadSource);
 }
 
 OutputPaths OutputPathsFor(const std::string& source_path, const std::string& folder) {

@@ -32,8 +32,12 @@ struct Options {
 /// False for anything else.
 bool ReadWarningOption(std::string_view text, Options* options);
 
-/// Gives the bytes of a file, or an Error; tests replace the file system with it.
+/// Gives the bytes of a file, or an Error, kNoSuchFile when there is none; tests replace the file
+/// system with it.
 using FileReader = std::function<Result<std::string>(const std::string& path)>;
+
+/// The reader of the file system: regular files up to the bound of kSourceKind.
+Result<std::string> ReadSource(const std::string& path);
 
 struct Compilation {
   /// Every file that was read, in order; Diagnostic locations index it. [0] is the program.

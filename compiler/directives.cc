@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/files.h"
 #include "compiler/lexer.h"
 #include "compiler/parser.hh"
 #include "vm/limits.h"
@@ -35,6 +36,7 @@ bool IsWord(const Token& token) {
 
 void Directives::Run(SourceFile program) {
   AddFile(std::move(program), 0);
+  if (refused_) tokens_.clear();
   Token end;
   end.kind = Kind::kEnd;
   const uint32_t size = static_cast<uint32_t>(files_[0].text().size());
@@ -43,11 +45,36 @@ void Directives::Run(SourceFile program) {
   tokens_.push_back(end);
 }
 
+bool Directives::Admit(const SourceFile& file) {
+  if (refused_) return false;
+  if (file.text().size() <= kSourceKind.bytes_max - read_bytes_) {
+    read_bytes_ += file.text().size();
+    return true;
+  }
+  Refuse(MakeMessage("the program and what it includes have more than {0} bytes",
+                     "程序及其包含的文件超过 {0} 字节", kSourceKind.bytes_max));
+  return false;
+}
+
+void Directives::Refuse(const Message& why) {
+  refused_ = true;
+  const SourceRange start = {static_cast<int>(files_.size()) - 1, 0, 0};
+  reporter_.Report(Code::kCannotOpen, start, files_.back().path(), why);
+}
+
 void Directives::AddFile(SourceFile file, uint32_t inclusion_point) {
   const int index = static_cast<int>(files_.size());
   files_.push_back(std::move(file));
   inclusion_points_.push_back(inclusion_point);
-  const std::vector<Token> tokens = Tokenize(files_.back(), index, reporter_);
+  if (!Admit(files_.back())) return;
+  // One more than is allowed tells a program that has too many.
+  const size_t token_max = kTokenMax - scanned_tokens_;
+  const std::vector<Token> tokens = Tokenize(files_.back(), index, token_max + 1, reporter_);
+  if (tokens.size() > token_max) {
+    Refuse(MakeMessage("the program has more than {0} tokens", "程序的记号超过 {0} 个", kTokenMax));
+    return;
+  }
+  scanned_tokens_ += tokens.size();
   tokens_.reserve(tokens_.size() + tokens.size() + 1);
   bool external_begins = true;
   for (size_t i = 0; i < tokens.size();) {
@@ -188,7 +215,8 @@ void Directives::Define(const std::vector<Token>& line, SourceRange whole) {
   tokens_.push_back(token);
 }
 
-std::string Directives::FindInclude(const std::string& name, std::string* text) const {
+std::string Directives::FindInclude(const std::string& name, std::string* text,
+                                    std::optional<Message>* unreadable) const {
   std::vector<std::string> paths = {FolderOf(files_[0].path()) + name};
   if (name.front() == '/') paths = {name};
   for (const std::string& folder : options_.include_folders) {
@@ -199,6 +227,10 @@ std::string Directives::FindInclude(const std::string& name, std::string* text) 
     if (content.ok()) {
       *text = std::move(content).value();
       return path;
+    }
+    if (content.error().code != kNoSuchFile) {
+      *unreadable = content.error().message;
+      return {};
     }
   }
   return {};
@@ -229,7 +261,12 @@ void Directives::Include(const std::vector<Token>& line, SourceRange whole) {
     return;
   }
   std::string text;
-  const std::string path = FindInclude(name, &text);
+  std::optional<Message> unreadable;
+  const std::string path = FindInclude(name, &text, &unreadable);
+  if (unreadable) {
+    reporter_.Report(Code::kCannotOpen, line[2].range, name, *unreadable);
+    return;
+  }
   if (path.empty()) {
     Diagnostic& diagnostic =
         reporter_.Report(Code::kCannotOpen, line[2].range, name,

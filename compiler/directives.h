@@ -4,6 +4,7 @@
 
 #include <deque>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -39,7 +40,14 @@ class Directives {
   void Directive(const std::vector<Token>& line);
   void Define(const std::vector<Token>& line, SourceRange whole);
   void Include(const std::vector<Token>& line, SourceRange whole);
-  std::string FindInclude(const std::string& name, std::string* text) const;
+  /// The path of an included file, with its text; empty when there is none, or when the first one
+  /// found cannot be read, for the reason then given.
+  std::string FindInclude(const std::string& name, std::string* text,
+                          std::optional<Message>* unreadable) const;
+  /// False, with a report, when the program would become larger than kSourceKind allows.
+  bool Admit(const SourceFile& file);
+  /// Reports at the file read last; the program is not read on.
+  void Refuse(const Message& why);
 
   const Options& options_;
   const FileReader& reader_;
@@ -51,6 +59,9 @@ class Directives {
   std::unordered_map<std::string_view, size_t> macro_by_name_;
   std::unordered_set<std::string_view> skipped_names_;
   bool too_many_ = false;
+  size_t read_bytes_ = 0;
+  size_t scanned_tokens_ = 0;
+  bool refused_ = false;
   std::vector<SourceRange> open_braces_;
   SourceRange external_;  // start of the definition that is being read
 };

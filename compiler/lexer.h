@@ -10,8 +10,9 @@ namespace oncard::compiler {
 
 /// The tokens of a file, without an end token. Comments and white space are skipped; malformed
 /// numbers and illegal characters are reported and leave a token that the parser passes over in
-/// silence. The file's text must outlive the tokens.
-std::vector<Token> Tokenize(const SourceFile& file, int file_index, Reporter& reporter);
+/// silence. Scanning stops after `token_max` tokens. The file's text must outlive the tokens.
+std::vector<Token> Tokenize(const SourceFile& file, int file_index, size_t token_max,
+                            Reporter& reporter);
 
 /// What messages call a token: 'x', or what it is when it has no text.
 Message DescribeToken(const Token& token);

@@ -2,6 +2,7 @@
 // no telling apart: no second byte of a GBK character is a quote, a star, a slash or a line end.
 #include "compiler/lexer.h"
 
+#include <algorithm>
 #include <string>
 #include <unordered_set>
 
@@ -20,8 +21,12 @@ constexpr std::string_view kPunctuation = "(){}[];:,=<>+-*/%!&|^~?.";
 
 class Lexer {
  public:
-  Lexer(const SourceFile& file, int file_index, Reporter& reporter)
-      : text_(file.text()), file_(file_index), reporter_(reporter), utf8_(IsUtf8(file.text())) {}
+  Lexer(const SourceFile& file, int file_index, size_t token_max, Reporter& reporter)
+      : text_(file.text()),
+        file_(file_index),
+        token_max_(token_max),
+        reporter_(reporter),
+        utf8_(IsUtf8(file.text())) {}
 
   std::vector<Token> Run();
 
@@ -42,6 +47,7 @@ class Lexer {
 
   std::string_view text_;
   int file_;
+  size_t token_max_;
   Reporter& reporter_;
   bool utf8_;
   bool new_line_ = true;
@@ -167,7 +173,7 @@ const char* Lexer::IllegalCharacters(const char* begin, const char* limit) {
 
 void Lexer::Scan(const char* cursor, const char* limit) {
   const char* marker = cursor;
-  for (;;) {
+  while (tokens_.size() < token_max_) {
     const char* const begin = cursor;
     /*!re2c
       re2c:define:YYCTYPE = "unsigned char";
@@ -271,15 +277,16 @@ void Lexer::Scan(const char* cursor, const char* limit) {
 }
 
 std::vector<Token> Lexer::Run() {
-  tokens_.reserve(text_.size() / 3 + 1);
+  tokens_.reserve(std::min(text_.size() / 3 + 1, token_max_));
   Scan(text_.data(), text_.data() + text_.size());
   return std::move(tokens_);
 }
 
 }  // namespace
 
-std::vector<Token> Tokenize(const SourceFile& file, int file_index, Reporter& reporter) {
-  return Lexer(file, file_index, reporter).Run();
+std::vector<Token> Tokenize(const SourceFile& file, int file_index, size_t token_max,
+                            Reporter& reporter) {
+  return Lexer(file, file_index, token_max, reporter).Run();
 }
 
 Message DescribeToken(const Token& token) {

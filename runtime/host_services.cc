@@ -175,10 +175,10 @@ int16_t Compile(ServiceCall& call) {
                       MakeMessage("'{}' is an object file; name the source instead",
                                   "'{}' 是目标文件；应给出源文件", path));
   }
-  auto text = ReadFile(path);
+  auto text = compiler::ReadSource(path);
   if (!text.ok()) return RefuseFile(call, kFileNotFound, info, text.error().message);
-  const auto compilation =
-      compiler::CompileText(path, std::move(text).value(), compiler::Options{}, ReadFile);
+  const auto compilation = compiler::CompileText(path, std::move(text).value(), compiler::Options{},
+                                                 compiler::ReadSource);
   if (!compilation.ok()) {
     FillCompileInfo(info, compilation, &call.reason);
     return vm::kRefused;

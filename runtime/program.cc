@@ -1,6 +1,5 @@
 #include "runtime/program.h"
 
-#include "base/files.h"
 #include "vm/object_reader.h"
 
 namespace oncard::runtime {
@@ -16,14 +15,13 @@ ProgramLoad LoadProgram(const std::string& path, const compiler::Options& option
     }
     return load;
   }
-  auto text = ReadFile(path);
+  auto text = compiler::ReadSource(path);
   if (!text.ok()) {
     load.error = text.error();
     return load;
   }
   load.compilation =
-      compiler::CompileText(path, std::move(text).value(), options,
-                            [](const std::string& included) { return ReadFile(included); });
+      compiler::CompileText(path, std::move(text).value(), options, compiler::ReadSource);
   load.object = load.compilation->object;
   return load;
 }

@@ -6,6 +6,7 @@
 
 #include "base/files.h"
 #include "runtime/scenario.h"
+#include "runtime/toml_guard.h"
 #include "runtime/toml_keys.h"
 #include "runtime/world_toml.h"
 #include "vm/limits.h"
@@ -37,6 +38,11 @@ class ScenarioReader : private TomlKeys {
   }
 
   Result<Scenario> Read(std::string_view text) {
+    if (const auto refusal = CheckToml(text)) {
+      const toml::source_position place = {refusal->line, refusal->column};
+      Fail({place, place, nullptr}, refusal->message);
+      return *error();
+    }
     toml::parse_result parsed = toml::parse(text, scenario_.path);
     if (!parsed) {
       const auto& error = parsed.error();
@@ -221,13 +227,13 @@ Result<Scenario> ParseScenario(std::string_view text, const std::string& path) {
 }
 
 Result<Scenario> LoadScenario(const std::string& path) {
-  auto text = ReadFile(path);
+  auto text = ReadFile(path, kScenarioKind);
   if (!text.ok()) return text.error();
   return ParseScenario(text.value(), path);
 }
 
 Result<Scenario> LoadWorld(const std::string& path) {
-  auto text = ReadFile(path);
+  auto text = ReadFile(path, kScenarioKind);
   if (!text.ok()) return text.error();
   return ScenarioReader(path, false).Read(text.value());
 }

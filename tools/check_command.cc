@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "base/files.h"
+#include "base/limits.h"
 #include "compiler/diagnostic_printer.h"
 #include "compiler/mender.h"
 #include "tools/commands.h"
@@ -14,8 +14,6 @@ namespace {
 // Stands for standard input, and for its name in messages.
 constexpr std::string_view kStandardInput = "-";
 constexpr std::string_view kStandardInputName = "<stdin>";
-// Far more than any program: what does not end must not fill the memory.
-constexpr size_t kStandardInputMax = size_t{16} << 20;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 struct CheckOptions {
@@ -34,16 +32,16 @@ Result<std::string> ReadStandardInput() {
   size_t count = 0;
   while ((count = std::fread(part, 1, sizeof part, stdin)) > 0) {
     text.append(part, count);
-    if (text.size() > kStandardInputMax) {
+    if (text.size() > kSourceKind.bytes_max) {
       return MakeError(kExitUnreadable, "standard input has more than {} bytes",
-                       "标准输入超过 {} 字节", kStandardInputMax);
+                       "标准输入超过 {} 字节", kSourceKind.bytes_max);
     }
   }
   return text;
 }
 
 Result<std::string> ReadSource(const std::string& source) {
-  return source == kStandardInput ? ReadStandardInput() : ReadFile(source);
+  return source == kStandardInput ? ReadStandardInput() : compiler::ReadSource(source);
 }
 
 // Writes what was mended: files in place, standard input to standard output.
@@ -52,7 +50,7 @@ int WriteMended(const compiler::Mended& mended, const std::string& name, const s
   int code = kExitOk;
   for (const auto& [path, content] : mended.files) {
     if (path == kStandardInputName) continue;
-    const auto before = ReadFile(path);
+    const auto before = compiler::ReadSource(path);
     const bool marked = before.ok() && before.value().starts_with(kByteOrderMark);
     code = std::max(
         code, WriteOutput(session, path, (marked ? std::string(kByteOrderMark) : "") + content));
@@ -79,9 +77,9 @@ std::optional<compiler::Compilation> CheckOne(const CheckOptions& options,
     return std::nullopt;
   }
   const std::string name(source == kStandardInput ? kStandardInputName : source);
-  const compiler::FileReader reader = [](const std::string& path) { return ReadFile(path); };
-  if (!options.fix) return compiler::CompileText(name, std::move(text).value(), compile, reader);
-  compiler::Mended mended = compiler::Mend(name, text.value(), compile, reader);
+  if (!options.fix)
+    return compiler::CompileText(name, std::move(text).value(), compile, compiler::ReadSource);
+  compiler::Mended mended = compiler::Mend(name, text.value(), compile, compiler::ReadSource);
   *code = std::max(*code, WriteMended(mended, name, text.value(), session));
   return std::move(mended.compilation);
 }

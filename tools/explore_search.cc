@@ -39,7 +39,7 @@ int Check(const Session& session, const std::string& path, const explore::Proble
 }
 
 Result<explore::SearchFile> ReadFileOf(const std::string& path) {
-  const auto text = ReadFile(path);
+  const auto text = ReadFile(path, kSearchKind);
   if (!text.ok()) return text.error();
   auto file = explore::ParseSearchFile(text.value());
   if (file.ok()) return file;

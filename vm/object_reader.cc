@@ -35,8 +35,6 @@ constexpr std::string_view kIniEnding = ".ini";
 constexpr size_t kBytesPerWord = 2;
 // Words of a function before its records.
 constexpr size_t kHeaderWords = 3;
-// The largest file worth reading; the longest program that the format can hold stays below it.
-constexpr uintmax_t kFileSizeMax = uintmax_t{256} << 20;
 
 struct Entry {
   std::string_view key;
@@ -364,21 +362,8 @@ Result<void> ReadBin(std::string_view bin, Object* object) {
   return {};
 }
 
-// --- Files ---------------------------------------------------------------------------------------
-
-Result<std::string> ReadWholeFile(const std::string& path) {
-  // Devices and pipes could deliver bytes for ever.
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) {
-    return DamagedObject("'{0}' is missing or not a regular file", "“{0}”不存在或不是普通文件",
-                         path);
-  }
-  const uintmax_t size = std::filesystem::file_size(path, error);
-  if (!error && size > kFileSizeMax) {
-    return DamagedObject("'{0}' has {1} bytes; no object is larger than {2}",
-                         "“{0}”有 {1} 字节；目标文件不会超过 {2} 字节", path, size, kFileSizeMax);
-  }
-  Result<std::string> content = ReadFile(path);
+Result<std::string> ReadObjectFile(const std::string& path) {
+  Result<std::string> content = ReadFile(path, kObjectKind);
   if (!content.ok()) return Error{kObjectDamaged, content.error().message};
   return content;
 }
@@ -414,9 +399,9 @@ Result<Object> ReadObjectPair(const std::string& bin_path) {
     return MakeError(kObjectNotFound, "there is no file '{0}'; compile the program first",
                      "没有文件“{0}”；请先编译程序", bin_path);
   }
-  Result<std::string> bin = ReadWholeFile(bin_path);
+  Result<std::string> bin = ReadObjectFile(bin_path);
   if (!bin.ok()) return bin.error();
-  Result<std::string> ini = ReadWholeFile(IniPathFor(bin_path));
+  Result<std::string> ini = ReadObjectFile(IniPathFor(bin_path));
   if (!ini.ok()) return ini.error();
   Result<Object> object = ReadObject({std::move(bin).value(), std::move(ini).value()});
   if (!object.ok()) return At({bin_path, bin_path}, object.error());

@@ -175,7 +175,7 @@ Result<Schedule> ParseSchedule(std::string_view text) {
 }
 
 Result<Schedule> LoadSchedule(const std::string& path) {
-  const auto text = ReadFile(path);
+  const auto text = ReadFile(path, kScheduleKind);
   if (!text.ok()) return text.error();
   auto schedule = ParseSchedule(text.value());
   if (schedule.ok()) return schedule;

@@ -25,7 +25,7 @@ int16_t LoadConfig(Call& call) {
     const int16_t code = CheckAtRest(call, i);
     if (code != vm::kOk) return code;
   }
-  const auto text = ReadFile(path);
+  const auto text = ReadFile(path, kConfigKind);
   if (!text.ok()) return call.Refuse(kFileNotFound, text.error().message);
   const CardConfig config = ParseCardConfig(text.value());
   core.DisableGantry();

@@ -48,6 +48,39 @@ TEST_F(FilesTest, SaysWhichFileIsMissing) {
   EXPECT_NE(result.error().message.zh.find("无法打开"), std::string::npos);
 }
 
+TEST_F(FilesTest, TellsAMissingFileByItsCode) {
+  EXPECT_EQ(ReadFile(Path("missing")).error().code, kNoSuchFile);
+  EXPECT_NE(ReadFile(folder_.string()).error().code, kNoSuchFile);
+}
+
+TEST_F(FilesTest, ReadsAsManyBytesAsTheKindAllows) {
+  constexpr FileKind kKind = {"a note", "便条", 100'000};
+  ASSERT_TRUE(WriteFileAtomically(Path("f"), std::string(100'000, 'x')).ok());
+  EXPECT_EQ(ReadFile(Path("f"), kKind).value().size(), 100'000u);
+  ASSERT_TRUE(WriteFileAtomically(Path("f"), std::string(100'001, 'x')).ok());
+  EXPECT_EQ(
+      ReadFile(Path("f"), kKind).error().message.en,
+      "cannot read '" + Path("f") + "': it has 100001 bytes or more; a note has at most 100000");
+}
+
+// Its size is 0 until it is read, as that of a file which another process is writing may be.
+TEST_F(FilesTest, CountsTheBytesOfAFileThatGrowsWhileItIsRead) {
+  constexpr FileKind kKind = {"a note", "便条", 10};
+  EXPECT_NE(ReadFile("/proc/self/maps", kKind).error().message.en.find("at most 10"),
+            std::string::npos);
+}
+
+TEST_F(FilesTest, ReadsNeitherDevicesNorPipes) {
+  ASSERT_EQ(::mkfifo(Path("pipe").c_str(), 0600), 0);
+  for (const std::string& path :
+       {std::string("/dev/zero"), std::string("/dev/null"), Path("pipe")}) {
+    const auto result = ReadFile(path);
+    ASSERT_FALSE(result.ok()) << path;
+    EXPECT_NE(result.error().message.en.find("not a regular file"), std::string::npos);
+    EXPECT_NE(result.error().message.zh.find("不是普通文件"), std::string::npos);
+  }
+}
+
 TEST_F(FilesTest, RefusesToReadAFolder) { EXPECT_FALSE(ReadFile(folder_.string()).ok()); }
 
 TEST_F(FilesTest, LeavesNothingBehindWhenTheTargetIsAFolder) {

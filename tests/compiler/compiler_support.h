@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/files.h"
 #include "compiler/compiler.h"
 #include "compiler/mender.h"
 #include "gtcalls/catalogue.h"
@@ -21,7 +22,7 @@ inline Compilation CompileString(const std::string& text, const Options& options
   return CompileText("test.c", text, options,
                      [files](const std::string& path) -> Result<std::string> {
                        const auto found = files.find(path);
-                       if (found == files.end()) return MakeError(1, "missing", "缺少");
+                       if (found == files.end()) return MakeError(kNoSuchFile, "missing", "缺少");
                        return found->second;
                      });
 }

@@ -35,7 +35,7 @@ Compilation CompileExample(int code, std::string_view program) {
     for (const ExplanationFile& file : ExplanationFiles(code)) {
       if (file.name == path) return std::string(file.text);
     }
-    return MakeError(1, "no such file", "没有该文件");
+    return MakeError(kNoSuchFile, "no such file", "没有该文件");
   };
   return CompileText("program.c", std::string(program), {}, reader);
 }

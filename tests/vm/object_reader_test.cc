@@ -531,14 +531,14 @@ TEST_F(ObjectPairTest, MissingIniIs2008) {
   std::filesystem::remove(Path("sum.ini"));
   const Error error = ErrorOf(Path("sum.bin"));
   EXPECT_EQ(error.code, 2008);
-  EXPECT_EQ(error.message.en, "'" + Path("sum.ini") + "' is missing or not a regular file");
+  EXPECT_EQ(error.message.en, "cannot open '" + Path("sum.ini") + "': No such file or directory");
 }
 
 TEST_F(ObjectPairTest, FolderIs2008) {
   std::filesystem::create_directory(Path("sum.bin"));
   const Error error = ErrorOf(Path("sum.bin"));
   EXPECT_EQ(error.code, 2008);
-  EXPECT_EQ(error.message.en, "'" + Path("sum.bin") + "' is missing or not a regular file");
+  EXPECT_EQ(error.message.en, "cannot open '" + Path("sum.bin") + "': it is a folder");
 }
 
 TEST_F(ObjectPairTest, EndlessDeviceIs2008) {

@@ -1,0 +1,23 @@
+// A file descriptor that is closed with its scope.
+#pragma once
+
+#include <unistd.h>
+
+namespace oncard {
+
+class Descriptor {
+ public:
+  /// Takes a descriptor over; a negative number is none.
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  int get() const { return number_; }
+
+ private:
+  int number_;
+};
+
+}  // namespace oncard

@@ -1,0 +1,52 @@
+#include "runtime/toml_guard.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "base/limits.h"
+
+namespace oncard::runtime {
+namespace {
+
+const std::string kDeep(kTomlDepthMax + 1, '[');
+const std::string kLong(kTomlKeyPartMax, '.');
+
+TEST(TomlGuard, CountsNothingInStringsAndComments) {
+  for (const std::string& text :
+       std::vector<std::string>{"a = \"" + kDeep + "\"", "a = '" + kDeep + "'", "a = 1 # " + kDeep,
+                                "a = \"\"\"\n" + kLong + "\n\"\"\"", "a = '''\n" + kLong + "\n'''",
+                                "\"" + kLong + "\" = 1", "a = \"\\\"" + kDeep + "\"",
+                                "\xEF\xBB\xBF"
+                                "a = '\xC3\xA9' # \xC3\xA9"}) {
+    EXPECT_FALSE(CheckToml(text)) << text;
+  }
+}
+
+TEST(TomlGuard, FindsWhatFollowsAString) {
+  for (const std::string before :
+       {"\"\\\\\"", "\"\"", "''", "'\\'", "\"\"\"a\"\"\"\"\"", "'''a''''", "\"\"\"\\\"\"\"\"",
+        "\"not closed\n", "1 # comment\n"}) {
+    EXPECT_TRUE(CheckToml("a = " + before + kDeep)) << before;
+    EXPECT_TRUE(CheckToml("a = " + before + kLong)) << before;
+    EXPECT_TRUE(CheckToml("a = " + before + "\xC3\xA9")) << before;
+  }
+}
+
+TEST(TomlGuard, CountsThePartsOfEachKeyAnew) {
+  std::string text;
+  for (size_t i = 0; i < 2 * kTomlKeyPartMax; ++i) text += "a.b = [1.5, 2.5]\n[c.d]\n";
+  EXPECT_FALSE(CheckToml(text));
+}
+
+TEST(TomlGuard, SaysThePlace) {
+  const auto refusal = CheckToml("a = 1\nb" + kLong);
+  ASSERT_TRUE(refusal.has_value());
+  EXPECT_EQ(refusal->line, 2u);
+  EXPECT_EQ(refusal->column, 1 + kTomlKeyPartMax);
+  EXPECT_NE(refusal->message.zh.find("32"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace oncard::runtime
