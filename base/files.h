@@ -20,13 +20,27 @@ inline constexpr int kNoSuchFile = 2007;
 /// these never end or make the reader wait. `path` may not hold a NUL.
 Result<std::string> ReadFile(const std::string& path, const FileKind& kind = kOwnKind);
 
-/// Writes a temporary file beside `path`, flushes it and renames it over `path`. On failure the
-/// temporary file is gone.
+/// Writes a temporary file beside `path`, flushes it and renames it over `path`; the mode of an old
+/// file is kept, and its owner where that is allowed. A symbolic link is followed and stays. What
+/// is no regular file (a device, a pipe), or is this process's own standard output, is written to
+/// and stays, too. Fails when `path` is a folder or may not be written. On failure the temporary
+/// file is gone; one whose writer was killed is removed by the next write into the folder. SIGHUP,
+/// SIGINT, SIGQUIT and SIGTERM wait in the calling thread until the file stands.
 Result<void> WriteFileAtomically(const std::string& path, std::string_view content);
 
-/// Writes two files that belong together: both are complete on disk before either is renamed, so
-/// that a failure leaves the old pair.
+/// Writes two files of one folder that belong together: both are complete on disk before either is
+/// renamed, and a failure leaves the old pair. Several writers take turns. A writer that is killed
+/// between the renames leaves the first file only, never halves of two pairs.
 Result<void> WritePairAtomically(const std::string& first_path, std::string_view first,
                                  const std::string& second_path, std::string_view second);
+
+struct FilePair {
+  Result<std::string> first;
+  Result<std::string> second;
+};
+
+/// Reads two files that WritePairAtomically writes: both of the same pair.
+FilePair ReadPair(const std::string& first_path, const std::string& second_path,
+                  const FileKind& kind);
 
 }  // namespace oncard

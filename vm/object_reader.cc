@@ -362,12 +362,6 @@ Result<void> ReadBin(std::string_view bin, Object* object) {
   return {};
 }
 
-Result<std::string> ReadObjectFile(const std::string& path) {
-  Result<std::string> content = ReadFile(path, kObjectKind);
-  if (!content.ok()) return Error{kObjectDamaged, content.error().message};
-  return content;
-}
-
 }  // namespace
 
 Result<Object> ReadObject(const ObjectFiles& files) {
@@ -399,11 +393,12 @@ Result<Object> ReadObjectPair(const std::string& bin_path) {
     return MakeError(kObjectNotFound, "there is no file '{0}'; compile the program first",
                      "没有文件“{0}”；请先编译程序", bin_path);
   }
-  Result<std::string> bin = ReadObjectFile(bin_path);
-  if (!bin.ok()) return bin.error();
-  Result<std::string> ini = ReadObjectFile(IniPathFor(bin_path));
-  if (!ini.ok()) return ini.error();
-  Result<Object> object = ReadObject({std::move(bin).value(), std::move(ini).value()});
+  FilePair files = ReadPair(bin_path, IniPathFor(bin_path), kObjectKind);
+  for (const Result<std::string>* file : {&files.first, &files.second}) {
+    if (!file->ok()) return Error{kObjectDamaged, file->error().message};
+  }
+  Result<Object> object =
+      ReadObject({std::move(files.first).value(), std::move(files.second).value()});
   if (!object.ok()) return At({bin_path, bin_path}, object.error());
   return object;
 }

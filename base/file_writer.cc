@@ -1,0 +1,355 @@
+// Tested by tests/base/file_writer_test.cc and, call by call, tests/tools/failing_calls_test.cc.
+#include <dirent.h>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/random.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <climits>
+#include <csignal>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <optional>
+#include <utility>
+
+#include "base/descriptor.h"
+#include "base/files.h"
+
+namespace oncard {
+namespace {
+
+// Temporary files: hidden, and no two alike. Their writers hold a lock on them, so that whoever
+// writes next into the folder knows those that nobody writes any more.
+constexpr std::string_view kTemporaryPrefix = ".oncard-";
+constexpr std::string_view kTemporaryEnding = ".tmp";
+// How often the name of a temporary file is taken, or a folder in use, before that is an error.
+constexpr int kNameAttempts = 100;
+constexpr int kLockAttempts = 1000;
+constexpr long kLockPauseNs = 10'000'000;
+
+Error WriteError(const std::string& path) {
+  return MakeError(1, "cannot write '{0}': {1}", "无法写入“{0}”：{1}", path, std::strerror(errno));
+}
+
+std::string FolderOf(const std::string& path) {
+  const size_t slash = path.find_last_of('/');
+  return slash == std::string::npos ? "./" : path.substr(0, slash + 1);
+}
+
+/// Keeps signals that end a process away from this thread, so that what it has begun is finished
+/// or taken back; they arrive afterwards.
+class SignalsHeld {
+ public:
+  SignalsHeld() {
+    sigset_t held;
+    ::sigemptyset(&held);
+    for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGTERM}) ::sigaddset(&held, signal);
+    ::pthread_sigmask(SIG_BLOCK, &held, &before_);
+  }
+  SignalsHeld(const SignalsHeld&) = delete;
+  SignalsHeld& operator=(const SignalsHeld&) = delete;
+  ~SignalsHeld() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+ private:
+  sigset_t before_;
+};
+
+/// A lock on a folder, for those who write and read pairs in it. It is advice among processes of
+/// this project; where a folder cannot be locked there is none.
+class FolderLock {
+ public:
+  FolderLock(const std::string& folder, int kind)
+      : folder_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    for (int attempt = 0; folder_.get() >= 0 && attempt < kLockAttempts; ++attempt) {
+      if (::flock(folder_.get(), kind | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+      // Not by the C library, whose sleeps take no time under `oncard exec`.
+      const timespec pause = {0, kLockPauseNs};
+      ::syscall(SYS_nanosleep, &pause, nullptr);
+    }
+  }
+
+ private:
+  Descriptor folder_;
+};
+
+Result<std::string> TemporaryName(const std::string& folder, const std::string& path) {
+  uint64_t number = 0;
+  if (::getrandom(&number, sizeof number, 0) != sizeof number) return WriteError(path);
+  return fmt::format("{}{}{:016x}{}", folder, kTemporaryPrefix, number, kTemporaryEnding);
+}
+
+/// Removes the temporary files of writers that were killed.
+void Sweep(const std::string& folder) {
+  DIR* entries = ::opendir(folder.c_str());
+  if (entries == nullptr) return;
+  while (const dirent* entry = ::readdir(entries)) {
+    const std::string_view name = entry->d_name;
+    if (!name.starts_with(kTemporaryPrefix) || !name.ends_with(kTemporaryEnding)) continue;
+    const Descriptor file(::openat(::dirfd(entries), entry->d_name,
+                                   O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+    struct stat info;
+    if (file.get() < 0 || ::fstat(file.get(), &info) != 0) continue;
+    if (!S_ISREG(info.st_mode) || info.st_uid != ::geteuid()) continue;
+    if (::flock(file.get(), LOCK_EX | LOCK_NB) != 0) continue;
+    ::unlinkat(::dirfd(entries), entry->d_name, 0);
+  }
+  ::closedir(entries);
+}
+
+bool WriteAll(int descriptor, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t written = ::write(descriptor, content.data(), content.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    content.remove_prefix(static_cast<size_t>(written));
+  }
+  return true;
+}
+
+/// What stands at the end of a path, links followed.
+struct Place {
+  std::string path;  ///< without links in its last part
+  bool exists = false;
+  bool dangling = false;  ///< made just now, empty, because a link points to it
+  struct stat info = {};
+};
+
+Result<Place> FindPlace(const std::string& path) {
+  Place place;
+  place.path = path;
+  if (::lstat(path.c_str(), &place.info) != 0) {
+    if (errno == ENOENT) return place;
+    return WriteError(path);
+  }
+  place.exists = true;
+  if (!S_ISLNK(place.info.st_mode)) return place;
+  // The kernel follows the link, with its own checks of whom it belongs to.
+  int number = ::open(path.c_str(), O_PATH | O_CLOEXEC);
+  if (number < 0 && errno == ENOENT) {
+    number = ::open(path.c_str(), O_WRONLY | O_CREAT | O_NOCTTY | O_CLOEXEC, 0666);
+    place.dangling = number >= 0;
+  }
+  const Descriptor target(number);
+  if (number < 0 || ::fstat(number, &place.info) != 0) return WriteError(path);
+  if (!S_ISREG(place.info.st_mode)) return place;
+  char buffer[PATH_MAX];
+  const ssize_t length =
+      ::readlink(fmt::format("/proc/self/fd/{}", number).c_str(), buffer, sizeof buffer);
+  if (length < 0) return WriteError(path);
+  place.path.assign(buffer, static_cast<size_t>(length));
+  return place;
+}
+
+/// The descriptor of ours that writes to this very file, or -1: `--record /dev/stdout > file`.
+int OwnOutput(const Place& place) {
+  for (const int number : {STDOUT_FILENO, STDERR_FILENO}) {
+    struct stat info;
+    if (place.exists && ::fstat(number, &info) == 0 && info.st_dev == place.info.st_dev &&
+        info.st_ino == place.info.st_ino) {
+      return number;
+    }
+  }
+  return -1;
+}
+
+/// Content on its way to its place: complete on disk beside a regular file or a new one, which it
+/// then replaces; or still to be written to a device, a pipe or a socket. Taken back unless
+/// it gets there.
+class StagedFile {
+ public:
+  explicit StagedFile(const std::string& path) : path_(path) {}
+  StagedFile(const StagedFile&) = delete;
+  StagedFile& operator=(const StagedFile&) = delete;
+  ~StagedFile() {
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+    if (!placed_ && place_.dangling) ::unlink(place_.path.c_str());
+  }
+
+  Result<void> Stage(std::string_view content) {
+    content_ = content;
+    auto place = FindPlace(path_);
+    if (!place.ok()) return place.error();
+    place_ = std::move(place).value();
+    if (S_ISDIR(place_.info.st_mode)) {
+      return MakeError(1, "cannot write '{0}': it is a folder", "无法写入“{0}”：它是文件夹", path_);
+    }
+    if (!Replaces()) return {};
+    // What the user has made read-only is not to be replaced.
+    if (place_.exists && ::faccessat(AT_FDCWD, place_.path.c_str(), W_OK, AT_EACCESS) != 0) {
+      return WriteError(path_);
+    }
+    // The old file may stand under a temporary name for a moment.
+    old_.emplace(::open(place_.path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+    ::flock(old_->get(), LOCK_SH | LOCK_NB);
+    signals_.emplace();
+    Sweep(FolderOf(place_.path));
+    const Descriptor file(Create());
+    if (file.get() < 0 || !WriteAll(file.get(), content) || !TakeOver(file.get()) ||
+        ::fsync(file.get()) != 0) {
+      return WriteError(path_);
+    }
+    new_.emplace(::fcntl(file.get(), F_DUPFD_CLOEXEC, 0));
+    return {};
+  }
+
+  /// True when the content replaces a file or makes one.
+  bool Replaces() const {
+    return !place_.exists || (S_ISREG(place_.info.st_mode) && OwnOutput(place_) < 0);
+  }
+
+  /// Puts the content into its place.
+  Result<void> Put() {
+    if (!Replaces()) return WriteThrough();
+    if (std::rename(temporary_.c_str(), place_.path.c_str()) != 0) return WriteError(path_);
+    temporary_.clear();
+    placed_ = true;
+    return {};
+  }
+
+  /// The same, with what was there before kept until Release(). Where the file system cannot
+  /// exchange two names, nothing is kept.
+  Result<void> Exchange() {
+    if (!Replaces() || ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, place_.path.c_str(),
+                                   RENAME_EXCHANGE) != 0) {
+      return Put();
+    }
+    exchanged_ = true;
+    placed_ = true;
+    return {};
+  }
+
+  /// Takes Exchange() back.
+  void PutBack() {
+    if (!exchanged_) return;
+    exchanged_ = false;
+    placed_ = false;
+    ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, place_.path.c_str(), RENAME_EXCHANGE);
+  }
+
+  /// Takes the old file, if there is one, away from its place.
+  Result<void> TakeAway() {
+    if (!Replaces()) return {};
+    auto name = TemporaryName(FolderOf(place_.path), path_);
+    if (!name.ok()) return name.error();
+    if (std::rename(place_.path.c_str(), name.value().c_str()) == 0) {
+      away_ = std::move(name).value();
+    } else if (errno != ENOENT) {
+      return WriteError(path_);
+    }
+    return {};
+  }
+
+  /// Takes TakeAway() back.
+  void BringBack() {
+    if (away_.empty()) return;
+    std::rename(away_.c_str(), place_.path.c_str());
+    away_.clear();
+  }
+
+  /// Removes what TakeAway() has kept.
+  void Forget() {
+    if (!away_.empty()) ::unlink(away_.c_str());
+    away_.clear();
+  }
+
+ private:
+  /// A new temporary file, locked; -1 with errno on failure.
+  int Create() {
+    // Under the creation mask when it is new; of nobody else until it has the old file's mode.
+    const mode_t mode = place_.exists ? 0600 : 0666;
+    for (int attempt = 0; attempt < kNameAttempts; ++attempt) {
+      const auto name = TemporaryName(FolderOf(place_.path), path_);
+      if (!name.ok()) return -1;
+      const int number =
+          ::open(name.value().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
+      if (number < 0) {
+        if (errno == EEXIST) continue;
+        return -1;
+      }
+      // Somebody who sweeps may have been faster than the lock.
+      struct stat info;
+      const bool swept = ::flock(number, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+      if (!swept && ::fstat(number, &info) == 0 && info.st_nlink > 0) {
+        temporary_ = name.value();
+        return number;
+      }
+      ::unlink(name.value().c_str());
+      ::close(number);
+    }
+    errno = EEXIST;
+    return -1;
+  }
+
+  /// Gives the new file the owner and the mode of the old one.
+  bool TakeOver(int number) {
+    if (!place_.exists) return true;
+    mode_t mode = place_.info.st_mode & 07777;
+    if (::fchown(number, place_.info.st_uid, place_.info.st_gid) != 0) mode &= 0777;
+    return ::fchmod(number, mode) == 0;
+  }
+
+  Result<void> WriteThrough() {
+    const int own = OwnOutput(place_);
+    const Descriptor file(own >= 0 ? ::fcntl(own, F_DUPFD_CLOEXEC, 0)
+                                   : ::open(path_.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC));
+    if (file.get() < 0 || !WriteAll(file.get(), content_)) return WriteError(path_);
+    placed_ = true;
+    return {};
+  }
+
+  std::string path_;
+  std::string_view content_;
+  Place place_;
+  std::string temporary_;
+  std::string away_;
+  bool placed_ = false;
+  bool exchanged_ = false;
+  // Held open for their locks.
+  std::optional<Descriptor> old_;
+  std::optional<Descriptor> new_;
+  std::optional<SignalsHeld> signals_;
+};
+
+}  // namespace
+
+Result<void> WriteFileAtomically(const std::string& path, std::string_view content) {
+  StagedFile file(path);
+  if (auto result = file.Stage(content); !result.ok()) return result;
+  return file.Put();
+}
+
+Result<void> WritePairAtomically(const std::string& first_path, std::string_view first,
+                                 const std::string& second_path, std::string_view second) {
+  StagedFile first_file(first_path);
+  StagedFile second_file(second_path);
+  if (auto result = first_file.Stage(first); !result.ok()) return result;
+  if (auto result = second_file.Stage(second); !result.ok()) return result;
+  const FolderLock lock(FolderOf(first_path), LOCK_EX);
+  // The second file is away while the first one changes: whoever is killed in between leaves no
+  // pair, and never halves of two.
+  if (auto result = second_file.TakeAway(); !result.ok()) return result;
+  auto result = first_file.Exchange();
+  if (result.ok()) {
+    result = second_file.Put();
+    if (!result.ok()) first_file.PutBack();
+  }
+  if (result.ok()) {
+    second_file.Forget();
+  } else {
+    second_file.BringBack();
+  }
+  return result;
+}
+
+FilePair ReadPair(const std::string& first_path, const std::string& second_path,
+                  const FileKind& kind) {
+  const FolderLock lock(FolderOf(first_path), LOCK_SH);
+  return {ReadFile(first_path, kind), ReadFile(second_path, kind)};
+}
+
+}  // namespace oncard
