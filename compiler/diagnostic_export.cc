@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.h"
 #include "compiler/diagnostic_printer.h"
 
 namespace oncard::compiler {
@@ -13,10 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Source text can hold bytes that are not UTF-8; they become U+FFFD.
-std::string Dump(const Json& json, int indent) {
-  return json.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
-}
+std::string Dump(const Json& json, int indent) { return JsonText(json, indent) + '\n'; }
 
 const SourceFile* FileOf(const Compilation& compilation, const SourceRange& range) {
   const size_t index = static_cast<size_t>(range.file);

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.h"
 #include "explore/report.h"
 #include "explore/step_table.h"
 
@@ -45,7 +46,7 @@ std::string ChromeReport(const Findings& findings) {
     }
   }
   const nlohmann::ordered_json report = {{"traceEvents", std::move(events)}};
-  return report.dump(1) + '\n';
+  return JsonText(report, 1) + '\n';
 }
 
 }  // namespace oncard::explore

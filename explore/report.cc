@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.h"
 #include "base/markup.h"
 #include "explore/claim.h"
 #include "explore/failure_report.h"
@@ -134,7 +135,7 @@ std::string JsonReport(const Findings& findings) {
   if (const auto& failure = exploration.failure) {
     AddFailure(findings, *failure, &json);
   }
-  return json.dump(2) + '\n';
+  return JsonText(json, 2) + '\n';
 }
 
 std::string HtmlReport(const Findings& findings, Language language, const ReportOptions& options) {

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/json_text.h"
 #include "base/number.h"
 #include "explore/search_file.h"
 
@@ -81,7 +82,7 @@ Json SamplesToJson(const SearchFile& file) {
 /// Over everything before it: whoever edits a file by hand is told so. It is no protection.
 std::string CheckOf(Json json) {
   json.erase("check");
-  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const std::string text = JsonText(json);
   return fmt::format("{:016x}", XXH64(text.data(), text.size(), 0));
 }
 
@@ -350,7 +351,7 @@ std::string FormatSearchFile(const SearchFile& file) {
     json["samples"] = SamplesToJson(file);
   }
   json["check"] = CheckOf(json);
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
+  return JsonText(json, 1) + '\n';
 }
 
 Result<SearchFile> ParseSearchFile(std::string_view text) {

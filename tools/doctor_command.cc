@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.h"
 #include "gtcalls/card.h"
 #include "gtcalls/unsupported.h"
 #include "runtime/host_services.h"
@@ -117,7 +118,7 @@ void PrintJson(const Session& session) {
     json["optional"][part.key]["present"] = part.present;
     if (!part.present) json["optional"][part.key]["remedy"] = session.Say(part.remedy);
   }
-  PrintResult(json.dump(2) + '\n');
+  PrintResult(JsonText(json, 2) + '\n');
 }
 
 void PrintCommands(bool as_json, const Session& session) {
@@ -138,7 +139,7 @@ void PrintCommands(bool as_json, const Session& session) {
                     {"in_motion_program", command.in_motion_program}});
     if (why != nullptr) list.back()["reason"] = session.Say(*why);
   }
-  PrintResult(as_json ? list.dump(2) + '\n' : text);
+  PrintResult(as_json ? JsonText(list, 2) + '\n' : text);
 }
 
 int Doctor(const DoctorArguments& arguments, const Session& session) {

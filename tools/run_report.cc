@@ -1,4 +1,5 @@
 #include "tools/run_report.h"
+#include "base/json_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -115,7 +116,7 @@ std::string FormatRunJson(const runtime::ScenarioResult& result, const Session& 
     json["failures"].push_back(
         {{"expectation", failure.expectation}, {"message", session.Say(failure.message)}});
   }
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return JsonText(json, 2) + '\n';
 }
 
 int ReportRun(const runtime::ScenarioResult& result, const std::string& format,

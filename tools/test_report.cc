@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.h"
 #include "base/markup.h"
 #include "compiler/display_text.h"
 
@@ -83,7 +84,7 @@ std::string FormatTestJson(const std::vector<TestOutcome>& outcomes, Language la
   const size_t passed = CountPassed(outcomes);
   const Json document = {
       {"passed", passed}, {"failed", outcomes.size() - passed}, {"tests", std::move(tests)}};
-  return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return JsonText(document, 2) + '\n';
 }
 
 }  // namespace oncard::tools

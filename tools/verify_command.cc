@@ -1,6 +1,7 @@
 // oncard verify: would a card take these objects, and if not, why.
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.h"
 #include "runtime/controller.h"
 #include "tools/commands.h"
 #include "vm/object_reader.h"
@@ -45,7 +46,7 @@ int VerifyAll(const VerifyArguments& arguments, const Session& session) {
     list.push_back(std::move(item));
   }
   if (arguments.format == "json") {
-    PrintResult(list.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
+    PrintResult(JsonText(list, 2) + '\n');
   }
   return code;
 }

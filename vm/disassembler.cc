@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/json_text.h"
 #include "vm/object_writer.h"
 #include "vm/record.h"
 
@@ -251,7 +252,7 @@ std::string DisassembleJson(const Object& object, const CommandTable& commands) 
   const Json document = {{"double", DoubleFormatName(object.double_format)},
                          {"globals", SymbolsJson(object.globals)},
                          {"functions", std::move(functions)}};
-  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return JsonText(document, 2) + "\n";
 }
 
 }  // namespace oncard::vm
