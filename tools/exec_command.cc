@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -133,6 +134,8 @@ int Exec(const ExecArguments& arguments, const Session& session) {
   if (!arguments.keys.empty()) ::setenv("ONCARD_KEYS", arguments.keys.c_str(), 1);
   ::setenv("ONCARD_CLOCK", arguments.clock.c_str(), 1);
 
+  // main() ignores it, and a program that is started inherits that.
+  static_cast<void>(std::signal(SIGXFSZ, SIG_DFL));
   const std::string folder = LibraryFolder();
   if (folder.empty()) {
     return Fail(

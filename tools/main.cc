@@ -2,6 +2,7 @@
 // does the rest. CLI11 reports mistakes by exceptions; they end here.
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <optional>
 #include <span>
@@ -91,17 +92,18 @@ int Main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::Success& wish) {  // --help and --version
     app.exit(wish);
-    return kExitOk;
   } catch (const CLI::ParseError& error) {
-    return ReportMistake(app, error, session);
+    session.exit_code = ReportMistake(app, error, session);
   }
-  return session.exit_code;
+  return FinishOutput(session, session.exit_code);
 }
 
 }  // namespace
 }  // namespace oncard::tools
 
 int main(int argc, char** argv) {
+  // A file that the shell's limit on sizes cuts off is reported like a full disk.
+  static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
   try {
     return oncard::tools::Main(argc, argv);
   } catch (const std::exception& error) {

@@ -1,9 +1,12 @@
 #include "tools/session.h"
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 
 #include "base/files.h"
 #include "compiler/diagnostic_printer.h"
+#include "compiler/display_text.h"
 
 namespace oncard::tools {
 
@@ -12,8 +15,19 @@ void PrintResult(std::string_view text) { std::fwrite(text.data(), 1, text.size(
 void PrintDiagnostics(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
 int Fail(const Session& session, int code, const Message& message) {
-  PrintDiagnostics(fmt::format("oncard: {}\n", session.Say(message)));
+  PrintDiagnostics(fmt::format("oncard: {}\n", compiler::DisplayText(session.Say(message))));
   return code;
+}
+
+int FinishOutput(const Session& session, int code) {
+  const bool flushed = std::fflush(stdout) == 0;
+  const std::string why = flushed ? std::string() : fmt::format(": {}", std::strerror(errno));
+  if (!flushed || std::ferror(stdout) != 0) {
+    return Fail(session, kExitUnreadable,
+                MakeMessage("cannot write to standard output{0}", "无法写入标准输出{0}", why));
+  }
+  // There is no place left to say it.
+  return std::ferror(stderr) != 0 ? static_cast<int>(kExitUnreadable) : code;
 }
 
 int WriteOutput(const Session& session, const std::string& path, std::string_view content) {

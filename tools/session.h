@@ -52,11 +52,15 @@ struct Session {
   const std::string& Say(const Message& message) const { return message.In(language); }
 };
 
-/// Writes to standard output.
+/// Writes to standard output. Whether all of it has got there, FinishOutput() says.
 void PrintResult(std::string_view text);
 /// Writes to standard error.
 void PrintDiagnostics(std::string_view text);
-/// Reports `oncard: message` on standard error and gives `code` back.
+/// Call once at the end: `code`, or kExitUnreadable with a report when something that was printed
+/// on standard output or standard error is lost.
+int FinishOutput(const Session& session, int code);
+/// Reports `oncard: message` on standard error and gives `code` back. What is not printable in the
+/// message (names can hold anything) shows as `<1B>`.
 int Fail(const Session& session, int code, const Message& message);
 
 /// Writes a file; reports a failure. Gives the exit code.
