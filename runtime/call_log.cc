@@ -171,8 +171,8 @@ void CallLog::Write(int64_t time_us, int card, const Message& what) {
 void CallLog::WriteLine(const std::string& line) {
   const std::string text = line + '\n';
   const std::lock_guard lock(mutex_);
-  std::fwrite(text.data(), 1, text.size(), stream_);
-  std::fflush(stream_);
+  const bool written = std::fwrite(text.data(), 1, text.size(), stream_) == text.size();
+  if (std::fflush(stream_) != 0 || !written) lost_ = true;
 }
 
 }  // namespace oncard::runtime

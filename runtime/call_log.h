@@ -12,6 +12,7 @@
 // users. Tested by tests/runtime/call_log_test.cc.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <cstdio>
 #include <mutex>
@@ -54,6 +55,8 @@ class CallLog {
   static CallLog& OfProcess();
 
   bool enabled() const { return stream_ != nullptr; }
+  /// True when a line could not be written, for example because the disk is full.
+  bool lost() const { return lost_; }
   void Write(const LoggedCall& call);
   /// Something that a card did by itself.
   void Write(int64_t time_us, int card, const Message& what);
@@ -64,6 +67,7 @@ class CallLog {
   Language language_;
   std::mutex mutex_;
   std::FILE* stream_ = nullptr;
+  std::atomic<bool> lost_ = false;
 };
 
 }  // namespace oncard::runtime

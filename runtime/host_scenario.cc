@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "base/files.h"
+#include "runtime/call_log.h"
 #include "runtime/card_table.h"
 #include "runtime/expectation.h"
 #include "runtime/trace_file.h"
@@ -168,6 +169,11 @@ void FinishHost() {
   }
   Verdict& verdict = VerdictOfProcess();
   const std::lock_guard lock(verdict.mutex);
+  if (CallLog::OfProcess().lost()) {
+    verdict.failures.push_back(
+        {"the call log could not be written completely; its disk may be full",
+         "调用日志未能完整写入；磁盘可能已满"});
+  }
   if (verdict.failures.empty()) return;
   for (const Message& failure : verdict.failures) {
     std::fprintf(stderr, "oncard: %s\n", failure.In(LanguageFromEnvironment()).c_str());

@@ -149,6 +149,16 @@ TEST(CallLogTest, WritesToStandardErrorOrToAFile) {
   std::remove(path.c_str());
 }
 
+TEST(CallLogTest, KnowsWhenALineIsLost) {
+  const Message reason;
+  const LoggedCall call = {50, 0, vm::kHostCaller, *gtcalls::FindCommand("GT_Reset"),
+                           {}, 0, reason};
+  CallLog log("calls:/dev/full", Language::kEnglish);
+  EXPECT_FALSE(log.lost());
+  log.Write(call);
+  EXPECT_TRUE(log.lost());
+}
+
 TEST(CallLogTest, ASettingItDoesNotKnowIsSaidInTheLog) {
   for (const char* setting : {"call", "calls:", "Calls", "1"}) {
     testing::internal::CaptureStderr();

@@ -95,6 +95,13 @@ TEST(Exec, AMoveEndsWhereAndWhenItShould) {
   }
 }
 
+TEST(Exec, FailsWhenTheCallLogIsLost) {
+  const ProcessResult result =
+      RunOncard({"exec", "--", Client("trap_move")}, {}, {"ONCARD_LOG=calls:/dev/full"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.err.find("the call log could not be written"), std::string::npos) << result.err;
+}
+
 TEST(Exec, TracesTheFirstCard) {
   const ScratchFolder scratch;
   const ProcessResult result = Exec({"--trace", scratch.path() + "/t.csv"}, {Client("trap_move")});
