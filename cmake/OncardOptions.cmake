@@ -6,6 +6,9 @@ add_library(oncard_options INTERFACE)
 target_include_directories(oncard_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR})
 target_compile_options(oncard_options INTERFACE
   -Wall -Wextra -Wconversion -Wshadow -Werror -ffp-contract=off -fvisibility=hidden)
+if(ONCARD_FUZZ)
+  target_compile_options(oncard_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
 if(ONCARD_SANITIZE)
   target_compile_options(oncard_options INTERFACE
     -fsanitize=${ONCARD_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)

@@ -1,0 +1,216 @@
+// Commands as a careless host calls them: any command, any number, NULL or memory that is large
+// enough, in any order, from one thread or from many.
+#include <unistd.h>
+
+#include <array>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "compiler/compiler.h"
+#include "gtcalls/catalogue.h"
+#include "runtime/host_api.h"
+#include "tests/fuzz/fuzz.h"
+#include "vm/object_writer.h"
+
+namespace oncard::fuzz {
+namespace {
+
+using gtcalls::Command;
+using gtcalls::Passing;
+using runtime::HostArgument;
+
+constexpr int kThreads = 32;
+/// Room for the most elements of the largest structure that a pointer can cover.
+constexpr size_t kBufferSize = size_t{1} << 20;
+
+/// The bytes of an input, one after another; zeros when they are used up.
+class Bytes {
+ public:
+  explicit Bytes(std::string_view bytes) : bytes_(bytes) {}
+  bool empty() const { return bytes_.empty(); }
+  uint8_t Byte() {
+    uint8_t byte = 0;
+    Copy(&byte, 1);
+    return byte;
+  }
+  template <typename T>
+  T Value() {
+    T value{};
+    Copy(&value, sizeof value);
+    return value;
+  }
+  void Copy(void* target, size_t size) {
+    const size_t count = std::min(size, bytes_.size());
+    std::memcpy(target, bytes_.data(), count);
+    bytes_.remove_prefix(count);
+  }
+
+ private:
+  std::string_view bytes_;
+};
+
+/// A folder with a source and an object of it, gone with the process.
+class ProgramFolder {
+ public:
+  ProgramFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "oncard_fuzz_XXXXXX").string();
+    path_ = ::mkdtemp(pattern.data());
+    std::filesystem::copy_file(ONCARD_SOURCE_DIR "/tests/fuzz/seeds/race.c", path_ + "/race.c");
+    std::filesystem::copy_file(ONCARD_SOURCE_DIR "/tests/fuzz/seeds/card.cfg", path_ + "/card.cfg");
+    names_ = {path_ + "/race.c",
+              path_ + "/race.bin",
+              path_ + "/card.cfg",
+              path_,
+              "",
+              "t0",
+              "t1",
+              "sum",
+              "turns",
+              "i",
+              std::string(300, 'n'),
+              "\x1B\xFF"};
+  }
+  ProgramFolder(const ProgramFolder&) = delete;
+  ProgramFolder& operator=(const ProgramFolder&) = delete;
+  ~ProgramFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  const std::vector<std::string>& names() const { return names_; }
+
+ private:
+  std::string path_;
+  std::vector<std::string> names_;
+};
+
+/// One thread of a host.
+class Host {
+ public:
+  explicit Host(const std::vector<std::string>& names) : names_(names) {}
+
+  int16_t Call(int card, const Command& command, Bytes* bytes) {
+    std::array<HostArgument, gtcalls::kParameterMax> arguments{};
+    for (size_t i = 0; i < command.parameters.size(); ++i) {
+      arguments[i] = Argument(command, i, bytes);
+    }
+    return runtime::CallCard(card, command.number,
+                             std::span(arguments).first(command.parameters.size()));
+  }
+
+  void CallAll(int card, Bytes bytes) {
+    const auto commands = gtcalls::Commands();
+    while (!bytes.empty()) {
+      const Command& command = commands[bytes.Value<uint16_t>() % commands.size()];
+      Call(card, command, &bytes);
+    }
+  }
+
+ private:
+  HostArgument Argument(const Command& command, size_t index, Bytes* bytes) {
+    const gtcalls::Parameter& parameter = command.parameters[index];
+    HostArgument argument;
+    if (parameter.passing != Passing::kValue) {
+      argument.kind = HostArgument::Kind::kPointer;
+      argument.pointer = Pointer(command, index, bytes);
+    } else if (parameter.type == gtcalls::Scalar::kDouble) {
+      argument.kind = HostArgument::Kind::kReal;
+      argument.real = Real(bytes);
+    } else {
+      argument.integer = Integer(parameter.type, bytes);
+    }
+    return argument;
+  }
+
+  static double Real(Bytes* bytes) {
+    constexpr std::array kValues = {0.0, 1.0, -1.0, 0.5, 5e-324, 1e-9, 1e9, 2147483648.0, 1e308};
+    const uint8_t kind = bytes->Byte();
+    return kind < 2 * kValues.size() ? kValues[kind % kValues.size()] : bytes->Value<double>();
+  }
+
+  /// As a C caller passes it: the type's own width.
+  static int64_t Integer(gtcalls::Scalar type, Bytes* bytes) {
+    const uint8_t kind = bytes->Byte();
+    if (kind < 200) return kind % 20;
+    switch (type) {
+      case gtcalls::Scalar::kShort:
+        return bytes->Value<int16_t>();
+      case gtcalls::Scalar::kUnsignedShort:
+        return bytes->Value<uint16_t>();
+      case gtcalls::Scalar::kChar:
+        return bytes->Value<char>();
+      case gtcalls::Scalar::kUnsignedChar:
+        return bytes->Value<uint8_t>();
+      default:
+        return kind < 228 ? bytes->Value<int32_t>() : bytes->Value<int64_t>();
+    }
+  }
+
+  void* Pointer(const Command& command, size_t index, Bytes* bytes) {
+    const gtcalls::Parameter& parameter = command.parameters[index];
+    const uint8_t kind = bytes->Byte();
+    if (kind % 16 == 0) return nullptr;
+    if (parameter.passing == Passing::kText) {
+      return const_cast<char*>(names_[kind % names_.size()].c_str());
+    }
+    std::unique_ptr<char[]>& buffer = buffers_[index];
+    if (buffer == nullptr) buffer = std::make_unique<char[]>(kBufferSize);
+    // A host fills structures with numbers; pointers in them are its own.
+    const bool holds_pointers =
+        parameter.structure != nullptr &&
+        std::any_of(parameter.structure->members.begin(), parameter.structure->members.end(),
+                    [](const gtcalls::Member& member) { return member.pointer; });
+    if (holds_pointers) {
+      std::memset(buffer.get(), 0, kBufferSize);
+    } else {
+      bytes->Copy(buffer.get(), kind);
+    }
+    return buffer.get();
+  }
+
+  const std::vector<std::string>& names_;
+  std::array<std::unique_ptr<char[]>, gtcalls::kParameterMax> buffers_;
+};
+
+const ProgramFolder& Folder() {
+  static const ProgramFolder folder;
+  ::setenv("ONCARD_CLOCK", "virtual", 1);
+  return folder;
+}
+
+/// A card anew, with a program.
+void Open(Host* host, int card) {
+  Bytes none("");
+  host->Call(card, *gtcalls::FindCommand("GT_Close"), &none);
+  host->Call(card, *gtcalls::FindCommand("GT_Open"), &none);
+}
+
+}  // namespace
+
+void FuzzCommands(std::string_view bytes) {
+  static Host host(Folder().names());
+  Open(&host, 0);
+  host.CallAll(0, Bytes(bytes));
+}
+
+void FuzzCommandsOfThreads(std::string_view bytes) {
+  static Host opener(Folder().names());
+  for (const int card : {0, 1}) Open(&opener, card);
+  // They keep their memory from input to input.
+  static std::array<std::unique_ptr<Host>, kThreads> hosts;
+  const size_t part = bytes.size() / kThreads + 1;
+  std::vector<std::thread> threads;
+  for (size_t i = 0; i * part < bytes.size(); ++i) {
+    if (hosts[i] == nullptr) hosts[i] = std::make_unique<Host>(Folder().names());
+    threads.emplace_back([share = bytes.substr(i * part, part), i] {
+      hosts[i]->CallAll(static_cast<int>(i % 2), Bytes(share));
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+}
+
+}  // namespace oncard::fuzz

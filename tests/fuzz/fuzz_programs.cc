@@ -1,0 +1,118 @@
+// Programs: from source to a run, and from object files to a listing and a run.
+#include <string>
+
+#include "base/files.h"
+#include "compiler/compiler.h"
+#include "compiler/diagnostic_printer.h"
+#include "gtcalls/catalogue.h"
+#include "runtime/scenario_run.h"
+#include "tests/fuzz/fuzz.h"
+#include "vm/disassembler.h"
+#include "vm/object_reader.h"
+#include "vm/object_writer.h"
+#include "vm/verifier.h"
+
+namespace oncard::fuzz {
+namespace {
+
+class CatalogueShapes final : public vm::CommandTable {
+ public:
+  const vm::CommandShape* Find(uint16_t number) const override {
+    const gtcalls::Command* command = gtcalls::FindCommand(number);
+    return command == nullptr ? nullptr : &gtcalls::ShapeOf(*command);
+  }
+  int16_t Execute(uint16_t /*number*/, vm::Machine& /*machine*/, int /*thread*/,
+                  std::span<vm::CommandArgument> /*arguments*/) override {
+    return 0;
+  }
+};
+
+/// The include file that the texts may name.
+Result<std::string> ReadIncluded(const std::string& path) {
+  if (path == "a.h") return std::string("#define A 1\nint shared;\n");
+  return MakeError(kNoSuchFile, "no such file", "没有该文件");
+}
+
+void CheckPlaces(const compiler::Compilation& compilation) {
+  for (const compiler::Diagnostic& diagnostic : compilation.diagnostics) {
+    const compiler::SourceRange& range = diagnostic.range;
+    FUZZ_CHECK(static_cast<size_t>(range.file) < compilation.files.size());
+    FUZZ_CHECK(range.begin <= range.end);
+    FUZZ_CHECK(range.end <= compilation.files[static_cast<size_t>(range.file)].text().size());
+  }
+}
+
+/// The two halves of an input: the .bin up to the first line of an .ini, and that .ini. A checksum
+/// is made right, as nobody guesses it.
+vm::ObjectFiles FilesOf(std::string_view bytes) {
+  constexpr std::string_view kChecksum = "bin_crc32=";
+  const size_t split = std::min(bytes.find("[function]"), bytes.size());
+  vm::ObjectFiles files{std::string(bytes.substr(0, split)), std::string(bytes.substr(split))};
+  const size_t at = files.ini.find(kChecksum);
+  if (at != std::string::npos && at + kChecksum.size() + 8 <= files.ini.size()) {
+    files.ini.replace(at + kChecksum.size(), 8, fmt::format("{:08x}", vm::BinChecksum(files.bin)));
+  }
+  return files;
+}
+
+}  // namespace
+
+const vm::CommandTable& Shapes() {
+  static const CatalogueShapes shapes;
+  return shapes;
+}
+
+const vm::Object& SeedProgram() {
+  static const vm::Object program =
+      *compiler::Compile(ONCARD_SOURCE_DIR "/tests/fuzz/seeds/race.c").object;
+  return program;
+}
+
+void RunBriefly(const vm::Object& object) {
+  runtime::Scenario scenario;
+  scenario.limit_ms = 20;
+  for (const vm::Function& function : object.functions) {
+    if (scenario.threads.size() == vm::kThreadCount) break;
+    runtime::ThreadStart start;
+    start.thread = start.page = static_cast<int>(scenario.threads.size());
+    start.function = function.name;
+    scenario.threads.push_back(start);
+  }
+  runtime::RunOptions options;
+  options.trace = true;
+  static_cast<void>(runtime::RunScenario(scenario, object, options));
+}
+
+void FuzzSource(std::string_view bytes) {
+  compiler::Options options;
+  options.max_errors = 0;
+  const auto compilation = compiler::CompileText("p.c", std::string(bytes), options, ReadIncluded);
+  CheckPlaces(compilation);
+  static_cast<void>(compiler::PrintText(compilation, {}));
+  static_cast<void>(compiler::PrintJson(compilation, {}));
+  if (!compilation.ok()) return;
+  const vm::Object& object = *compilation.object;
+  const auto verified = vm::Verify(object, Shapes());
+  FUZZ_CHECK(verified.ok());
+  const auto read = vm::ReadObject(vm::WriteObject(object, false));
+  FUZZ_CHECK(read.ok());
+  RunBriefly(object);
+}
+
+void FuzzObject(std::string_view bytes) {
+  const auto object = vm::ReadObject(FilesOf(bytes));
+  if (!object.ok()) return;
+  // The reader accepts what the writer writes, and nothing else.
+  const auto again = vm::ReadObject(vm::WriteObject(object.value(), false));
+  FUZZ_CHECK(again.ok());
+  if (vm::Verify(object.value(), Shapes()).ok()) RunBriefly(object.value());
+}
+
+void FuzzDisassembler(std::string_view bytes) {
+  const auto object = vm::ReadObject(FilesOf(bytes));
+  if (!object.ok()) return;
+  static_cast<void>(vm::Disassemble(object.value(), Shapes()));
+  static_cast<void>(vm::DisassembleJson(object.value(), Shapes()));
+}
+
+}  // namespace oncard::fuzz

@@ -1,0 +1,76 @@
+// Files that a person writes: scenarios, schedules, requirements, configurations.
+#include <string>
+
+#include "explore/model.h"
+#include "explore/property.h"
+#include "explore/scenario_exploration.h"
+#include "gtcalls/card_config.h"
+#include "runtime/controller.h"
+#include "runtime/scenario.h"
+#include "runtime/scenario_run.h"
+#include "tests/fuzz/fuzz.h"
+#include "vm/schedule.h"
+
+namespace oncard::fuzz {
+namespace {
+
+/// Two threads of the seeds' program, as seeds/race.toml has them.
+runtime::Scenario SeedScenario() {
+  runtime::Scenario scenario;
+  scenario.path = "race.toml";
+  scenario.program = "race.c";
+  scenario.limit_ms = 20;
+  for (const char* thread : {"0=t0", "1=t1"}) {
+    scenario.threads.push_back(runtime::ParseThreadStart(thread).value());
+  }
+  return scenario;
+}
+
+}  // namespace
+
+void FuzzScenario(std::string_view bytes) {
+  auto scenario = runtime::ParseScenario(bytes, "p.toml");
+  if (!scenario.ok()) return;
+  const auto again = runtime::ParseScenario(runtime::FormatScenario(scenario.value()), "p.toml");
+  FUZZ_CHECK(again.ok());
+  scenario.value().limit_ms = std::min<int64_t>(scenario.value().limit_ms, 20);
+  // A thousand statements a cycle are as good as a million.
+  scenario.value().rate = std::min(scenario.value().rate, 1000);
+  runtime::RunOptions options;
+  options.trace = true;
+  static_cast<void>(runtime::RunScenario(scenario.value(), SeedProgram(), options));
+}
+
+void FuzzSchedule(std::string_view bytes) {
+  const auto schedule = vm::ParseSchedule(bytes);
+  if (!schedule.ok()) return;
+  const auto again = vm::ParseSchedule(vm::FormatSchedule(schedule.value()));
+  FUZZ_CHECK(again.ok());
+  static_cast<void>(runtime::ParseScenario(schedule.value().scenario, "p.schedule"));
+  runtime::RunOptions options;
+  options.replay = std::make_shared<const vm::Schedule>(schedule.value());
+  static_cast<void>(runtime::RunScenario(SeedScenario(), SeedProgram(), options));
+}
+
+void FuzzRequirement(std::string_view bytes) {
+  explore::Requirement requirement;
+  requirement.scope = explore::Scope::kFinal;
+  requirement.text = bytes;
+  const auto problem = explore::ProblemOfScenario(SeedScenario(), {requirement}, SeedProgram());
+  if (!problem.ok()) return;
+  explore::ExploreOptions options;
+  options.engine = explore::EngineKind::kRandom;
+  options.runs = 4;
+  static_cast<void>(explore::Explore(problem.value(), options));
+}
+
+void FuzzConfig(std::string_view bytes) {
+  const gtcalls::CardConfig config = gtcalls::ParseCardConfig(bytes);
+  motion::MotionConfig motion_config;
+  motion::MotionCore core(motion_config);
+  gtcalls::ApplyCardConfig(config, &core);
+  constexpr int kCycles = 20;
+  for (int i = 0; i < kCycles; ++i) core.Tick();
+}
+
+}  // namespace oncard::fuzz
