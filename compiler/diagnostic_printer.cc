@@ -98,16 +98,11 @@ class TextPrinter {
     const int number = file->LineOf(range.begin);
     const std::string_view line = file->Line(number);
     const uint32_t line_begin = LineBegin(*file, number);
-    const DisplayLine shown(line);
     const size_t begin = range.begin - line_begin;
     const size_t end = std::max(range.begin, range.end) - line_begin;
-    const int first = shown.ColumnOf(begin);
-    const int width = shown.ColumnOf(end) - first;
-    std::string underline = "^";
-    if (width > 1) underline.append(static_cast<size_t>(width - 1), '~');
-    text_ += fmt::format("{:5} |{}\n", number, Indented(shown.text()));
-    text_ += fmt::format("      | {}{}\n", std::string(static_cast<size_t>(first), ' '),
-                         Styled(kBoldGreen, underline));
+    const bool color = options_.color;
+    text_ += FormatExcerpt(line, number, begin, end, color ? kBoldGreen : "", color ? kReset : "");
+    text_ += '\n';
   }
 
   // Prints, for each run of touching lines that the fix-its edit, these lines as they become.

@@ -203,4 +203,16 @@ std::string DisplayText(std::string_view text) {
   return shown;
 }
 
+std::string FormatExcerpt(std::string_view line, int number, size_t begin, size_t end,
+                          std::string_view style, std::string_view reset) {
+  const DisplayLine shown(line);
+  const int first = shown.ColumnOf(begin);
+  const int width = shown.ColumnOf(end) - first;
+  std::string underline = "^";
+  if (width > 1) underline.append(static_cast<size_t>(width - 1), '~');
+  const std::string margin = shown.text().empty() ? "" : " ";
+  return fmt::format("{:5} |{}{}\n      | {}{}{}{}", number, margin, shown.text(),
+                     std::string(static_cast<size_t>(first), ' '), style, underline, reset);
+}
+
 }  // namespace oncard::compiler

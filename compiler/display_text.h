@@ -31,4 +31,13 @@ class DisplayLine {
 /// as `<1B>`.
 std::string DisplayText(std::string_view text);
 
+/// A line of source and below it a caret with an underline, for the bytes from `begin` to `end`:
+///
+///     2 | rate = 0
+///       |        ^
+///
+/// without a line end behind it. `style` and `reset` stand around the underline.
+std::string FormatExcerpt(std::string_view line, int number, size_t begin, size_t end,
+                          std::string_view style = {}, std::string_view reset = {});
+
 }  // namespace oncard::compiler
