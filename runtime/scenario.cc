@@ -186,6 +186,14 @@ Scenario MoveScenario(const Scenario& scenario, const std::string& path) {
   return moved;
 }
 
+Scenario ScenarioOfOneRun(const Scenario& scenario) {
+  Scenario run = scenario;
+  run.races = Scenario{}.races;
+  run.sync.clear();
+  run.explore.reset();
+  return run;
+}
+
 Result<ThreadStart> ParseThreadStart(std::string_view text) {
   ThreadStart start;
   const size_t equals = text.find('=');

@@ -14,6 +14,7 @@
 #include "motion/motion_core.h"
 #include "runtime/expectation.h"
 #include "runtime/key_script.h"
+#include "runtime/scenario_keys.h"
 #include "runtime/world.h"
 #include "vm/fixed_point.h"
 
@@ -105,14 +106,14 @@ struct Scenario {
   std::vector<KeyPress> keys;  ///< of a host program, in order of time
 };
 
-/// Reads TOML text. Errors start with `path:line:column`; an unknown key is one, and names the
-/// nearest known key.
-Result<Scenario> ParseScenario(std::string_view text, const std::string& path);
+/// Reads TOML text. The error holds everything that is wrong with it, each thing on lines of its
+/// own: `path:line:column: what`, the line, and a caret. An unknown key is an error, and names the
+/// nearest known key; so is one that cannot be used for `use`. Text of any kind is safe to read.
+Result<Scenario> ParseScenario(std::string_view text, const std::string& path,
+                               ScenarioUse use = ScenarioUse::kText);
 
-/// Reads a scenario file.
-Result<Scenario> LoadScenario(const std::string& path);
-/// Reads a scenario file for the card and the world it describes; it need not name a program.
-Result<Scenario> LoadWorld(const std::string& path);
+/// Reads a scenario file. For ScenarioUse::kHost it need not name a program.
+Result<Scenario> LoadScenario(const std::string& path, ScenarioUse use);
 
 /// The text that ParseScenario() reads back; ends in a newline.
 std::string FormatScenario(const Scenario& scenario);
@@ -129,6 +130,9 @@ std::string ProgramPath(const Scenario& scenario);
 compiler::Options CompileOptions(const Scenario& scenario);
 /// The same scenario as the file `path` would hold it.
 Scenario MoveScenario(const Scenario& scenario, const std::string& path);
+
+/// The same scenario without what speaks of all schedules: what one run of it is recorded with.
+Scenario ScenarioOfOneRun(const Scenario& scenario);
 
 /// Reads `thread=function[@page][:name=value,...]`, the form of `oncard run --thread`.
 Result<ThreadStart> ParseThreadStart(std::string_view text);

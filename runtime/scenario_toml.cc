@@ -1,5 +1,5 @@
 // Scenario files: TOML into the Scenario structure. Every key is known or an error; every error
-// says where it is. The first error ends the reading.
+// says where it is.
 // Tested by tests/runtime/scenario_parse_test.cc.
 #include <algorithm>
 #include <array>
@@ -14,10 +14,6 @@
 namespace oncard::runtime {
 namespace {
 
-constexpr std::array<std::string_view, 24> kScenarioKeys = {
-    "program",  "title",    "include", "double",     "schedule", "rate", "axes",    "cycle_us",
-    "limit_ms", "until_ms", "globals", "thread",     "world",    "host", "trace",   "expect",
-    "final",    "always",   "never",   "eventually", "races",    "sync", "explore", "keys"};
 constexpr std::array<std::string_view, 3> kRaceRules = {"any", "benign", "none"};
 constexpr std::array<std::string_view, 6> kExploreKeys = {"engine",     "verdict", "max_executions",
                                                           "max_states", "runs",    "follow"};
@@ -32,34 +28,46 @@ constexpr std::array<std::string_view, 2> kHostKeys = {"at_ms", "set"};
 
 class ScenarioReader : private TomlKeys {
  public:
-  ScenarioReader(const std::string& path, bool program_needed)
-      : TomlKeys(path), program_needed_(program_needed) {
+  ScenarioReader(std::string_view text, const std::string& path, ScenarioUse use)
+      : TomlKeys(path, text), text_(text), use_(use) {
     scenario_.path = path;
   }
 
-  Result<Scenario> Read(std::string_view text) {
-    if (const auto refusal = CheckToml(text)) {
-      const toml::source_position place = {refusal->line, refusal->column};
-      Fail({place, place, nullptr}, refusal->message);
-      return *error();
+  Result<Scenario> Read() {
+    if (const auto refusal = CheckToml(text_)) {
+      Fail(PlaceOf(refusal->line, refusal->column), refusal->message);
+      return *Failure();
     }
-    toml::parse_result parsed = toml::parse(text, scenario_.path);
+    toml::parse_result parsed = toml::parse(text_, scenario_.path);
     if (!parsed) {
       const auto& error = parsed.error();
       Fail(error.source(),
            MakeMessage("not TOML: {0}", "不符合 TOML 语法：{0}", error.description()));
     } else {
+      CheckScenarioKeys(parsed.table());
       ReadScenario(parsed.table());
     }
-    if (error()) return *error();
+    if (auto failure = Failure()) return *std::move(failure);
     return std::move(scenario_);
   }
 
  private:
+  void CheckScenarioKeys(const toml::table& table) {
+    std::vector<std::string_view> known;
+    for (const KeyRule& rule : ScenarioKeyRules()) known.push_back(rule.name);
+    CheckKeys(table, known);
+    for (const auto& [key, node] : table) {
+      const auto rule = std::ranges::find(ScenarioKeyRules(), key.str(), &KeyRule::name);
+      if (rule == ScenarioKeyRules().end()) continue;
+      if (UseOfKey(*rule, use_, table.contains("explore")) == KeyUse::kRefused) {
+        Fail(key.source(), DescribeRefusedKey(key.str(), use_));
+      }
+    }
+  }
+
   void ReadScenario(const toml::table& table) {
-    CheckKeys(table, kScenarioKeys);
     Text(table, "program", scenario_.program);
-    if (program_needed_ && !table.contains("program")) {
+    if (use_ != ScenarioUse::kHost && !table.contains("program")) {
       Fail(table.source(), {"'program' is missing: name a .c or .bin file",
                             "缺少“program”：应给出 .c 或 .bin 文件"});
     }
@@ -70,6 +78,8 @@ class ScenarioReader : private TomlKeys {
     scenario_.rate = static_cast<int>(Whole(table, "rate", scenario_.rate, 1, 1'000'000));
     ReadAxisCount(table);
     ReadCycle(table);
+    // A host program may take its time, unless the file says how long.
+    if (use_ == ScenarioUse::kHost) scenario_.limit_ms = kTimeMsMax;
     scenario_.limit_ms = Whole(table, "limit_ms", scenario_.limit_ms, 1, kTimeMsMax);
     if (table.contains("until_ms")) scenario_.until_us = Time(table, "until_ms");
     if (const toml::table* globals = Table(table, "globals")) {
@@ -137,6 +147,12 @@ class ScenarioReader : private TomlKeys {
     if (const toml::table* init = Table(table, "init")) start.values = Values(*init);
     start.period_ms = Whole(table, "period_ms", 0, 0, kTimeMsMax);
     start.priority = static_cast<int>(Whole(table, "priority", start.priority, -32768, 32767));
+    if (table.contains("priority") && start.period_ms == 0) {
+      Fail(table.get("priority")->source(),
+           {"'priority' is of a thread that is started periodically: give it a 'period_ms', or "
+            "remove 'priority'",
+            "“priority”只用于周期启动的线程：应加上“period_ms”，或去掉“priority”"});
+    }
     for (const ThreadStart& other : scenario_.threads) {
       if (other.thread == start.thread) {
         Fail(table.source(),
@@ -205,37 +221,32 @@ class ScenarioReader : private TomlKeys {
       const auto text = item.value_exact<std::string>();
       if (!text) {
         Fail(item.source(), {"an expectation must be a text", "期望应为文本"});
-        return;
+        continue;
       }
       auto expectation = ParseExpectation(*text);
       if (!expectation.ok()) {
         Fail(item.source(), expectation.error().message);
-        return;
+        continue;
       }
       scenario_.expectations.push_back(std::move(expectation).value());
     }
   }
 
-  const bool program_needed_;
+  const std::string_view text_;
+  const ScenarioUse use_;
   Scenario scenario_;
 };
 
 }  // namespace
 
-Result<Scenario> ParseScenario(std::string_view text, const std::string& path) {
-  return ScenarioReader(path, true).Read(text);
+Result<Scenario> ParseScenario(std::string_view text, const std::string& path, ScenarioUse use) {
+  return ScenarioReader(text, path, use).Read();
 }
 
-Result<Scenario> LoadScenario(const std::string& path) {
+Result<Scenario> LoadScenario(const std::string& path, ScenarioUse use) {
   auto text = ReadFile(path, kScenarioKind);
   if (!text.ok()) return text.error();
-  return ParseScenario(text.value(), path);
-}
-
-Result<Scenario> LoadWorld(const std::string& path) {
-  auto text = ReadFile(path, kScenarioKind);
-  if (!text.ok()) return text.error();
-  return ScenarioReader(path, false).Read(text.value());
+  return ParseScenario(text.value(), path, use);
 }
 
 }  // namespace oncard::runtime

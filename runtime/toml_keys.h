@@ -1,5 +1,5 @@
-// The keys of a TOML table, read with their types and ranges. The first error in the order of the
-// file is kept, with its place; readers go on after an error with the value of an absent key.
+// The keys of a TOML table, read with their types and ranges. Errors are kept with their places;
+// readers go on after an error with the value of an absent key.
 // Tested by tests/runtime/scenario_parse_test.cc.
 #pragma once
 
@@ -21,8 +21,8 @@ namespace oncard::runtime {
 
 class TomlKeys {
  public:
-  /// `path` names the file in errors.
-  explicit TomlKeys(std::string path) : path_(std::move(path)) {}
+  /// `path` names the file in errors, `text` is what it holds and must outlive the reader.
+  TomlKeys(std::string path, std::string_view text) : path_(std::move(path)), text_(text) {}
 
   /// An error for each key that is not known; it names the nearest known one.
   void CheckKeys(const toml::table& table, std::span<const std::string_view> known);
@@ -49,12 +49,25 @@ class TomlKeys {
   std::vector<InitialValue> Values(const toml::table& table);
   void Fail(const toml::source_region& place, const Message& message);
 
-  const std::optional<Error>& error() const { return error_; }
+  /// A place for Fail().
+  static toml::source_region PlaceOf(size_t line, size_t column);
+
+  /// All errors in the order of the file, with the lines that they are in; empty without one.
+  std::optional<Error> Failure();
 
  private:
+  struct PlacedError {
+    toml::source_region place;
+    Message message;
+  };
+
+  /// `path:line:column: `, and the line with a caret under the place.
+  std::string Headline(const toml::source_region& place) const;
+  std::string Excerpt(const toml::source_region& place) const;
+
   std::string path_;
-  std::optional<Error> error_;
-  std::pair<toml::source_index, toml::source_index> error_place_;
+  std::string_view text_;
+  std::vector<PlacedError> errors_;
 };
 
 }  // namespace oncard::runtime

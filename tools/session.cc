@@ -3,6 +3,8 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <sstream>
+#include <string>
 
 #include "base/files.h"
 #include "compiler/diagnostic_printer.h"
@@ -15,7 +17,10 @@ void PrintResult(std::string_view text) { std::fwrite(text.data(), 1, text.size(
 void PrintDiagnostics(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
 int Fail(const Session& session, int code, const Message& message) {
-  PrintDiagnostics(fmt::format("oncard: {}\n", compiler::DisplayText(session.Say(message))));
+  std::string text;
+  std::istringstream lines(session.Say(message));
+  for (std::string line; std::getline(lines, line);) text += compiler::DisplayText(line) + '\n';
+  PrintDiagnostics("oncard: " + text);
   return code;
 }
 

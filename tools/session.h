@@ -59,8 +59,8 @@ void PrintDiagnostics(std::string_view text);
 /// Call once at the end: `code`, or kExitUnreadable with a report when something that was printed
 /// on standard output or standard error is lost.
 int FinishOutput(const Session& session, int code);
-/// Reports `oncard: message` on standard error and gives `code` back. What is not printable in the
-/// message (names can hold anything) shows as `<1B>`.
+/// Reports `oncard: message` on standard error and gives `code` back. What is not printable in a
+/// line of the message (names can hold anything) shows as `<1B>`.
 int Fail(const Session& session, int code, const Message& message);
 
 /// Writes a file; reports a failure. Gives the exit code.

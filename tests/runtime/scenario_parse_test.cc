@@ -57,9 +57,16 @@ Scenario Parse(const std::string& text) {
   return scenario.ok() ? scenario.value() : Scenario();
 }
 
-std::string ErrorOf(const std::string& text) {
-  const auto scenario = ParseScenario(text, "s.toml");
+/// Everything that is wrong, with excerpts.
+std::string ErrorsOf(const std::string& text, ScenarioUse use = ScenarioUse::kText) {
+  const auto scenario = ParseScenario(text, "s.toml", use);
   return scenario.ok() ? "no error" : scenario.error().message.en;
+}
+
+/// The first headline.
+std::string ErrorOf(const std::string& text) {
+  const std::string errors = ErrorsOf(text);
+  return errors.substr(0, errors.find('\n'));
 }
 
 TEST(ParseScenario, ReadsHowToExplore) {
@@ -189,6 +196,56 @@ INSTANTIATE_TEST_SUITE_P(
                 "s.toml:3:1: 'x' must be a number or a list of numbers"},
         BadCase{"program = \"p.c\"\n[thread]\nfunction = \"f\"\n",
                 "s.toml:2:1: 'thread' must be a list of tables, each under [[thread]]"}));
+
+TEST(ParseScenario, ShowsEverythingThatIsWrongInItsPlace) {
+  EXPECT_EQ(ErrorsOf("rat = 5\ntitle = \"轴\"; \nrate = 0\n").rfind("s.toml:2:12: not TOML", 0),
+            0u);
+  EXPECT_EQ(ErrorsOf("expect = [\"x == 1\", \"x =\", 5]\nrate = 0 # 轴\nrat = 5\n"
+                     "globals = { 轴 = 1 }\n")
+                .rfind("s.toml:4:13: characters beyond ASCII stand in strings", 0),
+            0u);
+  EXPECT_EQ(ErrorsOf("program = \"轴.c\"\nexpect = [\"轴 == 1\", 5]\nrate = 0\nrat = 5\n"),
+            "s.toml:2:11: in the expectation '轴 == 1': on the left stands a name; it should look "
+            "like 'sum == 5050 @ 10ms'\n"
+            "    2 | expect = [\"轴 == 1\", 5]\n"
+            "      |           ^~~~~~~~~\n"
+            "s.toml:2:21: an expectation must be a text\n"
+            "    2 | expect = [\"轴 == 1\", 5]\n"
+            "      |                      ^\n"
+            "s.toml:3:8: 'rate' must be a whole number from 1 to 1000000\n"
+            "    3 | rate = 0\n"
+            "      |        ^\n"
+            "s.toml:4:1: unknown key 'rat'; did you mean 'rate'?\n"
+            "    4 | rat = 5\n"
+            "      | ^~~");
+}
+
+TEST(ParseScenario, ShowsSoManyErrorsAndCountsTheRest) {
+  std::string text = "program = \"p.c\"\n";
+  for (int i = 0; i < 23; ++i) text += "key" + std::to_string(i) + " = 1\n";
+  const std::string errors = ErrorsOf(text);
+  EXPECT_EQ(errors.substr(errors.rfind('\n') + 1), "3 more errors");
+}
+
+TEST(ParseScenario, RefusesAPriorityThatNothingUses) {
+  EXPECT_EQ(ErrorOf("program = \"p.c\"\n[[thread]]\nfunction = \"f\"\npriority = 1\n")
+                .rfind("s.toml:4:12: 'priority' is of a thread that is started periodically", 0),
+            0u);
+}
+
+TEST(ParseScenario, RefusesWhatACommandCannotUse) {
+  const std::string races = "program = \"p.c\"\nraces = \"none\"\n";
+  EXPECT_EQ(
+      ErrorsOf(races, ScenarioUse::kRun).rfind("s.toml:2:1: 'races' is about all schedules", 0),
+      0u);
+  EXPECT_EQ(ErrorsOf(races, ScenarioUse::kTest), ErrorsOf(races, ScenarioUse::kRun));
+  EXPECT_EQ(ErrorsOf(races + "explore = \"prove\"\n", ScenarioUse::kTest), "no error");
+  EXPECT_EQ(ErrorsOf(races, ScenarioUse::kExplore), "no error");
+  EXPECT_EQ(ErrorsOf("expect = []\n", ScenarioUse::kHost), "no error");
+  EXPECT_EQ(ErrorsOf("final = []\n", ScenarioUse::kHost)
+                .rfind("s.toml:1:1: 'final' cannot be used for a host program", 0),
+            0u);
+}
 
 TEST(ParseScenario, SaysWhatIsMissing) {
   EXPECT_NE(ErrorOf("rate = 5\n").find("'program' is missing"), std::string::npos);

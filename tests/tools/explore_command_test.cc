@@ -225,8 +225,10 @@ TEST(Explore, RefusesHostEvents) {
       RunOncard({"explore", scratch.Write("s.toml",
                                           "program = \"p.c\"\n[[thread]]\nfunction = \"t0\"\n"
                                           "[[host]]\nat_ms = 1\nset = { g = 1 }\n")});
-  EXPECT_EQ(result.exit_code, 2);
-  EXPECT_NE(result.err.find("host events"), std::string::npos) << result.err;
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_NE(result.err.find("s.toml:4:3: a scenario with [[host]] cannot be explored"),
+            std::string::npos)
+      << result.err;
 }
 
 TEST(Explore, TheDporEngineKnowsNoTime) {
