@@ -105,18 +105,25 @@ bool HasOutput(const Parameter& parameter, const vm::CommandArgument& argument) 
 
 }  // namespace
 
+std::string FormatCallAndCode(const gtcalls::Command& command,
+                              std::span<const vm::CommandArgument> arguments, int16_t code,
+                              const Message& reason, Language language) {
+  std::string text = fmt::format("{}(", command.name);
+  for (size_t i = 0; i < arguments.size(); ++i) {
+    if (i > 0) text += ", ";
+    text += ArgumentOf(command.parameters[i], arguments[i]);
+  }
+  text += fmt::format(") = {}", code);
+  const std::string& why = reason.In(language);
+  return why.empty() ? text : text + ": " + why;
+}
+
 std::string FormatCall(const LoggedCall& call, Language language) {
   std::string line =
       fmt::format("{}.{:03} card{} ", call.time_us / 1000, call.time_us % 1000, call.card);
   if (call.caller != vm::kHostCaller) line += fmt::format("thread {}: ", call.caller);
-  line += fmt::format("{}(", call.command.name);
-  for (size_t i = 0; i < call.arguments.size(); ++i) {
-    if (i > 0) line += ", ";
-    line += ArgumentOf(call.command.parameters[i], call.arguments[i]);
-  }
-  line += fmt::format(") = {}", call.code);
-  const std::string& reason = call.reason.In(language);
-  if (call.code != 0 || !reason.empty()) return reason.empty() ? line : line + ": " + reason;
+  line += FormatCallAndCode(call.command, call.arguments, call.code, call.reason, language);
+  if (call.code != 0 || !call.reason.In(language).empty()) return line;
   for (size_t i = 0; i < call.arguments.size(); ++i) {
     const Parameter& parameter = call.command.parameters[i];
     if (!HasOutput(parameter, call.arguments[i])) continue;

@@ -37,6 +37,11 @@ struct LoggedCall {
   const Message& reason;
 };
 
+/// A call with its inputs, its code and why: `GT_Bind(40, 1, 0) = 7: parameter thread is 40; ...`.
+std::string FormatCallAndCode(const gtcalls::Command& command,
+                              std::span<const vm::CommandArgument> arguments, int16_t code,
+                              const Message& reason, Language language);
+
 /// The line without its end.
 std::string FormatCall(const LoggedCall& call, Language language);
 

@@ -41,7 +41,7 @@ Controller::Controller(const ControllerOptions& options)
       card_{machine_, motion_, plc_} {}
 
 void Controller::LogRefusals(CallLog* log, int card) {
-  commands_.ObserveRefusals([this, log, card](const gtcalls::Call& call, int16_t code) {
+  ObserveRefusals([this, log, card](const gtcalls::Call& call, int16_t code) {
     log->Write({NowUs(), card, call.caller, call.command, call.arguments, code, call.reason});
   });
 }
@@ -49,6 +49,19 @@ void Controller::LogRefusals(CallLog* log, int card) {
 void Controller::LogHappenings(CallLog* log, int card) {
   motion_.Observe([this, log, card](const motion::Happening& happening) {
     log->Write(motion_.now(), card, DescribeHappening(happening));
+  });
+}
+
+void Controller::CollectRefusals(RefusedCommands* refused) {
+  ObserveRefusals([this, refused](const gtcalls::Call& call, int16_t code) {
+    refused->Add(call, code, NowUs());
+  });
+}
+
+void Controller::ObserveRefusals(gtcalls::RefusalObserver observer) {
+  refusal_observers_.push_back(std::move(observer));
+  commands_.ObserveRefusals([this](const gtcalls::Call& call, int16_t code) {
+    for (const gtcalls::RefusalObserver& each : refusal_observers_) each(call, code);
   });
 }
 
@@ -88,7 +101,25 @@ void Controller::AdvanceUs(int64_t microseconds) {
   }
 }
 
-void Controller::RunCycle() { machine_.Execute(BeginCycle()); }
+void Controller::RunCycle() {
+  const int64_t budget = BeginCycle();
+  if (state_observer_) {
+    ExecuteObserved(budget);
+  } else {
+    machine_.Execute(budget);
+  }
+}
+
+void Controller::ExecuteObserved(int64_t budget) {
+  // Threads that wake up at their function's end come to it.
+  machine_.Execute(0);
+  state_observer_();
+  for (; budget > 0; --budget) {
+    if (machine_.Execute(1) == 0) break;
+    state_observer_();
+    if (machine_.last_stop() != vm::Stop::kBudget) break;
+  }
+}
 
 int64_t Controller::BeginCycle() {
   motion_.Tick();

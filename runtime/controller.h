@@ -7,14 +7,18 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/result.h"
 #include "gtcalls/card.h"
 #include "motion/motion_core.h"
 #include "runtime/call_log.h"
+#include "runtime/refused_commands.h"
 #include "vm/image.h"
 #include "vm/machine.h"
 
@@ -78,6 +82,9 @@ class Controller {
   void LogRefusals(CallLog* log, int card);
   /// The same for what the card does by itself: stops, paths that run dry (happening_text.h).
   void LogHappenings(CallLog* log, int card);
+  /// From now on the list gets every command that a thread is refused. It must outlive the
+  /// controller's running.
+  void CollectRefusals(RefusedCommands* refused);
 
   // --- Programs --------------------------------------------------------------------------------
 
@@ -103,8 +110,11 @@ class Controller {
   void AdvanceUs(int64_t microseconds);
   /// Runs one profile cycle: motion tick, PLC blocks, then the threads with their budget.
   void RunCycle();
-  /// The same without the threads: gives the statements that they may execute before the next cycle
-  /// begins, for a caller that chooses their order.
+  /// From now on RunCycle() calls the observer in every state: after the beginning of the cycle and
+  /// after each statement. It must not change the card. An empty one ends it.
+  void ObserveStates(std::function<void()> observer) { state_observer_ = std::move(observer); }
+  /// RunCycle() without the threads: gives the statements that they may execute before the next
+  /// cycle begins, for a caller that chooses their order.
   int64_t BeginCycle();
   /// Runs at most `limit_cycles` cycles, until no thread is running. kDeadlock: as Deadlocked().
   RunEnd RunUntilQuiet(int64_t limit_cycles);
@@ -140,6 +150,9 @@ class Controller {
  private:
   /// GT_BufSetVarValue: what coordinate systems have reached in the last tick.
   void WriteBufferedValues();
+  void ObserveRefusals(gtcalls::RefusalObserver observer);
+  /// The threads' part of a cycle, statement by statement.
+  void ExecuteObserved(int64_t budget);
 
   ControllerOptions options_;
   motion::MotionCore motion_;
@@ -147,6 +160,8 @@ class Controller {
   gtcalls::CardCommands commands_;
   vm::Machine machine_;
   gtcalls::Card card_;
+  std::vector<gtcalls::RefusalObserver> refusal_observers_;
+  std::function<void()> state_observer_;
   int64_t pending_us_ = 0;          // host time not yet turned into cycles
   int64_t pending_statements_ = 0;  // thousandths of a statement the last budget was rounded by
 };

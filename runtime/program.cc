@@ -1,5 +1,9 @@
 #include "runtime/program.h"
 
+#include <fmt/format.h>
+
+#include <filesystem>
+
 #include "vm/object_reader.h"
 
 namespace oncard::runtime {
@@ -24,6 +28,13 @@ ProgramLoad LoadProgram(const std::string& path, const compiler::Options& option
       compiler::CompileText(path, std::move(text).value(), options, compiler::ReadSource);
   load.object = load.compilation->object;
   return load;
+}
+
+std::string SourcePlace(const std::string& program_path, const vm::Function& function,
+                        size_t instruction) {
+  const std::filesystem::path folder = std::filesystem::path(program_path).parent_path();
+  const int line = instruction < function.lines.size() ? function.lines[instruction] : 0;
+  return fmt::format("{}:{}", (folder / function.file).string(), line);
 }
 
 }  // namespace oncard::runtime

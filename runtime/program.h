@@ -1,6 +1,7 @@
 // A motion program from a file, source or object.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -23,5 +24,9 @@ struct ProgramLoad {
 /// Loads the object pair of a path that ends in `.bin`; compiles any other file. Nothing is
 /// written.
 ProgramLoad LoadProgram(const std::string& path, const compiler::Options& options);
+
+/// `file:line` of an instruction, the file as it lies beside the program.
+std::string SourcePlace(const std::string& program_path, const vm::Function& function,
+                        size_t instruction);
 
 }  // namespace oncard::runtime

@@ -1,9 +1,10 @@
 #include "runtime/scenario_run.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "base/files.h"
+#include "runtime/moving_axes.h"
+#include "runtime/program.h"
 #include "runtime/scenario_start.h"
 #include "runtime/scenario_world.h"
 
@@ -11,6 +12,9 @@ namespace oncard::runtime {
 namespace {
 
 constexpr std::string_view kReplayPrefix = "replay:";
+
+/// Cycles after which a run looks whether it shall stop.
+constexpr int64_t kLookCycles = 1000;
 
 Message Prefixed(std::string_view place, const Message& message) {
   return {fmt::format("{}: {}", place, message.en), fmt::format("{}：{}", place, message.zh)};
@@ -44,11 +48,12 @@ class ScenarioRunner {
       controller_.LogRefusals(&log, 0);
       controller_.LogHappenings(&log, 0);
     }
+    controller_.CollectRefusals(&refused_);
     auto started = StartScenario(scenario_, std::move(object), &controller_);
     if (!started.ok()) return started.error();
-    for (const auto step :
-         {&ScenarioRunner::SetUpPolicy, &ScenarioRunner::SetUpExpectations,
-          &ScenarioRunner::SetUpHost, &ScenarioRunner::SetUpValues, &ScenarioRunner::SetUpTrace}) {
+    for (const auto step : {&ScenarioRunner::SetUpPolicy, &ScenarioRunner::SetUpExpectations,
+                            &ScenarioRunner::SetUpHost, &ScenarioRunner::SetUpValues,
+                            &ScenarioRunner::SetUpTrace, &ScenarioRunner::SetUpWatch}) {
       if (auto done = (this->*step)(); !done.ok()) return done.error();
     }
     if (options_.steps) result_.steps.emplace();
@@ -158,13 +163,14 @@ class ScenarioRunner {
   }
 
   Result<void> SetUpTrace() {
-    if (!options_.trace) return {};
+    // Misspelt names are found whether there is a trace or not.
     std::vector<TraceColumn> columns;
     for (const std::string& name : scenario_.trace) {
       auto quantities = ResolveQuantity(name, controller_);
       if (!quantities.ok()) return quantities.error();
       for (Quantity& quantity : quantities.value()) columns.push_back({std::move(quantity)});
     }
+    if (!options_.trace) return {};
     if (scenario_.trace.empty()) {
       for (const std::vector<Quantity>& quantities : shown_quantities_) {
         for (const Quantity& quantity : quantities) columns.push_back({quantity});
@@ -174,6 +180,16 @@ class ScenarioRunner {
       for (TraceColumn& column : DefaultColumns(controller_)) columns.push_back(std::move(column));
     }
     result_.trace.emplace(std::move(columns));
+    return {};
+  }
+
+  Result<void> SetUpWatch() {
+    RunWatch* watch = options_.watch;
+    if (watch == nullptr) return {};
+    if (auto begun = watch->Begin(controller_); !begun.ok()) return begun.error();
+    if (!watch->LooksAtStates()) return {};
+    watch->Look(controller_);
+    controller_.ObserveStates([this, watch] { watch->Look(controller_); });
     return {};
   }
 
@@ -189,12 +205,13 @@ class ScenarioRunner {
       ApplyDueWrites();
       if (result_.trace) result_.trace->Sample(controller_);
       if (controller_.cycle() >= last) break;
+      if (options_.stop != nullptr && *options_.stop) {
+        result_.interrupted = true;
+        break;
+      }
       if (!ended) ended = controller_.machine().Quiet();
-      if (ended && next_timed_ == timed_.size()) break;
-      int64_t next = last;
-      if (next_timed_ < timed_.size()) next = std::min(next, timed_[next_timed_].cycle);
-      if (next_write_ < writes_.size()) next = std::min(next, writes_[next_write_].cycle);
-      if (result_.trace) next = controller_.cycle() + 1;
+      if (ended && next_timed_ == timed_.size() && !scenario_.until_us) break;
+      const int64_t next = NextLook(last);
       const bool host_is_awaited = next_write_ < writes_.size();
       if (ended || (host_is_awaited && controller_.Deadlocked())) {
         while (controller_.cycle() < next) controller_.RunCycle();
@@ -207,11 +224,20 @@ class ScenarioRunner {
       if (ended) result_.end = end;
       if (end == RunEnd::kScheduleEnd || end == RunEnd::kScheduleDiverged) break;
     }
-    if (!ended && !controller_.machine().Quiet()) {
-      result_.end = RunEnd::kTimeLimit;
-      result_.reached_until = until <= limit;
-    }
+    result_.reached_until = scenario_.until_us && controller_.cycle() >= until;
+    const bool over = ended || controller_.machine().Quiet();
+    const bool cut = scenario_.until_us && controller_.cycle() >= limit && !result_.reached_until;
+    if (!over || (cut && result_.end == RunEnd::kQuiet)) result_.end = RunEnd::kTimeLimit;
     if (result_.trace) result_.trace->Finish(controller_);
+  }
+
+  // The cycle up to which the run can go on by itself.
+  int64_t NextLook(int64_t last) const {
+    if (result_.trace) return controller_.cycle() + 1;
+    int64_t next = std::min(last, controller_.cycle() + kLookCycles);
+    if (next_timed_ < timed_.size()) next = std::min(next, timed_[next_timed_].cycle);
+    if (next_write_ < writes_.size()) next = std::min(next, writes_[next_write_].cycle);
+    return next;
   }
 
   void ApplyDueWrites() {
@@ -254,13 +280,12 @@ class ScenarioRunner {
     for (int thread = 0; thread < vm::kThreadCount; ++thread) {
       if (machine.thread(thread).run != vm::ThreadRun::kUnbound) ReportThread(thread);
     }
-    for (; next_timed_ < timed_.size(); ++next_timed_) {
-      Fail(timed_[next_timed_].bound.expectation.text,
-           MakeMessage("the run ended before, at {0} ms", "运行在此之前结束，时刻 {0} ms",
-                       result_.end_ms));
+    ReportRefusedCommands();
+    if (!result_.interrupted) JudgeEnd();
+    for (Message& axis : DescribeMovingAxes(controller_)) {
+      result_.warnings.push_back(std::move(axis));
     }
-    for (const PendingExpectation& pending : final_) EvaluateNow(pending.bound);
-    ReportEnd();
+    WarnOfMissedWrites();
     for (size_t i = 0; i < shown_.size(); ++i) {
       ShownValue value;
       value.name = shown_[i];
@@ -273,14 +298,50 @@ class ScenarioRunner {
     }
   }
 
+  void JudgeEnd() {
+    for (; next_timed_ < timed_.size(); ++next_timed_) {
+      Fail(timed_[next_timed_].bound.expectation.text,
+           MakeMessage("the run ended before, at {0} ms", "运行在此之前结束，时刻 {0} ms",
+                       result_.end_ms));
+    }
+    for (const PendingExpectation& pending : final_) EvaluateNow(pending.bound);
+    if (options_.watch != nullptr && InOrder()) options_.watch->End(controller_);
+    ReportEnd();
+  }
+
+  void ReportRefusedCommands() {
+    for (const RefusedCommand& refused : refused_.list()) {
+      Message text = DescribeRefusedCommand(refused, ProgramPath(scenario_));
+      if (options_.strict_commands) {
+        Fail({}, std::move(text));
+      } else {
+        result_.warnings.push_back(std::move(text));
+      }
+    }
+  }
+
+  void WarnOfMissedWrites() {
+    if (next_write_ == writes_.size()) return;
+    const PendingWrite& write = writes_[next_write_];
+    const int64_t at_us = write.cycle * scenario_.cycle_us;
+    result_.warnings.push_back(MakeMessage(
+        "the run ended at {0} ms, before the host writes {1} at {2} ms: 'until_ms' lets it go on",
+        "运行在 {0} ms 结束，早于主机在 {2} ms 写入 {1}：可用“until_ms”使运行继续", result_.end_ms,
+        write.variable.name, static_cast<double>(at_us) / 1000));
+  }
+
+  // True when the run has come to an end that it was meant to have.
+  bool InOrder() const {
+    return result_.end == RunEnd::kQuiet ||
+           (result_.end == RunEnd::kTimeLimit && result_.reached_until);
+  }
+
   void ReportEnd() {
     switch (result_.end) {
       case RunEnd::kQuiet:
         break;
       case RunEnd::kTimeLimit:
-        if (result_.reached_until) break;
-        Fail({}, MakeMessage("threads still run at the time limit of {0} ms",
-                             "到时间上限 {0} ms 时仍有线程在运行", scenario_.limit_ms));
+        ReportTimeLimit();
         break;
       case RunEnd::kDeadlock:
         Fail({}, MakeMessage("deadlock at {0} ms: every running thread waits for a variable that "
@@ -297,6 +358,20 @@ class ScenarioRunner {
                              "重放在第 {0} 条语句之后偏离录制的运行", result_.statements));
         break;
     }
+  }
+
+  void ReportTimeLimit() {
+    if (result_.reached_until) return;
+    if (controller_.machine().Quiet()) {
+      Fail({},
+           MakeMessage("the time limit of {0} ms comes before the end that 'until_ms' asks for, "
+                       "{1} ms: raise 'limit_ms'",
+                       "时间上限 {0} ms 早于“until_ms”要求的结束时刻 {1} ms：应增大“limit_ms”",
+                       scenario_.limit_ms, static_cast<double>(*scenario_.until_us) / 1000));
+      return;
+    }
+    Fail({}, MakeMessage("threads still run at the time limit of {0} ms",
+                         "到时间上限 {0} ms 时仍有线程在运行", scenario_.limit_ms));
   }
 
   // The last checkpoint of a recording is the state at the end of the run.
@@ -334,9 +409,7 @@ class ScenarioRunner {
                               ? vm::DoubleFromFixed(thread.result)
                               : static_cast<double>(thread.result);
     report.result = FormatNumber(result, FormOf(thread.result_type));
-    const std::filesystem::path program = ProgramPath(scenario_);
-    report.place = fmt::format("{}:{}", (program.parent_path() / function.file).string(),
-                               machine.Line(number));
+    report.place = SourcePlace(ProgramPath(scenario_), function, thread.pc);
     report.status = StatusOf(thread, report);
     if (thread.run == vm::ThreadRun::kFaulted &&
         std::find(fault_expected_.begin(), fault_expected_.end(), number) ==
@@ -371,6 +444,7 @@ class ScenarioRunner {
 
   const Scenario& scenario_;
   const RunOptions& options_;
+  RefusedCommands refused_;
   Controller controller_;
   std::shared_ptr<const vm::Schedule> replayed_;
   std::vector<PendingExpectation> timed_;  // by cycle

@@ -3,13 +3,14 @@
 // Order: download, bind every thread, set globals and locals, start the threads in the order of the
 // scenario. At the boundary of two profile cycles, expectations of that instant are evaluated
 // first, then the world's events of that instant act, then the host writes its variables. The run
-// ends when no thread is running and every expectation with an instant has been evaluated, or at a
-// limit.
+// ends at the scenario's `until_ms`; without one, when no thread is running and every expectation
+// with an instant has been evaluated. A run that comes to `limit_ms` before that has failed.
 //
 // Deterministic: the same scenario and program give the same result, hash included.
 // Tested by tests/runtime/scenario_run_test.cc.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -18,6 +19,7 @@
 
 #include "base/result.h"
 #include "runtime/controller.h"
+#include "runtime/run_watch.h"
 #include "runtime/scenario.h"
 #include "runtime/step_log.h"
 #include "runtime/trace.h"
@@ -39,6 +41,13 @@ struct RunOptions {
   bool trace = false;
   /// Keep what every statement does in ScenarioResult::steps.
   bool steps = false;
+  /// A command that a thread is refused is a failure, and no warning only.
+  bool strict_commands = false;
+  /// Set from outside, from a signal handler for instance, it ends the run early: what was recorded
+  /// and found until then is in the result.
+  const std::atomic<bool>* stop = nullptr;
+  /// Looks at the run while it goes on.
+  RunWatch* watch = nullptr;
 };
 
 /// How a thread ended.
@@ -70,6 +79,7 @@ struct ScenarioFailure {
 struct ScenarioResult {
   RunEnd end = RunEnd::kQuiet;
   bool reached_until = false;  ///< ended at the scenario's `until_ms`
+  bool interrupted = false;    ///< ended by RunOptions::stop; the end was not judged
   double end_ms = 0;
   int64_t statements = 0;
   uint64_t hash = 0;  ///< Controller::Hash()
@@ -77,6 +87,9 @@ struct ScenarioResult {
   std::vector<ThreadReport> threads;  ///< bound ones, by number
   std::vector<ShownValue> values;
   std::vector<ScenarioFailure> failures;
+  /// What fails nothing but should be known: commands that threads were refused, axes that still
+  /// move, what the host came too late for.
+  std::vector<Message> warnings;
   std::optional<vm::Schedule> schedule;
   std::optional<Trace> trace;
   std::optional<StepLog> steps;

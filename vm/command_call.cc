@@ -127,6 +127,8 @@ Exit CallCommand(Frame& frame, const CallSite& site) {
     next_cell += cell_counts[i];
   }
 
+  // Whoever observes commands finds the statement that calls.
+  thread.pc = static_cast<uint16_t>(frame.pc - frame.function->code.data());
   thread.error = machine.commands_->Execute(site.command, machine, frame.thread,
                                             std::span(arguments.data(), count));
   if (thread.error == kOk) {

@@ -107,6 +107,69 @@ TEST(RunScenario, EndsWithoutFailureAtUntil) {
   EXPECT_TRUE(result.reached_until);
 }
 
+// --- The end of a run ----------------------------------------------------------------------------
+
+// 0.5 pulse/ms^2 to 35 pulse/ms: 70 ms.
+constexpr const char* kJog =
+    "int f()\n{\n  TJogPrm jog;\n  GT_AxisOn(1);\n  GT_PrfJog(1);\n  GT_GetJogPrm(1, &jog);\n"
+    "  jog.acc = 0.5;\n  jog.dec = 0.5;\n  GT_SetJogPrm(1, &jog);\n  GT_SetVel(1, 35);\n"
+    "  GT_Update(1);\n  return 0;\n}\n";
+
+TEST(RunScenario, GoesOnUntilTheEndThatIsAskedForWithoutThreads) {
+  const ScenarioResult result = RunForTest(kJog, "until_ms = 500\nexpect = [\"clock == 500\"]");
+  EXPECT_TRUE(result.passed());
+  EXPECT_TRUE(result.reached_until);
+  EXPECT_EQ(result.end_ms, 500);
+}
+
+TEST(RunScenario, TracesUntilTheEndThatIsAskedFor) {
+  RunOptions options;
+  options.trace = true;
+  const ScenarioResult result =
+      RunForTest(kJog, "until_ms = 60\ntrace = [\"axis1.prfVel\"]", options);
+  EXPECT_EQ(result.trace->rows().back().time_us, 60'000);
+}
+
+TEST(RunScenario, SaysThatAnAxisStillMovesAtTheEnd) {
+  const ScenarioResult result = RunForTest(kJog, "until_ms = 500");
+  ASSERT_EQ(result.warnings.size(), 1u);
+  EXPECT_EQ(result.warnings[0].en.rfind(
+                "axis 1 still moves at the end of the run, at 500 ms: velocity 35 pulse/ms, ", 0),
+            0u)
+      << result.warnings[0].en;
+  EXPECT_TRUE(RunForTest(kCount, "until_ms = 500").warnings.empty());
+}
+
+TEST(RunScenario, FailsWhenTheLimitComesBeforeTheEndThatIsAskedFor) {
+  const ScenarioResult result = RunForTest(kCount, "limit_ms = 20\nuntil_ms = 30");
+  EXPECT_EQ(result.end, RunEnd::kTimeLimit);
+  ASSERT_EQ(result.failures.size(), 1u);
+  EXPECT_EQ(result.failures[0].message.en,
+            "the time limit of 20 ms comes before the end that 'until_ms' asks for, 30 ms: raise "
+            "'limit_ms'");
+}
+
+TEST(RunScenario, SaysThatTheHostCameTooLate) {
+  const ScenarioResult result = RunForTest(kCount, "[[host]]\nat_ms = 10\nset = { n = 1 }\n");
+  ASSERT_EQ(result.warnings.size(), 1u);
+  EXPECT_EQ(
+      result.warnings[0].en,
+      "the run ended at 0.25 ms, before the host writes n at 10 ms: 'until_ms' lets it go on");
+}
+
+TEST(RunScenario, StopsWhenItIsToldAndKeepsWhatItHas) {
+  const std::atomic<bool> stop = true;
+  RunOptions options;
+  options.stop = &stop;
+  options.trace = true;
+  options.record = true;
+  const ScenarioResult result = RunForTest(kSpin, "expect = [\"n == -1\"]", options);
+  EXPECT_TRUE(result.interrupted);
+  EXPECT_EQ(result.end_ms, 0);
+  EXPECT_TRUE(result.failures.empty());
+  EXPECT_TRUE(result.trace && result.schedule);
+}
+
 TEST(RunScenario, GoesOnAfterTheThreadsUntilTheLastInstant) {
   const ScenarioResult result =
       RunForTest(kCount, "expect = [\"clock == 20 @ 20ms\", \"thread0.run == 0 @ 20ms\"]");

@@ -1,0 +1,48 @@
+// Commands that motion programs were refused: each place of a program once, however often it is
+// come to. A program sees a code that the next command overwrites; this is where it is not lost.
+// Not thread-safe. Tested by tests/runtime/refused_commands_test.cc.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "base/message.h"
+#include "gtcalls/card.h"
+
+namespace oncard::runtime {
+
+/// A statement whose command gave a code other than 0.
+struct RefusedCommand {
+  int thread = 0;        ///< that came to it first
+  std::string function;  ///< of the program
+  std::string file;      ///< of the source; `line` 0: not known
+  int line = 0;
+  Message call;  ///< `GT_AxisOn(9) = 7: parameter axis is 9; the range is [1, 8]`
+  int16_t code = 0;
+  int64_t first_us = 0;  ///< of the card's time
+  int64_t count = 0;
+};
+
+class RefusedCommands {
+ public:
+  /// A thread of the motion program was refused a command at that time.
+  void Add(const gtcalls::Call& call, int16_t code, int64_t now_us);
+
+  /// In the order in which they came about.
+  const std::vector<RefusedCommand>& list() const { return list_; }
+
+ private:
+  /// Program, function, instruction and code, and the place in the list.
+  std::map<std::tuple<uint64_t, int, int, int16_t>, size_t> known_;
+  std::vector<RefusedCommand> list_;
+};
+
+/// `p.c:12: thread 0 f: GT_AxisOn(9) = 7: ...`, the file as it lies beside the program.
+Message DescribeRefusedPlace(const RefusedCommand& refused, const std::string& program_path);
+/// The same with ` (first at 0.25 ms, 3 times)`.
+Message DescribeRefusedCommand(const RefusedCommand& refused, const std::string& program_path);
+
+}  // namespace oncard::runtime

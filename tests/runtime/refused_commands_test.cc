@@ -1,0 +1,52 @@
+// Commands that threads are refused, in runs of scenarios.
+#include <gtest/gtest.h>
+
+#include "tests/runtime/scenario_support.h"
+
+namespace oncard::runtime {
+namespace {
+
+std::vector<std::string> Texts(const std::vector<Message>& messages) {
+  std::vector<std::string> texts;
+  for (const Message& message : messages) texts.push_back(message.en);
+  return texts;
+}
+
+// The code of the first is overwritten by the second; line 8 runs three times.
+constexpr const char* kRefused =
+    "int f()\n{\n  int n;\n  int cc;\n  GT_AxisOn(9);\n  GT_AxisOn(1);\nlbl:\n  GT_AxisOff(9);\n"
+    "  n = n + 1;\n  cc = n < 3;\n  if (cc) goto lbl;\n  return 0;\n}\n";
+
+TEST(RefusedCommands, AreWarnedOfOncePerPlace) {
+  const ScenarioResult result = RunForTest(kRefused, "");
+  EXPECT_TRUE(result.passed());
+  const std::vector<std::string> warnings = Texts(result.warnings);
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_EQ(warnings[0].rfind("p.c:5: thread 0 f: GT_AxisOn(9) = 7: ", 0), 0u) << warnings[0];
+  EXPECT_NE(warnings[0].find(" (at 0.25 ms)"), std::string::npos) << warnings[0];
+  EXPECT_EQ(warnings[1].rfind("p.c:8: thread 0 f: GT_AxisOff(9) = ", 0), 0u) << warnings[1];
+  EXPECT_NE(warnings[1].find(" (first at 0.25 ms, 3 times)"), std::string::npos) << warnings[1];
+}
+
+TEST(RefusedCommands, FailARunThatIsStrict) {
+  RunOptions options;
+  options.strict_commands = true;
+  const ScenarioResult result = RunForTest(kRefused, "", options);
+  EXPECT_EQ(result.failures.size(), 2u);
+  EXPECT_TRUE(result.warnings.empty());
+  EXPECT_TRUE(RunForTest("int f()\n{\n  GT_AxisOn(1);\n  return 0;\n}\n", "", options).passed());
+}
+
+// The place is the call's, wherever other instructions stand before it.
+TEST(RefusedCommands, AreFoundAtTheirPlaceInLaterFunctions) {
+  const ScenarioResult result = RunForTest(
+      "int a;\nint f()\n{\n  return 1;\n}\nint g(int k)\n{\n  a = k + 1;\n  a = a * 2;\n"
+      "  GT_AxisOn(9);\n  return a;\n}\n",
+      "[[thread]]\nthread = 3\nfunction = \"g\"\n");
+  ASSERT_EQ(result.warnings.size(), 1u);
+  EXPECT_EQ(result.warnings[0].en.rfind("p.c:10: thread 3 g: GT_AxisOn(9) = 7", 0), 0u)
+      << result.warnings[0].en;
+}
+
+}  // namespace
+}  // namespace oncard::runtime
