@@ -50,6 +50,7 @@ Result<CardModel> CardModel::Create(const runtime::Scenario& scenario,
   model.scenario_ = scenario;
   model.controller_ = std::make_unique<runtime::Controller>(runtime::CardOptions(scenario));
   runtime::Controller& controller = *model.controller_;
+  controller.CollectRefusals(model.refused_.get());
   auto started = runtime::StartScenario(scenario, std::move(object), &controller);
   if (!started.ok()) return started.error();
   model.image_ = controller.machine().shared_image();
@@ -66,6 +67,8 @@ Result<CardModel> CardModel::Create(const runtime::Scenario& scenario,
     model.last_is_failure_ = false;
   }
   if (auto bound = model.BindRequirements(requirements); !bound.ok()) return bound.error();
+  // Without threads the card goes on until then, as in a run.
+  if (scenario.until_us) model.last_instant_ = model.last_cycle_;
   model.Save(nullptr, &model.initial_);
   return model;
 }

@@ -64,6 +64,8 @@ class CardModel {
   bool asks_nothing() const { return requirements_.empty(); }
   /// The card, as the last Start(), Step() or Load() left it.
   const runtime::Controller& controller() const { return *controller_; }
+  /// Commands that threads have been refused in any of the steps that were taken.
+  const std::vector<runtime::RefusedCommand>& refused() const { return refused_->list(); }
 
   /// The first state in which a thread has a choice, or the end.
   State Start();
@@ -118,6 +120,7 @@ class CardModel {
 
   runtime::Scenario scenario_;
   std::shared_ptr<const vm::Image> image_;
+  std::unique_ptr<runtime::RefusedCommands> refused_ = std::make_unique<runtime::RefusedCommands>();
   std::unique_ptr<runtime::Controller> controller_;
   std::shared_ptr<const Body> held_;           ///< what the controller's body is equal to
   State initial_;                              ///< before the first cycle
@@ -128,7 +131,7 @@ class CardModel {
   bool has_invariants_ = false;  ///< or kEventually
   int64_t last_cycle_ = 0;       ///< `until_ms` or `limit_ms`
   bool last_is_failure_ = true;  ///< it is the latter
-  int64_t last_instant_ = 0;     ///< cycle of the last expectation with an instant
+  int64_t last_instant_ = 0;     ///< cycle of the last expectation with an instant, or `until_ms`
 };
 
 }  // namespace oncard::explore

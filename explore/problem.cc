@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "compiler/display_text.h"
+
 namespace oncard::explore {
 namespace {
 
@@ -16,10 +18,26 @@ std::string_view Trim(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-Error AtLine(const std::string& path, int line, const Message& message) {
-  return {1,
-          {fmt::format("{}:{}: {}", path, line, message.en),
-           fmt::format("{}:{}：{}", path, line, message.zh)}};
+/// What is wrong with the comment in a line, and the line.
+Message AtLine(const std::string& path, int number, std::string_view line, const Message& message) {
+  const size_t begin = line.find(kMark);
+  const size_t last = line.find_last_not_of(" \t\r");
+  const std::string excerpt = compiler::FormatExcerpt(line, number, begin, last + 1);
+  const auto column = static_cast<int>(begin) + 1;
+  return {fmt::format("{}:{}:{}: {}\n{}", path, number, column, message.en, excerpt),
+          fmt::format("{}:{}:{}：{}\n{}", path, number, column, message.zh, excerpt)};
+}
+
+/// Calls `look` with the number and text of every line that is such a comment.
+template <typename Look>
+void ForEachComment(std::string_view source, Look look) {
+  int number = 1;
+  for (size_t begin = 0; begin < source.size(); ++number) {
+    const size_t end = std::min(source.find('\n', begin), source.size());
+    const std::string_view line = source.substr(begin, end - begin);
+    begin = end + 1;
+    if (Trim(line).starts_with(kMark)) look(number, line);
+  }
 }
 
 std::optional<Scope> ScopeNamed(std::string_view name) {
@@ -104,8 +122,6 @@ std::string_view ScopeName(Scope scope) {
 Result<CommentProblem> ReadComments(const std::string& path, std::string_view source,
                                     const vm::Object& object) {
   CommentProblem problem;
-  problem.scenario.path = path;
-  problem.scenario.program = runtime::PathToScenario(problem.scenario, path);
   for (int thread = 0; thread < vm::kThreadCount; ++thread) {
     runtime::ThreadStart start;
     start.thread = thread;
@@ -121,17 +137,35 @@ Result<CommentProblem> ReadComments(const std::string& path, std::string_view so
         "scenario that binds them",
         "{0} 中没有函数 t0：请将各线程的函数命名为 t0、t1……，或改用绑定线程的场景文件", path);
   }
-  int line = 1;
-  for (size_t begin = 0; begin < source.size(); ++line) {
-    const size_t end = std::min(source.find('\n', begin), source.size());
-    const std::string_view text = Trim(source.substr(begin, end - begin));
-    begin = end + 1;
-    if (!text.starts_with(kMark)) continue;
-    if (auto read = ReadComment(text.substr(kMark.size()), &problem); !read.ok()) {
-      return AtLine(path, line, read.error().message);
-    }
-  }
+  auto comments = ReadCommentLines(path, source);
+  if (!comments.ok()) return comments;
+  comments.value().scenario.threads = std::move(problem.scenario.threads);
+  return comments;
+}
+
+Result<CommentProblem> ReadCommentLines(const std::string& path, std::string_view source) {
+  CommentProblem problem;
+  problem.scenario.path = path;
+  problem.scenario.program = runtime::PathToScenario(problem.scenario, path);
+  Message errors;
+  ForEachComment(source, [&](int number, std::string_view line) {
+    const auto read = ReadComment(Trim(line).substr(kMark.size()), &problem);
+    if (read.ok()) return;
+    const Message error = AtLine(path, number, line, read.error().message);
+    const std::string_view separator = errors.en.empty() ? "" : "\n";
+    errors.en += fmt::format("{}{}", separator, error.en);
+    errors.zh += fmt::format("{}{}", separator, error.zh);
+  });
+  if (!errors.en.empty()) return Error{1, std::move(errors)};
   return problem;
+}
+
+int FirstCommentLine(std::string_view source) {
+  int first = 0;
+  ForEachComment(source, [&](int number, std::string_view) {
+    if (first == 0) first = number;
+  });
+  return first;
 }
 
 bool Problem::HasInvariants() const {

@@ -52,8 +52,15 @@ struct CommentProblem {
   std::vector<Requirement> requirements;
 };
 
-/// Reads the comments of a source, whose functions are those of `object`. Fails, naming the line,
-/// on a comment that cannot be read, and when there is no function t0.
+/// Reads what the comments of a source say, without binding threads. Fails on a comment that cannot
+/// be read: the message shows each with its line.
+Result<CommentProblem> ReadCommentLines(const std::string& path, std::string_view source);
+
+/// The first line with such a comment; 0 when there is none.
+int FirstCommentLine(std::string_view source);
+
+/// Reads the comments of a source, whose functions are those of `object`. Fails as
+/// ReadCommentLines(), and when there is no function t0.
 Result<CommentProblem> ReadComments(const std::string& path, std::string_view source,
                                     const vm::Object& object);
 

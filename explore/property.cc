@@ -313,6 +313,20 @@ bool Property::Holds(const runtime::Controller& controller) const {
   });
 }
 
+Message Property::DescribeValues(const runtime::Controller& controller) const {
+  std::vector<std::string_view> named;
+  Message values;
+  for (const runtime::Quantity& quantity : quantities_) {
+    if (std::ranges::find(named, quantity.name) != named.end()) continue;
+    const std::string value = runtime::FormatNumber(runtime::ReadQuantity(quantity, controller),
+                                                    runtime::FormOfQuantity(quantity, controller));
+    values.en += fmt::format("{}{} is {}", named.empty() ? "" : ", ", quantity.name, value);
+    values.zh += fmt::format("{}{} 为 {}", named.empty() ? "" : "，", quantity.name, value);
+    named.push_back(quantity.name);
+  }
+  return values;
+}
+
 template <typename Value>
 bool Property::Evaluate(Value value) const {
   std::array<double, kElementMax> stack{};

@@ -40,6 +40,9 @@ class Property {
   /// Evaluates it in the present state of what it was parsed for.
   bool Holds(const Model& model) const;
   bool Holds(const runtime::Controller& controller) const;
+  /// What it names and the values of that, as in `x is 3, a[1] is 0`, each name once; empty for an
+  /// expression of numbers.
+  Message DescribeValues(const runtime::Controller& controller) const;
 
  private:
   template <typename Names>

@@ -13,6 +13,7 @@
 #include "explore/ends.h"
 #include "explore/explorer.h"
 #include "explore/trail.h"
+#include "runtime/refused_commands.h"
 #include "vm/schedule.h"
 
 namespace oncard::explore {
@@ -24,6 +25,8 @@ struct Findings {
   Trail trail;  ///< of the failure
   /// The program's text, of which lines are shown; empty: line numbers alone.
   std::string source;
+  /// Commands that threads were refused in some schedule that was looked at.
+  std::vector<runtime::RefusedCommand> refused = {};
   // Where nothing is asked of results:
   End start = {};                      ///< the values before the first statement
   std::optional<End> serial_end = {};  ///< of the threads one after the other, if they end

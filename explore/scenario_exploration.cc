@@ -50,6 +50,7 @@ Findings FindingsOf(const runtime::Scenario& scenario, CardModel* model, Explora
     findings.start = walk.EndNow();
     findings.serial_end = SerialEnd(&walk);
   }
+  findings.refused = model->refused();
   return findings;
 }
 
@@ -129,6 +130,25 @@ std::vector<Requirement> RequirementsOf(const runtime::Scenario& scenario) {
   return requirements;
 }
 
+void AddRequirements(const std::vector<Requirement>& requirements, runtime::Scenario* scenario) {
+  for (const Requirement& requirement : requirements) {
+    switch (requirement.scope) {
+      case Scope::kFinal:
+        scenario->final.push_back(requirement.text);
+        break;
+      case Scope::kAlways:
+        scenario->always.push_back(requirement.text);
+        break;
+      case Scope::kNever:
+        scenario->never.push_back(requirement.text);
+        break;
+      case Scope::kEventually:
+        scenario->eventually.push_back(requirement.text);
+        break;
+    }
+  }
+}
+
 ExploreOptions OptionsOf(const runtime::ExploreWish& wish) {
   ExploreOptions options;
   options.engine = EngineNamed(wish.engine).value_or(EngineKind::kAuto);
@@ -144,7 +164,7 @@ bool NeedsCard(const runtime::Scenario& scenario, const vm::Object& object) {
       return instruction.opcode == vm::Opcode::kCommand;
     });
   };
-  return std::ranges::any_of(object.functions, calls) ||
+  return scenario.until_us || std::ranges::any_of(object.functions, calls) ||
          std::ranges::any_of(scenario.threads,
                              [](const auto& thread) { return thread.period_ms != 0; }) ||
          std::ranges::any_of(scenario.expectations, [](const auto& expectation) {

@@ -16,11 +16,14 @@ namespace oncard::explore {
 /// `final`, `always`, `never` and `eventually` of a scenario.
 std::vector<Requirement> RequirementsOf(const runtime::Scenario& scenario);
 
+/// Puts requirements into the keys of a scenario, behind those that it has.
+void AddRequirements(const std::vector<Requirement>& requirements, runtime::Scenario* scenario);
+
 /// What the scenario wishes, where it wishes something.
 ExploreOptions OptionsOf(const runtime::ExploreWish& wish);
 
-/// True when time or the card matters: the program calls GT commands, a thread is periodic, or an
-/// expectation has an instant.
+/// True when time or the card matters: the program calls GT commands, a thread is periodic, the
+/// scenario ends at an instant, or an expectation has one.
 bool NeedsCard(const runtime::Scenario& scenario, const vm::Object& object);
 
 /// A scenario whose program needs no card, with its expectations and the requirements. Fails when

@@ -1,0 +1,147 @@
+#include "explore/requirement_watch.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "explore/scenario_exploration.h"
+#include "runtime/program.h"
+
+namespace oncard::explore {
+namespace {
+
+std::string_view NameOf(Scope scope) {
+  switch (scope) {
+    case Scope::kFinal:
+      return "final";
+    case Scope::kAlways:
+      return "always";
+    case Scope::kNever:
+      return "never";
+    case Scope::kEventually:
+      break;
+  }
+  return "eventually";
+}
+
+Message Joined(const Message& first, const Message& values) {
+  if (values.en.empty()) return first;
+  return {fmt::format("{}: {}", first.en, values.en), fmt::format("{}：{}", first.zh, values.zh)};
+}
+
+}  // namespace
+
+Result<void> RequirementWatch::Begin(const runtime::Controller& controller) {
+  for (const Requirement& requirement : requirements_) {
+    auto property = Property::Parse(requirement.text, controller);
+    if (!property.ok()) {
+      const Message& why = property.error().message;
+      const std::string what = fmt::format("{}: {}", NameOf(requirement.scope), requirement.text);
+      return Error{1,
+                   {fmt::format("'{}': {}", what, why.en), fmt::format("“{}”：{}", what, why.zh)}};
+    }
+    looks_at_states_ = looks_at_states_ || requirement.scope != Scope::kFinal;
+    watched_.push_back({requirement, std::move(property).value()});
+  }
+  RememberThreads(controller);
+  return {};
+}
+
+void RequirementWatch::Look(const runtime::Controller& controller) {
+  for (Watched& watched : watched_) {
+    const Scope scope = watched.requirement.scope;
+    if (watched.settled || scope == Scope::kFinal) continue;
+    const bool holds = watched.property.Holds(controller);
+    if (holds == (scope == Scope::kAlways)) continue;
+    watched.settled = true;
+    if (scope == Scope::kEventually) continue;
+    const Message place = Place(controller);
+    Fail(watched, Joined(scope == Scope::kAlways
+                             ? MakeMessage("does not hold {0}", "{1}不成立", place.en, place.zh)
+                             : MakeMessage("holds {0}", "{1}成立", place.en, place.zh),
+                         watched.property.DescribeValues(controller)));
+  }
+  RememberThreads(controller);
+}
+
+void RequirementWatch::End(const runtime::Controller& controller) {
+  for (const Watched& watched : watched_) {
+    const Message values = watched.property.DescribeValues(controller);
+    if (watched.requirement.scope == Scope::kFinal && !watched.property.Holds(controller)) {
+      Fail(watched, Joined({"does not hold at the end", "结束时不成立"}, values));
+    } else if (watched.requirement.scope == Scope::kEventually && !watched.settled) {
+      Fail(watched,
+           Joined({"held in no state of the run; at its end", "在整个运行中从未成立；结束时"},
+                  values));
+    }
+  }
+}
+
+void RequirementWatch::Fail(const Watched& watched, Message message) {
+  failures_.push_back(
+      {fmt::format("{}: {}", NameOf(watched.requirement.scope), watched.requirement.text),
+       std::move(message)});
+}
+
+Message RequirementWatch::Place(const runtime::Controller& controller) const {
+  const vm::Machine& machine = controller.machine();
+  for (int number = 0; number < vm::kThreadCount; ++number) {
+    const auto index = static_cast<size_t>(number);
+    const vm::ThreadState& thread = machine.thread(number);
+    if (thread.executed != executed_[index] + 1) continue;
+    const vm::Function& function = machine.image()->object.functions[thread.function];
+    return MakeMessage(
+        "after thread {0} has executed {1}, at {2} ms", "在线程 {0} 执行 {1} 之后（{2} ms）",
+        number, runtime::SourcePlace(program_path_, function, next_[index]), controller.NowMs());
+  }
+  return MakeMessage("at {0} ms", "在 {0} ms ", controller.NowMs());
+}
+
+void RequirementWatch::RememberThreads(const runtime::Controller& controller) {
+  for (size_t i = 0; i < executed_.size(); ++i) {
+    const vm::ThreadState& thread = controller.machine().thread(static_cast<int>(i));
+    executed_[i] = thread.executed;
+    next_[i] = thread.pc;
+  }
+}
+
+Result<runtime::ScenarioResult> RunWithRequirements(const runtime::Scenario& scenario,
+                                                    vm::Object object,
+                                                    runtime::RunOptions options) {
+  RequirementWatch watch(RequirementsOf(scenario), runtime::ProgramPath(scenario));
+  options.watch = &watch;
+  auto result = runtime::RunScenario(scenario, std::move(object), options);
+  if (!result.ok()) return result;
+  std::vector<runtime::ScenarioFailure>& failures = result.value().failures;
+  failures.insert(failures.end(), watch.failures().begin(), watch.failures().end());
+  return result;
+}
+
+Result<void> AddComments(const std::string& path, std::string_view source, const vm::Object& object,
+                         runtime::Scenario* scenario) {
+  if (FirstCommentLine(source) == 0) return {};
+  const bool binds =
+      scenario->threads.empty() &&
+      std::ranges::find(object.functions, "t0", &vm::Function::name) != object.functions.end();
+  auto read = binds ? ReadComments(path, source, object) : ReadCommentLines(path, source);
+  if (!read.ok()) return read.error();
+  runtime::Scenario& said = read.value().scenario;
+  if (said.races != runtime::Scenario{}.races || !said.sync.empty()) {
+    return Error{1, runtime::DescribeRefusedKey("//@ races", runtime::ScenarioUse::kRun)};
+  }
+  if (binds) scenario->threads = std::move(said.threads);
+  scenario->globals.insert(scenario->globals.begin(), said.globals.begin(), said.globals.end());
+  AddRequirements(read.value().requirements, scenario);
+  return {};
+}
+
+std::optional<Message> DescribeUnusedComments(const runtime::Scenario& scenario,
+                                              std::string_view source) {
+  const int line = FirstCommentLine(source);
+  if (line == 0) return std::nullopt;
+  return MakeMessage(
+      "{0}:{1}: this comment is not looked at: a scenario says itself what must hold; put it there",
+      "{0}:{1}：未检查该注释：使用场景时由场景说明应成立的条件；应写入场景",
+      runtime::ProgramPath(scenario), line);
+}
+
+}  // namespace oncard::explore

@@ -1,0 +1,74 @@
+// What a scenario says of all schedules, looked at in one run: its `always` and `never` in every
+// state of the run, its `eventually` and `final`.
+// Tested by tests/explore/requirement_watch_test.cc.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/result.h"
+#include "explore/problem.h"
+#include "runtime/run_watch.h"
+#include "runtime/scenario_run.h"
+
+namespace oncard::explore {
+
+class RequirementWatch : public runtime::RunWatch {
+ public:
+  /// Messages name sources as they lie beside the program.
+  RequirementWatch(std::vector<Requirement> requirements, std::string program_path)
+      : requirements_(std::move(requirements)), program_path_(std::move(program_path)) {}
+
+  Result<void> Begin(const runtime::Controller& controller) override;
+  bool LooksAtStates() const override { return looks_at_states_; }
+  void Look(const runtime::Controller& controller) override;
+  void End(const runtime::Controller& controller) override;
+
+  /// What did not hold, in the order in which it was found: each requirement once.
+  const std::vector<runtime::ScenarioFailure>& failures() const { return failures_; }
+
+ private:
+  struct Watched {
+    Requirement requirement;
+    Property property;
+    bool settled = false;  ///< violated, or has been reached
+  };
+
+  void Fail(const Watched& watched, Message message);
+  /// Where the card is: after which statement, and when.
+  Message Place(const runtime::Controller& controller) const;
+  void RememberThreads(const runtime::Controller& controller);
+
+  std::vector<Requirement> requirements_;
+  std::string program_path_;
+  std::vector<Watched> watched_;
+  bool looks_at_states_ = false;
+  /// Of every thread at the last look: statements executed, and the next one.
+  std::array<int64_t, vm::kThreadCount> executed_{};
+  std::array<uint16_t, vm::kThreadCount> next_{};
+  std::vector<runtime::ScenarioFailure> failures_;
+};
+
+/// Runs the scenario and looks at what it requires (RequirementsOf()) on the way: what does not
+/// hold is among the failures of the result. Fails as RunScenario(), and when a requirement is no
+/// expression.
+Result<runtime::ScenarioResult> RunWithRequirements(const runtime::Scenario& scenario,
+                                                    vm::Object object, runtime::RunOptions options);
+
+/// Makes the scenario, which stands for a source that is run by itself, say what the source's
+/// comments say (problem.h): requirements, initial values, and, unless it has threads, the threads
+/// t0, t1, ... Fails on a comment that cannot be read or speaks of all schedules.
+Result<void> AddComments(const std::string& path, std::string_view source, const vm::Object& object,
+                         runtime::Scenario* scenario);
+
+/// A warning when the source of a scenario's program has such comments: nothing looks at them,
+/// since the scenario says what must hold.
+std::optional<Message> DescribeUnusedComments(const runtime::Scenario& scenario,
+                                              std::string_view source);
+
+}  // namespace oncard::explore
