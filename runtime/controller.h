@@ -113,6 +113,11 @@ class Controller {
   /// From now on RunCycle() calls the observer in every state: after the beginning of the cycle and
   /// after each statement. It must not change the card. An empty one ends it.
   void ObserveStates(std::function<void()> observer) { state_observer_ = std::move(observer); }
+  bool shows_states() const { return state_observer_ != nullptr; }
+  /// For callers that choose the order of statements themselves: calls the observer, if any.
+  void ShowState() const {
+    if (state_observer_) state_observer_();
+  }
   /// RunCycle() without the threads: gives the statements that they may execute before the next
   /// cycle begins, for a caller that chooses their order.
   int64_t BeginCycle();

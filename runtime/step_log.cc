@@ -180,10 +180,12 @@ RunEnd RunLogged(Controller* controller, int64_t limit_cycles, StepLog* log) {
     if (ran >= limit_cycles) return RunEnd::kTimeLimit;
     int64_t left = controller->BeginCycle();
     machine.Execute(0);
+    controller->ShowState();
     while (left > 0) {
       const bool logs = log->steps.size() < StepLog::kStepMax;
       if (logs) watch.Before();
-      const int64_t executed = machine.Execute(logs ? 1 : left);
+      const int64_t executed = machine.Execute(logs || controller->shows_states() ? 1 : left);
+      if (executed != 0) controller->ShowState();
       const int thread = logs ? watch.ThreadOfStep() : -1;
       if (thread >= 0) log->steps.push_back(watch.After(thread));
       log->executed += executed;

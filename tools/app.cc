@@ -86,6 +86,13 @@ CLI::Option* AddWarningOption(CLI::App& command, const Session& session,
           ""));
 }
 
+CLI::Option* AddStrictCommandsOption(CLI::App& command, const Session& session, bool& strict) {
+  return command.add_flag(
+      "--strict-commands", strict,
+      session.Say({"fail when a GT command gives another code than 0, which is a warning otherwise",
+                   "GT 指令返回值不为 0 时视为失败（默认仅警告）"}));
+}
+
 CLI::Option* AddFormatOption(CLI::App& command, const Session& session, std::string& format,
                              const std::vector<std::string>& choices) {
   const std::string list = fmt::to_string(fmt::join(choices, "|"));

@@ -42,6 +42,7 @@ CLI::Option* AddMaxErrorsOption(CLI::App& command, const Session& session, int& 
 /// `-Werror`, `-Wno-NAME`: one value for each, without the W.
 CLI::Option* AddWarningOption(CLI::App& command, const Session& session,
                               std::vector<std::string>& warnings);
+CLI::Option* AddStrictCommandsOption(CLI::App& command, const Session& session, bool& strict);
 CLI::Option* AddFormatOption(CLI::App& command, const Session& session, std::string& format,
                              const std::vector<std::string>& choices);
 

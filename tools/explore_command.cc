@@ -38,6 +38,7 @@ struct ExploreArguments {
   bool progress = false;
   double seconds = 0;  ///< 0: as long as it takes
   bool all = false;
+  bool strict_commands = false;
 };
 
 /// Writes the failing schedule with checkpoints, as a run of it records them.
@@ -51,7 +52,7 @@ int Save(const std::string& path, const Session& session, const ExploreSubject& 
   auto run = runtime::RunScenario(subject.scenario, subject.object, options);
   if (!run.ok()) return Fail(session, kExitInternal, run.error().message);
   vm::Schedule schedule = std::move(*run.value().schedule);
-  schedule.scenario = runtime::FormatScenario(moved);
+  schedule.scenario = runtime::FormatScenario(runtime::ScenarioOfOneRun(moved));
   auto annotated =
       runtime::AnnotateSchedule(subject.scenario, subject.object, subject.source, &schedule);
   if (!annotated.ok()) return Fail(session, kExitInternal, annotated.error().message);
@@ -73,27 +74,11 @@ int SaveRegression(const ExploreArguments& arguments, const Session& session,
   const int saved = Save(schedule, session, subject, findings);
   if (saved != kExitOk) return saved;
   runtime::Scenario scenario = runtime::MoveScenario(subject.scenario, arguments.regression);
-  using explore::Scope;
   scenario.final.clear();
   scenario.always.clear();
   scenario.never.clear();
   scenario.eventually.clear();
-  for (const explore::Requirement& requirement : subject.requirements) {
-    switch (requirement.scope) {
-      case Scope::kFinal:
-        scenario.final.push_back(requirement.text);
-        break;
-      case Scope::kAlways:
-        scenario.always.push_back(requirement.text);
-        break;
-      case Scope::kNever:
-        scenario.never.push_back(requirement.text);
-        break;
-      case Scope::kEventually:
-        scenario.eventually.push_back(requirement.text);
-        break;
-    }
-  }
+  explore::AddRequirements(subject.requirements, &scenario);
   runtime::ExploreWish wish;
   wish.verdict = explore::VerdictName(explore::Verdict::kPassed);
   wish.follow = runtime::PathToScenario(scenario, schedule);
@@ -136,6 +121,18 @@ explore::ExploreOptions OptionsOf(const ExploreArguments& arguments,
   return options;
 }
 
+/// Says which commands threads were refused. Gives the exit code for that.
+int ReportRefused(const ExploreArguments& arguments, const Session& session,
+                  const ExploreSubject& subject, const explore::Findings& findings) {
+  for (const runtime::RefusedCommand& refused : findings.refused) {
+    const Message text =
+        runtime::DescribeRefusedPlace(refused, runtime::ProgramPath(subject.scenario));
+    PrintDiagnostics(session.Say(
+        MakeMessage("oncard: warning: {0}\n", "oncard: 警告：{1}\n", text.en, text.zh)));
+  }
+  return arguments.strict_commands && !findings.refused.empty() ? kExitFailed : kExitOk;
+}
+
 /// Writes whatever was asked for. Gives the exit code.
 int Report(const ExploreArguments& arguments, const Session& session, const ExploreSubject& subject,
            explore::Findings findings) {
@@ -158,7 +155,8 @@ int Report(const ExploreArguments& arguments, const Session& session, const Expl
     const int saved = SaveRegression(arguments, session, subject, findings);
     if (saved != kExitOk) return saved;
   }
-  return ExitCodeOf(findings.exploration.verdict);
+  const int refused = ReportRefused(arguments, session, subject, findings);
+  return refused != kExitOk ? refused : ExitCodeOf(findings.exploration.verdict);
 }
 
 /// Where a search is kept that nobody has named a file for.
@@ -413,6 +411,7 @@ void AddExplore(CLI::App& app, Session& session) {
   command->add_flag("--progress", arguments->progress,
                     session.Say({"say every second how far the search is (default on a terminal)",
                                  "每秒显示搜索进度（终端上默认开启）"}));
+  AddStrictCommandsOption(*command, session, arguments->strict_commands);
   AddFormatOption(*command, session, arguments->format, {"text", "json"});
 }
 

@@ -23,7 +23,7 @@ int ReadSource(const Session& session, const std::string& path, bool json,
 
 int ReadScenario(const Session& session, const std::string& path, bool json,
                  ExploreSubject* subject) {
-  auto scenario = runtime::LoadScenario(path);
+  auto scenario = runtime::LoadScenario(path, runtime::ScenarioUse::kExplore);
   if (!scenario.ok()) return Fail(session, kExitUnreadable, scenario.error().message);
   subject->scenario = std::move(scenario).value();
   subject->requirements = explore::RequirementsOf(subject->scenario);

@@ -1,9 +1,11 @@
 // oncard replay: a recorded run again, statement by statement.
 #include "base/files.h"
+#include "explore/requirement_watch.h"
 #include "runtime/adapted_schedule.h"
 #include "tools/commands.h"
 #include "tools/run_report.h"
 #include "tools/run_views.h"
+#include "tools/stop_signals.h"
 
 namespace oncard::tools {
 namespace {
@@ -14,6 +16,7 @@ struct ReplayArguments {
   std::string format = "text";
   bool tolerant = false;
   RunViews views;
+  bool strict_commands = false;
 };
 
 /// The schedule as the program of today can follow it; what it cannot is said.
@@ -35,7 +38,8 @@ Result<vm::Schedule> Adapt(const runtime::Scenario& scenario, const runtime::Pro
 int Replay(const ReplayArguments& arguments, const Session& session) {
   auto schedule = vm::LoadSchedule(arguments.path);
   if (!schedule.ok()) return Fail(session, kExitUnreadable, schedule.error().message);
-  const auto scenario = runtime::ParseScenario(schedule.value().scenario, arguments.path);
+  const auto scenario =
+      runtime::ParseScenario(schedule.value().scenario, arguments.path, runtime::ScenarioUse::kRun);
   if (!scenario.ok()) return Fail(session, kExitUnreadable, scenario.error().message);
   runtime::ProgramLoad load;
   const int loaded = LoadOrReport(session, runtime::ProgramPath(scenario.value()),
@@ -50,7 +54,10 @@ int Replay(const ReplayArguments& arguments, const Session& session) {
   options.replay = std::make_shared<const vm::Schedule>(std::move(schedule).value());
   options.show = arguments.show;
   ApplyViews(arguments.views, &options);
-  const auto result = runtime::RunScenario(scenario.value(), *load.object, options);
+  options.strict_commands = arguments.strict_commands;
+  const StopSignals signals;
+  options.stop = signals.stop();
+  const auto result = explore::RunWithRequirements(scenario.value(), *load.object, options);
   if (!result.ok()) return Fail(session, kExitFailed, result.error().message);
   PrintSteps(result.value(), load, arguments.views, arguments.format, session);
   const int code = ReportRun(result.value(), arguments.format, session);
@@ -82,6 +89,7 @@ void AddReplay(CLI::App& app, Session& session) {
       ->type_name("NAME")
       ->allow_extra_args(false);
   AddViewOptions(*command, session, arguments->views);
+  AddStrictCommandsOption(*command, session, arguments->strict_commands);
   AddFormatOption(*command, session, arguments->format, {"text", "json"});
 }
 

@@ -3,9 +3,11 @@
 #include <filesystem>
 
 #include "base/number.h"
+#include "explore/requirement_watch.h"
 #include "tools/commands.h"
 #include "tools/run_report.h"
 #include "tools/run_views.h"
+#include "tools/stop_signals.h"
 
 namespace oncard::tools {
 namespace {
@@ -25,6 +27,7 @@ struct RunArguments {
   std::vector<std::string> include_folders;
   std::string record;
   RunViews views;
+  bool strict_commands = false;
   std::string format = "text";
 };
 
@@ -32,7 +35,7 @@ struct RunArguments {
 Result<runtime::Scenario> ScenarioOf(const RunArguments& arguments) {
   runtime::Scenario scenario;
   if (arguments.path.ends_with(".toml")) {
-    auto loaded = runtime::LoadScenario(arguments.path);
+    auto loaded = runtime::LoadScenario(arguments.path, runtime::ScenarioUse::kRun);
     if (!loaded.ok()) return Error{kExitUnreadable, loaded.error().message};
     scenario = std::move(loaded).value();
     if (!arguments.threads.empty()) scenario.threads.clear();
@@ -88,13 +91,28 @@ int Run(const RunArguments& arguments, const Session& session) {
                                   runtime::CompileOptions(scenario.value()), false, &load);
   if (loaded != kExitOk) return loaded;
 
+  const std::string source = load.compilation ? load.compilation->files[0].text() : std::string();
+  const bool alone = !arguments.path.ends_with(".toml");
+  if (alone) {
+    const auto added =
+        explore::AddComments(arguments.path, source, *load.object, &scenario.value());
+    if (!added.ok()) return Fail(session, kExitUsage, added.error().message);
+  }
+
   runtime::RunOptions options;
   options.record = !arguments.record.empty();
   options.show = arguments.show;
   ApplyViews(arguments.views, &options);
-  auto result = runtime::RunScenario(scenario.value(), *load.object, options);
+  options.strict_commands = arguments.strict_commands;
+  const StopSignals signals;
+  options.stop = signals.stop();
+  auto result = explore::RunWithRequirements(scenario.value(), *load.object, options);
   if (!result.ok()) return Fail(session, kExitUsage, result.error().message);
 
+  if (const auto unused = explore::DescribeUnusedComments(scenario.value(), source);
+      unused && !alone) {
+    result.value().warnings.push_back(*unused);
+  }
   PrintSteps(result.value(), load, arguments.views, arguments.format, session);
   int code = ReportRun(result.value(), arguments.format, session);
   code = std::max(code, WriteViews(result.value(), arguments.views,
@@ -199,6 +217,7 @@ void AddRun(CLI::App& app, Session& session) {
                        "源文件中 double 类型的宽度：32.16（默认）或 16.16"))
       ->type_name("WIDTH")
       ->check(CLI::IsMember({"32.16", "16.16"}).description(""));
+  AddStrictCommandsOption(*command, session, arguments->strict_commands);
   AddFormatOption(*command, session, arguments->format, {"text", "json"});
 }
 

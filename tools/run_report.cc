@@ -50,11 +50,13 @@ Json StepsJson(const runtime::StepLog& log) {
 }  // namespace
 
 std::string_view EndName(const runtime::ScenarioResult& result) {
+  if (result.interrupted) return "interrupted";
+  if (result.reached_until && result.end != runtime::RunEnd::kDeadlock) return "until";
   switch (result.end) {
     case runtime::RunEnd::kQuiet:
       return "quiet";
     case runtime::RunEnd::kTimeLimit:
-      return result.reached_until ? "until" : "time-limit";
+      return "time-limit";
     case runtime::RunEnd::kDeadlock:
       return "deadlock";
     case runtime::RunEnd::kScheduleEnd:
@@ -116,6 +118,8 @@ std::string FormatRunJson(const runtime::ScenarioResult& result, const Session& 
     json["failures"].push_back(
         {{"expectation", failure.expectation}, {"message", session.Say(failure.message)}});
   }
+  json["warnings"] = Json::array();
+  for (const Message& warning : result.warnings) json["warnings"].push_back(session.Say(warning));
   return JsonText(json, 2) + '\n';
 }
 
@@ -125,7 +129,15 @@ int ReportRun(const runtime::ScenarioResult& result, const std::string& format,
   for (const runtime::ScenarioFailure& failure : result.failures) {
     PrintDiagnostics(fmt::format("oncard: {}\n", FormatFailure(failure, session.language)));
   }
-  return result.passed() ? kExitOk : kExitFailed;
+  for (const Message& warning : result.warnings) {
+    PrintDiagnostics(session.Say(
+        MakeMessage("oncard: warning: {0}\n", "oncard: 警告：{1}\n", warning.en, warning.zh)));
+  }
+  if (!result.passed()) return kExitFailed;
+  if (!result.interrupted) return kExitOk;
+  return Fail(session, kExitIncomplete,
+              MakeMessage("interrupted at {0} ms: what was to hold at the end was not looked at",
+                          "在 {0} ms 被中断：未检查结束时应成立的条件", result.end_ms));
 }
 
 }  // namespace oncard::tools

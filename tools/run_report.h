@@ -19,7 +19,8 @@ std::string FormatRunJson(const runtime::ScenarioResult& result, const Session& 
 int ReportRun(const runtime::ScenarioResult& result, const std::string& format,
               const Session& session);
 
-/// Word for the end of a run in JSON: quiet, until, time-limit, deadlock, schedule-end, diverged.
+/// Word for the end of a run in JSON: quiet, until, time-limit, deadlock, schedule-end, diverged,
+/// interrupted.
 std::string_view EndName(const runtime::ScenarioResult& result);
 
 /// `sum == 5051: sum is 5050`, or the message alone for what no expectation says.

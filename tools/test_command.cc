@@ -2,9 +2,12 @@
 #include <filesystem>
 
 #include "compiler/diagnostic_printer.h"
+#include "explore/requirement_watch.h"
 #include "explore/scenario_exploration.h"
 #include "tools/commands.h"
+#include "tools/isolation.h"
 #include "tools/run_report.h"
+#include "tools/stop_signals.h"
 #include "tools/test_report.h"
 
 namespace oncard::tools {
@@ -13,6 +16,7 @@ namespace {
 struct TestArguments {
   std::vector<std::string> paths;
   std::string format = "text";
+  bool strict_commands = false;
 };
 
 // Scenarios of host programs are named so: `oncard exec` runs them.
@@ -57,7 +61,7 @@ Message DescribeDiagnostics(const compiler::Compilation& compilation) {
 
 // Explores in place of a run: the verdict must be the one that the scenario names.
 void ExploreTest(const runtime::Scenario& scenario, const runtime::ProgramLoad& load,
-                 TestOutcome* outcome) {
+                 bool strict_commands, TestOutcome* outcome) {
   const std::string source = load.compilation ? load.compilation->files[0].text() : std::string();
   auto findings = explore::ExploreAsWished(scenario, *load.object, source);
   if (!findings.ok()) {
@@ -65,6 +69,10 @@ void ExploreTest(const runtime::Scenario& scenario, const runtime::ProgramLoad& 
     return;
   }
   findings.value().source = source;
+  for (const runtime::RefusedCommand& refused : findings.value().refused) {
+    auto& list = strict_commands ? outcome->failures : outcome->warnings;
+    list.push_back(runtime::DescribeRefusedPlace(refused, runtime::ProgramPath(scenario)));
+  }
   const std::string_view verdict = explore::VerdictName(findings.value().exploration.verdict);
   if (verdict == scenario.explore->verdict) return;
   const auto report = [&](Language language) {
@@ -77,10 +85,10 @@ void ExploreTest(const runtime::Scenario& scenario, const runtime::ProgramLoad& 
                                           report(Language::kChinese)));
 }
 
-TestOutcome RunTest(const std::string& path) {
+TestOutcome RunTest(const std::string& path, bool strict_commands, const StopSignals& signals) {
   TestOutcome outcome;
   outcome.path = path;
-  const auto scenario = runtime::LoadScenario(path);
+  const auto scenario = runtime::LoadScenario(path, runtime::ScenarioUse::kTest);
   if (!scenario.ok()) {
     outcome.failures.push_back(scenario.error().message);
     return outcome;
@@ -92,11 +100,20 @@ TestOutcome RunTest(const std::string& path) {
                                           : DescribeDiagnostics(*load.compilation));
     return outcome;
   }
+  if (load.compilation) {
+    const auto unused =
+        explore::DescribeUnusedComments(scenario.value(), load.compilation->files[0].text());
+    if (unused) outcome.warnings.push_back(*unused);
+  }
   if (scenario.value().explore) {
-    ExploreTest(scenario.value(), load, &outcome);
+    ExploreTest(scenario.value(), load, strict_commands, &outcome);
     return outcome;
   }
-  const auto result = runtime::RunScenario(scenario.value(), std::move(*load.object));
+  runtime::RunOptions options;
+  options.strict_commands = strict_commands;
+  options.stop = signals.stop();
+  const auto result =
+      explore::RunWithRequirements(scenario.value(), std::move(*load.object), options);
   if (!result.ok()) {
     outcome.failures.push_back(result.error().message);
     return outcome;
@@ -107,15 +124,41 @@ TestOutcome RunTest(const std::string& path) {
     outcome.failures.push_back(
         {FormatFailure(failure, Language::kEnglish), FormatFailure(failure, Language::kChinese)});
   }
+  outcome.warnings.insert(outcome.warnings.end(), result.value().warnings.begin(),
+                          result.value().warnings.end());
+  if (result.value().interrupted) {
+    outcome.interrupted = true;
+    outcome.failures.push_back(
+        MakeMessage("interrupted at {0} ms", "在 {0} ms 被中断", result.value().end_ms));
+  }
+  return outcome;
+}
+
+/// Of a scenario whose turn did not come.
+TestOutcome NotRun(const std::string& path) {
+  TestOutcome outcome;
+  outcome.path = path;
+  outcome.interrupted = true;
+  outcome.failures.push_back({"not run: interrupted", "未运行：被中断"});
   return outcome;
 }
 
 int Test(const TestArguments& arguments, const Session& session) {
-  std::vector<TestOutcome> outcomes;
+  std::vector<std::string> scenarios;
   for (const std::string& path : arguments.paths) {
-    const auto scenarios = FindScenarios(path);
-    if (!scenarios.ok()) return Fail(session, kExitUnreadable, scenarios.error().message);
-    for (const std::string& scenario : scenarios.value()) outcomes.push_back(RunTest(scenario));
+    const auto found = FindScenarios(path);
+    if (!found.ok()) return Fail(session, kExitUnreadable, found.error().message);
+    scenarios.insert(scenarios.end(), found.value().begin(), found.value().end());
+  }
+  const StopSignals signals;
+  std::vector<TestOutcome> outcomes;
+  for (const std::string& path : scenarios) {
+    if (signals.stopped()) {
+      outcomes.push_back(NotRun(path));
+      continue;
+    }
+    const auto work = [&] { return RunTest(path, arguments.strict_commands, signals); };
+    outcomes.push_back(RunIsolated(path, work, *signals.stop()));
   }
   if (outcomes.empty()) {
     return Fail(session, kExitUnreadable, {"no scenario (.toml) found", "未找到场景文件（.toml）"});
@@ -131,6 +174,7 @@ int Test(const TestArguments& arguments, const Session& session) {
   }
   const bool passed = std::all_of(outcomes.begin(), outcomes.end(),
                                   [](const TestOutcome& outcome) { return outcome.passed(); });
+  if (std::ranges::any_of(outcomes, &TestOutcome::interrupted)) return kExitIncomplete;
   return passed ? kExitOk : kExitFailed;
 }
 
@@ -148,6 +192,7 @@ void AddTest(CLI::App& app, Session& session) {
                                 "场景文件（.toml）或含有场景的文件夹"}))
       ->required()
       ->type_name("PATH");
+  AddStrictCommandsOption(*command, session, arguments->strict_commands);
   AddFormatOption(*command, session, arguments->format, {"text", "junit", "tap", "json"});
 }
 

@@ -15,6 +15,8 @@ size_t CountPassed(const std::vector<TestOutcome>& outcomes) {
                                            [](const TestOutcome& o) { return o.passed(); }));
 }
 
+Message Warning(const Message& text) { return {"warning: " + text.en, "警告：" + text.zh}; }
+
 std::string EscapeXml(std::string_view text) { return EscapeMarkup(compiler::DisplayText(text)); }
 
 }  // namespace
@@ -28,6 +30,9 @@ std::string FormatTestText(const std::vector<TestOutcome>& outcomes, Language la
     text += fmt::format("{} {}\n", outcome.passed() ? ok : fail, outcome.path);
     for (const Message& failure : outcome.failures) {
       text += fmt::format("     {}\n", failure.In(language));
+    }
+    for (const Message& warning : outcome.warnings) {
+      text += fmt::format("     {}\n", Warning(warning).In(language));
     }
   }
   const size_t passed = CountPassed(outcomes);
@@ -44,13 +49,17 @@ std::string FormatTestJunit(const std::vector<TestOutcome>& outcomes, Language l
   for (const TestOutcome& outcome : outcomes) {
     text += fmt::format("  <testcase name=\"{}\" time=\"{:.6f}\"", EscapeXml(outcome.path),
                         outcome.time_ms / 1000);
-    if (outcome.passed()) {
+    if (outcome.passed() && outcome.warnings.empty()) {
       text += "/>\n";
       continue;
     }
     text += ">\n";
     for (const Message& failure : outcome.failures) {
       text += fmt::format("    <failure message=\"{}\"/>\n", EscapeXml(failure.In(language)));
+    }
+    for (const Message& warning : outcome.warnings) {
+      text += fmt::format("    <system-err>{}</system-err>\n",
+                          EscapeXml(Warning(warning).In(language)));
     }
     text += "  </testcase>\n";
   }
@@ -65,6 +74,9 @@ std::string FormatTestTap(const std::vector<TestOutcome>& outcomes, Language lan
     for (const Message& failure : outcome.failures) {
       text += fmt::format("# {}\n", compiler::DisplayText(failure.In(language)));
     }
+    for (const Message& warning : outcome.warnings) {
+      text += fmt::format("# {}\n", compiler::DisplayText(Warning(warning).In(language)));
+    }
   }
   return text;
 }
@@ -75,11 +87,14 @@ std::string FormatTestJson(const std::vector<TestOutcome>& outcomes, Language la
   for (const TestOutcome& outcome : outcomes) {
     Json failures = Json::array();
     for (const Message& failure : outcome.failures) failures.push_back(failure.In(language));
+    Json warnings = Json::array();
+    for (const Message& warning : outcome.warnings) warnings.push_back(warning.In(language));
     tests.push_back({{"path", outcome.path},
                      {"passed", outcome.passed()},
                      {"time_ms", outcome.time_ms},
                      {"statements", outcome.statements},
-                     {"failures", std::move(failures)}});
+                     {"failures", std::move(failures)},
+                     {"warnings", std::move(warnings)}});
   }
   const size_t passed = CountPassed(outcomes);
   const Json document = {

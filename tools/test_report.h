@@ -12,13 +12,15 @@ namespace oncard::tools {
 struct TestOutcome {
   std::string path;
   std::vector<Message> failures;  ///< empty = passed
+  std::vector<Message> warnings;  ///< what fails nothing but should be known
   double time_ms = 0;             ///< virtual time of the run
   int64_t statements = 0;
+  bool interrupted = false;  ///< a signal ended it
 
   bool passed() const { return failures.empty(); }
 };
 
-/// `ok    path`, `FAIL  path` with the failures below, and a line that counts.
+/// `ok    path`, `FAIL  path` with the failures and warnings below, and a line that counts.
 std::string FormatTestText(const std::vector<TestOutcome>& outcomes, Language language, bool color);
 /// One <testsuite>; `time` is virtual seconds, so that equal runs give equal files.
 std::string FormatTestJunit(const std::vector<TestOutcome>& outcomes, Language language);

@@ -2,11 +2,13 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdlib>
+#include <fstream>
 
 #include "base/files.h"
 
@@ -22,15 +24,28 @@ std::vector<char*> Pointers(std::vector<std::string>& texts) {
 
 }  // namespace
 
-ProcessResult RunOncard(const std::vector<std::string>& arguments, const std::string& folder,
-                        const std::vector<std::string>& environment) {
+namespace {
+
+std::vector<std::string> OncardCommand(const std::vector<std::string>& arguments) {
   std::vector<std::string> command = {ONCARD_BUILD_DIR "/bin/oncard"};
   command.insert(command.end(), arguments.begin(), arguments.end());
-  return RunProgram(command, folder, environment);
+  return command;
 }
 
-ProcessResult RunProgram(const std::vector<std::string>& words, const std::string& folder,
-                         const std::vector<std::string>& environment) {
+/// True when the process has a handler for the signal.
+bool Catches(pid_t process, int signal) {
+  std::ifstream status("/proc/" + std::to_string(process) + "/status");
+  for (std::string line; std::getline(status, line);) {
+    if (!line.starts_with("SigCgt:")) continue;
+    return (std::stoull(line.substr(7), nullptr, 16) >> (signal - 1) & 1) != 0;
+  }
+  return false;
+}
+
+/// Runs a program; `watch` is called with the process while it runs.
+template <typename Watch>
+ProcessResult RunWatched(const std::vector<std::string>& words, const std::string& folder,
+                         const std::vector<std::string>& environment, Watch watch) {
   const ScratchFolder scratch;
   const std::string out = scratch.path() + "/out";
   const std::string err = scratch.path() + "/err";
@@ -54,12 +69,38 @@ ProcessResult RunProgram(const std::vector<std::string>& words, const std::strin
   ::posix_spawn_file_actions_destroy(&actions);
   ProcessResult result;
   if (failure != 0) return result;
+  watch(process);
   int status = 0;
   ::waitpid(process, &status, 0);
   result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   result.out = scratch.Read("out");
   result.err = scratch.Read("err");
   return result;
+}
+
+}  // namespace
+
+ProcessResult RunOncard(const std::vector<std::string>& arguments, const std::string& folder,
+                        const std::vector<std::string>& environment) {
+  return RunProgram(OncardCommand(arguments), folder, environment);
+}
+
+ProcessResult RunProgram(const std::vector<std::string>& command, const std::string& folder,
+                         const std::vector<std::string>& environment) {
+  return RunWatched(command, folder, environment, [](pid_t) {});
+}
+
+ProcessResult InterruptOncard(const std::vector<std::string>& arguments, int signal,
+                              const std::string& folder) {
+  return RunWatched(OncardCommand(arguments), folder, {}, [signal](pid_t process) {
+    const auto ended = [process] {
+      siginfo_t info{};
+      ::waitid(P_PID, static_cast<id_t>(process), &info, WEXITED | WNOHANG | WNOWAIT);
+      return info.si_pid != 0;
+    };
+    while (!Catches(process, signal) && !ended()) ::usleep(1000);
+    ::kill(process, signal);
+  });
 }
 
 ScratchFolder::ScratchFolder() {

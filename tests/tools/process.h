@@ -22,6 +22,10 @@ ProcessResult RunOncard(const std::vector<std::string>& arguments, const std::st
 ProcessResult RunProgram(const std::vector<std::string>& command, const std::string& folder = {},
                          const std::vector<std::string>& environment = {});
 
+/// Runs `oncard arguments...` and sends it the signal as soon as it has a handler for it.
+ProcessResult InterruptOncard(const std::vector<std::string>& arguments, int signal,
+                              const std::string& folder);
+
 /// A folder of its own for a test, removed with the object.
 class ScratchFolder {
  public:

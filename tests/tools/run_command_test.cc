@@ -127,6 +127,60 @@ TEST(Run, RunsScenarios) {
   EXPECT_EQ(result.out, "thread 0 choose: finished, result 0\ngpo = 4\n");
 }
 
+TEST(Run, LooksAtWhatCommentsOfASourceRequire) {
+  const ScratchFolder scratch;
+  const std::string body =
+      "int x, y;\nint t0()\n{\n  x = y;\n  return x;\n}\nint t1()\n{\n  y = 2;\n  return y;\n}\n";
+  scratch.Write("good.c", "//@ init: y = 1\n//@ always: x < 3\n" + body);
+  scratch.Write("bad.c", "//@ init: y = 1\n//@ never: x == 1\n" + body);
+  scratch.Write("races.c", "//@ races: none\n" + body);
+  scratch.Write("wrong.c", "//@ finally: x == 1\n//@ nevr: x == 1\n" + body);
+  scratch.Write("s.toml", "program = \"bad.c\"\n[[thread]]\nfunction = \"t1\"\n");
+  const auto run = [&](const char* file) { return RunOncard({"run", file}, scratch.path()); };
+  // Under the round robin thread 0 comes first.
+  EXPECT_EQ(run("good.c").out,
+            "thread 0 t0: finished, result 1\nthread 1 t1: finished, result 2\nx = 1\ny = 2\n");
+  const ProcessResult bad = run("bad.c");
+  EXPECT_EQ(bad.exit_code, 1);
+  EXPECT_EQ(
+      bad.err,
+      "oncard: never: x == 1: holds after thread 0 has executed bad.c:6, at 0.25 ms: x is 1\n");
+  EXPECT_EQ(run("races.c").exit_code, 2);
+  const ProcessResult wrong = run("wrong.c");
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.err.find("wrong.c:1:1: "), std::string::npos) << wrong.err;
+  EXPECT_NE(wrong.err.find("wrong.c:2:1: "), std::string::npos) << wrong.err;
+  EXPECT_NE(wrong.err.find("\n    2 | //@ nevr: x == 1\n      | ^~~~~~~~~~~~~~~~\n"),
+            std::string::npos)
+      << wrong.err;
+  EXPECT_EQ(run("s.toml").err,
+            "oncard: warning: bad.c:1: this comment is not looked at: a scenario says itself what "
+            "must hold; put it there\n");
+}
+
+TEST(Run, WarnsOfRefusedCommandsOrFailsByThem) {
+  const ScratchFolder scratch;
+  scratch.Write("p.c", "int f()\n{\n  GT_AxisOn(9);\n  GT_AxisOn(1);\n  return 0;\n}\n");
+  scratch.Write("s.toml", "program = \"p.c\"\n");
+  const ProcessResult run = RunOncard({"run", "p.c"}, scratch.path());
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.err.rfind("oncard: warning: p.c:3: thread 0 f: GT_AxisOn(9) = 7: ", 0), 0u)
+      << run.err;
+  const ProcessResult strict = RunOncard({"run", "--strict-commands", "p.c"}, scratch.path());
+  EXPECT_EQ(strict.exit_code, 1);
+  EXPECT_EQ(strict.err.rfind("oncard: p.c:3: thread 0 f: GT_AxisOn(9) = 7: ", 0), 0u) << strict.err;
+  const ProcessResult test = RunOncard({"test", "s.toml"}, scratch.path());
+  EXPECT_EQ(test.exit_code, 0);
+  EXPECT_NE(test.out.find("     warning: p.c:3: thread 0 f: GT_AxisOn(9) = 7: "), std::string::npos)
+      << test.out;
+  EXPECT_EQ(RunOncard({"test", "--strict-commands", "s.toml"}, scratch.path()).exit_code, 1);
+  const ProcessResult explored = RunOncard({"explore", "s.toml"}, scratch.path());
+  EXPECT_EQ(explored.exit_code, 0);
+  EXPECT_EQ(explored.err.rfind("oncard: warning: p.c:3: thread 0 f: GT_AxisOn(9) = 7: ", 0), 0u)
+      << explored.err;
+  EXPECT_EQ(RunOncard({"explore", "--strict-commands", "s.toml"}, scratch.path()).exit_code, 1);
+}
+
 TEST(Run, ExitCodesTellWhatWentWrong) {
   const ScratchFolder scratch;
   EXPECT_EQ(RunOncard({"run", "/nonexistent.c"}).exit_code, 3);

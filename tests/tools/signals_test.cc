@@ -1,0 +1,40 @@
+// Commands that are told to end keep what they have.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/tools/process.h"
+
+namespace oncard::tools {
+namespace {
+
+using Json = nlohmann::json;
+
+// Counts for ever; its trace has a row for every cycle.
+constexpr const char* kCounts = "int n;\nint f()\n{\nlbl:\n  n = n + 1;\n  goto lbl;\n}\n";
+
+class SignalTest : public testing::TestWithParam<int> {
+ protected:
+  void SetUp() override { scratch_.Write("p.c", kCounts); }
+  ScratchFolder scratch_;
+};
+
+TEST_P(SignalTest, ARunKeepsItsTraceAndItsRecord) {
+  const ProcessResult run = InterruptOncard(
+      {"run", "p.c", "--limit=1000000000", "--trace=t.csv", "--record=r.schedule", "--format=json"},
+      GetParam(), scratch_.path());
+  EXPECT_EQ(run.exit_code, 6) << run.err;
+  EXPECT_NE(run.err.find("interrupted at "), std::string::npos) << run.err;
+  const Json json = Json::parse(run.out);
+  EXPECT_EQ(json["end"], "interrupted");
+  EXPECT_NE(scratch_.Read("t.csv").find("time_ms,n,gpo\n0,0,0\n"), std::string::npos);
+  const ProcessResult replay =
+      RunOncard({"replay", "r.schedule", "--format=json"}, scratch_.path());
+  EXPECT_EQ(Json::parse(replay.out)["statements"], json["statements"]) << replay.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, SignalTest, testing::Values(SIGINT, SIGTERM, SIGHUP));
+
+}  // namespace
+}  // namespace oncard::tools

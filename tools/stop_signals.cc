@@ -1,0 +1,37 @@
+#include "tools/stop_signals.h"
+
+#include <array>
+#include <csignal>
+
+namespace oncard::tools {
+namespace {
+
+constexpr std::array kStopSignals = {SIGINT, SIGTERM, SIGHUP};
+
+std::atomic<std::atomic<bool>*> current{nullptr};
+
+// A signal that is turned off, as nohup does, stays off.
+void Handle(void (*handler)(int)) {
+  for (const int signal : kStopSignals) {
+    if (std::signal(signal, handler) == SIG_IGN) static_cast<void>(std::signal(signal, SIG_IGN));
+  }
+}
+
+extern "C" void SetStop(int /*signal*/) {
+  if (std::atomic<bool>* stop = current.load(); stop != nullptr) stop->store(true);
+  Handle(SIG_DFL);
+}
+
+}  // namespace
+
+StopSignals::StopSignals() {
+  current = &stop_;
+  Handle(SetStop);
+}
+
+StopSignals::~StopSignals() {
+  Handle(SIG_DFL);
+  current = nullptr;
+}
+
+}  // namespace oncard::tools
