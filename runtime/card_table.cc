@@ -1,5 +1,7 @@
 #include "runtime/card_table.h"
 
+#include "runtime/host_refusals.h"
+
 namespace oncard::runtime {
 
 CardTable& CardTable::OfProcess() {
@@ -21,9 +23,12 @@ void CardSlot::CatchUp(int64_t cost_us) {
 void CardSlot::SwitchOff() {
   if (controller == nullptr) return;
   if (watch) {
-    CatchUp(0);
+    if (!watch->over()) CatchUp(0);
     watch->Finish(controller.get());
   }
+  const auto number = static_cast<int>(this - CardTable::OfProcess().slots.data());
+  HostRefusals::OfProcess().AddProgram(number, refused.list());
+  refused = {};
   watch.reset();
   controller.reset();
   clock.reset();

@@ -29,11 +29,12 @@ struct CardSlot {
   int16_t no_program_code = 1;
   /// The text whose address GT_GetVersion gives out.
   std::array<char, kVersionLength + 1> version{};
-  MarshalledCall call;  ///< arguments of the call in progress
+  RefusedCommands refused;  ///< of motion programs since the card was opened
+  MarshalledCall call;      ///< arguments of the call in progress
 
   /// Lets an open card catch up with the time of its host, after a call that costs `cost_us`.
   void CatchUp(int64_t cost_us);
-  /// Closes the card if it is open.
+  /// Closes the card if it is open, after it has caught up as far as its scenario goes.
   void SwitchOff();
 };
 

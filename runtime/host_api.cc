@@ -5,6 +5,7 @@
 #include "runtime/call_log.h"
 #include "runtime/card_number_hint.h"
 #include "runtime/card_table.h"
+#include "runtime/host_refusals.h"
 #include "runtime/host_services.h"
 
 namespace oncard::runtime {
@@ -30,6 +31,7 @@ int16_t CallLockedCard(int card, CardSlot& slot, const gtcalls::Command& command
   int64_t time_us = 0;
   if (open) {
     slot.CatchUp(HostCostUs(command.cost));
+    EndHostIfOver(&slot);
     time_us = slot.controller->NowUs();
   }
   const auto read =
@@ -48,8 +50,11 @@ int16_t CallLockedCard(int card, CardSlot& slot, const gtcalls::Command& command
     code = Dispatch(command, service, slot, arguments, &reason);
     if (code == vm::kOk) WriteOutputs(command, slot.call);
   }
-  CallLog& log = CallLog::OfProcess();
-  if (log.enabled()) log.Write({time_us, card, vm::kHostCaller, command, arguments, code, reason});
+  const LoggedCall made = {time_us, card, vm::kHostCaller, command, arguments, code, reason};
+  if (CallLog& log = CallLog::OfProcess(); log.enabled()) log.Write(made);
+  if (code != vm::kOk && RefusalWishOfProcess() != RefusalWish::kNothing) {
+    HostRefusals::OfProcess().Add(made);
+  }
   return code;
 }
 

@@ -21,6 +21,7 @@ ONCARD_EXPORT long long oncard_host_time_ns() { return oncard::runtime::LookAtHo
 
 ONCARD_EXPORT void oncard_host_sleep_ns(long long duration_ns) {
   oncard::runtime::SleepHostNs(duration_ns);
+  oncard::runtime::LookForEndOfHost();
 }
 
 ONCARD_EXPORT void oncard_host_wait_begin(long long deadline_ns, oncard_host_wait* wait) {

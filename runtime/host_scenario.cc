@@ -1,16 +1,20 @@
 #include "runtime/host_scenario.h"
 
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <mutex>
 
 #include "base/files.h"
 #include "runtime/call_log.h"
 #include "runtime/card_table.h"
 #include "runtime/expectation.h"
+#include "runtime/host_refusals.h"
+#include "runtime/moving_axes.h"
 #include "runtime/trace_file.h"
 
 namespace oncard::runtime {
@@ -20,6 +24,7 @@ namespace {
 struct Verdict {
   std::mutex mutex;
   std::vector<Message> failures;
+  std::vector<Message> warnings;
   int exit_status = 0;
   bool in_child = false;
 };
@@ -32,11 +37,11 @@ Verdict& VerdictOfProcess() {
 void KeepExitStatus(int status, void*) { VerdictOfProcess().exit_status = status; }
 
 Result<std::shared_ptr<const Scenario>> ReadScenario() {
+  ::on_exit(KeepExitStatus, nullptr);
   const char* path = std::getenv("ONCARD_SCENARIO");
   if (path == nullptr || *path == '\0') return std::shared_ptr<const Scenario>();
-  auto scenario = LoadWorld(path);
+  auto scenario = LoadScenario(path, ScenarioUse::kHost);
   if (!scenario.ok()) return scenario.error();
-  ::on_exit(KeepExitStatus, nullptr);
   return std::make_shared<const Scenario>(std::move(scenario).value());
 }
 
@@ -68,16 +73,25 @@ CardWatch::CardWatch(std::shared_ptr<const Scenario> scenario, int card,
   std::stable_sort(timed_.begin(), timed_.end(), [](const Expectation* a, const Expectation* b) {
     return *a->at_us < *b->at_us;
   });
+  const int64_t limit_us = CycleOf(scenario_->limit_ms * 1000) * scenario_->cycle_us;
+  if (scenario_->limit_ms < kTimeMsMax) end_us_ = limit_us;
+  if (scenario_->until_us) {
+    end_us_ = std::min(CycleOf(*scenario_->until_us) * scenario_->cycle_us, limit_us);
+  }
 }
 
-int64_t CardWatch::CycleOf(const Expectation& expectation) const {
-  return (*expectation.at_us + scenario_->cycle_us - 1) / scenario_->cycle_us;
+int64_t CardWatch::CycleOf(int64_t microseconds) const {
+  return (microseconds + scenario_->cycle_us - 1) / scenario_->cycle_us;
 }
 
 void CardWatch::AdvanceUs(Controller* controller, int64_t microseconds) {
-  const int64_t end_us = controller->NowUs() + microseconds;
+  int64_t end_us = controller->NowUs() + microseconds;
+  if (end_us_ && end_us >= *end_us_) {
+    end_us = *end_us_;
+    over_ = true;
+  }
   for (; next_ < timed_.size(); ++next_) {
-    const int64_t due_us = CycleOf(*timed_[next_]) * scenario_->cycle_us;
+    const int64_t due_us = CycleOf(*timed_[next_]->at_us) * scenario_->cycle_us;
     if (due_us > end_us) break;
     if (due_us > controller->NowUs()) AdvanceTracedUs(controller, due_us - controller->NowUs());
     Judge(*timed_[next_], *controller);
@@ -134,10 +148,24 @@ void CardWatch::Finish(Controller* controller) {
   for (const Expectation& expectation : scenario_->expectations) {
     if (!expectation.at_us) Judge(expectation, *controller);
   }
+  if (over_ && (!scenario_->until_us || controller->NowUs() < *scenario_->until_us)) {
+    failures_.push_back(MakeMessage("card {0}: the host still runs at the time limit of {1} ms",
+                                    "卡 {0}：到时间上限 {1} ms 时主机程序仍在运行", card_,
+                                    scenario_->limit_ms));
+  }
+  if (over_) WarnOfMovingAxes(*controller);
   WriteTrace(*controller);
   Verdict& verdict = VerdictOfProcess();
   const std::lock_guard lock(verdict.mutex);
   verdict.failures.insert(verdict.failures.end(), failures_.begin(), failures_.end());
+  verdict.warnings.insert(verdict.warnings.end(), warnings_.begin(), warnings_.end());
+}
+
+void CardWatch::WarnOfMovingAxes(const Controller& controller) {
+  for (const Message& axis : DescribeMovingAxes(controller)) {
+    warnings_.push_back(
+        {fmt::format("card {}: {}", card_, axis.en), fmt::format("卡 {}：{}", card_, axis.zh)});
+  }
 }
 
 void CardWatch::Judge(const Expectation& expectation, const Controller& controller) {
@@ -160,6 +188,45 @@ void CardWatch::Fail(const Expectation& expectation, const Message& why) {
 
 void LeaveJudgingToParent() { VerdictOfProcess().in_child = true; }
 
+namespace {
+
+void Print(const Message& message) {
+  std::fprintf(stderr, "oncard: %s\n", message.In(LanguageFromEnvironment()).c_str());
+}
+
+/// Prints what was found. True when there are failures.
+bool ReportHost() {
+  Verdict& verdict = VerdictOfProcess();
+  const std::lock_guard lock(verdict.mutex);
+  const RefusalWish wish = RefusalWishOfProcess();
+  std::vector<Message> refusals;
+  if (wish != RefusalWish::kNothing) refusals = HostRefusals::OfProcess().Describe();
+  auto& list = wish == RefusalWish::kStrict ? verdict.failures : verdict.warnings;
+  list.insert(list.end(), refusals.begin(), refusals.end());
+  if (CallLog::OfProcess().lost()) {
+    verdict.failures.push_back(
+        {"the call log could not be written completely; its disk may be full",
+         "调用日志未能完整写入；磁盘可能已满"});
+  }
+  for (const Message& warning : verdict.warnings) {
+    Print({"warning: " + warning.en, "警告：" + warning.zh});
+  }
+  for (const Message& failure : verdict.failures) Print(failure);
+  return !verdict.failures.empty();
+}
+
+/// Waits for a lock that is held for no longer than a command takes; gives up after a second.
+bool LockSoon(std::unique_lock<std::mutex>* lock) {
+  for (int look = 0; look < 1000; ++look) {
+    if (lock->try_lock()) return true;
+    const timespec duration = {0, 1'000'000};
+    ::syscall(SYS_nanosleep, &duration, nullptr);
+  }
+  return false;
+}
+
+}  // namespace
+
 void FinishHost() {
   if (VerdictOfProcess().in_child) return;
   for (CardSlot& slot : CardTable::OfProcess().slots) {
@@ -167,19 +234,42 @@ void FinishHost() {
     const std::unique_lock lock(slot.mutex, std::try_to_lock);
     if (lock.owns_lock()) slot.SwitchOff();
   }
-  Verdict& verdict = VerdictOfProcess();
-  const std::lock_guard lock(verdict.mutex);
-  if (CallLog::OfProcess().lost()) {
-    verdict.failures.push_back(
-        {"the call log could not be written completely; its disk may be full",
-         "调用日志未能完整写入；磁盘可能已满"});
-  }
-  if (verdict.failures.empty()) return;
-  for (const Message& failure : verdict.failures) {
-    std::fprintf(stderr, "oncard: %s\n", failure.In(LanguageFromEnvironment()).c_str());
-  }
+  if (!ReportHost()) return;
   std::fflush(nullptr);
-  if (verdict.exit_status == 0) ::_exit(kExitNotAsExpected);
+  if (VerdictOfProcess().exit_status == 0) ::_exit(kExitNotAsExpected);
+}
+
+void ConcludeHost() {
+  for (CardSlot& slot : CardTable::OfProcess().slots) {
+    std::unique_lock lock(slot.mutex, std::defer_lock);
+    if (!LockSoon(&lock)) continue;
+    slot.SwitchOff();
+    lock.release();
+  }
+  ReportHost();
+  std::fflush(nullptr);
+}
+
+void EndHostIfOver(CardSlot* locked) {
+  if (VerdictOfProcess().in_child || !locked->watch || !locked->watch->over()) return;
+  for (CardSlot& slot : CardTable::OfProcess().slots) {
+    std::unique_lock lock(slot.mutex, std::defer_lock);
+    if (&slot != locked && !lock.try_lock()) continue;
+    slot.SwitchOff();
+    lock.release();
+  }
+  const bool failed = ReportHost();
+  std::fflush(nullptr);
+  ::_exit(failed ? kExitNotAsExpected : 0);
+}
+
+void LookForEndOfHost() {
+  for (CardSlot& slot : CardTable::OfProcess().slots) {
+    const std::unique_lock lock(slot.mutex, std::try_to_lock);
+    if (!lock.owns_lock() || !slot.watch || !slot.watch->HasEnd()) continue;
+    slot.CatchUp(0);
+    EndHostIfOver(&slot);
+  }
 }
 
 }  // namespace oncard::runtime

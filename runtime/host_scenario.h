@@ -16,6 +16,8 @@
 
 namespace oncard::runtime {
 
+struct CardSlot;
+
 /// The scenario, read at the first question; NULL when the environment names none.
 Result<std::shared_ptr<const Scenario>> ScenarioFromEnvironment();
 
@@ -29,8 +31,13 @@ class CardWatch {
   CardWatch(std::shared_ptr<const Scenario> scenario, int card,
             std::vector<std::string> trace_files = {});
 
-  /// Lets time pass on the card and judges what is due on the way.
+  /// Lets time pass on the card, at most until the scenario's end, and judges what is due on the
+  /// way.
   void AdvanceUs(Controller* controller, int64_t microseconds);
+  /// The card has come to `until_ms` or `limit_ms` of the scenario.
+  bool over() const { return over_; }
+  /// True when the scenario has such an end.
+  bool HasEnd() const { return end_us_.has_value(); }
   /// The card is closed, or the host has ended: judges the rest and hands over to FinishHost().
   void Finish(Controller* controller);
 
@@ -40,13 +47,17 @@ class CardWatch {
   void WriteTrace(const Controller& controller);
   void Judge(const Expectation& expectation, const Controller& controller);
   void Fail(const Expectation& expectation, const Message& why);
-  int64_t CycleOf(const Expectation& expectation) const;
+  int64_t CycleOf(int64_t microseconds) const;
+  void WarnOfMovingAxes(const Controller& controller);
 
   std::shared_ptr<const Scenario> scenario_;
   int card_;
   std::vector<const Expectation*> timed_;  // in order of time, from next_ on to be judged
   size_t next_ = 0;
   std::vector<Message> failures_;
+  std::vector<Message> warnings_;
+  std::optional<int64_t> end_us_;  ///< of the card's time
+  bool over_ = false;
   std::vector<std::string> trace_files_;
   std::optional<Trace> trace_;  // since the card was opened, when there are files
 };
@@ -57,10 +68,20 @@ inline constexpr int kExitNotAsExpected = 120;
 inline constexpr int kExitNoMoreKeys = 121;
 
 /// Called when the host ends: judges the cards that are still open and reports failed expectations
-/// on standard error. If there are any, and the host itself has ended well, ends the process with
-/// kExitNotAsExpected.
+/// and refused commands on standard error. If there are failures, and the host itself has ended
+/// well, ends the process with kExitNotAsExpected.
 void FinishHost();
 /// Called in a child of fork(): what comes of the host is the parent's to say, and to write.
 void LeaveJudgingToParent();
+/// The same from another thread while the host still runs: it leaves the cards closed and locked,
+/// so that no thread of the host goes on with them.
+void ConcludeHost();
+/// Ends the process when a card has come to the end of its scenario, after all was judged and
+/// reported: with 0, or with kExitNotAsExpected when there are failures. `locked` is the card whose
+/// lock the caller holds.
+void EndHostIfOver(CardSlot* locked);
+/// Lets the cards whose scenario has an end catch up, and ends the process if one has come to it.
+/// For hosts that only wait.
+void LookForEndOfHost();
 
 }  // namespace oncard::runtime

@@ -10,6 +10,8 @@
 #include "compiler/compiler.h"
 #include "gts.h"
 #include "runtime/call_log.h"
+#include "runtime/host_refusals.h"
+#include "runtime/host_signals.h"
 #include "runtime/scenario_world.h"
 #include "vm/object_writer.h"
 
@@ -62,6 +64,9 @@ int16_t Open(ServiceCall& call) {
     slot.watch.emplace(world, CardNumber(call), std::move(trace_files));
   }
   slot.clock.emplace(clock.value());
+  const bool collects = RefusalWishOfProcess() != RefusalWish::kNothing;
+  if (collects) slot.controller->CollectRefusals(&slot.refused);
+  if (slot.watch || collects) WatchHostSignals();
   if (CallLog& log = CallLog::OfProcess(); log.enabled()) {
     slot.controller->LogRefusals(&log, CardNumber(call));
     slot.controller->LogHappenings(&log, CardNumber(call));

@@ -88,6 +88,8 @@ class VirtualTime {
 
   /// Asks the operating system.
   static bool OtherThreadsWait(std::span<const ThreadId> in_slices);
+  /// The calling thread is not the host's: it is asked no more whether it waits.
+  static void LeaveOutCallingThread();
 
  private:
   /// When to wake, and who came first among equals.

@@ -32,6 +32,7 @@ struct ExecArguments {
   std::string trace;
   std::string plot;
   bool gbk = false;
+  bool strict_commands = false;
 };
 
 /// The folder of libgts and the preload library: beside the command, or in ../lib.
@@ -70,6 +71,19 @@ void RequestTrace(const ExecArguments& arguments) {
   if (!files.empty()) ::setenv("ONCARD_TRACE", files.c_str(), 1);
 }
 
+/// The host that signals are handed on to; 0: they end the command.
+volatile pid_t host_process = 0;
+
+extern "C" void HandOn(int signal) { ::kill(host_process, signal); }
+
+/// A host that is told to end writes the script of its picture first.
+void HandSignalsOn(pid_t process) {
+  host_process = process;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    static_cast<void>(std::signal(signal, process == 0 ? SIG_DFL : HandOn));
+  }
+}
+
 /// Starts the host, with `output` (-1: ours) as its standard output. Gives the error's number.
 int Start(char* const* host, int output, pid_t* process) {
   posix_spawn_file_actions_t actions;
@@ -103,6 +117,7 @@ int RunToEnd(const ExecArguments& arguments, char* const* host, const Session& s
                 MakeMessage("cannot run '{0}': {1}", "无法运行“{0}”：{1}", host[0],
                             std::strerror(failure)));
   }
+  HandSignalsOn(process);
   Result<void> relayed;
   if (arguments.gbk) {
     ::close(output[1]);
@@ -110,7 +125,10 @@ int RunToEnd(const ExecArguments& arguments, char* const* host, const Session& s
     ::close(output[0]);
   }
   int status = 0;
-  if (::waitpid(process, &status, 0) != process) return kExitInternal;
+  while (::waitpid(process, &status, 0) != process) {
+    if (errno != EINTR) return kExitInternal;
+  }
+  HandSignalsOn(0);
   int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   if (!relayed.ok() && code == 0) code = Fail(session, kExitFailed, relayed.error().message);
   return arguments.plot.empty() ? code : Draw(arguments, code, session);
@@ -126,11 +144,12 @@ int Exec(const ExecArguments& arguments, const Session& session) {
   const auto keys = runtime::ParseKeyScript(arguments.keys);
   if (!keys.ok()) return Fail(session, kExitUsage, keys.error().message);
   if (!arguments.scenario.empty()) {
-    const auto scenario = runtime::LoadWorld(arguments.scenario);
+    const auto scenario = runtime::LoadScenario(arguments.scenario, runtime::ScenarioUse::kHost);
     if (!scenario.ok()) return Fail(session, kExitUnreadable, scenario.error().message);
     ::setenv("ONCARD_SCENARIO", arguments.scenario.c_str(), 1);
   }
   RequestTrace(arguments);
+  ::setenv("ONCARD_REFUSALS", arguments.strict_commands ? "strict" : "warn", 1);
   if (!arguments.keys.empty()) ::setenv("ONCARD_KEYS", arguments.keys.c_str(), 1);
   ::setenv("ONCARD_CLOCK", arguments.clock.c_str(), 1);
 
@@ -205,6 +224,7 @@ void AddExec(CLI::App& app, Session& session) {
                                 "绘制随时间变化的曲线，格式为 .svg 或 .png（需要 gnuplot）"}))
       ->type_name("FILE")
       ->check(CLI::Validator(CheckPictureName, ""));
+  AddStrictCommandsOption(*command, session, arguments->strict_commands);
 }
 
 }  // namespace oncard::tools

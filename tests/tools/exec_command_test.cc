@@ -1,5 +1,6 @@
 // Host programs under `oncard exec`: the clients of tests/runtime, which know nothing of it.
 #include <gtest/gtest.h>
+#include <signal.h>
 
 #include <chrono>
 #include <filesystem>
@@ -98,7 +99,7 @@ TEST(Exec, AMoveEndsWhereAndWhenItShould) {
 TEST(Exec, FailsWhenTheCallLogIsLost) {
   const ProcessResult result =
       RunOncard({"exec", "--", Client("trap_move")}, {}, {"ONCARD_LOG=calls:/dev/full"});
-  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.exit_code, 120);
   EXPECT_NE(result.err.find("the call log could not be written"), std::string::npos) << result.err;
 }
 
@@ -282,7 +283,12 @@ TEST(Exec, LeavesTheHostsOwnFailureAlone) {
 TEST(Exec, RunsAHostOfTheVendorsBasicHeader) {
   const ProcessResult result = Exec({}, {Client("vendor_basic")});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_EQ(result.err, "");
+  // The host looks at what a missing structure does.
+  EXPECT_EQ(result.err,
+            "oncard: warning: card 0: GT_SetTrigger(1, NULL) = 7: parameter pTrigger is NULL; pass "
+            "the address of a variable (first at 0.45 ms, 2 times)\n"
+            "oncard: warning: card 0: GT_GetTrigger(1, NULL) = 7: parameter pTrigger is NULL; pass "
+            "the address of a variable (at 0.5 ms)\n");
 }
 
 TEST(Exec, SaysThatAHostHasTheVendorsHeaderOfSeveralCards) {
@@ -308,6 +314,74 @@ TEST(Exec, SaysThatAHostHasTheVendorsHeaderOfSeveralCards) {
   // GT_Open(0, 0) alone says nothing: hosts of one card write it too.
   EXPECT_EQ(Exec({}, {Client("vendor_multi"), "0", "nothing"}).err, "");
 }
+
+// --- The end ------------------------------------------------------------------------------------
+
+// `watched` looks at an input for 2 s.
+TEST(Exec, EndsTheHostWhenTheScenarioEnds) {
+  const ScratchFolder folder;
+  const std::string scenario =
+      folder.Write("s.toml", "until_ms = 200\nexpect = [\"clock == 200\"]\n");
+  const ProcessResult good = Exec({"--scenario=" + scenario, "--trace=" + folder.path() + "/t.csv"},
+                                  {Client("watched"), "9"});
+  EXPECT_EQ(good.exit_code, 0) << good.err;
+  EXPECT_NE(folder.Read("t.csv").find("\n200\n"), std::string::npos) << folder.Read("t.csv");
+  const std::string limited = folder.Write("l.toml", "limit_ms = 200\n");
+  const ProcessResult bad = Exec({"--scenario=" + limited}, {Client("watched"), "0"});
+  EXPECT_EQ(bad.exit_code, 120);
+  EXPECT_NE(bad.err.find("card 0: the host still runs at the time limit of 200 ms"),
+            std::string::npos)
+      << bad.err;
+}
+
+TEST(Exec, EndsAHostThatOnlyWaits) {
+  const ScratchFolder folder;
+  const std::string scenario = folder.Write("s.toml", "until_ms = 1000\n");
+  // It calls the card once in 62 s.
+  const ProcessResult result = Exec({"--scenario=" + scenario}, {Client("sleeper"), "7", "60"});
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+}
+
+TEST(Exec, SaysWhichCallsWereRefused) {
+  const ProcessResult result = Exec({}, {Client("refused")});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_NE(result.err.find("oncard: warning: card 0: GT_AxisOn(9) = 7: "), std::string::npos)
+      << result.err;
+  EXPECT_NE(result.err.find(", 3 times)\n"), std::string::npos) << result.err;
+  const ProcessResult strict = Exec({"--strict-commands"}, {Client("refused")});
+  EXPECT_EQ(strict.exit_code, 120);
+  EXPECT_NE(strict.err.find("oncard: card 0: GT_AxisOn(9) = 7: "), std::string::npos) << strict.err;
+}
+
+class ExecSignalTest : public testing::TestWithParam<int> {};
+
+TEST_P(ExecSignalTest, WritesTheTraceBeforeTheHostEnds) {
+  const ScratchFolder folder;
+  const ProcessResult result = InterruptOncard({"exec", "--trace=t.csv", "--", Client("endless")},
+                                               GetParam(), folder.path());
+  EXPECT_EQ(result.exit_code, 128 + GetParam()) << result.err;
+  EXPECT_TRUE(folder.Read("t.csv").starts_with("time_ms"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, ExecSignalTest, testing::Values(SIGINT, SIGTERM, SIGHUP));
+
+class ExecKeyTest : public testing::TestWithParam<const char*> {};
+
+TEST_P(ExecKeyTest, IsRefusedInAScenarioOfAHost) {
+  const ScratchFolder folder;
+  const std::string scenario = folder.Write("s.toml", GetParam());
+  const ProcessResult result = Exec({"--scenario=" + scenario}, {Client("watched"), "0"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_NE(result.err.find("cannot be used for a host program"), std::string::npos) << result.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(Keys, ExecKeyTest,
+                         testing::Values("program = \"p.c\"", "include = []", "double = \"16.16\"",
+                                         "schedule = \"rr\"", "final = []", "always = []",
+                                         "never = []", "eventually = []", "races = \"none\"",
+                                         "sync = []", "explore = \"prove\"", "[globals]\nx = 1",
+                                         "[[thread]]\nfunction = \"f\"",
+                                         "[[host]]\nset = { x = 1 }"));
 
 // --- Exit codes ----------------------------------------------------------------------------------
 
