@@ -14,7 +14,7 @@ using gtcalls::Parameter;
 using gtcalls::Passing;
 using gtcalls::Scalar;
 
-std::string Quote(std::string_view text) {
+std::string CString(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') {
@@ -65,7 +65,7 @@ std::string StructureOf(const gtcalls::Structure& structure, std::span<const dou
 /// What a pointer points to.
 std::string ContentOf(const Parameter& parameter, const vm::CommandArgument& argument) {
   if (parameter.passing == Passing::kTextOutput) {
-    return Quote(*static_cast<const char* const*>(argument.host));
+    return CString(*static_cast<const char* const*>(argument.host));
   }
   if (parameter.structure == nullptr) {
     std::vector<std::string> numbers;
@@ -88,7 +88,7 @@ std::string ArgumentOf(const Parameter& parameter, const vm::CommandArgument& ar
   if (argument.null) return argument.host == nullptr ? "NULL" : std::string(parameter.name);
   switch (parameter.passing) {
     case Passing::kText:
-      return Quote(static_cast<const char*>(argument.host));
+      return CString(static_cast<const char*>(argument.host));
     case Passing::kInput:
       return ContentOf(parameter, argument);
     default:

@@ -7,12 +7,6 @@
 #include "base/number.h"
 
 namespace oncard::runtime {
-namespace {
-
-/// GT_Open's code when the card cannot be opened (GTS manual table 3-1).
-constexpr int kOpenFailed = -6;
-
-}  // namespace
 
 Result<ClockSetting> ParseClockSetting(std::string_view text) {
   constexpr std::string_view kScalePrefix = "real:";

@@ -19,6 +19,9 @@
 
 namespace oncard::runtime {
 
+/// GT_Open's code when the card cannot be opened (GTS manual table 3-1).
+inline constexpr int16_t kOpenFailed = -6;
+
 enum class ClockKind : uint8_t { kVirtual, kReal };
 
 /// Which clock a card has. The default is the one a real card has.

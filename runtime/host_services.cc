@@ -10,6 +10,7 @@
 #include "compiler/compiler.h"
 #include "gts.h"
 #include "runtime/call_log.h"
+#include "runtime/clock.h"
 #include "runtime/host_refusals.h"
 #include "runtime/host_signals.h"
 #include "runtime/scenario_world.h"
@@ -19,7 +20,6 @@ namespace oncard::runtime {
 namespace {
 
 // Return codes (GTS manual table 3-1; GT_Download and GT_GetFunId in chapter 13).
-constexpr int16_t kOpenFailed = -6;
 constexpr int16_t kFileNotFound = 2007;
 constexpr int16_t kNameNotFound = 2008;
 

@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "runtime/milliseconds.h"
+
 namespace oncard::runtime {
 namespace {
 
@@ -81,7 +83,7 @@ struct Box {
 std::string Number(double value) { return fmt::format("{:.9g}", value + 0.0); }
 
 // A string of gnuplot that nothing is replaced in.
-std::string Quoted(std::string_view text) {
+std::string GnuplotString(std::string_view text) {
   std::string quoted = "'";
   for (const char c : text) {
     if (c == '\'') quoted += c;
@@ -130,14 +132,12 @@ std::vector<Point> Changes(const std::vector<Point>& points) {
   return kept;
 }
 
-double Ms(int64_t microseconds) { return static_cast<double>(microseconds) / 1000; }
-
 class Picture {
  public:
   explicit Picture(const Trace& trace) : trace_(trace) {
     for (size_t i = 0; i < trace.columns().size(); ++i) AddColumn(i);
     AddPaths();
-    if (!trace.rows().empty()) end_ms_ = Ms(trace.rows().back().time_us);
+    if (!trace.rows().empty()) end_ms_ = ToMs(trace.rows().back().time_us);
     if (end_ms_ <= 0) end_ms_ = 1;
   }
 
@@ -153,7 +153,7 @@ class Picture {
     text += "set grid ls 100\nset border 3 lc rgb '#606060'\nset tics nomirror out\n";
     text += "set key at graph 1.02, graph 1 left top reverse Left samplen 1.6\n";
     WriteData(text);
-    text += fmt::format("set multiplot title {} font ',16'\n", Quoted(options.title));
+    text += fmt::format("set multiplot title {} font ',16'\n", GnuplotString(options.title));
     WritePanels(text);
     for (size_t i = 0; i < paths_.size(); ++i) WritePath(text, i);
     text += "unset multiplot\n";
@@ -203,9 +203,9 @@ class Picture {
       // Inside a cycle only outputs are known.
       if (row.inside_cycle && trace_.form(column) == NumberForm::kReal) continue;
       if (before != nullptr && row.time_us - before->time_us > trace_.cycle_us()) {
-        points.push_back({Ms(row.time_us - trace_.cycle_us()), before->values[column]});
+        points.push_back({ToMs(row.time_us - trace_.cycle_us()), before->values[column]});
       }
-      points.push_back({Ms(row.time_us), row.values[column]});
+      points.push_back({ToMs(row.time_us), row.values[column]});
       before = &row;
     }
     return points;
@@ -380,7 +380,7 @@ class Picture {
     for (const TraceMark& mark : trace_.marks()) {
       text += fmt::format(
           "set arrow from {0}, graph 0 to {0}, graph 1 nohead back dt 3 lc rgb '#808080'\n",
-          Number(Ms(mark.time_us)));
+          Number(ToMs(mark.time_us)));
     }
     text += fmt::format("set xrange [0:{}]\n", Number(end_ms_));
     int top = kTitleHeight;
@@ -407,8 +407,8 @@ class Picture {
     std::vector<std::string> tics;
     for (size_t c = 0; c < panel.curves.size(); ++c) {
       const double row = static_cast<double>(panel.curves.size() - 1 - c);
-      tics.push_back(
-          fmt::format("{} {}", Quoted(panel.curves[c].name), Number(row + kSignalLevel / 2)));
+      tics.push_back(fmt::format("{} {}", GnuplotString(panel.curves[c].name),
+                                 Number(row + kSignalLevel / 2)));
     }
     text += fmt::format("set yrange [-0.25:{}]\nset ytics ({}) scale 0\nunset ylabel\nunset key\n",
                         panel.curves.size(), fmt::join(tics, ", "));
@@ -424,7 +424,7 @@ class Picture {
     const double padding = range.size() * kPadding;
     text += fmt::format("set yrange [{}:{}]\nset ytics autofreq\n", Number(range.low - padding),
                         Number(range.high + padding));
-    text += fmt::format("set ylabel {} offset character 0.5,0\n", Quoted(panel.label));
+    text += fmt::format("set ylabel {} offset character 0.5,0\n", GnuplotString(panel.label));
   }
 
   void WritePlot(std::string& text, size_t p) const {
@@ -433,9 +433,9 @@ class Picture {
     for (size_t c = 0; c < panel.curves.size(); ++c) {
       const Curve& curve = panel.curves[c];
       const std::string dash = curve.dash == 0 ? "" : fmt::format(" dt {}", curve.dash + 1);
-      plots.push_back(fmt::format("$p{}c{} with {} lw 2{} lc rgb '{}' title {}", p, c,
-                                  curve.steps ? "steps" : "lines", dash,
-                                  kColors[curve.color % kColors.size()], Quoted(curve.name)));
+      plots.push_back(fmt::format(
+          "$p{}c{} with {} lw 2{} lc rgb '{}' title {}", p, c, curve.steps ? "steps" : "lines",
+          dash, kColors[curve.color % kColors.size()], GnuplotString(curve.name)));
     }
     text += fmt::format("plot {}\n", fmt::join(plots, ", \\\n     "));
   }
@@ -462,7 +462,7 @@ class Picture {
                     Number(middle_y - scale * box_height), Number(middle_y + scale * box_height));
     text += "unset key\nset grid xtics ytics ls 100\nset ytics autofreq scale 1\n";
     text += fmt::format("set format x '%g'\nset xlabel {}\nset ylabel {} offset character 0.5,0\n",
-                        Quoted(path.label_x), Quoted(path.label_y));
+                        GnuplotString(path.label_x), GnuplotString(path.label_y));
     text += fmt::format(
         "plot $path{0} with lines lw 2 lc rgb '{1}' notitle, \\\n     $path{0} every ::0::0 with "
         "points pt 7 ps 1.1 lc rgb '{1}' notitle\n",

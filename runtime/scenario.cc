@@ -4,13 +4,14 @@
 #include <filesystem>
 
 #include "base/number.h"
+#include "runtime/milliseconds.h"
 #include "vm/limits.h"
 
 namespace oncard::runtime {
 namespace {
 
 // A basic TOML string.
-std::string Quote(std::string_view text) {
+std::string TomlString(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
@@ -26,18 +27,18 @@ std::string Quote(std::string_view text) {
   return quoted + '"';
 }
 
-std::string QuoteAll(const std::vector<std::string>& texts) {
+std::string TomlStrings(const std::vector<std::string>& texts) {
   std::vector<std::string> quoted;
   quoted.reserve(texts.size());
-  for (const std::string& text : texts) quoted.push_back(Quote(text));
+  for (const std::string& text : texts) quoted.push_back(TomlString(text));
   return fmt::format("[{}]", fmt::join(quoted, ", "));
 }
 
 std::string FormatValue(const InitialValue& initial) {
   if (initial.values.size() == 1) {
-    return fmt::format("{} = {}", Quote(initial.name), initial.values.front());
+    return fmt::format("{} = {}", TomlString(initial.name), initial.values.front());
   }
-  return fmt::format("{} = [{}]", Quote(initial.name), fmt::join(initial.values, ", "));
+  return fmt::format("{} = [{}]", TomlString(initial.name), fmt::join(initial.values, ", "));
 }
 
 // The inside of an inline table.
@@ -50,18 +51,13 @@ std::string FormatValues(const std::vector<InitialValue>& values) {
 
 // An inline table.
 std::string FormatWish(const ExploreWish& wish) {
-  std::string text =
-      fmt::format("{{ engine = {}, verdict = {}", Quote(wish.engine), Quote(wish.verdict));
+  std::string text = fmt::format("{{ engine = {}, verdict = {}", TomlString(wish.engine),
+                                 TomlString(wish.verdict));
   if (wish.max_executions != 0) text += fmt::format(", max_executions = {}", wish.max_executions);
   if (wish.max_states != 0) text += fmt::format(", max_states = {}", wish.max_states);
   if (wish.runs != 0) text += fmt::format(", runs = {}", wish.runs);
-  if (!wish.follow.empty()) text += fmt::format(", follow = {}", Quote(wish.follow));
+  if (!wish.follow.empty()) text += fmt::format(", follow = {}", TomlString(wish.follow));
   return text + " }";
-}
-
-// Microseconds as the shortest number of milliseconds.
-std::string FormatMs(int64_t microseconds) {
-  return fmt::format("{}", static_cast<double>(microseconds) / 1000);
 }
 
 std::vector<std::string_view> Split(std::string_view text, char separator) {
@@ -82,39 +78,39 @@ Error BadThreadStart(std::string_view text) {
 }  // namespace
 
 std::string FormatScenario(const Scenario& scenario) {
-  std::string text = fmt::format("program = {}\n", Quote(scenario.program));
-  if (!scenario.title.empty()) text += fmt::format("title = {}\n", Quote(scenario.title));
+  std::string text = fmt::format("program = {}\n", TomlString(scenario.program));
+  if (!scenario.title.empty()) text += fmt::format("title = {}\n", TomlString(scenario.title));
   if (!scenario.include_folders.empty()) {
-    text += fmt::format("include = {}\n", QuoteAll(scenario.include_folders));
+    text += fmt::format("include = {}\n", TomlStrings(scenario.include_folders));
   }
   text += fmt::format("double = \"{}\"\n",
                       scenario.double_format == vm::DoubleFormat::k16_16 ? "16.16" : "32.16");
-  text += fmt::format("schedule = {}\n", Quote(scenario.schedule));
+  text += fmt::format("schedule = {}\n", TomlString(scenario.schedule));
   text += fmt::format("rate = {}\naxes = {}\ncycle_us = {}\nlimit_ms = {}\n", scenario.rate,
                       scenario.axis_count, scenario.cycle_us, scenario.limit_ms);
   if (scenario.until_us) text += fmt::format("until_ms = {}\n", FormatMs(*scenario.until_us));
-  if (!scenario.trace.empty()) text += fmt::format("trace = {}\n", QuoteAll(scenario.trace));
+  if (!scenario.trace.empty()) text += fmt::format("trace = {}\n", TomlStrings(scenario.trace));
   if (!scenario.expectations.empty()) {
     std::vector<std::string> texts;
     for (const Expectation& expectation : scenario.expectations) texts.push_back(expectation.text);
-    text += fmt::format("expect = {}\n", QuoteAll(texts));
+    text += fmt::format("expect = {}\n", TomlStrings(texts));
   }
-  if (!scenario.final.empty()) text += fmt::format("final = {}\n", QuoteAll(scenario.final));
-  if (!scenario.always.empty()) text += fmt::format("always = {}\n", QuoteAll(scenario.always));
-  if (!scenario.never.empty()) text += fmt::format("never = {}\n", QuoteAll(scenario.never));
+  if (!scenario.final.empty()) text += fmt::format("final = {}\n", TomlStrings(scenario.final));
+  if (!scenario.always.empty()) text += fmt::format("always = {}\n", TomlStrings(scenario.always));
+  if (!scenario.never.empty()) text += fmt::format("never = {}\n", TomlStrings(scenario.never));
   if (!scenario.eventually.empty()) {
-    text += fmt::format("eventually = {}\n", QuoteAll(scenario.eventually));
+    text += fmt::format("eventually = {}\n", TomlStrings(scenario.eventually));
   }
   if (scenario.races != Scenario{}.races) {
-    text += fmt::format("races = {}\n", Quote(scenario.races));
+    text += fmt::format("races = {}\n", TomlString(scenario.races));
   }
-  if (!scenario.sync.empty()) text += fmt::format("sync = {}\n", QuoteAll(scenario.sync));
+  if (!scenario.sync.empty()) text += fmt::format("sync = {}\n", TomlStrings(scenario.sync));
   if (scenario.explore) text += fmt::format("explore = {}\n", FormatWish(*scenario.explore));
   if (!scenario.keys.empty()) {
     std::vector<std::string> presses;
     for (const KeyPress& press : scenario.keys) {
-      presses.push_back(
-          fmt::format("{{ at_ms = {}, text = {} }}", FormatMs(press.at_us), Quote(press.text)));
+      presses.push_back(fmt::format("{{ at_ms = {}, text = {} }}", FormatMs(press.at_us),
+                                    TomlString(press.text)));
     }
     text += fmt::format("keys = [{}]\n", fmt::join(presses, ", "));
   }
@@ -124,7 +120,7 @@ std::string FormatScenario(const Scenario& scenario) {
   }
   for (const ThreadStart& start : scenario.threads) {
     text += fmt::format("\n[[thread]]\nthread = {}\nfunction = {}\npage = {}\n", start.thread,
-                        Quote(start.function), start.page);
+                        TomlString(start.function), start.page);
     if (start.period_ms != 0) {
       text += fmt::format("period_ms = {}\npriority = {}\n", start.period_ms, start.priority);
     }

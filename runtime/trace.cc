@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "runtime/milliseconds.h"
+
 namespace oncard::runtime {
 namespace {
 
@@ -43,10 +45,6 @@ std::string VcdCode(size_t index) {
   return code;
 }
 
-std::string FormatMs(int64_t microseconds) {
-  return fmt::format("{}", static_cast<double>(microseconds) / 1000);
-}
-
 std::string VcdChange(double value, NumberForm form, const std::string& code) {
   switch (form) {
     case NumberForm::kFlag:
@@ -75,7 +73,7 @@ std::string VcdType(NumberForm form) {
 }
 
 // A program's names hold letters, digits, dots and brackets only; a mark may hold anything.
-std::string Quoted(std::string_view text) {
+std::string JsonString(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') quoted += '\\';
@@ -287,12 +285,12 @@ std::string Trace::Json() const {
     }
     events.push_back(fmt::format(
         R"({{"name":{},"cat":"thread","ph":"X","pid":1,"tid":{},"ts":{},"dur":{}}})",
-        Quoted(span.function), span.thread, span.begin_us, span.end_us - span.begin_us));
+        JsonString(span.function), span.thread, span.begin_us, span.end_us - span.begin_us));
   }
   for (const TraceMark& mark : marks_) {
     events.push_back(
         fmt::format(R"({{"name":{},"cat":"host","ph":"i","s":"p","pid":1,"tid":{},"ts":{}}})",
-                    Quoted(mark.text), vm::kThreadCount, mark.time_us));
+                    JsonString(mark.text), vm::kThreadCount, mark.time_us));
   }
   for (size_t i = 0; i < columns_.size(); ++i) {
     const TraceRow* before = nullptr;

@@ -9,6 +9,7 @@
 
 #include "motion/analog.h"
 #include "motion/extension.h"
+#include "runtime/milliseconds.h"
 #include "runtime/quantity.h"
 
 namespace oncard::runtime {
@@ -343,8 +344,6 @@ class WorldReader {
 
 // --- Writing -----------------------------------------------------------------------------------
 
-double Ms(int64_t microseconds) { return static_cast<double>(microseconds) / 1000; }
-
 std::string FormatMachine(const MachineSetup& machine) {
   std::string text = fmt::format("\n[[world.axis]]\naxis = {}\ndrive = \"{}\"\n", machine.axis,
                                  kDriveNames[static_cast<size_t>(machine.drive)]);
@@ -369,8 +368,8 @@ std::string FormatFault(const WorldFault& fault) {
   const bool cut = fault.kind == FaultKind::kCutSwitch;
   std::string text = fmt::format("\n[[world.fault]]\nkind = \"{}\"\n{} = {}\nat_ms = {}\n",
                                  kFaultNames[static_cast<size_t>(fault.kind)],
-                                 cut ? "switch" : "axis", fault.number, Ms(fault.at_us));
-  if (fault.until_us) text += fmt::format("until_ms = {}\n", Ms(*fault.until_us));
+                                 cut ? "switch" : "axis", fault.number, ToMs(fault.at_us));
+  if (fault.until_us) text += fmt::format("until_ms = {}\n", ToMs(*fault.until_us));
   if (fault.kind == FaultKind::kNoise) text += fmt::format("pulses = {}\n", fault.amount);
   if (fault.kind == FaultKind::kSlip) text += fmt::format("velocity = {}\n", fault.amount);
   return text;
@@ -379,7 +378,7 @@ std::string FormatFault(const WorldFault& fault) {
 std::string FormatHand(const HandTurn& turn, int axis_count) {
   return fmt::format("\n[[world.hand]]\n{} = {}\npulses = {}\nat_ms = {}\nuntil_ms = {}\n",
                      turn.number > axis_count ? "encoder" : "axis", turn.number, turn.pulses,
-                     Ms(turn.at_us), Ms(turn.until_us));
+                     ToMs(turn.at_us), ToMs(turn.until_us));
 }
 
 }  // namespace
@@ -393,7 +392,7 @@ std::string FormatWorld(const World& world, int axis_count) {
   for (const InputEvent& event : world.inputs) {
     text += fmt::format("\n[[world.input]]\ntype = \"{}\"\n", InputWordName(event.type));
     if (event.index != 0) text += fmt::format("index = {}\n", event.index);
-    text += fmt::format("value = {}\nat_ms = {}\n", event.value, Ms(event.at_us));
+    text += fmt::format("value = {}\nat_ms = {}\n", event.value, ToMs(event.at_us));
   }
   for (const MachineSetup& machine : world.machines) text += FormatMachine(machine);
   for (const SwitchSetup& contact : world.switches) text += FormatSwitch(contact);
@@ -401,13 +400,13 @@ std::string FormatWorld(const World& world, int axis_count) {
   for (const HandTurn& turn : world.hands) text += FormatHand(turn, axis_count);
   for (const VoltageEvent& event : world.voltages) {
     text += fmt::format("\n[[world.analog]]\nchannel = {}\nvolts = {}\nat_ms = {}\n", event.channel,
-                        event.volts, Ms(event.at_us));
+                        event.volts, ToMs(event.at_us));
   }
   for (const ModuleEvent& event : world.modules) {
     text += fmt::format("\n[[world.module]]\nmodule = {}\n", event.module);
     if (event.inputs) text += fmt::format("inputs = {}\n", *event.inputs);
     if (!event.volts.empty()) text += fmt::format("volts = [{}]\n", fmt::join(event.volts, ", "));
-    text += fmt::format("at_ms = {}\n", Ms(event.at_us));
+    text += fmt::format("at_ms = {}\n", ToMs(event.at_us));
   }
   return text;
 }
