@@ -1,4 +1,12 @@
-# Source generators. Their output lives only in the build tree.
+# Source generators. Their output lives only in the build tree. The target oncard_generated makes all
+# of it, and nothing else: what clang-tidy needs.
+add_custom_target(oncard_generated)
+
+function(oncard_generated_sources target name)
+  add_custom_target(${target}_${name}_sources DEPENDS ${ARGN})
+  add_dependencies(${target} ${target}_${name}_sources)
+  add_dependencies(oncard_generated ${target}_${name}_sources)
+endfunction()
 
 # oncard_re2c(target lexer.re): adds the scanner made from `lexer.re` to the target.
 function(oncard_re2c target source)
@@ -12,6 +20,7 @@ function(oncard_re2c target source)
     DEPENDS ${source}
     VERBATIM)
   target_sources(${target} PRIVATE ${output})
+  oncard_generated_sources(${target} ${name} ${output})
 endfunction()
 
 # oncard_bison(target parser.yy): adds the parser made from `parser.yy` and its header, parser.hh,
@@ -27,6 +36,7 @@ function(oncard_bison target source)
     DEPENDS ${source}
     VERBATIM)
   target_sources(${target} PRIVATE ${output})
+  oncard_generated_sources(${target} ${name} ${output})
   # The skeleton's own code narrows its table entries.
   set_source_files_properties(${output} PROPERTIES COMPILE_OPTIONS "-Wno-conversion")
 endfunction()
