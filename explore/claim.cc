@@ -127,8 +127,8 @@ ClaimEntry Program(const Subject& subject) {
   return entry;
 }
 
-uint64_t HashOf(const runtime::World& world) {
-  const std::string text = runtime::FormatWorld(world);
+uint64_t HashOfWorld(const CardConditions& card) {
+  const std::string text = runtime::FormatWorld(card.world, card.axis_count);
   return XXH64(text.data(), text.size(), 0);
 }
 
@@ -151,7 +151,7 @@ ClaimEntry Assumptions(const Subject& subject) {
                             ? Message{"world: ideal drives, inputs off, nothing happens",
                                       "外部世界：理想驱动器，输入全关，无事件"}
                             : MakeMessage("world: as in the scenario, {0:016x}",
-                                          "外部世界：如场景所述，{0:016x}", HashOf(card.world)));
+                                          "外部世界：如场景所述，{0:016x}", HashOfWorld(card)));
   return entry;
 }
 
@@ -383,7 +383,7 @@ void AddClaim(const Findings& findings, nlohmann::ordered_json* json) {
     if (card->until_us) assumptions["until_ms"] = static_cast<double>(*card->until_us) / 1000;
     assumptions["world"] = card->world == runtime::World{}
                                ? std::string("nothing happens")
-                               : fmt::format("{:016x}", HashOf(card->world));
+                               : fmt::format("{:016x}", HashOfWorld(*card));
   }
   auto& bounds = (*json)["bounds"] = nlohmann::ordered_json::array();
   for (const Message& line : Bounds(findings).lines) bounds.push_back(line.en);
