@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/number.h"
+#include "base/trim.h"
 
 namespace oncard::runtime {
 namespace {
@@ -23,12 +24,6 @@ constexpr std::array kOperators = {
 constexpr std::string_view kTolerance = "+-";
 // An hour of virtual time and more fits; the microseconds stay exact in a double.
 constexpr double kInstantMaxMs = 1e9;
-
-std::string_view Trim(std::string_view text) {
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-  return text;
-}
 
 bool IsName(std::string_view text) {
   const auto letter = [](char c) {

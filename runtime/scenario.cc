@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "base/number.h"
+#include "base/trim.h"
 #include "runtime/milliseconds.h"
 #include "vm/limits.h"
 
@@ -222,9 +223,9 @@ Result<InitialValue> ParseInitialValue(std::string_view text) {
   InitialValue initial;
   const size_t equals = text.find('=');
   if (equals != std::string_view::npos && equals > 0) {
-    initial.name = text.substr(0, equals);
+    initial.name = Trim(text.substr(0, equals));
     for (const std::string_view part : Split(text.substr(equals + 1), ',')) {
-      const auto value = ReadNumber(part);
+      const auto value = ReadNumber(Trim(part));
       if (!value) {
         initial.values.clear();
         break;
