@@ -45,7 +45,7 @@ class FileWriterTest : public testing::Test {
 using Strings = std::vector<std::string>;
 
 TEST_F(FileWriterTest, KeepsTheModeOfAnOldFile) {
-  for (const mode_t mode : {0600, 0640, 0755}) {
+  for (const mode_t mode : {0600u, 0640u, 0755u}) {
     ASSERT_TRUE(WriteFileAtomically(Path("f"), "old").ok());
     ASSERT_EQ(::chmod(Path("f").c_str(), mode), 0);
     ASSERT_TRUE(WriteFileAtomically(Path("f"), "new").ok());

@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "base/files.h"
 #include "compiler/compiler.h"
 #include "compiler/display_text.h"
 

@@ -57,7 +57,7 @@ TEST(GantryCommand, HomingAndScalesDoNotReachTheSlave) {
   EXPECT_EQ(card.Call("GT_HomeInit", {}), 0);
   Cells parameters(22);
   EXPECT_EQ(card.Call("GT_GetHomePrm", {2, &parameters}), 0);
-  for (const size_t cell : {8, 9, 10, 11}) parameters[cell] = 1;  // velocities, accelerations
+  for (const size_t cell : {8u, 9u, 10u, 11u}) parameters[cell] = 1;  // velocities, accelerations
   EXPECT_EQ(card.Call("GT_EnableGantry", {1, 2, 0, 0}), 0);
   card.ExpectRefused(1, "GT_GoHome", {2, &parameters});
   EXPECT_EQ(card.reason.en,

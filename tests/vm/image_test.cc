@@ -6,6 +6,7 @@
 
 #include "tests/vm/program_builder.h"
 #include "tests/vm/reference_machine.h"
+#include "vm/handlers.h"
 
 namespace oncard::vm {
 namespace {
@@ -322,11 +323,11 @@ INSTANTIATE_TEST_SUITE_P(Relations, LoopsTest,
 
 // --- The image -----------------------------------------------------------------------------------
 
-TEST(ImageTest, KeepsOneCodePerInstructionAndAnEndMarker) {
+TEST(ImageTest, KeepsOneCodePerInstructionAndTheEndMarkers) {
   const ThreadCommands commands;
   const auto image = LinkRecords(SumObject(), commands);
   ASSERT_EQ(image->functions.size(), 1u);
-  EXPECT_EQ(image->functions[0].code.size(), 8u);
+  EXPECT_EQ(image->functions[0].code.size(), 7 + kLookAhead);
   EXPECT_EQ(image->object, SumObject());
 }
 
