@@ -196,8 +196,7 @@ void MeasureCompiler() {
   }
   text += "    return i;\n}\n";
   const double seconds = MeasureCpu([&] {
-    const auto compilation = compiler::CompileText(
-        "big.c", text, {}, compiler::ReadSource);
+    const auto compilation = compiler::CompileText("big.c", text, {}, compiler::ReadSource);
     if (!compilation.ok()) Fail("the generated program does not compile");
   });
   std::printf("compile %d statements: %.1f ms\n", kStatements, seconds * 1e3);

@@ -12,14 +12,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-extern void *__libc_malloc(size_t size);
+extern void* __libc_malloc(size_t size);
 
-static int Fails(const char *call) {
+static int Fails(const char* call) {
   static int count;
   static __thread int busy;
   if (busy) return 0;
   busy = 1;
-  const char *wanted = getenv("ONCARD_FAIL");
+  const char* wanted = getenv("ONCARD_FAIL");
   const size_t length = strlen(call);
   int fails = 0;
   if (wanted != NULL && strncmp(wanted, call, length) == 0 && wanted[length] == ':') {
@@ -27,8 +27,8 @@ static int Fails(const char *call) {
   }
   if (fails) {
     static const char said[] = "injected\n";
-    ssize_t (*real)(int, const void *, size_t) =
-        (ssize_t(*)(int, const void *, size_t))dlsym(RTLD_NEXT, "write");
+    ssize_t (*real)(int, const void*, size_t) =
+        (ssize_t(*)(int, const void*, size_t))dlsym(RTLD_NEXT, "write");
     (void)!real(STDERR_FILENO, said, sizeof said - 1);
     errno = EIO;
   }
@@ -38,13 +38,13 @@ static int Fails(const char *call) {
 
 #define REAL(name, ...) ((__typeof__(&name))dlsym(RTLD_NEXT, #name))(__VA_ARGS__)
 
-void *malloc(size_t size) {
+void* malloc(size_t size) {
   if (!Fails("malloc")) return __libc_malloc(size);
   errno = ENOMEM;
   return NULL;
 }
 
-int open(const char *path, int flags, ...) {
+int open(const char* path, int flags, ...) {
   mode_t mode = 0;
   if (flags & O_CREAT) {
     va_list arguments;
@@ -55,7 +55,7 @@ int open(const char *path, int flags, ...) {
   return Fails("open") ? -1 : REAL(open, path, flags, mode);
 }
 
-ssize_t write(int file, const void *bytes, size_t count) {
+ssize_t write(int file, const void* bytes, size_t count) {
   if (file <= STDERR_FILENO) return REAL(write, file, bytes, count);
   if (Fails("write")) return -1;
   /* A disk that takes a part only. */
@@ -65,9 +65,9 @@ ssize_t write(int file, const void *bytes, size_t count) {
 int fsync(int file) { return Fails("fsync") ? -1 : REAL(fsync, file); }
 int fchmod(int file, mode_t mode) { return Fails("fchmod") ? -1 : REAL(fchmod, file, mode); }
 int flock(int file, int kind) { return Fails("flock") ? -1 : REAL(flock, file, kind); }
-int rename(const char *from, const char *to) {
+int rename(const char* from, const char* to) {
   return Fails("rename") ? -1 : REAL(rename, from, to);
 }
-int renameat2(int from_folder, const char *from, int to_folder, const char *to, unsigned flags) {
+int renameat2(int from_folder, const char* from, int to_folder, const char* to, unsigned flags) {
   return Fails("renameat2") ? -1 : REAL(renameat2, from_folder, from, to_folder, to, flags);
 }
