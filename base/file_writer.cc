@@ -325,11 +325,12 @@ Result<void> WriteFileAtomically(const std::string& path, std::string_view conte
 
 Result<void> WritePairAtomically(const std::string& first_path, std::string_view first,
                                  const std::string& second_path, std::string_view second) {
+  // Who else writes this pair takes the old files away for a moment: none of that may be seen here.
+  const FolderLock lock(FolderOf(first_path), LOCK_EX);
   StagedFile first_file(first_path);
   StagedFile second_file(second_path);
   if (auto result = first_file.Stage(first); !result.ok()) return result;
   if (auto result = second_file.Stage(second); !result.ok()) return result;
-  const FolderLock lock(FolderOf(first_path), LOCK_EX);
   // The second file is away while the first one changes: whoever is killed in between leaves no
   // pair, and never halves of two.
   if (auto result = second_file.TakeAway(); !result.ok()) return result;
