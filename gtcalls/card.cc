@@ -148,6 +148,8 @@ int16_t CheckCells(Call& call, size_t index) {
   const std::span<const double> cells = call.cells(index);
   size_t next = 0;
   const auto check = [&](std::string_view name, Scalar type, Unit unit) {
+    // The last structure of a list may be incomplete; the command judges how much it needs.
+    if (next == cells.size()) return vm::kOk;
     const double value = cells[next++];
     if (type == Scalar::kDouble) return vm::kOk;
     const Bounds bounds = BoundsOf(type, unit);
