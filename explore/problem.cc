@@ -5,18 +5,13 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/trim.h"
 #include "compiler/display_text.h"
 
 namespace oncard::explore {
 namespace {
 
 constexpr std::string_view kMark = "//@";
-
-std::string_view Trim(std::string_view text) {
-  const size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 /// What is wrong with the comment in a line, and the line.
 Message AtLine(const std::string& path, int number, std::string_view line, const Message& message) {

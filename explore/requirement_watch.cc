@@ -9,20 +9,6 @@
 namespace oncard::explore {
 namespace {
 
-std::string_view NameOf(Scope scope) {
-  switch (scope) {
-    case Scope::kFinal:
-      return "final";
-    case Scope::kAlways:
-      return "always";
-    case Scope::kNever:
-      return "never";
-    case Scope::kEventually:
-      break;
-  }
-  return "eventually";
-}
-
 Message Joined(const Message& first, const Message& values) {
   if (values.en.empty()) return first;
   return {fmt::format("{}: {}", first.en, values.en), fmt::format("{}：{}", first.zh, values.zh)};
@@ -35,7 +21,8 @@ Result<void> RequirementWatch::Begin(const runtime::Controller& controller) {
     auto property = Property::Parse(requirement.text, controller);
     if (!property.ok()) {
       const Message& why = property.error().message;
-      const std::string what = fmt::format("{}: {}", NameOf(requirement.scope), requirement.text);
+      const std::string what =
+          fmt::format("{}: {}", ScopeName(requirement.scope), requirement.text);
       return Error{1,
                    {fmt::format("'{}': {}", what, why.en), fmt::format("“{}”：{}", what, why.zh)}};
     }
@@ -78,7 +65,7 @@ void RequirementWatch::End(const runtime::Controller& controller) {
 
 void RequirementWatch::Fail(const Watched& watched, Message message) {
   failures_.push_back(
-      {fmt::format("{}: {}", NameOf(watched.requirement.scope), watched.requirement.text),
+      {fmt::format("{}: {}", ScopeName(watched.requirement.scope), watched.requirement.text),
        std::move(message)});
 }
 

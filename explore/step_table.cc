@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/markup.h"
+#include "base/trim.h"
 #include "compiler/display_text.h"
 #include "explore/axis_curve.h"
 
@@ -18,13 +19,6 @@ namespace {
 using runtime::LoggedStep;
 
 // --- Statements of a line ------------------------------------------------------------------------
-
-std::string_view Trimmed(std::string_view text) {
-  constexpr std::string_view kBlank = " \t\r";
-  const size_t first = text.find_first_not_of(kBlank);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
-}
 
 std::string_view FirstWord(std::string_view text) {
   const auto in_word = [](char c) {
@@ -41,9 +35,9 @@ std::string_view Statement(std::string_view piece) {
   const size_t brace = piece.find_last_of("{}");
   if (brace != std::string_view::npos) piece.remove_prefix(brace + 1);
   for (;;) {
-    piece = Trimmed(piece);
+    piece = Trim(piece);
     const std::string_view label = FirstWord(piece);
-    const std::string_view behind = Trimmed(piece.substr(label.size()));
+    const std::string_view behind = Trim(piece.substr(label.size()));
     if (label.empty() || !behind.starts_with(':')) break;
     piece = behind.substr(1);
   }
@@ -455,7 +449,7 @@ StatementTexts::StatementTexts(std::string_view source, const vm::Object& object
     : object_(object) {
   for (size_t begin = 0; begin < source.size();) {
     const size_t end = std::min(source.find('\n', begin), source.size());
-    lines_.push_back(compiler::DisplayLine(Trimmed(source.substr(begin, end - begin))).text());
+    lines_.push_back(compiler::DisplayLine(Trim(source.substr(begin, end - begin))).text());
     begin = end + 1;
   }
 }

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/number.h"
+#include "base/trim.h"
 
 namespace oncard::gtcalls {
 namespace {
@@ -111,19 +112,12 @@ constexpr std::string_view kInputSections[] = {"limitPositive", "limitNegative",
 
 // --- Reading -----------------------------------------------------------------------------------
 
-std::string_view Trimmed(std::string_view text) {
-  constexpr std::string_view kBlank = " \t\r";
-  const size_t first = text.find_first_not_of(kBlank);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
-}
-
 class ConfigReader {
  public:
   CardConfig Read(std::string_view text) {
     for (size_t begin = 0; begin < text.size();) {
       const size_t end = std::min(text.find('\n', begin), text.size());
-      ReadLine(Trimmed(text.substr(begin, end - begin)));
+      ReadLine(Trim(text.substr(begin, end - begin)));
       begin = end + 1;
     }
     return std::move(config_);
@@ -138,7 +132,7 @@ class ConfigReader {
     }
     const size_t equals = line.find('=');
     if (section_.empty() || equals == std::string_view::npos) return;
-    ReadKey(Trimmed(line.substr(0, equals)), Trimmed(line.substr(equals + 1)));
+    ReadKey(Trim(line.substr(0, equals)), Trim(line.substr(equals + 1)));
   }
 
   /// `[name12]`. What follows an unknown section is not read.

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/trim.h"
 #include "runtime/scenario_start.h"
 #include "runtime/scenario_world.h"
 
@@ -13,16 +14,12 @@ namespace {
 
 /// The lines of a source without the white space around them; element 0 is no line.
 std::vector<std::string> TrimmedLines(std::string_view source) {
-  constexpr std::string_view kSpace = " \t\r";
   std::vector<std::string> lines(1);
   while (!source.empty()) {
     const size_t end = std::min(source.find('\n'), source.size());
     const std::string_view line = source.substr(0, end);
     source.remove_prefix(std::min(end + 1, source.size()));
-    const size_t first = line.find_first_not_of(kSpace);
-    lines.emplace_back(first == std::string_view::npos
-                           ? std::string_view{}
-                           : line.substr(first, line.find_last_not_of(kSpace) - first + 1));
+    lines.emplace_back(Trim(line));
   }
   return lines;
 }
