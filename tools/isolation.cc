@@ -11,10 +11,10 @@
 #include <exception>
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.h"
+
 namespace oncard::tools {
 namespace {
-
-using Json = nlohmann::json;
 
 /// How often the parent looks whether it shall stop, and how many looks a child may take to end.
 constexpr int kLookMs = 100;
@@ -22,30 +22,31 @@ constexpr int kLooksToEnd = 20;
 
 // --- An outcome as text ----------------------------------------------------------------------
 
-Json Pack(const std::vector<Message>& messages) {
-  Json packed = Json::array();
+nlohmann::ordered_json Pack(const std::vector<Message>& messages) {
+  nlohmann::ordered_json packed = nlohmann::ordered_json::array();
   for (const Message& message : messages) packed.push_back({message.en, message.zh});
   return packed;
 }
 
-std::vector<Message> Unpack(const Json& packed) {
+std::vector<Message> Unpack(const nlohmann::ordered_json& packed) {
   std::vector<Message> messages;
-  for (const Json& message : packed) messages.push_back({message.at(0), message.at(1)});
+  for (const nlohmann::ordered_json& message : packed)
+    messages.push_back({message.at(0), message.at(1)});
   return messages;
 }
 
 std::string Pack(const TestOutcome& outcome) {
-  const Json packed = {{"failures", Pack(outcome.failures)},
-                       {"warnings", Pack(outcome.warnings)},
-                       {"time_ms", outcome.time_ms},
-                       {"statements", outcome.statements},
-                       {"interrupted", outcome.interrupted}};
-  return packed.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const nlohmann::ordered_json packed = {{"failures", Pack(outcome.failures)},
+                                         {"warnings", Pack(outcome.warnings)},
+                                         {"time_ms", outcome.time_ms},
+                                         {"statements", outcome.statements},
+                                         {"interrupted", outcome.interrupted}};
+  return JsonText(packed);
 }
 
 /// False when it is not the whole text.
 bool Unpack(const std::string& text, TestOutcome* outcome) {
-  const Json packed = Json::parse(text, nullptr, false);
+  const nlohmann::ordered_json packed = nlohmann::ordered_json::parse(text, nullptr, false);
   if (!packed.is_object()) return false;
   outcome->failures = Unpack(packed.at("failures"));
   outcome->warnings = Unpack(packed.at("warnings"));
