@@ -10,6 +10,7 @@
 #include <set>
 
 #include "base/files.h"
+#include "base/limits.h"
 #include "compiler/compiler.h"
 #include "compiler/display_text.h"
 
@@ -119,6 +120,13 @@ TEST(ExplainPageTest, UnknownCodesHaveNone) {
   for (const int code : {-1, 51, 99, 138, 1000}) {
     EXPECT_EQ(ExplainPage(code, Language::kEnglish), std::nullopt) << code;
     EXPECT_EQ(ExplainPage(code, Language::kChinese), std::nullopt) << code;
+  }
+}
+
+TEST(ExplainPageTest, SourcesHaveTheLimitsOfTheirPage) {
+  for (const std::string_view text : {FindExplanation(22)->en, FindExplanation(22)->zh}) {
+    EXPECT_NE(text.find(std::to_string(kSourceKind.bytes_max)), std::string_view::npos) << text;
+    EXPECT_NE(text.find(std::to_string(kTokenMax)), std::string_view::npos) << text;
   }
 }
 

@@ -82,6 +82,7 @@ INSTANTIATE_TEST_SUITE_P(Limits, LargeFileTest,
 
 struct NeverEnding {
   std::vector<std::string> command;
+  std::string said = "not a regular file";
 };
 
 void PrintTo(const NeverEnding& row, std::ostream* stream) { *stream << row.command.front(); }
@@ -92,21 +93,29 @@ TEST_P(NeverEndingTest, InputIsRefused) {
   const ScratchFolder folder;
   folder.Write("p.c", "#include \"/dev/zero\"\nint t0() { return 0; }\n");
   folder.Write("q.c", "#include \"pipe\"\nint t0() { return 0; }\n");
+  folder.Write("sub/f", "");
+  folder.Write("r.c", "#include \"sub\"\nint t0() { return 0; }\n");
   ASSERT_EQ(::mkfifo((folder.path() + "/pipe").c_str(), 0600), 0);
   ASSERT_EQ(::symlink("/dev/zero", (folder.path() + "/z.toml").c_str()), 0);
   ASSERT_EQ(::symlink("/dev/zero", (folder.path() + "/z.bin").c_str()), 0);
   const ProcessResult result = RunOncard(GetParam().command, folder.path());
   EXPECT_NE(result.exit_code, 0);
-  EXPECT_NE((result.out + result.err).find("not a regular file"), std::string::npos)
-      << result.out << result.err;
+  const std::string all = result.out + result.err;
+  const size_t said = all.find(GetParam().said);
+  EXPECT_NE(said, std::string::npos) << all;
+  EXPECT_EQ(all.find(GetParam().said, said + 1), std::string::npos) << all;
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Limits, NeverEndingTest,
     testing::Values(NeverEnding{{"check", "p.c"}}, NeverEnding{{"check", "q.c"}},
-                    NeverEnding{{"check", "/dev/zero"}}, NeverEnding{{"run", "z.toml"}},
-                    NeverEnding{{"test", "z.toml"}}, NeverEnding{{"verify", "z.bin"}},
-                    NeverEnding{{"replay", "/dev/zero"}}, NeverEnding{{"replay", "pipe"}},
+                    NeverEnding{{"check", "--fix", "p.c"}}, NeverEnding{{"check", "pipe"}},
+                    NeverEnding{{"check", "r.c"}, "it is a folder"},
+                    NeverEnding{{"check", "sub"}, "it is a folder"}, NeverEnding{{"build", "p.c"}},
+                    NeverEnding{{"run", "p.c"}}, NeverEnding{{"check", "/dev/zero"}},
+                    NeverEnding{{"run", "z.toml"}}, NeverEnding{{"test", "z.toml"}},
+                    NeverEnding{{"verify", "z.bin"}}, NeverEnding{{"replay", "/dev/zero"}},
+                    NeverEnding{{"replay", "pipe"}},
                     NeverEnding{{"explore", "--merge", "/dev/zero"}}));
 
 TEST(SourceLimits, CountAllIncludedFilesTogether) {
