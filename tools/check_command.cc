@@ -1,7 +1,9 @@
 // oncard check: diagnostics only, or with --fix their fix-its. Text goes to standard error like any
 // diagnostics; JSON and SARIF are what was asked for, so they go to standard output.
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 
 #include "base/limits.h"
 #include "compiler/diagnostic_printer.h"
@@ -36,6 +38,10 @@ Result<std::string> ReadStandardInput() {
       return MakeError(kExitUnreadable, "standard input has more than {} bytes",
                        "标准输入超过 {} 字节", kSourceKind.bytes_max);
     }
+  }
+  if (std::ferror(stdin) != 0) {
+    return MakeError(kExitUnreadable, "cannot read standard input: {}", "无法读取标准输入：{}",
+                     std::strerror(errno));
   }
   return text;
 }

@@ -201,6 +201,10 @@ TEST(Check, ReadsStandardInput) {
   EXPECT_NE(mended.out.find("goto lbl_loop;"), std::string::npos) << mended.out;
   EXPECT_EQ(piped("loop.c", "--fix --format=json -").exit_code, 2);
   EXPECT_EQ(piped("/dev/zero", "-").exit_code, 3);
+  EXPECT_EQ(piped("/dev/null", "-").exit_code, 0);
+  const ProcessResult folder = piped(".", "-");
+  EXPECT_EQ(folder.exit_code, 3);
+  EXPECT_NE(folder.err.find("cannot read standard input"), std::string::npos) << folder.err;
 }
 
 TEST(Dump, ListsInstructionsWithTheirLines) {
