@@ -140,6 +140,7 @@ void Directives::Directive(const std::vector<Token>& line) {
 
 void Directives::Define(const std::vector<Token>& line, SourceRange whole) {
   if (line.size() < 3 || line[2].kind != Kind::kName) {
+    if (line.size() >= 3 && line[2].literal.invalid) return;  // the lexer has reported it
     SourceRange range = line.back().range;
     Message what = MakeMessage("the end of the line", "行尾");
     if (line.size() < 3) {

@@ -438,7 +438,7 @@ std::optional<TypedOperand> Checker::ResolveTarget(const Expression& expression)
   const bool failed_before = failed_;
   CheckWritable(expression);
   if (failed_ != failed_before) return std::nullopt;
-  if (expression.kind == Expression::Kind::kError) {
+  if (expression.kind == Expression::Kind::kError || expression.literal.invalid) {
     failed_ = true;
     return std::nullopt;
   }
@@ -681,7 +681,11 @@ void Checker::CheckNames(const Expression& expression) {
       }
       if (callee.kind != Expression::Kind::kName) {
         CheckNames(callee);
-        Fail(Code::kNotACommand, callee.range, Source(callee.range));
+        if (callee.literal.invalid) {
+          failed_ = true;
+        } else {
+          Fail(Code::kNotACommand, callee.range, Source(callee.range));
+        }
         return;
       }
       const Entity* entity = Lookup(callee.text);

@@ -213,7 +213,9 @@ void ParserDriver::SyntaxError(std::span<const Parser::symbol_kind_type> expecte
   error_at_ = last_;
   if (errors_here_ > 0) return;
 
-  if (found.kind == Kind::kInvalid) return;  // the lexer has reported it
+  // The lexer has reported these, and nothing is said about what they lead to.
+  if (found.kind == Kind::kInvalid || found.literal.invalid) return;
+  if (previous_ != nullptr && previous_->literal.invalid && !found.on_new_line) return;
   if (found.kind == Kind::kHash) {
     reporter_.Report(Code::kIllegalCharacter, found.range, std::string_view("'#'"));
     return;

@@ -129,6 +129,19 @@ TEST(Diagnostics, DoNotCascade) {
       {"#define N 99999999999\nint a[N]; int t0() { a[1] = N; return N; }", {26}},
       {"int v; int t0() { v = GT_Nope(u); }", {33, 27}},
   };
+      // A bad number is one error wherever it stands.
+      {"int 5z;", {3}},
+      {"int 5z = 3, y; int t0() { y = 1; return 5z; }", {3, 3}},
+      {"double d[3], 5z[2]; int t0() { d[0] = 1; }", {3}},
+      {"int a[5z]; int t0() { a[1] = 2; }", {3}},
+      {"int t0(int 5z) { return 0; }", {3}},
+      {"int 5z() { return 0; }", {3}},
+      {"#define 5z 3\nint t0() { return 0; }", {3}},
+      {"int t0() { 5z = 3; }", {3}},
+      {"int t0() { 5z(); }", {3}},
+      {"int t0() { 5z: return 0; }", {3}},
+      {"int t0() { goto 5z; }", {3}},
+      {"int v; int t0() { v = 5z 3; v = 08 v; }", {3, 118}},
   for (const Case& test : cases) {
     EXPECT_EQ(CodesOf(CompileString(test.text)), test.codes) << test.text;
   }
