@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/trim.h"
 #include "compiler/checker.h"
 #include "compiler/rewriter.h"
 
@@ -59,6 +60,28 @@ bool IsAxis(const gtcalls::Command& command, size_t index) {
                        return access.resource == gtcalls::Resource::kAxis && !access.mask &&
                               access.selector == static_cast<int>(index);
                      });
+}
+
+// What to do when a command wants another structure than it gets.
+Message StructureAdvice(const gtcalls::Structure& structure) {
+  if (structure.in_motion_program) {
+    return MakeMessage("declare one with '{0} name;'", "请用 '{0} 名称;' 声明", structure.name);
+  }
+  return MakeMessage("programs cannot declare one: let the host call the command",
+                     "运动程序不能声明该结构：请由主机调用该指令");
+}
+
+// What to do when a command wants the address of a variable of another type. The command reads or
+// writes the variable's own slots, so nothing can convert on the way.
+Message AddressAdvice(const Expression& variable, DataType type) {
+  const Message wanted = DescribeType(type);
+  if (variable.kind == Expression::Kind::kMember) {
+    return MakeMessage("give it {0} of its own and copy that in a statement",
+                       "请另用一个 {1} 变量，再用语句复制", wanted.en, wanted.zh);
+  }
+  return MakeMessage("declare '{0}' as {1}, or give it {1} of its own and copy that in a statement",
+                     "请把 '{0}' 声明为 {2}，或另用一个 {2} 变量，再用语句复制", BaseName(variable),
+                     wanted.en, wanted.zh);
 }
 
 std::string NumberText(double value) { return fmt::format("{:g}", value); }
@@ -208,8 +231,9 @@ void Checker::ReportMissingArguments(const Expression& call, const gtcalls::Comm
 // A fixed-point number where a whole one is wanted: C would cut it, GT_Delay(0.5) would not wait.
 void Checker::ReportFraction(const Expression& argument, const Literal& literal,
                              std::string_view parameter) {
-  Diagnostic& diagnostic = Fail(Code::kTypeMismatch, argument.range,
-                                DescribeType(DataType::kDouble), DescribeType(DataType::kInt));
+  Diagnostic& diagnostic =
+      Fail(Code::kTypeMismatch, argument.range, DescribeType(DataType::kDouble),
+           DescribeType(DataType::kInt), MakeMessage("write a whole number", "请写整数"));
   const uint64_t one = uint64_t{1} << vm::kFractionBits;
   const uint64_t whole = literal.magnitude / one;
   if (literal.magnitude % one == 0 && whole <= INT32_MAX) {
@@ -247,7 +271,8 @@ bool Checker::CheckInput(const Expression& argument, const gtcalls::Command& com
     if (operand->literal) {
       ReportFraction(argument, *operand->literal, parameter.name);
     } else {
-      Teach(Code::kTypeMismatch, argument.range, DescribeType(operand->type), DescribeType(wanted));
+      Teach(Code::kTypeMismatch, argument.range, DescribeType(operand->type), DescribeType(wanted),
+            ConvertAdvice());
     }
     return false;
   }
@@ -285,6 +310,16 @@ bool Checker::CheckAddress(const Expression& argument, const Expression& call,
       : gtcalls::ProgramType(parameter.type) == DataType::kDouble
           ? MakeMessage("a double variable", " double 变量")
           : MakeMessage("an int variable", " int 变量");
+  if (argument.kind == Expression::Kind::kCast &&
+      argument.operands[0]->kind == Expression::Kind::kUnary && argument.operands[0]->op == "&") {
+    const SourceRange cast = {argument.range.file, argument.range.begin,
+                              argument.operands[0]->range.begin};
+    CheckNames(*argument.operands[0]->operands[0]);
+    Replace(Fail(Code::kIllegalOperator, argument.range, Trim(Source(cast)),
+                 MakeMessage("an address is passed as it is", "地址须原样传递")),
+            cast, "");
+    return false;
+  }
   const bool has_ampersand = argument.kind == Expression::Kind::kUnary && argument.op == "&";
   const Expression& variable = has_ampersand ? *argument.operands[0] : argument;
   const bool addressable =
@@ -344,14 +379,16 @@ bool Checker::CheckAddress(const Expression& argument, const Expression& call,
         (entity != nullptr && entity->structure != nullptr)) {
       Message found = ToMessage(fmt::format("'{}'", Source(variable.range)));
       if (entity != nullptr) found = DescribeEntity(*entity);
-      Fail(Code::kTypeMismatch, argument.range, found, wanted);
+      Fail(Code::kTypeMismatch, argument.range, found, wanted,
+           StructureAdvice(*parameter.structure));
       return false;
     }
   } else if (variable.kind == Expression::Kind::kName) {
     const Entity* entity = ResolveName(variable);
     if (entity == nullptr) return false;
     if (entity->structure != nullptr) {
-      Fail(Code::kTypeMismatch, argument.range, DescribeEntity(*entity), wanted);
+      Fail(Code::kTypeMismatch, argument.range, DescribeEntity(*entity), wanted,
+           MakeMessage("give it a variable of that type", "请传入该类型的变量"));
       return false;
     }
   }
@@ -363,7 +400,7 @@ bool Checker::CheckAddress(const Expression& argument, const Expression& call,
     const Message found = operand->type == DataType::kDouble
                               ? MakeMessage("a double variable", "double 变量")
                               : MakeMessage("an int variable", "int 变量");
-    Fail(Code::kTypeMismatch, argument.range, found, wanted);
+    Fail(Code::kTypeMismatch, argument.range, found, wanted, AddressAdvice(variable, type));
     return false;
   }
 

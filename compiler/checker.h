@@ -297,5 +297,7 @@ class Checker {
 /// How messages name things.
 Message DescribeType(vm::DataType type);
 Message DescribeEntity(const Entity& entity);
+/// What to do with a value of the other type.
+Message ConvertAdvice();
 
 }  // namespace oncard::compiler

@@ -47,6 +47,11 @@ Message DescribeEntity(const Entity& entity) {
   return MakeMessage("a variable", "变量");
 }
 
+Message ConvertAdvice() {
+  return MakeMessage("convert it with a cast in a statement of its own",
+                     "请用单独的语句做强制类型转换");
+}
+
 bool Checker::IsLeaf(const Expression& expression) {
   switch (expression.kind) {
     case Expression::Kind::kName:
@@ -538,7 +543,7 @@ std::optional<Operation> Checker::ResolveBinary(const Expression& expression) {
     if (!Adapt(*operand, type)) {
       Teach(Code::kTypeMismatch, operand->range,
             MakeMessage("an int beside a double", "int 与 double 混用"),
-            MakeMessage("two operands of the same type", "两个类型相同的操作数"));
+            MakeMessage("two operands of the same type", "两个类型相同的操作数"), ConvertAdvice());
       return std::nullopt;
     }
   }
@@ -632,12 +637,11 @@ std::optional<Operation> Checker::ResolveMagnitude(const Expression& expression)
   std::optional<TypedOperand> operand = ResolveOperand(inner);
   if (!operand) return std::nullopt;
   if (!Adapt(*operand, type)) {
-    Diagnostic& diagnostic =
-        Fail(Code::kTypeMismatch, inner.range, DescribeType(operand->type), DescribeType(type));
     const std::string_view other = type == DataType::kInt ? "fabs" : "abs";
-    AddNote(diagnostic,
-            MakeMessage("'{0}' takes {1}", "'{0}' 用于 {2}", other, DescribeType(operand->type).en,
-                        DescribeType(operand->type).zh));
+    const Message found = DescribeType(operand->type);
+    Diagnostic& diagnostic =
+        Fail(Code::kTypeMismatch, inner.range, found, DescribeType(type),
+             MakeMessage("'{0}' takes {1}", "{2} 请用 '{0}'", other, found.en, found.zh));
     Replace(diagnostic, callee.range, std::string(other));
     return std::nullopt;
   }

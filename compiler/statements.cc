@@ -328,7 +328,7 @@ void Checker::CheckAssignment(const Expression& assignment) {
   if (operation->result != target->type) {
     if (!plain_literal || !Adapt(operation->operands[0], target->type)) {
       Teach(Code::kTypeMismatch, value.range, DescribeType(operation->result),
-            DescribeType(target->type));
+            DescribeType(target->type), ConvertAdvice());
       return;
     }
     operation->type = target->type;
@@ -384,7 +384,8 @@ void Checker::CheckReturn(const Statement& statement, vm::Operand condition) {
   std::optional<TypedOperand> operand = ResolveOperand(value);
   if (!operand) return;
   if (!Adapt(*operand, wanted)) {
-    Teach(Code::kTypeMismatch, value.range, DescribeType(operand->type), DescribeType(wanted));
+    Teach(Code::kTypeMismatch, value.range, DescribeType(operand->type), DescribeType(wanted),
+          ConvertAdvice());
     return;
   }
   instruction.operands[1] = operand->operand;

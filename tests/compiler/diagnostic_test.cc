@@ -1,6 +1,7 @@
 // The table of diagnostics, columns, recovery, and that every code has a test.
 #include "compiler/diagnostic.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -128,7 +129,6 @@ TEST(Diagnostics, DoNotCascade) {
       {"int v; int t0() { v = 1;\nint t1() { v = 2; }\n", {12}},
       {"#define N 99999999999\nint a[N]; int t0() { a[1] = N; return N; }", {26}},
       {"int v; int t0() { v = GT_Nope(u); }", {33, 27}},
-  };
       // A bad number is one error wherever it stands.
       {"int 5z;", {3}},
       {"int 5z = 3, y; int t0() { y = 1; return 5z; }", {3, 3}},
@@ -142,6 +142,7 @@ TEST(Diagnostics, DoNotCascade) {
       {"int t0() { 5z: return 0; }", {3}},
       {"int t0() { goto 5z; }", {3}},
       {"int v; int t0() { v = 5z 3; v = 08 v; }", {3, 118}},
+  };
   for (const Case& test : cases) {
     EXPECT_EQ(CodesOf(CompileString(test.text)), test.codes) << test.text;
   }
@@ -186,6 +187,32 @@ TEST(Diagnostics, TellApartWhatCannotBeCalled) {
             std::string::npos);
   EXPECT_NE(compilation.diagnostics[2].notes[0].message.en.find("no GT command"),
             std::string::npos);
+}
+
+// Nothing can convert what a command writes through an address.
+TEST(Diagnostics, SayWhatToDoAboutAnAddressOfAnotherType) {
+  struct Case {
+    const char* call;
+    const char* advice;
+  };
+  const Case cases[] = {
+      {"GT_GetPrfPos(1, &i, 1, &i)", "declare 'i' as a double, or give it a double of its own"},
+      {"GT_GetSts(1, &d, 1, &i)", "declare 'd' as an int, or give it an int of its own"},
+      {"GT_GetPos(1, &a[1])", "declare 'a' as an int, or give it an int of its own"},
+      {"GT_GetDo(12, &t.acc)", "give it an int of its own and copy that"},
+      {"GT_GetPos(1, &t)", "give it a variable of that type"},
+      {"GT_SetTrapPrm(1, &i)", "declare one with 'TTrapPrm name;'"},
+      {"GT_SetTrapPrm(1, &t.acc)", "declare one with 'TTrapPrm name;'"},
+  };
+  for (const Case& test : cases) {
+    const Compilation compilation = CompileString(
+        fmt::format("int i;\ndouble d, a[2];\nTTrapPrm t;\nint t0() {{ {}; }}\n", test.call));
+    ASSERT_EQ(CodesOf(compilation), Codes{19}) << test.call;
+    const Message& message = compilation.diagnostics[0].message;
+    EXPECT_NE(message.en.find(test.advice), std::string::npos) << message.en;
+    EXPECT_EQ(message.en.find("cast"), std::string::npos) << message.en;
+    EXPECT_EQ(message.zh.find("强制"), std::string::npos) << message.zh;
+  }
 }
 
 TEST(Diagnostics, NameTheMissingArguments) {

@@ -147,6 +147,7 @@ const Foreign kBodies[] = {
     {"command_in_loop", "for (i = 0; i < 2; i++) GT_Delay(i + 1); v = i;", 2},
     {"command_missing", "GT_GetClock(&i); v = 2;", 2},
     {"command_address", "GT_GetClock(i, &j); v = 2;", 2},
+    {"command_cast", "GT_GetClock((long*) &i, (unsigned long *) &j); v = 2;", 2},
     {"command_value", "i = 1; GT_Delay(&i); v = 2;", 2},
     {"command_extra", "GT_Delay(1, 2); v = 2;", 2},
     {"command_misspelt", "GT_Dealy(1); v = 2;", 2},
