@@ -170,4 +170,13 @@ std::optional<std::string> ExplainPage(int code, Language language) {
   return page;
 }
 
+std::string ExplainList(std::span<const int> codes, Language language) {
+  std::string list;
+  for (const int code : codes) {
+    list += fmt::format("{} {}\n", DiagnosticName(code), FindDiagnostic(code)->slug);
+    AppendWrapped(list, MessagePattern(code).In(language), kIndent);
+  }
+  return list;
+}
+
 }  // namespace oncard::compiler

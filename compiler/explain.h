@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,5 +43,7 @@ Message MessagePattern(int code);
 /// The whole page, plain text of at most 80 columns that ends in a line end; nothing for an unknown
 /// code.
 std::optional<std::string> ExplainPage(int code, Language language);
+/// Number, slug and message of each of the codes, which exist; text as of ExplainPage().
+std::string ExplainList(std::span<const int> codes, Language language);
 
 }  // namespace oncard::compiler

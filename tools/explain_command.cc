@@ -1,21 +1,10 @@
-// oncard explain: the page of a diagnostic.
-#include <charconv>
-
+// oncard explain: the page of a diagnostic, or the list of those that a word is about.
 #include "compiler/explain.h"
+#include "compiler/explain_search.h"
 #include "tools/commands.h"
 
 namespace oncard::tools {
 namespace {
-
-// `MP027`, `mp27` or `27`; -1 for anything else.
-int ParseCode(std::string_view text) {
-  if (text.size() > 2 && (text[0] == 'M' || text[0] == 'm') && (text[1] == 'P' || text[1] == 'p')) {
-    text.remove_prefix(2);
-  }
-  int code = -1;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), code);
-  return error == std::errc() && end == text.data() + text.size() ? code : -1;
-}
 
 int ListCodes() {
   std::string list;
@@ -26,30 +15,29 @@ int ListCodes() {
   return kExitOk;
 }
 
-int Explain(const std::string& name, const Session& session) {
-  if (name.empty()) return ListCodes();
-  const auto page = compiler::ExplainPage(ParseCode(name), session.language);
-  if (!page) {
-    return Fail(session, kExitUsage,
-                MakeMessage("no diagnostic is named '{0}': 'oncard explain' lists them all",
-                            "没有名为“{0}”的诊断：“oncard explain”列出全部", name));
-  }
-  PrintResult(*page);
+int Explain(const std::vector<std::string>& words, const Session& session) {
+  const std::string text = fmt::format("{}", fmt::join(words, " "));
+  if (text.empty()) return ListCodes();
+  const std::vector<int> codes = compiler::SearchDiagnostics(text);
+  if (codes.empty()) return Fail(session, kExitUsage, compiler::AdviseSearch(text));
+  PrintResult(codes.size() == 1 ? *compiler::ExplainPage(codes[0], session.language)
+                                : compiler::ExplainList(codes, session.language));
   return kExitOk;
 }
 
 }  // namespace
 
 void AddExplain(CLI::App& app, Session& session) {
-  const auto name = std::make_shared<std::string>();
+  const auto words = std::make_shared<std::vector<std::string>>();
   CLI::App* command = AddCommand(app, session, "explain",
                                  {"explain a diagnostic, with a program that has it and its repair",
                                   "解释一条诊断，附出错程序及其修改"},
-                                 [name, &session] { return Explain(*name, session); });
+                                 [words, &session] { return Explain(*words, session); });
   command
-      ->add_option("code", *name,
-                   session.Say({"such as MP027; without it all codes are listed",
-                                "如 MP027；省略则列出全部代码"}))
+      ->add_option("code", *words,
+                   session.Say({"number (27), name (undeclared) or words (goto); without it all "
+                                "codes are listed",
+                                "编号（27）、名称（undeclared）或词（goto）；省略则列出全部代码"}))
       ->type_name("CODE");
 }
 

@@ -244,6 +244,7 @@ TEST(Explain, PrintsThePageOfACode) {
   EXPECT_NE(page.find("MP027"), std::string::npos);
   EXPECT_EQ(RunOncard({"explain", "mp27"}).out, page);
   EXPECT_EQ(RunOncard({"explain", "27"}).out, page);
+  EXPECT_EQ(RunOncard({"explain", "undeclared"}).out, page);
   EXPECT_NE(RunOncard({"--lang=zh", "explain", "MP027"}).out, page);
 }
 
@@ -252,9 +253,21 @@ TEST(Explain, ListsAllCodesWithoutOne) {
   EXPECT_NE(list.find("MP027  undeclared\n"), std::string::npos) << list;
 }
 
-TEST(Explain, KnowsWhatItDoesNotKnow) {
-  for (const char* name : {"MP999", "MPx", "-1", "undeclared"}) {
-    EXPECT_EQ(RunOncard({"explain", "--", name}).exit_code, 2) << name;
+TEST(Explain, ListsWhatHasTheWords) {
+  const std::string list = RunOncard({"explain", "goto", "condition"}).out;
+  EXPECT_NE(list.find("MP101 while-loop\n    the language has no 'while'; "), std::string::npos)
+      << list;
+  EXPECT_EQ(list.find("MP027"), std::string::npos) << list;
+  EXPECT_NE(RunOncard({"--lang=zh", "explain", "goto"}).out.find("\n    不支持 'while'；"),
+            std::string::npos);
+}
+
+TEST(Explain, SaysWhatToTryWhenItKnowsNothing) {
+  for (const char* name : {"MP999", "MPx", "-1", "undeclard"}) {
+    const ProcessResult result = RunOncard({"explain", "--", name});
+    EXPECT_EQ(result.exit_code, 2) << name;
+    EXPECT_EQ(result.out, "") << name;
+    EXPECT_NE(result.err.find(name), std::string::npos) << result.err;
   }
 }
 
