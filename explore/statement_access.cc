@@ -113,6 +113,9 @@ class NextStatement {
     if (access.selector < 0 || Index(access.selector) >= operands.size()) {
       return Add(access.resource, Touched::kAll, access.write);
     }
+    if (IsOfAxis(access.resource) && !AxesAreApart()) {
+      return Add(access.resource, Touched::kAll, access.write);
+    }
     const auto value = static_cast<uint32_t>(ValueOf(operands[Index(access.selector)]));
     if (access.mask) {
       for (uint32_t bit = 0; bit < 32; ++bit) {
@@ -127,6 +130,28 @@ class NextStatement {
     for (uint32_t i = 0; i < static_cast<uint32_t>(count); ++i) {
       Add(access.resource, value + i, access.write);
     }
+  }
+
+  static bool IsOfAxis(Resource resource) {
+    return resource == Resource::kAxis || resource == Resource::kEncoder ||
+           resource == Resource::kControl;
+  }
+  /// Profile, encoder, controller and pulse output of an axis have its number: not so in a gantry,
+  /// nor where a configuration maps them otherwise. Then a command of one axis may reach any other.
+  bool AxesAreApart() const {
+    const motion::MotionState& state = controller_.motion().state();
+    const auto own_or_none = [](int8_t number, size_t own) {
+      return number < 0 || static_cast<size_t>(number) == own;
+    };
+    for (size_t i = 0; i < state.axes.size(); ++i) {
+      const uint32_t bit = uint32_t{1} << i;
+      if (state.axes[i].profile_map != bit || state.axes[i].encoder_map != bit ||
+          !own_or_none(state.controls[i].axis, i) || !own_or_none(state.controls[i].encoder, i) ||
+          !own_or_none(state.steps[i].axis, i)) {
+        return false;
+      }
+    }
+    return true;
   }
 
   const runtime::Controller& controller_;

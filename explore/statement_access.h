@@ -3,7 +3,8 @@
 // word.
 //
 // Statements of different threads depend on each other when they touch the same and one of them
-// writes it. Tested by tests/explore/statement_access_test.cc.
+// writes it. Tested by tests/explore/statement_access_test.cc; the catalogue's rows are tested by
+// command_access_test.cc.
 #pragma once
 
 #include <cstdint>

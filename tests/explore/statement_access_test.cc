@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "explore/explorer.h"
 #include "explore/trail.h"
 #include "explore_programs.h"
@@ -47,6 +49,39 @@ TEST(StatementAccessTest, AnElementSelectsAnAxisToo) {
   EXPECT_EQ(
       AccessesOf("int a[3];\nint t0() {\n int k;\n k = 1;\n a[1] = 4;\n GT_SetVel(a[k], 5);\n}\n"),
       (std::vector<std::string>{"", "a[1]!", "a[1] axis 4!"}));
+}
+
+/// What GT_SetVel(2, 5) touches on a card that `change` has changed.
+Touched AccessOfAxis2(const std::function<void(motion::MotionCore*)>& change) {
+  runtime::Controller card;
+  const CardModel model = CardOf("int t0() {\n GT_SetVel(2, 5);\n}\n", "rate = 1000\n");
+  EXPECT_TRUE(card.Load(model.image()->object).ok());
+  EXPECT_EQ(card.machine().Bind(0, 1, 0), vm::kOk);
+  EXPECT_EQ(card.machine().Run(0), vm::kOk);
+  change(&card.motion());
+  const StatementAccess access = NextAccess(card, 0);
+  EXPECT_EQ(access.size(), 1u);
+  return access.empty() ? Touched{} : access.front();
+}
+
+// The slave's profile is its master's.
+TEST(StatementAccessTest, InAGantryACommandOfOneAxisMayReachTheOther) {
+  EXPECT_EQ(AccessOfAxis2([](auto* motion) { motion->EnableGantry(0, 1, 0, 0); }),
+            (Touched{gtcalls::Resource::kAxis, Touched::kAll, true}));
+}
+
+TEST(StatementAccessTest, SoItMayWhereAConfigurationMapsAxesOtherwise) {
+  const std::vector<std::function<void(motion::MotionCore*)>> changes = {
+      [](auto* motion) { motion->state().axes[3].profile_map = 0b10; },
+      [](auto* motion) { motion->state().axes[3].encoder_map = 0b11; },
+      [](auto* motion) { motion->state().controls[3].axis = 1; },
+      [](auto* motion) { motion->state().controls[3].encoder = 1; },
+      [](auto* motion) { motion->state().steps[3].axis = 1; },
+  };
+  for (const auto& change : changes) {
+    EXPECT_EQ(AccessOfAxis2(change), (Touched{gtcalls::Resource::kAxis, Touched::kAll, true}));
+  }
+  EXPECT_EQ(AccessOfAxis2([](auto*) {}), (Touched{gtcalls::Resource::kAxis, 2, true}));
 }
 
 TEST(StatementAccessTest, DependenceIsACommonThingThatOneWrites) {
