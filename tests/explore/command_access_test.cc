@@ -1,0 +1,452 @@
+// The rows of the catalogue say what each command of motion programs touches, and the explorer
+// believes them: which statements depend on each other, and which leave the card as it was. Here
+// every command is executed on cards in many states, with many arguments, and what it really does
+// is compared with its row:
+//
+//   - what has changed of the card must be written, according to the row
+//   - no other thread changes, and no variable but those that outputs name
+//   - what the row does not name makes no difference: with all of that taken from another card, the
+//     command gives the same code and outputs, and leaves the rest the same
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <random>
+
+#include "base/random.h"
+#include "explore/statement_access.h"
+#include "gtcalls/card.h"
+#include "motion/state_hash.h"
+#include "runtime/controller.h"
+#include "vm/thread_words.h"
+
+namespace oncard::explore {
+namespace {
+
+using gtcalls::Command;
+using gtcalls::Resource;
+using motion::MotionState;
+
+constexpr int kCaller = 3;
+constexpr int kOther = 5;
+constexpr int kAxes = static_cast<int>(motion::kAxisMax);
+
+// --- Parts of a card -----------------------------------------------------------------------------
+
+/// A part of the card's state, with the resource that stands for it in rows.
+struct Part {
+  std::string name;
+  Resource resource = Resource::kNone;
+  uint32_t number = Touched::kAll;
+  std::function<uint64_t(const MotionState&)> hash;
+  /// Takes the part over from another state; none for parts of one that is taken over whole.
+  std::function<void(const MotionState&, MotionState*)> take = {};
+};
+
+template <typename... Values>
+uint64_t HashOf(const Values&... values) {
+  motion::StateHash hash;
+  (hash.Add(values), ...);
+  return hash.value();
+}
+
+std::vector<Part> PartsOfCard() {
+  std::vector<Part> parts;
+  for (uint32_t i = 0; i < motion::kAxisMax; ++i) {
+    parts.push_back({"axis", Resource::kAxis, i + 1,
+                     [i](const MotionState& s) {
+                       return HashOf(s.profiles[i], s.axes[i], s.compensations[i], s.drives[i],
+                                     s.plants[i], s.steps[i], s.homing[i]);
+                     },
+                     [i](const MotionState& from, MotionState* to) {
+                       to->profiles[i] = from.profiles[i];
+                       to->axes[i] = from.axes[i];
+                       to->compensations[i] = from.compensations[i];
+                       to->drives[i] = from.drives[i];
+                       to->plants[i] = from.plants[i];
+                       to->steps[i] = from.steps[i];
+                       to->homing[i] = from.homing[i];
+                     }});
+    parts.push_back(
+        {"encoder", Resource::kEncoder, i + 1,
+         [i](const MotionState& s) { return HashOf(s.encoders[i], s.encoder_faults[i]); },
+         [i](const MotionState& from, MotionState* to) {
+           to->encoders[i] = from.encoders[i];
+           to->encoder_faults[i] = from.encoder_faults[i];
+         }});
+    parts.push_back(
+        {"control", Resource::kControl, i + 1,
+         [i](const MotionState& s) { return HashOf(s.controls[i]); },
+         [i](const MotionState& from, MotionState* to) { to->controls[i] = from.controls[i]; }});
+  }
+  for (uint32_t i = 0; i < motion::kCrdCount; ++i) {
+    parts.push_back(
+        {"coordinate system", Resource::kCrd, i + 1,
+         [i](const MotionState& s) { return HashOf(s.crds[i]); },
+         [i](const MotionState& from, MotionState* to) { to->crds[i] = from.crds[i]; }});
+  }
+  for (uint32_t i = 0; i < motion::kModuleCount; ++i) {
+    parts.push_back(
+        {"extension module", Resource::kExtension, i,
+         [i](const MotionState& s) { return HashOf(s.modules[i]); },
+         [i](const MotionState& from, MotionState* to) { to->modules[i] = from.modules[i]; }});
+  }
+  for (uint32_t i = 0; i < motion::kDiTypeCount; ++i) {
+    parts.push_back({"inputs", Resource::kDigitalInput, i,
+                     [i](const MotionState& s) { return HashOf(std::get<0>(s.io.Fields())[i]); }});
+  }
+  for (uint32_t i = 0; i < motion::kDoTypeCount; ++i) {
+    parts.push_back({"outputs", Resource::kDigitalOutput,
+                     static_cast<uint32_t>(motion::DoType::kEnable) + i,
+                     [i](const MotionState& s) { return HashOf(std::get<1>(s.io.Fields())[i]); }});
+  }
+  parts.push_back({"analogue", Resource::kAnalog, Touched::kAll,
+                   [](const MotionState& s) { return HashOf(s.dacs, s.adcs); },
+                   [](const MotionState& from, MotionState* to) {
+                     to->dacs = from.dacs;
+                     to->adcs = from.adcs;
+                   }});
+  parts.push_back({"captures", Resource::kCapture, Touched::kAll,
+                   [](const MotionState& s) { return HashOf(s.capture); },
+                   [](const MotionState& from, MotionState* to) { to->capture = from.capture; }});
+  parts.push_back({"compare", Resource::kCompare, Touched::kAll,
+                   [](const MotionState& s) { return HashOf(s.compare); },
+                   [](const MotionState& from, MotionState* to) { to->compare = from.compare; }});
+  parts.push_back(
+      {"PVT tables", Resource::kPvtTable, Touched::kAll,
+       [](const MotionState& s) { return HashOf(s.pvt_tables); },
+       [](const MotionState& from, MotionState* to) { to->pvt_tables = from.pvt_tables; }});
+  parts.push_back({"user variables", Resource::kUserVariable, Touched::kAll,
+                   [](const MotionState& s) { return HashOf(s.long_vars, s.double_vars); },
+                   [](const MotionState& from, MotionState* to) {
+                     to->long_vars = from.long_vars;
+                     to->double_vars = from.double_vars;
+                   }});
+  // What no row names apart.
+  parts.push_back({"the rest", Resource::kEverything, Touched::kAll, [](const MotionState& s) {
+                     return HashOf(s.cycle, s.clock_cycle, s.enable_axes, s.compensates, s.world,
+                                   s.switches, s.index_marks, s.gantry, s.homing_runs, s.mram,
+                                   s.program_writes);
+                   }});
+  return parts;
+}
+
+/// True when the row names the part; only a write counts where `writes` says so.
+bool Names(const StatementAccess& access, const Part& part, bool writes) {
+  return std::ranges::any_of(access, [&](const Touched& touched) {
+    if (writes && !touched.write) return false;
+    if (touched.resource == Resource::kEverything) return true;
+    return touched.resource == part.resource &&
+           (touched.number == part.number || touched.number == Touched::kAll ||
+            part.number == Touched::kAll);
+  });
+}
+
+// --- Cards in many states ------------------------------------------------------------------------
+
+/// A call that the card must accept.
+void Call(runtime::Controller* card, std::string_view name, const std::vector<double>& values,
+          std::vector<double> cells = {}) {
+  const Command& command = *gtcalls::FindCommand(name);
+  std::vector<vm::CommandArgument> arguments(command.parameters.size());
+  for (size_t i = 0, next = 0; i < arguments.size(); ++i) {
+    if (command.parameters[i].passing == gtcalls::Passing::kValue) {
+      if (next < values.size()) arguments[i].value = values[next++];
+    } else {
+      arguments[i].cells = cells;
+    }
+  }
+  EXPECT_EQ(card->Execute(command, arguments), vm::kOk) << name;
+}
+
+/// A coordinate system of the axes 6 and 7, with one segment.
+void SetUpCrd(double length, double velocity, runtime::Controller* card) {
+  motion::CrdParameters parameters;
+  parameters.dimension = 2;
+  parameters.profile = {0, 0, 0, 0, 0, 1, 2};
+  parameters.velocity_max = 100;
+  parameters.acceleration_max = 1;
+  card->motion().SetUpCrd(0, parameters);
+  motion::PathSlot slot;
+  slot.is_segment = true;
+  slot.segment = *motion::MakeLine({}, {length, 50});
+  slot.velocity = velocity;
+  slot.acceleration = 0.5;
+  card->motion().AppendToCrd(0, 0, slot);
+}
+
+/// At stage 0 the card is as it was switched on. Later ones have axes in every mode, other values
+/// of everything at each stage, and from stage 2 on all that can move moves.
+void Prepare(int stage, runtime::Controller* card) {
+  if (stage == 0) return;
+  const auto call = [card](std::string_view name, const std::vector<double>& values,
+                           std::vector<double> cells = {}) {
+    Call(card, name, values, std::move(cells));
+  };
+  const double factor = stage;
+  const double step = 100.0 * stage;
+  if (stage % 2 == 1) {
+    call("GT_EncOn", {12});
+    call("GT_CtrlMode", {12, 0});
+  }
+  for (int axis = 1; axis <= kAxes; ++axis) {
+    call("GT_AxisOn", {1.0 * axis});
+    call("GT_SetStopDec", {1.0 * axis, 1.0 + stage, 2.0 + stage});
+  }
+  call("GT_SetDac", {1, 1}, {step});
+  call("GT_SetDo", {12, step});
+  call("GT_SetCaptureMode", {1, 1});
+  call("GT_PrfTrap", {1});
+  call("GT_SetTrapPrm", {1}, {factor, factor, 0, 0});
+  call("GT_SetPos", {1, 1000 * step});
+  call("GT_SetVel", {1, 3 * factor});
+  call("GT_PrfJog", {2});
+  call("GT_SetJogPrm", {2}, {factor, factor, 0});
+  call("GT_SetVel", {2, 5 * factor});
+  call("GT_Update", {0b11});
+  call("GT_PrfPt", {3, 0});
+  call("GT_PtData", {3, step, 100, 0, 0});
+  call("GT_PtData", {3, 3 * step, 200, 0, 0});
+  for (const int axis : {4, 10}) {
+    call("GT_PrfGear", {1.0 * axis, 0});
+    call("GT_SetGearMaster", {1.0 * axis, 2, 2, 0});
+    call("GT_SetGearRatio", {1.0 * axis, 2, factor, 0});
+  }
+  call("GT_GearStart", {0b1000});
+  for (const int axis : {5, 11}) {
+    call("GT_PrfFollow", {1.0 * axis, 0});
+    call("GT_SetFollowMaster", {1.0 * axis, 2, 2, 0});
+    call("GT_FollowData", {1.0 * axis, 2000, step, 0, 0});
+    call("GT_FollowData", {1.0 * axis, 2000, step, 0, 1});
+  }
+  SetUpCrd(step, 10 * factor, card);
+  call("GT_PrfPvt", {8});
+  call("GT_PvtTable", {1, 4}, {0, 100, 200, 300});
+  call("GT_PvtTableSelect", {8, 1});
+  call("GT_PrfJog", {9});
+  if (stage == 1) return;
+  call("GT_PtStart", {0b100, 0});
+  call("GT_FollowStart", {0b1'0000, 0});
+  call("GT_CrdStart", {1, 0});
+  call("GT_AlarmOff", {6});
+}
+
+constexpr int kStages = 4;
+constexpr int kCycles = 12;
+
+// --- One call ------------------------------------------------------------------------------------
+
+/// Numbers that a scalar parameter may have, the likely ones often.
+double Draw(const gtcalls::Parameter& parameter, uint64_t* random) {
+  const bool whole = parameter.type != gtcalls::Scalar::kDouble;
+  const double low = std::max(parameter.minimum, -30000.0);
+  const double high = std::min(parameter.maximum, 30000.0);
+  double value = 0;
+  switch (RandomBelow(*random, 5)) {
+    case 0:
+      value = static_cast<double>(RandomBelow(*random, 13));
+      break;
+    case 3:
+      value = static_cast<double>(1u << RandomBelow(*random, 12));  // one axis of a mask
+      break;
+    case 1:
+      value = static_cast<double>(1 + RandomBelow(*random, 3));
+      break;
+    case 2:
+      value = low + (high - low) * static_cast<double>(RandomBelow(*random, 1001)) / 1000;
+      break;
+    default:
+      value = RandomBelow(*random, 2) == 0 ? low : high;
+      break;
+  }
+  value = std::clamp(value, low, high);
+  return whole ? std::trunc(value) : value;
+}
+
+/// A program of one statement, which is the command, and the cells of its pointers as globals.
+struct OneCall {
+  vm::Object object;
+  std::vector<int64_t> globals;  ///< raw, to begin with
+};
+
+OneCall MakeCall(const Command& command, uint64_t* random) {
+  const vm::CommandShape& shape = gtcalls::ShapeOf(command);
+  OneCall call;
+  vm::Instruction instruction = {
+      .opcode = vm::Opcode::kCommand, .op = command.number, .operands = {}};
+  for (size_t i = 0; i < shape.parameters.size(); ++i) {
+    const vm::ParameterShape& parameter = shape.parameters[i];
+    const auto id = static_cast<uint16_t>(call.globals.size());
+    if (!parameter.address) {
+      const double value = Draw(command.parameters[i], random);
+      instruction.operands.emplace_back(
+          vm::Immediate{static_cast<int64_t>(value * (1 << vm::kFractionBits))});
+      continue;
+    }
+    instruction.operands.emplace_back(vm::Variable{vm::Storage::kGlobal, id});
+    const bool array = parameter.slots.size() == 1;
+    for (size_t member = 0; member < parameter.slots.size(); ++member) {
+      const auto name = "p" + std::to_string(i) + (array ? "" : ".m" + std::to_string(member));
+      const uint16_t elements = array ? 32 : 0;
+      call.object.globals.push_back(
+          {name, static_cast<uint16_t>(call.globals.size()), parameter.slots[member], elements});
+      for (int k = 0; k < std::max<int>(elements, 1); ++k) {
+        const uint64_t value = RandomBelow(*random, 5);
+        call.globals.push_back(parameter.slots[member] == vm::DataType::kDouble
+                                   ? static_cast<int64_t>(value << (vm::kFractionBits - 1))
+                                   : static_cast<int64_t>(value));
+      }
+    }
+  }
+  const vm::Instruction give = {.opcode = vm::Opcode::kReturn,
+                                .operands = {vm::ImmediateInt(1), vm::ImmediateInt(0)}};
+  call.object.functions = {{.name = "f",
+                            .file = "f.c",
+                            .instructions = {instruction, give},
+                            .lines = {1, 2},
+                            .variables = {}}};
+  return call;
+}
+
+/// A card in a state with the call as its program, and two threads before it.
+class CalledCard {
+ public:
+  CalledCard(const OneCall& call, int stage) {
+    runtime::ControllerOptions options;
+    options.motion.axis_count = motion::kAxisMax;
+    card_ = std::make_unique<runtime::Controller>(options);
+    loaded_ = card_->Load(call.object).ok();
+    if (!loaded_) return;
+    Prepare(stage, card_.get());
+    for (int i = 0; i < kCycles; ++i) card_->RunCycle();
+    vm::Machine& machine = card_->machine();
+    for (const int thread : {kCaller, kOther}) {
+      EXPECT_EQ(machine.Bind(thread, 1, thread), vm::kOk);
+      EXPECT_EQ(machine.Run(thread), vm::kOk);
+    }
+    for (const vm::Symbol& symbol : call.object.globals) {
+      for (uint16_t k = 0; k < symbol.slots(); ++k) {
+        const int64_t raw = call.globals[symbol.id + k];
+        const double value = symbol.type == vm::DataType::kDouble ? vm::DoubleFromFixed(raw)
+                                                                  : static_cast<double>(raw);
+        machine.Write({.global = true,
+                       .page = 0,
+                       .id = static_cast<uint16_t>(symbol.id + k),
+                       .type = symbol.type},
+                      value);
+      }
+    }
+  }
+
+  /// False when the call cannot be loaded: a count that its array has not got.
+  bool loaded() const { return loaded_; }
+  runtime::Controller& card() { return *card_; }
+  MotionState& state() { return card_->motion().state(); }
+  StatementAccess Access() const { return NextAccess(*card_, kCaller); }
+  int16_t Execute() {
+    card_->machine().ExecuteOne(kCaller);
+    return card_->machine().thread(kCaller).error;
+  }
+  const std::array<int64_t, vm::kSlotCount>& globals() const {
+    return card_->machine().state().globals;
+  }
+
+ private:
+  std::unique_ptr<runtime::Controller> card_;
+  bool loaded_ = false;
+};
+
+std::vector<uint64_t> HashesOf(const std::vector<Part>& parts, const MotionState& state) {
+  std::vector<uint64_t> hashes;
+  hashes.reserve(parts.size());
+  for (const Part& part : parts) hashes.push_back(part.hash(state));
+  return hashes;
+}
+
+class CommandAccessTest : public ::testing::TestWithParam<const Command*> {
+ protected:
+  /// Calls the command again and again; `try_call` gives the code.
+  void TryMany(const std::function<int16_t(const OneCall& call, int stage)>& try_call) const {
+    uint64_t random = GetParam()->number;
+    int accepted = 0;
+    for (int i = 0; i < kCalls || (i < kCallsMax && accepted < kAccepted); ++i) {
+      accepted += try_call(MakeCall(*GetParam(), &random), i % kStages) == 0 ? 1 : 0;
+      if (HasFailure()) return;
+    }
+    EXPECT_GT(accepted, 0) << "every call was refused: nothing has been tested";
+  }
+
+  /// How often a command is called, and how often more until it has been accepted sometimes.
+  static constexpr int kCalls = 40;
+  static constexpr int kCallsMax = 6000;
+  static constexpr int kAccepted = 4;
+  const std::vector<Part> parts_ = PartsOfCard();
+};
+
+TEST_P(CommandAccessTest, WhatChangesIsInTheRow) {
+  TryMany([&](const OneCall& call, int stage) {
+    CalledCard called(call, stage);
+    if (!called.loaded()) return vm::kBadParameter;
+    const StatementAccess access = called.Access();
+    const auto before = HashesOf(parts_, called.state());
+    const auto plc = called.card().Body().plc.Hash();
+    const auto other = vm::WordsOf(called.card().machine().thread(kOther));
+    const auto globals = called.globals();
+    const int16_t code = called.Execute();
+    const auto after = HashesOf(parts_, called.state());
+    for (size_t i = 0; i < parts_.size(); ++i) {
+      EXPECT_TRUE(before[i] == after[i] || Names(access, parts_[i], true))
+          << parts_[i].name << ' ' << parts_[i].number << " has changed, code " << code;
+    }
+    EXPECT_EQ(called.card().Body().plc.Hash(), plc);
+    EXPECT_EQ(vm::WordsOf(called.card().machine().thread(kOther)), other);
+    for (uint32_t slot = 0; slot < globals.size(); ++slot) {
+      if (globals[slot] == called.globals()[slot]) continue;
+      EXPECT_TRUE(Names(access, {"variable", Resource::kVariable, slot, {}}, true))
+          << "slot " << slot;
+    }
+    return code;
+  });
+}
+
+TEST_P(CommandAccessTest, WhatIsNotInTheRowMakesNoDifference) {
+  TryMany([&](const OneCall& call, int stage) {
+    CalledCard one(call, stage);
+    if (!one.loaded()) return vm::kBadParameter;
+    CalledCard other(call, stage);
+    const StatementAccess access = one.Access();
+    CalledCard strange(call, (stage + 1) % kStages);
+    bool all_io = true;
+    for (const Part& part : parts_) {
+      const bool named = Names(access, part, false);
+      if (part.take && !named) part.take(strange.state(), &other.state());
+      all_io = all_io && (part.take || !named || part.resource == Resource::kEverything);
+    }
+    if (all_io) other.state().io = strange.state().io;
+    const int16_t code = one.Execute();
+    EXPECT_EQ(other.Execute(), code);
+    EXPECT_EQ(other.globals(), one.globals());
+    for (const Part& part : parts_) {
+      if (!Names(access, part, true)) continue;
+      EXPECT_EQ(part.hash(other.state()), part.hash(one.state()))
+          << part.name << ' ' << part.number << ", code " << code;
+    }
+    return code;
+  });
+}
+
+/// Commands that motion programs may call, but for those that no card of oncard has.
+std::vector<const Command*> ProgramCommands() {
+  std::vector<const Command*> commands;
+  for (const Command& command : gtcalls::Commands()) {
+    if (command.in_motion_program && gtcalls::IsImplemented(command)) commands.push_back(&command);
+  }
+  return commands;
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, CommandAccessTest, ::testing::ValuesIn(ProgramCommands()),
+                         [](const auto& test) { return std::string(test.param->name); });
+
+}  // namespace
+}  // namespace oncard::explore
