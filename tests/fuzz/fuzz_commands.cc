@@ -44,9 +44,9 @@ class Bytes {
     Copy(&value, sizeof value);
     return value;
   }
-  void Copy(void* target, size_t size) {
+  void Copy(void* to, size_t size) {
     const size_t count = std::min(size, bytes_.size());
-    std::memcpy(target, bytes_.data(), count);
+    std::memcpy(to, bytes_.data(), count);
     bytes_.remove_prefix(count);
   }
 

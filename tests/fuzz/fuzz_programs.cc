@@ -70,7 +70,7 @@ const vm::Object& SeedProgram() {
 
 void RunBriefly(const vm::Object& object) {
   runtime::Scenario scenario;
-  scenario.limit_ms = 20;
+  scenario.limit_ms = 5;
   for (const vm::Function& function : object.functions) {
     if (scenario.threads.size() == vm::kThreadCount) break;
     runtime::ThreadStart start;

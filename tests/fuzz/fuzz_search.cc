@@ -70,7 +70,8 @@ void Change(Json* document, std::mt19937& random) {
       node = RandomValue(random);
       break;
     case 1:
-      if (node.is_number_integer()) node = node.get<int64_t>() + static_cast<int>(random() % 5) - 2;
+      // Numbers wrap around: none of them is safe.
+      if (node.is_number_integer()) node = node.get<uint64_t>() + random() % 5 - 2;
       break;
     case 2:
       if (node.is_structured() && !node.empty()) {
