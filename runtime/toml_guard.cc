@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 
 #include "base/limits.h"
 
 namespace oncard::runtime {
 namespace {
 
+constexpr char kArray = '[';
+constexpr char kTable = '{';
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 class TomlScanner {
@@ -34,7 +37,12 @@ class TomlScanner {
       case '"':
       case '\'':
         SkipString(c);
+        value_begins_ = false;
         return std::nullopt;
+      case ' ':
+      case '\t':
+      case '\r':
+        break;
       case '.':
         if (++parts_ > kTomlKeyPartMax) {
           return MakeMessage("a key has at most {0} parts between dots",
@@ -44,8 +52,11 @@ class TomlScanner {
       case '[':
       case '{':
         parts_ = 1;
-        if (depth_ == 0 && AddKey()) return TooManyKeys();
-        if (++depth_ > kTomlDepthMax) {
+        if (brackets_.empty() && AddKey()) return TooManyKeys();
+        // Values stand in the brackets of an array only, not in those of a table or its header.
+        value_begins_ = value_begins_ && c == '[';
+        brackets_ += value_begins_ ? kArray : kTable;
+        if (brackets_.size() > kTomlDepthMax) {
           return MakeMessage("brackets are nested at most {0} deep", "括号嵌套最多 {0} 层",
                              kTomlDepthMax);
         }
@@ -53,25 +64,39 @@ class TomlScanner {
       case ']':
       case '}':
         parts_ = 1;
-        if (depth_ > 0) --depth_;
+        value_begins_ = false;
+        if (!brackets_.empty()) brackets_.pop_back();
         break;
       case '=':
         parts_ = 1;
         if (AddKey()) return TooManyKeys();
+        if (value_begins_ && FindNotAscii()) return NotAscii();
+        value_begins_ = true;
         break;
       case ',':
       case '\n':
         parts_ = 1;
+        value_begins_ = brackets_.ends_with(kArray);
         break;
       default:
-        if (static_cast<unsigned char>(c) >= 0x80) {
-          return Message{
-              "characters beyond ASCII stand in strings and comments only; put the key in quotes",
-              "ASCII 以外的字符只能出现在字符串和注释中；请给键加上引号"};
-        }
+        if (static_cast<unsigned char>(c) >= 0x80) return NotAscii();
+        if (value_begins_ && FindNotAscii()) return NotAscii();
+        value_begins_ = false;
     }
     ++at_;
     return std::nullopt;
+  }
+
+  /// Goes to the first byte beyond ASCII of the bare value that begins here; false when there is
+  /// none. The parser takes a value up to here as one word, quotes or not: `0"x"`.
+  bool FindNotAscii() {
+    const size_t end = std::min(text_.find_first_of(" \t\r\n,]}#", at_), text_.size());
+    const auto* const found = std::find_if(text_.begin() + at_, text_.begin() + end, [](char c) {
+      return static_cast<unsigned char>(c) >= 0x80;
+    });
+    if (found == text_.begin() + end) return false;
+    at_ = static_cast<size_t>(found - text_.begin());
+    return true;
   }
 
   void SkipString(char quote) {
@@ -99,6 +124,10 @@ class TomlScanner {
 
   bool AddKey() { return ++keys_ > kTomlKeyMax; }
 
+  static Message NotAscii() {
+    return {"characters beyond ASCII stand in strings and comments only; put the key in quotes",
+            "ASCII 以外的字符只能出现在字符串和注释中；请给键加上引号"};
+  }
   static Message TooManyKeys() {
     return MakeMessage("a file has at most {0} keys and tables", "一个文件最多 {0} 个键和表",
                        kTomlKeyMax);
@@ -114,7 +143,8 @@ class TomlScanner {
 
   std::string_view text_;
   size_t at_ = 0;
-  size_t depth_ = 0;
+  std::string brackets_;       ///< those that are open: kArray or kTable
+  bool value_begins_ = false;  ///< the next token begins a value
   size_t parts_ = 1;
   size_t keys_ = 0;
 };

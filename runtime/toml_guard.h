@@ -1,5 +1,5 @@
 // What a TOML text must keep to before the parser may have it: toml++ 3.3 follows dotted keys as
-// deep as they go, and has undefined behaviour for letters beyond ASCII in bare keys.
+// deep as they go, and has undefined behaviour for letters beyond ASCII in bare keys and values.
 #pragma once
 
 #include <cstdint>

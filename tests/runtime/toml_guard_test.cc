@@ -34,6 +34,26 @@ TEST(TomlGuard, FindsWhatFollowsAString) {
   }
 }
 
+// A quote inside of a bare value begins no string: toml++ takes all of it as one word.
+TEST(TomlGuard, RefusesLettersBeyondAsciiInBareValues) {
+  for (const std::string text :
+       {"a = 0B\"\xC3\xBB\"", "a = =\"\xC3\xBB\"", "a = [1, 2'\xC3\xBB']", "a = [b=\"\xC3\xBB\"]",
+        "a = {b = t\"\xC3\xBB\"}", "a = [[1], \n0\"\xC3\xBB\"]"}) {
+    const auto refusal = CheckToml(text);
+    ASSERT_TRUE(refusal.has_value()) << text;
+    EXPECT_EQ(text[text.rfind('\n') + refusal->column], '\xC3') << text;
+  }
+}
+
+TEST(TomlGuard, LetsStringsBeginWhereTomlDoes) {
+  for (const std::string text :
+       {"a=\"\xC3\xBB\"", "a = {b=\"\xC3\xBB\",c='\xC3\xBB'}", "a=[\"\xC3\xBB\",'\xC3\xBB']",
+        "a = [{b=\"\xC3\xBB\"},\n # \xC3\xBB\n{\"\xC3\xBB\"=1}]", "a.\"\xC3\xBB\" = 1",
+        "[a.\"\xC3\xBB\"]\n\"\xC3\xBB\"=true\nb=\"\xC3\xBB\""}) {
+    EXPECT_FALSE(CheckToml(text)) << text;
+  }
+}
+
 TEST(TomlGuard, CountsThePartsOfEachKeyAnew) {
   std::string text;
   for (size_t i = 0; i < 2 * kTomlKeyPartMax; ++i) text += "a.b = [1.5, 2.5]\n[c.d]\n";
