@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "base/wide_product.h"
+
 namespace oncard {
 
 /// The next number of the generator; every state is a good seed.
@@ -15,8 +17,7 @@ inline uint64_t NextRandom(uint64_t& state) {
 
 /// A number below `bound`, which is not 0.
 inline uint64_t RandomBelow(uint64_t& state, uint64_t bound) {
-  __extension__ using Wide = unsigned __int128;
-  return static_cast<uint64_t>((static_cast<Wide>(NextRandom(state)) * bound) >> 64);
+  return UpperProduct(NextRandom(state), bound);
 }
 
 }  // namespace oncard

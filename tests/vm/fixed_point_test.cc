@@ -5,6 +5,8 @@
 
 #include <limits>
 
+#include "base/random.h"
+
 namespace oncard::vm {
 namespace {
 
@@ -64,11 +66,33 @@ TEST(FixedPointTest, ProductsAreTruncatedTowardZero) {
        }) {
     EXPECT_EQ(MultiplyFixed(c.a, c.b, kWide), c.wide) << c.a << " * " << c.b;
     EXPECT_EQ(MultiplyFixed(c.a, c.b, kNarrow), c.narrow) << c.a << " * " << c.b;
+    EXPECT_EQ(MultiplyFixedByHalves(c.a, c.b, kWide), c.wide) << c.a << " * " << c.b;
+    EXPECT_EQ(MultiplyFixedByHalves(c.a, c.b, kNarrow), c.narrow) << c.a << " * " << c.b;
   }
   // (-2^31) * (-2^31) = 2^62, a multiple of 2^32.
   EXPECT_EQ(MultiplyFixed(kWideMin, kWideMin, kWide), 0);
   // (2^31 - 2^-16)^2 = 2^62 - 2^16 + 2^-32: truncated and modulo 2^32 it is -2^16.
   EXPECT_EQ(MultiplyFixed(kWideMax, kWideMax, kWide), -65536 * kOne);
+}
+
+TEST(FixedPointTest, ProductsAreTheSameWithoutWideNumbers) {
+  uint64_t random = 1;
+  const auto raw = [&random](int wrap_shift) {
+    // Of all lengths, those at the ends of the range among them.
+    const auto bits = static_cast<int64_t>(NextRandom(random)) >> NextRandom(random) % 64;
+    return WrapFixed(bits, wrap_shift);
+  };
+  for (const int wrap_shift : {kWide, kNarrow}) {
+    for (int i = 0; i < 100000; ++i) {
+      const int64_t a = raw(wrap_shift);
+      const int64_t b = raw(wrap_shift);
+      ASSERT_EQ(MultiplyFixedByHalves(a, b, wrap_shift), MultiplyFixed(a, b, wrap_shift))
+          << a << " * " << b;
+    }
+  }
+  EXPECT_EQ(MultiplyFixedByHalves(kWideMin, kWideMin, kWide), 0);
+  EXPECT_EQ(MultiplyFixedByHalves(kWideMin, 1, kWide), kWideMin / kOne);
+  EXPECT_EQ(MultiplyFixedByHalves(kWideMax, kWideMax, kWide), -65536 * kOne);
 }
 
 TEST(FixedPointTest, QuotientsAreTruncatedTowardZero) {
