@@ -41,8 +41,10 @@ void MotionCore::ApplyWorldEvents() {
   WorldProgress& world = state_.world;
   if (world.events == nullptr) return;
   const WorldEvents& events = *world.events;
-  for (; world.next < events.size() && events[world.next].at <= now(); ++world.next) {
-    Apply(events[world.next]);
+  for (; world.next < events.size(); ++world.next) {
+    const WorldEvent& event = events[static_cast<size_t>(world.next)];
+    if (event.at > now()) break;
+    Apply(event);
   }
 }
 

@@ -58,7 +58,7 @@ void MotionCore::PassWorldEdges(const CycleWay& way) {
   // The filters sample the pins at the next tick; a capture sees the edges themselves.
   std::array<uint32_t, kDiTypeCount> pins{};
   for (size_t i = 0; i < pins.size(); ++i) pins[i] = state_.io.Pins(static_cast<DiType>(i));
-  for (size_t i = world.next; i < events.size() && events[i].at < now(); ++i) {
+  for (auto i = static_cast<size_t>(world.next); i < events.size() && events[i].at < now(); ++i) {
     const WorldEvent& event = events[i];
     if (event.kind != WorldEventKind::kPin) continue;
     const uint32_t mask = uint32_t{1} << event.index;

@@ -92,7 +92,8 @@ void StartPct(SchedulerState& state) {
     state.pct_priority[static_cast<size_t>(i)] = state.policy.depth + i;
   }
   for (size_t i = kThreadCount - 1; i > 0; --i) {
-    std::swap(state.pct_priority[i], state.pct_priority[RandomBelow(state.random, i + 1)]);
+    const auto other = static_cast<size_t>(RandomBelow(state.random, i + 1));
+    std::swap(state.pct_priority[i], state.pct_priority[other]);
   }
   const size_t points = static_cast<size_t>(state.policy.depth - 1);
   for (size_t i = 0; i < points; ++i) {
