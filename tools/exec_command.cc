@@ -18,6 +18,7 @@
 #include "tools/commands.h"
 #include "tools/gbk_output.h"
 #include "tools/gnuplot.h"
+#include "tools/host_program.h"
 
 namespace oncard::tools {
 namespace {
@@ -35,12 +36,40 @@ struct ExecArguments {
   bool strict_commands = false;
 };
 
-/// The folder of libgts and the preload library: beside the command, or in ../lib.
-std::string LibraryFolder() {
+/// Where libgts and the preload library are; an empty folder: they are not there.
+struct LibraryFolders {
+  std::string own;       ///< of 64 bits: beside the command, or in ../lib
+  std::string of32bits;  ///< for hosts of 32 bits: ../lib32
+};
+
+LibraryFolders FindLibraries() {
   std::error_code error;
   const auto binary = std::filesystem::read_symlink("/proc/self/exe", error);
-  for (const auto& folder : {binary.parent_path(), binary.parent_path().parent_path() / "lib"}) {
-    if (std::filesystem::exists(folder / kPreloadLibrary, error)) return folder.string();
+  const auto has_library = [&error](const std::filesystem::path& folder) {
+    return std::filesystem::exists(folder / kPreloadLibrary, error);
+  };
+  const auto beside = binary.parent_path();
+  const auto above = beside.parent_path();
+  LibraryFolders found;
+  if (has_library(above / "lib")) found.own = (above / "lib").string();
+  if (has_library(beside)) found.own = beside.string();
+  if (has_library(above / "lib32")) found.of32bits = (above / "lib32").string();
+  return found;
+}
+
+/// Says what is missing for the host; empty when nothing is.
+Message MissingLibrary(const LibraryFolders& folders, const std::string& host) {
+  if (folders.own.empty()) {
+    return MakeMessage("{0} is neither beside oncard nor in ../lib; install it there",
+                       "{0} 不在 oncard 旁，也不在 ../lib 中；请将其安装到该处", kPreloadLibrary);
+  }
+  if (folders.of32bits.empty() && IsProgramOf32Bits(host)) {
+    return MakeMessage(
+        "'{0}' is a program of 32 bits, and there is no {1} of 32 bits in ../lib32 beside oncard; "
+        "'./x host32' in oncard's sources builds it, or compile the host without -m32",
+        "“{0}”是 32 位程序，而 oncard 旁的 ../lib32 中没有 32 位的 {1}；在 oncard 源码目录运行 "
+        "'./x host32' 可构建它，或编译主机程序时不加 -m32",
+        host, kPreloadLibrary);
   }
   return {};
 }
@@ -155,16 +184,15 @@ int Exec(const ExecArguments& arguments, const Session& session) {
 
   // main() ignores it, and a program that is started inherits that.
   static_cast<void>(std::signal(SIGXFSZ, SIG_DFL));
-  const std::string folder = LibraryFolder();
-  if (folder.empty()) {
-    return Fail(
-        session, kExitUnreadable,
-        MakeMessage("{0} is neither beside oncard nor in ../lib; install it there",
-                    "{0} 不在 oncard 旁，也不在 ../lib 中；请将其安装到该处", kPreloadLibrary));
-  }
-  ExtendList("LD_LIBRARY_PATH", folder, ":", false);
+  const LibraryFolders folders = FindLibraries();
+  const Message missing = MissingLibrary(folders, arguments.host.front());
+  if (!missing.en.empty()) return Fail(session, kExitUnreadable, missing);
+  ExtendList("LD_LIBRARY_PATH", folders.own, ":", false);
+  if (!folders.of32bits.empty()) ExtendList("LD_LIBRARY_PATH", folders.of32bits, ":", false);
   if (clock.value().kind == runtime::ClockKind::kVirtual) {
-    ExtendList("LD_PRELOAD", folder + "/" + kPreloadLibrary, ":", true);
+    // By its name it is looked for in those folders, of which each program, also one that the host
+    // or a shell starts, takes the library of its own word length.
+    ExtendList("LD_PRELOAD", kPreloadLibrary, ":", true);
   }
   std::vector<std::string> host = arguments.host;
   std::vector<char*> pointers;
