@@ -348,9 +348,10 @@ void Cpp(const std::string& name) {
   }
 }
 
-// Durations that no clock holds end at the end of time, one after the other.
+// Durations that no clock holds end at the end of time, one after the other; where time_t has 64
+// bits.
 void ForEver() {
-  const timespec centuries = {20000000000, 0};
+  const timespec centuries = {static_cast<time_t>(20'000'000'000), 0};
   const timespec longest = {LONG_MAX, 999999999};
   CHECK_EQ(nanosleep(&centuries, nullptr), 0);
   CHECK_EQ(NowMs() > 4e12, 1);

@@ -1,0 +1,33 @@
+// Runs scenarios under several policies and prints for each run what it comes to, as states.sh has
+// it from oncard: FILE POLICY PROGRAM_HASH STATE_HASH, or `refused` for one that is no single run.
+#include <fmt/format.h>
+
+#include "runtime/program.h"
+#include "runtime/scenario.h"
+#include "runtime/scenario_run.h"
+
+namespace oncard::runtime {
+namespace {
+
+std::string HashesOf(const std::string& path, const std::string& policy) {
+  auto scenario = LoadScenario(path, ScenarioUse::kRun);
+  if (!scenario.ok()) return "refused";
+  scenario.value().schedule = policy;
+  ProgramLoad load = LoadProgram(ProgramPath(scenario.value()), CompileOptions(scenario.value()));
+  if (!load.object.has_value()) return "refused";
+  const auto run = RunScenario(scenario.value(), std::move(*load.object));
+  if (!run.ok()) return "refused";
+  return fmt::format("{:016x} {:016x}", run.value().program_hash, run.value().hash);
+}
+
+}  // namespace
+}  // namespace oncard::runtime
+
+int main(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    for (const char* policy : {"rr", "random:7", "pct:7:3"}) {
+      fmt::print("{} {} {}\n", argv[i], policy, oncard::runtime::HashesOf(argv[i], policy));
+    }
+  }
+  return 0;
+}
