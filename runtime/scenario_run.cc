@@ -13,6 +13,9 @@ namespace {
 
 constexpr std::string_view kReplayPrefix = "replay:";
 
+/// A cycle that no run comes to.
+constexpr int64_t kNever = INT64_MAX;
+
 /// Cycles after which a run looks whether it shall stop.
 constexpr int64_t kLookCycles = 1000;
 
@@ -198,13 +201,17 @@ class ScenarioRunner {
   void Execute() {
     const int64_t limit = CycleOf(scenario_, scenario_.limit_ms * 1000);
     const int64_t until = scenario_.until_us ? CycleOf(scenario_, *scenario_.until_us) : limit + 1;
-    const int64_t last = std::min(limit, until);
+    const int64_t cut_off = CutOfReplay();
+    const int64_t last = std::min({limit, until, cut_off});
     bool ended = false;
     for (;;) {
       EvaluateDue();
       ApplyDueWrites();
       if (result_.trace) result_.trace->Sample(controller_);
-      if (controller_.cycle() >= last) break;
+      if (controller_.cycle() >= last) {
+        came_to_cut_ = last == cut_off;
+        break;
+      }
       if (options_.stop != nullptr && *options_.stop) {
         result_.interrupted = true;
         break;
@@ -222,13 +229,21 @@ class ScenarioRunner {
                                        : controller_.RunUntilQuiet(cycles);
       ended = end != RunEnd::kTimeLimit && !(end == RunEnd::kDeadlock && host_is_awaited);
       if (ended) result_.end = end;
+      came_to_cut_ = end == RunEnd::kScheduleEnd && cut_off != kNever;
       if (end == RunEnd::kScheduleEnd || end == RunEnd::kScheduleDiverged) break;
     }
     result_.reached_until = scenario_.until_us && controller_.cycle() >= until;
     const bool over = ended || controller_.machine().Quiet();
     const bool cut = scenario_.until_us && controller_.cycle() >= limit && !result_.reached_until;
     if (!over || (cut && result_.end == RunEnd::kQuiet)) result_.end = RunEnd::kTimeLimit;
+    result_.interrupted = result_.interrupted || came_to_cut_;
     if (result_.trace) result_.trace->Finish(controller_);
+  }
+
+  // The cycle at which a recorded run was cut off.
+  int64_t CutOfReplay() const {
+    if (replayed_ == nullptr || !replayed_->cut_us) return kNever;
+    return CycleOf(scenario_, *replayed_->cut_us);
   }
 
   // The cycle up to which the run can go on by itself.
@@ -282,6 +297,7 @@ class ScenarioRunner {
     }
     ReportRefusedCommands();
     if (!result_.interrupted) JudgeEnd();
+    if (came_to_cut_ && result_.interrupted) ReportCut();
     for (Message& axis : DescribeMovingAxes(controller_)) {
       result_.warnings.push_back(std::move(axis));
     }
@@ -307,6 +323,14 @@ class ScenarioRunner {
     for (const PendingExpectation& pending : final_) EvaluateNow(pending.bound);
     if (options_.watch != nullptr && InOrder()) options_.watch->End(controller_);
     ReportEnd();
+  }
+
+  void ReportCut() {
+    result_.warnings.push_back(
+        MakeMessage("the recording ends at {0} ms, after statement {1}: its run was interrupted "
+                    "there, and so is this one",
+                    "录制在 {0} ms、第 {1} 条语句之后结束：录制的运行在此被中断，重放也到此为止",
+                    result_.end_ms, result_.statements));
   }
 
   void ReportRefusedCommands() {
@@ -377,12 +401,14 @@ class ScenarioRunner {
   // The last checkpoint of a recording is the state at the end of the run.
   void CheckReplay() {
     if (replayed_ == nullptr || replayed_->checkpoints.empty()) return;
-    if (result_.end == RunEnd::kScheduleEnd || result_.end == RunEnd::kScheduleDiverged) return;
+    if (result_.end == RunEnd::kScheduleDiverged) return;
+    if (result_.end == RunEnd::kScheduleEnd && !came_to_cut_) return;
     const vm::Machine& machine = controller_.machine();
     const vm::ScheduleCheckpoint& last = replayed_->checkpoints.back();
     if (last.statement % vm::kCheckpointInterval == 0) return;  // the machine has compared it
     if (machine.state().executed == last.statement && machine.Hash() == last.hash) return;
     result_.end = RunEnd::kScheduleDiverged;
+    result_.interrupted = false;
   }
 
   void FinishRecording(vm::Schedule& schedule) {
@@ -391,6 +417,9 @@ class ScenarioRunner {
     const int64_t executed = machine.state().executed;
     if (executed > 0 && executed % vm::kCheckpointInterval != 0) {
       schedule.checkpoints.push_back({executed, machine.Hash()});
+    }
+    if (result_.interrupted || result_.end == RunEnd::kScheduleEnd) {
+      schedule.cut_us = controller_.cycle() * scenario_.cycle_us;
     }
   }
 
@@ -452,6 +481,7 @@ class ScenarioRunner {
   size_t next_timed_ = 0;
   std::vector<PendingWrite> writes_;  // of the host, by cycle
   size_t next_write_ = 0;
+  bool came_to_cut_ = false;         // the run that is replayed was cut off, and here it was
   std::vector<int> fault_expected_;  // threads whose error an expectation names
   std::vector<std::string> shown_;
   std::vector<std::vector<Quantity>> shown_quantities_;

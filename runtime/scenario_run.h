@@ -79,7 +79,9 @@ struct ScenarioFailure {
 struct ScenarioResult {
   RunEnd end = RunEnd::kQuiet;
   bool reached_until = false;  ///< ended at the scenario's `until_ms`
-  bool interrupted = false;    ///< ended by RunOptions::stop; the end was not judged
+  /// Ended by RunOptions::stop, or replayed to where the recorded run was cut off; the end was not
+  /// judged.
+  bool interrupted = false;
   double end_ms = 0;
   int64_t statements = 0;
   uint64_t hash = 0;  ///< Controller::Hash()

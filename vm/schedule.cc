@@ -8,6 +8,7 @@
 //   next 12 1 g = r + 1;        optional: source line of its next statement, how often the thread
 //                               came to it, its text; `next 0 0` at the end of the thread
 //   check 10000 0123456789abcdef
+//   cut 5000250                 optional: the run was cut off at this time in us
 //   end 12
 //
 // `end` gives the total of statements, so that a file that was cut off is noticed.
@@ -89,6 +90,7 @@ std::string FormatSchedule(const Schedule& schedule) {
                           schedule.checkpoints[checkpoint].hash);
     }
   }
+  if (schedule.cut_us) text += fmt::format("cut {}\n", *schedule.cut_us);
   text += fmt::format("end {}\n", total);
   return text;
 }
@@ -157,6 +159,12 @@ Result<Schedule> ParseSchedule(std::string_view text) {
                        "“check”、已执行到的语句序号及散列值");
       }
       schedule.checkpoints.push_back({*statement, *hash});
+    } else if (keyword == "cut") {
+      const auto cut_us = ReadWhole<int64_t>(line);
+      if (schedule.cut_us || !cut_us || *cut_us < 0) {
+        return BadLine(reader, "one 'cut' and a time in us", "一个“cut”及以 us 计的时刻");
+      }
+      schedule.cut_us = cut_us;
     } else if (keyword == "end") {
       if (ReadWhole<int64_t>(line) != total || !reader.AtEnd()) {
         return BadLine(reader, fmt::format("'end {}' as the last line", total),
@@ -168,7 +176,7 @@ Result<Schedule> ParseSchedule(std::string_view text) {
       }
       return schedule;
     } else {
-      return BadLine(reader, "'run', 'check' or 'end'", "“run”、“check”或“end”");
+      return BadLine(reader, "'run', 'check', 'cut' or 'end'", "“run”、“check”、“cut”或“end”");
     }
   }
   return BadLine(reader, "'end': the file is cut off", "“end”：文件不完整");

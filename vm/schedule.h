@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,9 @@ struct Schedule {
   std::vector<ScheduleSegment> segments;
   std::vector<ScheduleStop> stops;  ///< one for each segment, or none at all
   std::vector<ScheduleCheckpoint> checkpoints;
+  /// The run was cut off at this instant, in us of virtual time, while threads could still go on:
+  /// by a signal, or because it was to show no more. Empty: it came to its end.
+  std::optional<int64_t> cut_us;
   bool operator==(const Schedule&) const = default;
 };
 

@@ -246,6 +246,60 @@ TEST(RunScenario, ReplaysWhatItRecorded) {
   EXPECT_EQ(second.hash, first.hash);
 }
 
+/// The run of a program, stopped at the first look, and then its recording.
+TEST(RunScenario, ReplaysARecordingThatWasCutOffToWhereItWas) {
+  constexpr const char* kWaits = "int n;\nint f()\n{\n  n = 1;\n  GT_Delay(1000);\n  n = 2;\n}\n";
+  for (const char* program : {kSpin, kWaits}) {
+    std::atomic<bool> stop = false;
+    /// Tells the run to stop as soon as it has begun.
+    class StopAtOnce : public RunWatch {
+     public:
+      explicit StopAtOnce(std::atomic<bool>* stop) : stop_(stop) {}
+      Result<void> Begin(const Controller&) override { return {}; }
+      bool LooksAtStates() const override { return true; }
+      void Look(const Controller& controller) override {
+        if (controller.cycle() > 0) *stop_ = true;
+      }
+      void End(const Controller&) override {}
+
+     private:
+      std::atomic<bool>* stop_;
+    } watch(&stop);
+    RunOptions record;
+    record.record = true;
+    record.stop = &stop;
+    record.watch = &watch;
+    const ScenarioResult first = RunForTest(program, "", record);
+    ASSERT_TRUE(first.interrupted);
+    EXPECT_EQ(first.schedule->cut_us, 250'000);
+    RunOptions replay;
+    replay.replay = std::make_shared<const vm::Schedule>(*first.schedule);
+    const ScenarioResult second = RunForTest(program, "expect = [\"n == -1\"]\n", replay);
+    EXPECT_TRUE(second.passed());
+    EXPECT_TRUE(second.interrupted);
+    EXPECT_EQ(second.hash, first.hash);
+    EXPECT_EQ(second.end_ms, first.end_ms);
+    ASSERT_EQ(second.warnings.size(), 1u);
+    EXPECT_EQ(second.warnings[0].en,
+              fmt::format("the recording ends at 250 ms, after statement {}: its run was "
+                          "interrupted there, and so is this one",
+                          first.statements));
+  }
+}
+
+TEST(RunScenario, NoticesThatAReplayLeavesARecordingThatWasCutOff) {
+  vm::Schedule schedule;
+  RunOptions record;
+  record.record = true;
+  schedule = *RunForTest(kCount, "", record).schedule;
+  schedule.cut_us = 10'000;
+  RunOptions replay;
+  replay.replay = std::make_shared<const vm::Schedule>(schedule);
+  const ScenarioResult result = RunForTest(kCount, "[globals]\nn = 1\n", replay);
+  EXPECT_EQ(result.end, RunEnd::kScheduleDiverged);
+  EXPECT_FALSE(result.passed());
+}
+
 TEST(RunScenario, NoticesThatAReplayEndsElsewhere) {
   RunOptions record;
   record.record = true;

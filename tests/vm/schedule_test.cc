@@ -54,6 +54,16 @@ TEST(ScheduleTextTest, IsReadBack) {
   EXPECT_EQ(schedule.value(), Sample());
 }
 
+TEST(ScheduleTextTest, SaysWhereTheRunWasCutOff) {
+  Schedule schedule = Sample();
+  schedule.cut_us = 5'000'250;
+  const std::string text = FormatSchedule(schedule);
+  EXPECT_TRUE(text.ends_with("run 0 1\ncut 5000250\nend 10002\n")) << text;
+  const auto read = ParseSchedule(text);
+  ASSERT_TRUE(read.ok()) << read.error().message.en;
+  EXPECT_EQ(read.value(), schedule);
+}
+
 TEST(ScheduleTextTest, EmptyScheduleSurvives) {
   const auto schedule = ParseSchedule(FormatSchedule({}));
   ASSERT_TRUE(schedule.ok());
@@ -102,7 +112,10 @@ TEST(ScheduleTextTest, DamageIsReportedWithItsLine) {
       {head + "run 0 5\ncheck 5\nend 5\n", 5, check},
       {head + "run 0 5\nend 4\n", 5, "expected 'end 5' as the last line"},
       {head + "run 0 5\nend 5\nrun 0 1\n", 5, "expected 'end 5' as the last line"},
-      {head + "walk 0 5\n", 4, "expected 'run', 'check' or 'end'"},
+      {head + "walk 0 5\n", 4, "expected 'run', 'check', 'cut' or 'end'"},
+      {head + "cut -1\nend 0\n", 4, "expected one 'cut' and a time in us"},
+      {head + "cut\nend 0\n", 4, "expected one 'cut' and a time in us"},
+      {head + "cut 1\ncut 1\nend 0\n", 5, "expected one 'cut' and a time in us"},
       {head + "run 0 5\n", 4, "expected 'end': the file is cut off"},
       {head, 3, "expected 'end': the file is cut off"},
   };
