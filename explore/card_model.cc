@@ -213,6 +213,29 @@ void CardModel::Advance(State* state, int thread) {
   Settle(state);
 }
 
+int64_t CardModel::AdvanceAlone(State* state, int thread, int64_t most) {
+  vm::Machine& machine = controller_->machine();
+  const auto runs = [](const ThreadState& each) { return each.run == vm::ThreadRun::kRunning; };
+  if (has_invariants_ || std::ranges::count_if(machine.state().threads, runs) != 1) {
+    Advance(state, thread);
+    return 1;
+  }
+  held_ = nullptr;
+  const int64_t executed = machine.Execute(std::min(most, state->left));
+  state->left -= executed;
+  state->served |= 1u << setup(thread).thread;
+  state->choices = 0;
+  JudgeThreads(state);
+  Settle(state);
+  return executed;
+}
+
+CardModel::State CardModel::Whole(const State& state) {
+  State whole = state;
+  Save(nullptr, &whole);
+  return whole;
+}
+
 uint32_t CardModel::Candidates(const State& state) const {
   const uint32_t runnable = controller_->machine().RunnableThreads();
   const uint32_t unserved = runnable & ~state.served;

@@ -80,6 +80,11 @@ class CardModel {
 
   State Begin();
   void Advance(State* state, int thread);
+  /// Up to `most` statements of a thread within its cycle: several where no other thread runs and
+  /// nothing has to hold on the way. Gives how many.
+  int64_t AdvanceAlone(State* state, int thread, int64_t most);
+  /// The whole of such a state, which the card is in: one that can be loaded again.
+  State Whole(const State& state);
   /// Takes the variables and threads of the card over into the state.
   void CopyVariables(State* state) const;
   /// Whether the next statements of two threads touch the same, and one writes it, as the card

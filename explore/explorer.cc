@@ -418,7 +418,7 @@ Exploration ExploreCard(CardModel* model, const ExploreOptions& options) {
     for (const uint8_t thread : exploration.failure->steps) walk.Step(thread);
     exploration.failure->fault = walk.fault();
   } else if (look.found()) {
-    exploration.failure = ShrinkCard(model, look.failing);
+    exploration.failure = look.failure ? std::move(look.failure) : ShrinkCard(model, look.failing);
     exploration.failure->fewest_preemptions = look.fewest_preemptions;
   } else if (exploration.failure) {
     exploration.failure = ShrinkCard(model, exploration.failure->steps);

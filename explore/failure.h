@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
+#include "explore/card_model.h"
 #include "explore/problem.h"
 
 namespace oncard::explore {
@@ -18,6 +20,10 @@ struct Failure {
   int64_t fewest_steps = 0;         ///< of any failing schedule; 0 when not known
   /// Statements after which a good end could still be reached; -1 when not known.
   int64_t last_escape = -1;
+  /// Of a long run with a card: a state on the way, and the statements before it, so that its end
+  /// can be shown without the rest.
+  std::shared_ptr<const CardModel::State> late;
+  int64_t late_steps = 0;
 };
 
 }  // namespace oncard::explore

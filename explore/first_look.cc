@@ -1,10 +1,12 @@
 #include "explore/first_look.h"
 
 #include <bit>
+#include <memory>
 #include <utility>
 
 #include "explore/bounded_search.h"
 #include "explore/sampler.h"
+#include "explore/shrink.h"
 #include "explore/walk.h"
 
 namespace oncard::explore {
@@ -20,20 +22,40 @@ constexpr int64_t kCardStatements = 200'000;
 /// its default rate.
 constexpr int64_t kSerialStatements = 8'000'000;
 
+/// Every so many statements of a long run a state is kept.
+constexpr int64_t kKeptEvery = 100'000;
+
 /// The threads one after the other, each as long as it can.
-std::vector<uint8_t> LookAtThreadsInTurn(CardModel* model) {
+FirstLook LookAtThreadsInTurn(CardModel* model) {
+  /// Of two states the earlier one: it is far enough from the end for that to be shown.
+  struct Kept {
+    std::shared_ptr<const CardModel::State> state;
+    int64_t steps = 0;
+  };
   CardWalk walk(model, false);
   std::vector<uint8_t> steps;
+  Kept kept;
+  Kept latest;
   int last = 0;
   while (!walk.fault() && !walk.ended()) {
-    if (static_cast<int64_t>(steps.size()) == kSerialStatements) return {};
+    const auto taken = static_cast<int64_t>(steps.size());
+    if (taken == kSerialStatements) return {};
+    if (taken >= latest.steps + kKeptEvery) {
+      kept = std::exchange(latest, {std::make_shared<CardModel::State>(walk.WholeState()), taken});
+    }
     const uint32_t choices = walk.choices();
     if ((choices >> last & 1) == 0) last = std::countr_zero(choices);
-    walk.Step(last);
-    steps.push_back(static_cast<uint8_t>(last));
+    const int64_t more = walk.StepAlone(last, kSerialStatements - taken);
+    steps.insert(steps.end(), static_cast<size_t>(more), static_cast<uint8_t>(last));
   }
   if (!walk.fault()) return {};
-  return steps;
+  if (static_cast<int64_t>(steps.size()) < kCardEffort) return {std::move(steps), false};
+  Failure failure;
+  failure.fault = walk.fault();
+  failure.steps = std::move(steps);
+  failure.late = std::move(kept.state);
+  failure.late_steps = kept.steps;
+  return {{}, false, std::move(failure)};
 }
 
 SampleOptions Sampling(int64_t statements, const std::atomic<bool>* stop) {
@@ -50,8 +72,8 @@ FirstLook LookFirst(const Problem& problem, const std::atomic<bool>* stop) {
 }
 
 FirstLook LookFirstAtCard(CardModel* model, const std::atomic<bool>* stop) {
-  std::vector<uint8_t> in_turn = LookAtThreadsInTurn(model);
-  if (!in_turn.empty()) return {std::move(in_turn), false};
+  FirstLook in_turn = LookAtThreadsInTurn(model);
+  if (in_turn.found()) return in_turn;
   BoundedCounts few = SearchCardBounded(model, {.state_limit = kCardStates, .stop = stop});
   if (few.bad) return {std::move(few.failing), true};
   return {SampleCard(model, Sampling(kCardStatements, stop)).failing, false};

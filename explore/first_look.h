@@ -9,9 +9,11 @@
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "explore/card_model.h"
+#include "explore/failure.h"
 #include "explore/problem.h"
 
 namespace oncard::explore {
@@ -20,8 +22,10 @@ struct FirstLook {
   /// The threads of a schedule that goes wrong, counted as the model does; empty: none was found.
   std::vector<uint8_t> failing;
   bool fewest_preemptions = false;  ///< no schedule with fewer preemptions goes wrong
+  /// In place of `failing`: the same of a run that is too long for a simpler one to be looked for.
+  std::optional<Failure> failure = {};
 
-  bool found() const { return !failing.empty(); }
+  bool found() const { return !failing.empty() || failure; }
 };
 
 /// `stop` as for BoundedOptions. Benign races are for the graph of all states: with

@@ -42,7 +42,6 @@ constexpr int64_t kExtraSteps = 100'000;
 constexpr int64_t kExtraTurn = 1000;
 /// Statements that may be spent on finding a simpler schedule.
 constexpr int64_t kProgramEffort = 5'000'000;
-constexpr int64_t kCardEffort = 500'000;
 
 /// A schedule that leads to a fault.
 struct Way {

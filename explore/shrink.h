@@ -11,6 +11,10 @@
 
 namespace oncard::explore {
 
+/// Statements that may be spent on finding a simpler schedule with a card; a longer failure stays
+/// as it is.
+inline constexpr int64_t kCardEffort = 500'000;
+
 /// Preemptions of a schedule: changes of threads while the one before could have gone on.
 int CountPreemptions(Model* model, const std::vector<uint8_t>& steps);
 

@@ -296,8 +296,16 @@ Trail Follow(CardModel* model, const Failure& failure) {
       failure.fault.kind == Fault::Kind::kTimeLimit ? kShownAtTheLimit : kShownMax);
   const size_t skipped = failure.steps.size() - std::min(failure.steps.size(), shown);
   trail.skipped = static_cast<int64_t>(skipped);
-  CardModel::State state = model->Begin();
-  for (size_t i = 0; i < skipped; ++i) model->Advance(&state, failure.steps[i]);
+  CardModel::State state;
+  auto at = static_cast<size_t>(failure.late_steps);
+  if (failure.late != nullptr && at <= skipped) {
+    state = *failure.late;
+    model->Load(state);
+  } else {
+    state = model->Begin();
+    at = 0;
+  }
+  for (; at < skipped; ++at) model->Advance(&state, failure.steps[at]);
   runtime::StepWatch watch(model->controller());
   for (size_t i = skipped; i < failure.steps.size(); ++i) {
     const uint8_t thread = failure.steps[i];

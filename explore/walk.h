@@ -83,6 +83,12 @@ class CardWalk {
       model_.Advance(&states_.back(), thread);
     }
   }
+  /// Without its way: up to `most` statements of the thread, as CardModel::AdvanceAlone().
+  int64_t StepAlone(int thread, int64_t most) {
+    return model_.AdvanceAlone(&states_.back(), thread, most);
+  }
+  /// Without its way: the present state, for CardModel::Load().
+  CardModel::State WholeState() { return model_.Whole(now()); }
   void Undo() { states_.pop_back(); }
   void Restart() {
     if (!keeps_way_) {

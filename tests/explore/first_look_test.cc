@@ -87,6 +87,30 @@ TEST(FirstLookTest, AnEndlessScanReachesTheLimitAtOnce) {
   }
 }
 
+TEST(FirstLookTest, ALongScanIsFollowedFromShortlyBeforeItsEnd) {
+  const std::string limit = "limit_ms = 9000\n";
+  CardModel card = CardOf(Scan(1), limit);
+  const FirstLook look = LookFirstAtCard(&card, nullptr);
+  ASSERT_TRUE(look.failure);
+  const Failure& failure = *look.failure;
+  EXPECT_EQ(failure.fault.kind, Fault::Kind::kTimeLimit);
+  ASSERT_EQ(failure.steps.size(), 900'000u);
+  ASSERT_NE(failure.late, nullptr);
+  EXPECT_EQ(failure.late_steps, 700'000);
+  // What is shown is what the whole run does.
+  Failure from_the_start = failure;
+  from_the_start.late = nullptr;
+  from_the_start.late_steps = 0;
+  const Trail late = Follow(&card, failure);
+  const Trail whole = Follow(&card, from_the_start);
+  ASSERT_EQ(late.steps.size(), whole.steps.size());
+  EXPECT_EQ(late.skipped, whole.skipped);
+  for (size_t i = 0; i < late.steps.size(); ++i) {
+    EXPECT_EQ(late.steps[i].log.at_ms, whole.steps[i].log.at_ms);
+    EXPECT_EQ(late.steps[i].log.line, whole.steps[i].log.line);
+  }
+}
+
 // --- After a failure -----------------------------------------------------------------------------
 
 TEST(AftermathTest, TracesEndSoonAfterTheFirstThatGoesWrong) {
@@ -153,6 +177,31 @@ TEST(CardWalkTest, InPlaceItDoesWhatItDoesWithStates) {
     EXPECT_EQ(live.fault().kind, kept.fault().kind);
     EXPECT_EQ(live.EndKey(), kept.EndKey());
     EXPECT_EQ(live.EndNow(), kept.EndNow());
+  }
+}
+
+TEST(CardWalkTest, SeveralStatementsAtOnceAreTheSameAsOneByOne) {
+  // One thread, then two of which one ends first: alone, several statements are taken at once.
+  for (const int threads : {1, 2}) {
+    const std::string keys = "rate = 7\nuntil_ms = 40\n";
+    CardModel single_model = CardOf(Scan(threads) + "int t9() {\n  n = 1;\n}\n", keys);
+    CardModel alone_model = CardOf(Scan(threads) + "int t9() {\n  n = 1;\n}\n", keys);
+    CardWalk single(&single_model, false);
+    CardWalk alone(&alone_model, false);
+    int64_t most_at_once = 0;
+    while (!alone.ended()) {
+      const int thread = std::countr_zero(alone.choices());
+      const int64_t taken = alone.StepAlone(thread, 5);
+      most_at_once = std::max(most_at_once, taken);
+      for (int64_t i = 0; i < taken; ++i) {
+        ASSERT_EQ(single.choices(), uint32_t{1} << thread | single.choices());
+        single.Step(thread);
+      }
+      ASSERT_EQ(single.choices(), alone.choices());
+    }
+    EXPECT_TRUE(single.ended());
+    EXPECT_EQ(single.EndKey(), alone.EndKey());
+    EXPECT_EQ(most_at_once > 1, threads == 1);
   }
 }
 
