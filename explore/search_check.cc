@@ -124,6 +124,18 @@ Result<void> CheckFailing(const Problem& problem, const std::vector<uint8_t>& fa
                    "failing：该运行没有出错；请重新探索");
 }
 
+/// The results that are shown: as many values as the program has.
+Result<void> CheckEnds(const Problem& problem, const EndSet& ends) {
+  const size_t expected = EndOf(problem.model).size();
+  for (size_t i = 0; i < ends.ends().size(); ++i) {
+    const size_t found = ends.ends()[i].size();
+    if (found == expected) continue;
+    return MakeError(1, "results[{0}]: {1} values, the program has {2}; explore anew",
+                     "results[{0}]：有 {1} 个值，而程序有 {2} 个；请重新探索", i, found, expected);
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<void> CheckSearch(const Problem& problem, const SearchFile& file, int64_t depth) {
@@ -133,6 +145,8 @@ Result<void> CheckSearch(const Problem& problem, const SearchFile& file, int64_t
     if (!unit.ok()) return unit;
   }
   const bool random = file.engine != EngineKind::kDpor;
+  const EndSet& ends = random ? file.samples.values : file.traces.ends;
+  if (auto checked = CheckEnds(problem, ends); !checked.ok()) return checked;
   return CheckFailing(problem, random ? file.samples.failing : file.traces.failing,
                       (random ? file.samples.bad : file.traces.bad) > 0);
 }

@@ -132,6 +132,7 @@ Exploration Conclude(const Problem& problem, const SearchFile& file, std::option
     exploration.traces = file.traces.Counts();
     exploration.traces->complete = file.done() && file.whole();
     exploration.verdict = Verdict::kProved;
+    exploration.ends = file.traces.ends.ends();
   }
   const std::vector<uint8_t>& failing = random ? file.samples.failing : file.traces.failing;
   if (random ? file.samples.bad > 0 : file.traces.bad > 0) {

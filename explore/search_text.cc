@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kKind = "oncard search";
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 
 /// A search file has no more objects and lists inside each other.
 constexpr int kNestingMax = 16;
@@ -52,6 +52,12 @@ Json ToJson(const std::vector<StateKey>& keys) {
   return json;
 }
 
+Json ToJson(const EndSet& ends) {
+  Json json = Json::array();
+  for (const End& end : ends.ends()) json.push_back(end);
+  return json;
+}
+
 Json ToJson(const TraceSearch& traces) {
   Json json = {{"units", Json::array()},
                {"executions", traces.executions},
@@ -61,6 +67,7 @@ Json ToJson(const TraceSearch& traces) {
                {"too_deep", traces.too_deep},
                {"globals", ToJson(traces.globals)},
                {"full", ToJson(traces.full)},
+               {"results", ToJson(traces.ends)},
                {"failing", traces.failing}};
   for (const TraceUnit& unit : traces.units) json["units"].push_back(ToJson(unit));
   return json;
@@ -76,6 +83,7 @@ Json SamplesToJson(const SearchFile& file) {
           {"cut", file.samples.cut},
           {"longest", file.samples.longest},
           {"ends", ToJson(file.samples.ends)},
+          {"results", ToJson(file.samples.values)},
           {"failing", file.samples.failing}};
 }
 
@@ -223,6 +231,12 @@ class TypedReader {
     return keys;
   }
 
+  EndSet Ends(const Value& list) {
+    EndSet ends;
+    Each(list, [&](const Value& end) { ends.Add(Wholes<int64_t>(end, INT64_MIN, INT64_MAX)); });
+    return ends;
+  }
+
   /// Keeps what was expected of a value.
   void Fail(const Value& value, std::string_view expected_en, std::string_view expected_zh) {
     if (failed_) return;
@@ -284,6 +298,7 @@ TraceSearch TracesFrom(TypedReader& reader, const Value& value) {
   traces.too_deep = reader.Flag(reader.Member(value, "too_deep"));
   traces.globals = reader.Keys(reader.Member(value, "globals"));
   traces.full = reader.Keys(reader.Member(value, "full"));
+  traces.ends = reader.Ends(reader.Member(value, "results"));
   traces.failing = reader.Threads(reader.Member(value, "failing"));
   return traces;
 }
@@ -301,6 +316,7 @@ void SamplesFrom(TypedReader& reader, const Value& value, SearchFile* file) {
   file->samples.cut = reader.Count(reader.Member(value, "cut"));
   file->samples.longest = reader.Count(reader.Member(value, "longest"));
   file->samples.ends = reader.Keys(reader.Member(value, "ends"));
+  file->samples.values = reader.Ends(reader.Member(value, "results"));
   file->samples.failing = reader.Threads(reader.Member(value, "failing"));
   if (reader.failed()) return;
   const int64_t left =

@@ -37,8 +37,7 @@ struct TraceSearch {
   bool too_deep = false;          ///< an execution was longer than the limit
   std::vector<StateKey> globals;  ///< different final values, in order
   std::vector<StateKey> full;     ///< the same with what the threads returned
-  /// Where nothing is asked of results: different ones that were found since the search was read
-  /// from its file.
+  /// Where nothing is asked of results: different ones that were found.
   EndSet ends;
   /// The threads of an execution that went wrong, the shortest of the first thousand.
   std::vector<uint8_t> failing;

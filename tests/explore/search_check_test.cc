@@ -43,6 +43,13 @@ TEST_F(SearchCheck, WhatASearchHasWrittenIsGood) {
   EXPECT_EQ(Error(), "");
 }
 
+TEST_F(SearchCheck, ResultsThatTheProgramCannotHave) {
+  // The program has one global and two threads.
+  file_.traces.ends = {};
+  file_.traces.ends.Add({1, 2});
+  EXPECT_EQ(Error(), "results[0]: 2 values, the program has 3; explore anew");
+}
+
 TEST_F(SearchCheck, AThreadThatThereIsNot) {
   for (const int thread : {2, 31}) {
     frames_->front().plans.front().thread = static_cast<uint8_t>(thread);

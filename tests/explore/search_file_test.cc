@@ -39,6 +39,43 @@ TEST(SearchFileTest, TheTextHoldsEverything) {
   EXPECT_EQ(FormatSearchFile(read.value()), FormatSearchFile(file));
 }
 
+TEST(SearchFileTest, TheResultsAreShownAsOfASearchInOnePiece) {
+  // Nothing is asked of the results: additions can be lost.
+  const Problem problem = BindProblem(ProblemOf(Increments(2, 2)).model, {}).value();
+  ASSERT_TRUE(problem.requirements.empty());
+  for (const EngineKind engine : {EngineKind::kDpor, EngineKind::kPct}) {
+    const auto whole = Explore(problem, {.engine = engine, .runs = 40});
+    ASSERT_TRUE(whole.ok());
+    ASSERT_GT(whole.value().ends.size(), 1u);
+    SearchFile all;
+    for (int part = 1; part <= 2; ++part) {
+      SearchFile file;
+      file.problem = HashOf(problem);
+      file.engine = engine;
+      file.parts = 2;
+      file.held = {part};
+      file.runs = 40;
+      if (engine == EngineKind::kDpor) {
+        file.traces = TracesOfPart(problem, {part, 2});
+        SearchTraces(problem, {}, &file.traces);
+      } else {
+        file.seed = 1;
+        const auto [first, runs] = RunsOfPart(40, {part, 2});
+        file.samples =
+            Sample(problem, {.kind = SamplerKind::kPct, .runs = runs, .first_run = first});
+      }
+      const auto read = ParseSearchFile(FormatSearchFile(file));
+      ASSERT_TRUE(read.ok()) << read.error().message.en;
+      if (part == 1) {
+        all = read.value();
+      } else {
+        ASSERT_TRUE(MergeInto(&all, read.value()).ok());
+      }
+    }
+    EXPECT_EQ(Conclude(problem, all).ends, whole.value().ends);
+  }
+}
+
 /// A search can plan a whole run ahead; the file is no deeper for that.
 TEST(SearchFileTest, LongPlansDoNotNest) {
   SearchFile file;
