@@ -41,10 +41,21 @@ struct ExploreArguments {
   bool strict_commands = false;
 };
 
+/// The scenario with all that is asked, also in comments of the source.
+runtime::Scenario AskingScenario(const ExploreSubject& subject) {
+  runtime::Scenario scenario = subject.scenario;
+  scenario.final.clear();
+  scenario.always.clear();
+  scenario.never.clear();
+  scenario.eventually.clear();
+  explore::AddRequirements(subject.requirements, &scenario);
+  return scenario;
+}
+
 /// Writes the failing schedule with checkpoints, as a run of it records them.
 int Save(const std::string& path, const Session& session, const ExploreSubject& subject,
          const explore::Findings& findings) {
-  const runtime::Scenario moved = runtime::MoveScenario(subject.scenario, path);
+  const runtime::Scenario moved = runtime::MoveScenario(AskingScenario(subject), path);
   runtime::RunOptions options;
   options.record = true;
   options.replay = std::make_shared<const vm::Schedule>(
@@ -73,12 +84,7 @@ int SaveRegression(const ExploreArguments& arguments, const Session& session,
       std::filesystem::path(arguments.regression).replace_extension(".schedule").string();
   const int saved = Save(schedule, session, subject, findings);
   if (saved != kExitOk) return saved;
-  runtime::Scenario scenario = runtime::MoveScenario(subject.scenario, arguments.regression);
-  scenario.final.clear();
-  scenario.always.clear();
-  scenario.never.clear();
-  scenario.eventually.clear();
-  explore::AddRequirements(subject.requirements, &scenario);
+  runtime::Scenario scenario = runtime::MoveScenario(AskingScenario(subject), arguments.regression);
   runtime::ExploreWish wish;
   wish.verdict = explore::VerdictName(explore::Verdict::kPassed);
   wish.follow = runtime::PathToScenario(scenario, schedule);
