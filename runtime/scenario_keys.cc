@@ -1,5 +1,9 @@
 #include "runtime/scenario_keys.h"
 
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
 namespace oncard::runtime {
 namespace {
 
@@ -35,7 +39,37 @@ constexpr KeyRule kRules[] = {
     {"host", kUsed, kRefused, kRefused},
 };
 
+constexpr std::string_view kOfTraces[] = {"auto", "dpor"};
+constexpr std::string_view kOfStates[] = {"auto", "stateful", "bounded"};
+constexpr std::string_view kOfGraphs[] = {"auto", "stateful"};
+constexpr std::string_view kOfRandom[] = {"random", "pct", "pos"};
+constexpr std::string_view kOfPct[] = {"pct"};
+constexpr std::string_view kOfBounded[] = {"bounded"};
+
+constexpr SearchSetting kSettings[] = {
+    {"max_executions", "--max-executions", kOfTraces},
+    {"max_states", "--max-states", kOfStates},
+    {"runs", "--runs", kOfRandom},
+    {"", "--seed", kOfRandom},
+    {"", "--depth", kOfPct},
+    {"", "--preemptions", kOfBounded},
+    {"", "--merge-private", kOfGraphs},
+};
+
 }  // namespace
+
+bool SearchSetting::UsedBy(std::string_view engine) const {
+  return std::ranges::find(engines, engine) != engines.end();
+}
+
+std::span<const SearchSetting> SearchSettings() { return kSettings; }
+
+Message DescribeUnusedSetting(const SearchSetting& setting, std::string_view name,
+                              std::string_view engine) {
+  return MakeMessage("'{0}' means nothing to the engine {1}: remove it, or use {2}",
+                     "“{0}”对 {1} 引擎没有意义：应去掉，或使用 {3}", name, engine,
+                     fmt::join(setting.engines, ", "), fmt::join(setting.engines, "、"));
+}
 
 std::span<const KeyRule> ScenarioKeyRules() { return kRules; }
 

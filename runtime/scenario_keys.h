@@ -43,4 +43,20 @@ KeyUse UseOfKey(const KeyRule& rule, ScenarioUse use, bool explored);
 /// Why a key is refused, and which command can use it.
 Message DescribeRefusedKey(std::string_view key, ScenarioUse use);
 
+/// What bounds or leads a search, and the engines that it means something to.
+struct SearchSetting {
+  std::string_view key;     ///< of the key `explore`; empty: an option only
+  std::string_view option;  ///< of `oncard explore`
+  std::span<const std::string_view> engines;
+
+  bool UsedBy(std::string_view engine) const;
+};
+
+/// All of them, in the order of the documentation.
+std::span<const SearchSetting> SearchSettings();
+
+/// Why an engine cannot be given a setting, which is called `name` where it stands.
+Message DescribeUnusedSetting(const SearchSetting& setting, std::string_view name,
+                              std::string_view engine);
+
 }  // namespace oncard::runtime

@@ -6,6 +6,7 @@
 
 #include "base/files.h"
 #include "runtime/scenario.h"
+#include "runtime/scenario_keys.h"
 #include "runtime/toml_guard.h"
 #include "runtime/toml_keys.h"
 #include "runtime/world_toml.h"
@@ -199,6 +200,7 @@ class ScenarioReader : private TomlKeys {
       wish.max_states = Whole(*wishes, "max_states", 0, 1, 4'000'000'000);
       wish.runs = Whole(*wishes, "runs", 0, 1, 1'000'000'000'000);
       Text(*wishes, "follow", wish.follow);
+      if (use_ != ScenarioUse::kText) CheckWish(*wishes, wish);
       scenario_.explore = std::move(wish);
     } else {
       Fail(node->source(),
@@ -206,6 +208,27 @@ class ScenarioReader : private TomlKeys {
             "\"FAILED\" }",
             "“explore”应为 \"prove\"，或如 { engine = \"stateful\", verdict = \"FAILED\" } 的表"});
     }
+  }
+
+  /// What the engine cannot use is refused.
+  void CheckWish(const toml::table& wishes, const ExploreWish& wish) {
+    if (!wish.follow.empty() && wish.engine != ExploreWish{}.engine) {
+      Fail(wishes.get("engine")->source(), DescribeNotFollowed("engine"));
+    }
+    for (const SearchSetting& setting : SearchSettings()) {
+      const toml::node* node = setting.key.empty() ? nullptr : wishes.get(setting.key);
+      if (node == nullptr) continue;
+      if (!wish.follow.empty()) {
+        Fail(node->source(), DescribeNotFollowed(setting.key));
+      } else if (!setting.UsedBy(wish.engine)) {
+        Fail(node->source(), DescribeUnusedSetting(setting, setting.key, wish.engine));
+      }
+    }
+  }
+
+  static Message DescribeNotFollowed(std::string_view key) {
+    return MakeMessage("'{0}' means nothing where one schedule is followed: remove it",
+                       "只跟随一个调度时“{0}”没有意义：应去掉", key);
   }
 
   void ReadExpectations(const toml::table& table) {

@@ -1,10 +1,14 @@
 // oncard explore: can any interleaving of the threads go wrong?
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 #include "explore/scenario_exploration.h"
 #include "runtime/adapted_schedule.h"
+#include "runtime/scenario_keys.h"
 #include "runtime/scenario_run.h"
 #include "tools/commands.h"
 #include "tools/explore_search.h"
@@ -25,9 +29,9 @@ struct ExploreArguments {
   int64_t execution_limit = 0;  ///< 0: as the scenario says
   uint32_t state_limit = 0;
   int64_t runs = 0;
-  uint64_t seed = explore::ExploreOptions{}.seed;
-  int depth = explore::ExploreOptions{}.depth;
-  int preemptions = explore::ExploreOptions{}.preemption_limit;
+  std::optional<uint64_t> seed;
+  std::optional<int> depth;
+  std::optional<int> preemptions;
   bool merge_private = false;
   bool races = false;
   bool benign = false;
@@ -119,12 +123,33 @@ explore::ExploreOptions OptionsOf(const ExploreArguments& arguments,
   if (arguments.execution_limit != 0) options.execution_limit = arguments.execution_limit;
   if (arguments.state_limit != 0) options.state_limit = arguments.state_limit;
   if (arguments.runs != 0) options.runs = arguments.runs;
-  options.seed = arguments.seed;
-  options.depth = arguments.depth;
-  options.preemption_limit = arguments.preemptions;
+  options.seed = arguments.seed.value_or(options.seed);
+  options.depth = arguments.depth.value_or(options.depth);
+  options.preemption_limit = arguments.preemptions.value_or(options.preemption_limit);
   options.merge_private = arguments.merge_private;
   options.all = arguments.all;
   return options;
+}
+
+/// Refuses what the command line says and the engine cannot use. Gives the exit code.
+int CheckSettings(const ExploreArguments& arguments, const Session& session,
+                  explore::EngineKind engine) {
+  const std::pair<std::string_view, bool> given[] = {
+      {"--max-executions", arguments.execution_limit != 0},
+      {"--max-states", arguments.state_limit != 0},
+      {"--runs", arguments.runs != 0},
+      {"--seed", arguments.seed.has_value()},
+      {"--depth", arguments.depth.has_value()},
+      {"--preemptions", arguments.preemptions.has_value()},
+      {"--merge-private", arguments.merge_private}};
+  const std::string_view name = explore::EngineName(engine);
+  for (const runtime::SearchSetting& setting : runtime::SearchSettings()) {
+    const bool is_given =
+        std::ranges::find(given, std::pair(setting.option, true)) != std::end(given);
+    if (!is_given || setting.UsedBy(name)) continue;
+    return Fail(session, kExitUsage, runtime::DescribeUnusedSetting(setting, setting.option, name));
+  }
+  return kExitOk;
 }
 
 /// Says which commands threads were refused. Gives the exit code for that.
@@ -173,6 +198,8 @@ std::string DefaultSearch(const std::string& input) {
 /// Goes on with a search that lives in a file.
 int ExploreKept(const ExploreArguments& arguments, const Session& session,
                 const ExploreSubject& subject, const std::string& path, explore::SearchFile file) {
+  const int checked = CheckSettings(arguments, session, file.engine);
+  if (checked != kExitOk) return checked;
   SearchWatch watch(session,
                     {.shows = arguments.progress, .seconds = arguments.seconds, .pauses = true});
   explore::ExploreOptions options = OptionsOf(arguments, subject);
@@ -279,8 +306,10 @@ int Explore(const ExploreArguments& arguments, const Session& session) {
     if (!findings.ok()) return Fail(session, kExitUsage, findings.error().message);
     return Report(arguments, session, subject, std::move(findings).value());
   }
-  SearchWatch watch(session, {.shows = arguments.progress, .seconds = arguments.seconds});
   explore::ExploreOptions options = OptionsOf(arguments, subject);
+  const int checked = CheckSettings(arguments, session, options.engine);
+  if (checked != kExitOk) return checked;
+  SearchWatch watch(session, {.shows = arguments.progress, .seconds = arguments.seconds});
   options.progress = watch.progress();
   auto findings =
       explore::ExploreScenario(subject.scenario, subject.requirements, subject.object, options);

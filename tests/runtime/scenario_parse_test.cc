@@ -247,6 +247,44 @@ TEST(ParseScenario, RefusesWhatACommandCannotUse) {
             0u);
 }
 
+struct UnusedSetting {
+  const char* wishes;
+  const char* error;
+};
+
+class UnusedSettings : public testing::TestWithParam<UnusedSetting> {};
+
+TEST_P(UnusedSettings, AreRefusedWhereTheyStand) {
+  const std::string text =
+      std::string("program = \"p.c\"\nexplore = { ") + GetParam().wishes + " }\n";
+  for (const ScenarioUse use : {ScenarioUse::kTest, ScenarioUse::kExplore}) {
+    const std::string errors = ErrorsOf(text, use);
+    EXPECT_EQ(errors.substr(0, errors.find('\n')), GetParam().error);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    ScenarioParse, UnusedSettings,
+    testing::Values(
+        UnusedSetting{"max_states = 9", "no error"},
+        UnusedSetting{"max_executions = 9", "no error"},
+        UnusedSetting{"engine = \"pct\", runs = 9", "no error"},
+        UnusedSetting{"engine = \"dpor\", max_states = 9",
+                      "s.toml:2:43: 'max_states' means nothing to the engine dpor: remove it, or "
+                      "use auto, stateful, bounded"},
+        UnusedSetting{"engine = \"stateful\", max_executions = 9",
+                      "s.toml:2:51: 'max_executions' means nothing to the engine stateful: remove "
+                      "it, or use auto, dpor"},
+        UnusedSetting{"runs = 9",
+                      "s.toml:2:20: 'runs' means nothing to the engine auto: remove it, or use "
+                      "random, pct, pos"},
+        UnusedSetting{"follow = \"x\", runs = 9",
+                      "s.toml:2:34: 'runs' means nothing where one schedule is followed: remove "
+                      "it"},
+        UnusedSetting{"follow = \"x\", engine = \"dpor\"",
+                      "s.toml:2:36: 'engine' means nothing where one schedule is followed: remove "
+                      "it"}));
+
 TEST(ParseScenario, SaysWhatIsMissing) {
   EXPECT_NE(ErrorOf("rate = 5\n").find("'program' is missing"), std::string::npos);
   EXPECT_NE(ErrorOf("program = \"p.c\"\n[[thread]]\npage = 1\n").find("'function' is missing"),

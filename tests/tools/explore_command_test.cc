@@ -124,6 +124,47 @@ TEST(Explore, ASavedScheduleThatFailsOnTheWayEndsThere) {
   EXPECT_EQ(replay.err.find("the schedule ends after"), std::string::npos) << replay.err;
 }
 
+struct UnusedSetting {
+  const char* engine;
+  const char* option;
+};
+
+class ExploreSetting : public testing::TestWithParam<UnusedSetting> {};
+
+TEST_P(ExploreSetting, ThatTheEngineCannotUseIsRefused) {
+  const ScratchFolder scratch;
+  scratch.Write("p.c", kLostUpdate);
+  const auto [engine, option] = GetParam();
+  const ProcessResult refused =
+      RunOncard({"explore", "p.c", std::string("--engine=") + engine, option}, scratch.path());
+  EXPECT_EQ(refused.exit_code, 2);
+  const std::string text(option);
+  const std::string expected = "oncard: '" + text.substr(0, text.find('=')) +
+                               "' means nothing to the engine " + engine + ": remove it, or use ";
+  EXPECT_TRUE(refused.err.starts_with(expected)) << refused.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Explore, ExploreSetting,
+    testing::Values(UnusedSetting{"stateful", "--max-executions=5"},
+                    UnusedSetting{"bounded", "--max-executions=5"},
+                    UnusedSetting{"pct", "--max-executions=5"},
+                    UnusedSetting{"dpor", "--max-states=5"}, UnusedSetting{"pos", "--max-states=5"},
+                    UnusedSetting{"auto", "--runs=5"}, UnusedSetting{"bounded", "--runs=5"},
+                    UnusedSetting{"stateful", "--seed=5"}, UnusedSetting{"random", "--depth=5"},
+                    UnusedSetting{"auto", "--depth=5"}, UnusedSetting{"dpor", "--preemptions=5"},
+                    UnusedSetting{"dpor", "--merge-private"}));
+
+TEST(Explore, ASearchFileHasAnEngineToo) {
+  const ScratchFolder scratch;
+  scratch.Write("p.c", kLostUpdate);
+  const ProcessResult refused =
+      RunOncard({"explore", "p.c", "--search=p.search", "--max-states=5"}, scratch.path());
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("'--max-states' means nothing to the engine dpor"), std::string::npos)
+      << refused.err;
+}
+
 TEST(Explore, TheSavedScheduleFollowsAnEditedProgram) {
   const ScratchFolder scratch;
   const std::string saved = scratch.path() + "/lost.schedule";
