@@ -252,7 +252,8 @@ int Merge(const ExploreArguments& arguments, const Session& session) {
       MergeSearches(session, arguments.paths, arguments.format == "json", &file, &subject);
   if (merged != kExitOk) return merged;
   if (!arguments.search.empty()) {
-    MoveSearch(arguments.paths.front(), arguments.search, &file);
+    const auto moved = MoveSearch(arguments.paths.front(), arguments.search, &file);
+    if (!moved.ok()) return Fail(session, kExitUsage, moved.error().message);
     const int written = WriteOutput(session, arguments.search, explore::FormatSearchFile(file));
     if (written != kExitOk) return written;
   }

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/files.h"
+#include "compiler/text.h"
 #include "explore/scenario_exploration.h"
 #include "explore/search_check.h"
 
@@ -24,6 +25,18 @@ Result<explore::Problem> ProblemOf(const ExploreSubject& subject) {
                      "带控制卡的程序的搜索不能保存或拆分：请一次完成探索");
   }
   return explore::ProblemOfScenario(subject.scenario, subject.requirements, subject.object);
+}
+
+/// A search file names what it explores, and is text.
+Result<void> CheckInput(const explore::SearchFile& file) {
+  if (compiler::IsUtf8(file.input)) return {};
+  return MakeError(
+      1,
+      "the search of '{0}' cannot be kept: its path is not UTF-8, as a search file must "
+      "be; rename the file or its folder",
+      "无法保存“{0}”的搜索：其路径不是 UTF-8，而搜索文件必须是 UTF-8；"
+      "请重命名该文件或文件夹",
+      file.input);
 }
 
 Error Prefixed(const std::string& path, const Message& message) {
@@ -95,6 +108,7 @@ Result<explore::SearchFile> BeginSearch(const ExploreSubject& subject, const std
   if (!problem.ok()) return problem.error();
   explore::SearchFile file;
   file.input = runtime::PathToScenario(At(path), input);
+  if (auto checked = CheckInput(file); !checked.ok()) return checked.error();
   file.problem = explore::HashOf(problem.value());
   file.races = subject.scenario.races;
   file.parts = part.count;
@@ -142,9 +156,10 @@ Result<explore::Findings> ConcludeSearch(const ExploreSubject& subject,
   return FindingsOf(subject.scenario, problem.value(), Conclude(problem.value(), file));
 }
 
-void MoveSearch(const std::string& from, const std::string& to, explore::SearchFile* file) {
+Result<void> MoveSearch(const std::string& from, const std::string& to, explore::SearchFile* file) {
   const std::string input = runtime::PathFromScenario(At(from), file->input);
   file->input = runtime::PathToScenario(At(to), input);
+  return CheckInput(*file);
 }
 
 }  // namespace oncard::tools

@@ -22,7 +22,7 @@ int MergeSearches(const Session& session, const std::vector<std::string>& paths,
                   explore::SearchFile* file, ExploreSubject* subject);
 
 /// A search of which nothing is done yet, to be kept in `path`. Fails when the engine's searches
-/// cannot be kept, or the program needs its card.
+/// cannot be kept, the program needs its card, or its path is not UTF-8.
 Result<explore::SearchFile> BeginSearch(const ExploreSubject& subject, const std::string& input,
                                         const std::string& path, const explore::SearchPart& part,
                                         const explore::ExploreOptions& options);
@@ -36,7 +36,8 @@ Result<explore::Findings> GoOn(const ExploreSubject& subject,
 Result<explore::Findings> ConcludeSearch(const ExploreSubject& subject,
                                          const explore::SearchFile& file);
 
-/// The same search as a file at another place would hold it.
-void MoveSearch(const std::string& from, const std::string& to, explore::SearchFile* file);
+/// The same search as a file at another place would hold it. Fails when that cannot name what it
+/// explores.
+Result<void> MoveSearch(const std::string& from, const std::string& to, explore::SearchFile* file);
 
 }  // namespace oncard::tools

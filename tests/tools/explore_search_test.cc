@@ -140,6 +140,33 @@ TEST_P(ExploreSignal, KeepsTheSearch) {
 
 INSTANTIATE_TEST_SUITE_P(ExploreSearch, ExploreSignal, ::testing::Values("INT", "TERM", "HUP"));
 
+TEST_F(ExploreSearch, APathThatNoSearchFileCanNameIsRefused) {
+  // As Windows writes it in China: GBK.
+  scratch_.Write("\xd6\xd0/inc.c", Increments());
+  const std::string inside = scratch_.path() + "/\xd6\xd0";
+  ASSERT_EQ(RunOncard({"explore", "inc.c", "--shard=1/2"}, inside).exit_code, 5);
+  for (const ProcessResult& refused :
+       {Explore({"\xd6\xd0/inc.c", "--search=kept.search"}),
+        RunOncard({"explore", "--merge", "inc.1-of-2.search", "--search=../kept.search"},
+                  inside)}) {
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_NE(refused.err.find("its path is not UTF-8"), std::string::npos) << refused.err;
+    EXPECT_FALSE(scratch_.Has("kept.search"));
+  }
+  // Without a file there is nothing to be named.
+  EXPECT_EQ(Explore({"\xd6\xd0/inc.c"}).exit_code, 0);
+}
+
+TEST_F(ExploreSearch, MergedPartsShowTheResults) {
+  std::string source = Increments();
+  source.erase(source.find("//@"), source.find('\n', source.find("//@")) - source.find("//@"));
+  scratch_.Write("inc.c", source);
+  for (const char* part : {"1/2", "2/2"}) Explore({"inc.c", "--shard", part});
+  const auto merged = Json({"--merge", "inc.1-of-2.search", "inc.2-of-2.search"});
+  EXPECT_EQ(merged["results"].size(), 5u) << merged;
+  EXPECT_EQ(merged["results"], Json({"inc.c", "--engine=dpor"})["results"]);
+}
+
 TEST_F(ExploreSearch, AHostileFileIsRefused) {
   EXPECT_EQ(
       Explore({"inc.c", "--engine=dpor", "--max-executions=10", "--search=kept.search"}).exit_code,
