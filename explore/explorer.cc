@@ -127,18 +127,27 @@ const Aftermath& AftermathOf(const ExploreOptions& options) {
 constexpr int kDescents = 1000;
 constexpr int64_t kDescentDepth = 10'000;
 
-/// The search of traces from where the options say, which begins there.
+/// The search of traces from where the options say, which begins there. `takes_pause` tells whether
+/// it was stopped only to be kept.
 TraceSearch TracesOf(const Problem& problem, const ExploreOptions& options,
-                     const std::atomic<bool>* stop) {
+                     const std::atomic<bool>* stop, const std::function<bool()>& takes_pause) {
   TraceSearch search = options.begun == nullptr ? TraceSearch{} : *options.begun;
-  SearchTraces(problem,
-               {.executions = options.execution_limit,
-                .depth = options.depth_limit,
-                .statements_after_bad = AftermathOf(options).statements,
-                .stop = stop,
-                .progress = options.progress},
-               &search);
-  return search;
+  int64_t left = options.execution_limit;
+  for (;;) {
+    const int64_t before = search.executions;
+    SearchTraces(problem,
+                 {.executions = left,
+                  .depth = options.depth_limit,
+                  .statements_after_bad = AftermathOf(options).statements,
+                  .stop = stop,
+                  .progress = options.progress},
+                 &search);
+    left -= search.executions - before;
+    // What goes wrong is soon told.
+    const bool over = search.units.empty() || search.bad > 0 || left <= 0;
+    if (!options.keep || !takes_pause() || over) return search;
+    options.keep(search);
+  }
 }
 
 StateLimits StatesOf(const ExploreOptions& options, const std::atomic<bool>* stop) {
@@ -158,6 +167,8 @@ void SearchBoth(const Problem& problem, const ExploreOptions& options, bool know
   std::mutex mutex;
   std::condition_variable answered;
   std::atomic<bool> stop{false};
+  std::atomic<bool> stop_traces{false};
+  std::atomic<bool> pause{false};  // why the traces are stopped
   int running = 2;
   bool endless = false;  // the traces will never be all searched
   bool stated = false;   // the search of states is over
@@ -168,8 +179,14 @@ void SearchBoth(const Problem& problem, const ExploreOptions& options, bool know
     if (answers && *first == EngineKind::kAuto) *first = engine;
     answered.notify_all();
   };
+  const auto take_pause = [&] {
+    if (!pause.exchange(false)) return false;
+    stop_traces = false;
+    if (stop) stop_traces = true;
+    return !stop;
+  };
   std::thread tracing([&] {
-    *traces = TracesOf(problem, options, &stop);
+    *traces = TracesOf(problem, options, &stop_traces, take_pause);
     report(EngineKind::kDpor, (*traces)->complete() || (*traces)->bad > 0);
   });
   std::thread stating([&] {
@@ -189,16 +206,21 @@ void SearchBoth(const Problem& problem, const ExploreOptions& options, bool know
       return running == 0 || (known_bad ? stated : *first != EngineKind::kAuto);
     };
     while (!answered.wait_for(lock, kStopPolled, done)) {
-      if (options.progress != nullptr && options.progress->stop) stop = true;
+      if (options.progress == nullptr || !options.progress->stop) continue;
+      pause = options.progress->TakePause();
+      if (!pause) stop = true;
+      stop_traces = true;
     }
     const auto passed = std::chrono::steady_clock::now() - start;
     const auto grace = std::max<std::chrono::nanoseconds>(
         kGraceMin, std::chrono::duration_cast<std::chrono::nanoseconds>(passed * kGracePart));
     answered.wait_for(lock, grace, [&] { return running == 0 || endless; });
     stop = true;
+    stop_traces = true;
   }
   tracing.join();
   stating.join();
+  if (options.progress != nullptr) options.progress->TakePause();
 }
 
 /// The failure that is shown: the simplest one where all states are known, or
@@ -369,7 +391,8 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
     searched.state_limit = std::min(options.state_limit, AftermathOf(options).states);
   }
   if (engine == EngineKind::kDpor) {
-    traces = TracesOf(problem, searched, StopOf(options));
+    traces = TracesOf(problem, searched, StopOf(options),
+                      [&] { return options.progress != nullptr && options.progress->TakePause(); });
   } else if (engine == EngineKind::kStateful) {
     states = SearchStates(problem, StatesOf(searched, StopOf(options)));
   } else {

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -74,6 +75,9 @@ struct ExploreOptions {
   int depth = SampleOptions{}.depth;  ///< kPct: 1..kPctDepthMax
 
   const TraceSearch* begun = nullptr;  ///< kAuto, kDpor: a search to go on with
+  /// kAuto, kDpor: told what the search of traces has so far when SearchProgress::pausing is set;
+  /// the search then goes on. It may be called by another thread.
+  std::function<void(const TraceSearch& search)> keep = {};
   SearchProgress* progress = nullptr;  ///< for another thread to look at
 };
 

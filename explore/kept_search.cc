@@ -5,15 +5,6 @@
 namespace oncard::explore {
 namespace {
 
-/// True when the search has stopped only to be kept. An interruption that comes at the same time is
-/// not lost: it is said before it stops the search.
-bool TakePause(SearchProgress* progress) {
-  if (progress == nullptr || !progress->pausing.exchange(false)) return false;
-  progress->stop = false;
-  if (progress->interrupted) progress->stop = true;
-  return !progress->interrupted;
-}
-
 /// What is left to be done, as options.
 void SetRest(const SearchFile& file, ExploreOptions* options) {
   if (file.engine == EngineKind::kDpor) {
@@ -50,7 +41,8 @@ Result<Exploration> GoOn(const Problem& problem, const ExploreOptions& options,
     Exploration& found = explored.value();
     TakeOver(&found, file);
     rest.execution_limit -= file->traces.executions - before;
-    const bool goes_on = TakePause(options.progress) && !file->done() && rest.execution_limit > 0;
+    const bool paused = options.progress != nullptr && options.progress->TakePause();
+    const bool goes_on = paused && !file->done() && rest.execution_limit > 0;
     if (!goes_on || !keep(*file)) {
       Exploration concluded = Conclude(problem, *file, std::move(found.failure));
       if (concluded.verdict == Verdict::kIncomplete) concluded.why = std::move(found.why);

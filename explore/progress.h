@@ -23,6 +23,15 @@ struct SearchProgress {
   /// About how many executions there are, with the standard error; 0 when nobody knows.
   std::atomic<double> expected{0};
   std::atomic<double> expected_error{0};
+
+  /// For the search: true when it was stopped only to be kept, and is to go on. An interruption
+  /// that comes at the same time is not lost: it is said before it stops the search.
+  bool TakePause() {
+    if (!pausing.exchange(false)) return false;
+    stop = false;
+    if (interrupted) stop = true;
+    return !interrupted;
+  }
 };
 
 }  // namespace oncard::explore

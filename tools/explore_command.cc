@@ -262,22 +262,68 @@ int Merge(const ExploreArguments& arguments, const Session& session) {
   return Report(arguments, session, subject, std::move(findings).value());
 }
 
-/// Keeps a search that a signal has ended, when it is one that can go on.
-int KeepInterrupted(const ExploreArguments& arguments, const Session& session,
-                    const ExploreSubject& subject, const explore::Exploration& exploration) {
-  const std::string path = DefaultSearch(arguments.paths.front());
-  explore::ExploreOptions options;
-  options.engine = explore::EngineKind::kDpor;
-  auto file = BeginSearch(subject, arguments.paths.front(), path, {}, options);
-  if (!file.ok() || !exploration.traces || exploration.search.too_deep) return kExitOk;
-  file.value().traces = exploration.search;
-  const int written = WriteOutput(session, path, explore::FormatSearchFile(file.value()));
-  if (written != kExitOk) return written;
-  const Message hint =
-      MakeMessage("to go on: oncard explore {0}\n", "继续：oncard explore {0}\n", path);
-  PrintDiagnostics(session.Say(hint));
-  return kExitOk;
-}
+/// A search that nobody has named a file for: it is kept all the same when it takes long, and when
+/// a signal ends it.
+class DefaultKeeper {
+ public:
+  DefaultKeeper(const ExploreArguments& arguments, const Session& session,
+                const ExploreSubject& subject, const explore::ExploreOptions& options)
+      : session_(session), path_(DefaultSearch(arguments.paths.front())) {
+    auto begun = BeginSearch(subject, arguments.paths.front(), path_, {}, options);
+    if (!begun.ok()) {
+      why_not_ = begun.error().message;
+    } else if (begun.value().engine == explore::EngineKind::kDpor) {
+      file_ = std::move(begun).value();
+      const auto looks_at_states = [](const explore::Requirement& requirement) {
+        return requirement.scope != explore::Scope::kFinal;
+      };
+      searches_traces_ = options.engine == explore::EngineKind::kDpor ||
+                         (subject.scenario.races == runtime::Scenario{}.races &&
+                          std::ranges::none_of(subject.requirements, looks_at_states));
+    }
+  }
+
+  /// True when there will be traces to be kept.
+  bool searches_traces() const { return searches_traces_; }
+
+  /// Keeps what is known so far. Gives the exit code.
+  int Keep(const explore::TraceSearch& search) {
+    if (!file_ || search.too_deep) return kExitOk;
+    file_->traces = search;
+    const int written = WriteOutput(session_, path_, explore::FormatSearchFile(*file_));
+    if (written == kExitOk && !std::exchange(kept_, true)) {
+      PrintDiagnostics(
+          session_.Say(MakeMessage("the search is kept in {0}; to go on: oncard explore {0}\n",
+                                   "搜索已保存到 {0}；继续：oncard explore {0}\n", path_)));
+    }
+    return written;
+  }
+
+  /// The search has come to an end, in order or not: what is left to be done is kept, what is done
+  /// needs no file. Gives the exit code.
+  int End(const explore::Exploration& found, bool interrupted) {
+    const bool incomplete = found.verdict == explore::Verdict::kIncomplete;
+    const bool left =
+        found.traces && !found.traces->complete && found.verdict != explore::Verdict::kProved;
+    if (left && (interrupted || (incomplete && kept_))) return Keep(found.search);
+    if (interrupted && incomplete && why_not_) {
+      const Message text = MakeMessage("oncard: the search is lost: {0}\n",
+                                       "oncard: 搜索未保存：{1}\n", why_not_->en, why_not_->zh);
+      PrintDiagnostics(session_.Say(text));
+    }
+    std::error_code ignored;
+    if (kept_) std::filesystem::remove(path_, ignored);
+    return kExitOk;
+  }
+
+ private:
+  const Session& session_;
+  std::string path_;
+  std::optional<explore::SearchFile> file_;
+  std::optional<Message> why_not_;  ///< there is no file
+  bool searches_traces_ = false;
+  bool kept_ = false;
+};
 
 int Explore(const ExploreArguments& arguments, const Session& session) {
   if (arguments.merge) return Merge(arguments, session);
@@ -310,15 +356,17 @@ int Explore(const ExploreArguments& arguments, const Session& session) {
   explore::ExploreOptions options = OptionsOf(arguments, subject);
   const int checked = CheckSettings(arguments, session, options.engine);
   if (checked != kExitOk) return checked;
-  SearchWatch watch(session, {.shows = arguments.progress, .seconds = arguments.seconds});
+  DefaultKeeper keeper(arguments, session, subject, options);
+  SearchWatch watch(session, {.shows = arguments.progress,
+                              .seconds = arguments.seconds,
+                              .pauses = keeper.searches_traces()});
   options.progress = watch.progress();
+  options.keep = [&keeper](const explore::TraceSearch& search) { keeper.Keep(search); };
   auto findings =
       explore::ExploreScenario(subject.scenario, subject.requirements, subject.object, options);
   if (!findings.ok()) return Fail(session, kExitUsage, findings.error().message);
-  if (watch.interrupted()) {
-    const int kept = KeepInterrupted(arguments, session, subject, findings.value().exploration);
-    if (kept != kExitOk) return kept;
-  }
+  const int kept = keeper.End(findings.value().exploration, watch.interrupted());
+  if (kept != kExitOk) return kept;
   return Report(arguments, session, subject, std::move(findings).value());
 }
 

@@ -98,5 +98,47 @@ TEST_F(KeptSearch, TheLimitOfExecutionsIsThatOfAllPieces) {
   EXPECT_EQ(file.traces.executions, 7);
 }
 
+// --- Searches that nobody keeps a file of --------------------------------------------------------
+
+TEST_F(KeptSearch, ASearchIsToldOnTheWayAndLosesNothing) {
+  // Nothing goes wrong: a failure would end it soon.
+  const Problem problem = BindProblem(problem_.model, {}).value();
+  const Exploration whole = Explore(problem, {.engine = EngineKind::kDpor}).value();
+  options_.engine = EngineKind::kDpor;
+  int kept = 0;
+  options_.keep = [&](const TraceSearch& search) {
+    EXPECT_FALSE(search.complete());
+    if (++kept < 3) Pause();
+  };
+  Pause();
+  const auto found = Explore(problem, options_);
+  ASSERT_TRUE(found.ok());
+  EXPECT_EQ(kept, 3);
+  EXPECT_EQ(found.value().verdict, whole.verdict);
+  EXPECT_EQ(found.value().traces->executions, whole.traces->executions);
+  EXPECT_EQ(found.value().ends, whole.ends);
+}
+
+TEST_F(KeptSearch, AutoGoesOnAfterItWasKept) {
+  // Far too many traces; only the interruption ends it.
+  const Problem large = BindProblem(ProblemOf(Increments(8, 50)).model, {}).value();
+  std::vector<int64_t> kept;
+  options_.all = true;
+  options_.keep = [&](const TraceSearch& search) {
+    kept.push_back(search.executions);
+    if (kept.size() == 1) return Pause();
+    progress_.interrupted = true;
+    progress_.stop = true;
+  };
+  Pause();
+  const auto found = Explore(large, options_);
+  ASSERT_TRUE(found.ok());
+  ASSERT_EQ(kept.size(), 2u);
+  EXPECT_LE(kept[0], kept[1]);
+  EXPECT_LE(kept[1], found.value().traces->executions);
+  EXPECT_EQ(found.value().verdict, Verdict::kIncomplete);
+  EXPECT_EQ(found.value().why.en, "it was interrupted");
+}
+
 }  // namespace
 }  // namespace oncard::explore

@@ -157,6 +157,24 @@ TEST_F(ExploreSearch, APathThatNoSearchFileCanNameIsRefused) {
   EXPECT_EQ(Explore({"\xd6\xd0/inc.c"}).exit_code, 0);
 }
 
+TEST_F(ExploreSearch, ASearchThatCannotBeKeptSaysSoWhenItIsEnded) {
+  // Threads that read inputs for 10 s: far more states than can be looked at.
+  std::string source = "int x;\n";
+  for (const char* name : {"t0", "t1", "t2"}) {
+    source += std::string("void ") + name +
+              "() {\n  int di;\nL:\n  GT_GetDi(4, &di);\n  x = x + 1;\n  goto L;\n}\n";
+  }
+  scratch_.Write("card.c", source);
+  scratch_.Write("card.toml",
+                 "program = \"card.c\"\nuntil_ms = 10000\n[[thread]]\nfunction = \"t0\"\n"
+                 "[[thread]]\nthread = 1\nfunction = \"t1\"\n");
+  const ProcessResult ended = Explore({"card.toml", "--time=0.2"});
+  EXPECT_EQ(ended.exit_code, 6) << ended.out;
+  EXPECT_NE(ended.err.find("the search is lost: the states of a program with its card"),
+            std::string::npos)
+      << ended.err;
+}
+
 TEST_F(ExploreSearch, MergedPartsShowTheResults) {
   std::string source = Increments();
   source.erase(source.find("//@"), source.find('\n', source.find("//@")) - source.find("//@"));
