@@ -143,7 +143,8 @@ class Checker {
     bool is_parameter = false;
     /// Set when the words mean nothing here: what has been reported, for edits to be added.
     Diagnostic* report = nullptr;
-    std::string plain;  ///< the words to write instead
+    std::string_view words;  ///< as written
+    std::string plain;       ///< the words to write instead
   };
   DeclaredType ResolveType(const Specifiers& specifiers);
   Entity* Declare(const Declarator& declarator, const DeclaredType& type, bool parameter);

@@ -18,6 +18,7 @@ bool IsWordOf(std::string_view word, std::initializer_list<std::string_view> wor
 
 Checker::DeclaredType Checker::ResolveType(const Specifiers& specifiers) {
   DeclaredType type;
+  type.words = Source(specifiers.range);
   std::string spelled;
   bool foreign = specifiers.words.size() > 1;
   bool is_double = false;
@@ -242,6 +243,8 @@ Entity* Checker::Declare(const Declarator& declarator, const DeclaredType& type,
   if (ReportTakenName(declarator.name, declarator.name_range, local,
                       parameter ? nullptr : &declarator)) {
     // A local that shadows a global is still the one its function means.
+  entity.words = type.words;
+  entity.late = local && function_->statements_begun;
     if (scope.Find(declarator.name) != nullptr) return nullptr;
   }
   if (declarator.pointer) {
@@ -339,7 +342,7 @@ const Entity* Checker::Reopen(const Declarator& declarator, const DeclaredType& 
   const Entity* known = function_->locals.Find(declarator.name);
   const bool again = known != nullptr && !function_->open_names.contains(declarator.name) &&
                      !known->invalid && known->structure == nullptr && known->array_size == 0 &&
-                     declarator.sizes.empty() && known->type == type.type &&
+                     declarator.sizes.empty() && known->words == type.words &&
                      type.structure == nullptr && !type.is_const;
   if (!again) return nullptr;
   OpenName(declarator.name);
@@ -351,14 +354,12 @@ void Checker::CheckLateDeclaration(const Statement& statement, const Place& plac
   MendType(statement.specifiers, type, statement.declarators, statement.range);
   bool all_good = type.valid && !type.is_void && !type.is_static;
   std::vector<std::pair<const Declarator*, const Entity*>> declared;
-  std::string list;
+  std::vector<std::string> declarations;
   for (const Declarator& declarator : statement.declarators) {
     const Entity* known = Reopen(declarator, type);
-    const bool again = known != nullptr;
-    const Entity* entity = again ? known : Declare(declarator, type, false);
-    if (!again && entity != nullptr && !entity->invalid) {
-      if (!list.empty()) list += ", ";
-      list += Source(declarator.head);
+    const Entity* entity = known != nullptr ? known : Declare(declarator, type, false);
+    if (entity != nullptr && !entity->invalid && entity->late) {
+      declarations.push_back(fmt::format("{} {};", type.words, Source(declarator.head)));
     }
     if (entity == nullptr || entity->invalid) all_good = false;
     declared.emplace_back(&declarator, entity);
@@ -378,9 +379,7 @@ void Checker::CheckLateDeclaration(const Statement& statement, const Place& plac
       reporter_.Report(Code::kLateDeclaration, statement.range, statement.declarators[0].name);
   if (!all_good) return;
   Rewriter rewriter(*this, diagnostic);
-  if (!list.empty()) {
-    rewriter.AddDeclaration(fmt::format("{} {};", Source(statement.specifiers.range), list));
-  }
+  for (std::string& declaration : declarations) rewriter.AddDeclaration(std::move(declaration));
   for (const auto& [declarator, entity] : declared) {
     if (declarator->initialiser != nullptr) rewriter.Initialise(*declarator, *entity);
   }

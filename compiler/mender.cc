@@ -77,7 +77,15 @@ int Choose(const Compilation& compilation, std::map<int, std::vector<FixIt>>* ed
     });
     if (!free) continue;
     taken.insert(taken.end(), stretches.begin(), stretches.end());
-    for (const FixIt& edit : diagnostic.fixits) (*edits)[edit.range.file].push_back(edit);
+    for (const FixIt& edit : diagnostic.fixits) {
+      std::vector<FixIt>& of_file = (*edits)[edit.range.file];
+      // Two can need the same declaration.
+      const bool known = IsDeclaration(edit, diagnostic) &&
+                         std::any_of(of_file.begin(), of_file.end(), [&edit](const FixIt& other) {
+                           return other.range == edit.range && other.text == edit.text;
+                         });
+      if (!known) of_file.push_back(edit);
+    }
     ++count;
   }
   return count;

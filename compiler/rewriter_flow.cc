@@ -70,9 +70,12 @@ void Rewriter::Finish() {
         separator == Separator(checker_.function_->syntax->header)) {
       separator += "  ";
     }
-    std::string text;
-    for (const std::string& declaration : declarations_) text += separator + declaration;
-    edits_.insert(edits_.begin(), {at, std::move(text)});
+    // Each by itself: what two fix-its need is declared once.
+    std::vector<FixIt> declarations;
+    for (const std::string& declaration : declarations_) {
+      declarations.push_back({at, separator + declaration});
+    }
+    edits_.insert(edits_.begin(), declarations.begin(), declarations.end());
   }
   for (FixIt& edit : edits_) diagnostic_.fixits.push_back(std::move(edit));
   edits_.clear();

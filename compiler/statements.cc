@@ -515,24 +515,21 @@ void Checker::CheckLoop(const Statement& statement, const Place& place) {
   inside.followed = true;
   inside.in_loop = true;
   inside.in_switch = false;
-  std::string declarations;
+  std::vector<std::string> declarations;
   if (statement.initial != nullptr && statement.initial->kind == Statement::Kind::kDeclaration) {
     const DeclaredType type = ResolveType(statement.initial->specifiers);
     MendType(statement.initial->specifiers, type, statement.initial->declarators,
              statement.initial->range);
     if (type.is_static) failed_ = true;
     for (const Declarator& declarator : statement.initial->declarators) {
-      if (Reopen(declarator, type) == nullptr) {
-        const Entity* entity = Declare(declarator, type, false);
-        if (entity == nullptr || entity->invalid) failed_ = true;
-        if (!declarations.empty()) declarations += ", ";
-        declarations += Source(declarator.head);
+      const Entity* entity = Reopen(declarator, type);
+      if (entity == nullptr) entity = Declare(declarator, type, false);
+      if (entity == nullptr || entity->invalid) {
+        failed_ = true;
+      } else if (entity->late) {
+        declarations.push_back(fmt::format("{} {};", type.words, Source(declarator.head)));
       }
       if (declarator.initialiser != nullptr) CheckNames(*declarator.initialiser);
-    }
-    if (!declarations.empty()) {
-      declarations =
-          fmt::format("{} {};", Source(statement.initial->specifiers.range), declarations);
     }
   }
   if (statement.value != nullptr) CheckNames(*statement.value);
@@ -551,7 +548,7 @@ void Checker::CheckLoop(const Statement& statement, const Place& place) {
   }
   if (!failed_ && !uses_flat_array_) {
     Rewriter rewriter(*this, diagnostic);
-    if (!declarations.empty()) rewriter.AddDeclaration(declarations);
+    for (std::string& declaration : declarations) rewriter.AddDeclaration(std::move(declaration));
     rewriter.RewriteLoop(statement, place);
   }
   if (statement.body->kind == Statement::Kind::kBlock) {

@@ -27,6 +27,8 @@ struct Entity {
   bool is_const = false;
 
   // kVariable
+  std::string_view words;  ///< of its type, as written
+  bool late = false;       ///< declared after the first statement: fix-its still have to move it
   vm::DataType type = vm::DataType::kInt;
   vm::Storage storage = vm::Storage::kLocal;
   uint16_t id = 0;          ///< first slot

@@ -12,17 +12,19 @@ namespace {
 // Some constructs hold many others; each round mends one.
 constexpr int kRoundMax = 60;
 
-// Applies the fix-its of the first error that has any until there is none.
-std::string MendOneByOne(std::string text, std::string* trace) {
+// Applies the fix-its of the first error that has any, or of the last one, until there is none.
+std::string MendOneByOne(std::string text, std::string* trace, bool from_last = false) {
   for (int round = 0; round < kRoundMax; ++round) {
     const Compilation compilation = CompileString(text);
     if (compilation.ok()) return text;
-    const auto first =
-        std::find_if(compilation.diagnostics.begin(), compilation.diagnostics.end(),
-                     [](const Diagnostic& diagnostic) { return !diagnostic.fixits.empty(); });
-    if (first == compilation.diagnostics.end()) return text;
-    *trace += DiagnosticName(first->info->code) + ": " + first->message.en + "\n" + text + "\n";
-    text = ApplyFixIts(text, *first);
+    std::vector<const Diagnostic*> mendable;
+    for (const Diagnostic& diagnostic : compilation.diagnostics) {
+      if (!diagnostic.fixits.empty()) mendable.push_back(&diagnostic);
+    }
+    if (mendable.empty()) return text;
+    const Diagnostic& next = from_last ? *mendable.back() : *mendable.front();
+    *trace += DiagnosticName(next.info->code) + ": " + next.message.en + "\n" + text + "\n";
+    text = ApplyFixIts(text, next);
   }
   return text;
 }
@@ -218,6 +220,14 @@ INSTANTIATE_TEST_SUITE_P(Bodies, RewriterTest, testing::ValuesIn(kBodies),
 
 struct Whole {
   const char* name;
+  // In another order a type can be left that must be mended first, but nothing is mended wrongly.
+  trace.clear();
+  const std::string backwards = MendOneByOne(text, &trace, true);
+  const Compilation from_last = CompileString(backwards);
+  if (from_last.ok()) {
+    EXPECT_EQ(RunAndRead(*from_last.object, "v"), GetParam().v) << trace << backwards;
+  }
+
   const char* text;
 };
 
@@ -386,3 +396,17 @@ TEST(Rewriter, TakesNamesThatAreFree) {
 
 }  // namespace
 }  // namespace oncard::compiler
+// Fix-its are applied in any order, or one of them alone.
+TEST(Rewriter, DeclaresInEachFixItWhatItNeeds) {
+  const std::string text =
+      "int v;\nint t0() {\n  for (int n = 0; n < 2; n++) v = n;\n"
+      "  for (int n = 0; n < 3; n++) v = n;\n}\n";
+  const Compilation compilation = CompileString(text);
+  ASSERT_EQ(CodesOf(compilation), (std::vector<int>{102, 102}));
+  for (const Diagnostic& diagnostic : compilation.diagnostics) {
+    EXPECT_NE(ApplyFixIts(text, diagnostic).find("\n  int n;\n"), std::string::npos);
+  }
+  const std::string mended = MendString(text).files.at("test.c");
+  EXPECT_EQ(mended.find("int n;"), mended.rfind("int n;")) << mended;
+}
+
