@@ -16,6 +16,7 @@
 #include "compiler/compiler.h"
 #include "compiler/constant_folding.h"
 #include "compiler/flow_warnings.h"
+#include "compiler/name_scopes.h"
 #include "compiler/reporter.h"
 #include "compiler/symbols.h"
 #include "compiler/syntax.h"
@@ -167,6 +168,8 @@ class Checker {
                  SourceRange declaration, bool* as_macros);
   bool KeepsMeaning(const Specifiers& specifiers, const DeclaredType& type,
                     std::span<const Declarator> declarators);
+  bool KeepsReturns(const Function& function, const DeclaredType& type);
+  const NameScopes& Scopes();
   void MendGlobalInitialiser(const Declarator& declarator, Diagnostic& diagnostic,
                              SourceRange value);
   void Rename(const Declarator& declarator, Diagnostic& diagnostic);
@@ -293,6 +296,7 @@ class Checker {
   std::unordered_map<std::string_view, FlatArray> flat_arrays_;
   std::unordered_set<const Expression*> flattened_;
   std::optional<NameTable> program_uses_;
+  std::optional<NameScopes> scopes_;  // built when they are first asked for
 };
 
 /// How messages name things.

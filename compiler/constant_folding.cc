@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 
 namespace oncard::compiler {
 namespace {
@@ -47,11 +48,15 @@ std::optional<Constant> FoldInts(int64_t a, std::string_view op, int64_t b) {
   return std::nullopt;
 }
 
+std::optional<Constant> Finite(double value) {
+  return std::isfinite(value) ? std::optional(Double(value)) : std::nullopt;
+}
+
 std::optional<Constant> FoldDoubles(double a, std::string_view op, double b) {
-  if (op == "+") return Double(a + b);
-  if (op == "-") return Double(a - b);
-  if (op == "*") return Double(a * b);
-  if (op == "/" && b != 0) return Double(a / b);
+  if (op == "+") return Finite(a + b);
+  if (op == "-") return Finite(a - b);
+  if (op == "*") return Finite(a * b);
+  if (op == "/" && b != 0) return Finite(a / b);
   return std::nullopt;
 }
 
@@ -90,6 +95,26 @@ std::string Constant::Text() const {
   std::string text = fmt::format("{}", real);
   if (text.find_first_of(".e") == std::string::npos) text += ".0";
   return text;
+}
+
+Literal Constant::AsLiteral() const {
+  Literal literal;
+  if (is_double) {
+    literal = ParseFixed(fmt::format("{}", std::abs(real)));
+    literal.negative = real < 0;
+  } else {
+    literal.magnitude = static_cast<uint64_t>(std::abs(integer));
+    literal.negative = integer < 0;
+  }
+  return literal;
+}
+
+std::optional<Literal> TruthValue(std::string_view name) {
+  const bool yes = name == "true" || name == "TRUE";
+  if (!yes && name != "false" && name != "FALSE") return std::nullopt;
+  Literal literal;
+  literal.magnitude = yes ? 1 : 0;
+  return literal;
 }
 
 std::optional<Constant> Fold(const Expression& expression, const MacroLookup& lookup) {

@@ -22,7 +22,12 @@ struct Constant {
   double AsDouble() const { return is_double ? real : static_cast<double>(integer); }
   /// As a literal of the language.
   std::string Text() const;
+  /// What the compiler makes of that literal.
+  Literal AsLiteral() const;
 };
+
+/// `true` and `false`, which C's headers define, and `TRUE` and `FALSE`, which Windows' do.
+std::optional<Literal> TruthValue(std::string_view name);
 
 /// The value of an expression of literals and macros. Nothing when there is anything else in it,
 /// when it divides by zero, or when an int overflows, which C leaves open.

@@ -27,12 +27,11 @@ Checker::DeclaredType Checker::ResolveType(const Specifiers& specifiers) {
     if (!spelled.empty()) spelled += ' ';
     spelled += word->text;
     if (IsWordOf(word->text, {"float", "double"})) is_double = true;
-    if (IsWordOf(word->text, {"float", "char", "unsigned", "signed"})) foreign = true;
-    if (IsWordOf(word->text, {"static", "const", "extern"})) foreign = true;
-    if (IsWordOf(word->text, {"int", "long", "short", "double", "void", "float", "char", "unsigned",
-                              "signed", "static", "const", "extern"})) {
-      known = true;
+    if (IsWordOf(word->text, {"float", "char", "bool", "_Bool", "unsigned", "signed", "static",
+                              "const", "extern"})) {
+      foreign = known = true;
     }
+    if (IsWordOf(word->text, {"int", "long", "short", "double", "void"})) known = true;
     if (word->text == "void") type.is_void = true;
     const gtcalls::Structure* structure = gtcalls::FindStructure(word->text);
     if (structure != nullptr && structure->in_motion_program) type.structure = structure;
@@ -166,6 +165,11 @@ bool Checker::CheckArraySizes(const Declarator& declarator, Entity& entity) {
     }
     Diagnostic& diagnostic =
         reporter_.Report(Code::kArraySize, range, declarator.name, what, int64_t{vm::kSlotCount});
+    const std::optional<Constant> value = size != nullptr ? FoldHere(*size) : std::nullopt;
+    if (value && !value->is_double && !ConstantOf(*size) && value->integer >= 1 &&
+        value->integer <= vm::kSlotCount) {
+      Replace(diagnostic, range, value->Text());
+    }
     if (size == nullptr && declarator.initialiser != nullptr &&
         declarator.initialiser->kind == Expression::Kind::kBraces && declarator.sizes.size() == 1) {
       SourceRange bracket = declarator.head;
@@ -239,12 +243,12 @@ Entity* Checker::Declare(const Declarator& declarator, const DeclaredType& type,
   entity.structure = type.structure;
   entity.invalid = !type.valid;
   entity.is_const = type.is_const;
+  entity.words = type.words;
+  entity.late = local && function_->statements_begun;
   Scope& scope = local ? function_->locals : globals_;
   if (ReportTakenName(declarator.name, declarator.name_range, local,
                       parameter ? nullptr : &declarator)) {
     // A local that shadows a global is still the one its function means.
-  entity.words = type.words;
-  entity.late = local && function_->statements_begun;
     if (scope.Find(declarator.name) != nullptr) return nullptr;
   }
   if (declarator.pointer) {
@@ -438,7 +442,7 @@ void Checker::CheckFunction(const Function& syntax) {
   FunctionState* const outer = function_;
   function_ = nullptr;
   const DeclaredType type = ResolveType(syntax.specifiers);
-  MendType(syntax.specifiers, type, {}, syntax.header);
+  if (KeepsReturns(syntax, type)) MendType(syntax.specifiers, type, {}, syntax.header);
   if (type.structure != nullptr || syntax.pointer) {
     reporter_.Report(Code::kNotAType, syntax.specifiers.range,
                      ToMessage(fmt::format("'{}{}'", Source(syntax.specifiers.range),

@@ -4,13 +4,22 @@
 
 #include "base/files.h"
 #include "compiler/lexer.h"
+#include "compiler/macro_body.h"
 #include "compiler/parser.hh"
+#include "gtcalls/catalogue.h"
 #include "vm/limits.h"
 
 namespace oncard::compiler {
 namespace {
 
 using Kind = Parser::token;
+
+constexpr std::string_view kHeadersOfC[] = {
+    "assert.h",   "complex.h",  "ctype.h",  "errno.h",       "fenv.h",    "float.h",
+    "inttypes.h", "iso646.h",   "limits.h", "locale.h",      "math.h",    "setjmp.h",
+    "signal.h",   "stdalign.h", "stdarg.h", "stdatomic.h",   "stdbool.h", "stddef.h",
+    "stdint.h",   "stdio.h",    "stdlib.h", "stdnoreturn.h", "string.h",  "tgmath.h",
+    "threads.h",  "time.h",     "uchar.h",  "wchar.h",       "wctype.h"};
 
 std::string FolderOf(const std::string& path) {
   const size_t slash = path.find_last_of("/\\");
@@ -26,6 +35,8 @@ bool IsNumber(const Token& token) {
   return token.kind == Kind::kInteger || token.kind == Kind::kFixed;
 }
 
+bool IsBool(std::string_view name) { return name == "bool" || name == "_Bool"; }
+
 // Words are what the lexer calls names and keywords: all may follow `#`.
 bool IsWord(const Token& token) {
   return !token.text.empty() &&
@@ -37,6 +48,7 @@ bool IsWord(const Token& token) {
 void Directives::Run(SourceFile program) {
   AddFile(std::move(program), 0);
   if (refused_) tokens_.clear();
+  MendOpenMacros();
   Token end;
   end.kind = Kind::kEnd;
   const uint32_t size = static_cast<uint32_t>(files_[0].text().size());
@@ -92,6 +104,13 @@ void Directives::AddFile(SourceFile file, uint32_t inclusion_point) {
     if (token.kind == Kind::kOpenBrace) open_braces_.push_back(token.range);
     if (token.kind == Kind::kCloseBrace && !open_braces_.empty()) open_braces_.pop_back();
     external_begins = token.kind == Kind::kSemicolon || token.kind == Kind::kCloseBrace;
+    // `bool` is no word of the language, so that variables can have this name: but where another
+    // name follows, it is the type.
+    const bool after_type = token.kind == Kind::kName || token.kind == Kind::kConst;
+    if (after_type && !tokens_.empty() && tokens_.back().kind == Kind::kName &&
+        IsBool(tokens_.back().text)) {
+      tokens_.back().kind = Kind::kBool;
+    }
     tokens_.push_back(token);
     ++i;
   }
@@ -156,6 +175,10 @@ void Directives::Define(const std::vector<Token>& line, SourceRange whole) {
   Macro macro{name.text, name.range, {}};
   macro.value.invalid = true;
 
+  for (size_t i = 3; i < line.size(); ++i) {
+    if (line[i].kind == Kind::kName) names_in_bodies_.emplace(line[i].text, line[i].range);
+  }
+
   // [ "(" ] [ "-" ] number-or-macro [ ")" ]
   size_t begin = 3;
   size_t end = line.size();
@@ -186,14 +209,7 @@ void Directives::Define(const std::vector<Token>& line, SourceRange whole) {
     const bool reported = std::any_of(
         line.begin(), line.end(), [](const Token& token) { return token.kind == Kind::kInvalid; });
     if (!reported) {
-      Message what = MakeMessage("empty", "空的");
-      SourceRange range = name.range;
-      if (line.size() > 3) {
-        range = {whole.file, line[3].range.begin, whole.end};
-        const std::string_view text = files_[static_cast<size_t>(whole.file)].text();
-        what = ToMessage(fmt::format("'{}'", text.substr(range.begin, range.end - range.begin)));
-      }
-      reporter_.Report(Code::kMacroBody, range, name.text, what);
+      ReportBody(line, whole, parameters, macro);
     }
   }
   if (macros_.size() == vm::kMacroMax) {
@@ -214,6 +230,59 @@ void Directives::Define(const std::vector<Token>& line, SourceRange whole) {
   token.on_new_line = true;
   macros_.push_back(macro);
   tokens_.push_back(token);
+}
+
+void Directives::ReportBody(std::span<const Token> line, SourceRange whole, bool parameters,
+                            Macro& macro) {
+  Message what = MakeMessage("empty", "空的");
+  SourceRange range = macro.name_range;
+  if (line.size() > 3) {
+    range = {whole.file, line[3].range.begin, whole.end};
+    const std::string_view text = files_[static_cast<size_t>(whole.file)].text();
+    what = ToMessage(fmt::format("'{}'", text.substr(range.begin, range.end - range.begin)));
+  }
+  Diagnostic& diagnostic = reporter_.Report(Code::kMacroBody, range, macro.name, what);
+  if (parameters) return;
+  const auto number = FoldMacroBody(line.subspan(3), [this](std::string_view name) {
+    const auto earlier = macro_by_name_.find(name);
+    if (earlier == macro_by_name_.end()) return TruthValue(name);
+    const Literal& value = macros_[earlier->second].value;
+    return value.invalid ? std::nullopt : std::optional(value);
+  });
+  if (!number) return;
+  if (!number->closed) {
+    open_macros_.push_back({macro.name, &diagnostic, range, number->value});
+    return;
+  }
+  Replace(diagnostic, range, number->value.Text());
+  macro.value = number->value.AsLiteral();
+}
+
+// C puts the body in place of the name: `2 * N` with `3 + 4` for N is 10. The number may stand for
+// it only if each use is a whole expression.
+void Directives::MendOpenMacros() {
+  if (open_macros_.empty()) return;
+  std::unordered_map<std::string_view, SourceRange> parts = names_in_bodies_;
+  for (size_t i = 0; i < tokens_.size(); ++i) {
+    if (tokens_[i].kind != Kind::kName) continue;
+    const bool alone =
+        i > 0 && i + 1 < tokens_.size() && StandsAlone(tokens_[i - 1], tokens_[i + 1]);
+    if (!alone) parts.emplace(tokens_[i].text, tokens_[i].range);
+  }
+  for (const OpenMacro& macro : open_macros_) {
+    const auto part = parts.find(macro.name);
+    if (part == parts.end()) {
+      Replace(*macro.report, macro.body, macro.value.Text());
+      const auto kept = macro_by_name_.find(macro.name);
+      if (kept != macro_by_name_.end()) macros_[kept->second].value = macro.value.AsLiteral();
+      continue;
+    }
+    AddNote(*macro.report, part->second,
+            MakeMessage("here C takes '{0}' apart, because its body has no parentheses; write them "
+                        "if {1} is meant",
+                        "此处 C 会把没有括号的 '{0}' 拆开计算；如果要的是 {1}，请加上括号",
+                        macro.name, macro.value.Text()));
+  }
 }
 
 std::string Directives::FindInclude(const std::string& name, std::string* text,
@@ -237,6 +306,25 @@ std::string Directives::FindInclude(const std::string& name, std::string* text,
   return {};
 }
 
+// `#include <...>`: a file that is there is written in quotes, a header of C left out.
+void Directives::MendAngles(Diagnostic& diagnostic, SourceRange range, SourceRange whole) const {
+  std::string_view name = files_[static_cast<size_t>(whole.file)].text();
+  name = name.substr(range.begin, range.end - range.begin);
+  if (name.size() < 3 || name.front() != '<' || name.back() != '>') return;
+  name = name.substr(1, name.size() - 2);
+  std::string text;
+  std::optional<Message> unreadable;
+  if (!FindInclude(std::string(name), &text, &unreadable).empty()) {
+    Replace(diagnostic, range, fmt::format("\"{}\"", name));
+  } else if (std::find(std::begin(kHeadersOfC), std::end(kHeadersOfC), name) !=
+             std::end(kHeadersOfC)) {
+    AddNote(diagnostic,
+            MakeMessage("programs have no library of C, and abs and fabs without it; leave it out",
+                        "运动程序没有 C 语言的库，abs 和 fabs 不需要它；请去掉"));
+    Replace(diagnostic, whole, "");
+  }
+}
+
 void Directives::Include(const std::vector<Token>& line, SourceRange whole) {
   if (line.size() < 3 || line[2].kind != Kind::kString || line[2].text.front() != '"') {
     SourceRange range = whole;
@@ -246,7 +334,8 @@ void Directives::Include(const std::vector<Token>& line, SourceRange whole) {
       const std::string_view text = files_[static_cast<size_t>(whole.file)].text();
       what = ToMessage(fmt::format("'{}'", text.substr(range.begin, range.end - range.begin)));
     }
-    reporter_.Report(Code::kBadFileName, range, what);
+    Diagnostic& diagnostic = reporter_.Report(Code::kBadFileName, range, what);
+    if (line.size() >= 3) MendAngles(diagnostic, range, whole);
     return;
   }
   std::string_view quoted = line[2].text;

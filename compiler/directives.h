@@ -5,6 +5,7 @@
 #include <deque>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "compiler/compiler.h"
+#include "compiler/constant_folding.h"
 #include "compiler/reporter.h"
 #include "compiler/syntax.h"
 
@@ -39,7 +41,13 @@ class Directives {
   void AddFile(SourceFile file, uint32_t inclusion_point);
   void Directive(const std::vector<Token>& line);
   void Define(const std::vector<Token>& line, SourceRange whole);
+  /// The body of a macro is not what the language wants: reports it, and puts the number there that
+  /// it stands for, when there is one.
+  void ReportBody(std::span<const Token> line, SourceRange whole, bool parameters, Macro& macro);
+  /// Decides about macros whose number is not in every place what their body is.
+  void MendOpenMacros();
   void Include(const std::vector<Token>& line, SourceRange whole);
+  void MendAngles(Diagnostic& diagnostic, SourceRange range, SourceRange whole) const;
   /// The path of an included file, with its text; empty when there is none, or when the first one
   /// found cannot be read, for the reason then given.
   std::string FindInclude(const std::string& name, std::string* text,
@@ -58,6 +66,14 @@ class Directives {
   std::vector<Macro> macros_;
   std::unordered_map<std::string_view, size_t> macro_by_name_;
   std::unordered_set<std::string_view> skipped_names_;
+  struct OpenMacro {
+    std::string_view name;
+    Diagnostic* report = nullptr;
+    SourceRange body;
+    Constant value;
+  };
+  std::vector<OpenMacro> open_macros_;
+  std::unordered_map<std::string_view, SourceRange> names_in_bodies_;
   bool too_many_ = false;
   size_t read_bytes_ = 0;
   size_t scanned_tokens_ = 0;

@@ -111,6 +111,14 @@ void Checker::ReportUndeclared(const Expression& expression) {
     InsertBefore(diagnostic, first_item_, line + "\n");
     return;
   }
+  if (const std::optional<Literal> truth = TruthValue(name)) {
+    undeclared_macros_.insert(name);
+    const std::string line = fmt::format("#define {} {}", name, truth->magnitude);
+    AddNote(diagnostic, MakeMessage("in C a header says '{0}'; add it",
+                                    "C 语言的头文件中有 '{0}'；请加上", line));
+    InsertBefore(diagnostic, first_item_, line + "\n");
+    return;
+  }
   if (!MaySuggest()) return;
   Nearest nearest(name);
   if (function_ != nullptr) {
@@ -670,6 +678,8 @@ void Checker::CheckNames(const Expression& expression) {
           Fail(Code::kExpectedOperand, expression.range, Source(expression.range));
       if (const std::optional<int> character = CharacterValue(expression.text)) {
         Replace(diagnostic, expression.range, std::to_string(*character));
+        AddNote(diagnostic,
+                MakeMessage("in C it is the number {0}", "在 C 语言中它是数 {0}", *character));
       }
       return;
     }

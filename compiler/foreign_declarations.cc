@@ -20,12 +20,8 @@ bool HasWord(const Specifiers& specifiers, std::string_view word) {
                      [word](const Token* token) { return token->text == word; });
 }
 
-bool Mentions(const Expression& expression, std::string_view name) {
-  bool found = false;
-  ForEachExpression(expression, [&found, name](const Expression& inner) {
-    found = found || (inner.kind == Expression::Kind::kName && inner.text == name);
-  });
-  return found;
+bool IsBool(const Specifiers& specifiers) {
+  return HasWord(specifiers, "bool") || HasWord(specifiers, "_Bool");
 }
 
 // What an integer type of C can hold.
@@ -38,6 +34,7 @@ struct Range {
 
 Range RangeOf(const Specifiers& specifiers) {
   const bool is_unsigned = HasWord(specifiers, "unsigned");
+  if (IsBool(specifiers)) return {0, 1, true, false};
   if (HasWord(specifiers, "char")) {
     return is_unsigned ? Range{0, UINT8_MAX, true, false} : Range{INT8_MIN, INT8_MAX, true, true};
   }
@@ -51,12 +48,13 @@ class IntSearch {
  public:
   using Folder = std::function<std::optional<Constant>(const Expression&)>;
 
-  IntSearch(std::string_view name, Range range, Folder fold)
-      : name_(name), range_(range), fold_(std::move(fold)) {}
+  /// The references must outlive the search; `variable` may be nullptr, to ask for values alone.
+  IntSearch(const Declarator* variable, Range range, const NameScopes& scopes, Folder fold)
+      : variable_(variable), range_(range), scopes_(scopes), fold_(std::move(fold)) {}
 
   void Add(const Statement& statement) {
     for (const Declarator& declarator : statement.declarators) {
-      if (declarator.name == name_ && declarator.initialiser != nullptr) {
+      if (&declarator == variable_ && declarator.initialiser != nullptr) {
         CheckValue(*declarator.initialiser);
       }
     }
@@ -71,12 +69,32 @@ class IntSearch {
     return range_.narrow ? uncertain_value_ : sensitive_use_;
   }
 
- private:
+  /// Whether a value is the same in the variable and in an int.
   bool Fits(const Expression& value) const {
-    const std::optional<Constant> constant = fold_(value);
-    return constant && !constant->is_double && constant->integer >= range_.minimum &&
-           constant->integer <= range_.maximum;
+    if (const std::optional<Constant> constant = fold_(value)) {
+      return !constant->is_double && constant->integer >= range_.minimum &&
+             constant->integer <= range_.maximum;
+    }
+    switch (value.kind) {
+      case Expression::Kind::kParen:
+        return Fits(*value.operands[0]);
+      case Expression::Kind::kConditional:
+        return Fits(*value.operands[1]) && Fits(*value.operands[2]);
+      case Expression::Kind::kName:
+      case Expression::Kind::kIndex: {
+        const VisibleName* name = scopes_.Find(BaseName(value), value.range);
+        return name != nullptr && (name->declarator == variable_ || IsBool(*name->specifiers));
+      }
+      case Expression::Kind::kUnary:
+        return value.op == "!";
+      case Expression::Kind::kBinary:
+        return IsAnyOf(value.op, {"<", ">", "<=", ">=", "==", "!=", "&&", "||"});
+      default:
+        return false;
+    }
   }
+
+ private:
   void CheckValue(const Expression& value) {
     if (value.kind == Expression::Kind::kBraces) {
       for (const ExpressionPtr& element : value.operands) CheckValue(*element);
@@ -87,15 +105,28 @@ class IntSearch {
   void Check(const Expression& expression) {
     const bool assigns = IsAnyOf(expression.op, {"=", "++", "--", "&"}) ||
                          expression.kind == Expression::Kind::kCompound;
-    if (assigns && !expression.operands.empty() && BaseName(*expression.operands[0]) == name_) {
+    if (assigns && !expression.operands.empty() && Means(*expression.operands[0])) {
       CheckWrite(expression);
     }
     // Where a sign or the 32nd bit matters.
     const bool sensitive =
         IsAnyOf(expression.op, {"/", "%", ">>", "<", ">", "<=", ">=", "/=", "%=", ">>="});
-    if (sensitive && sensitive_use_ == nullptr && Mentions(expression, name_)) {
+    if (sensitive && sensitive_use_ == nullptr && Mentions(expression)) {
       sensitive_use_ = &expression;
     }
+  }
+  bool Means(const Expression& expression) const {
+    const std::string_view name = BaseName(expression);
+    if (name.empty() || name != variable_->name) return false;
+    const VisibleName* visible = scopes_.Find(name, expression.range);
+    return visible != nullptr && visible->declarator == variable_;
+  }
+  bool Mentions(const Expression& expression) const {
+    bool found = false;
+    ForEachExpression(expression, [this, &found](const Expression& inner) {
+      found = found || (inner.kind == Expression::Kind::kName && Means(inner));
+    });
+    return found;
   }
   void CheckWrite(const Expression& expression) {
     if (expression.kind == Expression::Kind::kBinary) return;  // `a & b`
@@ -103,7 +134,10 @@ class IntSearch {
         !range_.narrow &&
         (expression.op == "++" || (IsAnyOf(expression.op, {"+=", "&=", "/=", "%=", ">>="}) &&
                                    Fits(*expression.operands[1])));
-    if (never_negative) return;
+    // What fits has no bit beyond those of the range.
+    const bool stays = !range_.is_signed && IsAnyOf(expression.op, {"&=", "|=", "^="}) &&
+                       Fits(*expression.operands[1]);
+    if (never_negative || stays) return;
     if (expression.kind == Expression::Kind::kAssign) {
       CheckValue(*expression.operands[1]);
     } else if (uncertain_value_ == nullptr) {
@@ -111,12 +145,26 @@ class IntSearch {
     }
   }
 
-  std::string_view name_;
+  const Declarator* variable_;
   Range range_;
+  const NameScopes& scopes_;
   Folder fold_;
   const Expression* uncertain_value_ = nullptr;
   const Expression* sensitive_use_ = nullptr;
 };
+
+// Why a declaration cannot just be one of an int.
+Message DescribeDifference(const Specifiers& specifiers) {
+  if (IsBool(specifiers)) {
+    return MakeMessage(
+        "a bool makes 1 of every value but 0, an int keeps it; write '!= 0' here, then 'int'",
+        "bool 把 0 以外的值都变成 1，int 保留原值；请在此写上 '!= 0'，再改为 int");
+  }
+  return MakeMessage(
+      "with an int, which has a sign and 32 bits, this can give another result; if it "
+      "cannot, write 'int' yourself",
+      "int 有符号且为 32 位，此处的结果可能因此不同；如果不会，请自行改为 int");
+}
 
 bool IsZero(const Expression& value, const std::function<bool(const Expression&)>& is_zero) {
   if (value.kind != Expression::Kind::kBraces) return is_zero(value);
@@ -145,7 +193,8 @@ NameUses Checker::UsesHere(std::string_view name) {
 std::optional<Constant> Checker::FoldHere(const Expression& expression) const {
   return Fold(expression, [this](std::string_view name) -> std::optional<Literal> {
     const Entity* entity = Lookup(name);
-    if (entity == nullptr || entity->kind != Entity::Kind::kMacro) return std::nullopt;
+    if (entity == nullptr) return TruthValue(name);
+    if (entity->kind != Entity::Kind::kMacro) return std::nullopt;
     return entity->value;
   });
 }
@@ -164,20 +213,40 @@ bool Checker::KeepsMeaning(const Specifiers& specifiers, const DeclaredType& typ
   const Range range = RangeOf(specifiers);
   if (range.is_signed && !range.narrow) return true;
   for (const Declarator& declarator : declarators) {
-    IntSearch search(declarator.name, range,
+    IntSearch search(&declarator, range, Scopes(),
                      [this](const Expression& value) { return FoldHere(value); });
     for (const StatementPtr& item : ScopeOfNames()) {
       ForEachStatement(*item, [&search](const Statement& below) { search.Add(below); });
     }
     const Expression* difference = search.difference();
     if (difference == nullptr) continue;
-    AddNote(*type.report, difference->range,
-            MakeMessage("with an int, which has a sign and 32 bits, this can give another result; "
-                        "if it cannot, write 'int' yourself",
-                        "int 有符号且为 32 位，此处的结果可能因此不同；如果不会，请自行改为 int"));
+    AddNote(*type.report, difference->range, DescribeDifference(specifiers));
     return false;
   }
   return true;
+}
+
+// Whether what a function of the foreign type returns is the same as an int.
+bool Checker::KeepsReturns(const Function& function, const DeclaredType& type) {
+  const Range range = RangeOf(function.specifiers);
+  if (type.report == nullptr || !range.narrow) return true;
+  const IntSearch search(nullptr, range, Scopes(),
+                         [this](const Expression& value) { return FoldHere(value); });
+  const Expression* difference = nullptr;
+  for (const StatementPtr& item : function.body) {
+    ForEachStatement(*item, [&](const Statement& below) {
+      if (below.kind != Statement::Kind::kReturn || below.value == nullptr) return;
+      if (difference == nullptr && !search.Fits(*below.value)) difference = below.value.get();
+    });
+  }
+  if (difference == nullptr) return true;
+  AddNote(*type.report, difference->range, DescribeDifference(function.specifiers));
+  return false;
+}
+
+const NameScopes& Checker::Scopes() {
+  if (!scopes_) scopes_.emplace(*tree_);
+  return *scopes_;
 }
 
 // A const that is a number becomes a macro where it is a global, and a variable elsewhere.

@@ -2,7 +2,10 @@
 // no telling apart: no second byte of a GBK character is a quote, a star, a slash or a line end.
 #include "compiler/lexer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <charconv>
 #include <string>
 #include <unordered_set>
 
@@ -18,6 +21,17 @@ using Kind = Parser::token;
 
 // Characters that are a token on their own.
 constexpr std::string_view kPunctuation = "(){}[];:,=<>+-*/%!&|^~?.";
+
+// What stands before the suffix of a floating-point number of C; empty for any other text.
+std::string_view WithoutSuffix(std::string_view text) {
+  const char suffix = static_cast<char>(text.back() | 0x20);
+  if (suffix != 'f' && suffix != 'l') return {};
+  text.remove_suffix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = error == std::errc() && end == text.data() + text.size();
+  return whole && text.find_first_of(".eE") != std::string_view::npos ? text : std::string_view();
+}
 
 class Lexer {
  public:
@@ -40,6 +54,8 @@ class Lexer {
   void AddInteger(const char* begin, const char* end);
   void AddFixed(const char* begin, const char* end);
   void AddBadNumber(Code code, const char* begin, const char* end);
+  void AddUnsuffixed(std::string_view number, Diagnostic& diagnostic, const char* begin,
+                     const char* end);
   void AddString(const char* begin, const char* end);
   const char* SkipComment(const char* begin, const char* limit);
   const char* IllegalCharacters(const char* begin, const char* limit);
@@ -95,11 +111,34 @@ void Lexer::AddBadNumber(Code code, const char* begin, const char* end) {
     if (decimal.empty() || decimal[0] < '0' || decimal[0] > '9') decimal.insert(0, 1, '0');
     Replace(reporter_.Report(code, Range(begin, end), text, decimal), Range(begin, end), decimal);
   } else {
-    reporter_.Report(code, Range(begin, end), text);
+    Diagnostic& diagnostic = reporter_.Report(code, Range(begin, end), text);
+    if (const std::string_view number = WithoutSuffix(text); !number.empty()) {
+      AddUnsuffixed(number, diagnostic, begin, end);
+      return;
+    }
   }
   Literal literal;
   literal.invalid = true;
   Add(Kind::kInteger, begin, end, literal);
+}
+
+// `12.5f`: a float of C. The number without its suffix is offered where it is the same.
+void Lexer::AddUnsuffixed(std::string_view number, Diagnostic& diagnostic, const char* begin,
+                          const char* end) {
+  const Literal literal = ParseFixed(number);
+  Add(Kind::kFixed, begin, end, literal);
+  float value = 0;
+  std::from_chars(number.data(), number.data() + number.size(), value);
+  const bool is_float = (end[-1] | 0x20) == 'f';
+  // All digits of it: a float has few of them.
+  const std::string exact = fmt::format("{:.60f}", static_cast<double>(value));
+  if (!is_float || ParseFixed(exact).magnitude == literal.magnitude) {
+    Replace(diagnostic, Range(begin, end), std::string(number));
+    return;
+  }
+  AddNote(diagnostic, MakeMessage("a float of C is {0} here; write that, or {1}",
+                                  "C 语言的 float 在此处是 {0}；请写成它，或 {1}",
+                                  static_cast<double>(value), number));
 }
 
 void Lexer::AddString(const char* begin, const char* end) {
@@ -202,6 +241,7 @@ void Lexer::Scan(const char* cursor, const char* limit) {
       (decimal | hex) suffix? { AddInteger(begin, cursor); continue; }
       fixed                   { AddFixed(begin, cursor); continue; }
       octal suffix?           { AddBadNumber(Code::kOctal, begin, cursor); continue; }
+      fixed [fFlL]            { AddBadNumber(Code::kMalformedLiteral, begin, cursor); continue; }
       "."? digit (letter | digit | ".")* {
         AddBadNumber(Code::kMalformedLiteral, begin, cursor);
         continue;

@@ -4,6 +4,8 @@
 #include <functional>
 #include <set>
 
+#include "compiler/reporter.h"
+
 namespace oncard::compiler {
 namespace {
 
@@ -68,8 +70,18 @@ size_t Fingerprint(const std::map<std::string, std::string>& files) {
 int Choose(const Compilation& compilation, std::map<int, std::vector<FixIt>>* edits) {
   std::vector<Stretch> taken;
   int count = 0;
+  std::vector<const Diagnostic*> order;
   for (const Diagnostic& diagnostic : compilation.diagnostics) {
-    if (diagnostic.fixits.empty() || Overlap(diagnostic.fixits)) continue;
+    if (!diagnostic.fixits.empty() && !Overlap(diagnostic.fixits)) order.push_back(&diagnostic);
+  }
+  // Whether the type of a variable can change depends on the types of others: all change at once.
+  std::stable_partition(order.begin(), order.end(), [](const Diagnostic* diagnostic) {
+    const int code = diagnostic->info->code;
+    return code == static_cast<int>(Code::kForeignType) ||
+           code == static_cast<int>(Code::kReservedWord);
+  });
+  for (const Diagnostic* const chosen : order) {
+    const Diagnostic& diagnostic = *chosen;
     const std::vector<Stretch> stretches = StretchesOf(diagnostic);
     const bool free = std::none_of(stretches.begin(), stretches.end(), [&](const Stretch& mine) {
       return std::any_of(taken.begin(), taken.end(),

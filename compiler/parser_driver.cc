@@ -24,6 +24,7 @@ bool IsTypeWord(int kind) {
     case Kind::kSigned:
     case Kind::kChar:
     case Kind::kFloat:
+    case Kind::kBool:
     case Kind::kStatic:
     case Kind::kConst:
     case Kind::kExtern:

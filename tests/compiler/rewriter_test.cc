@@ -1,5 +1,6 @@
 // Fix-its are real edits: applying those of one diagnostic after the other leads to a program that
 // compiles, and what it computes is what C would have computed.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "runtime/controller.h"
@@ -154,6 +155,18 @@ const Foreign kBodies[] = {
     {"command_extra", "GT_Delay(1, 2); v = 2;", 2},
     {"command_misspelt", "GT_Dealy(1); v = 2;", 2},
     {"whole_number", "GT_Delay(2.0); v = 2;", 2},
+    {"truths", "bool on = false; bool off = !on; on = i < 3 && off; v = on * 10 + (off == true);",
+     11},
+    {"truth_loop", "bool more = true; while (more) { v++; more = v < 5; } v += TRUE - FALSE;", 6},
+    {"truth_bits", "bool b = 0; b |= i == 0; b ^= true; b |= b; v = b + 4;", 4},
+    {"truth_chosen", "bool b[2]; b[0] = (i ? 0 : j == 0); b[1] = b[0]; v = b[1] + 1;", 2},
+    {"truth_beside_int", "{ int n = 7; v = n; } { bool n = !v; v += n; } v++;", 8},
+    {"float_suffix", "x = 12.5f * 2; v = x; x = .5F; x = x + 1.e1L; v += x * 2;", 46},
+    {"float_suffix_beside_int", "i = 3; v = i * 0.5f * 2 + 2.5e-1f * 4;", 4},
+    {"characters", "v = 'b'; if (v == 'b') v = 'a' - '\\n'; v = -'\\'' + v;", 48},
+    {"character_in_call", "GT_Delay('\\t' - 8); v = abs('!');", 33},
+    {"character_cases", "i = 'q'; switch (i) { case 'p': v = 1; break; case 'q': v = 2; }", 2},
+    {"sizes_of_sums", "int n[2 * 3], o['\\n' - 8]; n[5] = 4; o[1] = 3; v = n[5] + o[1];", 7},
     {"guarded_element", "i = -1; while (i >= 0 && a[i] > 0) i = i - 1; v = i;", -1},
     {"guarded_division", "i = 0; if (i != 0 && 10 / i > 2) v = 1; else v = 2;", 2},
     {"guarded_value", "i = 9; v = i < 4 && a[i] == 0; v = v + (i > 3 || a[i]) * 10;", 10},
@@ -207,6 +220,14 @@ TEST_P(RewriterTest, MendsTheProgramToWhatCMeans) {
   ASSERT_TRUE(verified.ok()) << verified.error().message.en;
   EXPECT_EQ(RunAndRead(*compilation.object, "v"), GetParam().v) << trace << mended;
 
+  // In another order a type can be left that must be mended first, but nothing is mended wrongly.
+  trace.clear();
+  const std::string backwards = MendOneByOne(text, &trace, true);
+  const Compilation from_last = CompileString(backwards);
+  if (from_last.ok()) {
+    EXPECT_EQ(RunAndRead(*from_last.object, "v"), GetParam().v) << trace << backwards;
+  }
+
   const Mended at_once = MendString(text);
   ASSERT_TRUE(at_once.compilation.ok()) << at_once.files.at("test.c");
   EXPECT_EQ(RunAndRead(*at_once.compilation.object, "v"), GetParam().v)
@@ -220,14 +241,6 @@ INSTANTIATE_TEST_SUITE_P(Bodies, RewriterTest, testing::ValuesIn(kBodies),
 
 struct Whole {
   const char* name;
-  // In another order a type can be left that must be mended first, but nothing is mended wrongly.
-  trace.clear();
-  const std::string backwards = MendOneByOne(text, &trace, true);
-  const Compilation from_last = CompileString(backwards);
-  if (from_last.ok()) {
-    EXPECT_EQ(RunAndRead(*from_last.object, "v"), GetParam().v) << trace << backwards;
-  }
-
   const char* text;
 };
 
@@ -254,6 +267,14 @@ const Whole kPrograms[] = {
     {"no_index", "int a[3]; int t0() { a = 1; return a; }\n"},
     {"misspelt_type", "itn v; int t0() { return v; }\n"},
     {"misspelt_member", "TTrapPrm t; int t0() { t.ac = 0.5; t->dec = 0.5; return 0; }\n"},
+    {"misspelt_members",
+     "TTrapPrm t; TJogPrm j; TPid p; double d; int t0() { t.Acc = 0.5; t.velstart = d * 2 + 1; "
+     "j.smoth = t.smoothtime; d = p.integrallimit + p.kI; GT_SetPid(1, 1, &p); return 0; }\n"},
+    {"truth_function", "bool ready(bool on, int n) { if (n) return on; return n > 3 && !on; }\n"},
+    {"static_truth", "static bool on; bool const off = false; int t0() { on = off; return on; }\n"},
+    {"const_truth", "const bool kOn = true; _Bool b; int t0() { b = kOn; return b; }\n"},
+    {"truth_as_a_name", "int t0() { int bool; bool = 5; return bool; }\n"},
+    {"header_of_c", "#include <stdbool.h>\nint t0() { return true; }\n"},
     {"full_width", "int v；\nint t0() { v ＝ 1； return v； }\n"},
     {"open_comment", "int t0() { return 0; }\n/* and so on"},
     {"missing_brace", "int t0() return 0; }\n"},
@@ -276,6 +297,50 @@ TEST_P(ProgramTest, CanBeMended) {
 INSTANTIATE_TEST_SUITE_P(Programs, ProgramTest, testing::ValuesIn(kPrograms),
                          [](const testing::TestParamInfo<Whole>& program) {
                            return std::string(program.param.name);
+                         });
+
+struct MacroCase {
+  const char* name;
+  const char* body;
+  const char* use;
+  double value;  ///< of `v` after `v = USE;`, as C computes it
+};
+
+const MacroCase kMacros[] = {
+    {"product", "(3*4)", "N - 1", 11},
+    {"of_macros", "(M + 1)", "N * 2", 12},
+    {"negative", "-(3)", "10 - N", 13},
+    {"not", "!0", "N + N", 2},
+    {"bits", "(1 << 4 | 2)", "N", 18},
+    {"division", "(7 / 2)", "N * 10", 30},
+    {"of_doubles", "(2.5 * 4)", "(int) N", 10},
+    {"cast", "(int) 3.75", "N * 2", 6},
+    {"character", "'x'", "N + 1", 121},
+    {"choice", "(M > 3 ? 7 : 8)", "N", 7},
+    {"truth", "true", "N + 1", 2},
+    {"alone", "3 + 4", "N", 7},
+    {"alone_in_parentheses", "3 + 4", "(N) * 2", 14},
+    {"alone_in_an_index", "M - 4", "a[N]", 9},
+};
+
+class MacroTest : public testing::TestWithParam<MacroCase> {};
+
+TEST_P(MacroTest, IsTheNumberThatItsBodyIs) {
+  const std::string text = fmt::format(
+      "#define M 5\n#define N {}\nint v, a[4];\nint t0() {{\n  a[1] = 9;\n  v = {};\n}}\n",
+      GetParam().body, GetParam().use);
+  const Compilation compilation = CompileString(text);
+  ASSERT_FALSE(compilation.diagnostics.empty());
+  EXPECT_EQ(compilation.diagnostics[0].info->code, 35);
+  const Mended mended = MendString(text);
+  ASSERT_TRUE(mended.compilation.ok()) << mended.files.at("test.c");
+  EXPECT_EQ(RunAndRead(*mended.compilation.object, "v"), GetParam().value)
+      << mended.files.at("test.c");
+}
+
+INSTANTIATE_TEST_SUITE_P(Macros, MacroTest, testing::ValuesIn(kMacros),
+                         [](const testing::TestParamInfo<MacroCase>& macro) {
+                           return std::string(macro.param.name);
                          });
 
 struct Unmendable {
@@ -347,6 +412,20 @@ const Unmendable kUnmendable[] = {
      "sign"},
     {"char_wraps", "int v; int t0() { char c; c = v; v = c + 1; }\n", {114}, "sign"},
     {"no_wait", "int t0() { GT_Delay(0.5); }\n", {19}, "cut 0.5 to 0"},
+    {"macro_taken_apart",
+     "#define N 3 + 4\nint v; int t0() { v = N * 2; }\n",
+     {35},
+     "takes 'N' apart, because its body has no parentheses; write them if 7 is meant"},
+    {"macro_in_a_macro",
+     "#define N 3 + 4\n#define O (2 * N)\nint v; int t0() { v = O; }\n",
+     {35, 35},
+     "takes 'N' apart"},
+    {"bool_from_bits", "int v; int t0() { bool b = v & 4; if (b == 1) v = 2; }\n", {114}, "!= 0"},
+    {"bool_from_double", "double x; int t0() { bool b = x; return b; }\n", {114}, "!= 0"},
+    {"bool_counts", "int t0() { bool b; b = 0; b++; b++; return b; }\n", {114}, "!= 0"},
+    {"bool_returns_bits", "bool t0(int n) { return n & 4; }\n", {114}, "!= 0"},
+    {"char_returns", "char t0(int n) { return n; }\n", {114}, "sign"},
+    {"coarse_float", "double d; int t0() { d = 1000.1f; }\n", {3}, "1000.0999755859375"},
     {"long_long", "long long n; int t0() { return n; }\n", {114}, "32 bits"},
 };
 
@@ -369,6 +448,30 @@ INSTANTIATE_TEST_SUITE_P(Programs, UnmendableTest, testing::ValuesIn(kUnmendable
                          [](const testing::TestParamInfo<Unmendable>& program) {
                            return std::string(program.param.name);
                          });
+
+// Whether a variable can be an int depends on the types of others, so no type waits for a loop
+// around it to be mended.
+TEST(Mender, MendsTypesFirst) {
+  const Mended mended = MendString(
+      "bool ready; int v;\nint t0() {\n  ready = v == 0;\n  while (v < 3) {\n    bool go = ready;\n"
+      "    v += go + 1;\n  }\n  return v;\n}\n");
+  ASSERT_TRUE(mended.compilation.ok()) << mended.files.at("test.c");
+  EXPECT_EQ(RunAndRead(*mended.compilation.object, "v"), 4) << mended.files.at("test.c");
+}
+
+// Fix-its are applied in any order, or one of them alone.
+TEST(Rewriter, DeclaresInEachFixItWhatItNeeds) {
+  const std::string text =
+      "int v;\nint t0() {\n  for (int n = 0; n < 2; n++) v = n;\n"
+      "  for (int n = 0; n < 3; n++) v = n;\n}\n";
+  const Compilation compilation = CompileString(text);
+  ASSERT_EQ(CodesOf(compilation), (std::vector<int>{102, 102}));
+  for (const Diagnostic& diagnostic : compilation.diagnostics) {
+    EXPECT_NE(ApplyFixIts(text, diagnostic).find("\n  int n;\n"), std::string::npos);
+  }
+  const std::string mended = MendString(text).files.at("test.c");
+  EXPECT_EQ(mended.find("int n;"), mended.rfind("int n;")) << mended;
+}
 
 TEST(Rewriter, KeepsTheCommentsOfABody) {
   const Compilation compilation =
@@ -396,17 +499,3 @@ TEST(Rewriter, TakesNamesThatAreFree) {
 
 }  // namespace
 }  // namespace oncard::compiler
-// Fix-its are applied in any order, or one of them alone.
-TEST(Rewriter, DeclaresInEachFixItWhatItNeeds) {
-  const std::string text =
-      "int v;\nint t0() {\n  for (int n = 0; n < 2; n++) v = n;\n"
-      "  for (int n = 0; n < 3; n++) v = n;\n}\n";
-  const Compilation compilation = CompileString(text);
-  ASSERT_EQ(CodesOf(compilation), (std::vector<int>{102, 102}));
-  for (const Diagnostic& diagnostic : compilation.diagnostics) {
-    EXPECT_NE(ApplyFixIts(text, diagnostic).find("\n  int n;\n"), std::string::npos);
-  }
-  const std::string mended = MendString(text).files.at("test.c");
-  EXPECT_EQ(mended.find("int n;"), mended.rfind("int n;")) << mended;
-}
-

@@ -21,13 +21,17 @@ class Generator {
 
   StructuredProgram Make() {
     std::string& text = program_.text;
-    text = fmt::format("int fuel, g0, g1, g2, g3;\nint a[{}], m[3][4];\n", kArraySize);
+    text = fmt::format("#define C0 ({} {} 3)\n#define C1 2 + {}\n", Between(0, 9),
+                       Pick({"*", "-", "/", "<"}), Pick({"C0", "'\\t'", "7 % 4", "true"}));
+    text +=
+        fmt::format("bool b0;\nint fuel, g0, g1, g2, g3;\nint a[{}], m[3][2 * 2];\n", kArraySize);
     program_.globals = {"fuel", "g0", "g1", "g2", "g3"};
     for (int i = 0; i < kArraySize; ++i) program_.globals.push_back(fmt::format("a[{}]", i));
     text += "int f() {\n  int x = " + Number() + ", y = " + Pick({"x + 1", "3", "x * x"}) + ";\n";
-    text += "  int z = y - x;\n  double d = 0.5;\n";
+    text += "  int z = y - x;\n  double d = 0.5f;\n";
+    text += fmt::format("  bool b1 = {}, b2 = b1;\n", Pick({"true", "false", "x > 2", "!x"}));
     if (Chance(50))
-      text += "  int t[5] = {4, 7};\n";
+      text += "  int t[C0 * 0 + 5] = {4, 7};\n";
     else
       text += "  int t[5] = {0, 1, 2, 3, 4};\n";
     text += fmt::format("  fuel = {};\n", kFuel);
@@ -47,12 +51,18 @@ class Generator {
   std::string Pick(std::initializer_list<std::string_view> from) {
     return std::string(from.begin()[Between(0, static_cast<int>(from.size()) - 1)]);
   }
-  std::string Number() { return std::to_string(Between(-3, 9)); }
+  std::string Number() {
+    if (Chance(85)) return std::to_string(Between(-3, 9));
+    return Pick({"'\\a'", "'!'", "true", "false", "C0"});
+  }
+
+  std::string Truth() { return Pick({"b0", "b1", "b2"}); }
 
   // A variable other than `except`.
   std::string Variable(std::string_view except) {
     for (;;) {
       std::string name = Pick({"x", "y", "z", "g0", "g1", "g2", "g3"});
+      if (Chance(10)) name = Truth();
       if (!counters_.empty() && Chance(20)) {
         name = counters_[static_cast<size_t>(Between(0, static_cast<int>(counters_.size()) - 1))];
       }
@@ -206,7 +216,14 @@ class Generator {
 
   std::string Simple() {
     const std::string target = Target();
-    switch (Between(0, 12)) {
+    switch (Between(0, 15)) {
+      case 13:
+        return fmt::format("{} = {} {} {};", Truth(), Pure(1, ""), Pick({"<", "==", "&&", "||"}),
+                           Pure(1, ""));
+      case 14:
+        return fmt::format("{} {} !{};", Truth(), Pick({"=", "|=", "&=", "^="}), Pure(1, ""));
+      case 15:
+        return fmt::format("{} = C1;", target);
       case 0:
         return fmt::format("{}{};", target, Pick({"++", "--"}));
       case 1:
@@ -228,7 +245,7 @@ class Generator {
       case 7:
         return fmt::format("{} = {};", target, Condition(1));
       case 8:
-        return fmt::format("d = ({} & 63) * {};", Pure(1, ""), Pick({"0.25", "0.5", "1.5", "2"}));
+        return fmt::format("d = ({} & 63) * {};", Pure(1, ""), Pick({"0.25", "0.5", "1.5f", "2"}));
       case 9:
         return fmt::format("{} = d * {};", target, Pick({"2", "0.5", "4.0"}));
       case 10:
@@ -261,6 +278,7 @@ class Generator {
 
   // A name that is new, or that hides another one from here to the end of the block.
   std::string Declaration() {
+    if (Chance(15)) return fmt::format("bool n = !({}), k = {};", Pure(1, "n"), Truth());
     const std::string name = Pick({"n", "k", "x", "y"});
     std::string value = Pure(2, name);
     // A hidden variable is declared again in C++ as well as in C; its own value is not read.

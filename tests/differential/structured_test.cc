@@ -28,10 +28,11 @@ int ProgramCount() {
 // One C file with all programs, each of which prints its result and its globals. Their names are
 // told apart by macros.
 std::string OracleText(const std::vector<StructuredProgram>& programs) {
-  std::string text = "#include <stdio.h>\n";
+  std::string text = "#include <stdbool.h>\n#include <stdio.h>\n";
   std::string calls;
   for (const StructuredProgram& program : programs) {
-    for (const char* name : {"f", "fuel", "g0", "g1", "g2", "g3", "a", "m"}) {
+    text += "#undef C0\n#undef C1\n";
+    for (const char* name : {"f", "fuel", "b0", "g0", "g1", "g2", "g3", "a", "m"}) {
       text += fmt::format("#undef {0}\n#define {0} {0}_{1}\n", name, program.seed);
     }
     text += fmt::format("{}void run_{}() {{\n  printf(\"%d\", f());\n", program.text, program.seed);
