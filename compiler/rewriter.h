@@ -95,8 +95,14 @@ class Rewriter {
   void EmitLabel(const std::string& label) { lines_.push_back(label + ":"); }
   void EmitEndLabel(const std::string& label, const Place& place);
 
+  enum class Comments : uint8_t { kFirst, kLast };
+  void KeepComments(SourceRange range, Comments where);
   void Substitute(SourceRange range, const Statement& near, std::string_view before,
                   std::string_view after);
+  void SubstituteHead(const Statement& statement, const Statement& body, std::string_view before,
+                      std::string_view after);
+  void SubstituteTail(const Statement& body, const Statement& statement, std::string_view before,
+                      std::string_view after);
   Jumps ReplaceJumps(const Statement& body, const std::string& break_label,
                      const std::string& continue_label);
   void FindJumps(const Statement& statement, const std::string& break_label,

@@ -23,6 +23,26 @@ bool HasInnerCase(const Statement& statement, bool direct) {
                      [](const StatementPtr& item) { return HasInnerCase(*item, false); });
 }
 
+// The comments in a piece of source. Quotes hide what looks like one.
+std::vector<std::string_view> CommentsIn(std::string_view text) {
+  std::vector<std::string_view> comments;
+  for (size_t i = 0; i + 1 < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '"' || c == '\'') {
+      for (++i; i < text.size() && text[i] != c && text[i] != '\n'; ++i) {
+        if (text[i] == '\\') ++i;
+      }
+    } else if (c == '/' && (text[i + 1] == '/' || text[i + 1] == '*')) {
+      const bool block = text[i + 1] == '*';
+      const size_t close = block ? text.find("*/", i + 2) : text.find_first_of("\r\n", i);
+      const size_t end = std::min(close, text.size() - (block ? 2 : 0)) + (block ? 2 : 0);
+      comments.push_back(text.substr(i, end - i));
+      i = end - 1;
+    }
+  }
+  return comments;
+}
+
 // Whether one comparison, or one variable, decides.
 bool IsOneCondition(const Expression& condition) {
   const Expression* inner = &condition;
@@ -44,6 +64,19 @@ std::string Rewriter::Separator(SourceRange range) const {
   return (carriage_return ? "\r\n" : "\n") + std::string(line.substr(0, indent));
 }
 
+// Puts the comments of a range that is to be replaced beside the collected lines.
+void Rewriter::KeepComments(SourceRange range, Comments where) {
+  std::vector<std::string> kept;
+  for (const std::string_view comment : CommentsIn(Source(range))) {
+    const bool there = std::any_of(
+        lines_.begin(), lines_.end(),
+        [comment](const std::string& line) { return line.find(comment) != std::string::npos; });
+    if (!there) kept.emplace_back(comment);
+  }
+  lines_.insert(where == Comments::kFirst ? lines_.begin() : lines_.end(), kept.begin(),
+                kept.end());
+}
+
 // Replaces a range by the collected lines, with something before and after them.
 void Rewriter::Substitute(SourceRange range, const Statement& near, std::string_view before,
                           std::string_view after) {
@@ -53,6 +86,8 @@ void Rewriter::Substitute(SourceRange range, const Statement& near, std::string_
     if (i > 0) text += separator;
     text += lines_[i];
   }
+  const bool open_comment = !lines_.empty() && lines_.back().starts_with("//");
+  if (open_comment && !after.starts_with('\n') && !after.starts_with('\r')) text += separator;
   text += after;
   lines_.clear();
   edits_.push_back({range, std::move(text)});
@@ -104,10 +139,10 @@ void Rewriter::ReplaceStatement(SourceRange range, const Place& place) {
   if (!ok_) return;
   Statement near;
   near.range = range;
-  if (lines_.empty()) {
-    // What a label in front of it needs is a statement.
-    edits_.push_back({range, ";"});
-  } else if (place.single && lines_.size() > 1) {
+  // What a label in front of it needs is a statement.
+  if (lines_.empty()) lines_.emplace_back(";");
+  KeepComments(range, Comments::kFirst);
+  if (place.single && lines_.size() > 1) {
     Substitute(range, near, "{ ", " }");
   } else {
     Substitute(range, near, "", "");
@@ -193,6 +228,20 @@ SourceRange Rewriter::Tail(const Statement& body, SourceRange last) {
   return Between(body.range, block ? body.range.end - 1 : body.range.end, last.end);
 }
 
+void Rewriter::SubstituteHead(const Statement& statement, const Statement& body,
+                              std::string_view before, std::string_view after) {
+  const SourceRange head = Head(statement.range, body);
+  KeepComments(head, Comments::kLast);
+  Substitute(head, statement, before, after);
+}
+
+void Rewriter::SubstituteTail(const Statement& body, const Statement& statement,
+                              std::string_view before, std::string_view after) {
+  const SourceRange tail = Tail(body, statement.range);
+  KeepComments(tail, Comments::kFirst);
+  Substitute(tail, statement, before, after);
+}
+
 void Rewriter::FindJumps(const Statement& statement, const std::string& break_label,
                          const std::string& continue_label, Jumps* jumps) {
   const bool is_break = statement.kind == Statement::Kind::kBreak && !break_label.empty();
@@ -260,7 +309,7 @@ void Rewriter::RewriteLoop(const Statement& statement, const Place& place) {
   }
   if (!ok_) return;
   const bool block = body.kind == Statement::Kind::kBlock;
-  Substitute(Head(statement.range, body), statement, open, block ? "" : separator);
+  SubstituteHead(statement, body, open, block ? "" : separator);
   const Jumps jumps = ReplaceJumps(body, end, next);
 
   if (jumps.continues && !is_while) EmitLabel(next);
@@ -274,7 +323,7 @@ void Rewriter::RewriteLoop(const Statement& statement, const Place& place) {
   if (lines_.empty() || lines_.back().back() == ':' || jumps.breaks || leaves) {
     EmitEndLabel(end, place);
   }
-  Substitute(Tail(body, statement.range), statement, block ? "" : separator, close);
+  SubstituteTail(body, statement, block ? "" : separator, close);
   Finish();
 }
 
@@ -288,9 +337,9 @@ void Rewriter::RewriteIf(const Statement& statement, const Place& place) {
   if (statement.else_body == nullptr) {
     JumpIf(*statement.value, true, end);
     if (!ok_) return;
-    Substitute(Head(statement.range, body), statement, open, block ? "" : separator);
+    SubstituteHead(statement, body, open, block ? "" : separator);
     EmitEndLabel(end, place);
-    Substitute(Tail(body, statement.range), statement, block ? "" : separator, close);
+    SubstituteTail(body, statement, block ? "" : separator, close);
     Finish();
     return;
   }
@@ -299,14 +348,15 @@ void Rewriter::RewriteIf(const Statement& statement, const Place& place) {
   const std::string otherwise = Label("lbl_else");
   JumpIf(*statement.value, true, otherwise);
   if (!ok_) return;
-  Substitute(Head(statement.range, body), statement, open, block ? "" : separator);
+  SubstituteHead(statement, body, open, block ? "" : separator);
   Emit(fmt::format("goto {};", end));
   EmitLabel(otherwise);
   const SourceRange middle = Between(body.range, block ? body.range.end - 1 : body.range.end,
                                      other_block ? other.range.begin + 1 : other.range.begin);
+  KeepComments(middle, Comments::kLast);
   Substitute(middle, statement, block ? "" : separator, other_block ? "" : separator);
   EmitEndLabel(end, place);
-  Substitute(Tail(other, statement.range), statement, other_block ? "" : separator, close);
+  SubstituteTail(other, statement, other_block ? "" : separator, close);
   Finish();
 }
 
@@ -350,11 +400,11 @@ void Rewriter::RewriteSwitch(const Statement& statement, const Place& place) {
     }
   }
   Emit(fmt::format("goto {};", otherwise.empty() ? end : otherwise));
-  Substitute(Head(statement.range, body), statement, open, "");
+  SubstituteHead(statement, body, open, "");
   for (FixIt& label : labels) edits_.push_back(std::move(label));
   ReplaceJumps(body, end, {});
   EmitEndLabel(end, place);
-  Substitute(Tail(body, statement.range), statement, "", close);
+  SubstituteTail(body, statement, "", close);
   Finish();
 }
 

@@ -481,6 +481,39 @@ TEST(Rewriter, KeepsTheCommentsOfABody) {
   EXPECT_NE(mended.find("v = v + 1;  // count\n"), std::string::npos) << mended;
 }
 
+// A comment that an edit would take along stays, beside what it stood at.
+TEST(Rewriter, KeepsTheCommentsBetweenTheParts) {
+  struct Case {
+    const char* statement;
+    const char* mended;  ///< of the statement, up to the end label
+  };
+  const Case cases[] = {
+      {"if (v) /* why */ v = 1;", "cc = !v;\n  if (cc) goto lbl_end;\n  /* why */\n  v = 1;\n"},
+      {"if (v) // why\n    v = 1;", "cc = !v;\n  if (cc) goto lbl_end;\n  // why\n  v = 1;\n"},
+      {"if (v /* or so */) { v = 1; }", "cc = !v;\n  if (cc) goto lbl_end;\n  /* or so */ v = 1; "},
+      {"if (v) // why\n  { v = 1; }", "cc = !v;\n  if (cc) goto lbl_end;\n  // why\n   v = 1; "},
+      {"if (v) v = 1; /* or */ else /* not */ v = 2;",
+       "cc = !v;\n  if (cc) goto lbl_else;\n  v = 1;\n  goto lbl_end;\n  lbl_else:\n  /* or */\n  "
+       "/* not */\n  v = 2;\n"},
+      {"while (v > 1) /* down */ v = 1;",
+       "lbl_loop:\n  cc = v <= 1;\n  if (cc) goto lbl_end;\n  /* down */\n  v = 1;\n"},
+      {"do v = 0; /* down */ while (v);",
+       "lbl_loop:\n  v = 0;\n  /* down */\n  if (v) goto lbl_loop;"},
+      {"v = v * 2 /* twice */ + 1; // more",
+       "/* twice */\n  tmp = v * 2;\n  v = tmp + 1; // more\n"},
+      {"v /* half */ /= 2 * \n // too\n 3;",
+       "/* half */\n  // too\n  tmp = 2 * 3;\n  v = v / tmp;"},
+  };
+  for (const Case& test : cases) {
+    const std::string text = fmt::format("int v;\nint t0() {{\n  {}\n}}\n", test.statement);
+    const Compilation compilation = CompileString(text);
+    ASSERT_FALSE(compilation.diagnostics.empty()) << text;
+    const std::string mended = ApplyFixIts(text, compilation.diagnostics[0]);
+    EXPECT_NE(mended.find(test.mended), std::string::npos) << text << mended;
+    EXPECT_TRUE(MendString(text).compilation.ok()) << mended;
+  }
+}
+
 TEST(Rewriter, ShowsTheManualsFormOfALoop) {
   const Compilation compilation =
       CompileString("int v;\nint t0() {\n  int i;\n  while (i <= 10) v = i;\n}\n");
