@@ -91,11 +91,11 @@ Result<void> CardModel::BindRequirements(const std::vector<Requirement>& require
     }
     requirements_.push_back(std::move(requirement));
   }
-  for (const Requirement& requirement : requirements) {
-    auto property = Property::Parse(requirement.text, *controller_);
-    if (!property.ok()) return property.error();
-    requirements_.push_back({requirement, std::move(property).value()});
-    has_invariants_ = has_invariants_ || requirement.scope != Scope::kFinal;
+  auto properties = ReadRequirements(requirements, *controller_);
+  if (!properties.ok()) return properties.error();
+  for (size_t i = 0; i < requirements.size(); ++i) {
+    requirements_.push_back({requirements[i], std::move(properties.value()[i])});
+    has_invariants_ = has_invariants_ || requirements[i].scope != Scope::kFinal;
   }
   return {};
 }

@@ -64,7 +64,18 @@ void ReadNames(std::string_view text, std::vector<std::string>* names) {
   }
 }
 
-Result<void> ReadComment(std::string_view comment, CommentProblem* problem) {
+/// Where a part of a line stands.
+runtime::TextPlace PlaceIn(const std::string& path, int number, std::string_view line,
+                           std::string_view part) {
+  const auto begin = static_cast<size_t>(part.data() - line.data());
+  return {fmt::format("{}:{}:{}: ", path, number, begin + 1),
+          '\n' + compiler::FormatExcerpt(line, number, begin, begin + part.size())};
+}
+
+/// Reads what follows the mark of a comment. A requirement's place is left to the caller, who knows
+/// it from `*expression`.
+Result<void> ReadComment(std::string_view comment, CommentProblem* problem,
+                         std::string_view* expression) {
   const size_t colon = comment.find(':');
   const std::string_view key = Trim(comment.substr(0, colon));
   const std::string_view rest =
@@ -80,6 +91,7 @@ Result<void> ReadComment(std::string_view comment, CommentProblem* problem) {
   }
   if (const auto scope = ScopeNamed(key); scope && !rest.empty()) {
     problem->requirements.push_back({*scope, std::string(rest)});
+    *expression = rest;
     return {};
   }
   return MakeError(1,
@@ -89,6 +101,37 @@ Result<void> ReadComment(std::string_view comment, CommentProblem* problem) {
                    "“{0}”不是探索注释：应为 //@ init: v=1，//@ final:、//@ always:、//@ never: 或 "
                    "//@ eventually: 加表达式，//@ sync: v，或 //@ races: none 或 benign",
                    Trim(comment));
+}
+
+/// Adds what is wrong with a requirement, in its place or else named.
+void AddError(const Requirement& requirement, const Message& why, Message* errors) {
+  const std::string separator = errors->en.empty() ? "" : "\n";
+  if (!requirement.place.before.empty()) {
+    const auto& [before, excerpt] = requirement.place;
+    errors->en += fmt::format("{}{}{}{}", separator, before, why.en, excerpt);
+    errors->zh += fmt::format("{}{}{}{}", separator, before, why.zh, excerpt);
+    return;
+  }
+  const std::string what = fmt::format("{}: {}", ScopeName(requirement.scope), requirement.text);
+  errors->en += fmt::format("{}'{}': {}", separator, what, why.en);
+  errors->zh += fmt::format("{}“{}”：{}", separator, what, why.zh);
+}
+
+template <typename Names>
+Result<std::vector<Property>> ReadAll(const std::vector<Requirement>& requirements,
+                                      const Names& names) {
+  std::vector<Property> properties;
+  Message errors;
+  for (const Requirement& requirement : requirements) {
+    auto property = Property::Parse(requirement.text, names);
+    if (property.ok()) {
+      properties.push_back(std::move(property).value());
+    } else {
+      AddError(requirement, property.error().message, &errors);
+    }
+  }
+  if (!errors.en.empty()) return Error{1, std::move(errors)};
+  return properties;
 }
 
 bool HasFunction(const vm::Object& object, const std::string& name) {
@@ -144,7 +187,11 @@ Result<CommentProblem> ReadCommentLines(const std::string& path, std::string_vie
   problem.scenario.program = runtime::PathToScenario(problem.scenario, path);
   Message errors;
   ForEachComment(source, [&](int number, std::string_view line) {
-    const auto read = ReadComment(Trim(line).substr(kMark.size()), &problem);
+    std::string_view expression;
+    const auto read = ReadComment(Trim(line).substr(kMark.size()), &problem, &expression);
+    if (!expression.empty()) {
+      problem.requirements.back().place = PlaceIn(path, number, line, expression);
+    }
     if (read.ok()) return;
     const Message error = AtLine(path, number, line, read.error().message);
     const std::string_view separator = errors.en.empty() ? "" : "\n";
@@ -170,12 +217,22 @@ bool Problem::HasInvariants() const {
   return false;
 }
 
+Result<std::vector<Property>> ReadRequirements(const std::vector<Requirement>& requirements,
+                                               const Model& names) {
+  return ReadAll(requirements, names);
+}
+
+Result<std::vector<Property>> ReadRequirements(const std::vector<Requirement>& requirements,
+                                               const runtime::Controller& names) {
+  return ReadAll(requirements, names);
+}
+
 Result<Problem> BindProblem(Model model, const std::vector<Requirement>& requirements) {
   Problem problem{std::move(model), {}};
-  for (const Requirement& requirement : requirements) {
-    auto property = Property::Parse(requirement.text, problem.model);
-    if (!property.ok()) return property.error();
-    problem.requirements.push_back({requirement.scope, std::move(property).value()});
+  auto properties = ReadRequirements(requirements, problem.model);
+  if (!properties.ok()) return properties.error();
+  for (size_t i = 0; i < requirements.size(); ++i) {
+    problem.requirements.push_back({requirements[i].scope, std::move(properties.value()[i])});
   }
   if (std::ranges::count(requirements, Scope::kEventually, &Requirement::scope) > kEventuallyMax) {
     return MakeError(1, "more than {0} expressions must hold eventually",

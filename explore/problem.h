@@ -44,7 +44,15 @@ std::string_view ScopeName(Scope scope);
 struct Requirement {
   Scope scope = Scope::kFinal;
   std::string text;
+  runtime::TextPlace place = {};
 };
+
+/// The properties of requirements, whose names are those of a model or a controller. What cannot be
+/// read is one error, each with its place.
+Result<std::vector<Property>> ReadRequirements(const std::vector<Requirement>& requirements,
+                                               const Model& names);
+Result<std::vector<Property>> ReadRequirements(const std::vector<Requirement>& requirements,
+                                               const runtime::Controller& names);
 
 /// What the comments of a source say, as the scenario that it stands for.
 struct CommentProblem {

@@ -17,17 +17,11 @@ Message Joined(const Message& first, const Message& values) {
 }  // namespace
 
 Result<void> RequirementWatch::Begin(const runtime::Controller& controller) {
-  for (const Requirement& requirement : requirements_) {
-    auto property = Property::Parse(requirement.text, controller);
-    if (!property.ok()) {
-      const Message& why = property.error().message;
-      const std::string what =
-          fmt::format("{}: {}", ScopeName(requirement.scope), requirement.text);
-      return Error{1,
-                   {fmt::format("'{}': {}", what, why.en), fmt::format("“{}”：{}", what, why.zh)}};
-    }
-    looks_at_states_ = looks_at_states_ || requirement.scope != Scope::kFinal;
-    watched_.push_back({requirement, std::move(property).value()});
+  auto properties = ReadRequirements(requirements_, controller);
+  if (!properties.ok()) return properties.error();
+  for (size_t i = 0; i < requirements_.size(); ++i) {
+    looks_at_states_ = looks_at_states_ || requirements_[i].scope != Scope::kFinal;
+    watched_.push_back({requirements_[i], std::move(properties.value()[i])});
   }
   RememberThreads(controller);
   return {};

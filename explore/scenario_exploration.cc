@@ -121,31 +121,44 @@ Result<Findings> ExploreWithCard(const runtime::Scenario& scenario,
 
 std::vector<Requirement> RequirementsOf(const runtime::Scenario& scenario) {
   std::vector<Requirement> requirements;
-  for (const std::string& text : scenario.final) requirements.push_back({Scope::kFinal, text});
-  for (const std::string& text : scenario.always) requirements.push_back({Scope::kAlways, text});
-  for (const std::string& text : scenario.never) requirements.push_back({Scope::kNever, text});
-  for (const std::string& text : scenario.eventually) {
-    requirements.push_back({Scope::kEventually, text});
-  }
+  const auto add = [&](Scope scope, const std::vector<std::string>& texts) {
+    const auto places = scenario.text_places.find(ScopeName(scope));
+    for (size_t i = 0; i < texts.size(); ++i) {
+      requirements.push_back({scope, texts[i]});
+      if (places != scenario.text_places.end() && i < places->second.size()) {
+        requirements.back().place = places->second[i];
+      }
+    }
+  };
+  add(Scope::kFinal, scenario.final);
+  add(Scope::kAlways, scenario.always);
+  add(Scope::kNever, scenario.never);
+  add(Scope::kEventually, scenario.eventually);
   return requirements;
 }
 
 void AddRequirements(const std::vector<Requirement>& requirements, runtime::Scenario* scenario) {
   for (const Requirement& requirement : requirements) {
+    std::vector<std::string>* texts = nullptr;
     switch (requirement.scope) {
       case Scope::kFinal:
-        scenario->final.push_back(requirement.text);
+        texts = &scenario->final;
         break;
       case Scope::kAlways:
-        scenario->always.push_back(requirement.text);
+        texts = &scenario->always;
         break;
       case Scope::kNever:
-        scenario->never.push_back(requirement.text);
+        texts = &scenario->never;
         break;
       case Scope::kEventually:
-        scenario->eventually.push_back(requirement.text);
+        texts = &scenario->eventually;
         break;
     }
+    std::vector<runtime::TextPlace>& places =
+        scenario->text_places[std::string(ScopeName(requirement.scope))];
+    places.resize(texts->size());
+    places.push_back(requirement.place);
+    texts->push_back(requirement.text);
   }
 }
 

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -65,6 +67,12 @@ inline constexpr int64_t kCycleUsDefault = 250;    ///< profile cycle
 inline constexpr int64_t kLimitMsDefault = 60000;  ///< a minute of virtual time
 inline constexpr int64_t kTimeMsMax = 1'000'000'000;
 
+/// Where a text of a file stands, to be put around what is wrong with it. Both empty: nowhere.
+struct TextPlace {
+  std::string before;   ///< `path:line:column: `
+  std::string excerpt;  ///< a line end, the line, and a caret under the text
+};
+
 struct Scenario {
   /// The file it was read from; the program's path is relative to its folder.
   std::string path;
@@ -97,6 +105,9 @@ struct Scenario {
   std::vector<std::string> never;
   /// Expressions that every run must have a state for.
   std::vector<std::string> eventually;
+  /// The places of the texts of `final`, `always`, `never` and `eventually`, by key; those that
+  /// come from no file have none at the end of the list.
+  std::map<std::string, std::vector<TextPlace>, std::less<>> text_places;
   /// Data races: `any` is allowed, `benign` ones are, `none` is.
   std::string races = "any";
   /// Globals that order what threads do, and do not race themselves.

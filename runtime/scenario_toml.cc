@@ -99,6 +99,9 @@ class ScenarioReader : private TomlKeys {
     Texts(table, "always", scenario_.always);
     Texts(table, "never", scenario_.never);
     Texts(table, "eventually", scenario_.eventually);
+    for (const char* key : {"final", "always", "never", "eventually"}) {
+      scenario_.text_places[key] = PlacesOfTexts(table, key);
+    }
     scenario_.races = kRaceRules[Choice(table, "races", kRaceRules, 0)];
     Texts(table, "sync", scenario_.sync);
     ReadExplore(table);

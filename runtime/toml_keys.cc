@@ -71,6 +71,18 @@ void TomlKeys::Texts(const toml::table& table, std::string_view key,
   }
 }
 
+std::vector<TextPlace> TomlKeys::PlacesOfTexts(const toml::table& table,
+                                               std::string_view key) const {
+  std::vector<TextPlace> places;
+  const toml::node* node = table.get(key);
+  const toml::array* list = node != nullptr ? node->as_array() : nullptr;
+  for (size_t i = 0; list != nullptr && i < list->size(); ++i) {
+    const toml::source_region& place = (*list)[i].source();
+    places.push_back({Headline(place), Excerpt(place)});
+  }
+  return places;
+}
+
 int64_t TomlKeys::Whole(const toml::table& table, std::string_view key, int64_t absent,
                         int64_t smallest, int64_t largest) {
   const toml::node* node = table.get(key);

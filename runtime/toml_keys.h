@@ -29,6 +29,8 @@ class TomlKeys {
   /// Leaves `value` alone when the key is not there.
   void Text(const toml::table& table, std::string_view key, std::string& value);
   void Texts(const toml::table& table, std::string_view key, std::vector<std::string>& values);
+  /// The places of those texts.
+  std::vector<TextPlace> PlacesOfTexts(const toml::table& table, std::string_view key) const;
   /// A whole number in a range; `absent` when the key is not there.
   int64_t Whole(const toml::table& table, std::string_view key, int64_t absent, int64_t smallest,
                 int64_t largest);

@@ -158,6 +158,45 @@ TEST(Run, LooksAtWhatCommentsOfASourceRequire) {
             "must hold; put it there\n");
 }
 
+// All that is wrong, each in its place, whoever reads it: the models of the explorer with a card
+// and without one, and the single run.
+TEST(Run, ShowsRequirementsThatCannotBeReadInTheirPlaces) {
+  const ScratchFolder scratch;
+  const std::string body = "int t0()\n{\n  n = 1;\n  GT_Delay(1);\n  return n;\n}\n";
+  scratch.Write("p.c", "int n;\n" + body);
+  scratch.Write("s.toml",
+                "program = \"p.c\"\nfinal = [\"n == 1\", \"(\"]\nalways = [\n  \"n <\",\n]\n"
+                "never = [\"m == 1\"]\n[[thread]]\nfunction = \"t0\"\n");
+  const std::string comments = "int n;\n//@ final: n ==\n  //@ never:  m == 1\n";
+  scratch.Write("card.c", comments + body);
+  scratch.Write("plain.c", comments + "int t0()\n{\n  return n;\n}\n");
+  struct Case {
+    const char* file;
+    std::vector<std::string> wanted;
+  };
+  const Case cases[] = {
+      {"s.toml",
+       {"s.toml:2:20: a variable or a number is missing in '('\n    2 | final = [\"n == 1\", "
+        "\"(\"]\n"
+        "      |                    ^~~\n",
+        "s.toml:4:3: a variable or a number is missing in 'n <'\n", "s.toml:6:10: "}},
+      {"card.c",
+       {"card.c:2:12: ", "    2 | //@ final: n ==\n      |            ^~~~\n", "card.c:3:15: "}},
+      {"plain.c", {"plain.c:2:12: ", "plain.c:3:15: "}},
+  };
+  for (const char* command : {"run", "explore", "test"}) {
+    for (const Case& test : cases) {
+      if (std::string(command) == "test" && std::string(test.file) != "s.toml") continue;
+      const ProcessResult result = RunOncard({command, test.file}, scratch.path());
+      EXPECT_NE(result.exit_code, 0);
+      const std::string said = result.out + result.err + '\n';
+      for (const std::string& wanted : test.wanted) {
+        EXPECT_NE(said.find(wanted), std::string::npos) << command << ' ' << wanted << '\n' << said;
+      }
+    }
+  }
+}
+
 TEST(Run, WarnsOfRefusedCommandsOrFailsByThem) {
   const ScratchFolder scratch;
   scratch.Write("p.c", "int f()\n{\n  GT_AxisOn(9);\n  GT_AxisOn(1);\n  return 0;\n}\n");
