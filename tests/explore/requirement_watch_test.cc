@@ -100,10 +100,19 @@ TEST(RequirementWatch, SeesTheCardMoveAfterTheThreads) {
 }
 
 TEST(RequirementWatch, RefusesWhatIsNoExpression) {
-  const auto result = RunWithRequirements(runtime::ScenarioForTest("always = [\"z == 1\"]"),
-                                          runtime::CompileForTest(kBlip), {});
+  runtime::Scenario scenario = runtime::ScenarioForTest("always = [\"z == 1\"]");
+  const auto result = RunWithRequirements(scenario, runtime::CompileForTest(kBlip), {});
   ASSERT_FALSE(result.ok());
-  EXPECT_NE(result.error().message.en.find("'always: z == 1': "), std::string::npos);
+  const std::string& placed = result.error().message.en;
+  EXPECT_EQ(placed,
+            "t.toml:2:11: nothing is named 'z'\n    2 | always = [\"z == 1\"]\n"
+            "      |           ^~~~~~~~");
+
+  // One that comes from no file is named.
+  scenario.text_places.clear();
+  const auto named = RunWithRequirements(scenario, runtime::CompileForTest(kBlip), {});
+  ASSERT_FALSE(named.ok());
+  EXPECT_EQ(named.error().message.en, "'always: z == 1': nothing is named 'z'");
 }
 
 // What did not come to its end is not judged by its end.
