@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json_text.h"
+#include "tools/session.h"
 
 namespace oncard::tools {
 namespace {
@@ -100,6 +101,9 @@ Message DescribeEnd(int status) {
     const char* name = ::strsignal(WTERMSIG(status));
     return MakeMessage("oncard itself crashed on this file ({0}): please report it",
                        "oncard 处理该文件时崩溃（{0}）：请报告此问题", name);
+  }
+  if (WEXITSTATUS(status) == kExitIncomplete) {
+    return {"there was not enough memory for it", "内存不足，无法完成"};
   }
   return MakeMessage("oncard itself ended on this file (exit code {0}): please report it",
                      "oncard 处理该文件时意外结束（退出码 {0}）：请报告此问题",

@@ -10,6 +10,7 @@
 #include "base/nearest.h"
 #include "tools/command_tree.h"
 #include "tools/commands.h"
+#include "tools/out_of_memory.h"
 
 namespace oncard::tools {
 namespace {
@@ -85,6 +86,7 @@ int Main(int argc, char** argv) {
                          : LanguageFromEnvironment();
   session.color = UseColor(OptionValue(arguments, "--color").value_or("auto"));
 
+  EndWhenOutOfMemory(session);
   CLI::App app;
   app.name("oncard");
   DescribeApp(app, session);

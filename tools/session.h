@@ -39,9 +39,10 @@ inline constexpr std::array kExitCodeTexts = {
     ExitCodeText{kExitInternal, "a bug of oncard", "oncard 自身的错误"},
     ExitCodeText{kExitBounded, "nothing goes wrong up to the bound of the search",
                  "在搜索范围内没有错误"},
-    ExitCodeText{kExitIncomplete,
-                 "the search reached a limit, or a run was interrupted, before it was done",
-                 "搜索达到上限或运行被中断而未完成"},
+    ExitCodeText{
+        kExitIncomplete,
+        "a limit or the end of memory was reached, or it was interrupted, before it was done",
+        "达到上限、内存耗尽或被中断而未完成"},
 };
 
 struct Session {

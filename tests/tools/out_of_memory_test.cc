@@ -1,0 +1,55 @@
+// What becomes of commands that get no more memory.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/tools/process.h"
+
+namespace oncard::tools {
+namespace {
+
+/// Three threads that count: far more states than the memory holds that a process is given here.
+constexpr const char* kLarge =
+    "int x, y, z;\n"
+    "void t0()\n{\nL:\n  x = x + 1;\n  goto L;\n}\n"
+    "void t1()\n{\nL:\n  y = y + 1;\n  goto L;\n}\n"
+    "void t2()\n{\nL:\n  z = z + 1;\n  goto L;\n}\n";
+
+class OutOfMemory : public testing::Test {
+ protected:
+  OutOfMemory() {
+    scratch_.Write("p.c", kLarge);
+    std::string scenario = "program = \"p.c\"\nexplore = { engine = \"stateful\" }\n";
+    for (const std::string thread : {"0", "1", "2"}) {
+      scenario += "[[thread]]\nthread = " + thread + "\nfunction = \"t" + thread + "\"\n";
+    }
+    scratch_.Write("s.toml", scenario);
+  }
+  /// Runs a command that may have 150 MB.
+  ProcessResult Run(const std::string& arguments) const {
+    return RunProgram({"bash", "-c", "ulimit -v 150000; exec \"$0\" " + arguments,
+                       ONCARD_BUILD_DIR "/bin/oncard"},
+                      scratch_.path(), {"LANG=C", "LC_ALL=C"});
+  }
+  ScratchFolder scratch_;
+};
+
+TEST_F(OutOfMemory, ASearchSaysSoAndWhatNeedsLess) {
+  const ProcessResult ended = Run("explore s.toml");
+  EXPECT_EQ(ended.exit_code, 6) << ended.err;
+  EXPECT_NE(ended.err.find("oncard: out of memory: 'explore' needs less with --max-states"),
+            std::string::npos)
+      << ended.err;
+}
+
+TEST_F(OutOfMemory, ATestHasFailedAndTheOthersRun) {
+  scratch_.Write("t.toml", "program = \"p.c\"\nuntil_ms = 1\n");
+  const ProcessResult ended = Run("test s.toml t.toml");
+  EXPECT_EQ(ended.exit_code, 1) << ended.err;
+  EXPECT_NE((ended.out + ended.err).find("there was not enough memory for it"), std::string::npos)
+      << ended.out << ended.err;
+  EXPECT_NE((ended.out + ended.err).find("t.toml"), std::string::npos) << ended.out;
+}
+
+}  // namespace
+}  // namespace oncard::tools
