@@ -3,8 +3,30 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
+#include "motion/rounding.h"
+
 namespace oncard::motion {
 namespace {
+
+TEST(Whole, RoundsHalvesAwayFromZeroAndKeepsWhatIsNoInteger) {
+  const double infinite = std::numeric_limits<double>::infinity();
+  struct {
+    double value, whole;
+  } const cases[] = {{0.5, 1},
+                     {-0.5, -1},
+                     {2.4, 2},
+                     {-2.6, -3},
+                     {4503599627370495.5, 4503599627370496},
+                     {4503599627370497, 4503599627370497},
+                     {9.3e18, 9.3e18},
+                     {-1e300, -1e300},
+                     {infinite, infinite}};
+  for (const auto& c : cases) EXPECT_EQ(Whole(c.value), c.whole) << c.value;
+  EXPECT_TRUE(std::isnan(Whole(std::nan(""))));
+}
 
 TEST(Dac, AddsTheBiasThenLimitsThenRounds) {
   struct {
