@@ -47,8 +47,15 @@ void Controller::LogRefusals(CallLog* log, int card) {
 }
 
 void Controller::LogHappenings(CallLog* log, int card) {
-  motion_.Observe([this, log, card](const motion::Happening& happening) {
-    log->Write(motion_.now(), card, DescribeHappening(happening));
+  ListenToHappenings(
+      [log, card](int64_t time_us, const Message& what) { log->Write(time_us, card, what); });
+}
+
+void Controller::ListenToHappenings(HappeningListener listener) {
+  happening_listeners_.push_back(std::move(listener));
+  motion_.Observe([this](const motion::Happening& happening) {
+    const Message what = DescribeHappening(happening);
+    for (const HappeningListener& each : happening_listeners_) each(motion_.now(), what);
   });
 }
 

@@ -82,6 +82,9 @@ class Controller {
   void LogRefusals(CallLog* log, int card);
   /// The same for what the card does by itself: stops, paths that run dry (happening_text.h).
   void LogHappenings(CallLog* log, int card);
+  /// From now on the observer is told what the card does by itself, and when, in us.
+  using HappeningListener = std::function<void(int64_t time_us, const Message& what)>;
+  void ListenToHappenings(HappeningListener listener);
   /// From now on the list gets every command that a thread is refused. It must outlive the
   /// controller's running.
   void CollectRefusals(RefusedCommands* refused);
@@ -166,6 +169,7 @@ class Controller {
   vm::Machine machine_;
   gtcalls::Card card_;
   std::vector<gtcalls::RefusalObserver> refusal_observers_;
+  std::vector<HappeningListener> happening_listeners_;
   std::function<void()> state_observer_;
   int64_t pending_us_ = 0;          // host time not yet turned into cycles
   int64_t pending_statements_ = 0;  // thousandths of a statement the last budget was rounded by

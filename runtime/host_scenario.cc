@@ -84,6 +84,18 @@ int64_t CardWatch::CycleOf(int64_t microseconds) const {
   return (microseconds + scenario_->cycle_us - 1) / scenario_->cycle_us;
 }
 
+void CardWatch::Listen(Controller* controller) {
+  if (trace_files_.empty()) return;
+  controller->ListenToHappenings([this](int64_t time_us, const Message& what) {
+    TraceMark mark = {time_us, what, true};
+    if (trace_) {
+      trace_->Mark(std::move(mark));
+    } else {
+      at_power_on_.push_back(std::move(mark));
+    }
+  });
+}
+
 void CardWatch::AdvanceUs(Controller* controller, int64_t microseconds) {
   int64_t end_us = controller->NowUs() + microseconds;
   if (end_us_ && end_us >= *end_us_) {
@@ -127,6 +139,7 @@ void CardWatch::BeginTrace(const Controller& controller) {
   }
   if (scenario_->trace.empty()) columns = DefaultColumns(controller);
   trace_.emplace(std::move(columns));
+  for (TraceMark& mark : at_power_on_) trace_->Mark(std::move(mark));
   trace_->Sample(controller);
 }
 

@@ -31,6 +31,9 @@ class CardWatch {
   CardWatch(std::shared_ptr<const Scenario> scenario, int card,
             std::vector<std::string> trace_files = {});
 
+  /// To be called before the card is switched on: what it does by itself goes to the trace. The
+  /// watch outlives the card's running.
+  void Listen(Controller* controller);
   /// Lets time pass on the card, at most until the scenario's end, and judges what is due on the
   /// way.
   void AdvanceUs(Controller* controller, int64_t microseconds);
@@ -60,6 +63,7 @@ class CardWatch {
   bool over_ = false;
   std::vector<std::string> trace_files_;
   std::optional<Trace> trace_;  // since the card was opened, when there are files
+  std::vector<TraceMark> at_power_on_;
 };
 
 /// Exit codes that hosts do not use themselves: the host ended with 0, but what was expected of it

@@ -56,21 +56,22 @@ int16_t Open(ServiceCall& call) {
   std::vector<std::string> trace_files;
   if (CardNumber(call) == 0) trace_files = TraceFilesFromEnvironment();
   if (world == nullptr && !trace_files.empty()) world = std::make_shared<const Scenario>();
-  if (world == nullptr) {
-    slot.controller = std::make_unique<Controller>();
-  } else {
-    slot.controller = std::make_unique<Controller>(CardOptions(*world));
-    ApplyWorld(*world, slot.controller.get());
+  slot.controller = world == nullptr ? std::make_unique<Controller>()
+                                     : std::make_unique<Controller>(CardOptions(*world));
+  // Power-on is listened to as well.
+  if (CallLog& log = CallLog::OfProcess(); log.enabled()) {
+    slot.controller->LogRefusals(&log, CardNumber(call));
+    slot.controller->LogHappenings(&log, CardNumber(call));
+  }
+  if (world != nullptr) {
     slot.watch.emplace(world, CardNumber(call), std::move(trace_files));
+    slot.watch->Listen(slot.controller.get());
+    ApplyWorld(*world, slot.controller.get());
   }
   slot.clock.emplace(clock.value());
   const bool collects = RefusalWishOfProcess() != RefusalWish::kNothing;
   if (collects) slot.controller->CollectRefusals(&slot.refused);
   if (slot.watch || collects) WatchHostSignals();
-  if (CallLog& log = CallLog::OfProcess(); log.enabled()) {
-    slot.controller->LogRefusals(&log, CardNumber(call));
-    slot.controller->LogHappenings(&log, CardNumber(call));
-  }
   slot.no_program_code = vm::kRefused;
   return vm::kOk;
 }

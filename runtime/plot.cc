@@ -378,6 +378,7 @@ class Picture {
     }
     if (last == panels_.size()) return;
     for (const TraceMark& mark : trace_.marks()) {
+      if (mark.by_card) continue;
       text += fmt::format(
           "set arrow from {0}, graph 0 to {0}, graph 1 nohead back dt 3 lc rgb '#808080'\n",
           Number(ToMs(mark.time_us)));

@@ -52,6 +52,7 @@ class ScenarioRunner {
       controller_.LogHappenings(&log, 0);
     }
     controller_.CollectRefusals(&refused_);
+    if (options_.trace) KeepHappenings();
     auto started = StartScenario(scenario_, std::move(object), &controller_);
     if (!started.ok()) return started.error();
     for (const auto step : {&ScenarioRunner::SetUpPolicy, &ScenarioRunner::SetUpExpectations,
@@ -183,7 +184,20 @@ class ScenarioRunner {
       for (TraceColumn& column : DefaultColumns(controller_)) columns.push_back(std::move(column));
     }
     result_.trace.emplace(std::move(columns));
+    for (TraceMark& mark : at_power_on_) result_.trace->Mark(std::move(mark));
     return {};
+  }
+
+  // What the card does by itself goes to the trace; it can do something before that has begun.
+  void KeepHappenings() {
+    controller_.ListenToHappenings([this](int64_t time_us, const Message& what) {
+      TraceMark mark = {time_us, what, true};
+      if (result_.trace) {
+        result_.trace->Mark(std::move(mark));
+      } else {
+        at_power_on_.push_back(std::move(mark));
+      }
+    });
   }
 
   Result<void> SetUpWatch() {
@@ -481,6 +495,7 @@ class ScenarioRunner {
   size_t next_timed_ = 0;
   std::vector<PendingWrite> writes_;  // of the host, by cycle
   size_t next_write_ = 0;
+  std::vector<TraceMark> at_power_on_;
   bool came_to_cut_ = false;         // the run that is replayed was cut off, and here it was
   std::vector<int> fault_expected_;  // threads whose error an expectation names
   std::vector<std::string> shown_;

@@ -197,7 +197,7 @@ void Trace::Finish(const Controller& controller) {
 }
 
 void Trace::Mark(const Controller& controller, std::string text) {
-  marks_.push_back({TimeOf(controller), std::move(text)});
+  marks_.push_back({TimeOf(controller), {text, text}});
 }
 
 void Trace::DropUnchanged() {
@@ -288,9 +288,9 @@ std::string Trace::Json() const {
         JsonString(span.function), span.thread, span.begin_us, span.end_us - span.begin_us));
   }
   for (const TraceMark& mark : marks_) {
-    events.push_back(
-        fmt::format(R"({{"name":{},"cat":"host","ph":"i","s":"p","pid":1,"tid":{},"ts":{}}})",
-                    JsonString(mark.text), vm::kThreadCount, mark.time_us));
+    events.push_back(fmt::format(
+        R"({{"name":{},"cat":"{}","ph":"i","s":"p","pid":1,"tid":{},"ts":{}}})",
+        JsonString(mark.text.en), mark.by_card ? "card" : "host", vm::kThreadCount, mark.time_us));
   }
   for (size_t i = 0; i < columns_.size(); ++i) {
     const TraceRow* before = nullptr;

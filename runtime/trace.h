@@ -6,8 +6,10 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "base/message.h"
 #include "runtime/quantity.h"
 
 namespace oncard::runtime {
@@ -34,10 +36,12 @@ struct TraceSpan {
   int64_t end_us = 0;
 };
 
-/// Something that happened at an instant, such as a command of the host.
+/// Something that happened at an instant: the host wrote a variable, or the card did something by
+/// itself (happening_text.h).
 struct TraceMark {
   int64_t time_us = 0;
-  std::string text;
+  Message text;
+  bool by_card = false;
 };
 
 /// Columns that a trace has without being asked, when they change: what axes and the other parts of
@@ -55,8 +59,10 @@ class Trace {
   /// Keeps the values of this moment in any case, so that the trace lasts to the end of the run,
   /// and drops the columns that were only wanted if they change.
   void Finish(const Controller& controller);
-  /// Something happened at this moment.
+  /// The host does something at this moment.
   void Mark(const Controller& controller, std::string text);
+  /// The card has done something by itself, or will have, when it happens before the first sample.
+  void Mark(TraceMark mark) { marks_.push_back(std::move(mark)); }
 
   const std::vector<TraceColumn>& columns() const { return columns_; }
   const std::vector<TraceRow>& rows() const { return rows_; }

@@ -10,6 +10,18 @@
 namespace oncard::tools {
 namespace {
 
+/// What the card did by itself, a line each.
+std::string FormatHappenings(const runtime::Trace& trace, const Session& session) {
+  std::string text;
+  for (const runtime::TraceMark& mark : trace.marks()) {
+    if (!mark.by_card) continue;
+    text += fmt::format("{} ms  {}\n", static_cast<double>(mark.time_us) / 1000,
+                        session.Say(mark.text));
+  }
+  if (text.empty()) return text;
+  return session.Say({"what the card did by itself:\n", "控制卡自身的动作：\n"}) + text;
+}
+
 /// The run statement by statement, with a column per thread (explore/step_table.h). `source` is the
 /// program's text, or empty.
 std::string FormatSteps(const runtime::ScenarioResult& result, std::string_view source, bool full,
@@ -39,6 +51,7 @@ std::string FormatSteps(const runtime::ScenarioResult& result, std::string_view 
                                     "以上为 {1} 条语句中的前 {0} 条\n", log.steps.size(),
                                     log.executed));
   }
+  if (result.trace) text += FormatHappenings(*result.trace, session);
   return text + '\n';
 }
 

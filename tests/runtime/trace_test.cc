@@ -125,6 +125,24 @@ TEST(Trace, WritesWhenThreadsRan) {
   }
 }
 
+TEST(Trace, MarksWhatTheCardDoesByItself) {
+  // The alarm is there at power-on; axis 2 meets its limit switch on the way, 1 ms and a filter
+  // late.
+  const std::string json = TraceOf(kSpin,
+                                   "until_ms = 3\n[[world.input]]\ntype = \"alarm\"\nindex = 1\n"
+                                   "value = 1\n[[world.input]]\ntype = \"limit_positive\"\n"
+                                   "index = 2\nvalue = 1\nat_ms = 1\n")
+                               .Json();
+  for (
+      const char* event :
+      {R"({"name":"the drive of axis 1 reports an alarm at 0: it is switched off","cat":"card",)"
+       R"("ph":"i","s":"p","pid":1,"tid":32,"ts":0})",
+       R"({"name":"axis 2 met its positive limit switch at 0: no motion that way until GT_ClrSts",)"
+       R"("cat":"card","ph":"i","s":"p","pid":1,"tid":32,"ts":1750})"}) {
+    EXPECT_NE(json.find(event), std::string::npos) << event << '\n' << json;
+  }
+}
+
 TEST(Trace, MarksWhatTheHostWrites) {
   const std::string json =
       TraceOf(kSpin, "until_ms = 2\n[[host]]\nat_ms = 1\nset = { n = 5 }\n").Json();

@@ -112,6 +112,19 @@ TEST(Exec, TracesTheFirstCard) {
   EXPECT_NE(csv.find(",50000.0,0.0,0.0,"), std::string::npos) << csv.substr(csv.size() - 200);
 }
 
+TEST(Exec, LogsAndTracesWhatTheCardDoesAtPowerOn) {
+  const ScratchFolder scratch;
+  scratch.Write("s.toml", "[[world.input]]\ntype = \"alarm\"\nindex = 2\nvalue = 1\n");
+  const ProcessResult result =
+      RunOncard({"exec", "--scenario=s.toml", "--trace=t.json", "--", Client("trap_move")},
+                scratch.path(), {"ONCARD_LOG=calls"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const std::string alarm = "the drive of axis 2 reports an alarm at 0: it is switched off";
+  EXPECT_NE(result.err.find("0.000 card0: " + alarm), std::string::npos) << result.err;
+  EXPECT_NE(scratch.Read("t.json").find("{\"name\":\"" + alarm + "\",\"cat\":\"card\""),
+            std::string::npos);
+}
+
 TEST(Exec, DrawsTheFirstCard) {
   if (!std::filesystem::exists("/usr/bin/gnuplot")) {
     GTEST_SKIP() << "gnuplot is not installed: apt-get install gnuplot-nox";

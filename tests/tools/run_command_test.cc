@@ -392,6 +392,19 @@ TEST(RunSteps, AreInJson) {
   EXPECT_EQ(json["steps"][3]["writes"]["n"], (nlohmann::json{1, 2}));
 }
 
+TEST(RunSteps, WhatTheCardDoesByItselfStandsBelow) {
+  const ScratchFolder scratch;
+  scratch.Write("p.c", kCountToThree);
+  scratch.Write("p.toml",
+                "program = \"p.c\"\nuntil_ms = 1\n[[world.input]]\ntype = \"alarm\"\nindex = 2\n"
+                "value = 1\n");
+  const ProcessResult shown = RunOncard({"run", "p.toml", "--steps"}, scratch.path());
+  EXPECT_NE(shown.out.find("what the card did by itself:\n0 ms  the drive of axis 2 reports an "
+                           "alarm at 0: it is switched off\n"),
+            std::string::npos)
+      << shown.out;
+}
+
 TEST(RunSteps, AReplayShowsTheSame) {
   const ScratchFolder scratch;
   scratch.Write("p.c", kCountToThree);
