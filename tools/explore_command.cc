@@ -190,9 +190,15 @@ int Report(const ExploreArguments& arguments, const Session& session, const Expl
   return refused != kExitOk ? refused : ExitCodeOf(findings.exploration.verdict);
 }
 
-/// Where a search is kept that nobody has named a file for.
+/// Where a search is kept that nobody has named a file for: where none is kept yet.
 std::string DefaultSearch(const std::string& input) {
-  return std::filesystem::path(input).stem().string() + ".search";
+  const std::string name = std::filesystem::path(input).stem().string();
+  std::string path = name + ".search";
+  std::error_code ignored;
+  for (int i = 2; std::filesystem::exists(path, ignored); ++i) {
+    path = fmt::format("{}.{}.search", name, i);
+  }
+  return path;
 }
 
 /// Goes on with a search that lives in a file.
