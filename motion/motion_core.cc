@@ -111,16 +111,26 @@ void MotionCore::AdvanceProfiles() {
 }
 
 void MotionCore::AdvanceProfile(size_t index) {
-  Profile& profile = state_.profiles[index];
+  const Profile& profile = state_.profiles[index];
   if (!profile.now.moving || profile.driven) return;
-  const double begin = profile.now.position;
-  const bool rested = profile.now.velocity == 0;
+  if (profile.now.velocity == 0) return BeginProfile(index);
+  SampleProfile(index);
+}
+
+void MotionCore::SampleProfile(size_t index) {
+  Profile& profile = state_.profiles[index];
   if (const Master* master = profile.FollowedMaster(); master != nullptr) {
     profile.AdvanceSlave(ReadMaster(*master));
   } else {
     profile.Advance(now());
   }
-  if (!rested || profile.now.position == begin) return;
+}
+
+void MotionCore::BeginProfile(size_t index) {
+  Profile& profile = state_.profiles[index];
+  const double begin = profile.now.position;
+  SampleProfile(index);
+  if (profile.now.position == begin) return;
   if (!LimitForbids(index, profile.now.position - begin)) return;
   // What a latched limit would stop does not begin.
   profile.now = {begin, 0, 0, true};

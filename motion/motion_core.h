@@ -254,6 +254,10 @@ class MotionCore {
   void DrivePin(const WorldEvent& event);
   void AdvanceProfiles();
   void AdvanceProfile(size_t index);
+  /// Where the profile is now, by its mode.
+  void SampleProfile(size_t index);
+  /// The same for one at rest, which must not begin to move into a latched limit.
+  void BeginProfile(size_t index);
   /// A limit that is latched for an axis of the profile lies in a direction, given by its sign.
   bool LimitForbids(size_t profile, double direction) const;
   /// A slave whose master is planned by a coordinate system.

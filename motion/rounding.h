@@ -1,6 +1,7 @@
 // Rounding on the path that every motor and encoder takes in every cycle.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 namespace oncard::motion {
@@ -9,7 +10,7 @@ namespace oncard::motion {
 /// From 2^52 on every double is one already; what is none stays what it is.
 inline double Whole(double value) {
   constexpr double kAllWhole = 4'503'599'627'370'496;
-  if (!(value > -kAllWhole && value < kAllWhole)) return value;
+  if (!(std::fabs(value) < kAllWhole)) return value;
   return static_cast<double>(static_cast<int64_t>(value + (value < 0 ? -0.5 : 0.5)));
 }
 
