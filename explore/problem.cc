@@ -3,25 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <optional>
+#include <utility>
 
 #include "base/trim.h"
-#include "compiler/display_text.h"
+#include "runtime/placed_errors.h"
 
 namespace oncard::explore {
 namespace {
 
 constexpr std::string_view kMark = "//@";
-
-/// What is wrong with the comment in a line, and the line.
-Message AtLine(const std::string& path, int number, std::string_view line, const Message& message) {
-  const size_t begin = line.find(kMark);
-  const size_t last = line.find_last_not_of(" \t\r");
-  const std::string excerpt = compiler::FormatExcerpt(line, number, begin, last + 1);
-  const auto column = static_cast<int>(begin) + 1;
-  return {fmt::format("{}:{}:{}: {}\n{}", path, number, column, message.en, excerpt),
-          fmt::format("{}:{}:{}：{}\n{}", path, number, column, message.zh, excerpt)};
-}
 
 /// Calls `look` with the number and text of every line that is such a comment.
 template <typename Look>
@@ -65,11 +57,10 @@ void ReadNames(std::string_view text, std::vector<std::string>* names) {
 }
 
 /// Where a part of a line stands.
-runtime::TextPlace PlaceIn(const std::string& path, int number, std::string_view line,
-                           std::string_view part) {
+runtime::TextPlace PlaceIn(std::shared_ptr<const runtime::TextFile> file, int number,
+                           std::string_view line, std::string_view part) {
   const auto begin = static_cast<size_t>(part.data() - line.data());
-  return {fmt::format("{}:{}:{}: ", path, number, begin + 1),
-          '\n' + compiler::FormatExcerpt(line, number, begin, begin + part.size())};
+  return {std::move(file), number, static_cast<int>(begin) + 1, begin, begin + part.size()};
 }
 
 /// Reads what follows the mark of a comment. A requirement's place is left to the caller, who knows
@@ -106,10 +97,9 @@ Result<void> ReadComment(std::string_view comment, CommentProblem* problem,
 /// Adds what is wrong with a requirement, in its place or else named.
 void AddError(const Requirement& requirement, const Message& why, Message* errors) {
   const std::string separator = errors->en.empty() ? "" : "\n";
-  if (!requirement.place.before.empty()) {
-    const auto& [before, excerpt] = requirement.place;
-    errors->en += fmt::format("{}{}{}{}", separator, before, why.en, excerpt);
-    errors->zh += fmt::format("{}{}{}{}", separator, before, why.zh, excerpt);
+  if (const runtime::TextPlace& place = requirement.place; place.file != nullptr) {
+    errors->en += fmt::format("{}{}{}{}", separator, place.Headline(), why.en, place.Excerpt());
+    errors->zh += fmt::format("{}{}{}{}", separator, place.Headline(), why.zh, place.Excerpt());
     return;
   }
   const std::string what = fmt::format("{}: {}", ScopeName(requirement.scope), requirement.text);
@@ -185,20 +175,18 @@ Result<CommentProblem> ReadCommentLines(const std::string& path, std::string_vie
   CommentProblem problem;
   problem.scenario.path = path;
   problem.scenario.program = runtime::PathToScenario(problem.scenario, path);
-  Message errors;
+  const auto file = std::make_shared<const runtime::TextFile>(path, source);
+  runtime::PlacedErrors errors;
   ForEachComment(source, [&](int number, std::string_view line) {
+    const std::string_view comment = Trim(line);
     std::string_view expression;
-    const auto read = ReadComment(Trim(line).substr(kMark.size()), &problem, &expression);
+    const auto read = ReadComment(comment.substr(kMark.size()), &problem, &expression);
     if (!expression.empty()) {
-      problem.requirements.back().place = PlaceIn(path, number, line, expression);
+      problem.requirements.back().place = PlaceIn(file, number, line, expression);
     }
-    if (read.ok()) return;
-    const Message error = AtLine(path, number, line, read.error().message);
-    const std::string_view separator = errors.en.empty() ? "" : "\n";
-    errors.en += fmt::format("{}{}", separator, error.en);
-    errors.zh += fmt::format("{}{}", separator, error.zh);
+    if (!read.ok()) errors.Add(PlaceIn(file, number, line, comment), read.error().message);
   });
-  if (!errors.en.empty()) return Error{1, std::move(errors)};
+  if (const auto failure = errors.Failure()) return *failure;
   return problem;
 }
 

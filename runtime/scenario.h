@@ -16,6 +16,7 @@
 #include "motion/motion_core.h"
 #include "runtime/expectation.h"
 #include "runtime/key_script.h"
+#include "runtime/placed_errors.h"
 #include "runtime/scenario_keys.h"
 #include "runtime/world.h"
 #include "vm/fixed_point.h"
@@ -66,12 +67,6 @@ inline constexpr int kRateDefault = 100;           ///< statements per ms (GTS m
 inline constexpr int64_t kCycleUsDefault = 250;    ///< profile cycle
 inline constexpr int64_t kLimitMsDefault = 60000;  ///< a minute of virtual time
 inline constexpr int64_t kTimeMsMax = 1'000'000'000;
-
-/// Where a text of a file stands, to be put around what is wrong with it. Both empty: nowhere.
-struct TextPlace {
-  std::string before;   ///< `path:line:column: `
-  std::string excerpt;  ///< a line end, the line, and a caret under the text
-};
 
 struct Scenario {
   /// The file it was read from; the program's path is relative to its folder.

@@ -5,15 +5,9 @@
 #include <cmath>
 
 #include "base/nearest.h"
-#include "compiler/display_text.h"
 
 namespace oncard::runtime {
 namespace {
-
-/// Errors of one file that are shown.
-constexpr size_t kErrorsShown = 20;
-/// Characters of a line that are shown with an error; longer lines are left out.
-constexpr size_t kExcerptMax = 400;
 
 /// The byte at which a character, counted from 1, begins.
 size_t OffsetOf(std::string_view line, toml::source_index column) {
@@ -77,8 +71,7 @@ std::vector<TextPlace> TomlKeys::PlacesOfTexts(const toml::table& table,
   const toml::node* node = table.get(key);
   const toml::array* list = node != nullptr ? node->as_array() : nullptr;
   for (size_t i = 0; list != nullptr && i < list->size(); ++i) {
-    const toml::source_region& place = (*list)[i].source();
-    places.push_back({Headline(place), Excerpt(place)});
+    places.push_back(TextPlaceOf((*list)[i].source()));
   }
   return places;
 }
@@ -203,7 +196,7 @@ std::vector<InitialValue> TomlKeys::Values(const toml::table& table) {
 }
 
 void TomlKeys::Fail(const toml::source_region& place, const Message& message) {
-  errors_.push_back({place, message});
+  errors_.Add(TextPlaceOf(place), message);
 }
 
 toml::source_region TomlKeys::PlaceOf(size_t line, size_t column) {
@@ -212,48 +205,13 @@ toml::source_region TomlKeys::PlaceOf(size_t line, size_t column) {
   return {position, position, nullptr};
 }
 
-std::optional<Error> TomlKeys::Failure() {
-  if (errors_.empty()) return std::nullopt;
-  std::stable_sort(errors_.begin(), errors_.end(), [](const PlacedError& a, const PlacedError& b) {
-    return std::pair(a.place.begin.line, a.place.begin.column) <
-           std::pair(b.place.begin.line, b.place.begin.column);
-  });
-  Message all;
-  for (size_t i = 0; i < std::min(errors_.size(), kErrorsShown); ++i) {
-    const PlacedError& error = errors_[i];
-    const std::string headline = Headline(error.place);
-    const std::string excerpt = Excerpt(error.place);
-    const std::string separator = i == 0 ? "" : "\n";
-    all.en += fmt::format("{}{}{}{}", separator, headline, error.message.en, excerpt);
-    all.zh += fmt::format("{}{}{}{}", separator, headline, error.message.zh, excerpt);
-  }
-  if (errors_.size() > kErrorsShown) {
-    const Message more =
-        MakeMessage("\n{0} more errors", "\n另有 {0} 个错误", errors_.size() - kErrorsShown);
-    all.en += more.en;
-    all.zh += more.zh;
-  }
-  return Error{1, std::move(all)};
-}
-
-std::string TomlKeys::Headline(const toml::source_region& place) const {
-  if (place.begin.line == 0) return fmt::format("{}: ", path_);  // what is wrong is the whole file
-  return fmt::format("{}:{}:{}: ", path_, place.begin.line, place.begin.column);
-}
-
-std::string TomlKeys::Excerpt(const toml::source_region& place) const {
-  if (place.begin.line == 0) return {};
-  size_t begin = 0;
-  for (toml::source_index line = 1; line < place.begin.line; ++line) {
-    begin = text_.find('\n', begin) + 1;
-    if (begin == 0) return {};
-  }
-  const std::string_view line = text_.substr(begin, text_.find('\n', begin) - begin);
-  if (line.size() > kExcerptMax) return {};
+TextPlace TomlKeys::TextPlaceOf(const toml::source_region& place) const {
+  const auto line = static_cast<int>(place.begin.line);
+  const auto column = static_cast<int>(place.begin.column);
+  const std::string_view text = file_->Line(line);
   const bool one_line = place.end.line == place.begin.line;
-  return '\n' + compiler::FormatExcerpt(
-                    line, static_cast<int>(place.begin.line), OffsetOf(line, place.begin.column),
-                    OffsetOf(line, one_line ? place.end.column : place.begin.column + 1));
+  return {file_, line, column, OffsetOf(text, place.begin.column),
+          OffsetOf(text, one_line ? place.end.column : place.begin.column + 1)};
 }
 
 }  // namespace oncard::runtime

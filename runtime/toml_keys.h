@@ -7,6 +7,7 @@
 #include <toml++/toml.h>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,14 +16,16 @@
 #include <vector>
 
 #include "base/result.h"
+#include "runtime/placed_errors.h"
 #include "runtime/scenario.h"
 
 namespace oncard::runtime {
 
 class TomlKeys {
  public:
-  /// `path` names the file in errors, `text` is what it holds and must outlive the reader.
-  TomlKeys(std::string path, std::string_view text) : path_(std::move(path)), text_(text) {}
+  /// `path` names the file in errors, `text` is what it holds.
+  TomlKeys(std::string path, std::string_view text)
+      : file_(std::make_shared<const TextFile>(std::move(path), text)) {}
 
   /// An error for each key that is not known; it names the nearest known one.
   void CheckKeys(const toml::table& table, std::span<const std::string_view> known);
@@ -55,21 +58,13 @@ class TomlKeys {
   static toml::source_region PlaceOf(size_t line, size_t column);
 
   /// All errors in the order of the file, with the lines that they are in; empty without one.
-  std::optional<Error> Failure();
+  std::optional<Error> Failure() const { return errors_.Failure(); }
 
  private:
-  struct PlacedError {
-    toml::source_region place;
-    Message message;
-  };
+  TextPlace TextPlaceOf(const toml::source_region& place) const;
 
-  /// `path:line:column: `, and the line with a caret under the place.
-  std::string Headline(const toml::source_region& place) const;
-  std::string Excerpt(const toml::source_region& place) const;
-
-  std::string path_;
-  std::string_view text_;
-  std::vector<PlacedError> errors_;
+  std::shared_ptr<const TextFile> file_;
+  PlacedErrors errors_;
 };
 
 }  // namespace oncard::runtime
