@@ -1,0 +1,81 @@
+// Every link of the documentation leads to a file, and every folder of the root README's table has
+// the README that it promises.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <regex>
+
+#include "base/files.h"
+#include "tests/docs/page.h"
+
+namespace oncard::docs {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::SizeIs;
+
+namespace fs = std::filesystem;
+
+const fs::path kRoot = ONCARD_SOURCE_DIR;
+
+// The pages of the repository itself: hidden folders and build trees have pages of others.
+std::vector<fs::path> Pages() {
+  std::vector<fs::path> pages;
+  for (fs::recursive_directory_iterator entry(kRoot), end; entry != end; ++entry) {
+    const std::string name = entry->path().filename();
+    if (name.starts_with('.') || name == "build") entry.disable_recursion_pending();
+    if (entry->path().extension() == ".md") pages.push_back(entry->path());
+  }
+  return pages;
+}
+
+std::vector<std::string> FoldersOf(const std::string& readme) {
+  static const std::regex kRow(R"(\n\| `([a-z/]+)/` \|)");
+  std::vector<std::string> folders;
+  for (std::sregex_iterator row(readme.begin(), readme.end(), kRow), end; row != end; ++row) {
+    folders.push_back((*row)[1]);
+  }
+  return folders;
+}
+
+TEST(LinksTest, AreThoseOutsideOfCode) {
+  EXPECT_THAT(Links("[a](a.md), [b](b/b.md#part)\n"
+                    "```\n"
+                    "[c](c.md)\n"
+                    "```\n"
+                    "[web](https://example.com) [here](#here)\n"
+                    "![d](d.svg)\n"),
+              ElementsAre("a.md", "b/b.md", "d.svg"));
+}
+
+TEST(LinksTest, LeadToFiles) {
+  size_t links = 0;
+  for (const fs::path& page : Pages()) {
+    for (const std::string& link : Links(ReadFile(page).value())) {
+      ++links;
+      EXPECT_TRUE(fs::exists(page.parent_path() / link)) << page << " leads to " << link;
+    }
+  }
+  EXPECT_GT(links, 0u);
+}
+
+TEST(ReadmeTest, EveryFolderHasTheOneThatItsRowPromises) {
+  const std::vector<std::string> folders = FoldersOf(ReadFile(kRoot / "README.md").value());
+  EXPECT_THAT(folders, SizeIs(testing::Ge(1u)));
+  for (const std::string& folder : folders) {
+    EXPECT_TRUE(fs::exists(kRoot / folder / "README.md")) << folder;
+  }
+}
+
+TEST(ReadmeTest, EveryFolderHasARow) {
+  std::vector<std::string> folders;
+  for (const auto& entry : fs::directory_iterator(kRoot)) {
+    const std::string name = entry.path().filename();
+    if (entry.is_directory() && !name.starts_with('.') && name != "build") folders.push_back(name);
+  }
+  EXPECT_THAT(FoldersOf(ReadFile(kRoot / "README.md").value()), testing::IsSupersetOf(folders));
+}
+
+}  // namespace
+}  // namespace oncard::docs
