@@ -1,52 +1,21 @@
-// The log of host calls that ONCARD_LOG asks for, one line per call:
-//
-//   12.250 card0 GT_GetVarValue(-1, {id=0, dataType=1}, pValue, 1) = 0, pValue=[5050]
-//   12.300 card0 GT_Bind(40, 1, 0) = 7: parameter thread is 40; the range is [0, 31]
-//   12.500 card0 thread 3: GT_Update(0x1) = 1: axis 1 is not in Trap mode
-//   13.000 card0: axis 1 passed its positive soft limit 2000 at 2012.5: ...
-//
-// The card's virtual time in milliseconds when the command acted, the card, the thread when a
-// motion program was refused a command, the call with its inputs (masks and bit words in hex; an
-// output shows its parameter's name), the code, after a refusal the reason, after a success the
-// outputs. What a card does by itself has a line without a call. docs/host-api.md describes it for
-// users. Tested by tests/runtime/call_log_test.cc.
+// The log of host calls that ONCARD_LOG asks for, one line per call (call_text.h shows them).
+// docs/host-api.md describes it for users. Tested by tests/runtime/call_log_test.cc.
 #pragma once
 
 #include <atomic>
 #include <cstdint>
 #include <cstdio>
 #include <mutex>
-#include <span>
 #include <string>
 #include <string_view>
 
 #include "base/message.h"
-#include "gtcalls/catalogue.h"
-#include "vm/command_table.h"
+#include "runtime/call_text.h"
 
 namespace oncard::runtime {
 
-/// What the log needs to know of one call.
-struct LoggedCall {
-  int64_t time_us = 0;
-  int card = 0;
-  int caller = vm::kHostCaller;  ///< or the thread of the motion program
-  const gtcalls::Command& command;
-  std::span<const vm::CommandArgument> arguments;
-  int16_t code = 0;
-  const Message& reason;
-};
-
-/// A call with its inputs, its code and why: `GT_Bind(40, 1, 0) = 7: parameter thread is 40; ...`.
-std::string FormatCallAndCode(const gtcalls::Command& command,
-                              std::span<const vm::CommandArgument> arguments, int16_t code,
-                              const Message& reason, Language language);
-
-/// The line without its end.
-std::string FormatCall(const LoggedCall& call, Language language);
-
 /// Where the lines go. Thread-safe: a line is written whole.
-class CallLog {
+class CallLog final : public CardLog {
  public:
   /// `setting` is the value of ONCARD_LOG: empty for no log, `calls` for standard error,
   /// `calls:FILE` for a file that is written anew. With any other text, or a file that cannot be
@@ -54,17 +23,19 @@ class CallLog {
   explicit CallLog(std::string_view setting, Language language);
   CallLog(const CallLog&) = delete;
   CallLog& operator=(const CallLog&) = delete;
-  ~CallLog();
+  ~CallLog() override;
 
   /// The process's log, set up at its first use.
   static CallLog& OfProcess();
 
+  /// The process's log, or nothing when none is wanted.
+  static CallLog* Wanted();
+
   bool enabled() const { return stream_ != nullptr; }
   /// True when a line could not be written, for example because the disk is full.
   bool lost() const { return lost_; }
-  void Write(const LoggedCall& call);
-  /// Something that a card did by itself.
-  void Write(int64_t time_us, int card, const Message& what);
+  void Write(const LoggedCall& call) override;
+  void Write(int64_t time_us, int card, const Message& what) override;
 
  private:
   void WriteLine(const std::string& line);

@@ -40,13 +40,13 @@ Controller::Controller(const ControllerOptions& options)
       machine_(&commands_),
       card_{machine_, motion_, plc_} {}
 
-void Controller::LogRefusals(CallLog* log, int card) {
+void Controller::LogRefusals(CardLog* log, int card) {
   ObserveRefusals([this, log, card](const gtcalls::Call& call, int16_t code) {
     log->Write({NowUs(), card, call.caller, call.command, call.arguments, code, call.reason});
   });
 }
 
-void Controller::LogHappenings(CallLog* log, int card) {
+void Controller::LogHappenings(CardLog* log, int card) {
   ListenToHappenings(
       [log, card](int64_t time_us, const Message& what) { log->Write(time_us, card, what); });
 }

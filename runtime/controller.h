@@ -17,7 +17,7 @@
 #include "base/result.h"
 #include "gtcalls/card.h"
 #include "motion/motion_core.h"
-#include "runtime/call_log.h"
+#include "runtime/call_text.h"
 #include "runtime/refused_commands.h"
 #include "vm/image.h"
 #include "vm/machine.h"
@@ -79,9 +79,9 @@ class Controller {
 
   /// From now on the log gets a line for every command that a thread is refused, under this card
   /// number. The log must outlive the controller.
-  void LogRefusals(CallLog* log, int card);
+  void LogRefusals(CardLog* log, int card);
   /// The same for what the card does by itself: stops, paths that run dry (happening_text.h).
-  void LogHappenings(CallLog* log, int card);
+  void LogHappenings(CardLog* log, int card);
   /// From now on the observer is told what the card does by itself, and when, in us.
   using HappeningListener = std::function<void(int64_t time_us, const Message& what)>;
   void ListenToHappenings(HappeningListener listener);

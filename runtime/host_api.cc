@@ -51,7 +51,7 @@ int16_t CallLockedCard(int card, CardSlot& slot, const gtcalls::Command& command
     if (code == vm::kOk) WriteOutputs(command, slot.call);
   }
   const LoggedCall made = {time_us, card, vm::kHostCaller, command, arguments, code, reason};
-  if (CallLog& log = CallLog::OfProcess(); log.enabled()) log.Write(made);
+  if (CallLog* log = CallLog::Wanted(); log != nullptr) log->Write(made);
   if (code != vm::kOk && RefusalWishOfProcess() != RefusalWish::kNothing) {
     HostRefusals::OfProcess().Add(made);
   }

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/message.h"
-#include "runtime/call_log.h"
+#include "runtime/call_text.h"
 #include "runtime/refused_commands.h"
 
 namespace oncard::runtime {

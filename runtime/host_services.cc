@@ -59,9 +59,9 @@ int16_t Open(ServiceCall& call) {
   slot.controller = world == nullptr ? std::make_unique<Controller>()
                                      : std::make_unique<Controller>(CardOptions(*world));
   // Power-on is listened to as well.
-  if (CallLog& log = CallLog::OfProcess(); log.enabled()) {
-    slot.controller->LogRefusals(&log, CardNumber(call));
-    slot.controller->LogHappenings(&log, CardNumber(call));
+  if (CallLog* log = CallLog::Wanted(); log != nullptr) {
+    slot.controller->LogRefusals(log, CardNumber(call));
+    slot.controller->LogHappenings(log, CardNumber(call));
   }
   if (world != nullptr) {
     slot.watch.emplace(world, CardNumber(call), std::move(trace_files));

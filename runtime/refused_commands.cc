@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "runtime/call_log.h"
+#include "runtime/call_text.h"
 
 namespace oncard::runtime {
 

@@ -47,9 +47,9 @@ class ScenarioRunner {
       : scenario_(scenario), options_(options), controller_(CardOptions(scenario)) {}
 
   Result<ScenarioResult> Run(vm::Object object) {
-    if (CallLog& log = CallLog::OfProcess(); log.enabled()) {
-      controller_.LogRefusals(&log, 0);
-      controller_.LogHappenings(&log, 0);
+    if (options_.log != nullptr) {
+      controller_.LogRefusals(options_.log, 0);
+      controller_.LogHappenings(options_.log, 0);
     }
     controller_.CollectRefusals(&refused_);
     if (options_.trace) KeepHappenings();

@@ -46,6 +46,8 @@ struct RunOptions {
   /// Set from outside, from a signal handler for instance, it ends the run early: what was recorded
   /// and found until then is in the result.
   const std::atomic<bool>* stop = nullptr;
+  /// Is told of commands that threads are refused, and of what the card does by itself.
+  CardLog* log = nullptr;
   /// Looks at the run while it goes on.
   RunWatch* watch = nullptr;
 };

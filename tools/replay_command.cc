@@ -2,6 +2,7 @@
 #include "base/files.h"
 #include "explore/requirement_watch.h"
 #include "runtime/adapted_schedule.h"
+#include "runtime/call_log.h"
 #include "tools/commands.h"
 #include "tools/run_report.h"
 #include "tools/run_views.h"
@@ -57,6 +58,7 @@ int Replay(const ReplayArguments& arguments, const Session& session) {
   options.strict_commands = arguments.strict_commands;
   const StopSignals signals;
   options.stop = signals.stop();
+  options.log = runtime::CallLog::Wanted();
   const auto result = explore::RunWithRequirements(scenario.value(), *load.object, options);
   if (!result.ok()) return Fail(session, kExitFailed, result.error().message);
   PrintSteps(result.value(), load, arguments.views, arguments.format, session);

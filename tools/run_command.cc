@@ -4,6 +4,7 @@
 
 #include "base/number.h"
 #include "explore/requirement_watch.h"
+#include "runtime/call_log.h"
 #include "tools/commands.h"
 #include "tools/run_report.h"
 #include "tools/run_views.h"
@@ -106,6 +107,7 @@ int Run(const RunArguments& arguments, const Session& session) {
   options.strict_commands = arguments.strict_commands;
   const StopSignals signals;
   options.stop = signals.stop();
+  options.log = runtime::CallLog::Wanted();
   auto result = explore::RunWithRequirements(scenario.value(), *load.object, options);
   if (!result.ok()) return Fail(session, kExitUsage, result.error().message);
 

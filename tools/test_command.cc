@@ -4,6 +4,7 @@
 #include "compiler/diagnostic_printer.h"
 #include "explore/requirement_watch.h"
 #include "explore/scenario_exploration.h"
+#include "runtime/call_log.h"
 #include "tools/commands.h"
 #include "tools/isolation.h"
 #include "tools/run_report.h"
@@ -112,6 +113,7 @@ TestOutcome RunTest(const std::string& path, bool strict_commands, const StopSig
   runtime::RunOptions options;
   options.strict_commands = strict_commands;
   options.stop = signals.stop();
+  options.log = runtime::CallLog::Wanted();
   const auto result =
       explore::RunWithRequirements(scenario.value(), std::move(*load.object), options);
   if (!result.ok()) {

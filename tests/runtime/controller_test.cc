@@ -6,6 +6,7 @@
 #include <string>
 
 #include "compiler/compiler.h"
+#include "runtime/call_log.h"
 #include "test_programs.h"
 
 namespace oncard::runtime {

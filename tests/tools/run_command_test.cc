@@ -28,6 +28,16 @@ TEST(Run, SpeaksChinese) {
   EXPECT_EQ(result.out, "线程 0 add：已结束，返回值 5050\nsum = 5050\n");
 }
 
+TEST(Run, LogsRefusedCommands) {
+  const ScratchFolder scratch;
+  scratch.Write("p.c", "int f()\n{\n  GT_AxisOn(9);\n  return 0;\n}\n");
+  const ProcessResult result =
+      RunOncard({"run", "p.c"}, scratch.path(), {"ONCARD_LOG=calls:log.txt"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(scratch.Read("log.txt"),
+            "0.250 card0 thread 0: GT_AxisOn(9) = 7: parameter axis is 9; this card has 1 to 8\n");
+}
+
 TEST(Run, BindsTheFirstFunctionByDefault) {
   const ScratchFolder scratch;
   const std::string first =
