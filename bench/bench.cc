@@ -16,7 +16,7 @@
 #include "bench/measure.h"
 #include "bench/native_kernels.h"
 #include "compiler/compiler.h"
-#include "runtime/controller.h"
+#include "runtime/sim/controller.h"
 #include "vm/image.h"
 #include "vm/machine.h"
 

@@ -16,10 +16,10 @@
 #include "base/files.h"
 #include "bench/measure.h"
 #include "compiler/compiler.h"
+#include "explore/engines/shrink.h"
 #include "explore/scenario_exploration.h"
-#include "explore/shrink.h"
-#include "runtime/scenario_start.h"
-#include "runtime/scenario_world.h"
+#include "runtime/scenario/scenario_start.h"
+#include "runtime/scenario/scenario_world.h"
 #include "vm/fixed_point.h"
 
 namespace oncard::bench {

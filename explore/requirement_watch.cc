@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "explore/scenario_exploration.h"
-#include "runtime/program.h"
+#include "runtime/sim/program.h"
 
 namespace oncard::explore {
 namespace {

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "base/result.h"
-#include "explore/problem.h"
-#include "runtime/run_watch.h"
-#include "runtime/scenario_run.h"
+#include "explore/models/problem.h"
+#include "runtime/scenario/run_watch.h"
+#include "runtime/scenario/scenario_run.h"
 
 namespace oncard::explore {
 

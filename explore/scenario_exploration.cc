@@ -6,12 +6,12 @@
 #include <bit>
 #include <filesystem>
 
-#include "explore/shrink.h"
-#include "explore/walk.h"
-#include "runtime/adapted_schedule.h"
-#include "runtime/scenario_run.h"
-#include "runtime/scenario_start.h"
-#include "runtime/scenario_world.h"
+#include "explore/engines/shrink.h"
+#include "explore/engines/walk.h"
+#include "runtime/scenario/adapted_schedule.h"
+#include "runtime/scenario/scenario_run.h"
+#include "runtime/scenario/scenario_start.h"
+#include "runtime/scenario/scenario_world.h"
 
 namespace oncard::explore {
 namespace {

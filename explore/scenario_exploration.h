@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/result.h"
-#include "explore/report.h"
-#include "runtime/scenario.h"
+#include "explore/reports/report.h"
+#include "runtime/scenario/scenario.h"
 #include "vm/object.h"
 #include "vm/schedule.h"
 
@@ -39,8 +39,9 @@ Findings FindingsOf(const runtime::Scenario& scenario, const Problem& problem,
                     Exploration exploration);
 
 /// Looks at one schedule only: follows it as far as the program of today does
-/// (runtime/adapted_schedule.h). The verdict is kPassed, kFailed, or kIncomplete when the run does
-/// not come to its end. Fails as ExploreScenario(), and when the schedule cannot be adapted.
+/// (runtime/scenario/adapted_schedule.h). The verdict is kPassed, kFailed, or kIncomplete when the
+/// run does not come to its end. Fails as ExploreScenario(), and when the schedule cannot be
+/// adapted.
 Result<Findings> FollowSchedule(const runtime::Scenario& scenario,
                                 const std::vector<Requirement>& requirements,
                                 const vm::Object& object, std::string_view source,

@@ -272,7 +272,7 @@ std::string EntryPoints(bool multi_card) {
   Append(&out,
          "// The library's entry points{}. Generated: do not edit.\n"
          "#include \"{}\"\n"
-         "#include \"runtime/host_api.h\"\n\n"
+         "#include \"runtime/host/host_api.h\"\n\n"
          "using oncard::runtime::CallFromHost;\n",
          multi_card ? " with a card number" : "", multi_card ? "gts_multi.h" : "gts.h");
   for (const Command& command : Commands()) {
@@ -353,7 +353,7 @@ constexpr std::string_view kBasicHead =
 #include <algorithm>
 
 #include "gts.h"
-#include "runtime/host_api.h"
+#include "runtime/host/host_api.h"
 
 namespace oncard::runtime {
 namespace {
@@ -383,7 +383,7 @@ std::string BasicEntryPoints() {
 
 constexpr std::string_view kStructuresHead =
     R"(// The structures of gts.h as cells and back. Generated: do not edit.
-#include "runtime/host_structures.h"
+#include "runtime/host/host_structures.h"
 
 #include "gts.h"
 

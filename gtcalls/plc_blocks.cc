@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "motion/state_hash.h"
+#include "motion/common/state_hash.h"
 
 namespace oncard::gtcalls {
 namespace {

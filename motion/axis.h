@@ -13,8 +13,8 @@
 #include <tuple>
 #include <vector>
 
-#include "motion/digital_io.h"
-#include "motion/sizes.h"
+#include "motion/common/sizes.h"
+#include "motion/io/digital_io.h"
 
 namespace oncard::motion {
 

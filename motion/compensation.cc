@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/state_hash.h"
+#include "motion/common/state_hash.h"
 
 namespace oncard::motion {
 namespace {

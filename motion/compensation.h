@@ -14,7 +14,7 @@
 #include <tuple>
 #include <vector>
 
-#include "motion/sizes.h"
+#include "motion/common/sizes.h"
 
 namespace oncard::motion {
 

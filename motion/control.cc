@@ -1,6 +1,6 @@
 #include "motion/control.h"
 
-#include "motion/state_hash.h"
+#include "motion/common/state_hash.h"
 
 namespace oncard::motion {
 namespace {

@@ -14,8 +14,8 @@
 #include <cstdint>
 #include <tuple>
 
-#include "motion/plant.h"
-#include "motion/sizes.h"
+#include "motion/common/sizes.h"
+#include "motion/mechanics/plant.h"
 
 namespace oncard::motion {
 

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <tuple>
 
-#include "motion/sizes.h"
+#include "motion/common/sizes.h"
 
 namespace oncard::motion {
 

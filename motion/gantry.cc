@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "motion/common/state_hash.h"
 #include "motion/motion_core.h"
-#include "motion/state_hash.h"
 
 namespace oncard::motion {
 

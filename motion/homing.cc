@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/common/rounding.h"
+#include "motion/common/state_hash.h"
 #include "motion/motion_core.h"
-#include "motion/rounding.h"
-#include "motion/state_hash.h"
 
 namespace oncard::motion {
 namespace {

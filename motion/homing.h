@@ -25,7 +25,7 @@
 #include <cstdint>
 #include <tuple>
 
-#include "motion/sizes.h"
+#include "motion/common/sizes.h"
 
 namespace oncard::motion {
 

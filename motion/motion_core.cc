@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "motion/state_hash.h"
+#include "motion/common/state_hash.h"
 
 namespace oncard::motion {
 namespace {

@@ -9,7 +9,7 @@
 #include "base/json_text.h"
 #include "gtcalls/card.h"
 #include "gtcalls/unsupported.h"
-#include "runtime/host_services.h"
+#include "runtime/host/host_services.h"
 #include "tools/commands.h"
 #include "tools/gnuplot.h"
 

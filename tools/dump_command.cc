@@ -1,5 +1,5 @@
 // oncard dump: what an object holds.
-#include "runtime/controller.h"
+#include "runtime/sim/controller.h"
 #include "tools/commands.h"
 #include "vm/disassembler.h"
 

@@ -12,9 +12,9 @@
 #include <system_error>
 
 #include "base/files.h"
-#include "runtime/clock.h"
-#include "runtime/key_script.h"
-#include "runtime/scenario.h"
+#include "runtime/host/clock.h"
+#include "runtime/scenario/key_script.h"
+#include "runtime/scenario/scenario.h"
 #include "tools/commands.h"
 #include "tools/gbk_output.h"
 #include "tools/gnuplot.h"

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "explore/scenario_exploration.h"
-#include "runtime/adapted_schedule.h"
-#include "runtime/scenario_keys.h"
-#include "runtime/scenario_run.h"
+#include "runtime/scenario/adapted_schedule.h"
+#include "runtime/scenario/scenario_keys.h"
+#include "runtime/scenario/scenario_run.h"
 #include "tools/commands.h"
 #include "tools/explore_search.h"
 #include "tools/explore_subject.h"

@@ -5,7 +5,7 @@
 #include "base/files.h"
 #include "compiler/text.h"
 #include "explore/scenario_exploration.h"
-#include "explore/search_check.h"
+#include "explore/search/search_check.h"
 
 namespace oncard::tools {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "explore/kept_search.h"
-#include "explore/report.h"
-#include "explore/search_file.h"
+#include "explore/reports/report.h"
+#include "explore/search/kept_search.h"
+#include "explore/search/search_file.h"
 #include "tools/explore_subject.h"
 #include "tools/session.h"
 
@@ -27,7 +27,7 @@ Result<explore::SearchFile> BeginSearch(const ExploreSubject& subject, const std
                                         const std::string& path, const explore::SearchPart& part,
                                         const explore::ExploreOptions& options);
 
-/// Goes on with a search (explore/kept_search.h); `file` is then what is to be kept.
+/// Goes on with a search (explore/search/kept_search.h); `file` is then what is to be kept.
 Result<explore::Findings> GoOn(const ExploreSubject& subject,
                                const explore::ExploreOptions& options,
                                const explore::SearchKeeper& keep, explore::SearchFile* file);

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "explore/problem.h"
-#include "runtime/scenario.h"
+#include "explore/models/problem.h"
+#include "runtime/scenario/scenario.h"
 #include "tools/session.h"
 
 namespace oncard::tools {

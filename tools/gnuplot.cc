@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "runtime/trace_file.h"
+#include "runtime/observe/trace_file.h"
 
 namespace oncard::tools {
 namespace {

@@ -14,8 +14,8 @@ std::string GnuplotVersion();
 /// What to do when it is not.
 Message GnuplotRemedy();
 
-/// Runs a script (runtime/plot.h) and writes the picture to a file; reports what goes wrong. Gives
-/// the exit code.
+/// Runs a script (runtime/observe/plot.h) and writes the picture to a file; reports what goes
+/// wrong. Gives the exit code.
 int WritePicture(const Session& session, const std::string& path, const std::string& script);
 
 /// Empty for a name of a picture, .svg or .png; otherwise what is wrong with it.

@@ -1,8 +1,8 @@
 // oncard replay: a recorded run again, statement by statement.
 #include "base/files.h"
 #include "explore/requirement_watch.h"
-#include "runtime/adapted_schedule.h"
-#include "runtime/call_log.h"
+#include "runtime/host/call_log.h"
+#include "runtime/scenario/adapted_schedule.h"
 #include "tools/commands.h"
 #include "tools/run_report.h"
 #include "tools/run_views.h"

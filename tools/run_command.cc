@@ -4,7 +4,7 @@
 
 #include "base/number.h"
 #include "explore/requirement_watch.h"
-#include "runtime/call_log.h"
+#include "runtime/host/call_log.h"
 #include "tools/commands.h"
 #include "tools/run_report.h"
 #include "tools/run_views.h"

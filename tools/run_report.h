@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "runtime/scenario_run.h"
+#include "runtime/scenario/scenario_run.h"
 #include "tools/session.h"
 
 namespace oncard::tools {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "explore/step_table.h"
-#include "runtime/trace_file.h"
+#include "explore/reports/step_table.h"
+#include "runtime/observe/trace_file.h"
 #include "tools/gnuplot.h"
 #include "tools/terminal.h"
 
@@ -22,8 +22,8 @@ std::string FormatHappenings(const runtime::Trace& trace, const Session& session
   return session.Say({"what the card did by itself:\n", "控制卡自身的动作：\n"}) + text;
 }
 
-/// The run statement by statement, with a column per thread (explore/step_table.h). `source` is the
-/// program's text, or empty.
+/// The run statement by statement, with a column per thread (explore/reports/step_table.h).
+/// `source` is the program's text, or empty.
 std::string FormatSteps(const runtime::ScenarioResult& result, std::string_view source, bool full,
                         const Session& session) {
   const runtime::StepLog& log = *result.steps;

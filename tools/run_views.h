@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "runtime/scenario_run.h"
+#include "runtime/scenario/scenario_run.h"
 #include "tools/session.h"
 
 namespace oncard::tools {

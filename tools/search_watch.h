@@ -9,7 +9,7 @@
 #include <mutex>
 #include <thread>
 
-#include "explore/progress.h"
+#include "explore/engines/progress.h"
 #include "tools/session.h"
 
 namespace oncard::tools {

@@ -9,7 +9,7 @@
 #include "base/message.h"
 #include "base/result.h"
 #include "compiler/compiler.h"
-#include "runtime/program.h"
+#include "runtime/sim/program.h"
 
 namespace oncard::tools {
 

@@ -4,7 +4,7 @@
 #include "compiler/diagnostic_printer.h"
 #include "explore/requirement_watch.h"
 #include "explore/scenario_exploration.h"
-#include "runtime/call_log.h"
+#include "runtime/host/call_log.h"
 #include "tools/commands.h"
 #include "tools/isolation.h"
 #include "tools/run_report.h"

@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json_text.h"
-#include "runtime/controller.h"
+#include "runtime/sim/controller.h"
 #include "tools/commands.h"
 #include "vm/object_reader.h"
 #include "vm/verifier.h"

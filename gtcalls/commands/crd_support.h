@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "gtcalls/commands/motion_support.h"
-#include "motion/crd.h"
+#include "motion/paths/crd.h"
 
 namespace oncard::gtcalls {
 

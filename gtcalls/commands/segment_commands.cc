@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "gtcalls/commands/crd_support.h"
-#include "motion/segment.h"
+#include "motion/paths/segment.h"
 
 namespace oncard::gtcalls {
 namespace {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "runtime/controller.h"
+#include "runtime/sim/controller.h"
 #include "tests/compiler/compiler_support.h"
 #include "vm/verifier.h"
 

@@ -1,9 +1,9 @@
-// Schedules with few preemptions (explore/bounded_search.h).
-#include "explore/bounded_search.h"
+// Schedules with few preemptions (explore/engines/bounded_search.h).
+#include "explore/engines/bounded_search.h"
 
 #include <gtest/gtest.h>
 
-#include "explore/explorer.h"
+#include "explore/search/explorer.h"
 #include "explore_programs.h"
 
 namespace oncard::explore {

@@ -1,13 +1,13 @@
 // A card as a transition system: time, fairness, ends, states that can be put back.
-#include "explore/card_model.h"
+#include "explore/models/card_model.h"
 
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <random>
 
-#include "explore/card_graph.h"
-#include "explore/explorer.h"
+#include "explore/engines/card_graph.h"
+#include "explore/search/explorer.h"
 #include "explore_programs.h"
 
 namespace oncard::explore {

@@ -1,5 +1,6 @@
-// What verdicts speak of (explore/claim.h), and the results that nobody has asked for (ends.h).
-#include "explore/claim.h"
+// What verdicts speak of (explore/reports/claim.h), and the results that nobody has asked for
+// (ends.h).
+#include "explore/reports/claim.h"
 
 #include <gtest/gtest.h>
 

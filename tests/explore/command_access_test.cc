@@ -15,10 +15,10 @@
 #include <random>
 
 #include "base/random.h"
-#include "explore/statement_access.h"
+#include "explore/models/statement_access.h"
 #include "gtcalls/card.h"
-#include "motion/state_hash.h"
-#include "runtime/controller.h"
+#include "motion/common/state_hash.h"
+#include "runtime/sim/controller.h"
 #include "vm/thread_words.h"
 
 namespace oncard::explore {

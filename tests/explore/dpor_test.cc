@@ -1,6 +1,6 @@
-// Exactly one execution per Mazurkiewicz trace (explore/dpor.h). The counts are known: of
+// Exactly one execution per Mazurkiewicz trace (explore/engines/dpor.h). The counts are known: of
 // increments, from other tools and from brute force; of readers and writers, by counting.
-#include "explore/dpor.h"
+#include "explore/engines/dpor.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// The number of traces, estimated (explore/estimate.h).
-#include "explore/estimate.h"
+// The number of traces, estimated (explore/engines/estimate.h).
+#include "explore/engines/estimate.h"
 
 #include <gtest/gtest.h>
 

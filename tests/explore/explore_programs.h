@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "explore/card_model.h"
-#include "explore/problem.h"
-#include "explore/report.h"
+#include "explore/models/card_model.h"
+#include "explore/models/problem.h"
+#include "explore/reports/report.h"
 
 namespace oncard::explore {
 

@@ -1,5 +1,5 @@
-// Verdicts of both engines (explore/explorer.h).
-#include "explore/explorer.h"
+// Verdicts of both engines (explore/search/explorer.h).
+#include "explore/search/explorer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,10 @@
-// What a failure's report says beside its steps: the values that are wrong (explore/trail.h), who
-// is to blame (explore/culprit.h), both orders of a data race (explore/race_orders.h).
+// What a failure's report says beside its steps: the values that are wrong
+// (explore/reports/trail.h), who is to blame (explore/reports/culprit.h), both orders of a data
+// race (explore/reports/race_orders.h).
 #include <gtest/gtest.h>
 
-#include "explore/culprit.h"
-#include "explore/race_orders.h"
+#include "explore/reports/culprit.h"
+#include "explore/reports/race_orders.h"
 #include "explore_programs.h"
 
 namespace oncard::explore {

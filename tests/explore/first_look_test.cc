@@ -1,17 +1,17 @@
-// What is found before everything is searched (explore/first_look.h), and how far searches go on
-// after a failure.
-#include "explore/first_look.h"
+// What is found before everything is searched (explore/engines/first_look.h), and how far searches
+// go on after a failure.
+#include "explore/engines/first_look.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "explore/card_graph.h"
-#include "explore/explorer.h"
-#include "explore/shrink.h"
-#include "explore/state_search.h"
-#include "explore/trace_search.h"
-#include "explore/walk.h"
+#include "explore/engines/card_graph.h"
+#include "explore/engines/shrink.h"
+#include "explore/engines/state_search.h"
+#include "explore/engines/trace_search.h"
+#include "explore/engines/walk.h"
+#include "explore/search/explorer.h"
 #include "explore_programs.h"
 
 namespace oncard::explore {

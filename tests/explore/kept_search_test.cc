@@ -1,9 +1,9 @@
-// Searches that are kept while they go on (explore/kept_search.h).
-#include "explore/kept_search.h"
+// Searches that are kept while they go on (explore/search/kept_search.h).
+#include "explore/search/kept_search.h"
 
 #include <gtest/gtest.h>
 
-#include "explore/search_check.h"
+#include "explore/search/search_check.h"
 #include "explore_programs.h"
 
 namespace oncard::explore {

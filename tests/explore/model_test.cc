@@ -1,5 +1,5 @@
-// The model executes what the machine executes (explore/model.h), and takes it back.
-#include "explore/model.h"
+// The model executes what the machine executes (explore/models/model.h), and takes it back.
+#include "explore/models/model.h"
 
 #include <gtest/gtest.h>
 

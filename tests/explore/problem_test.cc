@@ -1,5 +1,5 @@
-// Comments of a source as a problem (explore/problem.h).
-#include "explore/problem.h"
+// Comments of a source as a problem (explore/models/problem.h).
+#include "explore/models/problem.h"
 
 #include <gtest/gtest.h>
 

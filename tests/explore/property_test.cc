@@ -1,5 +1,5 @@
-// Expressions over a program's variables (explore/property.h).
-#include "explore/property.h"
+// Expressions over a program's variables (explore/models/property.h).
+#include "explore/models/property.h"
 
 #include <gtest/gtest.h>
 

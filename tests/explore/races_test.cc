@@ -1,10 +1,10 @@
-// Data races (explore/races.h), and what the engines make of them.
-#include "explore/races.h"
+// Data races (explore/models/races.h), and what the engines make of them.
+#include "explore/models/races.h"
 
 #include <gtest/gtest.h>
 
-#include "explore/explorer.h"
-#include "explore/walk.h"
+#include "explore/engines/walk.h"
+#include "explore/search/explorer.h"
 #include "explore_programs.h"
 
 namespace oncard::explore {

@@ -7,8 +7,8 @@
 #include <random>
 #include <set>
 
-#include "explore/dpor.h"
-#include "explore/explorer.h"
+#include "explore/engines/dpor.h"
+#include "explore/search/explorer.h"
 #include "explore_programs.h"
 
 namespace oncard::explore {

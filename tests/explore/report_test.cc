@@ -1,11 +1,11 @@
-// Reports for people and programs (explore/report.h).
-#include "explore/report.h"
+// Reports for people and programs (explore/reports/report.h).
+#include "explore/reports/report.h"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include "explore/claim.h"
+#include "explore/reports/claim.h"
 #include "explore_programs.h"
 
 namespace oncard::explore {

@@ -1,14 +1,14 @@
 // Random schedules: they are reproducible, hit as often as calculation says, and find what there
 // is.
-#include "explore/sampler.h"
+#include "explore/engines/sampler.h"
 
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <cmath>
 
-#include "explore/explorer.h"
-#include "explore/state_graph.h"
+#include "explore/engines/state_graph.h"
+#include "explore/search/explorer.h"
 #include "explore_programs.h"
 
 namespace oncard::explore {

@@ -1,6 +1,6 @@
 // What a search file says of its program is looked at before it is believed
-// (explore/search_check.h).
-#include "explore/search_check.h"
+// (explore/search/search_check.h).
+#include "explore/search/search_check.h"
 
 #include <gtest/gtest.h>
 

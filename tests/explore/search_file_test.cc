@@ -1,6 +1,6 @@
-// Searches as files (explore/search_file.h); what the command does with them is tested by
+// Searches as files (explore/search/search_file.h); what the command does with them is tested by
 // tests/tools/explore_search_test.cc.
-#include "explore/search_file.h"
+#include "explore/search/search_file.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

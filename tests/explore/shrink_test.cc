@@ -1,9 +1,9 @@
-// Failing schedules with fewer preemptions (explore/shrink.h).
-#include "explore/shrink.h"
+// Failing schedules with fewer preemptions (explore/engines/shrink.h).
+#include "explore/engines/shrink.h"
 
 #include <gtest/gtest.h>
 
-#include "explore/explorer.h"
+#include "explore/search/explorer.h"
 #include "explore_programs.h"
 
 namespace oncard::explore {

@@ -1,5 +1,5 @@
-// The graph of all states (explore/state_graph.h) and what is read off it.
-#include "explore/state_graph.h"
+// The graph of all states (explore/engines/state_graph.h) and what is read off it.
+#include "explore/engines/state_graph.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
-// What statements touch (explore/statement_access.h).
-#include "explore/statement_access.h"
+// What statements touch (explore/models/statement_access.h).
+#include "explore/models/statement_access.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
-#include "explore/explorer.h"
-#include "explore/trail.h"
+#include "explore/reports/trail.h"
+#include "explore/search/explorer.h"
 #include "explore_programs.h"
 
 namespace oncard::explore {

@@ -1,13 +1,14 @@
-// Runs as tables (explore/step_table.h), with the curves of axes (explore/axis_curve.h).
-#include "explore/step_table.h"
+// Runs as tables (explore/reports/step_table.h), with the curves of axes
+// (explore/reports/axis_curve.h).
+#include "explore/reports/step_table.h"
 
 #include <gtest/gtest.h>
 
 #include "compiler/compiler.h"
 #include "compiler/display_text.h"
-#include "explore/axis_curve.h"
+#include "explore/reports/axis_curve.h"
 #include "explore_programs.h"
-#include "runtime/scenario_run.h"
+#include "runtime/scenario/scenario_run.h"
 
 namespace oncard::explore {
 namespace {

@@ -1,9 +1,9 @@
-// Runs and what depends on their way (explore/walk.h).
-#include "explore/walk.h"
+// Runs and what depends on their way (explore/engines/walk.h).
+#include "explore/engines/walk.h"
 
 #include <gtest/gtest.h>
 
-#include "explore/explorer.h"
+#include "explore/search/explorer.h"
 #include "explore_programs.h"
 
 namespace oncard::explore {

@@ -13,7 +13,7 @@
 
 #include "compiler/compiler.h"
 #include "gtcalls/catalogue.h"
-#include "runtime/host_api.h"
+#include "runtime/host/host_api.h"
 #include "tests/fuzz/fuzz.h"
 #include "vm/object_writer.h"
 

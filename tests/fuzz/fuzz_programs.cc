@@ -5,7 +5,7 @@
 #include "compiler/compiler.h"
 #include "compiler/diagnostic_printer.h"
 #include "gtcalls/catalogue.h"
-#include "runtime/scenario_run.h"
+#include "runtime/scenario/scenario_run.h"
 #include "tests/fuzz/fuzz.h"
 #include "vm/disassembler.h"
 #include "vm/object_reader.h"

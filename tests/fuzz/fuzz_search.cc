@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "base/json_text.h"
-#include "explore/explorer.h"
 #include "explore/scenario_exploration.h"
-#include "explore/search_check.h"
-#include "explore/search_file.h"
+#include "explore/search/explorer.h"
+#include "explore/search/search_check.h"
+#include "explore/search/search_file.h"
 #include "tests/fuzz/fuzz.h"
 
 namespace oncard::fuzz {

@@ -1,13 +1,13 @@
 // Files that a person writes: scenarios, schedules, requirements, configurations.
 #include <string>
 
-#include "explore/model.h"
-#include "explore/property.h"
+#include "explore/models/model.h"
+#include "explore/models/property.h"
 #include "explore/scenario_exploration.h"
 #include "gtcalls/card_config.h"
-#include "runtime/controller.h"
-#include "runtime/scenario.h"
-#include "runtime/scenario_run.h"
+#include "runtime/scenario/scenario.h"
+#include "runtime/scenario/scenario_run.h"
+#include "runtime/sim/controller.h"
 #include "tests/fuzz/fuzz.h"
 #include "vm/schedule.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "gtcalls/catalogue.h"
-#include "runtime/host_structures.h"
+#include "runtime/host/host_structures.h"
 
 // Last, because its constants are macros.
 #include "gts.h"

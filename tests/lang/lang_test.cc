@@ -22,7 +22,7 @@
 
 #include "base/files.h"
 #include "compiler/compiler.h"
-#include "runtime/controller.h"
+#include "runtime/sim/controller.h"
 
 namespace oncard {
 namespace {

@@ -1,12 +1,12 @@
 // Analogue converters: scales, bias, limit, filter.
-#include "motion/analog.h"
+#include "motion/io/analog.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "motion/rounding.h"
+#include "motion/common/rounding.h"
 
 namespace oncard::motion {
 namespace {

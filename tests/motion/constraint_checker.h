@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/sample.h"
+#include "motion/common/sample.h"
 
 namespace oncard::motion {
 

@@ -1,5 +1,5 @@
 // Coordinate systems: plans along segments, runs, stops, overrides, buffered commands.
-#include "motion/crd.h"
+#include "motion/paths/crd.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Digital inputs: pins, filter, sense, edge counters. Digital outputs: registers, masks, timed
 // reversal, pulse trains.
-#include "motion/digital_io.h"
+#include "motion/io/digital_io.h"
 
 #include <gtest/gtest.h>
 

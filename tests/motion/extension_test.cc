@@ -1,5 +1,5 @@
 // Converter values of extension modules.
-#include "motion/extension.h"
+#include "motion/io/extension.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// Follow (motion/follow_mode.h): segment types, passes, events, switching of FIFOs.
-#include "motion/follow_mode.h"
+// Follow (motion/profiles/follow_mode.h): segment types, passes, events, switching of FIFOs.
+#include "motion/profiles/follow_mode.h"
 
 #include <gtest/gtest.h>
 

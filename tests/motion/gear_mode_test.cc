@@ -1,6 +1,6 @@
-// Electronic gear (motion/gear_mode.h): the clutch, ratio changes, directions, events, and the
-// order of master and slave within a cycle.
-#include "motion/gear_mode.h"
+// Electronic gear (motion/profiles/gear_mode.h): the clutch, ratio changes, directions, events, and
+// the order of master and slave within a cycle.
+#include "motion/profiles/gear_mode.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Constant velocity: example 7-2 of the GTS manual, changes on the fly, the smoothing filter.
-#include "motion/jog_mode.h"
+#include "motion/profiles/jog_mode.h"
 
 #include <gtest/gtest.h>
 

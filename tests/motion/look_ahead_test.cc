@@ -1,5 +1,5 @@
 // Look-ahead: corners, curves, chains of segments, and what comes out of a run.
-#include "motion/look_ahead.h"
+#include "motion/paths/look_ahead.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "motion/state_hash.h"
+#include "motion/common/state_hash.h"
 #include "tests/motion/crd_run.h"
 
 namespace oncard::motion {

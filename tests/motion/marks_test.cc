@@ -1,5 +1,5 @@
 // The places of a machine: switches and index marks. The numbers follow from the intervals.
-#include "motion/marks.h"
+#include "motion/mechanics/switches_and_marks.h"
 
 #include <gtest/gtest.h>
 

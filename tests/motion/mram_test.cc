@@ -1,5 +1,5 @@
 // The ferroelectric memory: transfers, their time, what GT_Reset leaves.
-#include "motion/mram.h"
+#include "motion/io/mram.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Plans in closed form: their pieces, and what they give between and after them.
-#include "motion/plan.h"
+#include "motion/profiles/plan.h"
 
 #include <gtest/gtest.h>
 

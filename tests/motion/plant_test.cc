@@ -1,5 +1,5 @@
 // Drives: the lag's exact solution, friction, and how the machine follows pulses and voltages.
-#include "motion/plant.h"
+#include "motion/mechanics/plant.h"
 
 #include <gtest/gtest.h>
 

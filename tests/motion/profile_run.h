@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "motion/profile.h"
+#include "motion/profiles/profile.h"
 
 namespace oncard::motion {
 

@@ -1,5 +1,5 @@
 // A profile between its modes: stops that take over from a run, runs that take over from a stop.
-#include "motion/profile.h"
+#include "motion/profiles/profile.h"
 
 #include <gtest/gtest.h>
 

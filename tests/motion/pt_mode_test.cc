@@ -1,5 +1,5 @@
 // Position/time motion: examples 7-3 and 7-4 of the GTS manual, segment types, loops, buffers.
-#include "motion/pt_mode.h"
+#include "motion/profiles/pt_mode.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // PVT tables and their runs: examples 6-17 to 6-19, the shapes of all descriptions, loops.
-#include "motion/pvt_mode.h"
+#include "motion/profiles/pvt_mode.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "motion/segment.h"
+#include "motion/paths/segment.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "motion/trigonometry.h"
+#include "motion/common/trigonometry.h"
 
 namespace oncard::motion {
 namespace {

@@ -1,5 +1,5 @@
 // Point-to-point motion: example 7-1 of the GTS manual raw and smoothed, changes on the fly.
-#include "motion/trap_mode.h"
+#include "motion/profiles/trap_mode.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "motion/trigonometry.h"
+#include "motion/common/trigonometry.h"
 
 #include <gtest/gtest.h>
 

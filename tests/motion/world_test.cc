@@ -1,5 +1,5 @@
 // Events of the world: when they act, on what, and what survives GT_Reset.
-#include "motion/world.h"
+#include "motion/mechanics/world_events.h"
 
 #include <gtest/gtest.h>
 

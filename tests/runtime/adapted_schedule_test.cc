@@ -1,10 +1,10 @@
 // Schedules for edited programs: lines are found by their text.
-#include "runtime/adapted_schedule.h"
+#include "runtime/scenario/adapted_schedule.h"
 
 #include <gtest/gtest.h>
 
 #include "compiler/compiler.h"
-#include "runtime/scenario_run.h"
+#include "runtime/scenario/scenario_run.h"
 
 namespace oncard::runtime {
 namespace {

@@ -1,4 +1,4 @@
-#include "runtime/call_log.h"
+#include "runtime/host/call_log.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "runtime/controller.h"
+#include "runtime/sim/controller.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 
 #include "compiler/compiler.h"
-#include "runtime/call_log.h"
+#include "runtime/host/call_log.h"
 #include "test_programs.h"
 
 namespace oncard::runtime {

@@ -1,5 +1,5 @@
 // What a card does by itself, as its log says it: each line from the machine that makes it happen.
-#include "runtime/happening_text.h"
+#include "runtime/sim/happening_text.h"
 
 #include <gtest/gtest.h>
 

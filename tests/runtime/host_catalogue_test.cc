@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "gtcalls/catalogue.h"
-#include "runtime/host_api.h"
+#include "runtime/host/host_api.h"
 
 namespace oncard::runtime {
 namespace {

@@ -1,4 +1,4 @@
-#include "runtime/key_script.h"
+#include "runtime/scenario/key_script.h"
 
 #include <gtest/gtest.h>
 

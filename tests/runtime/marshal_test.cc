@@ -1,4 +1,4 @@
-#include "runtime/marshal.h"
+#include "runtime/host/marshal.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "gts.h"
-#include "runtime/controller.h"
+#include "runtime/sim/controller.h"
 
 namespace oncard::runtime {
 namespace {

@@ -8,7 +8,7 @@
 #include <new>
 #include <vector>
 
-#include "runtime/controller.h"
+#include "runtime/sim/controller.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "runtime/motion_values.h"
+#include "runtime/observe/motion_values.h"
 
 #include <gtest/gtest.h>
 

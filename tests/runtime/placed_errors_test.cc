@@ -1,5 +1,5 @@
-// Errors that name places in files (runtime/placed_errors.h).
-#include "runtime/placed_errors.h"
+// Errors that name places in files (runtime/scenario/placed_errors.h).
+#include "runtime/scenario/placed_errors.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "runtime/plot.h"
+#include "runtime/observe/plot.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "runtime/scenario.h"
+#include "runtime/scenario/scenario.h"
 
 namespace oncard::runtime {
 namespace {

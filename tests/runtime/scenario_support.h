@@ -6,7 +6,7 @@
 #include <string>
 
 #include "compiler/diagnostic_printer.h"
-#include "runtime/scenario_run.h"
+#include "runtime/scenario/scenario_run.h"
 
 namespace oncard::runtime {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "runtime/scenario_world.h"
+#include "runtime/scenario/scenario_world.h"
 
 namespace oncard::runtime {
 namespace {

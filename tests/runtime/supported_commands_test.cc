@@ -4,7 +4,7 @@
 
 #include "gtcalls/card.h"
 #include "gtcalls/unsupported.h"
-#include "runtime/host_services.h"
+#include "runtime/host/host_services.h"
 
 namespace oncard::runtime {
 namespace {

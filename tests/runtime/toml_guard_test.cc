@@ -1,4 +1,4 @@
-#include "runtime/toml_guard.h"
+#include "runtime/scenario/toml_guard.h"
 
 #include <gtest/gtest.h>
 

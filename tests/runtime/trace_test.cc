@@ -1,4 +1,4 @@
-#include "runtime/trace.h"
+#include "runtime/observe/trace.h"
 
 #include <gtest/gtest.h>
 

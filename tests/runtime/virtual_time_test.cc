@@ -1,4 +1,4 @@
-#include "runtime/virtual_time.h"
+#include "runtime/host/virtual_time.h"
 
 #include <gtest/gtest.h>
 

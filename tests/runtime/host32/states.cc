@@ -2,9 +2,9 @@
 // it from oncard: FILE POLICY PROGRAM_HASH STATE_HASH, or `refused` for one that is no single run.
 #include <fmt/format.h>
 
-#include "runtime/program.h"
-#include "runtime/scenario.h"
-#include "runtime/scenario_run.h"
+#include "runtime/scenario/scenario.h"
+#include "runtime/scenario/scenario_run.h"
+#include "runtime/sim/program.h"
 
 namespace oncard::runtime {
 namespace {

@@ -1,0 +1,23 @@
+// The graph of all states of a card with a program (card_model.h).
+// Deterministic; not thread-safe. Tested by tests/explore/card_graph_test.cc.
+#pragma once
+
+#include "explore/engines/state_graph.h"
+#include "explore/models/card_model.h"
+#include "explore/models/ends.h"
+
+namespace oncard::explore {
+
+struct CardGraph {
+  StateGraph graph;
+  int64_t bad_states = 0;
+  int64_t final_globals = 0;  ///< different values of the globals at the end
+  int64_t final_full = 0;     ///< the same with what the threads returned
+  EndSet ends;                ///< where nothing is asked of results
+  bool cut = false;           ///< some run ended because `until_ms` came
+};
+
+/// Explores from the start of the run, the states with the fewest statements first.
+CardGraph BuildCardGraph(CardModel* model, const StateLimits& limits);
+
+}  // namespace oncard::explore

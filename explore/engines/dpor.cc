@@ -1,0 +1,613 @@
+#include "explore/engines/dpor.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <deque>
+#include <functional>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace oncard::explore {
+namespace {
+
+/// A step of one thread as plans and sleep sets remember it.
+struct Step {
+  int thread = 0;
+  AccessSet access;
+  /// It sleeps because another unit of the search begins with it.
+  bool elsewhere = false;
+};
+
+/// A plan: sequences of steps that share their beginnings, as a tree in a pool. Siblings are tried
+/// in their order.
+using PlanIndex = uint32_t;
+constexpr PlanIndex kNoPlan = ~PlanIndex{0};
+struct PlanNode {
+  Step step;
+  PlanIndex first_child = kNoPlan;
+  PlanIndex next_sibling = kNoPlan;
+};
+
+class PlanPool {
+ public:
+  PlanNode& operator[](PlanIndex index) { return nodes_[index]; }
+  const PlanNode& operator[](PlanIndex index) const { return nodes_[index]; }
+  PlanIndex Take(const Step& step) {
+    PlanIndex index = free_;
+    if (index == kNoPlan) {
+      index = static_cast<PlanIndex>(nodes_.size());
+      nodes_.emplace_back();
+    } else {
+      free_ = nodes_[index].next_sibling;
+    }
+    nodes_[index] = {step, kNoPlan, kNoPlan};
+    return index;
+  }
+  /// Gives back a node without children.
+  void Release(PlanIndex index) {
+    nodes_[index].next_sibling = free_;
+    free_ = index;
+  }
+
+ private:
+  std::vector<PlanNode> nodes_;
+  PlanIndex free_ = kNoPlan;
+};
+
+/// A step that has been executed.
+struct Event {
+  Step step;
+  int64_t statements = 0;  ///< how many the model executed for it
+  /// Of each thread, how many events happen before this one or are it.
+  std::array<uint32_t, kThreadMax> clock{};
+  uint32_t number = 0;  ///< among its thread's events, from 1
+  /// What Latest said before the event, in the order in which it was changed.
+  std::array<uint32_t, AccessSet::kReadMax + 2> before{};
+  uint64_t trace = 0;  ///< names the trace up to and with this event; kept on request
+  std::vector<uint32_t>
+      races;  ///< earlier events it races with, while their reversal is not settled
+};
+
+/// What the search knows of the state before an event.
+struct Frame {
+  std::vector<Step> sleep;    ///< what need not be tried here
+  PlanIndex plans = kNoPlan;  ///< what is still to be tried, the one under way first
+};
+
+/// How a step stands to a sequence: one of its first, independent of all of it, or neither.
+enum class Initial : uint8_t { kNo, kFirst, kIndependent };
+
+/// Traces whose keys are kept to count redundant ones: half a gigabyte of them.
+constexpr size_t kNotedTraceMax = size_t{1} << 26;
+
+class Search {
+ public:
+  Search(Model* model, const DporLimits& limits, const FinalVisitor& visit)
+      : model_(*model), limits_(limits), visit_(visit) {}
+
+  DporResult Run(TraceUnit* unit) {
+    const int64_t start = model_.depth();
+    threads_ = static_cast<size_t>(model_.thread_count());
+    for (int thread = 0; thread < model_.thread_count(); ++thread) RunPrivate(thread);
+    TakePrefix(*unit);
+    if (unit->frames.empty()) {
+      Descend();
+    } else {
+      Restore(unit->frames);
+    }
+    Explore();
+    const bool goes_on = !result_.complete && !result_.too_deep;
+    unit->frames = goes_on ? Save() : std::vector<SavedFrame>{};
+    result_.redundant = CountRedundant();
+    UndoTo(start);
+    return result_;
+  }
+
+  std::vector<TraceUnit> Split(size_t count) {
+    const int64_t start = model_.depth();
+    threads_ = static_cast<size_t>(model_.thread_count());
+    for (int thread = 0; thread < model_.thread_count(); ++thread) RunPrivate(thread);
+    std::deque<TraceUnit> open = {TraceUnit{}};
+    std::vector<TraceUnit> whole;  // of one execution
+    while (!open.empty() && open.size() + whole.size() < count) {
+      const int64_t before = model_.depth();
+      const TraceUnit unit = std::move(open.front());
+      open.pop_front();
+      TakePrefix(unit);
+      if (model_.runnable() == 0) {
+        whole.push_back(unit);
+      } else {
+        SplitInto(unit, &open);
+      }
+      UndoTo(before);
+      Forget();
+    }
+    UndoTo(start);
+    whole.insert(whole.end(), open.begin(), open.end());
+    return whole;
+  }
+
+ private:
+  /// Executes a thread's statements up to the next that touches shared cells.
+  void RunPrivate(int thread) {
+    result_.steps += model_.StepPrivate(thread, limits_.depth - model_.depth());
+  }
+
+  void UndoTo(int64_t depth) {
+    while (model_.depth() > depth) model_.Undo();
+  }
+
+  /// The step that a thread takes next.
+  Step NextStep(int thread) const { return {thread, model_.NextAccess(thread)}; }
+  std::vector<Step> NextSteps(const std::vector<uint8_t>& threads) const {
+    std::vector<Step> steps;
+    steps.reserve(threads.size());
+    for (const uint8_t thread : threads) steps.push_back(NextStep(thread));
+    return steps;
+  }
+
+  // --- Parts of a search -------------------------------------------------------------------------
+
+  /// Takes the steps before the unit, for which there is nothing else to be tried.
+  void TakePrefix(const TraceUnit& unit) {
+    frames_.resize(std::max<size_t>(frames_.size(), unit.prefix.size() + 1));
+    for (const uint8_t thread : unit.prefix) {
+      frames_[count_].sleep.clear();
+      frames_[count_].plans = pool_.Take(NextStep(thread));
+      Execute();
+    }
+    first_ = count_;
+    frames_[count_].sleep = NextSteps(unit.sleep);
+    for (Step& step : frames_[count_].sleep) step.elsewhere = true;
+  }
+
+  /// Forgets the steps of a unit, whose statements the model has undone.
+  void Forget() {
+    while (count_ > 0) {
+      --count_;
+      pool_.Release(frames_[count_].plans);
+      frames_[count_].plans = kNoPlan;
+    }
+    unsettled_.clear();
+    latest_of_thread_ = {};
+    latest_of_cell_.clear();
+  }
+
+  /// The units that begin with one step more.
+  void SplitInto(const TraceUnit& unit, std::deque<TraceUnit>* units) const {
+    std::vector<Step> sleep = frames_[count_].sleep;
+    for (uint32_t left = model_.runnable(); left != 0; left &= left - 1) {
+      const int thread = std::countr_zero(left);
+      if (std::ranges::find(sleep, thread, &Step::thread) != sleep.end()) continue;
+      const Step step = NextStep(thread);
+      TraceUnit longer = {unit.prefix, {}};
+      longer.prefix.push_back(static_cast<uint8_t>(thread));
+      for (const Step& asleep : sleep) {
+        if (asleep.access.DependsOn(step.access)) continue;
+        longer.sleep.push_back(static_cast<uint8_t>(asleep.thread));
+      }
+      units->push_back(std::move(longer));
+      sleep.push_back(step);
+    }
+  }
+
+  std::vector<SavedFrame> Save() const {
+    std::vector<SavedFrame> frames;
+    for (size_t i = first_; i < count_; ++i) {
+      SavedFrame frame;
+      for (const Step& step : frames_[i].sleep) {
+        frame.sleep.push_back(static_cast<uint8_t>(step.thread));
+      }
+      frame.plans = SavePlans(frames_[i].plans);
+      frame.races = events_[i].races;
+      frames.push_back(std::move(frame));
+    }
+    return frames;
+  }
+  std::vector<PlannedStep> SavePlans(PlanIndex first) const {
+    std::vector<PlannedStep> plans;
+    std::vector<PlanIndex> open = {first};
+    while (!open.empty()) {
+      const PlanIndex plan = open.back();
+      open.pop_back();
+      if (plan == kNoPlan) continue;
+      const PlanNode& node = pool_[plan];
+      PlannedStep planned = {static_cast<uint8_t>(node.step.thread), 0};
+      for (PlanIndex i = node.first_child; i != kNoPlan; i = pool_[i].next_sibling) ++planned.next;
+      plans.push_back(planned);
+      open.push_back(node.next_sibling);
+      open.push_back(node.first_child);
+    }
+    return plans;
+  }
+
+  /// Takes the path of an interrupted search again.
+  void Restore(const std::vector<SavedFrame>& saved) {
+    for (const SavedFrame& frame : saved) {
+      std::vector<Step> sleep = NextSteps(frame.sleep);
+      for (Step& step : sleep) step.elsewhere = SleepsElsewhere(frames_[count_], step.thread);
+      frames_[count_].sleep = std::move(sleep);
+      frames_[count_].plans = RestorePlans(frame.plans);
+      Execute();
+      // Those that are not settled yet.
+      std::vector<uint32_t>& races = events_[count_ - 1].races;
+      if (races.empty()) continue;
+      std::erase_if(races, [&](uint32_t earlier) {
+        return std::ranges::find(frame.races, earlier) == frame.races.end();
+      });
+      if (races.empty()) unsettled_.pop_back();
+    }
+  }
+  static bool SleepsElsewhere(const Frame& frame, int thread) {
+    return std::ranges::any_of(frame.sleep, [&](const Step& asleep) {
+      return asleep.thread == thread && asleep.elsewhere;
+    });
+  }
+  /// What the planned steps touch shows when they are taken.
+  PlanIndex RestorePlans(const std::vector<PlannedStep>& plans) {
+    /// Of the plans with one step before them.
+    struct Level {
+      size_t left = 0;               ///< plans still to come
+      int64_t depth = 0;             ///< of the model before that step
+      PlanIndex before = kNoPlan;    ///< that step
+      PlanIndex previous = kNoPlan;  ///< the plan before the one that comes
+    };
+    PlanIndex first = kNoPlan;
+    std::vector<Level> levels = {{plans.size(), model_.depth()}};
+    for (const PlannedStep& planned : plans) {
+      for (; levels.back().left == 0; levels.pop_back()) UndoTo(levels.back().depth);
+      Level& level = levels.back();
+      --level.left;
+      const PlanIndex plan = pool_.Take(NextStep(planned.thread));
+      PlanIndex* link = &first;
+      if (level.previous != kNoPlan) {
+        link = &pool_[level.previous].next_sibling;
+      } else if (level.before != kNoPlan) {
+        link = &pool_[level.before].first_child;
+      }
+      *link = plan;
+      level.previous = plan;
+      if (planned.next == 0) continue;
+      levels.push_back({planned.next, model_.depth(), plan});
+      model_.Step(planned.thread);
+      RunPrivate(planned.thread);
+    }
+    UndoTo(levels.front().depth);
+    return first;
+  }
+
+  // --- The search --------------------------------------------------------------------------------
+
+  /// From the end of an execution on.
+  void Explore() {
+    while (!stopped_ && count_ > first_) {
+      Leave();
+      if (frames_[count_].plans != kNoPlan) Descend();
+    }
+    const bool nothing_left = count_ == first_ && !result_.too_deep;
+    result_.complete = !stopped_ || nothing_left;
+  }
+
+  /// Goes on from the present state until an execution has ended.
+  void Descend() {
+    while (model_.runnable() != 0) {
+      if (model_.depth() >= limits_.depth) {
+        stopped_ = true;
+        result_.too_deep = true;
+        return;
+      }
+      if (frames_[count_].plans == kNoPlan && !PlanFirst(&frames_[count_])) {
+        ++result_.blocked;
+        ReverseRaces();
+        return;
+      }
+      Execute();
+    }
+    Finish();
+  }
+
+  /// Plans any thread that is awake.
+  bool PlanFirst(Frame* frame) {
+    uint32_t awake = model_.runnable();
+    for (const Step& asleep : frame->sleep) awake &= ~(1u << asleep.thread);
+    if (awake == 0) return false;
+    const int thread = std::countr_zero(awake);
+    frame->plans = pool_.Take({thread, model_.NextAccess(thread)});
+    return true;
+  }
+
+  /// Takes the first plan's first step.
+  void Execute() {
+    if (frames_.size() < count_ + 2) frames_.resize(count_ + 2);
+    const Frame& frame = frames_[count_];
+    Frame& next = frames_[count_ + 1];
+    PlanNode& plan = pool_[frame.plans];
+    const Step step = plan.step;
+    next.plans = plan.first_child;
+    plan.first_child = kNoPlan;
+    next.sleep.clear();
+    for (const Step& asleep : frame.sleep) {
+      if (asleep.thread != step.thread && !asleep.access.DependsOn(step.access)) {
+        next.sleep.push_back(asleep);
+      }
+    }
+    const int64_t before = model_.depth();
+    AppendEvent(step);
+    model_.Step(step.thread);
+    ++result_.steps;
+    RunPrivate(step.thread);
+    events_[count_ - 1].statements = model_.depth() - before;
+  }
+
+  /// Adds an event, with what happens before it and which of that it races with: the events of
+  /// other threads that come before it directly.
+  void AppendEvent(const Step& step) {
+    if (events_.size() == count_) events_.emplace_back();
+    Event& event = events_[count_];
+    event.step = step;
+    event.races.clear();
+    std::fill_n(event.clock.begin(), threads_, 0u);
+    FindPredecessors(step);
+    for (size_t p = 0; p < predecessor_count_; ++p) {
+      const uint32_t i = predecessors_[p];
+      const Event& earlier = events_[i - 1];
+      const auto thread = static_cast<size_t>(earlier.step.thread);
+      if (earlier.number <= event.clock[thread]) continue;  // something in between orders them
+      for (size_t t = 0; t < threads_; ++t) {
+        event.clock[t] = std::max(event.clock[t], earlier.clock[t]);
+      }
+      if (earlier.step.thread != step.thread) event.races.push_back(i - 1);
+    }
+    event.number = ++event.clock[static_cast<size_t>(step.thread)];
+    if (!event.races.empty()) unsettled_.push_back(static_cast<uint32_t>(count_));
+    if (limits_.count_redundant) NameTrace(&event);
+    ++count_;
+    size_t changed = 0;
+    ForLatest(step, [&](uint32_t* latest) {
+      event.before[changed++] = std::exchange(*latest, static_cast<uint32_t>(count_));
+    });
+  }
+
+  /// Of the events that a step depends on, those that may come before it directly: the latest
+  /// first.
+  void FindPredecessors(const Step& step) {
+    predecessor_count_ = 0;
+    const auto add = [this](uint32_t latest) {
+      if (latest == 0) return;
+      size_t at = predecessor_count_++;
+      for (; at > 0 && predecessors_[at - 1] < latest; --at) {
+        predecessors_[at] = predecessors_[at - 1];
+      }
+      predecessors_[at] = latest;
+    };
+    add(latest_of_thread_[static_cast<size_t>(step.thread)]);
+    for (uint32_t i = 0; i < step.access.read_count; ++i) {
+      add(LatestOf(step.access.reads[i])[threads_]);
+    }
+    if (step.access.write != AccessSet::kNone) {
+      const uint32_t* latest = LatestOf(step.access.write);
+      for (size_t i = 0; i <= threads_; ++i) add(latest[i]);
+    }
+  }
+
+  /// Calls `change` with every element of what is known of the latest events that says something
+  /// else after this step, always in the same order.
+  template <typename Change>
+  void ForLatest(const Step& step, const Change& change) {
+    change(&latest_of_thread_[static_cast<size_t>(step.thread)]);
+    for (uint32_t i = 0; i < step.access.read_count; ++i) {
+      change(LatestOf(step.access.reads[i]) + step.thread);
+    }
+    if (step.access.write != AccessSet::kNone) change(LatestOf(step.access.write) + threads_);
+  }
+
+  /// Of a cell: each thread's latest event that reads it, then the latest that writes it, counted
+  /// from 1; 0 when there is none.
+  uint32_t* LatestOf(uint32_t cell) {
+    const size_t begin = size_t{cell} * (threads_ + 1);
+    if (latest_of_cell_.size() < begin + threads_ + 1) latest_of_cell_.resize(begin + threads_ + 1);
+    return &latest_of_cell_[begin];
+  }
+
+  /// Names a trace by what happens before each of its events, in whatever order they came.
+  void NameTrace(Event* event) {
+    uint64_t name = static_cast<uint64_t>(event->step.thread);
+    for (size_t t = 0; t < threads_; ++t) {
+      name = (name ^ name >> 29 ^ event->clock[t]) * 0x9e3779b97f4a7c15ULL;
+    }
+    event->trace = (count_ == 0 ? 0 : events_[count_ - 1].trace) + (name ^ name >> 32);
+  }
+
+  /// Remembers the present trace.
+  void NoteTrace() {
+    if (traces_.size() == kNotedTraceMax) return;
+    traces_.push_back(count_ == 0 ? 0 : events_[count_ - 1].trace);
+  }
+  /// How many of the remembered traces are there more than once. Sorting them at the end is much
+  /// faster than looking up each in a table that is larger than the processor's caches.
+  int64_t CountRedundant() {
+    // By their first bits into parts that fit into a cache, which are then sorted one by one.
+    constexpr int kPartBits = 12;
+    std::vector<size_t> ends(size_t{1} << kPartBits);
+    const auto part_of = [](uint64_t trace) { return trace >> (64 - kPartBits); };
+    for (const uint64_t trace : traces_) ++ends[part_of(trace)];
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    std::vector<size_t> begins = ends;
+    std::vector<uint64_t> parts(traces_.size());
+    for (const uint64_t trace : traces_) parts[--begins[part_of(trace)]] = trace;
+    int64_t redundant = 0;
+    for (size_t part = 0; part < ends.size(); ++part) {
+      const auto first = parts.begin() + static_cast<std::ptrdiff_t>(begins[part]);
+      const auto last = parts.begin() + static_cast<std::ptrdiff_t>(ends[part]);
+      std::sort(first, last);
+      redundant += last - std::unique(first, last);
+    }
+    return redundant;
+  }
+
+  /// Takes back the last event: its step goes to sleep, what was planned for it is done.
+  void Leave() {
+    const Event& event = events_[--count_];
+    if (!unsettled_.empty() && unsettled_.back() == count_) unsettled_.pop_back();
+    std::array<uint32_t*, AccessSet::kReadMax + 2> changed{};
+    size_t changes = 0;
+    ForLatest(event.step, [&](uint32_t* latest) { changed[changes++] = latest; });
+    while (changes-- > 0) *changed[changes] = event.before[changes];
+    for (int64_t i = 0; i < event.statements; ++i) model_.Undo();
+    Frame& frame = frames_[count_];
+    frame.sleep.push_back(event.step);
+    const PlanIndex done = frame.plans;
+    frame.plans = pool_[done].next_sibling;
+    pool_.Release(done);
+  }
+
+  void Finish() {
+    ++result_.executions;
+    if (limits_.count_redundant) NoteTrace();
+    const bool told = limits_.stop != nullptr && limits_.stop->load(std::memory_order_relaxed);
+    stopped_ = !visit_(model_) || told || result_.executions >= limits_.executions;
+    ReverseRaces();
+  }
+
+  /// Plans for the races of an execution.
+  void ReverseRaces() {
+    std::erase_if(unsettled_, [this](uint32_t later) {
+      std::vector<uint32_t>& races = events_[later].races;
+      std::erase_if(races, [&](uint32_t earlier) { return Reverse(earlier, later); });
+      return races.empty();
+    });
+  }
+
+  bool HappensBefore(const Event& first, const Event& second) const {
+    return first.number <= second.clock[static_cast<size_t>(first.step.thread)];
+  }
+
+  /// Plans an execution in which the two events of a race come the other way round, unless one is
+  /// planned or has been seen. True when that holds for all executions that begin as this one does
+  /// up to the later event.
+  bool Reverse(size_t earlier, size_t later) {
+    if (earlier < first_) return true;  // another unit begins with the reversal
+    rest_.clear();
+    for (size_t i = earlier + 1; i < later; ++i) AppendConcurrent(earlier, i);
+    rest_.push_back(&events_[later].step);
+    const size_t certain = rest_.size();
+    // What follows cannot depend on the later event, so the order among them does not matter.
+    for (size_t i = later + 1; i < count_; ++i) AppendConcurrent(earlier, i);
+    Frame& frame = frames_[earlier];
+    for (const Step& asleep : frame.sleep) {
+      size_t decided = 0;
+      const Initial initial = InitialOf(asleep, &decided);
+      if (initial == Initial::kNo) continue;
+      // The unit that begins with a step cannot tell this one what it finds, so that sequences
+      // after which it is woken must be tried, although they could have come after it, too.
+      if (initial == Initial::kIndependent && asleep.elsewhere) continue;
+      return decided < certain;
+    }
+    Insert(&frame.plans);
+    return true;
+  }
+
+  void AppendConcurrent(size_t earlier, size_t index) {
+    if (!HappensBefore(events_[earlier], events_[index])) rest_.push_back(&events_[index].step);
+  }
+
+  /// How `step`, the next of its thread, stands to the sequence rest_; `decided` is the element
+  /// that says so, or the size when it takes all.
+  Initial InitialOf(const Step& step, size_t* decided) const {
+    for (size_t i = 0; i < rest_.size(); ++i) {
+      *decided = i;
+      if (rest_[i]->thread == step.thread) return Initial::kFirst;
+      if (step.access.DependsOn(rest_[i]->access)) return Initial::kNo;
+    }
+    *decided = rest_.size();
+    return Initial::kIndependent;
+  }
+
+  /// Adds rest_ to the plans unless one of them leads to it.
+  void Insert(PlanIndex* plans) {
+    PlanIndex* level = plans;  // pool_ does not grow while it is used
+    PlanIndex parent = kNoPlan;
+    while (true) {
+      PlanIndex child = *level;
+      size_t decided = 0;
+      Initial initial = Initial::kNo;
+      PlanIndex last = kNoPlan;
+      while (child != kNoPlan) {
+        initial = InitialOf(pool_[child].step, &decided);
+        if (initial != Initial::kNo) break;
+        last = child;
+        child = pool_[child].next_sibling;
+      }
+      if (child == kNoPlan) {
+        // A planned sequence that ends here is a beginning of this one.
+        if (last == kNoPlan && parent != kNoPlan) return;
+        AppendChain(plans, parent, last);
+        return;
+      }
+      if (initial == Initial::kFirst) {
+        rest_.erase(rest_.begin() + static_cast<std::ptrdiff_t>(decided));
+      }
+      parent = child;
+      level = &pool_[child].first_child;
+    }
+  }
+
+  /// Adds rest_ as a chain after the sibling `last`, or as the first child of `parent`.
+  void AppendChain(PlanIndex* plans, PlanIndex parent, PlanIndex last) {
+    PlanIndex first = kNoPlan;
+    for (size_t i = rest_.size(); i-- > 0;) {
+      const PlanIndex node = pool_.Take(*rest_[i]);
+      pool_[node].first_child = first;
+      first = node;
+    }
+    if (last != kNoPlan) {
+      pool_[last].next_sibling = first;
+    } else if (parent != kNoPlan) {
+      pool_[parent].first_child = first;
+    } else {
+      *plans = first;
+    }
+  }
+
+  Model& model_;
+  const DporLimits& limits_;
+  const FinalVisitor& visit_;
+  size_t threads_ = 0;
+  DporResult result_;
+  bool stopped_ = false;
+  size_t first_ = 0;  ///< the unit's first event; those before it are its prefix
+  PlanPool pool_;
+  // Only grown, so that their memory is used again: events_[0..count_), frames_[0..count_].
+  size_t count_ = 0;
+  std::vector<Event> events_;
+  std::vector<Frame> frames_;
+  std::vector<const Step*> rest_;
+  std::array<uint32_t, kThreadMax> latest_of_thread_{};  ///< event, counted from 1
+  std::vector<uint32_t> latest_of_cell_;                 ///< see LatestOf()
+  /// See FindPredecessors(): of the own thread, of each cell read, of the cell written.
+  std::array<uint32_t, 1 + AccessSet::kReadMax + kThreadMax + 1> predecessors_{};
+  size_t predecessor_count_ = 0;
+  std::vector<uint32_t> unsettled_;  ///< events with races, the latest last
+  std::vector<uint64_t> traces_;
+};
+
+}  // namespace
+
+std::vector<TraceUnit> SplitTraces(Model* model, size_t count) {
+  const DporLimits limits;
+  return Search(model, limits, {}).Split(count);
+}
+
+DporResult ExploreUnit(Model* model, TraceUnit* unit, const DporLimits& limits,
+                       const FinalVisitor& visit) {
+  return Search(model, limits, visit).Run(unit);
+}
+
+DporResult ExploreTraces(Model* model, const DporLimits& limits, const FinalVisitor& visit) {
+  TraceUnit whole;
+  return ExploreUnit(model, &whole, limits, visit);
+}
+
+}  // namespace oncard::explore

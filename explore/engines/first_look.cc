@@ -1,0 +1,82 @@
+#include "explore/engines/first_look.h"
+
+#include <bit>
+#include <memory>
+#include <utility>
+
+#include "explore/engines/bounded_search.h"
+#include "explore/engines/sampler.h"
+#include "explore/engines/shrink.h"
+#include "explore/engines/walk.h"
+
+namespace oncard::explore {
+namespace {
+
+/// States of the schedules with so many preemptions; with a card each takes much longer.
+constexpr uint32_t kProgramStates = 50'000;
+constexpr uint32_t kCardStates = 2000;
+/// Statements of all random schedules together.
+constexpr int64_t kProgramStatements = 100'000;
+constexpr int64_t kCardStatements = 200'000;
+/// Statements of the threads one after the other: more than a scenario's default limit_ms allows at
+/// its default rate.
+constexpr int64_t kSerialStatements = 8'000'000;
+
+/// Every so many statements of a long run a state is kept.
+constexpr int64_t kKeptEvery = 100'000;
+
+/// The threads one after the other, each as long as it can.
+FirstLook LookAtThreadsInTurn(CardModel* model) {
+  /// Of two states the earlier one: it is far enough from the end for that to be shown.
+  struct Kept {
+    std::shared_ptr<const CardModel::State> state;
+    int64_t steps = 0;
+  };
+  CardWalk walk(model, false);
+  std::vector<uint8_t> steps;
+  Kept kept;
+  Kept latest;
+  int last = 0;
+  while (!walk.fault() && !walk.ended()) {
+    const auto taken = static_cast<int64_t>(steps.size());
+    if (taken == kSerialStatements) return {};
+    if (taken >= latest.steps + kKeptEvery) {
+      kept = std::exchange(latest, {std::make_shared<CardModel::State>(walk.WholeState()), taken});
+    }
+    const uint32_t choices = walk.choices();
+    if ((choices >> last & 1) == 0) last = std::countr_zero(choices);
+    const int64_t more = walk.StepAlone(last, kSerialStatements - taken);
+    steps.insert(steps.end(), static_cast<size_t>(more), static_cast<uint8_t>(last));
+  }
+  if (!walk.fault()) return {};
+  if (static_cast<int64_t>(steps.size()) < kCardEffort) return {std::move(steps), false};
+  Failure failure;
+  failure.fault = walk.fault();
+  failure.steps = std::move(steps);
+  failure.late = std::move(kept.state);
+  failure.late_steps = kept.steps;
+  return {{}, false, std::move(failure)};
+}
+
+SampleOptions Sampling(int64_t statements, const std::atomic<bool>* stop) {
+  return {.kind = SamplerKind::kPct, .all_statements = statements, .until_bad = true, .stop = stop};
+}
+
+}  // namespace
+
+FirstLook LookFirst(const Problem& problem, const std::atomic<bool>* stop) {
+  if (problem.races == RaceRule::kBenign) return {};
+  BoundedCounts few = SearchBounded(problem, {.state_limit = kProgramStates, .stop = stop});
+  if (few.bad) return {std::move(few.failing), problem.races == RaceRule::kAny};
+  return {Sample(problem, Sampling(kProgramStatements, stop)).failing, false};
+}
+
+FirstLook LookFirstAtCard(CardModel* model, const std::atomic<bool>* stop) {
+  FirstLook in_turn = LookAtThreadsInTurn(model);
+  if (in_turn.found()) return in_turn;
+  BoundedCounts few = SearchCardBounded(model, {.state_limit = kCardStates, .stop = stop});
+  if (few.bad) return {std::move(few.failing), true};
+  return {SampleCard(model, Sampling(kCardStatements, stop)).failing, false};
+}
+
+}  // namespace oncard::explore

@@ -1,0 +1,31 @@
+// How what parts of a search have found is put together.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "explore/models/state_key.h"
+
+namespace oncard::explore {
+
+/// Of two sets of keys in order.
+inline std::vector<StateKey> UnionOf(const std::vector<StateKey>& a,
+                                     const std::vector<StateKey>& b) {
+  std::vector<StateKey> both;
+  std::ranges::set_union(a, b, std::back_inserter(both));
+  return both;
+}
+
+/// Keeps the simpler one of two failing runs, whichever was there first; an empty one is none.
+inline void TakeSimpler(const std::vector<uint8_t>& other, std::vector<uint8_t>* failing) {
+  if (other.empty()) return;
+  const auto simpler = [](const auto& a, const auto& b) {
+    return std::pair(a.size(), a) < std::pair(b.size(), b);
+  };
+  if (failing->empty() || simpler(other, *failing)) *failing = other;
+}
+
+}  // namespace oncard::explore

@@ -1,0 +1,249 @@
+#include "explore/engines/state_search.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "explore/engines/shrink.h"
+#include "explore/models/key_set.h"
+
+namespace oncard::explore {
+namespace {
+
+/// Flags of states: a race that is not allowed; from the second on, that a requirement holds.
+constexpr uint32_t kRacing = kCallersFlag;
+constexpr uint32_t kFirstHolds = kCallersFlag << 1;
+
+/// The flags of a state for the requirements of the scope kEventually, in their order.
+uint32_t HoldingFlags(const Problem& problem, const Model& state) {
+  uint32_t flags = 0;
+  uint32_t flag = kFirstHolds;
+  for (const BoundRequirement& requirement : problem.requirements) {
+    if (requirement.scope != Scope::kEventually) continue;
+    if (requirement.property.Holds(state)) flags |= flag;
+    flag <<= 1;
+  }
+  return flags;
+}
+
+/// Looks for races in the states of a graph while it is built.
+class RaceSearch {
+ public:
+  explicit RaceSearch(const Problem& problem) : problem_(problem) {}
+
+  /// Told of the next state.
+  void Look(const Model& state) {
+    if (problem_.races != RaceRule::kAny) {
+      for (const Race& race : FindRaces(state, problem_.sync)) states_[race].push_back(next_);
+    }
+    ++next_;
+  }
+
+  /// Flags the states with races that are not allowed. `end_of` as for ReachableEnds().
+  std::vector<FoundRace> Finish(const std::vector<uint32_t>& end_of, StateGraph* graph) const {
+    std::vector<uint32_t> ends;
+    if (!states_.empty() && graph->complete) ends = ReachableEnds(*graph, end_of);
+    std::vector<FoundRace> races;
+    for (const auto& entry : states_) {
+      const Race& race = entry.first;
+      const std::vector<uint32_t>& states = entry.second;
+      const bool benign = !ends.empty() && std::ranges::none_of(states, [&](uint32_t state) {
+        return OrderMatters(*graph, ends, state, race);
+      });
+      races.push_back({race, benign});
+      if (problem_.races == RaceRule::kBenign && (benign || !graph->complete)) continue;
+      for (const uint32_t state : states) graph->flags[state] |= kRacing;
+    }
+    return races;
+  }
+
+ private:
+  const Problem& problem_;
+  std::map<Race, std::vector<uint32_t>> states_;  ///< that have it
+  uint32_t next_ = 0;
+};
+
+/// A run that ends without a state in which a requirement holds that must hold eventually.
+std::optional<Failure> WayWithout(const Problem& problem, const StateGraph& graph) {
+  uint32_t flag = kFirstHolds;
+  for (size_t i = 0; i < problem.requirements.size(); ++i) {
+    if (problem.requirements[i].scope != Scope::kEventually) continue;
+    if (auto way = WayTo(graph, kTerminal, flag)) {
+      way->fault = {Fault::Kind::kRequirement, static_cast<int>(i), 0};
+      return way;
+    }
+    flag <<= 1;
+  }
+  return std::nullopt;
+}
+
+/// Takes a graph's steps statement by statement.
+class StatementPath {
+ public:
+  explicit StatementPath(const Problem& problem) : problem_(problem), model_(problem.model) {}
+
+  void Take(const std::vector<uint8_t>& steps) {
+    for (const uint8_t thread : steps) {
+      Begin(thread);
+      starts_.push_back(static_cast<int64_t>(taken_.size()));
+      model_.Step(thread);
+      taken_.push_back(thread);
+      TakePrivate(thread);
+    }
+  }
+  /// Takes the private statements at the starts of threads that have taken none yet.
+  void BeginAll() {
+    for (int thread = 0; thread < model_.thread_count(); ++thread) Begin(thread);
+  }
+  bool fault() const { return static_cast<bool>(FindFault(problem_, model_)); }
+  /// The statements since the last call.
+  std::vector<uint8_t> Taken() { return std::exchange(taken_, {}); }
+  /// Of each step of the graph, how many statements come before its first one that is not private.
+  const std::vector<int64_t>& starts() const { return starts_; }
+
+ private:
+  void Begin(int thread) {
+    if ((begun_ >> thread & 1) != 0) return;
+    begun_ |= 1u << thread;
+    TakePrivate(thread);
+  }
+  void TakePrivate(int thread) {
+    const int64_t steps = model_.StepPrivate(thread, kMergedMax);
+    taken_.insert(taken_.end(), static_cast<size_t>(steps), static_cast<uint8_t>(thread));
+  }
+
+  const Problem& problem_;
+  Model model_;
+  uint32_t begun_ = 0;
+  std::vector<uint8_t> taken_;
+  std::vector<int64_t> starts_;
+};
+
+/// Tells a failure of a graph of merged statements in statements.
+void Unmerge(const Problem& problem, Failure* failure) {
+  StatementPath path(problem);
+  path.Take(failure->steps);
+  if (failure->livelock || !path.fault()) path.BeginAll();
+  failure->steps = path.Taken();
+  if (failure->last_escape >= 0) {
+    const auto escape = static_cast<size_t>(failure->last_escape);
+    failure->last_escape = escape < path.starts().size()
+                               ? path.starts()[escape]
+                               : static_cast<int64_t>(failure->steps.size());
+  }
+  path.Take(failure->cycle);
+  failure->cycle = path.Taken();
+  failure->fewest_steps = 0;
+  Model model = problem.model;
+  failure->preemptions = CountPreemptions(&model, failure->steps);
+}
+
+}  // namespace
+
+StateSearch SearchStates(const Problem& problem, const StateLimits& limits) {
+  StateSearch search;
+  search.merged = limits.merge_private;
+  Model model = problem.model;
+  model.TrackKey(true);
+  KeySet globals;
+  KeySet full;
+  RaceSearch races(problem);
+  std::vector<uint32_t> final_of;  // of each terminal state, in order, the number of its globals
+  std::vector<uint32_t> end_of;    // of each state, the number of its end if it is one
+  search.graph = BuildStateGraph(&model, limits, [&](const Model& state) {
+    const bool bad = static_cast<bool>(FindFault(problem, state));
+    uint32_t end = 0;
+    if (state.runnable() == 0) {
+      bool added = false;
+      final_of.push_back(globals.FindOrAdd(state.GlobalsKey(), &added));
+      end = full.FindOrAdd(state.FinalKey(), &added);
+      if (added && problem.requirements.empty()) search.ends.Add(EndOf(state));
+    }
+    races.Look(state);
+    if (problem.races != RaceRule::kAny) end_of.push_back(end);
+    search.counts.bad_states += bad ? 1 : 0;
+    return (bad ? kBad : 0u) | HoldingFlags(problem, state);
+  });
+  search.races = races.Finish(end_of, &search.graph);
+  search.counts.states = search.graph.size();
+  search.counts.transitions = search.graph.transitions;
+  search.counts.final_globals = globals.size();
+  search.counts.final_full = full.size();
+  search.counts.complete = search.graph.complete;
+  if (!search.counts.complete) return search;
+
+  const std::vector<int> preemptions = PreemptionsTo(search.graph, kPreemptionBounds - 1);
+  std::vector<int> fewest(globals.size(), kPreemptionBounds);
+  size_t terminal = 0;
+  for (uint32_t state = 0; state < search.graph.size(); ++state) {
+    if ((search.graph.flags[state] & kTerminal) == 0) continue;
+    int& best = fewest[final_of[terminal++]];
+    best = std::min(best, preemptions[state]);
+  }
+  for (int bound = 0; bound < kPreemptionBounds; ++bound) {
+    search.counts.finals_within.push_back(
+        std::count_if(fewest.begin(), fewest.end(), [&](int least) { return least <= bound; }));
+  }
+  return search;
+}
+
+std::optional<Failure> WayTo(const StateGraph& graph, uint32_t flag, uint32_t avoid) {
+  Path path = FewestPreemptions(graph, flag, avoid);
+  if (!path.found) return std::nullopt;
+  Failure failure;
+  failure.steps = std::move(path.steps);
+  failure.preemptions = path.preemptions;
+  failure.fewest_preemptions = graph.complete;
+  if (graph.complete && avoid == 0) {
+    failure.fewest_steps = static_cast<int64_t>(FewestSteps(graph, flag).steps.size());
+    failure.last_escape = LastEscape(graph, failure.steps);
+  }
+  return failure;
+}
+
+std::optional<Failure> FailureIn(const Problem& problem, const StateSearch& search) {
+  const StateGraph& graph = search.graph;
+  const auto in_statements = [&](std::optional<Failure> failure) {
+    if (failure && search.merged) Unmerge(problem, &*failure);
+    return failure;
+  };
+  const auto walk_to_end = [&](const Failure& failure) {
+    Model model = problem.model;
+    for (const uint8_t thread : failure.steps) model.Step(thread);
+    return model;
+  };
+  if (search.counts.bad_states > 0) {
+    if (auto bad = in_statements(WayTo(graph, kBad))) {
+      bad->fault = FindFault(problem, walk_to_end(*bad));
+      return bad;
+    }
+  }
+  if (auto without = in_statements(WayWithout(problem, graph))) return without;
+  if (Lasso lasso = graph.complete ? FindFairCycle(graph) : Lasso{}; lasso.found) {
+    Failure failure;
+    failure.livelock = true;
+    failure.steps = std::move(lasso.stem);
+    failure.cycle = std::move(lasso.cycle);
+    Model model = problem.model;
+    if (search.merged) {
+      Unmerge(problem, &failure);
+    } else {
+      failure.preemptions = CountPreemptions(&model, failure.steps);
+    }
+    return failure;
+  }
+  if (search.races.empty()) return std::nullopt;
+  auto racing = in_statements(WayTo(graph, kRacing));
+  if (!racing) return std::nullopt;
+  racing->last_escape = -1;
+  racing->fault.kind = Fault::Kind::kRace;
+  for (const Race& race : FindRaces(walk_to_end(*racing), problem.sync)) {
+    const auto found = std::ranges::find(search.races, race, &FoundRace::race);
+    racing->fault.race = race;
+    if (problem.races == RaceRule::kNone || !found->benign) break;
+  }
+  TakeRacingStatements(problem, &*racing);
+  return racing;
+}
+
+}  // namespace oncard::explore

@@ -1,0 +1,69 @@
+#include "explore/engines/walk.h"
+
+namespace oncard::explore {
+namespace {
+
+/// In keys, beyond all cells of a model.
+constexpr uint32_t kPlaceOfReached = 0xfffffff8;
+constexpr uint32_t kPlaceOfRaces = 0xfffffffa;
+
+}  // namespace
+
+ProgramWalk::ProgramWalk(const Problem& problem) : problem_(problem), model_(problem.model) {
+  marks_.push_back(Judge({}, {}));
+  if (problem.races != RaceRule::kAny) detectors_.emplace_back(model_, problem.sync);
+}
+
+ProgramWalk::Mark ProgramWalk::Judge(const Mark& before, const Race& race) const {
+  Mark mark = before;
+  if (mark.fault) return mark;
+  mark.fault = FindFault(problem_, model_);
+  if (!mark.fault && race) {
+    mark.fault.kind = Fault::Kind::kRace;
+    mark.fault.race = race;
+  }
+  uint32_t bit = 1;
+  for (size_t i = 0; i < problem_.requirements.size(); ++i) {
+    const BoundRequirement& requirement = problem_.requirements[i];
+    if (requirement.scope != Scope::kEventually) continue;
+    if (requirement.property.Holds(model_)) mark.reached |= bit;
+    if (!mark.fault && ended() && (mark.reached & bit) == 0) {
+      mark.fault = {Fault::Kind::kRequirement, static_cast<int>(i), 0};
+    }
+    bit <<= 1;
+  }
+  return mark;
+}
+
+void ProgramWalk::Step(int thread) {
+  Race race;
+  if (!detectors_.empty()) {
+    detectors_.push_back(detectors_.back());
+    race = detectors_.back().BeforeStep(model_, thread);
+  }
+  model_.Step(thread);
+  marks_.push_back(Judge(marks_.back(), race));
+}
+
+void ProgramWalk::Undo() {
+  model_.Undo();
+  marks_.pop_back();
+  if (!detectors_.empty()) detectors_.pop_back();
+}
+
+void ProgramWalk::Restart() {
+  while (marks_.size() > 1) Undo();
+}
+
+StateKey ProgramWalk::Key() const {
+  StateKey key = model_.key();
+  AddToKey(kPlaceOfReached, static_cast<int64_t>(marks_.back().reached), &key);
+  if (!detectors_.empty()) {
+    const StateKey races = detectors_.back().Key();
+    AddToKey(kPlaceOfRaces, static_cast<int64_t>(races.low), &key);
+    AddToKey(kPlaceOfRaces + 1, static_cast<int64_t>(races.high), &key);
+  }
+  return key;
+}
+
+}  // namespace oncard::explore

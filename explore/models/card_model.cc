@@ -1,0 +1,369 @@
+#include "explore/models/card_model.h"
+
+#include <xxhash.h>
+
+#include <algorithm>
+#include <bit>
+
+#include "explore/models/statement_access.h"
+#include "runtime/scenario/scenario_start.h"
+#include "runtime/scenario/scenario_world.h"
+#include "vm/thread_words.h"
+
+namespace oncard::explore {
+
+/// With the names that states are told apart by.
+struct CardModel::Body {
+  runtime::CardBody values;
+  uint64_t hash = 0;
+};
+
+namespace {
+
+using vm::ThreadState;
+
+/// The words at the end of WordsOf() on which the future does not depend: counts of statements.
+constexpr size_t kCountWords = 2;
+
+/// True for a statement that may change the card around the machine.
+bool ChangesBody(const vm::Instruction& instruction) {
+  if (instruction.opcode != vm::Opcode::kCommand) return false;
+  const gtcalls::Command* command = gtcalls::FindCommand(instruction.op);
+  return command == nullptr ||
+         std::ranges::any_of(command->accesses, [](const gtcalls::Access& access) {
+           return access.write && access.resource != gtcalls::Resource::kThread &&
+                  access.resource != gtcalls::Resource::kVariable;
+         });
+}
+
+StateKey KeyOfWords(const std::vector<int64_t>& words) {
+  const XXH128_hash_t hash = XXH3_128bits(words.data(), words.size() * sizeof words[0]);
+  return {hash.low64, hash.high64};
+}
+
+}  // namespace
+
+Result<CardModel> CardModel::Create(const runtime::Scenario& scenario,
+                                    const std::vector<Requirement>& requirements,
+                                    vm::Object object) {
+  CardModel model;
+  model.scenario_ = scenario;
+  model.controller_ = std::make_unique<runtime::Controller>(runtime::CardOptions(scenario));
+  runtime::Controller& controller = *model.controller_;
+  controller.CollectRefusals(model.refused_.get());
+  auto started = runtime::StartScenario(scenario, std::move(object), &controller);
+  if (!started.ok()) return started.error();
+  model.image_ = controller.machine().shared_image();
+  model.scratch_ = std::make_unique<vm::MachineState>(controller.machine().state());
+  for (int number = 0; number < vm::kThreadCount; ++number) {
+    const ThreadState& thread = controller.machine().thread(number);
+    if (thread.run == vm::ThreadRun::kUnbound) continue;
+    model.setups_.push_back({number, thread.function, thread.page});
+  }
+  const int64_t limit = runtime::CycleOf(scenario, scenario.limit_ms * 1000);
+  model.last_cycle_ = limit;
+  if (scenario.until_us && runtime::CycleOf(scenario, *scenario.until_us) <= limit) {
+    model.last_cycle_ = runtime::CycleOf(scenario, *scenario.until_us);
+    model.last_is_failure_ = false;
+  }
+  if (auto bound = model.BindRequirements(requirements); !bound.ok()) return bound.error();
+  // Without threads the card goes on until then, as in a run.
+  if (scenario.until_us) model.last_instant_ = model.last_cycle_;
+  model.Save(nullptr, &model.initial_);
+  return model;
+}
+
+Result<void> CardModel::BindRequirements(const std::vector<Requirement>& requirements) {
+  for (const runtime::Expectation& expectation : scenario_.expectations) {
+    auto bound = runtime::BindExpectation(expectation, *controller_);
+    if (!bound.ok()) return bound.error();
+    if (bound.value().left.kind == runtime::QuantityKind::kThreadError) {
+      fault_expected_ |= 1u << bound.value().left.thread;
+    }
+    BoundRequirement requirement = {{Scope::kFinal, expectation.text}, std::move(bound).value()};
+    if (expectation.at_us) {
+      requirement.cycle = runtime::CycleOf(scenario_, *expectation.at_us);
+      last_instant_ = std::max(last_instant_, requirement.cycle);
+      if (last_instant_ > last_cycle_) {
+        return MakeError(1, "the expectation '{0}' lies after the end of the run",
+                         "期望“{0}”的时刻在运行结束之后", expectation.text);
+      }
+    }
+    requirements_.push_back(std::move(requirement));
+  }
+  auto properties = ReadRequirements(requirements, *controller_);
+  if (!properties.ok()) return properties.error();
+  for (size_t i = 0; i < requirements.size(); ++i) {
+    requirements_.push_back({requirements[i], std::move(properties.value()[i])});
+    has_invariants_ = has_invariants_ || requirements[i].scope != Scope::kFinal;
+  }
+  return {};
+}
+
+std::vector<Requirement> CardModel::Requirements() const {
+  std::vector<Requirement> requirements;
+  for (const BoundRequirement& bound : requirements_) requirements.push_back(bound.requirement);
+  return requirements;
+}
+
+// --- What must hold ------------------------------------------------------------------------------
+
+bool CardModel::Holds(const BoundRequirement& bound) const {
+  if (const auto* expectation = std::get_if<runtime::BoundExpectation>(&bound.condition)) {
+    return runtime::Evaluate(*expectation, *controller_).holds;
+  }
+  return std::get<Property>(bound.condition).Holds(*controller_) !=
+         (bound.requirement.scope == Scope::kNever);
+}
+
+void CardModel::JudgeEnd(State* state) const {
+  uint32_t bit = 1;
+  for (size_t i = 0; i < requirements_.size() && !state->fault; ++i) {
+    const BoundRequirement& bound = requirements_[i];
+    bool holds = true;
+    if (bound.requirement.scope == Scope::kEventually) {
+      holds = (state->reached & bit) != 0;
+      bit <<= 1;
+    } else if (bound.requirement.scope == Scope::kFinal && bound.cycle < 0) {
+      holds = Holds(bound);
+    }
+    if (!holds) state->fault = {Fault::Kind::kRequirement, static_cast<int>(i), 0};
+  }
+}
+
+void CardModel::JudgeState(State* state) const {
+  uint32_t bit = 1;
+  for (size_t i = 0; i < requirements_.size() && !state->fault; ++i) {
+    const BoundRequirement& bound = requirements_[i];
+    if (bound.requirement.scope == Scope::kFinal) continue;
+    const bool holds = Holds(bound);
+    if (bound.requirement.scope == Scope::kEventually) {
+      if (holds) state->reached |= bit;
+      bit <<= 1;
+    } else if (!holds) {
+      state->fault = {Fault::Kind::kRequirement, static_cast<int>(i), 0};
+    }
+  }
+}
+
+void CardModel::JudgeInstant(State* state) const {
+  for (size_t i = 0; i < requirements_.size() && !state->fault; ++i) {
+    const BoundRequirement& bound = requirements_[i];
+    if (bound.cycle == controller_->cycle() && !Holds(bound)) {
+      state->fault = {Fault::Kind::kRequirement, static_cast<int>(i), 0};
+    }
+  }
+}
+
+void CardModel::JudgeThreads(State* state) const {
+  for (int i = 0; i < thread_count() && !state->fault; ++i) {
+    const int number = setup(i).thread;
+    if (controller_->machine().thread(number).run != vm::ThreadRun::kFaulted) continue;
+    if ((fault_expected_ >> number & 1) == 0) state->fault = {Fault::Kind::kThread, 0, i};
+  }
+}
+
+// --- Steps ---------------------------------------------------------------------------------------
+
+CardModel::State CardModel::Start() {
+  State state = Begin();
+  Save(nullptr, &state);
+  return state;
+}
+
+CardModel::State CardModel::Begin() {
+  Load(initial_);
+  held_ = nullptr;
+  State state;
+  if (has_invariants_) JudgeState(&state);
+  Settle(&state);
+  return state;
+}
+
+CardModel::State CardModel::Step(const State& from, int thread) {
+  Load(from);
+  const ThreadState& before = controller_->machine().thread(setup(thread).thread);
+  const vm::Function& function = image_->object.functions[before.function];
+  const bool changes =
+      before.pc < function.instructions.size() && ChangesBody(function.instructions[before.pc]);
+  const int64_t cycle = controller_->cycle();
+  State state;
+  state.left = from.left;
+  state.served = from.served;
+  state.reached = from.reached;
+  Advance(&state, thread);
+  const bool same_body = !changes && controller_->cycle() == cycle;
+  Save(same_body ? from.body : nullptr, &state);
+  return state;
+}
+
+void CardModel::Advance(State* state, int thread) {
+  // From here on the card is no longer what some state holds.
+  held_ = nullptr;
+  vm::Machine& machine = controller_->machine();
+  const int number = setup(thread).thread;
+  --state->left;
+  state->served |= 1u << number;
+  state->choices = 0;
+  machine.ExecuteOne(number);
+  // Threads that wake up at their end come to it.
+  machine.Execute(0);
+  JudgeThreads(state);
+  if (has_invariants_) JudgeState(state);
+  Settle(state);
+}
+
+int64_t CardModel::AdvanceAlone(State* state, int thread, int64_t most) {
+  vm::Machine& machine = controller_->machine();
+  const auto runs = [](const ThreadState& each) { return each.run == vm::ThreadRun::kRunning; };
+  if (has_invariants_ || std::ranges::count_if(machine.state().threads, runs) != 1) {
+    Advance(state, thread);
+    return 1;
+  }
+  held_ = nullptr;
+  const int64_t executed = machine.Execute(std::min(most, state->left));
+  state->left -= executed;
+  state->served |= 1u << setup(thread).thread;
+  state->choices = 0;
+  JudgeThreads(state);
+  Settle(state);
+  return executed;
+}
+
+CardModel::State CardModel::Whole(const State& state) {
+  State whole = state;
+  Save(nullptr, &whole);
+  return whole;
+}
+
+uint32_t CardModel::Candidates(const State& state) const {
+  const uint32_t runnable = controller_->machine().RunnableThreads();
+  const uint32_t unserved = runnable & ~state.served;
+  return std::popcount(unserved) >= state.left ? unserved : runnable;
+}
+
+void CardModel::Settle(State* state) {
+  const vm::Machine& machine = controller_->machine();
+  while (!state->fault && !state->ended) {
+    if (machine.Quiet()) {
+      state->finished = true;
+      return End(state);
+    }
+    if (state->left > 0 && machine.RunnableThreads() != 0) break;
+    JudgeInstant(state);
+    if (state->fault) break;
+    if (controller_->Deadlocked()) {
+      state->fault.kind = Fault::Kind::kDeadlock;
+    } else if (controller_->cycle() >= last_cycle_) {
+      if (last_is_failure_) {
+        state->fault.kind = Fault::Kind::kTimeLimit;
+      } else {
+        End(state);
+      }
+    } else {
+      state->left = controller_->BeginCycle();
+      state->served = 0;
+      controller_->machine().Execute(0);
+      if (has_invariants_) JudgeState(state);
+    }
+  }
+  if (state->fault) state->ended = true;
+  if (state->ended) return;
+  const uint32_t candidates = Candidates(*state);
+  for (int i = 0; i < thread_count(); ++i) {
+    if ((candidates >> setup(i).thread & 1) != 0) state->choices |= 1u << i;
+  }
+}
+
+void CardModel::End(State* state) {
+  state->ended = true;
+  // Without threads the card goes on until the last instant that was asked for.
+  for (;;) {
+    JudgeInstant(state);
+    if (state->fault || controller_->cycle() >= std::min(last_instant_, last_cycle_)) break;
+    controller_->BeginCycle();
+    if (has_invariants_) JudgeState(state);
+  }
+  JudgeEnd(state);
+}
+
+// --- States --------------------------------------------------------------------------------------
+
+void CardModel::Save(const std::shared_ptr<const Body>& body, State* state) {
+  const vm::MachineState& machine = controller_->machine().state();
+  state->used_pages = 0;
+  state->slots.assign(machine.globals.begin(), machine.globals.end());
+  for (uint32_t pages = machine.pages.used(); pages != 0; pages &= pages - 1) {
+    const auto number = static_cast<size_t>(std::countr_zero(pages));
+    const auto& page = machine.pages[number];
+    // A page that holds nothing is as good as one that was never used.
+    if (std::ranges::all_of(page, [](int64_t slot) { return slot == 0; })) continue;
+    state->used_pages |= 1u << number;
+    state->slots.insert(state->slots.end(), page.begin(), page.end());
+  }
+  state->threads = machine.threads;
+  state->executed = machine.executed;
+  state->body =
+      body != nullptr
+          ? body
+          : std::make_shared<const Body>(Body{controller_->Body(), controller_->BodyHash()});
+  held_ = state->body;
+}
+
+void CardModel::Load(const State& state) {
+  vm::MachineState& machine = *scratch_;
+  std::copy_n(state.slots.begin(), vm::kSlotCount, machine.globals.begin());
+  auto from = state.slots.begin() + vm::kSlotCount;
+  for (uint32_t pages = machine.pages.used() | state.used_pages; pages != 0; pages &= pages - 1) {
+    const auto number = static_cast<size_t>(std::countr_zero(pages));
+    auto& page = machine.pages.Use(number);
+    if ((state.used_pages >> number & 1) == 0) {
+      page.fill(0);
+      continue;
+    }
+    std::copy_n(from, vm::kSlotCount, page.begin());
+    from += vm::kSlotCount;
+  }
+  machine.threads = state.threads;
+  machine.executed = state.executed;
+  machine.cycle = state.body->values.motion.cycle;
+  controller_->machine().Restore(machine);
+  if (held_ != state.body) controller_->RestoreBody(state.body->values);
+  held_ = state.body;
+}
+
+void CardModel::CopyVariables(State* state) const {
+  const vm::MachineState& machine = controller_->machine().state();
+  state->slots.assign(machine.globals.begin(), machine.globals.end());
+  state->threads = machine.threads;
+}
+
+bool CardModel::NextDependOnEachOther(int a, int b) const {
+  return FindDependence(NextAccess(*controller_, setup(a).thread),
+                        NextAccess(*controller_, setup(b).thread)) != nullptr;
+}
+
+StateKey CardModel::KeyOf(const State& state) const {
+  std::vector<int64_t> words = state.slots;
+  words.push_back(state.used_pages);
+  for (const ThreadState& thread : state.threads) {
+    const auto of_thread = vm::WordsOf(thread);
+    words.insert(words.end(), of_thread.begin(), of_thread.end() - kCountWords);
+  }
+  words.insert(words.end(), {static_cast<int64_t>(state.body->hash), state.left,
+                             static_cast<int64_t>(state.served), state.ended, state.reached,
+                             static_cast<int64_t>(state.fault.kind)});
+  return KeyOfWords(words);
+}
+
+StateKey CardModel::GlobalsKey(const State& state) const {
+  return KeyOfWords({state.slots.begin(), state.slots.begin() + vm::kSlotCount});
+}
+
+StateKey CardModel::FinalKey(const State& state) const {
+  std::vector<int64_t> words(state.slots.begin(), state.slots.begin() + vm::kSlotCount);
+  for (const ThreadState& thread : state.threads) words.push_back(thread.result);
+  return KeyOfWords(words);
+}
+
+}  // namespace oncard::explore

@@ -1,0 +1,398 @@
+#include "explore/models/model.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <variant>
+
+#include "vm/fixed_point.h"
+
+namespace oncard::explore {
+namespace {
+
+using vm::DataType;
+using vm::Opcode;
+
+constexpr uint32_t kNoCell = ~uint32_t{0};
+constexpr uint32_t kCellMax = 1u << 24;
+
+constexpr uint32_t ToUnsigned(int32_t value) { return static_cast<uint32_t>(value); }
+constexpr int32_t ToInt(uint32_t value) { return static_cast<int32_t>(value); }
+// A slot holds an int in its low half.
+constexpr int32_t IntOf(int64_t slot) { return static_cast<int32_t>(slot); }
+constexpr int32_t DivideInt(int32_t a, int32_t b) {
+  return b == -1 ? ToInt(0u - ToUnsigned(a)) : a / b;
+}
+constexpr int32_t RemainderInt(int32_t a, int32_t b) { return b == -1 ? 0 : a % b; }
+
+/// Slots that hold the variables.
+uint32_t SlotCount(const std::vector<vm::Symbol>& symbols) {
+  uint32_t count = 0;
+  for (const vm::Symbol& symbol : symbols) {
+    count = std::max(count, static_cast<uint32_t>(symbol.id + symbol.slots()));
+  }
+  return count;
+}
+
+bool Binary(uint16_t op, DataType type, int64_t left, int64_t right,
+            [[maybe_unused]] int wrap_shift, int64_t* result) {
+  if (type == DataType::kInt) {
+    const int32_t a = IntOf(left);
+    const int32_t b = IntOf(right);
+    switch (static_cast<vm::BinaryOperator>(op)) {
+#define INT_BINARY(name, bad, value)       \
+  case vm::BinaryOperator::k##name:        \
+    if (bad) return false;                 \
+    *result = static_cast<int32_t>(value); \
+    return true;
+#include "vm/handlers.def"
+    }
+    return true;
+  }
+  const int64_t a = left;
+  const int64_t b = right;
+  using vm::AddFixed;
+  using vm::DivideFixed;
+  using vm::MultiplyFixed;
+  using vm::SubtractFixed;
+  switch (static_cast<vm::BinaryOperator>(op)) {
+#define DOUBLE_BINARY(name, bad, value) \
+  case vm::BinaryOperator::k##name:     \
+    if (bad) return false;              \
+    *result = value;                    \
+    return true;
+#define DOUBLE_COMPARE(name, value) DOUBLE_BINARY(name, false, value)
+#include "vm/handlers.def"
+    default:
+      return true;  // the verifier lets no other operator through
+  }
+}
+
+int64_t Unary(uint16_t op, DataType type, int64_t source, [[maybe_unused]] int wrap_shift) {
+  using vm::FixedFromInt;
+  using vm::IntFromFixed;
+  using vm::SubtractFixed;
+  const auto load_int = [&] { return IntOf(source); };
+  const auto load_double = [&] { return source; };
+  switch (static_cast<vm::UnaryOperator>(op)) {
+    case vm::UnaryOperator::kCopy:
+      return type == DataType::kInt ? load_int() : load_double();
+    case vm::UnaryOperator::kNot: {
+      return load_int() == 0;
+    }
+    case vm::UnaryOperator::kInvert:
+      return ~load_int();
+    case vm::UnaryOperator::kAbs: {
+      const int32_t a = load_int();
+      return a < 0 ? ToInt(0u - ToUnsigned(a)) : a;
+    }
+    case vm::UnaryOperator::kFabs: {
+      const int64_t a = load_double();
+      return a < 0 ? SubtractFixed(0, a, wrap_shift) : a;
+    }
+    case vm::UnaryOperator::kToInt:
+      return IntFromFixed(load_double());
+    case vm::UnaryOperator::kToDouble:
+      return FixedFromInt(load_int(), wrap_shift);
+  }
+  return source;
+}
+
+const vm::Symbol* SymbolOfSlot(const std::vector<vm::Symbol>& symbols, uint32_t id) {
+  for (const vm::Symbol& symbol : symbols) {
+    if (id >= symbol.id && id < uint32_t{symbol.id} + symbol.slots()) return &symbol;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::string NameOfSlot(const std::vector<vm::Symbol>& symbols, uint32_t id) {
+  const vm::Symbol* symbol = SymbolOfSlot(symbols, id);
+  if (symbol == nullptr) return {};
+  return symbol->array_size == 0 ? symbol->name
+                                 : fmt::format("{}[{}]", symbol->name, id - symbol->id);
+}
+
+Result<Model> Model::Create(const vm::Machine& machine) {
+  Model model;
+  model.image_ = machine.shared_image();
+  const vm::Object& object = model.image_->object;
+  model.wrap_shift_ = vm::WrapShift(object.double_format);
+  model.global_count_ = SlotCount(object.globals);
+  model.cells_.assign(machine.state().globals.begin(),
+                      machine.state().globals.begin() + model.global_count_);
+  for (int number = 0; number < vm::kThreadCount; ++number) {
+    const vm::ThreadState& state = machine.thread(number);
+    if (state.run != vm::ThreadRun::kRunning) continue;
+    if (auto added = model.AddThread(number, state, machine); !added.ok()) return added.error();
+  }
+  if (model.threads_.empty()) {
+    return MakeError(1, "no thread runs: there is nothing to explore",
+                     "没有运行的线程：没有可探索的内容");
+  }
+  model.TrackKey(true);
+  return model;
+}
+
+Result<void> Model::AddThread(int number, const vm::ThreadState& state,
+                              const vm::Machine& machine) {
+  const vm::Function& function = image_->object.functions[state.function];
+  Thread thread;
+  thread.setup = {number, state.function, state.page};
+  thread.first_local = static_cast<uint32_t>(cells_.size());
+  thread.local_count = SlotCount(function.variables);
+  thread.position_cell = thread.first_local + thread.local_count;
+  thread.end_cell = thread.position_cell + 1;
+  thread.result_cell = thread.position_cell + 2;
+  const auto& page = machine.state().pages[state.page];
+  cells_.insert(cells_.end(), page.begin(), page.begin() + thread.local_count);
+  cells_.resize(size_t{thread.position_cell} + 3);
+  if (cells_.size() > kCellMax) {
+    return MakeError(1, "the program has too many variables to explore",
+                     "程序的变量过多，无法进行交错探索");
+  }
+  for (const vm::Instruction& instruction : function.instructions) {
+    if (instruction.opcode == Opcode::kCommand) {
+      return MakeError(1,
+                       "function {0} calls a GT command; only programs of variables can be "
+                       "explored without a card",
+                       "函数 {0} 调用了 GT 指令；不带控制卡时只能探索纯变量程序", function.name);
+    }
+    thread.statements.push_back(Translate(instruction, thread));
+  }
+  runnable_ |= 1u << threads_.size();
+  threads_.push_back(std::move(thread));
+  return {};
+}
+
+void Model::TrackKey(bool on) {
+  track_key_ = on;
+  key_ = {};
+  for (uint32_t cell = 0; on && cell < cells_.size(); ++cell) AddToKey(cell, cells_[cell], &key_);
+}
+
+Model::Operand Model::Translate(const vm::Operand& operand, const Thread& thread,
+                                DataType type) const {
+  Operand result;
+  const auto cell_of = [&](vm::Storage storage, uint16_t id) {
+    return storage == vm::Storage::kGlobal ? uint32_t{id} : thread.first_local + id;
+  };
+  if (const auto* immediate = std::get_if<vm::Immediate>(&operand)) {
+    result.constant = type == DataType::kInt ? vm::IntFromFixed(immediate->raw)
+                                             : vm::WrapFixed(immediate->raw, wrap_shift_);
+  } else if (const auto* variable = std::get_if<vm::Variable>(&operand)) {
+    result.place = Place::kCell;
+    result.shared = variable->storage == vm::Storage::kGlobal;
+    result.cell = cell_of(variable->storage, variable->id);
+  } else {
+    const auto& element = std::get<vm::Element>(operand);
+    result.place = Place::kElement;
+    result.shared = element.storage == vm::Storage::kGlobal;
+    result.cell = cell_of(element.storage, element.base);
+    result.size = element.size;
+    result.index_shared = element.index.storage == vm::Storage::kGlobal;
+    result.index_cell = cell_of(element.index.storage, element.index.id);
+  }
+  return result;
+}
+
+Model::Statement Model::Translate(const vm::Instruction& instruction, const Thread& thread) const {
+  Statement statement;
+  statement.opcode = instruction.opcode;
+  statement.op = instruction.op;
+  statement.type = instruction.type;
+  statement.displacement = instruction.displacement;
+  const auto& operands = instruction.operands;
+  switch (instruction.opcode) {
+    case Opcode::kUnary:
+      statement.a = Translate(operands[0], thread, instruction.type);
+      statement.target = Translate(operands[1], thread, instruction.type);
+      break;
+    case Opcode::kBinary:
+      statement.a = Translate(operands[0], thread, instruction.type);
+      statement.b = Translate(operands[1], thread, instruction.type);
+      statement.target = Translate(operands[2], thread, instruction.type);
+      break;
+    case Opcode::kReturn:
+      statement.a = Translate(operands[0], thread, DataType::kInt);
+      statement.b = Translate(operands[1], thread,
+                              image_->object.functions[Index(thread.setup.function)].return_type);
+      break;
+    case Opcode::kJump:
+      statement.a = Translate(operands[0], thread, DataType::kInt);
+      break;
+    case Opcode::kCommand:
+      break;
+  }
+  for (const Operand* operand : {&statement.a, &statement.b, &statement.target}) {
+    statement.shared = statement.shared || operand->shared || operand->index_shared;
+  }
+  return statement;
+}
+
+// --- Accesses ----------------------------------------------------------------------------------
+
+uint32_t Model::CellOf(const Operand& operand) const {
+  if (operand.place == Place::kCell) return operand.cell;
+  const uint32_t index = ToUnsigned(IntOf(cells_[operand.index_cell]));
+  return index < operand.size ? operand.cell + index : kNoCell;
+}
+
+void Model::Note(const Operand& operand, bool written, AccessSet* set) const {
+  if (operand.place == Place::kConstant) return;
+  if (operand.place == Place::kElement && operand.index_shared) set->Read(operand.index_cell);
+  if (!operand.shared) return;
+  const uint32_t cell = CellOf(operand);
+  if (cell == kNoCell) return;  // the statement faults before it touches the array
+  if (written) {
+    set->write = cell;
+  } else {
+    set->Read(cell);
+  }
+}
+
+AccessSet Model::NextAccess(int thread) const {
+  const Statement& statement = NextStatement(threads_[Index(thread)]);
+  AccessSet set;
+  Note(statement.a, false, &set);
+  Note(statement.b, false, &set);
+  Note(statement.target, true, &set);
+  return set;
+}
+
+int Model::Line(int thread) const {
+  const ThreadSetup& place = setup(thread);
+  const auto& lines = image_->object.functions[static_cast<size_t>(place.function)].lines;
+  const auto position = static_cast<size_t>(Position(thread));
+  return position < lines.size() ? lines[position] : 0;
+}
+
+int64_t Model::Read(const vm::SlotAddress& slot) const {
+  if (slot.global) return slot.id < global_count_ ? cells_[slot.id] : 0;
+  for (const Thread& thread : threads_) {
+    if (thread.setup.page == slot.page && slot.id < thread.local_count) {
+      return cells_[thread.first_local + slot.id];
+    }
+  }
+  return 0;
+}
+
+StateKey Model::GlobalsKey() const {
+  StateKey key;
+  for (uint32_t cell = 0; cell < global_count_; ++cell) AddToKey(cell, cells_[cell], &key);
+  return key;
+}
+
+StateKey Model::FinalKey() const {
+  StateKey key = GlobalsKey();
+  for (const Thread& thread : threads_) {
+    AddToKey(thread.end_cell, cells_[thread.end_cell], &key);
+    AddToKey(thread.result_cell, cells_[thread.result_cell], &key);
+  }
+  return key;
+}
+
+// --- Steps -------------------------------------------------------------------------------------
+
+bool Model::Load(const Operand& operand, int64_t* value) const {
+  if (operand.place == Place::kConstant) {
+    *value = operand.constant;
+    return true;
+  }
+  const uint32_t cell = CellOf(operand);
+  if (cell == kNoCell) return false;
+  *value = cells_[cell];
+  return true;
+}
+
+void Model::Write(uint32_t cell, int64_t value) {
+  if (cells_[cell] == value) return;
+  journal_.push_back({cell, cells_[cell]});
+  Replace(cell, value);
+}
+
+void Model::Replace(uint32_t cell, int64_t value) {
+  if (track_key_) {
+    AddToKey(cell, cells_[cell], &key_);
+    AddToKey(cell, value, &key_);
+  }
+  cells_[cell] = value;
+}
+
+void Model::Finish(int thread, ThreadEnd end) {
+  Write(threads_[Index(thread)].end_cell, static_cast<int64_t>(end));
+  runnable_ &= ~(1u << thread);
+}
+
+ThreadEnd Model::Execute(const Statement& statement, const Thread& thread) {
+  int64_t a = 0;
+  int64_t b = 0;
+  int64_t next = cells_[thread.position_cell] + 1;
+  if (!Load(statement.a, &a)) return ThreadEnd::kIndexOutOfBounds;
+  switch (statement.opcode) {
+    case Opcode::kUnary:
+    case Opcode::kBinary: {
+      if (!Load(statement.b, &b)) return ThreadEnd::kIndexOutOfBounds;
+      const uint32_t target = CellOf(statement.target);
+      if (target == kNoCell) return ThreadEnd::kIndexOutOfBounds;
+      int64_t value = 0;
+      if (statement.opcode == Opcode::kUnary) {
+        value = Unary(statement.op, statement.type, a, wrap_shift_);
+      } else if (!Binary(statement.op, statement.type, a, b, wrap_shift_, &value)) {
+        return ThreadEnd::kDivisionByZero;
+      }
+      Write(target, value);
+      break;
+    }
+    case Opcode::kJump:
+      if (IntOf(a) != 0) next += statement.displacement - 1;
+      break;
+    case Opcode::kReturn:
+      if (IntOf(a) != 0) {
+        if (!Load(statement.b, &b)) return ThreadEnd::kIndexOutOfBounds;
+        Write(thread.result_cell, b);
+        return ThreadEnd::kFinished;
+      }
+      break;
+    case Opcode::kCommand:
+      break;
+  }
+  // Falling off the end takes no statement: the thread stays at its last one.
+  if (next >= static_cast<int64_t>(thread.statements.size())) return ThreadEnd::kFinished;
+  Replace(thread.position_cell, next);
+  return ThreadEnd::kRunning;
+}
+
+void Model::Step(int thread) {
+  const Thread& taking = threads_[Index(thread)];
+  marks_.push_back({static_cast<uint32_t>(journal_.size()), runnable_,
+                    static_cast<uint32_t>(cells_[taking.position_cell]),
+                    static_cast<uint8_t>(thread), key_});
+  const ThreadEnd end = Execute(NextStatement(taking), taking);
+  if (end != ThreadEnd::kRunning) Finish(thread, end);
+}
+
+int64_t Model::StepPrivate(int thread, int64_t limit) {
+  int64_t steps = 0;
+  for (; steps < limit && Running(thread); ++steps) {
+    if (!NextIsPrivate(thread) && !NextAccess(thread).empty()) break;
+    Step(thread);
+  }
+  return steps;
+}
+
+void Model::Undo() {
+  const Mark mark = marks_.back();
+  marks_.pop_back();
+  while (journal_.size() > mark.journal) {
+    const Change change = journal_.back();
+    journal_.pop_back();
+    cells_[change.cell] = change.old;
+  }
+  cells_[threads_[mark.thread].position_cell] = mark.position;
+  runnable_ = mark.runnable;
+  key_ = mark.key;
+}
+
+}  // namespace oncard::explore

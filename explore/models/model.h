@@ -1,0 +1,198 @@
+// A motion program as a transition system: threads that take one statement at a time over one array
+// of cells. What the explorer walks through.
+//
+// The program is translated once, from its instructions to steps over cells that are numbered
+// through: the globals that it has, then each thread's locals and registers. A step is executed, or
+// undone from a journal; nothing is ever copied as a whole. The state's hash is kept up to date
+// with every write. Statements mean what vm/handlers.def says.
+//
+// Only what variables do is modelled here: a program that calls GT commands needs the card around
+// it and is refused. Deterministic; not thread-safe: one model per searching thread. Tested by
+// tests/explore/model_test.cc.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "explore/models/state_key.h"
+#include "vm/machine.h"
+#include "vm/object.h"
+
+namespace oncard::explore {
+
+inline constexpr int kThreadMax = 32;
+
+/// A thread of the program to be explored.
+struct ThreadSetup {
+  int thread = 0;    ///< number on the card
+  int function = 0;  ///< index in the image
+  int page = 0;
+};
+
+/// The shared cells that a statement reads and the one that it writes. Statements of different
+/// threads depend on each other when they touch a common cell and one of them writes it.
+struct AccessSet {
+  static constexpr int kReadMax = 5;  ///< two elements with global indices and an index to write at
+  static constexpr uint32_t kNone = ~uint32_t{0};
+
+  std::array<uint32_t, kReadMax> reads{};
+  uint32_t read_count = 0;
+  uint32_t write = kNone;
+
+  void Read(uint32_t cell) { reads[read_count++] = cell; }
+  bool empty() const { return read_count == 0 && write == kNone; }
+  bool Touches(uint32_t cell) const {
+    for (uint32_t i = 0; i < read_count; ++i) {
+      if (reads[i] == cell) return true;
+    }
+    return write == cell;
+  }
+  bool DependsOn(const AccessSet& other) const {
+    return (write != kNone && other.Touches(write)) ||
+           (other.write != kNone && Touches(other.write));
+  }
+};
+
+/// `v`, `a[3]` of a slot among the variables; empty when none has it.
+std::string NameOfSlot(const std::vector<vm::Symbol>& symbols, uint32_t id);
+
+/// How a thread stands.
+enum class ThreadEnd : uint8_t { kRunning, kFinished, kDivisionByZero, kIndexOutOfBounds };
+
+class Model {
+ public:
+  /// The running threads of a machine, each at its first statement, and the variables as they are.
+  /// Fails when no thread runs, when the program calls GT commands, or has more than 2^24 cells.
+  static Result<Model> Create(const vm::Machine& machine);
+
+  int thread_count() const { return static_cast<int>(threads_.size()); }
+  const ThreadSetup& setup(int thread) const { return threads_[Index(thread)].setup; }
+  const vm::Image& image() const { return *image_; }
+  /// Same pointer, shared.
+  const std::shared_ptr<const vm::Image>& shared_image() const { return image_; }
+
+  // --- The present state. Threads are numbered from 0, in the order of their
+  // --- numbers on the card --------------------------
+
+  bool Running(int thread) const { return End(thread) == ThreadEnd::kRunning; }
+  ThreadEnd End(int thread) const {
+    return static_cast<ThreadEnd>(cells_[threads_[Index(thread)].end_cell]);
+  }
+  /// Bit n: thread n can take a step.
+  uint32_t runnable() const { return runnable_; }
+  /// True when the next statement of a running thread touches no shared cell, wherever it is.
+  bool NextIsPrivate(int thread) const { return !NextStatement(threads_[Index(thread)]).shared; }
+  /// What the next statement of a running thread touches.
+  AccessSet NextAccess(int thread) const;
+  /// Index of the next statement of a running thread, of the last one afterwards.
+  int Position(int thread) const {
+    return static_cast<int>(cells_[threads_[Index(thread)].position_cell]);
+  }
+  /// Source line of that statement, 0 when unknown.
+  int Line(int thread) const;
+  /// Raw value that a finished thread returned.
+  int64_t ReturnValue(int thread) const { return cells_[threads_[Index(thread)].result_cell]; }
+  /// Raw content of a slot; 0 for one that the program does not use.
+  int64_t Read(const vm::SlotAddress& slot) const;
+  /// Statements executed since the start.
+  int64_t depth() const { return static_cast<int64_t>(marks_.size()); }
+  /// Names the whole state; only while TrackKey() is on.
+  StateKey key() const { return key_; }
+  /// Keeps key() up to date with every step; costs as much again as the steps. On at first.
+  void TrackKey(bool on);
+  /// The key of the globals alone, and with the threads' return values.
+  StateKey GlobalsKey() const;
+  StateKey FinalKey() const;
+
+  // --- Steps -------------------------------------------------------------------------------------
+
+  /// Executes one statement of a running thread.
+  void Step(int thread);
+  /// Executes a thread's statements up to the next that touches a shared cell, or its end, at most
+  /// `limit` of them. Gives their number.
+  int64_t StepPrivate(int thread, int64_t limit);
+  /// Takes back the last step.
+  void Undo();
+  /// The thread that took a step, counted from 0.
+  int StepThread(int64_t step) const { return marks_[static_cast<size_t>(step)].thread; }
+
+ private:
+  enum class Place : uint8_t { kConstant, kCell, kElement };
+  /// An operand: a constant, a cell, or an element whose index is in a cell.
+  struct Operand {
+    Place place = Place::kConstant;
+    bool shared = false;        ///< the cell, or the elements, are global
+    bool index_shared = false;  ///< kElement: the index is global
+    uint32_t cell = 0;          ///< kCell, or element 0
+    uint32_t size = 0;          ///< kElement
+    uint32_t index_cell = 0;    ///< kElement
+    int64_t constant = 0;
+  };
+  struct Statement {
+    vm::Opcode opcode = vm::Opcode::kReturn;
+    uint16_t op = 0;
+    vm::DataType type = vm::DataType::kInt;
+    Operand a;
+    Operand b;
+    Operand target;
+    int32_t displacement = 0;
+    bool shared = false;  ///< an operand is global
+  };
+  struct Thread {
+    ThreadSetup setup;
+    std::vector<Statement> statements;
+    uint32_t position_cell = 0;
+    uint32_t end_cell = 0;
+    uint32_t result_cell = 0;
+    uint32_t first_local = 0;  ///< cell of slot 0 of its page
+    uint32_t local_count = 0;
+  };
+  struct Change {
+    uint32_t cell = 0;
+    int64_t old = 0;
+  };
+
+  Model() = default;
+  Result<void> AddThread(int number, const vm::ThreadState& state, const vm::Machine& machine);
+  static size_t Index(int thread) { return static_cast<size_t>(thread); }
+  const Statement& NextStatement(const Thread& thread) const {
+    return thread.statements[static_cast<size_t>(cells_[thread.position_cell])];
+  }
+  Operand Translate(const vm::Operand& operand, const Thread& thread, vm::DataType type) const;
+  Statement Translate(const vm::Instruction& instruction, const Thread& thread) const;
+  /// The cell of an operand that is not a constant; kNoCell when the index is out of bounds.
+  uint32_t CellOf(const Operand& operand) const;
+  /// False when the index is out of bounds.
+  bool Load(const Operand& operand, int64_t* value) const;
+  void Note(const Operand& operand, bool written, AccessSet* set) const;
+  /// Writes a cell, with an entry in the journal.
+  void Write(uint32_t cell, int64_t value);
+  /// Writes a cell that the marks take care of.
+  void Replace(uint32_t cell, int64_t value);
+  void Finish(int thread, ThreadEnd end);
+  ThreadEnd Execute(const Statement& statement, const Thread& thread);
+
+  std::shared_ptr<const vm::Image> image_;
+  std::vector<Thread> threads_;
+  std::vector<int64_t> cells_;
+  uint32_t global_count_ = 0;
+  int wrap_shift_ = 0;
+  uint32_t runnable_ = 0;
+  StateKey key_;
+  bool track_key_ = true;
+  struct Mark {
+    uint32_t journal = 0;   ///< its size before the step
+    uint32_t runnable = 0;  ///< before the step
+    uint32_t position = 0;  ///< of the thread, before the step
+    uint8_t thread = 0;     ///< that took it
+    StateKey key;           ///< before the step; while it is tracked
+  };
+  std::vector<Change> journal_;
+  std::vector<Mark> marks_;
+};
+
+}  // namespace oncard::explore

@@ -1,0 +1,125 @@
+// What is to be explored: a program with its threads at their first statements, and what must hold.
+//
+// A source without a scenario says it in comments, one per line:
+//
+//   //@ init: g=1, h=5         values of globals before the start
+//   //@ final: EXPRESSION      must hold when all threads have ended
+//   //@ always: EXPRESSION     must hold in every state
+//   //@ never: EXPRESSION      must hold in no state
+//   //@ eventually: EXPRESSION every run must have a state in which it holds
+//   //@ races: none            no data race is allowed; benign: those that change no final value
+//   //@ sync: f, g             variables that order what threads do, and do not race themselves
+//
+// and its functions t0, t1, ... are bound to threads 0, 1, ... on pages 0, 1, ...
+// Tested by tests/explore/problem_test.cc.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "explore/models/model.h"
+#include "explore/models/property.h"
+#include "explore/models/races.h"
+#include "runtime/scenario/scenario.h"
+#include "vm/object.h"
+
+namespace oncard::explore {
+
+/// Which states a requirement speaks of.
+enum class Scope : uint8_t {
+  kFinal,
+  kAlways,
+  kNever,
+  kEventually  ///< every run has a state in which it holds
+};
+
+/// `final`, `always`, `never`, `eventually`.
+std::string_view ScopeName(Scope scope);
+
+/// A requirement as written.
+struct Requirement {
+  Scope scope = Scope::kFinal;
+  std::string text;
+  runtime::TextPlace place = {};
+};
+
+/// The properties of requirements, whose names are those of a model or a controller. What cannot be
+/// read is one error, each with its place.
+Result<std::vector<Property>> ReadRequirements(const std::vector<Requirement>& requirements,
+                                               const Model& names);
+Result<std::vector<Property>> ReadRequirements(const std::vector<Requirement>& requirements,
+                                               const runtime::Controller& names);
+
+/// What the comments of a source say, as the scenario that it stands for.
+struct CommentProblem {
+  runtime::Scenario scenario;  ///< program, threads, initial values
+  std::vector<Requirement> requirements;
+};
+
+/// Reads what the comments of a source say, without binding threads. Fails on a comment that cannot
+/// be read: the message shows each with its line.
+Result<CommentProblem> ReadCommentLines(const std::string& path, std::string_view source);
+
+/// The first line with such a comment; 0 when there is none.
+int FirstCommentLine(std::string_view source);
+
+/// Reads the comments of a source, whose functions are those of `object`. Fails as
+/// ReadCommentLines(), and when there is no function t0.
+Result<CommentProblem> ReadComments(const std::string& path, std::string_view source,
+                                    const vm::Object& object);
+
+struct BoundRequirement {
+  Scope scope = Scope::kFinal;
+  Property property;
+};
+
+/// Requirements of a problem that speak of what must hold eventually.
+inline constexpr int kEventuallyMax = 24;
+
+struct Problem {
+  Model model;  ///< before the first statement
+  std::vector<BoundRequirement> requirements = {};
+  RaceRule races = RaceRule::kAny;
+  SyncCells sync = {};
+
+  /// True when a requirement speaks of states on the way.
+  bool HasInvariants() const;
+};
+
+/// Finds the names of the requirements. Fails when one is unknown, or there are too many.
+Result<Problem> BindProblem(Model model, const std::vector<Requirement>& requirements);
+
+/// The rule with a name: `any`, `benign`, `none`.
+std::optional<RaceRule> RaceRuleNamed(std::string_view name);
+
+/// The cells of the globals, each a variable, an array or a structure's member. Fails when one is
+/// unknown.
+Result<SyncCells> SyncCellsNamed(const std::vector<std::string>& names, const vm::Object& object);
+
+/// What is wrong with a state.
+struct Fault {
+  enum class Kind : uint8_t {
+    kNone,
+    kRequirement,
+    kThread,
+    kDeadlock,   ///< threads wait for what nothing can change any more
+    kTimeLimit,  ///< threads still run at the scenario's `limit_ms`
+    kRace        ///< two threads touch a variable without order
+  };
+  Kind kind = Kind::kNone;
+  int requirement = 0;  ///< kRequirement: which one is violated
+  int thread = 0;       ///< kThread: which one ended with a fault, as the model counts
+  Race race = {};       ///< kRace
+
+  explicit operator bool() const { return kind != Kind::kNone; }
+};
+
+/// The first fault that a state shows by itself: a thread's, an invariant's, or, when all threads
+/// have ended, a final requirement's. What depends on the way there is ProgramWalk's (walk.h).
+Fault FindFault(const Problem& problem, const Model& state);
+
+}  // namespace oncard::explore

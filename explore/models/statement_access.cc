@@ -1,0 +1,242 @@
+#include "explore/models/statement_access.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <variant>
+
+#include "explore/models/model.h"
+
+namespace oncard::explore {
+namespace {
+
+using gtcalls::Resource;
+
+/// A thread's next statement and what its operands are now.
+class NextStatement {
+ public:
+  NextStatement(const runtime::Controller& controller, int thread)
+      : controller_(controller),
+        machine_(controller.machine()),
+        state_(machine_.thread(thread)),
+        object_(machine_.image()->object) {}
+
+  StatementAccess Access() {
+    const vm::Function& function = object_.functions[state_.function];
+    if (state_.pc >= function.instructions.size()) return {};
+    const vm::Instruction& instruction = function.instructions[state_.pc];
+    if (instruction.opcode == vm::Opcode::kCommand) {
+      AddCommand(instruction);
+      return std::move(access_);
+    }
+    const bool writes =
+        instruction.opcode == vm::Opcode::kUnary || instruction.opcode == vm::Opcode::kBinary;
+    for (size_t i = 0; i < instruction.operands.size(); ++i) {
+      AddOperand(instruction.operands[i], 1, writes && i + 1 == instruction.operands.size());
+    }
+    return std::move(access_);
+  }
+
+ private:
+  void Add(Resource resource, uint32_t number, bool write) {
+    const Touched touched = {resource, number, write};
+    if (std::ranges::find(access_, touched) == access_.end()) access_.push_back(touched);
+  }
+
+  int32_t ValueOf(const vm::Variable& variable) const {
+    return static_cast<int32_t>(
+        machine_.ReadRaw({variable.storage == vm::Storage::kGlobal,
+                          static_cast<uint8_t>(state_.page), variable.id, vm::DataType::kInt}));
+  }
+  /// A selector or a count. 0 for an element out of bounds: the statement faults.
+  int32_t ValueOf(const vm::Operand& operand) const {
+    if (const auto* immediate = std::get_if<vm::Immediate>(&operand)) {
+      return static_cast<int32_t>(immediate->raw >> vm::kFractionBits);
+    }
+    if (const auto* variable = std::get_if<vm::Variable>(&operand)) return ValueOf(*variable);
+    const auto& element = std::get<vm::Element>(operand);
+    const auto index = static_cast<uint32_t>(ValueOf(element.index));
+    if (index >= element.size) return 0;
+    return ValueOf(vm::Variable{element.storage, static_cast<uint16_t>(element.base + index)});
+  }
+
+  /// The globals of an operand that stands for `slots` consecutive ones.
+  void AddOperand(const vm::Operand& operand, uint32_t slots, bool write) {
+    if (const auto* variable = std::get_if<vm::Variable>(&operand)) {
+      if (variable->storage != vm::Storage::kGlobal) return;
+      for (uint32_t i = 0; i < slots; ++i) Add(Resource::kVariable, variable->id + i, write);
+    } else if (const auto* element = std::get_if<vm::Element>(&operand)) {
+      const auto index = static_cast<uint32_t>(ValueOf(element->index));
+      if (element->index.storage == vm::Storage::kGlobal) {
+        Add(Resource::kVariable, element->index.id, false);
+      }
+      if (element->storage != vm::Storage::kGlobal || index >= element->size) return;
+      for (uint32_t i = 0; i < slots; ++i) {
+        Add(Resource::kVariable, element->base + index + i, write);
+      }
+    }
+  }
+
+  void AddCommand(const vm::Instruction& instruction) {
+    const gtcalls::Command* command = gtcalls::FindCommand(instruction.op);
+    const vm::CommandShape* shape = controller_.commands().Find(instruction.op);
+    if (command == nullptr || shape == nullptr) {
+      return Add(Resource::kEverything, Touched::kAll, true);
+    }
+    const auto& operands = instruction.operands;
+    for (size_t i = 0; i < operands.size() && i < shape->parameters.size(); ++i) {
+      const vm::ParameterShape& parameter = shape->parameters[i];
+      if (!parameter.address) {
+        AddOperand(operands[i], 1, false);
+        continue;
+      }
+      const int count = parameter.count_parameter;
+      int32_t elements = count < 0 ? 1 : std::max(0, ValueOf(operands[Index(count)]));
+      if (parameter.elements_on_card) {
+        elements = static_cast<int32_t>(
+            controller_.commands().Elements(instruction.op, i, ValueOf(operands[0])));
+      }
+      const auto slots = static_cast<uint32_t>(parameter.slots.size()) *
+                         static_cast<uint32_t>(std::min(elements, vm::kSlotCount));
+      AddOperand(operands[i], slots, command->parameters[i].passing == gtcalls::Passing::kOutput);
+    }
+    for (const gtcalls::Access& access : command->accesses) AddResource(access, operands);
+  }
+
+  static size_t Index(int number) { return static_cast<size_t>(number); }
+
+  void AddResource(const gtcalls::Access& access, const std::vector<vm::Operand>& operands) {
+    // What a thread does to itself orders nothing; the clock is written by time alone.
+    if (access.resource == Resource::kNone || access.resource == Resource::kThread) return;
+    if (access.resource == Resource::kClock) return;
+    if (access.selector < 0 || Index(access.selector) >= operands.size()) {
+      return Add(access.resource, Touched::kAll, access.write);
+    }
+    if (IsOfAxis(access.resource) && !AxesAreApart()) {
+      return Add(access.resource, Touched::kAll, access.write);
+    }
+    const auto value = static_cast<uint32_t>(ValueOf(operands[Index(access.selector)]));
+    if (access.mask) {
+      for (uint32_t bit = 0; bit < 32; ++bit) {
+        if ((value >> bit & 1) != 0) Add(access.resource, bit + 1, access.write);
+      }
+      return;
+    }
+    const int counting = access.count_parameter;
+    const int32_t count = counting < 0 || Index(counting) >= operands.size()
+                              ? 1
+                              : std::clamp(ValueOf(operands[Index(counting)]), 0, 32);
+    for (uint32_t i = 0; i < static_cast<uint32_t>(count); ++i) {
+      Add(access.resource, value + i, access.write);
+    }
+  }
+
+  static bool IsOfAxis(Resource resource) {
+    return resource == Resource::kAxis || resource == Resource::kEncoder ||
+           resource == Resource::kControl;
+  }
+  /// Profile, encoder, controller and pulse output of an axis have its number: not so in a gantry,
+  /// nor where a configuration maps them otherwise. Then a command of one axis may reach any other.
+  bool AxesAreApart() const {
+    const motion::MotionState& state = controller_.motion().state();
+    const auto own_or_none = [](int8_t number, size_t own) {
+      return number < 0 || static_cast<size_t>(number) == own;
+    };
+    for (size_t i = 0; i < state.axes.size(); ++i) {
+      const uint32_t bit = uint32_t{1} << i;
+      if (state.axes[i].profile_map != bit || state.axes[i].encoder_map != bit ||
+          !own_or_none(state.controls[i].axis, i) || !own_or_none(state.controls[i].encoder, i) ||
+          !own_or_none(state.steps[i].axis, i)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  const runtime::Controller& controller_;
+  const vm::Machine& machine_;
+  const vm::ThreadState& state_;
+  const vm::Object& object_;
+  StatementAccess access_;
+};
+
+bool Depend(const Touched& one, const Touched& other) {
+  if (!one.write && !other.write) return false;
+  if (one.resource == Resource::kEverything || other.resource == Resource::kEverything) {
+    return one.resource != Resource::kVariable && other.resource != Resource::kVariable;
+  }
+  return one.resource == other.resource &&
+         (one.number == other.number || one.number == Touched::kAll ||
+          other.number == Touched::kAll);
+}
+
+std::string_view NameOf(Resource resource) {
+  switch (resource) {
+    case Resource::kNone:
+    case Resource::kEverything:
+      return "card";
+    case Resource::kClock:
+      return "clock";
+    case Resource::kThread:
+      return "thread";
+    case Resource::kVariable:
+      return "variable";
+    case Resource::kProgram:
+      return "program";
+    case Resource::kDigitalInput:
+      return "di";
+    case Resource::kDigitalOutput:
+      return "do";
+    case Resource::kAnalog:
+      return "analog";
+    case Resource::kExtension:
+      return "extension module";
+    case Resource::kAxis:
+      return "axis";
+    case Resource::kEncoder:
+      return "encoder";
+    case Resource::kControl:
+      return "control";
+    case Resource::kCrd:
+      return "crd";
+    case Resource::kCapture:
+      return "capture";
+    case Resource::kCompare:
+      return "compare";
+    case Resource::kPvtTable:
+      return "PVT table";
+    case Resource::kUserVariable:
+      return "user variable";
+    case Resource::kConfiguration:
+      break;
+  }
+  return "configuration";
+}
+
+}  // namespace
+
+StatementAccess NextAccess(const runtime::Controller& controller, int thread) {
+  return NextStatement(controller, thread).Access();
+}
+
+const Touched* FindDependence(const StatementAccess& one, const StatementAccess& other) {
+  for (const Touched& touched : one) {
+    for (const Touched& with : other) {
+      if (!Depend(touched, with)) continue;
+      return touched.number == Touched::kAll ? &with : &touched;
+    }
+  }
+  return nullptr;
+}
+
+std::string NameOf(const Touched& touched, const vm::Object& object) {
+  if (touched.resource == Resource::kVariable && touched.number != Touched::kAll) {
+    return NameOfSlot(object.globals, touched.number);
+  }
+  const std::string_view name = NameOf(touched.resource);
+  return touched.number == Touched::kAll ? std::string(name)
+                                         : fmt::format("{} {}", name, touched.number);
+}
+
+}  // namespace oncard::explore

@@ -1,0 +1,112 @@
+#include "explore/reports/axis_curve.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/markup.h"
+
+namespace oncard::explore {
+namespace {
+
+constexpr std::string_view kPosition = ".prfPos";
+/// Characters between the least and the greatest position.
+constexpr int kBarWidth = 32;
+/// Instants that are shown of what happens after the last statement.
+constexpr int kTailRows = 8;
+
+constexpr double kPictureWidth = 480;
+constexpr double kPictureHeight = 240;
+constexpr std::string_view kColors[] = {"#1f77b4", "#d62728", "#2ca02c", "#9467bd"};
+
+double MsOf(const runtime::TraceRow& row) { return static_cast<double>(row.time_us) / 1000; }
+
+}  // namespace
+
+AxisCurve::AxisCurve(const runtime::Trace* trace) : trace_(trace) {
+  if (trace == nullptr || trace->rows().empty()) return;
+  for (size_t column = 0; column < trace->columns().size(); ++column) {
+    if (!trace->columns()[column].quantity.name.ends_with(kPosition)) continue;
+    Line line = {column, trace->rows().front().values[column], 0};
+    line.greatest = line.least;
+    for (const runtime::TraceRow& row : trace->rows()) {
+      line.least = std::min(line.least, row.values[column]);
+      line.greatest = std::max(line.greatest, row.values[column]);
+    }
+    if (line.greatest > line.least) lines_.push_back(line);
+  }
+}
+
+double AxisCurve::ValueAt(const Line& line, double at_ms) const {
+  double value = trace_->rows().front().values[line.column];
+  for (const runtime::TraceRow& row : trace_->rows()) {
+    if (MsOf(row) > at_ms) break;
+    value = row.values[line.column];
+  }
+  return value;
+}
+
+std::string AxisCurve::BarAt(double at_ms) const {
+  std::string bars;
+  for (const Line& line : lines_) {
+    const double value = ValueAt(line, at_ms);
+    const double part = (value - line.least) / (line.greatest - line.least);
+    std::string bar(kBarWidth, ' ');
+    bar[static_cast<size_t>(std::lround(part * (kBarWidth - 1)))] = '*';
+    bars +=
+        fmt::format("   {} {:.6g} |{}|", trace_->columns()[line.column].quantity.name, value, bar);
+  }
+  return bars;
+}
+
+std::vector<double> AxisCurve::TailAfter(double at_ms) const {
+  std::vector<double> instants;
+  if (lines_.empty()) return instants;
+  const double end = MsOf(trace_->rows().back());
+  const double cycle = static_cast<double>(trace_->cycle_us()) / 1000;
+  const auto cycles = static_cast<int64_t>(std::lround((end - at_ms) / cycle));
+  const int64_t rows = std::min<int64_t>(kTailRows, cycles);
+  for (int64_t i = 1; i <= rows; ++i) {
+    const int64_t whole = cycles * i / rows;
+    instants.push_back(at_ms + static_cast<double>(whole) * cycle);
+  }
+  return instants;
+}
+
+std::string AxisCurve::Svg() const {
+  if (lines_.empty()) return {};
+  double least = lines_.front().least;
+  double greatest = lines_.front().greatest;
+  for (const Line& line : lines_) {
+    least = std::min(least, line.least);
+    greatest = std::max(greatest, line.greatest);
+  }
+  const double end = std::max(MsOf(trace_->rows().back()), MsOf(trace_->rows().front()) + 1e-3);
+  constexpr double kMargin = 20;
+  std::string svg = fmt::format(
+      "<svg width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" role=\"img\">\n"
+      "<text x=\"{2}\" y=\"14\">{3:.6g}</text>\n<text x=\"{2}\" y=\"{4}\">{5:.6g}</text>\n"
+      "<text x=\"{6}\" y=\"{4}\" text-anchor=\"end\">{7:.6g} ms</text>\n",
+      kPictureWidth, kPictureHeight, 2, greatest, kPictureHeight - 4, least, kPictureWidth - 2,
+      end);
+  for (size_t i = 0; i < lines_.size(); ++i) {
+    std::string points;
+    double last_y = 0;
+    for (const runtime::TraceRow& row : trace_->rows()) {
+      const double part = (row.values[lines_[i].column] - least) / (greatest - least);
+      const double x = MsOf(row) / end * kPictureWidth;
+      last_y = kPictureHeight - kMargin - part * (kPictureHeight - 2 * kMargin);
+      points += fmt::format("{}{:.1f},{:.1f}", points.empty() ? "" : " ", x, last_y);
+    }
+    const std::string_view color = kColors[i % std::size(kColors)];
+    svg += fmt::format(
+        "<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\" points=\"{}\"/>\n"
+        "<text x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\" fill=\"{}\">{}</text>\n",
+        color, points, kPictureWidth - 2, last_y - 4, color,
+        EscapeMarkup(trace_->columns()[lines_[i].column].quantity.name));
+  }
+  return svg + "</svg>\n";
+}
+
+}  // namespace oncard::explore

@@ -1,0 +1,401 @@
+#include "explore/reports/claim.h"
+
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base/markup.h"
+
+namespace oncard::explore {
+namespace {
+
+/// One label with what it has to say, a line each.
+struct ClaimEntry {
+  Message label;
+  std::vector<Message> lines;
+};
+
+// --- What was asked ------------------------------------------------------------------------------
+
+/// Which of the faults that need no requirement an exploration can find.
+struct BuiltIn {
+  bool livelock = false;
+  bool limit = false;  ///< threads that still run at the scenario's limit_ms
+};
+
+BuiltIn BuiltInOf(const Findings& findings) {
+  const auto& card = findings.subject.card;
+  if (card) return {false, !card->until_us || *card->until_us > card->limit_ms * 1000};
+  switch (findings.exploration.engine) {
+    case EngineKind::kAuto:
+    case EngineKind::kDpor:
+    case EngineKind::kStateful:
+      return {true, false};
+    case EngineKind::kBounded:
+    case EngineKind::kRandom:
+    case EngineKind::kPct:
+    case EngineKind::kPos:
+    case EngineKind::kFollow:
+      break;
+  }
+  return {};
+}
+
+std::string_view RaceRuleText(RaceRule rule) {
+  switch (rule) {
+    case RaceRule::kAny:
+      return "any";
+    case RaceRule::kBenign:
+      return "benign";
+    case RaceRule::kNone:
+      break;
+  }
+  return "none";
+}
+
+std::string Joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+ClaimEntry Asked(const Findings& findings) {
+  const Subject& subject = findings.subject;
+  ClaimEntry entry = {{"asked", "要求"}, {}};
+  for (const Requirement& requirement : subject.requirements) {
+    const std::string text = fmt::format("{}: {}", ScopeName(requirement.scope), requirement.text);
+    entry.lines.push_back({text, text});
+  }
+  Message built_in = {"no thread fault, no deadlock", "无线程故障，无死锁"};
+  const BuiltIn looked_for = BuiltInOf(findings);
+  if (looked_for.livelock) {
+    built_in.en += ", no livelock";
+    built_in.zh += "，无活锁";
+  }
+  if (looked_for.limit) {
+    built_in.en += fmt::format(", all threads end before {} ms", subject.card->limit_ms);
+    built_in.zh += fmt::format("，所有线程在 {} ms 前结束", subject.card->limit_ms);
+  }
+  entry.lines.push_back(std::move(built_in));
+  if (subject.races != RaceRule::kAny) {
+    Message races =
+        subject.races == RaceRule::kNone
+            ? Message{"no data race", "无数据竞争"}
+            : Message{"no data race that changes a final value", "无改变最终值的数据竞争"};
+    if (!subject.sync.empty()) {
+      races.en += fmt::format("; synchronising: {}", Joined(subject.sync));
+      races.zh += fmt::format("；同步变量：{}", Joined(subject.sync));
+    }
+    entry.lines.push_back(std::move(races));
+  }
+  return entry;
+}
+
+ClaimEntry NotAsked(const Findings& findings) {
+  Message line;
+  const auto add = [&](const Message& what) {
+    line.en += (line.en.empty() ? "" : ", ") + what.en;
+    line.zh += (line.zh.empty() ? "" : "、") + what.zh;
+  };
+  if (findings.subject.requirements.empty()) add({"the results", "运行结果"});
+  if (!BuiltInOf(findings).livelock) add({"livelock", "活锁"});
+  if (findings.subject.races == RaceRule::kAny) add({"data races", "数据竞争"});
+  ClaimEntry entry = {{"not asked", "未要求"}, {}};
+  if (!line.en.empty()) entry.lines.push_back(std::move(line));
+  return entry;
+}
+
+// --- Of what, under which assumptions ------------------------------------------------------------
+
+ClaimEntry Program(const Subject& subject) {
+  ClaimEntry entry = {{"program", "程序"}, {}};
+  entry.lines.push_back(MakeMessage("{0}, object {1:016x}", "{0}，目标文件 {1:016x}",
+                                    subject.program, subject.image->hash));
+  if (!subject.scenario.empty()) {
+    entry.lines.push_back(MakeMessage("scenario {0}, {1:016x}", "场景 {0}，{1:016x}",
+                                      subject.scenario, subject.scenario_hash));
+  }
+  std::string threads;
+  for (const ThreadSetup& setup : subject.threads) {
+    threads +=
+        fmt::format("{}{} {}", threads.empty() ? "" : ", ", setup.thread,
+                    subject.image->object.functions[static_cast<size_t>(setup.function)].name);
+  }
+  entry.lines.push_back({"threads " + threads, "线程 " + threads});
+  return entry;
+}
+
+uint64_t HashOfWorld(const CardConditions& card) {
+  const std::string text = runtime::FormatWorld(card.world, card.axis_count);
+  return XXH64(text.data(), text.size(), 0);
+}
+
+ClaimEntry Assumptions(const Subject& subject) {
+  ClaimEntry entry = {{"assumes", "前提"}, {}};
+  if (!subject.card) {
+    entry.lines.push_back({"any thread may take the next statement; no time passes",
+                           "任一线程都可能执行下一条语句；不计时间"});
+    return entry;
+  }
+  const CardConditions& card = *subject.card;
+  entry.lines.push_back(
+      {"any thread may take the next statement, each one gets at least one in "
+       "every cycle",
+       "任一线程都可能执行下一条语句，且每个线程在每个周期内至少执行一条"});
+  entry.lines.push_back(MakeMessage("rate {0} statements per ms, cycle {1} us, {2} axes",
+                                    "速率每 ms {0} 条语句，周期 {1} us，{2} 轴", card.rate,
+                                    card.cycle_us, card.axis_count));
+  entry.lines.push_back(card.world == runtime::World{}
+                            ? Message{"world: ideal drives, inputs off, nothing happens",
+                                      "外部世界：理想驱动器，输入全关，无事件"}
+                            : MakeMessage("world: as in the scenario, {0:016x}",
+                                          "外部世界：如场景所述，{0:016x}", HashOfWorld(card)));
+  return entry;
+}
+
+ClaimEntry Bounds(const Findings& findings) {
+  const Exploration& exploration = findings.exploration;
+  ClaimEntry entry = {{"bounds", "范围"}, {}};
+  const auto add = [&](Message message) { entry.lines.push_back(std::move(message)); };
+  if (const auto& card = findings.subject.card; card && !BuiltInOf(findings).limit) {
+    const double until_ms = static_cast<double>(*card->until_us) / 1000;
+    add(MakeMessage("the first {0} ms", "前 {0} ms", until_ms));
+  }
+  if (exploration.bounded) {
+    add(MakeMessage("preemptions: at most {0}", "抢占：最多 {0} 次",
+                    std::max(exploration.bounded->preemptions, 0)));
+  }
+  if (const auto& samples = exploration.samples) {
+    add(MakeMessage("{0} random schedules of the engine {1}, seed {2}",
+                    "{1} 引擎的 {0} 个随机调度，种子 {2}", samples->runs,
+                    EngineName(exploration.engine), samples->seed));
+  }
+  if (exploration.engine == EngineKind::kFollow) add({"one schedule", "一个调度"});
+  if (exploration.merged) {
+    add({"statements that touch no global go with the one before them",
+         "不涉及全局变量的语句并入前一条语句"});
+  }
+  if (entry.lines.empty() && exploration.verdict == Verdict::kProved) {
+    add({"none: every schedule was searched", "无：已搜索所有调度"});
+  }
+  return entry;
+}
+
+std::vector<ClaimEntry> EntriesOf(const Findings& findings) {
+  std::vector<ClaimEntry> entries = {Asked(findings), NotAsked(findings), Program(findings.subject),
+                                     Assumptions(findings.subject), Bounds(findings)};
+  entries.push_back({{"by", "工具"},
+                     {MakeMessage("oncard {0}, engine {1}", "oncard {0}，{1} 引擎", ONCARD_VERSION,
+                                  EngineName(findings.exploration.engine))}});
+  std::erase_if(entries, [](const ClaimEntry& entry) { return entry.lines.empty(); });
+  return entries;
+}
+
+// --- Results that nobody has asked for -----------------------------------------------------------
+
+/// What there is to show of the results, and how to ask for one.
+struct Results {
+  int64_t count = 0;  ///< different ones that were found
+  /// Of those that are known, the globals that were written and what threads returned, where that
+  /// is not always the same.
+  std::vector<std::vector<NamedValue>> shown;
+  std::string requirement;  ///< that one of them meets; empty when there is nothing to ask for
+};
+
+int64_t CountEnds(const Exploration& exploration) {
+  int64_t count = 0;
+  if (exploration.traces) count = std::max(count, exploration.traces->final_full);
+  if (exploration.states) count = std::max(count, exploration.states->final_full);
+  if (exploration.bounded) count = std::max(count, exploration.bounded->different_ends);
+  if (exploration.samples) {
+    count = std::max(count, static_cast<int64_t>(exploration.samples->ends.size()));
+  }
+  return count;
+}
+
+/// Elements of a requirement that is offered; more are hard to read.
+constexpr size_t kOfferedMax = 4;
+
+/// Nothing when something was asked of the results, or something is wrong.
+std::optional<Results> ResultsOf(const Findings& findings) {
+  const Exploration& exploration = findings.exploration;
+  const Subject& subject = findings.subject;
+  if (!subject.requirements.empty() || exploration.failure) return std::nullopt;
+  // The threads one after the other give what was most probably meant: the last of the list.
+  std::vector<End> ends = exploration.ends;
+  if (findings.serial_end) ends.push_back(*findings.serial_end);
+  Results results;
+  results.count = CountEnds(exploration);
+  if (ends.empty()) return results;
+  const auto named = NameEnds(ends, subject.image->object, subject.threads);
+  const size_t returns = named[0].size() - subject.threads.size();
+  std::vector<size_t> interesting;
+  for (size_t i = 0; i < ends[0].size(); ++i) {
+    const int64_t usual = i < returns ? findings.start[i] : ends[0][i];
+    if (std::ranges::any_of(ends, [&](const End& end) { return end[i] != usual; })) {
+      interesting.push_back(i);
+    }
+  }
+  for (size_t end = 0; end < exploration.ends.size(); ++end) {
+    auto& shown = results.shown.emplace_back();
+    for (const size_t i : interesting) shown.push_back(named[end][i]);
+  }
+  // Globals, or else what the first thread returns.
+  const auto& meant = named.back();
+  if (interesting.empty()) interesting.push_back(returns);
+  for (size_t n = 0; n < std::min(interesting.size(), kOfferedMax); ++n) {
+    const NamedValue& value = meant[interesting[n]];
+    if (n > 0 && interesting[n] >= returns) break;
+    results.requirement += fmt::format("{}{} == {}", results.requirement.empty() ? "" : " && ",
+                                       value.name, value.value);
+  }
+  return results;
+}
+
+/// The line to paste.
+std::string PasteLine(const Subject& subject, const std::string& requirement) {
+  return subject.scenario.empty() ? "//@ final: " + requirement
+                                  : fmt::format("final = [\"{}\"]", requirement);
+}
+
+std::string EndText(const std::vector<NamedValue>& end) {
+  std::string text;
+  for (const NamedValue& value : end) {
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", value.name, value.value);
+  }
+  return text;
+}
+
+Message ResultsHead(const Results& results) {
+  Message head = {"nothing was asked of the results", "未对结果提出要求"};
+  const auto add = [&](const Message& more) {
+    head.en += "; " + more.en;
+    head.zh += "；" + more.zh;
+  };
+  const auto shown = static_cast<int64_t>(results.shown.size());
+  if (results.count == 1) {
+    add({"one was found", "发现 1 种结果"});
+  } else if (results.count > 1) {
+    add(MakeMessage("{0} different ones were found", "发现 {0} 种不同结果", results.count));
+  }
+  if (shown > 0 && shown < results.count) {
+    add(MakeMessage("{0} of them", "其中 {0} 种", shown));
+  }
+  if (shown == 0) return head;
+  return {head.en + ':', head.zh + "："};
+}
+
+Message AskHead(const Subject& subject) {
+  return subject.scenario.empty()
+             ? Message{"ask for the one that is meant with a line in the source, for example",
+                       "请在源程序中用一行写出期望的结果，例如"}
+             : Message{"ask for the one that is meant with a line in the scenario, for example",
+                       "请在场景中用一行写出期望的结果，例如"};
+}
+
+}  // namespace
+
+std::string ClaimText(const Findings& findings, Language language) {
+  const bool chinese = language == Language::kChinese;
+  // Columns of a terminal: Chinese characters take two, and three bytes.
+  const auto columns = [&](const Message& label) {
+    return chinese ? label.zh.size() / 3 * 2 : label.en.size();
+  };
+  const auto entries = EntriesOf(findings);
+  size_t width = 0;
+  for (const ClaimEntry& entry : entries) width = std::max(width, columns(entry.label));
+  std::string text;
+  for (const ClaimEntry& entry : entries) {
+    text += entry.label.In(language) + std::string(width - columns(entry.label), ' ');
+    for (const Message& line : entry.lines) {
+      if (&line != &entry.lines.front()) text += std::string(width, ' ');
+      text += "  " + line.In(language) + '\n';
+    }
+  }
+  const auto results = ResultsOf(findings);
+  if (!results) return text;
+  text += '\n' + ResultsHead(*results).In(language) + '\n';
+  for (const auto& end : results->shown) text += "  " + EndText(end) + '\n';
+  if (!results->requirement.empty()) {
+    text += AskHead(findings.subject).In(language) + "\n  " +
+            PasteLine(findings.subject, results->requirement) + '\n';
+  }
+  return text + '\n';
+}
+
+std::string ClaimHtml(const Findings& findings, Language language) {
+  std::string html = "<table class=\"claim\">\n";
+  for (const ClaimEntry& entry : EntriesOf(findings)) {
+    html += fmt::format("<tr><th>{}</th><td>", EscapeMarkup(entry.label.In(language)));
+    for (const Message& line : entry.lines) {
+      html += (&line == &entry.lines.front() ? "" : "<br>") + EscapeMarkup(line.In(language));
+    }
+    html += "</td></tr>\n";
+  }
+  html += "</table>\n";
+  const auto results = ResultsOf(findings);
+  if (!results) return html;
+  html += fmt::format("<p>{}</p>\n<ul>\n", EscapeMarkup(ResultsHead(*results).In(language)));
+  for (const auto& end : results->shown) {
+    html += fmt::format("<li><code>{}</code></li>\n", EscapeMarkup(EndText(end)));
+  }
+  html += "</ul>\n";
+  if (results->requirement.empty()) return html;
+  return html + fmt::format("<p>{}</p>\n<pre>{}</pre>\n",
+                            EscapeMarkup(AskHead(findings.subject).In(language)),
+                            EscapeMarkup(PasteLine(findings.subject, results->requirement)));
+}
+
+void AddClaim(const Findings& findings, nlohmann::ordered_json* json) {
+  const Subject& subject = findings.subject;
+  const BuiltIn built_in = BuiltInOf(findings);
+  auto& asked = (*json)["asked"];
+  asked["requirements"] = nlohmann::ordered_json::array();
+  for (const Requirement& requirement : subject.requirements) {
+    asked["requirements"].push_back(
+        {{"scope", ScopeName(requirement.scope)}, {"expression", requirement.text}});
+  }
+  asked["faults"] = true;
+  asked["deadlock"] = true;
+  asked["livelock"] = built_in.livelock;
+  asked["limit"] = built_in.limit;
+  asked["races"] = RaceRuleText(subject.races);
+  if (!subject.sync.empty()) asked["sync"] = subject.sync;
+  auto& program = (*json)["program"];
+  program = {{"file", subject.program}, {"object", fmt::format("{:016x}", subject.image->hash)}};
+  if (!subject.scenario.empty()) program["scenario"] = subject.scenario;
+  program["scenario_hash"] = fmt::format("{:016x}", subject.scenario_hash);
+  for (const ThreadSetup& setup : subject.threads) {
+    const auto function = static_cast<size_t>(setup.function);
+    program["threads"].push_back({{"thread", setup.thread},
+                                  {"function", subject.image->object.functions[function].name},
+                                  {"page", setup.page}});
+  }
+  auto& assumptions = (*json)["assumptions"];
+  assumptions["card"] = subject.card.has_value();
+  if (const auto& card = subject.card) {
+    assumptions["rate"] = card->rate;
+    assumptions["cycle_us"] = card->cycle_us;
+    assumptions["axes"] = card->axis_count;
+    assumptions["limit_ms"] = card->limit_ms;
+    if (card->until_us) assumptions["until_ms"] = static_cast<double>(*card->until_us) / 1000;
+    assumptions["world"] = card->world == runtime::World{}
+                               ? std::string("nothing happens")
+                               : fmt::format("{:016x}", HashOfWorld(*card));
+  }
+  auto& bounds = (*json)["bounds"] = nlohmann::ordered_json::array();
+  for (const Message& line : Bounds(findings).lines) bounds.push_back(line.en);
+  (*json)["oncard"] = ONCARD_VERSION;
+  const auto results = ResultsOf(findings);
+  if (!results) return;
+  auto& shown = (*json)["results"] = nlohmann::ordered_json::array();
+  for (const auto& end : results->shown) {
+    auto& values = shown.emplace_back(nlohmann::ordered_json::object());
+    for (const NamedValue& value : end) values[value.name] = nlohmann::json::parse(value.value);
+  }
+  if (!results->requirement.empty()) (*json)["ask"] = PasteLine(subject, results->requirement);
+}
+
+}  // namespace oncard::explore

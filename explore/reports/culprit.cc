@@ -1,0 +1,253 @@
+#include "explore/reports/culprit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace oncard::explore {
+namespace {
+
+using runtime::LoggedStep;
+using runtime::SlotChange;
+using runtime::SlotValue;
+using vm::SlotAddress;
+
+/// A global that a thread has read, and at which step: what a local's value, or a decision, rests
+/// on.
+struct Source {
+  SlotValue value;
+  size_t step = 0;
+};
+using Sources = std::vector<Source>;
+
+/// More than this says nothing to anybody.
+constexpr size_t kSourceMax = 64;
+
+void Add(const Sources& more, Sources* sources) {
+  for (const Source& source : more) {
+    const auto same = [&](const Source& each) {
+      return each.step == source.step && runtime::SameSlot(each.value.slot, source.value.slot);
+    };
+    if (sources->size() < kSourceMax && std::ranges::none_of(*sources, same)) {
+      sources->push_back(source);
+    }
+  }
+}
+
+/// A thread has used at `use` what it read at `read`, although another one wrote that at `write`.
+struct StaleUse {
+  enum class Kind : uint8_t { kOverwrites, kComputes, kDecides };
+  Kind kind = Kind::kOverwrites;
+  SlotValue value;
+  size_t read = 0;
+  size_t write = 0;
+  size_t use = 0;
+};
+
+/// Which of two uses is to be told: what overwrites before what decides before what computes; then
+/// one that has to do with the statement with which every end became bad; then the later one.
+struct UseRank {
+  int64_t last_escape = -1;
+
+  std::pair<int, bool> Of(const StaleUse& use) const {
+    const auto fatal = static_cast<size_t>(last_escape);
+    const bool escapes =
+        last_escape >= 0 && (use.write == fatal || use.use == fatal || use.read == fatal);
+    switch (use.kind) {
+      case StaleUse::Kind::kOverwrites:
+        return {2, escapes};
+      case StaleUse::Kind::kDecides:
+        return {1, escapes};
+      case StaleUse::Kind::kComputes:
+        break;
+    }
+    return {0, escapes};
+  }
+};
+
+/// Follows values from globals through locals and decisions, and keeps the use to be told.
+class Flow {
+ public:
+  Flow(const std::vector<TrailStep>& steps, int64_t last_escape) : rank_{last_escape} {
+    for (now_ = 0; now_ < steps.size(); ++now_) Take(steps[now_]);
+  }
+  const std::optional<StaleUse>& use() const { return use_; }
+
+ private:
+  static int KeyOf(const SlotAddress& local) { return local.page * vm::kSlotCount + local.id; }
+
+  void Take(const TrailStep& step) {
+    Sources sources;
+    for (const SlotValue& read : step.log.reads) {
+      if (read.slot.global) {
+        Add({{read, now_}}, &sources);
+      } else {
+        Add(locals_[KeyOf(read.slot)], &sources);
+      }
+    }
+    const bool acts = step.log.command || std::ranges::any_of(step.log.writes, [](const auto& w) {
+                        return w.slot.global;
+                      });
+    if (acts) {
+      for (const Source& source : sources) Look(source, KindOf(source, step), step.thread);
+      for (const Source& source : decisions_[step.thread]) {
+        Look(source, StaleUse::Kind::kDecides, step.thread);
+      }
+    }
+    if (step.log.decides) decisions_[step.thread] = sources;
+    for (const SlotChange& write : step.log.writes) {
+      if (!write.slot.global) {
+        locals_[KeyOf(write.slot)] = sources;
+        continue;
+      }
+      Writers& writers = writers_[write.slot.id];
+      if (writers.last && writers.last->thread != step.thread) writers.other = writers.last;
+      writers.last = GlobalWrite{now_, step.thread};
+    }
+  }
+
+  static StaleUse::Kind KindOf(const Source& source, const TrailStep& step) {
+    const bool back = std::ranges::any_of(step.log.writes, [&](const SlotChange& write) {
+      return runtime::SameSlot(write.slot, source.value.slot);
+    });
+    return back ? StaleUse::Kind::kOverwrites : StaleUse::Kind::kComputes;
+  }
+
+  /// Whether another thread has written what the source has read since.
+  void Look(const Source& source, StaleUse::Kind kind, int thread) {
+    const Writers& writers = writers_[source.value.slot.id];
+    const auto& write =
+        writers.last && writers.last->thread != thread ? writers.last : writers.other;
+    if (!write || write->thread == thread || write->step <= source.step) return;
+    const StaleUse use = {kind, source.value, source.step, write->step, now_};
+    if (!use_ || rank_.Of(use) >= rank_.Of(*use_)) use_ = use;
+  }
+
+  struct GlobalWrite {
+    size_t step = 0;
+    int thread = 0;
+  };
+  /// The latest write of a global, and the latest of any thread but that one's.
+  struct Writers {
+    std::optional<GlobalWrite> last;
+    std::optional<GlobalWrite> other;
+  };
+
+  UseRank rank_;
+  size_t now_ = 0;
+  std::map<int, Sources> locals_;     ///< by page and slot
+  std::map<int, Sources> decisions_;  ///< of each thread, the latest
+  std::map<int, Writers> writers_;    ///< by slot
+  std::optional<StaleUse> use_;
+};
+
+/// Puts steps into words.
+class Teller {
+ public:
+  Teller(const Subject& subject, const Trail& trail)
+      : trail_(trail), object_(subject.image->object) {}
+
+  Culprit Tell(const StaleUse& use) const {
+    const LoggedStep& read = Log(use.read);
+    const LoggedStep& write = Log(use.write);
+    const LoggedStep& acts = Log(use.use);
+    const std::string name = NameOf(read, use.value.slot, object_);
+    const std::string old = ValueText(read, use.value.slot, use.value.raw, object_);
+    const std::string there = WrittenTo(write, use.value.slot);
+    Culprit culprit;
+    culprit.steps = {use.read, use.write, use.use};
+    switch (use.kind) {
+      case StaleUse::Kind::kOverwrites:
+        culprit.sentence = MakeMessage(
+            "thread {0} wrote {1} = {2} over thread {3}'s {4} at step {5}, because it had read "
+            "{1} = {6} at step {7}, before thread {3} wrote it at step {8}",
+            "线程 {0} 在第 {5} 步用 {1} = {2} 覆盖了线程 {3} 的 {4}，因为它在第 {7} 步读到 {1} = "
+            "{6}，早于线程 {3} 在第 {8} 步的写入",
+            acts.thread, name, WrittenTo(acts, use.value.slot), write.thread, there, use.use + 1,
+            old, use.read + 1, use.write + 1);
+        break;
+      case StaleUse::Kind::kComputes:
+        culprit.sentence = MakeMessage(
+            "thread {0} used {1} = {2} at step {3}, which it had read at step {4}; thread {5} had "
+            "made it {6} at step {7}",
+            "线程 {0} 在第 {3} 步使用了第 {4} 步读到的 {1} = {2}，而线程 {5} 已在第 {7} 步将其改为 "
+            "{6}",
+            acts.thread, name, old, use.use + 1, use.read + 1, write.thread, there, use.write + 1);
+        break;
+      case StaleUse::Kind::kDecides:
+        culprit.sentence = MakeMessage(
+            "thread {0} went on to step {1}, because it had read {2} = {3} at step {4}; thread {5} "
+            "had made it {6} at step {7}",
+            "线程 {0} 执行到第 {1} 步，因为它在第 {4} 步读到 {2} = {3}，而线程 {5} 已在第 {7} "
+            "步将其改为 {6}",
+            acts.thread, use.use + 1, name, old, use.read + 1, write.thread, there, use.write + 1);
+        break;
+    }
+    return culprit;
+  }
+
+  /// Two statements that the other order would have exchanged.
+  Culprit Tell(const RacingPair& pair) const {
+    const LoggedStep& first = Log(pair.first.step);
+    const LoggedStep& second = Log(pair.second.step);
+    const auto does = [&](const LoggedStep& step, bool writes) -> Message {
+      const auto is_what = [&](const auto& each) {
+        return each.slot.global && NameOf(step, each.slot, object_) == pair.what;
+      };
+      const auto write = std::ranges::find_if(step.writes, is_what);
+      if (writes && write != step.writes.end()) {
+        const std::string value = ValueText(step, write->slot, write->after, object_);
+        return MakeMessage("wrote {0} = {1}", "写入 {0} = {1}", pair.what, value);
+      }
+      const auto read = std::ranges::find_if(step.reads, is_what);
+      if (!writes && read != step.reads.end()) {
+        const std::string value = ValueText(step, read->slot, read->raw, object_);
+        return MakeMessage("read {0} = {1}", "读到 {0} = {1}", pair.what, value);
+      }
+      return writes ? MakeMessage("acted on {0}", "操作了 {0}", pair.what)
+                    : MakeMessage("looked at {0}", "查看了 {0}", pair.what);
+    };
+    const Message one = does(first, pair.first.writes);
+    const Message two = does(second, pair.second.writes);
+    Culprit culprit;
+    culprit.steps = {pair.first.step, pair.second.step};
+    culprit.sentence = {
+        fmt::format("thread {} {} at step {}, before thread {} {} at step {}", first.thread, one.en,
+                    pair.first.step + 1, second.thread, two.en, pair.second.step + 1),
+        fmt::format("线程 {} 在第 {} 步{}，早于线程 {} 在第 {} 步{}", first.thread,
+                    pair.first.step + 1, one.zh, second.thread, pair.second.step + 1, two.zh)};
+    return culprit;
+  }
+
+ private:
+  const LoggedStep& Log(size_t step) const { return trail_.steps[step].log; }
+  std::string WrittenTo(const LoggedStep& step, const SlotAddress& slot) const {
+    const auto is_slot = [&](const SlotChange& write) {
+      return runtime::SameSlot(write.slot, slot);
+    };
+    const auto found = std::ranges::find_if(step.writes, is_slot);
+    return found == step.writes.end() ? "" : ValueText(step, slot, found->after, object_);
+  }
+
+  const Trail& trail_;
+  const vm::Object& object_;
+};
+
+}  // namespace
+
+std::optional<Culprit> FindCulprit(const Subject& subject, const Failure& failure,
+                                   const Trail& trail) {
+  const bool told_already = failure.livelock || failure.fault.kind == Fault::Kind::kRace ||
+                            failure.fault.kind == Fault::Kind::kDeadlock;
+  if (told_already) return std::nullopt;
+  const Teller teller(subject, trail);
+  const Flow flow(trail.steps, failure.last_escape);
+  if (flow.use()) return teller.Tell(*flow.use());
+  if (trail.pair) return teller.Tell(*trail.pair);
+  return std::nullopt;
+}
+
+}  // namespace oncard::explore

@@ -1,0 +1,277 @@
+#include "explore/reports/failure_report.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "base/markup.h"
+#include "explore/reports/culprit.h"
+#include "explore/reports/step_table.h"
+
+namespace oncard::explore {
+namespace {
+
+/// Segments of a schedule in JSON; a longer one is for a schedule file.
+constexpr size_t kSegmentsMax = 10'000;
+
+/// One of two statements that touch the same, as sentences name it.
+struct Party {
+  int thread = 0;
+  int line = 0;
+  bool writes = false;
+};
+
+Message DescribeParties(const std::string& what, const Party& first, const Party& second) {
+  const auto does = [](const Party& party) {
+    return party.writes ? Message{"writes", "写"} : Message{"reads", "读"};
+  };
+  return {
+      fmt::format("thread {} {} {} in line {}, thread {} {} it in line {}", first.thread,
+                  does(first).en, what, first.line, second.thread, does(second).en, second.line),
+      fmt::format("线程 {} 在第 {} 行{} {}，线程 {} 在第 {} 行{}它", first.thread, first.line,
+                  does(first).zh, what, second.thread, second.line, does(second).zh)};
+}
+
+Party PartyOf(const Subject& subject, const RacingStatement& statement) {
+  const ThreadSetup& setup = subject.threads[static_cast<size_t>(statement.thread)];
+  const auto& function = subject.image->object.functions[static_cast<size_t>(setup.function)];
+  return {setup.thread, function.lines[static_cast<size_t>(statement.position)], statement.writes};
+}
+
+Party PartyOf(const Findings& findings, const RacingPair::Statement& statement) {
+  const TrailStep& step = findings.trail.steps[statement.step];
+  return {step.log.thread, step.log.line, statement.writes};
+}
+
+Message DescribeFault(const Subject& subject, const Failure& failure) {
+  if (failure.livelock) {
+    return {"livelock: all threads can go on for ever without any coming to its end",
+            "活锁：各线程可以一直运行而都不结束"};
+  }
+  switch (failure.fault.kind) {
+    case Fault::Kind::kThread:
+      return MakeMessage("thread {0} ends with a fault", "线程 {0} 因故障结束",
+                         subject.threads[static_cast<size_t>(failure.fault.thread)].thread);
+    case Fault::Kind::kDeadlock:
+      return {
+          "deadlock: every running thread waits for a variable that nothing can change any more",
+          "死锁：所有运行中的线程都在等待不会再改变的变量"};
+    case Fault::Kind::kTimeLimit:
+      return {"threads still run at the scenario's limit_ms", "到场景的 limit_ms 时仍有线程在运行"};
+    case Fault::Kind::kRace:
+      return DescribeRace(subject, failure.fault.race);
+    case Fault::Kind::kNone:
+    case Fault::Kind::kRequirement:
+      break;
+  }
+  const Requirement& violated =
+      subject.requirements[static_cast<size_t>(failure.fault.requirement)];
+  const bool never = violated.scope == Scope::kNever;
+  return MakeMessage(never ? "{0}: {1} holds" : "{0}: {1} does not hold",
+                     never ? "{0}: {1} 成立" : "{0}: {1} 不成立", ScopeName(violated.scope),
+                     violated.text);
+}
+
+/// Adds a line to a text that may be empty in this case.
+void AddLine(const Message& message, Language language, std::string* text) {
+  if (!message.en.empty()) *text += message.In(language) + '\n';
+}
+
+/// What comes of the two orders of a data race.
+Message DescribeOrder(const RaceOrder& order, const std::vector<RaceOrder>& orders) {
+  const RaceOrder& other = &order == &orders.front() ? orders.back() : orders.front();
+  const Message end = order.end.empty() ? Message{"the ends are the same", "最终结果相同"}
+                                        : MakeMessage("at the end {0}", "最终 {0}", order.end);
+  return {fmt::format("  thread {} first, then thread {}: {}; {}", order.first, other.first,
+                      order.after, end.en),
+          fmt::format("  线程 {} 在先，线程 {} 在后：{}；{}", order.first, other.first, order.after,
+                      end.zh)};
+}
+
+/// What is wrong, who is to blame and how it is reached, a line each.
+std::string SummaryOf(const Findings& findings, const Failure& failure,
+                      const std::optional<Culprit>& culprit, Language language) {
+  const Trail& trail = findings.trail;
+  Message wrong = DescribeFault(findings.subject, failure);
+  if (!trail.actual.en.empty()) {
+    wrong.en += ": " + trail.actual.en;
+    wrong.zh += "：" + trail.actual.zh;
+  }
+  std::string text = wrong.In(language) + '\n';
+  if (culprit) AddLine(culprit->sentence, language, &text);
+  if (!trail.orders.empty()) {
+    AddLine({"both orders of the two statements:", "两条语句的两种顺序："}, language, &text);
+    for (const RaceOrder& order : trail.orders) {
+      AddLine(DescribeOrder(order, trail.orders), language, &text);
+    }
+  }
+  AddLine(MakeMessage(failure.fewest_preemptions ? "statements: {0}, preemptions: {1}; no schedule "
+                                                   "with fewer preemptions fails"
+                                                 : "statements: {0}, preemptions: {1}",
+                      failure.fewest_preemptions ? "{0} 条语句，{1} 次抢占；更少的抢占不会出错"
+                                                 : "{0} 条语句，{1} 次抢占",
+                      failure.steps.size(), failure.preemptions),
+          language, &text);
+  if (trail.pair) {
+    const Message touched = DescribeParties(trail.pair->what, PartyOf(findings, trail.pair->first),
+                                            PartyOf(findings, trail.pair->second));
+    AddLine({"racing pair: " + touched.en, "竞争对：" + touched.zh}, language, &text);
+  }
+  if (trail.skipped > 0) {
+    AddLine(
+        MakeMessage("shown: the last {0} statements, after {1} others",
+                    "仅显示最后 {0} 条语句，之前还有 {1} 条", trail.steps.size(), trail.skipped),
+        language, &text);
+  }
+  return text;
+}
+
+StepView ViewOf(const Findings& findings, const Failure& failure,
+                const std::optional<Culprit>& culprit, bool full) {
+  const Trail& trail = findings.trail;
+  StepView view = {findings.subject, trail.steps, findings.source};
+  view.detail = full ? Detail::kFull : Detail::kBrief;
+  view.with_card = trail.with_card;
+  view.trace = trail.trace ? &*trail.trace : nullptr;
+  view.last_escape = failure.last_escape - trail.skipped;
+  if (culprit) view.named = culprit->steps;
+  if (trail.pair) {
+    view.named.push_back(trail.pair->first.step);
+    view.named.push_back(trail.pair->second.step);
+  }
+  if (failure.fault.kind == Fault::Kind::kThread && !trail.steps.empty()) {
+    view.named.push_back(trail.steps.size() - 1);
+  }
+  return view;
+}
+
+/// The steps that repeat for ever.
+StepView CycleOf(const Findings& findings, bool full) {
+  StepView view = {findings.subject, findings.trail.cycle, findings.source};
+  view.detail = full ? Detail::kFull : Detail::kBrief;
+  return view;
+}
+
+/// What is not shown, and how it is.
+std::string LeftOutText(const StepView& view, Language language) {
+  const size_t count = RowsOf(view, language).left_out;
+  if (count == 0) return {};
+  return MakeMessage("statements that touch nothing shared are left out: {0} (--full shows them)",
+                     "未列出的不涉及共享内容的语句：{0} 条（--full 可全部列出）", count)
+             .In(language) +
+         '\n';
+}
+
+nlohmann::ordered_json PartiesJson(const std::string& what, const Party& first,
+                                   const Party& second) {
+  nlohmann::ordered_json json;
+  json["what"] = what;
+  for (const Party& party : {first, second}) {
+    json["statements"].push_back(
+        {{"thread", party.thread}, {"line", party.line}, {"writes", party.writes}});
+  }
+  return json;
+}
+
+}  // namespace
+
+Message DescribeRace(const Subject& subject, const Race& race) {
+  const Message parties =
+      DescribeParties(NameOfSlot(subject.image->object.globals, race.cell),
+                      PartyOf(subject, race.first), PartyOf(subject, race.second));
+  return {"data race: " + parties.en + ", and nothing orders the two",
+          "数据竞争：" + parties.zh + "，两者之间没有顺序"};
+}
+
+std::string FailureText(const Findings& findings, const Failure& failure,
+                        const ReportOptions& options, Language language) {
+  const auto culprit = FindCulprit(findings.subject, failure, findings.trail);
+  std::string text = SummaryOf(findings, failure, culprit, language) + '\n';
+  const StepView view = ViewOf(findings, failure, culprit, options.full);
+  text += TextTable(view, options.width, language);
+  if (failure.livelock) {
+    AddLine({"\nand then for ever:", "\n然后永远重复："}, language, &text);
+    text += TextTable(CycleOf(findings, options.full), options.width, language);
+  }
+  return text + LeftOutText(view, language);
+}
+
+std::string FailureHtml(const Findings& findings, const Failure& failure,
+                        const ReportOptions& options, Language language) {
+  const auto culprit = FindCulprit(findings.subject, failure, findings.trail);
+  std::string html =
+      fmt::format("<pre>{}</pre>\n", EscapeMarkup(SummaryOf(findings, failure, culprit, language)));
+  const StepView view = ViewOf(findings, failure, culprit, options.full);
+  html += HtmlTable(view, language);
+  const auto paragraph = [&](const Message& message) {
+    html += fmt::format("<p>{}</p>\n", message.In(language));
+  };
+  if (failure.last_escape >= 0) {
+    paragraph({"From the red line on every end is bad.", "红线之后再无正确结局。"});
+  }
+  if (failure.livelock) {
+    paragraph({"And then for ever:", "然后永远重复："});
+    html += HtmlTable(CycleOf(findings, options.full), language);
+  }
+  const std::string left_out = LeftOutText(view, language);
+  if (!left_out.empty()) html += fmt::format("<p>{}</p>\n", EscapeMarkup(left_out));
+  return html;
+}
+
+nlohmann::ordered_json RaceJson(const Subject& subject, const Race& race) {
+  return PartiesJson(NameOfSlot(subject.image->object.globals, race.cell),
+                     PartyOf(subject, race.first), PartyOf(subject, race.second));
+}
+
+void AddFailure(const Findings& findings, const Failure& failure, nlohmann::ordered_json* json) {
+  (*json)["reason"] = DescribeFault(findings.subject, failure).en;
+  const Trail& trail = findings.trail;
+  if (!trail.actual.en.empty()) (*json)["actual"] = trail.actual.en;
+  if (const auto culprit = FindCulprit(findings.subject, failure, trail)) {
+    (*json)["culprit"] = culprit->sentence.en;
+  }
+  for (const RaceOrder& order : trail.orders) {
+    (*json)["orders"].push_back(
+        {{"first", order.first}, {"after", order.after}, {"end", order.end}});
+  }
+  if (failure.fault.kind == Fault::Kind::kRace) {
+    (*json)["race"] = RaceJson(findings.subject, failure.fault.race);
+  }
+  if (failure.fewest_preemptions) {
+    (*json)["min_preemptions_to_bad"] = failure.preemptions;
+    if (failure.fewest_steps > 0) (*json)["min_steps_to_bad"] = failure.fewest_steps;
+  }
+  (*json)["preemptions"] = failure.preemptions;
+  (*json)["last_escape"] = failure.last_escape;
+  if (findings.trail.pair) {
+    const RacingPair& pair = *findings.trail.pair;
+    (*json)["racing_pair"] =
+        PartiesJson(pair.what, PartyOf(findings, pair.first), PartyOf(findings, pair.second));
+  }
+  const auto schedule = ScheduleOf(findings.subject, failure).segments;
+  if (schedule.size() > kSegmentsMax) return;
+  auto& segments = (*json)["schedule"] = nlohmann::ordered_json::array();
+  for (const vm::ScheduleSegment& segment : schedule) {
+    segments.push_back({{"thread", segment.thread}, {"statements", segment.statements}});
+  }
+}
+
+vm::Schedule ScheduleOf(const Subject& subject, const Failure& failure) {
+  vm::Schedule schedule;
+  schedule.program_hash = subject.image->hash;
+  const auto add = [&](const std::vector<uint8_t>& steps) {
+    for (const uint8_t step : steps) {
+      const auto thread = static_cast<uint8_t>(subject.threads[step].thread);
+      if (schedule.segments.empty() || schedule.segments.back().thread != thread) {
+        schedule.segments.push_back({thread, 0});
+      }
+      ++schedule.segments.back().statements;
+    }
+  };
+  add(failure.steps);
+  add(failure.cycle);
+  return schedule;
+}
+
+}  // namespace oncard::explore

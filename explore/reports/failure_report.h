@@ -1,0 +1,32 @@
+// The part of a report that tells how a run went wrong: what is wrong, the run statement by
+// statement with a column per thread, and where it could no longer be saved.
+//
+// Texts depend on nothing but their arguments. Tested by tests/explore/report_test.cc.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "explore/reports/report.h"
+
+namespace oncard::explore {
+
+/// "data race: thread 0 reads x in line 3, thread 1 writes it in line 9, and nothing orders them".
+Message DescribeRace(const Subject& subject, const Race& race);
+
+/// For a terminal; ends in a newline.
+std::string FailureText(const Findings& findings, const Failure& failure,
+                        const ReportOptions& options, Language language);
+
+/// Paragraphs and tables of a page.
+std::string FailureHtml(const Findings& findings, const Failure& failure,
+                        const ReportOptions& options, Language language);
+
+/// `what` both touch and the two `statements`.
+nlohmann::ordered_json RaceJson(const Subject& subject, const Race& race);
+
+/// Adds `reason`, `actual`, `culprit`, the `orders` of a data race, the counts of the failing run,
+/// its `racing_pair` and its `schedule`.
+void AddFailure(const Findings& findings, const Failure& failure, nlohmann::ordered_json* json);
+
+}  // namespace oncard::explore

@@ -1,0 +1,148 @@
+#include "explore/reports/race_orders.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "runtime/observe/quantity.h"
+
+namespace oncard::explore {
+namespace {
+
+/// Statements that are taken until all threads should have ended, and of one thread in a row: one
+/// that waits in a loop must let the others go on.
+constexpr int64_t kStepMax = 100'000;
+constexpr int64_t kTurnMax = 1000;
+
+/// What an order leads to: what the racing statements read, `[y = 0]`, and leave; and the end.
+struct Outcome {
+  std::string after;
+  std::vector<std::string> names;
+  std::vector<std::string> values;
+};
+
+std::vector<vm::SlotAddress> Globals(const vm::Object& object) {
+  std::vector<vm::SlotAddress> slots;
+  for (const vm::Symbol& symbol : object.globals) {
+    for (int i = 0; i < symbol.slots(); ++i) {
+      slots.push_back({true, 0, static_cast<uint16_t>(symbol.id + i), symbol.type});
+    }
+  }
+  return slots;
+}
+
+void RunToEnd(Model* model) {
+  int64_t turn = 0;
+  int last = -1;
+  for (int64_t i = 0; i < kStepMax && model->runnable() != 0; ++i) {
+    const uint32_t runnable = model->runnable();
+    if (last < 0 || (runnable >> last & 1) == 0 || ++turn >= kTurnMax) {
+      const uint32_t behind = last < 0 ? runnable : runnable & (~uint32_t{1} << last);
+      last = std::countr_zero(behind != 0 ? behind : runnable);
+      turn = 0;
+    }
+    model->Step(last);
+  }
+}
+
+std::string ResultText(const Model& model, int thread) {
+  const auto function = static_cast<size_t>(model.setup(thread).function);
+  const vm::DataType type = model.image().object.functions[function].return_type;
+  const int64_t raw = model.ReturnValue(thread);
+  const double value = type == vm::DataType::kDouble
+                           ? vm::DoubleFromFixed(raw)
+                           : static_cast<double>(static_cast<int32_t>(raw));
+  return runtime::FormatNumber(value, runtime::FormOf(type));
+}
+
+/// Takes the steps and goes on to the end. Empty when a thread cannot take its statement.
+std::optional<Outcome> Take(const Problem& problem, const std::vector<uint8_t>& steps,
+                            const Race& race) {
+  Model model = problem.model;
+  const vm::Object& object = model.image().object;
+  const runtime::LoggedStep global;
+  vm::SlotAddress cell;
+  for (const vm::SlotAddress& slot : Globals(object)) {
+    if (slot.id == race.cell) cell = slot;
+  }
+  const auto present = [&] {
+    return NameOf(global, cell, object) + " = " + ValueText(global, cell, model.Read(cell), object);
+  };
+  std::array<std::string, 2> reads;
+  for (const uint8_t thread : steps) {
+    if ((model.runnable() >> thread & 1) == 0) return std::nullopt;
+    for (size_t i = 0; i < reads.size(); ++i) {
+      const RacingStatement& statement = i == 0 ? race.first : race.second;
+      const bool here = statement.thread == thread && statement.position == model.Position(thread);
+      if (here && !statement.writes) reads[i] = '[' + present() + "] ";
+    }
+    model.Step(thread);
+  }
+  Outcome outcome;
+  outcome.after = reads[0] + reads[1] + present();
+  RunToEnd(&model);
+  for (const vm::SlotAddress& slot : Globals(object)) {
+    outcome.names.push_back(NameOf(global, slot, object));
+    outcome.values.push_back(ValueText(global, slot, model.Read(slot), object));
+  }
+  for (int thread = 0; thread < model.thread_count(); ++thread) {
+    outcome.names.push_back(fmt::format("thread{}.result", model.setup(thread).thread));
+    outcome.values.push_back(ResultText(model, thread));
+  }
+  return outcome;
+}
+
+std::string Differences(const Outcome& outcome, const Outcome& other) {
+  std::string text;
+  for (size_t i = 0; i < outcome.values.size(); ++i) {
+    if (outcome.values[i] == other.values[i]) continue;
+    if (!text.empty()) text += ", ";
+    text += outcome.names[i] + " = " + outcome.values[i];
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<RaceOrder> BothOrders(const Problem& problem, const Failure& failure) {
+  if (failure.fault.kind != Fault::Kind::kRace) return {};
+  const Race& race = failure.fault.race;
+  // Where the run takes the two statements.
+  int64_t first = -1;
+  int64_t second = -1;
+  Model model = problem.model;
+  for (size_t i = 0; i < failure.steps.size(); ++i) {
+    const uint8_t thread = failure.steps[i];
+    const int position = model.Position(thread);
+    const auto is = [&](const RacingStatement& statement) {
+      return statement.thread == thread && statement.position == position;
+    };
+    if (is(race.first)) first = static_cast<int64_t>(i);
+    if (is(race.second)) second = static_cast<int64_t>(i);
+    model.Step(thread);
+  }
+  if (first < 0 || second < 0) return {};
+  const auto [earlier, later] = std::minmax(first, second);
+  const uint8_t held = failure.steps[static_cast<size_t>(earlier)];
+  const uint8_t ahead = failure.steps[static_cast<size_t>(later)];
+  const std::vector<uint8_t> as_run(failure.steps.begin(), failure.steps.begin() + later + 1);
+  // The thread that was first waits before its statement until the other has taken its own.
+  std::vector<uint8_t> other(failure.steps.begin(), failure.steps.begin() + earlier);
+  for (int64_t i = earlier + 1; i <= later; ++i) {
+    const uint8_t thread = failure.steps[static_cast<size_t>(i)];
+    if (thread != held) other.push_back(thread);
+  }
+  other.push_back(held);
+  const auto one = Take(problem, as_run, race);
+  const auto two = Take(problem, other, race);
+  if (!one || !two) return {};
+  return {{problem.model.setup(held).thread, one->after, Differences(*one, *two)},
+          {problem.model.setup(ahead).thread, two->after, Differences(*two, *one)}};
+}
+
+}  // namespace oncard::explore

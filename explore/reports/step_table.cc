@@ -1,0 +1,518 @@
+#include "explore/reports/step_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "base/markup.h"
+#include "base/trim.h"
+#include "compiler/display_text.h"
+#include "explore/reports/axis_curve.h"
+
+namespace oncard::explore {
+namespace {
+
+using runtime::LoggedStep;
+
+// --- Statements of a line ------------------------------------------------------------------------
+
+std::string_view FirstWord(std::string_view text) {
+  const auto in_word = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  };
+  size_t size = 0;
+  while (size < text.size() && in_word(text[size])) ++size;
+  return text.substr(0, size);
+}
+
+/// A piece between two semicolons without what stands before its statement: braces, a function's
+/// head, labels; empty for a declaration.
+std::string_view Statement(std::string_view piece) {
+  const size_t brace = piece.find_last_of("{}");
+  if (brace != std::string_view::npos) piece.remove_prefix(brace + 1);
+  for (;;) {
+    piece = Trim(piece);
+    const std::string_view label = FirstWord(piece);
+    const std::string_view behind = Trim(piece.substr(label.size()));
+    if (label.empty() || !behind.starts_with(':')) break;
+    piece = behind.substr(1);
+  }
+  constexpr std::array<std::string_view, 6> kTypes = {"int",   "double",   "long",
+                                                      "short", "unsigned", "const"};
+  const std::string_view word = FirstWord(piece);
+  const bool declares = std::ranges::find(kTypes, word) != kTypes.end();
+  return declares ? std::string_view{} : piece;
+}
+
+/// A line without its comments.
+std::string WithoutComments(std::string_view line) {
+  std::string text;
+  while (!line.empty()) {
+    const size_t begin = std::min(line.find("/*"), line.find("//"));
+    text += line.substr(0, begin);
+    if (begin == std::string_view::npos || line.substr(begin, 2) == "//") break;
+    const size_t end = line.find("*/", begin + 2);
+    if (end == std::string_view::npos) break;
+    line.remove_prefix(end + 2);
+  }
+  return text;
+}
+
+/// The statements of a line, each with its semicolon.
+std::vector<std::string> StatementsOf(std::string_view line) {
+  const std::string text = WithoutComments(line);
+  std::vector<std::string> statements;
+  for (size_t begin = 0; begin < text.size();) {
+    const size_t end = text.find(';', begin);
+    if (end == std::string::npos) break;
+    const std::string_view piece = std::string_view(text).substr(begin, end + 1 - begin);
+    const std::string_view statement = Statement(piece);
+    if (statement.size() > 1) statements.emplace_back(statement);
+    begin = end + 1;
+  }
+  return statements;
+}
+
+// --- Rows ----------------------------------------------------------------------------------------
+
+class RowMaker {
+ public:
+  RowMaker(const StepView& view, Language language)
+      : view_(view),
+        language_(language),
+        object_(view.subject.image->object),
+        texts_(view.source, object_) {}
+
+  StepRows Make() {
+    for (size_t i = 0; i < view_.steps.size(); ++i) {
+      if (Matters(i)) shown_.push_back(i);
+    }
+    rows_.left_out = view_.steps.size() - shown_.size();
+    for (size_t i = 0; i < shown_.size();) {
+      const Loop loop = view_.detail == Detail::kFull ? Loop{} : LoopAt(i);
+      const size_t once = loop.times == 0 ? 1 : loop.period;
+      for (size_t end = i + once; i < end; ++i) AddStep(shown_[i]);
+      if (loop.times == 0) continue;
+      AddRepeat(i, loop);
+      i += loop.period * (loop.times - 1);
+    }
+    return std::move(rows_);
+  }
+
+ private:
+  /// Statements that are repeated.
+  struct Loop {
+    size_t period = 0;
+    size_t times = 0;  ///< 0: there is none
+  };
+
+  bool Named(size_t step) const {
+    return static_cast<int64_t>(step) == view_.last_escape ||
+           std::ranges::find(view_.named, step) != view_.named.end();
+  }
+
+  bool Matters(size_t index) const {
+    if (view_.detail != Detail::kBrief || Named(index)) return true;
+    const LoggedStep& step = view_.steps[index].log;
+    const auto shared = [](const auto& each) { return each.slot.global; };
+    return step.command || std::ranges::any_of(step.reads, shared) ||
+           std::ranges::any_of(step.writes, shared);
+  }
+
+  bool Alike(size_t a, size_t b) const {
+    const auto token = [&](size_t shown) {
+      const LoggedStep& step = view_.steps[shown_[shown]].log;
+      return std::tuple(step.thread, step.function, step.position);
+    };
+    return token(a) == token(b) && !Named(shown_[a]) && !Named(shown_[b]);
+  }
+
+  /// The loop that begins here and covers most; twice is no loop.
+  Loop LoopAt(size_t begin) const {
+    constexpr size_t kPeriodMax = 200;
+    constexpr size_t kTimesMin = 3;
+    Loop best;
+    for (size_t period = 1; period <= kPeriodMax; ++period) {
+      if (begin + kTimesMin * period > shown_.size()) break;
+      size_t same = 0;
+      while (begin + period + same < shown_.size() && Alike(begin + same, begin + period + same)) {
+        ++same;
+      }
+      const size_t times = same / period + 1;
+      if (times >= kTimesMin && period * times > best.period * best.times) best = {period, times};
+    }
+    return best;
+  }
+
+  void AddStep(size_t index) {
+    const TrailStep& step = view_.steps[index];
+    AddTime(step);
+    StepRow row;
+    row.step = index;
+    row.thread = step.thread;
+    row.line = step.log.line;
+    row.statement = texts_.Of(step.log);
+    for (const runtime::SlotValue& read : step.log.reads) {
+      const std::string name = NameOf(step.log, read.slot, object_);
+      if (name.empty() || (view_.detail == Detail::kBrief && !read.slot.global)) continue;
+      row.read += fmt::format("{}{} = {}", row.read.empty() ? "" : ", ", name,
+                              ValueText(step.log, read.slot, read.raw, object_));
+    }
+    for (const runtime::SlotChange& write : step.log.writes) {
+      AddChange(step.log, write.slot, write.before, write.after, &row.written);
+    }
+    row.escape = static_cast<int64_t>(index) == view_.last_escape;
+    rows_.rows.push_back(std::move(row));
+  }
+
+  void AddChange(const LoggedStep& step, const vm::SlotAddress& slot, int64_t before, int64_t after,
+                 std::string* text) const {
+    const std::string name = NameOf(step, slot, object_);
+    if (name.empty()) return;
+    *text +=
+        fmt::format("{}{}: {} -> {}", text->empty() ? "" : ", ", name,
+                    ValueText(step, slot, before, object_), ValueText(step, slot, after, object_));
+  }
+
+  void AddTime(const TrailStep& step) {
+    if (!view_.with_card || (has_time_ && step.log.at_ms == at_ms_)) return;
+    has_time_ = true;
+    at_ms_ = step.log.at_ms;
+    StepRow row;
+    row.kind = StepRow::Kind::kTime;
+    row.at_ms = at_ms_;
+    rows_.rows.push_back(std::move(row));
+  }
+
+  /// The loop's repetitions after the first: its lines, and what they change in all.
+  void AddRepeat(size_t begin, const Loop& loop) {
+    const size_t count = loop.period * (loop.times - 1);
+    StepRow row;
+    row.kind = StepRow::Kind::kRepeat;
+    row.step = shown_[begin];
+    row.thread = view_.steps[row.step].thread;
+    int first = view_.steps[row.step].log.line;
+    int last = first;
+    struct Change {
+      const LoggedStep* step;
+      runtime::SlotChange change;
+    };
+    std::vector<Change> changes;
+    for (size_t i = begin; i < begin + count; ++i) {
+      const TrailStep& step = view_.steps[shown_[i]];
+      if (step.thread != row.thread) row.thread = -1;
+      first = std::min(first, step.log.line);
+      last = std::max(last, step.log.line);
+      for (const runtime::SlotChange& write : step.log.writes) {
+        const auto same = [&](const Change& each) {
+          return runtime::SameSlot(each.change.slot, write.slot);
+        };
+        const auto found = std::ranges::find_if(changes, same);
+        if (found == changes.end()) {
+          changes.push_back({&step.log, write});
+        } else {
+          found->change.after = write.after;
+        }
+      }
+    }
+    for (const Change& each : changes) {
+      AddChange(*each.step, each.change.slot, each.change.before, each.change.after, &row.written);
+    }
+    const std::string lines =
+        first == last ? fmt::to_string(first) : fmt::format("{}–{}", first, last);
+    row.statement = MakeMessage(first == last ? "line {0} × {1} more" : "lines {0} × {1} more",
+                                "第 {0} 行，再 × {1}", lines, loop.times - 1)
+                        .In(language_);
+    rows_.rows.push_back(std::move(row));
+  }
+
+  const StepView& view_;
+  Language language_;
+  const vm::Object& object_;
+  StatementTexts texts_;
+  std::vector<size_t> shown_;
+  bool has_time_ = false;
+  double at_ms_ = 0;
+  StepRows rows_;
+};
+
+// --- Text ----------------------------------------------------------------------------------------
+
+int WidthOf(std::string_view text) { return compiler::DisplayLine(text).ColumnOf(text.size()); }
+
+/// A row's cell: `12  t = x;   [x = 0]   t: 3 -> 0`.
+std::string CellOf(const StepRow& row, Language language) {
+  const bool repeat = row.kind == StepRow::Kind::kRepeat;
+  std::string text =
+      repeat ? "      " + row.statement : fmt::format("{:>4}  {}", row.line, row.statement);
+  if (!row.read.empty()) text += "   [" + row.read + ']';
+  if (!row.written.empty()) text += "   " + row.written;
+  if (row.escape) {
+    text +=
+        MakeMessage("   <- from here on every end is bad", "   <- 此后再无正确结局").In(language);
+  }
+  return text;
+}
+
+/// The bytes of the first character.
+size_t CharacterSize(std::string_view text) {
+  size_t size = 1;
+  while (size < text.size() && (static_cast<unsigned char>(text[size]) & 0xC0) == 0x80) ++size;
+  return size;
+}
+
+/// Breaks a cell into lines: between its parts where possible, or else between words; what follows
+/// is indented as the statement is.
+class Breaker {
+ public:
+  explicit Breaker(int width) : width_(width) {}
+
+  std::vector<std::string> Break(std::string_view text) {
+    const size_t indent = std::min(text.find_first_not_of(' '), text.size());
+    line_ = text.substr(0, indent);
+    text.remove_prefix(indent);
+    size_t gap = 0;
+    while (!text.empty()) {
+      const size_t end = std::min(text.find(kBetweenParts), text.size());
+      AddPart(text.substr(0, end), gap);
+      gap = kBetweenParts.size();
+      text.remove_prefix(std::min(end + gap, text.size()));
+    }
+    lines_.push_back(std::move(line_));
+    return std::move(lines_);
+  }
+
+ private:
+  static constexpr std::string_view kBetweenParts = "   ";
+  static constexpr std::string_view kIndent = "        ";
+
+  bool Fits(std::string_view text, size_t gap) const {
+    return WidthOf(line_) + static_cast<int>(gap) + WidthOf(text) <= width_;
+  }
+  bool Empty() const { return line_.find_first_not_of(' ') == std::string::npos; }
+  void NewLine() { lines_.push_back(std::exchange(line_, std::string(kIndent))); }
+
+  void AddPart(std::string_view part, size_t gap) {
+    if (!Fits(part, gap) && !Empty() && WidthOf(kIndent) + WidthOf(part) <= width_) {
+      NewLine();
+      gap = 0;
+    }
+    while (!part.empty()) {
+      const size_t end = std::min(part.find(' '), part.size());
+      AddWord(part.substr(0, end), gap);
+      part.remove_prefix(end);
+      gap = std::min(part.find_first_not_of(' '), part.size());
+      part.remove_prefix(gap);
+    }
+  }
+
+  void AddWord(std::string_view word, size_t gap) {
+    if (Empty() || Fits(word, gap)) {
+      line_.append(gap, ' ');
+    } else {
+      NewLine();
+    }
+    while (!word.empty()) {
+      const size_t size = CharacterSize(word);
+      if (!Fits(word.substr(0, size), 0) && !Empty()) NewLine();
+      line_ += word.substr(0, size);
+      word.remove_prefix(size);
+    }
+  }
+
+  int width_;
+  std::string line_;
+  std::vector<std::string> lines_;
+};
+
+std::string Padded(const std::string& text, int width) {
+  return text + std::string(static_cast<size_t>(std::max(0, width - WidthOf(text))), ' ');
+}
+
+void TrimEnd(std::string* text) {
+  while (text->ends_with(' ')) text->pop_back();
+}
+
+/// Of the numbers of steps.
+constexpr int kNumberWidth = 6;
+constexpr int kGap = 2;
+/// A narrower column is no column.
+constexpr int kColumnMin = 24;
+
+/// The columns' widths, as wide as their cells if that fits; empty when there is no room for all.
+std::vector<int> Fitted(std::vector<int> widths, int width) {
+  int room = width - kNumberWidth - kGap * static_cast<int>(widths.size());
+  std::vector<int> order(widths.size());
+  for (size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
+  std::ranges::stable_sort(order, {},
+                           [&](int column) { return widths[static_cast<size_t>(column)]; });
+  auto left = static_cast<int>(order.size());
+  for (const int column : order) {
+    int& own = widths[static_cast<size_t>(column)];
+    const int share = room / left--;
+    if (own > share && share < kColumnMin) return {};
+    own = std::min(own, share);
+    room -= own;
+  }
+  return widths;
+}
+
+class TextMaker {
+ public:
+  TextMaker(const StepView& view, int width, Language language)
+      : view_(view), width_(width), language_(language), curve_(view.trace) {}
+
+  std::string Make() {
+    const StepRows rows = RowsOf(view_, language_);
+    LayOut(rows.rows);
+    if (!shared_) AddHeads();
+    for (const StepRow& row : rows.rows) {
+      if (row.kind == StepRow::Kind::kTime) {
+        text_ += fmt::format("{} ms", row.at_ms) + curve_.BarAt(row.at_ms) + '\n';
+      } else {
+        AddRow(row);
+      }
+    }
+    const double end = view_.steps.empty() ? 0 : view_.steps.back().log.at_ms;
+    for (const double at_ms : curve_.TailAfter(end)) {
+      text_ += fmt::format("{} ms", at_ms) + curve_.BarAt(at_ms) + '\n';
+    }
+    return std::move(text_);
+  }
+
+ private:
+  size_t Column(const StepRow& row) const {
+    return shared_ || row.thread < 0 ? 0 : static_cast<size_t>(row.thread);
+  }
+  std::string Cell(const StepRow& row) const {
+    std::string cell = CellOf(row, language_);
+    if (!shared_ || row.thread < 0) return cell;
+    return ThreadHead(view_.subject, static_cast<size_t>(row.thread), language_) + cell;
+  }
+
+  void LayOut(const std::vector<StepRow>& rows) {
+    std::vector<int> widths(view_.subject.threads.size());
+    for (size_t i = 0; i < widths.size(); ++i) {
+      widths[i] = WidthOf(ThreadHead(view_.subject, i, language_));
+    }
+    for (const StepRow& row : rows) {
+      if (row.kind == StepRow::Kind::kTime || row.thread < 0) continue;
+      int& own = widths[static_cast<size_t>(row.thread)];
+      own = std::max(own, WidthOf(CellOf(row, language_)));
+    }
+    widths_ = width_ == 0 ? widths : Fitted(widths, width_);
+    shared_ = widths_.empty();
+    if (shared_) widths_ = {std::max(width_ - kNumberWidth - kGap, kColumnMin)};
+  }
+
+  void AddHeads() {
+    std::string heads(kNumberWidth, ' ');
+    for (size_t i = 0; i < widths_.size(); ++i) {
+      heads += std::string(kGap, ' ') + Padded(ThreadHead(view_.subject, i, language_), widths_[i]);
+    }
+    TrimEnd(&heads);
+    text_ += heads + '\n';
+  }
+
+  void AddRow(const StepRow& row) {
+    const size_t column = Column(row);
+    int before = kNumberWidth;
+    for (size_t i = 0; i < column; ++i) before += widths_[i] + kGap;
+    std::string number = row.kind == StepRow::Kind::kRepeat ? "..." : fmt::to_string(row.step + 1);
+    number.insert(0, static_cast<size_t>(std::max(0, kNumberWidth - WidthOf(number))), ' ');
+    // Where threads take turns in a loop, nothing stands beside it.
+    int room = widths_[column];
+    if (row.thread < 0) room = width_ == 0 ? WidthOf(CellOf(row, language_)) : width_ - before;
+    for (const std::string& part : Breaker(std::max(room, kColumnMin)).Break(Cell(row))) {
+      std::string line = Padded(std::exchange(number, ""), before + kGap) + part;
+      TrimEnd(&line);
+      text_ += line + '\n';
+    }
+  }
+
+  const StepView& view_;
+  int width_;
+  Language language_;
+  AxisCurve curve_;
+  std::vector<int> widths_;
+  bool shared_ = false;  ///< all threads in one column
+  std::string text_;
+};
+
+}  // namespace
+
+StatementTexts::StatementTexts(std::string_view source, const vm::Object& object)
+    : object_(object) {
+  for (size_t begin = 0; begin < source.size();) {
+    const size_t end = std::min(source.find('\n', begin), source.size());
+    lines_.push_back(compiler::DisplayLine(Trim(source.substr(begin, end - begin))).text());
+    begin = end + 1;
+  }
+}
+
+std::string StatementTexts::Of(const LoggedStep& step) const {
+  if (step.line <= 0 || static_cast<size_t>(step.line) > lines_.size()) return {};
+  const std::string& line = lines_[static_cast<size_t>(step.line) - 1];
+  const std::vector<uint16_t>& lines = object_.functions[static_cast<size_t>(step.function)].lines;
+  const std::vector<std::string> statements = StatementsOf(line);
+  const auto instructions = std::ranges::count(lines, static_cast<uint16_t>(step.line));
+  if (statements.size() < 2 || instructions != static_cast<int64_t>(statements.size())) return line;
+  const auto before =
+      std::count(lines.begin(), lines.begin() + step.position, static_cast<uint16_t>(step.line));
+  return statements[static_cast<size_t>(before)];
+}
+
+StepRows RowsOf(const StepView& view, Language language) { return RowMaker(view, language).Make(); }
+
+std::string ThreadHead(const Subject& subject, size_t thread, Language language) {
+  const ThreadSetup& setup = subject.threads[thread];
+  const auto& functions = subject.image->object.functions;
+  return fmt::format("{} {} {}", language == Language::kChinese ? "线程" : "thread", setup.thread,
+                     functions[static_cast<size_t>(setup.function)].name);
+}
+
+std::string TextTable(const StepView& view, int width, Language language) {
+  return TextMaker(view, width, language).Make();
+}
+
+std::string HtmlTable(const StepView& view, Language language) {
+  const size_t threads = view.subject.threads.size();
+  std::string table = "<table>\n<tr><th></th><th></th>";
+  for (size_t i = 0; i < threads; ++i) {
+    table += fmt::format("<th>{}</th>", EscapeMarkup(ThreadHead(view.subject, i, language)));
+  }
+  table += "</tr>\n";
+  for (const StepRow& row : RowsOf(view, language).rows) {
+    if (row.kind == StepRow::Kind::kTime) {
+      table += fmt::format("<tr class=\"time\"><td colspan=\"{}\">{} ms</td></tr>\n", threads + 2,
+                           row.at_ms);
+      continue;
+    }
+    const bool repeat = row.kind == StepRow::Kind::kRepeat;
+    table += repeat ? "<tr><td class=\"number\">...</td><td></td>"
+                    : fmt::format("<tr><td class=\"number\">{}</td><td class=\"line\">{}</td>",
+                                  row.step + 1, row.line);
+    for (int column = 0; column < row.thread; ++column) table += "<td></td>";
+    table += row.thread < 0 ? fmt::format("<td class=\"repeat\" colspan=\"{}\">", threads)
+                            : fmt::format("<td class=\"{}{}\">", repeat ? "repeat" : "statement",
+                                          row.escape ? " escape" : "");
+    table += EscapeMarkup(row.statement);
+    if (!row.read.empty()) {
+      table += fmt::format("   <span class=\"read\">[{}]</span>", EscapeMarkup(row.read));
+    }
+    if (!row.written.empty()) {
+      table += fmt::format("   <span class=\"written\">{}</span>", EscapeMarkup(row.written));
+    }
+    table += "</td></tr>\n";
+  }
+  table += "</table>\n";
+  const std::string picture = AxisCurve(view.trace).Svg();
+  if (picture.empty()) return table;
+  return "<div class=\"beside\">\n" + table + picture + "</div>\n";
+}
+
+}  // namespace oncard::explore

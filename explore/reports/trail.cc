@@ -1,0 +1,323 @@
+#include "explore/reports/trail.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+#include <utility>
+
+#include "explore/models/statement_access.h"
+#include "explore/reports/race_orders.h"
+#include "runtime/observe/quantity.h"
+#include "runtime/scenario/expectation.h"
+
+namespace oncard::explore {
+namespace {
+
+/// Statements of a run with its card that are shown: the last ones. Where threads still run at the
+/// limit, a few say in what loop they are.
+constexpr int64_t kShownMax = 10'000;
+constexpr int64_t kShownAtTheLimit = 40;
+
+/// A statement of a schedule and what it touched.
+struct Touch {
+  int thread = 0;
+  StatementAccess access;
+};
+
+bool Writes(const StatementAccess& access, const Touched& touched) {
+  return std::ranges::any_of(access, [&](const Touched& each) {
+    return each.write && each.resource == touched.resource &&
+           (each.number == touched.number || each.number == Touched::kAll);
+  });
+}
+
+/// A statement with the nearest one of another thread that depends on it: a later one, which the
+/// other order would have taken first, or else an earlier one.
+std::optional<RacingPair> PairOf(const std::vector<Touch>& touches, int64_t last_escape,
+                                 const vm::Object& object) {
+  const auto statement = static_cast<size_t>(last_escape);
+  if (last_escape < 0 || statement >= touches.size()) return std::nullopt;
+  const Touch& fatal = touches[statement];
+  const auto pair_with = [&](size_t other) -> std::optional<RacingPair> {
+    if (touches[other].thread == fatal.thread) return std::nullopt;
+    const Touched* both = FindDependence(fatal.access, touches[other].access);
+    if (both == nullptr) return std::nullopt;
+    const auto [first, second] = std::minmax(statement, other);
+    return RacingPair{NameOf(*both, object),
+                      {first, Writes(touches[first].access, *both)},
+                      {second, Writes(touches[second].access, *both)}};
+  };
+  for (size_t i = statement + 1; i < touches.size(); ++i) {
+    if (auto pair = pair_with(i)) return pair;
+  }
+  for (size_t i = statement; i-- > 0;) {
+    if (auto pair = pair_with(i)) return pair;
+  }
+  return std::nullopt;
+}
+
+/// A card with a program of variables as it stands in a model.
+std::unique_ptr<runtime::Controller> CardOf(const Model& model) {
+  auto controller = std::make_unique<runtime::Controller>();
+  const vm::Object& object = model.image().object;
+  static_cast<void>(controller->Load(object));  // it has been linked before
+  vm::Machine& machine = controller->machine();
+  const auto copy = [&](const vm::Symbol& symbol, bool global, int page) {
+    for (int i = 0; i < symbol.slots(); ++i) {
+      const vm::SlotAddress slot = {global, static_cast<uint8_t>(page),
+                                    static_cast<uint16_t>(symbol.id + i), symbol.type};
+      machine.WriteRaw(slot, model.Read(slot));
+    }
+  };
+  for (const vm::Symbol& symbol : object.globals) copy(symbol, true, 0);
+  for (int i = 0; i < model.thread_count(); ++i) {
+    const ThreadSetup& setup = model.setup(i);
+    machine.Bind(setup.thread, setup.function + 1, setup.page);
+    for (const vm::Symbol& symbol :
+         object.functions[static_cast<size_t>(setup.function)].variables) {
+      copy(symbol, false, setup.page);
+    }
+  }
+  for (int i = 0; i < model.thread_count(); ++i) machine.Run(model.setup(i).thread);
+  return controller;
+}
+
+// --- What is, and what should be -----------------------------------------------------------------
+
+bool BeginsName(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+bool ContinuesName(char c) {
+  return BeginsName(c) || std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.' ||
+         c == '[' || c == ']';
+}
+
+/// The names in an expression, each once.
+std::vector<std::string> NamesIn(std::string_view text) {
+  std::vector<std::string> names;
+  for (size_t i = 0; i < text.size(); ++i) {
+    if (!ContinuesName(text[i])) continue;
+    const size_t begin = i;
+    while (i < text.size() && ContinuesName(text[i])) ++i;
+    const std::string name(text.substr(begin, i - begin));
+    if (BeginsName(name.front()) && std::ranges::find(names, name) == names.end()) {
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
+/// `retN` stands for `threadN.result`, unless there is a global of that name.
+std::string QuantityName(const std::string& name, const runtime::Controller& controller) {
+  if (!name.starts_with("ret") || runtime::ResolveQuantity(name, controller).ok()) return name;
+  return fmt::format("thread{}.result", name.substr(3));
+}
+
+Message DescribeComparison(const runtime::BoundExpectation& bound,
+                           const runtime::ExpectationResult& outcome) {
+  using runtime::Comparison;
+  const std::string& name = bound.left.name;
+  if (bound.right) {
+    return MakeMessage("{0} is {1}, {2} is {3}", "{0} 为 {1}，{2} 为 {3}", name, outcome.actual,
+                       bound.right->name, outcome.expected);
+  }
+  std::string_view than = "";
+  switch (bound.expectation.comparison) {
+    case Comparison::kEqual:
+      break;
+    case Comparison::kNotEqual:
+      than = "!= ";
+      break;
+    case Comparison::kLess:
+      than = "< ";
+      break;
+    case Comparison::kLessEqual:
+      than = "<= ";
+      break;
+    case Comparison::kGreater:
+      than = "> ";
+      break;
+    case Comparison::kGreaterEqual:
+      than = ">= ";
+      break;
+  }
+  std::string tolerance;
+  if (bound.expectation.tolerance != 0) {
+    tolerance = fmt::format(" +- {}", bound.expectation.tolerance);
+  }
+  return MakeMessage("{0} is {1}, expected {2}{3}{4}", "{0} 为 {1}，应为 {2}{3}{4}", name,
+                     outcome.actual, than, outcome.expected, tolerance);
+}
+
+/// What a violated requirement names, as it is now: `sum is 3, expected 10` of a comparison that
+/// should hold, or `x is 1, y is 0`. Empty when it names nothing.
+Message DescribeValues(const Requirement& requirement, const runtime::Controller& controller) {
+  auto expectation = runtime::ParseExpectation(requirement.text);
+  if (expectation.ok() && requirement.scope != Scope::kNever) {
+    expectation.value().left = QuantityName(expectation.value().left, controller);
+    if (auto* right = std::get_if<std::string>(&expectation.value().right)) {
+      *right = QuantityName(*right, controller);
+    }
+    const auto bound = runtime::BindExpectation(std::move(expectation).value(), controller);
+    if (bound.ok()) {
+      return DescribeComparison(bound.value(), runtime::Evaluate(bound.value(), controller));
+    }
+  }
+  Message text;
+  for (const std::string& name : NamesIn(requirement.text)) {
+    const auto found = runtime::ResolveQuantity(QuantityName(name, controller), controller);
+    if (!found.ok() || found.value().size() != 1) continue;
+    const runtime::Quantity& quantity = found.value().front();
+    const std::string value = runtime::FormatNumber(runtime::ReadQuantity(quantity, controller),
+                                                    runtime::FormOfQuantity(quantity, controller));
+    text.en += fmt::format("{}{} is {}", text.en.empty() ? "" : ", ", quantity.name, value);
+    text.zh += fmt::format("{}{} 为 {}", text.zh.empty() ? "" : "，", quantity.name, value);
+  }
+  return text;
+}
+
+/// The thread's fault with what led to it.
+Message DescribeFault(const vm::ThreadState& thread, int line) {
+  switch (static_cast<vm::Fault>(thread.error)) {
+    case vm::Fault::kDivisionByZero:
+      return MakeMessage("division by zero in line {0}", "第 {0} 行除以零", line);
+    case vm::Fault::kIndexOutOfBounds:
+      return MakeMessage("in line {0} the index is {1}, the array has {2} elements",
+                         "第 {0} 行的下标为 {1}，而数组有 {2} 个元素", line, thread.fault_value,
+                         thread.fault_limit);
+    case vm::Fault::kOutputBeyondStorage:
+      return MakeMessage("in line {0} the command covers {1} variables, but only {2} are there",
+                         "第 {0} 行的指令涉及 {1} 个变量，而此处只有 {2} 个", line,
+                         thread.fault_value, thread.fault_limit);
+    case vm::Fault::kNone:
+      break;
+  }
+  return {};
+}
+
+/// What every waiting thread waits for.
+Message DescribeWaiting(const runtime::Controller& controller) {
+  Message text;
+  const vm::Machine& machine = controller.machine();
+  for (int number = 0; number < vm::kThreadCount; ++number) {
+    const vm::ThreadState& thread = machine.thread(number);
+    if (thread.run != vm::ThreadRun::kRunning || !thread.waiting) continue;
+    runtime::LoggedStep step;
+    step.function = thread.function;
+    const vm::Object& object = machine.image()->object;
+    const int64_t present = machine.ReadRaw(thread.wait_slot);
+    const Message waits =
+        MakeMessage("thread {0} waits in line {1} until {2} is {3}, but it is {4}",
+                    "线程 {0} 在第 {1} 行等待 {2} 变为 {3}，而其值为 {4}", number,
+                    machine.Line(number), runtime::NameOf(step, thread.wait_slot, object),
+                    runtime::ValueText(step, thread.wait_slot, thread.wait_value, object),
+                    runtime::ValueText(step, thread.wait_slot, present, object));
+    text.en += (text.en.empty() ? "" : "; ") + waits.en;
+    text.zh += (text.zh.empty() ? "" : "；") + waits.zh;
+  }
+  return text;
+}
+
+Message DescribeActual(const Subject& subject, const Failure& failure,
+                       const runtime::Controller& controller) {
+  const vm::Machine& machine = controller.machine();
+  switch (failure.fault.kind) {
+    case Fault::Kind::kRequirement: {
+      const auto requirement = static_cast<size_t>(failure.fault.requirement);
+      return DescribeValues(subject.requirements[requirement], controller);
+    }
+    case Fault::Kind::kThread: {
+      const int number = subject.threads[static_cast<size_t>(failure.fault.thread)].thread;
+      return DescribeFault(machine.thread(number), machine.Line(number));
+    }
+    case Fault::Kind::kDeadlock:
+      return DescribeWaiting(controller);
+    case Fault::Kind::kTimeLimit:
+    case Fault::Kind::kRace:
+    case Fault::Kind::kNone:
+      break;
+  }
+  return {};
+}
+
+}  // namespace
+
+Subject SubjectOf(const Problem& problem) {
+  Subject subject;
+  for (int i = 0; i < problem.model.thread_count(); ++i) {
+    subject.threads.push_back(problem.model.setup(i));
+  }
+  subject.image = problem.model.shared_image();
+  for (const BoundRequirement& bound : problem.requirements) {
+    subject.requirements.push_back({bound.scope, bound.property.text()});
+  }
+  subject.races = problem.races;
+  return subject;
+}
+
+Subject SubjectOf(const CardModel& model) {
+  Subject subject;
+  subject.threads = model.setups();
+  subject.image = model.image();
+  subject.requirements = model.Requirements();
+  return subject;
+}
+
+Trail Follow(const Problem& problem, const Failure& failure) {
+  Trail trail;
+  const Subject subject = SubjectOf(problem);
+  const auto controller = CardOf(problem.model);
+  vm::Machine& machine = controller->machine();
+  runtime::StepWatch watch(*controller);
+  std::vector<Touch> touches;
+  const auto follow = [&](const std::vector<uint8_t>& threads, std::vector<TrailStep>* steps) {
+    for (const uint8_t thread : threads) {
+      const int number = subject.threads[thread].thread;
+      touches.push_back({thread, NextAccess(*controller, number)});
+      watch.Before();
+      machine.ExecuteOne(number);
+      machine.Execute(0);
+      steps->push_back({thread, watch.After(number)});
+    }
+  };
+  follow(failure.steps, &trail.steps);
+  trail.pair = PairOf(touches, failure.last_escape, subject.image->object);
+  if (!failure.livelock) trail.actual = DescribeActual(subject, failure, *controller);
+  follow(failure.cycle, &trail.cycle);
+  trail.orders = BothOrders(problem, failure);
+  return trail;
+}
+
+Trail Follow(CardModel* model, const Failure& failure) {
+  Trail trail;
+  trail.with_card = true;
+  std::vector<Touch> touches;
+  const auto shown = static_cast<size_t>(
+      failure.fault.kind == Fault::Kind::kTimeLimit ? kShownAtTheLimit : kShownMax);
+  const size_t skipped = failure.steps.size() - std::min(failure.steps.size(), shown);
+  trail.skipped = static_cast<int64_t>(skipped);
+  CardModel::State state;
+  auto at = static_cast<size_t>(failure.late_steps);
+  if (failure.late != nullptr && at <= skipped) {
+    state = *failure.late;
+    model->Load(state);
+  } else {
+    state = model->Begin();
+    at = 0;
+  }
+  for (; at < skipped; ++at) model->Advance(&state, failure.steps[at]);
+  runtime::StepWatch watch(model->controller());
+  for (size_t i = skipped; i < failure.steps.size(); ++i) {
+    const uint8_t thread = failure.steps[i];
+    const int number = model->setup(thread).thread;
+    touches.push_back({thread, NextAccess(model->controller(), number)});
+    watch.Before();
+    model->Advance(&state, thread);
+    trail.steps.push_back({thread, watch.After(number)});
+  }
+  trail.pair = PairOf(touches, failure.last_escape - trail.skipped, model->image()->object);
+  trail.actual = DescribeActual(SubjectOf(*model), failure, model->controller());
+  return trail;
+}
+
+}  // namespace oncard::explore

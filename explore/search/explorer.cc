@@ -1,0 +1,467 @@
+#include "explore/search/explorer.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include "explore/engines/card_graph.h"
+#include "explore/engines/estimate.h"
+#include "explore/engines/first_look.h"
+#include "explore/engines/shrink.h"
+#include "explore/engines/walk.h"
+
+namespace oncard::explore {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, EngineKind>, 7> kEngines = {
+    {{"auto", EngineKind::kAuto},
+     {"dpor", EngineKind::kDpor},
+     {"stateful", EngineKind::kStateful},
+     {"bounded", EngineKind::kBounded},
+     {"random", EngineKind::kRandom},
+     {"pct", EngineKind::kPct},
+     {"pos", EngineKind::kPos}}};
+
+const std::atomic<bool>* StopOf(const ExploreOptions& options) {
+  return options.progress == nullptr ? nullptr : &options.progress->stop;
+}
+
+/// Why a search is not done: it was told to stop, or has reached this limit.
+Message WhyIncomplete(const ExploreOptions& options, Message limit) {
+  if (options.progress != nullptr && options.progress->stop) {
+    return options.progress->out_of_time ? Message{"its time was over", "时间已到"}
+                                         : Message{"it was interrupted", "已中断"};
+  }
+  return limit;
+}
+
+/// Empty for engines that search.
+std::optional<SampleOptions> SamplingOf(const ExploreOptions& options) {
+  SampleOptions sampling = {.runs = options.runs,
+                            .first_run = options.first_run,
+                            .seed = options.seed,
+                            .depth = options.depth,
+                            .statement_limit = options.depth_limit,
+                            .stop = StopOf(options),
+                            .progress = options.progress};
+  switch (options.engine) {
+    case EngineKind::kRandom:
+      sampling.kind = SamplerKind::kRandom;
+      return sampling;
+    case EngineKind::kPct:
+      sampling.kind = SamplerKind::kPct;
+      return sampling;
+    case EngineKind::kPos:
+      sampling.kind = SamplerKind::kPos;
+      return sampling;
+    case EngineKind::kAuto:
+    case EngineKind::kDpor:
+    case EngineKind::kStateful:
+    case EngineKind::kBounded:
+    case EngineKind::kFollow:
+      break;
+  }
+  return std::nullopt;
+}
+
+BoundedOptions BoundsOf(const ExploreOptions& options) {
+  return {.preemptions = options.preemption_limit,
+          .statement_limit = options.depth_limit,
+          .state_limit = options.state_limit,
+          .stop = StopOf(options)};
+}
+
+/// The verdict of the schedules with few preemptions; the failure is left to
+/// the caller.
+Exploration ConcludeBounded(BoundedCounts bounded, const ExploreOptions& options) {
+  Exploration exploration;
+  exploration.engine = EngineKind::kBounded;
+  if (bounded.bad) {
+    exploration.verdict = Verdict::kFailed;
+  } else if (bounded.complete) {
+    exploration.verdict = Verdict::kPassed;
+    exploration.why = MakeMessage("no schedule with at most {0} preemptions goes wrong",
+                                  "抢占不超过 {0} 次的调度均未出错", bounded.preemptions);
+  } else {
+    exploration.why =
+        WhyIncomplete(options, MakeMessage("a limit was reached: {0} states, or {1} "
+                                           "statements in one schedule",
+                                           "已达到上限：{0} 个状态，或单个调度 {1} 条语句",
+                                           options.state_limit, options.depth_limit));
+  }
+  exploration.ends = bounded.ends.ends();
+  exploration.bounded = std::move(bounded);
+  return exploration;
+}
+
+/// `auto`: when one engine has an answer, the other may go on counting for this
+/// part of the time that has passed, and at least for kGraceMin.
+constexpr double kGracePart = 0.3;
+constexpr std::chrono::milliseconds kGraceMin{10};
+/// `auto`: how often it is looked whether both engines are to be stopped.
+constexpr std::chrono::milliseconds kStopPolled{50};
+
+/// How far a search goes on after the first failure: long enough for a small
+/// program's counts to be complete. `auto` shows what its first look has found,
+/// and goes on for less.
+struct Aftermath {
+  int64_t statements = 0;  ///< of executions (TraceSearchLimits)
+  uint32_t states = 0;
+  uint32_t card_states = 0;
+};
+constexpr Aftermath kAftermath = {100'000'000, 4'000'000, 200'000};
+constexpr Aftermath kShortAftermath = {10'000'000, 500'000, 5000};
+
+const Aftermath& AftermathOf(const ExploreOptions& options) {
+  static constexpr Aftermath kAll = {INT64_MAX, ~uint32_t{0}, ~uint32_t{0}};
+  if (options.all || options.begun != nullptr) return kAll;
+  return options.engine == EngineKind::kAuto ? kShortAftermath : kAftermath;
+}
+
+/// How the number of traces is estimated: with so many descents of at most so
+/// many statements.
+constexpr int kDescents = 1000;
+constexpr int64_t kDescentDepth = 10'000;
+
+/// The search of traces from where the options say, which begins there. `takes_pause` tells whether
+/// it was stopped only to be kept.
+TraceSearch TracesOf(const Problem& problem, const ExploreOptions& options,
+                     const std::atomic<bool>* stop, const std::function<bool()>& takes_pause) {
+  TraceSearch search = options.begun == nullptr ? TraceSearch{} : *options.begun;
+  int64_t left = options.execution_limit;
+  for (;;) {
+    const int64_t before = search.executions;
+    SearchTraces(problem,
+                 {.executions = left,
+                  .depth = options.depth_limit,
+                  .statements_after_bad = AftermathOf(options).statements,
+                  .stop = stop,
+                  .progress = options.progress},
+                 &search);
+    left -= search.executions - before;
+    // What goes wrong is soon told.
+    const bool over = search.units.empty() || search.bad > 0 || left <= 0;
+    if (!options.keep || !takes_pause() || over) return search;
+    options.keep(search);
+  }
+}
+
+StateLimits StatesOf(const ExploreOptions& options, const std::atomic<bool>* stop) {
+  return {.states = options.state_limit,
+          .states_after_bad = AftermathOf(options).states,
+          .merge_private = options.merge_private,
+          .stop = stop,
+          .progress = options.progress};
+}
+
+/// Runs both searches at the same time; each is told to stop some time after
+/// the other has an answer. Where it is known that something goes wrong, the
+/// search of states comes to its own end.
+void SearchBoth(const Problem& problem, const ExploreOptions& options, bool known_bad,
+                std::optional<TraceSearch>* traces, std::optional<StateSearch>* states,
+                EngineKind* first) {
+  std::mutex mutex;
+  std::condition_variable answered;
+  std::atomic<bool> stop{false};
+  std::atomic<bool> stop_traces{false};
+  std::atomic<bool> pause{false};  // why the traces are stopped
+  int running = 2;
+  bool endless = false;  // the traces will never be all searched
+  bool stated = false;   // the search of states is over
+  const auto start = std::chrono::steady_clock::now();
+  const auto report = [&](EngineKind engine, bool answers) {
+    const std::lock_guard lock(mutex);
+    --running;
+    if (answers && *first == EngineKind::kAuto) *first = engine;
+    answered.notify_all();
+  };
+  const auto take_pause = [&] {
+    if (!pause.exchange(false)) return false;
+    stop_traces = false;
+    if (stop) stop_traces = true;
+    return !stop;
+  };
+  std::thread tracing([&] {
+    *traces = TracesOf(problem, options, &stop_traces, take_pause);
+    report(EngineKind::kDpor, (*traces)->complete() || (*traces)->bad > 0);
+  });
+  std::thread stating([&] {
+    *states = SearchStates(problem, StatesOf(options, &stop));
+    const StateCounts& counts = (*states)->counts;
+    const bool cyclic = counts.complete && IsCyclic((*states)->graph);
+    {
+      const std::lock_guard lock(mutex);
+      endless = cyclic;
+      stated = true;
+    }
+    report(EngineKind::kStateful, counts.complete || counts.bad_states > 0);
+  });
+  {
+    std::unique_lock lock(mutex);
+    const auto done = [&] {
+      return running == 0 || (known_bad ? stated : *first != EngineKind::kAuto);
+    };
+    while (!answered.wait_for(lock, kStopPolled, done)) {
+      if (options.progress == nullptr || !options.progress->stop) continue;
+      pause = options.progress->TakePause();
+      if (!pause) stop = true;
+      stop_traces = true;
+    }
+    const auto passed = std::chrono::steady_clock::now() - start;
+    const auto grace = std::max<std::chrono::nanoseconds>(
+        kGraceMin, std::chrono::duration_cast<std::chrono::nanoseconds>(passed * kGracePart));
+    answered.wait_for(lock, grace, [&] { return running == 0 || endless; });
+    stop = true;
+    stop_traces = true;
+  }
+  tracing.join();
+  stating.join();
+  if (options.progress != nullptr) options.progress->TakePause();
+}
+
+/// The failure that is shown: the simplest one where all states are known, or
+/// else what was found first in an order that depends on the clock as little as
+/// can be.
+std::optional<Failure> FailureOf(const Problem& problem, const FirstLook& look,
+                                 const std::optional<TraceSearch>& traces,
+                                 const std::optional<StateSearch>& states) {
+  if (states && states->counts.complete) {
+    if (auto failure = FailureIn(problem, *states)) return failure;
+  }
+  if (look.found()) {
+    Failure failure = Shrink(problem, look.failing);
+    failure.fewest_preemptions = look.fewest_preemptions;
+    return failure;
+  }
+  const bool traced = traces && !traces->failing.empty();
+  if (traced && traces->complete()) return Shrink(problem, traces->failing);
+  if (states && !states->counts.complete) {
+    auto failure = FailureIn(problem, *states);
+    if (failure && failure->fault.kind == Fault::Kind::kRace) return failure;
+    if (failure) return Shrink(problem, failure->steps);
+  }
+  if (traced) return Shrink(problem, traces->failing);
+  return std::nullopt;
+}
+
+Exploration Conclude(const Problem& problem, const ExploreOptions& options, const FirstLook& look,
+                     std::optional<TraceSearch> traces, std::optional<StateSearch> states,
+                     EngineKind engine) {
+  Exploration exploration;
+  exploration.engine = engine;
+  if (traces) exploration.traces = traces->Counts();
+  exploration.failure = FailureOf(problem, look, traces, states);
+  if (traces) exploration.ends = traces->ends.ends();
+  if (states) {
+    exploration.merged = states->merged;
+    if (states->counts.complete || !traces) exploration.ends = states->ends.ends();
+    exploration.states = std::move(states->counts);
+    exploration.races = std::move(states->races);
+  }
+  const bool complete =
+      (traces && traces->complete()) || (exploration.states && exploration.states->complete);
+  if (exploration.failure) {
+    exploration.verdict = Verdict::kFailed;
+  } else if (complete) {
+    exploration.verdict = Verdict::kProved;
+  } else {
+    exploration.why = WhyIncomplete(
+        options, MakeMessage("a limit was reached: {0} executions, {1} states, or {2} "
+                             "statements in one execution",
+                             "已达到上限：{0} 次执行、{1} 个状态，或单次执行 {2} 条语句",
+                             options.execution_limit, options.state_limit, options.depth_limit));
+  }
+  if (traces) exploration.search = std::move(*traces);
+  return exploration;
+}
+
+}  // namespace
+
+std::optional<EngineKind> EngineNamed(std::string_view name) {
+  for (const auto& [text, engine] : kEngines) {
+    if (text == name) return engine;
+  }
+  return std::nullopt;
+}
+
+std::string_view EngineName(EngineKind engine) {
+  for (const auto& [text, kind] : kEngines) {
+    if (kind == engine) return text;
+  }
+  return "schedule";
+}
+
+std::string_view VerdictName(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kProved:
+      return "PROVED";
+    case Verdict::kPassed:
+      return "PASSED";
+    case Verdict::kFailed:
+      return "FAILED";
+    case Verdict::kIncomplete:
+      break;
+  }
+  return "INCOMPLETE";
+}
+
+Exploration ConcludeSamples(EngineKind engine, SampleCounts samples) {
+  Exploration exploration;
+  exploration.engine = engine;
+  exploration.verdict = samples.bad > 0 ? Verdict::kFailed : Verdict::kPassed;
+  if (samples.bad == 0) {
+    exploration.why = MakeMessage("none of {0} random schedules goes wrong; others were not tried",
+                                  "{0} 个随机调度均未出错；其它调度未尝试", samples.runs);
+  }
+  exploration.ends = samples.values.ends();
+  exploration.samples = std::move(samples);
+  return exploration;
+}
+
+Result<Exploration> Explore(const Problem& problem, const ExploreOptions& options) {
+  if (problem.races == RaceRule::kBenign && options.engine != EngineKind::kAuto &&
+      options.engine != EngineKind::kStateful) {
+    return MakeError(1,
+                     "whether a race is benign shows in the graph of all states only: use "
+                     "the "
+                     "engine stateful",
+                     "竞争是否无害只能由全部状态的图判定：请使用 stateful 引擎");
+  }
+  const auto sees_locals = [](const BoundRequirement& requirement) {
+    return requirement.scope != Scope::kFinal && requirement.property.SeesLocals();
+  };
+  if (options.merge_private && std::ranges::any_of(problem.requirements, sees_locals)) {
+    return MakeError(1,
+                     "'always', 'never' and 'eventually' cannot name locals "
+                     "when statements that "
+                     "touch only locals are merged",
+                     "合并只涉及局部变量的语句时，“always”、“never”和“eventuall"
+                     "y”不能引用局部变量");
+  }
+  if (const auto sampling = SamplingOf(options)) {
+    Exploration exploration = ConcludeSamples(options.engine, Sample(problem, *sampling));
+    if (exploration.samples->bad > 0) {
+      exploration.failure = Shrink(problem, exploration.samples->failing);
+    }
+    return exploration;
+  }
+  if (options.engine == EngineKind::kBounded) {
+    Exploration exploration = ConcludeBounded(SearchBounded(problem, BoundsOf(options)), options);
+    if (exploration.bounded->bad) {
+      exploration.failure = Shrink(problem, exploration.bounded->failing);
+      exploration.failure->fewest_preemptions = problem.races == RaceRule::kAny;
+    }
+    return exploration;
+  }
+  EngineKind engine = options.engine;
+  if (engine == EngineKind::kAuto && problem.races != RaceRule::kAny) {
+    engine = EngineKind::kStateful;
+  }
+  if (problem.HasInvariants()) {
+    if (engine == EngineKind::kDpor) {
+      return MakeError(1,
+                       "'always', 'never' and 'eventually' speak of states on "
+                       "the way, which traces pass over: "
+                       "use the engine stateful",
+                       "“always”、“never”和“eventually”涉及中间状态，而 dpor "
+                       "引擎会跳过它们：请使用 stateful "
+                       "引擎");
+    }
+    engine = EngineKind::kStateful;
+  }
+  if (options.progress != nullptr && options.progress->estimates &&
+      engine != EngineKind::kStateful) {
+    Model model = problem.model;
+    const TraceEstimate estimate = EstimateTraces(&model, kDescents, options.seed, kDescentDepth);
+    options.progress->expected = estimate.traces;
+    options.progress->expected_error = estimate.error;
+  }
+  FirstLook look;
+  if (options.engine == EngineKind::kAuto && !options.all && options.begun == nullptr) {
+    look = LookFirst(problem, StopOf(options));
+  }
+  std::optional<TraceSearch> traces;
+  std::optional<StateSearch> states;
+  ExploreOptions searched = options;
+  if (look.found()) {
+    searched.state_limit = std::min(options.state_limit, AftermathOf(options).states);
+  }
+  if (engine == EngineKind::kDpor) {
+    traces = TracesOf(problem, searched, StopOf(options),
+                      [&] { return options.progress != nullptr && options.progress->TakePause(); });
+  } else if (engine == EngineKind::kStateful) {
+    states = SearchStates(problem, StatesOf(searched, StopOf(options)));
+  } else {
+    SearchBoth(problem, searched, look.found(), &traces, &states, &engine);
+  }
+  return Conclude(problem, options, look, std::move(traces), std::move(states), engine);
+}
+
+Exploration ExploreCard(CardModel* model, const ExploreOptions& options) {
+  if (const auto sampling = SamplingOf(options)) {
+    Exploration exploration = ConcludeSamples(options.engine, SampleCard(model, *sampling));
+    if (exploration.samples->bad > 0) {
+      exploration.failure = ShrinkCard(model, exploration.samples->failing);
+    }
+    return exploration;
+  }
+  if (options.engine == EngineKind::kBounded) {
+    Exploration exploration = ConcludeBounded(SearchCardBounded(model, BoundsOf(options)), options);
+    if (exploration.bounded->bad) {
+      exploration.failure = ShrinkCard(model, exploration.bounded->failing);
+      exploration.failure->fewest_preemptions = true;
+    }
+    return exploration;
+  }
+  FirstLook look;
+  if (options.engine == EngineKind::kAuto && !options.all) {
+    look = LookFirstAtCard(model, StopOf(options));
+  }
+  StateLimits limits = StatesOf(options, StopOf(options));
+  limits.states_after_bad = AftermathOf(options).card_states;
+  if (look.found()) limits.states = std::min(limits.states, limits.states_after_bad);
+  const CardGraph found = BuildCardGraph(model, limits);
+  Exploration exploration;
+  exploration.engine = EngineKind::kStateful;
+  exploration.states = StateCounts{.states = found.graph.size(),
+                                   .transitions = found.graph.transitions,
+                                   .bad_states = found.bad_states,
+                                   .final_globals = found.final_globals,
+                                   .final_full = found.final_full,
+                                   .finals_within = {},
+                                   .complete = found.graph.complete};
+  exploration.ends = found.ends.ends();
+  exploration.failure = WayTo(found.graph, kBad);
+  if (exploration.failure && found.graph.complete) {
+    CardWalk walk(model, false);
+    for (const uint8_t thread : exploration.failure->steps) walk.Step(thread);
+    exploration.failure->fault = walk.fault();
+  } else if (look.found()) {
+    exploration.failure = look.failure ? std::move(look.failure) : ShrinkCard(model, look.failing);
+    exploration.failure->fewest_preemptions = look.fewest_preemptions;
+  } else if (exploration.failure) {
+    exploration.failure = ShrinkCard(model, exploration.failure->steps);
+  }
+  if (exploration.failure) {
+    exploration.verdict = Verdict::kFailed;
+  } else if (!found.graph.complete) {
+    exploration.why =
+        WhyIncomplete(options, MakeMessage("the limit of {0} states was reached",
+                                           "已达到 {0} 个状态的上限", options.state_limit));
+  } else if (found.cut) {
+    exploration.verdict = Verdict::kPassed;
+    exploration.why = {
+        "nothing goes wrong until the scenario's until_ms; "
+        "threads still run then",
+        "在场景的 until_ms 之前没有错误；此时仍有线程在运行"};
+  } else {
+    exploration.verdict = Verdict::kProved;
+  }
+  return exploration;
+}
+
+}  // namespace oncard::explore

@@ -1,0 +1,412 @@
+// Search files as text: JSON, docs/search-format.md. The reader trusts nothing: it checks the type
+// and range of every value, and of indices into the program that they can be any (search_check.h
+// looks at them with the program).
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "base/json_text.h"
+#include "base/number.h"
+#include "explore/search/search_file.h"
+
+namespace oncard::explore {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kKind = "oncard search";
+constexpr int kVersion = 3;
+
+/// A search file has no more objects and lists inside each other.
+constexpr int kNestingMax = 16;
+/// Large enough for any search, small enough that files can be added up.
+constexpr int64_t kCountMax = 1'000'000'000'000'000;
+
+// --- Writing -------------------------------------------------------------------------------------
+
+Json ToJson(const std::vector<PlannedStep>& plans) {
+  Json json = Json::array();
+  for (const PlannedStep& plan : plans) {
+    json.push_back(plan.thread);
+    json.push_back(plan.next);
+  }
+  return json;
+}
+
+Json ToJson(const TraceUnit& unit) {
+  Json json = {{"prefix", unit.prefix}, {"sleep", unit.sleep}};
+  for (const SavedFrame& frame : unit.frames) {
+    json["frames"].push_back(
+        {{"sleep", frame.sleep}, {"plans", ToJson(frame.plans)}, {"races", frame.races}});
+  }
+  return json;
+}
+
+Json ToJson(const std::vector<StateKey>& keys) {
+  Json json = Json::array();
+  for (const StateKey& key : keys) json.push_back(fmt::format("{:016x}{:016x}", key.low, key.high));
+  return json;
+}
+
+Json ToJson(const EndSet& ends) {
+  Json json = Json::array();
+  for (const End& end : ends.ends()) json.push_back(end);
+  return json;
+}
+
+Json ToJson(const TraceSearch& traces) {
+  Json json = {{"units", Json::array()},
+               {"executions", traces.executions},
+               {"blocked", traces.blocked},
+               {"redundant", traces.redundant},
+               {"bad", traces.bad},
+               {"too_deep", traces.too_deep},
+               {"globals", ToJson(traces.globals)},
+               {"full", ToJson(traces.full)},
+               {"results", ToJson(traces.ends)},
+               {"failing", traces.failing}};
+  for (const TraceUnit& unit : traces.units) json["units"].push_back(ToJson(unit));
+  return json;
+}
+
+Json SamplesToJson(const SearchFile& file) {
+  return {{"seed", file.seed},
+          {"depth", file.depth},
+          {"runs_of_all", file.runs},
+          {"runs_cut", file.runs_cut},
+          {"runs", file.samples.runs},
+          {"bad", file.samples.bad},
+          {"cut", file.samples.cut},
+          {"longest", file.samples.longest},
+          {"ends", ToJson(file.samples.ends)},
+          {"results", ToJson(file.samples.values)},
+          {"failing", file.samples.failing}};
+}
+
+/// Over everything before it: whoever edits a file by hand is told so. It is no protection.
+std::string CheckOf(Json json) {
+  json.erase("check");
+  const std::string text = JsonText(json);
+  return fmt::format("{:016x}", XXH64(text.data(), text.size(), 0));
+}
+
+// --- Reading -------------------------------------------------------------------------------------
+
+/// True when no more than `limit` objects and lists stand inside each other; the reader of JSON has
+/// no such limit, and what it has read could then not even be written again.
+bool NestsWithin(std::string_view text, int limit) {
+  int depth = 0;
+  bool quoted = false;
+  for (size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quoted) {
+      if (c == '\\') ++i;
+      if (c == '"') quoted = false;
+    } else if (c == '"') {
+      quoted = true;
+    } else if (c == '[' || c == '{') {
+      if (++depth > limit) return false;
+    } else if (c == ']' || c == '}') {
+      --depth;
+    }
+  }
+  return true;
+}
+
+/// A value of the file and where it stands.
+class Value {
+ public:
+  Value(const Json& json, const Value* parent, std::string_view key)
+      : json_(json), parent_(parent), key_(key) {}
+  Value(const Json& json, const Value* parent, size_t index)
+      : json_(json), parent_(parent), index_(index) {}
+
+  const Json& json() const { return json_; }
+  /// `traces.units[3].prefix`.
+  std::string Place() const {
+    if (parent_ == nullptr) return std::string(key_);
+    const std::string before = parent_->Place();
+    if (key_.empty()) return fmt::format("{}[{}]", before, index_);
+    return before.empty() ? std::string(key_) : fmt::format("{}.{}", before, key_);
+  }
+
+ private:
+  const Json& json_;
+  const Value* parent_;
+  std::string_view key_;
+  size_t index_ = 0;
+};
+
+/// Takes values of their types out of the file, and keeps the first that is of another one.
+class TypedReader {
+ public:
+  bool failed() const { return failed_; }
+  Error error() const { return {1, error_}; }
+
+  Value Member(const Value& object, std::string_view key) {
+    static const Json kAbsent;
+    if (!object.json().is_object()) Fail(object, "an object", "对象");
+    const auto found = object.json().is_object() ? object.json().find(key) : object.json().end();
+    const bool there = object.json().is_object() && found != object.json().end();
+    return {there ? *found : kAbsent, &object, key};
+  }
+
+  /// Whole numbers from `least` to `most`.
+  template <typename Number = int64_t>
+  Number Whole(const Value& value, Number least, Number most) {
+    const Json& json = value.json();
+    const bool small = json.is_number_integer() && !json.is_number_unsigned();
+    if (small && std::in_range<Number>(json.get<int64_t>())) {
+      const auto number = static_cast<Number>(json.get<int64_t>());
+      if (number >= least && number <= most) return number;
+    }
+    if (json.is_number_unsigned() && std::in_range<Number>(json.get<uint64_t>())) {
+      const auto number = static_cast<Number>(json.get<uint64_t>());
+      if (number >= least && number <= most) return number;
+    }
+    Fail(value, fmt::format("a whole number from {} to {}", +least, +most),
+         fmt::format("{} 至 {} 的整数", +least, +most));
+    return least;
+  }
+  int64_t Count(const Value& value) { return Whole<int64_t>(value, 0, kCountMax); }
+
+  bool Flag(const Value& value) {
+    if (!value.json().is_boolean()) Fail(value, "true or false", "true 或 false");
+    return value.json() == true;
+  }
+
+  std::string Text(const Value& value) {
+    if (value.json().is_string()) return value.json().get<std::string>();
+    Fail(value, "a text", "文本");
+    return {};
+  }
+
+  uint64_t Key(const Value& value) {
+    const std::string text = Text(value);
+    const auto key = text.size() == 16 ? ReadWhole<uint64_t>(text, 16) : std::nullopt;
+    if (!key) Fail(value, "16 hexadecimal digits", "16 位十六进制数");
+    return key.value_or(0);
+  }
+
+  /// Calls `take` with each element.
+  template <typename Take>
+  void Each(const Value& list, const Take& take) {
+    if (!list.json().is_array()) return Fail(list, "a list", "列表");
+    for (size_t i = 0; i < list.json().size() && !failed_; ++i) {
+      take(Value(list.json()[i], &list, i));
+    }
+  }
+
+  template <typename Number>
+  std::vector<Number> Wholes(const Value& list, Number least, Number most) {
+    std::vector<Number> numbers;
+    Each(list, [&](const Value& value) { numbers.push_back(Whole<Number>(value, least, most)); });
+    return numbers;
+  }
+  /// Threads of the model, as many as there can be.
+  std::vector<uint8_t> Threads(const Value& list) {
+    return Wholes<uint8_t>(list, 0, kThreadMax - 1);
+  }
+
+  /// In order, none twice.
+  std::vector<StateKey> Keys(const Value& list) {
+    std::vector<StateKey> keys;
+    Each(list, [&](const Value& value) {
+      const std::string text = Text(value);
+      const auto low = ReadWhole<uint64_t>(std::string_view(text).substr(0, 16), 16);
+      const auto high = text.size() == 32
+                            ? ReadWhole<uint64_t>(std::string_view(text).substr(16), 16)
+                            : std::nullopt;
+      const StateKey key = {low.value_or(0), high.value_or(0)};
+      if (!low || !high || (!keys.empty() && !(keys.back() < key))) {
+        Fail(value, "32 hexadecimal digits, after the ones before it",
+             "32 位十六进制数，且大于前一个");
+      }
+      keys.push_back(key);
+    });
+    return keys;
+  }
+
+  EndSet Ends(const Value& list) {
+    EndSet ends;
+    Each(list, [&](const Value& end) { ends.Add(Wholes<int64_t>(end, INT64_MIN, INT64_MAX)); });
+    return ends;
+  }
+
+  /// Keeps what was expected of a value.
+  void Fail(const Value& value, std::string_view expected_en, std::string_view expected_zh) {
+    if (failed_) return;
+    failed_ = true;
+    if (value.json().is_null()) {
+      error_ = MakeMessage("'{0}' is missing: expected {1}", "缺少“{0}”：应为{2}", value.Place(),
+                           expected_en, expected_zh);
+      return;
+    }
+    constexpr size_t kShown = 40;
+    std::string found = value.json().dump(-1, ' ', true, Json::error_handler_t::replace);
+    if (found.size() > kShown) found = found.substr(0, kShown) + "...";
+    error_ = MakeMessage("'{0}' is {1}: expected {2}", "“{0}”为 {1}：应为{3}", value.Place(), found,
+                         expected_en, expected_zh);
+  }
+
+ private:
+  bool failed_ = false;
+  Message error_;
+};
+
+std::vector<PlannedStep> PlansFrom(TypedReader& reader, const Value& list) {
+  const auto numbers = reader.Wholes<uint32_t>(list, 0, std::numeric_limits<uint32_t>::max());
+  std::vector<PlannedStep> plans;
+  if (numbers.size() % 2 != 0) reader.Fail(list, "pairs of numbers", "成对的数");
+  for (size_t i = 0; i + 1 < numbers.size(); i += 2) {
+    if (numbers[i] >= kThreadMax) {
+      reader.Fail(list, fmt::format("threads from 0 to {}", kThreadMax - 1),
+                  fmt::format("0 至 {} 的线程", kThreadMax - 1));
+    }
+    plans.push_back({static_cast<uint8_t>(numbers[i]), numbers[i + 1]});
+  }
+  return plans;
+}
+
+TraceUnit UnitFrom(TypedReader& reader, const Value& value) {
+  TraceUnit unit = {reader.Threads(reader.Member(value, "prefix")),
+                    reader.Threads(reader.Member(value, "sleep"))};
+  const Value frames = reader.Member(value, "frames");
+  if (frames.json().is_null()) return unit;  // not begun
+  reader.Each(frames, [&](const Value& frame) {
+    unit.frames.push_back({reader.Threads(reader.Member(frame, "sleep")),
+                           PlansFrom(reader, reader.Member(frame, "plans")),
+                           reader.Wholes<uint32_t>(reader.Member(frame, "races"), 0,
+                                                   std::numeric_limits<uint32_t>::max())});
+  });
+  return unit;
+}
+
+TraceSearch TracesFrom(TypedReader& reader, const Value& value) {
+  TraceSearch traces;
+  traces.units.clear();
+  reader.Each(reader.Member(value, "units"),
+              [&](const Value& unit) { traces.units.push_back(UnitFrom(reader, unit)); });
+  traces.executions = reader.Count(reader.Member(value, "executions"));
+  traces.blocked = reader.Count(reader.Member(value, "blocked"));
+  traces.redundant = reader.Count(reader.Member(value, "redundant"));
+  traces.bad = reader.Count(reader.Member(value, "bad"));
+  traces.too_deep = reader.Flag(reader.Member(value, "too_deep"));
+  traces.globals = reader.Keys(reader.Member(value, "globals"));
+  traces.full = reader.Keys(reader.Member(value, "full"));
+  traces.ends = reader.Ends(reader.Member(value, "results"));
+  traces.failing = reader.Threads(reader.Member(value, "failing"));
+  return traces;
+}
+
+void SamplesFrom(TypedReader& reader, const Value& value, SearchFile* file) {
+  file->seed =
+      reader.Whole<uint64_t>(reader.Member(value, "seed"), 0, std::numeric_limits<uint64_t>::max());
+  file->depth = reader.Whole<int>(reader.Member(value, "depth"), 1, kPctDepthMax);
+  file->runs = reader.Count(reader.Member(value, "runs_of_all"));
+  const Value runs_cut = reader.Member(value, "runs_cut");
+  file->runs_cut = reader.Count(runs_cut);
+  file->samples.seed = file->seed;
+  file->samples.runs = reader.Count(reader.Member(value, "runs"));
+  file->samples.bad = reader.Count(reader.Member(value, "bad"));
+  file->samples.cut = reader.Count(reader.Member(value, "cut"));
+  file->samples.longest = reader.Count(reader.Member(value, "longest"));
+  file->samples.ends = reader.Keys(reader.Member(value, "ends"));
+  file->samples.values = reader.Ends(reader.Member(value, "results"));
+  file->samples.failing = reader.Threads(reader.Member(value, "failing"));
+  if (reader.failed()) return;
+  const int64_t left =
+      file->held.size() > 1 ? 0 : RunsOfPart(file->runs, {file->held.front(), file->parts}).second;
+  if (file->runs_cut > left) {
+    reader.Fail(runs_cut, fmt::format("at most the {} runs of its part", left),
+                fmt::format("不超过该部分的 {} 次运行", left));
+  }
+}
+
+std::vector<int> HeldFrom(TypedReader& reader, const Value& value, int parts) {
+  std::vector<int> held = reader.Wholes<int>(value, 1, parts);
+  const bool in_order = std::ranges::adjacent_find(held, std::greater_equal{}) == held.end();
+  if (held.empty() || !in_order) {
+    reader.Fail(value, "numbers of parts, in order", "按顺序排列的部分编号");
+  }
+  return held;
+}
+
+EngineKind EngineFrom(TypedReader& reader, const Value& value) {
+  const auto engine = EngineNamed(reader.Text(value)).value_or(EngineKind::kAuto);
+  switch (engine) {
+    case EngineKind::kDpor:
+    case EngineKind::kRandom:
+    case EngineKind::kPct:
+    case EngineKind::kPos:
+      return engine;
+    case EngineKind::kAuto:
+    case EngineKind::kStateful:
+    case EngineKind::kBounded:
+    case EngineKind::kFollow:
+      break;
+  }
+  reader.Fail(value, "dpor, random, pct or pos", "dpor、random、pct 或 pos");
+  return EngineKind::kDpor;
+}
+
+}  // namespace
+
+std::string FormatSearchFile(const SearchFile& file) {
+  Json json = {{"kind", kKind},       {"version", kVersion},
+               {"input", file.input}, {"problem", fmt::format("{:016x}", file.problem)},
+               {"races", file.races}, {"engine", EngineName(file.engine)},
+               {"parts", file.parts}, {"held", file.held}};
+  if (file.engine == EngineKind::kDpor) {
+    json["traces"] = ToJson(file.traces);
+  } else {
+    json["samples"] = SamplesToJson(file);
+  }
+  json["check"] = CheckOf(json);
+  return JsonText(json, 1) + '\n';
+}
+
+Result<SearchFile> ParseSearchFile(std::string_view text) {
+  if (!NestsWithin(text, kNestingMax)) {
+    return MakeError(1, "this is no file of a search: it nests more than {0} deep",
+                     "这不是搜索文件：嵌套超过 {0} 层", kNestingMax);
+  }
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object() || json.value("kind", Json()) != kKind) {
+    return MakeError(1,
+                     "this is no file of a search: expected one that 'oncard explore' has written",
+                     "这不是搜索文件：应为“oncard explore”写出的文件");
+  }
+  if (json.value("version", Json()) != kVersion) {
+    return MakeError(1, "the file is of another version: expected {0}", "文件版本不符：应为 {0}",
+                     kVersion);
+  }
+  if (json.value("check", Json()) != CheckOf(json)) {
+    return MakeError(1, "the file is not as it was written: explore anew",
+                     "文件已被改动：请重新探索");
+  }
+  TypedReader reader;
+  const Value root(json, nullptr, "");
+  SearchFile file;
+  file.input = reader.Text(reader.Member(root, "input"));
+  file.problem = reader.Key(reader.Member(root, "problem"));
+  const Value races = reader.Member(root, "races");
+  file.races = reader.Text(races);
+  if (!RaceRuleNamed(file.races)) reader.Fail(races, "any, benign or none", "any、benign 或 none");
+  file.engine = EngineFrom(reader, reader.Member(root, "engine"));
+  file.parts = reader.Whole<int>(reader.Member(root, "parts"), 1, kPartMax);
+  file.held = HeldFrom(reader, reader.Member(root, "held"), file.parts);
+  if (file.engine == EngineKind::kDpor) {
+    file.traces = TracesFrom(reader, reader.Member(root, "traces"));
+  } else {
+    SamplesFrom(reader, reader.Member(root, "samples"), &file);
+  }
+  if (reader.failed()) return reader.error();
+  return file;
+}
+
+}  // namespace oncard::explore

@@ -1,0 +1,180 @@
+// Position capture: an edge of an input or an index pulse latches an encoder's position.
+//
+// Each encoder has a capture (GT_SetCaptureMode) and each number a trigger (GT_SetTrigger); they
+// are independent. Captures look at the pins, without filter and sense. An edge is latched where it
+// happens, whatever the cycle: where the moving machine makes it, at the instant at which the world
+// makes it, and where the card's own high-speed outputs (compare.h) make it.
+//
+// Assumptions: the probe is general input 1 (EXI0, as in the GE manual); HSIO0 and HSIO1 are the
+// outputs of position compare (a public sample captures the pulse that compare puts out); an index
+// pulse has no sense; the status is 1 from the first of several captures on; a list of offsets that
+// is used up adds nothing more.
+// Source: public header and samples; GE manual (probe). Tested by
+// tests/gtcalls/capture_command_test.cc.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+#include "motion/common/sizes.h"
+#include "motion/io/digital_io.h"
+
+namespace oncard::motion {
+
+/// Numbered as CAPTURE_HOME ... CAPTURE_HOME_GPI.
+enum class CaptureSource : uint8_t {
+  kNone = 0,
+  kHome = 1,
+  kIndex = 2,
+  kProbe = 3,
+  kHsio0 = 6,
+  kHsio1 = 7,
+  kHomeGpi = 8  ///< the home input or the general input of the same number
+};
+/// The source of a number; kNone when there is none.
+CaptureSource CaptureSourceFromNumber(int number);
+
+/// Most positions captured in a row (GT_SetCaptureRepeat).
+inline constexpr uint16_t kCaptureRepeatMax = 256;
+
+inline constexpr int kProbeInput = 0;
+
+/// True when edges of the input reach a source; `index`, from 0, numbers the home input.
+bool SourceListens(CaptureSource source, size_t index, DiType type, int bit);
+
+struct Capture {
+  // Registers.
+  CaptureSource source = CaptureSource::kNone;
+  uint16_t rising = 0;  ///< bit n: the sense of source n is the rising edge
+  uint16_t repeat = 1;  ///< positions to capture in a row
+  uint8_t encoder = 0;  ///< whose position is latched
+  std::vector<int32_t> offsets;
+  int32_t loop = 1;           ///< how often the list of offsets is used; 0: without end
+  uint8_t offset_source = 0;  ///< whose list of offsets is used
+
+  // State.
+  bool armed = false;
+  bool captured = false;
+  double value = 0;               ///< the last captured position with its offset
+  double raw = 0;                 ///< the same without it
+  std::vector<double> positions;  ///< those captured in a row
+  uint32_t offsets_used = 0;      ///< in the present loop
+  int32_t loops_done = 0;
+
+  bool Rising() const { return (rising >> static_cast<unsigned>(source) & 1) != 0; }
+
+  auto Fields() const {
+    return std::tie(source, rising, repeat, encoder, offsets, loop, offset_source, armed, captured,
+                    value, raw, positions, offsets_used, loops_done);
+  }
+};
+
+/// TTrigger and TTriggerStatus.
+struct Trigger {
+  uint8_t encoder = 0;
+  CaptureSource source = CaptureSource::kNone;
+  uint8_t input = 0;  ///< number of the home input or index pulse, from 0
+  bool rising = false;
+  int16_t offset = 0;
+  uint32_t loop = 0;  ///< captures until it is done; 0 counts as 1
+  bool window_only = false;
+  int32_t first = 0;
+  int32_t last = 0;
+
+  bool armed = false;
+  bool done = false;
+  uint32_t count = 0;
+  double position = 0;
+
+  auto Fields() const {
+    return std::tie(encoder, source, input, rising, offset, loop, window_only, first, last, armed,
+                    done, count, position);
+  }
+};
+
+class CaptureUnit {
+ public:
+  CaptureUnit() { Reset(); }
+  void Reset();
+
+  const Capture& capture(size_t index) const { return captures_[index]; }
+  Capture& capture(size_t index) { return captures_[index]; }
+  const Trigger& trigger(size_t index) const { return triggers_[index]; }
+
+  /// Arms a capture; what it has captured before is forgotten.
+  void Arm(size_t index, CaptureSource source);
+  void Disarm(size_t index) { captures_[index].armed = false; }
+  /// Sets how many positions are captured in a row; an armed capture that has as many already has
+  /// done.
+  void SetRepeat(size_t index, uint16_t repeat);
+  /// Forgets what has been captured.
+  void Clear(size_t index);
+  /// Sets the list of offsets, from the begin.
+  void SetOffsets(size_t index, std::vector<int32_t> offsets, int32_t loop);
+  void LinkOffsets(size_t index, size_t source);
+  /// Arms a trigger with its registers.
+  void SetTrigger(size_t index, const Trigger& registers);
+  void ClearTrigger(size_t index);
+
+  /// Something may be armed.
+  bool armed() const { return armed_; }
+  /// Looks whether something still is; once a tick.
+  void CountArmed();
+  /// Something waits for the index pulses of a machine.
+  bool WaitsForIndex(size_t machine) const;
+
+  /// An edge of a pin; `position(encoder)` is an encoder's position there.
+  template <typename Position>
+  void Edge(DiType type, int bit, bool rising, Position position) {
+    for (size_t i = 0; i < kAxisMax; ++i) {
+      const Capture& c = captures_[i];
+      if (c.armed && c.Rising() == rising && SourceListens(c.source, i, type, bit)) {
+        Take(i, position(c.encoder));
+      }
+      const Trigger& t = triggers_[i];
+      if (t.armed && t.rising == rising && SourceListens(t.source, t.input, type, bit)) {
+        TakeTrigger(i, position(t.encoder));
+      }
+    }
+  }
+  /// An index pulse of a machine.
+  template <typename Position>
+  void Index(size_t machine, Position position) {
+    for (size_t i = 0; i < kAxisMax; ++i) {
+      const Capture& c = captures_[i];
+      if (c.armed && c.source == CaptureSource::kIndex && i == machine) {
+        Take(i, position(c.encoder));
+      }
+      const Trigger& t = triggers_[i];
+      if (t.armed && t.source == CaptureSource::kIndex && t.input == machine) {
+        TakeTrigger(i, position(t.encoder));
+      }
+    }
+  }
+  /// An edge of a high-speed output.
+  template <typename Position>
+  void OutputEdge(size_t channel, bool rising, Position position) {
+    const CaptureSource source = channel == 0 ? CaptureSource::kHsio0 : CaptureSource::kHsio1;
+    for (size_t i = 0; i < kAxisMax; ++i) {
+      const Capture& c = captures_[i];
+      if (c.armed && c.source == source && c.Rising() == rising) Take(i, position(c.encoder));
+      const Trigger& t = triggers_[i];
+      if (t.armed && t.source == source && t.rising == rising) TakeTrigger(i, position(t.encoder));
+    }
+  }
+
+  auto Fields() const { return std::tie(captures_, triggers_, armed_); }
+
+ private:
+  void Take(size_t index, double position);
+  void TakeTrigger(size_t index, double position);
+  double NextOffset(size_t index);
+
+  std::array<Capture, kAxisMax> captures_;
+  std::array<Trigger, kAxisMax> triggers_;
+  bool armed_ = false;
+};
+
+}  // namespace oncard::motion

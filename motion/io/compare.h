@@ -1,0 +1,165 @@
+// Position compare: pulses or level changes at the high-speed outputs (HSIO0, HSIO1) when encoders
+// reach listed positions.
+//
+// There are two modules. Each works off a list of points in order, which are relative to where the
+// encoders were at the start; the instant of a hit is found inside the tick on the straight line
+// between two ticks, and one tick can have several. A point is hit where both coordinates are
+// within the tolerance, at the place on the way that is nearest to it. One-dimensional compare
+// looks at Y only. A point can stand for a row of them at equal distances. All hits are kept in a
+// log of limited length; what the outputs did in the last tick is kept edge by edge.
+// Source: application notes on 2-D compare; public header. Tested by
+// tests/gtcalls/compare_command_test.cc.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+#include "motion/common/sizes.h"
+
+namespace oncard::motion {
+
+inline constexpr size_t kHsioCount = 2;
+/// Points the hardware's FIFO holds, and those the card keeps behind it (the latter an assumption).
+inline constexpr size_t kCompareFifoSize = 512;
+inline constexpr size_t kCompareBufferSize = 4096;
+/// Hits the log keeps; later ones are counted only.
+inline constexpr size_t kCompareLogSize = 4096;
+
+/// Edges of the outputs that are kept of one tick; later ones reach no capture and no trace.
+inline constexpr size_t kHsioEdgesMax = 4096;
+
+/// A high-speed output. A pulse inverts its level for a while.
+struct HsioOutput {
+  bool level = false;
+  double pulse_end = 0;  ///< us since power-on; 0: no pulse
+  bool shown = false;    ///< the level behind its last edge
+
+  bool Level(double instant) const { return level != (instant < pulse_end); }
+  bool Level(Micros now) const { return Level(static_cast<double>(now)); }
+
+  auto Fields() const { return std::tie(level, pulse_end, shown); }
+};
+
+/// An output's level changes.
+struct HsioEdge {
+  uint8_t channel = 0;
+  bool level = false;  ///< from now on
+  double instant = 0;  ///< us since power-on
+
+  auto Fields() const { return std::tie(channel, level, instant); }
+};
+
+struct ComparePoint {
+  int32_t x = 0;
+  int32_t y = 0;
+
+  auto Fields() const { return std::tie(x, y); }
+  bool operator==(const ComparePoint&) const = default;
+};
+
+/// One output of a module: where and when.
+struct CompareHit {
+  uint8_t channel = 0;
+  double instant = 0;  ///< us since power-on
+  double x = 0;        ///< whole pulses of the encoders
+  double y = 0;
+
+  auto Fields() const { return std::tie(channel, instant, x, y); }
+};
+
+/// T2DComparePrm, and the mode.
+struct CompareParameters {
+  bool two_dimensional = false;
+  uint8_t x = 0;  ///< encoders, from 0
+  uint8_t y = 0;
+  int16_t source = 0;  ///< 0: pulse counter, 1: encoder
+  bool level_output = false;
+  bool start_level = false;
+  int16_t time = 1;  ///< of a pulse, us
+  int16_t max_error = 0;
+
+  auto Fields() const {
+    return std::tie(two_dimensional, x, y, source, level_output, start_level, time, max_error);
+  }
+  bool operator==(const CompareParameters&) const = default;
+};
+
+struct CompareModule {
+  CompareParameters parameters;
+  std::vector<ComparePoint> points;
+  uint32_t next = 0;     ///< the point waited for
+  int32_t repeats = 0;   ///< how often it comes again after its hit, each time ...
+  int32_t interval = 0;  ///< ... so many pulses further along Y
+  bool running = false;
+  double origin_x = 0;
+  double origin_y = 0;
+  int32_t hits = 0;
+
+  size_t waiting() const { return points.size() - next; }
+  auto Fields() const {
+    return std::tie(parameters, points, next, repeats, interval, running, origin_x, origin_y, hits);
+  }
+};
+
+/// The way of all encoders in a tick, with fractions of pulses.
+struct EncoderWay {
+  std::array<double, kAxisMax> from{};
+  std::array<double, kAxisMax> to{};
+};
+
+/// Where on the way from (x0, y0) to (x1, y1) a point is hit: the fraction in [`begin`, 1], or -1,
+/// also while the way still comes nearer to the point at its end. `max_error` counts whole pulses;
+/// without `use_x` only Y counts.
+double FindHit(double x0, double y0, double x1, double y1, bool use_x, ComparePoint point,
+               int max_error, double begin);
+
+class CompareUnit {
+ public:
+  const CompareModule& module(size_t channel) const { return modules_[channel]; }
+  CompareModule& module(size_t channel) { return modules_[channel]; }
+  const HsioOutput& output(size_t channel) const { return outputs_[channel]; }
+  const std::vector<CompareHit>& log() const { return log_; }
+  /// What the outputs did in the last tick; those of one output are in order of time.
+  const std::vector<HsioEdge>& edges() const { return edges_; }
+
+  /// GT_Reset: no points, both outputs low.
+  void Reset();
+
+  /// A single pulse, or a level.
+  void Pulse(size_t channel, Micros now, int16_t time_us);
+  void SetLevel(size_t channel, bool level);
+  /// Appends points; those that are done make room.
+  void Append(size_t channel, const std::vector<ComparePoint>& points);
+  /// One point along Y that comes `repeats` times again at an `interval`, in place of all others.
+  void Repeat(size_t channel, int32_t first, int32_t repeats, int32_t interval);
+  /// Begins with the encoders at (x, y).
+  void Start(size_t channel, double x, double y);
+  void Stop(size_t channel);
+  /// Forgets all points.
+  void Clear(size_t channel);
+
+  bool running() const { return modules_[0].running || modules_[1].running; }
+  /// The next tick has something to do: points are waited for, or an output changes.
+  bool active() const;
+  /// A tick that begins at `begin`.
+  void Advance(Micros begin, Micros length, const EncoderWay& way);
+
+  auto Fields() const { return std::tie(modules_, outputs_, log_, edges_); }
+
+ private:
+  void AdvanceModule(size_t channel, Micros begin, Micros length, const EncoderWay& way);
+  void Fire(size_t channel, const CompareHit& hit);
+  /// Ends a pulse that is over at `instant`.
+  void EndPulse(size_t channel, double instant);
+  /// Notes the edge when the level at `instant` is another one than before.
+  void Show(size_t channel, double instant);
+
+  std::array<CompareModule, kHsioCount> modules_;
+  std::array<HsioOutput, kHsioCount> outputs_;
+  std::vector<CompareHit> log_;
+  std::vector<HsioEdge> edges_;
+};
+
+}  // namespace oncard::motion

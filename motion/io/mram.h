@@ -1,0 +1,58 @@
+// The card's ferroelectric memory: a buffer that the host reads and writes in small pieces, and the
+// memory itself, with a transfer in either direction that takes a while. GT_Reset clears the buffer
+// and ends a transfer; the memory keeps its contents.
+// Source: GTS manual 11.8. Tested by tests/motion/mram_test.cc.
+#pragma once
+
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+#include "motion/common/sizes.h"
+
+namespace oncard::motion {
+
+inline constexpr int kMramWords = 4096;
+/// Most words of one transfer between host and buffer.
+inline constexpr int kMramTransferMax = 24;
+/// Assumption: the time the card needs for one word.
+inline constexpr Micros kMramWordUs = 10;
+
+enum class MramAccess : uint8_t { kRead = 0, kWrite = 1 };
+
+class Mram {
+ public:
+  /// Words of the buffer; addresses below kMramWords.
+  int16_t Word(int address) const { return At(buffer_, address); }
+  void SetWord(int address, int16_t value) { Put(address, value, &buffer_); }
+  /// Begins to copy words from `address` on; they arrive when the time is over.
+  void Start(Micros now, int address, int count, MramAccess access);
+  /// Ends a transfer; what has not arrived never does.
+  void Stop() { busy_ = false; }
+  bool busy() const { return busy_; }
+  /// Lets the transfer arrive when its time has come.
+  void Advance(Micros now) {
+    if (busy_ && now >= end_) Finish();
+  }
+  void Reset();
+
+  auto Fields() const { return std::tie(buffer_, memory_, busy_, access_, address_, count_, end_); }
+
+ private:
+  static int16_t At(const std::vector<int16_t>& words, int address) {
+    return words.empty() ? int16_t{0} : words[static_cast<size_t>(address)];
+  }
+  static void Put(int address, int16_t value, std::vector<int16_t>* words);
+  void Finish();
+
+  // Either is empty as long as all its words are 0.
+  std::vector<int16_t> buffer_;
+  std::vector<int16_t> memory_;
+  bool busy_ = false;
+  MramAccess access_ = MramAccess::kRead;
+  int32_t address_ = 0;
+  int32_t count_ = 0;
+  Micros end_ = 0;
+};
+
+}  // namespace oncard::motion

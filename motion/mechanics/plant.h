@@ -1,0 +1,92 @@
+// The machine: motors and what they drive, one for each drive connector of the card. Part of the
+// world around the card: GT_Reset leaves it alone.
+//
+// An ideal drive follows an enabled axis exactly, whether it is commanded by pulses or, in closed
+// loop, through the servo controller. A velocity drive turns the voltage of its analogue output
+// into a speed with a first-order lag; pulses do not reach it. A machine whose drive is off can be
+// turned by hand; an enabled drive holds it.
+// Tested by tests/motion/plant_test.cc.
+#pragma once
+
+#include <cstdint>
+#include <tuple>
+
+#include "motion/common/sizes.h"
+
+namespace oncard::motion {
+
+/// Servo sub-steps have this length; every profile cycle is a whole number of them.
+inline constexpr int64_t kServoUs = 125;
+inline constexpr double kServoMs = static_cast<double>(kServoUs) / 1000;
+
+enum class DriveKind : uint8_t { kIdeal, kVelocity };
+
+/// What turns commands into motion. The defaults of a velocity drive are assumptions.
+struct Drive {
+  DriveKind kind = DriveKind::kIdeal;
+  double gain = 100;    ///< pulse/ms at the full output of 32767
+  double tau = 2;       ///< ms, >= 0: the lag's time constant
+  double friction = 0;  ///< pulse/ms by which a commanded speed is missed
+  // By Prepare(); the last two are of one servo sub-step h.
+  double unit = 0;   ///< pulse/ms for an output of 1
+  double decay = 0;  ///< e^(-h/tau): what is left of a difference in speed
+  double lag = 0;    ///< tau (1 - decay), ms: the distance that 1 pulse/ms too much or less makes
+
+  /// Computes what the motion needs of the parameters.
+  void Prepare();
+  /// The speed an output commands, pulse/ms.
+  double Commanded(double output) const {
+    const double speed = unit * output;
+    if (speed > friction) return speed - friction;
+    return speed < -friction ? speed + friction : 0;
+  }
+
+  auto Fields() const { return std::tie(kind, gain, tau, friction, unit, decay, lag); }
+};
+
+/// A velocity drive with its coefficients.
+Drive VelocityDrive(double gain, double tau, double friction);
+
+/// e^-x for x >= 0 by series and squaring: the same bits on every machine, relative error below
+/// 1e-12 for x < 100.
+double ExpMinus(double x);
+
+/// A motor.
+struct Plant {
+  double position = 0;  ///< pulses since power-on
+  double velocity = 0;  ///< pulse/ms
+  /// The axis whose planned position commands it and whose enable output enables it, and the servo
+  /// controller between them in closed loop; -1: none. Follows from the configuration.
+  int8_t axis = -1;
+  int8_t control = -1;
+  /// Distance to the commanded position while an ideal drive follows it.
+  double lead = 0;
+  bool stalled = false;  ///< held by force: stays at rest, whatever the drive does
+  double hand = 0;       ///< pulse/ms by which it is turned by hand while its drive is off
+
+  /// One servo sub-step of a velocity drive at `output`: the lag's exact solution.
+  void Advance(const Drive& drive, double output) {
+    if (stalled) return;
+    const double commanded = drive.Commanded(output);
+    const double difference = velocity - commanded;
+    position += commanded * kServoMs + difference * drive.lag;
+    velocity = commanded + difference * drive.decay;
+  }
+
+  auto Fields() const { return std::tie(position, velocity, axis, control, lead, stalled, hand); }
+};
+
+/// A pulse output.
+struct Step {
+  bool active = true;     ///< configuration
+  int8_t axis = -1;       ///< whose planned position it puts out, from 0; -1: none
+  int16_t mode = 0;       ///< 0: pulse and direction, 1: forward and backward pulses
+  int16_t parameter = 0;  ///< of the configuration; no meaning is known
+  bool reversed = false;  ///< the machine is wired for it
+  double position = 0;    ///< pulses put out
+  double lead = 0;        ///< distance to the planned axis position
+
+  auto Fields() const { return std::tie(active, axis, mode, parameter, reversed, position, lead); }
+};
+
+}  // namespace oncard::motion

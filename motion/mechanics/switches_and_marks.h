@@ -1,0 +1,68 @@
+// What the machine has at certain places: switches that its moving parts operate, and the index
+// marks of its encoders. Part of the world around the card: GT_Reset leaves it alone.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <tuple>
+
+#include "motion/io/digital_io.h"
+
+namespace oncard::motion {
+
+/// Drives an input's pin high while the machine of an axis is inside [first, last] (pulses of
+/// Plant::position), or low when `active_low`. Infinite bounds are allowed.
+struct PositionSwitch {
+  uint8_t axis = 0;  ///< whose machine operates it, from 0
+  DiType type = DiType::kHome;
+  uint8_t bit = 0;  ///< the input, from 0
+  double first = 0;
+  double last = 0;
+  bool active_low = false;
+  bool connected = true;  ///< false: a cut wire, the pin stays at its inactive level
+
+  bool Inside(double position) const { return first <= position && position <= last; }
+  /// The pin's level with the machine at `position`.
+  bool Level(double position) const { return (connected && Inside(position)) != active_low; }
+
+  auto Fields() const { return std::tie(axis, type, bit, first, last, active_low, connected); }
+  bool operator==(const PositionSwitch&) const = default;
+};
+
+/// Index pulses of an encoder: at `offset` plus any whole multiple of `period` (Plant::position).
+/// The default is one mark per revolution of a 10000-pulse encoder (assumption).
+struct IndexMarks {
+  double offset = 0;
+  double period = 10000;  ///< > 0; 0: the encoder has no index
+
+  auto Fields() const { return std::tie(offset, period); }
+  bool operator==(const IndexMarks&) const = default;
+};
+
+/// What a switch does while its machine moves from one place to another: it is entered, then left,
+/// at these places.
+struct SwitchPassage {
+  bool enters = false;
+  bool leaves = false;
+  double entry = 0;
+  double exit = 0;
+};
+SwitchPassage PassSwitch(const PositionSwitch& contact, double from, double to);
+
+/// Calls `visit(position)` for every index mark between two places in the order in which the
+/// machine passes them, without the first place and with the last, until it returns false.
+template <typename Visit>
+void ForEachMark(const IndexMarks& marks, double from, double to, Visit visit) {
+  if (marks.period <= 0 || from == to) return;
+  const double begin = (from - marks.offset) / marks.period;
+  const double step = from < to ? 1 : -1;
+  double mark = from < to ? std::floor(begin) : std::ceil(begin);
+  for (;;) {
+    mark += step;
+    const double position = marks.offset + mark * marks.period;
+    if (step > 0 ? position > to : position < to) return;
+    if (!visit(position)) return;
+  }
+}
+
+}  // namespace oncard::motion

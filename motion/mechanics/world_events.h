@@ -1,0 +1,52 @@
+// What the world does to the card over time: a list of events that the motion core works off at
+// the begin of its ticks. An event takes effect in the cycle that begins at its instant, or next;
+// what the world is like at 0 is there when the card is switched on.
+// Tested by tests/motion/world_test.cc.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+#include "motion/common/sizes.h"
+
+namespace oncard::motion {
+
+enum class WorldEventKind : uint8_t {
+  kPin,             ///< item: DiType, index: bit, value: level
+  kAdc,             ///< item: channel, value: volts
+  kModuleInputs,    ///< item: module, value: word
+  kModuleVoltage,   ///< item: module, index: channel, value: volts
+  kStall,           ///< item: machine, value: 1 stalled, 0 free
+  kHand,            ///< item: machine, value: pulse/ms by which it is turned by hand
+  kEncoderHeld,     ///< item: encoder, value: 1 held, 0 working
+  kEncoderNoise,    ///< item: encoder, index: seed, value: largest error in pulses
+  kEncoderDrift,    ///< item: encoder, value: pulse/ms
+  kSwitchConnected  ///< index: of MotionState::switches, value: 1 connected, 0 cut
+};
+
+/// Everything counts from 0.
+struct WorldEvent {
+  Micros at = 0;  ///< since power-on
+  WorldEventKind kind = WorldEventKind::kPin;
+  uint8_t item = 0;
+  uint16_t index = 0;
+  double value = 0;
+
+  auto Fields() const { return std::tie(at, kind, item, index, value); }
+  bool operator==(const WorldEvent&) const = default;
+};
+
+/// In order of time; events of one instant act in the order of the list.
+using WorldEvents = std::vector<WorldEvent>;
+
+/// How far the list has been worked off.
+struct WorldProgress {
+  std::shared_ptr<const WorldEvents> events;
+  uint64_t next = 0;
+
+  auto Fields() const { return std::tie(events, next); }
+};
+
+}  // namespace oncard::motion

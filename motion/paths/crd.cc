@@ -1,0 +1,342 @@
+#include "motion/paths/crd.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/common/state_hash.h"
+
+namespace oncard::motion {
+namespace {
+
+static_assert(kFieldsComplete<Crd> && kFieldsComplete<CrdParameters> && kFieldsComplete<CrdFifo> &&
+              kFieldsComplete<CrdRun> && kFieldsComplete<GearShare>);
+
+/// Rounding must not turn an end velocity that is just reachable into one that is not.
+constexpr double kReachSlack = 1 + 1e-9;
+
+/// From the velocity `from` to `to` over `distance` with constant acceleration.
+void AppendRamp(double from, double to, double distance, Plan* plan) {
+  if (!(from + to > 0)) return;
+  plan->Append(2 * distance / (from + to), from, (to * to - from * from) / (2 * distance));
+}
+
+}  // namespace
+
+// --- Plans along a segment ---------------------------------------------------------------------
+
+Plan PlanSpan(const PathSpan& span) {
+  Plan plan;
+  plan.end_position = span.begin;
+  const double distance = span.end - span.begin;
+  const double acc = span.acceleration;
+  const double from = span.velocity;
+  double last = std::min(span.end_velocity, span.target);
+  if (distance > 0) {
+    const double square = from * from;
+    const double gain = 2 * acc * distance;
+    if (square - last * last >= gain) {
+      // Braking all the way.
+      if (square - last * last > gain * kReachSlack) last = std::sqrt(square - gain);
+      AppendRamp(from, last, distance, &plan);
+    } else if (last * last - square >= gain) {
+      if (last * last - square > gain * kReachSlack) last = std::sqrt(square + gain);
+      AppendRamp(from, last, distance, &plan);
+    } else {
+      double peak = span.target;
+      if (from <= peak) {
+        // Ramps to the peak, even_time at it, a ramp to the end: v^2/a + v te = energy / a.
+        const double energy = acc * distance + (square + last * last) / 2;
+        const double te = span.even_time;
+        const double half = acc * te / 2;
+        const double root = std::sqrt(half * half + energy);
+        // root - half, which would lose a short way beside a long time at the peak.
+        peak = std::min(peak, half == 0 ? root : energy / (root + half));
+        peak = std::max({peak, from, last});
+      }
+      const double rise = std::fabs(peak * peak - square) / (2 * acc);
+      const double fall = (peak * peak - last * last) / (2 * acc);
+      const double slope = from <= peak ? acc : -acc;
+      plan.Append(std::fabs(peak - from) / acc, from, slope);
+      if (peak > 0) plan.Append((distance - rise - fall) / peak, peak, 0);
+      plan.Append((peak - last) / acc, peak, -acc);
+    }
+  } else {
+    last = from;
+  }
+  plan.end_position = span.end;
+  plan.end_velocity = last;
+  return plan;
+}
+
+Plan PlanSpanStop(const PathSpan& span, double deceleration) {
+  Plan plan;
+  plan.end_position = span.begin;
+  const double distance = span.end - span.begin;
+  const double square = span.velocity * span.velocity;
+  if (!(distance > 0)) {
+    plan.end_velocity = span.velocity;
+    return plan;
+  }
+  const double last = std::min(span.end_velocity, span.velocity);
+  const double needed = (square - last * last) / (2 * distance);
+  const double dec = std::max(deceleration, needed);
+  if (square <= 2 * dec * distance) {
+    plan.Append(span.velocity / dec, span.velocity, -dec);
+    plan.end_position = std::min(plan.end_position, span.end);
+    return plan;
+  }
+  plan.end_velocity = std::sqrt(square - 2 * dec * distance);
+  AppendRamp(span.velocity, plan.end_velocity, distance, &plan);
+  plan.end_position = span.end;
+  return plan;
+}
+
+// --- FIFOs -------------------------------------------------------------------------------------
+
+bool CrdFifo::Append(const PathSlot& slot) {
+  if (!look_ahead.on()) {
+    if (space() == 0) return false;
+    slots.Push(slot);
+  } else {
+    if (look_ahead.full()) {
+      if (space() == 0) return false;
+      slots.Push(look_ahead.Take());
+    }
+    look_ahead.Push(slot);
+  }
+  if (slot.is_segment) tail = slot.segment.end;
+  return true;
+}
+
+bool CrdFifo::Flush() {
+  while (!look_ahead.ring.empty()) {
+    if (space() == 0) return false;
+    slots.Push(look_ahead.Take());
+  }
+  return true;
+}
+
+bool Crd::WillWriteVariables() const {
+  if (!run.running) return false;
+  const SlotQueue& slots = active().slots;
+  for (size_t i = 0; i < slots.size(); ++i) {
+    const PathSlot& slot = slots.At(i);
+    if (!slot.is_segment && slot.command.kind == BufferedKind::kProgramValue) return true;
+  }
+  return false;
+}
+
+bool Crd::Append(size_t fifo, const PathSlot& slot, Micros now) {
+  CrdFifo& to = fifos[fifo];
+  if (!to.Append(slot)) return false;
+  if (slot.is_segment || !slot.command.NeedsRest() || to.look_ahead.on()) return true;
+  // The segment before must end at rest, even if it has begun.
+  if (PathSlot* before = to.slots.LastSegment()) {
+    before->ends_at_rest = true;
+  } else if (to.executing) {
+    to.current.ends_at_rest = true;
+    if (run.fifo == fifo) Replan(now);
+  }
+  return true;
+}
+
+void Crd::Clear(size_t fifo) {
+  CrdFifo& cleared = fifos[fifo];
+  cleared.slots.Clear();
+  cleared.look_ahead.Clear();
+  cleared.executing = false;
+  cleared.path = 0;
+  cleared.awaits_move = false;
+  cleared.done = 0;
+}
+
+bool Crd::HasMember(size_t profile) const {
+  for (size_t i = 0; i < dimension(); ++i) {
+    if (members[i] == static_cast<int32_t>(profile)) return true;
+  }
+  return false;
+}
+
+bool Crd::Drives(size_t profile) const {
+  if (HasMember(profile)) return true;
+  for (uint32_t i = 0; i < gear_count; ++i) {
+    if (gears[i].profile == static_cast<int32_t>(profile)) return true;
+  }
+  return false;
+}
+
+double Crd::VelocityLimit(const Segment& segment) const {
+  double limit = std::numeric_limits<double>::max();
+  for (size_t i = 0; i < dimension(); ++i) {
+    const double circle = segment.radius * segment.sweep *
+                          std::sqrt(segment.toward_start[i] * segment.toward_start[i] +
+                                    segment.sideways[i] * segment.sideways[i]);
+    const double share = (circle + std::fabs(segment.travel[i])) / segment.length;
+    if (share * limit > axis_velocity_max[i]) limit = axis_velocity_max[i] / share;
+  }
+  return limit;
+}
+
+// --- The run -----------------------------------------------------------------------------------
+
+void Crd::Start(size_t fifo, bool single_step, Micros now) {
+  const BufferedCommand command = run.command;
+  run = {};
+  run.command = command;
+  run.running = true;
+  run.fifo = fifo;
+  run.begin = now;
+  run.single_step = single_step;
+  if (active().executing) run.plan = PlanCurrent();
+  if (active().awaits_move) run.wait = CrdWait::kMove;
+}
+
+void Crd::Stop(bool abrupt, Micros now) {
+  if (!run.running) return;
+  if (run.velocity == 0) {
+    EndRun();
+    return;
+  }
+  const double deceleration = abrupt ? abrupt_stop : smooth_stop;
+  if (run.stopping && deceleration <= run.stop_deceleration) return;
+  run.stopping = true;
+  run.stop_deceleration = deceleration;
+  Replan(now);
+}
+
+void Crd::Replan(Micros now) {
+  if (!run.running || !active().executing) return;
+  run.at = MsBetween(run.begin, now);
+  run.plan = PlanCurrent();
+}
+
+void Crd::AwaitMove(const BufferedCommand& move) {
+  run.velocity = 0;
+  run.wait = CrdWait::kMove;
+  active().awaits_move = true;
+  active().move = move;
+}
+
+void Crd::EndMove(Micros now) {
+  active().awaits_move = false;
+  run.wait = CrdWait::kNone;
+  run.at = MsBetween(run.begin, now);
+}
+
+PathSpan Crd::SpanOfCurrent() const {
+  const PathSlot& slot = active().current;
+  const double ratio = slot.second_override ? second_override : override_ratio;
+  const bool rests = slot.ends_at_rest || step_mode || run.single_step;
+  return {.begin = active().path,
+          .end = slot.segment.length,
+          .velocity = run.velocity,
+          .target = std::min({slot.velocity * ratio, parameters.velocity_max, slot.velocity_limit}),
+          .end_velocity = rests ? 0 : slot.end_velocity,
+          .acceleration = slot.acceleration,
+          .even_time = static_cast<double>(parameters.even_time)};
+}
+
+Plan Crd::PlanCurrent() const {
+  const PathSpan span = SpanOfCurrent();
+  return run.stopping ? PlanSpanStop(span, run.stop_deceleration) : PlanSpan(span);
+}
+
+const BufferedCommand* Crd::Advance(Micros now) {
+  const double t = MsBetween(run.begin, now);
+  while (run.running && run.wait != CrdWait::kMove) {
+    if (run.wait == CrdWait::kDelay) {
+      if (t < run.wait_until) return nullptr;
+      run.at = run.wait_until;
+      run.wait = CrdWait::kNone;
+    }
+    if (active().executing) {
+      const double elapsed = t - run.at;
+      if (elapsed < run.plan.duration) {
+        const Sample sample = run.plan.At(elapsed);
+        active().path = sample.position;
+        run.velocity = sample.velocity;
+        run.acceleration = sample.acceleration;
+        return nullptr;
+      }
+      EndPlan();
+      continue;
+    }
+    if (active().slots.empty()) {
+      EndRun();
+      return nullptr;
+    }
+    const bool is_segment = active().slots.front().is_segment;
+    TakeSlot();
+    if (!is_segment && run.running && run.wait == CrdWait::kNone) return &run.command;
+  }
+  return nullptr;
+}
+
+void Crd::EndPlan() {
+  CrdFifo& fifo = active();
+  run.at += run.plan.duration;
+  run.velocity = run.plan.end_velocity;
+  run.acceleration = 0;
+  fifo.path = run.plan.end_position;
+  const bool halted = run.stopping && run.velocity == 0;
+  if (fifo.path >= fifo.current.segment.length) {
+    position = fifo.current.segment.end;
+    fifo.executing = false;
+    ++fifo.done;
+    for (uint32_t i = 0; i < gear_count; ++i) gears[i].finished = true;
+    if (step_mode || run.single_step) EndRun();
+  }
+  if (halted) EndRun();
+}
+
+void Crd::TakeSlot() {
+  CrdFifo& fifo = active();
+  if (fifo.slots.front().is_segment) {
+    fifo.current = fifo.slots.front();
+    fifo.slots.Pop();
+    fifo.executing = true;
+    fifo.path = 0;
+    run.plan = PlanCurrent();
+    return;
+  }
+  run.command = fifo.slots.front().command;
+  fifo.slots.Pop();
+  if (run.command.kind == BufferedKind::kDelay) {
+    run.velocity = 0;
+    run.wait = CrdWait::kDelay;
+    run.wait_until = run.at + run.command.values[0];
+  } else if (run.command.kind == BufferedKind::kHold) {
+    EndRun();
+  }
+}
+
+void Crd::EndRun() {
+  run.running = false;
+  run.stopping = false;
+  run.single_step = false;
+  run.wait = CrdWait::kNone;
+  run.velocity = 0;
+  run.acceleration = 0;
+}
+
+// --- Gears -------------------------------------------------------------------------------------
+
+double GearShare::PositionAt(double part) const {
+  // The slope rises evenly over ramp_up, is k, falls evenly over ramp_down; its integral is 1.
+  const double k = 1 / (1 - ramp_up / 2 - ramp_down / 2);
+  double done = k * (part - ramp_up / 2);
+  if (part < ramp_up) {
+    done = k * part * part / (2 * ramp_up);
+  } else if (part > 1 - ramp_down) {
+    done = 1 - k * (1 - part) * (1 - part) / (2 * ramp_down);
+  }
+  return begin + displacement * done;
+}
+
+double GearShare::SlopeAt(double part) const {
+  const double k = displacement / (1 - ramp_up / 2 - ramp_down / 2);
+  if (part < ramp_up) return k * part / ramp_up;
+  return part > 1 - ramp_down ? k * (1 - part) / ramp_down : k;
+}
+
+}  // namespace oncard::motion

@@ -1,0 +1,97 @@
+// Follow: a profile's position is a table over its master's displacement, as PT's is one over time.
+//
+// Two FIFOs hold segments; each segment gives the cumulative displacement of master and slave since
+// the pass began. Within a segment the ratio of the velocities is constant or linear in the
+// master's displacement. A pass is one walk through a FIFO; what the master is past the end of one
+// belongs to the next, so no rounding accumulates over passes. Source: GTS manual 7.6. Tested by
+// tests/motion/follow_mode_test.cc.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+#include "motion/common/sample.h"
+#include "motion/profiles/master.h"
+
+namespace oncard::motion {
+
+/// Numbered as FOLLOW_SEGMENT_NORMAL ...
+enum class FollowSegmentType : uint8_t { kNormal, kEven, kStop, kContinue };
+
+struct FollowSegment {
+  int32_t master = 0;  ///< pulses since the pass began, cumulative
+  double slave = 0;    ///< the same of the slave
+  FollowSegmentType type = FollowSegmentType::kNormal;
+
+  auto Fields() const { return std::tie(master, slave, type); }
+};
+
+/// Segments of a FIFO with GT_SetFollowMemory 0 and 1.
+inline constexpr std::array<size_t, 2> kFollowSegments = {16, 512};
+
+enum class FollowEvent : uint8_t { kStart = 1, kPass = 2 };
+
+struct FollowMode {
+  // Registers.
+  int8_t direction = 0;  ///< GT_PrfFollow
+  Master master;
+  int32_t loop = 0;  ///< passes; < 1: endless (assumption: the default is endless)
+  FollowEvent event = FollowEvent::kStart;
+  int8_t event_direction = 1;  ///< of the master at the event position; 0: either
+  int32_t event_position = 0;
+  bool large_memory = false;
+  std::array<std::vector<FollowSegment>, 2> fifos;
+
+  // The run.
+  bool running = false;
+  bool waiting = false;    ///< for the event
+  uint8_t fifo = 0;        ///< in use
+  bool switching = false;  ///< to the other FIFO at the end of this pass
+  int32_t passes = 0;      ///< done since the FIFO was begun
+  uint32_t segment = 0;
+  double slave_base = 0;   ///< the slave's position at the pass' begin
+  double pass_ratio = 0;   ///< at the end of the pass before
+  double first_ratio = 0;  ///< at the begin of the segment, and next at its end
+  double last_ratio = 0;
+  MasterTravel travel;  ///< since the pass' begin
+
+  size_t Capacity() const { return kFollowSegments[large_memory ? 1 : 0]; }
+  size_t Space(size_t which) const { return Capacity() - fifos[which].size(); }
+  /// Reserves what a FIFO may hold, so that filling and clearing it never allocates in a cycle.
+  void SetMemory(bool large);
+
+  /// Where a start with a FIFO that is not empty would move the slave at once, by its sign; 0:
+  /// nowhere.
+  double Direction(uint8_t which, const MasterValue& value) const;
+  /// Begins the first pass of a FIFO that is not empty, or to wait for the event.
+  void Start(uint8_t which, const Sample& from, const MasterValue& value);
+  /// The slave's output; ends the run after the last pass.
+  Sample At(const Sample& now, const MasterValue& value);
+  /// Something else has taken over; data and registers stay.
+  void Halt() { running = false; }
+
+  auto Fields() const {
+    return std::tie(direction, master, loop, event, event_direction, event_position, large_memory,
+                    fifos, running, waiting, fifo, switching, passes, segment, slave_base,
+                    pass_ratio, first_ratio, last_ratio, travel);
+  }
+
+ private:
+  bool EventBetween(double before, double after) const;
+  /// Sets the ratios of segment `segment` from the ratio before it.
+  void EnterSegment(double ratio_before);
+  /// Goes over whole passes at once when the master has come far.
+  void SkipPasses();
+  /// Goes on to the segment, or back to the one, that the master is in. False: the run is over.
+  bool FindSegment();
+  /// True when there is a next pass.
+  bool NextPass();
+  FollowSegment BeginOf(uint32_t index) const;
+  /// How far the master is in a segment, as a part of it.
+  double PartOf(uint32_t index) const;
+};
+
+}  // namespace oncard::motion

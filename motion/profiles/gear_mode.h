@@ -1,0 +1,71 @@
+// Electronic gear: a profile follows a master at a ratio.
+//
+// A new ratio takes effect over the clutch, `slope` pulses of the master: the ratio is linear in
+// the master's displacement, so the slave's position is a polynomial of it and no rounding
+// accumulates. A master that turns back inside the clutch takes the ratio back with it. Source: GTS
+// manual 7.5; the linear clutch is an assumption. Tested by tests/motion/gear_mode_test.cc.
+#pragma once
+
+#include <cstdint>
+#include <tuple>
+
+#include "motion/common/sample.h"
+#include "motion/profiles/master.h"
+
+namespace oncard::motion {
+
+/// When a started slave begins to follow (GT_SetGearEvent; the numbers are the public header's,
+/// what they do is an assumption).
+enum class GearEvent : uint8_t {
+  kStart = 1,  ///< at once
+  kPass = 2,   ///< when the master passes a position
+  kArea = 5    ///< when the master is between two positions
+};
+
+struct GearMode {
+  // Registers.
+  int8_t direction = 0;  ///< GT_PrfGear: 0 both, 1 and -1 one direction of the master
+  Master master;
+  bool ratio_set = false;
+  int32_t master_even = 1;  ///< > 0
+  int32_t slave_even = 1;
+  int32_t slope = 0;  ///< pulses of the master; not 1
+  GearEvent event = GearEvent::kStart;
+  int32_t event_first = 0;
+  int32_t event_last = 0;
+
+  // The run.
+  bool running = false;
+  bool waiting = false;  ///< for the event
+  double base = 0;       ///< the slave's position at the clutch's begin
+  double from_ratio = 0;
+  double to_ratio = 0;
+  double clutch = 0;  ///< pulses of the master
+  MasterTravel travel;
+
+  /// Where a start would move the slave at once, by its sign; 0: nowhere.
+  double Direction(const MasterValue& value) const;
+  /// Begins to follow, or to wait for the event, with the registers' ratio reached over the clutch.
+  void Start(const Sample& from, const MasterValue& value);
+  /// Takes over the registers' ratio in motion.
+  void ChangeRatio(const Sample& now);
+  /// The slave's output.
+  Sample At(const Sample& now, const MasterValue& value);
+  /// Something else has taken over; the registers stay.
+  void Halt() { running = false; }
+
+  auto Fields() const {
+    return std::tie(direction, master, ratio_set, master_even, slave_even, slope, event,
+                    event_first, event_last, running, waiting, base, from_ratio, to_ratio, clutch,
+                    travel);
+  }
+
+ private:
+  double Ratio() const { return static_cast<double>(slave_even) / master_even; }
+  /// `engaged`: how far the master has come in the clutch, either way.
+  double RatioAt(double engaged) const;
+  /// The position of the master at which waiting ends between two of its positions.
+  bool EventBetween(double before, double after, double* position) const;
+};
+
+}  // namespace oncard::motion

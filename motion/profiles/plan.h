@@ -1,0 +1,78 @@
+// Motion along one coordinate as pieces of constant acceleration, computed in closed form: what a
+// plan gives at an instant does not depend on how often it is asked.
+//
+// Units: ms, pulse, pulse/ms, pulse/ms^2. Positions are absolute. Pure functions of their
+// arguments; only basic arithmetic and square roots, which IEEE 754 rounds the same everywhere.
+// Source: GTS manual 7.2 to 7.4 and 9.4; replanning on the fly as chapter 5.1.3 of the GE manual
+// describes it. Tested by tests/motion/plan_test.cc.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+
+#include "motion/common/sample.h"
+
+namespace oncard::motion {
+
+/// Constant acceleration for a while.
+struct Piece {
+  double duration = 0;
+  double position = 0;  ///< at the piece's begin, as are the next two
+  double velocity = 0;
+  double acceleration = 0;
+
+  double PositionAt(double t) const { return position + t * (velocity + t * (acceleration / 2)); }
+  double VelocityAt(double t) const { return velocity + t * acceleration; }
+
+  auto Fields() const { return std::tie(duration, position, velocity, acceleration); }
+  bool operator==(const Piece&) const = default;
+};
+
+/// Pieces one after the other. After the last one the plan rests at `end_position`, or runs on at
+/// `end_velocity`.
+struct Plan {
+  /// Reversing takes one piece to stop and three to return; a starting velocity adds none.
+  static constexpr size_t kPieceMax = 5;
+
+  std::array<Piece, kPieceMax> pieces;
+  uint32_t count = 0;
+  double duration = 0;      ///< of all pieces
+  double end_position = 0;  ///< exact, without what rounding left in the pieces
+  double end_velocity = 0;
+
+  /// Adds a piece of `time` ms that begins where the last one ended, at the given velocity. Nothing
+  /// is added when `time` is not positive.
+  void Append(double time, double velocity, double acceleration);
+  /// Position, velocity and acceleration `t` ms after the plan's begin; `t` >= 0. Moving until the
+  /// last piece is over, or for ever when end_velocity is not 0.
+  Sample At(double t) const;
+
+  auto Fields() const { return std::tie(pieces, count, duration, end_position, end_velocity); }
+  bool operator==(const Plan&) const = default;
+};
+
+/// Velocity, acceleration, deceleration; all positive, or 0 for a velocity that stands still.
+struct MoveLimits {
+  double velocity = 0;
+  double acceleration = 0;
+  double deceleration = 0;
+  /// Reached at once at the start of a move from rest, and left at once at its end; below
+  /// `velocity`.
+  double start_velocity = 0;
+};
+
+/// The fastest way from (position, velocity) to rest at `target`. In motion away from the target,
+/// or too fast to stop there: decelerates to 0 and returns. Faster than limits.velocity:
+/// decelerates to it first.
+Plan PlanToPosition(double position, double velocity, double target, const MoveLimits& limits);
+
+/// From (position, velocity) to the velocity `target`, which is signed, and on at it. |v| grows
+/// with limits.acceleration and shrinks with limits.deceleration; a change of sign goes through 0.
+Plan PlanToVelocity(double position, double velocity, double target, const MoveLimits& limits);
+
+/// From (position, velocity) to rest with a constant deceleration > 0.
+Plan PlanStop(double position, double velocity, double deceleration);
+
+}  // namespace oncard::motion

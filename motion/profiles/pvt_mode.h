@@ -1,0 +1,55 @@
+// Motion through a PVT table (mode PVT).
+//
+// The time of the table's first point delays the start, once. A pass lasts from the first point to
+// the last; passes follow one another without a gap, and their positions add up. Another table that
+// is selected during a run is taken at the end of the pass.
+// Source: GTS manual 7.7. Tested by tests/motion/pvt_mode_test.cc.
+#pragma once
+
+#include <cstdint>
+#include <tuple>
+
+#include "motion/common/sample.h"
+#include "motion/common/sizes.h"
+#include "motion/profiles/pvt_table.h"
+
+namespace oncard::motion {
+
+struct PvtMode {
+  // Registers.
+  int32_t loop_target = 1;  ///< passes of a run; 0: without end
+  uint16_t selected = 0;    ///< table, counted from 0
+
+  // The run.
+  bool running = false;
+  PvtTablePointer table;  ///< as it was when the run began, or when it was selected
+  PvtTablePointer next;   ///< taken at the start, or at the end of the pass; nullptr: none
+  uint16_t current = 0;   ///< number of `table`
+  Micros begin = 0;       ///< of the run
+  double pass_begin = 0;  ///< when the table's first point is passed, ms after `begin`
+  double origin = 0;      ///< position of the table's first point
+  int32_t loop_count = 0;
+  double time = 0;  ///< of the table, at the last instant
+
+  /// Chooses a table; `chosen` is its content, nullptr when it has none (then only at rest).
+  void Select(uint16_t number, PvtTablePointer chosen);
+  /// Begins a run at `position` through `next`, the content of the selected table.
+  void Start(Micros now, double position);
+  /// The profile's output; ends the run after its last pass.
+  Sample At(Micros now);
+  /// Something else has taken over; the registers stay.
+  void Halt();
+
+  auto Fields() const {
+    return std::tie(loop_target, selected, running, table, next, current, begin, pass_begin, origin,
+                    loop_count, time);
+  }
+
+ private:
+  /// Makes `next`, which is selected, the table.
+  void TakeNext();
+  /// Another pass; false when there is none.
+  bool NextPass();
+};
+
+}  // namespace oncard::motion

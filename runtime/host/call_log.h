@@ -1,0 +1,49 @@
+// The log of host calls that ONCARD_LOG asks for, one line per call (call_text.h shows them).
+// docs/host-api.md describes it for users. Tested by tests/runtime/call_log_test.cc.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <cstdio>
+#include <mutex>
+#include <string>
+#include <string_view>
+
+#include "base/message.h"
+#include "runtime/sim/call_text.h"
+
+namespace oncard::runtime {
+
+/// Where the lines go. Thread-safe: a line is written whole.
+class CallLog final : public CardLog {
+ public:
+  /// `setting` is the value of ONCARD_LOG: empty for no log, `calls` for standard error,
+  /// `calls:FILE` for a file that is written anew. With any other text, or a file that cannot be
+  /// written, the log goes to standard error and begins by saying so.
+  explicit CallLog(std::string_view setting, Language language);
+  CallLog(const CallLog&) = delete;
+  CallLog& operator=(const CallLog&) = delete;
+  ~CallLog() override;
+
+  /// The process's log, set up at its first use.
+  static CallLog& OfProcess();
+
+  /// The process's log, or nothing when none is wanted.
+  static CallLog* Wanted();
+
+  bool enabled() const { return stream_ != nullptr; }
+  /// True when a line could not be written, for example because the disk is full.
+  bool lost() const { return lost_; }
+  void Write(const LoggedCall& call) override;
+  void Write(int64_t time_us, int card, const Message& what) override;
+
+ private:
+  void WriteLine(const std::string& line);
+
+  Language language_;
+  std::mutex mutex_;
+  std::FILE* stream_ = nullptr;
+  std::atomic<bool> lost_ = false;
+};
+
+}  // namespace oncard::runtime

@@ -1,0 +1,47 @@
+#include "runtime/host/card_number_hint.h"
+
+#include <atomic>
+#include <cstdio>
+
+#include "base/message.h"
+
+namespace oncard::runtime {
+namespace {
+
+/// `GT_Open(card)` of the other header arrives as GT_Open(card, 0): its second argument, the
+/// channel, stands where ours is 1 by default. Hosts of one card write GT_Open(0, 0) too, so this
+/// alone says nothing.
+std::atomic<int64_t> opened_as = -1;
+std::atomic<bool> said = false;
+
+bool IsOpening(const gtcalls::Command& command) { return command.name == "GT_Open"; }
+
+/// True when a refused call has a card's number where its first parameter should be.
+bool HasCardNumber(const gtcalls::Command& command, std::span<const HostArgument> host) {
+  if (IsOpening(command)) return host[0].integer != opened_as && host[1].integer == 0;
+  if (host.empty()) return false;
+  if (host[0].kind == HostArgument::Kind::kPointer) return !IsAddress(host[0].pointer);
+  return command.parameters[0].unit == gtcalls::Unit::kIndex &&
+         command.parameters[0].minimum == 1 && host[0].integer == 0;
+}
+
+}  // namespace
+
+void HintAtCardNumber(const gtcalls::Command& command, std::span<const HostArgument> host,
+                      int16_t code) {
+  if (code == 0) {
+    if (IsOpening(command)) opened_as = host[1].integer == 0 ? host[0].integer : -1;
+    return;
+  }
+  if (opened_as < 0 || !HasCardNumber(command, host) || said.exchange(true)) return;
+  const Message hint = MakeMessage(
+      "{0} was called with what looks like a card's number in front of its parameters. A gts.h for "
+      "several cards cannot be used with the functions of one card: include gts_multi.h of oncard "
+      "instead, or take that gts.h out of the host's folder",
+      "调用 {0} 时，参数前似乎带有卡号。多卡版 gts.h 不能与单卡函数一起使用：请改为包含 oncard 的 "
+      "gts_multi.h，或将该 gts.h 移出主机程序的目录",
+      command.name);
+  std::fprintf(stderr, "oncard: %s\n", hint.In(LanguageFromEnvironment()).c_str());
+}
+
+}  // namespace oncard::runtime

@@ -1,0 +1,37 @@
+#include "runtime/host/card_table.h"
+
+#include "runtime/host/host_refusals.h"
+
+namespace oncard::runtime {
+
+CardTable& CardTable::OfProcess() {
+  // Never destroyed: other threads of the host may still call while the process exits.
+  static CardTable& table = *new CardTable;
+  return table;
+}
+
+void CardSlot::CatchUp(int64_t cost_us) {
+  const int64_t passed_us = clock->TakeUs(cost_us);
+  if (watch) {
+    watch->AdvanceUs(controller.get(), passed_us);
+  } else {
+    controller->AdvanceUs(passed_us);
+  }
+  clock->CaughtUp();
+}
+
+void CardSlot::SwitchOff() {
+  if (controller == nullptr) return;
+  if (watch) {
+    if (!watch->over()) CatchUp(0);
+    watch->Finish(controller.get());
+  }
+  const auto number = static_cast<int>(this - CardTable::OfProcess().slots.data());
+  HostRefusals::OfProcess().AddProgram(number, refused.list());
+  refused = {};
+  watch.reset();
+  controller.reset();
+  clock.reset();
+}
+
+}  // namespace oncard::runtime

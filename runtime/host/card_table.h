@@ -1,0 +1,49 @@
+// The cards of this process: the only state that libgts keeps outside its controllers.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "runtime/host/clock.h"
+#include "runtime/host/host_api.h"
+#include "runtime/host/host_scenario.h"
+#include "runtime/host/marshal.h"
+#include "runtime/sim/controller.h"
+
+namespace oncard::runtime {
+
+/// Characters of a firmware version (GTS manual table 11-3).
+inline constexpr size_t kVersionLength = 18;
+
+/// One card number. `mutex` guards everything else and is held for the whole of a call.
+struct CardSlot {
+  std::mutex mutex;
+  std::unique_ptr<Controller> controller;  ///< nullptr while the card is not open
+  std::optional<CardClock> clock;          ///< set while the card is open
+  std::optional<CardWatch> watch;          ///< set while the card is open and there is a scenario
+  /// What GT_GetFunId and GT_GetVarId answer while there is no program: why GT_Download failed, or
+  /// 1 when it has not been called.
+  int16_t no_program_code = 1;
+  /// The text whose address GT_GetVersion gives out.
+  std::array<char, kVersionLength + 1> version{};
+  RefusedCommands refused;  ///< of motion programs since the card was opened
+  MarshalledCall call;      ///< arguments of the call in progress
+
+  /// Lets an open card catch up with the time of its host, after a call that costs `cost_us`.
+  void CatchUp(int64_t cost_us);
+  /// Closes the card if it is open, after it has caught up as far as its scenario goes.
+  void SwitchOff();
+};
+
+struct CardTable {
+  std::array<CardSlot, kCardCount> slots;
+  std::atomic<int> selected = 0;  ///< the card of the single-card header
+
+  /// The cards of this process.
+  static CardTable& OfProcess();
+};
+
+}  // namespace oncard::runtime

@@ -1,0 +1,69 @@
+#include "runtime/host/clock.h"
+
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "base/number.h"
+
+namespace oncard::runtime {
+
+Result<ClockSetting> ParseClockSetting(std::string_view text) {
+  constexpr std::string_view kScalePrefix = "real:";
+  if (text.empty() || text == "real") return ClockSetting{};
+  if (text == "virtual") return ClockSetting{ClockKind::kVirtual, 1};
+  if (text.starts_with(kScalePrefix)) {
+    const auto scale = ReadNumber(text.substr(kScalePrefix.size()));
+    if (scale && *scale > 0 && *scale <= kClockScaleMax) {
+      return ClockSetting{ClockKind::kReal, *scale};
+    }
+  }
+  return MakeError(kOpenFailed,
+                   "ONCARD_CLOCK is '{}', expected real, real:SCALE with a scale above 0 and at "
+                   "most 1000000, or virtual",
+                   "ONCARD_CLOCK 的值为 '{}'，应为 real、real:倍率（大于 0 且不超过 1000000）或 "
+                   "virtual",
+                   text);
+}
+
+CardClock::CardClock(const ClockSetting& setting, WallClock wall_clock, VirtualTime& virtual_time)
+    : setting_(setting), wall_clock_(std::move(wall_clock)), virtual_time_(virtual_time) {
+  last_ns_ = setting_.kind == ClockKind::kReal ? wall_clock_() : virtual_time_.NowNs();
+}
+
+int64_t CardClock::TakeUs(int64_t cost_us) {
+  if (setting_.kind == ClockKind::kVirtual) {
+    const int64_t passed_us = (virtual_time_.Pass(cost_us * 1000) - last_ns_) / 1000;
+    last_ns_ += passed_us * 1000;
+    return passed_us;
+  }
+  const int64_t now_ns = wall_clock_();
+  const double elapsed_us =
+      fraction_us_ + static_cast<double>(now_ns - last_ns_) * setting_.scale / 1000;
+  last_ns_ = now_ns;
+  if (elapsed_us >= static_cast<double>(kCatchUpLimitUs)) {
+    fraction_us_ = 0;
+    taken_us_ = kCatchUpLimitUs;
+    return taken_us_;
+  }
+  const double whole_us = std::floor(elapsed_us);
+  fraction_us_ = elapsed_us - whole_us;
+  taken_us_ = static_cast<int64_t>(whole_us);
+  return taken_us_;
+}
+
+void CardClock::CaughtUp() {
+  if (setting_.kind == ClockKind::kVirtual) return;
+  const int64_t now_ns = wall_clock_();
+  const int64_t spent_ns = now_ns - last_ns_;
+  const double spent_us = static_cast<double>(spent_ns) * setting_.scale / 1000;
+  if (spent_ns > kBehindLimitNs && spent_us > static_cast<double>(taken_us_)) last_ns_ = now_ns;
+}
+
+int64_t CardClock::SteadyNanoseconds() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+}  // namespace oncard::runtime

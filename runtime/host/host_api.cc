@@ -1,0 +1,75 @@
+#include "runtime/host/host_api.h"
+
+#include <mutex>
+
+#include "runtime/host/call_log.h"
+#include "runtime/host/card_number_hint.h"
+#include "runtime/host/card_table.h"
+#include "runtime/host/host_refusals.h"
+#include "runtime/host/host_services.h"
+
+namespace oncard::runtime {
+namespace {
+
+/// Communication with a card that is not open (GTS manual table 3-1).
+constexpr int16_t kNotOpen = -1;
+
+/// Executes a command whose arguments have been read. The card is locked.
+int16_t Dispatch(const gtcalls::Command& command, const HostService* service, CardSlot& slot,
+                 std::span<vm::CommandArgument> arguments, Message* reason) {
+  if (service == nullptr) return slot.controller->Execute(command, arguments, reason);
+  ServiceCall call{CardTable::OfProcess(), slot, arguments, {}};
+  const int16_t code = service->function(call);
+  *reason = std::move(call.reason);
+  return code;
+}
+
+int16_t CallLockedCard(int card, CardSlot& slot, const gtcalls::Command& command,
+                       std::span<const HostArgument> host) {
+  const HostService* service = FindHostService(command.name);
+  const bool open = slot.controller != nullptr;
+  int64_t time_us = 0;
+  if (open) {
+    slot.CatchUp(HostCostUs(command.cost));
+    EndHostIfOver(&slot);
+    time_us = slot.controller->NowUs();
+  }
+  const auto read =
+      ReadArguments(command, host, open ? &slot.controller->card() : nullptr, &slot.call);
+  const auto arguments = std::span(slot.call.arguments).first(host.size());
+  Message reason;
+  int16_t code = vm::kOk;
+  if (!open && (service == nullptr || !service->before_open)) {
+    code = kNotOpen;
+    reason = MakeMessage("card {} is not open, call GT_Open first",
+                         "卡 {} 未打开，请先调用 GT_Open", card);
+  } else if (!read.ok()) {
+    code = static_cast<int16_t>(read.error().code);
+    reason = read.error().message;
+  } else {
+    code = Dispatch(command, service, slot, arguments, &reason);
+    if (code == vm::kOk) WriteOutputs(command, slot.call);
+  }
+  const LoggedCall made = {time_us, card, vm::kHostCaller, command, arguments, code, reason};
+  if (CallLog* log = CallLog::Wanted(); log != nullptr) log->Write(made);
+  if (code != vm::kOk && RefusalWishOfProcess() != RefusalWish::kNothing) {
+    HostRefusals::OfProcess().Add(made);
+  }
+  return code;
+}
+
+}  // namespace
+
+int16_t CallCard(int card, uint16_t number, std::span<const HostArgument> arguments) {
+  CardTable& table = CardTable::OfProcess();
+  const int index = card == kSelectedCard ? table.selected.load() : card;
+  if (index < 0 || index >= kCardCount) return vm::kBadParameter;
+  CardSlot& slot = table.slots[static_cast<size_t>(index)];
+  const gtcalls::Command& command = *gtcalls::FindCommand(number);
+  const std::lock_guard lock(slot.mutex);
+  const int16_t code = CallLockedCard(index, slot, command, arguments);
+  if (card == kSelectedCard) HintAtCardNumber(command, arguments, code);
+  return code;
+}
+
+}  // namespace oncard::runtime

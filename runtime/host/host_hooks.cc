@@ -1,0 +1,82 @@
+#include "runtime/host/host_hooks.h"
+
+#include <pthread.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "runtime/host/card_table.h"
+#include "runtime/host/host_keys.h"
+#include "runtime/host/host_scenario.h"
+#include "runtime/host/host_time.h"
+#include "runtime/host/virtual_time.h"
+
+using oncard::runtime::VirtualTime;
+
+#define ONCARD_EXPORT extern "C" __attribute__((visibility("default")))
+
+ONCARD_EXPORT int oncard_host_virtual() { return oncard::runtime::HostTimeIsVirtual() ? 1 : 0; }
+
+ONCARD_EXPORT long long oncard_host_time_ns() { return oncard::runtime::LookAtHostTimeNs(); }
+
+ONCARD_EXPORT void oncard_host_sleep_ns(long long duration_ns) {
+  oncard::runtime::SleepHostNs(duration_ns);
+  oncard::runtime::LookForEndOfHost();
+}
+
+ONCARD_EXPORT void oncard_host_wait_begin(long long deadline_ns, oncard_host_wait* wait) {
+  const VirtualTime::Wait begun = VirtualTime::OfProcess().BeginWait(deadline_ns);
+  *wait = {begun.deadline_ns, begun.number};
+}
+
+ONCARD_EXPORT long long oncard_host_wait_slice_ns(const oncard_host_wait* wait) {
+  return VirtualTime::OfProcess().NextSliceNs({wait->deadline_ns, wait->number});
+}
+
+ONCARD_EXPORT void oncard_host_wait_end(const oncard_host_wait* wait, int expired) {
+  VirtualTime::OfProcess().EndWait({wait->deadline_ns, wait->number}, expired != 0);
+}
+
+ONCARD_EXPORT int oncard_host_kbhit() {
+  return oncard::runtime::HostKeys::OfProcess().Hit() ? 1 : 0;
+}
+
+ONCARD_EXPORT int oncard_host_getch() { return oncard::runtime::HostKeys::OfProcess().Read(); }
+
+namespace {
+
+using oncard::runtime::CardSlot;
+using oncard::runtime::CardTable;
+
+/// Runs when the host has ended, after its own destructors.
+__attribute__((destructor)) void JudgeHost() { oncard::runtime::FinishHost(); }
+
+// A host may fork while other threads of it are in a command: the locks are taken first, so that
+// the child gets cards and time as they are between two commands. It has copies of them.
+void LockEverything() {
+  for (CardSlot& slot : CardTable::OfProcess().slots) slot.mutex.lock();
+  VirtualTime::OfProcess().LockForFork();
+}
+void UnlockCards() {
+  for (CardSlot& slot : CardTable::OfProcess().slots) slot.mutex.unlock();
+}
+void UnlockParent() {
+  VirtualTime::OfProcess().UnlockAfterFork();
+  UnlockCards();
+}
+void UnlockChild() {
+  VirtualTime::OfProcess().BecomeChild();
+  UnlockCards();
+  oncard::runtime::LeaveJudgingToParent();
+}
+
+/// A host whose output `oncard exec` reads behaves as on a terminal: line by line.
+__attribute__((constructor)) void WriteLines() {
+  if (std::getenv("ONCARD_LINES") != nullptr) std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
+}
+
+__attribute__((constructor)) void WatchForks() {
+  pthread_atfork(LockEverything, UnlockParent, UnlockChild);
+}
+
+}  // namespace

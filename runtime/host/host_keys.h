@@ -1,0 +1,42 @@
+// The keyboard of a host program, for kbhit() and getch() of compat/conio.h: keys of ONCARD_KEYS
+// and of the scenario, or, without either, the terminal's. Thread-safe. Tested by
+// tests/tools/exec_command_test.cc.
+#pragma once
+
+#include <cstddef>
+#include <mutex>
+#include <vector>
+
+#include "runtime/scenario/key_script.h"
+
+namespace oncard::runtime {
+
+class HostKeys {
+ public:
+  explicit HostKeys(std::vector<KeyPress> script);
+
+  /// The process's keyboard, set up at its first use. Keys that cannot be read are reported on
+  /// standard error and left out.
+  static HostKeys& OfProcess();
+
+  /// True when a key has been pressed and not read. A look takes time (host_time.h).
+  bool Hit();
+  /// Waits for a key; -1 when no more can come. A host that goes on asking then is in a loop
+  /// without end: it is told so and ended with kExitNoMoreKeys.
+  int Read();
+
+ private:
+  int ReadNext();
+  struct Key {
+    int64_t at_ns;
+    unsigned char character;
+  };
+
+  std::mutex mutex_;
+  const bool scripted_;
+  std::vector<Key> keys_;
+  size_t next_ = 0;
+  int reads_after_end_ = 0;
+};
+
+}  // namespace oncard::runtime

@@ -1,0 +1,64 @@
+#include "runtime/host/host_refusals.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <string_view>
+
+namespace oncard::runtime {
+
+RefusalWish RefusalWishOfProcess() {
+  const char* setting = std::getenv("ONCARD_REFUSALS");
+  const std::string_view wish = setting == nullptr ? "" : setting;
+  if (wish == "strict") return RefusalWish::kStrict;
+  return wish == "warn" ? RefusalWish::kWarn : RefusalWish::kNothing;
+}
+
+HostRefusals& HostRefusals::OfProcess() {
+  // Never destroyed: other threads of the host may still call while the process exits.
+  static HostRefusals& refusals = *new HostRefusals;
+  return refusals;
+}
+
+void HostRefusals::Add(const LoggedCall& call) {
+  const std::lock_guard lock(mutex_);
+  const auto [entry, added] =
+      known_.try_emplace({call.card, call.command.number, call.code}, list_.size());
+  if (!added) {
+    ++list_[entry->second].count;
+    return;
+  }
+  const auto text = [&](Language language) {
+    return FormatCallAndCode(call.command, call.arguments, call.code, call.reason, language);
+  };
+  list_.push_back(
+      {call.card, {text(Language::kEnglish), text(Language::kChinese)}, call.time_us, 1});
+}
+
+void HostRefusals::AddProgram(int card, const std::vector<RefusedCommand>& refused) {
+  const std::lock_guard lock(mutex_);
+  for (const RefusedCommand& command : refused) {
+    const Message text = DescribeRefusedCommand(command, {});
+    of_programs_.push_back(
+        {fmt::format("card {}: {}", card, text.en), fmt::format("卡 {}：{}", card, text.zh)});
+  }
+}
+
+std::vector<Message> HostRefusals::Describe() {
+  const std::lock_guard lock(mutex_);
+  std::vector<Message> texts;
+  for (const Refusal& refusal : list_) {
+    const double at_ms = static_cast<double>(refusal.first_us) / 1000;
+    Message when = {fmt::format(" (at {} ms)", at_ms), fmt::format("（{} ms 时）", at_ms)};
+    if (refusal.count > 1) {
+      when = MakeMessage(" (first at {0} ms, {1} times)", "（首次在 {0} ms，共 {1} 次）", at_ms,
+                         refusal.count);
+    }
+    texts.push_back({fmt::format("card {}: {}{}", refusal.card, refusal.call.en, when.en),
+                     fmt::format("卡 {}：{}{}", refusal.card, refusal.call.zh, when.zh)});
+  }
+  texts.insert(texts.end(), of_programs_.begin(), of_programs_.end());
+  return texts;
+}
+
+}  // namespace oncard::runtime

@@ -1,0 +1,55 @@
+// Commands that a host program and the motion programs of its cards were refused: of the host each
+// command and code of a card once, with the first call as its example; of programs each place.
+// `oncard exec` asks for the list by ONCARD_REFUSALS; it is printed when the host ends.
+// Thread-safe. Tested by tests/tools/exec_command_test.cc.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <tuple>
+#include <vector>
+
+#include "base/message.h"
+#include "runtime/sim/call_text.h"
+#include "runtime/sim/refused_commands.h"
+
+namespace oncard::runtime {
+
+/// What ONCARD_REFUSALS asks for.
+enum class RefusalWish : uint8_t {
+  kNothing,
+  kWarn,   ///< `warn`: the list is printed
+  kStrict  ///< `strict`: what is in the list is a failure
+};
+
+RefusalWish RefusalWishOfProcess();
+
+class HostRefusals {
+ public:
+  static HostRefusals& OfProcess();
+
+  /// The host was refused a call.
+  void Add(const LoggedCall& call);
+  /// What threads of a card's motion programs were refused.
+  void AddProgram(int card, const std::vector<RefusedCommand>& refused);
+  /// `card 0: GT_AxisOn(9) = 7: ... (first at 0.25 ms, 3 times)`, then `card 0: p.c:12: thread 0 f:
+  /// ...`, each in the order of the first calls.
+  std::vector<Message> Describe();
+
+ private:
+  struct Refusal {
+    int card = 0;
+    Message call;
+    int64_t first_us = 0;
+    int64_t count = 0;
+  };
+
+  std::mutex mutex_;
+  /// Card, command and code, and the place in the list.
+  std::map<std::tuple<int, uint16_t, int16_t>, size_t> known_;
+  std::vector<Refusal> list_;
+  std::vector<Message> of_programs_;
+};
+
+}  // namespace oncard::runtime

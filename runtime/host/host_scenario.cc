@@ -1,0 +1,288 @@
+#include "runtime/host/host_scenario.h"
+
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <mutex>
+
+#include "base/files.h"
+#include "runtime/host/call_log.h"
+#include "runtime/host/card_table.h"
+#include "runtime/host/host_refusals.h"
+#include "runtime/observe/moving_axes.h"
+#include "runtime/observe/trace_file.h"
+#include "runtime/scenario/expectation.h"
+
+namespace oncard::runtime {
+namespace {
+
+/// What the cards' watches have found, and how the host ended.
+struct Verdict {
+  std::mutex mutex;
+  std::vector<Message> failures;
+  std::vector<Message> warnings;
+  int exit_status = 0;
+  bool in_child = false;
+};
+
+Verdict& VerdictOfProcess() {
+  static Verdict& verdict = *new Verdict;
+  return verdict;
+}
+
+void KeepExitStatus(int status, void*) { VerdictOfProcess().exit_status = status; }
+
+Result<std::shared_ptr<const Scenario>> ReadScenario() {
+  ::on_exit(KeepExitStatus, nullptr);
+  const char* path = std::getenv("ONCARD_SCENARIO");
+  if (path == nullptr || *path == '\0') return std::shared_ptr<const Scenario>();
+  auto scenario = LoadScenario(path, ScenarioUse::kHost);
+  if (!scenario.ok()) return scenario.error();
+  return std::make_shared<const Scenario>(std::move(scenario).value());
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const Scenario>> ScenarioFromEnvironment() {
+  static const auto& scenario = *new Result<std::shared_ptr<const Scenario>>(ReadScenario());
+  return scenario;
+}
+
+std::vector<std::string> TraceFilesFromEnvironment() {
+  const char* names = std::getenv("ONCARD_TRACE");
+  std::vector<std::string> files;
+  std::string_view rest = names == nullptr ? "" : names;
+  while (!rest.empty()) {
+    const std::string_view name = rest.substr(0, rest.find(':'));
+    if (!name.empty()) files.emplace_back(name);
+    rest.remove_prefix(std::min(name.size() + 1, rest.size()));
+  }
+  return files;
+}
+
+CardWatch::CardWatch(std::shared_ptr<const Scenario> scenario, int card,
+                     std::vector<std::string> trace_files)
+    : scenario_(std::move(scenario)), card_(card), trace_files_(std::move(trace_files)) {
+  for (const Expectation& expectation : scenario_->expectations) {
+    if (expectation.at_us) timed_.push_back(&expectation);
+  }
+  std::stable_sort(timed_.begin(), timed_.end(), [](const Expectation* a, const Expectation* b) {
+    return *a->at_us < *b->at_us;
+  });
+  const int64_t limit_us = CycleOf(scenario_->limit_ms * 1000) * scenario_->cycle_us;
+  if (scenario_->limit_ms < kTimeMsMax) end_us_ = limit_us;
+  if (scenario_->until_us) {
+    end_us_ = std::min(CycleOf(*scenario_->until_us) * scenario_->cycle_us, limit_us);
+  }
+}
+
+int64_t CardWatch::CycleOf(int64_t microseconds) const {
+  return (microseconds + scenario_->cycle_us - 1) / scenario_->cycle_us;
+}
+
+void CardWatch::Listen(Controller* controller) {
+  if (trace_files_.empty()) return;
+  controller->ListenToHappenings([this](int64_t time_us, const Message& what) {
+    TraceMark mark = {time_us, what, true};
+    if (trace_) {
+      trace_->Mark(std::move(mark));
+    } else {
+      at_power_on_.push_back(std::move(mark));
+    }
+  });
+}
+
+void CardWatch::AdvanceUs(Controller* controller, int64_t microseconds) {
+  int64_t end_us = controller->NowUs() + microseconds;
+  if (end_us_ && end_us >= *end_us_) {
+    end_us = *end_us_;
+    over_ = true;
+  }
+  for (; next_ < timed_.size(); ++next_) {
+    const int64_t due_us = CycleOf(*timed_[next_]->at_us) * scenario_->cycle_us;
+    if (due_us > end_us) break;
+    if (due_us > controller->NowUs()) AdvanceTracedUs(controller, due_us - controller->NowUs());
+    Judge(*timed_[next_], *controller);
+  }
+  AdvanceTracedUs(controller, end_us - controller->NowUs());
+}
+
+void CardWatch::AdvanceTracedUs(Controller* controller, int64_t microseconds) {
+  if (trace_files_.empty()) {
+    controller->AdvanceUs(microseconds);
+    return;
+  }
+  if (!trace_) BeginTrace(*controller);
+  const int64_t end_us = controller->NowUs() + microseconds;
+  const int64_t cycle_us = controller->options().motion.cycle_us;
+  while (controller->NowUs() < end_us) {
+    const int64_t cycle = controller->cycle();
+    const int64_t rest_us = end_us - controller->NowUs();
+    controller->AdvanceUs(std::min(rest_us, cycle_us - controller->NowUs() % cycle_us));
+    if (controller->cycle() != cycle) trace_->Sample(*controller);
+  }
+}
+
+void CardWatch::BeginTrace(const Controller& controller) {
+  std::vector<TraceColumn> columns;
+  for (const std::string& name : scenario_->trace) {
+    auto found = ResolveQuantity(name, controller);
+    if (!found.ok()) {
+      failures_.push_back(found.error().message);
+      continue;
+    }
+    for (Quantity& quantity : found.value()) columns.push_back({std::move(quantity)});
+  }
+  if (scenario_->trace.empty()) columns = DefaultColumns(controller);
+  trace_.emplace(std::move(columns));
+  for (TraceMark& mark : at_power_on_) trace_->Mark(std::move(mark));
+  trace_->Sample(controller);
+}
+
+void CardWatch::WriteTrace(const Controller& controller) {
+  if (!trace_) return;
+  trace_->Finish(controller);
+  for (const std::string& file : trace_files_) {
+    const auto text = TraceText(*trace_, file, TitleOf(*scenario_));
+    const auto written = text.ok() ? WriteFileAtomically(file, text.value()) : text.error();
+    if (!written.ok()) failures_.push_back(written.error().message);
+  }
+}
+
+void CardWatch::Finish(Controller* controller) {
+  for (; next_ < timed_.size(); ++next_) {
+    Fail(*timed_[next_], MakeMessage("the host ended before, at {0} ms",
+                                     "主机程序在此之前结束，时刻 {0} ms", controller->NowMs()));
+  }
+  for (const Expectation& expectation : scenario_->expectations) {
+    if (!expectation.at_us) Judge(expectation, *controller);
+  }
+  if (over_ && (!scenario_->until_us || controller->NowUs() < *scenario_->until_us)) {
+    failures_.push_back(MakeMessage("card {0}: the host still runs at the time limit of {1} ms",
+                                    "卡 {0}：到时间上限 {1} ms 时主机程序仍在运行", card_,
+                                    scenario_->limit_ms));
+  }
+  if (over_) WarnOfMovingAxes(*controller);
+  WriteTrace(*controller);
+  Verdict& verdict = VerdictOfProcess();
+  const std::lock_guard lock(verdict.mutex);
+  verdict.failures.insert(verdict.failures.end(), failures_.begin(), failures_.end());
+  verdict.warnings.insert(verdict.warnings.end(), warnings_.begin(), warnings_.end());
+}
+
+void CardWatch::WarnOfMovingAxes(const Controller& controller) {
+  for (const Message& axis : DescribeMovingAxes(controller)) {
+    warnings_.push_back(
+        {fmt::format("card {}: {}", card_, axis.en), fmt::format("卡 {}：{}", card_, axis.zh)});
+  }
+}
+
+void CardWatch::Judge(const Expectation& expectation, const Controller& controller) {
+  const auto bound = BindExpectation(expectation, controller);
+  if (!bound.ok()) {
+    Fail(expectation, bound.error().message);
+    return;
+  }
+  const ExpectationResult outcome = Evaluate(bound.value(), controller);
+  if (!outcome.holds) Fail(expectation, DescribeFailure(bound.value(), outcome));
+}
+
+void CardWatch::Fail(const Expectation& expectation, const Message& why) {
+  Message failure = MakeMessage("card {0}: '{1}' does not hold: ", "卡 {0}：“{1}”不成立：", card_,
+                                expectation.text);
+  failure.en += why.en;
+  failure.zh += why.zh;
+  failures_.push_back(std::move(failure));
+}
+
+void LeaveJudgingToParent() { VerdictOfProcess().in_child = true; }
+
+namespace {
+
+void Print(const Message& message) {
+  std::fprintf(stderr, "oncard: %s\n", message.In(LanguageFromEnvironment()).c_str());
+}
+
+/// Prints what was found. True when there are failures.
+bool ReportHost() {
+  Verdict& verdict = VerdictOfProcess();
+  const std::lock_guard lock(verdict.mutex);
+  const RefusalWish wish = RefusalWishOfProcess();
+  std::vector<Message> refusals;
+  if (wish != RefusalWish::kNothing) refusals = HostRefusals::OfProcess().Describe();
+  auto& list = wish == RefusalWish::kStrict ? verdict.failures : verdict.warnings;
+  list.insert(list.end(), refusals.begin(), refusals.end());
+  if (CallLog::OfProcess().lost()) {
+    verdict.failures.push_back(
+        {"the call log could not be written completely; its disk may be full",
+         "调用日志未能完整写入；磁盘可能已满"});
+  }
+  for (const Message& warning : verdict.warnings) {
+    Print({"warning: " + warning.en, "警告：" + warning.zh});
+  }
+  for (const Message& failure : verdict.failures) Print(failure);
+  return !verdict.failures.empty();
+}
+
+/// Waits for a lock that is held for no longer than a command takes; gives up after a second.
+bool LockSoon(std::unique_lock<std::mutex>* lock) {
+  for (int look = 0; look < 1000; ++look) {
+    if (lock->try_lock()) return true;
+    const timespec duration = {0, 1'000'000};
+    ::syscall(SYS_nanosleep, &duration, nullptr);
+  }
+  return false;
+}
+
+}  // namespace
+
+void FinishHost() {
+  if (VerdictOfProcess().in_child) return;
+  for (CardSlot& slot : CardTable::OfProcess().slots) {
+    // A thread that is inside a command now will not come back from it.
+    const std::unique_lock lock(slot.mutex, std::try_to_lock);
+    if (lock.owns_lock()) slot.SwitchOff();
+  }
+  if (!ReportHost()) return;
+  std::fflush(nullptr);
+  if (VerdictOfProcess().exit_status == 0) ::_exit(kExitNotAsExpected);
+}
+
+void ConcludeHost() {
+  for (CardSlot& slot : CardTable::OfProcess().slots) {
+    std::unique_lock lock(slot.mutex, std::defer_lock);
+    if (!LockSoon(&lock)) continue;
+    slot.SwitchOff();
+    lock.release();
+  }
+  ReportHost();
+  std::fflush(nullptr);
+}
+
+void EndHostIfOver(CardSlot* locked) {
+  if (VerdictOfProcess().in_child || !locked->watch || !locked->watch->over()) return;
+  for (CardSlot& slot : CardTable::OfProcess().slots) {
+    std::unique_lock lock(slot.mutex, std::defer_lock);
+    if (&slot != locked && !lock.try_lock()) continue;
+    slot.SwitchOff();
+    lock.release();
+  }
+  const bool failed = ReportHost();
+  std::fflush(nullptr);
+  ::_exit(failed ? kExitNotAsExpected : 0);
+}
+
+void LookForEndOfHost() {
+  for (CardSlot& slot : CardTable::OfProcess().slots) {
+    const std::unique_lock lock(slot.mutex, std::try_to_lock);
+    if (!lock.owns_lock() || !slot.watch || !slot.watch->HasEnd()) continue;
+    slot.CatchUp(0);
+    EndHostIfOver(&slot);
+  }
+}
+
+}  // namespace oncard::runtime

@@ -1,0 +1,287 @@
+#include "runtime/host/host_services.h"
+
+#include <algorithm>
+#include <climits>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+
+#include "base/files.h"
+#include "compiler/compiler.h"
+#include "gts.h"
+#include "runtime/host/call_log.h"
+#include "runtime/host/clock.h"
+#include "runtime/host/host_refusals.h"
+#include "runtime/host/host_signals.h"
+#include "runtime/scenario/scenario_world.h"
+#include "vm/object_writer.h"
+
+namespace oncard::runtime {
+namespace {
+
+// Return codes (GTS manual table 3-1; GT_Download and GT_GetFunId in chapter 13).
+constexpr int16_t kFileNotFound = 2007;
+constexpr int16_t kNameNotFound = 2008;
+
+/// Versions and dates of both firmwares, laid out as GTS manual table 11-3 says. Assumption: the
+/// number of this project's release, with a fixed date, stands for both.
+constexpr std::string_view kFirmwareVersion = "010260101010260101";
+static_assert(kFirmwareVersion.size() == kVersionLength);
+
+/// Bytes of a network adapter's address.
+constexpr size_t kMacAddressLength = 6;
+
+/// Sizes of the caller's buffers behind TCompileInfo, with the terminating NUL. Assumption: the
+/// manual gives none; its file names have at most 125 characters.
+constexpr size_t kCompileFileNameSize = 128;
+constexpr size_t kCompileMessageSize = 128;
+
+// --- The card itself -----------------------------------------------------------------------------
+
+int CardNumber(const ServiceCall& call) {
+  return static_cast<int>(&call.slot - call.table.slots.data());
+}
+
+int16_t Open(ServiceCall& call) {
+  CardSlot& slot = call.slot;
+  if (slot.controller != nullptr) {
+    return call.Refuse(kOpenFailed, {"the card is already open", "该卡已打开"});
+  }
+  const char* setting = std::getenv("ONCARD_CLOCK");
+  const auto clock = ParseClockSetting(setting == nullptr ? "" : setting);
+  if (!clock.ok()) return call.Refuse(kOpenFailed, clock.error().message);
+  const auto scenario = ScenarioFromEnvironment();
+  if (!scenario.ok()) return call.Refuse(kOpenFailed, scenario.error().message);
+  std::shared_ptr<const Scenario> world = scenario.value();
+  std::vector<std::string> trace_files;
+  if (CardNumber(call) == 0) trace_files = TraceFilesFromEnvironment();
+  if (world == nullptr && !trace_files.empty()) world = std::make_shared<const Scenario>();
+  slot.controller = world == nullptr ? std::make_unique<Controller>()
+                                     : std::make_unique<Controller>(CardOptions(*world));
+  // Power-on is listened to as well.
+  if (CallLog* log = CallLog::Wanted(); log != nullptr) {
+    slot.controller->LogRefusals(log, CardNumber(call));
+    slot.controller->LogHappenings(log, CardNumber(call));
+  }
+  if (world != nullptr) {
+    slot.watch.emplace(world, CardNumber(call), std::move(trace_files));
+    slot.watch->Listen(slot.controller.get());
+    ApplyWorld(*world, slot.controller.get());
+  }
+  slot.clock.emplace(clock.value());
+  const bool collects = RefusalWishOfProcess() != RefusalWish::kNothing;
+  if (collects) slot.controller->CollectRefusals(&slot.refused);
+  if (slot.watch || collects) WatchHostSignals();
+  slot.no_program_code = vm::kRefused;
+  return vm::kOk;
+}
+
+int16_t Close(ServiceCall& call) {
+  call.slot.SwitchOff();
+  return vm::kOk;
+}
+
+int16_t Reset(ServiceCall& call) {
+  call.slot.controller->Reset();
+  call.slot.no_program_code = vm::kRefused;
+  return vm::kOk;
+}
+
+int16_t GetVersion(ServiceCall& call) {
+  std::copy(kFirmwareVersion.begin(), kFirmwareVersion.end(), call.slot.version.begin());
+  *static_cast<char**>(call.arguments[0].host) = call.slot.version.data();
+  return vm::kOk;
+}
+
+/// Assumption: there is no network adapter; each card has a locally administered address that ends
+/// with its number, so that hosts that tell cards apart by it go on working.
+int16_t GetMacAddress(ServiceCall& call) {
+  const std::span<double> address = call.arguments[1].cells;
+  if (address.size() < kMacAddressLength) {
+    return call.Refuse(
+        vm::kBadParameter,
+        MakeMessage("parameter ulAddressSize is {}; at least {} is needed",
+                    "参数 ulAddressSize 为 {}；至少应为 {}", address.size(), kMacAddressLength));
+  }
+  constexpr double kLocallyAdministered = 0x02;
+  address[0] = kLocallyAdministered;
+  address[kMacAddressLength - 1] = CardNumber(call);
+  return vm::kOk;
+}
+
+int16_t SetCardNo(ServiceCall& call) {
+  const double index = call.arguments[0].value;
+  if (!(index >= 0 && index < kCardCount)) {
+    return call.Refuse(vm::kBadParameter,
+                       MakeMessage("parameter index is {}; the range is [0, {}]",
+                                   "参数 index 为 {}；取值范围为 [0, {}]", index, kCardCount - 1));
+  }
+  call.table.selected = static_cast<int>(index);
+  return vm::kOk;
+}
+
+int16_t GetCardNo(ServiceCall& call) {
+  call.arguments[0].cells[0] = call.table.selected;
+  return vm::kOk;
+}
+
+// --- Program files -------------------------------------------------------------------------------
+
+/// Copies a text into a buffer of the host that may be NULL, cut between two characters when it is
+/// too long.
+void CopyText(std::string_view text, size_t size, char* buffer) {
+  if (buffer == nullptr) return;
+  size_t length = std::min(text.size(), size - 1);
+  if (length < text.size()) {
+    const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
+    while (length > 0 && continues(text[length])) --length;
+  }
+  std::copy_n(text.data(), length, buffer);
+  buffer[length] = '\0';
+}
+
+void FillCompileInfo(TCompileInfo* info, std::string_view file, int line, std::string_view text) {
+  CopyText(file, kCompileFileNameSize, info->pFileName);
+  if (info->pLineNo != nullptr) *info->pLineNo = static_cast<short>(std::min(line, SHRT_MAX));
+  CopyText(text, kCompileMessageSize, info->pMessage);
+}
+
+/// The first error as TCompileInfo holds it: `'token'message`.
+void FillCompileInfo(TCompileInfo* info, const compiler::Compilation& compilation,
+                     Message* reason) {
+  const auto& diagnostics = compilation.diagnostics;
+  const auto first = std::find_if(diagnostics.begin(), diagnostics.end(), [](const auto& d) {
+    return d.severity == compiler::Severity::kError;
+  });
+  const compiler::SourceFile& file = compilation.files[static_cast<size_t>(first->range.file)];
+  const std::string_view token =
+      std::string_view(file.text())
+          .substr(first->range.begin, first->range.end - first->range.begin);
+  const int line = file.LineOf(first->range.begin);
+  *reason = MakeMessage("{}:{}: {}", "{}:{}: {}", file.path(), line, "");
+  reason->en += first->message.en;
+  reason->zh += first->message.zh;
+  FillCompileInfo(info, file.path(), line,
+                  fmt::format("'{}'{}", token.substr(0, token.find('\n')),
+                              first->message.In(LanguageFromEnvironment())));
+}
+
+/// Refuses a compilation for a reason that lies in no line of the program.
+int16_t RefuseFile(ServiceCall& call, int16_t code, TCompileInfo* info, const Message& why) {
+  FillCompileInfo(info, call.text(0), 0, why.In(LanguageFromEnvironment()));
+  return call.Refuse(code, why);
+}
+
+int16_t Compile(ServiceCall& call) {
+  const std::string path = call.text(0);
+  auto* info = static_cast<TCompileInfo*>(call.arguments[1].host);
+  const compiler::OutputPaths paths = compiler::OutputPathsFor(path);
+  if (path == paths.bin || path == paths.ini) {
+    return RefuseFile(call, kFileNotFound, info,
+                      MakeMessage("'{}' is an object file; name the source instead",
+                                  "'{}' 是目标文件；应给出源文件", path));
+  }
+  auto text = compiler::ReadSource(path);
+  if (!text.ok()) return RefuseFile(call, kFileNotFound, info, text.error().message);
+  const auto compilation = compiler::CompileText(path, std::move(text).value(), compiler::Options{},
+                                                 compiler::ReadSource);
+  if (!compilation.ok()) {
+    FillCompileInfo(info, compilation, &call.reason);
+    return vm::kRefused;
+  }
+  const vm::ObjectFiles files = vm::WriteObject(*compilation.object, false);
+  const auto written = WritePairAtomically(paths.bin, files.bin, paths.ini, files.ini);
+  if (!written.ok()) return RefuseFile(call, vm::kRefused, info, written.error().message);
+  // Nothing is written: hosts whose programs compile leave the pointers of `info` unset.
+  return vm::kOk;
+}
+
+int16_t Download(ServiceCall& call) {
+  Controller& controller = *call.slot.controller;
+  const auto loaded = controller.Download(call.text(0));
+  if (loaded.ok()) return vm::kOk;
+  const auto code = static_cast<int16_t>(loaded.error().code);
+  call.slot.no_program_code = code;
+  return call.Refuse(code, loaded.error().message);
+}
+
+// --- Names ---------------------------------------------------------------------------------------
+
+/// The program whose names are asked for, or nullptr with the reason set.
+const vm::Image* ProgramOf(ServiceCall& call) {
+  const vm::Image* image = call.slot.controller->machine().image();
+  if (image == nullptr) {
+    call.reason = {"no program has been downloaded", "尚未成功下载运动程序"};
+  }
+  return image;
+}
+
+int16_t NoFunction(ServiceCall& call, std::string_view name) {
+  return call.Refuse(kNameNotFound,
+                     MakeMessage("the program has no function '{}'", "程序中没有函数 '{}'", name));
+}
+
+int16_t GetFunId(ServiceCall& call) {
+  const vm::Image* image = ProgramOf(call);
+  if (image == nullptr) return call.slot.no_program_code;
+  const int function = vm::FindFunction(*image, call.text(0));
+  if (function < 0) return NoFunction(call, call.text(0));
+  call.arguments[1].cells[0] = function + 1;
+  return vm::kOk;
+}
+
+int16_t GetVarId(ServiceCall& call) {
+  const vm::Image* image = ProgramOf(call);
+  if (image == nullptr) return call.slot.no_program_code;
+  const std::string_view name = call.text(1);
+  const vm::Symbol* symbol = nullptr;
+  if (call.arguments[0].null) {
+    symbol = vm::FindGlobal(*image, name);
+  } else {
+    const int function = vm::FindFunction(*image, call.text(0));
+    if (function < 0) return NoFunction(call, call.text(0));
+    symbol = vm::FindLocal(*image, function, name);
+  }
+  if (symbol == nullptr) {
+    return call.Refuse(kNameNotFound,
+                       call.arguments[0].null
+                           ? MakeMessage("the program has no global variable '{}'",
+                                         "程序中没有全局变量 '{}'", name)
+                           : MakeMessage("function '{}' has no variable '{}'",
+                                         "函数 '{}' 中没有变量 '{}'", call.text(0), name));
+  }
+  // `name` is text, which cells do not carry; the other members are written from the cells.
+  auto* info = static_cast<TVarInfo*>(call.arguments[2].host);
+  std::memset(info->name, 0, sizeof info->name);
+  symbol->name.copy(info->name, sizeof info->name - 1);
+  call.arguments[2].cells[0] = symbol->id;
+  call.arguments[2].cells[1] = static_cast<double>(symbol->type);
+  return vm::kOk;
+}
+
+constexpr HostService kServices[] = {
+    // command, before_open, function
+    {"GT_Open", true, Open},
+    {"GT_Close", false, Close},
+    {"GT_Reset", false, Reset},
+    {"GT_GetVersion", false, GetVersion},
+    {"GetMacAddress", false, GetMacAddress},
+    {"GT_SetCardNo", true, SetCardNo},
+    {"GT_GetCardNo", true, GetCardNo},
+    {"GT_Compile", false, Compile},
+    {"GT_Download", false, Download},
+    {"GT_GetFunId", false, GetFunId},
+    {"GT_GetVarId", false, GetVarId},
+};
+
+}  // namespace
+
+const HostService* FindHostService(std::string_view command) {
+  const auto* end = std::end(kServices);
+  const auto* found =
+      std::find_if(std::begin(kServices), end,
+                   [command](const HostService& service) { return service.command == command; });
+  return found == end ? nullptr : found;
+}
+
+}  // namespace oncard::runtime

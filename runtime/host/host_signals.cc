@@ -1,0 +1,76 @@
+#include "runtime/host/host_signals.h"
+
+#include <pthread.h>
+#include <sys/eventfd.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <cstdint>
+
+#include "runtime/host/host_scenario.h"
+#include "runtime/host/virtual_time.h"
+
+namespace oncard::runtime {
+namespace {
+
+constexpr int kEndSignals[] = {SIGINT, SIGTERM, SIGHUP};
+
+/// Written to by the handler; the number is the signal's.
+int wake_descriptor = -1;
+/// A child of the host has the handler but not the thread.
+pid_t watched_process = 0;
+
+extern "C" void WakeWatcher(int signal) {
+  if (::getpid() == watched_process) {
+    const auto number = static_cast<uint64_t>(signal);
+    if (::write(wake_descriptor, &number, sizeof number) > 0) return;
+  }
+  std::signal(signal, SIG_DFL);
+  ::raise(signal);
+}
+
+void* Watch(void* /*argument*/) {
+  VirtualTime::LeaveOutCallingThread();
+  uint64_t signal = 0;
+  // The system call itself: the C library's functions may be replaced by ones that end up here.
+  while (::syscall(SYS_read, wake_descriptor, &signal, sizeof signal) < 0) {
+  }
+  ConcludeHost();
+  const int number = static_cast<int>(signal);
+  std::signal(number, SIG_DFL);
+  ::kill(::getpid(), number);
+  for (;;) ::pause();
+}
+
+bool HasDefaultAction(int signal) {
+  struct sigaction action {};
+  return ::sigaction(signal, nullptr, &action) == 0 && (action.sa_flags & SA_SIGINFO) == 0 &&
+         action.sa_handler == SIG_DFL;
+}
+
+}  // namespace
+
+void WatchHostSignals() {
+  static std::atomic<bool> begun = false;
+  if (begun.exchange(true)) return;
+  wake_descriptor = ::eventfd(0, EFD_CLOEXEC);
+  if (wake_descriptor < 0) return;
+  watched_process = ::getpid();
+  // The thread takes none of the host's signals.
+  sigset_t all;
+  sigset_t before;
+  ::sigfillset(&all);
+  ::pthread_sigmask(SIG_SETMASK, &all, &before);
+  pthread_t thread{};
+  const bool started = ::pthread_create(&thread, nullptr, Watch, nullptr) == 0;
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  if (!started) return;
+  ::pthread_detach(thread);
+  for (const int signal : kEndSignals) {
+    if (HasDefaultAction(signal)) std::signal(signal, WakeWatcher);
+  }
+}
+
+}  // namespace oncard::runtime

@@ -1,0 +1,41 @@
+#include "runtime/host/host_time.h"
+
+#include <cstdlib>
+#include <string_view>
+#include <thread>
+
+#include "runtime/host/clock.h"
+#include "runtime/host/virtual_time.h"
+
+namespace oncard::runtime {
+namespace {
+
+/// Not asked with virtual time, where a look at a clock takes time.
+const int64_t begin_ns = HostTimeIsVirtual() ? 0 : CardClock::SteadyNanoseconds();
+
+}  // namespace
+
+bool HostTimeIsVirtual() {
+  const char* setting = std::getenv("ONCARD_CLOCK");
+  return setting != nullptr && std::string_view(setting) == "virtual";
+}
+
+int64_t LookAtHostTimeNs() {
+  if (HostTimeIsVirtual()) return VirtualTime::OfProcess().Pass(kLookNs);
+  return CardClock::SteadyNanoseconds() - begin_ns;
+}
+
+void SleepHostNs(int64_t duration_ns) {
+  if (duration_ns <= 0) {
+    LookAtHostTimeNs();
+    return;
+  }
+  if (HostTimeIsVirtual()) {
+    VirtualTime& time = VirtualTime::OfProcess();
+    time.SleepUntil(time.After(duration_ns));
+  } else {
+    std::this_thread::sleep_for(std::chrono::nanoseconds(duration_ns));
+  }
+}
+
+}  // namespace oncard::runtime

@@ -1,0 +1,234 @@
+#include "runtime/host/marshal.h"
+
+#include <cstdint>
+#include <optional>
+
+#include "gtcalls/card_elements.h"
+#include "runtime/host/host_structures.h"
+#include "vm/machine.h"
+
+namespace oncard::runtime {
+namespace {
+
+using gtcalls::Command;
+using gtcalls::Parameter;
+using gtcalls::Passing;
+using gtcalls::Scalar;
+
+template <typename T>
+double ReadElement(const void* host, size_t index) {
+  return static_cast<double>(static_cast<const T*>(host)[index]);
+}
+
+template <typename T>
+void WriteElement(void* host, size_t index, double value) {
+  static_cast<T*>(host)[index] = FromCell<T>(value);
+}
+
+/// One element of a host's array of scalars, empty for a long that has no 32 bits.
+std::optional<double> ReadScalar(Scalar type, const void* host, size_t index) {
+  switch (type) {
+    case Scalar::kChar:
+      return ReadElement<char>(host, index);
+    case Scalar::kUnsignedChar:
+      return ReadElement<unsigned char>(host, index);
+    case Scalar::kShort:
+      return ReadElement<short>(host, index);
+    case Scalar::kUnsignedShort:
+      return ReadElement<unsigned short>(host, index);
+    case Scalar::kLong:
+      return NarrowLong(static_cast<const long*>(host)[index], false);
+    case Scalar::kUnsignedLong:
+      return NarrowLong(static_cast<int64_t>(static_cast<const unsigned long*>(host)[index]), true);
+    case Scalar::kDouble:
+      break;
+  }
+  return static_cast<const double*>(host)[index];
+}
+
+void WriteScalar(Scalar type, void* host, size_t index, double value) {
+  switch (type) {
+    case Scalar::kChar:
+      return WriteElement<char>(host, index, value);
+    case Scalar::kUnsignedChar:
+      return WriteElement<unsigned char>(host, index, value);
+    case Scalar::kShort:
+      return WriteElement<short>(host, index, value);
+    case Scalar::kUnsignedShort:
+      return WriteElement<unsigned short>(host, index, value);
+    case Scalar::kLong:
+      return WriteElement<long>(host, index, value);
+    case Scalar::kUnsignedLong:
+      return WriteElement<unsigned long>(host, index, value);
+    case Scalar::kDouble:
+      break;
+  }
+  static_cast<double*>(host)[index] = value;
+}
+
+Error NotALong(const Parameter& parameter) {
+  return MakeError(vm::kBadParameter, "parameter {} holds a value that does not fit 32 bits",
+                   "参数 {} 中的值超出 32 位范围", parameter.name);
+}
+
+/// True for a word of bits, of which a card takes the lower 32: what a host whose `long` has 64
+/// adds above them, with `mask = mask | 1` of a variable that was never set, is not looked at.
+bool IsWordOfBits(const Parameter& parameter) {
+  return parameter.unit == gtcalls::Unit::kMask || parameter.unit == gtcalls::Unit::kBits;
+}
+
+/// The value of a scalar argument.
+Result<double> ReadValue(const Parameter& parameter, const HostArgument& host) {
+  if (host.kind == HostArgument::Kind::kReal) return host.real;
+  if (parameter.type != Scalar::kLong && parameter.type != Scalar::kUnsignedLong) {
+    return static_cast<double>(host.integer);
+  }
+  const int64_t bits = IsWordOfBits(parameter) ? static_cast<int32_t>(host.integer) : host.integer;
+  const auto value = NarrowLong(bits, parameter.type == Scalar::kUnsignedLong);
+  if (!value.has_value()) return NotALong(parameter);
+  return *value;
+}
+
+/// How many elements a pointer argument covers.
+Result<size_t> ElementCount(const Command& command, const Parameter& parameter,
+                            const gtcalls::Card* card, const MarshalledCall& call) {
+  if (parameter.per_dimension || parameter.per_offset) {
+    return card == nullptr ? 0 : ElementsOnCard(parameter, *card, call.arguments[0].value);
+  }
+  if (parameter.count_parameter < 0) return size_t{1};
+  const auto index = static_cast<size_t>(parameter.count_parameter);
+  const Parameter& counter = command.parameters[index];
+  const double count = call.arguments[index].value;
+  if (!(count >= counter.minimum && count <= counter.maximum)) {
+    return MakeError(vm::kBadParameter, "parameter {} is {}; the range is {}",
+                     "参数 {} 为 {}；取值范围为 {}", counter.name, count, SpellRange(counter));
+  }
+  return static_cast<size_t>(count);
+}
+
+bool HasCells(const Parameter& parameter) {
+  return parameter.passing == Passing::kInput || parameter.passing == Passing::kOutput;
+}
+
+/// Calls `visit(address, cells)` for each structure of a host's array.
+template <typename Visit>
+void ForEachStructure(const Parameter& parameter, const vm::CommandArgument& argument,
+                      const Visit& visit) {
+  const size_t per_element = CellsPerElement(parameter);
+  char* address = static_cast<char*>(argument.host);
+  for (size_t cell = 0; cell < argument.cells.size(); cell += per_element) {
+    visit(address, argument.cells.subspan(cell, per_element));
+    address += StructureSize(*parameter.structure);
+  }
+}
+
+/// Copies what an input points to into its cells.
+Result<void> ReadCells(const Parameter& parameter, const vm::CommandArgument& argument) {
+  if (parameter.structure != nullptr) {
+    ForEachStructure(parameter, argument, [&](const char* host, std::span<double> cells) {
+      StructureToCells(*parameter.structure, host, cells);
+    });
+    return {};
+  }
+  for (size_t i = 0; i < argument.cells.size(); ++i) {
+    const auto value = ReadScalar(parameter.type, argument.host, i);
+    if (!value.has_value()) return NotALong(parameter);
+    argument.cells[i] = *value;
+  }
+  return {};
+}
+
+}  // namespace
+
+size_t CellsPerElement(const Parameter& parameter) {
+  return parameter.structure != nullptr
+             ? static_cast<size_t>(gtcalls::CellCount(*parameter.structure))
+             : 1;
+}
+
+Result<void> ReadArguments(const Command& command, std::span<const HostArgument> host,
+                           const gtcalls::Card* card, MarshalledCall* call) {
+  Result<void> result;
+  const auto fail = [&result](const Error& error) {
+    if (result.ok()) result = error;
+  };
+
+  // Values first: the counts among them say how many cells the pointers need.
+  for (size_t i = 0; i < host.size(); ++i) {
+    const Parameter& parameter = command.parameters[i];
+    vm::CommandArgument& argument = call->arguments[i];
+    argument = {};
+    if (parameter.passing == Passing::kValue) {
+      const auto value = ReadValue(parameter, host[i]);
+      if (value.ok()) {
+        argument.value = value.value();
+      } else {
+        fail(value.error());
+      }
+      continue;
+    }
+    argument.host = host[i].pointer;
+    argument.null = argument.host == nullptr;
+    if (!argument.null && parameter.passing != Passing::kLent && !IsAddress(argument.host)) {
+      argument.null = true;
+      fail(MakeError(vm::kBadParameter,
+                     "parameter {} is the number {}; pass the address of a variable",
+                     "参数 {} 为数值 {}；应传入变量的地址", parameter.name,
+                     reinterpret_cast<uintptr_t>(argument.host)));
+    } else if (argument.null && !parameter.nullable) {
+      fail(MakeError(vm::kBadParameter, "parameter {} is NULL; pass the address of a variable",
+                     "参数 {} 为 NULL；应传入变量的地址", parameter.name));
+    }
+  }
+
+  std::array<size_t, gtcalls::kParameterMax> cell_counts{};
+  size_t total = 0;
+  for (size_t i = 0; i < host.size(); ++i) {
+    const Parameter& parameter = command.parameters[i];
+    if (!HasCells(parameter) || call->arguments[i].null) continue;
+    const auto count = ElementCount(command, parameter, card, *call);
+    if (!count.ok()) {
+      fail(count.error());
+      call->arguments[i].null = true;
+      continue;
+    }
+    cell_counts[i] = count.value() * CellsPerElement(parameter);
+    total += cell_counts[i];
+  }
+
+  call->cells.assign(total, 0.0);
+  std::span<double> free_cells = call->cells;
+  for (size_t i = 0; i < host.size(); ++i) {
+    const Parameter& parameter = command.parameters[i];
+    vm::CommandArgument& argument = call->arguments[i];
+    if (!HasCells(parameter) || argument.null) continue;
+    argument.cells = free_cells.first(cell_counts[i]);
+    free_cells = free_cells.subspan(cell_counts[i]);
+    if (parameter.passing != Passing::kInput) continue;
+    const auto read = ReadCells(parameter, argument);
+    if (!read.ok()) {
+      fail(read.error());
+      argument.null = true;
+    }
+  }
+  return result;
+}
+
+void WriteOutputs(const Command& command, const MarshalledCall& call) {
+  for (size_t i = 0; i < command.parameters.size(); ++i) {
+    const Parameter& parameter = command.parameters[i];
+    const vm::CommandArgument& argument = call.arguments[i];
+    if (parameter.passing != Passing::kOutput || argument.null) continue;
+    if (parameter.structure != nullptr) {
+      ForEachStructure(parameter, argument, [&](char* host, std::span<double> cells) {
+        StructureFromCells(*parameter.structure, cells, host);
+      });
+      continue;
+    }
+    for (size_t cell = 0; cell < argument.cells.size(); ++cell) {
+      WriteScalar(parameter.type, argument.host, cell, argument.cells[cell]);
+    }
+  }
+}
+
+}  // namespace oncard::runtime

@@ -1,0 +1,27 @@
+// A picture of a trace, as a script for gnuplot with the data inside: position, velocity,
+// acceleration and following error over time, variables and digital signals as steps, and the path
+// of every coordinate system. The same trace gives the same script, and the same version of gnuplot
+// the same bytes of SVG. Running gnuplot is the caller's part.
+// Tested by tests/runtime/plot_test.cc.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "base/result.h"
+#include "runtime/observe/trace.h"
+
+namespace oncard::runtime {
+
+enum class PictureFormat : uint8_t { kSvg, kPng };
+
+struct PlotOptions {
+  std::string title;
+  PictureFormat format = PictureFormat::kSvg;
+};
+
+/// The script; gnuplot writes the picture to its standard output. Fails when nothing in the trace
+/// changes, so that there is nothing to see.
+Result<std::string> PlotScript(const Trace& trace, const PlotOptions& options);
+
+}  // namespace oncard::runtime

@@ -1,0 +1,431 @@
+#include "runtime/observe/quantity.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "base/nearest.h"
+#include "base/number.h"
+
+namespace oncard::runtime {
+namespace {
+
+using vm::DataType;
+
+struct WordName {
+  std::string_view name;
+  bool output;
+  int number;
+};
+
+constexpr std::array kWords = {
+    WordName{"limit_positive", false, static_cast<int>(motion::DiType::kLimitPositive)},
+    WordName{"limit_negative", false, static_cast<int>(motion::DiType::kLimitNegative)},
+    WordName{"alarm", false, static_cast<int>(motion::DiType::kAlarm)},
+    WordName{"home", false, static_cast<int>(motion::DiType::kHome)},
+    WordName{"gpi", false, static_cast<int>(motion::DiType::kGpi)},
+    WordName{"arrive", false, static_cast<int>(motion::DiType::kArrive)},
+    WordName{"mpg", false, static_cast<int>(motion::DiType::kMpg)},
+    WordName{"enable", true, static_cast<int>(motion::DoType::kEnable)},
+    WordName{"clear", true, static_cast<int>(motion::DoType::kClear)},
+    WordName{"gpo", true, static_cast<int>(motion::DoType::kGpo)},
+};
+
+struct ThreadFieldName {
+  std::string_view name;
+  QuantityKind kind;
+};
+
+constexpr std::array kThreadFields = {
+    ThreadFieldName{"run", QuantityKind::kThreadRun},
+    ThreadFieldName{"result", QuantityKind::kThreadResult},
+    ThreadFieldName{"error", QuantityKind::kThreadError},
+    ThreadFieldName{"line", QuantityKind::kThreadLine},
+    ThreadFieldName{"page", QuantityKind::kThreadPage},
+    ThreadFieldName{"statements", QuantityKind::kThreadStatements},
+};
+
+struct PlainName {
+  std::string_view name;
+  QuantityKind kind;
+};
+
+constexpr std::array kPlainNames = {
+    PlainName{"clock", QuantityKind::kClock},
+    PlainName{"statements", QuantityKind::kStatements},
+};
+
+std::optional<int> ParseIndex(std::string_view text) {
+  const auto value = ReadWhole<int>(text);
+  return value.value_or(-1) < 0 ? std::nullopt : value;
+}
+
+// `base[index]`, or `base` alone.
+struct IndexedName {
+  std::string_view base;
+  std::optional<int> index;
+};
+
+std::optional<IndexedName> SplitIndex(std::string_view name) {
+  const size_t open = name.find('[');
+  if (open == std::string_view::npos) return IndexedName{name, std::nullopt};
+  if (!name.ends_with(']')) return std::nullopt;
+  const auto index = ParseIndex(name.substr(open + 1, name.size() - open - 2));
+  if (!index) return std::nullopt;
+  return IndexedName{name.substr(0, open), index};
+}
+
+/// The global variables; none while no program is loaded, as on the card of a host program.
+std::span<const vm::Symbol> GlobalsOf(const vm::Machine& machine) {
+  if (machine.image() == nullptr) return {};
+  return machine.image()->object.globals;
+}
+
+Error UnknownName(std::string_view name, std::span<const std::string_view> candidates) {
+  const std::string_view near = NearestName(name, candidates);
+  if (near.empty()) {
+    return MakeError(1, "nothing is named '{0}'", "没有名为“{0}”的量", name);
+  }
+  return MakeError(1, "nothing is named '{0}'; did you mean '{1}'?",
+                   "没有名为“{0}”的量；是否为“{1}”？", name, near);
+}
+
+// A variable's slots under the names of its elements.
+Result<std::vector<Quantity>> SlotsOf(const vm::Symbol& symbol, std::string_view prefix,
+                                      std::optional<int> index, bool global, int page) {
+  Quantity quantity;
+  quantity.kind = QuantityKind::kVariable;
+  quantity.slot = {global, static_cast<uint8_t>(page), symbol.id, symbol.type};
+  quantity.name = fmt::format("{}{}", prefix, symbol.name);
+  if (symbol.array_size == 0) {
+    if (!index) return std::vector{quantity};
+    return MakeError(1, "'{0}' is not an array", "“{0}”不是数组", quantity.name);
+  }
+  if (index && *index >= symbol.array_size) {
+    return MakeError(1, "'{0}' has elements 0 to {1}, not {2}", "“{0}”的下标为 0 至 {1}，没有 {2}",
+                     quantity.name, symbol.array_size - 1, *index);
+  }
+  std::vector<Quantity> elements;
+  const int first = index.value_or(0);
+  const int last = index.value_or(symbol.array_size - 1);
+  for (int i = first; i <= last; ++i) {
+    Quantity element = quantity;
+    element.name += fmt::format("[{}]", i);
+    element.slot.id = static_cast<uint16_t>(symbol.id + i);
+    elements.push_back(std::move(element));
+  }
+  return elements;
+}
+
+Result<std::vector<Quantity>> ResolveThread(std::string_view name, int thread,
+                                            std::string_view field) {
+  if (thread >= vm::kThreadCount) {
+    return MakeError(1, "'{0}': threads are numbered 0 to {1}", "“{0}”：线程号为 0 至 {1}", name,
+                     vm::kThreadCount - 1);
+  }
+  std::vector<std::string_view> candidates;
+  for (const ThreadFieldName& row : kThreadFields) {
+    if (row.name == field) {
+      Quantity quantity;
+      quantity.name = name;
+      quantity.kind = row.kind;
+      quantity.thread = thread;
+      return std::vector{quantity};
+    }
+    candidates.push_back(row.name);
+  }
+  return UnknownName(field, candidates);
+}
+
+Error NoProgram() {
+  return MakeError(1, "no program is downloaded, so it has no variables", "尚未下载程序，没有变量");
+}
+
+// The function whose locals a page holds.
+Result<int> FunctionOnPage(int page, std::string_view variable, const vm::Machine& machine) {
+  std::vector<int> having;
+  for (const vm::ThreadState& thread : machine.state().threads) {
+    if (thread.run == vm::ThreadRun::kUnbound) continue;
+    if (thread.page == page) return int{thread.function};
+    const bool known = std::find(having.begin(), having.end(), thread.function) != having.end();
+    if (!known && vm::FindLocal(*machine.image(), thread.function, variable) != nullptr) {
+      having.push_back(thread.function);
+    }
+  }
+  if (having.size() == 1) return having.front();
+  return MakeError(1, "no thread is bound to page {0}, so '{1}' has no meaning there",
+                   "没有线程绑定到数据页 {0}，“{1}”在该页没有含义", page, variable);
+}
+
+Result<std::vector<Quantity>> ResolveLocal(int page, const IndexedName& variable,
+                                           const vm::Machine& machine) {
+  if (page >= vm::kPageCount) {
+    return MakeError(1, "'page{0}': pages are numbered 0 to {1}", "“page{0}”：数据页号为 0 至 {1}",
+                     page, vm::kPageCount - 1);
+  }
+  if (machine.image() == nullptr) return NoProgram();
+  const auto function = FunctionOnPage(page, variable.base, machine);
+  if (!function.ok()) return function.error();
+  const vm::Symbol* symbol = vm::FindLocal(*machine.image(), function.value(), variable.base);
+  if (symbol == nullptr) {
+    std::vector<std::string_view> candidates;
+    const auto& bound = machine.image()->object.functions[static_cast<size_t>(function.value())];
+    for (const vm::Symbol& local : bound.variables) candidates.push_back(local.name);
+    return UnknownName(variable.base, candidates);
+  }
+  return SlotsOf(*symbol, fmt::format("page{}.", page), variable.index, false, page);
+}
+
+// "thread12.result" with prefix "thread": 12 and "result".
+struct NumberedName {
+  int number = 0;
+  std::string_view rest;
+};
+
+std::optional<NumberedName> SplitNumbered(std::string_view name, std::string_view prefix) {
+  const size_t dot = name.find('.');
+  if (!name.starts_with(prefix) || dot == std::string_view::npos) return std::nullopt;
+  const auto number = ParseIndex(name.substr(prefix.size(), dot - prefix.size()));
+  if (!number) return std::nullopt;
+  return NumberedName{*number, name.substr(dot + 1)};
+}
+
+// "axis1.prfPos", "dac1": the part's name, its number and the name of the value.
+struct PartName {
+  std::string_view part;
+  int number = 0;
+  std::string_view value;
+};
+
+std::optional<PartName> SplitPart(std::string_view name) {
+  const size_t dot = std::min(name.find('.'), name.size());
+  const size_t digits = name.find_first_of("0123456789");
+  if (digits == 0 || digits >= dot) return std::nullopt;
+  const auto number = ParseIndex(name.substr(digits, dot - digits));
+  if (!number) return std::nullopt;
+  return PartName{name.substr(0, digits), *number, name.substr(std::min(dot + 1, name.size()))};
+}
+
+Result<std::vector<Quantity>> ResolveMotion(std::string_view name, const PartName& split,
+                                            const MotionPart& part,
+                                            const motion::MotionCore& core) {
+  const int last = part.first + static_cast<int>(part.count(core)) - 1;
+  if (split.number < part.first || split.number > last) {
+    return MakeError(1, "'{0}': this card has {1}{2} to {1}{3}", "“{0}”：此卡只有 {1}{2} 至 {1}{3}",
+                     name, part.name, part.first, last);
+  }
+  const auto index = static_cast<size_t>(split.number - part.first);
+  if (part.has != nullptr && !part.has(core, index)) {
+    return MakeError(1, "'{0}': this card has no {1}{2}", "“{0}”：此卡没有 {1}{2}", name, part.name,
+                     split.number);
+  }
+  const MotionValue* value = FindMotionValue(part, split.value);
+  if (value == nullptr && split.value.empty()) {
+    std::vector<std::string_view> values;
+    for (const MotionValue& known : part.values) values.push_back(known.name);
+    return MakeError(1, "'{0}' has the values {1}", "“{0}”的量有 {1}", name,
+                     fmt::to_string(fmt::join(values, ", ")));
+  }
+  if (value == nullptr) {
+    std::vector<std::string> names;
+    for (const MotionValue& known : part.values) {
+      names.push_back(MotionValueName(part, split.number, known.name));
+    }
+    const std::vector<std::string_view> candidates(names.begin(), names.end());
+    return UnknownName(name, candidates);
+  }
+  Quantity quantity;
+  quantity.name = name;
+  quantity.kind = QuantityKind::kMotion;
+  quantity.value = value;
+  quantity.index = index;
+  return std::vector{quantity};
+}
+
+// A name with a number in it whose part is unknown.
+Error UnknownPart(std::string_view name, const PartName& split) {
+  std::vector<std::string_view> parts = {"thread", "page"};
+  for (const MotionPart& part : MotionParts()) parts.push_back(part.name);
+  const std::string_view near = NearestName(split.part, parts);
+  if (near.empty()) return UnknownName(name, {});
+  const std::string meant = fmt::format("{}{}", near, name.substr(split.part.size()));
+  const std::string_view only[] = {meant};
+  return UnknownName(name, only);
+}
+
+Result<std::vector<Quantity>> ResolveWord(const WordName& word, const IndexedName& name) {
+  Quantity quantity;
+  quantity.word = word.number;
+  quantity.name = word.name;
+  quantity.kind = word.output ? QuantityKind::kOutputWord : QuantityKind::kInputWord;
+  if (name.index) {
+    const int width = word.output ? motion::DoWidth(static_cast<motion::DoType>(word.number))
+                                  : motion::DiWidth(static_cast<motion::DiType>(word.number));
+    if (*name.index < 1 || *name.index > width) {
+      return MakeError(1, "bits of '{0}' are numbered 1 to {1}", "“{0}”的位号为 1 至 {1}",
+                       word.name, width);
+    }
+    quantity.kind = word.output ? QuantityKind::kOutputBit : QuantityKind::kInputBit;
+    quantity.name += fmt::format("[{}]", *name.index);
+    quantity.bit = *name.index - 1;
+  }
+  return std::vector{quantity};
+}
+
+}  // namespace
+
+Result<std::vector<Quantity>> ResolveQuantity(std::string_view name, const Controller& controller) {
+  const vm::Machine& machine = controller.machine();
+  const auto indexed = SplitIndex(name);
+  if (!indexed) {
+    return MakeError(1, "'{0}' is not a name; an index is a number, as in 'a[3]'",
+                     "“{0}”不是名称；下标应为数字，如“a[3]”", name);
+  }
+  const vm::Image* image = machine.image();
+  const vm::Symbol* symbol = image != nullptr ? vm::FindGlobal(*image, indexed->base) : nullptr;
+  if (symbol != nullptr) return SlotsOf(*symbol, "", indexed->index, true, 0);
+  if (const auto thread = SplitNumbered(name, "thread")) {
+    return ResolveThread(name, thread->number, thread->rest);
+  }
+  if (const auto page = SplitNumbered(indexed->base, "page")) {
+    return ResolveLocal(page->number, {page->rest, indexed->index}, machine);
+  }
+  const auto part_name = SplitPart(name);
+  if (part_name) {
+    if (const MotionPart* part = FindMotionPart(part_name->part)) {
+      return ResolveMotion(name, *part_name, *part, controller.motion());
+    }
+  }
+  std::vector<std::string_view> candidates;
+  for (const vm::Symbol& global : GlobalsOf(machine)) candidates.push_back(global.name);
+  for (const WordName& word : kWords) {
+    if (word.name == indexed->base) return ResolveWord(word, *indexed);
+    candidates.push_back(word.name);
+  }
+  for (const PlainName& row : kPlainNames) {
+    if (row.name == name) {
+      Quantity quantity;
+      quantity.name = name;
+      quantity.kind = row.kind;
+      return std::vector{quantity};
+    }
+    candidates.push_back(row.name);
+  }
+  if (part_name && NearestName(name, candidates).empty()) return UnknownPart(name, *part_name);
+  return UnknownName(name, candidates);
+}
+
+std::vector<Quantity> GlobalQuantities(const Controller& controller) {
+  std::vector<Quantity> all;
+  for (const vm::Symbol& symbol : GlobalsOf(controller.machine())) {
+    auto slots = SlotsOf(symbol, "", std::nullopt, true, 0);
+    all.insert(all.end(), slots.value().begin(), slots.value().end());
+  }
+  return all;
+}
+
+double ReadQuantity(const Quantity& quantity, const Controller& controller) {
+  const vm::Machine& machine = controller.machine();
+  const vm::ThreadState& thread = machine.thread(quantity.thread);
+  const motion::DigitalIo& io = controller.motion().state().io;
+  switch (quantity.kind) {
+    case QuantityKind::kVariable:
+      return machine.Read(quantity.slot);
+    case QuantityKind::kThreadRun:
+      // The numbers of TThreadSts.run.
+      return thread.run == vm::ThreadRun::kRunning  ? 1
+             : thread.run == vm::ThreadRun::kPaused ? 2
+                                                    : 0;
+    case QuantityKind::kThreadResult:
+      return thread.result_type == DataType::kDouble ? vm::DoubleFromFixed(thread.result)
+                                                     : static_cast<double>(thread.result);
+    case QuantityKind::kThreadError:
+      return thread.error;
+    case QuantityKind::kThreadLine:
+      return machine.Line(quantity.thread);
+    case QuantityKind::kThreadPage:
+      return thread.page;
+    case QuantityKind::kThreadStatements:
+      return static_cast<double>(thread.executed);
+    case QuantityKind::kInputWord:
+      return io.Read(static_cast<motion::DiType>(quantity.word));
+    case QuantityKind::kInputBit:
+      return (io.Read(static_cast<motion::DiType>(quantity.word)) >> quantity.bit) & 1u;
+    case QuantityKind::kOutputWord:
+      return io.Register(static_cast<motion::DoType>(quantity.word));
+    case QuantityKind::kOutputBit:
+      return (io.Register(static_cast<motion::DoType>(quantity.word)) >> quantity.bit) & 1u;
+    case QuantityKind::kMotion:
+      return quantity.value->read(controller.motion(), quantity.index);
+    case QuantityKind::kClock:
+      return static_cast<double>(controller.motion().ClockMs());
+    case QuantityKind::kStatements:
+      return static_cast<double>(machine.state().executed);
+  }
+  return 0;
+}
+
+NumberForm FormOfQuantity(const Quantity& quantity, const Controller& controller) {
+  switch (quantity.kind) {
+    case QuantityKind::kVariable:
+      return FormOf(quantity.slot.type);
+    case QuantityKind::kThreadResult:
+      return FormOf(controller.machine().thread(quantity.thread).result_type);
+    case QuantityKind::kMotion:
+      return quantity.value->form;
+    case QuantityKind::kInputBit:
+    case QuantityKind::kOutputBit:
+      return NumberForm::kFlag;
+    default:
+      return NumberForm::kWhole;
+  }
+}
+
+NumberForm FormOf(DataType type) {
+  return type == DataType::kDouble ? NumberForm::kFixedPoint : NumberForm::kWhole;
+}
+
+std::string FormatNumber(double value, NumberForm form) {
+  std::string text;
+  switch (form) {
+    case NumberForm::kWhole:
+    case NumberForm::kFlag:
+      return fmt::format("{}", static_cast<int64_t>(value));
+    case NumberForm::kFixedPoint:
+      // At most 16 decimals, of which no exponent is wanted.
+      text = fmt::format("{:.16f}", value);
+      text.erase(text.find_last_not_of('0') + 1);
+      if (text.ends_with('.')) text += '0';
+      return text;
+    case NumberForm::kReal:
+      break;
+  }
+  text = fmt::format("{}", value);
+  if (text.find_first_of(".en") == std::string::npos) text += ".0";
+  return text;
+}
+
+std::span<const std::string_view> WordNames() {
+  static constexpr auto kNames = [] {
+    std::array<std::string_view, kWords.size()> names;
+    for (size_t i = 0; i < names.size(); ++i) names[i] = kWords[i].name;
+    return names;
+  }();
+  return kNames;
+}
+
+std::optional<motion::DiType> FindInputWord(std::string_view name) {
+  for (const WordName& word : kWords) {
+    if (!word.output && word.name == name) return static_cast<motion::DiType>(word.number);
+  }
+  return std::nullopt;
+}
+
+std::string_view InputWordName(motion::DiType type) {
+  for (const WordName& word : kWords) {
+    if (!word.output && word.number == static_cast<int>(type)) return word.name;
+  }
+  return {};
+}
+
+}  // namespace oncard::runtime

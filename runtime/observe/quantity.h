@@ -1,0 +1,88 @@
+// Names for what can be observed of a card: the same names serve the results that tools print, the
+// expectations of scenarios and the columns of traces.
+//
+//   sum  a[3]  trap.acc             global variables
+//   page1.i  page1.a[2]             local variables on a data page
+//   thread0.result  thread0.run     what GT_GetThreadSts tells: run, result, error, line;
+//                                   and page, statements
+//   axis1.prfPos  profile1.vel      what the motion core computes (motion_values.h)
+//   gpo  gpo[1]                     a digital output or input word, or one bit of it, numbered from
+//                                   1 as GT_SetDoBit does: enable clear gpo limit_positive
+//                                   limit_negative alarm home gpi arrive mpg
+//   clock  statements               milliseconds since GT_Reset; statements since the download
+//
+// A global variable hides a word or `clock` of the same name.
+// Tested by tests/runtime/scenario_names_test.cc.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "runtime/observe/motion_values.h"
+#include "runtime/sim/controller.h"
+
+namespace oncard::runtime {
+
+enum class QuantityKind : uint8_t {
+  kVariable,
+  kThreadRun,
+  kThreadResult,
+  kThreadError,
+  kThreadLine,
+  kThreadPage,
+  kThreadStatements,
+  kInputWord,
+  kInputBit,
+  kOutputWord,
+  kOutputBit,
+  kMotion,
+  kClock,
+  kStatements,
+};
+
+/// One observable number. A plain value; meaningful for controllers with the same program.
+struct Quantity {
+  std::string name;
+  QuantityKind kind = QuantityKind::kClock;
+  vm::SlotAddress slot;                ///< kVariable
+  int thread = 0;                      ///< kThread...
+  int word = 0;                        ///< number of the input or output word
+  int bit = 0;                         ///< from 0
+  const MotionValue* value = nullptr;  ///< kMotion
+  size_t index = 0;                    ///< of the part, from 0
+
+  Unit unit() const { return value == nullptr ? Unit::kNone : value->unit; }
+};
+
+/// Finds what a name means for the controller's program and its bindings: a local is one of the
+/// function bound to the page, or, when no thread is bound to it, of the only bound function that
+/// has such a variable. An array's name gives all its elements. The error says what is unknown and
+/// which name is near.
+Result<std::vector<Quantity>> ResolveQuantity(std::string_view name, const Controller& controller);
+
+/// All global variables, in the order of their declaration.
+std::vector<Quantity> GlobalQuantities(const Controller& controller);
+
+/// The value now. Every int and every fixed-point number is exact as a double.
+double ReadQuantity(const Quantity& quantity, const Controller& controller);
+
+/// How the value now is written; a thread's result has its function's return type.
+NumberForm FormOfQuantity(const Quantity& quantity, const Controller& controller);
+
+/// How values of a type of the language are written.
+NumberForm FormOf(vm::DataType type);
+
+/// A value as users read it: `5050`, `12.5`, `3.0`; the shortest digits that give the value back.
+std::string FormatNumber(double value, NumberForm form);
+
+/// Names of all input and output words.
+std::span<const std::string_view> WordNames();
+/// The input word of a name above; empty for another name.
+std::optional<motion::DiType> FindInputWord(std::string_view name);
+/// The name of an input word.
+std::string_view InputWordName(motion::DiType type);
+
+}  // namespace oncard::runtime

@@ -1,0 +1,310 @@
+#include "runtime/observe/trace.h"
+
+#include <algorithm>
+#include <bitset>
+#include <cmath>
+#include <utility>
+
+#include "runtime/observe/milliseconds.h"
+
+namespace oncard::runtime {
+namespace {
+
+// Identifier codes of a VCD are made of the printable characters ! to ~.
+constexpr int kVcdFirst = '!';
+constexpr int kVcdCount = '~' - '!' + 1;
+
+// An encoder counts whole pulses: an axis that follows exactly is up to half a pulse away.
+constexpr double kErrorWorthShowing = 1;
+
+// Values of parts of the card that a trace shows without being asked.
+struct DefaultValue {
+  std::string_view part;
+  std::string_view value;
+  double threshold = 0;
+};
+
+constexpr DefaultValue kDefaultValues[] = {
+    {"axis", "prfPos"},     {"axis", "prfVel"},
+    {"axis", "prfAcc"},     {"axis", "error", kErrorWorthShowing},
+    {"axis", "alarm"},      {"axis", "followingError"},
+    {"axis", "posLimit"},   {"axis", "negLimit"},
+    {"axis", "smoothStop"}, {"axis", "abruptStop"},
+    {"axis", "inPosition"}, {"dac", ""},
+    {"crd", "x"},           {"crd", "y"},
+    {"crd", "z"},           {"crd", "vel"},
+    {kHsioPart, ""},
+};
+
+std::string VcdCode(size_t index) {
+  std::string code;
+  do {
+    code += static_cast<char>(kVcdFirst + static_cast<int>(index % kVcdCount));
+    index /= kVcdCount;
+  } while (index != 0);
+  return code;
+}
+
+std::string VcdChange(double value, NumberForm form, const std::string& code) {
+  switch (form) {
+    case NumberForm::kFlag:
+      return fmt::format("{}{}\n", value != 0 ? 1 : 0, code);
+    case NumberForm::kReal:
+    case NumberForm::kFixedPoint:
+      return fmt::format("r{} {}\n", FormatNumber(value, form), code);
+    case NumberForm::kWhole:
+      break;
+  }
+  const auto bits = std::bitset<32>(static_cast<uint32_t>(static_cast<int64_t>(value)));
+  return fmt::format("b{} {}\n", bits.to_string(), code);
+}
+
+std::string VcdType(NumberForm form) {
+  switch (form) {
+    case NumberForm::kFlag:
+      return "wire 1";
+    case NumberForm::kReal:
+    case NumberForm::kFixedPoint:
+      return "real 64";
+    case NumberForm::kWhole:
+      break;
+  }
+  return "wire 32";
+}
+
+// A program's names hold letters, digits, dots and brackets only; a mark may hold anything.
+std::string JsonString(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+  }
+  return quoted + '"';
+}
+
+int64_t TimeOf(const Controller& controller) {
+  return controller.cycle() * controller.options().motion.cycle_us;
+}
+
+}  // namespace
+
+std::vector<TraceColumn> DefaultColumns(const Controller& controller) {
+  std::vector<TraceColumn> columns;
+  const auto add = [&](const std::string& name, double threshold) {
+    auto found = ResolveQuantity(name, controller);
+    if (!found.ok()) return;  // hidden by a global variable
+    for (Quantity& quantity : found.value()) {
+      columns.push_back({std::move(quantity), true, threshold});
+    }
+  };
+  for (const DefaultValue& row : kDefaultValues) {
+    const MotionPart& part = *FindMotionPart(row.part);
+    const int count = static_cast<int>(part.count(controller.motion()));
+    for (int i = 0; i < count; ++i) {
+      add(MotionValueName(part, part.first + i, row.value), row.threshold);
+    }
+  }
+  for (const std::string_view word : WordNames()) add(std::string(word), 0);
+  return columns;
+}
+
+Trace::Trace(std::vector<TraceColumn> columns) {
+  for (TraceColumn& column : columns) {
+    const bool known = std::any_of(
+        columns_.begin(), columns_.end(),
+        [&](const TraceColumn& earlier) { return earlier.quantity.name == column.quantity.name; });
+    if (!known) columns_.push_back(std::move(column));
+  }
+}
+
+void Trace::Sample(const Controller& controller) {
+  TraceRow row;
+  row.time_us = TimeOf(controller);
+  if (!rows_.empty() && row.time_us > sampled_us_) AddOutputEdges(controller, row.time_us);
+  sampled_us_ = row.time_us;
+  row.values.reserve(columns_.size());
+  for (const TraceColumn& column : columns_) {
+    row.values.push_back(ReadQuantity(column.quantity, controller));
+  }
+  SampleThreads(controller, row.time_us);
+  if (rows_.empty()) {
+    cycle_us_ = controller.options().motion.cycle_us;
+    for (const TraceColumn& column : columns_) {
+      forms_.push_back(FormOfQuantity(column.quantity, controller));
+    }
+  } else if (rows_.back().values == row.values) {
+    return;
+  }
+  rows_.push_back(std::move(row));
+}
+
+void Trace::AddOutputEdges(const Controller& controller, int64_t time_us) {
+  struct Change {
+    int64_t at_us;
+    size_t column;
+    double level;
+  };
+  std::vector<Change> changes;
+  const MotionValue* output = FindMotionPart(kHsioPart)->values.data();
+  for (const motion::HsioEdge& edge : controller.motion().state().compare.edges()) {
+    const auto at_us = static_cast<int64_t>(std::round(edge.instant));
+    if (at_us >= time_us) continue;  // in the sample itself
+    for (size_t i = 0; i < columns_.size(); ++i) {
+      const Quantity& quantity = columns_[i].quantity;
+      if (quantity.value != output || quantity.index != edge.channel) continue;
+      changes.push_back({at_us, i, edge.level ? 1.0 : 0.0});
+    }
+  }
+  std::stable_sort(changes.begin(), changes.end(),
+                   [](const Change& a, const Change& b) { return a.at_us < b.at_us; });
+  for (const Change& change : changes) {
+    if (rows_.back().time_us < change.at_us) {
+      rows_.push_back({change.at_us, rows_.back().values, true});
+    }
+    rows_.back().values[change.column] = change.level;
+  }
+}
+
+void Trace::SampleThreads(const Controller& controller, int64_t time_us) {
+  const vm::Machine& machine = controller.machine();
+  for (int thread = 0; thread < vm::kThreadCount; ++thread) {
+    const vm::ThreadState& state = machine.thread(thread);
+    const bool runs = state.run == vm::ThreadRun::kRunning;
+    const auto open = std::find_if(open_.begin(), open_.end(),
+                                   [&](const TraceSpan& span) { return span.thread == thread; });
+    if (runs && open == open_.end()) {
+      const std::string& function = machine.image()->object.functions[state.function].name;
+      open_.push_back({thread, function, time_us, time_us});
+    } else if (!runs && open != open_.end()) {
+      open->end_us = time_us;
+      spans_.push_back(std::move(*open));
+      open_.erase(open);
+    }
+  }
+}
+
+void Trace::Finish(const Controller& controller) {
+  Sample(controller);
+  TraceRow last = rows_.back();
+  last.time_us = TimeOf(controller);
+  if (rows_.back().time_us != last.time_us) rows_.push_back(std::move(last));
+  for (TraceSpan& span : open_) {
+    span.end_us = TimeOf(controller);
+    spans_.push_back(std::move(span));
+  }
+  open_.clear();
+  DropUnchanged();
+}
+
+void Trace::Mark(const Controller& controller, std::string text) {
+  marks_.push_back({TimeOf(controller), {text, text}});
+}
+
+void Trace::DropUnchanged() {
+  std::vector<bool> kept(columns_.size());
+  for (size_t i = 0; i < columns_.size(); ++i) {
+    kept[i] = !columns_[i].only_if_changed ||
+              std::any_of(rows_.begin(), rows_.end(), [&](const TraceRow& row) {
+                return std::fabs(row.values[i] - rows_.front().values[i]) > columns_[i].threshold;
+              });
+  }
+  const auto compact = [&](auto& values) {
+    size_t count = 0;
+    for (size_t i = 0; i < kept.size(); ++i) {
+      if (!kept[i]) continue;
+      if (count != i) values[count] = std::move(values[i]);
+      ++count;
+    }
+    values.resize(count);
+  };
+  for (TraceRow& row : rows_) compact(row.values);
+  compact(forms_);
+  compact(columns_);
+  // Rows that only differed in what was dropped; the first and the last stay.
+  const auto same = [&](const TraceRow& a, const TraceRow& b) { return a.values == b.values; };
+  TraceRow last = rows_.back();
+  rows_.erase(std::unique(rows_.begin(), rows_.end(), same), rows_.end());
+  if (rows_.back().time_us != last.time_us) rows_.push_back(std::move(last));
+}
+
+std::string Trace::Csv() const {
+  std::string text = "time_ms";
+  for (const TraceColumn& column : columns_) text += ',' + column.quantity.name;
+  text += '\n';
+  for (const TraceRow& row : rows_) {
+    text += FormatMs(row.time_us);
+    for (size_t i = 0; i < row.values.size(); ++i) {
+      text += ',' + FormatNumber(row.values[i], forms_[i]);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string Trace::Vcd() const {
+  std::string text = "$timescale 1 us $end\n$scope module oncard $end\n";
+  std::string scope;
+  for (size_t i = 0; i < columns_.size() && i < forms_.size(); ++i) {
+    const std::string& name = columns_[i].quantity.name;
+    const size_t dot = name.find('.');
+    const std::string part = dot == std::string::npos ? "" : name.substr(0, dot);
+    if (part != scope) {
+      if (!scope.empty()) text += "$upscope $end\n";
+      if (!part.empty()) text += fmt::format("$scope module {} $end\n", part);
+      scope = part;
+    }
+    text += fmt::format("$var {} {} {} $end\n", VcdType(forms_[i]), VcdCode(i),
+                        part.empty() ? name : name.substr(dot + 1));
+  }
+  if (!scope.empty()) text += "$upscope $end\n";
+  text += "$upscope $end\n$enddefinitions $end\n";
+  const TraceRow* before = nullptr;
+  for (const TraceRow& row : rows_) {
+    text += fmt::format("#{}\n", row.time_us);
+    for (size_t i = 0; i < row.values.size(); ++i) {
+      if (before != nullptr && before->values[i] == row.values[i]) continue;
+      text += VcdChange(row.values[i], forms_[i], VcdCode(i));
+    }
+    before = &row;
+  }
+  return text;
+}
+
+std::string Trace::Json() const {
+  // Threads first, by number, then the marks' own row.
+  std::vector<std::string> events;
+  events.emplace_back(
+      R"({"name":"process_name","ph":"M","pid":1,"tid":0,"args":{"name":"oncard"}})");
+  std::vector<int> named;
+  for (const TraceSpan& span : spans_) {
+    if (std::find(named.begin(), named.end(), span.thread) == named.end()) {
+      named.push_back(span.thread);
+      events.push_back(fmt::format(
+          R"({{"name":"thread_name","ph":"M","pid":1,"tid":{},"args":{{"name":"thread {}"}}}})",
+          span.thread, span.thread));
+    }
+    events.push_back(fmt::format(
+        R"({{"name":{},"cat":"thread","ph":"X","pid":1,"tid":{},"ts":{},"dur":{}}})",
+        JsonString(span.function), span.thread, span.begin_us, span.end_us - span.begin_us));
+  }
+  for (const TraceMark& mark : marks_) {
+    events.push_back(fmt::format(
+        R"({{"name":{},"cat":"{}","ph":"i","s":"p","pid":1,"tid":{},"ts":{}}})",
+        JsonString(mark.text.en), mark.by_card ? "card" : "host", vm::kThreadCount, mark.time_us));
+  }
+  for (size_t i = 0; i < columns_.size(); ++i) {
+    const TraceRow* before = nullptr;
+    for (const TraceRow& row : rows_) {
+      if (before == nullptr || before->values[i] != row.values[i]) {
+        events.push_back(fmt::format(
+            R"({{"name":"{}","ph":"C","pid":1,"ts":{},"args":{{"value":{}}}}})",
+            columns_[i].quantity.name, row.time_us, FormatNumber(row.values[i], forms_[i])));
+      }
+      before = &row;
+    }
+  }
+  return fmt::format("{{\"displayTimeUnit\":\"ms\",\"traceEvents\":[\n{}\n]}}\n",
+                     fmt::join(events, ",\n"));
+}
+
+}  // namespace oncard::runtime

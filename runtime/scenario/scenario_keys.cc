@@ -1,0 +1,119 @@
+#include "runtime/scenario/scenario_keys.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace oncard::runtime {
+namespace {
+
+using enum KeyUse;
+
+constexpr KeyRule kRules[] = {
+    // name, run, explore, host
+    {"program", kUsed, kUsed, kRefused},
+    {"title", kUsed, kMeansNothing, kUsed},
+    {"include", kUsed, kUsed, kRefused},
+    {"double", kUsed, kUsed, kRefused},
+    // The explorer takes every schedule, this one included.
+    {"schedule", kUsed, kMeansNothing, kRefused},
+    {"rate", kUsed, kUsed, kUsed},
+    {"axes", kUsed, kUsed, kUsed},
+    {"cycle_us", kUsed, kUsed, kUsed},
+    {"limit_ms", kUsed, kUsed, kUsed},
+    {"until_ms", kUsed, kUsed, kUsed},
+    {"trace", kUsed, kMeansNothing, kUsed},
+    {"keys", kRefused, kRefused, kUsed},
+    {"expect", kUsed, kUsed, kUsed},
+    {"final", kUsed, kUsed, kRefused},
+    {"always", kUsed, kUsed, kRefused},
+    {"never", kUsed, kUsed, kRefused},
+    {"eventually", kUsed, kUsed, kRefused},
+    {"races", kRefused, kUsed, kRefused},
+    {"sync", kRefused, kUsed, kRefused},
+    // Speaks to `oncard test` and `oncard explore`.
+    {"explore", kMeansNothing, kUsed, kRefused},
+    {"globals", kUsed, kUsed, kRefused},
+    {"thread", kUsed, kUsed, kRefused},
+    {"world", kUsed, kUsed, kUsed},
+    {"host", kUsed, kRefused, kRefused},
+};
+
+constexpr std::string_view kOfTraces[] = {"auto", "dpor"};
+constexpr std::string_view kOfStates[] = {"auto", "stateful", "bounded"};
+constexpr std::string_view kOfGraphs[] = {"auto", "stateful"};
+constexpr std::string_view kOfRandom[] = {"random", "pct", "pos"};
+constexpr std::string_view kOfPct[] = {"pct"};
+constexpr std::string_view kOfBounded[] = {"bounded"};
+
+constexpr SearchSetting kSettings[] = {
+    {"max_executions", "--max-executions", kOfTraces},
+    {"max_states", "--max-states", kOfStates},
+    {"runs", "--runs", kOfRandom},
+    {"", "--seed", kOfRandom},
+    {"", "--depth", kOfPct},
+    {"", "--preemptions", kOfBounded},
+    {"", "--merge-private", kOfGraphs},
+};
+
+}  // namespace
+
+bool SearchSetting::UsedBy(std::string_view engine) const {
+  return std::ranges::find(engines, engine) != engines.end();
+}
+
+std::span<const SearchSetting> SearchSettings() { return kSettings; }
+
+Message DescribeUnusedSetting(const SearchSetting& setting, std::string_view name,
+                              std::string_view engine) {
+  return MakeMessage("'{0}' means nothing to the engine {1}: remove it, or use {2}",
+                     "“{0}”对 {1} 引擎没有意义：应去掉，或使用 {3}", name, engine,
+                     fmt::join(setting.engines, ", "), fmt::join(setting.engines, "、"));
+}
+
+std::span<const KeyRule> ScenarioKeyRules() { return kRules; }
+
+KeyUse UseOfKey(const KeyRule& rule, ScenarioUse use, bool explored) {
+  switch (use) {
+    case ScenarioUse::kText:
+      return kUsed;
+    case ScenarioUse::kRun:
+      return rule.run;
+    case ScenarioUse::kTest:
+      return explored ? rule.explore : rule.run;
+    case ScenarioUse::kExplore:
+      return rule.explore;
+    case ScenarioUse::kHost:
+      break;
+  }
+  return rule.host;
+}
+
+Message DescribeRefusedKey(std::string_view key, ScenarioUse use) {
+  if (use == ScenarioUse::kHost) {
+    return MakeMessage(
+        "'{0}' cannot be used for a host program: 'oncard exec' takes the card, its "
+        "world and 'expect' from a scenario; remove it",
+        "“{0}”不能用于主机程序：“oncard exec”只从场景读取控制卡、外部世界与“expect”；"
+        "应去掉",
+        key);
+  }
+  if (key == "keys") {
+    return {"'keys' are pressed for a host program: only 'oncard exec' can use them; remove them",
+            "“keys”供主机程序使用：只有“oncard exec”能使用；应去掉"};
+  }
+  if (key == "host") {
+    return {
+        "a scenario with [[host]] cannot be explored: start the threads with the values that the "
+        "host would write",
+        "带 [[host]] 的场景无法探索：应在启动线程时就给出主机要写入的值"};
+  }
+  return MakeMessage(
+      "'{0}' is about all schedules, a single run cannot look at it: use 'oncard "
+      "explore', or give the file the key 'explore' for 'oncard test'",
+      "“{0}”针对所有调度，单次运行无法检查：请用“oncard explore”，或为“oncard test”"
+      "在文件中加上“explore”",
+      key);
+}
+
+}  // namespace oncard::runtime

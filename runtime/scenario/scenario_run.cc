@@ -1,0 +1,513 @@
+#include "runtime/scenario/scenario_run.h"
+
+#include <algorithm>
+
+#include "base/files.h"
+#include "runtime/observe/moving_axes.h"
+#include "runtime/scenario/scenario_start.h"
+#include "runtime/scenario/scenario_world.h"
+#include "runtime/sim/program.h"
+
+namespace oncard::runtime {
+namespace {
+
+constexpr std::string_view kReplayPrefix = "replay:";
+
+/// A cycle that no run comes to.
+constexpr int64_t kNever = INT64_MAX;
+
+/// Cycles after which a run looks whether it shall stop.
+constexpr int64_t kLookCycles = 1000;
+
+Message Prefixed(std::string_view place, const Message& message) {
+  return {fmt::format("{}: {}", place, message.en), fmt::format("{}：{}", place, message.zh)};
+}
+
+Message DescribeFault(const vm::ThreadState& thread) {
+  switch (static_cast<vm::Fault>(thread.error)) {
+    case vm::Fault::kDivisionByZero:
+      return {"division by zero", "除数为零"};
+    case vm::Fault::kIndexOutOfBounds:
+      return MakeMessage("index {0} is out of bounds: the array has elements 0 to {1}",
+                         "下标 {0} 越界：数组下标为 0 至 {1}", thread.fault_value,
+                         thread.fault_limit - 1);
+    case vm::Fault::kOutputBeyondStorage:
+      return MakeMessage("the command covers {0} variables, but only {1} are there",
+                         "指令涉及 {0} 个变量，而此处只有 {1} 个", thread.fault_value,
+                         thread.fault_limit);
+    case vm::Fault::kNone:
+      break;
+  }
+  return MakeMessage("fault {0}", "故障 {0}", thread.error);
+}
+
+class ScenarioRunner {
+ public:
+  ScenarioRunner(const Scenario& scenario, const RunOptions& options)
+      : scenario_(scenario), options_(options), controller_(CardOptions(scenario)) {}
+
+  Result<ScenarioResult> Run(vm::Object object) {
+    if (options_.log != nullptr) {
+      controller_.LogRefusals(options_.log, 0);
+      controller_.LogHappenings(options_.log, 0);
+    }
+    controller_.CollectRefusals(&refused_);
+    if (options_.trace) KeepHappenings();
+    auto started = StartScenario(scenario_, std::move(object), &controller_);
+    if (!started.ok()) return started.error();
+    for (const auto step : {&ScenarioRunner::SetUpPolicy, &ScenarioRunner::SetUpExpectations,
+                            &ScenarioRunner::SetUpHost, &ScenarioRunner::SetUpValues,
+                            &ScenarioRunner::SetUpTrace, &ScenarioRunner::SetUpWatch}) {
+      if (auto done = (this->*step)(); !done.ok()) return done.error();
+    }
+    if (options_.steps) result_.steps.emplace();
+    Execute();
+    Report();
+    return std::move(result_);
+  }
+
+ private:
+  struct PendingExpectation {
+    BoundExpectation bound;
+    int64_t cycle = 0;  // with an instant: evaluated at the end of this cycle
+  };
+
+  struct PendingWrite {
+    int64_t cycle = 0;
+    Quantity variable;
+    double value = 0;
+  };
+
+  const vm::Image& image() const { return *controller_.machine().image(); }
+
+  // --- Before the start ------------------------------------------------------------------------
+
+  Result<void> SetUpPolicy() {
+    vm::Policy policy;
+    if (options_.replay != nullptr) {
+      policy.schedule = options_.replay;
+    } else if (scenario_.schedule.starts_with(kReplayPrefix)) {
+      const std::string path =
+          PathFromScenario(scenario_, scenario_.schedule.substr(kReplayPrefix.size()));
+      auto schedule = vm::LoadSchedule(path);
+      if (!schedule.ok()) return schedule.error();
+      policy.schedule = std::make_shared<const vm::Schedule>(std::move(schedule).value());
+    } else {
+      auto parsed = vm::ParsePolicy(scenario_.schedule);
+      if (!parsed.ok()) return parsed.error();
+      policy = std::move(parsed).value();
+    }
+    if (policy.schedule != nullptr) {
+      if (policy.schedule->program_hash != image().hash) {
+        return MakeError(1,
+                         "the schedule was recorded with another program: its hash is {0:016x}, "
+                         "this one's {1:016x}",
+                         "该调度是用另一个程序录制的：其散列值为 {0:016x}，此程序为 {1:016x}",
+                         policy.schedule->program_hash, image().hash);
+      }
+      policy.kind = vm::PolicyKind::kReplay;
+      replayed_ = policy.schedule;
+    }
+    controller_.machine().SetPolicy(policy);
+    if (options_.record) {
+      result_.schedule.emplace();
+      result_.schedule->program_hash = image().hash;
+      controller_.machine().Record(&*result_.schedule);
+    }
+    return {};
+  }
+
+  Result<void> SetUpExpectations() {
+    for (const Expectation& expectation : scenario_.expectations) {
+      auto bound = BindExpectation(expectation, controller_);
+      if (!bound.ok()) {
+        return Error{1, Prefixed("'" + expectation.text + "'", bound.error().message)};
+      }
+      if (bound.value().left.kind == QuantityKind::kThreadError) {
+        fault_expected_.push_back(bound.value().left.thread);
+      }
+      const int64_t cycle = CycleOf(scenario_, expectation.at_us.value_or(0));
+      auto& list = expectation.at_us ? timed_ : final_;
+      list.push_back({std::move(bound).value(), cycle});
+    }
+    std::stable_sort(timed_.begin(), timed_.end(),
+                     [](const auto& a, const auto& b) { return a.cycle < b.cycle; });
+    return {};
+  }
+
+  // What the host writes is tried once now, so that nothing can fail later.
+  Result<void> SetUpHost() {
+    const ControllerSnapshot before = controller_.Snapshot();
+    for (const HostEvent& event : scenario_.host) {
+      for (const InitialValue& written : event.values) {
+        auto variables = SetVariable(written, written.name, &controller_);
+        if (!variables.ok()) return variables.error();
+        for (size_t i = 0; i < written.values.size(); ++i) {
+          writes_.push_back({CycleOf(scenario_, event.at_us), std::move(variables.value()[i]),
+                             written.values[i]});
+        }
+      }
+    }
+    controller_.Restore(before);
+    return {};
+  }
+
+  Result<void> SetUpValues() {
+    if (options_.show.empty()) {
+      for (const vm::Symbol& symbol : image().object.globals) shown_.push_back(symbol.name);
+    } else {
+      shown_ = options_.show;
+    }
+    for (const std::string& name : shown_) {
+      auto quantities = ResolveQuantity(name, controller_);
+      if (!quantities.ok()) return quantities.error();
+      shown_quantities_.push_back(std::move(quantities).value());
+    }
+    return {};
+  }
+
+  Result<void> SetUpTrace() {
+    // Misspelt names are found whether there is a trace or not.
+    std::vector<TraceColumn> columns;
+    for (const std::string& name : scenario_.trace) {
+      auto quantities = ResolveQuantity(name, controller_);
+      if (!quantities.ok()) return quantities.error();
+      for (Quantity& quantity : quantities.value()) columns.push_back({std::move(quantity)});
+    }
+    if (!options_.trace) return {};
+    if (scenario_.trace.empty()) {
+      for (const std::vector<Quantity>& quantities : shown_quantities_) {
+        for (const Quantity& quantity : quantities) columns.push_back({quantity});
+      }
+      auto outputs = ResolveQuantity("gpo", controller_);
+      if (outputs.ok()) columns.push_back({std::move(outputs).value().front()});
+      for (TraceColumn& column : DefaultColumns(controller_)) columns.push_back(std::move(column));
+    }
+    result_.trace.emplace(std::move(columns));
+    for (TraceMark& mark : at_power_on_) result_.trace->Mark(std::move(mark));
+    return {};
+  }
+
+  // What the card does by itself goes to the trace; it can do something before that has begun.
+  void KeepHappenings() {
+    controller_.ListenToHappenings([this](int64_t time_us, const Message& what) {
+      TraceMark mark = {time_us, what, true};
+      if (result_.trace) {
+        result_.trace->Mark(std::move(mark));
+      } else {
+        at_power_on_.push_back(std::move(mark));
+      }
+    });
+  }
+
+  Result<void> SetUpWatch() {
+    RunWatch* watch = options_.watch;
+    if (watch == nullptr) return {};
+    if (auto begun = watch->Begin(controller_); !begun.ok()) return begun.error();
+    if (!watch->LooksAtStates()) return {};
+    watch->Look(controller_);
+    controller_.ObserveStates([this, watch] { watch->Look(controller_); });
+    return {};
+  }
+
+  // --- The run ---------------------------------------------------------------------------------
+
+  void Execute() {
+    const int64_t limit = CycleOf(scenario_, scenario_.limit_ms * 1000);
+    const int64_t until = scenario_.until_us ? CycleOf(scenario_, *scenario_.until_us) : limit + 1;
+    const int64_t cut_off = CutOfReplay();
+    const int64_t last = std::min({limit, until, cut_off});
+    bool ended = false;
+    for (;;) {
+      EvaluateDue();
+      ApplyDueWrites();
+      if (result_.trace) result_.trace->Sample(controller_);
+      if (controller_.cycle() >= last) {
+        came_to_cut_ = last == cut_off;
+        break;
+      }
+      if (options_.stop != nullptr && *options_.stop) {
+        result_.interrupted = true;
+        break;
+      }
+      if (!ended) ended = controller_.machine().Quiet();
+      if (ended && next_timed_ == timed_.size() && !scenario_.until_us) break;
+      const int64_t next = NextLook(last);
+      const bool host_is_awaited = next_write_ < writes_.size();
+      if (ended || (host_is_awaited && controller_.Deadlocked())) {
+        while (controller_.cycle() < next) controller_.RunCycle();
+        continue;
+      }
+      const int64_t cycles = next - controller_.cycle();
+      const RunEnd end = result_.steps ? RunLogged(&controller_, cycles, &*result_.steps)
+                                       : controller_.RunUntilQuiet(cycles);
+      ended = end != RunEnd::kTimeLimit && !(end == RunEnd::kDeadlock && host_is_awaited);
+      if (ended) result_.end = end;
+      came_to_cut_ = end == RunEnd::kScheduleEnd && cut_off != kNever;
+      if (end == RunEnd::kScheduleEnd || end == RunEnd::kScheduleDiverged) break;
+    }
+    result_.reached_until = scenario_.until_us && controller_.cycle() >= until;
+    const bool over = ended || controller_.machine().Quiet();
+    const bool cut = scenario_.until_us && controller_.cycle() >= limit && !result_.reached_until;
+    if (!over || (cut && result_.end == RunEnd::kQuiet)) result_.end = RunEnd::kTimeLimit;
+    result_.interrupted = result_.interrupted || came_to_cut_;
+    if (result_.trace) result_.trace->Finish(controller_);
+  }
+
+  // The cycle at which a recorded run was cut off.
+  int64_t CutOfReplay() const {
+    if (replayed_ == nullptr || !replayed_->cut_us) return kNever;
+    return CycleOf(scenario_, *replayed_->cut_us);
+  }
+
+  // The cycle up to which the run can go on by itself.
+  int64_t NextLook(int64_t last) const {
+    if (result_.trace) return controller_.cycle() + 1;
+    int64_t next = std::min(last, controller_.cycle() + kLookCycles);
+    if (next_timed_ < timed_.size()) next = std::min(next, timed_[next_timed_].cycle);
+    if (next_write_ < writes_.size()) next = std::min(next, writes_[next_write_].cycle);
+    return next;
+  }
+
+  void ApplyDueWrites() {
+    for (; next_write_ < writes_.size(); ++next_write_) {
+      const PendingWrite& write = writes_[next_write_];
+      if (write.cycle > controller_.cycle()) break;
+      controller_.machine().Write(write.variable.slot, write.value);
+      if (result_.trace) {
+        result_.trace->Mark(controller_, fmt::format("{} = {}", write.variable.name, write.value));
+      }
+    }
+  }
+
+  void EvaluateDue() {
+    for (; next_timed_ < timed_.size(); ++next_timed_) {
+      if (timed_[next_timed_].cycle > controller_.cycle()) break;
+      EvaluateNow(timed_[next_timed_].bound);
+    }
+  }
+
+  void EvaluateNow(const BoundExpectation& bound) {
+    const ExpectationResult outcome = Evaluate(bound, controller_);
+    if (!outcome.holds) Fail(bound.expectation.text, DescribeFailure(bound, outcome));
+  }
+
+  void Fail(std::string expectation, Message message) {
+    result_.failures.push_back({std::move(expectation), std::move(message)});
+  }
+
+  // --- After the run ---------------------------------------------------------------------------
+
+  void Report() {
+    const vm::Machine& machine = controller_.machine();
+    CheckReplay();
+    if (result_.schedule) FinishRecording(*result_.schedule);
+    result_.end_ms = controller_.NowMs();
+    result_.statements = machine.state().executed;
+    result_.hash = controller_.Hash();
+    result_.program_hash = image().hash;
+    for (int thread = 0; thread < vm::kThreadCount; ++thread) {
+      if (machine.thread(thread).run != vm::ThreadRun::kUnbound) ReportThread(thread);
+    }
+    ReportRefusedCommands();
+    if (!result_.interrupted) JudgeEnd();
+    if (came_to_cut_ && result_.interrupted) ReportCut();
+    for (Message& axis : DescribeMovingAxes(controller_)) {
+      result_.warnings.push_back(std::move(axis));
+    }
+    WarnOfMissedWrites();
+    for (size_t i = 0; i < shown_.size(); ++i) {
+      ShownValue value;
+      value.name = shown_[i];
+      for (const Quantity& quantity : shown_quantities_[i]) {
+        value.array = quantity.name != shown_[i];
+        value.elements.push_back(FormatNumber(ReadQuantity(quantity, controller_),
+                                              FormOfQuantity(quantity, controller_)));
+      }
+      result_.values.push_back(std::move(value));
+    }
+  }
+
+  void JudgeEnd() {
+    for (; next_timed_ < timed_.size(); ++next_timed_) {
+      Fail(timed_[next_timed_].bound.expectation.text,
+           MakeMessage("the run ended before, at {0} ms", "运行在此之前结束，时刻 {0} ms",
+                       result_.end_ms));
+    }
+    for (const PendingExpectation& pending : final_) EvaluateNow(pending.bound);
+    if (options_.watch != nullptr && InOrder()) options_.watch->End(controller_);
+    ReportEnd();
+  }
+
+  void ReportCut() {
+    result_.warnings.push_back(
+        MakeMessage("the recording ends at {0} ms, after statement {1}: its run was interrupted "
+                    "there, and so is this one",
+                    "录制在 {0} ms、第 {1} 条语句之后结束：录制的运行在此被中断，重放也到此为止",
+                    result_.end_ms, result_.statements));
+  }
+
+  void ReportRefusedCommands() {
+    for (const RefusedCommand& refused : refused_.list()) {
+      Message text = DescribeRefusedCommand(refused, ProgramPath(scenario_));
+      if (options_.strict_commands) {
+        Fail({}, std::move(text));
+      } else {
+        result_.warnings.push_back(std::move(text));
+      }
+    }
+  }
+
+  void WarnOfMissedWrites() {
+    if (next_write_ == writes_.size()) return;
+    const PendingWrite& write = writes_[next_write_];
+    const int64_t at_us = write.cycle * scenario_.cycle_us;
+    result_.warnings.push_back(MakeMessage(
+        "the run ended at {0} ms, before the host writes {1} at {2} ms: 'until_ms' lets it go on",
+        "运行在 {0} ms 结束，早于主机在 {2} ms 写入 {1}：可用“until_ms”使运行继续", result_.end_ms,
+        write.variable.name, static_cast<double>(at_us) / 1000));
+  }
+
+  // True when the run has come to an end that it was meant to have.
+  bool InOrder() const {
+    return result_.end == RunEnd::kQuiet ||
+           (result_.end == RunEnd::kTimeLimit && result_.reached_until);
+  }
+
+  void ReportEnd() {
+    switch (result_.end) {
+      case RunEnd::kQuiet:
+        break;
+      case RunEnd::kTimeLimit:
+        ReportTimeLimit();
+        break;
+      case RunEnd::kDeadlock:
+        Fail({}, MakeMessage("deadlock at {0} ms: every running thread waits for a variable that "
+                             "nothing can change any more",
+                             "在 {0} ms 时死锁：所有运行中的线程都在等待不会再改变的变量",
+                             result_.end_ms));
+        break;
+      case RunEnd::kScheduleEnd:
+        Fail({}, MakeMessage("the schedule ends after statement {0}, but threads can still run",
+                             "调度在第 {0} 条语句之后结束，但仍有线程可运行", result_.statements));
+        break;
+      case RunEnd::kScheduleDiverged:
+        Fail({}, MakeMessage("the replay leaves the recorded run after statement {0}",
+                             "重放在第 {0} 条语句之后偏离录制的运行", result_.statements));
+        break;
+    }
+  }
+
+  void ReportTimeLimit() {
+    if (result_.reached_until) return;
+    if (controller_.machine().Quiet()) {
+      Fail({},
+           MakeMessage("the time limit of {0} ms comes before the end that 'until_ms' asks for, "
+                       "{1} ms: raise 'limit_ms'",
+                       "时间上限 {0} ms 早于“until_ms”要求的结束时刻 {1} ms：应增大“limit_ms”",
+                       scenario_.limit_ms, static_cast<double>(*scenario_.until_us) / 1000));
+      return;
+    }
+    Fail({}, MakeMessage("threads still run at the time limit of {0} ms",
+                         "到时间上限 {0} ms 时仍有线程在运行", scenario_.limit_ms));
+  }
+
+  // The last checkpoint of a recording is the state at the end of the run.
+  void CheckReplay() {
+    if (replayed_ == nullptr || replayed_->checkpoints.empty()) return;
+    if (result_.end == RunEnd::kScheduleDiverged) return;
+    if (result_.end == RunEnd::kScheduleEnd && !came_to_cut_) return;
+    const vm::Machine& machine = controller_.machine();
+    const vm::ScheduleCheckpoint& last = replayed_->checkpoints.back();
+    if (last.statement % vm::kCheckpointInterval == 0) return;  // the machine has compared it
+    if (machine.state().executed == last.statement && machine.Hash() == last.hash) return;
+    result_.end = RunEnd::kScheduleDiverged;
+    result_.interrupted = false;
+  }
+
+  void FinishRecording(vm::Schedule& schedule) {
+    vm::Machine& machine = controller_.machine();
+    machine.Record(nullptr);
+    const int64_t executed = machine.state().executed;
+    if (executed > 0 && executed % vm::kCheckpointInterval != 0) {
+      schedule.checkpoints.push_back({executed, machine.Hash()});
+    }
+    if (result_.interrupted || result_.end == RunEnd::kScheduleEnd) {
+      schedule.cut_us = controller_.cycle() * scenario_.cycle_us;
+    }
+  }
+
+  void ReportThread(int number) {
+    const vm::Machine& machine = controller_.machine();
+    const vm::ThreadState& thread = machine.thread(number);
+    const vm::Function& function = image().object.functions[thread.function];
+    ThreadReport report;
+    report.thread = number;
+    report.function = function.name;
+    report.page = thread.page;
+    report.run = thread.run;
+    report.error = thread.error;
+    report.statements = thread.executed;
+    const double result = thread.result_type == vm::DataType::kDouble
+                              ? vm::DoubleFromFixed(thread.result)
+                              : static_cast<double>(thread.result);
+    report.result = FormatNumber(result, FormOf(thread.result_type));
+    report.place = SourcePlace(ProgramPath(scenario_), function, thread.pc);
+    report.status = StatusOf(thread, report);
+    if (thread.run == vm::ThreadRun::kFaulted &&
+        std::find(fault_expected_.begin(), fault_expected_.end(), number) ==
+            fault_expected_.end()) {
+      Fail({}, {fmt::format("thread {} {}: {}", number, function.name, report.status.en),
+                fmt::format("线程 {} {}：{}", number, function.name, report.status.zh)});
+    }
+    result_.threads.push_back(std::move(report));
+  }
+
+  Message StatusOf(const vm::ThreadState& thread, const ThreadReport& report) const {
+    switch (thread.run) {
+      case vm::ThreadRun::kFaulted: {
+        const Message fault = DescribeFault(thread);
+        return {fmt::format("fault at {}: {}", report.place, fault.en),
+                fmt::format("在 {} 发生故障：{}", report.place, fault.zh)};
+      }
+      case vm::ThreadRun::kRunning:
+        if (thread.waiting) {
+          return MakeMessage("waiting at {0}", "在 {0} 等待", report.place);
+        }
+        return MakeMessage("running at {0}", "在 {0} 运行", report.place);
+      case vm::ThreadRun::kPaused:
+        return MakeMessage("paused at {0}", "在 {0} 暂停", report.place);
+      case vm::ThreadRun::kStopped:
+      case vm::ThreadRun::kUnbound:
+        break;
+    }
+    if (thread.result_type == vm::DataType::kVoid) return {"finished", "已结束"};
+    return MakeMessage("finished, result {0}", "已结束，返回值 {0}", report.result);
+  }
+
+  const Scenario& scenario_;
+  const RunOptions& options_;
+  RefusedCommands refused_;
+  Controller controller_;
+  std::shared_ptr<const vm::Schedule> replayed_;
+  std::vector<PendingExpectation> timed_;  // by cycle
+  std::vector<PendingExpectation> final_;
+  size_t next_timed_ = 0;
+  std::vector<PendingWrite> writes_;  // of the host, by cycle
+  size_t next_write_ = 0;
+  std::vector<TraceMark> at_power_on_;
+  bool came_to_cut_ = false;         // the run that is replayed was cut off, and here it was
+  std::vector<int> fault_expected_;  // threads whose error an expectation names
+  std::vector<std::string> shown_;
+  std::vector<std::vector<Quantity>> shown_quantities_;
+  ScenarioResult result_;
+};
+
+}  // namespace
+
+Result<ScenarioResult> RunScenario(const Scenario& scenario, vm::Object object,
+                                   const RunOptions& options) {
+  return ScenarioRunner(scenario, options).Run(std::move(object));
+}
+
+}  // namespace oncard::runtime

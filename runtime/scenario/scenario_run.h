@@ -1,0 +1,110 @@
+// Runs a scenario on a controller of its own, in virtual time.
+//
+// Order: download, bind every thread, set globals and locals, start the threads in the order of the
+// scenario. At the boundary of two profile cycles, expectations of that instant are evaluated
+// first, then the world's events of that instant act, then the host writes its variables. The run
+// ends at the scenario's `until_ms`; without one, when no thread is running and every expectation
+// with an instant has been evaluated. A run that comes to `limit_ms` before that has failed.
+//
+// Deterministic: the same scenario and program give the same result, hash included.
+// Tested by tests/runtime/scenario_run_test.cc.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "runtime/observe/step_log.h"
+#include "runtime/observe/trace.h"
+#include "runtime/scenario/run_watch.h"
+#include "runtime/scenario/scenario.h"
+#include "runtime/sim/controller.h"
+#include "vm/object.h"
+#include "vm/schedule.h"
+
+namespace oncard::runtime {
+
+struct RunOptions {
+  /// Replays this instead of the scenario's policy. It must be of the same program.
+  std::shared_ptr<const vm::Schedule> replay;
+  /// Keep what was executed in ScenarioResult::schedule.
+  bool record = false;
+  /// Names whose values at the end are wanted (quantity.h); empty = all global variables.
+  std::vector<std::string> show;
+  /// Keep values over time in ScenarioResult::trace: of the names in the scenario's `trace`, or,
+  /// when that is empty, of those in `show`, of the outputs, and of whatever moves
+  /// (DefaultColumns).
+  bool trace = false;
+  /// Keep what every statement does in ScenarioResult::steps.
+  bool steps = false;
+  /// A command that a thread is refused is a failure, and no warning only.
+  bool strict_commands = false;
+  /// Set from outside, from a signal handler for instance, it ends the run early: what was recorded
+  /// and found until then is in the result.
+  const std::atomic<bool>* stop = nullptr;
+  /// Is told of commands that threads are refused, and of what the card does by itself.
+  CardLog* log = nullptr;
+  /// Looks at the run while it goes on.
+  RunWatch* watch = nullptr;
+};
+
+/// How a thread ended.
+struct ThreadReport {
+  int thread = 0;
+  std::string function;
+  int page = 0;
+  vm::ThreadRun run = vm::ThreadRun::kStopped;
+  std::string result;  ///< as FormatNumber()
+  int error = 0;       ///< of the last command, or the fault
+  std::string place;   ///< `file:line` of the current or last statement
+  int64_t statements = 0;
+  Message status;  ///< in words, with the values involved in a fault
+};
+
+/// A value at the end.
+struct ShownValue {
+  std::string name;
+  std::vector<std::string> elements;  ///< one for a scalar
+  bool array = false;
+};
+
+/// Why a scenario failed: an expectation, a fault, a deadlock, a limit.
+struct ScenarioFailure {
+  std::string expectation;  ///< as written; empty when nothing written failed
+  Message message;
+};
+
+struct ScenarioResult {
+  RunEnd end = RunEnd::kQuiet;
+  bool reached_until = false;  ///< ended at the scenario's `until_ms`
+  /// Ended by RunOptions::stop, or replayed to where the recorded run was cut off; the end was not
+  /// judged.
+  bool interrupted = false;
+  double end_ms = 0;
+  int64_t statements = 0;
+  uint64_t hash = 0;  ///< Controller::Hash()
+  uint64_t program_hash = 0;
+  std::vector<ThreadReport> threads;  ///< bound ones, by number
+  std::vector<ShownValue> values;
+  std::vector<ScenarioFailure> failures;
+  /// What fails nothing but should be known: commands that threads were refused, axes that still
+  /// move, what the host came too late for.
+  std::vector<Message> warnings;
+  std::optional<vm::Schedule> schedule;
+  std::optional<Trace> trace;
+  std::optional<StepLog> steps;
+
+  bool passed() const { return failures.empty(); }
+};
+
+/// Runs it. Fails when the scenario does not fit the program (an unknown name, a value out of
+/// range, an object that Verify() refuses, a schedule of another program); what goes wrong while
+/// running is in the result.
+Result<ScenarioResult> RunScenario(const Scenario& scenario, vm::Object object,
+                                   const RunOptions& options = {});
+
+}  // namespace oncard::runtime

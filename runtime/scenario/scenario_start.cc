@@ -1,0 +1,117 @@
+#include "runtime/scenario/scenario_start.h"
+
+#include <fmt/format.h>
+
+#include "base/nearest.h"
+#include "runtime/observe/quantity.h"
+#include "runtime/scenario/scenario_world.h"
+
+namespace oncard::runtime {
+namespace {
+
+Result<int> FunctionId(const std::string& name, const vm::Image& image) {
+  const int index = vm::FindFunction(image, name);
+  if (index >= 0) return index + 1;
+  std::vector<std::string_view> names;
+  for (const vm::Function& function : image.object.functions) names.push_back(function.name);
+  const std::string_view near = NearestName(name, names);
+  if (near.empty()) {
+    return MakeError(1, "the program has no function '{0}': it has {1}",
+                     "程序中没有函数“{0}”：只有 {1}", name, fmt::to_string(fmt::join(names, ", ")));
+  }
+  return MakeError(1, "the program has no function '{0}'; did you mean '{1}'?",
+                   "程序中没有函数“{0}”；是否为“{1}”？", name, near);
+}
+
+/// The threads of the scenario, or the one it has when it names none.
+Result<std::vector<ThreadStart>> ThreadsOf(const Scenario& scenario, const vm::Image& image) {
+  if (!scenario.threads.empty()) return scenario.threads;
+  if (image.object.functions.empty()) {
+    return MakeError(1, "the program has no function to run", "程序中没有可运行的函数");
+  }
+  ThreadStart start;
+  start.function = vm::FindFunction(image, "main") >= 0 ? "main" : image.object.functions[0].name;
+  return std::vector{std::move(start)};
+}
+
+Result<void> BindThreads(const std::vector<ThreadStart>& starts, vm::Machine* machine) {
+  for (const ThreadStart& start : starts) {
+    const auto id = FunctionId(start.function, *machine->image());
+    if (!id.ok()) return id.error();
+    if (machine->Bind(start.thread, id.value(), start.page) != vm::kOk) {
+      return MakeError(1, "thread {0} cannot have page {1}: another thread has it",
+                       "线程 {0} 不能使用数据页 {1}：已被其它线程占用", start.thread, start.page);
+    }
+  }
+  return {};
+}
+
+Result<void> SetValues(const Scenario& scenario, const std::vector<ThreadStart>& starts,
+                       Controller* controller) {
+  for (const InitialValue& initial : scenario.globals) {
+    if (auto set = SetVariable(initial, initial.name, controller); !set.ok()) return set.error();
+  }
+  for (const ThreadStart& start : starts) {
+    for (const InitialValue& initial : start.values) {
+      const std::string name = fmt::format("page{}.{}", start.page, initial.name);
+      if (auto set = SetVariable(initial, name, controller); !set.ok()) return set.error();
+    }
+  }
+  return {};
+}
+
+Result<void> RunThreads(const Scenario& scenario, const std::vector<ThreadStart>& starts,
+                        vm::Machine* machine) {
+  for (const ThreadStart& start : starts) {
+    const int64_t period = CycleOf(scenario, start.period_ms * 1000);
+    const int16_t code = period == 0 ? machine->Run(start.thread)
+                                     : machine->RunPeriodic(start.thread, period,
+                                                            static_cast<int16_t>(start.priority));
+    if (code != vm::kOk) {
+      return MakeError(code, "thread {0} cannot be started: code {1}",
+                       "线程 {0} 无法启动：返回值 {1}", start.thread, code);
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> StartScenario(const Scenario& scenario, vm::Object object, Controller* controller) {
+  if (auto loaded = controller->Load(std::move(object)); !loaded.ok()) return loaded.error();
+  ApplyWorld(scenario, controller);
+  vm::Machine& machine = controller->machine();
+  const auto starts = ThreadsOf(scenario, *machine.image());
+  if (!starts.ok()) return starts.error();
+  if (auto bound = BindThreads(starts.value(), &machine); !bound.ok()) return bound;
+  if (auto set = SetValues(scenario, starts.value(), controller); !set.ok()) return set;
+  return RunThreads(scenario, starts.value(), &machine);
+}
+
+Result<std::vector<Quantity>> SetVariable(const InitialValue& initial, const std::string& name,
+                                          Controller* controller) {
+  auto slots = ResolveQuantity(name, *controller);
+  if (!slots.ok()) return slots;
+  for (const Quantity& slot : slots.value()) {
+    if (slot.kind != QuantityKind::kVariable) {
+      return MakeError(1, "'{0}' is not a variable of the program", "“{0}”不是程序的变量", name);
+    }
+  }
+  if (initial.values.size() > slots.value().size()) {
+    return MakeError(1, "'{0}' takes {1} values, not {2}", "“{0}”可放 {1} 个值，而不是 {2} 个",
+                     name, slots.value().size(), initial.values.size());
+  }
+  for (size_t i = 0; i < initial.values.size(); ++i) {
+    if (!controller->machine().Write(slots.value()[i].slot, initial.values[i])) {
+      return MakeError(1, "{0} does not fit '{1}'", "{0} 超出“{1}”的范围", initial.values[i],
+                       slots.value()[i].name);
+    }
+  }
+  return slots;
+}
+
+int64_t CycleOf(const Scenario& scenario, int64_t microseconds) {
+  return (microseconds + scenario.cycle_us - 1) / scenario.cycle_us;
+}
+
+}  // namespace oncard::runtime

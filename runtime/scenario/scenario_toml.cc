@@ -1,0 +1,278 @@
+// Scenario files: TOML into the Scenario structure. Every key is known or an error; every error
+// says where it is.
+// Tested by tests/runtime/scenario_parse_test.cc.
+#include <algorithm>
+#include <array>
+
+#include "base/files.h"
+#include "runtime/scenario/scenario.h"
+#include "runtime/scenario/scenario_keys.h"
+#include "runtime/scenario/toml_guard.h"
+#include "runtime/scenario/toml_keys.h"
+#include "runtime/scenario/world_toml.h"
+#include "vm/limits.h"
+
+namespace oncard::runtime {
+namespace {
+
+constexpr std::array<std::string_view, 3> kRaceRules = {"any", "benign", "none"};
+constexpr std::array<std::string_view, 6> kExploreKeys = {"engine",     "verdict", "max_executions",
+                                                          "max_states", "runs",    "follow"};
+constexpr std::array<std::string_view, 7> kEngineNames = {"auto",   "dpor", "stateful", "bounded",
+                                                          "random", "pct",  "pos"};
+constexpr std::array<std::string_view, 4> kVerdictNames = {"PROVED", "PASSED", "FAILED",
+                                                           "INCOMPLETE"};
+constexpr std::array<std::string_view, 2> kKeyKeys = {"at_ms", "text"};
+constexpr std::array<std::string_view, 6> kThreadKeys = {"thread", "function",  "page",
+                                                         "init",   "period_ms", "priority"};
+constexpr std::array<std::string_view, 2> kHostKeys = {"at_ms", "set"};
+
+class ScenarioReader : private TomlKeys {
+ public:
+  ScenarioReader(std::string_view text, const std::string& path, ScenarioUse use)
+      : TomlKeys(path, text), text_(text), use_(use) {
+    scenario_.path = path;
+  }
+
+  Result<Scenario> Read() {
+    if (const auto refusal = CheckToml(text_)) {
+      Fail(PlaceOf(refusal->line, refusal->column), refusal->message);
+      return *Failure();
+    }
+    toml::parse_result parsed = toml::parse(text_, scenario_.path);
+    if (!parsed) {
+      const auto& error = parsed.error();
+      Fail(error.source(),
+           MakeMessage("not TOML: {0}", "不符合 TOML 语法：{0}", error.description()));
+    } else {
+      CheckScenarioKeys(parsed.table());
+      ReadScenario(parsed.table());
+    }
+    if (auto failure = Failure()) return *std::move(failure);
+    return std::move(scenario_);
+  }
+
+ private:
+  void CheckScenarioKeys(const toml::table& table) {
+    std::vector<std::string_view> known;
+    for (const KeyRule& rule : ScenarioKeyRules()) known.push_back(rule.name);
+    CheckKeys(table, known);
+    for (const auto& [key, node] : table) {
+      const auto rule = std::ranges::find(ScenarioKeyRules(), key.str(), &KeyRule::name);
+      if (rule == ScenarioKeyRules().end()) continue;
+      if (UseOfKey(*rule, use_, table.contains("explore")) == KeyUse::kRefused) {
+        Fail(key.source(), DescribeRefusedKey(key.str(), use_));
+      }
+    }
+  }
+
+  void ReadScenario(const toml::table& table) {
+    Text(table, "program", scenario_.program);
+    if (use_ != ScenarioUse::kHost && !table.contains("program")) {
+      Fail(table.source(), {"'program' is missing: name a .c or .bin file",
+                            "缺少“program”：应给出 .c 或 .bin 文件"});
+    }
+    Text(table, "title", scenario_.title);
+    Texts(table, "include", scenario_.include_folders);
+    ReadDouble(table);
+    Text(table, "schedule", scenario_.schedule);
+    scenario_.rate = static_cast<int>(Whole(table, "rate", scenario_.rate, 1, 1'000'000));
+    ReadAxisCount(table);
+    ReadCycle(table);
+    // A host program may take its time, unless the file says how long.
+    if (use_ == ScenarioUse::kHost) scenario_.limit_ms = kTimeMsMax;
+    scenario_.limit_ms = Whole(table, "limit_ms", scenario_.limit_ms, 1, kTimeMsMax);
+    if (table.contains("until_ms")) scenario_.until_us = Time(table, "until_ms");
+    if (const toml::table* globals = Table(table, "globals")) {
+      scenario_.globals = Values(*globals);
+    }
+    for (const toml::table* thread : Tables(table, "thread")) ReadThread(*thread);
+    if (const toml::table* world = Table(table, "world")) {
+      scenario_.world = ReadWorld(*world, scenario_.axis_count, *this);
+    }
+    for (const toml::table* event : Tables(table, "host")) ReadHost(*event);
+    std::stable_sort(scenario_.host.begin(), scenario_.host.end(),
+                     [](const HostEvent& a, const HostEvent& b) { return a.at_us < b.at_us; });
+    Texts(table, "trace", scenario_.trace);
+    ReadExpectations(table);
+    Texts(table, "final", scenario_.final);
+    Texts(table, "always", scenario_.always);
+    Texts(table, "never", scenario_.never);
+    Texts(table, "eventually", scenario_.eventually);
+    for (const char* key : {"final", "always", "never", "eventually"}) {
+      scenario_.text_places[key] = PlacesOfTexts(table, key);
+    }
+    scenario_.races = kRaceRules[Choice(table, "races", kRaceRules, 0)];
+    Texts(table, "sync", scenario_.sync);
+    ReadExplore(table);
+    for (const toml::table* key : Tables(table, "keys")) ReadKeys(*key);
+    std::stable_sort(scenario_.keys.begin(), scenario_.keys.end(),
+                     [](const KeyPress& a, const KeyPress& b) { return a.at_us < b.at_us; });
+  }
+
+  void ReadDouble(const toml::table& table) {
+    std::string format = "32.16";
+    Text(table, "double", format);
+    if (format == "16.16") {
+      scenario_.double_format = vm::DoubleFormat::k16_16;
+    } else if (format != "32.16") {
+      Fail(table.get("double")->source(),
+           MakeMessage("'double' is '{0}': expected \"32.16\" or \"16.16\"",
+                       "“double”为“{0}”：应为 \"32.16\" 或 \"16.16\"", format));
+    }
+  }
+
+  void ReadCycle(const toml::table& table) {
+    scenario_.cycle_us = Whole(table, "cycle_us", scenario_.cycle_us, 125, 4000);
+    if (scenario_.cycle_us % 125 != 0) {
+      Fail(table.get("cycle_us")->source(),
+           {"'cycle_us' must be a multiple of 125", "“cycle_us”应为 125 的倍数"});
+    }
+  }
+
+  void ReadAxisCount(const toml::table& table) {
+    scenario_.axis_count = static_cast<int>(Whole(table, "axes", scenario_.axis_count, 4, 12));
+    if (scenario_.axis_count % 4 != 0) {
+      Fail(table.get("axes")->source(), {"'axes' must be 4, 8 or 12: cards have that many",
+                                         "“axes”应为 4、8 或 12：控制卡的轴数"});
+    }
+  }
+
+  void ReadThread(const toml::table& table) {
+    CheckKeys(table, kThreadKeys);
+    ThreadStart start;
+    start.thread = static_cast<int>(Whole(table, "thread", 0, 0, vm::kThreadCount - 1));
+    start.page = static_cast<int>(Whole(table, "page", start.thread, 0, vm::kPageCount - 1));
+    Text(table, "function", start.function);
+    if (!table.contains("function")) {
+      Fail(table.source(), {"'function' is missing: name a function of the program",
+                            "缺少“function”：应给出程序中的函数名"});
+    }
+    if (const toml::table* init = Table(table, "init")) start.values = Values(*init);
+    start.period_ms = Whole(table, "period_ms", 0, 0, kTimeMsMax);
+    start.priority = static_cast<int>(Whole(table, "priority", start.priority, -32768, 32767));
+    if (table.contains("priority") && start.period_ms == 0) {
+      Fail(table.get("priority")->source(),
+           {"'priority' is of a thread that is started periodically: give it a 'period_ms', or "
+            "remove 'priority'",
+            "“priority”只用于周期启动的线程：应加上“period_ms”，或去掉“priority”"});
+    }
+    for (const ThreadStart& other : scenario_.threads) {
+      if (other.thread == start.thread) {
+        Fail(table.source(),
+             MakeMessage("thread {0} is bound twice", "线程 {0} 被绑定两次", start.thread));
+      }
+    }
+    scenario_.threads.push_back(std::move(start));
+  }
+
+  void ReadHost(const toml::table& table) {
+    CheckKeys(table, kHostKeys);
+    HostEvent event;
+    event.at_us = Time(table, "at_ms");
+    if (const toml::table* values = Table(table, "set")) event.values = Values(*values);
+    if (event.values.empty()) {
+      Fail(table.source(), {"'set' is missing: the variables to write, as in { go = 1 }",
+                            "缺少“set”：要写入的变量，如 { go = 1 }"});
+    }
+    scenario_.host.push_back(std::move(event));
+  }
+
+  void ReadKeys(const toml::table& table) {
+    CheckKeys(table, kKeyKeys);
+    KeyPress press;
+    press.at_us = Time(table, "at_ms");
+    Text(table, "text", press.text);
+    if (press.text.empty()) {
+      Fail(table.source(), {"'text' is missing: the keys to press", "缺少“text”：要按的键"});
+    }
+    scenario_.keys.push_back(std::move(press));
+  }
+
+  void ReadExplore(const toml::table& table) {
+    const toml::node* node = table.get("explore");
+    if (node == nullptr) return;
+    ExploreWish wish;
+    if (node->value_exact<std::string>() == "prove") {
+      scenario_.explore = wish;
+    } else if (const toml::table* wishes = node->as_table()) {
+      CheckKeys(*wishes, kExploreKeys);
+      wish.engine = kEngineNames[Choice(*wishes, "engine", kEngineNames, 0)];
+      wish.verdict = kVerdictNames[Choice(*wishes, "verdict", kVerdictNames, 0)];
+      wish.max_executions = Whole(*wishes, "max_executions", 0, 1, 1'000'000'000'000);
+      wish.max_states = Whole(*wishes, "max_states", 0, 1, 4'000'000'000);
+      wish.runs = Whole(*wishes, "runs", 0, 1, 1'000'000'000'000);
+      Text(*wishes, "follow", wish.follow);
+      if (use_ != ScenarioUse::kText) CheckWish(*wishes, wish);
+      scenario_.explore = std::move(wish);
+    } else {
+      Fail(node->source(),
+           {"'explore' must be \"prove\", or a table as in { engine = \"stateful\", verdict = "
+            "\"FAILED\" }",
+            "“explore”应为 \"prove\"，或如 { engine = \"stateful\", verdict = \"FAILED\" } 的表"});
+    }
+  }
+
+  /// What the engine cannot use is refused.
+  void CheckWish(const toml::table& wishes, const ExploreWish& wish) {
+    if (!wish.follow.empty() && wish.engine != ExploreWish{}.engine) {
+      Fail(wishes.get("engine")->source(), DescribeNotFollowed("engine"));
+    }
+    for (const SearchSetting& setting : SearchSettings()) {
+      const toml::node* node = setting.key.empty() ? nullptr : wishes.get(setting.key);
+      if (node == nullptr) continue;
+      if (!wish.follow.empty()) {
+        Fail(node->source(), DescribeNotFollowed(setting.key));
+      } else if (!setting.UsedBy(wish.engine)) {
+        Fail(node->source(), DescribeUnusedSetting(setting, setting.key, wish.engine));
+      }
+    }
+  }
+
+  static Message DescribeNotFollowed(std::string_view key) {
+    return MakeMessage("'{0}' means nothing where one schedule is followed: remove it",
+                       "只跟随一个调度时“{0}”没有意义：应去掉", key);
+  }
+
+  void ReadExpectations(const toml::table& table) {
+    const toml::node* node = table.get("expect");
+    if (node == nullptr) return;
+    const toml::array* list = node->as_array();
+    if (list == nullptr) {
+      Fail(node->source(), {"'expect' must be a list of texts, as in [\"sum == 5050\"]",
+                            "“expect”应为文本列表，如 [\"sum == 5050\"]"});
+      return;
+    }
+    for (const toml::node& item : *list) {
+      const auto text = item.value_exact<std::string>();
+      if (!text) {
+        Fail(item.source(), {"an expectation must be a text", "期望应为文本"});
+        continue;
+      }
+      auto expectation = ParseExpectation(*text);
+      if (!expectation.ok()) {
+        Fail(item.source(), expectation.error().message);
+        continue;
+      }
+      scenario_.expectations.push_back(std::move(expectation).value());
+    }
+  }
+
+  const std::string_view text_;
+  const ScenarioUse use_;
+  Scenario scenario_;
+};
+
+}  // namespace
+
+Result<Scenario> ParseScenario(std::string_view text, const std::string& path, ScenarioUse use) {
+  return ScenarioReader(text, path, use).Read();
+}
+
+Result<Scenario> LoadScenario(const std::string& path, ScenarioUse use) {
+  auto text = ReadFile(path, kScenarioKind);
+  if (!text.ok()) return text.error();
+  return ParseScenario(text.value(), path, use);
+}
+
+}  // namespace oncard::runtime

@@ -1,0 +1,142 @@
+#include "runtime/scenario/scenario_world.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace oncard::runtime {
+namespace {
+
+using motion::WorldEvent;
+using motion::WorldEventKind;
+using motion::WorldEvents;
+
+uint8_t FromZero(int number) { return static_cast<uint8_t>(number - 1); }
+
+void AddInput(const InputEvent& input, WorldEvents& events) {
+  for (int bit = 0; bit < motion::DiWidth(input.type); ++bit) {
+    if (input.index != 0 && input.index != bit + 1) continue;
+    const uint32_t level = input.index == 0 ? input.value >> bit & 1 : input.value;
+    events.push_back({.at = input.at_us,
+                      .kind = WorldEventKind::kPin,
+                      .item = static_cast<uint8_t>(input.type),
+                      .index = static_cast<uint16_t>(bit),
+                      .value = static_cast<double>(level)});
+  }
+}
+
+/// The event that begins a fault. Noise has the axis as its seed.
+WorldEvent BeginOf(const WorldFault& fault) {
+  const uint8_t axis = FromZero(fault.number);
+  switch (fault.kind) {
+    case FaultKind::kStall:
+      return {fault.at_us, WorldEventKind::kStall, axis, 0, 1};
+    case FaultKind::kLostEncoder:
+      return {fault.at_us, WorldEventKind::kEncoderHeld, axis, 0, 1};
+    case FaultKind::kNoise:
+      return {fault.at_us, WorldEventKind::kEncoderNoise, axis, axis, fault.amount};
+    case FaultKind::kSlip:
+      return {fault.at_us, WorldEventKind::kEncoderDrift, axis, 0, fault.amount};
+    case FaultKind::kAlarm:
+      return {fault.at_us, WorldEventKind::kPin, static_cast<uint8_t>(motion::DiType::kAlarm), axis,
+              1};
+    case FaultKind::kCutSwitch:
+      break;
+  }
+  return {fault.at_us, WorldEventKind::kSwitchConnected, 0, axis, 0};
+}
+
+/// Ends come before begins, so that one fault can follow another at the same instant.
+void AddFaults(const std::vector<WorldFault>& faults, WorldEvents& events) {
+  for (const WorldFault& fault : faults) {
+    if (!fault.until_us) continue;
+    WorldEvent end = BeginOf(fault);
+    end.at = *fault.until_us;
+    end.value = fault.kind == FaultKind::kCutSwitch ? 1 : 0;
+    events.push_back(end);
+  }
+  for (const WorldFault& fault : faults) events.push_back(BeginOf(fault));
+}
+
+/// In whole cycles, so that the distance is exact. Ends come before begins, as with faults.
+void AddHands(const Scenario& scenario, WorldEvents& events) {
+  const auto whole = [&](int64_t us) {
+    return (us + scenario.cycle_us - 1) / scenario.cycle_us * scenario.cycle_us;
+  };
+  for (const HandTurn& turn : scenario.world.hands) {
+    events.push_back({whole(turn.until_us), WorldEventKind::kHand, FromZero(turn.number), 0, 0});
+  }
+  for (const HandTurn& turn : scenario.world.hands) {
+    const double ms = static_cast<double>(whole(turn.until_us) - whole(turn.at_us)) / 1000;
+    events.push_back(
+        {whole(turn.at_us), WorldEventKind::kHand, FromZero(turn.number), 0, turn.pulses / ms});
+  }
+}
+
+void AddModule(const ModuleEvent& module, WorldEvents& events) {
+  const auto item = static_cast<uint8_t>(module.module);
+  if (module.inputs) {
+    events.push_back({module.at_us, WorldEventKind::kModuleInputs, item, 0,
+                      static_cast<double>(*module.inputs)});
+  }
+  for (size_t i = 0; i < module.volts.size(); ++i) {
+    events.push_back({module.at_us, WorldEventKind::kModuleVoltage, item, static_cast<uint16_t>(i),
+                      module.volts[i]});
+  }
+}
+
+void SetUpMachine(const MachineSetup& setup, motion::MotionCore& core) {
+  const size_t index = FromZero(setup.axis);
+  if (setup.drive == motion::DriveKind::kVelocity) {
+    core.state().drives[index] = motion::VelocityDrive(setup.gain, setup.tau_ms, setup.friction);
+  }
+  core.state().index_marks[index] = {setup.index_offset, setup.index_period};
+  core.PlaceMachine(index, setup.position);
+}
+
+motion::PositionSwitch SwitchOf(const SwitchSetup& setup) {
+  return {.axis = FromZero(setup.axis),
+          .type = setup.type,
+          .bit = FromZero(setup.index),
+          .first = setup.from,
+          .last = setup.to,
+          .active_low = setup.active_low};
+}
+
+}  // namespace
+
+ControllerOptions CardOptions(const Scenario& scenario) {
+  ControllerOptions options;
+  options.motion.axis_count = scenario.axis_count;
+  options.motion.cycle_us = scenario.cycle_us;
+  options.rate = scenario.rate;
+  return options;
+}
+
+void ApplyWorld(const Scenario& scenario, Controller* controller) {
+  const World& world = scenario.world;
+  motion::MotionCore& core = controller->motion();
+  for (const MachineSetup& machine : world.machines) SetUpMachine(machine, core);
+  for (const SwitchSetup& contact : world.switches) {
+    core.state().switches.push_back(SwitchOf(contact));
+  }
+  if (!world.modules.empty()) {
+    for (motion::ExtensionModule& module : core.state().modules) module.present = false;
+  }
+  WorldEvents events;
+  for (const InputEvent& input : world.inputs) AddInput(input, events);
+  AddFaults(world.faults, events);
+  AddHands(scenario, events);
+  for (const VoltageEvent& voltage : world.voltages) {
+    events.push_back(
+        {voltage.at_us, WorldEventKind::kAdc, FromZero(voltage.channel), 0, voltage.volts});
+  }
+  for (const ModuleEvent& module : world.modules) {
+    core.state().modules[static_cast<size_t>(module.module)].present = true;
+    AddModule(module, events);
+  }
+  std::stable_sort(events.begin(), events.end(),
+                   [](const WorldEvent& a, const WorldEvent& b) { return a.at < b.at; });
+  core.PowerOn(std::make_shared<const WorldEvents>(std::move(events)));
+}
+
+}  // namespace oncard::runtime

@@ -1,0 +1,17 @@
+// The card and the world of a scenario, put to use: for runs of scenarios and for host programs.
+// Tested by tests/runtime/scenario_world_test.cc.
+#pragma once
+
+#include "runtime/scenario/scenario.h"
+#include "runtime/sim/controller.h"
+
+namespace oncard::runtime {
+
+/// The card a scenario describes: its size, cycle and rate.
+ControllerOptions CardOptions(const Scenario& scenario);
+
+/// Puts a controller that was made with CardOptions() and has just been switched on into the
+/// scenario's world. Times of the world count from power-on.
+void ApplyWorld(const Scenario& scenario, Controller* controller);
+
+}  // namespace oncard::runtime

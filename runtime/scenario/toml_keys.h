@@ -1,0 +1,70 @@
+// The keys of a TOML table, read with their types and ranges. Errors are kept with their places;
+// readers go on after an error with the value of an absent key.
+// Tested by tests/runtime/scenario_parse_test.cc.
+#pragma once
+
+#define TOML_EXCEPTIONS 0
+#include <toml++/toml.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/result.h"
+#include "runtime/scenario/placed_errors.h"
+#include "runtime/scenario/scenario.h"
+
+namespace oncard::runtime {
+
+class TomlKeys {
+ public:
+  /// `path` names the file in errors, `text` is what it holds.
+  TomlKeys(std::string path, std::string_view text)
+      : file_(std::make_shared<const TextFile>(std::move(path), text)) {}
+
+  /// An error for each key that is not known; it names the nearest known one.
+  void CheckKeys(const toml::table& table, std::span<const std::string_view> known);
+  /// Leaves `value` alone when the key is not there.
+  void Text(const toml::table& table, std::string_view key, std::string& value);
+  void Texts(const toml::table& table, std::string_view key, std::vector<std::string>& values);
+  /// The places of those texts.
+  std::vector<TextPlace> PlacesOfTexts(const toml::table& table, std::string_view key) const;
+  /// A whole number in a range; `absent` when the key is not there.
+  int64_t Whole(const toml::table& table, std::string_view key, int64_t absent, int64_t smallest,
+                int64_t largest);
+  /// A number in a range; `absent` when the key is not there.
+  double Number(const toml::table& table, std::string_view key, double absent, double smallest,
+                double largest);
+  /// `absent` when the key is not there.
+  bool Flag(const toml::table& table, std::string_view key, bool absent);
+  /// Milliseconds, whole or not, as microseconds; 0 when the key is not there.
+  int64_t Time(const toml::table& table, std::string_view key);
+  /// The number of a text among names; `absent` when the key is not there.
+  size_t Choice(const toml::table& table, std::string_view key,
+                std::span<const std::string_view> names, size_t absent);
+  /// NULL when the key is not there or no table.
+  const toml::table* Table(const toml::table& table, std::string_view key);
+  std::vector<const toml::table*> Tables(const toml::table& table, std::string_view key);
+  /// `name = number` and `name = [number, ...]`, in the order of the file.
+  std::vector<InitialValue> Values(const toml::table& table);
+  void Fail(const toml::source_region& place, const Message& message);
+
+  /// A place for Fail().
+  static toml::source_region PlaceOf(size_t line, size_t column);
+
+  /// All errors in the order of the file, with the lines that they are in; empty without one.
+  std::optional<Error> Failure() const { return errors_.Failure(); }
+
+ private:
+  TextPlace TextPlaceOf(const toml::source_region& place) const;
+
+  std::shared_ptr<const TextFile> file_;
+  PlacedErrors errors_;
+};
+
+}  // namespace oncard::runtime

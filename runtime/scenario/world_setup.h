@@ -1,0 +1,122 @@
+// The world around the card as a scenario describes it: what its drives and machines are, where
+// their switches and index marks sit, what the inputs do over time and what goes wrong.
+// Axes, inputs, channels and switches count from 1 as in the file, modules from 0 as the commands
+// count them. Docs: docs/scenarios.md. Tested by tests/runtime/scenario_world_test.cc.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "motion/io/digital_io.h"
+#include "motion/mechanics/plant.h"
+#include "motion/mechanics/switches_and_marks.h"
+
+namespace oncard::runtime {
+
+/// The world drives an input pin, or all pins of a word.
+struct InputEvent {
+  int64_t at_us = 0;
+  motion::DiType type = motion::DiType::kGpi;
+  int index = 0;  ///< from 1; 0 = the whole word
+  uint32_t value = 0;
+  bool operator==(const InputEvent&) const = default;
+};
+
+/// The drive and machine of an axis.
+struct MachineSetup {
+  int axis = 1;
+  motion::DriveKind drive = motion::DriveKind::kIdeal;
+  double gain = motion::Drive{}.gain;  ///< pulse/ms at full output
+  double tau_ms = motion::Drive{}.tau;
+  double friction = 0;  ///< pulse/ms
+  double position = 0;  ///< at power-on, pulses; the encoder reads 0 there
+  double index_offset = 0;
+  double index_period = motion::IndexMarks{}.period;  ///< pulses; 0: no index marks
+  bool operator==(const MachineSetup&) const = default;
+};
+
+/// A switch that a machine operates between two places.
+struct SwitchSetup {
+  int axis = 1;  ///< whose machine operates it
+  motion::DiType type = motion::DiType::kHome;
+  int index = 1;  ///< the input it is wired to
+  double from = -std::numeric_limits<double>::infinity();
+  double to = std::numeric_limits<double>::infinity();
+  bool active_low = false;
+  bool operator==(const SwitchSetup&) const = default;
+};
+
+enum class FaultKind : uint8_t {
+  kStall,        ///< the machine does not move
+  kLostEncoder,  ///< the encoder's signal stands still
+  kNoise,        ///< the encoder reads up to `amount` pulses too much or too little
+  kSlip,         ///< the encoder slips by `amount` pulse/ms
+  kAlarm,        ///< the drive raises its alarm input
+  kCutSwitch     ///< the wire of a switch is cut
+};
+
+/// What goes wrong, and for how long.
+struct WorldFault {
+  FaultKind kind = FaultKind::kStall;
+  int number = 1;  ///< the axis; kCutSwitch: the switch, in the order of the file
+  int64_t at_us = 0;
+  std::optional<int64_t> until_us;  ///< empty: for good
+  double amount = 0;
+  bool operator==(const WorldFault&) const = default;
+};
+
+/// Somebody turns a machine whose drive is off, or the shaft of an auxiliary encoder.
+struct HandTurn {
+  int number = 1;  ///< of the axis, or of the encoder
+  double pulses = 0;
+  int64_t at_us = 0;
+  int64_t until_us = 0;
+  bool operator==(const HandTurn&) const = default;
+};
+/// A turn is not shorter: as long as the longest profile cycle.
+inline constexpr int64_t kHandTurnUsMin = 4000;
+
+/// A voltage at an analogue input.
+struct VoltageEvent {
+  int64_t at_us = 0;
+  int channel = 1;
+  double volts = 0;
+  bool operator==(const VoltageEvent&) const = default;
+};
+
+/// An extension module that is there, and what its inputs do.
+struct ModuleEvent {
+  int64_t at_us = 0;
+  int module = 0;
+  std::optional<uint16_t> inputs;
+  std::vector<double> volts;  ///< of the channels from the first on
+  bool operator==(const ModuleEvent&) const = default;
+};
+
+struct World {
+  std::vector<InputEvent> inputs;  ///< in order of time
+  std::vector<MachineSetup> machines;
+  std::vector<SwitchSetup> switches;
+  std::vector<WorldFault> faults;
+  std::vector<HandTurn> hands;
+  std::vector<VoltageEvent> voltages;  ///< in order of time
+  /// In order of time. Empty: every module is there; else only those that are listed.
+  std::vector<ModuleEvent> modules;
+  bool operator==(const World&) const = default;
+};
+
+/// `stall` `lost_encoder` `noise` `slip` `alarm` `cut_switch`, in the order of FaultKind.
+inline constexpr std::string_view kFaultNames[] = {"stall", "lost_encoder", "noise",
+                                                   "slip",  "alarm",        "cut_switch"};
+/// `ideal` `velocity`, in the order of DriveKind.
+inline constexpr std::string_view kDriveNames[] = {"ideal", "velocity"};
+
+/// The tables of a scenario file that are read back as the same world (world_toml.h), for a card
+/// of so many axes.
+std::string FormatWorld(const World& world, int axis_count);
+
+}  // namespace oncard::runtime

@@ -1,0 +1,225 @@
+// The order inside a profile cycle, the only order there is:
+//
+//   1. MotionCore::Tick(): the inputs are sampled, outputs and the clock advance; variables that
+//      coordinate systems reached in it are written (GT_BufSetVarValue);
+//   2. Machine::BeginCycle(): delays that end with this cycle end, periodic threads start;
+//   3. PlcBlocks::Evaluate(): the PLC blocks read inputs, write variables and outputs;
+//   4. the threads share this cycle's statements as the scheduler policy says; a GT command in a
+//      program acts at once, between two statements.
+//
+// A host call acts between two cycles, after the cycles its own time covers.
+//
+// A cycle's budget is rate * cycle length; the part of a statement that a whole number cannot give
+// is carried to the next cycle, so that the rate is exact in the long run. What the threads do not
+// use is lost: an idle card does not save up statements.
+// Tested by tests/runtime/controller_test.cc.
+#include "runtime/sim/controller.h"
+
+#include <xxhash.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "runtime/sim/happening_text.h"
+#include "vm/object_reader.h"
+
+namespace oncard::runtime {
+namespace {
+
+/// rate [statements/ms] times cycle [us] gives thousandths of a statement.
+constexpr int64_t kStatementParts = 1000;
+
+}  // namespace
+
+Controller::Controller(const ControllerOptions& options)
+    : options_(options),
+      motion_(options.motion),
+      commands_(&card_),
+      machine_(&commands_),
+      card_{machine_, motion_, plc_} {}
+
+void Controller::LogRefusals(CardLog* log, int card) {
+  ObserveRefusals([this, log, card](const gtcalls::Call& call, int16_t code) {
+    log->Write({NowUs(), card, call.caller, call.command, call.arguments, code, call.reason});
+  });
+}
+
+void Controller::LogHappenings(CardLog* log, int card) {
+  ListenToHappenings(
+      [log, card](int64_t time_us, const Message& what) { log->Write(time_us, card, what); });
+}
+
+void Controller::ListenToHappenings(HappeningListener listener) {
+  happening_listeners_.push_back(std::move(listener));
+  motion_.Observe([this](const motion::Happening& happening) {
+    const Message what = DescribeHappening(happening);
+    for (const HappeningListener& each : happening_listeners_) each(motion_.now(), what);
+  });
+}
+
+void Controller::CollectRefusals(RefusedCommands* refused) {
+  ObserveRefusals([this, refused](const gtcalls::Call& call, int16_t code) {
+    refused->Add(call, code, NowUs());
+  });
+}
+
+void Controller::ObserveRefusals(gtcalls::RefusalObserver observer) {
+  refusal_observers_.push_back(std::move(observer));
+  commands_.ObserveRefusals([this](const gtcalls::Call& call, int16_t code) {
+    for (const gtcalls::RefusalObserver& each : refusal_observers_) each(call, code);
+  });
+}
+
+Result<void> Controller::Download(const std::string& bin_path) {
+  auto object = vm::ReadObjectPair(bin_path);
+  if (!object.ok()) return object.error();
+  return Load(std::move(object).value());
+}
+
+Result<void> Controller::Load(vm::Object object) {
+  auto image = vm::LinkObject(std::move(object), commands_);
+  if (!image.ok()) return image.error();
+  plc_.UnbindAll();
+  machine_.Load(std::move(image).value());
+  return {};
+}
+
+int16_t Controller::Call(const gtcalls::Command& command, std::span<vm::CommandArgument> arguments,
+                         Message* reason) {
+  AdvanceUs(HostCostUs(command.cost));
+  return Execute(command, arguments, reason);
+}
+
+int16_t Controller::Execute(const gtcalls::Command& command,
+                            std::span<vm::CommandArgument> arguments, Message* reason) {
+  gtcalls::Call call{command, card_, vm::kHostCaller, arguments, {}};
+  const int16_t code = gtcalls::ExecuteCommand(call);
+  if (reason != nullptr) *reason = std::move(call.reason);
+  return code;
+}
+
+void Controller::AdvanceUs(int64_t microseconds) {
+  pending_us_ += microseconds;
+  while (pending_us_ >= options_.motion.cycle_us) {
+    pending_us_ -= options_.motion.cycle_us;
+    RunCycle();
+  }
+}
+
+void Controller::RunCycle() {
+  const int64_t budget = BeginCycle();
+  if (state_observer_) {
+    ExecuteObserved(budget);
+  } else {
+    machine_.Execute(budget);
+  }
+}
+
+void Controller::ExecuteObserved(int64_t budget) {
+  // Threads that wake up at their function's end come to it.
+  machine_.Execute(0);
+  state_observer_();
+  for (; budget > 0; --budget) {
+    if (machine_.Execute(1) == 0) break;
+    state_observer_();
+    if (machine_.last_stop() != vm::Stop::kBudget) break;
+  }
+}
+
+int64_t Controller::BeginCycle() {
+  motion_.Tick();
+  WriteBufferedValues();
+  machine_.BeginCycle(cycle());
+  plc_.Evaluate(machine_, motion_);
+  pending_statements_ += options_.rate * options_.motion.cycle_us;
+  const int64_t budget = pending_statements_ / kStatementParts;
+  pending_statements_ %= kStatementParts;
+  return budget;
+}
+
+void Controller::WriteBufferedValues() {
+  std::vector<motion::BufferedCommand>& writes = motion_.state().program_writes;
+  for (const motion::BufferedCommand& write : writes) {
+    const bool global = write.detail < 0;
+    const vm::SlotAddress slot = {
+        .global = global,
+        .page = static_cast<uint8_t>(global ? 0 : write.detail),
+        .id = static_cast<uint16_t>(write.item),
+        .type = write.values[1] != 0 ? vm::DataType::kDouble : vm::DataType::kInt};
+    // A value that no longer fits, of a program that came later, is dropped.
+    machine_.Write(slot, write.values[0]);
+  }
+  writes.clear();
+}
+
+RunEnd Controller::RunUntilQuiet(int64_t limit_cycles) {
+  for (int64_t ran = 0; !machine_.Quiet(); ++ran) {
+    if (Deadlocked()) return RunEnd::kDeadlock;
+    if (ran >= limit_cycles) return RunEnd::kTimeLimit;
+    RunCycle();
+    if (machine_.Quiet()) break;
+    if (machine_.last_stop() == vm::Stop::kScheduleEnd) return RunEnd::kScheduleEnd;
+    if (machine_.last_stop() == vm::Stop::kScheduleDiverged) return RunEnd::kScheduleDiverged;
+  }
+  return RunEnd::kQuiet;
+}
+
+bool Controller::Deadlocked() const {
+  if (machine_.RunnableThreads() != 0 || !plc_.blocks.empty()) return false;
+  bool any_waits = false;
+  for (const vm::ThreadState& thread : machine_.state().threads) {
+    if (thread.period_cycles != 0) return false;
+    if (thread.run != vm::ThreadRun::kRunning) continue;
+    if (thread.wake_cycle > machine_.state().cycle) return false;
+    any_waits = any_waits || thread.waiting;
+  }
+  return any_waits && std::ranges::none_of(motion_.state().crds, &motion::Crd::WillWriteVariables);
+}
+
+double Controller::NowMs() const {
+  return static_cast<double>(cycle() * options_.motion.cycle_us) / 1000;
+}
+
+int64_t Controller::NowUs() const { return cycle() * options_.motion.cycle_us + pending_us_; }
+
+void Controller::Reset() {
+  motion_.Reset();
+  plc_ = {};
+  machine_.Load(nullptr);
+}
+
+ControllerSnapshot Controller::Snapshot() const { return {machine_.state(), Body()}; }
+
+CardBody Controller::Body() const {
+  return {motion_.state(), plc_, pending_us_, pending_statements_};
+}
+
+void Controller::Restore(const ControllerSnapshot& snapshot) {
+  machine_.Restore(snapshot.machine);
+  RestoreBody(snapshot.body);
+}
+
+void Controller::RestoreBody(const CardBody& body) {
+  motion_.state() = body.motion;
+  plc_ = body.plc;
+  pending_us_ = body.pending_us;
+  pending_statements_ = body.pending_statements;
+}
+
+uint64_t Controller::BodyHash() const {
+  const std::array<uint64_t, 4> parts = {motion_.Hash(), plc_.Hash(),
+                                         static_cast<uint64_t>(pending_us_),
+                                         static_cast<uint64_t>(pending_statements_)};
+  return XXH64(parts.data(), sizeof parts, 0);
+}
+
+uint64_t Controller::Hash() const {
+  const std::array<uint64_t, 5> parts = {machine_.Hash(), motion_.Hash(), plc_.Hash(),
+                                         static_cast<uint64_t>(pending_us_),
+                                         static_cast<uint64_t>(pending_statements_)};
+  return XXH64(parts.data(), sizeof parts, 0);
+}
+
+}  // namespace oncard::runtime

@@ -1,0 +1,178 @@
+// One card: machine, motion core, PLC blocks and virtual time. Advance() is the only place where
+// statements, profile cycles, delays and events are interleaved; docs/vm-model.md gives the order.
+//
+// Virtual time counts profile cycles. It passes when the owner says so: by host calls (each has its
+// cost, gtcalls/catalogue.h), by Advance(), or by a real-time clock (clock.h) that calls Advance().
+// Deterministic; not thread-safe: the C API serialises its callers per card.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/result.h"
+#include "gtcalls/card.h"
+#include "motion/motion_core.h"
+#include "runtime/sim/call_text.h"
+#include "runtime/sim/refused_commands.h"
+#include "vm/image.h"
+#include "vm/machine.h"
+
+namespace oncard::runtime {
+
+struct ControllerOptions {
+  motion::MotionConfig motion;
+  /// Statements per millisecond that all threads share (GTS manual 10.2).
+  int rate = 100;
+};
+
+/// Virtual cost of a host call in microseconds (GTS manual 10.2 and end of chapter 7).
+inline constexpr int64_t kHostCallUs = 50;
+
+/// The cost of one command for the host.
+constexpr int64_t HostCostUs(gtcalls::Cost cost) {
+  switch (cost) {
+    case gtcalls::Cost::kMillisecond:
+      return 1000;
+    case gtcalls::Cost::kNone:
+      return 0;
+    case gtcalls::Cost::kHostCall:
+      break;
+  }
+  return kHostCallUs;
+}
+
+/// A card's state around the machine. Statements change it through GT commands only, cycles always.
+struct CardBody {
+  motion::MotionState motion;
+  gtcalls::PlcBlocks plc;
+  int64_t pending_us = 0;
+  int64_t pending_statements = 0;
+};
+
+/// A card's whole state as a value.
+struct ControllerSnapshot {
+  vm::MachineState machine;
+  CardBody body;
+};
+
+/// How RunUntilQuiet() ended.
+enum class RunEnd : uint8_t { kQuiet, kTimeLimit, kDeadlock, kScheduleEnd, kScheduleDiverged };
+
+class Controller {
+ public:
+  explicit Controller(const ControllerOptions& options = {});
+  Controller(const Controller&) = delete;
+  Controller& operator=(const Controller&) = delete;
+
+  const ControllerOptions& options() const { return options_; }
+  vm::Machine& machine() { return machine_; }
+  const vm::Machine& machine() const { return machine_; }
+  motion::MotionCore& motion() { return motion_; }
+  const motion::MotionCore& motion() const { return motion_; }
+  gtcalls::Card& card() { return card_; }
+  const vm::CommandTable& commands() const { return commands_; }
+
+  /// From now on the log gets a line for every command that a thread is refused, under this card
+  /// number. The log must outlive the controller.
+  void LogRefusals(CardLog* log, int card);
+  /// The same for what the card does by itself: stops, paths that run dry (happening_text.h).
+  void LogHappenings(CardLog* log, int card);
+  /// From now on the observer is told what the card does by itself, and when, in us.
+  using HappeningListener = std::function<void(int64_t time_us, const Message& what)>;
+  void ListenToHappenings(HappeningListener listener);
+  /// From now on the list gets every command that a thread is refused. It must outlive the
+  /// controller's running.
+  void CollectRefusals(RefusedCommands* refused);
+
+  // --- Programs --------------------------------------------------------------------------------
+
+  /// GT_Download: loads `X.bin` with the `X.ini` beside it. Codes 2007, 2008, 7 as GT_Download
+  /// returns them. On failure the old program stays and goes on.
+  Result<void> Download(const std::string& bin_path);
+  /// Loads an object that is in memory.
+  Result<void> Load(vm::Object object);
+
+  // --- Host calls ------------------------------------------------------------------------------
+
+  /// Executes a command for the host: first its virtual cost passes, then it acts. `reason` says in
+  /// words why the code is not 0.
+  int16_t Call(const gtcalls::Command& command, std::span<vm::CommandArgument> arguments,
+               Message* reason = nullptr);
+  /// The same without letting time pass, for callers that keep the clock themselves.
+  int16_t Execute(const gtcalls::Command& command, std::span<vm::CommandArgument> arguments,
+                  Message* reason = nullptr);
+
+  // --- Time ------------------------------------------------------------------------------------
+
+  /// Lets microseconds pass; a profile cycle runs whenever a whole one has accumulated.
+  void AdvanceUs(int64_t microseconds);
+  /// Runs one profile cycle: motion tick, PLC blocks, then the threads with their budget.
+  void RunCycle();
+  /// From now on RunCycle() calls the observer in every state: after the beginning of the cycle and
+  /// after each statement. It must not change the card. An empty one ends it.
+  void ObserveStates(std::function<void()> observer) { state_observer_ = std::move(observer); }
+  bool shows_states() const { return state_observer_ != nullptr; }
+  /// For callers that choose the order of statements themselves: calls the observer, if any.
+  void ShowState() const {
+    if (state_observer_) state_observer_();
+  }
+  /// RunCycle() without the threads: gives the statements that they may execute before the next
+  /// cycle begins, for a caller that chooses their order.
+  int64_t BeginCycle();
+  /// Runs at most `limit_cycles` cycles, until no thread is running. kDeadlock: as Deadlocked().
+  RunEnd RunUntilQuiet(int64_t limit_cycles);
+  /// True when threads wait for values that nothing is left to change: no thread can run, none is
+  /// delayed or periodic, no PLC block is bound, and no coordinate system that runs has
+  /// GT_BufSetVarValue ahead of it. Only the host, or whoever changes variables from outside, can
+  /// help then.
+  bool Deadlocked() const;
+  /// Profile cycles since power-on.
+  int64_t cycle() const { return motion_.state().cycle; }
+  /// The same in milliseconds.
+  double NowMs() const;
+  /// Microseconds since power-on, with what has passed of the current cycle.
+  int64_t NowUs() const;
+
+  /// GT_Reset: registers, program state and clock to their power-on values; the downloaded program
+  /// is gone, as after power-on.
+  void Reset();
+
+  // --- State -----------------------------------------------------------------------------------
+
+  ControllerSnapshot Snapshot() const;
+  /// Puts back a snapshot taken from this controller with the same program.
+  void Restore(const ControllerSnapshot& snapshot);
+  /// The parts apart; together with Machine::Restore(), as the above.
+  CardBody Body() const;
+  void RestoreBody(const CardBody& body);
+  /// XXH64 of the body alone.
+  uint64_t BodyHash() const;
+  /// XXH64 of everything that a snapshot holds but the scheduler policy's own state.
+  uint64_t Hash() const;
+
+ private:
+  /// GT_BufSetVarValue: what coordinate systems have reached in the last tick.
+  void WriteBufferedValues();
+  void ObserveRefusals(gtcalls::RefusalObserver observer);
+  /// The threads' part of a cycle, statement by statement.
+  void ExecuteObserved(int64_t budget);
+
+  ControllerOptions options_;
+  motion::MotionCore motion_;
+  gtcalls::PlcBlocks plc_;
+  gtcalls::CardCommands commands_;
+  vm::Machine machine_;
+  gtcalls::Card card_;
+  std::vector<gtcalls::RefusalObserver> refusal_observers_;
+  std::vector<HappeningListener> happening_listeners_;
+  std::function<void()> state_observer_;
+  int64_t pending_us_ = 0;          // host time not yet turned into cycles
+  int64_t pending_statements_ = 0;  // thousandths of a statement the last budget was rounded by
+};
+
+}  // namespace oncard::runtime

@@ -1,0 +1,93 @@
+#include "runtime/sim/happening_text.h"
+
+namespace oncard::runtime {
+
+using motion::HappeningKind;
+
+Message DescribeHappening(const motion::Happening& happening) {
+  const size_t item = happening.item + 1;
+  const double value = happening.value;
+  const double bound = happening.bound;
+  switch (happening.kind) {
+    case HappeningKind::kPositiveLimitSwitch:
+      return MakeMessage(
+          "axis {0} met its positive limit switch at {1}: no motion that way until GT_ClrSts",
+          "轴 {0} 在 {1} 处触发正限位开关：调用 GT_ClrSts 前不能向该方向运动", item, value);
+    case HappeningKind::kNegativeLimitSwitch:
+      return MakeMessage(
+          "axis {0} met its negative limit switch at {1}: no motion that way until GT_ClrSts",
+          "轴 {0} 在 {1} 处触发负限位开关：调用 GT_ClrSts 前不能向该方向运动", item, value);
+    case HappeningKind::kPositiveSoftLimit:
+      return MakeMessage(
+          "axis {0} passed its positive soft limit {2} at {1}: no motion that way until GT_ClrSts",
+          "轴 {0} 在 {1} 处越过正软限位 {2}：调用 GT_ClrSts 前不能向该方向运动", item, value,
+          bound);
+    case HappeningKind::kNegativeSoftLimit:
+      return MakeMessage(
+          "axis {0} passed its negative soft limit {2} at {1}: no motion that way until GT_ClrSts",
+          "轴 {0} 在 {1} 处越过负软限位 {2}：调用 GT_ClrSts 前不能向该方向运动", item, value,
+          bound);
+    case HappeningKind::kAlarm:
+      return MakeMessage("the drive of axis {0} reports an alarm at {1}: it is switched off",
+                         "轴 {0} 在 {1} 处驱动器报警：关闭伺服使能", item, value);
+    case HappeningKind::kSmoothStopInput:
+      return MakeMessage("axis {0} met its smooth stop input at {1}: no motion until GT_ClrSts",
+                         "轴 {0} 在 {1} 处触发平滑停止输入：调用 GT_ClrSts 前不能运动", item,
+                         value);
+    case HappeningKind::kAbruptStopInput:
+      return MakeMessage("axis {0} met its abrupt stop input at {1}: no motion until GT_ClrSts",
+                         "轴 {0} 在 {1} 处触发急停输入：调用 GT_ClrSts 前不能运动", item, value);
+    case HappeningKind::kFollowingError:
+      return MakeMessage(
+          "axis {0} has a following error of {1}, its limit is {2} (GT_SetPosErr): the drive is "
+          "switched off",
+          "轴 {0} 跟随误差为 {1}，超过 GT_SetPosErr 设定的极限 {2}：关闭伺服使能", item, value,
+          bound);
+    case HappeningKind::kEncoderSilent:
+      return MakeMessage(
+          "the encoder of axis {0} gives {1} pulse/ms under voltage, GT_SetEncResponseCheck "
+          "expects {2}: the drive is switched off",
+          "轴 {0} 有输出而编码器速度仅为 {1} pulse/ms，GT_SetEncResponseCheck 要求 "
+          "{2}：关闭伺服使能",
+          item, value, bound);
+    case HappeningKind::kGantrySkew:
+      return MakeMessage(
+          "the gantry of axis {0} has a skew of {1}, its limit is {2} (GT_SetGantryErrLmt): both "
+          "drives are switched off",
+          "轴 {0} 的龙门同步误差为 {1}，超过 GT_SetGantryErrLmt 设定的极限 {2}：关闭两轴使能", item,
+          value, bound);
+    case HappeningKind::kHeldAtLimit:
+      return MakeMessage("profile {0} is held at {1}: it was to move into a latched limit",
+                         "规划器 {0} 停在 {1}：其运动方向上的限位已锁存", item, value);
+    case HappeningKind::kStarved:
+      return MakeMessage(
+          "coordinate system {0} ends its run: the FIFO is empty while {1} segments wait in the "
+          "look-ahead buffer, call GT_CrdData with NULL until it returns 0",
+          "坐标系 {0} 运行结束：FIFO 已空而前瞻缓冲区中还有 {1} 段，请以 NULL 调用 GT_CrdData "
+          "直到返回 0",
+          item, value);
+    case HappeningKind::kEndedMoving:
+      return MakeMessage(
+          "coordinate system {0} stops at once from {1} pulse/ms: the FIFO is empty and the last "
+          "segment has velEnd, append segments sooner or end with velEnd 0",
+          "坐标系 {0} 从 {1} pulse/ms 立即停止：FIFO 已空而最后一段的 velEnd 不为 "
+          "0，请及时写入插补段或以 velEnd 0 结束",
+          item, value);
+    case HappeningKind::kMoveStopped:
+      return MakeMessage(
+          "coordinate system {0} pauses: axis {2} of a modal GT_BufMove was stopped at {1}, "
+          "GT_CrdStart goes on with it",
+          "坐标系 {0} 暂停：模态 GT_BufMove 的轴 {2} 在 {1} 处被停止，GT_CrdStart 将继续该运动",
+          item, value, bound + 1);
+    case HappeningKind::kCornerLimited:
+      break;
+  }
+  return MakeMessage(
+      "coordinate system {0} passes the corner before this segment at {1} of {2} pulse/ms at most, "
+      "as T and accMax of GT_InitLookAhead say",
+      "坐标系 {0} 以不超过 {1} pulse/ms（指令为 {2}）通过该段之前的拐角，由 GT_InitLookAhead 的 T "
+      "与 accMax 决定",
+      item, value, bound);
+}
+
+}  // namespace oncard::runtime
