@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "explore/engines/reachable_ends.h"
 #include "explore/engines/shrink.h"
 #include "explore/models/key_set.h"
 

@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "explore/engines/state_graph.h"
 #include "explore/models/model.h"
 
 namespace oncard::explore {
@@ -81,13 +80,5 @@ class RaceDetector {
   std::vector<Cell> cells_;         ///< those touched so far; index: cell
   std::vector<Clock> sync_clocks_;  ///< of synchronising cells; index: cell
 };
-
-/// Which ends can be reached from each state, as the number of a set: equal sets have equal
-/// numbers. `end_of` names the end that each terminal state is.
-std::vector<uint32_t> ReachableEnds(const StateGraph& graph, const std::vector<uint32_t>& end_of);
-
-/// True when the two orders of a race in a state lead to different ends.
-bool OrderMatters(const StateGraph& graph, const std::vector<uint32_t>& ends, uint32_t state,
-                  const Race& race);
 
 }  // namespace oncard::explore
