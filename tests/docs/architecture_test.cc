@@ -1,0 +1,172 @@
+// The rooms of docs/architecture.md: which folders there are, and which of them a source may
+// include. Includes name their file from the root of the project or it would not compile, so the
+// text of a source says what it includes; the compiler's dependency files would not say by whom.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <set>
+
+#include "base/files.h"
+
+namespace oncard::docs {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::Pair;
+
+namespace fs = std::filesystem;
+
+const fs::path kRoot = ONCARD_SOURCE_DIR;
+
+/// Of each room those that it may include.
+using Rooms = std::map<std::string, std::set<std::string>>;
+
+std::vector<std::string> NamesIn(const std::string& cell) {
+  static const std::regex kName(R"(`([a-z0-9_/]+)`)");
+  std::vector<std::string> names;
+  for (std::sregex_iterator name(cell.begin(), cell.end(), kName), end; name != end; ++name) {
+    names.push_back((*name)[1]);
+  }
+  return names;
+}
+
+/// The rows `| room | owns | may include | must not know |` of a page.
+Rooms ReadRooms(const std::string& page) {
+  static const std::regex kRow(R"(\n\| `([a-z0-9_/]+)` \|[^|\n]*\|([^|\n]*)\|[^|\n]*\|)");
+  Rooms rooms;
+  for (std::sregex_iterator row(page.begin(), page.end(), kRow), end; row != end; ++row) {
+    for (const std::string& name : NamesIn((*row)[2])) rooms[(*row)[1]].insert(name);
+    rooms.try_emplace((*row)[1]);
+  }
+  return rooms;
+}
+
+/// The innermost room that a path lies in; empty when there is none.
+std::string RoomOf(const fs::path& path, const Rooms& rooms) {
+  for (fs::path folder = path.parent_path(); !folder.empty(); folder = folder.parent_path()) {
+    if (rooms.contains(folder)) return folder;
+  }
+  return {};
+}
+
+/// The source without what its raw strings contain: that is text of another one.
+std::string WithoutRawStrings(std::string source) {
+  for (size_t begin = 0; (begin = source.find("R\"", begin)) != std::string::npos;) {
+    const size_t open = source.find('(', begin);
+    if (open == std::string::npos) break;
+    const std::string closing = ')' + source.substr(begin + 2, open - begin - 2) + '"';
+    const size_t close = source.find(closing, open);
+    source.erase(begin, close == std::string::npos ? close : close + closing.size() - begin);
+  }
+  return source;
+}
+
+/// The project's files that a source includes.
+std::vector<std::string> IncludesOf(const std::string& source) {
+  static const std::regex kInclude(R"re((?:^|\n)\s*#\s*include "([^"]+)")re");
+  const std::string code = WithoutRawStrings(source);
+  std::vector<std::string> includes;
+  for (std::sregex_iterator each(code.begin(), code.end(), kInclude), end; each != end; ++each) {
+    includes.push_back((*each)[1]);
+  }
+  return includes;
+}
+
+bool IsSource(const fs::path& path) {
+  static const std::set<std::string> kEndings = {".h", ".cc", ".inc", ".def", ".re", ".yy"};
+  return kEndings.contains(path.extension());
+}
+
+/// The sources in the folders of rooms, from the root.
+std::vector<fs::path> Sources(const Rooms& rooms) {
+  std::set<fs::path> sources;
+  for (const auto& [room, included] : rooms) {
+    for (const auto& entry : fs::recursive_directory_iterator(kRoot / room)) {
+      if (IsSource(entry.path())) sources.insert(entry.path().lexically_relative(kRoot));
+    }
+  }
+  return {sources.begin(), sources.end()};
+}
+
+/// Appends `room` after all rooms that it may include; false when it may include itself.
+bool Visit(const std::string& room, const Rooms& rooms, std::set<std::string>* open,
+           std::vector<std::string>* order) {
+  if (std::ranges::find(*order, room) != order->end()) return true;
+  if (!open->insert(room).second) return false;
+  for (const std::string& below : rooms.at(room)) {
+    if (!Visit(below, rooms, open, order)) return false;
+  }
+  order->push_back(room);
+  return true;
+}
+
+Rooms RoomsOfTheProject() { return ReadRooms(ReadFile(kRoot / "docs/architecture.md").value()); }
+
+TEST(RoomsTest, AreTheRowsOfTheTable) {
+  EXPECT_THAT(ReadRooms("text\n| room | owns | may include | must not know |\n|---|---|---|---|\n"
+                        "| `base` | texts | nothing | programs |\n"
+                        "| `vm/x` | `this` | `base` | time |\n"),
+              ElementsAre(Pair("base", IsEmpty()), Pair("vm/x", ElementsAre("base"))));
+}
+
+TEST(RoomsTest, AFileIsInTheInnermostRoom) {
+  const Rooms rooms = {{"vm", {}}, {"vm/x", {}}};
+  EXPECT_EQ(RoomOf("vm/x/y/a.h", rooms), "vm/x");
+  EXPECT_EQ(RoomOf("vm/y/a.h", rooms), "vm");
+  EXPECT_EQ(RoomOf("base/a.h", rooms), "");
+}
+
+TEST(RoomsTest, IncludesAreThoseOfTheSourceItself) {
+  EXPECT_THAT(IncludesOf("#include \"a/b.h\"\n#include <vector>\n  #  include \"c.def\"\n"
+                         "const char* kText = R\"(\n#include \"d.h\"\n)\";\n"),
+              ElementsAre("a/b.h", "c.def"));
+}
+
+TEST(ArchitectureTest, EveryRoomIsAFolderAndNamesRooms) {
+  const Rooms rooms = RoomsOfTheProject();
+  EXPECT_FALSE(rooms.empty());
+  for (const auto& [room, included] : rooms) {
+    EXPECT_TRUE(fs::is_directory(kRoot / room)) << room;
+    for (const std::string& name : included) {
+      EXPECT_TRUE(rooms.contains(name)) << room << " may include " << name;
+    }
+  }
+}
+
+TEST(ArchitectureTest, NoRoomIncludesItselfByWayOfOthers) {
+  const Rooms rooms = RoomsOfTheProject();
+  std::vector<std::string> order;
+  for (const auto& [room, included] : rooms) {
+    std::set<std::string> open;
+    ASSERT_TRUE(Visit(room, rooms, &open, &order)) << room;
+  }
+}
+
+TEST(ArchitectureTest, SourcesIncludeWhatTheirRoomMay) {
+  const Rooms rooms = RoomsOfTheProject();
+  std::map<std::string, std::set<std::string>> included;
+  for (const fs::path& source : Sources(rooms)) {
+    const std::string room = RoomOf(source, rooms);
+    for (const std::string& name : IncludesOf(ReadFile(kRoot / source).value())) {
+      const std::string other = RoomOf(name, rooms);
+      // A name without a folder is a generated file of the source's own.
+      if (other == room || name.find('/') == std::string::npos) continue;
+      included[room].insert(other);
+      EXPECT_TRUE(rooms.at(room).contains(other)) << source << " includes " << name;
+    }
+  }
+  // What no source needs is not allowed either.
+  for (const auto& [room, may] : rooms) {
+    for (const std::string& other : may) {
+      EXPECT_TRUE(included[room].contains(other)) << room << " never includes " << other;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace oncard::docs
