@@ -1,5 +1,5 @@
-// An axis: which profiles and encoders it combines, its inputs, limits, band and status word. The
-// motion core evaluates it once per profile cycle (motion_core.h).
+// An axis: which profiles and encoders it combines, its inputs, limits, in-position band and status
+// word. The motion core evaluates it once per profile cycle (motion_core.h).
 //
 // An axis position is the sum of the mapped profiles (or encoders), each times beta/alpha, plus an
 // offset. GT_SetPrfPos and GT_SetEncPos change a profile or encoder and the offset against it, so
@@ -31,7 +31,7 @@ enum AxisStatus : uint32_t {
   kInPositionBit = 1u << 11
 };
 
-/// The bits that stay set until GT_ClrSts, and then only go when their cause has gone.
+/// The latched bits: set until GT_ClrSts, which clears them only if their cause is gone.
 inline constexpr uint32_t kLatchedBits = kAlarmBit | kFollowingErrorBit | kPositiveLimitBit |
                                          kNegativeLimitBit | kSmoothStopBit | kAbruptStopBit;
 
@@ -49,15 +49,15 @@ struct Scale {
   int16_t alpha = 1;
   int16_t beta = 1;
 
-  /// A profile's or encoder's value in units of the axis; exact where the quotient is.
+  /// A profile's or encoder's value in units of the axis; exact if the quotient is.
   double Apply(double value) const { return alpha == beta ? value : value * beta / alpha; }
-  /// Whether the axis counts against the profile.
+  /// Whether the axis counts in the opposite direction to the profile.
   bool reverses() const { return (alpha < 0) != (beta < 0); }
   auto Fields() const { return std::tie(alpha, beta); }
   bool operator==(const Scale&) const = default;
 };
 
-/// GT_SetSoftLimit: these values mean that there is none.
+/// GT_SetSoftLimit: these values mean no limit.
 inline constexpr int32_t kNoPositiveLimit = std::numeric_limits<int32_t>::max();
 inline constexpr int32_t kNoNegativeLimit = std::numeric_limits<int32_t>::min();
 
@@ -68,17 +68,17 @@ inline constexpr int16_t kVelocityFilterMax = 8;
 /// the public header calls the parameter `filterNumExp` and says no more).
 struct VelocityFilter {
   int16_t exponent = 0;
-  uint32_t next = 0;           ///< where the next velocity goes
+  uint32_t next = 0;           ///< index of the next velocity
   std::vector<double> window;  ///< empty: no filter
 
-  /// Chooses the length; the window is filled with the present velocity.
+  /// Chooses the length; the window is filled with the current velocity.
   void Set(int16_t new_exponent, double velocity);
   void Add(double velocity) {
     if (window.empty()) return;
     window[next] = velocity;
     next = (next + 1) % static_cast<uint32_t>(window.size());
   }
-  /// The mean; the present velocity when there is no filter.
+  /// The mean; the current velocity without a filter.
   double Mean(double velocity) const;
 
   auto Fields() const { return std::tie(exponent, next, window); }
@@ -89,7 +89,7 @@ struct AxisValue {
   double position = 0;
   double velocity = 0;
   double acceleration = 0;
-  double offset = 0;  ///< between the mapped sum and the position
+  double offset = 0;  ///< axis position minus the mapped sum
   VelocityFilter filter;
 
   /// The velocity as commands read it.
@@ -99,7 +99,7 @@ struct AxisValue {
 
 struct Axis {
   // Configuration.
-  bool active = true;  ///< an inactive axis computes and watches nothing
+  bool active = true;  ///< an inactive axis computes and monitors nothing
   InputChoice alarm;
   InputChoice positive_limit;
   InputChoice negative_limit;
@@ -118,7 +118,7 @@ struct Axis {
   int32_t soft_negative = kNoNegativeLimit;
   int32_t band = 0;       ///< pulses
   int32_t band_time = 0;  ///< steps of 250 us
-  bool band_set = false;  ///< GT_SetAxisBand has been called; bit 11 exists only then
+  bool band_set = false;  ///< GT_SetAxisBand has been called; bit 11 is used only then
 
   // State.
   AxisValue profile;  ///< planned
@@ -126,7 +126,7 @@ struct Axis {
   uint32_t latched = 0;
   bool servo_on = false;
   bool in_band = false;      ///< at rest, and the error is inside the band
-  Micros in_band_since = 0;  ///< the tick since which it has been
+  Micros in_band_since = 0;  ///< the tick at which that began
   bool in_position = false;
 
   auto Fields() const {

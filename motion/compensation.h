@@ -1,12 +1,11 @@
 // What is added to an axis' planned position on its way to the drive: backlash and the pitch error
-// of a lead screw. Planned positions as commands read them stay as they are; encoders count what
-// the drive does.
+// of a lead screw. The planned positions that commands read do not include it; encoders count the
+// motion of the drive.
 //
-// Backlash is taken up while the axis moves in one of the two directions. The pitch error is read
-// from one of two tables, one per direction, by the planned position: linear between the points,
-// none outside. The direction is that of the last motion.
-// Source: comments in a public C# interface (backlash); a public note on GTS pitch compensation.
-// Tested by tests/motion/compensation_test.cc.
+// Backlash is added while the axis moves in one of the two directions. The pitch error is read from
+// one of two tables, one per direction, by the planned position: linear between the points, none
+// outside. The direction is that of the last motion. Source: comments in a public C# interface
+// (backlash); a public note on GTS pitch compensation. Tested by tests/motion/compensation_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -24,14 +23,14 @@ inline constexpr int32_t kBacklashMax = 1073741824;
 /// GT_SetBacklash.
 struct Backlash {
   int32_t value = 0;      ///< pulses; 0: none
-  double change = 0;      ///< pulse/ms; 0, or as much as `value`: at once
+  double change = 0;      ///< pulse/ms; 0, or at least `value`: at once
   bool positive = false;  ///< the direction of motion in which it is added
 
   auto Fields() const { return std::tie(value, change, positive); }
   bool operator==(const Backlash&) const = default;
 };
 
-/// Most points of a pitch error table, and the fewest (one segment).
+/// Maximum and minimum number of points of a pitch error table (the minimum is one segment).
 inline constexpr int kPitchPointsMax = 256;
 inline constexpr int kPitchPointsMin = 2;
 
@@ -40,7 +39,7 @@ struct PitchTable {
   double start = 0;
   double length = 0;              ///< > 0
   std::vector<int32_t> positive;  ///< pulses at each point for motion in the positive direction
-  std::vector<int32_t> negative;  ///< as many for the negative
+  std::vector<int32_t> negative;  ///< the same for the negative direction
 
   /// The correction at a planned position, pulses.
   double At(double position, bool moving_positive) const;
@@ -62,17 +61,18 @@ struct Compensation {
   Micros ramp_begin = 0;      ///< since this instant
   double backlash_error = 0;  ///< in effect, pulses
   double pitch_error = 0;     ///< in effect, pulses
-  double origin = 0;          ///< of both, where planned and measured positions were made equal
+  double origin = 0;          ///< sum of both when planned and measured positions were made equal
 
-  /// Anything to do in a cycle: a register asks for it, or something is still in effect.
+  /// True if a cycle has work: a register requires it, or a compensation is still in effect.
   bool InUse() const { return pitch_on || backlash.value != 0 || Amount() != 0; }
-  /// What the drive is told beyond the planned position, pulses.
+  /// The compensation that is added to the planned position for the drive, pulses.
   double Amount() const { return backlash_error + pitch_error - origin; }
-  /// Changes the backlash; what is in effect goes to the new value from where it is.
+  /// Changes the backlash; the compensation in effect changes from its current to the new value.
   void SetBacklash(const Backlash& registers);
-  /// The planned position `from` is called `to` from now on: what is added stays.
+  /// The planned position is renamed from `from` to `to`: the compensation in effect is kept.
   void MoveOrigin(double from, double to);
-  /// A cycle from `begin` to `end` that ended at a planned position with a velocity.
+  /// Processes a cycle from `begin` to `end`, at whose end the planned position and velocity are
+  /// given.
   void Advance(Micros begin, Micros end, double position, double velocity);
 
   auto Fields() const {

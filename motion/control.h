@@ -1,4 +1,4 @@
-// Servo controllers: they compare an axis' planned and measured position and put out a voltage.
+// Servo controllers: they compare an axis' planned and measured position and output a voltage.
 //
 //   U = kp E + ki sum(E) / 256 + kd (E - E_before) + kvff v + kaff a
 //
@@ -25,12 +25,13 @@ inline constexpr size_t kPidSetCount = 3;
 /// Largest exponent of GT_SetKvffFilter (assumption).
 inline constexpr int16_t kKvffFilterMax = 8;
 
-/// What an exceeded following error limit does besides bit 4 of the status word. Assumption: the
-/// drive is switched off and the profiles stop abruptly; false: the bit is all.
+/// Whether exceeding the following error limit does more than set bit 4 of the status word.
+/// Assumption: the drive is switched off and the profiles stop abruptly; false: only the bit is
+/// set.
 inline constexpr bool kFollowingErrorStops = true;
 
-/// TPid and GT_SetKvffFilter. Assumption: after reset all gains are 0 and all limits 32767, as the
-/// GE manual has them.
+/// TPid and GT_SetKvffFilter. Assumption: after reset all gains are 0 and all limits 32767, as in
+/// the GE manual.
 struct PidSet {
   double kp = 0;
   double ki = 0;
@@ -42,7 +43,7 @@ struct PidSet {
   int16_t limit = 32767;
   /// The fed-forward velocity takes a 2^n-th of its difference in each sub-step (assumption).
   int16_t kvff_filter = 0;
-  double kvff_acc_max = 0;  ///< pulse/ms^2 by which it changes at most; 0: no limit (assumption)
+  double kvff_acc_max = 0;  ///< largest rate of change, pulse/ms^2; 0: no limit (assumption)
 
   /// The velocity to feed forward, one servo sub-step after `feed`.
   double FeedForward(double feed, double velocity) const {
@@ -75,8 +76,8 @@ struct ResponseCheck {
 
 struct Control {
   // Configuration.
-  bool active = true;   ///< an inactive controller watches no following error
-  int8_t axis = -1;     ///< whose positions it compares, from 0; -1: none
+  bool active = true;   ///< an inactive controller does not monitor the following error
+  int8_t axis = -1;     ///< the axis whose positions it compares, from 0; -1: none
   int8_t encoder = -1;  ///< the encoder that its motor turns, from 0; -1: none
   bool closed = false;  ///< it commands the drive through a DAC
 
@@ -93,7 +94,7 @@ struct Control {
   double feed = 0;  ///< the fed-forward velocity, pulse/ms
 
   const PidSet& pid() const { return sets[selected]; }
-  /// Forgets what has summed up; the drive has just been enabled at `position`.
+  /// Clears the integral; the drive has just been enabled at `position`.
   void Begin(double position);
   /// One servo sub-step; the output within the set's limit.
   double Advance(double error, double velocity, double acceleration) {

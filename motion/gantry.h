@@ -1,11 +1,11 @@
-// Two axes that carry one beam: the slave moves as the master is planned to, and what stops one of
-// them stops both.
+// Two axes that carry one beam: the slave follows the planned motion of the master, and whatever
+// stops one of them stops both.
 //
-// In closed loop each of the two controllers gets the skew, times a gain of its own, on top of its
-// output, so that the side that is ahead waits for the other. When the skew exceeds its limit both
-// drives are switched off.
-// Source: the public header names the commands; the rest is assumption (docs/assumptions.md).
-// Tested by tests/motion/gantry_test.cc and tests/gtcalls/gantry_command_test.cc.
+// In closed loop the skew times a gain of its own is added to the output of each of the two
+// controllers, so that the side that is ahead waits for the other. When the skew exceeds its limit
+// both drives are switched off. Source: the public header names the commands; the rest is
+// assumption (docs/assumptions.md). Tested by tests/motion/gantry_test.cc and
+// tests/gtcalls/gantry_command_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@
 
 namespace oncard::motion {
 
-/// The skew that switches the drives off until GT_SetGantryErrLmt says otherwise, pulses
-/// (assumption: that of the following error).
+/// The default limit of GT_SetGantryErrLmt: a larger skew switches the drives off, pulses
+/// (assumption: the default limit of the following error).
 inline constexpr int32_t kGantryErrorLimit = 32767;
 
 struct Gantry {
@@ -26,8 +26,8 @@ struct Gantry {
   double master_kp = 0;  ///< DAC units per pulse of skew
   double slave_kp = 0;
   int32_t error_limit = kGantryErrorLimit;
-  double skew_origin = 0;  ///< slave - master when the gantry began, as they are counted now
-  // What the slave axis had before.
+  double skew_origin = 0;  ///< slave - master at the start of the gantry, in current coordinates
+  // The previous mapping of the slave axis.
   uint32_t slave_map = 0;
   Scale slave_scale;
 

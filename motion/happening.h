@@ -1,5 +1,6 @@
-// What the card does by itself and a log should say: why it stopped, what a path could not do. It
-// is told to an observer as it happens and is no part of the card's state.
+// Events that the card causes by itself and that a log should report: why it stopped, what a path
+// could not do. They are reported to an observer when they happen and are not part of the card's
+// state.
 #pragma once
 
 #include <cstddef>
@@ -20,12 +21,13 @@ enum class HappeningKind : uint8_t {
   kFollowingError,  ///< `value`: the error, `bound`: its limit, pulses
   kEncoderSilent,   ///< `value`: velocity of the encoder, `bound`: the least, pulse/ms
   kGantrySkew,      ///< of the master; `value`: the skew, `bound`: its limit, pulses
-  kHeldAtLimit,     ///< of a profile; it was to begin to move into a latched limit
+  kHeldAtLimit,     ///< of a profile: it would have moved towards a latched limit
   // Of a coordinate system.
   kStarved,       ///< the FIFO is empty; `value`: segments in the look-ahead ring
   kEndedMoving,   ///< the FIFO ran empty at the velocity `value`, which drops to 0
   kMoveStopped,   ///< `value`: position of the profile `bound` that a modal GT_BufMove waits for
-  kCornerLimited  ///< a segment appended: `value` is the corner's velocity, `bound` the commanded
+  kCornerLimited  ///< a segment was appended: `value` is the velocity of the corner, `bound` the
+                  ///< commanded one
 };
 
 struct Happening {

@@ -1,25 +1,25 @@
 // Homing: state machines that drive a profile in mode Trap and the capture of the same number, one
-// for each axis, all independent. They write the mode's registers and start and stop it as a
+// for each axis, all independent. They write the registers of the mode, and start and stop it, as a
 // program would.
 //
-// Smart homing (GT_GoHome) knows nine modes. A limit search runs at the high velocity until the
-// limit, mode 10 then leaves it by the escape step and comes back at the low velocity: where the
-// limit answers again is the origin. Otherwise the search turns round for the home switch, or goes
-// on to the index pulse. A home switch is searched at the high velocity with its capture armed; an
-// index pulse at the low one. The end is at the captured position plus the offset; no position is
-// set to 0.
+// Smart homing (GT_GoHome) has nine modes. A limit search moves at the high velocity until the
+// limit; mode 10 then leaves it by the escape step and returns at the low velocity: the position
+// where the limit becomes active again is the origin. In other modes the axis then reverses to
+// search for the home switch, or searches for the index pulse. A home switch is searched at the
+// high velocity with its capture armed; an index pulse at the low one. The end is at the captured
+// position plus the offset; no position is set to 0.
 //
-// Simple homing (GT_Home, GT_HomeStop) moves to a position until the capture answers. GT_Index
-// before it adds a search for the index pulse, from where GT_Home would end.
+// Simple homing (GT_Home, GT_HomeStop) moves towards a position until the capture triggers.
+// GT_Index before it adds a search for the index pulse, from where GT_Home would end.
 //
-// A captured position is an encoder's. Where the profile has to go to be there again follows from
-// the way between it and where the encoder is now, so that scales and set positions do not matter.
+// A captured position is one of an encoder. The profile position that returns to it is computed
+// from the distance between it and the current encoder position, so that scales and set positions
+// do not matter.
 //
-// Assumptions: the forced modes 40 and 41 search the other way when a limit comes before the home
-// switch; the limit search ends after the longest distance; a limit still active after the escape
-// step is a stage error.
-// Source: application notes on smart homing, GE manual. Tested by
-// tests/gtcalls/home_command_test.cc.
+// Assumptions: the forced modes 40 and 41 search in the other direction if a limit is reached
+// before the home switch; the limit search ends after the longest distance; a limit still active
+// after the escape step is a stage error. Source: application notes on smart homing, GE manual.
+// Tested by tests/gtcalls/home_command_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -78,11 +78,11 @@ bool SearchesLimit(HomeMode mode);
 bool SearchesHome(HomeMode mode);
 bool SearchesIndex(HomeMode mode);
 
-/// A search distance of 0 means this one.
+/// A search distance of 0 stands for this value.
 inline constexpr int32_t kSearchDistanceMax = 805306368;
 
-/// THomePrm. Velocities in pulse/ms, accelerations in pulse/ms^2; the defaults of those are 0 and
-/// have to be set.
+/// THomePrm. Velocities in pulse/ms, accelerations in pulse/ms^2; they default to 0 and must be
+/// set.
 struct HomeParameters {
   HomeMode mode = HomeMode::kHome;
   int8_t move_direction = 1;
@@ -109,7 +109,7 @@ struct HomeParameters {
   bool operator==(const HomeParameters&) const = default;
 };
 
-/// What simple homing does after the capture; kSmart: not simple.
+/// What simple homing does after the capture; kSmart: smart homing.
 enum class HomeKind : uint8_t { kSmart, kHome, kStop, kIndex };
 
 struct Homing {
@@ -118,14 +118,14 @@ struct Homing {
   HomeStage stage = HomeStage::kIdle;
   HomeError error = HomeError::kNone;
   double captured = 0;  ///< as the capture gave it
-  double origin = 0;    ///< the same place as a profile position
+  double origin = 0;    ///< the same position as a profile position
   double target = 0;
 
   HomeKind kind = HomeKind::kSmart;
-  int8_t direction = 1;   ///< of the present search
-  bool turned = false;    ///< a forced mode has turned round
-  bool stopping = false;  ///< a stop of its own is under way
-  bool failing = false;   ///< `error` has ended it, the axis comes to rest
+  int8_t direction = 1;   ///< of the current search
+  bool turned = false;    ///< a forced mode has reversed
+  bool stopping = false;  ///< a stop started by homing is in progress
+  bool failing = false;   ///< homing has ended with `error`, and the axis is stopping
   double ahead = 0;       ///< planned minus measured axis position at rest, without compensation
   bool prepared = false;  ///< GT_HomeInit
   /// Simple homing: its velocity, offset and result.
@@ -134,7 +134,7 @@ struct Homing {
   int32_t simple_offset = 0;
   bool found = false;
   bool index_follows = false;  ///< GT_Index: after the home switch comes the index pulse ...
-  int32_t index_distance = 0;  ///< ... within this way, in profile pulses
+  int32_t index_distance = 0;  ///< ... within this distance, in profile pulses
   int32_t index_offset = 0;
 
   auto Fields() const {

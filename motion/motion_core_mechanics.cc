@@ -16,7 +16,7 @@ constexpr Micros kCheckTimeUs = 250;
 
 }  // namespace
 
-// --- The world ---------------------------------------------------------------------------------
+// --- Outside the card --------------------------------------------------------------------------
 
 void MotionCore::PowerOn(std::shared_ptr<const WorldEvents> events) {
   state_.world = {std::move(events), 0};

@@ -1,4 +1,4 @@
-// Rounding on the path that every motor and encoder takes in every cycle.
+// Fast rounding, used for every motor and encoder in every cycle.
 #pragma once
 
 #include <cmath>
@@ -6,8 +6,8 @@
 
 namespace oncard::motion {
 
-/// The nearest whole number, halves away from 0; unlike std::round() it is no call of a library.
-/// From 2^52 on every double is one already; what is none stays what it is.
+/// The nearest whole number, halves away from 0; unlike std::round(), without a library call. From
+/// 2^52 on every double is a whole number; infinities and NaN are returned unchanged.
 inline double Whole(double value) {
   constexpr double kAllWhole = 4'503'599'627'370'496;
   if (!(std::fabs(value) < kAllWhole)) return value;

@@ -1,4 +1,4 @@
-// What a profile gives out at one instant.
+// The output of a profile at one instant.
 #pragma once
 
 #include <tuple>
@@ -10,7 +10,8 @@ struct Sample {
   double position = 0;
   double velocity = 0;
   double acceleration = 0;
-  /// Bit 10 of the status word: the run is not over. A slave that waits for its master is moving.
+  /// Bit 10 of the status word: the run is not over. A slave that waits for its master counts as
+  /// moving.
   bool moving = false;
 
   auto Fields() const { return std::tie(position, velocity, acceleration, moving); }

@@ -25,15 +25,16 @@ inline constexpr size_t kPvtPointMax = 1024;
 /// Largest absolute position a command may name, pulses (GTS manual, GT_SetPos).
 inline constexpr int32_t kPositionMax = 1'073'741'823;
 /// Assumption: the smallest velocity, acceleration, time or ratio that a command may ask for where
-/// the manuals say "> 0". Products of two of them, and times of the longest way at them, are
-/// numbers that planning can still tell from 0.
+/// the manuals say "> 0". Products of two of them, and the time of the longest distance at this
+/// velocity, are still representable in planning.
 inline constexpr double kRateMin = 1e-9;
-/// A velocity register as planning takes it: what is smaller than kRateMin stands still.
+/// The velocity that planning uses for a register: values below kRateMin mean standstill.
 constexpr double PlannedVelocityOf(double velocity) {
   return velocity < kRateMin && velocity > -kRateMin ? 0 : velocity;
 }
 
-/// Virtual time in microseconds since power-on. All events of the motion core lie on whole ones.
+/// Virtual time in microseconds since power-on. All events of the motion core are at whole
+/// microseconds.
 using Micros = int64_t;
 
 /// Milliseconds from one instant to a later one; the unit of all planning.

@@ -5,7 +5,7 @@
 //
 //   auto Fields() const { return std::tie(mode, position, table); }
 //
-// What the list leaves out does not exist for the hash; kFieldsComplete<T> says at compile time
+// Members that are not listed are not part of the hash; kFieldsComplete<T> says at compile time
 // whether an aggregate's list is as long as the aggregate.
 #pragma once
 
@@ -42,7 +42,7 @@ class StateHash {
   /// Adds the bits of a double.
   StateHash& Add(double value) { return Add(std::bit_cast<uint64_t>(value)); }
 
-  /// Adds the elements, and where their number varies that first.
+  /// Adds the elements, preceded by their number if it can vary.
   template <typename T, size_t kSize>
   StateHash& Add(const std::array<T, kSize>& values) {
     for (const T& value : values) Add(value);
@@ -64,7 +64,7 @@ class StateHash {
     if (value.has_value()) Add(*value);
     return *this;
   }
-  /// Adds what the pointer leads to.
+  /// Adds the value that the pointer points to.
   template <typename T>
   StateHash& Add(const std::shared_ptr<const T>& value) {
     Add(value != nullptr);

@@ -30,8 +30,8 @@ struct Dac {
   int16_t limit = 32767;  ///< GT_SetMtrLmt
   double value = 0;       ///< what was written
 
-  /// What GT_GetDac reads: value + bias, rounded, within +-limit. A drive is wired so that this
-  /// sign is its direction.
+  /// What GT_GetDac reads: value + bias, rounded, within +-limit. Assumption: a drive is wired so
+  /// that this sign is its direction of motion.
   int16_t Output() const {
     if (!active) return 0;
     const double bound = limit;
@@ -44,9 +44,9 @@ struct Dac {
 };
 
 struct Adc {
-  double volts = 0;     ///< at the terminal, set by the world
+  double volts = 0;     ///< volts at the terminal, from outside the card
   int16_t filter = 0;   ///< GT_SetAdcFilter
-  double filtered = 0;  ///< volts behind the filter
+  double filtered = 0;  ///< volts after the filter
 
   /// One profile cycle. Assumption: a filter time of n cycles takes an n-th of the difference in
   /// each; 0 and 1 pass everything.

@@ -1,15 +1,14 @@
 // Position capture: an edge of an input or an index pulse latches an encoder's position.
 //
 // Each encoder has a capture (GT_SetCaptureMode) and each number a trigger (GT_SetTrigger); they
-// are independent. Captures look at the pins, without filter and sense. An edge is latched where it
-// happens, whatever the cycle: where the moving machine makes it, at the instant at which the world
-// makes it, and where the card's own high-speed outputs (compare.h) make it.
+// are independent. Captures see the pins directly, without filter and sense. An edge latches the
+// position at the exact instant of the edge, also between two cycles, whether it is caused by the
+// moving mechanics, by a scheduled event, or by the card's own high-speed outputs (compare.h).
 //
 // Assumptions: the probe is general input 1 (EXI0, as in the GE manual); HSIO0 and HSIO1 are the
 // outputs of position compare (a public sample captures the pulse that compare puts out); an index
-// pulse has no sense; the status is 1 from the first of several captures on; a list of offsets that
-// is used up adds nothing more.
-// Source: public header and samples; GE manual (probe). Tested by
+// pulse has no sense; the status is 1 from the first of several captures on; after the last offset
+// of a list, nothing is added. Source: public header and samples; GE manual (probe). Tested by
 // tests/gtcalls/capture_command_test.cc.
 #pragma once
 
@@ -36,12 +35,12 @@ enum class CaptureSource : uint8_t {
 /// The source of a number; kNone when there is none.
 CaptureSource CaptureSourceFromNumber(int number);
 
-/// Most positions captured in a row (GT_SetCaptureRepeat).
+/// Maximum number of positions captured in a row (GT_SetCaptureRepeat).
 inline constexpr uint16_t kCaptureRepeatMax = 256;
 
 inline constexpr int kProbeInput = 0;
 
-/// True when edges of the input reach a source; `index`, from 0, numbers the home input.
+/// True if edges of the input can trigger a source; `index`, from 0, numbers the home input.
 bool SourceListens(CaptureSource source, size_t index, DiType type, int bit);
 
 struct Capture {
@@ -49,10 +48,10 @@ struct Capture {
   CaptureSource source = CaptureSource::kNone;
   uint16_t rising = 0;  ///< bit n: the sense of source n is the rising edge
   uint16_t repeat = 1;  ///< positions to capture in a row
-  uint8_t encoder = 0;  ///< whose position is latched
+  uint8_t encoder = 0;  ///< the encoder whose position is latched
   std::vector<int32_t> offsets;
-  int32_t loop = 1;           ///< how often the list of offsets is used; 0: without end
-  uint8_t offset_source = 0;  ///< whose list of offsets is used
+  int32_t loop = 1;           ///< how often the list of offsets is used; 0: endlessly
+  uint8_t offset_source = 0;  ///< the encoder whose list of offsets is used
 
   // State.
   bool armed = false;
@@ -78,7 +77,7 @@ struct Trigger {
   uint8_t input = 0;  ///< number of the home input or index pulse, from 0
   bool rising = false;
   int16_t offset = 0;
-  uint32_t loop = 0;  ///< captures until it is done; 0 counts as 1
+  uint32_t loop = 0;  ///< captures until it is complete; 0 counts as 1
   bool window_only = false;
   int32_t first = 0;
   int32_t last = 0;
@@ -103,29 +102,29 @@ class CaptureUnit {
   Capture& capture(size_t index) { return captures_[index]; }
   const Trigger& trigger(size_t index) const { return triggers_[index]; }
 
-  /// Arms a capture; what it has captured before is forgotten.
+  /// Arms a capture; earlier captured positions are discarded.
   void Arm(size_t index, CaptureSource source);
   void Disarm(size_t index) { captures_[index].armed = false; }
-  /// Sets how many positions are captured in a row; an armed capture that has as many already has
-  /// done.
+  /// Sets how many positions are captured in a row; an armed capture that already has as many is
+  /// complete.
   void SetRepeat(size_t index, uint16_t repeat);
-  /// Forgets what has been captured.
+  /// Discards the captured positions.
   void Clear(size_t index);
-  /// Sets the list of offsets, from the begin.
+  /// Sets the list of offsets; its use starts from the first one.
   void SetOffsets(size_t index, std::vector<int32_t> offsets, int32_t loop);
   void LinkOffsets(size_t index, size_t source);
   /// Arms a trigger with its registers.
   void SetTrigger(size_t index, const Trigger& registers);
   void ClearTrigger(size_t index);
 
-  /// Something may be armed.
+  /// True if something may be armed.
   bool armed() const { return armed_; }
-  /// Looks whether something still is; once a tick.
+  /// Checks whether something is still armed; called once per tick.
   void CountArmed();
-  /// Something waits for the index pulses of a machine.
+  /// True if something waits for the index pulses of an encoder.
   bool WaitsForIndex(size_t machine) const;
 
-  /// An edge of a pin; `position(encoder)` is an encoder's position there.
+  /// An edge of a pin; `position(encoder)` gives an encoder's position at that instant.
   template <typename Position>
   void Edge(DiType type, int bit, bool rising, Position position) {
     for (size_t i = 0; i < kAxisMax; ++i) {
@@ -139,7 +138,7 @@ class CaptureUnit {
       }
     }
   }
-  /// An index pulse of a machine.
+  /// An index pulse of an encoder.
   template <typename Position>
   void Index(size_t machine, Position position) {
     for (size_t i = 0; i < kAxisMax; ++i) {

@@ -1,14 +1,13 @@
 // Position compare: pulses or level changes at the high-speed outputs (HSIO0, HSIO1) when encoders
 // reach listed positions.
 //
-// There are two modules. Each works off a list of points in order, which are relative to where the
-// encoders were at the start; the instant of a hit is found inside the tick on the straight line
-// between two ticks, and one tick can have several. A point is hit where both coordinates are
-// within the tolerance, at the place on the way that is nearest to it. One-dimensional compare
-// looks at Y only. A point can stand for a row of them at equal distances. All hits are kept in a
-// log of limited length; what the outputs did in the last tick is kept edge by edge.
-// Source: application notes on 2-D compare; public header. Tested by
-// tests/gtcalls/compare_command_test.cc.
+// There are two modules. Each processes a list of points in order; points are relative to the
+// positions of the encoders at the start. The instant of a hit is computed on the straight line
+// between two ticks, and one tick can have several hits. A point is hit when both coordinates are
+// within the tolerance, at the position on the line that is nearest to the point. One-dimensional
+// compare uses only Y. A point can represent a series of points at equal distances. A log of
+// limited length keeps all hits; every edge of the outputs in the last tick is kept. Source:
+// application notes on 2-D compare; public header. Tested by tests/gtcalls/compare_command_test.cc.
 #pragma once
 
 #include <array>
@@ -21,20 +20,20 @@
 namespace oncard::motion {
 
 inline constexpr size_t kHsioCount = 2;
-/// Points the hardware's FIFO holds, and those the card keeps behind it (the latter an assumption).
+/// Capacity in points of the hardware's FIFO, and of the card's queue behind it (assumption).
 inline constexpr size_t kCompareFifoSize = 512;
 inline constexpr size_t kCompareBufferSize = 4096;
-/// Hits the log keeps; later ones are counted only.
+/// Capacity of the log; later hits are only counted.
 inline constexpr size_t kCompareLogSize = 4096;
 
-/// Edges of the outputs that are kept of one tick; later ones reach no capture and no trace.
+/// Maximum number of output edges kept for one tick; later ones reach no capture and no trace.
 inline constexpr size_t kHsioEdgesMax = 4096;
 
 /// A high-speed output. A pulse inverts its level for a while.
 struct HsioOutput {
   bool level = false;
   double pulse_end = 0;  ///< us since power-on; 0: no pulse
-  bool shown = false;    ///< the level behind its last edge
+  bool shown = false;    ///< the level after its last edge
 
   bool Level(double instant) const { return level != (instant < pulse_end); }
   bool Level(Micros now) const { return Level(static_cast<double>(now)); }
@@ -42,7 +41,7 @@ struct HsioOutput {
   auto Fields() const { return std::tie(level, pulse_end, shown); }
 };
 
-/// An output's level changes.
+/// A change of an output's level.
 struct HsioEdge {
   uint8_t channel = 0;
   bool level = false;  ///< from now on
@@ -59,7 +58,7 @@ struct ComparePoint {
   bool operator==(const ComparePoint&) const = default;
 };
 
-/// One output of a module: where and when.
+/// One hit of a module: position and time.
 struct CompareHit {
   uint8_t channel = 0;
   double instant = 0;  ///< us since power-on
@@ -89,9 +88,9 @@ struct CompareParameters {
 struct CompareModule {
   CompareParameters parameters;
   std::vector<ComparePoint> points;
-  uint32_t next = 0;     ///< the point waited for
-  int32_t repeats = 0;   ///< how often it comes again after its hit, each time ...
-  int32_t interval = 0;  ///< ... so many pulses further along Y
+  uint32_t next = 0;     ///< the next point
+  int32_t repeats = 0;   ///< how often the point is repeated after its hit, each time ...
+  int32_t interval = 0;  ///< ... this number of pulses further along Y
   bool running = false;
   double origin_x = 0;
   double origin_y = 0;
@@ -103,15 +102,15 @@ struct CompareModule {
   }
 };
 
-/// The way of all encoders in a tick, with fractions of pulses.
+/// The movement of all encoders in a tick, with fractions of pulses.
 struct EncoderWay {
   std::array<double, kAxisMax> from{};
   std::array<double, kAxisMax> to{};
 };
 
-/// Where on the way from (x0, y0) to (x1, y1) a point is hit: the fraction in [`begin`, 1], or -1,
-/// also while the way still comes nearer to the point at its end. `max_error` counts whole pulses;
-/// without `use_x` only Y counts.
+/// Where on the line from (x0, y0) to (x1, y1) a point is hit: a fraction in [`begin`, 1], or -1,
+/// also if the end of the line is still approaching the point. `max_error` is in whole pulses;
+/// without `use_x` only Y is compared.
 double FindHit(double x0, double y0, double x1, double y1, bool use_x, ComparePoint point,
                int max_error, double begin);
 
@@ -121,7 +120,7 @@ class CompareUnit {
   CompareModule& module(size_t channel) { return modules_[channel]; }
   const HsioOutput& output(size_t channel) const { return outputs_[channel]; }
   const std::vector<CompareHit>& log() const { return log_; }
-  /// What the outputs did in the last tick; those of one output are in order of time.
+  /// The output edges of the last tick; those of one output are in order of time.
   const std::vector<HsioEdge>& edges() const { return edges_; }
 
   /// GT_Reset: no points, both outputs low.
@@ -130,20 +129,20 @@ class CompareUnit {
   /// A single pulse, or a level.
   void Pulse(size_t channel, Micros now, int16_t time_us);
   void SetLevel(size_t channel, bool level);
-  /// Appends points; those that are done make room.
+  /// Appends points; completed points free their space.
   void Append(size_t channel, const std::vector<ComparePoint>& points);
-  /// One point along Y that comes `repeats` times again at an `interval`, in place of all others.
+  /// Replaces all points by one along Y that is repeated `repeats` times at an `interval`.
   void Repeat(size_t channel, int32_t first, int32_t repeats, int32_t interval);
-  /// Begins with the encoders at (x, y).
+  /// Starts with the encoders at (x, y).
   void Start(size_t channel, double x, double y);
   void Stop(size_t channel);
-  /// Forgets all points.
+  /// Removes all points.
   void Clear(size_t channel);
 
   bool running() const { return modules_[0].running || modules_[1].running; }
-  /// The next tick has something to do: points are waited for, or an output changes.
+  /// True if the next tick has work: points are pending, or an output changes.
   bool active() const;
-  /// A tick that begins at `begin`.
+  /// Processes a tick that begins at `begin`.
   void Advance(Micros begin, Micros length, const EncoderWay& way);
 
   auto Fields() const { return std::tie(modules_, outputs_, log_, edges_); }
@@ -151,9 +150,9 @@ class CompareUnit {
  private:
   void AdvanceModule(size_t channel, Micros begin, Micros length, const EncoderWay& way);
   void Fire(size_t channel, const CompareHit& hit);
-  /// Ends a pulse that is over at `instant`.
+  /// Ends a pulse whose time is over at `instant`.
   void EndPulse(size_t channel, double instant);
-  /// Notes the edge when the level at `instant` is another one than before.
+  /// Records an edge if the level at `instant` differs from the one before.
   void Show(size_t channel, double instant);
 
   std::array<CompareModule, kHsioCount> modules_;

@@ -1,10 +1,10 @@
 // The card's digital inputs and outputs as one plain value: pins, senses, filters, edge counters,
 // output registers, timed reversals and pulse trains.
 //
-// An input goes from its pin through a filter (a new level counts once it has been sampled at so
-// many ticks in a row) and through its sense (inverted or not) to what GT_GetDi reads. Edges are
-// counted behind the filter and before the sense, so changing a sense counts nothing. A pin that
-// the world has never driven rests at the level that reads 0, whatever its sense.
+// An input goes from its pin through a filter (a new level is accepted after it has been sampled at
+// a number of ticks in a row) and through its sense (inverted or not) to what GT_GetDi reads. Edges
+// are counted after the filter and before the sense, so that a change of the sense counts no edge.
+// A pin that has never been driven from outside has the level that reads 0, whatever its sense.
 //
 // Bits are numbered from 0 here (the commands number inputs and outputs from 1) and must be below
 // the word's width.
@@ -39,7 +39,7 @@ inline constexpr int kIoWidthMax = 16;
 /// Assumption: on 12-axis cards too, since GT_LmtSns has two bits per axis in 16.
 inline constexpr int kAxisIoWidth = 8;
 
-/// The word of a number; empty when no word has it.
+/// The word with a number; empty if there is none.
 std::optional<DiType> DiTypeFromNumber(int number);
 std::optional<DoType> DoTypeFromNumber(int number);
 
@@ -52,22 +52,24 @@ inline constexpr uint16_t kFilterTicksDefault = 3;
 
 /// One word of inputs. Bit n of each mask belongs to input n.
 struct DiWord {
-  uint32_t driven = 0;                               ///< the world drives this pin
-  uint32_t pins = 0;                                 ///< level of the driven pins
-  uint32_t inverted = 0;                             ///< sense: 1 = low level reads 1
-  uint32_t active = ~uint32_t{0};                    ///< configuration: others read 0
-  uint32_t levels = 0;                               ///< pin levels behind the filter
-  std::array<uint16_t, kIoWidthMax> filter_ticks{};  ///< ticks a new level must last; 0 acts as 1
-  std::array<uint16_t, kIoWidthMax> held_ticks{};    ///< ticks the pin has differed from `levels`
-  uint32_t held = 0;                                 ///< where held_ticks is not 0
-  std::array<uint32_t, kIoWidthMax> edges{};         ///< changes of `levels`, modulo 2^32
+  uint32_t driven = 0;             ///< the pin is driven from outside
+  uint32_t pins = 0;               ///< level of the driven pins
+  uint32_t inverted = 0;           ///< sense: 1 = low level reads 1
+  uint32_t active = ~uint32_t{0};  ///< configuration: active inputs; all others read 0
+  uint32_t levels = 0;             ///< pin levels after the filter
+  std::array<uint16_t, kIoWidthMax>
+      filter_ticks{};  ///< ticks that a new level must last; 0 acts as 1
+  std::array<uint16_t, kIoWidthMax> held_ticks{};  ///< ticks the pin has differed from `levels`
+  uint32_t held = 0;                               ///< bits whose held_ticks is not 0
+  std::array<uint32_t, kIoWidthMax> edges{};       ///< changes of `levels`, modulo 2^32
 
   auto Fields() const {
     return std::tie(driven, pins, inverted, active, levels, filter_ticks, held_ticks, held, edges);
   }
 };
 
-/// A timed reversal or a pulse train of one output: the output flips whenever a phase has passed.
+/// A timed reversal or a pulse train of one output: the output changes its level at the end of each
+/// phase.
 struct DoTiming {
   int64_t flips_left = 0;  ///< 0: none; kEndlessFlips: until stopped
   int64_t phase_us = 0;    ///< time left until the next flip
@@ -82,8 +84,9 @@ inline constexpr int64_t kEndlessFlips = -1;
 struct DoWord {
   uint32_t value = 0;     ///< the register that GT_GetDo reads
   uint32_t inverted = 0;  ///< `reverse` of the configuration: the pin carries the complement
-  uint32_t active = ~uint32_t{0};  ///< configuration: the pins of others stay low
-  uint32_t timed = 0;              ///< where a timing runs
+  uint32_t active =
+      ~uint32_t{0};    ///< configuration: active outputs; the pins of all others stay low
+  uint32_t timed = 0;  ///< bits with a running reversal or pulse train
   std::array<DoTiming, kIoWidthMax> timing{};
 
   auto Fields() const { return std::tie(value, inverted, active, timed, timing); }
@@ -99,9 +102,9 @@ class DigitalIo {
 
   // --- Inputs ----------------------------------------------------------------------------------
 
-  /// The world drives a pin; the level takes effect through the filter.
+  /// Drives a pin from outside; the level takes effect after the filter.
   void SetPin(DiType type, int bit, bool level);
-  /// The levels of the pins: undriven ones at the level that reads 0.
+  /// The levels of the pins; a pin that is not driven has the level that reads 0.
   uint32_t Pins(DiType type) const;
   /// Filtered levels with the senses applied: what GT_GetDi reads.
   uint32_t Read(DiType type) const {
@@ -112,15 +115,15 @@ class DigitalIo {
   uint32_t inverted(DiType type) const { return At(type).inverted; }
   /// Inputs that are switched off in the configuration read 0.
   void SetInputsActive(DiType type, uint32_t mask) { At(type).active = mask; }
-  /// Ticks a new level must last; 0 and 1 let it through at the first tick.
+  /// Ticks that a new level must last; with 0 and 1 it is accepted at the first tick.
   void SetFilterTicks(DiType type, int bit, uint16_t ticks);
   /// Changes of the filtered level since reset or since the counter was set.
   uint32_t Edges(DiType type, int bit) const;
   void SetEdges(DiType type, int bit, uint32_t count);
 
-  // --- Outputs. The last command that writes a bit decides: it ends a reversal or train of it ----
+  // --- Outputs. The last command that writes a bit ends its reversal or pulse train ------------
 
-  /// The register: what GT_GetDo reads.
+  /// The register that GT_GetDo reads.
   uint32_t Register(DoType type) const { return At(type).value; }
   /// Levels at the terminals: the register with the configured reversal.
   uint32_t OutputPins(DoType type) const;
@@ -129,33 +132,34 @@ class DigitalIo {
   void SetOutputsActive(DoType type, uint32_t mask) { At(type).active = mask; }
   /// Writes the bits of `mask`.
   void Write(DoType type, uint32_t mask, uint32_t value);
-  /// Writes a bit and sets it to the opposite `delay_us` later; 0 means for ever.
+  /// Writes a bit and inverts it after `delay_us`; 0: never.
   void WriteForAWhile(DoType type, int bit, bool level, int64_t delay_us);
   /// Starts a train of pulses: one high and one low phase each, the first with `first_level`.
   /// Afterwards the bit stays at the level of the last phase. `pulses` 0: endless. Both times are
   /// at least 1 us.
   void StartPulses(DoType type, int bit, int64_t high_us, int64_t low_us, int64_t pulses,
                    bool first_level);
-  /// Ends a train or a reversal; the bit stays as it is.
+  /// Ends a pulse train or a reversal; the bit keeps its level.
   void StopTiming(DoType type, int bit);
 
   // --- Time ------------------------------------------------------------------------------------
 
   /// One tick: samples the inputs and counts their edges.
   void SampleInputs();
-  /// Lets microseconds pass for reversals and trains.
+  /// Advances the time of reversals and pulse trains.
   void AdvanceOutputs(int64_t microseconds);
-  /// The pins have been as they are for long: the filters let their levels through. No edge counts.
+  /// Treats the current levels of the pins as established: the filters accept them at once, and no
+  /// edge is counted.
   void Settle();
-  /// Registers, senses, filters, counters and timings to their defaults. The world's pins stay, and
-  /// the filters are settled at their levels.
+  /// Sets registers, senses, filters, counters and timings to their defaults. The pins keep their
+  /// levels, and the filters accept them at once.
   void Reset();
 
   auto Fields() const { return std::tie(inputs_, outputs_); }
 
  private:
   DiWord& At(DiType type) { return inputs_[static_cast<size_t>(type)]; }
-  /// Begins a timing in place of the bit's last one; one without flips ends it.
+  /// Starts a timing and replaces the bit's previous one; a timing without level changes ends it.
   void SetTiming(DoType type, int bit, const DoTiming& timing);
   static void SampleWord(DiWord& word, uint32_t pins);
   const DiWord& At(DiType type) const { return inputs_[static_cast<size_t>(type)]; }

@@ -1,9 +1,9 @@
 // Extension modules: 16 digital inputs and outputs and analogue channels each.
 //
-// Assumption: with no word about the machine all modules are there, with inputs that read 0, so
-// that a host program that talks to its modules runs as it is; a world that lists modules has only
-// those. Assumption: 8 analogue channels from 0, converter values 0 to 65535 for -10 to 10 V (the
-// public header has them unsigned). Tested by tests/motion/extension_test.cc.
+// Assumption: unless something else is specified, all modules are present, with inputs that read 0,
+// so that host programs that use modules run unchanged; if modules are listed, only those are
+// present. Assumption: 8 analogue channels from 0, converter values 0 to 65535 for -10 to 10 V
+// (unsigned in the public header). Tested by tests/motion/extension_test.cc.
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
 // The card's ferroelectric memory: a buffer that the host reads and writes in small pieces, and the
-// memory itself, with a transfer in either direction that takes a while. GT_Reset clears the buffer
-// and ends a transfer; the memory keeps its contents.
-// Source: GTS manual 11.8. Tested by tests/motion/mram_test.cc.
+// memory itself, with transfers in both directions that take time. GT_Reset clears the buffer and
+// ends a transfer; the memory keeps its contents. Source: GTS manual 11.8. Tested by
+// tests/motion/mram_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 namespace oncard::motion {
 
 inline constexpr int kMramWords = 4096;
-/// Most words of one transfer between host and buffer.
+/// Maximum number of words of one transfer between host and buffer.
 inline constexpr int kMramTransferMax = 24;
 /// Assumption: the time the card needs for one word.
 inline constexpr Micros kMramWordUs = 10;
@@ -25,12 +25,12 @@ class Mram {
   /// Words of the buffer; addresses below kMramWords.
   int16_t Word(int address) const { return At(buffer_, address); }
   void SetWord(int address, int16_t value) { Put(address, value, &buffer_); }
-  /// Begins to copy words from `address` on; they arrive when the time is over.
+  /// Begins to copy words from `address` on; they arrive at the end of the transfer time.
   void Start(Micros now, int address, int count, MramAccess access);
-  /// Ends a transfer; what has not arrived never does.
+  /// Aborts a transfer; words that have not arrived are not copied.
   void Stop() { busy_ = false; }
   bool busy() const { return busy_; }
-  /// Lets the transfer arrive when its time has come.
+  /// Completes the transfer when its time is over.
   void Advance(Micros now) {
     if (busy_ && now >= end_) Finish();
   }

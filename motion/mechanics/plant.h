@@ -1,11 +1,10 @@
-// The machine: motors and what they drive, one for each drive connector of the card. Part of the
-// world around the card: GT_Reset leaves it alone.
+// The mechanics: a motor with its load and drive for each drive connector of the card. They are
+// outside the card, so GT_Reset does not change them.
 //
 // An ideal drive follows an enabled axis exactly, whether it is commanded by pulses or, in closed
-// loop, through the servo controller. A velocity drive turns the voltage of its analogue output
-// into a speed with a first-order lag; pulses do not reach it. A machine whose drive is off can be
-// turned by hand; an enabled drive holds it.
-// Tested by tests/motion/plant_test.cc.
+// loop, through the servo controller. A velocity drive converts the voltage of its analogue output
+// to a speed with a first-order lag; it receives no pulses. A motor whose drive is off can be
+// turned by hand; an enabled drive holds it. Tested by tests/motion/plant_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -21,18 +20,18 @@ inline constexpr double kServoMs = static_cast<double>(kServoUs) / 1000;
 
 enum class DriveKind : uint8_t { kIdeal, kVelocity };
 
-/// What turns commands into motion. The defaults of a velocity drive are assumptions.
+/// A drive, which converts commands to motion. The defaults of a velocity drive are assumptions.
 struct Drive {
   DriveKind kind = DriveKind::kIdeal;
   double gain = 100;    ///< pulse/ms at the full output of 32767
   double tau = 2;       ///< ms, >= 0: the lag's time constant
-  double friction = 0;  ///< pulse/ms by which a commanded speed is missed
-  // By Prepare(); the last two are of one servo sub-step h.
+  double friction = 0;  ///< pulse/ms that friction takes from the commanded speed
+  // Computed by Prepare(); the last two for one servo sub-step h.
   double unit = 0;   ///< pulse/ms for an output of 1
-  double decay = 0;  ///< e^(-h/tau): what is left of a difference in speed
-  double lag = 0;    ///< tau (1 - decay), ms: the distance that 1 pulse/ms too much or less makes
+  double decay = 0;  ///< e^(-h/tau): the remaining fraction of a difference in speed
+  double lag = 0;    ///< tau (1 - decay), ms: the distance caused by a difference of 1 pulse/ms
 
-  /// Computes what the motion needs of the parameters.
+  /// Computes the coefficients of the motion from the parameters.
   void Prepare();
   /// The speed an output commands, pulse/ms.
   double Commanded(double output) const {
@@ -61,8 +60,8 @@ struct Plant {
   int8_t control = -1;
   /// Distance to the commanded position while an ideal drive follows it.
   double lead = 0;
-  bool stalled = false;  ///< held by force: stays at rest, whatever the drive does
-  double hand = 0;       ///< pulse/ms by which it is turned by hand while its drive is off
+  bool stalled = false;  ///< blocked: stays at rest, whatever the drive does
+  double hand = 0;  ///< velocity at which it is turned by hand while its drive is off, pulse/ms
 
   /// One servo sub-step of a velocity drive at `output`: the lag's exact solution.
   void Advance(const Drive& drive, double output) {
@@ -79,11 +78,11 @@ struct Plant {
 /// A pulse output.
 struct Step {
   bool active = true;     ///< configuration
-  int8_t axis = -1;       ///< whose planned position it puts out, from 0; -1: none
+  int8_t axis = -1;       ///< the axis whose planned position it outputs, from 0; -1: none
   int16_t mode = 0;       ///< 0: pulse and direction, 1: forward and backward pulses
-  int16_t parameter = 0;  ///< of the configuration; no meaning is known
-  bool reversed = false;  ///< the machine is wired for it
-  double position = 0;    ///< pulses put out
+  int16_t parameter = 0;  ///< of the configuration; its meaning is unknown
+  bool reversed = false;  ///< the wiring matches it
+  double position = 0;    ///< pulses output
   double lead = 0;        ///< distance to the planned axis position
 
   auto Fields() const { return std::tie(active, axis, mode, parameter, reversed, position, lead); }

@@ -1,5 +1,5 @@
-// What the machine has at certain places: switches that its moving parts operate, and the index
-// marks of its encoders. Part of the world around the card: GT_Reset leaves it alone.
+// Marks of the mechanics: switches that the moving parts operate, and the index marks of the
+// encoders. They are outside the card, so GT_Reset does not change them.
 #pragma once
 
 #include <cmath>
@@ -10,19 +10,19 @@
 
 namespace oncard::motion {
 
-/// Drives an input's pin high while the machine of an axis is inside [first, last] (pulses of
+/// Drives an input's pin high while the motor of an axis is inside [first, last] (pulses of
 /// Plant::position), or low when `active_low`. Infinite bounds are allowed.
 struct PositionSwitch {
-  uint8_t axis = 0;  ///< whose machine operates it, from 0
+  uint8_t axis = 0;  ///< the axis that operates it, from 0
   DiType type = DiType::kHome;
   uint8_t bit = 0;  ///< the input, from 0
   double first = 0;
   double last = 0;
   bool active_low = false;
-  bool connected = true;  ///< false: a cut wire, the pin stays at its inactive level
+  bool connected = true;  ///< false: its wire is cut, and the pin stays at its inactive level
 
   bool Inside(double position) const { return first <= position && position <= last; }
-  /// The pin's level with the machine at `position`.
+  /// The pin's level with the motor at `position`.
   bool Level(double position) const { return (connected && Inside(position)) != active_low; }
 
   auto Fields() const { return std::tie(axis, type, bit, first, last, active_low, connected); }
@@ -39,8 +39,8 @@ struct IndexMarks {
   bool operator==(const IndexMarks&) const = default;
 };
 
-/// What a switch does while its machine moves from one place to another: it is entered, then left,
-/// at these places.
+/// The positions at which a switch is entered and then left during a move from one position to
+/// another.
 struct SwitchPassage {
   bool enters = false;
   bool leaves = false;
@@ -49,8 +49,8 @@ struct SwitchPassage {
 };
 SwitchPassage PassSwitch(const PositionSwitch& contact, double from, double to);
 
-/// Calls `visit(position)` for every index mark between two places in the order in which the
-/// machine passes them, without the first place and with the last, until it returns false.
+/// Calls `visit(position)` for every index mark between two positions, in the order in which the
+/// motor passes them, excluding the first position and including the last, until it returns false.
 template <typename Visit>
 void ForEachMark(const IndexMarks& marks, double from, double to, Visit visit) {
   if (marks.period <= 0 || from == to) return;

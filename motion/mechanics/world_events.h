@@ -1,7 +1,6 @@
-// What the world does to the card over time: a list of events that the motion core works off at
-// the begin of its ticks. An event takes effect in the cycle that begins at its instant, or next;
-// what the world is like at 0 is there when the card is switched on.
-// Tested by tests/motion/world_test.cc.
+// Events outside the card over time: a list that the motion core processes at the begin of its
+// ticks. An event takes effect in the first cycle that begins at or after its instant; events at 0
+// have already happened when the card is switched on. Tested by tests/motion/world_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +17,8 @@ enum class WorldEventKind : uint8_t {
   kAdc,             ///< item: channel, value: volts
   kModuleInputs,    ///< item: module, value: word
   kModuleVoltage,   ///< item: module, index: channel, value: volts
-  kStall,           ///< item: machine, value: 1 stalled, 0 free
-  kHand,            ///< item: machine, value: pulse/ms by which it is turned by hand
+  kStall,           ///< item: motor, value: 1 stalled, 0 free
+  kHand,            ///< item: motor, value: velocity at which it is turned by hand, pulse/ms
   kEncoderHeld,     ///< item: encoder, value: 1 held, 0 working
   kEncoderNoise,    ///< item: encoder, index: seed, value: largest error in pulses
   kEncoderDrift,    ///< item: encoder, value: pulse/ms
@@ -41,7 +40,7 @@ struct WorldEvent {
 /// In order of time; events of one instant act in the order of the list.
 using WorldEvents = std::vector<WorldEvent>;
 
-/// How far the list has been worked off.
+/// Number of events already processed.
 struct WorldProgress {
   std::shared_ptr<const WorldEvents> events;
   uint64_t next = 0;

@@ -1,15 +1,14 @@
 // A coordinate system: two to four profiles that follow a path of lines, arcs and helices together.
 //
 // Segments and buffered commands wait in two FIFOs. Each segment is planned in closed form along
-// its path when it begins (acceleration, cruise, deceleration); its end falls inside a cycle and
-// the next one begins at that very instant, so that positions at shared instants do not depend on
+// its path when it begins (acceleration, cruise, deceleration); its end can be inside a cycle, and
+// the next segment begins at that exact instant, so that positions do not depend on the length of
 // the cycle. Commands between segments act at the tick in which the segment before them ends.
 //
 // Coordinates are relative to the origin: profile = origin + coordinate. Units: ms, pulse,
-// pulse/ms, pulse/ms^2. What reaches beyond the path (outputs, other profiles) is the motion
-// core's part (motion_core.h). Nothing is allocated while time passes.
-// Source: the public header's commands, programming manual examples 6-10 and 6-11.
-// Tested by tests/motion/crd_test.cc.
+// pulse/ms, pulse/ms^2. Effects outside the path (outputs, other profiles) are done by the motion
+// core (motion_core.h). Nothing is allocated during a tick. Source: the public header's commands,
+// programming manual examples 6-10 and 6-11. Tested by tests/motion/crd_test.cc.
 #pragma once
 
 #include <array>
@@ -27,9 +26,9 @@
 namespace oncard::motion {
 
 inline constexpr size_t kCrdFifoCount = 2;
-/// Segments and buffered commands of a FIFO.
+/// Capacity of a FIFO in segments and buffered commands.
 inline constexpr size_t kCrdFifoSize = 4096;
-/// TCrdPrm.profile and originPos have room for this many.
+/// Number of elements of TCrdPrm.profile and originPos.
 inline constexpr size_t kCrdParameterAxes = 8;
 
 /// TCrdPrm.
@@ -39,7 +38,7 @@ struct CrdParameters {
   std::array<int16_t, kCrdParameterAxes> profile{};
   double velocity_max = 0;
   double acceleration_max = 0;
-  int16_t even_time = 0;  ///< ms of constant velocity in each segment
+  int16_t even_time = 0;  ///< minimum time of constant velocity in each segment, ms
   int16_t set_origin = 0;
   std::array<int32_t, kCrdParameterAxes> origin{};
 
@@ -49,48 +48,49 @@ struct CrdParameters {
   }
 };
 
-/// Motion along the rest of a segment.
+/// Parameters of the motion along the rest of a segment.
 struct PathSpan {
-  double begin = 0;         ///< path where the motion begins
+  double begin = 0;         ///< position on the path where the motion begins
   double end = 0;           ///< the segment's length
   double velocity = 0;      ///< at `begin`
   double target = 0;        ///< velocity to reach, > 0
   double end_velocity = 0;  ///< at `end`; the nearest reachable one is taken
   double acceleration = 0;
-  double even_time = 0;  ///< ms that the constant velocity lasts at least
+  double even_time = 0;  ///< minimum time of the constant velocity, ms
 };
 
-/// velocity -> target -> end_velocity. A velocity above the target falls to it first.
+/// Plans velocity -> target -> end_velocity. A velocity above the target is reduced to it first.
 Plan PlanSpan(const PathSpan& span);
 
-/// Decelerates until rest, or until the segment's end where the stop goes on in the next one. At
-/// least as hard as it takes to reach span.end_velocity at the end.
+/// Decelerates to rest, or to the segment's end, where the stop continues in the next segment. The
+/// deceleration is at least what is needed to reach span.end_velocity at the end.
 Plan PlanSpanStop(const PathSpan& span, double deceleration);
 
 struct CrdFifo {
   SlotQueue slots;
   LookAhead look_ahead;
-  Coordinates tail{};      ///< where the last segment ends
-  bool executing = false;  ///< `current` has begun and not ended: a breakpoint when nothing runs
+  Coordinates tail{};  ///< where the last segment ends
+  bool executing =
+      false;  ///< `current` has begun and not ended; if nothing runs, this is a breakpoint
   PathSlot current;
   double path = 0;           ///< reached in `current`
-  bool awaits_move = false;  ///< `move`, which is modal, has begun; a pause does not end the wait
+  bool awaits_move = false;  ///< the modal `move` has begun; a pause does not end the wait
   BufferedCommand move;
   int32_t done = 0;         ///< segments completed (GT_CrdStatus)
-  int32_t user_number = 0;  ///< GT_SetUserSegNum, for segments to come
+  int32_t user_number = 0;  ///< GT_SetUserSegNum, for future segments
 
-  /// Nothing is waiting or under way.
+  /// True if nothing is waiting or in execution.
   bool idle() const {
     return !executing && !awaits_move && slots.empty() && look_ahead.ring.empty();
   }
   size_t space() const { return kCrdFifoSize - slots.size(); }
-  /// Segments that have not ended.
+  /// Number of segments that have not ended.
   size_t Remaining() const {
     return slots.CountSegments() + look_ahead.ring.CountSegments() + (executing ? 1 : 0);
   }
-  /// Appends a slot; false when there is no room, then nothing has changed.
+  /// Appends a slot; false if there is no space, and then nothing has changed.
   bool Append(const PathSlot& slot);
-  /// Empties the look-ahead ring into the FIFO; false when it did not fit.
+  /// Moves the content of the look-ahead ring to the FIFO; false if it did not fit.
   bool Flush();
 
   auto Fields() const {
@@ -99,16 +99,16 @@ struct CrdFifo {
   }
 };
 
-/// A profile outside the coordinate system that moves in step with one segment (GT_BufGear).
+/// A profile outside the coordinate system that moves in proportion to one segment (GT_BufGear).
 struct GearShare {
   int32_t profile = 0;
   double begin = 0;
   double displacement = 0;
-  double ramp_up = 0;  ///< parts of the path, 0..1, together at most 1
+  double ramp_up = 0;  ///< fractions of the path, 0..1, sum at most 1
   double ramp_down = 0;
   bool finished = false;  ///< its segment has ended
 
-  /// Position at a part 0..1 of the path, and its slope.
+  /// Position at a fraction 0..1 of the path, and its slope.
   double PositionAt(double part) const;
   double SlopeAt(double part) const;
 
@@ -117,14 +117,14 @@ struct GearShare {
   }
 };
 
-/// What a run waits for before it goes on with the next slot.
+/// The event that a run waits for before it continues with the next slot.
 enum class CrdWait : uint8_t { kNone, kDelay, kMove };
 
 struct CrdRun {
   bool running = false;
   size_t fifo = 0;
   Micros begin = 0;
-  double at = 0;  ///< ms since `begin` at which the plan, or what comes next, begins
+  double at = 0;  ///< time since `begin` at which the plan, or the next slot, begins, ms
   Plan plan;      ///< along the path of the segment
   double velocity = 0;
   double acceleration = 0;
@@ -145,11 +145,11 @@ struct Crd {
   CrdParameters parameters;
   std::array<int32_t, kCrdDimensionMax> members{};  ///< profile of each coordinate, from 0
   Coordinates origin{};
-  Coordinates position{};  ///< where the path has come to
+  Coordinates position{};  ///< current position of the path
   double smooth_stop = kSmoothStopDefault;
   double abrupt_stop = kAbruptStopDefault;
   double override_ratio = 1;   ///< GT_SetOverride
-  double second_override = 1;  ///< GT_SetOverride2, for the segments that say so
+  double second_override = 1;  ///< GT_SetOverride2, for the segments that select it
   bool step_mode = false;
   /// GT_SetCrdSingleMaxVel, pulse/ms.
   Coordinates axis_velocity_max = {kNoVelocityLimit, kNoVelocityLimit, kNoVelocityLimit,
@@ -164,34 +164,35 @@ struct Crd {
   bool exists() const { return parameters.dimension > 0; }
   size_t dimension() const { return static_cast<size_t>(parameters.dimension); }
   bool HasMember(size_t profile) const;
-  /// Writes the profile's output: a member, or a BufGear axis.
+  /// True if it writes the profile's output, as that of a member or of a BufGear axis.
   bool Drives(size_t profile) const;
   CrdFifo& active() { return fifos[run.fifo]; }
   const CrdFifo& active() const { return fifos[run.fifo]; }
 
-  /// The run has still to write a motion program's variable. What waits in the look-ahead ring does
-  /// not come by itself.
+  /// True if the run will still write a variable of a motion program. Slots in the look-ahead ring
+  /// do not count: they do not reach the FIFO by themselves.
   bool WillWriteVariables() const;
 
   /// The largest velocity along a segment that GT_SetCrdSingleMaxVel allows.
   double VelocityLimit(const Segment& segment) const;
-  /// Appends a slot to a FIFO; false when there is no room, then nothing has changed.
+  /// Appends a slot to a FIFO; false if there is no space, and then nothing has changed.
   bool Append(size_t fifo, const PathSlot& slot, Micros now);
-  /// Empties a FIFO and its look-ahead ring, and forgets the breakpoint.
+  /// Empties a FIFO and its look-ahead ring, and discards the breakpoint.
   void Clear(size_t fifo);
 
-  /// Begins a run, or resumes at the breakpoint, waiting for a modal move that has not ended; there
-  /// must be something to do.
+  /// Begins a run, or resumes at the breakpoint, still waiting for a modal move that has not ended;
+  /// the FIFO or the breakpoint must hold something.
   void Start(size_t fifo, bool single_step, Micros now);
   /// Decelerates along the path; a faster stop replaces a slower one.
   void Stop(bool abrupt, Micros now);
-  /// Plans the rest of the segment anew: an override or a limit has changed.
+  /// Plans the rest of the segment again after a change of an override or a limit.
   void Replan(Micros now);
-  /// Lets time pass until `now`. Not NULL: a command to carry out first; then call it again.
+  /// Advances time to `now`. If the result is not NULL, it is a command that the caller must
+  /// execute before it calls this function again.
   const BufferedCommand* Advance(Micros now);
   /// Waits for a modal GT_BufMove until EndMove().
   void AwaitMove(const BufferedCommand& move);
-  /// The profile that is waited for has arrived at `now`.
+  /// The profile of the modal move has arrived at `now`.
   void EndMove(Micros now);
 
   auto Fields() const {
@@ -199,7 +200,7 @@ struct Crd {
                     second_override, step_mode, axis_velocity_max, fifos, run, gears, gear_count);
   }
 
-  // Parts of the above.
+  // Parts of the functions above.
   PathSpan SpanOfCurrent() const;
   Plan PlanCurrent() const;
   void EndPlan();

@@ -1,11 +1,12 @@
-// Look-ahead: how fast a path may pass from one segment to the next, knowing what follows.
+// Look-ahead: how fast a path may pass from one segment to the next, given the segments that
+// follow.
 //
-// At a corner with the unit tangents p before and q behind, the change of velocity v |q - p| must
+// At a corner with the unit tangents p before and q after it, the change of velocity v |q - p| must
 // not exceed accMax * T; |q - p| = 2 sin(angle / 2). A curve of radius R is passed at most at
 // sqrt(accMax * R). Segments wait in a ring of n; the last is assumed to end at rest. Over the ring
 // v_in^2 = min(junction^2, v_out^2 + 2 a L) is a chain of functions min(J, x + C); their
-// composition has the same form, so that a queue of two stacks gives the speed behind the oldest
-// segment in constant time on average, without sums that drift.
+// composition has the same form, so that a queue made of two stacks gives the velocity after the
+// oldest segment in amortised constant time, without accumulating rounding errors.
 //
 // Units: ms, pulse. Only basic arithmetic. The formulas are assumptions (docs/assumptions.md).
 // Tested by tests/motion/look_ahead_test.cc.
@@ -21,7 +22,7 @@
 
 namespace oncard::motion {
 
-/// The fastest passage of a corner: accMax * T / |after - before|.
+/// The largest velocity at a corner: accMax * T / |after - before|.
 double CornerVelocity(const Coordinates& before, const Coordinates& after, double time,
                       double acceleration);
 
@@ -31,7 +32,7 @@ struct SpeedLink {
   double gain = 0;
 
   double At(double x) const { return x + gain < bound ? x + gain : bound; }
-  /// This one after `inner`.
+  /// The composition: this function after `inner`.
   SpeedLink After(const SpeedLink& inner) const { return {At(inner.bound), gain + inner.gain}; }
 
   auto Fields() const { return std::tie(bound, gain); }
@@ -44,9 +45,9 @@ struct SpeedChain {
   SpeedLink back_total;
 
   void Push(const SpeedLink& link);
-  /// Takes the oldest away.
+  /// Removes the oldest link.
   void Pop();
-  /// The square of the speed at the oldest one's start, when the newest ends at rest.
+  /// The square of the velocity at the start of the oldest segment if the newest ends at rest.
   double SpeedSquare() const;
 
   auto Fields() const { return std::tie(front, back, back_total); }
@@ -58,7 +59,7 @@ struct LookAhead {
   size_t capacity = 0;      ///< n; 0: off
   SlotQueue ring;
   SpeedChain chain;
-  double speed = 0;  ///< planned where the oldest segment begins
+  double speed = 0;  ///< planned at the begin of the oldest segment
   // The newest segment.
   bool has_newest = false;
   bool newest_rests = false;

@@ -25,7 +25,7 @@ enum class BufferedKind : uint8_t {
   kStopInput,        ///< item: axis; detail: 1 abrupt, 0 smooth; values: DiType, bit
   kMove,             ///< item: profile; detail: 1 waits; values: position, velocity, acceleration
   kGear,             ///< item: profile; values: displacement, part of ramp up, part of ramp down
-  kHold,             ///< the run stops here until it is started again
+  kHold,             ///< the run pauses here until it is started again
   kSynchronise,      ///< item: profile; detail: encoder that gives its position
   kIntegerValue,     ///< item: long variable; values[0]
   kFractionalValue,  ///< item: double variable; values[0]
@@ -39,7 +39,7 @@ struct BufferedCommand {
   int32_t detail = 0;
   std::array<double, 4> values{};
 
-  /// The path must be at rest before the command.
+  /// True if the path must be at rest before the command.
   bool NeedsRest() const {
     return kind == BufferedKind::kDelay || kind == BufferedKind::kHold ||
            (kind == BufferedKind::kMove && detail == 1);
@@ -48,16 +48,16 @@ struct BufferedCommand {
   auto Fields() const { return std::tie(kind, item, detail, values); }
 };
 
-/// One place in a buffer.
+/// One element of a buffer.
 struct PathSlot {
   bool is_segment = false;
   BufferedCommand command;  ///< unless it is a segment
-  // A segment with its speeds, pulse/ms and pulse/ms^2.
+  // A segment with its velocities and acceleration, pulse/ms and pulse/ms^2.
   Segment segment;
   double velocity = 0;  ///< as commanded
   double acceleration = 0;
   double end_velocity = 0;
-  /// What the axes' own limits and the curvature allow; no override exceeds it.
+  /// The velocity that the axes' own limits and the curvature allow; no override exceeds it.
   double velocity_limit = std::numeric_limits<double>::max();
   bool ends_at_rest = false;     ///< G0, or followed by a command that needs rest
   bool second_override = false;  ///< scaled by GT_SetOverride2
@@ -70,7 +70,7 @@ struct PathSlot {
   }
 };
 
-/// First in, first out, without allocations when something is taken out.
+/// A queue that does not allocate when elements are removed.
 struct SlotQueue {
   std::vector<PathSlot> slots;
   size_t head = 0;
@@ -81,7 +81,7 @@ struct SlotQueue {
   PathSlot& At(size_t index) { return slots[head + index]; }
   const PathSlot& At(size_t index) const { return slots[head + index]; }
   void Push(const PathSlot& slot) {
-    // What has been taken out is removed once it is half of all, so that each slot moves rarely.
+    // Removed elements are erased once they are half of all, so that each slot moves rarely.
     if (head > 0 && head >= slots.size() / 2) {
       slots.erase(slots.begin(), slots.begin() + static_cast<std::ptrdiff_t>(head));
       head = 0;
@@ -101,7 +101,7 @@ struct SlotQueue {
     for (size_t i = head; i < slots.size(); ++i) count += slots[i].is_segment ? 1 : 0;
     return count;
   }
-  /// The last segment, when only commands follow it; nullptr when there is none.
+  /// The last segment if only commands follow it; nullptr if there is none.
   PathSlot* LastSegment() {
     for (size_t i = slots.size(); i > head; --i) {
       if (slots[i - 1].is_segment) return &slots[i - 1];
@@ -109,7 +109,7 @@ struct SlotQueue {
     return nullptr;
   }
 
-  /// What has been taken out does not exist any more.
+  /// Removed elements are not part of the value.
   auto Fields() const { return std::tuple(std::span(slots).subspan(head)); }
 };
 

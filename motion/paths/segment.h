@@ -1,9 +1,10 @@
 // The geometry of a path's segments: lines in up to four coordinates, arcs in a plane or in space,
 // helices. A segment runs from its start (the end of the one before) to its end.
 //
-// Units: pulses, radians. The third-axis view decides the direction of an arc: counter-clockwise
-// takes the first axis of the plane (XY, YZ, ZX) to the second. Pure functions; deterministic.
-// Source: GTS manuals' segment commands. Tested by tests/motion/segment_test.cc.
+// Units: pulses, radians. The direction of an arc is seen from the positive third axis:
+// counter-clockwise turns the first axis of the plane (XY, YZ, ZX) towards the second. Pure
+// functions; deterministic. Source: GTS manuals' segment commands. Tested by
+// tests/motion/segment_test.cc.
 #pragma once
 
 #include <array>
@@ -15,7 +16,7 @@
 
 namespace oncard::motion {
 
-/// Coordinates X, Y, Z, A; those a coordinate system does not have are 0.
+/// Coordinates X, Y, Z, A; unused ones are 0.
 using Coordinates = std::array<double, kCrdDimensionMax>;
 
 /// Assumption: by how much an arc's two radii, or half the chord and the radius, may differ.
@@ -36,14 +37,14 @@ struct Segment {
   Coordinates start{};
   Coordinates end{};
   double length = 0;
-  /// Of a line: end - start. Of an arc: the part of it that is linear in the angle (helices).
+  /// Line: end - start. Arc: the part that is linear in the angle (helix).
   Coordinates travel{};
   // Arcs only.
   Coordinates centre{};
   Coordinates toward_start{};  ///< unit vector from the centre to the start
   Coordinates sideways{};      ///< unit vector of the motion at the start of a circle
   double radius = 0;           ///< at the start
-  double radius_change = 0;    ///< from start to end, spread evenly
+  double radius_change = 0;    ///< change from start to end, distributed evenly
   double sweep = 0;            ///< angle, > 0
 
   /// The point `path` pulses from the start; exact at the end.
@@ -59,7 +60,7 @@ struct Segment {
   }
 };
 
-/// Empty when start and end coincide.
+/// Empty if start and end coincide.
 std::optional<Segment> MakeLine(const Coordinates& start, const Coordinates& end);
 
 /// An arc or helix of a radius: a positive one sweeps at most 180 degrees, a negative one more.
@@ -67,14 +68,15 @@ std::optional<Segment> MakeLine(const Coordinates& start, const Coordinates& end
 std::optional<Segment> MakeArcWithRadius(const Coordinates& start, const Coordinates& end,
                                          ArcPlane plane, double radius, bool counter_clockwise);
 
-/// An arc or helix around start + (first, second) in its plane; a full turn when the end lies where
-/// the start does. Empty when the radius is 0, or start and end differ in their distances from the
+/// An arc or helix around start + (first, second) in its plane; a full turn if start and end
+/// coincide. Empty when the radius is 0, or start and end differ in their distances from the
 /// centre.
 std::optional<Segment> MakeArcAroundCentre(const Coordinates& start, const Coordinates& end,
                                            ArcPlane plane, double first, double second,
                                            bool counter_clockwise);
 
-/// The arc in X, Y, Z from start through `between` to end. Empty when the three are not a circle's.
+/// The arc in X, Y, Z from start through `between` to end. Empty if the three points are not on a
+/// circle.
 std::optional<Segment> MakeArcThroughPoint(const Coordinates& start, const Coordinates& end,
                                            const std::array<double, 3>& between);
 

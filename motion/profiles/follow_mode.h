@@ -2,9 +2,9 @@
 //
 // Two FIFOs hold segments; each segment gives the cumulative displacement of master and slave since
 // the pass began. Within a segment the ratio of the velocities is constant or linear in the
-// master's displacement. A pass is one walk through a FIFO; what the master is past the end of one
-// belongs to the next, so no rounding accumulates over passes. Source: GTS manual 7.6. Tested by
-// tests/motion/follow_mode_test.cc.
+// master's displacement. A pass goes once through a FIFO; the distance that the master is beyond
+// the end of one pass is part of the next pass, so that no rounding accumulates. Source: GTS manual
+// 7.6. Tested by tests/motion/follow_mode_test.cc.
 #pragma once
 
 #include <array>
@@ -48,11 +48,11 @@ struct FollowMode {
   // The run.
   bool running = false;
   bool waiting = false;    ///< for the event
-  uint8_t fifo = 0;        ///< in use
-  bool switching = false;  ///< to the other FIFO at the end of this pass
-  int32_t passes = 0;      ///< done since the FIFO was begun
+  uint8_t fifo = 0;        ///< the FIFO in use
+  bool switching = false;  ///< switch to the other FIFO at the end of this pass
+  int32_t passes = 0;      ///< passes completed since the FIFO was started
   uint32_t segment = 0;
-  double slave_base = 0;   ///< the slave's position at the pass' begin
+  double slave_base = 0;   ///< the slave's position at the begin of the pass
   double pass_ratio = 0;   ///< at the end of the pass before
   double first_ratio = 0;  ///< at the begin of the segment, and next at its end
   double last_ratio = 0;
@@ -60,17 +60,18 @@ struct FollowMode {
 
   size_t Capacity() const { return kFollowSegments[large_memory ? 1 : 0]; }
   size_t Space(size_t which) const { return Capacity() - fifos[which].size(); }
-  /// Reserves what a FIFO may hold, so that filling and clearing it never allocates in a cycle.
+  /// Reserves the capacity of the FIFOs, so that filling and clearing them never allocates in a
+  /// cycle.
   void SetMemory(bool large);
 
-  /// Where a start with a FIFO that is not empty would move the slave at once, by its sign; 0:
-  /// nowhere.
+  /// The direction, as a sign, in which a start with a FIFO that is not empty would move the slave
+  /// at once; 0: it would not move.
   double Direction(uint8_t which, const MasterValue& value) const;
-  /// Begins the first pass of a FIFO that is not empty, or to wait for the event.
+  /// Begins the first pass of a FIFO that is not empty, or waits for the event.
   void Start(uint8_t which, const Sample& from, const MasterValue& value);
   /// The slave's output; ends the run after the last pass.
   Sample At(const Sample& now, const MasterValue& value);
-  /// Something else has taken over; data and registers stay.
+  /// Ends the run because something else controls the profile; data and registers are kept.
   void Halt() { running = false; }
 
   auto Fields() const {
@@ -83,14 +84,14 @@ struct FollowMode {
   bool EventBetween(double before, double after) const;
   /// Sets the ratios of segment `segment` from the ratio before it.
   void EnterSegment(double ratio_before);
-  /// Goes over whole passes at once when the master has come far.
+  /// Skips whole passes at once if the master has moved far.
   void SkipPasses();
-  /// Goes on to the segment, or back to the one, that the master is in. False: the run is over.
+  /// Moves forward or back to the segment that the master is in. False: the run is over.
   bool FindSegment();
   /// True when there is a next pass.
   bool NextPass();
   FollowSegment BeginOf(uint32_t index) const;
-  /// How far the master is in a segment, as a part of it.
+  /// The position of the master in a segment, as a fraction.
   double PartOf(uint32_t index) const;
 };
 

@@ -2,7 +2,7 @@
 //
 // A new ratio takes effect over the clutch, `slope` pulses of the master: the ratio is linear in
 // the master's displacement, so the slave's position is a polynomial of it and no rounding
-// accumulates. A master that turns back inside the clutch takes the ratio back with it. Source: GTS
+// accumulates. If the master reverses inside the clutch, the ratio decreases again. Source: GTS
 // manual 7.5; the linear clutch is an assumption. Tested by tests/motion/gear_mode_test.cc.
 #pragma once
 
@@ -37,17 +37,18 @@ struct GearMode {
   // The run.
   bool running = false;
   bool waiting = false;  ///< for the event
-  double base = 0;       ///< the slave's position at the clutch's begin
+  double base = 0;       ///< the slave's position at the begin of the clutch
   double from_ratio = 0;
   double to_ratio = 0;
   double clutch = 0;  ///< pulses of the master
   MasterTravel travel;
 
-  /// Where a start would move the slave at once, by its sign; 0: nowhere.
+  /// The direction, as a sign, in which a start would move the slave at once; 0: it would not move.
   double Direction(const MasterValue& value) const;
-  /// Begins to follow, or to wait for the event, with the registers' ratio reached over the clutch.
+  /// Begins to follow, or waits for the event; the ratio of the registers is reached over the
+  /// clutch.
   void Start(const Sample& from, const MasterValue& value);
-  /// Takes over the registers' ratio in motion.
+  /// Applies the ratio of the registers in motion.
   void ChangeRatio(const Sample& now);
   /// The slave's output.
   Sample At(const Sample& now, const MasterValue& value);
@@ -62,9 +63,9 @@ struct GearMode {
 
  private:
   double Ratio() const { return static_cast<double>(slave_even) / master_even; }
-  /// `engaged`: how far the master has come in the clutch, either way.
+  /// `engaged`: the distance that the master has moved in the clutch, in either direction.
   double RatioAt(double engaged) const;
-  /// The position of the master at which waiting ends between two of its positions.
+  /// The position of the master, between two of its positions, at which the wait ends.
   bool EventBetween(double before, double after, double* position) const;
 };
 

@@ -27,7 +27,7 @@ struct JogParameters {
   bool operator==(const JogParameters&) const = default;
 };
 
-/// The filter has caught up when it differs from the plan by less, pulse/ms.
+/// The filter has caught up with the plan if the difference is smaller than this, pulse/ms.
 inline constexpr double kJogSettled = 1e-6;
 
 struct JogMode {
@@ -40,14 +40,14 @@ struct JogMode {
   Plan plan;
   Micros begin = 0;       ///< of the plan
   double smooth = 0;      ///< of this run
-  bool filtered = false;  ///< the output lags behind the plan
+  bool filtered = false;  ///< the output still lags behind the plan
   Sample step;            ///< output at the filter's last step
   Micros step_at = 0;
   double next_velocity = 0;  ///< 1 ms later
 
-  /// Plans from `from` to the velocity register; a running motion is replanned.
+  /// Plans from `from` to the velocity of the register; a running motion is replanned.
   void Start(Micros now, const Sample& from);
-  /// The profile's output. Ends the run when velocity has come to 0.
+  /// The profile's output. Ends the run when the velocity has reached 0.
   Sample At(Micros now);
   /// Something else has taken over; the registers stay.
   void Halt() { running = false; }

@@ -1,5 +1,4 @@
-// What a slave profile (Gear, Follow) takes its motion from.
-// Source: GTS manual 7.5, 7.6.
+// The master of a slave profile (Gear, Follow). Source: GTS manual 7.5, 7.6.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +13,7 @@ struct Master {
   bool chosen = false;  ///< a master has been set
   MasterType type = MasterType::kProfile;
   uint8_t index = 0;          ///< from 0
-  bool encoder_side = false;  ///< of an axis: its encoder position instead of its planned one
+  bool encoder_side = false;  ///< of an axis: its encoder position instead of its planned position
 
   auto Fields() const { return std::tie(chosen, type, index, encoder_side); }
   bool operator==(const Master&) const = default;
@@ -27,14 +26,14 @@ struct MasterValue {
   double acceleration = 0;
 };
 
-/// How far a master has come, in the directions that a slave follows: 0 both, 1 and -1 one of them.
-/// Motion the other way is not counted.
+/// The distance that a master has moved in the directions that a slave follows: 0 both, 1 and -1
+/// one of them. Motion in the other direction is not counted.
 struct MasterTravel {
   int8_t direction = 0;
-  double last = 0;    ///< the master's position when it was read last
+  double last = 0;    ///< the master's position at the last reading
   double travel = 0;  ///< pulses, signed, since Restart()
 
-  /// Counts from a position of the master on.
+  /// Restarts counting at a position of the master.
   void Restart(double position) {
     last = position;
     travel = 0;

@@ -1,5 +1,5 @@
-// Motion along one coordinate as pieces of constant acceleration, computed in closed form: what a
-// plan gives at an instant does not depend on how often it is asked.
+// Motion along one coordinate as pieces of constant acceleration, computed in closed form: the
+// result for an instant does not depend on how often a plan is evaluated.
 //
 // Units: ms, pulse, pulse/ms, pulse/ms^2. Positions are absolute. Pure functions of their
 // arguments; only basic arithmetic and square roots, which IEEE 754 rounds the same everywhere.
@@ -19,7 +19,7 @@ namespace oncard::motion {
 /// Constant acceleration for a while.
 struct Piece {
   double duration = 0;
-  double position = 0;  ///< at the piece's begin, as are the next two
+  double position = 0;  ///< at the begin of the piece, like the next two
   double velocity = 0;
   double acceleration = 0;
 
@@ -30,8 +30,8 @@ struct Piece {
   bool operator==(const Piece&) const = default;
 };
 
-/// Pieces one after the other. After the last one the plan rests at `end_position`, or runs on at
-/// `end_velocity`.
+/// Pieces one after the other. After the last one the plan rests at `end_position`, or continues
+/// with `end_velocity`.
 struct Plan {
   /// Reversing takes one piece to stop and three to return; a starting velocity adds none.
   static constexpr size_t kPieceMax = 5;
@@ -39,7 +39,7 @@ struct Plan {
   std::array<Piece, kPieceMax> pieces;
   uint32_t count = 0;
   double duration = 0;      ///< of all pieces
-  double end_position = 0;  ///< exact, without what rounding left in the pieces
+  double end_position = 0;  ///< exact, without the rounding errors of the pieces
   double end_velocity = 0;
 
   /// Adds a piece of `time` ms that begins where the last one ended, at the given velocity. Nothing
@@ -53,7 +53,7 @@ struct Plan {
   bool operator==(const Plan&) const = default;
 };
 
-/// Velocity, acceleration, deceleration; all positive, or 0 for a velocity that stands still.
+/// Velocity, acceleration, deceleration; all positive, or 0 as the velocity for standstill.
 struct MoveLimits {
   double velocity = 0;
   double acceleration = 0;
@@ -63,13 +63,13 @@ struct MoveLimits {
   double start_velocity = 0;
 };
 
-/// The fastest way from (position, velocity) to rest at `target`. In motion away from the target,
-/// or too fast to stop there: decelerates to 0 and returns. Faster than limits.velocity:
-/// decelerates to it first.
+/// The fastest motion from (position, velocity) to rest at `target`. If it moves away from the
+/// target, or is too fast to stop there, it decelerates to 0 and returns. If it is faster than
+/// limits.velocity, it decelerates to that velocity first.
 Plan PlanToPosition(double position, double velocity, double target, const MoveLimits& limits);
 
-/// From (position, velocity) to the velocity `target`, which is signed, and on at it. |v| grows
-/// with limits.acceleration and shrinks with limits.deceleration; a change of sign goes through 0.
+/// From (position, velocity) to the signed velocity `target`, which is then kept. |v| grows with
+/// limits.acceleration and shrinks with limits.deceleration; a change of sign goes through 0.
 Plan PlanToVelocity(double position, double velocity, double target, const MoveLimits& limits);
 
 /// From (position, velocity) to rest with a constant deceleration > 0.

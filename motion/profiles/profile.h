@@ -1,9 +1,9 @@
-// A profile: what one profile generator of the card plans, in the mode that is chosen for it.
+// A profile: one profile generator of the card, in its selected mode.
 //
 // Each mode is a structure of its own with the registers that commands write and the run that
-// Start() begins; all keep their registers when another mode is chosen. A stop (GT_Stop, a limit,
-// an alarm) takes over from whatever runs, decelerating from the velocity that came out last.
-// Tested by tests/motion/profile_test.cc.
+// Start() begins; all keep their registers when another mode is selected. A stop (GT_Stop, a limit,
+// an alarm) replaces the current motion and decelerates from the last velocity. Tested by
+// tests/motion/profile_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -32,9 +32,9 @@ inline constexpr double kAbruptStopDefault = 1000;
 struct Profile {
   bool active = true;  ///< configuration: an inactive profile plans nothing
   ProfileMode mode = ProfileMode::kTrap;
-  /// What came out at the last tick, and what a command since has made of it.
+  /// The output of the last tick, as changed by commands since then.
   Sample now;
-  /// A coordinate system writes the output, as a member's or as a BufGear axis'.
+  /// True if a coordinate system writes the output, of a member or of a BufGear axis.
   bool driven = false;
   double smooth_stop = kSmoothStopDefault;
   double abrupt_stop = kAbruptStopDefault;
@@ -46,25 +46,25 @@ struct Profile {
   PtMode pt;
   PvtMode pvt;
 
-  /// A stop under way: it replaces the mode's run.
+  /// A stop in progress, which replaces the mode's run.
   bool stopping = false;
   double stop_deceleration = 0;
   Micros stop_begin = 0;
   Plan stop_plan;
 
-  /// Begins the run of an independent mode with its registers.
+  /// Begins a run of an independent mode with the values of its registers.
   void Start(Micros instant);
   /// Begins to follow the master of Gear, or of Follow with one of its FIFOs.
   void StartGear(const MasterValue& master);
   void StartFollow(uint8_t fifo, const MasterValue& master);
-  /// The master of the mode's run; nullptr when it has none.
+  /// The master of the current run; nullptr if it has none.
   const Master* FollowedMaster() const;
-  /// Decelerates to rest; an own stop under way is only replaced by a faster one. Resting profiles
-  /// stay as they are.
+  /// Decelerates to rest; a stop in progress is only replaced by a faster one. Does nothing at
+  /// rest.
   void Stop(Micros instant, double deceleration);
-  /// The output at `instant`: of the stop, or of the mode's run.
+  /// The output at `instant`, from the stop or from the mode's run.
   void Advance(Micros instant);
-  /// The same of a profile with a FollowedMaster().
+  /// The same for a profile with a FollowedMaster().
   void AdvanceSlave(const MasterValue& master);
   /// Sets the position of a profile at rest.
   void SetPosition(double position) { now = AtRest(position); }

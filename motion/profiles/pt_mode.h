@@ -1,10 +1,10 @@
 // Motion through position/time segments (mode PT).
 //
-// Two buffers hold segments. Static: a run goes through one of them, as often as the loop register
-// says, and the data stays. Dynamic: the buffers take turns; one that is used up is emptied and can
-// be filled again, and the run ends when neither holds data. Positions count from where the run
-// began, and times from its begin (of each pass, when static).
-// Source: GTS manual 7.4. Tested by tests/motion/pt_mode_test.cc.
+// Two buffers hold segments. Static: a run executes one of them, repeated according to the loop
+// register, and the data is kept. Dynamic: the buffers take turns; a completed buffer is emptied
+// and can be filled again, and the run ends when both are empty. Positions count from where the run
+// began, and times from its begin (of each pass, when static). Source: GTS manual 7.4. Tested by
+// tests/motion/pt_mode_test.cc.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ inline constexpr size_t kPtLargeBuffer = 1024;
 
 /// Numbered as GT_PtData has them.
 enum class PtSegmentType : uint8_t {
-  kNormal,  ///< begins with the velocity at which the one before ended; the first with 0
+  kNormal,  ///< begins with the end velocity of the one before; the first with 0
   kEven,    ///< constant velocity
   kStop,    ///< ends at rest
 };
@@ -48,14 +48,14 @@ struct PtMode {
   // Registers.
   bool dynamic = false;       ///< GT_PrfPt
   bool large_memory = false;  ///< GT_SetPtMemory
-  int32_t loop_target = 1;    ///< passes of a static run; 0: without end
+  int32_t loop_target = 1;    ///< passes of a static run; 0: endless
   std::array<std::vector<PtSegment>, 2> buffers;
-  uint32_t write_buffer = 0;  ///< where a dynamic buffer is filled
+  uint32_t write_buffer = 0;  ///< the dynamic buffer that is being filled
   PtSegment last;             ///< of dynamic data, also when its buffer has been emptied
 
   // The run.
   bool running = false;
-  uint32_t run_buffer = 0;  ///< GT_PtStart, or where the dynamic run is
+  uint32_t run_buffer = 0;  ///< of GT_PtStart, or the current one of a dynamic run
   uint32_t index = 0;       ///< of the segment in execution
   Micros begin = 0;         ///< of the run, or of the pass
   double origin = 0;        ///< position at `begin`
@@ -63,21 +63,21 @@ struct PtMode {
   int32_t number = 0;       ///< of the segment executed last
 
   size_t capacity() const { return large_memory ? kPtLargeBuffer : kPtSmallBuffer; }
-  /// Chooses how the buffers are used; a change empties them.
+  /// Selects how the buffers are used; a change empties them.
   void SetDynamic(bool value);
-  /// Segments that fit in; dynamic data does not choose its buffer.
+  /// Free space in segments; in dynamic mode independent of the buffer.
   size_t Space(size_t buffer) const;
-  /// Where a segment that is appended now begins, ms; it must end later.
+  /// The begin of a segment that is appended now, ms; it must end later.
   int32_t LastTime(size_t buffer) const;
-  /// Appends a segment from the end of the last one. There must be space.
+  /// Appends a segment that begins at the end of the last one. There must be space.
   void Append(size_t buffer, double position, int32_t time, PtSegmentType type,
               int32_t segment_number);
-  /// Empties a buffer; dynamic data loses both.
+  /// Empties a buffer; in dynamic mode both.
   void Clear(size_t buffer);
-  /// A run would have data.
+  /// True if a run would have data.
   bool HasData(size_t buffer) const;
   bool Empty() const { return buffers[0].empty() && buffers[1].empty(); }
-  /// Segments that wait behind the one in execution; at rest, those that a run would execute.
+  /// Segments after the one in execution; at rest, those that a run would execute.
   size_t Remainder() const;
 
   /// Where the first motion of the data goes, by its sign; 0: there is none.
@@ -98,7 +98,7 @@ struct PtMode {
  private:
   /// The segment that the next one follows; nullptr at the begin.
   const PtSegment* LastSegment(size_t buffer) const;
-  /// Leaves `run_buffer`, whose segments are over. False when there is nothing left to run.
+  /// Leaves `run_buffer` after its last segment. False if nothing is left to run.
   bool NextBuffer();
 };
 

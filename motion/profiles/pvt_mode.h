@@ -1,9 +1,9 @@
 // Motion through a PVT table (mode PVT).
 //
 // The time of the table's first point delays the start, once. A pass lasts from the first point to
-// the last; passes follow one another without a gap, and their positions add up. Another table that
-// is selected during a run is taken at the end of the pass.
-// Source: GTS manual 7.7. Tested by tests/motion/pvt_mode_test.cc.
+// the last; passes follow one another without a gap, and their positions add up. A table that is
+// selected during a run is used from the end of the current pass. Source: GTS manual 7.7. Tested by
+// tests/motion/pvt_mode_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -17,13 +17,13 @@ namespace oncard::motion {
 
 struct PvtMode {
   // Registers.
-  int32_t loop_target = 1;  ///< passes of a run; 0: without end
+  int32_t loop_target = 1;  ///< passes of a run; 0: endless
   uint16_t selected = 0;    ///< table, counted from 0
 
   // The run.
   bool running = false;
-  PvtTablePointer table;  ///< as it was when the run began, or when it was selected
-  PvtTablePointer next;   ///< taken at the start, or at the end of the pass; nullptr: none
+  PvtTablePointer table;  ///< content at the start of the run, or at the selection
+  PvtTablePointer next;   ///< used from the start, or from the end of the pass; nullptr: none
   uint16_t current = 0;   ///< number of `table`
   Micros begin = 0;       ///< of the run
   double pass_begin = 0;  ///< when the table's first point is passed, ms after `begin`
@@ -31,7 +31,7 @@ struct PvtMode {
   int32_t loop_count = 0;
   double time = 0;  ///< of the table, at the last instant
 
-  /// Chooses a table; `chosen` is its content, nullptr when it has none (then only at rest).
+  /// Selects a table; `chosen` is its content, nullptr if it is empty (allowed only at rest).
   void Select(uint16_t number, PvtTablePointer chosen);
   /// Begins a run at `position` through `next`, the content of the selected table.
   void Start(Micros now, double position);
@@ -46,9 +46,9 @@ struct PvtMode {
   }
 
  private:
-  /// Makes `next`, which is selected, the table.
+  /// Makes the selected table `next` the current one.
   void TakeNext();
-  /// Another pass; false when there is none.
+  /// Begins another pass; false if there is none.
   bool NextPass();
 };
 

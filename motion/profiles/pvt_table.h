@@ -1,9 +1,9 @@
 // PVT tables: motions over time that any profile can run, computed once from a description.
 //
-// Five descriptions lead to the same thing, pieces of constant jerk: points with velocities (one,
-// or one for each side), points through which a smooth curve goes, points with the part of every
-// interval in which acceleration changes, points with limits on velocity and acceleration, from
-// which the times follow. A filled table never changes: runs and snapshots share it.
+// All descriptions result in pieces of constant jerk: points with velocities (one, or one for each
+// side), points of a smooth curve, points with the percentage of each interval in which the
+// acceleration changes, points with limits of velocity and acceleration, from which the times are
+// computed. A filled table never changes, so runs and snapshots share it.
 //
 // Units: ms, pulse, pulse/ms, pulse/ms^2. Pure functions; the describing arrays are equally long.
 // Source: GTS manual 7.7 and its examples 6-17 to 6-20. Tested by tests/motion/pvt_mode_test.cc.
@@ -21,7 +21,7 @@ namespace oncard::motion {
 
 /// Constant jerk from `begin` to the next piece.
 struct PvtPiece {
-  double begin = 0;     ///< ms of the table's time
+  double begin = 0;     ///< in the time of the table, ms
   double position = 0;  ///< from the first point, as are the next two at the piece's begin
   double velocity = 0;
   double acceleration = 0;
@@ -39,7 +39,7 @@ struct PvtTable {
   /// Assumption: storage that the description takes, a piece each and one for the last point.
   size_t slots() const { return pieces.size() + 1; }
   double period() const { return end - begin; }
-  /// Where the first motion goes, by its sign; 0: there is none.
+  /// The direction of the first motion, as a sign; 0: there is none.
   double Direction() const;
   /// The motion at a time in [0, end], positions counting from the first point.
   Sample At(double t) const;
@@ -47,15 +47,15 @@ struct PvtTable {
   auto Fields() const { return std::tie(begin, end, travel, pieces); }
 };
 
-/// What profiles and snapshots hold; nullptr for a table that is not filled.
+/// A shared table in profiles and snapshots; nullptr for a table that is not filled.
 using PvtTablePointer = std::shared_ptr<const PvtTable>;
 
-/// Times at least this far apart; assumption: no shorter interval can be told from none, and the
-/// number of passes in a profile cycle stays bounded.
+/// Times at least this far apart; assumption: shorter intervals cannot be distinguished from 0, and
+/// the number of passes in a profile cycle stays bounded.
 inline constexpr double kPvtIntervalMin = 0.001;
 
 /// GT_PvtTableEx: a cubic for every interval, which begins with begin_velocities[i] and ends with
-/// end_velocities[i + 1]. GT_PvtTable is the same with one array. Times grow.
+/// end_velocities[i + 1]. GT_PvtTable is the same with one array. Times increase.
 PvtTable PvtFromVelocities(std::span<const double> times, std::span<const double> positions,
                            std::span<const double> begin_velocities,
                            std::span<const double> end_velocities);
@@ -68,7 +68,7 @@ struct CubicCoefficients {
 };
 
 /// GT_PvtTableComplete: the cubic spline with continuous acceleration and the given end velocities.
-/// One element a point; the last has the end's velocity and half of its acceleration.
+/// One element per point; the last one has the end velocity and half of the end acceleration.
 std::vector<CubicCoefficients> SplineCoefficients(std::span<const double> times,
                                                   std::span<const double> positions,
                                                   double begin_velocity, double end_velocity);
@@ -94,12 +94,12 @@ struct ContinuousRow {
   double deceleration = 0;  ///< peak, > 0
 };
 
-/// The first interval that cannot be run: no distance, a velocity against the motion or above the
-/// maximum, or a distance in which the velocities of its ends cannot both be had. The number of
-/// intervals when all can.
+/// The first impossible interval: without a distance, with a velocity against the motion or above
+/// the maximum, or too short for the velocities at its ends. The number of intervals if all are
+/// possible.
 size_t FirstImpossibleInterval(std::span<const ContinuousRow> rows);
-/// GT_PvtTableContinuous: in every interval from the velocity of its begin to the maximum, or as
-/// near as the distance allows, and to the velocity of its end. All intervals must be possible.
+/// GT_PvtTableContinuous: in every interval from its start velocity to the maximum, or as close as
+/// the distance allows, and to its end velocity. All intervals must be possible.
 PvtTable PvtFromLimits(std::span<const ContinuousRow> rows, double begin_time);
 /// GT_PvtContinuousCalculate: the times of the points, the first at 0.
 std::vector<double> ContinuousTimes(std::span<const ContinuousRow> rows);

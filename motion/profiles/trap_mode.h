@@ -3,8 +3,8 @@
 // GT_SetPos, GT_SetVel and GT_SetTrapPrm write registers; Start() commits them, at rest or in
 // motion. A smoothing time of T ms replaces the plan's position by its mean over the last T ms, so
 // that acceleration takes T to change and the move lasts T longer. The mean is computed in closed
-// form from the plan's pieces, also across a replanning.
-// Source: GTS manual 7.2. Tested by tests/motion/trap_mode_test.cc.
+// form from the pieces of the plan, also after replanning. Source: GTS manual 7.2. Tested by
+// tests/motion/trap_mode_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -43,12 +43,12 @@ struct TrapMode {
   Sample unplanned;   ///< at `begin`, before the plan's start velocity; without the mean
   Micros begin = 0;   ///< of the plan
   double smooth = 0;  ///< ms, of this run
-  /// Pieces of replanned plans that the mean still needs, oldest first; what came before them was
-  /// rest or the constant velocity they begin with.
+  /// Pieces of earlier plans that the mean still needs, oldest first; before them the profile was
+  /// at rest or had their first velocity.
   std::vector<Piece> past;
 
-  /// Plans from `from` to the registers' target; a running move is replanned. Nothing moves when
-  /// the profile rests at the target, or the velocity is 0.
+  /// Plans from `from` to the registers' target; a running move is replanned. No motion if the
+  /// profile rests at the target, or if the velocity is 0.
   void Start(Micros now, const Sample& from);
   /// The profile's output; ends the run when the mean has reached the target.
   Sample At(Micros now);
