@@ -1,6 +1,5 @@
-// What a scenario says of all schedules, looked at in one run: its `always` and `never` in every
-// state of the run, its `eventually` and `final`.
-// Tested by tests/explore/requirement_watch_test.cc.
+// Checks a scenario's requirements on all schedules in one run: `always` and `never` in every state
+// of the run, `eventually` and `final`. Tested by tests/explore/requirement_watch_test.cc.
 #pragma once
 
 #include <array>
@@ -20,7 +19,7 @@ namespace oncard::explore {
 
 class RequirementWatch : public runtime::RunWatch {
  public:
-  /// Messages name sources as they lie beside the program.
+  /// Messages name sources relative to the program.
   RequirementWatch(std::vector<Requirement> requirements, std::string program_path)
       : requirements_(std::move(requirements)), program_path_(std::move(program_path)) {}
 
@@ -29,18 +28,18 @@ class RequirementWatch : public runtime::RunWatch {
   void Look(const runtime::Controller& controller) override;
   void End(const runtime::Controller& controller) override;
 
-  /// What did not hold, in the order in which it was found: each requirement once.
+  /// The requirements that did not hold, in the order in which this was found, each once.
   const std::vector<runtime::ScenarioFailure>& failures() const { return failures_; }
 
  private:
   struct Watched {
     Requirement requirement;
     Property property;
-    bool settled = false;  ///< violated, or has been reached
+    bool settled = false;  ///< has been violated, or reached
   };
 
   void Fail(const Watched& watched, Message message);
-  /// Where the card is: after which statement, and when.
+  /// The point of the run: after which statement, and when.
   Message Place(const runtime::Controller& controller) const;
   void RememberThreads(const runtime::Controller& controller);
 
@@ -48,26 +47,26 @@ class RequirementWatch : public runtime::RunWatch {
   std::string program_path_;
   std::vector<Watched> watched_;
   bool looks_at_states_ = false;
-  /// Of every thread at the last look: statements executed, and the next one.
+  /// Of every thread at the last check: statements executed, and the next one.
   std::array<int64_t, vm::kThreadCount> executed_{};
   std::array<uint16_t, vm::kThreadCount> next_{};
   std::vector<runtime::ScenarioFailure> failures_;
 };
 
-/// Runs the scenario and looks at what it requires (RequirementsOf()) on the way: what does not
-/// hold is among the failures of the result. Fails as RunScenario(), and when a requirement is no
-/// expression.
+/// Runs the scenario and checks its requirements (RequirementsOf()) during the run: those that do
+/// not hold are among the failures of the result. Fails as RunScenario(), and if a requirement is
+/// not an expression.
 Result<runtime::ScenarioResult> RunWithRequirements(const runtime::Scenario& scenario,
                                                     vm::Object object, runtime::RunOptions options);
 
-/// Makes the scenario, which stands for a source that is run by itself, say what the source's
-/// comments say (problem.h): requirements, initial values, and, unless it has threads, the threads
-/// t0, t1, ... Fails on a comment that cannot be read or speaks of all schedules.
+/// Completes the scenario of a source that is run by itself from the source's comments (problem.h):
+/// requirements, initial values and, unless it has threads, the threads t0, t1, ... Fails on a
+/// comment that cannot be read, or that concerns all schedules.
 Result<void> AddComments(const std::string& path, std::string_view source, const vm::Object& object,
                          runtime::Scenario* scenario);
 
-/// A warning when the source of a scenario's program has such comments: nothing looks at them,
-/// since the scenario says what must hold.
+/// A warning if the source of a scenario's program has such comments: they are ignored, because the
+/// scenario states the requirements.
 std::optional<Message> DescribeUnusedComments(const runtime::Scenario& scenario,
                                               std::string_view source);
 

@@ -16,45 +16,44 @@ namespace oncard::explore {
 /// `final`, `always`, `never` and `eventually` of a scenario.
 std::vector<Requirement> RequirementsOf(const runtime::Scenario& scenario);
 
-/// Puts requirements into the keys of a scenario, behind those that it has.
+/// Appends requirements to the keys of a scenario.
 void AddRequirements(const std::vector<Requirement>& requirements, runtime::Scenario* scenario);
 
-/// What the scenario wishes, where it wishes something.
+/// The options given by the scenario's key `explore`; the rest is unchanged.
 ExploreOptions OptionsOf(const runtime::ExploreWish& wish);
 
-/// True when time or the card matters: the program calls GT commands, a thread is periodic, the
+/// True if time or the card matters: the program calls GT commands, a thread is periodic, the
 /// scenario ends at an instant, or an expectation has one.
 bool NeedsCard(const runtime::Scenario& scenario, const vm::Object& object);
 
-/// A scenario whose program needs no card, with its expectations and the requirements. Fails when
-/// the scenario does not fit the program, or a requirement makes no sense.
+/// A scenario whose program needs no card, with its expectations and the requirements. Fails if the
+/// scenario does not fit the program, or a requirement is invalid.
 Result<Problem> ProblemOfScenario(const runtime::Scenario& scenario,
                                   const std::vector<Requirement>& requirements, vm::Object object);
 
-/// Fills in what the scenario says of the subject: names, hash, conditions.
+/// Fills in the subject from the scenario: names, hash, conditions.
 void Describe(const runtime::Scenario& scenario, Subject* subject);
 
-/// What a report of the exploration is made of; Findings::source is left to the caller.
+/// The data of a report of the exploration; the caller fills in Findings::source.
 Findings FindingsOf(const runtime::Scenario& scenario, const Problem& problem,
                     Exploration exploration);
 
-/// Looks at one schedule only: follows it as far as the program of today does
-/// (runtime/scenario/adapted_schedule.h). The verdict is kPassed, kFailed, or kIncomplete when the
-/// run does not come to its end. Fails as ExploreScenario(), and when the schedule cannot be
-/// adapted.
+/// Checks only one schedule: follows it as far as the current program can
+/// (runtime/scenario/adapted_schedule.h). The verdict is kPassed, kFailed, or kIncomplete if the
+/// run does not end. Fails as ExploreScenario(), and when the schedule cannot be adapted.
 Result<Findings> FollowSchedule(const runtime::Scenario& scenario,
                                 const std::vector<Requirement>& requirements,
                                 const vm::Object& object, std::string_view source,
                                 const vm::Schedule& schedule);
 
-/// Explores the scenario with its expectations and the requirements; Findings::source is left to
-/// the caller. Fails when the scenario does not fit the program, has host events, or a requirement
-/// makes no sense.
+/// Explores the scenario with its expectations and the requirements; the caller fills in
+/// Findings::source. Fails if the scenario does not fit the program or has host events, or if a
+/// requirement is invalid.
 Result<Findings> ExploreScenario(const runtime::Scenario& scenario,
                                  const std::vector<Requirement>& requirements, vm::Object object,
                                  const ExploreOptions& options);
 
-/// Explores a scenario as its key `explore` says.
+/// Explores a scenario according to its key `explore`.
 Result<Findings> ExploreAsWished(const runtime::Scenario& scenario, const vm::Object& object,
                                  std::string_view source);
 

@@ -1,9 +1,9 @@
-// Every schedule with few preemptions: most faults need one or two, and there are far fewer such
-// schedules than schedules. First those without any, then those with one, and so on, so that the
-// first fault has as few as possible.
+// Every schedule with few preemptions: most faults need only one or two, and there are far fewer
+// such schedules than schedules in all. First those without preemptions, then those with one, and
+// so on, so that the first fault found has as few as possible.
 //
-// States are merged: nothing is tried twice from a state with the same thread running and as many
-// preemptions. Deterministic; not thread-safe. Tested by tests/explore/bounded_search_test.cc.
+// States are merged: nothing is explored twice from a state with the same running thread and number
+// of preemptions. Deterministic; not thread-safe. Tested by tests/explore/bounded_search_test.cc.
 #pragma once
 
 #include <atomic>
@@ -26,14 +26,14 @@ struct BoundedOptions {
 
 struct BoundedCounts {
   int preemptions =
-      -1;              ///< all schedules with so many were searched; -1 when not even those with 0
+      -1;  ///< all schedules with this number were searched; -1 if not even those with 0
   int64_t states = 0;  ///< of the last bound, with the thread and the preemptions
   int64_t different_ends = 0;
-  EndSet ends;  ///< where nothing is asked of results
+  EndSet ends;  ///< if there are no requirements on results
   bool bad = false;
-  /// The threads of the schedule that went wrong, counted as the model does.
+  /// The threads of the failing schedule, as numbered by the model.
   std::vector<uint8_t> failing;
-  bool complete = false;  ///< a fault was found, or the bound was reached
+  bool complete = false;  ///< a fault was found, or the search was complete up to the bound
 };
 
 BoundedCounts SearchBounded(const Problem& problem, const BoundedOptions& options);

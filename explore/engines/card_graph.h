@@ -12,8 +12,8 @@ struct CardGraph {
   StateGraph graph;
   int64_t bad_states = 0;
   int64_t final_globals = 0;  ///< different values of the globals at the end
-  int64_t final_full = 0;     ///< the same with what the threads returned
-  EndSet ends;                ///< where nothing is asked of results
+  int64_t final_full = 0;     ///< the same including the return values of the threads
+  EndSet ends;                ///< if there are no requirements on results
   bool cut = false;           ///< some run ended because `until_ms` came
 };
 

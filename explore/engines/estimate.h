@@ -1,7 +1,7 @@
-// How many traces a program has, before they are searched: from a few random descents in the tree
-// of executions that differ, as Knuth estimates the size of a search tree (D. E. Knuth, "Estimating
-// the efficiency of backtrack programs", 1975).
-// Tested by tests/explore/estimate_test.cc.
+// Estimates how many traces a program has before they are searched, from a few random descents in
+// the tree of different executions, by Knuth's estimate of the size of a search tree (D. E. Knuth,
+// "Estimating the efficiency of backtrack programs", 1975). Tested by
+// tests/explore/estimate_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -11,12 +11,12 @@
 namespace oncard::explore {
 
 struct TraceEstimate {
-  double traces = 0;  ///< unbiased; 0 when a descent did not end
-  double error = 0;   ///< standard error of it, from the spread of the descents
+  double traces = 0;  ///< unbiased; 0 if a descent did not end
+  double error = 0;   ///< its standard error, from the spread of the descents
 };
 
-/// Executes `descents` times, from the model's present state, and leaves it there. A descent is
-/// given up, and with it the estimate, after `depth` statements.
+/// Executes `descents` descents from the model's current state, and leaves the model in that state.
+/// The estimate is abandoned if a descent exceeds `depth` statements.
 TraceEstimate EstimateTraces(Model* model, int descents, uint64_t seed, int64_t depth);
 
 }  // namespace oncard::explore

@@ -1,7 +1,7 @@
-// What is looked at before a search of everything: most faults need few preemptions, and those that
-// need none or one are found at once even where the whole is too large. A program alone: schedules
-// with at most two preemptions, then random ones. With its card: the threads one after the other,
-// then the same.
+// The first search before the complete one: most faults need few preemptions, and those that need
+// none or one are found quickly even if the whole is too large. A program alone: schedules with at
+// most two preemptions, then random ones. With its card: the threads one after the other, then the
+// same.
 //
 // All within a number of statements, so that the same program gives the same answer everywhere.
 // Tested by tests/explore/first_look_test.cc.
@@ -19,17 +19,17 @@
 namespace oncard::explore {
 
 struct FirstLook {
-  /// The threads of a schedule that goes wrong, counted as the model does; empty: none was found.
+  /// The threads of a failing schedule, as numbered by the model; empty: none was found.
   std::vector<uint8_t> failing;
-  bool fewest_preemptions = false;  ///< no schedule with fewer preemptions goes wrong
-  /// In place of `failing`: the same of a run that is too long for a simpler one to be looked for.
+  bool fewest_preemptions = false;  ///< no schedule with fewer preemptions fails
+  /// Instead of `failing`: a failing run that is too long to be simplified.
   std::optional<Failure> failure = {};
 
   bool found() const { return !failing.empty() || failure; }
 };
 
-/// `stop` as for BoundedOptions. Benign races are for the graph of all states: with
-/// RaceRule::kBenign nothing is looked at.
+/// `stop` as for BoundedOptions. Only the graph of all states can judge benign races: with
+/// RaceRule::kBenign nothing is searched.
 FirstLook LookFirst(const Problem& problem, const std::atomic<bool>* stop);
 /// The same with a card.
 FirstLook LookFirstAtCard(CardModel* model, const std::atomic<bool>* stop);

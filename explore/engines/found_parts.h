@@ -1,4 +1,4 @@
-// How what parts of a search have found is put together.
+// Merges the results of parts of a search.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace oncard::explore {
 
-/// Of two sets of keys in order.
+/// The union of two sorted sets of keys.
 inline std::vector<StateKey> UnionOf(const std::vector<StateKey>& a,
                                      const std::vector<StateKey>& b) {
   std::vector<StateKey> both;
@@ -19,7 +19,8 @@ inline std::vector<StateKey> UnionOf(const std::vector<StateKey>& a,
   return both;
 }
 
-/// Keeps the simpler one of two failing runs, whichever was there first; an empty one is none.
+/// Keeps the simpler one of two failing runs, independent of their order; an empty run stands for
+/// none.
 inline void TakeSimpler(const std::vector<uint8_t>& other, std::vector<uint8_t>* failing) {
   if (other.empty()) return;
   const auto simpler = [](const auto& a, const auto& b) {

@@ -10,11 +10,11 @@
 
 namespace oncard::explore {
 
-/// Which ends can be reached from each state, as the number of a set: equal sets have equal
-/// numbers. `end_of` names the end that each terminal state is.
+/// For each state the set of ends that can be reached from it, as a number: equal sets have equal
+/// numbers. `end_of` gives the end of each terminal state.
 std::vector<uint32_t> ReachableEnds(const StateGraph& graph, const std::vector<uint32_t>& end_of);
 
-/// True when the two orders of a race in a state lead to different ends.
+/// True if the two orders of a race in a state lead to different ends.
 bool OrderMatters(const StateGraph& graph, const std::vector<uint32_t>& ends, uint32_t state,
                   const Race& race);
 

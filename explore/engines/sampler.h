@@ -1,14 +1,12 @@
-// Tries random schedules, for what is too large to be explored whole.
+// Tries random schedules, for programs that are too large to be explored completely.
 //
-//   random  every statement of a thread drawn uniformly from those that can go on
+//   random  every statement of a thread drawn uniformly from those that can run
 //   pct     probabilistic concurrency testing (Burckhardt et al., ASPLOS 2010): threads run by
-//   random
-//           priorities, which change at depth - 1 random statements; finds a fault that needs
-//           `depth` orderings with a known probability
+//           random priorities, which change at depth - 1 random statements; finds a fault that
+//           needs `depth` orderings with a known probability
 //   pos     partial order sampling (Yuan, Yang, Gu, CAV 2018): every statement has a random
-//   priority,
-//           which is drawn anew when another one that depends on it goes first; programs of
-//           variables only
+//           priority, which is drawn again when a dependent statement is executed before it;
+//           only for programs without GT commands
 //
 // Reproducible: the same seed gives the same runs everywhere. Tested by
 // tests/explore/sampler_test.cc.
@@ -33,15 +31,16 @@ inline constexpr int kPctDepthMax = 64;
 struct SampleOptions {
   SamplerKind kind = SamplerKind::kRandom;
   int64_t runs = 10'000;
-  /// Number of the first run: each run has random numbers of its own, so that parts of the runs can
-  /// be taken elsewhere.
+  /// Number of the first run: each run has random numbers of its own, so that the runs can be
+  /// divided among several computers.
   int64_t first_run = 0;
   uint64_t seed = 1;
   int depth = 3;  ///< kPct: 1..kPctDepthMax
-  /// Statements of one run; a longer one is given up.
+  /// Maximum number of statements of one run; a longer run is abandoned.
   int64_t statement_limit = 100'000;
-  int64_t all_statements = INT64_MAX;  ///< no run begins after so many of all runs
-  bool until_bad = false;              ///< the first run that goes wrong is the last one
+  int64_t all_statements =
+      INT64_MAX;           ///< no run begins after this number of statements of all runs
+  bool until_bad = false;  ///< stop after the first failing run
   const std::atomic<bool>* stop = nullptr;
   SearchProgress* progress = nullptr;
 };
@@ -49,16 +48,17 @@ struct SampleOptions {
 struct SampleCounts {
   int64_t runs = 0;
   int64_t bad = 0;
-  int64_t cut = 0;      ///< given up
+  int64_t cut = 0;      ///< abandoned runs
   int64_t longest = 0;  ///< statements
   uint64_t seed = 0;
-  std::vector<StateKey> ends;  ///< different ones, in order: globals and what the threads returned
-  EndSet values;               ///< of some of them, where nothing is asked of results
-  /// The threads of the first run that went wrong, counted as the model does.
+  std::vector<StateKey>
+      ends;       ///< sorted keys of different ends: globals and return values of the threads
+  EndSet values;  ///< of some of them, if there are no requirements on results
+  /// The threads of the first failing run, as numbered by the model.
   std::vector<uint8_t> failing;
 };
 
-/// Adds what other runs of the same sampler have found.
+/// Adds the results of other runs of the same sampler.
 void MergeInto(SampleCounts* samples, const SampleCounts& other);
 
 SampleCounts Sample(const Problem& problem, const SampleOptions& options);

@@ -11,31 +11,31 @@
 
 namespace oncard::explore {
 
-/// Statements that may be spent on finding a simpler schedule with a card; a longer failure stays
-/// as it is.
+/// Maximum number of statements executed to simplify a schedule with a card; a longer failure is
+/// not simplified.
 inline constexpr int64_t kCardEffort = 500'000;
 
-/// Preemptions of a schedule: changes of threads while the one before could have gone on.
+/// Preemptions of a schedule: switches away from a thread that could have continued.
 int CountPreemptions(Model* model, const std::vector<uint8_t>& steps);
 
-/// Takes the two statements of a race, at which the failure's steps have arrived.
+/// Executes the two statements of a race, which the steps of the failure have reached.
 void TakeRacingStatements(const Problem& problem, Failure* failure);
 
-/// A schedule that still leads to a fault, with as few preemptions, and then statements, as
-/// joining, shortening and leaving out turns of threads one by one can reach: what has nothing to
-/// do with the fault goes. `steps` leads to a fault. Where the state graph is known,
-/// FewestPreemptions() (state_graph.h) is exact instead.
+/// A schedule that still leads to a fault, with as few preemptions, and then statements, as can be
+/// reached by joining, shortening and removing turns of threads one by one; parts that do not
+/// contribute to the fault are removed. `steps` must lead to a fault. Where the state graph is
+/// known, FewestPreemptions() (state_graph.h) is exact instead.
 Failure Shrink(const Problem& problem, const std::vector<uint8_t>& steps);
 /// The same with a card.
 Failure ShrinkCard(CardModel* model, const std::vector<uint8_t>& steps);
 
 /// A schedule that was followed.
 struct FollowedRun {
-  Failure failure;     ///< what went wrong first; Failure::fault is none when nothing did
-  bool ended = false;  ///< it came to its end
+  Failure failure;     ///< the first failure; Failure::fault is none if there was none
+  bool ended = false;  ///< the run ended
 };
 
-/// Takes the statements as far as the threads can, then lets the threads go on in turns.
+/// Executes the statements as far as the threads can, then the threads in turns.
 FollowedRun TakeSteps(const Problem& problem, const std::vector<uint8_t>& steps);
 /// The same with a card.
 FollowedRun TakeCardSteps(CardModel* model, const std::vector<uint8_t>& steps);

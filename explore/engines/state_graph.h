@@ -1,6 +1,6 @@
-// The graph of all reachable states, and what can be read off it: it ends for every program with
-// finitely many states, loops that wait for another thread included, and answers exactly how few
-// preemptions or steps lead to a state.
+// The graph of all reachable states and its evaluation. The search terminates for every program
+// with finitely many states, including loops that wait for another thread, and gives the exact
+// minimum of preemptions or steps that lead to a state.
 //
 // Deterministic; not thread-safe. Tested by tests/explore/state_graph_test.cc.
 #pragma once
@@ -15,10 +15,10 @@
 
 namespace oncard::explore {
 
-/// What a state is, as bits. The caller's own begin with kCallersFlag.
+/// Flags of a state. Those of the caller begin with kCallersFlag.
 enum StateFlag : uint32_t {
-  kTerminal = 1,  ///< no thread can go on
-  kBad = 2,       ///< the caller says so
+  kTerminal = 1,  ///< no thread can run
+  kBad = 2,       ///< set by the caller
   kCallersFlag = 4
 };
 
@@ -26,12 +26,12 @@ struct StateGraph {
   static constexpr uint32_t kNone = ~uint32_t{0};
 
   int threads = 0;
-  /// Of state s and thread t: element s * threads + t; kNone when the thread cannot step there. The
-  /// first state is 0.
+  /// For state s and thread t: element s * threads + t; kNone if the thread cannot execute a step
+  /// there. The first state is 0.
   std::vector<uint32_t> successors;
   std::vector<uint32_t> flags;
   int64_t transitions = 0;
-  /// False when the search was ended early; some successors are then missing.
+  /// False if the search was ended early; some successors are then missing.
   bool complete = false;
 
   uint32_t size() const { return static_cast<uint32_t>(flags.size()); }
@@ -40,26 +40,28 @@ struct StateGraph {
   }
 };
 
-/// Private statements that are merged with one; a loop of nothing else is then cut.
+/// Maximum number of private statements that are merged with one; this also cuts loops of private
+/// statements.
 inline constexpr int64_t kMergedMax = 10'000;
 
 struct StateLimits {
   uint32_t states = 200'000'000;
-  /// How many more states are looked at after the first that is kBad.
+  /// How many more states are explored after the first one that is kBad.
   uint32_t states_after_bad = ~uint32_t{0};
-  /// A step is a statement with all after it, and those at the thread's start, that touch nothing
-  /// shared: there are fewer states, and the same ends with as few preemptions.
+  /// A step combines a statement with the following ones, and those at the thread's start, that
+  /// access nothing shared: there are fewer states, with the same ends and minimum preemptions.
   bool merge_private = false;
   /// Set from another thread: the search ends soon.
   const std::atomic<bool>* stop = nullptr;
   SearchProgress* progress = nullptr;
 };
 
-/// Called once for each state, in the order of their numbers: its flags but for kTerminal.
+/// Called once for each state, in the order of their numbers; returns its flags except kTerminal.
 using StateJudge = std::function<uint32_t(const Model& model)>;
 
-/// Explores from the model's present state, depth first, and leaves it there. When statements are
-/// merged, the first state is that behind all private statements at the threads' starts.
+/// Explores from the model's current state, depth first, and leaves the model in that state. If
+/// statements are merged, the first state is the one after all private statements at the threads'
+/// starts.
 StateGraph BuildStateGraph(Model* model, const StateLimits& limits, const StateJudge& judge);
 
 /// The threads of a path from the first state, one per step.
@@ -70,34 +72,34 @@ struct Path {
 };
 
 /// A path with the fewest preemptions, and among those with the fewest steps, to a state with one
-/// of the flags; not through, or to, states with a flag to `avoid`. A preemption is a change of
-/// threads while the one before could have gone on.
+/// of the flags; without passing or reaching states with a flag to `avoid`. A preemption is a
+/// switch away from a thread that could have continued.
 Path FewestPreemptions(const StateGraph& graph, uint32_t flag, uint32_t avoid = 0);
 
 /// A path with the fewest steps.
 Path FewestSteps(const StateGraph& graph, uint32_t flag);
 
-/// Of every state the fewest preemptions that reach it, bound + 1 when more are needed.
+/// For every state the minimum of preemptions that reach it; bound + 1 if more are needed.
 std::vector<int> PreemptionsTo(const StateGraph& graph, int bound);
 
-/// A cycle that a fair schedule can follow for ever: every thread that could go on takes steps in
+/// A cycle that a fair schedule can repeat for ever: every thread that could run executes steps in
 /// it.
 struct Lasso {
   bool found = false;
-  std::vector<uint8_t> stem;   ///< to the cycle's first state
-  std::vector<uint8_t> cycle;  ///< back to it
+  std::vector<uint8_t> stem;   ///< path to the first state of the cycle
+  std::vector<uint8_t> cycle;  ///< path back to it
 };
 Lasso FindFairCycle(const StateGraph& graph);
 
-/// Strongly connected components: of each state its number. A component's successors have smaller
-/// numbers.
+/// Strongly connected components: for each state the number of its component. A component's
+/// successors have smaller numbers.
 std::vector<uint32_t> Components(const StateGraph& graph, uint32_t* count);
 
-/// True when some run never ends.
+/// True if some run never ends.
 bool IsCyclic(const StateGraph& graph);
 
-/// How many steps of a path can be taken before no terminal state that is not bad can be reached
-/// any more; -1 when there is none from the start.
+/// How many steps of a path can be executed before no terminal state that is not bad can be reached
+/// any more; -1 if none can be reached from the start.
 int64_t LastEscape(const StateGraph& graph, const std::vector<uint8_t>& path);
 
 }  // namespace oncard::explore

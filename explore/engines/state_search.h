@@ -1,5 +1,5 @@
-// The search of a problem's states (state_graph.h): what it counts, and how the graph goes wrong.
-// Deterministic; not thread-safe. Tested by tests/explore/explorer_test.cc.
+// The search of a problem's states (state_graph.h): its counts, and how it finds failures in the
+// graph. Deterministic; not thread-safe. Tested by tests/explore/explorer_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -14,20 +14,21 @@
 
 namespace oncard::explore {
 
-/// A race that some schedule has.
+/// A race under some schedule.
 struct FoundRace {
   Race race;
-  bool benign = false;  ///< neither order of the two statements changes what ends can be reached
+  bool benign =
+      false;  ///< the order of the two statements does not change which ends can be reached
 };
 
-/// What the stateful engine counted.
+/// Counts of the stateful engine.
 struct StateCounts {
   int64_t states = 0;
   int64_t transitions = 0;
   int64_t bad_states = 0;
   int64_t final_globals = 0;
   int64_t final_full = 0;
-  /// Different final globals with at most that many preemptions.
+  /// Different final globals with at most this number of preemptions.
   std::vector<int64_t> finals_within;
   bool complete = false;
 };
@@ -35,24 +36,24 @@ struct StateCounts {
 /// Number of elements of StateCounts::finals_within.
 inline constexpr int kPreemptionBounds = 4;
 
-/// What the stateful engine found. With merged statements (StateLimits::merge_private) the graph's
-/// steps are several statements; failures are told in statements all the same.
+/// Results of the stateful engine. With merged statements (StateLimits::merge_private) a step of
+/// the graph is several statements; failures are still described in single statements.
 struct StateSearch {
   StateCounts counts;
   StateGraph graph;
   std::vector<FoundRace> races;
-  EndSet ends;  ///< where nothing is asked of results
+  EndSet ends;  ///< if there are no requirements on results
   bool merged = false;
 };
 
 StateSearch SearchStates(const Problem& problem, const StateLimits& limits);
 
-/// The way to a state with one of the flags that avoids those with others; its fault is left to the
-/// caller. Nothing when there is none.
+/// The path to a state with one of the flags that avoids states with others; the caller fills in
+/// its fault. Empty if there is none.
 std::optional<Failure> WayTo(const StateGraph& graph, uint32_t flag, uint32_t avoid = 0);
 
-/// Where the graph goes wrong: in a state, at the end of a run, for ever, or by a race; nothing
-/// when it does not.
+/// The failure in the graph: in a state, at the end of a run, in an infinite run, or by a race;
+/// empty if there is none.
 std::optional<Failure> FailureIn(const Problem& problem, const StateSearch& search);
 
 }  // namespace oncard::explore

@@ -1,5 +1,5 @@
-// The search of a problem's traces (dpor.h): what it counts, in one piece or in parts that can be
-// interrupted, done elsewhere, and put together again.
+// The search of a problem's traces (dpor.h) and its counts, undivided or in parts that can be
+// interrupted, run on other computers, and merged.
 //
 // Deterministic; not thread-safe. Tested by tests/explore/search_file_test.cc.
 #pragma once
@@ -16,30 +16,30 @@
 
 namespace oncard::explore {
 
-/// What the dpor engine counted.
+/// Counts of the dpor engine.
 struct TraceCounts {
   int64_t executions = 0;
   int64_t blocked = 0;
   int64_t redundant = 0;
   int64_t bad_traces = 0;
   int64_t final_globals = 0;  ///< different values of the globals at the end
-  int64_t final_full = 0;     ///< the same with what the threads returned
+  int64_t final_full = 0;     ///< the same including the return values of the threads
   bool complete = false;
 };
 
-/// A search, or a part of one: what is still to be done, and what came of the rest.
+/// A search, or a part of one: the remaining work and the results so far.
 struct TraceSearch {
   std::vector<TraceUnit> units = {TraceUnit{}};  ///< still to be done
   int64_t executions = 0;
   int64_t blocked = 0;
-  int64_t redundant = 0;  ///< within one unit and without interruption
+  int64_t redundant = 0;  ///< without interruption in one unit
   int64_t bad = 0;
   bool too_deep = false;          ///< an execution was longer than the limit
   std::vector<StateKey> globals;  ///< different final values, in order
-  std::vector<StateKey> full;     ///< the same with what the threads returned
-  /// Where nothing is asked of results: different ones that were found.
+  std::vector<StateKey> full;     ///< the same including the return values of the threads
+  /// Only if there are no requirements on results: different ones that were found.
   EndSet ends;
-  /// The threads of an execution that went wrong, the shortest of the first thousand.
+  /// The threads of a failing execution, the shortest of the first thousand.
   std::vector<uint8_t> failing;
 
   bool complete() const { return units.empty() && !too_deep; }
@@ -49,18 +49,18 @@ struct TraceSearch {
 struct TraceSearchLimits {
   int64_t executions = INT64_MAX;
   int64_t depth = 100'000;
-  /// How far the search goes on after the first execution that goes wrong, as the sum of the
-  /// executions' statements.
+  /// How far the search continues after the first failing execution, as the sum of the executions'
+  /// statements.
   int64_t statements_after_bad = INT64_MAX;
   const std::atomic<bool>* stop = nullptr;
   SearchProgress* progress = nullptr;
 };
 
-/// Goes on with a search until it is done or a limit is reached. The limit of executions is that of
-/// this call.
+/// Continues a search until it is complete or a limit is reached. The limit of executions applies
+/// to this call.
 void SearchTraces(const Problem& problem, const TraceSearchLimits& limits, TraceSearch* search);
 
-/// Puts two parts of one search together: it does not matter in which order parts are.
+/// Merges two parts of one search; the order of parts does not matter.
 void MergeInto(TraceSearch* search, const TraceSearch& other);
 
 }  // namespace oncard::explore

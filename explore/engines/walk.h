@@ -1,8 +1,9 @@
-// Runs of a program, alone or with its card, one statement after the other: what samplers, the
-// search by preemptions and shrinking walk through without knowing which of the two it is.
+// Runs of a program, alone or with its card, one statement after the other: the common interface
+// for samplers, the search by preemptions and shrinking.
 //
-// A walk knows its way: it finds faults that no single state shows, a race, or a run that has ended
-// without what must eventually hold. Not thread-safe. Tested by tests/explore/walk_test.cc.
+// A walk remembers its path, so that it also finds faults that are not visible in a single state: a
+// race, or a run that ended without a state in which an `eventually` requirement held. Not
+// thread-safe. Tested by tests/explore/walk_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -16,18 +17,18 @@
 
 namespace oncard::explore {
 
-/// A program of variables. The problem outlives the walk.
+/// A program without GT commands. The problem must outlive the walk.
 class ProgramWalk {
  public:
   explicit ProgramWalk(const Problem& problem);
 
   int thread_count() const { return model_.thread_count(); }
-  /// Bit n: thread n of the model can take the next statement.
+  /// Bit n: thread n of the model can execute the next statement.
   uint32_t choices() const { return model_.runnable(); }
   bool ended() const { return choices() == 0; }
-  /// It has ended because no thread runs any more.
+  /// True if the run ended because no thread runs any more.
   bool finished() const { return ended(); }
-  /// What is wrong here, or went wrong on the way.
+  /// The fault of the current state, or of an earlier one.
   const Fault& fault() const { return marks_.back().fault; }
 
   void Step(int thread);
@@ -35,15 +36,15 @@ class ProgramWalk {
   /// Back to the start.
   void Restart();
 
-  /// Names the state and what of the way matters to the future.
+  /// A key of the state and of the part of the path that matters to the future.
   StateKey Key() const;
-  /// Names the final values of an ended run.
+  /// A key of the final values of a run that has ended.
   StateKey EndKey() const { return model_.FinalKey(); }
-  /// The values as they are now.
+  /// The current values.
   End EndNow() const { return EndOf(model_); }
-  /// Nothing is asked of results: the different ones are to be shown.
+  /// True if there are no requirements on results: the different ones are to be shown.
   bool asks_nothing() const { return problem_.requirements.empty(); }
-  /// Whether the next statements of two threads touch a common variable and one writes it.
+  /// Whether the next statements of two threads access a common variable and one writes it.
   bool DependOnEachOther(int a, int b) const {
     return model_.NextAccess(a).DependsOn(model_.NextAccess(b));
   }
@@ -51,23 +52,23 @@ class ProgramWalk {
  private:
   struct Mark {
     Fault fault;
-    uint32_t reached = 0;  ///< bit n: the n-th kEventually has held in some state
+    uint32_t reached = 0;  ///< bit n: the n-th kEventually has held
   };
 
-  /// What the present state adds to what was known before it.
+  /// Updates the data of the path with the current state.
   Mark Judge(const Mark& before, const Race& race) const;
 
   const Problem& problem_;
   Model model_;
-  std::vector<Mark> marks_;              ///< one more than statements
-  std::vector<RaceDetector> detectors_;  ///< the same, when races are looked for
+  std::vector<Mark> marks_;              ///< one element more than statements
+  std::vector<RaceDetector> detectors_;  ///< the same, if races are searched for
 };
 
 /// A program with its card.
 class CardWalk {
  public:
-  /// Without its way, which takes much memory and time, it can neither Undo() nor tell its Key(),
-  /// and nothing else may use the model while it lives.
+  /// Without the path, which takes much memory and time, it supports neither Undo() nor Key(), and
+  /// nothing else may use the model during its lifetime.
   CardWalk(CardModel* model, bool keeps_way) : model_(*model), keeps_way_(keeps_way) { Restart(); }
 
   int thread_count() const { return model_.thread_count(); }
@@ -83,11 +84,11 @@ class CardWalk {
       model_.Advance(&states_.back(), thread);
     }
   }
-  /// Without its way: up to `most` statements of the thread, as CardModel::AdvanceAlone().
+  /// Without the path: up to `most` statements of the thread, as CardModel::AdvanceAlone().
   int64_t StepAlone(int thread, int64_t most) {
     return model_.AdvanceAlone(&states_.back(), thread, most);
   }
-  /// Without its way: the present state, for CardModel::Load().
+  /// Without the path: the current state, for CardModel::Load().
   CardModel::State WholeState() { return model_.Whole(now()); }
   void Undo() { states_.pop_back(); }
   void Restart() {
@@ -118,7 +119,7 @@ class CardWalk {
 
   CardModel& model_;
   bool keeps_way_;
-  std::vector<CardModel::State> states_;  ///< the present one is the last
+  std::vector<CardModel::State> states_;  ///< the current one is the last
 };
 
 }  // namespace oncard::explore

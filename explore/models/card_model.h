@@ -1,11 +1,11 @@
-// A card that runs a motion program, as a transition system: threads that take one statement at a
-// time, and the motion core and the clock around them.
+// A card that runs a motion program, as a transition system: threads that execute one statement at
+// a time, with the motion core and the clock.
 //
-// Time belongs to the state. A profile cycle has as many statements as the scenario's rate says;
-// when they are used up, or no thread can take one, the next cycle begins by itself: motion, inputs
-// and delays go on. What is free is the order in which the threads take their statements of a
-// cycle, with one restriction, without which a thread could be held up for ever: a thread that can
-// go on gets at least one statement in every cycle.
+// Time is part of the state. A profile cycle has the number of statements given by the scenario's
+// rate; when they are used up, or no thread can run, the next cycle begins by itself, with its
+// motion, inputs and delays. The search varies the order in which the threads execute the
+// statements of a cycle, with one restriction, without which a thread could be delayed for ever:
+// every thread that can run executes at least one statement per cycle.
 //
 // States are values; Step() goes from one to the next. Deterministic; not thread-safe. Tested by
 // tests/explore/card_model_test.cc.
@@ -29,27 +29,28 @@ namespace oncard::explore {
 
 class CardModel {
  public:
-  /// What changes with commands and cycles only; most states share it with the one before.
+  /// The part of a state that only commands and cycles change; most states share it with their
+  /// predecessor.
   struct Body;
   /// A state between two statements.
   struct State {
-    std::vector<int64_t> slots;  ///< the globals, then the pages that hold something
+    std::vector<int64_t> slots;  ///< the globals, then the pages in use
     uint32_t used_pages = 0;
     std::array<vm::ThreadState, vm::kThreadCount> threads{};
     int64_t executed = 0;
     std::shared_ptr<const Body> body;
     int64_t left = 0;       ///< statements of the cycle that are left
-    uint32_t served = 0;    ///< threads that have had one in the cycle, by number on the card
-    bool ended = false;     ///< nothing happens any more that the scenario asks for
-    bool finished = false;  ///< it has ended because no thread runs any more
-    uint32_t choices = 0;   ///< bit n: thread n of the model may take the next statement
-    uint32_t reached = 0;   ///< bit n: the n-th kEventually has held on the way
-    Fault fault;            ///< what is wrong with it, or with a cycle that led to it
+    uint32_t served = 0;    ///< threads that have executed one in the cycle, by number on the card
+    bool ended = false;     ///< the run is over: nothing that the scenario requires is left
+    bool finished = false;  ///< the run ended because no thread runs any more
+    uint32_t choices = 0;   ///< bit n: thread n of the model may execute the next statement
+    uint32_t reached = 0;   ///< bit n: the n-th kEventually has held before
+    Fault fault;            ///< the fault of the state, or of a cycle that led to it
   };
 
-  /// The scenario's program on a card of its own, before the first statement; its expectations must
-  /// hold, and the requirements. Its host events are passed over. Fails when the scenario does not
-  /// fit the program, or a requirement is no expression.
+  /// The scenario's program on a card of its own, before the first statement; its expectations and
+  /// the requirements must hold. Host events are ignored. Fails if the scenario does not fit the
+  /// program, or a requirement is not an expression.
   static Result<CardModel> Create(const runtime::Scenario& scenario,
                                   const std::vector<Requirement>& requirements, vm::Object object);
 
@@ -67,33 +68,34 @@ class CardModel {
   /// Commands that threads have been refused in any of the steps that were taken.
   const std::vector<runtime::RefusedCommand>& refused() const { return refused_->list(); }
 
-  /// The first state in which a thread has a choice, or the end.
+  /// The first state in which a thread can run, or the end.
   State Start();
-  /// The state after a statement of a thread that may take it, and whatever then happens by itself.
+  /// The state after a statement of a thread that may execute it, and after everything that then
+  /// happens without threads.
   State Step(const State& state, int thread);
   /// Puts the card into a state.
   void Load(const State& state);
 
-  // The same for a run that nobody comes back to, which is much faster: the card itself goes on,
-  // and the state's `slots`, `threads` and `body` are not kept up to date. Until the run is over
-  // nothing else may use the model.
+  // The same for a run that is never revisited, which is much faster: the card itself advances, and
+  // the state's `slots`, `threads` and `body` are not updated. Nothing else may use the model until
+  // the run is over.
 
   State Begin();
   void Advance(State* state, int thread);
-  /// Up to `most` statements of a thread within its cycle: several where no other thread runs and
-  /// nothing has to hold on the way. Gives how many.
+  /// Executes up to `most` statements of a thread within its cycle: several if no other thread runs
+  /// and no requirement applies in between. Returns their number.
   int64_t AdvanceAlone(State* state, int thread, int64_t most);
-  /// The whole of such a state, which the card is in: one that can be loaded again.
+  /// The complete current state of such a run, which can be loaded again.
   State Whole(const State& state);
-  /// Takes the variables and threads of the card over into the state.
+  /// Copies the variables and threads of the card to the state.
   void CopyVariables(State* state) const;
-  /// Whether the next statements of two threads touch the same, and one writes it, as the card
-  /// stands.
+  /// Whether, in the current state of the card, the next statements of two threads access the same
+  /// thing and one of them writes it.
   bool NextDependOnEachOther(int a, int b) const;
 
-  /// Names all that the future depends on.
+  /// A key of everything that the future depends on.
   StateKey KeyOf(const State& state) const;
-  /// Name the final values of the globals alone, and with what the threads returned.
+  /// Keys of the final values of the globals, without and with the return values of the threads.
   StateKey GlobalsKey(const State& state) const;
   StateKey FinalKey(const State& state) const;
 
@@ -107,27 +109,27 @@ class CardModel {
   CardModel() = default;
   Result<void> BindRequirements(const std::vector<Requirement>& requirements);
   bool Holds(const BoundRequirement& bound) const;
-  /// Looks at the final requirements that have no instant and at what should have held by now.
+  /// Checks the final requirements without an instant, and the kEventually requirements.
   void JudgeEnd(State* state) const;
-  /// Looks at what must hold now, and at what must hold some time.
+  /// Checks the requirements on every state, and records the kEventually ones.
   void JudgeState(State* state) const;
-  /// Looks at the expectations whose instant is the end of this cycle.
+  /// Checks the expectations whose instant is the end of this cycle.
   void JudgeInstant(State* state) const;
   void JudgeThreads(State* state) const;
-  /// Begins cycles until a thread has a choice or the run has ended.
+  /// Begins cycles until a thread can run or the run has ended.
   void Settle(State* state);
-  /// Ends the run: what it was for is looked at.
+  /// Ends the run and checks its final requirements.
   void End(State* state);
-  /// The threads that may take the next statement, by number on the card.
+  /// The threads that may execute the next statement, by number on the card.
   uint32_t Candidates(const State& state) const;
-  /// Takes over what the card holds; `body`, if it is still that.
+  /// Copies the state of the card; keeps `body` if it is unchanged.
   void Save(const std::shared_ptr<const Body>& body, State* state);
 
   runtime::Scenario scenario_;
   std::shared_ptr<const vm::Image> image_;
   std::unique_ptr<runtime::RefusedCommands> refused_ = std::make_unique<runtime::RefusedCommands>();
   std::unique_ptr<runtime::Controller> controller_;
-  std::shared_ptr<const Body> held_;           ///< what the controller's body is equal to
+  std::shared_ptr<const Body> held_;           ///< equal to the controller's body
   State initial_;                              ///< before the first cycle
   std::unique_ptr<vm::MachineState> scratch_;  ///< large
   std::vector<ThreadSetup> setups_;
@@ -135,7 +137,7 @@ class CardModel {
   uint32_t fault_expected_ = 0;  ///< threads whose error an expectation names
   bool has_invariants_ = false;  ///< or kEventually
   int64_t last_cycle_ = 0;       ///< `until_ms` or `limit_ms`
-  bool last_is_failure_ = true;  ///< it is the latter
+  bool last_is_failure_ = true;  ///< it is `limit_ms`
   int64_t last_instant_ = 0;     ///< cycle of the last expectation with an instant, or `until_ms`
 };
 

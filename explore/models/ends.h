@@ -1,7 +1,7 @@
-// What runs end with: the values of a program's globals and what its threads returned.
+// Ends of runs: the final values of a program's globals and the return values of its threads.
 //
-// Where nothing is asked of a program's results, the different ones are what there is to show.
-// Tested by tests/explore/claim_test.cc.
+// If there are no requirements on a program's results, the report shows the different ones. Tested
+// by tests/explore/claim_test.cc.
 #pragma once
 
 #include <cstddef>
@@ -14,15 +14,16 @@
 
 namespace oncard::explore {
 
-/// Raw values: the slots of the globals in the order of their symbols, then what each thread
-/// returned.
+/// Raw values: the slots of the globals in the order of their symbols, then the return value of
+/// each thread.
 using End = std::vector<int64_t>;
 
-/// Of an ended run.
+/// The end of a run that has ended.
 End EndOf(const Model& model);
 End EndOf(const CardModel& model, const CardModel::State& state);
 
-/// Keeps the smallest few of many ends: the same ones whoever finds them, in whatever order.
+/// Keeps the smallest few of many ends: the result does not depend on the order in which they are
+/// added.
 class EndSet {
  public:
   static constexpr size_t kKept = 12;
@@ -43,7 +44,7 @@ struct NamedValue {
   bool operator==(const NamedValue&) const = default;
 };
 
-/// The ends with names for their values.
+/// The ends with names of their values.
 std::vector<std::vector<NamedValue>> NameEnds(const std::vector<End>& ends,
                                               const vm::Object& object,
                                               const std::vector<ThreadSetup>& threads);

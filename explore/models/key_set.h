@@ -1,4 +1,4 @@
-// Keys, each with the number under which it was added: open addressing, never forgets.
+// A set of keys, numbered in the order in which they were added: open addressing, without removal.
 #pragma once
 
 #include <cstddef>

@@ -1,13 +1,13 @@
-// A motion program as a transition system: threads that take one statement at a time over one array
-// of cells. What the explorer walks through.
+// A motion program as a transition system that the explorer searches: threads that execute one
+// statement at a time over one array of cells.
 //
-// The program is translated once, from its instructions to steps over cells that are numbered
-// through: the globals that it has, then each thread's locals and registers. A step is executed, or
-// undone from a journal; nothing is ever copied as a whole. The state's hash is kept up to date
-// with every write. Statements mean what vm/handlers.def says.
+// The program is translated once, from its instructions to steps over numbered cells: its globals,
+// then each thread's locals and registers. A step is executed, or undone from a journal; the state
+// is never copied as a whole. The hash of the state is updated with every write. The meaning of
+// statements is that of vm/handlers.def.
 //
-// Only what variables do is modelled here: a program that calls GT commands needs the card around
-// it and is refused. Deterministic; not thread-safe: one model per searching thread. Tested by
+// Only variables are modelled here: a program that calls GT commands needs the card and is
+// rejected. Deterministic; not thread-safe: one model per searching thread. Tested by
 // tests/explore/model_test.cc.
 #pragma once
 
@@ -34,9 +34,10 @@ struct ThreadSetup {
 };
 
 /// The shared cells that a statement reads and the one that it writes. Statements of different
-/// threads depend on each other when they touch a common cell and one of them writes it.
+/// threads depend on each other if they access a common cell and one of them writes it.
 struct AccessSet {
-  static constexpr int kReadMax = 5;  ///< two elements with global indices and an index to write at
+  static constexpr int kReadMax =
+      5;  ///< two elements with global indices, and the index of the element that is written
   static constexpr uint32_t kNone = ~uint32_t{0};
 
   std::array<uint32_t, kReadMax> reads{};
@@ -57,16 +58,17 @@ struct AccessSet {
   }
 };
 
-/// `v`, `a[3]` of a slot among the variables; empty when none has it.
+/// The name of a slot among the variables, `v` or `a[3]`; empty if no variable has it.
 std::string NameOfSlot(const std::vector<vm::Symbol>& symbols, uint32_t id);
 
-/// How a thread stands.
+/// The state of a thread.
 enum class ThreadEnd : uint8_t { kRunning, kFinished, kDivisionByZero, kIndexOutOfBounds };
 
 class Model {
  public:
-  /// The running threads of a machine, each at its first statement, and the variables as they are.
-  /// Fails when no thread runs, when the program calls GT commands, or has more than 2^24 cells.
+  /// The running threads of a virtual machine, each at its first statement, and its current
+  /// variables. Fails if no thread runs, when the program calls GT commands, or has more than 2^24
+  /// cells.
   static Result<Model> Create(const vm::Machine& machine);
 
   int thread_count() const { return static_cast<int>(threads_.size()); }
@@ -75,20 +77,20 @@ class Model {
   /// Same pointer, shared.
   const std::shared_ptr<const vm::Image>& shared_image() const { return image_; }
 
-  // --- The present state. Threads are numbered from 0, in the order of their
-  // --- numbers on the card --------------------------
+  // --- The current state. Threads are numbered from 0, in the order of their --- numbers on the
+  // card --------------------------
 
   bool Running(int thread) const { return End(thread) == ThreadEnd::kRunning; }
   ThreadEnd End(int thread) const {
     return static_cast<ThreadEnd>(cells_[threads_[Index(thread)].end_cell]);
   }
-  /// Bit n: thread n can take a step.
+  /// Bit n: thread n can execute a step.
   uint32_t runnable() const { return runnable_; }
-  /// True when the next statement of a running thread touches no shared cell, wherever it is.
+  /// True if the next statement of a running thread can never access a shared cell.
   bool NextIsPrivate(int thread) const { return !NextStatement(threads_[Index(thread)]).shared; }
-  /// What the next statement of a running thread touches.
+  /// The cells that the next statement of a running thread accesses.
   AccessSet NextAccess(int thread) const;
-  /// Index of the next statement of a running thread, of the last one afterwards.
+  /// Index of the next statement of a running thread; of the last one if the thread has ended.
   int Position(int thread) const {
     return static_cast<int>(cells_[threads_[Index(thread)].position_cell]);
   }
@@ -96,15 +98,15 @@ class Model {
   int Line(int thread) const;
   /// Raw value that a finished thread returned.
   int64_t ReturnValue(int thread) const { return cells_[threads_[Index(thread)].result_cell]; }
-  /// Raw content of a slot; 0 for one that the program does not use.
+  /// Raw content of a slot; 0 if the program does not use it.
   int64_t Read(const vm::SlotAddress& slot) const;
   /// Statements executed since the start.
   int64_t depth() const { return static_cast<int64_t>(marks_.size()); }
-  /// Names the whole state; only while TrackKey() is on.
+  /// The key of the whole state; only while TrackKey() is on.
   StateKey key() const { return key_; }
-  /// Keeps key() up to date with every step; costs as much again as the steps. On at first.
+  /// Updates key() with every step, which doubles the cost of a step. On by default.
   void TrackKey(bool on);
-  /// The key of the globals alone, and with the threads' return values.
+  /// The key of the globals, without and with the return values of the threads.
   StateKey GlobalsKey() const;
   StateKey FinalKey() const;
 
@@ -112,12 +114,12 @@ class Model {
 
   /// Executes one statement of a running thread.
   void Step(int thread);
-  /// Executes a thread's statements up to the next that touches a shared cell, or its end, at most
-  /// `limit` of them. Gives their number.
+  /// Executes a thread's statements up to the next one that accesses a shared cell, or to its end,
+  /// at most `limit` of them. Returns their number.
   int64_t StepPrivate(int thread, int64_t limit);
-  /// Takes back the last step.
+  /// Undoes the last step.
   void Undo();
-  /// The thread that took a step, counted from 0.
+  /// The thread of a step; steps are counted from 0.
   int StepThread(int64_t step) const { return marks_[static_cast<size_t>(step)].thread; }
 
  private:
@@ -125,7 +127,7 @@ class Model {
   /// An operand: a constant, a cell, or an element whose index is in a cell.
   struct Operand {
     Place place = Place::kConstant;
-    bool shared = false;        ///< the cell, or the elements, are global
+    bool shared = false;        ///< the cell, or the array, is global
     bool index_shared = false;  ///< kElement: the index is global
     uint32_t cell = 0;          ///< kCell, or element 0
     uint32_t size = 0;          ///< kElement
@@ -171,7 +173,7 @@ class Model {
   void Note(const Operand& operand, bool written, AccessSet* set) const;
   /// Writes a cell, with an entry in the journal.
   void Write(uint32_t cell, int64_t value);
-  /// Writes a cell that the marks take care of.
+  /// Writes a cell whose value is restored by the marks.
   void Replace(uint32_t cell, int64_t value);
   void Finish(int thread, ThreadEnd end);
   ThreadEnd Execute(const Statement& statement, const Thread& thread);
@@ -187,8 +189,8 @@ class Model {
   struct Mark {
     uint32_t journal = 0;   ///< its size before the step
     uint32_t runnable = 0;  ///< before the step
-    uint32_t position = 0;  ///< of the thread, before the step
-    uint8_t thread = 0;     ///< that took it
+    uint32_t position = 0;  ///< position of the thread before the step
+    uint8_t thread = 0;     ///< the thread of the step
     StateKey key;           ///< before the step; while it is tracked
   };
   std::vector<Change> journal_;

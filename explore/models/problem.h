@@ -1,6 +1,7 @@
-// What is to be explored: a program with its threads at their first statements, and what must hold.
+// A problem to be explored: a program with its threads at their first statements, and its
+// requirements.
 //
-// A source without a scenario says it in comments, one per line:
+// A source without a scenario states them in comments, one per line:
 //
 //   //@ init: g=1, h=5         values of globals before the start
 //   //@ final: EXPRESSION      must hold when all threads have ended
@@ -29,12 +30,12 @@
 
 namespace oncard::explore {
 
-/// Which states a requirement speaks of.
+/// The states that a requirement applies to.
 enum class Scope : uint8_t {
   kFinal,
   kAlways,
   kNever,
-  kEventually  ///< every run has a state in which it holds
+  kEventually  ///< some state of every run
 };
 
 /// `final`, `always`, `never`, `eventually`.
@@ -47,24 +48,24 @@ struct Requirement {
   runtime::TextPlace place = {};
 };
 
-/// The properties of requirements, whose names are those of a model or a controller. What cannot be
-/// read is one error, each with its place.
+/// Parses requirements, whose names are those of a model or a controller. All errors are combined
+/// in one, each with its place.
 Result<std::vector<Property>> ReadRequirements(const std::vector<Requirement>& requirements,
                                                const Model& names);
 Result<std::vector<Property>> ReadRequirements(const std::vector<Requirement>& requirements,
                                                const runtime::Controller& names);
 
-/// What the comments of a source say, as the scenario that it stands for.
+/// The content of a source's comments, as the equivalent scenario.
 struct CommentProblem {
   runtime::Scenario scenario;  ///< program, threads, initial values
   std::vector<Requirement> requirements;
 };
 
-/// Reads what the comments of a source say, without binding threads. Fails on a comment that cannot
-/// be read: the message shows each with its line.
+/// Reads the comments of a source, without binding threads. Fails on a comment that cannot be read:
+/// the message shows each with its line.
 Result<CommentProblem> ReadCommentLines(const std::string& path, std::string_view source);
 
-/// The first line with such a comment; 0 when there is none.
+/// The first line with such a comment; 0 if there is none.
 int FirstCommentLine(std::string_view source);
 
 /// Reads the comments of a source, whose functions are those of `object`. Fails as
@@ -77,7 +78,7 @@ struct BoundRequirement {
   Property property;
 };
 
-/// Requirements of a problem that speak of what must hold eventually.
+/// Maximum number of `eventually` requirements of a problem.
 inline constexpr int kEventuallyMax = 24;
 
 struct Problem {
@@ -86,11 +87,11 @@ struct Problem {
   RaceRule races = RaceRule::kAny;
   SyncCells sync = {};
 
-  /// True when a requirement speaks of states on the way.
+  /// True if a requirement applies to states before the end.
   bool HasInvariants() const;
 };
 
-/// Finds the names of the requirements. Fails when one is unknown, or there are too many.
+/// Resolves the names of the requirements. Fails if one is unknown, or if there are too many.
 Result<Problem> BindProblem(Model model, const std::vector<Requirement>& requirements);
 
 /// The rule with a name: `any`, `benign`, `none`.
@@ -100,26 +101,27 @@ std::optional<RaceRule> RaceRuleNamed(std::string_view name);
 /// unknown.
 Result<SyncCells> SyncCellsNamed(const std::vector<std::string>& names, const vm::Object& object);
 
-/// What is wrong with a state.
+/// A fault of a state.
 struct Fault {
   enum class Kind : uint8_t {
     kNone,
     kRequirement,
     kThread,
-    kDeadlock,   ///< threads wait for what nothing can change any more
-    kTimeLimit,  ///< threads still run at the scenario's `limit_ms`
-    kRace        ///< two threads touch a variable without order
+    kDeadlock,   ///< threads wait for values that nothing can change any more
+    kTimeLimit,  ///< threads are still running at the scenario's `limit_ms`
+    kRace        ///< two threads access a variable without an order
   };
   Kind kind = Kind::kNone;
   int requirement = 0;  ///< kRequirement: which one is violated
-  int thread = 0;       ///< kThread: which one ended with a fault, as the model counts
+  int thread = 0;       ///< kThread: the thread that ended with a fault, by its number in the model
   Race race = {};       ///< kRace
 
   explicit operator bool() const { return kind != Kind::kNone; }
 };
 
-/// The first fault that a state shows by itself: a thread's, an invariant's, or, when all threads
-/// have ended, a final requirement's. What depends on the way there is ProgramWalk's (walk.h).
+/// The first fault that is visible in a state alone: of a thread, of an invariant or, if all
+/// threads have ended, of a final requirement. Faults that depend on the path are found by
+/// ProgramWalk (walk.h).
 Fault FindFault(const Problem& problem, const Model& state);
 
 }  // namespace oncard::explore

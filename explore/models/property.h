@@ -1,13 +1,12 @@
-// What must hold of a state: an expression over the program's variables, or over all that can be
-// observed of a card, as in
+// A property of a state: an expression over the program's variables, or over everything that can be
+// observed of a card, for example
 //
 //   x == 6 && ret0 + ret1 >= 1
 //
 // Names: globals `v`, `a[3]`, `s.member`; locals `pageN.v`; `retN` or `threadN.result`, what thread
-// N returned; with a card, also those of runtime/observe/quantity.h; numbers. Operators as in C: ||
-// && ==
-// != < <= > >= + - * ! and parentheses; every value is a number, doubles of motion programs
-// included, and true is 1. Tested by tests/explore/property_test.cc.
+// N returned; with a card, also those of runtime/observe/quantity.h; numbers. Operators as in C:
+// `||` `&&` `==` `!=` `<` `<=` `>` `>=` `+` `-` `*` `!`, and parentheses. Every value is a number,
+// including doubles of motion programs, and true is 1. Tested by tests/explore/property_test.cc.
 #pragma once
 
 #include <cstddef>
@@ -24,25 +23,25 @@ namespace oncard::explore {
 
 class Property {
  public:
-  /// Fails with what is wrong and where when the text is no expression, is longer or deeper than
-  /// the limits below, or a name is unknown. A global hides whatever else has its name.
+  /// Fails with the error and its place if the text is not an expression, is longer or deeper than
+  /// the limits below, or a name is unknown. A global hides anything else of the same name.
   static Result<Property> Parse(std::string_view text, const Model& model);
-  /// The same for what can be observed of a card with its program.
+  /// The same for the values of a card with its program.
   static Result<Property> Parse(std::string_view text, const runtime::Controller& controller);
 
-  /// Names, numbers and operators of one property.
+  /// Maximum number of names, numbers and operators of one property.
   static constexpr size_t kElementMax = 128;
-  /// Parentheses and prefix operators inside each other.
+  /// Maximum nesting of parentheses and prefix operators.
   static constexpr int kNestingMax = 100;
 
   const std::string& text() const { return text_; }
-  /// True when it names a local variable.
+  /// True if it names a local variable.
   bool SeesLocals() const;
-  /// Evaluates it in the present state of what it was parsed for.
+  /// Evaluates it in the current state of the model or card that it was parsed for.
   bool Holds(const Model& model) const;
   bool Holds(const runtime::Controller& controller) const;
-  /// What it names and the values of that, as in `x is 3, a[1] is 0`, each name once; empty for an
-  /// expression of numbers.
+  /// The names and their values, as in `x is 3, a[1] is 0`, each name once; empty for an expression
+  /// of numbers.
   Message DescribeValues(const runtime::Controller& controller) const;
 
  private:
@@ -79,7 +78,7 @@ class Property {
     vm::DataType type = vm::DataType::kInt;  ///< of a slot or returned value
   };
 
-  /// The expression with `value(element)` for each name in it.
+  /// Evaluates the expression with `value(element)` for each name.
   template <typename Value>
   bool Evaluate(Value value) const;
 

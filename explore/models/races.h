@@ -1,10 +1,11 @@
-// Data races: two statements of different threads that touch a variable, one of them writing it,
-// without anything that orders them. Accesses to a synchronising variable (a flag, a lock) order:
-// what a thread did before it wrote one happens before what another one does after reading that.
+// Data races: two statements of different threads access a variable, one of them writes it, and
+// nothing orders them. Accesses to a synchronising variable (a flag, a lock) establish an order:
+// what a thread did before it wrote the variable happens before what another thread does after
+// reading it.
 //
-// A program races under some schedule exactly when it has a state in which two threads are about to
-// touch a variable in this way; FindRaces() looks at states. RaceDetector finds the races of one
-// run by vector clocks, also between statements that are far apart. Deterministic. Tested by
+// A program has a race under some schedule exactly if it has a state in which two threads are about
+// to access a variable in this way; FindRaces() examines states. RaceDetector finds the races of
+// one run with vector clocks, also between statements that are far apart. Deterministic. Tested by
 // tests/explore/races_test.cc.
 #pragma once
 
@@ -17,13 +18,14 @@
 namespace oncard::explore {
 
 struct RacingStatement {
-  int thread = 0;    ///< as the model counts
-  int position = 0;  ///< of the statement in its function
+  int thread = 0;    ///< number in the model
+  int position = 0;  ///< index of the statement in its function
   bool writes = false;
   auto operator<=>(const RacingStatement&) const = default;
 };
 
-/// `first` is that of the smaller thread (FindRaces), or the earlier one (RaceDetector).
+/// `first` belongs to the thread with the smaller number (FindRaces), or is the earlier one
+/// (RaceDetector).
 struct Race {
   uint32_t cell = AccessSet::kNone;  ///< kNone: there is no race
   RacingStatement first;
@@ -33,9 +35,9 @@ struct Race {
   auto operator<=>(const Race&) const = default;
 };
 
-/// Which races are wrong.
+/// Which races are failures.
 enum class RaceRule : uint8_t {
-  kAny,     ///< all are allowed, none is looked for
+  kAny,     ///< all are allowed, and none is searched for
   kBenign,  ///< those that change no final value are allowed
   kNone     ///< no race is allowed
 };
@@ -43,7 +45,7 @@ enum class RaceRule : uint8_t {
 /// The shared cells that synchronise; element n is true for cell n, missing ones are false.
 using SyncCells = std::vector<bool>;
 
-/// The races between what the running threads are about to do.
+/// The races between the next statements of the running threads.
 std::vector<Race> FindRaces(const Model& model, const SyncCells& sync);
 
 /// The races of one run, statement by statement.
@@ -51,33 +53,34 @@ class RaceDetector {
  public:
   RaceDetector(const Model& model, const SyncCells& sync);
 
-  /// Told before each statement; a race between it and an earlier one, if there is any.
+  /// To be called before each statement; returns a race between it and an earlier one, if there is
+  /// any.
   Race BeforeStep(const Model& model, int thread);
-  /// Names what it knows: which races later statements have depends on it.
+  /// A key of its state, which determines the races of later statements.
   StateKey Key() const;
 
  private:
-  /// A thread's clock at an access, 0 for none, and where that was.
+  /// A thread's clock at an access, 0 for none, and the statement.
   struct Access {
     uint32_t clock = 0;
     int position = 0;
   };
   using Clock = std::vector<uint32_t>;  ///< one element per thread
   struct Cell {
-    std::vector<Access> reads;  ///< of every thread, the latest
+    std::vector<Access> reads;  ///< the latest access of every thread
     std::vector<Access> writes;
   };
 
   Cell& CellAt(uint32_t cell);
   Clock& SyncAt(uint32_t cell);
-  /// The access of another thread that nothing orders before this thread's present.
+  /// The access of another thread that nothing orders before this thread's current statement.
   Race Unordered(const std::vector<Access>& accesses, bool writes, uint32_t cell,
                  const RacingStatement& present) const;
 
   const SyncCells& sync_;
   size_t threads_;
   std::vector<Clock> clocks_;       ///< of the threads
-  std::vector<Cell> cells_;         ///< those touched so far; index: cell
+  std::vector<Cell> cells_;         ///< accesses so far; index: cell
   std::vector<Clock> sync_clocks_;  ///< of synchronising cells; index: cell
 };
 

@@ -1,4 +1,4 @@
-// Numbers of 128 bits that name states.
+// 128-bit keys of states.
 #pragma once
 
 #include <compare>
@@ -6,8 +6,8 @@
 
 namespace oncard::explore {
 
-/// The exclusive or of what AddToKey() makes of (place, value) pairs: equal sets of pairs have
-/// equal keys, and different ones different keys for all practical purposes.
+/// The exclusive or of the results of AddToKey() for (place, value) pairs: equal sets of pairs have
+/// equal keys, and different sets have different keys for all practical purposes.
 struct StateKey {
   uint64_t low = 0;
   uint64_t high = 0;
@@ -22,7 +22,7 @@ constexpr uint64_t MixPlace(uint64_t seed, uint32_t place, int64_t value) {
   return x ^ (x >> 33);
 }
 
-/// Adds a pair, or takes it out again.
+/// Adds a pair, or removes it again.
 constexpr void AddToKey(uint32_t place, int64_t value, StateKey* key) {
   key->low ^= MixPlace(0x9e3779b97f4a7c15ULL, place, value);
   key->high ^= MixPlace(0xd1b54a32d192ed03ULL, place, value);

@@ -1,10 +1,10 @@
-// What a statement touches, GT commands included: the variables of its operands, and the resources
-// that the catalogue says its command reads or writes, an axis, a coordinate system, an output
-// word.
+// The resources that a statement accesses, including GT commands: the variables of its operands,
+// and the resources that its command reads or writes according to the catalogue, such as an axis, a
+// coordinate system or an output word.
 //
-// Statements of different threads depend on each other when they touch the same and one of them
-// writes it. Tested by tests/explore/statement_access_test.cc; the catalogue's rows are tested by
-// command_access_test.cc.
+// Statements of different threads depend on each other if they access the same resource and one of
+// them writes it. Tested by tests/explore/statement_access_test.cc; the catalogue's rows are tested
+// by command_access_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace oncard::explore {
 
-/// One resource, or all of its kind.
+/// One resource, or all resources of its kind.
 struct Touched {
   static constexpr uint32_t kAll = ~uint32_t{0};
 
@@ -26,16 +26,16 @@ struct Touched {
   bool operator==(const Touched&) const = default;
 };
 
-/// Nothing that only the thread itself can see.
+/// Resources that are private to a thread are not included.
 using StatementAccess = std::vector<Touched>;
 
-/// Of the next statement of a running thread, as the variables are now.
+/// The accesses of the next statement of a running thread, for the current values of the variables.
 StatementAccess NextAccess(const runtime::Controller& controller, int thread);
 
-/// The first resource with which one depends on the other; nothing when they do not.
+/// The first resource through which one depends on the other; empty if they are independent.
 const Touched* FindDependence(const StatementAccess& one, const StatementAccess& other);
 
-/// `axis 1`, `crd 2`, a variable's name.
+/// The name of a resource: `axis 1`, `crd 2`, a variable's name.
 std::string NameOf(const Touched& touched, const vm::Object& object);
 
 }  // namespace oncard::explore

@@ -1,8 +1,8 @@
-// What a verdict speaks of, so that it can be filed as evidence: what was asked and what was not,
-// of which program, under which assumptions and within which bounds.
+// The scope of a verdict, so that it can be kept as evidence: what was checked and what was not,
+// for which program, under which assumptions and within which bounds.
 //
-// Where nothing was asked of results, it says so, shows the different ones, and how to ask for one.
-// Texts depend on nothing but their arguments. Tested by tests/explore/claim_test.cc.
+// If there were no requirements on results, it says so, shows the different results, and how to
+// require one of them. Texts depend only on their arguments. Tested by tests/explore/claim_test.cc.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -12,15 +12,15 @@
 
 namespace oncard::explore {
 
-/// For a terminal: lines with a label each, then the different results; ends in a newline.
+/// For a terminal: labelled lines, then the different results; ends in a newline.
 std::string ClaimText(const Findings& findings, Language language);
 
-/// The same as a table and a list of a page.
+/// The same as a table and a list for an HTML page.
 std::string ClaimHtml(const Findings& findings, Language language);
 
 /// Adds `asked` (`requirements`, `faults`, `deadlock`, `livelock`, `limit`, `races`), `program`,
-/// `assumptions`, `bounds` and `oncard`, the version; where nothing was asked of results, also
-/// `results` and `ask`, a requirement to paste.
+/// `assumptions`, `bounds` and `oncard`, the version; if there were no requirements on results,
+/// also `results` and `ask`, a requirement to paste.
 void AddClaim(const Findings& findings, nlohmann::ordered_json* json);
 
 }  // namespace oncard::explore

@@ -1,7 +1,6 @@
-// The step that is to blame for a failure, in one sentence: a write over a value that the writer
-// had not seen, a decision on a value that no longer held, or else the nearest pair of statements
-// that should have come the other way round.
-// Deterministic. Tested by tests/explore/failure_test.cc.
+// The step that caused a failure, in one sentence: a write over a value that the writer had not
+// seen, a decision based on an outdated value, or else the nearest pair of statements that should
+// have been executed in the other order. Deterministic. Tested by tests/explore/failure_test.cc.
 #pragma once
 
 #include <cstddef>
@@ -16,10 +15,10 @@ namespace oncard::explore {
 
 struct Culprit {
   Message sentence;           ///< steps are numbered from 1
-  std::vector<size_t> steps;  ///< that it names, indices in Trail::steps
+  std::vector<size_t> steps;  ///< the steps that it names, as indices in Trail::steps
 };
 
-/// Empty when no step of one thread has come between those of another.
+/// Empty if no step of one thread was executed between steps of another.
 std::optional<Culprit> FindCulprit(const Subject& subject, const Failure& failure,
                                    const Trail& trail);
 

@@ -1,7 +1,7 @@
-// The part of a report that tells how a run went wrong: what is wrong, the run statement by
-// statement with a column per thread, and where it could no longer be saved.
+// The part of a report that explains a failing run: what failed, the run statement by statement
+// with one column per thread, and the point after which every continuation fails.
 //
-// Texts depend on nothing but their arguments. Tested by tests/explore/report_test.cc.
+// Texts depend only on their arguments. Tested by tests/explore/report_test.cc.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -18,11 +18,11 @@ Message DescribeRace(const Subject& subject, const Race& race);
 std::string FailureText(const Findings& findings, const Failure& failure,
                         const ReportOptions& options, Language language);
 
-/// Paragraphs and tables of a page.
+/// Paragraphs and tables of an HTML page.
 std::string FailureHtml(const Findings& findings, const Failure& failure,
                         const ReportOptions& options, Language language);
 
-/// `what` both touch and the two `statements`.
+/// `what` both access, and the two `statements`.
 nlohmann::ordered_json RaceJson(const Subject& subject, const Race& race);
 
 /// Adds `reason`, `actual`, `culprit`, the `orders` of a data race, the counts of the failing run,

@@ -1,5 +1,5 @@
-// What comes of a data race's two orders.
-// Deterministic. Tested by tests/explore/failure_test.cc.
+// The results of the two orders of a data race. Deterministic. Tested by
+// tests/explore/failure_test.cc.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace oncard::explore {
 
-/// Takes the two statements of a data race in both orders, and then lets the threads run to their
-/// ends, one after the other. First the order of the failing run. Empty for what is no data race,
-/// and when the other order cannot be taken.
+/// Executes the two statements of a data race in both orders, each time followed by the rest of the
+/// threads one after the other. The order of the failing run comes first. Empty if there is no data
+/// race, or if the other order is not possible.
 std::vector<RaceOrder> BothOrders(const Problem& problem, const Failure& failure);
 
 }  // namespace oncard::explore

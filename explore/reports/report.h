@@ -1,7 +1,7 @@
-// What an exploration has found, for people and for programs.
+// Reports of an exploration, for people and for programs.
 //
-// Texts end in a newline and depend on nothing but their arguments.
-// Tested by tests/explore/report_test.cc and tests/tools/explore_command_test.cc.
+// Texts end in a newline and depend only on their arguments. Tested by tests/explore/report_test.cc
+// and tests/tools/explore_command_test.cc.
 #pragma once
 
 #include <optional>
@@ -18,51 +18,52 @@
 
 namespace oncard::explore {
 
-/// All that a report is made of.
+/// Everything that a report is made from.
 struct Findings {
   Subject subject;
   Exploration exploration;
   Trail trail;  ///< of the failure
-  /// The program's text, of which lines are shown; empty: line numbers alone.
+  /// The program's text, whose lines are shown; empty: only line numbers.
   std::string source;
-  /// Commands that threads were refused in some schedule that was looked at.
+  /// Commands that were refused in some explored schedule.
   std::vector<runtime::RefusedCommand> refused = {};
-  // Where nothing is asked of results:
-  End start = {};                      ///< the values before the first statement
-  std::optional<End> serial_end = {};  ///< of the threads one after the other, if they end
+  // Only if there are no requirements on results:
+  End start = {};  ///< the values before the first statement
+  std::optional<End> serial_end =
+      {};  ///< the result of the threads running one after the other, if they end
 };
 
-/// How much of a failing run is shown, and in how many columns.
+/// How much of a failing run is shown, and how wide.
 struct ReportOptions {
-  bool full = false;  ///< every statement, loops one by one
-  int width = 0;      ///< of the terminal; 0: as wide as it must be
+  bool full = false;  ///< every statement, and every pass of loops
+  int width = 0;      ///< width of the terminal; 0: unlimited
 };
 
-/// The verdict with what it speaks of (claim.h) and its counts; a failure with the values that are
-/// wrong, the step that is to blame, and a table with one column per thread (step_table.h): source
-/// lines, what each statement read and wrote, with a card the instants, and after which statement
-/// no good end was possible any more.
+/// The verdict with its scope (claim.h) and its counts; a failure with the wrong values, the step
+/// that caused it, and a table with one column per thread (step_table.h): source lines, the values
+/// that each statement read and wrote, with a card the instants, and the statement after which
+/// every continuation fails.
 std::string TextReport(const Findings& findings, Language language,
                        const ReportOptions& options = {});
 
-/// A JSON object: `verdict`, `engine`, what it speaks of (claim.h), the counts of both engines that
-/// ran (`executions`, `blocked`, `redundant`, `traces`, `bad_traces`; `states`, `transitions`,
+/// A JSON object: `verdict`, `engine`, the scope (claim.h), the counts of all engines that ran
+/// (`executions`, `blocked`, `redundant`, `traces`, `bad_traces`; `states`, `transitions`,
 /// `bad_states`; `final_globals`, `final_full`, `finals_pb0` ...; `races`), and of a failure
 /// `min_preemptions_to_bad` and `min_steps_to_bad` when they are exact, and its `schedule` of at
 /// most 10 000 segments.
 std::string JsonReport(const Findings& findings);
 
-/// One HTML page that needs no other file: the verdict, what it speaks of, the counts, and a
-/// failure as a table with a column per thread.
+/// A self-contained HTML page: the verdict, its scope, the counts, and a failure as a table with
+/// one column per thread.
 std::string HtmlReport(const Findings& findings, Language language,
                        const ReportOptions& options = {});
 
-/// The failure as trace events for chrome://tracing and ui.perfetto.dev: a row per thread, a bar
-/// per statement, as long as one another. Without a failure there are no events.
+/// The failure as trace events for chrome://tracing and ui.perfetto.dev: a row per thread, and bars
+/// of equal length for the statements. Without a failure there are no events.
 std::string ChromeReport(const Findings& findings);
 
 /// The failure's statements as a schedule that `oncard replay` runs; without checkpoints and
-/// scenario. A livelock's cycle is taken once.
+/// scenario. The cycle of a livelock is included once.
 vm::Schedule ScheduleOf(const Subject& subject, const Failure& failure);
 
 }  // namespace oncard::explore

@@ -1,5 +1,6 @@
-// The statements of a run as a table with a column per thread: what each read and wrote, loops
-// drawn together, and, with a card, where its axes are. For failures and for any other run.
+// The statements of a run as a table with one column per thread: the values that each read and
+// wrote, with passes of loops combined and, with a card, the positions of its axes. For failures
+// and for any other run.
 //
 // Deterministic. Tested by tests/explore/step_table_test.cc.
 #pragma once
@@ -17,29 +18,30 @@ namespace oncard::explore {
 
 /// Which statements a table shows.
 enum class Detail : uint8_t {
-  kBrief,  ///< those that touch what threads share, and those that are named; loops drawn together
-  kLoops,  ///< all; loops drawn together
-  kFull    ///< all, one by one
+  kBrief,  ///< those that access shared variables or the card, and named ones; passes of loops
+           ///< combined
+  kLoops,  ///< all; passes of loops combined
+  kFull    ///< all, including every pass of loops
 };
 
-/// What a table is made of. All that it points to outlives it.
+/// The data of a table. Everything that it points to must outlive it.
 struct StepView {
   const Subject& subject;
   const std::vector<TrailStep>& steps;
-  std::string_view source;  ///< the program's text; empty: line numbers alone
+  std::string_view source;  ///< the program's text; empty: only line numbers
   Detail detail = Detail::kBrief;
-  bool with_card = false;                 ///< the instants mean something
-  const runtime::Trace* trace = nullptr;  ///< of the run, for the curves of its axes
-  std::vector<size_t> named = {};         ///< steps that are shown in any case
-  int64_t last_escape = -1;               ///< marked: from here on every end is bad
+  bool with_card = false;                 ///< the instants are meaningful
+  const runtime::Trace* trace = nullptr;  ///< trace of the run, for the curves of its axes
+  std::vector<size_t> named = {};         ///< steps that are always shown
+  int64_t last_escape = -1;               ///< the step after which every continuation fails; marked
 };
 
 /// A line of a table.
 struct StepRow {
   enum class Kind : uint8_t { kStep, kTime, kRepeat };
   Kind kind = Kind::kStep;
-  size_t step = 0;        ///< kStep: its index; kRepeat: that of the first one left out
-  int thread = 0;         ///< column; of kRepeat -1 when threads take turns in the loop
+  size_t step = 0;        ///< kStep: its index; kRepeat: the index of the first step left out
+  int thread = 0;         ///< column; kRepeat: -1 if threads take turns in the loop
   double at_ms = 0;       ///< kTime
   int line = 0;           ///< kStep
   std::string statement;  ///< kStep: its text; kRepeat: `lines 15–19 × 48 more`
@@ -50,7 +52,7 @@ struct StepRow {
 
 struct StepRows {
   std::vector<StepRow> rows;
-  size_t left_out = 0;  ///< statements that touch nothing shared
+  size_t left_out = 0;  ///< statements that access nothing shared
 };
 
 StepRows RowsOf(const StepView& view, Language language);
@@ -58,15 +60,15 @@ StepRows RowsOf(const StepView& view, Language language);
 /// `thread 0 add`.
 std::string ThreadHead(const Subject& subject, size_t thread, Language language);
 
-/// For a terminal of a width; 0: as wide as it must be. Cells that are too wide are broken; with
-/// too many threads for it, they share one column. Ends in a newline.
+/// For a terminal with a width; 0: unlimited. Cells that are too wide are wrapped; if there are too
+/// many threads, they share one column. Ends in a newline.
 std::string TextTable(const StepView& view, int width, Language language);
 
 /// A <table>, beside the curves of the axes.
 std::string HtmlTable(const StepView& view, Language language);
 
-/// The text of a step's statement: the part of its line that is it, when each statement of the line
-/// is one instruction, or else the whole line; empty without a source.
+/// The text of a step's statement: its part of the line if each statement of the line is one
+/// instruction, otherwise the whole line; empty without a source.
 class StatementTexts {
  public:
   StatementTexts(std::string_view source, const vm::Object& object);
@@ -74,7 +76,7 @@ class StatementTexts {
 
  private:
   const vm::Object& object_;
-  std::vector<std::string> lines_;  ///< element n: line n + 1, without the blanks around it
+  std::vector<std::string> lines_;  ///< element n: line n + 1, without surrounding blanks
 };
 
 }  // namespace oncard::explore

@@ -1,5 +1,5 @@
-// What a failing schedule does, statement by statement, as reports show it.
-// Tested by tests/explore/failure_test.cc and tests/explore/report_test.cc.
+// A failing schedule, statement by statement, as reports show it. Tested by
+// tests/explore/failure_test.cc and tests/explore/report_test.cc.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,7 @@
 
 namespace oncard::explore {
 
-/// The card with which a program was explored, as its scenario says.
+/// The card with which a program was explored, from its scenario.
 struct CardConditions {
   int rate = 0;  ///< statements per ms
   int64_t cycle_us = 0;
@@ -25,18 +25,18 @@ struct CardConditions {
   runtime::World world;
 };
 
-/// What has been explored, and what was asked of it.
+/// The explored program and its requirements.
 struct Subject {
   std::vector<ThreadSetup> threads;
   std::shared_ptr<const vm::Image> image;
   std::vector<Requirement> requirements;
-  // As Describe() (scenario_exploration.h) fills them in.
+  // Filled in by Describe() (scenario_exploration.h).
   std::string program = {};    ///< its file's name
   std::string scenario = {};   ///< its file's name; empty: a source with comments
-  uint64_t scenario_hash = 0;  ///< of all that the scenario says but the program's place
+  uint64_t scenario_hash = 0;  ///< hash of the scenario without the program's path
   RaceRule races = RaceRule::kAny;
   std::vector<std::string> sync = {};
-  std::optional<CardConditions> card = {};  ///< empty: variables alone, no time
+  std::optional<CardConditions> card = {};  ///< empty: only variables, no time
 };
 
 Subject SubjectOf(const Problem& problem);
@@ -48,38 +48,38 @@ struct TrailStep {
   runtime::LoggedStep log;
 };
 
-/// The statement with which every end became bad, and the nearest one of another thread that
-/// depends on it: a later one if there is any, since the other order would have taken that first.
+/// The statement after which every continuation fails, and the nearest dependent one of another
+/// thread: a later one if there is any, because the other order would have executed that first.
 struct RacingPair {
   struct Statement {
     size_t step = 0;  ///< index in Trail::steps
     bool writes = false;
   };
-  std::string what;  ///< that both touch: `x`, `axis 1`
+  std::string what;  ///< the resource that both access: `x`, `axis 1`
   Statement first;
   Statement second;
 };
 
-/// What comes of one order of two racing statements.
+/// The result of one order of two racing statements.
 struct RaceOrder {
-  int first = 0;      ///< number of the thread that is first
-  std::string after;  ///< `[x = 0] x = 2`: what they read, and what both touch after both
-  /// The final values, as in `x = 2, y = 0`, of the globals that the two orders give different
-  /// ones.
+  int first = 0;  ///< number of the thread that is first
+  std::string
+      after;  ///< `[x = 0] x = 2`: the values that they read, and the common variable after both
+  /// The final values, as in `x = 2, y = 0`, of the globals for which the two orders differ.
   std::string end;
 };
 
-/// A failure's statements, and those that then repeat for ever.
+/// The statements of a failure, and those that then repeat for ever.
 struct Trail {
-  bool with_card = false;  ///< LoggedStep::at_ms says something
-  /// Statements before those of `steps`, of a run that is too long to be shown whole.
+  bool with_card = false;  ///< LoggedStep::at_ms is meaningful
+  /// Number of statements before `steps`, for a run that is too long to be shown completely.
   int64_t skipped = 0;
   std::vector<TrailStep> steps;
   std::vector<TrailStep> cycle;
-  std::optional<RacingPair> pair;  ///< where the states are known
-  Message actual;                  ///< `sum is 3, expected 10`; empty where there is nothing to say
+  std::optional<RacingPair> pair;  ///< only if the states are known
+  Message actual;                  ///< `sum is 3, expected 10`; empty if there are no values
   std::vector<RaceOrder> orders;   ///< of a data race: both, or none
-  /// With a card: values over the failing run.
+  /// With a card: the trace of the failing run.
   std::optional<runtime::Trace> trace;
 };
 

@@ -1,13 +1,12 @@
-// Answers whether any interleaving of a problem's threads can go wrong, and if so how.
+// Decides whether any interleaving of a problem's threads fails, and if so how.
 //
 // Two engines can prove it: `dpor`, one execution per Mazurkiewicz trace, and `stateful`, the graph
-// of all states. Neither is always better; `auto` takes a first look (first_look.h), then runs both
-// at the same time on two cores.
-// What is too large can be tried by random schedules (sampler.h).
-// A program that calls GT commands is explored together with its card, by its state graph.
-// Deterministic but for what `auto` happens to count beside the verdict, and which of several
-// failures it shows where the first look has found none and the states are too many.
-// docs/interleavings.md says when which engine is the right one. Tested by
+// of all states. Neither is always better; `auto` starts with a short first search (first_look.h),
+// then runs both at the same time on two cores. Programs that are too large can be sampled with
+// random schedules (sampler.h). A program that calls GT commands is explored together with its
+// card, by its state graph. Deterministic except for the counts of `auto` beside the verdict, and
+// for which of several failures it shows if the first search found none and there are too many
+// states. docs/interleavings.md says which engine is suitable when. Tested by
 // tests/explore/explorer_test.cc.
 #pragma once
 
@@ -46,10 +45,10 @@ std::optional<EngineKind> EngineNamed(std::string_view name);
 std::string_view EngineName(EngineKind engine);
 
 enum class Verdict : uint8_t {
-  kProved,     ///< no interleaving goes wrong
-  kPassed,     ///< none that was tried does: some were not, or until `until_ms` only
-  kFailed,     ///< one does; Exploration::failure shows it
-  kIncomplete  ///< a limit was reached before the search was done
+  kProved,     ///< no interleaving fails
+  kPassed,     ///< none that was tried fails; others were not tried, or only up to `until_ms`
+  kFailed,     ///< one fails; Exploration::failure shows it
+  kIncomplete  ///< a limit was reached before the search was complete
 };
 
 /// `PROVED`, `PASSED`, `FAILED`, `INCOMPLETE`.
@@ -59,45 +58,46 @@ struct ExploreOptions {
   EngineKind engine = EngineKind::kAuto;
   int64_t execution_limit = 100'000'000;
   uint32_t state_limit = 50'000'000;
-  /// Statements of one execution; the dpor engine gives up on longer ones.
+  /// Maximum number of statements of one execution; the dpor engine cannot handle longer ones.
   int64_t depth_limit = 100'000;
-  /// kStateful, kAuto: a statement that touches no global goes with the one before it
+  /// kStateful, kAuto: combines a statement that accesses no global with the one before it
   /// (StateLimits).
   bool merge_private = false;
-  /// After the first failure the search goes on to its end, so that all are counted. Otherwise it
-  /// goes on for a while only, after which a small program's counts are complete all the same.
+  /// Continues the search to its end after the first failure, so that all are counted. Otherwise it
+  /// continues for a limited time, which is enough for complete counts of a small program.
   bool all = false;
   int preemption_limit = BoundedOptions{}.preemptions;  ///< kBounded
-  // Of the engines that try random schedules.
+  // For the engines with random schedules.
   int64_t runs = SampleOptions{}.runs;
   int64_t first_run = 0;
   uint64_t seed = SampleOptions{}.seed;
   int depth = SampleOptions{}.depth;  ///< kPct: 1..kPctDepthMax
 
-  const TraceSearch* begun = nullptr;  ///< kAuto, kDpor: a search to go on with
-  /// kAuto, kDpor: told what the search of traces has so far when SearchProgress::pausing is set;
-  /// the search then goes on. It may be called by another thread.
+  const TraceSearch* begun = nullptr;  ///< kAuto, kDpor: a search to continue
+  /// kAuto, kDpor: receives the progress of the search of traces when SearchProgress::pausing is
+  /// set; the search then continues. It may be called from another thread.
   std::function<void(const TraceSearch& search)> keep = {};
-  SearchProgress* progress = nullptr;  ///< for another thread to look at
+  SearchProgress* progress = nullptr;  ///< progress, readable from another thread
 };
 
 struct Exploration {
   Verdict verdict = Verdict::kIncomplete;
-  EngineKind engine = EngineKind::kAuto;  ///< the one whose verdict it is
-  Message why;                            ///< kPassed, kIncomplete: what was reached
+  EngineKind engine = EngineKind::kAuto;  ///< the engine that reached the verdict
+  Message why;                            ///< kPassed, kIncomplete: the bound that was reached
   std::optional<TraceCounts> traces;
-  TraceSearch search;  ///< kAuto, kDpor: to go on with when it is not complete
+  TraceSearch search;  ///< kAuto, kDpor: the search to continue if it is not complete
   std::optional<StateCounts> states;
   std::optional<BoundedCounts> bounded;
   std::optional<SampleCounts> samples;
-  std::vector<FoundRace> races;  ///< all of the program, when the stateful engine looked for them
-  /// Different ends, the smallest few; where nothing is asked of results.
+  std::vector<FoundRace>
+      races;  ///< all races of the program, if the stateful engine searched for them
+  /// Different ends, the smallest few; if there are no requirements on results.
   std::vector<End> ends;
   bool merged = false;  ///< ExploreOptions::merge_private
   std::optional<Failure> failure;
 };
 
-/// The verdict of random schedules; the failure is left to the caller.
+/// The verdict of random schedules; the caller fills in the failure.
 Exploration ConcludeSamples(EngineKind engine, SampleCounts samples);
 
 /// Explores. Fails when the engine cannot answer the problem's requirements.

@@ -1,5 +1,5 @@
-// A search that lives in a file goes on, and is kept from time to time.
-// Deterministic but for when that is. Tested by tests/explore/kept_search_test.cc.
+// Continues a search that is stored in a file, and saves it from time to time. Deterministic except
+// for the times of saving. Tested by tests/explore/kept_search_test.cc.
 #pragma once
 
 #include <functional>
@@ -10,12 +10,12 @@
 
 namespace oncard::explore {
 
-/// Told what there is to be kept; false when that was not possible, which ends the search.
+/// Receives the search to be saved; returns false if saving failed, which ends the search.
 using SearchKeeper = std::function<bool(const SearchFile& file)>;
 
-/// Goes on with a search until it is done, a limit is reached or it is interrupted; `file` is then
-/// what is to be kept. Of the options those count that the file does not say. When
-/// SearchProgress::pausing is set, `keep` is called and the search goes on. Fails as Explore().
+/// Continues a search until it is complete, a limit is reached or it is interrupted; `file` is then
+/// the search to be saved. Options that the file contains are taken from the file. When
+/// SearchProgress::pausing is set, `keep` is called and the search continues. Fails as Explore().
 Result<Exploration> GoOn(const Problem& problem, const ExploreOptions& options,
                          const SearchKeeper& keep, SearchFile* file);
 

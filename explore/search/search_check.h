@@ -1,7 +1,6 @@
-// Whether what a search file says can be true of the program that it names. A file comes from
-// anywhere: everything that leads the search is taken step by step before it is believed. What a
-// file says of the past, its counts, cannot be checked and is taken as it is.
-// Tested by tests/explore/search_check_test.cc.
+// Checks a search file against the program that it names. Files are untrusted: everything that
+// directs the search is executed step by step first. The recorded past, the counts, cannot be
+// checked and is accepted. Tested by tests/explore/search_check_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -12,9 +11,9 @@
 
 namespace oncard::explore {
 
-/// Fails, naming the place in the file, when a thread that it names cannot take a step there, when
-/// a plan is none, or when the run that is said to fail does not. `depth` is the longest run, in
-/// statements, that the search will follow.
+/// Fails with the place in the file if a thread that it names cannot execute a step there, if a
+/// plan is malformed, or if the run that is marked as failing does not fail. `depth` is the longest
+/// run, in statements, that the search will follow.
 Result<void> CheckSearch(const Problem& problem, const SearchFile& file,
                          int64_t depth = ExploreOptions{}.depth_limit);
 
