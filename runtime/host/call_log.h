@@ -14,12 +14,12 @@
 
 namespace oncard::runtime {
 
-/// Where the lines go. Thread-safe: a line is written whole.
+/// The destination of the lines. Thread-safe: each line is written in one piece.
 class CallLog final : public CardLog {
  public:
   /// `setting` is the value of ONCARD_LOG: empty for no log, `calls` for standard error,
-  /// `calls:FILE` for a file that is written anew. With any other text, or a file that cannot be
-  /// written, the log goes to standard error and begins by saying so.
+  /// `calls:FILE` for a file, which is overwritten. With any other text, or a file that cannot be
+  /// written, the log goes to standard error and its first line says so.
   explicit CallLog(std::string_view setting, Language language);
   CallLog(const CallLog&) = delete;
   CallLog& operator=(const CallLog&) = delete;
@@ -32,7 +32,7 @@ class CallLog final : public CardLog {
   static CallLog* Wanted();
 
   bool enabled() const { return stream_ != nullptr; }
-  /// True when a line could not be written, for example because the disk is full.
+  /// True if a line could not be written, for example because the disk is full.
   bool lost() const { return lost_; }
   void Write(const LoggedCall& call) override;
   void Write(int64_t time_us, int card, const Message& what) override;

@@ -1,8 +1,8 @@
-// A host that was compiled with the vendor's gts.h for several cards, `GT_AxisOn(card, axis)`,
-// links the functions of one card, which have the same names: nothing stops the linker. What can be
-// seen at run time is said on standard error, once: a card's number where an axis or a pointer
-// belongs, or a second GT_Open for another card. A host that never does so cannot be told from one
-// of one card. Thread-safe. Tested by tests/tools/exec_command_test.cc.
+// Detects a host that was compiled with the vendor's multi-card gts.h, `GT_AxisOn(card, axis)`, but
+// linked with the single-card functions, which have the same names, so that the linker cannot
+// notice. Symptoms at run time are reported once on standard error: a card number in place of an
+// axis or a pointer, or a second GT_Open for another card. A host without such calls cannot be
+// distinguished from a single-card host. Thread-safe. Tested by tests/tools/exec_command_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace oncard::runtime {
 
-/// To be called with the outcome of a call through an entry point of one card.
+/// To be called with the result of a call through a single-card entry point.
 void HintAtCardNumber(const gtcalls::Command& command, std::span<const HostArgument> host,
                       int16_t code);
 

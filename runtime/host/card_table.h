@@ -18,23 +18,23 @@ namespace oncard::runtime {
 /// Characters of a firmware version (GTS manual table 11-3).
 inline constexpr size_t kVersionLength = 18;
 
-/// One card number. `mutex` guards everything else and is held for the whole of a call.
+/// The entry of one card number. `mutex` guards everything else and is held during a whole call.
 struct CardSlot {
   std::mutex mutex;
   std::unique_ptr<Controller> controller;  ///< nullptr while the card is not open
   std::optional<CardClock> clock;          ///< set while the card is open
   std::optional<CardWatch> watch;          ///< set while the card is open and there is a scenario
-  /// What GT_GetFunId and GT_GetVarId answer while there is no program: why GT_Download failed, or
-  /// 1 when it has not been called.
+  /// The code that GT_GetFunId and GT_GetVarId return without a program: that of the failed
+  /// GT_Download, or 1 if it has not been called.
   int16_t no_program_code = 1;
-  /// The text whose address GT_GetVersion gives out.
+  /// The text whose address GT_GetVersion returns.
   std::array<char, kVersionLength + 1> version{};
-  RefusedCommands refused;  ///< of motion programs since the card was opened
+  RefusedCommands refused;  ///< refused commands of motion programs since the card was opened
   MarshalledCall call;      ///< arguments of the call in progress
 
-  /// Lets an open card catch up with the time of its host, after a call that costs `cost_us`.
+  /// Lets an open card catch up with the time of its host, including a call that takes `cost_us`.
   void CatchUp(int64_t cost_us);
-  /// Closes the card if it is open, after it has caught up as far as its scenario goes.
+  /// Closes the card if it is open, after it has caught up to at most the end of its scenario.
   void SwitchOff();
 };
 

@@ -1,13 +1,13 @@
 // How a card's time follows its host. With the virtual clock it follows the process's virtual time
-// (virtual_time.h), in which a host call takes what the manual says it costs: the same host program
-// gives the same run every time. With the real-time clock it follows the wall clock, optionally
-// scaled.
+// (virtual_time.h), in which each host call takes the time given in the manual: the same host
+// program gives the same run every time. With the real-time clock it follows the wall clock,
+// optionally scaled.
 //
-// Either way the card catches up when the host calls: what it does between two calls cannot be
-// observed before the second one, so no thread of its own is needed. Gaps of the real-time clock
-// are bounded by kCatchUpLimitUs, so that a call after a night's pause returns soon, and a computer
-// that is too slow for the scale falls behind instead of having more to catch up with at every
-// call. Tested by tests/runtime/clock_test.cc.
+// In both cases the card catches up when the host makes a call: its behaviour between two calls
+// cannot be observed before the second one, so it needs no thread of its own. Gaps of the real-time
+// clock are limited by kCatchUpLimitUs, so that a call after a long pause returns soon. A computer
+// that is too slow for the scale falls behind, instead of accumulating more and more time to catch
+// up with. Tested by tests/runtime/clock_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ inline constexpr int16_t kOpenFailed = -6;
 
 enum class ClockKind : uint8_t { kVirtual, kReal };
 
-/// Which clock a card has. The default is the one a real card has.
+/// The kind of clock of a card. The default is real time, as for a real card.
 struct ClockSetting {
   ClockKind kind = ClockKind::kReal;
   double scale = 1;  ///< kReal: milliseconds of the card per millisecond of the wall clock
@@ -38,31 +38,31 @@ inline constexpr double kClockScaleMax = 1e6;
 /// empty text means `real`. Fails with -6, the code of GT_Open.
 Result<ClockSetting> ParseClockSetting(std::string_view text);
 
-/// The most that the real-time clock lets pass at one call: ten minutes of the card's time. A
-/// longer gap is cut, as if the card had stood still meanwhile.
+/// The longest time that the real-time clock advances at one call: ten minutes of card time. A
+/// longer gap is cut, as if the card had been stopped in between.
 inline constexpr int64_t kCatchUpLimitUs = 600'000'000;
 
-/// How long one catching up may take on the wall clock before the card is said to be too slow; an
-/// operating system that takes the processor away for a moment stays below it.
+/// How long catching up may take on the wall clock before the card counts as too slow; short
+/// interruptions by the operating system stay below it.
 inline constexpr int64_t kBehindLimitNs = 100'000'000;
 
 /// The clock of one card. Not thread-safe.
 class CardClock {
  public:
-  /// Nanoseconds of a clock that never goes back.
+  /// Returns the nanoseconds of a monotonic clock.
   using WallClock = std::function<int64_t()>;
 
-  /// `wall_clock` is asked only by the real-time clock, `virtual_time` only by the virtual one;
+  /// `wall_clock` is used only by the real-time clock, `virtual_time` only by the virtual one;
   /// tests replace them.
   explicit CardClock(const ClockSetting& setting, WallClock wall_clock = SteadyNanoseconds,
                      VirtualTime& virtual_time = VirtualTime::OfProcess());
 
-  /// How many microseconds of the card's time pass before a host call that costs `cost_us`: all
-  /// that have passed since the last call, or the opening.
+  /// The microseconds of card time that pass before a host call that takes `cost_us`: all since the
+  /// last call or the opening.
   int64_t TakeUs(int64_t cost_us);
 
-  /// To be called when the card has gone through the time that TakeUs() gave. If that took longer
-  /// than the time it stands for, and more than kBehindLimitNs, it is not caught up with in turn.
+  /// To be called when the card has simulated the time from TakeUs(). If that took longer than the
+  /// simulated time, and longer than kBehindLimitNs, the difference is dropped.
   void CaughtUp();
 
   /// The system's steady clock.
@@ -73,8 +73,8 @@ class CardClock {
   WallClock wall_clock_;
   VirtualTime& virtual_time_;
   int64_t last_ns_ = 0;
-  double fraction_us_ = 0;  // part of a microsecond not given out yet
-  int64_t taken_us_ = 0;    // what TakeUs() gave last
+  double fraction_us_ = 0;  // fraction of a microsecond not yet returned
+  int64_t taken_us_ = 0;    // last result of TakeUs()
 };
 
 }  // namespace oncard::runtime

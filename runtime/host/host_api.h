@@ -1,11 +1,11 @@
-// The way from a C entry point of libgts to a card. The entry points are generated from the
-// catalogue (one line each: `return CallFromHost(card, number, arguments...)`); everything they
-// have in common is behind CallFromHost(): which card, is it open, its clock, its arguments, the
-// command, the outputs, the call log.
+// Connects a C entry point of libgts to a card. The entry points are generated from the catalogue
+// (one line each: `return CallFromHost(card, number, arguments...)`); CallFromHost() does
+// everything they have in common: it finds the card, checks that it is open, advances its clock,
+// converts the arguments, executes the command, returns the outputs and writes the call log.
 //
-// Thread-safe: commands from several host threads are serialised per card, cards do not wait for
-// each other. A call holds one card's lock and nothing else while it runs.
-// Tested by tests/runtime/host_api_test.cc and host_threads_test.cc.
+// Thread-safe: commands from several host threads are serialised per card; different cards do not
+// wait for each other. A call holds only the lock of its card. Tested by
+// tests/runtime/host_api_test.cc and host_threads_test.cc.
 #pragma once
 
 #include <array>
@@ -18,12 +18,12 @@ namespace oncard::runtime {
 /// Cards of one process, numbered from 0.
 inline constexpr int kCardCount = 16;
 
-/// The card of the single-card header: the one GT_SetCardNo chose, 0 at first. No `short` that a
-/// host passes as a card number equals it.
+/// The card of the single-card header, selected by GT_SetCardNo, initially 0. No `short` that a
+/// host passes as a card number has this value.
 inline constexpr int kSelectedCard = 0x10000;
 
-/// The lowest memory of a process is never mapped: what points there is a number that a host passes
-/// where a pointer belongs.
+/// The lowest memory of a process is never mapped: an address below this is a number passed by
+/// mistake in place of a pointer.
 inline bool IsAddress(const void* pointer) {
   constexpr uintptr_t kPageSize = 4096;
   return reinterpret_cast<uintptr_t>(pointer) >= kPageSize;
@@ -35,7 +35,7 @@ struct HostArgument {
   Kind kind = Kind::kInteger;
   int64_t integer = 0;      ///< kInteger; an unsigned long keeps its bits
   double real = 0;          ///< kReal
-  void* pointer = nullptr;  ///< kPointer; const was the entry point's promise to its caller
+  void* pointer = nullptr;  ///< kPointer; the entry point's own parameter may be const
 };
 
 /// Wraps an argument of any type that the interface uses.
@@ -59,7 +59,7 @@ HostArgument ToHostArgument(T argument) {
 /// in [0, 15], -1 when that card is not open, otherwise the command's own.
 int16_t CallCard(int card, uint16_t number, std::span<const HostArgument> arguments);
 
-/// What an entry point calls, with its own parameters in the order of the catalogue.
+/// Called by an entry point with its own parameters, in the order of the catalogue.
 template <typename... Args>
 short CallFromHost(int card, uint16_t number, Args... arguments) {
   const std::array<HostArgument, sizeof...(Args)> wrapped = {ToHostArgument(arguments)...};

@@ -19,10 +19,10 @@ class HostKeys {
   /// standard error and left out.
   static HostKeys& OfProcess();
 
-  /// True when a key has been pressed and not read. A look takes time (host_time.h).
+  /// True if a key has been pressed and not yet read. The query takes virtual time (host_time.h).
   bool Hit();
-  /// Waits for a key; -1 when no more can come. A host that goes on asking then is in a loop
-  /// without end: it is told so and ended with kExitNoMoreKeys.
+  /// Waits for a key; returns -1 if there are no more. A host that keeps asking after that is in an
+  /// endless loop: this is reported, and the host is ended with kExitNoMoreKeys.
   int Read();
 
  private:

@@ -1,7 +1,7 @@
-// Commands that a host program and the motion programs of its cards were refused: of the host each
-// command and code of a card once, with the first call as its example; of programs each place.
-// `oncard exec` asks for the list by ONCARD_REFUSALS; it is printed when the host ends.
-// Thread-safe. Tested by tests/tools/exec_command_test.cc.
+// Refused commands of a host program and of the motion programs of its cards: for the host, each
+// command and code of a card once with its first call; for motion programs, each place. `oncard
+// exec` requests the list with ONCARD_REFUSALS; it is printed when the host ends. Thread-safe.
+// Tested by tests/tools/exec_command_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -16,11 +16,11 @@
 
 namespace oncard::runtime {
 
-/// What ONCARD_REFUSALS asks for.
+/// The values of ONCARD_REFUSALS.
 enum class RefusalWish : uint8_t {
   kNothing,
   kWarn,   ///< `warn`: the list is printed
-  kStrict  ///< `strict`: what is in the list is a failure
+  kStrict  ///< `strict`: the entries of the list are failures
 };
 
 RefusalWish RefusalWishOfProcess();
@@ -29,9 +29,9 @@ class HostRefusals {
  public:
   static HostRefusals& OfProcess();
 
-  /// The host was refused a call.
+  /// Records a refused call of the host.
   void Add(const LoggedCall& call);
-  /// What threads of a card's motion programs were refused.
+  /// Records the refused commands of a card's motion programs.
   void AddProgram(int card, const std::vector<RefusedCommand>& refused);
   /// `card 0: GT_AxisOn(9) = 7: ... (first at 0.25 ms, 3 times)`, then `card 0: p.c:12: thread 0 f:
   /// ...`, each in the order of the first calls.
@@ -46,7 +46,7 @@ class HostRefusals {
   };
 
   std::mutex mutex_;
-  /// Card, command and code, and the place in the list.
+  /// Card, command and code, and the position in the list.
   std::map<std::tuple<int, uint16_t, int16_t>, size_t> known_;
   std::vector<Refusal> list_;
   std::vector<Message> of_programs_;

@@ -1,6 +1,6 @@
 // The scenario that ONCARD_SCENARIO names for a host program: every card that is opened gets its
-// world, and its expectations are judged while the host runs. There is no program in it: the host
-// downloads one, or none. Tested by tests/tools/exec_command_test.cc.
+// inputs, drives and mechanics, and its expectations are checked while the host runs. The scenario
+// contains no program: the host downloads one, or none. Tested by tests/tools/exec_command_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -18,11 +18,11 @@ namespace oncard::runtime {
 
 struct CardSlot;
 
-/// The scenario, read at the first question; NULL when the environment names none.
+/// The scenario, read at the first call; NULL if the environment names none.
 Result<std::shared_ptr<const Scenario>> ScenarioFromEnvironment();
 
-/// The names of the files that ONCARD_TRACE names, between colons: what a trace of the first card
-/// that is opened is written to (trace_file.h).
+/// The file names in ONCARD_TRACE, separated by colons, to which a trace of the first opened card
+/// is written (trace_file.h).
 std::vector<std::string> TraceFilesFromEnvironment();
 
 /// The expectations of a scenario on one card, from its opening on, and the trace of the card.
@@ -31,17 +31,18 @@ class CardWatch {
   CardWatch(std::shared_ptr<const Scenario> scenario, int card,
             std::vector<std::string> trace_files = {});
 
-  /// To be called before the card is switched on: what it does by itself goes to the trace. The
-  /// watch outlives the card's running.
+  /// To be called before the card is switched on: adds what the card does by itself to the trace.
+  /// The watch must exist as long as the card runs.
   void Listen(Controller* controller);
-  /// Lets time pass on the card, at most until the scenario's end, and judges what is due on the
-  /// way.
+  /// Advances the card's time, at most to the end of the scenario, and checks the expectations that
+  /// become due.
   void AdvanceUs(Controller* controller, int64_t microseconds);
-  /// The card has come to `until_ms` or `limit_ms` of the scenario.
+  /// True if the card has reached `until_ms` or `limit_ms` of the scenario.
   bool over() const { return over_; }
   /// True when the scenario has such an end.
   bool HasEnd() const { return end_us_.has_value(); }
-  /// The card is closed, or the host has ended: judges the rest and hands over to FinishHost().
+  /// To be called when the card is closed or the host has ended: checks the remaining expectations
+  /// and passes the results to FinishHost().
   void Finish(Controller* controller);
 
  private:
@@ -55,7 +56,7 @@ class CardWatch {
 
   std::shared_ptr<const Scenario> scenario_;
   int card_;
-  std::vector<const Expectation*> timed_;  // in order of time, from next_ on to be judged
+  std::vector<const Expectation*> timed_;  // in order of time; not yet checked from next_ on
   size_t next_ = 0;
   std::vector<Message> failures_;
   std::vector<Message> warnings_;
@@ -66,25 +67,25 @@ class CardWatch {
   std::vector<TraceMark> at_power_on_;
 };
 
-/// Exit codes that hosts do not use themselves: the host ended with 0, but what was expected of it
-/// does not hold, or what was asked for could not be written; it asks for keys that cannot come.
+/// Exit codes that hosts do not use themselves: the host ended with 0, but an expectation failed or
+/// an output file could not be written; the host keeps asking for keys that will never come.
 inline constexpr int kExitNotAsExpected = 120;
 inline constexpr int kExitNoMoreKeys = 121;
 
-/// Called when the host ends: judges the cards that are still open and reports failed expectations
-/// and refused commands on standard error. If there are failures, and the host itself has ended
-/// well, ends the process with kExitNotAsExpected.
+/// Called when the host ends: checks the cards that are still open, and reports failed expectations
+/// and refused commands on standard error. If there are failures and the host ended with 0, ends
+/// the process with kExitNotAsExpected.
 void FinishHost();
-/// Called in a child of fork(): what comes of the host is the parent's to say, and to write.
+/// Called in a child of fork(): only the parent reports results and writes files.
 void LeaveJudgingToParent();
-/// The same from another thread while the host still runs: it leaves the cards closed and locked,
-/// so that no thread of the host goes on with them.
+/// The same from another thread while the host still runs: leaves the cards closed and locked, so
+/// that no thread of the host can use them any more.
 void ConcludeHost();
-/// Ends the process when a card has come to the end of its scenario, after all was judged and
-/// reported: with 0, or with kExitNotAsExpected when there are failures. `locked` is the card whose
-/// lock the caller holds.
+/// Ends the process when a card has reached the end of its scenario, after everything has been
+/// checked and reported: with 0, or with kExitNotAsExpected if there are failures. `locked` is the
+/// card whose lock the caller holds.
 void EndHostIfOver(CardSlot* locked);
-/// Lets the cards whose scenario has an end catch up, and ends the process if one has come to it.
+/// Lets the cards whose scenario has an end catch up, and ends the process if one has reached it.
 /// For hosts that only wait.
 void LookForEndOfHost();
 

@@ -1,6 +1,6 @@
-// Commands that the host library answers itself instead of the card: opening and closing, program
-// files, names and versions. Everything else goes to gtcalls::ExecuteCommand().
-// Tested by tests/runtime/host_api_test.cc and host_programs_test.cc.
+// Commands that the host library executes itself instead of the card: opening and closing, program
+// files, names and versions. Everything else goes to gtcalls::ExecuteCommand(). Tested by
+// tests/runtime/host_api_test.cc and host_programs_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace oncard::runtime {
 
-/// A call in flight. The arguments have been checked for NULL.
+/// A call in progress. The arguments have been checked for NULL.
 struct ServiceCall {
   CardTable& table;
   CardSlot& slot;
@@ -35,7 +35,7 @@ struct HostService {
   int16_t (*function)(ServiceCall& call) = nullptr;
 };
 
-/// The service that answers a command, or nullptr when the card does.
+/// The service that executes a command, or nullptr if the card does.
 const HostService* FindHostService(std::string_view command);
 
 }  // namespace oncard::runtime

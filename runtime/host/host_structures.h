@@ -1,5 +1,5 @@
-// The structures of `gts.h` as cells and back. The functions are generated with `gts.h` from the
-// catalogue, so that the host's compiler decides where a member lies.
+// Converts the structures of `gts.h` to cells and back. The functions are generated with `gts.h`
+// from the catalogue, so that the host's compiler determines the layout of members.
 //
 // Cells are the scalars of a structure in the order of its members, nested structures and array
 // elements one by one; text and pointers are not cells (gtcalls::CellCount()).
@@ -16,8 +16,7 @@
 
 namespace oncard::runtime {
 
-/// The number that a host's long or unsigned long stands for; empty when it has no 32 bits, which
-/// are the card's.
+/// The 32-bit value, as on the card, of a host's long or unsigned long; empty if it does not fit.
 constexpr std::optional<double> NarrowLong(int64_t bits, bool is_unsigned) {
   if (bits < std::numeric_limits<int32_t>::min() || bits > std::numeric_limits<uint32_t>::max()) {
     return std::nullopt;
@@ -27,13 +26,13 @@ constexpr std::optional<double> NarrowLong(int64_t bits, bool is_unsigned) {
                      : static_cast<double>(static_cast<int32_t>(pattern));
 }
 
-/// A host's long as a cell: one that has no 32 bits stays as it is, and the command refuses it.
+/// A host's long as a cell: a value that does not fit 32 bits is kept, and the command refuses it.
 constexpr double LongCell(int64_t bits, bool is_unsigned) {
   return NarrowLong(bits, is_unsigned).value_or(static_cast<double>(bits));
 }
 
-/// A cell as a host's scalar. Commands give values that fit; a value that does not is cut to the
-/// type's range, never undefined.
+/// A cell as a host's scalar. Values from commands fit; any other value is limited to the range of
+/// the type, never undefined.
 template <typename T>
 T FromCell(double value) {
   if constexpr (std::is_same_v<T, double>) {
@@ -53,7 +52,7 @@ T FromCell(double value) {
 void StructureToCells(const gtcalls::Structure& structure, const void* host,
                       std::span<double> cells);
 
-/// Writes them; what is not a cell stays as it is.
+/// Writes them; members that are not cells are not changed.
 void StructureFromCells(const gtcalls::Structure& structure, std::span<const double> cells,
                         void* host);
 

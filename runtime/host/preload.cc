@@ -3,9 +3,9 @@
 // sleeps through a ten-second move finishes at once. This file: sleeps and clocks.
 //
 //   sleep usleep nanosleep clock_nanosleep thrd_sleep
-//   clock_gettime gettimeofday time timespec_get times   the calendar begins on 2026-01-01 00:00
-//   UTC,
-//                                                        the monotonic clocks at 1000 s
+//   clock_gettime gettimeofday time timespec_get times
+//
+// The calendar begins on 2026-01-01 00:00 UTC, the monotonic clocks at 1000 s.
 //
 // preload_locks.cc has the time-outs of locks and conditions, preload_descriptors.cc those of
 // descriptors. The processor-time clocks are left alone.

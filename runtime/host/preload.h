@@ -1,7 +1,8 @@
-// What the parts of liboncard_host.so have in common: the way to the virtual time of libgts, the C
-// library's own functions, and clocks and durations as nanoseconds that do not overflow.
+// Common parts of liboncard_host.so: access to the virtual time of libgts, the C library's own
+// functions, and overflow-free clocks and durations in nanoseconds.
 //
-// The library calls nothing of C++, so that it can be loaded before any program. Thread-safe.
+// The library does not need the C++ library, so that it can be preloaded into any program.
+// Thread-safe.
 #pragma once
 
 #include <dlfcn.h>
@@ -17,10 +18,10 @@
 namespace oncard::preload {
 
 inline constexpr long long kSecondNs = 1'000'000'000;
-/// What a longer duration is cut to: 146 years, as far as virtual time goes.
+/// The longest duration, 146 years, the end of virtual time; longer ones are cut to it.
 inline constexpr long long kForeverNs = 0x3FFF'FFFF'FFFF'FFFF;
 
-/// What the C library, or the next one that replaces it, has under a name.
+/// The function with a name in the C library, or in the next library that replaces it.
 template <typename Function>
 Function* Original(const char* name) {
   return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
@@ -41,14 +42,14 @@ struct Hooks {
   decltype(oncard_host_wait_end)* wait_end;
 };
 
-/// The way to virtual time; NULL when this process does not go by it: one without libgts, such as a
-/// shell that starts the host, or with another clock.
+/// Access to virtual time; NULL if this process does not use it: a process without libgts, such as
+/// a shell that starts the host, or with another clock.
 const Hooks* VirtualHooks();
 
-/// The time of a clock when virtual time begins; -1 for one that is left alone.
+/// The time of a clock at the start of virtual time; -1 for a clock that is not replaced.
 long long BeginOf(clockid_t clock);
 
-/// As nanoseconds, at most kForeverNs; less than nothing is nothing.
+/// As nanoseconds, at most kForeverNs; negative durations are 0.
 long long ToNs(const timespec& time);
 long long ToNs(const timeval& time);
 timespec ToTimespec(long long ns);
@@ -56,14 +57,14 @@ inline bool IsValid(const timespec& time) {
   return time.tv_sec >= 0 && time.tv_nsec >= 0 && time.tv_nsec < kSecondNs;
 }
 
-/// Sets errno and gives -1.
+/// Sets errno and returns -1.
 inline int Fail(int error) {
   errno = error;
   return -1;
 }
 
-/// While it lives the thread is not cancelled: virtual time would wait for it for ever. Waits at
-/// which a thread may be cancelled begin with pthread_testcancel().
+/// Disables cancellation of the thread during its lifetime, because virtual time would wait for a
+/// cancelled thread for ever. Waits that are cancellation points begin with pthread_testcancel().
 class Uncancelled {
  public:
   Uncancelled() { pthread_setcancelstate(PTHREAD_CANCEL_DISABLE, &before_); }
@@ -81,10 +82,10 @@ inline void Sleep(const Hooks& hooks, long long duration_ns) {
   hooks.sleep_ns(duration_ns);
 }
 
-/// Waits until `attempt` has what it waits for, or a moment of virtual time has come: true or
-/// false. `attempt(slice_ns)` waits in reality at most that long, with 0 not at all, and gives true
-/// when the wait is over, with success or an error. Beginning takes a look at the clock, so that a
-/// host that only looks gets on.
+/// Waits until `attempt` succeeds (true), or until an instant of virtual time (false).
+/// `attempt(slice_ns)` waits in real time at most that long, with 0 not at all, and returns true
+/// when the wait is over, with success or an error. The call counts as reading the clock, so that a
+/// polling host makes progress.
 template <typename Attempt>
 bool WaitUntil(const Hooks& hooks, long long deadline_ns, const Attempt& attempt) {
   const Uncancelled wait_to_its_end;

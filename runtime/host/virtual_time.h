@@ -1,16 +1,15 @@
-// The virtual time of a host process: what its cards, its sleeps and its clocks go by when
-// ONCARD_CLOCK is `virtual`. There is one for the whole process; a card that is called catches up
-// with it.
+// The virtual time of a host process, used by its cards, sleeps and clocks if ONCARD_CLOCK is
+// `virtual`. There is one for the whole process; a card catches up with it when it is called.
 //
-// Time passes in two ways. What a thread of the host does takes time: a call of a command, a look
-// at a clock (Pass). And when every thread of the host waits, time jumps to the moment at which the
-// first sleeper wants to wake (SleepUntil). A thread waits when the operating system has it asleep:
-// in a sleep that came here, for a lock, for another thread, for input. Time never runs past a
-// sleeper: whoever lets it pass waits until the sleepers that are due have been let go.
+// Time advances in two ways. Actions of a host thread take time: a call of a command, or reading a
+// clock (Pass). And when every thread of the host waits, time jumps to the instant at which the
+// first sleeper is to wake (SleepUntil). A thread waits if it is asleep in the operating system: in
+// a sleep that is handled here, for a lock, for another thread, or for input. Time never passes a
+// sleeper: a thread that advances time waits until the sleepers that are due have been woken.
 //
-// A wait for something else than time that has a deadline (a condition, a lock, a descriptor) is a
-// sleeper too. It waits in the operating system for what it waits for, so that it runs at once when
-// that comes, but only for a moment at a time, and asks in between whether its deadline has come:
+// A wait with a deadline for a condition, a lock or a descriptor is a sleeper too. It waits in the
+// operating system, so that it continues at once when the event occurs, but only in short slices,
+// and checks its deadline between them:
 //
 //   const Wait wait = time.BeginWait(deadline_ns);
 //   while (int64_t slice_ns = time.NextSliceNs(wait)) {
@@ -19,9 +18,9 @@
 //   const bool came = it came by now;  // a last look, without waiting
 //   time.EndWait(wait, !came);
 //
-// So a host of one thread sees exactly the same times in every run. With several threads times are
-// the same as long as only one of them runs at a time; threads that run at once race as they do
-// anywhere.
+// A host with one thread therefore sees exactly the same times in every run. With several threads,
+// times are the same as long as only one of them runs at a time; threads that run in parallel can
+// race as usual.
 //
 // Thread-safe. Linux only: whether a thread waits is read from /proc.
 // Tested by tests/runtime/virtual_time_test.cc.
@@ -42,10 +41,10 @@ namespace oncard::runtime {
 
 class VirtualTime {
  public:
-  /// A thread, as the operating system numbers them.
+  /// A thread, by its number in the operating system.
   using ThreadId = int;
-  /// True when all threads of the process but the calling one wait. `in_slices` are in waits with a
-  /// deadline and may have gone from one slice to the next.
+  /// True if all threads of the process except the calling one wait. Threads `in_slices` are in
+  /// waits with a deadline and may be between two slices.
   using OthersWait = std::function<bool(std::span<const ThreadId> in_slices)>;
   /// A wait with a deadline, from BeginWait() to EndWait().
   struct Wait {
@@ -53,7 +52,7 @@ class VirtualTime {
     int64_t number = 0;  ///< in the order of their coming
   };
 
-  /// The last moment: beyond it nothing counts on. 146 years.
+  /// The end of virtual time, after 146 years.
   static constexpr int64_t kEndNs = INT64_MAX / 2;
 
   explicit VirtualTime(OthersWait others_wait = OtherThreadsWait)
@@ -66,33 +65,34 @@ class VirtualTime {
 
   /// Nanoseconds since the process began.
   int64_t NowNs() const { return now_ns_.load(std::memory_order_relaxed); }
-  /// The moment that far away; kEndNs when it is beyond that.
+  /// The instant after this duration; at most kEndNs.
   int64_t After(int64_t ns) const;
-  /// The calling thread is busy for that long; gives the time afterwards.
+  /// The calling thread is busy for this duration; returns the time afterwards.
   int64_t Pass(int64_t ns);
   /// Returns when the time has come.
   void SleepUntil(int64_t deadline_ns);
 
   /// The calling thread begins to wait for something until a deadline.
   Wait BeginWait(int64_t deadline_ns);
-  /// How long it is to wait in reality before it asks again; 0 when the deadline has come, or would
-  /// come now, as every thread waits.
+  /// How long to wait in real time before the next check; 0 if the deadline has been reached, or is
+  /// reached now because every thread waits.
   int64_t NextSliceNs(const Wait& wait);
-  /// The wait has ended; when it `expired` it is not before its deadline now.
+  /// Ends the wait; if it `expired`, time is now at least its deadline.
   void EndWait(const Wait& wait, bool expired);
 
-  /// Around fork(): the child goes on with the thread that forked, and no other waits.
+  /// Around fork(): the child continues with only the thread that forked, and no other thread
+  /// waits.
   void LockForFork() { mutex_.lock(); }
   void UnlockAfterFork() { mutex_.unlock(); }
   void BecomeChild();
 
   /// Asks the operating system.
   static bool OtherThreadsWait(std::span<const ThreadId> in_slices);
-  /// The calling thread is not the host's: it is asked no more whether it waits.
+  /// The calling thread does not belong to the host: it is no longer checked for waiting.
   static void LeaveOutCallingThread();
 
  private:
-  /// When to wake, and who came first among equals.
+  /// The time to wake, and the order of arrival among equal times.
   struct Sleeper {
     int64_t deadline_ns;
     int64_t number;
@@ -102,12 +102,11 @@ class VirtualTime {
     }
   };
 
-  /// Adds a sleeper and gives its number.
+  /// Adds a sleeper and returns its number.
   int64_t Add(int64_t deadline_ns, ThreadId in_slices);
   void Remove(int64_t deadline_ns, int64_t number);
   bool IsFirst(int64_t number) const { return sleepers_.begin()->number == number; }
-  /// True when every other thread waits and went on doing so while it was looked at. Unlocks in
-  /// between.
+  /// True if every other thread waits, and kept waiting during the check. Unlocks in between.
   bool IsAlone(std::unique_lock<std::mutex>* lock, int64_t number);
 
   OthersWait others_wait_;

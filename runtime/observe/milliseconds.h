@@ -1,4 +1,4 @@
-// Microseconds, in which the card's time is kept, as the milliseconds that people read and write.
+// Converts the card's time in microseconds to milliseconds for display.
 #pragma once
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@ namespace oncard::runtime {
 
 inline double ToMs(int64_t microseconds) { return static_cast<double>(microseconds) / 1000; }
 
-/// The shortest number of milliseconds that is this instant.
+/// The shortest decimal number of milliseconds for this instant.
 inline std::string FormatMs(int64_t microseconds) { return fmt::format("{}", ToMs(microseconds)); }
 
 }  // namespace oncard::runtime

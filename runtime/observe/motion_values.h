@@ -1,6 +1,6 @@
-// What can be observed of axes, profiles, encoders and the other numbered parts of a card: one
-// table of names, units and readers, from which expectations, results, traces, plots and their help
-// all follow. A name is the part, its number from 1, and a value of it: `axis1.prfPos`. Tested by
+// The observable values of axes, profiles, encoders and the other numbered parts of a card: one
+// table of names, units and readers for expectations, results, traces, plots and their help. A name
+// consists of the part, its number from 1, and one of its values: `axis1.prfPos`. Tested by
 // tests/runtime/motion_values_test.cc.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace oncard::runtime {
 
-/// How a number is written and drawn.
+/// How a number is printed and drawn.
 enum class NumberForm : uint8_t {
   kWhole,       ///< an integer
   kFixedPoint,  ///< a double of a motion program
@@ -27,9 +27,9 @@ enum class Unit : uint8_t { kNone, kPulse, kPulsePerMs, kPulsePerMs2, kVolt };
 /// The unit as text: "pulse", "pulse/ms", "pulse/ms²", "V"; empty for none.
 std::string_view UnitName(Unit unit);
 
-/// One value that every part of a kind has.
+/// One value of every part of a kind.
 struct MotionValue {
-  std::string_view name;  ///< empty: the part is the value
+  std::string_view name;  ///< empty: the part itself is the value
   NumberForm form = NumberForm::kReal;
   Unit unit = Unit::kNone;
   double (*read)(const motion::MotionCore& core, size_t index) = nullptr;
@@ -38,16 +38,16 @@ struct MotionValue {
 /// A kind of part.
 struct MotionPart {
   std::string_view name;  ///< of one, without its number
-  /// How many numbers this card has.
+  /// How many parts of this kind the card has.
   size_t (*count)(const motion::MotionCore& core) = nullptr;
   std::span<const MotionValue> values;
-  /// The number of the first one, as the commands count.
+  /// The number of the first one, as in commands.
   int first = 1;
-  /// The card has the one at an index; all of them when empty.
+  /// Whether the card has the part with an index; if empty, it has all of them.
   bool (*has)(const motion::MotionCore& core, size_t index) = nullptr;
 };
 
-/// The high-speed outputs: `hsio0`, `hsio1`. They can change inside a cycle (Trace).
+/// The high-speed outputs `hsio0` and `hsio1`, which can change inside a cycle (Trace).
 inline constexpr std::string_view kHsioPart = "hsio";
 
 /// All kinds, in the order of the documentation.

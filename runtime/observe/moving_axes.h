@@ -1,4 +1,4 @@
-// Axes that still move when a run ends.
+// Axes that are still moving when a run ends.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace oncard::runtime {
 
-/// A text for each axis that moves now: which, when, how fast, where.
+/// A text for each moving axis: its number, the time, its velocity and position.
 std::vector<Message> DescribeMovingAxes(const Controller& controller);
 
 }  // namespace oncard::runtime

@@ -1,8 +1,7 @@
 // A picture of a trace, as a script for gnuplot with the data inside: position, velocity,
 // acceleration and following error over time, variables and digital signals as steps, and the path
 // of every coordinate system. The same trace gives the same script, and the same version of gnuplot
-// the same bytes of SVG. Running gnuplot is the caller's part.
-// Tested by tests/runtime/plot_test.cc.
+// the same bytes of SVG. The caller runs gnuplot. Tested by tests/runtime/plot_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +19,8 @@ struct PlotOptions {
   PictureFormat format = PictureFormat::kSvg;
 };
 
-/// The script; gnuplot writes the picture to its standard output. Fails when nothing in the trace
-/// changes, so that there is nothing to see.
+/// The script, with which gnuplot writes the picture to its standard output. Fails if nothing in
+/// the trace changes.
 Result<std::string> PlotScript(const Trace& trace, const PlotOptions& options);
 
 }  // namespace oncard::runtime

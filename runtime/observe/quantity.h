@@ -1,4 +1,4 @@
-// Names for what can be observed of a card: the same names serve the results that tools print, the
+// Names of the observable values of a card: the same names are used for the results of tools, the
 // expectations of scenarios and the columns of traces.
 //
 //   sum  a[3]  trap.acc             global variables
@@ -43,7 +43,7 @@ enum class QuantityKind : uint8_t {
   kStatements,
 };
 
-/// One observable number. A plain value; meaningful for controllers with the same program.
+/// One observable number. A plain value, valid for controllers with the same program.
 struct Quantity {
   std::string name;
   QuantityKind kind = QuantityKind::kClock;
@@ -57,10 +57,10 @@ struct Quantity {
   Unit unit() const { return value == nullptr ? Unit::kNone : value->unit; }
 };
 
-/// Finds what a name means for the controller's program and its bindings: a local is one of the
-/// function bound to the page, or, when no thread is bound to it, of the only bound function that
-/// has such a variable. An array's name gives all its elements. The error says what is unknown and
-/// which name is near.
+/// Resolves a name for the controller's program and its bindings: a local belongs to the function
+/// bound to the page or, if no thread is bound to it, to the only bound function that has such a
+/// variable. The name of an array stands for all its elements. The error says what is unknown and
+/// suggests a similar name.
 Result<std::vector<Quantity>> ResolveQuantity(std::string_view name, const Controller& controller);
 
 /// All global variables, in the order of their declaration.
@@ -69,13 +69,13 @@ std::vector<Quantity> GlobalQuantities(const Controller& controller);
 /// The value now. Every int and every fixed-point number is exact as a double.
 double ReadQuantity(const Quantity& quantity, const Controller& controller);
 
-/// How the value now is written; a thread's result has its function's return type.
+/// How the current value is printed; a thread's result has the return type of its function.
 NumberForm FormOfQuantity(const Quantity& quantity, const Controller& controller);
 
-/// How values of a type of the language are written.
+/// How values of a type of the language are printed.
 NumberForm FormOf(vm::DataType type);
 
-/// A value as users read it: `5050`, `12.5`, `3.0`; the shortest digits that give the value back.
+/// A value as text: `5050`, `12.5`, `3.0`, with the shortest digits that represent it exactly.
 std::string FormatNumber(double value, NumberForm form);
 
 /// Names of all input and output words.

@@ -1,5 +1,5 @@
-// What single statements of a run do: which variables each reads and writes, and their values.
-// Tested by tests/runtime/scenario_run_test.cc and tests/explore/step_table_test.cc.
+// The effects of single statements of a run: the variables that each reads and writes, and their
+// values. Tested by tests/runtime/scenario_run_test.cc and tests/explore/step_table_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@
 
 namespace oncard::runtime {
 
-/// A variable's slot and what it held. The type of the slot is that of the variable in it.
+/// A variable's slot and its value. The type of the slot is that of the variable in it.
 struct SlotValue {
   vm::SlotAddress slot;
   int64_t raw = 0;
 };
 
-/// A slot that was written; the value may be the one that was there.
+/// A slot that was written, possibly with the value that it had before.
 struct SlotChange {
   vm::SlotAddress slot;
   int64_t before = 0;
@@ -47,7 +47,7 @@ std::string ValueText(const LoggedStep& step, const vm::SlotAddress& slot, int64
 
 /// The statements of a run.
 struct StepLog {
-  /// More statements than that are counted only.
+  /// Maximum number of recorded statements; further ones are only counted.
   static constexpr size_t kStepMax = 100'000;
 
   std::shared_ptr<const vm::Image> image;  ///< for the names
@@ -55,17 +55,17 @@ struct StepLog {
   int64_t executed = 0;
 };
 
-/// Looks at a card before and after one statement. Copies the machine's state: for runs of as many
-/// statements as people read.
+/// Observes a card before and after one statement. It copies the state of the virtual machine, so
+/// it is meant for short runs that people read.
 class StepWatch {
  public:
-  /// The controller outlives the watch and has a program.
+  /// The controller must outlive the watch and have a program.
   explicit StepWatch(const Controller& controller) : controller_(controller) {}
 
   void Before();
-  /// The statement of a thread that was executed since.
+  /// The statement of a thread that has been executed since.
   LoggedStep After(int thread) const;
-  /// The thread of which a statement was executed since; -1: none.
+  /// The thread that has executed a statement since; -1: none.
   int ThreadOfStep() const;
 
  private:
@@ -74,7 +74,7 @@ class StepWatch {
   double at_ms_ = 0;
 };
 
-/// Controller::RunUntilQuiet(), statement by statement: the same run, and what its statements did.
+/// Controller::RunUntilQuiet(), statement by statement: the same run, with a log of its statements.
 RunEnd RunLogged(Controller* controller, int64_t limit_cycles, StepLog* log);
 
 }  // namespace oncard::runtime

@@ -1,6 +1,6 @@
-// Values over virtual time: one row per profile cycle in which anything changed, and one per edge
-// of a high-speed output between two cycles; and three ways to write them down. Deterministic and
-// locale-free; every text ends in a newline. Tested by tests/runtime/trace_test.cc and
+// A trace: values over virtual time, with one row per profile cycle in which anything changed, and
+// one per edge of a high-speed output between two cycles; and its three text formats. Deterministic
+// and locale-free; every text ends in a newline. Tested by tests/runtime/trace_test.cc and
 // tests/tools/run_command_test.cc.
 #pragma once
 
@@ -16,7 +16,7 @@ namespace oncard::runtime {
 
 struct TraceColumn {
   Quantity quantity;
-  /// Dropped at the end when the value has not changed by more than `threshold`.
+  /// Dropped at the end if the value has not changed by more than `threshold`.
   bool only_if_changed = false;
   double threshold = 0;
 };
@@ -36,32 +36,32 @@ struct TraceSpan {
   int64_t end_us = 0;
 };
 
-/// Something that happened at an instant: the host wrote a variable, or the card did something by
-/// itself (happening_text.h).
+/// An event at an instant: the host wrote a variable, or the card did something by itself
+/// (happening_text.h).
 struct TraceMark {
   int64_t time_us = 0;
   Message text;
   bool by_card = false;
 };
 
-/// Columns that a trace has without being asked, when they change: what axes and the other parts of
-/// the card do, inputs and outputs.
+/// The default columns of a trace, used if they change: values of axes and the other parts of the
+/// card, inputs and outputs.
 std::vector<TraceColumn> DefaultColumns(const Controller& controller);
 
 class Trace {
  public:
-  /// Columns are read from a controller by Sample(); one of a name that an earlier one has is left
+  /// Sample() reads the columns from a controller; a column with the name of an earlier one is left
   /// out.
   explicit Trace(std::vector<TraceColumn> columns);
 
-  /// Keeps the values of this moment when they differ from the last row's, and the first always.
+  /// Records the current values if they differ from the last row; the first ones always.
   void Sample(const Controller& controller);
-  /// Keeps the values of this moment in any case, so that the trace lasts to the end of the run,
-  /// and drops the columns that were only wanted if they change.
+  /// Always records the current values, so that the trace reaches the end of the run, and drops
+  /// default columns that never changed.
   void Finish(const Controller& controller);
-  /// The host does something at this moment.
+  /// Records an action of the host at this instant.
   void Mark(const Controller& controller, std::string text);
-  /// The card has done something by itself, or will have, when it happens before the first sample.
+  /// Records something that the card does by itself, possibly before the first sample.
   void Mark(TraceMark mark) { marks_.push_back(std::move(mark)); }
 
   const std::vector<TraceColumn>& columns() const { return columns_; }
@@ -83,7 +83,7 @@ class Trace {
 
  private:
   void SampleThreads(const Controller& controller, int64_t time_us);
-  /// Rows for what high-speed outputs did since the last sample.
+  /// Adds rows for the edges of high-speed outputs since the last sample.
   void AddOutputEdges(const Controller& controller, int64_t time_us);
   void DropUnchanged();
 

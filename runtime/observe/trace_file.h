@@ -1,4 +1,4 @@
-// A trace as the file its name asks for. Tested by tests/tools/run_command_test.cc and
+// A trace in the file format of a name. Tested by tests/tools/run_command_test.cc and
 // exec_command_test.cc.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace oncard::runtime {
 bool IsTraceName(std::string_view path);
 
 /// The text for a file of this name. `X.gnuplot` is the script of a picture (plot.h): of a PNG when
-/// X ends in .png, of an SVG otherwise. Fails for a picture of nothing.
+/// X ends in .png, of an SVG otherwise. Fails if there is nothing to draw.
 Result<std::string> TraceText(const Trace& trace, std::string_view path, const std::string& title);
 
 }  // namespace oncard::runtime

@@ -1,8 +1,8 @@
-// A recorded schedule for a program that has been edited since: threads take turns at the same
-// source lines as before, as far as the edited program still comes to them.
+// Adapts a recorded schedule to an edited program: threads switch at the same source lines as
+// before, as far as the edited program still reaches them.
 //
-// Lines are told by their text, not by their number: lines that were added or removed elsewhere do
-// not matter. Tested by tests/runtime/adapted_schedule_test.cc.
+// Lines are identified by their text, not by their number, so that lines added or removed elsewhere
+// do not matter. Tested by tests/runtime/adapted_schedule_test.cc.
 #pragma once
 
 #include <cstddef>
@@ -16,20 +16,20 @@
 
 namespace oncard::runtime {
 
-/// Adds to the schedule of a run of the scenario where in the source each of its segments stops.
-/// Fails when the schedule is not one of this program.
+/// Annotates the schedule of a run of the scenario with the source line at which each segment
+/// stops. Fails if the schedule belongs to another program.
 Result<void> AnnotateSchedule(const Scenario& scenario, vm::Object object, std::string_view source,
                               vm::Schedule* schedule);
 
 struct AdaptedSchedule {
-  vm::Schedule schedule;              ///< of the edited program, to its end
-  size_t followed = 0;                ///< segments of the old one that could be followed
-  std::optional<Message> divergence;  ///< what could not
+  vm::Schedule schedule;  ///< for the edited program, to its end
+  size_t followed = 0;    ///< number of segments of the old schedule that could be followed
+  std::optional<Message> divergence;  ///< the reason if some could not
 };
 
-/// Follows an annotated schedule with another program. Where it cannot be followed any further,
-/// and at its end, the threads run one after the other. Fails when the schedule is not annotated,
-/// the scenario has host events, or does not fit the program.
+/// Follows an annotated schedule with another program. After the last segment that can be followed,
+/// the threads run one after the other. Fails if the schedule is not annotated, the scenario has
+/// host events, or does not fit the program.
 Result<AdaptedSchedule> AdaptSchedule(const Scenario& scenario, vm::Object object,
                                       std::string_view source, const vm::Schedule& old);
 

@@ -6,9 +6,8 @@
 //   gpo[1] == 1 @ 12.5ms
 //
 // Names are those of quantity.h. Operators: == != < <= > >=. A tolerance goes with == and != only.
-// An instant is in ms or s and sees everything that happened up to it; it falls on the end of the
-// first profile cycle that is not before it.
-// Tested by tests/runtime/scenario_expectation_test.cc.
+// An instant is in ms or s and includes everything that happens up to it; it is rounded up to the
+// end of a profile cycle. Tested by tests/runtime/scenario_expectation_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -41,7 +40,7 @@ struct Expectation {
   std::optional<int64_t> at_us;  ///< empty: at the end of the run
 };
 
-/// Reads one. The error names what is wrong and shows a right form.
+/// Parses an expectation. The error explains the mistake and shows a correct example.
 Result<Expectation> ParseExpectation(std::string_view text);
 
 /// An expectation bound to a program.
@@ -51,10 +50,10 @@ struct BoundExpectation {
   std::optional<Quantity> right;
 };
 
-/// Finds the names. Fails when one is unknown or an array's.
+/// Resolves the names. Fails if one is unknown or names an array.
 Result<BoundExpectation> BindExpectation(Expectation expectation, const Controller& controller);
 
-/// What came of an expectation.
+/// The result of an expectation.
 struct ExpectationResult {
   bool holds = false;
   std::string actual;    ///< value of the left side
@@ -64,7 +63,7 @@ struct ExpectationResult {
 /// Evaluates it now.
 ExpectationResult Evaluate(const BoundExpectation& bound, const Controller& controller);
 
-/// The values of an expectation that does not hold, in words: `sum is 5, last is 6`.
+/// The values of an expectation that does not hold, as text: `sum is 5, last is 6`.
 Message DescribeFailure(const BoundExpectation& bound, const ExpectationResult& outcome);
 
 }  // namespace oncard::runtime

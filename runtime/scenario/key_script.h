@@ -1,4 +1,4 @@
-// Keys that a scenario or `oncard exec --keys` presses while a host program runs. The text of
+// The keys that a scenario or `oncard exec --keys` presses while a host program runs. The text of
 // ONCARD_KEYS is a list of moments and characters:
 //
 //   500:a,1000:q      a at 500 ms, q at 1000 ms after the start
@@ -16,7 +16,7 @@
 
 namespace oncard::runtime {
 
-/// A key, or several in a row, pressed at a moment.
+/// One or several keys pressed at an instant.
 struct KeyPress {
   int64_t at_us = 0;  ///< since the start of the host
   std::string text;

@@ -15,13 +15,13 @@
 
 namespace oncard::runtime {
 
-/// The text of a file that was read, for those that speak of places in it.
+/// The text of a file, for errors with places in it.
 class TextFile {
  public:
   TextFile(std::string path, std::string_view text);
 
   const std::string& path() const { return path_; }
-  /// A line, counted from 1, without its end; empty where there is none.
+  /// A line, counted from 1, without its end; empty if there is none.
   std::string_view Line(int number) const;
 
  private:
@@ -30,36 +30,36 @@ class TextFile {
   std::vector<size_t> begins_;  ///< of the lines
 };
 
-/// Where something stands in a file.
+/// A place in a file.
 struct TextPlace {
-  std::shared_ptr<const TextFile> file = nullptr;  ///< NULL: nowhere, as on a command line
-  int line = 0;                                    ///< from 1; 0: it is the whole file
+  std::shared_ptr<const TextFile> file = nullptr;  ///< NULL: no file, as for a command line
+  int line = 0;                                    ///< from 1; 0: the whole file
   int column = 0;                                  ///< from 1
   size_t begin = 0;                                ///< bytes of the line, for the caret
   size_t end = 0;
 
-  /// `path:line:column: `; empty for nowhere.
+  /// `path:line:column: `; empty without a file.
   std::string Headline() const;
-  /// A line end, the line, and a caret below. Empty for nowhere, for a whole file, and for a line
-  /// of more than kExcerptMax bytes.
+  /// A line end, the line, and a caret below. Empty without a file, for a whole file, and for a
+  /// line of more than kExcerptMax bytes.
   std::string Excerpt() const;
 
   static constexpr size_t kExcerptMax = 400;
 
-  /// Where it stands is no part of what is said: what has a place compares as if it had none.
+  /// The place is not part of the value: comparison ignores it.
   bool operator==(const TextPlace&) const { return true; }
 };
 
-/// What is wrong in several places, to be told at once.
+/// Errors in several places, to be reported together.
 class PlacedErrors {
  public:
-  /// Of one input, so many are shown; the others are counted.
+  /// Maximum number of errors shown for one input; further ones are only counted.
   static constexpr size_t kShown = 20;
 
   void Add(TextPlace place, Message message);
   bool empty() const { return errors_.empty(); }
-  /// All errors in the order of their files' names and their places, those from nowhere last; the
-  /// code is 1. Empty without one.
+  /// All errors, ordered by file name and place, those without a place last; the code is 1. Empty
+  /// if there are none.
   std::optional<Error> Failure() const;
 
  private:

@@ -1,4 +1,4 @@
-// Whoever looks at a run from outside while it goes on.
+// An observer of a run.
 #pragma once
 
 #include <vector>
@@ -15,13 +15,13 @@ class RunWatch {
   RunWatch& operator=(const RunWatch&) = delete;
   virtual ~RunWatch() = default;
 
-  /// The card before the first statement. Fails when what shall be looked at is not there.
+  /// Called before the first statement. Fails if something to be observed does not exist.
   virtual Result<void> Begin(const Controller& controller) = 0;
-  /// True when Look() is wanted; a run whose every state is looked at is slower.
+  /// True if Look() is to be called; observing every state makes a run slower.
   virtual bool LooksAtStates() const = 0;
-  /// A state: the first, and then the one after every statement and every beginning of a cycle.
+  /// Called in the first state, and then after every statement and every beginning of a cycle.
   virtual void Look(const Controller& controller) = 0;
-  /// The run has come to an end that is judged.
+  /// Called at the end of a run whose requirements are to be checked.
   virtual void End(const Controller& controller) = 0;
 };
 

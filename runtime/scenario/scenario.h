@@ -1,6 +1,6 @@
-// A scenario: which program runs, how its threads start, what the world does to the card, and what
-// is expected. Scenarios are TOML files (docs/scenarios.md); recordings embed the same text.
-// Tested by tests/runtime/scenario_parse_test.cc.
+// A scenario: which program runs, how its threads start, what happens around the card, and what is
+// expected. Scenarios are TOML files (docs/scenarios.md); recordings contain the same text. Tested
+// by tests/runtime/scenario_parse_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -36,7 +36,7 @@ struct ThreadStart {
   std::string function;
   int page = 0;
   std::vector<InitialValue> values;  ///< parameters and locals
-  /// Started anew every so many milliseconds (GT_RunThreadPeriod); 0 = started once.
+  /// Period in milliseconds for repeated starts (GT_RunThreadPeriod); 0: started once.
   int64_t period_ms = 0;
   int priority = 4;  ///< of a periodic thread
   bool operator==(const ThreadStart&) const = default;
@@ -49,20 +49,20 @@ struct HostEvent {
   bool operator==(const HostEvent&) const = default;
 };
 
-/// How a scenario is explored.
+/// Options for exploring a scenario.
 struct ExploreWish {
   std::string engine = "auto";
-  std::string verdict = "PROVED";  ///< that must come of it
-  /// 0: what the explorer takes by itself.
+  std::string verdict = "PROVED";  ///< the expected verdict
+  /// 0: the explorer's default.
   int64_t max_executions = 0;
   int64_t runs = 0;
   int64_t max_states = 0;
-  /// A schedule file: only this schedule is looked at, as far as the program still follows it.
+  /// A schedule file: only this schedule is checked, as far as the program can still follow it.
   std::string follow = {};
   bool operator==(const ExploreWish&) const = default;
 };
 
-/// Where a scenario's defaults come from, and its limits.
+/// Defaults and limits of a scenario.
 inline constexpr int kRateDefault = 100;           ///< statements per ms (GTS manual 10.2)
 inline constexpr int64_t kCycleUsDefault = 250;    ///< profile cycle
 inline constexpr int64_t kLimitMsDefault = 60000;  ///< a minute of virtual time
@@ -71,13 +71,14 @@ inline constexpr int64_t kTimeMsMax = 1'000'000'000;
 struct Scenario {
   /// The file it was read from; the program's path is relative to its folder.
   std::string path;
-  /// What its picture is called; empty: the file's name.
+  /// Title of its picture; empty: the file's name.
   std::string title;
   /// `.c` is compiled, `.bin` loaded with the `.ini` beside it.
   std::string program;
   std::vector<std::string> include_folders;
   vm::DoubleFormat double_format = vm::DoubleFormat::k32_16;
-  /// Empty: the function `main`, or else the first one, on thread 0 and page 0.
+  /// Empty: the function `main`, or the first function if there is no `main`, on thread 0 and page
+  /// 0.
   std::vector<ThreadStart> threads;
   std::vector<InitialValue> globals;
   std::string schedule = "rr";
@@ -86,11 +87,11 @@ struct Scenario {
   int64_t cycle_us = kCycleUsDefault;
   /// Reaching it is a failure.
   int64_t limit_ms = kLimitMsDefault;
-  /// The run ends here, whatever the threads do; empty = when all threads have stopped.
+  /// The run ends at this time, whatever the threads do; empty: when all threads have stopped.
   std::optional<int64_t> until_us;
   World world;
   std::vector<HostEvent> host;  ///< in order of time
-  /// Names whose values over time a trace holds; empty: RunOptions::trace says which.
+  /// Names of the values in a trace; empty: as described at RunOptions::trace.
   std::vector<std::string> trace;
   std::vector<Expectation> expectations;
   /// For the explorer: expressions that must hold at the end of every run.
@@ -98,27 +99,27 @@ struct Scenario {
   /// Expressions that must hold, or not hold, in every state.
   std::vector<std::string> always;
   std::vector<std::string> never;
-  /// Expressions that every run must have a state for.
+  /// Expressions that must hold in some state of every run.
   std::vector<std::string> eventually;
-  /// The places of the texts of `final`, `always`, `never` and `eventually`, by key; those that
-  /// come from no file have none at the end of the list.
+  /// The places of the texts of `final`, `always`, `never` and `eventually`, by key; those that do
+  /// not come from a file have none, at the end of the list.
   std::map<std::string, std::vector<TextPlace>, std::less<>> text_places;
-  /// Data races: `any` is allowed, `benign` ones are, `none` is.
+  /// Allowed data races: `any`, `benign` or `none`.
   std::string races = "any";
-  /// Globals that order what threads do, and do not race themselves.
+  /// Globals that synchronise threads and are not checked for races themselves.
   std::vector<std::string> sync;
-  /// `oncard test` explores the scenario, too.
+  /// If set, `oncard test` explores the scenario.
   std::optional<ExploreWish> explore;
   std::vector<KeyPress> keys;  ///< of a host program, in order of time
 };
 
-/// Reads TOML text. The error holds everything that is wrong with it, each thing on lines of its
-/// own: `path:line:column: what`, the line, and a caret. An unknown key is an error, and names the
-/// nearest known key; so is one that cannot be used for `use`. Text of any kind is safe to read.
+/// Reads TOML text. The error contains all mistakes, each with its own lines: `path:line:column:
+/// what`, the line, and a caret. Unknown keys are errors, with a suggestion of the most similar
+/// key; so are keys that cannot be used for `use`. Any text is safe to read.
 Result<Scenario> ParseScenario(std::string_view text, const std::string& path,
                                ScenarioUse use = ScenarioUse::kText);
 
-/// Reads a scenario file. For ScenarioUse::kHost it need not name a program.
+/// Reads a scenario file. For ScenarioUse::kHost it needs no program.
 Result<Scenario> LoadScenario(const std::string& path, ScenarioUse use);
 
 /// The text that ParseScenario() reads back; ends in a newline.
@@ -126,18 +127,18 @@ std::string FormatScenario(const Scenario& scenario);
 
 /// A path of the scenario, which is relative to the scenario's folder, for the caller to open.
 std::string PathFromScenario(const Scenario& scenario, const std::string& path);
-/// The reverse: a path of the caller as the scenario would write it.
+/// The reverse: a path of the caller relative to the scenario's folder.
 std::string PathToScenario(const Scenario& scenario, const std::string& path);
-/// What a picture of the scenario is called: its title, or else its file's or program's name.
+/// The title of a picture of the scenario: its `title`, otherwise the name of its file or program.
 std::string TitleOf(const Scenario& scenario);
 /// The program file, for the caller to open.
 std::string ProgramPath(const Scenario& scenario);
-/// How a source is compiled.
+/// The options with which a source is compiled.
 compiler::Options CompileOptions(const Scenario& scenario);
-/// The same scenario as the file `path` would hold it.
+/// The same scenario with paths relative to the file `path`.
 Scenario MoveScenario(const Scenario& scenario, const std::string& path);
 
-/// The same scenario without what speaks of all schedules: what one run of it is recorded with.
+/// The same scenario without the keys that concern all schedules, for the recording of one run.
 Scenario ScenarioOfOneRun(const Scenario& scenario);
 
 /// Reads `thread=function[@page][:name=value,...]`, the form of `oncard run --thread`.

@@ -1,6 +1,5 @@
-// Which command uses which key of a scenario. No key is read and then left aside in silence: a
-// command uses it, or refuses the file.
-// Tested by tests/tools/scenario_keys_test.cc, key by key.
+// Which command uses which key of a scenario. No key is silently ignored: a command either uses it
+// or rejects the file. Tested by tests/tools/scenario_keys_test.cc, key by key.
 #pragma once
 
 #include <cstdint>
@@ -11,22 +10,22 @@
 
 namespace oncard::runtime {
 
-/// What a scenario is read for.
+/// The purpose for which a scenario is read.
 enum class ScenarioUse : uint8_t {
-  kText,     ///< only to be read: nothing is refused
+  kText,     ///< only reading: nothing is rejected
   kRun,      ///< one run: `oncard run`, `replay`
   kTest,     ///< kExplore when it has the key `explore`, otherwise kRun
   kExplore,  ///< all schedules: `oncard explore`
-  kHost      ///< the world of a host program: `oncard exec`
+  kHost      ///< the card and surroundings of a host program: `oncard exec`
 };
 
 enum class KeyUse : uint8_t {
   kUsed,
-  kMeansNothing,  ///< there is nothing that it could change: what a picture is called, and so on
+  kMeansNothing,  ///< it has no effect here, such as the title of a picture
   kRefused
 };
 
-/// A key of the file itself, with what becomes of it.
+/// A top-level key, and how each command treats it.
 struct KeyRule {
   std::string_view name;
   KeyUse run;
@@ -34,18 +33,18 @@ struct KeyRule {
   KeyUse host;
 };
 
-/// All keys of the file itself, in the order of the documentation.
+/// All top-level keys, in the order of the documentation.
 std::span<const KeyRule> ScenarioKeyRules();
 
-/// What becomes of a key of ScenarioKeyRules(); `explored` tells whether the file has `explore`.
+/// How a key of ScenarioKeyRules() is treated; `explored`: the file has `explore`.
 KeyUse UseOfKey(const KeyRule& rule, ScenarioUse use, bool explored);
 
-/// Why a key is refused, and which command can use it.
+/// Why a key is rejected, and which command can use it.
 Message DescribeRefusedKey(std::string_view key, ScenarioUse use);
 
-/// What bounds or leads a search, and the engines that it means something to.
+/// A setting of a search, and the engines that it applies to.
 struct SearchSetting {
-  std::string_view key;     ///< of the key `explore`; empty: an option only
+  std::string_view key;     ///< name in the key `explore`; empty: an option only
   std::string_view option;  ///< of `oncard explore`
   std::span<const std::string_view> engines;
 
@@ -55,7 +54,7 @@ struct SearchSetting {
 /// All of them, in the order of the documentation.
 std::span<const SearchSetting> SearchSettings();
 
-/// Why an engine cannot be given a setting, which is called `name` where it stands.
+/// Why an engine does not accept a setting, which is called `name` in the input.
 Message DescribeUnusedSetting(const SearchSetting& setting, std::string_view name,
                               std::string_view engine);
 

@@ -2,9 +2,9 @@
 //
 // Order: download, bind every thread, set globals and locals, start the threads in the order of the
 // scenario. At the boundary of two profile cycles, expectations of that instant are evaluated
-// first, then the world's events of that instant act, then the host writes its variables. The run
+// first, then the external events of that instant act, then the host writes its variables. The run
 // ends at the scenario's `until_ms`; without one, when no thread is running and every expectation
-// with an instant has been evaluated. A run that comes to `limit_ms` before that has failed.
+// with an instant has been evaluated. A run that reaches `limit_ms` before that has failed.
 //
 // Deterministic: the same scenario and program give the same result, hash included.
 // Tested by tests/runtime/scenario_run_test.cc.
@@ -29,26 +29,26 @@
 namespace oncard::runtime {
 
 struct RunOptions {
-  /// Replays this instead of the scenario's policy. It must be of the same program.
+  /// Replays this schedule instead of using the scenario's policy. It must belong to the same
+  /// program.
   std::shared_ptr<const vm::Schedule> replay;
-  /// Keep what was executed in ScenarioResult::schedule.
+  /// Record the executed schedule in ScenarioResult::schedule.
   bool record = false;
-  /// Names whose values at the end are wanted (quantity.h); empty = all global variables.
+  /// Names of the values to return at the end (quantity.h); empty: all global variables.
   std::vector<std::string> show;
-  /// Keep values over time in ScenarioResult::trace: of the names in the scenario's `trace`, or,
-  /// when that is empty, of those in `show`, of the outputs, and of whatever moves
-  /// (DefaultColumns).
+  /// Record values over time in ScenarioResult::trace: the names in the scenario's `trace` or, if
+  /// that is empty, those in `show`, the outputs, and everything that moves (DefaultColumns).
   bool trace = false;
-  /// Keep what every statement does in ScenarioResult::steps.
+  /// Record the effect of every statement in ScenarioResult::steps.
   bool steps = false;
-  /// A command that a thread is refused is a failure, and no warning only.
+  /// A refused command of a thread is a failure, not only a warning.
   bool strict_commands = false;
-  /// Set from outside, from a signal handler for instance, it ends the run early: what was recorded
-  /// and found until then is in the result.
+  /// If set from outside, for instance by a signal handler, the run ends early, and the result
+  /// contains what was recorded until then.
   const std::atomic<bool>* stop = nullptr;
   /// Is told of commands that threads are refused, and of what the card does by itself.
   CardLog* log = nullptr;
-  /// Looks at the run while it goes on.
+  /// Observes the run.
   RunWatch* watch = nullptr;
 };
 
@@ -62,7 +62,7 @@ struct ThreadReport {
   int error = 0;       ///< of the last command, or the fault
   std::string place;   ///< `file:line` of the current or last statement
   int64_t statements = 0;
-  Message status;  ///< in words, with the values involved in a fault
+  Message status;  ///< as text, with the values involved in a fault
 };
 
 /// A value at the end.
@@ -74,15 +74,15 @@ struct ShownValue {
 
 /// Why a scenario failed: an expectation, a fault, a deadlock, a limit.
 struct ScenarioFailure {
-  std::string expectation;  ///< as written; empty when nothing written failed
+  std::string expectation;  ///< as written; empty for other failures
   Message message;
 };
 
 struct ScenarioResult {
   RunEnd end = RunEnd::kQuiet;
   bool reached_until = false;  ///< ended at the scenario's `until_ms`
-  /// Ended by RunOptions::stop, or replayed to where the recorded run was cut off; the end was not
-  /// judged.
+  /// Ended by RunOptions::stop, or replayed to the point where the recorded run was cut off; the
+  /// requirements on the end were not checked.
   bool interrupted = false;
   double end_ms = 0;
   int64_t statements = 0;
@@ -91,8 +91,8 @@ struct ScenarioResult {
   std::vector<ThreadReport> threads;  ///< bound ones, by number
   std::vector<ShownValue> values;
   std::vector<ScenarioFailure> failures;
-  /// What fails nothing but should be known: commands that threads were refused, axes that still
-  /// move, what the host came too late for.
+  /// Warnings: refused commands of threads, axes that are still moving, events of the host after
+  /// the end of the run.
   std::vector<Message> warnings;
   std::optional<vm::Schedule> schedule;
   std::optional<Trace> trace;
@@ -101,9 +101,9 @@ struct ScenarioResult {
   bool passed() const { return failures.empty(); }
 };
 
-/// Runs it. Fails when the scenario does not fit the program (an unknown name, a value out of
-/// range, an object that Verify() refuses, a schedule of another program); what goes wrong while
-/// running is in the result.
+/// Runs the scenario. Fails if it does not fit the program (an unknown name, a value out of range,
+/// an object that Verify() rejects, a schedule of another program); failures during the run are in
+/// the result.
 Result<ScenarioResult> RunScenario(const Scenario& scenario, vm::Object object,
                                    const RunOptions& options = {});
 

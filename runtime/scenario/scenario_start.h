@@ -1,5 +1,5 @@
-// The program of a scenario on a card: loaded, bound, its variables set, its threads started.
-// Tested by tests/runtime/scenario_run_test.cc.
+// Prepares the program of a scenario on a card: loads and binds it, sets its variables, and starts
+// its threads. Tested by tests/runtime/scenario_run_test.cc.
 #pragma once
 
 #include "base/result.h"
@@ -11,19 +11,19 @@
 namespace oncard::runtime {
 
 /// Puts a controller that was made with CardOptions() and has just been switched on into the state
-/// before the scenario's first statement: the world applied, every thread bound, then all values
-/// set, then the threads started in the order of the scenario. Fails when the scenario does not fit
+/// before the scenario's first statement: applies the surroundings, binds every thread, sets all
+/// values, then starts the threads in the order of the scenario. Fails if the scenario does not fit
 /// the program.
 Result<void> StartScenario(const Scenario& scenario, vm::Object object, Controller* controller);
 
-/// Writes the values to the variable `name`, an array's to its first elements. Gives all the
-/// variables that the name stands for; fails when it stands for something else, for fewer than
-/// there are values, or a value does not fit.
+/// Writes the values to the variable `name`, or to the first elements of an array. Returns all
+/// variables that the name stands for; fails if it is not a variable, has fewer elements than there
+/// are values, or a value does not fit.
 Result<std::vector<Quantity>> SetVariable(const InitialValue& initial, const std::string& name,
                                           Controller* controller);
 
-/// The boundary of profile cycles at which something of an instant happens: the first that is not
-/// before it.
+/// The boundary of profile cycles at which an event of an instant takes effect: the first one not
+/// before the instant.
 int64_t CycleOf(const Scenario& scenario, int64_t microseconds);
 
 }  // namespace oncard::runtime

@@ -1,4 +1,4 @@
-// The card and the world of a scenario, put to use: for runs of scenarios and for host programs.
+// Applies the card and the surroundings of a scenario, for runs of scenarios and for host programs.
 // Tested by tests/runtime/scenario_world_test.cc.
 #pragma once
 
@@ -11,7 +11,7 @@ namespace oncard::runtime {
 ControllerOptions CardOptions(const Scenario& scenario);
 
 /// Puts a controller that was made with CardOptions() and has just been switched on into the
-/// scenario's world. Times of the world count from power-on.
+/// scenario's surroundings. Times count from power-on.
 void ApplyWorld(const Scenario& scenario, Controller* controller);
 
 }  // namespace oncard::runtime

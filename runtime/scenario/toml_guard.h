@@ -1,5 +1,5 @@
-// What a TOML text must keep to before the parser may have it: toml++ 3.3 follows dotted keys as
-// deep as they go, and has undefined behaviour for letters beyond ASCII in bare keys and values.
+// Checks a TOML text before it is parsed: toml++ 3.3 recurses without limit for dotted keys, and
+// has undefined behaviour for non-ASCII letters in bare keys and values.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,16 @@
 
 namespace oncard::runtime {
 
-/// A place of the text, counted from 1 (columns in bytes), and what is wrong there.
+/// A place in the text, counted from 1 (columns in bytes), and the error there.
 struct TomlRefusal {
   uint32_t line = 1;
   uint32_t column = 1;
   Message message;
 };
 
-/// Nothing when the text keeps to kTomlDepthMax, kTomlKeyPartMax and kTomlKeyMax of base/limits.h
-/// and has bytes beyond ASCII in strings and comments only (TOML 1.0). Whether it is TOML is left
-/// to the parser. Time grows with the length, memory does not.
+/// Empty if the text respects kTomlDepthMax, kTomlKeyPartMax and kTomlKeyMax of base/limits.h and
+/// has non-ASCII bytes only in strings and comments (TOML 1.0). The parser decides whether it is
+/// valid TOML. Takes linear time and constant memory.
 std::optional<TomlRefusal> CheckToml(std::string_view text);
 
 }  // namespace oncard::runtime

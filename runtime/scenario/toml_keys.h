@@ -1,6 +1,6 @@
-// The keys of a TOML table, read with their types and ranges. Errors are kept with their places;
-// readers go on after an error with the value of an absent key.
-// Tested by tests/runtime/scenario_parse_test.cc.
+// The keys of a TOML table, read with their types and ranges. Errors are collected with their
+// places; after an error, readers continue as if the key were absent. Tested by
+// tests/runtime/scenario_parse_test.cc.
 #pragma once
 
 #define TOML_EXCEPTIONS 0
@@ -23,31 +23,31 @@ namespace oncard::runtime {
 
 class TomlKeys {
  public:
-  /// `path` names the file in errors, `text` is what it holds.
+  /// `path` names the file in errors, `text` is its content.
   TomlKeys(std::string path, std::string_view text)
       : file_(std::make_shared<const TextFile>(std::move(path), text)) {}
 
-  /// An error for each key that is not known; it names the nearest known one.
+  /// Adds an error for each unknown key, with a suggestion of the most similar known one.
   void CheckKeys(const toml::table& table, std::span<const std::string_view> known);
-  /// Leaves `value` alone when the key is not there.
+  /// Does not change `value` if the key is absent.
   void Text(const toml::table& table, std::string_view key, std::string& value);
   void Texts(const toml::table& table, std::string_view key, std::vector<std::string>& values);
   /// The places of those texts.
   std::vector<TextPlace> PlacesOfTexts(const toml::table& table, std::string_view key) const;
-  /// A whole number in a range; `absent` when the key is not there.
+  /// A whole number in a range; `absent` if the key is missing.
   int64_t Whole(const toml::table& table, std::string_view key, int64_t absent, int64_t smallest,
                 int64_t largest);
-  /// A number in a range; `absent` when the key is not there.
+  /// A number in a range; `absent` if the key is missing.
   double Number(const toml::table& table, std::string_view key, double absent, double smallest,
                 double largest);
   /// `absent` when the key is not there.
   bool Flag(const toml::table& table, std::string_view key, bool absent);
   /// Milliseconds, whole or not, as microseconds; 0 when the key is not there.
   int64_t Time(const toml::table& table, std::string_view key);
-  /// The number of a text among names; `absent` when the key is not there.
+  /// The index of a string among names; `absent` if the key is missing.
   size_t Choice(const toml::table& table, std::string_view key,
                 std::span<const std::string_view> names, size_t absent);
-  /// NULL when the key is not there or no table.
+  /// NULL if the key is missing or not a table.
   const toml::table* Table(const toml::table& table, std::string_view key);
   std::vector<const toml::table*> Tables(const toml::table& table, std::string_view key);
   /// `name = number` and `name = [number, ...]`, in the order of the file.
@@ -57,7 +57,7 @@ class TomlKeys {
   /// A place for Fail().
   static toml::source_region PlaceOf(size_t line, size_t column);
 
-  /// All errors in the order of the file, with the lines that they are in; empty without one.
+  /// All errors in the order of the file, with their lines; empty if there are none.
   std::optional<Error> Failure() const { return errors_.Failure(); }
 
  private:

@@ -1,7 +1,7 @@
-// The world around the card as a scenario describes it: what its drives and machines are, where
-// their switches and index marks sit, what the inputs do over time and what goes wrong.
-// Axes, inputs, channels and switches count from 1 as in the file, modules from 0 as the commands
-// count them. Docs: docs/scenarios.md. Tested by tests/runtime/scenario_world_test.cc.
+// The surroundings of the card as a scenario describes them: drives and mechanics, positions of
+// switches and index marks, inputs over time, and faults. Axes, inputs, channels and switches count
+// from 1 as in the file, modules from 0 as the commands count them. Docs: docs/scenarios.md. Tested
+// by tests/runtime/scenario_world_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@
 
 namespace oncard::runtime {
 
-/// The world drives an input pin, or all pins of a word.
+/// A level at an input pin, or at all pins of a word.
 struct InputEvent {
   int64_t at_us = 0;
   motion::DiType type = motion::DiType::kGpi;
@@ -26,7 +26,7 @@ struct InputEvent {
   bool operator==(const InputEvent&) const = default;
 };
 
-/// The drive and machine of an axis.
+/// The drive and mechanics of an axis.
 struct MachineSetup {
   int axis = 1;
   motion::DriveKind drive = motion::DriveKind::kIdeal;
@@ -39,9 +39,9 @@ struct MachineSetup {
   bool operator==(const MachineSetup&) const = default;
 };
 
-/// A switch that a machine operates between two places.
+/// A switch that an axis operates between two positions.
 struct SwitchSetup {
-  int axis = 1;  ///< whose machine operates it
+  int axis = 1;  ///< the axis that operates it
   motion::DiType type = motion::DiType::kHome;
   int index = 1;  ///< the input it is wired to
   double from = -std::numeric_limits<double>::infinity();
@@ -51,25 +51,25 @@ struct SwitchSetup {
 };
 
 enum class FaultKind : uint8_t {
-  kStall,        ///< the machine does not move
-  kLostEncoder,  ///< the encoder's signal stands still
+  kStall,        ///< the motor does not move
+  kLostEncoder,  ///< the encoder no longer counts
   kNoise,        ///< the encoder reads up to `amount` pulses too much or too little
   kSlip,         ///< the encoder slips by `amount` pulse/ms
   kAlarm,        ///< the drive raises its alarm input
   kCutSwitch     ///< the wire of a switch is cut
 };
 
-/// What goes wrong, and for how long.
+/// A fault and its duration.
 struct WorldFault {
   FaultKind kind = FaultKind::kStall;
   int number = 1;  ///< the axis; kCutSwitch: the switch, in the order of the file
   int64_t at_us = 0;
-  std::optional<int64_t> until_us;  ///< empty: for good
+  std::optional<int64_t> until_us;  ///< empty: permanently
   double amount = 0;
   bool operator==(const WorldFault&) const = default;
 };
 
-/// Somebody turns a machine whose drive is off, or the shaft of an auxiliary encoder.
+/// An axis whose drive is off, or the shaft of an auxiliary encoder, is turned by hand.
 struct HandTurn {
   int number = 1;  ///< of the axis, or of the encoder
   double pulses = 0;
@@ -77,7 +77,7 @@ struct HandTurn {
   int64_t until_us = 0;
   bool operator==(const HandTurn&) const = default;
 };
-/// A turn is not shorter: as long as the longest profile cycle.
+/// Minimum duration of a turn: the longest profile cycle.
 inline constexpr int64_t kHandTurnUsMin = 4000;
 
 /// A voltage at an analogue input.
@@ -88,7 +88,7 @@ struct VoltageEvent {
   bool operator==(const VoltageEvent&) const = default;
 };
 
-/// An extension module that is there, and what its inputs do.
+/// An extension module that is present, and its inputs.
 struct ModuleEvent {
   int64_t at_us = 0;
   int module = 0;
@@ -104,7 +104,7 @@ struct World {
   std::vector<WorldFault> faults;
   std::vector<HandTurn> hands;
   std::vector<VoltageEvent> voltages;  ///< in order of time
-  /// In order of time. Empty: every module is there; else only those that are listed.
+  /// In order of time. Empty: every module is present; otherwise only those that are listed.
   std::vector<ModuleEvent> modules;
   bool operator==(const World&) const = default;
 };

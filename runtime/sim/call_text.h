@@ -8,8 +8,8 @@
 // The card's virtual time in milliseconds when the command acted, the card, the thread when a
 // motion program was refused a command, the call with its inputs (masks and bit words in hex; an
 // output shows its parameter's name), the code, after a refusal the reason, after a success the
-// outputs. What a card does by itself has a line without a call. docs/host-api.md describes it for
-// users. Tested by tests/runtime/call_log_test.cc.
+// outputs. Lines for what a card does by itself have no call. docs/host-api.md describes the format
+// for users. Tested by tests/runtime/call_log_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -22,18 +22,19 @@
 
 namespace oncard::runtime {
 
-/// What the log needs to know of one call.
+/// The data of one call in the log.
 struct LoggedCall {
   int64_t time_us = 0;
   int card = 0;
-  int caller = vm::kHostCaller;  ///< or the thread of the motion program
+  int caller = vm::kHostCaller;  ///< the host, or the thread of the motion program
   const gtcalls::Command& command;
   std::span<const vm::CommandArgument> arguments;
   int16_t code = 0;
   const Message& reason;
 };
 
-/// A call with its inputs, its code and why: `GT_Bind(40, 1, 0) = 7: parameter thread is 40; ...`.
+/// A call with its inputs, its code and the reason: `GT_Bind(40, 1, 0) = 7: parameter thread is 40;
+/// ...`.
 std::string FormatCallAndCode(const gtcalls::Command& command,
                               std::span<const vm::CommandArgument> arguments, int16_t code,
                               const Message& reason, Language language);
@@ -50,7 +51,7 @@ class CardLog {
  public:
   virtual ~CardLog() = default;
   virtual void Write(const LoggedCall& call) = 0;
-  /// Something that a card did by itself.
+  /// Logs something that a card did by itself.
   virtual void Write(int64_t time_us, int card, const Message& what) = 0;
 };
 

@@ -1,8 +1,9 @@
-// One card: machine, motion core, PLC blocks and virtual time. Advance() is the only place where
-// statements, profile cycles, delays and events are interleaved; docs/vm-model.md gives the order.
+// One card: virtual machine, motion core, PLC blocks and virtual time. Advance() is the only place
+// where statements, profile cycles, delays and events are interleaved; docs/vm-model.md gives the
+// order.
 //
-// Virtual time counts profile cycles. It passes when the owner says so: by host calls (each has its
-// cost, gtcalls/catalogue.h), by Advance(), or by a real-time clock (clock.h) that calls Advance().
+// Virtual time counts profile cycles. The owner advances it: by host calls (each takes a time,
+// gtcalls/catalogue.h), by Advance(), or by a real-time clock (clock.h) that calls Advance().
 // Deterministic; not thread-safe: the C API serialises its callers per card.
 #pragma once
 
@@ -26,7 +27,7 @@ namespace oncard::runtime {
 
 struct ControllerOptions {
   motion::MotionConfig motion;
-  /// Statements per millisecond that all threads share (GTS manual 10.2).
+  /// Statements per millisecond, all threads together (GTS manual 10.2).
   int rate = 100;
 };
 
@@ -46,7 +47,8 @@ constexpr int64_t HostCostUs(gtcalls::Cost cost) {
   return kHostCallUs;
 }
 
-/// A card's state around the machine. Statements change it through GT commands only, cycles always.
+/// The state of a card outside the virtual machine. Statements change it only through GT commands,
+/// cycles always.
 struct CardBody {
   motion::MotionState motion;
   gtcalls::PlcBlocks plc;
@@ -54,7 +56,7 @@ struct CardBody {
   int64_t pending_statements = 0;
 };
 
-/// A card's whole state as a value.
+/// The complete state of a card as a value.
 struct ControllerSnapshot {
   vm::MachineState machine;
   CardBody body;
@@ -77,65 +79,65 @@ class Controller {
   gtcalls::Card& card() { return card_; }
   const vm::CommandTable& commands() const { return commands_; }
 
-  /// From now on the log gets a line for every command that a thread is refused, under this card
-  /// number. The log must outlive the controller.
+  /// From now on logs every refused command of a thread, under this card number. The log must
+  /// outlive the controller.
   void LogRefusals(CardLog* log, int card);
-  /// The same for what the card does by itself: stops, paths that run dry (happening_text.h).
+  /// The same for what the card does by itself: stops, paths that run out of segments
+  /// (happening_text.h).
   void LogHappenings(CardLog* log, int card);
-  /// From now on the observer is told what the card does by itself, and when, in us.
+  /// From now on reports to the observer what the card does by itself, and the time in us.
   using HappeningListener = std::function<void(int64_t time_us, const Message& what)>;
   void ListenToHappenings(HappeningListener listener);
-  /// From now on the list gets every command that a thread is refused. It must outlive the
-  /// controller's running.
+  /// From now on adds every refused command of a thread to the list. The list must exist as long as
+  /// the controller runs.
   void CollectRefusals(RefusedCommands* refused);
 
   // --- Programs --------------------------------------------------------------------------------
 
   /// GT_Download: loads `X.bin` with the `X.ini` beside it. Codes 2007, 2008, 7 as GT_Download
-  /// returns them. On failure the old program stays and goes on.
+  /// returns them. On failure the old program stays loaded and continues.
   Result<void> Download(const std::string& bin_path);
   /// Loads an object that is in memory.
   Result<void> Load(vm::Object object);
 
   // --- Host calls ------------------------------------------------------------------------------
 
-  /// Executes a command for the host: first its virtual cost passes, then it acts. `reason` says in
-  /// words why the code is not 0.
+  /// Executes a command for the host: first the time that it takes passes, then it acts. `reason`
+  /// explains a code other than 0.
   int16_t Call(const gtcalls::Command& command, std::span<vm::CommandArgument> arguments,
                Message* reason = nullptr);
-  /// The same without letting time pass, for callers that keep the clock themselves.
+  /// The same without advancing time, for callers that manage the clock themselves.
   int16_t Execute(const gtcalls::Command& command, std::span<vm::CommandArgument> arguments,
                   Message* reason = nullptr);
 
   // --- Time ------------------------------------------------------------------------------------
 
-  /// Lets microseconds pass; a profile cycle runs whenever a whole one has accumulated.
+  /// Advances time by microseconds; runs a profile cycle whenever a whole one has accumulated.
   void AdvanceUs(int64_t microseconds);
   /// Runs one profile cycle: motion tick, PLC blocks, then the threads with their budget.
   void RunCycle();
   /// From now on RunCycle() calls the observer in every state: after the beginning of the cycle and
-  /// after each statement. It must not change the card. An empty one ends it.
+  /// after each statement. It must not change the card. An empty observer ends this.
   void ObserveStates(std::function<void()> observer) { state_observer_ = std::move(observer); }
   bool shows_states() const { return state_observer_ != nullptr; }
   /// For callers that choose the order of statements themselves: calls the observer, if any.
   void ShowState() const {
     if (state_observer_) state_observer_();
   }
-  /// RunCycle() without the threads: gives the statements that they may execute before the next
-  /// cycle begins, for a caller that chooses their order.
+  /// RunCycle() without the threads: returns the number of statements that they may execute before
+  /// the next cycle begins, for a caller that chooses their order.
   int64_t BeginCycle();
   /// Runs at most `limit_cycles` cycles, until no thread is running. kDeadlock: as Deadlocked().
   RunEnd RunUntilQuiet(int64_t limit_cycles);
-  /// True when threads wait for values that nothing is left to change: no thread can run, none is
-  /// delayed or periodic, no PLC block is bound, and no coordinate system that runs has
-  /// GT_BufSetVarValue ahead of it. Only the host, or whoever changes variables from outside, can
-  /// help then.
+  /// True if threads wait for values that nothing can change any more: no thread can run, none is
+  /// delayed or periodic, no PLC block is bound, and no running coordinate system still has a
+  /// GT_BufSetVarValue to execute. Only the host can then resolve the wait by writing variables.
   bool Deadlocked() const;
   /// Profile cycles since power-on.
   int64_t cycle() const { return motion_.state().cycle; }
   /// The same in milliseconds.
   double NowMs() const;
-  /// Microseconds since power-on, with what has passed of the current cycle.
+  /// Microseconds since power-on, including the current cycle.
   int64_t NowUs() const;
 
   /// GT_Reset: registers, program state and clock to their power-on values; the downloaded program
@@ -147,16 +149,16 @@ class Controller {
   ControllerSnapshot Snapshot() const;
   /// Puts back a snapshot taken from this controller with the same program.
   void Restore(const ControllerSnapshot& snapshot);
-  /// The parts apart; together with Machine::Restore(), as the above.
+  /// Separate parts of it; together with Machine::Restore() the same as above.
   CardBody Body() const;
   void RestoreBody(const CardBody& body);
   /// XXH64 of the body alone.
   uint64_t BodyHash() const;
-  /// XXH64 of everything that a snapshot holds but the scheduler policy's own state.
+  /// XXH64 of everything in a snapshot except the internal state of the scheduling policy.
   uint64_t Hash() const;
 
  private:
-  /// GT_BufSetVarValue: what coordinate systems have reached in the last tick.
+  /// Executes the GT_BufSetVarValue commands that coordinate systems reached in the last tick.
   void WriteBufferedValues();
   void ObserveRefusals(gtcalls::RefusalObserver observer);
   /// The threads' part of a cycle, statement by statement.
@@ -171,8 +173,9 @@ class Controller {
   std::vector<gtcalls::RefusalObserver> refusal_observers_;
   std::vector<HappeningListener> happening_listeners_;
   std::function<void()> state_observer_;
-  int64_t pending_us_ = 0;          // host time not yet turned into cycles
-  int64_t pending_statements_ = 0;  // thousandths of a statement the last budget was rounded by
+  int64_t pending_us_ = 0;  // host time not yet converted to cycles
+  int64_t pending_statements_ =
+      0;  // rounding remainder of the last budget, in thousandths of a statement
 };
 
 }  // namespace oncard::runtime

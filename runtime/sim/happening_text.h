@@ -1,4 +1,4 @@
-// Words for what a card does by itself (motion/happening.h), for logs:
+// Text for what a card does by itself (motion/happening.h), for logs:
 //
 //   axis 1 passed its positive soft limit 2000 at 2012.5 and stops
 //

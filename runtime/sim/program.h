@@ -1,4 +1,4 @@
-// A motion program from a file, source or object.
+// Loads a motion program from a source or an object file.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,14 @@
 
 namespace oncard::runtime {
 
-/// What came of loading a program.
+/// The result of loading a program.
 struct ProgramLoad {
-  /// Present when a source was compiled: its diagnostics, warnings of a good program included.
+  /// Present if a source was compiled: its diagnostics, including warnings of a correct program.
   std::optional<compiler::Compilation> compilation;
   /// Present on success.
   std::optional<vm::Object> object;
-  /// Why a file could not be read. A source that was read and rejected has no error here.
+  /// The reason why a file could not be read. A source that was read and rejected has no error
+  /// here.
   std::optional<Error> error;
 };
 
@@ -25,7 +26,7 @@ struct ProgramLoad {
 /// written.
 ProgramLoad LoadProgram(const std::string& path, const compiler::Options& options);
 
-/// `file:line` of an instruction, the file as it lies beside the program.
+/// `file:line` of an instruction, the file relative to the program.
 std::string SourcePlace(const std::string& program_path, const vm::Function& function,
                         size_t instruction);
 

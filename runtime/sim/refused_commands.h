@@ -1,6 +1,6 @@
-// Commands that motion programs were refused: each place of a program once, however often it is
-// come to. A program sees a code that the next command overwrites; this is where it is not lost.
-// Not thread-safe. Tested by tests/runtime/refused_commands_test.cc.
+// Refused commands of motion programs, each place of a program once. In the thread's status the
+// next command overwrites the code; here it is kept. Not thread-safe. Tested by
+// tests/runtime/refused_commands_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace oncard::runtime {
 
 /// A statement whose command gave a code other than 0.
 struct RefusedCommand {
-  int thread = 0;        ///< that came to it first
+  int thread = 0;        ///< the first thread that reached it
   std::string function;  ///< of the program
   std::string file;      ///< of the source; `line` 0: not known
   int line = 0;
@@ -28,19 +28,19 @@ struct RefusedCommand {
 
 class RefusedCommands {
  public:
-  /// A thread of the motion program was refused a command at that time.
+  /// Records that a command of a motion-program thread was refused at that time.
   void Add(const gtcalls::Call& call, int16_t code, int64_t now_us);
 
-  /// In the order in which they came about.
+  /// In the order of their first occurrence.
   const std::vector<RefusedCommand>& list() const { return list_; }
 
  private:
-  /// Program, function, instruction and code, and the place in the list.
+  /// Program, function, instruction and code, and the position in the list.
   std::map<std::tuple<uint64_t, int, int, int16_t>, size_t> known_;
   std::vector<RefusedCommand> list_;
 };
 
-/// `p.c:12: thread 0 f: GT_AxisOn(9) = 7: ...`, the file as it lies beside the program.
+/// `p.c:12: thread 0 f: GT_AxisOn(9) = 7: ...`, the file relative to the program.
 Message DescribeRefusedPlace(const RefusedCommand& refused, const std::string& program_path);
 /// The same with ` (first at 0.25 ms, 3 times)`.
 Message DescribeRefusedCommand(const RefusedCommand& refused, const std::string& program_path);
