@@ -7,7 +7,7 @@ namespace oncard {
 
 class Descriptor {
  public:
-  /// Takes a descriptor over; a negative number is none.
+  /// Takes ownership of a descriptor; a negative number stands for none.
   explicit Descriptor(int number) : number_(number) {}
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;

@@ -17,20 +17,20 @@ inline constexpr int kNoSuchFile = 2007;
 
 /// The bytes of a regular file. Fails when it is missing (kNoSuchFile), unreadable, larger than its
 /// kind allows (judged while reading, for files that grow), a folder, a device, a pipe or a socket:
-/// these never end or make the reader wait. `path` may not hold a NUL.
+/// these never end or make the reader wait. `path` must not contain a NUL.
 Result<std::string> ReadFile(const std::string& path, const FileKind& kind = kOwnKind);
 
 /// Writes a temporary file beside `path`, flushes it and renames it over `path`; the mode of an old
-/// file is kept, and its owner where that is allowed. A symbolic link is followed and stays. What
-/// is no regular file (a device, a pipe), or is this process's own standard output, is written to
-/// and stays, too. Fails when `path` is a folder or may not be written. On failure the temporary
-/// file is gone; one whose writer was killed is removed by the next write into the folder. SIGHUP,
-/// SIGINT, SIGQUIT and SIGTERM wait in the calling thread until the file stands.
+/// file is kept, and its owner where that is allowed. A symbolic link is followed and kept. A file
+/// that is not regular (a device, a pipe), or is this process's own standard output, is written to
+/// directly. Fails when `path` is a folder or may not be written. On failure the temporary file is
+/// removed; one whose writer was killed is removed by the next write into the folder. SIGHUP,
+/// SIGINT, SIGQUIT and SIGTERM are blocked in the calling thread until the file is complete.
 Result<void> WriteFileAtomically(const std::string& path, std::string_view content);
 
 /// Writes two files of one folder that belong together: both are complete on disk before either is
 /// renamed, and a failure leaves the old pair. Several writers take turns. A writer that is killed
-/// between the renames leaves the first file only, never halves of two pairs.
+/// between the renames leaves only the first file, never files of two different pairs.
 Result<void> WritePairAtomically(const std::string& first_path, std::string_view first,
                                  const std::string& second_path, std::string_view second);
 

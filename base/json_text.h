@@ -1,4 +1,5 @@
-// JSON as text. The one writer: names, comments and paths may be GBK or no text at all.
+// Writes JSON as text. All JSON output uses it, because names, comments and paths may be GBK or
+// arbitrary bytes.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

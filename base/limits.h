@@ -1,6 +1,6 @@
-// How large an input may be, in one place. Files come from anywhere: these bounds are judged while
-// a file is read, before anything is built from it. docs/limits.md is their manual page;
-// tests/limits accuses each at its bound and one past it.
+// The largest accepted inputs, in one place. Files are untrusted: these bounds are checked while a
+// file is read, before its content is processed. docs/limits.md describes them;
+// tests/tools/limits_test.cc tests each at its bound and just above it.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace oncard {
 
-/// A kind of file that is read as a whole, and how many bytes of it at most.
+/// A kind of file that is read as a whole, and its largest size in bytes.
 struct FileKind {
   std::string_view name_en;
   std::string_view name_zh;
@@ -17,7 +17,8 @@ struct FileKind {
 
 inline constexpr size_t kMebibyte = size_t{1} << 20;
 
-/// A motion program in C. The same bound holds for the program and all it includes together.
+/// A motion program in C. The same bound applies to the program together with all files that it
+/// includes.
 inline constexpr FileKind kSourceKind = {"a program", "程序", 4 * kMebibyte};
 /// A .bin or .ini: no program within the card's limits is larger.
 inline constexpr FileKind kObjectKind = {"an object file", "目标文件", 256 * kMebibyte};
@@ -26,13 +27,13 @@ inline constexpr FileKind kScheduleKind = {"a schedule", "调度文件", 64 * kM
 inline constexpr FileKind kSearchKind = {"a search file", "搜索文件", 1024 * kMebibyte};
 /// The vendor's .cfg.
 inline constexpr FileKind kConfigKind = {"a configuration", "配置文件", 1 * kMebibyte};
-/// What this project itself writes and reads back.
+/// Files that oncard itself writes and reads back.
 inline constexpr FileKind kOwnKind = {"a file", "文件", 1024 * kMebibyte};
 
 /// Tokens of a program and all it includes.
 inline constexpr size_t kTokenMax = size_t{1} << 20;
 
-/// Brackets within brackets of a scenario's value, parts of a dotted key, and keys in all.
+/// Nested brackets of a scenario's value, parts of a dotted key, and total number of keys.
 inline constexpr size_t kTomlDepthMax = 32;
 inline constexpr size_t kTomlKeyPartMax = 32;
 inline constexpr size_t kTomlKeyMax = 100'000;

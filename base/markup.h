@@ -6,7 +6,7 @@
 
 namespace oncard {
 
-/// The text with the characters that mean something in markup replaced: & < > and ".
+/// The text with the special characters of markup escaped: & < > and ".
 std::string EscapeMarkup(std::string_view text);
 
 }  // namespace oncard

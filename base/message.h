@@ -28,7 +28,7 @@ Message MakeMessage(std::string_view en, std::string_view zh, const Args&... arg
   return {fmt::format(fmt::runtime(en), args...), fmt::format(fmt::runtime(zh), args...)};
 }
 
-/// The language that LC_ALL, LC_MESSAGES and LANG (in this order) ask for: Chinese when the first
+/// The language selected by LC_ALL, LC_MESSAGES and LANG (in this order): Chinese when the first
 /// one that is set and not empty starts with "zh", English otherwise.
 Language LanguageFromEnvironment();
 

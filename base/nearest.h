@@ -1,4 +1,4 @@
-// "Did you mean": the candidate nearest to a misspelt name.
+// "Did you mean": the candidate most similar to a misspelt name.
 #pragma once
 
 #include <span>
@@ -6,15 +6,15 @@
 
 namespace oncard {
 
-/// The nearest of the candidates, when one is near enough to be what was meant: the candidate with
-/// the fewest insertions, deletions, exchanges and swaps of neighbours (letter case counts little),
-/// at most one in three letters; the first of several. Add() all, then ask.
+/// The most similar of the candidates, if one is similar enough to be the intended name: the
+/// candidate with the fewest insertions, deletions, exchanges and swaps of neighbours (letter case
+/// counts little), at most one in three letters; the first of several. Add() all, then ask.
 class Nearest {
  public:
   /// `wanted` must outlive the search.
   explicit Nearest(std::string_view wanted);
   void Add(std::string_view candidate);
-  /// Empty when nothing is near.
+  /// Empty if nothing is similar enough.
   std::string_view best() const { return best_; }
 
  private:
@@ -23,7 +23,7 @@ class Nearest {
   std::string_view best_;
 };
 
-/// The same for candidates that stand in one list.
+/// The same for candidates in one list.
 std::string_view NearestName(std::string_view name, std::span<const std::string_view> candidates);
 
 }  // namespace oncard

@@ -1,6 +1,6 @@
-// Numbers as people and files write them. One reader, so that every place takes the same ones:
-// infinity and "not a number" are none, whatever the language's libraries think; `inf` and `nan`
-// are names like any other. Independent of the locale. Tested by tests/base/number_test.cc.
+// Reads numbers in text. There is one reader so that the same numbers are accepted everywhere:
+// infinity and "not a number" are not numbers, unlike in the standard library; `inf` and `nan` are
+// ordinary names. Independent of the locale. Tested by tests/base/number_test.cc.
 #pragma once
 
 #include <charconv>

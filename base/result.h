@@ -23,7 +23,7 @@ Error MakeError(int code, std::string_view en, std::string_view zh, const Args&.
   return {code, MakeMessage(en, zh, args...)};
 }
 
-/// A value or the reason why there is none. Asking for the one that is absent is a bug of the
+/// A value, or the reason why there is none. Accessing the one that is absent is a bug in the
 /// caller.
 template <typename T>
 class [[nodiscard]] Result {

@@ -1,4 +1,4 @@
-// Blanks around a text that a person wrote. Tested by tests/base/trim_test.cc.
+// Removes blanks around a text. Tested by tests/base/trim_test.cc.
 #pragma once
 
 #include <cstddef>

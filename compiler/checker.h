@@ -1,7 +1,7 @@
-// Meaning: checks the tree against the rules of the language and translates it, one simple
-// statement to one instruction. Declarations are in declarations.cc, statements in statements.cc,
-// operands and operations in expressions.cc, GT commands in calls.cc. Constructs of C that the
-// language lacks are reported together with edits that rewrite them (rewriter.h).
+// Semantic analysis: checks the tree against the rules of the language and translates it, each
+// simple statement to one instruction. Declarations are in declarations.cc, statements in
+// statements.cc, operands and operations in expressions.cc, GT commands in calls.cc. Constructs of
+// C that the language lacks are reported together with edits that rewrite them (rewriter.h).
 #pragma once
 
 #include <deque>
@@ -24,29 +24,30 @@
 
 namespace oncard::compiler {
 
-/// Where a statement stands, as far as rewriting it is concerned.
+/// The context of a statement that matters for rewriting it.
 struct Place {
-  /// It is the body of an `if` or a loop without braces: several statements need braces.
+  /// The statement is the body of an `if` or a loop without braces, so that several statements need
+  /// braces.
   bool single = false;
   /// A statement follows it, so that a label may end its rewriting.
   bool followed = true;
-  /// Inside a loop or switch, which takes care of `break` and `continue`.
+  /// Inside a loop or switch, which handles `break` and `continue`.
   bool in_loop = false;
   bool in_switch = false;
   /// At the top level of a function's body.
   bool top = true;
 };
 
-/// A value that a statement can use as it stands.
+/// A value that a statement can use directly.
 struct TypedOperand {
   vm::Operand operand;
   vm::DataType type = vm::DataType::kInt;
-  /// Set for a literal or macro: it becomes a double beside a double.
+  /// Set for a literal or macro, which becomes a double beside a double operand.
   std::optional<Literal> literal;
   SourceRange range;
 };
 
-/// The right-hand side of an assignment that one instruction can do.
+/// The right-hand side of an assignment that one instruction can compute.
 struct Operation {
   vm::Opcode opcode = vm::Opcode::kUnary;
   uint16_t op = static_cast<uint16_t>(vm::UnaryOperator::kCopy);
@@ -61,11 +62,11 @@ class Checker {
   Checker(const Options& options, const std::deque<SourceFile>& files, Reporter& reporter,
           const std::vector<Token>& tokens);
 
-  /// Says nothing about these names: they were lost in errors that are reported already.
+  /// Suppresses diagnostics about these names: they were lost in errors that have been reported.
   void AddSkippedNames(const std::unordered_set<std::string_view>& names);
-  /// Checks everything. The object means something only when nothing was reported.
+  /// Checks everything. The object is valid only if no error was reported.
   vm::Object Check(const Tree& tree);
-  /// Where the statements of the object's functions stand.
+  /// The source positions of the statements of the object's functions.
   const std::vector<FunctionPlaces>& places() const { return places_; }
 
  private:
@@ -90,7 +91,7 @@ class Checker {
     const Statement* statement = nullptr;  ///< nullptr: the body of the function
     std::vector<std::string_view> names;
   };
-  // Of the variables at the top of a function.
+  // For the variables at the top of a function.
   struct InitialValues {
     std::vector<std::pair<const Declarator*, const Entity*>> list;
     bool good = true;
@@ -116,7 +117,7 @@ class Checker {
     std::unordered_map<std::string_view, size_t> open_names;  // and the block that declares each
     std::vector<Goto> gotos;
     std::unordered_map<std::string_view, int> declarations;  // how often a name is declared
-    std::optional<NameTable> uses;                           // built when they are first asked for
+    std::optional<NameTable> uses;                           // built at the first use
     InitialValues initial_values;
     bool too_long = false;
     bool too_many_slots = false;
@@ -142,7 +143,7 @@ class Checker {
     bool is_const = false;
     bool is_static = false;  ///< `static` or `extern`
     bool is_parameter = false;
-    /// Set when the words mean nothing here: what has been reported, for edits to be added.
+    /// Set if the words are not allowed here: the reported diagnostic, for edits to be added.
     Diagnostic* report = nullptr;
     std::string_view words;  ///< as written
     std::string plain;       ///< the words to write instead
@@ -201,19 +202,19 @@ class Checker {
   void ResolveJumps();
   void Emit(vm::Instruction instruction);
 
-  // Teaching: a statement begins, finds out what is wrong with it, and ends with at most one
-  // lesson.
+  // Diagnostics of statements: each statement is examined for all mistakes, and reports at most
+  // one.
   void BeginStatement(const Statement& statement);
   void EndStatement(const Statement& statement, const Place& place);
   template <typename... Args>
   void Teach(Code code, SourceRange range, const Args&... args) {
-    // That an expression is nested is the least of what can be said about it.
+    // A nested expression is reported only if there is nothing more specific to report.
     if (!lesson_ || lesson_->code == Code::kNestedExpression) {
       if (lesson_ && code == Code::kNestedExpression) return;
       lesson_ = Lesson{code, range, {ToMessage(args)...}};
     }
   }
-  /// Reports an error that no rewriting can mend.
+  /// Reports an error that no rewriting can correct.
   template <typename... Args>
   Diagnostic& Fail(Code code, SourceRange range, const Args&... args) {
     failed_ = true;
@@ -238,12 +239,11 @@ class Checker {
   std::optional<Operation> ResolveMagnitude(const Expression& expression);
   void CheckNames(const Expression& expression);
   void TeachNested(const Expression& expression);
-  /// Turns a literal into the type that stands beside it.
+  /// Converts a literal to the type of the other operand.
   bool Adapt(TypedOperand& operand, vm::DataType type);
   std::optional<TypedOperand> LiteralOperand(const Literal& literal, SourceRange range);
   void ReportUndeclared(const Expression& expression);
-  /// Searching for near names costs time; a program with more wrong names than this has other
-  /// troubles.
+  /// Limit of searches for similar names, because they take time.
   bool MaySuggest() { return suggestions_++ < kSuggestionMax; }
   static bool IsLeaf(const Expression& expression);
   std::optional<Literal> ConstantOf(const Expression& expression) const;
@@ -285,24 +285,24 @@ class Checker {
   // Of the statement being checked.
   std::optional<Lesson> lesson_;
   bool failed_ = false;
-  bool broken_ = false;  // part of it is missing from the tree: no lesson
+  bool broken_ = false;  // part of it is missing from the tree: no advice
   uint16_t line_ = 0;
   SourceRange statement_range_;
-  bool uses_flat_array_ = false;  // a multi-dimensional array, whose declaration mends its uses
+  bool uses_flat_array_ = false;  // a multi-dimensional array, whose declaration corrects its uses
   struct FlatArray {
     Diagnostic* report = nullptr;  ///< of the declaration, with the edits of all uses
-    bool good = true;              ///< no use is wrong
+    bool good = true;              ///< no incorrect use
   };
   std::unordered_map<std::string_view, FlatArray> flat_arrays_;
   std::unordered_set<const Expression*> flattened_;
   std::optional<NameTable> program_uses_;
-  std::optional<NameScopes> scopes_;  // built when they are first asked for
+  std::optional<NameScopes> scopes_;  // built at the first use
 };
 
 /// How messages name things.
 Message DescribeType(vm::DataType type);
 Message DescribeEntity(const Entity& entity);
-/// What to do with a value of the other type.
+/// Advice for a value of the other type.
 Message ConvertAdvice();
 
 }  // namespace oncard::compiler

@@ -22,7 +22,7 @@ struct Options {
   std::vector<std::string> include_folders;
   /// After so many errors the rest is not reported (a note says so). 0: no limit.
   int max_errors = 50;
-  /// Warnings are errors: a program that has any gives no object.
+  /// Warnings are errors: a program with warnings gives no object.
   bool warnings_are_errors = false;
   /// Codes of warnings that are not reported.
   std::vector<int> silent_warnings = {};
@@ -32,7 +32,7 @@ struct Options {
 /// False for anything else.
 bool ReadWarningOption(std::string_view text, Options* options);
 
-/// Gives the bytes of a file, or an Error, kNoSuchFile when there is none; tests replace the file
+/// Returns the bytes of a file, or an Error, kNoSuchFile if there is none; tests replace the file
 /// system with it.
 using FileReader = std::function<Result<std::string>(const std::string& path)>;
 

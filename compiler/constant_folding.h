@@ -1,5 +1,5 @@
-// Computes expressions of numbers as C does at compile time, so that a fix-it can put the number in
-// their place. Tested by tests/compiler/rewriter_test.cc.
+// Evaluates constant expressions as C does at compile time, so that a fix-it can replace them by
+// their value. Tested by tests/compiler/rewriter_test.cc.
 #pragma once
 
 #include <functional>
@@ -22,15 +22,15 @@ struct Constant {
   double AsDouble() const { return is_double ? real : static_cast<double>(integer); }
   /// As a literal of the language.
   std::string Text() const;
-  /// What the compiler makes of that literal.
+  /// The value of that literal for the compiler.
   Literal AsLiteral() const;
 };
 
 /// `true` and `false`, which C's headers define, and `TRUE` and `FALSE`, which Windows' do.
 std::optional<Literal> TruthValue(std::string_view name);
 
-/// The value of an expression of literals and macros. Nothing when there is anything else in it,
-/// when it divides by zero, or when an int overflows, which C leaves open.
+/// The value of an expression of literals and macros. Empty if it contains anything else, divides
+/// by zero, or overflows an int, which C leaves undefined.
 std::optional<Constant> Fold(const Expression& expression, const MacroLookup& lookup);
 
 }  // namespace oncard::compiler

@@ -1,4 +1,4 @@
-// What the compiler has to say, as data. Printing is diagnostic_printer.h's business.
+// Diagnostics of the compiler, as data. diagnostic_printer.h prints them.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,7 @@ class SourceFile {
   std::vector<uint32_t> line_starts_;
 };
 
-/// A stretch of a file's text: bytes [begin, end).
+/// A range of a file's text: bytes [begin, end).
 struct SourceRange {
   int file = 0;  ///< index into Compilation::files
   uint32_t begin = 0;
@@ -43,14 +43,14 @@ struct SourceRange {
 
 enum class Severity : uint8_t { kError, kWarning };
 
-/// A real edit: replace the range by the text. Applying every fix-it of a diagnostic (they do not
-/// overlap) gives the source the message speaks of.
+/// An edit: replaces the range by the text. Applying all fix-its of a diagnostic (they do not
+/// overlap) gives the source that the message describes.
 struct FixIt {
   SourceRange range;
   std::string text;
 };
 
-/// A further remark, at a place or (line 0 of nothing) without one.
+/// An additional remark, with a place or (line 0) without one.
 struct Note {
   SourceRange range;
   bool has_place = false;
@@ -68,7 +68,7 @@ struct DiagnosticInfo {
 
 struct Diagnostic {
   const DiagnosticInfo* info = nullptr;
-  /// That of the row, unless warnings are taken for errors.
+  /// The severity of the row, unless warnings are errors.
   Severity severity = Severity::kError;
   SourceRange range;
   Message message;

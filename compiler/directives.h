@@ -1,5 +1,5 @@
-// Turns files into the one sequence of tokens that the parser reads: puts included files in place
-// and takes #define lines out.
+// Converts files to the sequence of tokens that the parser reads: inserts included files and
+// removes #define lines.
 #pragma once
 
 #include <deque>
@@ -34,22 +34,22 @@ class Directives {
   /// The files read, the program first, and where each is included: the offset of the directive.
   std::deque<SourceFile>& files() { return files_; }
   const std::vector<uint32_t>& inclusion_points() const { return inclusion_points_; }
-  /// Names whose definitions were wrong: nothing more is said about them.
+  /// Names whose definitions were wrong: no further diagnostics about them.
   const std::unordered_set<std::string_view>& skipped_names() const { return skipped_names_; }
 
  private:
   void AddFile(SourceFile file, uint32_t inclusion_point);
   void Directive(const std::vector<Token>& line);
   void Define(const std::vector<Token>& line, SourceRange whole);
-  /// The body of a macro is not what the language wants: reports it, and puts the number there that
-  /// it stands for, when there is one.
+  /// Reports a macro body that the language does not allow, and replaces it by its value if it has
+  /// one.
   void ReportBody(std::span<const Token> line, SourceRange whole, bool parameters, Macro& macro);
-  /// Decides about macros whose number is not in every place what their body is.
+  /// Checks macros whose value is not equivalent to their body in every place.
   void MendOpenMacros();
   void Include(const std::vector<Token>& line, SourceRange whole);
   void MendAngles(Diagnostic& diagnostic, SourceRange range, SourceRange whole) const;
-  /// The path of an included file, with its text; empty when there is none, or when the first one
-  /// found cannot be read, for the reason then given.
+  /// The path of an included file, with its text; empty if there is none, or if the first one found
+  /// cannot be read, with the reason.
   std::string FindInclude(const std::string& name, std::string* text,
                           std::optional<Message>* unreadable) const;
   /// False, with a report, when the program would become larger than kSourceKind allows.

@@ -1,6 +1,6 @@
-// A line of source as a terminal shows it: tabs expanded, wide characters counted as two columns,
-// GBK text converted, and whatever is neither text nor printable made visible instead of sent to
-// the terminal.
+// A line of source as a terminal shows it: tabs are expanded, wide characters count as two columns,
+// GBK text is converted, and bytes that are not printable text are made visible instead of being
+// sent to the terminal.
 #pragma once
 
 #include <string>
@@ -36,7 +36,7 @@ std::string DisplayText(std::string_view text);
 ///     2 | rate = 0
 ///       |        ^
 ///
-/// without a line end behind it. `style` and `reset` stand around the underline.
+/// without a line end. `style` and `reset` enclose the underline.
 std::string FormatExcerpt(std::string_view line, int number, size_t begin, size_t end,
                           std::string_view style = {}, std::string_view reset = {});
 

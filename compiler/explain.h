@@ -1,5 +1,5 @@
-// The page that `oncard explain MP027` prints: what a diagnostic means, why the language is so, a
-// program that has it and the same program repaired. The texts are the rows of explain_pages.def.
+// The page that `oncard explain MP027` prints: what a diagnostic means, the reason for the rule, a
+// program that causes it and the corrected program. The texts are the rows of explain_pages.def.
 #pragma once
 
 #include <optional>
@@ -18,8 +18,8 @@ struct Explanation {
   /// What is wrong and why: one paragraph of full sentences, without line ends.
   std::string_view en;
   std::string_view zh;
-  /// Has this diagnostic and no other, but for the undeclared names that a file leaves behind which
-  /// could not be included. Empty when no program that fits a page has it.
+  /// Causes this diagnostic and no other, except for undeclared names from a file that could not be
+  /// included. Empty if no short program causes it.
   std::string_view failing;
   /// Compiles without a diagnostic; empty when `failing` is.
   std::string_view fixed;

@@ -14,13 +14,13 @@ namespace oncard::compiler {
 /// The number in `MP027`, `mp27` or `27`; nothing for any other text.
 std::optional<int> ParseDiagnosticCode(std::string_view text);
 
-/// The codes of the diagnostics that a text asks for: the one that it numbers; or the one whose
-/// slug it is, blanks taken for hyphens; or else those of which every word of the text begins a
-/// word, in either language, upper and lower case alike. Those that have all words in their slugs
-/// and messages come first, then those that have them in their explanations, each part by code.
+/// The codes of the diagnostics that match a text: the one with that number; or the one with that
+/// slug, where blanks count as hyphens; otherwise those in which every word of the text is the
+/// beginning of a word, in either language, ignoring case. Matches in slugs and messages come
+/// first, then matches in explanations, each sorted by code.
 std::vector<int> SearchDiagnostics(std::string_view text);
 
-/// What to try when SearchDiagnostics() finds nothing.
+/// The advice if SearchDiagnostics() finds nothing.
 Message AdviseSearch(std::string_view text);
 
 }  // namespace oncard::compiler

@@ -1,7 +1,7 @@
-// Warnings about programs that compile and cannot be meant, found in the translated statements:
-// what is never reached, never written, never read, never ends. Each says only what holds on every
-// path, so that a good program draws none.
-// Tested by tests/lang/warnings.
+// Warnings about programs that compile but are very likely wrong, found in the translated
+// statements: code that is never reached, variables never written or never read, loops that never
+// end. Each warns only of what is true on every path, so that correct programs have none. Tested by
+// tests/lang/warnings.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace oncard::compiler {
 
-/// What a function's translation does not say of its source.
+/// Source information that a function's translation does not contain.
 struct FunctionPlaces {
   std::vector<SourceRange> statements;  ///< of each instruction
   uint16_t parameter_slots = 0;         ///< the host writes these

@@ -9,12 +9,13 @@
 namespace oncard::compiler {
 
 /// The tokens of a file, without an end token. Comments and white space are skipped; malformed
-/// numbers and illegal characters are reported and leave a token that the parser passes over in
-/// silence. Scanning stops after `token_max` tokens. The file's text must outlive the tokens.
+/// numbers and illegal characters are reported and leave a token that the parser skips without a
+/// further report. Scanning stops after `token_max` tokens. The file's text must outlive the
+/// tokens.
 std::vector<Token> Tokenize(const SourceFile& file, int file_index, size_t token_max,
                             Reporter& reporter);
 
-/// What messages call a token: 'x', or what it is when it has no text.
+/// The name of a token in messages: 'x', or a description if it has no text.
 Message DescribeToken(const Token& token);
 
 }  // namespace oncard::compiler

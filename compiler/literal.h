@@ -1,6 +1,6 @@
 // Number literals, read exactly: integers of 32 bits, and fixed-point numbers rounded to the
-// nearest multiple of 2^-16 with decimal arithmetic, so that no binary rounding comes between.
-// Tested by tests/compiler/literal_test.cc.
+// nearest multiple of 2^-16 with decimal arithmetic, so that there is no intermediate binary
+// rounding. Tested by tests/compiler/literal_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,15 @@
 
 namespace oncard::compiler {
 
-/// A number as written, without its sign. Whether it fits depends on the sign and on what it is
-/// used for, so that is asked later.
+/// A number as written, without its sign. Whether it fits depends on its sign and its use, which
+/// are checked later.
 struct Literal {
   enum class Kind : uint8_t { kInteger, kFixed };
   Kind kind = Kind::kInteger;
   bool hexadecimal = false;
-  /// What it says is not a number or has been reported already; any value will do.
+  /// It is not a number, or has been reported already; any value is accepted.
   bool invalid = false;
-  /// The sign in front belongs to it.
+  /// The sign before it is part of it.
   bool negative = false;
   /// The magnitude: of an integer, or of the raw value (times 2^16) of a fixed-point number. Too
   /// large values are kHuge.

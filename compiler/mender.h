@@ -1,5 +1,5 @@
-// Applies fix-its: those of one diagnostic, or of a whole program until none is left.
-// Tested by tests/compiler/rewriter_test.cc and tests/differential/structured_test.cc.
+// Applies fix-its, those of one diagnostic or of a whole program until none is left. Tested by
+// tests/compiler/rewriter_test.cc and tests/differential/structured_test.cc.
 #pragma once
 
 #include <map>
@@ -12,9 +12,9 @@ namespace oncard::compiler {
 
 /// A program after its fix-its.
 struct Mended {
-  /// Of the text as it is now: what no fix-it mends.
+  /// The remaining diagnostics, which no fix-it corrects.
   Compilation compilation;
-  /// Diagnostics that were mended.
+  /// Number of diagnostics that were corrected.
   int count = 0;
   /// The files that changed, by path, with their texts.
   std::map<std::string, std::string> files;
@@ -23,9 +23,10 @@ struct Mended {
 /// The text after the edits, which must not overlap. Insertions at the same place keep their order.
 std::string ApplyEdits(const std::string& text, std::vector<FixIt> edits);
 
-/// Compiles, applies, and compiles again. Of fix-its whose stretches of text touch, the first one
-/// is applied and the others are found anew: each is written for the text as it stands. Included
-/// files are mended as well. Ends: an edit that leads back to an earlier text is the last one.
+/// Compiles, applies, and compiles again. If the ranges of fix-its touch, the first one is applied
+/// and the others are computed again, because each applies to the current text. Included files are
+/// corrected as well. Terminates, because an edit that leads back to an earlier text is the last
+/// one.
 Mended Mend(const std::string& path, std::string text, const Options& options,
             const FileReader& reader);
 

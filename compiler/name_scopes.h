@@ -1,4 +1,4 @@
-// What the names of a program mean by C's rules of scope, before anything is mended. Tested by
+// Resolves the names of a program by C's scope rules, before any correction. Tested by
 // tests/compiler/rewriter_test.cc, by way of the fix-its that depend on it.
 #pragma once
 
@@ -22,8 +22,7 @@ class NameScopes {
   /// The tree must outlive this object.
   explicit NameScopes(const Tree& tree);
 
-  /// The variable that a name means where it is used: the innermost one; nullptr when there is
-  /// none.
+  /// The variable that a name refers to at a place, the innermost one; nullptr if there is none.
   const VisibleName* Find(std::string_view name, SourceRange use) const;
 
  private:

@@ -1,5 +1,5 @@
-// What the generated parser works with: the tokens, the tree under construction, and the judgement
-// of syntax errors.
+// The environment of the generated parser: the tokens, the tree under construction, and the
+// diagnosis of syntax errors.
 #pragma once
 
 #include <span>
@@ -21,28 +21,28 @@ class ParserDriver {
 
   Tree tree;
 
-  /// Names inside statements that were skipped: they may have been declarations or labels, so
-  /// nothing is said about them any more.
+  /// Names inside statements that were skipped: they may have been declarations or labels, so there
+  /// are no further diagnostics about them.
   const std::unordered_set<std::string_view>& skipped_names() const { return skipped_names_; }
 
   // --- For the parser --------------------------------------------------------------------------
 
-  /// The next token. At the end of the file, closes the braces that are still open.
+  /// Returns the next token. At the end of the file, closes the braces that are still open.
   int Next(Parser::semantic_type* value, SourceRange* location);
-  /// Reports a syntax error at the token that Next() gave last.
+  /// Reports a syntax error at the last token from Next().
   void SyntaxError(std::span<const Parser::symbol_kind_type> expected);
-  /// Passes over the rest of a statement that has a syntax error. Returns false when the last token
-  /// is good for the next statement.
+  /// Skips the rest of a statement that has a syntax error. Returns false if the last token can
+  /// belong to the next statement.
   bool SkipStatement();
-  /// The `{` of a function's body is missing and taken as written. Returns true when the last token
-  /// was the end of the file, which now comes after a `}`.
+  /// Inserts the missing `{` of a function's body. Returns true if the last token was the end of
+  /// the file, which now follows a `}`.
   bool OpenMissingBrace();
-  /// True when recovery does not get past a token; the rest of the file is given up then.
+  /// True if recovery does not get past a token; the rest of the file is then skipped.
   bool Stalled() const { return errors_here_ > kErrorsHereMax; }
 
   // --- Building blocks of the tree that need the reporter -------------------------------------
 
-  /// Replaces a tree that is too deep by an error.
+  /// Replaces a tree that is too deep by an error node.
   void LimitDepth(Expression& expression);
   StatementPtr LimitDepth(StatementPtr statement);
 
@@ -61,9 +61,9 @@ class ParserDriver {
   ExpressionPtr Paren(ExpressionPtr inner, SourceRange range);
   ExpressionPtr Braces(std::vector<ExpressionPtr> values, SourceRange range);
 
-  /// `value` may be nullptr: an empty statement.
+  /// `value` may be nullptr for an empty statement.
   StatementPtr ExpressionStatement(ExpressionPtr value, SourceRange range);
-  /// An expression after which the `;` is missing, or more.
+  /// An expression after which at least the `;` is missing.
   StatementPtr BrokenStatement(ExpressionPtr value, SourceRange range);
   StatementPtr If(SourceRange keyword, ExpressionPtr condition, StatementPtr body,
                   SourceRange else_keyword, StatementPtr else_body, SourceRange range);
@@ -85,11 +85,11 @@ class ParserDriver {
   size_t next_ = 0;
   static constexpr int kErrorsHereMax = 8;
   const Token* error_at_ = nullptr;  // the token of the last syntax error
-  int errors_here_ = 0;              // how many it has had
+  int errors_here_ = 0;              // number of errors at this token
   size_t stuck_at_ = 0;              // where SkipStatement() last found nothing to skip
-  const Token* last_ = nullptr;      // what Next() gave last
-  const Token* previous_ = nullptr;  // and before that
-  Token end_brace_;                  // stands for a `}` that is missing at the end
+  const Token* last_ = nullptr;      // the last token from Next()
+  const Token* previous_ = nullptr;  // the token before that
+  Token end_brace_;                  // used for a `}` that is missing at the end
   struct Brace {
     SourceRange place;
     bool initialiser;
@@ -101,7 +101,7 @@ class ParserDriver {
   std::unordered_set<std::string_view> skipped_names_;
 };
 
-/// The range from the first to the last; when they lie in different files, the last alone.
+/// The range from the first to the last; only the last if they are in different files.
 SourceRange Join(SourceRange first, SourceRange last);
 
 void Append(std::vector<StatementPtr>& items, StatementPtr item);

@@ -37,7 +37,7 @@ class Reporter {
     return Add(code, range, arguments);
   }
 
-  /// Leaves out the diagnostics of a code, which another one explains.
+  /// Removes the diagnostics of a code that another diagnostic explains.
   void Drop(Code code);
 
   bool HasErrors() const;

@@ -1,8 +1,8 @@
-// Rewrites what the language lacks into its core statements, as edits of the user's own text:
-// nested expressions with temporaries, loops and branches in goto form, as GTS manual 10.4.3 shows
-// them. One object serves one diagnostic, to which it adds the edits. Bodies of loops and branches
-// stay untouched, so that their comments survive and their own diagnostics can be mended
-// separately. Tested by tests/compiler/rewriter_test.cc.
+// Rewrites unsupported C constructs as core statements of the language, as edits of the user's own
+// text: nested expressions with temporaries, loops and branches with goto, as shown in GTS manual
+// 10.4.3. One object serves one diagnostic, to which it adds the edits. Bodies of loops and
+// branches are not changed, so that their comments are kept and their own diagnostics can be
+// corrected separately. Tested by tests/compiler/rewriter_test.cc.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ class Rewriter {
  public:
   Rewriter(Checker& checker, Diagnostic& diagnostic) : checker_(checker), diagnostic_(diagnostic) {}
 
-  /// False when something cannot be rewritten; then nothing must be added.
+  /// False if something cannot be rewritten; then nothing may be added.
   bool ok() const { return ok_; }
 
   /// Collects the statements that give a declared variable its initial value.
@@ -41,7 +41,7 @@ class Rewriter {
   void Finish();
 
  private:
-  /// Nothing is rewritten: says why, and what to do instead. Only the first reason is told.
+  /// Cancels the rewriting with a reason and advice. Only the first reason is reported.
   void Refuse(Message reason);
   void Refuse(SourceRange place, Message reason);
 
@@ -51,7 +51,7 @@ class Rewriter {
     vm::DataType type = vm::DataType::kInt;
     bool leaf = true;
     bool literal = false;
-    bool variable = false;  ///< a plain variable, fit for an index or a condition
+    bool variable = false;  ///< a plain variable, usable as an index or a condition
   };
   struct Condition {
     bool constant = false;

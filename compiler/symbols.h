@@ -16,25 +16,25 @@
 
 namespace oncard::compiler {
 
-/// What a name of the program stands for.
+/// The meaning of a name of the program.
 struct Entity {
   enum class Kind : uint8_t { kVariable, kMacro, kFunction };
   Kind kind = Kind::kVariable;
   std::string_view name;
   SourceRange range;  ///< of the name where it is defined
-  /// The declaration was wrong: uses are accepted in silence.
+  /// The declaration was wrong: uses are accepted without a report.
   bool invalid = false;
   bool is_const = false;
 
   // kVariable
   std::string_view words;  ///< of its type, as written
-  bool late = false;       ///< declared after the first statement: fix-its still have to move it
+  bool late = false;       ///< declared after the first statement; a fix-it moves it
   vm::DataType type = vm::DataType::kInt;
   vm::Storage storage = vm::Storage::kLocal;
   uint16_t id = 0;          ///< first slot
   uint16_t array_size = 0;  ///< 0: not an array
   const gtcalls::Structure* structure = nullptr;
-  /// Dimensions of an array that was declared with several; it is taken as flat.
+  /// Dimensions of an array that was declared with several; it is treated as one-dimensional.
   std::vector<int64_t> dimensions;
 
   // kMacro
@@ -55,12 +55,12 @@ class Scope {
   std::unordered_map<std::string_view, size_t> by_name_;
 };
 
-/// Gives names that the program does not use yet.
+/// Generates names that the program does not use.
 class FreshNames {
  public:
-  /// Names that occur in the program, all of them.
+  /// All names that occur in the program.
   void Reserve(std::string_view name) { used_.emplace(name); }
-  /// `base`, or `base1`, `base2`, ...; never the same twice.
+  /// Returns `base`, or `base1`, `base2`, ...; a different name at each call.
   std::string Make(std::string_view base);
 
  private:

@@ -1,6 +1,6 @@
-// The syntax tree of a program. It is deliberately richer than the language: nearly all of C's
-// statements and expressions have a place in it, so that the checker can say of each construct that
-// the language lacks what to write instead.
+// The syntax tree of a program. It is deliberately richer than the language: it can represent
+// nearly all statements and expressions of C, so that the checker can say for each unsupported
+// construct what to write instead.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace oncard::compiler {
 
-/// A token, or what is left of a directive. `text` points into the text of its file.
+/// A token, or a directive. `text` points into the text of its file.
 struct Token {
   int kind = 0;  ///< Parser::token
   SourceRange range;
@@ -23,7 +23,7 @@ struct Token {
   bool on_new_line = false;
 };
 
-/// Trees are processed recursively; deeper ones are refused with MP130.
+/// Trees are processed recursively; deeper ones are rejected with MP130.
 inline constexpr int kDepthMax = 200;
 
 struct Expression;
@@ -146,7 +146,7 @@ struct Macro {
   Literal value;
 };
 
-/// A whole program: what stands at the top level, in order, included files in place.
+/// A whole program: the top-level items in order, including those of included files.
 struct Tree {
   std::vector<StatementPtr> items;
   std::vector<Macro> macros;

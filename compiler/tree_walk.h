@@ -1,6 +1,6 @@
-// Looks through whole trees: what is in them, and how they use names. A name means the same
-// variable throughout a function, and throughout the program when it is a global.
-// Tested by tests/compiler/rewriter_test.cc, by way of the fix-its that depend on it.
+// Searches whole trees: their content, and how they use names. A name means the same variable
+// throughout a function, and throughout the program when it is a global. Tested by
+// tests/compiler/rewriter_test.cc, by way of the fix-its that depend on it.
 #pragma once
 
 #include <functional>
@@ -19,14 +19,14 @@ using ExpressionVisitor = std::function<void(const Expression&)>;
 void ForEachStatement(const Statement& statement, const StatementVisitor& visit);
 /// Calls `visit` for an expression and all below it, outer ones first.
 void ForEachExpression(const Expression& expression, const ExpressionVisitor& visit);
-/// Calls `visit` for every expression that is not part of another one, in the statement alone, not
-/// in those below it.
+/// Calls `visit` for every expression that is not part of another one, only in the statement
+/// itself, not in nested statements.
 void ForEachWholeExpression(const Statement& statement, const ExpressionVisitor& visit);
 
-/// The name at the bottom of `a`, `a[i][j]`, `s.m` and `(a)`; empty when there is none.
+/// The variable name in `a`, `a[i][j]`, `s.m` and `(a)`; empty if there is none.
 std::string_view BaseName(const Expression& expression);
 
-/// How a program uses a variable. Handing its address to a command counts as both.
+/// How a program uses a variable. Passing its address to a command counts as both.
 struct NameUses {
   const Expression* first_read = nullptr;
   const Expression* first_write = nullptr;
@@ -46,7 +46,8 @@ class NameTable {
   std::unordered_map<std::string_view, NameUses> uses_;
 };
 
-/// Whether computing the expression changes something, so that it matters how often it is done.
+/// Whether evaluating the expression has side effects, so that it matters how often it is
+/// evaluated.
 bool HasEffects(const Expression& expression);
 
 }  // namespace oncard::compiler

@@ -1,5 +1,5 @@
-// A card's inside as commands see it: the machine, the motion core and the PLC blocks, and the one
-// way every command is called, from the host and from motion programs alike.
+// A card as commands see it: the virtual machine, the motion core and the PLC blocks, and the
+// common calling convention of commands from the host and from motion programs.
 #pragma once
 
 #include <cstdint>
@@ -19,37 +19,37 @@ namespace oncard::gtcalls {
 /// (GTS: not supported by the firmware).
 inline constexpr int16_t kNotSupported = 8;
 
-/// The parts a command may work on. Owned by the runtime's controller.
+/// The parts of the card that a command may use. Owned by the runtime's controller.
 struct Card {
   vm::Machine& machine;
   motion::MotionCore& motion;
   PlcBlocks& plc;
 };
 
-/// A call in flight.
+/// A call in progress.
 struct Call {
   const Command& command;
   Card& card;
   int caller = vm::kHostCaller;  ///< thread number, or kHostCaller
   std::span<vm::CommandArgument> arguments;
-  /// Why the command was refused, for the call log; beside the code 0 it holds remarks.
+  /// Why the command was refused, for the call log; with code 0 it holds remarks.
   Message reason;
 
   double value(size_t index) const { return arguments[index].value; }
   int integer(size_t index) const { return static_cast<int>(arguments[index].value); }
   bool given(size_t index) const { return !arguments[index].null; }
-  /// What the pointer argument `index` points to, one double per scalar.
+  /// The data of the pointer argument `index`, one double per scalar.
   std::span<double> cells(size_t index) const { return arguments[index].cells; }
   /// Stores an output when its pointer is not NULL.
   void Set(size_t index, double result, size_t cell = 0) const {
     if (!arguments[index].null) arguments[index].cells[cell] = result;
   }
-  /// Records the reason and gives the code.
+  /// Records the reason and returns the code.
   int16_t Refuse(int16_t code, Message why) {
     reason = std::move(why);
     return code;
   }
-  /// Adds a remark on a command that is done.
+  /// Adds a remark to a command that succeeds.
   void Note(const Message& remark) {
     if (!reason.en.empty()) reason = {reason.en + "; ", reason.zh + "；"};
     reason = {reason.en + remark.en, reason.zh + remark.zh};
@@ -64,16 +64,16 @@ bool IsImplemented(const Command& command);
 /// nothing.
 int16_t ExecuteCommand(Call& call);
 
-/// Told of a command that a thread of the motion program was refused, with the code it got.
+/// Receives each refused command of a motion-program thread, with its code.
 using RefusalObserver = std::function<void(const Call& call, int16_t code)>;
 
-/// The machine's view of the catalogue, bound to one card.
+/// The virtual machine's view of the catalogue, bound to one card.
 class CardCommands final : public vm::CommandTable {
  public:
   /// The card must outlive this object.
   explicit CardCommands(Card* card) : card_(card) {}
 
-  /// Programs see only a code; the observer gets the reason as well. An empty one ends it.
+  /// Programs see only a code; the observer also receives the reason. An empty observer ends this.
   void ObserveRefusals(RefusalObserver observer) { observer_ = std::move(observer); }
 
   const vm::CommandShape* Find(uint16_t number) const override;

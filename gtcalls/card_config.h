@@ -1,7 +1,7 @@
 // The vendor's configuration files (*.cfg): ini sections [profile1] ... [mpg7] that say how the
-// card's parts are joined. The reader is tolerant, as real files ask for it: what it does not know
-// is kept as a remark and otherwise ignored. Source: GTS manual 4.3 and files of the vendor's tool.
-// Tested by tests/gtcalls/card_config_test.cc.
+// card's parts are connected. The reader is tolerant, as real files require: unknown entries become
+// remarks and are otherwise ignored. Source: GTS manual 4.3 and files of the vendor's tool. Tested
+// by tests/gtcalls/card_config_test.cc.
 #pragma once
 
 #include <array>
@@ -81,7 +81,7 @@ struct CardConfig {
   std::array<std::array<Output, motion::kIoWidthMax>, motion::kDoTypeCount> outputs;
   std::array<std::array<Input, motion::kIoWidthMax>, motion::kDiTypeCount> inputs;
 
-  /// What was not understood, each kind of thing once.
+  /// Remarks on entries that were not understood, each kind once.
   std::vector<Message> remarks;
 
   CardConfig();
@@ -90,8 +90,8 @@ struct CardConfig {
 /// Reads the text of a file; never fails.
 CardConfig ParseCardConfig(std::string_view text);
 
-/// Configures a card at rest. Latched status bits stay until GT_ClrSts; the machine does not move
-/// and encoders keep their positions.
+/// Configures a card at rest. Latched status bits stay until GT_ClrSts; nothing moves, and encoders
+/// keep their positions.
 void ApplyCardConfig(const CardConfig& config, motion::MotionCore* core);
 
 }  // namespace oncard::gtcalls

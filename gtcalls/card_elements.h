@@ -1,6 +1,6 @@
-// How many elements a pointer covers when only the card knows: positions of a coordinate system,
-// capture offsets. The host library asks before it touches the host's memory.
-// Tested by tests/runtime/marshal_test.cc.
+// The number of elements that a pointer covers where it depends on the state of the card: positions
+// of a coordinate system, capture offsets. The host library queries it before it accesses the
+// host's memory. Tested by tests/runtime/marshal_test.cc.
 #pragma once
 
 #include <cstddef>

@@ -25,32 +25,32 @@ enum class Scalar : uint8_t {
   kDouble
 };
 
-/// How a parameter travels.
+/// How a parameter is passed.
 enum class Passing : uint8_t {
   kValue,      ///< a scalar by value
   kInput,      ///< pointer: the command reads what it points to
   kOutput,     ///< pointer: the command writes what it points to
-  kLent,       ///< pointer to working memory for the vendor's library: never touched here
+  kLent,       ///< pointer to working memory for the vendor's library: never accessed here
   kText,       ///< `char*`: a NUL-terminated name or file name, read only
   kTextOutput  ///< `char**`: receives the address of a text that the library keeps
 };
 
-/// Where a command may live. The same name can differ between families.
+/// The family of a command. The same name can differ between families.
 enum class Family : uint8_t { kGts };
 
-/// Standing of the interface row: A in the manuals or accepted by the vendor's compiler,
-/// B in the basic public header, X thread extensions.
+/// Reliability of the interface row: A in the manuals or accepted by the vendor's compiler, B in
+/// the basic public header, X thread extensions.
 enum class Tier : uint8_t { kA, kB, kX };
 
-/// What a call from the host costs in virtual time; inside a program every command costs one
-/// statement.
+/// The virtual time of a call from the host; in a motion program every command takes one statement.
 enum class Cost : uint8_t {
   kHostCall,     ///< 50 us: a fifth of the card's rate (GTS manual 10.2)
   kMillisecond,  ///< 1 ms: GT_Update, GT_PtStart, GT_GearStart, GT_FollowStart (manual chapter 7)
   kNone          ///< no communication with the card: GT_Open, GT_Close, GT_Compile
 };
 
-/// What a command can touch; the explorer decides from it which statements are independent.
+/// The resources that a command can access; the explorer derives from them which statements are
+/// independent.
 enum class Resource : uint8_t {
   kNone = 0,
   kClock,          ///< the card's time
@@ -68,18 +68,19 @@ enum class Resource : uint8_t {
   kCapture,        ///< capture and trigger units
   kCompare,        ///< position compare outputs
   kPvtTable,       ///< PVT tables
-  kUserVariable,   ///< GT_SetLongVar and its kin
+  kUserVariable,   ///< GT_SetLongVar and similar commands
   kConfiguration,  ///< card-wide settings
-  kEverything      ///< may touch all of the card
+  kEverything      ///< may access the whole card
 };
 
-/// Access set: the resource read or written and the parameter that selects which one (-1: all).
+/// An access: the resource that is read or written, and the parameter that selects which one (-1:
+/// all).
 struct Access {
   Resource resource = Resource::kNone;
   bool write = false;
   int selector = -1;  ///< index of the parameter holding the number, or a mask of them
   bool mask = false;  ///< the selector is a bit mask
-  /// Index of the parameter that says how many consecutive ones are meant, -1 for one.
+  /// Index of the parameter with the number of consecutive resources, -1 for one.
   int count_parameter = -1;
 };
 
@@ -134,12 +135,12 @@ struct Parameter {
   Passing passing = Passing::kValue;
   Unit unit = Unit::kNone;
   /// Range of a value (inclusive); checked before the command runs, code 7 outside. An open end is
-  /// written as the nearest double inside.
+  /// given as the nearest double inside the range.
   double minimum = -std::numeric_limits<double>::infinity();
   double maximum = std::numeric_limits<double>::infinity();
   /// The value of a C++ default argument as written in the header; empty = none.
   std::string_view default_text;
-  /// Pointer: the parameter that says how many elements it covers, -1 for one.
+  /// Pointer: the index of the parameter with the number of elements, -1 for one element.
   int count_parameter = -1;
   /// Pointer: NULL is allowed (mostly because it is the default).
   bool nullable = false;
@@ -151,9 +152,9 @@ struct Parameter {
   /// The number of an axis, profile, encoder, controller or output; the card at hand may have fewer
   /// than `maximum`.
   bool axis_number = false;
-  /// The same of an encoder: beyond the axes there are auxiliary ones.
+  /// The same for an encoder: beyond those of the axes there are auxiliary ones.
   bool encoder_number = false;
-  /// How many of them are meant, from the first parameter's number on.
+  /// The number of consecutive ones, from the first parameter on.
   bool axis_count = false;
 };
 
@@ -166,22 +167,22 @@ struct Command {
   Family family = Family::kGts;
   Tier tier = Tier::kA;
   bool in_motion_program = false;
-  /// Declared in gts.h and exported by the library; false for commands that mean the calling
+  /// Declared in gts.h and exported by the library; false for commands that act on the calling
   /// thread, such as GT_Delay.
   bool on_host = true;
   Cost cost = Cost::kHostCall;
   std::span<const Access> accesses;
   std::span<const Parameter> parameters;
   std::string_view brief;   ///< what it does, one line
-  std::string_view source;  ///< document and section the row rests on
+  std::string_view source;  ///< document and section that the row is based on
 };
 
 /// All commands, in the order of their numbers.
 std::span<const Command> Commands();
-/// By name or number; nullptr when there is none.
+/// By name or number; nullptr if there is none.
 const Command* FindCommand(std::string_view name);
 const Command* FindCommand(uint16_t number);
-/// The command as the machine sees it. Valid for ever.
+/// The command as the virtual machine sees it. Always valid.
 const vm::CommandShape& ShapeOf(const Command& command);
 
 /// All structures and constants, in the order of the header.
@@ -195,15 +196,15 @@ constexpr vm::DataType ProgramType(Scalar scalar) {
   return scalar == Scalar::kDouble ? vm::DataType::kDouble : vm::DataType::kInt;
 }
 
-/// Scalars of a structure, nested ones and array elements counted one by one. Text and pointers
-/// are not counted: programs and commands never see them.
+/// Scalars of a structure, nested ones and array elements counted one by one. Text and pointers are
+/// not counted: programs and commands never access them.
 int CellCount(const Structure& structure);
 
 /// The C spelling of a scalar type.
 std::string_view SpellScalar(Scalar scalar);
 /// The C declaration of a parameter without its default: `double *pValue`.
 std::string DeclareParameter(const Parameter& parameter);
-/// The unit in words for documentation: `pulse/ms`; empty when there is none to name.
+/// The unit in words for documentation: `pulse/ms`; empty if there is none.
 std::string_view SpellUnit(Unit unit);
 /// The range for documentation and messages, `[1, 12]` or `(0, 32767]`; empty when unbounded.
 std::string SpellRange(const Parameter& parameter);

@@ -161,7 +161,7 @@ struct Spec {
   constexpr Spec Output() const { return Passed(Passing::kOutput); }
   /// A pointer to memory that the card does not need.
   constexpr Spec Lent() const { return Passed(Passing::kLent); }
-  /// As many elements as the parameter of that name says.
+  /// The number of elements is the value of the parameter with this name.
   constexpr Spec Elements(std::string_view count) const {
     Spec changed = *this;
     changed.count_name = count;
@@ -182,7 +182,7 @@ struct Spec {
     changed.parameter.nullable = true;
     return changed;
   }
-  /// May be left out: NULL by default.
+  /// May be omitted: NULL by default.
   constexpr Spec Optional() const { return Nullable().Default("NULL"); }
 };
 
@@ -212,7 +212,7 @@ constexpr Spec Struct(const Structure& structure, std::string_view name) {
 constexpr Spec Index(std::string_view name, double first, double last) {
   return Short(name).In(Unit::kIndex).Range(first, last);
 }
-/// Axes, and what there are as many of: profiles, encoders, controllers, DACs, pulse outputs.
+/// Axes, and resources of the same number: profiles, encoders, controllers, DACs, pulse outputs.
 constexpr Spec Axis(std::string_view name) {
   Spec spec = Index(name, 1, kAxisMax);
   spec.parameter.axis_number = true;
@@ -228,7 +228,7 @@ constexpr Spec Crd() { return Index("crd", 1, kCrdMax); }
 /// One of two buffers.
 constexpr Spec Fifo() { return Index("fifo", 0, 1); }
 constexpr Spec Thread() { return Index("thread", 0, kThreadLast); }
-/// Whose variables are meant; -1: the globals.
+/// The thread whose variables are meant; -1: the globals.
 constexpr Spec ThreadOrGlobals() { return Index("thread", -1, kThreadLast); }
 /// One of two high-speed output channels.
 constexpr Spec Channel(std::string_view name) { return Index(name, 0, 1); }

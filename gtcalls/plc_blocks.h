@@ -5,13 +5,13 @@
 //   timer    variable := delayed(input)     Flank  variable := 1 for one cycle after an edge
 //   counter  variable := compare(count)     Srff   variable := set/reset flip-flop
 //
-// One evaluation goes as a PLC scans: first all Di blocks, then timers, counters, flanks and
-// flip-flops in the order they were bound, then all Do blocks. A variable reads as true when it is
-// not 0 and is written as 0 or 1.
+// An evaluation works like a PLC scan: first all Di blocks, then timers, counters, flanks and
+// flip-flops in the order in which they were bound, then all Do blocks. A variable reads as true
+// when it is not 0 and is written as 0 or 1.
 //
-// Beside the blocks this holds what the download by words has received so far.
-// The vendor's header names the structures and constants; what the members mean is assumed from
-// their names (docs/assumptions.md). Tested by tests/gtcalls/plc_blocks_test.cc.
+// It also holds the functions received so far by a download by words. The vendor's header names the
+// structures and constants; what the members mean is assumed from their names
+// (docs/assumptions.md). Tested by tests/gtcalls/plc_blocks_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -72,7 +72,7 @@ struct CounterBlock {
   Edge edge = Edge::kUp;
   int32_t init = 0;
   int32_t target = 0;
-  /// The count goes round in [begin, end]; not limited when they are equal.
+  /// The count wraps around in [begin, end]; it is unlimited if they are equal.
   int32_t begin = 0;
   int32_t end = 0;
   bool down = false;
@@ -120,7 +120,7 @@ struct WordFunction {
 struct PlcBlocks {
   std::vector<PlcBlock> blocks;         ///< in the order they were bound
   std::vector<WordFunction> functions;  ///< received by words, ascending ids
-  /// `functions` has changed since it was last made the program.
+  /// `functions` has changed since it last became the program.
   bool functions_pending = false;
 
   /// Adds a block. A variable has one writing block and an output one Do block: a block that writes
@@ -128,11 +128,11 @@ struct PlcBlocks {
   bool Bind(const PlcBlock& block);
   /// Removes the blocks of a thread (or of the globals).
   void Unbind(int thread);
-  /// Removes all blocks, for a new program. Words received stay.
+  /// Removes all blocks, for a new program. Received words are kept.
   void UnbindAll() { blocks.clear(); }
 
   /// One evaluation; call it once per profile cycle, between the motion tick and the threads.
-  /// Blocks of unbound threads rest.
+  /// Blocks of unbound threads are not evaluated.
   void Evaluate(vm::Machine& machine, motion::MotionCore& motion);
 
   /// XXH64 of the whole state.

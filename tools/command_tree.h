@@ -10,7 +10,7 @@ namespace oncard::tools {
 
 struct OptionText {
   std::vector<std::string> names;  ///< with dashes, short ones first; a positional's own name
-  std::string type;                ///< what its value is called; empty for a flag
+  std::string type;                ///< the name of its value; empty for a flag
   std::string description;
   bool positional = false;
   bool required = false;

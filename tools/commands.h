@@ -1,6 +1,6 @@
-// The subcommands. Each Add...() describes one to CLI11 and hangs its action on it; the action
-// stores its exit code in the session. The help, the manual page and the shell completions all come
-// from these descriptions.
+// The subcommands. Each Add...() describes one to CLI11 and attaches its action; the action stores
+// its exit code in the session. The help, the manual page and the shell completions all come from
+// these descriptions.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -26,7 +26,7 @@ void AddExplore(CLI::App& app, Session& session);
 void AddReplay(CLI::App& app, Session& session);
 void AddExec(CLI::App& app, Session& session);
 void AddDoctor(CLI::App& app, Session& session);
-/// Hidden: what packagers install.
+/// Hidden commands for packagers.
 void AddCompletion(CLI::App& app, Session& session);
 void AddMan(CLI::App& app, Session& session);
 

@@ -1,6 +1,6 @@
-// What the machine must know of GT commands: their argument shapes, to verify calls when a program
-// is loaded, and one entry point to execute them. The command catalogue implements this interface;
-// the machine never learns what a command does.
+// The virtual machine's interface to GT commands: the shapes of their arguments, to verify calls
+// when a program is loaded, and one entry point to execute them. The command catalogue implements
+// this interface; the virtual machine does not know what a command does.
 #pragma once
 
 #include <cstdint>
@@ -47,7 +47,7 @@ struct SlotAddress {
 };
 
 /// One argument. Every scalar of the interface (short, long, unsigned long, double) fits a double
-/// exactly, so values travel as doubles. `cells` is what a pointer points to, one double per
+/// exactly, so values are passed as doubles. `cells` is what a pointer points to, one double per
 /// scalar, read before the command and written back after it.
 struct CommandArgument {
   double value = 0;

@@ -1,5 +1,5 @@
 // Readable listings of objects: what `oncard dump` prints. They work for every object that
-// ReadObject() or the compiler yields, verified or not, so that a refused object can be looked at.
+// ReadObject() or the compiler yields, verified or not, so that a rejected object can be inspected.
 #pragma once
 
 #include <cstddef>

@@ -13,8 +13,8 @@ inline constexpr uint16_t kOperandIndexMask = (1u << kOperandIndexBits) - 1;
 /// Distinct literals, and distinct elements, that one function can have.
 inline constexpr int kPackedIndexCount = 1 << kOperandIndexBits;
 
-/// Statements that one op does at most. As many end markers follow a function's code, so that an op
-/// can ask how far it is allowed to go without a pointer outside of the code.
+/// Maximum number of statements of one op. The same number of end markers follows a function's
+/// code, so that an op can compute how far it may go without a pointer outside the code.
 inline constexpr size_t kLookAhead = 5;
 
 constexpr uint16_t PackOperand(OperandClass operand_class, size_t index) {
@@ -30,11 +30,11 @@ constexpr uint16_t IndexOf(uint16_t operand) { return operand & kOperandIndexMas
 // The letters stand for a and b; the target d is a local slot unless the first letter is G. In a
 // unary op they stand for a and, unless it is a local slot, d.
 //
-// Some ops do several statements that stand together in loops: an operation with the kIfLocal after
-// it (...If), a comparison with the kIfLocal on its target (kTest), a goto to a kTest (kLoop), an
-// increment before a kLoop (kIncrementLoop), and what loops mostly do last before their increment:
-// accumulate or store (kAccumulate..., kStore...). Measured, not guessed: with the relation as data
-// instead of in the op they ran slower.
+// Some ops execute several statements that are adjacent in loops: an operation with the kIfLocal
+// after it (...If), a comparison with the kIfLocal on its target (kTest), a goto to a kTest
+// (kLoop), an increment before a kLoop (kIncrementLoop), and what loops mostly do last before their
+// increment: accumulate or store (kAccumulate..., kStore...). Measurements showed that they are
+// slower if the relation is data instead of part of the op.
 // clang-format off
 #define ONCARD_INT_BINARY_OPS(X, SHARED, name)                               \
   X(name##LL) X(name##LK) X(name##KL) X(name##LE) X(name##P) SHARED(name##S) \
@@ -54,20 +54,19 @@ constexpr uint16_t IndexOf(uint16_t operand) { return operand & kOperandIndexMas
   X(Goto) X(IfLocal) SHARED(IfGlobal) X(ReturnP) SHARED(ReturnS) SHARED(Command) X(End)
 // clang-format on
 
-/// Everything one dispatch can do. Fields of Code by op:
+/// All operations of one dispatch. Fields of Code by op:
 ///   P, S                packed operands
 ///   all other operands  indices within their class
 ///   kGoto               d: displacement
 ///   kIfLocal, kIfGlobal a: index of the condition; d: displacement
 ///   kReturnP, kReturnS  a: packed condition; b: packed result value
 ///   kCommand            a: index of the call site
-///   kEnd                falls off the end; takes no statement
+///   kEnd                end of the function; takes no statement
 ///   ...If               as without If; the next instruction is kIfLocal
 ///   kTest...            as the comparison; the next instruction is kIfLocal on its target
 ///   kLoop...            as kGoto; the target is the kTest of the same name
 ///   kIncrementLoop...   as kIntAddLK with a = d; the next instruction is the kLoop of the same
-///   name,
-///                       whose comparison is of d
+///                       name, whose comparison is of d
 ///   kAccumulateIntLoop..., kAccumulateGlobalLoop..., kAccumulateDoubleLoop..., kStoreIntLoop...
 ///                       as kIntAddLL, kIntAddGL, kDoubleAddLL (with a = d), kCopyIntLE; the next
 ///                       instruction is the kIncrementLoop of the same name

@@ -29,7 +29,7 @@ inline Error At(const Message& place, const Error& error) {
            fmt::format("{}：{}", place.zh, error.message.zh)}};
 }
 
-/// Untrusted text for a message: what is not printable ASCII as `\xNN`, cut after 40 bytes.
+/// Untrusted text for a message: what is not printable ASCII as `\xNN`, truncated after 40 bytes.
 inline std::string Printable(std::string_view text) {
   constexpr size_t kShown = 40;
   std::string printable;

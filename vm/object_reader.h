@@ -1,4 +1,4 @@
-// Reads the vendor's object layout, from any compiler and however damaged: every length is checked
+// Reads the vendor's object layout, from any compiler and possibly damaged: every length is checked
 // before it is used, and nothing read is trusted before Verify() has accepted it.
 #pragma once
 
@@ -16,8 +16,8 @@ inline constexpr size_t kObjectPathMax = 125;
 
 /// Decodes the contents of a pair. Fails with code 2008 when a file is damaged, when the two do not
 /// belong together, or when the checksum in `[oncard]` differs; with 7 when there are more than 32
-/// functions. An `.ini` without `[oncard]` is a vendor's: 32.16, no checksum. What names, ids and
-/// instructions mean is Verify()'s question.
+/// functions. An `.ini` without `[oncard]` is a vendor's: 32.16, no checksum. Verify() checks the
+/// meaning of names, ids and instructions.
 Result<Object> ReadObject(const ObjectFiles& files);
 
 /// Reads `X.bin` and the `X.ini` beside it. Code 2007: no such `.bin`, a name too long, or one that

@@ -21,8 +21,8 @@ struct DecodedRecord {
   size_t word_count = 0;
 };
 
-/// Decodes the record at the beginning of `words`. Fails with code 2008 when it is cut off or no
-/// record can look like that; whether it makes sense in its function is Verify()'s question.
+/// Decodes the record at the beginning of `words`. Fails with code 2008 if it is truncated or
+/// malformed; Verify() checks whether it is valid in its function.
 Result<DecodedRecord> DecodeRecord(std::span<const uint16_t> words);
 
 }  // namespace oncard::vm

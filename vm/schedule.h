@@ -1,6 +1,6 @@
-// A recorded schedule: which thread executed how many statements in a row, with state hashes on the
-// way so that a replay that leaves the recorded path is noticed where it does. The text form is
-// described in docs/schedule-format.md.
+// A recorded schedule: which thread executed how many statements in a row, with hashes of
+// intermediate states, so that a deviation of a replay is detected where it occurs. The text form
+// is described in docs/schedule-format.md.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct ScheduleSegment {
 /// Where in the source a segment stops, for replays of an edited program.
 struct ScheduleStop {
   int line = 0;        ///< of the thread's next statement; 0: it has ended
-  int64_t passes = 0;  ///< how often the thread came to a line with this text in the segment
+  int64_t passes = 0;  ///< how often the thread reached a line with this text in the segment
   std::string text;    ///< of that line
   bool operator==(const ScheduleStop&) const = default;
 };
@@ -42,8 +42,8 @@ struct Schedule {
   std::vector<ScheduleSegment> segments;
   std::vector<ScheduleStop> stops;  ///< one for each segment, or none at all
   std::vector<ScheduleCheckpoint> checkpoints;
-  /// The run was cut off at this instant, in us of virtual time, while threads could still go on:
-  /// by a signal, or because it was to show no more. Empty: it came to its end.
+  /// The run was cut off at this instant, in us of virtual time, although threads could still run:
+  /// by a signal, or because no more was to be recorded. Empty: the run ended.
   std::optional<int64_t> cut_us;
   bool operator==(const Schedule&) const = default;
 };

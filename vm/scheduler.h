@@ -8,7 +8,7 @@
 //   pct:SEED:D[:K]  probabilistic concurrency testing (Burckhardt et al., ASPLOS 2010): random
 //                   thread priorities, lowered at D-1 random points among the first K statements
 //                   (default 1000)
-//   replay          as a recorded schedule says (schedule.h)
+//   replay          the threads of a recorded schedule (schedule.h)
 #pragma once
 
 #include <array>
@@ -73,8 +73,8 @@ struct Turn {
 Turn BeginTurn(SchedulerState& state, uint32_t runnable, int64_t budget,
                const std::array<int16_t, kThreadCount>& priorities);
 
-/// Tells the policy that `thread` has executed `statements` of the turn it was given; `yielded`
-/// when it cannot go on now (it finished, faulted, waits or was paused).
+/// Tells the policy that `thread` has executed `statements` of its turn; `yielded` if it cannot
+/// continue now (it finished, faulted, waits or was paused).
 void EndTurn(SchedulerState& state, int thread, int64_t statements, bool yielded);
 
 }  // namespace oncard::vm

@@ -10,7 +10,7 @@ namespace oncard::vm {
 
 inline constexpr size_t kThreadWordCount = 24;
 
-/// All that the machine knows of a thread; the two counts of statements come last.
+/// The complete state of a thread; the two counts of statements come last.
 std::array<int64_t, kThreadWordCount> WordsOf(const ThreadState& thread);
 
 }  // namespace oncard::vm

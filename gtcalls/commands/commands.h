@@ -1,4 +1,4 @@
-// Internal to gtcalls: how a command is written, and the lists of all that exist. A command is one
+// Internal to gtcalls: how a command is written, and the lists of all commands. A command is one
 // function; its arguments have passed the catalogue's ranges and NULL checks before it is called.
 // It checks the card's state, then acts; a refused command changes nothing.
 #pragma once
@@ -55,10 +55,10 @@ std::span<const CommandEntry> MramCommands();
 /// All of them.
 std::vector<CommandEntry> AllCommands();
 
-/// The thread is in the middle of its function, or will be started again by its period.
+/// True if the thread is in the middle of its function, or will be started again by its period.
 bool IsActive(const vm::ThreadState& thread);
 
-/// Why a thread is not in the state a command needs: what it is, and what to call first.
+/// Why a thread is not in the state that a command needs: its state, and what to call first.
 Message DescribeThread(int thread, const vm::ThreadState& state);
 
 /// Why a data page cannot be used: a page belongs to at most one thread.
@@ -70,7 +70,7 @@ int16_t RefuseHost(Call& call);
 /// Milliseconds as profile cycles, rounded up.
 int64_t CyclesFromMs(const Call& call, int64_t milliseconds);
 
-/// The low 32 bits of a bit word, however its sign was written.
+/// The low 32 bits of a bit word, whether signed or unsigned.
 inline uint32_t BitWord(double value) { return static_cast<uint32_t>(static_cast<int64_t>(value)); }
 
 /// A counter as the card's 32-bit unsigned long shows it.

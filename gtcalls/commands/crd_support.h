@@ -1,4 +1,4 @@
-// Internal to gtcalls: what the commands of coordinate systems have in common.
+// Internal to gtcalls: common parts of the commands of coordinate systems.
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,4 @@
-// Internal to gtcalls: what the commands of axes and profiles have in common: finding them, the
+// Internal to gtcalls: common parts of the commands of axes and profiles: finding them, the
 // refusals that all motion modes share, reading values of several axes.
 #pragma once
 
@@ -36,7 +36,8 @@ int16_t CheckAxisAtRest(Call& call, size_t axis);
 int16_t CheckMode(Call& call, size_t profile, motion::ProfileMode mode);
 /// Both, for commands that set up a mode.
 int16_t CheckModeAtRest(Call& call, size_t profile, motion::ProfileMode mode);
-/// GT_PrfTrap and its kin: chooses a mode for a resting profile that no coordinate system uses.
+/// GT_PrfTrap and similar commands: selects a mode for a profile at rest that no coordinate system
+/// uses.
 int16_t ChooseMode(Call& call, size_t profile, motion::ProfileMode mode);
 
 /// 0, or 1 with the reason when the axis is the slave of a gantry.
@@ -63,7 +64,7 @@ void SetMasterOutputs(const Call& call, const motion::Master& master);
 std::vector<size_t> SelectedProfiles(Call& call);
 
 /// Writes `value(n)` for argument `count` consecutive numbers from argument 0 on to the cells of
-/// argument 1, and the clock to argument 3: the form of GT_GetPrfPos and its kin.
+/// argument 1, and the clock to argument 3: the form of GT_GetPrfPos and similar commands.
 template <typename Value>
 int16_t ReadEach(const Call& call, Value value) {
   for (int i = 0; i < call.integer(2); ++i) {
