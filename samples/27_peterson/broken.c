@@ -1,5 +1,5 @@
-/* Peterson's lock with two lines exchanged: each thread gives the other one the turn first and says
-   only then that it wants to enter. Both can be inside. */
+/* Peterson's lock with two lines exchanged: each thread first gives the turn to the other one, and
+   only then sets its flag. Both can be inside. */
 int want0;
 int want1;
 int turn;

@@ -1,5 +1,5 @@
-/* Peterson's lock: who wants to enter says so, gives the other one the turn, and waits while the
-   other one wants to enter and has the turn. */
+/* Peterson's lock: a thread that wants to enter sets its flag, gives the turn to the other one, and
+   waits while the other one has its flag set and has the turn. */
 int want0;
 int want1;
 int turn;

@@ -1,5 +1,5 @@
-/* The same repaired: acts, then looks. Whenever the stop comes, one of the two threads stops the
-   axis after it was started. */
+/* The corrected program acts first and then checks. Whenever the stop comes, one of the two
+   threads stops the axis after it was started. */
 int stopped;
 
 int mover()

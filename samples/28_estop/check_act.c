@@ -1,4 +1,4 @@
-/* An axis that must not move after the emergency stop: looks, then acts. The stop can come between
+/* An axis that must not move after the emergency stop: checks, then acts. The stop can come between
    the two. */
 int stopped;
 

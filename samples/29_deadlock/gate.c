@@ -1,5 +1,5 @@
-/* Two threads need two places. Each takes its own first and then waits for the other one's: when
-   both have taken theirs, both wait for ever. */
+/* Two threads need two places. Each occupies its own first and then waits for the other's: when
+   both have occupied theirs, both wait for ever. */
 int loader_place;
 int unloader_place;
 int parts;

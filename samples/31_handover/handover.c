@@ -1,5 +1,5 @@
-/* Thread 0 computes a place in two steps and hands it over; thread 1 waits for the word before it
-   reads. */
+/* Thread 0 computes a position in two steps and hands it over; thread 1 waits for the flag before it
+   reads the position. */
 int x;
 int y;
 int ready;

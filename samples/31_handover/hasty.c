@@ -1,4 +1,4 @@
-/* The word is given one step too early: thread 1 may read y before it is there. */
+/* The flag is set one statement too early: thread 1 may read y before it is written. */
 int x;
 int y;
 int ready;
