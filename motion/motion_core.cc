@@ -132,7 +132,7 @@ void MotionCore::BeginProfile(size_t index) {
   SampleProfile(index);
   if (profile.now.position == begin) return;
   if (!LimitForbids(index, profile.now.position - begin)) return;
-  // What a latched limit would stop does not begin.
+  // A motion that a latched limit would stop does not begin.
   profile.now = {begin, 0, 0, true};
   Tell(HappeningKind::kHeldAtLimit, index, begin);
   StopProfile(index, true);
@@ -359,7 +359,8 @@ void MotionCore::SynchAxis(size_t index) {
   axis.encoder.offset = 0;
   const double measured = MappedEncoders(axis);
   if (IsGantrySlave(index)) {
-    // Its profiles are its master's: it is renamed as its encoder is, so that the beam stays.
+    // It uses the profiles of its master: its position changes with its encoder's, so that the beam
+    // does not move.
     RenamePlanned(index, axis.profile.position + (measured - axis.encoder.position));
   } else {
     axis.profile.offset = 0;
@@ -378,7 +379,7 @@ void MotionCore::ZeroAxis(size_t axis) {
     compensation.MoveOrigin(state_.axes[axis].profile.position, 0);
     RenamePlanned(axis, 0);
   }
-  // What compensation has added so far is in the place that is 0 now.
+  // The compensation so far is included in the position that is now 0.
   const double amount = compensation.Amount();
   compensation.origin += amount;
   KeepMachine(axis, amount);
@@ -406,7 +407,7 @@ void MotionCore::MoveEncoderOrigin(size_t index, double position) {
   AxisValue& value = state_.axes[index].encoder;
   const double shift = position - value.position;
   ShiftSlaves({true, MasterType::kAxis, static_cast<uint8_t>(index), true}, shift);
-  // Names change, the machine does not: neither does the skew.
+  // Only position values change, not the mechanics: so the skew does not change either.
   Gantry& gantry = state_.gantry;
   if (gantry.on && gantry.slave == index) gantry.skew_origin += shift;
   if (gantry.on && gantry.master == index) gantry.skew_origin -= shift;

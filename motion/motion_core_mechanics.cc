@@ -240,7 +240,7 @@ void MotionCore::AdvancePlant(size_t index) {
     if (plant.axis < 0 || !axis.servo_on) return;
     const double commanded = CommandedPosition(axis_index);
     if (plant.stalled) {
-      // Pulses that come meanwhile are lost.
+      // Pulses sent in the meantime are lost.
       plant.lead = plant.position - commanded;
     } else {
       plant.position = commanded + plant.lead;
@@ -395,7 +395,7 @@ void MotionCore::CountEncoder(size_t index) {
 void MotionCore::AdvanceEncoderFault(size_t index) {
   EncoderFault& fault = state_.encoder_faults[index];
   if (fault.held) {
-    // What the machine does while the signal is cut off never arrives.
+    // Motion during the interruption of the signal is never counted.
     fault.slip += state_.encoders[index].source - EncoderSource(index);
     return;
   }

@@ -174,7 +174,7 @@ void MotionCore::JudgeAwaitedMove(Crd& crd) {
     crd.EndMove(now());
   } else {
     Tell(HappeningKind::kMoveStopped, IndexOf(crd), awaited.position, move.item);
-    // Stopped short: the path must not go on before the axis is where the program wants it.
+    // Stopped before its target: the path must not continue until the axis has reached it.
     crd.EndRun();
   }
 }

@@ -1,5 +1,5 @@
-// Searches of `oncard explore` that live in files: interrupted ones, parts, and whole ones put
-// together from parts.
+// Searches of `oncard explore` that are stored in files: interrupted ones, parts, and searches
+// merged from parts.
 #pragma once
 
 #include <string>
@@ -13,31 +13,32 @@
 
 namespace oncard::tools {
 
-/// Reads a search file and what it explores, which must still be the same. Gives the exit code.
+/// Reads a search file and the program that it explores, which must be unchanged. Returns the exit
+/// code.
 int ReadSearch(const Session& session, const std::string& path, bool json,
                explore::SearchFile* file, ExploreSubject* subject);
 
-/// Reads the files of parts and puts them together. Gives the exit code.
+/// Reads the files of parts and merges them. Returns the exit code.
 int MergeSearches(const Session& session, const std::vector<std::string>& paths, bool json,
                   explore::SearchFile* file, ExploreSubject* subject);
 
-/// A search of which nothing is done yet, to be kept in `path`. Fails when the engine's searches
-/// cannot be kept, the program needs its card, or its path is not UTF-8.
+/// A new search, to be saved in `path`. Fails if searches of the engine cannot be saved, the
+/// program needs its card, or its path is not UTF-8.
 Result<explore::SearchFile> BeginSearch(const ExploreSubject& subject, const std::string& input,
                                         const std::string& path, const explore::SearchPart& part,
                                         const explore::ExploreOptions& options);
 
-/// Goes on with a search (explore/search/kept_search.h); `file` is then what is to be kept.
+/// Continues a search (explore/search/kept_search.h); `file` is then the search to be saved.
 Result<explore::Findings> GoOn(const ExploreSubject& subject,
                                const explore::ExploreOptions& options,
                                const explore::SearchKeeper& keep, explore::SearchFile* file);
 
-/// What a file's parts have found.
+/// The results of the parts in a file.
 Result<explore::Findings> ConcludeSearch(const ExploreSubject& subject,
                                          const explore::SearchFile& file);
 
-/// The same search as a file at another place would hold it. Fails when that cannot name what it
-/// explores.
+/// The same search for a file with another path. Fails if that file cannot refer to the explored
+/// program.
 Result<void> MoveSearch(const std::string& from, const std::string& to, explore::SearchFile* file);
 
 }  // namespace oncard::tools

@@ -1,4 +1,4 @@
-// What `oncard explore` is given: a scenario, or a source that says in comments what must hold.
+// The input of `oncard explore`: a scenario, or a source with its requirements in comments.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace oncard::tools {
 
-/// A file to be explored: its scenario, what it requires, its program.
+/// A file to be explored: its scenario, requirements and program.
 struct ExploreSubject {
   runtime::Scenario scenario;
   std::vector<explore::Requirement> requirements;
@@ -18,8 +18,7 @@ struct ExploreSubject {
   std::string source;  ///< of a program that was compiled
 };
 
-/// Reads it and reports what is wrong. Gives the exit code; the subject is filled in when that is
-/// kExitOk.
+/// Reads it and reports errors. Returns the exit code; the subject is filled in if that is kExitOk.
 int ReadSubject(const Session& session, const std::string& path, bool json,
                 ExploreSubject* subject);
 

@@ -1,5 +1,5 @@
-// What a host writes in GBK as UTF-8, piece by piece, for terminals of today.
-// Tested by tests/tools/exec_command_test.cc.
+// Converts the GBK output of a host to UTF-8, piece by piece. Tested by
+// tests/tools/exec_command_test.cc.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace oncard::tools {
 
-/// Converts a text that comes in pieces, which may end within a character. Bytes that are no GBK
-/// show as U+FFFD.
+/// Converts a text in pieces, which may end within a character. Bytes that are not GBK become
+/// U+FFFD.
 class GbkText {
  public:
   GbkText();
@@ -18,15 +18,16 @@ class GbkText {
   GbkText& operator=(const GbkText&) = delete;
   ~GbkText();
 
-  /// The characters that are complete by now.
+  /// Returns the characters that are complete.
   std::string Convert(std::string_view piece);
 
  private:
   void* converter_;
-  char lead_ = 0;  // the first byte of a character whose second has not come; 0 for none
+  char lead_ = 0;  // the first byte of a character whose second byte is missing; 0 for none
 };
 
-/// Copies what comes from one descriptor to another until its end. Fails when it cannot be written.
+/// Copies the converted data from one descriptor to another until the end. Fails if it cannot be
+/// written.
 Result<void> RelayGbk(int from, int to);
 
 }  // namespace oncard::tools

@@ -1,5 +1,5 @@
-// Pictures are drawn by gnuplot, a program of its own (Debian package gnuplot-nox).
-// Tested by tests/tools/plot_test.cc.
+// Draws pictures with gnuplot, a separate program (Debian package gnuplot-nox). Tested by
+// tests/tools/plot_test.cc.
 #pragma once
 
 #include <string>
@@ -8,17 +8,17 @@
 
 namespace oncard::tools {
 
-/// What `gnuplot --version` prints; empty when it is not installed.
+/// The output of `gnuplot --version`; empty if it is not installed.
 std::string GnuplotVersion();
 
-/// What to do when it is not.
+/// The advice if it is not installed.
 Message GnuplotRemedy();
 
-/// Runs a script (runtime/observe/plot.h) and writes the picture to a file; reports what goes
-/// wrong. Gives the exit code.
+/// Runs a script (runtime/observe/plot.h) and writes the picture to a file; reports errors. Returns
+/// the exit code.
 int WritePicture(const Session& session, const std::string& path, const std::string& script);
 
-/// Empty for a name of a picture, .svg or .png; otherwise what is wrong with it.
+/// Empty for the name of a picture, .svg or .png; otherwise the error.
 std::string CheckPictureName(const std::string& path);
 /// The same for a name that runtime::TraceText() knows.
 std::string CheckTraceName(const std::string& path);

@@ -1,5 +1,5 @@
-// A test in a process of its own: whatever becomes of it, the others run and the report is written.
-// Tested by tests/tools/isolation_test.cc.
+// Runs a test in a process of its own, so that a crash affects neither the other tests nor the
+// report. Tested by tests/tools/isolation_test.cc.
 #pragma once
 
 #include <atomic>
@@ -10,9 +10,9 @@
 
 namespace oncard::tools {
 
-/// What `work` gives, done in a child process. A child that crashes or ends otherwise is a failure
-/// of this test. When `stop` is set meanwhile, the child is told by SIGTERM, and killed when it
-/// does not end soon. To be called while the process has one thread.
+/// The result of `work`, executed in a child process. If the child crashes or ends unexpectedly,
+/// this test has failed. If `stop` is set meanwhile, the child gets SIGTERM, and is killed if it
+/// does not end soon. To be called while the process has only one thread.
 TestOutcome RunIsolated(const std::string& path, const std::function<TestOutcome()>& work,
                         const std::atomic<bool>& stop);
 

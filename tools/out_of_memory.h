@@ -1,12 +1,12 @@
-// What becomes of the command when there is no more memory.
+// Handles the lack of memory in a command.
 #pragma once
 
 #include "tools/session.h"
 
 namespace oncard::tools {
 
-/// From now on a process that gets no more memory, in whichever thread, says so on standard error,
-/// with what needs less, and ends with kExitIncomplete. What it has not written is lost.
+/// From now on, if an allocation fails in any thread, the process reports it on standard error,
+/// with advice on what needs less memory, and ends with kExitIncomplete. Unwritten output is lost.
 void EndWhenOutOfMemory(const Session& session);
 
 }  // namespace oncard::tools

@@ -1,4 +1,4 @@
-// How the result of a run is shown: by run and by replay.
+// Prints the result of a run, for run and replay.
 #pragma once
 
 #include <string>
@@ -11,11 +11,11 @@ namespace oncard::tools {
 /// `thread 0 add: finished, result 5050`, then `sum = 5050`.
 std::string FormatRunText(const runtime::ScenarioResult& result, const Session& session);
 
-/// One JSON document with everything known of the run.
+/// One JSON document with all results of the run.
 std::string FormatRunJson(const runtime::ScenarioResult& result, const Session& session);
 
-/// Prints the result in a form (`text` or `json`), its failures on standard error in any case, and
-/// gives the exit code.
+/// Prints the result in a format (`text` or `json`), and its failures always on standard error.
+/// Returns the exit code.
 int ReportRun(const runtime::ScenarioResult& result, const std::string& format,
               const Session& session);
 
@@ -23,7 +23,7 @@ int ReportRun(const runtime::ScenarioResult& result, const std::string& format,
 /// interrupted.
 std::string_view EndName(const runtime::ScenarioResult& result);
 
-/// `sum == 5051: sum is 5050`, or the message alone for what no expectation says.
+/// `sum == 5051: sum is 5050`, or only the message for other failures.
 std::string FormatFailure(const runtime::ScenarioFailure& failure, Language language);
 
 }  // namespace oncard::tools

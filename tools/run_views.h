@@ -1,5 +1,5 @@
-// Ways to look at a run beside its results: its statements, its values over time as a file or a
-// picture. For run and replay.
+// Additional output of a run: its statements, and its values over time as a file or a picture. For
+// run and replay.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -20,14 +20,14 @@ struct RunViews {
 /// Describes `--steps`, `--full`, `--trace` and `--plot`.
 void AddViewOptions(CLI::App& command, const Session& session, RunViews& views);
 
-/// What the run must keep for them.
+/// The data that the run must record for them.
 void ApplyViews(const RunViews& views, runtime::RunOptions* options);
 
-/// Prints the statements, if they are wanted and the results are printed as text.
+/// Prints the statements if they are requested and the results are printed as text.
 void PrintSteps(const runtime::ScenarioResult& result, const runtime::ProgramLoad& load,
                 const RunViews& views, const std::string& format, const Session& session);
 
-/// Writes the files. Gives the exit code.
+/// Writes the files. Returns the exit code.
 int WriteViews(const runtime::ScenarioResult& result, const RunViews& views,
                const std::string& title, const Session& session);
 

@@ -1,6 +1,6 @@
-// Watches a search while it runs: shows how far it is, lets it be kept every minute, and ends it
-// early on SIGINT (Ctrl-C), SIGTERM (Slurm before the time limit) and SIGHUP (a closed terminal),
-// or when the time that was given to it is over.
+// Watches a running search: shows its progress, saves it every minute, and ends it early on SIGINT
+// (Ctrl-C), SIGTERM (Slurm before the time limit) and SIGHUP (a closed terminal), or when its time
+// limit is reached.
 #pragma once
 
 #include <array>
@@ -15,13 +15,13 @@
 namespace oncard::tools {
 
 struct WatchOptions {
-  bool shows = false;   ///< a line on standard error says every second how far the search is
-  double seconds = 0;   ///< after which the search is told to stop, too; 0: as long as it takes
+  bool shows = false;   ///< shows the progress every second in a line on standard error
+  double seconds = 0;   ///< time limit of the search; 0: none
   bool pauses = false;  ///< the search pauses every minute (SearchProgress::pausing)
 };
 
-/// One at a time. A signal tells the search to stop as long as it lives; the same signal again ends
-/// the program as usual. SIGHUP that is ignored (nohup) stays so.
+/// Only one at a time. During its lifetime a signal stops the search; the same signal again ends
+/// the program as usual. An ignored SIGHUP (nohup) stays ignored.
 class SearchWatch {
  public:
   SearchWatch(const Session& session, const WatchOptions& options);

@@ -1,5 +1,5 @@
-// What every subcommand shares: the language, colours, the exit code, and the two output streams.
-// Results go to standard output, diagnostics to standard error.
+// Common parts of all subcommands: the language, colours, the exit code, and the two output
+// streams. Results go to standard output, diagnostics to standard error.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ enum ExitCode : int {
   kExitIncomplete = 6,
 };
 
-/// What an exit code means, for the help and the manual page.
+/// The meaning of an exit code, for the help and the manual page.
 struct ExitCodeText {
   ExitCode code;
   std::string_view meaning_en;
@@ -54,22 +54,22 @@ struct Session {
   const std::string& Say(const Message& message) const { return message.In(language); }
 };
 
-/// Writes to standard output. Whether all of it has got there, FinishOutput() says.
+/// Writes to standard output. FinishOutput() reports whether everything was written.
 void PrintResult(std::string_view text);
 /// Writes to standard error.
 void PrintDiagnostics(std::string_view text);
-/// Call once at the end: `code`, or kExitUnreadable with a report when something that was printed
-/// on standard output or standard error is lost.
+/// To be called once at the end. Returns `code`, or kExitUnreadable with a report if output to
+/// standard output or standard error was lost.
 int FinishOutput(const Session& session, int code);
-/// Reports `oncard: message` on standard error and gives `code` back. What is not printable in a
-/// line of the message (names can hold anything) shows as `<1B>`.
+/// Reports `oncard: message` on standard error and returns `code`. Unprintable bytes in a line of
+/// the message (names can contain any bytes) show as `<1B>`.
 int Fail(const Session& session, int code, const Message& message);
 
-/// Writes a file; reports a failure. Gives the exit code.
+/// Writes a file; reports a failure. Returns the exit code.
 int WriteOutput(const Session& session, const std::string& path, std::string_view content);
 
-/// Loads a program and reports whatever there is to say about it, in the chosen form (`text` or
-/// `json`). Gives the exit code; the object is present when that is kExitOk.
+/// Loads a program and reports its diagnostics in the chosen format (`text` or `json`). Returns the
+/// exit code; the object is present if that is kExitOk.
 int LoadOrReport(const Session& session, const std::string& path, const compiler::Options& options,
                  bool json, runtime::ProgramLoad* load);
 

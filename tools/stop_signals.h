@@ -1,13 +1,13 @@
-// Ctrl-C (SIGINT), SIGTERM and SIGHUP as a wish to end early with what there is.
-// Tested by tests/tools/signals_test.cc.
+// Ctrl-C (SIGINT), SIGTERM and SIGHUP as requests to end early with the results so far. Tested by
+// tests/tools/signals_test.cc.
 #pragma once
 
 #include <atomic>
 
 namespace oncard::tools {
 
-/// As long as it lives, the first of these signals sets a flag that whatever works looks at now and
-/// then; a second one ends the program as usual. One at a time.
+/// During its lifetime, the first of these signals sets a flag that running work checks from time
+/// to time; a second one ends the program as usual. Only one at a time.
 class StopSignals {
  public:
   StopSignals();

@@ -1,10 +1,10 @@
-// How wide what is printed may be.
+// The width available for output.
 #pragma once
 
 namespace oncard::tools {
 
-/// Columns of standard output: those of the variable COLUMNS if it says at least 40, or else of the
-/// terminal; 0 when it is none.
+/// Columns of standard output: the variable COLUMNS if it is at least 40, otherwise the width of
+/// the terminal; 0 if it is not a terminal.
 int OutputWidth();
 
 }  // namespace oncard::tools

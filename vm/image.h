@@ -1,5 +1,5 @@
-// A verified program in the form the machine executes: fixed 64-bit instructions decoded once at
-// load time. Immutable and shared by every machine (and snapshot) that runs it.
+// A verified program in the form that the virtual machine executes: fixed 64-bit instructions
+// decoded once at load time. Immutable and shared by every machine (and snapshot) that runs it.
 #pragma once
 
 #include <cstdint>
@@ -63,7 +63,7 @@ struct ImageFunction {
 struct Image {
   Object object;  ///< names, types and lines
   std::vector<ImageFunction> functions;
-  /// XXH64 of everything that decides what the program does (not of names or lines).
+  /// XXH64 of everything that determines what the program does (not of names or lines).
   uint64_t hash = 0;
 };
 

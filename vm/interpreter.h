@@ -1,5 +1,5 @@
-// Executes one thread's decoded code. The machine prepares a Frame, calls Interpret(), and takes
-// back what happened; nothing here chooses threads.
+// Executes one thread's decoded code. The virtual machine prepares a Frame, calls Interpret(), and
+// applies the result; the choice of threads is not made here.
 #pragma once
 
 #include <array>
@@ -14,22 +14,23 @@ namespace oncard::vm {
 /// Why Interpret() returned.
 enum class Exit : uint8_t {
   kBudget,    ///< all allowed statements were executed
-  kShared,    ///< the next statement may touch what threads share (kPrivateOnly)
-  kFinished,  ///< returned, or fell off the end
+  kShared,    ///< the next statement may access shared data (kPrivateOnly)
+  kFinished,  ///< returned, or reached the end
   kFault,     ///< the last statement faulted and changed nothing
-  kBlocked    ///< a GT command made the thread unable to go on now
+  kBlocked    ///< a GT command made the thread wait or end
 };
 
 inline constexpr size_t kLocalBase = static_cast<size_t>(OperandClass::kLocal);
 inline constexpr size_t kGlobalBase = static_cast<size_t>(OperandClass::kGlobal);
 inline constexpr size_t kConstantBase = static_cast<size_t>(OperandClass::kConstant);
 
-/// What the interpreter needs of a thread; the machine owns it all.
+/// The parts of a thread that the interpreter needs; the virtual machine owns them.
 struct Frame {
   const ImageFunction* function = nullptr;
-  const Code* pc = nullptr;  ///< in: next instruction; out: next, or the last one when it ended
-  /// Where the slots of an OperandClass begin: the thread's page, the globals, the constants (only
-  /// ever read: the linker puts constants into source operands alone).
+  const Code* pc =
+      nullptr;  ///< in: next instruction; out: next one, or the last one if the thread ended
+  /// The slots of each OperandClass: the thread's page, the globals, the constants (read only: the
+  /// linker uses constants only in source operands).
   std::array<int64_t*, 3> bases{};
   const ElementReference* elements = nullptr;
   int wrap_shift = 0;
@@ -47,22 +48,22 @@ struct Frame {
 /// Which statements may be executed.
 enum class Reach : uint8_t {
   kAll,            ///< any
-  kPrivateOnly,    ///< only those that touch nothing shared between threads
+  kPrivateOnly,    ///< only those that access no data shared by threads
   kOneThenPrivate  ///< any statement first, then as kPrivateOnly
 };
 
-/// Statements that one call of Interpret() executes at most.
+/// Maximum number of statements of one call of Interpret().
 inline constexpr int64_t kInterpretMax = int64_t{1} << 40;
 
 /// Executes up to `statements` (0..kInterpretMax) of the frame's thread.
 Exit Interpret(Frame& frame, int64_t statements, Reach reach);
 
 /// Executes a GT command of a program; implemented in command_call.cc. Stores the return code in
-/// the thread, may change frame.locals. kBudget means: go on.
+/// the thread; may change frame.locals. kBudget means that the thread continues.
 Exit CallCommand(Frame& frame, const CallSite& site);
 
-/// Where a packed operand of class kElement lives. nullptr, with the fault noted in the frame, when
-/// the index is out of bounds.
+/// The slot of a packed operand of class kElement; nullptr, with the fault recorded in the frame,
+/// if the index is out of bounds.
 int64_t* ElementAddress(Frame& frame, uint16_t operand);
 
 }  // namespace oncard::vm

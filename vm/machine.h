@@ -1,8 +1,8 @@
-// The card's machine for motion programs: 32 threads over 32 data pages and the globals.
+// The card's virtual machine for motion programs: 32 threads with 32 data pages and the globals.
 //
-// One statement is one atomic step. Which thread steps next is the scheduler policy's choice; the
-// whole machine is a deterministic function of (program, initial values, policy, calls from
-// outside). All of its state is the MachineState value: a snapshot is a copy.
+// One statement is one atomic step. The scheduling policy chooses which thread executes the next
+// one; the virtual machine is a deterministic function of (program, initial values, policy, calls
+// from outside). Its complete state is the value MachineState: a snapshot is a copy.
 //
 // Sources: GTS manual 10.2 and 10.3; assumptions are listed in docs/assumptions.md.
 // Not thread-safe: one caller at a time.
@@ -25,13 +25,13 @@ namespace oncard::vm {
 struct Frame;
 enum class Exit : uint8_t;
 
-/// Return codes of the card that the machine itself gives (GTS manual table 3-1).
+/// Return codes of the card that the virtual machine itself returns (GTS manual table 3-1).
 inline constexpr int16_t kOk = 0;
 inline constexpr int16_t kRefused = 1;
 inline constexpr int16_t kBadParameter = 7;
 
-/// Faults stop the thread that has them; TThreadSts.error holds the number. The card's own return
-/// codes of commands inside programs are below 100.
+/// A fault stops its thread; TThreadSts.error holds the number. The card's own return codes of
+/// commands inside programs are below 100.
 enum class Fault : int16_t {
   kNone = 0,
   kDivisionByZero = 100,
@@ -41,13 +41,13 @@ enum class Fault : int16_t {
 
 enum class ThreadRun : uint8_t { kUnbound, kStopped, kRunning, kPaused, kFaulted };
 
-/// Everything the machine knows of one thread.
+/// The complete state of one thread.
 struct ThreadState {
   ThreadRun run = ThreadRun::kUnbound;
   uint8_t page = 0;
   uint8_t function = 0;  ///< index, not id
-  bool started = false;  ///< has executed since it was bound: `pc` and `error` mean something
-  /// Index of the current instruction while running or paused, of the last one afterwards.
+  bool started = false;  ///< has executed since it was bound: `pc` and `error` are valid
+  /// Index of the current instruction while running or paused; of the last one afterwards.
   uint16_t pc = 0;
   /// Return code of the last GT command, or the fault.
   int16_t error = 0;
@@ -60,16 +60,17 @@ struct ThreadState {
   SlotAddress wait_slot;
   int64_t wait_value = 0;
   uint16_t breakpoint_line = 0;  ///< pauses before a statement of this line; 0 = none
-  int64_t period_cycles = 0;     ///< started anew every so many cycles; 0 = not periodic
+  int64_t period_cycles = 0;     ///< period of repeated starts in cycles; 0 = not periodic
   int64_t next_start = 0;        ///< cycle of the next periodic start
-  int64_t overruns = 0;          ///< periodic starts missed: it still ran, or the clock jumped
-  int16_t priority = 4;          ///< smaller runs first under the priority policy
-  int64_t executed = 0;          ///< statements since the last start
-  int64_t executed_max = 0;      ///< largest `executed` of a completed periodic run
+  int64_t overruns =
+      0;  ///< missed periodic starts: the thread was still running, or the clock jumped
+  int16_t priority = 4;      ///< smaller runs first under the priority policy
+  int64_t executed = 0;      ///< statements since the last start
+  int64_t executed_max = 0;  ///< largest `executed` of a completed periodic run
 };
 
-/// The data pages. Few programs use more than a handful of the 32, so it remembers which were ever
-/// handed out for writing: the others are all 0, and a copy leaves them alone.
+/// The data pages. Few programs use more than a handful of the 32, so it records which ones have
+/// ever been accessed for writing: the others are all 0 and need not be copied.
 class DataPages {
  public:
   using Page = std::array<int64_t, kSlotCount>;
@@ -80,9 +81,9 @@ class DataPages {
   ~DataPages() = default;
 
   const Page& operator[](size_t page) const { return pages_[page]; }
-  /// Bit n: page n may hold something else than 0.
+  /// Bit n: page n may hold values other than 0.
   uint32_t used() const { return used_; }
-  /// The page, to be written.
+  /// The page, for writing.
   Page& Use(size_t page) {
     used_ |= uint32_t{1} << page;
     return pages_[page];
@@ -105,7 +106,7 @@ struct MachineState {
 
 /// Why Execute() stopped early.
 enum class Stop : uint8_t {
-  kBudget,           ///< everything allowed was executed
+  kBudget,           ///< the whole budget was executed
   kIdle,             ///< no thread can run now
   kScheduleEnd,      ///< a replayed schedule has no more segments
   kScheduleDiverged  ///< a replayed schedule names a thread that cannot run, or a hash differs
@@ -118,8 +119,8 @@ class Machine {
 
   // --- Program ---------------------------------------------------------------------------------
 
-  /// Replaces the program (nullptr: by none): all threads unbound, all variables 0, the policy back
-  /// at its start. The clock goes on.
+  /// Replaces the program (nullptr: by none): unbinds all threads, sets all variables to 0, and
+  /// resets the policy. The clock continues.
   void Load(std::shared_ptr<const Image> image);
   /// The program, or nullptr before the first Load().
   const Image* image() const { return image_.get(); }
@@ -144,8 +145,8 @@ class Machine {
   /// Runs until just before a statement of `line`, then pauses. 7: out of range, or the function
   /// has no statement on that line; 1: as Run().
   int16_t RunToBreakpoint(int thread, int line);
-  /// Starts the function anew every `period_cycles` cycles, beginning now. 7: out of range;
-  /// 1: not bound, running or paused, or already periodic.
+  /// Starts the function every `period_cycles` cycles, beginning now. 7: out of range; 1: not
+  /// bound, running or paused, or already periodic.
   int16_t RunPeriodic(int thread, int64_t period_cycles, int16_t priority);
 
   // --- For commands executed by a thread -------------------------------------------------------
@@ -164,23 +165,24 @@ class Machine {
   void WriteRaw(const SlotAddress& slot, int64_t raw);
   /// The same as a double, exact.
   double Read(const SlotAddress& slot) const;
-  /// Stores a host's value, truncated toward zero. False, and nothing stored, when the value does
-  /// not fit the slot's type.
+  /// Stores a host's value, truncated toward zero. Returns false, and stores nothing, if the value
+  /// does not fit the slot's type.
   bool Write(const SlotAddress& slot, double value);
 
   // --- Execution -------------------------------------------------------------------------------
 
-  /// Starts the policy afresh.
+  /// Sets a policy and resets its state.
   void SetPolicy(const Policy& policy);
   /// Executes up to `budget` statements in the policy's order. Returns how many; `last_stop()` says
   /// why it returned.
   int64_t Execute(int64_t budget);
   Stop last_stop() const { return last_stop_; }
-  /// Executes one statement of a running thread, past the policy. False when it cannot run now.
+  /// Executes one statement of a running thread, independent of the policy. False if it cannot run
+  /// now.
   bool ExecuteOne(int thread);
   /// Bit n: thread n could execute a statement now.
   uint32_t RunnableThreads() const;
-  /// Moves the clock to a cycle (never backwards): wakes delayed threads, starts periodic ones.
+  /// Advances the clock to a cycle (never backwards): wakes delayed threads, starts periodic ones.
   void BeginCycle(int64_t cycle);
   /// True when no thread is running: all are unbound, stopped, paused or faulted, and none is
   /// periodic.
@@ -196,10 +198,10 @@ class Machine {
 
   const MachineState& state() const { return *state_; }
   const ThreadState& thread(int index) const { return state_->threads[static_cast<size_t>(index)]; }
-  /// Puts back a state taken from a machine with the same image.
+  /// Restores a state taken from a virtual machine with the same image.
   void Restore(const MachineState& state) { *state_ = state; }
-  /// XXH64 of variables, threads and counters: all of the state but the policy's own. Equal states
-  /// have equal hashes on every machine.
+  /// XXH64 of variables, threads and counters: the whole state except that of the policy. Equal
+  /// states have equal hashes on every computer.
   uint64_t Hash() const;
   /// Source line of the current or last instruction of a thread, 0 when unknown.
   int Line(int thread) const;
@@ -209,29 +211,30 @@ class Machine {
 
   ThreadState& ThreadAt(int thread) { return state_->threads[static_cast<size_t>(thread)]; }
   const Function& FunctionOf(const ThreadState& thread) const;
-  /// The thread is in a delay, or waits for a value that is not there.
+  /// True if the thread is in a delay, or waits for a value that its variable does not have.
   bool Blocked(const ThreadState& thread) const;
-  /// True when the thread neither sleeps nor waits for a value.
+  /// True if the thread neither sleeps nor waits for a value.
   bool CanContinue(const ThreadState& thread) const;
-  /// Puts a bound thread at its function's first instruction.
+  /// Sets a bound thread to the first instruction of its function.
   void Start(ThreadState& thread);
   void PauseAtBreakpoint(ThreadState& thread) const;
   Frame MakeFrame(int thread);
-  /// Takes over what Interpret() did with a thread.
+  /// Applies the result of Interpret() to a thread.
   void Settle(const Frame& frame, Exit exit, int64_t executed);
   /// Executes up to `statements` of a thread; returns how many.
   int64_t RunTurn(int thread, int64_t statements);
   void FinishSleepersAtEnd();
-  /// One turn of the policy, or what stops it.
+  /// Executes one turn of the policy, or returns why it stops.
   int64_t ExecuteTurn(uint32_t runnable, int64_t budget);
-  /// Statements until the next checkpoint of a recording or a replay.
+  /// Number of statements until the next checkpoint of a recording or a replay.
   int64_t UntilCheckpoint() const;
   /// Writes the recording's checkpoint, or compares with the replay's. False: the hash differs.
   bool PassCheckpoint();
   void RecordTurn(int thread, int64_t statements);
   /// Threads that take a turn each round: the runnable and those waiting for a value.
   uint32_t RoundMembers() const;
-  /// Executes `rounds` whole rounds of the one-statement round robin; returns the statements.
+  /// Executes `rounds` whole rounds of the one-statement round robin; returns the number of
+  /// statements.
   int64_t ExecuteRounds(uint32_t members, int64_t rounds);
 
   CommandTable* commands_;

@@ -18,10 +18,10 @@ inline constexpr size_t kModuleChannels = 8;
 inline constexpr double kModuleFullVolts = 10;
 
 struct ExtensionModule {
-  bool present = true;  ///< the world's
-  uint16_t inputs = 0;  ///< the world's
+  bool present = true;  ///< from outside the card
+  uint16_t inputs = 0;  ///< from outside the card
   uint16_t outputs = 0;
-  std::array<double, kModuleChannels> input_volts{};  ///< the world's
+  std::array<double, kModuleChannels> input_volts{};  ///< from outside the card
   std::array<double, kModuleChannels> output_volts{};
 
   auto Fields() const { return std::tie(present, inputs, outputs, input_volts, output_volts); }

@@ -13,8 +13,8 @@ constexpr Micros kStepUs = 1000;
 
 }  // namespace
 
-/// What the filter takes for the plan's velocity: between its steps a straight line, as its output
-/// is. Their difference then never exceeds what a steady acceleration makes of it.
+/// The plan's velocity as the filter sees it: linear between its steps, like its output. The
+/// difference of both then never exceeds that of a constant acceleration.
 double JogMode::PlannedVelocity(Micros now) const {
   if (!filtered) return plan.At(MsBetween(begin, now)).velocity;
   const double last = plan.At(MsBetween(begin, step_at)).velocity;
@@ -23,7 +23,7 @@ double JogMode::PlannedVelocity(Micros now) const {
 }
 
 void JogMode::Start(Micros now, const Sample& from) {
-  // The filter goes on from what came out; the plan goes on from what it planned.
+  // The filter continues from the last output, the plan from the last planned state.
   const double planned = running ? PlannedVelocity(now) : from.velocity;
   const double target = PlannedVelocityOf(velocity);
   plan = PlanToVelocity(from.position, planned, target,

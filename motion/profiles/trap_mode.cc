@@ -90,7 +90,7 @@ void TrapMode::Start(Micros now, const Sample& from) {
     past.clear();
     smooth = parameters.smooth_time;
     if (smooth > 0 && from.velocity != 0) {
-      // Out of a stop: the mean goes on as if the velocity had been constant until now.
+      // After a stop: the mean continues as if the velocity had been constant until now.
       const double half = from.velocity * smooth / 2;
       past.push_back({smooth, from.position - half, from.velocity, 0});
       raw.position += half;

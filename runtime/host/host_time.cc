@@ -10,7 +10,7 @@
 namespace oncard::runtime {
 namespace {
 
-/// Not asked with virtual time, where a look at a clock takes time.
+/// Not called with virtual time, where reading a clock takes time.
 const int64_t begin_ns = HostTimeIsVirtual() ? 0 : CardClock::SteadyNanoseconds();
 
 }  // namespace

@@ -13,10 +13,10 @@ namespace {
 
 constexpr std::string_view kReplayPrefix = "replay:";
 
-/// A cycle that no run comes to.
+/// A cycle that no run reaches.
 constexpr int64_t kNever = INT64_MAX;
 
-/// Cycles after which a run looks whether it shall stop.
+/// The number of cycles after which a run checks whether it shall stop.
 constexpr int64_t kLookCycles = 1000;
 
 Message Prefixed(std::string_view place, const Message& message) {
