@@ -1,5 +1,5 @@
-# Source generators. Their output lives only in the build tree. The target oncard_generated makes all
-# of it, and nothing else: what clang-tidy needs.
+# Source generators. Their output is only in the build tree. The target oncard_generated makes all of
+# it and nothing else, for clang-tidy.
 add_custom_target(oncard_generated)
 
 function(oncard_generated_sources target name)
@@ -24,7 +24,7 @@ function(oncard_re2c target source)
 endfunction()
 
 # oncard_bison(target parser.yy): adds the parser made from `parser.yy` and its header, parser.hh,
-# which by that name clang-tidy does not take for a header of ours.
+# whose name keeps clang-tidy from treating it as a header of the project.
 function(oncard_bison target source)
   find_package(BISON 3.8 REQUIRED)
   get_filename_component(name ${source} NAME_WE)
@@ -37,6 +37,6 @@ function(oncard_bison target source)
     VERBATIM)
   target_sources(${target} PRIVATE ${output})
   oncard_generated_sources(${target} ${name} ${output})
-  # The skeleton's own code narrows its table entries.
+  # The code of Bison's skeleton narrows its table entries.
   set_source_files_properties(${output} PROPERTIES COMPILE_OPTIONS "-Wno-conversion")
 endfunction()

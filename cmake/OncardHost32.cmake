@@ -1,8 +1,9 @@
-# The libraries for the build of libgts for hosts of 32 bits, on a computer of 64: Debian's packages
-# g++-multilib and lib32z1-dev. The others it has for 64 bits alone. They are used as headers, which
-# have no word length, found without their CMake files, which refuse another one than their own.
+# The libraries for the 32-bit build of libgts on a 64-bit computer: Debian's packages g++-multilib
+# and lib32z1-dev. Debian has the other libraries only for 64 bits. They are used as header-only
+# libraries, which do not depend on the word length, and are found without their CMake files, which
+# would reject the other word length.
 if(NOT CMAKE_SIZEOF_VOID_P EQUAL 4)
-  message(FATAL_ERROR "ONCARD_HOST32 needs a compiler of 32 bits: cmake --preset host32")
+  message(FATAL_ERROR "ONCARD_HOST32 needs a 32-bit compiler: cmake --preset host32")
 endif()
 
 pkg_check_modules(EIGEN REQUIRED eigen3)
@@ -16,7 +17,7 @@ target_compile_definitions(PkgConfig::XXHASH INTERFACE XXH_INLINE_ALL)
 add_library(ZLIB::ZLIB INTERFACE IMPORTED)
 target_link_libraries(ZLIB::ZLIB INTERFACE z)
 
-# Doubles in registers of 64 bits, not the 80 of the old coprocessor: the same results as elsewhere.
-# Files have 64 bits, or those whose numbers need more than 32 could not be opened.
+# Doubles in 64-bit registers, not in the 80-bit registers of the x87 coprocessor: the same results as
+# elsewhere. 64-bit file offsets, or files with large inode numbers could not be opened.
 target_compile_options(oncard_options INTERFACE -msse2 -mfpmath=sse)
 target_compile_definitions(oncard_options INTERFACE _FILE_OFFSET_BITS=64)

@@ -1,7 +1,6 @@
 # How every target of the project is compiled: warnings are errors, results must not depend on
-# floating-point contraction, only the C API is visible in the shared library. The speed of
-# ./x bench vm is reached with -O2, which compiles faster than CMake's -O3. What a sanitizer looks
-# at is found at -O1, too.
+# floating-point contraction, only the C API is visible in the shared library. -O2 reaches the speed
+# of ./x bench vm and compiles faster than CMake's -O3. Sanitizers find their errors at -O1 as well.
 if(ONCARD_SANITIZE)
   set(CMAKE_CXX_FLAGS_RELEASE "-O1 -DNDEBUG")
 else()
