@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "gtcalls/card_elements.h"
-#include "gtcalls/commands/commands.h"
-#include "gtcalls/unsupported.h"
+#include "gtcalls/gts/commands/commands.h"
+#include "gtcalls/gts/unsupported.h"
 
 namespace oncard::gtcalls {
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "gtcalls/catalogue.h"
-#include "gtcalls/plc_blocks.h"
+#include "gtcalls/gts/plc_blocks.h"
 #include "motion/motion_core.h"
 #include "vm/machine.h"
 

@@ -7,15 +7,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
-#include "gtcalls/catalogue_rows.h"
+#include "gtcalls/gts/rows.h"
 
 namespace oncard::gtcalls {
 namespace {
 
 constexpr Constant kConstants[] = {
 #define CONSTANT(name, value) {#name, value},
-#include "gtcalls/constants.def"
+#include "gtcalls/gts/constants.def"
 };
 
 /// Who may call a command: the third column of catalogue.def.
@@ -23,6 +24,7 @@ enum class Callers : uint8_t { kHost, kProgram, kBoth };
 
 // Rows stand in the order of their topics; the tables in the order of their numbers.
 constexpr auto kCommands = [] {
+  using namespace gts::words;
   auto commands = std::to_array({
 #define COMMAND(number, name, tier, callers, cost, touching, brief, source, ...) \
   Command{number,                                                                \
@@ -32,11 +34,11 @@ constexpr auto kCommands = [] {
           Callers::callers != Callers::kHost,                                    \
           Callers::callers != Callers::kProgram,                                 \
           Cost::cost,                                                            \
-          rows::name##Accesses,                                                  \
-          rows::name,                                                            \
+          gts::rows::name##Accesses,                                             \
+          gts::rows::name,                                                       \
           brief,                                                                 \
           source},
-#include "gtcalls/catalogue.def"
+#include "gtcalls/gts/catalogue.def"
   });
   std::sort(commands.begin(), commands.end(),
             [](const Command& a, const Command& b) { return a.number < b.number; });
@@ -59,7 +61,7 @@ constexpr vm::DataType kDoubleSlot[] = {vm::DataType::kDouble};
 
 constexpr size_t CountCells(const Structure& structure) {
   size_t count = 0;
-  structures::ForEachCell(structure, [&](Scalar) { ++count; });
+  words::ForEachCell(structure, [&](Scalar) { ++count; });
   return count;
 }
 
@@ -67,21 +69,21 @@ template <size_t size>
 constexpr std::array<vm::DataType, size> SlotsOf(const Structure& structure) {
   std::array<vm::DataType, size> slots{};
   size_t next = 0;
-  structures::ForEachCell(structure, [&](Scalar type) { slots[next++] = ProgramType(type); });
+  words::ForEachCell(structure, [&](Scalar type) { slots[next++] = ProgramType(type); });
   return slots;
 }
 
 /// The slots behind each structure, named like it.
 namespace structure_slots {
 #define STRUCTURE(name, ...) \
-  constexpr auto name = SlotsOf<CountCells(structures::name)>(structures::name);
-#include "gtcalls/structures.def"
+  constexpr auto name = SlotsOf<CountCells(gts::structures::name)>(gts::structures::name);
+#include "gtcalls/gts/structures.def"
 }  // namespace structure_slots
 
 constexpr std::span<const vm::DataType> SlotsBehind(const Structure* structure) {
 #define STRUCTURE(name, ...) \
-  if (structure == &structures::name) return structure_slots::name;
-#include "gtcalls/structures.def"
+  if (structure == &gts::structures::name) return structure_slots::name;
+#include "gtcalls/gts/structures.def"
   return {};
 }
 
@@ -109,15 +111,15 @@ constexpr std::array<vm::ParameterShape, size> ShapesOf(
 
 /// The parameters' shapes of each command, named like it.
 namespace parameter_shapes {
-#define COMMAND(number, name, ...) constexpr auto name = ShapesOf(rows::name);
-#include "gtcalls/catalogue.def"
+#define COMMAND(number, name, ...) constexpr auto name = ShapesOf(gts::rows::name);
+#include "gtcalls/gts/catalogue.def"
 }  // namespace parameter_shapes
 
 constexpr auto kShapes = [] {
   auto shapes = std::to_array({
 #define COMMAND(number, name, tier, callers, ...) \
   vm::CommandShape{number, #name, parameter_shapes::name, Callers::callers != Callers::kHost},
-#include "gtcalls/catalogue.def"
+#include "gtcalls/gts/catalogue.def"
   });
   std::sort(shapes.begin(), shapes.end(), [](const vm::CommandShape& a, const vm::CommandShape& b) {
     return a.number < b.number;
@@ -155,11 +157,11 @@ const Command* FindCommand(uint16_t number) {
 
 const vm::CommandShape& ShapeOf(const Command& command) { return kShapes[command.number - 1u]; }
 
-std::span<const Structure> Structures() { return structures::Table::kRows; }
+std::span<const Structure> Structures() { return gts::structures::Table::kRows; }
 
 const Structure* FindStructure(std::string_view name) {
-  const auto found = std::ranges::find(structures::Table::kRows, name, &Structure::name);
-  return found != std::end(structures::Table::kRows) ? found : nullptr;
+  const auto found = std::ranges::find(gts::structures::Table::kRows, name, &Structure::name);
+  return found != std::end(gts::structures::Table::kRows) ? found : nullptr;
 }
 
 std::span<const Constant> Constants() { return kConstants; }
@@ -244,22 +246,34 @@ std::string_view SpellUnit(Unit unit) {
   return "bits";
 }
 
+namespace {
+
+/// A range that its number does not belong to is written with the nearest number inside: `bound` is
+/// such a one when the number next to it on the way to `outwards` is whole and it is not.
+bool IsOpenEnd(double bound, double outwards) {
+  const double beyond = std::nextafter(bound, outwards);
+  return bound != std::floor(bound) && beyond == std::floor(beyond);
+}
+
+}  // namespace
+
 std::string SpellRange(const Parameter& parameter) {
+  constexpr double kInfinity = words::kUnbounded;
   const double low = parameter.minimum;
   const double high = parameter.maximum;
-  if (low == -kUnbounded && high == kUnbounded) return "";
+  if (low == -kInfinity && high == kInfinity) return "";
   std::string text;
-  if (low == -kUnbounded) {
+  if (low == -kInfinity) {
     text = "(-inf, ";
-  } else if (low == -kBelow32767) {
-    text = "(-32767, ";
+  } else if (IsOpenEnd(low, -kInfinity)) {
+    text = fmt::format("({:.15g}, ", std::nextafter(low, -kInfinity));
   } else {
     text = fmt::format("[{:.15g}, ", low);
   }
-  if (high == kUnbounded) {
+  if (high == kInfinity) {
     text += "inf)";
-  } else if (high == kBelow32767) {
-    text += "32767)";
+  } else if (IsOpenEnd(high, kInfinity)) {
+    text += fmt::format("{:.15g})", std::nextafter(high, kInfinity));
   } else {
     text += fmt::format("{:.15g}]", high);
   }

@@ -8,7 +8,7 @@
 
 #include "base/json_text.h"
 #include "gtcalls/card.h"
-#include "gtcalls/unsupported.h"
+#include "gtcalls/gts/unsupported.h"
 #include "runtime/host/host_services.h"
 #include "tools/commands.h"
 #include "tools/gnuplot.h"

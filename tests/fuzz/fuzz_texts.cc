@@ -4,7 +4,7 @@
 #include "explore/models/model.h"
 #include "explore/models/property.h"
 #include "explore/scenario_exploration.h"
-#include "gtcalls/card_config.h"
+#include "gtcalls/gts/card_config.h"
 #include "runtime/scenario/scenario.h"
 #include "runtime/scenario/scenario_run.h"
 #include "runtime/sim/controller.h"

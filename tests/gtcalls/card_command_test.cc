@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "gtcalls/commands/commands.h"
+#include "gtcalls/gts/commands/commands.h"
 #include "tests/gtcalls/command_test_card.h"
 
 namespace oncard::gtcalls {

@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-#include "gtcalls/card_config.h"
+#include "gtcalls/gts/card_config.h"
 #include "tests/gtcalls/axis_command_support.h"
 
 namespace oncard::gtcalls {

@@ -1,5 +1,5 @@
 // Configuration files: what is read, what is remarked on, what each key does, GT_LoadConfig.
-#include "gtcalls/card_config.h"
+#include "gtcalls/gts/card_config.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "gtcalls/catalogue_rows.h"
+#include "gtcalls/gts/rows.h"
 
 // Last, because its constants are macros.
 #include "gts.h"
@@ -18,8 +18,8 @@ namespace {
 template <typename T>
 constexpr const Structure* StructureOf() {
 #define STRUCTURE(name, ...) \
-  if (std::is_same_v<T, ::name>) return &structures::name;
-#include "gtcalls/structures.def"
+  if (std::is_same_v<T, ::name>) return &gts::structures::name;
+#include "gtcalls/gts/structures.def"
   return nullptr;
 }
 
@@ -111,15 +111,16 @@ constexpr bool MayBeLeftOut() {
 
 #define CHECK_kProgram(name)
 #define CHECK_kBoth(name) CHECK_kHost(name)
-#define CHECK_kHost(name)                                                                          \
-  static_assert(Prototype<decltype(::name)>::AgreesWith(rows::name), #name);                       \
-  constexpr auto name##Call = [](auto... arguments) -> decltype(::name(arguments...)) {            \
-    return ::name(arguments...);                                                                   \
-  };                                                                                               \
-  static_assert(MayBeLeftOut<decltype(::name), decltype(name##Call), RequiredCount(rows::name)>(), \
-                #name);
+#define CHECK_kHost(name)                                                                     \
+  static_assert(Prototype<decltype(::name)>::AgreesWith(gts::rows::name), #name);             \
+  constexpr auto name##Call = [](auto... arguments) -> decltype(::name(arguments...)) {       \
+    return ::name(arguments...);                                                              \
+  };                                                                                          \
+  static_assert(                                                                              \
+      MayBeLeftOut<decltype(::name), decltype(name##Call), RequiredCount(gts::rows::name)>(), \
+      #name);
 #define COMMAND(number, name, tier, callers, ...) CHECK_##callers(name)
-#include "gtcalls/catalogue.def"
+#include "gtcalls/gts/catalogue.def"
 
 }  // namespace
 }  // namespace oncard::gtcalls

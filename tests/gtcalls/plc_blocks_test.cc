@@ -1,5 +1,5 @@
 // Semantics of each PLC block, evaluated directly.
-#include "gtcalls/plc_blocks.h"
+#include "gtcalls/gts/plc_blocks.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "gtcalls/card.h"
-#include "gtcalls/unsupported.h"
+#include "gtcalls/gts/unsupported.h"
 #include "runtime/host/host_services.h"
 
 namespace oncard::runtime {
@@ -13,7 +13,7 @@ TEST(SupportedCommandsTest, WhatIsNotExecutedHasAReason) {
   for (const gtcalls::Command& command : gtcalls::Commands()) {
     if (IsImplemented(command) || FindHostService(command.name) != nullptr) continue;
     const Message* why = gtcalls::WhyUnsupported(command);
-    ASSERT_NE(why, nullptr) << command.name << " needs a row in gtcalls/unsupported.def";
+    ASSERT_NE(why, nullptr) << command.name << " needs a row in gtcalls/gts/unsupported.def";
     EXPECT_FALSE(why->en.empty()) << command.name;
     EXPECT_FALSE(why->zh.empty()) << command.name;
   }
@@ -21,7 +21,7 @@ TEST(SupportedCommandsTest, WhatIsNotExecutedHasAReason) {
 
 TEST(SupportedCommandsTest, ReasonsNameCommandsOfTheCatalogue) {
 #define UNSUPPORTED(name, id) EXPECT_NE(gtcalls::FindCommand(#name), nullptr) << #name;
-#include "gtcalls/unsupported.def"
+#include "gtcalls/gts/unsupported.def"
 }
 
 }  // namespace

@@ -1,0 +1,400 @@
+#include "gtcalls/gts/card_config.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "base/number.h"
+#include "base/trim.h"
+
+namespace oncard::gtcalls {
+namespace {
+
+using motion::DiType;
+using motion::DoType;
+using motion::MotionCore;
+
+// --- Sections and keys -------------------------------------------------------------------------
+
+/// A key and where its value goes; nullptr: known and without effect here.
+template <typename Section>
+struct Key {
+  std::string_view name;
+  double Section::*member = nullptr;
+};
+
+constexpr Key<CardConfig::Profile> kProfileKeys[] = {
+    {"active", &CardConfig::Profile::active},
+    {"decSmoothStop", &CardConfig::Profile::smooth_stop},
+    {"decAbruptStop", &CardConfig::Profile::abrupt_stop},
+};
+
+constexpr Key<CardConfig::Axis> kAxisKeys[] = {
+    {"active", &CardConfig::Axis::active},
+    {"alarmType", &CardConfig::Axis::alarm_type},
+    {"alarmIndex", &CardConfig::Axis::alarm_index},
+    {"limitPositiveType", &CardConfig::Axis::positive_limit_type},
+    {"limitPositiveIndex", &CardConfig::Axis::positive_limit_index},
+    {"limitNegativeType", &CardConfig::Axis::negative_limit_type},
+    {"limitNegativeIndex", &CardConfig::Axis::negative_limit_index},
+    {"smoothStopType", &CardConfig::Axis::smooth_stop_type},
+    {"smoothStopIndex", &CardConfig::Axis::smooth_stop_index},
+    {"abruptStopType", &CardConfig::Axis::abrupt_stop_type},
+    {"abruptStopIndex", &CardConfig::Axis::abrupt_stop_index},
+    {"prfMap", &CardConfig::Axis::profile_map},
+    {"encMap", &CardConfig::Axis::encoder_map},
+    {"prfMapAlpha1", &CardConfig::Axis::profile_alpha},
+    {"prfMapBeta1", &CardConfig::Axis::profile_beta},
+    {"encMapAlpha1", &CardConfig::Axis::encoder_alpha},
+    {"encMapBeta1", &CardConfig::Axis::encoder_beta},
+    {"prfMapAlpha2"},
+    {"prfMapBeta2"},
+    {"encMapAlpha2"},
+    {"encMapBeta2"},
+};
+
+constexpr Key<CardConfig::Control> kControlKeys[] = {
+    {"active", &CardConfig::Control::active},
+    {"axis", &CardConfig::Control::axis},
+    {"encoder1", &CardConfig::Control::encoder},
+    {"errorLimit", &CardConfig::Control::error_limit},
+    {"encoder2"},
+    {"filterType1"},
+    {"filterType2"},
+    {"filterType3"},
+    {"filterType4"},
+    {"encoderSmooth"},
+    {"controlSmooth"},
+};
+
+constexpr Key<CardConfig::Dac> kDacKeys[] = {
+    {"active", &CardConfig::Dac::active},   {"control", &CardConfig::Dac::control},
+    {"reverse", &CardConfig::Dac::reverse}, {"bias", &CardConfig::Dac::bias},
+    {"limit", &CardConfig::Dac::limit},
+};
+
+constexpr Key<CardConfig::Step> kStepKeys[] = {
+    {"active", &CardConfig::Step::active},   {"axis", &CardConfig::Step::axis},
+    {"mode", &CardConfig::Step::mode},       {"parameter", &CardConfig::Step::parameter},
+    {"reverse", &CardConfig::Step::reverse},
+};
+
+/// The manual says of the capture keys that they have no effect.
+constexpr Key<CardConfig::Encoder> kEncoderKeys[] = {
+    {"active", &CardConfig::Encoder::active},
+    {"reverse", &CardConfig::Encoder::reverse},
+    {"filterType", &CardConfig::Encoder::filter_type},
+    {"captureSource"},
+    {"captureHomeSense"},
+    {"captureIndexSense"},
+};
+
+constexpr Key<CardConfig::Output> kOutputKeys[] = {
+    {"active", &CardConfig::Output::active},
+    {"axis", &CardConfig::Output::axis},
+    {"reverse", &CardConfig::Output::reverse},
+    {"axisItem"},
+};
+
+constexpr Key<CardConfig::Input> kInputKeys[] = {
+    {"active", &CardConfig::Input::active},
+    {"reverse", &CardConfig::Input::reverse},
+    {"filterTime", &CardConfig::Input::filter_ticks},
+};
+
+/// In the order of DoType and DiType.
+constexpr std::string_view kOutputSections[] = {"enable", "clear", "gpo"};
+constexpr std::string_view kInputSections[] = {"limitPositive", "limitNegative", "alarm", "home",
+                                               "gpi",           "arrive",        "mpg"};
+
+// --- Reading -----------------------------------------------------------------------------------
+
+class ConfigReader {
+ public:
+  CardConfig Read(std::string_view text) {
+    for (size_t begin = 0; begin < text.size();) {
+      const size_t end = std::min(text.find('\n', begin), text.size());
+      ReadLine(Trim(text.substr(begin, end - begin)));
+      begin = end + 1;
+    }
+    return std::move(config_);
+  }
+
+ private:
+  void ReadLine(std::string_view line) {
+    if (line.empty() || line.front() == ';' || line.front() == '#') return;
+    if (line.front() == '[') {
+      OpenSection(line);
+      return;
+    }
+    const size_t equals = line.find('=');
+    if (section_.empty() || equals == std::string_view::npos) return;
+    ReadKey(Trim(line.substr(0, equals)), Trim(line.substr(equals + 1)));
+  }
+
+  /// `[name12]`. What follows an unknown section is not read.
+  void OpenSection(std::string_view line) {
+    const std::string_view inside = line.substr(1, line.find(']') - 1);
+    const size_t digits = std::min(inside.find_first_of("0123456789"), inside.size());
+    section_ = inside.substr(0, digits);
+    const auto number = ReadNumber(inside.substr(digits));
+    number_ = number && *number >= 1 && *number <= motion::kIoWidthMax ? size_t(*number) : 0;
+    if (Count(section_) >= number_ && number_ > 0 && line.back() == ']') return;
+    Remark(MakeMessage("section '{0}' is unknown and has no effect", "未知的节“{0}”，不起作用",
+                       inside));
+    section_ = {};
+  }
+
+  /// How many sections of a name there can be.
+  static size_t Count(std::string_view name) {
+    if (std::ranges::count(kOutputSections, name) + std::ranges::count(kInputSections, name) > 0) {
+      return motion::kIoWidthMax;
+    }
+    constexpr std::string_view kAxisSections[] = {"profile", "axis", "control",
+                                                  "dac",     "step", "encoder"};
+    return std::ranges::count(kAxisSections, name) > 0 ? motion::kAxisMax : 0;
+  }
+
+  void ReadKey(std::string_view name, std::string_view text) {
+    const size_t i = number_ - 1;
+    if (section_ == "profile") return Assign(kProfileKeys, config_.profiles[i], name, text);
+    if (section_ == "axis") return Assign(kAxisKeys, config_.axes[i], name, text);
+    if (section_ == "control") return Assign(kControlKeys, config_.controls[i], name, text);
+    if (section_ == "dac") return Assign(kDacKeys, config_.dacs[i], name, text);
+    if (section_ == "step") return Assign(kStepKeys, config_.steps[i], name, text);
+    if (section_ == "encoder") return Assign(kEncoderKeys, config_.encoders[i], name, text);
+    const auto* output = std::ranges::find(kOutputSections, section_);
+    if (output != std::end(kOutputSections)) {
+      const auto word = static_cast<size_t>(output - kOutputSections);
+      return Assign(kOutputKeys, config_.outputs[word][i], name, text);
+    }
+    const auto word =
+        static_cast<size_t>(std::ranges::find(kInputSections, section_) - kInputSections);
+    Assign(kInputKeys, config_.inputs[word][i], name, text);
+  }
+
+  template <typename Section, size_t size>
+  void Assign(const Key<Section> (&keys)[size], Section& section, std::string_view name,
+              std::string_view text) {
+    for (const Key<Section>& key : keys) {
+      if (key.name != name) continue;
+      if (key.member == nullptr) return;
+      if (const auto value = ReadNumber(text)) {
+        section.*key.member = *value;
+      } else {
+        Remark(MakeMessage("key '{0}' of sections '{1}' is '{2}', which is no number",
+                           "节“{1}”的键“{0}”为“{2}”，不是数字", name, section_, text));
+      }
+      return;
+    }
+    Remark(MakeMessage("key '{0}' of sections '{1}' is unknown and has no effect",
+                       "节“{1}”的键“{0}”未知，不起作用", name, section_));
+  }
+
+  void Remark(Message message) {
+    const bool known = std::ranges::any_of(
+        config_.remarks, [&](const Message& other) { return other.en == message.en; });
+    if (!known) config_.remarks.push_back(std::move(message));
+  }
+
+  CardConfig config_;
+  std::string_view section_;  ///< empty: what follows is not read
+  size_t number_ = 0;         ///< of the section, from 1
+};
+
+// --- Applying ----------------------------------------------------------------------------------
+
+/// The number of an axis, controller or encoder counted from 0; empty for none and for numbers that
+/// are not.
+std::optional<size_t> IndexFrom(double number) {
+  if (!(number >= 1 && number <= static_cast<double>(motion::kAxisMax))) return std::nullopt;
+  return static_cast<size_t>(number - 1);
+}
+
+/// The same as registers hold it: -1 for none.
+int8_t NumberFrom(double number) {
+  const auto index = IndexFrom(number);
+  return index ? static_cast<int8_t>(*index) : int8_t{-1};
+}
+
+int16_t ShortFrom(double value, double smallest, double largest) {
+  return static_cast<int16_t>(std::clamp(value, smallest, largest));
+}
+
+/// Profiles or encoders of the largest card; bits beyond them stand for nothing.
+uint32_t MapFrom(double value) {
+  constexpr uint32_t kAll = (uint32_t{1} << motion::kAxisMax) - 1;
+  return value >= 0 && value <= 4294967295.0 ? static_cast<uint32_t>(value) & kAll : 0;
+}
+
+/// A deceleration as GT_SetStopDec takes it; others leave the old one.
+double DecelerationFrom(double value, double old) {
+  return value >= motion::kRateMin && value <= 32767 ? value : old;
+}
+
+/// Inputs that a word is too short for never trigger.
+motion::InputChoice ChoiceFrom(double type, double index) {
+  const auto word = motion::DiTypeFromNumber(static_cast<int>(std::clamp(type, -1.0, 99.0)));
+  if (!word || !(index >= 1 && index <= motion::kIoWidthMax)) return {};
+  return {*word, static_cast<int16_t>(index - 1)};
+}
+
+/// A ratio that no axis can have leaves the old one.
+motion::Scale ScaleFrom(double alpha, double beta, const motion::Scale& old) {
+  alpha = std::trunc(alpha);
+  beta = std::trunc(beta);
+  const double magnitude = std::fabs(alpha);
+  if (!(beta != 0 && magnitude >= std::fabs(beta) && magnitude < 32767)) return old;
+  return {static_cast<int16_t>(alpha), static_cast<int16_t>(beta)};
+}
+
+void ApplyAxis(const CardConfig::Axis& config, size_t index, MotionCore& core) {
+  motion::Axis& axis = core.state().axes[index];
+  axis.active = config.active != 0;
+  axis.alarm = ChoiceFrom(config.alarm_type, config.alarm_index);
+  axis.positive_limit = ChoiceFrom(config.positive_limit_type, config.positive_limit_index);
+  axis.negative_limit = ChoiceFrom(config.negative_limit_type, config.negative_limit_index);
+  axis.smooth_stop = ChoiceFrom(config.smooth_stop_type, config.smooth_stop_index);
+  axis.abrupt_stop = ChoiceFrom(config.abrupt_stop_type, config.abrupt_stop_index);
+  axis.alarm_on = true;
+  axis.positive_limit_on = true;
+  axis.negative_limit_on = true;
+  const motion::Scale profile =
+      ScaleFrom(config.profile_alpha, config.profile_beta, axis.profile_scale);
+  const motion::Scale encoder =
+      ScaleFrom(config.encoder_alpha, config.encoder_beta, axis.encoder_scale);
+  const bool same = profile == axis.profile_scale && encoder == axis.encoder_scale &&
+                    axis.profile_map == MapFrom(config.profile_map) &&
+                    axis.encoder_map == MapFrom(config.encoder_map);
+  if (same) return;
+  axis.profile_map = MapFrom(config.profile_map);
+  axis.encoder_map = MapFrom(config.encoder_map);
+  axis.profile_scale = profile;
+  axis.encoder_scale = encoder;
+  core.SynchAxis(index);
+}
+
+void ApplyEncoder(const CardConfig::Encoder& config, size_t index, MotionCore& core) {
+  motion::Encoder& encoder = core.state().encoders[index];
+  encoder.active = config.active != 0;
+  encoder.reversed = config.reverse != 0;
+  encoder.wired_reversed = encoder.reversed;
+  encoder.external = config.filter_type == 0;
+  core.RebaseEncoder(index);
+}
+
+/// The loop is closed where an active controller has an axis, an external encoder and a DAC.
+void ApplyControls(const CardConfig& config, MotionCore& core) {
+  motion::MotionState& state = core.state();
+  for (size_t i = 0; i < motion::kAxisMax; ++i) {
+    const CardConfig::Control& from = config.controls[i];
+    motion::Control& control = state.controls[i];
+    control.active = from.active != 0;
+    control.axis = NumberFrom(from.axis);
+    control.encoder = NumberFrom(from.encoder);
+    control.error_limit = static_cast<int64_t>(std::clamp(from.error_limit, 1.0, 2147483648.0));
+    control.closed = false;
+  }
+  for (size_t i = 0; i < motion::kAxisMax; ++i) {
+    const CardConfig::Dac& from = config.dacs[i];
+    motion::Dac& dac = state.dacs[i];
+    dac.active = from.active != 0;
+    dac.reversed = from.reverse != 0;
+    dac.bias = ShortFrom(from.bias, -motion::kDacFull, motion::kDacFull);
+    dac.limit = ShortFrom(from.limit, 0, motion::kDacFull);
+    dac.value = 0;
+    dac.control = -1;
+    const auto owner = IndexFrom(from.control);
+    if (!owner || !dac.active) continue;
+    motion::Control& control = state.controls[*owner];
+    const auto encoder = IndexFrom(config.controls[*owner].encoder);
+    if (!control.active || control.axis < 0 || !encoder) continue;
+    if (!state.encoders[*encoder].external) continue;
+    control.closed = true;
+    dac.control = static_cast<int8_t>(*owner);
+  }
+}
+
+void ApplySteps(const CardConfig& config, MotionCore& core) {
+  for (size_t i = 0; i < motion::kAxisMax; ++i) {
+    const CardConfig::Step& from = config.steps[i];
+    motion::Step& step = core.state().steps[i];
+    step.active = from.active != 0;
+    step.axis = NumberFrom(from.axis);
+    step.mode = ShortFrom(from.mode, -32768, 32767);
+    step.parameter = ShortFrom(from.parameter, -32768, 32767);
+    step.reversed = from.reverse != 0;
+  }
+}
+
+void ApplyDigital(const CardConfig& config, MotionCore& core) {
+  motion::MotionState& state = core.state();
+  for (size_t word = 0; word < config.inputs.size(); ++word) {
+    const auto type = static_cast<DiType>(word);
+    uint32_t inverted = 0;
+    uint32_t active = ~uint32_t{0};
+    for (size_t bit = 0; bit < motion::kIoWidthMax; ++bit) {
+      const CardConfig::Input& input = config.inputs[word][bit];
+      inverted |= uint32_t{input.reverse != 0} << bit;
+      active ^= uint32_t{input.active == 0} << bit;
+      state.io.SetFilterTicks(type, static_cast<int>(bit),
+                              static_cast<uint16_t>(std::clamp(input.filter_ticks, 0.0, 65535.0)));
+    }
+    state.io.SetInverted(type, inverted);
+    state.io.SetInputsActive(type, active);
+  }
+  for (size_t word = 0; word < config.outputs.size(); ++word) {
+    const auto type = static_cast<DoType>(static_cast<size_t>(DoType::kEnable) + word);
+    uint32_t inverted = 0;
+    uint32_t active = ~uint32_t{0};
+    for (size_t bit = 0; bit < motion::kIoWidthMax; ++bit) {
+      inverted |= uint32_t{config.outputs[word][bit].reverse != 0} << bit;
+      active ^= uint32_t{config.outputs[word][bit].active == 0} << bit;
+    }
+    state.io.SetOutputInverted(type, inverted);
+    state.io.SetOutputsActive(type, active);
+  }
+  for (size_t i = 0; i < state.enable_axes.size(); ++i) {
+    state.enable_axes[i] = NumberFrom(config.outputs[0][i].axis);
+  }
+}
+
+}  // namespace
+
+CardConfig::CardConfig() {
+  for (size_t i = 0; i < motion::kAxisMax; ++i) {
+    const auto number = static_cast<double>(i + 1);
+    const double bit = static_cast<double>(uint32_t{1} << i);
+    axes[i].alarm_index = number;
+    axes[i].positive_limit_index = number;
+    axes[i].negative_limit_index = number;
+    axes[i].profile_map = bit;
+    axes[i].encoder_map = bit;
+    controls[i].axis = number;
+    controls[i].encoder = number;
+    steps[i].axis = number;
+    outputs[0][i].axis = number;
+  }
+}
+
+CardConfig ParseCardConfig(std::string_view text) { return ConfigReader().Read(text); }
+
+void ApplyCardConfig(const CardConfig& config, MotionCore* core) {
+  ApplyDigital(config, *core);
+  for (size_t i = 0; i < motion::kAxisMax; ++i) {
+    motion::Profile& profile = core->state().profiles[i];
+    profile.active = config.profiles[i].active != 0;
+    profile.smooth_stop = DecelerationFrom(config.profiles[i].smooth_stop, profile.smooth_stop);
+    profile.abrupt_stop = DecelerationFrom(config.profiles[i].abrupt_stop, profile.abrupt_stop);
+    ApplyAxis(config.axes[i], i, *core);
+  }
+  ApplySteps(config, *core);
+  for (size_t i = 0; i < motion::kAxisMax; ++i) ApplyEncoder(config.encoders[i], i, *core);
+  ApplyControls(config, *core);
+  core->RestartDrives();
+}
+
+}  // namespace oncard::gtcalls

@@ -1,0 +1,107 @@
+// Analogue outputs and inputs.
+// Source: GTS manual table 10-2; the public header for parameters.
+// Tested by tests/gtcalls/analog_command_test.cc.
+#include "gtcalls/gts/commands/motion_support.h"
+
+namespace oncard::gtcalls {
+namespace {
+
+using motion::Adc;
+using motion::Dac;
+
+Dac& DacOf(const Call& call, int offset = 0) {
+  return call.card.motion.state().dacs[NumberOf(call) + static_cast<size_t>(offset)];
+}
+Adc& AdcOf(const Call& call, size_t index) { return call.card.motion.state().adcs[index]; }
+
+int16_t CheckDac(Call& call, int offset) {
+  if (DacOf(call, offset).control < 0) return vm::kOk;
+  return call.Refuse(
+      vm::kRefused,
+      MakeMessage("analogue output {0} belongs to servo controller {1}; call GT_CtrlMode with mode "
+                  "1 first",
+                  "模拟量输出 {0} 由伺服控制器 {1} 控制；请先以模式 1 调用 GT_CtrlMode",
+                  call.integer(0) + offset, DacOf(call, offset).control + 1));
+}
+
+int16_t SetDac(Call& call) {
+  for (int i = 0; i < call.integer(2); ++i) {
+    const int16_t code = CheckDac(call, i);
+    if (code != vm::kOk) return code;
+  }
+  for (int i = 0; i < call.integer(2); ++i) {
+    DacOf(call, i).value = call.cells(1)[static_cast<size_t>(i)];
+  }
+  return vm::kOk;
+}
+
+int16_t GetDac(Call& call) {
+  return ReadEach(call, [&](size_t i) { return call.card.motion.state().dacs[i].Output(); });
+}
+
+int16_t SetMtrBias(Call& call) {
+  DacOf(call).bias = static_cast<int16_t>(call.integer(1));
+  return vm::kOk;
+}
+
+int16_t GetMtrBias(Call& call) {
+  call.Set(1, DacOf(call).bias);
+  return vm::kOk;
+}
+
+int16_t SetMtrLmt(Call& call) {
+  DacOf(call).limit = static_cast<int16_t>(call.integer(1));
+  return vm::kOk;
+}
+
+int16_t GetMtrLmt(Call& call) {
+  call.Set(1, DacOf(call).limit);
+  return vm::kOk;
+}
+
+/// Inputs from `adc` on must exist.
+int16_t CheckLastAdc(Call& call) {
+  const int last = call.integer(0) + call.integer(2) - 1;
+  if (last <= static_cast<int>(motion::kAdcCount)) return vm::kOk;
+  return call.Refuse(vm::kBadParameter,
+                     MakeMessage("{0} inputs from {1} on reach to {2}; this card has 1 to {3}",
+                                 "从 {1} 起共 {0} 个，到 {2} 为止；本控制卡的编号为 1 到 {3}",
+                                 call.integer(2), call.integer(0), last, motion::kAdcCount));
+}
+
+int16_t GetAdc(Call& call) {
+  const int16_t code = CheckLastAdc(call);
+  if (code != vm::kOk) return code;
+  return ReadEach(call, [&](size_t i) { return AdcOf(call, i).Volts(); });
+}
+
+int16_t GetAdcValue(Call& call) {
+  const int16_t code = CheckLastAdc(call);
+  if (code != vm::kOk) return code;
+  return ReadEach(call, [&](size_t i) { return AdcOf(call, i).Value(); });
+}
+
+int16_t SetAdcFilter(Call& call) {
+  AdcOf(call, NumberOf(call)).filter = static_cast<int16_t>(call.integer(1));
+  return vm::kOk;
+}
+
+constexpr CommandEntry kEntries[] = {
+    {"GT_SetDac", SetDac},
+    {"GT_GetDac", GetDac},
+    // Assumption: the same under its older name.
+    {"GT_GetDacValue", GetDac},
+    {"GT_SetMtrBias", SetMtrBias},
+    {"GT_GetMtrBias", GetMtrBias},
+    {"GT_SetMtrLmt", SetMtrLmt},
+    {"GT_GetMtrLmt", GetMtrLmt},
+    {"GT_GetAdc", GetAdc},
+    {"GT_GetAdcValue", GetAdcValue},
+    {"GT_SetAdcFilter", SetAdcFilter},
+};
+
+}  // namespace
+
+std::span<const CommandEntry> AnalogCommands() { return kEntries; }
+
+}  // namespace oncard::gtcalls

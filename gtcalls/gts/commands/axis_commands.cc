@@ -1,0 +1,258 @@
+// Axes: drives, status, inputs, limits, stops, the in-position band and the scales.
+// Source: GTS manual chapters 4.3, 4.4, 6, 9, 11.7 and 13; the public header for the filters.
+// Tested by tests/gtcalls/axis_command_test.cc.
+#include <cstdlib>
+
+#include "gtcalls/gts/commands/crd_support.h"
+
+namespace oncard::gtcalls {
+namespace {
+
+using motion::Axis;
+using motion::InputChoice;
+
+/// Assumption: GT_SetStopIo's stop types, as public host programs use them.
+constexpr int kAbruptStopType = 0;
+/// Assumption: an input number that takes the stop input away, as index -1 of a configuration.
+constexpr int kNoInput = -1;
+
+// --- Drive -----------------------------------------------------------------------------------
+
+int16_t AxisOn(Call& call) {
+  const Axis& axis = AxisOf(call);
+  if (!axis.active) {
+    return call.Refuse(vm::kRefused, MakeMessage("axis {0} is not active in the configuration",
+                                                 "轴 {0} 在配置中未激活", call.integer(0)));
+  }
+  if (axis.alarm_on && call.card.motion.InputActive(axis.alarm)) {
+    return call.Refuse(
+        vm::kRefused, MakeMessage("the drive of axis {0} reports an alarm; remove its cause, or "
+                                  "call GT_AlarmOff when no drive is connected",
+                                  "轴 {0} 的驱动器报警；请排除原因，未接驱动器时可调用 GT_AlarmOff",
+                                  call.integer(0)));
+  }
+  const int16_t code = CheckAxisAtRest(call, NumberOf(call));
+  if (code != vm::kOk) return code;
+  call.card.motion.ServoOn(NumberOf(call));
+  return vm::kOk;
+}
+
+int16_t AxisOff(Call& call) {
+  call.card.motion.ServoOff(NumberOf(call));
+  return vm::kOk;
+}
+
+// --- Status ----------------------------------------------------------------------------------
+
+int16_t GetSts(Call& call) {
+  return ReadEach(call, [&](size_t axis) { return call.card.motion.Status(axis); });
+}
+
+int16_t ClrSts(Call& call) {
+  for (int i = 0; i < call.integer(1); ++i) {
+    call.card.motion.ClearStatus(NumberOf(call) + static_cast<size_t>(i));
+  }
+  return vm::kOk;
+}
+
+// --- Inputs ----------------------------------------------------------------------------------
+
+/// 0, or 1 with the reason when the configuration gives the axis no such input.
+int16_t CheckConfigured(Call& call, const InputChoice& input, std::string_view en,
+                        std::string_view zh) {
+  if (input.bit >= 0) return vm::kOk;
+  return call.Refuse(vm::kRefused,
+                     MakeMessage("the configuration gives axis {0} no {1} input",
+                                 "配置中轴 {0} 没有{2}输入", call.integer(0), en, zh));
+}
+
+int16_t SwitchAlarm(Call& call, bool on) {
+  const int16_t code = CheckConfigured(call, AxisOf(call).alarm, "alarm", "报警");
+  if (code == vm::kOk) AxisOf(call).alarm_on = on;
+  return code;
+}
+
+int16_t AlarmOn(Call& call) { return SwitchAlarm(call, true); }
+int16_t AlarmOff(Call& call) { return SwitchAlarm(call, false); }
+
+/// Limit type -1 means both.
+int16_t SwitchLimits(Call& call, bool on) {
+  Axis& axis = AxisOf(call);
+  const bool positive = call.integer(1) != 1;
+  const bool negative = call.integer(1) != 0;
+  int16_t code = vm::kOk;
+  if (positive) code = CheckConfigured(call, axis.positive_limit, "positive limit", "正限位");
+  if (negative && code == vm::kOk) {
+    code = CheckConfigured(call, axis.negative_limit, "negative limit", "负限位");
+  }
+  if (code != vm::kOk) return code;
+  if (positive) axis.positive_limit_on = on;
+  if (negative) axis.negative_limit_on = on;
+  return vm::kOk;
+}
+
+int16_t LmtsOn(Call& call) { return SwitchLimits(call, true); }
+int16_t LmtsOff(Call& call) { return SwitchLimits(call, false); }
+
+int16_t SetSoftLimit(Call& call) {
+  if (call.integer(1) <= call.integer(2)) {
+    return call.Refuse(
+        vm::kBadParameter,
+        MakeMessage("the positive limit {0} must be greater than the negative limit "
+                    "{1}",
+                    "正限位 {0} 必须大于负限位 {1}", call.integer(1), call.integer(2)));
+  }
+  AxisOf(call).soft_positive = call.integer(1);
+  AxisOf(call).soft_negative = call.integer(2);
+  return vm::kOk;
+}
+
+int16_t GetSoftLimit(Call& call) {
+  call.Set(1, AxisOf(call).soft_positive);
+  call.Set(2, AxisOf(call).soft_negative);
+  return vm::kOk;
+}
+
+int16_t SetStopIo(Call& call) {
+  const auto type = *motion::DiTypeFromNumber(call.integer(2));
+  const int index = call.integer(3);
+  if (index != kNoInput && (index < 1 || index > DiWidth(type))) {
+    return call.Refuse(
+        vm::kBadParameter,
+        MakeMessage("input {0} of word {1} is asked for; it has 1 to {2}, and -1 "
+                    "takes the stop input away",
+                    "访问第 {1} 类输入的 {0}；其编号为 1 到 {2}，-1 表示取消停止输入", index,
+                    call.integer(2), DiWidth(type)));
+  }
+  const InputChoice input{type, static_cast<int16_t>(index == kNoInput ? -1 : index - 1)};
+  (call.integer(1) == kAbruptStopType ? AxisOf(call).abrupt_stop : AxisOf(call).smooth_stop) =
+      input;
+  return vm::kOk;
+}
+
+// --- Stops -----------------------------------------------------------------------------------
+
+int16_t SetStopDec(Call& call) {
+  ProfileOf(call).smooth_stop = call.value(1);
+  ProfileOf(call).abrupt_stop = call.value(2);
+  return vm::kOk;
+}
+
+int16_t GetStopDec(Call& call) {
+  call.Set(1, ProfileOf(call).smooth_stop);
+  call.Set(2, ProfileOf(call).abrupt_stop);
+  return vm::kOk;
+}
+
+/// Bit n-1 of the mask: profile n. A 0 at the same place of the option stops it smoothly, a 1
+/// abruptly. The bits behind the axes stand for coordinate systems.
+int16_t Stop(Call& call) {
+  const std::vector<size_t> profiles = SelectedProfiles(call);
+  const std::vector<size_t> crds = CrdsOfAxisMask(call, call.value(0));
+  if (profiles.empty() && crds.empty()) return vm::kRefused;
+  call.reason = {};
+  const uint32_t abrupt = BitWord(call.value(1));
+  for (const size_t i : crds) {
+    call.card.motion.StopCrd(i, (abrupt >> (FirstCrdBit(call) + i) & 1) != 0);
+  }
+  for (const size_t i : profiles) call.card.motion.StopCommanded(i, (abrupt >> i & 1) != 0);
+  return vm::kOk;
+}
+
+// --- In position -----------------------------------------------------------------------------
+
+int16_t SetAxisBand(Call& call) {
+  AxisOf(call).band = call.integer(1);
+  AxisOf(call).band_time = call.integer(2);
+  AxisOf(call).band_set = true;
+  return vm::kOk;
+}
+
+int16_t GetAxisBand(Call& call) {
+  call.Set(1, AxisOf(call).band);
+  call.Set(2, AxisOf(call).band_time);
+  return vm::kOk;
+}
+
+// --- Scales and filters ----------------------------------------------------------------------
+
+/// 0, or the refusal of a scale that is no ratio of at most 1, or of an axis in motion.
+int16_t CheckScale(Call& call) {
+  const int alpha = call.integer(1);
+  const int beta = call.integer(2);
+  if (beta == 0 || std::abs(alpha) < std::abs(beta)) {
+    return call.Refuse(vm::kBadParameter,
+                       MakeMessage("alpha {0} and beta {1}: both must differ from 0, and |alpha| "
+                                   "must be at least |beta|",
+                                   "alpha 为 {0}，beta 为 {1}：两者均不得为 0，且 |alpha| 不得小于 "
+                                   "|beta|",
+                                   alpha, beta));
+  }
+  return CheckAxisAtRest(call, NumberOf(call));
+}
+
+motion::Scale ScaleOf(const Call& call) {
+  return {static_cast<int16_t>(call.integer(1)), static_cast<int16_t>(call.integer(2))};
+}
+
+int16_t ProfileScale(Call& call) {
+  int16_t code = CheckScale(call);
+  if (code == vm::kOk) code = CheckNoGantrySlave(call, NumberOf(call));
+  if (code == vm::kOk) call.card.motion.SetProfileScale(NumberOf(call), ScaleOf(call));
+  return code;
+}
+
+int16_t EncScale(Call& call) {
+  const int16_t code = CheckScale(call);
+  if (code == vm::kOk) call.card.motion.SetEncoderScale(NumberOf(call), ScaleOf(call));
+  return code;
+}
+
+int16_t SetFilter(const Call& call, motion::AxisValue& value) {
+  value.filter.Set(static_cast<int16_t>(call.integer(1)), value.velocity);
+  return vm::kOk;
+}
+
+int16_t SetAxisPrfVelFilter(Call& call) { return SetFilter(call, AxisOf(call).profile); }
+int16_t SetAxisEncVelFilter(Call& call) { return SetFilter(call, AxisOf(call).encoder); }
+
+int16_t GetAxisPrfVelFilter(Call& call) {
+  call.Set(1, AxisOf(call).profile.filter.exponent);
+  return vm::kOk;
+}
+
+int16_t GetAxisEncVelFilter(Call& call) {
+  call.Set(1, AxisOf(call).encoder.filter.exponent);
+  return vm::kOk;
+}
+
+constexpr CommandEntry kEntries[] = {
+    {"GT_AxisOn", AxisOn},
+    {"GT_AxisOff", AxisOff},
+    {"GT_GetSts", GetSts},
+    {"GT_ClrSts", ClrSts},
+    {"GT_AlarmOn", AlarmOn},
+    {"GT_AlarmOff", AlarmOff},
+    {"GT_LmtsOn", LmtsOn},
+    {"GT_LmtsOff", LmtsOff},
+    {"GT_SetSoftLimit", SetSoftLimit},
+    {"GT_GetSoftLimit", GetSoftLimit},
+    {"GT_SetStopIo", SetStopIo},
+    {"GT_SetStopDec", SetStopDec},
+    {"GT_GetStopDec", GetStopDec},
+    {"GT_Stop", Stop},
+    {"GT_SetAxisBand", SetAxisBand},
+    {"GT_GetAxisBand", GetAxisBand},
+    {"GT_ProfileScale", ProfileScale},
+    {"GT_EncScale", EncScale},
+    {"GT_SetAxisPrfVelFilter", SetAxisPrfVelFilter},
+    {"GT_GetAxisPrfVelFilter", GetAxisPrfVelFilter},
+    {"GT_SetAxisEncVelFilter", SetAxisEncVelFilter},
+    {"GT_GetAxisEncVelFilter", GetAxisEncVelFilter},
+};
+
+}  // namespace
+
+std::span<const CommandEntry> AxisCommands() { return kEntries; }
+
+}  // namespace oncard::gtcalls

@@ -1,0 +1,180 @@
+// Buffered commands: they take a place in a FIFO of a coordinate system and act when the segment
+// before them has ended. Their arguments are checked when they are appended.
+// Source: the public header; the smart-home manual's tool follow examples for GT_BufMove and
+// GT_BufGear. Tested by tests/gtcalls/buffer_command_test.cc.
+#include "gtcalls/gts/commands/crd_support.h"
+
+namespace oncard::gtcalls {
+namespace {
+
+using motion::BufferedKind;
+
+/// Assumption: an input number that takes the stop input away, as of GT_SetStopIo.
+constexpr int kNoInput = -1;
+/// Assumption: GT_BufSetStopIo's stop types are those of GT_SetStopIo.
+constexpr int kAbruptStopType = 0;
+/// The times of GT_BufEnableDoBitPulse, as of GT_EnableDoBitPulse.
+constexpr double kPulseTimeUnitUs = motion::kDoTimeUnitUs;
+/// Bound of velocities and accelerations; not included.
+constexpr double kRateBound = 32767;
+
+int16_t Append(Call& call, BufferedKind kind, int item, int detail,
+               const std::array<double, 4>& values = {}) {
+  motion::PathSlot slot;
+  slot.command = {kind, item, detail, values};
+  return AppendSlot(call, slot);
+}
+
+int16_t RefuseRange(Call& call, std::string_view name, double value, std::string_view range) {
+  return call.Refuse(vm::kBadParameter,
+                     MakeMessage("{0} is {1}; the range is {2}", "{0} 为 {1}；取值范围为 {2}", name,
+                                 value, range));
+}
+
+/// 0, or 7 with the reason when the output word of argument 1 has no output of argument 2.
+int16_t CheckOutput(Call& call) {
+  const int width = DoWidth(static_cast<motion::DoType>(call.integer(1)));
+  if (call.integer(2) >= 1 && call.integer(2) <= width) return vm::kOk;
+  return RefuseRange(call, "doIndex", call.value(2), width == 16 ? "[1, 16]" : "[1, 8]");
+}
+
+/// 0, or 1 with the reason when the profile of argument 1 belongs to the coordinate system.
+int16_t CheckOutside(Call& call) {
+  const int16_t code = CheckCrd(call, NumberOf(call));
+  if (code != vm::kOk || !CrdOf(call).HasMember(NumberOf(call, 1))) return code;
+  return call.Refuse(
+      vm::kRefused,
+      MakeMessage("profile {0} belongs to coordinate system {1}; another axis is "
+                  "needed",
+                  "规划器 {0} 属于坐标系 {1}；应使用其他轴", call.integer(1), call.integer(0)));
+}
+
+int16_t BufIO(Call& call) {
+  return Append(call, BufferedKind::kOutputs, call.integer(1), 0, {call.value(2), call.value(3)});
+}
+
+int16_t BufEnableDoBitPulse(Call& call) {
+  const int16_t code = CheckOutput(call);
+  if (code != vm::kOk) return code;
+  if (call.integer(3) < 1) return RefuseRange(call, "highLevelTime", call.value(3), "[1, 65535]");
+  if (call.integer(4) < 1) return RefuseRange(call, "lowLevelTime", call.value(4), "[1, 65535]");
+  if (call.integer(5) < 0) return RefuseRange(call, "pulseNum", call.value(5), "[0, 2147483647]");
+  return Append(call, BufferedKind::kPulses, call.integer(1), call.integer(2) - 1,
+                {call.value(3) * kPulseTimeUnitUs, call.value(4) * kPulseTimeUnitUs, call.value(5),
+                 call.value(6)});
+}
+
+int16_t BufDisableDoBitPulse(Call& call) {
+  const int16_t code = CheckOutput(call);
+  if (code != vm::kOk) return code;
+  return Append(call, BufferedKind::kStopPulses, call.integer(1), call.integer(2) - 1);
+}
+
+int16_t BufDelay(Call& call) { return Append(call, BufferedKind::kDelay, 0, 0, {call.value(1)}); }
+
+int16_t BufDA(Call& call) {
+  if (call.value(2) < -motion::kDacFull) {
+    return RefuseRange(call, "daValue", call.value(2), "[-32767, 32767]");
+  }
+  return Append(call, BufferedKind::kAnalogOutput, call.integer(1) - 1, 0, {call.value(2)});
+}
+
+int16_t BufLmtsOn(Call& call) {
+  return Append(call, BufferedKind::kLimits, call.integer(1) - 1, call.integer(2), {1});
+}
+
+int16_t BufLmtsOff(Call& call) {
+  return Append(call, BufferedKind::kLimits, call.integer(1) - 1, call.integer(2), {0});
+}
+
+int16_t BufSetStopIo(Call& call) {
+  const int index = call.integer(4);
+  const int width = DiWidth(static_cast<motion::DiType>(call.integer(3)));
+  if (index != kNoInput && (index < 1 || index > width)) {
+    return RefuseRange(call, "inputIndex", index, width == 16 ? "-1, [1, 16]" : "-1, [1, 8]");
+  }
+  const int bit = index == kNoInput ? -1 : index - 1;
+  return Append(call, BufferedKind::kStopInput, call.integer(1) - 1,
+                call.integer(2) == kAbruptStopType ? 1 : 0,
+                {call.value(3), static_cast<double>(bit)});
+}
+
+int16_t BufMove(Call& call) {
+  if (!(call.value(3) >= motion::kRateMin && call.value(3) < kRateBound)) {
+    return RefuseRange(call, "vel", call.value(3), "[1e-09, 32767)");
+  }
+  if (!(call.value(4) >= motion::kRateMin && call.value(4) < kRateBound)) {
+    return RefuseRange(call, "acc", call.value(4), "[1e-09, 32767)");
+  }
+  int16_t code = CheckOutside(call);
+  if (code == vm::kOk) code = CheckMode(call, NumberOf(call, 1), motion::ProfileMode::kTrap);
+  if (code != vm::kOk) return code;
+  return Append(call, BufferedKind::kMove, call.integer(1) - 1, call.integer(5),
+                {call.value(2), call.value(3), call.value(4)});
+}
+
+int16_t BufGear(Call& call) {
+  const int16_t code = CheckOutside(call);
+  if (code != vm::kOk) return code;
+  return Append(call, BufferedKind::kGear, call.integer(1) - 1, 0, {call.value(2)});
+}
+
+int16_t BufGearPercent(Call& call) {
+  if (call.integer(3) + call.integer(4) > 100) {
+    return RefuseRange(call, "accPercent + decPercent", call.value(3) + call.value(4), "[0, 100]");
+  }
+  const int16_t code = CheckOutside(call);
+  if (code != vm::kOk) return code;
+  return Append(call, BufferedKind::kGear, call.integer(1) - 1, 0,
+                {call.value(2), call.value(3) / 100, call.value(4) / 100});
+}
+
+int16_t BufStopMotion(Call& call) { return Append(call, BufferedKind::kHold, 0, 0); }
+
+int16_t BufSynchPrfPos(Call& call) {
+  return Append(call, BufferedKind::kSynchronise, call.integer(2) - 1, call.integer(1) - 1);
+}
+
+int16_t BufSetLongVar(Call& call) {
+  return Append(call, BufferedKind::kIntegerValue, call.integer(1), 0, {call.value(2)});
+}
+
+int16_t BufSetDoubleVar(Call& call) {
+  return Append(call, BufferedKind::kFractionalValue, call.integer(1), 0, {call.value(2)});
+}
+
+/// The variable is looked up when the command is appended.
+int16_t BufSetVarValue(Call& call) {
+  const std::optional<vm::SlotAddress> slot =
+      FindVariable(call, call.integer(1), call.cells(2), call.value(3));
+  if (!slot) return vm::kBadParameter;
+  // A tick allocates nothing.
+  call.card.motion.state().program_writes.reserve(motion::kCrdFifoSize);
+  return Append(call, BufferedKind::kProgramValue, slot->id, slot->global ? -1 : slot->page,
+                {call.value(3), slot->type == vm::DataType::kDouble ? 1.0 : 0.0});
+}
+
+constexpr CommandEntry kEntries[] = {
+    {"GT_BufIO", BufIO},
+    {"GT_BufEnableDoBitPulse", BufEnableDoBitPulse},
+    {"GT_BufDisableDoBitPulse", BufDisableDoBitPulse},
+    {"GT_BufDelay", BufDelay},
+    {"GT_BufDA", BufDA},
+    {"GT_BufLmtsOn", BufLmtsOn},
+    {"GT_BufLmtsOff", BufLmtsOff},
+    {"GT_BufSetStopIo", BufSetStopIo},
+    {"GT_BufMove", BufMove},
+    {"GT_BufGear", BufGear},
+    {"GT_BufGearPercent", BufGearPercent},
+    {"GT_BufStopMotion", BufStopMotion},
+    {"GT_BufSynchPrfPos", BufSynchPrfPos},
+    {"GT_BufSetLongVar", BufSetLongVar},
+    {"GT_BufSetDoubleVar", BufSetDoubleVar},
+    {"GT_BufSetVarValue", BufSetVarValue},
+};
+
+}  // namespace
+
+std::span<const CommandEntry> BufferCommands() { return kEntries; }
+
+}  // namespace oncard::gtcalls

@@ -1,0 +1,337 @@
+// Position compare in two dimensions, and its older form in one. Both use the two modules of the
+// high-speed outputs. Source: application notes on 2-D compare; public header.
+// Tested by tests/gtcalls/compare_command_test.cc.
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "gtcalls/gts/commands/motion_support.h"
+
+namespace oncard::gtcalls {
+namespace {
+
+using motion::CompareModule;
+using motion::CompareParameters;
+using motion::ComparePoint;
+using motion::CompareUnit;
+
+/// Cells of T2DComparePrm.
+enum CompareCell : size_t {
+  kEncX,
+  kEncY,
+  kSource,
+  kOutputType,
+  kStartLevel,
+  kTime,
+  kMaxError,
+  kThreshold
+};
+
+CompareUnit& CompareOf(const Call& call) { return call.card.motion.state().compare; }
+size_t ChannelOf(const Call& call) { return static_cast<size_t>(call.integer(0)); }
+CompareModule& ModuleOf(const Call& call) { return CompareOf(call).module(ChannelOf(call)); }
+
+int16_t CheckStopped(Call& call) {
+  if (!ModuleOf(call).running) return vm::kOk;
+  return call.Refuse(vm::kRefused,
+                     MakeMessage("compare is running on channel {0}, call GT_2DCompareStop",
+                                 "通道 {0} 正在比较，请调用 GT_2DCompareStop", call.integer(0)));
+}
+
+int16_t RefuseMember(Call& call, std::string_view name, double value, double first, double last) {
+  return call.Refuse(
+      vm::kBadParameter,
+      MakeMessage("T2DComparePrm.{0} is {1}; {2} to {3} is expected",
+                  "T2DComparePrm.{0} 为 {1}；应为 {2} 到 {3}", name, value, first, last));
+}
+
+int16_t Mode2D(Call& call) {
+  const int16_t code = CheckStopped(call);
+  if (code != vm::kOk) return code;
+  ModuleOf(call).parameters.two_dimensional = call.integer(1) != 0;
+  return vm::kOk;
+}
+
+/// Puts out a level, or a pulse, of which the arguments from `first` on are level, type and time.
+int16_t PutOut(Call& call, size_t first, std::span<const size_t> channels) {
+  const int level = call.integer(first);
+  const int type = call.integer(first + 1);
+  const int time = call.integer(first + 2);
+  if (level < 0 || level > 1 || type < 0 || type > 1 || (type == 0 && (level != 1 || time < 1))) {
+    return call.Refuse(
+        vm::kBadParameter,
+        MakeMessage(
+            "level {0}, outputType {1}, time {2}: level and outputType are 0 or 1, and a "
+            "pulse (outputType 0) needs level 1 and a time of at least 1 us",
+            "level 为 {0}，outputType 为 {1}，time 为 {2}：level 与 outputType 应为 0 或 1；"
+            "脉冲方式（outputType 为 0）下 level 应为 1，time 至少为 1 us",
+            level, type, time));
+  }
+  for (const size_t channel : channels) {
+    if (type != 0) {
+      CompareOf(call).SetLevel(channel, level != 0);
+    } else {
+      CompareOf(call).Pulse(channel, call.card.motion.now(), static_cast<int16_t>(time));
+    }
+  }
+  return vm::kOk;
+}
+
+int16_t Pulse2D(Call& call) {
+  const std::array channels = {ChannelOf(call)};
+  return PutOut(call, 1, channels);
+}
+
+/// Assumption: both high-speed outputs, as the command names none.
+int16_t ComparePulse(Call& call) {
+  constexpr std::array<size_t, 2> kChannels = {0, 1};
+  return PutOut(call, 0, kChannels);
+}
+
+/// 0, or 7 when an encoder does not count what `source` asks for.
+int16_t CheckSource(Call& call, double number, bool external) {
+  const motion::Encoder& encoder =
+      call.card.motion.state().encoders[static_cast<size_t>(number) - 1];
+  if (encoder.external == external) return vm::kOk;
+  return call.Refuse(
+      vm::kBadParameter,
+      external
+          ? MakeMessage("source 1 needs the external encoder {0}, call GT_EncOn",
+                        "source 为 1 时编码器 {0} 应为外部编码器，请调用 GT_EncOn", number)
+          : MakeMessage("source 0 needs the pulse counter as encoder {0}, call GT_EncOff",
+                        "source 为 0 时编码器 {0} 应为内部脉冲计数器，请调用 GT_EncOff", number));
+}
+
+/// 0, or 7 when the card has no encoder of that number.
+int16_t CheckEncoder(Call& call, std::string_view name, double number) {
+  if (number >= 1 && call.card.motion.HasEncoder(static_cast<size_t>(number) - 1)) return vm::kOk;
+  return call.Refuse(vm::kBadParameter,
+                     MakeMessage("T2DComparePrm.{0} is {1}; this card has no such encoder",
+                                 "T2DComparePrm.{0} 为 {1}；本控制卡没有该编码器", name, number));
+}
+
+int16_t SetPrm2D(Call& call) {
+  const std::span<double> cells = call.cells(1);
+  for (const auto& [cell, name] : {std::pair{kEncX, "encx"}, {kEncY, "ency"}}) {
+    const int16_t code = CheckEncoder(call, name, cells[cell]);
+    if (code != vm::kOk) return code;
+  }
+  const struct {
+    CompareCell cell;
+    std::string_view name;
+    double first, last;
+  } bounds[] = {{kSource, "source", 0, 1},
+                {kOutputType, "outputType", 0, 1},
+                {kStartLevel, "startLevel", 0, 1},
+                {kMaxError, "maxerr", 0, 511},
+                {kThreshold, "threshold", 0, 0}};
+  for (const auto& bound : bounds) {
+    const double value = cells[bound.cell];
+    if (value < bound.first || value > bound.last) {
+      return RefuseMember(call, bound.name, value, bound.first, bound.last);
+    }
+  }
+  if (cells[kOutputType] == 0 && cells[kTime] < 1) {
+    return RefuseMember(call, "time", cells[kTime], 1, 32767);
+  }
+  const bool two_dimensional = ModuleOf(call).parameters.two_dimensional;
+  int16_t code = CheckSource(call, cells[kEncY], cells[kSource] != 0);
+  if (code == vm::kOk && two_dimensional) {
+    code = CheckSource(call, cells[kEncX], cells[kSource] != 0);
+  }
+  if (code == vm::kOk) code = CheckStopped(call);
+  if (code != vm::kOk) return code;
+  CompareParameters p;
+  p.two_dimensional = two_dimensional;
+  p.x = static_cast<uint8_t>(cells[kEncX] - 1);
+  p.y = static_cast<uint8_t>(cells[kEncY] - 1);
+  p.source = static_cast<int16_t>(cells[kSource]);
+  p.level_output = cells[kOutputType] != 0;
+  p.start_level = cells[kStartLevel] != 0;
+  p.time = static_cast<int16_t>(cells[kTime]);
+  p.max_error = static_cast<int16_t>(cells[kMaxError]);
+  ModuleOf(call).parameters = p;
+  return vm::kOk;
+}
+
+size_t FreeSpace(const CompareModule& module) {
+  return motion::kCompareFifoSize + motion::kCompareBufferSize - module.waiting();
+}
+
+int16_t Data2D(Call& call) {
+  const auto count = static_cast<size_t>(call.integer(1));
+  const std::span<double> cells = call.cells(2);
+  if (count > FreeSpace(ModuleOf(call))) {
+    return call.Refuse(vm::kRefused,
+                       MakeMessage("{0} points do not fit, {1} do: wait, or call GT_2DCompareClear",
+                                   "{0} 个数据放不下，剩余空间 {1}：请等待或调用 GT_2DCompareClear",
+                                   count, FreeSpace(ModuleOf(call))));
+  }
+  std::vector<ComparePoint> points;
+  for (size_t i = 0; 2 * i + 1 < cells.size() && i < count; ++i) {
+    points.push_back({static_cast<int32_t>(cells[2 * i]), static_cast<int32_t>(cells[2 * i + 1])});
+  }
+  CompareOf(call).Append(ChannelOf(call), points);
+  return vm::kOk;
+}
+
+int16_t Start2D(Call& call) {
+  const int16_t code = CheckStopped(call);
+  if (code != vm::kOk) return code;
+  const CompareModule& module = ModuleOf(call);
+  if (module.waiting() == 0) {
+    return call.Refuse(vm::kRefused, MakeMessage("channel {0} has no points, call GT_2DCompareData",
+                                                 "通道 {0} 没有比较数据，请调用 GT_2DCompareData",
+                                                 call.integer(0)));
+  }
+  const auto& encoders = call.card.motion.state().encoders;
+  CompareOf(call).Start(ChannelOf(call), encoders[module.parameters.x].position,
+                        encoders[module.parameters.y].position);
+  return vm::kOk;
+}
+
+int16_t Stop2D(Call& call) {
+  CompareOf(call).Stop(ChannelOf(call));
+  return vm::kOk;
+}
+
+int16_t Clear2D(Call& call) {
+  const int16_t code = CheckStopped(call);
+  if (code != vm::kOk) return code;
+  CompareOf(call).Clear(ChannelOf(call));
+  return vm::kOk;
+}
+
+int16_t Status2D(Call& call) {
+  const CompareModule& module = ModuleOf(call);
+  const size_t in_fifo = std::min(module.waiting(), motion::kCompareFifoSize);
+  call.Set(1, module.running ? 0 : 1);
+  call.Set(2, module.hits);
+  call.Set(3, 0);
+  call.Set(4, static_cast<double>(motion::kCompareBufferSize - (module.waiting() - in_fifo)));
+  call.Set(5, static_cast<double>(motion::kCompareFifoSize - in_fifo));
+  return vm::kOk;
+}
+
+// --- One dimension -----------------------------------------------------------------------------
+
+/// What the one-dimensional commands have in common: the encoder is argument 0, the others are
+/// where they are told. Both modules are emptied; refused, nothing has changed.
+int16_t PrepareLinear(Call& call, size_t source, size_t time, CompareParameters* parameters) {
+  const int16_t code = CheckSource(call, call.value(0), call.integer(source) != 0);
+  if (code != vm::kOk) return code;
+  if (CompareOf(call).running()) {
+    return call.Refuse(vm::kRefused, MakeMessage("compare is running, call GT_CompareStop",
+                                                 "位置比较正在运行，请调用 GT_CompareStop"));
+  }
+  for (size_t channel = 0; channel < motion::kHsioCount; ++channel) {
+    CompareOf(call).Clear(channel);
+    CompareOf(call).module(channel).hits = 0;
+  }
+  parameters->y = static_cast<uint8_t>(NumberOf(call));
+  parameters->source = static_cast<int16_t>(call.integer(source));
+  parameters->time = static_cast<int16_t>(call.integer(time));
+  return vm::kOk;
+}
+
+void StartLinear(const Call& call, size_t channel, const CompareParameters& parameters) {
+  CompareOf(call).module(channel).parameters = parameters;
+  CompareOf(call).Start(channel, 0, call.card.motion.state().encoders[parameters.y].position);
+}
+
+/// Assumption: positions count from where the encoder is, as those of GT_2DCompareData; the first
+/// list is for HSIO0, the second for HSIO1.
+int16_t CompareData(Call& call) {
+  constexpr std::array<size_t, 2> kLists = {5, 7};
+  const bool level_output = call.integer(2) != 0;
+  if (!level_output && call.integer(4) < 1) {
+    return call.Refuse(vm::kBadParameter,
+                       MakeMessage("time is {0}; a pulse lasts 1 to 32767 us",
+                                   "time 为 {0}；脉冲宽度应为 1 到 32767 us", call.integer(4)));
+  }
+  std::array<std::vector<ComparePoint>, motion::kHsioCount> points;
+  for (size_t channel = 0; channel < kLists.size(); ++channel) {
+    const size_t list = kLists[channel];
+    const auto count = static_cast<size_t>(call.integer(list + 1));
+    if (count != 0 && !call.given(list)) {
+      return call.Refuse(vm::kBadParameter, MakeMessage("{0} is NULL", "{0} 为 NULL",
+                                                        channel == 0 ? "pBuf1" : "pBuf2"));
+    }
+    for (size_t i = 0; i < count; ++i) {
+      points[channel].push_back({.y = static_cast<int32_t>(call.cells(list)[i])});
+    }
+  }
+  if (points[0].empty() && points[1].empty()) {
+    return call.Refuse(vm::kBadParameter, MakeMessage("count1 and count2 are 0: there is no point",
+                                                      "count1 与 count2 均为 0：没有比较数据"));
+  }
+  CompareParameters parameters;
+  const int16_t code = PrepareLinear(call, 1, 4, &parameters);
+  if (code != vm::kOk) return code;
+  parameters.level_output = level_output;
+  parameters.start_level = call.integer(3) != 0;
+  for (size_t channel = 0; channel < points.size(); ++channel) {
+    if (points[channel].empty()) continue;
+    CompareOf(call).Append(channel, points[channel]);
+    StartLinear(call, channel, parameters);
+  }
+  return vm::kOk;
+}
+
+/// Assumption: `repeatTimes` counts the pulses, the first one comes `startPos` pulses from where
+/// the encoder is.
+int16_t CompareLinear(Call& call) {
+  const auto channel = static_cast<size_t>(call.integer(1));
+  const int64_t first = call.integer(2);
+  const int64_t count = call.integer(3);
+  const int64_t interval = call.integer(4);
+  if (interval == 0 && count > 1) {
+    return call.Refuse(vm::kBadParameter,
+                       MakeMessage("interval is 0: {0} pulses need a distance",
+                                   "interval 为 0：输出 {0} 个脉冲需要间隔", count));
+  }
+  // |interval| and count are below 2^31, their product below 2^62.
+  const int64_t last = first + interval * (count - 1);
+  if (last != static_cast<int32_t>(last)) {
+    return call.Refuse(vm::kBadParameter,
+                       MakeMessage("the last position {0} does not fit in a long",
+                                   "最后一个位置 {0} 超出 long 的范围", last));
+  }
+  CompareParameters parameters;
+  const int16_t code = PrepareLinear(call, 6, 5, &parameters);
+  if (code != vm::kOk) return code;
+  CompareOf(call).Repeat(channel, static_cast<int32_t>(first), static_cast<int32_t>(count - 1),
+                         static_cast<int32_t>(interval));
+  StartLinear(call, channel, parameters);
+  return vm::kOk;
+}
+
+/// Assumption: the status is that of GT_2DCompareStatus, 0 while points are waited for and 1
+/// afterwards; the count is that of both outputs.
+int16_t CompareStatus(Call& call) {
+  const CompareUnit& compare = CompareOf(call);
+  call.Set(0, compare.running() ? 0 : 1);
+  call.Set(1, compare.module(0).hits + compare.module(1).hits);
+  return vm::kOk;
+}
+
+int16_t CompareStop(Call& call) {
+  for (size_t channel = 0; channel < motion::kHsioCount; ++channel) CompareOf(call).Stop(channel);
+  return vm::kOk;
+}
+
+constexpr CommandEntry kEntries[] = {
+    {"GT_ComparePulse", ComparePulse},   {"GT_CompareData", CompareData},
+    {"GT_CompareLinear", CompareLinear}, {"GT_CompareStatus", CompareStatus},
+    {"GT_CompareStop", CompareStop},     {"GT_2DCompareMode", Mode2D},
+    {"GT_2DComparePulse", Pulse2D},      {"GT_2DCompareSetPrm", SetPrm2D},
+    {"GT_2DCompareData", Data2D},        {"GT_2DCompareStart", Start2D},
+    {"GT_2DCompareStop", Stop2D},        {"GT_2DCompareClear", Clear2D},
+    {"GT_2DCompareStatus", Status2D},
+};
+
+}  // namespace
+
+std::span<const CommandEntry> CompareCommands() { return kEntries; }
+
+}  // namespace oncard::gtcalls

@@ -1,0 +1,451 @@
+// Coordinate systems: set-up, start, status, overrides, look-ahead.
+// Source: the public header; GTS manual table 10-2. Tested by tests/gtcalls/crd_command_test.cc.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "gtcalls/gts/commands/crd_support.h"
+
+namespace oncard::gtcalls {
+namespace {
+
+using motion::Crd;
+using motion::CrdFifo;
+using motion::CrdParameters;
+using motion::ProfileMode;
+
+// Cells of TCrdPrm.
+constexpr size_t kProfileCell = 1;
+constexpr size_t kVelocityCell = 9;
+constexpr size_t kAccelerationCell = 10;
+constexpr size_t kEvenTimeCell = 11;
+constexpr size_t kOriginFlagCell = 12;
+constexpr size_t kOriginCell = 13;
+
+/// Bound of velocities, accelerations and times; not included.
+constexpr double kRateBound = 32767;
+
+/// Assumption: how far from the path's next point the axes may be at a start, pulses.
+constexpr double kStartTolerance = 1e-3;
+
+int16_t RefuseMember(Call& call, std::string_view name, double value, std::string_view range) {
+  return call.Refuse(vm::kBadParameter,
+                     MakeMessage("{0} is {1}; the range is {2}", "{0} 为 {1}；取值范围为 {2}", name,
+                                 value, range));
+}
+
+// --- Set-up ----------------------------------------------------------------------------------
+
+/// Every coordinate has one profile, which the card has.
+int16_t CheckMembers(Call& call) {
+  const std::span<double> cells = call.cells(1);
+  const int dimension = static_cast<int>(cells[0]);
+  uint32_t seen = 0;
+  for (size_t i = 0; i < motion::kCrdParameterAxes; ++i) {
+    const double coordinate = cells[kProfileCell + i];
+    if (coordinate == 0) continue;
+    const bool usable = coordinate >= 1 && coordinate <= dimension &&
+                        coordinate == std::floor(coordinate) && i < call.card.motion.axis_count();
+    const uint32_t bit = usable ? uint32_t{1} << static_cast<unsigned>(coordinate) : 0;
+    if (bit == 0 || (seen & bit) != 0) {
+      return call.Refuse(
+          vm::kBadParameter,
+          MakeMessage("profile[{0}] is {1}; each coordinate from 1 to the dimension {2} must be "
+                      "given to one profile of the card, and 0 to all others",
+                      "profile[{0}] 为 {1}；1 到维数 {2} 的每个坐标必须分配给本控制卡的一个规划器，"
+                      "其余为 0",
+                      i, coordinate, dimension));
+    }
+    seen |= bit;
+  }
+  if (seen == (uint32_t{2} << dimension) - 2) return vm::kOk;
+  return call.Refuse(vm::kBadParameter,
+                     MakeMessage("a coordinate of the {0} has no profile: set the members of "
+                                 "profile[] to 1 to {0}",
+                                 "共 {0} 个坐标，其中有坐标没有规划器：请将 profile[] 的成员设为 1 "
+                                 "到 {0}",
+                                 dimension));
+}
+
+int16_t CheckParameters(Call& call) {
+  const std::span<double> cells = call.cells(1);
+  const double dimension = cells[0];
+  if (!(dimension >= 1 && dimension <= motion::kCrdDimensionMax)) {
+    return RefuseMember(call, "dimension", dimension, "[1, 4]");
+  }
+  int16_t code = CheckMembers(call);
+  if (code != vm::kOk) return code;
+  for (const auto& [cell, name] :
+       {std::pair{kVelocityCell, "synVelMax"}, std::pair{kAccelerationCell, "synAccMax"}}) {
+    if (!(cells[cell] >= motion::kRateMin && cells[cell] < kRateBound)) {
+      return RefuseMember(call, name, cells[cell], "[1e-09, 32767)");
+    }
+  }
+  if (!(cells[kEvenTimeCell] >= 0 && cells[kEvenTimeCell] < kRateBound)) {
+    return RefuseMember(call, "evenTime", cells[kEvenTimeCell], "[0, 32767)");
+  }
+  const double flag = cells[kOriginFlagCell];
+  if (flag != 0 && flag != 1) return RefuseMember(call, "setOriginFlag", flag, "[0, 1]");
+  for (size_t i = 0; i < motion::kCrdParameterAxes; ++i) {
+    if (std::fabs(cells[kOriginCell + i]) > motion::kPositionMax) {
+      return RefuseMember(call, "originPos", cells[kOriginCell + i], "[-1073741823, 1073741823]");
+    }
+  }
+  return vm::kOk;
+}
+
+int16_t CheckCrdAtRest(Call& call, size_t crd) {
+  if (!call.card.motion.state().crds[crd].run.running) return vm::kOk;
+  const unsigned bit = FirstCrdBit(call) + static_cast<unsigned>(crd);
+  return call.Refuse(vm::kRefused,
+                     MakeMessage("coordinate system {0} is moving, call GT_Stop with bit {1} and "
+                                 "wait until GT_CrdStatus gives run 0",
+                                 "坐标系 {0} 正在运动，请以第 {1} 位调用 GT_Stop 并等待 "
+                                 "GT_CrdStatus 的 run 为 0",
+                                 crd + 1, bit));
+}
+
+CrdParameters ParametersOf(const Call& call) {
+  const std::span<double> cells = call.cells(1);
+  CrdParameters parameters;
+  parameters.dimension = static_cast<int16_t>(cells[0]);
+  for (size_t i = 0; i < motion::kCrdParameterAxes; ++i) {
+    parameters.profile[i] = static_cast<int16_t>(cells[kProfileCell + i]);
+    parameters.origin[i] = static_cast<int32_t>(cells[kOriginCell + i]);
+  }
+  parameters.velocity_max = cells[kVelocityCell];
+  parameters.acceleration_max = cells[kAccelerationCell];
+  parameters.even_time = static_cast<int16_t>(cells[kEvenTimeCell]);
+  parameters.set_origin = static_cast<int16_t>(cells[kOriginFlagCell]);
+  return parameters;
+}
+
+int16_t SetCrdPrm(Call& call) {
+  int16_t code = CheckParameters(call);
+  if (code == vm::kOk) code = CheckCrdAtRest(call, NumberOf(call));
+  if (code != vm::kOk) return code;
+  const CrdParameters parameters = ParametersOf(call);
+  const auto& state = call.card.motion.state();
+  for (size_t i = 0; i < motion::kCrdParameterAxes; ++i) {
+    if (parameters.profile[i] == 0) continue;
+    code = CheckAtRest(call, i);
+    if (code != vm::kOk) return code;
+    const size_t other = 1 - NumberOf(call);
+    if (state.profiles[i].mode == ProfileMode::kCrd && state.crds[other].HasMember(i)) {
+      return call.Refuse(
+          vm::kRefused,
+          MakeMessage("profile {0} belongs to coordinate system {1}, call "
+                      "GT_PrfTrap to take it out",
+                      "规划器 {0} 属于坐标系 {1}，请调用 GT_PrfTrap 将其移出", i + 1, other + 1));
+    }
+  }
+  call.card.motion.SetUpCrd(NumberOf(call), parameters);
+  return vm::kOk;
+}
+
+int16_t GetCrdPrm(Call& call) {
+  const int16_t code = CheckCrd(call, NumberOf(call));
+  if (code != vm::kOk) return code;
+  const CrdParameters& parameters = CrdOf(call).parameters;
+  call.Set(1, parameters.dimension, 0);
+  for (size_t i = 0; i < motion::kCrdParameterAxes; ++i) {
+    call.Set(1, parameters.profile[i], kProfileCell + i);
+    call.Set(1, parameters.origin[i], kOriginCell + i);
+  }
+  call.Set(1, parameters.velocity_max, kVelocityCell);
+  call.Set(1, parameters.acceleration_max, kAccelerationCell);
+  call.Set(1, parameters.even_time, kEvenTimeCell);
+  call.Set(1, parameters.set_origin, kOriginFlagCell);
+  return vm::kOk;
+}
+
+int16_t SetCrdStopDec(Call& call) {
+  const int16_t code = CheckCrd(call, NumberOf(call));
+  if (code != vm::kOk) return code;
+  CrdOf(call).smooth_stop = call.value(1);
+  CrdOf(call).abrupt_stop = call.value(2);
+  return vm::kOk;
+}
+
+int16_t GetCrdStopDec(Call& call) {
+  const int16_t code = CheckCrd(call, NumberOf(call));
+  if (code != vm::kOk) return code;
+  call.Set(1, CrdOf(call).smooth_stop);
+  call.Set(2, CrdOf(call).abrupt_stop);
+  return vm::kOk;
+}
+
+/// How many elements behind argument 1 belong to coordinates.
+size_t CoordinateCells(const Call& call) {
+  return std::min(call.cells(1).size(), CrdOf(call).dimension());
+}
+
+int16_t SetCrdSingleMaxVel(Call& call) {
+  const int16_t code = CheckCrd(call, NumberOf(call));
+  if (code != vm::kOk) return code;
+  for (size_t i = 0; i < CoordinateCells(call); ++i) {
+    const double velocity = call.cells(1)[i];
+    if (!(velocity >= motion::kRateMin && velocity <= Crd::kNoVelocityLimit)) {
+      return RefuseMember(call, "pMaxVel", velocity, "[1e-09, 32767]");
+    }
+  }
+  for (size_t i = 0; i < CoordinateCells(call); ++i) {
+    CrdOf(call).axis_velocity_max[i] = call.cells(1)[i];
+  }
+  return vm::kOk;
+}
+
+/// Writes one value per coordinate to argument 1.
+int16_t GiveCoordinates(Call& call, const motion::Coordinates& values) {
+  for (size_t i = 0; i < CoordinateCells(call); ++i) call.Set(1, values[i], i);
+  return vm::kOk;
+}
+
+int16_t GetCrdSingleMaxVel(Call& call) {
+  const int16_t code = CheckCrd(call, NumberOf(call));
+  return code != vm::kOk ? code : GiveCoordinates(call, CrdOf(call).axis_velocity_max);
+}
+
+// --- Run -------------------------------------------------------------------------------------
+
+/// 0, or 1 with the reason when an axis whose modal GT_BufMove was stopped short cannot go on.
+int16_t CheckAwaitedMove(Call& call, const CrdFifo& fifo) {
+  if (!fifo.awaits_move) return vm::kOk;
+  const auto profile = static_cast<size_t>(fifo.move.item);
+  const motion::Profile& awaited = call.card.motion.state().profiles[profile];
+  const int16_t code = CheckMode(call, profile, ProfileMode::kTrap);
+  return code != vm::kOk ? code
+                         : CheckMayStart(call, profile, fifo.move.values[0] - awaited.now.position);
+}
+
+/// 0, or the refusal of a start of FIFO `number`: nothing to do, axes elsewhere or not free.
+int16_t CheckStart(Call& call, size_t index, size_t number) {
+  int16_t code = CheckCrd(call, index);
+  if (code == vm::kOk) code = CheckCrdAtRest(call, index);
+  if (code != vm::kOk) return code;
+  const Crd& crd = call.card.motion.state().crds[index];
+  const CrdFifo& fifo = crd.fifos[number];
+  if (!fifo.executing && !fifo.awaits_move && fifo.slots.empty()) {
+    return call.Refuse(vm::kRefused,
+                       MakeMessage("FIFO {0} of coordinate system {1} is empty: append segments, "
+                                   "and with look-ahead call GT_CrdData with NULL",
+                                   "坐标系 {1} 的 FIFO {0} 为空：请先写入插补段；使用前瞻时请以 "
+                                   "NULL 调用 GT_CrdData",
+                                   number, index + 1));
+  }
+  code = CheckAwaitedMove(call, fifo);
+  if (code != vm::kOk) return code;
+  const motion::PathSlot* first = fifo.executing ? &fifo.current : nullptr;
+  for (size_t i = 0; first == nullptr && i < fifo.slots.size(); ++i) {
+    if (fifo.slots.At(i).is_segment) first = &fifo.slots.At(i);
+  }
+  if (first == nullptr) return vm::kOk;
+  const double path = fifo.executing ? fifo.path : 0;
+  const motion::Coordinates start = path > 0 ? first->segment.PointAt(path) : first->segment.start;
+  const motion::Coordinates direction = first->segment.TangentAt(path);
+  const motion::Coordinates position = call.card.motion.CrdPosition(index);
+  for (size_t i = 0; i < crd.dimension(); ++i) {
+    const auto profile = static_cast<size_t>(crd.members[i]);
+    code = CheckModeAtRest(call, profile, ProfileMode::kCrd);
+    if (code == vm::kOk) code = CheckMayStart(call, profile, direction[i]);
+    if (code != vm::kOk) return code;
+    if (std::fabs(position[i] - start[i]) > kStartTolerance) {
+      return call.Refuse(vm::kRefused,
+                         MakeMessage("coordinate {0} is at {1}, the path goes on at {2}: move the "
+                                     "axes back, or call GT_CrdClear",
+                                     "坐标 {0} 位于 {1}，轨迹应从 {2} "
+                                     "继续：请将各轴移回，或调用 GT_CrdClear",
+                                     i + 1, position[i], start[i]));
+    }
+  }
+  return vm::kOk;
+}
+
+/// The coordinate systems that argument 0 selects; empty, with the reason, when it is none.
+std::vector<size_t> SelectedCrds(Call& call) {
+  std::vector<size_t> selected = CrdsOf(BitWord(call.value(0)));
+  if (selected.empty()) {
+    call.reason = MakeMessage("the mask selects no coordinate system; bit 0 is coordinate system 1",
+                              "掩码未选中任何坐标系；第 0 位对应坐标系 1");
+  }
+  return selected;
+}
+
+int16_t StartEach(Call& call, bool single_step) {
+  const std::vector<size_t> selected = SelectedCrds(call);
+  if (selected.empty()) return vm::kRefused;
+  const uint32_t fifos = BitWord(call.value(1));
+  for (const size_t i : selected) {
+    const int16_t code = CheckStart(call, i, fifos >> i & 1);
+    if (code != vm::kOk) return code;
+  }
+  for (const size_t i : selected) call.card.motion.StartCrd(i, fifos >> i & 1, single_step);
+  return vm::kOk;
+}
+
+int16_t CrdStart(Call& call) { return StartEach(call, false); }
+int16_t CrdStartStep(Call& call) { return StartEach(call, true); }
+
+int16_t CrdStepMode(Call& call) {
+  const std::vector<size_t> selected = SelectedCrds(call);
+  if (selected.empty()) return vm::kRefused;
+  for (const size_t i : selected) {
+    const int16_t code = CheckCrd(call, i);
+    if (code != vm::kOk) return code;
+  }
+  for (const size_t i : selected) {
+    Crd& crd = call.card.motion.state().crds[i];
+    crd.step_mode = (BitWord(call.value(1)) >> i & 1) != 0;
+    crd.Replan(call.card.motion.now());
+  }
+  return vm::kOk;
+}
+
+int16_t SetRatio(Call& call, double Crd::*ratio) {
+  const int16_t code = CheckCrd(call, NumberOf(call));
+  if (code != vm::kOk) return code;
+  CrdOf(call).*ratio = call.value(1);
+  CrdOf(call).Replan(call.card.motion.now());
+  return vm::kOk;
+}
+
+int16_t SetOverride(Call& call) { return SetRatio(call, &Crd::override_ratio); }
+int16_t SetOverride2(Call& call) { return SetRatio(call, &Crd::second_override); }
+
+int16_t CrdClear(Call& call) {
+  int16_t code = CheckCrd(call, NumberOf(call));
+  if (code == vm::kOk && CrdOf(call).run.fifo == FifoNumber(call)) {
+    code = CheckCrdAtRest(call, NumberOf(call));
+  }
+  if (code != vm::kOk) return code;
+  CrdOf(call).Clear(FifoNumber(call));
+  return vm::kOk;
+}
+
+// --- Status ----------------------------------------------------------------------------------
+
+bool IsRunning(const Call& call) {
+  return CrdOf(call).run.running && CrdOf(call).run.fifo == FifoNumber(call);
+}
+
+int16_t CrdStatus(Call& call) {
+  const int16_t code = CheckCrd(call, NumberOf(call));
+  if (code != vm::kOk) return code;
+  call.Set(1, IsRunning(call) ? 1 : 0);
+  call.Set(2, FifoOf(call).done);
+  return vm::kOk;
+}
+
+/// Commands that read one number of a coordinate system into argument 1.
+template <typename Value>
+int16_t Give(Call& call, Value value) {
+  const int16_t code = CheckCrd(call, NumberOf(call));
+  if (code == vm::kOk) call.Set(1, static_cast<double>(value()));
+  return code;
+}
+
+int16_t CrdSpace(Call& call) {
+  return Give(call, [&] { return FifoOf(call).space(); });
+}
+int16_t GetCrdVel(Call& call) {
+  return Give(call, [&] { return CrdOf(call).run.velocity; });
+}
+int16_t GetLookAheadSpace(Call& call) {
+  return Give(
+      call, [&] { return FifoOf(call).look_ahead.capacity - FifoOf(call).look_ahead.ring.size(); });
+}
+int16_t GetLookAheadSegCount(Call& call) {
+  return Give(call, [&] { return FifoOf(call).look_ahead.ring.size(); });
+}
+int16_t GetUserSegNum(Call& call) {
+  return Give(call, [&] { return FifoOf(call).current.user_number; });
+}
+int16_t GetUserSegNumWN(Call& call) {
+  return Give(call, [&] { return FifoOf(call).current.given_number; });
+}
+int16_t GetRemainderSegNum(Call& call) {
+  return Give(call, [&] { return FifoOf(call).Remaining(); });
+}
+int16_t GetUserTargetVel(Call& call) {
+  return Give(call, [&] { return CrdOf(call).active().current.velocity; });
+}
+
+int16_t SetUserSegNum(Call& call) {
+  const int16_t code = CheckCrd(call, NumberOf(call));
+  if (code == vm::kOk) FifoOf(call).user_number = call.integer(1);
+  return code;
+}
+
+int16_t GetCrdPos(Call& call) {
+  const int16_t code = CheckCrd(call, NumberOf(call));
+  return code != vm::kOk ? code
+                         : GiveCoordinates(call, call.card.motion.CrdPosition(NumberOf(call)));
+}
+
+int16_t GetSegTargetPos(Call& call) {
+  const int16_t code = CheckCrd(call, NumberOf(call));
+  return code != vm::kOk ? code : GiveCoordinates(call, CrdOf(call).active().current.segment.end);
+}
+
+// --- Look-ahead ------------------------------------------------------------------------------
+
+int16_t InitLookAhead(Call& call) {
+  const double time = call.value(2);
+  const double acceleration = call.value(3);
+  if (!(time >= motion::kRateMin && time < kRateBound)) {
+    return RefuseMember(call, "T", time, "[1e-09, 32767)");
+  }
+  if (!(acceleration >= motion::kRateMin && acceleration < kRateBound)) {
+    return RefuseMember(call, "accMax", acceleration, "[1e-09, 32767)");
+  }
+  const int16_t code = CheckCrd(call, NumberOf(call));
+  if (code != vm::kOk) return code;
+  motion::LookAhead& look_ahead = FifoOf(call).look_ahead;
+  if (!look_ahead.ring.empty()) {
+    return call.Refuse(vm::kRefused,
+                       MakeMessage("the look-ahead buffer holds {0} segments, call GT_CrdData with "
+                                   "NULL or GT_CrdClear first",
+                                   "前瞻缓冲区中还有 {0} 段，请先以 NULL 调用 GT_CrdData 或调用 "
+                                   "GT_CrdClear",
+                                   look_ahead.ring.size()));
+  }
+  look_ahead.Clear();
+  look_ahead.time = time;
+  look_ahead.acceleration = acceleration;
+  look_ahead.capacity = static_cast<size_t>(call.integer(4));
+  return vm::kOk;
+}
+
+constexpr CommandEntry kEntries[] = {
+    {"GT_SetCrdPrm", SetCrdPrm},
+    {"GT_GetCrdPrm", GetCrdPrm},
+    {"GT_SetCrdStopDec", SetCrdStopDec},
+    {"GT_GetCrdStopDec", GetCrdStopDec},
+    {"GT_SetCrdSingleMaxVel", SetCrdSingleMaxVel},
+    {"GT_GetCrdSingleMaxVel", GetCrdSingleMaxVel},
+    {"GT_CrdStart", CrdStart},
+    {"GT_CrdStartStep", CrdStartStep},
+    {"GT_CrdStepMode", CrdStepMode},
+    {"GT_CrdStatus", CrdStatus},
+    {"GT_CrdSpace", CrdSpace},
+    {"GT_CrdClear", CrdClear},
+    {"GT_GetCrdPos", GetCrdPos},
+    {"GT_GetCrdVel", GetCrdVel},
+    {"GT_SetOverride", SetOverride},
+    {"GT_SetOverride2", SetOverride2},
+    {"GT_InitLookAhead", InitLookAhead},
+    {"GT_GetLookAheadSpace", GetLookAheadSpace},
+    {"GT_GetLookAheadSegCount", GetLookAheadSegCount},
+    {"GT_SetUserSegNum", SetUserSegNum},
+    {"GT_GetUserSegNum", GetUserSegNum},
+    {"GT_GetUserSegNumWN", GetUserSegNumWN},
+    {"GT_GetRemainderSegNum", GetRemainderSegNum},
+    {"GT_GetUserTargetVel", GetUserTargetVel},
+    {"GT_GetSegTargetPos", GetSegTargetPos},
+};
+
+}  // namespace
+
+std::span<const CommandEntry> CrdCommands() { return kEntries; }
+
+}  // namespace oncard::gtcalls

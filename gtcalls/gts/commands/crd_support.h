@@ -1,0 +1,41 @@
+// Internal to gtcalls: common parts of the commands of coordinate systems.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "gtcalls/gts/commands/motion_support.h"
+#include "motion/paths/crd.h"
+
+namespace oncard::gtcalls {
+
+/// The coordinate system that argument 0 numbers.
+inline motion::Crd& CrdOf(const Call& call) {
+  return call.card.motion.state().crds[NumberOf(call)];
+}
+
+/// 0, or 1 with the reason when the coordinate system `crd` (from 0) has not been set up.
+int16_t CheckCrd(Call& call, size_t crd);
+
+/// The argument with that name; the command must have it.
+size_t ArgumentIndex(const Call& call, std::string_view name);
+/// The FIFO that the command's last arguments name.
+size_t FifoNumber(const Call& call);
+inline motion::CrdFifo& FifoOf(const Call& call) { return CrdOf(call).fifos[FifoNumber(call)]; }
+
+/// Where a segment appended now begins.
+motion::Coordinates PathEnd(const Call& call);
+
+/// Appends a slot to the command's FIFO: 0, or 1 with the reason when it is full.
+int16_t AppendSlot(Call& call, const motion::PathSlot& slot);
+
+/// Coordinate systems (from 0) whose bits `mask` has; bit 0 is coordinate system 1.
+std::vector<size_t> CrdsOf(uint32_t mask);
+
+/// Coordinate systems that a mask of axes selects as well (GT_Stop): bits 8 and 9, on a card with
+/// 12 axes 12 and 13.
+std::vector<size_t> CrdsOfAxisMask(const Call& call, double mask);
+/// The bit of such a mask that stands for coordinate system 1.
+unsigned FirstCrdBit(const Call& call);
+
+}  // namespace oncard::gtcalls

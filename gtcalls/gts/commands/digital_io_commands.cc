@@ -1,0 +1,161 @@
+// Digital inputs and outputs. Inputs and outputs are numbered from 1.
+// Source: GTS manual chapter 10.4.3 and table 10-2; the public header for parameters and for the
+// timed outputs. Tested by tests/gtcalls/digital_io_command_test.cc.
+#include "gtcalls/gts/commands/commands.h"
+
+namespace oncard::gtcalls {
+namespace {
+
+using motion::DigitalIo;
+using motion::DiType;
+using motion::DoType;
+
+/// Assumption: GT_EnableDoBitPulse counts time as GT_SetDoBitReverse does.
+constexpr int64_t kPulseTimeUnitUs = motion::kDoTimeUnitUs;
+
+DigitalIo& IoOf(const Call& call) { return call.card.motion.state().io; }
+/// The catalogue's range keeps these valid.
+DiType DiOf(const Call& call) { return *motion::DiTypeFromNumber(call.integer(0)); }
+DoType DoOf(const Call& call) { return *motion::DoTypeFromNumber(call.integer(0)); }
+
+/// False, with the reason recorded, unless [first, first + count) lies in [1, width].
+bool CheckIndex(Call& call, int first, int count, int width) {
+  if (first >= 1 && first + count - 1 <= width) return true;
+  call.reason =
+      MakeMessage("inputs or outputs {0} to {1} of word {2} are asked for; it has 1 to {3}",
+                  "访问第 {2} 类数字量的 {0} 到 {1}；其编号为 1 到 {3}", first, first + count - 1,
+                  call.integer(0), width);
+  return false;
+}
+
+bool CheckOutput(Call& call) { return CheckIndex(call, call.integer(1), 1, DoWidth(DoOf(call))); }
+
+int BitOf(const Call& call) { return call.integer(1) - 1; }
+
+// --- Outputs ---------------------------------------------------------------------------------
+
+int16_t SetDo(Call& call) {
+  IoOf(call).Write(DoOf(call), ~uint32_t{0}, BitWord(call.value(1)));
+  return vm::kOk;
+}
+
+int16_t SetDoMask(Call& call) {
+  IoOf(call).Write(DoOf(call), BitWord(call.value(1)), BitWord(call.value(2)));
+  return vm::kOk;
+}
+
+int16_t SetDoBit(Call& call) {
+  if (!CheckOutput(call)) return vm::kBadParameter;
+  IoOf(call).WriteForAWhile(DoOf(call), BitOf(call), call.integer(2) != 0, 0);
+  return vm::kOk;
+}
+
+int16_t SetDoBitReverse(Call& call) {
+  if (!CheckOutput(call)) return vm::kBadParameter;
+  IoOf(call).WriteForAWhile(DoOf(call), BitOf(call), call.integer(2) != 0,
+                            call.integer(3) * motion::kDoTimeUnitUs);
+  return vm::kOk;
+}
+
+int16_t GetDo(Call& call) {
+  call.Set(1, IoOf(call).Register(DoOf(call)));
+  return vm::kOk;
+}
+
+int16_t EnableDoBitPulse(Call& call) {
+  if (!CheckOutput(call)) return vm::kBadParameter;
+  const int high = call.integer(2);
+  const int low = call.integer(3);
+  const int pulses = call.integer(4);
+  if (high < 1 || low < 1 || pulses < 0) {
+    return call.Refuse(
+        vm::kBadParameter,
+        MakeMessage("{2} pulses of {0} high and {1} low are asked for; times of at least 1 and 0 "
+                    "pulses (endless) or more are expected",
+                    "脉冲高电平时间 {0}、低电平时间 {1}、个数 {2}；时间至少应为 1，个数不小于 "
+                    "0（0 为不限）",
+                    high, low, pulses));
+  }
+  IoOf(call).StartPulses(DoOf(call), BitOf(call), high * kPulseTimeUnitUs, low * kPulseTimeUnitUs,
+                         pulses, call.integer(5) != 0);
+  return vm::kOk;
+}
+
+int16_t DisableDoBitPulse(Call& call) {
+  if (!CheckOutput(call)) return vm::kBadParameter;
+  IoOf(call).StopTiming(DoOf(call), BitOf(call));
+  return vm::kOk;
+}
+
+// --- Inputs ----------------------------------------------------------------------------------
+
+int16_t GetDi(Call& call) {
+  call.Set(1, IoOf(call).Read(DiOf(call)));
+  return vm::kOk;
+}
+
+int16_t GetDiRaw(Call& call) {
+  call.Set(1, IoOf(call).Pins(DiOf(call)));
+  return vm::kOk;
+}
+
+int16_t GetDiReverseCount(Call& call) {
+  const int count = call.integer(3);
+  if (!CheckIndex(call, call.integer(1), count, DiWidth(DiOf(call)))) return vm::kBadParameter;
+  for (int i = 0; i < count; ++i) {
+    call.Set(2, IoOf(call).Edges(DiOf(call), BitOf(call) + i), static_cast<size_t>(i));
+  }
+  return vm::kOk;
+}
+
+int16_t SetDiReverseCount(Call& call) {
+  const int count = call.integer(3);
+  if (!CheckIndex(call, call.integer(1), count, DiWidth(DiOf(call)))) return vm::kBadParameter;
+  for (int i = 0; i < count; ++i) {
+    IoOf(call).SetEdges(DiOf(call), BitOf(call) + i,
+                        BitWord(call.cells(2)[static_cast<size_t>(i)]));
+  }
+  return vm::kOk;
+}
+
+/// Bits 2(n-1) and 2(n-1)+1: positive and negative limit of axis n trigger at low level.
+int16_t LmtSns(Call& call) {
+  const uint32_t sense = BitWord(call.value(0));
+  uint32_t positive = 0;
+  uint32_t negative = 0;
+  for (int axis = 0; axis < DiWidth(DiType::kLimitPositive); ++axis) {
+    positive |= (sense >> (2 * axis) & 1) << axis;
+    negative |= (sense >> (2 * axis + 1) & 1) << axis;
+  }
+  IoOf(call).SetInverted(DiType::kLimitPositive, positive);
+  IoOf(call).SetInverted(DiType::kLimitNegative, negative);
+  return vm::kOk;
+}
+
+/// Assumption: bit n-1 inverts general input n, as GT_EncSns does for encoders.
+int16_t GpiSns(Call& call) {
+  IoOf(call).SetInverted(DiType::kGpi, BitWord(call.value(0)));
+  return vm::kOk;
+}
+
+constexpr CommandEntry kEntries[] = {
+    {"GT_SetDo", SetDo},
+    {"GT_SetDoMask", SetDoMask},
+    {"GT_SetDoBit", SetDoBit},
+    {"GT_SetDoBitReverse", SetDoBitReverse},
+    {"GT_GetDo", GetDo},
+    {"GT_EnableDoBitPulse", EnableDoBitPulse},
+    {"GT_DisableDoBitPulse", DisableDoBitPulse},
+    {"GT_GetDi", GetDi},
+    {"GT_GetDiRaw", GetDiRaw},
+    {"GT_GetDiReverseCount", GetDiReverseCount},
+    {"GT_SetDiReverseCount", SetDiReverseCount},
+    {"GT_LmtSns", LmtSns},
+    {"GT_GpiSns", GpiSns},
+};
+
+}  // namespace
+
+std::span<const CommandEntry> DigitalIoCommands() { return kEntries; }
+
+}  // namespace oncard::gtcalls

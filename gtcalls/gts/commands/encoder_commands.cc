@@ -1,0 +1,72 @@
+// What encoders count, and in which direction; what pulse outputs look like.
+// Source: GTS manual chapters 4.3.2 and 4.5.2, table 10-2; the GE manual for the pulse outputs.
+// Tested by tests/gtcalls/encoder_command_test.cc.
+#include "gtcalls/gts/commands/motion_support.h"
+
+namespace oncard::gtcalls {
+namespace {
+
+int16_t EncOn(Call& call) {
+  call.card.motion.SetEncoderExternal(NumberOf(call), true);
+  return vm::kOk;
+}
+
+/// A closed loop needs the external encoder (GTS manual 4.3.2).
+int16_t EncOff(Call& call) {
+  for (const motion::Control& control : call.card.motion.state().controls) {
+    if (!control.closed || control.encoder != call.integer(0) - 1) continue;
+    return call.Refuse(
+        vm::kRefused,
+        MakeMessage("encoder {0} closes the loop of axis {1}; call GT_CtrlMode with mode 1 first",
+                    "编码器 {0} 用于轴 {1} 的闭环控制；请先以模式 1 调用 GT_CtrlMode",
+                    call.integer(0), control.axis + 1));
+  }
+  call.card.motion.SetEncoderExternal(NumberOf(call), false);
+  return vm::kOk;
+}
+
+/// Bit n-1 reverses encoder n.
+int16_t EncSns(Call& call) {
+  const uint32_t sense = BitWord(call.value(0));
+  for (size_t i = 0; i < motion::kAxisMax; ++i) {
+    if (call.card.motion.HasEncoder(i)) {
+      call.card.motion.SetEncoderSense(i, (sense >> i & 1) != 0);
+    }
+  }
+  return vm::kOk;
+}
+
+// --- Pulse outputs ---------------------------------------------------------------------------
+
+/// Step::mode.
+constexpr int16_t kPulseAndDirection = 0;
+constexpr int16_t kForwardAndBackward = 1;
+
+/// Refused while the axis is in closed loop, as in the GE manual.
+int16_t SetStepMode(Call& call, int16_t mode) {
+  motion::Step& step = call.card.motion.state().steps[NumberOf(call)];
+  if (step.axis >= 0 && call.card.motion.InClosedLoop(static_cast<size_t>(step.axis))) {
+    return call.Refuse(
+        vm::kRefused,
+        MakeMessage("axis {0} is in closed loop and puts out no pulses; call GT_CtrlMode with mode "
+                    "1 first",
+                    "轴 {0} 处于闭环模式，不输出脉冲；请先以模式 1 调用 GT_CtrlMode",
+                    step.axis + 1));
+  }
+  step.mode = mode;
+  return vm::kOk;
+}
+
+int16_t StepDir(Call& call) { return SetStepMode(call, kPulseAndDirection); }
+int16_t StepPulse(Call& call) { return SetStepMode(call, kForwardAndBackward); }
+
+constexpr CommandEntry kEntries[] = {
+    {"GT_EncOn", EncOn},     {"GT_EncOff", EncOff},       {"GT_EncSns", EncSns},
+    {"GT_StepDir", StepDir}, {"GT_StepPulse", StepPulse},
+};
+
+}  // namespace
+
+std::span<const CommandEntry> EncoderCommands() { return kEntries; }
+
+}  // namespace oncard::gtcalls

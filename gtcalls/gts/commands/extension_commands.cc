@@ -1,0 +1,93 @@
+// Extension modules. Modules, bits and channels are numbered from 0.
+// Source: GTS manual table 10-2; the public header for parameters and for the state of a module.
+// Tested by tests/gtcalls/extension_command_test.cc.
+#include "gtcalls/gts/commands/commands.h"
+
+namespace oncard::gtcalls {
+namespace {
+
+using motion::ExtensionModule;
+
+/// GT_GetStsExtMdl: 0 for a module that works, 1 for a fault.
+constexpr int kModuleFault = 1;
+
+ExtensionModule& ModuleOf(const Call& call) {
+  return call.card.motion.state().modules[static_cast<size_t>(call.integer(0))];
+}
+size_t ChannelOf(const Call& call) { return static_cast<size_t>(call.integer(1)); }
+
+/// 0, or 1 with the reason when no such module is connected.
+int16_t CheckModule(Call& call) {
+  if (ModuleOf(call).present) return vm::kOk;
+  return call.Refuse(
+      vm::kRefused,
+      MakeMessage("no extension module {0} is connected; the world of the scenario "
+                  "lists the modules there are",
+                  "未连接扩展模块 {0}；场景的 world 中列出了已连接的模块", call.integer(0)));
+}
+
+/// Runs a command for a module that must be there.
+template <void (*function)(Call&, ExtensionModule&)>
+int16_t WithModule(Call& call) {
+  const int16_t code = CheckModule(call);
+  if (code == vm::kOk) function(call, ModuleOf(call));
+  return code;
+}
+
+void SetIoValue(Call& call, ExtensionModule& module) {
+  module.outputs = static_cast<uint16_t>(call.integer(1));
+}
+
+void GetIoValue(Call& call, ExtensionModule& module) { call.Set(1, module.inputs); }
+
+void SetIoBit(Call& call, ExtensionModule& module) {
+  const auto bit = static_cast<uint16_t>(1u << call.integer(1));
+  const int word = call.integer(2) != 0 ? module.outputs | bit : module.outputs & ~bit;
+  module.outputs = static_cast<uint16_t>(word);
+}
+
+void GetIoBit(Call& call, ExtensionModule& module) {
+  call.Set(2, module.inputs >> call.integer(1) & 1);
+}
+
+void GetAdValue(Call& call, ExtensionModule& module) {
+  call.Set(2, motion::ModuleValue(module.input_volts[ChannelOf(call)]));
+}
+
+/// What the converter makes of the voltage.
+void GetAdVoltage(Call& call, ExtensionModule& module) {
+  call.Set(2, motion::ModuleVolts(motion::ModuleValue(module.input_volts[ChannelOf(call)])));
+}
+
+void SetDaValue(Call& call, ExtensionModule& module) {
+  module.output_volts[ChannelOf(call)] =
+      motion::ModuleVolts(static_cast<uint16_t>(call.integer(2)));
+}
+
+void SetDaVoltage(Call& call, ExtensionModule& module) {
+  module.output_volts[ChannelOf(call)] = call.value(2);
+}
+
+/// A missing module is what this command reports, not a reason to refuse.
+int16_t GetStsExtMdl(Call& call) {
+  call.Set(2, ModuleOf(call).present ? 0 : kModuleFault);
+  return vm::kOk;
+}
+
+constexpr CommandEntry kEntries[] = {
+    {"GT_SetExtIoValue", WithModule<SetIoValue>},
+    {"GT_GetExtIoValue", WithModule<GetIoValue>},
+    {"GT_SetExtIoBit", WithModule<SetIoBit>},
+    {"GT_GetExtIoBit", WithModule<GetIoBit>},
+    {"GT_GetExtAdValue", WithModule<GetAdValue>},
+    {"GT_GetExtAdVoltage", WithModule<GetAdVoltage>},
+    {"GT_SetExtDaValue", WithModule<SetDaValue>},
+    {"GT_SetExtDaVoltage", WithModule<SetDaVoltage>},
+    {"GT_GetStsExtMdl", GetStsExtMdl},
+};
+
+}  // namespace
+
+std::span<const CommandEntry> ExtensionCommands() { return kEntries; }
+
+}  // namespace oncard::gtcalls

@@ -1,0 +1,140 @@
+// Electronic gear.
+// Source: GTS manual 7.5 and chapter 13; the public header for events.
+// Tested by tests/gtcalls/gear_command_test.cc.
+#include "gtcalls/gts/commands/motion_support.h"
+
+namespace oncard::gtcalls {
+namespace {
+
+using motion::GearEvent;
+using motion::GearMode;
+using motion::ProfileMode;
+
+GearMode& GearOf(const Call& call) { return ProfileOf(call).gear; }
+
+int16_t CheckGear(Call& call) { return CheckMode(call, NumberOf(call), ProfileMode::kGear); }
+
+int16_t PrfGear(Call& call) {
+  const auto direction = static_cast<int8_t>(call.integer(1));
+  int16_t code = CheckDirection(call, ProfileMode::kGear, GearOf(call).direction, direction);
+  if (code == vm::kOk) code = ChooseMode(call, NumberOf(call), ProfileMode::kGear);
+  if (code == vm::kOk) GearOf(call).direction = direction;
+  return code;
+}
+
+int16_t SetGearMaster(Call& call) {
+  const auto master = ReadMasterArguments(call);
+  if (!master) return vm::kBadParameter;
+  const int16_t code = CheckModeAtRest(call, NumberOf(call), ProfileMode::kGear);
+  if (code == vm::kOk) GearOf(call).master = *master;
+  return code;
+}
+
+int16_t GetGearMaster(Call& call) {
+  const int16_t code = CheckGear(call);
+  if (code == vm::kOk) SetMasterOutputs(call, GearOf(call).master);
+  return code;
+}
+
+int16_t SetGearRatio(Call& call) {
+  if (call.integer(3) == 1) {
+    return call.Refuse(vm::kBadParameter,
+                       {"masterSlope is 1; it is 0 for no clutch, or 2 and more pulses",
+                        "masterSlope 为 1；应为 0（无离合区）或不小于 2"});
+  }
+  const int16_t code = CheckGear(call);
+  if (code != vm::kOk) return code;
+  GearMode& gear = GearOf(call);
+  gear.master_even = call.integer(1);
+  gear.slave_even = call.integer(2);
+  gear.slope = call.integer(3);
+  gear.ratio_set = true;
+  if (gear.running) gear.ChangeRatio(ProfileOf(call).now);
+  return vm::kOk;
+}
+
+int16_t GetGearRatio(Call& call) {
+  const int16_t code = CheckGear(call);
+  if (code != vm::kOk) return code;
+  const GearMode& gear = GearOf(call);
+  call.Set(1, gear.master_even);
+  call.Set(2, gear.slave_even);
+  call.Set(3, gear.slope);
+  return vm::kOk;
+}
+
+int16_t SetGearEvent(Call& call) {
+  const int event = call.integer(1);
+  if (event == 3 || event == 4) {
+    return call.Refuse(
+        vm::kBadParameter,
+        MakeMessage("event {0} has no meaning; 1 starts at once, 2 when the master "
+                    "passes a position, 5 inside an area",
+                    "事件 {0} 无效；1 为立即启动，2 为主轴穿越位置，5 为位于区域内", event));
+  }
+  const int16_t code = CheckModeAtRest(call, NumberOf(call), ProfileMode::kGear);
+  if (code != vm::kOk) return code;
+  GearMode& gear = GearOf(call);
+  gear.event = static_cast<GearEvent>(event);
+  gear.event_first = call.integer(2);
+  gear.event_last = call.integer(3);
+  return vm::kOk;
+}
+
+int16_t GetGearEvent(Call& call) {
+  const int16_t code = CheckGear(call);
+  if (code != vm::kOk) return code;
+  const GearMode& gear = GearOf(call);
+  call.Set(1, static_cast<int>(gear.event));
+  call.Set(2, gear.event_first);
+  call.Set(3, gear.event_last);
+  return vm::kOk;
+}
+
+int16_t CheckGearStart(Call& call, size_t profile) {
+  const int16_t code = CheckModeAtRest(call, profile, ProfileMode::kGear);
+  if (code != vm::kOk) return code;
+  const GearMode& gear = call.card.motion.state().profiles[profile].gear;
+  if (!gear.master.chosen) {
+    return call.Refuse(vm::kRefused,
+                       MakeMessage("profile {0} has no master, call GT_SetGearMaster",
+                                   "规划器 {0} 没有主轴，请调用 GT_SetGearMaster", profile + 1));
+  }
+  if (!gear.ratio_set) {
+    return call.Refuse(vm::kRefused,
+                       MakeMessage("profile {0} has no ratio, call GT_SetGearRatio",
+                                   "规划器 {0} 没有传动比，请调用 GT_SetGearRatio", profile + 1));
+  }
+  return CheckMayStart(call, profile, gear.Direction(call.card.motion.ReadMaster(gear.master)));
+}
+
+int16_t GearStart(Call& call) {
+  const std::vector<size_t> selected = SelectedProfiles(call);
+  if (selected.empty()) return vm::kRefused;
+  for (const size_t profile : selected) {
+    if (const int16_t code = CheckGearStart(call, profile); code != vm::kOk) return code;
+  }
+  motion::MotionCore& core = call.card.motion;
+  for (const size_t profile : selected) {
+    motion::Profile& slave = core.state().profiles[profile];
+    slave.StartGear(core.ReadMaster(slave.gear.master));
+  }
+  return vm::kOk;
+}
+
+constexpr CommandEntry kEntries[] = {
+    {"GT_PrfGear", PrfGear},
+    {"GT_SetGearMaster", SetGearMaster},
+    {"GT_GetGearMaster", GetGearMaster},
+    {"GT_SetGearRatio", SetGearRatio},
+    {"GT_GetGearRatio", GetGearRatio},
+    {"GT_SetGearEvent", SetGearEvent},
+    {"GT_GetGearEvent", GetGearEvent},
+    {"GT_GearStart", GearStart},
+};
+
+}  // namespace
+
+std::span<const CommandEntry> GearCommands() { return kEntries; }
+
+}  // namespace oncard::gtcalls

@@ -1,0 +1,145 @@
+// Positions, velocities and accelerations of profiles, axes and encoders: reading and setting them.
+// Source: GTS manual chapters 6, 8.1, 11.6 and 13; the public header for GT_GetEncPosPre.
+// Tested by tests/gtcalls/position_command_test.cc.
+#include <cmath>
+
+#include "gtcalls/gts/commands/crd_support.h"
+
+namespace oncard::gtcalls {
+namespace {
+
+using motion::MotionState;
+
+const MotionState& StateOf(const Call& call) { return call.card.motion.state(); }
+
+// --- Profiles --------------------------------------------------------------------------------
+
+int16_t GetPrfPos(Call& call) {
+  return ReadEach(call, [&](size_t i) { return StateOf(call).profiles[i].now.position; });
+}
+
+int16_t GetPrfVel(Call& call) {
+  return ReadEach(call, [&](size_t i) { return StateOf(call).profiles[i].now.velocity; });
+}
+
+int16_t GetPrfAcc(Call& call) {
+  return ReadEach(call, [&](size_t i) { return StateOf(call).profiles[i].now.acceleration; });
+}
+
+int16_t GetPrfMode(Call& call) {
+  return ReadEach(call, [&](size_t i) { return static_cast<int>(StateOf(call).profiles[i].mode); });
+}
+
+int16_t SetPrfPos(Call& call) {
+  const int16_t code = CheckAtRest(call, NumberOf(call));
+  if (code == vm::kOk) call.card.motion.SetProfilePosition(NumberOf(call), call.value(1));
+  return code;
+}
+
+// --- Axes ------------------------------------------------------------------------------------
+
+int16_t GetAxisPrfPos(Call& call) {
+  return ReadEach(call, [&](size_t i) { return StateOf(call).axes[i].profile.position; });
+}
+
+int16_t GetAxisPrfVel(Call& call) {
+  return ReadEach(call, [&](size_t i) { return StateOf(call).axes[i].profile.FilteredVelocity(); });
+}
+
+int16_t GetAxisPrfAcc(Call& call) {
+  return ReadEach(call, [&](size_t i) { return StateOf(call).axes[i].profile.acceleration; });
+}
+
+int16_t GetAxisEncPos(Call& call) {
+  return ReadEach(call, [&](size_t i) { return StateOf(call).axes[i].encoder.position; });
+}
+
+int16_t GetAxisEncVel(Call& call) {
+  return ReadEach(call, [&](size_t i) { return StateOf(call).axes[i].encoder.FilteredVelocity(); });
+}
+
+int16_t GetAxisEncAcc(Call& call) {
+  return ReadEach(call, [&](size_t i) { return StateOf(call).axes[i].encoder.acceleration; });
+}
+
+int16_t GetAxisError(Call& call) {
+  return ReadEach(call, [&](size_t i) {
+    return StateOf(call).axes[i].profile.position - StateOf(call).axes[i].encoder.position;
+  });
+}
+
+/// Assumption: a coordinate system's bit stands for the axes that map its members.
+void SynchMembers(const Call& call, size_t crd) {
+  motion::MotionCore& core = call.card.motion;
+  for (size_t axis = 0; axis < core.axis_count(); ++axis) {
+    for (size_t i = 0; i < core.state().crds[crd].dimension(); ++i) {
+      const auto member = static_cast<unsigned>(core.state().crds[crd].members[i]);
+      if ((core.state().axes[axis].profile_map >> member & 1) != 0) core.SynchAxis(axis);
+    }
+  }
+}
+
+int16_t SynchAxisPos(Call& call) {
+  const std::vector<size_t> axes = SelectedProfiles(call);
+  const std::vector<size_t> crds = CrdsOfAxisMask(call, call.value(0));
+  if (axes.empty() && crds.empty()) return vm::kRefused;
+  call.reason = {};
+  for (const size_t axis : axes) call.card.motion.SynchAxis(axis);
+  for (const size_t crd : crds) SynchMembers(call, crd);
+  return vm::kOk;
+}
+
+int16_t ZeroPos(Call& call) {
+  const size_t first = NumberOf(call);
+  const size_t end = first + static_cast<size_t>(call.integer(1));
+  for (size_t axis = first; axis < end; ++axis) {
+    int16_t code = CheckAtRest(call, axis);
+    if (code == vm::kOk) code = CheckAxisAtRest(call, axis);
+    if (code != vm::kOk) return code;
+  }
+  for (size_t axis = first; axis < end; ++axis) call.card.motion.ZeroAxis(axis);
+  return vm::kOk;
+}
+
+// --- Encoders --------------------------------------------------------------------------------
+
+int16_t GetEncPos(Call& call) {
+  return ReadEach(call, [&](size_t i) { return StateOf(call).encoders[i].position; });
+}
+
+/// What has been counted in the last cycle is taken off again, so that a position set since then
+/// does not show as a movement.
+int16_t GetEncPosPre(Call& call) {
+  const double cycle_ms = static_cast<double>(call.card.motion.config().cycle_us) / 1000;
+  return ReadEach(call, [&](size_t i) {
+    const motion::Encoder& encoder = StateOf(call).encoders[i];
+    return encoder.position - std::round(encoder.velocity * cycle_ms);
+  });
+}
+
+int16_t GetEncVel(Call& call) {
+  return ReadEach(call, [&](size_t i) { return StateOf(call).encoders[i].velocity; });
+}
+
+int16_t SetEncPos(Call& call) {
+  call.card.motion.SetEncoderPosition(NumberOf(call), call.value(1));
+  return vm::kOk;
+}
+
+constexpr CommandEntry kEntries[] = {
+    {"GT_GetPrfPos", GetPrfPos},         {"GT_GetPrfVel", GetPrfVel},
+    {"GT_GetPrfAcc", GetPrfAcc},         {"GT_GetPrfMode", GetPrfMode},
+    {"GT_SetPrfPos", SetPrfPos},         {"GT_GetAxisPrfPos", GetAxisPrfPos},
+    {"GT_GetAxisPrfVel", GetAxisPrfVel}, {"GT_GetAxisPrfAcc", GetAxisPrfAcc},
+    {"GT_GetAxisEncPos", GetAxisEncPos}, {"GT_GetAxisEncVel", GetAxisEncVel},
+    {"GT_GetAxisEncAcc", GetAxisEncAcc}, {"GT_GetAxisError", GetAxisError},
+    {"GT_SynchAxisPos", SynchAxisPos},   {"GT_ZeroPos", ZeroPos},
+    {"GT_GetEncPos", GetEncPos},         {"GT_GetEncPosPre", GetEncPosPre},
+    {"GT_GetEncVel", GetEncVel},         {"GT_SetEncPos", SetEncPos},
+};
+
+}  // namespace
+
+std::span<const CommandEntry> PositionCommands() { return kEntries; }
+
+}  // namespace oncard::gtcalls

@@ -1,0 +1,172 @@
+// Position/time motion: buffers, loops, start.
+// Source: GTS manual 7.4 and chapter 13; the public header for numbered segments. Tested by
+// tests/gtcalls/pt_command_test.cc.
+#include "gtcalls/gts/commands/motion_support.h"
+
+namespace oncard::gtcalls {
+namespace {
+
+using motion::ProfileMode;
+using motion::PtMode;
+
+int16_t CheckPt(Call& call) { return CheckMode(call, NumberOf(call), ProfileMode::kPt); }
+
+PtMode& PtOf(const Call& call) { return ProfileOf(call).pt; }
+
+size_t BufferOf(const Call& call, size_t index) { return static_cast<size_t>(call.integer(index)); }
+
+int16_t PrfPt(Call& call) {
+  const int16_t code = ChooseMode(call, NumberOf(call), ProfileMode::kPt);
+  if (code == vm::kOk) PtOf(call).SetDynamic(call.integer(1) != 0);
+  return code;
+}
+
+// --- Buffers ---------------------------------------------------------------------------------
+
+int16_t SetPtMemory(Call& call) {
+  const int16_t code = CheckModeAtRest(call, NumberOf(call), ProfileMode::kPt);
+  if (code != vm::kOk) return code;
+  PtMode& pt = PtOf(call);
+  const bool large = call.integer(1) != 0;
+  if (large != pt.large_memory && !pt.Empty()) {
+    return call.Refuse(vm::kRefused,
+                       MakeMessage("the PT buffers of profile {0} hold data, call GT_PtClear "
+                                   "before changing their size",
+                                   "规划器 {0} 的 PT 缓存区内有数据，请先调用 GT_PtClear "
+                                   "再改变其大小",
+                                   call.integer(0)));
+  }
+  pt.large_memory = large;
+  return vm::kOk;
+}
+
+int16_t GetPtMemory(Call& call) {
+  const int16_t code = CheckPt(call);
+  if (code == vm::kOk) call.Set(1, PtOf(call).large_memory ? 1 : 0);
+  return code;
+}
+
+int16_t PtSpace(Call& call) {
+  const int16_t code = CheckPt(call);
+  if (code == vm::kOk) {
+    call.Set(1, static_cast<double>(PtOf(call).Space(BufferOf(call, 2))));
+  }
+  return code;
+}
+
+/// Appends the segment of arguments 1 to 3.
+int16_t Append(Call& call, size_t buffer, int32_t number) {
+  const int16_t code = CheckPt(call);
+  if (code != vm::kOk) return code;
+  PtMode& pt = PtOf(call);
+  const int32_t time = call.integer(2);
+  if (time <= pt.LastTime(buffer)) {
+    return call.Refuse(vm::kBadParameter,
+                       MakeMessage("the segment ends at {0} ms, but the one before it ends at {1} "
+                                   "ms; times count from the start and must grow",
+                                   "数据段的终点时间为 {0} ms，而前一段为 {1} "
+                                   "ms；时间从起点算起，必须递增",
+                                   time, pt.LastTime(buffer)));
+  }
+  if (pt.Space(buffer) == 0) {
+    return call.Refuse(vm::kRefused,
+                       MakeMessage("the PT buffer of profile {0} is full, wait until GT_PtSpace "
+                                   "is not 0, or call GT_PtClear",
+                                   "规划器 {0} 的 PT 缓存区已满，请等待 GT_PtSpace 不为 0，或调用 "
+                                   "GT_PtClear",
+                                   call.integer(0)));
+  }
+  pt.Append(buffer, call.value(1), time, static_cast<motion::PtSegmentType>(call.integer(3)),
+            number);
+  return vm::kOk;
+}
+
+int16_t PtData(Call& call) { return Append(call, BufferOf(call, 4), 0); }
+
+int16_t PtDataWN(Call& call) { return Append(call, BufferOf(call, 5), call.integer(4)); }
+
+int16_t PtGetSegNum(Call& call) {
+  const int16_t code = CheckPt(call);
+  if (code == vm::kOk) call.Set(1, PtOf(call).number);
+  return code;
+}
+
+int16_t GetPtRemainder(Call& call) {
+  const int16_t code = CheckPt(call);
+  if (code == vm::kOk) call.Set(1, static_cast<double>(PtOf(call).Remainder()));
+  return code;
+}
+
+int16_t PtClear(Call& call) {
+  const int16_t code = CheckPt(call);
+  if (code != vm::kOk) return code;
+  PtMode& pt = PtOf(call);
+  const size_t buffer = BufferOf(call, 1);
+  if (pt.running && (pt.dynamic || pt.run_buffer == buffer)) {
+    return call.Refuse(
+        vm::kRefused,
+        MakeMessage("the PT buffer of profile {0} is in use, call GT_Stop first",
+                    "规划器 {0} 的 PT 缓存区正在使用，请先调用 GT_Stop", call.integer(0)));
+  }
+  pt.Clear(buffer);
+  return vm::kOk;
+}
+
+// --- Loops and start -------------------------------------------------------------------------
+
+int16_t SetPtLoop(Call& call) {
+  const int16_t code = CheckPt(call);
+  if (code == vm::kOk) PtOf(call).loop_target = call.integer(1);
+  return code;
+}
+
+int16_t GetPtLoop(Call& call) {
+  const int16_t code = CheckPt(call);
+  if (code == vm::kOk) call.Set(1, PtOf(call).loop_count);
+  return code;
+}
+
+int16_t PtStart(Call& call) {
+  const std::vector<size_t> profiles = SelectedProfiles(call);
+  if (profiles.empty()) return vm::kRefused;
+  const uint32_t option = BitWord(call.value(1));
+  auto& states = call.card.motion.state().profiles;
+  for (const size_t i : profiles) {
+    int16_t code = CheckModeAtRest(call, i, ProfileMode::kPt);
+    if (code == vm::kOk) {
+      code = CheckMayStart(call, i, states[i].pt.Direction(option >> i & 1));
+    }
+    if (code != vm::kOk) return code;
+    if (!states[i].pt.HasData(option >> i & 1)) {
+      return call.Refuse(vm::kRefused,
+                         MakeMessage("the PT buffer of profile {0} is empty, call GT_PtData first",
+                                     "规划器 {0} 的 PT 缓存区为空，请先调用 GT_PtData", i + 1));
+    }
+  }
+  for (const size_t i : profiles) {
+    if (!states[i].pt.dynamic) states[i].pt.run_buffer = option >> i & 1;
+    call.card.motion.StartProfile(i);
+  }
+  return vm::kOk;
+}
+
+constexpr CommandEntry kEntries[] = {
+    {"GT_PrfPt", PrfPt},
+    {"GT_SetPtMemory", SetPtMemory},
+    {"GT_GetPtMemory", GetPtMemory},
+    {"GT_PtSpace", PtSpace},
+    {"GT_PtData", PtData},
+    {"GT_PtDataWN", PtDataWN},
+    {"GT_PtGetSegNum", PtGetSegNum},
+    {"GT_GetPtRemainder", GetPtRemainder},
+    {"GT_PtClear", PtClear},
+    {"GT_SetPtLoop", SetPtLoop},
+    {"GT_GetPtLoop", GetPtLoop},
+    {"GT_PtStart", PtStart},
+};
+
+}  // namespace
+
+std::span<const CommandEntry> PtCommands() { return kEntries; }
+
+}  // namespace oncard::gtcalls

@@ -1,0 +1,308 @@
+// Segments of a coordinate system: lines, arcs, helices. One function serves all: which numbers a
+// command takes, its parameters' names say; its plane and whether it ends at rest (G0) or has the
+// second override, its own name.
+// Source: the public header. Tested by tests/gtcalls/segment_command_test.cc.
+#include <algorithm>
+#include <optional>
+#include <string_view>
+
+#include "gtcalls/gts/commands/crd_support.h"
+#include "motion/paths/segment.h"
+
+namespace oncard::gtcalls {
+namespace {
+
+using motion::ArcPlane;
+using motion::Coordinates;
+using motion::PathSlot;
+using motion::Segment;
+
+bool Contains(std::string_view text, std::string_view part) {
+  return text.find(part) != std::string_view::npos;
+}
+
+/// What a segment command says.
+struct Request {
+  Coordinates end{};
+  size_t dimension = 2;  ///< coordinates it needs
+  double velocity = 0;
+  double acceleration = 0;
+  double end_velocity = 0;
+  bool ends_at_rest = false;
+  bool second_override = false;
+  int32_t given_number = 0;
+  std::optional<double> radius;
+  std::array<double, 2> centre{};
+  size_t centre_count = 0;  ///< 0: no centre
+  std::array<double, 3> between{};
+  bool has_between = false;
+  bool counter_clockwise = false;
+  ArcPlane plane;
+};
+
+ArcPlane PlaneOf(std::string_view command) {
+  if (Contains(command, "ArcYZ") || Contains(command, "HelixYZ")) return motion::kArcPlanes[1];
+  if (Contains(command, "ArcZX") || Contains(command, "HelixZX")) return motion::kArcPlanes[2];
+  return motion::kArcPlanes[0];
+}
+
+/// The coordinate that a parameter x, y, z or a gives; 4 for other names.
+size_t CoordinateOf(std::string_view name) {
+  constexpr std::string_view kNames = "xyza";
+  return name.size() == 1 ? std::min(kNames.find(name[0]), kNames.size()) : kNames.size();
+}
+
+/// Reads the arguments; coordinates that the command does not name stay at `start`.
+Request ReadRequest(const Call& call, const Coordinates& start) {
+  Request request;
+  request.end = start;
+  request.ends_at_rest = Contains(call.command.name, "G0");
+  request.second_override = Contains(call.command.name, "Override2");
+  request.plane = PlaneOf(call.command.name);
+  for (size_t i = 1; i < call.arguments.size(); ++i) {
+    const std::string_view name = call.command.parameters[i].name;
+    const double value = call.value(i);
+    if (const size_t coordinate = CoordinateOf(name); coordinate < motion::kCrdDimensionMax) {
+      request.end[coordinate] = value;
+      request.dimension = std::max(request.dimension, coordinate + 1);
+    } else if (name == "synVel") {
+      request.velocity = value;
+    } else if (name == "synAcc") {
+      request.acceleration = value;
+    } else if (name == "velEnd") {
+      request.end_velocity = value;
+    } else if (name == "segNum") {
+      request.given_number = call.integer(i);
+    } else if (name == "radius") {
+      request.radius = value;
+    } else if (name == "circleDir") {
+      request.counter_clockwise = value != 0;
+    } else if (name.ends_with("Center")) {
+      request.centre[request.centre_count++] = value;
+    } else if (name.starts_with("inter")) {
+      request.between[static_cast<size_t>(name.back() - 'X')] = value;
+      request.has_between = true;
+    }
+  }
+  return request;
+}
+
+std::optional<Segment> Shape(const Coordinates& start, const Request& request) {
+  if (request.radius.has_value()) {
+    return motion::MakeArcWithRadius(start, request.end, request.plane, *request.radius,
+                                     request.counter_clockwise);
+  }
+  if (request.centre_count > 0) {
+    return motion::MakeArcAroundCentre(start, request.end, request.plane, request.centre[0],
+                                       request.centre[1], request.counter_clockwise);
+  }
+  if (request.has_between) return motion::MakeArcThroughPoint(start, request.end, request.between);
+  return motion::MakeLine(start, request.end);
+}
+
+int16_t RefuseShape(Call& call, const Request& request) {
+  if (request.radius.has_value()) {
+    return call.Refuse(
+        vm::kBadParameter,
+        MakeMessage("no circle of radius {0} passes through the start and the end: |radius| must "
+                    "be at least half their distance, and they must differ",
+                    "不存在半径为 {0} 且经过起点和终点的圆：|radius| "
+                    "不得小于两点距离的一半，且两点不得重合",
+                    *request.radius));
+  }
+  if (request.centre_count > 0) {
+    return call.Refuse(vm::kBadParameter,
+                       MakeMessage("start and end must have the same distance from the centre, "
+                                   "which is given relative to the start; 1 pulse of difference "
+                                   "is allowed, and 0 is no distance",
+                                   "起点和终点到圆心的距离必须相等（圆心坐标相对于起点），允许相差 "
+                                   "1 个脉冲，且不得为 0"));
+  }
+  if (request.has_between) {
+    return call.Refuse(vm::kBadParameter,
+                       MakeMessage("start, intermediate point and end lie on a line; give three "
+                                   "points of a circle",
+                                   "起点、中间点和终点共线；应给出圆上的三点"));
+  }
+  return call.Refuse(vm::kBadParameter,
+                     MakeMessage("the segment has no length: its end is where the path is already",
+                                 "插补段长度为零：终点与当前轨迹终点重合"));
+}
+
+int16_t AppendRequest(Call& call, const Coordinates& start, const Request& request) {
+  const motion::Crd& crd = CrdOf(call);
+  if (request.dimension > crd.dimension()) {
+    return call.Refuse(vm::kRefused,
+                       MakeMessage("coordinate system {0} has {1} axes; this segment needs {2}",
+                                   "坐标系 {0} 有 {1} 个轴；该插补段需要 {2} 个轴", call.integer(0),
+                                   crd.dimension(), request.dimension));
+  }
+  const std::optional<Segment> segment = Shape(start, request);
+  if (!segment.has_value()) return RefuseShape(call, request);
+  PathSlot slot;
+  slot.is_segment = true;
+  slot.segment = *segment;
+  slot.velocity = request.velocity;
+  slot.acceleration = std::min(request.acceleration, crd.parameters.acceleration_max);
+  slot.end_velocity = request.end_velocity;
+  slot.velocity_limit = std::min(crd.parameters.velocity_max, crd.VelocityLimit(*segment));
+  slot.ends_at_rest = request.ends_at_rest;
+  slot.second_override = request.second_override;
+  slot.user_number = FifoOf(call).user_number;
+  slot.given_number = request.given_number;
+  return AppendSlot(call, slot);
+}
+
+int16_t AppendSegment(Call& call) {
+  const int16_t code = CheckCrd(call, NumberOf(call));
+  if (code != vm::kOk) return code;
+  const Coordinates start = PathEnd(call);
+  return AppendRequest(call, start, ReadRequest(call, start));
+}
+
+// --- TCrdData --------------------------------------------------------------------------------
+
+// Cells of TCrdData.
+constexpr size_t kPlaneCell = 1;
+constexpr size_t kPositionCell = 2;
+constexpr size_t kRadiusCell = 10;
+constexpr size_t kDirectionCell = 11;
+constexpr size_t kCentreCell = 12;
+constexpr size_t kVelocityCell = 15;
+constexpr size_t kAccelerationCell = 16;
+constexpr size_t kEndsAtRestCell = 17;
+constexpr size_t kEndVelocityCell = 33;
+
+/// Assumption: TCrdData.motionType, as the public header's comments number it.
+constexpr double kLineType = 0;
+constexpr double kArcType = 1;
+
+/// Bound of velocities and accelerations; not included.
+constexpr double kRateBound = 32767;
+
+/// False, with the reason recorded, unless the members of TCrdData that a segment needs lie in
+/// their ranges.
+bool CheckData(Call& call, bool arc) {
+  const std::span<double> cells = call.cells(1);
+  bool good = cells[kVelocityCell] >= motion::kRateMin && cells[kVelocityCell] < kRateBound &&
+              cells[kAccelerationCell] >= motion::kRateMin &&
+              cells[kAccelerationCell] < kRateBound && cells[kEndVelocityCell] >= 0 &&
+              cells[kEndVelocityCell] < kRateBound;
+  for (size_t i = 0; i < motion::kCrdDimensionMax; ++i) {
+    good = good && cells[kPositionCell + i] >= -motion::kPositionMax &&
+           cells[kPositionCell + i] <= motion::kPositionMax;
+  }
+  if (arc) {
+    good = good && cells[kPlaneCell] >= 0 && cells[kPlaneCell] <= 2 && cells[kDirectionCell] >= 0 &&
+           cells[kDirectionCell] <= 1;
+  }
+  if (!good) {
+    call.reason = MakeMessage(
+        "a member of TCrdData is out of range: positions +-1073741823, vel "
+        "and acc [1e-09, 32767), velEnd [0, 32767), circlePlat [0, 2], circleDir "
+        "[0, 1]",
+        "TCrdData 的成员超出范围：位置 ±1073741823，vel 和 acc 为 [1e-09, "
+        "32767)，velEnd 为 [0, 32767)，circlePlat 为 [0, 2]，circleDir 为 "
+        "[0, 1]");
+  }
+  return good;
+}
+
+int16_t AppendData(Call& call, bool arc) {
+  if (!CheckData(call, arc)) return vm::kBadParameter;
+  const int16_t code = CheckCrd(call, NumberOf(call));
+  if (code != vm::kOk) return code;
+  const std::span<double> cells = call.cells(1);
+  const Coordinates start = PathEnd(call);
+  Request request;
+  request.end = start;
+  for (size_t i = 0; i < CrdOf(call).dimension(); ++i) request.end[i] = cells[kPositionCell + i];
+  request.dimension = 1;
+  request.velocity = cells[kVelocityCell];
+  request.acceleration = cells[kAccelerationCell];
+  request.end_velocity = cells[kEndVelocityCell];
+  request.ends_at_rest = cells[kEndsAtRestCell] != 0;
+  if (arc) {
+    request.plane = motion::kArcPlanes[static_cast<size_t>(cells[kPlaneCell])];
+    request.dimension = std::max(request.plane.first, request.plane.second) + size_t{1};
+    request.counter_clockwise = cells[kDirectionCell] != 0;
+    if (cells[kRadiusCell] != 0) {
+      request.radius = cells[kRadiusCell];
+    } else {
+      // The members of `center` stand for X, Y, Z.
+      request.centre = {cells[kCentreCell + request.plane.first],
+                        cells[kCentreCell + request.plane.second]};
+      request.centre_count = 2;
+    }
+  }
+  return AppendRequest(call, start, request);
+}
+
+int16_t FlushLookAhead(Call& call) {
+  const int16_t code = CheckCrd(call, NumberOf(call));
+  if (code != vm::kOk || FifoOf(call).Flush()) return code;
+  return call.Refuse(vm::kRefused,
+                     MakeMessage("FIFO {0} is full while the look-ahead buffer still holds {1}: "
+                                 "call GT_CrdData with NULL again until it gives 0",
+                                 "FIFO {0} 已满，前瞻缓冲区中还有 {1} 段：请再次以 NULL 调用 "
+                                 "GT_CrdData，直到返回 0",
+                                 FifoNumber(call), FifoOf(call).look_ahead.ring.size()));
+}
+
+int16_t CrdData(Call& call) {
+  if (!call.given(1)) return FlushLookAhead(call);
+  const double type = call.cells(1)[0];
+  if (type == kLineType || type == kArcType) return AppendData(call, type == kArcType);
+  return call.Refuse(vm::kBadParameter,
+                     MakeMessage("motionType is {0}; 0 (line) and 1 (arc) are supported",
+                                 "motionType 为 {0}；支持 0（直线）和 1（圆弧）", type));
+}
+
+int16_t CrdDataCircle(Call& call) { return AppendData(call, true); }
+
+constexpr CommandEntry kEntries[] = {
+    {"GT_CrdData", CrdData},           {"GT_CrdDataCircle", CrdDataCircle},
+    {"GT_LnXY", AppendSegment},        {"GT_LnXYOverride2", AppendSegment},
+    {"GT_LnXYWN", AppendSegment},      {"GT_LnXYOverride2WN", AppendSegment},
+    {"GT_LnXYG0", AppendSegment},      {"GT_LnXYG0Override2", AppendSegment},
+    {"GT_LnXYG0WN", AppendSegment},    {"GT_LnXYG0Override2WN", AppendSegment},
+    {"GT_LnXYZ", AppendSegment},       {"GT_LnXYZOverride2", AppendSegment},
+    {"GT_LnXYZWN", AppendSegment},     {"GT_LnXYZOverride2WN", AppendSegment},
+    {"GT_LnXYZG0", AppendSegment},     {"GT_LnXYZG0Override2", AppendSegment},
+    {"GT_LnXYZG0WN", AppendSegment},   {"GT_LnXYZG0Override2WN", AppendSegment},
+    {"GT_LnXYZA", AppendSegment},      {"GT_LnXYZAOverride2", AppendSegment},
+    {"GT_LnXYZAWN", AppendSegment},    {"GT_LnXYZAOverride2WN", AppendSegment},
+    {"GT_LnXYZAG0", AppendSegment},    {"GT_LnXYZAG0Override2", AppendSegment},
+    {"GT_LnXYZAG0WN", AppendSegment},  {"GT_LnXYZAG0Override2WN", AppendSegment},
+    {"GT_ArcXYC", AppendSegment},      {"GT_ArcXYCOverride2", AppendSegment},
+    {"GT_ArcXYCWN", AppendSegment},    {"GT_ArcXYCOverride2WN", AppendSegment},
+    {"GT_ArcXYR", AppendSegment},      {"GT_ArcXYROverride2", AppendSegment},
+    {"GT_ArcXYRWN", AppendSegment},    {"GT_ArcXYROverride2WN", AppendSegment},
+    {"GT_ArcXYZ", AppendSegment},      {"GT_ArcXYZWN", AppendSegment},
+    {"GT_ArcYZC", AppendSegment},      {"GT_ArcYZCOverride2", AppendSegment},
+    {"GT_ArcYZCWN", AppendSegment},    {"GT_ArcYZCOverride2WN", AppendSegment},
+    {"GT_ArcYZR", AppendSegment},      {"GT_ArcYZROverride2", AppendSegment},
+    {"GT_ArcYZRWN", AppendSegment},    {"GT_ArcYZROverride2WN", AppendSegment},
+    {"GT_ArcZXC", AppendSegment},      {"GT_ArcZXCOverride2", AppendSegment},
+    {"GT_ArcZXCWN", AppendSegment},    {"GT_ArcZXCOverride2WN", AppendSegment},
+    {"GT_ArcZXR", AppendSegment},      {"GT_ArcZXROverride2", AppendSegment},
+    {"GT_ArcZXRWN", AppendSegment},    {"GT_ArcZXROverride2WN", AppendSegment},
+    {"GT_HelixXYCZ", AppendSegment},   {"GT_HelixXYCZOverride2", AppendSegment},
+    {"GT_HelixXYCZWN", AppendSegment}, {"GT_HelixXYCZOverride2WN", AppendSegment},
+    {"GT_HelixXYRZ", AppendSegment},   {"GT_HelixXYRZOverride2", AppendSegment},
+    {"GT_HelixXYRZWN", AppendSegment}, {"GT_HelixXYRZOverride2WN", AppendSegment},
+    {"GT_HelixYZCX", AppendSegment},   {"GT_HelixYZCXOverride2", AppendSegment},
+    {"GT_HelixYZCXWN", AppendSegment}, {"GT_HelixYZCXOverride2WN", AppendSegment},
+    {"GT_HelixYZRX", AppendSegment},   {"GT_HelixYZRXOverride2", AppendSegment},
+    {"GT_HelixYZRXWN", AppendSegment}, {"GT_HelixYZRXOverride2WN", AppendSegment},
+    {"GT_HelixZXCY", AppendSegment},   {"GT_HelixZXCYOverride2", AppendSegment},
+    {"GT_HelixZXCYWN", AppendSegment}, {"GT_HelixZXCYOverride2WN", AppendSegment},
+    {"GT_HelixZXRY", AppendSegment},   {"GT_HelixZXRYOverride2", AppendSegment},
+    {"GT_HelixZXRYWN", AppendSegment}, {"GT_HelixZXRYOverride2WN", AppendSegment},
+};
+
+}  // namespace
+
+std::span<const CommandEntry> SegmentCommands() { return kEntries; }
+
+}  // namespace oncard::gtcalls

@@ -1,0 +1,180 @@
+// Servo controllers: closed loop, PID sets, following error, encoder check.
+// Source: GTS manual table 10-2 and chapter 13; the public header for TPid and the checks; the GE
+// manual for GT_CtrlMode. Tested by tests/gtcalls/servo_command_test.cc.
+#include <cmath>
+
+#include "gtcalls/gts/commands/motion_support.h"
+
+namespace oncard::gtcalls {
+namespace {
+
+using motion::Control;
+using motion::PidSet;
+
+/// GT_CtrlMode.
+constexpr int kClosedLoopMode = 0;
+
+/// Gains reach from 0 to this (GE manual).
+constexpr double kGainMax = 32767;
+
+Control& ControlOf(const Call& call) { return call.card.motion.state().controls[NumberOf(call)]; }
+PidSet& SetOf(const Call& call) {
+  return ControlOf(call).sets[static_cast<size_t>(call.integer(1) - 1)];
+}
+
+// --- Mode ------------------------------------------------------------------------------------
+
+int16_t CtrlMode(Call& call) {
+  const size_t axis = NumberOf(call);
+  const motion::MotionState& state = call.card.motion.state();
+  const bool closed = call.integer(1) == kClosedLoopMode;
+  if (state.axes[axis].servo_on) {
+    return call.Refuse(vm::kRefused,
+                       MakeMessage("the drive of axis {0} is enabled, call GT_AxisOff first",
+                                   "轴 {0} 的驱动器已使能，请先调用 GT_AxisOff", axis + 1));
+  }
+  const int16_t code = CheckAxisAtRest(call, axis);
+  if (code != vm::kOk) return code;
+  if (closed && !state.encoders[axis].external) {
+    return call.Refuse(
+        vm::kRefused,
+        MakeMessage("encoder {0} counts pulses; a closed loop needs the external encoder, call "
+                    "GT_EncOn first",
+                    "编码器 {0} 为脉冲计数方式；闭环控制需要外部编码器，请先调用 GT_EncOn",
+                    axis + 1));
+  }
+  call.card.motion.SetClosedLoop(axis, closed);
+  return vm::kOk;
+}
+
+// --- PID sets --------------------------------------------------------------------------------
+
+/// TPid as cells, in the order of its members.
+enum PidCell : size_t {
+  kKp,
+  kKi,
+  kKd,
+  kKvff,
+  kKaff,
+  kIntegralLimit,
+  kDerivativeLimit,
+  kOutputLimit
+};
+
+int16_t SetPid(Call& call) {
+  const std::span<double> pid = call.cells(2);
+  for (size_t i = kKp; i <= kOutputLimit; ++i) {
+    const bool gain = i <= kKaff;
+    if (pid[i] >= 0 && (!gain || pid[i] <= kGainMax)) continue;
+    const std::string_view name = call.command.parameters[2].structure->members[i].name;
+    return call.Refuse(vm::kBadParameter,
+                       gain ? MakeMessage("{0} is {1}; the range is [0, {2}]",
+                                          "{0} 为 {1}；取值范围为 [0, {2}]", name, pid[i], kGainMax)
+                            : MakeMessage("{0} is {1}; at least 0 is expected",
+                                          "{0} 为 {1}；不得小于 0", name, pid[i]));
+  }
+  PidSet& set = SetOf(call);
+  set.kp = pid[kKp];
+  set.ki = pid[kKi];
+  set.kd = pid[kKd];
+  set.kvff = pid[kKvff];
+  set.kaff = pid[kKaff];
+  set.integral_limit = static_cast<int32_t>(pid[kIntegralLimit]);
+  set.derivative_limit = static_cast<int32_t>(pid[kDerivativeLimit]);
+  set.limit = static_cast<int16_t>(pid[kOutputLimit]);
+  return vm::kOk;
+}
+
+int16_t GetPid(Call& call) {
+  const PidSet& set = SetOf(call);
+  call.Set(2, set.kp, kKp);
+  call.Set(2, set.ki, kKi);
+  call.Set(2, set.kd, kKd);
+  call.Set(2, set.kvff, kKvff);
+  call.Set(2, set.kaff, kKaff);
+  call.Set(2, set.integral_limit, kIntegralLimit);
+  call.Set(2, set.derivative_limit, kDerivativeLimit);
+  call.Set(2, set.limit, kOutputLimit);
+  return vm::kOk;
+}
+
+int16_t SetControlFilter(Call& call) {
+  ControlOf(call).selected = static_cast<uint8_t>(call.integer(1) - 1);
+  return vm::kOk;
+}
+
+int16_t GetControlFilter(Call& call) {
+  call.Set(1, ControlOf(call).selected + 1);
+  return vm::kOk;
+}
+
+int16_t SetKvffFilter(Call& call) {
+  SetOf(call).kvff_filter = static_cast<int16_t>(call.integer(2));
+  SetOf(call).kvff_acc_max = call.value(3);
+  return vm::kOk;
+}
+
+int16_t GetKvffFilter(Call& call) {
+  call.Set(2, SetOf(call).kvff_filter);
+  call.Set(3, SetOf(call).kvff_acc_max);
+  return vm::kOk;
+}
+
+// --- Following error and encoder check -------------------------------------------------------
+
+int16_t SetPosErr(Call& call) {
+  ControlOf(call).error_limit = static_cast<int64_t>(call.value(1));
+  return vm::kOk;
+}
+
+int16_t GetPosErr(Call& call) {
+  call.Set(1, static_cast<double>(ControlOf(call).error_limit));
+  return vm::kOk;
+}
+
+int16_t SetEncResponseCheck(Call& call) {
+  motion::ResponseCheck& check = ControlOf(call).check;
+  check.threshold = static_cast<int16_t>(call.integer(1));
+  check.min_velocity = call.value(2);
+  check.time = call.integer(3);
+  return vm::kOk;
+}
+
+int16_t GetEncResponseCheck(Call& call) {
+  const motion::ResponseCheck& check = ControlOf(call).check;
+  call.Set(1, check.threshold);
+  call.Set(2, check.min_velocity);
+  call.Set(3, check.time);
+  return vm::kOk;
+}
+
+int16_t SwitchCheck(Call& call, bool on) {
+  ControlOf(call).check.on = on;
+  ControlOf(call).check.silent = false;
+  return vm::kOk;
+}
+
+int16_t EnableEncResponseCheck(Call& call) { return SwitchCheck(call, true); }
+int16_t DisableEncResponseCheck(Call& call) { return SwitchCheck(call, false); }
+
+constexpr CommandEntry kEntries[] = {
+    {"GT_CtrlMode", CtrlMode},
+    {"GT_SetPid", SetPid},
+    {"GT_GetPid", GetPid},
+    {"GT_SetControlFilter", SetControlFilter},
+    {"GT_GetControlFilter", GetControlFilter},
+    {"GT_SetPosErr", SetPosErr},
+    {"GT_GetPosErr", GetPosErr},
+    {"GT_SetKvffFilter", SetKvffFilter},
+    {"GT_GetKvffFilter", GetKvffFilter},
+    {"GT_SetEncResponseCheck", SetEncResponseCheck},
+    {"GT_GetEncResponseCheck", GetEncResponseCheck},
+    {"GT_EnableEncResponseCheck", EnableEncResponseCheck},
+    {"GT_DisableEncResponseCheck", DisableEncResponseCheck},
+};
+
+}  // namespace
+
+std::span<const CommandEntry> ServoCommands() { return kEntries; }
+
+}  // namespace oncard::gtcalls

@@ -1,0 +1,172 @@
+// Point-to-point motion and Jog. Setters write registers; GT_Update commits them.
+// Source: GTS manual 7.2, 7.3 and chapter 13. Tested by tests/gtcalls/trap_command_test.cc.
+#include "gtcalls/gts/commands/motion_support.h"
+
+namespace oncard::gtcalls {
+namespace {
+
+using motion::ProfileMode;
+
+/// Assumption: bounds of accelerations. The manual says > 0; outside these a motion would last
+/// years, or change velocity faster than numbers can tell.
+constexpr double kAccelerationMin = motion::kRateMin;
+constexpr double kAccelerationMax = 1e9;
+
+/// Largest TTrapPrm.velStart, as of velocities.
+constexpr double kStartVelocityMax = 32767;
+
+/// False, with the reason recorded, unless the value of a structure's member lies in
+/// [minimum, maximum]; a NaN does not.
+bool CheckMember(Call& call, std::string_view name, double value, double minimum, double maximum) {
+  if (value >= minimum && value <= maximum) return true;
+  call.reason = MakeMessage("{0} is {1}; the range is [{2}, {3}]",
+                            "{0} 为 {1}；取值范围为 [{2}, {3}]", name, value, minimum, maximum);
+  return false;
+}
+
+/// Of acc and dec, the first two members of TTrapPrm and TJogPrm. dec may be 0.
+bool CheckAccelerations(Call& call) {
+  const double dec = call.cells(1)[1];
+  return CheckMember(call, "acc", call.cells(1)[0], kAccelerationMin, kAccelerationMax) &&
+         (dec == 0 || CheckMember(call, "dec", dec, kAccelerationMin, kAccelerationMax));
+}
+
+/// Assumption: a dec of 0 stands for acc, which the manual calls its default.
+double DecelerationOf(const Call& call) {
+  return call.cells(1)[1] == 0 ? call.cells(1)[0] : call.cells(1)[1];
+}
+
+int16_t PrfTrap(Call& call) { return ChooseMode(call, NumberOf(call), ProfileMode::kTrap); }
+int16_t PrfJog(Call& call) { return ChooseMode(call, NumberOf(call), ProfileMode::kJog); }
+
+// --- Trap ------------------------------------------------------------------------------------
+
+int16_t SetTrapPrm(Call& call) {
+  const double start = call.cells(1)[2];
+  const double smooth = call.cells(1)[3];
+  if (!CheckAccelerations(call) || !CheckMember(call, "velStart", start, 0, kStartVelocityMax) ||
+      !CheckMember(call, "smoothTime", smooth, 0, motion::kSmoothTimeMax)) {
+    return vm::kBadParameter;
+  }
+  const int16_t code = CheckModeAtRest(call, NumberOf(call), ProfileMode::kTrap);
+  if (code != vm::kOk) return code;
+  ProfileOf(call).trap.parameters = {call.cells(1)[0], DecelerationOf(call), start,
+                                     static_cast<int16_t>(smooth)};
+  return vm::kOk;
+}
+
+int16_t GetTrapPrm(Call& call) {
+  const int16_t code = CheckMode(call, NumberOf(call), ProfileMode::kTrap);
+  if (code != vm::kOk) return code;
+  const motion::TrapParameters& parameters = ProfileOf(call).trap.parameters;
+  call.Set(1, parameters.acc, 0);
+  call.Set(1, parameters.dec, 1);
+  call.Set(1, parameters.vel_start, 2);
+  call.Set(1, parameters.smooth_time, 3);
+  return vm::kOk;
+}
+
+int16_t SetPos(Call& call) {
+  int16_t code = CheckMode(call, NumberOf(call), ProfileMode::kTrap);
+  if (code == vm::kOk) code = CheckNotHoming(call, NumberOf(call));
+  if (code == vm::kOk) ProfileOf(call).trap.target = call.integer(1);
+  return code;
+}
+
+int16_t GetPos(Call& call) {
+  const int16_t code = CheckMode(call, NumberOf(call), ProfileMode::kTrap);
+  if (code == vm::kOk) call.Set(1, ProfileOf(call).trap.target);
+  return code;
+}
+
+// --- Jog -------------------------------------------------------------------------------------
+
+int16_t SetJogPrm(Call& call) {
+  const double smooth = call.cells(1)[2];
+  if (!CheckAccelerations(call)) return vm::kBadParameter;
+  if (!(smooth >= 0 && smooth < 1)) {
+    return call.Refuse(vm::kBadParameter, MakeMessage("smooth is {0}; the range is [0, 1)",
+                                                      "smooth 为 {0}；取值范围为 [0, 1)", smooth));
+  }
+  const int16_t code = CheckModeAtRest(call, NumberOf(call), ProfileMode::kJog);
+  if (code != vm::kOk) return code;
+  ProfileOf(call).jog.parameters = {call.cells(1)[0], DecelerationOf(call), smooth};
+  return vm::kOk;
+}
+
+int16_t GetJogPrm(Call& call) {
+  const int16_t code = CheckModeAtRest(call, NumberOf(call), ProfileMode::kJog);
+  if (code != vm::kOk) return code;
+  const motion::JogParameters& parameters = ProfileOf(call).jog.parameters;
+  call.Set(1, parameters.acc, 0);
+  call.Set(1, parameters.dec, 1);
+  call.Set(1, parameters.smooth, 2);
+  return vm::kOk;
+}
+
+// --- Both ------------------------------------------------------------------------------------
+
+/// 0, or 1 with the reason when GT_Update and GT_SetVel have no meaning for the profile's mode.
+int16_t CheckUpdated(Call& call, size_t profile) {
+  const ProfileMode mode = call.card.motion.state().profiles[profile].mode;
+  if (mode == ProfileMode::kTrap || mode == ProfileMode::kJog) return vm::kOk;
+  return call.Refuse(vm::kRefused,
+                     MakeMessage("profile {0} is in mode {1}; this needs mode Trap or Jog, call "
+                                 "GT_PrfTrap or GT_PrfJog",
+                                 "规划器 {0} 处于 {1} 模式；该指令需要 Trap 或 Jog 模式，请调用 "
+                                 "GT_PrfTrap 或 GT_PrfJog",
+                                 profile + 1, ModeName(mode)));
+}
+
+/// The velocity register of the profile's mode.
+double& VelocityOf(const Call& call) {
+  motion::Profile& profile = ProfileOf(call);
+  return profile.mode == ProfileMode::kTrap ? profile.trap.velocity : profile.jog.velocity;
+}
+
+int16_t SetVel(Call& call) {
+  int16_t code = CheckUpdated(call, NumberOf(call));
+  if (code == vm::kOk) code = CheckNotHoming(call, NumberOf(call));
+  if (code == vm::kOk) VelocityOf(call) = call.value(1);
+  return code;
+}
+
+int16_t GetVel(Call& call) {
+  const int16_t code = CheckUpdated(call, NumberOf(call));
+  if (code == vm::kOk) call.Set(1, VelocityOf(call));
+  return code;
+}
+
+/// Where the registers would move a profile: the sign of what comes out.
+double DirectionOf(const motion::Profile& profile) {
+  return profile.mode == ProfileMode::kTrap ? profile.trap.target - profile.now.position
+                                            : profile.jog.velocity;
+}
+
+int16_t Update(Call& call) {
+  const std::vector<size_t> profiles = SelectedProfiles(call);
+  if (profiles.empty()) return vm::kRefused;
+  for (const size_t i : profiles) {
+    int16_t code = CheckUpdated(call, i);
+    if (code == vm::kOk) code = CheckNotHoming(call, i);
+    if (code == vm::kOk) {
+      code = CheckMayStart(call, i, DirectionOf(call.card.motion.state().profiles[i]));
+    }
+    if (code != vm::kOk) return code;
+  }
+  for (const size_t i : profiles) call.card.motion.StartProfile(i);
+  return vm::kOk;
+}
+
+constexpr CommandEntry kEntries[] = {
+    {"GT_PrfTrap", PrfTrap},     {"GT_SetTrapPrm", SetTrapPrm}, {"GT_GetTrapPrm", GetTrapPrm},
+    {"GT_SetPos", SetPos},       {"GT_GetPos", GetPos},         {"GT_PrfJog", PrfJog},
+    {"GT_SetJogPrm", SetJogPrm}, {"GT_GetJogPrm", GetJogPrm},   {"GT_SetVel", SetVel},
+    {"GT_GetVel", GetVel},       {"GT_Update", Update},
+};
+
+}  // namespace
+
+std::span<const CommandEntry> TrapCommands() { return kEntries; }
+
+}  // namespace oncard::gtcalls

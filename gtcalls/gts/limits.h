@@ -1,0 +1,39 @@
+// The limits in the rows of the GTS catalogue: GTS manual chapter 13 and table 4-4, unless noted.
+#pragma once
+
+namespace oncard::gtcalls::gts::words {
+
+/// Axes, profiles, controllers, encoders and outputs are numbered from 1 to at most this; the card
+/// at hand may have fewer, which the commands check.
+inline constexpr int kAxisMax = 12;
+/// Elements that one call of GT_GetEncPos or GT_GetSts reads.
+inline constexpr int kReadMax = 8;
+/// Assumption: the analogue inputs of an 8-axis card.
+inline constexpr int kAdcMax = 8;
+inline constexpr int kCrdMax = 2;
+inline constexpr int kThreadLast = 31;
+inline constexpr int kPageLast = 31;
+/// Variables per call of GT_GetVarValue.
+inline constexpr int kVariableMax = 6;
+/// Words per call of GT_LoadPlcCommand.
+inline constexpr int kLoadMax = 24;
+inline constexpr double kPositionMax = 1073741823;
+/// Assumption: the smallest value where the manuals say "> 0"; as motion::kRateMin.
+inline constexpr double kAboveZero = 1e-9;
+/// The open end of a range: the nearest double inside (..., 32767).
+inline constexpr double kBelow32767 = 32767.0 - 0x1p-38;
+/// GT_SetPosErr.
+inline constexpr double kPositionErrorMax = 2147483648.0;
+/// Assumption: the largest exponent of GT_SetKvffFilter; as motion::kKvffFilterMax.
+inline constexpr int kKvffFilterMax = 8;
+/// PVT tables and the points of one (GTS manual chapter 7).
+inline constexpr int kPvtTableMax = 32;
+inline constexpr int kPvtPointMax = 1024;
+/// Assumption: numbers of GT_SetLongVar and GT_SetDoubleVar; as many as motion::kUserVariableCount.
+inline constexpr int kUserVariableLast = 1023;
+/// Assumption: extension modules are numbered from 0.
+inline constexpr int kModuleLast = 15;
+/// Assumption: analogue channels of an extension module; one less than motion::kModuleChannels.
+inline constexpr int kModuleChannelLast = 7;
+
+}  // namespace oncard::gtcalls::gts::words

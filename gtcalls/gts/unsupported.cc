@@ -1,0 +1,37 @@
+#include "gtcalls/gts/unsupported.h"
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
+namespace oncard::gtcalls {
+namespace {
+
+enum Reason {
+#define REASON(id, en, zh) id,
+#include "gtcalls/gts/unsupported.def"
+};
+
+struct Row {
+  std::string_view command;
+  Reason reason;
+};
+
+constexpr Row kRows[] = {
+#define UNSUPPORTED(name, id) {#name, id},
+#include "gtcalls/gts/unsupported.def"
+};
+
+}  // namespace
+
+const Message* WhyUnsupported(const Command& command) {
+  static const Message kReasons[] = {
+#define REASON(id, en, zh) {en, zh},
+#include "gtcalls/gts/unsupported.def"
+  };
+  const auto* row = std::find_if(std::begin(kRows), std::end(kRows),
+                                 [&](const Row& r) { return r.command == command.name; });
+  return row == std::end(kRows) ? nullptr : &kReasons[row->reason];
+}
+
+}  // namespace oncard::gtcalls

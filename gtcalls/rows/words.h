@@ -1,0 +1,208 @@
+// The vocabulary in which the .def files of a family are written. All of it is evaluated by the
+// compiler; a row that names a parameter it does not have fails to compile. A family adds words of
+// its own, with its limits in them (gts/words.h), and includes rows.inc, which makes constants of
+// the rows.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string_view>
+
+#include "gtcalls/catalogue.h"
+
+namespace oncard::gtcalls::words {
+
+inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+
+// --- Structures ---------------------------------------------------------------------------------
+
+/// The words of structures.def.
+namespace members {
+
+constexpr Member Char(std::string_view name, int size) { return {name, Scalar::kChar, size}; }
+constexpr Member Short(std::string_view name, int size = 0) { return {name, Scalar::kShort, size}; }
+constexpr Member UShort(std::string_view name, int size = 0) {
+  return {name, Scalar::kUnsignedShort, size};
+}
+constexpr Member Long(std::string_view name, int size = 0) { return {name, Scalar::kLong, size}; }
+constexpr Member ULong(std::string_view name) { return {name, Scalar::kUnsignedLong}; }
+constexpr Member Double(std::string_view name, int size = 0) {
+  return {name, Scalar::kDouble, size};
+}
+constexpr Member Pointer(Scalar type, std::string_view name) { return {name, type, 0, true}; }
+constexpr Member Nested(const Structure& structure, std::string_view name) {
+  return {name, Scalar::kShort, 0, false, &structure};
+}
+
+}  // namespace members
+
+/// Calls `visit(type)` for every cell of a structure, in the order of its members.
+template <typename Visit>
+constexpr void ForEachCell(const Structure& structure, const Visit& visit) {
+  for (const Member& member : structure.members) {
+    if (member.structure != nullptr) {
+      ForEachCell(*member.structure, visit);
+    } else if (!member.pointer && member.type != Scalar::kChar) {
+      for (int i = 0; i < std::max(member.array_size, 1); ++i) visit(member.type);
+    }
+  }
+}
+
+// --- Parameters ---------------------------------------------------------------------------------
+
+using enum Resource;
+
+/// A parameter while its row is written. Each method returns the changed copy.
+struct Spec {
+  Parameter parameter;
+  std::string_view count_name;
+
+  constexpr Spec In(Unit unit) const {
+    Spec changed = *this;
+    changed.parameter.unit = unit;
+    return changed;
+  }
+  /// Inclusive; an open end is the nearest number inside.
+  constexpr Spec Range(double minimum, double maximum) const {
+    Spec changed = *this;
+    changed.parameter.minimum = minimum;
+    changed.parameter.maximum = maximum;
+    return changed;
+  }
+  constexpr Spec Default(std::string_view text) const {
+    Spec changed = *this;
+    changed.parameter.default_text = text;
+    return changed;
+  }
+  constexpr Spec Passed(Passing passing) const {
+    Spec changed = *this;
+    changed.parameter.passing = passing;
+    return changed;
+  }
+  /// A pointer that is read, or written.
+  constexpr Spec Input() const { return Passed(Passing::kInput); }
+  constexpr Spec Output() const { return Passed(Passing::kOutput); }
+  /// A pointer to memory that the card does not need.
+  constexpr Spec Lent() const { return Passed(Passing::kLent); }
+  /// The number of elements is the value of the parameter with this name.
+  constexpr Spec Elements(std::string_view count) const {
+    Spec changed = *this;
+    changed.count_name = count;
+    return changed;
+  }
+  constexpr Spec PerDimension() const {
+    Spec changed = *this;
+    changed.parameter.per_dimension = true;
+    return changed;
+  }
+  constexpr Spec PerOffset() const {
+    Spec changed = *this;
+    changed.parameter.per_offset = true;
+    return changed;
+  }
+  constexpr Spec Nullable() const {
+    Spec changed = *this;
+    changed.parameter.nullable = true;
+    return changed;
+  }
+  /// May be omitted: NULL by default.
+  constexpr Spec Optional() const { return Nullable().Default("NULL"); }
+};
+
+constexpr Spec Scalars(Scalar type, std::string_view name, Passing passing = Passing::kValue) {
+  Spec spec;
+  spec.parameter.name = name;
+  spec.parameter.type = type;
+  spec.parameter.passing = passing;
+  return spec;
+}
+constexpr Spec UChar(std::string_view name) { return Scalars(Scalar::kUnsignedChar, name); }
+constexpr Spec Short(std::string_view name) { return Scalars(Scalar::kShort, name); }
+constexpr Spec UShort(std::string_view name) { return Scalars(Scalar::kUnsignedShort, name); }
+constexpr Spec Long(std::string_view name) { return Scalars(Scalar::kLong, name); }
+constexpr Spec ULong(std::string_view name) { return Scalars(Scalar::kUnsignedLong, name); }
+constexpr Spec Double(std::string_view name) { return Scalars(Scalar::kDouble, name); }
+constexpr Spec Text(std::string_view name) { return Scalars(Scalar::kChar, name, Passing::kText); }
+constexpr Spec TextOutput(std::string_view name) {
+  return Scalars(Scalar::kChar, name, Passing::kTextOutput);
+}
+constexpr Spec Struct(const Structure& structure, std::string_view name) {
+  Spec spec = Short(name);
+  spec.parameter.structure = &structure;
+  return spec;
+}
+
+constexpr Spec Index(std::string_view name, double first, double last) {
+  return Short(name).In(Unit::kIndex).Range(first, last);
+}
+constexpr Spec Mask() { return Long("mask").In(Unit::kMask); }
+/// How many consecutive elements, or axes.
+constexpr Spec Count(int maximum) { return Short("count").Range(1, maximum); }
+constexpr Spec AxisCount(int maximum) {
+  Spec spec = Count(maximum);
+  spec.parameter.axis_count = true;
+  return spec;
+}
+/// The time at which the values were taken.
+constexpr Spec Clock() { return ULong("pClock").Output().In(Unit::kMillisecond).Optional(); }
+// --- Accesses -----------------------------------------------------------------------------------
+
+/// An access while its row is written; names stand for parameters.
+struct Touch {
+  Resource resource;
+  bool write;
+  std::string_view selector;
+  std::string_view count;
+  bool mask;
+};
+
+constexpr Touch Reads(Resource resource, std::string_view selector = {},
+                      std::string_view count = {}) {
+  return {resource, false, selector, count, false};
+}
+constexpr Touch Writes(Resource resource, std::string_view selector = {},
+                       std::string_view count = {}) {
+  return {resource, true, selector, count, false};
+}
+constexpr Touch WritesMask(Resource resource, std::string_view selector) {
+  return {resource, true, selector, {}, true};
+}
+
+template <typename... Touches>
+constexpr std::array<Touch, sizeof...(Touches)> Touching(Touches... touches) {
+  return {touches...};
+}
+
+/// The index of the parameter with that name; -1 for no name. A name that no parameter has is an
+/// index out of bounds, which a constant expression must not have: the row does not compile.
+template <size_t size>
+constexpr int IndexOf(const std::array<Parameter, size>& parameters, std::string_view name) {
+  if (name.empty()) return -1;
+  size_t index = 0;
+  while (parameters.at(index).name != name) ++index;
+  return static_cast<int>(index);
+}
+
+template <typename... Specs>
+constexpr std::array<Parameter, sizeof...(Specs)> Parameters(Specs... specs) {
+  std::array<Parameter, sizeof...(Specs)> parameters = {specs.parameter...};
+  const std::array<std::string_view, sizeof...(Specs)> count_names = {specs.count_name...};
+  for (size_t i = 0; i < parameters.size(); ++i) {
+    parameters[i].count_parameter = IndexOf(parameters, count_names[i]);
+  }
+  return parameters;
+}
+
+template <size_t size, size_t parameter_count>
+constexpr std::array<Access, size> Accesses(const std::array<Touch, size>& touches,
+                                            const std::array<Parameter, parameter_count>& all) {
+  std::array<Access, size> accesses;
+  for (size_t i = 0; i < size; ++i) {
+    accesses[i] = {touches[i].resource, touches[i].write, IndexOf(all, touches[i].selector),
+                   touches[i].mask, IndexOf(all, touches[i].count)};
+  }
+  return accesses;
+}
+
+}  // namespace oncard::gtcalls::words
