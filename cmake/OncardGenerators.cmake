@@ -8,11 +8,20 @@ function(oncard_generated_sources target name)
   add_dependencies(oncard_generated ${target}_${name}_sources)
 endfunction()
 
+# oncard_output(output source): where what is made from a source goes: beside it, in the build tree.
+function(oncard_output output source)
+  get_filename_component(name ${source} NAME_WE)
+  get_filename_component(folder ${CMAKE_CURRENT_BINARY_DIR}/${source} DIRECTORY)
+  file(MAKE_DIRECTORY ${folder})
+  set(${output} ${folder}/${name} PARENT_SCOPE)
+endfunction()
+
 # oncard_re2c(target lexer.re): adds the scanner made from `lexer.re` to the target.
 function(oncard_re2c target source)
   find_program(RE2C_EXECUTABLE re2c REQUIRED)
   get_filename_component(name ${source} NAME_WE)
-  set(output ${CMAKE_CURRENT_BINARY_DIR}/${name}.cc)
+  oncard_output(output ${source})
+  set(output ${output}.cc)
   add_custom_command(
     OUTPUT ${output}
     COMMAND ${RE2C_EXECUTABLE} -W -Werror --input-encoding utf8 -i -o ${output}
@@ -28,11 +37,13 @@ endfunction()
 function(oncard_bison target source)
   find_package(BISON 3.8 REQUIRED)
   get_filename_component(name ${source} NAME_WE)
-  set(output ${CMAKE_CURRENT_BINARY_DIR}/${name}.cc)
+  oncard_output(output ${source})
+  set(header ${output}.hh)
+  set(output ${output}.cc)
   add_custom_command(
-    OUTPUT ${output} ${CMAKE_CURRENT_BINARY_DIR}/${name}.hh
-    COMMAND ${BISON_EXECUTABLE} -Wall -Werror --header=${CMAKE_CURRENT_BINARY_DIR}/${name}.hh
-            -o ${output} ${CMAKE_CURRENT_SOURCE_DIR}/${source}
+    OUTPUT ${output} ${header}
+    COMMAND ${BISON_EXECUTABLE} -Wall -Werror --header=${header} -o ${output}
+            ${CMAKE_CURRENT_SOURCE_DIR}/${source}
     DEPENDS ${source}
     VERBATIM)
   target_sources(${target} PRIVATE ${output})

@@ -1,0 +1,62 @@
+#include "runtime/conditions/card_condition.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/number.h"
+#include "runtime/sim/controller.h"
+#include "vm/image.h"
+
+namespace oncard::runtime {
+namespace {
+
+/// What quantity.h calls it: `retN` stands for `threadN.result` unless a global has that name.
+std::string QuantityName(const Condition::Name& name, const Controller& controller) {
+  constexpr std::string_view kReturned = "ret";
+  const vm::Image* image = controller.machine().image();
+  const std::string_view base = name.base;
+  const bool global = image != nullptr && vm::FindGlobal(*image, base) != nullptr;
+  if (!global && !name.index && base.starts_with(kReturned) &&
+      ReadWhole<unsigned>(base.substr(kReturned.size()))) {
+    return fmt::format("thread{}.result", base.substr(kReturned.size()));
+  }
+  return name.Text();
+}
+
+}  // namespace
+
+Result<CardCondition> CardCondition::Bind(Condition condition, const Controller& controller) {
+  std::vector<Quantity> quantities;
+  for (const Condition::Name& name : condition.names()) {
+    const std::string full = QuantityName(name, controller);
+    auto found = ResolveQuantity(full, controller);
+    if (!found.ok()) return found.error();
+    if (found.value().size() != 1) {
+      return MakeError(1, "'{0}' is an array of {1} elements: write one of them, such as '{0}[0]'",
+                       "“{0}”是有 {1} 个元素的数组：应写其中一个，如“{0}[0]”", full,
+                       found.value().size());
+    }
+    quantities.push_back(std::move(found.value().front()));
+  }
+  return CardCondition(std::move(condition), std::move(quantities));
+}
+
+Message CardCondition::DescribeValues(const Controller& controller) const {
+  std::vector<std::string_view> named;
+  Message values;
+  for (const Quantity& quantity : quantities_) {
+    if (std::ranges::find(named, quantity.name) != named.end()) continue;
+    const std::string value = FormatQuantity(quantity, controller);
+    values.en += fmt::format("{}{} is {}", named.empty() ? "" : ", ", quantity.name, value);
+    values.zh += fmt::format("{}{} 为 {}", named.empty() ? "" : "，", quantity.name, value);
+    named.push_back(quantity.name);
+  }
+  return values;
+}
+
+std::string FormatQuantity(const Quantity& quantity, const Controller& controller) {
+  return FormatNumber(ReadQuantity(quantity, controller), FormOfQuantity(quantity, controller));
+}
+
+}  // namespace oncard::runtime
