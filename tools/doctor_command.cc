@@ -23,7 +23,7 @@ struct DoctorArguments {
 
 /// Executed by the card, or answered by the host library.
 bool IsAnswered(const gtcalls::Command& command) {
-  return IsImplemented(command) || runtime::FindHostService(command.name) != nullptr;
+  return IsImplemented(command) || runtime::FindHostService(command) != nullptr;
 }
 
 struct Fact {

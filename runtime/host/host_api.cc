@@ -26,7 +26,7 @@ int16_t Dispatch(const gtcalls::Command& command, const HostService* service, Ca
 
 int16_t CallLockedCard(int card, CardSlot& slot, const gtcalls::Command& command,
                        std::span<const HostArgument> host) {
-  const HostService* service = FindHostService(command.name);
+  const HostService* service = FindHostService(command);
   const bool open = slot.controller != nullptr;
   int64_t time_us = 0;
   if (open) {

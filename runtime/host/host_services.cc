@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <string>
+#include <vector>
 
 #include "base/files.h"
 #include "compiler/compiler.h"
@@ -274,14 +275,22 @@ constexpr HostService kServices[] = {
     {"GT_GetVarId", false, GetVarId},
 };
 
+/// One entry per command of the catalogue, nullptr where the card answers.
+std::vector<const HostService*> ServicesByNumber() {
+  std::vector<const HostService*> services(gtcalls::Commands().size());
+  for (const HostService& service : kServices) {
+    const gtcalls::Command* command = gtcalls::FindCommand(service.command);
+    if (command == nullptr) continue;  // a misspelt name, which a test reports
+    services[command->number - 1u] = &service;
+  }
+  return services;
+}
+
 }  // namespace
 
-const HostService* FindHostService(std::string_view command) {
-  const auto* end = std::end(kServices);
-  const auto* found =
-      std::find_if(std::begin(kServices), end,
-                   [command](const HostService& service) { return service.command == command; });
-  return found == end ? nullptr : found;
+const HostService* FindHostService(const gtcalls::Command& command) {
+  static const std::vector<const HostService*> services = ServicesByNumber();
+  return services[command.number - 1u];
 }
 
 }  // namespace oncard::runtime

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/message.h"
+#include "gtcalls/catalogue.h"
 #include "runtime/host/card_table.h"
 #include "vm/command_table.h"
 
@@ -36,6 +37,6 @@ struct HostService {
 };
 
 /// The service that executes a command, or nullptr if the card does.
-const HostService* FindHostService(std::string_view command);
+const HostService* FindHostService(const gtcalls::Command& command);
 
 }  // namespace oncard::runtime
