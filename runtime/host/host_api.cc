@@ -50,10 +50,12 @@ int16_t CallLockedCard(int card, CardSlot& slot, const gtcalls::Command& command
     code = Dispatch(command, service, slot, arguments, &reason);
     if (code == vm::kOk) WriteOutputs(command, slot.call);
   }
-  const LoggedCall made = {time_us, card, vm::kHostCaller, command, arguments, code, reason};
-  if (CallLog* log = CallLog::Wanted(); log != nullptr) log->Write(made);
-  if (code != vm::kOk && RefusalWishOfProcess() != RefusalWish::kNothing) {
-    HostRefusals::OfProcess().Add(made);
+  CallLog* const log = CallLog::Wanted();
+  const bool counts = code != vm::kOk && RefusalWishOfProcess() != RefusalWish::kNothing;
+  if (log != nullptr || counts) {
+    const LoggedCall made = {time_us, card, vm::kHostCaller, command, arguments, code, reason};
+    if (log != nullptr) log->Write(made);
+    if (counts) HostRefusals::OfProcess().Add(made);
   }
   return code;
 }

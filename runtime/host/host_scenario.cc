@@ -264,7 +264,7 @@ void ConcludeHost() {
 }
 
 void EndHostIfOver(CardSlot* locked) {
-  if (VerdictOfProcess().in_child || !locked->watch || !locked->watch->over()) return;
+  if (!locked->watch || !locked->watch->over() || VerdictOfProcess().in_child) return;
   for (CardSlot& slot : CardTable::OfProcess().slots) {
     std::unique_lock lock(slot.mutex, std::defer_lock);
     if (&slot != locked && !lock.try_lock()) continue;
