@@ -17,24 +17,20 @@
 namespace oncard::gtcalls {
 namespace {
 
-/// The command's function by number, nullptr where there is none.
-const std::vector<CommandFunction>& FunctionsByNumber() {
-  static const std::vector<CommandFunction> functions = [] {
-    std::vector<CommandFunction> table;
-    for (const CommandEntry& entry : AllCommands()) {
-      const Command* command = FindCommand(entry.name);
-      if (command == nullptr) continue;  // a misspelt name, which a test reports
-      if (table.size() <= command->number) table.resize(size_t{command->number} + 1);
-      table[command->number] = entry.function;
-    }
-    return table;
-  }();
+/// One function per command of the catalogue, nullptr where there is none.
+std::vector<CommandFunction> FunctionsByNumber() {
+  std::vector<CommandFunction> functions(Commands().size());
+  for (const CommandEntry& entry : AllCommands()) {
+    const Command* command = FindCommand(entry.name);
+    if (command == nullptr) continue;  // a misspelt name, which a test reports
+    functions[command->number - 1u] = entry.function;
+  }
   return functions;
 }
 
 CommandFunction FunctionOf(const Command& command) {
-  const std::vector<CommandFunction>& functions = FunctionsByNumber();
-  return command.number < functions.size() ? functions[command.number] : nullptr;
+  static const std::vector<CommandFunction> functions = FunctionsByNumber();
+  return functions[command.number - 1u];
 }
 
 /// "1-11", or "1-4, 9-11", in signs that both languages read.
