@@ -27,6 +27,8 @@ struct Encoder {
   double velocity = 0;
   double acceleration = 0;
 
+  /// It has counted nothing in the last two cycles.
+  bool resting() const { return velocity == 0 && acceleration == 0; }
   auto Fields() const {
     return std::tie(active, external, reversed, wired_reversed, position, source, velocity,
                     acceleration);

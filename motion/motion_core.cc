@@ -229,7 +229,10 @@ void MotionCore::GuardAxis(size_t index) {
 
 void MotionCore::AdvanceMachine() {
   for (size_t i = 0; i < axis_count(); ++i) AdvancePlant(i);
-  for (size_t i = 0; i < axis_count(); ++i) CountEncoder(i);
+  for (size_t i = 0; i < axis_count(); ++i) {
+    if (state_.encoder_faults[i].any()) AdvanceEncoderFault(i);
+    CountEncoder(i);
+  }
   if (has_auxiliary()) AdvanceAuxiliary();
   for (size_t i = 0; i < axis_count(); ++i) {
     Axis& axis = state_.axes[i];
@@ -249,7 +252,12 @@ void MotionCore::AdvanceMachine() {
 
 void MotionCore::AdvanceAuxiliary() {
   for (size_t i = kAuxiliaryFirst; i < kAuxiliaryFirst + kAuxiliaryCount; ++i) {
-    if (state_.plants[i].hand != 0) TurnByHand(state_.plants[i]);
+    Plant& plant = state_.plants[i];
+    const bool faulty = state_.encoder_faults[i].any();
+    // Nothing but a hand and faults makes them count.
+    if (plant.hand == 0 && !faulty && state_.encoders[i].resting()) continue;
+    if (plant.hand != 0) TurnByHand(plant);
+    if (faulty) AdvanceEncoderFault(i);
     CountEncoder(i);
   }
 }

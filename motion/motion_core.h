@@ -375,6 +375,7 @@ class MotionCore {
   void AlignWithEncoder(size_t index);
   /// Applies the fault of an encoder for one cycle.
   void AdvanceEncoderFault(size_t index);
+  /// What its source has done in the cycle, after AdvanceEncoderFault().
   void CountEncoder(size_t index);
   /// Bits of kLatchedBits whose causes exist now; following errors are handled separately.
   uint32_t ActiveCauses(const Axis& axis) const;

@@ -378,11 +378,9 @@ void MotionCore::SetEncoderExternal(size_t encoder, bool external) {
 }
 
 void MotionCore::CountEncoder(size_t index) {
-  if (state_.encoder_faults[index].any()) AdvanceEncoderFault(index);
   Encoder& encoder = state_.encoders[index];
   const double source = EncoderSource(index);
-  const bool resting = encoder.velocity == 0 && encoder.acceleration == 0;
-  if (source == encoder.source && resting) return;
+  if (source == encoder.source && encoder.resting()) return;
   const double cycle_ms = static_cast<double>(config_.cycle_us) / 1000;
   const double counted = encoder.active ? source - encoder.source : 0;
   const double velocity = counted / cycle_ms;
