@@ -95,7 +95,9 @@ int64_t MotionCore::Clock125us() const {
 void MotionCore::AdvanceProfiles() {
   bool crd_slaves = false;
   for (size_t i = 0; i < axis_count(); ++i) {
-    if (FollowsCrd(state_.profiles[i])) {
+    const Profile& profile = state_.profiles[i];
+    if (!profile.now.moving || profile.driven) continue;
+    if (FollowsCrd(profile)) {
       crd_slaves = true;
     } else {
       AdvanceProfile(i);
@@ -111,9 +113,7 @@ void MotionCore::AdvanceProfiles() {
 }
 
 void MotionCore::AdvanceProfile(size_t index) {
-  const Profile& profile = state_.profiles[index];
-  if (!profile.now.moving || profile.driven) return;
-  if (profile.now.velocity == 0) return BeginProfile(index);
+  if (state_.profiles[index].now.velocity == 0) return BeginProfile(index);
   SampleProfile(index);
 }
 

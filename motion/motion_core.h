@@ -259,6 +259,7 @@ class MotionCore {
   void Apply(const WorldEvent& event);
   void DrivePin(const WorldEvent& event);
   void AdvanceProfiles();
+  /// One that moves and is not driven.
   void AdvanceProfile(size_t index);
   /// The sample of the profile now, according to its mode.
   void SampleProfile(size_t index);

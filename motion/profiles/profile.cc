@@ -34,13 +34,6 @@ void Profile::StartFollow(uint8_t fifo, const MasterValue& master) {
   now.moving = true;
 }
 
-const Master* Profile::FollowedMaster() const {
-  if (!now.moving || stopping || driven) return nullptr;
-  if (mode == ProfileMode::kGear) return &gear.master;
-  if (mode == ProfileMode::kFollow) return &follow.master;
-  return nullptr;
-}
-
 void Profile::Stop(Micros instant, double deceleration) {
   if (!now.moving) return;
   if (stopping && deceleration <= stop_deceleration) return;

@@ -58,7 +58,11 @@ struct Profile {
   void StartGear(const MasterValue& master);
   void StartFollow(uint8_t fifo, const MasterValue& master);
   /// The master of the current run; nullptr if it has none.
-  const Master* FollowedMaster() const;
+  const Master* FollowedMaster() const {
+    if (mode != ProfileMode::kGear && mode != ProfileMode::kFollow) return nullptr;
+    if (!now.moving || stopping || driven) return nullptr;
+    return mode == ProfileMode::kGear ? &gear.master : &follow.master;
+  }
   /// Decelerates to rest; a stop in progress is only replaced by a faster one. Does nothing at
   /// rest.
   void Stop(Micros instant, double deceleration);
