@@ -43,10 +43,11 @@ double SpeedChain::SpeedSquare() const {
   return front.empty() ? behind : front.back().At(behind);
 }
 
-void LookAhead::Push(PathSlot slot) {
+void LookAhead::Push(const PathSlot& pushed) {
+  ring.Push(pushed);
+  PathSlot& slot = ring.back();
   if (!slot.is_segment) {
     newest_rests = newest_rests || slot.command.NeedsRest();
-    ring.Push(slot);
     return;
   }
   const double radius = slot.segment.radius;
@@ -65,7 +66,6 @@ void LookAhead::Push(PathSlot slot) {
   newest_rests = slot.ends_at_rest;
   newest_velocity = velocity;
   newest_tangent = slot.segment.TangentAt(slot.segment.length);
-  ring.Push(slot);
 }
 
 PathSlot LookAhead::Take() {

@@ -68,7 +68,7 @@ struct LookAhead {
 
   bool on() const { return capacity > 0; }
   bool full() const { return ring.size() >= capacity; }
-  void Push(PathSlot slot);
+  void Push(const PathSlot& pushed);
   /// The oldest slot with its end velocity planned; the ring must not be empty.
   PathSlot Take();
   void Clear();

@@ -78,6 +78,7 @@ struct SlotQueue {
   size_t size() const { return slots.size() - head; }
   bool empty() const { return head == slots.size(); }
   PathSlot& front() { return slots[head]; }
+  PathSlot& back() { return slots.back(); }
   PathSlot& At(size_t index) { return slots[head + index]; }
   const PathSlot& At(size_t index) const { return slots[head + index]; }
   void Push(const PathSlot& slot) {
