@@ -26,6 +26,7 @@
 #include <vector>
 
 #include "motion/axis.h"
+#include "motion/common/rounding.h"
 #include "motion/common/sizes.h"
 #include "motion/compensation.h"
 #include "motion/control.h"
@@ -363,9 +364,17 @@ class MotionCore {
   double MappedProfiles(const Axis& axis) const;
   double MappedEncoders(const Axis& axis) const;
   /// The count of an encoder's source, with fractions of pulses.
-  double SourcePosition(size_t index) const;
+  double SourcePosition(size_t index) const {
+    const Encoder& encoder = state_.encoders[index];
+    if (!encoder.external) return state_.steps[index].position;
+    const double direction = encoder.reversed == encoder.wired_reversed ? 1 : -1;
+    return direction * state_.plants[index].position + state_.encoder_faults[index].slip;
+  }
   /// The same in whole pulses, with the reading error.
-  double EncoderSource(size_t index) const;
+  double EncoderSource(size_t index) const {
+    const double whole = Whole(SourcePosition(index));
+    return state_.encoders[index].external ? whole + state_.encoder_faults[index].error : whole;
+  }
   /// The planned axis position that is sent to the drive.
   double CommandedPosition(size_t axis) const {
     return state_.axes[axis].profile.position + state_.compensations[axis].Amount();

@@ -98,18 +98,6 @@ void MotionCore::DrivePin(const WorldEvent& event) {
                       [&](size_t encoder) { return Whole(CountedPosition(encoder)); });
 }
 
-double MotionCore::SourcePosition(size_t index) const {
-  const Encoder& encoder = state_.encoders[index];
-  if (!encoder.external) return state_.steps[index].position;
-  const double direction = encoder.reversed == encoder.wired_reversed ? 1 : -1;
-  return direction * state_.plants[index].position + state_.encoder_faults[index].slip;
-}
-
-double MotionCore::EncoderSource(size_t index) const {
-  const double whole = Whole(SourcePosition(index));
-  return state_.encoders[index].external ? whole + state_.encoder_faults[index].error : whole;
-}
-
 // --- Configuration -----------------------------------------------------------------------------
 
 void MotionCore::ResetMachine() {

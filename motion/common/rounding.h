@@ -11,7 +11,7 @@ namespace oncard::motion {
 inline double Whole(double value) {
   constexpr double kAllWhole = 4'503'599'627'370'496;
   if (!(std::fabs(value) < kAllWhole)) return value;
-  return static_cast<double>(static_cast<int64_t>(value + (value < 0 ? -0.5 : 0.5)));
+  return static_cast<double>(static_cast<int64_t>(value + std::copysign(0.5, value)));
 }
 
 }  // namespace oncard::motion
