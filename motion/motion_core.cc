@@ -210,10 +210,10 @@ void MotionCore::GuardAxis(size_t index) {
   Axis& axis = state_.axes[index];
   if (!axis.active) return;
   const uint32_t causes = ActiveCauses(axis);
-  const uint32_t fresh = causes & ~axis.latched;
+  const uint32_t before = axis.latched;
   axis.latched |= causes;
   if (axis.latched == 0) return;
-  if (fresh != 0 && observer_) TellCauses(index, fresh);
+  if (axis.latched != before) TellCauses(index, causes & ~before);
   // A latched alarm whose cause has gone keeps the axis from moving, not from being enabled.
   if ((causes & kAlarmBit) != 0 && axis.servo_on) ServoOff(index);
   if (!AxisMoving(axis)) return;
@@ -451,6 +451,10 @@ uint32_t MotionCore::ActiveCauses(const Axis& axis) const {
     causes |= kNegativeLimitBit;
   }
   return causes;
+}
+
+void MotionCore::Tell(HappeningKind kind, size_t item, double value, double bound) const {
+  if (observer_) observer_({kind, item, value, bound});
 }
 
 void MotionCore::TellCauses(size_t index, uint32_t causes) const {

@@ -249,9 +249,7 @@ class MotionCore {
   uint64_t Hash() const;
 
  private:
-  void Tell(HappeningKind kind, size_t item, double value, double bound = 0) const {
-    if (observer_) observer_({kind, item, value, bound});
-  }
+  void Tell(HappeningKind kind, size_t item, double value, double bound = 0) const;
   /// Reports new causes of stops of an axis.
   void TellCauses(size_t index, uint32_t causes) const;
   size_t IndexOf(const Crd& crd) const { return static_cast<size_t>(&crd - state_.crds.data()); }
@@ -351,6 +349,8 @@ class MotionCore {
   void KeepMachine(size_t axis, double difference);
   void JudgeAxis(size_t index);
   void JudgeControl(Control& control);
+  /// Stops an axis whose following error exceeds its limit, or whose encoder is silent.
+  void FailControl(const Control& control, double error);
   /// True if the skew of the gantry exceeds its limit.
   void JudgeGantry();
   /// The part of an axis' controller output that the gantry adds, DAC units.

@@ -216,10 +216,10 @@ void MotionCore::AdvancePlant(size_t index) {
   const Drive& drive = state_.drives[index];
   const size_t axis_index = EnablingAxis(index);
   const Axis& axis = state_.axes[axis_index];
-  if (plant.hand != 0 && !axis.servo_on) {
-    TurnByHand(plant);
-  } else if (plant.control >= 0 && axis.servo_on) {
+  if (axis.servo_on && plant.control >= 0) {
     AdvanceClosedLoop(index);
+  } else if (!axis.servo_on && plant.hand != 0) {
+    TurnByHand(plant);
   } else if (drive.kind == DriveKind::kVelocity) {
     const double output = axis.servo_on ? state_.dacs[index].Output() : 0;
     for (int64_t t = 0; t < config_.cycle_us; t += kServoUs) plant.Advance(drive, output);
@@ -322,11 +322,17 @@ bool MotionCore::FollowingErrorExceeded(size_t axis) const {
 void MotionCore::JudgeControl(Control& control) {
   if (!control.active || control.axis < 0) return;
   const auto index = static_cast<size_t>(control.axis);
-  Axis& axis = state_.axes[index];
+  const Axis& axis = state_.axes[index];
   if (!axis.servo_on) return;
   const double error = std::fabs(CommandedPosition(index) - axis.encoder.position);
+  if (error <= static_cast<double>(control.error_limit) && !EncoderSilent(control)) return;
+  FailControl(control, error);
+}
+
+void MotionCore::FailControl(const Control& control, double error) {
+  const auto index = static_cast<size_t>(control.axis);
+  Axis& axis = state_.axes[index];
   const auto limit = static_cast<double>(control.error_limit);
-  if (error <= limit && !EncoderSilent(control)) return;
   if (error > limit) {
     Tell(HappeningKind::kFollowingError, index, error, limit);
   } else {

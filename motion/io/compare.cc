@@ -59,13 +59,6 @@ void CompareUnit::Reset() {
   for (HsioOutput& output : outputs_) output = {.shown = output.shown};
 }
 
-bool CompareUnit::active() const {
-  if (running() || !edges_.empty()) return true;
-  return std::any_of(outputs_.begin(), outputs_.end(), [](const HsioOutput& output) {
-    return output.pulse_end > 0 || output.level != output.shown;
-  });
-}
-
 void CompareUnit::Pulse(size_t channel, Micros now, int16_t time_us) {
   outputs_[channel].pulse_end = static_cast<double>(now) + time_us;
 }

@@ -37,6 +37,8 @@ struct HsioOutput {
 
   bool Level(double instant) const { return level != (instant < pulse_end); }
   bool Level(Micros now) const { return Level(static_cast<double>(now)); }
+  /// A pulse is to end, or a command's level has to be shown.
+  bool changes() const { return pulse_end > 0 || level != shown; }
 
   auto Fields() const { return std::tie(level, pulse_end, shown); }
 };
@@ -141,7 +143,9 @@ class CompareUnit {
 
   bool running() const { return modules_[0].running || modules_[1].running; }
   /// True if the next tick has work: points are pending, or an output changes.
-  bool active() const;
+  bool active() const {
+    return running() || !edges_.empty() || outputs_[0].changes() || outputs_[1].changes();
+  }
   /// Processes a tick that begins at `begin`.
   void Advance(Micros begin, Micros length, const EncoderWay& way);
 
