@@ -49,6 +49,25 @@ TEST(AuxiliaryEncoder, IsReadSetAndReversedAsTheOthers) {
   EXPECT_EQ(value[0], 980);
 }
 
+TEST(AuxiliaryEncoder, RestsWithoutAHandAndCountsWhatSlips) {
+  CommandTestCard card;
+  using enum motion::WorldEventKind;
+  card.motion.PowerOn(std::make_shared<const motion::WorldEvents>(
+      motion::WorldEvents{{.at = 10'000, .kind = kHand, .item = 8, .value = 2},
+                          {.at = 20'000, .kind = kHand, .item = 8, .value = 0},
+                          {.at = 50'000, .kind = kEncoderDrift, .item = 8, .value = -1},
+                          {.at = 60'000, .kind = kEncoderDrift, .item = 8, .value = 0}}));
+  const motion::Encoder& encoder = card.motion.state().encoders[8];
+  card.Cycles(40);
+  EXPECT_EQ(encoder.position, 0);
+  card.Cycles(42);  // the hand has let go two cycles ago
+  EXPECT_EQ(encoder.position, 20);
+  EXPECT_TRUE(encoder.resting());
+  card.Cycles(240);
+  EXPECT_EQ(encoder.position, 10);
+  EXPECT_TRUE(encoder.resting());
+}
+
 TEST(AuxiliaryEncoder, LeadsAGear) {
   CommandTestCard card;
   Turn(card, 11);
