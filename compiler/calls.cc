@@ -76,12 +76,13 @@ Message StructureAdvice(const gtcalls::Structure& structure) {
 Message AddressAdvice(const Expression& variable, DataType type) {
   const Message wanted = DescribeType(type);
   if (variable.kind == Expression::Kind::kMember) {
-    return MakeMessage("give it {0} of its own and copy that in a statement",
+    return MakeMessage("pass another variable that is {0} and copy it in a statement",
                        "请另用一个 {1} 变量，再用语句复制", wanted.en, wanted.zh);
   }
-  return MakeMessage("declare '{0}' as {1}, or give it {1} of its own and copy that in a statement",
-                     "请把 '{0}' 声明为 {2}，或另用一个 {2} 变量，再用语句复制", BaseName(variable),
-                     wanted.en, wanted.zh);
+  return MakeMessage(
+      "declare '{0}' as {1}, or pass another variable that is {1} and copy it in a statement",
+      "请把 '{0}' 声明为 {2}，或另用一个 {2} 变量，再用语句复制", BaseName(variable), wanted.en,
+      wanted.zh);
 }
 
 std::string NumberText(double value) { return fmt::format("{:g}", value); }
@@ -241,7 +242,7 @@ void Checker::ReportFraction(const Expression& argument, const Literal& literal,
     return;
   }
   AddNote(diagnostic,
-          MakeMessage("'{0}' takes whole numbers; a cast would cut {1} to {2}{3}",
+          MakeMessage("'{0}' takes whole numbers; a cast would truncate {1} to {2}{3}",
                       "'{0}' 需要整数；强制转换会把 {1} 截断为 {2}{3}", parameter,
                       Source(argument.range), literal.negative && whole > 0 ? "-" : "", whole));
 }
@@ -316,7 +317,7 @@ bool Checker::CheckAddress(const Expression& argument, const Expression& call,
                               argument.operands[0]->range.begin};
     CheckNames(*argument.operands[0]->operands[0]);
     Replace(Fail(Code::kIllegalOperator, argument.range, Trim(Source(cast)),
-                 MakeMessage("an address is passed as it is", "地址须原样传递")),
+                 MakeMessage("addresses cannot be cast", "地址须原样传递")),
             cast, "");
     return false;
   }
@@ -342,7 +343,7 @@ bool Checker::CheckAddress(const Expression& argument, const Expression& call,
     Diagnostic& diagnostic =
         Fail(Code::kNotAnAddress, argument.range, parameter.name, command.name, wanted);
     if (parameter.nullable && !addressable) {
-      AddNote(diagnostic, MakeMessage("a motion program cannot leave it out; give a variable",
+      AddNote(diagnostic, MakeMessage("a motion program cannot omit it; pass a variable",
                                       "运动程序不能省略该参数；请给出变量"));
     }
     if (addressable && entity != nullptr && entity->kind == Entity::Kind::kVariable) {
@@ -388,7 +389,7 @@ bool Checker::CheckAddress(const Expression& argument, const Expression& call,
     if (entity == nullptr) return false;
     if (entity->structure != nullptr) {
       Fail(Code::kTypeMismatch, argument.range, DescribeEntity(*entity), wanted,
-           MakeMessage("give it a variable of that type", "请传入该类型的变量"));
+           MakeMessage("pass a variable of that type", "请传入该类型的变量"));
       return false;
     }
   }

@@ -452,7 +452,7 @@ void Checker::CheckFunction(const Function& syntax) {
   if (syntax.prototype) {
     SourceRange semicolon = syntax.close_brace;
     AddNote(reporter_.Report(Code::kMissingOpenBrace, semicolon, std::string_view("';'")),
-            MakeMessage("functions are not called, so none is declared ahead",
+            MakeMessage("functions are not called, so they need no declaration",
                         "函数不会被调用，因此不需要提前声明"));
     function_ = outer;
     return;

@@ -278,8 +278,8 @@ void Directives::MendOpenMacros() {
       continue;
     }
     AddNote(*macro.report, part->second,
-            MakeMessage("here C takes '{0}' apart, because its body has no parentheses; write them "
-                        "if {1} is meant",
+            MakeMessage("C evaluates '{0}' piece by piece here, because its body has no "
+                        "parentheses; add them if {1} is meant",
                         "此处 C 会把没有括号的 '{0}' 拆开计算；如果要的是 {1}，请加上括号",
                         macro.name, macro.value.Text()));
   }
@@ -319,7 +319,7 @@ void Directives::MendAngles(Diagnostic& diagnostic, SourceRange range, SourceRan
   } else if (std::find(std::begin(kHeadersOfC), std::end(kHeadersOfC), name) !=
              std::end(kHeadersOfC)) {
     AddNote(diagnostic,
-            MakeMessage("programs have no library of C, and abs and fabs without it; leave it out",
+            MakeMessage("programs have no C library, and abs and fabs need none; remove this line",
                         "运动程序没有 C 语言的库，abs 和 fabs 不需要它；请去掉"));
     Replace(diagnostic, whole, "");
   }

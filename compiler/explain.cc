@@ -165,8 +165,8 @@ std::optional<std::string> ExplainPage(int code, Language language) {
                   fmt::format(fmt::runtime(chinese ? "文件 {}：" : "The file {}:"), file.name),
                   file.text);
   }
-  AppendProgram(page, chinese ? "出错的程序：" : "A program that has it:", explanation->failing);
-  AppendProgram(page, chinese ? "改正后：" : "The same program, repaired:", explanation->fixed);
+  AppendProgram(page, chinese ? "出错的程序：" : "A program that causes it:", explanation->failing);
+  AppendProgram(page, chinese ? "改正后：" : "The corrected program:", explanation->fixed);
   return page;
 }
 

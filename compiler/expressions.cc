@@ -114,7 +114,7 @@ void Checker::ReportUndeclared(const Expression& expression) {
   if (const std::optional<Literal> truth = TruthValue(name)) {
     undeclared_macros_.insert(name);
     const std::string line = fmt::format("#define {} {}", name, truth->magnitude);
-    AddNote(diagnostic, MakeMessage("in C a header says '{0}'; add it",
+    AddNote(diagnostic, MakeMessage("in C a header defines it: '{0}'; add this line",
                                     "C 语言的头文件中有 '{0}'；请加上", line));
     InsertBefore(diagnostic, first_item_, line + "\n");
     return;
@@ -323,7 +323,7 @@ std::optional<TypedOperand> Checker::ResolveIndex(const Expression& expression) 
   }
   if (entity->dimensions.size() > 1) {
     AddNote(Fail(Code::kIllegalOperator, expression.range, std::string_view("[]"),
-                 MakeMessage("a row is no element", "一行不是一个元素")),
+                 MakeMessage("a row is not an element", "一行不是一个元素")),
             MakeMessage("write an index for each dimension", "请为每一维写一个下标"));
     LeaveArray(entity->name);
     return std::nullopt;
@@ -739,7 +739,7 @@ void Checker::CheckNames(const Expression& expression) {
               Source(expression.operands[0]->range), expression.op.substr(1));
       } else if (expression.op == "+") {
         Teach(Code::kIllegalOperator, expression.op_range, expression.op,
-              MakeMessage("a sign '+' is not written", "不写正号 '+'"));
+              MakeMessage("remove the sign '+'", "不写正号 '+'"));
       }
       break;
     case Expression::Kind::kAssign:

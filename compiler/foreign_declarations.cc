@@ -157,12 +157,13 @@ class IntSearch {
 Message DescribeDifference(const Specifiers& specifiers) {
   if (IsBool(specifiers)) {
     return MakeMessage(
-        "a bool makes 1 of every value but 0, an int keeps it; write '!= 0' here, then 'int'",
+        "a bool stores every value other than 0 as 1, an int keeps it; write '!= 0' here, then "
+        "'int'",
         "bool 把 0 以外的值都变成 1，int 保留原值；请在此写上 '!= 0'，再改为 int");
   }
   return MakeMessage(
-      "with an int, which has a sign and 32 bits, this can give another result; if it "
-      "cannot, write 'int' yourself",
+      "an int is signed and has 32 bits, so this can give a different result; if it cannot, write "
+      "'int' yourself",
       "int 有符号且为 32 位，此处的结果可能因此不同；如果不会，请自行改为 int");
 }
 
@@ -308,10 +309,9 @@ bool Checker::MendType(const Specifiers& specifiers, const DeclaredType& type,
                        std::span<const Declarator> declarators, SourceRange declaration) {
   if (type.report == nullptr || !type.valid) return false;
   if (type.is_static && function_ != nullptr) {
-    AddNote(*type.report,
-            MakeMessage("a variable that all runs of a function share is a global; declare it "
-                        "before the function",
-                        "函数各次运行共用的变量是全局变量；请在函数之前声明"));
+    AddNote(*type.report, MakeMessage("a variable that keeps its value between runs of a function "
+                                      "is a global; declare it before the function",
+                                      "函数各次运行共用的变量是全局变量；请在函数之前声明"));
     return false;
   }
   if (!KeepsMeaning(specifiers, type, declarators)) return false;

@@ -452,8 +452,8 @@ void Rewriter::DropResult(const Expression& target) {
   }
   if (entity->storage == vm::Storage::kGlobal) {
     Refuse(MakeMessage(
-        "the host may read the global '{0}'; let it look at TThreadSts.error "
-        "instead, then remove '{0} ='",
+        "the host may read the global '{0}'; let it read TThreadSts.error instead, then remove "
+        "'{0} ='",
         "主机可能读取全局变量 '{0}'；请改为查看 TThreadSts.error，再去掉 '{0} ='", name));
     return;
   }

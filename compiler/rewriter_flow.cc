@@ -366,10 +366,9 @@ void Rewriter::RewriteSwitch(const Statement& statement, const Place& place) {
   const Statement& body = *statement.body;
   if (std::any_of(body.items.begin(), body.items.end(),
                   [](const StatementPtr& item) { return HasInnerCase(*item, true); })) {
-    Refuse(
-        MakeMessage("a case stands inside another statement; move it into the block of the "
-                    "switch itself",
-                    "有 case 位于其它语句内部；请把它移到 switch 自己的语句块中"));
+    Refuse(MakeMessage(
+        "this case is inside another statement; move it into the block of the switch itself",
+        "有 case 位于其它语句内部；请把它移到 switch 自己的语句块中"));
     return;
   }
   const std::string end = Label("lbl_end");

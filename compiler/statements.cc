@@ -542,8 +542,8 @@ void Checker::CheckLoop(const Statement& statement, const Place& place) {
   if (const Goto* jump = JumpInto(statement)) {
     failed_ = true;
     AddNote(diagnostic, jump->range,
-            MakeMessage("this jumps into the middle of the loop; move the label '{0}' to where the "
-                        "loop begins, or behind it",
+            MakeMessage("this jumps into the middle of the loop; move the label '{0}' to the "
+                        "beginning of the loop, or after it",
                         "此处跳到循环中间；请把标号 '{0}' 移到循环开头或循环之后", jump->label));
   }
   if (!failed_ && !uses_flat_array_) {

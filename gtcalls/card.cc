@@ -177,14 +177,15 @@ int16_t CheckLastAxis(Call& call, size_t index) {
   for (int number = call.integer(0); call.command.parameters[0].encoder_number && number <= last;
        ++number) {
     if (call.card.motion.HasEncoder(static_cast<size_t>(number) - 1)) continue;
-    return call.Refuse(vm::kBadParameter,
-                       MakeMessage("{0} from {1} on reach to {2}; this card has the encoders {3}",
-                                   "从 {1} 起共 {0} 个，到 {2} 为止；本控制卡的编码器为 {3}", count,
-                                   call.integer(0), last, SpellEncoders(call.card.motion)));
+    return call.Refuse(
+        vm::kBadParameter,
+        MakeMessage("{0} starting at {1} extend to {2}; this card has the encoders {3}",
+                    "从 {1} 起共 {0} 个，到 {2} 为止；本控制卡的编码器为 {3}", count,
+                    call.integer(0), last, SpellEncoders(call.card.motion)));
   }
   if (!call.command.parameters[0].axis_number || last <= axes) return vm::kOk;
   return call.Refuse(vm::kBadParameter,
-                     MakeMessage("{0} from {1} on reach to {2}; this card has 1 to {3}",
+                     MakeMessage("{0} starting at {1} extend to {2}; this card has 1 to {3}",
                                  "从 {1} 起共 {0} 个，到 {2} 为止；本控制卡的编号为 1 到 {3}",
                                  count, call.integer(0), last, axes));
 }

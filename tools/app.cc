@@ -71,10 +71,11 @@ CLI::Option* AddMaxErrorsOption(CLI::App& command, const Session& session, int& 
 CLI::Option* AddWarningOption(CLI::App& command, const Session& session,
                               std::vector<std::string>& warnings) {
   return command
-      .add_option("-W", warnings,
-                  session.Say({"-Werror takes warnings for errors, -Wno-NAME leaves one out "
-                               "(repeatable)",
-                               "-Werror 把警告当作错误，-Wno-名称 不报告某种警告（可重复）"}))
+      .add_option(
+          "-W", warnings,
+          session.Say(
+              {"-Werror turns warnings into errors, -Wno-NAME switches one off (repeatable)",
+               "-Werror 把警告当作错误，-Wno-名称 不报告某种警告（可重复）"}))
       ->type_name("WARNING")
       ->allow_extra_args(false)
       ->check(CLI::Validator(
@@ -89,7 +90,7 @@ CLI::Option* AddWarningOption(CLI::App& command, const Session& session,
 CLI::Option* AddStrictCommandsOption(CLI::App& command, const Session& session, bool& strict) {
   return command.add_flag(
       "--strict-commands", strict,
-      session.Say({"fail when a GT command gives another code than 0, which is a warning otherwise",
+      session.Say({"fail when a GT command returns a code other than 0 (by default a warning)",
                    "GT 指令返回值不为 0 时视为失败（默认仅警告）"}));
 }
 
@@ -98,7 +99,7 @@ CLI::Option* AddFormatOption(CLI::App& command, const Session& session, std::str
   const std::string list = fmt::to_string(fmt::join(choices, "|"));
   return command
       .add_option("--format", format,
-                  fmt::format("{}: {}", session.Say({"form of the output", "输出格式"}), list))
+                  fmt::format("{}: {}", session.Say({"output format", "输出格式"}), list))
       ->type_name("FORMAT")
       ->check(CLI::IsMember(choices).description(""));
 }

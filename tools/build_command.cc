@@ -62,9 +62,10 @@ void AddBuild(CLI::App& app, Session& session) {
                    session.Say({"folder of the objects (default: beside each source)",
                                 "目标文件所在文件夹（默认与源文件相同）"}))
       ->type_name("DIR");
-  command->add_flag("--vendor-format", options->vendor_format,
-                    session.Say({"leave out our section of the .ini, as the vendor's compiler does",
-                                 ".ini 中不写本工具的节，与原厂编译器一致"}));
+  command->add_flag(
+      "--vendor-format", options->vendor_format,
+      session.Say({"omit the section [oncard] of the .ini, as the vendor's compiler does",
+                   ".ini 中不写本工具的节，与原厂编译器一致"}));
   AddIncludeOption(*command, session, options->include_folders);
   AddDoubleOption(*command, session, options->double_format);
   AddMaxErrorsOption(*command, session, options->max_errors);

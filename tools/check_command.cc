@@ -65,9 +65,9 @@ int WriteMended(const compiler::Mended& mended, const std::string& name, const s
     const auto found = mended.files.find(name);
     PrintResult(found != mended.files.end() ? found->second : text);
   } else if (mended.count > 0) {
-    PrintDiagnostics(fmt::format(
-        "{}\n",
-        session.Say(MakeMessage("{0}: {1} mended", "{0}：修改了 {1} 处", name, mended.count))));
+    PrintDiagnostics(
+        fmt::format("{}\n", session.Say(MakeMessage("{0}: fix-its applied: {1}",
+                                                    "{0}：修改了 {1} 处", name, mended.count))));
   }
   return code;
 }
@@ -131,10 +131,10 @@ int Check(const CheckOptions& options, const Session& session) {
 
 void AddCheck(CLI::App& app, Session& session) {
   const auto options = std::make_shared<CheckOptions>();
-  CLI::App* command = AddCommand(
-      app, session, "check",
-      {"report what is wrong with programs, mend it on request", "检查程序并报告问题，可自动修改"},
-      [options, &session] { return Check(*options, session); });
+  CLI::App* command = AddCommand(app, session, "check",
+                                 {"report errors and warnings of programs, correct them on request",
+                                  "检查程序并报告问题，可自动修改"},
+                                 [options, &session] { return Check(*options, session); });
   command
       ->add_option("sources", options->sources,
                    session.Say({"motion programs (.c); - is standard input",
@@ -142,7 +142,7 @@ void AddCheck(CLI::App& app, Session& session) {
       ->required()
       ->type_name("FILE");
   command->add_flag("--fix", options->fix,
-                    session.Say({"apply all fix-its, in place; those of - go to standard output",
+                    session.Say({"apply all fix-its in place; with -, print the corrected program",
                                  "就地应用所有修改建议；- 的结果写到标准输出"}));
   AddIncludeOption(*command, session, options->include_folders);
   AddDoubleOption(*command, session, options->double_format);
@@ -151,7 +151,7 @@ void AddCheck(CLI::App& app, Session& session) {
   command
       ->add_option(
           "--diagnostics,--format", options->diagnostics,
-          session.Say({"form of the diagnostics: text|json|sarif", "诊断格式：text|json|sarif"}))
+          session.Say({"format of the diagnostics: text|json|sarif", "诊断格式：text|json|sarif"}))
       ->type_name("FORMAT")
       ->check(CLI::IsMember({"text", "json", "sarif"}).description(""));
 }

@@ -160,7 +160,7 @@ void AddDoctor(CLI::App& app, Session& session) {
   const auto arguments = std::make_shared<DoctorArguments>();
   CLI::App* command =
       AddCommand(app, session, "doctor",
-                 {"versions, and what this build can and cannot do", "显示版本以及本构建的能力"},
+                 {"show versions and the capabilities of this build", "显示版本以及本构建的能力"},
                  [arguments, &session] { return Doctor(*arguments, session); });
   command->add_flag("--commands", arguments->commands,
                     session.Say({"list every GT command and whether it is implemented",

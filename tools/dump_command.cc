@@ -35,8 +35,7 @@ void AddDump(CLI::App& app, Session& session) {
                                 "目标文件（.bin），或先行编译的源文件"}))
       ->required()
       ->type_name("FILE");
-  command->add_flag("--json", arguments->json,
-                    session.Say({"the same facts as JSON", "以 JSON 输出"}));
+  command->add_flag("--json", arguments->json, session.Say({"print JSON", "以 JSON 输出"}));
 }
 
 }  // namespace oncard::tools

@@ -65,7 +65,7 @@ Message MissingLibrary(const LibraryFolders& folders, const std::string& host) {
   }
   if (folders.of32bits.empty() && IsProgramOf32Bits(host)) {
     return MakeMessage(
-        "'{0}' is a program of 32 bits, and there is no {1} of 32 bits in ../lib32 beside oncard; "
+        "'{0}' is a 32-bit program, and there is no 32-bit {1} in ../lib32 beside oncard; "
         "'./x host32' in oncard's sources builds it, or compile the host without -m32",
         "“{0}”是 32 位程序，而 oncard 旁的 ../lib32 中没有 32 位的 {1}；在 oncard 源码目录运行 "
         "'./x host32' 可构建它，或编译主机程序时不加 -m32",
@@ -223,9 +223,10 @@ void AddExec(CLI::App& app, Session& session) {
       ->required()
       ->type_name("HOST");
   command
-      ->add_option("--scenario", arguments->scenario,
-                   session.Say({"the card's world and what is expected (docs/scenarios.md)",
-                                "卡的外部世界与期望（docs/scenarios.md）"}))
+      ->add_option(
+          "--scenario", arguments->scenario,
+          session.Say({"scenario: the card, its surroundings, expectations (docs/scenarios.md)",
+                       "卡的外部世界与期望（docs/scenarios.md）"}))
       ->type_name("FILE");
   command
       ->add_option("--keys", arguments->keys,
@@ -238,7 +239,7 @@ void AddExec(CLI::App& app, Session& session) {
                                 "virtual（默认）、real 或 real:倍率"}))
       ->type_name("CLOCK");
   command->add_flag("--gbk", arguments->gbk,
-                    session.Say({"show what the host prints in GBK as UTF-8",
+                    session.Say({"convert the output of the host from GBK to UTF-8",
                                  "将主机程序以 GBK 输出的文字转为 UTF-8"}));
   command
       ->add_option("--trace", arguments->trace,

@@ -29,10 +29,11 @@ int Explain(const std::vector<std::string>& words, const Session& session) {
 
 void AddExplain(CLI::App& app, Session& session) {
   const auto words = std::make_shared<std::vector<std::string>>();
-  CLI::App* command = AddCommand(app, session, "explain",
-                                 {"explain a diagnostic, with a program that has it and its repair",
-                                  "解释一条诊断，附出错程序及其修改"},
-                                 [words, &session] { return Explain(*words, session); });
+  CLI::App* command =
+      AddCommand(app, session, "explain",
+                 {"explain a diagnostic, with a program that causes it and its correction",
+                  "解释一条诊断，附出错程序及其修改"},
+                 [words, &session] { return Explain(*words, session); });
   command
       ->add_option("code", *words,
                    session.Say({"number (27), name (undeclared) or words (goto); without it all "

@@ -80,8 +80,8 @@ int SaveRegression(const ExploreArguments& arguments, const Session& session,
                    const ExploreSubject& subject, const explore::Findings& findings) {
   if (findings.exploration.failure->livelock) {
     return Fail(session, kExitUsage,
-                {"a livelock is no run that can be repeated to its end: keep a scenario with "
-                 "explore = \"prove\"",
+                {"a livelock has no end, so its run cannot become a regression test: keep a "
+                 "scenario with explore = \"prove\"",
                  "活锁不是可以重复到底的一次运行：请保留带 explore = \"prove\" 的场景"});
   }
   const std::string schedule =
@@ -299,7 +299,7 @@ class DefaultKeeper {
     const int written = WriteOutput(session_, path_, explore::FormatSearchFile(*file_));
     if (written == kExitOk && !std::exchange(kept_, true)) {
       PrintDiagnostics(
-          session_.Say(MakeMessage("the search is kept in {0}; to go on: oncard explore {0}\n",
+          session_.Say(MakeMessage("the search is saved in {0}; to continue: oncard explore {0}\n",
                                    "搜索已保存到 {0}；继续：oncard explore {0}\n", path_)));
     }
     return written;
@@ -313,7 +313,7 @@ class DefaultKeeper {
         found.traces && !found.traces->complete && found.verdict != explore::Verdict::kProved;
     if (left && (interrupted || (incomplete && kept_))) return Keep(found.search);
     if (interrupted && incomplete && why_not_) {
-      const Message text = MakeMessage("oncard: the search is lost: {0}\n",
+      const Message text = MakeMessage("oncard: the search could not be saved: {0}\n",
                                        "oncard: 搜索未保存：{1}\n", why_not_->en, why_not_->zh);
       PrintDiagnostics(session_.Say(text));
     }
@@ -335,7 +335,7 @@ int Explore(const ExploreArguments& arguments, const Session& session) {
   if (arguments.merge) return Merge(arguments, session);
   if (arguments.paths.size() > 1) {
     return Fail(session, kExitUsage,
-                {"one file is explored at a time; several are for --merge",
+                {"only one file can be explored at a time; --merge takes several",
                  "一次只能探索一个文件；多个文件用于 --merge"});
   }
   const std::string& input = arguments.paths.front();
@@ -381,11 +381,11 @@ int Explore(const ExploreArguments& arguments, const Session& session) {
 void AddExplore(CLI::App& app, Session& session) {
   const auto arguments = std::make_shared<ExploreArguments>();
   arguments->progress = ::isatty(STDERR_FILENO) == 1;
-  CLI::App* command =
-      AddCommand(app, session, "explore",
-                 {"prove that no interleaving of the threads goes wrong, or show one that does",
-                  "证明线程的任何交错都不会出错，或给出一个出错的交错"},
-                 [arguments, &session] { return Explore(*arguments, session); });
+  CLI::App* command = AddCommand(app, session, "explore",
+                                 {"prove that a program is correct under every interleaving of its "
+                                  "threads, or show one that fails",
+                                  "证明线程的任何交错都不会出错，或给出一个出错的交错"},
+                                 [arguments, &session] { return Explore(*arguments, session); });
   command
       ->add_option("file", arguments->paths,
                    session.Say({"scenario (.toml), a source with //@ comments, or an interrupted "
@@ -407,35 +407,38 @@ void AddExplore(CLI::App& app, Session& session) {
                   .description(""));
   command
       ->add_option("--preemptions", arguments->preemptions,
-                   session.Say({"the most preemptions of a schedule, for bounded (default 2)",
+                   session.Say({"maximum number of preemptions, for bounded (default 2)",
                                 "bounded 引擎的最大抢占次数（默认 2）"}))
       ->type_name("N")
       ->check(CLI::Range(0, 1000).description(""));
   command->add_flag(
       "--merge-private", arguments->merge_private,
-      session.Say({"let statements that touch no global go with the one before them: fewer states",
-                   "将不涉及全局变量的语句并入前一条语句：状态更少"}));
-  command->add_flag("--full", arguments->full,
-                    session.Say({"show every statement of a failing run, loops one by one",
-                                 "列出出错运行的每条语句，循环逐次列出"}));
+      session.Say(
+          {"combine statements that access no global with the one before them: fewer states",
+           "将不涉及全局变量的语句并入前一条语句：状态更少"}));
+  command->add_flag(
+      "--full", arguments->full,
+      session.Say({"show every statement of a failing run and every pass of its loops",
+                   "列出出错运行的每条语句，循环逐次列出"}));
   command->add_flag("--races", arguments->races,
                     session.Say({"a data race is a failure", "将数据竞争视为失败"}));
   command->add_flag("--benign", arguments->benign,
-                    session.Say({"the same, but for races that change no final value",
+                    session.Say({"the same, except races that change no final value",
                                  "同上，但不改变任何最终值的竞争除外"}));
   command
       ->add_option("--runs", arguments->runs,
-                   session.Say({"random schedules to try (default 10000)",
+                   session.Say({"number of random schedules (default 10000)",
                                 "尝试的随机调度数（默认 10000）"}))
       ->type_name("N")
       ->check(CLI::Range(int64_t{1}, int64_t{1'000'000'000'000}).description(""));
   command
-      ->add_option("--seed", arguments->seed,
-                   session.Say({"of the random schedules (default 1)", "随机调度的种子（默认 1）"}))
+      ->add_option(
+          "--seed", arguments->seed,
+          session.Say({"seed of the random schedules (default 1)", "随机调度的种子（默认 1）"}))
       ->type_name("N");
   command
       ->add_option("--depth", arguments->depth,
-                   session.Say({"orderings that a fault needs, for pct (default 3)",
+                   session.Say({"number of orderings that a fault needs, for pct (default 3)",
                                 "pct 引擎所假定的错误深度（默认 3）"}))
       ->type_name("N")
       ->check(CLI::Range(1, explore::kPctDepthMax).description(""));
@@ -446,13 +449,13 @@ void AddExplore(CLI::App& app, Session& session) {
       ->type_name("FILE");
   command
       ->add_option("--regression", arguments->regression,
-                   session.Say({"write a scenario for 'oncard test' that looks at a failing "
-                                "schedule again, and the schedule beside it",
+                   session.Say({"write a scenario for 'oncard test' that checks a failing schedule "
+                                "again, and the schedule beside it",
                                 "写出供“oncard test”再次检查失败调度的场景，调度文件在其旁边"}))
       ->type_name("FILE.toml")
       ->check([&session](const std::string& path) {
         if (path.ends_with(".toml")) return std::string();
-        return session.Say({"the file must end in .toml", "文件名应以 .toml 结尾"});
+        return session.Say({"the file name must end in .toml", "文件名应以 .toml 结尾"});
       });
   command
       ->add_option("--report", arguments->report,
@@ -463,43 +466,42 @@ void AddExplore(CLI::App& app, Session& session) {
       ->check([&session](const std::string& path) {
         if (path.ends_with(".html") || path.ends_with(".json")) return std::string();
         return session.Say(
-            {"the file must end in .html or .json", "文件名应以 .html 或 .json 结尾"});
+            {"the file name must end in .html or .json", "文件名应以 .html 或 .json 结尾"});
       });
   command
       ->add_option("--max-executions", arguments->execution_limit,
-                   session.Say({"end the search after so many executions", "执行次数上限"}))
+                   session.Say({"end the search after N executions", "执行次数上限"}))
       ->type_name("N")
       ->check(CLI::Range(int64_t{1}, int64_t{1'000'000'000'000}).description(""));
   command
       ->add_option("--max-states", arguments->state_limit,
-                   session.Say({"end the search after so many states", "状态数上限"}))
+                   session.Say({"end the search after N states", "状态数上限"}))
       ->type_name("N")
       ->check(CLI::Range(1u, 4'000'000'000u).description(""));
   command
       ->add_option("--time", arguments->seconds,
-                   session.Say({"end the search after so many seconds, with what is known",
+                   session.Say({"end the search after this time and report what is known",
                                 "搜索超过该秒数后结束，并给出已知结果"}))
       ->type_name("SECONDS")
       ->check(CLI::Range(0.001, 1e9).description(""));
   command->add_flag("--all", arguments->all,
-                    session.Say({"go on after a failure, so that all are counted",
+                    session.Say({"continue after a failure, so that all are counted",
                                  "出错后继续搜索，以统计全部错误"}));
   command
       ->add_option("--search", arguments->search,
-                   session.Say({"keep the search in this file, and go on with it if it is there",
+                   session.Say({"save the search in this file; continue it if the file exists",
                                 "将搜索保存到该文件；文件已存在时继续该搜索"}))
       ->type_name("FILE");
   command
       ->add_option(
           "--shard", arguments->shard,
-          session.Say({"search the I-th of N parts only, for --merge; kept in a search file",
+          session.Say({"search only the I-th of N parts, for --merge; saved in a search file",
                        "只搜索 N 部分中的第 I 部分，供 --merge 合并；结果存入搜索文件"}))
       ->type_name("I/N");
-  command->add_flag(
-      "--merge", arguments->merge,
-      session.Say({"put the search files of parts together", "合并各部分的搜索文件"}));
+  command->add_flag("--merge", arguments->merge,
+                    session.Say({"merge the search files of the parts", "合并各部分的搜索文件"}));
   command->add_flag("--progress", arguments->progress,
-                    session.Say({"say every second how far the search is (default on a terminal)",
+                    session.Say({"show the progress every second (default on a terminal)",
                                  "每秒显示搜索进度（终端上默认开启）"}));
   AddStrictCommandsOption(*command, session, arguments->strict_commands);
   AddFormatOption(*command, session, arguments->format, {"text", "json"});

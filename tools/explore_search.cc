@@ -19,10 +19,10 @@ runtime::Scenario At(const std::string& path) {
 
 Result<explore::Problem> ProblemOf(const ExploreSubject& subject) {
   if (explore::NeedsCard(subject.scenario, subject.object)) {
-    return MakeError(1,
-                     "the states of a program with its card cannot be kept or split: explore it "
-                     "in one piece",
-                     "带控制卡的程序的搜索不能保存或拆分：请一次完成探索");
+    return MakeError(
+        1,
+        "the search of a program with its card cannot be saved or split: explore it in one piece",
+        "带控制卡的程序的搜索不能保存或拆分：请一次完成探索");
   }
   return explore::ProblemOfScenario(subject.scenario, subject.requirements, subject.object);
 }
@@ -30,13 +30,12 @@ Result<explore::Problem> ProblemOf(const ExploreSubject& subject) {
 /// A search file names what it explores, and is text.
 Result<void> CheckInput(const explore::SearchFile& file) {
   if (compiler::IsUtf8(file.input)) return {};
-  return MakeError(
-      1,
-      "the search of '{0}' cannot be kept: its path is not UTF-8, as a search file must "
-      "be; rename the file or its folder",
-      "无法保存“{0}”的搜索：其路径不是 UTF-8，而搜索文件必须是 UTF-8；"
-      "请重命名该文件或文件夹",
-      file.input);
+  return MakeError(1,
+                   "the search of '{0}' cannot be saved: its path is not UTF-8, as a search file "
+                   "must be; rename the file or its folder",
+                   "无法保存“{0}”的搜索：其路径不是 UTF-8，而搜索文件必须是 UTF-8；"
+                   "请重命名该文件或文件夹",
+                   file.input);
 }
 
 Error Prefixed(const std::string& path, const Message& message) {
@@ -74,7 +73,7 @@ int ReadSearch(const Session& session, const std::string& path, bool json,
   if (!problem.ok()) return Fail(session, kExitUsage, problem.error().message);
   if (explore::HashOf(problem.value()) != file->problem) {
     return Fail(session, kExitFailed,
-                MakeMessage("{0} has changed since {1} was written: explore it anew",
+                MakeMessage("{0} has changed since {1} was written: explore it again",
                             "{1} 写出之后 {0} 已改变：请重新探索", input, path));
   }
   return Check(session, path, problem.value(), *file);
@@ -132,11 +131,10 @@ Result<explore::SearchFile> BeginSearch(const ExploreSubject& subject, const std
     case EngineKind::kFollow:
       break;
   }
-  return MakeError(1,
-                   "searches of the engine {0} cannot be kept or split: use dpor, random, pct or "
-                   "pos",
-                   "{0} 引擎的搜索不能保存或拆分：请使用 dpor、random、pct 或 pos",
-                   explore::EngineName(options.engine));
+  return MakeError(
+      1, "searches of the engine {0} cannot be saved or split: use dpor, random, pct or pos",
+      "{0} 引擎的搜索不能保存或拆分：请使用 dpor、random、pct 或 pos",
+      explore::EngineName(options.engine));
 }
 
 Result<explore::Findings> GoOn(const ExploreSubject& subject,

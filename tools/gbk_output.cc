@@ -66,7 +66,7 @@ Result<void> RelayGbk(int from, int to) {
       const ssize_t count = ::write(to, text.data() + written, text.size() - written);
       if (count < 0 && errno == EINTR) continue;
       if (count < 0) {
-        return MakeError(1, "cannot write what the host says: {}", "无法写出主机程序的输出：{}",
+        return MakeError(1, "cannot write the output of the host: {}", "无法写出主机程序的输出：{}",
                          std::strerror(errno));
       }
       written += static_cast<size_t>(count);

@@ -105,7 +105,7 @@ Message DescribeEnd(int status) {
   if (WEXITSTATUS(status) == kExitIncomplete) {
     return {"there was not enough memory for it", "内存不足，无法完成"};
   }
-  return MakeMessage("oncard itself ended on this file (exit code {0}): please report it",
+  return MakeMessage("oncard ended unexpectedly on this file (exit code {0}): please report it",
                      "oncard 处理该文件时意外结束（退出码 {0}）：请报告此问题",
                      WEXITSTATUS(status));
 }

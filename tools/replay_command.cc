@@ -71,9 +71,9 @@ int Replay(const ReplayArguments& arguments, const Session& session) {
 
 void AddReplay(CLI::App& app, Session& session) {
   const auto arguments = std::make_shared<ReplayArguments>();
-  CLI::App* command = AddCommand(app, session, "replay",
-                                 {"run a recorded schedule again, exactly", "精确重放录制的调度"},
-                                 [arguments, &session] { return Replay(*arguments, session); });
+  CLI::App* command =
+      AddCommand(app, session, "replay", {"repeat a recorded run exactly", "精确重放录制的调度"},
+                 [arguments, &session] { return Replay(*arguments, session); });
   command
       ->add_option("schedule", arguments->path,
                    session.Say({"file written by 'oncard run --record'",
@@ -81,12 +81,12 @@ void AddReplay(CLI::App& app, Session& session) {
       ->required()
       ->type_name("FILE");
   command->add_flag("--tolerant", arguments->tolerant,
-                    session.Say({"for a program that was edited: threads take turns at the same "
-                                 "lines as before, as far as it comes to them",
+                    session.Say({"for an edited program: threads switch at the same lines as "
+                                 "before, as far as they still reach them",
                                  "用于修改过的程序：各线程仍在原来的行处切换，直到无法继续"}));
   command
       ->add_option("--show", arguments->show,
-                   session.Say({"print this at the end (repeatable); without it all globals",
+                   session.Say({"value to print at the end (repeatable; default: all globals)",
                                 "结束时显示的量（可重复）；省略时显示全部全局变量"}))
       ->type_name("NAME")
       ->allow_extra_args(false);

@@ -162,20 +162,19 @@ void AddRun(CLI::App& app, Session& session) {
                        "源文件（.c）、目标文件（.bin）或场景（.toml）"))
       ->required()
       ->type_name("FILE");
-  AddList(
-      *command, "--thread", arguments->threads, "N=FUNCTION[@PAGE][:NAME=VALUE,...]",
-      say("bind and start a thread (repeatable); without it thread 0 runs the function main, or "
-          "else the first one, on page 0",
-          "绑定并启动一个线程（可重复）；省略时由线程 0 在数据页 0 运行 main 或第一个函数"));
+  AddList(*command, "--thread", arguments->threads, "N=FUNCTION[@PAGE][:NAME=VALUE,...]",
+          say("bind and start a thread (repeatable; default: thread 0 runs main, or the first "
+              "function, on page 0)",
+              "绑定并启动一个线程（可重复）；省略时由线程 0 在数据页 0 运行 main 或第一个函数"));
   AddList(*command, "--set", arguments->globals, "NAME=VALUE",
-          say("value of a global before the start (repeatable)", "启动前的全局变量值（可重复）"));
+          say("set a global before the start (repeatable)", "启动前的全局变量值（可重复）"));
   AddList(*command, "--show", arguments->show, "NAME",
-          say("print this at the end, such as sum, page0.i, thread0.result, gpo (repeatable); "
-              "without it all globals",
+          say("value to print at the end, such as sum, page0.i, thread0.result, gpo (repeatable; "
+              "default: all globals)",
               "结束时显示的量，如 "
               "sum、page0.i、thread0.result、gpo（可重复）；省略时显示全部全局变量"));
   AddList(*command, "--expect", arguments->expectations, "TEXT",
-          say("fail unless it holds, such as 'sum == 5050' or 'gpo == 1 @ 10ms' (repeatable)",
+          say("fail unless this holds, such as 'sum == 5050' or 'gpo == 1 @ 10ms' (repeatable)",
               "不成立则失败，如 'sum == 5050' 或 'gpo == 1 @ 10ms'（可重复）"));
   command
       ->add_option("--schedule", arguments->schedule,
@@ -196,7 +195,7 @@ void AddRun(CLI::App& app, Session& session) {
       ->check(CLI::Validator(CheckCycle, ""));
   command
       ->add_option("--until", arguments->until_ms,
-                   say("end the run at this time, whatever still runs",
+                   say("end the run at this time, even if threads still run",
                        "到此时刻结束运行，不论线程是否仍在运行"))
       ->type_name("MS")
       ->check(CLI::Validator(CheckTime, ""));

@@ -135,9 +135,10 @@ int ReportRun(const runtime::ScenarioResult& result, const std::string& format,
   }
   if (!result.passed()) return kExitFailed;
   if (!result.interrupted) return kExitOk;
-  return Fail(session, kExitIncomplete,
-              MakeMessage("interrupted at {0} ms: what was to hold at the end was not looked at",
-                          "在 {0} ms 被中断：未检查结束时应成立的条件", result.end_ms));
+  return Fail(
+      session, kExitIncomplete,
+      MakeMessage("interrupted at {0} ms: requirements on the end of the run were not checked",
+                  "在 {0} ms 被中断：未检查结束时应成立的条件", result.end_ms));
 }
 
 }  // namespace oncard::tools

@@ -58,12 +58,13 @@ std::string FormatSteps(const runtime::ScenarioResult& result, std::string_view 
 }  // namespace
 
 void AddViewOptions(CLI::App& command, const Session& session, RunViews& views) {
-  command.add_flag("--steps", views.steps,
-                   session.Say({"print what every statement reads and writes, a column per thread",
-                                "列出每条语句的读写，每个线程一列"}));
+  command.add_flag(
+      "--steps", views.steps,
+      session.Say({"print what every statement reads and writes, one column per thread",
+                   "列出每条语句的读写，每个线程一列"}));
   command.add_flag(
       "--full", views.full,
-      session.Say({"with --steps: loops one by one", "与 --steps 合用：循环逐次列出"}));
+      session.Say({"with --steps: show every pass of a loop", "与 --steps 合用：循环逐次列出"}));
   command
       .add_option("--trace", views.trace,
                   session.Say({"write values over time, as .vcd, .csv, .json or .gnuplot",

@@ -31,18 +31,17 @@ struct ExitCodeText {
 };
 
 inline constexpr std::array kExitCodeTexts = {
-    ExitCodeText{kExitOk, "everything went well", "一切正常"},
+    ExitCodeText{kExitOk, "success", "一切正常"},
     ExitCodeText{kExitFailed, "the program, the test or the replay failed", "程序、测试或重放失败"},
-    ExitCodeText{kExitUsage, "the command line, or a name in it, makes no sense",
+    ExitCodeText{kExitUsage, "the command line is wrong, or a name in it is unknown",
                  "命令行或其中的名称有误"},
     ExitCodeText{kExitUnreadable, "a file cannot be read or written", "文件无法读写"},
-    ExitCodeText{kExitInternal, "a bug of oncard", "oncard 自身的错误"},
-    ExitCodeText{kExitBounded, "nothing goes wrong up to the bound of the search",
-                 "在搜索范围内没有错误"},
-    ExitCodeText{
-        kExitIncomplete,
-        "a limit or the end of memory was reached, or it was interrupted, before it was done",
-        "达到上限、内存耗尽或被中断而未完成"},
+    ExitCodeText{kExitInternal, "internal error: a bug in oncard", "oncard 自身的错误"},
+    ExitCodeText{kExitBounded, "no failure up to the bound of the search", "在搜索范围内没有错误"},
+    ExitCodeText{kExitIncomplete,
+                 "a limit or the end of memory was reached, or the command was interrupted, before "
+                 "it was complete",
+                 "达到上限、内存耗尽或被中断而未完成"},
 };
 
 struct Session {

@@ -55,9 +55,10 @@ int VerifyAll(const VerifyArguments& arguments, const Session& session) {
 
 void AddVerify(CLI::App& app, Session& session) {
   const auto arguments = std::make_shared<VerifyArguments>();
-  CLI::App* command = AddCommand(
-      app, session, "verify", {"say why a card would refuse an object", "说明目标文件被拒绝的原因"},
-      [arguments, &session] { return VerifyAll(*arguments, session); });
+  CLI::App* command =
+      AddCommand(app, session, "verify",
+                 {"check an object and say why a card would reject it", "说明目标文件被拒绝的原因"},
+                 [arguments, &session] { return VerifyAll(*arguments, session); });
   command
       ->add_option("objects", arguments->paths,
                    session.Say({"objects (.bin), each with its .ini beside it",

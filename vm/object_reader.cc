@@ -94,7 +94,7 @@ Result<Sections> SplitIni(std::string_view ini) {
       const std::string_view name = line.substr(1, line.size() - 2);
       const auto [position, inserted] = sections.try_emplace(name, Section{number, {}});
       if (!inserted) {
-        return IniError(number, "section '{0}' stands a second time; the first is in line {1}",
+        return IniError(number, "section '{0}' is repeated; the first one is in line {1}",
                         "节“{0}”重复；第一次在第 {1} 行", Printable(name), position->second.line);
       }
       section = &position->second;
@@ -108,7 +108,7 @@ Result<Sections> SplitIni(std::string_view ini) {
     }
     const Entry entry{line.substr(0, separator), line.substr(separator + 1), number};
     if (!keys.insert(entry.key).second) {
-      return IniError(number, "'{0}' stands twice in its section", "“{0}”在同一节中重复",
+      return IniError(number, "'{0}' occurs twice in its section", "“{0}”在同一节中重复",
                       Printable(entry.key));
     }
     section->entries.push_back(entry);
@@ -306,13 +306,13 @@ Message FunctionPlace(size_t index, const Function& function) {
 
 // Decodes the function at the beginning of `words` and removes its words.
 Result<void> ReadFunction(size_t index, Function* function, std::span<const uint16_t>* words) {
-  if (words->size() < kHeaderWords) return DamagedObject("the .bin is cut off", ".bin 被截断");
+  if (words->size() < kHeaderWords) return DamagedObject("the .bin is truncated", ".bin 被截断");
   const uint16_t id = (*words)[0];
   const uint16_t type = (*words)[1];
   const uint16_t count = (*words)[2];
   *words = words->subspan(kHeaderWords);
   if (id != index + 1) {
-    return DamagedObject("the .bin numbers it {0}", "在 .bin 中的标识为 {0}", id);
+    return DamagedObject("its id in the .bin is {0}", "在 .bin 中的标识为 {0}", id);
   }
   if (type != static_cast<uint16_t>(function->return_type)) {
     return DamagedObject("return type {0} in the .bin, {1} in the .ini",

@@ -291,7 +291,7 @@ std::vector<uint16_t> EncodeRecord(const Instruction& instruction) {
 }
 
 Result<DecodedRecord> DecodeRecord(std::span<const uint16_t> words) {
-  const Error cut_off = DamagedObject("the record is cut off", "记录被截断");
+  const Error cut_off = DamagedObject("the record is truncated", "记录被截断");
   if (words.empty()) return cut_off;
   const size_t length = words[0];
   if (length == 0) return DamagedObject("the record is empty", "记录为空");

@@ -179,7 +179,7 @@ Result<Schedule> ParseSchedule(std::string_view text) {
       return BadLine(reader, "'run', 'check', 'cut' or 'end'", "“run”、“check”、“cut”或“end”");
     }
   }
-  return BadLine(reader, "'end': the file is cut off", "“end”：文件不完整");
+  return BadLine(reader, "'end': the file is truncated", "“end”：文件不完整");
 }
 
 Result<Schedule> LoadSchedule(const std::string& path) {

@@ -185,7 +185,7 @@ class ConfigReader {
       if (const auto value = ReadNumber(text)) {
         section.*key.member = *value;
       } else {
-        Remark(MakeMessage("key '{0}' of sections '{1}' is '{2}', which is no number",
+        Remark(MakeMessage("key '{0}' of sections '{1}' is '{2}', which is not a number",
                            "节“{1}”的键“{0}”为“{2}”，不是数字", name, section_, text));
       }
       return;

@@ -196,11 +196,12 @@ TEST(Diagnostics, SayWhatToDoAboutAnAddressOfAnotherType) {
     const char* advice;
   };
   const Case cases[] = {
-      {"GT_GetPrfPos(1, &i, 1, &i)", "declare 'i' as a double, or give it a double of its own"},
-      {"GT_GetSts(1, &d, 1, &i)", "declare 'd' as an int, or give it an int of its own"},
-      {"GT_GetPos(1, &a[1])", "declare 'a' as an int, or give it an int of its own"},
-      {"GT_GetDo(12, &t.acc)", "give it an int of its own and copy that"},
-      {"GT_GetPos(1, &t)", "give it a variable of that type"},
+      {"GT_GetPrfPos(1, &i, 1, &i)",
+       "declare 'i' as a double, or pass another variable that is a double"},
+      {"GT_GetSts(1, &d, 1, &i)", "declare 'd' as an int, or pass another variable that is an int"},
+      {"GT_GetPos(1, &a[1])", "declare 'a' as an int, or pass another variable that is an int"},
+      {"GT_GetDo(12, &t.acc)", "pass another variable that is an int and copy it"},
+      {"GT_GetPos(1, &t)", "pass a variable of that type"},
       {"GT_SetTrapPrm(1, &i)", "declare one with 'TTrapPrm name;'"},
       {"GT_SetTrapPrm(1, &t.acc)", "declare one with 'TTrapPrm name;'"},
   };

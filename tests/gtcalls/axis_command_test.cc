@@ -219,7 +219,7 @@ TEST(AlarmOn, IsRefusedWithoutAnAlarmInput) {
   AxisCommandCard card;
   card.motion.state().axes[0].alarm.bit = -1;
   card.ExpectRefused(1, "GT_AlarmOn", {1});
-  EXPECT_EQ(card.reason.en, "the configuration gives axis 1 no alarm input");
+  EXPECT_EQ(card.reason.en, "the configuration assigns no alarm input to axis 1");
   card.ExpectRefused(1, "GT_AlarmOff", {1});
   EXPECT_EQ(card.Call("GT_AlarmOff", {2}), 0);
 }
@@ -249,7 +249,7 @@ TEST(LmtsOn, IsRefusedWhenAnInputItNamesDoesNotExist) {
   for (const char* command : {"GT_LmtsOn", "GT_LmtsOff"}) {
     card.ExpectRefused(1, command, {1, -1});
     card.ExpectRefused(1, command, {1, 1});
-    EXPECT_EQ(card.reason.en, "the configuration gives axis 1 no negative limit input");
+    EXPECT_EQ(card.reason.en, "the configuration assigns no negative limit input to axis 1");
     EXPECT_EQ(card.Call(command, {1, 0}), 0);
   }
 }

@@ -57,7 +57,7 @@ active=1
   for (const Message& remark : config.remarks) remarks.push_back(remark.en);
   EXPECT_EQ(remarks, (std::vector<std::string>{
                          "key 'colour' of sections 'axis' is unknown and has no effect",
-                         "key 'alarmIndex' of sections 'axis' is 'two', which is no number",
+                         "key 'alarmIndex' of sections 'axis' is 'two', which is not a number",
                          "section 'pulse1' is unknown and has no effect",
                          "section 'axis13' is unknown and has no effect",
                          "section 'axis0' is unknown and has no effect",

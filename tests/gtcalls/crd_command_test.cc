@@ -34,7 +34,7 @@ TEST(SetCrdPrm, TakesProfilesAtRestThatAreFree) {
   EXPECT_EQ(card.Read("GT_GetPrfMode", 1), 5);
   card.ExpectRefused(1, "GT_SetCrdPrm", {2, &cells});
   EXPECT_EQ(card.reason.en,
-            "profile 1 belongs to coordinate system 1, call GT_PrfTrap to take it out");
+            "profile 1 belongs to coordinate system 1, call GT_PrfTrap to remove it");
   std::vector<double> read(21);
   EXPECT_EQ(card.Call("GT_GetCrdPrm", {1, &read}), 0);
   EXPECT_EQ(read, cells);

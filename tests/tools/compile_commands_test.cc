@@ -154,7 +154,7 @@ TEST(Check, MendsInPlace) {
   const std::string source = scratch.Write("p.c", kLoop);
   const ProcessResult result = RunOncard({"check", "--fix", source});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_NE(result.err.find("3 mended"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("fix-its applied: 3"), std::string::npos) << result.err;
   EXPECT_EQ(RunOncard({"check", source}).err, "");
   EXPECT_EQ(scratch.Read("p.c").find('{', scratch.Read("p.c").find('{') + 1), std::string::npos);
 }

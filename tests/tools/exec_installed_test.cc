@@ -68,8 +68,8 @@ TEST_F(InstalledExec, RefusesAHostOf32BitsWithoutLibrariesOf32Bits) {
     const ProcessResult result = Exec({name}, "/usr/bin:" + folder_.path());
     EXPECT_EQ(result.exit_code, 3);
     EXPECT_EQ(result.err, "oncard: '" + name +
-                              "' is a program of 32 bits, and there is no liboncard_host.so of 32 "
-                              "bits in ../lib32 beside oncard; './x host32' in oncard's sources "
+                              "' is a 32-bit program, and there is no 32-bit liboncard_host.so in "
+                              "../lib32 beside oncard; './x host32' in oncard's sources "
                               "builds it, or compile the host without -m32\n");
   }
 }

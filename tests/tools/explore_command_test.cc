@@ -98,11 +98,12 @@ TEST(Explore, ASearchEndsWhenItsTimeIsOver) {
   const ProcessResult late = RunOncard({"explore", "large.c", "--time=0.2"}, scratch.path());
   EXPECT_EQ(late.exit_code, 6) << late.err;
   EXPECT_TRUE(late.out.starts_with("INCOMPLETE\nits time was over\n")) << late.out;
-  EXPECT_NE(late.err.find("to go on: oncard explore large.search"), std::string::npos) << late.err;
+  EXPECT_NE(late.err.find("to continue: oncard explore large.search"), std::string::npos)
+      << late.err;
   // A search that is there already is not lost to the next one.
   const std::string kept = scratch.Read("large.search");
   const ProcessResult again = RunOncard({"explore", "large.c", "--time=0.2"}, scratch.path());
-  EXPECT_NE(again.err.find("to go on: oncard explore large.2.search"), std::string::npos)
+  EXPECT_NE(again.err.find("to continue: oncard explore large.2.search"), std::string::npos)
       << again.err;
   EXPECT_EQ(scratch.Read("large.search"), kept);
   EXPECT_EQ(RunOncard({"explore", "p.c", "--time=0"}, scratch.path()).exit_code, 2);

@@ -170,7 +170,7 @@ TEST_F(ExploreSearch, ASearchThatCannotBeKeptSaysSoWhenItIsEnded) {
                  "[[thread]]\nthread = 1\nfunction = \"t1\"\n");
   const ProcessResult ended = Explore({"card.toml", "--time=0.2"});
   EXPECT_EQ(ended.exit_code, 6) << ended.out;
-  EXPECT_NE(ended.err.find("the search is lost: the states of a program with its card"),
+  EXPECT_NE(ended.err.find("the search could not be saved: the search of a program with its card"),
             std::string::npos)
       << ended.err;
 }

@@ -58,9 +58,9 @@ TEST(RunIsolated, SurvivesWhateverBecomesOfTheWork) {
             }),
             "oncard itself crashed on this file (Aborted): please report it");
   EXPECT_EQ(FailureOf([]() -> TestOutcome { ::_exit(3); }),
-            "oncard itself ended on this file (exit code 3): please report it");
+            "oncard ended unexpectedly on this file (exit code 3): please report it");
   EXPECT_EQ(FailureOf([]() -> TestOutcome { ::_exit(0); }),
-            "oncard itself ended on this file (exit code 0): please report it");
+            "oncard ended unexpectedly on this file (exit code 0): please report it");
   EXPECT_EQ(FailureOf([]() -> TestOutcome { throw std::runtime_error("no reason"); }),
             "internal error: no reason");
 }

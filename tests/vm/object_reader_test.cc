@@ -244,9 +244,9 @@ INSTANTIATE_TEST_SUITE_P(
         {"lone_carriage_return", "begin=0,1\n", "begin=0,1\r",
          "line 14 of the .ini: control characters in 'begin=0,1\\x0dend=1,1'"},
         {"key_twice", "end=1,1", "begin=1,1",
-         "line 15 of the .ini: 'begin' stands twice in its section"},
+         "line 15 of the .ini: 'begin' occurs twice in its section"},
         {"section_twice", "[add.var]", "[add.line]",
-         "line 13 of the .ini: section 'add.line' stands a second time; the first is in line 5"},
+         "line 13 of the .ini: section 'add.line' is repeated; the first one is in line 5"},
         {"section_of_no_function", "[add.var]", "[sub.var]",
          "line 13 of the .ini: section 'sub.var' belongs to no function"},
         {"section_in_other_case", "[global]", "[Global]",
@@ -277,7 +277,7 @@ INSTANTIATE_TEST_SUITE_P(
         {"return_type_differs", "sum.c,1", "sum.c,2",
          "function 1 'add': return type 1 in the .bin, 2 in the .ini"},
         {"second_function_is_not_in_the_bin", "sum.c,1\n", "sum.c,1\nsub=2,sum.c,1\n",
-         "function 2 'sub': the .bin is cut off"},
+         "function 2 'sub': the .bin is truncated"},
         {"only_function_missing", "add=1,sum.c,1\n", "",
          "line 4 of the .ini: section 'add.line' belongs to no function"},
     }),
@@ -396,7 +396,7 @@ std::string MessageWithWord(size_t index, uint16_t word) {
 }
 
 TEST(BinTest, HeaderAgreesWithTheIni) {
-  EXPECT_EQ(MessageWithWord(0, 2), "function 1 'add': the .bin numbers it 2");
+  EXPECT_EQ(MessageWithWord(0, 2), "function 1 'add': its id in the .bin is 2");
   EXPECT_EQ(MessageWithWord(1, 0), "function 1 'add': return type 0 in the .bin, 1 in the .ini");
   EXPECT_EQ(MessageWithWord(2, 6),
             "function 1 'add': 6 instructions in the .bin, source lines of 7 in the .ini");
@@ -407,7 +407,7 @@ TEST(BinTest, DamagedRecordIsNamed) {
   // Word 4 is the first record's opcode, word 14 the second record's.
   EXPECT_EQ(MessageWithWord(4, 0x1234), "function 1 'add': record 0: opcode 0x1234 is not known");
   EXPECT_EQ(MessageWithWord(14, 0x1234), "function 1 'add': record 1: opcode 0x1234 is not known");
-  EXPECT_EQ(MessageWithWord(3, 0xFFFF), "function 1 'add': record 0: the record is cut off");
+  EXPECT_EQ(MessageWithWord(3, 0xFFFF), "function 1 'add': record 0: the record is truncated");
 }
 
 TEST(BinTest, LengthIsExact) {
@@ -418,7 +418,7 @@ TEST(BinTest, LengthIsExact) {
   files.bin = whole + std::string(2, '\0');
   EXPECT_EQ(MessageOf(files), "1 words follow the last function of the .ini");
   files.bin = "";
-  EXPECT_EQ(MessageOf(files), "function 1 'add': the .bin is cut off");
+  EXPECT_EQ(MessageOf(files), "function 1 'add': the .bin is truncated");
   for (size_t size = 0; size < whole.size(); ++size) {
     files.bin = whole.substr(0, size);
     EXPECT_NE(MessageOf(files), "accepted") << size;

@@ -101,7 +101,7 @@ TEST_P(RecordTest, IsRefusedWhenCutOffAnywhere) {
     const Result<DecodedRecord> record = DecodeRecord(std::span(words).first(count));
     ASSERT_FALSE(record.ok());
     EXPECT_EQ(record.error().code, 2008);
-    EXPECT_EQ(record.error().message.en, "the record is cut off");
+    EXPECT_EQ(record.error().message.en, "the record is truncated");
   }
 }
 
@@ -129,8 +129,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::ValuesIn(std::vector<BadRecord>{
         {"no_words", {0, 1, 0}, "the record is empty"},
         {"no_link_mask", {3, 0x5080, 1, 4, 0}, "the record has no link mask"},
-        {"length_beyond_the_file", {0xFFFF, 0x5080}, "the record is cut off"},
-        {"links_beyond_the_file", {3, 0x5080, 1, 4, 0xFFFF, 0}, "the record is cut off"},
+        {"length_beyond_the_file", {0xFFFF, 0x5080}, "the record is truncated"},
+        {"links_beyond_the_file", {3, 0x5080, 1, 4, 0xFFFF, 0}, "the record is truncated"},
         {"unknown_opcode", {3, 0x5082, 1, 4, 1, 0}, "opcode 0x5082 is not known"},
         {"operand_missing", {2, 0x5080, 1, 1, 0}, "the record ends within operand 1"},
         {"literal_cut_off", {4, 0x5081, 1, 5, 0, 1, 0}, "the record ends within operand 1"},

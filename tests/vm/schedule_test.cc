@@ -116,8 +116,8 @@ TEST(ScheduleTextTest, DamageIsReportedWithItsLine) {
       {head + "cut -1\nend 0\n", 4, "expected one 'cut' and a time in us"},
       {head + "cut\nend 0\n", 4, "expected one 'cut' and a time in us"},
       {head + "cut 1\ncut 1\nend 0\n", 5, "expected one 'cut' and a time in us"},
-      {head + "run 0 5\n", 4, "expected 'end': the file is cut off"},
-      {head, 3, "expected 'end': the file is cut off"},
+      {head + "run 0 5\n", 4, "expected 'end': the file is truncated"},
+      {head, 3, "expected 'end': the file is truncated"},
   };
   for (const auto& c : kCases) {
     const auto schedule = ParseSchedule(c.text);

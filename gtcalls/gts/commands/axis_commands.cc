@@ -62,7 +62,7 @@ int16_t CheckConfigured(Call& call, const InputChoice& input, std::string_view e
                         std::string_view zh) {
   if (input.bit >= 0) return vm::kOk;
   return call.Refuse(vm::kRefused,
-                     MakeMessage("the configuration gives axis {0} no {1} input",
+                     MakeMessage("the configuration assigns no {1} input to axis {0}",
                                  "配置中轴 {0} 没有{2}输入", call.integer(0), en, zh));
 }
 
@@ -119,8 +119,8 @@ int16_t SetStopIo(Call& call) {
   if (index != kNoInput && (index < 1 || index > DiWidth(type))) {
     return call.Refuse(
         vm::kBadParameter,
-        MakeMessage("input {0} of word {1} is asked for; it has 1 to {2}, and -1 "
-                    "takes the stop input away",
+        MakeMessage("input {0} of word {1} does not exist; the word has 1 to {2}, and -1 removes "
+                    "the stop input",
                     "访问第 {1} 类输入的 {0}；其编号为 1 到 {2}，-1 表示取消停止输入", index,
                     call.integer(2), DiWidth(type)));
   }

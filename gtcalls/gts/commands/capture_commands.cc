@@ -35,7 +35,7 @@ int16_t CheckSource(Call& call, double number) {
     return vm::kOk;
   }
   return call.Refuse(vm::kBadParameter,
-                     MakeMessage("capture source {0} is asked for; there are 1 to 3 and 6 to 8",
+                     MakeMessage("capture source {0} does not exist; there are 1 to 3 and 6 to 8",
                                  "捕获方式为 {0}；应为 1 到 3 或 6 到 8", number));
 }
 
@@ -115,7 +115,7 @@ int16_t GetCaptureRepeatPos(Call& call) {
   if (first < 1 || first + count - 1 > static_cast<int>(positions.size())) {
     return call.Refuse(
         vm::kBadParameter,
-        MakeMessage("positions {0} to {1} are asked for; {2} are captured, counted from 1",
+        MakeMessage("positions {0} to {1} were requested; {2} are captured, counted from 1",
                     "读取第 {0} 到 {1} 个位置；已捕获 {2} 个，从 1 编号", first, first + count - 1,
                     positions.size()));
   }

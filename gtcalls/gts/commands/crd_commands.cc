@@ -134,8 +134,7 @@ int16_t SetCrdPrm(Call& call) {
     if (state.profiles[i].mode == ProfileMode::kCrd && state.crds[other].HasMember(i)) {
       return call.Refuse(
           vm::kRefused,
-          MakeMessage("profile {0} belongs to coordinate system {1}, call "
-                      "GT_PrfTrap to take it out",
+          MakeMessage("profile {0} belongs to coordinate system {1}, call GT_PrfTrap to remove it",
                       "规划器 {0} 属于坐标系 {1}，请调用 GT_PrfTrap 将其移出", i + 1, other + 1));
     }
   }

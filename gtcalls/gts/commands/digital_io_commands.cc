@@ -22,7 +22,7 @@ DoType DoOf(const Call& call) { return *motion::DoTypeFromNumber(call.integer(0)
 bool CheckIndex(Call& call, int first, int count, int width) {
   if (first >= 1 && first + count - 1 <= width) return true;
   call.reason =
-      MakeMessage("inputs or outputs {0} to {1} of word {2} are asked for; it has 1 to {3}",
+      MakeMessage("inputs or outputs {0} to {1} of word {2} were requested; the word has 1 to {3}",
                   "访问第 {2} 类数字量的 {0} 到 {1}；其编号为 1 到 {3}", first, first + count - 1,
                   call.integer(0), width);
   return false;
@@ -70,8 +70,8 @@ int16_t EnableDoBitPulse(Call& call) {
   if (high < 1 || low < 1 || pulses < 0) {
     return call.Refuse(
         vm::kBadParameter,
-        MakeMessage("{2} pulses of {0} high and {1} low are asked for; times of at least 1 and 0 "
-                    "pulses (endless) or more are expected",
+        MakeMessage("{2} pulses of {0} high and {1} low were requested; times of at least 1, and 0 "
+                    "(endless) or more pulses are expected",
                     "脉冲高电平时间 {0}、低电平时间 {1}、个数 {2}；时间至少应为 1，个数不小于 "
                     "0（0 为不限）",
                     high, low, pulses));

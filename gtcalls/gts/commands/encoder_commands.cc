@@ -48,10 +48,9 @@ int16_t SetStepMode(Call& call, int16_t mode) {
   if (step.axis >= 0 && call.card.motion.InClosedLoop(static_cast<size_t>(step.axis))) {
     return call.Refuse(
         vm::kRefused,
-        MakeMessage("axis {0} is in closed loop and puts out no pulses; call GT_CtrlMode with mode "
-                    "1 first",
-                    "轴 {0} 处于闭环模式，不输出脉冲；请先以模式 1 调用 GT_CtrlMode",
-                    step.axis + 1));
+        MakeMessage(
+            "axis {0} is in closed loop and outputs no pulses; call GT_CtrlMode with mode 1 first",
+            "轴 {0} 处于闭环模式，不输出脉冲；请先以模式 1 调用 GT_CtrlMode", step.axis + 1));
   }
   step.mode = mode;
   return vm::kOk;

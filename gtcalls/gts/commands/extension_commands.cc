@@ -21,9 +21,9 @@ int16_t CheckModule(Call& call) {
   if (ModuleOf(call).present) return vm::kOk;
   return call.Refuse(
       vm::kRefused,
-      MakeMessage("no extension module {0} is connected; the world of the scenario "
-                  "lists the modules there are",
-                  "未连接扩展模块 {0}；场景的 world 中列出了已连接的模块", call.integer(0)));
+      MakeMessage(
+          "no extension module {0} is connected; the scenario lists the modules that are present",
+          "未连接扩展模块 {0}；场景的 world 中列出了已连接的模块", call.integer(0)));
 }
 
 /// Runs a command for a module that must be there.

@@ -104,8 +104,8 @@ bool CheckMasterSegment(Call& call, const std::vector<FollowSegment>& segments, 
   const bool same_way = segments.empty() || (before > 0 ? master > before : master < before);
   if (master != 0 && same_way) return true;
   call.reason = MakeMessage(
-      "masterSegment is {0} after {1}; it counts from the begin of the table and must go on in one "
-      "direction",
+      "masterSegment is {0} after {1}; it counts from the start of the table and must continue in "
+      "one direction",
       "masterSegment 为 {0}，前一段为 {1}；该值从表头累计，必须沿同一方向变化", master, before);
   return false;
 }
@@ -119,7 +119,7 @@ int16_t FollowData(Call& call) {
   if (code != vm::kOk) return code;
   if (follow.Space(which) == 0) {
     return call.Refuse(vm::kRefused,
-                       MakeMessage("FIFO {0} is full, call GT_FollowSpace before",
+                       MakeMessage("FIFO {0} is full, call GT_FollowSpace first",
                                    "FIFO {0} 已满，请先用 GT_FollowSpace 查询空间", which));
   }
   segments.reserve(follow.Capacity());

@@ -68,8 +68,8 @@ int16_t SetGearEvent(Call& call) {
   if (event == 3 || event == 4) {
     return call.Refuse(
         vm::kBadParameter,
-        MakeMessage("event {0} has no meaning; 1 starts at once, 2 when the master "
-                    "passes a position, 5 inside an area",
+        MakeMessage("event {0} is unknown; 1 starts at once, 2 when the master passes a position, "
+                    "5 inside an area",
                     "事件 {0} 无效；1 为立即启动，2 为主轴穿越位置，5 为位于区域内", event));
   }
   const int16_t code = CheckModeAtRest(call, NumberOf(call), ProfileMode::kGear);

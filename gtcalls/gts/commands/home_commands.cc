@@ -207,7 +207,7 @@ int16_t SearchSimply(Call& call, HomeKind kind, double velocity, double accelera
   const auto in_range = [](double value) { return value >= motion::kRateMin && value <= 32767; };
   if (!in_range(velocity) || !in_range(acceleration)) {
     return call.Refuse(vm::kBadParameter,
-                       MakeMessage("vel {0} and acc {1} are given; both lie in [1e-09, 32767]",
+                       MakeMessage("vel is {0} and acc is {1}; the range of both is [1e-09, 32767]",
                                    "vel 为 {0}，acc 为 {1}；两者取值范围均为 [1e-09, 32767]",
                                    velocity, acceleration));
   }

@@ -12,7 +12,7 @@ int16_t CheckWords(Call& call, int count) {
   const int last = call.integer(0) + count - 1;
   if (last < motion::kMramWords) return vm::kOk;
   return call.Refuse(vm::kBadParameter,
-                     MakeMessage("words {0} to {1} are asked for; the memory has 0 to {2}",
+                     MakeMessage("words {0} to {1} were requested; the memory has 0 to {2}",
                                  "访问字 {0} 到 {1}；存储器的序号为 0 到 {2}", call.integer(0),
                                  last, motion::kMramWords - 1));
 }

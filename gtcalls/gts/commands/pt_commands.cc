@@ -63,7 +63,7 @@ int16_t Append(Call& call, size_t buffer, int32_t number) {
   if (time <= pt.LastTime(buffer)) {
     return call.Refuse(vm::kBadParameter,
                        MakeMessage("the segment ends at {0} ms, but the one before it ends at {1} "
-                                   "ms; times count from the start and must grow",
+                                   "ms; times count from the start and must increase",
                                    "数据段的终点时间为 {0} ms，而前一段为 {1} "
                                    "ms；时间从起点算起，必须递增",
                                    time, pt.LastTime(buffer)));

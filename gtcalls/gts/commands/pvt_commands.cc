@@ -75,8 +75,8 @@ bool CheckPoints(Call& call, size_t times, size_t positions, size_t count) {
     const double time = call.cells(times)[i];
     if (time - before >= motion::kPvtIntervalMin) continue;
     call.reason = MakeMessage(
-        "pTime[{0}] is {1} ms, but the point before it is at {2} ms; times "
-        "must grow by at least {3} ms",
+        "pTime[{0}] is {1} ms, but the point before it is at {2} ms; times must increase by at "
+        "least {3} ms",
         "pTime[{0}] 为 {1} ms，而前一点为 {2} ms；时间必须递增，至少相差 {3} ms", i, time, before,
         motion::kPvtIntervalMin);
     return false;
@@ -181,8 +181,9 @@ std::vector<ContinuousRow> ContinuousRows(Call& call, size_t first, size_t count
   const size_t impossible = motion::FirstImpossibleInterval(rows);
   if (impossible == used) return rows;
   call.reason = MakeMessage(
-      "the motion from point {0} to point {1} is not possible: it needs a distance, velocities "
-      "along it and not above pVelMax, and enough of it for pAcc and pDec",
+      "the motion from point {0} to point {1} is not possible: the distance must not be 0, the "
+      "velocities must have its direction and not exceed pVelMax, and it must be long enough for "
+      "pAcc and pDec",
       "数据点 {0} 到 {1} 无法运动：位移不得为 0，速度须与位移同向且不超过 pVelMax，位移须满足 pAcc "
       "与 pDec",
       impossible, impossible + 1);

@@ -111,12 +111,12 @@ int16_t RefuseShape(Call& call, const Request& request) {
                     *request.radius));
   }
   if (request.centre_count > 0) {
-    return call.Refuse(vm::kBadParameter,
-                       MakeMessage("start and end must have the same distance from the centre, "
-                                   "which is given relative to the start; 1 pulse of difference "
-                                   "is allowed, and 0 is no distance",
-                                   "起点和终点到圆心的距离必须相等（圆心坐标相对于起点），允许相差 "
-                                   "1 个脉冲，且不得为 0"));
+    return call.Refuse(
+        vm::kBadParameter,
+        MakeMessage("start and end must have the same distance from the centre, which is given "
+                    "relative to the start; it may differ by 1 pulse and must not be 0",
+                    "起点和终点到圆心的距离必须相等（圆心坐标相对于起点），允许相差 "
+                    "1 个脉冲，且不得为 0"));
   }
   if (request.has_between) {
     return call.Refuse(vm::kBadParameter,
@@ -125,7 +125,7 @@ int16_t RefuseShape(Call& call, const Request& request) {
                                    "起点、中间点和终点共线；应给出圆上的三点"));
   }
   return call.Refuse(vm::kBadParameter,
-                     MakeMessage("the segment has no length: its end is where the path is already",
+                     MakeMessage("the segment has no length: it ends where the path already is",
                                  "插补段长度为零：终点与当前轨迹终点重合"));
 }
 

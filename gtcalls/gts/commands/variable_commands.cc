@@ -92,7 +92,7 @@ std::optional<Slots> FindSlots(Call& call, const Target& target) {
     if (symbols != nullptr) type = DeclaredType(*symbols, id);
     if (!type) {
       call.reason = MakeMessage(
-          "slot {0} of page {1} is no variable of the program; take TVarInfo from GT_GetVarId",
+          "slot {0} of page {1} is not a variable of the program; take TVarInfo from GT_GetVarId",
           "数据页 {1} 的存储单元 {0} 不是程序的变量；应由 GT_GetVarId 取得 TVarInfo", id,
           target.page);
       return std::nullopt;
