@@ -120,7 +120,8 @@ std::optional<Message> DescribeUnusedComments(const runtime::Scenario& scenario,
   const int line = FirstCommentLine(source);
   if (line == 0) return std::nullopt;
   return MakeMessage(
-      "{0}:{1}: this comment is not looked at: a scenario says itself what must hold; put it there",
+      "{0}:{1}: this comment is not checked: the requirements come from the scenario; write it "
+      "there",
       "{0}:{1}：未检查该注释：使用场景时由场景说明应成立的条件；应写入场景",
       runtime::ProgramPath(scenario), line);
 }

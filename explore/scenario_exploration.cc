@@ -106,8 +106,8 @@ Result<Findings> ExploreWithCard(const runtime::Scenario& scenario,
   }
   if (scenario.races != runtime::Scenario{}.races) {
     return MakeError(1,
-                     "data races are looked for in programs of variables only: explore the "
-                     "functions without GT commands on their own",
+                     "data races are found only in programs without GT commands: explore the "
+                     "functions without GT commands separately",
                      "只在纯变量程序中查找数据竞争：请单独探索不含 GT 指令的函数");
   }
   auto model = CardModel::Create(scenario, requirements, std::move(object));
@@ -248,8 +248,7 @@ Result<Findings> FollowSchedule(const runtime::Scenario& scenario,
   exploration.engine = EngineKind::kFollow;
   exploration.verdict = Verdict::kPassed;
   exploration.why = MakeMessage(
-      "nothing goes wrong under this schedule, of which {0} of {1} segments could be followed; "
-      "others were not tried",
+      "no failure under this schedule (followed {0} of {1} segments); others were not tried",
       "在该调度下未出错（共 {1} 段，跟随了 {0} 段）；其它调度未尝试", adapted.value().followed,
       schedule.segments.size());
   const auto conclude = [&](const Subject& subject, const auto& follow) {
@@ -260,7 +259,7 @@ Result<Findings> FollowSchedule(const runtime::Scenario& scenario,
       exploration.failure = std::move(run.failure);
     } else if (!run.ended) {
       exploration.verdict = Verdict::kIncomplete;
-      exploration.why = {"the run that begins with this schedule does not come to its end",
+      exploration.why = {"the run that begins with this schedule does not end",
                          "以该调度开始的运行没有结束"};
     }
   };

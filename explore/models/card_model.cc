@@ -85,7 +85,7 @@ Result<void> CardModel::BindRequirements(const std::vector<Requirement>& require
       requirement.cycle = runtime::CycleOf(scenario_, *expectation.at_us);
       last_instant_ = std::max(last_instant_, requirement.cycle);
       if (last_instant_ > last_cycle_) {
-        return MakeError(1, "the expectation '{0}' lies after the end of the run",
+        return MakeError(1, "the expectation '{0}' is later than the end of the run",
                          "期望“{0}”的时刻在运行结束之后", expectation.text);
       }
     }

@@ -155,7 +155,7 @@ Result<void> Model::AddThread(int number, const vm::ThreadState& state,
   for (const vm::Instruction& instruction : function.instructions) {
     if (instruction.opcode == Opcode::kCommand) {
       return MakeError(1,
-                       "function {0} calls a GT command; only programs of variables can be "
+                       "function {0} calls a GT command; only programs without GT commands can be "
                        "explored without a card",
                        "函数 {0} 调用了 GT 指令；不带控制卡时只能探索纯变量程序", function.name);
     }

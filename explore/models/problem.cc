@@ -85,13 +85,13 @@ Result<void> ReadComment(std::string_view comment, CommentProblem* problem,
     *expression = rest;
     return {};
   }
-  return MakeError(1,
-                   "'{0}' says nothing to the explorer: expected //@ init: v=1, //@ final:, "
-                   "//@ always:, //@ never: or //@ eventually: with an expression, //@ sync: v, or "
-                   "//@ races: none or benign",
-                   "“{0}”不是探索注释：应为 //@ init: v=1，//@ final:、//@ always:、//@ never: 或 "
-                   "//@ eventually: 加表达式，//@ sync: v，或 //@ races: none 或 benign",
-                   Trim(comment));
+  return MakeError(
+      1,
+      "'{0}' is not a comment of the explorer: expected //@ init: v=1, //@ final:, //@ always:, "
+      "//@ never: or //@ eventually: with an expression, //@ sync: v, or //@ races: none or benign",
+      "“{0}”不是探索注释：应为 //@ init: v=1，//@ final:、//@ always:、//@ never: 或 "
+      "//@ eventually: 加表达式，//@ sync: v，或 //@ races: none 或 benign",
+      Trim(comment));
 }
 
 /// Adds what is wrong with a requirement, in its place or else named.
@@ -223,7 +223,7 @@ Result<Problem> BindProblem(Model model, const std::vector<Requirement>& require
     problem.requirements.push_back({requirements[i].scope, std::move(properties.value()[i])});
   }
   if (std::ranges::count(requirements, Scope::kEventually, &Requirement::scope) > kEventuallyMax) {
-    return MakeError(1, "more than {0} expressions must hold eventually",
+    return MakeError(1, "there are more than {0} 'eventually' expressions",
                      "“eventually”表达式超过 {0} 个", kEventuallyMax);
   }
   return problem;
@@ -241,7 +241,7 @@ Result<SyncCells> SyncCellsNamed(const std::vector<std::string>& names, const vm
   for (const std::string& name : names) {
     const auto found = std::ranges::find(object.globals, name, &vm::Symbol::name);
     if (found == object.globals.end()) {
-      return MakeError(1, "'sync' names '{0}', which is no global variable",
+      return MakeError(1, "'sync' names '{0}', which is not a global variable",
                        "“sync”中的“{0}”不是全局变量", name);
     }
     const size_t end = size_t{found->id} + found->slots();

@@ -81,7 +81,7 @@ class ModelNames {
   Result<Element> Slot(const vm::Symbol& symbol, std::optional<int> index, bool global,
                        int page) const {
     if (index.has_value() != (symbol.array_size != 0) || index.value_or(0) >= symbol.slots()) {
-      return MakeError(1, "'{0}' has {1} elements: write a number below that in brackets",
+      return MakeError(1, "'{0}' has {1} elements: write an index below that in brackets",
                        "“{0}”有 {1} 个元素：请在方括号中写出下标", symbol.name, symbol.array_size);
     }
     vm::SlotAddress slot;
@@ -123,7 +123,7 @@ class CardNames {
     auto found = runtime::ResolveQuantity(full, controller_);
     if (!found.ok()) return found.error();
     if (found.value().size() != 1) {
-      return MakeError(1, "'{0}' has {1} elements: write a number below that in brackets",
+      return MakeError(1, "'{0}' has {1} elements: write an index below that in brackets",
                        "“{0}”有 {1} 个元素：请在方括号中写出下标", full, found.value().size());
     }
     property->quantities_.push_back(std::move(found.value().front()));
@@ -224,8 +224,7 @@ class PropertyParser {
   void Unary() {
     if (nesting_ > Property::kNestingMax) {
       return Fail(MakeMessage(
-          "'{0}' is too deep: at most {1} parentheses, '!' and '-' inside each "
-          "other",
+          "'{0}' is nested too deeply: at most {1} parentheses, '!' and '-' inside each other",
           "“{0}”嵌套过深：括号、“!”和“-”最多 {1} 层", Beginning(), Property::kNestingMax));
     }
     ++nesting_;

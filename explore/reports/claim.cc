@@ -135,20 +135,19 @@ uint64_t HashOfWorld(const CardConditions& card) {
 ClaimEntry Assumptions(const Subject& subject) {
   ClaimEntry entry = {{"assumes", "前提"}, {}};
   if (!subject.card) {
-    entry.lines.push_back({"any thread may take the next statement; no time passes",
+    entry.lines.push_back({"any thread may execute the next statement; no time passes",
                            "任一线程都可能执行下一条语句；不计时间"});
     return entry;
   }
   const CardConditions& card = *subject.card;
   entry.lines.push_back(
-      {"any thread may take the next statement, each one gets at least one in "
-       "every cycle",
+      {"any thread may execute the next statement, and each executes at least one in every cycle",
        "任一线程都可能执行下一条语句，且每个线程在每个周期内至少执行一条"});
   entry.lines.push_back(MakeMessage("rate {0} statements per ms, cycle {1} us, {2} axes",
                                     "速率每 ms {0} 条语句，周期 {1} us，{2} 轴", card.rate,
                                     card.cycle_us, card.axis_count));
   entry.lines.push_back(card.world == runtime::World{}
-                            ? Message{"world: ideal drives, inputs off, nothing happens",
+                            ? Message{"world: ideal drives, inputs off, no events",
                                       "外部世界：理想驱动器，输入全关，无事件"}
                             : MakeMessage("world: as in the scenario, {0:016x}",
                                           "外部世界：如场景所述，{0:016x}", HashOfWorld(card)));
@@ -174,7 +173,7 @@ ClaimEntry Bounds(const Findings& findings) {
   }
   if (exploration.engine == EngineKind::kFollow) add({"one schedule", "一个调度"});
   if (exploration.merged) {
-    add({"statements that touch no global go with the one before them",
+    add({"statements that access no global are combined with the one before them",
          "不涉及全局变量的语句并入前一条语句"});
   }
   if (entry.lines.empty() && exploration.verdict == Verdict::kProved) {
@@ -269,7 +268,7 @@ std::string EndText(const std::vector<NamedValue>& end) {
 }
 
 Message ResultsHead(const Results& results) {
-  Message head = {"nothing was asked of the results", "未对结果提出要求"};
+  Message head = {"there is no requirement on the results", "未对结果提出要求"};
   const auto add = [&](const Message& more) {
     head.en += "; " + more.en;
     head.zh += "；" + more.zh;
@@ -289,9 +288,9 @@ Message ResultsHead(const Results& results) {
 
 Message AskHead(const Subject& subject) {
   return subject.scenario.empty()
-             ? Message{"ask for the one that is meant with a line in the source, for example",
+             ? Message{"require the intended one with a line in the source, for example",
                        "请在源程序中用一行写出期望的结果，例如"}
-             : Message{"ask for the one that is meant with a line in the scenario, for example",
+             : Message{"require the intended one with a line in the scenario, for example",
                        "请在场景中用一行写出期望的结果，例如"};
 }
 

@@ -172,15 +172,15 @@ class Teller {
       case StaleUse::Kind::kComputes:
         culprit.sentence = MakeMessage(
             "thread {0} used {1} = {2} at step {3}, which it had read at step {4}; thread {5} had "
-            "made it {6} at step {7}",
+            "set it to {6} at step {7}",
             "线程 {0} 在第 {3} 步使用了第 {4} 步读到的 {1} = {2}，而线程 {5} 已在第 {7} 步将其改为 "
             "{6}",
             acts.thread, name, old, use.use + 1, use.read + 1, write.thread, there, use.write + 1);
         break;
       case StaleUse::Kind::kDecides:
         culprit.sentence = MakeMessage(
-            "thread {0} went on to step {1}, because it had read {2} = {3} at step {4}; thread {5} "
-            "had made it {6} at step {7}",
+            "thread {0} continued to step {1}, because it had read {2} = {3} at step {4}; thread "
+            "{5} had set it to {6} at step {7}",
             "线程 {0} 执行到第 {1} 步，因为它在第 {4} 步读到 {2} = {3}，而线程 {5} 已在第 {7} "
             "步将其改为 {6}",
             acts.thread, use.use + 1, name, old, use.read + 1, write.thread, there, use.write + 1);

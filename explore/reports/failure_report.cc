@@ -46,7 +46,7 @@ Party PartyOf(const Findings& findings, const RacingPair::Statement& statement) 
 
 Message DescribeFault(const Subject& subject, const Failure& failure) {
   if (failure.livelock) {
-    return {"livelock: all threads can go on for ever without any coming to its end",
+    return {"livelock: the threads can run for ever without any of them ending",
             "活锁：各线程可以一直运行而都不结束"};
   }
   switch (failure.fault.kind) {
@@ -208,7 +208,7 @@ std::string FailureHtml(const Findings& findings, const Failure& failure,
     html += fmt::format("<p>{}</p>\n", message.In(language));
   };
   if (failure.last_escape >= 0) {
-    paragraph({"From the red line on every end is bad.", "红线之后再无正确结局。"});
+    paragraph({"From the red line on, every continuation fails.", "红线之后再无正确结局。"});
   }
   if (failure.livelock) {
     paragraph({"And then for ever:", "然后永远重复："});

@@ -252,8 +252,8 @@ std::string CellOf(const StepRow& row, Language language) {
   if (!row.read.empty()) text += "   [" + row.read + ']';
   if (!row.written.empty()) text += "   " + row.written;
   if (row.escape) {
-    text +=
-        MakeMessage("   <- from here on every end is bad", "   <- 此后再无正确结局").In(language);
+    text += MakeMessage("   <- from here on every continuation fails", "   <- 此后再无正确结局")
+                .In(language);
   }
   return text;
 }

@@ -33,7 +33,7 @@ const std::atomic<bool>* StopOf(const ExploreOptions& options) {
 /// Why a search is not done: it was told to stop, or has reached this limit.
 Message WhyIncomplete(const ExploreOptions& options, Message limit) {
   if (options.progress != nullptr && options.progress->stop) {
-    return options.progress->out_of_time ? Message{"its time was over", "时间已到"}
+    return options.progress->out_of_time ? Message{"the time limit was reached", "时间已到"}
                                          : Message{"it was interrupted", "已中断"};
   }
   return limit;
@@ -84,7 +84,7 @@ Exploration ConcludeBounded(BoundedCounts bounded, const ExploreOptions& options
     exploration.verdict = Verdict::kFailed;
   } else if (bounded.complete) {
     exploration.verdict = Verdict::kPassed;
-    exploration.why = MakeMessage("no schedule with at most {0} preemptions goes wrong",
+    exploration.why = MakeMessage("no schedule with at most {0} preemptions fails",
                                   "抢占不超过 {0} 次的调度均未出错", bounded.preemptions);
   } else {
     exploration.why =
@@ -314,7 +314,7 @@ Exploration ConcludeSamples(EngineKind engine, SampleCounts samples) {
   exploration.engine = engine;
   exploration.verdict = samples.bad > 0 ? Verdict::kFailed : Verdict::kPassed;
   if (samples.bad == 0) {
-    exploration.why = MakeMessage("none of {0} random schedules goes wrong; others were not tried",
+    exploration.why = MakeMessage("none of {0} random schedules fails; others were not tried",
                                   "{0} 个随机调度均未出错；其它调度未尝试", samples.runs);
   }
   exploration.ends = samples.values.ends();
@@ -325,11 +325,9 @@ Exploration ConcludeSamples(EngineKind engine, SampleCounts samples) {
 Result<Exploration> Explore(const Problem& problem, const ExploreOptions& options) {
   if (problem.races == RaceRule::kBenign && options.engine != EngineKind::kAuto &&
       options.engine != EngineKind::kStateful) {
-    return MakeError(1,
-                     "whether a race is benign shows in the graph of all states only: use "
-                     "the "
-                     "engine stateful",
-                     "竞争是否无害只能由全部状态的图判定：请使用 stateful 引擎");
+    return MakeError(
+        1, "only the graph of all states shows whether a race is benign: use the engine stateful",
+        "竞争是否无害只能由全部状态的图判定：请使用 stateful 引擎");
   }
   const auto sees_locals = [](const BoundRequirement& requirement) {
     return requirement.scope != Scope::kFinal && requirement.property.SeesLocals();
@@ -364,9 +362,8 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
   if (problem.HasInvariants()) {
     if (engine == EngineKind::kDpor) {
       return MakeError(1,
-                       "'always', 'never' and 'eventually' speak of states on "
-                       "the way, which traces pass over: "
-                       "use the engine stateful",
+                       "'always', 'never' and 'eventually' concern intermediate states, which the "
+                       "engine dpor skips: use the engine stateful",
                        "“always”、“never”和“eventually”涉及中间状态，而 dpor "
                        "引擎会跳过它们：请使用 stateful "
                        "引擎");
@@ -454,10 +451,8 @@ Exploration ExploreCard(CardModel* model, const ExploreOptions& options) {
                                            "已达到 {0} 个状态的上限", options.state_limit));
   } else if (found.cut) {
     exploration.verdict = Verdict::kPassed;
-    exploration.why = {
-        "nothing goes wrong until the scenario's until_ms; "
-        "threads still run then",
-        "在场景的 until_ms 之前没有错误；此时仍有线程在运行"};
+    exploration.why = {"no failure up to the scenario's until_ms; threads are still running then",
+                       "在场景的 until_ms 之前没有错误；此时仍有线程在运行"};
   } else {
     exploration.verdict = Verdict::kProved;
   }

@@ -15,7 +15,7 @@ bool CanStep(uint32_t runnable, int thread) {
 }
 
 Error NoSuchStep(const std::string& place, int thread) {
-  return MakeError(1, "{0}: thread {1} of the search cannot take a step there; explore anew",
+  return MakeError(1, "{0}: thread {1} of the search cannot execute a step there; explore again",
                    "{0}：搜索中的线程 {1} 在此处无法执行；请重新探索", place, thread);
 }
 
@@ -48,7 +48,7 @@ class UnitCheck {
   Result<void> Take(int thread, const std::string& place) {
     if (!CanStep(model_.runnable(), thread)) return NoSuchStep(place, thread);
     if (model_.depth() >= depth_) {
-      return MakeError(1, "{0}: the run is longer than {1} statements there; explore anew",
+      return MakeError(1, "{0}: the run is longer than {1} statements there; explore again",
                        "{0}：此处运行已超过 {1} 条语句；请重新探索", place, depth_);
     }
     model_.Step(thread);
@@ -69,7 +69,8 @@ class UnitCheck {
     if (auto plans = CheckPlans(frame.plans, place + ".plans"); !plans.ok()) return plans;
     for (const uint32_t race : frame.races) {
       if (race < number) continue;
-      return MakeError(1, "{0}.races: {1} is no earlier step, those are 0 to {2}; explore anew",
+      return MakeError(1,
+                       "{0}.races: {1} is not an earlier step, those are 0 to {2}; explore again",
                        "{0}.races：{1} 不是之前的步，之前的步为 0 至 {2}；请重新探索", place, race,
                        static_cast<int64_t>(number) - 1);
     }
@@ -77,7 +78,7 @@ class UnitCheck {
   }
 
   Result<void> CheckPlans(const std::vector<PlannedStep>& plans, const std::string& place) {
-    const Error broken = MakeError(1, "{0}: this is no list of plans; explore anew",
+    const Error broken = MakeError(1, "{0}: this is not a list of plans; explore again",
                                    "{0}：这不是计划列表；请重新探索", place);
     if (plans.empty()) return broken;
     /// Plans with one step before them: how many are still to come, the depth before that step.
@@ -120,7 +121,7 @@ Result<void> CheckFailing(const Problem& problem, const std::vector<uint8_t>& fa
     walk.Step(failing[i]);
   }
   if (walk.fault() && says_bad) return {};
-  return MakeError(1, "failing: nothing goes wrong in this run; explore anew",
+  return MakeError(1, "failing: this run does not fail; explore again",
                    "failing：该运行没有出错；请重新探索");
 }
 
@@ -130,7 +131,7 @@ Result<void> CheckEnds(const Problem& problem, const EndSet& ends) {
   for (size_t i = 0; i < ends.ends().size(); ++i) {
     const size_t found = ends.ends()[i].size();
     if (found == expected) continue;
-    return MakeError(1, "results[{0}]: {1} values, the program has {2}; explore anew",
+    return MakeError(1, "results[{0}]: {1} values, the program has {2}; explore again",
                      "results[{0}]：有 {1} 个值，而程序有 {2} 个；请重新探索", i, found, expected);
   }
   return {};

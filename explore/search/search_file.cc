@@ -20,14 +20,14 @@ constexpr size_t kUnitsPerPart = 16;
 /// What is said of a search that has found nothing wrong so far.
 Message WhyNotProved(const SearchFile& file, bool done) {
   if (!done) {
-    return {"not all of its parts are done: go on with their files, then merge them again",
+    return {"not all of its parts are complete: continue their files, then merge them again",
             "有的部分尚未完成：请先继续完成各文件，再重新合并"};
   }
   std::string held;
   for (const int part : file.held) {
     held += fmt::format("{}{}", held.empty() ? "" : ", ", part);
   }
-  return MakeMessage("nothing goes wrong in these of {0} parts: {1}; the others were not looked at",
+  return MakeMessage("no failure in these of {0} parts: {1}; the others were not searched",
                      "共 {0} 部分，其中第 {1} 部分未出错；其余未搜索", file.parts, held);
 }
 
@@ -42,7 +42,7 @@ Result<SearchPart> ParsePart(std::string_view text) {
   }
   if (slash == std::string_view::npos || part.number < 1 || part.count > kPartMax ||
       part.number > part.count) {
-    return MakeError(1, "'{0}' is no part: expected I/N, the I-th of N parts, as in 1/4",
+    return MakeError(1, "'{0}' is not a part: expected I/N, the I-th of N parts, as in 1/4",
                      "“{0}”不是部分编号：应为 I/N，即 N 部分中的第 I 部分，如 1/4", text);
   }
   return part;
@@ -106,7 +106,7 @@ Result<void> MergeInto(SearchFile* file, const SearchFile& other) {
                      "这些文件属于不同的搜索：引擎、部分数、种子、深度和次数应相同");
   }
   if (file->runs_cut != 0 || other.runs_cut != 0) {
-    return MakeError(1, "the random runs of a part are not all done: go on with its file first",
+    return MakeError(1, "the random runs of a part are not complete: continue its file first",
                      "有一部分的随机运行尚未完成：请先继续该文件");
   }
   std::vector<int> both;

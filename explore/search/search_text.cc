@@ -223,7 +223,7 @@ class TypedReader {
                             : std::nullopt;
       const StateKey key = {low.value_or(0), high.value_or(0)};
       if (!low || !high || (!keys.empty() && !(keys.back() < key))) {
-        Fail(value, "32 hexadecimal digits, after the ones before it",
+        Fail(value, "32 hexadecimal digits, greater than the previous ones",
              "32 位十六进制数，且大于前一个");
       }
       keys.push_back(key);
@@ -372,13 +372,12 @@ std::string FormatSearchFile(const SearchFile& file) {
 
 Result<SearchFile> ParseSearchFile(std::string_view text) {
   if (!NestsWithin(text, kNestingMax)) {
-    return MakeError(1, "this is no file of a search: it nests more than {0} deep",
+    return MakeError(1, "this is not a search file: it is nested more than {0} deep",
                      "这不是搜索文件：嵌套超过 {0} 层", kNestingMax);
   }
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object() || json.value("kind", Json()) != kKind) {
-    return MakeError(1,
-                     "this is no file of a search: expected one that 'oncard explore' has written",
+    return MakeError(1, "this is not a search file: expected one that 'oncard explore' has written",
                      "这不是搜索文件：应为“oncard explore”写出的文件");
   }
   if (json.value("version", Json()) != kVersion) {
@@ -386,8 +385,7 @@ Result<SearchFile> ParseSearchFile(std::string_view text) {
                      kVersion);
   }
   if (json.value("check", Json()) != CheckOf(json)) {
-    return MakeError(1, "the file is not as it was written: explore anew",
-                     "文件已被改动：请重新探索");
+    return MakeError(1, "the file has been modified: explore again", "文件已被改动：请重新探索");
   }
   TypedReader reader;
   const Value root(json, nullptr, "");

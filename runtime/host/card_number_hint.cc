@@ -35,9 +35,9 @@ void HintAtCardNumber(const gtcalls::Command& command, std::span<const HostArgum
   }
   if (opened_as < 0 || !HasCardNumber(command, host) || said.exchange(true)) return;
   const Message hint = MakeMessage(
-      "{0} was called with what looks like a card's number in front of its parameters. A gts.h for "
-      "several cards cannot be used with the functions of one card: include gts_multi.h of oncard "
-      "instead, or take that gts.h out of the host's folder",
+      "{0} seems to have been called with a card number before its parameters. A multi-card gts.h "
+      "cannot be used with the single-card functions: include oncard's gts_multi.h instead, or "
+      "remove that gts.h from the host's folder",
       "调用 {0} 时，参数前似乎带有卡号。多卡版 gts.h 不能与单卡函数一起使用：请改为包含 oncard 的 "
       "gts_multi.h，或将该 gts.h 移出主机程序的目录",
       command.name);

@@ -99,7 +99,7 @@ int HostKeys::Read() {
   if (++reads_after_end_ < kReadsAfterEnd) return key;
   lock.unlock();
   const Message message = MakeMessage(
-      "the host has asked {0} times for a key after the last one; give the keys that it ends with "
+      "the host has asked {0} times for a key after the last one; add the keys that make it end "
       "(--keys, ONCARD_KEYS or the scenario)",
       "最后一个按键之后主机程序又等待了 {0} 次按键；请给出使其结束的按键（--keys、ONCARD_KEYS "
       "或场景文件）",

@@ -89,10 +89,9 @@ bool FollowTo(const vm::ScheduleStop& stop, int thread, StatementRun* run) {
 
 Message DescribeDivergence(const vm::ScheduleStop& stop, int thread) {
   if (stop.line == 0) {
-    return MakeMessage("thread {0} no longer comes to its end here",
-                       "线程 {0} 在此处不再运行到结束", thread);
+    return MakeMessage("thread {0} no longer ends here", "线程 {0} 在此处不再运行到结束", thread);
   }
-  return MakeMessage("thread {0} no longer comes to '{1}' (line {2} of the old program)",
+  return MakeMessage("thread {0} no longer reaches '{1}' (line {2} of the old program)",
                      "线程 {0} 不再执行到“{1}”（原程序第 {2} 行）", thread, stop.text, stop.line);
 }
 
@@ -107,7 +106,7 @@ Result<void> AnnotateSchedule(const Scenario& scenario, vm::Object object, std::
     std::vector<int> lines;  // that the thread came to
     for (int64_t i = 0; i < segment.statements; ++i) {
       if (!CanStep(run.Runnable(), segment.thread)) {
-        return MakeError(1, "the schedule is not one of this program", "该调度不属于此程序");
+        return MakeError(1, "the schedule belongs to another program", "该调度不属于此程序");
       }
       run.Step(segment.thread);
       lines.push_back(run.Line(segment.thread));
@@ -133,7 +132,7 @@ Result<AdaptedSchedule> AdaptSchedule(const Scenario& scenario, vm::Object objec
                      "该调度未记录各线程停在哪些行；“oncard explore --save”会写出这样的调度");
   }
   if (!scenario.host.empty()) {
-    return MakeError(1, "a scenario with host events can be replayed strictly only",
+    return MakeError(1, "a scenario with host events can only be replayed strictly",
                      "带主机事件的场景只能严格重放");
   }
   StatementRun run(scenario, source);

@@ -96,7 +96,8 @@ Result<Expectation> ParseExpectation(std::string_view text) {
   if (const size_t at = rest.find('@'); at != std::string_view::npos) {
     const auto instant = ParseInstant(Trim(rest.substr(at + 1)));
     if (!instant) {
-      return Malformed(text, "after '@' stands a time in ms or s", "“@”后应为以 ms 或 s 计的时间");
+      return Malformed(text, "'@' must be followed by a time in ms or s",
+                       "“@”后应为以 ms 或 s 计的时间");
     }
     expectation.at_us = *instant;
     rest = Trim(rest.substr(0, at));
@@ -112,7 +113,7 @@ Result<Expectation> ParseExpectation(std::string_view text) {
     }
   }
   if (found == nullptr) {
-    return Malformed(text, "there is no comparison", "缺少比较运算符");
+    return Malformed(text, "the comparison operator is missing", "缺少比较运算符");
   }
   expectation.comparison = found->comparison;
   expectation.left = Trim(rest.substr(0, place));
@@ -123,21 +124,21 @@ Result<Expectation> ParseExpectation(std::string_view text) {
     const bool equality = expectation.comparison == Comparison::kEqual ||
                           expectation.comparison == Comparison::kNotEqual;
     if (!tolerance || *tolerance < 0 || !equality) {
-      return Malformed(text, "a tolerance is a positive number beside == or !=",
+      return Malformed(text, "a tolerance must be a positive number, with == or !=",
                        "容差应为正数，且只用于 == 或 !=");
     }
     expectation.tolerance = *tolerance;
     right = Trim(right.substr(0, sign));
   }
   if (!IsName(expectation.left)) {
-    return Malformed(text, "on the left stands a name", "左边应为名称");
+    return Malformed(text, "the left side must be a name", "左边应为名称");
   }
   if (const auto number = ReadNumber(right)) {
     expectation.right = *number;
   } else if (IsName(right)) {
     expectation.right = std::string(right);
   } else {
-    return Malformed(text, "on the right stands a number or a name", "右边应为数字或名称");
+    return Malformed(text, "the right side must be a number or a name", "右边应为数字或名称");
   }
   return expectation;
 }

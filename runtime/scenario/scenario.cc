@@ -234,8 +234,8 @@ Result<InitialValue> ParseInitialValue(std::string_view text) {
     }
   }
   if (initial.values.empty()) {
-    return MakeError(1, "'{0}' sets nothing: expected name=number", "“{0}”不是赋值：应为 变量=数字",
-                     text);
+    return MakeError(1, "'{0}' is not an assignment: expected name=number",
+                     "“{0}”不是赋值：应为 变量=数字", text);
   }
   return initial;
 }

@@ -66,7 +66,7 @@ std::span<const SearchSetting> SearchSettings() { return kSettings; }
 
 Message DescribeUnusedSetting(const SearchSetting& setting, std::string_view name,
                               std::string_view engine) {
-  return MakeMessage("'{0}' means nothing to the engine {1}: remove it, or use {2}",
+  return MakeMessage("'{0}' has no effect with the engine {1}: remove it, or use {2}",
                      "“{0}”对 {1} 引擎没有意义：应去掉，或使用 {3}", name, engine,
                      fmt::join(setting.engines, ", "), fmt::join(setting.engines, "、"));
 }
@@ -92,8 +92,8 @@ KeyUse UseOfKey(const KeyRule& rule, ScenarioUse use, bool explored) {
 Message DescribeRefusedKey(std::string_view key, ScenarioUse use) {
   if (use == ScenarioUse::kHost) {
     return MakeMessage(
-        "'{0}' cannot be used for a host program: 'oncard exec' takes the card, its "
-        "world and 'expect' from a scenario; remove it",
+        "'{0}' cannot be used with a host program: 'oncard exec' takes the card, its world and "
+        "'expect' from a scenario; remove it",
         "“{0}”不能用于主机程序：“oncard exec”只从场景读取控制卡、外部世界与“expect”；"
         "应去掉",
         key);
@@ -109,8 +109,8 @@ Message DescribeRefusedKey(std::string_view key, ScenarioUse use) {
         "带 [[host]] 的场景无法探索：应在启动线程时就给出主机要写入的值"};
   }
   return MakeMessage(
-      "'{0}' is about all schedules, a single run cannot look at it: use 'oncard "
-      "explore', or give the file the key 'explore' for 'oncard test'",
+      "'{0}' concerns all schedules, a single run cannot check it: use 'oncard explore', or add "
+      "the key 'explore' to the file for 'oncard test'",
       "“{0}”针对所有调度，单次运行无法检查：请用“oncard explore”，或为“oncard test”"
       "在文件中加上“explore”",
       key);

@@ -341,8 +341,8 @@ class ScenarioRunner {
 
   void ReportCut() {
     result_.warnings.push_back(
-        MakeMessage("the recording ends at {0} ms, after statement {1}: its run was interrupted "
-                    "there, and so is this one",
+        MakeMessage("the recording ends at {0} ms, after statement {1}: the recorded run was "
+                    "interrupted there, and so is this replay",
                     "录制在 {0} ms、第 {1} 条语句之后结束：录制的运行在此被中断，重放也到此为止",
                     result_.end_ms, result_.statements));
   }
@@ -362,10 +362,11 @@ class ScenarioRunner {
     if (next_write_ == writes_.size()) return;
     const PendingWrite& write = writes_[next_write_];
     const int64_t at_us = write.cycle * scenario_.cycle_us;
-    result_.warnings.push_back(MakeMessage(
-        "the run ended at {0} ms, before the host writes {1} at {2} ms: 'until_ms' lets it go on",
-        "运行在 {0} ms 结束，早于主机在 {2} ms 写入 {1}：可用“until_ms”使运行继续", result_.end_ms,
-        write.variable.name, static_cast<double>(at_us) / 1000));
+    result_.warnings.push_back(
+        MakeMessage("the run ended at {0} ms, before the host writes {1} at {2} ms: 'until_ms' "
+                    "makes it last longer",
+                    "运行在 {0} ms 结束，早于主机在 {2} ms 写入 {1}：可用“until_ms”使运行继续",
+                    result_.end_ms, write.variable.name, static_cast<double>(at_us) / 1000));
   }
 
   // True when the run has come to an end that it was meant to have.
@@ -392,7 +393,7 @@ class ScenarioRunner {
                              "调度在第 {0} 条语句之后结束，但仍有线程可运行", result_.statements));
         break;
       case RunEnd::kScheduleDiverged:
-        Fail({}, MakeMessage("the replay leaves the recorded run after statement {0}",
+        Fail({}, MakeMessage("the replay deviates from the recorded run after statement {0}",
                              "重放在第 {0} 条语句之后偏离录制的运行", result_.statements));
         break;
     }
@@ -401,11 +402,10 @@ class ScenarioRunner {
   void ReportTimeLimit() {
     if (result_.reached_until) return;
     if (controller_.machine().Quiet()) {
-      Fail({},
-           MakeMessage("the time limit of {0} ms comes before the end that 'until_ms' asks for, "
-                       "{1} ms: raise 'limit_ms'",
-                       "时间上限 {0} ms 早于“until_ms”要求的结束时刻 {1} ms：应增大“limit_ms”",
-                       scenario_.limit_ms, static_cast<double>(*scenario_.until_us) / 1000));
+      Fail({}, MakeMessage("the time limit of {0} ms is before the end required by 'until_ms', {1} "
+                           "ms: increase 'limit_ms'",
+                           "时间上限 {0} ms 早于“until_ms”要求的结束时刻 {1} ms：应增大“limit_ms”",
+                           scenario_.limit_ms, static_cast<double>(*scenario_.until_us) / 1000));
       return;
     }
     Fail({}, MakeMessage("threads still run at the time limit of {0} ms",

@@ -133,7 +133,7 @@ class ScenarioReader : private TomlKeys {
   void ReadAxisCount(const toml::table& table) {
     scenario_.axis_count = static_cast<int>(Whole(table, "axes", scenario_.axis_count, 4, 12));
     if (scenario_.axis_count % 4 != 0) {
-      Fail(table.get("axes")->source(), {"'axes' must be 4, 8 or 12: cards have that many",
+      Fail(table.get("axes")->source(), {"'axes' must be 4, 8 or 12, the sizes of the cards",
                                          "“axes”应为 4、8 或 12：控制卡的轴数"});
     }
   }
@@ -153,8 +153,7 @@ class ScenarioReader : private TomlKeys {
     start.priority = static_cast<int>(Whole(table, "priority", start.priority, -32768, 32767));
     if (table.contains("priority") && start.period_ms == 0) {
       Fail(table.get("priority")->source(),
-           {"'priority' is of a thread that is started periodically: give it a 'period_ms', or "
-            "remove 'priority'",
+           {"'priority' is only for periodic threads: add 'period_ms', or remove 'priority'",
             "“priority”只用于周期启动的线程：应加上“period_ms”，或去掉“priority”"});
     }
     for (const ThreadStart& other : scenario_.threads) {
@@ -230,7 +229,7 @@ class ScenarioReader : private TomlKeys {
   }
 
   static Message DescribeNotFollowed(std::string_view key) {
-    return MakeMessage("'{0}' means nothing where one schedule is followed: remove it",
+    return MakeMessage("'{0}' has no effect if only one schedule is followed: remove it",
                        "只跟随一个调度时“{0}”没有意义：应去掉", key);
   }
 
@@ -239,14 +238,14 @@ class ScenarioReader : private TomlKeys {
     if (node == nullptr) return;
     const toml::array* list = node->as_array();
     if (list == nullptr) {
-      Fail(node->source(), {"'expect' must be a list of texts, as in [\"sum == 5050\"]",
+      Fail(node->source(), {"'expect' must be a list of strings, as in [\"sum == 5050\"]",
                             "“expect”应为文本列表，如 [\"sum == 5050\"]"});
       return;
     }
     for (const toml::node& item : *list) {
       const auto text = item.value_exact<std::string>();
       if (!text) {
-        Fail(item.source(), {"an expectation must be a text", "期望应为文本"});
+        Fail(item.source(), {"an expectation must be a string", "期望应为文本"});
         continue;
       }
       auto expectation = ParseExpectation(*text);

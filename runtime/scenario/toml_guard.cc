@@ -125,7 +125,7 @@ class TomlScanner {
   bool AddKey() { return ++keys_ > kTomlKeyMax; }
 
   static Message NotAscii() {
-    return {"characters beyond ASCII stand in strings and comments only; put the key in quotes",
+    return {"non-ASCII characters are allowed only in strings and comments; put the key in quotes",
             "ASCII 以外的字符只能出现在字符串和注释中；请给键加上引号"};
   }
   static Message TooManyKeys() {

@@ -43,7 +43,7 @@ void TomlKeys::Text(const toml::table& table, std::string_view key, std::string&
   if (const auto text = node->value_exact<std::string>()) {
     value = *text;
   } else {
-    Fail(node->source(), MakeMessage("'{0}' must be a text", "“{0}”应为文本", key));
+    Fail(node->source(), MakeMessage("'{0}' must be a string", "“{0}”应为文本", key));
   }
 }
 
@@ -61,7 +61,7 @@ void TomlKeys::Texts(const toml::table& table, std::string_view key,
     values.push_back(*text);
   }
   if (list == nullptr) {
-    Fail(node->source(), MakeMessage("'{0}' must be a list of texts", "“{0}”应为文本列表", key));
+    Fail(node->source(), MakeMessage("'{0}' must be a list of strings", "“{0}”应为文本列表", key));
   }
 }
 

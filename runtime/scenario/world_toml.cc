@@ -113,13 +113,14 @@ class WorldReader {
     const int width = motion::DiWidth(contact.type);
     contact.index = static_cast<int>(keys_.Whole(table, "index", contact.axis, 1, width));
     if (contact.index > width) {
-      Need(table, "index", {"there is no input of the axis' number", "没有与轴号相同的输入"});
+      Need(table, "index",
+           {"there is no input with the number of the axis", "没有与轴号相同的输入"});
     }
     contact.from = Position(table, "from", contact.from);
     contact.to = Position(table, "to", contact.to);
     contact.active_low = keys_.Flag(table, "active_low", false);
     if (!table.contains("from") && !table.contains("to")) {
-      keys_.Fail(table.source(), {"'from' or 'to' is missing: the place of the switch in pulses",
+      keys_.Fail(table.source(), {"'from' or 'to' is missing: the position of the switch in pulses",
                                   "缺少“from”或“to”：开关的位置，单位脉冲"});
     } else if (contact.from > contact.to) {
       keys_.Fail(table.source(),
@@ -159,7 +160,7 @@ class WorldReader {
       Need(table, "pulses", {"the largest error of a reading", "读数的最大误差"});
     } else if (fault.kind == FaultKind::kSlip) {
       fault.amount = keys_.Number(table, "velocity", 0, -kSlipMax, kSlipMax);
-      Need(table, "velocity", {"how fast it slips, in pulse/ms", "滑移速度，单位 pulse/ms"});
+      Need(table, "velocity", {"the velocity of the slip, in pulse/ms", "滑移速度，单位 pulse/ms"});
     }
     fault.at_us = keys_.Time(table, "at_ms");
     if (table.contains("until_ms")) {
@@ -196,10 +197,10 @@ class WorldReader {
       turn.number = AuxiliaryOf(table);
     }
     turn.pulses = Position(table, "pulses", 0);
-    Need(table, "pulses", {"how far, negative for backwards", "转动的脉冲数，反向为负"});
+    Need(table, "pulses", {"the distance, negative for backwards", "转动的脉冲数，反向为负"});
     turn.at_us = keys_.Time(table, "at_ms");
     turn.until_us = keys_.Time(table, "until_ms");
-    Need(table, "until_ms", {"when it is there", "转到的时刻"});
+    Need(table, "until_ms", {"the time at which it ends", "转到的时刻"});
     CheckHand(table, turn);
     world_.hands.push_back(turn);
   }
@@ -293,7 +294,7 @@ class WorldReader {
   void Refuse(const toml::table& table, std::string_view key, bool meaningless) {
     if (!meaningless || !table.contains(key)) return;
     keys_.Fail(table.get(key)->source(),
-               MakeMessage("'{0}' means nothing here: remove it", "“{0}”在此无意义：应去掉", key));
+               MakeMessage("'{0}' has no effect here: remove it", "“{0}”在此无意义：应去掉", key));
   }
 
   int AxisOf(const toml::table& table) {

@@ -11,32 +11,37 @@ Message DescribeHappening(const motion::Happening& happening) {
   switch (happening.kind) {
     case HappeningKind::kPositiveLimitSwitch:
       return MakeMessage(
-          "axis {0} met its positive limit switch at {1}: no motion that way until GT_ClrSts",
+          "axis {0} reached its positive limit switch at {1}: no motion in that direction until "
+          "GT_ClrSts",
           "轴 {0} 在 {1} 处触发正限位开关：调用 GT_ClrSts 前不能向该方向运动", item, value);
     case HappeningKind::kNegativeLimitSwitch:
       return MakeMessage(
-          "axis {0} met its negative limit switch at {1}: no motion that way until GT_ClrSts",
+          "axis {0} reached its negative limit switch at {1}: no motion in that direction until "
+          "GT_ClrSts",
           "轴 {0} 在 {1} 处触发负限位开关：调用 GT_ClrSts 前不能向该方向运动", item, value);
     case HappeningKind::kPositiveSoftLimit:
       return MakeMessage(
-          "axis {0} passed its positive soft limit {2} at {1}: no motion that way until GT_ClrSts",
+          "axis {0} passed its positive soft limit {2} at {1}: no motion in that direction until "
+          "GT_ClrSts",
           "轴 {0} 在 {1} 处越过正软限位 {2}：调用 GT_ClrSts 前不能向该方向运动", item, value,
           bound);
     case HappeningKind::kNegativeSoftLimit:
       return MakeMessage(
-          "axis {0} passed its negative soft limit {2} at {1}: no motion that way until GT_ClrSts",
+          "axis {0} passed its negative soft limit {2} at {1}: no motion in that direction until "
+          "GT_ClrSts",
           "轴 {0} 在 {1} 处越过负软限位 {2}：调用 GT_ClrSts 前不能向该方向运动", item, value,
           bound);
     case HappeningKind::kAlarm:
       return MakeMessage("the drive of axis {0} reports an alarm at {1}: it is switched off",
                          "轴 {0} 在 {1} 处驱动器报警：关闭伺服使能", item, value);
     case HappeningKind::kSmoothStopInput:
-      return MakeMessage("axis {0} met its smooth stop input at {1}: no motion until GT_ClrSts",
-                         "轴 {0} 在 {1} 处触发平滑停止输入：调用 GT_ClrSts 前不能运动", item,
-                         value);
+      return MakeMessage(
+          "axis {0} was stopped by its smooth stop input at {1}: no motion until GT_ClrSts",
+          "轴 {0} 在 {1} 处触发平滑停止输入：调用 GT_ClrSts 前不能运动", item, value);
     case HappeningKind::kAbruptStopInput:
-      return MakeMessage("axis {0} met its abrupt stop input at {1}: no motion until GT_ClrSts",
-                         "轴 {0} 在 {1} 处触发急停输入：调用 GT_ClrSts 前不能运动", item, value);
+      return MakeMessage(
+          "axis {0} was stopped by its abrupt stop input at {1}: no motion until GT_ClrSts",
+          "轴 {0} 在 {1} 处触发急停输入：调用 GT_ClrSts 前不能运动", item, value);
     case HappeningKind::kFollowingError:
       return MakeMessage(
           "axis {0} has a following error of {1}, its limit is {2} (GT_SetPosErr): the drive is "
@@ -45,8 +50,8 @@ Message DescribeHappening(const motion::Happening& happening) {
           bound);
     case HappeningKind::kEncoderSilent:
       return MakeMessage(
-          "the encoder of axis {0} gives {1} pulse/ms under voltage, GT_SetEncResponseCheck "
-          "expects {2}: the drive is switched off",
+          "the encoder of axis {0} measures only {1} pulse/ms while the motor is driven, "
+          "GT_SetEncResponseCheck expects {2}: the drive is switched off",
           "轴 {0} 有输出而编码器速度仅为 {1} pulse/ms，GT_SetEncResponseCheck 要求 "
           "{2}：关闭伺服使能",
           item, value, bound);
@@ -57,7 +62,7 @@ Message DescribeHappening(const motion::Happening& happening) {
           "轴 {0} 的龙门同步误差为 {1}，超过 GT_SetGantryErrLmt 设定的极限 {2}：关闭两轴使能", item,
           value, bound);
     case HappeningKind::kHeldAtLimit:
-      return MakeMessage("profile {0} is held at {1}: it was to move into a latched limit",
+      return MakeMessage("profile {0} is held at {1}: it would move towards a latched limit",
                          "规划器 {0} 停在 {1}：其运动方向上的限位已锁存", item, value);
     case HappeningKind::kStarved:
       return MakeMessage(
@@ -68,23 +73,23 @@ Message DescribeHappening(const motion::Happening& happening) {
           item, value);
     case HappeningKind::kEndedMoving:
       return MakeMessage(
-          "coordinate system {0} stops at once from {1} pulse/ms: the FIFO is empty and the last "
-          "segment has velEnd, append segments sooner or end with velEnd 0",
+          "coordinate system {0} stops at once from {1} pulse/ms: the FIFO is empty and velEnd of "
+          "the last segment is not 0, append segments sooner or end with velEnd 0",
           "坐标系 {0} 从 {1} pulse/ms 立即停止：FIFO 已空而最后一段的 velEnd 不为 "
           "0，请及时写入插补段或以 velEnd 0 结束",
           item, value);
     case HappeningKind::kMoveStopped:
       return MakeMessage(
           "coordinate system {0} pauses: axis {2} of a modal GT_BufMove was stopped at {1}, "
-          "GT_CrdStart goes on with it",
+          "GT_CrdStart continues the move",
           "坐标系 {0} 暂停：模态 GT_BufMove 的轴 {2} 在 {1} 处被停止，GT_CrdStart 将继续该运动",
           item, value, bound + 1);
     case HappeningKind::kCornerLimited:
       break;
   }
   return MakeMessage(
-      "coordinate system {0} passes the corner before this segment at {1} of {2} pulse/ms at most, "
-      "as T and accMax of GT_InitLookAhead say",
+      "coordinate system {0} passes the corner before this segment with at most {1} of {2} "
+      "pulse/ms, limited by T and accMax of GT_InitLookAhead",
       "坐标系 {0} 以不超过 {1} pulse/ms（指令为 {2}）通过该段之前的拐角，由 GT_InitLookAhead 的 T "
       "与 accMax 决定",
       item, value, bound);

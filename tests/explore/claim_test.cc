@@ -43,7 +43,7 @@ TEST(ClaimTest, ListsWhatWasAskedOfAProgram) {
             "         no data race; synchronising: g\n"
             "program  program.c, object HASH\n"
             "         threads 0 t0, 1 t1\n"
-            "assumes  any thread may take the next statement; no time passes\n"
+            "assumes  any thread may execute the next statement; no time passes\n"
             "bounds   none: every schedule was searched\n"
             "by       oncard VERSION, engine stateful\n");
 }
@@ -60,10 +60,10 @@ TEST(ClaimTest, ListsTheConditionsOfACard) {
             "program    program.c, object HASH\n"
             "           scenario test.toml, HASH\n"
             "           threads 0 t0\n"
-            "assumes    any thread may take the next statement, each one gets at least one in "
-            "every cycle\n"
+            "assumes    any thread may execute the next statement, and each executes at least one "
+            "in every cycle\n"
             "           rate 8 statements per ms, cycle 500 us, 4 axes\n"
-            "           world: ideal drives, inputs off, nothing happens\n"
+            "           world: ideal drives, inputs off, no events\n"
             "bounds     the first 1 ms\n"
             "by         oncard VERSION, engine stateful\n");
 }
@@ -89,8 +89,9 @@ TEST(ClaimTest, BoundsAreThoseOfTheEngine) {
   }
   const Json merged =
       JsonOf(FindingsOf(source, {.engine = EngineKind::kStateful, .merge_private = true}));
-  EXPECT_EQ(merged["bounds"],
-            Json::array({"statements that touch no global go with the one before them"}));
+  EXPECT_EQ(
+      merged["bounds"],
+      Json::array({"statements that access no global are combined with the one before them"}));
 }
 
 TEST(ClaimTest, AWorldIsNamedByItsHash) {
@@ -108,11 +109,11 @@ TEST(ClaimTest, WithoutARequirementTheResultsAreShown) {
   for (const EngineKind engine : {EngineKind::kAuto, EngineKind::kDpor, EngineKind::kStateful}) {
     const std::string text = TextOf(FindingsOf(kTakeANumber, {.engine = engine}));
     EXPECT_NE(text.find("not asked  the results, data races\n"), std::string::npos) << text;
-    EXPECT_NE(text.find("nothing was asked of the results; 3 different ones were found:\n"
+    EXPECT_NE(text.find("there is no requirement on the results; 3 different ones were found:\n"
                         "  next = 2, ret0 = 1, ret1 = 2\n"
                         "  next = 2, ret0 = 2, ret1 = 1\n"
                         "  next = 2, ret0 = 2, ret1 = 2\n"
-                        "ask for the one that is meant with a line in the source, for example\n"
+                        "require the intended one with a line in the source, for example\n"
                         "  //@ final: next == 2\n"),
               std::string::npos)
         << text;

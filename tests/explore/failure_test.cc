@@ -41,8 +41,8 @@ TEST(FailureTest, ADecisionOnWhatNoLongerHolds) {
       "  return 0;\n}\n"
       "int t1() {\n  stop = 1;\n  moves = 0;\n  return 0;\n}\n");
   EXPECT_EQ(told.actual, "moves is 1, expected 0");
-  EXPECT_TRUE(told.culprit.starts_with("thread 0 went on to step ")) << told.culprit;
-  EXPECT_NE(told.culprit.find("because it had read stop = 0 at step 1; thread 1 had made it 1"),
+  EXPECT_TRUE(told.culprit.starts_with("thread 0 continued to step ")) << told.culprit;
+  EXPECT_NE(told.culprit.find("because it had read stop = 0 at step 1; thread 1 had set it to 1"),
             std::string::npos)
       << told.culprit;
 }

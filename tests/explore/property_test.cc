@@ -80,12 +80,13 @@ TEST_F(PropertyTest, DeepAndLongTextsAreRefused) {
            std::string(static_cast<size_t>(count), ')');
   };
   EXPECT_TRUE(Holds((nested(Property::kNestingMax) + " == 6").c_str()));
-  EXPECT_NE(Error(nested(Property::kNestingMax + 1).c_str()).find("too deep"), std::string::npos);
+  EXPECT_NE(Error(nested(Property::kNestingMax + 1).c_str()).find("nested too deeply"),
+            std::string::npos);
   for (const char* prefix : {"(", "!", "-", "!("}) {
     std::string text;
     for (int i = 0; i < 100'000; ++i) text += prefix;
     const std::string error = Error((text + "x").c_str());
-    EXPECT_NE(error.find("too deep: at most 100"), std::string::npos) << prefix;
+    EXPECT_NE(error.find("nested too deeply: at most 100"), std::string::npos) << prefix;
     EXPECT_LT(error.size(), 200u);
   }
   std::string sum = "x";

@@ -36,8 +36,7 @@ TEST(ReportTest, AFailureIsATableOfThreads) {
           "        thread 0 t0                         thread 1 t1\n"
           "     1     5  t = x;   [x = 0]   t: 0 -> 0\n"
           "     2                                        12  t = x;   [x = 0]   t: 0 -> 0   <- "
-          "from "
-          "here on every end is bad\n"
+          "from here on every continuation fails\n"
           "     4                                        14  x = t;   x: 0 -> 1\n"
           "     7     7  x = t;   x: 1 -> 1\n"
           "statements that touch nothing shared are left out: 4 (--full shows them)\n");

@@ -47,21 +47,22 @@ TEST_F(SearchCheck, ResultsThatTheProgramCannotHave) {
   // The program has one global and two threads.
   file_.traces.ends = {};
   file_.traces.ends.Add({1, 2});
-  EXPECT_EQ(Error(), "results[0]: 2 values, the program has 3; explore anew");
+  EXPECT_EQ(Error(), "results[0]: 2 values, the program has 3; explore again");
 }
 
 TEST_F(SearchCheck, AThreadThatThereIsNot) {
   for (const int thread : {2, 31}) {
     frames_->front().plans.front().thread = static_cast<uint8_t>(thread);
     EXPECT_EQ(Error(), "units[0].frames[0].plans: thread " + std::to_string(thread) +
-                           " of the search cannot take a step there; explore anew");
+                           " of the search cannot execute a step there; explore again");
   }
   unit() = {{0, 1, 7}, {}};
-  EXPECT_EQ(Error(),
-            "units[0].prefix[2]: thread 7 of the search cannot take a step there; explore anew");
+  EXPECT_EQ(
+      Error(),
+      "units[0].prefix[2]: thread 7 of the search cannot execute a step there; explore again");
   unit() = {{0}, {1, 2}};
   EXPECT_EQ(Error(),
-            "units[0].sleep: thread 2 of the search cannot take a step there; explore anew");
+            "units[0].sleep: thread 2 of the search cannot execute a step there; explore again");
   unit() = {{}, {}, {{.sleep = {9}, .plans = {{0, 0}}}}};
   EXPECT_NE(Error().find("units[0].frames[0].sleep: thread 9"), std::string::npos);
 }
@@ -82,9 +83,10 @@ TEST_F(SearchCheck, PlansThatAreNoTrees) {
     return Error();
   };
   EXPECT_EQ(with_plans({{0, 1}, {1, 0}, {1, 0}}), "");
-  EXPECT_NE(with_plans({}).find("no list of plans"), std::string::npos);
-  EXPECT_NE(with_plans({{0, 1}}).find("no list of plans"), std::string::npos);
-  EXPECT_NE(with_plans({{0, 4'000'000'000}, {1, 0}}).find("no list of plans"), std::string::npos);
+  EXPECT_NE(with_plans({}).find("not a list of plans"), std::string::npos);
+  EXPECT_NE(with_plans({{0, 1}}).find("not a list of plans"), std::string::npos);
+  EXPECT_NE(with_plans({{0, 4'000'000'000}, {1, 0}}).find("not a list of plans"),
+            std::string::npos);
   EXPECT_NE(with_plans({{0, 1}, {0, 1}, {0, 1}, {0, 1}, {0, 0}}).find("thread 0"),
             std::string::npos);
 }
@@ -93,7 +95,7 @@ TEST_F(SearchCheck, RacesWithWhatIsNotEarlier) {
   for (size_t i = 0; i < frames_->size(); ++i) {
     const SavedFrame kept = (*frames_)[i];
     (*frames_)[i].races = {static_cast<uint32_t>(i)};
-    EXPECT_NE(Error().find(".races: " + std::to_string(i) + " is no earlier step"),
+    EXPECT_NE(Error().find(".races: " + std::to_string(i) + " is not an earlier step"),
               std::string::npos);
     (*frames_)[i].races = {UINT32_MAX};
     EXPECT_NE(Error().find(".races: 4294967295"), std::string::npos);
@@ -126,7 +128,7 @@ TEST_F(SearchCheck, RunsThatDoNotFail) {
   // One thread after the other: no addition is lost.
   file_.traces.failing = std::vector<uint8_t>(7, 0);
   file_.traces.failing.insert(file_.traces.failing.end(), 7, 1);
-  EXPECT_EQ(Error(), "failing: nothing goes wrong in this run; explore anew");
+  EXPECT_EQ(Error(), "failing: this run does not fail; explore again");
   file_.traces.failing.clear();
   EXPECT_NE(Error(), "");
   file_.traces.failing = failing;

@@ -158,8 +158,8 @@ INSTANTIATE_TEST_SUITE_P(
                  "1000000000000000"},
         BadValue{"/traces/too_deep", "0", "'traces.too_deep' is 0: expected true or false"},
         BadValue{"/traces/globals", "[\"xyz\"]",
-                 "'traces.globals[0]' is \"xyz\": expected 32 hexadecimal digits, after the ones "
-                 "before it"},
+                 "'traces.globals[0]' is \"xyz\": expected 32 hexadecimal digits, greater than the "
+                 "previous ones"},
         BadValue{"/traces/failing", "[255]",
                  "'traces.failing[0]' is 255: expected a whole number from 0 to 31"},
         BadValue{"/samples/depth", "65",
@@ -183,10 +183,10 @@ TEST(SearchFileTest, DeepFilesAreRefused) {
     for (int i = 0; i < 60'000; ++i) text += open;
     const auto read = ParseSearchFile(text);
     ASSERT_FALSE(read.ok());
-    EXPECT_NE(read.error().message.en.find("nests more than 16 deep"), std::string::npos);
+    EXPECT_NE(read.error().message.en.find("nested more than 16 deep"), std::string::npos);
   }
   const auto quoted = ParseSearchFile("{\"kind\": \"" + std::string(100, '[') + "\\\"[[\"}");
-  EXPECT_NE(quoted.error().message.en.find("this is no file of a search: expected"),
+  EXPECT_NE(quoted.error().message.en.find("this is not a search file: expected"),
             std::string::npos);
 }
 

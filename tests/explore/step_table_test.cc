@@ -80,7 +80,7 @@ TEST_F(StepTableTest, NamedStepsAreNeverHidden) {
   const std::string text = TextTable(view, 0, Language::kEnglish);
   EXPECT_NE(text.find("     3     8  i = i + 1;"), std::string::npos) << text;
   EXPECT_NE(text.find("    82     7  sum = sum + i;   [sum = 190]   sum: 190 -> 210   <- from here "
-                      "on every end is bad"),
+                      "on every continuation fails"),
             std::string::npos)
       << text;
 }

@@ -101,7 +101,7 @@ TEST(AdaptSchedule, SaysWhereItCannotFollow) {
   const auto adapted = AdaptSchedule(TwoThreads(), Compiled(source), source, Annotated());
   EXPECT_EQ(adapted.value().followed, 0u);
   EXPECT_EQ(adapted.value().divergence->en,
-            "thread 0 no longer comes to 'g = r + 1;' (line 6 of the old program)");
+            "thread 0 no longer reaches 'g = r + 1;' (line 6 of the old program)");
   EXPECT_EQ(ReplayOf(source, adapted.value()), "2");
 }
 

@@ -62,14 +62,14 @@ TEST(Happening, ASoftLimitIsSaidOnce) {
   card.core.state().axes[0].soft_positive = 95;
   card.Jog(0, 10);
   card.Ticks(100);
-  EXPECT_EQ(card.said, (Lines{"axis 1 passed its positive soft limit 95 at 99.95: no motion that "
-                              "way until GT_ClrSts"}));
+  EXPECT_EQ(card.said, (Lines{"axis 1 passed its positive soft limit 95 at 99.95: no motion in "
+                              "that direction until GT_ClrSts"}));
   card.core.state().axes[1].soft_negative = -5;
   card.said.clear();
   card.Jog(1, -1000);
   card.Ticks(10);
-  EXPECT_EQ(card.said, (Lines{"axis 2 passed its negative soft limit -5 at -500: no motion that "
-                              "way until GT_ClrSts"}));
+  EXPECT_EQ(card.said, (Lines{"axis 2 passed its negative soft limit -5 at -500: no motion in that "
+                              "direction until GT_ClrSts"}));
 }
 
 TEST(Happening, InputsThatStopAnAxis) {
@@ -79,13 +79,16 @@ TEST(Happening, InputsThatStopAnAxis) {
   };
   const Case cases[] = {
       {motion::DiType::kLimitPositive,
-       "axis 1 met its positive limit switch at 0: no motion that way until GT_ClrSts"},
+       "axis 1 reached its positive limit switch at 0: no motion in that direction until "
+       "GT_ClrSts"},
       {motion::DiType::kLimitNegative,
-       "axis 1 met its negative limit switch at 0: no motion that way until GT_ClrSts"},
+       "axis 1 reached its negative limit switch at 0: no motion in that direction until "
+       "GT_ClrSts"},
       {motion::DiType::kAlarm, "the drive of axis 1 reports an alarm at 0: it is switched off"},
-      {motion::DiType::kGpi, "axis 1 met its smooth stop input at 0: no motion until GT_ClrSts"},
+      {motion::DiType::kGpi,
+       "axis 1 was stopped by its smooth stop input at 0: no motion until GT_ClrSts"},
       {motion::DiType::kArrive,
-       "axis 1 met its abrupt stop input at 0: no motion until GT_ClrSts"}};
+       "axis 1 was stopped by its abrupt stop input at 0: no motion until GT_ClrSts"}};
   for (const Case& c : cases) {
     TalkingCard card;
     card.core.state().axes[0].smooth_stop = {motion::DiType::kGpi, 0};
@@ -123,7 +126,7 @@ TEST(Happening, ASlaveThatIsHeld) {
   slave.StartGear({});
   card.Jog(0, 10);
   card.Ticks(10);
-  EXPECT_EQ(card.said, (Lines{"profile 2 is held at 0: it was to move into a latched limit"}));
+  EXPECT_EQ(card.said, (Lines{"profile 2 is held at 0: it would move towards a latched limit"}));
 }
 
 TEST(Happening, APathThatRunsDryAndAPathThatWaits) {
@@ -132,9 +135,10 @@ TEST(Happening, APathThatRunsDryAndAPathThatWaits) {
   ASSERT_TRUE(card.Line({1000, 0}, 5));
   card.core.StartCrd(0, 0, false);
   card.Ticks(200);
-  EXPECT_EQ(card.said, (Lines{"coordinate system 1 stops at once from 5 pulse/ms: the FIFO is "
-                              "empty and the last segment has velEnd, append segments sooner or "
-                              "end with velEnd 0"}));
+  EXPECT_EQ(
+      card.said,
+      (Lines{"coordinate system 1 stops at once from 5 pulse/ms: the FIFO is empty and velEnd of "
+             "the last segment is not 0, append segments sooner or end with velEnd 0"}));
   card.said.clear();
   motion::PathSlot move;
   move.command = {motion::BufferedKind::kMove, 4, 1, {1000, 10, 1}};
@@ -163,9 +167,9 @@ TEST(Happening, WhatLookAheadDoes) {
   // A right angle: 1 * 5 / (2 sin 45 degrees).
   ASSERT_TRUE(card.Line({1000, 1000}, 0));
   ASSERT_EQ(card.said.size(), 1u);
-  EXPECT_EQ(card.said[0].substr(0, 72),
-            "coordinate system 1 passes the corner before this segment at 3.535533905");
-  EXPECT_NE(card.said[0].find(" of 100 pulse/ms at most"), std::string::npos);
+  EXPECT_EQ(card.said[0].substr(0, 82),
+            "coordinate system 1 passes the corner before this segment with at most 3.535533905");
+  EXPECT_NE(card.said[0].find(" of 100 pulse/ms, limited by"), std::string::npos);
   // Straight on: no corner.
   ASSERT_TRUE(card.Line({1000, 3000}, 0));
   ASSERT_EQ(card.said.size(), 1u);

@@ -172,7 +172,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "s.toml:4:1: unknown key 'pag'; did you mean 'page'?"},
         BadCase{"program = \"p.c\"\n[[world.input]]\nvalue = 1\nwhen = 5\n",
                 "s.toml:4:1: unknown key 'when': expected one of type, index, value, at_ms"},
-        BadCase{"program = 5\n", "s.toml:1:11: 'program' must be a text"},
+        BadCase{"program = 5\n", "s.toml:1:11: 'program' must be a string"},
         BadCase{"program = \"p.c\"\nrate = 0\n",
                 "s.toml:2:8: 'rate' must be a whole number from 1 to 1000000"},
         BadCase{"program = \"p.c\"\nrate = 1.5\n",
@@ -189,7 +189,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{"program = \"p.c\"\nexplore = { engin = \"dpor\" }\n",
                 "s.toml:2:13: unknown key 'engin'; did you mean 'engine'?"},
         BadCase{"program = \"p.c\"\nexpect = \"x == 1\"\n",
-                "s.toml:2:10: 'expect' must be a list of texts, as in [\"sum == 5050\"]"},
+                "s.toml:2:10: 'expect' must be a list of strings, as in [\"sum == 5050\"]"},
         BadCase{"program = \"p.c\"\nglobals = 3\n",
                 "s.toml:2:11: 'globals' must be a table, as in [globals]"},
         BadCase{"program = \"p.c\"\n[globals]\nx = \"1\"\n",
@@ -202,22 +202,23 @@ TEST(ParseScenario, ShowsEverythingThatIsWrongInItsPlace) {
             0u);
   EXPECT_EQ(ErrorsOf("expect = [\"x == 1\", \"x =\", 5]\nrate = 0 # 轴\nrat = 5\n"
                      "globals = { 轴 = 1 }\n")
-                .rfind("s.toml:4:13: characters beyond ASCII stand in strings", 0),
+                .rfind("s.toml:4:13: non-ASCII characters are allowed only in strings", 0),
             0u);
-  EXPECT_EQ(ErrorsOf("program = \"轴.c\"\nexpect = [\"轴 == 1\", 5]\nrate = 0\nrat = 5\n"),
-            "s.toml:2:11: in the expectation '轴 == 1': on the left stands a name; it should look "
-            "like 'sum == 5050 @ 10ms'\n"
-            "    2 | expect = [\"轴 == 1\", 5]\n"
-            "      |           ^~~~~~~~~\n"
-            "s.toml:2:21: an expectation must be a text\n"
-            "    2 | expect = [\"轴 == 1\", 5]\n"
-            "      |                      ^\n"
-            "s.toml:3:8: 'rate' must be a whole number from 1 to 1000000\n"
-            "    3 | rate = 0\n"
-            "      |        ^\n"
-            "s.toml:4:1: unknown key 'rat'; did you mean 'rate'?\n"
-            "    4 | rat = 5\n"
-            "      | ^~~");
+  EXPECT_EQ(
+      ErrorsOf("program = \"轴.c\"\nexpect = [\"轴 == 1\", 5]\nrate = 0\nrat = 5\n"),
+      "s.toml:2:11: in the expectation '轴 == 1': the left side must be a name; it should look "
+      "like 'sum == 5050 @ 10ms'\n"
+      "    2 | expect = [\"轴 == 1\", 5]\n"
+      "      |           ^~~~~~~~~\n"
+      "s.toml:2:21: an expectation must be a string\n"
+      "    2 | expect = [\"轴 == 1\", 5]\n"
+      "      |                      ^\n"
+      "s.toml:3:8: 'rate' must be a whole number from 1 to 1000000\n"
+      "    3 | rate = 0\n"
+      "      |        ^\n"
+      "s.toml:4:1: unknown key 'rat'; did you mean 'rate'?\n"
+      "    4 | rat = 5\n"
+      "      | ^~~");
 }
 
 TEST(ParseScenario, ShowsSoManyErrorsAndCountsTheRest) {
@@ -229,21 +230,21 @@ TEST(ParseScenario, ShowsSoManyErrorsAndCountsTheRest) {
 
 TEST(ParseScenario, RefusesAPriorityThatNothingUses) {
   EXPECT_EQ(ErrorOf("program = \"p.c\"\n[[thread]]\nfunction = \"f\"\npriority = 1\n")
-                .rfind("s.toml:4:12: 'priority' is of a thread that is started periodically", 0),
+                .rfind("s.toml:4:12: 'priority' is only for periodic threads", 0),
             0u);
 }
 
 TEST(ParseScenario, RefusesWhatACommandCannotUse) {
   const std::string races = "program = \"p.c\"\nraces = \"none\"\n";
   EXPECT_EQ(
-      ErrorsOf(races, ScenarioUse::kRun).rfind("s.toml:2:1: 'races' is about all schedules", 0),
+      ErrorsOf(races, ScenarioUse::kRun).rfind("s.toml:2:1: 'races' concerns all schedules", 0),
       0u);
   EXPECT_EQ(ErrorsOf(races, ScenarioUse::kTest), ErrorsOf(races, ScenarioUse::kRun));
   EXPECT_EQ(ErrorsOf(races + "explore = \"prove\"\n", ScenarioUse::kTest), "no error");
   EXPECT_EQ(ErrorsOf(races, ScenarioUse::kExplore), "no error");
   EXPECT_EQ(ErrorsOf("expect = []\n", ScenarioUse::kHost), "no error");
   EXPECT_EQ(ErrorsOf("final = []\n", ScenarioUse::kHost)
-                .rfind("s.toml:1:1: 'final' cannot be used for a host program", 0),
+                .rfind("s.toml:1:1: 'final' cannot be used with a host program", 0),
             0u);
 }
 
@@ -270,20 +271,20 @@ INSTANTIATE_TEST_SUITE_P(
         UnusedSetting{"max_executions = 9", "no error"},
         UnusedSetting{"engine = \"pct\", runs = 9", "no error"},
         UnusedSetting{"engine = \"dpor\", max_states = 9",
-                      "s.toml:2:43: 'max_states' means nothing to the engine dpor: remove it, or "
+                      "s.toml:2:43: 'max_states' has no effect with the engine dpor: remove it, or "
                       "use auto, stateful, bounded"},
         UnusedSetting{"engine = \"stateful\", max_executions = 9",
-                      "s.toml:2:51: 'max_executions' means nothing to the engine stateful: remove "
-                      "it, or use auto, dpor"},
+                      "s.toml:2:51: 'max_executions' has no effect with the engine stateful: "
+                      "remove it, or use auto, dpor"},
         UnusedSetting{"runs = 9",
-                      "s.toml:2:20: 'runs' means nothing to the engine auto: remove it, or use "
+                      "s.toml:2:20: 'runs' has no effect with the engine auto: remove it, or use "
                       "random, pct, pos"},
-        UnusedSetting{"follow = \"x\", runs = 9",
-                      "s.toml:2:34: 'runs' means nothing where one schedule is followed: remove "
-                      "it"},
-        UnusedSetting{"follow = \"x\", engine = \"dpor\"",
-                      "s.toml:2:36: 'engine' means nothing where one schedule is followed: remove "
-                      "it"}));
+        UnusedSetting{
+            "follow = \"x\", runs = 9",
+            "s.toml:2:34: 'runs' has no effect if only one schedule is followed: remove it"},
+        UnusedSetting{
+            "follow = \"x\", engine = \"dpor\"",
+            "s.toml:2:36: 'engine' has no effect if only one schedule is followed: remove it"}));
 
 TEST(ParseScenario, SaysWhatIsMissing) {
   EXPECT_NE(ErrorOf("rate = 5\n").find("'program' is missing"), std::string::npos);

@@ -145,16 +145,16 @@ TEST(RunScenario, FailsWhenTheLimitComesBeforeTheEndThatIsAskedFor) {
   EXPECT_EQ(result.end, RunEnd::kTimeLimit);
   ASSERT_EQ(result.failures.size(), 1u);
   EXPECT_EQ(result.failures[0].message.en,
-            "the time limit of 20 ms comes before the end that 'until_ms' asks for, 30 ms: raise "
+            "the time limit of 20 ms is before the end required by 'until_ms', 30 ms: increase "
             "'limit_ms'");
 }
 
 TEST(RunScenario, SaysThatTheHostCameTooLate) {
   const ScenarioResult result = RunForTest(kCount, "[[host]]\nat_ms = 10\nset = { n = 1 }\n");
   ASSERT_EQ(result.warnings.size(), 1u);
-  EXPECT_EQ(
-      result.warnings[0].en,
-      "the run ended at 0.25 ms, before the host writes n at 10 ms: 'until_ms' lets it go on");
+  EXPECT_EQ(result.warnings[0].en,
+            "the run ended at 0.25 ms, before the host writes n at 10 ms: 'until_ms' makes it last "
+            "longer");
 }
 
 TEST(RunScenario, StopsWhenItIsToldAndKeepsWhatItHas) {
@@ -281,8 +281,8 @@ TEST(RunScenario, ReplaysARecordingThatWasCutOffToWhereItWas) {
     EXPECT_EQ(second.end_ms, first.end_ms);
     ASSERT_EQ(second.warnings.size(), 1u);
     EXPECT_EQ(second.warnings[0].en,
-              fmt::format("the recording ends at 250 ms, after statement {}: its run was "
-                          "interrupted there, and so is this one",
+              fmt::format("the recording ends at 250 ms, after statement {}: the recorded run was "
+                          "interrupted there, and so is this replay",
                           first.statements));
   }
 }

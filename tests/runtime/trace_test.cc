@@ -137,7 +137,7 @@ TEST(Trace, MarksWhatTheCardDoesByItself) {
       const char* event :
       {R"({"name":"the drive of axis 1 reports an alarm at 0: it is switched off","cat":"card",)"
        R"("ph":"i","s":"p","pid":1,"tid":32,"ts":0})",
-       R"({"name":"axis 2 met its positive limit switch at 0: no motion that way until GT_ClrSts",)"
+       R"({"name":"axis 2 reached its positive limit switch at 0: no motion in that direction until GT_ClrSts",)"
        R"("cat":"card","ph":"i","s":"p","pid":1,"tid":32,"ts":1750})"}) {
     EXPECT_NE(json.find(event), std::string::npos) << event << '\n' << json;
   }

@@ -213,8 +213,8 @@ TEST(Exec, AHostThatGoesOnAskingForKeysFails) {
     EXPECT_EQ(result.exit_code, 121);
     EXPECT_EQ(result.out, options.empty() ? "begins\n" : "begins\na\n");
     EXPECT_EQ(result.err,
-              "oncard: the host has asked 1000 times for a key after the last one; give the keys "
-              "that it ends with (--keys, ONCARD_KEYS or the scenario)\n");
+              "oncard: the host has asked 1000 times for a key after the last one; add the keys "
+              "that make it end (--keys, ONCARD_KEYS or the scenario)\n");
   }
 }
 
@@ -320,7 +320,7 @@ TEST(Exec, SaysThatAHostHasTheVendorsHeaderOfSeveralCards) {
     const ProcessResult result = Exec({}, {Client("vendor_multi"), c.cards, c.tries});
     EXPECT_EQ(result.out, c.code) << c.cards << c.tries;
     EXPECT_EQ(result.err.rfind(std::string("oncard: ") + c.command +
-                               " was called with what looks like a card's number"),
+                               " seems to have been called with a card number"),
               0u)
         << c.cards << c.tries << result.err;
   }
@@ -385,7 +385,7 @@ TEST_P(ExecKeyTest, IsRefusedInAScenarioOfAHost) {
   const std::string scenario = folder.Write("s.toml", GetParam());
   const ProcessResult result = Exec({"--scenario=" + scenario}, {Client("watched"), "0"});
   EXPECT_EQ(result.exit_code, 3);
-  EXPECT_NE(result.err.find("cannot be used for a host program"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("cannot be used with a host program"), std::string::npos) << result.err;
 }
 
 INSTANTIATE_TEST_SUITE_P(Keys, ExecKeyTest,

@@ -97,7 +97,7 @@ TEST(Explore, ASearchEndsWhenItsTimeIsOver) {
   scratch.Write("large.c", large);
   const ProcessResult late = RunOncard({"explore", "large.c", "--time=0.2"}, scratch.path());
   EXPECT_EQ(late.exit_code, 6) << late.err;
-  EXPECT_TRUE(late.out.starts_with("INCOMPLETE\nits time was over\n")) << late.out;
+  EXPECT_TRUE(late.out.starts_with("INCOMPLETE\nthe time limit was reached\n")) << late.out;
   EXPECT_NE(late.err.find("to continue: oncard explore large.search"), std::string::npos)
       << late.err;
   // A search that is there already is not lost to the next one.
@@ -147,7 +147,7 @@ TEST_P(ExploreSetting, ThatTheEngineCannotUseIsRefused) {
   EXPECT_EQ(refused.exit_code, 2);
   const std::string text(option);
   const std::string expected = "oncard: '" + text.substr(0, text.find('=')) +
-                               "' means nothing to the engine " + engine + ": remove it, or use ";
+                               "' has no effect with the engine " + engine + ": remove it, or use ";
   EXPECT_TRUE(refused.err.starts_with(expected)) << refused.err;
 }
 
@@ -168,7 +168,8 @@ TEST(Explore, ASearchFileHasAnEngineToo) {
   const ProcessResult refused =
       RunOncard({"explore", "p.c", "--search=p.search", "--max-states=5"}, scratch.path());
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_NE(refused.err.find("'--max-states' means nothing to the engine dpor"), std::string::npos)
+  EXPECT_NE(refused.err.find("'--max-states' has no effect with the engine dpor"),
+            std::string::npos)
       << refused.err;
 }
 
@@ -237,7 +238,7 @@ TEST(Explore, TakesScenarios) {
   const ProcessResult late =
       explore("program = \"p.c\"\nuntil_ms = 3\nexpect = [\"g >= 1 @ 5ms\"]\n");
   EXPECT_EQ(late.exit_code, 2);
-  EXPECT_NE(late.err.find("after the end of the run"), std::string::npos) << late.err;
+  EXPECT_NE(late.err.find("later than the end of the run"), std::string::npos) << late.err;
   EXPECT_EQ(explore("program = \"p.c\"\nnever = [\"g == 2 && ret0 == 1\"]\n").exit_code, 0);
 }
 

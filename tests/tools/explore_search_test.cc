@@ -208,7 +208,7 @@ TEST_F(ExploreSearch, AHostileFileIsRefused) {
   scratch_.Write("kept.search", std::string(60'000, '['));
   const ProcessResult deep = Explore({"kept.search"});
   EXPECT_EQ(deep.exit_code, 3);
-  EXPECT_NE(deep.err.find("nests more than 16 deep"), std::string::npos) << deep.err;
+  EXPECT_NE(deep.err.find("nested more than 16 deep"), std::string::npos) << deep.err;
 }
 
 TEST_F(ExploreSearch, AProgramWithItsCardCannotBeSplit) {

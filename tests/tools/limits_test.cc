@@ -181,7 +181,7 @@ INSTANTIATE_TEST_SUITE_P(
                   "past.toml:100001:1: a file has at most 100000 keys"},
         // A letter that toml++ 3.3 has undefined behaviour for.
         TomlBound{"letters", "\"\xD1\x9C\" = 1 # \xD1\x9C\n", "\xD1\x9C = 1\n",
-                  "past.toml:1:1: characters beyond ASCII stand in strings and comments only"}));
+                  "past.toml:1:1: non-ASCII characters are allowed only in strings and comments"}));
 
 }  // namespace
 }  // namespace oncard::tools

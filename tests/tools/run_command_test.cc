@@ -164,8 +164,8 @@ TEST(Run, LooksAtWhatCommentsOfASourceRequire) {
             std::string::npos)
       << wrong.err;
   EXPECT_EQ(run("s.toml").err,
-            "oncard: warning: bad.c:1: this comment is not looked at: a scenario says itself what "
-            "must hold; put it there\n");
+            "oncard: warning: bad.c:1: this comment is not checked: the requirements come from the "
+            "scenario; write it there\n");
 }
 
 // All that is wrong, each in its place, whoever reads it: the models of the explorer with a card
