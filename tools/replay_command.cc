@@ -39,8 +39,9 @@ Result<vm::Schedule> Adapt(const runtime::Scenario& scenario, const runtime::Pro
 int Replay(const ReplayArguments& arguments, const Session& session) {
   auto schedule = vm::LoadSchedule(arguments.path);
   if (!schedule.ok()) return Fail(session, kExitUnreadable, schedule.error().message);
-  const auto scenario =
-      runtime::ParseScenario(schedule.value().scenario, arguments.path, runtime::ScenarioUse::kRun);
+  const auto scenario = runtime::ParseScenario(
+      schedule.value().scenario, arguments.path, runtime::ScenarioUse::kRun,
+      {vm::kLinesBeforeScenario, static_cast<int>(vm::kScenarioPrefix.size())});
   if (!scenario.ok()) return Fail(session, kExitUnreadable, scenario.error().message);
   runtime::ProgramLoad load;
   const int loaded = LoadOrReport(session, runtime::ProgramPath(scenario.value()),

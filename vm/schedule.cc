@@ -25,7 +25,6 @@ namespace oncard::vm {
 namespace {
 
 constexpr std::string_view kFirstLine = "oncard-schedule 1";
-constexpr std::string_view kScenarioPrefix = "| ";
 
 class LineReader {
  public:

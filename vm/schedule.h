@@ -48,6 +48,11 @@ struct Schedule {
   bool operator==(const Schedule&) const = default;
 };
 
+/// Where the scenario's text stands in the file: behind so many lines, and each of its lines behind
+/// this.
+inline constexpr int kLinesBeforeScenario = 3;
+inline constexpr std::string_view kScenarioPrefix = "| ";
+
 /// Statements between two checkpoints of a recording.
 inline constexpr int64_t kCheckpointInterval = 10000;
 

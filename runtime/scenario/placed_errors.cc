@@ -10,8 +10,8 @@
 
 namespace oncard::runtime {
 
-TextFile::TextFile(std::string path, std::string_view text)
-    : path_(std::move(path)), text_(text), begins_{0} {
+TextFile::TextFile(std::string path, std::string_view text, TextMargin margin)
+    : path_(std::move(path)), text_(text), margin_(margin), begins_{0} {
   for (size_t end = text_.find('\n'); end != std::string::npos; end = text_.find('\n', end + 1)) {
     begins_.push_back(end + 1);
   }
@@ -26,14 +26,15 @@ std::string_view TextFile::Line(int number) const {
 std::string TextPlace::Headline() const {
   if (file == nullptr) return {};
   if (line == 0) return fmt::format("{}: ", file->path());
-  return fmt::format("{}:{}:{}: ", file->path(), line, column);
+  return fmt::format("{}:{}:{}: ", file->path(), line + file->margin().lines,
+                     column + file->margin().columns);
 }
 
 std::string TextPlace::Excerpt() const {
   if (file == nullptr || line == 0) return {};
   const std::string_view text = file->Line(line);
   if (text.size() > kExcerptMax) return {};
-  return '\n' + compiler::FormatExcerpt(text, line, begin, end);
+  return '\n' + compiler::FormatExcerpt(text, line + file->margin().lines, begin, end);
 }
 
 void PlacedErrors::Add(TextPlace place, Message message) {

@@ -15,30 +15,38 @@
 
 namespace oncard::runtime {
 
+/// What surrounds a text that is only a part of its file.
+struct TextMargin {
+  int lines = 0;    ///< before its first line
+  int columns = 0;  ///< before each line
+};
+
 /// The text of a file, for errors with places in it.
 class TextFile {
  public:
-  TextFile(std::string path, std::string_view text);
+  TextFile(std::string path, std::string_view text, TextMargin margin = {});
 
   const std::string& path() const { return path_; }
+  const TextMargin& margin() const { return margin_; }
   /// A line, counted from 1, without its end; empty if there is none.
   std::string_view Line(int number) const;
 
  private:
   std::string path_;
   std::string text_;
+  TextMargin margin_;
   std::vector<size_t> begins_;  ///< of the lines
 };
 
 /// A place in a file.
 struct TextPlace {
   std::shared_ptr<const TextFile> file = nullptr;  ///< NULL: no file, as for a command line
-  int line = 0;                                    ///< from 1; 0: the whole file
+  int line = 0;                                    ///< of the text, from 1; 0: the whole file
   int column = 0;                                  ///< from 1
   size_t begin = 0;                                ///< bytes of the line, for the caret
   size_t end = 0;
 
-  /// `path:line:column: `; empty without a file.
+  /// `path:line:column: `, as the file counts them; empty without a file.
   std::string Headline() const;
   /// A line end, the line, and a caret below. Empty without a file, for a whole file, and for a
   /// line of more than kExcerptMax bytes.

@@ -115,9 +115,10 @@ struct Scenario {
 
 /// Reads TOML text. The error contains all mistakes, each with its own lines: `path:line:column:
 /// what`, the line, and a caret. Unknown keys are errors, with a suggestion of the most similar
-/// key; so are keys that cannot be used for `use`. Any text is safe to read.
+/// key; so are keys that cannot be used for `use`. Any text is safe to read. `margin` is for a text
+/// that is only a part of its file.
 Result<Scenario> ParseScenario(std::string_view text, const std::string& path,
-                               ScenarioUse use = ScenarioUse::kText);
+                               ScenarioUse use = ScenarioUse::kText, TextMargin margin = {});
 
 /// Reads a scenario file. For ScenarioUse::kHost it needs no program.
 Result<Scenario> LoadScenario(const std::string& path, ScenarioUse use);

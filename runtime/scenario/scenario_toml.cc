@@ -29,8 +29,8 @@ constexpr std::array<std::string_view, 2> kHostKeys = {"at_ms", "set"};
 
 class ScenarioReader : private TomlKeys {
  public:
-  ScenarioReader(std::string_view text, const std::string& path, ScenarioUse use)
-      : TomlKeys(path, text), text_(text), use_(use) {
+  ScenarioReader(std::string_view text, const std::string& path, ScenarioUse use, TextMargin margin)
+      : TomlKeys(path, text, margin), text_(text), use_(use) {
     scenario_.path = path;
   }
 
@@ -264,8 +264,9 @@ class ScenarioReader : private TomlKeys {
 
 }  // namespace
 
-Result<Scenario> ParseScenario(std::string_view text, const std::string& path, ScenarioUse use) {
-  return ScenarioReader(text, path, use).Read();
+Result<Scenario> ParseScenario(std::string_view text, const std::string& path, ScenarioUse use,
+                               TextMargin margin) {
+  return ScenarioReader(text, path, use, margin).Read();
 }
 
 Result<Scenario> LoadScenario(const std::string& path, ScenarioUse use) {

@@ -23,9 +23,9 @@ namespace oncard::runtime {
 
 class TomlKeys {
  public:
-  /// `path` names the file in errors, `text` is its content.
-  TomlKeys(std::string path, std::string_view text)
-      : file_(std::make_shared<const TextFile>(std::move(path), text)) {}
+  /// `path` names the file in errors, `text` is its content within a margin.
+  TomlKeys(std::string path, std::string_view text, TextMargin margin = {})
+      : file_(std::make_shared<const TextFile>(std::move(path), text, margin)) {}
 
   /// Adds an error for each unknown key, with a suggestion of the most similar known one.
   void CheckKeys(const toml::table& table, std::span<const std::string_view> known);

@@ -28,6 +28,14 @@ TEST(TextPlace, ShowsItsLineWithACaret) {
   EXPECT_EQ(place.Excerpt(), "\n    2 | rate = 0\n      |        ^");
 }
 
+TEST(TextPlace, IsCountedAsTheFileCountsThatItsTextIsAPartOf) {
+  const TextMargin margin = {3, 2};
+  const TextPlace place = {std::make_shared<const TextFile>("a.schedule", "rate = 0\n", margin), 1,
+                           8, 7, 8};
+  EXPECT_EQ(place.Headline(), "a.schedule:4:10: ");
+  EXPECT_EQ(place.Excerpt(), "\n    4 | rate = 0\n      |        ^");
+}
+
 TEST(TextPlace, AWholeFileHasNoLine) {
   const TextPlace place = {FileOf("a.toml", "x = 1\n")};
   EXPECT_EQ(place.Headline(), "a.toml: ");
