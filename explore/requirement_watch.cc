@@ -16,15 +16,14 @@ Message Joined(const Message& first, const Message& values) {
 
 }  // namespace
 
-Result<void> RequirementWatch::Begin(const runtime::Controller& controller) {
-  auto properties = ReadRequirements(requirements_, controller);
-  if (!properties.ok()) return properties.error();
+void RequirementWatch::Begin(const runtime::Controller& controller, runtime::ScenarioFit* fit) {
+  std::vector<Property> properties = ReadRequirements(requirements_, controller, fit);
+  if (properties.size() < requirements_.size()) return;
   for (size_t i = 0; i < requirements_.size(); ++i) {
     looks_at_states_ = looks_at_states_ || requirements_[i].scope != Scope::kFinal;
-    watched_.push_back({requirements_[i], std::move(properties.value()[i])});
+    watched_.push_back({requirements_[i], std::move(properties[i])});
   }
   RememberThreads(controller);
-  return {};
 }
 
 void RequirementWatch::Look(const runtime::Controller& controller) {
@@ -95,6 +94,11 @@ Result<runtime::ScenarioResult> RunWithRequirements(const runtime::Scenario& sce
   std::vector<runtime::ScenarioFailure>& failures = result.value().failures;
   failures.insert(failures.end(), watch.failures().begin(), watch.failures().end());
   return result;
+}
+
+Result<void> FitWithRequirements(const runtime::Scenario& scenario, vm::Object object) {
+  RequirementWatch watch(RequirementsOf(scenario), runtime::ProgramPath(scenario));
+  return runtime::FitScenario(scenario, std::move(object), &watch);
 }
 
 Result<void> AddComments(const std::string& path, std::string_view source, const vm::Object& object,

@@ -23,7 +23,7 @@ class RequirementWatch : public runtime::RunWatch {
   RequirementWatch(std::vector<Requirement> requirements, std::string program_path)
       : requirements_(std::move(requirements)), program_path_(std::move(program_path)) {}
 
-  Result<void> Begin(const runtime::Controller& controller) override;
+  void Begin(const runtime::Controller& controller, runtime::ScenarioFit* fit) override;
   bool LooksAtStates() const override { return looks_at_states_; }
   void Look(const runtime::Controller& controller) override;
   void End(const runtime::Controller& controller) override;
@@ -58,6 +58,9 @@ class RequirementWatch : public runtime::RunWatch {
 /// not an expression.
 Result<runtime::ScenarioResult> RunWithRequirements(const runtime::Scenario& scenario,
                                                     vm::Object object, runtime::RunOptions options);
+
+/// Fails as RunWithRequirements() would before the first statement, whatever the schedule.
+Result<void> FitWithRequirements(const runtime::Scenario& scenario, vm::Object object);
 
 /// Completes the scenario of a source that is run by itself from the source's comments (problem.h):
 /// requirements, initial values and, unless it has threads, the threads t0, t1, ... Fails on a

@@ -90,27 +90,35 @@ Result<Findings> ExploreProgram(const runtime::Scenario& scenario,
   return FindingsOf(scenario, problem.value(), std::move(exploration).value());
 }
 
+/// Where the scenario names the engine; nowhere when another one takes its place.
+runtime::TextPlace PlaceOfEngine(const runtime::Scenario& scenario, EngineKind engine) {
+  const bool named = scenario.explore && EngineNamed(scenario.explore->engine) == engine;
+  return named ? runtime::PlaceOfText(scenario, "explore.engine") : runtime::TextPlace{};
+}
+
 Result<Findings> ExploreWithCard(const runtime::Scenario& scenario,
                                  const std::vector<Requirement>& requirements, vm::Object object,
                                  const ExploreOptions& options) {
+  runtime::ScenarioFit fit;
   if (options.engine == EngineKind::kDpor) {
-    return MakeError(
-        1,
-        "time and the card are part of the states here: use the engine stateful, bounded, random, "
-        "pct or pos",
-        "此处时间与控制卡属于状态的一部分：请使用 stateful、bounded、random、pct 或 pos 引擎");
+    fit.Add(
+        PlaceOfEngine(scenario, options.engine),
+        {"time and the card are part of the states here: use the engine stateful, bounded, random, "
+         "pct or pos",
+         "此处时间与控制卡属于状态的一部分：请使用 stateful、bounded、random、pct 或 pos 引擎"});
   }
   if (options.merge_private) {
-    return MakeError(1, "with the card every statement takes time: none can be merged",
-                     "带控制卡时每条语句都占用时间：不能合并");
+    fit.Add({}, {"with the card every statement takes time: none can be merged",
+                 "带控制卡时每条语句都占用时间：不能合并"});
   }
   if (scenario.races != runtime::Scenario{}.races) {
-    return MakeError(1,
-                     "data races are found only in programs without GT commands: explore the "
-                     "functions without GT commands separately",
-                     "只在纯变量程序中查找数据竞争：请单独探索不含 GT 指令的函数");
+    fit.Add(runtime::PlaceOfText(scenario, "races"),
+            {"data races are found only in programs without GT commands: explore the functions "
+             "without GT commands separately",
+             "只在纯变量程序中查找数据竞争：请单独探索不含 GT 指令的函数"});
   }
-  auto model = CardModel::Create(scenario, requirements, std::move(object));
+  SyncCellsOf(scenario, object, &fit);
+  auto model = CardModel::Create(scenario, requirements, std::move(object), std::move(fit));
   if (!model.ok()) return model.error();
   Findings findings = FindingsOf(scenario, &model.value(), ExploreCard(&model.value(), options));
   AddTrace(scenario, model.value().image()->object, &findings);
@@ -122,12 +130,9 @@ Result<Findings> ExploreWithCard(const runtime::Scenario& scenario,
 std::vector<Requirement> RequirementsOf(const runtime::Scenario& scenario) {
   std::vector<Requirement> requirements;
   const auto add = [&](Scope scope, const std::vector<std::string>& texts) {
-    const auto places = scenario.text_places.find(ScopeName(scope));
     for (size_t i = 0; i < texts.size(); ++i) {
-      requirements.push_back({scope, texts[i]});
-      if (places != scenario.text_places.end() && i < places->second.size()) {
-        requirements.back().place = places->second[i];
-      }
+      requirements.push_back(
+          {scope, texts[i], runtime::PlaceOfText(scenario, ScopeName(scope), i)});
     }
   };
   add(Scope::kFinal, scenario.final);
@@ -222,19 +227,24 @@ Result<Problem> ProblemOfScenario(const runtime::Scenario& scenario,
                                   const std::vector<Requirement>& requirements, vm::Object object) {
   std::vector<Requirement> all = requirements;
   for (const runtime::Expectation& expectation : scenario.expectations) {
-    all.push_back({Scope::kFinal, expectation.text});
+    all.push_back({Scope::kFinal, expectation.text, expectation.place});
   }
+  runtime::ScenarioFit fit;
   runtime::Controller controller(runtime::CardOptions(scenario));
-  auto started = runtime::StartScenario(scenario, std::move(object), &controller);
+  auto started = runtime::StartScenario(scenario, std::move(object), &controller, &fit);
   if (!started.ok()) return started.error();
+  SyncCells sync = SyncCellsOf(scenario, controller.machine().image()->object, &fit);
   auto model = Model::Create(controller.machine());
-  if (!model.ok()) return model.error();
-  auto problem = BindProblem(std::move(model).value(), all);
-  if (!problem.ok()) return problem.error();
-  auto sync = SyncCellsNamed(scenario.sync, controller.machine().image()->object);
-  if (!sync.ok()) return sync.error();
-  problem.value().sync = std::move(sync).value();
-  problem.value().races = *RaceRuleNamed(scenario.races);
+  if (!model.ok()) {
+    // There may be none because no thread could be bound: the rest is told all the same.
+    ReadRequirements(all, controller, &fit);
+    if (auto failure = fit.Failure()) return *std::move(failure);
+    return model.error();
+  }
+  Problem problem = BindProblem(std::move(model).value(), all, &fit);
+  if (auto failure = fit.Failure()) return *std::move(failure);
+  problem.sync = std::move(sync);
+  problem.races = *RaceRuleNamed(scenario.races);
   return problem;
 }
 
@@ -242,16 +252,16 @@ Result<Findings> FollowSchedule(const runtime::Scenario& scenario,
                                 const std::vector<Requirement>& requirements,
                                 const vm::Object& object, std::string_view source,
                                 const vm::Schedule& schedule) {
-  auto adapted = runtime::AdaptSchedule(scenario, object, source, schedule);
-  if (!adapted.ok()) return adapted.error();
-  Exploration exploration;
-  exploration.engine = EngineKind::kFollow;
-  exploration.verdict = Verdict::kPassed;
-  exploration.why = MakeMessage(
-      "no failure under this schedule (followed {0} of {1} segments); others were not tried",
-      "在该调度下未出错（共 {1} 段，跟随了 {0} 段）；其它调度未尝试", adapted.value().followed,
-      schedule.segments.size());
-  const auto conclude = [&](const Subject& subject, const auto& follow) {
+  const auto explore = [&](const Subject& subject, const auto& follow) -> Result<Exploration> {
+    auto adapted = runtime::AdaptSchedule(scenario, object, source, schedule);
+    if (!adapted.ok()) return adapted.error();
+    Exploration exploration;
+    exploration.engine = EngineKind::kFollow;
+    exploration.verdict = Verdict::kPassed;
+    exploration.why = MakeMessage(
+        "no failure under this schedule (followed {0} of {1} segments); others were not tried",
+        "在该调度下未出错（共 {1} 段，跟随了 {0} 段）；其它调度未尝试", adapted.value().followed,
+        schedule.segments.size());
     FollowedRun run = follow(StepsOf(subject, adapted.value().schedule));
     if (run.failure.fault) {
       exploration.verdict = Verdict::kFailed;
@@ -262,21 +272,25 @@ Result<Findings> FollowSchedule(const runtime::Scenario& scenario,
       exploration.why = {"the run that begins with this schedule does not end",
                          "以该调度开始的运行没有结束"};
     }
+    return exploration;
   };
   if (NeedsCard(scenario, object)) {
     auto model = CardModel::Create(scenario, requirements, object);
     if (!model.ok()) return model.error();
     CardModel& card = model.value();
-    conclude(SubjectOf(card), [&](const auto& steps) { return TakeCardSteps(&card, steps); });
-    Findings findings = FindingsOf(scenario, &card, std::move(exploration));
+    auto exploration =
+        explore(SubjectOf(card), [&](const auto& steps) { return TakeCardSteps(&card, steps); });
+    if (!exploration.ok()) return exploration.error();
+    Findings findings = FindingsOf(scenario, &card, std::move(exploration).value());
     AddTrace(scenario, object, &findings);
     return findings;
   }
   const auto problem = ProblemOfScenario(scenario, requirements, object);
   if (!problem.ok()) return problem.error();
-  conclude(SubjectOf(problem.value()),
-           [&](const auto& steps) { return TakeSteps(problem.value(), steps); });
-  return FindingsOf(scenario, problem.value(), std::move(exploration));
+  auto exploration = explore(SubjectOf(problem.value()),
+                             [&](const auto& steps) { return TakeSteps(problem.value(), steps); });
+  if (!exploration.ok()) return exploration.error();
+  return FindingsOf(scenario, problem.value(), std::move(exploration).value());
 }
 
 Result<Findings> ExploreScenario(const runtime::Scenario& scenario,

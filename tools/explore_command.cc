@@ -113,6 +113,7 @@ int ExitCodeOf(explore::Verdict verdict) {
 void ApplyRaceRule(const ExploreArguments& arguments, ExploreSubject* subject) {
   if (arguments.races) subject->scenario.races = "none";
   if (arguments.benign) subject->scenario.races = "benign";
+  if (arguments.races || arguments.benign) subject->scenario.text_places.erase("races");
 }
 
 explore::ExploreOptions OptionsOf(const ExploreArguments& arguments,

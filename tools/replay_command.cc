@@ -49,6 +49,8 @@ int Replay(const ReplayArguments& arguments, const Session& session) {
   if (loaded != kExitOk) return loaded;
 
   if (arguments.tolerant) {
+    const auto fits = explore::FitWithRequirements(scenario.value(), *load.object);
+    if (!fits.ok()) return Fail(session, kExitFailed, fits.error().message);
     schedule = Adapt(scenario.value(), load, schedule.value(), session);
     if (!schedule.ok()) return Fail(session, kExitFailed, schedule.error().message);
   }

@@ -63,6 +63,7 @@ Result<runtime::Scenario> ScenarioOf(const RunArguments& arguments) {
   }
   if (arguments.schedule) {
     scenario.schedule = *arguments.schedule;
+    scenario.text_places.erase("schedule");
     constexpr std::string_view kReplay = "replay:";
     if (scenario.schedule.starts_with(kReplay)) {
       scenario.schedule =

@@ -44,14 +44,14 @@ StateKey KeyOfWords(const std::vector<int64_t>& words) {
 }  // namespace
 
 Result<CardModel> CardModel::Create(const runtime::Scenario& scenario,
-                                    const std::vector<Requirement>& requirements,
-                                    vm::Object object) {
+                                    const std::vector<Requirement>& requirements, vm::Object object,
+                                    runtime::ScenarioFit fit) {
   CardModel model;
   model.scenario_ = scenario;
   model.controller_ = std::make_unique<runtime::Controller>(runtime::CardOptions(scenario));
   runtime::Controller& controller = *model.controller_;
   controller.CollectRefusals(model.refused_.get());
-  auto started = runtime::StartScenario(scenario, std::move(object), &controller);
+  auto started = runtime::StartScenario(scenario, std::move(object), &controller, &fit);
   if (!started.ok()) return started.error();
   model.image_ = controller.machine().shared_image();
   model.scratch_ = std::make_unique<vm::MachineState>(controller.machine().state());
@@ -66,17 +66,23 @@ Result<CardModel> CardModel::Create(const runtime::Scenario& scenario,
     model.last_cycle_ = runtime::CycleOf(scenario, *scenario.until_us);
     model.last_is_failure_ = false;
   }
-  if (auto bound = model.BindRequirements(requirements); !bound.ok()) return bound.error();
+  model.BindRequirements(requirements, &fit);
+  if (auto failure = fit.Failure()) return *std::move(failure);
   // Without threads the card goes on until then, as in a run.
   if (scenario.until_us) model.last_instant_ = model.last_cycle_;
   model.Save(nullptr, &model.initial_);
   return model;
 }
 
-Result<void> CardModel::BindRequirements(const std::vector<Requirement>& requirements) {
+void CardModel::BindRequirements(const std::vector<Requirement>& requirements,
+                                 runtime::ScenarioFit* fit) {
   for (const runtime::Expectation& expectation : scenario_.expectations) {
+    if (!fit->CanJudge(expectation.text)) continue;
     auto bound = runtime::BindExpectation(expectation, *controller_);
-    if (!bound.ok()) return bound.error();
+    if (!bound.ok()) {
+      fit->AddText(expectation.place, expectation.text, bound.error().message);
+      continue;
+    }
     if (bound.value().left.kind == runtime::QuantityKind::kThreadError) {
       fault_expected_ |= 1u << bound.value().left.thread;
     }
@@ -84,20 +90,20 @@ Result<void> CardModel::BindRequirements(const std::vector<Requirement>& require
     if (expectation.at_us) {
       requirement.cycle = runtime::CycleOf(scenario_, *expectation.at_us);
       last_instant_ = std::max(last_instant_, requirement.cycle);
-      if (last_instant_ > last_cycle_) {
-        return MakeError(1, "the expectation '{0}' is later than the end of the run",
-                         "期望“{0}”的时刻在运行结束之后", expectation.text);
+      if (requirement.cycle > last_cycle_) {
+        fit->Add(expectation.place,
+                 MakeMessage("the expectation '{0}' is later than the end of the run",
+                             "期望“{0}”的时刻在运行结束之后", expectation.text));
       }
     }
     requirements_.push_back(std::move(requirement));
   }
-  auto properties = ReadRequirements(requirements, *controller_);
-  if (!properties.ok()) return properties.error();
+  std::vector<Property> properties = ReadRequirements(requirements, *controller_, fit);
+  if (properties.size() < requirements.size()) return;
   for (size_t i = 0; i < requirements.size(); ++i) {
-    requirements_.push_back({requirements[i], std::move(properties.value()[i])});
+    requirements_.push_back({requirements[i], std::move(properties[i])});
     has_invariants_ = has_invariants_ || requirements[i].scope != Scope::kFinal;
   }
-  return {};
 }
 
 std::vector<Requirement> CardModel::Requirements() const {

@@ -49,10 +49,11 @@ class CardModel {
   };
 
   /// The scenario's program on a card of its own, before the first statement; its expectations and
-  /// the requirements must hold. Host events are ignored. Fails if the scenario does not fit the
-  /// program, or a requirement is not an expression.
+  /// the requirements must hold. Host events are ignored. Fails with everything that does not fit
+  /// the program, or is not an expression; `fit` contains what the caller has found so far.
   static Result<CardModel> Create(const runtime::Scenario& scenario,
-                                  const std::vector<Requirement>& requirements, vm::Object object);
+                                  const std::vector<Requirement>& requirements, vm::Object object,
+                                  runtime::ScenarioFit fit = {});
 
   /// The bound threads, in the order of their numbers on the card.
   int thread_count() const { return static_cast<int>(setups_.size()); }
@@ -107,7 +108,7 @@ class CardModel {
   };
 
   CardModel() = default;
-  Result<void> BindRequirements(const std::vector<Requirement>& requirements);
+  void BindRequirements(const std::vector<Requirement>& requirements, runtime::ScenarioFit* fit);
   bool Holds(const BoundRequirement& bound) const;
   /// Checks the final requirements without an instant, and the kEventually requirements.
   void JudgeEnd(State* state) const;

@@ -35,92 +35,113 @@ std::optional<Scope> ScopeNamed(std::string_view name) {
   return std::nullopt;
 }
 
-/// Reads `g=1, h=5`.
-Result<void> ReadInitialValues(std::string_view text, runtime::Scenario* scenario) {
+/// Calls `look` with every part between commas.
+template <typename Look>
+void ForEachPart(std::string_view text, Look look) {
   while (!text.empty()) {
     const size_t comma = text.find(',');
-    auto value = runtime::ParseInitialValue(Trim(text.substr(0, comma)));
-    if (!value.ok()) return value.error();
-    scenario->globals.push_back(std::move(value).value());
-    text = comma == std::string_view::npos ? std::string_view{} : text.substr(comma + 1);
-  }
-  return {};
-}
-
-/// Reads `f, g`.
-void ReadNames(std::string_view text, std::vector<std::string>* names) {
-  while (!text.empty()) {
-    const size_t comma = text.find(',');
-    names->emplace_back(Trim(text.substr(0, comma)));
+    look(Trim(text.substr(0, comma)));
     text = comma == std::string_view::npos ? std::string_view{} : text.substr(comma + 1);
   }
 }
 
-/// Where a part of a line stands.
-runtime::TextPlace PlaceIn(std::shared_ptr<const runtime::TextFile> file, int number,
-                           std::string_view line, std::string_view part) {
-  const auto begin = static_cast<size_t>(part.data() - line.data());
-  return {std::move(file), number, static_cast<int>(begin) + 1, begin, begin + part.size()};
-}
+/// Reads the comments of a source, one after the other.
+class CommentReader {
+ public:
+  CommentReader(const std::string& path, std::string_view source)
+      : file_(std::make_shared<const runtime::TextFile>(path, source)) {
+    problem_.scenario.path = path;
+    problem_.scenario.program = runtime::PathToScenario(problem_.scenario, path);
+  }
 
-/// Reads what follows the mark of a comment. A requirement's place is left to the caller, who knows
-/// it from `*expression`.
-Result<void> ReadComment(std::string_view comment, CommentProblem* problem,
-                         std::string_view* expression) {
-  const size_t colon = comment.find(':');
-  const std::string_view key = Trim(comment.substr(0, colon));
-  const std::string_view rest =
-      colon == std::string_view::npos ? std::string_view{} : Trim(comment.substr(colon + 1));
-  if (key == "init" && !rest.empty()) return ReadInitialValues(rest, &problem->scenario);
-  if (key == "sync" && !rest.empty()) {
-    ReadNames(rest, &problem->scenario.sync);
-    return {};
+  /// Reads the comment in a line.
+  void Read(int number, std::string_view line) {
+    number_ = number;
+    line_ = line;
+    const std::string_view comment = Trim(line).substr(kMark.size());
+    const size_t colon = comment.find(':');
+    const std::string_view key = Trim(comment.substr(0, colon));
+    const std::string_view rest =
+        colon == std::string_view::npos ? std::string_view{} : Trim(comment.substr(colon + 1));
+    if (rest.empty() || !ReadValue(key, rest)) Refuse(Trim(comment));
   }
-  if (key == "races" && RaceRuleNamed(rest)) {
-    problem->scenario.races = rest;
-    return {};
-  }
-  if (const auto scope = ScopeNamed(key); scope && !rest.empty()) {
-    problem->requirements.push_back({*scope, std::string(rest)});
-    *expression = rest;
-    return {};
-  }
-  return MakeError(
-      1,
-      "'{0}' is not a comment of the explorer: expected //@ init: v=1, //@ final:, //@ always:, "
-      "//@ never: or //@ eventually: with an expression, //@ sync: v, or //@ races: none or benign",
-      "“{0}”不是探索注释：应为 //@ init: v=1，//@ final:、//@ always:、//@ never: 或 "
-      "//@ eventually: 加表达式，//@ sync: v，或 //@ races: none 或 benign",
-      Trim(comment));
-}
 
-/// Adds what is wrong with a requirement, in its place or else named.
-void AddError(const Requirement& requirement, const Message& why, Message* errors) {
-  const std::string separator = errors->en.empty() ? "" : "\n";
-  if (const runtime::TextPlace& place = requirement.place; place.file != nullptr) {
-    errors->en += fmt::format("{}{}{}{}", separator, place.Headline(), why.en, place.Excerpt());
-    errors->zh += fmt::format("{}{}{}{}", separator, place.Headline(), why.zh, place.Excerpt());
-    return;
+  Result<CommentProblem> Finish() {
+    if (auto failure = errors_.Failure()) return *std::move(failure);
+    return std::move(problem_);
   }
-  const std::string what = fmt::format("{}: {}", ScopeName(requirement.scope), requirement.text);
-  errors->en += fmt::format("{}'{}': {}", separator, what, why.en);
-  errors->zh += fmt::format("{}“{}”：{}", separator, what, why.zh);
-}
+
+ private:
+  /// False for what says nothing.
+  bool ReadValue(std::string_view key, std::string_view rest) {
+    if (key == "init") {
+      ForEachPart(rest, [this](std::string_view part) { ReadInitialValue(part); });
+    } else if (key == "sync") {
+      ForEachPart(rest, [this](std::string_view part) { ReadSync(part); });
+    } else if (key == "races" && RaceRuleNamed(rest)) {
+      problem_.scenario.races = rest;
+      problem_.scenario.text_places["races"] = {PlaceOf(rest)};
+    } else if (const auto scope = ScopeNamed(key)) {
+      problem_.requirements.push_back({*scope, std::string(rest), PlaceOf(rest)});
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  /// Reads `g=1`.
+  void ReadInitialValue(std::string_view part) {
+    auto value = runtime::ParseInitialValue(part);
+    if (!value.ok()) return errors_.Add(PlaceOfComment(), value.error().message);
+    value.value().place = PlaceOf(part);
+    problem_.scenario.globals.push_back(std::move(value).value());
+  }
+
+  void ReadSync(std::string_view name) {
+    problem_.scenario.sync.emplace_back(name);
+    problem_.scenario.text_places["sync"].push_back(PlaceOf(name));
+  }
+
+  void Refuse(std::string_view comment) {
+    errors_.Add(
+        PlaceOfComment(),
+        MakeMessage("'{0}' is not a comment of the explorer: expected //@ init: v=1, //@ final:, "
+                    "//@ always:, //@ never: or //@ eventually: with an expression, //@ sync: v, "
+                    "or //@ races: none or benign",
+                    "“{0}”不是探索注释：应为 //@ init: v=1，//@ final:、//@ always:、//@ never: 或 "
+                    "//@ eventually: 加表达式，//@ sync: v，或 //@ races: none 或 benign",
+                    comment));
+  }
+
+  /// The place of a part of the line.
+  runtime::TextPlace PlaceOf(std::string_view part) const {
+    const auto begin = static_cast<size_t>(part.data() - line_.data());
+    return {file_, number_, static_cast<int>(begin) + 1, begin, begin + part.size()};
+  }
+  runtime::TextPlace PlaceOfComment() const { return PlaceOf(Trim(line_)); }
+
+  std::shared_ptr<const runtime::TextFile> file_;
+  int number_ = 0;
+  std::string_view line_;
+  CommentProblem problem_;
+  runtime::PlacedErrors errors_;
+};
 
 template <typename Names>
-Result<std::vector<Property>> ReadAll(const std::vector<Requirement>& requirements,
-                                      const Names& names) {
+std::vector<Property> ReadAll(const std::vector<Requirement>& requirements, const Names& names,
+                              runtime::ScenarioFit* fit) {
   std::vector<Property> properties;
-  Message errors;
   for (const Requirement& requirement : requirements) {
+    if (!fit->CanJudge(requirement.text)) continue;
     auto property = Property::Parse(requirement.text, names);
     if (property.ok()) {
       properties.push_back(std::move(property).value());
     } else {
-      AddError(requirement, property.error().message, &errors);
+      fit->AddText(requirement.place,
+                   fmt::format("{}: {}", ScopeName(requirement.scope), requirement.text),
+                   property.error().message);
     }
   }
-  if (!errors.en.empty()) return Error{1, std::move(errors)};
   return properties;
 }
 
@@ -172,22 +193,9 @@ Result<CommentProblem> ReadComments(const std::string& path, std::string_view so
 }
 
 Result<CommentProblem> ReadCommentLines(const std::string& path, std::string_view source) {
-  CommentProblem problem;
-  problem.scenario.path = path;
-  problem.scenario.program = runtime::PathToScenario(problem.scenario, path);
-  const auto file = std::make_shared<const runtime::TextFile>(path, source);
-  runtime::PlacedErrors errors;
-  ForEachComment(source, [&](int number, std::string_view line) {
-    const std::string_view comment = Trim(line);
-    std::string_view expression;
-    const auto read = ReadComment(comment.substr(kMark.size()), &problem, &expression);
-    if (!expression.empty()) {
-      problem.requirements.back().place = PlaceIn(file, number, line, expression);
-    }
-    if (!read.ok()) errors.Add(PlaceIn(file, number, line, comment), read.error().message);
-  });
-  if (const auto failure = errors.Failure()) return *failure;
-  return problem;
+  CommentReader reader(path, source);
+  ForEachComment(source, [&](int number, std::string_view line) { reader.Read(number, line); });
+  return reader.Finish();
 }
 
 int FirstCommentLine(std::string_view source) {
@@ -205,26 +213,30 @@ bool Problem::HasInvariants() const {
   return false;
 }
 
-Result<std::vector<Property>> ReadRequirements(const std::vector<Requirement>& requirements,
-                                               const Model& names) {
-  return ReadAll(requirements, names);
+std::vector<Property> ReadRequirements(const std::vector<Requirement>& requirements,
+                                       const Model& names, runtime::ScenarioFit* fit) {
+  return ReadAll(requirements, names, fit);
 }
 
-Result<std::vector<Property>> ReadRequirements(const std::vector<Requirement>& requirements,
-                                               const runtime::Controller& names) {
-  return ReadAll(requirements, names);
+std::vector<Property> ReadRequirements(const std::vector<Requirement>& requirements,
+                                       const runtime::Controller& names,
+                                       runtime::ScenarioFit* fit) {
+  return ReadAll(requirements, names, fit);
 }
 
-Result<Problem> BindProblem(Model model, const std::vector<Requirement>& requirements) {
-  Problem problem{std::move(model), {}};
-  auto properties = ReadRequirements(requirements, problem.model);
-  if (!properties.ok()) return properties.error();
+Problem BindProblem(Model model, const std::vector<Requirement>& requirements,
+                    runtime::ScenarioFit* fit) {
+  Problem problem{std::move(model)};
+  std::vector<Property> properties = ReadRequirements(requirements, problem.model, fit);
+  if (properties.size() < requirements.size()) return problem;
+  int eventually = 0;
   for (size_t i = 0; i < requirements.size(); ++i) {
-    problem.requirements.push_back({requirements[i].scope, std::move(properties.value()[i])});
-  }
-  if (std::ranges::count(requirements, Scope::kEventually, &Requirement::scope) > kEventuallyMax) {
-    return MakeError(1, "there are more than {0} 'eventually' expressions",
-                     "“eventually”表达式超过 {0} 个", kEventuallyMax);
+    if (requirements[i].scope == Scope::kEventually && ++eventually == kEventuallyMax + 1) {
+      fit->Add(requirements[i].place,
+               MakeMessage("there are more than {0} 'eventually' expressions",
+                           "“eventually”表达式超过 {0} 个", kEventuallyMax));
+    }
+    problem.requirements.push_back({requirements[i].scope, std::move(properties[i])});
   }
   return problem;
 }
@@ -236,13 +248,16 @@ std::optional<RaceRule> RaceRuleNamed(std::string_view name) {
   return std::nullopt;
 }
 
-Result<SyncCells> SyncCellsNamed(const std::vector<std::string>& names, const vm::Object& object) {
+SyncCells SyncCellsOf(const runtime::Scenario& scenario, const vm::Object& object,
+                      runtime::ScenarioFit* fit) {
   SyncCells cells;
-  for (const std::string& name : names) {
+  for (size_t i = 0; i < scenario.sync.size(); ++i) {
+    const std::string& name = scenario.sync[i];
     const auto found = std::ranges::find(object.globals, name, &vm::Symbol::name);
     if (found == object.globals.end()) {
-      return MakeError(1, "'sync' names '{0}', which is not a global variable",
-                       "“sync”中的“{0}”不是全局变量", name);
+      fit->Add(runtime::PlaceOfText(scenario, "sync", i),
+               MakeMessage("no global variable is named '{0}'", "没有名为“{0}”的全局变量", name));
+      continue;
     }
     const size_t end = size_t{found->id} + found->slots();
     if (cells.size() < end) cells.resize(end);

@@ -26,6 +26,7 @@
 #include "explore/models/property.h"
 #include "explore/models/races.h"
 #include "runtime/scenario/scenario.h"
+#include "runtime/scenario/scenario_fit.h"
 #include "vm/object.h"
 
 namespace oncard::explore {
@@ -48,12 +49,12 @@ struct Requirement {
   runtime::TextPlace place = {};
 };
 
-/// Parses requirements, whose names are those of a model or a controller. All errors are combined
-/// in one, each with its place.
-Result<std::vector<Property>> ReadRequirements(const std::vector<Requirement>& requirements,
-                                               const Model& names);
-Result<std::vector<Property>> ReadRequirements(const std::vector<Requirement>& requirements,
-                                               const runtime::Controller& names);
+/// Parses requirements, whose names are those of a model or a controller. Those that cannot be read
+/// are added to `fit` and left out of the result.
+std::vector<Property> ReadRequirements(const std::vector<Requirement>& requirements,
+                                       const Model& names, runtime::ScenarioFit* fit);
+std::vector<Property> ReadRequirements(const std::vector<Requirement>& requirements,
+                                       const runtime::Controller& names, runtime::ScenarioFit* fit);
 
 /// The content of a source's comments, as the equivalent scenario.
 struct CommentProblem {
@@ -91,15 +92,18 @@ struct Problem {
   bool HasInvariants() const;
 };
 
-/// Resolves the names of the requirements. Fails if one is unknown, or if there are too many.
-Result<Problem> BindProblem(Model model, const std::vector<Requirement>& requirements);
+/// Resolves the names of the requirements. Adds unknown names, and a requirement that is one too
+/// many, to `fit`; the problem is not usable then.
+Problem BindProblem(Model model, const std::vector<Requirement>& requirements,
+                    runtime::ScenarioFit* fit);
 
 /// The rule with a name: `any`, `benign`, `none`.
 std::optional<RaceRule> RaceRuleNamed(std::string_view name);
 
-/// The cells of the globals, each a variable, an array or a structure's member. Fails when one is
-/// unknown.
-Result<SyncCells> SyncCellsNamed(const std::vector<std::string>& names, const vm::Object& object);
+/// The cells of the globals that a scenario's `sync` names, each a variable, an array or a
+/// structure's member. Adds unknown ones to `fit`.
+SyncCells SyncCellsOf(const runtime::Scenario& scenario, const vm::Object& object,
+                      runtime::ScenarioFit* fit);
 
 /// A fault of a state.
 struct Fault {

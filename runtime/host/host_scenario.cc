@@ -129,13 +129,8 @@ void CardWatch::AdvanceTracedUs(Controller* controller, int64_t microseconds) {
 
 void CardWatch::BeginTrace(const Controller& controller) {
   std::vector<TraceColumn> columns;
-  for (const std::string& name : scenario_->trace) {
-    auto found = ResolveQuantity(name, controller);
-    if (!found.ok()) {
-      failures_.push_back(found.error().message);
-      continue;
-    }
-    for (Quantity& quantity : found.value()) columns.push_back({std::move(quantity)});
+  for (Quantity& quantity : TraceQuantities(*scenario_, controller, &fit_)) {
+    columns.push_back({std::move(quantity)});
   }
   if (scenario_->trace.empty()) columns = DefaultColumns(controller);
   trace_.emplace(std::move(columns));
@@ -168,6 +163,9 @@ void CardWatch::Finish(Controller* controller) {
   }
   if (over_) WarnOfMovingAxes(*controller);
   WriteTrace(*controller);
+  if (auto unfit = fit_.Failure()) {
+    failures_.insert(failures_.begin(), std::move(unfit->message));
+  }
   Verdict& verdict = VerdictOfProcess();
   const std::lock_guard lock(verdict.mutex);
   verdict.failures.insert(verdict.failures.end(), failures_.begin(), failures_.end());
@@ -184,7 +182,9 @@ void CardWatch::WarnOfMovingAxes(const Controller& controller) {
 void CardWatch::Judge(const Expectation& expectation, const Controller& controller) {
   const auto bound = BindExpectation(expectation, controller);
   if (!bound.ok()) {
-    Fail(expectation, bound.error().message);
+    const Message& why = bound.error().message;
+    fit_.AddText(expectation.place, expectation.text,
+                 MakeMessage("card {0}: {1}", "卡 {0}：{2}", card_, why.en, why.zh));
     return;
   }
   const ExpectationResult outcome = Evaluate(bound.value(), controller);

@@ -12,6 +12,7 @@
 #include "base/result.h"
 #include "runtime/observe/trace.h"
 #include "runtime/scenario/scenario.h"
+#include "runtime/scenario/scenario_fit.h"
 #include "runtime/sim/controller.h"
 
 namespace oncard::runtime {
@@ -58,6 +59,7 @@ class CardWatch {
   int card_;
   std::vector<const Expectation*> timed_;  // in order of time; not yet checked from next_ on
   size_t next_ = 0;
+  ScenarioFit fit_;
   std::vector<Message> failures_;
   std::vector<Message> warnings_;
   std::optional<int64_t> end_us_;  ///< of the card's time

@@ -18,6 +18,7 @@
 
 #include "base/result.h"
 #include "runtime/observe/quantity.h"
+#include "runtime/scenario/placed_errors.h"
 
 namespace oncard::runtime {
 
@@ -38,6 +39,7 @@ struct Expectation {
   std::variant<double, std::string> right = 0.0;  ///< a number, or a name
   double tolerance = 0;
   std::optional<int64_t> at_us;  ///< empty: at the end of the run
+  TextPlace place = {};
 };
 
 /// Parses an expectation. The error explains the mistake and shows a correct example.

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "base/result.h"
+#include "runtime/scenario/scenario_fit.h"
 #include "runtime/sim/controller.h"
 
 namespace oncard::runtime {
@@ -15,8 +15,9 @@ class RunWatch {
   RunWatch& operator=(const RunWatch&) = delete;
   virtual ~RunWatch() = default;
 
-  /// Called before the first statement. Fails if something to be observed does not exist.
-  virtual Result<void> Begin(const Controller& controller) = 0;
+  /// Called before the first statement. Adds to `fit` what shall be observed and does not exist;
+  /// nothing more is called then.
+  virtual void Begin(const Controller& controller, ScenarioFit* fit) = 0;
   /// True if Look() is to be called; observing every state makes a run slower.
   virtual bool LooksAtStates() const = 0;
   /// Called in the first state, and then after every statement and every beginning of a cycle.

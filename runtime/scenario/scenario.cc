@@ -78,6 +78,12 @@ Error BadThreadStart(std::string_view text) {
 
 }  // namespace
 
+TextPlace PlaceOfText(const Scenario& scenario, std::string_view key, size_t index) {
+  const auto places = scenario.text_places.find(key);
+  const bool known = places != scenario.text_places.end() && index < places->second.size();
+  return known ? places->second[index] : TextPlace{};
+}
+
 std::string FormatScenario(const Scenario& scenario) {
   std::string text = fmt::format("program = {}\n", TomlString(scenario.program));
   if (!scenario.title.empty()) text += fmt::format("title = {}\n", TomlString(scenario.title));

@@ -27,6 +27,7 @@ namespace oncard::runtime {
 struct InitialValue {
   std::string name;  ///< `v`, `a`, `a[3]`, `s.member`
   std::vector<double> values;
+  TextPlace place = {};  ///< of the name
   bool operator==(const InitialValue&) const = default;
 };
 
@@ -39,6 +40,8 @@ struct ThreadStart {
   /// Period in milliseconds for repeated starts (GT_RunThreadPeriod); 0: started once.
   int64_t period_ms = 0;
   int priority = 4;  ///< of a periodic thread
+  TextPlace function_place = {};
+  TextPlace page_place = {};
   bool operator==(const ThreadStart&) const = default;
 };
 
@@ -101,8 +104,9 @@ struct Scenario {
   std::vector<std::string> never;
   /// Expressions that must hold in some state of every run.
   std::vector<std::string> eventually;
-  /// The places of the texts of `final`, `always`, `never` and `eventually`, by key; those that do
-  /// not come from a file have none, at the end of the list.
+  /// The places of the texts of `schedule`, `trace`, `final`, `always`, `never`, `eventually`,
+  /// `races`, `sync` and `explore.engine`, by key; those that do not come from a file have none, at
+  /// the end of the list.
   std::map<std::string, std::vector<TextPlace>, std::less<>> text_places;
   /// Allowed data races: `any`, `benign` or `none`.
   std::string races = "any";
@@ -122,6 +126,9 @@ Result<Scenario> ParseScenario(std::string_view text, const std::string& path,
 
 /// Reads a scenario file. For ScenarioUse::kHost it needs no program.
 Result<Scenario> LoadScenario(const std::string& path, ScenarioUse use);
+
+/// Where one of the texts of a key stands, as far as Scenario::text_places knows.
+TextPlace PlaceOfText(const Scenario& scenario, std::string_view key, size_t index = 0);
 
 /// The text that ParseScenario() reads back; ends in a newline.
 std::string FormatScenario(const Scenario& scenario);

@@ -19,10 +19,6 @@ constexpr int64_t kNever = INT64_MAX;
 /// The number of cycles after which a run checks whether it shall stop.
 constexpr int64_t kLookCycles = 1000;
 
-Message Prefixed(std::string_view place, const Message& message) {
-  return {fmt::format("{}: {}", place, message.en), fmt::format("{}：{}", place, message.zh)};
-}
-
 Message DescribeFault(const vm::ThreadState& thread) {
   switch (static_cast<vm::Fault>(thread.error)) {
     case vm::Fault::kDivisionByZero:
@@ -53,17 +49,29 @@ class ScenarioRunner {
     }
     controller_.CollectRefusals(&refused_);
     if (options_.trace) KeepHappenings();
-    auto started = StartScenario(scenario_, std::move(object), &controller_);
+    auto started = StartScenario(scenario_, std::move(object), &controller_, &fit_);
     if (!started.ok()) return started.error();
-    for (const auto step : {&ScenarioRunner::SetUpPolicy, &ScenarioRunner::SetUpExpectations,
-                            &ScenarioRunner::SetUpHost, &ScenarioRunner::SetUpValues,
-                            &ScenarioRunner::SetUpTrace, &ScenarioRunner::SetUpWatch}) {
-      if (auto done = (this->*step)(); !done.ok()) return done.error();
+    if (const auto policy = SetUpPolicy(); !policy.ok()) {
+      const bool of_scenario = options_.replay == nullptr;
+      fit_.Add(of_scenario ? PlaceOfText(scenario_, "schedule") : TextPlace{},
+               policy.error().message);
     }
+    FindNames();
+    if (auto failure = fit_.Failure()) return *std::move(failure);
+    BeginTrace();
+    BeginWatch();
     if (options_.steps) result_.steps.emplace();
     Execute();
     Report();
     return std::move(result_);
+  }
+
+  Result<void> Fit(vm::Object object) {
+    auto started = StartScenario(scenario_, std::move(object), &controller_, &fit_);
+    if (!started.ok()) return started;
+    FindNames();
+    if (auto failure = fit_.Failure()) return *std::move(failure);
+    return {};
   }
 
  private:
@@ -117,11 +125,22 @@ class ScenarioRunner {
     return {};
   }
 
-  Result<void> SetUpExpectations() {
+  // What all the names stand for.
+  void FindNames() {
+    FindExpectations();
+    FindHostWrites();
+    FindShown();
+    traced_ = TraceQuantities(scenario_, controller_, &fit_);
+    if (options_.watch != nullptr) options_.watch->Begin(controller_, &fit_);
+  }
+
+  void FindExpectations() {
     for (const Expectation& expectation : scenario_.expectations) {
+      if (!fit_.CanJudge(expectation.text)) continue;
       auto bound = BindExpectation(expectation, controller_);
       if (!bound.ok()) {
-        return Error{1, Prefixed("'" + expectation.text + "'", bound.error().message)};
+        fit_.AddText(expectation.place, expectation.text, bound.error().message);
+        continue;
       }
       if (bound.value().left.kind == QuantityKind::kThreadError) {
         fault_expected_.push_back(bound.value().left.thread);
@@ -132,16 +151,19 @@ class ScenarioRunner {
     }
     std::stable_sort(timed_.begin(), timed_.end(),
                      [](const auto& a, const auto& b) { return a.cycle < b.cycle; });
-    return {};
   }
 
   // What the host writes is tried once now, so that nothing can fail later.
-  Result<void> SetUpHost() {
+  void FindHostWrites() {
     const ControllerSnapshot before = controller_.Snapshot();
     for (const HostEvent& event : scenario_.host) {
       for (const InitialValue& written : event.values) {
+        if (!fit_.CanJudge(written.name)) continue;
         auto variables = SetVariable(written, written.name, &controller_);
-        if (!variables.ok()) return variables.error();
+        if (!variables.ok()) {
+          fit_.Add(written.place, variables.error().message);
+          continue;
+        }
         for (size_t i = 0; i < written.values.size(); ++i) {
           writes_.push_back({CycleOf(scenario_, event.at_us), std::move(variables.value()[i]),
                              written.values[i]});
@@ -149,32 +171,31 @@ class ScenarioRunner {
       }
     }
     controller_.Restore(before);
-    return {};
   }
 
-  Result<void> SetUpValues() {
+  void FindShown() {
     if (options_.show.empty()) {
       for (const vm::Symbol& symbol : image().object.globals) shown_.push_back(symbol.name);
     } else {
       shown_ = options_.show;
     }
     for (const std::string& name : shown_) {
+      if (!fit_.CanJudge(name)) continue;
       auto quantities = ResolveQuantity(name, controller_);
-      if (!quantities.ok()) return quantities.error();
-      shown_quantities_.push_back(std::move(quantities).value());
+      if (quantities.ok()) {
+        shown_quantities_.push_back(std::move(quantities).value());
+      } else {
+        fit_.Add({}, quantities.error().message);
+      }
     }
-    return {};
   }
 
-  Result<void> SetUpTrace() {
-    // Misspelt names are found whether there is a trace or not.
+  // --- What is looked at -----------------------------------------------------------------------
+
+  void BeginTrace() {
+    if (!options_.trace) return;
     std::vector<TraceColumn> columns;
-    for (const std::string& name : scenario_.trace) {
-      auto quantities = ResolveQuantity(name, controller_);
-      if (!quantities.ok()) return quantities.error();
-      for (Quantity& quantity : quantities.value()) columns.push_back({std::move(quantity)});
-    }
-    if (!options_.trace) return {};
+    for (Quantity& quantity : traced_) columns.push_back({std::move(quantity)});
     if (scenario_.trace.empty()) {
       for (const std::vector<Quantity>& quantities : shown_quantities_) {
         for (const Quantity& quantity : quantities) columns.push_back({quantity});
@@ -185,7 +206,6 @@ class ScenarioRunner {
     }
     result_.trace.emplace(std::move(columns));
     for (TraceMark& mark : at_power_on_) result_.trace->Mark(std::move(mark));
-    return {};
   }
 
   // What the card does by itself goes to the trace; it can do something before that has begun.
@@ -200,14 +220,11 @@ class ScenarioRunner {
     });
   }
 
-  Result<void> SetUpWatch() {
+  void BeginWatch() {
     RunWatch* watch = options_.watch;
-    if (watch == nullptr) return {};
-    if (auto begun = watch->Begin(controller_); !begun.ok()) return begun.error();
-    if (!watch->LooksAtStates()) return {};
+    if (watch == nullptr || !watch->LooksAtStates()) return;
     watch->Look(controller_);
     controller_.ObserveStates([this, watch] { watch->Look(controller_); });
-    return {};
   }
 
   // --- The run ---------------------------------------------------------------------------------
@@ -489,6 +506,7 @@ class ScenarioRunner {
   const RunOptions& options_;
   RefusedCommands refused_;
   Controller controller_;
+  ScenarioFit fit_;
   std::shared_ptr<const vm::Schedule> replayed_;
   std::vector<PendingExpectation> timed_;  // by cycle
   std::vector<PendingExpectation> final_;
@@ -500,6 +518,7 @@ class ScenarioRunner {
   std::vector<int> fault_expected_;  // threads whose error an expectation names
   std::vector<std::string> shown_;
   std::vector<std::vector<Quantity>> shown_quantities_;
+  std::vector<Quantity> traced_;  // of the scenario's `trace`
   ScenarioResult result_;
 };
 
@@ -508,6 +527,12 @@ class ScenarioRunner {
 Result<ScenarioResult> RunScenario(const Scenario& scenario, vm::Object object,
                                    const RunOptions& options) {
   return ScenarioRunner(scenario, options).Run(std::move(object));
+}
+
+Result<void> FitScenario(const Scenario& scenario, vm::Object object, RunWatch* watch) {
+  RunOptions options;
+  options.watch = watch;
+  return ScenarioRunner(scenario, options).Fit(std::move(object));
 }
 
 }  // namespace oncard::runtime

@@ -101,10 +101,13 @@ struct ScenarioResult {
   bool passed() const { return failures.empty(); }
 };
 
-/// Runs the scenario. Fails if it does not fit the program (an unknown name, a value out of range,
-/// an object that Verify() rejects, a schedule of another program); failures during the run are in
-/// the result.
+/// Runs the scenario. Fails with everything that does not fit the program (an unknown name, a value
+/// out of range, a schedule of another program), in the order of the file; or if Verify() rejects
+/// the object. Failures during the run are in the result.
 Result<ScenarioResult> RunScenario(const Scenario& scenario, vm::Object object,
                                    const RunOptions& options = {});
+
+/// Fails as RunScenario() would before the first statement, whatever the schedule.
+Result<void> FitScenario(const Scenario& scenario, vm::Object object, RunWatch* watch = nullptr);
 
 }  // namespace oncard::runtime

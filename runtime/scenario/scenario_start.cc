@@ -34,58 +34,84 @@ Result<std::vector<ThreadStart>> ThreadsOf(const Scenario& scenario, const vm::I
   return std::vector{std::move(start)};
 }
 
-Result<void> BindThreads(const std::vector<ThreadStart>& starts, vm::Machine* machine) {
+/// Binds the threads and gives those that could be bound.
+std::vector<ThreadStart> BindThreads(const std::vector<ThreadStart>& starts, vm::Machine* machine,
+                                     ScenarioFit* fit) {
+  std::vector<ThreadStart> bound;
   for (const ThreadStart& start : starts) {
     const auto id = FunctionId(start.function, *machine->image());
-    if (!id.ok()) return id.error();
-    if (machine->Bind(start.thread, id.value(), start.page) != vm::kOk) {
-      return MakeError(1, "thread {0} cannot have page {1}: another thread has it",
-                       "线程 {0} 不能使用数据页 {1}：已被其它线程占用", start.thread, start.page);
+    if (!id.ok()) {
+      fit->Add(start.function_place, id.error().message);
+    } else if (machine->Bind(start.thread, id.value(), start.page) != vm::kOk) {
+      fit->Add(
+          start.page_place,
+          MakeMessage("thread {0} cannot have page {1}: another thread has it",
+                      "线程 {0} 不能使用数据页 {1}：已被其它线程占用", start.thread, start.page));
+    } else {
+      bound.push_back(start);
+      continue;
     }
+    fit->MissThread();
   }
-  return {};
+  return bound;
 }
 
-Result<void> SetValues(const Scenario& scenario, const std::vector<ThreadStart>& starts,
-                       Controller* controller) {
+void SetValue(const InitialValue& initial, const std::string& name, Controller* controller,
+              ScenarioFit* fit) {
+  if (!fit->CanJudge(initial.name)) return;
+  const auto set = SetVariable(initial, name, controller);
+  if (!set.ok()) fit->Add(initial.place, set.error().message);
+}
+
+void SetValues(const Scenario& scenario, const std::vector<ThreadStart>& starts,
+               Controller* controller, ScenarioFit* fit) {
   for (const InitialValue& initial : scenario.globals) {
-    if (auto set = SetVariable(initial, initial.name, controller); !set.ok()) return set.error();
+    SetValue(initial, initial.name, controller, fit);
   }
   for (const ThreadStart& start : starts) {
     for (const InitialValue& initial : start.values) {
-      const std::string name = fmt::format("page{}.{}", start.page, initial.name);
-      if (auto set = SetVariable(initial, name, controller); !set.ok()) return set.error();
+      SetValue(initial, fmt::format("page{}.{}", start.page, initial.name), controller, fit);
     }
   }
-  return {};
 }
 
-Result<void> RunThreads(const Scenario& scenario, const std::vector<ThreadStart>& starts,
-                        vm::Machine* machine) {
+void RunThreads(const Scenario& scenario, const std::vector<ThreadStart>& starts,
+                vm::Machine* machine, ScenarioFit* fit) {
   for (const ThreadStart& start : starts) {
     const int64_t period = CycleOf(scenario, start.period_ms * 1000);
     const int16_t code = period == 0 ? machine->Run(start.thread)
                                      : machine->RunPeriodic(start.thread, period,
                                                             static_cast<int16_t>(start.priority));
     if (code != vm::kOk) {
-      return MakeError(code, "thread {0} cannot be started: code {1}",
-                       "线程 {0} 无法启动：返回值 {1}", start.thread, code);
+      fit->Add(start.function_place,
+               MakeMessage("thread {0} cannot be started: code {1}",
+                           "线程 {0} 无法启动：返回值 {1}", start.thread, code));
     }
   }
-  return {};
 }
 
 }  // namespace
 
-Result<void> StartScenario(const Scenario& scenario, vm::Object object, Controller* controller) {
+Result<void> StartScenario(const Scenario& scenario, vm::Object object, Controller* controller,
+                           ScenarioFit* fit) {
   if (auto loaded = controller->Load(std::move(object)); !loaded.ok()) return loaded.error();
   ApplyWorld(scenario, controller);
   vm::Machine& machine = controller->machine();
   const auto starts = ThreadsOf(scenario, *machine.image());
   if (!starts.ok()) return starts.error();
-  if (auto bound = BindThreads(starts.value(), &machine); !bound.ok()) return bound;
-  if (auto set = SetValues(scenario, starts.value(), controller); !set.ok()) return set;
-  return RunThreads(scenario, starts.value(), &machine);
+  const std::vector<ThreadStart> bound = BindThreads(starts.value(), &machine, fit);
+  SetValues(scenario, bound, controller, fit);
+  RunThreads(scenario, bound, &machine, fit);
+  return {};
+}
+
+Result<void> StartScenario(const Scenario& scenario, vm::Object object, Controller* controller) {
+  ScenarioFit fit;
+  if (auto started = StartScenario(scenario, std::move(object), controller, &fit); !started.ok()) {
+    return started;
+  }
+  if (auto failure = fit.Failure()) return *std::move(failure);
+  return {};
 }
 
 Result<std::vector<Quantity>> SetVariable(const InitialValue& initial, const std::string& name,

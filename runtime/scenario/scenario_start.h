@@ -5,6 +5,7 @@
 #include "base/result.h"
 #include "runtime/observe/quantity.h"
 #include "runtime/scenario/scenario.h"
+#include "runtime/scenario/scenario_fit.h"
 #include "runtime/sim/controller.h"
 #include "vm/object.h"
 
@@ -12,8 +13,12 @@ namespace oncard::runtime {
 
 /// Puts a controller that was made with CardOptions() and has just been switched on into the state
 /// before the scenario's first statement: applies the surroundings, binds every thread, sets all
-/// values, then starts the threads in the order of the scenario. Fails if the scenario does not fit
-/// the program.
+/// values, then starts the threads in the order of the scenario. What does not fit the program is
+/// added to `fit` and left out. Fails if the program cannot be loaded or has no function.
+Result<void> StartScenario(const Scenario& scenario, vm::Object object, Controller* controller,
+                           ScenarioFit* fit);
+
+/// The same for a caller with nothing more to check: also fails with everything that does not fit.
 Result<void> StartScenario(const Scenario& scenario, vm::Object object, Controller* controller);
 
 /// Writes the values to the variable `name`, or to the first elements of an array. Returns all

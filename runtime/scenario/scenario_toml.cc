@@ -99,11 +99,12 @@ class ScenarioReader : private TomlKeys {
     Texts(table, "always", scenario_.always);
     Texts(table, "never", scenario_.never);
     Texts(table, "eventually", scenario_.eventually);
-    for (const char* key : {"final", "always", "never", "eventually"}) {
-      scenario_.text_places[key] = PlacesOfTexts(table, key);
-    }
     scenario_.races = kRaceRules[Choice(table, "races", kRaceRules, 0)];
     Texts(table, "sync", scenario_.sync);
+    for (const char* key :
+         {"schedule", "trace", "final", "always", "never", "eventually", "races", "sync"}) {
+      scenario_.text_places[key] = PlacesOfTexts(table, key);
+    }
     ReadExplore(table);
     for (const toml::table* key : Tables(table, "keys")) ReadKeys(*key);
     std::stable_sort(scenario_.keys.begin(), scenario_.keys.end(),
@@ -148,6 +149,8 @@ class ScenarioReader : private TomlKeys {
       Fail(table.source(), {"'function' is missing: name a function of the program",
                             "缺少“function”：应给出程序中的函数名"});
     }
+    start.function_place = PlaceOfValue(table, "function");
+    start.page_place = PlaceOfValue(table, "page");
     if (const toml::table* init = Table(table, "init")) start.values = Values(*init);
     start.period_ms = Whole(table, "period_ms", 0, 0, kTimeMsMax);
     start.priority = static_cast<int>(Whole(table, "priority", start.priority, -32768, 32767));
@@ -197,6 +200,7 @@ class ScenarioReader : private TomlKeys {
     } else if (const toml::table* wishes = node->as_table()) {
       CheckKeys(*wishes, kExploreKeys);
       wish.engine = kEngineNames[Choice(*wishes, "engine", kEngineNames, 0)];
+      scenario_.text_places["explore.engine"] = PlacesOfTexts(*wishes, "engine");
       wish.verdict = kVerdictNames[Choice(*wishes, "verdict", kVerdictNames, 0)];
       wish.max_executions = Whole(*wishes, "max_executions", 0, 1, 1'000'000'000'000);
       wish.max_states = Whole(*wishes, "max_states", 0, 1, 4'000'000'000);
@@ -253,6 +257,7 @@ class ScenarioReader : private TomlKeys {
         Fail(item.source(), expectation.error().message);
         continue;
       }
+      expectation.value().place = TextPlaceOf(item.source());
       scenario_.expectations.push_back(std::move(expectation).value());
     }
   }

@@ -69,11 +69,16 @@ std::vector<TextPlace> TomlKeys::PlacesOfTexts(const toml::table& table,
                                                std::string_view key) const {
   std::vector<TextPlace> places;
   const toml::node* node = table.get(key);
-  const toml::array* list = node != nullptr ? node->as_array() : nullptr;
-  for (size_t i = 0; list != nullptr && i < list->size(); ++i) {
-    places.push_back(TextPlaceOf((*list)[i].source()));
-  }
+  if (node == nullptr) return places;
+  const toml::array* list = node->as_array();
+  if (list == nullptr) return {TextPlaceOf(node->source())};
+  for (const toml::node& item : *list) places.push_back(TextPlaceOf(item.source()));
   return places;
+}
+
+TextPlace TomlKeys::PlaceOfValue(const toml::table& table, std::string_view key) const {
+  const toml::node* node = table.get(key);
+  return TextPlaceOf(node != nullptr ? node->source() : table.source());
 }
 
 int64_t TomlKeys::Whole(const toml::table& table, std::string_view key, int64_t absent,
@@ -183,6 +188,7 @@ std::vector<InitialValue> TomlKeys::Values(const toml::table& table) {
       Fail(key.source(), MakeMessage("'{0}' must be a number or a list of numbers",
                                      "“{0}”应为数字或数字列表", key.str()));
     }
+    initial.place = TextPlaceOf(key.source());
     placed.emplace_back(key.source(), std::move(initial));
   }
   std::stable_sort(placed.begin(), placed.end(), [](const auto& a, const auto& b) {

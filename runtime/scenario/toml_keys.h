@@ -32,8 +32,10 @@ class TomlKeys {
   /// Does not change `value` if the key is absent.
   void Text(const toml::table& table, std::string_view key, std::string& value);
   void Texts(const toml::table& table, std::string_view key, std::vector<std::string>& values);
-  /// The places of those texts.
+  /// The places of those texts, or of the one text.
   std::vector<TextPlace> PlacesOfTexts(const toml::table& table, std::string_view key) const;
+  /// The place of a value, or of the table if the key is missing.
+  TextPlace PlaceOfValue(const toml::table& table, std::string_view key) const;
   /// A whole number in a range; `absent` if the key is missing.
   int64_t Whole(const toml::table& table, std::string_view key, int64_t absent, int64_t smallest,
                 int64_t largest);
@@ -54,6 +56,8 @@ class TomlKeys {
   std::vector<InitialValue> Values(const toml::table& table);
   void Fail(const toml::source_region& place, const Message& message);
 
+  /// A place as errors that are found later name it.
+  TextPlace TextPlaceOf(const toml::source_region& place) const;
   /// A place for Fail().
   static toml::source_region PlaceOf(size_t line, size_t column);
 
@@ -61,8 +65,6 @@ class TomlKeys {
   std::optional<Error> Failure() const { return errors_.Failure(); }
 
  private:
-  TextPlace TextPlaceOf(const toml::source_region& place) const;
-
   std::shared_ptr<const TextFile> file_;
   PlacedErrors errors_;
 };

@@ -102,7 +102,7 @@ TEST_F(KeptSearch, TheLimitOfExecutionsIsThatOfAllPieces) {
 
 TEST_F(KeptSearch, ASearchIsToldOnTheWayAndLosesNothing) {
   // Nothing goes wrong: a failure would end it soon.
-  const Problem problem = BindProblem(problem_.model, {}).value();
+  const Problem problem = {problem_.model};
   const Exploration whole = Explore(problem, {.engine = EngineKind::kDpor}).value();
   options_.engine = EngineKind::kDpor;
   int kept = 0;
@@ -121,7 +121,7 @@ TEST_F(KeptSearch, ASearchIsToldOnTheWayAndLosesNothing) {
 
 TEST_F(KeptSearch, AutoGoesOnAfterItWasKept) {
   // Far too many traces; only the interruption ends it.
-  const Problem large = BindProblem(ProblemOf(Increments(8, 50)).model, {}).value();
+  const Problem large = {ProblemOf(Increments(8, 50)).model};
   std::vector<int64_t> kept;
   options_.all = true;
   options_.keep = [&](const TraceSearch& search) {

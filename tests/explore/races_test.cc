@@ -120,9 +120,13 @@ TEST(RacesTest, ClocksSeeRacesFarApart) {
 
 TEST(RacesTest, UnknownSynchronisingVariablesAreRefused) {
   const Problem problem = ProblemOf(HandOver(""));
-  EXPECT_FALSE(SyncCellsNamed({"flags"}, problem.model.image().object).ok());
-  EXPECT_EQ(SyncCellsNamed({"flag"}, problem.model.image().object).value(),
-            (SyncCells{false, true}));
+  runtime::Scenario scenario;
+  scenario.sync = {"flags", "flag", "d"};
+  runtime::ScenarioFit fit;
+  EXPECT_EQ(SyncCellsOf(scenario, problem.model.image().object, &fit), (SyncCells{false, true}));
+  EXPECT_EQ(fit.Failure()->message.en,
+            "no global variable is named 'flags'\n"
+            "no global variable is named 'd'");
 }
 
 }  // namespace

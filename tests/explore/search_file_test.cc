@@ -41,7 +41,7 @@ TEST(SearchFileTest, TheTextHoldsEverything) {
 
 TEST(SearchFileTest, TheResultsAreShownAsOfASearchInOnePiece) {
   // Nothing is asked of the results: additions can be lost.
-  const Problem problem = BindProblem(ProblemOf(Increments(2, 2)).model, {}).value();
+  const Problem problem = {ProblemOf(Increments(2, 2)).model};
   ASSERT_TRUE(problem.requirements.empty());
   for (const EngineKind engine : {EngineKind::kDpor, EngineKind::kPct}) {
     const auto whole = Explore(problem, {.engine = engine, .runs = 40});

@@ -8,9 +8,12 @@ namespace {
 constexpr const char* kCount = "int n;\nint f(int k)\n{\n  n = n + k;\n  return n;\n}\n";
 constexpr const char* kSpin = "int n;\nint f()\n{\nlbl:\n  n = n + 1;\n  goto lbl;\n}\n";
 
+/// The first line of the error.
 std::string ErrorOf(const std::string& program, const std::string& scenario) {
   const auto result = RunScenario(ScenarioForTest(scenario), CompileForTest(program));
-  return result.ok() ? "no error" : result.error().message.en;
+  if (result.ok()) return "no error";
+  const std::string& told = result.error().message.en;
+  return told.substr(0, told.find('\n'));
 }
 
 TEST(RunScenario, RunsTheFirstFunctionWithoutThreads) {
@@ -34,17 +37,18 @@ TEST(RunScenario, SetsGlobalsAndLocalsBeforeTheStart) {
 TEST(RunScenario, SaysWhatDoesNotFitTheProgram) {
   const std::string thread = "[[thread]]\nfunction = \"f\"\n";
   EXPECT_EQ(ErrorOf(kCount, "[[thread]]\nfunction = \"ff\"\n"),
-            "the program has no function 'ff'; did you mean 'f'?");
+            "t.toml:3:12: the program has no function 'ff'; did you mean 'f'?");
   EXPECT_EQ(ErrorOf(kCount, "[[thread]]\nfunction = \"other\"\n"),
-            "the program has no function 'other': it has f");
-  EXPECT_EQ(ErrorOf(kCount, thread + "init = { j = 1 }\n"), "nothing is named 'j'");
+            "t.toml:3:12: the program has no function 'other': it has f");
+  EXPECT_EQ(ErrorOf(kCount, thread + "init = { j = 1 }\n"), "t.toml:4:10: nothing is named 'j'");
   EXPECT_EQ(ErrorOf(kCount, thread + "init = { k = 1e12 }\n"),
-            "1000000000000 does not fit 'page0.k'");
-  EXPECT_EQ(ErrorOf(kCount, "[globals]\nn = [1, 2]\n"), "'n' takes 1 values, not 2");
-  EXPECT_EQ(ErrorOf(kCount, "[globals]\ngpo = 1\n"), "'gpo' is not a variable of the program");
+            "t.toml:4:10: 1000000000000 does not fit 'page0.k'");
+  EXPECT_EQ(ErrorOf(kCount, "[globals]\nn = [1, 2]\n"), "t.toml:3:1: 'n' takes 1 values, not 2");
+  EXPECT_EQ(ErrorOf(kCount, "[globals]\ngpo = 1\n"),
+            "t.toml:3:1: 'gpo' is not a variable of the program");
   EXPECT_EQ(ErrorOf(kCount, thread + "[[thread]]\nthread = 1\npage = 0\nfunction = \"f\"\n"),
-            "thread 1 cannot have page 0: another thread has it");
-  EXPECT_EQ(ErrorOf(kCount, "expect = [\"m == 1\"]"), "'m == 1': nothing is named 'm'");
+            "t.toml:6:8: thread 1 cannot have page 0: another thread has it");
+  EXPECT_EQ(ErrorOf(kCount, "expect = [\"m == 1\"]"), "t.toml:2:11: nothing is named 'm'");
 }
 
 RunOptions WithSteps() {
@@ -255,7 +259,7 @@ TEST(RunScenario, ReplaysARecordingThatWasCutOffToWhereItWas) {
     class StopAtOnce : public RunWatch {
      public:
       explicit StopAtOnce(std::atomic<bool>* stop) : stop_(stop) {}
-      Result<void> Begin(const Controller&) override { return {}; }
+      void Begin(const Controller&, ScenarioFit*) override {}
       bool LooksAtStates() const override { return true; }
       void Look(const Controller& controller) override {
         if (controller.cycle() > 0) *stop_ = true;

@@ -1,0 +1,58 @@
+#include "runtime/scenario/scenario_fit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace oncard::runtime {
+namespace {
+
+constexpr std::string_view kNameCharacters =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_0123456789";
+
+/// `thread12`, `page3`, `ret0`.
+bool NamesThread(std::string_view word) {
+  for (const std::string_view prefix : {"thread", "page", "ret"}) {
+    if (!word.starts_with(prefix) || word.size() == prefix.size()) continue;
+    const std::string_view number = word.substr(prefix.size());
+    if (number.find_first_not_of("0123456789") == std::string_view::npos) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void ScenarioFit::AddText(const TextPlace& place, std::string_view text, const Message& why) {
+  if (place.file != nullptr) return Add(place, why);
+  Add(place, {fmt::format("'{}': {}", text, why.en), fmt::format("“{}”：{}", text, why.zh)});
+}
+
+bool ScenarioFit::CanJudge(std::string_view text) const {
+  if (all_bound_) return true;
+  for (size_t begin = text.find_first_of(kNameCharacters); begin != std::string_view::npos;) {
+    const size_t end = std::min(text.find_first_not_of(kNameCharacters, begin), text.size());
+    if (NamesThread(text.substr(begin, end - begin))) return false;
+    begin = text.find_first_of(kNameCharacters, end);
+  }
+  return true;
+}
+
+std::vector<Quantity> TraceQuantities(const Scenario& scenario, const Controller& controller,
+                                      ScenarioFit* fit) {
+  std::vector<Quantity> all;
+  for (size_t i = 0; i < scenario.trace.size(); ++i) {
+    const std::string& name = scenario.trace[i];
+    if (!fit->CanJudge(name)) continue;
+    auto found = ResolveQuantity(name, controller);
+    if (found.ok()) {
+      std::ranges::move(found.value(), std::back_inserter(all));
+    } else {
+      fit->Add(PlaceOfText(scenario, "trace", i), found.error().message);
+    }
+  }
+  return all;
+}
+
+}  // namespace oncard::runtime

@@ -1,0 +1,127 @@
+// What a scenario says that its program does not have (runtime/scenario_fit.h).
+#include "runtime/scenario/scenario_fit.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/runtime/scenario_support.h"
+
+namespace oncard::runtime {
+namespace {
+
+constexpr const char* kProgram = "int n;\nint f(int k)\n{\n  n = n + k;\n  return n;\n}\n";
+
+Message MisfitOf(const Scenario& scenario, const RunOptions& options = {}) {
+  const auto result = RunScenario(scenario, CompileForTest(kProgram), options);
+  return result.ok() ? Message{"it fits", "相符"} : result.error().message;
+}
+
+TEST(ScenarioFit, EverythingIsToldAtOnceInTheOrderOfTheFile) {
+  const Scenario scenario = ScenarioForTest(
+      "trace = [\"n\", \"nn\"]\n"
+      "schedule = \"rrr\"\n"
+      "expect = [\"n == 1\", \"m == 1\"]\n"
+      "[globals]\n"
+      "q = 1\n"
+      "n = [1, 2]\n"
+      "[[host]]\n"
+      "at_ms = 1\n"
+      "set = { z = 1 }\n"
+      "[[thread]]\n"
+      "function = \"f\"\n"
+      "init = { k = 1e12, j = 1 }\n"
+      "[[thread]]\n"
+      "thread = 1\n"
+      "page = 0\n"
+      "function = \"f\"\n");
+  const std::string told = MisfitOf(scenario).en;
+  EXPECT_EQ(told,
+            "t.toml:2:15: nothing is named 'nn'; did you mean 'n'?\n"
+            "    2 | trace = [\"n\", \"nn\"]\n"
+            "      |               ^~~~\n"
+            "t.toml:3:12: " +
+                vm::ParsePolicy("rrr").error().message.en +
+                "\n    3 | schedule = \"rrr\"\n"
+                "      |            ^~~~~\n"
+                "t.toml:4:21: nothing is named 'm'\n"
+                "    4 | expect = [\"n == 1\", \"m == 1\"]\n"
+                "      |                     ^~~~~~~~\n"
+                "t.toml:6:1: nothing is named 'q'\n"
+                "    6 | q = 1\n"
+                "      | ^\n"
+                "t.toml:7:1: 'n' takes 1 values, not 2\n"
+                "    7 | n = [1, 2]\n"
+                "      | ^\n"
+                "t.toml:10:9: nothing is named 'z'\n"
+                "   10 | set = { z = 1 }\n"
+                "      |         ^\n"
+                "t.toml:13:10: 1000000000000 does not fit 'page0.k'\n"
+                "   13 | init = { k = 1e12, j = 1 }\n"
+                "      |          ^\n"
+                "t.toml:13:20: nothing is named 'j'\n"
+                "   13 | init = { k = 1e12, j = 1 }\n"
+                "      |                    ^\n"
+                "t.toml:16:8: thread 1 cannot have page 0: another thread has it\n"
+                "   16 | page = 0\n"
+                "      |        ^");
+}
+
+// The names of threads and pages have no meaning without the thread: they are not told as well.
+TEST(ScenarioFit, WhatFollowsFromAMissingThreadIsNotTold) {
+  const Scenario scenario = ScenarioForTest(
+      "expect = [\"thread3.result == page3.k\", \"m == 1\"]\n"
+      "trace = [\"page3.k\"]\n"
+      "[[thread]]\n"
+      "thread = 3\n"
+      "function = \"other\"\n"
+      "init = { x = 1 }\n");
+  EXPECT_EQ(MisfitOf(scenario).zh,
+            "t.toml:2:40: 没有名为“m”的量\n"
+            "    2 | expect = [\"thread3.result == page3.k\", \"m == 1\"]\n"
+            "      |                                        ^~~~~~~~\n"
+            "t.toml:6:12: 程序中没有函数“other”：只有 f\n"
+            "    6 | function = \"other\"\n"
+            "      |            ^~~~~~~");
+}
+
+TEST(ScenarioFit, JudgesWhatDoesNotDependOnAMissingThread) {
+  ScenarioFit fit;
+  EXPECT_TRUE(fit.CanJudge("page0.k == 1"));
+  fit.MissThread();
+  for (const char* text : {"page0.k == 1", "n == thread12.result", "!(ret0 + 1)", "page7.a[2]"}) {
+    EXPECT_FALSE(fit.CanJudge(text)) << text;
+  }
+  for (const char* text : {"", "n == 1", "pages == 2", "ret == 0", "thread_0 == 1", "axis1.prfPos",
+                           "my_page0 == 3", "x.thread == 1"}) {
+    EXPECT_TRUE(fit.CanJudge(text)) << text;
+  }
+}
+
+// What a command line says has no place: it is told behind what the file says.
+TEST(ScenarioFit, WhatStandsNowhereIsToldInWords) {
+  Scenario scenario = ScenarioForTest("expect = [\"m == 1\"]\n");
+  scenario.globals.push_back(ParseInitialValue("q=1").value());
+  scenario.threads.push_back(ParseThreadStart("0=g").value());
+  scenario.expectations.push_back(ParseExpectation("l == 1").value());
+  RunOptions options;
+  options.show = {"r"};
+  EXPECT_EQ(MisfitOf(scenario, options).en,
+            "t.toml:2:11: nothing is named 'm'\n"
+            "    2 | expect = [\"m == 1\"]\n"
+            "      |           ^~~~~~~~\n"
+            "the program has no function 'g': it has f\n"
+            "nothing is named 'q'\n"
+            "'l == 1': nothing is named 'l'\n"
+            "nothing is named 'r'");
+}
+
+TEST(ScenarioFit, IsLookedAtWithoutARun) {
+  const vm::Object object = CompileForTest(kProgram);
+  EXPECT_TRUE(FitScenario(ScenarioForTest("expect = [\"n == 1\"]"), object).ok());
+  const Scenario other = ScenarioForTest("expect = [\"m == 1\"]\n[globals]\nq = 1\n");
+  const auto fits = FitScenario(other, object);
+  ASSERT_FALSE(fits.ok());
+  EXPECT_EQ(fits.error().message.en, MisfitOf(other).en);
+}
+
+}  // namespace
+}  // namespace oncard::runtime
