@@ -109,10 +109,12 @@ Result<void> AddComments(const std::string& path, std::string_view source, const
       std::ranges::find(object.functions, "t0", &vm::Function::name) != object.functions.end();
   auto read = binds ? ReadComments(path, source, object) : ReadCommentLines(path, source);
   if (!read.ok()) return read.error();
-  runtime::Scenario& said = read.value().scenario;
-  if (said.races != runtime::Scenario{}.races || !said.sync.empty()) {
-    return Error{1, runtime::DescribeRefusedKey("//@ races", runtime::ScenarioUse::kRun)};
+  runtime::PlacedErrors refused;
+  for (const auto& [key, place] : read.value().of_all_schedules) {
+    refused.Add(place, runtime::DescribeRefusedKey(key, runtime::ScenarioUse::kRun));
   }
+  if (auto failure = refused.Failure()) return *std::move(failure);
+  runtime::Scenario& said = read.value().scenario;
   if (binds) scenario->threads = std::move(said.threads);
   scenario->globals.insert(scenario->globals.begin(), said.globals.begin(), said.globals.end());
   AddRequirements(read.value().requirements, scenario);

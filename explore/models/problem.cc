@@ -78,9 +78,13 @@ class CommentReader {
       ForEachPart(rest, [this](std::string_view part) { ReadInitialValue(part); });
     } else if (key == "sync") {
       ForEachPart(rest, [this](std::string_view part) { ReadSync(part); });
+      problem_.of_all_schedules.push_back({"//@ sync", PlaceOfComment()});
     } else if (key == "races" && RaceRuleNamed(rest)) {
       problem_.scenario.races = rest;
       problem_.scenario.text_places["races"] = {PlaceOf(rest)};
+      if (rest != runtime::Scenario{}.races) {
+        problem_.of_all_schedules.push_back({"//@ races", PlaceOfComment()});
+      }
     } else if (const auto scope = ScopeNamed(key)) {
       problem_.requirements.push_back({*scope, std::string(rest), PlaceOf(rest)});
     } else {

@@ -58,8 +58,14 @@ std::vector<Property> ReadRequirements(const std::vector<Requirement>& requireme
 
 /// The content of a source's comments, as the equivalent scenario.
 struct CommentProblem {
+  /// A key that speaks of all schedules, with the comment that has it.
+  struct PlacedKey {
+    std::string key;  ///< `//@ races`
+    runtime::TextPlace place;
+  };
   runtime::Scenario scenario;  ///< program, threads, initial values
   std::vector<Requirement> requirements;
+  std::vector<PlacedKey> of_all_schedules;
 };
 
 /// Reads the comments of a source, without binding threads. Fails on a comment that cannot be read:

@@ -143,7 +143,7 @@ TEST(Run, LooksAtWhatCommentsOfASourceRequire) {
       "int x, y;\nint t0()\n{\n  x = y;\n  return x;\n}\nint t1()\n{\n  y = 2;\n  return y;\n}\n";
   scratch.Write("good.c", "//@ init: y = 1\n//@ always: x < 3\n" + body);
   scratch.Write("bad.c", "//@ init: y = 1\n//@ never: x == 1\n" + body);
-  scratch.Write("races.c", "//@ races: none\n" + body);
+  scratch.Write("races.c", "//@ init: y = 1\n  //@ races: none\n" + body + "//@ sync: x, y\n");
   scratch.Write("wrong.c", "//@ finally: x == 1\n//@ nevr: x == 1\n" + body);
   scratch.Write("s.toml", "program = \"bad.c\"\n[[thread]]\nfunction = \"t1\"\n");
   const auto run = [&](const char* file) { return RunOncard({"run", file}, scratch.path()); };
@@ -155,7 +155,15 @@ TEST(Run, LooksAtWhatCommentsOfASourceRequire) {
   EXPECT_EQ(
       bad.err,
       "oncard: never: x == 1: holds after thread 0 has executed bad.c:6, at 0.25 ms: x is 1\n");
-  EXPECT_EQ(run("races.c").exit_code, 2);
+  const ProcessResult races = run("races.c");
+  EXPECT_EQ(races.exit_code, 2);
+  const std::string refusal =
+      " is about all schedules, a single run cannot look at it: use 'oncard explore', or give the "
+      "file the key 'explore' for 'oncard test'\n";
+  EXPECT_EQ(races.err, "oncard: races.c:2:3: '//@ races'" + refusal +
+                           "    2 |   //@ races: none\n      |   ^~~~~~~~~~~~~~~\n"
+                           "races.c:14:1: '//@ sync'" +
+                           refusal + "   14 | //@ sync: x, y\n      | ^~~~~~~~~~~~~~\n");
   const ProcessResult wrong = run("wrong.c");
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_NE(wrong.err.find("wrong.c:1:1: "), std::string::npos) << wrong.err;
