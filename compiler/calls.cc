@@ -106,7 +106,7 @@ void Checker::ReportUnknownCall(const Expression& callee) {
     return;
   }
   Diagnostic& diagnostic = reporter_.Report(Code::kNotACommand, callee.range, name);
-  if (gtcalls::FindCommand(name) != nullptr) {
+  if (catalogue_.Find(name) != nullptr) {
     AddNote(diagnostic, MakeMessage("the command exists, but only the host may call it",
                                     "该指令存在，但只能由主机调用"));
     return;
@@ -117,7 +117,7 @@ void Checker::ReportUnknownCall(const Expression& callee) {
                                         "只能调用 GT 指令、abs 和 fabs"));
   if (!MaySuggest()) return;
   Nearest nearest(name);
-  for (const gtcalls::Command& command : gtcalls::Commands()) {
+  for (const gtcalls::Command& command : catalogue_.commands()) {
     if (command.in_motion_program) nearest.Add(command.name);
   }
   for (const std::string_view candidate : {"abs", "fabs"}) nearest.Add(candidate);
@@ -133,7 +133,7 @@ void Checker::CheckCall(const Expression& call) {
     CheckNames(call);
     return;
   }
-  const gtcalls::Command* command = gtcalls::FindCommand(callee.text);
+  const gtcalls::Command* command = catalogue_.Find(callee.text);
   if (command != nullptr && command->in_motion_program) {
     CheckCommand(call, *command);
     return;
@@ -335,7 +335,7 @@ bool Checker::CheckAddress(const Expression& argument, const Expression& call,
       return false;
     }
     if (addressable && variable.kind == Expression::Kind::kName && entity == nullptr &&
-        gtcalls::FindConstant(variable.text) == nullptr && variable.text != "NULL") {
+        catalogue_.FindConstant(variable.text) == nullptr && variable.text != "NULL") {
       ResolveName(variable);
       return false;
     }

@@ -6,7 +6,7 @@ namespace oncard::compiler {
 
 Checker::Checker(const Options& options, const std::deque<SourceFile>& files, Reporter& reporter,
                  const std::vector<Token>& tokens)
-    : options_(options), files_(files), reporter_(reporter) {
+    : options_(options), catalogue_(*options.catalogue), files_(files), reporter_(reporter) {
   object_.double_format = options.double_format;
   for (const Token& token : tokens) {
     if (token.kind == Parser::token::kName) fresh_.Reserve(token.text);

@@ -264,6 +264,7 @@ class Checker {
   int LineOf(SourceRange range) const;
 
   const Options& options_;
+  const gtcalls::Catalogue& catalogue_;
   const std::deque<SourceFile>& files_;
   Reporter& reporter_;
   vm::Object object_;

@@ -80,7 +80,7 @@ Compilation CompileText(const std::string& path, std::string text, const Options
   // shows once more.
   if (reporter.Has(Code::kNestedFunction)) reporter.Drop(Code::kUnexpectedEnd);
 
-  if (!reporter.HasErrors()) WarnAboutFlow(object, checker.places(), reporter);
+  if (!reporter.HasErrors()) WarnAboutFlow(object, checker.places(), *options.catalogue, reporter);
   ApplyWarningOptions(options, reporter);
 
   Compilation compilation;

@@ -11,6 +11,7 @@
 
 #include "base/result.h"
 #include "compiler/diagnostic.h"
+#include "gtcalls/gts/catalogue.h"
 #include "vm/fixed_point.h"
 #include "vm/object.h"
 
@@ -26,6 +27,8 @@ struct Options {
   bool warnings_are_errors = false;
   /// Codes of warnings that are not reported.
   std::vector<int> silent_warnings = {};
+  /// The commands that programs may call. There are motion programs on GTS controllers only.
+  const gtcalls::Catalogue* catalogue = &gtcalls::GtsCatalogue();
 };
 
 /// Reads `error`, or `no-` with the slug of a warning, into the options unless they are nullptr.

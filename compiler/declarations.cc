@@ -33,7 +33,7 @@ Checker::DeclaredType Checker::ResolveType(const Specifiers& specifiers) {
     }
     if (IsWordOf(word->text, {"int", "long", "short", "double", "void"})) known = true;
     if (word->text == "void") type.is_void = true;
-    const gtcalls::Structure* structure = gtcalls::FindStructure(word->text);
+    const gtcalls::Structure* structure = catalogue_.FindStructure(word->text);
     if (structure != nullptr && structure->in_motion_program) type.structure = structure;
   }
   if (!known && type.structure == nullptr) {
@@ -103,7 +103,7 @@ bool Checker::ReportTakenName(std::string_view name, SourceRange range, bool loc
             MakeMessage("the first definition is here", "首次定义在此处"));
     return true;
   }
-  if (gtcalls::FindCommand(name) != nullptr) {
+  if (catalogue_.Find(name) != nullptr) {
     AddNote(reporter_.Report(Code::kRedefinition, range, name),
             MakeMessage("'{0}' is a GT command", "'{0}' 是 GT 指令", name));
     return true;

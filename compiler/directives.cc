@@ -6,7 +6,6 @@
 #include "compiler/lexer.h"
 #include "compiler/macro_body.h"
 #include "compiler/parser.hh"
-#include "gtcalls/catalogue.h"
 #include "vm/limits.h"
 
 namespace oncard::compiler {
@@ -81,7 +80,8 @@ void Directives::AddFile(SourceFile file, uint32_t inclusion_point) {
   if (!Admit(files_.back())) return;
   // One more than is allowed tells a program that has too many.
   const size_t token_max = kTokenMax - scanned_tokens_;
-  const std::vector<Token> tokens = Tokenize(files_.back(), index, token_max + 1, reporter_);
+  const std::vector<Token> tokens =
+      Tokenize(files_.back(), index, token_max + 1, *options_.catalogue, reporter_);
   if (tokens.size() > token_max) {
     Refuse(MakeMessage("the program has more than {0} tokens", "程序的记号超过 {0} 个", kTokenMax));
     return;

@@ -94,7 +94,7 @@ void Checker::ReportUndeclared(const Expression& expression) {
   failed_ = true;
   if (skipped_names_.contains(name) || undeclared_macros_.contains(name)) return;
   if (function_ != nullptr && !function_->undeclared.insert(name).second) return;
-  if (const gtcalls::Command* command = gtcalls::FindCommand(name)) {
+  if (const gtcalls::Command* command = catalogue_.Find(name)) {
     Diagnostic& diagnostic = reporter_.Report(
         Code::kMissingOpenParen, expression.range,
         MakeMessage("the command {0} without arguments", "没有参数的指令 {0}", name));
@@ -102,7 +102,7 @@ void Checker::ReportUndeclared(const Expression& expression) {
     return;
   }
   Diagnostic& diagnostic = reporter_.Report(Code::kUndeclared, expression.range, name);
-  if (const gtcalls::Constant* constant = gtcalls::FindConstant(name)) {
+  if (const gtcalls::Constant* constant = catalogue_.FindConstant(name)) {
     undeclared_macros_.insert(name);
     const std::string line = fmt::format("#define {} {}", name, constant->value);
     AddNote(diagnostic,
@@ -705,7 +705,7 @@ void Checker::CheckNames(const Expression& expression) {
       const Entity* entity = Lookup(callee.text);
       if (entity == nullptr && (callee.text == "abs" || callee.text == "fabs")) {
         Teach(Code::kNestedExpression, expression.range);
-      } else if (gtcalls::FindCommand(callee.text) != nullptr) {
+      } else if (catalogue_.Find(callee.text) != nullptr) {
         Teach(Code::kRightOfAssign, callee.range, callee.text);
       } else {
         ReportUnknownCall(callee);

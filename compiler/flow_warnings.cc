@@ -4,8 +4,6 @@
 #include <deque>
 #include <string_view>
 
-#include "gtcalls/catalogue.h"
-
 namespace oncard::compiler {
 namespace {
 
@@ -20,9 +18,9 @@ constexpr std::string_view kWaitForUpdate[] = {"GT_SetPos", "GT_SetVel"};
 
 constexpr int kNone = -1;
 
-bool IsCommand(const Instruction& instruction, std::string_view name) {
-  return instruction.opcode == Opcode::kCommand &&
-         gtcalls::FindCommand(instruction.op)->name == name;
+bool IsCommand(const Instruction& instruction, std::string_view name,
+               const gtcalls::Catalogue& catalogue) {
+  return instruction.opcode == Opcode::kCommand && catalogue.Find(instruction.op)->name == name;
 }
 
 bool IsAlways(const Instruction& instruction) {
@@ -57,7 +55,8 @@ struct Uses {
 
 class UseFinder {
  public:
-  UseFinder(Storage storage, const Slots& slots) : storage_(storage), slots_(slots) {}
+  UseFinder(Storage storage, const Slots& slots, const gtcalls::Catalogue& catalogue)
+      : storage_(storage), slots_(slots), catalogue_(catalogue) {}
 
   Uses Find(const Instruction& instruction) const {
     Uses uses;
@@ -65,7 +64,7 @@ class UseFinder {
     const bool computes =
         instruction.opcode == Opcode::kUnary || instruction.opcode == Opcode::kBinary;
     const vm::CommandShape* shape = instruction.opcode == Opcode::kCommand
-                                        ? &gtcalls::ShapeOf(*gtcalls::FindCommand(instruction.op))
+                                        ? &catalogue_.ShapeOf(*catalogue_.Find(instruction.op))
                                         : nullptr;
     for (size_t i = 0; i < count; ++i) {
       const vm::Operand& operand = instruction.operands[i];
@@ -105,6 +104,7 @@ class UseFinder {
 
   Storage storage_;
   const Slots& slots_;
+  const gtcalls::Catalogue& catalogue_;
 };
 
 // The paths through a function. The place behind the last statement is its end.
@@ -165,14 +165,16 @@ class Paths {
 
 class FunctionWarnings {
  public:
-  FunctionWarnings(const vm::Function& function, const FunctionPlaces& places, Reporter& reporter)
+  FunctionWarnings(const vm::Function& function, const FunctionPlaces& places,
+                   const gtcalls::Catalogue& catalogue, Reporter& reporter)
       : function_(function),
         code_(function.instructions),
         places_(places),
+        catalogue_(catalogue),
         reporter_(reporter),
         paths_(function),
         locals_(function.variables),
-        finder_(Storage::kLocal, locals_) {
+        finder_(Storage::kLocal, locals_, catalogue) {
     reached_ = paths_.ReachedFrom(0);
     if (!code_.empty()) reached_[0] = true;
   }
@@ -241,24 +243,23 @@ class FunctionWarnings {
   }
 
   bool CallsUpdate() const {
-    return std::any_of(code_.begin(), code_.end(), [](const Instruction& instruction) {
-      return IsCommand(instruction, kUpdate);
+    return std::any_of(code_.begin(), code_.end(), [this](const Instruction& instruction) {
+      return IsCommand(instruction, kUpdate, catalogue_);
     });
   }
 
   void MissingUpdate() {
     std::vector<size_t> updates;
     for (size_t i = 0; i < code_.size(); ++i) {
-      if (IsCommand(code_[i], kUpdate)) updates.push_back(i);
+      if (IsCommand(code_[i], kUpdate, catalogue_)) updates.push_back(i);
     }
     const std::vector<bool> updated = paths_.ComingTo(updates);
     for (size_t i = 0; i < code_.size(); ++i) {
-      const bool waits =
-          std::any_of(std::begin(kWaitForUpdate), std::end(kWaitForUpdate),
-                      [this, i](std::string_view name) { return IsCommand(code_[i], name); });
+      const bool waits = std::any_of(
+          std::begin(kWaitForUpdate), std::end(kWaitForUpdate),
+          [this, i](std::string_view name) { return IsCommand(code_[i], name, catalogue_); });
       if (!waits || !reached_[i] || updated[i]) continue;
-      reporter_.Report(Code::kNoUpdate, places_.statements[i],
-                       gtcalls::FindCommand(code_[i].op)->name);
+      reporter_.Report(Code::kNoUpdate, places_.statements[i], catalogue_.Find(code_[i].op)->name);
       return;
     }
   }
@@ -296,6 +297,7 @@ class FunctionWarnings {
   const vm::Function& function_;
   const std::vector<Instruction>& code_;
   const FunctionPlaces& places_;
+  const gtcalls::Catalogue& catalogue_;
   Reporter& reporter_;
   Paths paths_;
   Slots locals_;
@@ -305,9 +307,9 @@ class FunctionWarnings {
 
 // A global that no function writes is 0 until the host writes it, if it ever does.
 void WarnAboutDivisors(const vm::Object& object, const std::vector<FunctionPlaces>& places,
-                       Reporter& reporter) {
+                       const gtcalls::Catalogue& catalogue, Reporter& reporter) {
   const Slots globals(object.globals);
-  const UseFinder finder(Storage::kGlobal, globals);
+  const UseFinder finder(Storage::kGlobal, globals, catalogue);
   std::vector<bool> written(globals.size());
   for (const vm::Function& function : object.functions) {
     for (const Instruction& instruction : function.instructions) {
@@ -333,10 +335,10 @@ void WarnAboutDivisors(const vm::Object& object, const std::vector<FunctionPlace
 }  // namespace
 
 void WarnAboutFlow(const vm::Object& object, const std::vector<FunctionPlaces>& places,
-                   Reporter& reporter) {
+                   const gtcalls::Catalogue& catalogue, Reporter& reporter) {
   std::deque<FunctionWarnings> functions;  // which stay where they are
   for (size_t i = 0; i < object.functions.size(); ++i) {
-    functions.emplace_back(object.functions[i], places[i], reporter);
+    functions.emplace_back(object.functions[i], places[i], catalogue, reporter);
   }
   // Another thread may update what this one sets.
   const bool updates = std::any_of(functions.begin(), functions.end(),
@@ -348,7 +350,7 @@ void WarnAboutFlow(const vm::Object& object, const std::vector<FunctionPlaces>& 
     function.UnusedResult();
     if (!updates || function.CallsUpdate()) function.MissingUpdate();
   }
-  WarnAboutDivisors(object, places, reporter);
+  WarnAboutDivisors(object, places, catalogue, reporter);
 }
 
 }  // namespace oncard::compiler

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "compiler/reporter.h"
+#include "gtcalls/catalogue.h"
 #include "vm/object.h"
 
 namespace oncard::compiler {
@@ -18,8 +19,9 @@ struct FunctionPlaces {
   uint16_t parameter_slots = 0;         ///< the host writes these
 };
 
-/// Reports the warnings of a program without errors; `places` has a row for each function.
+/// Reports the warnings of a program without errors; `places` has a row for each function, and the
+/// catalogue has its commands.
 void WarnAboutFlow(const vm::Object& object, const std::vector<FunctionPlaces>& places,
-                   Reporter& reporter);
+                   const gtcalls::Catalogue& catalogue, Reporter& reporter);
 
 }  // namespace oncard::compiler

@@ -5,15 +5,16 @@
 
 #include "compiler/reporter.h"
 #include "compiler/syntax.h"
+#include "gtcalls/catalogue.h"
 
 namespace oncard::compiler {
 
 /// The tokens of a file, without an end token. Comments and white space are skipped; malformed
 /// numbers and illegal characters are reported and leave a token that the parser skips without a
 /// further report. Scanning stops after `token_max` tokens. The file's text must outlive the
-/// tokens.
+/// tokens; the catalogue has the structures that programs may declare.
 std::vector<Token> Tokenize(const SourceFile& file, int file_index, size_t token_max,
-                            Reporter& reporter);
+                            const gtcalls::Catalogue& catalogue, Reporter& reporter);
 
 /// The name of a token in messages: 'x', or a description if it has no text.
 Message DescribeToken(const Token& token);

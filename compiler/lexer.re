@@ -11,7 +11,6 @@
 
 #include "compiler/parser.hh"
 #include "compiler/text.h"
-#include "gtcalls/catalogue.h"
 #include "vm/limits.h"
 
 namespace oncard::compiler {
@@ -35,10 +34,12 @@ std::string_view WithoutSuffix(std::string_view text) {
 
 class Lexer {
  public:
-  Lexer(const SourceFile& file, int file_index, size_t token_max, Reporter& reporter)
+  Lexer(const SourceFile& file, int file_index, size_t token_max,
+        const gtcalls::Catalogue& catalogue, Reporter& reporter)
       : text_(file.text()),
         file_(file_index),
         token_max_(token_max),
+        catalogue_(catalogue),
         reporter_(reporter),
         utf8_(IsUtf8(file.text())) {}
 
@@ -64,6 +65,7 @@ class Lexer {
   std::string_view text_;
   int file_;
   size_t token_max_;
+  const gtcalls::Catalogue& catalogue_;
   Reporter& reporter_;
   bool utf8_;
   bool new_line_ = true;
@@ -88,7 +90,7 @@ void Lexer::AddName(const char* begin, const char* end) {
                      static_cast<int64_t>(name.size()), int64_t{vm::kNameLengthMax});
   }
   const gtcalls::Structure* structure =
-      name.starts_with('T') ? gtcalls::FindStructure(name) : nullptr;
+      name.starts_with('T') ? catalogue_.FindStructure(name) : nullptr;
   Add(structure != nullptr && structure->in_motion_program ? Kind::kStructureName : Kind::kName,
       begin, end);
 }
@@ -325,8 +327,8 @@ std::vector<Token> Lexer::Run() {
 }  // namespace
 
 std::vector<Token> Tokenize(const SourceFile& file, int file_index, size_t token_max,
-                            Reporter& reporter) {
-  return Lexer(file, file_index, token_max, reporter).Run();
+                            const gtcalls::Catalogue& catalogue, Reporter& reporter) {
+  return Lexer(file, file_index, token_max, catalogue, reporter).Run();
 }
 
 Message DescribeToken(const Token& token) {

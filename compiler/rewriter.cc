@@ -417,7 +417,7 @@ Rewriter::Value Rewriter::Lower(const Expression& expression) {
 }
 
 void Rewriter::LowerCommand(const Expression& call) {
-  const gtcalls::Command* command = gtcalls::FindCommand(call.operands[0]->text);
+  const gtcalls::Command* command = checker_.catalogue_.Find(call.operands[0]->text);
   if (command == nullptr || !command->in_motion_program ||
       command->parameters.size() != call.operands.size() - 1) {
     ok_ = false;
@@ -476,7 +476,7 @@ void Rewriter::LowerEffect(const Expression& expression) {
       const Expression& value = Unwrapped(*inner.operands[1]);
       if (value.kind == Expression::Kind::kCall &&
           value.operands[0]->kind == Expression::Kind::kName &&
-          gtcalls::FindCommand(value.operands[0]->text) != nullptr) {
+          checker_.catalogue_.Find(value.operands[0]->text) != nullptr) {
         DropResult(*inner.operands[0]);
         LowerCommand(value);
         return;

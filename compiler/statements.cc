@@ -62,7 +62,7 @@ void Checker::CheckOutside(const Statement& statement) {
       if (value.kind == Expression::Kind::kError) return;
       if (value.kind == Expression::Kind::kCall &&
           value.operands[0]->kind == Expression::Kind::kName &&
-          gtcalls::FindCommand(value.operands[0]->text) != nullptr) {
+          catalogue_.Find(value.operands[0]->text) != nullptr) {
         reporter_.Report(Code::kCommandOutside, statement.range, value.operands[0]->text);
         return;
       }

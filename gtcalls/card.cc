@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "gtcalls/card_elements.h"
+#include "gtcalls/gts/catalogue.h"
 #include "gtcalls/gts/commands/commands.h"
 #include "gtcalls/gts/unsupported.h"
 
@@ -19,9 +20,9 @@ namespace {
 
 /// One function per command of the catalogue, nullptr where there is none.
 std::vector<CommandFunction> FunctionsByNumber() {
-  std::vector<CommandFunction> functions(Commands().size());
+  std::vector<CommandFunction> functions(GtsCatalogue().commands().size());
   for (const CommandEntry& entry : AllCommands()) {
-    const Command* command = FindCommand(entry.name);
+    const Command* command = GtsCatalogue().Find(entry.name);
     if (command == nullptr) continue;  // a misspelt name, which a test reports
     functions[command->number - 1u] = entry.function;
   }
@@ -239,19 +240,19 @@ int16_t ExecuteCommand(Call& call) {
 }
 
 const vm::CommandShape* CardCommands::Find(uint16_t number) const {
-  const Command* command = FindCommand(number);
-  return command == nullptr ? nullptr : &ShapeOf(*command);
+  const Command* command = GtsCatalogue().Find(number);
+  return command == nullptr ? nullptr : &GtsCatalogue().ShapeOf(*command);
 }
 
 int64_t CardCommands::Elements(uint16_t number, size_t parameter, double first) const {
-  const Command& command = *FindCommand(number);
+  const Command& command = *GtsCatalogue().Find(number);
   return static_cast<int64_t>(ElementsOnCard(command.parameters[parameter], *card_, first));
 }
 
 int16_t CardCommands::Execute(uint16_t number, vm::Machine&, int thread,
                               std::span<vm::CommandArgument> arguments) {
   // The number was verified when the program was loaded.
-  Call call{*FindCommand(number), *card_, thread, arguments, {}};
+  Call call{*GtsCatalogue().Find(number), *card_, thread, arguments, {}};
   const int16_t code = ExecuteCommand(call);
   if (code != vm::kOk && observer_) observer_(call, code);
   return code;

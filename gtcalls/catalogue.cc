@@ -1,177 +1,49 @@
-// The tables of catalogue.h, made from the .def files at compile time. What the machine must know
-// of each command (vm::CommandShape) is derived from the same rows. Tested by
-// tests/gtcalls/catalogue_test.cc.
+// Finding rows by name, and how they are spelled. Tested by tests/gtcalls/catalogue_test.cc.
 #include "gtcalls/catalogue.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "gtcalls/gts/rows.h"
+#include "gtcalls/rows/words.h"
 
 namespace oncard::gtcalls {
 namespace {
 
-constexpr Constant kConstants[] = {
-#define CONSTANT(name, value) {#name, value},
-#include "gtcalls/gts/constants.def"
-};
-
-/// Who may call a command: the third column of catalogue.def.
-enum class Callers : uint8_t { kHost, kProgram, kBoth };
-
-// Rows stand in the order of their topics; the tables in the order of their numbers.
-constexpr auto kCommands = [] {
-  using namespace gts::words;
-  auto commands = std::to_array({
-#define COMMAND(number, name, tier, callers, cost, touching, brief, source, ...) \
-  Command{number,                                                                \
-          #name,                                                                 \
-          Family::kGts,                                                          \
-          Tier::k##tier,                                                         \
-          Callers::callers != Callers::kHost,                                    \
-          Callers::callers != Callers::kProgram,                                 \
-          Cost::cost,                                                            \
-          gts::rows::name##Accesses,                                             \
-          gts::rows::name,                                                       \
-          brief,                                                                 \
-          source},
-#include "gtcalls/gts/catalogue.def"
-  });
-  std::sort(commands.begin(), commands.end(),
-            [](const Command& a, const Command& b) { return a.number < b.number; });
-  return commands;
-}();
-
-// Numbers run from 1 without gaps, so that a number is also an index.
-constexpr bool NumberedFromOne() {
-  for (size_t i = 0; i < kCommands.size(); ++i) {
-    if (kCommands[i].number != i + 1) return false;
-  }
-  return true;
-}
-static_assert(NumberedFromOne());
-
-// --- Shapes -------------------------------------------------------------------------------------
-
-constexpr vm::DataType kIntSlot[] = {vm::DataType::kInt};
-constexpr vm::DataType kDoubleSlot[] = {vm::DataType::kDouble};
-
-constexpr size_t CountCells(const Structure& structure) {
-  size_t count = 0;
-  words::ForEachCell(structure, [&](Scalar) { ++count; });
-  return count;
+template <typename Row>
+const Row* FindRow(std::span<const Row> rows, std::string_view name) {
+  const auto found = std::ranges::find(rows, name, &Row::name);
+  return found != rows.end() ? &*found : nullptr;
 }
 
-template <size_t size>
-constexpr std::array<vm::DataType, size> SlotsOf(const Structure& structure) {
-  std::array<vm::DataType, size> slots{};
-  size_t next = 0;
-  words::ForEachCell(structure, [&](Scalar type) { slots[next++] = ProgramType(type); });
-  return slots;
-}
-
-/// The slots behind each structure, named like it.
-namespace structure_slots {
-#define STRUCTURE(name, ...) \
-  constexpr auto name = SlotsOf<CountCells(gts::structures::name)>(gts::structures::name);
-#include "gtcalls/gts/structures.def"
-}  // namespace structure_slots
-
-constexpr std::span<const vm::DataType> SlotsBehind(const Structure* structure) {
-#define STRUCTURE(name, ...) \
-  if (structure == &gts::structures::name) return structure_slots::name;
-#include "gtcalls/gts/structures.def"
-  return {};
-}
-
-constexpr vm::ParameterShape ShapeOfParameter(const Parameter& parameter) {
-  vm::ParameterShape shape;
-  shape.name = parameter.name;
-  shape.address = parameter.passing != Passing::kValue;
-  shape.count_parameter = parameter.count_parameter;
-  shape.elements_on_card = parameter.per_dimension || parameter.per_offset;
-  if (parameter.structure != nullptr) {
-    shape.slots = SlotsBehind(parameter.structure);
-  } else if (parameter.type != Scalar::kChar) {
-    shape.slots = ProgramType(parameter.type) == vm::DataType::kDouble ? kDoubleSlot : kIntSlot;
-  }
-  return shape;
-}
-
-template <size_t size>
-constexpr std::array<vm::ParameterShape, size> ShapesOf(
-    const std::array<Parameter, size>& parameters) {
-  std::array<vm::ParameterShape, size> shapes;
-  std::transform(parameters.begin(), parameters.end(), shapes.begin(), ShapeOfParameter);
-  return shapes;
-}
-
-/// The parameters' shapes of each command, named like it.
-namespace parameter_shapes {
-#define COMMAND(number, name, ...) constexpr auto name = ShapesOf(gts::rows::name);
-#include "gtcalls/gts/catalogue.def"
-}  // namespace parameter_shapes
-
-constexpr auto kShapes = [] {
-  auto shapes = std::to_array({
-#define COMMAND(number, name, tier, callers, ...) \
-  vm::CommandShape{number, #name, parameter_shapes::name, Callers::callers != Callers::kHost},
-#include "gtcalls/gts/catalogue.def"
-  });
-  std::sort(shapes.begin(), shapes.end(), [](const vm::CommandShape& a, const vm::CommandShape& b) {
-    return a.number < b.number;
-  });
-  return shapes;
-}();
-
-// --- Names --------------------------------------------------------------------------------------
-
-// Pointers into `table`, sorted by name.
-template <typename Row, size_t size>
-std::array<const Row*, size> SortByName(const std::array<Row, size>& table) {
-  std::array<const Row*, size> index;
-  std::transform(table.begin(), table.end(), index.begin(), [](const Row& row) { return &row; });
-  std::sort(index.begin(), index.end(),
-            [](const Row* a, const Row* b) { return a->name < b->name; });
-  return index;
-}
+std::string_view NameOf(const Command* command) { return command->name; }
 
 }  // namespace
 
-std::span<const Command> Commands() { return kCommands; }
-
-const Command* FindCommand(std::string_view name) {
-  static const auto kByName = SortByName(kCommands);
-  const auto found = std::lower_bound(
-      kByName.begin(), kByName.end(), name,
-      [](const Command* command, std::string_view key) { return command->name < key; });
-  return found != kByName.end() && (*found)->name == name ? *found : nullptr;
+Catalogue::Catalogue(const CatalogueTables& tables) : tables_(tables) {
+  for (const Command& command : tables_.commands) by_name_.push_back(&command);
+  std::ranges::sort(by_name_, {}, NameOf);
 }
 
-const Command* FindCommand(uint16_t number) {
-  return number >= 1 && number <= kCommands.size() ? &kCommands[number - 1u] : nullptr;
+const Command* Catalogue::Find(std::string_view name) const {
+  const auto found = std::ranges::lower_bound(by_name_, name, {}, NameOf);
+  return found != by_name_.end() && (*found)->name == name ? *found : nullptr;
 }
 
-const vm::CommandShape& ShapeOf(const Command& command) { return kShapes[command.number - 1u]; }
-
-std::span<const Structure> Structures() { return gts::structures::Table::kRows; }
-
-const Structure* FindStructure(std::string_view name) {
-  const auto found = std::ranges::find(gts::structures::Table::kRows, name, &Structure::name);
-  return found != std::end(gts::structures::Table::kRows) ? found : nullptr;
+const Structure* Catalogue::FindStructure(std::string_view name) const {
+  return FindRow(tables_.structures, name);
 }
 
-std::span<const Constant> Constants() { return kConstants; }
-
-const Constant* FindConstant(std::string_view name) {
-  const auto found = std::ranges::find(kConstants, name, &Constant::name);
-  return found != std::end(kConstants) ? found : nullptr;
+const Constant* Catalogue::FindConstant(std::string_view name) const {
+  return FindRow(tables_.constants, name);
 }
 
-int CellCount(const Structure& structure) { return static_cast<int>(CountCells(structure)); }
+int CellCount(const Structure& structure) {
+  int count = 0;
+  words::ForEachCell(structure, [&](Scalar) { ++count; });
+  return count;
+}
 
 // --- Spelling -----------------------------------------------------------------------------------
 

@@ -1,7 +1,8 @@
-// The catalogue of GT commands: one row per command (catalogue.def), one per structure and constant
-// of the interface (structures.def, constants.def). The compiler checks calls against it, `gts.h`
-// and the library's entry points are generated from it, the command documentation is printed from
-// it, and commands/ implements it. Read-only data, safe to use from any thread.
+// The catalogue of a family of cards: one row per command (catalogue.def of its folder), one per
+// structure and constant of the interface (structures.def, constants.def). The compiler checks
+// calls against it, the C header and the library's entry points are generated from it, the command
+// documentation is printed from it, and the family's commands/ implement it. Read-only data, safe
+// to use from any thread.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +10,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "vm/command_table.h"
 
@@ -34,9 +36,6 @@ enum class Passing : uint8_t {
   kText,       ///< `char*`: a NUL-terminated name or file name, read only
   kTextOutput  ///< `char**`: receives the address of a text that the library keeps
 };
-
-/// The family of a command. The same name can differ between families.
-enum class Family : uint8_t { kGts };
 
 /// Reliability of the interface row: A in the manuals or accepted by the vendor's compiler, B in
 /// the basic public header, X thread extensions.
@@ -164,7 +163,6 @@ inline constexpr int kParameterMax = 13;
 struct Command {
   uint16_t number = 0;  ///< in object files; never renumbered
   std::string_view name;
-  Family family = Family::kGts;
   Tier tier = Tier::kA;
   bool in_motion_program = false;
   /// Declared in gts.h and exported by the library; false for commands that act on the calling
@@ -177,19 +175,56 @@ struct Command {
   std::string_view source;  ///< document and section that the row is based on
 };
 
-/// All commands, in the order of their numbers.
-std::span<const Command> Commands();
-/// By name or number; nullptr if there is none.
-const Command* FindCommand(std::string_view name);
-const Command* FindCommand(uint16_t number);
-/// The command as the virtual machine sees it. Always valid.
-const vm::CommandShape& ShapeOf(const Command& command);
+/// A line of catalogue.def: the title of a topic, or a command.
+struct Line {
+  std::string_view topic;
+  const Command* command = nullptr;  ///< nullptr for a topic
+};
 
-/// All structures and constants, in the order of the header.
-std::span<const Structure> Structures();
-const Structure* FindStructure(std::string_view name);
-std::span<const Constant> Constants();
-const Constant* FindConstant(std::string_view name);
+/// The tables of a catalogue (rows/tables.inc).
+struct CatalogueTables {
+  std::string_view name;                     ///< of the family, as in the names of its files: `gts`
+  std::span<const Command> commands;         ///< by number, which counts from 1 without gaps
+  std::span<const vm::CommandShape> shapes;  ///< the same commands for the virtual machine
+  std::span<const Line> lines;               ///< in the order of documentation
+  std::span<const Structure> structures;
+  std::span<const Constant> constants;
+};
+
+/// The rows of one family. There is one object per family (gts/catalogue.h); the same name can mean
+/// different things in two of them. Pointers and references that it returns are always valid.
+class Catalogue {
+ public:
+  /// The tables must refer to constants of the program.
+  explicit Catalogue(const CatalogueTables& tables);
+
+  std::string_view name() const { return tables_.name; }
+
+  /// All commands, in the order of their numbers.
+  std::span<const Command> commands() const { return tables_.commands; }
+  /// By name or number; nullptr if there is none.
+  const Command* Find(std::string_view name) const;
+  const Command* Find(uint16_t number) const {
+    return number >= 1 && number <= tables_.commands.size() ? &tables_.commands[number - 1u]
+                                                            : nullptr;
+  }
+  /// The command as the virtual machine sees it.
+  const vm::CommandShape& ShapeOf(const Command& command) const {
+    return tables_.shapes[command.number - 1u];
+  }
+  /// Topics with their commands, in the order of documentation.
+  std::span<const Line> lines() const { return tables_.lines; }
+
+  /// All structures and constants, in the order of the header.
+  std::span<const Structure> structures() const { return tables_.structures; }
+  const Structure* FindStructure(std::string_view name) const;
+  std::span<const Constant> constants() const { return tables_.constants; }
+  const Constant* FindConstant(std::string_view name) const;
+
+ private:
+  CatalogueTables tables_;
+  std::vector<const Command*> by_name_;
+};
 
 /// The data type a motion program uses for a scalar: double for double, int for all others.
 constexpr vm::DataType ProgramType(Scalar scalar) {

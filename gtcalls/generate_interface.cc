@@ -24,23 +24,11 @@
 #include <string>
 #include <string_view>
 
-#include "gtcalls/catalogue.h"
+#include "gtcalls/gts/catalogue.h"
 #include "gtcalls/gts/rows.h"
 
 namespace oncard::gtcalls {
 namespace {
-
-/// A line of catalogue.def: a topic, or a command by its name.
-struct Line {
-  std::string_view topic;
-  std::string_view command;
-};
-
-constexpr Line kLines[] = {
-#define TOPIC(title) {title, {}},
-#define COMMAND(number, name, ...) {{}, #name},
-#include "gtcalls/gts/catalogue.def"
-};
 
 namespace basic {
 
@@ -229,7 +217,7 @@ void AppendPrototype(std::string* out, const Command& command) {
 std::string Header() {
   std::string out(kHeaderHead);
   out += "\n/* --- Constants --- */\n\n";
-  for (const Constant& constant : Constants()) {
+  for (const Constant& constant : GtsCatalogue().constants()) {
     if (constant.value < 0) {
       Append(&out, "#define {} ({})\n", constant.name, constant.value);
     } else {
@@ -237,23 +225,23 @@ std::string Header() {
     }
   }
   out += "\n/* --- Structures --- */\n";
-  for (const Structure& structure : Structures()) {
+  for (const Structure& structure : GtsCatalogue().structures()) {
     Append(&out, "\ntypedef struct {} {{\n", structure.name);
     for (const Member& member : structure.members) AppendMember(&out, member);
     Append(&out, "}} {};\n", structure.name);
   }
   out += "\n#ifdef GTS_MULTI_CARD\n#define GTS_CARD_ short cardNum,\n";
   out += "#define GTS_CARD_ONLY_ short cardNum\n";
-  for (const Command& command : Commands()) {
+  for (const Command& command : GtsCatalogue().commands()) {
     if (command.on_host) Append(&out, "#define {} {}\n", command.name, MultiCardName(command));
   }
   out += kHeaderNames;
-  for (const Line& line : kLines) {
-    if (!line.topic.empty()) {
+  for (const Line& line : GtsCatalogue().lines()) {
+    if (line.command == nullptr) {
       Append(&out, "\n/* --- {} --- */\n", line.topic);
       continue;
     }
-    const Command& command = *FindCommand(line.command);
+    const Command& command = *line.command;
     if (!command.on_host) continue;
     AppendComment(&out, command);
     AppendPrototype(&out, command);
@@ -276,7 +264,7 @@ std::string EntryPoints(bool multi_card) {
          "#include \"runtime/host/host_api.h\"\n\n"
          "using oncard::runtime::CallFromHost;\n",
          multi_card ? " with a card number" : "", multi_card ? "gts_multi.h" : "gts.h");
-  for (const Command& command : Commands()) {
+  for (const Command& command : GtsCatalogue().commands()) {
     if (!command.on_host) continue;
     std::string declarations = Declarations(command);
     if (multi_card) {
@@ -374,7 +362,7 @@ Ours* Wide(Basic* host, Ours* wide) {
 std::string BasicEntryPoints() {
   std::string out(kBasicHead);
   for (const Structure& layout : basic::kLayouts) AppendBasicLayout(&out, layout);
-  for (const Command& command : Commands()) {
+  for (const Command& command : GtsCatalogue().commands()) {
     if (command.on_host && HasBasic(command)) AppendBasicEntryPoint(&out, command);
   }
   return out + "}  // namespace oncard::runtime\n";
@@ -386,6 +374,7 @@ constexpr std::string_view kStructuresHead =
     R"(// The structures of gts.h as cells and back. Generated: do not edit.
 #include "runtime/host/host_structures.h"
 
+#include "gtcalls/gts/catalogue.h"
 #include "gts.h"
 
 namespace oncard::runtime {
@@ -431,7 +420,7 @@ std::string StructureConversions() {
   std::string read_cases;
   std::string write_cases;
   std::string size_cases;
-  for (const Structure& structure : Structures()) {
+  for (const Structure& structure : GtsCatalogue().structures()) {
     const std::string_view name = structure.name;
     Append(&out,
            "template <typename S, typename Visitor>\n"
@@ -439,7 +428,7 @@ std::string StructureConversions() {
            name);
     for (const Member& member : structure.members) AppendVisit(&out, member);
     out += "}\n\n";
-    const auto position = &structure - Structures().data();
+    const auto position = &structure - GtsCatalogue().structures().data();
     Append(&read_cases,
            "    case {0}:\n      return Visit{1}(*static_cast<const {1}*>(host), visit);\n",
            position, name);
@@ -447,23 +436,25 @@ std::string StructureConversions() {
            position, name);
     Append(&size_cases, "    case {}:\n      return sizeof({});\n", position, name);
   }
-  Append(
-      &out,
-      "}}  // namespace\n\n"
-      "void StructureToCells(const gtcalls::Structure& structure, const void* host,\n"
-      "                      std::span<double> cells) {{\n"
-      "  Reader visit{{cells.data()}};\n"
-      "  switch (&structure - gtcalls::Structures().data()) {{\n{}    default:\n      return;\n"
-      "  }}\n}}\n\n"
-      "void StructureFromCells(const gtcalls::Structure& structure,\n"
-      "                        std::span<const double> cells, void* host) {{\n"
-      "  Writer visit{{cells.data()}};\n"
-      "  switch (&structure - gtcalls::Structures().data()) {{\n{}    default:\n      return;\n"
-      "  }}\n}}\n\n"
-      "size_t StructureSize(const gtcalls::Structure& structure) {{\n"
-      "  switch (&structure - gtcalls::Structures().data()) {{\n{}    default:\n      return 0;\n"
-      "  }}\n}}\n\n}}  // namespace oncard::runtime\n",
-      read_cases, write_cases, size_cases);
+  Append(&out,
+         "}}  // namespace\n\n"
+         "void StructureToCells(const gtcalls::Structure& structure, const void* host,\n"
+         "                      std::span<double> cells) {{\n"
+         "  Reader visit{{cells.data()}};\n"
+         "  switch (&structure - gtcalls::GtsCatalogue().structures().data()) {{\n{}    default:\n "
+         "     return;\n"
+         "  }}\n}}\n\n"
+         "void StructureFromCells(const gtcalls::Structure& structure,\n"
+         "                        std::span<const double> cells, void* host) {{\n"
+         "  Writer visit{{cells.data()}};\n"
+         "  switch (&structure - gtcalls::GtsCatalogue().structures().data()) {{\n{}    default:\n "
+         "     return;\n"
+         "  }}\n}}\n\n"
+         "size_t StructureSize(const gtcalls::Structure& structure) {{\n"
+         "  switch (&structure - gtcalls::GtsCatalogue().structures().data()) {{\n{}    default:\n "
+         "     return 0;\n"
+         "  }}\n}}\n\n}}  // namespace oncard::runtime\n",
+         read_cases, write_cases, size_cases);
   return out;
 }
 
@@ -505,9 +496,9 @@ void AppendRow(std::string* out, const Command& command) {
 
 std::string Markdown() {
   std::string out(kMarkdownHead);
-  for (const Line& line : kLines) {
-    if (line.topic.empty()) {
-      AppendRow(&out, *FindCommand(line.command));
+  for (const Line& line : GtsCatalogue().lines()) {
+    if (line.command != nullptr) {
+      AppendRow(&out, *line.command);
       continue;
     }
     Append(&out, "\n## {}\n\n", line.topic);

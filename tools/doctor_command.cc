@@ -8,6 +8,7 @@
 
 #include "base/json_text.h"
 #include "gtcalls/card.h"
+#include "gtcalls/gts/catalogue.h"
 #include "gtcalls/gts/unsupported.h"
 #include "runtime/host/host_services.h"
 #include "tools/commands.h"
@@ -40,7 +41,7 @@ bool HasGbk() {
 }
 
 std::vector<Fact> Facts() {
-  const auto commands = gtcalls::Commands();
+  const auto commands = gtcalls::GtsCatalogue().commands();
   const auto implemented =
       std::count_if(commands.begin(), commands.end(),
                     [](const gtcalls::Command& command) { return IsAnswered(command); });
@@ -124,7 +125,7 @@ void PrintJson(const Session& session) {
 void PrintCommands(bool as_json, const Session& session) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   std::string text;
-  for (const gtcalls::Command& command : gtcalls::Commands()) {
+  for (const gtcalls::Command& command : gtcalls::GtsCatalogue().commands()) {
     const bool implemented = IsAnswered(command);
     Message state =
         implemented ? Message{"implemented", "已实现"} : Message{"not supported", "不支持"};

@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "explore/models/statement_access.h"
+#include "gtcalls/gts/catalogue.h"
 #include "runtime/scenario/scenario_start.h"
 #include "runtime/scenario/scenario_world.h"
 #include "vm/thread_words.h"
@@ -26,9 +27,9 @@ using vm::ThreadState;
 constexpr size_t kCountWords = 2;
 
 /// True for a statement that may change the card around the machine.
-bool ChangesBody(const vm::Instruction& instruction) {
+bool ChangesBody(const vm::Instruction& instruction, const gtcalls::Catalogue& catalogue) {
   if (instruction.opcode != vm::Opcode::kCommand) return false;
-  const gtcalls::Command* command = gtcalls::FindCommand(instruction.op);
+  const gtcalls::Command* command = catalogue.Find(instruction.op);
   return command == nullptr ||
          std::ranges::any_of(command->accesses, [](const gtcalls::Access& access) {
            return access.write && access.resource != gtcalls::Resource::kThread &&
@@ -190,8 +191,8 @@ CardModel::State CardModel::Step(const State& from, int thread) {
   Load(from);
   const ThreadState& before = controller_->machine().thread(setup(thread).thread);
   const vm::Function& function = image_->object.functions[before.function];
-  const bool changes =
-      before.pc < function.instructions.size() && ChangesBody(function.instructions[before.pc]);
+  const bool changes = before.pc < function.instructions.size() &&
+                       ChangesBody(function.instructions[before.pc], gtcalls::GtsCatalogue());
   const int64_t cycle = controller_->cycle();
   State state;
   state.left = from.left;

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "explore/models/model.h"
+#include "gtcalls/gts/catalogue.h"
 
 namespace oncard::explore {
 namespace {
@@ -79,7 +80,7 @@ class NextStatement {
   }
 
   void AddCommand(const vm::Instruction& instruction) {
-    const gtcalls::Command* command = gtcalls::FindCommand(instruction.op);
+    const gtcalls::Command* command = gtcalls::GtsCatalogue().Find(instruction.op);
     const vm::CommandShape* shape = controller_.commands().Find(instruction.op);
     if (command == nullptr || shape == nullptr) {
       return Add(Resource::kEverything, Touched::kAll, true);

@@ -15,6 +15,9 @@ namespace oncard::gtcalls::words {
 
 inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
+/// Who may call a command: a column of catalogue.def.
+enum class Callers : uint8_t { kHost, kProgram, kBoth };
+
 // --- Structures ---------------------------------------------------------------------------------
 
 /// The words of structures.def.

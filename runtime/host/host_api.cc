@@ -2,6 +2,7 @@
 
 #include <mutex>
 
+#include "gtcalls/gts/catalogue.h"
 #include "runtime/host/call_log.h"
 #include "runtime/host/card_number_hint.h"
 #include "runtime/host/card_table.h"
@@ -67,7 +68,7 @@ int16_t CallCard(int card, uint16_t number, std::span<const HostArgument> argume
   const int index = card == kSelectedCard ? table.selected.load() : card;
   if (index < 0 || index >= kCardCount) return vm::kBadParameter;
   CardSlot& slot = table.slots[static_cast<size_t>(index)];
-  const gtcalls::Command& command = *gtcalls::FindCommand(number);
+  const gtcalls::Command& command = *gtcalls::GtsCatalogue().Find(number);
   const std::lock_guard lock(slot.mutex);
   const int16_t code = CallLockedCard(index, slot, command, arguments);
   if (card == kSelectedCard) HintAtCardNumber(command, arguments, code);

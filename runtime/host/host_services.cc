@@ -9,6 +9,7 @@
 
 #include "base/files.h"
 #include "compiler/compiler.h"
+#include "gtcalls/gts/catalogue.h"
 #include "gts.h"
 #include "runtime/host/call_log.h"
 #include "runtime/host/clock.h"
@@ -277,9 +278,9 @@ constexpr HostService kServices[] = {
 
 /// One entry per command of the catalogue, nullptr where the card answers.
 std::vector<const HostService*> ServicesByNumber() {
-  std::vector<const HostService*> services(gtcalls::Commands().size());
+  std::vector<const HostService*> services(gtcalls::GtsCatalogue().commands().size());
   for (const HostService& service : kServices) {
-    const gtcalls::Command* command = gtcalls::FindCommand(service.command);
+    const gtcalls::Command* command = gtcalls::GtsCatalogue().Find(service.command);
     if (command == nullptr) continue;  // a misspelt name, which a test reports
     services[command->number - 1u] = &service;
   }

@@ -9,7 +9,7 @@
 #include "base/files.h"
 #include "compiler/compiler.h"
 #include "compiler/mender.h"
-#include "gtcalls/catalogue.h"
+#include "gtcalls/gts/catalogue.h"
 #include "vm/command_table.h"
 
 namespace oncard::compiler {
@@ -54,8 +54,8 @@ inline Mended MendString(const std::string& text, const MemoryFiles& files = {})
 class CatalogueShapes final : public vm::CommandTable {
  public:
   const vm::CommandShape* Find(uint16_t number) const override {
-    const gtcalls::Command* command = gtcalls::FindCommand(number);
-    return command == nullptr ? nullptr : &gtcalls::ShapeOf(*command);
+    const gtcalls::Command* command = gtcalls::GtsCatalogue().Find(number);
+    return command == nullptr ? nullptr : &gtcalls::GtsCatalogue().ShapeOf(*command);
   }
   int16_t Execute(uint16_t /*number*/, vm::Machine& /*machine*/, int /*thread*/,
                   std::span<vm::CommandArgument> /*arguments*/) override {

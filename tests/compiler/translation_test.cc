@@ -2,6 +2,7 @@
 // encoding rules of vm/object.h.
 #include <gtest/gtest.h>
 
+#include "gtcalls/gts/catalogue.h"
 #include "tests/compiler/compiler_support.h"
 #include "vm/object_writer.h"
 #include "vm/verifier.h"
@@ -158,7 +159,7 @@ TEST(Translation, JumpsRelativeToTheJump) {
 }
 
 TEST(Translation, PassesAddressesAsVariables) {
-  const gtcalls::Command* command = gtcalls::FindCommand("GT_SetTrapPrm");
+  const gtcalls::Command* command = gtcalls::GtsCatalogue().Find("GT_SetTrapPrm");
   ASSERT_NE(command, nullptr);
   const Instruction call{Opcode::kCommand,
                          command->number,

@@ -17,6 +17,7 @@
 #include "base/random.h"
 #include "explore/models/statement_access.h"
 #include "gtcalls/card.h"
+#include "gtcalls/gts/catalogue.h"
 #include "motion/common/state_hash.h"
 #include "runtime/sim/controller.h"
 #include "vm/thread_words.h"
@@ -148,7 +149,7 @@ bool Names(const StatementAccess& access, const Part& part, bool writes) {
 /// A call that the card must accept.
 void Call(runtime::Controller* card, std::string_view name, const std::vector<double>& values,
           std::vector<double> cells = {}) {
-  const Command& command = *gtcalls::FindCommand(name);
+  const Command& command = *gtcalls::GtsCatalogue().Find(name);
   std::vector<vm::CommandArgument> arguments(command.parameters.size());
   for (size_t i = 0, next = 0; i < arguments.size(); ++i) {
     if (command.parameters[i].passing == gtcalls::Passing::kValue) {
@@ -271,7 +272,7 @@ struct OneCall {
 };
 
 OneCall MakeCall(const Command& command, uint64_t* random) {
-  const vm::CommandShape& shape = gtcalls::ShapeOf(command);
+  const vm::CommandShape& shape = gtcalls::GtsCatalogue().ShapeOf(command);
   OneCall call;
   vm::Instruction instruction = {
       .opcode = vm::Opcode::kCommand, .op = command.number, .operands = {}};
@@ -439,7 +440,7 @@ TEST_P(CommandAccessTest, WhatIsNotInTheRowMakesNoDifference) {
 /// Commands that motion programs may call, but for those that no card of oncard has.
 std::vector<const Command*> ProgramCommands() {
   std::vector<const Command*> commands;
-  for (const Command& command : gtcalls::Commands()) {
+  for (const Command& command : gtcalls::GtsCatalogue().commands()) {
     if (command.in_motion_program && gtcalls::IsImplemented(command)) commands.push_back(&command);
   }
   return commands;

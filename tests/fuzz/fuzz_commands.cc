@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "compiler/compiler.h"
-#include "gtcalls/catalogue.h"
+#include "gtcalls/gts/catalogue.h"
 #include "runtime/host/host_api.h"
 #include "tests/fuzz/fuzz.h"
 #include "vm/object_writer.h"
@@ -103,7 +103,7 @@ class Host {
   }
 
   void CallAll(int card, Bytes bytes) {
-    const auto commands = gtcalls::Commands();
+    const auto commands = gtcalls::GtsCatalogue().commands();
     while (!bytes.empty()) {
       const Command& command = commands[bytes.Value<uint16_t>() % commands.size()];
       Call(card, command, &bytes);
@@ -185,8 +185,8 @@ const ProgramFolder& Folder() {
 /// A card anew, with a program.
 void Open(Host* host, int card) {
   Bytes none("");
-  host->Call(card, *gtcalls::FindCommand("GT_Close"), &none);
-  host->Call(card, *gtcalls::FindCommand("GT_Open"), &none);
+  host->Call(card, *gtcalls::GtsCatalogue().Find("GT_Close"), &none);
+  host->Call(card, *gtcalls::GtsCatalogue().Find("GT_Open"), &none);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include "base/files.h"
 #include "compiler/compiler.h"
 #include "compiler/diagnostic_printer.h"
-#include "gtcalls/catalogue.h"
+#include "gtcalls/gts/catalogue.h"
 #include "runtime/scenario/scenario_run.h"
 #include "tests/fuzz/fuzz.h"
 #include "vm/disassembler.h"
@@ -18,8 +18,8 @@ namespace {
 class CatalogueShapes final : public vm::CommandTable {
  public:
   const vm::CommandShape* Find(uint16_t number) const override {
-    const gtcalls::Command* command = gtcalls::FindCommand(number);
-    return command == nullptr ? nullptr : &gtcalls::ShapeOf(*command);
+    const gtcalls::Command* command = gtcalls::GtsCatalogue().Find(number);
+    return command == nullptr ? nullptr : &gtcalls::GtsCatalogue().ShapeOf(*command);
   }
   int16_t Execute(uint16_t /*number*/, vm::Machine& /*machine*/, int /*thread*/,
                   std::span<vm::CommandArgument> /*arguments*/) override {

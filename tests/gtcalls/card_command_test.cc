@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "gtcalls/gts/catalogue.h"
 #include "gtcalls/gts/commands/commands.h"
 #include "tests/gtcalls/command_test_card.h"
 
@@ -85,7 +86,7 @@ class Arguments {
 
 template <typename Visit>
 void ForEachImplemented(Visit visit) {
-  for (const Command& command : Commands()) {
+  for (const Command& command : GtsCatalogue().commands()) {
     if (IsImplemented(command)) visit(command);
   }
 }
@@ -124,21 +125,21 @@ TEST(CardCommands, WhatPointersPointToMustFitItsTypes) {
 
 TEST(CardCommands, EveryFunctionIsOfACommandInTheCatalogue) {
   for (const CommandEntry& entry : AllCommands()) {
-    EXPECT_NE(FindCommand(entry.name), nullptr) << entry.name;
+    EXPECT_NE(GtsCatalogue().Find(entry.name), nullptr) << entry.name;
     EXPECT_NE(entry.function, nullptr) << entry.name;
   }
 }
 
 TEST(CardCommands, TheListedCommandsAreImplemented) {
   for (const char* name : kImplemented) {
-    ASSERT_NE(FindCommand(name), nullptr) << name;
-    EXPECT_TRUE(IsImplemented(*FindCommand(name))) << name;
+    ASSERT_NE(GtsCatalogue().Find(name), nullptr) << name;
+    EXPECT_TRUE(IsImplemented(*GtsCatalogue().Find(name))) << name;
   }
 }
 
 TEST(CardCommands, WhatIsNotImplementedIsNotSupportedByTheFirmware) {
   CommandTestCard card;
-  const Command& command = *FindCommand("GT_SetAxisMode");
+  const Command& command = *GtsCatalogue().Find("GT_SetAxisMode");
   EXPECT_FALSE(IsImplemented(command));
   EXPECT_EQ(card.Call(command, {1, 0}), 8);
   EXPECT_TRUE(card.reason.en.starts_with("GT_SetAxisMode is not supported by this card: "));
@@ -224,7 +225,7 @@ TEST(CardCommands, TheReasonNamesParameterValueAndRange) {
 
 TEST(CardCommands, TheMachineFindsCommandsByNumber) {
   CommandTestCard card;
-  const Command& command = *FindCommand("GT_SetDo");
+  const Command& command = *GtsCatalogue().Find("GT_SetDo");
   const vm::CommandShape* shape = card.commands.Find(command.number);
   ASSERT_NE(shape, nullptr);
   EXPECT_EQ(shape->name, "GT_SetDo");
@@ -236,7 +237,9 @@ TEST(CardCommands, AProgramCallsTheSameFunction) {
   std::vector<vm::CommandArgument> arguments(2);
   arguments[0].value = 12;
   arguments[1].value = 5;
-  EXPECT_EQ(card.commands.Execute(FindCommand("GT_SetDo")->number, card.machine, 0, arguments), 0);
+  EXPECT_EQ(
+      card.commands.Execute(GtsCatalogue().Find("GT_SetDo")->number, card.machine, 0, arguments),
+      0);
   EXPECT_EQ(card.motion.state().io.Register(motion::DoType::kGpo), 5u);
 }
 

@@ -1,6 +1,6 @@
 // The catalogue's rows: how many there are, which of them programs may call, and that each is sound
 // in itself. That they agree with gts.h is checked by interface_types_test.cc.
-#include "gtcalls/catalogue.h"
+#include "gtcalls/gts/catalogue.h"
 
 #include <gtest/gtest.h>
 
@@ -23,17 +23,19 @@ std::vector<std::string> ReadLines(const std::string& name) {
   return lines;
 }
 
-long CountTier(Tier tier) { return std::ranges::count(Commands(), tier, &Command::tier); }
+long CountTier(Tier tier) {
+  return std::ranges::count(GtsCatalogue().commands(), tier, &Command::tier);
+}
 
 const Parameter& ParameterOf(std::string_view command, std::string_view parameter) {
-  const Command& row = *FindCommand(command);
+  const Command& row = *GtsCatalogue().Find(command);
   return *std::ranges::find(row.parameters, parameter, &Parameter::name);
 }
 
 // 393 of the public interface, and GT_GetDacValue, GT_GetPtRemainder, GetMacAddress and the five
 // commands of the ferroelectric memory, which only the manual has.
 TEST(CatalogueTest, HoldsTheWholeInterface) {
-  EXPECT_EQ(Commands().size(), 401u);
+  EXPECT_EQ(GtsCatalogue().commands().size(), 401u);
   EXPECT_EQ(CountTier(Tier::kA), 171 + 3 + 5);
   EXPECT_EQ(CountTier(Tier::kB), 207);
   EXPECT_EQ(CountTier(Tier::kX), 15);
@@ -41,28 +43,29 @@ TEST(CatalogueTest, HoldsTheWholeInterface) {
 
 TEST(CatalogueTest, FindsEveryCommandByNameAndByNumber) {
   std::set<std::string_view> names;
-  for (const Command& command : Commands()) {
+  for (const Command& command : GtsCatalogue().commands()) {
     EXPECT_TRUE(names.insert(command.name).second) << command.name;
-    EXPECT_EQ(FindCommand(command.name), &command);
-    EXPECT_EQ(FindCommand(command.number), &command);
+    EXPECT_EQ(GtsCatalogue().Find(command.name), &command);
+    EXPECT_EQ(GtsCatalogue().Find(command.number), &command);
   }
 }
 
 TEST(CatalogueTest, FindsNothingForAnUnknownNameOrNumber) {
-  EXPECT_EQ(FindCommand("GT_AxisOnn"), nullptr);
-  EXPECT_EQ(FindCommand(""), nullptr);
-  EXPECT_EQ(FindCommand(uint16_t{0}), nullptr);
-  EXPECT_EQ(FindCommand(static_cast<uint16_t>(Commands().size() + 1)), nullptr);
-  EXPECT_EQ(FindCommand(uint16_t{0xFFFF}), nullptr);
-  EXPECT_EQ(FindStructure("TNothing"), nullptr);
-  EXPECT_EQ(FindConstant("MC_NOTHING"), nullptr);
+  EXPECT_EQ(GtsCatalogue().Find("GT_AxisOnn"), nullptr);
+  EXPECT_EQ(GtsCatalogue().Find(""), nullptr);
+  EXPECT_EQ(GtsCatalogue().Find(uint16_t{0}), nullptr);
+  EXPECT_EQ(GtsCatalogue().Find(static_cast<uint16_t>(GtsCatalogue().commands().size() + 1)),
+            nullptr);
+  EXPECT_EQ(GtsCatalogue().Find(uint16_t{0xFFFF}), nullptr);
+  EXPECT_EQ(GtsCatalogue().FindStructure("TNothing"), nullptr);
+  EXPECT_EQ(GtsCatalogue().FindConstant("MC_NOTHING"), nullptr);
 }
 
 TEST(CatalogueTest, NumbersAreFrozen) {
   const std::vector<std::string> frozen = ReadLines("frozen_numbers.txt");
-  ASSERT_EQ(frozen.size(), Commands().size()) << "add the new command's line";
+  ASSERT_EQ(frozen.size(), GtsCatalogue().commands().size()) << "add the new command's line";
   for (size_t i = 0; i < frozen.size(); ++i) {
-    const Command& command = Commands()[i];
+    const Command& command = GtsCatalogue().commands()[i];
     EXPECT_EQ(std::to_string(command.number) + " " + std::string(command.name), frozen[i]);
   }
 }
@@ -73,8 +76,8 @@ TEST(CatalogueTest, ProgramsMayCallTheCommandsOfTable10_2) {
   const std::vector<std::string> names = ReadLines("table_10_2.txt");
   ASSERT_EQ(names.size(), 86u);
   for (const std::string& name : names) {
-    ASSERT_NE(FindCommand(name), nullptr) << name;
-    EXPECT_TRUE(FindCommand(name)->in_motion_program) << name;
+    ASSERT_NE(GtsCatalogue().Find(name), nullptr) << name;
+    EXPECT_TRUE(GtsCatalogue().Find(name)->in_motion_program) << name;
   }
 }
 
@@ -82,8 +85,8 @@ TEST(CatalogueTest, ProgramsMayCallWhatTheVendorsCompilerAccepts) {
   const std::vector<std::string> names = ReadLines("vendor_compiler.txt");
   ASSERT_EQ(names.size(), 134u);
   for (const std::string& name : names) {
-    ASSERT_NE(FindCommand(name), nullptr) << name;
-    EXPECT_TRUE(FindCommand(name)->in_motion_program) << name;
+    ASSERT_NE(GtsCatalogue().Find(name), nullptr) << name;
+    EXPECT_TRUE(GtsCatalogue().Find(name)->in_motion_program) << name;
   }
 }
 
@@ -93,7 +96,7 @@ TEST(CatalogueTest, ProgramsMayCallNothingElse) {
     for (const std::string& name : ReadLines(file)) allowed.insert(name);
   }
   EXPECT_EQ(allowed.size(), 137u);
-  for (const Command& command : Commands()) {
+  for (const Command& command : GtsCatalogue().commands()) {
     EXPECT_EQ(command.in_motion_program, allowed.contains(std::string(command.name)))
         << command.name;
   }
@@ -101,7 +104,7 @@ TEST(CatalogueTest, ProgramsMayCallNothingElse) {
 
 TEST(CatalogueTest, CommandsThatMeanTheCallingThreadAreNotForHosts) {
   std::vector<std::string_view> program_only;
-  for (const Command& command : Commands()) {
+  for (const Command& command : GtsCatalogue().commands()) {
     if (!command.on_host) program_only.push_back(command.name);
   }
   EXPECT_EQ(program_only, (std::vector<std::string_view>{"GT_Delay", "GT_DelayHighPrecision",
@@ -109,7 +112,7 @@ TEST(CatalogueTest, CommandsThatMeanTheCallingThreadAreNotForHosts) {
 }
 
 TEST(CatalogueTest, NoCommandWithTextIsForPrograms) {
-  for (const Command& command : Commands()) {
+  for (const Command& command : GtsCatalogue().commands()) {
     for (const Parameter& parameter : command.parameters) {
       if (parameter.passing == Passing::kText || parameter.passing == Passing::kTextOutput) {
         EXPECT_FALSE(command.in_motion_program) << command.name;
@@ -123,7 +126,7 @@ TEST(CatalogueTest, NoCommandWithTextIsForPrograms) {
 // GTS manual, end of chapter 7.
 TEST(CatalogueTest, FourStartCommandsTakeAMillisecond) {
   std::vector<std::string_view> slow;
-  for (const Command& command : Commands()) {
+  for (const Command& command : GtsCatalogue().commands()) {
     if (command.cost == Cost::kMillisecond) slow.push_back(command.name);
   }
   std::ranges::sort(slow);
@@ -132,7 +135,7 @@ TEST(CatalogueTest, FourStartCommandsTakeAMillisecond) {
 }
 
 TEST(CatalogueTest, OnlyOpenCloseAndCompileTakeNoTime) {
-  for (const Command& command : Commands()) {
+  for (const Command& command : GtsCatalogue().commands()) {
     const bool local =
         command.name == "GT_Open" || command.name == "GT_Close" || command.name == "GT_Compile";
     EXPECT_EQ(command.cost == Cost::kNone, local) << command.name;
@@ -142,7 +145,7 @@ TEST(CatalogueTest, OnlyOpenCloseAndCompileTakeNoTime) {
 // --- Rows that are sound in themselves ----------------------------------------------------------
 
 TEST(CatalogueTest, EveryRowSaysWhatItDoesAndWhatItRestsOn) {
-  for (const Command& command : Commands()) {
+  for (const Command& command : GtsCatalogue().commands()) {
     EXPECT_FALSE(command.brief.empty()) << command.name;
     EXPECT_FALSE(command.brief.ends_with(".")) << command.name;
     EXPECT_FALSE(command.source.empty()) << command.name;
@@ -150,13 +153,13 @@ TEST(CatalogueTest, EveryRowSaysWhatItDoesAndWhatItRestsOn) {
 }
 
 TEST(CatalogueTest, NoCommandHasMoreParametersThanFitACall) {
-  for (const Command& command : Commands()) {
+  for (const Command& command : GtsCatalogue().commands()) {
     EXPECT_LE(command.parameters.size(), static_cast<size_t>(kParameterMax)) << command.name;
   }
 }
 
 TEST(CatalogueTest, CountsAreBoundedIntegersOfTheSameCommand) {
-  for (const Command& command : Commands()) {
+  for (const Command& command : GtsCatalogue().commands()) {
     for (const Parameter& parameter : command.parameters) {
       const int index = parameter.count_parameter;
       if (index < 0) continue;
@@ -173,7 +176,7 @@ TEST(CatalogueTest, CountsAreBoundedIntegersOfTheSameCommand) {
 }
 
 TEST(CatalogueTest, DefaultsStandOnlyAtTheEnd) {
-  for (const Command& command : Commands()) {
+  for (const Command& command : GtsCatalogue().commands()) {
     bool seen = false;
     for (const Parameter& parameter : command.parameters) {
       EXPECT_TRUE(!seen || !parameter.default_text.empty())
@@ -184,7 +187,7 @@ TEST(CatalogueTest, DefaultsStandOnlyAtTheEnd) {
 }
 
 TEST(CatalogueTest, DefaultsAreNullOrAConstantOrANumberInRange) {
-  for (const Command& command : Commands()) {
+  for (const Command& command : GtsCatalogue().commands()) {
     for (const Parameter& parameter : command.parameters) {
       const std::string text(parameter.default_text);
       if (text.empty()) continue;
@@ -193,7 +196,7 @@ TEST(CatalogueTest, DefaultsAreNullOrAConstantOrANumberInRange) {
         EXPECT_TRUE(parameter.nullable) << command.name;
         continue;
       }
-      const Constant* constant = FindConstant(text);
+      const Constant* constant = GtsCatalogue().FindConstant(text);
       const double value =
           constant != nullptr ? static_cast<double>(constant->value) : std::stod(text);
       EXPECT_GE(value, parameter.minimum) << command.name << " " << parameter.name;
@@ -203,7 +206,7 @@ TEST(CatalogueTest, DefaultsAreNullOrAConstantOrANumberInRange) {
 }
 
 TEST(CatalogueTest, OnlyValuesHaveRangesAndNoneIsEmpty) {
-  for (const Command& command : Commands()) {
+  for (const Command& command : GtsCatalogue().commands()) {
     for (const Parameter& parameter : command.parameters) {
       EXPECT_LT(parameter.minimum, parameter.maximum) << command.name << " " << parameter.name;
       if (parameter.passing == Passing::kValue) {
@@ -216,7 +219,7 @@ TEST(CatalogueTest, OnlyValuesHaveRangesAndNoneIsEmpty) {
 }
 
 TEST(CatalogueTest, AccessesNameValuesOfTheCommand) {
-  for (const Command& command : Commands()) {
+  for (const Command& command : GtsCatalogue().commands()) {
     for (const Access& access : command.accesses) {
       EXPECT_NE(access.resource, Resource::kNone) << command.name;
       EXPECT_LT(access.selector, static_cast<int>(command.parameters.size())) << command.name;
@@ -229,7 +232,7 @@ TEST(CatalogueTest, AccessesNameValuesOfTheCommand) {
 
 // The explorer takes commands that share no resource for independent.
 TEST(CatalogueTest, EveryCommandOfProgramsSaysWhatItTouches) {
-  for (const Command& command : Commands()) {
+  for (const Command& command : GtsCatalogue().commands()) {
     if (command.in_motion_program) {
       EXPECT_FALSE(command.accesses.empty()) << command.name;
     }
@@ -238,7 +241,7 @@ TEST(CatalogueTest, EveryCommandOfProgramsSaysWhatItTouches) {
 
 TEST(CatalogueTest, WritersWriteAndReadersOnlyRead) {
   const auto writes = [](std::string_view name) {
-    return std::ranges::any_of(FindCommand(name)->accesses, &Access::write);
+    return std::ranges::any_of(GtsCatalogue().Find(name)->accesses, &Access::write);
   };
   for (const char* name :
        {"GT_SetPos", "GT_Update", "GT_ClrSts", "GT_SetDo", "GT_AxisOn", "GT_ClearCaptureStatus",
@@ -291,8 +294,8 @@ INSTANTIATE_TEST_SUITE_P(
 // --- Shapes for the machine ---------------------------------------------------------------------
 
 TEST(CatalogueTest, ShapesMirrorTheRows) {
-  for (const Command& command : Commands()) {
-    const vm::CommandShape& shape = ShapeOf(command);
+  for (const Command& command : GtsCatalogue().commands()) {
+    const vm::CommandShape& shape = GtsCatalogue().ShapeOf(command);
     EXPECT_EQ(shape.number, command.number);
     EXPECT_EQ(shape.name, command.name);
     EXPECT_EQ(shape.in_motion_program, command.in_motion_program);
@@ -309,7 +312,7 @@ TEST(CatalogueTest, ShapesMirrorTheRows) {
 }
 
 TEST(CatalogueTest, ShapeOfAStructureHasASlotPerMember) {
-  const vm::CommandShape& shape = ShapeOf(*FindCommand("GT_SetTrapPrm"));
+  const vm::CommandShape& shape = GtsCatalogue().ShapeOf(*GtsCatalogue().Find("GT_SetTrapPrm"));
   using enum vm::DataType;
   const std::vector<vm::DataType> slots(shape.parameters[1].slots.begin(),
                                         shape.parameters[1].slots.end());
@@ -317,7 +320,7 @@ TEST(CatalogueTest, ShapeOfAStructureHasASlotPerMember) {
 }
 
 TEST(CatalogueTest, ShapeOfAnArrayNamesItsCount) {
-  const vm::CommandShape& shape = ShapeOf(*FindCommand("GT_GetPrfPos"));
+  const vm::CommandShape& shape = GtsCatalogue().ShapeOf(*GtsCatalogue().Find("GT_GetPrfPos"));
   ASSERT_EQ(shape.parameters.size(), 4u);
   EXPECT_FALSE(shape.parameters[0].address);
   EXPECT_TRUE(shape.parameters[1].address);
@@ -331,41 +334,43 @@ TEST(CatalogueTest, ShapeOfAnArrayNamesItsCount) {
 
 TEST(CatalogueTest, HoldsAllStructuresAndConstants) {
   // 44 of the public interface, and TCrdBufOperation, which one of them nests.
-  EXPECT_EQ(Structures().size(), 45u);
-  EXPECT_EQ(Constants().size(), 208u);
-  for (const Structure& structure : Structures()) {
-    EXPECT_EQ(FindStructure(structure.name), &structure);
+  EXPECT_EQ(GtsCatalogue().structures().size(), 45u);
+  EXPECT_EQ(GtsCatalogue().constants().size(), 208u);
+  for (const Structure& structure : GtsCatalogue().structures()) {
+    EXPECT_EQ(GtsCatalogue().FindStructure(structure.name), &structure);
   }
-  for (const Constant& constant : Constants()) {
-    EXPECT_EQ(FindConstant(constant.name), &constant);
+  for (const Constant& constant : GtsCatalogue().constants()) {
+    EXPECT_EQ(GtsCatalogue().FindConstant(constant.name), &constant);
   }
 }
 
 TEST(CatalogueTest, ProgramsMayDeclareThreeStructures) {
   std::vector<std::string_view> names;
-  for (const Structure& structure : Structures()) {
+  for (const Structure& structure : GtsCatalogue().structures()) {
     if (structure.in_motion_program) names.push_back(structure.name);
   }
   EXPECT_EQ(names, (std::vector<std::string_view>{"TTrapPrm", "TJogPrm", "TPid"}));
 }
 
 TEST(CatalogueTest, ParametersReferToTheStructuresOfTheTable) {
-  for (const Command& command : Commands()) {
+  for (const Command& command : GtsCatalogue().commands()) {
     for (const Parameter& parameter : command.parameters) {
       if (parameter.structure != nullptr) {
-        EXPECT_EQ(FindStructure(parameter.structure->name), parameter.structure) << command.name;
+        EXPECT_EQ(GtsCatalogue().FindStructure(parameter.structure->name), parameter.structure)
+            << command.name;
       }
     }
   }
 }
 
 TEST(CatalogueTest, CellsCountNestedMembersAndElementsButNoTextAndNoPointers) {
-  EXPECT_EQ(CellCount(*FindStructure("TTrapPrm")), 4);
-  EXPECT_EQ(CellCount(*FindStructure("TVarInfo")), 2);
-  EXPECT_EQ(CellCount(*FindStructure("TCompileInfo")), 0);
-  EXPECT_EQ(CellCount(*FindStructure("TCrdPrm")), 1 + 8 + 1 + 1 + 1 + 1 + 8);
-  EXPECT_EQ(CellCount(*FindStructure("TCrdBufOperation")), 7);
-  EXPECT_EQ(CellCount(*FindStructure("TCrdData")), 2 + 8 + 1 + 1 + 3 + 2 + 1 + 7 + 8 + 1 + 1 + 1);
+  EXPECT_EQ(CellCount(*GtsCatalogue().FindStructure("TTrapPrm")), 4);
+  EXPECT_EQ(CellCount(*GtsCatalogue().FindStructure("TVarInfo")), 2);
+  EXPECT_EQ(CellCount(*GtsCatalogue().FindStructure("TCompileInfo")), 0);
+  EXPECT_EQ(CellCount(*GtsCatalogue().FindStructure("TCrdPrm")), 1 + 8 + 1 + 1 + 1 + 1 + 8);
+  EXPECT_EQ(CellCount(*GtsCatalogue().FindStructure("TCrdBufOperation")), 7);
+  EXPECT_EQ(CellCount(*GtsCatalogue().FindStructure("TCrdData")),
+            2 + 8 + 1 + 1 + 3 + 2 + 1 + 7 + 8 + 1 + 1 + 1);
 }
 
 TEST(CatalogueTest, DeclaresParametersAsCDoes) {

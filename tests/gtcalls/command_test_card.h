@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "gtcalls/card.h"
+#include "gtcalls/gts/catalogue.h"
 #include "vm/image.h"
 
 namespace oncard::gtcalls {
@@ -59,7 +60,7 @@ class CommandTestCard {
   }
   int16_t Call(std::string_view name, const std::vector<Argument>& arguments = {},
                int caller = vm::kHostCaller) {
-    return Call(*FindCommand(name), arguments, caller);
+    return Call(*GtsCatalogue().Find(name), arguments, caller);
   }
 
   /// Calls a command as the host does and expects its code; refused, it must have changed nothing.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "gtcalls/gts/catalogue.h"
 #include "tests/gtcalls/crd_command_support.h"
 
 namespace oncard::gtcalls {
@@ -36,7 +37,7 @@ std::vector<Argument> ArgumentsFor(const Command& command) {
 
 TEST(Segments, EveryCommandMovesItsAxesToTheEnd) {
   int count = 0;
-  for (const Command& command : Commands()) {
+  for (const Command& command : GtsCatalogue().commands()) {
     if (command.number < 230 || command.number > 303) continue;
     ++count;
     CrdCommandCard card;
@@ -57,7 +58,7 @@ TEST(Segments, EveryCommandMovesItsAxesToTheEnd) {
 // Of every form: the second override holds for Override2 alone, the number is that of WN, and a G0
 // segment ends at rest whatever comes next.
 TEST(Segments, EveryCommandSaysWhatItsNameSays) {
-  for (const Command& command : Commands()) {
+  for (const Command& command : GtsCatalogue().commands()) {
     if (command.number < 230 || command.number > 303) continue;
     const std::string name(command.name);
     const auto has = [&](std::string_view part) { return name.find(part) != std::string::npos; };

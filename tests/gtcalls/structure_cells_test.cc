@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-#include "gtcalls/catalogue.h"
+#include "gtcalls/gts/catalogue.h"
 #include "runtime/host/host_structures.h"
 
 // Last, because its constants are macros.
@@ -15,11 +15,11 @@
 namespace oncard::runtime {
 namespace {
 
-using gtcalls::FindStructure;
+using gtcalls::GtsCatalogue;
 
 template <typename T>
 std::vector<double> ToCells(const char* name, const T& value) {
-  const gtcalls::Structure& structure = *FindStructure(name);
+  const gtcalls::Structure& structure = *GtsCatalogue().FindStructure(name);
   std::vector<double> cells(static_cast<size_t>(gtcalls::CellCount(structure)));
   StructureToCells(structure, &value, cells);
   return cells;
@@ -44,8 +44,8 @@ TEST(StructureCellsTest, ReadLongsAsTheCardDoes) {
 
 TEST(StructureCellsTest, GiveBackNumbersWithinTheirTypes) {
   TPid pid = {};
-  StructureFromCells(*FindStructure("TPid"), std::vector<double>{0, 0, 0, 0, 0, 1e30, -1e30, 1e30},
-                     &pid);
+  StructureFromCells(*GtsCatalogue().FindStructure("TPid"),
+                     std::vector<double>{0, 0, 0, 0, 0, 1e30, -1e30, 1e30}, &pid);
   EXPECT_EQ(pid.integralLimit, std::numeric_limits<long>::max());
   EXPECT_EQ(pid.derivativeLimit, std::numeric_limits<long>::min());
   EXPECT_EQ(pid.limit, 32767);
@@ -62,7 +62,8 @@ TEST(StructureCellsTest, LeaveTextOut) {
 
 TEST(StructureCellsTest, KeepTheTextOfAStructureThatIsWritten) {
   TVarInfo variable = {0, 0, "sum"};
-  StructureFromCells(*FindStructure("TVarInfo"), std::vector<double>{4, 1}, &variable);
+  StructureFromCells(*GtsCatalogue().FindStructure("TVarInfo"), std::vector<double>{4, 1},
+                     &variable);
   EXPECT_EQ(variable.id, 4);
   EXPECT_EQ(variable.dataType, 1);
   EXPECT_STREQ(variable.name, "sum");
@@ -75,7 +76,7 @@ TEST(StructureCellsTest, HoldANestedStructureInItsPlace) {
   std::memset(&data, 0, sizeof data);
   std::vector<double> cells(36);
   std::iota(cells.begin(), cells.end(), 0);
-  StructureFromCells(*FindStructure("TCrdData"), cells, &data);
+  StructureFromCells(*GtsCatalogue().FindStructure("TCrdData"), cells, &data);
   EXPECT_EQ(data.circlePlat, 1);
   EXPECT_EQ(data.pos[7], 9);
   EXPECT_EQ(data.velEndZero, 17);
@@ -87,7 +88,7 @@ TEST(StructureCellsTest, HoldANestedStructureInItsPlace) {
 }
 
 TEST(StructureCellsTest, ComeBackUnchangedForEveryStructure) {
-  for (const gtcalls::Structure& structure : gtcalls::Structures()) {
+  for (const gtcalls::Structure& structure : gtcalls::GtsCatalogue().structures()) {
     std::vector<double> cells(static_cast<size_t>(gtcalls::CellCount(structure)));
     std::iota(cells.begin(), cells.end(), 1);
     std::vector<std::max_align_t> host(64);

@@ -3,6 +3,7 @@
 
 #include <initializer_list>
 
+#include "gtcalls/gts/catalogue.h"
 #include "tests/gtcalls/command_test_card.h"
 
 namespace oncard::gtcalls {
@@ -17,7 +18,7 @@ constexpr vm::Variable kFlag{Storage::kGlobal, 0};
 
 vm::Instruction CallOf(std::string_view name, std::vector<vm::Operand> operands) {
   return {.opcode = vm::Opcode::kCommand,
-          .op = FindCommand(name)->number,
+          .op = GtsCatalogue().Find(name)->number,
           .operands = std::move(operands)};
 }
 

@@ -1,4 +1,5 @@
 #include "runtime/host/call_log.h"
+#include "gtcalls/gts/catalogue.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +18,7 @@ using Arguments = std::array<vm::CommandArgument, gtcalls::kParameterMax>;
 /// The line of a call of card 0 after 12.25 ms.
 std::string Line(std::string_view name, const Arguments& arguments, int16_t code = 0,
                  const Message& reason = {}, Language language = Language::kEnglish) {
-  const gtcalls::Command& command = *gtcalls::FindCommand(name);
+  const gtcalls::Command& command = *gtcalls::GtsCatalogue().Find(name);
   return FormatCall({12'250, 0, vm::kHostCaller, command,
                      std::span(arguments).first(command.parameters.size()), code, reason},
                     language);
@@ -71,7 +72,7 @@ TEST(FormatCallTest, ArraysOfStructuresOneAfterTheOther) {
 
 TEST(FormatCallTest, TheThreadThatWasRefused) {
   const Message reason = {"axis 1 is not in Trap mode", "轴 1 不在点位模式"};
-  const gtcalls::Command& update = *gtcalls::FindCommand("GT_Update");
+  const gtcalls::Command& update = *gtcalls::GtsCatalogue().Find("GT_Update");
   std::array<vm::CommandArgument, 1> mask = {Value(1)};
   EXPECT_EQ(FormatCall({12'250, 0, 3, update, mask, 1, reason}, Language::kEnglish),
             "12.250 card0 thread 3: GT_Update(0x1) = 1: axis 1 is not in Trap mode");
@@ -120,7 +121,7 @@ TEST(FormatCallTest, ARefusalWithItsReasonAndWithoutOutputs) {
 
 TEST(FormatCallTest, TimeInMillisecondsWithThreeDecimals) {
   const Message reason;
-  const gtcalls::Command& reset = *gtcalls::FindCommand("GT_Reset");
+  const gtcalls::Command& reset = *gtcalls::GtsCatalogue().Find("GT_Reset");
   EXPECT_EQ(FormatCall({50, 15, vm::kHostCaller, reset, {}, 0, reason}, Language::kEnglish),
             "0.050 card15 GT_Reset() = 0");
   EXPECT_EQ(
@@ -132,7 +133,7 @@ TEST(CallLogTest, IsOffUnlessAskedFor) { EXPECT_FALSE(CallLog("", Language::kEng
 
 TEST(CallLogTest, WritesToStandardErrorOrToAFile) {
   const Message reason;
-  const LoggedCall call = {50, 0, vm::kHostCaller, *gtcalls::FindCommand("GT_Reset"),
+  const LoggedCall call = {50, 0, vm::kHostCaller, *gtcalls::GtsCatalogue().Find("GT_Reset"),
                            {}, 0, reason};
   testing::internal::CaptureStderr();
   CallLog("calls", Language::kEnglish).Write(call);
@@ -151,7 +152,7 @@ TEST(CallLogTest, WritesToStandardErrorOrToAFile) {
 
 TEST(CallLogTest, KnowsWhenALineIsLost) {
   const Message reason;
-  const LoggedCall call = {50, 0, vm::kHostCaller, *gtcalls::FindCommand("GT_Reset"),
+  const LoggedCall call = {50, 0, vm::kHostCaller, *gtcalls::GtsCatalogue().Find("GT_Reset"),
                            {}, 0, reason};
   CallLog log("calls:/dev/full", Language::kEnglish);
   EXPECT_FALSE(log.lost());

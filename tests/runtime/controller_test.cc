@@ -1,4 +1,5 @@
 #include "runtime/sim/controller.h"
+#include "gtcalls/gts/catalogue.h"
 
 #include <gtest/gtest.h>
 
@@ -50,7 +51,7 @@ struct LoadedCard {
 
 int16_t CallByName(Controller& controller, std::string_view name,
                    std::span<vm::CommandArgument> arguments, Message* reason = nullptr) {
-  return controller.Call(*gtcalls::FindCommand(name), arguments, reason);
+  return controller.Call(*gtcalls::GtsCatalogue().Find(name), arguments, reason);
 }
 
 /// GT_GetClockHighPrecision in its units of 125 us.
@@ -193,7 +194,7 @@ TEST(ControllerTest, HostCallsCostWhatTheManualSays) {
   EXPECT_EQ(HostCostUs(gtcalls::Cost::kMillisecond), 1000);
   EXPECT_EQ(HostCostUs(gtcalls::Cost::kNone), 0);
   for (const char* name : {"GT_Update", "GT_PtStart", "GT_GearStart", "GT_FollowStart"}) {
-    EXPECT_EQ(HostCostUs(gtcalls::FindCommand(name)->cost), 1000) << name;
+    EXPECT_EQ(HostCostUs(gtcalls::GtsCatalogue().Find(name)->cost), 1000) << name;
   }
 }
 
@@ -211,7 +212,9 @@ TEST(ControllerTest, ExecuteLetsNoTimePass) {
   std::array<vm::CommandArgument, 1> arguments;
   arguments[0].cells = std::span(&clock, 1);
   for (int call = 0; call < 100; ++call) {
-    ASSERT_EQ(controller.Execute(*gtcalls::FindCommand("GT_GetClockHighPrecision"), arguments), 0);
+    ASSERT_EQ(
+        controller.Execute(*gtcalls::GtsCatalogue().Find("GT_GetClockHighPrecision"), arguments),
+        0);
   }
   EXPECT_EQ(controller.NowUs(), 0);
 }
@@ -278,7 +281,7 @@ TEST(ControllerTest, ACoordinateSystemWritesVariablesBetweenItsSegments) {
     std::vector<vm::CommandArgument> arguments(values.size());
     for (size_t i = 0; i < values.size(); ++i) arguments[i].value = values[i];
     if (!cells.empty()) arguments[pointer].cells = cells;
-    return card.controller.Execute(*gtcalls::FindCommand(name), arguments);
+    return card.controller.Execute(*gtcalls::GtsCatalogue().Find(name), arguments);
   };
   // X is profile 1, Y is profile 2; 100 pulse/ms and 10 pulse/ms^2 at most.
   std::vector<double> parameters(1 + 8 + 2 + 2 + 8);

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "gtcalls/catalogue.h"
+#include "gtcalls/gts/catalogue.h"
 #include "runtime/host/host_api.h"
 
 namespace oncard::runtime {
@@ -40,7 +40,7 @@ class Caller {
     }
     return CallCard(3, command.number, std::span(arguments).first(command.parameters.size()));
   }
-  int16_t Call(const char* name) { return Call(*gtcalls::FindCommand(name), 0, false); }
+  int16_t Call(const char* name) { return Call(*gtcalls::GtsCatalogue().Find(name), 0, false); }
 
  private:
   void* PointerFor(const gtcalls::Parameter& parameter, size_t index) {
@@ -66,7 +66,7 @@ bool IsDocumented(int16_t code) {
 
 TEST(HostCatalogueTest, EveryCommandNeedsAnOpenCard) {
   Caller caller;
-  for (const Command& command : gtcalls::Commands()) {
+  for (const Command& command : gtcalls::GtsCatalogue().commands()) {
     if (command.name == "GT_Open" || command.name == "GT_SetCardNo" ||
         command.name == "GT_GetCardNo") {
       continue;
@@ -83,7 +83,7 @@ TEST(HostCatalogueTest, NoArgumentsBringACardDown) {
   for (const double value : {0.0, 1.0, -1.0, 2.0, 31.0, 32.0, 4096.0, 32767.0, -32768.0,
                              2147483647.0, -2147483648.0, 4294967295.0, 1e15, -1e15}) {
     for (const bool null : {false, true}) {
-      for (const Command& command : gtcalls::Commands()) {
+      for (const Command& command : gtcalls::GtsCatalogue().commands()) {
         if (IsFrame(command) || !command.on_host) continue;
         const int16_t code = caller.Call(command, value, null);
         EXPECT_TRUE(IsDocumented(code)) << command.name << " with " << value << ": " << code;
@@ -98,7 +98,7 @@ TEST(HostCatalogueTest, NullIsRefusedByEveryCommandThatNeedsAPointer) {
   setenv("ONCARD_CLOCK", "virtual", 1);
   Caller caller;
   ASSERT_EQ(caller.Call("GT_Open"), 0);
-  for (const Command& command : gtcalls::Commands()) {
+  for (const Command& command : gtcalls::GtsCatalogue().commands()) {
     const bool needs_pointer =
         std::any_of(command.parameters.begin(), command.parameters.end(),
                     [](const auto& p) { return p.passing != Passing::kValue && !p.nullable; });

@@ -1,4 +1,5 @@
 #include "runtime/host/marshal.h"
+#include "gtcalls/gts/catalogue.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,9 @@
 namespace oncard::runtime {
 namespace {
 
-const gtcalls::Command& CommandNamed(std::string_view name) { return *gtcalls::FindCommand(name); }
+const gtcalls::Command& CommandNamed(std::string_view name) {
+  return *gtcalls::GtsCatalogue().Find(name);
+}
 
 /// The arguments of one call, read from the host.
 template <typename... Args>
@@ -242,7 +245,7 @@ TEST(MarshalTest, AValueThatDoesNotFitTheHostsTypeIsCut) {
 }
 
 TEST(MarshalTest, EveryCommandTakesNullAndZeroWithoutACrash) {
-  for (const gtcalls::Command& command : gtcalls::Commands()) {
+  for (const gtcalls::Command& command : gtcalls::GtsCatalogue().commands()) {
     std::array<HostArgument, gtcalls::kParameterMax> host{};
     for (size_t i = 0; i < command.parameters.size(); ++i) {
       if (command.parameters[i].passing != gtcalls::Passing::kValue) {

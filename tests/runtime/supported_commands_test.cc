@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "gtcalls/card.h"
+#include "gtcalls/gts/catalogue.h"
 #include "gtcalls/gts/unsupported.h"
 #include "runtime/host/host_services.h"
 
@@ -10,7 +11,7 @@ namespace oncard::runtime {
 namespace {
 
 TEST(SupportedCommandsTest, WhatIsNotExecutedHasAReason) {
-  for (const gtcalls::Command& command : gtcalls::Commands()) {
+  for (const gtcalls::Command& command : gtcalls::GtsCatalogue().commands()) {
     if (IsImplemented(command) || FindHostService(command) != nullptr) continue;
     const Message* why = gtcalls::WhyUnsupported(command);
     ASSERT_NE(why, nullptr) << command.name << " needs a row in gtcalls/gts/unsupported.def";
@@ -20,7 +21,7 @@ TEST(SupportedCommandsTest, WhatIsNotExecutedHasAReason) {
 }
 
 TEST(SupportedCommandsTest, ReasonsNameCommandsOfTheCatalogue) {
-#define UNSUPPORTED(name, id) EXPECT_NE(gtcalls::FindCommand(#name), nullptr) << #name;
+#define UNSUPPORTED(name, id) EXPECT_NE(gtcalls::GtsCatalogue().Find(#name), nullptr) << #name;
 #include "gtcalls/gts/unsupported.def"
 }
 

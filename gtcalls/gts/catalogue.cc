@@ -1,0 +1,26 @@
+#include "gtcalls/gts/catalogue.h"
+
+#include <algorithm>
+#include <array>
+
+#include "gtcalls/gts/rows.h"
+
+namespace oncard::gtcalls {
+namespace gts {
+namespace {
+
+#define FAMILY_COMMANDS "gtcalls/gts/catalogue.def"
+#define FAMILY_STRUCTURES "gtcalls/gts/structures.def"
+#define FAMILY_CONSTANTS "gtcalls/gts/constants.def"
+#include "gtcalls/rows/tables.inc"
+
+}  // namespace
+}  // namespace gts
+
+const Catalogue& GtsCatalogue() {
+  static const Catalogue kCatalogue({"gts", gts::kCommands, gts::kShapes, gts::kLines,
+                                     gts::structures::Table::kRows, gts::kConstants});
+  return kCatalogue;
+}
+
+}  // namespace oncard::gtcalls
