@@ -1,5 +1,5 @@
 // The one way into every command: looks up its function, checks the arguments against the
-// catalogue, calls it. The functions themselves are listed per topic in commands/.
+// catalogue, calls it.
 // Tested by tests/gtcalls/card_command_test.cc.
 #include "gtcalls/card.h"
 
@@ -8,31 +8,12 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
-#include <vector>
+#include <utility>
 
 #include "gtcalls/card_elements.h"
-#include "gtcalls/gts/catalogue.h"
-#include "gtcalls/gts/commands/commands.h"
-#include "gtcalls/gts/unsupported.h"
 
 namespace oncard::gtcalls {
 namespace {
-
-/// One function per command of the catalogue, nullptr where there is none.
-std::vector<CommandFunction> FunctionsByNumber() {
-  std::vector<CommandFunction> functions(GtsCatalogue().commands().size());
-  for (const CommandEntry& entry : AllCommands()) {
-    const Command* command = GtsCatalogue().Find(entry.name);
-    if (command == nullptr) continue;  // a misspelt name, which a test reports
-    functions[command->number - 1u] = entry.function;
-  }
-  return functions;
-}
-
-CommandFunction FunctionOf(const Command& command) {
-  static const std::vector<CommandFunction> functions = FunctionsByNumber();
-  return functions[command.number - 1u];
-}
 
 /// "1-11", or "1-4, 9-11", in signs that both languages read.
 std::string SpellEncoders(const motion::MotionCore& core) {
@@ -207,52 +188,37 @@ int16_t CheckArguments(Call& call) {
 
 }  // namespace
 
-std::vector<CommandEntry> AllCommands() {
-  std::vector<CommandEntry> all;
-  for (const std::span<const CommandEntry> topic :
-       {ThreadCommands(),       VariableCommands(), TimeCommands(),      DigitalIoCommands(),
-        UserVariableCommands(), AnalogCommands(),   ExtensionCommands(), EncoderCommands(),
-        ServoCommands(),        PlcCommands(),      PlcWordCommands(),   AxisCommands(),
-        PositionCommands(),     TrapCommands(),     GearCommands(),      FollowCommands(),
-        PtCommands(),           PvtCommands(),      CrdCommands(),       SegmentCommands(),
-        BufferCommands(),       CaptureCommands(),  HomeCommands(),      CompareCommands(),
-        CompensationCommands(), GantryCommands(),   MramCommands(),      ConfigCommands()}) {
-    all.insert(all.end(), topic.begin(), topic.end());
-  }
-  return all;
-}
-
-bool IsImplemented(const Command& command) { return FunctionOf(command) != nullptr; }
-
 int16_t ExecuteCommand(Call& call) {
-  const CommandFunction function = FunctionOf(call.command);
+  const Family& family = call.card.family;
+  const CommandFunction function = family.FunctionOf(call.command);
   if (function == nullptr) {
     Message reason =
         MakeMessage("{0} is not supported by this card", "本控制卡不支持 {0}", call.command.name);
-    if (const Message* why = WhyUnsupported(call.command)) {
+    if (const Message* why = family.why_unsupported(call.command)) {
       reason.en += ": " + why->en;
       reason.zh += "：" + why->zh;
     }
-    return call.Refuse(kNotSupported, std::move(reason));
+    return call.Refuse(family.not_supported, std::move(reason));
   }
   const int16_t code = CheckArguments(call);
   return code != vm::kOk ? code : function(call);
 }
 
 const vm::CommandShape* CardCommands::Find(uint16_t number) const {
-  const Command* command = GtsCatalogue().Find(number);
-  return command == nullptr ? nullptr : &GtsCatalogue().ShapeOf(*command);
+  const Catalogue& catalogue = card_->family.catalogue;
+  const Command* command = catalogue.Find(number);
+  return command == nullptr ? nullptr : &catalogue.ShapeOf(*command);
 }
 
 int64_t CardCommands::Elements(uint16_t number, size_t parameter, double first) const {
-  const Command& command = *GtsCatalogue().Find(number);
+  const Command& command = *card_->family.catalogue.Find(number);
   return static_cast<int64_t>(ElementsOnCard(command.parameters[parameter], *card_, first));
 }
 
 int16_t CardCommands::Execute(uint16_t number, vm::Machine&, int thread,
                               std::span<vm::CommandArgument> arguments) {
   // The number was verified when the program was loaded.
-  Call call{*GtsCatalogue().Find(number), *card_, thread, arguments, {}};
+  Call call{*card_->family.catalogue.Find(number), *card_, thread, arguments, {}};
   const int16_t code = ExecuteCommand(call);
   if (code != vm::kOk && observer_) observer_(call, code);
   return code;

@@ -8,19 +8,16 @@
 #include <string>
 #include <utility>
 
-#include "gtcalls/catalogue.h"
+#include "gtcalls/family.h"
 #include "gtcalls/gts/plc_blocks.h"
 #include "motion/motion_core.h"
 #include "vm/machine.h"
 
 namespace oncard::gtcalls {
 
-/// Return code of a command that the catalogue lists but no function implements yet
-/// (GTS: not supported by the firmware).
-inline constexpr int16_t kNotSupported = 8;
-
 /// The parts of the card that a command may use. Owned by the runtime's controller.
 struct Card {
+  const Family& family;
   vm::Machine& machine;
   motion::MotionCore& motion;
   PlcBlocks& plc;
@@ -56,18 +53,14 @@ struct Call {
   }
 };
 
-/// True when a function implements the command here (the host library's own services, such as
-/// GT_Open and GT_Download, are implemented by the runtime and not counted).
-bool IsImplemented(const Command& command);
-
-/// Checks NULL pointers and the catalogue's ranges (7), then executes. A refused command changes
-/// nothing.
+/// Checks NULL pointers and the catalogue's ranges (7), then executes the family's function. A
+/// refused command changes nothing.
 int16_t ExecuteCommand(Call& call);
 
 /// Receives each refused command of a motion-program thread, with its code.
 using RefusalObserver = std::function<void(const Call& call, int16_t code)>;
 
-/// The virtual machine's view of the catalogue, bound to one card.
+/// The virtual machine's view of the family's catalogue, bound to one card.
 class CardCommands final : public vm::CommandTable {
  public:
   /// The card must outlive this object.

@@ -7,9 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json_text.h"
-#include "gtcalls/card.h"
-#include "gtcalls/gts/catalogue.h"
-#include "gtcalls/gts/unsupported.h"
+#include "gtcalls/gts/family.h"
 #include "runtime/host/host_services.h"
 #include "tools/commands.h"
 #include "tools/gnuplot.h"
@@ -24,7 +22,7 @@ struct DoctorArguments {
 
 /// Executed by the card, or answered by the host library.
 bool IsAnswered(const gtcalls::Command& command) {
-  return IsImplemented(command) || runtime::FindHostService(command) != nullptr;
+  return gtcalls::GtsFamily().Executes(command) || runtime::FindHostService(command) != nullptr;
 }
 
 struct Fact {
@@ -41,7 +39,7 @@ bool HasGbk() {
 }
 
 std::vector<Fact> Facts() {
-  const auto commands = gtcalls::GtsCatalogue().commands();
+  const auto commands = gtcalls::GtsFamily().catalogue.commands();
   const auto implemented =
       std::count_if(commands.begin(), commands.end(),
                     [](const gtcalls::Command& command) { return IsAnswered(command); });
@@ -125,11 +123,11 @@ void PrintJson(const Session& session) {
 void PrintCommands(bool as_json, const Session& session) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   std::string text;
-  for (const gtcalls::Command& command : gtcalls::GtsCatalogue().commands()) {
+  for (const gtcalls::Command& command : gtcalls::GtsFamily().catalogue.commands()) {
     const bool implemented = IsAnswered(command);
     Message state =
         implemented ? Message{"implemented", "已实现"} : Message{"not supported", "不支持"};
-    const Message* why = implemented ? nullptr : gtcalls::WhyUnsupported(command);
+    const Message* why = implemented ? nullptr : gtcalls::GtsFamily().why_unsupported(command);
     if (why != nullptr) {
       state.en += ": " + why->en;
       state.zh += "：" + why->zh;

@@ -6,7 +6,6 @@
 #include <bit>
 
 #include "explore/models/statement_access.h"
-#include "gtcalls/gts/catalogue.h"
 #include "runtime/scenario/scenario_start.h"
 #include "runtime/scenario/scenario_world.h"
 #include "vm/thread_words.h"
@@ -191,8 +190,9 @@ CardModel::State CardModel::Step(const State& from, int thread) {
   Load(from);
   const ThreadState& before = controller_->machine().thread(setup(thread).thread);
   const vm::Function& function = image_->object.functions[before.function];
-  const bool changes = before.pc < function.instructions.size() &&
-                       ChangesBody(function.instructions[before.pc], gtcalls::GtsCatalogue());
+  const bool changes =
+      before.pc < function.instructions.size() &&
+      ChangesBody(function.instructions[before.pc], controller_->family().catalogue);
   const int64_t cycle = controller_->cycle();
   State state;
   state.left = from.left;

@@ -7,7 +7,6 @@
 #include <variant>
 
 #include "explore/models/model.h"
-#include "gtcalls/gts/catalogue.h"
 
 namespace oncard::explore {
 namespace {
@@ -80,7 +79,7 @@ class NextStatement {
   }
 
   void AddCommand(const vm::Instruction& instruction) {
-    const gtcalls::Command* command = gtcalls::GtsCatalogue().Find(instruction.op);
+    const gtcalls::Command* command = controller_.family().catalogue.Find(instruction.op);
     const vm::CommandShape* shape = controller_.commands().Find(instruction.op);
     if (command == nullptr || shape == nullptr) {
       return Add(Resource::kEverything, Touched::kAll, true);

@@ -1,5 +1,6 @@
-// The reason why a command of the catalogue is not supported (unsupported.def). Commands that the
-// host library executes itself have no entry. Tested by tests/runtime/supported_commands_test.cc.
+// The reason why a command of the GTS catalogue is not supported (unsupported.def). Commands that
+// the host library executes itself have no entry. Tested by
+// tests/runtime/supported_commands_test.cc.
 #pragma once
 
 #include "base/message.h"

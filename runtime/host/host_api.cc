@@ -2,7 +2,7 @@
 
 #include <mutex>
 
-#include "gtcalls/gts/catalogue.h"
+#include "gtcalls/gts/family.h"
 #include "runtime/host/call_log.h"
 #include "runtime/host/card_number_hint.h"
 #include "runtime/host/card_table.h"
@@ -31,7 +31,7 @@ int16_t CallLockedCard(int card, CardSlot& slot, const gtcalls::Command& command
   const bool open = slot.controller != nullptr;
   int64_t time_us = 0;
   if (open) {
-    slot.CatchUp(HostCostUs(command.cost));
+    slot.CatchUp(slot.controller->family().cost_us(command));
     EndHostIfOver(&slot);
     time_us = slot.controller->NowUs();
   }
@@ -68,7 +68,7 @@ int16_t CallCard(int card, uint16_t number, std::span<const HostArgument> argume
   const int index = card == kSelectedCard ? table.selected.load() : card;
   if (index < 0 || index >= kCardCount) return vm::kBadParameter;
   CardSlot& slot = table.slots[static_cast<size_t>(index)];
-  const gtcalls::Command& command = *gtcalls::GtsCatalogue().Find(number);
+  const gtcalls::Command& command = *gtcalls::GtsFamily().catalogue.Find(number);
   const std::lock_guard lock(slot.mutex);
   const int16_t code = CallLockedCard(index, slot, command, arguments);
   if (card == kSelectedCard) HintAtCardNumber(command, arguments, code);

@@ -38,7 +38,7 @@ Controller::Controller(const ControllerOptions& options)
       motion_(options.motion),
       commands_(&card_),
       machine_(&commands_),
-      card_{machine_, motion_, plc_} {}
+      card_{*options.family, machine_, motion_, plc_} {}
 
 void Controller::LogRefusals(CardLog* log, int card) {
   ObserveRefusals([this, log, card](const gtcalls::Call& call, int16_t code) {
@@ -88,7 +88,7 @@ Result<void> Controller::Load(vm::Object object) {
 
 int16_t Controller::Call(const gtcalls::Command& command, std::span<vm::CommandArgument> arguments,
                          Message* reason) {
-  AdvanceUs(HostCostUs(command.cost));
+  AdvanceUs(family().cost_us(command));
   return Execute(command, arguments, reason);
 }
 

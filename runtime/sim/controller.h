@@ -3,7 +3,7 @@
 // order.
 //
 // Virtual time counts profile cycles. The owner advances it: by host calls (each takes a time,
-// gtcalls/catalogue.h), by Advance(), or by a real-time clock (clock.h) that calls Advance().
+// gtcalls/family.h), by Advance(), or by a real-time clock (clock.h) that calls Advance().
 // Deterministic; not thread-safe: the C API serialises its callers per card.
 #pragma once
 
@@ -17,6 +17,7 @@
 
 #include "base/result.h"
 #include "gtcalls/card.h"
+#include "gtcalls/gts/family.h"
 #include "motion/motion_core.h"
 #include "runtime/sim/call_text.h"
 #include "runtime/sim/refused_commands.h"
@@ -29,23 +30,9 @@ struct ControllerOptions {
   motion::MotionConfig motion;
   /// Statements per millisecond, all threads together (GTS manual 10.2).
   int rate = 100;
+  /// The family of the card.
+  const gtcalls::Family* family = &gtcalls::GtsFamily();
 };
-
-/// Virtual cost of a host call in microseconds (GTS manual 10.2 and end of chapter 7).
-inline constexpr int64_t kHostCallUs = 50;
-
-/// The cost of one command for the host.
-constexpr int64_t HostCostUs(gtcalls::Cost cost) {
-  switch (cost) {
-    case gtcalls::Cost::kMillisecond:
-      return 1000;
-    case gtcalls::Cost::kNone:
-      return 0;
-    case gtcalls::Cost::kHostCall:
-      break;
-  }
-  return kHostCallUs;
-}
 
 /// The state of a card outside the virtual machine. Statements change it only through GT commands,
 /// cycles always.
@@ -77,6 +64,7 @@ class Controller {
   motion::MotionCore& motion() { return motion_; }
   const motion::MotionCore& motion() const { return motion_; }
   gtcalls::Card& card() { return card_; }
+  const gtcalls::Family& family() const { return card_.family; }
   const vm::CommandTable& commands() const { return commands_; }
 
   /// From now on logs every refused command of a thread, under this card number. The log must

@@ -18,6 +18,7 @@
 #include "explore/models/statement_access.h"
 #include "gtcalls/card.h"
 #include "gtcalls/gts/catalogue.h"
+#include "gtcalls/gts/family.h"
 #include "motion/common/state_hash.h"
 #include "runtime/sim/controller.h"
 #include "vm/thread_words.h"
@@ -441,7 +442,8 @@ TEST_P(CommandAccessTest, WhatIsNotInTheRowMakesNoDifference) {
 std::vector<const Command*> ProgramCommands() {
   std::vector<const Command*> commands;
   for (const Command& command : gtcalls::GtsCatalogue().commands()) {
-    if (command.in_motion_program && gtcalls::IsImplemented(command)) commands.push_back(&command);
+    if (command.in_motion_program && gtcalls::GtsFamily().Executes(command))
+      commands.push_back(&command);
   }
   return commands;
 }

@@ -12,6 +12,7 @@
 
 #include "gtcalls/card.h"
 #include "gtcalls/gts/catalogue.h"
+#include "gtcalls/gts/family.h"
 #include "vm/image.h"
 
 namespace oncard::gtcalls {
@@ -33,7 +34,10 @@ struct Argument {
 class CommandTestCard {
  public:
   explicit CommandTestCard(const motion::MotionConfig& config = {})
-      : motion(config), commands(&card), machine(&commands), card{machine, motion, plc} {}
+      : motion(config),
+        commands(&card),
+        machine(&commands),
+        card{GtsFamily(), machine, motion, plc} {}
   CommandTestCard(const CommandTestCard&) = delete;
   CommandTestCard& operator=(const CommandTestCard&) = delete;
 

@@ -2,18 +2,16 @@
 // reason why not.
 #include <gtest/gtest.h>
 
-#include "gtcalls/card.h"
-#include "gtcalls/gts/catalogue.h"
-#include "gtcalls/gts/unsupported.h"
+#include "gtcalls/gts/family.h"
 #include "runtime/host/host_services.h"
 
 namespace oncard::runtime {
 namespace {
 
 TEST(SupportedCommandsTest, WhatIsNotExecutedHasAReason) {
-  for (const gtcalls::Command& command : gtcalls::GtsCatalogue().commands()) {
-    if (IsImplemented(command) || FindHostService(command) != nullptr) continue;
-    const Message* why = gtcalls::WhyUnsupported(command);
+  for (const gtcalls::Command& command : gtcalls::GtsFamily().catalogue.commands()) {
+    if (gtcalls::GtsFamily().Executes(command) || FindHostService(command) != nullptr) continue;
+    const Message* why = gtcalls::GtsFamily().why_unsupported(command);
     ASSERT_NE(why, nullptr) << command.name << " needs a row in gtcalls/gts/unsupported.def";
     EXPECT_FALSE(why->en.empty()) << command.name;
     EXPECT_FALSE(why->zh.empty()) << command.name;
@@ -21,7 +19,8 @@ TEST(SupportedCommandsTest, WhatIsNotExecutedHasAReason) {
 }
 
 TEST(SupportedCommandsTest, ReasonsNameCommandsOfTheCatalogue) {
-#define UNSUPPORTED(name, id) EXPECT_NE(gtcalls::GtsCatalogue().Find(#name), nullptr) << #name;
+#define UNSUPPORTED(name, id) \
+  EXPECT_NE(gtcalls::GtsFamily().catalogue.Find(#name), nullptr) << #name;
 #include "gtcalls/gts/unsupported.def"
 }
 

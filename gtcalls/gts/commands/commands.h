@@ -14,8 +14,6 @@
 
 namespace oncard::gtcalls {
 
-using CommandFunction = int16_t (*)(Call& call);
-
 /// One command and its function.
 struct CommandEntry {
   std::string_view name;

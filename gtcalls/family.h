@@ -1,0 +1,38 @@
+// The differences between families of cards, as far as the code that serves all of them must know
+// them. That code reads this record; it never asks which family it serves.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "base/message.h"
+#include "gtcalls/catalogue.h"
+
+namespace oncard::gtcalls {
+
+struct Call;
+
+/// A function that executes one command. Returns 0, or the code of a refused command.
+using CommandFunction = int16_t (*)(Call& call);
+
+/// A family of cards. There is one constant object of each (gts/family.h).
+struct Family {
+  const Catalogue& catalogue;
+  /// The function of each command, in the order of their numbers; nullptr if the card has none.
+  std::span<const CommandFunction> functions;
+  /// Return code of a command without a function.
+  int16_t not_supported;
+  /// The reason why a command has no function; nullptr for commands of the host library.
+  const Message* (*why_unsupported)(const Command& command);
+  /// The virtual time of a call from the host, in microseconds.
+  int64_t (*cost_us)(const Command& command);
+
+  CommandFunction FunctionOf(const Command& command) const {
+    return functions[command.number - 1u];
+  }
+  /// True if the command has a function. Commands of the host library itself, such as GT_Open and
+  /// GT_Download, have none.
+  bool Executes(const Command& command) const { return FunctionOf(command) != nullptr; }
+};
+
+}  // namespace oncard::gtcalls
