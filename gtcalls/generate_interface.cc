@@ -1,19 +1,21 @@
-// Writes what follows from the catalogue, at build time:
+// Writes what follows from the catalogue of a family, at build time:
 //
-//   generate_interface header FILE         gts.h
-//   generate_interface entry-points FILE   the library's functions
-//   generate_interface multi-entry-points FILE  the same with a card number
-//   generate_interface basic-entry-points FILE  the same for hosts of the vendor's basic header
-//   generate_interface structures FILE     the structures of gts.h as cells and back
-//   generate_interface markdown FILE       docs/commands.md
+//   generate_interface FAMILY header FILE         its header, gts.h
+//   generate_interface FAMILY entry-points FILE   the library's functions
+//   generate_interface FAMILY multi-entry-points FILE  the same with a card number
+//   generate_interface FAMILY basic-entry-points FILE  the same for hosts of the vendor's basic
+//   header generate_interface FAMILY structures FILE     the structures of the header as cells and
+//   back generate_interface FAMILY markdown FILE       docs/commands.md
 //
-// gts.h holds every prototype once. Defining GTS_MULTI_CARD before it is included puts
+// The header holds every prototype once. Defining GTS_MULTI_CARD before it is included puts
 // `short cardNum` in front of the parameters and renames the function, GT_Update to GTM_Update, so
 // that one library serves both generations and neither can be taken for the other.
 //
 // A host may be compiled with the vendor's own gts.h, which lies beside its source. Where a
 // structure is laid out otherwise there (basic_layouts.def), the commands that take it have two
 // entry points: the plain name for that header, and the name in front of which gts.h puts GTX_.
+//
+// The names are those of GTS; a family says its own (interface_form.h).
 //
 // Tested by tests/gtcalls/interface_test.cc and, at compile time, interface_types_test.cc.
 #include <fmt/format.h>
@@ -24,52 +26,43 @@
 #include <string>
 #include <string_view>
 
-#include "gtcalls/gts/catalogue.h"
-#include "gtcalls/gts/rows.h"
+#include "gtcalls/gts/interface_form.h"
+#include "gtcalls/interface_form.h"
 
 namespace oncard::gtcalls {
 namespace {
-
-namespace basic {
-
-using namespace gts::structures;
-using namespace words::members;
-
-#define BASIC_LAYOUT(name, ...) constexpr std::array name##Basic = std::array{__VA_ARGS__};
-#include "gtcalls/gts/basic_layouts.def"
-
-constexpr Structure kLayouts[] = {
-#define BASIC_LAYOUT(name, ...) {#name, name##Basic, false},
-#include "gtcalls/gts/basic_layouts.def"
-};
-
-}  // namespace basic
 
 template <typename... Args>
 void Append(std::string* out, fmt::format_string<Args...> format, Args&&... args) {
   fmt::format_to(std::back_inserter(*out), format, std::forward<Args>(args)...);
 }
 
-/// The name of a command with another prefix than GT_.
-std::string Renamed(std::string_view prefix, const Command& command) {
-  const std::string_view name = command.name;
-  return fmt::format("{}{}", prefix, name.starts_with("GT_") ? name.substr(3) : name);
+/// The name of a command with another prefix than the family's.
+std::string Renamed(std::string_view prefix, const InterfaceForm& form, const Command& command) {
+  std::string_view name = command.name;
+  if (name.starts_with(form.command_prefix)) name.remove_prefix(form.command_prefix.size());
+  return fmt::format("{}{}", prefix, name);
 }
 /// The name of a command with `short cardNum` in front.
-std::string MultiCardName(const Command& command) { return Renamed("GTM_", command); }
+std::string MultiCardName(const InterfaceForm& form, const Command& command) {
+  return Renamed(form.multi_card_prefix, form, command);
+}
 /// The name of a command that takes a structure of ours which the vendor's basic header lays out
 /// otherwise.
-std::string WideName(const Command& command) { return Renamed("GTX_", command); }
+std::string WideName(const InterfaceForm& form, const Command& command) {
+  return Renamed(form.wide_prefix, form, command);
+}
 
 /// True for a parameter whose memory the basic header lays out otherwise. Memory that is only lent
 /// has no layout.
-bool IsBasic(const Parameter& parameter) {
+bool IsBasic(const InterfaceForm& form, const Parameter& parameter) {
   return parameter.structure != nullptr && parameter.passing != Passing::kLent &&
-         std::any_of(std::begin(basic::kLayouts), std::end(basic::kLayouts),
+         std::any_of(form.basic_layouts.begin(), form.basic_layouts.end(),
                      [&](const Structure& s) { return s.name == parameter.structure->name; });
 }
-bool HasBasic(const Command& command) {
-  return std::any_of(command.parameters.begin(), command.parameters.end(), IsBasic);
+bool HasBasic(const InterfaceForm& form, const Command& command) {
+  return std::any_of(command.parameters.begin(), command.parameters.end(),
+                     [&](const Parameter& parameter) { return IsBasic(form, parameter); });
 }
 
 /// The parameters as declarations, or only their names, each preceded by a comma.
@@ -106,68 +99,7 @@ std::string Describe(const Parameter& parameter, const Command& command) {
   return text;
 }
 
-// --- gts.h --------------------------------------------------------------------------------------
-
-constexpr std::string_view kHeaderHead =
-    R"(/* GT commands of GTS motion controllers, for C and C++. Generated: do not edit.
-
-   Every command returns 0 when it is done, otherwise
-      1   it cannot be executed in the present state
-      7   a parameter is out of range, or NULL
-      8   the command is not supported
-     -1   no communication: the card is not open
-     -6   the card cannot be opened
-     -7   the card does not answer
-   A refused command changes nothing. GT_Download, GT_GetFunId and GT_GetVarId also return 2007 (no
-   such file or name) and 2008 (damaged file).
-
-   Positions are in pulses, velocities in pulse/ms, accelerations in pulse/ms^2. In C++ the default
-   arguments may be left out; in C every argument is written.
-
-   GTS_MULTI_CARD, defined before this file is included, puts `short cardNum` (0 to 15) in front of
-   every command's parameters; gts_multi.h does that. */
-#ifndef ONCARD_GTS_H_
-#define ONCARD_GTS_H_
-
-#include <stddef.h>
-
-#ifdef _WIN32
-#define GTS_CALL_ __stdcall
-#elif defined(__GNUC__)
-#define GTS_CALL_ __attribute__((visibility("default")))
-#else
-#define GTS_CALL_
-#endif
-
-#ifdef __cplusplus
-#define GT_API extern "C" short GTS_CALL_
-#define GTS_DEFAULT_(value) = value
-#else
-#define GT_API short GTS_CALL_
-#define GTS_DEFAULT_(value)
-#endif
-
-/* The error of TThreadSts from 100 on is a fault of the motion program, below it is the return code
-   of the last command. */
-#define GTS_FAULT_DIVISION_BY_ZERO 100
-#define GTS_FAULT_INDEX_OUT_OF_BOUNDS 101
-#define GTS_FAULT_OUTPUT_BEYOND_STORAGE 102
-)";
-
-/// How the prototypes of one card are named.
-constexpr std::string_view kHeaderNames = R"(#define GTS_WIDE_(name)
-#else
-#define GTS_CARD_
-#define GTS_CARD_ONLY_ void
-/* Commands that take a structure which the vendor's basic gts.h lays out otherwise have a name of
-   their own in the library; the plain name is for hosts that were compiled with that header. */
-#ifdef __GNUC__
-#define GTS_WIDE_(name) __asm__(#name)
-#else
-#error "gts.h needs a compiler that can name functions for the linker, as gcc and clang do"
-#endif
-#endif
-)";
+// --- The header ---------------------------------------------------------------------------------
 
 void AppendMember(std::string* out, const Member& member) {
   const std::string_view type =
@@ -186,22 +118,25 @@ void AppendComment(std::string* out, const Command& command) {
   Append(out, "\n   [{}] */\n", command.source);
 }
 
-void AppendPrototype(std::string* out, const Command& command) {
+void AppendPrototype(std::string* out, const InterfaceForm& form, const Command& command) {
+  const std::string_view prefix = form.macro_prefix;
   if (command.parameters.empty()) {
-    Append(out, "GT_API {}(GTS_CARD_ONLY_);\n", command.name);
+    Append(out, "{} {}({}CARD_ONLY_);\n", form.api, command.name, prefix);
     return;
   }
-  std::string line = fmt::format("GT_API {}(GTS_CARD_ ", command.name);
+  std::string line = fmt::format("{} {}({}CARD_ ", form.api, command.name, prefix);
   for (size_t i = 0; i < command.parameters.size(); ++i) {
     const Parameter& parameter = command.parameters[i];
     std::string word = DeclareParameter(parameter);
     if (!parameter.default_text.empty()) {
-      Append(&word, " GTS_DEFAULT_({})", parameter.default_text);
+      Append(&word, " {}DEFAULT_({})", prefix, parameter.default_text);
     }
     if (i + 1 < command.parameters.size()) {
       word += ",";
     } else {
-      word += HasBasic(command) ? fmt::format(") GTS_WIDE_({});", WideName(command)) : ");";
+      word += HasBasic(form, command)
+                  ? fmt::format(") {}WIDE_({});", prefix, WideName(form, command))
+                  : ");";
     }
     if (line.size() + word.size() > 100) {
       line.pop_back();
@@ -214,10 +149,12 @@ void AppendPrototype(std::string* out, const Command& command) {
   *out += line + "\n";
 }
 
-std::string Header() {
-  std::string out(kHeaderHead);
+std::string Header(const InterfaceForm& form) {
+  const Catalogue& catalogue = form.catalogue;
+  const std::string_view prefix = form.macro_prefix;
+  std::string out(form.head);
   out += "\n/* --- Constants --- */\n\n";
-  for (const Constant& constant : GtsCatalogue().constants()) {
+  for (const Constant& constant : catalogue.constants()) {
     if (constant.value < 0) {
       Append(&out, "#define {} ({})\n", constant.name, constant.value);
     } else {
@@ -225,18 +162,21 @@ std::string Header() {
     }
   }
   out += "\n/* --- Structures --- */\n";
-  for (const Structure& structure : GtsCatalogue().structures()) {
+  for (const Structure& structure : catalogue.structures()) {
     Append(&out, "\ntypedef struct {} {{\n", structure.name);
     for (const Member& member : structure.members) AppendMember(&out, member);
     Append(&out, "}} {};\n", structure.name);
   }
-  out += "\n#ifdef GTS_MULTI_CARD\n#define GTS_CARD_ short cardNum,\n";
-  out += "#define GTS_CARD_ONLY_ short cardNum\n";
-  for (const Command& command : GtsCatalogue().commands()) {
-    if (command.on_host) Append(&out, "#define {} {}\n", command.name, MultiCardName(command));
+  Append(&out,
+         "\n#ifdef {0}MULTI_CARD\n#define {0}CARD_ short cardNum,\n"
+         "#define {0}CARD_ONLY_ short cardNum\n",
+         prefix);
+  for (const Command& command : form.catalogue.commands()) {
+    if (command.on_host)
+      Append(&out, "#define {} {}\n", command.name, MultiCardName(form, command));
   }
-  out += kHeaderNames;
-  for (const Line& line : GtsCatalogue().lines()) {
+  out += form.one_card;
+  for (const Line& line : catalogue.lines()) {
     if (line.command == nullptr) {
       Append(&out, "\n/* --- {} --- */\n", line.topic);
       continue;
@@ -244,11 +184,12 @@ std::string Header() {
     const Command& command = *line.command;
     if (!command.on_host) continue;
     AppendComment(&out, command);
-    AppendPrototype(&out, command);
+    AppendPrototype(&out, form, command);
   }
-  out +=
-      "\n#undef GTS_CARD_\n#undef GTS_CARD_ONLY_\n#undef GTS_DEFAULT_\n#undef "
-      "GTS_WIDE_\n\n#endif\n";
+  for (const std::string_view macro : {"CARD_", "CARD_ONLY_", "DEFAULT_", "WIDE_"}) {
+    Append(&out, "{}#undef {}{}\n", macro == "CARD_" ? "\n" : "", prefix, macro);
+  }
+  out += "\n#endif\n";
   return out;
 }
 
@@ -256,15 +197,16 @@ std::string Header() {
 
 /// The functions of one generation, compiled against the prototypes of its header. With a card
 /// number the header renames them.
-std::string EntryPoints(bool multi_card) {
+std::string EntryPoints(const InterfaceForm& form, bool multi_card) {
   std::string out;
   Append(&out,
          "// The library's entry points{}. Generated: do not edit.\n"
-         "#include \"{}\"\n"
+         "#include \"{}{}.h\"\n"
          "#include \"runtime/host/host_api.h\"\n\n"
          "using oncard::runtime::CallFromHost;\n",
-         multi_card ? " with a card number" : "", multi_card ? "gts_multi.h" : "gts.h");
-  for (const Command& command : GtsCatalogue().commands()) {
+         multi_card ? " with a card number" : "", form.catalogue.name(),
+         multi_card ? "_multi" : "");
+  for (const Command& command : form.catalogue.commands()) {
     if (!command.on_host) continue;
     std::string declarations = Declarations(command);
     if (multi_card) {
@@ -272,7 +214,7 @@ std::string EntryPoints(bool multi_card) {
     } else if (!declarations.empty()) {
       declarations.erase(0, 2);
     }
-    Append(&out, "\nGT_API {}({}) {{\n  return CallFromHost({}, {}{});\n}}\n", command.name,
+    Append(&out, "\n{} {}({}) {{\n  return CallFromHost({}, {}{});\n}}\n", form.api, command.name,
            declarations, multi_card ? "cardNum" : "oncard::runtime::kSelectedCard", command.number,
            Names(command));
   }
@@ -300,27 +242,27 @@ void AppendBasicLayout(std::string* out, const Structure& layout) {
 }
 
 /// The parameters as a host of the basic header passes them.
-std::string BasicDeclarations(const Command& command) {
+std::string BasicDeclarations(const InterfaceForm& form, const Command& command) {
   std::string text;
   for (const Parameter& parameter : command.parameters) {
     text += text.empty() ? "" : ", ";
-    if (IsBasic(parameter)) text += "basic::";
+    if (IsBasic(form, parameter)) text += "basic::";
     text += DeclareParameter(parameter);
   }
   return text;
 }
 
-void AppendBasicEntryPoint(std::string* out, const Command& command) {
-  const std::string declarations = BasicDeclarations(command);
+void AppendBasicEntryPoint(std::string* out, const InterfaceForm& form, const Command& command) {
+  const std::string declarations = BasicDeclarations(form, command);
   Append(out,
-         "extern \"C\" GTS_CALL_ short Basic{0}({1}) __asm__(\"{0}\");\nshort Basic{0}({1}) {{\n",
-         command.name, declarations);
+         "extern \"C\" {2}CALL_ short Basic{0}({1}) __asm__(\"{0}\");\nshort Basic{0}({1}) {{\n",
+         command.name, declarations, form.macro_prefix);
   std::string before;
   std::string names;
   std::string after;
   for (const Parameter& parameter : command.parameters) {
     names += names.empty() ? "" : ", ";
-    if (!IsBasic(parameter)) {
+    if (!IsBasic(form, parameter)) {
       names += parameter.name;
       continue;
     }
@@ -337,33 +279,34 @@ void AppendBasicEntryPoint(std::string* out, const Command& command) {
 }
 
 constexpr std::string_view kBasicHead =
-    R"(// The library's entry points for hosts that were compiled with the vendor's basic gts.h, where its
+    R"(// The library's entry points for hosts that were compiled with the vendor's basic {0}.h, where its
 // structures differ. Generated: do not edit.
 #include <algorithm>
 
-#include "gts.h"
+#include "{0}.h"
 #include "runtime/host/host_api.h"
 
-namespace oncard::runtime {
-namespace {
+namespace oncard::runtime {{
+namespace {{
 
 /// What is passed on for a pointer to a basic structure; what cannot be one is left to be refused.
 template <typename Basic, typename Ours>
-Ours* Wide(Basic* host, Ours* wide) {
+Ours* Wide(Basic* host, Ours* wide) {{
   return IsAddress(host) ? wide : reinterpret_cast<Ours*>(host);
-}
+}}
 
-}  // namespace
+}}  // namespace
 
 )";
 
 /// The functions with plain names, as the vendor's basic header declares them. They pass on to
 /// ours.
-std::string BasicEntryPoints() {
-  std::string out(kBasicHead);
-  for (const Structure& layout : basic::kLayouts) AppendBasicLayout(&out, layout);
-  for (const Command& command : GtsCatalogue().commands()) {
-    if (command.on_host && HasBasic(command)) AppendBasicEntryPoint(&out, command);
+std::string BasicEntryPoints(const InterfaceForm& form) {
+  std::string out;
+  Append(&out, kBasicHead, form.catalogue.name());
+  for (const Structure& layout : form.basic_layouts) AppendBasicLayout(&out, layout);
+  for (const Command& command : form.catalogue.commands()) {
+    if (command.on_host && HasBasic(form, command)) AppendBasicEntryPoint(&out, form, command);
   }
   return out + "}  // namespace oncard::runtime\n";
 }
@@ -371,36 +314,36 @@ std::string BasicEntryPoints() {
 // --- Structures as cells ------------------------------------------------------------------------
 
 constexpr std::string_view kStructuresHead =
-    R"(// The structures of gts.h as cells and back. Generated: do not edit.
+    R"(// The structures of {0}.h as cells and back. Generated: do not edit.
 #include "runtime/host/host_structures.h"
 
-#include "gtcalls/gts/catalogue.h"
-#include "gts.h"
+#include "gtcalls/{0}/catalogue.h"
+#include "{0}.h"
 
-namespace oncard::runtime {
-namespace {
+namespace oncard::runtime {{
+namespace {{
 
 /// Takes the scalars of a structure one after the other.
-struct Reader {
+struct Reader {{
   double* next;
   template <typename T>
-  void operator()(const T& scalar) {
+  void operator()(const T& scalar) {{
     *next++ = static_cast<double>(scalar);
-  }
-  void operator()(const long& scalar) { *next++ = LongCell(scalar, false); }
-  void operator()(const unsigned long& scalar) {
+  }}
+  void operator()(const long& scalar) {{ *next++ = LongCell(scalar, false); }}
+  void operator()(const unsigned long& scalar) {{
     *next++ = LongCell(static_cast<int64_t>(scalar), true);
-  }
-};
+  }}
+}};
 
 /// Gives them back.
-struct Writer {
+struct Writer {{
   const double* next;
   template <typename T>
-  void operator()(T& scalar) {
+  void operator()(T& scalar) {{
     scalar = FromCell<T>(*next++);
-  }
-};
+  }}
+}};
 
 )";
 
@@ -415,12 +358,14 @@ void AppendVisit(std::string* out, const Member& member) {
   }
 }
 
-std::string StructureConversions() {
-  std::string out(kStructuresHead);
+std::string StructureConversions(const InterfaceForm& form) {
+  const Catalogue& catalogue = form.catalogue;
+  std::string out;
+  Append(&out, kStructuresHead, catalogue.name());
   std::string read_cases;
   std::string write_cases;
   std::string size_cases;
-  for (const Structure& structure : GtsCatalogue().structures()) {
+  for (const Structure& structure : catalogue.structures()) {
     const std::string_view name = structure.name;
     Append(&out,
            "template <typename S, typename Visitor>\n"
@@ -428,33 +373,32 @@ std::string StructureConversions() {
            name);
     for (const Member& member : structure.members) AppendVisit(&out, member);
     out += "}\n\n";
-    const auto position = &structure - GtsCatalogue().structures().data();
+    const auto number = &structure - catalogue.structures().data();
     Append(&read_cases,
-           "    case {0}:\n      return Visit{1}(*static_cast<const {1}*>(host), visit);\n",
-           position, name);
+           "    case {0}:\n      return Visit{1}(*static_cast<const {1}*>(host), visit);\n", number,
+           name);
     Append(&write_cases, "    case {0}:\n      return Visit{1}(*static_cast<{1}*>(host), visit);\n",
-           position, name);
-    Append(&size_cases, "    case {}:\n      return sizeof({});\n", position, name);
+           number, name);
+    Append(&size_cases, "    case {}:\n      return sizeof({});\n", number, name);
   }
+  const std::string position =
+      fmt::format("&structure - gtcalls::{}().structures().data()", form.catalogue_function);
   Append(&out,
          "}}  // namespace\n\n"
          "void StructureToCells(const gtcalls::Structure& structure, const void* host,\n"
          "                      std::span<double> cells) {{\n"
          "  Reader visit{{cells.data()}};\n"
-         "  switch (&structure - gtcalls::GtsCatalogue().structures().data()) {{\n{}    default:\n "
-         "     return;\n"
+         "  switch ({3}) {{\n{0}    default:\n      return;\n"
          "  }}\n}}\n\n"
          "void StructureFromCells(const gtcalls::Structure& structure,\n"
          "                        std::span<const double> cells, void* host) {{\n"
          "  Writer visit{{cells.data()}};\n"
-         "  switch (&structure - gtcalls::GtsCatalogue().structures().data()) {{\n{}    default:\n "
-         "     return;\n"
+         "  switch ({3}) {{\n{1}    default:\n      return;\n"
          "  }}\n}}\n\n"
          "size_t StructureSize(const gtcalls::Structure& structure) {{\n"
-         "  switch (&structure - gtcalls::GtsCatalogue().structures().data()) {{\n{}    default:\n "
-         "     return 0;\n"
+         "  switch ({3}) {{\n{2}    default:\n      return 0;\n"
          "  }}\n}}\n\n}}  // namespace oncard::runtime\n",
-         read_cases, write_cases, size_cases);
+         read_cases, write_cases, size_cases, position);
   return out;
 }
 
@@ -463,7 +407,7 @@ std::string StructureConversions() {
 constexpr std::string_view kMarkdownHead = R"(# Commands
 
 Every GT command of the catalogue, with the number that object files know it by. Generated by
-`generate_interface markdown docs/commands.md`; edit `gtcalls/gts/catalogue.def` instead.
+`generate_interface {0} markdown docs/commands.md`; edit `gtcalls/{0}/catalogue.def` instead.
 
 *Where*: `host`, `program` (only in motion programs) or both. *Tier*: A is in the manuals or known
 to the vendor's compiler, B in the basic public header, X a thread extension. A value outside its
@@ -494,9 +438,11 @@ void AppendRow(std::string* out, const Command& command) {
          command.brief, parameters, command.source);
 }
 
-std::string Markdown() {
-  std::string out(kMarkdownHead);
-  for (const Line& line : GtsCatalogue().lines()) {
+std::string Markdown(const InterfaceForm& form) {
+  const Catalogue& catalogue = form.catalogue;
+  std::string out;
+  Append(&out, kMarkdownHead, catalogue.name());
+  for (const Line& line : catalogue.lines()) {
     if (line.command != nullptr) {
       AppendRow(&out, *line.command);
       continue;
@@ -515,21 +461,28 @@ bool WriteFile(const char* path, const std::string& text) {
   return (std::fclose(file) == 0) && written;
 }
 
+/// Empty for a word that means nothing.
+std::string Write(const InterfaceForm& form, std::string_view what) {
+  if (what == "header") return Header(form);
+  if (what == "entry-points") return EntryPoints(form, false);
+  if (what == "multi-entry-points") return EntryPoints(form, true);
+  if (what == "basic-entry-points") return BasicEntryPoints(form);
+  if (what == "structures") return StructureConversions(form);
+  if (what == "markdown") return Markdown(form);
+  return {};
+}
+
 int Main(int argc, char** argv) {
-  const std::string_view what = argc == 3 ? argv[1] : "";
   std::string text;
-  if (what == "header") text = Header();
-  if (what == "entry-points") text = EntryPoints(false);
-  if (what == "multi-entry-points") text = EntryPoints(true);
-  if (what == "basic-entry-points") text = BasicEntryPoints();
-  if (what == "structures") text = StructureConversions();
-  if (what == "markdown") text = Markdown();
+  for (const InterfaceForm* form : {&GtsInterfaceForm()}) {
+    if (argc == 4 && form->catalogue.name() == argv[1]) text = Write(*form, argv[2]);
+  }
   if (text.empty()) {
-    fmt::print(stderr, "usage: generate_interface WHAT FILE\n");
+    fmt::print(stderr, "usage: generate_interface FAMILY WHAT FILE\n");
     return 2;
   }
-  if (!WriteFile(argv[2], text)) {
-    fmt::print(stderr, "generate_interface: cannot write {}\n", argv[2]);
+  if (!WriteFile(argv[3], text)) {
+    fmt::print(stderr, "generate_interface: cannot write {}\n", argv[3]);
     return 1;
   }
   return 0;

@@ -1,0 +1,92 @@
+#include "gtcalls/gts/interface_form.h"
+
+#include <array>
+
+#include "gtcalls/gts/catalogue.h"
+#include "gtcalls/gts/rows.h"
+
+namespace oncard::gtcalls {
+namespace {
+
+constexpr std::string_view kHead =
+    R"(/* GT commands of GTS motion controllers, for C and C++. Generated: do not edit.
+
+   Every command returns 0 when it is done, otherwise
+      1   it cannot be executed in the present state
+      7   a parameter is out of range, or NULL
+      8   the command is not supported
+     -1   no communication: the card is not open
+     -6   the card cannot be opened
+     -7   the card does not answer
+   A refused command changes nothing. GT_Download, GT_GetFunId and GT_GetVarId also return 2007 (no
+   such file or name) and 2008 (damaged file).
+
+   Positions are in pulses, velocities in pulse/ms, accelerations in pulse/ms^2. In C++ the default
+   arguments may be left out; in C every argument is written.
+
+   GTS_MULTI_CARD, defined before this file is included, puts `short cardNum` (0 to 15) in front of
+   every command's parameters; gts_multi.h does that. */
+#ifndef ONCARD_GTS_H_
+#define ONCARD_GTS_H_
+
+#include <stddef.h>
+
+#ifdef _WIN32
+#define GTS_CALL_ __stdcall
+#elif defined(__GNUC__)
+#define GTS_CALL_ __attribute__((visibility("default")))
+#else
+#define GTS_CALL_
+#endif
+
+#ifdef __cplusplus
+#define GT_API extern "C" short GTS_CALL_
+#define GTS_DEFAULT_(value) = value
+#else
+#define GT_API short GTS_CALL_
+#define GTS_DEFAULT_(value)
+#endif
+
+/* The error of TThreadSts from 100 on is a fault of the motion program, below it is the return code
+   of the last command. */
+#define GTS_FAULT_DIVISION_BY_ZERO 100
+#define GTS_FAULT_INDEX_OUT_OF_BOUNDS 101
+#define GTS_FAULT_OUTPUT_BEYOND_STORAGE 102
+)";
+
+/// How the prototypes of one card are named: the rest of the switch between one card and several.
+constexpr std::string_view kOneCard = R"(#define GTS_WIDE_(name)
+#else
+#define GTS_CARD_
+#define GTS_CARD_ONLY_ void
+/* Commands that take a structure which the vendor's basic gts.h lays out otherwise have a name of
+   their own in the library; the plain name is for hosts that were compiled with that header. */
+#ifdef __GNUC__
+#define GTS_WIDE_(name) __asm__(#name)
+#else
+#error "gts.h needs a compiler that can name functions for the linker, as gcc and clang do"
+#endif
+#endif
+)";
+
+using namespace gts::structures;
+using namespace words::members;
+
+#define BASIC_LAYOUT(name, ...) constexpr std::array name##Basic = std::array{__VA_ARGS__};
+#include "gtcalls/gts/basic_layouts.def"
+
+constexpr Structure kBasicLayouts[] = {
+#define BASIC_LAYOUT(name, ...) {#name, name##Basic, false},
+#include "gtcalls/gts/basic_layouts.def"
+};
+
+}  // namespace
+
+const InterfaceForm& GtsInterfaceForm() {
+  static const InterfaceForm kForm = {GtsCatalogue(), "GtsCatalogue", "GT_API", "GTS_",
+                                      "GT_",          "GTM_",         "GTX_",   kHead,
+                                      kOneCard,       kBasicLayouts};
+  return kForm;
+}
+
+}  // namespace oncard::gtcalls
