@@ -1,10 +1,12 @@
 #include "gtcalls/gts/family.h"
 
-#include <vector>
+#include <array>
+#include <string_view>
 
 #include "gtcalls/gts/catalogue.h"
 #include "gtcalls/gts/commands/commands.h"
 #include "gtcalls/gts/unsupported.h"
+#include "gtcalls/gts/words.h"
 
 namespace oncard::gtcalls {
 namespace {
@@ -28,35 +30,28 @@ int64_t CostUs(const Command& command) {
   return kHostCallUs;
 }
 
-std::vector<CommandFunction> FunctionsByNumber() {
-  std::vector<CommandFunction> functions(GtsCatalogue().commands().size());
-  for (const CommandEntry& entry : AllCommands()) {
-    const Command* command = GtsCatalogue().Find(entry.name);
-    if (command == nullptr) continue;  // a misspelt name, which a test reports
-    functions[command->number - 1u] = entry.function;
-  }
-  return functions;
+constexpr size_t kCommandCount = 0
+#define COMMAND(...) +1
+#include "gtcalls/gts/catalogue.def"
+    ;
+
+constexpr bool HasFunction(std::string_view name, gts::words::Callers callers) {
+  return callers != gts::words::Callers::kLibrary && !IsUnsupported(name);
 }
+
+/// The commands' functions by number - 1.
+constexpr auto kFunctions = [] {
+  using gts::words::Callers;
+  std::array<CommandFunction, kCommandCount> functions{};
+#define COMMAND(number, name, tier, callers, ...) \
+  if constexpr (HasFunction(#name, Callers::callers)) functions[number - 1u] = gts::name;
+#include "gtcalls/gts/catalogue.def"
+  return functions;
+}();
 
 }  // namespace
 
-std::vector<CommandEntry> AllCommands() {
-  std::vector<CommandEntry> all;
-  for (const std::span<const CommandEntry> topic :
-       {ThreadCommands(),       VariableCommands(), TimeCommands(),      DigitalIoCommands(),
-        UserVariableCommands(), AnalogCommands(),   ExtensionCommands(), EncoderCommands(),
-        ServoCommands(),        PlcCommands(),      PlcWordCommands(),   AxisCommands(),
-        PositionCommands(),     TrapCommands(),     GearCommands(),      FollowCommands(),
-        PtCommands(),           PvtCommands(),      CrdCommands(),       SegmentCommands(),
-        BufferCommands(),       CaptureCommands(),  HomeCommands(),      CompareCommands(),
-        CompensationCommands(), GantryCommands(),   MramCommands(),      ConfigCommands()}) {
-    all.insert(all.end(), topic.begin(), topic.end());
-  }
-  return all;
-}
-
 const Family& GtsFamily() {
-  static const std::vector<CommandFunction> kFunctions = FunctionsByNumber();
   static const Family kFamily = {GtsCatalogue(), kFunctions, kNotSupported, WhyUnsupported, CostUs};
   return kFamily;
 }

@@ -3,10 +3,20 @@
 // tests/runtime/supported_commands_test.cc.
 #pragma once
 
+#include <string_view>
+
 #include "base/message.h"
 #include "gtcalls/catalogue.h"
 
 namespace oncard::gtcalls {
+
+/// True for the commands of the table.
+constexpr bool IsUnsupported(std::string_view command) {
+#define UNSUPPORTED(name, id) \
+  if (command == #name) return true;
+#include "gtcalls/gts/unsupported.def"
+  return false;
+}
 
 /// The reason, or NULL when the table has none for the command.
 const Message* WhyUnsupported(const Command& command);

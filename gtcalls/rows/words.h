@@ -15,8 +15,14 @@ namespace oncard::gtcalls::words {
 
 inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-/// Who may call a command: a column of catalogue.def.
-enum class Callers : uint8_t { kHost, kProgram, kBoth };
+/// Who may call a command: a column of catalogue.def. What the host library answers itself
+/// (kLibrary) only a host may call.
+enum class Callers : uint8_t { kHost, kLibrary, kProgram, kBoth };
+
+constexpr bool AreHosts(Callers callers) { return callers != Callers::kProgram; }
+constexpr bool ArePrograms(Callers callers) {
+  return callers == Callers::kProgram || callers == Callers::kBoth;
+}
 
 // --- Structures ---------------------------------------------------------------------------------
 

@@ -111,6 +111,7 @@ constexpr bool MayBeLeftOut() {
 
 #define CHECK_kProgram(name)
 #define CHECK_kBoth(name) CHECK_kHost(name)
+#define CHECK_kLibrary(name) CHECK_kHost(name)
 #define CHECK_kHost(name)                                                                     \
   static_assert(Prototype<decltype(::name)>::AgreesWith(gts::rows::name), #name);             \
   constexpr auto name##Call = [](auto... arguments) -> decltype(::name(arguments...)) {       \

@@ -24,7 +24,9 @@ int16_t CheckDac(Call& call, int offset) {
                   call.integer(0) + offset, DacOf(call, offset).control + 1));
 }
 
-int16_t SetDac(Call& call) {
+}  // namespace
+
+int16_t gts::GT_SetDac(Call& call) {
   for (int i = 0; i < call.integer(2); ++i) {
     const int16_t code = CheckDac(call, i);
     if (code != vm::kOk) return code;
@@ -35,29 +37,31 @@ int16_t SetDac(Call& call) {
   return vm::kOk;
 }
 
-int16_t GetDac(Call& call) {
+int16_t gts::GT_GetDac(Call& call) {
   return ReadEach(call, [&](size_t i) { return call.card.motion.state().dacs[i].Output(); });
 }
 
-int16_t SetMtrBias(Call& call) {
+int16_t gts::GT_SetMtrBias(Call& call) {
   DacOf(call).bias = static_cast<int16_t>(call.integer(1));
   return vm::kOk;
 }
 
-int16_t GetMtrBias(Call& call) {
+int16_t gts::GT_GetMtrBias(Call& call) {
   call.Set(1, DacOf(call).bias);
   return vm::kOk;
 }
 
-int16_t SetMtrLmt(Call& call) {
+int16_t gts::GT_SetMtrLmt(Call& call) {
   DacOf(call).limit = static_cast<int16_t>(call.integer(1));
   return vm::kOk;
 }
 
-int16_t GetMtrLmt(Call& call) {
+int16_t gts::GT_GetMtrLmt(Call& call) {
   call.Set(1, DacOf(call).limit);
   return vm::kOk;
 }
+
+namespace {
 
 /// Inputs from `adc` on must exist.
 int16_t CheckLastAdc(Call& call) {
@@ -69,39 +73,26 @@ int16_t CheckLastAdc(Call& call) {
                                  call.integer(2), call.integer(0), last, motion::kAdcCount));
 }
 
-int16_t GetAdc(Call& call) {
+}  // namespace
+
+int16_t gts::GT_GetAdc(Call& call) {
   const int16_t code = CheckLastAdc(call);
   if (code != vm::kOk) return code;
   return ReadEach(call, [&](size_t i) { return AdcOf(call, i).Volts(); });
 }
 
-int16_t GetAdcValue(Call& call) {
+int16_t gts::GT_GetAdcValue(Call& call) {
   const int16_t code = CheckLastAdc(call);
   if (code != vm::kOk) return code;
   return ReadEach(call, [&](size_t i) { return AdcOf(call, i).Value(); });
 }
 
-int16_t SetAdcFilter(Call& call) {
+int16_t gts::GT_SetAdcFilter(Call& call) {
   AdcOf(call, NumberOf(call)).filter = static_cast<int16_t>(call.integer(1));
   return vm::kOk;
 }
 
-constexpr CommandEntry kEntries[] = {
-    {"GT_SetDac", SetDac},
-    {"GT_GetDac", GetDac},
-    // Assumption: the same under its older name.
-    {"GT_GetDacValue", GetDac},
-    {"GT_SetMtrBias", SetMtrBias},
-    {"GT_GetMtrBias", GetMtrBias},
-    {"GT_SetMtrLmt", SetMtrLmt},
-    {"GT_GetMtrLmt", GetMtrLmt},
-    {"GT_GetAdc", GetAdc},
-    {"GT_GetAdcValue", GetAdcValue},
-    {"GT_SetAdcFilter", SetAdcFilter},
-};
-
-}  // namespace
-
-std::span<const CommandEntry> AnalogCommands() { return kEntries; }
+/// Assumption: the same under its older name.
+int16_t gts::GT_GetDacValue(Call& call) { return gts::GT_GetDac(call); }
 
 }  // namespace oncard::gtcalls

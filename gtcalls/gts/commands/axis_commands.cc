@@ -16,9 +16,11 @@ constexpr int kAbruptStopType = 0;
 /// Assumption: an input number that takes the stop input away, as index -1 of a configuration.
 constexpr int kNoInput = -1;
 
+}  // namespace
+
 // --- Drive -----------------------------------------------------------------------------------
 
-int16_t AxisOn(Call& call) {
+int16_t gts::GT_AxisOn(Call& call) {
   const Axis& axis = AxisOf(call);
   if (!axis.active) {
     return call.Refuse(vm::kRefused, MakeMessage("axis {0} is not active in the configuration",
@@ -37,18 +39,18 @@ int16_t AxisOn(Call& call) {
   return vm::kOk;
 }
 
-int16_t AxisOff(Call& call) {
+int16_t gts::GT_AxisOff(Call& call) {
   call.card.motion.ServoOff(NumberOf(call));
   return vm::kOk;
 }
 
 // --- Status ----------------------------------------------------------------------------------
 
-int16_t GetSts(Call& call) {
+int16_t gts::GT_GetSts(Call& call) {
   return ReadEach(call, [&](size_t axis) { return call.card.motion.Status(axis); });
 }
 
-int16_t ClrSts(Call& call) {
+int16_t gts::GT_ClrSts(Call& call) {
   for (int i = 0; i < call.integer(1); ++i) {
     call.card.motion.ClearStatus(NumberOf(call) + static_cast<size_t>(i));
   }
@@ -56,6 +58,8 @@ int16_t ClrSts(Call& call) {
 }
 
 // --- Inputs ----------------------------------------------------------------------------------
+
+namespace {
 
 /// 0, or 1 with the reason when the configuration gives the axis no such input.
 int16_t CheckConfigured(Call& call, const InputChoice& input, std::string_view en,
@@ -72,8 +76,12 @@ int16_t SwitchAlarm(Call& call, bool on) {
   return code;
 }
 
-int16_t AlarmOn(Call& call) { return SwitchAlarm(call, true); }
-int16_t AlarmOff(Call& call) { return SwitchAlarm(call, false); }
+}  // namespace
+
+int16_t gts::GT_AlarmOn(Call& call) { return SwitchAlarm(call, true); }
+int16_t gts::GT_AlarmOff(Call& call) { return SwitchAlarm(call, false); }
+
+namespace {
 
 /// Limit type -1 means both.
 int16_t SwitchLimits(Call& call, bool on) {
@@ -91,10 +99,12 @@ int16_t SwitchLimits(Call& call, bool on) {
   return vm::kOk;
 }
 
-int16_t LmtsOn(Call& call) { return SwitchLimits(call, true); }
-int16_t LmtsOff(Call& call) { return SwitchLimits(call, false); }
+}  // namespace
 
-int16_t SetSoftLimit(Call& call) {
+int16_t gts::GT_LmtsOn(Call& call) { return SwitchLimits(call, true); }
+int16_t gts::GT_LmtsOff(Call& call) { return SwitchLimits(call, false); }
+
+int16_t gts::GT_SetSoftLimit(Call& call) {
   if (call.integer(1) <= call.integer(2)) {
     return call.Refuse(
         vm::kBadParameter,
@@ -107,13 +117,13 @@ int16_t SetSoftLimit(Call& call) {
   return vm::kOk;
 }
 
-int16_t GetSoftLimit(Call& call) {
+int16_t gts::GT_GetSoftLimit(Call& call) {
   call.Set(1, AxisOf(call).soft_positive);
   call.Set(2, AxisOf(call).soft_negative);
   return vm::kOk;
 }
 
-int16_t SetStopIo(Call& call) {
+int16_t gts::GT_SetStopIo(Call& call) {
   const auto type = *motion::DiTypeFromNumber(call.integer(2));
   const int index = call.integer(3);
   if (index != kNoInput && (index < 1 || index > DiWidth(type))) {
@@ -132,13 +142,13 @@ int16_t SetStopIo(Call& call) {
 
 // --- Stops -----------------------------------------------------------------------------------
 
-int16_t SetStopDec(Call& call) {
+int16_t gts::GT_SetStopDec(Call& call) {
   ProfileOf(call).smooth_stop = call.value(1);
   ProfileOf(call).abrupt_stop = call.value(2);
   return vm::kOk;
 }
 
-int16_t GetStopDec(Call& call) {
+int16_t gts::GT_GetStopDec(Call& call) {
   call.Set(1, ProfileOf(call).smooth_stop);
   call.Set(2, ProfileOf(call).abrupt_stop);
   return vm::kOk;
@@ -146,7 +156,7 @@ int16_t GetStopDec(Call& call) {
 
 /// Bit n-1 of the mask: profile n. A 0 at the same place of the option stops it smoothly, a 1
 /// abruptly. The bits behind the axes stand for coordinate systems.
-int16_t Stop(Call& call) {
+int16_t gts::GT_Stop(Call& call) {
   const std::vector<size_t> profiles = SelectedProfiles(call);
   const std::vector<size_t> crds = CrdsOfAxisMask(call, call.value(0));
   if (profiles.empty() && crds.empty()) return vm::kRefused;
@@ -161,20 +171,22 @@ int16_t Stop(Call& call) {
 
 // --- In position -----------------------------------------------------------------------------
 
-int16_t SetAxisBand(Call& call) {
+int16_t gts::GT_SetAxisBand(Call& call) {
   AxisOf(call).band = call.integer(1);
   AxisOf(call).band_time = call.integer(2);
   AxisOf(call).band_set = true;
   return vm::kOk;
 }
 
-int16_t GetAxisBand(Call& call) {
+int16_t gts::GT_GetAxisBand(Call& call) {
   call.Set(1, AxisOf(call).band);
   call.Set(2, AxisOf(call).band_time);
   return vm::kOk;
 }
 
 // --- Scales and filters ----------------------------------------------------------------------
+
+namespace {
 
 /// 0, or the refusal of a scale that is no ratio of at most 1, or of an axis in motion.
 int16_t CheckScale(Call& call) {
@@ -195,64 +207,41 @@ motion::Scale ScaleOf(const Call& call) {
   return {static_cast<int16_t>(call.integer(1)), static_cast<int16_t>(call.integer(2))};
 }
 
-int16_t ProfileScale(Call& call) {
+}  // namespace
+
+int16_t gts::GT_ProfileScale(Call& call) {
   int16_t code = CheckScale(call);
   if (code == vm::kOk) code = CheckNoGantrySlave(call, NumberOf(call));
   if (code == vm::kOk) call.card.motion.SetProfileScale(NumberOf(call), ScaleOf(call));
   return code;
 }
 
-int16_t EncScale(Call& call) {
+int16_t gts::GT_EncScale(Call& call) {
   const int16_t code = CheckScale(call);
   if (code == vm::kOk) call.card.motion.SetEncoderScale(NumberOf(call), ScaleOf(call));
   return code;
 }
+
+namespace {
 
 int16_t SetFilter(const Call& call, motion::AxisValue& value) {
   value.filter.Set(static_cast<int16_t>(call.integer(1)), value.velocity);
   return vm::kOk;
 }
 
-int16_t SetAxisPrfVelFilter(Call& call) { return SetFilter(call, AxisOf(call).profile); }
-int16_t SetAxisEncVelFilter(Call& call) { return SetFilter(call, AxisOf(call).encoder); }
+}  // namespace
 
-int16_t GetAxisPrfVelFilter(Call& call) {
+int16_t gts::GT_SetAxisPrfVelFilter(Call& call) { return SetFilter(call, AxisOf(call).profile); }
+int16_t gts::GT_SetAxisEncVelFilter(Call& call) { return SetFilter(call, AxisOf(call).encoder); }
+
+int16_t gts::GT_GetAxisPrfVelFilter(Call& call) {
   call.Set(1, AxisOf(call).profile.filter.exponent);
   return vm::kOk;
 }
 
-int16_t GetAxisEncVelFilter(Call& call) {
+int16_t gts::GT_GetAxisEncVelFilter(Call& call) {
   call.Set(1, AxisOf(call).encoder.filter.exponent);
   return vm::kOk;
 }
-
-constexpr CommandEntry kEntries[] = {
-    {"GT_AxisOn", AxisOn},
-    {"GT_AxisOff", AxisOff},
-    {"GT_GetSts", GetSts},
-    {"GT_ClrSts", ClrSts},
-    {"GT_AlarmOn", AlarmOn},
-    {"GT_AlarmOff", AlarmOff},
-    {"GT_LmtsOn", LmtsOn},
-    {"GT_LmtsOff", LmtsOff},
-    {"GT_SetSoftLimit", SetSoftLimit},
-    {"GT_GetSoftLimit", GetSoftLimit},
-    {"GT_SetStopIo", SetStopIo},
-    {"GT_SetStopDec", SetStopDec},
-    {"GT_GetStopDec", GetStopDec},
-    {"GT_Stop", Stop},
-    {"GT_SetAxisBand", SetAxisBand},
-    {"GT_GetAxisBand", GetAxisBand},
-    {"GT_ProfileScale", ProfileScale},
-    {"GT_EncScale", EncScale},
-    {"GT_SetAxisPrfVelFilter", SetAxisPrfVelFilter},
-    {"GT_GetAxisPrfVelFilter", GetAxisPrfVelFilter},
-    {"GT_SetAxisEncVelFilter", SetAxisEncVelFilter},
-    {"GT_GetAxisEncVelFilter", GetAxisEncVelFilter},
-};
-
-}  // namespace
-
-std::span<const CommandEntry> AxisCommands() { return kEntries; }
 
 }  // namespace oncard::gtcalls

@@ -49,11 +49,13 @@ int16_t CheckOutside(Call& call) {
                   "规划器 {0} 属于坐标系 {1}；应使用其他轴", call.integer(1), call.integer(0)));
 }
 
-int16_t BufIO(Call& call) {
+}  // namespace
+
+int16_t gts::GT_BufIO(Call& call) {
   return Append(call, BufferedKind::kOutputs, call.integer(1), 0, {call.value(2), call.value(3)});
 }
 
-int16_t BufEnableDoBitPulse(Call& call) {
+int16_t gts::GT_BufEnableDoBitPulse(Call& call) {
   const int16_t code = CheckOutput(call);
   if (code != vm::kOk) return code;
   if (call.integer(3) < 1) return RefuseRange(call, "highLevelTime", call.value(3), "[1, 65535]");
@@ -64,30 +66,32 @@ int16_t BufEnableDoBitPulse(Call& call) {
                  call.value(6)});
 }
 
-int16_t BufDisableDoBitPulse(Call& call) {
+int16_t gts::GT_BufDisableDoBitPulse(Call& call) {
   const int16_t code = CheckOutput(call);
   if (code != vm::kOk) return code;
   return Append(call, BufferedKind::kStopPulses, call.integer(1), call.integer(2) - 1);
 }
 
-int16_t BufDelay(Call& call) { return Append(call, BufferedKind::kDelay, 0, 0, {call.value(1)}); }
+int16_t gts::GT_BufDelay(Call& call) {
+  return Append(call, BufferedKind::kDelay, 0, 0, {call.value(1)});
+}
 
-int16_t BufDA(Call& call) {
+int16_t gts::GT_BufDA(Call& call) {
   if (call.value(2) < -motion::kDacFull) {
     return RefuseRange(call, "daValue", call.value(2), "[-32767, 32767]");
   }
   return Append(call, BufferedKind::kAnalogOutput, call.integer(1) - 1, 0, {call.value(2)});
 }
 
-int16_t BufLmtsOn(Call& call) {
+int16_t gts::GT_BufLmtsOn(Call& call) {
   return Append(call, BufferedKind::kLimits, call.integer(1) - 1, call.integer(2), {1});
 }
 
-int16_t BufLmtsOff(Call& call) {
+int16_t gts::GT_BufLmtsOff(Call& call) {
   return Append(call, BufferedKind::kLimits, call.integer(1) - 1, call.integer(2), {0});
 }
 
-int16_t BufSetStopIo(Call& call) {
+int16_t gts::GT_BufSetStopIo(Call& call) {
   const int index = call.integer(4);
   const int width = DiWidth(static_cast<motion::DiType>(call.integer(3)));
   if (index != kNoInput && (index < 1 || index > width)) {
@@ -99,7 +103,7 @@ int16_t BufSetStopIo(Call& call) {
                 {call.value(3), static_cast<double>(bit)});
 }
 
-int16_t BufMove(Call& call) {
+int16_t gts::GT_BufMove(Call& call) {
   if (!(call.value(3) >= motion::kRateMin && call.value(3) < kRateBound)) {
     return RefuseRange(call, "vel", call.value(3), "[1e-09, 32767)");
   }
@@ -113,13 +117,13 @@ int16_t BufMove(Call& call) {
                 {call.value(2), call.value(3), call.value(4)});
 }
 
-int16_t BufGear(Call& call) {
+int16_t gts::GT_BufGear(Call& call) {
   const int16_t code = CheckOutside(call);
   if (code != vm::kOk) return code;
   return Append(call, BufferedKind::kGear, call.integer(1) - 1, 0, {call.value(2)});
 }
 
-int16_t BufGearPercent(Call& call) {
+int16_t gts::GT_BufGearPercent(Call& call) {
   if (call.integer(3) + call.integer(4) > 100) {
     return RefuseRange(call, "accPercent + decPercent", call.value(3) + call.value(4), "[0, 100]");
   }
@@ -129,22 +133,22 @@ int16_t BufGearPercent(Call& call) {
                 {call.value(2), call.value(3) / 100, call.value(4) / 100});
 }
 
-int16_t BufStopMotion(Call& call) { return Append(call, BufferedKind::kHold, 0, 0); }
+int16_t gts::GT_BufStopMotion(Call& call) { return Append(call, BufferedKind::kHold, 0, 0); }
 
-int16_t BufSynchPrfPos(Call& call) {
+int16_t gts::GT_BufSynchPrfPos(Call& call) {
   return Append(call, BufferedKind::kSynchronise, call.integer(2) - 1, call.integer(1) - 1);
 }
 
-int16_t BufSetLongVar(Call& call) {
+int16_t gts::GT_BufSetLongVar(Call& call) {
   return Append(call, BufferedKind::kIntegerValue, call.integer(1), 0, {call.value(2)});
 }
 
-int16_t BufSetDoubleVar(Call& call) {
+int16_t gts::GT_BufSetDoubleVar(Call& call) {
   return Append(call, BufferedKind::kFractionalValue, call.integer(1), 0, {call.value(2)});
 }
 
 /// The variable is looked up when the command is appended.
-int16_t BufSetVarValue(Call& call) {
+int16_t gts::GT_BufSetVarValue(Call& call) {
   const std::optional<vm::SlotAddress> slot =
       FindVariable(call, call.integer(1), call.cells(2), call.value(3));
   if (!slot) return vm::kBadParameter;
@@ -153,28 +157,5 @@ int16_t BufSetVarValue(Call& call) {
   return Append(call, BufferedKind::kProgramValue, slot->id, slot->global ? -1 : slot->page,
                 {call.value(3), slot->type == vm::DataType::kDouble ? 1.0 : 0.0});
 }
-
-constexpr CommandEntry kEntries[] = {
-    {"GT_BufIO", BufIO},
-    {"GT_BufEnableDoBitPulse", BufEnableDoBitPulse},
-    {"GT_BufDisableDoBitPulse", BufDisableDoBitPulse},
-    {"GT_BufDelay", BufDelay},
-    {"GT_BufDA", BufDA},
-    {"GT_BufLmtsOn", BufLmtsOn},
-    {"GT_BufLmtsOff", BufLmtsOff},
-    {"GT_BufSetStopIo", BufSetStopIo},
-    {"GT_BufMove", BufMove},
-    {"GT_BufGear", BufGear},
-    {"GT_BufGearPercent", BufGearPercent},
-    {"GT_BufStopMotion", BufStopMotion},
-    {"GT_BufSynchPrfPos", BufSynchPrfPos},
-    {"GT_BufSetLongVar", BufSetLongVar},
-    {"GT_BufSetDoubleVar", BufSetDoubleVar},
-    {"GT_BufSetVarValue", BufSetVarValue},
-};
-
-}  // namespace
-
-std::span<const CommandEntry> BufferCommands() { return kEntries; }
 
 }  // namespace oncard::gtcalls

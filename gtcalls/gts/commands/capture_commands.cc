@@ -53,18 +53,20 @@ int16_t CheckEncoder(Call& call, std::string_view name, double number) {
                                  "{0} 为 {1}；本控制卡没有该编码器", name, number));
 }
 
-int16_t SetCaptureMode(Call& call) {
+}  // namespace
+
+int16_t gts::GT_SetCaptureMode(Call& call) {
   const int16_t code = CheckSource(call, call.value(1));
   if (code != vm::kOk) return code;
   UnitOf(call).Arm(NumberOf(call), motion::CaptureSourceFromNumber(call.integer(1)));
   return vm::kOk;
 }
 
-int16_t GetCaptureMode(Call& call) {
+int16_t gts::GT_GetCaptureMode(Call& call) {
   return ReadEach(call, [&](size_t i) { return static_cast<int>(UnitOf(call).capture(i).source); });
 }
 
-int16_t GetCaptureStatus(Call& call) {
+int16_t gts::GT_GetCaptureStatus(Call& call) {
   for (int i = 0; i < call.integer(3); ++i) {
     const auto cell = static_cast<size_t>(i);
     const Capture& capture = UnitOf(call).capture(NumberOf(call) + cell);
@@ -75,7 +77,7 @@ int16_t GetCaptureStatus(Call& call) {
   return vm::kOk;
 }
 
-int16_t SetCaptureSense(Call& call) {
+int16_t gts::GT_SetCaptureSense(Call& call) {
   const int16_t code = CheckSource(call, call.value(1));
   if (code != vm::kOk) return code;
   uint16_t& rising = CaptureOf(call).rising;
@@ -84,10 +86,12 @@ int16_t SetCaptureSense(Call& call) {
   return vm::kOk;
 }
 
-int16_t ClearCaptureStatus(Call& call) {
+int16_t gts::GT_ClearCaptureStatus(Call& call) {
   UnitOf(call).Clear(NumberOf(call));
   return vm::kOk;
 }
+
+namespace {
 
 /// 0, or 1 while the capture is armed.
 int16_t CheckDisarmed(Call& call) {
@@ -96,19 +100,21 @@ int16_t CheckDisarmed(Call& call) {
                                                "捕获 {0} 已启动，请等待捕获完成", call.integer(0)));
 }
 
+}  // namespace
+
 /// Public samples call it after GT_SetCaptureMode.
-int16_t SetCaptureRepeat(Call& call) {
+int16_t gts::GT_SetCaptureRepeat(Call& call) {
   UnitOf(call).SetRepeat(NumberOf(call), static_cast<uint16_t>(call.integer(1)));
   return vm::kOk;
 }
 
-int16_t GetCaptureRepeatStatus(Call& call) {
+int16_t gts::GT_GetCaptureRepeatStatus(Call& call) {
   call.Set(1, static_cast<double>(CaptureOf(call).positions.size()));
   return vm::kOk;
 }
 
 /// Positions count from 1, as public samples count them.
-int16_t GetCaptureRepeatPos(Call& call) {
+int16_t gts::GT_GetCaptureRepeatPos(Call& call) {
   const std::vector<double>& positions = CaptureOf(call).positions;
   const int first = call.integer(2);
   const int count = call.integer(3);
@@ -125,14 +131,14 @@ int16_t GetCaptureRepeatPos(Call& call) {
   return vm::kOk;
 }
 
-int16_t SetCaptureEncoder(Call& call) {
+int16_t gts::GT_SetCaptureEncoder(Call& call) {
   const int16_t code = CheckDisarmed(call);
   if (code != vm::kOk) return code;
   CaptureOf(call).encoder = static_cast<uint8_t>(NumberOf(call, 1));
   return vm::kOk;
 }
 
-int16_t SetCaptureOffset(Call& call) {
+int16_t gts::GT_SetCaptureOffset(Call& call) {
   if (call.value(3) < 0) return RefuseRange(call, "loop", call.value(3), 0, 2147483647);
   std::vector<int32_t> offsets;
   for (const double offset : call.cells(1)) offsets.push_back(static_cast<int32_t>(offset));
@@ -140,7 +146,7 @@ int16_t SetCaptureOffset(Call& call) {
   return vm::kOk;
 }
 
-int16_t GetCaptureOffset(Call& call) {
+int16_t gts::GT_GetCaptureOffset(Call& call) {
   const Capture& capture = CaptureOf(call);
   const size_t count = std::min(call.cells(1).size(), capture.offsets.size());
   for (size_t i = 0; i < count; ++i) call.Set(1, capture.offsets[i], i);
@@ -149,7 +155,7 @@ int16_t GetCaptureOffset(Call& call) {
   return vm::kOk;
 }
 
-int16_t GetCaptureOffsetStatus(Call& call) {
+int16_t gts::GT_GetCaptureOffsetStatus(Call& call) {
   const Capture& capture = CaptureOf(call);
   call.Set(1, capture.offsets_used);
   call.Set(2, capture.loops_done);
@@ -157,14 +163,14 @@ int16_t GetCaptureOffsetStatus(Call& call) {
   return vm::kOk;
 }
 
-int16_t LinkCaptureOffset(Call& call) {
+int16_t gts::GT_LinkCaptureOffset(Call& call) {
   const int16_t code = CheckEncoder(call, "source", call.value(1));
   if (code != vm::kOk) return code;
   UnitOf(call).LinkOffsets(NumberOf(call), NumberOf(call, 1));
   return vm::kOk;
 }
 
-int16_t SetTrigger(Call& call) {
+int16_t gts::GT_SetTrigger(Call& call) {
   const std::span<double> cells = call.cells(1);
   const int axes = call.card.motion.config().axis_count;
   int16_t code = CheckEncoder(call, "TTrigger.encoder", cells[kEncoder]);
@@ -197,7 +203,7 @@ int16_t SetTrigger(Call& call) {
   return vm::kOk;
 }
 
-int16_t GetTrigger(Call& call) {
+int16_t gts::GT_GetTrigger(Call& call) {
   const Trigger& t = UnitOf(call).trigger(NumberOf(call));
   const double cells[] = {double(t.encoder + 1),
                           double(static_cast<int>(t.source)),
@@ -212,7 +218,7 @@ int16_t GetTrigger(Call& call) {
   return vm::kOk;
 }
 
-int16_t GetTriggerStatus(Call& call) {
+int16_t gts::GT_GetTriggerStatus(Call& call) {
   const size_t count =
       std::min(static_cast<size_t>(call.integer(2)), call.cells(1).size() / kTriggerStatusCells);
   for (size_t i = 0; i < count; ++i) {
@@ -224,33 +230,9 @@ int16_t GetTriggerStatus(Call& call) {
   return vm::kOk;
 }
 
-int16_t ClearTriggerStatus(Call& call) {
+int16_t gts::GT_ClearTriggerStatus(Call& call) {
   UnitOf(call).ClearTrigger(NumberOf(call));
   return vm::kOk;
 }
-
-constexpr CommandEntry kEntries[] = {
-    {"GT_SetCaptureMode", SetCaptureMode},
-    {"GT_GetCaptureMode", GetCaptureMode},
-    {"GT_GetCaptureStatus", GetCaptureStatus},
-    {"GT_SetCaptureSense", SetCaptureSense},
-    {"GT_ClearCaptureStatus", ClearCaptureStatus},
-    {"GT_SetCaptureRepeat", SetCaptureRepeat},
-    {"GT_GetCaptureRepeatStatus", GetCaptureRepeatStatus},
-    {"GT_GetCaptureRepeatPos", GetCaptureRepeatPos},
-    {"GT_SetCaptureEncoder", SetCaptureEncoder},
-    {"GT_SetCaptureOffset", SetCaptureOffset},
-    {"GT_GetCaptureOffset", GetCaptureOffset},
-    {"GT_GetCaptureOffsetStatus", GetCaptureOffsetStatus},
-    {"GT_LinkCaptureOffset", LinkCaptureOffset},
-    {"GT_SetTrigger", SetTrigger},
-    {"GT_GetTrigger", GetTrigger},
-    {"GT_GetTriggerStatus", GetTriggerStatus},
-    {"GT_ClearTriggerStatus", ClearTriggerStatus},
-};
-
-}  // namespace
-
-std::span<const CommandEntry> CaptureCommands() { return kEntries; }
 
 }  // namespace oncard::gtcalls

@@ -1,6 +1,7 @@
-// Internal to gtcalls: how a command is written, and the lists of all commands. A command is one
-// function; its arguments have passed the catalogue's ranges and NULL checks before it is called.
-// It checks the card's state, then acts; a refused command changes nothing.
+// Internal to gtcalls: how a command is written, and the list of all commands. A command is one
+// function with its name in the catalogue; its arguments have passed the catalogue's ranges and
+// NULL checks before it is called. It checks the card's state, then acts; a refused command changes
+// nothing.
 #pragma once
 
 #include <cstdint>
@@ -14,44 +15,13 @@
 
 namespace oncard::gtcalls {
 
-/// One command and its function.
-struct CommandEntry {
-  std::string_view name;
-  CommandFunction function = nullptr;
-};
-
-/// The commands of each file of this folder.
-std::span<const CommandEntry> ThreadCommands();
-std::span<const CommandEntry> VariableCommands();
-std::span<const CommandEntry> TimeCommands();
-std::span<const CommandEntry> DigitalIoCommands();
-std::span<const CommandEntry> UserVariableCommands();
-std::span<const CommandEntry> AnalogCommands();
-std::span<const CommandEntry> ExtensionCommands();
-std::span<const CommandEntry> EncoderCommands();
-std::span<const CommandEntry> ServoCommands();
-std::span<const CommandEntry> ConfigCommands();
-std::span<const CommandEntry> PlcCommands();
-std::span<const CommandEntry> PlcWordCommands();
-std::span<const CommandEntry> AxisCommands();
-std::span<const CommandEntry> PositionCommands();
-std::span<const CommandEntry> TrapCommands();
-std::span<const CommandEntry> GearCommands();
-std::span<const CommandEntry> FollowCommands();
-std::span<const CommandEntry> PtCommands();
-std::span<const CommandEntry> PvtCommands();
-std::span<const CommandEntry> CrdCommands();
-std::span<const CommandEntry> SegmentCommands();
-std::span<const CommandEntry> BufferCommands();
-std::span<const CommandEntry> CaptureCommands();
-std::span<const CommandEntry> HomeCommands();
-std::span<const CommandEntry> CompareCommands();
-std::span<const CommandEntry> CompensationCommands();
-std::span<const CommandEntry> GantryCommands();
-std::span<const CommandEntry> MramCommands();
-
-/// All of them.
-std::vector<CommandEntry> AllCommands();
+/// The commands: one function for each row of the catalogue, except those of the host library and
+/// those of unsupported.def. The files of this folder define them; the linker reports a missing
+/// one.
+namespace gts {
+#define COMMAND(number, name, ...) int16_t name(Call& call);
+#include "gtcalls/gts/catalogue.def"
+}  // namespace gts
 
 /// True if the thread is in the middle of its function, or will be started again by its period.
 bool IsActive(const vm::ThreadState& thread);

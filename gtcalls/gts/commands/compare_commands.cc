@@ -45,12 +45,16 @@ int16_t RefuseMember(Call& call, std::string_view name, double value, double fir
                   "T2DComparePrm.{0} 为 {1}；应为 {2} 到 {3}", name, value, first, last));
 }
 
-int16_t Mode2D(Call& call) {
+}  // namespace
+
+int16_t gts::GT_2DCompareMode(Call& call) {
   const int16_t code = CheckStopped(call);
   if (code != vm::kOk) return code;
   ModuleOf(call).parameters.two_dimensional = call.integer(1) != 0;
   return vm::kOk;
 }
+
+namespace {
 
 /// Puts out a level, or a pulse, of which the arguments from `first` on are level, type and time.
 int16_t PutOut(Call& call, size_t first, std::span<const size_t> channels) {
@@ -77,16 +81,20 @@ int16_t PutOut(Call& call, size_t first, std::span<const size_t> channels) {
   return vm::kOk;
 }
 
-int16_t Pulse2D(Call& call) {
+}  // namespace
+
+int16_t gts::GT_2DComparePulse(Call& call) {
   const std::array channels = {ChannelOf(call)};
   return PutOut(call, 1, channels);
 }
 
 /// Assumption: both high-speed outputs, as the command names none.
-int16_t ComparePulse(Call& call) {
+int16_t gts::GT_ComparePulse(Call& call) {
   constexpr std::array<size_t, 2> kChannels = {0, 1};
   return PutOut(call, 0, kChannels);
 }
+
+namespace {
 
 /// 0, or 7 when an encoder does not count what `source` asks for.
 int16_t CheckSource(Call& call, double number, bool external) {
@@ -110,7 +118,9 @@ int16_t CheckEncoder(Call& call, std::string_view name, double number) {
                                  "T2DComparePrm.{0} 为 {1}；本控制卡没有该编码器", name, number));
 }
 
-int16_t SetPrm2D(Call& call) {
+}  // namespace
+
+int16_t gts::GT_2DCompareSetPrm(Call& call) {
   const std::span<double> cells = call.cells(1);
   for (const auto& [cell, name] : {std::pair{kEncX, "encx"}, {kEncY, "ency"}}) {
     const int16_t code = CheckEncoder(call, name, cells[cell]);
@@ -154,11 +164,15 @@ int16_t SetPrm2D(Call& call) {
   return vm::kOk;
 }
 
+namespace {
+
 size_t FreeSpace(const CompareModule& module) {
   return motion::kCompareFifoSize + motion::kCompareBufferSize - module.waiting();
 }
 
-int16_t Data2D(Call& call) {
+}  // namespace
+
+int16_t gts::GT_2DCompareData(Call& call) {
   const auto count = static_cast<size_t>(call.integer(1));
   const std::span<double> cells = call.cells(2);
   if (count > FreeSpace(ModuleOf(call))) {
@@ -175,7 +189,7 @@ int16_t Data2D(Call& call) {
   return vm::kOk;
 }
 
-int16_t Start2D(Call& call) {
+int16_t gts::GT_2DCompareStart(Call& call) {
   const int16_t code = CheckStopped(call);
   if (code != vm::kOk) return code;
   const CompareModule& module = ModuleOf(call);
@@ -190,19 +204,19 @@ int16_t Start2D(Call& call) {
   return vm::kOk;
 }
 
-int16_t Stop2D(Call& call) {
+int16_t gts::GT_2DCompareStop(Call& call) {
   CompareOf(call).Stop(ChannelOf(call));
   return vm::kOk;
 }
 
-int16_t Clear2D(Call& call) {
+int16_t gts::GT_2DCompareClear(Call& call) {
   const int16_t code = CheckStopped(call);
   if (code != vm::kOk) return code;
   CompareOf(call).Clear(ChannelOf(call));
   return vm::kOk;
 }
 
-int16_t Status2D(Call& call) {
+int16_t gts::GT_2DCompareStatus(Call& call) {
   const CompareModule& module = ModuleOf(call);
   const size_t in_fifo = std::min(module.waiting(), motion::kCompareFifoSize);
   call.Set(1, module.running ? 0 : 1);
@@ -214,6 +228,8 @@ int16_t Status2D(Call& call) {
 }
 
 // --- One dimension -----------------------------------------------------------------------------
+
+namespace {
 
 /// What the one-dimensional commands have in common: the encoder is argument 0, the others are
 /// where they are told. Both modules are emptied; refused, nothing has changed.
@@ -239,9 +255,11 @@ void StartLinear(const Call& call, size_t channel, const CompareParameters& para
   CompareOf(call).Start(channel, 0, call.card.motion.state().encoders[parameters.y].position);
 }
 
+}  // namespace
+
 /// Assumption: positions count from where the encoder is, as those of GT_2DCompareData; the first
 /// list is for HSIO0, the second for HSIO1.
-int16_t CompareData(Call& call) {
+int16_t gts::GT_CompareData(Call& call) {
   constexpr std::array<size_t, 2> kLists = {5, 7};
   const bool level_output = call.integer(2) != 0;
   if (!level_output && call.integer(4) < 1) {
@@ -280,7 +298,7 @@ int16_t CompareData(Call& call) {
 
 /// Assumption: `repeatTimes` counts the pulses, the first one comes `startPos` pulses from where
 /// the encoder is.
-int16_t CompareLinear(Call& call) {
+int16_t gts::GT_CompareLinear(Call& call) {
   const auto channel = static_cast<size_t>(call.integer(1));
   const int64_t first = call.integer(2);
   const int64_t count = call.integer(3);
@@ -308,30 +326,16 @@ int16_t CompareLinear(Call& call) {
 
 /// Assumption: the status is that of GT_2DCompareStatus, 0 while points are waited for and 1
 /// afterwards; the count is that of both outputs.
-int16_t CompareStatus(Call& call) {
+int16_t gts::GT_CompareStatus(Call& call) {
   const CompareUnit& compare = CompareOf(call);
   call.Set(0, compare.running() ? 0 : 1);
   call.Set(1, compare.module(0).hits + compare.module(1).hits);
   return vm::kOk;
 }
 
-int16_t CompareStop(Call& call) {
+int16_t gts::GT_CompareStop(Call& call) {
   for (size_t channel = 0; channel < motion::kHsioCount; ++channel) CompareOf(call).Stop(channel);
   return vm::kOk;
 }
-
-constexpr CommandEntry kEntries[] = {
-    {"GT_ComparePulse", ComparePulse},   {"GT_CompareData", CompareData},
-    {"GT_CompareLinear", CompareLinear}, {"GT_CompareStatus", CompareStatus},
-    {"GT_CompareStop", CompareStop},     {"GT_2DCompareMode", Mode2D},
-    {"GT_2DComparePulse", Pulse2D},      {"GT_2DCompareSetPrm", SetPrm2D},
-    {"GT_2DCompareData", Data2D},        {"GT_2DCompareStart", Start2D},
-    {"GT_2DCompareStop", Stop2D},        {"GT_2DCompareClear", Clear2D},
-    {"GT_2DCompareStatus", Status2D},
-};
-
-}  // namespace
-
-std::span<const CommandEntry> CompareCommands() { return kEntries; }
 
 }  // namespace oncard::gtcalls

@@ -16,14 +16,16 @@ const Compensation& CompensationOf(const Call& call) {
   return call.card.motion.state().compensations[NumberOf(call)];
 }
 
-int16_t SetBacklash(Call& call) {
+}  // namespace
+
+int16_t gts::GT_SetBacklash(Call& call) {
   call.card.motion.SetBacklash(
       NumberOf(call),
       {.value = call.integer(1), .change = call.value(2), .positive = call.integer(3) != 0});
   return vm::kOk;
 }
 
-int16_t GetBacklash(Call& call) {
+int16_t gts::GT_GetBacklash(Call& call) {
   const Backlash& backlash = CompensationOf(call).backlash;
   call.Set(1, backlash.value);
   call.Set(2, backlash.change);
@@ -31,13 +33,17 @@ int16_t GetBacklash(Call& call) {
   return vm::kOk;
 }
 
+namespace {
+
 std::vector<int32_t> Points(const Call& call, size_t index) {
   std::vector<int32_t> points;
   for (const double cell : call.cells(index)) points.push_back(static_cast<int32_t>(cell));
   return points;
 }
 
-int16_t SetLeadScrewComp(Call& call) {
+}  // namespace
+
+int16_t gts::GT_SetLeadScrewComp(Call& call) {
   auto table = std::make_shared<PitchTable>();
   table->start = call.value(2);
   table->length = call.value(3);
@@ -47,7 +53,7 @@ int16_t SetLeadScrewComp(Call& call) {
   return vm::kOk;
 }
 
-int16_t EnableLeadScrewComp(Call& call) {
+int16_t gts::GT_EnableLeadScrewComp(Call& call) {
   const bool on = call.integer(1) != 0;
   if (on && CompensationOf(call).pitch_table == nullptr) {
     return call.Refuse(
@@ -60,7 +66,7 @@ int16_t EnableLeadScrewComp(Call& call) {
 }
 
 /// The cross error belongs to a compensation that this card does not have.
-int16_t GetCompensate(Call& call) {
+int16_t gts::GT_GetCompensate(Call& call) {
   const Compensation& compensation = CompensationOf(call);
   call.Set(1, compensation.pitch_error);
   call.Set(2, 0);
@@ -69,15 +75,5 @@ int16_t GetCompensate(Call& call) {
   call.Set(5, AxisOf(call).profile.position);
   return vm::kOk;
 }
-
-constexpr CommandEntry kEntries[] = {
-    {"GT_SetBacklash", SetBacklash},           {"GT_GetBacklash", GetBacklash},
-    {"GT_SetLeadScrewComp", SetLeadScrewComp}, {"GT_EnableLeadScrewComp", EnableLeadScrewComp},
-    {"GT_GetCompensate", GetCompensate},
-};
-
-}  // namespace
-
-std::span<const CommandEntry> CompensationCommands() { return kEntries; }
 
 }  // namespace oncard::gtcalls

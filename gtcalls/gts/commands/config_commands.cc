@@ -12,7 +12,9 @@ namespace {
 /// Assumption: a file that cannot be read is answered as GT_Download answers it.
 constexpr int16_t kFileNotFound = 2007;
 
-int16_t LoadConfig(Call& call) {
+}  // namespace
+
+int16_t gts::GT_LoadConfig(Call& call) {
   const auto* path = static_cast<const char*>(call.arguments[0].host);
   if (std::strlen(path) > kConfigPathMax) {
     return call.Refuse(
@@ -33,13 +35,5 @@ int16_t LoadConfig(Call& call) {
   for (const Message& remark : config.remarks) call.Note(remark);
   return vm::kOk;
 }
-
-constexpr CommandEntry kEntries[] = {
-    {"GT_LoadConfig", LoadConfig},
-};
-
-}  // namespace
-
-std::span<const CommandEntry> ConfigCommands() { return kEntries; }
 
 }  // namespace oncard::gtcalls

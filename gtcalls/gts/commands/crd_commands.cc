@@ -120,7 +120,9 @@ CrdParameters ParametersOf(const Call& call) {
   return parameters;
 }
 
-int16_t SetCrdPrm(Call& call) {
+}  // namespace
+
+int16_t gts::GT_SetCrdPrm(Call& call) {
   int16_t code = CheckParameters(call);
   if (code == vm::kOk) code = CheckCrdAtRest(call, NumberOf(call));
   if (code != vm::kOk) return code;
@@ -142,7 +144,7 @@ int16_t SetCrdPrm(Call& call) {
   return vm::kOk;
 }
 
-int16_t GetCrdPrm(Call& call) {
+int16_t gts::GT_GetCrdPrm(Call& call) {
   const int16_t code = CheckCrd(call, NumberOf(call));
   if (code != vm::kOk) return code;
   const CrdParameters& parameters = CrdOf(call).parameters;
@@ -158,7 +160,7 @@ int16_t GetCrdPrm(Call& call) {
   return vm::kOk;
 }
 
-int16_t SetCrdStopDec(Call& call) {
+int16_t gts::GT_SetCrdStopDec(Call& call) {
   const int16_t code = CheckCrd(call, NumberOf(call));
   if (code != vm::kOk) return code;
   CrdOf(call).smooth_stop = call.value(1);
@@ -166,7 +168,7 @@ int16_t SetCrdStopDec(Call& call) {
   return vm::kOk;
 }
 
-int16_t GetCrdStopDec(Call& call) {
+int16_t gts::GT_GetCrdStopDec(Call& call) {
   const int16_t code = CheckCrd(call, NumberOf(call));
   if (code != vm::kOk) return code;
   call.Set(1, CrdOf(call).smooth_stop);
@@ -174,12 +176,16 @@ int16_t GetCrdStopDec(Call& call) {
   return vm::kOk;
 }
 
+namespace {
+
 /// How many elements behind argument 1 belong to coordinates.
 size_t CoordinateCells(const Call& call) {
   return std::min(call.cells(1).size(), CrdOf(call).dimension());
 }
 
-int16_t SetCrdSingleMaxVel(Call& call) {
+}  // namespace
+
+int16_t gts::GT_SetCrdSingleMaxVel(Call& call) {
   const int16_t code = CheckCrd(call, NumberOf(call));
   if (code != vm::kOk) return code;
   for (size_t i = 0; i < CoordinateCells(call); ++i) {
@@ -194,18 +200,24 @@ int16_t SetCrdSingleMaxVel(Call& call) {
   return vm::kOk;
 }
 
+namespace {
+
 /// Writes one value per coordinate to argument 1.
 int16_t GiveCoordinates(Call& call, const motion::Coordinates& values) {
   for (size_t i = 0; i < CoordinateCells(call); ++i) call.Set(1, values[i], i);
   return vm::kOk;
 }
 
-int16_t GetCrdSingleMaxVel(Call& call) {
+}  // namespace
+
+int16_t gts::GT_GetCrdSingleMaxVel(Call& call) {
   const int16_t code = CheckCrd(call, NumberOf(call));
   return code != vm::kOk ? code : GiveCoordinates(call, CrdOf(call).axis_velocity_max);
 }
 
 // --- Run -------------------------------------------------------------------------------------
+
+namespace {
 
 /// 0, or 1 with the reason when an axis whose modal GT_BufMove was stopped short cannot go on.
 int16_t CheckAwaitedMove(Call& call, const CrdFifo& fifo) {
@@ -282,10 +294,12 @@ int16_t StartEach(Call& call, bool single_step) {
   return vm::kOk;
 }
 
-int16_t CrdStart(Call& call) { return StartEach(call, false); }
-int16_t CrdStartStep(Call& call) { return StartEach(call, true); }
+}  // namespace
 
-int16_t CrdStepMode(Call& call) {
+int16_t gts::GT_CrdStart(Call& call) { return StartEach(call, false); }
+int16_t gts::GT_CrdStartStep(Call& call) { return StartEach(call, true); }
+
+int16_t gts::GT_CrdStepMode(Call& call) {
   const std::vector<size_t> selected = SelectedCrds(call);
   if (selected.empty()) return vm::kRefused;
   for (const size_t i : selected) {
@@ -300,6 +314,8 @@ int16_t CrdStepMode(Call& call) {
   return vm::kOk;
 }
 
+namespace {
+
 int16_t SetRatio(Call& call, double Crd::*ratio) {
   const int16_t code = CheckCrd(call, NumberOf(call));
   if (code != vm::kOk) return code;
@@ -308,10 +324,12 @@ int16_t SetRatio(Call& call, double Crd::*ratio) {
   return vm::kOk;
 }
 
-int16_t SetOverride(Call& call) { return SetRatio(call, &Crd::override_ratio); }
-int16_t SetOverride2(Call& call) { return SetRatio(call, &Crd::second_override); }
+}  // namespace
 
-int16_t CrdClear(Call& call) {
+int16_t gts::GT_SetOverride(Call& call) { return SetRatio(call, &Crd::override_ratio); }
+int16_t gts::GT_SetOverride2(Call& call) { return SetRatio(call, &Crd::second_override); }
+
+int16_t gts::GT_CrdClear(Call& call) {
   int16_t code = CheckCrd(call, NumberOf(call));
   if (code == vm::kOk && CrdOf(call).run.fifo == FifoNumber(call)) {
     code = CheckCrdAtRest(call, NumberOf(call));
@@ -323,17 +341,23 @@ int16_t CrdClear(Call& call) {
 
 // --- Status ----------------------------------------------------------------------------------
 
+namespace {
+
 bool IsRunning(const Call& call) {
   return CrdOf(call).run.running && CrdOf(call).run.fifo == FifoNumber(call);
 }
 
-int16_t CrdStatus(Call& call) {
+}  // namespace
+
+int16_t gts::GT_CrdStatus(Call& call) {
   const int16_t code = CheckCrd(call, NumberOf(call));
   if (code != vm::kOk) return code;
   call.Set(1, IsRunning(call) ? 1 : 0);
   call.Set(2, FifoOf(call).done);
   return vm::kOk;
 }
+
+namespace {
 
 /// Commands that read one number of a coordinate system into argument 1.
 template <typename Value>
@@ -343,52 +367,61 @@ int16_t Give(Call& call, Value value) {
   return code;
 }
 
-int16_t CrdSpace(Call& call) {
+}  // namespace
+
+int16_t gts::GT_CrdSpace(Call& call) {
   return Give(call, [&] { return FifoOf(call).space(); });
 }
-int16_t GetCrdVel(Call& call) {
+
+int16_t gts::GT_GetCrdVel(Call& call) {
   return Give(call, [&] { return CrdOf(call).run.velocity; });
 }
-int16_t GetLookAheadSpace(Call& call) {
+
+int16_t gts::GT_GetLookAheadSpace(Call& call) {
   return Give(
       call, [&] { return FifoOf(call).look_ahead.capacity - FifoOf(call).look_ahead.ring.size(); });
 }
-int16_t GetLookAheadSegCount(Call& call) {
+
+int16_t gts::GT_GetLookAheadSegCount(Call& call) {
   return Give(call, [&] { return FifoOf(call).look_ahead.ring.size(); });
 }
-int16_t GetUserSegNum(Call& call) {
+
+int16_t gts::GT_GetUserSegNum(Call& call) {
   return Give(call, [&] { return FifoOf(call).current.user_number; });
 }
-int16_t GetUserSegNumWN(Call& call) {
+
+int16_t gts::GT_GetUserSegNumWN(Call& call) {
   return Give(call, [&] { return FifoOf(call).current.given_number; });
 }
-int16_t GetRemainderSegNum(Call& call) {
+
+int16_t gts::GT_GetRemainderSegNum(Call& call) {
   return Give(call, [&] { return FifoOf(call).Remaining(); });
 }
-int16_t GetUserTargetVel(Call& call) {
+
+int16_t gts::GT_GetUserTargetVel(Call& call) {
   return Give(call, [&] { return CrdOf(call).active().current.velocity; });
 }
 
-int16_t SetUserSegNum(Call& call) {
+int16_t gts::GT_SetUserSegNum(Call& call) {
   const int16_t code = CheckCrd(call, NumberOf(call));
   if (code == vm::kOk) FifoOf(call).user_number = call.integer(1);
   return code;
 }
 
-int16_t GetCrdPos(Call& call) {
+int16_t gts::GT_GetCrdPos(Call& call) {
   const int16_t code = CheckCrd(call, NumberOf(call));
   return code != vm::kOk ? code
                          : GiveCoordinates(call, call.card.motion.CrdPosition(NumberOf(call)));
 }
 
-int16_t GetSegTargetPos(Call& call) {
+int16_t gts::GT_GetSegTargetPos(Call& call) {
   const int16_t code = CheckCrd(call, NumberOf(call));
   return code != vm::kOk ? code : GiveCoordinates(call, CrdOf(call).active().current.segment.end);
 }
 
 // --- Look-ahead ------------------------------------------------------------------------------
 
-int16_t InitLookAhead(Call& call) {
+int16_t gts::GT_InitLookAhead(Call& call) {
   const double time = call.value(2);
   const double acceleration = call.value(3);
   if (!(time >= motion::kRateMin && time < kRateBound)) {
@@ -414,37 +447,5 @@ int16_t InitLookAhead(Call& call) {
   look_ahead.capacity = static_cast<size_t>(call.integer(4));
   return vm::kOk;
 }
-
-constexpr CommandEntry kEntries[] = {
-    {"GT_SetCrdPrm", SetCrdPrm},
-    {"GT_GetCrdPrm", GetCrdPrm},
-    {"GT_SetCrdStopDec", SetCrdStopDec},
-    {"GT_GetCrdStopDec", GetCrdStopDec},
-    {"GT_SetCrdSingleMaxVel", SetCrdSingleMaxVel},
-    {"GT_GetCrdSingleMaxVel", GetCrdSingleMaxVel},
-    {"GT_CrdStart", CrdStart},
-    {"GT_CrdStartStep", CrdStartStep},
-    {"GT_CrdStepMode", CrdStepMode},
-    {"GT_CrdStatus", CrdStatus},
-    {"GT_CrdSpace", CrdSpace},
-    {"GT_CrdClear", CrdClear},
-    {"GT_GetCrdPos", GetCrdPos},
-    {"GT_GetCrdVel", GetCrdVel},
-    {"GT_SetOverride", SetOverride},
-    {"GT_SetOverride2", SetOverride2},
-    {"GT_InitLookAhead", InitLookAhead},
-    {"GT_GetLookAheadSpace", GetLookAheadSpace},
-    {"GT_GetLookAheadSegCount", GetLookAheadSegCount},
-    {"GT_SetUserSegNum", SetUserSegNum},
-    {"GT_GetUserSegNum", GetUserSegNum},
-    {"GT_GetUserSegNumWN", GetUserSegNumWN},
-    {"GT_GetRemainderSegNum", GetRemainderSegNum},
-    {"GT_GetUserTargetVel", GetUserTargetVel},
-    {"GT_GetSegTargetPos", GetSegTargetPos},
-};
-
-}  // namespace
-
-std::span<const CommandEntry> CrdCommands() { return kEntries; }
 
 }  // namespace oncard::gtcalls

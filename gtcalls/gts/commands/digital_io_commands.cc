@@ -32,37 +32,39 @@ bool CheckOutput(Call& call) { return CheckIndex(call, call.integer(1), 1, DoWid
 
 int BitOf(const Call& call) { return call.integer(1) - 1; }
 
+}  // namespace
+
 // --- Outputs ---------------------------------------------------------------------------------
 
-int16_t SetDo(Call& call) {
+int16_t gts::GT_SetDo(Call& call) {
   IoOf(call).Write(DoOf(call), ~uint32_t{0}, BitWord(call.value(1)));
   return vm::kOk;
 }
 
-int16_t SetDoMask(Call& call) {
+int16_t gts::GT_SetDoMask(Call& call) {
   IoOf(call).Write(DoOf(call), BitWord(call.value(1)), BitWord(call.value(2)));
   return vm::kOk;
 }
 
-int16_t SetDoBit(Call& call) {
+int16_t gts::GT_SetDoBit(Call& call) {
   if (!CheckOutput(call)) return vm::kBadParameter;
   IoOf(call).WriteForAWhile(DoOf(call), BitOf(call), call.integer(2) != 0, 0);
   return vm::kOk;
 }
 
-int16_t SetDoBitReverse(Call& call) {
+int16_t gts::GT_SetDoBitReverse(Call& call) {
   if (!CheckOutput(call)) return vm::kBadParameter;
   IoOf(call).WriteForAWhile(DoOf(call), BitOf(call), call.integer(2) != 0,
                             call.integer(3) * motion::kDoTimeUnitUs);
   return vm::kOk;
 }
 
-int16_t GetDo(Call& call) {
+int16_t gts::GT_GetDo(Call& call) {
   call.Set(1, IoOf(call).Register(DoOf(call)));
   return vm::kOk;
 }
 
-int16_t EnableDoBitPulse(Call& call) {
+int16_t gts::GT_EnableDoBitPulse(Call& call) {
   if (!CheckOutput(call)) return vm::kBadParameter;
   const int high = call.integer(2);
   const int low = call.integer(3);
@@ -81,7 +83,7 @@ int16_t EnableDoBitPulse(Call& call) {
   return vm::kOk;
 }
 
-int16_t DisableDoBitPulse(Call& call) {
+int16_t gts::GT_DisableDoBitPulse(Call& call) {
   if (!CheckOutput(call)) return vm::kBadParameter;
   IoOf(call).StopTiming(DoOf(call), BitOf(call));
   return vm::kOk;
@@ -89,17 +91,17 @@ int16_t DisableDoBitPulse(Call& call) {
 
 // --- Inputs ----------------------------------------------------------------------------------
 
-int16_t GetDi(Call& call) {
+int16_t gts::GT_GetDi(Call& call) {
   call.Set(1, IoOf(call).Read(DiOf(call)));
   return vm::kOk;
 }
 
-int16_t GetDiRaw(Call& call) {
+int16_t gts::GT_GetDiRaw(Call& call) {
   call.Set(1, IoOf(call).Pins(DiOf(call)));
   return vm::kOk;
 }
 
-int16_t GetDiReverseCount(Call& call) {
+int16_t gts::GT_GetDiReverseCount(Call& call) {
   const int count = call.integer(3);
   if (!CheckIndex(call, call.integer(1), count, DiWidth(DiOf(call)))) return vm::kBadParameter;
   for (int i = 0; i < count; ++i) {
@@ -108,7 +110,7 @@ int16_t GetDiReverseCount(Call& call) {
   return vm::kOk;
 }
 
-int16_t SetDiReverseCount(Call& call) {
+int16_t gts::GT_SetDiReverseCount(Call& call) {
   const int count = call.integer(3);
   if (!CheckIndex(call, call.integer(1), count, DiWidth(DiOf(call)))) return vm::kBadParameter;
   for (int i = 0; i < count; ++i) {
@@ -119,7 +121,7 @@ int16_t SetDiReverseCount(Call& call) {
 }
 
 /// Bits 2(n-1) and 2(n-1)+1: positive and negative limit of axis n trigger at low level.
-int16_t LmtSns(Call& call) {
+int16_t gts::GT_LmtSns(Call& call) {
   const uint32_t sense = BitWord(call.value(0));
   uint32_t positive = 0;
   uint32_t negative = 0;
@@ -133,29 +135,9 @@ int16_t LmtSns(Call& call) {
 }
 
 /// Assumption: bit n-1 inverts general input n, as GT_EncSns does for encoders.
-int16_t GpiSns(Call& call) {
+int16_t gts::GT_GpiSns(Call& call) {
   IoOf(call).SetInverted(DiType::kGpi, BitWord(call.value(0)));
   return vm::kOk;
 }
-
-constexpr CommandEntry kEntries[] = {
-    {"GT_SetDo", SetDo},
-    {"GT_SetDoMask", SetDoMask},
-    {"GT_SetDoBit", SetDoBit},
-    {"GT_SetDoBitReverse", SetDoBitReverse},
-    {"GT_GetDo", GetDo},
-    {"GT_EnableDoBitPulse", EnableDoBitPulse},
-    {"GT_DisableDoBitPulse", DisableDoBitPulse},
-    {"GT_GetDi", GetDi},
-    {"GT_GetDiRaw", GetDiRaw},
-    {"GT_GetDiReverseCount", GetDiReverseCount},
-    {"GT_SetDiReverseCount", SetDiReverseCount},
-    {"GT_LmtSns", LmtSns},
-    {"GT_GpiSns", GpiSns},
-};
-
-}  // namespace
-
-std::span<const CommandEntry> DigitalIoCommands() { return kEntries; }
 
 }  // namespace oncard::gtcalls

@@ -4,15 +4,14 @@
 #include "gtcalls/gts/commands/motion_support.h"
 
 namespace oncard::gtcalls {
-namespace {
 
-int16_t EncOn(Call& call) {
+int16_t gts::GT_EncOn(Call& call) {
   call.card.motion.SetEncoderExternal(NumberOf(call), true);
   return vm::kOk;
 }
 
 /// A closed loop needs the external encoder (GTS manual 4.3.2).
-int16_t EncOff(Call& call) {
+int16_t gts::GT_EncOff(Call& call) {
   for (const motion::Control& control : call.card.motion.state().controls) {
     if (!control.closed || control.encoder != call.integer(0) - 1) continue;
     return call.Refuse(
@@ -26,7 +25,7 @@ int16_t EncOff(Call& call) {
 }
 
 /// Bit n-1 reverses encoder n.
-int16_t EncSns(Call& call) {
+int16_t gts::GT_EncSns(Call& call) {
   const uint32_t sense = BitWord(call.value(0));
   for (size_t i = 0; i < motion::kAxisMax; ++i) {
     if (call.card.motion.HasEncoder(i)) {
@@ -37,6 +36,8 @@ int16_t EncSns(Call& call) {
 }
 
 // --- Pulse outputs ---------------------------------------------------------------------------
+
+namespace {
 
 /// Step::mode.
 constexpr int16_t kPulseAndDirection = 0;
@@ -56,16 +57,9 @@ int16_t SetStepMode(Call& call, int16_t mode) {
   return vm::kOk;
 }
 
-int16_t StepDir(Call& call) { return SetStepMode(call, kPulseAndDirection); }
-int16_t StepPulse(Call& call) { return SetStepMode(call, kForwardAndBackward); }
-
-constexpr CommandEntry kEntries[] = {
-    {"GT_EncOn", EncOn},     {"GT_EncOff", EncOff},       {"GT_EncSns", EncSns},
-    {"GT_StepDir", StepDir}, {"GT_StepPulse", StepPulse},
-};
-
 }  // namespace
 
-std::span<const CommandEntry> EncoderCommands() { return kEntries; }
+int16_t gts::GT_StepDir(Call& call) { return SetStepMode(call, kPulseAndDirection); }
+int16_t gts::GT_StepPulse(Call& call) { return SetStepMode(call, kForwardAndBackward); }
 
 }  // namespace oncard::gtcalls

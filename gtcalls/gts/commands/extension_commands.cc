@@ -68,26 +68,21 @@ void SetDaVoltage(Call& call, ExtensionModule& module) {
   module.output_volts[ChannelOf(call)] = call.value(2);
 }
 
+}  // namespace
+
 /// A missing module is what this command reports, not a reason to refuse.
-int16_t GetStsExtMdl(Call& call) {
+int16_t gts::GT_GetStsExtMdl(Call& call) {
   call.Set(2, ModuleOf(call).present ? 0 : kModuleFault);
   return vm::kOk;
 }
 
-constexpr CommandEntry kEntries[] = {
-    {"GT_SetExtIoValue", WithModule<SetIoValue>},
-    {"GT_GetExtIoValue", WithModule<GetIoValue>},
-    {"GT_SetExtIoBit", WithModule<SetIoBit>},
-    {"GT_GetExtIoBit", WithModule<GetIoBit>},
-    {"GT_GetExtAdValue", WithModule<GetAdValue>},
-    {"GT_GetExtAdVoltage", WithModule<GetAdVoltage>},
-    {"GT_SetExtDaValue", WithModule<SetDaValue>},
-    {"GT_SetExtDaVoltage", WithModule<SetDaVoltage>},
-    {"GT_GetStsExtMdl", GetStsExtMdl},
-};
-
-}  // namespace
-
-std::span<const CommandEntry> ExtensionCommands() { return kEntries; }
+int16_t gts::GT_SetExtIoValue(Call& call) { return WithModule<SetIoValue>(call); }
+int16_t gts::GT_GetExtIoValue(Call& call) { return WithModule<GetIoValue>(call); }
+int16_t gts::GT_SetExtIoBit(Call& call) { return WithModule<SetIoBit>(call); }
+int16_t gts::GT_GetExtIoBit(Call& call) { return WithModule<GetIoBit>(call); }
+int16_t gts::GT_GetExtAdValue(Call& call) { return WithModule<GetAdValue>(call); }
+int16_t gts::GT_GetExtAdVoltage(Call& call) { return WithModule<GetAdVoltage>(call); }
+int16_t gts::GT_SetExtDaValue(Call& call) { return WithModule<SetDaValue>(call); }
+int16_t gts::GT_SetExtDaVoltage(Call& call) { return WithModule<SetDaVoltage>(call); }
 
 }  // namespace oncard::gtcalls

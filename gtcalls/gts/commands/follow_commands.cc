@@ -21,7 +21,9 @@ size_t FifoArgument(const Call& call, size_t index) {
   return static_cast<size_t>(call.integer(index));
 }
 
-int16_t PrfFollow(Call& call) {
+}  // namespace
+
+int16_t gts::GT_PrfFollow(Call& call) {
   const auto direction = static_cast<int8_t>(call.integer(1));
   int16_t code = CheckDirection(call, ProfileMode::kFollow, FollowOf(call).direction, direction);
   if (code == vm::kOk) code = ChooseMode(call, NumberOf(call), ProfileMode::kFollow);
@@ -29,7 +31,7 @@ int16_t PrfFollow(Call& call) {
   return code;
 }
 
-int16_t SetFollowMaster(Call& call) {
+int16_t gts::GT_SetFollowMaster(Call& call) {
   const auto master = ReadMasterArguments(call);
   if (!master) return vm::kBadParameter;
   const int16_t code = CheckFollowAtRest(call);
@@ -37,25 +39,25 @@ int16_t SetFollowMaster(Call& call) {
   return code;
 }
 
-int16_t GetFollowMaster(Call& call) {
+int16_t gts::GT_GetFollowMaster(Call& call) {
   const int16_t code = CheckFollow(call);
   if (code == vm::kOk) SetMasterOutputs(call, FollowOf(call).master);
   return code;
 }
 
-int16_t SetFollowLoop(Call& call) {
+int16_t gts::GT_SetFollowLoop(Call& call) {
   const int16_t code = CheckFollow(call);
   if (code == vm::kOk) FollowOf(call).loop = call.integer(1);
   return code;
 }
 
-int16_t GetFollowLoop(Call& call) {
+int16_t gts::GT_GetFollowLoop(Call& call) {
   const int16_t code = CheckFollow(call);
   if (code == vm::kOk) call.Set(1, FollowOf(call).passes);
   return code;
 }
 
-int16_t SetFollowEvent(Call& call) {
+int16_t gts::GT_SetFollowEvent(Call& call) {
   const int16_t code = CheckFollow(call);
   if (code != vm::kOk) return code;
   FollowMode& follow = FollowOf(call);
@@ -65,7 +67,7 @@ int16_t SetFollowEvent(Call& call) {
   return vm::kOk;
 }
 
-int16_t GetFollowEvent(Call& call) {
+int16_t gts::GT_GetFollowEvent(Call& call) {
   const int16_t code = CheckFollow(call);
   if (code != vm::kOk) return code;
   const FollowMode& follow = FollowOf(call);
@@ -75,13 +77,13 @@ int16_t GetFollowEvent(Call& call) {
   return vm::kOk;
 }
 
-int16_t SetFollowMemory(Call& call) {
+int16_t gts::GT_SetFollowMemory(Call& call) {
   const int16_t code = CheckFollowAtRest(call);
   if (code == vm::kOk) FollowOf(call).SetMemory(call.integer(1) != 0);
   return code;
 }
 
-int16_t GetFollowMemory(Call& call) {
+int16_t gts::GT_GetFollowMemory(Call& call) {
   const int16_t code = CheckFollow(call);
   if (code == vm::kOk) call.Set(1, FollowOf(call).large_memory ? 1 : 0);
   return code;
@@ -89,13 +91,15 @@ int16_t GetFollowMemory(Call& call) {
 
 // --- Data ------------------------------------------------------------------------------------
 
-int16_t FollowSpace(Call& call) {
+int16_t gts::GT_FollowSpace(Call& call) {
   const int16_t code = CheckFollow(call);
   if (code == vm::kOk) {
     call.Set(1, static_cast<double>(FollowOf(call).Space(FifoArgument(call, 2))));
   }
   return code;
 }
+
+namespace {
 
 /// The master's displacements of a FIFO go one way; false, with the reason recorded, when the new
 /// one does not.
@@ -110,7 +114,9 @@ bool CheckMasterSegment(Call& call, const std::vector<FollowSegment>& segments, 
   return false;
 }
 
-int16_t FollowData(Call& call) {
+}  // namespace
+
+int16_t gts::GT_FollowData(Call& call) {
   const int16_t code = CheckFollow(call);
   FollowMode& follow = FollowOf(call);
   const size_t which = FifoArgument(call, 4);
@@ -128,7 +134,7 @@ int16_t FollowData(Call& call) {
   return vm::kOk;
 }
 
-int16_t FollowClear(Call& call) {
+int16_t gts::GT_FollowClear(Call& call) {
   const int16_t code = CheckFollow(call);
   if (code != vm::kOk) return code;
   FollowMode& follow = FollowOf(call);
@@ -145,6 +151,8 @@ int16_t FollowClear(Call& call) {
 }
 
 // --- Start -----------------------------------------------------------------------------------
+
+namespace {
 
 int16_t RefuseEmpty(Call& call, size_t profile, size_t which) {
   return call.Refuse(
@@ -170,7 +178,9 @@ int16_t CheckFollowStart(Call& call, size_t profile) {
   return CheckMayStart(call, profile, follow.Direction(static_cast<uint8_t>(which), master));
 }
 
-int16_t FollowStart(Call& call) {
+}  // namespace
+
+int16_t gts::GT_FollowStart(Call& call) {
   const std::vector<size_t> selected = SelectedProfiles(call);
   if (selected.empty()) return vm::kRefused;
   for (const size_t profile : selected) {
@@ -185,6 +195,8 @@ int16_t FollowStart(Call& call) {
   return vm::kOk;
 }
 
+namespace {
+
 int16_t CheckFollowSwitch(Call& call, size_t profile) {
   const int16_t code = CheckMode(call, profile, ProfileMode::kFollow);
   if (code != vm::kOk) return code;
@@ -198,7 +210,9 @@ int16_t CheckFollowSwitch(Call& call, size_t profile) {
   return follow.fifos[other].empty() ? RefuseEmpty(call, profile, other) : vm::kOk;
 }
 
-int16_t FollowSwitch(Call& call) {
+}  // namespace
+
+int16_t gts::GT_FollowSwitch(Call& call) {
   const std::vector<size_t> selected = SelectedProfiles(call);
   if (selected.empty()) return vm::kRefused;
   for (const size_t profile : selected) {
@@ -210,34 +224,12 @@ int16_t FollowSwitch(Call& call) {
   return vm::kOk;
 }
 
-int16_t GetFollowStatus(Call& call) {
+int16_t gts::GT_GetFollowStatus(Call& call) {
   const int16_t code = CheckFollow(call);
   if (code != vm::kOk) return code;
   call.Set(1, FollowOf(call).fifo);
   call.Set(2, FollowOf(call).switching ? 1 : 0);
   return vm::kOk;
 }
-
-constexpr CommandEntry kEntries[] = {
-    {"GT_PrfFollow", PrfFollow},
-    {"GT_SetFollowMaster", SetFollowMaster},
-    {"GT_GetFollowMaster", GetFollowMaster},
-    {"GT_SetFollowLoop", SetFollowLoop},
-    {"GT_GetFollowLoop", GetFollowLoop},
-    {"GT_SetFollowEvent", SetFollowEvent},
-    {"GT_GetFollowEvent", GetFollowEvent},
-    {"GT_SetFollowMemory", SetFollowMemory},
-    {"GT_GetFollowMemory", GetFollowMemory},
-    {"GT_FollowSpace", FollowSpace},
-    {"GT_FollowData", FollowData},
-    {"GT_FollowClear", FollowClear},
-    {"GT_FollowStart", FollowStart},
-    {"GT_FollowSwitch", FollowSwitch},
-    {"GT_GetFollowStatus", GetFollowStatus},
-};
-
-}  // namespace
-
-std::span<const CommandEntry> FollowCommands() { return kEntries; }
 
 }  // namespace oncard::gtcalls

@@ -3,9 +3,8 @@
 #include "gtcalls/gts/commands/motion_support.h"
 
 namespace oncard::gtcalls {
-namespace {
 
-int16_t EnableGantry(Call& call) {
+int16_t gts::GT_EnableGantry(Call& call) {
   motion::MotionCore& core = call.card.motion;
   const size_t master = NumberOf(call);
   const size_t slave = NumberOf(call, 1);
@@ -27,7 +26,7 @@ int16_t EnableGantry(Call& call) {
   return vm::kOk;
 }
 
-int16_t DisableGantry(Call& call) {
+int16_t gts::GT_DisableGantry(Call& call) {
   const motion::Gantry& gantry = call.card.motion.state().gantry;
   if (!gantry.on) return vm::kOk;
   const int16_t code = CheckAxisAtRest(call, gantry.master);
@@ -36,25 +35,14 @@ int16_t DisableGantry(Call& call) {
   return vm::kOk;
 }
 
-int16_t SetGantryErrLmt(Call& call) {
+int16_t gts::GT_SetGantryErrLmt(Call& call) {
   call.card.motion.state().gantry.error_limit = call.integer(0);
   return vm::kOk;
 }
 
-int16_t GetGantryErrLmt(Call& call) {
+int16_t gts::GT_GetGantryErrLmt(Call& call) {
   call.Set(0, call.card.motion.state().gantry.error_limit);
   return vm::kOk;
 }
-
-constexpr CommandEntry kEntries[] = {
-    {"GT_EnableGantry", EnableGantry},
-    {"GT_DisableGantry", DisableGantry},
-    {"GT_SetGantryErrLmt", SetGantryErrLmt},
-    {"GT_GetGantryErrLmt", GetGantryErrLmt},
-};
-
-}  // namespace
-
-std::span<const CommandEntry> GantryCommands() { return kEntries; }
 
 }  // namespace oncard::gtcalls

@@ -14,7 +14,9 @@ GearMode& GearOf(const Call& call) { return ProfileOf(call).gear; }
 
 int16_t CheckGear(Call& call) { return CheckMode(call, NumberOf(call), ProfileMode::kGear); }
 
-int16_t PrfGear(Call& call) {
+}  // namespace
+
+int16_t gts::GT_PrfGear(Call& call) {
   const auto direction = static_cast<int8_t>(call.integer(1));
   int16_t code = CheckDirection(call, ProfileMode::kGear, GearOf(call).direction, direction);
   if (code == vm::kOk) code = ChooseMode(call, NumberOf(call), ProfileMode::kGear);
@@ -22,7 +24,7 @@ int16_t PrfGear(Call& call) {
   return code;
 }
 
-int16_t SetGearMaster(Call& call) {
+int16_t gts::GT_SetGearMaster(Call& call) {
   const auto master = ReadMasterArguments(call);
   if (!master) return vm::kBadParameter;
   const int16_t code = CheckModeAtRest(call, NumberOf(call), ProfileMode::kGear);
@@ -30,13 +32,13 @@ int16_t SetGearMaster(Call& call) {
   return code;
 }
 
-int16_t GetGearMaster(Call& call) {
+int16_t gts::GT_GetGearMaster(Call& call) {
   const int16_t code = CheckGear(call);
   if (code == vm::kOk) SetMasterOutputs(call, GearOf(call).master);
   return code;
 }
 
-int16_t SetGearRatio(Call& call) {
+int16_t gts::GT_SetGearRatio(Call& call) {
   if (call.integer(3) == 1) {
     return call.Refuse(vm::kBadParameter,
                        {"masterSlope is 1; it is 0 for no clutch, or 2 and more pulses",
@@ -53,7 +55,7 @@ int16_t SetGearRatio(Call& call) {
   return vm::kOk;
 }
 
-int16_t GetGearRatio(Call& call) {
+int16_t gts::GT_GetGearRatio(Call& call) {
   const int16_t code = CheckGear(call);
   if (code != vm::kOk) return code;
   const GearMode& gear = GearOf(call);
@@ -63,7 +65,7 @@ int16_t GetGearRatio(Call& call) {
   return vm::kOk;
 }
 
-int16_t SetGearEvent(Call& call) {
+int16_t gts::GT_SetGearEvent(Call& call) {
   const int event = call.integer(1);
   if (event == 3 || event == 4) {
     return call.Refuse(
@@ -81,7 +83,7 @@ int16_t SetGearEvent(Call& call) {
   return vm::kOk;
 }
 
-int16_t GetGearEvent(Call& call) {
+int16_t gts::GT_GetGearEvent(Call& call) {
   const int16_t code = CheckGear(call);
   if (code != vm::kOk) return code;
   const GearMode& gear = GearOf(call);
@@ -90,6 +92,8 @@ int16_t GetGearEvent(Call& call) {
   call.Set(3, gear.event_last);
   return vm::kOk;
 }
+
+namespace {
 
 int16_t CheckGearStart(Call& call, size_t profile) {
   const int16_t code = CheckModeAtRest(call, profile, ProfileMode::kGear);
@@ -108,7 +112,9 @@ int16_t CheckGearStart(Call& call, size_t profile) {
   return CheckMayStart(call, profile, gear.Direction(call.card.motion.ReadMaster(gear.master)));
 }
 
-int16_t GearStart(Call& call) {
+}  // namespace
+
+int16_t gts::GT_GearStart(Call& call) {
   const std::vector<size_t> selected = SelectedProfiles(call);
   if (selected.empty()) return vm::kRefused;
   for (const size_t profile : selected) {
@@ -121,20 +127,5 @@ int16_t GearStart(Call& call) {
   }
   return vm::kOk;
 }
-
-constexpr CommandEntry kEntries[] = {
-    {"GT_PrfGear", PrfGear},
-    {"GT_SetGearMaster", SetGearMaster},
-    {"GT_GetGearMaster", GetGearMaster},
-    {"GT_SetGearRatio", SetGearRatio},
-    {"GT_GetGearRatio", GetGearRatio},
-    {"GT_SetGearEvent", SetGearEvent},
-    {"GT_GetGearEvent", GetGearEvent},
-    {"GT_GearStart", GearStart},
-};
-
-}  // namespace
-
-std::span<const CommandEntry> GearCommands() { return kEntries; }
 
 }  // namespace oncard::gtcalls

@@ -117,7 +117,9 @@ int16_t CheckIdle(Call& call) {
   return code == vm::kOk ? CheckAtRest(call, NumberOf(call)) : code;
 }
 
-int16_t GoHome(Call& call) {
+}  // namespace
+
+int16_t gts::GT_GoHome(Call& call) {
   const std::span<double> cells = call.cells(1);
   const auto mode = motion::HomeModeFromNumber(static_cast<int>(cells[kMode]));
   if (mode == motion::HomeMode::kNone) return RefuseHoming(call, HomeError::kMode);
@@ -147,7 +149,7 @@ int16_t GoHome(Call& call) {
   return vm::kOk;
 }
 
-int16_t GetHomePrm(Call& call) {
+int16_t gts::GT_GetHomePrm(Call& call) {
   const HomeParameters& p = HomingOf(call).parameters;
   for (size_t i = 0; i < call.cells(1).size(); ++i) call.Set(1, 0, i);
   call.Set(1, static_cast<int>(p.mode), kMode);
@@ -169,7 +171,7 @@ int16_t GetHomePrm(Call& call) {
   return vm::kOk;
 }
 
-int16_t GetHomeStatus(Call& call) {
+int16_t gts::GT_GetHomeStatus(Call& call) {
   const Homing& homing = HomingOf(call);
   const double status[] = {homing.running ? 1.0 : 0.0,
                            static_cast<double>(homing.stage),
@@ -183,7 +185,7 @@ int16_t GetHomeStatus(Call& call) {
 
 // --- Simple homing ---------------------------------------------------------------------------
 
-int16_t HomeInit(Call& call) {
+int16_t gts::GT_HomeInit(Call& call) {
   for (Homing& homing : call.card.motion.state().homing) {
     homing.prepared = true;
     homing.index_follows = false;
@@ -194,6 +196,8 @@ int16_t HomeInit(Call& call) {
   }
   return vm::kOk;
 }
+
+namespace {
 
 int16_t CheckPrepared(Call& call) {
   if (HomingOf(call).prepared) return vm::kOk;
@@ -224,17 +228,19 @@ int16_t SearchSimply(Call& call, HomeKind kind, double velocity, double accelera
   return vm::kOk;
 }
 
-int16_t Home(Call& call) {
+}  // namespace
+
+int16_t gts::GT_Home(Call& call) {
   return SearchSimply(call, HomeKind::kHome, call.value(2), call.value(3), call.integer(4));
 }
 
-int16_t HomeStop(Call& call) {
+int16_t gts::GT_HomeStop(Call& call) {
   return SearchSimply(call, HomeKind::kStop, call.value(2), call.value(3), 0);
 }
 
 /// Assumption: before GT_Home it has the index pulse searched after the home switch; behind a
 /// GT_Home that has found its switch the search begins at once. At half the velocity of GT_Home.
-int16_t Index(Call& call) {
+int16_t gts::GT_Index(Call& call) {
   const Homing& homing = HomingOf(call);
   const size_t axis = NumberOf(call);
   int16_t code = CheckPrepared(call);
@@ -247,10 +253,14 @@ int16_t Index(Call& call) {
   return vm::kOk;
 }
 
+namespace {
+
 /// Assumption: what GT_HomeSts gives.
 enum SimpleStatus : int { kSearching = 0, kFound = 1, kNotFound = 2 };
 
-int16_t HomeSts(Call& call) {
+}  // namespace
+
+int16_t gts::GT_HomeSts(Call& call) {
   const Homing& homing = HomingOf(call);
   SimpleStatus status = kSearching;
   if (!homing.running && homing.found) status = kFound;
@@ -258,16 +268,5 @@ int16_t HomeSts(Call& call) {
   call.Set(1, status);
   return vm::kOk;
 }
-
-constexpr CommandEntry kEntries[] = {
-    {"GT_HomeInit", HomeInit},     {"GT_Home", Home},
-    {"GT_HomeStop", HomeStop},     {"GT_HomeSts", HomeSts},
-    {"GT_Index", Index},           {"GT_GoHome", GoHome},
-    {"GT_GetHomePrm", GetHomePrm}, {"GT_GetHomeStatus", GetHomeStatus},
-};
-
-}  // namespace
-
-std::span<const CommandEntry> HomeCommands() { return kEntries; }
 
 }  // namespace oncard::gtcalls

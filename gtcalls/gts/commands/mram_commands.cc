@@ -32,7 +32,9 @@ int16_t CheckAccess(Call& call, int count) {
   return code != vm::kOk ? code : CheckIdle(call);
 }
 
-int16_t SetMramData(Call& call) {
+}  // namespace
+
+int16_t gts::GT_SetMRAMData(Call& call) {
   const int16_t code = CheckAccess(call, call.integer(2));
   if (code != vm::kOk) return code;
   for (int i = 0; i < call.integer(2); ++i) {
@@ -42,7 +44,7 @@ int16_t SetMramData(Call& call) {
   return vm::kOk;
 }
 
-int16_t GetMramData(Call& call) {
+int16_t gts::GT_GetMRAMData(Call& call) {
   const int16_t code = CheckAccess(call, call.integer(2));
   if (code != vm::kOk) return code;
   for (int i = 0; i < call.integer(2); ++i) {
@@ -51,7 +53,7 @@ int16_t GetMramData(Call& call) {
   return vm::kOk;
 }
 
-int16_t StartAccessMram(Call& call) {
+int16_t gts::GT_StartAccessMRAM(Call& call) {
   const int16_t code = CheckAccess(call, call.integer(1));
   if (code != vm::kOk) return code;
   MramOf(call).Start(call.card.motion.now(), call.integer(0), call.integer(1),
@@ -59,24 +61,14 @@ int16_t StartAccessMram(Call& call) {
   return vm::kOk;
 }
 
-int16_t StopAccessMram(Call& call) {
+int16_t gts::GT_StopAccessMRAM(Call& call) {
   MramOf(call).Stop();
   return vm::kOk;
 }
 
-int16_t GetMramStatus(Call& call) {
+int16_t gts::GT_GetMRAMStatus(Call& call) {
   call.Set(0, MramOf(call).busy() ? 0 : 1);
   return vm::kOk;
 }
-
-constexpr CommandEntry kEntries[] = {
-    {"GT_SetMRAMData", SetMramData},         {"GT_GetMRAMData", GetMramData},
-    {"GT_StartAccessMRAM", StartAccessMram}, {"GT_StopAccessMRAM", StopAccessMram},
-    {"GT_GetMRAMStatus", GetMramStatus},
-};
-
-}  // namespace
-
-std::span<const CommandEntry> MramCommands() { return kEntries; }
 
 }  // namespace oncard::gtcalls

@@ -87,9 +87,11 @@ int16_t Add(Call& call, const PlcFunction& function) {
                   "已绑定 {0} 个功能块，不能再增加；可调用 GT_UnbindVar", kPlcBlockMax));
 }
 
+}  // namespace
+
 // --- Commands --------------------------------------------------------------------------------
 
-int16_t BindDi(Call& call) {
+int16_t gts::GT_BindDi(Call& call) {
   if (const int16_t code = CheckPrm(call, 0, 0, motion::kDiTypeCount - 1)) return code;
   const motion::DiType type = *motion::DiTypeFromNumber(Prm(call, 0));
   if (const int16_t code = CheckPrm(call, 1, 1, DiWidth(type))) return code;
@@ -99,7 +101,7 @@ int16_t BindDi(Call& call) {
                            .reverse = Prm(call, 2) != 0});
 }
 
-int16_t BindDo(Call& call) {
+int16_t gts::GT_BindDo(Call& call) {
   constexpr int kFirst = static_cast<int>(motion::DoType::kEnable);
   if (const int16_t code = CheckPrm(call, 0, kFirst, kFirst + motion::kDoTypeCount - 1)) {
     return code;
@@ -112,7 +114,7 @@ int16_t BindDo(Call& call) {
                            .reverse = Prm(call, 2) != 0});
 }
 
-int16_t BindTimer(Call& call) {
+int16_t gts::GT_BindTimer(Call& call) {
   if (const int16_t code = CheckPrm(call, 0, 0, 2)) return code;
   if (const int16_t code = CheckPrm(call, 1, 0, INT32_MAX)) return code;
   const int input = Prm(call, 2);
@@ -122,7 +124,7 @@ int16_t BindTimer(Call& call) {
                               .delay_us = int64_t{Prm(call, 1)} * 1000});
 }
 
-int16_t BindCounter(Call& call) {
+int16_t gts::GT_BindCounter(Call& call) {
   if (const int16_t code = CheckPrm(call, 0, 0, 2)) return code;
   if (const int16_t code = CheckPrm(call, 1, 0, 2)) return code;
   for (const size_t member : {2U, 3U, 4U}) {
@@ -156,7 +158,7 @@ int16_t BindCounter(Call& call) {
                                 .last_input = IsOn(call, input)});
 }
 
-int16_t BindFlank(Call& call) {
+int16_t gts::GT_BindFlank(Call& call) {
   if (const int16_t code = CheckPrm(call, 0, 0, 2)) return code;
   const int input = Prm(call, 1);
   if (const int16_t code = CheckVariables(call, {input})) return code;
@@ -165,7 +167,7 @@ int16_t BindFlank(Call& call) {
                               .last_input = IsOn(call, input)});
 }
 
-int16_t BindSrff(Call& call) {
+int16_t gts::GT_BindSrff(Call& call) {
   const int set = Prm(call, 0);
   const int reset = Prm(call, 1);
   if (const int16_t code = CheckVariables(call, {set, reset})) return code;
@@ -174,19 +176,9 @@ int16_t BindSrff(Call& call) {
                              .output = false});
 }
 
-int16_t UnbindVar(Call& call) {
+int16_t gts::GT_UnbindVar(Call& call) {
   call.card.plc.Unbind(ThreadOf(call));
   return vm::kOk;
 }
-
-constexpr CommandEntry kEntries[] = {
-    {"GT_BindDi", BindDi},           {"GT_BindDo", BindDo},       {"GT_BindTimer", BindTimer},
-    {"GT_BindCounter", BindCounter}, {"GT_BindFlank", BindFlank}, {"GT_BindSrff", BindSrff},
-    {"GT_UnbindVar", UnbindVar},
-};
-
-}  // namespace
-
-std::span<const CommandEntry> PlcCommands() { return kEntries; }
 
 }  // namespace oncard::gtcalls

@@ -31,8 +31,10 @@ WordFunction* FindWords(PlcBlocks& plc, int id) {
   return found == plc.functions.end() ? nullptr : &*found;
 }
 
+}  // namespace
+
 /// Empties the program memory: the program in place and the words received.
-int16_t ClearPlc(Call& call) {
+int16_t gts::GT_ClearPlc(Call& call) {
   if (const int16_t code = CheckIdle(call)) return code;
   call.card.plc = {};
   call.card.machine.Load(nullptr);
@@ -40,7 +42,7 @@ int16_t ClearPlc(Call& call) {
 }
 
 /// Opens a function, or opens it anew without its words.
-int16_t LoadPlc(Call& call) {
+int16_t gts::GT_LoadPlc(Call& call) {
   const int id = call.integer(0);
   const int type = call.integer(1);
   if (id < 1 || id > vm::kFunctionMax) {
@@ -69,7 +71,7 @@ int16_t LoadPlc(Call& call) {
   return vm::kOk;
 }
 
-int16_t LoadPlcCommand(Call& call) {
+int16_t gts::GT_LoadPlcCommand(Call& call) {
   PlcBlocks& plc = call.card.plc;
   WordFunction* function = FindWords(plc, call.integer(0));
   if (function == nullptr) {
@@ -91,6 +93,8 @@ int16_t LoadPlcCommand(Call& call) {
   plc.functions_pending = true;
   return vm::kOk;
 }
+
+namespace {
 
 /// The functions as an object without symbols.
 Result<vm::Object> Assemble(const std::vector<WordFunction>& functions) {
@@ -116,15 +120,7 @@ Result<vm::Object> Assemble(const std::vector<WordFunction>& functions) {
   return object;
 }
 
-constexpr CommandEntry kEntries[] = {
-    {"GT_ClearPlc", ClearPlc},
-    {"GT_LoadPlc", LoadPlc},
-    {"GT_LoadPlcCommand", LoadPlcCommand},
-};
-
 }  // namespace
-
-std::span<const CommandEntry> PlcWordCommands() { return kEntries; }
 
 int16_t LinkPendingWords(Call& call, int function_id) {
   PlcBlocks& plc = call.card.plc;

@@ -12,25 +12,27 @@ using motion::MotionState;
 
 const MotionState& StateOf(const Call& call) { return call.card.motion.state(); }
 
+}  // namespace
+
 // --- Profiles --------------------------------------------------------------------------------
 
-int16_t GetPrfPos(Call& call) {
+int16_t gts::GT_GetPrfPos(Call& call) {
   return ReadEach(call, [&](size_t i) { return StateOf(call).profiles[i].now.position; });
 }
 
-int16_t GetPrfVel(Call& call) {
+int16_t gts::GT_GetPrfVel(Call& call) {
   return ReadEach(call, [&](size_t i) { return StateOf(call).profiles[i].now.velocity; });
 }
 
-int16_t GetPrfAcc(Call& call) {
+int16_t gts::GT_GetPrfAcc(Call& call) {
   return ReadEach(call, [&](size_t i) { return StateOf(call).profiles[i].now.acceleration; });
 }
 
-int16_t GetPrfMode(Call& call) {
+int16_t gts::GT_GetPrfMode(Call& call) {
   return ReadEach(call, [&](size_t i) { return static_cast<int>(StateOf(call).profiles[i].mode); });
 }
 
-int16_t SetPrfPos(Call& call) {
+int16_t gts::GT_SetPrfPos(Call& call) {
   const int16_t code = CheckAtRest(call, NumberOf(call));
   if (code == vm::kOk) call.card.motion.SetProfilePosition(NumberOf(call), call.value(1));
   return code;
@@ -38,35 +40,37 @@ int16_t SetPrfPos(Call& call) {
 
 // --- Axes ------------------------------------------------------------------------------------
 
-int16_t GetAxisPrfPos(Call& call) {
+int16_t gts::GT_GetAxisPrfPos(Call& call) {
   return ReadEach(call, [&](size_t i) { return StateOf(call).axes[i].profile.position; });
 }
 
-int16_t GetAxisPrfVel(Call& call) {
+int16_t gts::GT_GetAxisPrfVel(Call& call) {
   return ReadEach(call, [&](size_t i) { return StateOf(call).axes[i].profile.FilteredVelocity(); });
 }
 
-int16_t GetAxisPrfAcc(Call& call) {
+int16_t gts::GT_GetAxisPrfAcc(Call& call) {
   return ReadEach(call, [&](size_t i) { return StateOf(call).axes[i].profile.acceleration; });
 }
 
-int16_t GetAxisEncPos(Call& call) {
+int16_t gts::GT_GetAxisEncPos(Call& call) {
   return ReadEach(call, [&](size_t i) { return StateOf(call).axes[i].encoder.position; });
 }
 
-int16_t GetAxisEncVel(Call& call) {
+int16_t gts::GT_GetAxisEncVel(Call& call) {
   return ReadEach(call, [&](size_t i) { return StateOf(call).axes[i].encoder.FilteredVelocity(); });
 }
 
-int16_t GetAxisEncAcc(Call& call) {
+int16_t gts::GT_GetAxisEncAcc(Call& call) {
   return ReadEach(call, [&](size_t i) { return StateOf(call).axes[i].encoder.acceleration; });
 }
 
-int16_t GetAxisError(Call& call) {
+int16_t gts::GT_GetAxisError(Call& call) {
   return ReadEach(call, [&](size_t i) {
     return StateOf(call).axes[i].profile.position - StateOf(call).axes[i].encoder.position;
   });
 }
+
+namespace {
 
 /// Assumption: a coordinate system's bit stands for the axes that map its members.
 void SynchMembers(const Call& call, size_t crd) {
@@ -79,7 +83,9 @@ void SynchMembers(const Call& call, size_t crd) {
   }
 }
 
-int16_t SynchAxisPos(Call& call) {
+}  // namespace
+
+int16_t gts::GT_SynchAxisPos(Call& call) {
   const std::vector<size_t> axes = SelectedProfiles(call);
   const std::vector<size_t> crds = CrdsOfAxisMask(call, call.value(0));
   if (axes.empty() && crds.empty()) return vm::kRefused;
@@ -89,7 +95,7 @@ int16_t SynchAxisPos(Call& call) {
   return vm::kOk;
 }
 
-int16_t ZeroPos(Call& call) {
+int16_t gts::GT_ZeroPos(Call& call) {
   const size_t first = NumberOf(call);
   const size_t end = first + static_cast<size_t>(call.integer(1));
   for (size_t axis = first; axis < end; ++axis) {
@@ -103,13 +109,13 @@ int16_t ZeroPos(Call& call) {
 
 // --- Encoders --------------------------------------------------------------------------------
 
-int16_t GetEncPos(Call& call) {
+int16_t gts::GT_GetEncPos(Call& call) {
   return ReadEach(call, [&](size_t i) { return StateOf(call).encoders[i].position; });
 }
 
 /// What has been counted in the last cycle is taken off again, so that a position set since then
 /// does not show as a movement.
-int16_t GetEncPosPre(Call& call) {
+int16_t gts::GT_GetEncPosPre(Call& call) {
   const double cycle_ms = static_cast<double>(call.card.motion.config().cycle_us) / 1000;
   return ReadEach(call, [&](size_t i) {
     const motion::Encoder& encoder = StateOf(call).encoders[i];
@@ -117,29 +123,13 @@ int16_t GetEncPosPre(Call& call) {
   });
 }
 
-int16_t GetEncVel(Call& call) {
+int16_t gts::GT_GetEncVel(Call& call) {
   return ReadEach(call, [&](size_t i) { return StateOf(call).encoders[i].velocity; });
 }
 
-int16_t SetEncPos(Call& call) {
+int16_t gts::GT_SetEncPos(Call& call) {
   call.card.motion.SetEncoderPosition(NumberOf(call), call.value(1));
   return vm::kOk;
 }
-
-constexpr CommandEntry kEntries[] = {
-    {"GT_GetPrfPos", GetPrfPos},         {"GT_GetPrfVel", GetPrfVel},
-    {"GT_GetPrfAcc", GetPrfAcc},         {"GT_GetPrfMode", GetPrfMode},
-    {"GT_SetPrfPos", SetPrfPos},         {"GT_GetAxisPrfPos", GetAxisPrfPos},
-    {"GT_GetAxisPrfVel", GetAxisPrfVel}, {"GT_GetAxisPrfAcc", GetAxisPrfAcc},
-    {"GT_GetAxisEncPos", GetAxisEncPos}, {"GT_GetAxisEncVel", GetAxisEncVel},
-    {"GT_GetAxisEncAcc", GetAxisEncAcc}, {"GT_GetAxisError", GetAxisError},
-    {"GT_SynchAxisPos", SynchAxisPos},   {"GT_ZeroPos", ZeroPos},
-    {"GT_GetEncPos", GetEncPos},         {"GT_GetEncPosPre", GetEncPosPre},
-    {"GT_GetEncVel", GetEncVel},         {"GT_SetEncPos", SetEncPos},
-};
-
-}  // namespace
-
-std::span<const CommandEntry> PositionCommands() { return kEntries; }
 
 }  // namespace oncard::gtcalls

@@ -15,7 +15,9 @@ PtMode& PtOf(const Call& call) { return ProfileOf(call).pt; }
 
 size_t BufferOf(const Call& call, size_t index) { return static_cast<size_t>(call.integer(index)); }
 
-int16_t PrfPt(Call& call) {
+}  // namespace
+
+int16_t gts::GT_PrfPt(Call& call) {
   const int16_t code = ChooseMode(call, NumberOf(call), ProfileMode::kPt);
   if (code == vm::kOk) PtOf(call).SetDynamic(call.integer(1) != 0);
   return code;
@@ -23,7 +25,7 @@ int16_t PrfPt(Call& call) {
 
 // --- Buffers ---------------------------------------------------------------------------------
 
-int16_t SetPtMemory(Call& call) {
+int16_t gts::GT_SetPtMemory(Call& call) {
   const int16_t code = CheckModeAtRest(call, NumberOf(call), ProfileMode::kPt);
   if (code != vm::kOk) return code;
   PtMode& pt = PtOf(call);
@@ -40,19 +42,21 @@ int16_t SetPtMemory(Call& call) {
   return vm::kOk;
 }
 
-int16_t GetPtMemory(Call& call) {
+int16_t gts::GT_GetPtMemory(Call& call) {
   const int16_t code = CheckPt(call);
   if (code == vm::kOk) call.Set(1, PtOf(call).large_memory ? 1 : 0);
   return code;
 }
 
-int16_t PtSpace(Call& call) {
+int16_t gts::GT_PtSpace(Call& call) {
   const int16_t code = CheckPt(call);
   if (code == vm::kOk) {
     call.Set(1, static_cast<double>(PtOf(call).Space(BufferOf(call, 2))));
   }
   return code;
 }
+
+namespace {
 
 /// Appends the segment of arguments 1 to 3.
 int16_t Append(Call& call, size_t buffer, int32_t number) {
@@ -81,23 +85,25 @@ int16_t Append(Call& call, size_t buffer, int32_t number) {
   return vm::kOk;
 }
 
-int16_t PtData(Call& call) { return Append(call, BufferOf(call, 4), 0); }
+}  // namespace
 
-int16_t PtDataWN(Call& call) { return Append(call, BufferOf(call, 5), call.integer(4)); }
+int16_t gts::GT_PtData(Call& call) { return Append(call, BufferOf(call, 4), 0); }
 
-int16_t PtGetSegNum(Call& call) {
+int16_t gts::GT_PtDataWN(Call& call) { return Append(call, BufferOf(call, 5), call.integer(4)); }
+
+int16_t gts::GT_PtGetSegNum(Call& call) {
   const int16_t code = CheckPt(call);
   if (code == vm::kOk) call.Set(1, PtOf(call).number);
   return code;
 }
 
-int16_t GetPtRemainder(Call& call) {
+int16_t gts::GT_GetPtRemainder(Call& call) {
   const int16_t code = CheckPt(call);
   if (code == vm::kOk) call.Set(1, static_cast<double>(PtOf(call).Remainder()));
   return code;
 }
 
-int16_t PtClear(Call& call) {
+int16_t gts::GT_PtClear(Call& call) {
   const int16_t code = CheckPt(call);
   if (code != vm::kOk) return code;
   PtMode& pt = PtOf(call);
@@ -114,19 +120,19 @@ int16_t PtClear(Call& call) {
 
 // --- Loops and start -------------------------------------------------------------------------
 
-int16_t SetPtLoop(Call& call) {
+int16_t gts::GT_SetPtLoop(Call& call) {
   const int16_t code = CheckPt(call);
   if (code == vm::kOk) PtOf(call).loop_target = call.integer(1);
   return code;
 }
 
-int16_t GetPtLoop(Call& call) {
+int16_t gts::GT_GetPtLoop(Call& call) {
   const int16_t code = CheckPt(call);
   if (code == vm::kOk) call.Set(1, PtOf(call).loop_count);
   return code;
 }
 
-int16_t PtStart(Call& call) {
+int16_t gts::GT_PtStart(Call& call) {
   const std::vector<size_t> profiles = SelectedProfiles(call);
   if (profiles.empty()) return vm::kRefused;
   const uint32_t option = BitWord(call.value(1));
@@ -149,24 +155,5 @@ int16_t PtStart(Call& call) {
   }
   return vm::kOk;
 }
-
-constexpr CommandEntry kEntries[] = {
-    {"GT_PrfPt", PrfPt},
-    {"GT_SetPtMemory", SetPtMemory},
-    {"GT_GetPtMemory", GetPtMemory},
-    {"GT_PtSpace", PtSpace},
-    {"GT_PtData", PtData},
-    {"GT_PtDataWN", PtDataWN},
-    {"GT_PtGetSegNum", PtGetSegNum},
-    {"GT_GetPtRemainder", GetPtRemainder},
-    {"GT_PtClear", PtClear},
-    {"GT_SetPtLoop", SetPtLoop},
-    {"GT_GetPtLoop", GetPtLoop},
-    {"GT_PtStart", PtStart},
-};
-
-}  // namespace
-
-std::span<const CommandEntry> PtCommands() { return kEntries; }
 
 }  // namespace oncard::gtcalls

@@ -117,11 +117,13 @@ int16_t FillFromVelocities(Call& call, size_t begin_velocities, size_t end_veloc
                                               Elements(call, end_velocities, count)));
 }
 
-int16_t FillTable(Call& call) { return FillFromVelocities(call, 4, 4); }
+}  // namespace
 
-int16_t FillTableEx(Call& call) { return FillFromVelocities(call, 4, 5); }
+int16_t gts::GT_PvtTable(Call& call) { return FillFromVelocities(call, 4, 4); }
 
-int16_t FillTableComplete(Call& call) {
+int16_t gts::GT_PvtTableEx(Call& call) { return FillFromVelocities(call, 4, 5); }
+
+int16_t gts::GT_PvtTableComplete(Call& call) {
   const size_t count = CountOf(call, 1);
   if (!CheckPoints(call, 2, 3, count) || !CheckValue(call, 7, -kVelocityMax, kVelocityMax) ||
       !CheckValue(call, 8, -kVelocityMax, kVelocityMax)) {
@@ -139,7 +141,7 @@ int16_t FillTableComplete(Call& call) {
   return code;
 }
 
-int16_t FillTablePercent(Call& call) {
+int16_t gts::GT_PvtTablePercent(Call& call) {
   const size_t count = CountOf(call, 1);
   if (!CheckPoints(call, 2, 3, count) || !CheckPercents(call, 4, count) ||
       !CheckValue(call, 5, -kVelocityMax, kVelocityMax)) {
@@ -149,7 +151,7 @@ int16_t FillTablePercent(Call& call) {
                                             Elements(call, 4, count), call.value(5)));
 }
 
-int16_t PercentCalculate(Call& call) {
+int16_t gts::GT_PvtPercentCalculate(Call& call) {
   const size_t count = CountOf(call, 0);
   if (!CheckPoints(call, 1, 2, count) || !CheckPercents(call, 3, count) ||
       !CheckValue(call, 4, -kVelocityMax, kVelocityMax)) {
@@ -160,6 +162,8 @@ int16_t PercentCalculate(Call& call) {
   for (size_t i = 0; i < count; ++i) call.Set(5, velocities[i], i);
   return vm::kOk;
 }
+
+namespace {
 
 /// The rows of the six arrays from argument `first` on; empty, with the reason recorded, when they
 /// describe no motion.
@@ -190,13 +194,15 @@ std::vector<ContinuousRow> ContinuousRows(Call& call, size_t first, size_t count
   return {};
 }
 
-int16_t FillTableContinuous(Call& call) {
+}  // namespace
+
+int16_t gts::GT_PvtTableContinuous(Call& call) {
   const std::vector<ContinuousRow> rows = ContinuousRows(call, 2, CountOf(call, 1));
   if (rows.empty() || !CheckValue(call, 8, 0, kTimeMax)) return vm::kBadParameter;
   return Fill(call, motion::PvtFromLimits(rows, call.value(8)));
 }
 
-int16_t ContinuousCalculate(Call& call) {
+int16_t gts::GT_PvtContinuousCalculate(Call& call) {
   const std::vector<ContinuousRow> rows = ContinuousRows(call, 1, CountOf(call, 0));
   if (rows.empty()) return vm::kBadParameter;
   const auto times = motion::ContinuousTimes(rows);
@@ -206,21 +212,23 @@ int16_t ContinuousCalculate(Call& call) {
 
 // --- Motion ----------------------------------------------------------------------------------
 
-int16_t PrfPvt(Call& call) { return ChooseMode(call, NumberOf(call), ProfileMode::kPvt); }
+int16_t gts::GT_PrfPvt(Call& call) { return ChooseMode(call, NumberOf(call), ProfileMode::kPvt); }
 
-int16_t SetPvtLoop(Call& call) {
+int16_t gts::GT_SetPvtLoop(Call& call) {
   const int16_t code = CheckPvt(call, NumberOf(call));
   if (code == vm::kOk) PvtOf(call).loop_target = call.integer(1);
   return code;
 }
 
-int16_t GetPvtLoop(Call& call) {
+int16_t gts::GT_GetPvtLoop(Call& call) {
   const int16_t code = CheckPvt(call, NumberOf(call));
   if (code != vm::kOk) return code;
   call.Set(1, PvtOf(call).loop_count);
   call.Set(2, PvtOf(call).loop_target);
   return vm::kOk;
 }
+
+namespace {
 
 int16_t RefuseEmpty(Call& call, size_t table) {
   return call.Refuse(
@@ -230,7 +238,9 @@ int16_t RefuseEmpty(Call& call, size_t table) {
                   "PVT 数据表 {0} 为空，请先写入数据，例如调用 GT_PvtTable", table + 1));
 }
 
-int16_t SelectTable(Call& call) {
+}  // namespace
+
+int16_t gts::GT_PvtTableSelect(Call& call) {
   const int16_t code = CheckPvt(call, NumberOf(call));
   if (code != vm::kOk) return code;
   const size_t table = NumberOf(call, 1);
@@ -240,7 +250,7 @@ int16_t SelectTable(Call& call) {
   return vm::kOk;
 }
 
-int16_t PvtStart(Call& call) {
+int16_t gts::GT_PvtStart(Call& call) {
   const std::vector<size_t> profiles = SelectedProfiles(call);
   if (profiles.empty()) return vm::kRefused;
   auto& states = call.card.motion.state().profiles;
@@ -260,7 +270,7 @@ int16_t PvtStart(Call& call) {
   return vm::kOk;
 }
 
-int16_t PvtStatus(Call& call) {
+int16_t gts::GT_PvtStatus(Call& call) {
   const size_t count = CountOf(call, 3);
   for (size_t i = 0; i < count; ++i) {
     const int16_t code = CheckPvt(call, NumberOf(call) + i);
@@ -273,25 +283,5 @@ int16_t PvtStatus(Call& call) {
   }
   return vm::kOk;
 }
-
-constexpr CommandEntry kEntries[] = {
-    {"GT_PrfPvt", PrfPvt},
-    {"GT_SetPvtLoop", SetPvtLoop},
-    {"GT_GetPvtLoop", GetPvtLoop},
-    {"GT_PvtTableSelect", SelectTable},
-    {"GT_PvtTable", FillTable},
-    {"GT_PvtTableEx", FillTableEx},
-    {"GT_PvtTableComplete", FillTableComplete},
-    {"GT_PvtTablePercent", FillTablePercent},
-    {"GT_PvtTableContinuous", FillTableContinuous},
-    {"GT_PvtPercentCalculate", PercentCalculate},
-    {"GT_PvtContinuousCalculate", ContinuousCalculate},
-    {"GT_PvtStart", PvtStart},
-    {"GT_PvtStatus", PvtStatus},
-};
-
-}  // namespace
-
-std::span<const CommandEntry> PvtCommands() { return kEntries; }
 
 }  // namespace oncard::gtcalls

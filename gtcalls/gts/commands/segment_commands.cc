@@ -249,7 +249,9 @@ int16_t FlushLookAhead(Call& call) {
                                  FifoNumber(call), FifoOf(call).look_ahead.ring.size()));
 }
 
-int16_t CrdData(Call& call) {
+}  // namespace
+
+int16_t gts::GT_CrdData(Call& call) {
   if (!call.given(1)) return FlushLookAhead(call);
   const double type = call.cells(1)[0];
   if (type == kLineType || type == kArcType) return AppendData(call, type == kArcType);
@@ -258,51 +260,84 @@ int16_t CrdData(Call& call) {
                                  "motionType 为 {0}；支持 0（直线）和 1（圆弧）", type));
 }
 
-int16_t CrdDataCircle(Call& call) { return AppendData(call, true); }
+int16_t gts::GT_CrdDataCircle(Call& call) { return AppendData(call, true); }
 
-constexpr CommandEntry kEntries[] = {
-    {"GT_CrdData", CrdData},           {"GT_CrdDataCircle", CrdDataCircle},
-    {"GT_LnXY", AppendSegment},        {"GT_LnXYOverride2", AppendSegment},
-    {"GT_LnXYWN", AppendSegment},      {"GT_LnXYOverride2WN", AppendSegment},
-    {"GT_LnXYG0", AppendSegment},      {"GT_LnXYG0Override2", AppendSegment},
-    {"GT_LnXYG0WN", AppendSegment},    {"GT_LnXYG0Override2WN", AppendSegment},
-    {"GT_LnXYZ", AppendSegment},       {"GT_LnXYZOverride2", AppendSegment},
-    {"GT_LnXYZWN", AppendSegment},     {"GT_LnXYZOverride2WN", AppendSegment},
-    {"GT_LnXYZG0", AppendSegment},     {"GT_LnXYZG0Override2", AppendSegment},
-    {"GT_LnXYZG0WN", AppendSegment},   {"GT_LnXYZG0Override2WN", AppendSegment},
-    {"GT_LnXYZA", AppendSegment},      {"GT_LnXYZAOverride2", AppendSegment},
-    {"GT_LnXYZAWN", AppendSegment},    {"GT_LnXYZAOverride2WN", AppendSegment},
-    {"GT_LnXYZAG0", AppendSegment},    {"GT_LnXYZAG0Override2", AppendSegment},
-    {"GT_LnXYZAG0WN", AppendSegment},  {"GT_LnXYZAG0Override2WN", AppendSegment},
-    {"GT_ArcXYC", AppendSegment},      {"GT_ArcXYCOverride2", AppendSegment},
-    {"GT_ArcXYCWN", AppendSegment},    {"GT_ArcXYCOverride2WN", AppendSegment},
-    {"GT_ArcXYR", AppendSegment},      {"GT_ArcXYROverride2", AppendSegment},
-    {"GT_ArcXYRWN", AppendSegment},    {"GT_ArcXYROverride2WN", AppendSegment},
-    {"GT_ArcXYZ", AppendSegment},      {"GT_ArcXYZWN", AppendSegment},
-    {"GT_ArcYZC", AppendSegment},      {"GT_ArcYZCOverride2", AppendSegment},
-    {"GT_ArcYZCWN", AppendSegment},    {"GT_ArcYZCOverride2WN", AppendSegment},
-    {"GT_ArcYZR", AppendSegment},      {"GT_ArcYZROverride2", AppendSegment},
-    {"GT_ArcYZRWN", AppendSegment},    {"GT_ArcYZROverride2WN", AppendSegment},
-    {"GT_ArcZXC", AppendSegment},      {"GT_ArcZXCOverride2", AppendSegment},
-    {"GT_ArcZXCWN", AppendSegment},    {"GT_ArcZXCOverride2WN", AppendSegment},
-    {"GT_ArcZXR", AppendSegment},      {"GT_ArcZXROverride2", AppendSegment},
-    {"GT_ArcZXRWN", AppendSegment},    {"GT_ArcZXROverride2WN", AppendSegment},
-    {"GT_HelixXYCZ", AppendSegment},   {"GT_HelixXYCZOverride2", AppendSegment},
-    {"GT_HelixXYCZWN", AppendSegment}, {"GT_HelixXYCZOverride2WN", AppendSegment},
-    {"GT_HelixXYRZ", AppendSegment},   {"GT_HelixXYRZOverride2", AppendSegment},
-    {"GT_HelixXYRZWN", AppendSegment}, {"GT_HelixXYRZOverride2WN", AppendSegment},
-    {"GT_HelixYZCX", AppendSegment},   {"GT_HelixYZCXOverride2", AppendSegment},
-    {"GT_HelixYZCXWN", AppendSegment}, {"GT_HelixYZCXOverride2WN", AppendSegment},
-    {"GT_HelixYZRX", AppendSegment},   {"GT_HelixYZRXOverride2", AppendSegment},
-    {"GT_HelixYZRXWN", AppendSegment}, {"GT_HelixYZRXOverride2WN", AppendSegment},
-    {"GT_HelixZXCY", AppendSegment},   {"GT_HelixZXCYOverride2", AppendSegment},
-    {"GT_HelixZXCYWN", AppendSegment}, {"GT_HelixZXCYOverride2WN", AppendSegment},
-    {"GT_HelixZXRY", AppendSegment},   {"GT_HelixZXRYOverride2", AppendSegment},
-    {"GT_HelixZXRYWN", AppendSegment}, {"GT_HelixZXRYOverride2WN", AppendSegment},
-};
-
-}  // namespace
-
-std::span<const CommandEntry> SegmentCommands() { return kEntries; }
+#define SEGMENT(name) \
+  int16_t gts::name(Call& call) { return AppendSegment(call); }
+SEGMENT(GT_LnXY)
+SEGMENT(GT_LnXYOverride2)
+SEGMENT(GT_LnXYWN)
+SEGMENT(GT_LnXYOverride2WN)
+SEGMENT(GT_LnXYG0)
+SEGMENT(GT_LnXYG0Override2)
+SEGMENT(GT_LnXYG0WN)
+SEGMENT(GT_LnXYG0Override2WN)
+SEGMENT(GT_LnXYZ)
+SEGMENT(GT_LnXYZOverride2)
+SEGMENT(GT_LnXYZWN)
+SEGMENT(GT_LnXYZOverride2WN)
+SEGMENT(GT_LnXYZG0)
+SEGMENT(GT_LnXYZG0Override2)
+SEGMENT(GT_LnXYZG0WN)
+SEGMENT(GT_LnXYZG0Override2WN)
+SEGMENT(GT_LnXYZA)
+SEGMENT(GT_LnXYZAOverride2)
+SEGMENT(GT_LnXYZAWN)
+SEGMENT(GT_LnXYZAOverride2WN)
+SEGMENT(GT_LnXYZAG0)
+SEGMENT(GT_LnXYZAG0Override2)
+SEGMENT(GT_LnXYZAG0WN)
+SEGMENT(GT_LnXYZAG0Override2WN)
+SEGMENT(GT_ArcXYC)
+SEGMENT(GT_ArcXYCOverride2)
+SEGMENT(GT_ArcXYCWN)
+SEGMENT(GT_ArcXYCOverride2WN)
+SEGMENT(GT_ArcXYR)
+SEGMENT(GT_ArcXYROverride2)
+SEGMENT(GT_ArcXYRWN)
+SEGMENT(GT_ArcXYROverride2WN)
+SEGMENT(GT_ArcXYZ)
+SEGMENT(GT_ArcXYZWN)
+SEGMENT(GT_ArcYZC)
+SEGMENT(GT_ArcYZCOverride2)
+SEGMENT(GT_ArcYZCWN)
+SEGMENT(GT_ArcYZCOverride2WN)
+SEGMENT(GT_ArcYZR)
+SEGMENT(GT_ArcYZROverride2)
+SEGMENT(GT_ArcYZRWN)
+SEGMENT(GT_ArcYZROverride2WN)
+SEGMENT(GT_ArcZXC)
+SEGMENT(GT_ArcZXCOverride2)
+SEGMENT(GT_ArcZXCWN)
+SEGMENT(GT_ArcZXCOverride2WN)
+SEGMENT(GT_ArcZXR)
+SEGMENT(GT_ArcZXROverride2)
+SEGMENT(GT_ArcZXRWN)
+SEGMENT(GT_ArcZXROverride2WN)
+SEGMENT(GT_HelixXYCZ)
+SEGMENT(GT_HelixXYCZOverride2)
+SEGMENT(GT_HelixXYCZWN)
+SEGMENT(GT_HelixXYCZOverride2WN)
+SEGMENT(GT_HelixXYRZ)
+SEGMENT(GT_HelixXYRZOverride2)
+SEGMENT(GT_HelixXYRZWN)
+SEGMENT(GT_HelixXYRZOverride2WN)
+SEGMENT(GT_HelixYZCX)
+SEGMENT(GT_HelixYZCXOverride2)
+SEGMENT(GT_HelixYZCXWN)
+SEGMENT(GT_HelixYZCXOverride2WN)
+SEGMENT(GT_HelixYZRX)
+SEGMENT(GT_HelixYZRXOverride2)
+SEGMENT(GT_HelixYZRXWN)
+SEGMENT(GT_HelixYZRXOverride2WN)
+SEGMENT(GT_HelixZXCY)
+SEGMENT(GT_HelixZXCYOverride2)
+SEGMENT(GT_HelixZXCYWN)
+SEGMENT(GT_HelixZXCYOverride2WN)
+SEGMENT(GT_HelixZXRY)
+SEGMENT(GT_HelixZXRYOverride2)
+SEGMENT(GT_HelixZXRYWN)
+SEGMENT(GT_HelixZXRYOverride2WN)
+#undef SEGMENT
 
 }  // namespace oncard::gtcalls

@@ -22,9 +22,11 @@ PidSet& SetOf(const Call& call) {
   return ControlOf(call).sets[static_cast<size_t>(call.integer(1) - 1)];
 }
 
+}  // namespace
+
 // --- Mode ------------------------------------------------------------------------------------
 
-int16_t CtrlMode(Call& call) {
+int16_t gts::GT_CtrlMode(Call& call) {
   const size_t axis = NumberOf(call);
   const motion::MotionState& state = call.card.motion.state();
   const bool closed = call.integer(1) == kClosedLoopMode;
@@ -49,6 +51,8 @@ int16_t CtrlMode(Call& call) {
 
 // --- PID sets --------------------------------------------------------------------------------
 
+namespace {
+
 /// TPid as cells, in the order of its members.
 enum PidCell : size_t {
   kKp,
@@ -61,7 +65,9 @@ enum PidCell : size_t {
   kOutputLimit
 };
 
-int16_t SetPid(Call& call) {
+}  // namespace
+
+int16_t gts::GT_SetPid(Call& call) {
   const std::span<double> pid = call.cells(2);
   for (size_t i = kKp; i <= kOutputLimit; ++i) {
     const bool gain = i <= kKaff;
@@ -85,7 +91,7 @@ int16_t SetPid(Call& call) {
   return vm::kOk;
 }
 
-int16_t GetPid(Call& call) {
+int16_t gts::GT_GetPid(Call& call) {
   const PidSet& set = SetOf(call);
   call.Set(2, set.kp, kKp);
   call.Set(2, set.ki, kKi);
@@ -98,23 +104,23 @@ int16_t GetPid(Call& call) {
   return vm::kOk;
 }
 
-int16_t SetControlFilter(Call& call) {
+int16_t gts::GT_SetControlFilter(Call& call) {
   ControlOf(call).selected = static_cast<uint8_t>(call.integer(1) - 1);
   return vm::kOk;
 }
 
-int16_t GetControlFilter(Call& call) {
+int16_t gts::GT_GetControlFilter(Call& call) {
   call.Set(1, ControlOf(call).selected + 1);
   return vm::kOk;
 }
 
-int16_t SetKvffFilter(Call& call) {
+int16_t gts::GT_SetKvffFilter(Call& call) {
   SetOf(call).kvff_filter = static_cast<int16_t>(call.integer(2));
   SetOf(call).kvff_acc_max = call.value(3);
   return vm::kOk;
 }
 
-int16_t GetKvffFilter(Call& call) {
+int16_t gts::GT_GetKvffFilter(Call& call) {
   call.Set(2, SetOf(call).kvff_filter);
   call.Set(3, SetOf(call).kvff_acc_max);
   return vm::kOk;
@@ -122,17 +128,17 @@ int16_t GetKvffFilter(Call& call) {
 
 // --- Following error and encoder check -------------------------------------------------------
 
-int16_t SetPosErr(Call& call) {
+int16_t gts::GT_SetPosErr(Call& call) {
   ControlOf(call).error_limit = static_cast<int64_t>(call.value(1));
   return vm::kOk;
 }
 
-int16_t GetPosErr(Call& call) {
+int16_t gts::GT_GetPosErr(Call& call) {
   call.Set(1, static_cast<double>(ControlOf(call).error_limit));
   return vm::kOk;
 }
 
-int16_t SetEncResponseCheck(Call& call) {
+int16_t gts::GT_SetEncResponseCheck(Call& call) {
   motion::ResponseCheck& check = ControlOf(call).check;
   check.threshold = static_cast<int16_t>(call.integer(1));
   check.min_velocity = call.value(2);
@@ -140,7 +146,7 @@ int16_t SetEncResponseCheck(Call& call) {
   return vm::kOk;
 }
 
-int16_t GetEncResponseCheck(Call& call) {
+int16_t gts::GT_GetEncResponseCheck(Call& call) {
   const motion::ResponseCheck& check = ControlOf(call).check;
   call.Set(1, check.threshold);
   call.Set(2, check.min_velocity);
@@ -148,33 +154,17 @@ int16_t GetEncResponseCheck(Call& call) {
   return vm::kOk;
 }
 
+namespace {
+
 int16_t SwitchCheck(Call& call, bool on) {
   ControlOf(call).check.on = on;
   ControlOf(call).check.silent = false;
   return vm::kOk;
 }
 
-int16_t EnableEncResponseCheck(Call& call) { return SwitchCheck(call, true); }
-int16_t DisableEncResponseCheck(Call& call) { return SwitchCheck(call, false); }
-
-constexpr CommandEntry kEntries[] = {
-    {"GT_CtrlMode", CtrlMode},
-    {"GT_SetPid", SetPid},
-    {"GT_GetPid", GetPid},
-    {"GT_SetControlFilter", SetControlFilter},
-    {"GT_GetControlFilter", GetControlFilter},
-    {"GT_SetPosErr", SetPosErr},
-    {"GT_GetPosErr", GetPosErr},
-    {"GT_SetKvffFilter", SetKvffFilter},
-    {"GT_GetKvffFilter", GetKvffFilter},
-    {"GT_SetEncResponseCheck", SetEncResponseCheck},
-    {"GT_GetEncResponseCheck", GetEncResponseCheck},
-    {"GT_EnableEncResponseCheck", EnableEncResponseCheck},
-    {"GT_DisableEncResponseCheck", DisableEncResponseCheck},
-};
-
 }  // namespace
 
-std::span<const CommandEntry> ServoCommands() { return kEntries; }
+int16_t gts::GT_EnableEncResponseCheck(Call& call) { return SwitchCheck(call, true); }
+int16_t gts::GT_DisableEncResponseCheck(Call& call) { return SwitchCheck(call, false); }
 
 }  // namespace oncard::gtcalls

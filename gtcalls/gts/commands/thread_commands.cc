@@ -57,7 +57,9 @@ Message WhyNotBound(const Call& call, int16_t code) {
   return DescribeTakenPage(call.integer(2));
 }
 
-int16_t Bind(Call& call) {
+}  // namespace
+
+int16_t gts::GT_Bind(Call& call) {
   if (const int16_t code = LinkPendingWords(call, call.integer(1)); code != vm::kOk) return code;
   const int16_t code = call.card.machine.Bind(call.integer(0), call.integer(1), call.integer(2));
   return code == vm::kOk ? code : call.Refuse(code, WhyNotBound(call, code));
@@ -65,22 +67,22 @@ int16_t Bind(Call& call) {
 
 // --- Running --------------------------------------------------------------------------------
 
-int16_t RunThread(Call& call) {
+int16_t gts::GT_RunThread(Call& call) {
   const ThreadState before = ThreadOf(call);
   return Answer(call, call.card.machine.Run(call.integer(0)), before);
 }
 
-int16_t StopThread(Call& call) {
+int16_t gts::GT_StopThread(Call& call) {
   const ThreadState before = ThreadOf(call);
   return Answer(call, call.card.machine.StopThread(call.integer(0)), before);
 }
 
-int16_t PauseThread(Call& call) {
+int16_t gts::GT_PauseThread(Call& call) {
   const ThreadState before = ThreadOf(call);
   return Answer(call, call.card.machine.Pause(call.integer(0)), before);
 }
 
-int16_t StepThread(Call& call) {
+int16_t gts::GT_StepThread(Call& call) {
   const ThreadState before = ThreadOf(call);
   const int16_t code = call.card.machine.Step(call.integer(0));
   if (code == vm::kRefused && before.run == ThreadRun::kPaused) {
@@ -90,7 +92,7 @@ int16_t StepThread(Call& call) {
   return Answer(call, code, before);
 }
 
-int16_t RunThreadToBreakpoint(Call& call) {
+int16_t gts::GT_RunThreadToBreakpoint(Call& call) {
   const ThreadState before = ThreadOf(call);
   const int16_t code = call.card.machine.RunToBreakpoint(call.integer(0), call.integer(1));
   if (code == vm::kBadParameter) {
@@ -100,7 +102,7 @@ int16_t RunThreadToBreakpoint(Call& call) {
   return Answer(call, code, before);
 }
 
-int16_t RunThreadPeriod(Call& call) {
+int16_t gts::GT_RunThreadPeriod(Call& call) {
   const ThreadState before = ThreadOf(call);
   const int milliseconds = call.integer(1);
   return Answer(call,
@@ -110,6 +112,8 @@ int16_t RunThreadPeriod(Call& call) {
 }
 
 // --- State ----------------------------------------------------------------------------------
+
+namespace {
 
 double ResultOf(const ThreadState& state) {
   return state.result_type == vm::DataType::kDouble ? vm::DoubleFromFixed(state.result)
@@ -121,7 +125,9 @@ double MsFromCycles(const Call& call, int64_t cycles) {
   return static_cast<double>(whole_ms);
 }
 
-int16_t GetThreadSts(Call& call) {
+}  // namespace
+
+int16_t gts::GT_GetThreadSts(Call& call) {
   const ThreadState& state = ThreadOf(call);
   call.Set(1, RunCode(state.run), 0);
   call.Set(1, state.error, 1);
@@ -130,7 +136,7 @@ int16_t GetThreadSts(Call& call) {
   return vm::kOk;
 }
 
-int16_t GetThreadTime(Call& call) {
+int16_t gts::GT_GetThreadTime(Call& call) {
   const ThreadState& state = ThreadOf(call);
   call.Set(1, MsFromCycles(call, state.period_cycles));
   call.Set(2, static_cast<double>(state.executed) / kStatementsPerMs);
@@ -141,7 +147,7 @@ int16_t GetThreadTime(Call& call) {
 /// TThreadStatus. Assumption: the public header names the members and nothing else. `address` has
 /// no counterpart here and is 0, `link` says whether the thread is bound, `count` counts overruns
 /// of a periodic thread.
-int16_t GetThread(Call& call) {
+int16_t gts::GT_GetThread(Call& call) {
   const ThreadState& state = ThreadOf(call);
   const vm::Machine& machine = call.card.machine;
   const bool bound = state.run != ThreadRun::kUnbound;
@@ -169,23 +175,6 @@ int16_t GetThread(Call& call) {
   put(bound ? state.function + 1 : 0);                                      // function, its id
   return vm::kOk;
 }
-
-constexpr CommandEntry kEntries[] = {
-    {"GT_Bind", Bind},
-    {"GT_RunThread", RunThread},
-    {"GT_StopThread", StopThread},
-    {"GT_PauseThread", PauseThread},
-    {"GT_StepThread", StepThread},
-    {"GT_RunThreadToBreakpoint", RunThreadToBreakpoint},
-    {"GT_RunThreadPeriod", RunThreadPeriod},
-    {"GT_GetThreadSts", GetThreadSts},
-    {"GT_GetThreadTime", GetThreadTime},
-    {"GT_GetThread", GetThread},
-};
-
-}  // namespace
-
-std::span<const CommandEntry> ThreadCommands() { return kEntries; }
 
 bool IsActive(const vm::ThreadState& thread) {
   return thread.run == ThreadRun::kRunning || thread.run == ThreadRun::kPaused ||

@@ -4,9 +4,8 @@
 #include "gtcalls/gts/commands/commands.h"
 
 namespace oncard::gtcalls {
-namespace {
 
-int16_t GetClock(Call& call) {
+int16_t gts::GT_GetClock(Call& call) {
   const motion::MotionCore& core = call.card.motion;
   call.Set(0, UnsignedLong(core.ClockMs()));
   // pLoop is "for internal use": assumed to count profile cycles since GT_Reset.
@@ -14,25 +13,25 @@ int16_t GetClock(Call& call) {
   return vm::kOk;
 }
 
-int16_t GetClockHighPrecision(Call& call) {
+int16_t gts::GT_GetClockHighPrecision(Call& call) {
   call.Set(0, UnsignedLong(call.card.motion.Clock125us()));
   return vm::kOk;
 }
 
-int16_t Delay(Call& call) {
+int16_t gts::GT_Delay(Call& call) {
   if (call.caller == vm::kHostCaller) return RefuseHost(call);
   call.card.machine.Delay(call.caller, CyclesFromMs(call, call.integer(0)));
   return vm::kOk;
 }
 
 /// Assumption: the parameter counts profile cycles, as one public header names it.
-int16_t DelayHighPrecision(Call& call) {
+int16_t gts::GT_DelayHighPrecision(Call& call) {
   if (call.caller == vm::kHostCaller) return RefuseHost(call);
   call.card.machine.Delay(call.caller, call.integer(0));
   return vm::kOk;
 }
 
-int16_t SetDataPage(Call& call) {
+int16_t gts::GT_SetDataPage(Call& call) {
   if (call.caller == vm::kHostCaller) return RefuseHost(call);
   const int page = call.integer(0);
   const int16_t code = call.card.machine.SwitchPage(call.caller, page);
@@ -41,24 +40,11 @@ int16_t SetDataPage(Call& call) {
 
 /// Assumption: the vendor's compiler knows the name; that it takes a variable and a value, and
 /// waits for equality, is read from it.
-int16_t WaitForVarEq(Call& call) {
+int16_t gts::GT_WaitForVarEq(Call& call) {
   if (call.caller == vm::kHostCaller) return RefuseHost(call);
   call.card.machine.WaitForValue(call.caller, call.arguments[0].slot, call.integer(1));
   return vm::kOk;
 }
-
-constexpr CommandEntry kEntries[] = {
-    {"GT_GetClock", GetClock},
-    {"GT_GetClockHighPrecision", GetClockHighPrecision},
-    {"GT_Delay", Delay},
-    {"GT_DelayHighPrecision", DelayHighPrecision},
-    {"GT_SetDataPage", SetDataPage},
-    {"GT_WaitForVarEq", WaitForVarEq},
-};
-
-}  // namespace
-
-std::span<const CommandEntry> TimeCommands() { return kEntries; }
 
 int16_t RefuseHost(Call& call) {
   return call.Refuse(

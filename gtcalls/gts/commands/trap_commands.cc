@@ -36,12 +36,14 @@ double DecelerationOf(const Call& call) {
   return call.cells(1)[1] == 0 ? call.cells(1)[0] : call.cells(1)[1];
 }
 
-int16_t PrfTrap(Call& call) { return ChooseMode(call, NumberOf(call), ProfileMode::kTrap); }
-int16_t PrfJog(Call& call) { return ChooseMode(call, NumberOf(call), ProfileMode::kJog); }
+}  // namespace
+
+int16_t gts::GT_PrfTrap(Call& call) { return ChooseMode(call, NumberOf(call), ProfileMode::kTrap); }
+int16_t gts::GT_PrfJog(Call& call) { return ChooseMode(call, NumberOf(call), ProfileMode::kJog); }
 
 // --- Trap ------------------------------------------------------------------------------------
 
-int16_t SetTrapPrm(Call& call) {
+int16_t gts::GT_SetTrapPrm(Call& call) {
   const double start = call.cells(1)[2];
   const double smooth = call.cells(1)[3];
   if (!CheckAccelerations(call) || !CheckMember(call, "velStart", start, 0, kStartVelocityMax) ||
@@ -55,7 +57,7 @@ int16_t SetTrapPrm(Call& call) {
   return vm::kOk;
 }
 
-int16_t GetTrapPrm(Call& call) {
+int16_t gts::GT_GetTrapPrm(Call& call) {
   const int16_t code = CheckMode(call, NumberOf(call), ProfileMode::kTrap);
   if (code != vm::kOk) return code;
   const motion::TrapParameters& parameters = ProfileOf(call).trap.parameters;
@@ -66,14 +68,14 @@ int16_t GetTrapPrm(Call& call) {
   return vm::kOk;
 }
 
-int16_t SetPos(Call& call) {
+int16_t gts::GT_SetPos(Call& call) {
   int16_t code = CheckMode(call, NumberOf(call), ProfileMode::kTrap);
   if (code == vm::kOk) code = CheckNotHoming(call, NumberOf(call));
   if (code == vm::kOk) ProfileOf(call).trap.target = call.integer(1);
   return code;
 }
 
-int16_t GetPos(Call& call) {
+int16_t gts::GT_GetPos(Call& call) {
   const int16_t code = CheckMode(call, NumberOf(call), ProfileMode::kTrap);
   if (code == vm::kOk) call.Set(1, ProfileOf(call).trap.target);
   return code;
@@ -81,7 +83,7 @@ int16_t GetPos(Call& call) {
 
 // --- Jog -------------------------------------------------------------------------------------
 
-int16_t SetJogPrm(Call& call) {
+int16_t gts::GT_SetJogPrm(Call& call) {
   const double smooth = call.cells(1)[2];
   if (!CheckAccelerations(call)) return vm::kBadParameter;
   if (!(smooth >= 0 && smooth < 1)) {
@@ -94,7 +96,7 @@ int16_t SetJogPrm(Call& call) {
   return vm::kOk;
 }
 
-int16_t GetJogPrm(Call& call) {
+int16_t gts::GT_GetJogPrm(Call& call) {
   const int16_t code = CheckModeAtRest(call, NumberOf(call), ProfileMode::kJog);
   if (code != vm::kOk) return code;
   const motion::JogParameters& parameters = ProfileOf(call).jog.parameters;
@@ -105,6 +107,8 @@ int16_t GetJogPrm(Call& call) {
 }
 
 // --- Both ------------------------------------------------------------------------------------
+
+namespace {
 
 /// 0, or 1 with the reason when GT_Update and GT_SetVel have no meaning for the profile's mode.
 int16_t CheckUpdated(Call& call, size_t profile) {
@@ -124,18 +128,22 @@ double& VelocityOf(const Call& call) {
   return profile.mode == ProfileMode::kTrap ? profile.trap.velocity : profile.jog.velocity;
 }
 
-int16_t SetVel(Call& call) {
+}  // namespace
+
+int16_t gts::GT_SetVel(Call& call) {
   int16_t code = CheckUpdated(call, NumberOf(call));
   if (code == vm::kOk) code = CheckNotHoming(call, NumberOf(call));
   if (code == vm::kOk) VelocityOf(call) = call.value(1);
   return code;
 }
 
-int16_t GetVel(Call& call) {
+int16_t gts::GT_GetVel(Call& call) {
   const int16_t code = CheckUpdated(call, NumberOf(call));
   if (code == vm::kOk) call.Set(1, VelocityOf(call));
   return code;
 }
+
+namespace {
 
 /// Where the registers would move a profile: the sign of what comes out.
 double DirectionOf(const motion::Profile& profile) {
@@ -143,7 +151,9 @@ double DirectionOf(const motion::Profile& profile) {
                                             : profile.jog.velocity;
 }
 
-int16_t Update(Call& call) {
+}  // namespace
+
+int16_t gts::GT_Update(Call& call) {
   const std::vector<size_t> profiles = SelectedProfiles(call);
   if (profiles.empty()) return vm::kRefused;
   for (const size_t i : profiles) {
@@ -157,16 +167,5 @@ int16_t Update(Call& call) {
   for (const size_t i : profiles) call.card.motion.StartProfile(i);
   return vm::kOk;
 }
-
-constexpr CommandEntry kEntries[] = {
-    {"GT_PrfTrap", PrfTrap},     {"GT_SetTrapPrm", SetTrapPrm}, {"GT_GetTrapPrm", GetTrapPrm},
-    {"GT_SetPos", SetPos},       {"GT_GetPos", GetPos},         {"GT_PrfJog", PrfJog},
-    {"GT_SetJogPrm", SetJogPrm}, {"GT_GetJogPrm", GetJogPrm},   {"GT_SetVel", SetVel},
-    {"GT_GetVel", GetVel},       {"GT_Update", Update},
-};
-
-}  // namespace
-
-std::span<const CommandEntry> TrapCommands() { return kEntries; }
 
 }  // namespace oncard::gtcalls

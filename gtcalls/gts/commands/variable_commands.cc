@@ -111,7 +111,9 @@ Message DescribeMisfit(const vm::SlotAddress& slot, double value) {
                      slot.type == DataType::kInt ? "int" : "double", value);
 }
 
-int16_t SetVarValue(Call& call) {
+}  // namespace
+
+int16_t gts::GT_SetVarValue(Call& call) {
   const Target target = TargetOf(call);
   const std::optional<Slots> slots = FindSlots(call, target);
   if (!slots) return vm::kBadParameter;
@@ -128,7 +130,7 @@ int16_t SetVarValue(Call& call) {
   return vm::kOk;
 }
 
-int16_t GetVarValue(Call& call) {
+int16_t gts::GT_GetVarValue(Call& call) {
   const Target target = TargetOf(call);
   const std::optional<Slots> slots = FindSlots(call, target);
   if (!slots) return vm::kBadParameter;
@@ -137,15 +139,6 @@ int16_t GetVarValue(Call& call) {
   }
   return vm::kOk;
 }
-
-constexpr CommandEntry kEntries[] = {
-    {"GT_SetVarValue", SetVarValue},
-    {"GT_GetVarValue", GetVarValue},
-};
-
-}  // namespace
-
-std::span<const CommandEntry> VariableCommands() { return kEntries; }
 
 std::optional<vm::SlotAddress> FindVariable(Call& call, int page, std::span<const double> info,
                                             double value) {
