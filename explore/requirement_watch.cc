@@ -17,11 +17,11 @@ Message Joined(const Message& first, const Message& values) {
 }  // namespace
 
 void RequirementWatch::Begin(const runtime::Controller& controller, runtime::ScenarioFit* fit) {
-  std::vector<Property> properties = ReadRequirements(requirements_, controller, fit);
-  if (properties.size() < requirements_.size()) return;
+  std::vector<runtime::CardCondition> conditions = ReadRequirements(requirements_, controller, fit);
+  if (conditions.size() < requirements_.size()) return;
   for (size_t i = 0; i < requirements_.size(); ++i) {
     looks_at_states_ = looks_at_states_ || requirements_[i].scope != Scope::kFinal;
-    watched_.push_back({requirements_[i], std::move(properties[i])});
+    watched_.push_back({requirements_[i], std::move(conditions[i])});
   }
   RememberThreads(controller);
 }
@@ -30,7 +30,7 @@ void RequirementWatch::Look(const runtime::Controller& controller) {
   for (Watched& watched : watched_) {
     const Scope scope = watched.requirement.scope;
     if (watched.settled || scope == Scope::kFinal) continue;
-    const bool holds = watched.property.Holds(controller);
+    const bool holds = watched.condition.Holds(controller);
     if (holds == (scope == Scope::kAlways)) continue;
     watched.settled = true;
     if (scope == Scope::kEventually) continue;
@@ -38,15 +38,15 @@ void RequirementWatch::Look(const runtime::Controller& controller) {
     Fail(watched, Joined(scope == Scope::kAlways
                              ? MakeMessage("does not hold {0}", "{1}不成立", place.en, place.zh)
                              : MakeMessage("holds {0}", "{1}成立", place.en, place.zh),
-                         watched.property.DescribeValues(controller)));
+                         watched.condition.DescribeValues(controller)));
   }
   RememberThreads(controller);
 }
 
 void RequirementWatch::End(const runtime::Controller& controller) {
   for (const Watched& watched : watched_) {
-    const Message values = watched.property.DescribeValues(controller);
-    if (watched.requirement.scope == Scope::kFinal && !watched.property.Holds(controller)) {
+    const Message values = watched.condition.DescribeValues(controller);
+    if (watched.requirement.scope == Scope::kFinal && !watched.condition.Holds(controller)) {
       Fail(watched, Joined({"does not hold at the end", "结束时不成立"}, values));
     } else if (watched.requirement.scope == Scope::kEventually && !watched.settled) {
       Fail(watched,

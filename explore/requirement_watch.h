@@ -34,7 +34,7 @@ class RequirementWatch : public runtime::RunWatch {
  private:
   struct Watched {
     Requirement requirement;
-    Property property;
+    runtime::CardCondition condition;
     bool settled = false;  ///< has been violated, or reached
   };
 

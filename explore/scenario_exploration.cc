@@ -186,7 +186,7 @@ bool NeedsCard(const runtime::Scenario& scenario, const vm::Object& object) {
          std::ranges::any_of(scenario.threads,
                              [](const auto& thread) { return thread.period_ms != 0; }) ||
          std::ranges::any_of(scenario.expectations, [](const auto& expectation) {
-           return expectation.at_us.has_value() || expectation.tolerance != 0;
+           return expectation.at_us.has_value() || expectation.condition.HasTolerance();
          });
 }
 
@@ -227,7 +227,7 @@ Result<Problem> ProblemOfScenario(const runtime::Scenario& scenario,
                                   const std::vector<Requirement>& requirements, vm::Object object) {
   std::vector<Requirement> all = requirements;
   for (const runtime::Expectation& expectation : scenario.expectations) {
-    all.push_back({Scope::kFinal, expectation.text, expectation.place});
+    all.push_back({Scope::kFinal, expectation.text(), expectation.place});
   }
   runtime::ScenarioFit fit;
   runtime::Controller controller(runtime::CardOptions(scenario));

@@ -77,31 +77,34 @@ Result<CardModel> CardModel::Create(const runtime::Scenario& scenario,
 void CardModel::BindRequirements(const std::vector<Requirement>& requirements,
                                  runtime::ScenarioFit* fit) {
   for (const runtime::Expectation& expectation : scenario_.expectations) {
-    if (!fit->CanJudge(expectation.text)) continue;
-    auto bound = runtime::BindExpectation(expectation, *controller_);
+    if (!fit->CanJudge(expectation.text())) continue;
+    auto bound = runtime::CardCondition::Bind(expectation.condition, *controller_);
     if (!bound.ok()) {
-      fit->AddText(expectation.place, expectation.text, bound.error().message);
+      fit->AddText(expectation.place, expectation.text(), bound.error().message);
       continue;
     }
-    if (bound.value().left.kind == runtime::QuantityKind::kThreadError) {
-      fault_expected_ |= 1u << bound.value().left.thread;
+    for (const runtime::Quantity& quantity : bound.value().quantities()) {
+      if (quantity.kind == runtime::QuantityKind::kThreadError) {
+        fault_expected_ |= 1u << quantity.thread;
+      }
     }
-    BoundRequirement requirement = {{Scope::kFinal, expectation.text}, std::move(bound).value()};
+    BoundRequirement requirement = {{Scope::kFinal, expectation.text()}, std::move(bound).value()};
     if (expectation.at_us) {
       requirement.cycle = runtime::CycleOf(scenario_, *expectation.at_us);
       last_instant_ = std::max(last_instant_, requirement.cycle);
       if (requirement.cycle > last_cycle_) {
         fit->Add(expectation.place,
                  MakeMessage("the expectation '{0}' is later than the end of the run",
-                             "期望“{0}”的时刻在运行结束之后", expectation.text));
+                             "期望“{0}”的时刻在运行结束之后", expectation.text()));
       }
     }
     requirements_.push_back(std::move(requirement));
   }
-  std::vector<Property> properties = ReadRequirements(requirements, *controller_, fit);
-  if (properties.size() < requirements.size()) return;
+  std::vector<runtime::CardCondition> conditions =
+      ReadRequirements(requirements, *controller_, fit);
+  if (conditions.size() < requirements.size()) return;
   for (size_t i = 0; i < requirements.size(); ++i) {
-    requirements_.push_back({requirements[i], std::move(properties[i])});
+    requirements_.push_back({requirements[i], std::move(conditions[i])});
     has_invariants_ = has_invariants_ || requirements[i].scope != Scope::kFinal;
   }
 }
@@ -115,11 +118,7 @@ std::vector<Requirement> CardModel::Requirements() const {
 // --- What must hold ------------------------------------------------------------------------------
 
 bool CardModel::Holds(const BoundRequirement& bound) const {
-  if (const auto* expectation = std::get_if<runtime::BoundExpectation>(&bound.condition)) {
-    return runtime::Evaluate(*expectation, *controller_).holds;
-  }
-  return std::get<Property>(bound.condition).Holds(*controller_) !=
-         (bound.requirement.scope == Scope::kNever);
+  return bound.condition.Holds(*controller_) != (bound.requirement.scope == Scope::kNever);
 }
 
 void CardModel::JudgeEnd(State* state) const {

@@ -15,7 +15,6 @@
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "base/result.h"
@@ -103,7 +102,7 @@ class CardModel {
  private:
   struct BoundRequirement {
     Requirement requirement;
-    std::variant<runtime::BoundExpectation, Property> condition;
+    runtime::CardCondition condition;
     int64_t cycle = -1;  ///< an expectation with an instant: at the end of this cycle
   };
 

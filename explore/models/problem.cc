@@ -131,22 +131,29 @@ class CommentReader {
   runtime::PlacedErrors errors_;
 };
 
-template <typename Names>
-std::vector<Property> ReadAll(const std::vector<Requirement>& requirements, const Names& names,
-                              runtime::ScenarioFit* fit) {
-  std::vector<Property> properties;
+template <typename Bound, typename Names>
+Result<Bound> ReadOne(std::string_view text, const Names& names) {
+  auto condition = runtime::ParseCondition(text);
+  if (!condition.ok()) return condition.error();
+  return Bound::Bind(std::move(condition).value(), names);
+}
+
+template <typename Bound, typename Names>
+std::vector<Bound> ReadAll(const std::vector<Requirement>& requirements, const Names& names,
+                           runtime::ScenarioFit* fit) {
+  std::vector<Bound> all;
   for (const Requirement& requirement : requirements) {
     if (!fit->CanJudge(requirement.text)) continue;
-    auto property = Property::Parse(requirement.text, names);
-    if (property.ok()) {
-      properties.push_back(std::move(property).value());
+    auto one = ReadOne<Bound>(requirement.text, names);
+    if (one.ok()) {
+      all.push_back(std::move(one).value());
     } else {
       fit->AddText(requirement.place,
                    fmt::format("{}: {}", ScopeName(requirement.scope), requirement.text),
-                   property.error().message);
+                   one.error().message);
     }
   }
-  return properties;
+  return all;
 }
 
 bool HasFunction(const vm::Object& object, const std::string& name) {
@@ -219,13 +226,13 @@ bool Problem::HasInvariants() const {
 
 std::vector<Property> ReadRequirements(const std::vector<Requirement>& requirements,
                                        const Model& names, runtime::ScenarioFit* fit) {
-  return ReadAll(requirements, names, fit);
+  return ReadAll<Property>(requirements, names, fit);
 }
 
-std::vector<Property> ReadRequirements(const std::vector<Requirement>& requirements,
-                                       const runtime::Controller& names,
-                                       runtime::ScenarioFit* fit) {
-  return ReadAll(requirements, names, fit);
+std::vector<runtime::CardCondition> ReadRequirements(const std::vector<Requirement>& requirements,
+                                                     const runtime::Controller& names,
+                                                     runtime::ScenarioFit* fit) {
+  return ReadAll<runtime::CardCondition>(requirements, names, fit);
 }
 
 Problem BindProblem(Model model, const std::vector<Requirement>& requirements,

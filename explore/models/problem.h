@@ -25,6 +25,7 @@
 #include "explore/models/model.h"
 #include "explore/models/property.h"
 #include "explore/models/races.h"
+#include "runtime/conditions/card_condition.h"
 #include "runtime/scenario/scenario.h"
 #include "runtime/scenario/scenario_fit.h"
 #include "vm/object.h"
@@ -53,8 +54,9 @@ struct Requirement {
 /// are added to `fit` and left out of the result.
 std::vector<Property> ReadRequirements(const std::vector<Requirement>& requirements,
                                        const Model& names, runtime::ScenarioFit* fit);
-std::vector<Property> ReadRequirements(const std::vector<Requirement>& requirements,
-                                       const runtime::Controller& names, runtime::ScenarioFit* fit);
+std::vector<runtime::CardCondition> ReadRequirements(const std::vector<Requirement>& requirements,
+                                                     const runtime::Controller& names,
+                                                     runtime::ScenarioFit* fit);
 
 /// The content of a source's comments, as the equivalent scenario.
 struct CommentProblem {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 #include <utility>
 
@@ -86,94 +85,45 @@ std::unique_ptr<runtime::Controller> CardOf(const Model& model) {
 
 // --- What is, and what should be -----------------------------------------------------------------
 
-bool BeginsName(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-bool ContinuesName(char c) {
-  return BeginsName(c) || std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.' ||
-         c == '[' || c == ']';
+/// How a comparison is written before the number that was expected; a value that should be equal
+/// needs no sign.
+std::string_view SignOf(runtime::Condition::Kind comparison) {
+  using Kind = runtime::Condition::Kind;
+  switch (comparison) {
+    case Kind::kNotEqual:
+      return "!= ";
+    case Kind::kLess:
+      return "< ";
+    case Kind::kLessEqual:
+      return "<= ";
+    case Kind::kGreater:
+      return "> ";
+    case Kind::kGreaterEqual:
+      return ">= ";
+    default:
+      return "";
+  }
 }
 
-/// The names in an expression, each once.
-std::vector<std::string> NamesIn(std::string_view text) {
-  std::vector<std::string> names;
-  for (size_t i = 0; i < text.size(); ++i) {
-    if (!ContinuesName(text[i])) continue;
-    const size_t begin = i;
-    while (i < text.size() && ContinuesName(text[i])) ++i;
-    const std::string name(text.substr(begin, i - begin));
-    if (BeginsName(name.front()) && std::ranges::find(names, name) == names.end()) {
-      names.push_back(name);
-    }
-  }
-  return names;
-}
-
-/// `retN` stands for `threadN.result`, unless there is a global of that name.
-std::string QuantityName(const std::string& name, const runtime::Controller& controller) {
-  if (!name.starts_with("ret") || runtime::ResolveQuantity(name, controller).ok()) return name;
-  return fmt::format("thread{}.result", name.substr(3));
-}
-
-Message DescribeComparison(const runtime::BoundExpectation& bound,
-                           const runtime::ExpectationResult& outcome) {
-  using runtime::Comparison;
-  const std::string& name = bound.left.name;
-  if (bound.right) {
-    return MakeMessage("{0} is {1}, {2} is {3}", "{0} 为 {1}，{2} 为 {3}", name, outcome.actual,
-                       bound.right->name, outcome.expected);
-  }
-  std::string_view than = "";
-  switch (bound.expectation.comparison) {
-    case Comparison::kEqual:
-      break;
-    case Comparison::kNotEqual:
-      than = "!= ";
-      break;
-    case Comparison::kLess:
-      than = "< ";
-      break;
-    case Comparison::kLessEqual:
-      than = "<= ";
-      break;
-    case Comparison::kGreater:
-      than = "> ";
-      break;
-    case Comparison::kGreaterEqual:
-      than = ">= ";
-      break;
-  }
-  std::string tolerance;
-  if (bound.expectation.tolerance != 0) {
-    tolerance = fmt::format(" +- {}", bound.expectation.tolerance);
-  }
-  return MakeMessage("{0} is {1}, expected {2}{3}{4}", "{0} 为 {1}，应为 {2}{3}{4}", name,
-                     outcome.actual, than, outcome.expected, tolerance);
-}
-
-/// What a violated requirement names, as it is now: `sum is 3, expected 10` of a comparison that
-/// should hold, or `x is 1, y is 0`. Empty when it names nothing.
+/// What a violated requirement names, as it is now: `sum is 3, expected 10` of a comparison with a
+/// number that should hold, or `x is 1, y is 0`. Empty when it names nothing.
 Message DescribeValues(const Requirement& requirement, const runtime::Controller& controller) {
   auto expectation = runtime::ParseExpectation(requirement.text);
-  if (expectation.ok() && requirement.scope != Scope::kNever) {
-    expectation.value().left = QuantityName(expectation.value().left, controller);
-    if (auto* right = std::get_if<std::string>(&expectation.value().right)) {
-      *right = QuantityName(*right, controller);
-    }
-    const auto bound = runtime::BindExpectation(std::move(expectation).value(), controller);
-    if (bound.ok()) {
-      return DescribeComparison(bound.value(), runtime::Evaluate(bound.value(), controller));
-    }
+  if (!expectation.ok()) return {};
+  const auto bound =
+      runtime::CardCondition::Bind(std::move(expectation.value().condition), controller);
+  if (!bound.ok()) return {};
+  const auto comparison = bound.value().condition().AsComparison();
+  const double* number = comparison ? std::get_if<double>(&comparison->right) : nullptr;
+  if (number == nullptr || requirement.scope == Scope::kNever) {
+    return bound.value().DescribeValues(controller);
   }
-  Message text;
-  for (const std::string& name : NamesIn(requirement.text)) {
-    const auto found = runtime::ResolveQuantity(QuantityName(name, controller), controller);
-    if (!found.ok() || found.value().size() != 1) continue;
-    const runtime::Quantity& quantity = found.value().front();
-    const std::string value = runtime::FormatNumber(runtime::ReadQuantity(quantity, controller),
-                                                    runtime::FormOfQuantity(quantity, controller));
-    text.en += fmt::format("{}{} is {}", text.en.empty() ? "" : ", ", quantity.name, value);
-    text.zh += fmt::format("{}{} 为 {}", text.zh.empty() ? "" : "，", quantity.name, value);
-  }
-  return text;
+  const runtime::Quantity& left = bound.value().quantities()[comparison->left];
+  std::string tolerance;
+  if (comparison->tolerance != 0) tolerance = fmt::format(" +- {}", comparison->tolerance);
+  return MakeMessage("{0} is {1}, expected {2}{3}{4}", "{0} 为 {1}，应为 {2}{3}{4}", left.name,
+                     runtime::FormatQuantity(left, controller), SignOf(comparison->comparison),
+                     *number, tolerance);
 }
 
 /// The thread's fault with what led to it.

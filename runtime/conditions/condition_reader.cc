@@ -128,9 +128,9 @@ bool ConditionReader::ReadInstant(std::string_view time) {
 
 bool ConditionReader::Enter() {
   if (++nesting_ <= Condition::kNestingMax) return true;
-  return Fail(
-      MakeMessage("'{0}' is too deep: at most {1} parentheses, '!' and '-' inside each other",
-                  "“{0}”嵌套过深：括号、“!”和“-”最多 {1} 层", Quoted(), Condition::kNestingMax));
+  return Fail(MakeMessage(
+      "'{0}' is nested too deeply: at most {1} parentheses, '!' and '-' inside each other",
+      "“{0}”嵌套过深：括号、“!”和“-”最多 {1} 层", Quoted(), Condition::kNestingMax));
 }
 
 void ConditionReader::SyntaxError(std::span<const ConditionParser::symbol_kind_type> expected) {

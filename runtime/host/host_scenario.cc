@@ -180,20 +180,21 @@ void CardWatch::WarnOfMovingAxes(const Controller& controller) {
 }
 
 void CardWatch::Judge(const Expectation& expectation, const Controller& controller) {
-  const auto bound = BindExpectation(expectation, controller);
+  const auto bound = CardCondition::Bind(expectation.condition, controller);
   if (!bound.ok()) {
     const Message& why = bound.error().message;
-    fit_.AddText(expectation.place, expectation.text,
+    fit_.AddText(expectation.place, expectation.text(),
                  MakeMessage("card {0}: {1}", "卡 {0}：{2}", card_, why.en, why.zh));
     return;
   }
-  const ExpectationResult outcome = Evaluate(bound.value(), controller);
-  if (!outcome.holds) Fail(expectation, DescribeFailure(bound.value(), outcome));
+  if (!bound.value().Holds(controller)) {
+    Fail(expectation, DescribeFailure(bound.value(), controller));
+  }
 }
 
 void CardWatch::Fail(const Expectation& expectation, const Message& why) {
   Message failure = MakeMessage("card {0}: '{1}' does not hold: ", "卡 {0}：“{1}”不成立：", card_,
-                                expectation.text);
+                                expectation.text());
   failure.en += why.en;
   failure.zh += why.zh;
   failures_.push_back(std::move(failure));

@@ -99,7 +99,8 @@ std::string FormatScenario(const Scenario& scenario) {
   if (!scenario.trace.empty()) text += fmt::format("trace = {}\n", TomlStrings(scenario.trace));
   if (!scenario.expectations.empty()) {
     std::vector<std::string> texts;
-    for (const Expectation& expectation : scenario.expectations) texts.push_back(expectation.text);
+    for (const Expectation& expectation : scenario.expectations)
+      texts.push_back(expectation.text());
     text += fmt::format("expect = {}\n", TomlStrings(texts));
   }
   if (!scenario.final.empty()) text += fmt::format("final = {}\n", TomlStrings(scenario.final));

@@ -76,7 +76,8 @@ class ScenarioRunner {
 
  private:
   struct PendingExpectation {
-    BoundExpectation bound;
+    const Expectation* expectation = nullptr;
+    CardCondition condition;
     int64_t cycle = 0;  // with an instant: evaluated at the end of this cycle
   };
 
@@ -136,18 +137,20 @@ class ScenarioRunner {
 
   void FindExpectations() {
     for (const Expectation& expectation : scenario_.expectations) {
-      if (!fit_.CanJudge(expectation.text)) continue;
-      auto bound = BindExpectation(expectation, controller_);
+      if (!fit_.CanJudge(expectation.text())) continue;
+      auto bound = CardCondition::Bind(expectation.condition, controller_);
       if (!bound.ok()) {
-        fit_.AddText(expectation.place, expectation.text, bound.error().message);
+        fit_.AddText(expectation.place, expectation.text(), bound.error().message);
         continue;
       }
-      if (bound.value().left.kind == QuantityKind::kThreadError) {
-        fault_expected_.push_back(bound.value().left.thread);
+      for (const Quantity& quantity : bound.value().quantities()) {
+        if (quantity.kind == QuantityKind::kThreadError) {
+          fault_expected_.push_back(quantity.thread);
+        }
       }
       const int64_t cycle = CycleOf(scenario_, expectation.at_us.value_or(0));
       auto& list = expectation.at_us ? timed_ : final_;
-      list.push_back({std::move(bound).value(), cycle});
+      list.push_back({&expectation, std::move(bound).value(), cycle});
     }
     std::stable_sort(timed_.begin(), timed_.end(),
                      [](const auto& a, const auto& b) { return a.cycle < b.cycle; });
@@ -300,13 +303,13 @@ class ScenarioRunner {
   void EvaluateDue() {
     for (; next_timed_ < timed_.size(); ++next_timed_) {
       if (timed_[next_timed_].cycle > controller_.cycle()) break;
-      EvaluateNow(timed_[next_timed_].bound);
+      EvaluateNow(timed_[next_timed_]);
     }
   }
 
-  void EvaluateNow(const BoundExpectation& bound) {
-    const ExpectationResult outcome = Evaluate(bound, controller_);
-    if (!outcome.holds) Fail(bound.expectation.text, DescribeFailure(bound, outcome));
+  void EvaluateNow(const PendingExpectation& pending) {
+    if (pending.condition.Holds(controller_)) return;
+    Fail(pending.expectation->text(), DescribeFailure(pending.condition, controller_));
   }
 
   void Fail(std::string expectation, Message message) {
@@ -347,11 +350,11 @@ class ScenarioRunner {
 
   void JudgeEnd() {
     for (; next_timed_ < timed_.size(); ++next_timed_) {
-      Fail(timed_[next_timed_].bound.expectation.text,
+      Fail(timed_[next_timed_].expectation->text(),
            MakeMessage("the run ended before, at {0} ms", "运行在此之前结束，时刻 {0} ms",
                        result_.end_ms));
     }
-    for (const PendingExpectation& pending : final_) EvaluateNow(pending.bound);
+    for (const PendingExpectation& pending : final_) EvaluateNow(pending);
     if (options_.watch != nullptr && InOrder()) options_.watch->End(controller_);
     ReportEnd();
   }

@@ -2,9 +2,9 @@
 #include <string>
 
 #include "explore/models/model.h"
-#include "explore/models/property.h"
 #include "explore/scenario_exploration.h"
 #include "gtcalls/gts/card_config.h"
+#include "runtime/conditions/condition.h"
 #include "runtime/scenario/scenario.h"
 #include "runtime/scenario/scenario_run.h"
 #include "runtime/sim/controller.h"
@@ -56,6 +56,13 @@ void FuzzRequirement(std::string_view bytes) {
   explore::Requirement requirement;
   requirement.scope = explore::Scope::kFinal;
   requirement.text = bytes;
+  if (const auto timed = runtime::ParseTimedCondition(bytes); timed.ok()) {
+    const runtime::Condition& condition = timed.value().condition;
+    static_cast<void>(condition.Holds([&](size_t name) {
+      FUZZ_CHECK(name < condition.names().size());
+      return static_cast<double>(name);
+    }));
+  }
   const auto problem = explore::ProblemOfScenario(SeedScenario(), {requirement}, SeedProgram());
   if (!problem.ok()) return;
   explore::ExploreOptions options;

@@ -255,12 +255,12 @@ TEST(ConditionLimits, DeepAndLongTextsAreRefused) {
   constexpr int kDepth = Condition::kNestingMax;
   EXPECT_EQ(ErrorOf(Times(kDepth, "(") + "x" + Times(kDepth, ")")), "");
   EXPECT_THAT(ErrorOf(Times(kDepth + 1, "(") + "x" + Times(kDepth + 1, ")")),
-              HasSubstr("too deep: at most 100"));
+              HasSubstr("nested too deeply: at most 100"));
   // What is closed counts no longer.
-  EXPECT_EQ(ErrorOf(Times(60, "(!x) + -y + ") + "1").find("too deep"), std::string::npos);
+  EXPECT_EQ(ErrorOf(Times(60, "(!x) + -y + ") + "1").find("too deeply"), std::string::npos);
   for (const char* prefix : {"(", "!", "-", "+ ", "!("}) {
     const std::string error = ErrorOf(Times(100'000, prefix) + "x");
-    EXPECT_THAT(error, HasSubstr("too deep: at most 100")) << prefix;
+    EXPECT_THAT(error, HasSubstr("nested too deeply: at most 100")) << prefix;
     EXPECT_LT(error.size(), 200u);
   }
   EXPECT_EQ(ErrorOf("x" + Times(63, "+x")), "");
