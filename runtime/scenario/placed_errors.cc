@@ -19,7 +19,8 @@ TextFile::TextFile(std::string path, std::string_view text, TextMargin margin)
 
 std::string_view TextFile::Line(int number) const {
   if (number < 1 || static_cast<size_t>(number) > begins_.size()) return {};
-  const std::string_view rest = std::string_view(text_).substr(begins_[number - 1]);
+  const size_t begin = begins_[static_cast<size_t>(number) - 1];
+  const std::string_view rest = std::string_view(text_).substr(begin);
   return rest.substr(0, rest.find('\n'));
 }
 
