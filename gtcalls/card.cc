@@ -211,14 +211,15 @@ const vm::CommandShape* CardCommands::Find(uint16_t number) const {
 }
 
 int64_t CardCommands::Elements(uint16_t number, size_t parameter, double first) const {
-  const Command& command = *card_->family.catalogue.Find(number);
+  // The number was verified when the program was loaded.
+  const Command& command = card_->family.catalogue.commands()[number - 1u];
   return static_cast<int64_t>(ElementsOnCard(command.parameters[parameter], *card_, first));
 }
 
 int16_t CardCommands::Execute(uint16_t number, vm::Machine&, int thread,
                               std::span<vm::CommandArgument> arguments) {
   // The number was verified when the program was loaded.
-  Call call{*card_->family.catalogue.Find(number), *card_, thread, arguments, {}};
+  Call call{card_->family.catalogue.commands()[number - 1u], *card_, thread, arguments, {}};
   const int16_t code = ExecuteCommand(call);
   if (code != vm::kOk && observer_) observer_(call, code);
   return code;
