@@ -1,5 +1,5 @@
 // Explores a scenario: chooses whether the program is explored alone or together with its card.
-// Tested by tests/explore/scenario_exploration_test.cc.
+// Tested by tests/explore/failure_test.cc and problem_test.cc.
 #pragma once
 
 #include <string_view>

@@ -1,5 +1,5 @@
 // The graph of all states of a card with a program (card_model.h).
-// Deterministic; not thread-safe. Tested by tests/explore/card_graph_test.cc.
+// Deterministic; not thread-safe. Tested by tests/explore/card_model_test.cc.
 #pragma once
 
 #include "explore/engines/state_graph.h"
