@@ -127,46 +127,6 @@ Result<Findings> ExploreWithCard(const runtime::Scenario& scenario,
 
 }  // namespace
 
-std::vector<Requirement> RequirementsOf(const runtime::Scenario& scenario) {
-  std::vector<Requirement> requirements;
-  const auto add = [&](Scope scope, const std::vector<std::string>& texts) {
-    for (size_t i = 0; i < texts.size(); ++i) {
-      requirements.push_back(
-          {scope, texts[i], runtime::PlaceOfText(scenario, ScopeName(scope), i)});
-    }
-  };
-  add(Scope::kFinal, scenario.final);
-  add(Scope::kAlways, scenario.always);
-  add(Scope::kNever, scenario.never);
-  add(Scope::kEventually, scenario.eventually);
-  return requirements;
-}
-
-void AddRequirements(const std::vector<Requirement>& requirements, runtime::Scenario* scenario) {
-  for (const Requirement& requirement : requirements) {
-    std::vector<std::string>* texts = nullptr;
-    switch (requirement.scope) {
-      case Scope::kFinal:
-        texts = &scenario->final;
-        break;
-      case Scope::kAlways:
-        texts = &scenario->always;
-        break;
-      case Scope::kNever:
-        texts = &scenario->never;
-        break;
-      case Scope::kEventually:
-        texts = &scenario->eventually;
-        break;
-    }
-    std::vector<runtime::TextPlace>& places =
-        scenario->text_places[std::string(ScopeName(requirement.scope))];
-    places.resize(texts->size());
-    places.push_back(requirement.place);
-    texts->push_back(requirement.text);
-  }
-}
-
 ExploreOptions OptionsOf(const runtime::ExploreWish& wish) {
   ExploreOptions options;
   options.engine = EngineNamed(wish.engine).value_or(EngineKind::kAuto);
@@ -237,7 +197,7 @@ Result<Problem> ProblemOfScenario(const runtime::Scenario& scenario,
   auto model = Model::Create(controller.machine());
   if (!model.ok()) {
     // There may be none because no thread could be bound: the rest is told all the same.
-    ReadRequirements(all, controller, &fit);
+    runtime::ReadRequirements<runtime::CardCondition>(all, controller, &fit);
     if (auto failure = fit.Failure()) return *std::move(failure);
     return model.error();
   }

@@ -13,12 +13,6 @@
 
 namespace oncard::explore {
 
-/// `final`, `always`, `never` and `eventually` of a scenario.
-std::vector<Requirement> RequirementsOf(const runtime::Scenario& scenario);
-
-/// Appends requirements to the keys of a scenario.
-void AddRequirements(const std::vector<Requirement>& requirements, runtime::Scenario* scenario);
-
 /// The options given by the scenario's key `explore`; the rest is unchanged.
 ExploreOptions OptionsOf(const runtime::ExploreWish& wish);
 

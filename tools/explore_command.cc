@@ -52,7 +52,7 @@ runtime::Scenario AskingScenario(const ExploreSubject& subject) {
   scenario.always.clear();
   scenario.never.clear();
   scenario.eventually.clear();
-  explore::AddRequirements(subject.requirements, &scenario);
+  runtime::AddRequirements(subject.requirements, &scenario);
   return scenario;
 }
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "explore/scenario_exploration.h"
+#include "runtime/scenario/requirement.h"
 
 namespace oncard::tools {
 namespace {
@@ -26,7 +27,7 @@ int ReadScenario(const Session& session, const std::string& path, bool json,
   auto scenario = runtime::LoadScenario(path, runtime::ScenarioUse::kExplore);
   if (!scenario.ok()) return Fail(session, kExitUnreadable, scenario.error().message);
   subject->scenario = std::move(scenario).value();
-  subject->requirements = explore::RequirementsOf(subject->scenario);
+  subject->requirements = runtime::RequirementsOf(subject->scenario);
   runtime::ProgramLoad load;
   const int loaded = LoadOrReport(session, runtime::ProgramPath(subject->scenario),
                                   runtime::CompileOptions(subject->scenario), json, &load);

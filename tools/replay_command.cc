@@ -1,8 +1,8 @@
 // oncard replay: a recorded run again, statement by statement.
 #include "base/files.h"
-#include "explore/requirement_watch.h"
 #include "runtime/host/call_log.h"
 #include "runtime/scenario/adapted_schedule.h"
+#include "runtime/scenario/requirement_watch.h"
 #include "tools/commands.h"
 #include "tools/run_report.h"
 #include "tools/run_views.h"
@@ -49,7 +49,7 @@ int Replay(const ReplayArguments& arguments, const Session& session) {
   if (loaded != kExitOk) return loaded;
 
   if (arguments.tolerant) {
-    const auto fits = explore::FitWithRequirements(scenario.value(), *load.object);
+    const auto fits = runtime::FitWithRequirements(scenario.value(), *load.object);
     if (!fits.ok()) return Fail(session, kExitFailed, fits.error().message);
     schedule = Adapt(scenario.value(), load, schedule.value(), session);
     if (!schedule.ok()) return Fail(session, kExitFailed, schedule.error().message);
@@ -62,7 +62,7 @@ int Replay(const ReplayArguments& arguments, const Session& session) {
   const StopSignals signals;
   options.stop = signals.stop();
   options.log = runtime::CallLog::Wanted();
-  const auto result = explore::RunWithRequirements(scenario.value(), *load.object, options);
+  const auto result = runtime::RunWithRequirements(scenario.value(), *load.object, options);
   if (!result.ok()) return Fail(session, kExitFailed, result.error().message);
   PrintSteps(result.value(), load, arguments.views, arguments.format, session);
   const int code = ReportRun(result.value(), arguments.format, session);

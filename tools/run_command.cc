@@ -3,8 +3,9 @@
 #include <filesystem>
 
 #include "base/number.h"
-#include "explore/requirement_watch.h"
+#include "explore/source_comments.h"
 #include "runtime/host/call_log.h"
+#include "runtime/scenario/requirement_watch.h"
 #include "tools/commands.h"
 #include "tools/run_report.h"
 #include "tools/run_views.h"
@@ -109,7 +110,7 @@ int Run(const RunArguments& arguments, const Session& session) {
   const StopSignals signals;
   options.stop = signals.stop();
   options.log = runtime::CallLog::Wanted();
-  auto result = explore::RunWithRequirements(scenario.value(), *load.object, options);
+  auto result = runtime::RunWithRequirements(scenario.value(), *load.object, options);
   if (!result.ok()) return Fail(session, kExitUsage, result.error().message);
 
   if (const auto unused = explore::DescribeUnusedComments(scenario.value(), source);

@@ -2,9 +2,10 @@
 #include <filesystem>
 
 #include "compiler/diagnostic_printer.h"
-#include "explore/requirement_watch.h"
 #include "explore/scenario_exploration.h"
+#include "explore/source_comments.h"
 #include "runtime/host/call_log.h"
+#include "runtime/scenario/requirement_watch.h"
 #include "tools/commands.h"
 #include "tools/isolation.h"
 #include "tools/run_report.h"
@@ -115,7 +116,7 @@ TestOutcome RunTest(const std::string& path, bool strict_commands, const StopSig
   options.stop = signals.stop();
   options.log = runtime::CallLog::Wanted();
   const auto result =
-      explore::RunWithRequirements(scenario.value(), std::move(*load.object), options);
+      runtime::RunWithRequirements(scenario.value(), std::move(*load.object), options);
   if (!result.ok()) {
     outcome.failures.push_back(result.error().message);
     return outcome;

@@ -100,8 +100,8 @@ void CardModel::BindRequirements(const std::vector<Requirement>& requirements,
     }
     requirements_.push_back(std::move(requirement));
   }
-  std::vector<runtime::CardCondition> conditions =
-      ReadRequirements(requirements, *controller_, fit);
+  auto conditions =
+      runtime::ReadRequirements<runtime::CardCondition>(requirements, *controller_, fit);
   if (conditions.size() < requirements.size()) return;
   for (size_t i = 0; i < requirements.size(); ++i) {
     requirements_.push_back({requirements[i], std::move(conditions[i])});

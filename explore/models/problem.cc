@@ -27,14 +27,6 @@ void ForEachComment(std::string_view source, Look look) {
   }
 }
 
-std::optional<Scope> ScopeNamed(std::string_view name) {
-  if (name == "final") return Scope::kFinal;
-  if (name == "always") return Scope::kAlways;
-  if (name == "never") return Scope::kNever;
-  if (name == "eventually") return Scope::kEventually;
-  return std::nullopt;
-}
-
 /// Calls `look` with every part between commas.
 template <typename Look>
 void ForEachPart(std::string_view text, Look look) {
@@ -85,7 +77,7 @@ class CommentReader {
       if (rest != runtime::Scenario{}.races) {
         problem_.of_all_schedules.push_back({"//@ races", PlaceOfComment()});
       }
-    } else if (const auto scope = ScopeNamed(key)) {
+    } else if (const auto scope = runtime::ScopeNamed(key)) {
       problem_.requirements.push_back({*scope, std::string(rest), PlaceOf(rest)});
     } else {
       return false;
@@ -131,31 +123,6 @@ class CommentReader {
   runtime::PlacedErrors errors_;
 };
 
-template <typename Bound, typename Names>
-Result<Bound> ReadOne(std::string_view text, const Names& names) {
-  auto condition = runtime::ParseCondition(text);
-  if (!condition.ok()) return condition.error();
-  return Bound::Bind(std::move(condition).value(), names);
-}
-
-template <typename Bound, typename Names>
-std::vector<Bound> ReadAll(const std::vector<Requirement>& requirements, const Names& names,
-                           runtime::ScenarioFit* fit) {
-  std::vector<Bound> all;
-  for (const Requirement& requirement : requirements) {
-    if (!fit->CanJudge(requirement.text)) continue;
-    auto one = ReadOne<Bound>(requirement.text, names);
-    if (one.ok()) {
-      all.push_back(std::move(one).value());
-    } else {
-      fit->AddText(requirement.place,
-                   fmt::format("{}: {}", ScopeName(requirement.scope), requirement.text),
-                   one.error().message);
-    }
-  }
-  return all;
-}
-
 bool HasFunction(const vm::Object& object, const std::string& name) {
   for (const vm::Function& function : object.functions) {
     if (function.name == name) return true;
@@ -164,20 +131,6 @@ bool HasFunction(const vm::Object& object, const std::string& name) {
 }
 
 }  // namespace
-
-std::string_view ScopeName(Scope scope) {
-  switch (scope) {
-    case Scope::kFinal:
-      return "final";
-    case Scope::kAlways:
-      return "always";
-    case Scope::kNever:
-      return "never";
-    case Scope::kEventually:
-      break;
-  }
-  return "eventually";
-}
 
 Result<CommentProblem> ReadComments(const std::string& path, std::string_view source,
                                     const vm::Object& object) {
@@ -224,21 +177,10 @@ bool Problem::HasInvariants() const {
   return false;
 }
 
-std::vector<Property> ReadRequirements(const std::vector<Requirement>& requirements,
-                                       const Model& names, runtime::ScenarioFit* fit) {
-  return ReadAll<Property>(requirements, names, fit);
-}
-
-std::vector<runtime::CardCondition> ReadRequirements(const std::vector<Requirement>& requirements,
-                                                     const runtime::Controller& names,
-                                                     runtime::ScenarioFit* fit) {
-  return ReadAll<runtime::CardCondition>(requirements, names, fit);
-}
-
 Problem BindProblem(Model model, const std::vector<Requirement>& requirements,
                     runtime::ScenarioFit* fit) {
   Problem problem{std::move(model)};
-  std::vector<Property> properties = ReadRequirements(requirements, problem.model, fit);
+  auto properties = runtime::ReadRequirements<Property>(requirements, problem.model, fit);
   if (properties.size() < requirements.size()) return problem;
   int eventually = 0;
   for (size_t i = 0; i < requirements.size(); ++i) {

@@ -25,38 +25,15 @@
 #include "explore/models/model.h"
 #include "explore/models/property.h"
 #include "explore/models/races.h"
-#include "runtime/conditions/card_condition.h"
+#include "runtime/scenario/requirement.h"
 #include "runtime/scenario/scenario.h"
 #include "runtime/scenario/scenario_fit.h"
 #include "vm/object.h"
 
 namespace oncard::explore {
 
-/// The states that a requirement applies to.
-enum class Scope : uint8_t {
-  kFinal,
-  kAlways,
-  kNever,
-  kEventually  ///< some state of every run
-};
-
-/// `final`, `always`, `never`, `eventually`.
-std::string_view ScopeName(Scope scope);
-
-/// A requirement as written.
-struct Requirement {
-  Scope scope = Scope::kFinal;
-  std::string text;
-  runtime::TextPlace place = {};
-};
-
-/// Parses requirements, whose names are those of a model or a controller. Those that cannot be read
-/// are added to `fit` and left out of the result.
-std::vector<Property> ReadRequirements(const std::vector<Requirement>& requirements,
-                                       const Model& names, runtime::ScenarioFit* fit);
-std::vector<runtime::CardCondition> ReadRequirements(const std::vector<Requirement>& requirements,
-                                                     const runtime::Controller& names,
-                                                     runtime::ScenarioFit* fit);
+using runtime::Requirement;
+using runtime::Scope;
 
 /// The content of a source's comments, as the equivalent scenario.
 struct CommentProblem {

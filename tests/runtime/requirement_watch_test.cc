@@ -1,28 +1,27 @@
 // What a scenario requires of all schedules, in one run.
-#include "explore/requirement_watch.h"
+#include "runtime/scenario/requirement_watch.h"
 
 #include <gtest/gtest.h>
 
 #include "tests/runtime/scenario_support.h"
 
-namespace oncard::explore {
+namespace oncard::runtime {
 namespace {
 
 // x is 1 for one statement, twice. Lines 5 to 8.
 constexpr const char* kBlip =
     "int x, y;\nint f()\n{\n  y = 5;\n  x = 1;\n  x = 0;\n  x = 1;\n  x = 0;\n  return 3;\n}\n";
 
-runtime::ScenarioResult WatchedRun(const std::string& program, const std::string& scenario) {
-  auto result =
-      RunWithRequirements(runtime::ScenarioForTest(scenario), runtime::CompileForTest(program), {});
+ScenarioResult WatchedRun(const std::string& program, const std::string& scenario) {
+  auto result = RunWithRequirements(ScenarioForTest(scenario), CompileForTest(program), {});
   EXPECT_TRUE(result.ok()) << (result.ok() ? "" : result.error().message.en);
-  return result.ok() ? std::move(result).value() : runtime::ScenarioResult();
+  return result.ok() ? std::move(result).value() : ScenarioResult();
 }
 
 /// `requirement: message` of every failure.
 std::vector<std::string> FailuresOf(const std::string& program, const std::string& scenario) {
   std::vector<std::string> texts;
-  for (const runtime::ScenarioFailure& failure : WatchedRun(program, scenario).failures) {
+  for (const ScenarioFailure& failure : WatchedRun(program, scenario).failures) {
     texts.push_back(failure.expectation + ": " + failure.message.en);
   }
   return texts;
@@ -79,8 +78,8 @@ TEST(RequirementWatch, ARunIsTheSameWhetherItIsWatchedOrNot) {
     const std::string threads =
         "[[thread]]\nfunction = \"f\"\ninit = { k = 70 }\n"
         "[[thread]]\nthread = 1\nfunction = \"f\"\ninit = { k = 50 }\n";
-    const runtime::ScenarioResult plain = WatchedRun(program, scenario + threads);
-    const runtime::ScenarioResult watched =
+    const ScenarioResult plain = WatchedRun(program, scenario + threads);
+    const ScenarioResult watched =
         WatchedRun(program, scenario + "always = [\"n >= 0\"]\n" + threads);
     EXPECT_EQ(watched.hash, plain.hash) << schedule;
     EXPECT_EQ(watched.end_ms, plain.end_ms) << schedule;
@@ -100,8 +99,8 @@ TEST(RequirementWatch, SeesTheCardMoveAfterTheThreads) {
 }
 
 TEST(RequirementWatch, RefusesWhatIsNoExpression) {
-  runtime::Scenario scenario = runtime::ScenarioForTest("always = [\"z == 1\"]");
-  const auto result = RunWithRequirements(scenario, runtime::CompileForTest(kBlip), {});
+  Scenario scenario = ScenarioForTest("always = [\"z == 1\"]");
+  const auto result = RunWithRequirements(scenario, CompileForTest(kBlip), {});
   ASSERT_FALSE(result.ok());
   const std::string& placed = result.error().message.en;
   EXPECT_EQ(placed,
@@ -110,7 +109,7 @@ TEST(RequirementWatch, RefusesWhatIsNoExpression) {
 
   // One that comes from no file is named.
   scenario.text_places.clear();
-  const auto named = RunWithRequirements(scenario, runtime::CompileForTest(kBlip), {});
+  const auto named = RunWithRequirements(scenario, CompileForTest(kBlip), {});
   ASSERT_FALSE(named.ok());
   EXPECT_EQ(named.error().message.en, "'always: z == 1': nothing is named 'z'");
 }
@@ -118,10 +117,10 @@ TEST(RequirementWatch, RefusesWhatIsNoExpression) {
 // What did not come to its end is not judged by its end.
 TEST(RequirementWatch, LeavesTheEndOfAFailedRunAlone) {
   const char* spin = "int n;\nint f()\n{\nlbl:\n  n = n + 1;\n  goto lbl;\n}\n";
-  const runtime::ScenarioResult result = WatchedRun(spin, "limit_ms = 2\nfinal = [\"n == -1\"]");
+  const ScenarioResult result = WatchedRun(spin, "limit_ms = 2\nfinal = [\"n == -1\"]");
   ASSERT_EQ(result.failures.size(), 1u);
   EXPECT_EQ(result.failures[0].expectation, "");
 }
 
 }  // namespace
-}  // namespace oncard::explore
+}  // namespace oncard::runtime

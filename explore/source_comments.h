@@ -1,0 +1,26 @@
+// The comments of a source (models/problem.h) when it is run instead of explored. Tested by
+// tests/tools/run_command_test.cc.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+#include "runtime/scenario/scenario.h"
+#include "vm/object.h"
+
+namespace oncard::explore {
+
+/// Completes the scenario of a source that is run by itself from the source's comments (problem.h):
+/// requirements, initial values and, unless it has threads, the threads t0, t1, ... Fails on a
+/// comment that cannot be read, or that concerns all schedules.
+Result<void> AddComments(const std::string& path, std::string_view source, const vm::Object& object,
+                         runtime::Scenario* scenario);
+
+/// A warning if the source of a scenario's program has such comments: they are ignored, because the
+/// scenario states the requirements.
+std::optional<Message> DescribeUnusedComments(const runtime::Scenario& scenario,
+                                              std::string_view source);
+
+}  // namespace oncard::explore
