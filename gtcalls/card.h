@@ -15,12 +15,23 @@
 
 namespace oncard::gtcalls {
 
+/// A card for those who only look at it.
+struct CardView {
+  const Family& family;
+  const motion::MotionCore& motion;
+
+  /// The status word of an axis, whose number counts from 0.
+  uint32_t StatusWord(size_t axis) const { return family.status_word(*this, axis); }
+};
+
 /// The parts of the card that a command may use. Owned by the runtime's controller.
 struct Card {
   const Family& family;
   vm::Machine& machine;
   motion::MotionCore& motion;
   PlcBlocks& plc;
+
+  CardView view() const { return {family, motion}; }
 };
 
 /// A call in progress.

@@ -2,6 +2,7 @@
 // them. That code reads this record; it never asks which family it serves.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -11,6 +12,7 @@
 namespace oncard::gtcalls {
 
 struct Call;
+struct CardView;
 
 /// A function that executes one command. Returns 0, or the code of a refused command.
 using CommandFunction = int16_t (*)(Call& call);
@@ -26,6 +28,8 @@ struct Family {
   const Message* (*why_unsupported)(const Command& command);
   /// The virtual time of a call from the host, in microseconds.
   int64_t (*cost_us)(const Command& command);
+  /// The status word of an axis, whose number counts from 0, as the family's commands give it.
+  uint32_t (*status_word)(const CardView& card, size_t axis);
 
   CommandFunction FunctionOf(const Command& command) const {
     return functions[command.number - 1u];

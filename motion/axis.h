@@ -1,5 +1,5 @@
-// An axis: which profiles and encoders it combines, its inputs, limits, in-position band and status
-// word. The motion core evaluates it once per profile cycle (motion_core.h).
+// An axis: which profiles and encoders it combines, its inputs, limits, in-position band and
+// conditions. The motion core evaluates it once per profile cycle (motion_core.h).
 //
 // An axis position is the sum of the mapped profiles (or encoders), each times beta/alpha, plus an
 // offset. GT_SetPrfPos and GT_SetEncPos change a profile or encoder and the offset against it, so
@@ -18,8 +18,9 @@
 
 namespace oncard::motion {
 
-/// Bits of the status word (GT_GetSts).
-enum AxisStatus : uint32_t {
+/// What is the case with an axis. A set of conditions is a sum of these bits, whose places mean
+/// nothing outside: the family of the card makes its status word of them (gtcalls/family.h).
+enum AxisCondition : uint32_t {
   kAlarmBit = 1u << 1,
   kFollowingErrorBit = 1u << 4,
   kPositiveLimitBit = 1u << 5,
@@ -30,10 +31,6 @@ enum AxisStatus : uint32_t {
   kMovingBit = 1u << 10,
   kInPositionBit = 1u << 11
 };
-
-/// The latched bits: set until GT_ClrSts, which clears them only if their cause is gone.
-inline constexpr uint32_t kLatchedBits = kAlarmBit | kFollowingErrorBit | kPositiveLimitBit |
-                                         kNegativeLimitBit | kSmoothStopBit | kAbruptStopBit;
 
 /// A digital input that an axis listens to; bit -1: none.
 struct InputChoice {
@@ -118,11 +115,13 @@ struct Axis {
   int32_t soft_negative = kNoNegativeLimit;
   int32_t band = 0;       ///< pulses
   int32_t band_time = 0;  ///< steps of 250 us
-  bool band_set = false;  ///< GT_SetAxisBand has been called; bit 11 is used only then
+  bool band_set = false;  ///< GT_SetAxisBand has been called; only then is it judged
 
   // State.
   AxisValue profile;  ///< planned
   AxisValue encoder;  ///< measured
+  /// Alarm, following error, limits and stops that have occurred. They stay until ClearStatus(),
+  /// which keeps those whose cause still exists.
   uint32_t latched = 0;
   bool servo_on = false;
   bool in_band = false;      ///< at rest, and the error is inside the band

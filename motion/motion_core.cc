@@ -302,16 +302,16 @@ bool MotionCore::AxisMoving(const Axis& axis) const {
   return moving;
 }
 
-uint32_t MotionCore::Status(size_t index) const {
+uint32_t MotionCore::Conditions(size_t index) const {
   const Axis& axis = state_.axes[index];
-  uint32_t status = axis.latched;
-  if (axis.servo_on) status |= kServoOnBit;
+  uint32_t conditions = axis.latched;
+  if (axis.servo_on) conditions |= kServoOnBit;
   if (AxisMoving(axis)) {
-    status |= kMovingBit;
+    conditions |= kMovingBit;
   } else if (axis.in_position) {
-    status |= kInPositionBit;
+    conditions |= kInPositionBit;
   }
-  return status;
+  return conditions;
 }
 
 void MotionCore::ClearStatus(size_t axis) {

@@ -138,12 +138,13 @@ class MotionCore {
 
   // --- Axes and profiles -----------------------------------------------------------------------
 
-  /// Sets the enable output and bit 9 (GT_AxisOn).
+  /// Sets the enable output and the condition (GT_AxisOn).
   void ServoOn(size_t axis);
   /// Clears both (GT_AxisOff); profiles of the axis stop abruptly.
   void ServoOff(size_t axis);
-  /// The status word as it is now (GT_GetSts): bit 10 follows a start or stop at once.
-  uint32_t Status(size_t axis) const;
+  /// The conditions of an axis as they are now, a sum of AxisCondition: kMovingBit follows a start
+  /// or stop at once.
+  uint32_t Conditions(size_t axis) const;
   /// True if a profile that the axis maps is moving.
   bool AxisMoving(const Axis& axis) const;
   /// An encoder's position with fractions of pulses.
@@ -158,7 +159,7 @@ class MotionCore {
   }
   /// The enable outputs that follow an axis.
   uint32_t EnableOutputs(size_t axis) const;
-  /// Clears the latched bits whose cause is gone (GT_ClrSts).
+  /// Forgets the latched conditions whose cause is gone (GT_ClrSts).
   void ClearStatus(size_t axis);
   /// Stops a profile with the decelerations of its registers; if it belongs to a coordinate system,
   /// the whole system stops.
@@ -387,9 +388,9 @@ class MotionCore {
   void AdvanceEncoderFault(size_t index);
   /// What its source has done in the cycle, after AdvanceEncoderFault().
   void CountEncoder(size_t index);
-  /// Bits of kLatchedBits whose causes exist now; following errors are handled separately.
+  /// The conditions to latch whose causes exist now; following errors are handled separately.
   uint32_t ActiveCauses(const Axis& axis) const;
-  /// Sets the status bits whose causes exist before the first tick, as that tick would.
+  /// Latches the conditions whose causes exist before the first tick, as that tick would.
   void LatchCauses();
   /// Keeps the slaves of a master still whose position was changed without motion.
   void ShiftSlaves(const Master& master, double shift);

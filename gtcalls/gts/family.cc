@@ -5,6 +5,7 @@
 
 #include "gtcalls/gts/catalogue.h"
 #include "gtcalls/gts/commands/commands.h"
+#include "gtcalls/gts/status_word.h"
 #include "gtcalls/gts/unsupported.h"
 #include "gtcalls/gts/words.h"
 
@@ -52,7 +53,14 @@ constexpr auto kFunctions = [] {
 }  // namespace
 
 const Family& GtsFamily() {
-  static const Family kFamily = {GtsCatalogue(), kFunctions, kNotSupported, WhyUnsupported, CostUs};
+  static const Family kFamily = {
+      .catalogue = GtsCatalogue(),
+      .functions = kFunctions,
+      .not_supported = kNotSupported,
+      .why_unsupported = WhyUnsupported,
+      .cost_us = CostUs,
+      .status_word = GtsStatusWord,
+  };
   return kFamily;
 }
 

@@ -7,86 +7,89 @@
 namespace oncard::runtime {
 namespace {
 
+using gtcalls::CardView;
 using motion::MotionCore;
 
 size_t AxisCount(const MotionCore& core) { return core.axis_count(); }
 
-const motion::Axis& AxisAt(const MotionCore& core, size_t index) {
-  return core.state().axes[index];
+const motion::Axis& AxisAt(const CardView& card, size_t index) {
+  return card.motion.state().axes[index];
 }
 
 template <uint32_t kBit>
-double StatusBit(const MotionCore& core, size_t index) {
-  return (core.Status(index) & kBit) != 0 ? 1 : 0;
+double HasCondition(const CardView& card, size_t index) {
+  return (card.motion.Conditions(index) & kBit) != 0 ? 1 : 0;
 }
 
 constexpr MotionValue Flag(std::string_view name,
-                           double (*read)(const MotionCore& core, size_t index)) {
+                           double (*read)(const CardView& card, size_t index)) {
   return {name, NumberForm::kFlag, Unit::kNone, read};
 }
 
 constexpr MotionValue kAxisValues[] = {
     {"prfPos", NumberForm::kReal, Unit::kPulse,
-     [](const MotionCore& core, size_t i) { return AxisAt(core, i).profile.position; }},
+     [](const CardView& card, size_t i) { return AxisAt(card, i).profile.position; }},
     {"prfVel", NumberForm::kReal, Unit::kPulsePerMs,
-     [](const MotionCore& core, size_t i) { return AxisAt(core, i).profile.velocity; }},
+     [](const CardView& card, size_t i) { return AxisAt(card, i).profile.velocity; }},
     {"prfAcc", NumberForm::kReal, Unit::kPulsePerMs2,
-     [](const MotionCore& core, size_t i) { return AxisAt(core, i).profile.acceleration; }},
+     [](const CardView& card, size_t i) { return AxisAt(card, i).profile.acceleration; }},
     {"encPos", NumberForm::kReal, Unit::kPulse,
-     [](const MotionCore& core, size_t i) { return AxisAt(core, i).encoder.position; }},
+     [](const CardView& card, size_t i) { return AxisAt(card, i).encoder.position; }},
     {"encVel", NumberForm::kReal, Unit::kPulsePerMs,
-     [](const MotionCore& core, size_t i) { return AxisAt(core, i).encoder.velocity; }},
+     [](const CardView& card, size_t i) { return AxisAt(card, i).encoder.velocity; }},
     {"encAcc", NumberForm::kReal, Unit::kPulsePerMs2,
-     [](const MotionCore& core, size_t i) { return AxisAt(core, i).encoder.acceleration; }},
+     [](const CardView& card, size_t i) { return AxisAt(card, i).encoder.acceleration; }},
     {"error", NumberForm::kReal, Unit::kPulse,
-     [](const MotionCore& core, size_t i) {
-       return AxisAt(core, i).profile.position - AxisAt(core, i).encoder.position;
+     [](const CardView& card, size_t i) {
+       return AxisAt(card, i).profile.position - AxisAt(card, i).encoder.position;
      }},
     {"sts", NumberForm::kWhole, Unit::kNone,
-     [](const MotionCore& core, size_t i) -> double { return core.Status(i); }},
-    Flag("alarm", StatusBit<motion::kAlarmBit>),
-    Flag("followingError", StatusBit<motion::kFollowingErrorBit>),
-    Flag("posLimit", StatusBit<motion::kPositiveLimitBit>),
-    Flag("negLimit", StatusBit<motion::kNegativeLimitBit>),
-    Flag("smoothStop", StatusBit<motion::kSmoothStopBit>),
-    Flag("abruptStop", StatusBit<motion::kAbruptStopBit>),
-    Flag("servoOn", StatusBit<motion::kServoOnBit>),
-    Flag("moving", StatusBit<motion::kMovingBit>),
-    Flag("inPosition", StatusBit<motion::kInPositionBit>),
+     [](const CardView& card, size_t i) -> double { return card.StatusWord(i); }},
+    Flag("alarm", HasCondition<motion::kAlarmBit>),
+    Flag("followingError", HasCondition<motion::kFollowingErrorBit>),
+    Flag("posLimit", HasCondition<motion::kPositiveLimitBit>),
+    Flag("negLimit", HasCondition<motion::kNegativeLimitBit>),
+    Flag("smoothStop", HasCondition<motion::kSmoothStopBit>),
+    Flag("abruptStop", HasCondition<motion::kAbruptStopBit>),
+    Flag("servoOn", HasCondition<motion::kServoOnBit>),
+    Flag("moving", HasCondition<motion::kMovingBit>),
+    Flag("inPosition", HasCondition<motion::kInPositionBit>),
 };
 
 constexpr MotionValue kProfileValues[] = {
     {"pos", NumberForm::kReal, Unit::kPulse,
-     [](const MotionCore& core, size_t i) { return core.state().profiles[i].now.position; }},
+     [](const CardView& card, size_t i) { return card.motion.state().profiles[i].now.position; }},
     {"vel", NumberForm::kReal, Unit::kPulsePerMs,
-     [](const MotionCore& core, size_t i) { return core.state().profiles[i].now.velocity; }},
+     [](const CardView& card, size_t i) { return card.motion.state().profiles[i].now.velocity; }},
     {"acc", NumberForm::kReal, Unit::kPulsePerMs2,
-     [](const MotionCore& core, size_t i) { return core.state().profiles[i].now.acceleration; }},
+     [](const CardView& card, size_t i) {
+       return card.motion.state().profiles[i].now.acceleration;
+     }},
     {"mode", NumberForm::kWhole, Unit::kNone,
-     [](const MotionCore& core, size_t i) {
-       return static_cast<double>(core.state().profiles[i].mode);
+     [](const CardView& card, size_t i) {
+       return static_cast<double>(card.motion.state().profiles[i].mode);
      }},
 };
 
 constexpr MotionValue kEncoderValues[] = {
     {"pos", NumberForm::kReal, Unit::kPulse,
-     [](const MotionCore& core, size_t i) { return core.state().encoders[i].position; }},
+     [](const CardView& card, size_t i) { return card.motion.state().encoders[i].position; }},
     {"vel", NumberForm::kReal, Unit::kPulsePerMs,
-     [](const MotionCore& core, size_t i) { return core.state().encoders[i].velocity; }},
+     [](const CardView& card, size_t i) { return card.motion.state().encoders[i].velocity; }},
 };
 
 constexpr MotionValue kPlantValues[] = {
     {"pos", NumberForm::kReal, Unit::kPulse,
-     [](const MotionCore& core, size_t i) { return core.state().plants[i].position; }},
+     [](const CardView& card, size_t i) { return card.motion.state().plants[i].position; }},
     {"vel", NumberForm::kReal, Unit::kPulsePerMs,
-     [](const MotionCore& core, size_t i) { return core.state().plants[i].velocity; }},
+     [](const CardView& card, size_t i) { return card.motion.state().plants[i].velocity; }},
 };
 
 size_t CrdCount(const MotionCore& core) { return core.state().crds.size(); }
 
 template <size_t kCoordinate>
-double CrdPosition(const MotionCore& core, size_t index) {
-  return core.CrdPosition(index)[kCoordinate];
+double CrdPosition(const CardView& card, size_t index) {
+  return card.motion.CrdPosition(index)[kCoordinate];
 }
 
 constexpr MotionValue kCrdValues[] = {
@@ -95,30 +98,32 @@ constexpr MotionValue kCrdValues[] = {
     {"z", NumberForm::kReal, Unit::kPulse, CrdPosition<2>},
     {"a", NumberForm::kReal, Unit::kPulse, CrdPosition<3>},
     {"vel", NumberForm::kReal, Unit::kPulsePerMs,
-     [](const MotionCore& core, size_t i) { return core.state().crds[i].run.velocity; }},
-    Flag("run", [](const MotionCore& core,
-                   size_t i) { return core.state().crds[i].run.running ? 1.0 : 0.0; }),
+     [](const CardView& card, size_t i) { return card.motion.state().crds[i].run.velocity; }},
+    Flag("run", [](const CardView& card,
+                   size_t i) { return card.motion.state().crds[i].run.running ? 1.0 : 0.0; }),
     {"segment", NumberForm::kWhole, Unit::kNone,
-     [](const MotionCore& core, size_t i) -> double { return core.state().crds[i].active().done; }},
+     [](const CardView& card, size_t i) -> double {
+       return card.motion.state().crds[i].active().done;
+     }},
 };
 
 constexpr MotionValue kStepValues[] = {
     {"pos", NumberForm::kReal, Unit::kPulse,
-     [](const MotionCore& core, size_t i) { return core.state().steps[i].position; }},
+     [](const CardView& card, size_t i) { return card.motion.state().steps[i].position; }},
 };
 
 constexpr MotionValue kDacValues[] = {
     {"", NumberForm::kWhole, Unit::kNone,
-     [](const MotionCore& core, size_t i) -> double { return core.state().dacs[i].Output(); }},
+     [](const CardView& card, size_t i) -> double { return card.motion.state().dacs[i].Output(); }},
     {"volts", NumberForm::kReal, Unit::kVolt,
-     [](const MotionCore& core, size_t i) { return core.state().dacs[i].Volts(); }},
+     [](const CardView& card, size_t i) { return card.motion.state().dacs[i].Volts(); }},
 };
 
 constexpr MotionValue kAdcValues[] = {
     {"", NumberForm::kWhole, Unit::kNone,
-     [](const MotionCore& core, size_t i) -> double { return core.state().adcs[i].Value(); }},
+     [](const CardView& card, size_t i) -> double { return card.motion.state().adcs[i].Value(); }},
     {"volts", NumberForm::kReal, Unit::kVolt,
-     [](const MotionCore& core, size_t i) { return core.state().adcs[i].Volts(); }},
+     [](const CardView& card, size_t i) { return card.motion.state().adcs[i].Volts(); }},
 };
 
 size_t EncoderCount(const MotionCore& core) {
@@ -127,8 +132,10 @@ size_t EncoderCount(const MotionCore& core) {
 }
 
 constexpr MotionValue kHsioValues[] = {
-    Flag("", [](const MotionCore& core,
-                size_t i) { return core.state().compare.output(i).Level(core.now()) ? 1.0 : 0.0; }),
+    Flag("",
+         [](const CardView& card, size_t i) {
+           return card.motion.state().compare.output(i).Level(card.motion.now()) ? 1.0 : 0.0;
+         }),
 };
 
 constexpr std::array kParts = {

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "gtcalls/card.h"
 #include "motion/motion_core.h"
 
 namespace oncard::runtime {
@@ -32,7 +33,7 @@ struct MotionValue {
   std::string_view name;  ///< empty: the part itself is the value
   NumberForm form = NumberForm::kReal;
   Unit unit = Unit::kNone;
-  double (*read)(const motion::MotionCore& core, size_t index) = nullptr;
+  double (*read)(const gtcalls::CardView& card, size_t index) = nullptr;
 };
 
 /// A kind of part.

@@ -8,7 +8,7 @@ std::vector<Message> DescribeMovingAxes(const Controller& controller) {
   std::vector<Message> texts;
   for (size_t axis = 0; axis < static_cast<size_t>(controller.options().motion.axis_count);
        ++axis) {
-    if ((core.Status(axis) & motion::kMovingBit) == 0) continue;
+    if ((core.Conditions(axis) & motion::kMovingBit) == 0) continue;
     const motion::AxisValue& now = core.state().axes[axis].profile;
     texts.push_back(MakeMessage(
         "axis {0} still moves at the end of the run, at {1} ms: velocity {2:.6g} pulse/ms, "

@@ -356,7 +356,7 @@ double ReadQuantity(const Quantity& quantity, const Controller& controller) {
     case QuantityKind::kOutputBit:
       return (io.Register(static_cast<motion::DoType>(quantity.word)) >> quantity.bit) & 1u;
     case QuantityKind::kMotion:
-      return quantity.value->read(controller.motion(), quantity.index);
+      return quantity.value->read(controller.view(), quantity.index);
     case QuantityKind::kClock:
       return static_cast<double>(controller.motion().ClockMs());
     case QuantityKind::kStatements:

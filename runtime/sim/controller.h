@@ -65,6 +65,7 @@ class Controller {
   const motion::MotionCore& motion() const { return motion_; }
   gtcalls::Card& card() { return card_; }
   const gtcalls::Family& family() const { return card_.family; }
+  gtcalls::CardView view() const { return card_.view(); }
   const vm::CommandTable& commands() const { return commands_; }
 
   /// From now on logs every refused command of a thread, under this card number. The log must

@@ -279,13 +279,13 @@ TEST(LoadConfig, LatchedBitsStayUntilTheyAreCleared) {
   CommandTestCard card;
   card.motion.state().io.SetPin(DiType::kAlarm, 0, true);
   card.Cycles(4);
-  EXPECT_TRUE(card.motion.Status(0) & motion::kAlarmBit);
+  EXPECT_TRUE(card.motion.Conditions(0) & motion::kAlarmBit);
   const ConfigFile file("[axis1]\nalarmIndex=-1\n");
   EXPECT_EQ(card.Call("GT_LoadConfig", {file.path()}), 0);
   card.Cycle();
-  EXPECT_TRUE(card.motion.Status(0) & motion::kAlarmBit);
+  EXPECT_TRUE(card.motion.Conditions(0) & motion::kAlarmBit);
   EXPECT_EQ(card.Call("GT_ClrSts", {1, 1}), 0);
-  EXPECT_FALSE(card.motion.Status(0) & motion::kAlarmBit);
+  EXPECT_FALSE(card.motion.Conditions(0) & motion::kAlarmBit);
 }
 
 TEST(LoadConfig, MovesNoMachineAndKeepsEncoders) {

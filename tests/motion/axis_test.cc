@@ -1,4 +1,4 @@
-// Axes: mapping and scales, position bookkeeping, limits, alarm, stop inputs, the status word, the
+// Axes: mapping and scales, position bookkeeping, limits, alarm, stop inputs, conditions, the
 // in-position band, the drive and the ideal machine behind it.
 #include "motion/axis.h"
 
@@ -47,7 +47,7 @@ class AxisCard {
     core.state().io.SetPin(type, bit, level);
     Ticks(kFilterTicks);
   }
-  uint32_t status(size_t i = 0) const { return core.Status(i); }
+  uint32_t conditions(size_t i = 0) const { return core.Conditions(i); }
 
   MotionCore core;
 };
@@ -124,9 +124,9 @@ TEST(AxisMap, AnAxisMovesWhileOneOfItsProfilesDoes) {
   card.axis(0).profile_map = 0b11;
   card.SetTrap({.acc = 1, .dec = 1}, 1);
   card.MoveTo(1000, 20, 1);
-  EXPECT_EQ(card.status(0), kMovingBit);
+  EXPECT_EQ(card.conditions(0), kMovingBit);
   card.TicksToRest(1);
-  EXPECT_EQ(card.status(0), 0u);
+  EXPECT_EQ(card.conditions(0), 0u);
 }
 
 TEST(AxisMap, AStopOfTheAxisStopsAllOfItsProfiles) {
@@ -236,13 +236,13 @@ TEST(SoftLimit, Example91StopsOneCycleBehindTheLimit) {
   EXPECT_NEAR(card.axis().profile.position, 10625, 1e-6);
   card.RunToMs(612);
   EXPECT_NEAR(card.axis().profile.position, 19975, 1e-6);
-  EXPECT_EQ(card.status(), kMovingBit);
+  EXPECT_EQ(card.conditions(), kMovingBit);
   card.RunToMs(613);
   EXPECT_NEAR(card.axis().profile.position, 20025, 1e-6);
-  EXPECT_EQ(card.status(), kMovingBit | kPositiveLimitBit);
+  EXPECT_EQ(card.conditions(), kMovingBit | kPositiveLimitBit);
   card.RunToMs(614);
   EXPECT_NEAR(card.axis().profile.position, 20026.25, 1e-6);
-  EXPECT_EQ(card.status(), kPositiveLimitBit);
+  EXPECT_EQ(card.conditions(), kPositiveLimitBit);
 }
 
 TEST(SoftLimit, TheOtherDirectionMirrorsIt) {
@@ -252,7 +252,7 @@ TEST(SoftLimit, TheOtherDirectionMirrorsIt) {
   card.MoveTo(-1000000, 50);
   card.RunToMs(614);
   EXPECT_NEAR(card.axis().profile.position, -20026.25, 1e-6);
-  EXPECT_EQ(card.status(), kNegativeLimitBit);
+  EXPECT_EQ(card.conditions(), kNegativeLimitBit);
 }
 
 TEST(SoftLimit, TheLimitItselfIsInside) {
@@ -261,7 +261,7 @@ TEST(SoftLimit, TheLimitItselfIsInside) {
   card.SetTrap({.acc = 1, .dec = 1});
   card.MoveTo(1000, 10);
   card.TicksToRest();
-  EXPECT_EQ(card.status(), 0u);
+  EXPECT_EQ(card.conditions(), 0u);
 }
 
 TEST(SoftLimit, CountsInUnitsOfTheAxis) {
@@ -271,10 +271,10 @@ TEST(SoftLimit, CountsInUnitsOfTheAxis) {
   card.SetTrap({.acc = 1, .dec = 1});
   card.MoveTo(2000, 10);
   card.TicksToRest();
-  EXPECT_EQ(card.status(), 0u);
+  EXPECT_EQ(card.conditions(), 0u);
   card.MoveTo(3000, 10);
   card.TicksToRest();
-  EXPECT_EQ(card.status(), kPositiveLimitBit);
+  EXPECT_EQ(card.conditions(), kPositiveLimitBit);
 }
 
 TEST(SoftLimit, MotionAwayIsNotStoppedAndTheBitStaysUntilItIsCleared) {
@@ -284,13 +284,13 @@ TEST(SoftLimit, MotionAwayIsNotStoppedAndTheBitStaysUntilItIsCleared) {
   card.MoveTo(5000, 10);
   card.TicksToRest();
   card.core.ClearStatus(0);
-  EXPECT_EQ(card.status(), kPositiveLimitBit) << "still behind the limit";
+  EXPECT_EQ(card.conditions(), kPositiveLimitBit) << "still behind the limit";
   card.MoveTo(0, 10);
   card.TicksToRest();
   EXPECT_EQ(card.axis().profile.position, 0);
-  EXPECT_EQ(card.status(), kPositiveLimitBit);
+  EXPECT_EQ(card.conditions(), kPositiveLimitBit);
   card.core.ClearStatus(0);
-  EXPECT_EQ(card.status(), 0u);
+  EXPECT_EQ(card.conditions(), 0u);
 }
 
 // --- Limit switches ----------------------------------------------------------------------------
@@ -313,13 +313,13 @@ TEST(LimitSwitch, StopsMotionTowardsItAbruptly) {
     card.MoveTo(c.target, 10);
     card.RunToMs(100);
     card.Drive(c.type, 0, true);
-    EXPECT_EQ(card.status(), kMovingBit | c.bit);
+    EXPECT_EQ(card.conditions(), kMovingBit | c.bit);
     card.Ticks(1);
-    EXPECT_EQ(card.status(), c.stops ? c.bit : kMovingBit | c.bit);
+    EXPECT_EQ(card.conditions(), c.stops ? c.bit : kMovingBit | c.bit);
     card.Drive(c.type, 0, false);
-    EXPECT_EQ(card.status() & c.bit, c.bit);
+    EXPECT_EQ(card.conditions() & c.bit, c.bit);
     card.core.ClearStatus(0);
-    EXPECT_EQ(card.status() & c.bit, 0u);
+    EXPECT_EQ(card.conditions() & c.bit, 0u);
   }
 }
 
@@ -331,7 +331,7 @@ TEST(LimitSwitch, AReversedScaleReversesTheDirectionOfTheAxis) {
   card.RunToMs(100);
   card.Drive(DiType::kLimitPositive, 0, true);
   card.Ticks(1);
-  EXPECT_EQ(card.status(), kPositiveLimitBit);
+  EXPECT_EQ(card.conditions(), kPositiveLimitBit);
 }
 
 TEST(LimitSwitch, IsIgnoredWhenSwitchedOffOrNotConfigured) {
@@ -346,7 +346,7 @@ TEST(LimitSwitch, IsIgnoredWhenSwitchedOffOrNotConfigured) {
     card.MoveTo(100000, 10);
     card.Drive(DiType::kLimitPositive, 0, true);
     card.Ticks(2);
-    EXPECT_EQ(card.status(), kMovingBit);
+    EXPECT_EQ(card.conditions(), kMovingBit);
   }
 }
 
@@ -356,7 +356,7 @@ TEST(LimitSwitch, EachAxisHearsItsOwnInput) {
   card.Drive(DiType::kGpi, 15, true);
   card.Drive(DiType::kLimitPositive, 5, true);
   for (size_t i = 0; i < 8; ++i) {
-    EXPECT_EQ(card.status(i), i == 2 || i == 5 ? kPositiveLimitBit : 0u) << i;
+    EXPECT_EQ(card.conditions(i), i == 2 || i == 5 ? kPositiveLimitBit : 0u) << i;
   }
 }
 
@@ -368,13 +368,13 @@ TEST(Alarm, SwitchesTheDriveOffAndStopsAbruptly) {
   card.SetTrap({.acc = 1, .dec = 1});
   card.MoveTo(100000, 10);
   card.RunToMs(100);
-  EXPECT_EQ(card.status(), kServoOnBit | kMovingBit);
+  EXPECT_EQ(card.conditions(), kServoOnBit | kMovingBit);
   EXPECT_EQ(card.core.state().io.Register(DoType::kEnable), 1u);
   card.Drive(DiType::kAlarm, 0, true);
-  EXPECT_EQ(card.status() & (kAlarmBit | kServoOnBit), kAlarmBit);
+  EXPECT_EQ(card.conditions() & (kAlarmBit | kServoOnBit), kAlarmBit);
   EXPECT_EQ(card.core.state().io.Register(DoType::kEnable), 0u);
   card.Ticks(1);
-  EXPECT_EQ(card.status(), kAlarmBit);
+  EXPECT_EQ(card.conditions(), kAlarmBit);
 }
 
 TEST(Alarm, ALatchedAlarmDoesNotSwitchTheDriveOff) {
@@ -383,14 +383,14 @@ TEST(Alarm, ALatchedAlarmDoesNotSwitchTheDriveOff) {
   card.Drive(DiType::kAlarm, 0, false);
   card.core.ServoOn(0);
   card.Ticks(2);
-  EXPECT_EQ(card.status(), kAlarmBit | kServoOnBit);
+  EXPECT_EQ(card.conditions(), kAlarmBit | kServoOnBit);
 }
 
 TEST(Alarm, IsIgnoredWhenSwitchedOff) {
   AxisCard card;
   card.axis().alarm_on = false;
   card.Drive(DiType::kAlarm, 0, true);
-  EXPECT_EQ(card.status(), 0u);
+  EXPECT_EQ(card.conditions(), 0u);
 }
 
 TEST(StopInput, StopsSmoothlyOrAbruptlyInAnyDirection) {
@@ -410,19 +410,19 @@ TEST(StopInput, StopsSmoothlyOrAbruptlyInAnyDirection) {
     card.MoveTo(c.target, 10);
     card.RunToMs(100);
     card.Drive(DiType::kGpi, 3, true);  // at 103 ms
-    EXPECT_EQ(card.status(), c.bit | kMovingBit);
+    EXPECT_EQ(card.conditions(), c.bit | kMovingBit);
     card.Ticks(10);
     EXPECT_EQ(std::fabs(card.profile().now.velocity), c.abrupt ? 0 : 5);
     card.Ticks(10);
-    EXPECT_EQ(card.status(), c.bit);
+    EXPECT_EQ(card.conditions(), c.bit);
     // 100 pulses in 20 ms, or 0.05.
     EXPECT_NEAR(std::fabs(card.profile().now.position), 980 + (c.abrupt ? 0.05 : 100), 1e-9);
     card.core.ClearStatus(0);
-    EXPECT_EQ(card.status(), c.bit) << "the input is still on";
+    EXPECT_EQ(card.conditions(), c.bit) << "the input is still on";
     card.Drive(DiType::kGpi, 3, false);
-    EXPECT_EQ(card.status(), c.bit) << "latched";
+    EXPECT_EQ(card.conditions(), c.bit) << "latched";
     card.core.ClearStatus(0);
-    EXPECT_EQ(card.status(), 0u);
+    EXPECT_EQ(card.conditions(), 0u);
   }
 }
 
@@ -439,7 +439,7 @@ TEST(StopInput, AnAbruptStopReplacesASmoothOne) {
   EXPECT_TRUE(card.profile().now.moving);
   card.Drive(DiType::kGpi, 1, true);
   card.Ticks(1);
-  EXPECT_EQ(card.status(), kSmoothStopBit | kAbruptStopBit);
+  EXPECT_EQ(card.conditions(), kSmoothStopBit | kAbruptStopBit);
 }
 
 TEST(StopInput, AStoppedMotionDoesNotComeBack) {
@@ -452,7 +452,7 @@ TEST(StopInput, AStoppedMotionDoesNotComeBack) {
   card.Drive(DiType::kGpi, 1, false);
   card.core.ClearStatus(0);
   card.Ticks(100);
-  EXPECT_EQ(card.status(), 0u);
+  EXPECT_EQ(card.conditions(), 0u);
   EXPECT_NEAR(card.profile().now.position, 980.05, 1e-9);
 }
 
@@ -469,9 +469,9 @@ TEST(InPosition, Example112ComesTheBandTimeAfterTheEndOfTheMotion) {
     card.SetTrap({.acc = 1, .dec = 0.5});
     card.MoveTo(10000, 10);
     card.RunToMs(1015);
-    EXPECT_EQ(card.status(), kServoOnBit) << cycle_us;
+    EXPECT_EQ(card.conditions(), kServoOnBit) << cycle_us;
     const Micros end = card.core.now();
-    while ((card.status() & kInPositionBit) == 0 && card.core.now() < 2'000'000) card.Ticks(1);
+    while ((card.conditions() & kInPositionBit) == 0 && card.core.now() < 2'000'000) card.Ticks(1);
     EXPECT_EQ(card.core.now() - end, 1250) << cycle_us;
   }
 }
@@ -491,7 +491,7 @@ TEST(InPosition, NeedsABandAndAnErrorStrictlyInsideIt) {
     card.core.SetEncoderPosition(0, c.error);
     card.core.SynchAxis(0);
     card.Ticks(2);
-    EXPECT_EQ(card.status() == kInPositionBit, c.in_position) << c.band << " " << c.error;
+    EXPECT_EQ(card.conditions() == kInPositionBit, c.in_position) << c.band << " " << c.error;
   }
 }
 
@@ -502,24 +502,24 @@ TEST(InPosition, GoesAtOnceWithMotionOrTheErrorAndNeedsTheWholeTimeAgain) {
   card.axis().band_set = true;
   card.core.ServoOn(0);
   card.Ticks(4);
-  EXPECT_EQ(card.status(), kServoOnBit);
+  EXPECT_EQ(card.conditions(), kServoOnBit);
   card.Ticks(1);
-  EXPECT_EQ(card.status(), kServoOnBit | kInPositionBit);
+  EXPECT_EQ(card.conditions(), kServoOnBit | kInPositionBit);
   card.core.SetEncoderPosition(0, 50);
   card.core.SynchAxis(0);
   card.Ticks(1);
-  EXPECT_EQ(card.status(), kServoOnBit);
+  EXPECT_EQ(card.conditions(), kServoOnBit);
   card.core.SetEncoderPosition(0, 0);
   card.core.SynchAxis(0);
   card.Ticks(4);
-  EXPECT_EQ(card.status(), kServoOnBit);
+  EXPECT_EQ(card.conditions(), kServoOnBit);
   card.Ticks(1);
-  EXPECT_EQ(card.status(), kServoOnBit | kInPositionBit);
+  EXPECT_EQ(card.conditions(), kServoOnBit | kInPositionBit);
   card.SetTrap({.acc = 1, .dec = 1});
   card.MoveTo(100, 10);
-  EXPECT_EQ(card.status(), kServoOnBit | kMovingBit);
+  EXPECT_EQ(card.conditions(), kServoOnBit | kMovingBit);
   card.TicksToRest();
-  EXPECT_EQ(card.status(), kServoOnBit);
+  EXPECT_EQ(card.conditions(), kServoOnBit);
 }
 
 // --- Drive and machine -------------------------------------------------------------------------
@@ -554,7 +554,7 @@ TEST(Servo, SwitchingOffStopsTheProfileAbruptly) {
   card.core.ServoOff(2);
   EXPECT_EQ(card.core.state().io.Register(DoType::kEnable), 0u);
   card.Ticks(1);
-  EXPECT_EQ(card.status(2), 0u);
+  EXPECT_EQ(card.conditions(2), 0u);
   EXPECT_NEAR(card.profile(2).now.position, 450.05, 1e-9);
 }
 
@@ -569,40 +569,28 @@ TEST(Servo, EncoderVelocityIsTheCountOfACycle) {
   EXPECT_EQ(card.axis().encoder.acceleration, 0);
 }
 
-// --- Status word -------------------------------------------------------------------------------
+// --- Conditions --------------------------------------------------------------------------------
 
-TEST(Status, HasItsBitsAtTheirPlaces) {
-  EXPECT_EQ(kAlarmBit, 2u);
-  EXPECT_EQ(kFollowingErrorBit, 16u);
-  EXPECT_EQ(kPositiveLimitBit, 32u);
-  EXPECT_EQ(kNegativeLimitBit, 64u);
-  EXPECT_EQ(kSmoothStopBit, 128u);
-  EXPECT_EQ(kAbruptStopBit, 256u);
-  EXPECT_EQ(kServoOnBit, 512u);
-  EXPECT_EQ(kMovingBit, 1024u);
-  EXPECT_EQ(kInPositionBit, 2048u);
-}
-
-TEST(Status, InputsThatAreActiveAtPowerOnShowAfterTheFirstCycle) {
+TEST(Conditions, InputsThatAreActiveAtPowerOnShowAfterTheFirstCycle) {
   AxisCard card;
   card.core.state().io.SetPin(DiType::kLimitNegative, 4, true);
   card.core.Reset();
   card.Ticks(1);
-  EXPECT_EQ(card.status(4), kNegativeLimitBit);
+  EXPECT_EQ(card.conditions(4), kNegativeLimitBit);
 }
 
-TEST(Status, ResetClearsEverythingAndTheMachineStays) {
+TEST(Conditions, ResetClearsEverythingAndTheMachineStays) {
   AxisCard card;
   card.core.ServoOn(0);
   card.axis().soft_positive = 100;
   card.SetTrap({.acc = 1, .dec = 1});
   card.MoveTo(1000, 10);
   card.TicksToRest();
-  ASSERT_NE(card.status(), 0u);
+  ASSERT_NE(card.conditions(), 0u);
   const double machine = card.core.state().plants[0].position;
   card.core.Reset();
   card.Ticks(3);
-  EXPECT_EQ(card.status(), 0u);
+  EXPECT_EQ(card.conditions(), 0u);
   EXPECT_EQ(card.profile().now, AtRest(0));
   EXPECT_EQ(card.encoder().position, 0);
   EXPECT_EQ(card.core.state().plants[0].position, machine);

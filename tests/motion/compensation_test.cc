@@ -164,7 +164,7 @@ TEST(CompensatedAxis, HasNoFollowingErrorFromIt) {
   jog.core.SetBacklash(0, {1000, 0, true});
   jog.Ticks(10);
   EXPECT_FALSE(jog.core.FollowingErrorExceeded(0));
-  EXPECT_EQ(jog.core.Status(0) & kFollowingErrorBit, 0u);
+  EXPECT_EQ(jog.core.Conditions(0) & kFollowingErrorBit, 0u);
 }
 
 TEST(CompensatedAxis, DoesNotJumpWhenItIsEnabledAgain) {

@@ -223,12 +223,12 @@ TEST(FollowingError, IsStrictLatchedAndStopsTheAxis) {
   core.ServoOn(0);
   core.state().encoder_faults[0].slip = 100;  // measured is 100 ahead
   core.Tick();
-  EXPECT_EQ(core.Status(0), kServoOnBit);
+  EXPECT_EQ(core.Conditions(0), kServoOnBit);
   Jog(core, 10);
   core.state().encoder_faults[0].slip = 0;
   core.state().encoder_faults[0].held = true;
   Ticks(core, 120);
-  const uint32_t status = core.Status(0);
+  const uint32_t status = core.Conditions(0);
   EXPECT_TRUE(status & kFollowingErrorBit);
   EXPECT_FALSE(status & kServoOnBit);
   EXPECT_FALSE(status & kMovingBit);
@@ -242,13 +242,13 @@ TEST(FollowingError, TheBitIsClearedWhenTheErrorHasGone) {
   core.ServoOn(0);
   core.state().encoder_faults[0].slip = 32768;
   core.Tick();
-  EXPECT_TRUE(core.Status(0) & kFollowingErrorBit);
+  EXPECT_TRUE(core.Conditions(0) & kFollowingErrorBit);
   core.ClearStatus(0);
-  EXPECT_TRUE(core.Status(0) & kFollowingErrorBit);
+  EXPECT_TRUE(core.Conditions(0) & kFollowingErrorBit);
   core.ZeroAxis(0);
-  EXPECT_TRUE(core.Status(0) & kFollowingErrorBit);
+  EXPECT_TRUE(core.Conditions(0) & kFollowingErrorBit);
   core.ClearStatus(0);
-  EXPECT_FALSE(core.Status(0) & kFollowingErrorBit);
+  EXPECT_FALSE(core.Conditions(0) & kFollowingErrorBit);
 }
 
 TEST(FollowingError, IsWatchedByActiveControllersOfEnabledAxesOnly) {
@@ -259,7 +259,7 @@ TEST(FollowingError, IsWatchedByActiveControllersOfEnabledAxesOnly) {
     core.state().controls[0].active = active;
     core.state().encoder_faults[0].slip = 40'000;
     core.Tick();
-    EXPECT_EQ((core.Status(0) & kFollowingErrorBit) != 0, bit) << active << servo;
+    EXPECT_EQ((core.Conditions(0) & kFollowingErrorBit) != 0, bit) << active << servo;
   }
 }
 
@@ -269,8 +269,8 @@ TEST(FollowingError, ARunawayWithAReversedEncoderIsStopped) {
   core.SetEncoderSense(0, false);
   Jog(core, 1);
   Ticks(core, 4000);
-  EXPECT_TRUE(core.Status(0) & kFollowingErrorBit);
-  EXPECT_FALSE(core.Status(0) & kServoOnBit);
+  EXPECT_TRUE(core.Conditions(0) & kFollowingErrorBit);
+  EXPECT_FALSE(core.Conditions(0) & kServoOnBit);
   EXPECT_NEAR(core.state().plants[0].velocity, 0, 1e-9);
 }
 
@@ -279,14 +279,14 @@ TEST(ResponseCheck, AVoltageWithoutMotionSwitchesTheAxisOff) {
   core.state().controls[0].check = {.on = true, .threshold = 200, .min_velocity = 1, .time = 40};
   Jog(core, 10);
   Ticks(core, 400);
-  EXPECT_TRUE(core.Status(0) & kServoOnBit);
+  EXPECT_TRUE(core.Conditions(0) & kServoOnBit);
   core.state().plants[0].stalled = true;
   core.state().plants[0].velocity = 0;
   Ticks(core, 39);
-  EXPECT_TRUE(core.Status(0) & kServoOnBit);
+  EXPECT_TRUE(core.Conditions(0) & kServoOnBit);
   Ticks(core, 5);
-  EXPECT_FALSE(core.Status(0) & kServoOnBit);
-  EXPECT_TRUE(core.Status(0) & kFollowingErrorBit);
+  EXPECT_FALSE(core.Conditions(0) & kServoOnBit);
+  EXPECT_TRUE(core.Conditions(0) & kFollowingErrorBit);
 }
 
 }  // namespace

@@ -64,8 +64,8 @@ TEST(Gantry, ASwitchOfTheSlaveStopsBoth) {
   core.state().axes[1].soft_positive = 300;
   Jog(core, 10);
   Ticks(core, 200);
-  EXPECT_NE(core.Status(1) & kPositiveLimitBit, 0u);
-  EXPECT_EQ(core.Status(0) & kMovingBit, 0u);
+  EXPECT_NE(core.Conditions(1) & kPositiveLimitBit, 0u);
+  EXPECT_EQ(core.Conditions(0) & kMovingBit, 0u);
   EXPECT_EQ(core.state().axes[0].profile.position, core.state().axes[1].profile.position);
 }
 
@@ -111,7 +111,7 @@ TEST(Gantry, RenamingPositionsMovesNothingAndIsNoSkew) {
       Ticks(core, 2000);
       for (const size_t side : {size_t{0}, size_t{1}}) {
         EXPECT_NEAR(core.state().plants[side].position, beam[side], 2) << "axis " << axis;
-        EXPECT_NE(core.Status(side) & kServoOnBit, 0u) << "axis " << axis;
+        EXPECT_NE(core.Conditions(side) & kServoOnBit, 0u) << "axis " << axis;
       }
     }
   }
@@ -138,11 +138,11 @@ TEST(Gantry, TooMuchSkewSwitchesBothOff) {
   core.state().plants[1].stalled = true;
   Jog(core, 1);
   while (core.state().axes[0].encoder.position < 50) core.Tick();
-  EXPECT_NE(core.Status(0) & kServoOnBit, 0u);
+  EXPECT_NE(core.Conditions(0) & kServoOnBit, 0u);
   Ticks(core, 2);
   for (const size_t axis : {size_t{0}, size_t{1}}) {
-    EXPECT_NE(core.Status(axis) & kFollowingErrorBit, 0u) << axis;
-    EXPECT_EQ(core.Status(axis) & (kServoOnBit | kMovingBit), 0u) << axis;
+    EXPECT_NE(core.Conditions(axis) & kFollowingErrorBit, 0u) << axis;
+    EXPECT_EQ(core.Conditions(axis) & (kServoOnBit | kMovingBit), 0u) << axis;
   }
 }
 

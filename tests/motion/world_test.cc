@@ -48,9 +48,9 @@ TEST(PowerOn, TheFirstCallSeesTheWorldOfInstantZero) {
   EXPECT_EQ(io.Read(DiType::kGpi), 0b1000u);
   EXPECT_EQ(io.Read(DiType::kHome), 0b110000u);
   EXPECT_EQ(io.Edges(DiType::kGpi, 3), 0u);
-  EXPECT_EQ(core.Status(0), 0u);
-  EXPECT_EQ(core.Status(1), kAlarmBit);
-  EXPECT_EQ(core.Status(2), kPositiveLimitBit);
+  EXPECT_EQ(core.Conditions(0), 0u);
+  EXPECT_EQ(core.Conditions(1), kAlarmBit);
+  EXPECT_EQ(core.Conditions(2), kPositiveLimitBit);
   // 5 V of 12.5 V.
   EXPECT_EQ(core.state().adcs[2].Value(), 13107);
 }
@@ -59,7 +59,7 @@ TEST(PowerOn, ResetFindsTheAlarmThatIsOn) {
   MotionCore core({});
   Happen(core, {{.item = static_cast<uint8_t>(DiType::kAlarm), .value = 1}});
   core.Reset();
-  EXPECT_EQ(core.Status(0), kAlarmBit);
+  EXPECT_EQ(core.Conditions(0), kAlarmBit);
 }
 
 TEST(WorldEvent, EventsOfOneInstantActInTheirOrder) {

@@ -69,7 +69,7 @@ class WorldCard {
     ApplyWorld(scenario_, &controller_);
   }
   motion::MotionState& state() { return controller_.motion().state(); }
-  uint32_t status() { return controller_.motion().Status(0); }
+  uint32_t conditions() { return controller_.motion().Conditions(0); }
   /// Enables axis 1 and lets it jog.
   void Jog(double velocity) {
     controller_.motion().ServoOn(0);
@@ -92,10 +92,10 @@ TEST(ScenarioWorld, AnAxisRunsIntoItsLimitSwitch) {
   WorldCard card("[[world.switch]]\naxis = 1\ntype = \"limit_positive\"\nfrom = 20000\n");
   card.Jog(100);
   card.RunUntil(190);
-  EXPECT_EQ(card.status() & motion::kPositiveLimitBit, 0u);
+  EXPECT_EQ(card.conditions() & motion::kPositiveLimitBit, 0u);
   card.RunUntil(1000);
-  EXPECT_NE(card.status() & motion::kPositiveLimitBit, 0u);
-  EXPECT_EQ(card.status() & motion::kMovingBit, 0u);
+  EXPECT_NE(card.conditions() & motion::kPositiveLimitBit, 0u);
+  EXPECT_EQ(card.conditions() & motion::kMovingBit, 0u);
   // It stops behind the switch, within the filter's time and the abrupt stop.
   EXPECT_GT(card.state().plants[0].position, 20000);
   EXPECT_LT(card.state().plants[0].position, 20200);
@@ -107,7 +107,7 @@ TEST(ScenarioWorld, ACutLimitSwitchStopsNothing) {
       "[[world.fault]]\nkind = \"cut_switch\"\nswitch = 1\n");
   card.Jog(100);
   card.RunUntil(1000);
-  EXPECT_EQ(card.status() & motion::kPositiveLimitBit, 0u);
+  EXPECT_EQ(card.conditions() & motion::kPositiveLimitBit, 0u);
   EXPECT_GT(card.state().plants[0].position, 90000);
 }
 
@@ -115,13 +115,13 @@ TEST(ScenarioWorld, AStalledMachineExceedsTheFollowingError) {
   WorldCard card("[[world.fault]]\nkind = \"stall\"\naxis = 1\nat_ms = 500\n");
   card.Jog(100);
   card.RunUntil(500);
-  EXPECT_EQ(card.status() & motion::kFollowingErrorBit, 0u);
+  EXPECT_EQ(card.conditions() & motion::kFollowingErrorBit, 0u);
   const double held = card.state().plants[0].position;
   // 32767 pulses at 100 pulse/ms.
   card.RunUntil(820);
-  EXPECT_EQ(card.status() & motion::kFollowingErrorBit, 0u);
+  EXPECT_EQ(card.conditions() & motion::kFollowingErrorBit, 0u);
   card.RunUntil(830);
-  EXPECT_NE(card.status() & motion::kFollowingErrorBit, 0u);
+  EXPECT_NE(card.conditions() & motion::kFollowingErrorBit, 0u);
   EXPECT_EQ(card.state().plants[0].position, held);
 }
 
@@ -132,7 +132,7 @@ TEST(ScenarioWorld, AnAlarmLastsAsLongAsTheFileSays) {
   EXPECT_EQ(alarm(), 0u);
   card.RunUntil(12);
   EXPECT_EQ(alarm(), 1u);
-  EXPECT_NE(card.status() & motion::kAlarmBit, 0u);
+  EXPECT_NE(card.conditions() & motion::kAlarmBit, 0u);
   card.RunUntil(22);
   EXPECT_EQ(alarm(), 0u);
 }

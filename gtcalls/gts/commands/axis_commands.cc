@@ -47,7 +47,7 @@ int16_t gts::GT_AxisOff(Call& call) {
 // --- Status ----------------------------------------------------------------------------------
 
 int16_t gts::GT_GetSts(Call& call) {
-  return ReadEach(call, [&](size_t axis) { return call.card.motion.Status(axis); });
+  return ReadEach(call, [&](size_t axis) { return call.card.view().StatusWord(axis); });
 }
 
 int16_t gts::GT_ClrSts(Call& call) {

@@ -1,0 +1,16 @@
+// The status word of a GTS axis, as GT_GetSts, results and traces show it. The only place that
+// knows its bits. Source: GTS manual chapter 6 and the description of GT_GetSts in its chapter 13.
+// Tested by tests/gtcalls/status_word_test.cc.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "gtcalls/card.h"
+
+namespace oncard::gtcalls {
+
+/// The status word now; the axis counts from 0.
+uint32_t GtsStatusWord(const CardView& card, size_t axis);
+
+}  // namespace oncard::gtcalls
