@@ -79,4 +79,9 @@ Result<std::string> ReadFile(const std::string& path, const FileKind& kind) {
   return ReadAll(file.get(), path, static_cast<size_t>(info.st_size), kind);
 }
 
+bool FileExists(const std::string& path) {
+  struct stat info;
+  return ::stat(path.c_str(), &info) == 0;
+}
+
 }  // namespace oncard

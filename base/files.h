@@ -34,6 +34,12 @@ Result<void> WriteFileAtomically(const std::string& path, std::string_view conte
 Result<void> WritePairAtomically(const std::string& first_path, std::string_view first,
                                  const std::string& second_path, std::string_view second);
 
+/// True if a file or folder of this name exists and can be seen.
+bool FileExists(const std::string& path);
+
+/// The shortest name of `path` as seen from `folder`; `path` itself if the current folder is gone.
+std::string NameFromFolder(const std::string& path, const std::string& folder);
+
 struct FilePair {
   Result<std::string> first;
   Result<std::string> second;

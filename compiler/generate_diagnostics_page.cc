@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <string>
 
+#include "base/files.h"
 #include "compiler/diagnostic.h"
 #include "compiler/explain.h"
 
@@ -75,13 +76,6 @@ std::string DiagnosticsPage() {
   return out;
 }
 
-bool WriteFile(const char* path, const std::string& text) {
-  std::FILE* file = std::fopen(path, "wb");
-  if (file == nullptr) return false;
-  const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
-  return (std::fclose(file) == 0) && written;
-}
-
 int Main(int argc, char** argv) {
   if (argc != 2) {
     fmt::print(stderr, "usage: generate_diagnostics_page FILE\n");
@@ -92,8 +86,8 @@ int Main(int argc, char** argv) {
     fmt::print(stderr, "generate_diagnostics_page: a diagnostic has no explanation\n");
     return 1;
   }
-  if (!WriteFile(argv[1], page)) {
-    fmt::print(stderr, "generate_diagnostics_page: cannot write {}\n", argv[1]);
+  if (auto written = WriteFileAtomically(argv[1], page); !written.ok()) {
+    fmt::print(stderr, "generate_diagnostics_page: {}\n", written.error().message.en);
     return 1;
   }
   return 0;

@@ -1,11 +1,11 @@
 // Writes what follows from the catalogue of a family, at build time:
 //
-//   generate_interface FAMILY header FILE         its header, gts.h
-//   generate_interface FAMILY entry-points FILE   the library's functions
-//   generate_interface FAMILY multi-entry-points FILE  the same with a card number
-//   generate_interface FAMILY basic-entry-points FILE  the same for hosts of the vendor's basic
-//   header generate_interface FAMILY structures FILE     the structures of the header as cells and
-//   back generate_interface FAMILY markdown FILE       docs/commands.md
+//   generate_interface FAMILY header FILE               its header, gts.h
+//   generate_interface FAMILY entry-points FILE         the library's functions
+//   generate_interface FAMILY multi-entry-points FILE   the same with a card number
+//   generate_interface FAMILY basic-entry-points FILE   the same for hosts of the vendor's header
+//   generate_interface FAMILY structures FILE           structures of the header as cells and back
+//   generate_interface FAMILY markdown FILE             docs/commands.md
 //
 // The header holds every prototype once. Defining GTS_MULTI_CARD before it is included puts
 // `short cardNum` in front of the parameters and renames the function, GT_Update to GTM_Update, so
@@ -26,6 +26,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/files.h"
 #include "gtcalls/gts/interface_form.h"
 #include "gtcalls/interface_form.h"
 
@@ -454,13 +455,6 @@ std::string Markdown(const InterfaceForm& form) {
   return out;
 }
 
-bool WriteFile(const char* path, const std::string& text) {
-  std::FILE* file = std::fopen(path, "wb");
-  if (file == nullptr) return false;
-  const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
-  return (std::fclose(file) == 0) && written;
-}
-
 /// Empty for a word that means nothing.
 std::string Write(const InterfaceForm& form, std::string_view what) {
   if (what == "header") return Header(form);
@@ -481,8 +475,8 @@ int Main(int argc, char** argv) {
     fmt::print(stderr, "usage: generate_interface FAMILY WHAT FILE\n");
     return 2;
   }
-  if (!WriteFile(argv[3], text)) {
-    fmt::print(stderr, "generate_interface: cannot write {}\n", argv[3]);
+  if (auto written = WriteFileAtomically(argv[3], text); !written.ok()) {
+    fmt::print(stderr, "generate_interface: {}\n", written.error().message.en);
     return 1;
   }
   return 0;

@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <cctype>
-#include <fstream>
 #include <initializer_list>
-#include <iterator>
-#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
+#include "base/files.h"
 #include "vm/opcodes.h"
 
 namespace oncard::vm {
@@ -85,35 +84,27 @@ std::string Table() {
   return table;
 }
 
-std::optional<std::string> ReadFile(const char* path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return std::nullopt;
-  return std::string(std::istreambuf_iterator<char>(file), {});
-}
-
-bool WriteFile(const char* path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  return file.good();
-}
-
 int Main(int argc, char** argv) {
   if (argc != 3) {
     fmt::print(stderr, "usage: generate_opcode_tables DOCUMENT OUTPUT\n");
     return 2;
   }
-  std::optional<std::string> document = ReadFile(argv[1]);
-  const size_t begin = document ? document->find(kBegin) : std::string::npos;
-  const size_t end = document ? document->find(kEnd) : std::string::npos;
+  auto read = ReadFile(argv[1]);
+  if (!read.ok()) {
+    fmt::print(stderr, "generate_opcode_tables: {}\n", read.error().message.en);
+    return 1;
+  }
+  std::string document = std::move(read).value();
+  const size_t begin = document.find(kBegin);
+  const size_t end = document.find(kEnd);
   if (begin == std::string::npos || end == std::string::npos || end < begin) {
     fmt::print(stderr, "generate_opcode_tables: {} has no place for the table\n", argv[1]);
     return 1;
   }
   const size_t first = begin + kBegin.size();
-  document->replace(first, end - first, Table());
-  if (!WriteFile(argv[2], *document)) {
-    fmt::print(stderr, "generate_opcode_tables: cannot write {}\n", argv[2]);
+  document.replace(first, end - first, Table());
+  if (auto written = WriteFileAtomically(argv[2], document); !written.ok()) {
+    fmt::print(stderr, "generate_opcode_tables: {}\n", written.error().message.en);
     return 1;
   }
   return 0;

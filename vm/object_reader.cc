@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <set>
@@ -388,8 +387,7 @@ Result<Object> ReadObjectPair(const std::string& bin_path) {
     return MakeError(kObjectNotFound, "the name '{0}' does not end in '.bin'",
                      "文件名“{0}”不以“.bin”结尾", bin_path);
   }
-  std::error_code error;
-  if (!std::filesystem::exists(bin_path, error)) {
+  if (!FileExists(bin_path)) {
     return MakeError(kObjectNotFound, "there is no file '{0}'; compile the program first",
                      "没有文件“{0}”；请先编译程序", bin_path);
   }

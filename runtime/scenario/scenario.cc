@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "base/files.h"
 #include "base/number.h"
 #include "base/trim.h"
 #include "runtime/observe/milliseconds.h"
@@ -152,9 +153,7 @@ std::string PathFromScenario(const Scenario& scenario, const std::string& path) 
 std::string PathToScenario(const Scenario& scenario, const std::string& path) {
   const std::filesystem::path folder = std::filesystem::path(scenario.path).parent_path();
   if (folder.empty() || std::filesystem::path(path).is_absolute()) return path;
-  std::error_code error;  // the current folder is gone: keep what the user wrote
-  const auto relative = std::filesystem::proximate(path, folder, error);
-  return error ? path : relative.generic_string();
+  return NameFromFolder(path, folder.string());
 }
 
 std::string TitleOf(const Scenario& scenario) {

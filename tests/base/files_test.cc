@@ -102,5 +102,19 @@ TEST_F(FilesTest, WritesBothOfAPair) {
   EXPECT_EQ(ReadFile(Path("x.ini")).value(), "2");
 }
 
+TEST_F(FilesTest, AFileOrFolderExistsOrNot) {
+  ASSERT_TRUE(WriteFileAtomically(Path("f"), "x").ok());
+  EXPECT_TRUE(FileExists(Path("f")));
+  EXPECT_TRUE(FileExists(folder_.string()));
+  EXPECT_FALSE(FileExists(Path("g")));
+}
+
+TEST_F(FilesTest, NamesAFileAsSeenFromAFolder) {
+  EXPECT_EQ(NameFromFolder(Path("a/f.c"), Path("b")), "../a/f.c");
+  EXPECT_EQ(NameFromFolder(Path("f.c"), folder_.string()), "f.c");
+  // A relative name is one from the current folder.
+  EXPECT_EQ(NameFromFolder("f.c", std::filesystem::current_path().string()), "f.c");
+}
+
 }  // namespace
 }  // namespace oncard
