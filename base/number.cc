@@ -1,16 +1,36 @@
 #include "base/number.h"
 
+#include <fast_float/fast_float.h>
+
+#include <cmath>
 #include <cstdint>
+#include <system_error>
 
 namespace oncard {
 namespace {
 
 bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 
-/// from_chars() also knows words, such as `inf`.
+/// fast_float also knows words, such as `inf`.
 bool BeginsWithDigit(std::string_view text) {
   if (text.starts_with('.')) text.remove_prefix(1);
   return !text.empty() && IsDigit(text.front());
+}
+
+/// True if the decimal number is too small for a double: 0, though it has another digit.
+bool IsLost(std::string_view text, double value) {
+  return value == 0 && text.substr(0, text.find_first_of("eE")).find_first_of("123456789") !=
+                           std::string_view::npos;
+}
+
+/// Where the decimal number ends that the text begins with; its begin if there is none that a
+/// double can hold.
+const char* ReadDecimal(std::string_view text, double* value) {
+  const auto [stop, error] = fast_float::from_chars(text.data(), text.data() + text.size(), *value);
+  const std::string_view read(text.data(), static_cast<size_t>(stop - text.data()));
+  if (error == std::errc() && std::isfinite(*value) && !IsLost(read, *value)) return stop;
+  *value = 0;
+  return text.data();
 }
 
 }  // namespace
@@ -25,11 +45,15 @@ std::optional<double> ReadNumber(std::string_view text) {
     if (!bits) return std::nullopt;
     value = *bits;
   } else {
-    const char* end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc() || stop != end) return std::nullopt;
+    if (ReadDecimal(text, &value) != text.data() + text.size()) return std::nullopt;
   }
   return negative ? -value : value;
+}
+
+double ReadLeadingNumber(std::string_view text) {
+  double value = 0;
+  ReadDecimal(text, &value);
+  return value;
 }
 
 }  // namespace oncard

@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
+
+#include "base/number.h"
 
 namespace oncard::compiler {
 namespace {
@@ -122,10 +123,7 @@ std::optional<Constant> Fold(const Expression& expression, const MacroLookup& lo
     case Expression::Kind::kLiteral: {
       if (expression.literal.kind == Literal::Kind::kInteger) return OfLiteral(expression.literal);
       // Not the nearest multiple of 2^-16, which is only taken of the result.
-      double value = 0;
-      const std::string_view text = expression.text;
-      std::from_chars(text.data(), text.data() + text.size(), value);
-      return Double(value);
+      return Double(ReadLeadingNumber(expression.text));
     }
     case Expression::Kind::kString: {
       const std::optional<int> character = CharacterValue(expression.text);

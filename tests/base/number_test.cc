@@ -21,7 +21,8 @@ INSTANTIATE_TEST_SUITE_P(ReadNumber, ANumber,
                          testing::Values(NumberCase{"0", 0}, NumberCase{"12", 12},
                                          NumberCase{"-1.5", -1.5}, NumberCase{"+3", 3},
                                          NumberCase{".5", 0.5}, NumberCase{"2e3", 2000},
-                                         NumberCase{"1e-3", 0.001}, NumberCase{"007", 7},
+                                         NumberCase{"1e-3", 0.001}, NumberCase{"0e-999", 0},
+                                         NumberCase{"5e-324", 5e-324}, NumberCase{"007", 7},
                                          NumberCase{"0x10", 16}, NumberCase{"-0XfF", -255},
                                          NumberCase{"0xFFFFFFFF", 4294967295.0}));
 
@@ -32,8 +33,15 @@ TEST_P(NoNumber, IsRefused) { EXPECT_FALSE(ReadNumber(GetParam()).has_value()); 
 INSTANTIATE_TEST_SUITE_P(ReadNumber, NoNumber,
                          testing::Values("", "-", "+", ".", "x", "1x", " 1", "1 ", "--1", "+-1",
                                          "inf", "-inf", "INF", "infinity", "nan", "-nan", "nan(1)",
-                                         "e5", "1e", "1e999", "0x", "0x-1", "0x100000000", "0x1p3",
-                                         "1,5", "1.2.3"));
+                                         "e5", "1e", "1e999", "1e-999", "0x", "0x-1", "0x100000000",
+                                         "0x1p3", "1,5", "1.2.3"));
+
+TEST(ReadLeadingNumber, EndsWhereTheNumberEnds) {
+  EXPECT_EQ(ReadLeadingNumber("12.5"), 12.5);
+  EXPECT_EQ(ReadLeadingNumber("12.5f"), 12.5);
+  EXPECT_EQ(ReadLeadingNumber("f"), 0);
+  EXPECT_EQ(ReadLeadingNumber("1e999"), 0);
+}
 
 TEST(ReadWhole, TakesWhatFitsTheType) {
   EXPECT_EQ(ReadWhole<int>("-12"), -12);
