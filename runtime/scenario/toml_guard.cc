@@ -91,12 +91,12 @@ class TomlScanner {
   /// none. The parser takes a value up to here as one word, quotes or not: `0"x"`.
   bool FindNotAscii() {
     const size_t end = std::min(text_.find_first_of(" \t\r\n,]}#", at_), text_.size());
-    const auto* const found = std::find_if(text_.begin() + at_, text_.begin() + end, [](char c) {
-      return static_cast<unsigned char>(c) >= 0x80;
-    });
-    if (found == text_.begin() + end) return false;
-    at_ = static_cast<size_t>(found - text_.begin());
-    return true;
+    for (size_t i = at_; i < end; ++i) {
+      if (static_cast<unsigned char>(text_[i]) < 0x80) continue;
+      at_ = i;
+      return true;
+    }
+    return false;
   }
 
   void SkipString(char quote) {

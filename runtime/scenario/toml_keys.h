@@ -3,7 +3,9 @@
 // tests/runtime/scenario_parse_test.cc.
 #pragma once
 
+// The library's functions are compiled once, in toml_library.cc.
 #define TOML_EXCEPTIONS 0
+#define TOML_HEADER_ONLY 0
 #include <toml++/toml.h>
 
 #include <cstdint>
