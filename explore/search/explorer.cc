@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <chrono>
-#include <condition_variable>
-#include <mutex>
-#include <thread>
 
 #include "explore/engines/card_graph.h"
 #include "explore/engines/estimate.h"
 #include "explore/engines/first_look.h"
 #include "explore/engines/shrink.h"
 #include "explore/engines/walk.h"
+#include "explore/search/search_pair.h"
 
 namespace oncard::explore {
 namespace {
@@ -98,13 +95,6 @@ Exploration ConcludeBounded(BoundedCounts bounded, const ExploreOptions& options
   return exploration;
 }
 
-/// `auto`: when one engine has an answer, the other may go on counting for this
-/// part of the time that has passed, and at least for kGraceMin.
-constexpr double kGracePart = 0.3;
-constexpr std::chrono::milliseconds kGraceMin{10};
-/// `auto`: how often it is looked whether both engines are to be stopped.
-constexpr std::chrono::milliseconds kStopPolled{50};
-
 /// How far a search goes on after the first failure: long enough for a small
 /// program's counts to be complete. `auto` shows what its first look has found,
 /// and goes on for less.
@@ -156,71 +146,6 @@ StateLimits StatesOf(const ExploreOptions& options, const std::atomic<bool>* sto
           .merge_private = options.merge_private,
           .stop = stop,
           .progress = options.progress};
-}
-
-/// Runs both searches at the same time; each is told to stop some time after
-/// the other has an answer. Where it is known that something goes wrong, the
-/// search of states comes to its own end.
-void SearchBoth(const Problem& problem, const ExploreOptions& options, bool known_bad,
-                std::optional<TraceSearch>* traces, std::optional<StateSearch>* states,
-                EngineKind* first) {
-  std::mutex mutex;
-  std::condition_variable answered;
-  std::atomic<bool> stop{false};
-  std::atomic<bool> stop_traces{false};
-  std::atomic<bool> pause{false};  // why the traces are stopped
-  int running = 2;
-  bool endless = false;  // the traces will never be all searched
-  bool stated = false;   // the search of states is over
-  const auto start = std::chrono::steady_clock::now();
-  const auto report = [&](EngineKind engine, bool answers) {
-    const std::lock_guard lock(mutex);
-    --running;
-    if (answers && *first == EngineKind::kAuto) *first = engine;
-    answered.notify_all();
-  };
-  const auto take_pause = [&] {
-    if (!pause.exchange(false)) return false;
-    stop_traces = false;
-    if (stop) stop_traces = true;
-    return !stop;
-  };
-  std::thread tracing([&] {
-    *traces = TracesOf(problem, options, &stop_traces, take_pause);
-    report(EngineKind::kDpor, (*traces)->complete() || (*traces)->bad > 0);
-  });
-  std::thread stating([&] {
-    *states = SearchStates(problem, StatesOf(options, &stop));
-    const StateCounts& counts = (*states)->counts;
-    const bool cyclic = counts.complete && IsCyclic((*states)->graph);
-    {
-      const std::lock_guard lock(mutex);
-      endless = cyclic;
-      stated = true;
-    }
-    report(EngineKind::kStateful, counts.complete || counts.bad_states > 0);
-  });
-  {
-    std::unique_lock lock(mutex);
-    const auto done = [&] {
-      return running == 0 || (known_bad ? stated : *first != EngineKind::kAuto);
-    };
-    while (!answered.wait_for(lock, kStopPolled, done)) {
-      if (options.progress == nullptr || !options.progress->stop) continue;
-      pause = options.progress->TakePause();
-      if (!pause) stop = true;
-      stop_traces = true;
-    }
-    const auto passed = std::chrono::steady_clock::now() - start;
-    const auto grace = std::max<std::chrono::nanoseconds>(
-        kGraceMin, std::chrono::duration_cast<std::chrono::nanoseconds>(passed * kGracePart));
-    answered.wait_for(lock, grace, [&] { return running == 0 || endless; });
-    stop = true;
-    stop_traces = true;
-  }
-  tracing.join();
-  stating.join();
-  if (options.progress != nullptr) options.progress->TakePause();
 }
 
 /// The failure that is shown: the simplest one where all states are known, or
@@ -393,7 +318,21 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
   } else if (engine == EngineKind::kStateful) {
     states = SearchStates(problem, StatesOf(searched, StopOf(options)));
   } else {
-    SearchBoth(problem, searched, look.found(), &traces, &states, &engine);
+    PairResult both =
+        RunPair({.traces =
+                     [&](const std::atomic<bool>* stop, const SearchPair::TakesPause& takes_pause) {
+                       return TracesOf(problem, searched, stop, takes_pause);
+                     },
+                 .states =
+                     [&](const std::atomic<bool>* stop) {
+                       return SearchStates(problem, StatesOf(searched, stop));
+                     },
+                 .known_bad = look.found(),
+                 .progress = options.progress});
+    if (both.first == PairResult::First::kTraces) engine = EngineKind::kDpor;
+    if (both.first == PairResult::First::kStates) engine = EngineKind::kStateful;
+    traces = std::move(both.traces);
+    states = std::move(both.states);
   }
   return Conclude(problem, options, look, std::move(traces), std::move(states), engine);
 }
