@@ -77,6 +77,47 @@ std::vector<std::string> IncludesOf(const std::string& source) {
   return includes;
 }
 
+/// The name in the table for the system's services, which is not a folder.
+constexpr char kSystem[] = "system";
+
+/// The headers of the standard library and of the system that a source includes.
+std::vector<std::string> SystemHeadersOf(const std::string& code) {
+  static constexpr std::string_view kInclude = "#include <";
+  std::vector<std::string> headers;
+  for (size_t at = 0; (at = code.find(kInclude, at)) != std::string::npos;) {
+    at += kInclude.size();
+    headers.push_back(code.substr(at, code.find('>', at) - at));
+  }
+  return headers;
+}
+
+/// Whether a source uses threads, locks, signals, files, the clock or the environment. Paths are
+/// only text.
+bool UsesSystem(const std::string& source) {
+  static const std::set<std::string> kHeaders = {"chrono",   "condition_variable",
+                                                 "csignal",  "ctime",
+                                                 "dirent.h", "dlfcn.h",
+                                                 "fcntl.h",  "fstream",
+                                                 "future",   "mutex",
+                                                 "poll.h",   "pthread.h",
+                                                 "sched.h",  "semaphore",
+                                                 "latch",    "shared_mutex",
+                                                 "thread",   "signal.h",
+                                                 "time.h",   "unistd.h"};
+  const std::string code = WithoutRawStrings(source);
+  for (const std::string& header : SystemHeadersOf(code)) {
+    if (kHeaders.contains(header) || header.starts_with("sys/") || header.starts_with("linux/")) {
+      return true;
+    }
+  }
+  static constexpr std::string_view kFileSystem = "filesystem::";
+  for (size_t at = 0; (at = code.find(kFileSystem, at)) != std::string::npos;) {
+    at += kFileSystem.size();
+    if (code.compare(at, 4, "path") != 0) return true;
+  }
+  return code.find("getenv(") != std::string::npos || code.find("fopen(") != std::string::npos;
+}
+
 bool IsSource(const fs::path& path) {
   static const std::set<std::string> kEndings = {".h", ".cc", ".inc", ".def", ".re", ".yy"};
   return kEndings.contains(path.extension());
@@ -99,7 +140,7 @@ bool Visit(const std::string& room, const Rooms& rooms, std::set<std::string>* o
   if (std::ranges::find(*order, room) != order->end()) return true;
   if (!open->insert(room).second) return false;
   for (const std::string& below : rooms.at(room)) {
-    if (!Visit(below, rooms, open, order)) return false;
+    if (below != kSystem && !Visit(below, rooms, open, order)) return false;
   }
   order->push_back(room);
   return true;
@@ -127,13 +168,22 @@ TEST(RoomsTest, IncludesAreThoseOfTheSourceItself) {
               ElementsAre("a/b.h", "c.def"));
 }
 
+TEST(RoomsTest, TheSystemIsThreadsFilesClockAndEnvironment) {
+  EXPECT_TRUE(UsesSystem("#include <sys/stat.h>\n"));
+  EXPECT_TRUE(UsesSystem("#include <mutex>\n"));
+  EXPECT_TRUE(UsesSystem("if (std::filesystem::exists(path)) return;"));
+  EXPECT_TRUE(UsesSystem("const char* list = std::getenv(name);"));
+  EXPECT_FALSE(UsesSystem("#include <atomic>\nstd::filesystem::path(name).stem();"));
+  EXPECT_FALSE(UsesSystem("const char* kText = R\"(#include <mutex>)\";"));
+}
+
 TEST(ArchitectureTest, EveryRoomIsAFolderAndNamesRooms) {
   const Rooms rooms = RoomsOfTheProject();
   EXPECT_FALSE(rooms.empty());
   for (const auto& [room, included] : rooms) {
     EXPECT_TRUE(fs::is_directory(kRoot / room)) << room;
     for (const std::string& name : included) {
-      EXPECT_TRUE(rooms.contains(name)) << room << " may include " << name;
+      EXPECT_TRUE(name == kSystem || rooms.contains(name)) << room << " may include " << name;
     }
   }
 }
@@ -152,7 +202,12 @@ TEST(ArchitectureTest, SourcesIncludeWhatTheirRoomMay) {
   std::map<std::string, std::set<std::string>> included;
   for (const fs::path& source : Sources(rooms)) {
     const std::string room = RoomOf(source, rooms);
-    for (const std::string& name : IncludesOf(ReadFile(kRoot / source).value())) {
+    const std::string text = ReadFile(kRoot / source).value();
+    if (UsesSystem(text)) {
+      included[room].insert(kSystem);
+      EXPECT_TRUE(rooms.at(room).contains(kSystem)) << source << " uses the system";
+    }
+    for (const std::string& name : IncludesOf(text)) {
       const std::string other = RoomOf(name, rooms);
       // A name without a folder is a generated file of the source's own.
       if (other == room || name.find('/') == std::string::npos) continue;
