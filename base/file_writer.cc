@@ -23,11 +23,12 @@
 namespace oncard {
 namespace {
 
-// Temporary files: hidden, and no two alike. Their writers hold a lock on them, so that whoever
-// writes next into the folder knows those that nobody writes any more.
+// Temporary files are hidden and have different names. A writer holds a lock on its own, so that
+// the next writer in the folder recognises those that were left behind.
 constexpr std::string_view kTemporaryPrefix = ".oncard-";
 constexpr std::string_view kTemporaryEnding = ".tmp";
-// How often the name of a temporary file is taken, or a folder in use, before that is an error.
+// How many names are tried for a temporary file, and how often a folder in use is tried, before
+// that is an error.
 constexpr int kNameAttempts = 100;
 constexpr int kLockAttempts = 1000;
 constexpr long kLockPauseNs = 10'000'000;
@@ -41,8 +42,8 @@ std::string FolderOf(const std::string& path) {
   return slash == std::string::npos ? "./" : path.substr(0, slash + 1);
 }
 
-/// Keeps signals that end a process away from this thread, so that what it has begun is finished
-/// or taken back; they arrive afterwards.
+/// Blocks signals that would end the process in this thread, so that a write is completed or
+/// undone; they are delivered afterwards.
 class SignalsHeld {
  public:
   SignalsHeld() {
@@ -59,15 +60,15 @@ class SignalsHeld {
   sigset_t before_;
 };
 
-/// A lock on a folder, for those who write and read pairs in it. It is advice among processes of
-/// this project; where a folder cannot be locked there is none.
+/// A lock on a folder, for processes that write and read pairs of files in it. It is advisory and
+/// only between processes of this project; a folder that cannot be locked is used without a lock.
 class FolderLock {
  public:
   FolderLock(const std::string& folder, int kind)
       : folder_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
     for (int attempt = 0; folder_.get() >= 0 && attempt < kLockAttempts; ++attempt) {
       if (::flock(folder_.get(), kind | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
-      // Not by the C library, whose sleeps take no time under `oncard exec`.
+      // nanosleep() of the C library would take no time under `oncard exec`.
       const timespec pause = {0, kLockPauseNs};
       ::syscall(SYS_nanosleep, &pause, nullptr);
     }
@@ -111,11 +112,11 @@ bool WriteAll(int descriptor, std::string_view content) {
   return true;
 }
 
-/// What stands at the end of a path, links followed.
+/// What a path refers to, links followed.
 struct Place {
-  std::string path;  ///< without links in its last part
+  std::string path;  ///< with links in its last part resolved
   bool exists = false;
-  bool dangling = false;  ///< made just now, empty, because a link points to it
+  bool dangling = false;  ///< a link pointed to nothing: an empty file has just been created there
   struct stat info = {};
 };
 
@@ -128,7 +129,7 @@ Result<Place> FindPlace(const std::string& path) {
   }
   place.exists = true;
   if (!S_ISLNK(place.info.st_mode)) return place;
-  // The kernel follows the link, with its own checks of whom it belongs to.
+  // The kernel follows the link, with its own permission checks.
   int number = ::open(path.c_str(), O_PATH | O_CLOEXEC);
   if (number < 0 && errno == ENOENT) {
     number = ::open(path.c_str(), O_WRONLY | O_CREAT | O_NOCTTY | O_CLOEXEC, 0666);
@@ -145,7 +146,8 @@ Result<Place> FindPlace(const std::string& path) {
   return place;
 }
 
-/// The descriptor of ours that writes to this very file, or -1: `--record /dev/stdout > file`.
+/// Standard output or standard error if it is this file, as in `--record /dev/stdout > file`;
+/// otherwise -1.
 int OwnOutput(const Place& place) {
   for (const int number : {STDOUT_FILENO, STDERR_FILENO}) {
     struct stat info;
@@ -157,9 +159,9 @@ int OwnOutput(const Place& place) {
   return -1;
 }
 
-/// Content on its way to its place: complete on disk beside a regular file or a new one, which it
-/// then replaces; or still to be written to a device, a pipe or a socket. Taken back unless
-/// it gets there.
+/// Content that is not in its place yet. A regular file, or a new one, is first written completely
+/// to a temporary file, which then replaces it; a device, pipe or socket is written to directly.
+/// Undone unless Put() or Exchange() succeeds.
 class StagedFile {
  public:
   explicit StagedFile(const std::string& path) : path_(path) {}
@@ -179,11 +181,11 @@ class StagedFile {
       return MakeError(1, "cannot write '{0}': it is a folder", "无法写入“{0}”：它是文件夹", path_);
     }
     if (!Replaces()) return {};
-    // What the user has made read-only is not to be replaced.
+    // A file that the user has made read-only is not replaced.
     if (place_.exists && ::faccessat(AT_FDCWD, place_.path.c_str(), W_OK, AT_EACCESS) != 0) {
       return WriteError(path_);
     }
-    // The old file may stand under a temporary name for a moment.
+    // The old file may have a temporary name for a moment.
     old_.emplace(::open(place_.path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
     ::flock(old_->get(), LOCK_SH | LOCK_NB);
     signals_.emplace();
@@ -197,7 +199,7 @@ class StagedFile {
     return {};
   }
 
-  /// True when the content replaces a file or makes one.
+  /// True when the content replaces a file or creates one.
   bool Replaces() const {
     return !place_.exists || (S_ISREG(place_.info.st_mode) && OwnOutput(place_) < 0);
   }
@@ -211,8 +213,8 @@ class StagedFile {
     return {};
   }
 
-  /// The same, with what was there before kept until Release(). Where the file system cannot
-  /// exchange two names, nothing is kept.
+  /// The same, but keeps the old content, for PutBack(). Where the file system cannot exchange two
+  /// names, nothing is kept.
   Result<void> Exchange() {
     if (!Replaces() || ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, place_.path.c_str(),
                                    RENAME_EXCHANGE) != 0) {
@@ -223,7 +225,7 @@ class StagedFile {
     return {};
   }
 
-  /// Takes Exchange() back.
+  /// Undoes Exchange().
   void PutBack() {
     if (!exchanged_) return;
     exchanged_ = false;
@@ -231,7 +233,7 @@ class StagedFile {
     ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, place_.path.c_str(), RENAME_EXCHANGE);
   }
 
-  /// Takes the old file, if there is one, away from its place.
+  /// Moves the old file, if there is one, out of the way.
   Result<void> TakeAway() {
     if (!Replaces()) return {};
     auto name = TemporaryName(FolderOf(place_.path), path_);
@@ -244,23 +246,24 @@ class StagedFile {
     return {};
   }
 
-  /// Takes TakeAway() back.
+  /// Undoes TakeAway().
   void BringBack() {
     if (away_.empty()) return;
     std::rename(away_.c_str(), place_.path.c_str());
     away_.clear();
   }
 
-  /// Removes what TakeAway() has kept.
+  /// Removes the file that TakeAway() has kept.
   void Forget() {
     if (!away_.empty()) ::unlink(away_.c_str());
     away_.clear();
   }
 
  private:
-  /// A new temporary file, locked; -1 with errno on failure.
+  /// Creates a temporary file and locks it; -1 with errno on failure.
   int Create() {
-    // Under the creation mask when it is new; of nobody else until it has the old file's mode.
+    // A new file gets the mode that the creation mask allows. A replacement is private until it
+    // gets the mode of the old file.
     const mode_t mode = place_.exists ? 0600 : 0666;
     for (int attempt = 0; attempt < kNameAttempts; ++attempt) {
       const auto name = TemporaryName(FolderOf(place_.path), path_);
@@ -271,7 +274,7 @@ class StagedFile {
         if (errno == EEXIST) continue;
         return -1;
       }
-      // Somebody who sweeps may have been faster than the lock.
+      // Another writer may have removed it before it was locked.
       struct stat info;
       const bool swept = ::flock(number, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
       if (!swept && ::fstat(number, &info) == 0 && info.st_nlink > 0) {
@@ -285,7 +288,7 @@ class StagedFile {
     return -1;
   }
 
-  /// Gives the new file the owner and the mode of the old one.
+  /// Gives the new file the owner and mode of the old one.
   bool TakeOver(int number) {
     if (!place_.exists) return true;
     mode_t mode = place_.info.st_mode & 07777;
@@ -309,7 +312,7 @@ class StagedFile {
   std::string away_;
   bool placed_ = false;
   bool exchanged_ = false;
-  // Held open for their locks.
+  // Kept open for their locks.
   std::optional<Descriptor> old_;
   std::optional<Descriptor> new_;
   std::optional<SignalsHeld> signals_;
@@ -325,14 +328,15 @@ Result<void> WriteFileAtomically(const std::string& path, std::string_view conte
 
 Result<void> WritePairAtomically(const std::string& first_path, std::string_view first,
                                  const std::string& second_path, std::string_view second) {
-  // Who else writes this pair takes the old files away for a moment: none of that may be seen here.
+  // Another writer of this pair moves the old files away for a moment; this must not be visible
+  // here.
   const FolderLock lock(FolderOf(first_path), LOCK_EX);
   StagedFile first_file(first_path);
   StagedFile second_file(second_path);
   if (auto result = first_file.Stage(first); !result.ok()) return result;
   if (auto result = second_file.Stage(second); !result.ok()) return result;
-  // The second file is away while the first one changes: whoever is killed in between leaves no
-  // pair, and never halves of two.
+  // The second file is moved away while the first one changes: if the process is killed in between,
+  // the pair is incomplete, but never a mixture of two pairs.
   if (auto result = second_file.TakeAway(); !result.ok()) return result;
   auto result = first_file.Exchange();
   if (result.ok()) {

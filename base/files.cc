@@ -40,7 +40,7 @@ Result<void> CheckRegular(const std::string& path, const struct stat& info) {
                    "无法打开“{0}”：它不是普通文件（而是设备、管道或套接字）", path);
 }
 
-/// Reads to the end; `expected` bytes are likely.
+/// Reads to the end. `expected` is the probable number of bytes.
 Result<std::string> ReadAll(int descriptor, const std::string& path, size_t expected,
                             const FileKind& kind) {
   constexpr size_t kStep = size_t{1} << 16;
@@ -48,7 +48,7 @@ Result<std::string> ReadAll(int descriptor, const std::string& path, size_t expe
   content.reserve(expected + 1);
   for (;;) {
     const size_t before = content.size();
-    // One byte more than is allowed tells a file that is too large.
+    // One byte more than the limit is read, to notice a file that is too large.
     const size_t wanted =
         std::min(std::max(content.capacity() - before, kStep), kind.bytes_max + 1 - before);
     content.resize(before + wanted);
@@ -67,9 +67,9 @@ Result<std::string> ReadAll(int descriptor, const std::string& path, size_t expe
 Result<std::string> ReadFile(const std::string& path, const FileKind& kind) {
   struct stat info;
   if (::stat(path.c_str(), &info) != 0) return OpenError(path);
-  // Opening a device can already do something, so it is asked for its type first.
+  // Opening a device can have effects, so the type is checked first.
   if (auto regular = CheckRegular(path, info); !regular.ok()) return regular.error();
-  // In between the name can have become a pipe: it must not make this wait.
+  // The name may have become a pipe in between: opening it must not block.
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
   if (file.get() < 0 || ::fstat(file.get(), &info) != 0) return OpenError(path);
   if (auto regular = CheckRegular(path, info); !regular.ok()) return regular.error();

@@ -11,20 +11,20 @@ namespace {
 
 bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 
-/// fast_float also knows words, such as `inf`.
+/// fast_float also reads words such as `inf`.
 bool BeginsWithDigit(std::string_view text) {
   if (text.starts_with('.')) text.remove_prefix(1);
   return !text.empty() && IsDigit(text.front());
 }
 
-/// True if the decimal number is too small for a double: 0, though it has another digit.
+/// True if the decimal number underflows: the value is 0, but the text has another digit.
 bool IsLost(std::string_view text, double value) {
   return value == 0 && text.substr(0, text.find_first_of("eE")).find_first_of("123456789") !=
                            std::string_view::npos;
 }
 
-/// Where the decimal number ends that the text begins with; its begin if there is none that a
-/// double can hold.
+/// Returns the end of the decimal number at the beginning of the text, or the beginning of the text
+/// if there is no number that a double can hold.
 const char* ReadDecimal(std::string_view text, double* value) {
   const auto [stop, error] = fast_float::from_chars(text.data(), text.data() + text.size(), *value);
   const std::string_view read(text.data(), static_cast<size_t>(stop - text.data()));

@@ -51,7 +51,7 @@ double DoubleOf(int64_t raw, DataType type) {
                                    : static_cast<double>(static_cast<int32_t>(raw));
 }
 
-// What a command's output becomes in a slot: truncated toward zero, wrapped to the slot's width.
+// Converts an output of a command to a slot: truncated toward zero, wrapped to the slot's width.
 int64_t RawOf(double value, DataType type, int wrap_shift) {
   constexpr double kTwoTo64 = 18446744073709551616.0;
   double scaled = std::trunc(type == DataType::kDouble ? value * kFractionScale : value);
@@ -95,7 +95,7 @@ Exit CallCommand(Frame& frame, const CallSite& site) {
     if (argument.count_argument >= 0) {
       elements =
           static_cast<int64_t>(arguments[static_cast<size_t>(argument.count_argument)].value);
-      if (elements < 0) elements = 0;  // the command refuses such a count
+      if (elements < 0) elements = 0;  // the command refuses a negative count
     } else if (argument.elements_on_card) {
       elements = machine.commands_->Elements(site.command, i, arguments[0].value);
     }
@@ -127,7 +127,7 @@ Exit CallCommand(Frame& frame, const CallSite& site) {
     next_cell += cell_counts[i];
   }
 
-  // Whoever observes commands finds the statement that calls.
+  // An observer of commands reads from pc which statement makes the call.
   thread.pc = static_cast<uint16_t>(frame.pc - frame.function->code.data());
   thread.error = machine.commands_->Execute(site.command, machine, frame.thread,
                                             std::span(arguments.data(), count));
@@ -143,7 +143,7 @@ Exit CallCommand(Frame& frame, const CallSite& site) {
   }
   frame.bases[kLocalBase] = machine.state_->pages.Use(thread.page).data();
   if (!machine.CanContinue(thread)) return Exit::kBlocked;
-  // A delay or a wait that is over at once leaves no trace.
+  // A delay or a wait that ends at once must not change the state.
   thread.wake_cycle = 0;
   thread.waiting = false;
   return Exit::kBudget;

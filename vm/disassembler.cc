@@ -20,20 +20,20 @@ namespace {
 // Statements up to this width are padded, so that the words after them line up.
 constexpr size_t kStatementWidthMax = 40;
 
-// Writes operands of one function by the names of its symbols.
+// Writes the operands of one function, with the names of its symbols.
 class OperandPrinter {
  public:
   OperandPrinter(const Object& object, const Function& function)
       : object_(object), function_(function) {}
 
-  // A literal looks like one of `type`.
+  // A literal is written as a value of `type`.
   std::string Print(const Operand& operand, DataType type) const {
     if (const auto* variable = std::get_if<Variable>(&operand)) return Print(*variable);
     if (const auto* element = std::get_if<Element>(&operand)) return Print(*element);
     return PrintLiteral(std::get<Immediate>(operand).raw, type);
   }
 
-  // A literal looks like what it is: nothing says its type.
+  // The type is not known: a literal without a fraction is written as an int.
   std::string Print(const Operand& operand) const {
     const auto* literal = std::get_if<Immediate>(&operand);
     const bool whole = literal != nullptr && literal->raw % (1 << kFractionBits) == 0;
@@ -99,7 +99,7 @@ std::string DescribeBinary(const Instruction& instruction, const OperandPrinter&
   return fmt::format("{} := {} {} {}", dst, a, info->spelling, b);
 }
 
-// `if cond ` or, for the constant 1, nothing.
+// `if cond `, or nothing for the constant 1.
 std::string DescribeCondition(const Operand& condition, const OperandPrinter& printer) {
   if (condition == Operand(ImmediateInt(1))) return {};
   return fmt::format("if {} ", printer.Print(condition));

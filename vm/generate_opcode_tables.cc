@@ -1,5 +1,5 @@
-// Writes docs/object-format.md with its table of opcodes and operators made from opcodes.def. The
-// rest of the document stays as it is.
+// Writes docs/object-format.md with the table of opcodes and operators generated from opcodes.def.
+// The rest of the document is copied unchanged.
 #include <fmt/format.h>
 
 #include <cctype>
@@ -50,7 +50,7 @@ std::string LowerName(std::string_view constant) {
   return name;
 }
 
-// A bar ends a cell, even inside code.
+// A bar would end the table cell, even inside code.
 std::string Code(std::string_view spelling) {
   if (spelling.empty()) return {};
   std::string code = "`";

@@ -1,7 +1,8 @@
-// The linker: turns a verified object into decoded code. One instruction of the object is one Code,
-// so program counters, lines and jump displacements carry over; where two or three neighbours are
-// commonly executed together, the first one's op says so and the interpreter does them in one
-// dispatch, while the others keep their own code for jumps that arrive between them.
+// The linker: turns a verified object into decoded code. One instruction of the object becomes one
+// Code, so that program counters, lines and jump displacements remain valid. Where two or three
+// neighbours are often executed together, the op of the first one combines them and the interpreter
+// executes them with one dispatch; the others keep their own code for jumps that arrive between
+// them.
 // Tested by tests/vm/image_test.cc, tests/vm/machine_test.cc and the language tests.
 #include "vm/image.h"
 
@@ -243,7 +244,7 @@ class FunctionLinker {
                                                             : OperandClass::kLocal);
   }
 
-  // A comparison whose target the next instruction tests.
+  // Combines a comparison with the conditional jump that follows and tests its result.
   void FuseTests() {
     auto& code = linked_.code;
     for (size_t i = 0; i + 1 < code.size(); ++i) {
@@ -263,7 +264,7 @@ class FunctionLinker {
     }
   }
 
-  // A goto to such a comparison.
+  // Combines a goto with the comparison and conditional jump that it leads to.
   void FuseLoops() {
     auto& code = linked_.code;
     for (size_t i = 0; i < code.size(); ++i) {
@@ -284,8 +285,8 @@ class FunctionLinker {
     }
   }
 
-  // `x = x + K` before such a loop's goto when the comparison is of x, and any operation before a
-  // conditional jump.
+  // Combines `x = x + K` with the goto to a loop's test when the test compares x, and any operation
+  // with a conditional jump that follows.
   void FusePairs() {
     auto& code = linked_.code;
     for (size_t i = 0; i + 1 < code.size(); ++i) {
@@ -310,7 +311,8 @@ class FunctionLinker {
     }
   }
 
-  // True when instruction i increments the variable that the loop whose goto follows compares.
+  // True when instruction i increments the variable that is compared by the loop test to which the
+  // following goto leads.
   bool StepsLoop(size_t i) const {
     const Code& step = linked_.code[i];
     const Code& loop = linked_.code[i + 1];
@@ -319,7 +321,8 @@ class FunctionLinker {
            linked_.code[static_cast<size_t>(target)].a == step.d;
   }
 
-  // What a loop does last before its increment: `s = s + x` or `a[i] = x`.
+  // Combines the last statement of a loop, `s = s + x` or `a[i] = x`, with the increment and the
+  // goto that follow.
   void FuseLastOfLoops() {
     auto& code = linked_.code;
     for (size_t i = 0; i + 1 < code.size(); ++i) {
@@ -350,8 +353,8 @@ class FunctionLinker {
   std::map<std::array<uint16_t, 5>, size_t> element_index_;
 };
 
-// The object's code and storage without the names and lines, so that a comment or a renamed
-// variable does not make another program.
+// The object's code and storage without names and lines: neither a new comment nor a renamed
+// variable makes it a different program.
 uint64_t HashProgram(const Object& object) {
   std::string bytes = WriteObject(object, true).bin;
   bytes.push_back(static_cast<char>(object.double_format));

@@ -1,15 +1,15 @@
-// The interpreter: one handler per decoded op, each ending in a jump to the next handler. With
-// clang the handlers are functions that tail-call each other (musttail), so that the state stays
-// in registers; with g++, which cannot promise that, they are labels of one function (computed
-// goto). The bodies are the same text.
+// The interpreter: one handler per decoded op, each ending with a jump to the next handler. With
+// clang the handlers are functions that tail-call each other (musttail), so that the state stays in
+// registers; g++ cannot guarantee tail calls, so there they are labels of one function (computed
+// goto). The bodies are the same source text.
 //
-// Fuel is counted by the program counter: `limit` is where the allowed statements end if no jump is
-// taken, and a jump moves it along. A straight-line statement then costs one comparison and no
-// bookkeeping, and the count is exact at every quantum.
+// Fuel is counted with the program counter: `limit` is where the permitted statements end if no
+// jump is taken, and a jump moves it along. A straight-line statement then costs one comparison and
+// no bookkeeping, and the count is exact for every quantum.
 //
-// Two tables hold the handlers. In the second one every op that can touch globals or the card leads
-// to "stop here", which lets the machine run a thread ahead as long as no other thread could notice
-// (machine.cc).
+// There are two tables of handlers. In the second one every op that can access globals or the card
+// leads to a handler that stops. This lets the machine run a thread ahead as long as no other
+// thread could notice it (run_ahead.cc).
 // Tested by tests/vm/machine_test.cc, tests/vm/run_ahead_test.cc and the differential tests.
 #include "vm/interpreter.h"
 
@@ -20,10 +20,11 @@ namespace {
 
 constexpr uint32_t ToUnsigned(int32_t value) { return static_cast<uint32_t>(value); }
 constexpr int32_t ToInt(uint32_t value) { return static_cast<int32_t>(value); }
-// A slot holds an int in its low half; a page that another function used for doubles may hold more.
+// An int is in the low half of its slot; on a page that another function used for doubles, the
+// upper half may be set.
 constexpr int32_t IntOf(int64_t slot) { return static_cast<int32_t>(slot); }
 
-// Programs mostly divide by powers of two, and a division instruction costs as much as a handful of
+// Programs mostly divide by powers of two, and a division instruction takes as long as several
 // statements. b is not 0.
 inline __attribute__((always_inline)) int32_t DivideInt(int32_t a, int32_t b) {
   if (b > 0 && (b & (b - 1)) == 0) {

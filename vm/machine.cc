@@ -1,6 +1,6 @@
 // The machine's threads, variables, turns and state. The interpreter executes statements
-// (interpreter.cc), the policies choose threads (scheduler.cc), run_ahead.cc is the fast way
-// through the one-statement round robin.
+// (interpreter.cc), the policies choose threads (scheduler.cc), and run_ahead.cc executes the
+// one-statement round robin faster.
 // Tested by tests/vm/machine_test.cc.
 #include "vm/machine.h"
 
@@ -166,7 +166,7 @@ int16_t Machine::RunToBreakpoint(int thread, int line) {
   const bool resumed = state.run == ThreadRun::kPaused;
   if (const int16_t code = Run(thread); code != kOk) return code;
   state.breakpoint_line = static_cast<uint16_t>(line);
-  // A thread that was paused at the line goes on from it; one that starts there pauses at once.
+  // A thread that was paused at the line continues from it; one that starts there pauses at once.
   if (!resumed) PauseAtBreakpoint(state);
   return kOk;
 }
@@ -297,7 +297,7 @@ void Machine::Settle(const Frame& frame, Exit exit, int64_t executed) {
     state.fault_limit = frame.fault_limit;
   } else if (exit == Exit::kFinished) {
     state.run = ThreadRun::kStopped;
-    // An int is the low half of a slot.
+    // An int is in the low half of a slot.
     state.result =
         state.result_type == DataType::kDouble ? frame.result : static_cast<int32_t>(frame.result);
     state.executed_max = std::max(state.executed_max, state.executed);
@@ -308,19 +308,19 @@ int64_t Machine::RunTurn(int thread, int64_t statements) {
   ThreadState& state = ThreadAt(thread);
   state.waiting = false;
   state.wake_cycle = 0;
-  // A breakpoint is looked for after every statement.
+  // A breakpoint is checked after every statement.
   if (state.breakpoint_line != 0) statements = std::min<int64_t>(statements, 1);
   Frame frame = MakeFrame(thread);
   Exit exit = Interpret(frame, statements, Reach::kAll);
   const int64_t executed = statements - frame.left;
-  // Falling off the end belongs to the last statement.
+  // Reaching the end of the code belongs to the last statement.
   if (exit == Exit::kBudget && frame.pc->op == kEnd) exit = Interpret(frame, 0, Reach::kAll);
   Settle(frame, exit, executed);
   PauseAtBreakpoint(state);
   return executed;
 }
 
-// A thread whose last statement put it to sleep has nothing left to execute when it wakes.
+// A thread whose last statement put it to sleep has nothing left to execute when it wakes up.
 void Machine::FinishSleepersAtEnd() {
   for (int thread = 0; thread < kThreadCount; ++thread) {
     const ThreadState& state = ThreadAt(thread);
@@ -358,7 +358,7 @@ int64_t Machine::Execute(int64_t budget) {
         continue;
       }
       const int64_t rounds = left / std::popcount(members);
-      // A few rounds are not worth the preparation.
+      // For a few rounds the preparation is not worthwhile.
       constexpr int64_t kRoundsMin = 4;
       if (rounds >= kRoundsMin) {
         const int64_t done = ExecuteRounds(members, rounds);
@@ -400,7 +400,7 @@ void Machine::BeginCycle(int64_t cycle) {
     } else {
       ++thread.overruns;
     }
-    // Starts that the clock jumped over are not made up for.
+    // Starts that were skipped because the clock jumped are not executed later.
     const int64_t missed = (state_->cycle - thread.next_start) / thread.period_cycles;
     thread.overruns += missed;
     thread.next_start += (missed + 1) * thread.period_cycles;
@@ -497,7 +497,8 @@ int Machine::Line(int thread) const {
   const ThreadState& state = state_->threads[static_cast<size_t>(thread)];
   if (image_ == nullptr || state.run == ThreadRun::kUnbound) return 0;
   const auto& lines = FunctionOf(state).lines;
-  // A delay or a wait has been executed, but is not over: it is where the thread is.
+  // A delay or a wait has been executed but is not over: it is still the thread's current
+  // statement.
   const bool alive = state.run == ThreadRun::kRunning || state.run == ThreadRun::kPaused;
   const size_t pc = state.pc - size_t{alive && Blocked(state)};
   return pc < lines.size() ? lines[pc] : 0;

@@ -1,8 +1,8 @@
-// The `.ini` is split into sections first, because functions are known only from one of them; then
-// the `.bin` is decoded along the functions that the `.ini` names. Both are read strictly: what a
-// compiler would not write is damage. The tokenizing is done here because inih cannot notice
-// duplicate or empty sections, cuts names and lines at fixed lengths, ends at a NUL, and takes `:`
-// and `;` in file names for syntax.
+// The `.ini` is split into sections first, because the functions are listed in one of them; then
+// the `.bin` is decoded with the functions that the `.ini` names. Both are read strictly: anything
+// that a compiler would not write is treated as damage. The `.ini` is tokenized here because inih
+// does not detect duplicate or empty sections, cuts names and lines at fixed lengths, ends at a
+// NUL, and treats `:` and `;` in file names as syntax.
 // Tested by tests/vm/object_reader_test.cc and tests/vm/corruption_test.cc.
 #include "vm/object_reader.h"
 
@@ -75,7 +75,7 @@ bool HasControlCharacter(std::string_view text) {
                      [](char c) { return (c >= 0 && c < ' ') || c == '\x7F'; });
 }
 
-// Lines end in LF or CR LF; empty ones mean nothing.
+// Lines end with LF or CR LF; empty lines are ignored.
 Result<Sections> SplitIni(std::string_view ini) {
   Sections sections;
   Section* section = nullptr;
@@ -115,7 +115,7 @@ Result<Sections> SplitIni(std::string_view ini) {
   return sections;
 }
 
-// Removes a section and yields it; what is left in the end does not belong there.
+// Removes a section and returns it; sections that remain in the end are not permitted.
 std::optional<Section> TakeSection(const std::string& name, Sections* sections) {
   auto node = sections->extract(std::string_view(name));
   if (node.empty()) return std::nullopt;
@@ -124,7 +124,7 @@ std::optional<Section> TakeSection(const std::string& name, Sections* sections) 
 
 // --- Meaning of the .ini -------------------------------------------------------------------------
 
-// [oncard]: exactly the writer's three lines, in any order.
+// [oncard]: exactly the three lines that the writer writes, in any order.
 Result<DoubleFormat> ReadOncardSection(const Section& section, std::string_view bin) {
   const std::string expected_format = fmt::format("{}", kObjectFormat);
   const std::string expected_checksum = fmt::format("{:08x}", BinChecksum(bin));

@@ -19,7 +19,7 @@ constexpr OperatorInfo kBinaryOperators[] = {
 #include "vm/opcodes.def"
 };
 
-// Rows stand in the order of their numbers, from 1, without gaps.
+// True if the rows are in the order of their numbers, from 1 without gaps.
 template <size_t size>
 constexpr bool NumberedFromOne(const OperatorInfo (&rows)[size]) {
   for (size_t i = 0; i < size; ++i) {

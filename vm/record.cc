@@ -1,7 +1,7 @@
 // A record is `len word[len] k link[k]`: word[0] is the opcode, the other words are its operands;
-// bit n of link[0] says that operand n is a variable, and the following links tell where each
-// flagged operand lives. Both directions walk the same table of fields, so what one writes the
-// other reads. docs/object-format.md shows the bytes.
+// bit n of link[0] says that operand n is a variable, and the following links give the storage of
+// each flagged operand. Encoding and decoding use the same table of fields, so that one reads what
+// the other writes. docs/object-format.md shows the bytes.
 // Tested by tests/vm/record_test.cc.
 #include "vm/record.h"
 
@@ -13,8 +13,8 @@
 namespace oncard::vm {
 namespace {
 
-// What the words after the opcode mean. Each field is one operand of the link mask, kArguments one
-// per argument.
+// The meaning of the words after the opcode. Each field is one operand of the link mask; kArguments
+// is one operand per argument.
 enum class Field : uint8_t {
   kNumber,        // of an operator or a command
   kType,          // data type of the operands
@@ -48,8 +48,8 @@ std::span<const Field> FieldsOf(Opcode opcode) {
   return {};
 }
 
-// Storage classes: the low digit is the variable's, or the array's; an element with a variable
-// index has the index variable's in the high digit.
+// Storage classes: the low digit is that of the variable or the array; for an element with a
+// variable index, the high digit is that of the index variable.
 constexpr int kIndexStorageShift = 4;
 
 constexpr bool IsStorage(int digit) {
@@ -142,7 +142,7 @@ class RecordEncoder {
   int operand_count_ = 0;
 };
 
-// Keeps the first error; once there is one, every further read yields 0.
+// Keeps the first error; after it, every read returns 0.
 class RecordDecoder {
  public:
   RecordDecoder(std::span<const uint16_t> words, std::span<const uint16_t> links)
@@ -170,7 +170,7 @@ class RecordDecoder {
  private:
   void DecodeField(Field field) {
     if (error_) return;
-    // A mask has one bit per operand, so a record cannot have more.
+    // The mask has one bit per operand, so a record cannot have more operands.
     if (operand_ > kCommandArgumentMax) {
       Fail("a command has more than {0} arguments", "指令的参数超过 {0} 个", kCommandArgumentMax);
       return;

@@ -1,13 +1,14 @@
-// The fast way through the one-statement round robin. In round r every thread executes its r-th
-// statement, in thread order. A statement that touches nothing shared can be executed early without
-// anyone noticing, so each thread runs ahead over its private statements and stops before the next
-// shared one; a calendar of rounds says which thread is due when. Shared statements are executed
-// exactly in the order of the rounds. Afterwards every thread has executed what the plain
-// interleaving would have given it, no more and no less.
+// The fast implementation of the one-statement round robin. In round r every thread executes its
+// r-th statement, in thread order. A statement that accesses nothing shared can be executed early
+// unnoticed, so each thread runs ahead over its private statements and stops before its next shared
+// one; a calendar of rounds says which thread is due when. Shared statements are executed exactly
+// in the order of the rounds. Afterwards every thread has executed exactly the statements that the
+// plain interleaving would have executed.
 //
 // This relies on a property of the command set: a command called from a program never changes
 // another thread's state.
-// Tested by tests/vm/run_ahead_test.cc against the plain interleaving, statement for statement.
+// Tested by tests/vm/run_ahead_test.cc, which compares it with the plain interleaving after every
+// statement.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -20,12 +21,12 @@
 namespace oncard::vm {
 namespace {
 
-// Rounds planned at once: long enough that a private loop pays for entering the interpreter, short
-// enough that the calendar stays in the cache.
+// Rounds planned at once: enough to make entering the interpreter worthwhile for a private loop,
+// few enough for the calendar to stay in the cache.
 constexpr int64_t kWindow = 1024;
 
-// Round -> positions (bits) that are due in it. Rounds are taken out in ascending order; a position
-// may be entered for any later round meanwhile.
+// The positions (bits) that are due in each round. Rounds are removed in ascending order; meanwhile
+// a position may be entered for any later round.
 class Calendar {
  public:
   void Enter(int64_t round, int position) {
@@ -33,7 +34,7 @@ class Calendar {
     occupied_[static_cast<size_t>(round / 64)] |= uint64_t{1} << (round % 64);
   }
 
-  // The first round at or after `from` in which someone is due, or -1.
+  // The first round at or after `from` in which a position is due, or -1.
   int64_t Next(int64_t from) const {
     if (from >= kWindow) return -1;
     size_t word = static_cast<size_t>(from / 64);
@@ -76,8 +77,8 @@ int64_t Machine::ExecuteRounds(uint32_t members, int64_t rounds) {
   }
 
   Calendar calendar;
-  // Positions that wait with nothing left to execute: they finish as soon as the value holds, not
-  // in a turn of their own.
+  // Positions that wait and have nothing left to execute: they finish as soon as the value is
+  // reached, without a turn of their own.
   uint32_t ending = 0;
   int64_t total = 0;
   int last_thread = -1;
@@ -96,7 +97,8 @@ int64_t Machine::ExecuteRounds(uint32_t members, int64_t rounds) {
         enter(round, position);
       }
     };
-    // Runs a member from `round` on, and enters it in the calendar where it must stop.
+    // Runs a thread from `round` on, and enters it in the calendar for the round in which it must
+    // stop.
     const auto run = [&](int position, int64_t round, Reach reach) {
       Member& member = order[static_cast<size_t>(position)];
       Exit exit = Interpret(member.frame, window - round, reach);

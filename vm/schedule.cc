@@ -11,7 +11,7 @@
 //   cut 5000250                 optional: the run was cut off at this time in us
 //   end 12
 //
-// `end` gives the total of statements, so that a file that was cut off is noticed.
+// `end` gives the total number of statements, so that a truncated file is noticed.
 // Tested by tests/vm/schedule_test.cc.
 #include "vm/schedule.h"
 
@@ -47,7 +47,7 @@ class LineReader {
   int line_number_ = 0;
 };
 
-// The word before the first space, and what follows it.
+// Removes the first word, up to a space, and returns it.
 std::string_view TakeWord(std::string_view& line) {
   const size_t space = line.find(' ');
   const std::string_view word = line.substr(0, space);

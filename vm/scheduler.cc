@@ -18,7 +18,7 @@ namespace {
 constexpr int64_t kQuantumMax = 1'000'000'000;
 constexpr int64_t kPctStepsMax = 1'000'000'000'000;
 
-// The first runnable thread at or after `first`, round the end.
+// The first runnable thread at or after `first`, wrapping around after the last one.
 int FirstRunnable(uint32_t runnable, int first) {
   const uint32_t later = runnable & (~uint32_t{0} << first);
   return std::countr_zero(later != 0 ? later : runnable);
@@ -87,7 +87,7 @@ void EndReplayTurn(SchedulerState& state, int64_t statements) {
 }
 
 void StartPct(SchedulerState& state) {
-  // Priorities depth .. depth+31 in a random order; the i-th change point lowers to i.
+  // Priorities depth .. depth+31 in a random order; the i-th change point lowers one to i.
   for (int i = 0; i < kThreadCount; ++i) {
     state.pct_priority[static_cast<size_t>(i)] = state.policy.depth + i;
   }

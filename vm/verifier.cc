@@ -1,5 +1,5 @@
-// One pass over the symbol tables, which yields what every slot is, then one over the instructions.
-// The first violation ends it.
+// One pass over the symbol tables determines the type of every slot; a second one checks the
+// instructions. Both stop at the first violation.
 // Tested by tests/vm/verifier_test.cc and tests/vm/corruption_test.cc.
 #include "vm/verifier.h"
 
@@ -17,11 +17,11 @@
 namespace oncard::vm {
 namespace {
 
-// What is known of one declared slot.
+// What is known about one declared slot.
 struct Slot {
   const Symbol* symbol = nullptr;
-  uint16_t extent = 0;     // slots of the same variable from here on
-  uint16_t same_type = 0;  // as many of them have this one's type
+  uint16_t extent = 0;     // slots of the same variable from this one on
+  uint16_t same_type = 0;  // how many of them have the same type as this one
 };
 
 using SlotTable = std::vector<Slot>;
@@ -37,7 +37,7 @@ bool IsIdentifier(std::string_view name) {
 
 bool IsMember(const Symbol& symbol) { return symbol.name.find('.') != std::string::npos; }
 
-// The structure of a member, the whole name of any other symbol.
+// The name of the structure for a member, the whole name for any other symbol.
 std::string_view BaseName(const Symbol& symbol) {
   return std::string_view(symbol.name).substr(0, symbol.name.find('.'));
 }
@@ -218,7 +218,7 @@ class Verifier {
                   instruction.operands.size(), expected);
   }
 
-  // `sources` operands of the instruction's type, then the target.
+  // `sources` operands of the instruction's type, followed by the target.
   bool CheckOperator(const Instruction& instruction, const OperatorInfo* info, size_t sources) {
     if (info == nullptr) {
       return Reject("no operator has number {0}", "没有编号为 {0} 的运算符", instruction.op);
@@ -397,8 +397,8 @@ class Verifier {
     return Reject("a literal has no address; a variable is expected", "常数没有地址；应为变量");
   }
 
-  // The elements that the call certainly touches fit the storage: as many as a literal count says,
-  // and the one whose address is written in any case.
+  // Checks that the elements which the call certainly accesses are in the storage: as many as a
+  // literal count says, and in any case the one whose address is passed.
   bool CheckStorage(const ParameterShape& parameter, const std::vector<Operand>& arguments,
                     size_t available) {
     const size_t needed = parameter.slots.size() * LiteralCount(parameter, arguments).value_or(1);
@@ -407,14 +407,14 @@ class Verifier {
                   "需要 {0} 个存储单元，该变量从此处起只有 {1} 个", needed, available);
   }
 
-  // The variable's slots have the parameter's types, as far as the call can reach.
+  // Checks that the variable's slots have the parameter's types, as far as the call can reach.
   bool CheckSlotTypes(const Variable& variable, const ParameterShape& parameter,
                       const std::vector<Operand>& arguments) {
     for (size_t i = 1; i < parameter.slots.size(); ++i) {
       const Slot* next = FindSlot(variable.storage, variable.id + i);
       if (!CheckType(*next->symbol, parameter.slots[i])) return false;
     }
-    // A count that is known only when the program runs may reach the end of the variable.
+    // A count that is only known at run time may reach the end of the variable.
     const Slot& slot = *FindSlot(variable.storage, variable.id);
     const std::optional<size_t> count = LiteralCount(parameter, arguments);
     const size_t reach = count ? *count * parameter.slots.size() : slot.extent;
@@ -424,7 +424,7 @@ class Verifier {
                   "该指令可能访问到类型不同的“{0}”", Printable(other->symbol->name));
   }
 
-  // How many elements the call covers, at least 1; nothing when only the running program knows.
+  // The number of elements that the call covers, at least 1; empty if it is only known at run time.
   static std::optional<size_t> LiteralCount(const ParameterShape& parameter,
                                             const std::vector<Operand>& arguments) {
     if (parameter.count_parameter < 0) return 1;
@@ -442,7 +442,7 @@ class Verifier {
     return false;
   }
 
-  // For instructions: the place is put in front by CheckFunction().
+  // For instructions: CheckFunction() adds the place in front.
   template <typename... Args>
   bool Reject(std::string_view en, std::string_view zh, const Args&... args) {
     reason_ = DamagedObject(en, zh, args...);
