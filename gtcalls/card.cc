@@ -1,5 +1,5 @@
-// The one way into every command: looks up its function, checks the arguments against the
-// catalogue, calls it.
+// The only way to execute a command: finds its function, checks the arguments against the
+// catalogue, and calls it.
 // Tested by tests/gtcalls/card_command_test.cc.
 #include "gtcalls/card.h"
 
@@ -15,7 +15,7 @@
 namespace oncard::gtcalls {
 namespace {
 
-/// "1-11", or "1-4, 9-11", in signs that both languages read.
+/// "1-11", or "1-4, 9-11", in characters that both languages use.
 std::string SpellEncoders(const motion::MotionCore& core) {
   const size_t axes = core.axis_count();
   if (!core.has_auxiliary()) return fmt::format("1-{}", axes);
@@ -32,8 +32,8 @@ struct Bounds {
   double maximum;
 };
 
-/// What the C type of a parameter can hold on the card, whose long has 32 bits. Masks and bit words
-/// of type long may be written as signed or as unsigned numbers.
+/// The range of a parameter's C type on the card, whose long has 32 bits. Masks and bit words of
+/// type long may be given as signed or as unsigned numbers.
 Bounds BoundsOf(Scalar type, Unit unit) {
   switch (type) {
     case Scalar::kChar:
@@ -59,7 +59,7 @@ Bounds BoundsOf(Scalar type, Unit unit) {
 int16_t CheckValue(Call& call, size_t index) {
   const Parameter& parameter = call.command.parameters[index];
   const double value = call.value(index);
-  // Written so that a NaN fails.
+  // Written so that the check fails for a NaN.
   if (!(value >= parameter.minimum && value <= parameter.maximum)) {
     return call.Refuse(
         vm::kBadParameter,
@@ -100,7 +100,7 @@ int16_t CheckPointer(Call& call, size_t index) {
                                  "参数 {0} 为 NULL；应传入变量的地址", parameter.name));
 }
 
-/// Calls `visit(name, type)` for the cells of a structure in their order, until it gives a code
+/// Calls `visit(name, type)` for the cells of a structure in their order, until it returns a code
 /// other than 0.
 template <typename Visit>
 int16_t VisitCells(const Structure& structure, const Visit& visit) {
@@ -115,23 +115,24 @@ int16_t VisitCells(const Structure& structure, const Visit& visit) {
   return vm::kOk;
 }
 
-/// Members that only fill a structure up: hosts leave them as they find them.
+/// Padding members of a structure: hosts do not set them.
 bool IsPadding(std::string_view member) { return member.starts_with("pad"); }
 
-/// What an input points to must fit its integer types as a value must: an int of a motion program
-/// is wider than a short, a host's long can be wider than the card's. A structure's long may be
-/// a word of bits, written unsigned. Doubles are judged by the commands that use them.
+/// The values that an input pointer refers to must fit their integer types, like values passed
+/// directly: an int of a motion program is wider than a short, and a host's long can be wider than
+/// the card's. A long in a structure may be a word of bits, given as an unsigned number. Doubles
+/// are checked by the commands that use them.
 int16_t CheckCells(Call& call, size_t index) {
   const Parameter& parameter = call.command.parameters[index];
   const std::span<const double> cells = call.cells(index);
   size_t next = 0;
   const auto check = [&](std::string_view name, Scalar type, Unit unit) {
-    // The last structure of a list may be incomplete; the command judges how much it needs.
+    // The last structure of a list may be incomplete; the command checks whether it has enough.
     if (next == cells.size()) return vm::kOk;
     const double value = cells[next++];
     if (type == Scalar::kDouble) return vm::kOk;
     const Bounds bounds = BoundsOf(type, unit);
-    // Written so that a NaN fails.
+    // Written so that the check fails for a NaN.
     if (value >= bounds.minimum && value <= bounds.maximum) return vm::kOk;
     return call.Refuse(vm::kBadParameter,
                        MakeMessage("{0} holds {1}; its type {2} holds {3} to {4}",
@@ -151,7 +152,7 @@ int16_t CheckCells(Call& call, size_t index) {
   return code;
 }
 
-/// A count of axes must not reach past the last one, and encoders must all exist.
+/// A range of axes must not go beyond the last one, and every encoder must exist.
 int16_t CheckLastAxis(Call& call, size_t index) {
   const int axes = call.card.motion.config().axis_count;
   const int count = call.integer(index);

@@ -1,4 +1,4 @@
-// Finding rows by name, and how they are spelled. Tested by tests/gtcalls/catalogue_test.cc.
+// Finds rows by name and formats them. Tested by tests/gtcalls/catalogue_test.cc.
 #include "gtcalls/catalogue.h"
 
 #include <fmt/format.h>
@@ -120,8 +120,8 @@ std::string_view SpellUnit(Unit unit) {
 
 namespace {
 
-/// A range that its number does not belong to is written with the nearest number inside: `bound` is
-/// such a one when the number next to it on the way to `outwards` is whole and it is not.
+/// A range whose limit is excluded has the nearest number inside it as its bound. True for such a
+/// bound: it is not whole, but the next number towards `outwards` is.
 bool IsOpenEnd(double bound, double outwards) {
   const double beyond = std::nextafter(bound, outwards);
   return bound != std::floor(bound) && beyond == std::floor(beyond);

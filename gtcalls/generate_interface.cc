@@ -1,4 +1,4 @@
-// Writes what follows from the catalogue of a family, at build time:
+// Writes the files that are derived from the catalogue of a family, at build time:
 //
 //   generate_interface FAMILY header FILE               its header, gts.h
 //   generate_interface FAMILY entry-points FILE         the library's functions
@@ -7,15 +7,16 @@
 //   generate_interface FAMILY structures FILE           structures of the header as cells and back
 //   generate_interface FAMILY markdown FILE             docs/commands.md
 //
-// The header holds every prototype once. Defining GTS_MULTI_CARD before it is included puts
-// `short cardNum` in front of the parameters and renames the function, GT_Update to GTM_Update, so
-// that one library serves both generations and neither can be taken for the other.
+// The header contains every prototype once. Defining GTS_MULTI_CARD before including it adds `short
+// cardNum` as the first parameter and renames the functions, GT_Update to GTM_Update, so that one
+// library serves both generations and the functions cannot be confused.
 //
-// A host may be compiled with the vendor's own gts.h, which lies beside its source. Where a
-// structure is laid out otherwise there (basic_layouts.def), the commands that take it have two
-// entry points: the plain name for that header, and the name in front of which gts.h puts GTX_.
+// A host may be compiled with the vendor's own gts.h, which is in the same folder as its source.
+// Where a structure has another layout there (basic_layouts.def), the commands that take it have
+// two entry points: one with the plain name, for that header, and one with the prefix GTX_, which
+// our gts.h uses.
 //
-// The names are those of GTS; a family says its own (interface_form.h).
+// The names are those of GTS; every family defines its own (interface_form.h).
 //
 // Tested by tests/gtcalls/interface_test.cc and, at compile time, interface_types_test.cc.
 #include <fmt/format.h>
@@ -38,7 +39,7 @@ void Append(std::string* out, fmt::format_string<Args...> format, Args&&... args
   fmt::format_to(std::back_inserter(*out), format, std::forward<Args>(args)...);
 }
 
-/// The name of a command with another prefix than the family's.
+/// The name of a command with `prefix` instead of the family's prefix.
 std::string Renamed(std::string_view prefix, const InterfaceForm& form, const Command& command) {
   std::string_view name = command.name;
   if (name.starts_with(form.command_prefix)) name.remove_prefix(form.command_prefix.size());
@@ -48,14 +49,14 @@ std::string Renamed(std::string_view prefix, const InterfaceForm& form, const Co
 std::string MultiCardName(const InterfaceForm& form, const Command& command) {
   return Renamed(form.multi_card_prefix, form, command);
 }
-/// The name of a command that takes a structure of ours which the vendor's basic header lays out
-/// otherwise.
+/// The name of a command that takes a structure which has another layout in the vendor's basic
+/// header.
 std::string WideName(const InterfaceForm& form, const Command& command) {
   return Renamed(form.wide_prefix, form, command);
 }
 
-/// True for a parameter whose memory the basic header lays out otherwise. Memory that is only lent
-/// has no layout.
+/// True for a parameter whose memory has another layout in the basic header. Memory that is only
+/// lent has no layout.
 bool IsBasic(const InterfaceForm& form, const Parameter& parameter) {
   return parameter.structure != nullptr && parameter.passing != Passing::kLent &&
          std::any_of(form.basic_layouts.begin(), form.basic_layouts.end(),
@@ -66,7 +67,7 @@ bool HasBasic(const InterfaceForm& form, const Command& command) {
                      [&](const Parameter& parameter) { return IsBasic(form, parameter); });
 }
 
-/// The parameters as declarations, or only their names, each preceded by a comma.
+/// The parameters as declarations, or only their names, each after a comma.
 std::string Declarations(const Command& command) {
   std::string text;
   for (const Parameter& parameter : command.parameters) {
@@ -80,7 +81,7 @@ std::string Names(const Command& command) {
   return text;
 }
 
-/// What a reader of the documentation must know of a parameter: unit, range, NULL.
+/// What the documentation says about a parameter: unit, range, NULL.
 std::string Describe(const Parameter& parameter, const Command& command) {
   std::string text(SpellUnit(parameter.unit));
   const auto add = [&text](const std::string& part) {
@@ -196,8 +197,8 @@ std::string Header(const InterfaceForm& form) {
 
 // --- Entry points -------------------------------------------------------------------------------
 
-/// The functions of one generation, compiled against the prototypes of its header. With a card
-/// number the header renames them.
+/// The functions of one generation, compiled with the prototypes of its header. For functions with
+/// a card number the header does the renaming.
 std::string EntryPoints(const InterfaceForm& form, bool multi_card) {
   std::string out;
   Append(&out,
@@ -222,8 +223,8 @@ std::string EntryPoints(const InterfaceForm& form, bool multi_card) {
   return out;
 }
 
-/// The declaration of a basic layout, which has the structure's name in a namespace of its own, and
-/// the way from it to ours and back.
+/// The declaration of a basic layout, with the structure's name in a namespace of its own, and the
+/// conversions between it and our layout.
 void AppendBasicLayout(std::string* out, const Structure& layout) {
   Append(out, "namespace basic {{\nstruct {} {{\n", layout.name);
   for (const Member& member : layout.members) AppendMember(out, member);
@@ -242,7 +243,7 @@ void AppendBasicLayout(std::string* out, const Structure& layout) {
   }
 }
 
-/// The parameters as a host of the basic header passes them.
+/// The parameters as a host that uses the basic header passes them.
 std::string BasicDeclarations(const InterfaceForm& form, const Command& command) {
   std::string text;
   for (const Parameter& parameter : command.parameters) {
@@ -300,8 +301,7 @@ Ours* Wide(Basic* host, Ours* wide) {{
 
 )";
 
-/// The functions with plain names, as the vendor's basic header declares them. They pass on to
-/// ours.
+/// The functions with plain names, as the vendor's basic header declares them. They call ours.
 std::string BasicEntryPoints(const InterfaceForm& form) {
   std::string out;
   Append(&out, kBasicHead, form.catalogue.name());
@@ -455,7 +455,7 @@ std::string Markdown(const InterfaceForm& form) {
   return out;
 }
 
-/// Empty for a word that means nothing.
+/// Empty for an unknown word.
 std::string Write(const InterfaceForm& form, std::string_view what) {
   if (what == "header") return Header(form);
   if (what == "entry-points") return EntryPoints(form, false);

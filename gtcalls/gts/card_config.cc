@@ -19,7 +19,7 @@ using motion::MotionCore;
 
 // --- Sections and keys -------------------------------------------------------------------------
 
-/// A key and where its value goes; nullptr: known and without effect here.
+/// A key and the member that receives its value; nullptr: known, but without effect here.
 template <typename Section>
 struct Key {
   std::string_view name;
@@ -82,7 +82,7 @@ constexpr Key<CardConfig::Step> kStepKeys[] = {
     {"reverse", &CardConfig::Step::reverse},
 };
 
-/// The manual says of the capture keys that they have no effect.
+/// According to the manual the capture keys have no effect.
 constexpr Key<CardConfig::Encoder> kEncoderKeys[] = {
     {"active", &CardConfig::Encoder::active},
     {"reverse", &CardConfig::Encoder::reverse},
@@ -135,7 +135,7 @@ class ConfigReader {
     ReadKey(Trim(line.substr(0, equals)), Trim(line.substr(equals + 1)));
   }
 
-  /// `[name12]`. What follows an unknown section is not read.
+  /// `[name12]`. Lines after an unknown section are skipped.
   void OpenSection(std::string_view line) {
     const std::string_view inside = line.substr(1, line.find(']') - 1);
     const size_t digits = std::min(inside.find_first_of("0123456789"), inside.size());
@@ -148,7 +148,7 @@ class ConfigReader {
     section_ = {};
   }
 
-  /// How many sections of a name there can be.
+  /// The maximum number of sections with this name.
   static size_t Count(std::string_view name) {
     if (std::ranges::count(kOutputSections, name) + std::ranges::count(kInputSections, name) > 0) {
       return motion::kIoWidthMax;
@@ -201,20 +201,20 @@ class ConfigReader {
   }
 
   CardConfig config_;
-  std::string_view section_;  ///< empty: what follows is not read
+  std::string_view section_;  ///< empty: skip what follows
   size_t number_ = 0;         ///< of the section, from 1
 };
 
 // --- Applying ----------------------------------------------------------------------------------
 
-/// The number of an axis, controller or encoder counted from 0; empty for none and for numbers that
-/// are not.
+/// The number of an axis, controller or encoder, counted from 0; empty for "none" and for invalid
+/// numbers.
 std::optional<size_t> IndexFrom(double number) {
   if (!(number >= 1 && number <= static_cast<double>(motion::kAxisMax))) return std::nullopt;
   return static_cast<size_t>(number - 1);
 }
 
-/// The same as registers hold it: -1 for none.
+/// The same as a register value: -1 for "none".
 int8_t NumberFrom(double number) {
   const auto index = IndexFrom(number);
   return index ? static_cast<int8_t>(*index) : int8_t{-1};
@@ -224,25 +224,25 @@ int16_t ShortFrom(double value, double smallest, double largest) {
   return static_cast<int16_t>(std::clamp(value, smallest, largest));
 }
 
-/// Profiles or encoders of the largest card; bits beyond them stand for nothing.
+/// Profiles or encoders of the largest card; further bits are ignored.
 uint32_t MapFrom(double value) {
   constexpr uint32_t kAll = (uint32_t{1} << motion::kAxisMax) - 1;
   return value >= 0 && value <= 4294967295.0 ? static_cast<uint32_t>(value) & kAll : 0;
 }
 
-/// A deceleration as GT_SetStopDec takes it; others leave the old one.
+/// A deceleration that GT_SetStopDec would accept; for any other value the old one is kept.
 double DecelerationFrom(double value, double old) {
   return value >= motion::kRateMin && value <= 32767 ? value : old;
 }
 
-/// Inputs that a word is too short for never trigger.
+/// An input beyond the end of its word never triggers.
 motion::InputChoice ChoiceFrom(double type, double index) {
   const auto word = motion::DiTypeFromNumber(static_cast<int>(std::clamp(type, -1.0, 99.0)));
   if (!word || !(index >= 1 && index <= motion::kIoWidthMax)) return {};
   return {*word, static_cast<int16_t>(index - 1)};
 }
 
-/// A ratio that no axis can have leaves the old one.
+/// For an invalid ratio the old one is kept.
 motion::Scale ScaleFrom(double alpha, double beta, const motion::Scale& old) {
   alpha = std::trunc(alpha);
   beta = std::trunc(beta);
@@ -286,7 +286,7 @@ void ApplyEncoder(const CardConfig::Encoder& config, size_t index, MotionCore& c
   core.RebaseEncoder(index);
 }
 
-/// The loop is closed where an active controller has an axis, an external encoder and a DAC.
+/// Closes the loop of each active controller that has an axis, an external encoder and a DAC.
 void ApplyControls(const CardConfig& config, MotionCore& core) {
   motion::MotionState& state = core.state();
   for (size_t i = 0; i < motion::kAxisMax; ++i) {

@@ -12,10 +12,10 @@
 namespace oncard::gtcalls {
 namespace {
 
-/// GTS: not supported by the firmware.
+/// The code of GTS for "not supported by the firmware".
 constexpr int16_t kNotSupported = 8;
 
-/// GTS manual 10.2: a host calls at a fifth of the card's rate; and the end of its chapter 7.
+/// GTS manual 10.2: a host calls at a fifth of the card's rate; also the end of its chapter 7.
 constexpr int64_t kHostCallUs = 50;
 constexpr int64_t kMillisecondUs = 1000;
 
@@ -40,7 +40,7 @@ constexpr bool HasFunction(std::string_view name, gts::words::Callers callers) {
   return callers != gts::words::Callers::kLibrary && !IsUnsupported(name);
 }
 
-/// The commands' functions by number - 1.
+/// The functions of the commands; the index is the command's number - 1.
 constexpr auto kFunctions = [] {
   using gts::words::Callers;
   std::array<CommandFunction, kCommandCount> functions{};

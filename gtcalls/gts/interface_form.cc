@@ -54,7 +54,7 @@ constexpr std::string_view kHead =
 #define GTS_FAULT_OUTPUT_BEYOND_STORAGE 102
 )";
 
-/// How the prototypes of one card are named: the rest of the switch between one card and several.
+/// The prototypes' names for one card: the other part of the switch between one card and several.
 constexpr std::string_view kOneCard = R"(#define GTS_WIDE_(name)
 #else
 #define GTS_CARD_

@@ -11,7 +11,7 @@ namespace {
 
 using motion::StateHash;
 
-/// The machine's variables as one block sees them.
+/// The machine's variables as accessed by one block.
 class Variables {
  public:
   Variables(vm::Machine& machine, int thread)
@@ -119,7 +119,7 @@ void WriteOutput(const DoBlock& output, bool on, motion::DigitalIo* io) {
 
 // --- Binding -------------------------------------------------------------------------------------
 
-/// Both write the same variable, or the same output.
+/// True if both write the same variable or the same output.
 bool SameTarget(const PlcBlock& a, const PlcBlock& b) {
   const auto* output_a = std::get_if<DoBlock>(&a.function);
   const auto* output_b = std::get_if<DoBlock>(&b.function);

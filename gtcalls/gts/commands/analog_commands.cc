@@ -63,7 +63,7 @@ int16_t gts::GT_GetMtrLmt(Call& call) {
 
 namespace {
 
-/// Inputs from `adc` on must exist.
+/// The inputs from `adc` on must exist.
 int16_t CheckLastAdc(Call& call) {
   const int last = call.integer(0) + call.integer(2) - 1;
   if (last <= static_cast<int>(motion::kAdcCount)) return vm::kOk;
@@ -92,7 +92,7 @@ int16_t gts::GT_SetAdcFilter(Call& call) {
   return vm::kOk;
 }
 
-/// Assumption: the same under its older name.
+/// Assumption: an older name for the same command.
 int16_t gts::GT_GetDacValue(Call& call) { return gts::GT_GetDac(call); }
 
 }  // namespace oncard::gtcalls

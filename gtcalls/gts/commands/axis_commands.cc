@@ -11,9 +11,9 @@ namespace {
 using motion::Axis;
 using motion::InputChoice;
 
-/// Assumption: GT_SetStopIo's stop types, as public host programs use them.
+/// Assumption: the stop types of GT_SetStopIo, as public host programs use them.
 constexpr int kAbruptStopType = 0;
-/// Assumption: an input number that takes the stop input away, as index -1 of a configuration.
+/// Assumption: this input number disables the stop input, like index -1 in a configuration.
 constexpr int kNoInput = -1;
 
 }  // namespace
@@ -61,7 +61,7 @@ int16_t gts::GT_ClrSts(Call& call) {
 
 namespace {
 
-/// 0, or 1 with the reason when the configuration gives the axis no such input.
+/// 0, or 1 with the reason if the configuration assigns no such input to the axis.
 int16_t CheckConfigured(Call& call, const InputChoice& input, std::string_view en,
                         std::string_view zh) {
   if (input.bit >= 0) return vm::kOk;
@@ -154,8 +154,8 @@ int16_t gts::GT_GetStopDec(Call& call) {
   return vm::kOk;
 }
 
-/// Bit n-1 of the mask: profile n. A 0 at the same place of the option stops it smoothly, a 1
-/// abruptly. The bits behind the axes stand for coordinate systems.
+/// Bit n-1 of the mask: profile n. If the same bit of the option is 0 the stop is smooth, if it is
+/// 1 abrupt. The bits after the axes are coordinate systems.
 int16_t gts::GT_Stop(Call& call) {
   const std::vector<size_t> profiles = SelectedProfiles(call);
   const std::vector<size_t> crds = CrdsOfAxisMask(call, call.value(0));
@@ -188,7 +188,7 @@ int16_t gts::GT_GetAxisBand(Call& call) {
 
 namespace {
 
-/// 0, or the refusal of a scale that is no ratio of at most 1, or of an axis in motion.
+/// 0, or the refusal if the scale is not a ratio of at most 1 or the axis is moving.
 int16_t CheckScale(Call& call) {
   const int alpha = call.integer(1);
   const int beta = call.integer(2);

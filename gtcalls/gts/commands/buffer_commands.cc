@@ -1,5 +1,5 @@
-// Buffered commands: they take a place in a FIFO of a coordinate system and act when the segment
-// before them has ended. Their arguments are checked when they are appended.
+// Buffered commands: they are entries in a FIFO of a coordinate system and are executed when the
+// segment before them has ended. Their arguments are checked when they are appended.
 // Source: the public header; the smart-home manual's tool follow examples for GT_BufMove and
 // GT_BufGear. Tested by tests/gtcalls/buffer_command_test.cc.
 #include "gtcalls/gts/commands/crd_support.h"
@@ -9,13 +9,13 @@ namespace {
 
 using motion::BufferedKind;
 
-/// Assumption: an input number that takes the stop input away, as of GT_SetStopIo.
+/// Assumption: this input number disables the stop input, as for GT_SetStopIo.
 constexpr int kNoInput = -1;
 /// Assumption: GT_BufSetStopIo's stop types are those of GT_SetStopIo.
 constexpr int kAbruptStopType = 0;
-/// The times of GT_BufEnableDoBitPulse, as of GT_EnableDoBitPulse.
+/// The time unit of GT_BufEnableDoBitPulse is that of GT_EnableDoBitPulse.
 constexpr double kPulseTimeUnitUs = motion::kDoTimeUnitUs;
-/// Bound of velocities and accelerations; not included.
+/// Limit of velocities and accelerations, excluded.
 constexpr double kRateBound = 32767;
 
 int16_t Append(Call& call, BufferedKind kind, int item, int detail,
@@ -31,7 +31,7 @@ int16_t RefuseRange(Call& call, std::string_view name, double value, std::string
                                  value, range));
 }
 
-/// 0, or 7 with the reason when the output word of argument 1 has no output of argument 2.
+/// 0, or 7 with the reason if output type argument 1 has no output with the number in argument 2.
 int16_t CheckOutput(Call& call) {
   const int width = DoWidth(static_cast<motion::DoType>(call.integer(1)));
   if (call.integer(2) >= 1 && call.integer(2) <= width) return vm::kOk;
@@ -147,12 +147,12 @@ int16_t gts::GT_BufSetDoubleVar(Call& call) {
   return Append(call, BufferedKind::kFractionalValue, call.integer(1), 0, {call.value(2)});
 }
 
-/// The variable is looked up when the command is appended.
+/// The name is resolved when the command is appended.
 int16_t gts::GT_BufSetVarValue(Call& call) {
   const std::optional<vm::SlotAddress> slot =
       FindVariable(call, call.integer(1), call.cells(2), call.value(3));
   if (!slot) return vm::kBadParameter;
-  // A tick allocates nothing.
+  // Reserved here, so that a cycle does not allocate.
   call.card.motion.state().program_writes.reserve(motion::kCrdFifoSize);
   return Append(call, BufferedKind::kProgramValue, slot->id, slot->global ? -1 : slot->page,
                 {call.value(3), slot->type == vm::DataType::kDouble ? 1.0 : 0.0});

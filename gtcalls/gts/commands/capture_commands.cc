@@ -29,7 +29,7 @@ constexpr size_t kTriggerStatusCells = 3;
 CaptureUnit& UnitOf(const Call& call) { return call.card.motion.state().capture; }
 Capture& CaptureOf(const Call& call) { return UnitOf(call).capture(NumberOf(call)); }
 
-/// 0, or 7 when there is no capture source of that number.
+/// 0, or 7 if there is no capture source with this number.
 int16_t CheckSource(Call& call, double number) {
   if (motion::CaptureSourceFromNumber(static_cast<int>(number)) != CaptureSource::kNone) {
     return vm::kOk;
@@ -45,7 +45,7 @@ int16_t RefuseRange(Call& call, std::string_view name, double value, double firs
                                  "{0} 为 {1}；应为 {2} 到 {3}", name, value, first, last));
 }
 
-/// 0, or 7 when the card has no encoder of that number.
+/// 0, or 7 if the card has no encoder with this number.
 int16_t CheckEncoder(Call& call, std::string_view name, double number) {
   if (number >= 1 && call.card.motion.HasEncoder(static_cast<size_t>(number) - 1)) return vm::kOk;
   return call.Refuse(vm::kBadParameter,
@@ -113,7 +113,7 @@ int16_t gts::GT_GetCaptureRepeatStatus(Call& call) {
   return vm::kOk;
 }
 
-/// Positions count from 1, as public samples count them.
+/// Positions are numbered from 1, as in public samples.
 int16_t gts::GT_GetCaptureRepeatPos(Call& call) {
   const std::vector<double>& positions = CaptureOf(call).positions;
   const int first = call.integer(2);

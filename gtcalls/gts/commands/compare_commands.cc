@@ -56,7 +56,7 @@ int16_t gts::GT_2DCompareMode(Call& call) {
 
 namespace {
 
-/// Puts out a level, or a pulse, of which the arguments from `first` on are level, type and time.
+/// Outputs a level or a pulse; the arguments from `first` on are level, type and time.
 int16_t PutOut(Call& call, size_t first, std::span<const size_t> channels) {
   const int level = call.integer(first);
   const int type = call.integer(first + 1);
@@ -88,7 +88,7 @@ int16_t gts::GT_2DComparePulse(Call& call) {
   return PutOut(call, 1, channels);
 }
 
-/// Assumption: both high-speed outputs, as the command names none.
+/// Assumption: acts on both high-speed outputs, because the command has no parameter to choose one.
 int16_t gts::GT_ComparePulse(Call& call) {
   constexpr std::array<size_t, 2> kChannels = {0, 1};
   return PutOut(call, 0, kChannels);
@@ -96,7 +96,7 @@ int16_t gts::GT_ComparePulse(Call& call) {
 
 namespace {
 
-/// 0, or 7 when an encoder does not count what `source` asks for.
+/// 0, or 7 if the encoder does not count the signal that `source` selects.
 int16_t CheckSource(Call& call, double number, bool external) {
   const motion::Encoder& encoder =
       call.card.motion.state().encoders[static_cast<size_t>(number) - 1];
@@ -110,7 +110,7 @@ int16_t CheckSource(Call& call, double number, bool external) {
                         "source 为 0 时编码器 {0} 应为内部脉冲计数器，请调用 GT_EncOff", number));
 }
 
-/// 0, or 7 when the card has no encoder of that number.
+/// 0, or 7 if the card has no encoder with this number.
 int16_t CheckEncoder(Call& call, std::string_view name, double number) {
   if (number >= 1 && call.card.motion.HasEncoder(static_cast<size_t>(number) - 1)) return vm::kOk;
   return call.Refuse(vm::kBadParameter,
@@ -231,8 +231,9 @@ int16_t gts::GT_2DCompareStatus(Call& call) {
 
 namespace {
 
-/// What the one-dimensional commands have in common: the encoder is argument 0, the others are
-/// where they are told. Both modules are emptied; refused, nothing has changed.
+/// The common part of the one-dimensional commands: argument 0 is the encoder, `source` and `time`
+/// are the indices of the other arguments. Clears both modules; after a refusal nothing has
+/// changed.
 int16_t PrepareLinear(Call& call, size_t source, size_t time, CompareParameters* parameters) {
   const int16_t code = CheckSource(call, call.value(0), call.integer(source) != 0);
   if (code != vm::kOk) return code;
@@ -257,8 +258,8 @@ void StartLinear(const Call& call, size_t channel, const CompareParameters& para
 
 }  // namespace
 
-/// Assumption: positions count from where the encoder is, as those of GT_2DCompareData; the first
-/// list is for HSIO0, the second for HSIO1.
+/// Assumption: positions are relative to the encoder's current position, like those of
+/// GT_2DCompareData; the first list is for HSIO0, the second for HSIO1.
 int16_t gts::GT_CompareData(Call& call) {
   constexpr std::array<size_t, 2> kLists = {5, 7};
   const bool level_output = call.integer(2) != 0;
@@ -296,8 +297,8 @@ int16_t gts::GT_CompareData(Call& call) {
   return vm::kOk;
 }
 
-/// Assumption: `repeatTimes` counts the pulses, the first one comes `startPos` pulses from where
-/// the encoder is.
+/// Assumption: `repeatTimes` is the number of pulses, and the first one is output `startPos` pulses
+/// from the encoder's current position.
 int16_t gts::GT_CompareLinear(Call& call) {
   const auto channel = static_cast<size_t>(call.integer(1));
   const int64_t first = call.integer(2);
@@ -308,7 +309,7 @@ int16_t gts::GT_CompareLinear(Call& call) {
                        MakeMessage("interval is 0: {0} pulses need a distance",
                                    "interval 为 0：输出 {0} 个脉冲需要间隔", count));
   }
-  // |interval| and count are below 2^31, their product below 2^62.
+  // |interval| and count are below 2^31, so their product is below 2^62.
   const int64_t last = first + interval * (count - 1);
   if (last != static_cast<int32_t>(last)) {
     return call.Refuse(vm::kBadParameter,
@@ -324,8 +325,8 @@ int16_t gts::GT_CompareLinear(Call& call) {
   return vm::kOk;
 }
 
-/// Assumption: the status is that of GT_2DCompareStatus, 0 while points are waited for and 1
-/// afterwards; the count is that of both outputs.
+/// Assumption: the status is that of GT_2DCompareStatus: 0 while there are points left, then 1; the
+/// count is the sum for both outputs.
 int16_t gts::GT_CompareStatus(Call& call) {
   const CompareUnit& compare = CompareOf(call);
   call.Set(0, compare.running() ? 0 : 1);

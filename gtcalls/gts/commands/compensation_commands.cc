@@ -65,7 +65,7 @@ int16_t gts::GT_EnableLeadScrewComp(Call& call) {
   return vm::kOk;
 }
 
-/// The cross error belongs to a compensation that this card does not have.
+/// The cross error is part of a compensation that this card does not have.
 int16_t gts::GT_GetCompensate(Call& call) {
   const Compensation& compensation = CompensationOf(call);
   call.Set(1, compensation.pitch_error);

@@ -9,7 +9,7 @@
 namespace oncard::gtcalls {
 namespace {
 
-/// Assumption: a file that cannot be read is answered as GT_Download answers it.
+/// Assumption: a file that cannot be read gives the code that GT_Download would return.
 constexpr int16_t kFileNotFound = 2007;
 
 }  // namespace

@@ -22,10 +22,10 @@ constexpr size_t kEvenTimeCell = 11;
 constexpr size_t kOriginFlagCell = 12;
 constexpr size_t kOriginCell = 13;
 
-/// Bound of velocities, accelerations and times; not included.
+/// Limit of velocities, accelerations and times, excluded.
 constexpr double kRateBound = 32767;
 
-/// Assumption: how far from the path's next point the axes may be at a start, pulses.
+/// Assumption: how far the axes may be from the path's next point when it starts, pulses.
 constexpr double kStartTolerance = 1e-3;
 
 int16_t RefuseMember(Call& call, std::string_view name, double value, std::string_view range) {
@@ -36,7 +36,7 @@ int16_t RefuseMember(Call& call, std::string_view name, double value, std::strin
 
 // --- Set-up ----------------------------------------------------------------------------------
 
-/// Every coordinate has one profile, which the card has.
+/// 0, or 7 unless every coordinate has exactly one profile, which exists on the card.
 int16_t CheckMembers(Call& call) {
   const std::span<double> cells = call.cells(1);
   const int dimension = static_cast<int>(cells[0]);
@@ -178,7 +178,7 @@ int16_t gts::GT_GetCrdStopDec(Call& call) {
 
 namespace {
 
-/// How many elements behind argument 1 belong to coordinates.
+/// The number of elements of argument 1 that belong to coordinates.
 size_t CoordinateCells(const Call& call) {
   return std::min(call.cells(1).size(), CrdOf(call).dimension());
 }
@@ -219,7 +219,7 @@ int16_t gts::GT_GetCrdSingleMaxVel(Call& call) {
 
 namespace {
 
-/// 0, or 1 with the reason when an axis whose modal GT_BufMove was stopped short cannot go on.
+/// 0, or 1 with the reason if the axis of an interrupted modal GT_BufMove cannot continue.
 int16_t CheckAwaitedMove(Call& call, const CrdFifo& fifo) {
   if (!fifo.awaits_move) return vm::kOk;
   const auto profile = static_cast<size_t>(fifo.move.item);
@@ -229,7 +229,8 @@ int16_t CheckAwaitedMove(Call& call, const CrdFifo& fifo) {
                          : CheckMayStart(call, profile, fifo.move.values[0] - awaited.now.position);
 }
 
-/// 0, or the refusal of a start of FIFO `number`: nothing to do, axes elsewhere or not free.
+/// 0, or the refusal to start FIFO `number`: it is empty, or axes are at another position or not
+/// free.
 int16_t CheckStart(Call& call, size_t index, size_t number) {
   int16_t code = CheckCrd(call, index);
   if (code == vm::kOk) code = CheckCrdAtRest(call, index);
@@ -272,7 +273,8 @@ int16_t CheckStart(Call& call, size_t index, size_t number) {
   return vm::kOk;
 }
 
-/// The coordinate systems that argument 0 selects; empty, with the reason, when it is none.
+/// The coordinate systems that argument 0 selects; empty, with the reason recorded, if there are
+/// none.
 std::vector<size_t> SelectedCrds(Call& call) {
   std::vector<size_t> selected = CrdsOf(BitWord(call.value(0)));
   if (selected.empty()) {

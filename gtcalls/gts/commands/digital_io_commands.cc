@@ -10,11 +10,11 @@ using motion::DigitalIo;
 using motion::DiType;
 using motion::DoType;
 
-/// Assumption: GT_EnableDoBitPulse counts time as GT_SetDoBitReverse does.
+/// Assumption: GT_EnableDoBitPulse has the same time unit as GT_SetDoBitReverse.
 constexpr int64_t kPulseTimeUnitUs = motion::kDoTimeUnitUs;
 
 DigitalIo& IoOf(const Call& call) { return call.card.motion.state().io; }
-/// The catalogue's range keeps these valid.
+/// The catalogue's range ensures a valid number.
 DiType DiOf(const Call& call) { return *motion::DiTypeFromNumber(call.integer(0)); }
 DoType DoOf(const Call& call) { return *motion::DoTypeFromNumber(call.integer(0)); }
 
@@ -120,7 +120,7 @@ int16_t gts::GT_SetDiReverseCount(Call& call) {
   return vm::kOk;
 }
 
-/// Bits 2(n-1) and 2(n-1)+1: positive and negative limit of axis n trigger at low level.
+/// Bits 2(n-1) and 2(n-1)+1: the positive and the negative limit of axis n are active low.
 int16_t gts::GT_LmtSns(Call& call) {
   const uint32_t sense = BitWord(call.value(0));
   uint32_t positive = 0;
@@ -134,7 +134,7 @@ int16_t gts::GT_LmtSns(Call& call) {
   return vm::kOk;
 }
 
-/// Assumption: bit n-1 inverts general input n, as GT_EncSns does for encoders.
+/// Assumption: bit n-1 inverts general input n, as for GT_EncSns and encoders.
 int16_t gts::GT_GpiSns(Call& call) {
   IoOf(call).SetInverted(DiType::kGpi, BitWord(call.value(0)));
   return vm::kOk;

@@ -1,4 +1,4 @@
-// What encoders count, and in which direction; what pulse outputs look like.
+// The source and direction of encoders, and the form of pulse outputs.
 // Source: GTS manual chapters 4.3.2 and 4.5.2, table 10-2; the GE manual for the pulse outputs.
 // Tested by tests/gtcalls/encoder_command_test.cc.
 #include "gtcalls/gts/commands/motion_support.h"

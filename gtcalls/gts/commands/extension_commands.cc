@@ -16,7 +16,7 @@ ExtensionModule& ModuleOf(const Call& call) {
 }
 size_t ChannelOf(const Call& call) { return static_cast<size_t>(call.integer(1)); }
 
-/// 0, or 1 with the reason when no such module is connected.
+/// 0, or 1 with the reason if no such module is connected.
 int16_t CheckModule(Call& call) {
   if (ModuleOf(call).present) return vm::kOk;
   return call.Refuse(
@@ -26,7 +26,7 @@ int16_t CheckModule(Call& call) {
           "未连接扩展模块 {0}；场景的 world 中列出了已连接的模块", call.integer(0)));
 }
 
-/// Runs a command for a module that must be there.
+/// Executes a command on a module, which must be connected.
 template <void (*function)(Call&, ExtensionModule&)>
 int16_t WithModule(Call& call) {
   const int16_t code = CheckModule(call);
@@ -54,7 +54,7 @@ void GetAdValue(Call& call, ExtensionModule& module) {
   call.Set(2, motion::ModuleValue(module.input_volts[ChannelOf(call)]));
 }
 
-/// What the converter makes of the voltage.
+/// The converter's value for the voltage.
 void GetAdVoltage(Call& call, ExtensionModule& module) {
   call.Set(2, motion::ModuleVolts(motion::ModuleValue(module.input_volts[ChannelOf(call)])));
 }
@@ -70,7 +70,7 @@ void SetDaVoltage(Call& call, ExtensionModule& module) {
 
 }  // namespace
 
-/// A missing module is what this command reports, not a reason to refuse.
+/// A missing module is the result of this command, not a reason to refuse it.
 int16_t gts::GT_GetStsExtMdl(Call& call) {
   call.Set(2, ModuleOf(call).present ? 0 : kModuleFault);
   return vm::kOk;

@@ -1,4 +1,4 @@
-// Follow: tables of slave over master displacement.
+// Follow: tables of slave displacement against master displacement.
 // Source: GTS manual 7.6 and chapter 13. Tested by tests/gtcalls/follow_command_test.cc.
 #include "gtcalls/gts/commands/motion_support.h"
 
@@ -101,8 +101,8 @@ int16_t gts::GT_FollowSpace(Call& call) {
 
 namespace {
 
-/// The master's displacements of a FIFO go one way; false, with the reason recorded, when the new
-/// one does not.
+/// The master displacements of a FIFO must continue in one direction; false, with the reason
+/// recorded, if the new one does not.
 bool CheckMasterSegment(Call& call, const std::vector<FollowSegment>& segments, int32_t master) {
   const int32_t before = segments.empty() ? 0 : segments.back().master;
   const bool same_way = segments.empty() || (before > 0 ? master > before : master < before);

@@ -1,4 +1,4 @@
-// Homing: smart (GT_GoHome) and simple (GT_Home and its kin).
+// Homing: smart (GT_GoHome) and simple (GT_Home and related commands).
 // Source: application notes on smart homing; public header and GE manual for the simple commands.
 // Tested by tests/gtcalls/home_command_test.cc.
 #include "gtcalls/gts/commands/motion_support.h"
@@ -33,7 +33,7 @@ enum HomeCell : size_t {
 
 Homing& HomingOf(const Call& call) { return call.card.motion.state().homing[NumberOf(call)]; }
 
-/// Members that a range bounds, THomePrm.
+/// A member of THomePrm that has a range.
 struct Bound {
   HomeCell cell;
   std::string_view name;
@@ -60,7 +60,7 @@ int16_t RefuseMember(Call& call, std::string_view name, double value, double min
                                                     value, minimum, maximum));
 }
 
-/// 0, or 7 when a member of THomePrm is out of its range.
+/// 0, or 7 if a member of THomePrm is out of range.
 int16_t CheckMembers(Call& call, motion::HomeMode mode) {
   const std::span<double> cells = call.cells(1);
   for (const Bound& bound : kBounds) {
@@ -86,7 +86,7 @@ int16_t CheckMembers(Call& call, motion::HomeMode mode) {
   return vm::kOk;
 }
 
-/// Refuses; the reason can be read with GT_GetHomeStatus too.
+/// Refuses; GT_GetHomeStatus then also reports the reason.
 int16_t RefuseHoming(Call& call, HomeError error) {
   Homing& homing = HomingOf(call);
   if (!homing.running) homing.error = error;
@@ -205,7 +205,7 @@ int16_t CheckPrepared(Call& call) {
                                     "回零尚未初始化，请调用 GT_HomeInit"});
 }
 
-/// Searches an axis' home switch up to the position of argument 1.
+/// Searches for the home switch of an axis, at most up to the position in argument 1.
 int16_t SearchSimply(Call& call, HomeKind kind, double velocity, double acceleration,
                      int32_t offset) {
   const auto in_range = [](double value) { return value >= motion::kRateMin && value <= 32767; };
@@ -238,8 +238,9 @@ int16_t gts::GT_HomeStop(Call& call) {
   return SearchSimply(call, HomeKind::kStop, call.value(2), call.value(3), 0);
 }
 
-/// Assumption: before GT_Home it has the index pulse searched after the home switch; behind a
-/// GT_Home that has found its switch the search begins at once. At half the velocity of GT_Home.
+/// Assumption: called before GT_Home, it adds a search for the index pulse after the home switch;
+/// called after a GT_Home that has found its switch, it starts the search at once. The velocity is
+/// half of GT_Home's.
 int16_t gts::GT_Index(Call& call) {
   const Homing& homing = HomingOf(call);
   const size_t axis = NumberOf(call);
@@ -255,7 +256,7 @@ int16_t gts::GT_Index(Call& call) {
 
 namespace {
 
-/// Assumption: what GT_HomeSts gives.
+/// Assumption: the values that GT_HomeSts returns.
 enum SimpleStatus : int { kSearching = 0, kFound = 1, kNotFound = 2 };
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace {
 
 motion::Mram& MramOf(const Call& call) { return call.card.motion.state().mram; }
 
-/// 0, or 7 when words behind the last one are asked for.
+/// 0, or 7 if the call asks for words after the last one.
 int16_t CheckWords(Call& call, int count) {
   const int last = call.integer(0) + count - 1;
   if (last < motion::kMramWords) return vm::kOk;
@@ -17,7 +17,7 @@ int16_t CheckWords(Call& call, int count) {
                                  last, motion::kMramWords - 1));
 }
 
-/// 0, or 1 while a transfer is under way: the buffer belongs to it.
+/// 0, or 1 during a transfer, which uses the buffer.
 int16_t CheckIdle(Call& call) {
   if (!MramOf(call).busy()) return vm::kOk;
   return call.Refuse(vm::kRefused,

@@ -1,5 +1,5 @@
-// Binding of PLC blocks to variables. A block's variables are those of the function that a thread
-// runs, or the globals when the thread is -1; all of them are of type int.
+// Binds PLC blocks to variables. A block's variables are those of the function that a thread runs,
+// or the globals if the thread is -1; all of them have type int.
 // Source: public header of the thread extensions; meanings are assumed from its names.
 // Tested by tests/gtcalls/plc_command_test.cc.
 #include "gtcalls/gts/commands/commands.h"
@@ -17,7 +17,7 @@ int Prm(const Call& call, size_t member) { return static_cast<int>(call.cells(2)
 
 int16_t Reject(Call& call, Message why) { return call.Refuse(vm::kBadParameter, std::move(why)); }
 
-/// 0 when the member lies in the range.
+/// 0, or the refusal if the member is out of range.
 int16_t CheckPrm(Call& call, size_t member, double minimum, double maximum) {
   const double value = call.cells(2)[member];
   if (value >= minimum && value <= maximum) return vm::kOk;
@@ -27,7 +27,8 @@ int16_t CheckPrm(Call& call, size_t member, double minimum, double maximum) {
                                   structure.members[member].name, value, minimum, maximum));
 }
 
-/// 0 when the thread has variables: it is bound, or stands for the globals of a program.
+/// 0, or the refusal if the thread has no variables: it is not bound, or it is -1 and no program is
+/// loaded.
 int16_t CheckThread(Call& call) {
   const vm::Machine& machine = call.card.machine;
   const int thread = ThreadOf(call);
@@ -41,7 +42,7 @@ int16_t CheckThread(Call& call) {
   return call.Refuse(vm::kRefused, DescribeThread(thread, state));
 }
 
-/// 0 when the slot is an int variable of the thread.
+/// 0, or the refusal if the slot is not an int variable of the thread.
 int16_t CheckVariable(Call& call, int id) {
   const vm::Machine& machine = call.card.machine;
   const int thread = ThreadOf(call);
@@ -56,7 +57,7 @@ int16_t CheckVariable(Call& call, int id) {
                                   "{0} 不是 int 变量的标识；应由 GT_GetVarId 取得", id));
 }
 
-/// 0 when the thread, the block's own variable and its inputs are usable.
+/// 0, or the refusal if the thread, the block's own variable or one of its inputs cannot be used.
 int16_t CheckVariables(Call& call, std::initializer_list<int> inputs) {
   if (const int16_t code = CheckThread(call)) return code;
   if (const int16_t code = CheckVariable(call, VariableOf(call))) return code;
@@ -66,7 +67,7 @@ int16_t CheckVariables(Call& call, std::initializer_list<int> inputs) {
   return vm::kOk;
 }
 
-/// The present value of an input, so that what is on already makes no edge.
+/// The current value of an input: an input that is already on then causes no edge.
 bool IsOn(const Call& call, int id) {
   const vm::Machine& machine = call.card.machine;
   const int thread = ThreadOf(call);

@@ -1,10 +1,10 @@
-// Download of a program by words: GT_ClearPlc empties the program memory, GT_LoadPlc opens a
+// Downloads a program word by word: GT_ClearPlc clears the program memory, GT_LoadPlc begins a
 // function, GT_LoadPlcCommand appends words of its records, as in a `.bin` file.
 //
-// Assumption: nothing public says when such a program takes effect. Here the words wait until
-// GT_Bind names one of their functions; then all of them together become the program, as after a
-// download: every thread unbound, every variable 0. There are no names, so variables are reached
-// by their ids (TVarInfo.id and dataType).
+// Assumption: no public source says when such a program takes effect. Here the words wait until
+// GT_Bind is called for one of their functions; then all of them together become the program, as
+// after a download: every thread unbound, every variable 0. There are no names, so variables are
+// accessed by their ids (TVarInfo.id and dataType).
 // Source: public header of the thread extensions; sizes from GTS manual 10.3.
 // Tested by tests/gtcalls/plc_word_command_test.cc.
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace oncard::gtcalls {
 namespace {
 
-/// 0 when no thread is in the middle of the program.
+/// 0, or the refusal if a thread is executing the program.
 int16_t CheckIdle(Call& call) {
   for (int i = 0; i < vm::kThreadCount; ++i) {
     const vm::ThreadState& thread = call.card.machine.thread(i);
@@ -33,7 +33,7 @@ WordFunction* FindWords(PlcBlocks& plc, int id) {
 
 }  // namespace
 
-/// Empties the program memory: the program in place and the words received.
+/// Clears the program memory: the loaded program and the words received.
 int16_t gts::GT_ClearPlc(Call& call) {
   if (const int16_t code = CheckIdle(call)) return code;
   call.card.plc = {};
@@ -41,7 +41,7 @@ int16_t gts::GT_ClearPlc(Call& call) {
   return vm::kOk;
 }
 
-/// Opens a function, or opens it anew without its words.
+/// Begins a function; one that exists already is emptied.
 int16_t gts::GT_LoadPlc(Call& call) {
   const int id = call.integer(0);
   const int type = call.integer(1);

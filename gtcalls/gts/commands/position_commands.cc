@@ -72,7 +72,7 @@ int16_t gts::GT_GetAxisError(Call& call) {
 
 namespace {
 
-/// Assumption: a coordinate system's bit stands for the axes that map its members.
+/// Assumption: the bit of a coordinate system selects the axes to which its profiles are mapped.
 void SynchMembers(const Call& call, size_t crd) {
   motion::MotionCore& core = call.card.motion;
   for (size_t axis = 0; axis < core.axis_count(); ++axis) {
@@ -113,8 +113,8 @@ int16_t gts::GT_GetEncPos(Call& call) {
   return ReadEach(call, [&](size_t i) { return StateOf(call).encoders[i].position; });
 }
 
-/// What has been counted in the last cycle is taken off again, so that a position set since then
-/// does not show as a movement.
+/// Subtracts the counts of the last cycle from the current position, so that setting the position
+/// does not appear as a movement.
 int16_t gts::GT_GetEncPosPre(Call& call) {
   const double cycle_ms = static_cast<double>(call.card.motion.config().cycle_us) / 1000;
   return ReadEach(call, [&](size_t i) {

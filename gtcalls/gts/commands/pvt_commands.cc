@@ -18,7 +18,7 @@ using motion::PvtMode;
 using motion::PvtTable;
 using motion::PvtTablePointer;
 
-/// Assumptions: bounds of what the arrays hold; the manual names none but for positions.
+/// Assumptions: limits of the arrays' elements; the manual gives one only for positions.
 constexpr double kTimeMax = 2147483647;
 constexpr double kVelocityMax = 32767;
 constexpr double kAccelerationMin = motion::kRateMin;
@@ -34,7 +34,7 @@ std::array<PvtTablePointer, motion::kPvtTableCount>& TablesOf(const Call& call) 
 
 // --- Ranges ----------------------------------------------------------------------------------
 
-/// False, with the reason recorded, unless [minimum, maximum] holds the value; a NaN it does not.
+/// False, with the reason recorded, unless the value is in [minimum, maximum]; a NaN is not.
 bool CheckValue(Call& call, size_t index, double minimum, double maximum) {
   const double value = call.value(index);
   if (value >= minimum && value <= maximum) return true;
@@ -67,7 +67,7 @@ bool CheckPercents(Call& call, size_t index, size_t count) {
   return CheckElements(call, index, count, 0, 100);
 }
 
-/// Times in range and growing, positions in range.
+/// Checks that times are in range and increasing, and that positions are in range.
 bool CheckPoints(Call& call, size_t times, size_t positions, size_t count) {
   if (!CheckElements(call, times, count, 0, kTimeMax)) return false;
   for (size_t i = 1; i < count; ++i) {
@@ -86,7 +86,7 @@ bool CheckPoints(Call& call, size_t times, size_t positions, size_t count) {
 
 // --- Tables ----------------------------------------------------------------------------------
 
-/// The number of points, argument `index`.
+/// The number of points, from argument `index`.
 size_t CountOf(const Call& call, size_t index) { return static_cast<size_t>(call.integer(index)); }
 
 /// The first `count` elements of an array.
@@ -94,7 +94,8 @@ std::span<const double> Elements(const Call& call, size_t index, size_t count) {
   return call.cells(index).first(count);
 }
 
-/// Makes it the table of argument 0, unless it is too large. Runs keep what they began with.
+/// Stores the table under the number in argument 0, unless it is too large. A motion in progress
+/// keeps the table with which it started.
 int16_t Fill(Call& call, PvtTable table) {
   if (table.slots() > motion::kPvtPointMax) {
     return call.Refuse(vm::kBadParameter,
@@ -165,11 +166,11 @@ int16_t gts::GT_PvtPercentCalculate(Call& call) {
 
 namespace {
 
-/// The rows of the six arrays from argument `first` on; empty, with the reason recorded, when they
-/// describe no motion.
+/// The rows of the six arrays from argument `first` on; empty, with the reason recorded, if no
+/// motion is possible.
 std::vector<ContinuousRow> ContinuousRows(Call& call, size_t first, size_t count) {
   if (!CheckPositions(call, first, count) || !CheckVelocities(call, first + 1, count)) return {};
-  // What the last row has besides position and velocity belongs to no interval.
+  // No interval follows the last row, so only its position and velocity are used.
   const size_t used = count - 1;
   if (!CheckPercents(call, first + 2, used) ||
       !CheckElements(call, first + 3, used, 0, kVelocityMax) ||

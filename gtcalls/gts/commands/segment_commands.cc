@@ -1,6 +1,6 @@
-// Segments of a coordinate system: lines, arcs, helices. One function serves all: which numbers a
-// command takes, its parameters' names say; its plane and whether it ends at rest (G0) or has the
-// second override, its own name.
+// Segments of a coordinate system: lines, arcs, helices. One function implements all these
+// commands: the names of a command's parameters say which numbers it takes; its own name says in
+// which plane it is, and whether it ends at rest (G0) or uses the second override.
 // Source: the public header. Tested by tests/gtcalls/segment_command_test.cc.
 #include <algorithm>
 #include <optional>
@@ -21,7 +21,7 @@ bool Contains(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
 
-/// What a segment command says.
+/// The data of a segment command.
 struct Request {
   Coordinates end{};
   size_t dimension = 2;  ///< coordinates it needs
@@ -46,13 +46,14 @@ ArcPlane PlaneOf(std::string_view command) {
   return motion::kArcPlanes[0];
 }
 
-/// The coordinate that a parameter x, y, z or a gives; 4 for other names.
+/// The coordinate of parameter x, y, z or a; 4 for other names.
 size_t CoordinateOf(std::string_view name) {
   constexpr std::string_view kNames = "xyza";
   return name.size() == 1 ? std::min(kNames.find(name[0]), kNames.size()) : kNames.size();
 }
 
-/// Reads the arguments; coordinates that the command does not name stay at `start`.
+/// Reads the arguments; coordinates that are not parameters of the command keep the value in
+/// `start`.
 Request ReadRequest(const Call& call, const Coordinates& start) {
   Request request;
   request.end = start;
@@ -177,11 +178,11 @@ constexpr size_t kEndVelocityCell = 33;
 constexpr double kLineType = 0;
 constexpr double kArcType = 1;
 
-/// Bound of velocities and accelerations; not included.
+/// Limit of velocities and accelerations, excluded.
 constexpr double kRateBound = 32767;
 
-/// False, with the reason recorded, unless the members of TCrdData that a segment needs lie in
-/// their ranges.
+/// False, with the reason recorded, unless the members of TCrdData that a segment needs are in
+/// range.
 bool CheckData(Call& call, bool arc) {
   const std::span<double> cells = call.cells(1);
   bool good = cells[kVelocityCell] >= motion::kRateMin && cells[kVelocityCell] < kRateBound &&
@@ -229,7 +230,7 @@ int16_t AppendData(Call& call, bool arc) {
     if (cells[kRadiusCell] != 0) {
       request.radius = cells[kRadiusCell];
     } else {
-      // The members of `center` stand for X, Y, Z.
+      // The members of `center` are X, Y, Z.
       request.centre = {cells[kCentreCell + request.plane.first],
                         cells[kCentreCell + request.plane.second]};
       request.centre_count = 2;

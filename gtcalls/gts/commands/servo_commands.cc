@@ -14,7 +14,7 @@ using motion::PidSet;
 /// GT_CtrlMode.
 constexpr int kClosedLoopMode = 0;
 
-/// Gains reach from 0 to this (GE manual).
+/// Maximum of the gains; the minimum is 0 (GE manual).
 constexpr double kGainMax = 32767;
 
 Control& ControlOf(const Call& call) { return call.card.motion.state().controls[NumberOf(call)]; }

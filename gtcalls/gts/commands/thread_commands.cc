@@ -36,7 +36,8 @@ int RunCode(ThreadRun run) {
 
 const ThreadState& ThreadOf(const Call& call) { return call.card.machine.thread(call.integer(0)); }
 
-/// Gives the machine's code, with the reason that `before`, the state before the call, explains.
+/// Returns the machine's code; if it is not 0, `before`, the state before the call, gives the
+/// reason.
 int16_t Answer(Call& call, int16_t code, const ThreadState& before) {
   if (code == vm::kOk) return code;
   return call.Refuse(code, DescribeThread(call.integer(0), before));
@@ -144,7 +145,7 @@ int16_t gts::GT_GetThreadTime(Call& call) {
   return vm::kOk;
 }
 
-/// TThreadStatus. Assumption: the public header names the members and nothing else. `address` has
+/// TThreadStatus. Assumption: the public header only gives the names of the members. `address` has
 /// no counterpart here and is 0, `link` says whether the thread is bound, `count` counts overruns
 /// of a periodic thread.
 int16_t gts::GT_GetThread(Call& call) {

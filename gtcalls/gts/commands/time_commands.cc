@@ -1,4 +1,5 @@
-// Clocks, and what a motion program's thread does with time: delays, waits, its data page.
+// Clocks, and the commands with which a motion program's thread delays, waits and sets its data
+// page.
 // Source: GTS manual 10.3.5, table 10-2 and chapter 13; the public header for parameters.
 // Tested by tests/gtcalls/time_command_test.cc.
 #include "gtcalls/gts/commands/commands.h"
@@ -24,7 +25,7 @@ int16_t gts::GT_Delay(Call& call) {
   return vm::kOk;
 }
 
-/// Assumption: the parameter counts profile cycles, as one public header names it.
+/// Assumption: the parameter is a number of profile cycles, as its name in one public header says.
 int16_t gts::GT_DelayHighPrecision(Call& call) {
   if (call.caller == vm::kHostCaller) return RefuseHost(call);
   call.card.machine.Delay(call.caller, call.integer(0));
@@ -38,8 +39,8 @@ int16_t gts::GT_SetDataPage(Call& call) {
   return code == vm::kOk ? code : call.Refuse(code, DescribeTakenPage(page));
 }
 
-/// Assumption: the vendor's compiler knows the name; that it takes a variable and a value, and
-/// waits for equality, is read from it.
+/// Assumption: the vendor's compiler knows the name. That the command takes a variable and a value
+/// and waits until they are equal is inferred from it.
 int16_t gts::GT_WaitForVarEq(Call& call) {
   if (call.caller == vm::kHostCaller) return RefuseHost(call);
   call.card.machine.WaitForValue(call.caller, call.arguments[0].slot, call.integer(1));

@@ -7,16 +7,16 @@ namespace {
 
 using motion::ProfileMode;
 
-/// Assumption: bounds of accelerations. The manual says > 0; outside these a motion would last
-/// years, or change velocity faster than numbers can tell.
+/// Assumption: limits of accelerations. The manual only says > 0; outside these limits a motion
+/// would last years, or the velocity would change by more than a double can represent accurately.
 constexpr double kAccelerationMin = motion::kRateMin;
 constexpr double kAccelerationMax = 1e9;
 
-/// Largest TTrapPrm.velStart, as of velocities.
+/// Maximum of TTrapPrm.velStart, as for velocities.
 constexpr double kStartVelocityMax = 32767;
 
-/// False, with the reason recorded, unless the value of a structure's member lies in
-/// [minimum, maximum]; a NaN does not.
+/// False, with the reason recorded, unless the value of the member is in [minimum, maximum]; a NaN
+/// is not.
 bool CheckMember(Call& call, std::string_view name, double value, double minimum, double maximum) {
   if (value >= minimum && value <= maximum) return true;
   call.reason = MakeMessage("{0} is {1}; the range is [{2}, {3}]",
@@ -24,14 +24,14 @@ bool CheckMember(Call& call, std::string_view name, double value, double minimum
   return false;
 }
 
-/// Of acc and dec, the first two members of TTrapPrm and TJogPrm. dec may be 0.
+/// Checks acc and dec, the first two members of TTrapPrm and TJogPrm. dec may be 0.
 bool CheckAccelerations(Call& call) {
   const double dec = call.cells(1)[1];
   return CheckMember(call, "acc", call.cells(1)[0], kAccelerationMin, kAccelerationMax) &&
          (dec == 0 || CheckMember(call, "dec", dec, kAccelerationMin, kAccelerationMax));
 }
 
-/// Assumption: a dec of 0 stands for acc, which the manual calls its default.
+/// Assumption: a dec of 0 means the value of acc, which the manual calls the default of dec.
 double DecelerationOf(const Call& call) {
   return call.cells(1)[1] == 0 ? call.cells(1)[0] : call.cells(1)[1];
 }
@@ -110,7 +110,7 @@ int16_t gts::GT_GetJogPrm(Call& call) {
 
 namespace {
 
-/// 0, or 1 with the reason when GT_Update and GT_SetVel have no meaning for the profile's mode.
+/// 0, or 1 with the reason if GT_Update and GT_SetVel have no effect in the profile's mode.
 int16_t CheckUpdated(Call& call, size_t profile) {
   const ProfileMode mode = call.card.motion.state().profiles[profile].mode;
   if (mode == ProfileMode::kTrap || mode == ProfileMode::kJog) return vm::kOk;
@@ -145,7 +145,7 @@ int16_t gts::GT_GetVel(Call& call) {
 
 namespace {
 
-/// Where the registers would move a profile: the sign of what comes out.
+/// The sign is the direction in which the registers would move the profile.
 double DirectionOf(const motion::Profile& profile) {
   return profile.mode == ProfileMode::kTrap ? profile.trap.target - profile.now.position
                                             : profile.jog.velocity;

@@ -5,7 +5,7 @@
 namespace oncard::gtcalls {
 namespace {
 
-/// The catalogue's range keeps the number below motion::kUserVariableCount.
+/// The catalogue's range ensures a number below motion::kUserVariableCount.
 size_t IndexOf(const Call& call) { return static_cast<size_t>(call.integer(0)); }
 
 }  // namespace

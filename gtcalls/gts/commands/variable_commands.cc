@@ -1,9 +1,9 @@
 // The host's access to a motion program's variables.
 //
-// A variable's slot has no type of its own; the program's symbols give it. For a data page they are
-// those of the function that a thread bound to that page runs; when no thread holds the page, those
-// of the first function that declares the slot as TVarInfo describes it. A program downloaded by
-// words declares nothing: there TVarInfo alone counts.
+// A variable's slot has no type of its own; the type comes from the program's symbols. For a data
+// page these are the symbols of the function that a thread bound to that page runs; if no thread
+// uses the page, those of the first function that declares the slot as TVarInfo describes it. A
+// program downloaded word by word declares nothing: there only TVarInfo gives the type.
 // Source: GTS manual 10.3.5 and chapter 13. Tested by tests/gtcalls/variable_command_test.cc.
 #include <array>
 
@@ -19,7 +19,7 @@ constexpr int kGlobalPage = -1;
 /// Variables per call (GTS manual chapter 13).
 constexpr size_t kCountMax = 6;
 
-/// What a call is about.
+/// The variables that a call reads or writes.
 struct Target {
   int page = kGlobalPage;
   int id = 0;
@@ -34,7 +34,7 @@ Target TargetOf(const Call& call) {
           .count = call.integer(3)};
 }
 
-/// The function of the bound thread that holds a page, nullptr when none does.
+/// The function of the thread that is bound to a page, nullptr if there is none.
 const vm::Function* FunctionOfPage(const vm::Machine& machine, int page) {
   for (int i = 0; i < vm::kThreadCount; ++i) {
     const vm::ThreadState& thread = machine.thread(i);
@@ -45,7 +45,7 @@ const vm::Function* FunctionOfPage(const vm::Machine& machine, int page) {
   return nullptr;
 }
 
-/// The symbols that give the types of the target's slots, nullptr when there are none.
+/// The symbols with the types of the target's slots, nullptr if there are none.
 const std::vector<Symbol>* SymbolsFor(const vm::Machine& machine, const Target& target) {
   const vm::Object& object = machine.image()->object;
   if (target.page == kGlobalPage) return &object.globals;
@@ -73,7 +73,7 @@ std::optional<DataType> TypeFromInfo(const Target& target, int id) {
 
 using Slots = std::array<vm::SlotAddress, kCountMax>;
 
-/// The slots of the target; empty when one of them is not a variable, with the reason recorded.
+/// The slots of the target; empty, with the reason recorded, if one of them is not a variable.
 std::optional<Slots> FindSlots(Call& call, const Target& target) {
   const vm::Machine& machine = call.card.machine;
   if (machine.image() == nullptr) {
