@@ -16,12 +16,12 @@
 namespace oncard::explore {
 namespace {
 
-/// How many statements the threads may take one after the other, and how many in a row one that
-/// can go on: a thread that waits in a loop must let the others go on.
+/// Maximum number of statements when the threads run one after the other, and how many consecutive
+/// ones a thread may take: a thread that waits in a loop must let the others continue.
 constexpr int64_t kSerialSteps = 100'000;
 constexpr int64_t kSerialTurn = 10'000;
 
-/// What the threads end with when each runs as long as it can; nothing when they do not end.
+/// The end that is reached when each thread runs as long as it can; empty if they do not end.
 template <typename Walk>
 std::optional<End> SerialEnd(Walk* walk) {
   int last = -1;
@@ -54,10 +54,10 @@ Findings FindingsOf(const runtime::Scenario& scenario, CardModel* model, Explora
   return findings;
 }
 
-/// What the card does in the failing run, by a run of its schedule. A run that fails before its end
-/// has no more; it shows what there is.
+/// Adds what the card does in the failing run, by running its schedule. A run that fails before its
+/// end has only the values up to there.
 void AddTrace(const runtime::Scenario& scenario, const vm::Object& object, Findings* findings) {
-  // What is too long to be listed is too long to be drawn.
+  // A run that is too long to be listed is also too long to be drawn.
   if (!findings->exploration.failure || findings->trail.skipped > 0) return;
   runtime::RunOptions options;
   options.trace = true;
@@ -67,7 +67,7 @@ void AddTrace(const runtime::Scenario& scenario, const vm::Object& object, Findi
   if (run.ok()) findings->trail.trace = std::move(run.value().trace);
 }
 
-/// The statements of a schedule, by the threads of the subject.
+/// The statements of a schedule, by the subject's thread numbers.
 std::vector<uint8_t> StepsOf(const Subject& subject, const vm::Schedule& schedule) {
   std::vector<uint8_t> steps;
   for (const vm::ScheduleSegment& segment : schedule.segments) {
@@ -90,7 +90,7 @@ Result<Findings> ExploreProgram(const runtime::Scenario& scenario,
   return FindingsOf(scenario, problem.value(), std::move(exploration).value());
 }
 
-/// Where the scenario names the engine; nowhere when another one takes its place.
+/// The place where the scenario names the engine; empty if it names another one.
 runtime::TextPlace PlaceOfEngine(const runtime::Scenario& scenario, EngineKind engine) {
   const bool named = scenario.explore && EngineNamed(scenario.explore->engine) == engine;
   return named ? runtime::PlaceOfText(scenario, "explore.engine") : runtime::TextPlace{};
@@ -156,7 +156,7 @@ void Describe(const runtime::Scenario& scenario, Subject* subject) {
   };
   subject->program = name_of(scenario.program);
   if (scenario.path.ends_with(".toml")) subject->scenario = name_of(scenario.path);
-  // Where the files lie says nothing of what was explored.
+  // The folders of the files do not influence what is explored.
   runtime::Scenario hashed = scenario;
   hashed.program = subject->program;
   hashed.include_folders.clear();
@@ -196,7 +196,7 @@ Result<Problem> ProblemOfScenario(const runtime::Scenario& scenario,
   SyncCells sync = SyncCellsOf(scenario, controller.machine().image()->object, &fit);
   auto model = Model::Create(controller.machine());
   if (!model.ok()) {
-    // There may be none because no thread could be bound: the rest is told all the same.
+    // Binding a thread may have failed: the other problems are reported all the same.
     runtime::ReadRequirements<runtime::CardCondition>(all, controller, &fit);
     if (auto failure = fit.Failure()) return *std::move(failure);
     return model.error();

@@ -23,7 +23,7 @@ class BoundedSearch {
       counts_.preemptions = bound;
       if (counts_.bad) return Finish(true);
       if (!cut_) {
-        // No schedule has more preemptions.
+        // No schedule needs more preemptions.
         counts_.preemptions = options_.preemptions;
         break;
       }
@@ -34,7 +34,7 @@ class BoundedSearch {
  private:
   struct Visit {
     uint32_t untried = 0;  ///< threads
-    int last = -1;         ///< the thread that took the statement to here
+    int last = -1;         ///< the thread whose statement led here
     int preemptions = 0;
   };
 
@@ -45,7 +45,7 @@ class BoundedSearch {
     return std::move(counts_);
   }
 
-  /// False when a limit was reached.
+  /// False if a limit was reached.
   bool Search(int bound) {
     std::vector<Visit> path;
     Enter(-1, 0, bound, &path);
@@ -79,7 +79,7 @@ class BoundedSearch {
     return last >= 0 && thread != last && (walk_.choices() >> last & 1) != 0;
   }
 
-  /// False when the present state has been entered in this way before.
+  /// False if the current state was entered in the same way before.
   bool Enter(int last, int preemptions, int bound, std::vector<Visit>* path) {
     StateKey key = walk_.Key();
     AddToKey(kPlaceOfVisit, last, &key);
@@ -97,7 +97,7 @@ class BoundedSearch {
     return true;
   }
 
-  /// Beyond all cells of a model.
+  /// Greater than all cell numbers of a model.
   static constexpr uint32_t kPlaceOfVisit = 0xfffffff0;
 
   Walk walk_;

@@ -45,7 +45,7 @@ class CardSearch {
   }
 
  private:
-  /// The number of a state; a new one is judged and waits for its turn.
+  /// Returns the number of a state; a new state is checked and queued.
   uint32_t Enter(CardModel::State state) {
     bool added = false;
     const uint32_t number = numbers_.FindOrAdd(model_.KeyOf(state), &added);

@@ -12,15 +12,15 @@
 namespace oncard::explore {
 namespace {
 
-/// A step of one thread as plans and sleep sets remember it.
+/// A step of one thread, as stored in plans and sleep sets.
 struct Step {
   int thread = 0;
   AccessSet access;
-  /// It sleeps because another unit of the search begins with it.
+  /// It is in the sleep set because another unit of the search begins with it.
   bool elsewhere = false;
 };
 
-/// A plan: sequences of steps that share their beginnings, as a tree in a pool. Siblings are tried
+/// A plan: sequences of steps with common prefixes, stored as a tree in a pool. Siblings are tried
 /// in their order.
 using PlanIndex = uint32_t;
 constexpr PlanIndex kNoPlan = ~PlanIndex{0};
@@ -45,7 +45,7 @@ class PlanPool {
     nodes_[index] = {step, kNoPlan, kNoPlan};
     return index;
   }
-  /// Gives back a node without children.
+  /// Returns a node without children to the pool.
   void Release(PlanIndex index) {
     nodes_[index].next_sibling = free_;
     free_ = index;
@@ -59,27 +59,28 @@ class PlanPool {
 /// A step that has been executed.
 struct Event {
   Step step;
-  int64_t statements = 0;  ///< how many the model executed for it
-  /// Of each thread, how many events happen before this one or are it.
+  int64_t statements = 0;  ///< number of statements that the model executed for it
+  /// For each thread, how many of its events happen before this one or are this one.
   std::array<uint32_t, kThreadMax> clock{};
-  uint32_t number = 0;  ///< among its thread's events, from 1
-  /// What Latest said before the event, in the order in which it was changed.
+  uint32_t number = 0;  ///< its position among the events of its thread, from 1
+  /// The entries that it replaced (ForLatest()), in the order in which they were changed.
   std::array<uint32_t, AccessSet::kReadMax + 2> before{};
-  uint64_t trace = 0;  ///< names the trace up to and with this event; kept on request
+  uint64_t trace = 0;  ///< identifies the trace up to and including this event; only set on request
   std::vector<uint32_t>
-      races;  ///< earlier events it races with, while their reversal is not settled
+      races;  ///< earlier events that it races with and whose reversal is not settled yet
 };
 
-/// What the search knows of the state before an event.
+/// Data of the search about the state before an event.
 struct Frame {
-  std::vector<Step> sleep;    ///< what need not be tried here
-  PlanIndex plans = kNoPlan;  ///< what is still to be tried, the one under way first
+  std::vector<Step> sleep;    ///< steps that need not be tried here
+  PlanIndex plans = kNoPlan;  ///< what is still to be tried; the current one first
 };
 
-/// How a step stands to a sequence: one of its first, independent of all of it, or neither.
+/// The relation of a step to a sequence: it can be its first step (kFirst), it is independent of
+/// all its steps (kIndependent), or neither (kNo).
 enum class Initial : uint8_t { kNo, kFirst, kIndependent };
 
-/// Traces whose keys are kept to count redundant ones: half a gigabyte of them.
+/// Maximum number of traces whose keys are kept to count redundant ones: half a gigabyte.
 constexpr size_t kNotedTraceMax = size_t{1} << 26;
 
 class Search {
@@ -110,7 +111,7 @@ class Search {
     threads_ = static_cast<size_t>(model_.thread_count());
     for (int thread = 0; thread < model_.thread_count(); ++thread) RunPrivate(thread);
     std::deque<TraceUnit> open = {TraceUnit{}};
-    std::vector<TraceUnit> whole;  // of one execution
+    std::vector<TraceUnit> whole;  // units with a single execution
     while (!open.empty() && open.size() + whole.size() < count) {
       const int64_t before = model_.depth();
       const TraceUnit unit = std::move(open.front());
@@ -130,7 +131,7 @@ class Search {
   }
 
  private:
-  /// Executes a thread's statements up to the next that touches shared cells.
+  /// Executes a thread's statements up to the next one that accesses shared cells.
   void RunPrivate(int thread) {
     result_.steps += model_.StepPrivate(thread, limits_.depth - model_.depth());
   }
@@ -139,7 +140,7 @@ class Search {
     while (model_.depth() > depth) model_.Undo();
   }
 
-  /// The step that a thread takes next.
+  /// The next step of a thread.
   Step NextStep(int thread) const { return {thread, model_.NextAccess(thread)}; }
   std::vector<Step> NextSteps(const std::vector<uint8_t>& threads) const {
     std::vector<Step> steps;
@@ -150,7 +151,7 @@ class Search {
 
   // --- Parts of a search -------------------------------------------------------------------------
 
-  /// Takes the steps before the unit, for which there is nothing else to be tried.
+  /// Executes the steps before the unit; no alternatives to them are tried.
   void TakePrefix(const TraceUnit& unit) {
     frames_.resize(std::max<size_t>(frames_.size(), unit.prefix.size() + 1));
     for (const uint8_t thread : unit.prefix) {
@@ -163,7 +164,7 @@ class Search {
     for (Step& step : frames_[count_].sleep) step.elsewhere = true;
   }
 
-  /// Forgets the steps of a unit, whose statements the model has undone.
+  /// Discards the steps of a unit after the model has undone their statements.
   void Forget() {
     while (count_ > 0) {
       --count_;
@@ -175,7 +176,7 @@ class Search {
     latest_of_cell_.clear();
   }
 
-  /// The units that begin with one step more.
+  /// Splits a unit into units whose prefixes are one step longer.
   void SplitInto(const TraceUnit& unit, std::deque<TraceUnit>* units) const {
     std::vector<Step> sleep = frames_[count_].sleep;
     for (uint32_t left = model_.runnable(); left != 0; left &= left - 1) {
@@ -223,7 +224,7 @@ class Search {
     return plans;
   }
 
-  /// Takes the path of an interrupted search again.
+  /// Executes the path of an interrupted search again.
   void Restore(const std::vector<SavedFrame>& saved) {
     for (const SavedFrame& frame : saved) {
       std::vector<Step> sleep = NextSteps(frame.sleep);
@@ -231,7 +232,7 @@ class Search {
       frames_[count_].sleep = std::move(sleep);
       frames_[count_].plans = RestorePlans(frame.plans);
       Execute();
-      // Those that are not settled yet.
+      // Keeps only the races that are not settled yet.
       std::vector<uint32_t>& races = events_[count_ - 1].races;
       if (races.empty()) continue;
       std::erase_if(races, [&](uint32_t earlier) {
@@ -245,14 +246,14 @@ class Search {
       return asleep.thread == thread && asleep.elsewhere;
     });
   }
-  /// What the planned steps touch shows when they are taken.
+  /// The accesses of planned steps are not saved; they are determined by executing the steps.
   PlanIndex RestorePlans(const std::vector<PlannedStep>& plans) {
-    /// Of the plans with one step before them.
+    /// Plans that follow the same step.
     struct Level {
-      size_t left = 0;               ///< plans still to come
-      int64_t depth = 0;             ///< of the model before that step
+      size_t left = 0;               ///< number of plans still to be read
+      int64_t depth = 0;             ///< depth of the model before that step
       PlanIndex before = kNoPlan;    ///< that step
-      PlanIndex previous = kNoPlan;  ///< the plan before the one that comes
+      PlanIndex previous = kNoPlan;  ///< the plan read last
     };
     PlanIndex first = kNoPlan;
     std::vector<Level> levels = {{plans.size(), model_.depth()}};
@@ -280,7 +281,7 @@ class Search {
 
   // --- The search --------------------------------------------------------------------------------
 
-  /// From the end of an execution on.
+  /// Continues the search after the end of an execution.
   void Explore() {
     while (!stopped_ && count_ > first_) {
       Leave();
@@ -290,7 +291,7 @@ class Search {
     result_.complete = !stopped_ || nothing_left;
   }
 
-  /// Goes on from the present state until an execution has ended.
+  /// Executes steps from the current state until the execution ends.
   void Descend() {
     while (model_.runnable() != 0) {
       if (model_.depth() >= limits_.depth) {
@@ -308,7 +309,7 @@ class Search {
     Finish();
   }
 
-  /// Plans any thread that is awake.
+  /// Plans a step of any thread that is not in the sleep set.
   bool PlanFirst(Frame* frame) {
     uint32_t awake = model_.runnable();
     for (const Step& asleep : frame->sleep) awake &= ~(1u << asleep.thread);
@@ -318,7 +319,7 @@ class Search {
     return true;
   }
 
-  /// Takes the first plan's first step.
+  /// Executes the first step of the first plan.
   void Execute() {
     if (frames_.size() < count_ + 2) frames_.resize(count_ + 2);
     const Frame& frame = frames_[count_];
@@ -341,8 +342,8 @@ class Search {
     events_[count_ - 1].statements = model_.depth() - before;
   }
 
-  /// Adds an event, with what happens before it and which of that it races with: the events of
-  /// other threads that come before it directly.
+  /// Adds an event. Determines which events happen before it, and with which of them it races:
+  /// those of other threads that immediately precede it in the happens-before order.
   void AppendEvent(const Step& step) {
     if (events_.size() == count_) events_.emplace_back();
     Event& event = events_[count_];
@@ -354,7 +355,8 @@ class Search {
       const uint32_t i = predecessors_[p];
       const Event& earlier = events_[i - 1];
       const auto thread = static_cast<size_t>(earlier.step.thread);
-      if (earlier.number <= event.clock[thread]) continue;  // something in between orders them
+      if (earlier.number <= event.clock[thread])
+        continue;  // ordered already by an event in between
       for (size_t t = 0; t < threads_; ++t) {
         event.clock[t] = std::max(event.clock[t], earlier.clock[t]);
       }
@@ -370,7 +372,7 @@ class Search {
     });
   }
 
-  /// Of the events that a step depends on, those that may come before it directly: the latest
+  /// Collects the events that a step depends on and that may immediately precede it, the latest
   /// first.
   void FindPredecessors(const Step& step) {
     predecessor_count_ = 0;
@@ -392,8 +394,8 @@ class Search {
     }
   }
 
-  /// Calls `change` with every element of what is known of the latest events that says something
-  /// else after this step, always in the same order.
+  /// Calls `change` for every entry about the latest events that this step replaces, always in the
+  /// same order.
   template <typename Change>
   void ForLatest(const Step& step, const Change& change) {
     change(&latest_of_thread_[static_cast<size_t>(step.thread)]);
@@ -403,15 +405,16 @@ class Search {
     if (step.access.write != AccessSet::kNone) change(LatestOf(step.access.write) + threads_);
   }
 
-  /// Of a cell: each thread's latest event that reads it, then the latest that writes it, counted
-  /// from 1; 0 when there is none.
+  /// For a cell: each thread's latest event that reads it, then the latest event that writes it,
+  /// counted from 1; 0 if there is none.
   uint32_t* LatestOf(uint32_t cell) {
     const size_t begin = size_t{cell} * (threads_ + 1);
     if (latest_of_cell_.size() < begin + threads_ + 1) latest_of_cell_.resize(begin + threads_ + 1);
     return &latest_of_cell_[begin];
   }
 
-  /// Names a trace by what happens before each of its events, in whatever order they came.
+  /// Computes the trace's identifier from what happens before each of its events; it does not
+  /// depend on the order of independent events.
   void NameTrace(Event* event) {
     uint64_t name = static_cast<uint64_t>(event->step.thread);
     for (size_t t = 0; t < threads_; ++t) {
@@ -420,15 +423,15 @@ class Search {
     event->trace = (count_ == 0 ? 0 : events_[count_ - 1].trace) + (name ^ name >> 32);
   }
 
-  /// Remembers the present trace.
+  /// Stores the identifier of the current trace.
   void NoteTrace() {
     if (traces_.size() == kNotedTraceMax) return;
     traces_.push_back(count_ == 0 ? 0 : events_[count_ - 1].trace);
   }
-  /// How many of the remembered traces are there more than once. Sorting them at the end is much
-  /// faster than looking up each in a table that is larger than the processor's caches.
+  /// Counts the stored traces that were executed before. Sorting them at the end is much faster
+  /// than a look-up of each in a table that is larger than the processor's caches.
   int64_t CountRedundant() {
-    // By their first bits into parts that fit into a cache, which are then sorted one by one.
+    // Distributes them by their first bits to parts that fit into a cache, which are then sorted.
     constexpr int kPartBits = 12;
     std::vector<size_t> ends(size_t{1} << kPartBits);
     const auto part_of = [](uint64_t trace) { return trace >> (64 - kPartBits); };
@@ -447,7 +450,7 @@ class Search {
     return redundant;
   }
 
-  /// Takes back the last event: its step goes to sleep, what was planned for it is done.
+  /// Undoes the last event: its step goes to the sleep set and its plan is completed.
   void Leave() {
     const Event& event = events_[--count_];
     if (!unsettled_.empty() && unsettled_.back() == count_) unsettled_.pop_back();
@@ -471,7 +474,7 @@ class Search {
     ReverseRaces();
   }
 
-  /// Plans for the races of an execution.
+  /// Plans the reversals of the races of an execution.
   void ReverseRaces() {
     std::erase_if(unsettled_, [this](uint32_t later) {
       std::vector<uint32_t>& races = events_[later].races;
@@ -484,24 +487,25 @@ class Search {
     return first.number <= second.clock[static_cast<size_t>(first.step.thread)];
   }
 
-  /// Plans an execution in which the two events of a race come the other way round, unless one is
-  /// planned or has been seen. True when that holds for all executions that begin as this one does
-  /// up to the later event.
+  /// Plans an execution in which the two events of a race have the reverse order, unless one is
+  /// planned or has been executed. True if this holds for all executions that have the same steps
+  /// up to and including the later event.
   bool Reverse(size_t earlier, size_t later) {
     if (earlier < first_) return true;  // another unit begins with the reversal
     rest_.clear();
     for (size_t i = earlier + 1; i < later; ++i) AppendConcurrent(earlier, i);
     rest_.push_back(&events_[later].step);
     const size_t certain = rest_.size();
-    // What follows cannot depend on the later event, so the order among them does not matter.
+    // The steps after the later event cannot depend on it here, so their order does not matter.
     for (size_t i = later + 1; i < count_; ++i) AppendConcurrent(earlier, i);
     Frame& frame = frames_[earlier];
     for (const Step& asleep : frame.sleep) {
       size_t decided = 0;
       const Initial initial = InitialOf(asleep, &decided);
       if (initial == Initial::kNo) continue;
-      // The unit that begins with a step cannot tell this one what it finds, so that sequences
-      // after which it is woken must be tried, although they could have come after it, too.
+      // Another unit begins with this step, and this unit does not know what it finds. So sequences
+      // after which the step leaves the sleep set must be tried, even if they could also come after
+      // it.
       if (initial == Initial::kIndependent && asleep.elsewhere) continue;
       return decided < certain;
     }
@@ -513,8 +517,8 @@ class Search {
     if (!HappensBefore(events_[earlier], events_[index])) rest_.push_back(&events_[index].step);
   }
 
-  /// How `step`, the next of its thread, stands to the sequence rest_; `decided` is the element
-  /// that says so, or the size when it takes all.
+  /// The relation of `step`, the next step of its thread, to the sequence rest_. `decided` is the
+  /// index of the element that determines it, or the size if the step is independent of all.
   Initial InitialOf(const Step& step, size_t* decided) const {
     for (size_t i = 0; i < rest_.size(); ++i) {
       *decided = i;
@@ -541,7 +545,7 @@ class Search {
         child = pool_[child].next_sibling;
       }
       if (child == kNoPlan) {
-        // A planned sequence that ends here is a beginning of this one.
+        // The planned sequence that ends here is a prefix of this one.
         if (last == kNoPlan && parent != kNoPlan) return;
         AppendChain(plans, parent, last);
         return;
@@ -579,14 +583,14 @@ class Search {
   bool stopped_ = false;
   size_t first_ = 0;  ///< the unit's first event; those before it are its prefix
   PlanPool pool_;
-  // Only grown, so that their memory is used again: events_[0..count_), frames_[0..count_].
+  // They only grow, so that their memory is reused: events_[0..count_), frames_[0..count_].
   size_t count_ = 0;
   std::vector<Event> events_;
   std::vector<Frame> frames_;
   std::vector<const Step*> rest_;
-  std::array<uint32_t, kThreadMax> latest_of_thread_{};  ///< event, counted from 1
+  std::array<uint32_t, kThreadMax> latest_of_thread_{};  ///< event numbers, counted from 1
   std::vector<uint32_t> latest_of_cell_;                 ///< see LatestOf()
-  /// See FindPredecessors(): of the own thread, of each cell read, of the cell written.
+  /// See FindPredecessors(): of the same thread, of each cell read, of the cell written.
   std::array<uint32_t, 1 + AccessSet::kReadMax + kThreadMax + 1> predecessors_{};
   size_t predecessor_count_ = 0;
   std::vector<uint32_t> unsettled_;  ///< events with races, the latest last

@@ -15,9 +15,9 @@ struct Sleeper {
   AccessSet access;
 };
 
-/// The product of the numbers of ways at every state of a random execution that sleep sets let come
-/// to its end: the expectation is the number of such executions, one per trace. 0 when the
-/// execution is cut off by them; negative when it does not end.
+/// Follows a random execution with sleep sets and returns the product of the numbers of choices in
+/// its states. The expectation of the product is the number of complete executions, one per trace.
+/// 0 if the sleep sets cut the execution off; negative if it does not end.
 double Descend(Model* model, uint64_t* random, int64_t depth) {
   const int64_t start = model->depth();
   double ways = 1;
@@ -30,7 +30,7 @@ double Descend(Model* model, uint64_t* random, int64_t depth) {
       ways = std::min(ways, 0.0);
       break;
     }
-    // A statement that touches nothing shared is no choice.
+    // A statement that accesses nothing shared is not a choice.
     uint32_t left = awake;
     for (uint32_t all = awake; all != 0; all &= all - 1) {
       if (model->NextAccess(std::countr_zero(all)).empty()) left = all & ~(all - 1);

@@ -12,22 +12,24 @@
 namespace oncard::explore {
 namespace {
 
-/// States of the schedules with so many preemptions; with a card each takes much longer.
+/// Maximum number of states for the schedules with few preemptions; with a card each state takes
+/// much longer.
 constexpr uint32_t kProgramStates = 50'000;
 constexpr uint32_t kCardStates = 2000;
-/// Statements of all random schedules together.
+/// Maximum number of statements of all random schedules together.
 constexpr int64_t kProgramStatements = 100'000;
 constexpr int64_t kCardStatements = 200'000;
-/// Statements of the threads one after the other: more than a scenario's default limit_ms allows at
-/// its default rate.
+/// Maximum number of statements when the threads run one after the other: more than a scenario's
+/// default limit_ms allows at its default rate.
 constexpr int64_t kSerialStatements = 8'000'000;
 
-/// Every so many statements of a long run a state is kept.
+/// In a long run a state is kept after every this many statements.
 constexpr int64_t kKeptEvery = 100'000;
 
-/// The threads one after the other, each as long as it can.
+/// Runs the threads one after the other, each as long as it can run.
 FirstLook LookAtThreadsInTurn(CardModel* model) {
-  /// Of two states the earlier one: it is far enough from the end for that to be shown.
+  /// The earlier of the two latest states kept: it is far enough before the end to show how the end
+  /// was reached.
   struct Kept {
     std::shared_ptr<const CardModel::State> state;
     int64_t steps = 0;

@@ -8,7 +8,7 @@
 namespace oncard::explore {
 namespace {
 
-/// Sorted ends, each set with a number.
+/// Numbered sets of sorted ends.
 class EndSets {
  public:
   using Set = std::vector<uint32_t>;
@@ -68,7 +68,8 @@ bool OrderMatters(const StateGraph& graph, const std::vector<uint32_t>& ends, ui
   const auto after = [&](int first, int second) {
     const uint32_t between = graph.Next(state, first);
     const uint32_t last = graph.Next(between, second);
-    return last == StateGraph::kNone ? between : last;  // the first one's fault does not stop it
+    return last == StateGraph::kNone ? between
+                                     : last;  // if the first one faults, the order is not prevented
   };
   const uint32_t one = after(race.first.thread, race.second.thread);
   const uint32_t other = after(race.second.thread, race.first.thread);

@@ -48,7 +48,7 @@ class Sampler {
     random_ = NextRandom(state);
   }
 
-  /// The statements of a run, about, for kPct.
+  /// The approximate number of statements of a run, for kPct.
   uint64_t MeasureLength() {
     SeedRun(-1);
     DrawPriorities();
@@ -85,7 +85,7 @@ class Sampler {
       changes_.push_back(static_cast<int64_t>(RandomBelow(random_, length_)));
     }
   }
-  /// A priority above all that changes give.
+  /// A priority above all those that change points assign.
   int64_t Draw() { return static_cast<int64_t>(NextRandom(random_) >> 1); }
 
   int Choose() {
@@ -100,7 +100,7 @@ class Sampler {
     if (options_.kind == SamplerKind::kPct) {
       for (size_t i = 0; i < changes_.size(); ++i) {
         if (changes_[i] != static_cast<int64_t>(steps_.size())) continue;
-        // Lower than all others, and the later ones lower still.
+        // Below all others; later change points assign still lower ones.
         priorities_[static_cast<size_t>(best)] = -1 - static_cast<int64_t>(i);
         best = Highest(choices);
       }
@@ -133,7 +133,8 @@ class Sampler {
   int64_t statements_ = 0;  ///< of all runs
   std::vector<uint8_t> steps_;
   std::array<int64_t, kThreadMax> priorities_{};
-  std::vector<int64_t> changes_;  ///< kPct: statements before which a priority falls
+  std::vector<int64_t>
+      changes_;  ///< kPct: indices of the statements before which a priority is lowered
 };
 
 }  // namespace

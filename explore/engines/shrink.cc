@@ -9,7 +9,7 @@
 namespace oncard::explore {
 namespace {
 
-/// Steps in a row of one thread.
+/// Consecutive steps of one thread.
 struct Turn {
   uint8_t thread = 0;
   int64_t steps = 0;
@@ -24,7 +24,7 @@ std::vector<Turn> TurnsOf(const std::vector<uint8_t>& steps) {
   return turns;
 }
 
-/// The turns with turn `index` joined to the next turn of its thread; false when it has none.
+/// The turns with turn `index` joined to the next turn of its thread; false if there is none.
 bool JoinWithNext(const std::vector<Turn>& turns, size_t index, std::vector<Turn>* joined) {
   for (size_t next = index + 2; next < turns.size(); ++next) {
     if (turns[next].thread != turns[index].thread) continue;
@@ -36,11 +36,11 @@ bool JoinWithNext(const std::vector<Turn>& turns, size_t index, std::vector<Turn
   return false;
 }
 
-/// How many steps a schedule goes on after the last turn that it was given, and how many of them in
-/// a row are one thread's: one that waits in a loop must let the others go on.
+/// Maximum number of steps after the last given turn, and how many consecutive ones a thread may
+/// take: a thread that waits in a loop must let the others continue.
 constexpr int64_t kExtraSteps = 100'000;
 constexpr int64_t kExtraTurn = 1000;
-/// Statements that may be spent on finding a simpler schedule.
+/// Maximum number of statements executed to find a simpler schedule.
 constexpr int64_t kProgramEffort = 5'000'000;
 
 /// A schedule that leads to a fault.
@@ -67,7 +67,7 @@ class Shrinker {
   }
 
   Failure Take(const std::vector<uint8_t>& steps) { return FailureOf(Follow(TurnsOf(steps))); }
-  /// Whether the last run came to its end.
+  /// True if the last run was executed to its end.
   bool ended() const { return ended_; }
 
  private:
@@ -79,7 +79,7 @@ class Shrinker {
     return failure;
   }
 
-  /// Follows the turns, then lets the threads run one after the other, to the first fault.
+  /// Executes the turns, then the threads one after the other, up to the first fault.
   Way Follow(const std::vector<Turn>& turns) {
     walk_.Restart();
     Way way;
@@ -115,7 +115,7 @@ class Shrinker {
     return way;
   }
 
-  /// Takes the first simpler schedule over, if there is one.
+  /// Replaces the schedule by the first simpler one, if there is any.
   bool Improve(Way* best) {
     const std::vector<Turn> turns = TurnsOf(best->steps);
     for (size_t i = 0; i < turns.size() && effort_ > 0; ++i) {

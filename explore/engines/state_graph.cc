@@ -13,9 +13,9 @@ namespace {
 
 constexpr uint32_t kNone = StateGraph::kNone;
 
-/// Shortest paths by (preemptions, steps) over states and the thread that stepped last. Within one
-/// number of preemptions, the entries that a preemption added and those that were added on the way
-/// are two queues, both ordered by their steps.
+/// Shortest paths by (preemptions, steps) over pairs of a state and the thread that stepped last.
+/// For each number of preemptions there are two queues, both ordered by steps: entries added by a
+/// preemption, and entries added without one.
 class PreemptionSearch {
  public:
   PreemptionSearch(const StateGraph& graph, uint32_t avoid)
@@ -24,8 +24,9 @@ class PreemptionSearch {
         width_(static_cast<size_t>(graph.threads) + 1),
         parents_(graph.size() * width_) {}
 
-  /// Runs until a state with one of the flags is settled, true, or all are that `bound` preemptions
-  /// reach. `settle` hears of every state and its preemptions, more than once of some.
+  /// Runs until a state with one of the flags is settled (true), or all states within `bound`
+  /// preemptions are (false). `settle` receives every state with its preemptions, some of them more
+  /// than once.
   template <typename Settle>
   bool Run(uint32_t flag, int bound, const Settle& settle) {
     std::vector<Entry> preempted;
@@ -51,7 +52,7 @@ class PreemptionSearch {
     return false;
   }
 
-  /// The way to the state that was found.
+  /// The path to the state that was found.
   Path PathToFound() const {
     Path path;
     path.found = true;
@@ -68,7 +69,7 @@ class PreemptionSearch {
   }
 
  private:
-  /// Threads are counted from 1 here; 0 is none.
+  /// Threads are counted from 1 here; 0 means none.
   struct Entry {
     uint32_t state = 0;
     uint32_t parent = 0;
@@ -109,7 +110,7 @@ class PreemptionSearch {
   std::vector<Entry> after_preemption_;
 };
 
-/// The steps of a shortest path from one state to another inside a set of states.
+/// The steps of a shortest path between two states inside a set of states.
 std::vector<uint8_t> PathBetween(const StateGraph& graph, uint32_t from, uint32_t to,
                                  const std::function<bool(uint32_t)>& inside) {
   std::vector<uint32_t> parent(graph.size(), kNone);
@@ -151,7 +152,7 @@ StateGraph BuildStateGraph(Model* model, const StateLimits& limits, const StateJ
   };
   std::vector<Visit> path;
   bool stopped = false;
-  uint32_t after_bad = kNone;  // how many states there were at the first bad one
+  uint32_t after_bad = kNone;  // number of states when the first bad one was found
   const auto enter = [&](bool* added) {
     const uint32_t state = known.FindOrAdd(model->key(), added);
     if (!*added) return state;
@@ -293,7 +294,8 @@ std::vector<uint32_t> Components(const StateGraph& graph, uint32_t* count) {
 Lasso FindFairCycle(const StateGraph& graph) {
   uint32_t count = 0;
   const std::vector<uint32_t> component = Components(graph, &count);
-  // Threads end for good, so those that can go on are the same in all states of a component.
+  // A finished thread never continues, so the runnable threads are the same in all states of a
+  // component.
   std::vector<uint32_t> able(count, 0);
   std::vector<uint32_t> moving(count, 0);
   std::vector<uint32_t> first(count, kNone);
@@ -351,7 +353,7 @@ bool IsCyclic(const StateGraph& graph) {
 }
 
 int64_t LastEscape(const StateGraph& graph, const std::vector<uint8_t>& path) {
-  // Backwards from the good ends, to a fixed point over the reversed edges.
+  // Backwards from the good ends along the reversed edges, to a fixed point.
   std::vector<std::vector<uint32_t>> before(graph.size());
   std::vector<uint8_t> escapes(graph.size(), 0);
   std::vector<uint32_t> open;

@@ -11,11 +11,11 @@
 namespace oncard::explore {
 namespace {
 
-/// Flags of states: a race that is not allowed; from the second on, that a requirement holds.
+/// Flags of states: a race that is not allowed; the following ones say that a requirement holds.
 constexpr uint32_t kRacing = kCallersFlag;
 constexpr uint32_t kFirstHolds = kCallersFlag << 1;
 
-/// The flags of a state for the requirements of the scope kEventually, in their order.
+/// The flags for the requirements with the scope kEventually, in their order.
 uint32_t HoldingFlags(const Problem& problem, const Model& state) {
   uint32_t flags = 0;
   uint32_t flag = kFirstHolds;
@@ -27,12 +27,12 @@ uint32_t HoldingFlags(const Problem& problem, const Model& state) {
   return flags;
 }
 
-/// Looks for races in the states of a graph while it is built.
+/// Finds races in the states of a graph while it is built.
 class RaceSearch {
  public:
   explicit RaceSearch(const Problem& problem) : problem_(problem) {}
 
-  /// Told of the next state.
+  /// Examines the next state.
   void Look(const Model& state) {
     if (problem_.races != RaceRule::kAny) {
       for (const Race& race : FindRaces(state, problem_.sync)) states_[race].push_back(next_);
@@ -60,11 +60,11 @@ class RaceSearch {
 
  private:
   const Problem& problem_;
-  std::map<Race, std::vector<uint32_t>> states_;  ///< that have it
+  std::map<Race, std::vector<uint32_t>> states_;  ///< the states that have the race
   uint32_t next_ = 0;
 };
 
-/// A run that ends without a state in which a requirement holds that must hold eventually.
+/// A run that ends without ever reaching a state in which a kEventually requirement holds.
 std::optional<Failure> WayWithout(const Problem& problem, const StateGraph& graph) {
   uint32_t flag = kFirstHolds;
   for (size_t i = 0; i < problem.requirements.size(); ++i) {
@@ -78,7 +78,7 @@ std::optional<Failure> WayWithout(const Problem& problem, const StateGraph& grap
   return std::nullopt;
 }
 
-/// Takes a graph's steps statement by statement.
+/// Executes a graph's steps statement by statement.
 class StatementPath {
  public:
   explicit StatementPath(const Problem& problem) : problem_(problem), model_(problem.model) {}
@@ -92,14 +92,15 @@ class StatementPath {
       TakePrivate(thread);
     }
   }
-  /// Takes the private statements at the starts of threads that have taken none yet.
+  /// Executes the private statements at the beginning of all threads that have not executed any
+  /// yet.
   void BeginAll() {
     for (int thread = 0; thread < model_.thread_count(); ++thread) Begin(thread);
   }
   bool fault() const { return static_cast<bool>(FindFault(problem_, model_)); }
   /// The statements since the last call.
   std::vector<uint8_t> Taken() { return std::exchange(taken_, {}); }
-  /// Of each step of the graph, how many statements come before its first one that is not private.
+  /// For each step of the graph, the number of statements before its first one that is not private.
   const std::vector<int64_t>& starts() const { return starts_; }
 
  private:
@@ -120,7 +121,7 @@ class StatementPath {
   std::vector<int64_t> starts_;
 };
 
-/// Tells a failure of a graph of merged statements in statements.
+/// Converts a failure of a graph of merged statements to statements.
 void Unmerge(const Problem& problem, Failure* failure) {
   StatementPath path(problem);
   path.Take(failure->steps);
@@ -149,8 +150,8 @@ StateSearch SearchStates(const Problem& problem, const StateLimits& limits) {
   KeySet globals;
   KeySet full;
   RaceSearch races(problem);
-  std::vector<uint32_t> final_of;  // of each terminal state, in order, the number of its globals
-  std::vector<uint32_t> end_of;    // of each state, the number of its end if it is one
+  std::vector<uint32_t> final_of;  // for each terminal state, in order, the number of its globals
+  std::vector<uint32_t> end_of;    // for each state, the number of its end if it is one
   search.graph = BuildStateGraph(&model, limits, [&](const Model& state) {
     const bool bad = static_cast<bool>(FindFault(problem, state));
     uint32_t end = 0;

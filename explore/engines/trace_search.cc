@@ -24,7 +24,7 @@ std::vector<uint8_t> StepsOf(const Model& model) {
   return steps;
 }
 
-/// Among so many executions that go wrong, a short one is looked for.
+/// The number of failing executions among which a short one is selected.
 constexpr int64_t kFailingTried = 1000;
 
 }  // namespace

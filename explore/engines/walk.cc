@@ -3,7 +3,7 @@
 namespace oncard::explore {
 namespace {
 
-/// In keys, beyond all cells of a model.
+/// In keys: greater than all cell numbers of a model.
 constexpr uint32_t kPlaceOfReached = 0xfffffff8;
 constexpr uint32_t kPlaceOfRaces = 0xfffffffa;
 

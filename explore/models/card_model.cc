@@ -12,7 +12,7 @@
 
 namespace oncard::explore {
 
-/// With the names that states are told apart by.
+/// The state around the machine with its hash, by which states are distinguished.
 struct CardModel::Body {
   runtime::CardBody values;
   uint64_t hash = 0;
@@ -22,10 +22,11 @@ namespace {
 
 using vm::ThreadState;
 
-/// The words at the end of WordsOf() on which the future does not depend: counts of statements.
+/// The number of words at the end of WordsOf() that do not influence the future: counts of
+/// statements.
 constexpr size_t kCountWords = 2;
 
-/// True for a statement that may change the card around the machine.
+/// True for a statement that may change the card outside the machine.
 bool ChangesBody(const vm::Instruction& instruction, const gtcalls::Catalogue& catalogue) {
   if (instruction.opcode != vm::Opcode::kCommand) return false;
   const gtcalls::Command* command = catalogue.Find(instruction.op);
@@ -68,7 +69,7 @@ Result<CardModel> CardModel::Create(const runtime::Scenario& scenario,
   }
   model.BindRequirements(requirements, &fit);
   if (auto failure = fit.Failure()) return *std::move(failure);
-  // Without threads the card goes on until then, as in a run.
+  // If no thread runs, the card continues until then, as in a run.
   if (scenario.until_us) model.last_instant_ = model.last_cycle_;
   model.Save(nullptr, &model.initial_);
   return model;
@@ -204,7 +205,7 @@ CardModel::State CardModel::Step(const State& from, int thread) {
 }
 
 void CardModel::Advance(State* state, int thread) {
-  // From here on the card is no longer what some state holds.
+  // From here on the card no longer agrees with a kept state.
   held_ = nullptr;
   vm::Machine& machine = controller_->machine();
   const int number = setup(thread).thread;
@@ -212,7 +213,7 @@ void CardModel::Advance(State* state, int thread) {
   state->served |= 1u << number;
   state->choices = 0;
   machine.ExecuteOne(number);
-  // Threads that wake up at their end come to it.
+  // Threads that wake up at the end of their code finish.
   machine.Execute(0);
   JudgeThreads(state);
   if (has_invariants_) JudgeState(state);
@@ -283,7 +284,7 @@ void CardModel::Settle(State* state) {
 
 void CardModel::End(State* state) {
   state->ended = true;
-  // Without threads the card goes on until the last instant that was asked for.
+  // If no thread runs, the card continues until the last requested instant.
   for (;;) {
     JudgeInstant(state);
     if (state->fault || controller_->cycle() >= std::min(last_instant_, last_cycle_)) break;
@@ -302,7 +303,7 @@ void CardModel::Save(const std::shared_ptr<const Body>& body, State* state) {
   for (uint32_t pages = machine.pages.used(); pages != 0; pages &= pages - 1) {
     const auto number = static_cast<size_t>(std::countr_zero(pages));
     const auto& page = machine.pages[number];
-    // A page that holds nothing is as good as one that was never used.
+    // A page with only zeros is equivalent to one that was never used.
     if (std::ranges::all_of(page, [](int64_t slot) { return slot == 0; })) continue;
     state->used_pages |= 1u << number;
     state->slots.insert(state->slots.end(), page.begin(), page.end());

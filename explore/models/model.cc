@@ -18,14 +18,14 @@ constexpr uint32_t kCellMax = 1u << 24;
 
 constexpr uint32_t ToUnsigned(int32_t value) { return static_cast<uint32_t>(value); }
 constexpr int32_t ToInt(uint32_t value) { return static_cast<int32_t>(value); }
-// A slot holds an int in its low half.
+// An int is in the low half of its slot.
 constexpr int32_t IntOf(int64_t slot) { return static_cast<int32_t>(slot); }
 constexpr int32_t DivideInt(int32_t a, int32_t b) {
   return b == -1 ? ToInt(0u - ToUnsigned(a)) : a / b;
 }
 constexpr int32_t RemainderInt(int32_t a, int32_t b) { return b == -1 ? 0 : a % b; }
 
-/// Slots that hold the variables.
+/// The number of slots of the variables.
 uint32_t SlotCount(const std::vector<vm::Symbol>& symbols) {
   uint32_t count = 0;
   for (const vm::Symbol& symbol : symbols) {
@@ -64,7 +64,7 @@ bool Binary(uint16_t op, DataType type, int64_t left, int64_t right,
 #define DOUBLE_COMPARE(name, value) DOUBLE_BINARY(name, false, value)
 #include "vm/handlers.def"
     default:
-      return true;  // the verifier lets no other operator through
+      return true;  // the verifier permits no other operator
   }
 }
 
@@ -244,7 +244,7 @@ void Model::Note(const Operand& operand, bool written, AccessSet* set) const {
   if (operand.place == Place::kElement && operand.index_shared) set->Read(operand.index_cell);
   if (!operand.shared) return;
   const uint32_t cell = CellOf(operand);
-  if (cell == kNoCell) return;  // the statement faults before it touches the array
+  if (cell == kNoCell) return;  // the statement faults before it accesses the array
   if (written) {
     set->write = cell;
   } else {
@@ -358,7 +358,7 @@ ThreadEnd Model::Execute(const Statement& statement, const Thread& thread) {
     case Opcode::kCommand:
       break;
   }
-  // Falling off the end takes no statement: the thread stays at its last one.
+  // Reaching the end of the code is not a statement: the thread stays at its last one.
   if (next >= static_cast<int64_t>(thread.statements.size())) return ThreadEnd::kFinished;
   Replace(thread.position_cell, next);
   return ThreadEnd::kRunning;

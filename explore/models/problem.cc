@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kMark = "//@";
 
-/// Calls `look` with the number and text of every line that is such a comment.
+/// Calls `look` with the number and text of every line that is a comment of the explorer.
 template <typename Look>
 void ForEachComment(std::string_view source, Look look) {
   int number = 1;
@@ -27,7 +27,7 @@ void ForEachComment(std::string_view source, Look look) {
   }
 }
 
-/// Calls `look` with every part between commas.
+/// Calls `look` with every part of a comma-separated list.
 template <typename Look>
 void ForEachPart(std::string_view text, Look look) {
   while (!text.empty()) {
@@ -37,7 +37,7 @@ void ForEachPart(std::string_view text, Look look) {
   }
 }
 
-/// Reads the comments of a source, one after the other.
+/// Reads the explorer's comments of a source, one after the other.
 class CommentReader {
  public:
   CommentReader(const std::string& path, std::string_view source)
@@ -46,7 +46,7 @@ class CommentReader {
     problem_.scenario.program = runtime::PathToScenario(problem_.scenario, path);
   }
 
-  /// Reads the comment in a line.
+  /// Reads the comment of a line.
   void Read(int number, std::string_view line) {
     number_ = number;
     line_ = line;
@@ -64,7 +64,7 @@ class CommentReader {
   }
 
  private:
-  /// False for what says nothing.
+  /// False for a value that is not valid for the key.
   bool ReadValue(std::string_view key, std::string_view rest) {
     if (key == "init") {
       ForEachPart(rest, [this](std::string_view part) { ReadInitialValue(part); });

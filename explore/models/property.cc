@@ -18,7 +18,7 @@ std::optional<int> ParseNumber(std::string_view text) {
 
 }  // namespace
 
-/// The names of a program's variables and results.
+/// The names of a program's variables and return values.
 class ModelNames {
  public:
   using Place = Property::Place;

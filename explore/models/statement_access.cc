@@ -13,7 +13,7 @@ namespace {
 
 using gtcalls::Resource;
 
-/// A thread's next statement and what its operands are now.
+/// A thread's next statement with the current values of its operands.
 class NextStatement {
  public:
   NextStatement(const runtime::Controller& controller, int thread)
@@ -49,7 +49,7 @@ class NextStatement {
         machine_.ReadRaw({variable.storage == vm::Storage::kGlobal,
                           static_cast<uint8_t>(state_.page), variable.id, vm::DataType::kInt}));
   }
-  /// A selector or a count. 0 for an element out of bounds: the statement faults.
+  /// The value of a selector or a count. 0 for an element out of bounds: the statement faults.
   int32_t ValueOf(const vm::Operand& operand) const {
     if (const auto* immediate = std::get_if<vm::Immediate>(&operand)) {
       return static_cast<int32_t>(immediate->raw >> vm::kFractionBits);
@@ -61,7 +61,7 @@ class NextStatement {
     return ValueOf(vm::Variable{element.storage, static_cast<uint16_t>(element.base + index)});
   }
 
-  /// The globals of an operand that stands for `slots` consecutive ones.
+  /// Adds the globals of an operand that has `slots` consecutive slots.
   void AddOperand(const vm::Operand& operand, uint32_t slots, bool write) {
     if (const auto* variable = std::get_if<vm::Variable>(&operand)) {
       if (variable->storage != vm::Storage::kGlobal) return;
@@ -107,7 +107,7 @@ class NextStatement {
   static size_t Index(int number) { return static_cast<size_t>(number); }
 
   void AddResource(const gtcalls::Access& access, const std::vector<vm::Operand>& operands) {
-    // What a thread does to itself orders nothing; the clock is written by time alone.
+    // Accesses of a thread to itself order nothing, and only time changes the clock.
     if (access.resource == Resource::kNone || access.resource == Resource::kThread) return;
     if (access.resource == Resource::kClock) return;
     if (access.selector < 0 || Index(access.selector) >= operands.size()) {
@@ -136,8 +136,9 @@ class NextStatement {
     return resource == Resource::kAxis || resource == Resource::kEncoder ||
            resource == Resource::kControl;
   }
-  /// Profile, encoder, controller and pulse output of an axis have its number: not so in a gantry,
-  /// nor where a configuration maps them otherwise. Then a command of one axis may reach any other.
+  /// The profile, encoder, controller and pulse output of an axis normally have its number, but not
+  /// in a gantry or with another mapping in the configuration. Then a command for one axis may
+  /// access any other.
   bool AxesAreApart() const {
     const motion::MotionState& state = controller_.motion().state();
     const auto own_or_none = [](int8_t number, size_t own) {

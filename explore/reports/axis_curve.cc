@@ -11,9 +11,9 @@ namespace oncard::explore {
 namespace {
 
 constexpr std::string_view kPosition = ".prfPos";
-/// Characters between the least and the greatest position.
+/// Characters between the smallest and the greatest position.
 constexpr int kBarWidth = 32;
-/// Instants that are shown of what happens after the last statement.
+/// Number of instants shown after the last statement.
 constexpr int kTailRows = 8;
 
 constexpr double kPictureWidth = 480;

@@ -11,7 +11,7 @@
 namespace oncard::explore {
 namespace {
 
-/// One label with what it has to say, a line each.
+/// A label with its lines of text.
 struct ClaimEntry {
   Message label;
   std::vector<Message> lines;
@@ -19,10 +19,10 @@ struct ClaimEntry {
 
 // --- What was asked ------------------------------------------------------------------------------
 
-/// Which of the faults that need no requirement an exploration can find.
+/// Which faults an exploration can find without a requirement.
 struct BuiltIn {
   bool livelock = false;
-  bool limit = false;  ///< threads that still run at the scenario's limit_ms
+  bool limit = false;  ///< threads that are still running at the scenario's limit_ms
 };
 
 BuiltIn BuiltInOf(const Findings& findings) {
@@ -194,13 +194,14 @@ std::vector<ClaimEntry> EntriesOf(const Findings& findings) {
 
 // --- Results that nobody has asked for -----------------------------------------------------------
 
-/// What there is to show of the results, and how to ask for one.
+/// The results to be shown, and a requirement that the user could add for them.
 struct Results {
-  int64_t count = 0;  ///< different ones that were found
-  /// Of those that are known, the globals that were written and what threads returned, where that
-  /// is not always the same.
+  int64_t count = 0;  ///< number of different results found
+  /// For each known result: the globals written and the return values of threads, if they are not
+  /// the same in all results.
   std::vector<std::vector<NamedValue>> shown;
-  std::string requirement;  ///< that one of them meets; empty when there is nothing to ask for
+  std::string
+      requirement;  ///< a requirement that one of the results meets; empty if none can be offered
 };
 
 int64_t CountEnds(const Exploration& exploration) {
@@ -214,15 +215,16 @@ int64_t CountEnds(const Exploration& exploration) {
   return count;
 }
 
-/// Elements of a requirement that is offered; more are hard to read.
+/// Maximum number of elements of an offered requirement; a longer one is hard to read.
 constexpr size_t kOfferedMax = 4;
 
-/// Nothing when something was asked of the results, or something is wrong.
+/// Empty if there are requirements on the results, or a failure.
 std::optional<Results> ResultsOf(const Findings& findings) {
   const Exploration& exploration = findings.exploration;
   const Subject& subject = findings.subject;
   if (!subject.requirements.empty() || exploration.failure) return std::nullopt;
-  // The threads one after the other give what was most probably meant: the last of the list.
+  // The result of running the threads one after the other is probably the intended one: it comes
+  // last in the list.
   std::vector<End> ends = exploration.ends;
   if (findings.serial_end) ends.push_back(*findings.serial_end);
   Results results;
@@ -241,7 +243,7 @@ std::optional<Results> ResultsOf(const Findings& findings) {
     auto& shown = results.shown.emplace_back();
     for (const size_t i : interesting) shown.push_back(named[end][i]);
   }
-  // Globals, or else what the first thread returns.
+  // The globals; if there are none, the return value of the first thread.
   const auto& meant = named.back();
   if (interesting.empty()) interesting.push_back(returns);
   for (size_t n = 0; n < std::min(interesting.size(), kOfferedMax); ++n) {
@@ -253,7 +255,7 @@ std::optional<Results> ResultsOf(const Findings& findings) {
   return results;
 }
 
-/// The line to paste.
+/// The line to be pasted.
 std::string PasteLine(const Subject& subject, const std::string& requirement) {
   return subject.scenario.empty() ? "//@ final: " + requirement
                                   : fmt::format("final = [\"{}\"]", requirement);
@@ -298,7 +300,7 @@ Message AskHead(const Subject& subject) {
 
 std::string ClaimText(const Findings& findings, Language language) {
   const bool chinese = language == Language::kChinese;
-  // Columns of a terminal: Chinese characters take two, and three bytes.
+  // Columns of a terminal: a Chinese character takes two, but three bytes.
   const auto columns = [&](const Message& label) {
     return chinese ? label.zh.size() / 3 * 2 : label.en.size();
   };

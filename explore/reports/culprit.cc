@@ -15,15 +15,15 @@ using runtime::SlotChange;
 using runtime::SlotValue;
 using vm::SlotAddress;
 
-/// A global that a thread has read, and at which step: what a local's value, or a decision, rests
-/// on.
+/// A global that a thread has read, and the step in which it did: a source of a local's value or of
+/// a decision.
 struct Source {
   SlotValue value;
   size_t step = 0;
 };
 using Sources = std::vector<Source>;
 
-/// More than this says nothing to anybody.
+/// A longer list of sources would not be readable.
 constexpr size_t kSourceMax = 64;
 
 void Add(const Sources& more, Sources* sources) {
@@ -37,7 +37,8 @@ void Add(const Sources& more, Sources* sources) {
   }
 }
 
-/// A thread has used at `use` what it read at `read`, although another one wrote that at `write`.
+/// A thread has used at `use` the value that it read at `read`, although another thread changed it
+/// at `write`.
 struct StaleUse {
   enum class Kind : uint8_t { kOverwrites, kComputes, kDecides };
   Kind kind = Kind::kOverwrites;
@@ -47,8 +48,9 @@ struct StaleUse {
   size_t use = 0;
 };
 
-/// Which of two uses is to be told: what overwrites before what decides before what computes; then
-/// one that has to do with the statement with which every end became bad; then the later one.
+/// Which of two uses is reported: one that overwrites before one that decides, and that before one
+/// that computes; then one involved in the statement after which every end is bad; then the later
+/// one.
 struct UseRank {
   int64_t last_escape = -1;
 
@@ -68,7 +70,7 @@ struct UseRank {
   }
 };
 
-/// Follows values from globals through locals and decisions, and keeps the use to be told.
+/// Follows values from globals through locals and decisions, and keeps the use to be reported.
 class Flow {
  public:
   Flow(const std::vector<TrailStep>& steps, int64_t last_escape) : rank_{last_escape} {
@@ -116,7 +118,7 @@ class Flow {
     return back ? StaleUse::Kind::kOverwrites : StaleUse::Kind::kComputes;
   }
 
-  /// Whether another thread has written what the source has read since.
+  /// Checks whether another thread has written what the source read.
   void Look(const Source& source, StaleUse::Kind kind, int thread) {
     const Writers& writers = writers_[source.value.slot.id];
     const auto& write =
@@ -130,7 +132,7 @@ class Flow {
     size_t step = 0;
     int thread = 0;
   };
-  /// The latest write of a global, and the latest of any thread but that one's.
+  /// The latest write of a global, and the latest write by another thread than that one.
   struct Writers {
     std::optional<GlobalWrite> last;
     std::optional<GlobalWrite> other;
@@ -139,12 +141,12 @@ class Flow {
   UseRank rank_;
   size_t now_ = 0;
   std::map<int, Sources> locals_;     ///< by page and slot
-  std::map<int, Sources> decisions_;  ///< of each thread, the latest
+  std::map<int, Sources> decisions_;  ///< of each thread, the latest one
   std::map<int, Writers> writers_;    ///< by slot
   std::optional<StaleUse> use_;
 };
 
-/// Puts steps into words.
+/// Describes steps in words.
 class Teller {
  public:
   Teller(const Subject& subject, const Trail& trail)
@@ -189,7 +191,7 @@ class Teller {
     return culprit;
   }
 
-  /// Two statements that the other order would have exchanged.
+  /// Two statements whose order makes the difference.
   Culprit Tell(const RacingPair& pair) const {
     const LoggedStep& first = Log(pair.first.step);
     const LoggedStep& second = Log(pair.second.step);

@@ -12,10 +12,10 @@
 namespace oncard::explore {
 namespace {
 
-/// Segments of a schedule in JSON; a longer one is for a schedule file.
+/// Maximum number of schedule segments in JSON; a longer schedule goes to a schedule file.
 constexpr size_t kSegmentsMax = 10'000;
 
-/// One of two statements that touch the same, as sentences name it.
+/// One of two statements that access the same data, as it is named in sentences.
 struct Party {
   int thread = 0;
   int line = 0;
@@ -73,12 +73,12 @@ Message DescribeFault(const Subject& subject, const Failure& failure) {
                      violated.text);
 }
 
-/// Adds a line to a text that may be empty in this case.
+/// Adds a line to a text that may still be empty.
 void AddLine(const Message& message, Language language, std::string* text) {
   if (!message.en.empty()) *text += message.In(language) + '\n';
 }
 
-/// What comes of the two orders of a data race.
+/// Describes the results of the two orders of a data race.
 Message DescribeOrder(const RaceOrder& order, const std::vector<RaceOrder>& orders) {
   const RaceOrder& other = &order == &orders.front() ? orders.back() : orders.front();
   const Message end = order.end.empty() ? Message{"the ends are the same", "最终结果相同"}
@@ -89,7 +89,7 @@ Message DescribeOrder(const RaceOrder& order, const std::vector<RaceOrder>& orde
                       end.zh)};
 }
 
-/// What is wrong, who is to blame and how it is reached, a line each.
+/// What is wrong, its cause and how it is reached, one line each.
 std::string SummaryOf(const Findings& findings, const Failure& failure,
                       const std::optional<Culprit>& culprit, Language language) {
   const Trail& trail = findings.trail;
@@ -146,14 +146,14 @@ StepView ViewOf(const Findings& findings, const Failure& failure,
   return view;
 }
 
-/// The steps that repeat for ever.
+/// The steps that repeat forever.
 StepView CycleOf(const Findings& findings, bool full) {
   StepView view = {findings.subject, findings.trail.cycle, findings.source};
   view.detail = full ? Detail::kFull : Detail::kBrief;
   return view;
 }
 
-/// What is not shown, and how it is.
+/// What is not shown, and how to show it.
 std::string LeftOutText(const StepView& view, Language language) {
   const size_t count = RowsOf(view, language).left_out;
   if (count == 0) return {};

@@ -14,12 +14,12 @@
 namespace oncard::explore {
 namespace {
 
-/// Statements that are taken until all threads should have ended, and of one thread in a row: one
-/// that waits in a loop must let the others go on.
+/// Maximum number of statements until all threads should have ended, and how many consecutive ones
+/// a thread may take: a thread that waits in a loop must let the others continue.
 constexpr int64_t kStepMax = 100'000;
 constexpr int64_t kTurnMax = 1000;
 
-/// What an order leads to: what the racing statements read, `[y = 0]`, and leave; and the end.
+/// The result of an order: what the racing statements read (`[y = 0]`) and write, and the end.
 struct Outcome {
   std::string after;
   std::vector<std::string> names;
@@ -60,7 +60,7 @@ std::string ResultText(const Model& model, int thread) {
   return runtime::FormatNumber(value, runtime::FormOf(type));
 }
 
-/// Takes the steps and goes on to the end. Empty when a thread cannot take its statement.
+/// Executes the steps and continues to the end. Empty if a thread cannot execute its statement.
 std::optional<Outcome> Take(const Problem& problem, const std::vector<uint8_t>& steps,
                             const Race& race) {
   Model model = problem.model;
@@ -112,7 +112,7 @@ std::string Differences(const Outcome& outcome, const Outcome& other) {
 std::vector<RaceOrder> BothOrders(const Problem& problem, const Failure& failure) {
   if (failure.fault.kind != Fault::Kind::kRace) return {};
   const Race& race = failure.fault.race;
-  // Where the run takes the two statements.
+  // The positions of the two statements in the run.
   int64_t first = -1;
   int64_t second = -1;
   Model model = problem.model;
@@ -131,7 +131,7 @@ std::vector<RaceOrder> BothOrders(const Problem& problem, const Failure& failure
   const uint8_t held = failure.steps[static_cast<size_t>(earlier)];
   const uint8_t ahead = failure.steps[static_cast<size_t>(later)];
   const std::vector<uint8_t> as_run(failure.steps.begin(), failure.steps.begin() + later + 1);
-  // The thread that was first waits before its statement until the other has taken its own.
+  // The thread that was first waits before its statement until the other has executed its own.
   std::vector<uint8_t> other(failure.steps.begin(), failure.steps.begin() + earlier);
   for (int64_t i = earlier + 1; i <= later; ++i) {
     const uint8_t thread = failure.steps[static_cast<size_t>(i)];

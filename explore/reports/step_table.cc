@@ -29,8 +29,8 @@ std::string_view FirstWord(std::string_view text) {
   return text.substr(0, size);
 }
 
-/// A piece between two semicolons without what stands before its statement: braces, a function's
-/// head, labels; empty for a declaration.
+/// The statement in a piece of text between two semicolons, without what precedes it: braces, the
+/// head of a function, labels; empty for a declaration.
 std::string_view Statement(std::string_view piece) {
   const size_t brace = piece.find_last_of("{}");
   if (brace != std::string_view::npos) piece.remove_prefix(brace + 1);
@@ -104,7 +104,7 @@ class RowMaker {
   }
 
  private:
-  /// Statements that are repeated.
+  /// Repeated statements.
   struct Loop {
     size_t period = 0;
     size_t times = 0;  ///< 0: there is none
@@ -131,7 +131,7 @@ class RowMaker {
     return token(a) == token(b) && !Named(shown_[a]) && !Named(shown_[b]);
   }
 
-  /// The loop that begins here and covers most; twice is no loop.
+  /// The loop that begins here and covers most statements; two repetitions do not count as a loop.
   Loop LoopAt(size_t begin) const {
     constexpr size_t kPeriodMax = 200;
     constexpr size_t kTimesMin = 3;
@@ -188,7 +188,7 @@ class RowMaker {
     rows_.rows.push_back(std::move(row));
   }
 
-  /// The loop's repetitions after the first: its lines, and what they change in all.
+  /// Summarises the loop's repetitions after the first: its lines, and their total changes.
   void AddRepeat(size_t begin, const Loop& loop) {
     const size_t count = loop.period * (loop.times - 1);
     StepRow row;
@@ -244,7 +244,7 @@ class RowMaker {
 
 int WidthOf(std::string_view text) { return compiler::DisplayLine(text).ColumnOf(text.size()); }
 
-/// A row's cell: `12  t = x;   [x = 0]   t: 3 -> 0`.
+/// The text of a row's cell: `12  t = x;   [x = 0]   t: 3 -> 0`.
 std::string CellOf(const StepRow& row, Language language) {
   const bool repeat = row.kind == StepRow::Kind::kRepeat;
   std::string text =
@@ -258,15 +258,15 @@ std::string CellOf(const StepRow& row, Language language) {
   return text;
 }
 
-/// The bytes of the first character.
+/// The number of bytes of the first character.
 size_t CharacterSize(std::string_view text) {
   size_t size = 1;
   while (size < text.size() && (static_cast<unsigned char>(text[size]) & 0xC0) == 0x80) ++size;
   return size;
 }
 
-/// Breaks a cell into lines: between its parts where possible, or else between words; what follows
-/// is indented as the statement is.
+/// Breaks a cell into lines, between its parts if possible, otherwise between words; continuation
+/// lines are indented like the statement.
 class Breaker {
  public:
   explicit Breaker(int width) : width_(width) {}
@@ -337,13 +337,13 @@ void TrimEnd(std::string* text) {
   while (text->ends_with(' ')) text->pop_back();
 }
 
-/// Of the numbers of steps.
+/// Width of the step numbers.
 constexpr int kNumberWidth = 6;
 constexpr int kGap = 2;
-/// A narrower column is no column.
+/// Minimum width of a column.
 constexpr int kColumnMin = 24;
 
-/// The columns' widths, as wide as their cells if that fits; empty when there is no room for all.
+/// The columns' widths: those of their cells if they fit; empty if there is not enough room.
 std::vector<int> Fitted(std::vector<int> widths, int width) {
   int room = width - kNumberWidth - kGap * static_cast<int>(widths.size());
   std::vector<int> order(widths.size());
@@ -424,7 +424,7 @@ class TextMaker {
     for (size_t i = 0; i < column; ++i) before += widths_[i] + kGap;
     std::string number = row.kind == StepRow::Kind::kRepeat ? "..." : fmt::to_string(row.step + 1);
     number.insert(0, static_cast<size_t>(std::max(0, kNumberWidth - WidthOf(number))), ' ');
-    // Where threads take turns in a loop, nothing stands beside it.
+    // A row for a loop in which several threads take turns has no other cells beside it.
     int room = widths_[column];
     if (row.thread < 0) room = width_ == 0 ? WidthOf(CellOf(row, language_)) : width_ - before;
     for (const std::string& part : Breaker(std::max(room, kColumnMin)).Break(Cell(row))) {
@@ -439,7 +439,7 @@ class TextMaker {
   Language language_;
   AxisCurve curve_;
   std::vector<int> widths_;
-  bool shared_ = false;  ///< all threads in one column
+  bool shared_ = false;  ///< all threads share one column
   std::string text_;
 };
 

@@ -14,12 +14,12 @@
 namespace oncard::explore {
 namespace {
 
-/// Statements of a run with its card that are shown: the last ones. Where threads still run at the
-/// limit, a few say in what loop they are.
+/// Number of statements shown of a run with its card: the last ones. If threads are still running
+/// at the limit, a few are enough to show the loop they are in.
 constexpr int64_t kShownMax = 10'000;
 constexpr int64_t kShownAtTheLimit = 40;
 
-/// A statement of a schedule and what it touched.
+/// A statement of a schedule and what it accessed.
 struct Touch {
   int thread = 0;
   StatementAccess access;
@@ -32,8 +32,8 @@ bool Writes(const StatementAccess& access, const Touched& touched) {
   });
 }
 
-/// A statement with the nearest one of another thread that depends on it: a later one, which the
-/// other order would have taken first, or else an earlier one.
+/// Pairs a statement with the nearest statement of another thread that depends on it: a later one,
+/// which would come first in the other order, otherwise an earlier one.
 std::optional<RacingPair> PairOf(const std::vector<Touch>& touches, int64_t last_escape,
                                  const vm::Object& object) {
   const auto statement = static_cast<size_t>(last_escape);
@@ -57,11 +57,11 @@ std::optional<RacingPair> PairOf(const std::vector<Touch>& touches, int64_t last
   return std::nullopt;
 }
 
-/// A card with a program of variables as it stands in a model.
+/// A card with a program whose variables have the values that they have in a model.
 std::unique_ptr<runtime::Controller> CardOf(const Model& model) {
   auto controller = std::make_unique<runtime::Controller>();
   const vm::Object& object = model.image().object;
-  static_cast<void>(controller->Load(object));  // it has been linked before
+  static_cast<void>(controller->Load(object));  // it was linked before, so it cannot fail
   vm::Machine& machine = controller->machine();
   const auto copy = [&](const vm::Symbol& symbol, bool global, int page) {
     for (int i = 0; i < symbol.slots(); ++i) {
@@ -85,8 +85,7 @@ std::unique_ptr<runtime::Controller> CardOf(const Model& model) {
 
 // --- What is, and what should be -----------------------------------------------------------------
 
-/// How a comparison is written before the number that was expected; a value that should be equal
-/// needs no sign.
+/// The comparison sign before the expected number; none if the values should be equal.
 std::string_view SignOf(runtime::Condition::Kind comparison) {
   using Kind = runtime::Condition::Kind;
   switch (comparison) {
@@ -105,8 +104,9 @@ std::string_view SignOf(runtime::Condition::Kind comparison) {
   }
 }
 
-/// What a violated requirement names, as it is now: `sum is 3, expected 10` of a comparison with a
-/// number that should hold, or `x is 1, y is 0`. Empty when it names nothing.
+/// The current values of what a violated requirement names: `sum is 3, expected 10` for a
+/// comparison with a number that should hold, otherwise `x is 1, y is 0`. Empty if it names
+/// nothing.
 Message DescribeValues(const Requirement& requirement, const runtime::Controller& controller) {
   auto expectation = runtime::ParseExpectation(requirement.text);
   if (!expectation.ok()) return {};
@@ -126,7 +126,7 @@ Message DescribeValues(const Requirement& requirement, const runtime::Controller
                      *number, tolerance);
 }
 
-/// The thread's fault with what led to it.
+/// The thread's fault and its cause.
 Message DescribeFault(const vm::ThreadState& thread, int line) {
   switch (static_cast<vm::Fault>(thread.error)) {
     case vm::Fault::kDivisionByZero:

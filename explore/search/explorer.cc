@@ -27,7 +27,7 @@ const std::atomic<bool>* StopOf(const ExploreOptions& options) {
   return options.progress == nullptr ? nullptr : &options.progress->stop;
 }
 
-/// Why a search is not done: it was told to stop, or has reached this limit.
+/// Why a search is incomplete: it was stopped, or reached this limit.
 Message WhyIncomplete(const ExploreOptions& options, Message limit) {
   if (options.progress != nullptr && options.progress->stop) {
     return options.progress->out_of_time ? Message{"the time limit was reached", "时间已到"}
@@ -72,8 +72,7 @@ BoundedOptions BoundsOf(const ExploreOptions& options) {
           .stop = StopOf(options)};
 }
 
-/// The verdict of the schedules with few preemptions; the failure is left to
-/// the caller.
+/// The verdict of the schedules with few preemptions; the caller fills in the failure.
 Exploration ConcludeBounded(BoundedCounts bounded, const ExploreOptions& options) {
   Exploration exploration;
   exploration.engine = EngineKind::kBounded;
@@ -95,9 +94,8 @@ Exploration ConcludeBounded(BoundedCounts bounded, const ExploreOptions& options
   return exploration;
 }
 
-/// How far a search goes on after the first failure: long enough for a small
-/// program's counts to be complete. `auto` shows what its first look has found,
-/// and goes on for less.
+/// How far a search continues after the first failure: far enough for complete counts of a small
+/// program. `auto` already shows what its first look has found, so it continues for less.
 struct Aftermath {
   int64_t statements = 0;  ///< of executions (TraceSearchLimits)
   uint32_t states = 0;
@@ -112,13 +110,12 @@ const Aftermath& AftermathOf(const ExploreOptions& options) {
   return options.engine == EngineKind::kAuto ? kShortAftermath : kAftermath;
 }
 
-/// How the number of traces is estimated: with so many descents of at most so
-/// many statements.
+/// The number of traces is estimated with this many descents, each limited to this many statements.
 constexpr int kDescents = 1000;
 constexpr int64_t kDescentDepth = 10'000;
 
-/// The search of traces from where the options say, which begins there. `takes_pause` tells whether
-/// it was stopped only to be kept.
+/// The search of traces, continued from ExploreOptions::begun if it is set. `takes_pause` returns
+/// true if it was stopped only so that its progress can be kept.
 TraceSearch TracesOf(const Problem& problem, const ExploreOptions& options,
                      const std::atomic<bool>* stop, const std::function<bool()>& takes_pause) {
   TraceSearch search = options.begun == nullptr ? TraceSearch{} : *options.begun;
@@ -133,7 +130,7 @@ TraceSearch TracesOf(const Problem& problem, const ExploreOptions& options,
                   .progress = options.progress},
                  &search);
     left -= search.executions - before;
-    // What goes wrong is soon told.
+    // Ended: nothing is left, a failure was found, or the limit was reached.
     const bool over = search.units.empty() || search.bad > 0 || left <= 0;
     if (!options.keep || !takes_pause() || over) return search;
     options.keep(search);
@@ -148,9 +145,8 @@ StateLimits StatesOf(const ExploreOptions& options, const std::atomic<bool>* sto
           .progress = options.progress};
 }
 
-/// The failure that is shown: the simplest one where all states are known, or
-/// else what was found first in an order that depends on the clock as little as
-/// can be.
+/// The failure to show: the simplest one if all states are known, otherwise the one that was found
+/// first in an order that depends on the clock as little as possible.
 std::optional<Failure> FailureOf(const Problem& problem, const FirstLook& look,
                                  const std::optional<TraceSearch>& traces,
                                  const std::optional<StateSearch>& states) {

@@ -5,7 +5,7 @@
 namespace oncard::explore {
 namespace {
 
-/// What is left to be done, as options.
+/// Sets the options to the part of the search that is left.
 void SetRest(const SearchFile& file, ExploreOptions* options) {
   if (file.engine == EngineKind::kDpor) {
     options->begun = &file.traces;

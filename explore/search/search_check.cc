@@ -19,8 +19,8 @@ Error NoSuchStep(const std::string& place, int thread) {
                    "{0}：搜索中的线程 {1} 在此处无法执行；请重新探索", place, thread);
 }
 
-/// Goes through a unit as the search does (dpor.cc): a step is a statement that touches shared
-/// cells with those of its thread after it that do not.
+/// Executes a unit as the search does (dpor.cc): a step is a statement that accesses shared cells
+/// and the following statements of its thread that do not.
 class UnitCheck {
  public:
   UnitCheck(const Problem& problem, int64_t depth) : model_(problem.model), depth_(depth) {}
@@ -63,7 +63,7 @@ class UnitCheck {
     return {};
   }
 
-  /// Of a state before the step with a number.
+  /// Checks the data of the state before the step with this number.
   Result<void> CheckFrame(const SavedFrame& frame, size_t number, const std::string& place) {
     if (auto sleep = CheckSleep(frame.sleep, place); !sleep.ok()) return sleep;
     if (auto plans = CheckPlans(frame.plans, place + ".plans"); !plans.ok()) return plans;
@@ -81,7 +81,7 @@ class UnitCheck {
     const Error broken = MakeError(1, "{0}: this is not a list of plans; explore again",
                                    "{0}：这不是计划列表；请重新探索", place);
     if (plans.empty()) return broken;
-    /// Plans with one step before them: how many are still to come, the depth before that step.
+    /// Plans after a common step: how many are still to come, and the depth before that step.
     struct Level {
       size_t left = 0;
       int64_t depth = 0;
@@ -109,7 +109,7 @@ class UnitCheck {
   int64_t depth_;
 };
 
-/// The run with which the search is said to have failed.
+/// Checks the run with which the search is recorded as failed.
 Result<void> CheckFailing(const Problem& problem, const std::vector<uint8_t>& failing,
                           bool says_bad) {
   if (failing.empty() && !says_bad) return {};
@@ -125,7 +125,7 @@ Result<void> CheckFailing(const Problem& problem, const std::vector<uint8_t>& fa
                    "failing：该运行没有出错；请重新探索");
 }
 
-/// The results that are shown: as many values as the program has.
+/// Checks the results to be shown: they must have as many values as the program.
 Result<void> CheckEnds(const Problem& problem, const EndSet& ends) {
   const size_t expected = EndOf(problem.model).size();
   for (size_t i = 0; i < ends.ends().size(); ++i) {

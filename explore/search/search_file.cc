@@ -12,12 +12,12 @@
 namespace oncard::explore {
 namespace {
 
-/// Units of a search of traces for each of its parts: with many, parts take about the same time.
+/// Units of a search of traces per part: with many, all parts take about the same time.
 constexpr size_t kUnitsPerPart = 16;
 
 // --- Putting together ----------------------------------------------------------------------------
 
-/// What is said of a search that has found nothing wrong so far.
+/// Why a search that has found no failure has no proof.
 Message WhyNotProved(const SearchFile& file, bool done) {
   if (!done) {
     return {"not all of its parts are complete: continue their files, then merge them again",

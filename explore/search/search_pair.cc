@@ -9,11 +9,11 @@
 namespace oncard::explore {
 namespace {
 
-/// When one search has an answer, the other may go on counting for this part of the time that has
-/// passed, and at least for kGraceMin.
+/// When one search has a result, the other may continue counting for this fraction of the time that
+/// has passed, and at least for kGraceMin.
 constexpr double kGracePart = 0.3;
 constexpr std::chrono::milliseconds kGraceMin{10};
-/// How often it is checked whether both searches are to be stopped.
+/// How often is checked whether both searches must be stopped.
 constexpr std::chrono::milliseconds kStopPolled{50};
 
 }  // namespace
@@ -25,10 +25,10 @@ PairResult RunPair(const SearchPair& pair) {
   std::condition_variable answered;
   std::atomic<bool> stop{false};
   std::atomic<bool> stop_traces{false};
-  std::atomic<bool> pause{false};  // why the traces are stopped
+  std::atomic<bool> pause{false};  // the search of traces was stopped for a pause
   int running = 2;
-  bool endless = false;  // the traces will never be all searched
-  bool stated = false;   // the search of states is over
+  bool endless = false;  // the search of traces will never be complete
+  bool stated = false;   // the search of states has ended
   const auto start = std::chrono::steady_clock::now();
   const auto report = [&](First search, bool answers) {
     const std::lock_guard lock(mutex);

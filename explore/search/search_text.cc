@@ -1,6 +1,5 @@
-// Search files as text: JSON, docs/search-format.md. The reader trusts nothing: it checks the type
-// and range of every value, and of indices into the program that they can be any (search_check.h
-// looks at them with the program).
+// Search files as text: JSON, docs/search-format.md. The reader checks the type and range of every
+// value. It does not check indices into the program; search_check.h does this with the program.
 #include <fmt/format.h>
 #include <xxhash.h>
 
@@ -21,9 +20,9 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view kKind = "oncard search";
 constexpr int kVersion = 3;
 
-/// A search file has no more objects and lists inside each other.
+/// Maximum nesting of objects and lists in a search file.
 constexpr int kNestingMax = 16;
-/// Large enough for any search, small enough that files can be added up.
+/// Maximum of counts: large enough for any search, small enough that files can be added up.
 constexpr int64_t kCountMax = 1'000'000'000'000'000;
 
 // --- Writing -------------------------------------------------------------------------------------
@@ -87,7 +86,7 @@ Json SamplesToJson(const SearchFile& file) {
           {"failing", file.samples.failing}};
 }
 
-/// Over everything before it: whoever edits a file by hand is told so. It is no protection.
+/// The checksum of everything before it, so that manual changes are noticed. It is no protection.
 std::string CheckOf(Json json) {
   json.erase("check");
   const std::string text = JsonText(json);
@@ -96,8 +95,8 @@ std::string CheckOf(Json json) {
 
 // --- Reading -------------------------------------------------------------------------------------
 
-/// True when no more than `limit` objects and lists stand inside each other; the reader of JSON has
-/// no such limit, and what it has read could then not even be written again.
+/// True if at most `limit` objects and lists are nested; the JSON reader has no such limit, and a
+/// deeper value could not even be written again.
 bool NestsWithin(std::string_view text, int limit) {
   int depth = 0;
   bool quoted = false;
@@ -117,7 +116,7 @@ bool NestsWithin(std::string_view text, int limit) {
   return true;
 }
 
-/// A value of the file and where it stands.
+/// A value of the file and its path.
 class Value {
  public:
   Value(const Json& json, const Value* parent, std::string_view key)
@@ -141,7 +140,7 @@ class Value {
   size_t index_ = 0;
 };
 
-/// Takes values of their types out of the file, and keeps the first that is of another one.
+/// Reads values with their types from the file, and keeps the first one that has another type.
 class TypedReader {
  public:
   bool failed() const { return failed_; }
@@ -207,12 +206,12 @@ class TypedReader {
     Each(list, [&](const Value& value) { numbers.push_back(Whole<Number>(value, least, most)); });
     return numbers;
   }
-  /// Threads of the model, as many as there can be.
+  /// Threads of the model, at most as many as there can be.
   std::vector<uint8_t> Threads(const Value& list) {
     return Wholes<uint8_t>(list, 0, kThreadMax - 1);
   }
 
-  /// In order, none twice.
+  /// In ascending order, without duplicates.
   std::vector<StateKey> Keys(const Value& list) {
     std::vector<StateKey> keys;
     Each(list, [&](const Value& value) {
@@ -237,7 +236,7 @@ class TypedReader {
     return ends;
   }
 
-  /// Keeps what was expected of a value.
+  /// Keeps the error: what was expected of a value.
   void Fail(const Value& value, std::string_view expected_en, std::string_view expected_zh) {
     if (failed_) return;
     failed_ = true;
@@ -276,7 +275,7 @@ TraceUnit UnitFrom(TypedReader& reader, const Value& value) {
   TraceUnit unit = {reader.Threads(reader.Member(value, "prefix")),
                     reader.Threads(reader.Member(value, "sleep"))};
   const Value frames = reader.Member(value, "frames");
-  if (frames.json().is_null()) return unit;  // not begun
+  if (frames.json().is_null()) return unit;  // the unit has not begun
   reader.Each(frames, [&](const Value& frame) {
     unit.frames.push_back({reader.Threads(reader.Member(frame, "sleep")),
                            PlansFrom(reader, reader.Member(frame, "plans")),
