@@ -11,7 +11,7 @@
 namespace oncard::runtime {
 namespace {
 
-/// What quantity.h calls it: `retN` stands for `threadN.result` unless a global has that name.
+/// The name in quantity.h: `retN` means `threadN.result` unless there is a global with that name.
 std::string QuantityName(const Condition::Name& name, const Controller& controller) {
   constexpr std::string_view kReturned = "ret";
   const vm::Image* image = controller.machine().image();

@@ -1,6 +1,6 @@
-// The scanner of conditions. What begins like a number is one token up to the next character that
-// cannot belong to it; whether it is a number is ReadNumber()'s to say. `+-` is always the sign of a
-// tolerance. An instant reaches to the end of the text.
+// The scanner of conditions. Text that begins like a number is one token up to the next character
+// that cannot belong to it; ReadNumber() decides whether it is a number. `+-` is always the sign of
+// a tolerance. An instant extends to the end of the text.
 #include "runtime/conditions/condition_reader.h"
 
 namespace oncard::runtime {

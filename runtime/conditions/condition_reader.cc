@@ -12,7 +12,7 @@ namespace {
 using Token = ConditionParser::token;
 using Symbol = ConditionParser::symbol_kind;
 
-/// What a message quotes of a text: the beginning of a long one, without half a character.
+/// The part of a text that a message quotes: of a long text the beginning, cut between characters.
 std::string Shortened(std::string_view text) {
   constexpr size_t kQuoted = 80;
   if (text.size() <= kQuoted) return std::string(text);
@@ -21,7 +21,7 @@ std::string Shortened(std::string_view text) {
   return std::string(text.substr(0, end)) + "...";
 }
 
-/// Eleven days of virtual time; the microseconds stay exact in a double.
+/// Eleven days of virtual time; in a double the microseconds remain exact.
 constexpr double kInstantMaxMs = 1e9;
 
 /// `10ms`, `12.5 ms`, `1s` as microseconds.
@@ -103,7 +103,7 @@ bool ConditionReader::AddOperator(Kind kind, double tolerance) {
 }
 
 bool ConditionReader::AddNegation() {
-  // What ends with a number is that number alone.
+  // If the last element is a number, it is the whole operand.
   Condition::Element& last = condition_.elements_.back();
   if (last.kind != Kind::kNumber) return AddOperator(Kind::kNegate);
   last.number = -last.number;

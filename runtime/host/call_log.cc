@@ -33,8 +33,8 @@ CallLog::~CallLog() {
 }
 
 CallLog& CallLog::OfProcess() {
-  // Never destroyed: other threads of the host may still call while the process exits. Every line
-  // is flushed, so nothing is lost.
+  // Never destroyed: other threads of the host may still make calls while the process exits. Every
+  // line is flushed, so nothing is lost.
   static CallLog& log = *[] {
     const char* setting = std::getenv("ONCARD_LOG");
     return new CallLog(setting == nullptr ? "" : setting, LanguageFromEnvironment());

@@ -8,15 +8,15 @@
 namespace oncard::runtime {
 namespace {
 
-/// `GT_Open(card)` of the other header arrives as GT_Open(card, 0): its second argument, the
-/// channel, stands where ours is 1 by default. Hosts of one card write GT_Open(0, 0) too, so this
-/// alone says nothing.
+/// `GT_Open(card)` of the multi-card header arrives as GT_Open(card, 0): its second argument is the
+/// channel, which is 1 by default in our header. Single-card hosts also call GT_Open(0, 0), so this
+/// alone proves nothing.
 std::atomic<int64_t> opened_as = -1;
 std::atomic<bool> said = false;
 
 bool IsOpening(const gtcalls::Command& command) { return command.name == "GT_Open"; }
 
-/// True when a refused call has a card's number where its first parameter should be.
+/// True if a refused call has a card number where its first parameter should be.
 bool HasCardNumber(const gtcalls::Command& command, std::span<const HostArgument> host) {
   if (IsOpening(command)) return host[0].integer != opened_as && host[1].integer == 0;
   if (host.empty()) return false;

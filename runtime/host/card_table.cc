@@ -5,7 +5,7 @@
 namespace oncard::runtime {
 
 CardTable& CardTable::OfProcess() {
-  // Never destroyed: other threads of the host may still call while the process exits.
+  // Never destroyed: other threads of the host may still make calls while the process exits.
   static CardTable& table = *new CardTable;
   return table;
 }

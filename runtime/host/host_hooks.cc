@@ -48,11 +48,11 @@ namespace {
 using oncard::runtime::CardSlot;
 using oncard::runtime::CardTable;
 
-/// Runs when the host has ended, after its own destructors.
+/// Called when the host has ended, after its own destructors.
 __attribute__((destructor)) void JudgeHost() { oncard::runtime::FinishHost(); }
 
-// A host may fork while other threads of it are in a command: the locks are taken first, so that
-// the child gets cards and time as they are between two commands. It has copies of them.
+// A host may fork while another of its threads executes a command. The locks are taken before, so
+// that the child gets copies of the cards and of time in their state between two commands.
 void LockEverything() {
   for (CardSlot& slot : CardTable::OfProcess().slots) slot.mutex.lock();
   VirtualTime::OfProcess().LockForFork();
@@ -70,7 +70,7 @@ void UnlockChild() {
   oncard::runtime::LeaveJudgingToParent();
 }
 
-/// A host whose output `oncard exec` reads behaves as on a terminal: line by line.
+/// If `oncard exec` reads the host's output, it is line-buffered as on a terminal.
 __attribute__((constructor)) void WriteLines() {
   if (std::getenv("ONCARD_LINES") != nullptr) std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
 }

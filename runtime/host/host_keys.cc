@@ -16,11 +16,12 @@
 namespace oncard::runtime {
 namespace {
 
-/// How often a host may ask for a key after the last one. Once is usual: "press any key" at its
+/// How often a host may ask for a key after the last one. Once is normal: "press any key" at its
 /// end.
 constexpr int kReadsAfterEnd = 1000;
 
-/// The terminal gives single keys without echo from the first question to the end of the process.
+/// Switches the terminal to single keys without echo, from the first read to the end of the
+/// process.
 class RawTerminal {
  public:
   RawTerminal() {
@@ -43,7 +44,7 @@ class RawTerminal {
 
 void OpenTerminal() { static const RawTerminal terminal; }
 
-/// Keys of the environment and of the scenario together.
+/// The keys from the environment and from the scenario.
 std::vector<KeyPress> ScriptOfProcess() {
   const char* setting = std::getenv("ONCARD_KEYS");
   auto script = ParseKeyScript(setting == nullptr ? "" : setting);
@@ -75,7 +76,7 @@ HostKeys::HostKeys(std::vector<KeyPress> script) : scripted_(!script.empty()) {
 }
 
 HostKeys& HostKeys::OfProcess() {
-  // Never destroyed: other threads of the host may still ask while the process exits.
+  // Never destroyed: other threads of the host may still read keys while the process exits.
   static HostKeys& keys = *new HostKeys(ScriptOfProcess());
   return keys;
 }
@@ -87,7 +88,7 @@ bool HostKeys::Hit() {
     return next_ < keys_.size() && keys_[next_].at_ns <= now_ns;
   }
   OpenTerminal();
-  // Not poll(): the end of the input is no key.
+  // Not poll(), which would report the end of the input as a key.
   int available = 0;
   return ::ioctl(STDIN_FILENO, FIONREAD, &available) == 0 && available > 0;
 }

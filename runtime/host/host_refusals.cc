@@ -15,7 +15,7 @@ RefusalWish RefusalWishOfProcess() {
 }
 
 HostRefusals& HostRefusals::OfProcess() {
-  // Never destroyed: other threads of the host may still call while the process exits.
+  // Never destroyed: other threads of the host may still make calls while the process exits.
   static HostRefusals& refusals = *new HostRefusals;
   return refusals;
 }

@@ -20,7 +20,7 @@
 namespace oncard::runtime {
 namespace {
 
-/// What the cards' watches have found, and how the host ended.
+/// What the watches of the cards have found, and how the host ended.
 struct Verdict {
   std::mutex mutex;
   std::vector<Message> failures;
@@ -208,7 +208,7 @@ void Print(const Message& message) {
   std::fprintf(stderr, "oncard: %s\n", message.In(LanguageFromEnvironment()).c_str());
 }
 
-/// Prints what was found. True when there are failures.
+/// Prints what was found. True if there are failures.
 bool ReportHost() {
   Verdict& verdict = VerdictOfProcess();
   const std::lock_guard lock(verdict.mutex);
@@ -229,7 +229,8 @@ bool ReportHost() {
   return !verdict.failures.empty();
 }
 
-/// Waits for a lock that is held for no longer than a command takes; gives up after a second.
+/// Waits for a lock that is normally held for at most the duration of a command; gives up after a
+/// second.
 bool LockSoon(std::unique_lock<std::mutex>* lock) {
   for (int look = 0; look < 1000; ++look) {
     if (lock->try_lock()) return true;
@@ -244,7 +245,7 @@ bool LockSoon(std::unique_lock<std::mutex>* lock) {
 void FinishHost() {
   if (VerdictOfProcess().in_child) return;
   for (CardSlot& slot : CardTable::OfProcess().slots) {
-    // A thread that is inside a command now will not come back from it.
+    // A thread that is executing a command now will never complete it.
     const std::unique_lock lock(slot.mutex, std::try_to_lock);
     if (lock.owns_lock()) slot.SwitchOff();
   }

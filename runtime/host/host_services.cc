@@ -25,15 +25,15 @@ namespace {
 constexpr int16_t kFileNotFound = 2007;
 constexpr int16_t kNameNotFound = 2008;
 
-/// Versions and dates of both firmwares, laid out as GTS manual table 11-3 says. Assumption: the
-/// number of this project's release, with a fixed date, stands for both.
+/// Versions and dates of both firmwares, in the layout of GTS manual table 11-3. Assumption: the
+/// number of this project's release and a fixed date are used for both.
 constexpr std::string_view kFirmwareVersion = "010260101010260101";
 static_assert(kFirmwareVersion.size() == kVersionLength);
 
 /// Bytes of a network adapter's address.
 constexpr size_t kMacAddressLength = 6;
 
-/// Sizes of the caller's buffers behind TCompileInfo, with the terminating NUL. Assumption: the
+/// Sizes of the buffers that TCompileInfo points to, including the terminating NUL. Assumption: the
 /// manual gives none; its file names have at most 125 characters.
 constexpr size_t kCompileFileNameSize = 128;
 constexpr size_t kCompileMessageSize = 128;
@@ -60,7 +60,7 @@ int16_t Open(ServiceCall& call) {
   if (world == nullptr && !trace_files.empty()) world = std::make_shared<const Scenario>();
   slot.controller = world == nullptr ? std::make_unique<Controller>()
                                      : std::make_unique<Controller>(CardOptions(*world));
-  // Power-on is listened to as well.
+  // The log also shows what happens at power-on.
   if (CallLog* log = CallLog::Wanted(); log != nullptr) {
     slot.controller->LogRefusals(log, CardNumber(call));
     slot.controller->LogHappenings(log, CardNumber(call));
@@ -96,7 +96,7 @@ int16_t GetVersion(ServiceCall& call) {
 }
 
 /// Assumption: there is no network adapter; each card has a locally administered address that ends
-/// with its number, so that hosts that tell cards apart by it go on working.
+/// with its number, so that hosts that distinguish cards by address continue to work.
 int16_t GetMacAddress(ServiceCall& call) {
   const std::span<double> address = call.arguments[1].cells;
   if (address.size() < kMacAddressLength) {
@@ -129,8 +129,8 @@ int16_t GetCardNo(ServiceCall& call) {
 
 // --- Program files -------------------------------------------------------------------------------
 
-/// Copies a text into a buffer of the host that may be NULL, cut between two characters when it is
-/// too long.
+/// Copies a text into a buffer of the host, which may be NULL; a text that is too long is cut
+/// between two characters.
 void CopyText(std::string_view text, size_t size, char* buffer) {
   if (buffer == nullptr) return;
   size_t length = std::min(text.size(), size - 1);
@@ -148,7 +148,7 @@ void FillCompileInfo(TCompileInfo* info, std::string_view file, int line, std::s
   CopyText(text, kCompileMessageSize, info->pMessage);
 }
 
-/// The first error as TCompileInfo holds it: `'token'message`.
+/// Stores the first error in the form of TCompileInfo: `'token'message`.
 void FillCompileInfo(TCompileInfo* info, const compiler::Compilation& compilation,
                      Message* reason) {
   const auto& diagnostics = compilation.diagnostics;
@@ -168,7 +168,7 @@ void FillCompileInfo(TCompileInfo* info, const compiler::Compilation& compilatio
                               first->message.In(LanguageFromEnvironment())));
 }
 
-/// Refuses a compilation for a reason that lies in no line of the program.
+/// Refuses a compilation for a reason that is not in a line of the program.
 int16_t RefuseFile(ServiceCall& call, int16_t code, TCompileInfo* info, const Message& why) {
   FillCompileInfo(info, call.text(0), 0, why.In(LanguageFromEnvironment()));
   return call.Refuse(code, why);
@@ -194,7 +194,7 @@ int16_t Compile(ServiceCall& call) {
   const vm::ObjectFiles files = vm::WriteObject(*compilation.object, false);
   const auto written = WritePairAtomically(paths.bin, files.bin, paths.ini, files.ini);
   if (!written.ok()) return RefuseFile(call, vm::kRefused, info, written.error().message);
-  // Nothing is written: hosts whose programs compile leave the pointers of `info` unset.
+  // Nothing is written: hosts whose programs compile do not set the pointers of `info`.
   return vm::kOk;
 }
 
@@ -209,7 +209,7 @@ int16_t Download(ServiceCall& call) {
 
 // --- Names ---------------------------------------------------------------------------------------
 
-/// The program whose names are asked for, or nullptr with the reason set.
+/// The program whose names are requested, or nullptr with the reason set.
 const vm::Image* ProgramOf(ServiceCall& call) {
   const vm::Image* image = call.slot.controller->machine().image();
   if (image == nullptr) {
@@ -252,7 +252,7 @@ int16_t GetVarId(ServiceCall& call) {
                            : MakeMessage("function '{}' has no variable '{}'",
                                          "函数 '{}' 中没有变量 '{}'", call.text(0), name));
   }
-  // `name` is text, which cells do not carry; the other members are written from the cells.
+  // `name` is text, for which there are no cells; the other members are written from the cells.
   auto* info = static_cast<TVarInfo*>(call.arguments[2].host);
   std::memset(info->name, 0, sizeof info->name);
   symbol->name.copy(info->name, sizeof info->name - 1);
@@ -276,7 +276,7 @@ constexpr HostService kServices[] = {
     {"GT_GetVarId", false, GetVarId},
 };
 
-/// One entry per command of the catalogue, nullptr where the card answers.
+/// One entry per command of the catalogue; nullptr for a command that the card executes.
 std::vector<const HostService*> ServicesByNumber() {
   std::vector<const HostService*> services(gtcalls::GtsCatalogue().commands().size());
   for (const HostService& service : kServices) {

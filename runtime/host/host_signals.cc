@@ -17,9 +17,9 @@ namespace {
 
 constexpr int kEndSignals[] = {SIGINT, SIGTERM, SIGHUP};
 
-/// Written to by the handler; the number is the signal's.
+/// The handler writes the number of the signal to it.
 int wake_descriptor = -1;
-/// A child of the host has the handler but not the thread.
+/// A child process of the host inherits the handler, but not the thread.
 pid_t watched_process = 0;
 
 extern "C" void WakeWatcher(int signal) {
@@ -34,7 +34,8 @@ extern "C" void WakeWatcher(int signal) {
 void* Watch(void* /*argument*/) {
   VirtualTime::LeaveOutCallingThread();
   uint64_t signal = 0;
-  // The system call itself: the C library's functions may be replaced by ones that end up here.
+  // A direct system call: the C library's functions may be replaced by functions that lead back
+  // here.
   while (::syscall(SYS_read, wake_descriptor, &signal, sizeof signal) < 0) {
   }
   ConcludeHost();
@@ -58,7 +59,7 @@ void WatchHostSignals() {
   wake_descriptor = ::eventfd(0, EFD_CLOEXEC);
   if (wake_descriptor < 0) return;
   watched_process = ::getpid();
-  // The thread takes none of the host's signals.
+  // This thread receives none of the host's signals.
   sigset_t all;
   sigset_t before;
   ::sigfillset(&all);

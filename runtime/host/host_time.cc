@@ -10,7 +10,7 @@
 namespace oncard::runtime {
 namespace {
 
-/// Not called with virtual time, where reading a clock takes time.
+/// The steady clock is not read in virtual time, where reading a clock takes time.
 const int64_t begin_ns = HostTimeIsVirtual() ? 0 : CardClock::SteadyNanoseconds();
 
 }  // namespace

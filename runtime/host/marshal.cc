@@ -25,7 +25,7 @@ void WriteElement(void* host, size_t index, double value) {
   static_cast<T*>(host)[index] = FromCell<T>(value);
 }
 
-/// One element of a host's array of scalars, empty for a long that has no 32 bits.
+/// One element of a host's array of scalars; empty for a long that does not fit 32 bits.
 std::optional<double> ReadScalar(Scalar type, const void* host, size_t index) {
   switch (type) {
     case Scalar::kChar:
@@ -71,8 +71,9 @@ Error NotALong(const Parameter& parameter) {
                    "参数 {} 中的值超出 32 位范围", parameter.name);
 }
 
-/// True for a word of bits, of which a card takes the lower 32: what a host whose `long` has 64
-/// adds above them, with `mask = mask | 1` of a variable that was never set, is not looked at.
+/// True for a word of bits, of which the card uses the lower 32. The bits above, of a host whose
+/// `long` has 64 bits, are ignored: `mask = mask | 1` may have set them if the variable was never
+/// initialised.
 bool IsWordOfBits(const Parameter& parameter) {
   return parameter.unit == gtcalls::Unit::kMask || parameter.unit == gtcalls::Unit::kBits;
 }
@@ -89,7 +90,7 @@ Result<double> ReadValue(const Parameter& parameter, const HostArgument& host) {
   return *value;
 }
 
-/// How many elements a pointer argument covers.
+/// The number of elements that a pointer argument refers to.
 Result<size_t> ElementCount(const Command& command, const Parameter& parameter,
                             const gtcalls::Card* card, const MarshalledCall& call) {
   if (parameter.per_dimension || parameter.per_offset) {
@@ -122,7 +123,7 @@ void ForEachStructure(const Parameter& parameter, const vm::CommandArgument& arg
   }
 }
 
-/// Copies what an input points to into its cells.
+/// Copies the values behind an input pointer to its cells.
 Result<void> ReadCells(const Parameter& parameter, const vm::CommandArgument& argument) {
   if (parameter.structure != nullptr) {
     ForEachStructure(parameter, argument, [&](const char* host, std::span<double> cells) {
@@ -153,7 +154,7 @@ Result<void> ReadArguments(const Command& command, std::span<const HostArgument>
     if (result.ok()) result = error;
   };
 
-  // Values first: the counts among them say how many cells the pointers need.
+  // Values first: among them are the counts that give the number of cells for the pointers.
   for (size_t i = 0; i < host.size(); ++i) {
     const Parameter& parameter = command.parameters[i];
     vm::CommandArgument& argument = call->arguments[i];

@@ -1,6 +1,6 @@
-// liboncard_host.so, which `oncard exec` loads before everything else of a host program: the C
-// library's sleeps, clocks and time-outs go by the virtual time of libgts, so that a program that
-// sleeps through a ten-second move finishes at once. This file: sleeps and clocks.
+// liboncard_host.so, which `oncard exec` loads before everything else of a host program: makes the
+// C library's sleeps, clocks and time-outs use the virtual time of libgts, so that a program that
+// sleeps during a ten-second move finishes at once. This file contains sleeps and clocks:
 //
 //   sleep usleep nanosleep clock_nanosleep thrd_sleep
 //   clock_gettime gettimeofday time timespec_get times
@@ -8,7 +8,7 @@
 // The calendar begins on 2026-01-01 00:00 UTC, the monotonic clocks at 1000 s.
 //
 // preload_locks.cc has the time-outs of locks and conditions, preload_descriptors.cc those of
-// descriptors. The processor-time clocks are left alone.
+// descriptors. The processor-time clocks are not changed.
 // Tested by tests/tools/exec_command_test.cc.
 #include <sys/times.h>
 #include <threads.h>
@@ -19,12 +19,12 @@
 namespace oncard::preload {
 namespace {
 
-/// Where the clocks begin: the same in every run.
+/// The initial values of the clocks, the same in every run.
 constexpr long long kCalendarBeginNs = 1'767'225'600 * kSecondNs;  // 2026-01-01 00:00:00 UTC
 constexpr long long kMonotonicBeginNs = 1000 * kSecondNs;
 
-/// A function of libgts, or NULL in a process without it. A library that was loaded for one caller
-/// only, as Python does, is found by its name.
+/// Finds a function of libgts, or NULL in a process without it. A library that was loaded without
+/// RTLD_GLOBAL, as Python does, is found by its name.
 template <typename Function>
 bool FindInLibgts(const char* name, Function** function) {
   void* found = dlsym(RTLD_DEFAULT, name);
@@ -136,7 +136,7 @@ ONCARD_EXPORT int usleep(useconds_t microseconds) {
 ONCARD_EXPORT int thrd_sleep(const timespec* duration, timespec* rest) {
   const Hooks* hooks = VirtualHooks();
   if (hooks == nullptr) return ORIGINAL(thrd_sleep)(duration, rest);
-  if (!IsValid(*duration)) return -2;  // less than -1, which stands for a signal
+  if (!IsValid(*duration)) return -2;  // below -1, which means a signal
   Sleep(*hooks, ToNs(*duration));
   return 0;
 }

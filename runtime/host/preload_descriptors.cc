@@ -1,10 +1,10 @@
-// Part of liboncard_host.so (preload.cc): waits for descriptors with a time-out, which goes by
-// virtual time.
+// Part of liboncard_host.so (preload.cc): makes waits for descriptors with a time-out use virtual
+// time.
 //
 //   select pselect poll ppoll   without descriptors they are sleeps
 //   epoll_wait epoll_pwait epoll_pwait2
 //
-// Waits without a time-out, and time-outs of sockets (SO_RCVTIMEO), are left alone.
+// Waits without a time-out and time-outs of sockets (SO_RCVTIMEO) are not changed.
 // Tested by tests/tools/exec_command_test.cc.
 #include <poll.h>
 #include <signal.h>
@@ -18,8 +18,9 @@ using namespace oncard::preload;
 
 namespace {
 
-/// Runs a wait for descriptors in slices of virtual time. `wait_for(timeout)` is the wait itself:
-/// the number of descriptors that are ready, 0 when the time is up, -1 with errno. Gives the same.
+/// Executes a wait for descriptors in slices of virtual time. `wait_for(timeout)` is the real wait
+/// and returns the number of ready descriptors, 0 after the time-out, or -1 with errno. Returns the
+/// same.
 template <typename WaitFor>
 int WaitForDescriptors(const Hooks& hooks, long long deadline_ns, const WaitFor& wait_for) {
   pthread_testcancel();
@@ -32,7 +33,7 @@ int WaitForDescriptors(const Hooks& hooks, long long deadline_ns, const WaitFor&
   return ready;
 }
 
-/// The moment at which a time-out that begins now ends.
+/// The virtual time at which a time-out that begins now ends.
 long long DeadlineAfter(const Hooks& hooks, long long timeout_ns) {
   const long long now_ns = hooks.time_ns();
   return timeout_ns > kForeverNs - now_ns ? kForeverNs : now_ns + timeout_ns;
@@ -61,7 +62,7 @@ bool IsEmpty(int count, const fd_set* set) {
   return true;
 }
 
-/// The three sets of a select(), which writes them in every slice.
+/// The three sets of a select(), which overwrites them in every slice.
 struct Sets {
   fd_set* of_host[3];
   fd_set asked[3];
@@ -91,7 +92,8 @@ int Select(const Hooks& hooks, int count, Sets* sets, long long deadline_ns, con
 
 // --- epoll ---------------------------------------------------------------------------------------
 
-/// An epoll descriptor can be polled itself, to the nanosecond, which epoll_wait() cannot.
+/// An epoll descriptor can itself be polled, with a resolution of 1 ns, which epoll_wait() does not
+/// have.
 int Epoll(const Hooks& hooks, int epoll, epoll_event* events, int count, long long timeout_ns,
           const sigset_t* mask) {
   return WaitForDescriptors(hooks, DeadlineAfter(hooks, timeout_ns), [&](const timespec* slice) {
@@ -133,7 +135,7 @@ ONCARD_EXPORT int select(int count, fd_set* read, fd_set* write, fd_set* except,
   }
   const long long deadline_ns = DeadlineAfter(*hooks, timeout_ns);
   const int ready = Select(*hooks, count, &sets, deadline_ns, nullptr);
-  // As Linux does: what is left of the time.
+  // Returns the remaining time, as Linux does.
   const long long left_ns = ready == 0 ? 0 : deadline_ns - hooks->time_ns();
   const timespec left = ToTimespec(left_ns > 0 ? left_ns : 0);
   *timeout = {left.tv_sec, static_cast<suseconds_t>(left.tv_nsec / 1000)};

@@ -1,5 +1,5 @@
-// Part of liboncard_host.so (preload.cc): waits for locks, conditions, semaphores, threads and
-// signals with a time-out, which goes by virtual time.
+// Part of liboncard_host.so (preload.cc): makes waits for locks, conditions, semaphores, threads
+// and signals with a time-out use virtual time.
 //
 //   pthread_cond_timedwait pthread_cond_clockwait cnd_timedwait, with the signals that end them
 //   pthread_mutex_timedlock pthread_mutex_clocklock mtx_timedlock
@@ -8,9 +8,10 @@
 //   pthread_timedjoin_np pthread_clockjoin_np sigtimedwait
 //   syscall(SYS_futex), with which the C++ library waits for futures and semaphores
 //
-// A lock keeps its state, so one slice after the other is asked of the C library itself. A
-// condition does not: a signal between two slices would be lost. So who waits for one stands in a
-// list, and the signals look there first. Tested by tests/tools/exec_command_test.cc.
+// A lock keeps its state, so waiting for it is done in slices with the C library's own functions. A
+// condition has none: a signal between two slices would be lost. So threads that wait for a
+// condition are in a list, which the signals check first. Tested by
+// tests/tools/exec_command_test.cc.
 #include <linux/futex.h>
 #include <mqueue.h>
 #include <pthread.h>
@@ -27,15 +28,15 @@ using namespace oncard::preload;
 
 namespace {
 
-/// The time of the real calendar after a slice.
+/// The real calendar time after a slice.
 timespec RealAfter(long long slice_ns, clockid_t clock = CLOCK_REALTIME) {
   timespec now;
   ORIGINAL(clock_gettime)(clock, &now);
   return ToTimespec(ToNs(now) + slice_ns);
 }
 
-/// Takes a lock, or the like, by a moment of a clock. `try_now()` and `wait_for(until)` give 0,
-/// EBUSY or ETIMEDOUT when there is nothing to have yet, or another error.
+/// Takes a lock or similar before a deadline on a clock. `try_now()` and `wait_for(until)` return
+/// 0, EBUSY or ETIMEDOUT if it is not available yet, or another error.
 template <typename TryNow, typename WaitFor>
 int TakeUntil(const Hooks& hooks, long long begin_ns, const timespec& until, const TryNow& try_now,
               const WaitFor& wait_for) {
@@ -52,7 +53,7 @@ int TakeUntil(const Hooks& hooks, long long begin_ns, const timespec& until, con
   return over ? error : ETIMEDOUT;
 }
 
-/// True when a wait until then is ours; what is wrong with it is the C library's to say.
+/// True if the wait is handled here; the C library reports errors in its arguments.
 bool IsOurs(const Hooks* hooks, clockid_t clock, const timespec* until) {
   return hooks != nullptr && BeginOf(clock) >= 0 && until->tv_nsec >= 0 &&
          until->tv_nsec < kSecondNs;
@@ -60,16 +61,17 @@ bool IsOurs(const Hooks* hooks, clockid_t clock, const timespec* until) {
 
 // --- Conditions ----------------------------------------------------------------------------------
 
-/// A thread in a wait with a deadline for a condition. It lies on the thread's stack.
+/// A thread that waits for a condition with a deadline. It is on the thread's stack.
 struct Waiter {
   const void* condition;
-  int woken = 0;  // a futex; written under `list_lock`
+  int woken = 0;  // a futex; written while `list_lock` is held
   Waiter* next = nullptr;
 };
 
 pthread_mutex_t list_lock = PTHREAD_MUTEX_INITIALIZER;
-Waiter* first_waiter = nullptr;  // in the order of their coming, under `list_lock`
-int waiter_count = 0;            // also read without it
+Waiter* first_waiter =
+    nullptr;           // in the order in which they began to wait; protected by `list_lock`
+int waiter_count = 0;  // also read without the lock
 
 long Futex(int* word, int operation, int value, const timespec* timeout) {
   return ORIGINAL(syscall)(SYS_futex, word, operation, value, timeout, nullptr, 0);
@@ -84,7 +86,7 @@ void Enlist(Waiter* waiter) {
   pthread_mutex_unlock(&list_lock);
 }
 
-/// Takes it out again; true when it was woken.
+/// Removes it from the list; true if it was woken.
 bool Delist(Waiter* waiter) {
   pthread_mutex_lock(&list_lock);
   Waiter** link = &first_waiter;
@@ -95,7 +97,7 @@ bool Delist(Waiter* waiter) {
   return waiter->woken != 0;
 }
 
-/// Wakes one waiter for a condition, or all; gives how many.
+/// Wakes one waiter for a condition, or all; returns how many.
 int Wake(const void* condition, bool all) {
   if (__atomic_load_n(&waiter_count, __ATOMIC_SEQ_CST) == 0) return 0;
   int count = 0;
@@ -111,8 +113,9 @@ int Wake(const void* condition, bool all) {
   return count;
 }
 
-/// Waits for a condition. The lock is given back while it waits, and taken again when nobody waits
-/// for this thread any more: whoever holds it may be letting time pass.
+/// Waits for a condition. The mutex is released during the wait. It is taken again after this
+/// thread has left the list of waiters in virtual time: the owner of the mutex may itself be
+/// waiting for time to pass.
 template <typename Unlock, typename Lock>
 int WaitForCondition(const Hooks& hooks, const void* condition, long long deadline_ns,
                      const Unlock& unlock, const Lock& lock) {
@@ -135,7 +138,7 @@ int WaitForCondition(const Hooks& hooks, const void* condition, long long deadli
   return woken ? 0 : ETIMEDOUT;
 }
 
-/// Bits of a condition of the GNU C library since 2.25: shared between processes, and its clock.
+/// Bits of a condition in the GNU C library since 2.25: shared between processes, and its clock.
 constexpr unsigned kSharedBit = 1;
 constexpr unsigned kMonotonicBit = 2;
 
@@ -146,7 +149,7 @@ clockid_t ClockOf(const pthread_cond_t* condition) {
   return (condition->__data.__wrefs & kMonotonicBit) != 0 ? CLOCK_MONOTONIC : CLOCK_REALTIME;
 }
 
-/// The functions for conditions exist twice in the C library; these are the ones since 2.3.2.
+/// The C library has two versions of the functions for conditions; these are the ones since 2.3.2.
 template <typename Function>
 Function* OriginalOfConditions(const char* name) {
   void* found = dlvsym(RTLD_NEXT, name, "GLIBC_2.3.2");
@@ -156,7 +159,7 @@ Function* OriginalOfConditions(const char* name) {
 int WaitForCondition(const Hooks& hooks, pthread_cond_t* condition, pthread_mutex_t* mutex,
                      clockid_t clock, const timespec* until) {
   const long long deadline_ns = ToNs(*until) - BeginOf(clock);
-  if (IsShared(condition)) {  // another process, which goes by the real time, may signal it
+  if (IsShared(condition)) {  // another process, which uses real time, may signal it
     const long long left_ns = deadline_ns - hooks.time_ns();
     const timespec end = RealAfter(left_ns > 0 ? left_ns : 0, CLOCK_MONOTONIC);
     return ORIGINAL(pthread_cond_clockwait)(condition, mutex, CLOCK_MONOTONIC, &end);
@@ -166,7 +169,7 @@ int WaitForCondition(const Hooks& hooks, pthread_cond_t* condition, pthread_mute
       [mutex] { return pthread_mutex_lock(mutex); });
 }
 
-/// A child of fork() has the thread that forked alone.
+/// A child of fork() contains only the thread that forked.
 void ForgetWaiters() {
   list_lock = PTHREAD_MUTEX_INITIALIZER;
   first_waiter = nullptr;
@@ -304,8 +307,8 @@ ONCARD_EXPORT int sem_timedwait(sem_t* semaphore, const timespec* until) {
   return sem_clockwait(semaphore, CLOCK_REALTIME, until);
 }
 
-/// Exchanges a message by a moment of the calendar. `exchange(end)` gives -1 with ETIMEDOUT when
-/// there is none by then.
+/// Sends or receives a message before a deadline in calendar time. `exchange(end)` returns -1 with
+/// ETIMEDOUT if that was not possible.
 template <typename Exchange>
 ssize_t ExchangeUntil(const Hooks& hooks, const timespec& until, const Exchange& exchange) {
   pthread_testcancel();
@@ -406,7 +409,7 @@ ONCARD_EXPORT long syscall(long number, ...) noexcept {
   const Hooks* hooks = VirtualHooks();
   if (hooks == nullptr || !IsValid(*timeout)) return plain();
 
-  // FUTEX_WAIT takes a duration, FUTEX_WAIT_BITSET a moment.
+  // FUTEX_WAIT takes a duration, FUTEX_WAIT_BITSET a point in time.
   long long deadline_ns = ToNs(*timeout);
   if (operation == FUTEX_WAIT) {
     const long long now_ns = hooks->time_ns();

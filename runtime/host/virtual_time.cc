@@ -16,28 +16,28 @@
 namespace oncard::runtime {
 namespace {
 
-/// How long the first sleeper lets the other threads work before it looks again: short at first, so
-/// that threads that hand over quickly cost little, then longer, so that a thread that computes is
-/// not disturbed.
+/// How long the first sleeper lets the other threads run before it checks again: short at first, so
+/// that threads that soon wait cost little time, then longer, so that a thread that computes is not
+/// disturbed.
 constexpr long kFirstLookNs = 20'000;
 constexpr long kLastLookNs = 500'000;
-/// Slices of waits with a deadline: of the one that ends first, and of others, which have only to
-/// see in time that theirs has come.
+/// Slices of waits with a deadline: of the one that ends first, and of the others, which only need
+/// to notice in time when theirs is the first.
 constexpr int64_t kFirstSliceNs = 200'000;
 constexpr int64_t kOtherSliceNs = 1'000'000;
 
-/// The thread that is not the host's; 0: there is none.
+/// A thread that does not belong to the host; 0: there is none.
 std::atomic<long> left_out{0};
 
-/// Real sleep. The system call itself: the C library's functions may be replaced by ones that end
-/// up here.
+/// Sleeps in real time. A direct system call: the C library's functions may be replaced by
+/// functions that lead back here.
 void RealSleep(long ns) {
   const timespec duration = {0, ns};
   ::syscall(SYS_nanosleep, &duration, nullptr);
 }
 
-/// A waiting thread, and how often it had been given the processor: as long as that number stays,
-/// it has not run.
+/// A waiting thread, and how often it has given up the processor: while this number does not
+/// change, the thread has not run.
 struct WaitingThread {
   std::string id;
   std::string switches;
@@ -52,7 +52,7 @@ std::string_view LineOf(std::string_view status, std::string_view key) {
   return line.substr(0, line.find('\n'));
 }
 
-/// Appends a thread of this process when it waits; false when it does not.
+/// Appends a thread of this process; false if it is not waiting.
 bool AppendWaiting(const char* id, std::vector<WaitingThread>* waiting) {
   const std::string path = std::string("/proc/self/task/") + id + "/status";
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -68,8 +68,8 @@ bool AppendWaiting(const char* id, std::vector<WaitingThread>* waiting) {
   return sleeps;
 }
 
-/// The other threads of this process, without the switches of those `in_slices`; false when one of
-/// them does not wait.
+/// Lists the other threads of this process, without the switch counts of those `in_slices`; false
+/// if one of them is not waiting.
 bool ListWaiting(std::span<const VirtualTime::ThreadId> in_slices,
                  std::vector<WaitingThread>* waiting) {
   DIR* folder = ::opendir("/proc/self/task");
@@ -182,13 +182,13 @@ void VirtualTime::EndWait(const Wait& wait, bool expired) {
 void VirtualTime::BecomeChild() {
   sleepers_.clear();
   ++changes_;
-  std::construct_at(&changed_);  // whoever waited for it is not there
+  std::construct_at(&changed_);  // the threads that waited for it do not exist in the child
   mutex_.unlock();
 }
 
-// Two looks: a thread that waited at both without having run in between waited all the time, so at
-// the moment between the looks all of them waited at once. One in slices may have run in between,
-// but only from one slice to the next.
+// The threads are examined twice: one that waits both times and has not run in between has waited
+// all the time. So at the instant between the two all of them waited. A thread in slices may have
+// run in between, but only from one slice to the next.
 bool VirtualTime::OtherThreadsWait(std::span<const ThreadId> in_slices) {
   std::vector<WaitingThread> first;
   if (!ListWaiting(in_slices, &first)) return false;

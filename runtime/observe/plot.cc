@@ -24,14 +24,15 @@ constexpr int kSignalHeight = 26;
 constexpr int kPathMargin = 86;
 constexpr int kPathHeightMin = 400;
 
-// A curve is drawn through fewer points as long as it stays this close, in parts of its range.
+// A curve is simplified by removing points as long as it deviates by no more than this fraction of
+// its range.
 constexpr double kSimplification = 1.0 / 4000;
-// Free space above and below curves, in parts of the range.
+// Free space above and below curves, as a fraction of the range.
 constexpr double kPadding = 0.07;
-// A signal's high level, and the distance from one signal to the next.
+// The high level of a signal; the distance between two signals is 1.
 constexpr double kSignalLevel = 0.7;
 
-// Colours that people with any colour vision can tell apart (Okabe and Ito, 2008), the darker
+// Colours that people with any colour vision can distinguish (Okabe and Ito, 2008), dark ones
 // first.
 constexpr std::array<std::string_view, 7> kColors = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                                      "#E69F00", "#56B4E9", "#000000"};
@@ -46,7 +47,7 @@ struct Curve {
   std::vector<Point> points;
   bool steps = false;
   size_t color = 0;
-  int dash = 0;  ///< 0: solid; others tell curves of one colour in a panel apart
+  int dash = 0;  ///< 0: solid; others distinguish curves with the same colour in a panel
 };
 
 struct Range {
@@ -72,7 +73,7 @@ struct Path {
   Curve curve;
 };
 
-// Where a panel stands, in parts of the picture, from below.
+// The place of a panel, in fractions of the picture, from below.
 struct Box {
   double left = 0;
   double right = 0;
@@ -82,7 +83,7 @@ struct Box {
 
 std::string Number(double value) { return fmt::format("{:.9g}", value + 0.0); }
 
-// A string of gnuplot that nothing is replaced in.
+// A gnuplot string without substitutions.
 std::string GnuplotString(std::string_view text) {
   std::string quoted = "'";
   for (const char c : text) {
@@ -98,7 +99,7 @@ Range RangeOf(const std::vector<Point>& points) {
   return range;
 }
 
-// Leaves out points that lie near the straight line through their neighbours ("swinging door").
+// Removes points close to the straight line through their neighbours ("swinging door").
 std::vector<Point> Simplify(const std::vector<Point>& points) {
   const double tolerance = RangeOf(points).size() * kSimplification;
   std::vector<Point> kept = {points.front()};
@@ -122,7 +123,7 @@ std::vector<Point> Simplify(const std::vector<Point>& points) {
   return kept;
 }
 
-// Only the points at which the value changes, and the last.
+// Only the points at which the value changes, and the last one.
 std::vector<Point> Changes(const std::vector<Point>& points) {
   std::vector<Point> kept;
   for (const Point& point : points) {
@@ -185,7 +186,7 @@ class Picture {
 
   Panel& Signals() { return panels_.back(); }
 
-  // A coordinate of a coordinate system is drawn as a path, not over time.
+  // A coordinate of a coordinate system is drawn as a path, not against time.
   static bool IsCoordinate(const Quantity& quantity) {
     return quantity.name.starts_with("crd") && quantity.unit() == Unit::kPulse;
   }
@@ -194,13 +195,13 @@ class Picture {
     return quantity.kind == QuantityKind::kInputWord || quantity.kind == QuantityKind::kOutputWord;
   }
 
-  // Values over time. Rows exist only where something changed: a value holds until the cycle before
-  // it changes.
+  // Values against time. There are rows only where something changed: a value is valid until the
+  // cycle before it changes.
   std::vector<Point> Points(size_t column) const {
     std::vector<Point> points;
     const TraceRow* before = nullptr;
     for (const TraceRow& row : trace_.rows()) {
-      // Inside a cycle only outputs are known.
+      // Within a cycle only outputs are known.
       if (row.inside_cycle && trace_.form(column) == NumberForm::kReal) continue;
       if (before != nullptr && row.time_us - before->time_us > trace_.cycle_us()) {
         points.push_back({ToMs(row.time_us - trace_.cycle_us()), before->values[column]});
@@ -236,7 +237,7 @@ class Picture {
     panel.curves.push_back(std::move(curve));
   }
 
-  // All values of a part have one colour.
+  // All values of a part have the same colour.
   size_t ColorOfPart(const std::string& name) {
     const std::string part = name.substr(0, name.find('.'));
     const auto found = std::find(parts_.begin(), parts_.end(), part);
@@ -297,7 +298,7 @@ class Picture {
     paths_.push_back(std::move(path));
   }
 
-  // Leaves out points nearer to the last kept one than the eye can tell.
+  // Removes points so close to the last one kept that the difference cannot be seen.
   static std::vector<Point> SimplifyPath(const std::vector<Point>& points) {
     Range x{points.front().x, points.front().x};
     Range y{points.front().y, points.front().y};
@@ -335,7 +336,7 @@ class Picture {
   }
 
   double Across(int pixels) const { return static_cast<double>(pixels) / width_; }
-  // From the top of the picture, as a part from below.
+  // Converts a distance from the top of the picture to a fraction from below.
   double Below(int pixels) const { return 1 - static_cast<double>(pixels) / height_; }
 
   static void WriteBox(std::string& text, const Box& box) {
@@ -360,7 +361,7 @@ class Picture {
     for (size_t p = 0; p < panels_.size(); ++p) {
       const Panel& panel = panels_[p];
       for (size_t c = 0; c < panel.curves.size(); ++c) {
-        // The first signal stands at the top.
+        // The first signal is at the top.
         const double row = static_cast<double>(panel.curves.size() - 1 - c);
         WriteBlock(text, fmt::format("p{}c{}", p, c), panel.curves[c].points,
                    panel.signals ? row : 0, panel.signals ? kSignalLevel : 1);
@@ -471,7 +472,7 @@ class Picture {
   }
 
   const Trace& trace_;
-  // In the order in which they stand, empty ones left out.
+  // In the order of the picture, without empty ones.
   std::vector<Panel> panels_ = {
       {"position [pulse]", {}, false},
       {"velocity [pulse/ms]", {}, false},
@@ -481,7 +482,7 @@ class Picture {
       {"", {}, true},
   };
   std::vector<Path> paths_;
-  std::vector<std::string> parts_;  // that have a colour
+  std::vector<std::string> parts_;  // the parts that have a colour
   double end_ms_ = 1;
   int time_width_ = 0;
   int width_ = 0;

@@ -75,7 +75,7 @@ std::optional<IndexedName> SplitIndex(std::string_view name) {
   return IndexedName{name.substr(0, open), index};
 }
 
-/// The global variables; none while no program is loaded, as on the card of a host program.
+/// The global variables; empty if no program is loaded, as on the card of a host program.
 std::span<const vm::Symbol> GlobalsOf(const vm::Machine& machine) {
   if (machine.image() == nullptr) return {};
   return machine.image()->object.globals;
@@ -90,7 +90,7 @@ Error UnknownName(std::string_view name, std::span<const std::string_view> candi
                    "没有名为“{0}”的量；是否为“{1}”？", name, near);
 }
 
-// A variable's slots under the names of its elements.
+// A variable's slots with the names of its elements.
 Result<std::vector<Quantity>> SlotsOf(const vm::Symbol& symbol, std::string_view prefix,
                                       std::optional<int> index, bool global, int page) {
   Quantity quantity;
@@ -141,7 +141,7 @@ Error NoProgram() {
   return MakeError(1, "no program is downloaded, so it has no variables", "尚未下载程序，没有变量");
 }
 
-// The function whose locals a page holds.
+// The function whose locals are on a page.
 Result<int> FunctionOnPage(int page, std::string_view variable, const vm::Machine& machine) {
   std::vector<int> having;
   for (const vm::ThreadState& thread : machine.state().threads) {
@@ -242,7 +242,7 @@ Result<std::vector<Quantity>> ResolveMotion(std::string_view name, const PartNam
   return std::vector{quantity};
 }
 
-// A name with a number in it whose part is unknown.
+// The error for a name with a number whose part is unknown.
 Error UnknownPart(std::string_view name, const PartName& split) {
   std::vector<std::string_view> parts = {"thread", "page"};
   for (const MotionPart& part : MotionParts()) parts.push_back(part.name);
@@ -332,7 +332,7 @@ double ReadQuantity(const Quantity& quantity, const Controller& controller) {
     case QuantityKind::kVariable:
       return machine.Read(quantity.slot);
     case QuantityKind::kThreadRun:
-      // The numbers of TThreadSts.run.
+      // The values of TThreadSts.run.
       return thread.run == vm::ThreadRun::kRunning  ? 1
              : thread.run == vm::ThreadRun::kPaused ? 2
                                                     : 0;
@@ -392,7 +392,7 @@ std::string FormatNumber(double value, NumberForm form) {
     case NumberForm::kFlag:
       return fmt::format("{}", static_cast<int64_t>(value));
     case NumberForm::kFixedPoint:
-      // At most 16 decimals, of which no exponent is wanted.
+      // Up to 16 decimal places, because numbers without an exponent are required.
       text = fmt::format("{:.16f}", value);
       text.erase(text.find_last_not_of('0') + 1);
       if (text.ends_with('.')) text += '0';

@@ -27,7 +27,7 @@ int64_t RawOf(const vm::MachineState& state, const SlotAddress& slot) {
   return slot.global ? state.globals[slot.id] : state.pages[slot.page][slot.id];
 }
 
-/// The slots that the operands of an instruction name, in a state.
+/// The slots that the operands of an instruction refer to in a state.
 class Operands {
  public:
   Operands(const vm::MachineState& state, int page) : state_(state), page_(page) {}
@@ -36,7 +36,7 @@ class Operands {
     const bool global = variable.storage == vm::Storage::kGlobal;
     return {global, static_cast<uint8_t>(global ? 0 : page_), variable.id};
   }
-  /// Empty for a literal and for an index that is out of bounds.
+  /// Empty for a literal and for an index out of bounds.
   std::optional<SlotAddress> SlotOf(const vm::Operand& operand) const {
     if (const auto* variable = std::get_if<vm::Variable>(&operand)) return SlotOf(*variable);
     const auto* element = std::get_if<vm::Element>(&operand);
@@ -65,7 +65,7 @@ class Operands {
   int page_;
 };
 
-/// The slots that hold something else than before.
+/// Adds the slots whose values differ from those before.
 void AddChanges(const vm::MachineState& before, const vm::MachineState& after,
                 std::vector<SlotChange>* writes) {
   const auto add = [&](const SlotAddress& slot) {

@@ -10,14 +10,15 @@
 namespace oncard::runtime {
 namespace {
 
-// Identifier codes of a VCD are made of the printable characters ! to ~.
+// Identifier codes of a VCD consist of the printable characters ! to ~.
 constexpr int kVcdFirst = '!';
 constexpr int kVcdCount = '~' - '!' + 1;
 
-// An encoder counts whole pulses: an axis that follows exactly is up to half a pulse away.
+// An encoder counts whole pulses, so even for an axis that follows exactly the error is up to half
+// a pulse.
 constexpr double kErrorWorthShowing = 1;
 
-// Values of parts of the card that a trace shows without being asked.
+// Values of parts of the card that a trace contains by default.
 struct DefaultValue {
   std::string_view part;
   std::string_view value;
@@ -72,7 +73,7 @@ std::string VcdType(NumberForm form) {
   return "wire 32";
 }
 
-// A program's names hold letters, digits, dots and brackets only; a mark may hold anything.
+// Names of a program only contain letters, digits, dots and brackets; a mark may contain anything.
 std::string JsonString(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text) {
@@ -148,7 +149,7 @@ void Trace::AddOutputEdges(const Controller& controller, int64_t time_us) {
   const MotionValue* output = FindMotionPart(kHsioPart)->values.data();
   for (const motion::HsioEdge& edge : controller.motion().state().compare.edges()) {
     const auto at_us = static_cast<int64_t>(std::round(edge.instant));
-    if (at_us >= time_us) continue;  // in the sample itself
+    if (at_us >= time_us) continue;  // it is part of the sample
     for (size_t i = 0; i < columns_.size(); ++i) {
       const Quantity& quantity = columns_[i].quantity;
       if (quantity.value != output || quantity.index != edge.channel) continue;
@@ -220,7 +221,7 @@ void Trace::DropUnchanged() {
   for (TraceRow& row : rows_) compact(row.values);
   compact(forms_);
   compact(columns_);
-  // Rows that only differed in what was dropped; the first and the last stay.
+  // Removes rows that only differed in the dropped columns; the first and the last row remain.
   const auto same = [&](const TraceRow& a, const TraceRow& b) { return a.values == b.values; };
   TraceRow last = rows_.back();
   rows_.erase(std::unique(rows_.begin(), rows_.end(), same), rows_.end());

@@ -12,7 +12,7 @@
 namespace oncard::runtime {
 namespace {
 
-/// The lines of a source without the white space around them; element 0 is no line.
+/// The lines of a source without leading and trailing white space; element 0 is unused.
 std::vector<std::string> TrimmedLines(std::string_view source) {
   std::vector<std::string> lines(1);
   while (!source.empty()) {
@@ -24,7 +24,7 @@ std::vector<std::string> TrimmedLines(std::string_view source) {
   return lines;
 }
 
-/// A card whose threads are stepped one statement at a time, as a replay does it.
+/// A card whose threads are stepped statement by statement, as in a replay.
 class StatementRun {
  public:
   StatementRun(const Scenario& scenario, std::string_view source)
@@ -35,7 +35,7 @@ class StatementRun {
   }
   const vm::Machine& machine() const { return controller_.machine(); }
 
-  /// The threads that can take the next statement; 0 at the end of the run.
+  /// The threads that can execute the next statement; 0 at the end of the run.
   uint32_t Runnable() {
     vm::Machine& machine = controller_.machine();
     const int64_t last = CycleOf(scenario_, scenario_.limit_ms * 1000);
@@ -46,7 +46,7 @@ class StatementRun {
     }
     return 0;
   }
-  /// One statement of a thread that can take it.
+  /// Executes one statement of a thread that Runnable() contains.
   void Step(int thread) {
     controller_.machine().ExecuteOne(thread);
     controller_.machine().Execute(0);
@@ -75,7 +75,7 @@ class StatementRun {
 
 bool CanStep(uint32_t runnable, int thread) { return (runnable >> thread & 1) != 0; }
 
-/// Runs a thread until it has come to `stop` as often as it says. False when it does not get there.
+/// Runs a thread until it has reached `stop` as often as that says. False if it does not.
 bool FollowTo(const vm::ScheduleStop& stop, int thread, StatementRun* run) {
   int64_t passes = 0;
   while (CanStep(run->Runnable(), thread)) {
@@ -103,7 +103,7 @@ Result<void> AnnotateSchedule(const Scenario& scenario, vm::Object object, std::
   if (auto started = run.Start(std::move(object)); !started.ok()) return started.error();
   std::vector<vm::ScheduleStop> stops;
   for (const vm::ScheduleSegment& segment : schedule->segments) {
-    std::vector<int> lines;  // that the thread came to
+    std::vector<int> lines;  // the lines that the thread reached
     for (int64_t i = 0; i < segment.statements; ++i) {
       if (!CanStep(run.Runnable(), segment.thread)) {
         return MakeError(1, "the schedule belongs to another program", "该调度不属于此程序");

@@ -10,7 +10,7 @@
 namespace oncard::runtime {
 namespace {
 
-/// Takes the character or escape at the front of a text; empty for an escape that there is none of.
+/// Removes the first character or escape sequence of a text; empty for an unknown escape sequence.
 std::optional<char> TakeCharacter(std::string_view* text) {
   const char first = text->front();
   text->remove_prefix(1);
@@ -42,7 +42,7 @@ std::optional<char> TakeCharacter(std::string_view* text) {
   return static_cast<char>(*code);
 }
 
-/// Takes `MS:TEXT` up to the comma or the end; empty when it is not that.
+/// Removes `MS:TEXT` up to the comma or the end; empty if the text has another form.
 std::optional<KeyPress> TakePress(std::string_view* text) {
   const size_t colon = text->find(':');
   if (colon == std::string_view::npos) return std::nullopt;

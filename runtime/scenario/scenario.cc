@@ -1,4 +1,4 @@
-// Writing scenarios, and the short forms of the command line. Reading is scenario_toml.cc.
+// Writes scenarios and reads the short forms of the command line. scenario_toml.cc reads files.
 #include "runtime/scenario/scenario.h"
 
 #include <filesystem>
@@ -43,7 +43,7 @@ std::string FormatValue(const InitialValue& initial) {
   return fmt::format("{} = [{}]", TomlString(initial.name), fmt::join(initial.values, ", "));
 }
 
-// The inside of an inline table.
+// The text between the braces of an inline table.
 std::string FormatValues(const std::vector<InitialValue>& values) {
   std::vector<std::string> texts;
   texts.reserve(values.size());

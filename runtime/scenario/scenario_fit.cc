@@ -12,7 +12,7 @@ namespace {
 constexpr std::string_view kNameCharacters =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_0123456789";
 
-/// `thread12`, `page3`, `ret0`.
+/// True for names such as `thread12`, `page3` and `ret0`.
 bool NamesThread(std::string_view word) {
   for (const std::string_view prefix : {"thread", "page", "ret"}) {
     if (!word.starts_with(prefix) || word.size() == prefix.size()) continue;

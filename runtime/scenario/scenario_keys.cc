@@ -15,7 +15,7 @@ constexpr KeyRule kRules[] = {
     {"title", kUsed, kMeansNothing, kUsed},
     {"include", kUsed, kUsed, kRefused},
     {"double", kUsed, kUsed, kRefused},
-    // The explorer takes every schedule, this one included.
+    // The explorer tries every schedule, including this one.
     {"schedule", kUsed, kMeansNothing, kRefused},
     {"rate", kUsed, kUsed, kUsed},
     {"axes", kUsed, kUsed, kUsed},
@@ -31,7 +31,7 @@ constexpr KeyRule kRules[] = {
     {"eventually", kUsed, kUsed, kRefused},
     {"races", kRefused, kUsed, kRefused},
     {"sync", kRefused, kUsed, kRefused},
-    // Speaks to `oncard test` and `oncard explore`.
+    // Only `oncard test` and `oncard explore` use it.
     {"explore", kMeansNothing, kUsed, kRefused},
     {"globals", kUsed, kUsed, kRefused},
     {"thread", kUsed, kUsed, kRefused},

@@ -13,10 +13,10 @@ namespace {
 
 constexpr std::string_view kReplayPrefix = "replay:";
 
-/// A cycle that no run reaches.
+/// A cycle that is never reached.
 constexpr int64_t kNever = INT64_MAX;
 
-/// The number of cycles after which a run checks whether it shall stop.
+/// The number of cycles after which a run checks whether it must stop.
 constexpr int64_t kLookCycles = 1000;
 
 Message DescribeFault(const vm::ThreadState& thread) {
@@ -126,7 +126,7 @@ class ScenarioRunner {
     return {};
   }
 
-  // What all the names stand for.
+  // Resolves all names.
   void FindNames() {
     FindExpectations();
     FindHostWrites();
@@ -156,7 +156,7 @@ class ScenarioRunner {
                      [](const auto& a, const auto& b) { return a.cycle < b.cycle; });
   }
 
-  // What the host writes is tried once now, so that nothing can fail later.
+  // The host's writes are prepared now, so that none can fail later.
   void FindHostWrites() {
     const ControllerSnapshot before = controller_.Snapshot();
     for (const HostEvent& event : scenario_.host) {
@@ -211,7 +211,7 @@ class ScenarioRunner {
     for (TraceMark& mark : at_power_on_) result_.trace->Mark(std::move(mark));
   }
 
-  // What the card does by itself goes to the trace; it can do something before that has begun.
+  // Adds what the card does by itself to the trace; events before the trace begins are kept for it.
   void KeepHappenings() {
     controller_.ListenToHappenings([this](int64_t time_us, const Message& what) {
       TraceMark mark = {time_us, what, true};
@@ -280,7 +280,7 @@ class ScenarioRunner {
     return CycleOf(scenario_, *replayed_->cut_us);
   }
 
-  // The cycle up to which the run can go on by itself.
+  // The cycle up to which the run can continue without an action from here.
   int64_t NextLook(int64_t last) const {
     if (result_.trace) return controller_.cycle() + 1;
     int64_t next = std::min(last, controller_.cycle() + kLookCycles);
@@ -389,7 +389,7 @@ class ScenarioRunner {
                     result_.end_ms, write.variable.name, static_cast<double>(at_us) / 1000));
   }
 
-  // True when the run has come to an end that it was meant to have.
+  // True if the run ended as intended.
   bool InOrder() const {
     return result_.end == RunEnd::kQuiet ||
            (result_.end == RunEnd::kTimeLimit && result_.reached_until);
@@ -514,14 +514,14 @@ class ScenarioRunner {
   std::vector<PendingExpectation> timed_;  // by cycle
   std::vector<PendingExpectation> final_;
   size_t next_timed_ = 0;
-  std::vector<PendingWrite> writes_;  // of the host, by cycle
+  std::vector<PendingWrite> writes_;  // the host's writes, by cycle
   size_t next_write_ = 0;
   std::vector<TraceMark> at_power_on_;
-  bool came_to_cut_ = false;         // the run that is replayed was cut off, and here it was
-  std::vector<int> fault_expected_;  // threads whose error an expectation names
+  bool came_to_cut_ = false;         // the recorded run was cut off, and this one is there
+  std::vector<int> fault_expected_;  // threads whose error is named in an expectation
   std::vector<std::string> shown_;
   std::vector<std::vector<Quantity>> shown_quantities_;
-  std::vector<Quantity> traced_;  // of the scenario's `trace`
+  std::vector<Quantity> traced_;  // from the scenario's `trace`
   ScenarioResult result_;
 };
 

@@ -23,7 +23,7 @@ Result<int> FunctionId(const std::string& name, const vm::Image& image) {
                    "程序中没有函数“{0}”；是否为“{1}”？", name, near);
 }
 
-/// The threads of the scenario, or the one it has when it names none.
+/// The threads of the scenario, or the default thread if it names none.
 Result<std::vector<ThreadStart>> ThreadsOf(const Scenario& scenario, const vm::Image& image) {
   if (!scenario.threads.empty()) return scenario.threads;
   if (image.object.functions.empty()) {
@@ -34,7 +34,7 @@ Result<std::vector<ThreadStart>> ThreadsOf(const Scenario& scenario, const vm::I
   return std::vector{std::move(start)};
 }
 
-/// Binds the threads and gives those that could be bound.
+/// Binds the threads and returns those that could be bound.
 std::vector<ThreadStart> BindThreads(const std::vector<ThreadStart>& starts, vm::Machine* machine,
                                      ScenarioFit* fit) {
   std::vector<ThreadStart> bound;

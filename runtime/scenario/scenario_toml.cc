@@ -1,5 +1,5 @@
-// Scenario files: TOML into the Scenario structure. Every key is known or an error; every error
-// says where it is.
+// Reads scenario files: TOML to the Scenario structure. Unknown keys are errors; every error has
+// its place.
 // Tested by tests/runtime/scenario_parse_test.cc.
 #include <algorithm>
 #include <array>
@@ -79,7 +79,7 @@ class ScenarioReader : private TomlKeys {
     scenario_.rate = static_cast<int>(Whole(table, "rate", scenario_.rate, 1, 1'000'000));
     ReadAxisCount(table);
     ReadCycle(table);
-    // A host program may take its time, unless the file says how long.
+    // A host program has no time limit unless the file sets one.
     if (use_ == ScenarioUse::kHost) scenario_.limit_ms = kTimeMsMax;
     scenario_.limit_ms = Whole(table, "limit_ms", scenario_.limit_ms, 1, kTimeMsMax);
     if (table.contains("until_ms")) scenario_.until_us = Time(table, "until_ms");
@@ -216,7 +216,7 @@ class ScenarioReader : private TomlKeys {
     }
   }
 
-  /// What the engine cannot use is refused.
+  /// Settings that the engine cannot use are errors.
   void CheckWish(const toml::table& wishes, const ExploreWish& wish) {
     if (!wish.follow.empty() && wish.engine != ExploreWish{}.engine) {
       Fail(wishes.get("engine")->source(), DescribeNotFollowed("engine"));

@@ -24,7 +24,7 @@ void AddInput(const InputEvent& input, WorldEvents& events) {
   }
 }
 
-/// The event that begins a fault. Noise has the axis as its seed.
+/// The event that begins a fault. The seed of noise is the number of the axis.
 WorldEvent BeginOf(const WorldFault& fault) {
   const uint8_t axis = FromZero(fault.number);
   switch (fault.kind) {
@@ -45,7 +45,7 @@ WorldEvent BeginOf(const WorldFault& fault) {
   return {fault.at_us, WorldEventKind::kSwitchConnected, 0, axis, 0};
 }
 
-/// Ends come before begins, so that one fault can follow another at the same instant.
+/// Ends come before beginnings, so that one fault can follow another at the same instant.
 void AddFaults(const std::vector<WorldFault>& faults, WorldEvents& events) {
   for (const WorldFault& fault : faults) {
     if (!fault.until_us) continue;
@@ -57,7 +57,7 @@ void AddFaults(const std::vector<WorldFault>& faults, WorldEvents& events) {
   for (const WorldFault& fault : faults) events.push_back(BeginOf(fault));
 }
 
-/// In whole cycles, so that the distance is exact. Ends come before begins, as with faults.
+/// In whole cycles, so that the distance is exact. Ends come before beginnings, as with faults.
 void AddHands(const Scenario& scenario, WorldEvents& events) {
   const auto whole = [&](int64_t us) {
     return (us + scenario.cycle_us - 1) / scenario.cycle_us * scenario.cycle_us;

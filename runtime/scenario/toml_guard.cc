@@ -27,7 +27,7 @@ class TomlScanner {
   }
 
  private:
-  /// Passes over one character, string or comment.
+  /// Skips one character, string or comment.
   std::optional<Message> Step() {
     const char c = text_[at_];
     switch (c) {
@@ -53,7 +53,7 @@ class TomlScanner {
       case '{':
         parts_ = 1;
         if (brackets_.empty() && AddKey()) return TooManyKeys();
-        // Values stand in the brackets of an array only, not in those of a table or its header.
+        // Values are only in the brackets of an array, not in those of a table or its header.
         value_begins_ = value_begins_ && c == '[';
         brackets_ += value_begins_ ? kArray : kTable;
         if (brackets_.size() > kTomlDepthMax) {
@@ -87,8 +87,8 @@ class TomlScanner {
     return std::nullopt;
   }
 
-  /// Goes to the first byte beyond ASCII of the bare value that begins here; false when there is
-  /// none. The parser takes a value up to here as one word, quotes or not: `0"x"`.
+  /// Moves to the first non-ASCII byte of the bare value that begins here; false if there is none.
+  /// The parser reads a value up to here as one word, even with quotes: `0"x"`.
   bool FindNotAscii() {
     const size_t end = std::min(text_.find_first_of(" \t\r\n,]}#", at_), text_.size());
     for (size_t i = at_; i < end; ++i) {
@@ -109,11 +109,11 @@ class TomlScanner {
         at_ = std::min(at_ + 2, text_.size());
       } else if (multi_line && text_.substr(at_).starts_with(three)) {
         at_ += 3;
-        // Two quotes before the closing ones belong to the string.
+        // Up to two quotes before the closing ones belong to the string.
         for (int i = 0; i < 2 && at_ < text_.size() && text_[at_] == quote; ++i) ++at_;
         return;
       } else if (!multi_line && (c == quote || c == '\n')) {
-        // A string that is not closed is the parser's to refuse.
+        // The parser reports a string that is not closed.
         if (c == quote) ++at_;
         return;
       } else {
@@ -143,7 +143,7 @@ class TomlScanner {
 
   std::string_view text_;
   size_t at_ = 0;
-  std::string brackets_;       ///< those that are open: kArray or kTable
+  std::string brackets_;       ///< the open ones: kArray or kTable
   bool value_begins_ = false;  ///< the next token begins a value
   size_t parts_ = 1;
   size_t keys_ = 0;

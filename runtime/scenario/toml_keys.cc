@@ -9,7 +9,7 @@
 namespace oncard::runtime {
 namespace {
 
-/// The byte at which a character, counted from 1, begins.
+/// The byte index of a character, which is counted from 1.
 size_t OffsetOf(std::string_view line, toml::source_index column) {
   size_t offset = 0;
   for (toml::source_index i = 1; i < column && offset < line.size(); ++i) {

@@ -31,7 +31,7 @@ constexpr std::array<std::string_view, 5> kHandKeys = {"axis", "encoder", "pulse
 constexpr std::array<std::string_view, 3> kVoltageKeys = {"channel", "volts", "at_ms"};
 constexpr std::array<std::string_view, 4> kModuleKeys = {"module", "inputs", "volts", "at_ms"};
 
-/// Positions of machines, pulses: within the range of an axis.
+/// Limit of positions in the world, pulses: the range of an axis.
 constexpr double kPositionMax = 2147483648.0;
 constexpr double kVelocityMax = 32767;
 constexpr double kTauMsMax = 10'000;
@@ -174,7 +174,7 @@ class WorldReader {
     world_.faults.push_back(fault);
   }
 
-  /// Faults of one kind must not overlap: the end of one would end the other.
+  /// Faults of the same kind must not overlap: the end of one would also end the other.
   void CheckFault(const toml::table& table, const WorldFault& fault) {
     for (const WorldFault& other : world_.faults) {
       const bool same = other.kind == fault.kind && other.number == fault.number;
@@ -235,7 +235,7 @@ class WorldReader {
     return static_cast<int>(keys_.Whole(table, "encoder", kFirst, kFirst, kLast));
   }
 
-  /// Inputs that a switch drives do what the machine does.
+  /// An input to which a switch is connected follows the switch only.
   void CheckInputs(const toml::table& table) {
     for (const InputEvent& event : world_.inputs) {
       const bool driven = std::ranges::any_of(world_.switches, [&](const SwitchSetup& contact) {
@@ -290,7 +290,7 @@ class WorldReader {
                            motion::kModuleChannels, motion::kModuleFullVolts));
   }
 
-  /// An error when a key is there that says nothing about this kind of thing.
+  /// Reports a key that has no effect for this kind of object.
   void Refuse(const toml::table& table, std::string_view key, bool meaningless) {
     if (!meaningless || !table.contains(key)) return;
     keys_.Fail(table.get(key)->source(),

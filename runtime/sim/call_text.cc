@@ -30,7 +30,7 @@ std::string ListOf(std::span<const double> cells) {
   return fmt::format("[{}]", fmt::join(cells, ", "));
 }
 
-/// A scalar of a parameter: masks and bit words as hexadecimal patterns of their type's width.
+/// The text of a scalar: masks and bit words as hexadecimal numbers with the width of their type.
 std::string NumberOf(const Parameter& parameter, double value) {
   if (parameter.unit != gtcalls::Unit::kMask && parameter.unit != gtcalls::Unit::kBits) {
     return fmt::format("{}", value);
@@ -40,7 +40,8 @@ std::string NumberOf(const Parameter& parameter, double value) {
   return fmt::format("{:#x}", narrow ? bits & 0xFFFF : bits);
 }
 
-/// A structure's members by name, without those that are not cells; takes its cells from `cells`.
+/// A structure's members with names, without those that are not cells; removes its cells from
+/// `cells`.
 std::string StructureOf(const gtcalls::Structure& structure, std::span<const double>* cells) {
   std::string text = "{";
   for (const gtcalls::Member& member : structure.members) {
@@ -60,7 +61,7 @@ std::string StructureOf(const gtcalls::Structure& structure, std::span<const dou
   return text + '}';
 }
 
-/// What a pointer points to.
+/// The values that a pointer refers to.
 std::string ContentOf(const Parameter& parameter, const vm::CommandArgument& argument) {
   if (parameter.passing == Passing::kTextOutput) {
     return CString(*static_cast<const char* const*>(argument.host));
@@ -82,7 +83,7 @@ std::string ContentOf(const Parameter& parameter, const vm::CommandArgument& arg
 
 std::string ArgumentOf(const Parameter& parameter, const vm::CommandArgument& argument) {
   if (parameter.passing == Passing::kValue) return NumberOf(parameter, argument.value);
-  // A pointer that could not be read, as its count is out of range, is not NULL to the host.
+  // A pointer that was not read because its count is out of range is not NULL for the host.
   if (argument.null) return argument.host == nullptr ? "NULL" : std::string(parameter.name);
   switch (parameter.passing) {
     case Passing::kText:
@@ -94,7 +95,7 @@ std::string ArgumentOf(const Parameter& parameter, const vm::CommandArgument& ar
   }
 }
 
-/// True when the call has given out something that the log can show.
+/// True if the call has written an output that the log can show.
 bool HasOutput(const Parameter& parameter, const vm::CommandArgument& argument) {
   if (argument.null) return false;
   return parameter.passing == Passing::kTextOutput ||

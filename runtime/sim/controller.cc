@@ -1,17 +1,17 @@
-// The order inside a profile cycle, the only order there is:
+// The order of events in a profile cycle:
 //
-//   1. MotionCore::Tick(): the inputs are sampled, outputs and the clock advance; variables that
-//      coordinate systems reached in it are written (GT_BufSetVarValue);
+//   1. MotionCore::Tick(): the inputs are sampled, outputs and the clock advance; variables are
+//      written whose GT_BufSetVarValue the coordinate systems reached;
 //   2. Machine::BeginCycle(): delays that end with this cycle end, periodic threads start;
 //   3. PlcBlocks::Evaluate(): the PLC blocks read inputs, write variables and outputs;
-//   4. the threads share this cycle's statements as the scheduler policy says; a GT command in a
-//      program acts at once, between two statements.
+//   4. the scheduler policy distributes this cycle's statements to the threads; a GT command in a
+//      program is executed at once, between two statements.
 //
-// A host call acts between two cycles, after the cycles its own time covers.
+// A host call is executed between two cycles, after the cycles within the time that the call takes.
 //
-// A cycle's budget is rate * cycle length; the part of a statement that a whole number cannot give
-// is carried to the next cycle, so that the rate is exact in the long run. What the threads do not
-// use is lost: an idle card does not save up statements.
+// A cycle's budget is rate * cycle length; the fraction of a statement that remains is carried to
+// the next cycle, so that the rate is exact in the long run. Statements that the threads do not use
+// are lost: an idle card does not save them.
 // Tested by tests/runtime/controller_test.cc.
 #include "runtime/sim/controller.h"
 
@@ -118,7 +118,7 @@ void Controller::RunCycle() {
 }
 
 void Controller::ExecuteObserved(int64_t budget) {
-  // Threads that wake up at their function's end come to it.
+  // Threads that wake up at the end of their function finish.
   machine_.Execute(0);
   state_observer_();
   for (; budget > 0; --budget) {
@@ -148,7 +148,7 @@ void Controller::WriteBufferedValues() {
         .page = static_cast<uint8_t>(global ? 0 : write.detail),
         .id = static_cast<uint16_t>(write.item),
         .type = write.values[1] != 0 ? vm::DataType::kDouble : vm::DataType::kInt};
-    // A value that no longer fits, of a program that came later, is dropped.
+    // A write that does not fit a program loaded later has no effect.
     machine_.Write(slot, write.values[0]);
   }
   writes.clear();
