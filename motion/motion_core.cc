@@ -274,6 +274,15 @@ void MotionCore::JudgeAxis(size_t index) {
 
 // --- Axes and profiles -------------------------------------------------------------------------
 
+void MotionCore::StartProfile(size_t index) {
+  Profile& profile = state_.profiles[index];
+  if (const Master* master = profile.SelectedMaster(); master != nullptr) {
+    profile.StartSlave(ReadMaster(*master));
+  } else {
+    profile.Start(now());
+  }
+}
+
 void MotionCore::ServoOn(size_t axis) {
   state_.axes[axis].servo_on = true;
   EnableMachine(axis);
@@ -335,9 +344,7 @@ void MotionCore::ShiftSlaves(const Master& master, double shift) {
         followed == nullptr || !(*followed == master)) {
       continue;
     }
-    MasterTravel& travel =
-        profile.mode == ProfileMode::kGear ? profile.gear.travel : profile.follow.travel;
-    travel.last += shift;
+    profile.ShiftMaster(shift);
   }
 }
 

@@ -149,8 +149,8 @@ class MotionCore {
   bool AxisMoving(const Axis& axis) const;
   /// An encoder's position with fractions of pulses.
   double CountedPosition(size_t encoder) const;
-  /// Begins the run of a profile in an independent mode (GT_Update).
-  void StartProfile(size_t profile) { state_.profiles[profile].Start(now()); }
+  /// Begins the run of a profile in its mode (GT_Update, GT_GearStart ...), which must not be Crd.
+  void StartProfile(size_t profile);
   /// The current sample of a master, for a slave that starts or follows.
   MasterValue ReadMaster(const Master& master) const;
   /// Level of an input as GT_GetDi reads it; false if there is none.

@@ -24,10 +24,9 @@ double FollowMode::Direction(uint8_t which, const MasterValue& value) const {
   return first.master * value.velocity > 0 ? first.slave : 0;
 }
 
-void FollowMode::Start(uint8_t which, const Sample& from, const MasterValue& value) {
+void FollowMode::Start(const Sample& from, const MasterValue& value) {
   running = true;
   waiting = event == FollowEvent::kPass;
-  fifo = which;
   switching = false;
   passes = 0;
   segment = 0;

@@ -48,7 +48,7 @@ struct FollowMode {
   // The run.
   bool running = false;
   bool waiting = false;    ///< for the event
-  uint8_t fifo = 0;        ///< the FIFO in use
+  uint8_t fifo = 0;        ///< the FIFO in use, chosen before Start()
   bool switching = false;  ///< switch to the other FIFO at the end of this pass
   int32_t passes = 0;      ///< passes completed since the FIFO was started
   uint32_t segment = 0;
@@ -67,8 +67,8 @@ struct FollowMode {
   /// The direction, as a sign, in which a start with a FIFO that is not empty would move the slave
   /// at once; 0: it would not move.
   double Direction(uint8_t which, const MasterValue& value) const;
-  /// Begins the first pass of a FIFO that is not empty, or waits for the event.
-  void Start(uint8_t which, const Sample& from, const MasterValue& value);
+  /// Begins the first pass of `fifo`, which must not be empty, or waits for the event.
+  void Start(const Sample& from, const MasterValue& value);
   /// The slave's output; ends the run after the last pass.
   Sample At(const Sample& now, const MasterValue& value);
   /// Ends the run because something else controls the profile; data and registers are kept.

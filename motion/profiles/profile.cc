@@ -5,39 +5,36 @@ namespace oncard::motion {
 void Profile::Start(Micros instant) {
   stopping = false;
   driven = false;
-  if (mode == ProfileMode::kTrap) {
-    trap.Start(instant, now);
-    now.moving = trap.running;
-  } else if (mode == ProfileMode::kJog) {
-    jog.Start(instant, now);
-    now.moving = jog.running;
-  } else if (mode == ProfileMode::kPt) {
-    pt.Start(instant, now.position);
-    now.moving = true;
-  } else if (mode == ProfileMode::kPvt) {
-    pvt.Start(instant, now.position);
-    now.moving = true;
-  }
+  VisitSelected(*this, [&]<typename Mode>(Mode& selected) {
+    if constexpr (IndependentMode<Mode>) {
+      selected.Start(instant, now);
+      now.moving = selected.running;
+    }
+  });
 }
 
-void Profile::StartGear(const MasterValue& master) {
+void Profile::StartSlave(const MasterValue& master) {
   stopping = false;
   driven = false;
-  gear.Start(now, master);
-  now.moving = true;
+  VisitSelected(*this, [&]<typename Mode>(Mode& selected) {
+    if constexpr (SlaveMode<Mode>) {
+      selected.Start(now, master);
+      now.moving = selected.running;
+    }
+  });
 }
 
-void Profile::StartFollow(uint8_t fifo, const MasterValue& master) {
-  stopping = false;
-  driven = false;
-  follow.Start(fifo, now, master);
-  now.moving = true;
+void Profile::ShiftMaster(double shift) {
+  VisitSelected(*this, [&]<typename Mode>(Mode& selected) {
+    if constexpr (SlaveMode<Mode>) selected.travel.last += shift;
+  });
 }
 
 void Profile::Stop(Micros instant, double deceleration) {
   if (!now.moving) return;
   if (stopping && deceleration <= stop_deceleration) return;
-  HaltMode();
+#define PROFILE_MODE(enumerator, number, name, member, Class) member.Halt();
+#include "motion/profiles/modes.def"
   stopping = true;
   stop_deceleration = deceleration;
   stop_begin = instant;
@@ -54,38 +51,15 @@ void Profile::Advance(Micros instant) {
     stopping = now.moving;
     return;
   }
-  now = SampleMode(instant);
+  VisitSelected(*this, [&]<typename Mode>(Mode& selected) {
+    if constexpr (IndependentMode<Mode>) now = selected.At(instant);
+  });
 }
 
 void Profile::AdvanceSlave(const MasterValue& master) {
-  now = mode == ProfileMode::kGear ? gear.At(now, master) : follow.At(now, master);
-}
-
-void Profile::HaltMode() {
-  gear.Halt();
-  follow.Halt();
-  trap.Halt();
-  jog.Halt();
-  pt.Halt();
-  pvt.Halt();
-}
-
-Sample Profile::SampleMode(Micros instant) {
-  switch (mode) {
-    case ProfileMode::kTrap:
-      return trap.At(instant);
-    case ProfileMode::kJog:
-      return jog.At(instant);
-    case ProfileMode::kPt:
-      return pt.At(instant);
-    case ProfileMode::kGear:
-    case ProfileMode::kFollow:
-    case ProfileMode::kCrd:
-      break;
-    case ProfileMode::kPvt:
-      return pvt.At(instant);
-  }
-  return now;
+  VisitSelected(*this, [&]<typename Mode>(Mode& selected) {
+    if constexpr (SlaveMode<Mode>) now = selected.At(now, master);
+  });
 }
 
 }  // namespace oncard::motion

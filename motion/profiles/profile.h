@@ -1,9 +1,8 @@
 // A profile: one profile generator of the card, in its selected mode.
 //
-// Each mode is a structure of its own with the registers that commands write and the run that
-// Start() begins; all keep their registers when another mode is selected. A stop (GT_Stop, a limit,
-// an alarm) replaces the current motion and decelerates from the last velocity. Tested by
-// tests/motion/profile_test.cc.
+// Each mode is a structure of its own (modes.h); all keep their registers when another mode is
+// selected. A stop (GT_Stop, a limit, an alarm) replaces the current motion and decelerates from
+// the last velocity. Tested by tests/motion/profile_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +10,11 @@
 
 #include "motion/common/sample.h"
 #include "motion/common/sizes.h"
-#include "motion/profiles/follow_mode.h"
-#include "motion/profiles/gear_mode.h"
-#include "motion/profiles/jog_mode.h"
 #include "motion/profiles/master.h"
+#include "motion/profiles/modes.h"
 #include "motion/profiles/plan.h"
-#include "motion/profiles/pt_mode.h"
-#include "motion/profiles/pvt_mode.h"
-#include "motion/profiles/trap_mode.h"
 
 namespace oncard::motion {
-
-/// Numbered as GT_GetPrfMode gives them.
-enum class ProfileMode : uint8_t { kTrap, kJog, kPt, kGear, kFollow, kCrd, kPvt };
 
 /// GT_SetStopDec, pulse/ms^2 (defaults of the GTS manual 4.4).
 inline constexpr double kSmoothStopDefault = 1;
@@ -39,12 +30,8 @@ struct Profile {
   double smooth_stop = kSmoothStopDefault;
   double abrupt_stop = kAbruptStopDefault;
 
-  TrapMode trap;
-  JogMode jog;
-  GearMode gear;
-  FollowMode follow;
-  PtMode pt;
-  PvtMode pvt;
+#define PROFILE_MODE(enumerator, number, name, member, Class) Class member;
+#include "motion/profiles/modes.def"
 
   /// A stop in progress, which replaces the mode's run.
   bool stopping = false;
@@ -54,15 +41,16 @@ struct Profile {
 
   /// Begins a run of an independent mode with the values of its registers.
   void Start(Micros instant);
-  /// Begins to follow the master of Gear, or of Follow with one of its FIFOs.
-  void StartGear(const MasterValue& master);
-  void StartFollow(uint8_t fifo, const MasterValue& master);
+  /// The same of a mode that follows a master.
+  void StartSlave(const MasterValue& master);
+  /// The master of the selected mode; nullptr if the mode has none.
+  const Master* SelectedMaster() const;
   /// The master of the current run; nullptr if it has none.
   const Master* FollowedMaster() const {
-    if (mode != ProfileMode::kGear && mode != ProfileMode::kFollow) return nullptr;
-    if (!now.moving || stopping || driven) return nullptr;
-    return mode == ProfileMode::kGear ? &gear.master : &follow.master;
+    return !now.moving || stopping || driven ? nullptr : SelectedMaster();
   }
+  /// The position of the followed master has been changed by `shift` without motion.
+  void ShiftMaster(double shift);
   /// Decelerates to rest; a stop in progress is only replaced by a faster one. Does nothing at
   /// rest.
   void Stop(Micros instant, double deceleration);
@@ -74,13 +62,34 @@ struct Profile {
   void SetPosition(double position) { now = AtRest(position); }
 
   auto Fields() const {
-    return std::tie(active, mode, now, driven, smooth_stop, abrupt_stop, trap, jog, gear, follow,
-                    pt, pvt, stopping, stop_deceleration, stop_begin, stop_plan);
+    return std::tie(active, mode, now, driven, smooth_stop, abrupt_stop,
+#define PROFILE_MODE(enumerator, number, name, member, Class) member,
+#include "motion/profiles/modes.def"
+                    stopping, stop_deceleration, stop_begin, stop_plan);
   }
-
- private:
-  void HaltMode();
-  Sample SampleMode(Micros instant);
 };
+
+/// Calls `visit` with the structure of a profile's selected mode; does nothing if it has none.
+template <typename SomeProfile, typename Visit>
+void VisitSelected(SomeProfile& profile, Visit visit) {
+  switch (profile.mode) {
+#define PROFILE_MODE(enumerator, number, name, member, Class) \
+  case ProfileMode::enumerator:                               \
+    visit(profile.member);                                    \
+    break;
+#define WRITTEN_MODE(enumerator, ...) \
+  case ProfileMode::enumerator:       \
+    break;
+#include "motion/profiles/modes.def"
+  }
+}
+
+inline const Master* Profile::SelectedMaster() const {
+  const Master* master = nullptr;
+  VisitSelected(*this, [&]<typename Mode>(const Mode& selected) {
+    if constexpr (SlaveMode<Mode>) master = &selected.master;
+  });
+  return master;
+}
 
 }  // namespace oncard::motion

@@ -88,11 +88,11 @@ size_t PtMode::Remainder() const {
   return running ? held - index - 1 : held;
 }
 
-void PtMode::Start(Micros now, double position) {
+void PtMode::Start(Micros now, const Sample& from) {
   running = true;
   index = 0;
   begin = now;
-  origin = position;
+  origin = from.position;
   loop_count = 0;
   number = buffers[run_buffer].front().number;
 }

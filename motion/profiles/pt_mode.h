@@ -82,9 +82,9 @@ struct PtMode {
 
   /// Where the first motion of the data goes, by its sign; 0: there is none.
   double Direction(size_t buffer) const;
-  /// Begins a run at `position`: through `run_buffer`, or through the dynamic data. There must be
-  /// data.
-  void Start(Micros now, double position);
+  /// Begins a run where the profile is: through `run_buffer`, or through the dynamic data. There
+  /// must be data.
+  void Start(Micros now, const Sample& from);
   /// The profile's output; ends the run when its data is used up.
   Sample At(Micros now);
   /// Something else has taken over; dynamic data is dropped (assumption).

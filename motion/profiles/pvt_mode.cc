@@ -22,12 +22,12 @@ void PvtMode::TakeNext() {
   current = selected;
 }
 
-void PvtMode::Start(Micros now, double position) {
+void PvtMode::Start(Micros now, const Sample& from) {
   running = true;
   TakeNext();
   begin = now;
   pass_begin = table->begin;
-  origin = position;
+  origin = from.position;
   loop_count = 0;
   time = 0;
 }

@@ -33,8 +33,8 @@ struct PvtMode {
 
   /// Selects a table; `chosen` is its content, nullptr if it is empty (allowed only at rest).
   void Select(uint16_t number, PvtTablePointer chosen);
-  /// Begins a run at `position` through `next`, the content of the selected table.
-  void Start(Micros now, double position);
+  /// Begins a run where the profile is through `next`, the content of the selected table.
+  void Start(Micros now, const Sample& from);
   /// The profile's output; ends the run after its last pass.
   Sample At(Micros now);
   /// Something else has taken over; the registers stay.

@@ -32,7 +32,8 @@ class FollowTest : public ::testing::Test {
     core_.StartProfile(kMaster);
   }
   void Start(uint8_t fifo = 0) {
-    profile(kSlave).StartFollow(fifo, core_.ReadMaster(follow().master));
+    follow().fifo = fifo;
+    core_.StartProfile(kSlave);
   }
   void RunTo(double ms) {
     while (core_.now() < static_cast<Micros>(ms * 1000)) core_.Tick();

@@ -33,7 +33,7 @@ class GearTest : public ::testing::Test {
     gear.master_even = master_even;
     gear.slave_even = slave_even;
     gear.slope = slope;
-    profile(slave).StartGear(core_.ReadMaster(gear.master));
+    core_.StartProfile(slave);
   }
   void RunTo(double ms) {
     while (core_.now() < static_cast<Micros>(ms * 1000)) core_.Tick();
@@ -194,7 +194,7 @@ TEST_F(GearTest, AnEncoderIsReadAsOfTheCycleBefore) {
   GearMode& gear = profile(kSlave).gear;
   profile(kSlave).mode = ProfileMode::kGear;
   gear.master = {true, MasterType::kEncoder, kMaster, false};
-  profile(kSlave).StartGear(core_.ReadMaster(gear.master));
+  core_.StartProfile(kSlave);
   RunTo(100);
   const double before = core_.state().encoders[kMaster].position;
   core_.Tick();

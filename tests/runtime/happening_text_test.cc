@@ -123,7 +123,7 @@ TEST(Happening, ASlaveThatIsHeld) {
   motion::Profile& slave = card.core.state().profiles[1];
   slave.mode = motion::ProfileMode::kGear;
   slave.gear.master = {true, motion::MasterType::kProfile, 0, false};
-  slave.StartGear({});
+  card.core.StartProfile(1);
   card.Jog(0, 10);
   card.Ticks(10);
   EXPECT_EQ(card.said, (Lines{"profile 2 is held at 0: it would move towards a latched limit"}));

@@ -188,9 +188,8 @@ int16_t gts::GT_FollowStart(Call& call) {
   }
   motion::MotionCore& core = call.card.motion;
   for (const size_t profile : selected) {
-    motion::Profile& slave = core.state().profiles[profile];
-    slave.StartFollow(static_cast<uint8_t>(StartFifo(call, profile)),
-                      core.ReadMaster(slave.follow.master));
+    core.state().profiles[profile].follow.fifo = static_cast<uint8_t>(StartFifo(call, profile));
+    core.StartProfile(profile);
   }
   return vm::kOk;
 }

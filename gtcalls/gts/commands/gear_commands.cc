@@ -120,11 +120,7 @@ int16_t gts::GT_GearStart(Call& call) {
   for (const size_t profile : selected) {
     if (const int16_t code = CheckGearStart(call, profile); code != vm::kOk) return code;
   }
-  motion::MotionCore& core = call.card.motion;
-  for (const size_t profile : selected) {
-    motion::Profile& slave = core.state().profiles[profile];
-    slave.StartGear(core.ReadMaster(slave.gear.master));
-  }
+  for (const size_t profile : selected) call.card.motion.StartProfile(profile);
   return vm::kOk;
 }
 

@@ -5,26 +5,6 @@ namespace oncard::gtcalls {
 using motion::Axis;
 using motion::ProfileMode;
 
-std::string_view ModeName(ProfileMode mode) {
-  switch (mode) {
-    case ProfileMode::kTrap:
-      return "Trap";
-    case ProfileMode::kJog:
-      return "Jog";
-    case ProfileMode::kPt:
-      return "PT";
-    case ProfileMode::kGear:
-      return "Gear";
-    case ProfileMode::kFollow:
-      return "Follow";
-    case ProfileMode::kCrd:
-      return "Crd";
-    case ProfileMode::kPvt:
-      break;
-  }
-  return "PVT";
-}
-
 int16_t CheckAtRest(Call& call, size_t profile) {
   if (!call.card.motion.state().profiles[profile].now.moving) return vm::kOk;
   return call.Refuse(vm::kRefused,
@@ -49,7 +29,7 @@ int16_t CheckMode(Call& call, size_t profile, ProfileMode mode) {
   if (present == mode) return vm::kOk;
   return call.Refuse(vm::kRefused, MakeMessage("profile {0} is in mode {1}; this needs mode {2}",
                                                "规划器 {0} 处于 {1} 模式；该指令需要 {2} 模式",
-                                               profile + 1, ModeName(present), ModeName(mode)));
+                                               profile + 1, NameOf(present), NameOf(mode)));
 }
 
 int16_t CheckModeAtRest(Call& call, size_t profile, ProfileMode mode) {
@@ -122,7 +102,7 @@ int16_t CheckDirection(Call& call, ProfileMode mode, int present, int wanted) {
       MakeMessage("profile {0} is in mode {1} with direction {2}: choose another mode "
                   "before another direction",
                   "规划器 {0} 已处于 {1} 模式，方向为 {2}：改变方向前请先切换到其它模式",
-                  NumberOf(call) + 1, ModeName(mode), present));
+                  NumberOf(call) + 1, NameOf(mode), present));
 }
 
 std::optional<motion::Master> ReadMasterArguments(Call& call) {

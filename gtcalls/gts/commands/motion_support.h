@@ -25,9 +25,6 @@ inline motion::Axis& AxisOf(const Call& call, size_t index = 0) {
   return call.card.motion.state().axes[NumberOf(call, index)];
 }
 
-/// The name of a mode in messages, the same in both languages: `Trap`, `Jog`, `PT` ...
-std::string_view ModeName(motion::ProfileMode mode);
-
 /// 0, or 1 with the reason when the profile moves.
 int16_t CheckAtRest(Call& call, size_t profile);
 /// 0, or 1 with the reason when a profile that the axis maps moves.

@@ -119,7 +119,7 @@ int16_t CheckUpdated(Call& call, size_t profile) {
                                  "GT_PrfTrap or GT_PrfJog",
                                  "规划器 {0} 处于 {1} 模式；该指令需要 Trap 或 Jog 模式，请调用 "
                                  "GT_PrfTrap 或 GT_PrfJog",
-                                 profile + 1, ModeName(mode)));
+                                 profile + 1, NameOf(mode)));
 }
 
 /// The velocity register of the profile's mode.

@@ -1,0 +1,80 @@
+// The modes of a profile (modes.def), and what the class of a mode is.
+//
+// Such a class holds the registers that commands write, the run that Start() begins, and `running`,
+// which says whether there is one. It is plain data that lists its members (Fields()). There are
+// two kinds, told apart by their members:
+//
+//   independent:       Start(now, from)      At(now)
+//   follows a master:  Start(from, master)   At(from, master), and the members `master`, `travel`
+//
+// `from` is the profile's last output; At() gives the next one and ends the run when it is over.
+// Halt() ends it because something else controls the profile; the registers stay. Tested by
+// tests/motion/profile_modes_test.cc.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <string_view>
+
+#include "motion/common/sample.h"
+#include "motion/common/sizes.h"
+#include "motion/profiles/follow_mode.h"
+#include "motion/profiles/gear_mode.h"
+#include "motion/profiles/jog_mode.h"
+#include "motion/profiles/master.h"
+#include "motion/profiles/pt_mode.h"
+#include "motion/profiles/pvt_mode.h"
+#include "motion/profiles/trap_mode.h"
+
+namespace oncard::motion {
+
+enum class ProfileMode : uint8_t {
+#define PROFILE_MODE(enumerator, number, ...) enumerator = number,
+#define WRITTEN_MODE(enumerator, number, ...) enumerator = number,
+#include "motion/profiles/modes.def"
+};
+
+/// The name of a mode in messages: `Trap`, `PT` ...
+constexpr std::string_view NameOf(ProfileMode mode) {
+  switch (mode) {
+#define PROFILE_MODE(enumerator, number, name, ...) \
+  case ProfileMode::enumerator:                     \
+    return name;
+#define WRITTEN_MODE(enumerator, number, name) \
+  case ProfileMode::enumerator:                \
+    return name;
+#include "motion/profiles/modes.def"
+  }
+  return {};
+}
+
+template <typename Mode>
+concept HasRun = requires(Mode mode) {
+  { mode.running } -> std::same_as<bool&>;
+  mode.Halt();
+  mode.Fields();
+};
+
+/// A mode whose output is a function of time.
+template <typename Mode>
+concept IndependentMode = HasRun<Mode> && requires(Mode mode, Micros now, const Sample& from) {
+  mode.Start(now, from);
+  { mode.At(now) } -> std::same_as<Sample>;
+};
+
+/// A mode whose output is a function of its master's.
+template <typename Mode>
+concept SlaveMode = HasRun<Mode> &&
+    requires(Mode mode, const Sample& from, const MasterValue& master) {
+  { mode.master } -> std::same_as<Master&>;
+  { mode.travel } -> std::same_as<MasterTravel&>;
+  mode.Start(from, master);
+  { mode.At(from, master) } -> std::same_as<Sample>;
+};
+
+#define PROFILE_MODE(enumerator, number, name, member, Class) \
+  static_assert(IndependentMode<Class> != SlaveMode<Class>,   \
+                #Class " must be either independent or follow a master");
+#include "motion/profiles/modes.def"
+
+}  // namespace oncard::motion
