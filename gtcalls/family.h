@@ -9,6 +9,10 @@
 #include "base/message.h"
 #include "gtcalls/catalogue.h"
 
+namespace oncard::motion {
+enum class ProfileMode : uint8_t;
+}
+
 namespace oncard::gtcalls {
 
 struct Call;
@@ -30,6 +34,8 @@ struct Family {
   int64_t (*cost_us)(const Command& command);
   /// The status word of an axis, whose number counts from 0, as the family's commands give it.
   uint32_t (*status_word)(const CardView& card, size_t axis);
+  /// The number of a profile's mode, as the family's commands give it.
+  int (*mode_number)(motion::ProfileMode mode);
 
   CommandFunction FunctionOf(const Command& command) const {
     return functions[command.number - 1u];

@@ -5,6 +5,7 @@
 
 #include "gtcalls/gts/catalogue.h"
 #include "gtcalls/gts/commands/commands.h"
+#include "gtcalls/gts/profile_modes.h"
 #include "gtcalls/gts/status_word.h"
 #include "gtcalls/gts/unsupported.h"
 #include "gtcalls/gts/words.h"
@@ -60,6 +61,7 @@ const Family& GtsFamily() {
       .why_unsupported = WhyUnsupported,
       .cost_us = CostUs,
       .status_word = GtsStatusWord,
+      .mode_number = GtsModeNumber,
   };
   return kFamily;
 }

@@ -66,9 +66,7 @@ constexpr MotionValue kProfileValues[] = {
        return card.motion.state().profiles[i].now.acceleration;
      }},
     {"mode", NumberForm::kWhole, Unit::kNone,
-     [](const CardView& card, size_t i) {
-       return static_cast<double>(card.motion.state().profiles[i].mode);
-     }},
+     [](const CardView& card, size_t i) -> double { return card.ModeNumber(i); }},
 };
 
 constexpr MotionValue kEncoderValues[] = {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gtcalls/gts/commands/crd_support.h"
+#include "gtcalls/gts/profile_modes.h"
 
 namespace oncard::gtcalls {
 namespace {
@@ -29,7 +30,7 @@ int16_t gts::GT_GetPrfAcc(Call& call) {
 }
 
 int16_t gts::GT_GetPrfMode(Call& call) {
-  return ReadEach(call, [&](size_t i) { return static_cast<int>(StateOf(call).profiles[i].mode); });
+  return ReadEach(call, [&](size_t i) { return GtsModeNumber(StateOf(call).profiles[i].mode); });
 }
 
 int16_t gts::GT_SetPrfPos(Call& call) {
