@@ -22,7 +22,7 @@ struct Limits {
 Limits LimitsOf(Scalar scalar) {
   switch (scalar) {
     case Scalar::kChar:
-      return {-128, 255};  // signed and unsigned char are one here
+      return {-128, 255};  // signed and unsigned char are treated alike
     case Scalar::kShort:
       return {INT16_MIN, INT16_MAX};
     case Scalar::kUnsignedShort:
@@ -34,7 +34,7 @@ Limits LimitsOf(Scalar scalar) {
   }
 }
 
-// What C makes of an int that is passed where a narrower type stands.
+// The value that C passes for an int if the parameter has a narrower type.
 int32_t Truncated(int32_t value, Scalar scalar) {
   switch (scalar) {
     case Scalar::kShort:
@@ -53,7 +53,7 @@ bool IsAddressParameter(const Parameter& parameter) {
          parameter.passing == Passing::kOutput;
 }
 
-// Whether a parameter numbers an axis: it selects axes in what the command touches.
+// True if a parameter is the number of an axis: it selects axes in the command's accesses.
 bool IsAxis(const gtcalls::Command& command, size_t index) {
   return std::any_of(command.accesses.begin(), command.accesses.end(),
                      [index](const gtcalls::Access& access) {
@@ -62,7 +62,7 @@ bool IsAxis(const gtcalls::Command& command, size_t index) {
                      });
 }
 
-// What to do when a command wants another structure than it gets.
+// Advice for a command that takes another structure than the one passed.
 Message StructureAdvice(const gtcalls::Structure& structure) {
   if (structure.in_motion_program) {
     return MakeMessage("declare one with '{0} name;'", "请用 '{0} 名称;' 声明", structure.name);
@@ -71,8 +71,8 @@ Message StructureAdvice(const gtcalls::Structure& structure) {
                      "运动程序不能声明该结构：请由主机调用该指令");
 }
 
-// What to do when a command wants the address of a variable of another type. The command reads or
-// writes the variable's own slots, so nothing can convert on the way.
+// Advice for a command that takes the address of a variable of another type. The command accesses
+// the variable's own slots, so no conversion is possible.
 Message AddressAdvice(const Expression& variable, DataType type) {
   const Message wanted = DescribeType(type);
   if (variable.kind == Expression::Kind::kMember) {
@@ -229,7 +229,8 @@ void Checker::ReportMissingArguments(const Expression& call, const gtcalls::Comm
   rewriter.Finish();
 }
 
-// A fixed-point number where a whole one is wanted: C would cut it, GT_Delay(0.5) would not wait.
+// A fixed-point number where an integer is required: C would truncate it, and GT_Delay(0.5) would
+// not wait.
 void Checker::ReportFraction(const Expression& argument, const Literal& literal,
                              std::string_view parameter) {
   Diagnostic& diagnostic =
@@ -358,8 +359,8 @@ bool Checker::CheckAddress(const Expression& argument, const Expression& call,
   CheckWritable(variable);
   if (failed_) return false;
 
-  // Structures travel whole: as a variable of that type, or, for one that programs cannot declare,
-  // as that many ints of an array.
+  // Structures are passed as a whole: as a variable of that type or, if programs cannot declare the
+  // type, as the corresponding number of ints in an array.
   size_t slots = 1;
   if (parameter.structure != nullptr) {
     const Entity* entity =
@@ -405,7 +406,7 @@ bool Checker::CheckAddress(const Expression& argument, const Expression& call,
     return false;
   }
 
-  // A literal count is checked against what the variable has from here on.
+  // A literal count is compared with the number of the variable's elements from the one passed on.
   int64_t count = 1;
   const size_t count_index = static_cast<size_t>(parameter.count_parameter);
   if (parameter.count_parameter >= 0 && count_index + 1 < call.operands.size()) {

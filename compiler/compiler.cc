@@ -11,8 +11,8 @@
 namespace oncard::compiler {
 namespace {
 
-// Diagnostics come from the lexer, the parser and the checker in turn; they are shown in the order
-// of the source, those of an included file at its #include.
+// Diagnostics come from the lexer, the parser and the checker in turn; they are shown in source
+// order, those of an included file at its #include.
 void SortAndLimit(std::vector<Diagnostic>& diagnostics, const std::vector<uint32_t>& inclusion,
                   int max_errors) {
   const auto key = [&inclusion](const Diagnostic& diagnostic) {
@@ -76,8 +76,8 @@ Compilation CompileText(const std::string& path, std::string text, const Options
   checker.AddSkippedNames(directives.skipped_names());
   checker.AddSkippedNames(driver.skipped_names());
   vm::Object object = checker.Check(driver.tree);
-  // A function that begins inside another one mostly means a missing '}', which the end of the file
-  // shows once more.
+  // If a function begins inside another one, usually a '}' is missing; the error at the end of the
+  // file would report the same again.
   if (reporter.Has(Code::kNestedFunction)) reporter.Drop(Code::kUnexpectedEnd);
 
   if (!reporter.HasErrors()) WarnAboutFlow(object, checker.places(), *options.catalogue, reporter);

@@ -122,7 +122,7 @@ std::optional<Constant> Fold(const Expression& expression, const MacroLookup& lo
   switch (expression.kind) {
     case Expression::Kind::kLiteral: {
       if (expression.literal.kind == Literal::Kind::kInteger) return OfLiteral(expression.literal);
-      // Not the nearest multiple of 2^-16, which is only taken of the result.
+      // The number is not rounded to a multiple of 2^-16 here; only the result is.
       return Double(ReadLeadingNumber(expression.text));
     }
     case Expression::Kind::kString: {
@@ -146,7 +146,7 @@ std::optional<Constant> Fold(const Expression& expression, const MacroLookup& lo
       const std::optional<Constant> left = Fold(*expression.operands[0], lookup);
       const std::optional<Constant> right = Fold(*expression.operands[1], lookup);
       if (!left || !right) return std::nullopt;
-      // Every int is a double exactly.
+      // A double represents every int exactly.
       if (auto truth = Compare(left->AsDouble(), expression.op, right->AsDouble())) return truth;
       if (left->is_double || right->is_double) {
         return FoldDoubles(left->AsDouble(), expression.op, right->AsDouble());

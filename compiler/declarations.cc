@@ -79,8 +79,8 @@ Checker::DeclaredType Checker::ResolveType(const Specifiers& specifiers) {
   return type;
 }
 
-// Reports a name that something else has already. Locals of inner blocks and locals with the name
-// of a global are given another one, for which their declarator is needed.
+// Reports a name that is already in use. Locals of inner blocks and locals with the name of a
+// global are renamed, for which their declarator is needed.
 bool Checker::ReportTakenName(std::string_view name, SourceRange range, bool local,
                               const Declarator* declarator) {
   const Entity* same = nullptr;
@@ -130,7 +130,7 @@ void Checker::DefineMacro(const Macro& macro) {
   entity.range = macro.name_range;
   entity.value = macro.value;
   if (!macro.value.invalid) {
-    // A macro that fits nothing is wrong where it is defined, not where it is used.
+    // A macro whose value does not fit is reported at its definition, not where it is used.
     TypedOperand operand;
     operand.range = macro.name_range;
     operand.literal = macro.value;
@@ -205,7 +205,7 @@ bool Checker::ReserveSlots(const Declarator& declarator, Entity& entity) {
   uint16_t& used = local ? function_->slots : global_slots_;
   bool& reported = local ? function_->too_many_slots : too_many_globals_;
   if (used + needed > vm::kSlotCount) {
-    // One report is enough, all that follow are too many as well.
+    // One report is enough: all that follow would exceed the limit too.
     if (!reported) {
       reporter_.Report(local ? Code::kTooManyLocals : Code::kTooManyGlobals, declarator.name_range,
                        declarator.name, needed, int64_t{vm::kSlotCount - used},
@@ -248,7 +248,7 @@ Entity* Checker::Declare(const Declarator& declarator, const DeclaredType& type,
   Scope& scope = local ? function_->locals : globals_;
   if (ReportTakenName(declarator.name, declarator.name_range, local,
                       parameter ? nullptr : &declarator)) {
-    // A local that shadows a global is still the one its function means.
+    // After the report, a local that shadows a global can still be used in its function.
     if (scope.Find(declarator.name) != nullptr) return nullptr;
   }
   if (declarator.pointer) {
@@ -313,14 +313,14 @@ void Checker::CheckInitialiser(const Declarator& declarator, const Entity* entit
     return;
   }
   InitialValues& values = function_->initial_values;
-  // The words before it are mended first.
+  // The type's own errors are corrected first.
   if (!usable || failed || type.is_static || type.is_const) values.good = false;
   if (values.bearer == nullptr) values.bearer = &diagnostic;
   values.list.emplace_back(&declarator, entity);
 }
 
-// One fix-it moves all initial values of a function to its first statement, because each may need
-// the one before it.
+// One fix-it moves all initial values of a function to its first statement, because each may depend
+// on the previous ones.
 void Checker::MendInitialValues() {
   const InitialValues& values = function_->initial_values;
   if (values.bearer == nullptr || !values.good) return;
@@ -340,8 +340,8 @@ void Checker::OpenName(std::string_view name) {
   function_->blocks.back().names.push_back(name);
 }
 
-// Loops often declare the same counter again: one declaration at the top serves them all, as long
-// as no two of them hold each other.
+// Loops often declare the same counter again: one declaration at the top is enough for all of them,
+// unless they are nested.
 const Entity* Checker::Reopen(const Declarator& declarator, const DeclaredType& type) {
   const Entity* known = function_->locals.Find(declarator.name);
   const bool again = known != nullptr && !function_->open_names.contains(declarator.name) &&
@@ -392,7 +392,7 @@ void Checker::CheckLateDeclaration(const Statement& statement, const Place& plac
 
 void Checker::CheckParameters(const Function& syntax) {
   const std::vector<ParameterDeclaration>& parameters = syntax.parameters;
-  // `f(void)` has none.
+  // `f(void)` has no parameters.
   if (parameters.size() == 1 && parameters[0].declarator.name.empty() &&
       parameters[0].specifiers.words.size() == 1 &&
       parameters[0].specifiers.words[0]->text == "void" && !parameters[0].declarator.pointer) {
@@ -476,7 +476,7 @@ void Checker::CheckFunction(const Function& syntax) {
   state.out.name = syntax.name;
   const std::string& path = files_[static_cast<size_t>(syntax.header.file)].path();
   state.out.file = path.substr(path.find_last_of("/\\") + 1);
-  // The .ini holds it in a line.
+  // The .ini contains it in one line.
   std::replace_if(
       state.out.file.begin(), state.out.file.end(),
       [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, '_');
@@ -505,7 +505,7 @@ void Checker::CheckFunction(const Function& syntax) {
   OpenBlock(nullptr);
   CheckParameters(syntax);
   state.places.parameter_slots = state.slots;
-  // Rewritten statements declare their temporaries after the last declaration.
+  // The temporaries of rewritten statements are declared after the last declaration.
   for (const StatementPtr& item : syntax.body) {
     if (item->kind == Statement::Kind::kMacro) continue;
     if (item->kind != Statement::Kind::kDeclaration) break;

@@ -26,7 +26,7 @@ SourceFile::SourceFile(std::string path, std::string text)
   for (size_t i = 0; i < text_.size(); ++i) {
     if (text_[i] == '\n') line_starts_.push_back(static_cast<uint32_t>(i + 1));
   }
-  // The line end of the last line does not begin another one.
+  // The line end of the last line does not begin a new line.
   if (line_starts_.size() > 1 && line_starts_.back() == text_.size()) line_starts_.pop_back();
 }
 

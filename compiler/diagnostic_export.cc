@@ -1,5 +1,5 @@
-// Diagnostics for programs: JSON lines, and SARIF 2.1.0 (OASIS standard, sections 3.13 to 3.57).
-// Both end in a newline and depend on nothing but their input.
+// Diagnostics in formats for programs: JSON lines, and SARIF 2.1.0 (OASIS standard, sections 3.13
+// to 3.57). Both end with a newline and depend only on their input.
 // Tested by tests/compiler/printer_export_test.cc.
 #include <fmt/format.h>
 
@@ -72,7 +72,7 @@ Json DiagnosticToJson(const Compilation& compilation, const Diagnostic& diagnost
 
 // --- SARIF -------------------------------------------------------------------------------------
 
-// A path as a URI reference: what RFC 3986 does not allow in a path is percent-encoded.
+// A path as a URI reference: characters that RFC 3986 does not allow in a path are percent-encoded.
 std::string UriOf(const std::string& path) {
   std::string uri = path.starts_with('/') ? "file://" : "";
   for (const char c : path) {
@@ -106,7 +106,7 @@ Json Location(const Compilation& compilation, const SourceRange& range) {
   return location;
 }
 
-// One fix: every edit of the diagnostic, grouped by file as SARIF wants it.
+// One fix: all edits of the diagnostic, grouped by file as SARIF requires.
 Json Fix(const Compilation& compilation, const Diagnostic& diagnostic) {
   std::map<int, Json> replacements;
   for (const FixIt& fixit : diagnostic.fixits) {

@@ -1,6 +1,6 @@
-// The text form. Each diagnostic is a headline, the source line with a caret under the first
-// character and tildes under the rest, its notes in the same form, and the lines as its fix-its
-// would leave them, marked with +. The forms for programs are in diagnostic_export.cc.
+// The text format. Each diagnostic has a headline, the source line with a caret under the first
+// character and tildes under the rest, its notes in the same format, and the lines with its fix-its
+// applied, marked with +. The formats for programs are in diagnostic_export.cc.
 // Tested by tests/compiler/printer_text_test.cc.
 #include "compiler/diagnostic_printer.h"
 
@@ -14,7 +14,7 @@
 namespace oncard::compiler {
 namespace {
 
-// ANSI select-graphic-rendition sequences, in clang's choice of colours.
+// ANSI select-graphic-rendition sequences, with the colours that clang uses.
 constexpr std::string_view kReset = "\x1b[0m";
 constexpr std::string_view kBold = "\x1b[1m";
 constexpr std::string_view kRed = "\x1b[1;31m";
@@ -91,7 +91,8 @@ class TextPrinter {
     text_ += fmt::format(" {}\n", Styled(kBold, DisplayText(message)));
   }
 
-  // The range's first line with its underline, which ends with the line at the latest.
+  // Prints the first line of the range with an underline, which ends at the end of the line at the
+  // latest.
   void PrintSource(const SourceRange& range) {
     const SourceFile* file = FileOf(range);
     if (file == nullptr) return;
@@ -105,7 +106,7 @@ class TextPrinter {
     text_ += '\n';
   }
 
-  // Prints, for each run of touching lines that the fix-its edit, these lines as they become.
+  // Prints, for each run of adjacent lines that the fix-its edit, the edited lines.
   void PrintFixits(std::vector<FixIt> fixits) {
     std::stable_sort(fixits.begin(), fixits.end(), [](const FixIt& a, const FixIt& b) {
       return std::pair(a.range.file, a.range.begin) < std::pair(b.range.file, b.range.begin);
@@ -154,7 +155,7 @@ class TextPrinter {
     return static_cast<uint32_t>(file.Line(line).data() - file.text().data());
   }
 
-  // One space before a line that has text, so that empty lines end in no blank.
+  // One space before a line with text; empty lines have no trailing blank.
   static std::string Indented(const std::string& line) {
     return line.empty() ? line : fmt::format(" {}", line);
   }

@@ -36,7 +36,7 @@ bool IsNumber(const Token& token) {
 
 bool IsBool(std::string_view name) { return name == "bool" || name == "_Bool"; }
 
-// Words are what the lexer calls names and keywords: all may follow `#`.
+// Names and keywords of the lexer: all may follow `#`.
 bool IsWord(const Token& token) {
   return !token.text.empty() &&
          (std::isalpha(static_cast<unsigned char>(token.text[0])) != 0 || token.text[0] == '_');
@@ -78,7 +78,7 @@ void Directives::AddFile(SourceFile file, uint32_t inclusion_point) {
   files_.push_back(std::move(file));
   inclusion_points_.push_back(inclusion_point);
   if (!Admit(files_.back())) return;
-  // One more than is allowed tells a program that has too many.
+  // One token more than the limit is read, to detect a program with too many.
   const size_t token_max = kTokenMax - scanned_tokens_;
   const std::vector<Token> tokens =
       Tokenize(files_.back(), index, token_max + 1, *options_.catalogue, reporter_);
@@ -104,8 +104,8 @@ void Directives::AddFile(SourceFile file, uint32_t inclusion_point) {
     if (token.kind == Kind::kOpenBrace) open_braces_.push_back(token.range);
     if (token.kind == Kind::kCloseBrace && !open_braces_.empty()) open_braces_.pop_back();
     external_begins = token.kind == Kind::kSemicolon || token.kind == Kind::kCloseBrace;
-    // `bool` is no word of the language, so that variables can have this name: but where another
-    // name follows, it is the type.
+    // `bool` is not a keyword, so that variables can have this name; but if another name follows,
+    // it is the type.
     const bool after_type = token.kind == Kind::kName || token.kind == Kind::kConst;
     if (after_type && !tokens_.empty() && tokens_.back().kind == Kind::kName &&
         IsBool(tokens_.back().text)) {
@@ -114,7 +114,7 @@ void Directives::AddFile(SourceFile file, uint32_t inclusion_point) {
     tokens_.push_back(token);
     ++i;
   }
-  // A function cannot go on after the end of an included file.
+  // A function cannot continue after the end of an included file.
   if (index == 0) return;
   const uint32_t size = static_cast<uint32_t>(files_[static_cast<size_t>(index)].text().size());
   if (!open_braces_.empty()) {
@@ -213,7 +213,7 @@ void Directives::Define(const std::vector<Token>& line, SourceRange whole) {
     }
   }
   if (macros_.size() == vm::kMacroMax) {
-    // One report is enough, all that follow are too many as well.
+    // One report is enough: all that follow would exceed the limit too.
     if (!too_many_) {
       reporter_.Report(Code::kTooManyMacros, name.range, name.text, int64_t{vm::kMacroMax});
     }
@@ -258,8 +258,8 @@ void Directives::ReportBody(std::span<const Token> line, SourceRange whole, bool
   macro.value = number->value.AsLiteral();
 }
 
-// C puts the body in place of the name: `2 * N` with `3 + 4` for N is 10. The number may stand for
-// it only if each use is a whole expression.
+// C replaces the name by the body: `2 * N` with `3 + 4` for N is 10. The value may replace the body
+// only if each use is a whole expression.
 void Directives::MendOpenMacros() {
   if (open_macros_.empty()) return;
   std::unordered_map<std::string_view, SourceRange> parts = names_in_bodies_;
@@ -306,7 +306,7 @@ std::string Directives::FindInclude(const std::string& name, std::string* text,
   return {};
 }
 
-// `#include <...>`: a file that is there is written in quotes, a header of C left out.
+// `#include <...>`: the name of an existing file is put in quotes, a header of C is removed.
 void Directives::MendAngles(Diagnostic& diagnostic, SourceRange range, SourceRange whole) const {
   std::string_view name = files_[static_cast<size_t>(whole.file)].text();
   name = name.substr(range.begin, range.end - range.begin);

@@ -21,7 +21,7 @@ struct CodeRange {
   char32_t last;
 };
 
-// Unicode's East Asian Width classes W and F, as far as fonts of programmers have them.
+// Unicode's East Asian Width classes W and F, as far as common fonts support them.
 constexpr std::array kWide = {
     CodeRange{0x1100, 0x115F},   CodeRange{0x2E80, 0x303E},   CodeRange{0x3041, 0x4DBF},
     CodeRange{0x4E00, 0xA4CF},   CodeRange{0xA960, 0xA97C},   CodeRange{0xAC00, 0xD7A3},
@@ -30,7 +30,7 @@ constexpr std::array kWide = {
     CodeRange{0x20000, 0x3FFFD},
 };
 
-// Combining marks and invisible joiners take no column of their own.
+// Combining marks and invisible joiners do not occupy a column.
 constexpr std::array kZeroWidth = {
     CodeRange{0x0300, 0x036F},
     CodeRange{0x200B, 0x200F},
@@ -38,8 +38,8 @@ constexpr std::array kZeroWidth = {
     CodeRange{0xFE00, 0xFE0F},
 };
 
-// Characters that change how a terminal shows what follows: C1 controls, bidirectional overrides,
-// the byte order mark.
+// Characters that change how a terminal displays the following text: C1 controls, bidirectional
+// overrides, the byte order mark.
 constexpr std::array kUnsafe = {
     CodeRange{0x0080, 0x009F},
     CodeRange{0x202A, 0x202E},
@@ -60,11 +60,11 @@ int WidthOf(char32_t code) {
 }
 
 struct Character {
-  size_t size = 1;  // bytes it takes in the source
+  size_t size = 1;  // number of bytes in the source
   char32_t code = 0;
 };
 
-// The UTF-8 character at `offset`; nothing when the bytes are not well-formed.
+// The UTF-8 character at `offset`; empty if the bytes are not well-formed.
 std::optional<Character> DecodeUtf8(std::string_view text, size_t offset) {
   const auto byte = [&](size_t index) { return static_cast<uint8_t>(text[index]); };
   const uint8_t lead = byte(offset);
@@ -91,7 +91,7 @@ std::optional<Character> DecodeUtf8(std::string_view text, size_t offset) {
   return Character{size, code};
 }
 
-// Converts single GBK characters; without GBK support in the C library nothing converts.
+// Converts single GBK characters; without GBK support in the C library no conversion succeeds.
 class GbkDecoder {
  public:
   GbkDecoder() : handle_(::iconv_open("UTF-32LE", "GBK")) {}
@@ -122,7 +122,7 @@ class GbkDecoder {
   }
 
  private:
-  // iconv_open() reports failure as the pointer value -1.
+  // iconv_open() reports an error by the pointer value -1.
   bool Available() const { return reinterpret_cast<intptr_t>(handle_) != -1; }
 
   iconv_t handle_;
@@ -151,8 +151,8 @@ void AppendUtf8(std::string& text, char32_t code) {
 
 bool IsShown(char32_t code) { return code >= 0x20 && code != 0x7F && !Contains(kUnsafe, code); }
 
-// Appends what the terminal shows for `size` bytes of `text` at `offset`, which are `character` or
-// nothing sensible. Gives the columns it takes.
+// Appends the text that the terminal shows for `size` bytes of `text` at `offset`, which form
+// `character` or are invalid. Returns the number of columns.
 int AppendShown(std::string& shown, std::string_view text, size_t offset, size_t size,
                 const std::optional<Character>& character) {
   if (character && IsShown(character->code)) {

@@ -17,7 +17,7 @@ namespace {
 constexpr int kPageWidth = 80;
 constexpr std::string_view kIndent = "    ";
 
-// The raw strings of the tables begin with a line end, which makes them readable there.
+// The raw strings of the tables begin with a line end, to make them readable there.
 constexpr std::string_view Program(std::string_view text) {
   if (text.starts_with('\n')) text.remove_prefix(1);
   return text;
@@ -35,7 +35,7 @@ constexpr ExplanationFile kFiles[] = {
 #include "compiler/explain_pages.def"
 };
 
-// `...` for {0}, {1}, ..., and single braces for doubled ones, which is how fmt spells them.
+// Replaces {0}, {1}, ... by `...`, and doubled braces, the escape of fmt, by single ones.
 std::string WithoutArguments(std::string_view pattern) {
   std::string text;
   for (size_t i = 0; i < pattern.size(); ++i) {
@@ -58,8 +58,8 @@ bool IsOneOf(std::string_view character, std::span<const std::string_view> set) 
   return std::find(set.begin(), set.end(), character) != set.end();
 }
 
-// Chinese text breaks between any two characters, but a line neither begins with a mark that closes
-// nor ends with one that opens. Everything else breaks at blanks.
+// Chinese text can be broken between any two characters, but a line must neither begin with a
+// closing mark nor end with an opening one. Other text is broken at blanks.
 bool MayBreak(std::string_view before, std::string_view after) {
   static constexpr std::array<std::string_view, 9> kClosing = {"，", "。", "；", "：", "、",
                                                                "）", "”",  "？", "！"};
@@ -94,7 +94,7 @@ std::vector<Piece> Pieces(std::string_view text) {
 
 int ColumnsOf(std::string_view text) { return DisplayLine(text).ColumnOf(text.size()); }
 
-// One paragraph in lines of at most kPageWidth columns.
+// Appends one paragraph in lines of at most kPageWidth columns.
 void AppendWrapped(std::string& page, std::string_view text, std::string_view indent) {
   int column = 0;
   for (const Piece& piece : Pieces(text)) {

@@ -32,7 +32,8 @@ std::vector<std::string_view> WordsOf(std::string_view text) {
   return words;
 }
 
-// Whether a word of the text begins so. What is no letter or digit can stand anywhere.
+// True if a word of the text begins with `begin`. If `begin` does not start with a letter or digit,
+// it may be anywhere in the text.
 bool HasWord(std::string_view text, std::string_view begin) {
   for (size_t at = text.find(begin); at != std::string_view::npos; at = text.find(begin, at + 1)) {
     if (at == 0 || !InWord(begin.front()) || !InWord(text[at - 1])) return true;

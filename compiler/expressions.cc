@@ -1,4 +1,4 @@
-// Operands and operations: what one instruction can compute, and what is wrong with the rest.
+// Operands and operations: what one instruction can compute, and diagnostics for the rest.
 #include <algorithm>
 
 #include "compiler/checker.h"
@@ -227,7 +227,7 @@ std::optional<TypedOperand> Checker::ResolveOperand(const Expression& expression
   return operand;
 }
 
-// A constant index outside the array is wrong whatever the rest becomes.
+// A constant index outside the array is an error, however the rest is rewritten.
 bool Checker::CheckBounds(const Entity& array, int64_t size, const Expression& index) {
   const std::optional<Constant> value = FoldHere(index);
   if (!value || value->is_double || (value->integer >= 0 && value->integer < size)) return true;
@@ -236,7 +236,7 @@ bool Checker::CheckBounds(const Entity& array, int64_t size, const Expression& i
   return false;
 }
 
-// A use of a multi-dimensional array is wrong: its declaration stays until that is mended.
+// After an incorrect use of a multi-dimensional array, no fix-it is offered for its declaration.
 void Checker::LeaveArray(std::string_view name) {
   const auto flat = flat_arrays_.find(name);
   if (flat == flat_arrays_.end()) return;
@@ -244,8 +244,8 @@ void Checker::LeaveArray(std::string_view name) {
   flat->second.good = false;
 }
 
-// a[i][j] of an array that was declared so: its declaration, which has been reported, carries the
-// edits of all uses. They leave one index to compute, which is mended in its turn.
+// a[i][j] of a multi-dimensional array: the edits of all uses belong to the diagnostic of its
+// declaration. They leave one index expression, which a later fix-it can simplify.
 void Checker::ResolveManyIndices(const Expression& expression) {
   std::vector<const Expression*> levels;
   const Expression* base = &expression;
@@ -280,7 +280,7 @@ void Checker::ResolveManyIndices(const Expression& expression) {
     Replace(bearer, {first.file, first.begin, expression.range.end - 1}, std::to_string(*number));
     return;
   }
-  // ((i) * 3 + j) * 4 + k; what is more than a name or a number stands in parentheses.
+  // ((i) * 3 + j) * 4 + k; everything except a name or a number is in parentheses.
   const auto open = [](const Expression& index) { return IsLeaf(index) ? "" : "("; };
   const auto close = [](const Expression& index) { return IsLeaf(index) ? "" : ")"; };
   InsertBefore(bearer, first, std::string(levels.size() - 2, '(') + open(*levels[0]->operands[1]));
@@ -437,7 +437,7 @@ std::optional<TypedOperand> Checker::ResolveMember(const Expression& expression)
   return std::nullopt;
 }
 
-// A const stays what it is. Other targets are judged where they are used.
+// Reports an assignment to a const. Other targets are checked where they are used.
 void Checker::CheckWritable(const Expression& target) {
   const Entity* entity = Lookup(BaseName(target));
   if (entity == nullptr || !entity->is_const) return;
@@ -661,7 +661,7 @@ std::optional<Operation> Checker::ResolveMagnitude(const Expression& expression)
   return operation;
 }
 
-// Looks for everything that is wrong inside an expression that no instruction can compute.
+// Reports all errors inside an expression that no instruction can compute.
 void Checker::CheckNames(const Expression& expression) {
   switch (expression.kind) {
     case Expression::Kind::kError:

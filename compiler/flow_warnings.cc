@@ -27,7 +27,7 @@ bool IsAlways(const Instruction& instruction) {
   return std::holds_alternative<vm::Immediate>(instruction.operands[0]);
 }
 
-// Variables by the slots they take.
+// Variables by the slots that they occupy.
 class Slots {
  public:
   explicit Slots(const std::vector<Symbol>& symbols) : symbols_(symbols) {
@@ -48,7 +48,7 @@ class Slots {
   std::vector<int> by_slot_;
 };
 
-// The variables of one storage that an instruction reads, writes, and hands over by address.
+// The variables of one storage that an instruction reads, writes, and passes by address.
 struct Uses {
   std::vector<int> reads, writes, addresses;
 };
@@ -107,7 +107,7 @@ class UseFinder {
   const gtcalls::Catalogue& catalogue_;
 };
 
-// The paths through a function. The place behind the last statement is its end.
+// The paths through a function. The position after the last statement is its end.
 class Paths {
  public:
   explicit Paths(const vm::Function& function) : code_(function.instructions) {
@@ -129,9 +129,10 @@ class Paths {
   const std::vector<size_t>& After(size_t at) const { return next_[at]; }
   size_t end() const { return code_.size(); }
 
-  /// What can be reached from a place, itself included only when a path leads back to it.
+  /// The positions that can be reached from a position; it is included only if a path leads back to
+  /// it.
   std::vector<bool> ReachedFrom(size_t from) const { return Search({from}, next_); }
-  /// What can come to one of the places, which are included.
+  /// The positions from which one of `places` can be reached, and `places` themselves.
   std::vector<bool> ComingTo(const std::vector<size_t>& places) const {
     std::vector<bool> found = Search(places, before_);
     for (const size_t place : places) found[place] = true;
@@ -184,7 +185,7 @@ class FunctionWarnings {
       if (reached_[i]) continue;
       size_t end = i;
       while (end < code_.size() && !reached_[end]) ++end;
-      // A return behind an endless loop is a habit that does no harm.
+      // A return after an endless loop is a common habit and harmless.
       const bool only_returns =
           end == code_.size() &&
           std::all_of(code_.begin() + static_cast<std::ptrdiff_t>(i), code_.end(),
@@ -197,7 +198,7 @@ class FunctionWarnings {
   void EndlessLoop() {
     std::vector<size_t> ways_out = {paths_.end()};
     for (size_t i = 0; i < code_.size(); ++i) {
-      // Commands wait, or watch inputs and axes.
+      // Commands may wait, or read inputs and axes.
       if (code_[i].opcode == Opcode::kCommand) ways_out.push_back(i);
     }
     const std::vector<bool> leaves = paths_.ComingTo(ways_out);
@@ -208,7 +209,7 @@ class FunctionWarnings {
     }
   }
 
-  // What no path from the beginning has written.
+  // Variables that are read although no path has written them before.
   void NeverWritten() {
     std::vector<bool> reported(locals_.size());
     const std::vector<std::vector<bool>> written = MayBeWritten();
@@ -233,7 +234,7 @@ class FunctionWarnings {
     for (size_t i = 0; i < code_.size(); ++i) {
       for (const int variable : finder_.Find(code_[i]).writes) {
         const size_t index = static_cast<size_t>(variable);
-        // A structure may be filled whole for a command that takes part of it.
+        // All members of a structure may be set for a command that uses only some of them.
         const bool member = locals_[variable].name.find('.') != std::string::npos;
         if (used[index] || member || IsParameter(variable)) continue;
         used[index] = true;
@@ -305,7 +306,7 @@ class FunctionWarnings {
   std::vector<bool> reached_;
 };
 
-// A global that no function writes is 0 until the host writes it, if it ever does.
+// A global that no function writes is 0 unless the host writes it.
 void WarnAboutDivisors(const vm::Object& object, const std::vector<FunctionPlaces>& places,
                        const gtcalls::Catalogue& catalogue, Reporter& reporter) {
   const Slots globals(object.globals);
@@ -336,11 +337,11 @@ void WarnAboutDivisors(const vm::Object& object, const std::vector<FunctionPlace
 
 void WarnAboutFlow(const vm::Object& object, const std::vector<FunctionPlaces>& places,
                    const gtcalls::Catalogue& catalogue, Reporter& reporter) {
-  std::deque<FunctionWarnings> functions;  // which stay where they are
+  std::deque<FunctionWarnings> functions;  // a deque does not move its elements
   for (size_t i = 0; i < object.functions.size(); ++i) {
     functions.emplace_back(object.functions[i], places[i], catalogue, reporter);
   }
-  // Another thread may update what this one sets.
+  // Another thread may call GT_Update for the registers that this one sets.
   const bool updates = std::any_of(functions.begin(), functions.end(),
                                    [](const auto& function) { return function.CallsUpdate(); });
   for (FunctionWarnings& function : functions) {

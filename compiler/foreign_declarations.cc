@@ -1,6 +1,6 @@
-// Declarations of C that the language lacks: `const`, `static`, `extern`, `unsigned`, `char`,
-// initial values of globals, names that hide others. Each is mended where that keeps what the
-// program means; otherwise a note says what stands against it.
+// Declarations of C that the language does not have: `const`, `static`, `extern`, `unsigned`,
+// `char`, initial values of globals, names that shadow others. Each gets a fix-it if that preserves
+// the meaning of the program; otherwise a note gives the reason why not.
 #include <algorithm>
 
 #include "compiler/checker.h"
@@ -24,11 +24,11 @@ bool IsBool(const Specifiers& specifiers) {
   return HasWord(specifiers, "bool") || HasWord(specifiers, "_Bool");
 }
 
-// What an integer type of C can hold.
+// The range of an integer type of C.
 struct Range {
   int64_t minimum = INT32_MIN;
   int64_t maximum = INT32_MAX;
-  bool narrow = false;  ///< holds less than an int
+  bool narrow = false;  ///< smaller range than an int
   bool is_signed = true;
 };
 
@@ -43,12 +43,12 @@ Range RangeOf(const Specifiers& specifiers) {
   return {};
 }
 
-// Looks for a use of a variable that would compute something else if the variable were an int.
+// Searches for a use of a variable that would give another result if the variable were an int.
 class IntSearch {
  public:
   using Folder = std::function<std::optional<Constant>(const Expression&)>;
 
-  /// The references must outlive the search; `variable` may be nullptr, to ask for values alone.
+  /// The references must outlive the search; `variable` may be nullptr, to check values only.
   IntSearch(const Declarator* variable, Range range, const NameScopes& scopes, Folder fold)
       : variable_(variable), range_(range), scopes_(scopes), fold_(std::move(fold)) {}
 
@@ -63,13 +63,13 @@ class IntSearch {
     });
   }
 
-  /// The use, or nullptr.
+  /// The use found, or nullptr.
   const Expression* difference() const {
     if (uncertain_value_ == nullptr) return nullptr;
     return range_.narrow ? uncertain_value_ : sensitive_use_;
   }
 
-  /// Whether a value is the same in the variable and in an int.
+  /// True if a value is the same in the variable and in an int.
   bool Fits(const Expression& value) const {
     if (const std::optional<Constant> constant = fold_(value)) {
       return !constant->is_double && constant->integer >= range_.minimum &&
@@ -108,7 +108,7 @@ class IntSearch {
     if (assigns && !expression.operands.empty() && Means(*expression.operands[0])) {
       CheckWrite(expression);
     }
-    // Where a sign or the 32nd bit matters.
+    // Operators for which a sign or the 32nd bit matters.
     const bool sensitive =
         IsAnyOf(expression.op, {"/", "%", ">>", "<", ">", "<=", ">=", "/=", "%=", ">>="});
     if (sensitive && sensitive_use_ == nullptr && Mentions(expression)) {
@@ -134,7 +134,7 @@ class IntSearch {
         !range_.narrow &&
         (expression.op == "++" || (IsAnyOf(expression.op, {"+=", "&=", "/=", "%=", ">>="}) &&
                                    Fits(*expression.operands[1])));
-    // What fits has no bit beyond those of the range.
+    // An operand within the range has no bits outside the range.
     const bool stays = !range_.is_signed && IsAnyOf(expression.op, {"&=", "|=", "^="}) &&
                        Fits(*expression.operands[1]);
     if (never_negative || stays) return;
@@ -153,7 +153,7 @@ class IntSearch {
   const Expression* sensitive_use_ = nullptr;
 };
 
-// Why a declaration cannot just be one of an int.
+// Why a declaration cannot be replaced by one of an int.
 Message DescribeDifference(const Specifiers& specifiers) {
   if (IsBool(specifiers)) {
     return MakeMessage(
@@ -200,7 +200,8 @@ std::optional<Constant> Checker::FoldHere(const Expression& expression) const {
   });
 }
 
-// Whether an int computes what a variable of the foreign type does, as far as can be seen.
+// True if an int gives the same results as a variable of the foreign type, as far as can be
+// determined.
 bool Checker::KeepsMeaning(const Specifiers& specifiers, const DeclaredType& type,
                            std::span<const Declarator> declarators) {
   if (type.type == DataType::kDouble || type.is_void || type.structure != nullptr) return true;
@@ -227,7 +228,7 @@ bool Checker::KeepsMeaning(const Specifiers& specifiers, const DeclaredType& typ
   return true;
 }
 
-// Whether what a function of the foreign type returns is the same as an int.
+// True if the values that a function of the foreign type returns are the same as ints.
 bool Checker::KeepsReturns(const Function& function, const DeclaredType& type) {
   const Range range = RangeOf(function.specifiers);
   if (type.report == nullptr || !range.narrow) return true;
@@ -250,7 +251,7 @@ const NameScopes& Checker::Scopes() {
   return *scopes_;
 }
 
-// A const that is a number becomes a macro where it is a global, and a variable elsewhere.
+// A global const with a number becomes a macro, any other const a variable.
 bool Checker::MendConst(const DeclaredType& type, std::span<const Declarator> declarators,
                         SourceRange declaration, bool* as_macros) {
   std::string macros;
@@ -290,7 +291,7 @@ bool Checker::MendConst(const DeclaredType& type, std::span<const Declarator> de
                         "全局变量没有初值；数值请写成 #define，数组请在函数中或由主机赋值"));
     return false;
   }
-  // A directive stands on lines of its own.
+  // A directive must be on a line of its own.
   const std::string_view text = files_[static_cast<size_t>(declaration.file)].text();
   const size_t line_begin = text.rfind('\n', declaration.begin) + 1;
   const std::string_view before = text.substr(line_begin, declaration.begin - line_begin);
@@ -303,8 +304,8 @@ bool Checker::MendConst(const DeclaredType& type, std::span<const Declarator> de
   return true;
 }
 
-// Offers the plain words in place of foreign ones. True when the declaration becomes #define lines,
-// which have their values already.
+// Offers the language's own types in place of foreign ones. True if the declaration becomes #define
+// lines, which include the values.
 bool Checker::MendType(const Specifiers& specifiers, const DeclaredType& type,
                        std::span<const Declarator> declarators, SourceRange declaration) {
   if (type.report == nullptr || !type.valid) return false;
@@ -324,7 +325,7 @@ bool Checker::MendType(const Specifiers& specifiers, const DeclaredType& type,
   return as_macros;
 }
 
-// Storage starts at 0, so only that value may be left out.
+// Variables start at 0, so only that value can be omitted.
 void Checker::MendGlobalInitialiser(const Declarator& declarator, Diagnostic& diagnostic,
                                     SourceRange value) {
   const bool zero = IsZero(*declarator.initialiser, [this](const Expression& element) {
@@ -341,7 +342,7 @@ void Checker::MendGlobalInitialiser(const Declarator& declarator, Diagnostic& di
                       "请在函数中赋值，或由主机用 GT_SetVarValue 设置；不变的数值可写成 #define"));
 }
 
-// Gives a name that hides another one a name of its own, throughout the block that declares it.
+// Renames a name that shadows another one, in the whole block that declares it.
 void Checker::Rename(const Declarator& declarator, Diagnostic& diagnostic) {
   constexpr int kRoomForNumber = 4;
   const std::string_view old = declarator.name;

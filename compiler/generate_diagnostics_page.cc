@@ -34,7 +34,7 @@ std::string Program(std::string_view title, std::string_view text) {
   return fmt::format("\n{}:\n\n```c\n{}```\n", title, text);
 }
 
-// Only marks beside a letter or digit are left alone: GT_Bind needs no backslash, '_' does.
+// Only marks next to a letter or digit remain: GT_Bind needs no backslash, '_' does.
 std::string EscapeMarkdown(std::string_view text) {
   std::string out;
   for (const char c : text) {
@@ -60,11 +60,11 @@ std::string Section(const DiagnosticInfo& info, const Explanation& explanation) 
   return out;
 }
 
-// Empty when a diagnostic has no explanation.
+// Empty if a diagnostic has no explanation.
 std::string DiagnosticsPage() {
   std::string out(kHead);
   for (const DiagnosticInfo& info : DiagnosticTable()) {
-    // The anchor is the heading in lower case, as Markdown viewers make it.
+    // The anchor is the heading in lower case, as Markdown viewers generate it.
     out += fmt::format("| [{}](#mp{:03}-{}) | {} | {} |\n", DiagnosticName(info.code), info.code,
                        info.slug, info.slug, Spell(info.severity).en);
   }

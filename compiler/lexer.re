@@ -1,5 +1,6 @@
-// The scanner. Bytes above 0x7F may stand in comments and file names only, where GBK and UTF-8 need
-// no telling apart: no second byte of a GBK character is a quote, a star, a slash or a line end.
+// The scanner. Bytes above 0x7F are only allowed in comments and file names, where GBK and UTF-8
+// need not be distinguished: the second byte of a GBK character is never a quote, a star, a slash
+// or a line end.
 #include "compiler/lexer.h"
 
 #include <fmt/format.h>
@@ -18,10 +19,10 @@ namespace {
 
 using Kind = Parser::token;
 
-// Characters that are a token on their own.
+// Characters that are tokens by themselves.
 constexpr std::string_view kPunctuation = "(){}[];:,=<>+-*/%!&|^~?.";
 
-// What stands before the suffix of a floating-point number of C; empty for any other text.
+// The text before the suffix of a C floating-point number; empty for any other text.
 std::string_view WithoutSuffix(std::string_view text) {
   const char suffix = static_cast<char>(text.back() | 0x20);
   if (suffix != 'f' && suffix != 'l') return {};
@@ -124,7 +125,7 @@ void Lexer::AddBadNumber(Code code, const char* begin, const char* end) {
   Add(Kind::kInteger, begin, end, literal);
 }
 
-// `12.5f`: a float of C. The number without its suffix is offered where it is the same.
+// `12.5f`: a float of C. The fix-it is the number without the suffix, if its value is the same.
 void Lexer::AddUnsuffixed(std::string_view number, Diagnostic& diagnostic, const char* begin,
                           const char* end) {
   const Literal literal = ParseFixed(number);
@@ -132,7 +133,7 @@ void Lexer::AddUnsuffixed(std::string_view number, Diagnostic& diagnostic, const
   float value = 0;
   std::from_chars(number.data(), number.data() + number.size(), value);
   const bool is_float = (end[-1] | 0x20) == 'f';
-  // All digits of it: a float has few of them.
+  // All its digits: a float needs only a few.
   const std::string exact = fmt::format("{:.60f}", static_cast<double>(value));
   if (!is_float || ParseFixed(exact).magnitude == literal.magnitude) {
     Replace(diagnostic, Range(begin, end), std::string(number));
@@ -163,8 +164,9 @@ const char* Lexer::SkipComment(const char* begin, const char* limit) {
   return begin + close + 2;
 }
 
-// Reports a run of characters that the language has no use for. The full-width forms of ASCII
-// characters, which Chinese input methods produce, are taken for what they look like.
+// Reports a run of characters that the language does not use. The full-width forms of ASCII
+// characters, which Chinese input methods produce, are treated like the characters that they
+// resemble.
 const char* Lexer::IllegalCharacters(const char* begin, const char* limit) {
   const auto byte = [](char c) { return static_cast<unsigned char>(c); };
   const auto length_at = [&](const char* at) {
@@ -199,7 +201,7 @@ const char* Lexer::IllegalCharacters(const char* begin, const char* limit) {
   const size_t count = tokens_.size();
   if (ascii != 0) {
     Replace(diagnostic, Range(begin, end), std::string(1, ascii));
-    // The character that it looks like is lexed on its own, then given its place in the file.
+    // The character that it resembles is scanned separately and gets the position of the original.
     const size_t at = kPunctuation.find(ascii);
     if (at != std::string_view::npos) {
       const std::string substitute(1, ascii);

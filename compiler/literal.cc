@@ -6,7 +6,7 @@
 namespace oncard::compiler {
 namespace {
 
-// A magnitude with more digits before its point is huge; one with more zeros after it is zero.
+// A number with more digits before its point is out of range; one with more zeros after it is zero.
 constexpr int64_t kPointMax = 18;
 constexpr int64_t kExponentMax = 1'000'000'000;
 
@@ -15,7 +15,7 @@ int DigitOf(char c) {
   return (c | 0x20) - 'a' + 10;
 }
 
-// Doubles the decimal fraction 0.DDD in place and gives the digit that moves before the point.
+// Doubles the decimal fraction 0.DDD in place and returns the digit carried before the point.
 int DoubleFraction(std::string& digits) {
   int carry = 0;
   for (size_t i = digits.size(); i-- > 0;) {

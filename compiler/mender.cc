@@ -9,8 +9,8 @@
 namespace oncard::compiler {
 namespace {
 
-// What a diagnostic's edits take of a file. Insertions before the diagnostic itself, which declare
-// something, are in nobody's way.
+// The part of a file that a diagnostic's edits cover. Insertions of declarations before the
+// diagnostic itself do not conflict with others.
 struct Stretch {
   int file = 0;
   uint32_t begin = UINT32_MAX;
@@ -39,7 +39,7 @@ std::vector<Stretch> StretchesOf(const Diagnostic& diagnostic) {
   return stretches;
 }
 
-// Two insertions of declarations at one place do not touch.
+// Two insertions of declarations at the same place do not conflict.
 bool Touch(const Stretch& a, const Stretch& b) {
   const bool same_insertion = a.begin == a.end && b.begin == b.end && a.begin == b.begin;
   return a.file == b.file && a.begin <= b.end && b.begin <= a.end && !same_insertion;
@@ -55,7 +55,7 @@ bool Overlap(std::vector<FixIt> edits) {
          }) != edits.end();
 }
 
-// Tells texts apart that have been seen from those that have not.
+// A hash by which texts that have already occurred are recognised.
 size_t Fingerprint(const std::map<std::string, std::string>& files) {
   size_t value = 0;
   for (const auto& [path, text] : files) {
@@ -66,7 +66,8 @@ size_t Fingerprint(const std::map<std::string, std::string>& files) {
   return value;
 }
 
-// The edits of as many diagnostics as can be mended at once, by file; how many these are.
+// Selects the edits, by file, of as many diagnostics as can be corrected at once; returns their
+// number.
 int Choose(const Compilation& compilation, std::map<int, std::vector<FixIt>>* edits) {
   std::vector<Stretch> taken;
   int count = 0;
@@ -74,7 +75,7 @@ int Choose(const Compilation& compilation, std::map<int, std::vector<FixIt>>* ed
   for (const Diagnostic& diagnostic : compilation.diagnostics) {
     if (!diagnostic.fixits.empty() && !Overlap(diagnostic.fixits)) order.push_back(&diagnostic);
   }
-  // Whether the type of a variable can change depends on the types of others: all change at once.
+  // Whether the type of a variable can change depends on other types: all of them change at once.
   std::stable_partition(order.begin(), order.end(), [](const Diagnostic* diagnostic) {
     const int code = diagnostic->info->code;
     return code == static_cast<int>(Code::kForeignType) ||
@@ -91,7 +92,7 @@ int Choose(const Compilation& compilation, std::map<int, std::vector<FixIt>>* ed
     taken.insert(taken.end(), stretches.begin(), stretches.end());
     for (const FixIt& edit : diagnostic.fixits) {
       std::vector<FixIt>& of_file = (*edits)[edit.range.file];
-      // Two can need the same declaration.
+      // Two diagnostics may need the same declaration.
       const bool known = IsDeclaration(edit, diagnostic) &&
                          std::any_of(of_file.begin(), of_file.end(), [&edit](const FixIt& other) {
                            return other.range == edit.range && other.text == edit.text;

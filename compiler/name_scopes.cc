@@ -36,7 +36,7 @@ void NameScopes::AddStatement(const Statement& statement, bool local, uint32_t e
 const VisibleName* NameScopes::Find(std::string_view name, SourceRange use) const {
   const auto found = names_.find(name);
   if (found == names_.end()) return nullptr;
-  // Of the locals around a place the last one is the innermost.
+  // The last one of the enclosing locals is the innermost.
   for (auto visible = found->second.rbegin(); visible != found->second.rend(); ++visible) {
     const SourceRange& scope = visible->scope;
     if (visible->local && scope.file == use.file && scope.begin <= use.begin &&

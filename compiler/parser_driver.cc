@@ -10,7 +10,7 @@ namespace {
 using Kind = Parser::token;
 using Symbol = Parser::symbol_kind;
 
-// How far back a skipped statement is searched for names and for the head of a `for`.
+// How far back to search for the names in a skipped statement and for the head of a `for`.
 constexpr size_t kLookBack = 64;
 
 bool IsTypeWord(int kind) {
@@ -81,7 +81,7 @@ int ParserDriver::Next(Parser::semantic_type* value, SourceRange* location) {
 
 bool ParserDriver::OpenMissingBrace() {
   braces_.push_back({last_->range, false});
-  // The token that stands in place of the brace was counted before it.
+  // The token after the missing brace has already been counted before it.
   if (last_->kind == Kind::kOpenBrace && braces_.size() >= 2) {
     std::swap(braces_[braces_.size() - 1], braces_[braces_.size() - 2]);
   }
@@ -116,7 +116,7 @@ bool ParserDriver::SkipStatement() {
     return false;
   }
   if (last_->kind == Kind::kEnd || last_ == &end_brace_) return false;
-  if (stuck_at_ == next_) return true;  // a `}` that closes nothing here: pass it over
+  if (stuck_at_ == next_) return true;  // a `}` that closes nothing here: skip it
 
   size_t begin = next_ - 1;  // the token at which the error was found
   const bool in_for = InForHeader();
@@ -137,7 +137,7 @@ bool ParserDriver::SkipStatement() {
   if (tokens_[at].kind == Kind::kOpenBrace && !braces_.empty()) braces_.pop_back();
   int depth = 0;
   if (tokens_[at].kind == Kind::kCloseBrace) {
-    // It closes a block, unless it belongs to an initialiser, which Next() has taken account of.
+    // It closes a block, unless it belongs to an initialiser, which Next() has already handled.
     const bool of_initialiser =
         std::any_of(tokens_.begin() + static_cast<std::ptrdiff_t>(begin),
                     tokens_.begin() + static_cast<std::ptrdiff_t>(at),
@@ -165,7 +165,7 @@ bool ParserDriver::SkipStatement() {
         break;
       }
       if (--depth == 0) {
-        // What follows an initialiser still belongs to the statement.
+        // The text after an initialiser still belongs to the statement.
         if (at + 1 < tokens_.size() &&
             (tokens_[at + 1].kind == Kind::kSemicolon || tokens_[at + 1].kind == Kind::kComma)) {
           continue;
@@ -214,7 +214,7 @@ void ParserDriver::SyntaxError(std::span<const Parser::symbol_kind_type> expecte
   error_at_ = last_;
   if (errors_here_ > 0) return;
 
-  // The lexer has reported these, and nothing is said about what they lead to.
+  // The lexer has reported these; consequential errors are not reported.
   if (found.kind == Kind::kInvalid || found.literal.invalid) return;
   if (previous_ != nullptr && previous_->literal.invalid && !found.on_new_line) return;
   if (found.kind == Kind::kHash) {
@@ -352,7 +352,7 @@ ExpressionPtr ParserDriver::Conditional(ExpressionPtr condition, const Token* op
 ExpressionPtr ParserDriver::Cast(const Specifiers& type, bool pointer, ExpressionPtr operand,
                                  SourceRange range) {
   ExpressionPtr result = MakeExpression(Expression::Kind::kCast, range);
-  // Only a single word can be a type to convert to.
+  // Only a single word can be the type of a cast.
   if (type.words.size() == 1 && !pointer) result->text = type.words[0]->text;
   result->op_range = type.range;
   result->operands.push_back(std::move(operand));

@@ -1,4 +1,4 @@
-// Expressions: splits them into operations that one statement can do.
+// Expressions: splits them into operations that each fit one statement.
 #include "compiler/rewriter.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace {
 
 using vm::DataType;
 
-// So many elements are set to 0 in statements of their own; more take a loop.
+// Up to this number of elements are set to 0 by separate statements; more need a loop.
 constexpr size_t kZeroesInLine = 8;
 
 const Expression& Unwrapped(const Expression& expression) {
@@ -84,7 +84,7 @@ Rewriter::Value Rewriter::Operand(Value value) {
 
 Rewriter::Value Rewriter::Converted(Value value, DataType type) {
   if (value.type == type) return value;
-  // A literal int is a double beside one.
+  // With a double as the other operand, a literal int is used as a double.
   if (value.literal && type == DataType::kDouble) {
     value.type = type;
     return value;
@@ -100,7 +100,7 @@ void Rewriter::Assign(const Value& target, Value value) {
   Emit(fmt::format("{} = {};", target.text, value.text));
 }
 
-// The text of an index that the language allows: a literal or an int variable.
+// The text of an index in a permitted form: a literal or an int variable.
 std::string Rewriter::IndexText(const Expression& expression) {
   Value index = Lower(expression);
   if (!ok_) return {};
@@ -153,7 +153,7 @@ Rewriter::Value Rewriter::Leaf(const Expression& expression) {
   return Fail();
 }
 
-// Whether the text of an expression can stand as an operand as it is.
+// True if the text of an expression can be used as an operand without changes.
 bool Rewriter::IsPlainOperand(const Expression& expression) const {
   if (checker_.ConstantOf(expression)) return true;
   if (expression.kind == Expression::Kind::kIndex) {
@@ -188,7 +188,7 @@ Rewriter::Value Rewriter::LowerBinary(Value left, std::string_view op, Value rig
   return {fmt::format("{} {} {}", left.text, op, right.text), type, false};
 }
 
-// Whether an expression can be computed when C would not have come to it: it changes nothing and
+// True if an expression may be computed even where C would not evaluate it: it changes nothing and
 // cannot stop the thread.
 bool Rewriter::IsSafe(const Expression& expression) const {
   if (checker_.ConstantOf(expression)) return true;
@@ -220,8 +220,8 @@ bool Rewriter::IsSafe(const Expression& expression) const {
                      [this](const ExpressionPtr& operand) { return IsSafe(*operand); });
 }
 
-// The value of `a && b` or `a || b`. The second operand is computed only when the first leaves the
-// answer open, unless that makes no difference.
+// The value of `a && b` or `a || b`. The second operand is computed only if the first does not
+// decide the result, unless computing it has no effect.
 Rewriter::Value Rewriter::LowerLogical(const Expression& expression) {
   if (IsSafe(*expression.operands[1])) {
     Value left = Operand(Lower(*expression.operands[0]));
@@ -289,7 +289,7 @@ Rewriter::Value Rewriter::LowerUnary(const Expression& expression) {
   return Fail();
 }
 
-// The type of an expression, before any of it is lowered.
+// The type of an expression, determined before any part of it is rewritten.
 DataType Rewriter::TypeOf(const Expression& expression) const {
   if (const std::optional<Literal> constant = checker_.ConstantOf(expression)) {
     return constant->kind == Literal::Kind::kFixed ? DataType::kDouble : DataType::kInt;
@@ -442,7 +442,7 @@ void Rewriter::LowerCommand(const Expression& call) {
   Emit(text + ");");
 }
 
-// A return code that nobody looks at can be left out.
+// A return code that is never used can be dropped.
 void Rewriter::DropResult(const Expression& target) {
   const std::string_view name = BaseName(target);
   const Entity* entity = checker_.Lookup(name);
@@ -472,7 +472,7 @@ void Rewriter::LowerEffect(const Expression& expression) {
   if (!ok_) return;
   switch (inner.kind) {
     case Expression::Kind::kAssign: {
-      // `rtn = GT_...`: the return code goes to the thread's status.
+      // `rtn = GT_...`: the return code is available in the thread's status.
       const Expression& value = Unwrapped(*inner.operands[1]);
       if (value.kind == Expression::Kind::kCall &&
           value.operands[0]->kind == Expression::Kind::kName &&
@@ -510,11 +510,11 @@ void Rewriter::LowerEffect(const Expression& expression) {
     default:
       break;
   }
-  // The value is dropped; what it changes on the way is not.
+  // The value is not used, but side effects must be kept.
   if (HasEffects(inner)) Lower(inner);
 }
 
-// Elements without a value are 0 in C, every time the declaration is reached.
+// Elements without a value are set to 0 in C each time the declaration is executed.
 void Rewriter::InitialiseArray(const std::vector<ExpressionPtr>& values, const Entity& array) {
   if (array.dimensions.size() > 1 || values.size() > array.array_size) {
     ok_ = false;
@@ -601,7 +601,7 @@ Rewriter::Condition Rewriter::LowerCondition(const Expression& expression, bool 
   return {false, false, variable};
 }
 
-// Jumps when the condition holds, or with `negate` when it does not.
+// Jumps if the condition holds or, with `negate`, if it does not.
 void Rewriter::JumpIf(const Expression& condition, bool negate, const std::string& label) {
   const Expression& inner = Unwrapped(condition);
   if (!ok_) return;

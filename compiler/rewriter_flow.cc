@@ -1,4 +1,4 @@
-// Statements: the goto form of loops and branches, and the edits that put it into the text.
+// Statements: rewrites loops and branches with goto, and makes the edits of the text.
 #include <algorithm>
 
 #include "compiler/rewriter.h"
@@ -10,7 +10,7 @@ SourceRange Between(SourceRange first, uint32_t begin, uint32_t end) {
   return {first.file, begin, std::max(begin, end)};
 }
 
-// Whether a case of a switch stands deeper than in the switch's own block.
+// True if a case of a switch is nested deeper than the switch's own block.
 bool HasInnerCase(const Statement& statement, bool direct) {
   const bool is_case =
       statement.kind == Statement::Kind::kCase || statement.kind == Statement::Kind::kDefault;
@@ -23,7 +23,7 @@ bool HasInnerCase(const Statement& statement, bool direct) {
                      [](const StatementPtr& item) { return HasInnerCase(*item, false); });
 }
 
-// The comments in a piece of source. Quotes hide what looks like one.
+// The comments in a part of the source. Text in quotes is not a comment.
 std::vector<std::string_view> CommentsIn(std::string_view text) {
   std::vector<std::string_view> comments;
   for (size_t i = 0; i + 1 < text.size(); ++i) {
@@ -43,7 +43,7 @@ std::vector<std::string_view> CommentsIn(std::string_view text) {
   return comments;
 }
 
-// Whether one comparison, or one variable, decides.
+// True if the condition is one comparison or one variable.
 bool IsOneCondition(const Expression& condition) {
   const Expression* inner = &condition;
   while (inner->kind == Expression::Kind::kParen ||
@@ -55,7 +55,7 @@ bool IsOneCondition(const Expression& condition) {
 
 }  // namespace
 
-// A line end with the indentation of the line that holds the range.
+// A line end with the indentation of the line that contains the range.
 std::string Rewriter::Separator(SourceRange range) const {
   const SourceFile& file = checker_.files_[static_cast<size_t>(range.file)];
   const std::string_view line = file.Line(file.LineOf(range.begin));
@@ -64,7 +64,7 @@ std::string Rewriter::Separator(SourceRange range) const {
   return (carriage_return ? "\r\n" : "\n") + std::string(line.substr(0, indent));
 }
 
-// Puts the comments of a range that is to be replaced beside the collected lines.
+// Adds the comments of a range that is replaced to the collected lines.
 void Rewriter::KeepComments(SourceRange range, Comments where) {
   std::vector<std::string> kept;
   for (const std::string_view comment : CommentsIn(Source(range))) {
@@ -77,7 +77,7 @@ void Rewriter::KeepComments(SourceRange range, Comments where) {
                 kept.end());
 }
 
-// Replaces a range by the collected lines, with something before and after them.
+// Replaces a range by the collected lines, with `before` and `after` around them.
 void Rewriter::Substitute(SourceRange range, const Statement& near, std::string_view before,
                           std::string_view after) {
   const std::string separator = Separator(near.range);
@@ -95,7 +95,7 @@ void Rewriter::Substitute(SourceRange range, const Statement& near, std::string_
 
 void Rewriter::Finish() {
   if (!ok_) return;
-  // Statements before temporaries' declarations: edits are kept in the order of the text.
+  // Declarations of temporaries come before statements: edits are kept in the order of the text.
   if (!declarations_.empty() && checker_.function_ != nullptr) {
     const SourceRange at = checker_.function_->declarations_end;
     const bool after_brace = at.begin == checker_.function_->syntax->open_brace.end;
@@ -105,7 +105,7 @@ void Rewriter::Finish() {
         separator == Separator(checker_.function_->syntax->header)) {
       separator += "  ";
     }
-    // Each by itself: what two fix-its need is declared once.
+    // One edit each: a declaration that two fix-its need is inserted once.
     std::vector<FixIt> declarations;
     for (const std::string& declaration : declarations_) {
       declarations.push_back({at, separator + declaration});
@@ -139,7 +139,7 @@ void Rewriter::ReplaceStatement(SourceRange range, const Place& place) {
   if (!ok_) return;
   Statement near;
   near.range = range;
-  // What a label in front of it needs is a statement.
+  // A label before it needs a statement.
   if (lines_.empty()) lines_.emplace_back(";");
   KeepComments(range, Comments::kFirst);
   if (place.single && lines_.size() > 1) {
@@ -188,7 +188,7 @@ void Rewriter::RewriteSimple(const Statement& statement, const Place& place) {
         }
         break;
       }
-      // The value of `return` must not be computed when the condition does not hold.
+      // The value of `return` must not be computed if the condition does not hold.
       const std::string skip = Label("lbl_skip");
       JumpIf(*statement.value, true, skip);
       if (body.value == nullptr) {
@@ -208,20 +208,20 @@ void Rewriter::RewriteSimple(const Statement& statement, const Place& place) {
   ReplaceStatement(statement.range, place);
 }
 
-// A block whose end is missing ends with the file.
+// False for a block without a closing brace, which ends at the end of the file.
 bool Rewriter::HasBothBraces(const Statement& block) const {
   const std::string_view text = Source(block.range);
   return text.size() >= 2 && text.front() == '{' && text.back() == '}';
 }
 
-// From `first` to where the body begins; a block's brace belongs to it.
+// From `first` to the beginning of the body, including a block's brace.
 SourceRange Rewriter::Head(SourceRange first, const Statement& body) {
   const bool block = body.kind == Statement::Kind::kBlock;
   if (block && (!HasBothBraces(body) || checker_.NeedsBraces(body))) ok_ = false;
   return Between(first, first.begin, block ? body.range.begin + 1 : body.range.begin);
 }
 
-// From where the body ends to the end of `last`.
+// From the end of the body to the end of `last`, including a block's brace.
 SourceRange Rewriter::Tail(const Statement& body, SourceRange last) {
   const bool block = body.kind == Statement::Kind::kBlock;
   if (block && (!HasBothBraces(body) || checker_.NeedsBraces(body))) ok_ = false;
@@ -256,7 +256,7 @@ void Rewriter::FindJumps(const Statement& statement, const std::string& break_la
                     statement.kind == Statement::Kind::kDo ||
                     statement.kind == Statement::Kind::kFor;
   if (loop) return;
-  // A switch takes the breaks, but not the continues.
+  // A switch is the target of `break`, but not of `continue`.
   const std::string inner_break =
       statement.kind == Statement::Kind::kSwitch ? std::string() : break_label;
   if (statement.body != nullptr) {

@@ -10,7 +10,7 @@ namespace {
 
 using vm::DataType;
 
-// A return value or condition that is always the same.
+// A return value or condition that is constant.
 const vm::Operand kOne = vm::ImmediateInt(1);
 const vm::Operand kZero = vm::ImmediateInt(0);
 
@@ -47,7 +47,7 @@ void Checker::CheckItem(const Statement& statement) {
   }
 }
 
-// Only definitions stand at the top level.
+// Only definitions are allowed at the top level.
 void Checker::CheckOutside(const Statement& statement) {
   switch (statement.kind) {
     case Statement::Kind::kStrayBrace:
@@ -75,7 +75,7 @@ void Checker::CheckOutside(const Statement& statement) {
 }
 
 void Checker::CheckBody(const std::vector<StatementPtr>& items, const Place& place) {
-  // Position of the last statement: what stands before it is followed by one.
+  // Position of the last statement; every item before it has a statement after it.
   size_t last = 0;
   for (size_t i = 0; i < items.size(); ++i) {
     if (IsStatement(*items[i])) last = i + 1;
@@ -86,7 +86,7 @@ void Checker::CheckBody(const std::vector<StatementPtr>& items, const Place& pla
     here.followed = i + 1 < last || place.followed;
     here.single = false;
     if (item.kind == Statement::Kind::kLabel) {
-      // A declaration after a label moves to the top: the label is still before a statement.
+      // A declaration after a label is moved to the top; then a statement follows the label.
       bool before_declaration = i + 1 < items.size() &&
                                 items[i + 1]->kind == Statement::Kind::kDeclaration &&
                                 !function_->statements_begun;
@@ -137,7 +137,7 @@ void Checker::ResolveJumps() {
       continue;
     }
     if (skipped_names_.contains(jump.label)) continue;
-    // Said once for each label.
+    // Reported once for each label.
     if (!function.labels.emplace(jump.label, Label{jump.range, 0, false}).second) continue;
     Diagnostic& diagnostic = reporter_.Report(Code::kUnknownLabel, jump.range, jump.label);
     if (!MaySuggest()) continue;
@@ -171,13 +171,13 @@ void Checker::BeginStatement(const Statement& statement) {
   failed_ = broken_ = false;
   uses_flat_array_ = false;
   statement_range_ = statement.range;
-  // Lines are words of the object; a later one is written as unknown.
+  // Line numbers are words of the object; a larger one is written as unknown (0).
   const int line = LineOf(statement.range);
   line_ = line <= UINT16_MAX ? static_cast<uint16_t>(line) : uint16_t{0};
 }
 
 void Checker::EndStatement(const Statement& statement, const Place& place) {
-  // First the array becomes flat.
+  // The array is made one-dimensional first.
   if (uses_flat_array_ && !failed_) return;
   if (!lesson_ || broken_) return;
   Diagnostic& diagnostic = reporter_.Report(lesson_->code, lesson_->range, lesson_->arguments);
@@ -375,7 +375,7 @@ void Checker::CheckReturn(const Statement& statement, vm::Operand condition) {
     return;
   }
   if (!IsLeaf(value) && !ConstantOf(value)) {
-    // Says what the expression itself is, so that `return -x;` is about the minus.
+    // Reports what the expression itself is, so that for `return -x;` it is the minus.
     const bool failed_before = failed_;
     ResolveOperation(value);
     if (failed_ == failed_before) Teach(Code::kNestedExpression, value.range);
@@ -392,7 +392,7 @@ void Checker::CheckReturn(const Statement& statement, vm::Operand condition) {
   Emit(std::move(instruction));
 }
 
-// Only an int variable may be a condition.
+// A condition must be an int variable.
 void Checker::CheckCondition(const Expression& condition, vm::Operand* operand) {
   if (condition.kind == Expression::Kind::kName || condition.kind == Expression::Kind::kMember) {
     if (!ConstantOf(condition)) {
@@ -477,7 +477,7 @@ void Checker::CheckBlock(const Statement& statement, const Place& place) {
   CloseBlock();
 }
 
-// Whether a block declares a name that means something else outside: first it gets another one.
+// True if a block declares a name with another meaning outside; the name must be changed first.
 bool Checker::NeedsBraces(const Statement& block) const {
   return std::any_of(block.items.begin(), block.items.end(), [this](const StatementPtr& item) {
     return std::any_of(item->declarators.begin(), item->declarators.end(),
@@ -488,7 +488,7 @@ bool Checker::NeedsBraces(const Statement& block) const {
   });
 }
 
-// A jump from elsewhere into the body of a loop, past its condition and first part; or nullptr.
+// A jump from outside into the body of a loop, past its condition and first part, or nullptr.
 const Checker::Goto* Checker::JumpInto(const Statement& loop) const {
   std::unordered_set<std::string_view> labels;
   ForEachStatement(*loop.body, [&labels](const Statement& below) {
@@ -559,7 +559,7 @@ void Checker::CheckLoop(const Statement& statement, const Place& place) {
   CloseBlock();
 }
 
-// Each case is a different number, in the switch's own block.
+// Checks that each case has a different number and is in the switch's own block.
 void Checker::CheckCases(const Statement& statement) {
   std::unordered_map<int64_t, SourceRange> seen;
   SourceRange default_at;

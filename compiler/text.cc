@@ -8,7 +8,7 @@ namespace {
 
 uint8_t Byte(char c) { return static_cast<uint8_t>(c); }
 
-// Length of the well-formed UTF-8 sequence at the beginning, 0 when there is none.
+// Length of the well-formed UTF-8 sequence at the beginning, 0 if there is none.
 size_t Utf8Length(std::string_view text) {
   const uint8_t lead = Byte(text[0]);
   if (lead < 0x80) return 1;
@@ -19,7 +19,7 @@ size_t Utf8Length(std::string_view text) {
     length = 2;
   } else if (lead >= 0xE0 && lead <= 0xEF) {
     length = 3;
-    if (lead == 0xE0) low = 0xA0;   // shorter forms are not allowed
+    if (lead == 0xE0) low = 0xA0;   // longer encodings than necessary are not allowed
     if (lead == 0xED) high = 0x9F;  // nor are surrogates
   } else if (lead >= 0xF0 && lead <= 0xF4) {
     length = 4;

@@ -71,7 +71,7 @@ void NameTable::Write(const Expression& target) {
   }
   const Expression*& first = uses_[name].first_write;
   if (first == nullptr) first = &target;
-  // The indices of a target are read.
+  // The indices of an assignment's target are read.
   for (const Expression* level = &target; level->kind != Expression::Kind::kName;
        level = level->operands[0].get()) {
     if (level->kind == Expression::Kind::kIndex) Read(*level->operands[1]);
