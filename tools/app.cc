@@ -4,7 +4,7 @@
 namespace oncard::tools {
 namespace {
 
-// CLI11's own words, in Chinese.
+// The Chinese texts of CLI11's own words.
 void TranslateLabels(CLI::App& app) {
   const auto formatter = app.get_formatter();
   formatter->label("Usage", "用法");
@@ -111,7 +111,7 @@ void DescribeApp(CLI::App& app, Session& session) {
   app.set_help_flag("-h,--help", session.Say({"print this help", "显示本帮助"}));
   app.set_version_flag("--version", "oncard " ONCARD_VERSION,
                        session.Say({"print the version", "显示版本"}));
-  // main() has read these two before the help texts were chosen; here they are only described.
+  // main() has evaluated these two before the help texts were chosen; here they are only described.
   app.add_option("--lang", session.Say({"language of messages: en or zh (default: the locale's)",
                                         "消息语言：en 或 zh（默认取自区域设置）"}))
       ->type_name("LANG")
@@ -134,7 +134,7 @@ void DescribeApp(CLI::App& app, Session& session) {
   AddDoctor(app, session);
   AddCompletion(app, session);
   AddMan(app, session);
-  // After the subcommands, which would inherit it.
+  // Set after the subcommands are added, because they would inherit it.
   app.footer(ExitCodeFooter(session));
 }
 

@@ -1,4 +1,4 @@
-// oncard build: motion programs to object pairs.
+// oncard build: compiles motion programs to object pairs.
 #include "base/files.h"
 #include "tools/commands.h"
 #include "vm/object_writer.h"

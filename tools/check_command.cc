@@ -1,5 +1,6 @@
-// oncard check: diagnostics only, or with --fix their fix-its. Text goes to standard error like any
-// diagnostics; JSON and SARIF are what was asked for, so they go to standard output.
+// oncard check: reports diagnostics, or applies their fix-its with --fix. Text goes to standard
+// error like all diagnostics; JSON and SARIF are the requested output, so they go to standard
+// output.
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -13,7 +14,7 @@
 namespace oncard::tools {
 namespace {
 
-// Stands for standard input, and for its name in messages.
+// The name for standard input on the command line; in messages it is kStandardInputName.
 constexpr std::string_view kStandardInput = "-";
 constexpr std::string_view kStandardInputName = "<stdin>";
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
@@ -50,7 +51,7 @@ Result<std::string> ReadSource(const std::string& source) {
   return source == kStandardInput ? ReadStandardInput() : compiler::ReadSource(source);
 }
 
-// Writes what was mended: files in place, standard input to standard output.
+// Writes the corrected text: files in place, standard input to standard output.
 int WriteMended(const compiler::Mended& mended, const std::string& name, const std::string& text,
                 const Session& session) {
   int code = kExitOk;
@@ -72,7 +73,7 @@ int WriteMended(const compiler::Mended& mended, const std::string& name, const s
   return code;
 }
 
-// Compiles one source, and mends it when asked to. Nothing when it cannot be read.
+// Compiles one source, and corrects it if requested. Empty if it cannot be read.
 std::optional<compiler::Compilation> CheckOne(const CheckOptions& options,
                                               const compiler::Options& compile,
                                               const std::string& source, const Session& session,

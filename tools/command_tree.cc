@@ -37,7 +37,7 @@ std::vector<std::string> OptionNames(const CommandText& command) {
   return names;
 }
 
-// Text inside single quotes of a shell.
+// Text for use inside single quotes of a shell.
 std::string ShellQuote(std::string_view text) {
   std::string quoted = "'";
   for (const char c : text) quoted += c == '\'' ? "'\\''" : std::string(1, c);
@@ -123,7 +123,7 @@ std::string FormatFish(const std::vector<CommandText>& tree) {
   return text;
 }
 
-// Text of a roff paragraph: hyphens as typed, no line that looks like a request.
+// Text of a roff paragraph: hyphens stay hyphens, and no line looks like a request.
 std::string Roff(std::string_view text) {
   std::string escaped;
   if (text.starts_with('.') || text.starts_with('\'')) escaped += "\\&";

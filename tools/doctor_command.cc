@@ -1,4 +1,4 @@
-// oncard doctor: versions, what this build can do, and what it lacks.
+// oncard doctor: shows versions, what this build supports, and what is missing.
 #include <iconv.h>
 #include <toml++/impl/preprocessor.h>
 #include <xxhash.h>
@@ -20,7 +20,7 @@ struct DoctorArguments {
   std::string format = "text";
 };
 
-/// Executed by the card, or answered by the host library.
+/// True if the card executes the command or the host library answers it.
 bool IsAnswered(const gtcalls::Command& command) {
   return gtcalls::GtsFamily().Executes(command) || runtime::FindHostService(command) != nullptr;
 }
@@ -77,7 +77,7 @@ std::vector<Fact> Facts() {
   };
 }
 
-// What works only when something else is installed.
+// A feature that needs something else to be installed.
 struct OptionalPart {
   std::string key;
   Message name;

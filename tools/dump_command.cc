@@ -1,4 +1,4 @@
-// oncard dump: what an object holds.
+// oncard dump: shows the contents of an object.
 #include "runtime/sim/controller.h"
 #include "tools/commands.h"
 #include "vm/disassembler.h"

@@ -1,4 +1,4 @@
-// oncard exec: a host program in virtual time.
+// oncard exec: runs a host program in virtual time.
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -36,10 +36,10 @@ struct ExecArguments {
   bool strict_commands = false;
 };
 
-/// Where libgts and the preload library are; an empty folder: they are not there.
+/// The folders of libgts and the preload library; empty if they were not found.
 struct LibraryFolders {
-  std::string own;       ///< of 64 bits: beside the command, or in ../lib
-  std::string of32bits;  ///< for hosts of 32 bits: ../lib32
+  std::string own;       ///< 64-bit: beside the command, or in ../lib
+  std::string of32bits;  ///< for 32-bit hosts: ../lib32
 };
 
 LibraryFolders FindLibraries() {
@@ -57,7 +57,7 @@ LibraryFolders FindLibraries() {
   return found;
 }
 
-/// Says what is missing for the host; empty when nothing is.
+/// The message about a missing library; empty if none is missing.
 Message MissingLibrary(const LibraryFolders& folders, const std::string& host) {
   if (folders.own.empty()) {
     return MakeMessage("{0} is neither beside oncard nor in ../lib; install it there",
@@ -74,7 +74,7 @@ Message MissingLibrary(const LibraryFolders& folders, const std::string& host) {
   return {};
 }
 
-/// Adds a value to a list of the environment, at its front or its end.
+/// Adds a value to a list in an environment variable, at its front or its end.
 void ExtendList(const char* name, const std::string& value, const char* separator, bool front) {
   const char* old = std::getenv(name);
   std::string list = value;
@@ -84,12 +84,12 @@ void ExtendList(const char* name, const std::string& value, const char* separato
   ::setenv(name, list.c_str(), 1);
 }
 
-/// What the host library writes the script of the picture to.
+/// The file to which the host library writes the gnuplot script.
 std::string ScriptPath(const ExecArguments& arguments) { return arguments.plot + ".gnuplot"; }
 
-/// Tells the host library what to write: the trace, and the script of the picture.
+/// Sets what the host library writes: the trace, and the gnuplot script.
 void RequestTrace(const ExecArguments& arguments) {
-  // The host may change its folder.
+  // The host may change its working directory.
   const auto absolute = [](const std::string& path) {
     std::error_code error;
     return std::filesystem::absolute(path, error).string();
@@ -100,12 +100,12 @@ void RequestTrace(const ExecArguments& arguments) {
   if (!files.empty()) ::setenv("ONCARD_TRACE", files.c_str(), 1);
 }
 
-/// The host that signals are handed on to; 0: they end the command.
+/// The host to which signals are forwarded; 0: they end the command.
 volatile pid_t host_process = 0;
 
 extern "C" void HandOn(int signal) { ::kill(host_process, signal); }
 
-/// A host that is told to end writes the script of its picture first.
+/// The signal goes to the host, which then writes its gnuplot script before it ends.
 void HandSignalsOn(pid_t process) {
   host_process = process;
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
@@ -113,7 +113,8 @@ void HandSignalsOn(pid_t process) {
   }
 }
 
-/// Starts the host, with `output` (-1: ours) as its standard output. Gives the error's number.
+/// Starts the host with `output` as its standard output (-1: the command's own). Returns the error
+/// number.
 int Start(char* const* host, int output, pid_t* process) {
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);
@@ -123,19 +124,20 @@ int Start(char* const* host, int output, pid_t* process) {
   return failure;
 }
 
-/// Draws what a host with that exit code has left; gives the code unless drawing fails.
+/// Draws the script that a host with that exit code has written; returns the code unless drawing
+/// fails.
 int Draw(const ExecArguments& arguments, int code, const Session& session) {
   const auto script = ReadFile(ScriptPath(arguments));
   if (!script.ok()) return code != 0 ? code : Fail(session, kExitFailed, script.error().message);
   std::error_code ignored;
   std::filesystem::remove(ScriptPath(arguments), ignored);
-  ::unsetenv("LD_PRELOAD");  // gnuplot goes by the real time
+  ::unsetenv("LD_PRELOAD");  // gnuplot uses the real time
   const int drawn = WritePicture(session, arguments.plot, script.value());
   return code != 0 ? code : drawn;
 }
 
-/// Runs the host to its end, makes UTF-8 of what it writes, then draws; as far as asked for. Gives
-/// the host's exit code unless the rest fails.
+/// Runs the host to its end, converts its output to UTF-8 and draws, as far as requested. Returns
+/// the host's exit code, unless one of the others fails.
 int RunToEnd(const ExecArguments& arguments, char* const* host, const Session& session) {
   int output[2] = {-1, -1};
   if (arguments.gbk && ::pipe2(output, O_CLOEXEC) != 0) return kExitInternal;
@@ -182,7 +184,7 @@ int Exec(const ExecArguments& arguments, const Session& session) {
   if (!arguments.keys.empty()) ::setenv("ONCARD_KEYS", arguments.keys.c_str(), 1);
   ::setenv("ONCARD_CLOCK", arguments.clock.c_str(), 1);
 
-  // main() ignores it, and a program that is started inherits that.
+  // main() ignores it, and a started program would inherit that.
   static_cast<void>(std::signal(SIGXFSZ, SIG_DFL));
   const LibraryFolders folders = FindLibraries();
   const Message missing = MissingLibrary(folders, arguments.host.front());
@@ -190,8 +192,8 @@ int Exec(const ExecArguments& arguments, const Session& session) {
   ExtendList("LD_LIBRARY_PATH", folders.own, ":", false);
   if (!folders.of32bits.empty()) ExtendList("LD_LIBRARY_PATH", folders.of32bits, ":", false);
   if (clock.value().kind == runtime::ClockKind::kVirtual) {
-    // By its name it is looked for in those folders, of which each program, also one that the host
-    // or a shell starts, takes the library of its own word length.
+    // A library without a path is searched for in those folders. So every program, including those
+    // started by the host or a shell, loads the library with its own word length.
     ExtendList("LD_PRELOAD", kPreloadLibrary, ":", true);
   }
   std::vector<std::string> host = arguments.host;

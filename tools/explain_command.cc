@@ -1,4 +1,4 @@
-// oncard explain: the page of a diagnostic, or the list of those that a word is about.
+// oncard explain: shows the page of a diagnostic, or lists the diagnostics about a word.
 #include "compiler/explain.h"
 #include "compiler/explain_search.h"
 #include "tools/commands.h"

@@ -1,4 +1,4 @@
-// oncard explore: can any interleaving of the threads go wrong?
+// oncard explore: checks whether any interleaving of the threads fails.
 #include <unistd.h>
 
 #include <algorithm>
@@ -21,12 +21,12 @@ namespace {
 
 struct ExploreArguments {
   std::vector<std::string> paths;
-  std::string engine;  ///< empty: as the scenario says
+  std::string engine;  ///< empty: as in the scenario
   std::string format = "text";
   std::string save;
   std::string regression;
   std::string report;
-  int64_t execution_limit = 0;  ///< 0: as the scenario says
+  int64_t execution_limit = 0;  ///< 0: as in the scenario
   uint32_t state_limit = 0;
   int64_t runs = 0;
   std::optional<uint64_t> seed;
@@ -35,17 +35,17 @@ struct ExploreArguments {
   bool merge_private = false;
   bool races = false;
   bool benign = false;
-  std::string search;  ///< file that keeps the search
+  std::string search;  ///< the file in which the search is kept
   std::string shard;   ///< `I/N`
   bool merge = false;
   bool full = false;
   bool progress = false;
-  double seconds = 0;  ///< 0: as long as it takes
+  double seconds = 0;  ///< 0: no limit
   bool all = false;
   bool strict_commands = false;
 };
 
-/// The scenario with all that is asked, also in comments of the source.
+/// The scenario with all requirements, including those in comments of the source.
 runtime::Scenario AskingScenario(const ExploreSubject& subject) {
   runtime::Scenario scenario = subject.scenario;
   scenario.final.clear();
@@ -56,7 +56,7 @@ runtime::Scenario AskingScenario(const ExploreSubject& subject) {
   return scenario;
 }
 
-/// Writes the failing schedule with checkpoints, as a run of it records them.
+/// Writes the failing schedule with checkpoints, as recorded by a run.
 int Save(const std::string& path, const Session& session, const ExploreSubject& subject,
          const explore::Findings& findings) {
   const runtime::Scenario moved = runtime::MoveScenario(AskingScenario(subject), path);
@@ -74,8 +74,8 @@ int Save(const std::string& path, const Session& session, const ExploreSubject& 
   return WriteOutput(session, path, vm::FormatSchedule(schedule));
 }
 
-/// Writes a scenario that looks at the failing schedule again and expects that nothing goes wrong
-/// any more, with the schedule beside it.
+/// Writes a scenario that replays the failing schedule and expects that it no longer fails,
+/// together with the schedule.
 int SaveRegression(const ExploreArguments& arguments, const Session& session,
                    const ExploreSubject& subject, const explore::Findings& findings) {
   if (findings.exploration.failure->livelock) {
@@ -132,7 +132,7 @@ explore::ExploreOptions OptionsOf(const ExploreArguments& arguments,
   return options;
 }
 
-/// Refuses what the command line says and the engine cannot use. Gives the exit code.
+/// Reports options that the engine cannot use. Returns the exit code.
 int CheckSettings(const ExploreArguments& arguments, const Session& session,
                   explore::EngineKind engine) {
   const std::pair<std::string_view, bool> given[] = {
@@ -153,7 +153,7 @@ int CheckSettings(const ExploreArguments& arguments, const Session& session,
   return kExitOk;
 }
 
-/// Says which commands threads were refused. Gives the exit code for that.
+/// Reports which commands of threads were refused. Returns the exit code for that.
 int ReportRefused(const ExploreArguments& arguments, const Session& session,
                   const ExploreSubject& subject, const explore::Findings& findings) {
   for (const runtime::RefusedCommand& refused : findings.refused) {
@@ -165,7 +165,7 @@ int ReportRefused(const ExploreArguments& arguments, const Session& session,
   return arguments.strict_commands && !findings.refused.empty() ? kExitFailed : kExitOk;
 }
 
-/// Writes whatever was asked for. Gives the exit code.
+/// Writes the requested output. Returns the exit code.
 int Report(const ExploreArguments& arguments, const Session& session, const ExploreSubject& subject,
            explore::Findings findings) {
   findings.source = subject.source;
@@ -191,7 +191,7 @@ int Report(const ExploreArguments& arguments, const Session& session, const Expl
   return refused != kExitOk ? refused : ExitCodeOf(findings.exploration.verdict);
 }
 
-/// Where a search is kept that nobody has named a file for: where none is kept yet.
+/// The file name for a search if none is given: one that does not exist yet.
 std::string DefaultSearch(const std::string& input) {
   const std::string name = std::filesystem::path(input).stem().string();
   std::string path = name + ".search";
@@ -202,7 +202,7 @@ std::string DefaultSearch(const std::string& input) {
   return path;
 }
 
-/// Goes on with a search that lives in a file.
+/// Continues a search that is kept in a file.
 int ExploreKept(const ExploreArguments& arguments, const Session& session,
                 const ExploreSubject& subject, const std::string& path, explore::SearchFile file) {
   const int checked = CheckSettings(arguments, session, file.engine);
@@ -222,7 +222,7 @@ int ExploreKept(const ExploreArguments& arguments, const Session& session,
   return Report(arguments, session, subject, std::move(findings).value());
 }
 
-/// Begins a search that lives in a file, or goes on with it when there is one.
+/// Begins a search that is kept in a file, or continues it if the file exists.
 int ExploreIntoFile(const ExploreArguments& arguments, const Session& session) {
   const std::string& input = arguments.paths.front();
   const bool json = arguments.format == "json";
@@ -269,8 +269,7 @@ int Merge(const ExploreArguments& arguments, const Session& session) {
   return Report(arguments, session, subject, std::move(findings).value());
 }
 
-/// A search that nobody has named a file for: it is kept all the same when it takes long, and when
-/// a signal ends it.
+/// Keeps a search for which no file was given, if it takes long or a signal ends it.
 class DefaultKeeper {
  public:
   DefaultKeeper(const ExploreArguments& arguments, const Session& session,
@@ -290,10 +289,10 @@ class DefaultKeeper {
     }
   }
 
-  /// True when there will be traces to be kept.
+  /// True if there will be traces to keep.
   bool searches_traces() const { return searches_traces_; }
 
-  /// Keeps what is known so far. Gives the exit code.
+  /// Saves the progress. Returns the exit code.
   int Keep(const explore::TraceSearch& search) {
     if (!file_ || search.too_deep) return kExitOk;
     file_->traces = search;
@@ -306,8 +305,8 @@ class DefaultKeeper {
     return written;
   }
 
-  /// The search has come to an end, in order or not: what is left to be done is kept, what is done
-  /// needs no file. Gives the exit code.
+  /// Called at the end of the search, complete or not: an incomplete search is saved, the file of a
+  /// complete one is removed. Returns the exit code.
   int End(const explore::Exploration& found, bool interrupted) {
     const bool incomplete = found.verdict == explore::Verdict::kIncomplete;
     const bool left =
@@ -327,7 +326,7 @@ class DefaultKeeper {
   const Session& session_;
   std::string path_;
   std::optional<explore::SearchFile> file_;
-  std::optional<Message> why_not_;  ///< there is no file
+  std::optional<Message> why_not_;  ///< why the search cannot be kept
   bool searches_traces_ = false;
   bool kept_ = false;
 };

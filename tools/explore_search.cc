@@ -10,7 +10,7 @@
 namespace oncard::tools {
 namespace {
 
-/// A place for paths that are written as a file at `path` would write them.
+/// A location whose relative paths are those of a file at `path`.
 runtime::Scenario At(const std::string& path) {
   runtime::Scenario scenario;
   scenario.path = path;
@@ -27,7 +27,7 @@ Result<explore::Problem> ProblemOf(const ExploreSubject& subject) {
   return explore::ProblemOfScenario(subject.scenario, subject.requirements, subject.object);
 }
 
-/// A search file names what it explores, and is text.
+/// The search file contains the path of the program and must be valid text.
 Result<void> CheckInput(const explore::SearchFile& file) {
   if (compiler::IsUtf8(file.input)) return {};
   return MakeError(1,
@@ -42,7 +42,7 @@ Error Prefixed(const std::string& path, const Message& message) {
   return MakeError(1, "{0}: {1}", "{0}：{2}", path, message.en, message.zh);
 }
 
-/// Looks at what a file says of its program. Gives the exit code.
+/// Checks the file's data with its program. Returns the exit code.
 int Check(const Session& session, const std::string& path, const explore::Problem& problem,
           const explore::SearchFile& file) {
   const auto checked = explore::CheckSearch(problem, file);

@@ -25,7 +25,7 @@ void AppendCharacter(iconv_t converter, char lead, char trail, std::string* out)
   if (::iconv(converter, &from, &in_left, &to, &out_left) == static_cast<size_t>(-1)) {
     ::iconv(converter, nullptr, nullptr, nullptr, nullptr);
     *out += kReplacement;
-    if (IsAscii(trail)) *out += trail;  // a text goes on after a broken character
+    if (IsAscii(trail)) *out += trail;  // the text continues after an invalid character
     return;
   }
   out->append(buffer.data(), buffer.size() - out_left);

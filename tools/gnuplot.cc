@@ -20,7 +20,7 @@ struct CloseFile {
 };
 using File = std::unique_ptr<std::FILE, CloseFile>;
 
-// A file without a name, rewound after `content` has been written.
+// An unnamed file with `content`, positioned at its beginning.
 File Scratch(const std::string& content) {
   File file(std::tmpfile());
   if (!file) return nullptr;
@@ -46,7 +46,7 @@ struct GnuplotRun {
   std::string err;
 };
 
-// Runs gnuplot with these options on a script; empty when it cannot be started.
+// Runs gnuplot with these options on a script; empty if it cannot be started.
 std::optional<GnuplotRun> RunGnuplot(const std::vector<std::string>& options,
                                      const std::string& script) {
   const File in = Scratch(script);
@@ -92,7 +92,7 @@ Message GnuplotRemedy() {
 }
 
 int WritePicture(const Session& session, const std::string& path, const std::string& script) {
-  // -d: without the user's own initialisation file.
+  // -d: without the user's initialisation file.
   const auto run = RunGnuplot({"-d", "-"}, script);
   if (!run) return Fail(session, kExitUnreadable, GnuplotRemedy());
   if (run->out.empty()) {

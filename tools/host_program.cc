@@ -19,7 +19,7 @@ bool IsExecutable(const std::string& path) {
   return std::filesystem::is_regular_file(path, ignored) && ::access(path.c_str(), X_OK) == 0;
 }
 
-/// The file that a name stands for; empty when there is none.
+/// The file to which a program name refers; empty if there is none.
 std::string FindProgram(const std::string& name) {
   if (name.find('/') != std::string::npos) return IsExecutable(name) ? name : "";
   const char* const list = std::getenv("PATH");

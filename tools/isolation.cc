@@ -17,7 +17,8 @@
 namespace oncard::tools {
 namespace {
 
-/// How often the parent looks whether it shall stop, and how many looks a child may take to end.
+/// How often the parent checks whether it must stop, and after how many checks a child must have
+/// ended.
 constexpr int kLookMs = 100;
 constexpr int kLooksToEnd = 20;
 
@@ -45,7 +46,7 @@ std::string Pack(const TestOutcome& outcome) {
   return JsonText(packed);
 }
 
-/// False when it is not the whole text.
+/// False if the text is incomplete.
 bool Unpack(const std::string& text, TestOutcome* outcome) {
   const nlohmann::ordered_json packed = nlohmann::ordered_json::parse(text, nullptr, false);
   if (!packed.is_object()) return false;
@@ -79,7 +80,7 @@ bool Unpack(const std::string& text, TestOutcome* outcome) {
 
 // --- The parent ------------------------------------------------------------------------------
 
-/// Reads what the child writes until it ends. True when it was told to stop.
+/// Reads the child's output until it ends. True if the child was told to stop.
 bool ReadAll(int descriptor, pid_t child, const std::atomic<bool>& stop, std::string* text) {
   int looks = 0;
   for (;;) {

@@ -1,5 +1,5 @@
-// The oncard command: language and colour first, because the help texts depend on them, then CLI11
-// does the rest. CLI11 reports mistakes by exceptions; they end here.
+// The oncard command: reads language and colour first, because the help texts depend on them; CLI11
+// does the rest. CLI11 reports errors by exceptions, which are caught here.
 #include <unistd.h>
 
 #include <csignal>
@@ -53,7 +53,7 @@ Message DescribeMistake(const CLI::ParseError& error) {
   return {error.what(), fmt::format("{}：{}", kind, error.what())};
 }
 
-// What the user may have meant by a word that is no command.
+// Suggests commands similar to an unknown word.
 Message DescribeUnknownCommand(const CLI::App& app, const std::string& word) {
   std::vector<std::string_view> names;
   const std::vector<CommandText> tree = ReadCommandTree(app);
@@ -104,7 +104,7 @@ int Main(int argc, char** argv) {
 }  // namespace oncard::tools
 
 int main(int argc, char** argv) {
-  // A file that the shell's limit on sizes cuts off is reported like a full disk.
+  // If the shell's file size limit is exceeded, the error is reported like a full disk.
   static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
   try {
     return oncard::tools::Main(argc, argv);

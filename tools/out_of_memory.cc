@@ -8,11 +8,11 @@
 namespace oncard::tools {
 namespace {
 
-/// Written where nothing can be allocated any more.
+/// The message, allocated in advance because nothing can be allocated then.
 std::string* said = nullptr;
 
 [[noreturn]] void End() {
-  // There is nothing left to be done about an error of this.
+  // An error of this write cannot be handled.
   static_cast<void>(!::write(STDERR_FILENO, said->data(), said->size()));
   ::_exit(kExitIncomplete);
 }

@@ -1,5 +1,5 @@
-// oncard completion and oncard man: hidden, for packages and for `eval "$(oncard completion
-// bash)"`.
+// oncard completion and oncard man: hidden commands, used by packages and by
+// `eval "$(oncard completion bash)"`.
 #include "tools/command_tree.h"
 #include "tools/commands.h"
 

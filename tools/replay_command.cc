@@ -1,4 +1,4 @@
-// oncard replay: a recorded run again, statement by statement.
+// oncard replay: executes a recorded run again, statement by statement.
 #include "base/files.h"
 #include "runtime/host/call_log.h"
 #include "runtime/scenario/adapted_schedule.h"
@@ -20,7 +20,7 @@ struct ReplayArguments {
   bool strict_commands = false;
 };
 
-/// The schedule as the program of today can follow it; what it cannot is said.
+/// The schedule adapted to the current program; reports the part that it cannot follow.
 Result<vm::Schedule> Adapt(const runtime::Scenario& scenario, const runtime::ProgramLoad& load,
                            const vm::Schedule& schedule, const Session& session) {
   const std::string source = load.compilation ? load.compilation->files[0].text() : std::string();

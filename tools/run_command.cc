@@ -1,4 +1,4 @@
-// oncard run: a program with options, or a scenario file, to its end.
+// oncard run: runs a program with options, or a scenario file, to its end.
 #include <cmath>
 #include <filesystem>
 
@@ -128,7 +128,7 @@ int Run(const RunArguments& arguments, const Session& session) {
   return code;
 }
 
-// CLI11's own range lets NaN through.
+// The range check of CLI11 accepts NaN.
 std::string CheckTime(const std::string& text) {
   const auto value = ReadNumber(text);
   const bool good = value && *value >= 0 && *value <= static_cast<double>(runtime::kTimeMsMax);
@@ -141,7 +141,7 @@ std::string CheckCycle(const std::string& text) {
   return good ? "" : fmt::format("{} is not a multiple of 125 from 125 to 4000", text);
 }
 
-// A list option whose every occurrence takes one value.
+// A list option that takes one value per occurrence.
 void AddList(CLI::App& command, const std::string& name, std::vector<std::string>& values,
              const std::string& type, const std::string& description) {
   command.add_option(name, values, description)->type_name(type)->allow_extra_args(false);

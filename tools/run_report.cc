@@ -24,7 +24,7 @@ std::string_view ThreadStateName(vm::ThreadRun run) {
   return "unbound";
 }
 
-// Numbers are already written as JSON writes them.
+// The numbers are already written in the form that JSON uses.
 Json Number(const std::string& text) { return Json::parse(text); }
 
 /// `reads` by name, `writes` as `[old, new]`.

@@ -10,7 +10,7 @@
 namespace oncard::tools {
 namespace {
 
-/// What the card did by itself, a line each.
+/// What the card did by itself, one line each.
 std::string FormatHappenings(const runtime::Trace& trace, const Session& session) {
   std::string text;
   for (const runtime::TraceMark& mark : trace.marks()) {
@@ -38,7 +38,7 @@ std::string FormatSteps(const runtime::ScenarioResult& result, std::string_view 
   for (const runtime::LoggedStep& step : log.steps) {
     const auto found =
         std::ranges::find(subject.threads, step.thread, &explore::ThreadSetup::thread);
-    if (found == subject.threads.end()) continue;  // unbound since
+    if (found == subject.threads.end()) continue;  // it has been unbound since
     steps.push_back({static_cast<int>(found - subject.threads.begin()), step});
   }
   explore::StepView view = {subject, steps, source};

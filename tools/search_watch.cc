@@ -12,10 +12,10 @@ namespace oncard::tools {
 namespace {
 
 constexpr std::chrono::seconds kShown{1};
-/// A search that dies loses no more than this.
+/// How often a search is saved: if the process is killed, at most this much is lost.
 constexpr std::chrono::seconds kKept{60};
 
-/// Of the search that a signal ends.
+/// The search that a signal stops.
 std::atomic<explore::SearchProgress*> watched{nullptr};
 
 extern "C" void StopSearch(int /*signal*/) {

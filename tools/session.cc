@@ -31,7 +31,7 @@ int FinishOutput(const Session& session, int code) {
     return Fail(session, kExitUnreadable,
                 MakeMessage("cannot write to standard output{0}", "无法写入标准输出{0}", why));
   }
-  // There is no place left to say it.
+  // There is no output left for an error message.
   return std::ferror(stderr) != 0 ? static_cast<int>(kExitUnreadable) : code;
 }
 

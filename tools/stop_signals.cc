@@ -10,7 +10,7 @@ constexpr std::array kStopSignals = {SIGINT, SIGTERM, SIGHUP};
 
 std::atomic<std::atomic<bool>*> current{nullptr};
 
-// A signal that is turned off, as nohup does, stays off.
+// A signal that is ignored, for example by nohup, remains ignored.
 void Handle(void (*handler)(int)) {
   for (const int signal : kStopSignals) {
     if (std::signal(signal, handler) == SIG_IGN) static_cast<void>(std::signal(signal, SIG_IGN));

@@ -1,4 +1,4 @@
-// oncard test: every scenario of files and folders.
+// oncard test: runs every scenario in files and folders.
 #include <filesystem>
 
 #include "compiler/diagnostic_printer.h"
@@ -21,10 +21,10 @@ struct TestArguments {
   bool strict_commands = false;
 };
 
-// Scenarios of host programs are named so: `oncard exec` runs them.
+// The ending of scenarios for host programs, which `oncard exec` runs.
 constexpr std::string_view kHostScenario = ".host.toml";
 
-// The scenarios below a folder, sorted by path; a file stands for itself.
+// The scenarios in a folder and its subfolders, sorted by path; for a file the file itself.
 Result<std::vector<std::string>> FindScenarios(const std::string& path) {
   std::vector<std::string> found;
   std::error_code error;
@@ -50,7 +50,7 @@ Result<std::vector<std::string>> FindScenarios(const std::string& path) {
   return found;
 }
 
-// A failed compilation in one message: its diagnostics as `check` prints them.
+// A failed compilation as one message: its diagnostics in the format of `check`.
 Message DescribeDiagnostics(const compiler::Compilation& compilation) {
   Message message;
   message.en = compiler::PrintText(compilation, {Language::kEnglish, false});
@@ -61,7 +61,7 @@ Message DescribeDiagnostics(const compiler::Compilation& compilation) {
   return message;
 }
 
-// Explores in place of a run: the verdict must be the one that the scenario names.
+// Explores instead of running: the verdict must be the one in the scenario.
 void ExploreTest(const runtime::Scenario& scenario, const runtime::ProgramLoad& load,
                  bool strict_commands, TestOutcome* outcome) {
   const std::string source = load.compilation ? load.compilation->files[0].text() : std::string();
@@ -137,7 +137,7 @@ TestOutcome RunTest(const std::string& path, bool strict_commands, const StopSig
   return outcome;
 }
 
-/// Of a scenario whose turn did not come.
+/// The outcome of a scenario that was not run because the command was stopped.
 TestOutcome NotRun(const std::string& path) {
   TestOutcome outcome;
   outcome.path = path;

@@ -1,4 +1,4 @@
-// oncard verify: would a card take these objects, and if not, why.
+// oncard verify: reports whether a card would load these objects, and if not, why.
 #include <nlohmann/json.hpp>
 
 #include "base/json_text.h"
@@ -10,7 +10,7 @@
 namespace oncard::tools {
 namespace {
 
-// GT_Download's code for a file that does not exist.
+// The code that GT_Download returns for a missing file.
 constexpr int kNoSuchFile = 2007;
 
 struct VerifyArguments {

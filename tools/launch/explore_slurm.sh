@@ -5,9 +5,9 @@
 #
 #   sbatch --array=1-64 explore_slurm.sh INPUT [OPTIONS OF oncard explore]
 #
-# Each part is kept in NAME.I-of-64.search in the folder of the submission, every minute and when
-# the time limit ends it. Submitted again, it goes on with the parts that are not done. When all
-# have ended:
+# Each part is kept in NAME.I-of-64.search in the folder of the submission. It is saved every minute
+# and when the time limit ends it. If submitted again, it continues the parts that are not complete.
+# After the last one has ended:
 #
 #   oncard explore --merge NAME.*-of-64.search
 set -u
@@ -17,7 +17,7 @@ shift
 
 oncard explore "$input" --shard "$SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_MAX" "$@"
 code=$?
-# Proved, failed, passed within its bound: the task has done its work. A limit leaves it undone.
+# Proved, failed, or passed within its bound: the task is complete. At a limit it is not.
 case $code in
   0 | 1 | 5) exit 0 ;;
   *) exit "$code" ;;
