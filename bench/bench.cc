@@ -1,6 +1,6 @@
-// `oncard_bench vm`: how fast motion programs run, beside Lua 5.4 and gcc -O2 on the same kernels
-// in the same run. CPU time, the median of several repetitions; every contender's result is
-// compared with the others', so that no one wins by computing something else.
+// `oncard_bench vm`: measures how fast motion programs run, compared with Lua 5.4 and gcc -O2 on
+// the same kernels in the same run. CPU time, the median of several repetitions. The results of all
+// are compared, so that none is faster because it computes something else.
 #include <sys/wait.h>
 #include <unistd.h>
 #include <lua.hpp>
@@ -31,9 +31,9 @@ double GeometricMean(const std::vector<double>& values) {
 
 struct Kernel {
   const char* name;
-  const char* parameter;  // the local that holds the size
+  const char* parameter;  // the local variable with the size
   int32_t size;           // for the comparison
-  int32_t endless;        // so large that a thread does not end while it is measured
+  int32_t endless;        // so large that a thread does not end during the measurement
   std::function<double()> native;
 };
 
@@ -150,7 +150,7 @@ void CompareKernels(vm::CommandTable& commands) {
   std::printf("geomean vs gcc -O2: %.1f\n", GeometricMean(to_native));
 }
 
-// All four kernels in one program: 32 threads, each its own page, quantum 1.
+// All four kernels in one program: 32 threads, each with its own page, quantum 1.
 void MeasureQuantumOne(vm::CommandTable& commands) {
   vm::Object object;
   for (const Kernel& kernel : Kernels()) {

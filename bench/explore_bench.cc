@@ -1,6 +1,6 @@
-// `oncard_bench explore`: how fast interleavings are searched, beside SPIN on the same programs in
-// the same run. The programs are translated to Promela statement by statement: every statement of a
-// motion program is one step of a process. Wall-clock time.
+// `oncard_bench explore`: measures how fast interleavings are explored, compared with SPIN on the
+// same programs in the same run. The programs are translated to Promela statement by statement:
+// every statement of a motion program is one step of a process. Wall-clock time.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -48,7 +48,7 @@ constexpr const char* kLock =
     "1;\n"
     "  c = a;\n  f1 = 0;\n  return 0;\n}\n";
 
-/// A lock that looks and takes in two statements.
+/// A lock that tests and sets in two statements.
 constexpr const char* kNaiveLock =
     "int lock, c;\n//@ final: c == 2\n"
     "int t0() {\n  int a;\nW:\n  a = lock;\n  if (a) goto W;\n  lock = 1;\n  a = c;\n  a = a + 1;\n"
@@ -74,8 +74,8 @@ std::string Readers(int readers) {
   return source;
 }
 
-/// A thread that looks for the last zero, from the end on, while each of the others makes an
-/// element one more than the one before it.
+/// A thread that searches for the last zero, starting at the end, while each of the others sets an
+/// element to one more than the element before it.
 std::string LastZero(int writers) {
   std::string source = "int a[32];\nint t0() {\n  int c, r;\n";
   std::string ends;
@@ -92,11 +92,11 @@ std::string LastZero(int writers) {
   return source;
 }
 
-/// A thread that counts for ever.
+/// A thread that counts forever.
 constexpr const char* kCounter =
     "int n;\nint t0() {\nL:\n  n = n + 1;\n  goto L;\n  return 0;\n}\n";
 
-/// A thread that asks for the status of a moving axis again and again, and one that counts.
+/// A thread that repeatedly reads the status of a moving axis, and one that counts.
 constexpr const char* kMove =
     "int moving, ticks;\n"
     "int t0() {\n  int sts;\n  int clock;\n  GT_AxisOn(1);\n  GT_PrfTrap(1);\n  GT_SetPos(1, "
@@ -133,7 +133,7 @@ explore::Exploration Search(const Program& program, explore::EngineKind engine) 
 
 // --- SPIN ----------------------------------------------------------------------------------------
 
-/// Threads' variables are global in the model, so that all of a state is seen.
+/// Threads' variables are global in the model, so that they are part of the state.
 std::string PromelaOperand(const vm::Operand& operand, size_t thread) {
   const auto name = [&](vm::Storage storage, int id) {
     return storage == vm::Storage::kGlobal ? fmt::format("g[{}]", id)
@@ -183,7 +183,7 @@ std::string Promela(const vm::Object& object) {
   return text;
 }
 
-/// States that SPIN stores without partial-order reduction, and the seconds that it takes.
+/// The number of states that SPIN stores without partial-order reduction, and its time in seconds.
 struct SpinRun {
   double states = 0;
   double seconds = 0;
@@ -250,7 +250,7 @@ void MeasureCard(const char* name, const std::string& source) {
               states / seconds * 1e-6);
 }
 
-/// Wall-clock seconds of work that takes long enough to be measured once.
+/// Wall-clock seconds for work that is long enough to be measured once.
 template <typename Work>
 double Once(const Work& work) {
   const auto before = std::chrono::steady_clock::now();
@@ -259,7 +259,7 @@ double Once(const Work& work) {
   return passed.count();
 }
 
-/// A program of which the graph of states is decided, however long its loops wait.
+/// A program that is decided by its graph of states, however long its loops wait.
 void MeasureLoop(const char* name, const std::string& source, explore::Verdict verdict) {
   const Program program = ProgramOf(source);
   if (Search(program, explore::EngineKind::kAuto).verdict != verdict) Fail("another verdict");
@@ -267,7 +267,7 @@ void MeasureLoop(const char* name, const std::string& source, explore::Verdict v
               MeasureWall([&] { Search(program, explore::EngineKind::kAuto); }));
 }
 
-/// The engine that is the better one for a program, alone, and both racing.
+/// Compares the better engine for a program alone with both running at the same time.
 void MeasureAuto(const char* name, const std::string& source, explore::EngineKind better) {
   const Program program = ProgramOf(source);
   const double alone = Once([&] { Search(program, better); });
@@ -305,7 +305,7 @@ explore::Problem ProblemOf(const Program& program) {
   return std::move(problem).value();
 }
 
-/// How long it takes to make a random failing schedule simple.
+/// How long it takes to simplify a random failing schedule.
 void MeasureShrinking(const char* name, const std::string& source) {
   const explore::Problem problem = ProblemOf(ProgramOf(source));
   const auto samples = explore::Sample(problem, {.runs = 1000});
@@ -316,7 +316,7 @@ void MeasureShrinking(const char* name, const std::string& source) {
   std::printf("%-28s %d preemptions %21.4f s\n", name, preemptions, seconds);
 }
 
-/// Records random runs and replays them: every pair must end in the same state.
+/// Records random runs and replays them: both must end in the same state.
 void MeasureReplays(int64_t pairs) {
   const Program program = ProgramOf(Increments(2, 2));
   runtime::Controller controller(runtime::CardOptions(program.scenario));
@@ -349,7 +349,7 @@ void MeasureReplays(int64_t pairs) {
               static_cast<double>(pairs), seconds);
 }
 
-/// How long the slowest of a hundred steps back takes in a long run.
+/// The longest time of a hundred steps back in a long run.
 void MeasureStepsBack(int64_t steps) {
   explore::Model model = ProblemOf(ProgramOf(kCounter)).model;
   for (int64_t i = 0; i < steps; ++i) model.Step(0);

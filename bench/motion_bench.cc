@@ -1,6 +1,6 @@
-// `oncard_bench motion`: what a profile cycle costs per axis, how much faster than real time a card
-// runs, what a segment of a path costs, and what a command of the C API costs. CPU time, the median
-// of several repetitions.
+// `oncard_bench motion`: measures the time of a profile cycle per axis, how much faster than real
+// time a card runs, the time of a path segment, and the time of a command of the C API. CPU time,
+// the median of several repetitions.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -34,7 +34,7 @@ void MeasureIdle() {
   PrintTicks("12 axes, idle, 250 us", config, kTicks, seconds);
 }
 
-// Example 7-1 of the GTS manual on 8 axes, there and back again without a pause.
+// Example 7-1 of the GTS manual on 8 axes, back and forth without a pause.
 void MeasureTrap() {
   constexpr int64_t kTicks = 500'000;
   motion::MotionConfig config;
@@ -63,7 +63,7 @@ void MeasureTrap() {
   PrintTicks("8 axes, Trap without servo, 1 ms", config, kTicks, seconds);
 }
 
-// Closed loop: 12 axes jog, each with a controller and a velocity drive of its own.
+// Closed loop: 12 axes jog, each with its own controller and velocity drive.
 void MeasureServo() {
   constexpr int64_t kTicks = 200'000;
   motion::MotionConfig config;
@@ -87,8 +87,8 @@ void MeasureServo() {
   PrintTicks("12 axes, Jog with servo, 250 us", config, kTicks, seconds);
 }
 
-// A path of a million short lines through a look-ahead of 200, fed as the FIFO makes room. The tool
-// goes round a polygon of 360 sides, 3 pulses each; it must never come to rest before the end.
+// A path of a million short lines with a look-ahead of 200, filled whenever the FIFO has space. The
+// path is a polygon with 360 sides of 3 pulses; it must never come to rest before the end.
 void MeasurePath() {
   constexpr int kSegments = 1'000'000;
   constexpr int kSides = 360;
@@ -131,7 +131,7 @@ void MeasurePath() {
     }
     if (sent != kSegments || fifo.done != kSegments) Fail("the path has not been run to its end");
   });
-  // 3 million pulses at 15 pulse/ms, and less than a second to reach that speed and to stop.
+  // 3 million pulses at 15 pulse/ms, and less than a second for acceleration and deceleration.
   if (ticks > 201'000) Fail("the path was interrupted");
   std::printf("%-44s %8.1f ns/segment, cycles included\n", "1 million segments through look-ahead",
               seconds * 1e9 / kSegments);
@@ -146,7 +146,7 @@ void PrintCalls(const char* what, int64_t calls, double seconds) {
   std::printf("%-44s %8.1f ns/call\n", what, seconds * 1e9 / static_cast<double>(calls));
 }
 
-// Calls from the same process, by virtual time: 50 us of it pass with each, a cycle with every
+// Calls from the same process in virtual time: each takes 50 us, so that a cycle passes with every
 // fifth.
 void MeasureCalls() {
   constexpr int64_t kCalls = 200'000;

@@ -16,7 +16,7 @@ int32_t NativeSum(int32_t n) {
 }
 
 int64_t NativeMultiplyAccumulate(int32_t n) {
-  // Read through volatile once, so that the product is not computed at compile time.
+  // Read once through volatile, so that the product is not computed at compile time.
   volatile int64_t x_source = 69632;
   volatile int64_t y_source = 64512;
   const int64_t x = x_source;

@@ -1,5 +1,5 @@
-# Source generators. Their output is only in the build tree. The target oncard_generated makes all of
-# it and nothing else, for clang-tidy.
+# Source generators. Their output is only in the build tree. The target oncard_generated generates
+# all of it and nothing else, for clang-tidy.
 add_custom_target(oncard_generated)
 
 function(oncard_generated_sources target name)
@@ -8,7 +8,8 @@ function(oncard_generated_sources target name)
   add_dependencies(oncard_generated ${target}_${name}_sources)
 endfunction()
 
-# oncard_output(output source): where what is made from a source goes: beside it, in the build tree.
+# oncard_output(output source): the place of the file generated from a source: at the same path in
+# the build tree.
 function(oncard_output output source)
   get_filename_component(name ${source} NAME_WE)
   get_filename_component(folder ${CMAKE_CURRENT_BINARY_DIR}/${source} DIRECTORY)
@@ -16,7 +17,7 @@ function(oncard_output output source)
   set(${output} ${folder}/${name} PARENT_SCOPE)
 endfunction()
 
-# oncard_re2c(target lexer.re): adds the scanner made from `lexer.re` to the target.
+# oncard_re2c(target lexer.re): adds the scanner generated from `lexer.re` to the target.
 function(oncard_re2c target source)
   find_program(RE2C_EXECUTABLE re2c REQUIRED)
   get_filename_component(name ${source} NAME_WE)
@@ -32,8 +33,8 @@ function(oncard_re2c target source)
   oncard_generated_sources(${target} ${name} ${output})
 endfunction()
 
-# oncard_bison(target parser.yy): adds the parser made from `parser.yy` and its header, parser.hh,
-# whose name keeps clang-tidy from treating it as a header of the project.
+# oncard_bison(target parser.yy): adds the parser generated from `parser.yy` and its header,
+# parser.hh, whose name prevents clang-tidy from treating it as a header of the project.
 function(oncard_bison target source)
   find_package(BISON 3.8 REQUIRED)
   get_filename_component(name ${source} NAME_WE)
@@ -48,6 +49,6 @@ function(oncard_bison target source)
     VERBATIM)
   target_sources(${target} PRIVATE ${output})
   oncard_generated_sources(${target} ${name} ${output})
-  # The code of Bison's skeleton narrows its table entries.
+  # The code of Bison's skeleton narrows the entries of its tables.
   set_source_files_properties(${output} PROPERTIES COMPILE_OPTIONS "-Wno-conversion")
 endfunction()

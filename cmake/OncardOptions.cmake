@@ -1,6 +1,6 @@
-# How every target of the project is compiled: warnings are errors, results must not depend on
-# floating-point contraction, only the C API is visible in the shared library. -O2 reaches the speed
-# of ./x bench vm and compiles faster than CMake's -O3. Sanitizers find their errors at -O1 as well.
+# Compiler options of all targets: warnings are errors, results must not depend on floating-point
+# contraction, and the shared library exports only the C API. -O2 is as fast as CMake's -O3 in ./x
+# bench vm and compiles faster. Sanitizers also find their errors with -O1.
 if(ONCARD_SANITIZE)
   set(CMAKE_CXX_FLAGS_RELEASE "-O1 -DNDEBUG")
 else()

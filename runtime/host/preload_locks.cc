@@ -69,9 +69,8 @@ struct Waiter {
 };
 
 pthread_mutex_t list_lock = PTHREAD_MUTEX_INITIALIZER;
-Waiter* first_waiter =
-    nullptr;           // in the order in which they began to wait; protected by `list_lock`
-int waiter_count = 0;  // also read without the lock
+Waiter* first_waiter = nullptr;  // in the order of arrival; protected by `list_lock`
+int waiter_count = 0;            // also read without the lock
 
 long Futex(int* word, int operation, int value, const timespec* timeout) {
   return ORIGINAL(syscall)(SYS_futex, word, operation, value, timeout, nullptr, 0);
