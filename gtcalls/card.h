@@ -1,5 +1,5 @@
-// A card as commands see it: the virtual machine, the motion core and the PLC blocks, and the
-// common calling convention of commands from the host and from motion programs.
+// A card as commands see it: the virtual machine, the motion core and the state of its family, and
+// the common calling convention of commands from the host and from motion programs.
 #pragma once
 
 #include <cstdint>
@@ -7,9 +7,10 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "gtcalls/family.h"
-#include "gtcalls/gts/plc_blocks.h"
+#include "gtcalls/family_state.h"
 #include "motion/motion_core.h"
 #include "vm/machine.h"
 
@@ -19,7 +20,12 @@ namespace oncard::gtcalls {
 struct CardView {
   const Family& family;
   const motion::MotionCore& motion;
+  const FamilyState& family_state;
 
+  template <typename State>
+  const State& state() const {
+    return *std::get_if<State>(&family_state);
+  }
   /// The status word of an axis, whose number counts from 0.
   uint32_t StatusWord(size_t axis) const { return family.status_word(*this, axis); }
   /// The number of the mode of a profile, which itself counts from 0.
@@ -33,9 +39,14 @@ struct Card {
   const Family& family;
   vm::Machine& machine;
   motion::MotionCore& motion;
-  PlcBlocks& plc;
+  FamilyState& family_state;
 
-  CardView view() const { return {family, motion}; }
+  CardView view() const { return {family, motion, family_state}; }
+  /// The state of the family that the command belongs to.
+  template <typename State>
+  State& state() const {
+    return *std::get_if<State>(&family_state);
+  }
 };
 
 /// A call in progress.

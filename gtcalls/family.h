@@ -8,6 +8,7 @@
 
 #include "base/message.h"
 #include "gtcalls/catalogue.h"
+#include "gtcalls/family_state.h"
 
 namespace oncard::motion {
 enum class ProfileMode : uint8_t;
@@ -16,6 +17,7 @@ enum class ProfileMode : uint8_t;
 namespace oncard::gtcalls {
 
 struct Call;
+struct Card;
 struct CardView;
 
 /// A function that executes one command. Returns 0, or the code of a refused command.
@@ -36,6 +38,22 @@ struct Family {
   uint32_t (*status_word)(const CardView& card, size_t axis);
   /// The number of a profile's mode, as the family's commands give it.
   int (*mode_number)(motion::ProfileMode mode);
+
+  // The family's own state of a card, and its part in the card's cycle.
+
+  /// The state at power-on.
+  FamilyState (*new_state)();
+  /// The state after a reset of the card.
+  void (*reset)(FamilyState& state);
+  /// Forgets what belongs to the program: another one has been loaded.
+  void (*forget_program)(FamilyState& state);
+  /// Runs after the motion tick of each cycle.
+  void (*after_tick)(Card& card);
+  /// Runs before the threads' statements of each cycle, after their delays have ended.
+  void (*before_threads)(Card& card);
+  /// True if variables of the program can still be written, though neither a thread nor the host
+  /// writes them.
+  bool (*writes_variables)(const CardView& card);
 
   CommandFunction FunctionOf(const Command& command) const {
     return functions[command.number - 1u];

@@ -53,7 +53,6 @@ void MotionCore::Tick() {
   if (state_.gantry.on) JudgeGantry();
   for (size_t i = 0; i < axis_count(); ++i) JudgeAxis(i);
   if (state_.homing_runs) AdvanceHomings();
-  state_.mram.Advance(now());
 }
 
 void MotionCore::Reset() {
@@ -77,10 +76,7 @@ void MotionCore::Reset() {
   state_.gantry = {};
   state_.homing.fill({});
   state_.homing_runs = false;
-  state_.mram.Reset();
-  state_.long_vars.fill(0);
-  state_.double_vars.fill(0);
-  state_.program_writes.clear();
+  state_.reached.clear();
   LatchCauses();
 }
 

@@ -39,7 +39,6 @@
 #include "motion/io/compare.h"
 #include "motion/io/digital_io.h"
 #include "motion/io/extension.h"
-#include "motion/io/mram.h"
 #include "motion/mechanics/plant.h"
 #include "motion/mechanics/switches_and_marks.h"
 #include "motion/mechanics/world_events.h"
@@ -54,10 +53,6 @@ struct MotionConfig {
   int axis_count = 8;      ///< 4, 8 or 12
   int64_t cycle_us = 250;  ///< profile cycle; a multiple of 125, 125..4000
 };
-
-/// Number of variables of GT_SetLongVar and GT_SetDoubleVar (assumption: 1024 each; the manuals
-/// give no number).
-inline constexpr int kUserVariableCount = 1024;
 
 struct MotionState {
   int64_t cycle = 0;        ///< profile cycles since power-on
@@ -88,18 +83,16 @@ struct MotionState {
   Gantry gantry;
   std::array<Homing, kAxisMax> homing;
   bool homing_runs = false;  ///< any of them
-  Mram mram;
-  std::array<int32_t, kUserVariableCount> long_vars{};
-  std::array<double, kUserVariableCount> double_vars{};
-  /// Variables that GT_BufSetVarValue sets in this tick; the controller writes them after the tick.
-  /// Has the capacity of a whole FIFO once the command has been used.
-  std::vector<BufferedCommand> program_writes;
+  /// BufferedKind::kOutside commands that paths have reached, in their order. The owner of the core
+  /// carries them out after the tick and empties the list; it gives it the capacity of a FIFO
+  /// before it appends the first such command, so that a tick allocates nothing.
+  std::vector<BufferedCommand> reached;
 
   auto Fields() const {
     return std::tie(cycle, clock_cycle, io, profiles, pvt_tables, crds, axes, enable_axes,
                     compensations, compensates, encoders, encoder_faults, drives, plants, steps,
                     controls, dacs, adcs, modules, world, switches, index_marks, capture, compare,
-                    gantry, homing, homing_runs, mram, long_vars, double_vars, program_writes);
+                    gantry, homing, homing_runs, reached);
   }
 };
 

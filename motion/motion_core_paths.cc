@@ -137,14 +137,8 @@ void MotionCore::CarryOut(Crd& crd, const BufferedCommand& command) {
       if (state_.profiles[item].now.moving) break;
       SetProfilePosition(item, state_.encoders[static_cast<size_t>(command.detail)].position);
       break;
-    case BufferedKind::kIntegerValue:
-      state_.long_vars[item] = static_cast<int32_t>(values[0]);
-      break;
-    case BufferedKind::kFractionalValue:
-      state_.double_vars[item] = values[0];
-      break;
-    case BufferedKind::kProgramValue:
-      state_.program_writes.push_back(command);
+    case BufferedKind::kOutside:
+      state_.reached.push_back(command);
       break;
   }
 }

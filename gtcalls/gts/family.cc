@@ -3,6 +3,7 @@
 #include <array>
 #include <string_view>
 
+#include "gtcalls/gts/buffered_values.h"
 #include "gtcalls/gts/catalogue.h"
 #include "gtcalls/gts/commands/commands.h"
 #include "gtcalls/gts/profile_modes.h"
@@ -51,6 +52,15 @@ constexpr auto kFunctions = [] {
   return functions;
 }();
 
+FamilyState NewState() { return GtsState(); }
+
+GtsState& StateIn(FamilyState& state) { return *std::get_if<GtsState>(&state); }
+
+void AfterTick(Card& card) {
+  WriteReachedValues(card);
+  card.state<GtsState>().mram.Advance(card.motion.now());
+}
+
 }  // namespace
 
 const Family& GtsFamily() {
@@ -62,6 +72,16 @@ const Family& GtsFamily() {
       .cost_us = CostUs,
       .status_word = GtsStatusWord,
       .mode_number = GtsModeNumber,
+      .new_state = NewState,
+      .reset = [](FamilyState& state) { StateIn(state).Reset(); },
+      .forget_program = [](FamilyState& state) { StateIn(state).plc.UnbindAll(); },
+      .after_tick = AfterTick,
+      .before_threads =
+          [](Card& card) { card.state<GtsState>().plc.Evaluate(card.machine, card.motion); },
+      .writes_variables =
+          [](const CardView& card) {
+            return !card.state<GtsState>().plc.blocks.empty() || WillWriteProgram(card.motion);
+          },
   };
   return kFamily;
 }

@@ -29,7 +29,7 @@ inline constexpr int kKvffFilterMax = 8;
 /// PVT tables and the points of one (GTS manual chapter 7).
 inline constexpr int kPvtTableMax = 32;
 inline constexpr int kPvtPointMax = 1024;
-/// Assumption: numbers of GT_SetLongVar and GT_SetDoubleVar; as many as motion::kUserVariableCount.
+/// Assumption: numbers of GT_SetLongVar and GT_SetDoubleVar; as many as kUserVariableCount.
 inline constexpr int kUserVariableLast = 1023;
 /// Assumption: extension modules are numbered from 0.
 inline constexpr int kModuleLast = 15;

@@ -9,7 +9,11 @@
 namespace oncard::gtcalls {
 namespace {
 
-using motion::StateHash;
+static_assert(motion::kFieldsComplete<DiBlock> && motion::kFieldsComplete<DoBlock> &&
+              motion::kFieldsComplete<TimerBlock> && motion::kFieldsComplete<CounterBlock> &&
+              motion::kFieldsComplete<FlankBlock> && motion::kFieldsComplete<SrffBlock> &&
+              motion::kFieldsComplete<PlcBlock> && motion::kFieldsComplete<WordFunction> &&
+              motion::kFieldsComplete<PlcBlocks>);
 
 /// The machine's variables as accessed by one block.
 class Variables {
@@ -130,22 +134,6 @@ bool SameTarget(const PlcBlock& a, const PlcBlock& b) {
          a.variable == b.variable;
 }
 
-// --- Hash ----------------------------------------------------------------------------------------
-
-void AddTo(const DiBlock& b, StateHash& hash) { hash.Add(b.type).Add(b.bit).Add(b.reverse); }
-void AddTo(const DoBlock& b, StateHash& hash) { hash.Add(b.type).Add(b.bit).Add(b.reverse); }
-void AddTo(const TimerBlock& b, StateHash& hash) {
-  hash.Add(b.type).Add(b.input).Add(b.delay_us).Add(b.output).Add(b.pending).Add(b.elapsed_us);
-}
-void AddTo(const CounterBlock& b, StateHash& hash) {
-  hash.Add(b.type).Add(b.edge).Add(b.init).Add(b.target).Add(b.begin).Add(b.end).Add(b.down);
-  hash.Add(b.unit).Add(b.input).Add(b.reset).Add(b.count).Add(b.unit_count).Add(b.last_input);
-}
-void AddTo(const FlankBlock& b, StateHash& hash) {
-  hash.Add(b.edge).Add(b.input).Add(b.last_input);
-}
-void AddTo(const SrffBlock& b, StateHash& hash) { hash.Add(b.set).Add(b.reset).Add(b.output); }
-
 }  // namespace
 
 bool PlcBlocks::Bind(const PlcBlock& block) {
@@ -192,21 +180,6 @@ void PlcBlocks::Evaluate(vm::Machine& machine, motion::MotionCore& motion) {
       WriteOutput(*output, variables.On(block.variable), &io);
     }
   });
-}
-
-uint64_t PlcBlocks::Hash() const {
-  StateHash hash;
-  hash.Add(blocks.size());
-  for (const PlcBlock& block : blocks) {
-    hash.Add(block.thread).Add(block.variable).Add(block.function.index());
-    std::visit([&](const auto& function) { AddTo(function, hash); }, block.function);
-  }
-  hash.Add(functions.size()).Add(functions_pending);
-  for (const WordFunction& function : functions) {
-    hash.Add(function.id).Add(function.return_type).Add(function.words.size());
-    for (const uint16_t word : function.words) hash.Add(word);
-  }
-  return hash.value();
 }
 
 }  // namespace oncard::gtcalls

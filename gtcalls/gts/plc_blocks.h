@@ -15,6 +15,7 @@
 #pragma once
 
 #include <cstdint>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -38,6 +39,8 @@ struct DiBlock {
   motion::DiType type = motion::DiType::kGpi;
   int16_t bit = 0;  ///< from 0
   bool reverse = false;
+
+  auto Fields() const { return std::tie(type, bit, reverse); }
 };
 
 /// TBindDo: output := variable, or its complement.
@@ -45,6 +48,8 @@ struct DoBlock {
   motion::DoType type = motion::DoType::kGpo;
   int16_t bit = 0;  ///< from 0
   bool reverse = false;
+
+  auto Fields() const { return std::tie(type, bit, reverse); }
 };
 
 /// Which change of the input a timer delays; numbered as PLC_TIMER_TT, _TF, _TTF.
@@ -58,6 +63,8 @@ struct TimerBlock {
   bool output = false;
   bool pending = false;    ///< the input differs from the output
   int64_t elapsed_us = 0;  ///< since it was first seen to differ
+
+  auto Fields() const { return std::tie(type, input, delay_us, output, pending, elapsed_us); }
 };
 
 /// Edges of a variable; numbered as PLC_COUNTER_EDGE_* and PLC_FLANK_*.
@@ -83,6 +90,11 @@ struct CounterBlock {
   int32_t count = 0;
   uint32_t unit_count = 0;  ///< edges since the last count
   bool last_input = false;
+
+  auto Fields() const {
+    return std::tie(type, edge, init, target, begin, end, down, unit, input, reset, count,
+                    unit_count, last_input);
+  }
 };
 
 /// TBindFlank: variable := 1 for the one cycle in which the input has changed.
@@ -90,6 +102,8 @@ struct FlankBlock {
   Edge edge = Edge::kUp;
   uint16_t input = 0;
   bool last_input = false;
+
+  auto Fields() const { return std::tie(edge, input, last_input); }
 };
 
 /// TBindSrff: 1 once the set variable was not 0, 0 once the reset variable was; reset wins.
@@ -97,6 +111,8 @@ struct SrffBlock {
   uint16_t set = 0;
   uint16_t reset = 0;
   bool output = false;
+
+  auto Fields() const { return std::tie(set, reset, output); }
 };
 
 using PlcFunction = std::variant<DiBlock, DoBlock, TimerBlock, CounterBlock, FlankBlock, SrffBlock>;
@@ -107,6 +123,8 @@ struct PlcBlock {
   int16_t thread = kGlobalVariables;
   uint16_t variable = 0;
   PlcFunction function;
+
+  auto Fields() const { return std::tie(thread, variable, function); }
 };
 
 /// One function received by words (GT_LoadPlc, GT_LoadPlcCommand).
@@ -114,6 +132,8 @@ struct WordFunction {
   int16_t id = 0;  ///< from 1
   vm::DataType return_type = vm::DataType::kInt;
   std::vector<uint16_t> words;  ///< records as in a `.bin` file
+
+  auto Fields() const { return std::tie(id, return_type, words); }
 };
 
 /// All PLC blocks of a card. Plain data: copy it to keep it.
@@ -135,8 +155,7 @@ struct PlcBlocks {
   /// Blocks of unbound threads are not evaluated.
   void Evaluate(vm::Machine& machine, motion::MotionCore& motion);
 
-  /// XXH64 of the whole state.
-  uint64_t Hash() const;
+  auto Fields() const { return std::tie(blocks, functions, functions_pending); }
 };
 
 }  // namespace oncard::gtcalls

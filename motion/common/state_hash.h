@@ -21,6 +21,7 @@
 #include <span>
 #include <tuple>
 #include <type_traits>
+#include <variant>
 #include <vector>
 
 namespace oncard::motion {
@@ -62,6 +63,13 @@ class StateHash {
   StateHash& Add(const std::optional<T>& value) {
     Add(value.has_value());
     if (value.has_value()) Add(*value);
+    return *this;
+  }
+  /// Adds the alternative, preceded by its number.
+  template <typename... T>
+  StateHash& Add(const std::variant<T...>& value) {
+    Add(value.index());
+    std::visit([this](const auto& alternative) { this->Add(alternative); }, value);
     return *this;
   }
   /// Adds the value that the pointer points to.

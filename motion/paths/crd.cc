@@ -116,16 +116,6 @@ bool CrdFifo::Flush() {
   return true;
 }
 
-bool Crd::WillWriteVariables() const {
-  if (!run.running) return false;
-  const SlotQueue& slots = active().slots;
-  for (size_t i = 0; i < slots.size(); ++i) {
-    const PathSlot& slot = slots.At(i);
-    if (!slot.is_segment && slot.command.kind == BufferedKind::kProgramValue) return true;
-  }
-  return false;
-}
-
 bool Crd::Append(size_t fifo, const PathSlot& slot, Micros now) {
   CrdFifo& to = fifos[fifo];
   if (!to.Append(slot)) return false;

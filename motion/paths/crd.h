@@ -169,9 +169,18 @@ struct Crd {
   CrdFifo& active() { return fifos[run.fifo]; }
   const CrdFifo& active() const { return fifos[run.fifo]; }
 
-  /// True if the run will still write a variable of a motion program. Slots in the look-ahead ring
-  /// do not count: they do not reach the FIFO by themselves.
-  bool WillWriteVariables() const;
+  /// True if the run will still reach a command for which the predicate holds. Slots in the
+  /// look-ahead ring do not count: they do not reach the FIFO by themselves.
+  template <typename Predicate>
+  bool WillReach(Predicate predicate) const {
+    if (!run.running) return false;
+    const SlotQueue& slots = active().slots;
+    for (size_t i = 0; i < slots.size(); ++i) {
+      const PathSlot& slot = slots.At(i);
+      if (!slot.is_segment && predicate(slot.command)) return true;
+    }
+    return false;
+  }
 
   /// The largest velocity along a segment that GT_SetCrdSingleMaxVel allows.
   double VelocityLimit(const Segment& segment) const;

@@ -16,21 +16,19 @@ namespace oncard::motion {
 
 /// What a buffered command does; `item` and `detail` number things from 0.
 enum class BufferedKind : uint8_t {
-  kDelay,            ///< values[0]: ms
-  kOutputs,          ///< item: DoType; values: mask, value
-  kPulses,           ///< item: DoType, detail: bit; values: high us, low us, pulses, first level
-  kStopPulses,       ///< item: DoType, detail: bit
-  kAnalogOutput,     ///< item: DAC; values[0]: value
-  kLimits,           ///< item: axis; detail: -1 both, 0 positive, 1 negative; values[0]: on
-  kStopInput,        ///< item: axis; detail: 1 abrupt, 0 smooth; values: DiType, bit
-  kMove,             ///< item: profile; detail: 1 waits; values: position, velocity, acceleration
-  kGear,             ///< item: profile; values: displacement, part of ramp up, part of ramp down
-  kHold,             ///< the run pauses here until it is started again
-  kSynchronise,      ///< item: profile; detail: encoder that gives its position
-  kIntegerValue,     ///< item: long variable; values[0]
-  kFractionalValue,  ///< item: double variable; values[0]
-  kProgramValue      ///< item: slot of a motion program's variable; detail: page, -1 the globals;
-                     ///< values: value, 1 for a double
+  kDelay,         ///< values[0]: ms
+  kOutputs,       ///< item: DoType; values: mask, value
+  kPulses,        ///< item: DoType, detail: bit; values: high us, low us, pulses, first level
+  kStopPulses,    ///< item: DoType, detail: bit
+  kAnalogOutput,  ///< item: DAC; values[0]: value
+  kLimits,        ///< item: axis; detail: -1 both, 0 positive, 1 negative; values[0]: on
+  kStopInput,     ///< item: axis; detail: 1 abrupt, 0 smooth; values: DiType, bit
+  kMove,          ///< item: profile; detail: 1 waits; values: position, velocity, acceleration
+  kGear,          ///< item: profile; values: displacement, part of ramp up, part of ramp down
+  kHold,          ///< the run pauses here until it is started again
+  kSynchronise,   ///< item: profile; detail: encoder that gives its position
+  kOutside        ///< outside the motion core, whose owner carries it out (MotionState::reached)
+                  ///< and gives the members their meaning
 };
 
 struct BufferedCommand {

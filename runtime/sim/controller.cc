@@ -1,9 +1,9 @@
 // The order of events in a profile cycle:
 //
-//   1. MotionCore::Tick(): the inputs are sampled, outputs and the clock advance; variables are
-//      written whose GT_BufSetVarValue the coordinate systems reached;
+//   1. MotionCore::Tick(): the inputs are sampled, outputs and the clock advance; then
+//      Family::after_tick: variables are written whose buffered commands the paths reached;
 //   2. Machine::BeginCycle(): delays that end with this cycle end, periodic threads start;
-//   3. PlcBlocks::Evaluate(): the PLC blocks read inputs, write variables and outputs;
+//   3. Family::before_threads: the PLC blocks read inputs, write variables and outputs;
 //   4. the scheduler policy distributes this cycle's statements to the threads; a GT command in a
 //      program is executed at once, between two statements.
 //
@@ -17,11 +17,11 @@
 
 #include <xxhash.h>
 
-#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
 
+#include "motion/common/state_hash.h"
 #include "runtime/sim/happening_text.h"
 #include "vm/object_reader.h"
 
@@ -31,14 +31,19 @@ namespace {
 /// rate [statements/ms] times cycle [us] gives thousandths of a statement.
 constexpr int64_t kStatementParts = 1000;
 
+uint64_t HashOf(const gtcalls::FamilyState& state) {
+  return motion::StateHash().Add(state).value();
+}
+
 }  // namespace
 
 Controller::Controller(const ControllerOptions& options)
     : options_(options),
       motion_(options.motion),
+      family_state_(options.family->new_state()),
       commands_(&card_),
       machine_(&commands_),
-      card_{*options.family, machine_, motion_, plc_} {}
+      card_{*options.family, machine_, motion_, family_state_} {}
 
 void Controller::LogRefusals(CardLog* log, int card) {
   ObserveRefusals([this, log, card](const gtcalls::Call& call, int16_t code) {
@@ -81,7 +86,7 @@ Result<void> Controller::Download(const std::string& bin_path) {
 Result<void> Controller::Load(vm::Object object) {
   auto image = vm::LinkObject(std::move(object), commands_);
   if (!image.ok()) return image.error();
-  plc_.UnbindAll();
+  family().forget_program(family_state_);
   machine_.Load(std::move(image).value());
   return {};
 }
@@ -130,28 +135,13 @@ void Controller::ExecuteObserved(int64_t budget) {
 
 int64_t Controller::BeginCycle() {
   motion_.Tick();
-  WriteBufferedValues();
+  family().after_tick(card_);
   machine_.BeginCycle(cycle());
-  plc_.Evaluate(machine_, motion_);
+  family().before_threads(card_);
   pending_statements_ += options_.rate * options_.motion.cycle_us;
   const int64_t budget = pending_statements_ / kStatementParts;
   pending_statements_ %= kStatementParts;
   return budget;
-}
-
-void Controller::WriteBufferedValues() {
-  std::vector<motion::BufferedCommand>& writes = motion_.state().program_writes;
-  for (const motion::BufferedCommand& write : writes) {
-    const bool global = write.detail < 0;
-    const vm::SlotAddress slot = {
-        .global = global,
-        .page = static_cast<uint8_t>(global ? 0 : write.detail),
-        .id = static_cast<uint16_t>(write.item),
-        .type = write.values[1] != 0 ? vm::DataType::kDouble : vm::DataType::kInt};
-    // A write that does not fit a program loaded later has no effect.
-    machine_.Write(slot, write.values[0]);
-  }
-  writes.clear();
 }
 
 RunEnd Controller::RunUntilQuiet(int64_t limit_cycles) {
@@ -167,7 +157,7 @@ RunEnd Controller::RunUntilQuiet(int64_t limit_cycles) {
 }
 
 bool Controller::Deadlocked() const {
-  if (machine_.RunnableThreads() != 0 || !plc_.blocks.empty()) return false;
+  if (machine_.RunnableThreads() != 0) return false;
   bool any_waits = false;
   for (const vm::ThreadState& thread : machine_.state().threads) {
     if (thread.period_cycles != 0) return false;
@@ -175,7 +165,7 @@ bool Controller::Deadlocked() const {
     if (thread.wake_cycle > machine_.state().cycle) return false;
     any_waits = any_waits || thread.waiting;
   }
-  return any_waits && std::ranges::none_of(motion_.state().crds, &motion::Crd::WillWriteVariables);
+  return any_waits && !family().writes_variables(view());
 }
 
 double Controller::NowMs() const {
@@ -186,14 +176,14 @@ int64_t Controller::NowUs() const { return cycle() * options_.motion.cycle_us + 
 
 void Controller::Reset() {
   motion_.Reset();
-  plc_ = {};
+  family().reset(family_state_);
   machine_.Load(nullptr);
 }
 
 ControllerSnapshot Controller::Snapshot() const { return {machine_.state(), Body()}; }
 
 CardBody Controller::Body() const {
-  return {motion_.state(), plc_, pending_us_, pending_statements_};
+  return {motion_.state(), family_state_, pending_us_, pending_statements_};
 }
 
 void Controller::Restore(const ControllerSnapshot& snapshot) {
@@ -203,20 +193,20 @@ void Controller::Restore(const ControllerSnapshot& snapshot) {
 
 void Controller::RestoreBody(const CardBody& body) {
   motion_.state() = body.motion;
-  plc_ = body.plc;
+  family_state_ = body.family;
   pending_us_ = body.pending_us;
   pending_statements_ = body.pending_statements;
 }
 
 uint64_t Controller::BodyHash() const {
-  const std::array<uint64_t, 4> parts = {motion_.Hash(), plc_.Hash(),
+  const std::array<uint64_t, 4> parts = {motion_.Hash(), HashOf(family_state_),
                                          static_cast<uint64_t>(pending_us_),
                                          static_cast<uint64_t>(pending_statements_)};
   return XXH64(parts.data(), sizeof parts, 0);
 }
 
 uint64_t Controller::Hash() const {
-  const std::array<uint64_t, 5> parts = {machine_.Hash(), motion_.Hash(), plc_.Hash(),
+  const std::array<uint64_t, 5> parts = {machine_.Hash(), motion_.Hash(), HashOf(family_state_),
                                          static_cast<uint64_t>(pending_us_),
                                          static_cast<uint64_t>(pending_statements_)};
   return XXH64(parts.data(), sizeof parts, 0);

@@ -1,6 +1,6 @@
-// One card: virtual machine, motion core, PLC blocks and virtual time. Advance() is the only place
-// where statements, profile cycles, delays and events are interleaved; docs/vm-model.md gives the
-// order.
+// One card: virtual machine, motion core, state of its family and virtual time. Advance() is the
+// only place where statements, profile cycles, delays and events are interleaved; docs/vm-model.md
+// gives the order.
 //
 // Virtual time counts profile cycles. The owner advances it: by host calls (each takes a time,
 // gtcalls/family.h), by Advance(), or by a real-time clock (clock.h) that calls Advance().
@@ -38,7 +38,7 @@ struct ControllerOptions {
 /// cycles always.
 struct CardBody {
   motion::MotionState motion;
-  gtcalls::PlcBlocks plc;
+  gtcalls::FamilyState family;
   int64_t pending_us = 0;
   int64_t pending_statements = 0;
 };
@@ -103,7 +103,8 @@ class Controller {
 
   /// Advances time by microseconds; runs a profile cycle whenever a whole one has accumulated.
   void AdvanceUs(int64_t microseconds);
-  /// Runs one profile cycle: motion tick, PLC blocks, then the threads with their budget.
+  /// Runs one profile cycle: motion tick, the part of the family, then the threads with their
+  /// budget.
   void RunCycle();
   /// From now on RunCycle() calls the observer in every state: after the beginning of the cycle and
   /// after each statement. It must not change the card. An empty observer ends this.
@@ -119,8 +120,8 @@ class Controller {
   /// Runs at most `limit_cycles` cycles, until no thread is running. kDeadlock: as Deadlocked().
   RunEnd RunUntilQuiet(int64_t limit_cycles);
   /// True if threads wait for values that nothing can change any more: no thread can run, none is
-  /// delayed or periodic, no PLC block is bound, and no running coordinate system still has a
-  /// GT_BufSetVarValue to execute. Only the host can then resolve the wait by writing variables.
+  /// delayed or periodic, and the family writes no variables by itself (PLC blocks, buffered
+  /// commands). Only the host can then resolve the wait by writing variables.
   bool Deadlocked() const;
   /// Profile cycles since power-on.
   int64_t cycle() const { return motion_.state().cycle; }
@@ -147,15 +148,13 @@ class Controller {
   uint64_t Hash() const;
 
  private:
-  /// Executes the GT_BufSetVarValue commands that coordinate systems reached in the last tick.
-  void WriteBufferedValues();
   void ObserveRefusals(gtcalls::RefusalObserver observer);
   /// The threads' part of a cycle, statement by statement.
   void ExecuteObserved(int64_t budget);
 
   ControllerOptions options_;
   motion::MotionCore motion_;
-  gtcalls::PlcBlocks plc_;
+  gtcalls::FamilyState family_state_;
   gtcalls::CardCommands commands_;
   vm::Machine machine_;
   gtcalls::Card card_;

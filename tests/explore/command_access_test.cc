@@ -28,7 +28,6 @@ namespace {
 
 using gtcalls::Command;
 using gtcalls::Resource;
-using motion::MotionState;
 
 constexpr int kCaller = 3;
 constexpr int kOther = 5;
@@ -36,14 +35,20 @@ constexpr int kAxes = static_cast<int>(motion::kAxisMax);
 
 // --- Parts of a card -----------------------------------------------------------------------------
 
+/// The state of a card outside its virtual machine.
+struct CardState {
+  motion::MotionState& motion;
+  gtcalls::GtsState& gts;
+};
+
 /// A part of the card's state, with the resource that stands for it in rows.
 struct Part {
   std::string name;
   Resource resource = Resource::kNone;
   uint32_t number = Touched::kAll;
-  std::function<uint64_t(const MotionState&)> hash;
+  std::function<uint64_t(const CardState&)> hash;
   /// Takes the part over from another state; none for parts of one that is taken over whole.
-  std::function<void(const MotionState&, MotionState*)> take = {};
+  std::function<void(const CardState&, const CardState&)> take = {};
 };
 
 template <typename... Values>
@@ -57,79 +62,91 @@ std::vector<Part> PartsOfCard() {
   std::vector<Part> parts;
   for (uint32_t i = 0; i < motion::kAxisMax; ++i) {
     parts.push_back({"axis", Resource::kAxis, i + 1,
-                     [i](const MotionState& s) {
-                       return HashOf(s.profiles[i], s.axes[i], s.compensations[i], s.drives[i],
-                                     s.plants[i], s.steps[i], s.homing[i]);
+                     [i](const CardState& s) {
+                       return HashOf(s.motion.profiles[i], s.motion.axes[i],
+                                     s.motion.compensations[i], s.motion.drives[i],
+                                     s.motion.plants[i], s.motion.steps[i], s.motion.homing[i]);
                      },
-                     [i](const MotionState& from, MotionState* to) {
-                       to->profiles[i] = from.profiles[i];
-                       to->axes[i] = from.axes[i];
-                       to->compensations[i] = from.compensations[i];
-                       to->drives[i] = from.drives[i];
-                       to->plants[i] = from.plants[i];
-                       to->steps[i] = from.steps[i];
-                       to->homing[i] = from.homing[i];
+                     [i](const CardState& from, const CardState& to) {
+                       to.motion.profiles[i] = from.motion.profiles[i];
+                       to.motion.axes[i] = from.motion.axes[i];
+                       to.motion.compensations[i] = from.motion.compensations[i];
+                       to.motion.drives[i] = from.motion.drives[i];
+                       to.motion.plants[i] = from.motion.plants[i];
+                       to.motion.steps[i] = from.motion.steps[i];
+                       to.motion.homing[i] = from.motion.homing[i];
                      }});
-    parts.push_back(
-        {"encoder", Resource::kEncoder, i + 1,
-         [i](const MotionState& s) { return HashOf(s.encoders[i], s.encoder_faults[i]); },
-         [i](const MotionState& from, MotionState* to) {
-           to->encoders[i] = from.encoders[i];
-           to->encoder_faults[i] = from.encoder_faults[i];
-         }});
-    parts.push_back(
-        {"control", Resource::kControl, i + 1,
-         [i](const MotionState& s) { return HashOf(s.controls[i]); },
-         [i](const MotionState& from, MotionState* to) { to->controls[i] = from.controls[i]; }});
+    parts.push_back({"encoder", Resource::kEncoder, i + 1,
+                     [i](const CardState& s) {
+                       return HashOf(s.motion.encoders[i], s.motion.encoder_faults[i]);
+                     },
+                     [i](const CardState& from, const CardState& to) {
+                       to.motion.encoders[i] = from.motion.encoders[i];
+                       to.motion.encoder_faults[i] = from.motion.encoder_faults[i];
+                     }});
+    parts.push_back({"control", Resource::kControl, i + 1,
+                     [i](const CardState& s) { return HashOf(s.motion.controls[i]); },
+                     [i](const CardState& from, const CardState& to) {
+                       to.motion.controls[i] = from.motion.controls[i];
+                     }});
   }
   for (uint32_t i = 0; i < motion::kCrdCount; ++i) {
-    parts.push_back(
-        {"coordinate system", Resource::kCrd, i + 1,
-         [i](const MotionState& s) { return HashOf(s.crds[i]); },
-         [i](const MotionState& from, MotionState* to) { to->crds[i] = from.crds[i]; }});
+    parts.push_back({"coordinate system", Resource::kCrd, i + 1,
+                     [i](const CardState& s) { return HashOf(s.motion.crds[i]); },
+                     [i](const CardState& from, const CardState& to) {
+                       to.motion.crds[i] = from.motion.crds[i];
+                     }});
   }
   for (uint32_t i = 0; i < motion::kModuleCount; ++i) {
-    parts.push_back(
-        {"extension module", Resource::kExtension, i,
-         [i](const MotionState& s) { return HashOf(s.modules[i]); },
-         [i](const MotionState& from, MotionState* to) { to->modules[i] = from.modules[i]; }});
+    parts.push_back({"extension module", Resource::kExtension, i,
+                     [i](const CardState& s) { return HashOf(s.motion.modules[i]); },
+                     [i](const CardState& from, const CardState& to) {
+                       to.motion.modules[i] = from.motion.modules[i];
+                     }});
   }
   for (uint32_t i = 0; i < motion::kDiTypeCount; ++i) {
-    parts.push_back({"inputs", Resource::kDigitalInput, i,
-                     [i](const MotionState& s) { return HashOf(std::get<0>(s.io.Fields())[i]); }});
+    parts.push_back({"inputs", Resource::kDigitalInput, i, [i](const CardState& s) {
+                       return HashOf(std::get<0>(s.motion.io.Fields())[i]);
+                     }});
   }
   for (uint32_t i = 0; i < motion::kDoTypeCount; ++i) {
-    parts.push_back({"outputs", Resource::kDigitalOutput,
-                     static_cast<uint32_t>(motion::DoType::kEnable) + i,
-                     [i](const MotionState& s) { return HashOf(std::get<1>(s.io.Fields())[i]); }});
+    parts.push_back(
+        {"outputs", Resource::kDigitalOutput, static_cast<uint32_t>(motion::DoType::kEnable) + i,
+         [i](const CardState& s) { return HashOf(std::get<1>(s.motion.io.Fields())[i]); }});
   }
   parts.push_back({"analogue", Resource::kAnalog, Touched::kAll,
-                   [](const MotionState& s) { return HashOf(s.dacs, s.adcs); },
-                   [](const MotionState& from, MotionState* to) {
-                     to->dacs = from.dacs;
-                     to->adcs = from.adcs;
+                   [](const CardState& s) { return HashOf(s.motion.dacs, s.motion.adcs); },
+                   [](const CardState& from, const CardState& to) {
+                     to.motion.dacs = from.motion.dacs;
+                     to.motion.adcs = from.motion.adcs;
                    }});
   parts.push_back({"captures", Resource::kCapture, Touched::kAll,
-                   [](const MotionState& s) { return HashOf(s.capture); },
-                   [](const MotionState& from, MotionState* to) { to->capture = from.capture; }});
+                   [](const CardState& s) { return HashOf(s.motion.capture); },
+                   [](const CardState& from, const CardState& to) {
+                     to.motion.capture = from.motion.capture;
+                   }});
   parts.push_back({"compare", Resource::kCompare, Touched::kAll,
-                   [](const MotionState& s) { return HashOf(s.compare); },
-                   [](const MotionState& from, MotionState* to) { to->compare = from.compare; }});
-  parts.push_back(
-      {"PVT tables", Resource::kPvtTable, Touched::kAll,
-       [](const MotionState& s) { return HashOf(s.pvt_tables); },
-       [](const MotionState& from, MotionState* to) { to->pvt_tables = from.pvt_tables; }});
+                   [](const CardState& s) { return HashOf(s.motion.compare); },
+                   [](const CardState& from, const CardState& to) {
+                     to.motion.compare = from.motion.compare;
+                   }});
+  parts.push_back({"PVT tables", Resource::kPvtTable, Touched::kAll,
+                   [](const CardState& s) { return HashOf(s.motion.pvt_tables); },
+                   [](const CardState& from, const CardState& to) {
+                     to.motion.pvt_tables = from.motion.pvt_tables;
+                   }});
   parts.push_back({"user variables", Resource::kUserVariable, Touched::kAll,
-                   [](const MotionState& s) { return HashOf(s.long_vars, s.double_vars); },
-                   [](const MotionState& from, MotionState* to) {
-                     to->long_vars = from.long_vars;
-                     to->double_vars = from.double_vars;
+                   [](const CardState& s) { return HashOf(s.gts.long_vars, s.gts.double_vars); },
+                   [](const CardState& from, const CardState& to) {
+                     to.gts.long_vars = from.gts.long_vars;
+                     to.gts.double_vars = from.gts.double_vars;
                    }});
   // What no row names apart.
-  parts.push_back({"the rest", Resource::kEverything, Touched::kAll, [](const MotionState& s) {
-                     return HashOf(s.cycle, s.clock_cycle, s.enable_axes, s.compensates, s.world,
-                                   s.switches, s.index_marks, s.gantry, s.homing_runs, s.mram,
-                                   s.program_writes);
+  parts.push_back({"the rest", Resource::kEverything, Touched::kAll, [](const CardState& s) {
+                     return HashOf(s.motion.cycle, s.motion.clock_cycle, s.motion.enable_axes,
+                                   s.motion.compensates, s.motion.world, s.motion.switches,
+                                   s.motion.index_marks, s.motion.gantry, s.motion.homing_runs,
+                                   s.gts.mram, s.gts.plc, s.motion.reached);
                    }});
   return parts;
 }
@@ -344,7 +361,7 @@ class CalledCard {
   /// False when the call cannot be loaded: a count that its array has not got.
   bool loaded() const { return loaded_; }
   runtime::Controller& card() { return *card_; }
-  MotionState& state() { return card_->motion().state(); }
+  CardState state() { return {card_->motion().state(), card_->card().state<gtcalls::GtsState>()}; }
   StatementAccess Access() const { return NextAccess(*card_, kCaller); }
   int16_t Execute() {
     card_->machine().ExecuteOne(kCaller);
@@ -359,7 +376,7 @@ class CalledCard {
   bool loaded_ = false;
 };
 
-std::vector<uint64_t> HashesOf(const std::vector<Part>& parts, const MotionState& state) {
+std::vector<uint64_t> HashesOf(const std::vector<Part>& parts, const CardState& state) {
   std::vector<uint64_t> hashes;
   hashes.reserve(parts.size());
   for (const Part& part : parts) hashes.push_back(part.hash(state));
@@ -392,7 +409,7 @@ TEST_P(CommandAccessTest, WhatChangesIsInTheRow) {
     if (!called.loaded()) return vm::kBadParameter;
     const StatementAccess access = called.Access();
     const auto before = HashesOf(parts_, called.state());
-    const auto plc = called.card().Body().plc.Hash();
+    const uint64_t plc = HashOf(called.state().gts.plc);
     const auto other = vm::WordsOf(called.card().machine().thread(kOther));
     const auto globals = called.globals();
     const int16_t code = called.Execute();
@@ -401,7 +418,7 @@ TEST_P(CommandAccessTest, WhatChangesIsInTheRow) {
       EXPECT_TRUE(before[i] == after[i] || Names(access, parts_[i], true))
           << parts_[i].name << ' ' << parts_[i].number << " has changed, code " << code;
     }
-    EXPECT_EQ(called.card().Body().plc.Hash(), plc);
+    EXPECT_EQ(HashOf(called.state().gts.plc), plc);
     EXPECT_EQ(vm::WordsOf(called.card().machine().thread(kOther)), other);
     for (uint32_t slot = 0; slot < globals.size(); ++slot) {
       if (globals[slot] == called.globals()[slot]) continue;
@@ -422,10 +439,10 @@ TEST_P(CommandAccessTest, WhatIsNotInTheRowMakesNoDifference) {
     bool all_io = true;
     for (const Part& part : parts_) {
       const bool named = Names(access, part, false);
-      if (part.take && !named) part.take(strange.state(), &other.state());
+      if (part.take && !named) part.take(strange.state(), other.state());
       all_io = all_io && (part.take || !named || part.resource == Resource::kEverything);
     }
-    if (all_io) other.state().io = strange.state().io;
+    if (all_io) other.state().motion.io = strange.state().motion.io;
     const int16_t code = one.Execute();
     EXPECT_EQ(other.Execute(), code);
     EXPECT_EQ(other.globals(), one.globals());

@@ -1,5 +1,5 @@
-// A card for command tests: machine, motion core and PLC blocks put together as the runtime does,
-// commands called by name, and a small program.
+// A card for command tests: machine, motion core and state of the family put together as the
+// runtime does, commands called by name, and a small program.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,6 +13,7 @@
 #include "gtcalls/card.h"
 #include "gtcalls/gts/catalogue.h"
 #include "gtcalls/gts/family.h"
+#include "motion/common/state_hash.h"
 #include "vm/image.h"
 
 namespace oncard::gtcalls {
@@ -37,7 +38,7 @@ class CommandTestCard {
       : motion(config),
         commands(&card),
         machine(&commands),
-        card{GtsFamily(), machine, motion, plc} {}
+        card{GtsFamily(), machine, motion, family_state} {}
   CommandTestCard(const CommandTestCard&) = delete;
   CommandTestCard& operator=(const CommandTestCard&) = delete;
 
@@ -88,8 +89,9 @@ class CommandTestCard {
   /// One profile cycle in the order of the card, with 25 statements.
   void Cycle() {
     motion.Tick();
+    card.family.after_tick(card);
     machine.BeginCycle(motion.state().cycle);
-    plc.Evaluate(machine, motion);
+    card.family.before_threads(card);
     machine.Execute(25);
   }
   void Cycles(int count) {
@@ -97,10 +99,14 @@ class CommandTestCard {
   }
 
   /// Everything a refused command must not change.
-  uint64_t Hash() const { return machine.Hash() ^ (motion.Hash() * 3) ^ (plc.Hash() * 5); }
+  uint64_t Hash() const {
+    return machine.Hash() ^ (motion.Hash() * 3) ^
+           (motion::StateHash().Add(family_state).value() * 5);
+  }
+  GtsState& state() const { return card.state<GtsState>(); }
 
   motion::MotionCore motion;
-  PlcBlocks plc;
+  FamilyState family_state = GtsFamily().new_state();
   CardCommands commands;
   vm::Machine machine;
   Card card;

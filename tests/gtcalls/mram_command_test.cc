@@ -27,7 +27,7 @@ TEST(MramCommand, SixtyFourWordsAreWrittenAndReadBack) {
   EXPECT_FALSE(Done(card));  // 500 us of 640 us
   card.Cycle();
   EXPECT_TRUE(Done(card));
-  card.motion.Reset();
+  card.state().Reset();
   ASSERT_EQ(card.Call("GT_StartAccessMRAM", {0, 64, 0}), 0);
   card.Cycles(3);
   ASSERT_TRUE(Done(card));

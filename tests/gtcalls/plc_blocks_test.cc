@@ -23,11 +23,12 @@ class PlcBlocksTest : public testing::Test {
   PlcBlocksTest() { card_.LoadTestProgram(); }
 
   void Bind(const PlcFunction& function, uint16_t variable = kOut, int16_t thread = -1) {
-    ASSERT_TRUE(card_.plc.Bind({.thread = thread, .variable = variable, .function = function}));
+    ASSERT_TRUE(
+        card_.state().plc.Bind({.thread = thread, .variable = variable, .function = function}));
   }
   void Put(uint16_t id, int64_t value) { card_.machine.WriteRaw(Global(id), value); }
   int64_t Read(uint16_t id) { return card_.machine.ReadRaw(Global(id)); }
-  void Evaluate() { card_.plc.Evaluate(card_.machine, card_.motion); }
+  void Evaluate() { card_.state().plc.Evaluate(card_.machine, card_.motion); }
 
   /// One evaluation for each character of the inputs ('1' = on); the variable after each.
   std::string Trace(std::string_view first, std::string_view second = {}) {
@@ -96,12 +97,12 @@ TEST_F(PlcBlocksTest, DelayOfZeroFollowsAtOnce) {
 TEST_F(PlcBlocksTest, DelayIsTimeWhateverTheCycle) {
   CommandTestCard slow({.cycle_us = 1000});
   slow.LoadTestProgram();
-  slow.plc.Bind(
+  slow.state().plc.Bind(
       {.thread = -1, .variable = kOut, .function = TimerBlock{.input = kIn, .delay_us = 2000}});
   slow.machine.WriteRaw(Global(kIn), 1);
   std::string outputs;
   for (int i = 0; i < 4; ++i) {
-    slow.plc.Evaluate(slow.machine, slow.motion);
+    slow.state().plc.Evaluate(slow.machine, slow.motion);
     outputs += slow.machine.ReadRaw(Global(kOut)) == 0 ? '0' : '1';
   }
   EXPECT_EQ(outputs, "0011");
@@ -113,7 +114,7 @@ TEST_F(PlcBlocksTest, FlankIsOneCycleLong) {
     const char* outputs;
   } const cases[] = {{Edge::kUp, "0100010"}, {Edge::kDown, "0001001"}, {Edge::kBoth, "0101011"}};
   for (const auto& c : cases) {
-    card_.plc.UnbindAll();
+    card_.state().plc.UnbindAll();
     Bind(FlankBlock{.edge = c.edge, .input = kIn});
     EXPECT_EQ(Trace("0110010"), c.outputs);
   }
@@ -132,7 +133,7 @@ TEST_F(PlcBlocksTest, CounterComparesItsCountWithTheTarget) {
                      {CounterType::kLessEqual, "111110"},
                      {CounterType::kGreaterEqual, "000111"}};
   for (const auto& c : cases) {
-    card_.plc.UnbindAll();
+    card_.state().plc.UnbindAll();
     Bind(CounterBlock{.type = c.type, .target = 2, .input = kIn});
     EXPECT_EQ(Trace("010101"), c.outputs);
   }
@@ -144,10 +145,10 @@ TEST_F(PlcBlocksTest, CounterCountsTheEdgesItIsAskedFor) {
     int32_t count;
   } const cases[] = {{Edge::kUp, 3}, {Edge::kDown, 2}, {Edge::kBoth, 5}};
   for (const auto& c : cases) {
-    card_.plc.UnbindAll();
+    card_.state().plc.UnbindAll();
     Bind(CounterBlock{.edge = c.edge, .input = kIn});
     Trace("0110101");
-    EXPECT_EQ(std::get<CounterBlock>(card_.plc.blocks[0].function).count, c.count);
+    EXPECT_EQ(std::get<CounterBlock>(card_.state().plc.blocks[0].function).count, c.count);
   }
 }
 
@@ -206,46 +207,46 @@ TEST_F(PlcBlocksTest, BlocksOfAnUnboundThreadRest) {
 TEST_F(PlcBlocksTest, ABlockReplacesTheOneWithTheSameTarget) {
   Bind(FlankBlock{.input = kIn}, kOut);
   Bind(SrffBlock{.set = kIn, .reset = kIn2}, kOut);
-  ASSERT_EQ(card_.plc.blocks.size(), 1u);
-  EXPECT_TRUE(std::holds_alternative<SrffBlock>(card_.plc.blocks[0].function));
+  ASSERT_EQ(card_.state().plc.blocks.size(), 1u);
+  EXPECT_TRUE(std::holds_alternative<SrffBlock>(card_.state().plc.blocks[0].function));
   Bind(DoBlock{.bit = 1}, kOut);
   Bind(DoBlock{.bit = 2}, kOut);
-  EXPECT_EQ(card_.plc.blocks.size(), 3u);
+  EXPECT_EQ(card_.state().plc.blocks.size(), 3u);
   Bind(DoBlock{.bit = 1}, kIn);
-  EXPECT_EQ(card_.plc.blocks.size(), 3u);
+  EXPECT_EQ(card_.state().plc.blocks.size(), 3u);
 }
 
 TEST_F(PlcBlocksTest, ThereIsRoomForTheirMaximum) {
   for (size_t i = 0; i < kPlcBlockMax; ++i) {
     Bind(FlankBlock{.input = kIn}, static_cast<uint16_t>(i));
   }
-  EXPECT_FALSE(card_.plc.Bind({.variable = 1000, .function = FlankBlock{}}));
-  EXPECT_TRUE(card_.plc.Bind({.variable = 0, .function = FlankBlock{}}));
+  EXPECT_FALSE(card_.state().plc.Bind({.variable = 1000, .function = FlankBlock{}}));
+  EXPECT_TRUE(card_.state().plc.Bind({.variable = 0, .function = FlankBlock{}}));
 }
 
 TEST_F(PlcBlocksTest, UnbindRemovesTheBlocksOfOneThread) {
   Bind(FlankBlock{}, 0, 1);
   Bind(FlankBlock{}, 0, 2);
   Bind(FlankBlock{}, 0, -1);
-  card_.plc.Unbind(1);
-  ASSERT_EQ(card_.plc.blocks.size(), 2u);
-  card_.plc.Unbind(-1);
-  ASSERT_EQ(card_.plc.blocks.size(), 1u);
-  EXPECT_EQ(card_.plc.blocks[0].thread, 2);
+  card_.state().plc.Unbind(1);
+  ASSERT_EQ(card_.state().plc.blocks.size(), 2u);
+  card_.state().plc.Unbind(-1);
+  ASSERT_EQ(card_.state().plc.blocks.size(), 1u);
+  EXPECT_EQ(card_.state().plc.blocks[0].thread, 2);
 }
 
 TEST_F(PlcBlocksTest, HashSeesBlocksAndTheirState) {
-  const uint64_t empty = card_.plc.Hash();
+  const uint64_t empty = motion::StateHash().Add(card_.state().plc).value();
   Bind(TimerBlock{.input = kIn, .delay_us = 1000});
-  const uint64_t bound = card_.plc.Hash();
+  const uint64_t bound = motion::StateHash().Add(card_.state().plc).value();
   EXPECT_NE(bound, empty);
-  const PlcBlocks kept = card_.plc;
+  const PlcBlocks kept = card_.state().plc;
   Trace("11");
-  EXPECT_NE(card_.plc.Hash(), bound);
-  card_.plc = kept;
-  EXPECT_EQ(card_.plc.Hash(), bound);
-  card_.plc.functions.push_back({.id = 1, .return_type = vm::DataType::kInt, .words = {1}});
-  EXPECT_NE(card_.plc.Hash(), bound);
+  EXPECT_NE(motion::StateHash().Add(card_.state().plc).value(), bound);
+  card_.state().plc = kept;
+  EXPECT_EQ(motion::StateHash().Add(card_.state().plc).value(), bound);
+  card_.state().plc.functions.push_back({.id = 1, .return_type = vm::DataType::kInt, .words = {1}});
+  EXPECT_NE(motion::StateHash().Add(card_.state().plc).value(), bound);
 }
 
 }  // namespace

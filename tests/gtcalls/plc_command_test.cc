@@ -32,7 +32,7 @@ TEST(PlcBind, EveryBlockBindsToGlobalsAndToAThread) {
     ASSERT_EQ(card.Call("GT_Bind", {31, kLoopFunction, 0}), 0);
     EXPECT_EQ(Bind(card, block.name, -1, 0, block.prm), 0) << block.name;
     EXPECT_EQ(Bind(card, block.name, 31, 0, block.prm), 0) << block.name;
-    EXPECT_EQ(card.plc.blocks.size(), block.name == kValid[1].name ? 1u : 2u) << block.name;
+    EXPECT_EQ(card.state().plc.blocks.size(), block.name == kValid[1].name ? 1u : 2u) << block.name;
   }
 }
 
@@ -43,7 +43,7 @@ TEST(PlcBind, RefusesAnUnboundThreadAndANumberOutOfRange) {
     EXPECT_EQ(Bind(card, block.name, 0, 0, block.prm), 1) << block.name;
     EXPECT_EQ(Bind(card, block.name, 32, 0, block.prm), 7) << block.name;
     EXPECT_EQ(Bind(card, block.name, -2, 0, block.prm), 7) << block.name;
-    EXPECT_TRUE(card.plc.blocks.empty());
+    EXPECT_TRUE(card.state().plc.blocks.empty());
   }
 }
 
@@ -175,9 +175,9 @@ TEST(UnbindVar, RemovesTheBlocksOfItsThread) {
   ASSERT_EQ(Bind(card, "GT_BindFlank", -1, 0, {0, 2}), 0);
   ASSERT_EQ(Bind(card, "GT_BindFlank", 0, 0, {0, 2}), 0);
   EXPECT_EQ(card.Call("GT_UnbindVar", {0}), 0);
-  ASSERT_EQ(card.plc.blocks.size(), 1u);
+  ASSERT_EQ(card.state().plc.blocks.size(), 1u);
   EXPECT_EQ(card.Call("GT_UnbindVar", {-1}), 0);
-  EXPECT_TRUE(card.plc.blocks.empty());
+  EXPECT_TRUE(card.state().plc.blocks.empty());
   EXPECT_EQ(card.Call("GT_UnbindVar", {-2}), 7);
   EXPECT_EQ(card.Call("GT_UnbindVar", {32}), 7);
 }

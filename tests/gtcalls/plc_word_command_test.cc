@@ -150,10 +150,10 @@ TEST(PlcWords, TheProgramIsNotReplacedWhileAThreadRuns) {
 TEST(PlcWords, ANewProgramReleasesTheBlocks) {
   CommandTestCard card;
   card.LoadTestProgram();
-  ASSERT_TRUE(card.plc.Bind({.variable = 0, .function = FlankBlock{}}));
+  ASSERT_TRUE(card.state().plc.Bind({.variable = 0, .function = FlankBlock{}}));
   LoadSum(card, 1);
   ASSERT_EQ(card.Call("GT_Bind", {0, 1, 0}), 0);
-  EXPECT_TRUE(card.plc.blocks.empty());
+  EXPECT_TRUE(card.state().plc.blocks.empty());
 }
 
 TEST(PlcWords, VariablesAreReachedByIdAndType) {
@@ -184,7 +184,7 @@ TEST(LoadPlc, OpeningAFunctionAnewDropsItsWords) {
   CommandTestCard card;
   LoadSum(card, 1);
   ASSERT_EQ(card.Call("GT_LoadPlc", {1, 1}), 0);
-  EXPECT_TRUE(card.plc.functions[0].words.empty());
+  EXPECT_TRUE(card.state().plc.functions[0].words.empty());
 }
 
 TEST(LoadPlcCommand, TakesOneToTwentyFourWords) {
@@ -218,7 +218,7 @@ TEST(ClearPlc, EmptiesTheProgramMemory) {
   LoadSum(card, 1);
   EXPECT_EQ(card.Call("GT_ClearPlc"), 0);
   EXPECT_EQ(card.machine.image(), nullptr);
-  EXPECT_TRUE(card.plc.functions.empty());
+  EXPECT_TRUE(card.state().plc.functions.empty());
   EXPECT_EQ(card.Call("GT_Bind", {0, 1, 0}), 7);
 }
 

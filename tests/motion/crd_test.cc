@@ -410,8 +410,6 @@ TEST(CrdBuffer, RegistersAreWritten) {
   CrdRunTest test;
   ASSERT_TRUE(test.Command({BufferedKind::kAnalogOutput, 2, 0, {1234}}));
   ASSERT_TRUE(test.Command({BufferedKind::kLimits, 1, 0, {0}}));
-  ASSERT_TRUE(test.Command({BufferedKind::kIntegerValue, 7, 0, {-5}}));
-  ASSERT_TRUE(test.Command({BufferedKind::kFractionalValue, 8, 0, {2.5}}));
   ASSERT_TRUE(test.Command({BufferedKind::kStopInput, 0, 1, {4, 3}}));
   test.Start();
   test.core.Tick();
@@ -419,10 +417,31 @@ TEST(CrdBuffer, RegistersAreWritten) {
   EXPECT_EQ(state.dacs[2].value, 1234);
   EXPECT_FALSE(state.axes[1].positive_limit_on);
   EXPECT_TRUE(state.axes[1].negative_limit_on);
-  EXPECT_EQ(state.long_vars[7], -5);
-  EXPECT_EQ(state.double_vars[8], 2.5);
   EXPECT_EQ(state.axes[0].abrupt_stop, (InputChoice{DiType::kGpi, 3}));
   EXPECT_FALSE(test.running());
+}
+
+TEST(CrdBuffer, WhatIsOutsideTheCoreIsHandedOverInTheOrderOfThePath) {
+  CrdRunTest test;
+  ASSERT_TRUE(test.Command({BufferedKind::kOutside, 7, 0, {-5}}));
+  ASSERT_TRUE(test.Command({BufferedKind::kOutside, 8, 1, {2.5}}));
+  ASSERT_TRUE(test.Line({100, 0}, 10, 1));
+  ASSERT_TRUE(test.Command({BufferedKind::kOutside, 9, 0, {1}}));
+  const auto is_nine = [](const BufferedCommand& command) { return command.item == 9; };
+  EXPECT_FALSE(test.core.state().crds[0].WillReach(is_nine)) << "it does not run";
+  test.Start();
+  test.core.Tick();
+  std::vector<BufferedCommand>& reached = test.core.state().reached;
+  ASSERT_EQ(reached.size(), 2u);
+  EXPECT_EQ(reached[0].item, 7);
+  EXPECT_EQ(reached[0].values[0], -5);
+  EXPECT_EQ(reached[1].detail, 1);
+  EXPECT_TRUE(test.core.state().crds[0].WillReach(is_nine));
+  reached.clear();
+  test.TicksToEnd();
+  ASSERT_EQ(reached.size(), 1u);
+  EXPECT_EQ(reached[0].item, 9);
+  EXPECT_FALSE(test.core.state().crds[0].WillReach(is_nine));
 }
 
 TEST(CrdFifo, Holds4096) {

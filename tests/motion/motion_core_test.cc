@@ -38,15 +38,11 @@ TEST(MotionReset, ZeroesTheClockButNotTheCycleCounter) {
   EXPECT_EQ(core.state().cycle, 44);
 }
 
-TEST(MotionReset, ClearsUserVariablesAndOutputsAndKeepsPins) {
+TEST(MotionReset, ClearsOutputsAndKeepsPins) {
   MotionCore core({});
-  core.state().long_vars[1023] = 5;
-  core.state().double_vars[0] = 2.5;
   core.state().io.Write(DoType::kGpo, 1, 1);
   core.state().io.SetPin(DiType::kHome, 2, true);
   core.Reset();
-  EXPECT_EQ(core.state().long_vars[1023], 0);
-  EXPECT_EQ(core.state().double_vars[0], 0);
   EXPECT_EQ(core.state().io.Register(DoType::kGpo), 0u);
   EXPECT_EQ(core.state().io.Pins(DiType::kHome), 4u);
 }
@@ -84,8 +80,7 @@ TEST(MotionHash, SeesEveryPartOfTheState) {
   };
   EXPECT_TRUE(changed([](MotionState& s) { s.cycle = 1; }));
   EXPECT_TRUE(changed([](MotionState& s) { s.clock_cycle = 1; }));
-  EXPECT_TRUE(changed([](MotionState& s) { s.long_vars[3] = 1; }));
-  EXPECT_TRUE(changed([](MotionState& s) { s.double_vars[3] = 1e-300; }));
+  EXPECT_TRUE(changed([](MotionState& s) { s.reached.resize(1); }));
   EXPECT_TRUE(changed([](MotionState& s) { s.io.SetPin(DiType::kMpg, 6, false); }));
   EXPECT_TRUE(changed([](MotionState& s) { s.io.SetPin(DiType::kMpg, 6, true); }));
   EXPECT_TRUE(changed([](MotionState& s) { s.io.SetInverted(DiType::kGpi, 1); }));

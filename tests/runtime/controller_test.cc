@@ -7,6 +7,7 @@
 #include <string>
 
 #include "compiler/compiler.h"
+#include "gtcalls/gts/buffered_values.h"
 #include "runtime/host/call_log.h"
 #include "test_programs.h"
 
@@ -112,9 +113,10 @@ TEST(ControllerTest, ARefusedObjectLeavesTheOldProgramRunning) {
 
 TEST(ControllerTest, ALoadRemovesTheBlocksBoundToTheOldVariables) {
   LoadedCard card(kEndlessProgram);
-  ASSERT_TRUE(card.controller.card().plc.Bind({gtcalls::kGlobalVariables, 0, gtcalls::DiBlock{}}));
+  ASSERT_TRUE(card.controller.card().state<gtcalls::GtsState>().plc.Bind(
+      {gtcalls::kGlobalVariables, 0, gtcalls::DiBlock{}}));
   ASSERT_TRUE(card.controller.Load(CompileProgram(kSumProgram)).ok());
-  EXPECT_TRUE(card.controller.card().plc.blocks.empty());
+  EXPECT_TRUE(card.controller.card().state<gtcalls::GtsState>().plc.blocks.empty());
 }
 
 TEST(ControllerTest, AProgramReadsItsWholeListOfCaptureOffsets) {
@@ -265,8 +267,9 @@ loop:
   motion::DigitalIo& io = card.controller.motion().state().io;
   io.SetFilterTicks(motion::DiType::kGpi, 0, 1);
   io.SetPin(motion::DiType::kGpi, 0, false);
-  ASSERT_TRUE(card.controller.card().plc.Bind({gtcalls::kGlobalVariables, card.Global("in").id,
-                                               gtcalls::DiBlock{motion::DiType::kGpi, 0, false}}));
+  ASSERT_TRUE(card.controller.card().state<gtcalls::GtsState>().plc.Bind(
+      {gtcalls::kGlobalVariables, card.Global("in").id,
+       gtcalls::DiBlock{motion::DiType::kGpi, 0, false}}));
   card.Run(0, 0);
   card.controller.RunCycle();
   const double before = card.Read("out");
@@ -366,10 +369,9 @@ TEST(RunUntilQuietTest, ACoordinateSystemCanStillHelp) {
   motion::PathSlot delay;
   delay.command = {.kind = motion::BufferedKind::kDelay, .values = {5}};
   motion::PathSlot write;
-  write.command = {.kind = motion::BufferedKind::kProgramValue,
-                   .item = card.Global("go").id,
-                   .detail = -1,
-                   .values = {1}};
+  write.command = gtcalls::EncodeValue(
+      {.target = gtcalls::ValueTarget::kProgram, .value = 1, .slot = card.Global("go")});
+  gtcalls::ReserveValues(motion);
   ASSERT_TRUE(motion.AppendToCrd(0, 0, delay));
   ASSERT_TRUE(motion.AppendToCrd(0, 0, write));
   EXPECT_EQ(card.controller.RunUntilQuiet(1000), RunEnd::kDeadlock) << "before it is started";
@@ -403,8 +405,9 @@ TEST(RunUntilQuietTest, APeriodicThreadCanStillHelp) {
 TEST(RunUntilQuietTest, APlcBlockCanStillHelp) {
   LoadedCard card(kWaitingProgram);
   card.Run(0, 0);
-  ASSERT_TRUE(card.controller.card().plc.Bind({gtcalls::kGlobalVariables, card.Global("go").id,
-                                               gtcalls::DiBlock{motion::DiType::kGpi, 0, false}}));
+  ASSERT_TRUE(card.controller.card().state<gtcalls::GtsState>().plc.Bind(
+      {gtcalls::kGlobalVariables, card.Global("go").id,
+       gtcalls::DiBlock{motion::DiType::kGpi, 0, false}}));
   EXPECT_EQ(card.controller.RunUntilQuiet(100), RunEnd::kTimeLimit);
   card.controller.motion().state().io.SetPin(motion::DiType::kGpi, 0, true);
   const RunEnd high = card.controller.RunUntilQuiet(100);
@@ -465,7 +468,8 @@ TEST(ControllerStateTest, TheHashCoversEveryPart) {
   changes_the_hash(
       "pin", [&] { card.controller.motion().state().io.SetPin(motion::DiType::kMpg, 0, true); });
   changes_the_hash("block", [&] {
-    card.controller.card().plc.Bind({gtcalls::kGlobalVariables, 0, gtcalls::DiBlock{}});
+    card.controller.card().state<gtcalls::GtsState>().plc.Bind(
+        {gtcalls::kGlobalVariables, 0, gtcalls::DiBlock{}});
   });
   changes_the_hash("part of a cycle", [&] { card.controller.AdvanceUs(50); });
   changes_the_hash("cycle", [&] { card.controller.RunCycle(); });
@@ -487,7 +491,8 @@ TEST(ControllerStateTest, ResetIsAPowerOnThatKeepsTheWorld) {
   LoadedCard card(kSumProgram);
   card.SetLocal(0, 1, 100);
   card.Run(0, 0);
-  card.controller.card().plc.Bind({gtcalls::kGlobalVariables, 0, gtcalls::DiBlock{}});
+  card.controller.card().state<gtcalls::GtsState>().plc.Bind(
+      {gtcalls::kGlobalVariables, 0, gtcalls::DiBlock{}});
   card.controller.motion().state().io.SetPin(motion::DiType::kGpi, 3, true);
   const uint32_t pins = card.controller.motion().state().io.Pins(motion::DiType::kGpi);
   card.controller.AdvanceUs(10'000);
@@ -496,7 +501,7 @@ TEST(ControllerStateTest, ResetIsAPowerOnThatKeepsTheWorld) {
   EXPECT_EQ(card.controller.machine().thread(0).run, vm::ThreadRun::kUnbound);
   EXPECT_EQ(card.controller.machine().state().globals[0], 0);
   EXPECT_EQ(card.controller.machine().state().pages[0][1], 0);
-  EXPECT_TRUE(card.controller.card().plc.blocks.empty());
+  EXPECT_TRUE(card.controller.card().state<gtcalls::GtsState>().plc.blocks.empty());
   EXPECT_EQ(card.controller.motion().ClockMs(), 0);
   EXPECT_EQ(card.controller.cycle(), 40);  // time since power-on goes on
   EXPECT_EQ(card.controller.motion().state().io.Pins(motion::DiType::kGpi), pins);

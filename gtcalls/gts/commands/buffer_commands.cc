@@ -2,6 +2,7 @@
 // segment before them has ended. Their arguments are checked when they are appended.
 // Source: the public header; the smart-home manual's tool follow examples for GT_BufMove and
 // GT_BufGear. Tested by tests/gtcalls/buffer_command_test.cc.
+#include "gtcalls/gts/buffered_values.h"
 #include "gtcalls/gts/commands/crd_support.h"
 
 namespace oncard::gtcalls {
@@ -22,6 +23,13 @@ int16_t Append(Call& call, BufferedKind kind, int item, int detail,
                const std::array<double, 4>& values = {}) {
   motion::PathSlot slot;
   slot.command = {kind, item, detail, values};
+  return AppendSlot(call, slot);
+}
+
+int16_t AppendValue(Call& call, const BufferedValue& value) {
+  motion::PathSlot slot;
+  slot.command = EncodeValue(value);
+  ReserveValues(call.card.motion);
   return AppendSlot(call, slot);
 }
 
@@ -140,11 +148,11 @@ int16_t gts::GT_BufSynchPrfPos(Call& call) {
 }
 
 int16_t gts::GT_BufSetLongVar(Call& call) {
-  return Append(call, BufferedKind::kIntegerValue, call.integer(1), 0, {call.value(2)});
+  return AppendValue(call, {ValueTarget::kLong, call.integer(1), call.value(2)});
 }
 
 int16_t gts::GT_BufSetDoubleVar(Call& call) {
-  return Append(call, BufferedKind::kFractionalValue, call.integer(1), 0, {call.value(2)});
+  return AppendValue(call, {ValueTarget::kDouble, call.integer(1), call.value(2)});
 }
 
 /// The name is resolved when the command is appended.
@@ -152,10 +160,7 @@ int16_t gts::GT_BufSetVarValue(Call& call) {
   const std::optional<vm::SlotAddress> slot =
       FindVariable(call, call.integer(1), call.cells(2), call.value(3));
   if (!slot) return vm::kBadParameter;
-  // Reserved here, so that a cycle does not allocate.
-  call.card.motion.state().program_writes.reserve(motion::kCrdFifoSize);
-  return Append(call, BufferedKind::kProgramValue, slot->id, slot->global ? -1 : slot->page,
-                {call.value(3), slot->type == vm::DataType::kDouble ? 1.0 : 0.0});
+  return AppendValue(call, {ValueTarget::kProgram, 0, call.value(3), *slot});
 }
 
 }  // namespace oncard::gtcalls

@@ -5,16 +5,16 @@
 namespace oncard::gtcalls {
 namespace {
 
-motion::Mram& MramOf(const Call& call) { return call.card.motion.state().mram; }
+Mram& MramOf(const Call& call) { return call.card.state<GtsState>().mram; }
 
 /// 0, or 7 if the call asks for words after the last one.
 int16_t CheckWords(Call& call, int count) {
   const int last = call.integer(0) + count - 1;
-  if (last < motion::kMramWords) return vm::kOk;
+  if (last < kMramWords) return vm::kOk;
   return call.Refuse(vm::kBadParameter,
                      MakeMessage("words {0} to {1} were requested; the memory has 0 to {2}",
                                  "访问字 {0} 到 {1}；存储器的序号为 0 到 {2}", call.integer(0),
-                                 last, motion::kMramWords - 1));
+                                 last, kMramWords - 1));
 }
 
 /// 0, or 1 during a transfer, which uses the buffer.
@@ -57,7 +57,7 @@ int16_t gts::GT_StartAccessMRAM(Call& call) {
   const int16_t code = CheckAccess(call, call.integer(1));
   if (code != vm::kOk) return code;
   MramOf(call).Start(call.card.motion.now(), call.integer(0), call.integer(1),
-                     static_cast<motion::MramAccess>(call.integer(2)));
+                     static_cast<MramAccess>(call.integer(2)));
   return vm::kOk;
 }
 

@@ -81,7 +81,7 @@ int16_t Add(Call& call, const PlcFunction& function) {
   const PlcBlock block = {.thread = static_cast<int16_t>(ThreadOf(call)),
                           .variable = static_cast<uint16_t>(VariableOf(call)),
                           .function = function};
-  if (call.card.plc.Bind(block)) return vm::kOk;
+  if (call.card.state<GtsState>().plc.Bind(block)) return vm::kOk;
   return call.Refuse(
       vm::kRefused,
       MakeMessage("{0} blocks are bound and no more fit; call GT_UnbindVar",
@@ -178,7 +178,7 @@ int16_t gts::GT_BindSrff(Call& call) {
 }
 
 int16_t gts::GT_UnbindVar(Call& call) {
-  call.card.plc.Unbind(ThreadOf(call));
+  call.card.state<GtsState>().plc.Unbind(ThreadOf(call));
   return vm::kOk;
 }
 

@@ -36,7 +36,7 @@ WordFunction* FindWords(PlcBlocks& plc, int id) {
 /// Clears the program memory: the loaded program and the words received.
 int16_t gts::GT_ClearPlc(Call& call) {
   if (const int16_t code = CheckIdle(call)) return code;
-  call.card.plc = {};
+  call.card.state<GtsState>().plc = {};
   call.card.machine.Load(nullptr);
   return vm::kOk;
 }
@@ -57,7 +57,7 @@ int16_t gts::GT_LoadPlc(Call& call) {
         MakeMessage("return type {0} is not known; 0 (void), 1 (int) or 2 (double) is expected",
                     "未知的返回类型 {0}；应为 0（void）、1（int）或 2（double）", type));
   }
-  PlcBlocks& plc = call.card.plc;
+  PlcBlocks& plc = call.card.state<GtsState>().plc;
   const auto place = std::find_if(plc.functions.begin(), plc.functions.end(),
                                   [&](const WordFunction& function) { return function.id >= id; });
   WordFunction function = {
@@ -72,7 +72,7 @@ int16_t gts::GT_LoadPlc(Call& call) {
 }
 
 int16_t gts::GT_LoadPlcCommand(Call& call) {
-  PlcBlocks& plc = call.card.plc;
+  PlcBlocks& plc = call.card.state<GtsState>().plc;
   WordFunction* function = FindWords(plc, call.integer(0));
   if (function == nullptr) {
     return call.Refuse(vm::kRefused,
@@ -123,7 +123,7 @@ Result<vm::Object> Assemble(const std::vector<WordFunction>& functions) {
 }  // namespace
 
 int16_t LinkPendingWords(Call& call, int function_id) {
-  PlcBlocks& plc = call.card.plc;
+  PlcBlocks& plc = call.card.state<GtsState>().plc;
   if (!plc.functions_pending || FindWords(plc, function_id) == nullptr) return vm::kOk;
   if (const int16_t code = CheckIdle(call)) return code;
   auto object = Assemble(plc.functions);

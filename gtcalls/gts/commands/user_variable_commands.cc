@@ -5,28 +5,28 @@
 namespace oncard::gtcalls {
 namespace {
 
-/// The catalogue's range ensures a number below motion::kUserVariableCount.
+/// The catalogue's range ensures a number below kUserVariableCount.
 size_t IndexOf(const Call& call) { return static_cast<size_t>(call.integer(0)); }
 
 }  // namespace
 
 int16_t gts::GT_SetLongVar(Call& call) {
-  call.card.motion.state().long_vars[IndexOf(call)] = call.integer(1);
+  call.card.state<GtsState>().long_vars[IndexOf(call)] = call.integer(1);
   return vm::kOk;
 }
 
 int16_t gts::GT_GetLongVar(Call& call) {
-  call.Set(1, call.card.motion.state().long_vars[IndexOf(call)]);
+  call.Set(1, call.card.state<GtsState>().long_vars[IndexOf(call)]);
   return vm::kOk;
 }
 
 int16_t gts::GT_SetDoubleVar(Call& call) {
-  call.card.motion.state().double_vars[IndexOf(call)] = call.value(1);
+  call.card.state<GtsState>().double_vars[IndexOf(call)] = call.value(1);
   return vm::kOk;
 }
 
 int16_t gts::GT_GetDoubleVar(Call& call) {
-  call.Set(1, call.card.motion.state().double_vars[IndexOf(call)]);
+  call.Set(1, call.card.state<GtsState>().double_vars[IndexOf(call)]);
   return vm::kOk;
 }
 

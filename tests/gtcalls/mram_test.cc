@@ -1,9 +1,9 @@
 // The ferroelectric memory: transfers, their time, what GT_Reset leaves.
-#include "motion/io/mram.h"
+#include "gtcalls/gts/mram.h"
 
 #include <gtest/gtest.h>
 
-namespace oncard::motion {
+namespace oncard::gtcalls {
 namespace {
 
 TEST(Mram, WordsArriveWhenTheTimeIsOver) {
@@ -59,4 +59,4 @@ TEST(Mram, ResetKeepsTheMemoryAndClearsTheBuffer) {
 }
 
 }  // namespace
-}  // namespace oncard::motion
+}  // namespace oncard::gtcalls

@@ -1,7 +1,7 @@
 // The card's ferroelectric memory: a buffer that the host reads and writes in small pieces, and the
 // memory itself, with transfers in both directions that take time. GT_Reset clears the buffer and
 // ends a transfer; the memory keeps its contents. Source: GTS manual 11.8. Tested by
-// tests/motion/mram_test.cc.
+// tests/gtcalls/mram_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,13 @@
 
 #include "motion/common/sizes.h"
 
-namespace oncard::motion {
+namespace oncard::gtcalls {
 
 inline constexpr int kMramWords = 4096;
 /// Maximum number of words of one transfer between host and buffer.
 inline constexpr int kMramTransferMax = 24;
 /// Assumption: the time the card needs for one word.
-inline constexpr Micros kMramWordUs = 10;
+inline constexpr motion::Micros kMramWordUs = 10;
 
 enum class MramAccess : uint8_t { kRead = 0, kWrite = 1 };
 
@@ -26,12 +26,12 @@ class Mram {
   int16_t Word(int address) const { return At(buffer_, address); }
   void SetWord(int address, int16_t value) { Put(address, value, &buffer_); }
   /// Begins to copy words from `address` on; they arrive at the end of the transfer time.
-  void Start(Micros now, int address, int count, MramAccess access);
+  void Start(motion::Micros now, int address, int count, MramAccess access);
   /// Aborts a transfer; words that have not arrived are not copied.
   void Stop() { busy_ = false; }
   bool busy() const { return busy_; }
   /// Completes the transfer when its time is over.
-  void Advance(Micros now) {
+  void Advance(motion::Micros now) {
     if (busy_ && now >= end_) Finish();
   }
   void Reset();
@@ -52,7 +52,7 @@ class Mram {
   MramAccess access_ = MramAccess::kRead;
   int32_t address_ = 0;
   int32_t count_ = 0;
-  Micros end_ = 0;
+  motion::Micros end_ = 0;
 };
 
-}  // namespace oncard::motion
+}  // namespace oncard::gtcalls

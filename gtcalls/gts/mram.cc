@@ -1,15 +1,15 @@
-#include "motion/io/mram.h"
+#include "gtcalls/gts/mram.h"
 
 #include <algorithm>
 
-namespace oncard::motion {
+namespace oncard::gtcalls {
 
 void Mram::Put(int address, int16_t value, std::vector<int16_t>* words) {
   if (words->empty()) words->resize(kMramWords);
   (*words)[static_cast<size_t>(address)] = value;
 }
 
-void Mram::Start(Micros now, int address, int count, MramAccess access) {
+void Mram::Start(motion::Micros now, int address, int count, MramAccess access) {
   // Both exist before the transfer ends, as a tick allocates nothing.
   buffer_.resize(kMramWords);
   memory_.resize(kMramWords);
@@ -32,4 +32,4 @@ void Mram::Reset() {
   busy_ = false;
 }
 
-}  // namespace oncard::motion
+}  // namespace oncard::gtcalls

@@ -1,0 +1,31 @@
+// What a GTS card keeps beside its motion core and virtual machine: its own numbered variables, the
+// ferroelectric memory and the PLC blocks. Plain data: copy it to keep it. Tested by
+// tests/gtcalls/gts_state_test.cc.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <tuple>
+
+#include "gtcalls/gts/mram.h"
+#include "gtcalls/gts/plc_blocks.h"
+
+namespace oncard::gtcalls {
+
+/// Number of variables of GT_SetLongVar and GT_SetDoubleVar (assumption: 1024 each; the manuals
+/// give no number).
+inline constexpr int kUserVariableCount = 1024;
+
+struct GtsState {
+  Mram mram;
+  std::array<int32_t, kUserVariableCount> long_vars{};
+  std::array<double, kUserVariableCount> double_vars{};
+  PlcBlocks plc;
+
+  /// GT_Reset: only the memory behind the buffer of `mram` keeps its content.
+  void Reset();
+
+  auto Fields() const { return std::tie(mram, long_vars, double_vars, plc); }
+};
+
+}  // namespace oncard::gtcalls
