@@ -1,6 +1,6 @@
-// The motion core's part of a gantry. While it lasts the slave axis maps the profiles of the
-// master, so that stops and limits of either act on the profiles of both. Tested by
-// tests/motion/gantry_test.cc.
+// The motion core's part of a gantry. While the gantry is on, the slave axis is mapped to the
+// profiles of the master, so that stops and limits of either axis act on the profiles of both.
+// Tested by tests/motion/gantry_test.cc.
 #include "motion/gantry.h"
 
 #include <cmath>

@@ -67,7 +67,8 @@ void MotionCore::BeginHoming(size_t index, const HomeParameters& parameters) {
   state_.homing_runs = true;
   TrapMode& trap = state_.profiles[index].trap;
   trap.parameters = {parameters.acc, parameters.dec, 0, parameters.smooth_time};
-  // Replanning with a smoothing time keeps pieces; a tick allocates nothing.
+  // Replanning with a smoothing time stores pieces; reserved here, so that a cycle does not
+  // allocate.
   trap.past.reserve(4 * Plan::kPieceMax);
   homing.stage = HomeStage::kStart;
   if (!parameters.check_start) return BeginHomingSearch(index);
@@ -176,7 +177,7 @@ void MotionCore::AdvanceHoming(size_t index) {
   const bool limit = LimitReached(index, homing.direction);
   if (limit &&
       (homing.stage == HomeStage::kSearchLimit || homing.stage == HomeStage::kLimitReturn)) {
-    // In whole pulses on the near side: the way to the origin must not lead into the limit.
+    // Rounded away from the limit: the move to the origin must not reach the limit again.
     homing.captured = homing.direction > 0 ? std::floor(now.position) : std::ceil(now.position);
     homing.origin = homing.captured;
     homing.stage = homing.stage == HomeStage::kSearchLimit ? HomeStage::kSearchLimitStop
@@ -321,7 +322,7 @@ void MotionCore::MoveHoming(size_t index, HomeStage stage, double distance, doub
   Homing& homing = state_.homing[index];
   Profile& profile = state_.profiles[index];
   homing.stage = stage;
-  // The limit that a search has left must not stop the way back.
+  // The limit that the search has left must not stop the move back.
   if (homing.kind == HomeKind::kSmart) ForgetLimit(index, distance > 0 ? 1 : -1);
   profile.trap.target = Reachable(profile.now.position + distance);
   profile.trap.velocity = velocity;

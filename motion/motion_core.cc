@@ -14,11 +14,11 @@ namespace {
 static_assert(kFieldsComplete<MotionState> && kFieldsComplete<Profile> && kFieldsComplete<Plant> &&
               kFieldsComplete<WorldEvent> && kFieldsComplete<WorldProgress>);
 
-/// GT_GetClockHighPrecision counts in steps of this many microseconds (two servo sub-steps of a
-/// 250 us profile cycle).
+/// The unit of GT_GetClockHighPrecision in microseconds (two servo sub-steps of a 250 us profile
+/// cycle).
 constexpr int64_t kFineClockUs = 125;
 
-/// GT_SetAxisBand counts time in these steps.
+/// The time unit of GT_SetAxisBand in microseconds.
 constexpr Micros kBandTimeUs = 250;
 
 /// Calls `function` with the number of every bit of `map` below `count`.
@@ -128,7 +128,7 @@ void MotionCore::BeginProfile(size_t index) {
   SampleProfile(index);
   if (profile.now.position == begin) return;
   if (!LimitForbids(index, profile.now.position - begin)) return;
-  // A motion that a latched limit would stop does not begin.
+  // A motion that a latched limit would stop does not start.
   profile.now = {begin, 0, 0, true};
   Tell(HappeningKind::kHeldAtLimit, index, begin);
   StopProfile(index, true);
@@ -210,7 +210,8 @@ void MotionCore::GuardAxis(size_t index) {
   axis.latched |= causes;
   if (axis.latched == 0) return;
   if (axis.latched != before) TellCauses(index, causes & ~before);
-  // A latched alarm whose cause has gone keeps the axis from moving, not from being enabled.
+  // A latched alarm that is no longer active prevents the axis from moving, but not from being
+  // enabled.
   if ((causes & kAlarmBit) != 0 && axis.servo_on) ServoOff(index);
   if (!AxisMoving(axis)) return;
   const double velocity = axis.profile.velocity;
@@ -250,7 +251,7 @@ void MotionCore::AdvanceAuxiliary() {
   for (size_t i = kAuxiliaryFirst; i < kAuxiliaryFirst + kAuxiliaryCount; ++i) {
     Plant& plant = state_.plants[i];
     const bool faulty = state_.encoder_faults[i].any();
-    // Nothing but a hand and faults makes them count.
+    // They only count if they are turned by hand or have a fault.
     if (plant.hand == 0 && !faulty && state_.encoders[i].resting()) continue;
     if (plant.hand != 0) TurnByHand(plant);
     if (faulty) AdvanceEncoderFault(i);
@@ -370,8 +371,8 @@ void MotionCore::SynchAxis(size_t index) {
   axis.encoder.offset = 0;
   const double measured = MappedEncoders(axis);
   if (IsGantrySlave(index)) {
-    // It uses the profiles of its master: its position changes with its encoder's, so that the beam
-    // does not move.
+    // It uses the profiles of its master: its planned position changes by as much as its measured
+    // one, so that the beam does not move.
     RenamePlanned(index, axis.profile.position + (measured - axis.encoder.position));
   } else {
     axis.profile.offset = 0;
@@ -390,7 +391,7 @@ void MotionCore::ZeroAxis(size_t axis) {
     compensation.MoveOrigin(state_.axes[axis].profile.position, 0);
     RenamePlanned(axis, 0);
   }
-  // The compensation so far is included in the position that is now 0.
+  // The position that is set to 0 includes the current compensation.
   const double amount = compensation.Amount();
   compensation.origin += amount;
   KeepMachine(axis, amount);
@@ -418,7 +419,7 @@ void MotionCore::MoveEncoderOrigin(size_t index, double position) {
   AxisValue& value = state_.axes[index].encoder;
   const double shift = position - value.position;
   ShiftSlaves({true, MasterType::kAxis, static_cast<uint8_t>(index), true}, shift);
-  // Only position values change, not the mechanics: so the skew does not change either.
+  // Only position values change, not the mechanics, so the skew must not change.
   Gantry& gantry = state_.gantry;
   if (gantry.on && gantry.slave == index) gantry.skew_origin += shift;
   if (gantry.on && gantry.master == index) gantry.skew_origin -= shift;

@@ -11,7 +11,7 @@
 namespace oncard::motion {
 namespace {
 
-/// GT_SetEncResponseCheck counts time in these steps (assumption: as GT_SetAxisBand does).
+/// The time unit of GT_SetEncResponseCheck in microseconds (assumption: as for GT_SetAxisBand).
 constexpr Micros kCheckTimeUs = 250;
 
 }  // namespace
@@ -92,7 +92,7 @@ void MotionCore::DrivePin(const WorldEvent& event) {
   const bool level = event.value != 0;
   const bool before = (state_.io.Pins(type) >> event.index & 1) != 0;
   state_.io.SetPin(type, event.index, level);
-  // An edge inside a cycle has been seen there.
+  // An edge within a cycle has already been handled there.
   if (level == before || event.at != now() || !state_.capture.armed()) return;
   state_.capture.Edge(type, event.index, level,
                       [&](size_t encoder) { return Whole(CountedPosition(encoder)); });
@@ -112,7 +112,7 @@ void MotionCore::ResetMachine() {
     state_.controls[i] = DefaultControl(static_cast<int>(i));
     state_.steps[i] = {};
     state_.steps[i].axis = static_cast<int8_t>(i);
-    // The machine stays where it is; its encoder counts from here.
+    // The machine does not move; its encoder counts from here.
     RebaseEncoder(i);
     state_.plants[i].lead = state_.plants[i].position;
   }
@@ -195,11 +195,12 @@ void MotionCore::KeepMachine(size_t axis, double difference) {
 
 void MotionCore::AlignWithEncoder(size_t index) {
   Axis& axis = state_.axes[index];
-  // What compensation adds is in the measured position already.
+  // The measured position includes the compensation.
   const double measured = axis.encoder.position - state_.compensations[index].Amount();
   const uint32_t map = axis.profile_map & ((uint32_t{1} << axis_count()) - 1);
   if (std::has_single_bit(map) && !IsGantrySlave(index)) {
-    // The axis' own profile goes along, so that both agree as after GT_SynchAxisPos.
+    // The position of the axis' own profile is set too, so that both agree as after
+    // GT_SynchAxisPos.
     const auto profile = static_cast<size_t>(std::countr_zero(map));
     const Scale& scale = axis.profile_scale;
     SetProfilePosition(profile, measured * scale.alpha / scale.beta);
@@ -228,7 +229,7 @@ void MotionCore::AdvancePlant(size_t index) {
     if (plant.axis < 0 || !axis.servo_on) return;
     const double commanded = CommandedPosition(axis_index);
     if (plant.stalled) {
-      // Pulses sent in the meantime are lost.
+      // Pulses output in the meantime are lost.
       plant.lead = plant.position - commanded;
     } else {
       plant.position = commanded + plant.lead;
@@ -387,7 +388,7 @@ void MotionCore::CountEncoder(size_t index) {
 void MotionCore::AdvanceEncoderFault(size_t index) {
   EncoderFault& fault = state_.encoder_faults[index];
   if (fault.held) {
-    // Motion during the interruption of the signal is never counted.
+    // Motion while the signal is interrupted is never counted.
     fault.slip += state_.encoders[index].source - EncoderSource(index);
     return;
   }

@@ -1,5 +1,5 @@
-// The part of the motion core that sees where inside a cycle the machine passes something: switches
-// and index marks, captures, compare points.
+// The part of the motion core that determines where within a cycle the machine passes switches,
+// index marks and compare points, and what captures then latch.
 // Tested by tests/motion/marks_test.cc and, in tests/gtcalls, by capture_command_test.cc and
 // compare_command_test.cc.
 #include "motion/common/rounding.h"
@@ -22,7 +22,7 @@ double MotionCore::PositionWhere(size_t encoder, size_t machine, double place,
                                  const CycleWay& way) const {
   const Encoder& counter = state_.encoders[encoder];
   if (encoder == machine && counter.external && counter.active) {
-    // Without the detour over the fraction: exact.
+    // Computed directly rather than with the fraction, which would not be exact.
     const double direction = counter.reversed == counter.wired_reversed ? 1 : -1;
     return counter.position - counter.source +
            Whole(direction * place + state_.encoder_faults[encoder].slip);
@@ -55,7 +55,7 @@ void MotionCore::PassWorldEdges(const CycleWay& way) {
   if (world.events == nullptr) return;
   const WorldEvents& events = *world.events;
   const Micros begin = now() - config_.cycle_us;
-  // The filters sample the pins at the next tick; a capture sees the edges themselves.
+  // The filters sample the pins in the next cycle; a capture sees the edges themselves.
   std::array<uint32_t, kDiTypeCount> pins{};
   for (size_t i = 0; i < pins.size(); ++i) pins[i] = state_.io.Pins(static_cast<DiType>(i));
   for (auto i = static_cast<size_t>(world.next); i < events.size() && events[i].at < now(); ++i) {

@@ -1,4 +1,4 @@
-// The motion core's part of coordinate systems: what their paths and buffered commands do to
+// The motion core's part of coordinate systems: the effects of their paths and buffered commands on
 // profiles, outputs and registers. Tested by tests/motion/crd_test.cc.
 #include <algorithm>
 
@@ -174,7 +174,7 @@ void MotionCore::JudgeAwaitedMove(Crd& crd) {
 }
 
 void MotionCore::StartGear(Crd& crd, const BufferedCommand& command) {
-  // Gears of segments that ended in this tick come first.
+  // Gears of segments that ended in this cycle are written first.
   WriteCrd(crd);
   Profile& profile = state_.profiles[static_cast<size_t>(command.item)];
   if (profile.now.moving || crd.gear_count == crd.gears.size()) return;
@@ -207,7 +207,7 @@ void MotionCore::WriteCrd(Crd& crd) {
   for (uint32_t i = 0; i < crd.gear_count; ++i) {
     const GearShare gear = crd.gears[i];
     Profile& profile = state_.profiles[static_cast<size_t>(gear.profile)];
-    // GT_Update has taken the profile over.
+    // GT_Update has started another motion of the profile.
     if (!profile.driven) continue;
     if (gear.finished) {
       profile.now = AtRest(gear.begin + gear.displacement);

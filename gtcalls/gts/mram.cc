@@ -10,7 +10,7 @@ void Mram::Put(int address, int16_t value, std::vector<int16_t>* words) {
 }
 
 void Mram::Start(motion::Micros now, int address, int count, MramAccess access) {
-  // Both exist before the transfer ends, as a tick allocates nothing.
+  // Both are allocated before the transfer ends, because a cycle does not allocate.
   buffer_.resize(kMramWords);
   memory_.resize(kMramWords);
   busy_ = true;

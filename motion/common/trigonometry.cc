@@ -6,12 +6,12 @@
 namespace oncard::motion {
 namespace {
 
-/// pi/2 in three parts; products of the first two with small integers are exact.
+/// pi/2 as a sum of three parts; products of the first two with small integers are exact.
 constexpr double kHalfPi1 = 1.57079632673412561417e+00;
 constexpr double kHalfPi2 = 6.07710050630396597660e-11;
 constexpr double kHalfPi3 = 2.02226624879595063154e-21;
 
-/// What pi and pi/2 lack in double precision.
+/// The difference between pi or pi/2 and its double value.
 constexpr double kPiLow = 1.2246467991473531772e-16;
 constexpr double kHalfPi = 1.57079632679489655800e+00;
 constexpr double kHalfPiLow = 6.12323399573676603587e-17;

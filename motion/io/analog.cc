@@ -10,7 +10,7 @@ namespace {
 
 static_assert(kFieldsComplete<Dac> && kFieldsComplete<Adc>);
 
-/// A filtered voltage this close to the terminal's has arrived: a tenth of the converter's step.
+/// A filtered voltage so close to the terminal's has reached it: a tenth of the converter's step.
 constexpr double kArrivedVolts = kAdcFullVolts / kAdcFull / 10;
 
 }  // namespace

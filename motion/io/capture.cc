@@ -48,7 +48,7 @@ void CaptureUnit::Arm(size_t index, CaptureSource source) {
   Clear(index);
   Capture& capture = captures_[index];
   capture.source = source;
-  // A tick allocates nothing.
+  // Reserved here, so that a cycle does not allocate.
   capture.positions.reserve(capture.repeat);
   capture.armed = true;
   armed_ = true;

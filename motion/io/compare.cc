@@ -13,17 +13,18 @@ static_assert(kFieldsComplete<HsioOutput> && kFieldsComplete<ComparePoint> &&
               kFieldsComplete<CompareHit> && kFieldsComplete<CompareParameters> &&
               kFieldsComplete<CompareModule> && kFieldsComplete<HsioEdge>);
 
-/// Whole pulses are counted from halfway between two of them; this close to the half a place counts
-/// as beyond.
+/// Positions are rounded to whole pulses; a position so close to the middle between two of them
+/// counts as beyond it.
 constexpr double kHalfPulse = 0.5 - 1e-6;
 
-/// A part of the way, as fractions of it.
+/// A part of the movement in a cycle, from 0 (its beginning) to 1 (its end).
 struct Part {
   double first;
   double last;
 
   bool empty() const { return first > last; }
-  /// Leaves what lies within `half` of `point` on a way from `from` by `length`.
+  /// Restricts the part to the positions within `half` of `point`, for a movement from `from` by
+  /// `length`.
   void Narrow(double from, double length, double point, double half) {
     if (length == 0) {
       if (std::fabs(from - point) > half) last = first - 1;
@@ -89,7 +90,7 @@ void CompareUnit::Start(size_t channel, double x, double y) {
   module.origin_x = x;
   module.origin_y = y;
   if (module.parameters.level_output) SetLevel(channel, module.parameters.start_level);
-  // A tick allocates nothing.
+  // Reserved here, so that a cycle does not allocate.
   log_.reserve(kCompareLogSize);
   edges_.reserve(kHsioEdgesMax);
 }
@@ -107,7 +108,7 @@ void CompareUnit::Advance(Micros begin, Micros length, const EncoderWay& way) {
   edges_.clear();
   const auto end = static_cast<double>(begin + length);
   for (size_t i = 0; i < kHsioCount; ++i) {
-    // What a command has done since the last tick.
+    // Shows the changes that commands have made since the last cycle.
     Show(i, static_cast<double>(begin));
     AdvanceModule(i, begin, length, way);
     EndPulse(i, end);

@@ -23,7 +23,7 @@ constexpr uint32_t WithBit(uint32_t word, int bit, bool level) {
   return level ? word | BitMask(bit) : word & ~BitMask(bit);
 }
 
-/// Undriven pins rest at the level that reads 0: low, or high when the sense is inverted.
+/// An undriven pin has the level that reads 0: low, or high if the sense is inverted.
 uint32_t PinLevels(const DiWord& word) {
   return (word.pins & word.driven) | (word.inverted & ~word.driven);
 }
@@ -60,7 +60,8 @@ uint32_t DigitalIo::Pins(DiType type) const { return PinLevels(At(type)); }
 void DigitalIo::SetInverted(DiType type, uint32_t mask) {
   DiWord& word = At(type);
   word.inverted = mask & WidthMask(DiWidth(type));
-  // An undriven pin moves with its sense without passing the filter: nothing has happened outside.
+  // The level of an undriven pin follows its sense without the filter, because no signal has
+  // changed.
   word.levels = (word.levels & word.driven) | (word.inverted & ~word.driven);
 }
 
@@ -148,7 +149,8 @@ void DigitalIo::AdvanceOutputs(int64_t microseconds) {
       const auto bit = static_cast<size_t>(number);
       DoTiming& timing = word.timing[bit];
       timing.phase_us -= microseconds;
-      // A cycle can be longer than a phase; the remainder carries over, so trains do not drift.
+      // A cycle can be longer than a phase; the remainder is carried over, so that pulse trains do
+      // not drift.
       while (timing.flips_left != 0 && timing.phase_us <= 0) {
         word.value ^= BitMask(number);
         if (timing.flips_left != kEndlessFlips) --timing.flips_left;

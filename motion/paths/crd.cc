@@ -11,10 +11,10 @@ namespace {
 static_assert(kFieldsComplete<Crd> && kFieldsComplete<CrdParameters> && kFieldsComplete<CrdFifo> &&
               kFieldsComplete<CrdRun> && kFieldsComplete<GearShare>);
 
-/// Rounding must not turn an end velocity that is just reachable into one that is not.
+/// Rounding must not make an end velocity unreachable that can just be reached.
 constexpr double kReachSlack = 1 + 1e-9;
 
-/// From the velocity `from` to `to` over `distance` with constant acceleration.
+/// Changes the velocity from `from` to `to` over `distance` with constant acceleration.
 void AppendRamp(double from, double to, double distance, Plan* plan) {
   if (!(from + to > 0)) return;
   plan->Append(2 * distance / (from + to), from, (to * to - from * from) / (2 * distance));
@@ -35,7 +35,7 @@ Plan PlanSpan(const PathSpan& span) {
     const double square = from * from;
     const double gain = 2 * acc * distance;
     if (square - last * last >= gain) {
-      // Braking all the way.
+      // Decelerate along the whole distance.
       if (square - last * last > gain * kReachSlack) last = std::sqrt(square - gain);
       AppendRamp(from, last, distance, &plan);
     } else if (last * last - square >= gain) {
@@ -49,7 +49,7 @@ Plan PlanSpan(const PathSpan& span) {
         const double te = span.even_time;
         const double half = acc * te / 2;
         const double root = std::sqrt(half * half + energy);
-        // root - half, which would lose a short way beside a long time at the peak.
+        // root - half, which would lose precision for a short distance and a long even_time.
         peak = std::min(peak, half == 0 ? root : energy / (root + half));
         peak = std::max({peak, from, last});
       }
@@ -120,7 +120,7 @@ bool Crd::Append(size_t fifo, const PathSlot& slot, Micros now) {
   CrdFifo& to = fifos[fifo];
   if (!to.Append(slot)) return false;
   if (slot.is_segment || !slot.command.NeedsRest() || to.look_ahead.on()) return true;
-  // The segment before must end at rest, even if it has begun.
+  // The segment before must end at rest, even if it is being executed.
   if (PathSlot* before = to.slots.LastSegment()) {
     before->ends_at_rest = true;
   } else if (to.executing) {

@@ -18,7 +18,7 @@ double CornerVelocity(const Coordinates& before, const Coordinates& after, doubl
     const double change = after[i] - before[i];
     square += change * change;
   }
-  // Rounding of unit vectors is no corner.
+  // A rounding error of unit vectors is not a corner.
   if (square < 1e-24) return std::numeric_limits<double>::max();
   return acceleration * time / std::sqrt(square);
 }

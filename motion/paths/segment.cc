@@ -23,7 +23,7 @@ Coordinates AsCoordinates(const Vector& vector) {
   return {vector[0], vector[1], vector[2], vector[3]};
 }
 
-/// Completes an arc whose centre, unit vectors, radii, sweep and linear travel are known.
+/// Completes an arc for which centre, unit vectors, radii, sweep and linear travel are set.
 std::optional<Segment> Complete(Segment arc) {
   arc.shape = SegmentShape::kArc;
   const double mean = arc.radius + arc.radius_change / 2;
@@ -115,7 +115,7 @@ std::optional<Segment> MakeArcWithRadius(const Coordinates& start, const Coordin
   // Half of what a radius > 0 sweeps.
   const double half_sweep = height > 0 ? AngleOf(chord / 2, height) : kPi / 2;
   const double sweep = radius > 0 ? 2 * half_sweep : 2 * kPi - 2 * half_sweep;
-  // To the left of the chord lies the centre of a counter-clockwise arc of at most 180 degrees.
+  // The centre of a counter-clockwise arc of at most 180 degrees is to the left of the chord.
   const double left = counter_clockwise == (radius > 0) ? height : -height;
   return PlaneArc(start, end, plane, start[plane.first] + x / 2 - left * (y / chord),
                   start[plane.second] + y / 2 + left * (x / chord), sweep, counter_clockwise);
@@ -128,11 +128,11 @@ std::optional<Segment> MakeArcAroundCentre(const Coordinates& start, const Coord
   const double x = end[plane.first] - (start[plane.first] + first);
   const double y = end[plane.second] - (start[plane.second] + second);
   const double end_radius = std::sqrt(x * x + y * y);
-  // Written so that a NaN fails.
+  // Written so that the check fails for a NaN.
   if (!(radius > 0) || !(std::fabs(end_radius - radius) <= kArcTolerance)) return std::nullopt;
   double sweep = 2 * kPi;
   if (end[plane.first] != start[plane.first] || end[plane.second] != start[plane.second]) {
-    // Between (-first, -second) and (x, y).
+    // The angle between (-first, -second) and (x, y).
     const double turn = counter_clockwise ? 1 : -1;
     sweep = AngleOf(turn * (second * x - first * y), -first * x - second * y);
     if (sweep <= 0) sweep += 2 * kPi;
@@ -148,9 +148,9 @@ std::optional<Segment> MakeArcThroughPoint(const Coordinates& start, const Coord
   const Vector3d c = AsVector(end).head<3>() - from;
   const Vector3d normal = b.cross(c);
   const double area = normal.squaredNorm();
-  // Three points on a line have no circle.
+  // There is no circle through three points on a line.
   if (!(area > 1e-12 * b.squaredNorm() * c.squaredNorm())) return std::nullopt;
-  // The circumcentre, seen from the start.
+  // The circumcentre relative to the start.
   const Vector3d to_centre =
       (b.squaredNorm() * c.cross(normal) + c.squaredNorm() * normal.cross(b)) / (2 * area);
   Segment arc;

@@ -19,7 +19,7 @@ void FollowMode::SetMemory(bool large) {
 
 double FollowMode::Direction(uint8_t which, const MasterValue& value) const {
   if (event == FollowEvent::kPass || !MasterTravel{direction}.Counts(value.velocity)) return 0;
-  // The other way the slave waits.
+  // In the other direction the slave waits.
   const FollowSegment& first = fifos[which].front();
   return first.master * value.velocity > 0 ? first.slave : 0;
 }
@@ -97,7 +97,7 @@ bool FollowMode::NextPass() {
 
 void FollowMode::SkipPasses() {
   const FollowSegment end = fifos[fifo].back();
-  // A table that begins with CONTINUE takes something over from pass to pass.
+  // In a table that begins with CONTINUE each pass depends on the one before.
   if (switching || fifos[fifo].front().type == FollowSegmentType::kContinue) return;
   double whole = std::floor(travel.travel / end.master) - 1;
   if (loop >= 1) whole = std::min(whole, static_cast<double>(loop - passes - 1));
@@ -118,7 +118,7 @@ bool FollowMode::FindSegment() {
     }
   }
   while (PartOf(segment) < 0 && segment > 0) {
-    // The master has turned back: the ratios are found anew from the pass' begin.
+    // The master has turned back: the ratios are computed again from the beginning of the pass.
     const uint32_t wanted = segment - 1;
     segment = 0;
     EnterSegment(pass_ratio);
@@ -144,7 +144,7 @@ Sample FollowMode::At(const Sample& now, const MasterValue& value) {
   }
   const FollowSegment begin = BeginOf(segment);
   const double length = fifos[fifo][segment].master - begin.master;
-  // Before the pass' begin the slave waits.
+  // Before the beginning of the pass the slave waits.
   const double part = std::max(PartOf(segment), 0.0);
   const double bend = (last_ratio - first_ratio) / length;
   const double x = part * length;

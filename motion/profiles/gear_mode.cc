@@ -65,7 +65,7 @@ Sample GearMode::At(const Sample& now, const MasterValue& value) {
   const double sign = travel.travel < 0 ? -1 : 1;
   const double x = std::fabs(travel.travel);
   double moved = 0;
-  double bend = 0;  // of the ratio per pulse of the master
+  double bend = 0;  // change of the ratio per pulse of the master
   if (x >= clutch) {
     moved = (from_ratio + to_ratio) / 2 * clutch + to_ratio * (x - clutch);
   } else {

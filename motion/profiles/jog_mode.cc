@@ -13,8 +13,8 @@ constexpr Micros kStepUs = 1000;
 
 }  // namespace
 
-/// The plan's velocity as the filter sees it: linear between its steps, like its output. The
-/// difference of both then never exceeds that of a constant acceleration.
+/// The plan's velocity as the input of the filter: linear between its steps, like the output. So
+/// the difference between the two never exceeds that for a constant acceleration.
 double JogMode::PlannedVelocity(Micros now) const {
   if (!filtered) return plan.At(MsBetween(begin, now)).velocity;
   const double last = plan.At(MsBetween(begin, step_at)).velocity;
@@ -37,7 +37,7 @@ void JogMode::Start(Micros now, const Sample& from) {
   running = plan.count > 0 || target != 0 || from.velocity != 0;
 }
 
-/// What the filter gives 1 ms after its last step.
+/// Computes the filter's output 1 ms after its last step.
 void JogMode::PrepareStep() {
   const double t = MsBetween(begin, step_at + kStepUs);
   const double planned = plan.At(t).velocity;
@@ -52,7 +52,7 @@ void JogMode::Step() {
   step.velocity = next_velocity;
   step_at += kStepUs;
   if (MsBetween(begin, step_at) >= plan.duration && step.velocity == plan.end_velocity) {
-    // From here on the plan can be followed directly, from where the filter got to.
+    // From here on the plan is followed directly, starting at the filter's output.
     plan = PlanToVelocity(step.position, step.velocity, step.velocity,
                           {std::fabs(step.velocity), 1, 1, 0});
     begin = step_at;

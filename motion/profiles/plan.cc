@@ -9,8 +9,8 @@ namespace {
 
 double Sign(double value) { return value < 0 ? -1 : 1; }
 
-/// From speed `from` along `direction` over `distance` to the speed `last`, which is left at once.
-/// 0 <= last <= from, and the distance suffices to brake from one to the other.
+/// A motion from speed `from` in `direction` over `distance` to the speed `last`, from which it
+/// stops at once. 0 <= last <= from, and the distance is sufficient to brake from `from` to `last`.
 struct Approach {
   double direction = 1;
   double from = 0;
@@ -18,7 +18,7 @@ struct Approach {
   double distance = 0;
 };
 
-/// Acceleration, or deceleration to the limit; cruise; deceleration.
+/// Appends acceleration, or deceleration to the velocity limit; cruise; deceleration.
 void AppendApproach(const Approach& approach, const MoveLimits& limits, Plan* plan) {
   const double v0 = approach.from;
   const double last = approach.last;
@@ -39,7 +39,7 @@ void AppendApproach(const Approach& approach, const MoveLimits& limits, Plan* pl
   double rise_distance = (v * v - v0 * v0) / (2 * acc);
   double fall_distance = (v * v - last * last) / (2 * dec);
   if (rise_distance + fall_distance > approach.distance) {
-    // A triangle: v^2 = v0^2 + 2 acc s1 = last^2 + 2 dec s2 with s1 + s2 = distance.
+    // Without cruise: v^2 = v0^2 + 2 acc s1 = last^2 + 2 dec s2 with s1 + s2 = distance.
     v = std::sqrt((2 * acc * dec * approach.distance + dec * v0 * v0 + acc * last * last) /
                   (acc + dec));
     v = std::max({v, v0, last});
@@ -86,7 +86,7 @@ Plan PlanToPosition(double position, double velocity, double target, const MoveL
   const double start = std::min(limits.start_velocity, limits.velocity);
   const double last = std::min(start, std::fabs(velocity));
   const double stop_distance = (velocity * velocity - last * last) / (2 * limits.deceleration);
-  // Rounding must not turn a stop that just fits into a reversal.
+  // Rounding must not cause a reversal if the stop just fits.
   const double slack = 1e-9 * (1 + std::fabs(distance));
   if (velocity != 0 &&
       (velocity * distance < 0 || distance == 0 || stop_distance > std::fabs(distance) + slack)) {
@@ -101,7 +101,7 @@ Plan PlanToPosition(double position, double velocity, double target, const MoveL
                    &plan);
     plan.end_position = target;
   } else if (from != 0) {
-    // A velocity limit of 0 while moving: stop where that leads.
+    // A velocity limit of 0 while moving: stop with the deceleration, wherever that ends.
     plan.Append(std::fabs(from) / limits.deceleration, from, -Sign(from) * limits.deceleration);
   }
   plan.end_velocity = 0;

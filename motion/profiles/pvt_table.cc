@@ -11,13 +11,14 @@ namespace {
 
 static_assert(kFieldsComplete<PvtTable> && kFieldsComplete<PvtPiece>);
 
-/// A table that holds nothing but the instants and positions of its ends.
+/// A table with only the times and positions of its ends.
 PvtTable Frame(std::span<const double> times, std::span<const double> positions) {
   return {times.front(), times.back(), positions.back() - positions.front(), {}};
 }
 
-/// Adds pieces of a change of velocity that takes `time` ms; returns the state at its end.
-/// Acceleration grows for half of `percent` of the time, stays, and vanishes in the other half.
+/// Appends the pieces of a velocity change that takes `time` ms; returns the state at its end. The
+/// acceleration rises during half of `percent` of the time, is constant, and falls during the other
+/// half.
 PvtPiece AppendRamp(std::vector<PvtPiece>& pieces, PvtPiece from, double velocity, double time,
                     double percent) {
   const double change = time * percent / 200;
@@ -45,7 +46,7 @@ PvtPiece AppendRamp(std::vector<PvtPiece>& pieces, PvtPiece from, double velocit
   return from;
 }
 
-/// The way that a change of velocity takes per (pulse/ms)^2 of the difference of squares.
+/// The distance of a velocity change, divided by the difference of the squared velocities.
 double RampFactor(double acceleration, double percent) {
   return 1 / (2 * acceleration * (1 - percent / 200));
 }
@@ -78,7 +79,7 @@ struct Interval {
     return std::max(up_time, 0.0) + std::max(even_time, 0.0) + std::max(down_time, 0.0);
   }
 
-  /// A velocity that can just be had must not fail by what rounding makes of it.
+  /// Rounding must not make a velocity impossible that can just be reached.
   static constexpr double kRounding = 1e-12;
 
   const ContinuousRow& row;
@@ -86,7 +87,7 @@ struct Interval {
   double distance;
   double begin;
   double end;
-  double reachable;  ///< the velocity at which no way is left for constant velocity
+  double reachable;  ///< the peak velocity if no distance is left for constant velocity
   double top;
   double up_time;
   double even_time;
@@ -148,8 +149,9 @@ std::vector<CubicCoefficients> SplineCoefficients(std::span<const double> times,
   const size_t count = times.size();
   std::vector<double> velocities(count, begin_velocity);
   velocities.back() = count > 1 ? end_velocity : begin_velocity;
-  // Equal accelerations on both sides of every inner point: a tridiagonal system in the velocities,
-  // whose rows are eliminated downwards; `upper` is what is left right of the diagonal.
+  // Equal accelerations on both sides of every inner point: a tridiagonal system for the
+  // velocities. Its rows are eliminated downwards; `upper` is what remains to the right of the
+  // diagonal.
   std::vector<double> upper(count, 0);
   for (size_t i = 1; i + 1 < count; ++i) {
     const double before = 1 / (times[i] - times[i - 1]);

@@ -10,7 +10,7 @@ namespace {
 
 static_assert(kFieldsComplete<TrapMode> && kFieldsComplete<TrapParameters>);
 
-/// The integral over a piece's position, relative to `base`, from `a` to `b` ms after its begin.
+/// The integral of a piece's position, relative to `base`, from `a` to `b` ms after its beginning.
 double Integral(const Piece& piece, double base, double a, double b) {
   const double first = piece.PositionAt(a);
   const double velocity = piece.VelocityAt(a);
@@ -18,14 +18,14 @@ double Integral(const Piece& piece, double base, double a, double b) {
   return t * ((first - base) + t * (velocity / 2 + t * (piece.acceleration / 6)));
 }
 
-/// The plan's motion without the mean: the past, the pieces, and rest at the end.
+/// The planned motion before averaging: the past, the pieces, and rest at the end.
 class Raw {
  public:
   explicit Raw(const TrapMode& mode) : mode_(mode) {
     for (const Piece& piece : mode.past) past_ += piece.duration;
   }
 
-  /// The integral of position - base over [from, to], which are ms after the plan's begin.
+  /// The integral of position - base over [from, to], in ms after the beginning of the plan.
   double IntegralOver(double from, double to, double base) const {
     double sum = 0;
     double begin = -past_;
@@ -46,7 +46,7 @@ class Raw {
     return sum;
   }
 
-  /// Position and velocity `t` ms after the plan's begin; `t` may be negative.
+  /// Position and velocity `t` ms after the beginning of the plan; `t` may be negative.
   Sample At(double t) const {
     if (t >= 0) return mode_.plan.At(t);
     double begin = -past_;
@@ -65,8 +65,8 @@ class Raw {
   double past_ = 0;
 };
 
-/// Moves what the plan has done in `elapsed` ms to the past, and forgets what the mean needs no
-/// more.
+/// Moves what the plan has done in `elapsed` ms to the past, and removes what the mean no longer
+/// needs.
 void KeepPast(double elapsed, TrapMode* mode) {
   double left = elapsed;
   for (uint32_t i = 0; i < mode->plan.count && left > 0; ++i) {
