@@ -1,4 +1,4 @@
-// What writing leaves alone, what it leaves behind, and who may write at the same time.
+// Writing: what it does not change, what it leaves behind, and several writers at the same time.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
@@ -141,7 +141,7 @@ TEST_F(FileWriterTest, FollowsNoLinkInPlaceOfATemporaryFile) {
   EXPECT_EQ(ReadFile(Path("victim")).value(), "kept");
 }
 
-// Each child is ended by SIGTERM somewhere in its writing.
+// Each child is ended by SIGTERM at some point while it writes.
 TEST_F(FileWriterTest, LeavesNothingBehindWhenItIsTerminated) {
   const std::string content(1 << 20, 'x');
   for (int round = 0; round < 20; ++round) {
@@ -167,8 +167,8 @@ TEST_F(FileWriterTest, LeavesNothingBehindWhenItIsTerminated) {
   }
 }
 
-// Children are killed somewhere in their writing of pairs that name their round. What stands
-// afterwards is one pair or none.
+// Children are killed at some point while they write pairs that contain the number of the round.
+// Afterwards there must be a matching pair or none.
 TEST_F(FileWriterTest, NeverMixesPairsWhenItIsKilled) {
   for (int round = 0; round < 20; ++round) {
     int ready[2];

@@ -63,7 +63,7 @@ TEST_F(FilesTest, ReadsAsManyBytesAsTheKindAllows) {
       "cannot read '" + Path("f") + "': it has 100001 bytes or more; a note has at most 100000");
 }
 
-// Its size is 0 until it is read, as that of a file which another process is writing may be.
+// The size is reported as 0 until the file is read, as it may be while another process writes it.
 TEST_F(FilesTest, CountsTheBytesOfAFileThatGrowsWhileItIsRead) {
   constexpr FileKind kKind = {"a note", "便条", 10};
   EXPECT_NE(ReadFile("/proc/self/maps", kKind).error().message.en.find("at most 10"),
@@ -112,7 +112,7 @@ TEST_F(FilesTest, AFileOrFolderExistsOrNot) {
 TEST_F(FilesTest, NamesAFileAsSeenFromAFolder) {
   EXPECT_EQ(NameFromFolder(Path("a/f.c"), Path("b")), "../a/f.c");
   EXPECT_EQ(NameFromFolder(Path("f.c"), folder_.string()), "f.c");
-  // A relative name is one from the current folder.
+  // A relative name is relative to the current folder.
   EXPECT_EQ(NameFromFolder("f.c", std::filesystem::current_path().string()), "f.c");
 }
 

@@ -1,4 +1,4 @@
-// Numbers as people and files write them (base/number.h).
+// Numbers in the notations of users and files (base/number.h).
 #include "base/number.h"
 
 #include <gtest/gtest.h>

@@ -37,7 +37,7 @@ TEST(WideProductTest, GivesTheUpperHalf) {
 TEST(WideProductTest, IsTheSameWithAndWithoutWideNumbers) {
   uint64_t random = 1;
   for (int i = 0; i < 100000; ++i) {
-    // Of all lengths.
+    // Numbers of all lengths.
     const uint64_t a = NextRandom(random) >> NextRandom(random) % 64;
     const uint64_t b = NextRandom(random) >> NextRandom(random) % 64;
     ASSERT_EQ(UpperProductByHalves(a, b), UpperProduct(a, b)) << a << " * " << b;

@@ -1,4 +1,4 @@
-// What the compiler's tests share: compiling text, listing what was reported, applying fix-its.
+// Shared by the compiler's tests: compiling text, listing diagnostics, applying fix-its.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace oncard::compiler {
 
-/// Files that exist only in a test.
+/// Files that only exist in a test.
 using MemoryFiles = std::map<std::string, std::string>;
 
 inline Compilation CompileString(const std::string& text, const Options& options = {},
@@ -27,7 +27,7 @@ inline Compilation CompileString(const std::string& text, const Options& options
                      });
 }
 
-/// The codes that were reported, in order.
+/// The codes of the diagnostics, in order.
 inline std::vector<int> CodesOf(const Compilation& compilation) {
   std::vector<int> codes;
   for (const Diagnostic& diagnostic : compilation.diagnostics) {
@@ -36,12 +36,12 @@ inline std::vector<int> CodesOf(const Compilation& compilation) {
   return codes;
 }
 
-/// The text after the edits of one diagnostic.
+/// The text after the edits of one diagnostic are applied.
 inline std::string ApplyFixIts(const std::string& text, const Diagnostic& diagnostic) {
   return ApplyEdits(text, diagnostic.fixits);
 }
 
-/// The program after all fix-its.
+/// The program after all fix-its are applied.
 inline Mended MendString(const std::string& text, const MemoryFiles& files = {}) {
   return Mend("test.c", text, {}, [files](const std::string& path) -> Result<std::string> {
     const auto found = files.find(path);
@@ -50,7 +50,7 @@ inline Mended MendString(const std::string& text, const MemoryFiles& files = {})
   });
 }
 
-/// The catalogue as the object verifier wants it; executes nothing.
+/// The catalogue as needed by the object verifier; executes nothing.
 class CatalogueShapes final : public vm::CommandTable {
  public:
   const vm::CommandShape* Find(uint16_t number) const override {

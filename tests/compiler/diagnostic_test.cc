@@ -1,4 +1,4 @@
-// The table of diagnostics, columns, recovery, and that every code has a test.
+// The table of diagnostics, columns, recovery, and a check that every code has a test.
 #include "compiler/diagnostic.h"
 
 #include <fmt/format.h>
@@ -30,7 +30,7 @@ TEST(DiagnosticTable, IsSortedAndComplete) {
   EXPECT_EQ(DiagnosticName(7), "MP007");
 }
 
-// MP000 is in the vendor's numbering only.
+// MP000 only exists in the vendor's numbering.
 TEST(DiagnosticTable, HasATestForEveryCode) {
   std::string tests;
   for (const char* folder : {"/tests/lang", "/tests/compiler"}) {
@@ -84,7 +84,7 @@ TEST(SourceFile, SkipsAByteOrderMark) {
   EXPECT_EQ(file.ColumnOf(4), 5);
 }
 
-// The place of a diagnostic is a token, not a line.
+// The range of a diagnostic is a token, not a line.
 TEST(Diagnostics, PointAtTheToken) {
   const Compilation compilation = CompileString("int t0() {\n  return misspelt + 1;\n}\n");
   ASSERT_EQ(CodesOf(compilation).front(), 27);
@@ -111,14 +111,14 @@ TEST(Diagnostics, DoNotCascade) {
     Codes codes;
   };
   const Case cases[] = {
-      // One report per name and function.
+      // Reported once per name and function.
       {"int t0() { x = 1; x = x + 1; goto l; goto l; return x; }", {27, 20}},
-      // A declaration with an error still declares.
+      // A declaration with an error still declares its name.
       {"unsigned x; int t0() { x = 1; return x; }", {114}},
       {"int x[0]; int t0() { x[1] = 2; return 0; }", {16}},
       {"wrong x; int t0() { x = 1; return x; }", {5}},
       {"int x y, z; int t0() { z = 1; y = 1; return x; }", {41}},
-      // A function with an error in its header hides what is in it, not what follows.
+      // After an error in a function's header its body is not checked, but what follows it is.
       {"int f(int 5) { a = 1; while (1) { b = 2; } } int t0() { u = 1; }", {39, 27}},
       {"int t0() { for (i = 0 i < 3; i++) { a = 1; } u = 1; }", {41, 27}},
       {"int t0() { while x { a = 1; } u = 1; }", {38, 27}},
@@ -129,7 +129,7 @@ TEST(Diagnostics, DoNotCascade) {
       {"int v; int t0() { v = 1;\nint t1() { v = 2; }\n", {12}},
       {"#define N 99999999999\nint a[N]; int t0() { a[1] = N; return N; }", {26}},
       {"int v; int t0() { v = GT_Nope(u); }", {33, 27}},
-      // A bad number is one error wherever it stands.
+      // An invalid number is one error, wherever it is.
       {"int 5z;", {3}},
       {"int 5z = 3, y; int t0() { y = 1; return 5z; }", {3, 3}},
       {"double d[3], 5z[2]; int t0() { d[0] = 1; }", {3}},
@@ -189,7 +189,7 @@ TEST(Diagnostics, TellApartWhatCannotBeCalled) {
             std::string::npos);
 }
 
-// Nothing can convert what a command writes through an address.
+// The values that a command writes through an address cannot be converted.
 TEST(Diagnostics, SayWhatToDoAboutAnAddressOfAnotherType) {
   struct Case {
     const char* call;

@@ -1,4 +1,4 @@
-// `oncard explain` finds a page by whatever its reader has at hand.
+// `oncard explain` finds a page by different kinds of search words.
 #include "compiler/explain_search.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ TEST(ExplainSearch, TakesEverySlug) {
   EXPECT_EQ(SearchDiagnostics("While Loop"), Found{101});
 }
 
-// The texts are the specification: nothing but them says where `goto` stands.
+// Checked with the texts themselves: only they determine on which pages `goto` occurs.
 TEST(ExplainSearch, FindsEachTextWithTheWord) {
   const Found found = SearchDiagnostics("GOTO");
   size_t in_messages = 0;

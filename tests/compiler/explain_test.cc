@@ -1,4 +1,4 @@
-// Every diagnostic has a page in both languages, and the programs on it do what the page says.
+// Every diagnostic has a page in both languages, and its programs behave as the page says.
 #include "compiler/explain.h"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr size_t kPageWidth = 80;
 
-// Codes whose pages have no programs, and why.
+// Codes whose pages have no programs, with the reason.
 const std::map<int, std::string> kWithoutPrograms = {
     {0, "this compiler never reports it"},
     {8, "takes 1025 macros"},
@@ -29,7 +29,7 @@ const std::map<int, std::string> kWithoutPrograms = {
     {130, "takes hundreds of parentheses"},
 };
 
-// Nothing is included, so the program's use of it is the second error.
+// Nothing is included, so the use of the included name is a second error.
 const std::set<int> kFollowedByUndeclared = {21, 22, 36, 37};
 
 Compilation CompileExample(int code, std::string_view program) {
@@ -42,7 +42,7 @@ Compilation CompileExample(int code, std::string_view program) {
   return CompileText("program.c", std::string(program), {}, reader);
 }
 
-// `MP027 MP041`: what a compilation reports, in order.
+// The codes that a compilation reports, in order: `MP027 MP041`.
 std::string Codes(const Compilation& compilation) {
   std::string codes;
   for (const Diagnostic& diagnostic : compilation.diagnostics) {

@@ -1,5 +1,5 @@
-// No text makes the compiler crash, hang, or report something outside the text; whatever it
-// accepts, the machine's verifier accepts too.
+// No text may make the compiler crash, hang, or report a range outside the text; the machine's
+// verifier must accept every program that the compiler accepts.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -183,7 +183,7 @@ TEST(Fuzz, RandomTokens) {
   }
 }
 
-// Long and deep input: the time must grow with the length, and the stack must not.
+// Long and deep input: the time must be proportional to the length, and the stack limited.
 TEST(Fuzz, ManyOfOneThing) {
   for (const std::string piece :
        {"(",   ")",       "{",         "}",        "[",         "]",          "a[",
@@ -199,7 +199,7 @@ TEST(Fuzz, ManyOfOneThing) {
   }
 }
 
-// Well-formed nesting up to the depth that is accepted, in every position that rewriting treats
+// Well-formed nesting up to the maximum depth, in every position that the rewriter handles
 // specially: its work must not double with each level.
 TEST(Fuzz, DeepButWellFormed) {
   struct Nest {

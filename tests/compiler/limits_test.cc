@@ -1,4 +1,4 @@
-// Every limit of the language, at the limit and one past it.
+// Every limit of the language, at the limit and one beyond it.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -22,13 +22,13 @@ TEST_P(FixedLiteralTest, RoundsToTheNearestMultiple) {
   EXPECT_EQ(*FixedValue(literal, DoubleFormat::k32_16), GetParam().raw);
 }
 
-// Raw values are the numbers times 65536, worked out by hand.
+// Raw values are the numbers times 65536, calculated by hand.
 INSTANTIATE_TEST_SUITE_P(
     Values, FixedLiteralTest,
     testing::Values(FixedCase{"0.0", 0}, FixedCase{"1.0", 65536}, FixedCase{"12.5", 819200},
                     FixedCase{".5", 32768}, FixedCase{"3.", 196608}, FixedCase{"1e2", 6553600},
                     FixedCase{"25e-2", 16384}, FixedCase{"0.0000152587890625", 1},
-                    // Half a step rounds away from zero, a hair less rounds down.
+                    // Half a step is rounded away from zero, slightly less is rounded down.
                     FixedCase{"0.00000762939453125", 1}, FixedCase{"0.00000762939453124999999", 0},
                     FixedCase{"0.000022888183593750", 2},
                     FixedCase{"0.00002288818359374999999999999999", 1},
@@ -40,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(
                     FixedCase{"1e-999999999999", 0}));
 
 TEST(FixedLiteral, IsExactWhereADoubleIsNot) {
-  // 53 bits cannot tell this number from the half step above it.
+  // A double's 53 bits cannot distinguish this number from the half step above it.
   const Literal literal = ParseFixed("1073741823.00000762939453124999999999999");
   EXPECT_EQ(*FixedValue(literal, DoubleFormat::k32_16), int64_t{1073741823} * 65536);
 }
@@ -56,7 +56,7 @@ TEST(FixedLiteral, HasTheRangeOfItsFormat) {
   EXPECT_EQ(*FixedValue(literal, DoubleFormat::k16_16), int64_t{-32768} * 65536);
   EXPECT_FALSE(FixedValue(ParseFixed("1e999999999"), DoubleFormat::k32_16).has_value());
   EXPECT_FALSE(FixedValue(ParseFixed(std::string(1000, '9') + ".0"), DoubleFormat::k32_16));
-  // Rounding up may leave the range.
+  // Rounding up may exceed the range.
   EXPECT_FALSE(FixedValue(ParseFixed("2147483647.999999"), DoubleFormat::k32_16));
 }
 

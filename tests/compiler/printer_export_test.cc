@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// `轴` stands before the error, so that columns that count bytes would show.
+// `轴` precedes the error, so that columns that count bytes would be detected.
 Compilation Sample() {
   Compilation compilation = CompilationOf("int sum;\n/* 轴 */ sun = 1;\n", "my dir/p.c");
   Diagnostic& diagnostic =

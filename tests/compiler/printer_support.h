@@ -1,4 +1,4 @@
-// Compilations made by hand, so that printing is tested apart from compiling.
+// Compilations built by hand, to test printing without compiling.
 #pragma once
 
 #include <string>

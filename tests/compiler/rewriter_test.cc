@@ -1,5 +1,5 @@
-// Fix-its are real edits: applying those of one diagnostic after the other leads to a program that
-// compiles, and what it computes is what C would have computed.
+// Fix-its are valid edits: applying those of one diagnostic after the other results in a program
+// that compiles, and that computes what C would have computed.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -10,10 +10,10 @@
 namespace oncard::compiler {
 namespace {
 
-// Some constructs hold many others; each round mends one.
+// Some constructs contain many others; each round corrects one.
 constexpr int kRoundMax = 60;
 
-// Applies the fix-its of the first error that has any, or of the last one, until there is none.
+// Applies the fix-its of the first error with any (or of the last one), until there are none left.
 std::string MendOneByOne(std::string text, std::string* trace, bool from_last = false) {
   for (int round = 0; round < kRoundMax; ++round) {
     const Compilation compilation = CompileString(text);
@@ -30,7 +30,7 @@ std::string MendOneByOne(std::string text, std::string* trace, bool from_last = 
   return text;
 }
 
-// Every global `v`, `w`, ... of the mended program after a run of its first function.
+// A global of the corrected program (`v`, `w`, ...) after a run of its first function.
 double RunAndRead(const vm::Object& object, const std::string& name) {
   runtime::Controller controller;
   EXPECT_TRUE(controller.Load(object).ok());
@@ -52,10 +52,10 @@ double RunAndRead(const vm::Object& object, const std::string& name) {
 struct Foreign {
   const char* name;
   const char* body;  ///< of `int t0()`, after declarations of i, j, k and x
-  double v;          ///< what C gives
+  double v;          ///< the result in C
 };
 
-// Values follow from C's rules by hand.
+// The values are derived by hand from the rules of C.
 const Foreign kBodies[] = {
     {"nested", "i = 3; j = 4; v = i * j + 5;", 17},
     {"parentheses", "i = 3; v = (i + 1) * (i - 1);", 8},
@@ -220,7 +220,7 @@ TEST_P(RewriterTest, MendsTheProgramToWhatCMeans) {
   ASSERT_TRUE(verified.ok()) << verified.error().message.en;
   EXPECT_EQ(RunAndRead(*compilation.object, "v"), GetParam().v) << trace << mended;
 
-  // In another order a type can be left that must be mended first, but nothing is mended wrongly.
+  // In another order a type may remain that must be corrected first, but no fix-it is wrong.
   trace.clear();
   const std::string backwards = MendOneByOne(text, &trace, true);
   const Compilation from_last = CompileString(backwards);
@@ -244,7 +244,7 @@ struct Whole {
   const char* text;
 };
 
-// Programs whose errors are not in statements.
+// Programs whose errors are outside statements.
 const Whole kPrograms[] = {
     {"unsigned_long", "unsigned long v; float f; char c; static int s; int t0() { return v; }\n"},
     {"global_zero", "int v = 0; double d = 0.0; int a[3] = {0, 0}; int t0() { return v; }\n"},
@@ -303,7 +303,7 @@ struct MacroCase {
   const char* name;
   const char* body;
   const char* use;
-  double value;  ///< of `v` after `v = USE;`, as C computes it
+  double value;  ///< of `v` after `v = USE;`, as in C
 };
 
 const MacroCase kMacros[] = {
@@ -346,11 +346,11 @@ INSTANTIATE_TEST_SUITE_P(Macros, MacroTest, testing::ValuesIn(kMacros),
 struct Unmendable {
   const char* name;
   const char* text;
-  std::vector<int> codes;  ///< that are left
-  const char* note;        ///< part of a note of what to do
+  std::vector<int> codes;  ///< the codes that remain
+  const char* note;        ///< part of a note with advice
 };
 
-// What no edit can say in the language, or what C has no meaning for: it stays an error.
+// No fix-it is possible in the language, or C gives no meaning: it remains an error.
 const Unmendable kUnmendable[] = {
     {"global_value", "int rate = 25; int t0() { return rate; }\n", {110}, "#define"},
     {"global_array", "int a[2] = {0, 1}; int t0() { return a[1]; }\n", {110}, "in a function"},
@@ -450,8 +450,8 @@ INSTANTIATE_TEST_SUITE_P(Programs, UnmendableTest, testing::ValuesIn(kUnmendable
                            return std::string(program.param.name);
                          });
 
-// Whether a variable can be an int depends on the types of others, so no type waits for a loop
-// around it to be mended.
+// Whether a variable can be an int depends on other types, so all types are corrected before the
+// loops around them.
 TEST(Mender, MendsTypesFirst) {
   const Mended mended = MendString(
       "bool ready; int v;\nint t0() {\n  ready = v == 0;\n  while (v < 3) {\n    bool go = ready;\n"
@@ -460,7 +460,7 @@ TEST(Mender, MendsTypesFirst) {
   EXPECT_EQ(RunAndRead(*mended.compilation.object, "v"), 4) << mended.files.at("test.c");
 }
 
-// Fix-its are applied in any order, or one of them alone.
+// Fix-its may be applied in any order, or one of them alone.
 TEST(Rewriter, DeclaresInEachFixItWhatItNeeds) {
   const std::string text =
       "int v;\nint t0() {\n  for (int n = 0; n < 2; n++) v = n;\n"
@@ -482,11 +482,11 @@ TEST(Rewriter, KeepsTheCommentsOfABody) {
   EXPECT_NE(mended.find("v = v + 1;  // count\n"), std::string::npos) << mended;
 }
 
-// A comment that an edit would take along stays, beside what it stood at.
+// A comment inside an edited range is kept, next to the code that it belonged to.
 TEST(Rewriter, KeepsTheCommentsBetweenTheParts) {
   struct Case {
     const char* statement;
-    const char* mended;  ///< of the statement, up to the end label
+    const char* mended;  ///< the statement's text, up to the end label
   };
   const Case cases[] = {
       {"if (v) /* why */ v = 1;", "cc = !v;\n  if (cc) goto lbl_end;\n  /* why */\n  v = 1;\n"},

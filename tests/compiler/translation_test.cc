@@ -1,5 +1,5 @@
-// Instructions, symbols and lines of the object, against the format's one public example and the
-// encoding rules of vm/object.h.
+// Instructions, symbols and lines of the object, compared with the format's one public example and
+// the encoding rules of vm/object.h.
 #include <gtest/gtest.h>
 
 #include "gtcalls/gts/catalogue.h"
@@ -72,7 +72,7 @@ TEST(Translation, GivesTheVendorsObjectForExample10_1) {
             (std::vector<uint16_t>{13, 15, 16, 17, 18, 19, 21}));
 }
 
-// The instructions of `int t0(int p) { BODY }` after these globals.
+// The instructions of `int t0(int p) { BODY }` with the globals below.
 std::vector<Instruction> Translate(const std::string& body) {
   const Compilation compilation = CompileString(
       "int g, a[4]; double d; TTrapPrm trap; long clock;\n"

@@ -1,6 +1,6 @@
-// Random programs must compute under oncard, bit for bit, what they compute when g++ compiles them:
-// every variable, every result, every fault. The programs are text, so this holds the lexer, the
-// parser, the translation, the linker's fused instructions and the arithmetic to one account.
+// Random programs must compute with oncard exactly what they compute when compiled by g++: every
+// variable, every result, every fault, bit for bit. The programs are text, so this checks the
+// lexer, the parser, the translation, the linker's fused instructions and the arithmetic together.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ std::string Folder(const std::string& name) {
   return std::string(ONCARD_BUILD_DIR) + "/tests/differential/" + name;
 }
 
-// Empty, or what differs.
+// Describes the difference; empty if there is none.
 std::string Difference(const RandomProgram& program, const Values& expected,
                        const Values& computed) {
   const std::vector<std::string> names = ValueNames(program);
@@ -65,7 +65,7 @@ TEST_P(DifferentialTest, ProgramsComputeWhatGccComputes) {
     const std::string difference = Difference(program, oracle.value()[i], run.FinalValues());
     ASSERT_EQ(difference, "") << Listing(program);
 
-    // In single steps nothing is fused, and in odd chunks fused statements are cut apart.
+    // With single steps no instruction is fused; odd chunks end inside fused statements.
     for (const int64_t chunk : {1, 7}) {
       MachineRun chunked(program, image.value());
       ASSERT_TRUE(chunked.RunInSequence(chunk));
@@ -77,8 +77,8 @@ TEST_P(DifferentialTest, ProgramsComputeWhatGccComputes) {
 
 INSTANTIATE_TEST_SUITE_P(Batches, DifferentialTest, testing::Range(0, kBatches));
 
-// Of four interleaved programs two run in the plain round robin, one with longer turns, one begins
-// in a random order.
+// Of four interleaved programs two run with the plain round robin, one with longer turns, and one
+// begins in a random order.
 std::vector<Interleaving> MakeInterleavings(const std::vector<RandomProgram>& programs) {
   constexpr int kQuanta[] = {2, 3, 7};
   std::vector<Interleaving> interleavings;

@@ -1,4 +1,4 @@
-// Sets variables by their symbols, runs, reads them back by their symbols.
+// Sets variables by their symbols, runs, and reads them by their symbols.
 #include "machine_run.h"
 
 #include <fmt/format.h>
@@ -6,7 +6,7 @@
 namespace oncard::differential {
 namespace {
 
-constexpr int kGlobals = -1;  // in place of a function
+constexpr int kGlobals = -1;  // instead of a function's number
 
 }  // namespace
 

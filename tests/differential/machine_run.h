@@ -1,4 +1,4 @@
-// Executes random programs by way of oncard: compiler, linker, machine.
+// Executes random programs with oncard: compiler, linker, machine.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@
 
 namespace oncard::differential {
 
-/// A card without commands; the random programs call none.
+/// A card without commands, because the random programs call none.
 class NoCommands final : public vm::CommandTable {
  public:
   const vm::CommandShape* Find(uint16_t) const override { return nullptr; }
@@ -32,24 +32,24 @@ compiler::Compilation CompileSource(const std::string& text, vm::DoubleFormat fo
 /// The errors of a compilation, one per line.
 std::string ErrorsOf(const compiler::Compilation& compilation);
 
-/// The program, compiled and linked. The error holds the first diagnostics.
+/// The compiled and linked program. The error contains the first diagnostics.
 Result<std::shared_ptr<const vm::Image>> CompileAndLink(const RandomProgram& program);
 
-/// Statements after which a program is taken for endless.
+/// Number of statements after which a program is assumed to be endless.
 inline constexpr int64_t kEndless = 1'000'000;
 
 /// One execution of a random program: function k on thread k and data page k.
 class MachineRun {
  public:
-  /// Loads the program and gives every variable its initial value.
+  /// Loads the program and sets all variables to their initial values.
   MachineRun(const RandomProgram& program, std::shared_ptr<const vm::Image> image);
 
-  /// Runs one function after the other, up to `chunk` statements a call of the machine. False when
-  /// one does not end.
+  /// Runs the functions one after the other, with at most `chunk` statements per call of the
+  /// machine. False if one does not end.
   bool RunInSequence(int64_t chunk);
-  /// Runs them as threads. False when they do not end.
+  /// Runs the functions as threads. False if they do not end.
   bool RunInterleaved(const Interleaving& interleaving);
-  /// Final values in the order that RunOracle() has.
+  /// Final values in the order of RunOracle().
   Values FinalValues() const;
   uint64_t Hash() const { return machine_.Hash(); }
   /// Statements executed.

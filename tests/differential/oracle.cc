@@ -1,6 +1,6 @@
-// Writes the C++ file, calls g++, reads the values back. What g++ made of a file is kept for the
-// other builds of this checkout: compiling is most of what these tests cost, and its values cannot
-// change.
+// Writes the C++ file, calls g++ and reads the values. The values for a file are kept for the other
+// builds of this checkout: most of the time of these tests is spent compiling, and the values
+// cannot change.
 #include "oracle.h"
 
 #include <fmt/format.h>
@@ -18,14 +18,14 @@ namespace oncard::differential {
 namespace {
 
 constexpr std::string_view kOracleCompiler = "g++";
-// The programs take milliseconds; one that does not end is a mistake of the generator.
+// The programs take milliseconds; if one does not end, the generator has an error.
 constexpr int kSecondsMax = 60;
 
 bool IsArray(const Declaration& declaration) {
   return declaration.slots[0].name != declaration.slots[0].symbol;
 }
 
-// Arrays at once: what g++ needs for the tests is mostly a matter of the number of calls.
+// Sets whole arrays: the time of g++ for these tests mostly depends on the number of calls.
 std::string SetAll(const std::vector<Declaration>& declarations) {
   std::string text;
   for (const Declaration& declaration : declarations) {
@@ -61,7 +61,7 @@ void ReplaceNext(std::string* text, std::string_view what, const std::string& wi
   text->replace(*at, what.size(), with);
 }
 
-// The program as it is, but for the comments that hold a place.
+// The unchanged program, except for the comments that are placeholders.
 std::string Functions(const RandomProgram& program) {
   std::string text = SourceText(program);
   size_t at = 0;
@@ -86,7 +86,7 @@ std::string RunFunctions(const RandomProgram& program) {
   return text;
 }
 
-// The statement as a case of a switch over the statements of its function.
+// The statement as a case of a switch over the function's statements.
 std::string StatementCase(const Statement& statement, const std::string& result,
                           std::map<std::string, size_t>& index_of_label) {
   const std::string value =
@@ -178,13 +178,13 @@ std::string OracleSource(const std::vector<RandomProgram>& programs,
   return text + fmt::format("#undef int\nint main() {{\n{}}}\n", calls);
 }
 
-// Runs a command of the shell; its output goes to a file. Paths come from the build and are quoted.
+// Runs a shell command; its output goes to a file. Paths are those of the build and are quoted.
 bool Shell(const std::string& command, const std::string& output) {
   // NOLINTNEXTLINE(cert-env33-c): a test, calling the compiler that built it
   return std::system(fmt::format("{} > '{}' 2>&1", command, output).c_str()) == 0;
 }
 
-// Where the values of a source are kept, whichever build asks.
+// Where the values for a source are kept, independent of the build.
 std::string KeptValues(const std::string& source, const std::string& flags) {
   const auto prelude = ReadFile(ONCARD_SOURCE_DIR "/tests/differential/oracle_prelude.h");
   const std::string all = flags + source + (prelude.ok() ? prelude.value() : "");

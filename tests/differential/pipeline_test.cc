@@ -1,5 +1,5 @@
-// What must hold for every program on its way from text to machine: the same text gives the same
-// bytes, files give back what was written, layout and comments mean nothing.
+// Properties of every program between text and machine: the same text gives the same bytes, files
+// are read as they were written, layout and comments have no effect.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ vm::Object Compiled(const std::string& text, vm::DoubleFormat format) {
 
 // The same tokens with other white space, comments and line ends.
 std::string AnotherLayout(const std::string& text, uint64_t seed) {
-  // Each begins with white space: a gap may stand after a division sign.
+  // Each begins with white space, because it may follow a division sign.
   static const char* const kGaps[] = {"  ", "\t",           "\r\n", " /* between; */ ",
                                       " ",  " // rest \n ", "\n\n", " /* two\r\nlines */"};
   std::mt19937_64 random(seed);

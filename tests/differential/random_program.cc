@@ -1,6 +1,6 @@
-// Generates random motion programs. The generator owns what keeps them comparable: which variables
-// a statement may write (not loop counters, not indices), where jumps may go, and which literals
-// mean the same to the language and to C++ when two of them stand together.
+// Generates random motion programs. The generator keeps the results comparable: it chooses which
+// variables a statement may write (not loop counters, not indices), where jumps may go, and
+// literals that mean the same in the language and in C++ when two of them are operands together.
 #include "random_program.h"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace {
 
 using vm::DataType;
 
-// Indices are kept in 0..kIndexMask, so every array has more elements than that.
+// Indices are kept in 0..kIndexMask, so every array has more elements.
 constexpr int kIndexMask = 7;
 constexpr int kArrayMin = kIndexMask + 1;
 constexpr int kLoopMax = 6;
@@ -40,8 +40,8 @@ class Generator {
   }
 
  private:
-  // What statements may use. Counters and indices are among the readable ints, never among the
-  // targets.
+  // The variables that statements may use. Counters and indices are among the readable ints, never
+  // among the targets.
   struct Scope {
     std::vector<std::string> ints, int_targets, doubles, double_targets, indices, counters;
     std::vector<std::string> int_arrays, double_arrays;
@@ -56,7 +56,7 @@ class Generator {
   const auto& Pick(const Container& from) {
     return from[static_cast<size_t>(Between(0, static_cast<int>(from.size()) - 1))];
   }
-  // From the function's own variables or the globals; threads are to meet at globals.
+  // Chooses among the function's own variables and the globals, so that threads share globals.
   const std::string& Pick(std::vector<std::string> Scope::*list) {
     const auto& local = local_.*list;
     const auto& global = global_.*list;
@@ -88,8 +88,8 @@ class Generator {
     return fmt::format("{}{}", value, Chance(5) ? Pick(kSuffixes) : "");
   }
 
-  // Few digits: no decimal of this form is so near the middle of two fixed-point numbers that the
-  // conversion by way of a binary double would round to the other one.
+  // Few digits: no decimal of this form is so close to the middle between two fixed-point numbers
+  // that conversion through a binary double would round to the other one.
   std::string DoubleLiteral() {
     const std::string sign = Chance(30) ? "-" : "";
     switch (Between(0, 6)) {
@@ -112,7 +112,7 @@ class Generator {
     }
   }
 
-  // Means the same in C arithmetic: two of them give no overflow in any operator.
+  // Means the same in C arithmetic: no operator overflows for two of them.
   std::string SmallLiteral() { return std::to_string(Between(1, 15)); }
 
   void MakeMacros() {
@@ -253,7 +253,7 @@ class Generator {
   std::string IntOperand() { return Chance(25) ? IntConstant() : IntPlace(); }
   std::string DoubleOperand() { return Chance(25) ? DoubleConstant() : DoublePlace(); }
 
-  // Two operands, at most one of them any literal, or both small ones.
+  // Two operands: at most one of them is an arbitrary literal, or both are small ones.
   std::pair<std::string, std::string> IntPair() {
     if (Chance(3)) return {SmallLiteral(), SmallLiteral()};
     return Chance(50) ? std::pair{IntPlace(), IntOperand()} : std::pair{IntOperand(), IntPlace()};
@@ -264,7 +264,7 @@ class Generator {
   }
 
   std::string Binary(const std::string& a, std::string_view op, const std::string& b) {
-    // `--` is another token, and so is what C reads on from a hexadecimal E and a sign.
+    // `--` is another token, and C would read a hexadecimal E and a sign as one number.
     const bool joins = (op == "-" && b[0] == '-') || a.starts_with("0x");
     return Chance(15) && !joins ? fmt::format("{}{}{}", a, op, b)
                                 : fmt::format("{} {} {}", a, op, b);
@@ -368,7 +368,7 @@ class Generator {
     }
   }
 
-  // By a literal, by a variable that was made positive, or, sometimes, by anything.
+  // Divides by a literal, by a variable that was made positive or, sometimes, by anything.
   void DoubleDivision() {
     if (Chance(40)) {
       return Assign(DoubleTarget(), Binary(DoublePlace(), "/",
@@ -393,7 +393,7 @@ class Generator {
     }
   }
 
-  // Two additions that often stand last in loops, in the forms that the interpreter fuses.
+  // Two additions that are often the last ones in loops, in the forms that the interpreter fuses.
   void AccumulateStatement() {
     if (Chance(65)) {
       const std::string target = Pick(&Scope::int_targets);
@@ -407,7 +407,7 @@ class Generator {
   }
 
   void ForwardJump() {
-    // To the end of this block or of one around it; labels are put down in between as well.
+    // Jumps to the end of this block or of an enclosing one; labels are also placed in between.
     auto& level =
         open_labels_[static_cast<size_t>(Between(0, static_cast<int>(open_labels_.size()) - 1))];
     const std::string label = NewLabel();
@@ -432,8 +432,8 @@ class Generator {
     Emit(std::move(statement));
   }
 
-  // A loop with a counter of its own. Most are written as the manual's table shows, in all the
-  // variants of the comparison; some are entered in the middle.
+  // A loop with its own counter. Most have the form in the manual's table, with all comparison
+  // operators; some are entered in the middle.
   void Loop() {
     Scope& owner = !global_.counters.empty() && Chance(20) ? global_ : local_;
     if (owner.counters.size() < 2) return IntStatement();
@@ -469,11 +469,12 @@ class Generator {
     }
     const int entry_place = Chance(25) ? Between(1, 3) : 0;
     if (entry_place != 0) Goto(entry);
-    // Not shared: another thread would change how often the loop runs, perhaps for ever.
+    // Not a shared variable: another thread would change the number of iterations, perhaps without
+    // end.
     const std::string condition = Pick(local_.int_targets);
     const int form = Between(0, 3);
     PutLabel(begin);
-    if (form == 0) {  // stay
+    if (form == 0) {  // the condition to stay
       static constexpr std::array<std::string_view, 2> kStay = {"<", "!="};
       const std::string body = NewLabel();
       Assign(condition, fmt::format("{} {} {}", counter, Pick(kStay), limit));
@@ -481,7 +482,7 @@ class Generator {
       IfGoto(condition, body);
       Goto(end);
       PutLabel(body);
-    } else {  // leave
+    } else {  // the condition to leave
       static constexpr std::array<std::string_view, 2> kLeave = {">=", "=="};
       Assign(condition, form == 1 ? fmt::format("{} <= {}", limit, counter)
                                   : fmt::format("{} {} {}", counter, Pick(kLeave), limit));
@@ -557,8 +558,9 @@ class Generator {
   Scope local_;
   RandomFunction* function_ = nullptr;
   std::vector<std::string> int_macros_, double_macros_, index_macros_;
-  std::vector<std::string> next_labels_;               // belong to the next statement
-  std::vector<std::vector<std::string>> open_labels_;  // jumped to, not yet put down, by block
+  std::vector<std::string> next_labels_;  // labels of the next statement
+  std::vector<std::vector<std::string>>
+      open_labels_;  // targets of jumps that are not placed yet, by block
   int label_count_ = 0;
 };
 

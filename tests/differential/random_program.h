@@ -1,9 +1,9 @@
 // Random motion programs as source text, for comparison with another implementation.
 //
-// A program is built statement by statement, so that the text can be executed twice: as a motion
-// program, and inside C++ (oracle.h). Everything is derived from the seed. Every program ends:
-// loops have a counter of their own, all other jumps go forward. Indices stay in range; divisors
-// are mostly, not always, kept from 0.
+// A program is built statement by statement, so that the text can be executed in two ways: as a
+// motion program, and inside C++ (oracle.h). Everything is derived from the seed. Every program
+// ends: loops have their own counter, all other jumps are forward. Indices stay in range; divisors
+// are usually, but not always, different from 0.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,11 @@
 
 namespace oncard::differential {
 
-/// One declared variable; a structure is a declaration with members.
+/// One declared variable; a structure is one declaration with members.
 struct Declaration {
   struct Slot {
-    std::string name;    ///< as a statement writes it: `g1`, `a[3]`, `s.acc`
-    std::string symbol;  ///< as the object names it: `g1`, `a`, `s.acc`
+    std::string name;    ///< in statements: `g1`, `a[3]`, `s.acc`
+    std::string symbol;  ///< in the object: `g1`, `a`, `s.acc`
     int element = 0;
     vm::DataType type = vm::DataType::kInt;
     int64_t initial = 0;  ///< an int, or a raw fixed-point number
@@ -55,20 +55,20 @@ struct RandomProgram {
 };
 
 /// Whether the functions will run one after the other or interleaved. Interleaved programs share
-/// most of what they compute with, but neither loop counters nor indices that pass through values
-/// out of range.
+/// most of their variables, but neither loop counters nor indices that are temporarily out of
+/// range.
 enum class Sharing { kSequential, kInterleaved };
 
 RandomProgram MakeProgram(uint64_t seed, Sharing sharing);
 
-/// Placeholders in the text of a program, comments to the language.
+/// Placeholders in the text of a program; comments for the language.
 inline constexpr char kAfterLocals[] = "/*locals*/";
 inline constexpr char kBeforeEnd[] = "/*end*/";
 
 /// The source text of a whole program.
 std::string SourceText(const RandomProgram& program);
 
-/// The text of one statement without labels, as a line of the source has it.
+/// The text of one statement without labels, as a source line.
 std::string StatementText(const Statement& statement);
 
 }  // namespace oncard::differential

@@ -1,4 +1,4 @@
-// The generator keeps to C's rules on its own: an expression between two sequence points changes at
+// The generator follows C's rules by itself: an expression between two sequence points changes at
 // most one variable and does not read it elsewhere.
 #include "structured_program.h"
 
@@ -87,7 +87,7 @@ class Generator {
     }
   }
 
-  // An operand: what binds tighter than every binary operator.
+  // An operand that binds more tightly than every binary operator.
   std::string Leaf(int depth, std::string_view except) {
     if (depth > 0 && Chance(25)) return Element(depth, except);
     if (Chance(25)) return Number();
@@ -128,7 +128,7 @@ class Generator {
     }
   }
 
-  // With guards: what stands right of `&&` would be a fault when the left side does not hold.
+  // With guards: the right operand of `&&` would fault if the left one does not hold.
   std::string PureCondition(int depth, std::string_view except) {
     const std::string variable = Variable(except);
     switch (Between(0, 4)) {
@@ -151,7 +151,7 @@ class Generator {
 
   // --- Expressions with effects --------------------------------------------------------------
 
-  // Changes one variable, and gives a truth value.
+  // Changes one variable and has a truth value.
   std::string Effect() {
     const std::string target = Target();
     const std::string other = Pure(1, target);
@@ -173,7 +173,7 @@ class Generator {
     }
   }
 
-  // What stands in `if` and loops.
+  // A condition of `if` or a loop.
   std::string Condition(int depth) {
     if (depth <= 0) return Chance(50) ? Pure(2, "") : fmt::format("({})", Effect());
     switch (Between(0, 7)) {
@@ -276,12 +276,12 @@ class Generator {
     return text + Indent() + '}';
   }
 
-  // A name that is new, or that hides another one from here to the end of the block.
+  // Declares a new name, or one that shadows another until the end of the block.
   std::string Declaration() {
     if (Chance(15)) return fmt::format("bool n = !({}), k = {};", Pure(1, "n"), Truth());
     const std::string name = Pick({"n", "k", "x", "y"});
     std::string value = Pure(2, name);
-    // A hidden variable is declared again in C++ as well as in C; its own value is not read.
+    // A shadowed variable is redeclared in C++ as well as in C; its own value is not read.
     return fmt::format("int {} = {};", name, value);
   }
 
@@ -347,7 +347,7 @@ class Generator {
     if (nesting_ >= kNestingMax || kind <= 40) return Simple();
     if (kind <= 60) {
       std::string text = fmt::format("if ({}){}", Condition(2), Body());
-      // No dangling else: without braces the body is a simple statement.
+      // Avoids a dangling else: without braces the body is a simple statement.
       if (Chance(50)) text += fmt::format(" else{}", Body());
       return text;
     }
@@ -367,7 +367,7 @@ class Generator {
   int nesting_ = 0;
   bool in_loop_ = false;
   bool uses_done_ = false;
-  std::vector<std::string> counters_;  // of the loops around, which may be read
+  std::vector<std::string> counters_;  // counters of the enclosing loops, which may be read
 };
 
 }  // namespace

@@ -1,9 +1,9 @@
 // Random programs of ordinary C: nested blocks, loops and branches, guards and side effects inside
-// conditions, nested expressions, initial values, hidden names, arrays of two dimensions, truth
-// values, characters, floats, macros with expressions for bodies. They are
-// what `oncard check --fix` is for, and every one has exactly one meaning in C: no operand order
-// matters, nothing overflows but ints that wrap, guards keep divisors and indices right, and a
-// global that counts down in conditions ends every loop.
+// conditions, nested expressions, initial values, shadowed names, two-dimensional arrays, truth
+// values, characters, floats, macros with expressions as bodies. `oncard check --fix` converts such
+// programs. Each has exactly one meaning in C: no operand order matters, only ints that wrap
+// overflow, guards keep divisors and indices valid, and a global that counts down in conditions
+// ends every loop.
 #pragma once
 
 #include <cstdint>

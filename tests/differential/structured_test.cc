@@ -1,5 +1,5 @@
-// Random programs of ordinary C, after all fix-its, must compute under oncard what they compute
-// when g++ compiles them as they were. ONCARD_STRUCTURED_PROGRAMS=10000 tests more than the usual
+// Random programs of ordinary C, after all fix-its, must compute with oncard what the originals
+// compute when compiled by g++. ONCARD_STRUCTURED_PROGRAMS=10000 tests more than the default
 // number.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -25,8 +25,8 @@ int ProgramCount() {
   return wanted != nullptr ? std::atoi(wanted) : kUsualPrograms;
 }
 
-// One C file with all programs, each of which prints its result and its globals. Their names are
-// told apart by macros.
+// One C file with all programs, each of which prints its result and its globals. Macros keep their
+// names apart.
 std::string OracleText(const std::vector<StructuredProgram>& programs) {
   std::string text = "#include <stdbool.h>\n#include <stdio.h>\n";
   std::string calls;
@@ -45,7 +45,7 @@ std::string OracleText(const std::vector<StructuredProgram>& programs) {
   return text + fmt::format("int main() {{\n{}}}\n", calls);
 }
 
-// The same values of a run of the mended program; empty when it does not end.
+// The same values from a run of the corrected program; empty if it does not end.
 Values RunMended(const StructuredProgram& program, const vm::Object& object) {
   NoCommands commands;
   vm::Machine machine(&commands);
@@ -78,7 +78,7 @@ TEST(StructuredTest, MendedProgramsComputeWhatGccComputes) {
     for (int i = begin; i < std::min(begin + kProgramsPerBatch, count); ++i) {
       programs.push_back(MakeStructuredProgram(static_cast<uint64_t>(i)));
     }
-    // With -fwrapv ints wrap, as the language's do.
+    // With -fwrapv ints wrap as in the language.
     const auto oracle = RunOracle(OracleText(programs), "-x c -fwrapv",
                                   std::string(ONCARD_BUILD_DIR) + "/tests/differential/structured");
     ASSERT_TRUE(oracle.ok()) << oracle.error().message.en;

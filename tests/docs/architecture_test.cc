@@ -1,6 +1,7 @@
 // The rooms of docs/architecture.md: which folders there are, and which of them a source may
-// include. Includes name their file from the root of the project or it would not compile, so the
-// text of a source says what it includes; the compiler's dependency files would not say by whom.
+// include. Includes contain the path from the root of the project, otherwise they would not
+// compile, so the text of a source shows what it includes; the compiler's dependency files do not
+// show which file includes it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +24,7 @@ namespace fs = std::filesystem;
 
 const fs::path kRoot = ONCARD_SOURCE_DIR;
 
-/// Of each room those that it may include.
+/// For each room the rooms that it may include.
 using Rooms = std::map<std::string, std::set<std::string>>;
 
 std::vector<std::string> NamesIn(const std::string& cell) {
@@ -35,7 +36,7 @@ std::vector<std::string> NamesIn(const std::string& cell) {
   return names;
 }
 
-/// The rows `| room | owns | may include | must not know |` of a page.
+/// Reads the rows `| room | owns | may include | must not know |` of a page.
 Rooms ReadRooms(const std::string& page) {
   static const std::regex kRow(R"(\n\| `([a-z0-9_/]+)` \|[^|\n]*\|([^|\n]*)\|[^|\n]*\|)");
   Rooms rooms;
@@ -46,7 +47,7 @@ Rooms ReadRooms(const std::string& page) {
   return rooms;
 }
 
-/// The innermost room that a path lies in; empty when there is none.
+/// The innermost room that contains a path; empty if there is none.
 std::string RoomOf(const fs::path& path, const Rooms& rooms) {
   for (fs::path folder = path.parent_path(); !folder.empty(); folder = folder.parent_path()) {
     if (rooms.contains(folder)) return folder;
@@ -54,7 +55,7 @@ std::string RoomOf(const fs::path& path, const Rooms& rooms) {
   return {};
 }
 
-/// The source without what its raw strings contain: that is text of another one.
+/// The source without the contents of its raw strings, which are not its own code.
 std::string WithoutRawStrings(std::string source) {
   for (size_t begin = 0; (begin = source.find("R\"", begin)) != std::string::npos;) {
     const size_t open = source.find('(', begin);
@@ -91,7 +92,7 @@ std::vector<std::string> SystemHeadersOf(const std::string& code) {
   return headers;
 }
 
-/// Whether a source uses threads, locks, signals, files, the clock or the environment. Paths are
+/// True if a source uses threads, locks, signals, files, the clock or the environment. Paths are
 /// only text.
 bool UsesSystem(const std::string& source) {
   static const std::set<std::string> kHeaders = {"chrono",   "condition_variable",
@@ -123,7 +124,7 @@ bool IsSource(const fs::path& path) {
   return kEndings.contains(path.extension());
 }
 
-/// The sources in the folders of rooms, from the root.
+/// The sources in the folders of the rooms, with paths from the root.
 std::vector<fs::path> Sources(const Rooms& rooms) {
   std::set<fs::path> sources;
   for (const auto& [room, included] : rooms) {
@@ -134,7 +135,7 @@ std::vector<fs::path> Sources(const Rooms& rooms) {
   return {sources.begin(), sources.end()};
 }
 
-/// Appends `room` after all rooms that it may include; false when it may include itself.
+/// Appends `room` after all rooms that it may include; false if there is a cycle.
 bool Visit(const std::string& room, const Rooms& rooms, std::set<std::string>* open,
            std::vector<std::string>* order) {
   if (std::ranges::find(*order, room) != order->end()) return true;
@@ -209,13 +210,13 @@ TEST(ArchitectureTest, SourcesIncludeWhatTheirRoomMay) {
     }
     for (const std::string& name : IncludesOf(text)) {
       const std::string other = RoomOf(name, rooms);
-      // A name without a folder is a generated file of the source's own.
+      // A name without a folder is a file generated for this source.
       if (other == room || name.find('/') == std::string::npos) continue;
       included[room].insert(other);
       EXPECT_TRUE(rooms.at(room).contains(other)) << source << " includes " << name;
     }
   }
-  // What no source needs is not allowed either.
+  // Permissions that no source needs are errors too.
   for (const auto& [room, may] : rooms) {
     for (const std::string& other : may) {
       EXPECT_TRUE(included[room].contains(other)) << room << " never includes " << other;

@@ -1,5 +1,5 @@
-// Every link of the documentation leads to a file, and every folder of the root README's table has
-// the README that it promises.
+// Every link in the documentation refers to a file, and every folder in the root README's table has
+// a README.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 const fs::path kRoot = ONCARD_SOURCE_DIR;
 
-// The pages of the repository itself: hidden folders and build trees have pages of others.
+// The pages of the repository itself, without those in hidden folders and build trees.
 std::vector<fs::path> Pages() {
   std::vector<fs::path> pages;
   for (fs::recursive_directory_iterator entry(kRoot), end; entry != end; ++entry) {

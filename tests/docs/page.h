@@ -1,4 +1,4 @@
-// Reading Markdown pages of the documentation: what has to be equal in two languages, and links.
+// Reads Markdown pages of the documentation: links, and what must be equal in two languages.
 #pragma once
 
 #include <string>
@@ -7,13 +7,13 @@
 
 namespace oncard::docs {
 
-/// What a page and its translation have in common, in order, a line for each: a heading with its
-/// level, a line of a code block without its comment, a table with its number of rows.
-/// Comments are those of the block's language: `//` in c, `#` in sh, none elsewhere.
+/// The parts that a page and its translation must have in common, in order, one line each: a
+/// heading with its level, a line of a code block without its comment, a table with its number of
+/// rows. Comments are those of the block's language: `//` in c, `#` in sh, none elsewhere.
 std::string Skeleton(std::string_view page);
 
-/// The targets of the links and pictures of a page, without those to the web and to a place of the
-/// page itself; `file.md#place` is `file.md`. Code blocks have no links.
+/// The targets of the links and pictures of a page, without those to the web and to places in the
+/// page itself; `file.md#place` is `file.md`. Links in code blocks are ignored.
 std::vector<std::string> Links(std::string_view page);
 
 }  // namespace oncard::docs

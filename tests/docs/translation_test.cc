@@ -1,5 +1,5 @@
-// The Chinese pages keep step with the English ones: the same headings, code blocks, tables and
-// links in the same order, whatever is written between them.
+// The Chinese pages correspond to the English ones: the same headings, code blocks and tables in
+// the same order, and the same links, whatever the text between them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,8 @@ std::string Chinese(const std::string& name) { return name + ".zh-CN.md"; }
 
 std::string Page(const std::string& path) { return ReadFile(ONCARD_SOURCE_DIR "/" + path).value(); }
 
-// Where a translation leads to translated pages, the original leads to the original ones.
+// The links, with those to Chinese pages replaced by links to their English originals.
+// the originals.
 std::vector<std::string> LinksInEnglish(const std::string& page) {
   std::vector<std::string> links = Links(page);
   for (std::string& link : links) {
