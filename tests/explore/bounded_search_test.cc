@@ -21,7 +21,7 @@ TEST(BoundedSearchTest, WithoutPreemptionsNoUpdateIsLost) {
   EXPECT_EQ(one.preemptions, 1);
 }
 
-// The fewest preemptions of the engine that knows all states.
+// Compared with the fewest preemptions in the graph of all states.
 TEST(BoundedSearchTest, FindsTheFewestPreemptions) {
   for (const std::string& source : {Increments(2, 2), Peterson(true)}) {
     const auto bounded = Explore(ProblemOf(source), {.engine = EngineKind::kBounded});

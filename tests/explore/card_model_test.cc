@@ -1,4 +1,4 @@
-// A card as a transition system: time, fairness, ends, states that can be put back.
+// A card as a transition system: time, fairness, ends, restoring states.
 #include "explore/models/card_model.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace oncard::explore {
 namespace {
 
-/// Follows the choices that `choose` makes among the possible ones, to the end.
+/// Takes one of the possible choices with `choose`, until the end.
 template <typename Choose>
 CardModel::State RunToEnd(CardModel* model, Choose choose, std::string* order = nullptr) {
   CardModel::State state = model->Start();
@@ -33,7 +33,7 @@ constexpr const char* kTwoThreads =
     "int t1() { b = 1; b = 2; b = 3; b = 4; return b; }\n";
 
 TEST(CardModel, EveryThreadGetsAStatementInEveryCycle) {
-  // 4 statements a cycle.
+  // 4 statements per cycle.
   CardModel model = CardOf(kTwoThreads, "rate = 16\n");
   std::string order;
   RunToEnd(&model, First, &order);
@@ -99,7 +99,7 @@ TEST(CardModel, MotionGoesOnUntilTheLastInstantThatIsAskedFor) {
   CardModel model = CardOf(kJog, "expect = [\"axis1.prfVel == 10 @ 50ms\"]\n");
   EXPECT_FALSE(RunToEnd(&model, First).fault);
   EXPECT_EQ(model.controller().NowMs(), 50);
-  // While it moves an invariant sees every cycle.
+  // While an axis moves, an invariant is checked in every cycle.
   CardModel watched =
       CardOf(kJog, "expect = [\"axis1.moving == 1 @ 50ms\"]\nalways = [\"axis1.prfPos < 100\"]\n");
   EXPECT_EQ(RunToEnd(&watched, First).fault.kind, Fault::Kind::kRequirement);
@@ -130,8 +130,8 @@ TEST(CardModel, AStateThatIsPutBackGoesOnAsItDid) {
   }
 }
 
-// A card that executes everything within one cycle has the ends that the program alone has, if none
-// of its threads waits for another one.
+// A card that executes everything within one cycle has the same ends as the program alone, unless a
+// thread waits for another one.
 TEST(CardGraph, HasTheEndsOfTheProgramAlone) {
   for (const auto& source : {Increments(2, 2), Increments(3, 1)}) {
     CardModel model = CardOf(source, "rate = 1000\n");

@@ -1,4 +1,4 @@
-// What verdicts speak of (explore/reports/claim.h), and the results that nobody has asked for
+// The text about what a verdict covers (explore/reports/claim.h), and results without requirements
 // (ends.h).
 #include "explore/reports/claim.h"
 
@@ -26,7 +26,7 @@ std::string TextOf(const Findings& findings, Language language = Language::kEngl
 
 Json JsonOf(const Findings& findings) { return Json::parse(JsonReport(findings)); }
 
-/// Two threads that take a number each; which one gets the lower one is open.
+/// Two threads that take a number each; either may get the lower one.
 constexpr const char* kTakeANumber =
     "int next;\nint unused;\n"
     "int t0() {\n  int own;\n  next = next + 1;\n  own = next;\n  return own;\n}\n"
@@ -125,7 +125,7 @@ TEST(ClaimTest, WithoutARequirementTheResultsAreShown) {
   EXPECT_EQ(json["ask"], "//@ final: next == 2");
 }
 
-// The offered line is one that the explorer takes, and that the threads one after the other meet.
+// The explorer accepts the offered line, and running the threads one after the other meets it.
 TEST(ClaimTest, TheOfferedRequirementIsThatOfTheThreadsInTurn) {
   const std::string lost =
       "int g;\nint t0() {\n  int r;\n  r = g;\n  g = r + 1;\n}\n"

@@ -1,12 +1,12 @@
-// The rows of the catalogue say what each command of motion programs touches, and the explorer
-// believes them: which statements depend on each other, and which leave the card as it was. Here
-// every command is executed on cards in many states, with many arguments, and what it really does
-// is compared with its row:
+// The rows of the catalogue say what each command of motion programs accesses, and the explorer
+// relies on them: which statements depend on each other, and which do not change the card. Here
+// every command is executed on cards in many states, with many arguments, and its effects are
+// compared with its row:
 //
-//   - what has changed of the card must be written, according to the row
-//   - no other thread changes, and no variable but those that outputs name
-//   - what the row does not name makes no difference: with all of that taken from another card, the
-//     command gives the same code and outputs, and leaves the rest the same
+//   - every part of the card that has changed must be written according to the row
+//   - no other thread changes, and no variable except those passed as outputs
+//   - parts that the row does not name make no difference: if all of them are taken from another
+//     card, the command returns the same code and outputs, and the same state otherwise
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -41,13 +41,13 @@ struct CardState {
   gtcalls::GtsState& gts;
 };
 
-/// A part of the card's state, with the resource that stands for it in rows.
+/// A part of the card's state, with the resource for it in rows.
 struct Part {
   std::string name;
   Resource resource = Resource::kNone;
   uint32_t number = Touched::kAll;
   std::function<uint64_t(const CardState&)> hash;
-  /// Takes the part over from another state; none for parts of one that is taken over whole.
+  /// Copies the part from another state; empty for parts of one that is copied as a whole.
   std::function<void(const CardState&, const CardState&)> take = {};
 };
 
@@ -141,7 +141,7 @@ std::vector<Part> PartsOfCard() {
                      to.gts.long_vars = from.gts.long_vars;
                      to.gts.double_vars = from.gts.double_vars;
                    }});
-  // What no row names apart.
+  // Everything for which rows have no separate resource.
   parts.push_back({"the rest", Resource::kEverything, Touched::kAll, [](const CardState& s) {
                      return HashOf(s.motion.cycle, s.motion.clock_cycle, s.motion.enable_axes,
                                    s.motion.compensates, s.motion.world, s.motion.switches,
@@ -151,7 +151,7 @@ std::vector<Part> PartsOfCard() {
   return parts;
 }
 
-/// True when the row names the part; only a write counts where `writes` says so.
+/// True if the row names the part; with `writes` only as written.
 bool Names(const StatementAccess& access, const Part& part, bool writes) {
   return std::ranges::any_of(access, [&](const Touched& touched) {
     if (writes && !touched.write) return false;
@@ -179,7 +179,7 @@ void Call(runtime::Controller* card, std::string_view name, const std::vector<do
   EXPECT_EQ(card->Execute(command, arguments), vm::kOk) << name;
 }
 
-/// A coordinate system of the axes 6 and 7, with one segment.
+/// A coordinate system of axes 6 and 7 with one segment.
 void SetUpCrd(double length, double velocity, runtime::Controller* card) {
   motion::CrdParameters parameters;
   parameters.dimension = 2;
@@ -195,8 +195,8 @@ void SetUpCrd(double length, double velocity, runtime::Controller* card) {
   card->motion().AppendToCrd(0, 0, slot);
 }
 
-/// At stage 0 the card is as it was switched on. Later ones have axes in every mode, other values
-/// of everything at each stage, and from stage 2 on all that can move moves.
+/// Stage 0 is the card at power-on. Later stages have axes in every mode and other values
+/// everywhere; from stage 2 on everything that can move is moving.
 void Prepare(int stage, runtime::Controller* card) {
   if (stage == 0) return;
   const auto call = [card](std::string_view name, const std::vector<double>& values,
@@ -256,7 +256,7 @@ constexpr int kCycles = 12;
 
 // --- One call ------------------------------------------------------------------------------------
 
-/// Numbers that a scalar parameter may have, the likely ones often.
+/// A value for a scalar parameter; likely values are chosen often.
 double Draw(const gtcalls::Parameter& parameter, uint64_t* random) {
   const bool whole = parameter.type != gtcalls::Scalar::kDouble;
   const double low = std::max(parameter.minimum, -30000.0);
@@ -267,7 +267,7 @@ double Draw(const gtcalls::Parameter& parameter, uint64_t* random) {
       value = static_cast<double>(RandomBelow(*random, 13));
       break;
     case 3:
-      value = static_cast<double>(1u << RandomBelow(*random, 12));  // one axis of a mask
+      value = static_cast<double>(1u << RandomBelow(*random, 12));  // a mask with one axis
       break;
     case 1:
       value = static_cast<double>(1 + RandomBelow(*random, 3));
@@ -283,10 +283,10 @@ double Draw(const gtcalls::Parameter& parameter, uint64_t* random) {
   return whole ? std::trunc(value) : value;
 }
 
-/// A program of one statement, which is the command, and the cells of its pointers as globals.
+/// A program with one statement, the command, and the cells of its pointers as globals.
 struct OneCall {
   vm::Object object;
-  std::vector<int64_t> globals;  ///< raw, to begin with
+  std::vector<int64_t> globals;  ///< the initial raw values
 };
 
 OneCall MakeCall(const Command& command, uint64_t* random) {
@@ -358,7 +358,7 @@ class CalledCard {
     }
   }
 
-  /// False when the call cannot be loaded: a count that its array has not got.
+  /// False if the call cannot be loaded: its array has fewer elements than the count.
   bool loaded() const { return loaded_; }
   runtime::Controller& card() { return *card_; }
   CardState state() { return {card_->motion().state(), card_->card().state<gtcalls::GtsState>()}; }
@@ -385,7 +385,7 @@ std::vector<uint64_t> HashesOf(const std::vector<Part>& parts, const CardState& 
 
 class CommandAccessTest : public ::testing::TestWithParam<const Command*> {
  protected:
-  /// Calls the command again and again; `try_call` gives the code.
+  /// Calls the command many times; `try_call` returns the code.
   void TryMany(const std::function<int16_t(const OneCall& call, int stage)>& try_call) const {
     uint64_t random = GetParam()->number;
     int accepted = 0;
@@ -396,7 +396,8 @@ class CommandAccessTest : public ::testing::TestWithParam<const Command*> {
     EXPECT_GT(accepted, 0) << "every call was refused: nothing has been tested";
   }
 
-  /// How often a command is called, and how often more until it has been accepted sometimes.
+  /// How often a command is called, and how often in addition until it has been accepted a few
+  /// times.
   static constexpr int kCalls = 40;
   static constexpr int kCallsMax = 6000;
   static constexpr int kAccepted = 4;
@@ -455,7 +456,7 @@ TEST_P(CommandAccessTest, WhatIsNotInTheRowMakesNoDifference) {
   });
 }
 
-/// Commands that motion programs may call, but for those that no card of oncard has.
+/// The commands that motion programs may call, except those that oncard's cards do not support.
 std::vector<const Command*> ProgramCommands() {
   std::vector<const Command*> commands;
   for (const Command& command : gtcalls::GtsCatalogue().commands()) {

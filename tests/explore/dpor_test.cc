@@ -1,5 +1,6 @@
-// Exactly one execution per Mazurkiewicz trace (explore/engines/dpor.h). The counts are known: of
-// increments, from other tools and from brute force; of readers and writers, by counting.
+// Exactly one execution per Mazurkiewicz trace (explore/engines/dpor.h). The expected counts are
+// known: for increments from other tools and from brute force, for readers and writers by
+// calculation.
 #include "explore/engines/dpor.h"
 
 #include <fmt/format.h>
@@ -42,7 +43,7 @@ TEST(DporTest, IndependentThreadsAreOneTrace) {
   ExpectTraces(source, 1);
 }
 
-// n writers of one variable can come in n! orders.
+// n writers of one variable have n! orders.
 TEST(DporTest, WritersOfOneVariable) {
   std::string source = "int x;\n";
   int64_t orders = 1;
@@ -53,7 +54,7 @@ TEST(DporTest, WritersOfOneVariable) {
   }
 }
 
-// Each of n readers comes before or after the one write.
+// Each of n readers comes before or after the single write.
 TEST(DporTest, ReadersOfOneWrite) {
   std::string source = "int x;\nint t0() {\n  x = 1;\n  return 0;\n}\n";
   for (int readers = 1; readers <= 7; ++readers) {
@@ -62,7 +63,7 @@ TEST(DporTest, ReadersOfOneWrite) {
   }
 }
 
-// An element's cell is known only when the statement runs.
+// The cell of an element is only known when the statement is executed.
 TEST(DporTest, ElementsWithVariableIndices) {
   ExpectTraces(
       "int a[2], i;\n"
@@ -78,7 +79,7 @@ TEST(DporTest, ALimitLeavesTheSearchIncomplete) {
   EXPECT_EQ(result.executions, 100);
 }
 
-// However often it is interrupted, a search has the executions of one that is not.
+// However often a search is interrupted, its executions are those of an uninterrupted one.
 TEST(DporTest, AnInterruptedSearchGoesOn) {
   for (const int64_t at_once : {1, 3, 100}) {
     Problem problem = ProblemOf(Increments(3, 1));

@@ -1,4 +1,4 @@
-// Programs of threads for the explorer's tests: compiled from text, bound as comments say.
+// Programs with threads for the explorer's tests: compiled from text, bound as in comments.
 #pragma once
 
 #include <string>
@@ -9,27 +9,27 @@
 
 namespace oncard::explore {
 
-/// The problem of a source with //@ comments; a failure is reported and aborts the test program.
+/// The problem of a source with //@ comments; an error is reported and aborts the test program.
 Problem ProblemOf(const std::string& source);
 
-/// A card whose functions t0, t1, ... are bound as comments would bind them; `keys` are further
-/// lines of the scenario.
+/// A card whose functions t0, t1, ... are bound as for comments; `keys` are further lines of the
+/// scenario.
 CardModel CardOf(const std::string& source, const std::string& keys);
 
-/// What an exploration of a source with //@ comments finds.
+/// The findings for a source with //@ comments.
 Findings FindingsOf(const std::string& source, const ExploreOptions& options);
-/// The same of a scenario with further lines, as for CardOf().
+/// The same for a scenario with further lines, as for CardOf().
 Findings FindingsOf(const std::string& source, const std::string& keys,
                     const ExploreOptions& options);
 
-/// `threads` threads that each increment `x` `times` times in three statements, from 0 on.
+/// `threads` threads that each increment `x` `times` times, in three statements; x is 0 at first.
 std::string Increments(int threads, int times);
 
-/// Peterson's lock around an increment, with loops that wait. With `broken`, each thread gives
-/// itself the turn, and both can enter.
+/// Peterson's lock around an increment, with loops that wait. With `broken`, each thread gives the
+/// turn to itself, so that both can enter.
 std::string Peterson(bool broken);
 
-/// Two threads that wait for each other's flag, for ever.
+/// Two threads that wait forever for each other's flag.
 std::string MutualWait();
 
 }  // namespace oncard::explore

@@ -49,7 +49,7 @@ TEST(ExplorerTest, MergedStatementsDecideTheSame) {
     if (!whole.failure) continue;
     EXPECT_EQ(less.failure->livelock, whole.failure->livelock);
     EXPECT_EQ(less.failure->preemptions, whole.failure->preemptions);
-    // What is told is a way of the program, statement by statement.
+    // The failure's steps are a run of the program, statement by statement.
     Model model = ProblemOf(source).model;
     for (const uint8_t thread : less.failure->steps) {
       ASSERT_TRUE(model.Running(thread));

@@ -1,6 +1,5 @@
-// What a failure's report says beside its steps: the values that are wrong
-// (explore/reports/trail.h), who is to blame (explore/reports/culprit.h), both orders of a data
-// race (explore/reports/race_orders.h).
+// The report of a failure besides its steps: the wrong values (explore/reports/trail.h), the cause
+// (explore/reports/culprit.h), both orders of a data race (explore/reports/race_orders.h).
 #include <gtest/gtest.h>
 
 #include "explore/reports/culprit.h"

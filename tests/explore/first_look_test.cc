@@ -1,5 +1,5 @@
 // What is found before everything is searched (explore/engines/first_look.h), and how far searches
-// go on after a failure.
+// continue after a failure.
 #include "explore/engines/first_look.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,8 @@
 namespace oncard::explore {
 namespace {
 
-/// Threads that count to `times` in loops of three statements; far too many interleavings.
+/// Threads that count to `times` in loops of three statements; far too many interleavings to
+/// search.
 std::string Counters(int threads, int times, const std::string& requirement) {
   std::string source = "int x;\n//@ final: " + requirement + "\n";
   for (int thread = 0; thread < threads; ++thread) {
@@ -30,7 +31,7 @@ std::string Counters(int threads, int times, const std::string& requirement) {
   return source;
 }
 
-/// An endless loop that looks at the inputs: as programs of machines often are.
+/// An endless loop that reads the inputs, as in many programs of machines.
 std::string Scan(int threads) {
   std::string source = "int n;\n";
   for (int thread = 0; thread < threads; ++thread) {
@@ -41,7 +42,7 @@ std::string Scan(int threads) {
 }
 
 TEST(FirstLookTest, FindsWhatNeedsNoPreemption) {
-  // The threads one after the other lose nothing.
+  // One after the other, the threads lose no addition.
   const Problem problem = ProblemOf(Counters(4, 100, "x != 400"));
   const FirstLook look = LookFirst(problem, nullptr);
   ASSERT_TRUE(look.found());
@@ -80,7 +81,7 @@ TEST(FirstLookTest, AnEndlessScanReachesTheLimitAtOnce) {
     const Findings findings = FindingsOf(Scan(threads), "limit_ms = 2000\n", {});
     ASSERT_TRUE(findings.exploration.failure);
     EXPECT_EQ(findings.exploration.failure->fault.kind, Fault::Kind::kTimeLimit);
-    // 100 statements a millisecond; of them the last few are shown.
+    // 100 statements per millisecond; only the last few are shown.
     EXPECT_EQ(findings.exploration.failure->steps.size(), 200'000u);
     EXPECT_EQ(findings.trail.steps.size() + static_cast<size_t>(findings.trail.skipped), 200'000u);
     EXPECT_LT(findings.trail.steps.size(), 100u);
@@ -97,7 +98,7 @@ TEST(FirstLookTest, ALongScanIsFollowedFromShortlyBeforeItsEnd) {
   ASSERT_EQ(failure.steps.size(), 900'000u);
   ASSERT_NE(failure.late, nullptr);
   EXPECT_EQ(failure.late_steps, 700'000);
-  // What is shown is what the whole run does.
+  // The part that is shown equals the end of the whole run.
   Failure from_the_start = failure;
   from_the_start.late = nullptr;
   from_the_start.late_steps = 0;
@@ -181,7 +182,8 @@ TEST(CardWalkTest, InPlaceItDoesWhatItDoesWithStates) {
 }
 
 TEST(CardWalkTest, SeveralStatementsAtOnceAreTheSameAsOneByOne) {
-  // One thread, then two of which one ends first: alone, several statements are taken at once.
+  // One thread, then two of which one ends first: a thread alone executes several statements at
+  // once.
   for (const int threads : {1, 2}) {
     const std::string keys = "rate = 7\nuntil_ms = 40\n";
     CardModel single_model = CardOf(Scan(threads) + "int t9() {\n  n = 1;\n}\n", keys);

@@ -1,4 +1,4 @@
-// Searches that are kept while they go on (explore/search/kept_search.h).
+// Searches that are saved while they run (explore/search/kept_search.h).
 #include "explore/search/kept_search.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 class KeptSearch : public ::testing::Test {
  protected:
-  /// Asks for a pause, as the watcher does every minute.
+  /// Requests a pause, as the watcher does every minute.
   void Pause() {
     progress_.pausing = true;
     progress_.stop = true;
@@ -101,7 +101,7 @@ TEST_F(KeptSearch, TheLimitOfExecutionsIsThatOfAllPieces) {
 // --- Searches that nobody keeps a file of --------------------------------------------------------
 
 TEST_F(KeptSearch, ASearchIsToldOnTheWayAndLosesNothing) {
-  // Nothing goes wrong: a failure would end it soon.
+  // Without a failure, which would end the search soon.
   const Problem problem = {problem_.model};
   const Exploration whole = Explore(problem, {.engine = EngineKind::kDpor}).value();
   options_.engine = EngineKind::kDpor;
@@ -120,7 +120,7 @@ TEST_F(KeptSearch, ASearchIsToldOnTheWayAndLosesNothing) {
 }
 
 TEST_F(KeptSearch, AutoGoesOnAfterItWasKept) {
-  // Far too many traces; only the interruption ends it.
+  // Far too many traces: only the interruption ends the search.
   const Problem large = {ProblemOf(Increments(8, 50)).model};
   std::vector<int64_t> kept;
   options_.all = true;

@@ -1,4 +1,4 @@
-// The model executes what the machine executes (explore/models/model.h), and takes it back.
+// The model executes statements like the machine (explore/models/model.h), and can undo them.
 #include "explore/models/model.h"
 
 #include <gtest/gtest.h>

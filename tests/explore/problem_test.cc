@@ -1,4 +1,4 @@
-// Comments of a source as a problem (explore/models/problem.h).
+// Converts comments of a source to a problem (explore/models/problem.h).
 #include "explore/models/problem.h"
 
 #include <gtest/gtest.h>

@@ -9,7 +9,7 @@
 namespace oncard::explore {
 namespace {
 
-/// What a text means for a model or a card.
+/// The values of a text for a model or a card.
 template <typename Bound, typename Names>
 Result<Bound> Read(std::string_view text, const Names& names) {
   auto condition = runtime::ParseCondition(text);
@@ -48,7 +48,7 @@ TEST_F(PropertyTest, Names) {
   EXPECT_TRUE(Holds("thread0.result == 11"));
 }
 
-/// Words that libraries take for numbers, and names that mean something else without the global.
+/// Words that libraries read as numbers, and names with another meaning if there is no such global.
 class AGlobalsName : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(AGlobalsName, IsThatGlobalEvenIf) {
@@ -80,7 +80,7 @@ TEST_F(PropertyTest, WordsAreNoNumbers) {
   }
 }
 
-// The operators are the language's; here is that they meet the model's values.
+// The operators are tested with the language; here they are applied to the model's values.
 TEST_F(PropertyTest, Operators) {
   EXPECT_TRUE(Holds("-x + 6 == 0 && !(d > 2.5) && a[1] * 2 == 18"));
   EXPECT_TRUE(Holds("d == 2.75 +- 0.25"));

@@ -1,4 +1,4 @@
-// Data races (explore/models/races.h), and what the engines make of them.
+// Data races (explore/models/races.h), and how the engines report them.
 #include "explore/models/races.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace oncard::explore {
 namespace {
 
-/// Thread 0 hands `x` over to thread 1 by `flag`.
+/// Thread 0 passes `x` to thread 1 with `flag`.
 std::string HandOver(const std::string& comments) {
   return "int x, flag;\n" + comments +
          "int t0() {\n  x = 1;\n  flag = 1;\n}\n"
@@ -64,7 +64,7 @@ TEST(RacesTest, ARaceIsShownWithBothStatements) {
   EXPECT_EQ(exploration.failure->steps, (std::vector<uint8_t>{0, 1}));
 }
 
-// Both threads write the same; a third one leaves its mark by the order of two writes.
+// Both threads write the same value; a third one makes the order of two writes visible.
 TEST(RacesTest, ABenignRaceChangesNoEnd) {
   const std::string same =
       "int x;\n//@ races: benign\nint t0() {\n x = 1;\n}\nint t1() {\n x = 1;\n}\n";
@@ -83,7 +83,7 @@ TEST(RacesTest, WhetherARaceIsBenignNeedsAllStates) {
       Explore(ProblemOf(HandOver("//@ races: benign\n")), {.engine = EngineKind::kDpor}).ok());
 }
 
-// What the clocks know is part of a walk's state: two ways to the same values are not the same.
+// The clocks are part of a walk's state: two paths to the same values may be different states.
 TEST(RacesTest, WaysThatOrderDifferentlyAreDifferentStates) {
   Problem problem = ProblemOf(
       "int x, f;\nint t0() {\n x = 1;\n f = 1;\n}\nint t1() {\n int r;\n f = 1;\n r = f;\n r = "
@@ -95,11 +95,11 @@ TEST(RacesTest, WaysThatOrderDifferentlyAreDifferentStates) {
     for (const int thread : threads) walk.Step(thread);
     return walk.Key();
   };
-  // Thread 1 reads f before or after thread 0 wrote the same value.
+  // Thread 1 reads f before or after thread 0 writes the same value.
   EXPECT_FALSE(key_after({0, 1, 1, 0}) == key_after({0, 0, 1, 1}));
 }
 
-// The clocks order statements that are far apart: thread 1 reads x long after thread 0 wrote it.
+// The clocks order distant statements: thread 1 reads x long after thread 0 has written it.
 TEST(RacesTest, ClocksSeeRacesFarApart) {
   const Problem problem = ProblemOf(HandOver(""));
   const auto race_of = [&](const SyncCells& sync) {

@@ -1,5 +1,5 @@
-// Random programs of a few statements over a few variables: the dpor engine's executions are the
-// traces that brute force finds, and both engines see the same ends.
+// Random programs with a few statements and variables: the executions of the dpor engine are the
+// traces found by brute force, and both engines find the same ends.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -51,7 +51,7 @@ std::string RandomThreads(uint64_t seed) {
   return source;
 }
 
-/// The traces among all interleavings: of each, the order of dependent statements, as the
+/// The traces among all interleavings: for each the order of dependent statements, as the
 /// predecessors of every statement.
 class BruteForce {
  public:
@@ -82,7 +82,7 @@ class BruteForce {
     }
   }
 
-  /// For every event, named (thread, number), the earlier events that it depends on.
+  /// For every event, written as (thread, number), the earlier events on which it depends.
   std::string Trace() const {
     std::map<std::pair<int, int>, std::set<std::pair<int, int>>> before;
     std::map<int, int> numbers;
@@ -108,7 +108,7 @@ class BruteForce {
   std::set<std::pair<uint64_t, uint64_t>> ends_;
 };
 
-/// Races seen in states and those seen by clocks in all traces are there or not there alike.
+/// The races found in states are those found by clocks in all traces.
 TEST(RandomRacesTest, StatesAndClocksAgree) {
   for (uint64_t seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
@@ -124,7 +124,7 @@ TEST(RandomRacesTest, StatesAndClocksAgree) {
   }
 }
 
-/// Executions of a search that is split, each part of which is interrupted again and again.
+/// The executions of a split search whose parts are interrupted again and again.
 int64_t ExecutionsOfUnits(const Problem& problem, size_t count) {
   Model model = problem.model;
   int64_t executions = 0;
@@ -167,7 +167,7 @@ TEST_P(RandomThreadsTest, EnginesAgreeWithBruteForce) {
       ASSERT_EQ(failure.fault.kind, stateful.value().failure->fault.kind);
     }
     ASSERT_EQ(ExecutionsOfUnits(problem, 6), traces.executions);
-    // With as many preemptions as there are statements, all schedules are searched.
+    // With as many preemptions as statements, all schedules are searched.
     const auto bounded = Explore(problem, {.engine = EngineKind::kBounded, .preemption_limit = 50});
     ASSERT_EQ(bounded.value().verdict == Verdict::kFailed,
               stateful.value().verdict == Verdict::kFailed);

@@ -1,4 +1,4 @@
-// Reports for people and programs (explore/reports/report.h).
+// Reports for users and for programs (explore/reports/report.h).
 #include "explore/reports/report.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,4 @@
-// Random schedules: they are reproducible, hit as often as calculation says, and find what there
-// is.
+// Random schedules: they are reproducible, find failures as often as calculated, and find all ends.
 #include "explore/engines/sampler.h"
 
 #include <gtest/gtest.h>
@@ -14,12 +13,12 @@
 namespace oncard::explore {
 namespace {
 
-/// The probability that a uniform random walk ends in a bad state, by way of the state graph.
+/// The probability that a uniform random walk ends in a bad state, calculated with the state graph.
 double ChanceOfBad(const Problem& problem) {
   Model model = problem.model;
   const StateGraph graph = BuildStateGraph(
       &model, {}, [&](const Model& state) { return FindFault(problem, state) ? kBad : 0u; });
-  // Every state's probability, once those of all states before it are known.
+  // The probability of every state, after those of all its predecessors.
   std::vector<int> waits_for(graph.size());
   for (uint32_t state = 0; state < graph.size(); ++state) {
     for (int thread = 0; thread < graph.threads; ++thread) {

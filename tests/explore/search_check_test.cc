@@ -1,4 +1,4 @@
-// What a search file says of its program is looked at before it is believed
+// The data of a search file is checked with the program before it is used
 // (explore/search/search_check.h).
 #include "explore/search/search_check.h"
 
@@ -9,8 +9,8 @@
 namespace oncard::explore {
 namespace {
 
-/// An interrupted search of two threads with three statements and a return each, of which one
-/// touches nothing shared: with frames, plans and races.
+/// An interrupted search with frames, plans and races, for two threads with three statements and a
+/// return each, one of which accesses nothing shared.
 class SearchCheck : public ::testing::Test {
  protected:
   SearchCheck() : problem_(ProblemOf(Increments(2, 2))) {
@@ -19,7 +19,7 @@ class SearchCheck : public ::testing::Test {
     SearchTraces(problem_, {.executions = 4}, &file_.traces);
     frames_ = &file_.traces.units.front().frames;
   }
-  /// Empty when the file is good.
+  /// Empty if the file is valid.
   std::string Error() const {
     const auto checked = CheckSearch(problem_, file_);
     return checked.ok() ? "" : checked.error().message.en;
@@ -68,7 +68,7 @@ TEST_F(SearchCheck, AThreadThatThereIsNot) {
 }
 
 TEST_F(SearchCheck, AThreadThatHasEnded) {
-  // Four steps that touch x; the thread then runs to its end.
+  // Four steps that access x; then the thread runs to its end.
   unit() = {{0, 0, 0, 0}, {}};
   EXPECT_EQ(Error(), "");
   unit() = {{0, 0, 0, 0, 0}, {}};
@@ -103,7 +103,7 @@ TEST_F(SearchCheck, RacesWithWhatIsNotEarlier) {
   }
 }
 
-/// Races with steps that are earlier but do not race are none: the search counts what it would.
+/// Earlier steps that are listed as races but do not race are ignored; the counts do not change.
 TEST_F(SearchCheck, RacesThatAreNoneAreForgotten) {
   TraceSearch whole;
   SearchTraces(problem_, {}, &whole);

@@ -1,5 +1,5 @@
-// Searches as files (explore/search/search_file.h); what the command does with them is tested by
-// tests/tools/explore_search_test.cc.
+// Searches in files (explore/search/search_file.h); tests/tools/explore_search_test.cc tests how
+// the command uses them.
 #include "explore/search/search_file.h"
 
 #include <fmt/format.h>
@@ -40,7 +40,7 @@ TEST(SearchFileTest, TheTextHoldsEverything) {
 }
 
 TEST(SearchFileTest, TheResultsAreShownAsOfASearchInOnePiece) {
-  // Nothing is asked of the results: additions can be lost.
+  // Without requirements on the results: additions may be lost.
   const Problem problem = {ProblemOf(Increments(2, 2)).model};
   ASSERT_TRUE(problem.requirements.empty());
   for (const EngineKind engine : {EngineKind::kDpor, EngineKind::kPct}) {
@@ -76,7 +76,7 @@ TEST(SearchFileTest, TheResultsAreShownAsOfASearchInOnePiece) {
   }
 }
 
-/// A search can plan a whole run ahead; the file is no deeper for that.
+/// A plan can be as long as a whole run; the file does not become deeper.
 TEST(SearchFileTest, LongPlansDoNotNest) {
   SearchFile file;
   file.held = {1};
@@ -89,7 +89,7 @@ TEST(SearchFileTest, LongPlansDoNotNest) {
   EXPECT_EQ(read.value().traces.units, file.traces.units);
 }
 
-/// The text of a file with another value at a place, and the check that goes with it.
+/// The text of a file with another value at a path, and the matching check value.
 std::string WithValue(const SearchFile& file, const std::string& place, const std::string& value) {
   auto json = nlohmann::ordered_json::parse(FormatSearchFile(file));
   json[nlohmann::ordered_json::json_pointer(place)] = nlohmann::ordered_json::parse(value);
@@ -176,7 +176,8 @@ TEST(SearchFileTest, KeysComeInOrder) {
   EXPECT_TRUE(ParseSearchFile(FormatSearchFile(file)).ok());
 }
 
-/// The reader of JSON takes any depth, and what then writes or forgets it does not.
+/// The JSON reader accepts any depth, but writing or destroying the result would overflow the
+/// stack.
 TEST(SearchFileTest, DeepFilesAreRefused) {
   for (const char* open : {"[", "{\"a\":", "[{\"a\":"}) {
     std::string text;

@@ -30,7 +30,7 @@ TEST(ShrinkTest, ALostUpdateNeedsOnePreemption) {
   EXPECT_TRUE(FindFault(problem, problem.model));
 }
 
-// Thread 1 has nothing to do with it, and what thread 2 does before its write is not needed.
+// Thread 1 is not involved, and thread 2's statements before its write are not needed.
 TEST(ShrinkTest, WhatHasNothingToDoWithTheFaultGoes) {
   const Problem problem = ProblemOf(
       "int x, y;\n//@ never: x == 1\nint t0() {\n int r;\n r = y;\n x = 1;\n}\n"

@@ -1,4 +1,4 @@
-// The graph of all states (explore/engines/state_graph.h) and what is read off it.
+// The graph of all states (explore/engines/state_graph.h) and its evaluation.
 #include "explore/engines/state_graph.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ TEST(StateGraphTest, CountsOfLostUpdates) {
   EXPECT_EQ(FewestSteps(graph, kBad).steps.size(), 8u);
 }
 
-// One statement a thread: the states are the subsets of threads that have taken it.
+// With one statement per thread, the states are the subsets of threads that have executed it.
 TEST(StateGraphTest, IndependentThreadsSpanACube) {
   const StateGraph graph = GraphOf(
       "int a, b, c;\nint t0() {\n a = 1;\n}\nint t1() {\n b = 1;\n}\nint t2() {\n c = 1;\n}\n");
@@ -55,8 +55,8 @@ TEST(StateGraphTest, PreemptionsToEveryState) {
   const StateGraph graph = GraphOf(Increments(2, 1));
   const std::vector<int> fewest = PreemptionsTo(graph, 5);
   EXPECT_EQ(fewest[0], 0);
-  // Both have read 0 and written 1, and neither has returned: one is interrupted behind its read,
-  // the other behind its write.
+  // Both have read 0 and written 1, and neither has returned: one is preempted after its read, the
+  // other after its write.
   EXPECT_EQ(*std::max_element(fewest.begin(), fewest.end()), 2);
 }
 
@@ -68,7 +68,7 @@ TEST(StateGraphTest, AFairCycleIsALivelock) {
   }
 }
 
-// A thread can wait for ever only while the other is never let go on.
+// A thread waits forever only if the other is never scheduled.
 TEST(StateGraphTest, WaitingThatOnlyUnfairSchedulesProlongIsNone) {
   const StateGraph graph = GraphOf(Peterson(false));
   EXPECT_TRUE(graph.complete);
@@ -84,9 +84,9 @@ TEST(StateGraphTest, ARunThatNeverEndsIsACycle) {
 
 TEST(StateGraphTest, TheLastEscapeIsBeforeTheUpdateIsLost) {
   const StateGraph graph = GraphOf(Increments(2, 1));
-  // Thread 0 reads, thread 1 reads: now one of the increments is lost.
+  // Thread 0 reads, thread 1 reads: from here on one of the increments is lost.
   EXPECT_EQ(LastEscape(graph, {0, 1, 1, 1, 1, 0, 0, 0}), 1);
-  // In turn: every state can end well.
+  // One after the other: from every state a good end can be reached.
   EXPECT_EQ(LastEscape(graph, {0, 0, 0, 0, 1, 1, 1, 1}), 8);
 }
 

@@ -1,4 +1,4 @@
-// What statements touch (explore/models/statement_access.h).
+// The accesses of statements (explore/models/statement_access.h).
 #include "explore/models/statement_access.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace oncard::explore {
 namespace {
 
-/// The names of what the statements of t0 touch, one after the other; `!` marks what is written.
+/// The accesses of the statements of t0, one after the other; `!` marks writes.
 std::vector<std::string> AccessesOf(const std::string& source) {
   CardModel model = CardOf(source, "rate = 1000\n");
   CardModel::State state = model.Start();
@@ -51,7 +51,7 @@ TEST(StatementAccessTest, AnElementSelectsAnAxisToo) {
       (std::vector<std::string>{"", "a[1]!", "a[1] axis 4!"}));
 }
 
-/// What GT_SetVel(2, 5) touches on a card that `change` has changed.
+/// The accesses of GT_SetVel(2, 5) on a card that `change` has changed.
 Touched AccessOfAxis2(const std::function<void(motion::MotionCore*)>& change) {
   runtime::Controller card;
   const CardModel model = CardOf("int t0() {\n GT_SetVel(2, 5);\n}\n", "rate = 1000\n");
@@ -64,7 +64,7 @@ Touched AccessOfAxis2(const std::function<void(motion::MotionCore*)>& change) {
   return access.empty() ? Touched{} : access.front();
 }
 
-// The slave's profile is its master's.
+// The slave uses the profile of its master.
 TEST(StatementAccessTest, InAGantryACommandOfOneAxisMayReachTheOther) {
   EXPECT_EQ(AccessOfAxis2([](auto* motion) { motion->EnableGantry(0, 1, 0, 0); }),
             (Touched{gtcalls::Resource::kAxis, Touched::kAll, true}));
@@ -97,7 +97,7 @@ TEST(StatementAccessTest, DependenceIsACommonThingThatOneWrites) {
   EXPECT_EQ(FindDependence(all, other)->number, 2u);
 }
 
-// The emergency stop comes between the look and the start.
+// The emergency stop comes between the check and the start.
 TEST(StatementAccessTest, ThePairOfACardsFailureIsNamed) {
   CardModel model = CardOf(
       "int stopped;\n"

@@ -13,7 +13,7 @@
 namespace oncard::explore {
 namespace {
 
-/// A program, and some of its statements in an order.
+/// A program and some of its statements in an order.
 class StepTableTest : public ::testing::Test {
  protected:
   StepView View(const std::string& source, std::vector<uint8_t> threads, Detail detail) {
@@ -98,7 +98,7 @@ TEST_F(StepTableTest, OneStatementOfALineIsShown) {
   EXPECT_EQ(rows.rows[2].statement, "return 0;");
   EXPECT_EQ(rows.rows[3].statement, "x = 5;");
   EXPECT_EQ(rows.rows[4].statement, "y = 6;");
-  // Where it is not clear which part is meant, the whole line.
+  // If it is not clear which part is meant, the whole line is shown.
   EXPECT_EQ(rows.rows[5].statement, "int t2() { x = 7; return 0; } int t3() { x = 8; return 0; }");
 }
 
@@ -117,7 +117,7 @@ TEST_F(StepTableTest, FitsTheTerminal) {
       EXPECT_LE(compiler::DisplayLine(line).ColumnOf(line.size()), width) << text;
       begin = end + 1;
     }
-    std::string joined;  // nothing is lost
+    std::string joined;  // without any loss
     for (const char c : text) {
       if (c != ' ' && c != '\n') joined += c;
     }
@@ -126,7 +126,7 @@ TEST_F(StepTableTest, FitsTheTerminal) {
       EXPECT_NE(joined.find(part), std::string::npos) << part << '\n' << text;
     }
   }
-  // Two columns do not fit into 40: the threads share one.
+  // 40 columns are not enough for two: the threads share one column.
   EXPECT_NE(TextTable(view, 40, Language::kEnglish).find("thread 1 t1"), std::string::npos);
 }
 

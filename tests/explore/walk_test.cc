@@ -1,4 +1,4 @@
-// Runs and what depends on their way (explore/engines/walk.h).
+// Runs, and properties that depend on their path (explore/engines/walk.h).
 #include "explore/engines/walk.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace oncard::explore {
 namespace {
 
-/// `seen` is 1 for a while, unless the other thread comes in between.
+/// `seen` is 1 for some time, unless the other thread interferes.
 std::string Glimpse(bool always) {
   return std::string("int gate, seen;\n//@ eventually: seen == 1\n") +
          "int t0() {\n  gate = 1;\n}\n" + "int t1() {\n  int g;\n  g = gate;\n" +
