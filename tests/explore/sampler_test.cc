@@ -1,4 +1,5 @@
-// Random schedules: they are reproducible, find failures as often as calculated, and find all ends.
+// Random schedules: they are reproducible, reach bad states as often as calculated, and find
+// failures repeatedly.
 #include "explore/engines/sampler.h"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 
 #include "tests/fuzz/fuzz.h"
 
-// Of libFuzzer.
+// A function of libFuzzer.
 extern "C" size_t LLVMFuzzerMutate(uint8_t* data, size_t size, size_t max_size);
 
 namespace oncard::fuzz {
@@ -59,7 +59,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
 
 extern "C" size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size, size_t max_size,
                                           unsigned seed) {
-  // Every fourth change is one of bytes, for what the JSON parser itself does with them.
+  // Every fourth mutation changes bytes, to test the JSON parser too.
   if (oncard::fuzz::target->name != "search" || seed % 4 == 0) {
     return LLVMFuzzerMutate(data, size, max_size);
   }

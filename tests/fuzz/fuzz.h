@@ -1,5 +1,5 @@
-// What the fuzz targets share. A target takes bytes of any kind and must neither crash, hang, nor
-// break what it promises about its input; a broken promise is reported by FUZZ_CHECK.
+// Shared by the fuzz targets. A target takes arbitrary bytes and must neither crash nor hang, nor
+// violate its guarantees about the input; FUZZ_CHECK reports a violated guarantee.
 #pragma once
 
 #include <cstddef>
@@ -29,19 +29,19 @@ void FuzzSchedule(std::string_view bytes);
 void FuzzSearch(std::string_view bytes);
 void FuzzConfig(std::string_view bytes);
 void FuzzRequirement(std::string_view bytes);
-/// Calls of commands: from one thread of a host, or from 32.
+/// Calls commands, from one thread of a host or from 32.
 void FuzzCommands(std::string_view bytes);
 void FuzzCommandsOfThreads(std::string_view bytes);
 
-/// Changes a search file as a document, keeps it JSON and its checksum right. Gives the new size.
+/// Mutates a search file as a JSON document and updates its checksum. Returns the new size.
 size_t MutateSearch(uint8_t* data, size_t size, size_t max_size, unsigned seed);
 
-/// The commands' shapes, as the verifier and the disassembler want them.
+/// The commands' shapes for the verifier and the disassembler.
 const vm::CommandTable& Shapes();
-/// A small program with two threads that share variables, the one that schedules and search files
-/// of the seeds belong to (seeds/race.c).
+/// A small program with two threads that share variables. The seeds' schedules and search files are
+/// for this program (seeds/race.c).
 const vm::Object& SeedProgram();
-/// Runs every function of a program on a thread of its own, for a few milliseconds of its time.
+/// Runs every function of a program on a separate thread for a few milliseconds of virtual time.
 void RunBriefly(const vm::Object& object);
 
 }  // namespace oncard::fuzz

@@ -1,5 +1,5 @@
-// Commands as a careless host calls them: any command, any number, NULL or memory that is large
-// enough, in any order, from one thread or from many.
+// Calls commands as a careless host does: any command, any number, NULL or large enough memory, in
+// any order, from one thread or many.
 #include <unistd.h>
 
 #include <array>
@@ -25,10 +25,10 @@ using gtcalls::Passing;
 using runtime::HostArgument;
 
 constexpr int kThreads = 32;
-/// Room for the most elements of the largest structure that a pointer can cover.
+/// Space for the largest number of elements of the largest structure that a pointer can refer to.
 constexpr size_t kBufferSize = size_t{1} << 20;
 
-/// The bytes of an input, one after another; zeros when they are used up.
+/// The bytes of an input, one after another; zeros after the end.
 class Bytes {
  public:
   explicit Bytes(std::string_view bytes) : bytes_(bytes) {}
@@ -54,7 +54,7 @@ class Bytes {
   std::string_view bytes_;
 };
 
-/// A folder with a source and an object of it, gone with the process.
+/// A folder with a source and its object, deleted at the end of the process.
 class ProgramFolder {
  public:
   ProgramFolder() {
@@ -132,7 +132,7 @@ class Host {
     return kind < 2 * kValues.size() ? kValues[kind % kValues.size()] : bytes->Value<double>();
   }
 
-  /// As a C caller passes it: the type's own width.
+  /// A value with the width of its type, as a C caller passes it.
   static int64_t Integer(gtcalls::Scalar type, Bytes* bytes) {
     const uint8_t kind = bytes->Byte();
     if (kind < 200) return kind % 20;
@@ -159,7 +159,7 @@ class Host {
     }
     std::unique_ptr<char[]>& buffer = buffers_[index];
     if (buffer == nullptr) buffer = std::make_unique<char[]>(kBufferSize);
-    // A host fills structures with numbers; pointers in them are its own.
+    // A host fills structures with numbers; pointers in them must be its own.
     const bool holds_pointers =
         parameter.structure != nullptr &&
         std::any_of(parameter.structure->members.begin(), parameter.structure->members.end(),
@@ -182,7 +182,7 @@ const ProgramFolder& Folder() {
   return folder;
 }
 
-/// A card anew, with a program.
+/// Opens a card again and loads a program.
 void Open(Host* host, int card) {
   Bytes none("");
   host->Call(card, *gtcalls::GtsCatalogue().Find("GT_Close"), &none);
@@ -200,7 +200,7 @@ void FuzzCommands(std::string_view bytes) {
 void FuzzCommandsOfThreads(std::string_view bytes) {
   static Host opener(Folder().names());
   for (const int card : {0, 1}) Open(&opener, card);
-  // They keep their memory from input to input.
+  // They keep their memory between inputs.
   static std::array<std::unique_ptr<Host>, kThreads> hosts;
   const size_t part = bytes.size() / kThreads + 1;
   std::vector<std::thread> threads;

@@ -27,7 +27,7 @@ class CatalogueShapes final : public vm::CommandTable {
   }
 };
 
-/// The include file that the texts may name.
+/// The include file to which the texts may refer.
 Result<std::string> ReadIncluded(const std::string& path) {
   if (path == "a.h") return std::string("#define A 1\nint shared;\n");
   return MakeError(kNoSuchFile, "no such file", "没有该文件");
@@ -42,8 +42,8 @@ void CheckPlaces(const compiler::Compilation& compilation) {
   }
 }
 
-/// The two halves of an input: the .bin up to the first line of an .ini, and that .ini. A checksum
-/// is made right, as nobody guesses it.
+/// The two parts of an input: the .bin up to the first line of an .ini, and that .ini. The checksum
+/// is corrected, because a fuzzer cannot guess it.
 vm::ObjectFiles FilesOf(std::string_view bytes) {
   constexpr std::string_view kChecksum = "bin_crc32=";
   const size_t split = std::min(bytes.find("[function]"), bytes.size());
@@ -102,7 +102,7 @@ void FuzzSource(std::string_view bytes) {
 void FuzzObject(std::string_view bytes) {
   const auto object = vm::ReadObject(FilesOf(bytes));
   if (!object.ok()) return;
-  // The reader accepts what the writer writes, and nothing else.
+  // The reader accepts exactly what the writer writes.
   const auto again = vm::ReadObject(vm::WriteObject(object.value(), false));
   FUZZ_CHECK(again.ok());
   if (vm::Verify(object.value(), Shapes()).ok()) RunBriefly(object.value());

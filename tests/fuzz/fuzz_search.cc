@@ -1,4 +1,4 @@
-// Search files: read, gone on with, put together. Their mutator changes documents.
+// Search files: reading, continuing and merging. Their mutator changes JSON documents.
 #include <xxhash.h>
 
 #include <cstring>
@@ -70,7 +70,7 @@ void Change(Json* document, std::mt19937& random) {
       node = RandomValue(random);
       break;
     case 1:
-      // Numbers wrap around: none of them is safe.
+      // Numbers wrap around, so that every value can occur.
       if (node.is_number_integer()) node = node.get<uint64_t>() + random() % 5 - 2;
       break;
     case 2:
@@ -115,7 +115,7 @@ void FuzzSearch(std::string_view bytes) {
   const auto again = explore::ParseSearchFile(explore::FormatSearchFile(file.value()));
   FUZZ_CHECK(again.ok());
   static_cast<void>(explore::MergeInto(&file.value(), again.value()));
-  // What `oncard explore` does with a file of this program.
+  // The operations of `oncard explore` with a file for this program.
   const explore::Problem& problem = SeedProblem();
   if (explore::HashOf(problem) != file.value().problem) return;
   if (!explore::CheckSearch(problem, file.value()).ok()) return;

@@ -1,4 +1,4 @@
-// Files that a person writes: scenarios, schedules, requirements, configurations.
+// Text files written by users: scenarios, schedules, requirements, configurations.
 #include <string>
 
 #include "explore/models/model.h"
@@ -14,7 +14,7 @@
 namespace oncard::fuzz {
 namespace {
 
-/// Two threads of the seeds' program, as seeds/race.toml has them.
+/// Two threads of the seeds' program, as in seeds/race.toml.
 runtime::Scenario SeedScenario() {
   runtime::Scenario scenario;
   scenario.path = "race.toml";
@@ -34,7 +34,7 @@ void FuzzScenario(std::string_view bytes) {
   const auto again = runtime::ParseScenario(runtime::FormatScenario(scenario.value()), "p.toml");
   FUZZ_CHECK(again.ok());
   scenario.value().limit_ms = std::min<int64_t>(scenario.value().limit_ms, 20);
-  // A thousand statements a cycle are as good as a million.
+  // A thousand statements per cycle find as much as a million.
   scenario.value().rate = std::min(scenario.value().rate, 1000);
   runtime::RunOptions options;
   options.trace = true;
