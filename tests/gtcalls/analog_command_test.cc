@@ -34,7 +34,7 @@ TEST(DacCommand, ChannelCountAndValueAreCheckedAtBothEnds) {
     values[1] = value;
     EXPECT_EQ(card.Call("GT_SetDac", {1, &values, 2}), 0) << value;
   }
-  // Beyond -10 V there is no voltage.
+  // Below -10 V the output is limited.
   values[1] = -32768;
   EXPECT_EQ(card.Call("GT_SetDac", {1, &values, 2}), 0);
   EXPECT_EQ(card.Call("GT_GetDac", {2, &values, 1, nullptr}), 0);
@@ -107,7 +107,7 @@ TEST(AdcCommand, TheFilterSlowsTheInput) {
   card.Cycle();
   std::vector<double> read(1);
   EXPECT_EQ(card.Call("GT_GetAdcValue", {1, &read, 1, nullptr}), 0);
-  EXPECT_EQ(read[0], 13107);  // half of the way
+  EXPECT_EQ(read[0], 13107);  // half of the change
   for (const auto& [time, code] : {std::pair{-1, 7}, {0, 0}, {32767, 0}, {32768, 7}}) {
     EXPECT_EQ(card.Call("GT_SetAdcFilter", {1, time}), code) << time;
   }

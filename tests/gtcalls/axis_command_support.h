@@ -1,5 +1,5 @@
-// The commands that tests of axes, positions and modes call over and over. Axes are numbered from
-// 1, as in the commands.
+// Commands that the tests of axes, positions and modes often call. Axes are numbered from 1, as in
+// the commands.
 #pragma once
 
 #include <string_view>
@@ -20,7 +20,7 @@ class AxisCommandCard : public CommandTestCard {
   explicit AxisCommandCard(const motion::MotionConfig& config = {.cycle_us = 1000})
       : CommandTestCard(config) {}
 
-  /// What a command of the form GT_GetPrfPos reads for one axis.
+  /// The value of a command such as GT_GetPrfPos for one axis.
   double Read(std::string_view command, int axis = 1) {
     std::vector<double> value(1, -12345);
     EXPECT_EQ(Call(command, {axis, &value, 1, nullptr}), 0) << command;
@@ -28,7 +28,7 @@ class AxisCommandCard : public CommandTestCard {
   }
   int Status(int axis = 1) { return static_cast<int>(Read("GT_GetSts", axis)); }
 
-  /// Mode Trap at 1 pulse/ms^2 without smoothing; a target and a velocity.
+  /// Mode Trap at 1 pulse/ms^2 without smoothing, with a target and a velocity.
   void PrepareTrap(int axis, int target, double velocity) {
     std::vector<double> parameters = {1, 1, 0, 0};
     EXPECT_EQ(Call("GT_PrfTrap", {axis}), 0);
@@ -48,17 +48,17 @@ class AxisCommandCard : public CommandTestCard {
     PrepareTrap(axis, target, velocity);
     EXPECT_EQ(Update(axis), 0);
   }
-  /// Cycles until the axis rests, at most ten seconds.
+  /// Cycles until the axis is at rest, at most ten seconds.
   void CyclesToRest(int axis = 1) {
     for (int i = 0; i < 10000 && (Status(axis) & kMoving) != 0; ++i) Cycle();
   }
-  /// A pin counted from 0, and the cycles of its filter.
+  /// Sets a pin, counted from 0, and runs the cycles of its filter.
   void Drive(motion::DiType type, int bit, bool level) {
     motion.state().io.SetPin(type, bit, level);
     Cycles(motion::kFilterTicksDefault);
   }
 
-  /// The call is refused with `code` and changes nothing.
+  /// Expects that the call is refused with `code` and changes nothing.
   void ExpectRefused(int code, std::string_view command, const std::vector<Argument>& arguments) {
     const uint64_t before = Hash();
     EXPECT_EQ(Call(command, arguments), code) << command;

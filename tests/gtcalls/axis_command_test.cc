@@ -12,7 +12,7 @@ using motion::DoType;
 
 // --- Starts into a latched limit ---------------------------------------------------------------
 
-/// Axis 2 in a mode, everything but its start; the way goes to `direction`. Axis 1 is the master.
+/// Prepares axis 2 in a mode up to its start; it will move in `direction`. Axis 1 is the master.
 void PrepareMode(AxisCommandCard& card, std::string_view mode, int direction) {
   if (mode == "PT") {
     EXPECT_EQ(card.Call("GT_PrfPt", {2, 0}), 0);
@@ -227,7 +227,7 @@ TEST(AlarmOn, IsRefusedWithoutAnAlarmInput) {
 TEST(LmtsOn, SwitchesTheLimitsOfItsType) {
   struct {
     int type;
-    int off;  ///< status bits that the type switches off
+    int off;  ///< status bits that the limit type disables
   } const cases[] = {{-1, 0x60}, {0, 0x20}, {1, 0x40}};
   for (const auto& c : cases) {
     AxisCommandCard card;
@@ -291,7 +291,7 @@ TEST(SetStopIo, Type0StopsAbruptlyAndType1Smoothly) {
     card.ExpectRefused(1, "GT_Update", {1});
     EXPECT_EQ(card.Call("GT_ClrSts", {1, 1}), 0);
     EXPECT_EQ(card.Update(1), 0);
-    // -1 takes the input away again.
+    // -1 disables the input again.
     EXPECT_EQ(card.Call("GT_SetStopIo", {1, c.type, 4, -1}), 0);
     card.Drive(DiType::kGpi, 15, true);
     EXPECT_EQ(card.Status(), kMoving);

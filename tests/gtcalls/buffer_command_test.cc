@@ -1,4 +1,4 @@
-// Buffered commands: their ranges, and what they do between segments.
+// Buffered commands: their ranges, and their effects between segments.
 #include <gtest/gtest.h>
 
 #include "tests/gtcalls/crd_command_support.h"
@@ -48,7 +48,7 @@ TEST(Buffered, EveryCommandChecksItsRanges) {
   for (const auto& c : cases) {
     const double space = card.ReadFifo("GT_CrdSpace");
     EXPECT_EQ(card.Call(c.name, c.arguments), c.code) << c.name;
-    // Each takes one place.
+    // Each occupies one place.
     EXPECT_EQ(space - card.ReadFifo("GT_CrdSpace"), c.code == 0 ? 1 : 0) << c.name;
   }
 }

@@ -8,7 +8,7 @@ namespace {
 
 using Cells = std::vector<double>;
 
-/// Axis 1 goes to `target` at up to 100 pulse/ms.
+/// Moves axis 1 to `target` at up to 100 pulse/ms.
 void Move(CommandTestCard& card, int target) {
   motion::Profile& profile = card.motion.state().profiles[0];
   profile.trap.target = target;
@@ -71,7 +71,8 @@ void PowerOn(CommandTestCard& card, motion::WorldEvents events) {
 }
 
 // 5000 pulses in 100 ms, then 100 pulse/ms: the probe's pulse from 150.3 to 150.4 ms begins at
-// 10030 and ends at 10040. One from 152 to 156 ms begins and ends with cycles of any length.
+// 10030 and ends at 10040. A pulse from 152 to 156 ms begins and ends at a cycle, whatever its
+// length.
 TEST(Capture, AnEdgeOfTheWorldIsLatchedAtItsInstant) {
   const struct {
     motion::Micros rise, fall;
@@ -116,7 +117,7 @@ TEST(Capture, WhatIsHighAtPowerOnOrRestsByItsSenseMakesNoEdge) {
   ASSERT_EQ(card.Call("GT_SetCaptureMode", {2, 1}), 0);
   Cells trigger = {1, 3, 1, 1, 0, 0, 0, 0, 0};
   ASSERT_EQ(card.Call("GT_SetTrigger", {1, &trigger}), 0);
-  // Nothing is wired to home input 2.
+  // Home input 2 is not connected.
   card.motion.state().io.SetInverted(motion::DiType::kHome, 2);
   card.Cycles(3);
   Cells status(2), values(2), triggered(3);
@@ -126,8 +127,8 @@ TEST(Capture, WhatIsHighAtPowerOnOrRestsByItsSenseMakesNoEdge) {
   EXPECT_EQ(triggered[1], 0);
 }
 
-/// Axes 1 and 2 go to 3000 at 10 pulse/ms, to which they accelerate in 40 ms and 200 pulses. Axis
-/// 1 puts out pulses of 500 us at the points on HSIO0; they are captured on encoder 2.
+/// Axes 1 and 2 move to 3000 at 10 pulse/ms, after an acceleration of 40 ms and 200 pulses. Axis 1
+/// outputs pulses of 500 us at the points on HSIO0; they are captured on encoder 2.
 void MoveAndCompare(CommandTestCard& card, Cells points, int rising) {
   ASSERT_EQ(card.Call("GT_CompareData",
                       {1, 1, 0, 0, 500, &points, static_cast<int>(points.size()), nullptr, 0}),
@@ -161,7 +162,7 @@ TEST(Capture, AHighSpeedOutputCapturesAnotherEncoder) {
 
 TEST(Capture, PulsesAreCapturedInARow) {
   CommandTestCard card;
-  // The number is given when the capture is armed already.
+  // The number is set after the capture has been armed.
   ASSERT_EQ(card.Call("GT_SetCaptureMode", {2, 6}), 0);
   ASSERT_EQ(card.Call("GT_SetCaptureRepeat", {2, 5}), 0);
   MoveAndCompare(card, {1000, 1100, 1200, 1300, 1400, 1500}, 1);

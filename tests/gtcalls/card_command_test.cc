@@ -1,5 +1,5 @@
-// What every command has in common: which are implemented, NULL pointers, ranges, refusals that
-// change nothing.
+// Rules for all commands: which are implemented, NULL pointers, ranges, refusals that change
+// nothing.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,8 @@
 namespace oncard::gtcalls {
 namespace {
 
-/// The commands that act on the card itself; the host library's own services are the runtime's.
+/// The commands that act on the card; those that the host library answers are tested with the
+/// runtime.
 const char* const kImplemented[] = {
     "GT_Bind",
     "GT_RunThread",
@@ -63,7 +64,7 @@ const char* const kImplemented[] = {
     "GT_LoadPlcCommand",
 };
 
-/// Arguments inside every range, each pointer with room for the largest structure.
+/// Arguments inside every range; each pointer has space for the largest structure.
 class Arguments {
  public:
   explicit Arguments(const Command& command) : cells_(command.parameters.size()) {
@@ -92,8 +93,8 @@ void ForEachImplemented(Visit visit) {
 }
 
 TEST(CardCommands, WhatPointersPointToMustFitItsTypes) {
-  // Cells: of TPid kp, ki, kd, kvff, kaff, two longs and a short; of TTrigger encoder, probeType,
-  // probeIndex, sense, offset, unsigned long loop, windowOnly and two longs.
+  // The cells of TPid are kp, ki, kd, kvff, kaff, two longs and a short; those of TTrigger are
+  // encoder, probeType, probeIndex, sense, offset, unsigned long loop, windowOnly and two longs.
   const std::vector<double> pid = {1, 0, 0, 0, 0, 100, 200, 300};
   const std::vector<double> trigger = {1, 1, 1, 0, 5, 0, 0, -7, 7};
   const struct {

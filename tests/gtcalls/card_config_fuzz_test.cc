@@ -1,6 +1,6 @@
-// Damaged configuration files: whatever a file says, reading and applying it keeps inside the card,
-// and a card that runs with it has numbers for positions. Meant for the build with sanitizers, too.
-// A failure names its seed.
+// Damaged configuration files: whatever a file contains, reading and applying it must not access
+// memory outside the card, and the positions of a card that runs with it must be numbers. Also
+// meant for the build with sanitizers. A failure prints its seed.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace oncard::gtcalls {
 namespace {
 
-/// The kinds of files that hosts bring.
+/// The kinds of files that hosts use.
 enum class Shape { kPulses, kServo, kNoLimits, kSwitches };
 
 void Add(std::string& text, std::string_view section, int number, std::string_view keys) {
@@ -23,7 +23,7 @@ void Add(std::string& text, std::string_view section, int number, std::string_vi
   text += keys;
 }
 
-/// A whole file for eight axes.
+/// A complete file for eight axes.
 std::string ConfigOf(Shape shape) {
   std::string text;
   for (int i = 1; i <= 8; ++i) {
@@ -89,7 +89,7 @@ class Damage {
         text.erase(begin, static_cast<size_t>(Choose(200)));
         return;
       }
-      default: {  // a part twice
+      default: {  // a part duplicated
         const size_t begin = Place(text);
         text.insert(Place(text), text.substr(begin, static_cast<size_t>(Choose(200))));
         return;

@@ -1,4 +1,4 @@
-// Configuration files: what is read, what is remarked on, what each key does, GT_LoadConfig.
+// Configuration files: reading, remarks, the effect of each key, GT_LoadConfig.
 #include "gtcalls/gts/card_config.h"
 
 #include <gtest/gtest.h>
@@ -108,11 +108,11 @@ encMapBeta1=2
   EXPECT_EQ(axis.positive_limit.bit, -1);
   EXPECT_EQ(axis.negative_limit, (motion::InputChoice{DiType::kLimitPositive, 7}));
   EXPECT_EQ(axis.smooth_stop, (motion::InputChoice{DiType::kGpi, 0}));
-  EXPECT_EQ(axis.abrupt_stop.bit, -1);  // no word is that long
+  EXPECT_EQ(axis.abrupt_stop.bit, -1);  // no word has so many bits
   EXPECT_EQ(axis.profile_map, 3u);
   EXPECT_EQ(axis.encoder_map, 0x80u);
   EXPECT_EQ(axis.profile_scale, (motion::Scale{4, -2}));
-  EXPECT_EQ(axis.encoder_scale, (motion::Scale{1, 1}));  // |alpha| < |beta| cannot be
+  EXPECT_EQ(axis.encoder_scale, (motion::Scale{1, 1}));  // |alpha| < |beta| is invalid
 }
 
 TEST(CardConfig, AlarmAndLimitsWithoutAnInputCannotBeSwitchedOn) {
@@ -134,7 +134,7 @@ TEST(CardConfig, EncodersGetTheirSenseAndSourceAndTheMachineFits) {
 TEST(CardConfig, InputsGetSenseFilterAndActivity) {
   ConfiguredCard card("[home2]\nreverse=1\nfilterTime=1\n[gpi1]\nactive=0\n");
   auto& io = card.motion.state().io;
-  EXPECT_EQ(io.Read(DiType::kHome), 0u);  // undriven: never triggered
+  EXPECT_EQ(io.Read(DiType::kHome), 0u);  // not driven: never active
   io.SetPin(DiType::kHome, 1, false);
   io.SetPin(DiType::kGpi, 0, true);
   io.SetPin(DiType::kGpi, 1, true);
@@ -230,7 +230,7 @@ TEST(CardConfig, InactiveAxesAndProfilesDoNothing) {
   EXPECT_EQ(card.state().axes[0].profile.position, 0);
 }
 
-/// A file that is gone with the test.
+/// A file that is deleted at the end of the test.
 class ConfigFile {
  public:
   explicit ConfigFile(std::string_view text, const std::string& name = "test.cfg")

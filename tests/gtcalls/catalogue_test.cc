@@ -1,5 +1,5 @@
-// The catalogue's rows: how many there are, which of them programs may call, and that each is sound
-// in itself. That they agree with gts.h is checked by interface_types_test.cc.
+// The catalogue's rows: how many there are, which of them programs may call, and that each is
+// consistent. interface_types_test.cc checks that they agree with gts.h.
 #include "gtcalls/gts/catalogue.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace oncard::gtcalls {
 namespace {
 
-// The lines of a file beside this one that are not comments.
+// The lines of a file in this folder that are not comments.
 std::vector<std::string> ReadLines(const std::string& name) {
   std::ifstream file(std::string(ONCARD_SOURCE_DIR "/tests/gtcalls/") + name);
   std::vector<std::string> lines;
@@ -33,7 +33,7 @@ const Parameter& ParameterOf(std::string_view command, std::string_view paramete
 }
 
 // 393 of the public interface, and GT_GetDacValue, GT_GetPtRemainder, GetMacAddress and the five
-// commands of the ferroelectric memory, which only the manual has.
+// commands for ferroelectric memory, which are only in the manual.
 TEST(CatalogueTest, HoldsTheWholeInterface) {
   EXPECT_EQ(GtsCatalogue().commands().size(), 401u);
   EXPECT_EQ(CountTier(Tier::kA), 171 + 3 + 5);
@@ -230,7 +230,7 @@ TEST(CatalogueTest, AccessesNameValuesOfTheCommand) {
   }
 }
 
-// The explorer takes commands that share no resource for independent.
+// The explorer treats commands that share no resource as independent.
 TEST(CatalogueTest, EveryCommandOfProgramsSaysWhatItTouches) {
   for (const Command& command : GtsCatalogue().commands()) {
     if (command.in_motion_program) {
@@ -333,7 +333,7 @@ TEST(CatalogueTest, ShapeOfAnArrayNamesItsCount) {
 // --- Structures and constants -------------------------------------------------------------------
 
 TEST(CatalogueTest, HoldsAllStructuresAndConstants) {
-  // 44 of the public interface, and TCrdBufOperation, which one of them nests.
+  // 44 of the public interface, and TCrdBufOperation, which one of them contains.
   EXPECT_EQ(GtsCatalogue().structures().size(), 45u);
   EXPECT_EQ(GtsCatalogue().constants().size(), 208u);
   for (const Structure& structure : GtsCatalogue().structures()) {

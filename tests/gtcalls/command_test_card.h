@@ -1,5 +1,5 @@
-// A card for command tests: machine, motion core and state of the family put together as the
-// runtime does, commands called by name, and a small program.
+// A card for command tests: machine, motion core and the family's state combined as in the runtime,
+// calls of commands by name, and a small program.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ class CommandTestCard {
   CommandTestCard(const CommandTestCard&) = delete;
   CommandTestCard& operator=(const CommandTestCard&) = delete;
 
-  /// Calls a command as the host does, or as a thread when `caller` says so.
+  /// Calls a command as the host, or as a thread if `caller` says so.
   int16_t Call(const Command& command, const std::vector<Argument>& arguments,
                int caller = vm::kHostCaller) {
     std::vector<vm::CommandArgument> packed(arguments.size());
@@ -68,7 +68,7 @@ class CommandTestCard {
     return Call(*GtsCatalogue().Find(name), arguments, caller);
   }
 
-  /// Calls a command as the host does and expects its code; refused, it must have changed nothing.
+  /// Calls a command as the host and expects its code; a refused command must not change anything.
   void Expect(int16_t code, std::string_view name, const std::vector<Argument>& arguments = {}) {
     const uint64_t before = Hash();
     EXPECT_EQ(Call(name, arguments), code) << name << ": " << reason.en;
@@ -77,7 +77,7 @@ class CommandTestCard {
     }
   }
 
-  /// Links an object and makes it the program.
+  /// Links an object and loads it.
   void Load(const vm::Object& object) {
     auto image = vm::LinkObject(object, commands);
     ASSERT_TRUE(image.ok()) << image.error().message.en;
@@ -98,7 +98,7 @@ class CommandTestCard {
     for (int i = 0; i < count; ++i) Cycle();
   }
 
-  /// Everything a refused command must not change.
+  /// The hash of everything that a refused command must not change.
   uint64_t Hash() const {
     return machine.Hash() ^ (motion.Hash() * 3) ^
            (motion::StateHash().Add(family_state).value() * 5);

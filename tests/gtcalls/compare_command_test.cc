@@ -8,7 +8,7 @@ namespace {
 
 using Cells = std::vector<double>;
 
-/// Axis 1 counts its own pulses and moves at 100 pulse/ms, to which it accelerates in 100 ms.
+/// Axis 1 counts its own pulses and moves at 100 pulse/ms, which it reaches in 100 ms.
 void MoveAxis1(CommandTestCard& card, int target) {
   EXPECT_EQ(card.Call("GT_EncOff", {1}), 0);
   EXPECT_EQ(card.Call("GT_AxisOn", {1}), 0);
@@ -52,12 +52,12 @@ TEST(Compare2D, TheExampleGivesTwoPulsesWhateverTheCycle) {
   }
 }
 
-// The way (10 + 2s, s - 10) comes nearest to the origin at s = -2, in (6, -12): too far in Y. From
-// s = -0.5 to 0.25 whole pulses are within 10 in both; the nearest of these places is (9, -10.5).
+// The line (10 + 2s, s - 10) is closest to the origin at s = -2, in (6, -12): too far in Y. From s
+// = -0.5 to 0.25 the whole pulses are within 10 in both; the closest of these points is (9, -10.5).
 TEST(Compare2D, HitsWhereBothErrorsAreSmallEnough) {
   EXPECT_NEAR(motion::FindHit(-90, -60, 110, 40, true, {0, 0}, 10, 0), 0.495, 1e-6);
   EXPECT_EQ(motion::FindHit(-90, -60, 110, 40, true, {0, 0}, 9, 0), -1);
-  // Whatever the length of the ticks.
+  // For any length of the cycles.
   for (const int ticks : {1, 2, 3, 7, 100}) {
     motion::CompareUnit compare;
     compare.module(0).parameters = {.two_dimensional = true, .x = 0, .y = 1, .max_error = 10};
@@ -99,7 +99,7 @@ TEST(HsioOutput, ItsEdgesAreExactWhateverTheCycle) {
     CommandTestCard card({.cycle_us = cycle_us});
     MoveAxis1(card, 30000);
     Cells points = {10000, 10020, 20000};
-    // The second point comes 200 us after the first and makes its pulse longer.
+    // The second point is reached 200 us after the first and extends its pulse.
     ASSERT_EQ(card.Call("GT_CompareData", {1, 0, 0, 0, 500, &points, 3, nullptr, 0}), 0);
     std::vector<motion::HsioEdge> edges;
     for (int64_t us = 0; us < 400'000; us += cycle_us) {
@@ -188,7 +188,7 @@ TEST(ComparePulse, PutsOutOnBothOutputs) {
   EXPECT_NE(card.Hash(), before);
 }
 
-/// GT_CompareStatus: 0 while it runs, and the count.
+/// GT_CompareStatus: 0 while compare is running, and the count.
 Cells LinearStatus(CommandTestCard& card) {
   Cells status(1), count(1);
   EXPECT_EQ(card.Call("GT_CompareStatus", {&status, &count}), 0);
@@ -304,7 +304,7 @@ TEST(CompareLinear, ParametersAreChecked) {
     EXPECT_EQ(card.Call("GT_CompareStop", {}), 0);
     EXPECT_EQ(card.Call(c.name, c.arguments), c.code) << c.name;
   }
-  // The last one waits.
+  // The last one is waiting.
   EXPECT_EQ(card.Call("GT_CompareLinear", {1, 0, 0, 1, 1, 1, 0}), 1);
   EXPECT_EQ(card.Call("GT_CompareData", {1, 0, 0, 0, 1, &points, 1, nullptr, 0}), 1);
 }

@@ -11,7 +11,7 @@ using Cells = std::vector<double>;
 constexpr int kLongMax = 2147483647;
 constexpr int kBacklashMax = 1073741824;
 
-/// What GT_GetCompensate reads: pitch, cross, backlash, encoder, profile.
+/// The values of GT_GetCompensate: pitch, cross, backlash, encoder, profile.
 Cells Compensate(AxisCommandCard& card, int axis = 1) {
   Cells pitch(1, -1), cross(1, -1), backlash(1, -1), encoder(1, -1), profile(1, -1);
   EXPECT_EQ(card.Call("GT_GetCompensate", {axis, &pitch, &cross, &backlash, &encoder, &profile}),

@@ -1,4 +1,4 @@
-// The commands that tests of coordinate systems call over and over.
+// Commands that the tests of coordinate systems often call.
 #pragma once
 
 #include <string_view>
@@ -13,7 +13,7 @@ class CrdCommandCard : public AxisCommandCard {
   explicit CrdCommandCard(const motion::MotionConfig& config = {.cycle_us = 1000})
       : AxisCommandCard(config) {}
 
-  /// TCrdPrm: the first profiles, synVelMax 500, synAccMax 10, the origin where they are.
+  /// TCrdPrm: the first profiles, synVelMax 500, synAccMax 10, the origin at their positions.
   static std::vector<double> Parameters(int dimension) {
     std::vector<double> cells(21);
     cells[0] = dimension;

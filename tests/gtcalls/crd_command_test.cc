@@ -75,7 +75,7 @@ TEST(CrdStart, GoesOnWithAModalMoveThatWasStoppedShort) {
   EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 0);
   card.CyclesToEnd();
   EXPECT_EQ(card.motion.state().profiles[2].now.position, 1000);
-  // Nothing is left to wait for.
+  // There is nothing left to wait for.
   EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 1);
 }
 
@@ -162,7 +162,7 @@ TEST(SetOverride, ChangesTheVelocityOfARunningSegment) {
   card.Cycles(5);
   EXPECT_EQ(card.ReadCrd("GT_GetCrdVel"), 5);
   EXPECT_EQ(card.Call("GT_SetOverride", {1, 0.2}), 0);
-  // From 5 pulse/ms at 12.5 pulses down to 2 at 1 pulse/ms^2.
+  // From 5 pulse/ms at 12.5 pulses to 2 pulse/ms with 1 pulse/ms^2.
   card.Cycles(3);
   EXPECT_EQ(card.ReadCrd("GT_GetCrdVel"), 2);
   EXPECT_EQ(card.Read("GT_GetPrfPos"), 12.5 + 3 * 3.5);
@@ -226,7 +226,7 @@ TEST(SetCrdStopDec, GivesTheDecelerationOfStops) {
   EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 0);
   card.Cycles(20);
   EXPECT_EQ(card.Call("GT_Stop", {0x100, 0}), 0);
-  // 150 pulses are done; 10 pulse/ms at 2 pulse/ms^2 take 25 more.
+  // 150 pulses are complete; at 10 pulse/ms and 2 pulse/ms^2 the rest takes 25 ms.
   card.CyclesToEnd();
   EXPECT_EQ(card.Read("GT_GetPrfPos"), 175);
 }

@@ -176,7 +176,7 @@ TEST(DiReverseCount, IndexAndCountStayWithinTheWord) {
 }
 
 TEST(LmtSns, InvertsTheLimitsOfEachAxis) {
-  // All pins high: with sense 0 the limits are triggered, with sense 1 they are not.
+  // All pins are high: with sense 0 the limits are active, with sense 1 they are not.
   CommandTestCard card;
   for (int bit = 0; bit < 8; ++bit) {
     card.motion.state().io.SetPin(DiType::kLimitPositive, bit, true);

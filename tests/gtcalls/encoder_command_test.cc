@@ -25,7 +25,7 @@ TEST(EncoderCommand, EncSnsSetsTheSenseOfEach) {
   }
 }
 
-/// Somebody turns the shaft of encoder `number` at 2 pulse/ms.
+/// The shaft of encoder `number` is turned by hand at 2 pulse/ms.
 void Turn(CommandTestCard& card, int number) {
   card.motion.PowerOn(std::make_shared<const motion::WorldEvents>(
       motion::WorldEvents{{.kind = motion::WorldEventKind::kHand,
@@ -60,7 +60,7 @@ TEST(AuxiliaryEncoder, RestsWithoutAHandAndCountsWhatSlips) {
   const motion::Encoder& encoder = card.motion.state().encoders[8];
   card.Cycles(40);
   EXPECT_EQ(encoder.position, 0);
-  card.Cycles(42);  // the hand has let go two cycles ago
+  card.Cycles(42);  // the hand stopped two cycles ago
   EXPECT_EQ(encoder.position, 20);
   EXPECT_TRUE(encoder.resting());
   card.Cycles(240);

@@ -108,7 +108,7 @@ TEST(GantryCommand, KeepsTheLargestSkew) {
   EXPECT_EQ(card.Call("GT_EnableGantry", {1, 2, 0, 0}), 0);
   EXPECT_EQ(card.Call("GT_GetGantryErrLmt", {&limit}), 0);
   EXPECT_EQ(limit[0], 20);
-  // The slave's drive is off: it stays behind.
+  // The slave's drive is off, so it does not follow.
   EXPECT_EQ(card.Call("GT_AxisOn", {1}), 0);
   card.MoveTo(1, 1000, 1);
   card.CyclesToRest(1);

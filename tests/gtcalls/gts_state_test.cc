@@ -1,5 +1,5 @@
-// The state of the GTS family: what a hash sees, what a reset keeps, and the values that paths
-// write.
+// The state of the GTS family: what its hash includes, what a reset keeps, and the values that
+// paths write.
 #include "gtcalls/gts/gts_state.h"
 
 #include <gtest/gtest.h>

@@ -202,7 +202,7 @@ TEST(GoHome, AnInactiveEncoderIsError9) {
 }
 
 TEST(GoHome, EndsAtTheSwitchWhateverPositionsAreCalled) {
-  // The switch's falling edge is at 6000 of the machine, which stands at 0; homeOffset 250.
+  // The switch's falling edge is at position 6000 of the machine, which is at 0; homeOffset is 250.
   struct Case {
     std::string_view name, command;
     std::vector<Argument> arguments;
@@ -286,12 +286,12 @@ TEST(GoHome, TheLastWayIsSlowUnlessPad1SaysFast) {
 }
 
 TEST(GoHome, LeavesASwitchItStandsOnWhenAskedTo) {
-  // On the switch, searching forwards for its rising edge at 4000: the escape of 1000 goes back.
+  // On the switch, searching forwards for its rising edge at 4000: the escape of 1000 is backwards.
   CommandTestCard card;
   ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
   card.motion.PlaceMachine(0, 4500);
   AddSwitch(card, motion::DiType::kHome, 4000, 6000);
-  for (int i = 0; i < 3; ++i) card.motion.Tick();  // through the input's filter
+  for (int i = 0; i < 3; ++i) card.motion.Tick();  // to pass the input's filter
   Cells cells = Example(card);
   cells[3] = 1;
   cells[14] = 1;
@@ -300,7 +300,7 @@ TEST(GoHome, LeavesASwitchItStandsOnWhenAskedTo) {
   EXPECT_EQ(Status(card)[1], 2);
   RunToEnd(card);
   EXPECT_EQ(Status(card)[2], 0);
-  // The encoder read 0 at 4500.
+  // The encoder was set to 0 at 4500.
   EXPECT_EQ(card.motion.state().encoders[0].position, -500);
 }
 
@@ -350,7 +350,7 @@ TEST(SimpleHome, GoesToTheSwitchAndTheOffset) {
   card.Expect(1, "GT_Home", {2, 100000, 10.0, 1.0, 100});  // not enabled
   card.Expect(0, "GT_Home", {1, 100000, 10.0, 1.0, 100});
   EXPECT_EQ(RunSimply(card), 1);
-  // The falling edge is where the switch ends.
+  // The falling edge is at the end of the switch.
   EXPECT_NEAR(card.motion.state().profiles[0].now.position, 6100, 1);
 }
 
@@ -361,7 +361,7 @@ TEST(SimpleHome, StopsBehindTheSwitch) {
   card.Expect(0, "GT_HomeInit");
   card.Expect(0, "GT_HomeStop", {1, 100000, 10.0, 1.0});
   EXPECT_EQ(RunSimply(card), 1);
-  // 10 pulse/ms at 1 pulse/ms^2: 50 pulses, begun within a cycle.
+  // 10 pulse/ms at 1 pulse/ms^2: 50 pulses, starting within a cycle.
   EXPECT_NEAR(card.motion.state().profiles[0].now.position, 6050, 3);
 }
 

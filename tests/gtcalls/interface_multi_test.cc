@@ -1,5 +1,5 @@
-// gts.h with a card number in front, in C++: default arguments stay, and the functions are others
-// than those of one card, so that both may be used in one program. Compiled only.
+// gts.h with a card number, in C++: the default arguments remain, and the functions differ from
+// those for one card, so that both can be used in one program. Only compiled.
 #include <type_traits>
 
 #include "gts_multi.h"
@@ -9,7 +9,7 @@ static_assert(std::is_same_v<decltype(GT_SetPos), short(short, short, long)>);
 static_assert(std::is_same_v<decltype(GT_Download), short(short, const char*)>);
 static_assert(std::is_same_v<decltype(&GTM_SetPos), decltype(&GT_SetPos)>);
 
-// One card's functions do not exist here, and cannot be called by accident.
+// The functions for one card do not exist here and cannot be called by mistake.
 short CallCommandsOfCards();
 short CallCommandsOfCards() {
   double position = 0;

@@ -1,5 +1,5 @@
-// gts.h as a C++ host sees it: values of the constants and order of the members, against the
-// manuals; and the generated documentation against the one in docs/.
+// gts.h in a C++ host: values of the constants and order of the members, compared with the manuals;
+// and the generated documentation, compared with the one in docs/.
 #include <gtest/gtest.h>
 
 #include <cstddef>

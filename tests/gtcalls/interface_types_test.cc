@@ -1,6 +1,6 @@
-// The build fails here when a prototype or structure of gts.h is not what the catalogue's row says:
-// types, their order, and which arguments may be left out. The prototypes with a card number need
-// no check of their own: the library's definitions are compiled against them.
+// The build fails here if a prototype or structure of gts.h differs from the catalogue's row:
+// types, their order, and which arguments are optional. The prototypes with a card number need no
+// separate check: the library's definitions are compiled with them.
 #include <cstddef>
 #include <tuple>
 #include <type_traits>
@@ -83,7 +83,7 @@ struct Prototype<short(Args...)> {
     }
   }
 
-  // `call` passes what it is given on to the command; this passes the first `count` arguments.
+  // `call` passes its arguments on to the command; this passes the first `count` arguments.
   template <typename Call, size_t count>
   static constexpr bool TakesFirst() {
     return []<size_t... i>(std::index_sequence<i...>) {
@@ -100,7 +100,7 @@ constexpr size_t RequiredCount(const std::array<Parameter, size>& parameters) {
   return count;
 }
 
-// All from the first default on may be left out, and not one more.
+// All arguments from the first default on are optional, and no others.
 template <typename Function, typename Call, size_t required>
 constexpr bool MayBeLeftOut() {
   if constexpr (required > 0) {

@@ -1,4 +1,4 @@
-// The ferroelectric memory: transfers, their time, what GT_Reset leaves.
+// The ferroelectric memory: transfers, their time, what GT_Reset keeps.
 #include "gtcalls/gts/mram.h"
 
 #include <gtest/gtest.h>

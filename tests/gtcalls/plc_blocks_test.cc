@@ -1,4 +1,4 @@
-// Semantics of each PLC block, evaluated directly.
+// The semantics of each PLC block, evaluated directly.
 #include "gtcalls/gts/plc_blocks.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ class PlcBlocksTest : public testing::Test {
   int64_t Read(uint16_t id) { return card_.machine.ReadRaw(Global(id)); }
   void Evaluate() { card_.state().plc.Evaluate(card_.machine, card_.motion); }
 
-  /// One evaluation for each character of the inputs ('1' = on); the variable after each.
+  /// Evaluates once for each character of the inputs ('1' = on); returns the variable after each.
   std::string Trace(std::string_view first, std::string_view second = {}) {
     std::string outputs;
     for (size_t i = 0; i < first.size(); ++i) {
@@ -68,7 +68,7 @@ TEST_F(PlcBlocksTest, DoCopiesAVariableOrItsComplement) {
   EXPECT_EQ(card_.motion.state().io.Register(motion::DoType::kGpo), 0x0001u);
 }
 
-// A cycle is 250 us: a delay of 1 ms lasts four cycles from the one that first sees the change.
+// A cycle is 250 us: a delay of 1 ms is four cycles from the first one that has the new value.
 TEST_F(PlcBlocksTest, OnDelayDelaysOnlyTheRise) {
   Bind(TimerBlock{.type = TimerType::kOnDelay, .input = kIn, .delay_us = 1000});
   EXPECT_EQ(Trace("0111111100"), "0000011100");
@@ -128,7 +128,7 @@ TEST_F(PlcBlocksTest, FlipFlopKeepsAndResetWins) {
 TEST_F(PlcBlocksTest, CounterComparesItsCountWithTheTarget) {
   struct {
     CounterType type;
-    const char* outputs;  // counts 0 1 1 2 2 3 against 2
+    const char* outputs;  // counts 0 1 1 2 2 3 compared with 2
   } const cases[] = {{CounterType::kEqual, "000110"},
                      {CounterType::kLessEqual, "111110"},
                      {CounterType::kGreaterEqual, "000111"}};
@@ -174,12 +174,12 @@ TEST_F(PlcBlocksTest, CounterWithoutBoundsWrapsAt32Bits) {
 
 TEST_F(PlcBlocksTest, CounterIsHeldAtItsInitialValueByReset) {
   Bind(CounterBlock{.init = 4, .target = 5, .unit = 2, .input = kIn, .reset = kIn2, .count = 4});
-  // Edges at 1, 3, 5, 7, 9. Reset at 3 drops the edge counted at 1 and the one at 3.
+  // Edges at 1, 3, 5, 7, 9. The reset at 3 discards the edge counted at 1 and the one at 3.
   EXPECT_EQ(Trace("0101010101", "0001000000"), "0000000111");
 }
 
 TEST_F(PlcBlocksTest, InputsComeFirstAndOutputsLast) {
-  // Bound in the worst order, one evaluation still carries an input through to an output.
+  // Even if they are bound in the worst order, one evaluation passes an input on to an output.
   Bind(DoBlock{.type = motion::DoType::kGpo, .bit = 0}, kOut);
   Bind(TimerBlock{.input = kIn, .delay_us = 0}, kOut);
   Bind(DiBlock{.type = motion::DiType::kGpi, .bit = 0}, kIn);

@@ -6,8 +6,8 @@
 namespace oncard::gtcalls {
 namespace {
 
-/// The records of the manual's example 10-1, as its compiler writes them: the sum of begin..end.
-/// Locals: begin 0, end 1, i 2, cc 3; the sum is global 0.
+/// The records of the manual's example 10-1, as the vendor's compiler writes them: the sum of
+/// begin..end. Locals: begin 0, end 1, i 2, cc 3; the sum is global 0.
 const std::vector<std::vector<double>> kSumRecords = {
     {5, 0x5041, 1, 0, 1, 2, 3, 0x0A, 1, 1},
     {6, 0x5040, 0x0B, 2, 1, 1, 3, 4, 0x16, 1, 1, 1},

@@ -6,7 +6,8 @@
 namespace oncard::gtcalls {
 namespace {
 
-/// Axis 1 enabled, 10 ms into a move at 1 pulse/ms^2 on a 1 ms cycle: 50 pulses, 10 pulse/ms.
+/// Axis 1, enabled, 10 ms after the start of a move at 1 pulse/ms^2 with a 1 ms cycle: 50 pulses,
+/// 10 pulse/ms.
 class Moving : public testing::Test {
  protected:
   Moving() {
@@ -25,7 +26,7 @@ TEST_F(Moving, EveryValueIsRead) {
   EXPECT_EQ(card.Read("GT_GetAxisPrfPos"), 50);
   EXPECT_EQ(card.Read("GT_GetAxisPrfVel"), 10);
   EXPECT_EQ(card.Read("GT_GetAxisPrfAcc"), 1);
-  // 40.5 pulses a cycle earlier count as 41, 32 two cycles earlier.
+  // The 40.5 pulses one cycle before are counted as 41; two cycles before there were 32.
   EXPECT_EQ(card.Read("GT_GetEncPos"), 50);
   EXPECT_EQ(card.Read("GT_GetEncPosPre"), 41);
   EXPECT_EQ(card.Read("GT_GetEncVel"), 9);

@@ -208,7 +208,7 @@ TEST(PvtTable, PercentAndItsCalculation) {
 }
 
 TEST(PvtTable, StorageIsLimited) {
-  // Three pieces an interval and one for the end: 341 intervals fill the table.
+  // Three pieces per interval and one for the end: 341 intervals fill the table.
   for (const auto& [count, code] : {std::pair{342, 0}, {343, 7}}) {
     CommandTestCard card;
     Values times(static_cast<size_t>(count));

@@ -1,6 +1,6 @@
-// Random commands in all modes, values at the ends of their ranges and below among them: whatever
-// they do, no profile may go further in a cycle than its velocities allow, and Trap, Jog and stops
-// keep to their accelerations. A failure names its seed.
+// Random commands in all modes, including values at the limits of their ranges and beyond: whatever
+// they do, no profile may move further in a cycle than its velocities allow, and Trap, Jog and
+// stops must keep their accelerations. A failure prints its seed.
 #include <array>
 #include <cmath>
 #include <limits>
@@ -12,10 +12,10 @@
 namespace oncard::gtcalls {
 namespace {
 
-/// What the commands below ask for at most, pulse/ms and pulse/ms^2.
+/// The maximum velocity and acceleration in the commands below, pulse/ms and pulse/ms^2.
 constexpr double kVelocity = 100;
 constexpr double kAcceleration = 10;
-/// Ratio of slaves; at most twice the master's velocity.
+/// Maximum ratio of slaves: twice the master's velocity.
 constexpr double kRatio = 2;
 
 constexpr int kTrapAxis = 1;
@@ -24,7 +24,7 @@ constexpr int kPtAxis = 3;
 constexpr int kPvtAxis = 4;
 constexpr int kGearAxis = 5;
 constexpr int kFollowAxis = 6;
-/// Axes 7 and 8 are a coordinate system, whose buffered commands move axis 2, too.
+/// Axes 7 and 8 form a coordinate system, whose buffered commands also move axis 2.
 constexpr int kAxes = 8;
 
 struct Bound {
@@ -32,8 +32,8 @@ struct Bound {
   double acceleration = std::numeric_limits<double>::infinity();
 };
 
-/// Of axis n + 1. PVT: a cubic between velocities of kVelocity at a mean of kVelocity stays within
-/// 5 of it.
+/// Limits of axis n + 1. PVT: a cubic between velocities up to kVelocity with a mean up to
+/// kVelocity stays within 5 times kVelocity.
 constexpr std::array<Bound, kAxes> kBounds = {{{kVelocity, kAcceleration},
                                                {kVelocity},
                                                {kVelocity},
@@ -57,7 +57,7 @@ class RandomMotion {
     card_.Expect(0, "GT_PrfPvt", {kPvtAxis});
     card_.Expect(0, "GT_PrfGear", {kGearAxis, Choose(3) - 1});
     card_.Expect(0, "GT_PrfFollow", {kFollowAxis, Choose(3) - 1});
-    // Master 1 as profile or as axis.
+    // The master is 1, as a profile or as an axis.
     card_.Expect(0, "GT_SetGearMaster", {kGearAxis, kTrapAxis, 2 + Choose(2), 0});
     card_.Expect(0, "GT_SetFollowMaster", {kFollowAxis, kTrapAxis, 2 + Choose(2), 0});
     std::vector<double> crd(21);
@@ -97,7 +97,7 @@ class RandomMotion {
   }
   int Position() { return static_cast<int>(Draw(-1, 1) * Pick({2, 1000, 1e6, 1073741823})); }
 
-  /// One command; it may be refused.
+  /// Calls a command, which may be refused.
   void Do(std::string_view name, const std::vector<Argument>& arguments) {
     card_.Call(name, arguments);
   }
@@ -133,7 +133,7 @@ class RandomMotion {
   }
 
   void MovePt() {
-    // NORMAL: from the last velocity to another, the first from 0; data is only added at rest.
+    // NORMAL: from the last velocity to another, the first from 0; data is only appended at rest.
     if (card_.motion.state().profiles[kPtAxis - 1].now.moving) return;
     Do("GT_PtClear", {kPtAxis, 0});
     double velocity = 0;
@@ -216,7 +216,7 @@ class RandomMotion {
     }
   }
 
-  /// Half of a line's way, in ramps over all of it: no faster than the path.
+  /// Moves by half of a line's length, with ramps over the whole line: not faster than the path.
   void AppendGear(double velocity) {
     const motion::CrdFifo& fifo = card_.motion.state().crds[0].fifos[0];
     const motion::Coordinates end = fifo.idle() ? card_.motion.CrdPosition(0) : fifo.tail;
@@ -258,7 +258,7 @@ class RandomMotion {
     }
   }
 
-  /// A cycle, and what it did to each profile.
+  /// Runs a cycle and checks how far each profile has moved.
   void Tick() {
     std::array<motion::Sample, kAxes> before;
     for (size_t i = 0; i < kAxes; ++i) before[i] = card_.motion.state().profiles[i].now;
@@ -268,7 +268,7 @@ class RandomMotion {
       const motion::Sample& after = card_.motion.state().profiles[i].now;
       const double way = std::fabs(after.position - before[i].position);
       const double change = std::fabs(after.velocity - before[i].velocity);
-      // Positions of up to 2^30 pulses carry this much of rounding.
+      // The rounding error of positions up to 2^30 pulses.
       constexpr double kRounding = 1e-5;
       EXPECT_LE(way, kBounds[i].velocity * ms + kRounding)
           << "axis " << i + 1 << " from " << before[i].position << " to " << after.position

@@ -1,4 +1,4 @@
-// Segments: every form of a line, arc or helix, and what makes one impossible.
+// Segments: all forms of lines, arcs and helices, and why a segment may be impossible.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace oncard::gtcalls {
 namespace {
 
-/// Arguments that make sense for every segment command: a way from (0, 0, 0) to (100, 100, 100).
+/// Valid arguments for every segment command: from (0, 0, 0) to (100, 100, 100).
 std::vector<Argument> ArgumentsFor(const Command& command) {
   std::vector<Argument> arguments = {1};
   for (const Parameter& parameter : command.parameters.subspan(1)) {
@@ -22,7 +22,7 @@ std::vector<Argument> ArgumentsFor(const Command& command) {
     if (name == "synAcc") value = 1;
     if (name == "radius") value = 100;
     if (name == "segNum") value = 9;
-    // A quarter around (0, 100) in the plane, counter-clockwise.
+    // A quarter circle around (0, 100) in the plane, counter-clockwise.
     if (name == "circleDir") value = 1;
     const std::string text(command.name);
     const char second = text.find("XY") != std::string::npos   ? 'y'
@@ -55,8 +55,8 @@ TEST(Segments, EveryCommandMovesItsAxesToTheEnd) {
   EXPECT_EQ(count, 74);
 }
 
-// Of every form: the second override holds for Override2 alone, the number is that of WN, and a G0
-// segment ends at rest whatever comes next.
+// For every form: the second override only applies to Override2, WN commands have a number, and a
+// G0 segment ends at rest whatever follows.
 TEST(Segments, EveryCommandSaysWhatItsNameSays) {
   for (const Command& command : GtsCatalogue().commands()) {
     if (command.number < 230 || command.number > 303) continue;
@@ -76,7 +76,7 @@ TEST(Segments, EveryCommandSaysWhatItsNameSays) {
     card.Cycles(8);
     EXPECT_DOUBLE_EQ(card.ReadCrd("GT_GetCrdVel"), has("Override2") ? 2 : 5) << name;
     EXPECT_EQ(card.ReadFifo("GT_GetUserSegNumWN"), has("WN") ? 9 : 0) << name;
-    // The slowest moment around the end of the segment.
+    // The minimum speed around the end of the segment.
     double slowest = 10;
     const auto& fifo = card.motion.state().crds[0].fifos[0];
     for (int i = 0; i < 300 && fifo.done == 0; ++i) {

@@ -1,5 +1,5 @@
-// The bits of the status word, at the places that the GTS manual gives them (chapter 6 and the
-// description of GT_GetSts).
+// The bits of the status word have the positions in the GTS manual (chapter 6 and the description
+// of GT_GetSts).
 #include "gtcalls/gts/status_word.h"
 
 #include <gtest/gtest.h>

@@ -31,8 +31,8 @@ TEST(StructureCellsTest, AreTheMembersInTheirOrder) {
   EXPECT_EQ(ToCells("TThreadSts", TThreadSts{1, 7, -2.5, 30}), (std::vector{1.0, 7.0, -2.5, 30.0}));
 }
 
-// On a host whose long has 64 bits: what has 32 is taken signed, what has more is left to the
-// command's range.
+// On a host whose long has 64 bits: 32-bit values are read as signed; larger values are left for
+// the command's range check.
 TEST(StructureCellsTest, ReadLongsAsTheCardDoes) {
   TPid pid = {};
   pid.integralLimit = static_cast<long>(0xffffffffu);
@@ -70,7 +70,7 @@ TEST(StructureCellsTest, KeepTheTextOfAStructureThatIsWritten) {
 }
 
 // motionType, circlePlat, pos[8], radius, circleDir, center[3], vel, acc, velEndZero: 18 cells
-// stand before the nested operation, whose 7 come before cos.
+// precede the nested operation, whose 7 cells precede cos.
 TEST(StructureCellsTest, HoldANestedStructureInItsPlace) {
   TCrdData data;
   std::memset(&data, 0, sizeof data);

@@ -1,4 +1,4 @@
-// Threads: binding, running, stopping, pausing, stepping, and what their state reads.
+// Threads: binding, running, stopping, pausing, stepping, and reading their state.
 #include <gtest/gtest.h>
 
 #include <functional>

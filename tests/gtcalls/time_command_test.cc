@@ -43,7 +43,7 @@ bool Done(const CommandTestCard& card, uint8_t page = 0) {
   return card.machine.ReadRaw({.global = false, .page = page, .id = 0}) == 1;
 }
 
-/// Cycles until the thread has passed its commands; the one of the commands not counted.
+/// Cycles until the thread has executed its commands, without the cycle of the commands.
 int CyclesUntilDone(CommandTestCard& card) {
   card.Cycle();
   int cycles = 0;

@@ -169,7 +169,7 @@ TEST(Update, SettersOnlyWriteRegisters) {
   EXPECT_EQ(card.Update(1), 0);
   card.Cycles(10);
   EXPECT_EQ(card.Read("GT_GetPrfPos"), 50);
-  // A new target waits for the next GT_Update.
+  // A new target takes effect with the next GT_Update.
   EXPECT_EQ(card.Call("GT_SetPos", {1, 2000}), 0);
   card.CyclesToRest();
   EXPECT_EQ(card.Read("GT_GetPrfPos"), 1000);
@@ -230,7 +230,7 @@ TEST(Update, ALatchedLimitOnlyLetsMotionAwayFromIt) {
                          "GT_ClrSts");
     card.PrepareJog(1, 10 * sign);
     card.ExpectRefused(1, "GT_Update", {1});
-    // Without the switch the bit stays, and the direction stays forbidden.
+    // After the switch is released the bit remains, and so does the forbidden direction.
     card.Drive(limit, 0, false);
     card.ExpectRefused(1, "GT_Update", {1});
     card.PrepareTrap(1, -1000 * sign, 10);

@@ -126,9 +126,9 @@ TEST(VarValue, TheFunctionOfTheBoundThreadDecidesTheType) {
 TEST(VarValue, APageNobodyHoldsTakesTheTypeOfTVarInfo) {
   CommandTestCard card;
   Prepare(card);
-  EXPECT_EQ(Set(card, 9, {0, kDouble}, {0.5}), 0);  // answer() declares slot 0 as double
+  EXPECT_EQ(Set(card, 9, {0, kDouble}, {0.5}), 0);  // answer() declares slot 0 as a double
   EXPECT_EQ(Get(card, 9, {0, kDouble}, 1), std::vector<double>{0.5});
-  EXPECT_EQ(Set(card, 9, {0, kInt}, {4}), 0);  // loop() declares it as int
+  EXPECT_EQ(Set(card, 9, {0, kInt}, {4}), 0);  // loop() declares it as an int
   EXPECT_EQ(Set(card, 9, {2, kDouble}, {1}), 7);
   EXPECT_EQ(Set(card, 9, {0, 0}, {1}), 7);
 }
