@@ -1,5 +1,5 @@
-// Axes: mapping and scales, position bookkeeping, limits, alarm, stop inputs, conditions, the
-// in-position band, the drive and the ideal machine behind it.
+// Axes: mapping and scales, position values, limits, alarm, stop inputs, conditions, the
+// in-position band, the drive and the ideal machine connected to it.
 #include "motion/axis.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr uint16_t kFilterTicks = kFilterTicksDefault;
 
-/// A card with commands in the words of these tests; axes and profiles from 0.
+/// A card with the commands that these tests need; axes and profiles are numbered from 0.
 class AxisCard {
  public:
   explicit AxisCard(Micros cycle_us = 1000, int axis_count = 8)
@@ -42,7 +42,7 @@ class AxisCard {
   void RunToMs(double ms) {
     while (MsBetween(0, core.now()) < ms) core.Tick();
   }
-  /// A pin, and the ticks of its filter.
+  /// Sets a pin and runs the ticks of its filter.
   void Drive(DiType type, int bit, bool level) {
     core.state().io.SetPin(type, bit, level);
     Ticks(kFilterTicks);
@@ -155,7 +155,7 @@ TEST(AxisPosition, SettingAProfileLeavesTheAxisUntilSynch) {
   EXPECT_EQ(card.profile().now.position, 5000);
   card.Ticks(2);
   EXPECT_EQ(card.axis().profile.position, 1000);
-  // Motion goes on from there.
+  // The motion continues from there.
   card.MoveTo(5500, 50);
   card.TicksToRest();
   EXPECT_EQ(card.axis().profile.position, 1500);
@@ -163,7 +163,7 @@ TEST(AxisPosition, SettingAProfileLeavesTheAxisUntilSynch) {
   card.core.SynchAxis(0);
   EXPECT_EQ(card.axis().profile.position, 5500);
   EXPECT_EQ(card.axis().encoder.position, 1500);
-  // The machine has not moved for it, and follows as before.
+  // This has not moved the machine, which follows as before.
   card.Ticks(2);
   EXPECT_EQ(card.encoder().position, 1500);
   card.MoveTo(5600, 50);
@@ -226,7 +226,8 @@ TEST(AxisPosition, ThePulseCounterCountsNoPulsesForASynch) {
 // --- Soft limits -------------------------------------------------------------------------------
 
 TEST(SoftLimit, Example91StopsOneCycleBehindTheLimit) {
-  // 50 pulse/ms after 425 ms at 10625 pulses; 20025 at 613 ms; 50 / 1000 ms and 1.25 pulses more.
+  // 50 pulse/ms are reached after 425 ms at 10625 pulses; 20025 are passed at 613 ms; then 50 /
+  // 1000 ms and 1.25 pulses more.
   AxisCard card(1000);
   card.axis().soft_positive = 20000;
   card.axis().soft_negative = -20000;
@@ -415,7 +416,7 @@ TEST(StopInput, StopsSmoothlyOrAbruptlyInAnyDirection) {
     EXPECT_EQ(std::fabs(card.profile().now.velocity), c.abrupt ? 0 : 5);
     card.Ticks(10);
     EXPECT_EQ(card.conditions(), c.bit);
-    // 100 pulses in 20 ms, or 0.05.
+    // 100 pulses in 20 ms, or 0.05 pulses.
     EXPECT_NEAR(std::fabs(card.profile().now.position), 980 + (c.abrupt ? 0.05 : 100), 1e-9);
     card.core.ClearStatus(0);
     EXPECT_EQ(card.conditions(), c.bit) << "the input is still on";

@@ -104,7 +104,7 @@ TEST(Backlash, IsGoneAtOnceWhenItIsSwitchedOff) {
   EXPECT_FALSE(compensation.InUse());
 }
 
-/// A core whose first axis jogs with 10 pulse/ms from the first tick on.
+/// A core whose first axis jogs at 10 pulse/ms from the first tick on.
 struct JoggingCore {
   JoggingCore() {
     core.ServoOn(0);
@@ -121,7 +121,7 @@ struct JoggingCore {
   void Ticks(int count) {
     for (int i = 0; i < count; ++i) core.Tick();
   }
-  /// How far the machine is from the planned position.
+  /// The distance from the planned position to the machine.
   double Lead() const {
     return core.state().plants[0].position - core.state().axes[0].profile.position;
   }
@@ -206,7 +206,7 @@ TEST(CompensatedAxis, RenamingItsPositionsMovesNothing) {
         core.StartProfile(0);
       }
       core.SetBacklash(0, {300, 0, true});
-      // Another error everywhere: 500 at 0, 0 at 1000.
+      // Another error at every position: 500 at 0, 0 at 1000.
       core.SetPitchTable(
           0, std::make_shared<const PitchTable>(PitchTable{0, 1000, {500, 0}, {500, 0}}));
       core.EnablePitchCompensation(0, true);
@@ -226,7 +226,7 @@ TEST(CompensatedAxis, RenamingItsPositionsMovesNothing) {
       jog.Ticks(400);
       EXPECT_NEAR(core.state().plants[0].position, machine, 2) << closed << zero;
       EXPECT_NEAR(core.state().axes[0].encoder.position, zero ? 0 : machine, 2) << closed << zero;
-      // Afterwards the backlash is given back as before.
+      // Afterwards the backlash is output as before.
       jog.Reverse();
       jog.Ticks(2);
       core.StopProfile(0, true);

@@ -1,12 +1,12 @@
-// Judges a motion from its samples alone: velocity and acceleration within bounds, position the
-// integral of velocity. Feed it the output of every cycle:
+// Checks a motion by its samples alone: velocity and acceleration within limits, position the
+// integral of velocity. Pass it the output of every cycle:
 //
 //   ConstraintChecker checker({.velocity = 50, .acceleration = 0.25}, 0.25, AtRest(0));
 //   EXPECT_TRUE(checker.Next(profile.now));
 //
-// For a velocity v whose slope stays within +-A, v over dt lies inside a parallelogram on the chord
-// from v0 to v1, so that |dp - (v0 + v1) / 2 * dt| <= A * dt^2 / 4: a jump in position larger than
-// that cannot hide.
+// If the slope of a velocity v stays within +-A, the curve of v over dt is inside a parallelogram
+// around the chord from v0 to v1, so that |dp - (v0 + v1) / 2 * dt| <= A * dt^2 / 4: a larger jump
+// in position is always detected.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ struct MotionBounds {
   double velocity = 0;       ///< pulse/ms
   double acceleration = 0;   ///< pulse/ms^2; the larger of acceleration and deceleration
   double velocity_step = 0;  ///< pulse/ms by which velocity may jump (velStart, PT EVEN ...)
-  double tolerance = 1e-6;   ///< for rounding, in each of the three
+  double tolerance = 1e-6;   ///< for rounding, in each of the three checks
 };
 
 class ConstraintChecker {
@@ -30,20 +30,21 @@ class ConstraintChecker {
   ConstraintChecker(const MotionBounds& bounds, double cycle_ms, const Sample& first)
       : bounds_(bounds), cycle_ms_(cycle_ms), last_(first), velocity_(bounds.velocity) {}
 
-  /// Other bounds from the next sample on. A lower velocity counts once it has been reached.
+  /// Sets other limits for the next samples. A lower velocity limit applies once it has been
+  /// reached.
   void SetBounds(const MotionBounds& bounds) {
     velocity_ = std::max(bounds.velocity, std::fabs(last_.velocity));
     bounds_ = bounds;
   }
-  /// The same for smoothed motion, whose velocity can still rise towards the old bound.
+  /// The same for smoothed motion, whose velocity can still rise up to the old limit.
   void SetBoundsSmoothed(const MotionBounds& bounds) {
     velocity_ = std::max(bounds.velocity, velocity_);
     bounds_ = bounds;
   }
-  /// A command has moved the origin: the position is continuous from here.
+  /// A command has moved the origin: the position continues from here.
   void MoveOrigin(double position) { last_.position = position; }
 
-  /// Judges the sample of the next cycle.
+  /// Checks the sample of the next cycle.
   testing::AssertionResult Next(const Sample& sample) {
     const Sample before = last_;
     last_ = sample;
@@ -76,7 +77,7 @@ class ConstraintChecker {
   MotionBounds bounds_;
   double cycle_ms_;
   Sample last_;
-  double velocity_;  ///< the bound in force: above bounds_.velocity until that has been reached
+  double velocity_;  ///< the current limit: above bounds_.velocity until that has been reached
 };
 
 }  // namespace oncard::motion

@@ -104,7 +104,7 @@ double MeanError(MotionCore& core, int ticks) {
 
 TEST(ClosedLoop, TheSteadyErrorIsWhatTheVelocityNeeds) {
   // v = Kdrive U / 32767 and U = kp E: E = 32767 v / (100 kp). Counting whole pulses adds noise of
-  // less than a pulse, whose mean is near 0.
+  // less than a pulse with a mean close to 0.
   struct {
     double kp, velocity, error;
   } const cases[] = {{20, 10, 163.835}, {40, 10, 81.9175}, {20, -5, -81.9175}, {60, 50, 273.0583}};
@@ -131,7 +131,7 @@ TEST(ClosedLoop, TheIntegralTakesTheSteadyErrorAway) {
 }
 
 TEST(ClosedLoop, AgreesWithAFineIntegrationOfTheSameLoop) {
-  // The plant integrated with 1000 steps in each sub-step, written here from the equations.
+  // The plant is integrated with 1000 steps per sub-step, directly from the equations.
   const PidSet pid{.kp = 20, .kd = 10};
   MotionCore core = ServoCore(pid);
   Jog(core, 20);
@@ -221,7 +221,7 @@ TEST(FollowingError, IsStrictLatchedAndStopsTheAxis) {
   MotionCore core({});
   core.state().controls[0].error_limit = 100;
   core.ServoOn(0);
-  core.state().encoder_faults[0].slip = 100;  // measured is 100 ahead
+  core.state().encoder_faults[0].slip = 100;  // the measured position is 100 ahead
   core.Tick();
   EXPECT_EQ(core.Conditions(0), kServoOnBit);
   Jog(core, 10);
@@ -232,7 +232,7 @@ TEST(FollowingError, IsStrictLatchedAndStopsTheAxis) {
   EXPECT_TRUE(status & kFollowingErrorBit);
   EXPECT_FALSE(status & kServoOnBit);
   EXPECT_FALSE(status & kMovingBit);
-  // 100 pulses past the reading of 100, at which the encoder stands still.
+  // 100 pulses beyond the measured position of 100, at which the encoder has stopped.
   EXPECT_NEAR(core.state().axes[0].profile.position, 200, 5);
   EXPECT_EQ(core.state().io.Register(DoType::kEnable), 0u);
 }

@@ -1,4 +1,4 @@
-// A core with a coordinate system of the first profiles, for tests of paths.
+// A core with a coordinate system that uses the first profiles, for tests of paths.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ class CrdRunTest {
   void RunUntil(double ms) {
     while (static_cast<double>(core.now()) / 1000 < ms - 1e-9) core.Tick();
   }
-  /// The number of ticks until the run is over, at most ten million.
+  /// The number of ticks until the run ends, at most ten million.
   int TicksToEnd() {
     int ticks = 0;
     for (; running() && ticks < 10'000'000; ++ticks) core.Tick();

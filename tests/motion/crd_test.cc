@@ -22,9 +22,9 @@ TEST(PlanSpan, IsATrapezoidATriangleOrARamp) {
       {{0, 200000, 0, 100, 0, 0.1}, 3000, 0},
       // A triangle with the peak sqrt(0.1 * 1000) = 10.
       {{0, 1000, 0, 100, 0, 0.1}, 200, 0},
-      // On at 50: 1000 ms to 100 (50000), 500 ms to 50 (37500), 112500 at 100.
+      // The end velocity is 50: 1000 ms to 100 (50000), 500 ms to 50 (37500), 112500 at 100.
       {{0, 200000, 0, 100, 50, 0.1}, 2625, 50},
-      // The end velocity is out of reach: sqrt(2 * 0.1 * 500) = 10.
+      // The end velocity cannot be reached: sqrt(2 * 0.1 * 500) = 10.
       {{0, 500, 0, 100, 50, 0.1}, 100, 10},
       // Too fast to stop: sqrt(100^2 - 2 * 0.1 * 18000) = 80, after 200 ms.
       {{0, 18000, 100, 100, 0, 0.1}, 200, 80},
@@ -57,7 +57,7 @@ TEST(PlanSpanStop, RestsInTheSegmentOrGoesOnInTheNext) {
   const Plan beyond = PlanSpanStop({0, 18, 10, 10, 10, 0.1}, 1);
   EXPECT_DOUBLE_EQ(beyond.end_position, 18);
   EXPECT_DOUBLE_EQ(beyond.end_velocity, 8);
-  // A segment that ends at rest does so, even if the stop is softer.
+  // A segment that ends at rest does so even if the stop has a lower deceleration.
   const Plan harder = PlanSpanStop({0, 18, 10, 10, 0, 10}, 1);
   EXPECT_DOUBLE_EQ(harder.end_position, 18);
   EXPECT_DOUBLE_EQ(harder.end_velocity, 0);

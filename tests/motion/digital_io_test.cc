@@ -1,5 +1,5 @@
 // Digital inputs: pins, filter, sense, edge counters. Digital outputs: registers, masks, timed
-// reversal, pulse trains.
+// inversion, pulse trains.
 #include "motion/io/digital_io.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ void Sample(DigitalIo& io, int ticks) {
 
 bool Bit(uint32_t word, int bit) { return (word >> bit & 1) != 0; }
 
-/// Level of an output after each of `ticks` ticks, as '0' and '1'.
+/// The level of an output after each of `ticks` ticks, as '0' and '1'.
 std::string Trace(DigitalIo& io, DoType type, int bit, int ticks, int64_t cycle_us) {
   std::string levels;
   for (int i = 0; i < ticks; ++i) {
@@ -266,14 +266,15 @@ TEST(PulseTrain, ZeroPulsesGoOnForEver) {
 }
 
 TEST(PulseTrain, DoesNotDriftWhenThePhaseIsNoMultipleOfTheCycle) {
-  // High 1500 us, low 1500 us, cycle 1000 us: flips at 1.5, 3, 4.5, 6 ms are seen at 2, 3, 5, 6 ms.
+  // High 1500 us, low 1500 us, cycle 1000 us: the edges at 1.5, 3, 4.5, 6 ms appear at 2, 3, 5, 6
+  // ms.
   DigitalIo io;
   io.StartPulses(kGpo, 0, 1500, 1500, 0, true);
   EXPECT_EQ(Trace(io, kGpo, 0, 6, 1000), "101101");
 }
 
 TEST(PulseTrain, SeveralFlipsFitIntoOneLongCycle) {
-  // 250 us phases, cycle 1 ms: four flips a cycle leave the level as it was.
+  // 250 us phases, cycle 1 ms: four edges per cycle do not change the level.
   DigitalIo io;
   io.StartPulses(kGpo, 0, 250, 250, 0, true);
   EXPECT_EQ(Trace(io, kGpo, 0, 3, 1000), "111");

@@ -1,4 +1,4 @@
-// Encoders: source, sense, counting, and what can be wrong with them.
+// Encoders: source, sense, counting, and their faults.
 #include "motion/encoder.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ void Ticks(MotionCore& core, int count) {
   for (int i = 0; i < count; ++i) core.Tick();
 }
 
-/// Axis 1 enabled, its profile jogging at 10 pulse/ms, which it reaches within one tick.
+/// Axis 1, enabled; its profile jogs at 10 pulse/ms, which it reaches within one tick.
 void StartJog(MotionCore& core, double velocity = 10) {
   core.ServoOn(kX);
   Profile& profile = core.state().profiles[kX];
@@ -65,7 +65,7 @@ TEST(Encoder, AChangeOfSenseReversesTheCountAndKeepsThePosition) {
 TEST(Encoder, AChangeOfSourceKeepsThePosition) {
   MotionCore core({});
   StartJog(core);
-  core.state().axes[kX].servo_on = false;  // pulses are sent, the machine stands
+  core.state().axes[kX].servo_on = false;  // pulses are output, but the machine does not move
   Ticks(core, 40);
   EXPECT_EQ(Position(core), 0);
   core.SetEncoderExternal(kX, false);
@@ -138,8 +138,8 @@ TEST(EncoderFault, NoiseStaysWithinItsBoundsAndEndsWithoutATrace) {
 }
 
 TEST(EncoderFault, TheNoiseIsSplitMix64) {
-  // The first outputs of splitmix64 from the state 0 are E220A8397B1DCDAF and 6E789E6AA1B965F4;
-  // their upper halves as fractions of 2^32, 0.8833 and 0.4315, select among 5 values.
+  // The first outputs of splitmix64 from state 0 are E220A8397B1DCDAF and 6E789E6AA1B965F4; their
+  // upper halves as fractions of 2^32, 0.8833 and 0.4315, select from 5 values.
   EncoderFault fault;
   fault.noise = 2;
   EXPECT_EQ(fault.NextError(), 2);

@@ -38,7 +38,7 @@ class FollowTest : public ::testing::Test {
   void RunTo(double ms) {
     while (core_.now() < static_cast<Micros>(ms * 1000)) core_.Tick();
   }
-  /// Runs until the master has come to a position.
+  /// Runs until the master reaches a position.
   void RunMasterTo(double position) {
     while (profile(kMaster).now.position < position) core_.Tick();
   }
@@ -50,7 +50,7 @@ const std::vector<FollowSegment> kExample77 = {
     {20000, 10000, kNormal}, {40000, 30000, kNormal}, {60000, 40000, kNormal}};
 
 // Manual example 7-7: the master passes 50000 at 1025 ms; 400 ms each of acceleration, constant
-// velocity, deceleration; 40000 pulses and 1200 ms a pass.
+// velocity, deceleration; 40000 pulses and 1200 ms per pass.
 TEST_F(FollowTest, PassEventAndThreeSegmentsForEver) {
   follow().fifos[0] = kExample77;
   follow().event = FollowEvent::kPass;
@@ -97,13 +97,13 @@ TEST_F(FollowTest, ContinueTakesTheRatioOfThePassBefore) {
   EXPECT_NEAR(ratio_at(10500), 0.6, 1e-3);
   EXPECT_NEAR(ratio_at(14000), 1, 1e-3);
   EXPECT_NEAR(ratio_at(14900), 1, 1e-3);
-  EXPECT_NEAR(ratio_at(15500), 1, 1e-3);  // the next pass goes on at 1
+  EXPECT_NEAR(ratio_at(15500), 1, 1e-3);  // the next pass continues at 1
   RunMasterTo(begin + 25000);
   EXPECT_NEAR(Slave().position, 2500 + 16000, 3);
 }
 
-// Manual example 7-8 with a START event: the switch waits for the end of the pass and clears the
-// FIFO that was left.
+// Manual example 7-8 with a START event: the switch is made at the end of the pass and clears the
+// previous FIFO.
 TEST_F(FollowTest, SwitchHappensAtTheEndOfAPassAndClearsTheFifo) {
   follow().fifos[0] = {{20000, 10000, kNormal}, {40000, 30000, kNormal}, {60000, 40000, kNormal}};
   follow().fifos[1] = {{20000, 10000, kContinue}, {40000, 30000, kNormal}, {60000, 46000, kNormal}};
@@ -195,7 +195,7 @@ TEST_P(FollowCycleTest, ValuesDoNotDependOnTheCycle) {
   Jog(1, 50);
   Start();
   RunTo(8000);
-  // The master is at 1250 + 50 * 7950; five passes and 48749 pulses.
+  // The master has reached 1250 + 50 * 7950: five passes and 48749 pulses.
   EXPECT_NEAR(Slave().position, 5 * 40000 + 40000 - 11251.0 * 11251.0 / 40000.0, 1e-5);
 }
 INSTANTIATE_TEST_SUITE_P(Cycles, FollowCycleTest,

@@ -1,4 +1,4 @@
-// Gantries: the slave moves as its master, the controllers share the skew, its limit.
+// Gantries: the slave moves like its master, the controllers share the skew, the limit of the skew.
 #include "motion/gantry.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ void Ticks(MotionCore& core, int count) {
   for (int i = 0; i < count; ++i) core.Tick();
 }
 
-/// Axes 1 and 2 in closed loop; the second drive turns a tenth slower at the same voltage.
+/// Axes 1 and 2 in closed loop; at the same voltage the second drive is a tenth slower.
 MotionCore UnevenCore(double coupling) {
   MotionCore core({});
   for (const size_t axis : {size_t{0}, size_t{1}}) {
@@ -46,7 +46,7 @@ TEST(Gantry, TheSlaveMovesAsItsMasterFromWhereItIs) {
   EXPECT_GT(moved, 500);
   EXPECT_EQ(core.state().axes[1].profile.position, 700 + moved);
   EXPECT_EQ(core.GantrySkew(), 0);
-  // Afterwards each is itself again, where it is.
+  // Afterwards the axes are independent again and keep their positions.
   core.StopProfile(0, true);
   while (core.AxisMoving(core.state().axes[0])) core.Tick();
   const double end = core.state().axes[0].profile.position;
@@ -70,8 +70,8 @@ TEST(Gantry, ASwitchOfTheSlaveStopsBoth) {
 }
 
 TEST(Gantry, TheCouplingSharesTheSkew) {
-  // At the velocity v the drives need U1 = 32767 v / 100 and U2 = 32767 v / 90. Without coupling
-  // E = U / kp, so that the skew is (U1 - U2) / kp; with it kp E1 + k s = U1 and kp E2 - k s = U2,
+  // At velocity v the drives need U1 = 32767 v / 100 and U2 = 32767 v / 90. Without coupling E = U
+  // / kp, so that the skew is (U1 - U2) / kp; with coupling kp E1 + k s = U1 and kp E2 - k s = U2,
   // s = E1 - E2, so that s = (U1 - U2) / (kp + 2 k).
   const double difference = 32767 * 10 / 100.0 - 32767 * 10 / 90.0;
   for (const double coupling : {0.0, 10.0, 40.0}) {

@@ -43,7 +43,8 @@ class GearTest : public ::testing::Test {
   MotionCore core_;
 };
 
-// Manual example 7-5: master acc 1 to 100; ratio 2:1 over 100000 pulses of the master.
+// Manual example 7-5: the master accelerates at 1 to 100; ratio 2:1 over 100000 pulses of the
+// master.
 TEST_F(GearTest, ClutchIsLinearInTheMastersDisplacement) {
   Jog(kMaster, 1, 100);
   Gear(kSlave, kMaster, 2, 1, 100000);
@@ -78,7 +79,7 @@ TEST_F(GearTest, ARatioChangedInMotionStartsANewClutch) {
   gear.slave_even = 1;
   gear.slope = 100;
   gear.ChangeRatio(Slave());
-  RunTo(110);  // 100 pulses of the master: the whole clutch, at the mean ratio
+  RunTo(110);  // 100 pulses of the master: the whole clutch, with the mean ratio
   EXPECT_NEAR(Slave().position, before + 62.5, 1e-9);
   EXPECT_DOUBLE_EQ(Slave().velocity, 5);
 }

@@ -1,4 +1,4 @@
-// Constant velocity: example 7-2 of the GTS manual, changes on the fly, the smoothing filter.
+// Constant velocity: example 7-2 of the GTS manual, changes during motion, the smoothing filter.
 #include "motion/profiles/jog_mode.h"
 
 #include <gtest/gtest.h>
@@ -125,7 +125,7 @@ TEST(JogSmoothing, ComesToRest) {
 
 // --- Everything --------------------------------------------------------------------------------
 
-/// Random changes of velocity at multiples of `raster_us`; the samples there.
+/// Random velocity changes at multiples of `raster_us`; returns the samples at these times.
 std::vector<Sample> Play(unsigned seed, Micros cycle_us, Micros raster_us = 2000) {
   std::mt19937 random(seed);
   const auto draw = [&](double low, double high) {

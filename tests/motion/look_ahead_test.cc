@@ -1,4 +1,4 @@
-// Look-ahead: corners, curves, chains of segments, and what comes out of a run.
+// Look-ahead: corners, curves, chains of segments, and the resulting runs.
 #include "motion/paths/look_ahead.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ TEST(CornerVelocity, IsLimitedByTheChangeOfDirection) {
   EXPECT_GT(CornerVelocity({1, 0}, {1, 0}, 5, 1), 1e9);
 }
 
-// Two buffers with the same to come are the same, whatever has been taken out of them.
+// Two buffers with the same remaining contents are equal, whatever was removed before.
 TEST(SlotQueue, IsNamedByWhatItHolds) {
   const auto slot = [](int32_t number) {
     PathSlot made;
@@ -65,7 +65,7 @@ TEST(LookAhead, MatchesABackwardPassOverTheWholeWindow) {
   double speed = 0;
   size_t taken = 0;
   const auto check = [&](size_t last) {
-    // Backwards from rest at the window's end, by hand.
+    // Calculated backwards from rest at the window's end.
     double square = 0;
     for (size_t i = last; i > taken; --i) {
       const double corner =
@@ -94,7 +94,7 @@ void TurnOn(CrdRunTest* test, size_t capacity, double time, double acceleration)
 }
 
 TEST(LookAhead, TheRingHoldsNAndPassesTheOldestOn) {
-  // Example 2.1 in pulses: 300 lines, 200 in the ring; total 743.82 mm.
+  // Example 2.1 in pulses: 300 lines, a look-ahead of 200; total 743.82 mm.
   CrdRunTest test;
   TurnOn(&test, 200, 100, 0.8);
   for (int i = 0; i < 300; ++i) {
@@ -108,7 +108,8 @@ TEST(LookAhead, TheRingHoldsNAndPassesTheOldestOn) {
   const int ticks = test.TicksToEnd();
   EXPECT_EQ(test.profile(0).position, 486400);
   EXPECT_EQ(test.profile(1).position, 562748);
-  // A single trapezoid: 125 ms up and down, the corner of 0.81 degrees is no limit.
+  // A single trapezoid: 125 ms acceleration and deceleration; the corner of 0.81 degrees does not
+  // limit it.
   const double length =
       std::sqrt(8000.0 * 8000 + 9000.0 * 9000) + 299 * std::sqrt(1600.0 * 1600 + 1852.0 * 1852);
   EXPECT_NEAR(length, 743820, 30);
@@ -140,8 +141,8 @@ TEST(LookAhead, ADelayForcesRest) {
 }
 
 TEST(LookAhead, ShortSegmentsKeepTheirBoundsAtEveryAngle) {
-  // One-pulse segments turning by 0 to 180 degrees: path velocity, acceleration and position are
-  // judged at every cycle.
+  // Segments of one pulse that turn by 0 to 180 degrees: path velocity, acceleration and position
+  // are checked in every cycle.
   CrdRunTest test(250);
   constexpr double kTime = 5;
   constexpr double kAccMax = 1;

@@ -1,4 +1,4 @@
-// The places of a machine: switches and index marks. The numbers follow from the intervals.
+// Positions of a machine: switches and index marks. The expected numbers follow from the intervals.
 #include "motion/mechanics/switches_and_marks.h"
 
 #include <gtest/gtest.h>

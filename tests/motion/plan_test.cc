@@ -1,4 +1,4 @@
-// Plans in closed form: their pieces, and what they give between and after them.
+// Plans in closed form: their pieces, and the samples between and after them.
 #include "motion/profiles/plan.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ constexpr double kExact = 1e-9;
 
 struct ExpectedPiece {
   double duration;
-  double velocity;  ///< at its begin
+  double velocity;  ///< at its beginning
   double acceleration;
 };
 
@@ -27,7 +27,7 @@ void ExpectPieces(const Plan& plan, const std::vector<ExpectedPiece>& expected) 
   }
 }
 
-/// The pieces join in position and velocity, apart from the first and last velocity.
+/// The pieces are continuous in position and velocity, except for the first and last velocity.
 void ExpectContinuous(const Plan& plan, double position, double target) {
   double p = position;
   for (uint32_t i = 0; i < plan.count; ++i) {
@@ -136,18 +136,19 @@ TEST(PlanToPosition, InMotionItGoesOnAsTheNewRegistersSay) {
       {"extended", 80000, kExample71, {{1000, 50, 0}, {400, 50, -0.125}}},
       {"shortened", 30010, kExample71, {{0.2, 50, 0}, {400, 50, -0.125}}},
       {"shortened as far as it can be", 30000, kExample71, {{400, 50, -0.125}}},
-      // Fall 25 / 0.125 = 200 ms over 7500; last fall 200 ms over 2500; 20000 / 25 = 800 ms.
+      // Deceleration 25 / 0.125 = 200 ms over 7500; the last one 200 ms over 2500; 20000 / 25 = 800
+      // ms.
       {"slower", 50000, slower, {{200, 50, -0.125}, {800, 25, 0}, {200, 25, -0.125}}},
-      // Rise 100 ms over 6250; fall 600 ms over 22500; 1250 / 75 left.
+      // Acceleration 100 ms over 6250; deceleration 600 ms over 22500; 1250 / 75 remain.
       {"faster", 50000, faster, {{100, 50, 0.25}, {1250 / 75.0, 75, 0}, {600, 75, -0.125}}},
-      // Stops at 30000, then a triangle over 1000 back.
+      // Stops at 30000, then a triangle over 1000 backwards.
       {"too far already",
        29000,
        kExample71,
        {{400, 50, -0.125},
         {std::sqrt(500.0 / 3) / 0.25, 0, -0.25},
         {std::sqrt(500.0 / 3) / 0.125, -std::sqrt(500.0 / 3), 0.125}}},
-      // Stops at 30000, then 30000 back: 200, 300 and 400 ms.
+      // Stops at 30000, then 30000 backwards: 200, 300 and 400 ms.
       {"reversed",
        0,
        kExample71,
@@ -178,8 +179,8 @@ TEST(PlanToPosition, AVelocityOfZeroInMotionStops) {
 }
 
 TEST(PlanToPosition, RandomMovesUseTheirLimitsAndNothingElse) {
-  // What makes a plan the fastest: it only accelerates at acc, only decelerates at dec, and cruises
-  // only at the velocity limit.
+  // Conditions for the fastest plan: it only accelerates at acc, only decelerates at dec, and
+  // cruises only at the velocity limit.
   constexpr unsigned kSeed = 20240611;
   SCOPED_TRACE("seed " + std::to_string(kSeed));
   std::mt19937 random(kSeed);

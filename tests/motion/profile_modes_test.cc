@@ -1,4 +1,5 @@
-// Properties of every mode (motion/profiles/modes.def): a new row is tested by being there.
+// Properties of every mode (motion/profiles/modes.def): a new row is tested without further
+// changes.
 #include "motion/profiles/modes.h"
 
 #include <gmock/gmock.h>
@@ -32,7 +33,7 @@ TEST(ProfileModes, HaveNumbersAndNamesOfTheirOwn) {
   EXPECT_THAT(names, SizeIs(std::size(kModes)));
 }
 
-/// A row whose mode is a class.
+/// A row whose mode is implemented by a class.
 template <ProfileMode kSelected, auto kMember>
 struct Row {
   static constexpr ProfileMode kMode = kSelected;
@@ -45,7 +46,7 @@ class EachMode : public ::testing::Test {
  protected:
   EachMode() { profile_.mode = Tested::kMode; }
 
-  /// As a start would leave it, of which only the mode itself knows what it needs.
+  /// Sets the profile as after a start, without the mode's own data.
   void Run() {
     Tested::In(profile_).running = true;
     profile_.now = {100, 10, 0, true};

@@ -1,4 +1,4 @@
-// Runs one profile without a card: commands at instants, one sample per cycle.
+// Runs one profile without a card: commands at given times, one sample per cycle.
 #pragma once
 
 #include <cstdint>
@@ -20,13 +20,13 @@ class ProfileRun {
     profile.mode = ProfileMode::kJog;
     profile.jog.parameters = parameters;
   }
-  /// The registers of Trap, and GT_Update.
+  /// Sets the registers of Trap and calls GT_Update.
   void MoveTo(int32_t target, double velocity) {
     profile.trap.target = target;
     profile.trap.velocity = velocity;
     profile.Start(now);
   }
-  /// The register of Jog, and GT_Update.
+  /// Sets the register of Jog and calls GT_Update.
   void JogAt(double velocity) {
     profile.jog.velocity = velocity;
     profile.Start(now);
@@ -38,7 +38,7 @@ class ProfileRun {
     profile.Advance(now);
     return profile.now;
   }
-  /// The sample at an instant that is a whole number of cycles and has not passed.
+  /// The sample at a time that is a whole number of cycles and not in the past.
   const Sample& At(double ms) {
     const auto instant = static_cast<Micros>(ms * 1000);
     while (now < instant) Tick();

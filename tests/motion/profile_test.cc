@@ -1,4 +1,4 @@
-// A profile between its modes: stops that take over from a run, runs that take over from a stop.
+// Changes between modes: stops that follow a run, runs that follow a stop.
 #include "motion/profiles/profile.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ TEST(ProfileStop, AnAbruptStopIsOverInTheNextCycle) {
 }
 
 TEST(ProfileStop, BeginsAtTheVelocityThatCameOut) {
-  // Smoothed: 25 ms before it reaches 50 the output is not there yet.
+  // After 100 ms the plan's velocity is 25; that of the smoothed output is 21.875.
   ProfileRun run;
   run.SetTrap({.acc = 0.25, .dec = 0.125, .smooth_time = 25});
   run.MoveTo(50000, 50);
@@ -88,7 +88,7 @@ TEST(ProfileStop, ATrapMotionKeepsItsTarget) {
   run.Stop(1);
   run.At(600);
   run.profile.Start(run.now);
-  // 28750 left: 200 + 275 + 400 ms.
+  // 28750 remain: 200 + 275 + 400 ms.
   EXPECT_TRUE(run.At(1474.75).moving);
   EXPECT_EQ(run.At(1475), AtRest(50000));
 }
@@ -152,7 +152,7 @@ TEST(Profile, ASetPositionIsWhereTheNextMoveBegins) {
 
 // --- Everything --------------------------------------------------------------------------------
 
-/// Random starts, changes, stops and modes, judged every cycle.
+/// Random starts, changes, stops and modes, checked in every cycle.
 void Play(unsigned seed) {
   std::mt19937 random(seed);
   const auto draw = [&](double low, double high) {
@@ -166,7 +166,7 @@ void Play(unsigned seed) {
   for (int command = 0; command < 12; ++command) {
     Profile& profile = run.profile;
     if (!profile.now.moving) {
-      // At rest everything may change, and the bounds begin anew.
+      // At rest everything may change, and new limits apply.
       const double acc = draw(0.05, 3);
       const double dec = draw(0.05, 3);
       if (one_of(2) == 0) {

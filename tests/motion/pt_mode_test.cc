@@ -39,7 +39,7 @@ void ExpectMotion(const Sample& sample, double position, double velocity, double
   EXPECT_TRUE(sample.moving);
 }
 
-/// a = 2/1024: 256 and 1 after 512 ms, then 2 for 1024 ms, then the mirror image.
+/// a = 2/1024: 256 and 1 after 512 ms, then 2 for 1024 ms, then the same in reverse.
 void ExpectExample73(PtRun& run, double begin, double origin) {
   constexpr double kA = 2.0 / 1024;
   ExpectMotion(run.At(begin + 512), origin + 256, 1, kA);
@@ -89,7 +89,7 @@ TEST(PtStatic, LoopsFollowWithoutAGapAndAddUp) {
 
 TEST(PtStatic, WithoutEndUntilTheRegisterChanges) {
   PtRun run(4000);
-  run.Append(1, 1);  // ends at 2, starts at 0 again: several passes a cycle
+  run.Append(1, 1);  // ends at 2, starts again at 0: several passes per cycle
   run.profile.pt.loop_target = 0;
   run.Start();
   ExpectMotion(run.At(100), 100, 0, 2);
@@ -202,7 +202,7 @@ TEST(PtDynamic, Example74RunsThroughBothBuffersInTurn) {
     const Sample& sample = run.Tick();
     highest = std::max(highest, sample.position);
     fastest = std::max(fastest, std::fabs(sample.velocity));
-    // Space comes by whole buffers: 32 segments last 512 ms.
+    // Space becomes free in whole buffers: 32 segments last 512 ms.
     if (run.now == 511'750) {
       EXPECT_EQ(pt.Space(0), 0U);
     }
@@ -228,7 +228,7 @@ TEST(PtDynamic, Example74RunsThroughBothBuffersInTurn) {
     }
     feed();
   }
-  // Within the segment from 496 ms on, velocity goes through 0 after 4 ms.
+  // In the segment from 496 ms on, the velocity crosses 0 after 4 ms.
   EXPECT_NEAR(highest, 15902.1, 0.1);
   EXPECT_NEAR(fastest, 49.996, 1e-3);
   EXPECT_EQ(run.profile.now, AtRest(0));
@@ -243,7 +243,7 @@ TEST(PtDynamic, StopsWhereTheDataEnds) {
   ExpectMotion(run.At(150), 200, 2, 0);
   EXPECT_EQ(run.At(200), AtRest(300));
   EXPECT_EQ(run.profile.pt.Space(0), 64U);
-  // Later data is a new run.
+  // Data appended later starts a new run.
   run.Append(100, 100);
   EXPECT_EQ(run.At(250), AtRest(300));
   run.Start();

@@ -1,4 +1,4 @@
-// PVT tables and their runs: examples 6-17 to 6-19, the shapes of all descriptions, loops.
+// PVT tables and their runs: examples 6-17 to 6-19, the curves of all descriptions, loops.
 #include "motion/profiles/pvt_mode.h"
 
 #include <gtest/gtest.h>
@@ -49,8 +49,8 @@ void ExpectMotion(const Sample& sample, double position, double velocity, double
   EXPECT_NEAR(sample.acceleration, acceleration, kExact);
 }
 
-/// Position by integrating the table's own velocity, 100 midpoints per ms: what At() says about
-/// position and about velocity must agree, and neither may jump.
+/// Integrates the table's own velocity to positions, with 100 midpoints per ms: position and
+/// velocity of At() must agree, and neither may jump.
 void ExpectSmooth(const PvtTable& table, double acceleration_max) {
   double position = 0;
   Sample before = table.At(table.begin);
@@ -72,7 +72,7 @@ TEST(PvtTable, Example617IsCubicBetweenItsPoints) {
   for (const Micros cycle_us : {125, 250, 500, 1000, 2000, 4000}) {
     PvtRun run(cycle_us);
     run.Start(Example617());
-    // The first interval's cubic term vanishes: p = t + 0.0059375 t^2.
+    // The cubic term of the first interval is 0: p = t + 0.0059375 t^2.
     ExpectMotion(run.At(600), 600 + 0.0059375 * 360000, 1 + 0.011875 * 600, 0.011875);
     ExpectMotion(run.At(1200), 9750, 15.25, 2 * (3 * 14733.0 / 800 - 2 * 15.25 - 20) / 800);
     ExpectMotion(run.At(2500), 34483, 20, 0);
@@ -93,7 +93,8 @@ TEST(PvtTable, ExtendedPointsHaveAVelocityOnEachSide) {
 // --- Spline ------------------------------------------------------------------------------------
 
 TEST(PvtSpline, Example618HasItsSlopesAndCoefficients) {
-  // By symmetry the slope in the middle is 0, and the others solve 4 v = 3 * 40000 / 500.
+  // By symmetry the slope in the middle is 0; the others are the solutions of 4 v = 3 * 40000 /
+  // 500.
   const Values times = {0, 500, 1000, 1500, 2000};
   const Values positions = {0, 20000, 40000, 20000, 0};
   const auto cubics = SplineCoefficients(times, positions, 0, 0);

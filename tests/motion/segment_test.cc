@@ -47,7 +47,7 @@ TEST(Segment, ArcsOfARadius) {
     ExpectNear(arc->PointAt(0), c.start);
     EXPECT_EQ(arc->PointAt(arc->length), c.end);
     ExpectNear(arc->PointAt(arc->length * (1 - 1e-12)), c.end, 1e-6);
-    // At the start the motion leaves at a right angle to the radius, to the proper side.
+    // The initial direction is perpendicular to the radius, to the correct side.
     const Coordinates tangent = arc->TangentAt(0);
     const double turn =
         (c.start[0] - c.centre_x) * tangent[1] - (c.start[1] - c.centre_y) * tangent[0];
@@ -77,7 +77,7 @@ TEST(Segment, ArcsAroundACentre) {
 }
 
 TEST(Segment, PlanesAreTakenInCyclicOrder) {
-  // A quarter counter-clockwise from the first axis of the plane to the second.
+  // A quarter circle counter-clockwise from the first axis of the plane to the second.
   for (const ArcPlane& plane : kArcPlanes) {
     Coordinates start{};
     Coordinates end{};

@@ -1,4 +1,5 @@
-// Point-to-point motion: example 7-1 of the GTS manual raw and smoothed, changes on the fly.
+// Point-to-point motion: example 7-1 of the GTS manual with and without smoothing, changes during
+// motion.
 #include "motion/profiles/trap_mode.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ namespace {
 
 constexpr double kExact = 1e-7;
 
-/// The mean of a raw motion over the last `smooth` ms by brute force: 4000 midpoints.
+/// The mean of an unsmoothed motion over the last `smooth` ms by brute force: 4000 midpoints.
 template <typename Raw>
 double BruteMean(const Raw& raw, double t, double smooth) {
   constexpr int kPoints = 4000;
@@ -123,7 +124,7 @@ TEST(TrapSmoothing, Example71TakesItsSmoothingTimeLonger) {
   // In the first 25 ms the acceleration rises by 0.01 pulse/ms^3: v = 0.005 t^2, p = t^3 / 600.
   ExpectSample(run.At(12.5), 3.2552083333, 0.78125, 0.125);
   ExpectSample(run.At(25), 26.0416666667, 3.125, 0.25);
-  // Then the raw motion 12.5 ms earlier, and 0.25 * 25^2 / 24 for the curvature.
+  // Then the unsmoothed motion 12.5 ms earlier, and 0.25 * 25^2 / 24 for the curvature.
   ExpectSample(run.At(100), 0.125 * 87.5 * 87.5 + 6.5104166667, 21.875, 0.25);
   ExpectSample(run.At(225), 5625, 50, 0);
   ExpectSample(run.At(900), 39375, 50, 0);
@@ -147,7 +148,7 @@ TEST(TrapSmoothing, LongerThanTheAccelerationItLimitsThePeak) {
 }
 
 TEST(TrapSmoothing, IsTheMeanOfTheRawMotionAlsoAcrossAChange) {
-  // At 500 ms to 28000 at 25 pulse/ms: raw it stops at 30000 and returns.
+  // At 500 ms to 28000 at 25 pulse/ms: without smoothing it stops at 30000 and returns.
   const MoveLimits before = {.velocity = 50, .acceleration = 0.25, .deceleration = 0.125};
   const MoveLimits after = {.velocity = 25, .acceleration = 0.25, .deceleration = 0.125};
   const Plan first = PlanToPosition(0, 0, 50000, before);
@@ -176,7 +177,7 @@ TEST(TrapSmoothing, AChangeWhileTheMeanFlushesIsSmoothToo) {
   ProfileRun run;
   run.SetTrap({.acc = 1, .dec = 1, .smooth_time = 50});
   run.MoveTo(1000, 20);
-  run.At(95);  // raw motion ends at 70 ms
+  run.At(95);  // the unsmoothed motion ends at 70 ms
   ConstraintChecker checker({.velocity = 20, .acceleration = 1}, 0.25, run.profile.now);
   run.MoveTo(0, 20);
   while (run.Tick().moving) ASSERT_TRUE(checker.Next(run.profile.now));
@@ -292,7 +293,7 @@ MotionBounds BoundsOf(const Scene& scene) {
   for (const Change& change : scene.changes) {
     bounds.velocity = std::max(bounds.velocity, change.velocity);
   }
-  // A jump to the start velocity is a ramp of the smoothing time; two can overlap.
+  // A jump to the start velocity becomes a ramp of the smoothing time; two ramps can overlap.
   if (parameters.smooth_time > 0) {
     bounds.acceleration += 2 * parameters.vel_start / parameters.smooth_time;
   } else {
@@ -301,7 +302,7 @@ MotionBounds BoundsOf(const Scene& scene) {
   return bounds;
 }
 
-/// Plays a scene to its end; the samples at every 2 ms.
+/// Runs a scene to its end; returns the samples at every 2 ms.
 std::vector<Sample> Play(const Scene& scene, Micros cycle_us) {
   ProfileRun run(cycle_us);
   run.SetTrap(scene.parameters);
@@ -337,7 +338,7 @@ TEST(Trap, TheMotionDoesNotDependOnTheCycle) {
     for (const Micros cycle_us : {125, 250, 500, 1000}) {
       SCOPED_TRACE(std::to_string(cycle_us) + " us");
       std::vector<Sample> samples = Play(scene, cycle_us);
-      // The end is noticed within the last 2 ms.
+      // The end is detected within the last 2 ms.
       ASSERT_GE(samples.size() + 1, expected.size());
       samples.resize(expected.size(), expected.back());
       EXPECT_EQ(samples, expected);

@@ -1,4 +1,4 @@
-// Events of the world: when they act, on what, and what survives GT_Reset.
+// Events of the world: when they take effect, on what, and what GT_Reset keeps.
 #include "motion/mechanics/world_events.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ void Happen(MotionCore& core, WorldEvents events) {
 TEST(WorldEvent, ActsInTheCycleThatBeginsAtItsInstantOrNext) {
   struct {
     int64_t at_us;
-    int cycle;  // the first one that sees it; 0: what comes before the first
+    int cycle;  // the first cycle with the effect; 0: before the first
   } const cases[] = {{0, 0}, {1, 2}, {249, 2}, {250, 2}, {251, 3}, {1000, 5}};
   for (const auto& c : cases) {
     MotionCore core({});
