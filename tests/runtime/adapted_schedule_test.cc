@@ -1,4 +1,4 @@
-// Schedules for edited programs: lines are found by their text.
+// Schedules for edited programs: lines are identified by their text.
 #include "runtime/scenario/adapted_schedule.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,8 @@ Scenario TwoThreads() {
   return scenario;
 }
 
-/// The schedule that loses an update: thread 0 reads, thread 1 does everything, thread 0 goes on.
+/// The schedule that loses an update: thread 0 reads, thread 1 executes everything, thread 0
+/// continues.
 vm::Schedule Annotated() {
   vm::Schedule schedule;
   schedule.segments = {{0, 1}, {1, 3}, {0, 2}};
@@ -49,7 +50,7 @@ vm::Schedule Annotated() {
   return schedule;
 }
 
-/// What g is at the end of the adapted schedule.
+/// The value of g at the end of the adapted schedule.
 std::string ReplayOf(std::string_view source, const AdaptedSchedule& adapted) {
   RunOptions options;
   options.replay = std::make_shared<const vm::Schedule>(adapted.schedule);

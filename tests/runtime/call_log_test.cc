@@ -15,7 +15,7 @@ namespace {
 
 using Arguments = std::array<vm::CommandArgument, gtcalls::kParameterMax>;
 
-/// The line of a call of card 0 after 12.25 ms.
+/// The log line of a call of card 0 after 12.25 ms.
 std::string Line(std::string_view name, const Arguments& arguments, int16_t code = 0,
                  const Message& reason = {}, Language language = Language::kEnglish) {
   const gtcalls::Command& command = *gtcalls::GtsCatalogue().Find(name);
@@ -140,7 +140,7 @@ TEST(CallLogTest, WritesToStandardErrorOrToAFile) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "0.050 card0 GT_Reset() = 0\n");
 
   const std::string path = testing::TempDir() + "oncard_call_log_test.log";
-  for (int run = 0; run < 2; ++run) {  // the second run replaces the first one's log
+  for (int run = 0; run < 2; ++run) {  // the second run replaces the log of the first
     CallLog log("calls:" + path, Language::kEnglish);
     ASSERT_TRUE(log.enabled());
     log.Write(call);

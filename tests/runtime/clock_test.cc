@@ -39,7 +39,7 @@ TEST(CardClockTest, VirtualTimeIsTheCostOfTheCallsAndWhatTheHostLetPass) {
   EXPECT_EQ(clock.TakeUs(0), 0);
   time.Pass(2'000'700);
   EXPECT_EQ(clock.TakeUs(50), 2050);
-  time.Pass(300);  // with the 700 ns that were left, a microsecond
+  time.Pass(300);  // with the remaining 700 ns, a microsecond
   EXPECT_EQ(clock.TakeUs(0), 1);
 }
 
@@ -97,10 +97,10 @@ TEST(CardClockTest, TheTimeOfCatchingUpCountsWhileTheComputerIsFastEnough) {
   CardClock clock({ClockKind::kReal, 1}, [&now] { return now; });
   now = 10 * kMillisecondNs;
   EXPECT_EQ(clock.TakeUs(50), 10'000);
-  now += kMillisecondNs;  // going through 10 ms took 1 ms
+  now += kMillisecondNs;  // simulating 10 ms took 1 ms
   clock.CaughtUp();
   EXPECT_EQ(clock.TakeUs(50), 1000);
-  now += kBehindLimitNs;  // the operating system had other things to do
+  now += kBehindLimitNs;  // the operating system was busy with something else
   clock.CaughtUp();
   EXPECT_EQ(clock.TakeUs(50), 100'000);
 }
@@ -111,7 +111,7 @@ TEST(CardClockTest, AComputerThatIsTooSlowFallsBehind) {
   for (int call = 0; call < 10; ++call) {
     now += kMillisecondNs;  // the host's own time between two calls
     EXPECT_EQ(clock.TakeUs(50), 1'000'000) << call;
-    now += kBehindLimitNs + 1;  // going through one second took 100 ms instead of 1
+    now += kBehindLimitNs + 1;  // simulating one second took 100 ms instead of 1
     clock.CaughtUp();
   }
 }

@@ -13,7 +13,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Evaluates with these values of the names.
+/// Evaluates the condition with these values for the names.
 bool HoldsHere(const Condition& condition) {
   static const std::map<std::string, double> kValues = {{"x", 6},
                                                         {"y", 0.5},
@@ -79,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Meaning{"zero || x", true}, Meaning{"zero || 0", false},
                     Meaning{"x && y", true}, Meaning{"x && zero", false}));
 
-// As in C: a row for every two neighbouring levels, and the side from which equals are taken.
+// As in C: one row for every two neighbouring levels, and the associativity of operators.
 INSTANTIATE_TEST_SUITE_P(
     Precedence, ConditionMeaning,
     testing::Values(Meaning{"1 || 0 && 0", true}, Meaning{"(1 || 0) && 0", false},
@@ -99,15 +99,15 @@ INSTANTIATE_TEST_SUITE_P(
                     Meaning{"x != 6.25 +- 0.25", false}, Meaning{"x != 6.25 +- 0.125", true},
                     Meaning{"x == 6 +- 0", true}, Meaning{"x == 6.25 +- +0.25", true},
                     Meaning{"axis1.prfPos == 50000 +- 0.01", true},
-                    // The tolerance belongs to the whole comparison, and to this one.
+                    // The tolerance belongs to the whole comparison, and only to this one.
                     Meaning{"x == 5 + 1.25 +- 0.25", true},
                     Meaning{"x == 7 +- 1 && y == 0.5", true},
                     Meaning{"y == 0 || x == 7 +- 1", true},
                     Meaning{"x == 6 && !(x == 6.25 +- 0.25)", false},
-                    // With a blank between them the two are a sum with a negative number.
+                    // With a blank between them, `+` and `-` are a sum with a negative number.
                     Meaning{"x == 7 + -1", true}));
 
-// Values are doubles: what would wrap on the card does not.
+// Values are doubles: they do not wrap as on the card.
 INSTANTIATE_TEST_SUITE_P(Doubles, ConditionMeaning,
                          testing::Values(Meaning{"2147483647 + 1 == 2147483648", true},
                                          Meaning{"word + 1 == 4294967296", true},
@@ -250,13 +250,13 @@ std::string Times(int count, const std::string& text) {
   return all;
 }
 
-/// Neither memory nor stack is used up by a text that somebody else has written.
+/// Untrusted text must not use up memory or stack.
 TEST(ConditionLimits, DeepAndLongTextsAreRefused) {
   constexpr int kDepth = Condition::kNestingMax;
   EXPECT_EQ(ErrorOf(Times(kDepth, "(") + "x" + Times(kDepth, ")")), "");
   EXPECT_THAT(ErrorOf(Times(kDepth + 1, "(") + "x" + Times(kDepth + 1, ")")),
               HasSubstr("nested too deeply: at most 100"));
-  // What is closed counts no longer.
+  // Closed parentheses do not count any more.
   EXPECT_EQ(ErrorOf(Times(60, "(!x) + -y + ") + "1").find("too deeply"), std::string::npos);
   for (const char* prefix : {"(", "!", "-", "+ ", "!("}) {
     const std::string error = ErrorOf(Times(100'000, prefix) + "x");
@@ -271,7 +271,7 @@ TEST(ConditionLimits, DeepAndLongTextsAreRefused) {
   EXPECT_LT(ErrorOf(Times(100'000, "9") + "x").size(), 300u);
 }
 
-// A byte 0 is a character like any other that does not belong here.
+// A zero byte is treated like any other invalid character.
 TEST(ConditionLimits, AByte0IsNotTheEnd) {
   EXPECT_FALSE(ParseCondition(std::string_view("x == 6\0 x", 9)).ok());
   EXPECT_FALSE(ParseTimedCondition(std::string_view("x == 6 @ 5ms\0", 13)).ok());

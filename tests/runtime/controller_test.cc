@@ -14,7 +14,7 @@
 namespace oncard::runtime {
 namespace {
 
-/// Compiles a program that is known to be right.
+/// Compiles a program that is known to be correct.
 vm::Object CompileProgram(std::string_view text) {
   const auto compilation = compiler::CompileText(
       "program.c", std::string(text), compiler::Options{}, [](const std::string& path) {
@@ -76,7 +76,7 @@ TEST(ControllerTest, RunsTheSumOfTheManual) {
   EXPECT_EQ(card.Read("sum"), 5050);
   EXPECT_EQ(card.controller.machine().thread(0).result, 5050);
   // i = begin, five statements for each of 100 numbers, the comparison and jump that end the loop,
-  // the return; 25 of them a cycle.
+  // the return; 25 statements per cycle.
   EXPECT_EQ(card.controller.machine().state().executed, 1 + 100 * 5 + 2 + 1);
   EXPECT_EQ(card.controller.cycle(), 21);
 }
@@ -91,7 +91,7 @@ TEST(ControllerTest, TwoThreadsShareTheSum) {
   }
   EXPECT_EQ(card.controller.RunUntilQuiet(1000), RunEnd::kQuiet);
   EXPECT_EQ(card.Read("sum"), 5050);
-  // Both do the same number of statements in turns, so thread 1 is the last to return.
+  // Both execute the same number of statements in turns, so thread 1 is the last to return.
   EXPECT_EQ(card.controller.machine().thread(1).result, 5050);
 }
 
@@ -378,7 +378,7 @@ TEST(RunUntilQuietTest, ACoordinateSystemCanStillHelp) {
   motion.StartCrd(0, 0, false);
   EXPECT_EQ(card.controller.RunUntilQuiet(1000), RunEnd::kQuiet);
   EXPECT_EQ(card.Read("go"), 1);
-  // What has been written does not come again.
+  // Values that have been written are not written again.
   card.controller.machine().Write(card.Global("go"), 0);
   ASSERT_EQ(card.controller.machine().Run(0), vm::kOk);
   EXPECT_EQ(card.controller.RunUntilQuiet(1000), RunEnd::kDeadlock);
@@ -503,7 +503,7 @@ TEST(ControllerStateTest, ResetIsAPowerOnThatKeepsTheWorld) {
   EXPECT_EQ(card.controller.machine().state().pages[0][1], 0);
   EXPECT_TRUE(card.controller.card().state<gtcalls::GtsState>().plc.blocks.empty());
   EXPECT_EQ(card.controller.motion().ClockMs(), 0);
-  EXPECT_EQ(card.controller.cycle(), 40);  // time since power-on goes on
+  EXPECT_EQ(card.controller.cycle(), 40);  // time since power-on continues
   EXPECT_EQ(card.controller.motion().state().io.Pins(motion::DiType::kGpi), pins);
   EXPECT_EQ(card.controller.machine().Bind(0, 1, 0), vm::kBadParameter);
 }

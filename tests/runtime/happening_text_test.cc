@@ -1,4 +1,4 @@
-// What a card does by itself, as its log says it: each line from the machine that makes it happen.
+// The log lines about what a card does by itself, each caused on a card.
 #include "runtime/sim/happening_text.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 using motion::MotionCore;
 
-/// A card of 1 ms cycles and what it says.
+/// A card with 1 ms cycles and its log lines.
 struct TalkingCard {
   TalkingCard() {
     core.Observe([this](const motion::Happening& happening) {
@@ -170,10 +170,10 @@ TEST(Happening, WhatLookAheadDoes) {
   EXPECT_EQ(card.said[0].substr(0, 82),
             "coordinate system 1 passes the corner before this segment with at most 3.535533905");
   EXPECT_NE(card.said[0].find(" of 100 pulse/ms, limited by"), std::string::npos);
-  // Straight on: no corner.
+  // A straight continuation: no corner.
   ASSERT_TRUE(card.Line({1000, 3000}, 0));
   ASSERT_EQ(card.said.size(), 1u);
-  // One segment has gone to the FIFO, two are kept back.
+  // One segment has been passed to the FIFO, two are still in the look-ahead buffer.
   card.core.StartCrd(0, 0, false);
   card.Ticks(500);
   ASSERT_EQ(card.said.size(), 2u);

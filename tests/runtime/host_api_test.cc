@@ -1,4 +1,4 @@
-// What the C API refuses, and with which code: through libgts itself.
+// The refusals of the C API and their codes, tested with libgts itself.
 #include <gtest/gtest.h>
 
 #include <climits>
@@ -23,7 +23,7 @@ void ExpectAll(const std::vector<Refusal>& refusals) {
   }
 }
 
-/// Calls that a card must be open for, one of each kind.
+/// Calls that need an open card, one of each kind.
 std::vector<Refusal> CallsOfAClosedCard() {
   static unsigned long clock;
   static long bits;
@@ -259,7 +259,7 @@ TEST_F(OpenCard, TheNetworkAddressIsLocalAndNamesTheCard) {
 // --- Time ----------------------------------------------------------------------------------------
 
 TEST_F(OpenCard, ACallTakesFiftyMicroseconds) {
-  // The clock counts 125 us and steps by a cycle of 250 us: two units for every five calls.
+  // The clock counts 125 us and advances by a cycle of 250 us: two units for every five calls.
   std::vector<unsigned long> clocks;
   for (int call = 0; call < 11; ++call) clocks.push_back(Clock());
   EXPECT_EQ(clocks, (std::vector<unsigned long>{0, 0, 0, 0, 2, 2, 2, 2, 2, 4, 4}));
@@ -309,7 +309,7 @@ int wait()
     ASSERT_EQ(GT_GetVarValue(-1, &variable, &value), 0);
     now = Clock();
   }
-  // 10 ms = 80 units; the host looks every 100 us, the thread acts on cycles.
+  // 10 ms = 80 units; the host reads every 100 us, the thread runs in cycles.
   EXPECT_GE(now - begin, 80u);
   EXPECT_LE(now - begin, 84u);
 }
@@ -341,7 +341,7 @@ TEST(RealClockTest, TheCardRunsWhileTheHostPolls) {
   unsigned long first = 0;
   unsigned long now = 0;
   ASSERT_EQ(GT_GetClock(&first), 0);
-  // One millisecond of the wall is one second of the card: this ends soon on any machine.
+  // One millisecond of real time is one second of the card, so this ends soon on any machine.
   while (now < first + 1000) ASSERT_EQ(GT_GetClock(&now), 0);
   EXPECT_EQ(GT_Close(), 0);
 }

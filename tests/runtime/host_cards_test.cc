@@ -1,4 +1,4 @@
-// Several cards in one process, by the generation of the interface that names the card.
+// Several cards in one process, with the interface that has a card number.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

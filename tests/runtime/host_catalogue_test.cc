@@ -1,5 +1,5 @@
-// Every command of the catalogue from the host, with arguments of every kind of wrongness: each
-// call returns a documented code, and the card goes on.
+// Every command of the catalogue called by the host with all kinds of invalid arguments: each call
+// returns a documented code, and the card continues.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 using gtcalls::Command;
 using gtcalls::Passing;
 
-/// Room for the most elements of the largest structure that a pointer can cover.
+/// Space for the largest number of elements of the largest structure that a pointer can refer to.
 constexpr size_t kBufferSize = size_t{1} << 20;
 
 /// Calls commands of card 3 with the same value in every scalar parameter.
@@ -54,7 +54,7 @@ class Caller {
   std::array<std::vector<char>, gtcalls::kParameterMax> buffers_;
 };
 
-/// Commands that open and close are the frame of the tests.
+/// Commands that the tests themselves use to open and close the card.
 bool IsFrame(const Command& command) {
   return command.name == "GT_Open" || command.name == "GT_Close";
 }

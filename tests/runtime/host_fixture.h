@@ -28,7 +28,7 @@ class OpenCard : public testing::Test {
     std::filesystem::remove_all(folder_);
   }
 
-  /// Writes a file into the folder and gives its path.
+  /// Writes a file into the folder and returns its path.
   std::string WriteText(const std::string& name, std::string_view text) const {
     std::ofstream(folder_ + name, std::ios::binary) << text;
     return folder_ + name;

@@ -14,7 +14,7 @@ namespace {
 
 class HostPrograms : public OpenCard {
  protected:
-  /// What GT_Compile says about a program text.
+  /// The result of GT_Compile for a program text.
   struct CompileAnswer {
     short code = 0;
     std::string file;
@@ -22,12 +22,12 @@ class HostPrograms : public OpenCard {
     std::string message;
   };
   CompileAnswer Compile(const std::string& path) const {
-    // Poison behind the documented sizes shows a write past the end.
+    // Known bytes after the documented sizes show a write beyond the end.
     std::array<char, 136> file;
     std::array<char, 136> message;
     file.fill('#');
     message.fill('#');
-    file[0] = message[0] = '\0';  // success leaves them alone
+    file[0] = message[0] = '\0';  // on success they are not written
     CompileAnswer answer;
     TCompileInfo info = {file.data(), &answer.line, message.data()};
     answer.code = GT_Compile(path.c_str(), &info);
@@ -53,7 +53,7 @@ TEST_F(HostPrograms, CompilingWritesThePairBesideTheSource) {
 }
 
 TEST_F(HostPrograms, ASuccessIsNotWrittenIntoTheInfo) {
-  // Hosts leave it as it comes from the stack: its pointers point anywhere.
+  // Hosts do not initialise it: its pointers have any value.
   TCompileInfo info;
   std::memset(&info, 0x5A, sizeof info);
   EXPECT_EQ(GT_Compile(WriteText("sum.c", kSumProgram).c_str(), &info), 0);

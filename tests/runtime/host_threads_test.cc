@@ -1,5 +1,5 @@
-// Many threads of one host on one card and on several: nothing is lost, nothing locks up. The same
-// test runs in the ThreadSanitizer build.
+// Many threads of one host with one card and with several: no call is lost, and there is no
+// deadlock. The same test runs in the ThreadSanitizer build.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 constexpr int kHostThreads = 8;
 constexpr int kRounds = 500;
 
-/// Runs `body(thread)` on kHostThreads threads at once and waits for them.
+/// Runs `body(thread)` on kHostThreads threads at the same time and waits for them.
 template <typename Body>
 void OnAllThreads(const Body& body) {
   std::vector<std::thread> threads;
@@ -41,7 +41,7 @@ TEST_F(HostThreads, OneCardServesThemOneAfterTheOther) {
       EXPECT_EQ(value, round);
     }
   });
-  // Every call took its 50 us: none was lost.
+  // Every call took its 50 us, so none was lost.
   unsigned long clock = 0;
   ASSERT_EQ(GT_GetClockHighPrecision(0, &clock), 0);
   EXPECT_EQ(clock, (kHostThreads * kRounds * 2 + 1) * 50UL / 250 * 2);
@@ -85,8 +85,7 @@ TEST_F(HostThreads, OnlyOneOfThemOpensACard) {
   EXPECT_EQ(std::count(codes.begin(), codes.end(), -6), kHostThreads - 1);
 }
 
-// Motion commands: each thread moves an axis of its own on a card that all share, and reads
-// everybody else's.
+// Motion commands: each thread moves its own axis on a shared card, and reads those of the others.
 TEST_F(HostThreads, EachMovesAnAxisOfTheSameCard) {
   ASSERT_EQ(GT_Open(0), 0);
   ASSERT_EQ(GT_ClrSts(0, 1, kHostThreads), 0);

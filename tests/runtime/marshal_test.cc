@@ -105,7 +105,7 @@ TEST(MarshalTest, NullIsRefusedUnlessItMayBeLeftOut) {
 }
 
 TEST(MarshalTest, TheCountIsCheckedBeforeMemoryIsTouched) {
-  // One element of memory: reading more would be noticed by AddressSanitizer.
+  // Only one element of memory: AddressSanitizer would report reading more.
   double value = 1.5;
   TVarInfo info{};
   for (const int count : {0, -1, 7, 32767, -32768}) {
@@ -212,7 +212,7 @@ TEST(MarshalTest, ACountOfZeroWhereItIsAllowedCoversNothing) {
   EXPECT_FALSE(call.call.arguments[7].null);
 }
 
-// The vendor's library plans ahead in the host's memory; the simulated card has its own.
+// The vendor's library uses the host's memory for its look-ahead; the simulated card has its own.
 TEST(MarshalTest, ANumberIsNoAddress) {
   const auto axis = static_cast<short>(1);
   auto* const number = reinterpret_cast<double*>(sizeof(double));

@@ -1,4 +1,4 @@
-// How much memory a card takes, counted by the allocator itself.
+// The memory used by a card, counted by the allocator.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 std::atomic<int64_t> live_bytes = 0;
 
-/// Each block is preceded by its size, padded to keep the strictest alignment.
+/// Each block is preceded by its size, padded to the strictest alignment.
 constexpr size_t kHeader = alignof(std::max_align_t);
 
 void* CountedAllocate(size_t size) {
@@ -48,7 +48,7 @@ namespace {
 
 constexpr int64_t kMebibyte = 1024 * 1024;
 
-/// The largest program: every function as long as a `.bin` can say.
+/// The largest program: every function has the maximum length of a `.bin`.
 vm::Object LargestProgram() {
   vm::Object object;
   object.globals.push_back({"g", 0, vm::DataType::kInt, 0});

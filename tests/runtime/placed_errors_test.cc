@@ -1,4 +1,4 @@
-// Errors that name places in files (runtime/scenario/placed_errors.h).
+// Errors with places in files (runtime/scenario/placed_errors.h).
 #include "runtime/scenario/placed_errors.h"
 
 #include <gtest/gtest.h>

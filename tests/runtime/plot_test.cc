@@ -15,7 +15,7 @@ class PlotTest : public testing::Test {
 
   motion::MotionState& state() { return controller_.motion().state(); }
 
-  // One more cycle that ends with these positions.
+  // Another cycle, which ends with these positions.
   void Cycle(double first, double second) {
     trace();  // begins before the first cycle
     controller_.RunCycle();
@@ -81,7 +81,7 @@ TEST_F(PlotTest, DrawsSvgAndPng) {
 
 TEST_F(PlotTest, LeavesOutPointsOfAStraightLine) {
   for (int i = 1; i <= 8; ++i) Cycle(i <= 4 ? i : 8 - i, 0);
-  // Up to 4 at 1 ms, down to 0 at 2 ms; nothing else is needed.
+  // Rises to 4 at 1 ms and falls to 0 at 2 ms; no other points are needed.
   EXPECT_TRUE(Contains(Script(), "$p0c0 << EOD\n0 0\n1 4\n2 0\nEOD\n"));
 }
 

@@ -1,4 +1,4 @@
-// Commands that threads are refused, in runs of scenarios.
+// Refused commands of threads in runs of scenarios.
 #include <gtest/gtest.h>
 
 #include "tests/runtime/scenario_support.h"
@@ -12,7 +12,7 @@ std::vector<std::string> Texts(const std::vector<Message>& messages) {
   return texts;
 }
 
-// The code of the first is overwritten by the second; line 8 runs three times.
+// The code of the first call is overwritten by the second; line 8 is executed three times.
 constexpr const char* kRefused =
     "int f()\n{\n  int n;\n  int cc;\n  GT_AxisOn(9);\n  GT_AxisOn(1);\nlbl:\n  GT_AxisOff(9);\n"
     "  n = n + 1;\n  cc = n < 3;\n  if (cc) goto lbl;\n  return 0;\n}\n";
@@ -37,7 +37,7 @@ TEST(RefusedCommands, FailARunThatIsStrict) {
   EXPECT_TRUE(RunForTest("int f()\n{\n  GT_AxisOn(1);\n  return 0;\n}\n", "", options).passed());
 }
 
-// The place is the call's, wherever other instructions stand before it.
+// The place is that of the call, whatever instructions precede it.
 TEST(RefusedCommands, AreFoundAtTheirPlaceInLaterFunctions) {
   const ScenarioResult result = RunForTest(
       "int a;\nint f()\n{\n  return 1;\n}\nint g(int k)\n{\n  a = k + 1;\n  a = a * 2;\n"

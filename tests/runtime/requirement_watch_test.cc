@@ -1,4 +1,4 @@
-// What a scenario requires of all schedules, in one run.
+// The requirements of a scenario on all schedules, checked in one run.
 #include "runtime/scenario/requirement_watch.h"
 
 #include <gtest/gtest.h>
@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(
                   {"eventually: x == 2: held in no state of the run; at its end: x is 0"}},
         WatchCase{"final = [\"thread0.result == 3 && axis1.prfPos == 0\"]", {}}));
 
-// A statement that nothing else shares its cycle with is seen between two others.
+// The state between two statements is checked even if no other thread runs between them.
 TEST(RequirementWatch, SeesEveryStatementUnderEveryPolicy) {
   for (const char* schedule : {"rr", "rr:3", "priority", "random:3", "pct:1:2"}) {
     const std::string scenario =
@@ -107,14 +107,14 @@ TEST(RequirementWatch, RefusesWhatIsNoExpression) {
             "t.toml:2:11: nothing is named 'z'\n    2 | always = [\"z == 1\"]\n"
             "      |           ^~~~~~~~");
 
-  // One that comes from no file is named.
+  // A requirement that is not from a file is reported by its text.
   scenario.text_places.clear();
   const auto named = RunWithRequirements(scenario, CompileForTest(kBlip), {});
   ASSERT_FALSE(named.ok());
   EXPECT_EQ(named.error().message.en, "'always: z == 1': nothing is named 'z'");
 }
 
-// What did not come to its end is not judged by its end.
+// The final requirements of a run that did not end are not checked.
 TEST(RequirementWatch, LeavesTheEndOfAFailedRunAlone) {
   const char* spin = "int n;\nint f()\n{\nlbl:\n  n = n + 1;\n  goto lbl;\n}\n";
   const ScenarioResult result = WatchedRun(spin, "limit_ms = 2\nfinal = [\"n == -1\"]");

@@ -13,7 +13,7 @@ TEST(ParseExpectation, ReadsAConditionAndItsInstant) {
   EXPECT_FALSE(ParseExpectation("gpo == 4").value().at_us.has_value());
 }
 
-// One error for each kind; the language's own tests have the others.
+// One error of each kind; the tests of the condition language have the others.
 TEST(ParseExpectation, RejectsWhatItCannotRead) {
   for (const char* text :
        {"", "sum =", "== 3", "sum == ", "sum == 3 3", "sum = 3", "sum == 3 @", "sum == 3 @ 5",
@@ -65,7 +65,7 @@ TEST(Expectation, TellsTheActualValues) {
   EXPECT_EQ(result.failures[3].message.en, "it names nothing that has a value");
 }
 
-// A fault of a thread is no failure of its own where an expectation speaks of the thread's error.
+// A thread's fault is not a failure if an expectation is about the thread's error.
 TEST(Expectation, OfAFaultAllowsIt) {
   const char* program = "int a, z;\nint f()\n{\n  a = 1 / z;\n  return 0;\n}\n";
   for (const char* text :

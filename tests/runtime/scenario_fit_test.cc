@@ -1,4 +1,4 @@
-// What a scenario says that its program does not have (runtime/scenario_fit.h).
+// Names in a scenario that its program does not have (runtime/scenario/scenario_fit.h).
 #include "runtime/scenario/scenario_fit.h"
 
 #include <gtest/gtest.h>
@@ -65,7 +65,8 @@ TEST(ScenarioFit, EverythingIsToldAtOnceInTheOrderOfTheFile) {
                 "      |        ^");
 }
 
-// The names of threads and pages have no meaning without the thread: they are not told as well.
+// Without the thread, names of threads and pages have no meaning: they are not reported in
+// addition.
 TEST(ScenarioFit, WhatFollowsFromAMissingThreadIsNotTold) {
   const Scenario scenario = ScenarioForTest(
       "expect = [\"thread3.result == page3.k\", \"m == 1\"]\n"
@@ -96,7 +97,7 @@ TEST(ScenarioFit, JudgesWhatDoesNotDependOnAMissingThread) {
   }
 }
 
-// What a command line says has no place: it is told behind what the file says.
+// Text from the command line has no place: it is reported after the errors in the file.
 TEST(ScenarioFit, WhatStandsNowhereIsToldInWords) {
   Scenario scenario = ScenarioForTest("expect = [\"m == 1\"]\n");
   scenario.globals.push_back(ParseInitialValue("q=1").value());

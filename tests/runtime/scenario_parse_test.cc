@@ -57,13 +57,13 @@ Scenario Parse(const std::string& text) {
   return scenario.ok() ? scenario.value() : Scenario();
 }
 
-/// Everything that is wrong, with excerpts.
+/// All errors, with excerpts.
 std::string ErrorsOf(const std::string& text, ScenarioUse use = ScenarioUse::kText) {
   const auto scenario = ParseScenario(text, "s.toml", use);
   return scenario.ok() ? "no error" : scenario.error().message.en;
 }
 
-/// The first headline.
+/// The headline of the first error.
 std::string ErrorOf(const std::string& text) {
   const std::string errors = ErrorsOf(text);
   return errors.substr(0, errors.find('\n'));

@@ -74,7 +74,7 @@ TEST(RunScenario, LogsWhatItsStatementsDo) {
   EXPECT_EQ(add.writes[0].after, 4);
 }
 
-/// Whatever chooses the next thread, the run with a log is the run without.
+/// Under every policy a run with a step log is the same as without.
 TEST(RunScenario, ALogChangesNothing) {
   const std::string program =
       "int n, a[3];\nint f(int k)\n{\n  int cc;\n  int q;\nlbl:\n  n = n + 1;\n  a[k] = n;\n"
@@ -90,7 +90,7 @@ TEST(RunScenario, ALogChangesNothing) {
     ASSERT_TRUE(plain.ok() && logged.ok());
     EXPECT_EQ(logged.value().hash, plain.value().hash) << policy;
     EXPECT_EQ(logged.value().end_ms, plain.value().end_ms) << policy;
-    // The division by zero is a statement, too, though none that was executed to its end.
+    // The division by zero is logged too, although that statement is not completed.
     EXPECT_GE(static_cast<int64_t>(logged.value().steps->steps.size()), plain.value().statements)
         << policy;
   }
@@ -113,7 +113,7 @@ TEST(RunScenario, EndsWithoutFailureAtUntil) {
 
 // --- The end of a run ----------------------------------------------------------------------------
 
-// 0.5 pulse/ms^2 to 35 pulse/ms: 70 ms.
+// 0.5 pulse/ms^2 to 35 pulse/ms takes 70 ms.
 constexpr const char* kJog =
     "int f()\n{\n  TJogPrm jog;\n  GT_AxisOn(1);\n  GT_PrfJog(1);\n  GT_GetJogPrm(1, &jog);\n"
     "  jog.acc = 0.5;\n  jog.dec = 0.5;\n  GT_SetJogPrm(1, &jog);\n  GT_SetVel(1, 35);\n"
@@ -188,7 +188,7 @@ TEST(RunScenario, ReportsInstantsThatWereNotReached) {
 }
 
 TEST(RunScenario, EvaluatesAnInstantBeforeTheInputsOfThatInstant) {
-  // The filter takes three cycles: the change of 1 ms is there at 1.75 ms.
+  // The filter takes three cycles: the change at 1 ms takes effect at 1.75 ms.
   const ScenarioResult result = RunForTest(
       kSpin,
       "until_ms = 3\nexpect = [\"gpi == 0 @ 1ms\", \"gpi == 0 @ 1.5ms\", \"gpi == 5 @ 1.75ms\"]\n"
@@ -250,12 +250,12 @@ TEST(RunScenario, ReplaysWhatItRecorded) {
   EXPECT_EQ(second.hash, first.hash);
 }
 
-/// The run of a program, stopped at the first look, and then its recording.
+/// A run of a program that is stopped at the first check, and the replay of its recording.
 TEST(RunScenario, ReplaysARecordingThatWasCutOffToWhereItWas) {
   constexpr const char* kWaits = "int n;\nint f()\n{\n  n = 1;\n  GT_Delay(1000);\n  n = 2;\n}\n";
   for (const char* program : {kSpin, kWaits}) {
     std::atomic<bool> stop = false;
-    /// Tells the run to stop as soon as it has begun.
+    /// Stops the run as soon as it has begun.
     class StopAtOnce : public RunWatch {
      public:
       explicit StopAtOnce(std::atomic<bool>* stop) : stop_(stop) {}

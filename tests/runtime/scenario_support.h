@@ -19,14 +19,14 @@ inline vm::Object CompileForTest(const std::string& text) {
   return compilation.ok() ? *compilation.object : vm::Object();
 }
 
-/// A scenario whose text lacks only the program's name.
+/// A scenario whose text contains everything except the program's name.
 inline Scenario ScenarioForTest(const std::string& text) {
   auto scenario = ParseScenario("program = \"p.c\"\n" + text, "t.toml");
   EXPECT_TRUE(scenario.ok()) << (scenario.ok() ? "" : scenario.error().message.en);
   return scenario.ok() ? scenario.value() : Scenario();
 }
 
-/// Runs it; the error's English text instead of a result fails the test.
+/// Runs it; an error makes the test fail with its English text.
 inline ScenarioResult RunForTest(const std::string& program, const std::string& scenario,
                                  const RunOptions& options = {}) {
   auto result = RunScenario(ScenarioForTest(scenario), CompileForTest(program), options);

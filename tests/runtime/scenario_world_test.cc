@@ -1,4 +1,4 @@
-// The world of a scenario as a card sees it.
+// The effects of a scenario's world on a card.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -61,7 +61,7 @@ at_ms = 1
   EXPECT_EQ(controller.motion().state().io.Pins(DiType::kGpi), 1u);
 }
 
-/// A card in the world of a scenario, and what its first axis does.
+/// A card in the world of a scenario, with functions for its first axis.
 class WorldCard {
  public:
   explicit WorldCard(const std::string& world)
@@ -70,7 +70,7 @@ class WorldCard {
   }
   motion::MotionState& state() { return controller_.motion().state(); }
   uint32_t conditions() { return controller_.motion().Conditions(0); }
-  /// Enables axis 1 and lets it jog.
+  /// Enables axis 1 and starts a jog.
   void Jog(double velocity) {
     controller_.motion().ServoOn(0);
     motion::Profile& profile = state().profiles[0];
@@ -96,7 +96,7 @@ TEST(ScenarioWorld, AnAxisRunsIntoItsLimitSwitch) {
   card.RunUntil(1000);
   EXPECT_NE(card.conditions() & motion::kPositiveLimitBit, 0u);
   EXPECT_EQ(card.conditions() & motion::kMovingBit, 0u);
-  // It stops behind the switch, within the filter's time and the abrupt stop.
+  // It stops after the switch, because of the filter's time and the abrupt stop.
   EXPECT_GT(card.state().plants[0].position, 20000);
   EXPECT_LT(card.state().plants[0].position, 20200);
 }
@@ -197,7 +197,7 @@ TEST(ScenarioWorld, AHandTurnsWhatNoDriveHolds) {
   const auto encoder = [&](size_t i) { return card.state().encoders[i].position; };
   card.RunUntil(10);
   EXPECT_EQ(encoder(0), 0);
-  card.RunUntil(21.75);  // half of 23.5 ms: whole cycles
+  card.RunUntil(21.75);  // half of 23.5 ms, rounded to whole cycles
   EXPECT_NEAR(encoder(0), 4321.0 / 2, 1);
   card.RunUntil(40);
   EXPECT_EQ(encoder(0), 4321);

@@ -1,5 +1,5 @@
 // Every command of the catalogue is executed by the card, answered by the host library, or has a
-// reason why not.
+// reason why it is not supported.
 #include <gtest/gtest.h>
 
 #include "gtcalls/gts/family.h"

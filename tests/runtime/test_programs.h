@@ -23,7 +23,7 @@ lbl_end:
 }
 )";
 
-/// Counts statements in `count` for ever: two statements a round.
+/// Counts statements in `count` forever: two statements per iteration.
 inline constexpr std::string_view kEndlessProgram = R"(int count;
 int run()
 {

@@ -34,7 +34,7 @@ TEST(TomlGuard, FindsWhatFollowsAString) {
   }
 }
 
-// A quote inside of a bare value begins no string: toml++ takes all of it as one word.
+// A quote inside a bare value does not begin a string: toml++ reads all of it as one word.
 TEST(TomlGuard, RefusesLettersBeyondAsciiInBareValues) {
   for (const std::string text :
        {"a = 0B\"\xC3\xBB\"", "a = =\"\xC3\xBB\"", "a = [1, 2'\xC3\xBB']", "a = [b=\"\xC3\xBB\"]",

@@ -18,7 +18,7 @@ Trace TraceOf(const std::string& program, const std::string& scenario,
 }
 
 TEST(Trace, KeepsTheCyclesInWhichSomethingChanged) {
-  // Two statements each round, 25 a cycle.
+  // Two statements per iteration, 25 per cycle.
   EXPECT_EQ(TraceOf(kSpin, "until_ms = 0.5", {"n"}).Csv(),
             "time_ms,n,gpo\n0,0,0\n0.25,13,0\n0.5,25,0\n");
 }
@@ -44,7 +44,7 @@ TEST(Trace, ShowsInputsAndOutputsThatChange) {
   EXPECT_EQ(trace.Csv(), "time_ms,gpo,home,clear\n0,0,0,0\n0.25,0,0,2\n1,0,4,2\n2.25,0,4,2\n");
 }
 
-// An axis that moves without a program: the core's state is set by hand.
+// An axis that moves without a program: the state of the core is set directly.
 Trace MovingAxis() {
   Controller controller;
   EXPECT_TRUE(controller.Load(CompileForTest("int f()\n{\n  return 0;\n}\n")).ok());
@@ -87,7 +87,7 @@ TEST(Trace, WritesRealsAndScopesForWaveformViewers) {
   EXPECT_NE(vcd.find("#250\nr0.125 !\nr1.0 \"\nr4.0 #\n"), std::string::npos) << vcd;
 }
 
-// The program runs at 250 us; both outputs pulse for 100 us, between two cycles.
+// The program runs at 250 us; both outputs have a pulse of 100 us between two cycles.
 constexpr const char* kPulse =
     "int f()\n{\n  GT_ComparePulse(1, 0, 100);\n  GT_Delay(1);\n  return 0;\n}\n";
 
@@ -126,8 +126,8 @@ TEST(Trace, WritesWhenThreadsRan) {
 }
 
 TEST(Trace, MarksWhatTheCardDoesByItself) {
-  // The alarm is there at power-on; axis 2 meets its limit switch on the way, 1 ms and a filter
-  // late.
+  // The alarm is active at power-on; axis 2 reaches its limit switch during the move, 1 ms and the
+  // filter time late.
   const std::string json = TraceOf(kSpin,
                                    "until_ms = 3\n[[world.input]]\ntype = \"alarm\"\nindex = 1\n"
                                    "value = 1\n[[world.input]]\ntype = \"limit_positive\"\n"

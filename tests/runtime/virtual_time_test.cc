@@ -25,7 +25,7 @@ TEST(VirtualTimeTest, JumpsToTheEndOfALonelySleep) {
   VirtualTime time;
   time.SleepUntil(10'000 * kMs);
   EXPECT_EQ(time.NowNs(), 10'000 * kMs);
-  time.SleepUntil(9'000 * kMs);  // that moment has gone
+  time.SleepUntil(9'000 * kMs);  // that time has passed
   EXPECT_EQ(time.NowNs(), 10'000 * kMs);
 }
 
@@ -79,7 +79,8 @@ TEST(VirtualTimeTest, DoesNotRunPastASleeper) {
   while (!ready) std::this_thread::yield();
   while (time.NowNs() < 60 * kMs) time.Pass(kMs / 10);
   sleeper.join();
-  // Whoever lets time pass goes on together with the sleeper that it woke, hence the tolerance.
+  // The thread that lets time pass runs at the same time as the sleeper that it woke, hence the
+  // tolerance.
   ASSERT_EQ(woken.size(), 5u);
   for (size_t i = 0; i < woken.size(); ++i) {
     EXPECT_GE(woken[i], static_cast<int64_t>(10 * (i + 1)));
@@ -100,7 +101,7 @@ TEST(VirtualTimeTest, AWaitThatEndsEarlyLetsNoTimePass) {
   const VirtualTime::Wait wait = time.BeginWait(100 * kMs);
   time.EndWait(wait, false);
   EXPECT_EQ(time.NowNs(), 0);
-  time.SleepUntil(200 * kMs);  // is not held up by it
+  time.SleepUntil(200 * kMs);  // is not delayed by it
   EXPECT_EQ(time.NowNs(), 200 * kMs);
 }
 

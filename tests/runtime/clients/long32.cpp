@@ -1,6 +1,6 @@
-// What hosts written for a card's `long` of 32 bits do: words compared with an unsigned one,
-// numbers that wrap, arrays of int where those of long belong, a mask of which most was never set.
-// It holds with -m32 alone.
+// What hosts do that were written for a 32-bit `long`: comparing words with unsigned numbers,
+// numbers that wrap, arrays of int in place of arrays of long, a mask most of which was never set.
+// Only valid with -m32.
 #include <limits.h>
 #include <windows.h>
 

@@ -1,5 +1,5 @@
-// Two cards that move at the same time, watched from two threads of the host: the longer move is
-// over when it should be, and the shorter one was over before.
+// Two cards that move at the same time, each observed by a thread of the host: the longer move ends
+// when it should, and the shorter one has ended before.
 #include <chrono>
 #include <cmath>
 #include <thread>
@@ -9,7 +9,7 @@
 
 namespace {
 
-// 20 pulse/ms with 0.2 pulse/ms^2 up and down: position / 20 + 100 ms.
+// 20 pulse/ms, acceleration and deceleration 0.2 pulse/ms^2: the time is position / 20 + 100 ms.
 void Start(short card, long position) {
   TTrapPrm trap = {0.2, 0.2, 0, 0};
   ACCEPTED(GT_Open(card));

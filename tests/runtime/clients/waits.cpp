@@ -1,6 +1,6 @@
-// Waits with a time-out, one per run: its argument names it. Each is begun twice: for something
-// that does not come within 2 s, and for something that another thread brings after 300 ms. What
-// comes of each is printed with the milliseconds that it took.
+// Waits with a time-out; the argument selects one. Each is executed twice: for something that does
+// not happen within 2 s, and for something that another thread does after 300 ms. The results are
+// printed with the milliseconds that they took.
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -57,8 +57,7 @@ double NowMs() {
   return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) / 1e6;
 }
 
-// `wait` gives true when what it waits for has come within kTimeoutMs, `bring` brings it, `before`
-// and `after` prepare what another thread must have, or give back.
+// `wait` returns true if the event happened within kTimeoutMs; `bring` causes the event.
 void Report(const std::function<bool()>& wait, const std::function<void()>& bring) {
   const auto print = [&] {
     const double begin = NowMs();
@@ -74,7 +73,7 @@ void Report(const std::function<bool()>& wait, const std::function<void()>& brin
   other.join();
 }
 
-// Whether it came, of functions that give their error, or -1 with errno.
+// True if the event happened, for functions that return their error, or -1 with errno.
 bool Came(int error, int timeout = ETIMEDOUT) {
   CHECK_EQ(error == 0 || error == timeout, 1);
   return error == 0;
@@ -124,7 +123,7 @@ void Cnd() {
       [&] { cnd_broadcast(&condition); });
 }
 
-// A lock that another thread holds until it is brought: that thread waits for a byte in a pipe.
+// A lock that another thread holds until `bring`: that thread waits for a byte in a pipe.
 template <typename Take, typename Lock, typename Give>
 void Locks(const Take& take, const Lock& lock, const Give& give) {
   int bytes[2];
@@ -225,7 +224,7 @@ void Descriptors(const std::string& name) {
         if (name == "select") {
           ready = select(bytes[0] + 1, &set, nullptr, nullptr, &select_timeout);
           CHECK_EQ(FD_ISSET(bytes[0], &set) != 0, ready == 1);
-          // Linux leaves in it what was left of the time.
+          // Linux stores the remaining time in it.
           const double left_ms = static_cast<double>(select_timeout.tv_sec) * 1e3 +
                                  static_cast<double>(select_timeout.tv_usec) / 1e3;
           const double expected_ms = ready == 1 ? kTimeoutMs - kBringMs : 0;
@@ -348,8 +347,8 @@ void Cpp(const std::string& name) {
   }
 }
 
-// Durations that no clock holds end at the end of time, one after the other; where time_t has 64
-// bits.
+// Durations beyond the range of the clock end at the end of time, one after the other; if time_t
+// has 64 bits.
 void ForEver() {
   const timespec centuries = {static_cast<time_t>(20'000'000'000), 0};
   const timespec longest = {LONG_MAX, 999999999};
@@ -373,7 +372,7 @@ void Times() {
   printf("%ld ticks\n", static_cast<long>(times(&used) - begin));
 }
 
-// Threads that are cancelled while they wait, again and again; time goes on without them.
+// Threads that are repeatedly cancelled while they wait; time continues without them.
 void Cancel() {
   const std::function<void()> waits[] = {
       [] { usleep(1000000); },
@@ -411,7 +410,7 @@ void Cancel() {
   printf("%zu cancelled\n", sizeof waits / sizeof waits[0]);
 }
 
-// A child of a host of several threads, one of which is in a command at any time and one asleep.
+// A child of a host with several threads, one of which is always in a command and one asleep.
 void Fork() {
   std::atomic<bool> work = true;
   ACCEPTED(GT_Open());

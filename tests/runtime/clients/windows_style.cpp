@@ -1,5 +1,5 @@
-// A host as it is written for Windows: jogs an axis until somebody presses q, keys + and - change
-// the velocity. Nothing in it knows of this project.
+// A host in the style of Windows programs: jogs an axis until the key q is pressed; the keys + and
+// - change the velocity. It contains nothing specific to this project.
 #include <Windows.h>
 #include <conio.h>
 #include <stdio.h>

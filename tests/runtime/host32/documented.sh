@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# documented.sh FOLDER ONCARD: the command of docs/host-api.md builds a host of 32 bits.
+# documented.sh FOLDER ONCARD: the command in docs/host-api.md builds a 32-bit host.
 set -euo pipefail
 folder=$1 oncard=$2
 root=$(realpath "$(dirname "$0")/../../..")

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # same.sh FOLDER ONCARD HOST32 HOST64 [ONCARD EXEC OPTIONS] -- [ARGUMENTS]: a host does the same in
-# 32 bits and in 64. Each runs in a folder of its own under FOLDER, with a copy of the motion program
-# sum.c; what it prints, the log of its calls, the trace of its card and the files that it leaves
-# must be the same to the last byte, and the exit code 0.
+# 32 bits and in 64. Each runs in its own folder under FOLDER, with a copy of the motion program
+# sum.c; its output, the log of its calls, the trace of its card and the files that it leaves must
+# be identical, and the exit code 0.
 set -euo pipefail
 folder=$1 oncard=$2 host32=$3 host64=$4
 shift 4

@@ -1,5 +1,6 @@
-// Runs scenarios under several policies and prints for each run what it comes to, as states.sh has
-// it from oncard: FILE POLICY PROGRAM_HASH STATE_HASH, or `refused` for one that is no single run.
+// Runs scenarios under several policies and prints the result of each run in the format that
+// states.sh uses: FILE POLICY PROGRAM_HASH STATE_HASH, or `refused` for a scenario that is not a
+// single run.
 #include <fmt/format.h>
 
 #include "runtime/scenario/scenario.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-// A few lines in the manner of the vendor's basic header: nothing is included, functions are
-// __stdcall, TTrigger has neither `sense` nor `loop`, TCrdData has four coordinates.
+// A few lines in the style of the vendor's basic header: no includes, functions are __stdcall,
+// TTrigger has neither `sense` nor `loop`, TCrdData has four coordinates.
 #define GT_API extern "C" short __stdcall
 
 #define CAPTURE_HOME 1

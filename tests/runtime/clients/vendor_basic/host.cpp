@@ -1,12 +1,12 @@
-// A host with the vendor's gts.h beside it, as a project from Windows is copied here: that header
-// wins the include. Its structures must be read and written as it lays them out.
+// A host with the vendor's gts.h in its folder, as when a Windows project is copied: this header is
+// included instead of ours. Its structures must be read and written with its layout.
 #include <Windows.h>
 
 #include "gts.h"
 
 #include "check.h"
 
-// What lies behind a structure in the memory of the host.
+// A structure and the memory after it in the host.
 template <typename T>
 struct Guarded {
   T value;

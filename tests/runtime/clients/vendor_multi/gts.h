@@ -1,7 +1,7 @@
 #pragma once
 
-// A few lines in the manner of the vendor's header for several cards: the functions have the names
-// that they have for one card, and a card's number in front of their parameters.
+// A few lines in the style of the vendor's header for several cards: the functions have the same
+// names as for one card, and the card number as an additional first parameter.
 #define GT_API extern "C" short __stdcall
 
 GT_API GT_Open(short cardNum, short channel = 0, short param = 1);

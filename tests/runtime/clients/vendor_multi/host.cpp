@@ -1,5 +1,5 @@
-// A host of several cards with the vendor's header beside it. The functions that it links are those
-// of one card. Its arguments: the cards that it opens, then the command that it tries.
+// A host for several cards with the vendor's header in its folder. The functions with which it is
+// linked are those for one card. Arguments: the cards to open, then the command to try.
 #include <Windows.h>
 #include <stdio.h>
 #include <stdlib.h>
