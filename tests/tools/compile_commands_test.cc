@@ -1,4 +1,4 @@
-// build, check, dump, verify, explain.
+// The commands build, check, dump, verify and explain.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -32,7 +32,7 @@ TEST(Build, WritesIntoAFolderOnRequest) {
   EXPECT_FALSE(scratch.Has("p.bin"));
 }
 
-// The sizes of the vendor's own objects of example 10-1.
+// The sizes of the vendor's own objects for example 10-1.
 TEST(Build, ReproducesTheVendorsFileSizes) {
   const ScratchFolder scratch;
   const ProcessResult result = RunOncard({"build", "--vendor-format", "-o", scratch.path(), kSum});

@@ -1,4 +1,4 @@
-// Host programs under `oncard exec`: the clients of tests/runtime, which know nothing of it.
+// Host programs under `oncard exec`: the clients of tests/runtime, which are not adapted to it.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -34,7 +34,7 @@ TEST(Exec, EverySleepTakesItsTimeAndNoMore) {
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.err, "");
-  // Besides the sleeps, every look at a clock takes 1 us, and reading the card's clock 50 us.
+  // In addition to the sleeps, reading a clock takes 1 us, and reading the card's clock 50 us.
   EXPECT_EQ(result.out,
             "open 0.001\n"
             "usleep 1.002\n"
@@ -51,7 +51,7 @@ TEST(Exec, EverySleepTakesItsTimeAndNoMore) {
 class ExecWaits : public testing::TestWithParam<const char*> {};
 
 TEST_P(ExecWaits, EndsByVirtualTime) {
-  // 2 s when nothing comes; otherwise when another thread, after 300 ms, brings it.
+  // 2 s if nothing happens; otherwise until another thread causes the event after 300 ms.
   const ProcessResult result = Exec({}, {Client("waits"), GetParam()});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.out, "timeout 2000\ncame 300\n");
@@ -159,8 +159,9 @@ TEST(Exec, WorksThroughAShell) {
 // --- Keys ----------------------------------------------------------------------------------------
 
 TEST(Exec, PressesKeys) {
-  // 10 pulse/ms for 500 ms, 30 for 500 ms, and the ramps of 1 pulse/ms^2: 50 and 200 pulses less,
-  // 450 more until the axis rests. The host's loop sees each key up to 10 ms later.
+  // 10 pulse/ms for 500 ms, 30 for 500 ms; the ramps of 1 pulse/ms^2 take 50 and 200 pulses off,
+  // and there are 450 more until the axis is at rest. The host's loop reads each key up to 10 ms
+  // later.
   const ProcessResult result = Exec({"--keys=500:++,1000:q,1500:x"}, {Client("windows_style")});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   int pulses = 0;
@@ -184,7 +185,7 @@ TEST(Exec, TakesKeysFromTheScenario) {
   EXPECT_NE(result.out.find(" 0.3"), std::string::npos) << result.out;
 }
 
-/// The host `keys` with nothing more on its standard input.
+/// Runs the host `keys` with empty standard input.
 ProcessResult ExecWithoutInput(const std::vector<std::string>& options, const std::string& mode) {
   std::string command = "exec \"$0\" exec";
   for (const std::string& option : options) command += " " + option;
@@ -194,7 +195,7 @@ ProcessResult ExecWithoutInput(const std::vector<std::string>& options, const st
 
 TEST(Exec, TheEndOfTheInputIsNoKey) {
   EXPECT_EQ(ExecWithoutInput({}, "until_hit").out, "100 looks\n");
-  // What is in a pipe is.
+  // Characters in a pipe are keys.
   const ProcessResult piped = RunProgram({"sh", "-c", "printf ab | \"$0\" exec -- \"$1\" until_hit",
                                           ONCARD_BUILD_DIR "/bin/oncard", Client("keys")});
   EXPECT_EQ(piped.out, "a\nb\n100 looks\n");
@@ -222,7 +223,7 @@ TEST(Exec, AHostThatGoesOnAskingForKeysFails) {
 
 TEST(Exec, ShowsGbkAsUtf8) {
   struct Case {
-    const char* gbk;  // as printf of the shell writes it
+    const char* gbk;  // as in printf of the shell
     const char* shown;
   };
   const Case cases[] = {
@@ -235,7 +236,7 @@ TEST(Exec, ShowsGbkAsUtf8) {
   for (const Case& c : cases) {
     EXPECT_EQ(Exec({"--gbk"}, {"printf", c.gbk}).out, c.shown) << c.gbk;
   }
-  // A character in two pieces, and the exit code.
+  // A character in two parts, and the exit code.
   const ProcessResult result =
       Exec({"--gbk"}, {"sh", "-c", R"(printf '\316'; sleep 0.01; printf '\273\n'; exit 7)"});
   EXPECT_EQ(result.out, "位\n");
@@ -300,7 +301,7 @@ TEST(Exec, LeavesTheHostsOwnFailureAlone) {
 TEST(Exec, RunsAHostOfTheVendorsBasicHeader) {
   const ProcessResult result = Exec({}, {Client("vendor_basic")});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  // The host looks at what a missing structure does.
+  // The host tests how a NULL structure is handled.
   EXPECT_EQ(result.err,
             "oncard: warning: card 0: GT_SetTrigger(1, NULL) = 7: parameter pTrigger is NULL; pass "
             "the address of a variable (first at 0.45 ms, 2 times)\n"
@@ -328,13 +329,13 @@ TEST(Exec, SaysThatAHostHasTheVendorsHeaderOfSeveralCards) {
               0u)
         << c.cards << c.tries << result.err;
   }
-  // GT_Open(0, 0) alone says nothing: hosts of one card write it too.
+  // GT_Open(0, 0) alone proves nothing: single-card hosts also call it.
   EXPECT_EQ(Exec({}, {Client("vendor_multi"), "0", "nothing"}).err, "");
 }
 
 // --- The end ------------------------------------------------------------------------------------
 
-// `watched` looks at an input for 2 s.
+// `watched` reads an input for 2 s.
 TEST(Exec, EndsTheHostWhenTheScenarioEnds) {
   const ScratchFolder folder;
   const std::string scenario =

@@ -1,5 +1,5 @@
-// What `oncard exec` needs beside itself: the libraries of 64 bits, and for hosts of 32 those
-// of 32. tests/runtime/host32 runs such hosts.
+// The files that `oncard exec` needs beside the command: the 64-bit libraries, and for 32-bit hosts
+// the 32-bit ones. tests/runtime/host32 runs such hosts.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -14,10 +14,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kLibrary = "liboncard_host.so";
-/// What the shell ends with, which execvp() gives bytes to that the system cannot run.
+/// The exit code of the shell, to which execvp() passes files that the system cannot execute.
 constexpr int kNoProgram = 127;
 
-/// An installation of its own, at first with the libraries of 64 bits alone.
+/// A separate installation, at first with only the 64-bit libraries.
 class InstalledExec : public testing::Test {
  protected:
   void SetUp() override {
@@ -29,7 +29,7 @@ class InstalledExec : public testing::Test {
 
   fs::path root() const { return folder_.path(); }
 
-  /// Stands for the libraries of 32 bits; no program of 32 bits is there to load them.
+  /// Installs a substitute for the 32-bit libraries; no 32-bit program loads them here.
   void InstallLibrariesOf32Bits() const {
     fs::create_directories(root() / "lib32");
     folder_.Write((fs::path("lib32") / kLibrary).string(), "");
@@ -43,7 +43,7 @@ class InstalledExec : public testing::Test {
     return RunProgram(command, folder_.path(), environment);
   }
 
-  /// The begin of a program's file, `word` being 1 for 32 bits and 2 for 64.
+  /// Writes the beginning of a program file; `word` is 1 for 32 bits and 2 for 64.
   void WriteProgram(const std::string& name, char word) const {
     folder_.Write(name, std::string("\x7F"
                                     "ELF") +

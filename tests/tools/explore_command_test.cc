@@ -1,4 +1,4 @@
-// explore: verdicts, exit codes, what it refuses, schedules that replay.
+// explore: verdicts, exit codes, refusals, schedules that can be replayed.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -71,8 +71,8 @@ TEST(Explore, ALimitIsNoVerdict) {
   EXPECT_EQ(RunOncard({"explore", "--engine=dpor", "--max-executions=1", file}).exit_code, 6);
 }
 
-// Two threads that count to a hundred in three statements have more interleavings than atoms; that
-// additions are lost shows without any preemption too many.
+// Two threads that count to a hundred in three statements have more interleavings than there are
+// atoms; a schedule without any preemption shows that additions are lost.
 TEST(Explore, AFaultThatNeedsNoPreemptionIsFoundAtOnce) {
   const ProcessResult result =
       RunOncard({"explore", ONCARD_SOURCE_DIR "/samples/07_shared_global/taking_turns.toml",
@@ -100,7 +100,7 @@ TEST(Explore, ASearchEndsWhenItsTimeIsOver) {
   EXPECT_TRUE(late.out.starts_with("INCOMPLETE\nthe time limit was reached\n")) << late.out;
   EXPECT_NE(late.err.find("to continue: oncard explore large.search"), std::string::npos)
       << late.err;
-  // A search that is there already is not lost to the next one.
+  // An existing search is not overwritten by the next one.
   const std::string kept = scratch.Read("large.search");
   const ProcessResult again = RunOncard({"explore", "large.c", "--time=0.2"}, scratch.path());
   EXPECT_NE(again.err.find("to continue: oncard explore large.2.search"), std::string::npos)
@@ -114,7 +114,7 @@ TEST(Explore, TheSavedScheduleReplays) {
   const std::string saved = scratch.path() + "/lost.schedule";
   RunOncard({"explore", scratch.Write("p.c", kLostUpdate), "--save", saved});
   const ProcessResult replay = RunOncard({"replay", saved, "--format=json"});
-  // What the comments of the source ask for is looked at again.
+  // The requirements in comments of the source are checked again.
   EXPECT_EQ(replay.exit_code, 1);
   EXPECT_EQ(replay.err, "oncard: final: g == 2: does not hold at the end: g is 1\n");
   EXPECT_EQ(Json::parse(replay.out)["values"]["g"], 1);
@@ -229,7 +229,7 @@ TEST(Explore, TakesScenarios) {
   };
   EXPECT_EQ(explore("program = \"p.c\"\nexpect = [\"g == 2\"]\n").exit_code, 1);
   EXPECT_EQ(explore("program = \"p.c\"\nexpect = [\"g >= 1\"]\n").exit_code, 0);
-  // Time and the card come in where the scenario asks for them.
+  // Time and the card are included if the scenario requires it.
   EXPECT_EQ(explore("program = \"p.c\"\nexpect = [\"g == 2 @ 5ms\"]\n").exit_code, 1);
   EXPECT_EQ(explore("program = \"p.c\"\nexpect = [\"g >= 1 @ 5ms\"]\n").exit_code, 0);
   EXPECT_EQ(explore("program = \"p.c\"\nuntil_ms = 3\nalways = [\"g < 50\"]\n", "period_ms = 1\n")
@@ -242,7 +242,7 @@ TEST(Explore, TakesScenarios) {
   EXPECT_EQ(explore("program = \"p.c\"\nnever = [\"g == 2 && ret0 == 1\"]\n").exit_code, 0);
 }
 
-// A failing schedule becomes a scenario for 'oncard test', which fails until the fault is mended.
+// A failing schedule becomes a scenario for 'oncard test', which fails until the fault is fixed.
 TEST(Explore, AFailureBecomesARegressionScenario) {
   const ScratchFolder scratch;
   scratch.Write("p.c", kLostUpdate);
@@ -253,7 +253,7 @@ TEST(Explore, AFailureBecomesARegressionScenario) {
   EXPECT_TRUE(scratch.Has("lost.schedule"));
   EXPECT_EQ(run({"test", "lost.toml"}).exit_code, 1);
   EXPECT_EQ(run({"explore", "lost.toml"}).exit_code, 1);
-  // Lines above the fault do not matter.
+  // Changed lines before the fault have no effect.
   scratch.Write("p.c", std::string("int other;\n") + kLostUpdate);
   EXPECT_EQ(run({"test", "lost.toml"}).exit_code, 1);
   std::string mended = kLostUpdate;
@@ -268,7 +268,7 @@ TEST(Explore, AFailureBecomesARegressionScenario) {
   EXPECT_EQ(run({"explore", "p.c", "--regression", "lost.txt"}).exit_code, 2);
 }
 
-// A schedule cannot show that something goes on for ever.
+// A schedule cannot show that something continues forever.
 TEST(Explore, ALivelockIsNoRegressionScenario) {
   const ScratchFolder scratch;
   scratch.Write(

@@ -1,4 +1,4 @@
-// oncard explore with searches that live in files: interrupted, in parts, merged.
+// oncard explore with searches in files: interrupted, in parts, merged.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <xxhash.h>
@@ -56,7 +56,7 @@ TEST_F(ExploreSearch, PartsMakeTheWhole) {
     const auto found = Json({"inc.c", "--shard", part});
     EXPECT_EQ(found["verdict"], "PASSED");
   }
-  // In any order, and in steps.
+  // In any order, and step by step.
   EXPECT_EQ(Json({"--merge", "inc.3-of-3.search", "inc.1-of-3.search",
                   "--search=some.search"})["verdict"],
             "PASSED");
@@ -107,7 +107,7 @@ TEST_F(ExploreSearch, AChangedProgramOrFileIsRefused) {
   EXPECT_NE(changed.err.find("has changed"), std::string::npos) << changed.err;
 }
 
-/// A search of a minute and more, ended by a signal as soon as it catches it.
+/// A search of a minute or more, stopped by a signal as soon as it handles the signal.
 class ExploreSignal : public ExploreSearch, public ::testing::WithParamInterface<const char*> {};
 
 TEST_P(ExploreSignal, KeepsTheSearch) {
@@ -141,7 +141,7 @@ TEST_P(ExploreSignal, KeepsTheSearch) {
 INSTANTIATE_TEST_SUITE_P(ExploreSearch, ExploreSignal, ::testing::Values("INT", "TERM", "HUP"));
 
 TEST_F(ExploreSearch, APathThatNoSearchFileCanNameIsRefused) {
-  // As Windows writes it in China: GBK.
+  // As written by Chinese Windows: GBK.
   scratch_.Write("\xd6\xd0/inc.c", Increments());
   const std::string inside = scratch_.path() + "/\xd6\xd0";
   ASSERT_EQ(RunOncard({"explore", "inc.c", "--shard=1/2"}, inside).exit_code, 5);
@@ -153,12 +153,12 @@ TEST_F(ExploreSearch, APathThatNoSearchFileCanNameIsRefused) {
     EXPECT_NE(refused.err.find("its path is not UTF-8"), std::string::npos) << refused.err;
     EXPECT_FALSE(scratch_.Has("kept.search"));
   }
-  // Without a file there is nothing to be named.
+  // Without a search file no path needs to be written.
   EXPECT_EQ(Explore({"\xd6\xd0/inc.c"}).exit_code, 0);
 }
 
 TEST_F(ExploreSearch, ASearchThatCannotBeKeptSaysSoWhenItIsEnded) {
-  // Threads that read inputs for 10 s: far more states than can be looked at.
+  // Threads that read inputs for 10 s: far too many states to search.
   std::string source = "int x;\n";
   for (const char* name : {"t0", "t1", "t2"}) {
     source += std::string("void ") + name +

@@ -1,5 +1,6 @@
-// Whatever call fails while files are written, and memory wherever it runs out: the old files
-// stand, or the new ones; success means the new ones; and nothing else is left in the folder.
+// Files are written while any system call fails or memory runs out at any point: the old files
+// remain, or the new ones exist; success means the new ones; and nothing else remains in the
+// folder.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -56,7 +57,7 @@ TEST_P(FailingCallTest, LeavesOnePairOfObjectFiles) {
       EXPECT_GT(at, 1) << "the call was not made at all";
       break;
     }
-    // Of memory there are many; the first ones one by one, then ever fewer.
+    // There are many allocations; the first ones are tested one by one, then ever fewer of them.
     at += 1 + at / 16;
   }
 }

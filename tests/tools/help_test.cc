@@ -1,4 +1,4 @@
-// The help of every command is golden: a change of the command line shows in review.
+// The help of every command is a golden file: a change of the command line is visible in review.
 #include <gtest/gtest.h>
 
 #include "tests/tools/process.h"

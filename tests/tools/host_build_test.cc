@@ -1,5 +1,5 @@
-// Console hosts as they are written for Windows and as they come from there: built with the command
-// that docs/host-api.md gives, in a folder that has the build beside it, and run.
+// Console hosts in the style of Windows programs: built with the command in docs/host-api.md, in a
+// folder beside the build, and run.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -30,7 +30,7 @@ class HostBuild : public testing::Test {
     std::filesystem::create_directory_symlink(ONCARD_BUILD_DIR, folder_.path() + "/build");
   }
 
-  /// Builds host.cpp of the folder; `more` are further options.
+  /// Builds host.cpp in the folder; `more` are further options.
   ProcessResult Build(const std::string& source, const std::string& more = "") {
     folder_.Write("host.cpp", source);
     return RunProgram({"sh", "-c", DocumentedCommand() + " -w " + more}, folder_.path());
@@ -47,7 +47,7 @@ class HostBuild : public testing::Test {
 
 // --- Headers -------------------------------------------------------------------------------------
 
-/// What such a host does after its #include lines: waits for keys and answers in capitals.
+/// The part of such a host after the #include lines: waits for keys and answers in capitals.
 constexpr const char* kEcho = R"(
 void commandhandler(char *command, short error)
 {
@@ -144,7 +144,7 @@ TEST_F(HostBuild, ALaterVendorHeaderNeedsTheNamesOfOurs) {
 
 // --- GBK -----------------------------------------------------------------------------------------
 
-// "位置" and a comment whose last byte is that of a backslash, 0x5C.
+// "位置", and a comment whose last byte is 0x5C, a backslash.
 constexpr const char* kGbkHost =
     "#include \"stdafx.h\"\n#include \"windows.h\"\n#include \"conio.h\"\n#include \"gts.h\"\n"
     "int main()\n{\n"
@@ -158,8 +158,8 @@ TEST_F(HostBuild, SourcesInGbkAreReadWithTheOptionOfTheCompiler) {
   ProcessResult built = Build(kGbkHost, "-finput-charset=GBK");
   ASSERT_EQ(built.exit_code, 0) << built.err;
   EXPECT_EQ(Run().out, "位置 3\n");
-  // Without it the host builds too, but the backslash in the comment takes the next line away: what
-  // the page warns of.
+  // Without the option the host is built too, but the backslash in the comment removes the next
+  // line: the page warns of this.
   built = Build(kGbkHost);
   ASSERT_EQ(built.exit_code, 0) << built.err;
   EXPECT_EQ(Run().out, "\xCE\xBB\xD6\xC3 2\n");

@@ -1,4 +1,4 @@
-// Tests that end otherwise than they should.
+// Tests that do not end normally.
 #include "tools/isolation.h"
 
 #include <gtest/gtest.h>

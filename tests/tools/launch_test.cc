@@ -1,5 +1,5 @@
-// The templates that explore in parts (tools/launch): each has the counts of the search in one
-// piece.
+// The templates that explore in parts (tools/launch): each gives the counts of a search that is not
+// split.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -19,7 +19,7 @@ constexpr const char* kIncrements =
     "int t1() {\n  int t;\n  t = x;\n  t = t + 1;\n  x = t;\n  return 0;\n}\n"
     "int t2() {\n  int t;\n  t = x;\n  t = t + 1;\n  x = t;\n  return 0;\n}\n";
 
-/// With the oncard of this build on the path.
+/// Runs it with the oncard of this build in PATH.
 ProcessResult RunTemplate(const std::vector<std::string>& words, const ScratchFolder& scratch,
                           const std::vector<std::string>& variables = {}) {
   std::vector<std::string> command = {"env", "PATH=" ONCARD_BUILD_DIR "/bin:/usr/bin:/bin"};
@@ -72,7 +72,7 @@ TEST(LaunchTest, GnuParallel) {
   ExpectWholeSearch(scratch);
 }
 
-// What the tasks of a job array run, with the variables that Slurm gives them.
+// Runs the tasks of a job array, with the variables that Slurm sets.
 TEST(LaunchTest, TasksOfASlurmJobArray) {
   const ScratchFolder scratch;
   scratch.Write("inc.c", kIncrements);

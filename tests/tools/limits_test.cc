@@ -1,5 +1,5 @@
-// Every bound of base/limits.h as a user meets it: kept in docs/limits.md, accepted at the bound,
-// refused one past it. Bounds of the language itself: tests/compiler/limits_test.cc.
+// Every limit of base/limits.h: documented in docs/limits.md, accepted at the limit, refused one
+// beyond it. The limits of the language itself are tested by tests/compiler/limits_test.cc.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -55,7 +55,7 @@ void PrintTo(const LargeFile& file, std::ostream* stream) { *stream << file.name
 
 class LargeFileTest : public testing::TestWithParam<LargeFile> {};
 
-// The file has no blocks: whoever reads all of it takes its size in memory.
+// The file is sparse; reading all of it would take its full size in memory.
 TEST_P(LargeFileTest, IsRefusedUnread) {
   const ScratchFolder folder;
   folder.Write("p.ini", "");
@@ -179,7 +179,7 @@ INSTANTIATE_TEST_SUITE_P(
                   "past.toml:1:64: a key has at most 32 parts"},
         TomlBound{"keys", Times(kTomlKeyMax, "[[a]]\n"), Times(kTomlKeyMax + 1, "[[a]]\n"),
                   "past.toml:100001:1: a file has at most 100000 keys"},
-        // A letter that toml++ 3.3 has undefined behaviour for.
+        // A letter for which toml++ 3.3 has undefined behaviour.
         TomlBound{"letters", "\"\xD1\x9C\" = 1 # \xD1\x9C\n", "\xD1\x9C = 1\n",
                   "past.toml:1:1: non-ASCII characters are allowed only in strings and comments"}));
 

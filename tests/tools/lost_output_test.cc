@@ -1,5 +1,5 @@
-// Output that does not get where it should is an error of its own; and what names and comments may
-// do to output.
+// Output that cannot be written is an error of its own; and the effects of names and comments on
+// output.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -77,7 +77,7 @@ TEST(LostOutput, LostDiagnosticsAreNoSuccess) {
   EXPECT_EQ(RunInShell("exec \"$0\" check p.c 2> /dev/full", {}, folder.path()).exit_code, 3);
 }
 
-// A link with the ending that the option asks for, to a device that takes nothing.
+// A link with the ending that the option needs, to a device that accepts no data.
 class FullFileTest : public testing::TestWithParam<CommandLine> {};
 
 TEST_P(FullFileTest, IsReported) {
@@ -144,7 +144,7 @@ TEST(HostileNames, LeaveTheObjectWhole) {
 
 TEST(GbkText, IsReplacedInEveryJson) {
   const ScratchFolder folder;
-  // A comment, a name and an operand that no UTF-8 decoder takes.
+  // A comment, a name and an operand that are not valid UTF-8.
   folder.Write("p.c", "int x;\nint a() { x = 1; /* \xD6\xE1 */ }\nint b() { x = 2; }\n");
   folder.Write("p.toml",
                "program = \"p.c\"\ntitle = \"t\"\nraces = \"none\"\n[[thread]]\nthread = 0\n"

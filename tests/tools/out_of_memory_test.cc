@@ -1,4 +1,4 @@
-// What becomes of commands that get no more memory.
+// Commands that run out of memory.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -8,7 +8,7 @@
 namespace oncard::tools {
 namespace {
 
-/// Three threads that count: far more states than the memory holds that a process is given here.
+/// Three threads that count: far too many states for the memory limit set here.
 constexpr const char* kLarge =
     "int x, y, z;\n"
     "void t0()\n{\nL:\n  x = x + 1;\n  goto L;\n}\n"
@@ -25,7 +25,7 @@ class OutOfMemory : public testing::Test {
     }
     scratch_.Write("s.toml", scenario);
   }
-  /// Runs a command that may have 150 MB.
+  /// Runs a command with a limit of 150 MB.
   ProcessResult Run(const std::string& arguments) const {
     return RunProgram({"bash", "-c", "ulimit -v 150000; exec \"$0\" " + arguments,
                        ONCARD_BUILD_DIR "/bin/oncard"},

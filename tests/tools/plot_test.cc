@@ -1,4 +1,4 @@
-// run --plot: with gnuplot, and without it; the pictures of the documentation.
+// run --plot, with and without gnuplot; the pictures of the documentation.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -65,13 +65,13 @@ TEST(Plot, DoctorNamesGnuplot) {
       << result.out;
 }
 
-// The line of an SVG that names the version of gnuplot.
+// The line of an SVG with the version of gnuplot.
 std::string Producer(const std::string& svg) {
   const size_t begin = svg.find("<desc>");
   return begin == std::string::npos ? "" : svg.substr(begin, svg.find('\n', begin) - begin);
 }
 
-// Draws the sample of this folder: a scenario with a program, or one of a host program.
+// Draws the sample in this folder: a scenario with a program, or one of a host program.
 std::string DrawSample(const std::string& folder, const ScratchFolder& scratch) {
   const std::string name = folder.substr(folder.find('_') + 1);
   const std::string scenario = fmt::format("{}/samples/{}/{}", kSource, folder, name);
@@ -90,8 +90,8 @@ bool CanDraw(const std::string& folder) {
   return !needs_host || std::filesystem::exists(ONCARD_BUILD_DIR "/samples/sample_" + folder);
 }
 
-// samples/10_trap is drawn in docs/pictures/10_trap.svg, and so on. After a change that is meant to
-// be seen: ./x pictures.
+// docs/pictures/10_trap.svg is the picture of samples/10_trap, and so on. After an intended change:
+// ./x pictures.
 TEST(Plot, PicturesOfTheDocumentationShowTheSamples) {
   REQUIRE_GNUPLOT();
   const ScratchFolder scratch;

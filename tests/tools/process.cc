@@ -32,7 +32,7 @@ std::vector<std::string> OncardCommand(const std::vector<std::string>& arguments
   return command;
 }
 
-/// True when the process has a handler for the signal.
+/// True if the process has a handler for the signal.
 bool Catches(pid_t process, int signal) {
   std::ifstream status("/proc/" + std::to_string(process) + "/status");
   for (std::string line; std::getline(status, line);) {
@@ -50,7 +50,7 @@ ProcessResult RunWatched(const std::vector<std::string>& words, const std::strin
   const std::string out = scratch.path() + "/out";
   const std::string err = scratch.path() + "/err";
   std::vector<std::string> command = words;
-  // The first of a name counts.
+  // The first definition of a variable is used.
   std::vector<std::string> variables = environment;
   variables.insert(variables.end(),
                    {"LANG=C", "PATH=/usr/bin:/bin", "ASAN_OPTIONS=detect_leaks=0"});

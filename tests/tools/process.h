@@ -1,4 +1,4 @@
-// Runs the oncard command, and others, as a user does, without a shell.
+// Runs the oncard command and others, like a user but without a shell.
 #pragma once
 
 #include <filesystem>
@@ -13,12 +13,12 @@ struct ProcessResult {
   std::string err;
 };
 
-/// Runs `oncard arguments...` in `folder` (empty: the current one) with LANG=C and no colour, and
+/// Runs `oncard arguments...` in `folder` (empty: the current one) with LANG=C, without colour, and
 /// with `environment` ("NAME=value") added.
 ProcessResult RunOncard(const std::vector<std::string>& arguments, const std::string& folder = {},
                         const std::vector<std::string>& environment = {});
 
-/// The same for any program, found as the shell would find it.
+/// The same for any program, which is searched for like in a shell.
 ProcessResult RunProgram(const std::vector<std::string>& command, const std::string& folder = {},
                          const std::vector<std::string>& environment = {});
 
@@ -26,7 +26,7 @@ ProcessResult RunProgram(const std::vector<std::string>& command, const std::str
 ProcessResult InterruptOncard(const std::vector<std::string>& arguments, int signal,
                               const std::string& folder);
 
-/// A folder of its own for a test, removed with the object.
+/// A separate folder for a test, removed with the object.
 class ScratchFolder {
  public:
   ScratchFolder();
@@ -35,9 +35,9 @@ class ScratchFolder {
   ~ScratchFolder();
 
   std::string path() const { return path_.string(); }
-  /// Writes a file and gives its path.
+  /// Writes a file and returns its path.
   std::string Write(const std::string& name, const std::string& content) const;
-  /// The bytes of a file; empty when there is none.
+  /// The bytes of a file; empty if it does not exist.
   std::string Read(const std::string& name) const;
   bool Has(const std::string& name) const;
 
@@ -45,7 +45,7 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
-/// Compares with tests/tools/golden/`name`. With ONCARD_REBASE set in the environment the file is
+/// Compares with tests/tools/golden/`name`. If ONCARD_REBASE is set in the environment, the file is
 /// written instead; review the difference before committing it.
 void ExpectGolden(const std::string& name, const std::string& actual);
 

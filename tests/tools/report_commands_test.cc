@@ -1,4 +1,4 @@
-// test, doctor, completion, man.
+// The commands test, doctor, completion and man.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

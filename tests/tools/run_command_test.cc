@@ -1,4 +1,4 @@
-// run, replay: results, exit codes, recordings, traces.
+// The commands run and replay: results, exit codes, recordings, traces.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -147,7 +147,7 @@ TEST(Run, LooksAtWhatCommentsOfASourceRequire) {
   scratch.Write("wrong.c", "//@ finally: x == 1\n//@ nevr: x == 1\n" + body);
   scratch.Write("s.toml", "program = \"bad.c\"\n[[thread]]\nfunction = \"t1\"\n");
   const auto run = [&](const char* file) { return RunOncard({"run", file}, scratch.path()); };
-  // Under the round robin thread 0 comes first.
+  // With the round robin thread 0 is the first.
   EXPECT_EQ(run("good.c").out,
             "thread 0 t0: finished, result 1\nthread 1 t1: finished, result 2\nx = 1\ny = 2\n");
   const ProcessResult bad = run("bad.c");
@@ -176,8 +176,8 @@ TEST(Run, LooksAtWhatCommentsOfASourceRequire) {
             "scenario; write it there\n");
 }
 
-// All that is wrong, each in its place, whoever reads it: the models of the explorer with a card
-// and without one, and the single run.
+// All errors, each with its place, whichever command reads them: the explorer's models with and
+// without a card, and a single run.
 TEST(Run, ShowsRequirementsThatCannotBeReadInTheirPlaces) {
   const ScratchFolder scratch;
   const std::string body = "int t0()\n{\n  n = 1;\n  GT_Delay(1);\n  return n;\n}\n";
@@ -267,7 +267,7 @@ TEST(Run, WritesTracesInThreeForms) {
     EXPECT_EQ(RunOncard(arguments).exit_code, 0);
     return scratch.Read(name);
   };
-  // On with the first cycle, off 40 cycles later, the end another 40 cycles later.
+  // On in the first cycle, off 40 cycles later, the end another 40 cycles later.
   EXPECT_EQ(trace("t.csv"), "time_ms,page0.i,gpo\n0,0,0\n0.25,0,1\n10.25,0,0\n20.25,1,0\n");
   const Json events = Json::parse(trace("t.json"))["traceEvents"];
   const Json lamp_off =
@@ -280,7 +280,7 @@ TEST(Run, WritesTracesInThreeForms) {
 
 class RecordTest : public testing::TestWithParam<const char*> {};
 
-// Four threads that disturb each other: any other order gives other values.
+// Four threads that affect each other: any other order gives other values.
 TEST_P(RecordTest, ReplayGivesTheSameRun) {
   const ScratchFolder scratch;
   const std::string file = scratch.path() + "/run.schedule";
@@ -296,7 +296,7 @@ TEST_P(RecordTest, ReplayGivesTheSameRun) {
   EXPECT_EQ(first["state_hash"], second["state_hash"]);
   EXPECT_EQ(first["values"], second["values"]);
   EXPECT_EQ(first["statements"], second["statements"]);
-  // 4 rounds' worth of checkpoints every 10 000 statements, and one at the end.
+  // Checkpoints every 10 000 statements, and one at the end.
   EXPECT_NE(scratch.Read("run.schedule").find("\ncheck 10000 "), std::string::npos);
 }
 

@@ -1,4 +1,4 @@
-// Every key of a scenario with every command that reads the file: it makes a difference, or the
+// Every key of a scenario with every command that reads the file: the key has an effect, or the
 // command refuses it, or there is nothing that it could change.
 #include "runtime/scenario/scenario_keys.h"
 
@@ -15,8 +15,8 @@ namespace {
 using runtime::KeyUse;
 using runtime::ScenarioUse;
 
-/// What a program does without the key, and what it does with it. In a scenario `program` is
-/// `p.c`, and `explore` is there when all schedules are asked for.
+/// The text of a scenario without the key and with it. If a scenario does not name `program` it is
+/// `p.c`; `explore` is added where all schedules are required.
 struct KeyCase {
   const char* key;
   const char* program;
@@ -85,7 +85,7 @@ class ScenarioKeyTest : public testing::TestWithParam<KeyCase> {
     scratch_.Write("sub/v.h", "int n;\n");
   }
 
-  /// What the command says to a scenario; paths are the same in all.
+  /// The output of the command for a scenario; paths are the same in all.
   std::string Say(const std::vector<std::string>& command, const std::string& text) {
     const bool names_program = text.find("program =") != std::string::npos;
     scratch_.Write("s.toml", (names_program ? "" : "program = \"p.c\"\n") + text);
@@ -94,7 +94,7 @@ class ScenarioKeyTest : public testing::TestWithParam<KeyCase> {
     const ProcessResult result = RunOncard(words, scratch_.path());
     const std::string said = std::to_string(result.exit_code) + '\n' + result.out + result.err +
                              scratch_.Read("t.gnuplot");
-    // A verdict names the file by its hash, whatever has changed in it.
+    // A verdict contains the hash of the file, which changes with its text.
     return std::regex_replace(said, std::regex("scenario s\\.toml, [0-9a-f]{16}"), "");
   }
 
@@ -135,7 +135,7 @@ TEST_P(ScenarioKeyTest, InATest) {
 
 TEST_P(ScenarioKeyTest, InAnExploration) {
   const std::string key = GetParam().key;
-  // One engine: which of two comes first is a matter of time, and a verdict names it.
+  // A single engine, because a verdict names the first one of two, which depends on timing.
   Expect(Rule().explore, {"test", "--format=json"},
          key == "explore" ? "" : "explore = { engine = \"stateful\", verdict = \"PROVED\" }\n");
 }

@@ -1,5 +1,5 @@
-// What a scenario says that its program does not have, as every command tells it: all of it, each
-// with its line and column, in the order of the file.
+// Names in a scenario that its program does not have are all reported by every command, with line
+// and column, in the order of the file.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ namespace {
 
 using Places = std::vector<std::string>;
 
-/// `line:column` of every error in the file, as the output names them.
+/// `line:column` of every error in the file, as in the output.
 Places PlacesIn(const std::string& file, const std::string& said) {
   Places places;
   const std::regex headline(file + ":([0-9]+:[0-9]+): ");
@@ -86,12 +86,12 @@ TEST(ScenarioPlaces, WhatSpeaksOfAllSchedulesHasItsPlaceToo) {
   const ProcessResult plain = RunOncard({"explore", "s.toml"}, scratch.path());
   EXPECT_EQ(PlacesIn("s.toml", plain.err), (Places{"2:14", "7:10"})) << plain.err;
 
-  // With the card there are no races to be looked for, and no traces of variables alone.
+  // With the card there is no search for races, and no traces of variables alone.
   scratch.Write("p.c", kMoves);
   const ProcessResult card = RunOncard({"explore", "s.toml"}, scratch.path());
   EXPECT_EQ(PlacesIn("s.toml", card.err), (Places{"2:14", "3:9", "4:22", "7:10"})) << card.err;
 
-  // What the command line says instead stands nowhere.
+  // Text from the command line has no place.
   const ProcessResult said =
       RunOncard({"explore", "s.toml", "--engine=dpor", "--benign"}, scratch.path());
   EXPECT_EQ(PlacesIn("s.toml", said.err), (Places{"2:14", "4:22", "7:10"})) << said.err;
@@ -120,8 +120,8 @@ TEST(ScenarioPlaces, AnOptionInPlaceOfTheScheduleStandsNowhere) {
   EXPECT_TRUE(said.err.starts_with("oncard: 'prr' is not a schedule policy")) << said.err;
 }
 
-// Names are no part of a program's hash. The scenario stands in the recording behind three lines,
-// each of its lines behind "| ".
+// Names are not part of a program's hash. In the recording the scenario follows three lines, and
+// each of its lines begins with "| ".
 TEST(ScenarioPlaces, AReplayNamesThoseOfTheRecording) {
   const ScratchFolder scratch;
   scratch.Write("p.c", kPlain);

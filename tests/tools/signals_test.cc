@@ -1,4 +1,4 @@
-// Commands that are told to end keep what they have.
+// Commands that are stopped by a signal keep their results.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// Counts for ever; its trace has a row for every cycle.
+// Counts forever; its trace has a row for every cycle.
 constexpr const char* kCounts = "int n;\nint f()\n{\nlbl:\n  n = n + 1;\n  goto lbl;\n}\n";
 
 class SignalTest : public testing::TestWithParam<int> {
@@ -31,7 +31,7 @@ TEST_P(SignalTest, ARunKeepsItsTraceAndItsRecord) {
   EXPECT_NE(scratch_.Read("t.csv").find("time_ms,n,gpo\n0,0,0\n"), std::string::npos);
   const ProcessResult replay =
       RunOncard({"replay", "r.schedule", "--format=json"}, scratch_.path());
-  // The replay ends there, too, in the same state, and says why.
+  // The replay also ends there, in the same state, and gives the reason.
   EXPECT_EQ(replay.exit_code, 6);
   EXPECT_NE(replay.err.find("warning: the recording ends at "), std::string::npos) << replay.err;
   EXPECT_EQ(Json::parse(replay.out)["failures"], Json::array());
