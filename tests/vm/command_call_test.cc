@@ -9,7 +9,7 @@
 namespace oncard::vm {
 namespace {
 
-// One command of a given shape, executed by a function of the test.
+// One command with a given shape, executed by a function of the test.
 class OneCommand final : public CommandTable {
  public:
   using Action = std::function<int16_t(std::span<CommandArgument>)>;
@@ -55,7 +55,7 @@ constexpr ParameterShape kPairs = {"pairs", true, kPairSlots, 1};
 
 class CommandCallTest : public testing::Test {
  protected:
-  // Executes one call on thread 3, page 3; slots of `values` are local, then global.
+  // Executes one call on thread 3, page 3; local and global slots have the values in values_.
   void Call(std::vector<ParameterShape> parameters, std::vector<Operand> arguments,
             OneCommand::Action action) {
     table_ = std::make_unique<OneCommand>(std::move(parameters), std::move(action));

@@ -1,5 +1,5 @@
-// Damaged objects: whatever the bytes are, reading and verifying them ends with an object or an
-// error. With a checksum no change of the `.bin` passes, and no change of the `.ini` changes code.
+// Damaged objects: for any bytes, reading and verifying end with an object or an error. With a
+// checksum every change of the `.bin` is detected, and no change of the `.ini` changes code.
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ bool SameCode(const Object& a, const Object& b) {
   return true;
 }
 
-// Uses what was accepted as the rest of the program would: listed, written, its storage measured.
+// Uses an accepted object like the rest of the program: lists it, writes it, measures its storage.
 void Use(const Object& object, const ObjectFiles& files, bool verified) {
   const FakeCommands commands;
   EXPECT_FALSE(Disassemble(object, commands).empty());
@@ -67,7 +67,7 @@ Outcome Load(const ObjectFiles& files, Object* object) {
   return verified.ok() ? Outcome::kAccepted : Outcome::kRefused;
 }
 
-// Calls `check` for every single-byte change of `content`, which is as before afterwards.
+// Calls `check` for every single-byte change of `content`, which is unchanged afterwards.
 template <typename Check>
 void ForEachByteChange(std::string* content, const Check& check) {
   for (size_t i = 0; i < content->size(); ++i) {
@@ -115,7 +115,7 @@ TEST(CorruptionTest, EveryByteOfAVendorObjectMayBeDamaged) {
     };
     ForEachByteChange(&files.bin, count);
     ForEachByteChange(&files.ini, count);
-    // Other literals, operators and names are objects too; most other changes are not.
+    // Objects with other literals, operators and names are valid too; most other changes are not.
     EXPECT_GT(accepted, 0);
     EXPECT_GT(refused, 0);
   }
@@ -127,7 +127,7 @@ class Mutator {
 
   size_t Below(size_t limit) { return random_() % limit; }
 
-  // One insertion, deletion, change or splice of a piece of `donor`.
+  // Inserts, deletes or changes bytes, or inserts a piece of `donor`.
   void Mutate(const std::string& donor, std::string* content) {
     const size_t position = Below(content->size() + 1);
     const size_t rest = content->size() - position;
@@ -151,7 +151,7 @@ class Mutator {
         break;
       }
       default:
-        // Whole words, so that the records behind keep their alignment.
+        // Whole words, so that the following records keep their alignment.
         content->replace(position & ~size_t{1}, 2 * Below(2),
                          {static_cast<char>(Below(20)), static_cast<char>(0)});
         break;
@@ -182,7 +182,8 @@ TEST(CorruptionTest, RandomDamageNeverPassesTheChecksum) {
     }
     Object read;
     if (Load(files, &read) != Outcome::kAccepted) continue;
-    // The section [oncard] itself can fall away; then this is a vendor's object without checksum.
+    // The section [oncard] itself may disappear; the result is a vendor's object without a
+    // checksum.
     if (files.ini.find("bin_crc32=") == std::string::npos) continue;
     ASSERT_EQ(files.bin, original.bin);
     ASSERT_TRUE(SameCode(read, sample));

@@ -113,7 +113,7 @@ struct Statement {
 };
 
 // In the function of StructureObject(): locals trap.acc, trap.dec, trap.velStart, trap.smoothTime
-// and less, a global vel.
+// and less, and a global vel.
 TEST(DisassemblerTest, EveryFormOfStatement) {
   const DataType kInt = DataType::kInt;
   const DataType kDouble = DataType::kDouble;

@@ -1,4 +1,4 @@
-// Run-time faults: which ones there are, what they record, and that only their thread stops.
+// Run-time faults: all kinds, their recorded data, and that only their thread stops.
 #include <gtest/gtest.h>
 
 #include "tests/vm/program_builder.h"
@@ -24,7 +24,7 @@ constexpr Storage kG = Storage::kGlobal;
 constexpr DataType kInt = DataType::kInt;
 constexpr DataType kDouble = DataType::kDouble;
 
-// Local and global slot 0 hold the bad index -1, slot 1 holds 0.
+// Slot 0, local and global, has the invalid index -1; slot 1 is 0.
 std::vector<FaultCase> Cases() {
   const auto divide = [](DataType type, const Operand& a, const Operand& b, const Operand& dst) {
     return Binary(BinaryOperator::kDivide, type, a, b, dst);

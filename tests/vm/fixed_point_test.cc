@@ -1,4 +1,4 @@
-// The arithmetic of `double`, with numbers worked out by hand: 1.0 is 65536.
+// The arithmetic of `double`, with numbers calculated by hand: 1.0 is 65536.
 #include "vm/fixed_point.h"
 
 #include <gtest/gtest.h>
@@ -78,7 +78,7 @@ TEST(FixedPointTest, ProductsAreTruncatedTowardZero) {
 TEST(FixedPointTest, ProductsAreTheSameWithoutWideNumbers) {
   uint64_t random = 1;
   const auto raw = [&random](int wrap_shift) {
-    // Of all lengths, those at the ends of the range among them.
+    // Numbers of all lengths, including the ends of the range.
     const auto bits = static_cast<int64_t>(NextRandom(random)) >> NextRandom(random) % 64;
     return WrapFixed(bits, wrap_shift);
   };

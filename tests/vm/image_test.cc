@@ -1,5 +1,5 @@
 // However the linker encodes a statement, and whichever neighbours it fuses, the program computes
-// what the reference machine computes, statement for statement.
+// the same as on the reference machine after every statement.
 #include "vm/image.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 // --- Operators -----------------------------------------------------------------------------------
 
-// Where an operand of the statement under test lives.
+// The place of an operand of the tested statement.
 enum class Shape {
   kLiteral,
   kLocal,
@@ -31,8 +31,8 @@ constexpr Shape kShapes[] = {Shape::kLiteral,
                              Shape::kGlobalElement,
                              Shape::kGlobalElementByGlobal};
 
-// Slots 8 * position .. 8 * position + 3 of either storage are the operand's; the index is local or
-// global slot 0, which holds 2.
+// The operand is in slots 8 * position .. 8 * position + 3 of either storage; the index is local or
+// global slot 0, which is 2.
 Operand Place(Shape shape, uint16_t position, const Operand& literal) {
   const auto base = static_cast<uint16_t>(8 * position);
   switch (shape) {
@@ -68,8 +68,7 @@ std::vector<Operand> EdgeValues(DataType type, DoubleFormat format) {
           Raw(98304), Raw(-0x18001), Raw(max), Raw(max - 1), Raw(-max - 1)};
 }
 
-// Copies values into the operands, applies the operator, and keeps each result in a slot of its
-// own.
+// Copies values to the operands, applies the operator, and stores each result in a separate slot.
 class OperatorProgram {
  public:
   OperatorProgram(const OperatorInfo& info, DataType type) : info_(info), type_(type) {}
@@ -110,7 +109,7 @@ class OperatorProgram {
   int kept_ = 0;
 };
 
-// Runs one function on both machines to its end.
+// Runs one function to its end on both machines.
 testing::AssertionResult SameResults(std::vector<Instruction> code, DoubleFormat format) {
   const auto statements = static_cast<int64_t>(code.size());
   Object object = MakeObject({MakeFunction(std::move(code))});
@@ -195,7 +194,7 @@ TEST_P(OperatorsTest, ComputeTheSameWithEveryKindOfOperand) {
   for (const DataType type : {DataType::kInt, DataType::kDouble}) {
     if (!Accepts(*GetParam().info, type)) continue;
     for (const DoubleFormat format : {DoubleFormat::k32_16, DoubleFormat::k16_16}) {
-      // The format decides nothing about ints but how they become doubles.
+      // For ints, the format only affects their conversion to double.
       if (GetParam().unary) {
         CheckUnary(type, format);
       } else if (type == DataType::kDouble || format == DoubleFormat::k32_16) {
@@ -209,7 +208,7 @@ INSTANTIATE_TEST_SUITE_P(All, OperatorsTest, testing::ValuesIn(AllOperators()));
 
 // --- Loops ---------------------------------------------------------------------------------------
 
-// What a loop does before its increment.
+// The statement of a loop before its increment.
 enum class Body { kNothing, kSumInt, kSumGlobal, kSumDouble, kStore, kStoreThenSum, kTestInside };
 constexpr Body kBodies[] = {Body::kNothing, Body::kSumInt,       Body::kSumGlobal, Body::kSumDouble,
                             Body::kStore,   Body::kStoreThenSum, Body::kTestInside};
@@ -270,7 +269,7 @@ testing::AssertionResult SameLoop(const Object& object, const std::shared_ptr<co
   machine.Load(image);
   ReferenceMachine reference(object, 1);
   for (size_t thread = 0; thread < static_cast<size_t>(threads); ++thread) {
-    // The second thread begins at another i, so that the two leave the loop at different times.
+    // The second thread begins with another i, so that the two leave the loop at different times.
     const std::pair<uint16_t, int64_t> values[] = {
         {kI.id, static_cast<int64_t>(thread)}, {kBound.id, 3}, {kSum.id, 100}, {8, 5}, {9, 70000}};
     for (const auto& [id, value] : values) {

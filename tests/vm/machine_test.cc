@@ -1,5 +1,5 @@
-// What hosts do with threads: bind, run, stop, pause, step, breakpoints, periodic starts, and the
-// codes that they get.
+// The operations of hosts on threads, and their codes: bind, run, stop, pause, step, breakpoints,
+// periodic starts.
 #include "vm/machine.h"
 
 #include <functional>
@@ -10,7 +10,7 @@
 namespace oncard::vm {
 namespace {
 
-// Counts in local slot 0 for ever: lines 10 and 20.
+// Counts in local slot 0 forever: lines 10 and 20.
 Function Counter() { return MakeFunction({Add(Local(0), Local(0), ImmediateInt(1)), Goto(-1)}); }
 // Three statements on lines 10, 20 and 30.
 Function Three() {

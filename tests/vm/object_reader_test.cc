@@ -47,7 +47,7 @@ TEST(ObjectReaderTest, VendorObjectHasWideDoubles) {
   EXPECT_EQ(read.value().double_format, DoubleFormat::k32_16);
 }
 
-// Random objects that obey the verifier's rules, from a seed.
+// Generates random objects that obey the verifier's rules.
 class ObjectGenerator {
  public:
   explicit ObjectGenerator(uint32_t seed) : random_(seed) {}
@@ -344,7 +344,7 @@ TEST(IniToleranceTest, LineEndsOfEitherKindAndEmptyLinesMeanNothing) {
   ObjectFiles files = WriteObject(SumObject(), false);
   std::string windows = "\xEF\xBB\xBF";  // the byte order mark that editors put first
   for (const char c : files.ini) windows += c == '\n' ? std::string("\r\n\r\n") : std::string(1, c);
-  windows.resize(windows.size() - 4);  // the last line may lack its end
+  windows.resize(windows.size() - 4);  // the last line may have no line end
   files.ini = windows;
   const Result<Object> object = ReadObject(files);
   ASSERT_TRUE(object.ok()) << object.error().message.en;
@@ -518,7 +518,7 @@ TEST_F(ObjectPairTest, NameThatIsNotABinIs2007) {
 }
 
 TEST_F(ObjectPairTest, TooLongNameIs2007) {
-  // The name is judged before the file is looked for.
+  // The name is checked before the file is searched for.
   const std::string longest = std::string(kObjectPathMax - 4, 'a') + ".bin";
   EXPECT_NE(ErrorOf(longest).message.en.find("there is no file"), std::string::npos);
   const Error error = ErrorOf("a" + longest);

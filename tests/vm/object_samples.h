@@ -22,7 +22,7 @@ Instruction Binary(BinaryOperator op, DataType type, const Operand& a, const Ope
 Instruction Jump(const Operand& condition, int16_t displacement);
 Instruction Return(const Operand& condition, const Operand& value);
 Instruction Command(uint16_t number, std::vector<Operand> arguments);
-/// Whatever the parts are.
+/// An instruction with any operands, whether valid or not.
 Instruction Malformed(Opcode opcode, uint16_t op, std::vector<Operand> operands);
 
 /// Numbers of the commands that FakeCommands knows.

@@ -1,4 +1,4 @@
-// The table of opcodes in docs/object-format.md is the one that follows from vm/opcodes.def.
+// The table of opcodes in docs/object-format.md is the one generated from vm/opcodes.def.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -20,7 +20,7 @@ TEST(OpcodeTablesTest, ObjectFormatDocumentIsUpToDate) {
       << "run `cmake --build . --target update_opcode_tables`";
 }
 
-// Numbers, types and basis of two rows, so that the generator is not its only judge.
+// Numbers, types and basis of two rows, as a check that does not depend on the generator.
 TEST(OpcodeTablesTest, RowsSayWhatTheTableOfOpcodesSays) {
   const std::string document = ReadAll(ONCARD_SOURCE_DIR "/docs/object-format.md");
   EXPECT_NE(document.find("\n| 0x5080 | jump | cond rel | | "), std::string::npos);

@@ -1,5 +1,5 @@
-// Small programs for the tests of the machine: functions from instructions, linked without symbols
-// so that every slot can be used as any type, and the few commands that act on threads.
+// Small programs for the tests of the machine: functions built from instructions and linked without
+// symbols, so that every slot can be used with any type, and the few commands that act on threads.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ enum ThreadCommand : uint16_t {
   kRefuse = 6,     // long* value: sets it and refuses, so that it must not change
 };
 
-/// What the refused command returns.
+/// The return code of the command that refuses.
 inline constexpr int16_t kRefuseCode = 9;
 
 class ThreadCommands final : public CommandTable {
@@ -46,11 +46,11 @@ Instruction Set(const Operand& dst, const Operand& src);
 /// `dst = a + b;` for ints.
 Instruction Add(const Operand& dst, const Operand& a, const Operand& b);
 
-/// A function whose statement k (from 0) stands on line 10 * (k + 1).
+/// A function whose statement k (from 0) is on line 10 * (k + 1).
 Function MakeFunction(std::vector<Instruction> instructions, DataType return_type = DataType::kInt);
 Object MakeObject(std::vector<Function> functions);
 
-/// Links an object that declares no variables; a test that gives a wrong one fails.
+/// Links an object that declares no variables; an invalid one makes the test fail.
 std::shared_ptr<const Image> LinkRecords(const Object& object, const CommandTable& commands);
 
 /// A machine with ThreadCommands.
@@ -60,7 +60,7 @@ class MachineTest : public testing::Test {
   void Load(std::vector<Function> functions);
   /// Binds function `id` to `thread` with the page of the same number and runs it.
   void Start(int thread, int id = 1);
-  /// One function, started on thread 0.
+  /// Loads one function and starts it on thread 0.
   void LoadAndStart(std::vector<Instruction> instructions);
 
   int32_t LocalInt(int page, uint16_t id) const;

@@ -1,6 +1,6 @@
-// Slots 0..5 are ints, 6 and 7 ints that mostly index arrays, 8..11 doubles, 16..23 an array of
-// ints, 24..31 one of doubles, among the locals and among the globals alike. Now and then an
-// operand takes a slot of the other type, as functions do that share a page.
+// Local and global slots 0..5 are ints, 6 and 7 ints that usually index arrays, 8..11 doubles,
+// 16..23 an array of ints, 24..31 an array of doubles. Sometimes an operand is a slot of the other
+// type, as when functions share a page.
 #include "tests/vm/random_program.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ constexpr BinaryOperator kRelations[] = {BinaryOperator::kEqual,     BinaryOpera
 
 class FunctionGenerator {
  public:
-  // One operand in `sharing` is a global.
+  // One operand in `sharing` operands is a global.
   FunctionGenerator(RandomNumbers& random, int64_t sharing) : random_(random), sharing_(sharing) {}
 
   Function Generate() {
@@ -162,7 +162,7 @@ class FunctionGenerator {
     if (type == DataType::kDouble) {
       return Variable{AnyStorage(), static_cast<uint16_t>(random_.Between(8, 11))};
     }
-    // The last two ints index arrays and are seldom overwritten.
+    // The last two ints index arrays and are rarely overwritten.
     return Variable{AnyStorage(),
                     static_cast<uint16_t>(random_.Between(0, random_.OneIn(20) ? 7 : 5))};
   }

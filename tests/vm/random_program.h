@@ -1,4 +1,4 @@
-// Programs drawn at random, shaped like motion programs: loops, arrays, shared counters, waits.
+// Random programs in the form of motion programs: loops, arrays, shared counters, waits.
 #pragma once
 
 #include <cstdint>
@@ -22,14 +22,14 @@ struct RandomProgram {
   };
   Object object;
   std::vector<Binding> bindings;
-  std::vector<Value> values;  ///< of the variables before the start
+  std::vector<Value> values;  ///< values of the variables before the start
 };
 
-/// Numbers that are the same with every standard library.
+/// Random numbers that are the same with every standard library.
 class RandomNumbers {
  public:
   explicit RandomNumbers(uint64_t seed) : engine_(seed) {}
-  /// From `low` to `high`, both included.
+  /// Between `low` and `high`, both included.
   int64_t Between(int64_t low, int64_t high) {
     return low + static_cast<int64_t>(engine_() % static_cast<uint64_t>(high - low + 1));
   }

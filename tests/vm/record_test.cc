@@ -20,7 +20,7 @@ struct Sample {
   Words words;
 };
 
-// Expected words follow from the layout by hand; docs/object-format.md explains it.
+// The expected words are derived by hand from the layout in docs/object-format.md.
 std::vector<Sample> Samples() {
   const Element local_by_local{Storage::kLocal, 4, 3, Local(9)};
   const Element global_by_local{Storage::kGlobal, 4, 3, Local(9)};

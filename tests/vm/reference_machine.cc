@@ -13,7 +13,7 @@ constexpr int kDivisionByZero = 100;
 constexpr int kIndexOutOfBounds = 101;
 constexpr int kOutputBeyondStorage = 102;
 
-// An int is the low 32 bits of its slot.
+// An int is in the low 32 bits of its slot.
 int64_t AsInt(int64_t value) {
   const int64_t low = value & 0xFFFFFFFF;
   return low > INT32_MAX ? low - 0x100000000 : low;
@@ -308,7 +308,7 @@ bool ReferenceMachine::StepReturn(Thread& thread, const Instruction& instruction
 
 bool ReferenceMachine::StepCommand(Thread& thread, const Instruction& instruction) {
   const auto& operands = instruction.operands;
-  // Every place is found before anything is done.
+  // All operands are located before anything is changed.
   std::array<int64_t*, 3> places{};
   std::array<int64_t, 3> values{};
   for (size_t i = 0; i < operands.size(); ++i) {

@@ -1,7 +1,7 @@
-// A second machine for motion programs, slow and written for being read: it takes the Object as it
-// is, executes one statement at a time with plain switches, and chooses threads by the round
-// robin's definition. Shares nothing with the machine but the Object and the command numbers, so
-// that the two agree only if both are right.
+// A second machine for motion programs, slow and easy to read: it uses the Object directly,
+// executes one statement at a time with plain switches, and chooses threads by the definition of
+// the round robin. It shares nothing with the machine except the Object and the command numbers, so
+// that the two only agree if both are correct.
 #pragma once
 
 #include <array>
@@ -34,7 +34,7 @@ class ReferenceMachine {
     int64_t executed = 0;
   };
 
-  /// `quantum` statements a turn.
+  /// `quantum` is the number of statements per turn.
   ReferenceMachine(const Object& object, int64_t quantum) : object_(object), quantum_(quantum) {}
   ReferenceMachine(const ReferenceMachine&) = delete;
   ReferenceMachine& operator=(const ReferenceMachine&) = delete;
@@ -46,7 +46,7 @@ class ReferenceMachine {
   /// Executes up to `budget` statements; returns how many.
   int64_t Execute(int64_t budget);
 
-  /// Where the machine differs from this one, in words; empty when it does not.
+  /// Describes the difference between the machine and this one; empty if there is none.
   std::string Difference(const Machine& machine) const;
 
   std::array<std::array<int64_t, 1024>, 32> pages{};
@@ -54,25 +54,25 @@ class ReferenceMachine {
   std::array<Thread, 32> threads{};
 
  private:
-  // Where an operand lives; nullptr after the thread has faulted at its index.
+  // The slot of an operand; nullptr after a fault at its index.
   int64_t* Place(Thread& thread, const Operand& operand);
   bool CanGoOn(const Thread& thread) const;
   bool Awake(const Thread& thread) const;
   // The thread that the round robin chooses, or -1.
   int Choose();
   void Step(Thread& thread);
-  // What is left of threads whose last statement put them to sleep.
+  // Finishes threads that have nothing left to execute when they wake up.
   void FinishAwakened();
   void Finish(Thread& thread);
   void FaultAt(Thread& thread, int code, int64_t value, int64_t limit);
 
-  // Each executes one statement; true when the thread goes on with the next one.
+  // Each executes one statement; true if the thread continues with the next one.
   bool StepUnary(Thread& thread, const Instruction& instruction);
   bool StepBinary(Thread& thread, const Instruction& instruction);
   bool StepReturn(Thread& thread, const Instruction& instruction);
   bool StepCommand(Thread& thread, const Instruction& instruction);
 
-  // A source operand's value, an int or a raw double; false when the thread faulted.
+  // The value of a source operand, an int or a raw double; false after a fault.
   bool Load(Thread& thread, const Operand& operand, DataType type, int64_t* value);
   int64_t WrapDouble(__int128 raw) const;
 

@@ -1,5 +1,5 @@
-// The machine against the reference machine: whatever shortcuts it takes, after any number of
-// statements its state is the one that plain interleaving gives.
+// The machine compared with the reference machine: after any number of statements its state must be
+// that of plain interleaving, however it is optimised.
 #include <gtest/gtest.h>
 
 #include "tests/vm/program_builder.h"
@@ -40,7 +40,7 @@ class Pair {
     reference.BeginCycle(cycle);
   }
 
-  // True when both execute the same and are in the same state afterwards.
+  // True if both execute the same number of statements and are in the same state afterwards.
   testing::AssertionResult Execute(int64_t budget) {
     const int64_t expected = reference.Execute(budget);
     const int64_t executed = machine.Execute(budget);
@@ -78,7 +78,7 @@ int64_t RandomBudget(RandomNumbers& random) {
   }
 }
 
-// Runs a program in random pieces, while the clock goes on and ended threads start again.
+// Runs a program in random pieces, while the clock advances and ended threads start again.
 testing::AssertionResult RunInPieces(uint64_t seed, int64_t quantum) {
   RandomNumbers random(seed);
   const RandomProgram program = MakeRandomProgram(random);
@@ -143,7 +143,7 @@ TEST(RunAheadTest, ManyWindowsOfPrivateWorkBetweenSharedStatements) {
   }
 }
 
-// The flag is up for one statement of another thread only; the waiting thread has its turn then.
+// The flag is 1 for only one statement of another thread; the waiting thread has its turn then.
 TEST(RunAheadTest, WaitingThreadSeesWhatHoldsAtItsTurn) {
   const Object object = MakeObject({
       MakeFunction({Set(Global(0), ImmediateInt(1)), Set(Global(0), ImmediateInt(0)), Goto(-2)}),
@@ -161,7 +161,7 @@ TEST(RunAheadTest, WaitingThreadSeesWhatHoldsAtItsTurn) {
   }
 }
 
-// The value that the last statement waits for holds for one statement only, which is enough.
+// The last statement waits for a value that exists for only one statement, which is enough.
 TEST(RunAheadTest, WaitAtTheEndOfAFunctionEndsAsSoonAsTheValueHolds) {
   const Object object = MakeObject({
       MakeFunction({Command(kWaitFor, {Global(0), ImmediateInt(1)})}),

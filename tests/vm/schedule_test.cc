@@ -1,4 +1,4 @@
-// Schedule files: their text, what is wrong with damaged ones, recording and replaying.
+// Schedule files: their text, the errors of damaged files, recording and replaying.
 #include "vm/schedule.h"
 
 #include "tests/vm/program_builder.h"
@@ -42,7 +42,7 @@ TEST(ScheduleTextTest, SaysWhereSegmentsStop) {
   const auto read = ParseSchedule(text);
   ASSERT_TRUE(read.ok()) << read.error().message.en;
   EXPECT_EQ(read.value(), schedule);
-  // After each segment or after none.
+  // There is a `next` line after each segment or after none.
   std::string some = text;
   some.erase(some.find("next 12"), some.find("check") - some.find("next 12"));
   EXPECT_FALSE(ParseSchedule(some).ok());
@@ -155,7 +155,7 @@ class ReplayTest : public MachineTest {
     return policy;
   }
 
-  // Two endless threads that count in a shared variable.
+  // Two endless threads that increment a shared variable.
   void StartCounters(const Policy& policy) {
     machine_.SetPolicy(policy);
     Load({MakeFunction({Set(Local(0), Global(0)), Add(Local(0), Local(0), ImmediateInt(1)),

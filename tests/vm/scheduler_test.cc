@@ -21,7 +21,7 @@ class SchedulerTest : public MachineTest {
     for (const int thread : threads) Start(thread);
   }
 
-  // What the next `statements` statements are.
+  // The segments of the next `statements` statements.
   Segments Trace(int64_t statements) {
     Schedule schedule;
     machine_.Record(&schedule);
@@ -70,7 +70,7 @@ TEST_F(SchedulerTest, NewThreadJoinsTheRoundInItsPlace) {
   EXPECT_EQ(Trace(4), (Segments{{3, 1}, {5, 1}, {0, 1}, {3, 1}}));
 }
 
-// Doubling and incrementing do not commute, so the value tells the order.
+// Doubling and incrementing do not commute, so the value shows the order.
 TEST_F(SchedulerTest, StatementsAlternateWithoutRecordingToo) {
   Load({MakeFunction({Binary(BinaryOperator::kMultiply, DataType::kInt, Global(0), ImmediateInt(2),
                              Global(0)),

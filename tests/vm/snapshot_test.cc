@@ -1,5 +1,5 @@
-// A snapshot is a copy of the state: the machine goes on from it as often as one likes, and the
-// hash tells states apart.
+// A snapshot is a copy of the state: the machine can continue from it any number of times, and the
+// hash distinguishes states.
 #include <gtest/gtest.h>
 
 #include <algorithm>

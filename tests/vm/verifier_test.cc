@@ -16,9 +16,8 @@ namespace {
 constexpr DataType kInt = DataType::kInt;
 constexpr DataType kDouble = DataType::kDouble;
 
-// An object with one variable of each kind, local and global alike:
-// id 0 int i, 1 double d, 2..4 int a[3], 5..8 double p[4], 9..12 trap (three doubles, an int),
-// 13 and 14 pair (an int, a double).
+// An object with one variable of each kind, both local and global: id 0 int i, 1 double d, 2..4 int
+// a[3], 5..8 double p[4], 9..12 trap (three doubles, an int), 13 and 14 pair (an int, a double).
 Object Workbench(std::vector<Instruction> instructions) {
   const std::vector<Symbol> symbols = {
       {"i", 0, kInt, 0},
@@ -290,8 +289,8 @@ INSTANTIATE_TEST_SUITE_P(
     }),
     [](const auto& row) { return row.param.name; });
 
-// The operators by number, and which operands they take, from the language's rules: arithmetic and
-// comparisons take both types, the rest ints; the casts and fabs are the exceptions.
+// The operators by number, and their operand types according to the language's rules: arithmetic
+// and comparisons take both types, the others ints; the casts and fabs are exceptions.
 TEST(VerifierTest, OperatorsTakeTheirTypesAndNoOthers) {
   // + - * / % && || == != < > <= >= & | ^ << >>
   const std::string kBinaryInt = "yyyyyyyyyyyyyyyyyy";
