@@ -1,5 +1,5 @@
-// The differences between families of cards, as far as the code that serves all of them must know
-// them. That code reads this record; it never asks which family it serves.
+// The differences between families of cards that the common code needs. This code uses the record
+// only; it never checks which family it is.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ struct CardView;
 /// A function that executes one command. Returns 0, or the code of a refused command.
 using CommandFunction = int16_t (*)(Call& call);
 
-/// A family of cards. There is one constant object of each (gts/family.h).
+/// A family of cards. There is one constant object for each (gts/family.h).
 struct Family {
   const Catalogue& catalogue;
   /// The function of each command, in the order of their numbers; nullptr if the card has none.
@@ -34,25 +34,25 @@ struct Family {
   const Message* (*why_unsupported)(const Command& command);
   /// The virtual time of a call from the host, in microseconds.
   int64_t (*cost_us)(const Command& command);
-  /// The status word of an axis, whose number counts from 0, as the family's commands give it.
+  /// The status word of an axis, counted from 0, as the family's commands return it.
   uint32_t (*status_word)(const CardView& card, size_t axis);
-  /// The number of a profile's mode, as the family's commands give it.
+  /// The number of a profile's mode, as the family's commands return it.
   int (*mode_number)(motion::ProfileMode mode);
 
-  // The family's own state of a card, and its part in the card's cycle.
+  // The family's own state of a card, and its part of the card's cycle.
 
   /// The state at power-on.
   FamilyState (*new_state)();
   /// The state after a reset of the card.
   void (*reset)(FamilyState& state);
-  /// Forgets what belongs to the program: another one has been loaded.
+  /// Clears what belongs to the program, because another one has been loaded.
   void (*forget_program)(FamilyState& state);
   /// Runs after the motion tick of each cycle.
   void (*after_tick)(Card& card);
   /// Runs before the threads' statements of each cycle, after their delays have ended.
   void (*before_threads)(Card& card);
-  /// True if variables of the program can still be written, though neither a thread nor the host
-  /// writes them.
+  /// True if variables of the program can still be written by something other than threads and the
+  /// host.
   bool (*writes_variables)(const CardView& card);
 
   CommandFunction FunctionOf(const Command& command) const {

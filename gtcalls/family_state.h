@@ -1,6 +1,6 @@
-// What a card keeps for its family alone, beside the motion core and the virtual machine: a value
-// of the family's own type. Snapshots copy it, hashes include it; only the functions of the family
-// look into it.
+// The state that a card has for its family, in addition to the motion core and the virtual machine:
+// a value of the family's own type. Snapshots copy it, hashes include it; only the family's
+// functions use its content.
 #pragma once
 
 #include <variant>

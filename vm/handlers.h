@@ -14,7 +14,7 @@ inline constexpr uint16_t kOperandIndexMask = (1u << kOperandIndexBits) - 1;
 inline constexpr int kPackedIndexCount = 1 << kOperandIndexBits;
 
 /// Maximum number of statements of one op. The same number of end markers follows a function's
-/// code, so that an op can compute how far it may go without a pointer outside the code.
+/// code, so that an op can check its fuel without computing an address outside the code.
 inline constexpr size_t kLookAhead = 5;
 
 constexpr uint16_t PackOperand(OperandClass operand_class, size_t index) {
@@ -27,14 +27,14 @@ constexpr uint16_t IndexOf(uint16_t operand) { return operand & kOperandIndexMas
 
 // Operands in the names of decoded ops: L a local slot, G a global slot, K a constant, E an element
 // private to the thread, P any operands private to the thread, S operands of which one is shared.
-// The letters stand for a and b; the target d is a local slot unless the first letter is G. In a
-// unary op they stand for a and, unless it is a local slot, d.
+// The letters are those of a and b; the target d is a local slot unless the first letter is G. In a
+// unary op they are those of a and, unless it is a local slot, d.
 //
 // Some ops execute several statements that are adjacent in loops: an operation with the kIfLocal
 // after it (...If), a comparison with the kIfLocal on its target (kTest), a goto to a kTest
-// (kLoop), an increment before a kLoop (kIncrementLoop), and what loops mostly do last before their
-// increment: accumulate or store (kAccumulate..., kStore...). Measurements showed that they are
-// slower if the relation is data instead of part of the op.
+// (kLoop), an increment before a kLoop (kIncrementLoop), and the operations that are usually the
+// last ones before the increment: accumulate or store (kAccumulate..., kStore...). Measurements
+// showed that they are slower if the relation is data instead of part of the op.
 // clang-format off
 #define ONCARD_INT_BINARY_OPS(X, SHARED, name)                               \
   X(name##LL) X(name##LK) X(name##KL) X(name##LE) X(name##P) SHARED(name##S) \

@@ -40,7 +40,7 @@ enum class BinaryOperator : uint16_t {
 
 /// Which operands an operator takes.
 enum class OperandTypes : uint8_t { kInt, kDouble, kBoth };
-/// What it yields.
+/// The type of its result.
 enum class ResultType : uint8_t { kInt, kDouble, kSame };
 
 /// One row of opcodes.def.

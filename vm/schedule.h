@@ -48,8 +48,8 @@ struct Schedule {
   bool operator==(const Schedule&) const = default;
 };
 
-/// Where the scenario's text stands in the file: behind so many lines, and each of its lines behind
-/// this.
+/// The scenario's text in the file begins after this number of lines, and each of its lines has
+/// this prefix.
 inline constexpr int kLinesBeforeScenario = 3;
 inline constexpr std::string_view kScenarioPrefix = "| ";
 

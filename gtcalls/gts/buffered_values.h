@@ -1,6 +1,6 @@
 // The buffered commands of GTS that write variables: the card's own numbered ones, and those of the
-// motion program. A path of the motion core hands them over when it reaches them; they are carried
-// out at the end of that tick. Tested by tests/gtcalls/buffer_command_test.cc and
+// motion program. The motion core collects them when a path reaches them; they are executed at the
+// end of that tick. Tested by tests/gtcalls/buffer_command_test.cc and
 // user_variable_command_test.cc.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace oncard::gtcalls {
 
-/// What the value is for: GT_BufSetLongVar, GT_BufSetDoubleVar, GT_BufSetVarValue.
+/// The target of the value: GT_BufSetLongVar, GT_BufSetDoubleVar, GT_BufSetVarValue.
 enum class ValueTarget : uint8_t { kLong, kDouble, kProgram };
 
 struct BufferedValue {
@@ -21,11 +21,11 @@ struct BufferedValue {
   vm::SlotAddress slot = {};  ///< kProgram
 };
 
-/// The value as a command of a path, and back.
+/// Converts the value to a command of a path.
 motion::BufferedCommand EncodeValue(const BufferedValue& value);
 BufferedValue DecodeValue(const motion::BufferedCommand& command);
 
-/// To be called before such a command is appended: a tick allocates nothing.
+/// Must be called before such a command is appended, because a tick does not allocate.
 void ReserveValues(motion::MotionCore& motion);
 
 /// Writes the values that paths have reached in the last tick. A value that no longer fits the

@@ -1,5 +1,5 @@
-// What a GTS card keeps beside its motion core and virtual machine: its own numbered variables, the
-// ferroelectric memory and the PLC blocks. Plain data: copy it to keep it. Tested by
+// The state of a GTS card in addition to its motion core and virtual machine: its own numbered
+// variables, the ferroelectric memory and the PLC blocks. Plain data: copy it to keep it. Tested by
 // tests/gtcalls/gts_state_test.cc.
 #pragma once
 
@@ -22,7 +22,7 @@ struct GtsState {
   std::array<double, kUserVariableCount> double_vars{};
   PlcBlocks plc;
 
-  /// GT_Reset: only the memory behind the buffer of `mram` keeps its content.
+  /// GT_Reset: clears everything except the ferroelectric memory itself, whose buffer is cleared.
   void Reset();
 
   auto Fields() const { return std::tie(mram, long_vars, double_vars, plc); }

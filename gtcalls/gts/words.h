@@ -1,5 +1,5 @@
-// What the vocabulary of rows/words.h lacks for the GTS catalogue: words with its limits in them,
-// and the names of what its rows rest on.
+// The notation of the GTS catalogue in addition to rows/words.h: parameters with the limits of GTS,
+// and names for the sources of its rows.
 #pragma once
 
 #include <string_view>
@@ -26,7 +26,7 @@ inline constexpr std::string_view kThreadHeader = "public header of the thread e
 
 // --- Parameters ---------------------------------------------------------------------------------
 
-/// Axes, and resources of the same number: profiles, encoders, controllers, DACs, pulse outputs.
+/// Axes, and resources with the same numbers: profiles, encoders, controllers, DACs, pulse outputs.
 constexpr Spec Axis(std::string_view name) {
   Spec spec = Index(name, 1, kAxisMax);
   spec.parameter.axis_number = true;
@@ -42,7 +42,7 @@ constexpr Spec Crd() { return Index("crd", 1, kCrdMax); }
 /// One of two buffers.
 constexpr Spec Fifo() { return Index("fifo", 0, 1); }
 constexpr Spec Thread() { return Index("thread", 0, kThreadLast); }
-/// The thread whose variables are meant; -1: the globals.
+/// The thread whose variables are used; -1: the globals.
 constexpr Spec ThreadOrGlobals() { return Index("thread", -1, kThreadLast); }
 /// One of two high-speed output channels.
 constexpr Spec Channel(std::string_view name) { return Index(name, 0, 1); }

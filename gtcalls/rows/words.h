@@ -1,7 +1,6 @@
-// The vocabulary in which the .def files of a family are written. All of it is evaluated by the
-// compiler; a row that names a parameter it does not have fails to compile. A family adds words of
-// its own, with its limits in them (gts/words.h), and includes rows.inc, which makes constants of
-// the rows.
+// The notation of a family's .def files. All of it is evaluated by the compiler; a row with the
+// name of a parameter that it does not have fails to compile. A family adds its own notation, with
+// its limits (gts/words.h), and includes rows.inc, which turns the rows into constants.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +14,8 @@ namespace oncard::gtcalls::words {
 
 inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-/// Who may call a command: a column of catalogue.def. What the host library answers itself
-/// (kLibrary) only a host may call.
+/// Who may call a command: a column of catalogue.def. Commands that the host library itself answers
+/// (kLibrary) can only be called by a host.
 enum class Callers : uint8_t { kHost, kLibrary, kProgram, kBoth };
 
 constexpr bool AreHosts(Callers callers) { return callers != Callers::kProgram; }
@@ -26,7 +25,7 @@ constexpr bool ArePrograms(Callers callers) {
 
 // --- Structures ---------------------------------------------------------------------------------
 
-/// The words of structures.def.
+/// The notation of structures.def.
 namespace members {
 
 constexpr Member Char(std::string_view name, int size) { return {name, Scalar::kChar, size}; }
@@ -72,7 +71,7 @@ struct Spec {
     changed.parameter.unit = unit;
     return changed;
   }
-  /// Inclusive; an open end is the nearest number inside.
+  /// Inclusive; for an excluded limit pass the nearest number inside.
   constexpr Spec Range(double minimum, double maximum) const {
     Spec changed = *this;
     changed.parameter.minimum = minimum;
@@ -146,7 +145,7 @@ constexpr Spec Index(std::string_view name, double first, double last) {
   return Short(name).In(Unit::kIndex).Range(first, last);
 }
 constexpr Spec Mask() { return Long("mask").In(Unit::kMask); }
-/// How many consecutive elements, or axes.
+/// The number of consecutive elements or axes.
 constexpr Spec Count(int maximum) { return Short("count").Range(1, maximum); }
 constexpr Spec AxisCount(int maximum) {
   Spec spec = Count(maximum);
@@ -157,7 +156,7 @@ constexpr Spec AxisCount(int maximum) {
 constexpr Spec Clock() { return ULong("pClock").Output().In(Unit::kMillisecond).Optional(); }
 // --- Accesses -----------------------------------------------------------------------------------
 
-/// An access while its row is written; names stand for parameters.
+/// An access while its row is written; the names are those of parameters.
 struct Touch {
   Resource resource;
   bool write;
@@ -183,8 +182,8 @@ constexpr std::array<Touch, sizeof...(Touches)> Touching(Touches... touches) {
   return {touches...};
 }
 
-/// The index of the parameter with that name; -1 for no name. A name that no parameter has is an
-/// index out of bounds, which a constant expression must not have: the row does not compile.
+/// The index of the parameter with that name; -1 for no name. For an unknown name it is out of
+/// bounds, which is not allowed in a constant expression: the row does not compile.
 template <size_t size>
 constexpr int IndexOf(const std::array<Parameter, size>& parameters, std::string_view name) {
   if (name.empty()) return -1;
