@@ -21,7 +21,7 @@ struct Options {
   vm::DoubleFormat double_format = vm::DoubleFormat::k32_16;
   /// Folders searched for `#include "file"` after the folder of the including file.
   std::vector<std::string> include_folders;
-  /// After so many errors the rest is not reported (a note says so). 0: no limit.
+  /// After this number of errors the rest is not reported (a note says so). 0: no limit.
   int max_errors = 50;
   /// Warnings are errors: a program with warnings gives no object.
   bool warnings_are_errors = false;

@@ -26,7 +26,7 @@ struct Literal {
   uint64_t magnitude = 0;
 };
 
-/// Stands for every magnitude that no type can hold.
+/// The value of every magnitude that does not fit any type.
 inline constexpr uint64_t kHuge = uint64_t{1} << 62;
 
 /// Reads `12`, `0x1F` (suffixes removed). The digits must be well formed.
@@ -34,13 +34,13 @@ Literal ParseInteger(std::string_view digits);
 /// Reads `12.5`, `.5`, `3.`, `1e-3`. Rounds half away from zero. The text must be well formed.
 Literal ParseFixed(std::string_view text);
 
-/// The number that `'x'` is in C, with the quotes: of one ASCII character or one of C's escapes.
+/// The value of `'x'` in C, with the quotes: one ASCII character or one of C's escapes.
 std::optional<int> CharacterValue(std::string_view text);
 
 /// The value as an int: decimal literals in the range of int, hexadecimal ones of up to 32 bits,
-/// which wrap. Nothing for a fixed-point literal, or when it does not fit.
+/// which wrap. Empty for a fixed-point literal, or if it does not fit.
 std::optional<int32_t> IntValue(const Literal& literal);
-/// The raw value as a double of the given format. Nothing when it does not fit.
+/// The raw value as a double of the given format. Empty if it does not fit.
 std::optional<int64_t> FixedValue(const Literal& literal, vm::DoubleFormat format);
 
 }  // namespace oncard::compiler

@@ -1,6 +1,6 @@
-// Searches whole trees: their content, and how they use names. A name means the same variable
-// throughout a function, and throughout the program when it is a global. Tested by
-// tests/compiler/rewriter_test.cc, by way of the fix-its that depend on it.
+// Searches whole trees: their content, and how they use names. A name is the same variable in a
+// whole function, or in the whole program if it is a global. Tested by
+// tests/compiler/rewriter_test.cc with the fix-its that use it.
 #pragma once
 
 #include <functional>
@@ -15,9 +15,9 @@ namespace oncard::compiler {
 using StatementVisitor = std::function<void(const Statement&)>;
 using ExpressionVisitor = std::function<void(const Expression&)>;
 
-/// Calls `visit` for a statement and all below it, in the order of the text.
+/// Calls `visit` for a statement and all nested ones, in the order of the text.
 void ForEachStatement(const Statement& statement, const StatementVisitor& visit);
-/// Calls `visit` for an expression and all below it, outer ones first.
+/// Calls `visit` for an expression and all nested ones, outer ones first.
 void ForEachExpression(const Expression& expression, const ExpressionVisitor& visit);
 /// Calls `visit` for every expression that is not part of another one, only in the statement
 /// itself, not in nested statements.
@@ -46,7 +46,7 @@ class NameTable {
   std::unordered_map<std::string_view, NameUses> uses_;
 };
 
-/// Whether evaluating the expression has side effects, so that it matters how often it is
+/// True if evaluating the expression has side effects, so that it matters how often it is
 /// evaluated.
 bool HasEffects(const Expression& expression);
 

@@ -1,4 +1,4 @@
-// The comments of a source (models/problem.h) when it is run instead of explored. Tested by
+// Uses the comments of a source (models/problem.h) when it is run instead of explored. Tested by
 // tests/tools/run_command_test.cc.
 #pragma once
 

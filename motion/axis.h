@@ -18,8 +18,8 @@
 
 namespace oncard::motion {
 
-/// What is the case with an axis. A set of conditions is a sum of these bits, whose places mean
-/// nothing outside: the family of the card makes its status word of them (gtcalls/family.h).
+/// Conditions of an axis. A set of conditions is a sum of these bits. Their positions have no
+/// meaning outside: the card's family assembles its status word from them (gtcalls/family.h).
 enum AxisCondition : uint32_t {
   kAlarmBit = 1u << 1,
   kFollowingErrorBit = 1u << 4,

@@ -1,10 +1,10 @@
-// What must hold of the states of a program without its card: a condition
-// (runtime/conditions/condition.h) over the program's variables and results, as in
+// A requirement on the states of a program without its card: a condition
+// (runtime/conditions/condition.h) on the program's variables and results, as in
 //
 //   x == 6 && ret0 + ret1 >= 1
 //
-// Names: globals `v`, `a[3]`, `s.member`; locals `pageN.v`; `retN` or `threadN.result`, what thread
-// N returned. Tested by tests/explore/property_test.cc.
+// Names: globals `v`, `a[3]`, `s.member`; locals `pageN.v`; `retN` or `threadN.result`, the return
+// value of thread N. Tested by tests/explore/property_test.cc.
 #pragma once
 
 #include <string>
@@ -18,22 +18,22 @@ namespace oncard::explore {
 
 class Property {
  public:
-  /// Finds the names of a condition. Fails if one is unknown. A global hides whatever else has its
-  /// name.
+  /// Resolves the names of a condition. Fails if one is unknown. A global hides anything else with
+  /// its name.
   static Result<Property> Bind(runtime::Condition condition, const Model& model);
 
   const std::string& text() const { return condition_.text(); }
   /// True if it names a local variable.
   bool SeesLocals() const;
-  /// Evaluates it in the present state of what it was bound to.
+  /// Evaluates it in the current state of a model of the same program.
   bool Holds(const Model& model) const;
 
  private:
   friend class ModelNames;
-  /// What a name stands for.
+  /// The value to which a name refers.
   struct Place {
     bool returned = false;
-    int thread = 0;             ///< whose result it is
+    int thread = 0;             ///< the thread whose result it is
     vm::SlotAddress slot = {};  ///< of a variable
     vm::DataType type = vm::DataType::kInt;
   };

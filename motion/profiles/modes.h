@@ -1,14 +1,14 @@
-// The modes of a profile (modes.def), and what the class of a mode is.
+// The modes of a profile (modes.def), and the requirements on the class of a mode.
 //
-// Such a class holds the registers that commands write, the run that Start() begins, and `running`,
-// which says whether there is one. It is plain data that lists its members (Fields()). There are
-// two kinds, told apart by their members:
+// Such a class contains the registers that commands write, the run that Start() begins, and
+// `running`, which is true during a run. It is plain data that lists its members (Fields()). There
+// are two kinds, distinguished by their members:
 //
 //   independent:       Start(now, from)      At(now)
 //   follows a master:  Start(from, master)   At(from, master), and the members `master`, `travel`
 //
-// `from` is the profile's last output; At() gives the next one and ends the run when it is over.
-// Halt() ends it because something else controls the profile; the registers stay. Tested by
+// `from` is the profile's last output; At() returns the next one and ends the run when it is over.
+// Halt() ends it because something else controls the profile; the registers are kept. Tested by
 // tests/motion/profile_modes_test.cc.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Conditions on what can be observed of a card with its program: their names are those of
+// Conditions on the observable values of a card with its program. Their names are those of
 // runtime/observe/quantity.h, and `retN` for `threadN.result`. Tested by
 // tests/runtime/card_condition_test.cc.
 #pragma once
@@ -14,21 +14,21 @@ namespace oncard::runtime {
 
 class CardCondition {
  public:
-  /// Finds the names. Fails when one is unknown or an array's. A global hides whatever else has its
-  /// name. The result is meaningful for controllers with the same program.
+  /// Resolves the names. Fails if one is unknown or the name of an array. A global hides anything
+  /// else with its name. The result can be used with all controllers with the same program.
   static Result<CardCondition> Bind(Condition condition, const Controller& controller);
 
   const Condition& condition() const { return condition_; }
-  /// What the condition's names() stand for, in their order.
+  /// The quantities of the condition's names(), in their order.
   const std::vector<Quantity>& quantities() const { return quantities_; }
 
-  /// Evaluates it in the present state of the card.
+  /// Evaluates it in the current state of the card.
   bool Holds(const Controller& controller) const {
     return condition_.Holds(
         [&](size_t name) { return ReadQuantity(quantities_[name], controller); });
   }
-  /// What it names and the values of that, as in `x is 3, a[1] is 0`, each once; empty for a
-  /// condition of numbers.
+  /// The names in it with their values, as in `x is 3, a[1] is 0`, each once; empty for a condition
+  /// without names.
   Message DescribeValues(const Controller& controller) const;
 
  private:
@@ -39,7 +39,7 @@ class CardCondition {
   std::vector<Quantity> quantities_;
 };
 
-/// A quantity's value as messages show it.
+/// A quantity's value in the form used in messages.
 std::string FormatQuantity(const Quantity& quantity, const Controller& controller);
 
 }  // namespace oncard::runtime

@@ -1,18 +1,19 @@
-// The one language of conditions: what `expect`, `always`, `never`, `final` and `eventually` say of
-// a program and its card.
+// The language of all conditions on a program and its card: `expect`, `always`, `never`, `final`
+// and `eventually`.
 //
 //   x == 6 && ret0 + ret1 >= 1
 //   axis1.prfPos == 50000 +- 0.01
-//   gpo[1] == 1 @ 12.5ms              with an instant, where the caller allows one
+//   gpo[1] == 1 @ 12.5ms              with an instant, if the caller allows one
 //
-// Operators bind as in C: || && == != < <= > >= + - * and, before an operand, ! - +; parentheses.
-// `a == b +- t` holds if a and b differ by at most t, `a != b +- t` if they differ by more. Numbers
-// are those of base/number.h; whatever begins with a letter is a name, also `inf`. A name is what
-// its binding knows: `v`, `a[3]`, `s.member`, `page0.v`, `ret0`, `axis1.prfPos`.
+// Operators have the precedence of C: || && == != < <= > >= + - * and, before an operand, ! - +;
+// there are parentheses. `a == b +- t` holds if a and b differ by at most t, `a != b +- t` if they
+// differ by more. Numbers are those of base/number.h; a word that begins with a letter is a name,
+// even `inf`. The binding defines the names: `v`, `a[3]`, `s.member`, `page0.v`, `ret0`,
+// `axis1.prfPos`.
 //
-// Every value is a double: an int, an unsigned word and a fixed-point number are exact in it, and
-// sums and products of them do not wrap as they do on the card. True is 1 and false is 0; every
-// value but 0 is true. Both sides of || and && are evaluated, which nobody can observe.
+// Every value is a double: it represents an int, an unsigned word and a fixed-point number exactly,
+// and sums and products do not wrap as they do on the card. True is 1 and false is 0; every value
+// except 0 is true. Both sides of || and && are evaluated, which has no observable effect.
 //
 // A condition is independent of the names: card_condition.h binds it to a card, the explorer's
 // property.h to a program without one. Plain values, safe to read from several threads.
@@ -37,7 +38,7 @@ class Condition {
  public:
   /// Names, numbers and operators of one condition.
   static constexpr size_t kElementMax = 128;
-  /// Parentheses and prefix operators inside each other.
+  /// Maximum nesting of parentheses and prefix operators.
   static constexpr int kNestingMax = 100;
 
   enum class Kind : uint8_t {
@@ -59,8 +60,8 @@ class Condition {
   };
 
   struct Name {
-    std::string base;          ///< all before a bracket
-    std::optional<int> index;  ///< within brackets
+    std::string base;          ///< the part before a bracket
+    std::optional<int> index;  ///< the number in brackets
 
     /// `a[3]`.
     std::string Text() const;
@@ -75,9 +76,9 @@ class Condition {
     double tolerance = 0;
   };
 
-  /// As it was written.
+  /// The text from which it was read.
   const std::string& text() const { return text_; }
-  /// The names in it, each once, in the order in which they appear.
+  /// The names in it, each once, in the order of their first occurrence.
   const std::vector<Name>& names() const { return names_; }
   /// True if a comparison in it has a tolerance.
   bool HasTolerance() const;
@@ -104,8 +105,8 @@ class Condition {
   std::vector<Element> elements_;
 };
 
-/// Reads a condition. The error says what is wrong: a text that is none, is longer or deeper than
-/// the limits above, or has an instant.
+/// Reads a condition. Fails for a text that is not a condition, exceeds the limits above, or has an
+/// instant.
 Result<Condition> ParseCondition(std::string_view text);
 
 struct TimedCondition {

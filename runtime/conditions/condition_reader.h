@@ -1,6 +1,6 @@
 // Between the scanner (condition_lexer.re) and the grammar (condition_parser.yy) of conditions:
-// hands tokens to the parser, builds the condition in postfix order, and says in words what is
-// wrong. Internal to this folder; condition.h is the way in.
+// passes tokens to the parser, builds the condition in postfix order, and writes the error
+// messages. Internal to this folder; the interface is condition.h.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ struct ConditionToken {
   std::string_view text;
 };
 
-/// The next token from `*cursor` on, which moves behind it. `limit` points at a byte 0.
+/// Reads the next token and moves `*cursor` to its end. `limit` points to a zero byte.
 ConditionToken NextConditionToken(const char** cursor, const char* limit);
 
 class ConditionReader {
@@ -31,30 +31,30 @@ class ConditionReader {
 
   Result<TimedCondition> Read();
 
-  // Of the parser. What gives a bool is false when the text is to be given up.
+  // Functions for the parser. Those that return a bool return false if parsing must end.
   int Next(ConditionParser::semantic_type* value);
   bool AddNumber(std::string_view digits);
   bool AddName(std::string_view base, std::optional<int> index);
   bool AddOperator(Kind kind, double tolerance = 0);
   bool AddNegation();
-  /// The digits within brackets.
+  /// The digits in brackets.
   bool ReadIndex(std::string_view digits, std::optional<int>* index);
   /// The number of a tolerance.
   bool Read(std::string_view digits, double* number);
   bool ReadInstant(std::string_view time);
-  /// A parenthesis or a prefix operator begins, and what it belongs to has been read.
+  /// Called at the beginning and at the end of parentheses, or of the operand of a prefix operator.
   bool Enter();
   void Leave() { --nesting_; }
   void SyntaxError(std::span<const ConditionParser::symbol_kind_type> expected);
 
  private:
   bool Add(const Condition::Element& element);
-  /// Remembers what is wrong; gives false.
+  /// Stores the error; returns false.
   bool Fail(Message reason);
   bool FailAtIndex();
   void FailAtOperand(bool at_end);
   void FailAtToken();
-  /// The text as messages quote it: the beginning of a long one.
+  /// The text as quoted in messages: of a long one only the beginning.
   std::string Quoted() const;
 
   Condition condition_;

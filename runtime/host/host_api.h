@@ -55,8 +55,8 @@ HostArgument ToHostArgument(T argument) {
   return result;
 }
 
-/// Executes a command for the host and gives its code: 7 when `card` is neither kSelectedCard nor
-/// in [0, 15], -1 when that card is not open, otherwise the command's own.
+/// Executes a command for the host and returns its code: 7 if `card` is neither kSelectedCard nor
+/// in [0, 15], -1 if that card is not open, otherwise the command's own.
 int16_t CallCard(int card, uint16_t number, std::span<const HostArgument> arguments);
 
 /// Called by an entry point with its own parameters, in the order of the catalogue.

@@ -3,7 +3,7 @@
 //
 //   sum  a[3]  trap.acc             global variables
 //   page1.i  page1.a[2]             local variables on a data page
-//   thread0.result  thread0.run     what GT_GetThreadSts tells: run, result, error, line;
+//   thread0.result  thread0.run     the values of GT_GetThreadSts: run, result, error, line;
 //                                   and page, statements
 //   axis1.prfPos  profile1.vel      what the motion core computes (motion_values.h)
 //   gpo  gpo[1]                     a digital output or input word, or one bit of it, numbered from
@@ -59,8 +59,8 @@ struct Quantity {
 
 /// Resolves a name for the controller's program and its bindings: a local belongs to the function
 /// bound to the page or, if no thread is bound to it, to the only bound function that has such a
-/// variable. The name of an array stands for all its elements. The error says what is unknown and
-/// suggests a similar name.
+/// variable. The name of an array refers to all its elements. Fails for an unknown name and
+/// suggests a similar one.
 Result<std::vector<Quantity>> ResolveQuantity(std::string_view name, const Controller& controller);
 
 /// All global variables, in the order of their declaration.

@@ -1,4 +1,4 @@
-// Places in files, and errors that name them: `path:line:column: what`, the line, and a caret.
+// Places in files, and errors that show them: `path:line:column: what`, the line, and a caret.
 // Plain values, safe to read from several threads.
 // Tested by tests/runtime/placed_errors_test.cc.
 #pragma once
@@ -15,7 +15,7 @@
 
 namespace oncard::runtime {
 
-/// What surrounds a text that is only a part of its file.
+/// The text around a text that is only a part of its file.
 struct TextMargin {
   int lines = 0;    ///< before its first line
   int columns = 0;  ///< before each line
@@ -46,15 +46,15 @@ struct TextPlace {
   size_t begin = 0;                                ///< bytes of the line, for the caret
   size_t end = 0;
 
-  /// `path:line:column: `, as the file counts them; empty without a file.
+  /// `path:line:column: `, counted as in the file; empty without a file.
   std::string Headline() const;
-  /// A line end, the line, and a caret below. Empty without a file, for a whole file, and for a
+  /// A line end, the line, and a caret below it. Empty without a file, for a whole file, and for a
   /// line of more than kExcerptMax bytes.
   std::string Excerpt() const;
 
   static constexpr size_t kExcerptMax = 400;
 
-  /// The place is not part of the value: comparison ignores it.
+  /// The place is not part of the value, so comparison ignores it.
   bool operator==(const TextPlace&) const { return true; }
 };
 

@@ -1,7 +1,7 @@
-// What a scenario requires of the states of its runs: conditions (runtime/conditions/condition.h)
-// under `final`, `always`, `never` and `eventually`. One run checks them in its own states
-// (requirement_watch.h), the explorer in the states of all schedules. Tested by
-// tests/runtime/requirement_watch_test.cc.
+// The requirements of a scenario on the states of its runs: conditions
+// (runtime/conditions/condition.h) under `final`, `always`, `never` and `eventually`. One run
+// checks them in its own states (requirement_watch.h), the explorer in the states of all schedules.
+// Tested by tests/runtime/requirement_watch_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -47,8 +47,8 @@ std::vector<Requirement> RequirementsOf(const Scenario& scenario);
 /// Appends requirements to the keys of a scenario.
 void AddRequirements(const std::vector<Requirement>& requirements, Scenario* scenario);
 
-/// Parses requirements and binds each as a `Bound` to the names of a card or of a model. Those that
-/// cannot be read are added to `fit` and left out of the result.
+/// Parses requirements and binds each as a `Bound` to the names of a card or of a model. Invalid
+/// ones are added to `fit` and not included in the result.
 template <typename Bound, typename Names>
 std::vector<Bound> ReadRequirements(const std::vector<Requirement>& requirements,
                                     const Names& names, ScenarioFit* fit) {

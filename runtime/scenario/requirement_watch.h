@@ -19,7 +19,7 @@ namespace oncard::runtime {
 
 class RequirementWatch : public RunWatch {
  public:
-  /// Messages name sources relative to the program.
+  /// Source names in messages are relative to the program.
   RequirementWatch(std::vector<Requirement> requirements, std::string program_path)
       : requirements_(std::move(requirements)), program_path_(std::move(program_path)) {}
 
@@ -28,7 +28,7 @@ class RequirementWatch : public RunWatch {
   void Look(const Controller& controller) override;
   void End(const Controller& controller) override;
 
-  /// The requirements that did not hold, in the order in which this was found, each once.
+  /// The requirements that did not hold, in the order in which they failed, each once.
   const std::vector<ScenarioFailure>& failures() const { return failures_; }
 
  private:
@@ -39,7 +39,7 @@ class RequirementWatch : public RunWatch {
   };
 
   void Fail(const Watched& watched, Message message);
-  /// The point of the run: after which statement, and when.
+  /// A description of the current point of the run: after which statement, and when.
   Message Place(const Controller& controller) const;
   void RememberThreads(const Controller& controller);
 
@@ -47,19 +47,19 @@ class RequirementWatch : public RunWatch {
   std::string program_path_;
   std::vector<Watched> watched_;
   bool looks_at_states_ = false;
-  /// Of every thread at the last check: statements executed, and the next one.
+  /// For every thread at the last check: the number of statements executed, and the next statement.
   std::array<int64_t, vm::kThreadCount> executed_{};
   std::array<uint16_t, vm::kThreadCount> next_{};
   std::vector<ScenarioFailure> failures_;
 };
 
 /// Runs the scenario and checks its requirements (RequirementsOf()) during the run: those that do
-/// not hold are among the failures of the result. Fails as RunScenario(), and if a requirement is
-/// not an expression.
+/// not hold are failures in the result. Fails like RunScenario(), and if a requirement is not a
+/// valid expression.
 Result<ScenarioResult> RunWithRequirements(const Scenario& scenario, vm::Object object,
                                            RunOptions options);
 
-/// Fails as RunWithRequirements() would before the first statement, whatever the schedule.
+/// Fails if RunWithRequirements() would fail before the first statement.
 Result<void> FitWithRequirements(const Scenario& scenario, vm::Object object);
 
 }  // namespace oncard::runtime

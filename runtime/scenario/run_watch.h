@@ -15,8 +15,8 @@ class RunWatch {
   RunWatch& operator=(const RunWatch&) = delete;
   virtual ~RunWatch() = default;
 
-  /// Called before the first statement. Adds to `fit` what shall be observed and does not exist;
-  /// nothing more is called then.
+  /// Called before the first statement. Adds an error to `fit` for everything that it should
+  /// observe and that does not exist; then no other function is called.
   virtual void Begin(const Controller& controller, ScenarioFit* fit) = 0;
   /// True if Look() is to be called; observing every state makes a run slower.
   virtual bool LooksAtStates() const = 0;

@@ -127,7 +127,7 @@ Result<Scenario> ParseScenario(std::string_view text, const std::string& path,
 /// Reads a scenario file. For ScenarioUse::kHost it needs no program.
 Result<Scenario> LoadScenario(const std::string& path, ScenarioUse use);
 
-/// Where one of the texts of a key stands, as far as Scenario::text_places knows.
+/// The place of one of the texts of a key, if it is in Scenario::text_places.
 TextPlace PlaceOfText(const Scenario& scenario, std::string_view key, size_t index = 0);
 
 /// The text that ParseScenario() reads back; ends in a newline.

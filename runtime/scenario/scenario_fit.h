@@ -1,5 +1,5 @@
-// How a scenario fits its program: what it says of functions, variables and other names that the
-// program does not have, all of it at once and each with its place.
+// Checks whether a scenario fits its program: collects all its functions, variables and other names
+// that the program does not have, each with its place.
 // Tested by tests/runtime/scenario_fit_test.cc.
 #pragma once
 
@@ -17,16 +17,16 @@ namespace oncard::runtime {
 
 class ScenarioFit {
  public:
-  /// What stands in a place does not fit.
+  /// Adds an error at a place.
   void Add(const TextPlace& place, Message why) { clashes_.Add(place, std::move(why)); }
-  /// The same of a text; one that stands nowhere is quoted.
+  /// The same for a text, which is quoted if it has no place.
   void AddText(const TextPlace& place, std::string_view text, const Message& why);
-  /// A thread is not bound, which has been added: what is wrong with the names of threads and pages
-  /// follows from that.
+  /// A thread could not be bound, and this has been added: names that refer to threads and pages
+  /// cannot be checked from now on.
   void MissThread() { all_bound_ = false; }
-  /// False for a text with such a name while a thread is missing: it is not to be judged.
+  /// False for a text with such a name if a thread is missing: it must not be checked.
   bool CanJudge(std::string_view text) const;
-  /// Everything that does not fit; empty when all does.
+  /// All errors; empty if everything fits.
   std::optional<Error> Failure() const { return clashes_.Failure(); }
 
  private:
@@ -34,7 +34,7 @@ class ScenarioFit {
   bool all_bound_ = true;
 };
 
-/// What the names of a scenario's `trace` stand for; adds those that stand for nothing.
+/// The quantities in a scenario's `trace`; adds an error for each unknown one.
 std::vector<Quantity> TraceQuantities(const Scenario& scenario, const Controller& controller,
                                       ScenarioFit* fit);
 

@@ -12,23 +12,24 @@
 namespace oncard::runtime {
 
 /// Puts a controller that was made with CardOptions() and has just been switched on into the state
-/// before the scenario's first statement: applies the surroundings, binds every thread, sets all
-/// values, then starts the threads in the order of the scenario. What does not fit the program is
-/// added to `fit` and left out. Fails if the program cannot be loaded or has no function.
+/// before the scenario's first statement: applies the world's initial state, binds every thread,
+/// sets all values, then starts the threads in the order of the scenario. Anything that does not
+/// fit the program is added to `fit` and skipped. Fails if the program cannot be loaded or has no
+/// function.
 Result<void> StartScenario(const Scenario& scenario, vm::Object object, Controller* controller,
                            ScenarioFit* fit);
 
-/// The same for a caller with nothing more to check: also fails with everything that does not fit.
+/// The same for a caller without checks of its own: also fails if anything does not fit.
 Result<void> StartScenario(const Scenario& scenario, vm::Object object, Controller* controller);
 
 /// Writes the values to the variable `name`, or to the first elements of an array. Returns all
-/// variables that the name stands for; fails if it is not a variable, has fewer elements than there
-/// are values, or a value does not fit.
+/// quantities to which the name refers; fails if it is not a variable, has fewer elements than
+/// there are values, or a value does not fit.
 Result<std::vector<Quantity>> SetVariable(const InitialValue& initial, const std::string& name,
                                           Controller* controller);
 
-/// The boundary of profile cycles at which an event of an instant takes effect: the first one not
-/// before the instant.
+/// The boundary of profile cycles at which an event takes effect: the first one not before its
+/// instant.
 int64_t CycleOf(const Scenario& scenario, int64_t microseconds);
 
 }  // namespace oncard::runtime

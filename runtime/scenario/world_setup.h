@@ -116,7 +116,7 @@ inline constexpr std::string_view kFaultNames[] = {"stall", "lost_encoder", "noi
 inline constexpr std::string_view kDriveNames[] = {"ideal", "velocity"};
 
 /// The tables of a scenario file that are read back as the same world (world_toml.h), for a card
-/// of so many axes.
+/// with `axis_count` axes.
 std::string FormatWorld(const World& world, int axis_count);
 
 }  // namespace oncard::runtime

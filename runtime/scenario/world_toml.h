@@ -1,4 +1,4 @@
-// Reads the tables below `world` of a scenario file.
+// Reads the tables in `world` of a scenario file.
 // Tested by tests/runtime/scenario_world_test.cc.
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace oncard::runtime {
 
-/// Reads the table `world` for a card of so many axes; errors go to `keys`.
+/// Reads the table `world` for a card with `axis_count` axes; errors are added to `keys`.
 World ReadWorld(const toml::table& table, int axis_count, TomlKeys& keys);
 
 }  // namespace oncard::runtime
