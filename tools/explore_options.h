@@ -1,0 +1,43 @@
+// The options of `oncard explore`.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/session.h"
+
+namespace oncard::tools {
+
+struct ExploreArguments {
+  std::vector<std::string> paths;
+  std::string engine;  ///< empty: as in the scenario
+  std::string format = "text";
+  std::string save;
+  std::string regression;
+  std::string report;
+  int64_t execution_limit = 0;  ///< 0: as in the scenario
+  uint32_t state_limit = 0;
+  int64_t runs = 0;
+  std::optional<uint64_t> seed;
+  std::optional<int> depth;
+  std::optional<int> preemptions;
+  bool merge_private = false;
+  bool races = false;
+  bool benign = false;
+  std::string search;  ///< the file in which the search is kept
+  std::string shard;   ///< `I/N`
+  bool merge = false;
+  bool full = false;
+  bool progress = false;
+  double seconds = 0;  ///< 0: no limit
+  bool all = false;
+  bool strict_commands = false;
+};
+
+/// Declares them; parsing the command line fills in `arguments`, which must outlive the command.
+void AddExploreOptions(CLI::App& command, const Session& session, ExploreArguments& arguments);
+
+}  // namespace oncard::tools

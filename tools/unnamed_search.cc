@@ -1,0 +1,74 @@
+#include "tools/unnamed_search.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "tools/explore_search.h"
+
+namespace oncard::tools {
+namespace {
+
+/// A name from that of the input which no file has yet.
+std::string FreeName(const std::string& input) {
+  const std::string name = std::filesystem::path(input).stem().string();
+  std::string path = name + ".search";
+  std::error_code ignored;
+  for (int i = 2; std::filesystem::exists(path, ignored); ++i) {
+    path = fmt::format("{}.{}.search", name, i);
+  }
+  return path;
+}
+
+/// True if only ends are asked about, which is what a search of traces can answer.
+bool AsksOnlyForEnds(const ExploreSubject& subject) {
+  return subject.scenario.races == runtime::Scenario{}.races &&
+         std::ranges::all_of(subject.requirements, [](const auto& requirement) {
+           return requirement.scope == runtime::Scope::kFinal;
+         });
+}
+
+}  // namespace
+
+UnnamedSearch::UnnamedSearch(const Session& session, const std::string& input,
+                             const ExploreSubject& subject, const explore::ExploreOptions& options)
+    : session_(session), path_(FreeName(input)) {
+  auto begun = BeginSearch(subject, input, path_, {}, options);
+  if (!begun.ok()) {
+    why_not_ = begun.error().message;
+  } else if (begun.value().engine == explore::EngineKind::kDpor) {
+    file_ = std::move(begun).value();
+    searches_traces_ = options.engine == explore::EngineKind::kDpor || AsksOnlyForEnds(subject);
+  }
+}
+
+int UnnamedSearch::Keep(const explore::TraceSearch& search) {
+  if (!file_ || search.too_deep) return kExitOk;
+  file_->traces = search;
+  const int written = WriteOutput(session_, path_, explore::FormatSearchFile(*file_));
+  if (written == kExitOk && !std::exchange(kept_, true)) {
+    PrintDiagnostics(
+        session_.Say(MakeMessage("the search is saved in {0}; to continue: oncard explore {0}\n",
+                                 "搜索已保存到 {0}；继续：oncard explore {0}\n", path_)));
+  }
+  return written;
+}
+
+int UnnamedSearch::End(const explore::Exploration& found, bool interrupted) {
+  const bool incomplete = found.verdict == explore::Verdict::kIncomplete;
+  const bool left =
+      found.traces && !found.traces->complete && found.verdict != explore::Verdict::kProved;
+  if (left && (interrupted || (incomplete && kept_))) return Keep(found.search);
+  if (interrupted && incomplete && why_not_) {
+    const Message text = MakeMessage("oncard: the search could not be saved: {0}\n",
+                                     "oncard: 搜索未保存：{1}\n", why_not_->en, why_not_->zh);
+    PrintDiagnostics(session_.Say(text));
+  }
+  std::error_code ignored;
+  if (kept_) std::filesystem::remove(path_, ignored);
+  return kExitOk;
+}
+
+}  // namespace oncard::tools
