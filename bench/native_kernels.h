@@ -1,4 +1,4 @@
-// The kernels in plain C++, compiled with -O2: what a compiler to machine code makes of them.
+// The kernels in plain C++, compiled with -O2: their speed as machine code.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-/* What Visual Studio writes into the stdafx.h of a console project, for hosts that come without
-   their own; and windows.h, without which the vendor's gts.h cannot be read. */
+/* The contents of stdafx.h in a console project of Visual Studio, for hosts without their own file;
+   and windows.h, which the vendor's gts.h needs. */
 #ifndef ONCARD_COMPAT_STDAFX_H_
 #define ONCARD_COMPAT_STDAFX_H_
 

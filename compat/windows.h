@@ -1,10 +1,10 @@
 /* The part of <windows.h> that host programs of motion cards use: types, sleeping, clocks. Sleep
-   and the clocks go by the virtual time of the card when ONCARD_CLOCK is virtual. `long` is as wide
-   as the computer's: DWORD and LONG are the types of gts.h, as they are on Windows. */
+   and the clocks use the card's virtual time if ONCARD_CLOCK is virtual. `long` has the computer's
+   width; DWORD and LONG are the types of gts.h, as on Windows. */
 #ifndef ONCARD_COMPAT_WINDOWS_H_
 #define ONCARD_COMPAT_WINDOWS_H_
 
-/* As on Windows, these come along. */
+/* As on Windows, these are included too. */
 #include <ctype.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -58,7 +58,7 @@ typedef union {
 
 #define ZeroMemory(destination, length) memset((destination), 0, (length))
 
-/* Steps that a host asks for to make its sleeps exact; they are. */
+/* A host requests these steps for exact sleeps. Here sleeps are always exact. */
 static inline UINT timeBeginPeriod(UINT milliseconds) {
   (void)milliseconds;
   return 0;

@@ -1,7 +1,8 @@
 // Semantic analysis: checks the tree against the rules of the language and translates it, each
 // simple statement to one instruction. Declarations are in declarations.cc, statements in
 // statements.cc, operands and operations in expressions.cc, GT commands in calls.cc. Constructs of
-// C that the language lacks are reported together with edits that rewrite them (rewriter.h).
+// C that the language does not have are reported together with edits that rewrite them
+// (rewriter.h).
 #pragma once
 
 #include <deque>

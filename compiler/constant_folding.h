@@ -10,7 +10,7 @@
 
 namespace oncard::compiler {
 
-/// The literal that a name stands for, or nothing.
+/// The literal to which a macro's name refers; empty for any other name.
 using MacroLookup = std::function<std::optional<Literal>(std::string_view name)>;
 
 /// A number of C: an int of 32 bits, or a double.

@@ -44,7 +44,7 @@ struct SourceRange {
 enum class Severity : uint8_t { kError, kWarning };
 
 /// An edit: replaces the range by the text. Applying all fix-its of a diagnostic (they do not
-/// overlap) gives the source that the message describes.
+/// overlap) results in the source that the message describes.
 struct FixIt {
   SourceRange range;
   std::string text;

@@ -1,5 +1,5 @@
 // Resolves the names of a program by C's scope rules, before any correction. Tested by
-// tests/compiler/rewriter_test.cc, by way of the fix-its that depend on it.
+// tests/compiler/rewriter_test.cc with the fix-its that use it.
 #pragma once
 
 #include <string_view>

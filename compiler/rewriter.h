@@ -35,7 +35,7 @@ class Rewriter {
   void RewriteLoop(const Statement& statement, const Place& place);
   void RewriteSwitch(const Statement& statement, const Place& place);
   void RewriteBlock(const Statement& statement);
-  /// Declares a variable of a GT command's output and gives its name.
+  /// Declares a variable for a GT command's output and returns its name.
   std::string OutputVariable(std::string_view base, vm::DataType type);
   /// Adds the edits that declare the temporaries.
   void Finish();

@@ -148,8 +148,8 @@ struct Parameter {
   bool per_dimension = false;
   /// The same: one element per capture offset of the encoder that the first parameter names.
   bool per_offset = false;
-  /// The number of an axis, profile, encoder, controller or output; the card at hand may have fewer
-  /// than `maximum`.
+  /// The number of an axis, profile, encoder, controller or output; a card may have fewer than
+  /// `maximum`.
   bool axis_number = false;
   /// The same for an encoder: beyond those of the axes there are auxiliary ones.
   bool encoder_number = false;

@@ -1,6 +1,6 @@
-// What is added to an axis' planned position on its way to the drive: backlash and the pitch error
-// of a lead screw. The planned positions that commands read do not include it; encoders count the
-// motion of the drive.
+// Corrections that are added to an axis' planned position before it goes to the drive: backlash and
+// the pitch error of a lead screw. The planned positions that commands read do not include it;
+// encoders count the motion of the drive.
 //
 // Backlash is added while the axis moves in one of the two directions. The pitch error is read from
 // one of two tables, one per direction, by the planned position: linear between the points, none

@@ -1,7 +1,7 @@
-// Two axes that carry one beam: the slave follows the planned motion of the master, and whatever
-// stops one of them stops both.
+// Two axes that carry one beam: the slave follows the planned motion of the master, and everything
+// that stops one of them stops both.
 //
-// In closed loop the skew times a gain of its own is added to the output of each of the two
+// In closed loop the skew multiplied by a separate gain is added to the output of each of the two
 // controllers, so that the side that is ahead waits for the other. When the skew exceeds its limit
 // both drives are switched off. Source: the public header names the commands; the rest is
 // assumption (docs/assumptions.md). Tested by tests/motion/gantry_test.cc and

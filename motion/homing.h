@@ -72,13 +72,13 @@ enum class HomeError : uint8_t {
   kNoIndex = 10
 };
 
-/// The mode of a number; kNone when there is none.
+/// The mode with a number; kNone for any other number.
 HomeMode HomeModeFromNumber(int number);
 bool SearchesLimit(HomeMode mode);
 bool SearchesHome(HomeMode mode);
 bool SearchesIndex(HomeMode mode);
 
-/// A search distance of 0 stands for this value.
+/// A search distance of 0 means this value.
 inline constexpr int32_t kSearchDistanceMax = 805306368;
 
 /// THomePrm. Velocities in pulse/ms, accelerations in pulse/ms^2; they default to 0 and must be

@@ -30,7 +30,7 @@ void AddDoctor(CLI::App& app, Session& session);
 void AddCompletion(CLI::App& app, Session& session);
 void AddMan(CLI::App& app, Session& session);
 
-/// A new subcommand with its one-line description, and the action that gives the exit code.
+/// A new subcommand with its one-line description, and the action that returns the exit code.
 CLI::App* AddCommand(CLI::App& app, Session& session, const std::string& name,
                      const Message& description, std::function<int()> action);
 

@@ -1,4 +1,4 @@
-// What `oncard exec` has to know about a host program before it starts it.
+// The properties of a host program that `oncard exec` needs before it starts the program.
 #pragma once
 
 #include <string>

@@ -71,7 +71,7 @@ class CommandTable {
     return 1;
   }
 
-  /// Executes a command for a motion-program thread of `machine` and gives its return code. The
+  /// Executes a command for a motion-program thread of `machine` and returns its code. The
   /// command may delay the thread, make it wait, or switch its page through Machine.
   virtual int16_t Execute(uint16_t number, Machine& machine, int thread,
                           std::span<CommandArgument> arguments) = 0;

@@ -73,7 +73,7 @@ struct Turn {
 Turn BeginTurn(SchedulerState& state, uint32_t runnable, int64_t budget,
                const std::array<int16_t, kThreadCount>& priorities);
 
-/// Tells the policy that `thread` has executed `statements` of its turn; `yielded` if it cannot
+/// Must be called after `thread` has executed `statements` of its turn; `yielded` if it cannot
 /// continue now (it finished, faulted, waits or was paused).
 void EndTurn(SchedulerState& state, int thread, int64_t statements, bool yielded);
 

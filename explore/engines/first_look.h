@@ -1,9 +1,9 @@
 // The first search before the complete one: most faults need few preemptions, and those that need
-// none or one are found quickly even if the whole is too large. A program alone: schedules with at
-// most two preemptions, then random ones. With its card: the threads one after the other, then the
-// same.
+// none or one are found quickly even if the complete search is too large. A program alone:
+// schedules with at most two preemptions, then random ones. With its card: the threads one after
+// the other, then the same.
 //
-// All within a number of statements, so that the same program gives the same answer everywhere.
+// The limits are numbers of statements, so that the same program gives the same result everywhere.
 // Tested by tests/explore/first_look_test.cc.
 #pragma once
 

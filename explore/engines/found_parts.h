@@ -19,8 +19,8 @@ inline std::vector<StateKey> UnionOf(const std::vector<StateKey>& a,
   return both;
 }
 
-/// Keeps the simpler one of two failing runs, independent of their order; an empty run stands for
-/// none.
+/// Keeps the simpler one of two failing runs, independent of their order; an empty run
+/// means none.
 inline void TakeSimpler(const std::vector<uint8_t>& other, std::vector<uint8_t>* failing) {
   if (other.empty()) return;
   const auto simpler = [](const auto& a, const auto& b) {

@@ -33,7 +33,7 @@ struct PairResult {
   First first = First::kNeither;  ///< the search that first had an answer
 };
 
-/// Runs both; each is told to stop some time after the other has an answer.
+/// Runs both; each is stopped some time after the other has a result.
 PairResult RunPair(const SearchPair& pair);
 
 }  // namespace oncard::explore

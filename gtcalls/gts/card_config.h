@@ -17,8 +17,8 @@ namespace oncard::gtcalls {
 /// GT_LoadConfig: longest file name.
 inline constexpr size_t kConfigPathMax = 125;
 
-/// A whole configuration with the numbers of the file: everything counts from 1, -1 is none. What a
-/// file does not mention has the value it has after GT_Reset.
+/// A complete configuration with the numbers in the file: all count from 1, -1 means none. Values
+/// that a file does not set are those after GT_Reset.
 struct CardConfig {
   struct Profile {
     double active = 1;

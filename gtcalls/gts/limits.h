@@ -3,8 +3,8 @@
 
 namespace oncard::gtcalls::gts::words {
 
-/// Axes, profiles, controllers, encoders and outputs are numbered from 1 to at most this; the card
-/// at hand may have fewer, which the commands check.
+/// Axes, profiles, controllers, encoders and outputs are numbered from 1 to at most this; a card
+/// may have fewer, which the commands check.
 inline constexpr int kAxisMax = 12;
 /// Elements that one call of GT_GetEncPos or GT_GetSts reads.
 inline constexpr int kReadMax = 8;

@@ -32,7 +32,7 @@ enum class CaptureSource : uint8_t {
   kHsio1 = 7,
   kHomeGpi = 8  ///< the home input or the general input of the same number
 };
-/// The source of a number; kNone when there is none.
+/// The source with a number; kNone for any other number.
 CaptureSource CaptureSourceFromNumber(int number);
 
 /// Maximum number of positions captured in a row (GT_SetCaptureRepeat).

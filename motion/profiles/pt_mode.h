@@ -80,7 +80,7 @@ struct PtMode {
   /// Segments after the one in execution; at rest, those that a run would execute.
   size_t Remainder() const;
 
-  /// Where the first motion of the data goes, by its sign; 0: there is none.
+  /// The sign is the direction of the first motion of the data; 0: there is none.
   double Direction(size_t buffer) const;
   /// Begins a run where the profile is: through `run_buffer`, or through the dynamic data. There
   /// must be data.

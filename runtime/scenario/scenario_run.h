@@ -46,7 +46,7 @@ struct RunOptions {
   /// If set from outside, for instance by a signal handler, the run ends early, and the result
   /// contains what was recorded until then.
   const std::atomic<bool>* stop = nullptr;
-  /// Is told of commands that threads are refused, and of what the card does by itself.
+  /// Receives refused commands of threads, and what the card does by itself.
   CardLog* log = nullptr;
   /// Observes the run.
   RunWatch* watch = nullptr;
@@ -107,7 +107,7 @@ struct ScenarioResult {
 Result<ScenarioResult> RunScenario(const Scenario& scenario, vm::Object object,
                                    const RunOptions& options = {});
 
-/// Fails as RunScenario() would before the first statement, whatever the schedule.
+/// Fails if RunScenario() would fail before the first statement.
 Result<void> FitScenario(const Scenario& scenario, vm::Object object, RunWatch* watch = nullptr);
 
 }  // namespace oncard::runtime

@@ -35,7 +35,7 @@ std::vector<size_t> CrdsOf(uint32_t mask);
 /// Coordinate systems that a mask of axes selects as well (GT_Stop): bits 8 and 9, on a card with
 /// 12 axes 12 and 13.
 std::vector<size_t> CrdsOfAxisMask(const Call& call, double mask);
-/// The bit of such a mask that stands for coordinate system 1.
+/// The bit of such a mask for coordinate system 1.
 unsigned FirstCrdBit(const Call& call);
 
 }  // namespace oncard::gtcalls
