@@ -1,7 +1,7 @@
-/* gts.h as a C program sees it. Compiled only: the types are the test. */
+/* gts.h in a C program. Only compiled, because it tests the types. */
 #include "gts.h"
 
-/* Every argument is written; names come from arrays and from literals. */
+/* All arguments are given, because C has no defaults; names are arrays and literals. */
 short CallCommandsFromC(void);
 short CallCommandsFromC(void) {
   char name[8] = "add";

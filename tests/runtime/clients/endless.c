@@ -1,4 +1,4 @@
-/* A host that moves an axis and waits for ever. */
+/* A host that moves an axis and waits forever. */
 #include <unistd.h>
 
 #include "gts.h"

@@ -1,4 +1,4 @@
-/* Hosts that wait for keys, one per run: its argument names it. */
+/* Hosts that wait for keys; the argument selects one. */
 #include <conio.h>
 #include <stdio.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* A host with calls of every kind, for its call log. */
+/* A host with calls of all kinds, to test the call log. */
 #include "check.h"
 #include "gts.h"
 

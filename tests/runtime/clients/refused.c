@@ -1,4 +1,4 @@
-/* A host that is refused one call three times, and one once. */
+/* A host with one call that is refused three times, and one that is refused once. */
 #include "gts.h"
 
 int main(void) {

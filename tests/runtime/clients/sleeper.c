@@ -1,5 +1,5 @@
-/* Every way to sleep and to look at a clock that the C library has, and what each of them says. The
-   arguments choose the exit code and the seconds of the long sleep. */
+/* All functions of the C library that sleep or read a clock, and their results. The arguments are
+   the exit code and the seconds of the long sleep. */
 #include <errno.h>
 #include <poll.h>
 #include <stdio.h>

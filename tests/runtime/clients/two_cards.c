@@ -1,4 +1,4 @@
-/* Two cards in one host, by the generation of the interface that names the card in every call. */
+/* Two cards in one host, with the interface that has a card number in every call. */
 #define GTS_MULTI_CARD
 #include "check.h"
 #include "gts.h"
@@ -19,7 +19,7 @@ static void Start(short card, double last) {
   ACCEPTED(GT_RunThread(card, 0));
 }
 
-/* Waits for the thread of a card and gives its result. */
+/* Waits for the thread of a card and returns its result. */
 static double Finish(short card) {
   TThreadSts status;
   do {

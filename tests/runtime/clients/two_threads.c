@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
   CHECK_EQ(second.error, 0);
   ACCEPTED(GT_GetVarValue(-1, &sum, &value, 1));
   CHECK_EQ(value, 5050);
-  /* Whichever returned last returned the whole sum. */
+  /* The thread that returned last returned the whole sum. */
   CHECK_EQ(first.result > second.result ? first.result : second.result, 5050);
   ACCEPTED(GT_Close());
   return 0;

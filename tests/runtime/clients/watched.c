@@ -1,5 +1,5 @@
-/* A host that waits for its first general input and then switches an output on; what it should have
-   done by when is written in a scenario. The argument is its exit code. */
+/* A host that waits for its first general input and then switches an output on. A scenario has the
+   expectations with their times. The argument is the exit code. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
