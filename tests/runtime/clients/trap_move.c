@@ -1,9 +1,8 @@
 /* A point-to-point move as in the manual: open, reset, enable the axis, set up Trap, start, poll
-   until the axis is at rest. 50000 pulses at 50 pulse/ms with 0.25 and 0.125 pulse/ms^2 and a smoothing
-   time of 25 ms take 1325 ms: 50000 / 50 + 50 / 0.25 / 2 + 50 / 0.125 / 2 + 25.
-
-   The clock of the card and of the computer must say so, within 20 ms; a computer that is busy with
-   something else gets more than one chance. */
+   until the axis is at rest. 50000 pulses at 50 pulse/ms with 0.25 and 0.125 pulse/ms^2 and a
+   smoothing time of 25 ms take 1325 ms: 50000 / 50 + 50 / 0.25 / 2 + 50 / 0.125 / 2 + 25. The clock
+   of the card and of the computer must say so, within 20 ms; a computer that is busy with something
+   else gets more than one chance. */
 #include <math.h>
 #include <time.h>
 #include <unistd.h>
