@@ -8,13 +8,6 @@ namespace {
 
 using vm::DataType;
 
-std::optional<uint16_t> BinaryNumber(std::string_view spelling) {
-#define BINARY_OPERATOR(name, number, basis, text, types, result, effect) \
-  if (spelling == (text)) return uint16_t{number};
-#include "vm/opcodes.def"
-  return std::nullopt;
-}
-
 Message DescribeRange(DataType type, vm::DoubleFormat format, bool upper) {
   if (type == DataType::kInt)
     return ToMessage(std::string_view(upper ? "2147483647" : "-2147483648"));
@@ -538,8 +531,7 @@ std::optional<Operation> Checker::ResolveBinary(const Expression& expression) {
   std::optional<TypedOperand> a = ResolveOperand(left);
   std::optional<TypedOperand> b = ResolveOperand(right);
   if (!a || !b) return std::nullopt;
-  const uint16_t number = *BinaryNumber(expression.op);
-  const vm::OperatorInfo& info = *vm::FindBinaryOperator(number);
+  const vm::OperatorInfo& info = *vm::FindBinaryOperator(expression.op);
   const bool any_double = a->type == DataType::kDouble || b->type == DataType::kDouble;
   const DataType type = any_double ? DataType::kDouble : DataType::kInt;
   if (any_double && !vm::Accepts(info, type)) {
@@ -557,7 +549,7 @@ std::optional<Operation> Checker::ResolveBinary(const Expression& expression) {
   }
   Operation operation;
   operation.opcode = vm::Opcode::kBinary;
-  operation.op = number;
+  operation.op = info.number;
   operation.type = type;
   operation.result = vm::ResultOf(info, type);
   operation.operands = {*a, *b};
@@ -567,7 +559,8 @@ std::optional<Operation> Checker::ResolveBinary(const Expression& expression) {
 std::optional<Operation> Checker::ResolveUnary(const Expression& expression) {
   const Expression& inner = *expression.operands[0];
   const std::string_view op = expression.op;
-  if (op != "!" && op != "~" && op != "-") {
+  const vm::OperatorInfo* info = vm::FindUnaryOperator(op);
+  if (info == nullptr && op != "-") {
     CheckNames(expression);
     return std::nullopt;
   }
@@ -577,18 +570,19 @@ std::optional<Operation> Checker::ResolveUnary(const Expression& expression) {
   }
   const std::optional<TypedOperand> operand = ResolveOperand(inner);
   if (!operand) return std::nullopt;
-  if (op == "-") {
+  if (info == nullptr) {
     Teach(Code::kUnaryMinus, expression.range);
     return std::nullopt;
   }
-  if (operand->type == DataType::kDouble) {
+  if (!vm::Accepts(*info, operand->type)) {
     Fail(Code::kIllegalOperator, expression.op_range, op,
          MakeMessage("it takes an int", "它只能用于 int"));
     return std::nullopt;
   }
   Operation operation;
-  operation.op =
-      static_cast<uint16_t>(op == "!" ? vm::UnaryOperator::kNot : vm::UnaryOperator::kInvert);
+  operation.op = info->number;
+  operation.type = operand->type;
+  operation.result = vm::ResultOf(*info, operand->type);
   operation.operands.push_back(*operand);
   return operation;
 }

@@ -4,6 +4,8 @@
 #include <deque>
 #include <string_view>
 
+#include "vm/arithmetic.h"
+
 namespace oncard::compiler {
 namespace {
 
@@ -323,8 +325,7 @@ void WarnAboutDivisors(const vm::Object& object, const std::vector<FunctionPlace
     const std::vector<Instruction>& code = object.functions[f].instructions;
     for (size_t i = 0; i < code.size(); ++i) {
       const bool divides = code[i].opcode == Opcode::kBinary &&
-                           (code[i].op == static_cast<uint16_t>(vm::BinaryOperator::kDivide) ||
-                            code[i].op == static_cast<uint16_t>(vm::BinaryOperator::kRemainder));
+                           vm::Divides(static_cast<vm::BinaryOperator>(code[i].op));
       const int divisor = divides ? finder.Of(code[i].operands[1]) : kNone;
       if (divisor == kNone || written[static_cast<size_t>(divisor)]) continue;
       written[static_cast<size_t>(divisor)] = true;

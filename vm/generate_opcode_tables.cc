@@ -77,8 +77,8 @@ std::string Table() {
 #define UNARY_OPERATOR(name, number, basis, spelling, types, result, effect)                 \
   table += Row({fmt::format("unary {}", number), Code(spelling), Spell(OperandTypes::types), \
                 Spell(ResultType::result), effect, #basis});
-#define BINARY_OPERATOR(name, number, basis, spelling, types, result, effect) \
-  table += Row({fmt::format("binary 0x{:02X}", number), Code(spelling),       \
+#define BINARY_OPERATOR(name, number, basis, spelling, precedence, types, result, effect) \
+  table += Row({fmt::format("binary 0x{:02X}", number), Code(spelling),                   \
                 Spell(OperandTypes::types), Spell(ResultType::result), effect, #basis});
 #include "vm/opcodes.def"
   return table;

@@ -74,15 +74,16 @@ enum DecodedOp : uint16_t {
 #define ONCARD_ENUMERATOR(op) k##op,
 #define INT_BINARY(name, bad, value) \
   ONCARD_INT_BINARY_OPS(ONCARD_ENUMERATOR, ONCARD_ENUMERATOR, Int##name)
+#define COMPARE(name, value) ONCARD_INT_BINARY_OPS(ONCARD_ENUMERATOR, ONCARD_ENUMERATOR, Int##name)
 #include "vm/handlers.def"
 #define DOUBLE_BINARY(name, bad, value) \
   ONCARD_DOUBLE_BINARY_OPS(ONCARD_ENUMERATOR, ONCARD_ENUMERATOR, Double##name)
-#define DOUBLE_COMPARE(name, value) \
+#define COMPARE(name, value) \
   ONCARD_DOUBLE_BINARY_OPS(ONCARD_ENUMERATOR, ONCARD_ENUMERATOR, Double##name)
 #include "vm/handlers.def"
-#define UNARY(name, type, value) ONCARD_UNARY_OPS(ONCARD_ENUMERATOR, ONCARD_ENUMERATOR, name)
+#define UNARY(name, type, value) ONCARD_UNARY_OPS(ONCARD_ENUMERATOR, ONCARD_ENUMERATOR, name##type)
 #include "vm/handlers.def"
-#define INT_COMPARE(name, value) ONCARD_COMPARE_OPS(ONCARD_ENUMERATOR, ONCARD_ENUMERATOR, name)
+#define COMPARE(name, value) ONCARD_COMPARE_OPS(ONCARD_ENUMERATOR, ONCARD_ENUMERATOR, name)
 #include "vm/handlers.def"
   ONCARD_OTHER_OPS(ONCARD_ENUMERATOR, ONCARD_ENUMERATOR)
 #undef ONCARD_ENUMERATOR
@@ -113,6 +114,10 @@ enum UnaryVariant : uint16_t {
 };
 
 /// The binary ops on ints come first.
-inline constexpr uint16_t kIntOpEnd = kDoubleAddLL;
+inline constexpr uint16_t kIntOpEnd = kIntVariantCount * (0
+#define INT_BINARY(name, bad, value) +1
+#define COMPARE(name, value) +1
+#include "vm/handlers.def"
+                                                         );
 
 }  // namespace oncard::vm

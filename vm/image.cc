@@ -20,50 +20,42 @@
 namespace oncard::vm {
 namespace {
 
+// An operator with operands of one type.
+constexpr uint32_t Typed(uint16_t op, DataType type) {
+  return static_cast<uint32_t>(op) << 16 | static_cast<uint16_t>(type);
+}
+#define TYPED(kind, name, type) Typed(static_cast<uint16_t>(kind::k##name), DataType::k##type)
+
 // First decoded op of a binary operator.
-uint16_t BinaryOp(BinaryOperator op, DataType type) {
-  if (type == DataType::kDouble) {
-    switch (op) {
-#define DOUBLE_BINARY(name, bad, value) \
-  case BinaryOperator::k##name:         \
-    return kDouble##name##LL;
-#define DOUBLE_COMPARE(name, value) \
-  case BinaryOperator::k##name:     \
-    return kDouble##name##LL;
-#include "vm/handlers.def"
-      default:
-        break;
-    }
-  }
-  switch (op) {
-#define INT_BINARY(name, bad, value) \
-  case BinaryOperator::k##name:      \
+uint16_t BinaryOp(uint16_t op, DataType type) {
+  switch (Typed(op, type)) {
+#define INT_BINARY(name, bad, value)     \
+  case TYPED(BinaryOperator, name, Int): \
     return kInt##name##LL;
+#define DOUBLE_BINARY(name, bad, value)     \
+  case TYPED(BinaryOperator, name, Double): \
+    return kDouble##name##LL;
+#define COMPARE(name, value)     \
+  INT_BINARY(name, false, value) \
+  DOUBLE_BINARY(name, false, value)
 #include "vm/handlers.def"
+    default:
+      return kEnd;  // the verifier lets nothing else through
   }
-  return kEnd;
 }
 
 // First decoded op of a unary operator.
-uint16_t UnaryOp(UnaryOperator op, DataType type) {
-  switch (op) {
-    case UnaryOperator::kCopy:
-      return type == DataType::kDouble ? kCopyDoubleL : kCopyIntL;
-    case UnaryOperator::kNot:
-      return kNotL;
-    case UnaryOperator::kInvert:
-      return kInvertL;
-    case UnaryOperator::kAbs:
-      return kAbsL;
-    case UnaryOperator::kFabs:
-      return kFabsL;
-    case UnaryOperator::kToInt:
-      return kToIntL;
-    case UnaryOperator::kToDouble:
-      return kToDoubleL;
+uint16_t UnaryOp(uint16_t op, DataType type) {
+  switch (Typed(op, type)) {
+#define UNARY(name, type, value)         \
+  case TYPED(UnaryOperator, name, type): \
+    return k##name##type##L;
+#include "vm/handlers.def"
+    default:
+      return kEnd;  // the verifier lets nothing else through
   }
-  return kEnd;
 }
+#undef TYPED
 
 bool IsShared(const Operand& operand) {
   if (const auto* variable = std::get_if<Variable>(&operand)) {
@@ -124,7 +116,7 @@ class FunctionLinker {
 
   Code DecodeBinary(const Instruction& instruction) {
     const auto& operands = instruction.operands;
-    const uint16_t first = BinaryOp(static_cast<BinaryOperator>(instruction.op), instruction.type);
+    const uint16_t first = BinaryOp(instruction.op, instruction.type);
     const uint16_t a = Pack(operands[0], instruction.type);
     const uint16_t b = Pack(operands[1], instruction.type);
     const uint16_t d = Pack(operands[2], instruction.type);
@@ -151,7 +143,7 @@ class FunctionLinker {
   }
 
   Code DecodeUnary(const Instruction& instruction) {
-    const uint16_t first = UnaryOp(static_cast<UnaryOperator>(instruction.op), instruction.type);
+    const uint16_t first = UnaryOp(instruction.op, instruction.type);
     const uint16_t a = Pack(instruction.operands[0], instruction.type);
     const uint16_t d = Pack(instruction.operands[1], instruction.type);
     if (ClassOf(d) == OperandClass::kLocal && ClassOf(a) == OperandClass::kLocal) {
@@ -250,7 +242,7 @@ class FunctionLinker {
     for (size_t i = 0; i + 1 < code.size(); ++i) {
       if (code[i + 1].op != kIfLocal || code[i + 1].a != code[i].d) continue;
       switch (code[i].op) {
-#define INT_COMPARE(name, value)  \
+#define COMPARE(name, value)      \
   case kInt##name##LL:            \
     code[i].op = kTest##name##LL; \
     break;                        \
@@ -271,7 +263,7 @@ class FunctionLinker {
       if (code[i].op != kGoto) continue;
       const auto target = static_cast<ptrdiff_t>(i) + static_cast<int16_t>(code[i].d);
       switch (code[static_cast<size_t>(target)].op) {
-#define INT_COMPARE(name, value)  \
+#define COMPARE(name, value)      \
   case kTest##name##LL:           \
     code[i].op = kLoop##name##LL; \
     break;                        \
@@ -292,7 +284,7 @@ class FunctionLinker {
     for (size_t i = 0; i + 1 < code.size(); ++i) {
       uint16_t& op = code[i].op;
       switch (code[i + 1].op) {
-#define INT_COMPARE(name, value)                     \
+#define COMPARE(name, value)                         \
   case kLoop##name##LL:                              \
     if (StepsLoop(i)) op = kIncrementLoop##name##LL; \
     break;                                           \
@@ -336,7 +328,7 @@ class FunctionLinker {
     if (op == kDoubleAddLL) op = kAccumulateDoubleLoop##test; \
     if (op == kCopyIntLE) op = kStoreIntLoop##test;           \
     break;
-#define INT_COMPARE(name, value) FUSE_LAST(name##LL) FUSE_LAST(name##LK)
+#define COMPARE(name, value) FUSE_LAST(name##LL) FUSE_LAST(name##LK)
 #include "vm/handlers.def"
 #undef FUSE_LAST
         default:

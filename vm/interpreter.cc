@@ -13,34 +13,11 @@
 // Tested by tests/vm/machine_test.cc, tests/vm/run_ahead_test.cc and the differential tests.
 #include "vm/interpreter.h"
 
+#include "vm/arithmetic.h"
 #include "vm/handlers.h"
 
 namespace oncard::vm {
 namespace {
-
-constexpr uint32_t ToUnsigned(int32_t value) { return static_cast<uint32_t>(value); }
-constexpr int32_t ToInt(uint32_t value) { return static_cast<int32_t>(value); }
-// An int is in the low half of its slot; on a page that another function used for doubles, the
-// upper half may be set.
-constexpr int32_t IntOf(int64_t slot) { return static_cast<int32_t>(slot); }
-
-// Programs mostly divide by powers of two, and a division instruction takes as long as several
-// statements. b is not 0.
-inline __attribute__((always_inline)) int32_t DivideInt(int32_t a, int32_t b) {
-  if (b > 0 && (b & (b - 1)) == 0) {
-    const int32_t toward_zero = (a >> 31) & (b - 1);
-    return ToInt(ToUnsigned(a) + ToUnsigned(toward_zero)) >> __builtin_ctz(ToUnsigned(b));
-  }
-  return b == -1 ? ToInt(0u - ToUnsigned(a)) : a / b;
-}
-
-inline __attribute__((always_inline)) int32_t RemainderInt(int32_t a, int32_t b) {
-  if (b > 0 && (b & (b - 1)) == 0) {
-    const int32_t toward_zero = (a >> 31) & (b - 1);
-    return (ToInt(ToUnsigned(a) + ToUnsigned(toward_zero)) & (b - 1)) - toward_zero;
-  }
-  return b == -1 ? 0 : a % b;
-}
 
 Exit StopWithFault(Frame* frame, const Code* pc, uintptr_t limit, Fault fault) {
   frame->pc = pc;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <span>
 #include <string_view>
 
 namespace oncard::vm {
@@ -34,7 +34,8 @@ enum class UnaryOperator : uint16_t {
 };
 
 enum class BinaryOperator : uint16_t {
-#define BINARY_OPERATOR(name, number, basis, spelling, types, result, effect) name = number,
+#define BINARY_OPERATOR(name, number, basis, spelling, precedence, types, result, effect) \
+  name = number,
 #include "vm/opcodes.def"
 };
 
@@ -43,19 +44,51 @@ enum class OperandTypes : uint8_t { kInt, kDouble, kBoth };
 /// The type of its result.
 enum class ResultType : uint8_t { kInt, kDouble, kSame };
 
+/// How tightly an operator binds, as in C, from the loosest.
+enum class Precedence : uint8_t {
+  kLogicalOr,
+  kLogicalAnd,
+  kBitOr,
+  kBitXor,
+  kBitAnd,
+  kEquality,
+  kRelation,
+  kShift,
+  kSum,
+  kProduct,
+  kUnary,
+};
+
 /// One row of opcodes.def.
 struct OperatorInfo {
   uint16_t number;
   std::string_view spelling;
+  Precedence precedence;
   OperandTypes types;
   ResultType result;
   std::string_view effect;
   bool observed;
 };
 
+/// All rows, in the order of their numbers.
+std::span<const OperatorInfo> UnaryOperators();
+std::span<const OperatorInfo> BinaryOperators();
+
 /// The row of an operator, or nullptr when no operator has this number.
 const OperatorInfo* FindUnaryOperator(uint16_t number);
 const OperatorInfo* FindBinaryOperator(uint16_t number);
+/// The row of an operator, or nullptr when no operator is spelled so.
+const OperatorInfo* FindUnaryOperator(std::string_view spelling);
+const OperatorInfo* FindBinaryOperator(std::string_view spelling);
+
+/// `&&` and `||`: their operands count as 0 or not 0.
+constexpr bool IsLogical(const OperatorInfo& info) {
+  return info.precedence == Precedence::kLogicalOr || info.precedence == Precedence::kLogicalAnd;
+}
+/// A comparison, such as `==` and `<`.
+constexpr bool IsComparison(const OperatorInfo& info) {
+  return info.precedence == Precedence::kEquality || info.precedence == Precedence::kRelation;
+}
 
 /// True when the operator takes operands of this type.
 constexpr bool Accepts(const OperatorInfo& info, DataType type) {

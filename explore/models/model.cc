@@ -3,27 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <variant>
 
+#include "vm/arithmetic.h"
 #include "vm/fixed_point.h"
 
 namespace oncard::explore {
 namespace {
 
 using vm::DataType;
+using vm::IntOf;
 using vm::Opcode;
 
 constexpr uint32_t kNoCell = ~uint32_t{0};
 constexpr uint32_t kCellMax = 1u << 24;
-
-constexpr uint32_t ToUnsigned(int32_t value) { return static_cast<uint32_t>(value); }
-constexpr int32_t ToInt(uint32_t value) { return static_cast<int32_t>(value); }
-// An int is in the low half of its slot.
-constexpr int32_t IntOf(int64_t slot) { return static_cast<int32_t>(slot); }
-constexpr int32_t DivideInt(int32_t a, int32_t b) {
-  return b == -1 ? ToInt(0u - ToUnsigned(a)) : a / b;
-}
-constexpr int32_t RemainderInt(int32_t a, int32_t b) { return b == -1 ? 0 : a % b; }
 
 /// The number of slots of the variables.
 uint32_t SlotCount(const std::vector<vm::Symbol>& symbols) {
@@ -32,70 +26,6 @@ uint32_t SlotCount(const std::vector<vm::Symbol>& symbols) {
     count = std::max(count, static_cast<uint32_t>(symbol.id + symbol.slots()));
   }
   return count;
-}
-
-bool Binary(uint16_t op, DataType type, int64_t left, int64_t right,
-            [[maybe_unused]] int wrap_shift, int64_t* result) {
-  if (type == DataType::kInt) {
-    const int32_t a = IntOf(left);
-    const int32_t b = IntOf(right);
-    switch (static_cast<vm::BinaryOperator>(op)) {
-#define INT_BINARY(name, bad, value)       \
-  case vm::BinaryOperator::k##name:        \
-    if (bad) return false;                 \
-    *result = static_cast<int32_t>(value); \
-    return true;
-#include "vm/handlers.def"
-    }
-    return true;
-  }
-  const int64_t a = left;
-  const int64_t b = right;
-  using vm::AddFixed;
-  using vm::DivideFixed;
-  using vm::MultiplyFixed;
-  using vm::SubtractFixed;
-  switch (static_cast<vm::BinaryOperator>(op)) {
-#define DOUBLE_BINARY(name, bad, value) \
-  case vm::BinaryOperator::k##name:     \
-    if (bad) return false;              \
-    *result = value;                    \
-    return true;
-#define DOUBLE_COMPARE(name, value) DOUBLE_BINARY(name, false, value)
-#include "vm/handlers.def"
-    default:
-      return true;  // the verifier permits no other operator
-  }
-}
-
-int64_t Unary(uint16_t op, DataType type, int64_t source, [[maybe_unused]] int wrap_shift) {
-  using vm::FixedFromInt;
-  using vm::IntFromFixed;
-  using vm::SubtractFixed;
-  const auto load_int = [&] { return IntOf(source); };
-  const auto load_double = [&] { return source; };
-  switch (static_cast<vm::UnaryOperator>(op)) {
-    case vm::UnaryOperator::kCopy:
-      return type == DataType::kInt ? load_int() : load_double();
-    case vm::UnaryOperator::kNot: {
-      return load_int() == 0;
-    }
-    case vm::UnaryOperator::kInvert:
-      return ~load_int();
-    case vm::UnaryOperator::kAbs: {
-      const int32_t a = load_int();
-      return a < 0 ? ToInt(0u - ToUnsigned(a)) : a;
-    }
-    case vm::UnaryOperator::kFabs: {
-      const int64_t a = load_double();
-      return a < 0 ? SubtractFixed(0, a, wrap_shift) : a;
-    }
-    case vm::UnaryOperator::kToInt:
-      return IntFromFixed(load_double());
-    case vm::UnaryOperator::kToDouble:
-      return FixedFromInt(load_int(), wrap_shift);
-  }
-  return source;
 }
 
 const vm::Symbol* SymbolOfSlot(const std::vector<vm::Symbol>& symbols, uint32_t id) {
@@ -235,7 +165,7 @@ Model::Statement Model::Translate(const vm::Instruction& instruction, const Thre
 
 uint32_t Model::CellOf(const Operand& operand) const {
   if (operand.place == Place::kCell) return operand.cell;
-  const uint32_t index = ToUnsigned(IntOf(cells_[operand.index_cell]));
+  const uint32_t index = vm::ToUnsigned(IntOf(cells_[operand.index_cell]));
   return index < operand.size ? operand.cell + index : kNoCell;
 }
 
@@ -336,13 +266,15 @@ ThreadEnd Model::Execute(const Statement& statement, const Thread& thread) {
       if (!Load(statement.b, &b)) return ThreadEnd::kIndexOutOfBounds;
       const uint32_t target = CellOf(statement.target);
       if (target == kNoCell) return ThreadEnd::kIndexOutOfBounds;
-      int64_t value = 0;
       if (statement.opcode == Opcode::kUnary) {
-        value = Unary(statement.op, statement.type, a, wrap_shift_);
-      } else if (!Binary(statement.op, statement.type, a, b, wrap_shift_, &value)) {
-        return ThreadEnd::kDivisionByZero;
+        Write(target, vm::EvaluateUnary(static_cast<vm::UnaryOperator>(statement.op),
+                                        statement.type, a, wrap_shift_));
+        break;
       }
-      Write(target, value);
+      const std::optional<int64_t> value = vm::EvaluateBinary(
+          static_cast<vm::BinaryOperator>(statement.op), statement.type, a, b, wrap_shift_);
+      if (!value) return ThreadEnd::kDivisionByZero;
+      Write(target, *value);
       break;
     }
     case Opcode::kJump:

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -123,19 +124,23 @@ class ObjectGenerator {
     return AnyVariable(DataType::kInt);
   }
 
+  const OperatorInfo& AnyOf(std::span<const OperatorInfo> rows) {
+    return rows[static_cast<size_t>(Below(static_cast<int>(rows.size())))];
+  }
+
   Instruction AnyInstruction(DataType return_type, int index, int count) {
     const DataType type = AnyType();
     switch (Below(5)) {
       case 0:
         for (;;) {
-          const OperatorInfo& info = *FindUnaryOperator(static_cast<uint16_t>(1 + Below(7)));
+          const OperatorInfo& info = AnyOf(UnaryOperators());
           if (!Accepts(info, type)) continue;
           return Unary(static_cast<UnaryOperator>(info.number), type, AnyOperand(type),
                        AnyTarget(ResultOf(info, type)));
         }
       case 1:
         for (;;) {
-          const OperatorInfo& info = *FindBinaryOperator(static_cast<uint16_t>(1 + Below(18)));
+          const OperatorInfo& info = AnyOf(BinaryOperators());
           if (!Accepts(info, type)) continue;
           return Binary(static_cast<BinaryOperator>(info.number), type, AnyOperand(type),
                         AnyOperand(type), AnyTarget(ResultOf(info, type)));

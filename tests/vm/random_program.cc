@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "tests/vm/program_builder.h"
@@ -106,8 +107,9 @@ class FunctionGenerator {
 
   void AddOperation() {
     const bool unary = random_.OneIn(3);
-    const auto number = static_cast<uint16_t>(random_.Between(1, unary ? 7 : 18));
-    const OperatorInfo& info = unary ? *FindUnaryOperator(number) : *FindBinaryOperator(number);
+    const std::span<const OperatorInfo> rows = unary ? UnaryOperators() : BinaryOperators();
+    const auto number = static_cast<uint16_t>(random_.Between(1, static_cast<int>(rows.size())));
+    const OperatorInfo& info = rows[number - 1u];
     DataType type = random_.OneIn(3) ? DataType::kDouble : DataType::kInt;
     if (!Accepts(info, type)) type = type == DataType::kInt ? DataType::kDouble : DataType::kInt;
     const Operand target = Target(ResultOf(info, type));
