@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <type_traits>
+
+#include "vm/arithmetic.h"
 
 #include "base/number.h"
 
@@ -34,51 +37,107 @@ std::optional<Constant> OfLiteral(const Literal& literal) {
   return Double(literal.negative ? -magnitude : magnitude);
 }
 
-std::optional<Constant> FoldInts(int64_t a, std::string_view op, int64_t b) {
-  if (op == "+") return Int(a + b);
-  if (op == "-") return Int(a - b);
-  if (op == "*") return Int(a * b);
-  if (op == "/") return b == 0 ? std::nullopt : Int(a / b);
-  if (op == "%") return b == 0 ? std::nullopt : Int(a % b);
-  if (op == "&") return Int(a & b);
-  if (op == "|") return Int(a | b);
-  if (op == "^") return Int(a ^ b);
-  const bool shifts = a >= 0 && b >= 0 && b < 31;
-  if (op == "<<") return shifts ? Int(a * (int64_t{1} << b)) : std::nullopt;
-  if (op == ">>") return shifts ? Int(a >> b) : std::nullopt;
+// The int or double that a value is, unless it is out of range.
+template <typename Value>
+std::optional<Constant> Number(Value value) {
+  if constexpr (std::is_floating_point_v<Value>) {
+    return std::isfinite(value) ? std::optional(Double(value)) : std::nullopt;
+  } else {
+    return Int(value);
+  }
+}
+
+// The arithmetic of C's compile time for the rows of handlers.def: ints so wide that nothing wraps,
+// and real numbers instead of fixed-point ones.
+namespace exact {
+
+constexpr int64_t ToUnsigned(int64_t value) { return value; }
+constexpr int64_t ToInt(int64_t value) { return value; }
+constexpr int64_t DivideInt(int64_t a, int64_t b) { return a / b; }
+constexpr int64_t RemainderInt(int64_t a, int64_t b) { return a % b; }
+constexpr double AddFixed(double a, double b, int /*wrap_shift*/) { return a + b; }
+constexpr double SubtractFixed(double a, double b, int /*wrap_shift*/) { return a - b; }
+constexpr double MultiplyFixed(double a, double b, int /*wrap_shift*/) { return a * b; }
+constexpr double DivideFixed(double a, double b, int /*wrap_shift*/) { return a / b; }
+constexpr double FixedFromInt(int64_t value, int /*wrap_shift*/) {
+  return static_cast<double>(value);
+}
+
+constexpr int wrap_shift = 0;
+
+std::optional<Constant> BinaryOfInts(vm::BinaryOperator op, int64_t a, int64_t b) {
+  switch (op) {
+#define INT_BINARY(name, bad, value) \
+  case vm::BinaryOperator::k##name:  \
+    if (bad) return std::nullopt;    \
+    return Number(value);
+#define COMPARE(name, value) INT_BINARY(name, false, value)
+#include "vm/handlers.def"
+  }
   return std::nullopt;
 }
 
-std::optional<Constant> Finite(double value) {
-  return std::isfinite(value) ? std::optional(Double(value)) : std::nullopt;
+std::optional<Constant> BinaryOfDoubles(vm::BinaryOperator op, double a, double b) {
+  switch (op) {
+#define DOUBLE_BINARY(name, bad, value) \
+  case vm::BinaryOperator::k##name:     \
+    if (bad) return std::nullopt;       \
+    return Number(value);
+#define COMPARE(name, value) DOUBLE_BINARY(name, false, value)
+#include "vm/handlers.def"
+    default:
+      return std::nullopt;
+  }
 }
 
-std::optional<Constant> FoldDoubles(double a, std::string_view op, double b) {
-  if (op == "+") return Finite(a + b);
-  if (op == "-") return Finite(a - b);
-  if (op == "*") return Finite(a * b);
-  if (op == "/" && b != 0) return Finite(a / b);
-  return std::nullopt;
+std::optional<Constant> UnaryOfInt(vm::UnaryOperator op, int64_t a) {
+  switch (op) {
+#define UNARY_Int(name, value)     \
+  case vm::UnaryOperator::k##name: \
+    return Number(value);
+#define UNARY_Double(name, value)
+#define UNARY(name, type, value) UNARY_##type(name, value)
+#include "vm/handlers.def"
+#undef UNARY_Int
+#undef UNARY_Double
+    default:
+      return std::nullopt;
+  }
 }
 
-std::optional<Constant> Compare(double a, std::string_view op, double b) {
-  if (op == "<") return Int(a < b);
-  if (op == ">") return Int(a > b);
-  if (op == "<=") return Int(a <= b);
-  if (op == ">=") return Int(a >= b);
-  if (op == "==") return Int(a == b);
-  if (op == "!=") return Int(a != b);
-  if (op == "&&") return Int(a != 0 && b != 0);
-  if (op == "||") return Int(a != 0 || b != 0);
-  return std::nullopt;
+}  // namespace exact
+
+// C leaves open what the shifts of negative numbers and those out of the number yield.
+bool IsOpenShift(const vm::OperatorInfo& info, int64_t a, int64_t b) {
+  return info.precedence == vm::Precedence::kShift && (a < 0 || b < 0 || b >= 31);
 }
 
-std::optional<Constant> FoldUnary(std::string_view op, const Constant& value) {
-  if (op == "!") return Int(value.AsDouble() == 0);
-  if (op == "+") return value;
-  if (op == "-") return value.is_double ? Double(-value.real) : Int(-value.integer);
-  if (op == "~" && !value.is_double) return Int(~value.integer);
-  return std::nullopt;
+// What C leaves open because it overflows, the machine wraps.
+std::optional<Constant> FoldInts(const vm::OperatorInfo& info, int64_t a, int64_t b) {
+  const auto op = static_cast<vm::BinaryOperator>(info.number);
+  if (IsOpenShift(info, a, b)) return std::nullopt;
+  const std::optional<Constant> value = exact::BinaryOfInts(op, a, b);
+  const std::optional<int64_t> wrapped = vm::EvaluateBinary(op, vm::DataType::kInt, a, b, 0);
+  return value && wrapped == value->integer ? value : std::nullopt;
+}
+
+std::optional<Constant> FoldBinary(std::string_view spelling, const Constant& left,
+                                   const Constant& right) {
+  const vm::OperatorInfo& info = *vm::FindBinaryOperator(spelling);
+  if (vm::IsLogical(info)) return FoldInts(info, left.AsDouble() != 0, right.AsDouble() != 0);
+  if (!left.is_double && !right.is_double) return FoldInts(info, left.integer, right.integer);
+  // A double represents every int exactly.
+  return exact::BinaryOfDoubles(static_cast<vm::BinaryOperator>(info.number), left.AsDouble(),
+                                right.AsDouble());
+}
+
+std::optional<Constant> FoldUnary(std::string_view spelling, const Constant& value) {
+  if (spelling == "+") return value;
+  if (spelling == "-") return value.is_double ? Double(-value.real) : Int(-value.integer);
+  if (spelling == "!") return Int(value.AsDouble() == 0);
+  const vm::OperatorInfo* info = vm::FindUnaryOperator(spelling);
+  if (info == nullptr || value.is_double) return std::nullopt;
+  return exact::UnaryOfInt(static_cast<vm::UnaryOperator>(info->number), value.integer);
 }
 
 std::optional<Constant> FoldCast(std::string_view type, const Constant& value) {
@@ -146,12 +205,7 @@ std::optional<Constant> Fold(const Expression& expression, const MacroLookup& lo
       const std::optional<Constant> left = Fold(*expression.operands[0], lookup);
       const std::optional<Constant> right = Fold(*expression.operands[1], lookup);
       if (!left || !right) return std::nullopt;
-      // A double represents every int exactly.
-      if (auto truth = Compare(left->AsDouble(), expression.op, right->AsDouble())) return truth;
-      if (left->is_double || right->is_double) {
-        return FoldDoubles(left->AsDouble(), expression.op, right->AsDouble());
-      }
-      return FoldInts(left->integer, expression.op, right->integer);
+      return FoldBinary(expression.op, *left, *right);
     }
     case Expression::Kind::kConditional: {
       const std::optional<Constant> condition = Fold(*expression.operands[0], lookup);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "compiler/checker.h"
+#include "compiler/operators.h"
 #include "vm/limits.h"
 
 namespace oncard::compiler {
@@ -23,6 +24,9 @@ bool HasWord(const Specifiers& specifiers, std::string_view word) {
 bool IsBool(const Specifiers& specifiers) {
   return HasWord(specifiers, "bool") || HasWord(specifiers, "_Bool");
 }
+
+// The operator's value is 0 or 1.
+bool IsTruth(const vm::OperatorInfo& info) { return vm::IsLogical(info) || vm::IsComparison(info); }
 
 // The range of an integer type of C.
 struct Range {
@@ -88,7 +92,7 @@ class IntSearch {
       case Expression::Kind::kUnary:
         return value.op == "!";
       case Expression::Kind::kBinary:
-        return IsAnyOf(value.op, {"<", ">", "<=", ">=", "==", "!=", "&&", "||"});
+        return IsTruth(*vm::FindBinaryOperator(value.op));
       default:
         return false;
     }
@@ -109,8 +113,9 @@ class IntSearch {
       CheckWrite(expression);
     }
     // Operators for which a sign or the 32nd bit matters.
-    const bool sensitive =
-        IsAnyOf(expression.op, {"/", "%", ">>", "<", ">", "<=", ">=", "/=", "%=", ">>="});
+    const bool sensitive = (expression.kind == Expression::Kind::kBinary ||
+                            expression.kind == Expression::Kind::kCompound) &&
+                           !IgnoresSign(expression.op);
     if (sensitive && sensitive_use_ == nullptr && Mentions(expression)) {
       sensitive_use_ = &expression;
     }

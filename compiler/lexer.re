@@ -10,6 +10,7 @@
 #include <string>
 #include <unordered_set>
 
+#include "compiler/operators.h"
 #include "compiler/parser.hh"
 #include "compiler/text.h"
 #include "vm/limits.h"
@@ -60,6 +61,7 @@ class Lexer {
                      const char* end);
   void AddString(const char* begin, const char* end);
   const char* SkipComment(const char* begin, const char* limit);
+  const char* Operator(const char* begin, const char* limit);
   const char* IllegalCharacters(const char* begin, const char* limit);
   void Scan(const char* cursor, const char* limit);
 
@@ -162,6 +164,14 @@ const char* Lexer::SkipComment(const char* begin, const char* limit) {
   }
   if (rest.substr(0, close).find('\n') != std::string_view::npos) new_line_ = true;
   return begin + close + 2;
+}
+
+const char* Lexer::Operator(const char* begin, const char* limit) {
+  const OperatorToken* found = LeadingOperator({begin, static_cast<size_t>(limit - begin)});
+  if (found == nullptr) return IllegalCharacters(begin, limit);
+  const char* const end = begin + found->spelling.size();
+  Add(found->kind, begin, end);
+  return end;
 }
 
 // Reports a run of characters that the language does not use. The full-width forms of ASCII
@@ -283,27 +293,6 @@ void Lexer::Scan(const char* cursor, const char* limit) {
       }
       letter (letter | digit)* { AddName(begin, cursor); continue; }
 
-      "+=" | "-=" | "*=" | "/=" | "%=" | "&=" | "|=" | "^=" | "<<=" | ">>=" {
-        Add(Kind::kCompoundAssign, begin, cursor);
-        continue;
-      }
-      "++" | "--" { Add(Kind::kStep, begin, cursor); continue; }
-      "->"  { Add(Kind::kArrow, begin, cursor); continue; }
-      "&&"  { Add(Kind::kAndAnd, begin, cursor); continue; }
-      "||"  { Add(Kind::kOrOr, begin, cursor); continue; }
-      "==" | "!=" { Add(Kind::kEquality, begin, cursor); continue; }
-      "<" | ">" | "<=" | ">=" { Add(Kind::kRelation, begin, cursor); continue; }
-      "<<" | ">>" { Add(Kind::kShift, begin, cursor); continue; }
-      "*"   { Add(Kind::kStar, begin, cursor); continue; }
-      "/" | "%" { Add(Kind::kDivide, begin, cursor); continue; }
-      "+"   { Add(Kind::kPlus, begin, cursor); continue; }
-      "-"   { Add(Kind::kMinus, begin, cursor); continue; }
-      "!" | "~" { Add(Kind::kNot, begin, cursor); continue; }
-      "&"   { Add(Kind::kAnd, begin, cursor); continue; }
-      "|"   { Add(Kind::kOr, begin, cursor); continue; }
-      "^"   { Add(Kind::kXor, begin, cursor); continue; }
-      "="   { Add(Kind::kAssign, begin, cursor); continue; }
-      "?"   { Add(Kind::kQuestion, begin, cursor); continue; }
       ":"   { Add(Kind::kColon, begin, cursor); continue; }
       ";"   { Add(Kind::kSemicolon, begin, cursor); continue; }
       ","   { Add(Kind::kComma, begin, cursor); continue; }
@@ -315,7 +304,7 @@ void Lexer::Scan(const char* cursor, const char* limit) {
       "{"   { Add(Kind::kOpenBrace, begin, cursor); continue; }
       "}"   { Add(Kind::kCloseBrace, begin, cursor); continue; }
       "#"   { Add(Kind::kHash, begin, cursor); continue; }
-      *     { cursor = IllegalCharacters(begin, limit); continue; }
+      *     { cursor = Operator(begin, limit); continue; }
     */
   }
 }

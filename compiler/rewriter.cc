@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "compiler/operators.h"
 #include "compiler/tree_walk.h"
+#include "vm/arithmetic.h"
 
 namespace oncard::compiler {
 namespace {
@@ -19,25 +21,17 @@ const Expression& Unwrapped(const Expression& expression) {
   return *inner;
 }
 
-bool IsRelation(std::string_view op) {
-  return op == "<" || op == ">" || op == "<=" || op == ">=" || op == "==" || op == "!=";
-}
-
-bool IsIntOnly(std::string_view op) {
-  return op == "%" || op == "&" || op == "|" || op == "^" || op == "<<" || op == ">>";
-}
-
 bool IsLogical(const Expression& expression) {
   return expression.kind == Expression::Kind::kBinary &&
-         (expression.op == "&&" || expression.op == "||");
+         vm::IsLogical(*vm::FindBinaryOperator(expression.op));
 }
 
-std::string_view Opposite(std::string_view op) {
-  if (op == "<") return ">=";
-  if (op == ">") return "<=";
-  if (op == "<=") return ">";
-  if (op == ">=") return "<";
-  return op == "==" ? "!=" : "==";
+// The comparison that an expression is, or of what it is not; nullptr if it is another expression.
+const vm::OperatorInfo* Comparison(const Expression& expression, bool negate) {
+  if (expression.kind != Expression::Kind::kBinary) return nullptr;
+  const vm::OperatorInfo* info = vm::FindBinaryOperator(expression.op);
+  if (!vm::IsComparison(*info)) return nullptr;
+  return negate ? OppositeOf(*info) : info;
 }
 
 }  // namespace
@@ -171,20 +165,21 @@ Rewriter::Value Rewriter::Target(const Expression& expression) {
 }
 
 Rewriter::Value Rewriter::LowerBinary(Value left, std::string_view op, Value right) {
-  if (op == "&&" || op == "||") {
+  const vm::OperatorInfo& info = *vm::FindBinaryOperator(op);
+  if (vm::IsLogical(info)) {
     for (Value* side : {&left, &right}) {
       if (side->type != DataType::kDouble) continue;
       *side = {fmt::format("{} != 0.0", side->text), DataType::kInt, false};
       *side = Operand(std::move(*side));
     }
-  } else if (left.type != right.type) {
-    if (IsIntOnly(op)) return Fail();
-    left = Operand(Converted(std::move(left), DataType::kDouble));
-    right = Operand(Converted(std::move(right), DataType::kDouble));
-  } else if (left.type == DataType::kDouble && IsIntOnly(op)) {
-    return Fail();
+  } else if (left.type == DataType::kDouble || right.type == DataType::kDouble) {
+    if (!vm::Accepts(info, DataType::kDouble)) return Fail();
+    if (left.type != right.type) {
+      left = Operand(Converted(std::move(left), DataType::kDouble));
+      right = Operand(Converted(std::move(right), DataType::kDouble));
+    }
   }
-  const DataType type = IsRelation(op) || op == "&&" || op == "||" ? DataType::kInt : left.type;
+  const DataType type = vm::ResultOf(info, left.type);
   return {fmt::format("{} {} {}", left.text, op, right.text), type, false};
 }
 
@@ -199,7 +194,8 @@ bool Rewriter::IsSafe(const Expression& expression) const {
     case Expression::Kind::kIndex:
       return checker_.ConstantOf(*expression.operands[1]).has_value();
     case Expression::Kind::kBinary:
-      if (expression.op == "/" || expression.op == "%") {
+      if (vm::Divides(
+              static_cast<vm::BinaryOperator>(vm::FindBinaryOperator(expression.op)->number))) {
         const std::optional<Literal> divisor = checker_.ConstantOf(*expression.operands[1]);
         if (!divisor || divisor->magnitude == 0) return false;
       }
@@ -277,16 +273,12 @@ Rewriter::Value Rewriter::LowerUnary(const Expression& expression) {
     }
     return {fmt::format("0 - {}", inner.text), inner.type, false};
   }
-  if (expression.op == "!") {
-    if (inner.type == DataType::kDouble) {
-      return {fmt::format("{} == 0.0", inner.text), DataType::kInt, false};
-    }
-    return {fmt::format("!{}", inner.text), DataType::kInt, false};
+  if (expression.op == "!" && inner.type == DataType::kDouble) {
+    return {fmt::format("{} == 0.0", inner.text), DataType::kInt, false};
   }
-  if (expression.op == "~" && inner.type == DataType::kInt) {
-    return {fmt::format("~{}", inner.text), DataType::kInt, false};
-  }
-  return Fail();
+  const vm::OperatorInfo* info = vm::FindUnaryOperator(expression.op);
+  if (info == nullptr || !vm::Accepts(*info, inner.type)) return Fail();
+  return {fmt::format("{}{}", expression.op, inner.text), vm::ResultOf(*info, inner.type), false};
 }
 
 // The type of an expression, determined before any part of it is rewritten.
@@ -322,14 +314,13 @@ DataType Rewriter::TypeOf(const Expression& expression) const {
     case Expression::Kind::kCall:
       return expression.operands[0]->text == "fabs" ? DataType::kDouble : DataType::kInt;
     case Expression::Kind::kUnary:
-      if (expression.op == "!" || expression.op == "~") return DataType::kInt;
+      if (const vm::OperatorInfo* info = vm::FindUnaryOperator(expression.op)) {
+        return vm::ResultOf(*info, TypeOf(*expression.operands[0]));
+      }
       return TypeOf(*expression.operands[0]);
     case Expression::Kind::kBinary:
-      if (IsRelation(expression.op) || IsIntOnly(expression.op) || expression.op == "&&" ||
-          expression.op == "||") {
-        return DataType::kInt;
-      }
-      return either(*expression.operands[0], *expression.operands[1]);
+      return vm::ResultOf(*vm::FindBinaryOperator(expression.op),
+                          either(*expression.operands[0], *expression.operands[1]));
     case Expression::Kind::kConditional:
       return either(*expression.operands[1], *expression.operands[2]);
     case Expression::Kind::kComma:
@@ -574,11 +565,11 @@ Rewriter::Condition Rewriter::LowerCondition(const Expression& expression, bool 
     return {true, zero == negate, {}};
   }
   Value value;
-  if (inner.kind == Expression::Kind::kBinary && IsRelation(inner.op)) {
+  if (const vm::OperatorInfo* comparison = Comparison(inner, negate)) {
     Value left = Operand(Lower(*inner.operands[0]));
     Value right = Operand(Lower(*inner.operands[1]));
     if (!ok_) return {};
-    value = LowerBinary(std::move(left), negate ? Opposite(inner.op) : inner.op, std::move(right));
+    value = LowerBinary(std::move(left), comparison->spelling, std::move(right));
     negate = false;
   } else {
     value = Lower(inner);
