@@ -52,24 +52,6 @@ Turn PriorityTurn(const SchedulerState& state, uint32_t runnable,
   return {FirstRunnable(urgent, state.next_thread), 1};
 }
 
-Turn RandomTurn(SchedulerState& state, uint32_t runnable) {
-  uint64_t skip = RandomBelow(state.random, static_cast<uint64_t>(std::popcount(runnable)));
-  while (skip-- > 0) runnable &= runnable - 1;
-  return {std::countr_zero(runnable), 1};
-}
-
-Turn PctTurn(const SchedulerState& state, uint32_t runnable) {
-  int chosen = -1;
-  for (uint32_t rest = runnable; rest != 0; rest &= rest - 1) {
-    const int thread = std::countr_zero(rest);
-    if (chosen < 0 || state.pct_priority[static_cast<size_t>(thread)] >
-                          state.pct_priority[static_cast<size_t>(chosen)]) {
-      chosen = thread;
-    }
-  }
-  return {chosen, 1};
-}
-
 Turn ReplayTurn(const SchedulerState& state, uint32_t runnable, int64_t budget) {
   const auto& segments = state.policy.schedule->segments;
   if (state.segment >= segments.size()) return {};
@@ -213,9 +195,9 @@ Turn BeginTurn(SchedulerState& state, uint32_t runnable, int64_t budget,
     case PolicyKind::kPriority:
       return PriorityTurn(state, runnable, priorities);
     case PolicyKind::kRandom:
-      return RandomTurn(state, runnable);
+      return {RandomThread(state.random, runnable), 1};
     case PolicyKind::kPct:
-      return PctTurn(state, runnable);
+      return {HighestThread(runnable, state.pct_priority), 1};
     case PolicyKind::kReplay:
       break;
   }

@@ -19,6 +19,7 @@
 
 #include "base/result.h"
 #include "vm/limits.h"
+#include "vm/thread_choice.h"
 
 namespace oncard::vm {
 
@@ -42,8 +43,6 @@ Result<Policy> ParsePolicy(std::string_view text);
 
 /// The text that ParsePolicy() reads; `replay` for a replayed schedule.
 std::string FormatPolicy(const Policy& policy);
-
-inline constexpr int kPctDepthMax = 64;
 
 /// The state of a policy in the middle of a run.
 struct SchedulerState {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <utility>
 
 #include "base/random.h"
@@ -90,19 +89,14 @@ class Sampler {
 
   int Choose() {
     const uint32_t choices = walk_.choices();
-    if (options_.kind == SamplerKind::kRandom) {
-      uint32_t left = choices;
-      const auto count = static_cast<uint64_t>(std::popcount(choices));
-      for (uint64_t skip = RandomBelow(random_, count); skip > 0; --skip) left &= left - 1;
-      return std::countr_zero(left);
-    }
-    int best = Highest(choices);
+    if (options_.kind == SamplerKind::kRandom) return vm::RandomThread(random_, choices);
+    int best = vm::HighestThread(choices, priorities_);
     if (options_.kind == SamplerKind::kPct) {
       for (size_t i = 0; i < changes_.size(); ++i) {
         if (changes_[i] != static_cast<int64_t>(steps_.size())) continue;
         // Below all others; later change points assign still lower ones.
         priorities_[static_cast<size_t>(best)] = -1 - static_cast<int64_t>(i);
-        best = Highest(choices);
+        best = vm::HighestThread(choices, priorities_);
       }
       return best;
     }
@@ -111,17 +105,6 @@ class Sampler {
       if (walk_.DependOnEachOther(best, other)) priorities_[static_cast<size_t>(other)] = Draw();
     }
     priorities_[static_cast<size_t>(best)] = Draw();
-    return best;
-  }
-
-  int Highest(uint32_t choices) const {
-    int best = std::countr_zero(choices);
-    for (uint32_t left = choices; left != 0; left &= left - 1) {
-      const int thread = std::countr_zero(left);
-      if (priorities_[static_cast<size_t>(thread)] > priorities_[static_cast<size_t>(best)]) {
-        best = thread;
-      }
-    }
     return best;
   }
 

@@ -21,12 +21,13 @@
 #include "explore/models/ends.h"
 #include "explore/models/problem.h"
 #include "explore/models/state_key.h"
+#include "vm/thread_choice.h"
 
 namespace oncard::explore {
 
 enum class SamplerKind : uint8_t { kRandom, kPct, kPos };
 
-inline constexpr int kPctDepthMax = 64;
+using vm::kPctDepthMax;
 
 struct SampleOptions {
   SamplerKind kind = SamplerKind::kRandom;
