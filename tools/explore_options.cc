@@ -1,6 +1,10 @@
 #include "tools/explore_options.h"
 
+#include <string>
+#include <vector>
+
 #include "explore/engines/sampler.h"
+#include "runtime/scenario/search_names.h"
 
 namespace oncard::tools {
 
@@ -22,7 +26,8 @@ void AddExploreOptions(CLI::App& command, const Session& session, ExploreArgumen
                "搜索抢占较少的调度；random、pct "
                "和 pos 只尝试一部分"}))
       ->type_name("NAME")
-      ->check(CLI::IsMember({"auto", "dpor", "stateful", "bounded", "random", "pct", "pos"})
+      ->check(CLI::IsMember(std::vector<std::string>(runtime::kEngineNames.begin(),
+                                                     runtime::kEngineNames.end()))
                   .description(""));
   command
       .add_option("--preemptions", arguments.preemptions,

@@ -9,6 +9,7 @@
 
 #include "base/trim.h"
 #include "runtime/scenario/placed_errors.h"
+#include "runtime/scenario/search_names.h"
 
 namespace oncard::explore {
 namespace {
@@ -195,10 +196,10 @@ Problem BindProblem(Model model, const std::vector<Requirement>& requirements,
 }
 
 std::optional<RaceRule> RaceRuleNamed(std::string_view name) {
-  if (name == "any") return RaceRule::kAny;
-  if (name == "benign") return RaceRule::kBenign;
-  if (name == "none") return RaceRule::kNone;
-  return std::nullopt;
+  static_assert(runtime::kRaceRuleNames.size() == static_cast<size_t>(RaceRule::kNone) + 1);
+  const auto found = std::ranges::find(runtime::kRaceRuleNames, name);
+  if (found == runtime::kRaceRuleNames.end()) return std::nullopt;
+  return static_cast<RaceRule>(found - runtime::kRaceRuleNames.begin());
 }
 
 SyncCells SyncCellsOf(const runtime::Scenario& scenario, const vm::Object& object,

@@ -1,7 +1,6 @@
 #include "explore/search/explorer.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 
 #include "explore/engines/card_graph.h"
@@ -10,18 +9,13 @@
 #include "explore/engines/shrink.h"
 #include "explore/engines/walk.h"
 #include "explore/search/search_pair.h"
+#include "runtime/scenario/search_names.h"
 
 namespace oncard::explore {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, EngineKind>, 7> kEngines = {
-    {{"auto", EngineKind::kAuto},
-     {"dpor", EngineKind::kDpor},
-     {"stateful", EngineKind::kStateful},
-     {"bounded", EngineKind::kBounded},
-     {"random", EngineKind::kRandom},
-     {"pct", EngineKind::kPct},
-     {"pos", EngineKind::kPos}}};
+static_assert(runtime::kEngineNames.size() == static_cast<size_t>(EngineKind::kFollow));
+static_assert(runtime::kVerdictNames.size() == static_cast<size_t>(Verdict::kIncomplete) + 1);
 
 const std::atomic<bool>* StopOf(const ExploreOptions& options) {
   return options.progress == nullptr ? nullptr : &options.progress->stop;
@@ -203,31 +197,18 @@ Exploration Conclude(const Problem& problem, const ExploreOptions& options, cons
 }  // namespace
 
 std::optional<EngineKind> EngineNamed(std::string_view name) {
-  for (const auto& [text, engine] : kEngines) {
-    if (text == name) return engine;
-  }
-  return std::nullopt;
+  const auto found = std::ranges::find(runtime::kEngineNames, name);
+  if (found == runtime::kEngineNames.end()) return std::nullopt;
+  return static_cast<EngineKind>(found - runtime::kEngineNames.begin());
 }
 
 std::string_view EngineName(EngineKind engine) {
-  for (const auto& [text, kind] : kEngines) {
-    if (kind == engine) return text;
-  }
-  return "schedule";
+  return engine == EngineKind::kFollow ? "schedule"
+                                       : runtime::kEngineNames[static_cast<size_t>(engine)];
 }
 
 std::string_view VerdictName(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kProved:
-      return "PROVED";
-    case Verdict::kPassed:
-      return "PASSED";
-    case Verdict::kFailed:
-      return "FAILED";
-    case Verdict::kIncomplete:
-      break;
-  }
-  return "INCOMPLETE";
+  return runtime::kVerdictNames[static_cast<size_t>(verdict)];
 }
 
 Exploration ConcludeSamples(EngineKind engine, SampleCounts samples) {

@@ -7,6 +7,7 @@
 #include "base/files.h"
 #include "runtime/scenario/scenario.h"
 #include "runtime/scenario/scenario_keys.h"
+#include "runtime/scenario/search_names.h"
 #include "runtime/scenario/toml_guard.h"
 #include "runtime/scenario/toml_keys.h"
 #include "runtime/scenario/world_toml.h"
@@ -15,13 +16,8 @@
 namespace oncard::runtime {
 namespace {
 
-constexpr std::array<std::string_view, 3> kRaceRules = {"any", "benign", "none"};
 constexpr std::array<std::string_view, 6> kExploreKeys = {"engine",     "verdict", "max_executions",
                                                           "max_states", "runs",    "follow"};
-constexpr std::array<std::string_view, 7> kEngineNames = {"auto",   "dpor", "stateful", "bounded",
-                                                          "random", "pct",  "pos"};
-constexpr std::array<std::string_view, 4> kVerdictNames = {"PROVED", "PASSED", "FAILED",
-                                                           "INCOMPLETE"};
 constexpr std::array<std::string_view, 2> kKeyKeys = {"at_ms", "text"};
 constexpr std::array<std::string_view, 6> kThreadKeys = {"thread", "function",  "page",
                                                          "init",   "period_ms", "priority"};
@@ -99,7 +95,7 @@ class ScenarioReader : private TomlKeys {
     Texts(table, "always", scenario_.always);
     Texts(table, "never", scenario_.never);
     Texts(table, "eventually", scenario_.eventually);
-    scenario_.races = kRaceRules[Choice(table, "races", kRaceRules, 0)];
+    scenario_.races = kRaceRuleNames[Choice(table, "races", kRaceRuleNames, 0)];
     Texts(table, "sync", scenario_.sync);
     for (const char* key :
          {"schedule", "trace", "final", "always", "never", "eventually", "races", "sync"}) {
