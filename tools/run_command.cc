@@ -1,7 +1,7 @@
 // oncard run: runs a program with options, or a scenario file, to its end.
-#include <cmath>
 #include <filesystem>
 
+#include "base/milliseconds.h"
 #include "base/number.h"
 #include "explore/source_comments.h"
 #include "runtime/host/call_log.h"
@@ -76,7 +76,7 @@ Result<runtime::Scenario> ScenarioOf(const RunArguments& arguments) {
   scenario.rate = arguments.rate.value_or(scenario.rate);
   scenario.cycle_us = arguments.cycle_us.value_or(scenario.cycle_us);
   scenario.limit_ms = arguments.limit_ms.value_or(scenario.limit_ms);
-  if (arguments.until_ms) scenario.until_us = std::llround(*arguments.until_ms * 1000);
+  if (arguments.until_ms) scenario.until_us = FromMs(*arguments.until_ms);
   return scenario;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/milliseconds.h"
 #include "explore/reports/step_table.h"
 #include "runtime/observe/trace_file.h"
 #include "tools/gnuplot.h"
@@ -15,8 +16,7 @@ std::string FormatHappenings(const runtime::Trace& trace, const Session& session
   std::string text;
   for (const runtime::TraceMark& mark : trace.marks()) {
     if (!mark.by_card) continue;
-    text += fmt::format("{} ms  {}\n", static_cast<double>(mark.time_us) / 1000,
-                        session.Say(mark.text));
+    text += fmt::format("{} ms  {}\n", ToMs(mark.time_us), session.Say(mark.text));
   }
   if (text.empty()) return text;
   return session.Say({"what the card did by itself:\n", "控制卡自身的动作：\n"}) + text;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/markup.h"
+#include "base/milliseconds.h"
 
 namespace oncard::explore {
 namespace {
@@ -20,7 +21,7 @@ constexpr double kPictureWidth = 480;
 constexpr double kPictureHeight = 240;
 constexpr std::string_view kColors[] = {"#1f77b4", "#d62728", "#2ca02c", "#9467bd"};
 
-double MsOf(const runtime::TraceRow& row) { return static_cast<double>(row.time_us) / 1000; }
+double MsOf(const runtime::TraceRow& row) { return ToMs(row.time_us); }
 
 }  // namespace
 
@@ -64,7 +65,7 @@ std::vector<double> AxisCurve::TailAfter(double at_ms) const {
   std::vector<double> instants;
   if (lines_.empty()) return instants;
   const double end = MsOf(trace_->rows().back());
-  const double cycle = static_cast<double>(trace_->cycle_us()) / 1000;
+  const double cycle = ToMs(trace_->cycle_us());
   const auto cycles = static_cast<int64_t>(std::lround((end - at_ms) / cycle));
   const int64_t rows = std::min<int64_t>(kTailRows, cycles);
   for (int64_t i = 1; i <= rows; ++i) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/markup.h"
+#include "base/milliseconds.h"
 
 namespace oncard::explore {
 namespace {
@@ -159,7 +160,7 @@ ClaimEntry Bounds(const Findings& findings) {
   ClaimEntry entry = {{"bounds", "范围"}, {}};
   const auto add = [&](Message message) { entry.lines.push_back(std::move(message)); };
   if (const auto& card = findings.subject.card; card && !BuiltInOf(findings).limit) {
-    const double until_ms = static_cast<double>(*card->until_us) / 1000;
+    const double until_ms = ToMs(*card->until_us);
     add(MakeMessage("the first {0} ms", "前 {0} ms", until_ms));
   }
   if (exploration.bounded) {
@@ -381,7 +382,7 @@ void AddClaim(const Findings& findings, nlohmann::ordered_json* json) {
     assumptions["cycle_us"] = card->cycle_us;
     assumptions["axes"] = card->axis_count;
     assumptions["limit_ms"] = card->limit_ms;
-    if (card->until_us) assumptions["until_ms"] = static_cast<double>(*card->until_us) / 1000;
+    if (card->until_us) assumptions["until_ms"] = ToMs(*card->until_us);
     assumptions["world"] = card->world == runtime::World{}
                                ? std::string("nothing happens")
                                : fmt::format("{:016x}", HashOfWorld(*card));

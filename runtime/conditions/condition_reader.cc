@@ -1,8 +1,8 @@
 #include "runtime/conditions/condition_reader.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "base/milliseconds.h"
 #include "base/number.h"
 #include "base/trim.h"
 
@@ -37,7 +37,7 @@ std::optional<int64_t> MicrosecondsOf(std::string_view text) {
   }
   const auto value = ReadNumber(Trim(text));
   if (!value || *value < 0 || *value * scale > kInstantMaxMs) return std::nullopt;
-  return std::llround(*value * scale * 1000);
+  return FromMs(*value * scale);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "runtime/host/host_refusals.h"
+#include "base/milliseconds.h"
 
 #include <fmt/format.h>
 
@@ -48,7 +49,7 @@ std::vector<Message> HostRefusals::Describe() {
   const std::lock_guard lock(mutex_);
   std::vector<Message> texts;
   for (const Refusal& refusal : list_) {
-    const double at_ms = static_cast<double>(refusal.first_us) / 1000;
+    const double at_ms = ToMs(refusal.first_us);
     Message when = {fmt::format(" (at {} ms)", at_ms), fmt::format("（{} ms 时）", at_ms)};
     if (refusal.count > 1) {
       when = MakeMessage(" (first at {0} ms, {1} times)", "（首次在 {0} ms，共 {1} 次）", at_ms,

@@ -1,12 +1,11 @@
 #include "runtime/observe/plot.h"
+#include "base/milliseconds.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
-
-#include "runtime/observe/milliseconds.h"
 
 namespace oncard::runtime {
 namespace {

@@ -1,11 +1,10 @@
 #include "runtime/observe/trace.h"
+#include "base/milliseconds.h"
 
 #include <algorithm>
 #include <bitset>
 #include <cmath>
 #include <utility>
-
-#include "runtime/observe/milliseconds.h"
 
 namespace oncard::runtime {
 namespace {

@@ -1,9 +1,9 @@
 #include "runtime/scenario/key_script.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
+#include "base/milliseconds.h"
 #include "base/number.h"
 #include "runtime/scenario/scenario.h"
 
@@ -50,7 +50,7 @@ std::optional<KeyPress> TakePress(std::string_view* text) {
   if (!at_ms || *at_ms < 0 || *at_ms > static_cast<double>(kTimeMsMax)) return std::nullopt;
   text->remove_prefix(colon + 1);
   KeyPress press;
-  press.at_us = std::llround(*at_ms * 1000);
+  press.at_us = FromMs(*at_ms);
   while (!text->empty() && !text->starts_with(',')) {
     const auto character = TakeCharacter(text);
     if (!character) return std::nullopt;

@@ -4,9 +4,9 @@
 #include <filesystem>
 
 #include "base/files.h"
+#include "base/milliseconds.h"
 #include "base/number.h"
 #include "base/trim.h"
-#include "runtime/observe/milliseconds.h"
 #include "vm/limits.h"
 
 namespace oncard::runtime {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/files.h"
+#include "base/milliseconds.h"
 #include "runtime/observe/moving_axes.h"
 #include "runtime/scenario/scenario_start.h"
 #include "runtime/scenario/scenario_world.h"
@@ -386,7 +387,7 @@ class ScenarioRunner {
         MakeMessage("the run ended at {0} ms, before the host writes {1} at {2} ms: 'until_ms' "
                     "makes it last longer",
                     "运行在 {0} ms 结束，早于主机在 {2} ms 写入 {1}：可用“until_ms”使运行继续",
-                    result_.end_ms, write.variable.name, static_cast<double>(at_us) / 1000));
+                    result_.end_ms, write.variable.name, ToMs(at_us)));
   }
 
   // True if the run ended as intended.

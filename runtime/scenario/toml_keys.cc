@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
+#include "base/milliseconds.h"
 #include "base/nearest.h"
 
 namespace oncard::runtime {
@@ -139,7 +139,7 @@ int64_t TomlKeys::Time(const toml::table& table, std::string_view key) {
                                      "“{0}”应为以 ms 计的时间，0 至 {1}", key, kTimeMsMax));
     return 0;
   }
-  return std::llround(*value * 1000);
+  return FromMs(*value);
 }
 
 const toml::table* TomlKeys::Table(const toml::table& table, std::string_view key) {

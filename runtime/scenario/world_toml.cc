@@ -7,9 +7,9 @@
 #include <cmath>
 #include <iterator>
 
+#include "base/milliseconds.h"
 #include "motion/io/analog.h"
 #include "motion/io/extension.h"
-#include "runtime/observe/milliseconds.h"
 #include "runtime/observe/quantity.h"
 
 namespace oncard::runtime {

@@ -21,6 +21,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/milliseconds.h"
 #include "motion/common/state_hash.h"
 #include "runtime/sim/happening_text.h"
 #include "vm/object_reader.h"
@@ -168,9 +169,7 @@ bool Controller::Deadlocked() const {
   return any_waits && !family().writes_variables(view());
 }
 
-double Controller::NowMs() const {
-  return static_cast<double>(cycle() * options_.motion.cycle_us) / 1000;
-}
+double Controller::NowMs() const { return ToMs(cycle() * options_.motion.cycle_us); }
 
 int64_t Controller::NowUs() const { return cycle() * options_.motion.cycle_us + pending_us_; }
 

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "base/milliseconds.h"
 #include "runtime/sim/call_text.h"
 
 namespace oncard::runtime {
@@ -44,7 +45,7 @@ Message DescribeRefusedPlace(const RefusedCommand& refused, const std::string& p
 }
 
 Message DescribeRefusedCommand(const RefusedCommand& refused, const std::string& program_path) {
-  const double at_ms = static_cast<double>(refused.first_us) / 1000;
+  const double at_ms = ToMs(refused.first_us);
   const Message text = DescribeRefusedPlace(refused, program_path);
   const Message when = refused.count == 1
                            ? MakeMessage(" (at {0} ms)", "（{0} ms 时）", at_ms)
