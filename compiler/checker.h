@@ -235,6 +235,9 @@ class Checker {
   std::optional<TypedOperand> ResolveTarget(const Expression& expression);
   std::optional<Operation> ResolveOperation(const Expression& expression);
   std::optional<Operation> ResolveBinary(const Expression& expression);
+  /// The operand of an operation that has no other; it must not be an operation itself.
+  std::optional<TypedOperand> ResolveOnlyOperand(const Expression& operand,
+                                                 const Expression& operation);
   std::optional<Operation> ResolveUnary(const Expression& expression);
   std::optional<Operation> ResolveCast(const Expression& expression);
   std::optional<Operation> ResolveMagnitude(const Expression& expression);

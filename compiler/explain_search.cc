@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "base/nearest.h"
+#include "base/number.h"
 #include "compiler/diagnostic.h"
 #include "compiler/explain.h"
 
@@ -66,10 +66,8 @@ Message DescribeCodes() {
 
 std::optional<int> ParseDiagnosticCode(std::string_view text) {
   if (text.size() > 2 && (text[0] | 0x20) == 'm' && (text[1] | 0x20) == 'p') text.remove_prefix(2);
-  int code = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), code);
-  if (error != std::errc() || end != text.data() + text.size() || code < 0) return std::nullopt;
-  return code;
+  const std::optional<int> code = ReadWhole<int>(text);
+  return code && *code >= 0 ? code : std::nullopt;
 }
 
 std::vector<int> SearchDiagnostics(std::string_view text) {

@@ -556,6 +556,13 @@ std::optional<Operation> Checker::ResolveBinary(const Expression& expression) {
   return operation;
 }
 
+std::optional<TypedOperand> Checker::ResolveOnlyOperand(const Expression& operand,
+                                                        const Expression& operation) {
+  if (IsLeaf(operand) || ConstantOf(operand)) return ResolveOperand(operand);
+  TeachNested(operation);
+  return std::nullopt;
+}
+
 std::optional<Operation> Checker::ResolveUnary(const Expression& expression) {
   const Expression& inner = *expression.operands[0];
   const std::string_view op = expression.op;
@@ -564,11 +571,7 @@ std::optional<Operation> Checker::ResolveUnary(const Expression& expression) {
     CheckNames(expression);
     return std::nullopt;
   }
-  if (!IsLeaf(inner) && !ConstantOf(inner)) {
-    TeachNested(expression);
-    return std::nullopt;
-  }
-  const std::optional<TypedOperand> operand = ResolveOperand(inner);
+  const std::optional<TypedOperand> operand = ResolveOnlyOperand(inner, expression);
   if (!operand) return std::nullopt;
   if (info == nullptr) {
     Teach(Code::kUnaryMinus, expression.range);
@@ -598,11 +601,7 @@ std::optional<Operation> Checker::ResolveCast(const Expression& expression) {
          std::string_view("int, double"));
     return std::nullopt;
   }
-  if (!IsLeaf(inner) && !ConstantOf(inner)) {
-    TeachNested(expression);
-    return std::nullopt;
-  }
-  const std::optional<TypedOperand> operand = ResolveOperand(inner);
+  const std::optional<TypedOperand> operand = ResolveOnlyOperand(inner, expression);
   if (!operand) return std::nullopt;
   Operation operation;
   operation.type = operand->type;
@@ -632,11 +631,7 @@ std::optional<Operation> Checker::ResolveMagnitude(const Expression& expression)
     return std::nullopt;
   }
   const Expression& inner = *expression.operands[1];
-  if (!IsLeaf(inner) && !ConstantOf(inner)) {
-    TeachNested(expression);
-    return std::nullopt;
-  }
-  std::optional<TypedOperand> operand = ResolveOperand(inner);
+  std::optional<TypedOperand> operand = ResolveOnlyOperand(inner, expression);
   if (!operand) return std::nullopt;
   if (!Adapt(*operand, type)) {
     const std::string_view other = type == DataType::kInt ? "fabs" : "abs";
