@@ -70,7 +70,7 @@ void MeasureServo() {
   config.axis_count = 12;
   motion::MotionCore core(config);
   for (size_t i = 0; i < core.axis_count(); ++i) {
-    core.state().drives[i] = motion::VelocityDrive(100, 2, 0);
+    core.state().drives[i] = motion::VelocityDrive(100, 2, 0, core.config().ServoMs());
     core.state().controls[i].sets[0] = {.kp = 20};
     core.SetClosedLoop(i, true);
     core.ServoOn(i);

@@ -9,6 +9,7 @@
 #include "base/message.h"
 #include "gtcalls/catalogue.h"
 #include "gtcalls/family_state.h"
+#include "motion/motion_core.h"
 
 namespace oncard::motion {
 enum class ProfileMode : uint8_t;
@@ -32,6 +33,8 @@ struct Family {
   int16_t not_supported;
   /// The reason why a command has no function; nullptr for commands of the host library.
   const Message* (*why_unsupported)(const Command& command);
+  /// What the motion core of a card is after a reset.
+  motion::CardDefaults defaults;
   /// The virtual time of a call from the host, in microseconds.
   int64_t (*cost_us)(const Command& command);
   /// The status word of an axis, counted from 0, as the family's commands return it.
@@ -55,6 +58,11 @@ struct Family {
   /// host.
   bool (*writes_variables)(const CardView& card);
 
+  /// The configuration of a card's motion core, with the defaults of the family.
+  motion::MotionConfig Configured(motion::MotionConfig config) const {
+    config.defaults = defaults;
+    return config;
+  }
   CommandFunction FunctionOf(const Command& command) const {
     return functions[command.number - 1u];
   }

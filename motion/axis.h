@@ -113,8 +113,8 @@ struct Axis {
   bool negative_limit_on = true;
   int32_t soft_positive = kNoPositiveLimit;
   int32_t soft_negative = kNoNegativeLimit;
-  int32_t band = 0;       ///< pulses
-  int32_t band_time = 0;  ///< steps of 250 us
+  int32_t band = 0;  ///< pulses
+  Micros band_time = 0;
   bool band_set = false;  ///< GT_SetAxisBand has been called; only then is it judged
 
   // State.

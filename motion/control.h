@@ -15,7 +15,6 @@
 #include <tuple>
 
 #include "motion/common/sizes.h"
-#include "motion/mechanics/plant.h"
 
 namespace oncard::motion {
 
@@ -24,12 +23,6 @@ inline constexpr double kIntegralUnit = 1.0 / 256;
 inline constexpr size_t kPidSetCount = 3;
 /// Largest exponent of GT_SetKvffFilter (assumption).
 inline constexpr int16_t kKvffFilterMax = 8;
-
-/// Whether exceeding the following error limit does more than set bit 4 of the status word.
-/// Assumption: the drive is switched off and the profiles stop abruptly; false: only the bit is
-/// set.
-inline constexpr bool kFollowingErrorStops = true;
-
 /// TPid and GT_SetKvffFilter. Assumption: after reset all gains are 0 and all limits 32767, as in
 /// the GE manual.
 struct PidSet {
@@ -46,11 +39,11 @@ struct PidSet {
   double kvff_acc_max = 0;  ///< largest rate of change, pulse/ms^2; 0: no limit (assumption)
 
   /// The velocity to feed forward, one servo sub-step after `feed`.
-  double FeedForward(double feed, double velocity) const {
+  double FeedForward(double feed, double velocity, double servo_ms) const {
     if (kvff_filter == 0 && kvff_acc_max <= 0) return velocity;
     double change = (velocity - feed) / (1 << kvff_filter);
     if (kvff_acc_max > 0) {
-      change = std::clamp(change, -kvff_acc_max * kServoMs, kvff_acc_max * kServoMs);
+      change = std::clamp(change, -kvff_acc_max * servo_ms, kvff_acc_max * servo_ms);
     }
     return feed + change;
   }
@@ -67,7 +60,7 @@ struct ResponseCheck {
   bool on = false;
   int16_t threshold = 0;    ///< DAC units
   double min_velocity = 0;  ///< pulse/ms
-  int32_t time = 0;         ///< steps of 250 us
+  Micros time = 0;
   bool silent = false;
   Micros silent_since = 0;
 
@@ -96,8 +89,8 @@ struct Control {
   const PidSet& pid() const { return sets[selected]; }
   /// Clears the integral; the drive has just been enabled at `position`.
   void Begin(double position);
-  /// One servo sub-step; the output within the set's limit.
-  double Advance(double error, double velocity, double acceleration) {
+  /// One servo sub-step of this length; the output within the set's limit.
+  double Advance(double error, double velocity, double acceleration, double servo_ms) {
     const PidSet& set = pid();
     const auto limited = [](double value, double limit) {
       return std::clamp(value, -limit, limit);
@@ -105,7 +98,7 @@ struct Control {
     sum = limited(sum + error, set.integral_limit);
     const double difference = limited(error - error_before, set.derivative_limit);
     error_before = error;
-    feed = set.FeedForward(feed, velocity);
+    feed = set.FeedForward(feed, velocity, servo_ms);
     const double output = set.kp * error + set.ki * (sum * kIntegralUnit) + set.kd * difference +
                           set.kvff * feed + set.kaff * acceleration;
     return limited(output, set.limit);

@@ -17,11 +17,11 @@ namespace oncard::motion {
 struct Encoder {
   bool active = true;    ///< configuration: an inactive encoder counts nothing
   bool external = true;  ///< false: counts the pulse output
-  bool reversed = true;  ///< GT_EncSns; counters are reversed by default (GTS manual table 4-4)
+  bool reversed = false;
   /// How the encoder is wired: with this sense it counts in the direction of motion. Assumption:
   /// the wiring fits the configuration, so that reset and GT_LoadConfig set it and GT_EncSns does
   /// not.
-  bool wired_reversed = true;
+  bool wired_reversed = false;
   double position = 0;  ///< what GT_GetEncPos reads: whole pulses
   double source = 0;    ///< whole pulses of the source, whose changes are counted
   double velocity = 0;

@@ -62,7 +62,7 @@ void MotionCore::JudgeGantry() {
   Tell(HappeningKind::kGantrySkew, gantry.master, GantrySkew(), gantry.error_limit);
   for (const size_t axis : {size_t{gantry.master}, size_t{gantry.slave}}) {
     state_.axes[axis].latched |= kFollowingErrorBit;
-    if (kFollowingErrorStops) ServoOff(axis);
+    if (config_.defaults.following_error_stops) ServoOff(axis);
   }
 }
 

@@ -14,13 +14,6 @@ namespace {
 static_assert(kFieldsComplete<MotionState> && kFieldsComplete<Profile> && kFieldsComplete<Plant> &&
               kFieldsComplete<WorldEvent> && kFieldsComplete<WorldProgress>);
 
-/// The unit of GT_GetClockHighPrecision in microseconds (two servo sub-steps of a 250 us profile
-/// cycle).
-constexpr int64_t kFineClockUs = 125;
-
-/// The time unit of GT_SetAxisBand in microseconds.
-constexpr Micros kBandTimeUs = 250;
-
 /// Calls `function` with the number of every bit of `map` below `count`.
 template <typename Function>
 void ForEachBit(uint32_t map, size_t count, Function function) {
@@ -57,14 +50,14 @@ void MotionCore::Tick() {
 
 void MotionCore::Reset() {
   state_.clock_cycle = 0;
-  state_.io.Reset();
-  state_.profiles.fill({});
+  state_.io.Reset(config_.defaults.filter_ticks);
   state_.pvt_tables.fill(nullptr);
   state_.crds = {};
-  state_.encoders.fill({});
-  for (size_t i = 0; i < kAxisMax; ++i) {
-    state_.axes[i] = DefaultAxis(static_cast<int>(i));
+  for (Crd& crd : state_.crds) {
+    crd.smooth_stop = config_.defaults.smooth_stop;
+    crd.abrupt_stop = config_.defaults.abrupt_stop;
   }
+  ResetAxes();
   for (size_t i = 0; i < state_.enable_axes.size(); ++i) {
     state_.enable_axes[i] = static_cast<int8_t>(i);
   }
@@ -80,11 +73,22 @@ void MotionCore::Reset() {
   LatchCauses();
 }
 
-int64_t MotionCore::ClockMs() const { return state_.clock_cycle * config_.cycle_us / 1000; }
-
-int64_t MotionCore::Clock125us() const {
-  return state_.clock_cycle * config_.cycle_us / kFineClockUs;
+void MotionCore::ResetAxes() {
+  const CardDefaults& defaults = config_.defaults;
+  for (size_t i = 0; i < kAxisMax; ++i) {
+    Profile& profile = state_.profiles[i];
+    profile = {};
+    profile.smooth_stop = defaults.smooth_stop;
+    profile.abrupt_stop = defaults.abrupt_stop;
+    Axis& axis = state_.axes[i];
+    axis = DefaultAxis(static_cast<int>(i));
+    axis.alarm_on = defaults.alarm_on;
+    axis.positive_limit_on = defaults.limits_on;
+    axis.negative_limit_on = defaults.limits_on;
+  }
 }
+
+int64_t MotionCore::ClockMs() const { return ClockUs() / 1000; }
 
 // --- Steps of a tick ---------------------------------------------------------------------------
 
@@ -266,7 +270,7 @@ void MotionCore::JudgeAxis(size_t index) {
   const bool inside = error < axis.band && !AxisMoving(axis);
   if (inside && !axis.in_band) axis.in_band_since = now();
   axis.in_band = inside;
-  axis.in_position = inside && now() - axis.in_band_since >= axis.band_time * kBandTimeUs;
+  axis.in_position = inside && now() - axis.in_band_since >= axis.band_time;
 }
 
 // --- Axes and profiles -------------------------------------------------------------------------

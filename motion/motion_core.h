@@ -26,6 +26,7 @@
 #include <vector>
 
 #include "motion/axis.h"
+#include "motion/common/card_defaults.h"
 #include "motion/common/rounding.h"
 #include "motion/common/sizes.h"
 #include "motion/compensation.h"
@@ -51,7 +52,11 @@ namespace oncard::motion {
 /// Sizes and timing of a card.
 struct MotionConfig {
   int axis_count = 8;      ///< 4, 8 or 12
-  int64_t cycle_us = 250;  ///< profile cycle; a multiple of 125, 125..4000
+  int64_t cycle_us = 250;  ///< profile cycle; a multiple of servo_us, at most 4000
+  int64_t servo_us = 125;  ///< servo sub-step
+  CardDefaults defaults = {};
+
+  double ServoMs() const { return static_cast<double>(servo_us) / 1000; }
 };
 
 struct MotionState {
@@ -124,10 +129,10 @@ class MotionCore {
   void Reset();
   /// The instant of the last tick.
   Micros now() const { return state_.cycle * config_.cycle_us; }
-  /// Milliseconds since GT_Reset, rounded down (GT_GetClock).
+  /// Milliseconds since the last Reset(), rounded down.
   int64_t ClockMs() const;
-  /// The same in units of 125 us (GT_GetClockHighPrecision).
-  int64_t Clock125us() const;
+  /// The same in microseconds.
+  int64_t ClockUs() const { return state_.clock_cycle * config_.cycle_us; }
 
   // --- Axes and profiles -----------------------------------------------------------------------
 
@@ -336,6 +341,7 @@ class MotionCore {
   /// One cycle of a motor that is turned by hand, without a drive or with the drive off.
   void TurnByHand(Plant& plant);
   void AdvanceClosedLoop(size_t index);
+  void ResetAxes();
   void ResetMachine();
   void EnableMachine(size_t axis);
   void DisableMachine(size_t axis);

@@ -9,12 +9,6 @@
 #include "motion/motion_core.h"
 
 namespace oncard::motion {
-namespace {
-
-/// The time unit of GT_SetEncResponseCheck in microseconds (assumption: as for GT_SetAxisBand).
-constexpr Micros kCheckTimeUs = 250;
-
-}  // namespace
 
 // --- Outside the card --------------------------------------------------------------------------
 
@@ -101,7 +95,10 @@ void MotionCore::DrivePin(const WorldEvent& event) {
 // --- Configuration -----------------------------------------------------------------------------
 
 void MotionCore::ResetMachine() {
-  state_.encoders.fill({});
+  const CardDefaults& defaults = config_.defaults;
+  state_.encoders.fill({.external = defaults.encoders_external,
+                        .reversed = defaults.encoders_reversed,
+                        .wired_reversed = defaults.encoders_reversed});
   state_.dacs.fill({});
   for (Adc& adc : state_.adcs) adc = {.volts = adc.volts, .filtered = adc.volts};
   for (ExtensionModule& module : state_.modules) {
@@ -110,6 +107,7 @@ void MotionCore::ResetMachine() {
   }
   for (size_t i = 0; i < kAxisMax; ++i) {
     state_.controls[i] = DefaultControl(static_cast<int>(i));
+    state_.controls[i].error_limit = defaults.following_error_limit;
     state_.steps[i] = {};
     state_.steps[i].axis = static_cast<int8_t>(i);
     // The machine does not move; its encoder counts from here.
@@ -117,6 +115,7 @@ void MotionCore::ResetMachine() {
     state_.plants[i].lead = state_.plants[i].position;
   }
   Wire();
+  for (size_t i = 0; i < axis_count() && defaults.closed_loop; ++i) SetClosedLoop(i, true);
 }
 
 void MotionCore::Wire() {
@@ -223,7 +222,9 @@ void MotionCore::AdvancePlant(size_t index) {
     TurnByHand(plant);
   } else if (drive.kind == DriveKind::kVelocity) {
     const double output = axis.servo_on ? state_.dacs[index].Output() : 0;
-    for (int64_t t = 0; t < config_.cycle_us; t += kServoUs) plant.Advance(drive, output);
+    for (int64_t t = 0; t < config_.cycle_us; t += config_.servo_us) {
+      plant.Advance(drive, output, config_.ServoMs());
+    }
   } else {
     plant.velocity = 0;
     if (plant.axis < 0 || !axis.servo_on) return;
@@ -249,7 +250,8 @@ void MotionCore::AdvanceClosedLoop(size_t index) {
   const Drive& drive = state_.drives[index];
   const Axis& axis = state_.axes[static_cast<size_t>(control.axis)];
   const double commanded = CommandedPosition(static_cast<size_t>(control.axis));
-  const auto sub_steps = static_cast<int32_t>(config_.cycle_us / kServoUs);
+  const auto sub_steps = static_cast<int32_t>(config_.cycle_us / config_.servo_us);
+  const double servo_ms = config_.ServoMs();
   const double advance = (commanded - control.reference) / sub_steps;
   const bool ideal = drive.kind == DriveKind::kIdeal;
   const double correction =
@@ -258,9 +260,10 @@ void MotionCore::AdvanceClosedLoop(size_t index) {
     const double reference = control.reference + i * advance;
     const double error = reference - MeasuredPosition(control);
     state_.dacs[index].value =
-        control.Advance(error, axis.profile.velocity, axis.profile.acceleration) + correction;
+        control.Advance(error, axis.profile.velocity, axis.profile.acceleration, servo_ms) +
+        correction;
     if (ideal && !plant.stalled) plant.position = reference + advance + plant.lead;
-    if (!ideal) plant.Advance(drive, state_.dacs[index].Output());
+    if (!ideal) plant.Advance(drive, state_.dacs[index].Output(), servo_ms);
   }
   control.reference = commanded;
   if (!ideal) return;
@@ -340,7 +343,7 @@ void MotionCore::FailControl(const Control& control, double error) {
     Tell(HappeningKind::kEncoderSilent, index, axis.encoder.velocity, control.check.min_velocity);
   }
   axis.latched |= kFollowingErrorBit;
-  if (kFollowingErrorStops) ServoOff(index);
+  if (config_.defaults.following_error_stops) ServoOff(index);
 }
 
 bool MotionCore::EncoderSilent(Control& control) {
@@ -357,7 +360,7 @@ bool MotionCore::EncoderSilent(Control& control) {
   const bool silent = output > check.threshold && std::fabs(encoder.velocity) < check.min_velocity;
   if (silent && !check.silent) check.silent_since = now();
   check.silent = silent;
-  return silent && now() - check.silent_since >= check.time * kCheckTimeUs;
+  return silent && now() - check.silent_since >= check.time;
 }
 
 // --- Encoders ----------------------------------------------------------------------------------

@@ -16,6 +16,8 @@ void MotionCore::SetUpCrd(size_t index, CrdParameters parameters) {
     state_.profiles[static_cast<size_t>(crd.gears[i].profile)].driven = false;
   }
   crd = {};
+  crd.smooth_stop = config_.defaults.smooth_stop;
+  crd.abrupt_stop = config_.defaults.abrupt_stop;
   crd.parameters = parameters;
   for (size_t i = 0; i < kCrdParameterAxes; ++i) {
     if (parameters.profile[i] == 0) continue;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/message.h"
+#include "gtcalls/gts/defaults.h"
 #include "motion/motion_core.h"
 
 namespace oncard::gtcalls {
@@ -22,8 +23,8 @@ inline constexpr size_t kConfigPathMax = 125;
 struct CardConfig {
   struct Profile {
     double active = 1;
-    double smooth_stop = motion::kSmoothStopDefault;
-    double abrupt_stop = motion::kAbruptStopDefault;
+    double smooth_stop = kGtsDefaults.smooth_stop;
+    double abrupt_stop = kGtsDefaults.abrupt_stop;
   };
   struct Axis {
     double active = 1;
@@ -69,7 +70,7 @@ struct CardConfig {
   struct Input {
     double active = 1;
     double reverse = 0;
-    double filter_ticks = motion::kFilterTicksDefault;
+    double filter_ticks = kGtsDefaults.filter_ticks;
   };
 
   std::array<Profile, motion::kAxisMax> profiles;

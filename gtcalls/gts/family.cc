@@ -6,6 +6,7 @@
 #include "gtcalls/gts/buffered_values.h"
 #include "gtcalls/gts/catalogue.h"
 #include "gtcalls/gts/commands/commands.h"
+#include "gtcalls/gts/defaults.h"
 #include "gtcalls/gts/profile_modes.h"
 #include "gtcalls/gts/status_word.h"
 #include "gtcalls/gts/unsupported.h"
@@ -69,6 +70,7 @@ const Family& GtsFamily() {
       .functions = kFunctions,
       .not_supported = kNotSupported,
       .why_unsupported = WhyUnsupported,
+      .defaults = kGtsDefaults,
       .cost_us = CostUs,
       .status_word = GtsStatusWord,
       .mode_number = GtsModeNumber,

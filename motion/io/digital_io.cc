@@ -172,13 +172,13 @@ void DigitalIo::Settle() {
   }
 }
 
-void DigitalIo::Reset() {
+void DigitalIo::Reset(uint16_t filter_ticks) {
   for (DiWord& word : inputs_) {
     const DiWord before = word;
     word = {};
     word.driven = before.driven;
     word.pins = before.pins;
-    word.filter_ticks.fill(kFilterTicksDefault);
+    word.filter_ticks.fill(filter_ticks);
   }
   outputs_ = {};
   Settle();

@@ -16,6 +16,8 @@
 #include <optional>
 #include <tuple>
 
+#include "motion/common/card_defaults.h"
+
 namespace oncard::motion {
 
 /// Input words, numbered as MC_LIMIT_POSITIVE ... MC_MPG.
@@ -46,9 +48,6 @@ std::optional<DoType> DoTypeFromNumber(int number);
 /// How many inputs or outputs a word has.
 int DiWidth(DiType type);
 int DoWidth(DoType type);
-
-/// Ticks of the input filter after reset (`filterTime` of the vendor's configuration files).
-inline constexpr uint16_t kFilterTicksDefault = 3;
 
 /// One word of inputs. Bit n of each mask belongs to input n.
 struct DiWord {
@@ -91,9 +90,6 @@ struct DoWord {
 
   auto Fields() const { return std::tie(value, inverted, active, timed, timing); }
 };
-
-/// Unit of the times of GT_SetDoBitReverse, in microseconds.
-inline constexpr int64_t kDoTimeUnitUs = 250;
 
 /// All digital inputs and outputs. Plain data: copy it to keep it.
 class DigitalIo {
@@ -151,9 +147,9 @@ class DigitalIo {
   /// Treats the current levels of the pins as established: the filters accept them at once, and no
   /// edge is counted.
   void Settle();
-  /// Sets registers, senses, filters, counters and timings to their defaults. The pins keep their
-  /// levels, and the filters accept them at once.
-  void Reset();
+  /// Sets registers, senses, counters and timings to 0, and the ticks of all filters. The pins keep
+  /// their levels, and the filters accept them at once.
+  void Reset(uint16_t filter_ticks = CardDefaults{}.filter_ticks);
 
   auto Fields() const { return std::tie(inputs_, outputs_); }
 

@@ -21,15 +21,15 @@ double ExpMinus(double x) {
   return value;
 }
 
-void Drive::Prepare() {
+void Drive::Prepare(double servo_ms) {
   unit = gain / kDacFull;
-  decay = tau > 0 ? ExpMinus(kServoMs / tau) : 0;
+  decay = tau > 0 ? ExpMinus(servo_ms / tau) : 0;
   lag = tau * (1 - decay);
 }
 
-Drive VelocityDrive(double gain, double tau, double friction) {
+Drive VelocityDrive(double gain, double tau, double friction, double servo_ms) {
   Drive drive{.kind = DriveKind::kVelocity, .gain = gain, .tau = tau, .friction = friction};
-  drive.Prepare();
+  drive.Prepare(servo_ms);
   return drive;
 }
 

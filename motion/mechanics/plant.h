@@ -14,10 +14,6 @@
 
 namespace oncard::motion {
 
-/// Servo sub-steps have this length; every profile cycle is a whole number of them.
-inline constexpr int64_t kServoUs = 125;
-inline constexpr double kServoMs = static_cast<double>(kServoUs) / 1000;
-
 enum class DriveKind : uint8_t { kIdeal, kVelocity };
 
 /// A drive, which converts commands to motion. The defaults of a velocity drive are assumptions.
@@ -31,8 +27,8 @@ struct Drive {
   double decay = 0;  ///< e^(-h/tau): the remaining fraction of a difference in speed
   double lag = 0;    ///< tau (1 - decay), ms: the distance caused by a difference of 1 pulse/ms
 
-  /// Computes the coefficients of the motion from the parameters.
-  void Prepare();
+  /// Computes the coefficients of the motion from the parameters and the length of a sub-step.
+  void Prepare(double servo_ms);
   /// The speed an output commands, pulse/ms.
   double Commanded(double output) const {
     const double speed = unit * output;
@@ -43,8 +39,8 @@ struct Drive {
   auto Fields() const { return std::tie(kind, gain, tau, friction, unit, decay, lag); }
 };
 
-/// A velocity drive with its coefficients.
-Drive VelocityDrive(double gain, double tau, double friction);
+/// A velocity drive with its coefficients, for servo sub-steps of this length.
+Drive VelocityDrive(double gain, double tau, double friction, double servo_ms);
 
 /// e^-x for x >= 0 by series and squaring: the same bits on every machine, relative error below
 /// 1e-12 for x < 100.
@@ -63,12 +59,13 @@ struct Plant {
   bool stalled = false;  ///< blocked: stays at rest, whatever the drive does
   double hand = 0;  ///< velocity at which it is turned by hand while its drive is off, pulse/ms
 
-  /// One servo sub-step of a velocity drive at `output`: the lag's exact solution.
-  void Advance(const Drive& drive, double output) {
+  /// One servo sub-step of a velocity drive at `output`: the lag's exact solution. It has the
+  /// length for which the drive was prepared.
+  void Advance(const Drive& drive, double output, double servo_ms) {
     if (stalled) return;
     const double commanded = drive.Commanded(output);
     const double difference = velocity - commanded;
-    position += commanded * kServoMs + difference * drive.lag;
+    position += commanded * servo_ms + difference * drive.lag;
     velocity = commanded + difference * drive.decay;
   }
 

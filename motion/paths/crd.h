@@ -16,6 +16,7 @@
 #include <limits>
 #include <tuple>
 
+#include "motion/common/card_defaults.h"
 #include "motion/common/sizes.h"
 #include "motion/paths/look_ahead.h"
 #include "motion/paths/path_slot.h"
@@ -146,8 +147,8 @@ struct Crd {
   std::array<int32_t, kCrdDimensionMax> members{};  ///< profile of each coordinate, from 0
   Coordinates origin{};
   Coordinates position{};  ///< current position of the path
-  double smooth_stop = kSmoothStopDefault;
-  double abrupt_stop = kAbruptStopDefault;
+  double smooth_stop = CardDefaults{}.smooth_stop;
+  double abrupt_stop = CardDefaults{}.abrupt_stop;
   double override_ratio = 1;   ///< GT_SetOverride
   double second_override = 1;  ///< GT_SetOverride2, for the segments that select it
   bool step_mode = false;

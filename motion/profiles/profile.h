@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <tuple>
 
+#include "motion/common/card_defaults.h"
 #include "motion/common/sample.h"
 #include "motion/common/sizes.h"
 #include "motion/profiles/master.h"
@@ -16,10 +17,6 @@
 
 namespace oncard::motion {
 
-/// GT_SetStopDec, pulse/ms^2 (defaults of the GTS manual 4.4).
-inline constexpr double kSmoothStopDefault = 1;
-inline constexpr double kAbruptStopDefault = 1000;
-
 struct Profile {
   bool active = true;  ///< configuration: an inactive profile plans nothing
   ProfileMode mode = ProfileMode::kTrap;
@@ -27,8 +24,8 @@ struct Profile {
   Sample now;
   /// True if a coordinate system writes the output, of a member or of a BufGear axis.
   bool driven = false;
-  double smooth_stop = kSmoothStopDefault;
-  double abrupt_stop = kAbruptStopDefault;
+  double smooth_stop = CardDefaults{}.smooth_stop;
+  double abrupt_stop = CardDefaults{}.abrupt_stop;
 
 #define PROFILE_MODE(enumerator, number, name, member, Class) Class member;
 #include "motion/profiles/modes.def"

@@ -87,7 +87,8 @@ void AddModule(const ModuleEvent& module, WorldEvents& events) {
 void SetUpMachine(const MachineSetup& setup, motion::MotionCore& core) {
   const size_t index = FromZero(setup.axis);
   if (setup.drive == motion::DriveKind::kVelocity) {
-    core.state().drives[index] = motion::VelocityDrive(setup.gain, setup.tau_ms, setup.friction);
+    core.state().drives[index] =
+        motion::VelocityDrive(setup.gain, setup.tau_ms, setup.friction, core.config().ServoMs());
   }
   core.state().index_marks[index] = {setup.index_offset, setup.index_period};
   core.PlaceMachine(index, setup.position);

@@ -40,7 +40,7 @@ uint64_t HashOf(const gtcalls::FamilyState& state) {
 
 Controller::Controller(const ControllerOptions& options)
     : options_(options),
-      motion_(options.motion),
+      motion_(options.family->Configured(options.motion)),
       family_state_(options.family->new_state()),
       commands_(&card_),
       machine_(&commands_),

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "gtcalls/gts/defaults.h"
 #include "tests/gtcalls/command_test_card.h"
 
 namespace oncard::gtcalls {
@@ -55,7 +56,7 @@ class AxisCommandCard : public CommandTestCard {
   /// Sets a pin, counted from 0, and runs the cycles of its filter.
   void Drive(motion::DiType type, int bit, bool level) {
     motion.state().io.SetPin(type, bit, level);
-    Cycles(motion::kFilterTicksDefault);
+    Cycles(kGtsDefaults.filter_ticks);
   }
 
   /// Expects that the call is refused with `code` and changes nothing.

@@ -24,8 +24,9 @@ class ConfiguredCard : public CommandTestCard {
 };
 
 TEST(CardConfig, AnEmptyFileIsTheStateAfterReset) {
-  motion::MotionCore reset({});
-  motion::MotionCore configured({});
+  const motion::MotionConfig config = GtsFamily().Configured({});
+  motion::MotionCore reset(config);
+  motion::MotionCore configured(config);
   ApplyCardConfig(ParseCardConfig(""), &configured);
   EXPECT_EQ(configured.Hash(), reset.Hash());
 }

@@ -35,7 +35,7 @@ struct Argument {
 class CommandTestCard {
  public:
   explicit CommandTestCard(const motion::MotionConfig& config = {})
-      : motion(config),
+      : motion(GtsFamily().Configured(config)),
         commands(&card),
         machine(&commands),
         card{GtsFamily(), machine, motion, family_state} {}

@@ -12,7 +12,7 @@
 namespace oncard::motion {
 namespace {
 
-constexpr uint16_t kFilterTicks = kFilterTicksDefault;
+constexpr uint16_t kFilterTicks = CardDefaults{}.filter_ticks;
 
 /// A card with the commands that these tests need; axes and profiles are numbered from 0.
 class AxisCard {
@@ -465,7 +465,7 @@ TEST(InPosition, Example112ComesTheBandTimeAfterTheEndOfTheMotion) {
     AxisCard card(cycle_us);
     card.core.ServoOn(0);
     card.axis().band = 20;
-    card.axis().band_time = 5;
+    card.axis().band_time = 1250;
     card.axis().band_set = true;
     card.SetTrap({.acc = 1, .dec = 0.5});
     card.MoveTo(10000, 10);
@@ -499,7 +499,7 @@ TEST(InPosition, NeedsABandAndAnErrorStrictlyInsideIt) {
 TEST(InPosition, GoesAtOnceWithMotionOrTheErrorAndNeedsTheWholeTimeAgain) {
   AxisCard card;
   card.axis().band = 20;
-  card.axis().band_time = 16;  // 4 ms
+  card.axis().band_time = 4000;
   card.axis().band_set = true;
   card.core.ServoOn(0);
   card.Ticks(4);

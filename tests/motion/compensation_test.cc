@@ -199,7 +199,7 @@ TEST(CompensatedAxis, RenamingItsPositionsMovesNothing) {
       MotionCore& core = jog.core;
       if (closed) {
         core.ServoOff(0);
-        core.state().drives[0] = VelocityDrive(100, 2, 0);
+        core.state().drives[0] = VelocityDrive(100, 2, 0, 0.125);
         core.state().controls[0].sets[0] = {.kp = 20};
         core.SetClosedLoop(0, true);
         core.ServoOn(0);

@@ -24,54 +24,69 @@ TEST(Pid, FollowsTheFormulaSampleBySample) {
       {-10, 2, -0.5, -20 + 3 - 160 + 6 - 50},
   };
   for (const auto& s : samples) {
-    EXPECT_DOUBLE_EQ(control.Advance(s.error, s.velocity, s.acceleration), s.output);
+    EXPECT_DOUBLE_EQ(control.Advance(s.error, s.velocity, s.acceleration, 0.125), s.output);
   }
 }
 
 TEST(Pid, LimitsSumDifferenceAndOutput) {
   Control control;
   control.sets[0] = {.ki = 256, .integral_limit = 10};
-  EXPECT_EQ(control.Advance(8, 0, 0), 8);
-  EXPECT_EQ(control.Advance(8, 0, 0), 10);
-  EXPECT_EQ(control.Advance(-3, 0, 0), 7);
-  EXPECT_EQ(control.Advance(-100, 0, 0), -10);
+  EXPECT_EQ(control.Advance(8, 0, 0, 0.125), 8);
+  EXPECT_EQ(control.Advance(8, 0, 0, 0.125), 10);
+  EXPECT_EQ(control.Advance(-3, 0, 0, 0.125), 7);
+  EXPECT_EQ(control.Advance(-100, 0, 0, 0.125), -10);
   Control second;
   second.sets[0] = {.kd = 1, .derivative_limit = 5};
-  EXPECT_EQ(second.Advance(3, 0, 0), 3);
-  EXPECT_EQ(second.Advance(30, 0, 0), 5);
-  EXPECT_EQ(second.Advance(-30, 0, 0), -5);
+  EXPECT_EQ(second.Advance(3, 0, 0, 0.125), 3);
+  EXPECT_EQ(second.Advance(30, 0, 0, 0.125), 5);
+  EXPECT_EQ(second.Advance(-30, 0, 0, 0.125), -5);
   Control third;
   third.sets[0] = {.kp = 100, .limit = 500};
-  EXPECT_EQ(third.Advance(4, 0, 0), 400);
-  EXPECT_EQ(third.Advance(6, 0, 0), 500);
-  EXPECT_EQ(third.Advance(-6, 0, 0), -500);
+  EXPECT_EQ(third.Advance(4, 0, 0, 0.125), 400);
+  EXPECT_EQ(third.Advance(6, 0, 0, 0.125), 500);
+  EXPECT_EQ(third.Advance(-6, 0, 0, 0.125), -500);
 }
 
 TEST(Pid, TheSelectedSetActsAtOnceAndTheSumStays) {
   Control control;
   control.sets[0] = {.ki = 256};
   control.sets[2] = {.kp = 5, .ki = 256};
-  EXPECT_EQ(control.Advance(1, 0, 0), 1);
+  EXPECT_EQ(control.Advance(1, 0, 0, 0.125), 1);
   control.selected = 2;
-  EXPECT_EQ(control.Advance(1, 0, 0), 7);
+  EXPECT_EQ(control.Advance(1, 0, 0, 0.125), 7);
+}
+
+TEST(Pid, HasTheSubStepsOfTheConfiguration) {
+  const struct {
+    int64_t servo_us;
+    double steps;
+  } cases[] = {{125, 8}, {250, 4}, {1000, 1}};
+  for (const auto& c : cases) {
+    MotionCore core({.cycle_us = 1000, .servo_us = c.servo_us});
+    core.SetClosedLoop(0, true);
+    core.ServoOn(0);
+    core.state().encoder_faults[0].slip = -1;  // an error of 1 in each sub-step
+    core.Tick();
+    EXPECT_EQ(core.state().controls[0].sum, c.steps) << c.servo_us;
+  }
 }
 
 TEST(Pid, TheFedForwardVelocityIsFiltered) {
   Control control;
   control.sets[0] = {.kvff = 1, .kvff_filter = 1};
-  EXPECT_EQ(control.Advance(0, 8, 0), 4);
-  EXPECT_EQ(control.Advance(0, 8, 0), 6);
+  EXPECT_EQ(control.Advance(0, 8, 0, 0.125), 4);
+  EXPECT_EQ(control.Advance(0, 8, 0, 0.125), 6);
   Control limited;
   limited.sets[0] = {.kvff = 1, .kvff_acc_max = 16};  // 2 pulse/ms in each 0.125 ms
-  EXPECT_EQ(limited.Advance(0, 8, 0), 2);
-  EXPECT_EQ(limited.Advance(0, 8, 0), 4);
-  EXPECT_EQ(limited.Advance(0, 1, 0), 2);
+  EXPECT_EQ(limited.Advance(0, 8, 0, 0.125), 2);
+  EXPECT_EQ(limited.Advance(0, 8, 0, 0.125), 4);
+  EXPECT_EQ(limited.Advance(0, 1, 0, 0.125), 2);
 }
 
 /// Axis 1 in closed loop with a velocity drive.
 MotionCore ServoCore(const PidSet& pid, double tau = 2) {
   MotionCore core({});
-  core.state().drives[0] = VelocityDrive(100, tau, 0);
+  core.state().drives[0] = VelocityDrive(100, tau, 0, 0.125);
   core.state().controls[0].sets[0] = pid;
   core.SetClosedLoop(0, true);
   core.ServoOn(0);
@@ -161,7 +176,7 @@ TEST(ClosedLoop, AgreesWithAFineIntegrationOfTheSameLoop) {
 TEST(ClosedLoop, EnablingTakesTheMeasuredPositionSoThatNothingJumps) {
   MotionCore core({});
   core.SetClosedLoop(0, true);
-  core.state().drives[0] = VelocityDrive(100, 2, 0);
+  core.state().drives[0] = VelocityDrive(100, 2, 0, 0.125);
   core.state().controls[0].sets[0] = {.kp = 20};
   core.SetProfilePosition(0, 5000);
   core.SynchAxis(0);
@@ -237,6 +252,14 @@ TEST(FollowingError, IsStrictLatchedAndStopsTheAxis) {
   EXPECT_EQ(core.state().io.Register(DoType::kEnable), 0u);
 }
 
+TEST(FollowingError, IsOnlyLatchedOnACardThatDoesNotStop) {
+  MotionCore core({.defaults = {.following_error_stops = false}});
+  core.ServoOn(0);
+  core.state().encoder_faults[0].slip = 32768;
+  core.Tick();
+  EXPECT_EQ(core.Conditions(0), kFollowingErrorBit | kServoOnBit);
+}
+
 TEST(FollowingError, TheBitIsClearedWhenTheErrorHasGone) {
   MotionCore core({});
   core.ServoOn(0);
@@ -266,7 +289,7 @@ TEST(FollowingError, IsWatchedByActiveControllersOfEnabledAxesOnly) {
 TEST(FollowingError, ARunawayWithAReversedEncoderIsStopped) {
   MotionCore core = ServoCore({.kp = 20});
   core.state().controls[0].error_limit = 1000;
-  core.SetEncoderSense(0, false);
+  core.SetEncoderSense(0, true);
   Jog(core, 1);
   Ticks(core, 4000);
   EXPECT_TRUE(core.Conditions(0) & kFollowingErrorBit);
@@ -276,7 +299,8 @@ TEST(FollowingError, ARunawayWithAReversedEncoderIsStopped) {
 
 TEST(ResponseCheck, AVoltageWithoutMotionSwitchesTheAxisOff) {
   MotionCore core = ServoCore({.kp = 20});
-  core.state().controls[0].check = {.on = true, .threshold = 200, .min_velocity = 1, .time = 40};
+  core.state().controls[0].check = {
+      .on = true, .threshold = 200, .min_velocity = 1, .time = 10'000};
   Jog(core, 10);
   Ticks(core, 400);
   EXPECT_TRUE(core.Conditions(0) & kServoOnBit);

@@ -198,7 +198,7 @@ TEST(TimedReversal, FlipsAfterItsTimeAtEveryCycleLength) {
                      {1000, "100"},           {1500, "00"},      {4000, "0"}};
   for (const auto& c : cases) {
     DigitalIo io;
-    io.WriteForAWhile(kGpo, 7, true, 6 * kDoTimeUnitUs);
+    io.WriteForAWhile(kGpo, 7, true, 1500);
     EXPECT_TRUE(Bit(io.Register(kGpo), 7));
     const std::string expected = c.levels;
     EXPECT_EQ(Trace(io, kGpo, 7, static_cast<int>(expected.size()), c.cycle_us), expected)

@@ -50,14 +50,14 @@ TEST(Encoder, AChangeOfSenseReversesTheCountAndKeepsThePosition) {
   StartJog(core);
   Ticks(core, 40);
   const double before = Position(core);
-  core.SetEncoderSense(kX, false);
+  core.SetEncoderSense(kX, true);
   EXPECT_EQ(Position(core), before);
   Ticks(core, 1);
   EXPECT_NEAR(Position(core), before - 2.5, 1);
   EXPECT_NEAR(core.state().encoders[kX].velocity, -10, 2.1);
   Ticks(core, 39);
   EXPECT_NEAR(Position(core), before - 100, 1);
-  core.SetEncoderSense(kX, true);
+  core.SetEncoderSense(kX, false);
   Ticks(core, 40);
   EXPECT_NEAR(Position(core), before, 1);
 }

@@ -16,7 +16,7 @@ void Ticks(MotionCore& core, int count) {
 MotionCore UnevenCore(double coupling) {
   MotionCore core({});
   for (const size_t axis : {size_t{0}, size_t{1}}) {
-    core.state().drives[axis] = VelocityDrive(axis == 0 ? 100 : 90, 2, 0);
+    core.state().drives[axis] = VelocityDrive(axis == 0 ? 100 : 90, 2, 0, 0.125);
     core.state().controls[axis].sets[0] = {.kp = 20};
     core.SetClosedLoop(axis, true);
     core.ServoOn(axis);

@@ -10,22 +10,22 @@ void TickTimes(MotionCore& core, int times) {
   for (int i = 0; i < times; ++i) core.Tick();
 }
 
-TEST(MotionClock, CountsMillisecondsRoundedDownAndEighthsExactly) {
+TEST(MotionClock, CountsMillisecondsRoundedDownAndMicrosecondsExactly) {
   struct {
     int64_t cycle_us;
     int ticks;
     int64_t ms;
-    int64_t eighths;
+    int64_t us;
   } const cases[] = {
-      {250, 0, 0, 0}, {250, 3, 0, 6},   {250, 4, 1, 8},          {250, 4001, 1000, 8002},
-      {125, 7, 0, 7}, {125, 8, 1, 8},   {1000, 5, 5, 40},        {375, 2, 0, 6},
-      {375, 3, 1, 9}, {4000, 2, 8, 64}, {4000, 250, 1000, 8000},
+      {250, 0, 0, 0},    {250, 3, 0, 750},   {250, 4, 1, 1000},          {250, 4001, 1000, 1000250},
+      {125, 7, 0, 875},  {125, 8, 1, 1000},  {1000, 5, 5, 5000},         {375, 2, 0, 750},
+      {375, 3, 1, 1125}, {4000, 2, 8, 8000}, {4000, 250, 1000, 1000000},
   };
   for (const auto& c : cases) {
     MotionCore core({.cycle_us = c.cycle_us});
     TickTimes(core, c.ticks);
     EXPECT_EQ(core.ClockMs(), c.ms) << c.cycle_us << " us, " << c.ticks;
-    EXPECT_EQ(core.Clock125us(), c.eighths) << c.cycle_us << " us, " << c.ticks;
+    EXPECT_EQ(core.ClockUs(), c.us) << c.cycle_us << " us, " << c.ticks;
   }
 }
 
@@ -45,6 +45,56 @@ TEST(MotionReset, ClearsOutputsAndKeepsPins) {
   core.Reset();
   EXPECT_EQ(core.state().io.Register(DoType::kGpo), 0u);
   EXPECT_EQ(core.state().io.Pins(DiType::kHome), 4u);
+}
+
+TEST(MotionReset, SetsWhatTheConfigurationSays) {
+  const MotionCore core({.axis_count = 4,
+                         .defaults = {.smooth_stop = 2,
+                                      .abrupt_stop = 50,
+                                      .filter_ticks = 1,
+                                      .alarm_on = false,
+                                      .limits_on = false,
+                                      .encoders_external = false,
+                                      .encoders_reversed = true,
+                                      .following_error_limit = 7}});
+  const MotionState& state = core.state();
+  EXPECT_EQ(state.profiles[3].smooth_stop, 2);
+  EXPECT_EQ(state.profiles[3].abrupt_stop, 50);
+  EXPECT_EQ(state.crds[1].smooth_stop, 2);
+  EXPECT_EQ(state.crds[1].abrupt_stop, 50);
+  EXPECT_FALSE(state.axes[3].alarm_on);
+  EXPECT_FALSE(state.axes[3].positive_limit_on);
+  EXPECT_FALSE(state.axes[3].negative_limit_on);
+  EXPECT_FALSE(state.encoders[3].external);
+  EXPECT_TRUE(state.encoders[3].reversed);
+  EXPECT_EQ(state.controls[3].error_limit, 7);
+  EXPECT_FALSE(core.InClosedLoop(3));
+}
+
+TEST(MotionReset, SetsTheFiltersOfTheConfiguration) {
+  MotionCore core({.defaults = {.filter_ticks = 1}});
+  core.state().io.SetPin(DiType::kGpi, 0, true);
+  TickTimes(core, 1);
+  EXPECT_EQ(core.state().io.Read(DiType::kGpi), 1u);
+}
+
+TEST(MotionReset, ClosesTheLoopsOfTheCardsThatHaveIt) {
+  MotionCore core({.axis_count = 4, .defaults = {.closed_loop = true}});
+  for (size_t axis = 0; axis < 4; ++axis) EXPECT_TRUE(core.InClosedLoop(axis)) << axis;
+  core.SetClosedLoop(2, false);
+  EXPECT_FALSE(core.InClosedLoop(2));
+  core.Reset();
+  EXPECT_TRUE(core.InClosedLoop(2));
+}
+
+TEST(MotionReset, KeepsTheDecelerationsOfACoordinateSystemThatIsSetUpAgain) {
+  MotionCore core({.defaults = {.smooth_stop = 2, .abrupt_stop = 50}});
+  CrdParameters parameters;
+  parameters.dimension = 2;
+  parameters.profile = {1, 2};
+  core.SetUpCrd(0, parameters);
+  EXPECT_EQ(core.state().crds[0].smooth_stop, 2);
+  EXPECT_EQ(core.state().crds[0].abrupt_stop, 50);
 }
 
 TEST(MotionTick, SamplesInputsAndAdvancesTimedOutputs) {

@@ -18,10 +18,10 @@ TEST(ExpMinus, AgreesWithTheLibrary) {
 
 TEST(VelocityDrive, FollowsAStepWithItsTimeConstant) {
   // v(t) = 100 (1 - e^(-t/2)), p(t) = 100 (t - 2 (1 - e^(-t/2))) at full output.
-  const Drive drive = VelocityDrive(100, 2, 0);
+  const Drive drive = VelocityDrive(100, 2, 0, 0.125);
   Plant plant;
   for (int i = 1; i <= 160; ++i) {
-    plant.Advance(drive, 32767);
+    plant.Advance(drive, 32767, 0.125);
     const double t = i * 0.125;
     EXPECT_NEAR(plant.velocity, 100 * (1 - std::exp(-t / 2)), 1e-9) << t;
     EXPECT_NEAR(plant.position, 100 * (t - 2 * (1 - std::exp(-t / 2))), 1e-8) << t;
@@ -29,15 +29,15 @@ TEST(VelocityDrive, FollowsAStepWithItsTimeConstant) {
 }
 
 TEST(VelocityDrive, WithoutALagObeysAtOnce) {
-  const Drive drive = VelocityDrive(80, 0, 0);
+  const Drive drive = VelocityDrive(80, 0, 0, 0.125);
   Plant plant;
-  plant.Advance(drive, -32767);
+  plant.Advance(drive, -32767, 0.125);
   EXPECT_EQ(plant.velocity, -80);
   EXPECT_EQ(plant.position, -10);
 }
 
 TEST(VelocityDrive, FrictionMissesTheCommandedSpeed) {
-  const Drive drive = VelocityDrive(32.767, 2, 1);  // 1 pulse/ms for an output of 1000
+  const Drive drive = VelocityDrive(32.767, 2, 1, 0.125);  // 1 pulse/ms for an output of 1000
   struct {
     double output, speed;
   } const cases[] = {{0, 0}, {999, 0}, {-999, 0}, {1000, 0}, {3000, 2}, {-3000, -2}};
@@ -93,7 +93,7 @@ TEST(IdealDrive, LosesThePulsesOfAStall) {
 
 TEST(VelocityDriveMachine, ObeysTheVoltageOfItsOutputWhileEnabled) {
   MotionCore core({});
-  core.state().drives[0] = VelocityDrive(100, 2, 0);
+  core.state().drives[0] = VelocityDrive(100, 2, 0, 0.125);
   core.state().dacs[0].value = 32767;
   Ticks(core, 40);
   EXPECT_EQ(core.state().plants[0].position, 0);
@@ -108,7 +108,7 @@ TEST(VelocityDriveMachine, ObeysTheVoltageOfItsOutputWhileEnabled) {
 TEST(VelocityDriveMachine, DoesNotDependOnTheCycle) {
   const auto run = [](int64_t cycle_us) {
     MotionCore core({.cycle_us = cycle_us});
-    core.state().drives[0] = VelocityDrive(100, 2, 0.5);
+    core.state().drives[0] = VelocityDrive(100, 2, 0.5, 0.125);
     core.ServoOn(0);
     core.state().dacs[0].value = 12345;
     while (core.now() < 100'000) core.Tick();

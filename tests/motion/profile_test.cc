@@ -19,7 +19,7 @@ TEST(ProfileStop, ASmoothStopOfExample71Takes50MsAnd1250Pulses) {
   run.SetTrap();
   run.MoveTo(50000, 50);
   run.At(500);
-  run.Stop(kSmoothStopDefault);
+  run.Stop(run.profile.smooth_stop);
   EXPECT_TRUE(run.profile.now.moving);
   EXPECT_EQ(run.At(525).position, 20937.5);
   EXPECT_EQ(run.At(525).velocity, 25);
@@ -33,7 +33,7 @@ TEST(ProfileStop, AnAbruptStopIsOverInTheNextCycle) {
   run.SetTrap();
   run.MoveTo(-50000, 50);
   run.At(500);
-  run.Stop(kAbruptStopDefault);
+  run.Stop(run.profile.abrupt_stop);
   EXPECT_EQ(run.Tick(), AtRest(-20001.25));
 }
 

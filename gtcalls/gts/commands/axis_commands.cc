@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "gtcalls/gts/commands/crd_support.h"
+#include "gtcalls/gts/defaults.h"
 
 namespace oncard::gtcalls {
 namespace {
@@ -173,14 +174,14 @@ int16_t gts::GT_Stop(Call& call) {
 
 int16_t gts::GT_SetAxisBand(Call& call) {
   AxisOf(call).band = call.integer(1);
-  AxisOf(call).band_time = call.integer(2);
+  AxisOf(call).band_time = call.integer(2) * kTimeUnitUs;
   AxisOf(call).band_set = true;
   return vm::kOk;
 }
 
 int16_t gts::GT_GetAxisBand(Call& call) {
   call.Set(1, AxisOf(call).band);
-  call.Set(2, AxisOf(call).band_time);
+  call.Set(2, static_cast<double>(AxisOf(call).band_time / kTimeUnitUs));
   return vm::kOk;
 }
 

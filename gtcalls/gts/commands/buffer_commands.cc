@@ -4,6 +4,7 @@
 // GT_BufGear. Tested by tests/gtcalls/buffer_command_test.cc.
 #include "gtcalls/gts/buffered_values.h"
 #include "gtcalls/gts/commands/crd_support.h"
+#include "gtcalls/gts/defaults.h"
 
 namespace oncard::gtcalls {
 namespace {
@@ -15,7 +16,7 @@ constexpr int kNoInput = -1;
 /// Assumption: GT_BufSetStopIo's stop types are those of GT_SetStopIo.
 constexpr int kAbruptStopType = 0;
 /// The time unit of GT_BufEnableDoBitPulse is that of GT_EnableDoBitPulse.
-constexpr double kPulseTimeUnitUs = motion::kDoTimeUnitUs;
+constexpr double kPulseTimeUnitUs = kTimeUnitUs;
 /// Limit of velocities and accelerations, excluded.
 constexpr double kRateBound = 32767;
 

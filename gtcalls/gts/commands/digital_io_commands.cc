@@ -2,6 +2,7 @@
 // Source: GTS manual chapter 10.4.3 and table 10-2; the public header for parameters and for the
 // timed outputs. Tested by tests/gtcalls/digital_io_command_test.cc.
 #include "gtcalls/gts/commands/commands.h"
+#include "gtcalls/gts/defaults.h"
 
 namespace oncard::gtcalls {
 namespace {
@@ -11,7 +12,7 @@ using motion::DiType;
 using motion::DoType;
 
 /// Assumption: GT_EnableDoBitPulse has the same time unit as GT_SetDoBitReverse.
-constexpr int64_t kPulseTimeUnitUs = motion::kDoTimeUnitUs;
+constexpr int64_t kPulseTimeUnitUs = kTimeUnitUs;
 
 DigitalIo& IoOf(const Call& call) { return call.card.motion.state().io; }
 /// The catalogue's range ensures a valid number.
@@ -55,7 +56,7 @@ int16_t gts::GT_SetDoBit(Call& call) {
 int16_t gts::GT_SetDoBitReverse(Call& call) {
   if (!CheckOutput(call)) return vm::kBadParameter;
   IoOf(call).WriteForAWhile(DoOf(call), BitOf(call), call.integer(2) != 0,
-                            call.integer(3) * motion::kDoTimeUnitUs);
+                            call.integer(3) * kTimeUnitUs);
   return vm::kOk;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gtcalls/gts/commands/motion_support.h"
+#include "gtcalls/gts/defaults.h"
 
 namespace oncard::gtcalls {
 namespace {
@@ -142,7 +143,7 @@ int16_t gts::GT_SetEncResponseCheck(Call& call) {
   motion::ResponseCheck& check = ControlOf(call).check;
   check.threshold = static_cast<int16_t>(call.integer(1));
   check.min_velocity = call.value(2);
-  check.time = call.integer(3);
+  check.time = call.integer(3) * kTimeUnitUs;
   return vm::kOk;
 }
 
@@ -150,7 +151,7 @@ int16_t gts::GT_GetEncResponseCheck(Call& call) {
   const motion::ResponseCheck& check = ControlOf(call).check;
   call.Set(1, check.threshold);
   call.Set(2, check.min_velocity);
-  call.Set(3, check.time);
+  call.Set(3, static_cast<double>(check.time / kTimeUnitUs));
   return vm::kOk;
 }
 

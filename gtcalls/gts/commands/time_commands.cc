@@ -3,6 +3,7 @@
 // Source: GTS manual 10.3.5, table 10-2 and chapter 13; the public header for parameters.
 // Tested by tests/gtcalls/time_command_test.cc.
 #include "gtcalls/gts/commands/commands.h"
+#include "gtcalls/gts/defaults.h"
 
 namespace oncard::gtcalls {
 
@@ -15,7 +16,7 @@ int16_t gts::GT_GetClock(Call& call) {
 }
 
 int16_t gts::GT_GetClockHighPrecision(Call& call) {
-  call.Set(0, UnsignedLong(call.card.motion.Clock125us()));
+  call.Set(0, UnsignedLong(call.card.motion.ClockUs() / kFineClockUs));
   return vm::kOk;
 }
 
