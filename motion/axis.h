@@ -21,15 +21,15 @@ namespace oncard::motion {
 /// Conditions of an axis. A set of conditions is a sum of these bits. Their positions have no
 /// meaning outside: the card's family assembles its status word from them (gtcalls/family.h).
 enum AxisCondition : uint32_t {
-  kAlarmBit = 1u << 1,
-  kFollowingErrorBit = 1u << 4,
-  kPositiveLimitBit = 1u << 5,
-  kNegativeLimitBit = 1u << 6,
-  kSmoothStopBit = 1u << 7,
-  kAbruptStopBit = 1u << 8,
-  kServoOnBit = 1u << 9,
-  kMovingBit = 1u << 10,
-  kInPositionBit = 1u << 11
+  kAlarmBit = 1u << 0,
+  kFollowingErrorBit = 1u << 1,
+  kPositiveLimitBit = 1u << 2,
+  kNegativeLimitBit = 1u << 3,
+  kSmoothStopBit = 1u << 4,
+  kAbruptStopBit = 1u << 5,
+  kServoOnBit = 1u << 6,
+  kMovingBit = 1u << 7,
+  kInPositionBit = 1u << 8
 };
 
 /// A digital input that an axis listens to; bit -1: none.
