@@ -25,13 +25,6 @@ bool IsForced(HomeMode mode) {
 
 }  // namespace
 
-HomeMode HomeModeFromNumber(int number) {
-  for (const int known : {10, 11, 12, 13, 20, 22, 30, 40, 41}) {
-    if (number == known) return static_cast<HomeMode>(number);
-  }
-  return HomeMode::kNone;
-}
-
 bool SearchesLimit(HomeMode mode) {
   return mode >= HomeMode::kLimit && mode <= HomeMode::kLimitHomeIndex;
 }

@@ -3,7 +3,7 @@
 // program would.
 //
 // Smart homing (GT_GoHome) has nine modes. A limit search moves at the high velocity until the
-// limit; mode 10 then leaves it by the escape step and returns at the low velocity: the position
+// limit; kLimit then leaves it by the escape step and returns at the low velocity: the position
 // where the limit becomes active again is the origin. In other modes the axis then reverses to
 // search for the home switch, or searches for the index pulse. A home switch is searched at the
 // high velocity with its capture armed; an index pulse at the low one. The end is at the captured
@@ -16,9 +16,9 @@
 // from the distance between it and the current encoder position, so that scales and set positions
 // do not matter.
 //
-// Assumptions: the forced modes 40 and 41 search in the other direction if a limit is reached
-// before the home switch; the limit search ends after the longest distance; a limit still active
-// after the escape step is a stage error. Source: application notes on smart homing, GE manual.
+// Assumptions: the forced modes search in the other direction if a limit is reached before the home
+// switch; the limit search ends after the longest distance; a limit still active after the escape
+// step is a stage error. Source: application notes on smart homing, GE manual.
 // Tested by tests/gtcalls/home_command_test.cc.
 #pragma once
 
@@ -29,51 +29,50 @@
 
 namespace oncard::motion {
 
-/// Modes, stages and errors, numbered as HOME_MODE_..., HOME_STAGE_..., HOME_ERROR_...
+/// What smart homing searches: the limit, the home switch, the index pulse. The forced modes search
+/// the home switch on the other side too.
 enum class HomeMode : uint8_t {
-  kNone = 0,
-  kLimit = 10,
-  kLimitHome = 11,
-  kLimitIndex = 12,
-  kLimitHomeIndex = 13,
-  kHome = 20,
-  kHomeIndex = 22,
-  kIndex = 30,
-  kForcedHome = 40,
-  kForcedHomeIndex = 41
+  kNone,
+  kLimit,
+  kLimitHome,
+  kLimitIndex,
+  kLimitHomeIndex,
+  kHome,
+  kHomeIndex,
+  kIndex,
+  kForcedHome,
+  kForcedHomeIndex
 };
 enum class HomeStage : uint8_t {
-  kIdle = 0,
-  kStart = 1,
-  kEscape = 2,
-  kSearchLimit = 10,
-  kSearchLimitStop = 11,
-  kLimitEscape = 13,
-  kLimitReturn = 15,
-  kLimitReturnStop = 16,
-  kSearchHome = 20,
-  kSearchHomeStop = 22,
-  kHomeReturn = 25,
-  kSearchIndex = 30,
-  kGoHome = 80,
-  kEnd = 100
+  kIdle,
+  kStart,
+  kEscape,
+  kSearchLimit,
+  kSearchLimitStop,
+  kLimitEscape,
+  kLimitReturn,
+  kLimitReturnStop,
+  kSearchHome,
+  kSearchHomeStop,
+  kHomeReturn,
+  kSearchIndex,
+  kGoHome,
+  kEnd
 };
 enum class HomeError : uint8_t {
-  kNone = 0,
-  kNotTrap = 1,
-  kDisabled = 2,
-  kAlarm = 3,
-  kStop = 4,
-  kStage = 5,
-  kMode = 6,
-  kSetCaptureHome = 7,
-  kNoHome = 8,
-  kSetCaptureIndex = 9,
-  kNoIndex = 10
+  kNone,
+  kNotTrap,
+  kDisabled,
+  kAlarm,
+  kStop,
+  kStage,
+  kMode,
+  kSetCaptureHome,
+  kNoHome,
+  kSetCaptureIndex,
+  kNoIndex
 };
 
-/// The mode with a number; kNone for any other number.
-HomeMode HomeModeFromNumber(int number);
 bool SearchesLimit(HomeMode mode);
 bool SearchesHome(HomeMode mode);
 bool SearchesIndex(HomeMode mode);

@@ -9,6 +9,7 @@
 
 #include "base/number.h"
 #include "base/trim.h"
+#include "gtcalls/gts/numbers.h"
 
 namespace oncard::gtcalls {
 namespace {
@@ -237,7 +238,7 @@ double DecelerationFrom(double value, double old) {
 
 /// An input beyond the end of its word never triggers.
 motion::InputChoice ChoiceFrom(double type, double index) {
-  const auto word = motion::DiTypeFromNumber(static_cast<int>(std::clamp(type, -1.0, 99.0)));
+  const auto word = DiTypeOf(static_cast<int>(std::clamp(type, -1.0, 99.0)));
   if (!word || !(index >= 1 && index <= motion::kIoWidthMax)) return {};
   return {*word, static_cast<int16_t>(index - 1)};
 }
@@ -347,7 +348,7 @@ void ApplyDigital(const CardConfig& config, MotionCore& core) {
     state.io.SetInputsActive(type, active);
   }
   for (size_t word = 0; word < config.outputs.size(); ++word) {
-    const auto type = static_cast<DoType>(static_cast<size_t>(DoType::kEnable) + word);
+    const auto type = static_cast<DoType>(word);
     uint32_t inverted = 0;
     uint32_t active = ~uint32_t{0};
     for (size_t bit = 0; bit < motion::kIoWidthMax; ++bit) {

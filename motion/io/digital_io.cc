@@ -30,22 +30,9 @@ uint32_t PinLevels(const DiWord& word) {
 
 }  // namespace
 
-std::optional<DiType> DiTypeFromNumber(int number) {
-  if (number < 0 || number >= kDiTypeCount) return std::nullopt;
-  return static_cast<DiType>(number);
-}
-
-std::optional<DoType> DoTypeFromNumber(int number) {
-  const int first = static_cast<int>(DoType::kEnable);
-  if (number < first || number >= first + kDoTypeCount) return std::nullopt;
-  return static_cast<DoType>(number);
-}
-
 int DiWidth(DiType type) { return kDiWidths[static_cast<size_t>(type)]; }
 
-int DoWidth(DoType type) {
-  return kDoWidths[static_cast<size_t>(type) - static_cast<size_t>(DoType::kEnable)];
-}
+int DoWidth(DoType type) { return kDoWidths[static_cast<size_t>(type)]; }
 
 DigitalIo::DigitalIo() { Reset(); }
 

@@ -12,38 +12,26 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <tuple>
 
 #include "motion/common/card_defaults.h"
 
 namespace oncard::motion {
 
-/// Input words, numbered as MC_LIMIT_POSITIVE ... MC_MPG.
-enum class DiType : uint8_t {
-  kLimitPositive = 0,
-  kLimitNegative = 1,
-  kAlarm = 2,
-  kHome = 3,
-  kGpi = 4,
-  kArrive = 5,
-  kMpg = 6
-};
+/// Input words.
+enum class DiType : uint8_t { kLimitPositive, kLimitNegative, kAlarm, kHome, kGpi, kArrive, kMpg };
 inline constexpr int kDiTypeCount = 7;
 
-/// Output words, numbered as MC_ENABLE, MC_CLEAR, MC_GPO.
-enum class DoType : uint8_t { kEnable = 10, kClear = 11, kGpo = 12 };
+/// Output words.
+enum class DoType : uint8_t { kEnable, kClear, kGpo };
 inline constexpr int kDoTypeCount = 3;
 
 inline constexpr int kIoWidthMax = 16;
 /// Words that belong to axes have one bit per axis of an 8-axis card.
 /// Assumption: on 12-axis cards too, since GT_LmtSns has two bits per axis in 16.
 inline constexpr int kAxisIoWidth = 8;
-
-/// The word with a number; empty if there is none.
-std::optional<DiType> DiTypeFromNumber(int number);
-std::optional<DoType> DoTypeFromNumber(int number);
 
 /// How many inputs or outputs a word has.
 int DiWidth(DiType type);
@@ -159,11 +147,8 @@ class DigitalIo {
   void SetTiming(DoType type, int bit, const DoTiming& timing);
   static void SampleWord(DiWord& word, uint32_t pins);
   const DiWord& At(DiType type) const { return inputs_[static_cast<size_t>(type)]; }
-  DoWord& At(DoType type) { return outputs_[Slot(type)]; }
-  const DoWord& At(DoType type) const { return outputs_[Slot(type)]; }
-  static size_t Slot(DoType type) {
-    return static_cast<size_t>(type) - static_cast<size_t>(DoType::kEnable);
-  }
+  DoWord& At(DoType type) { return outputs_[static_cast<size_t>(type)]; }
+  const DoWord& At(DoType type) const { return outputs_[static_cast<size_t>(type)]; }
 
   std::array<DiWord, kDiTypeCount> inputs_;
   std::array<DoWord, kDoTypeCount> outputs_;

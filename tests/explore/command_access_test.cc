@@ -19,6 +19,7 @@
 #include "gtcalls/card.h"
 #include "gtcalls/gts/catalogue.h"
 #include "gtcalls/gts/family.h"
+#include "gtcalls/gts/numbers.h"
 #include "motion/common/state_hash.h"
 #include "runtime/sim/controller.h"
 #include "vm/thread_words.h"
@@ -111,7 +112,7 @@ std::vector<Part> PartsOfCard() {
   }
   for (uint32_t i = 0; i < motion::kDoTypeCount; ++i) {
     parts.push_back(
-        {"outputs", Resource::kDigitalOutput, static_cast<uint32_t>(motion::DoType::kEnable) + i,
+        {"outputs", Resource::kDigitalOutput, gtcalls::kOutputWordFirst + i,
          [i](const CardState& s) { return HashOf(std::get<1>(s.motion.io.Fields())[i]); }});
   }
   parts.push_back({"analogue", Resource::kAnalog, Touched::kAll,

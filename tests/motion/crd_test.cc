@@ -279,7 +279,8 @@ TEST(CrdOverride, TakesEffectAtOnceWithTheSegmentsAcceleration) {
 TEST(CrdBuffer, OutputsChangeAtTheTickInWhichTheSegmentEnds) {
   CrdRunTest test;
   ASSERT_TRUE(test.Line({1000, 0}, 10, 0.1, 10));
-  ASSERT_TRUE(test.Command({BufferedKind::kOutputs, 12, 0, {0x5, 0x4}}));
+  ASSERT_TRUE(
+      test.Command({BufferedKind::kOutputs, static_cast<int>(DoType::kGpo), 0, {0x5, 0x4}}));
   ASSERT_TRUE(test.Line({2000, 0}, 10, 0.1));
   test.Start();
   test.core.state().io.Write(DoType::kGpo, 0xffff, 0x3);

@@ -28,30 +28,24 @@ std::string Trace(DigitalIo& io, DoType type, int bit, int ticks, int64_t cycle_
   return levels;
 }
 
-TEST(DigitalInput, WordsHaveTheNumbersAndWidthsOfTheCard) {
+TEST(DigitalInput, WordsHaveTheWidthsOfTheCard) {
   struct {
-    int number;
+    DiType type;
     int width;
-  } const words[] = {{0, 8}, {1, 8}, {2, 8}, {3, 8}, {4, 16}, {5, 8}, {6, 7}};
-  for (const auto& word : words) {
-    ASSERT_TRUE(DiTypeFromNumber(word.number)) << word.number;
-    EXPECT_EQ(DiWidth(*DiTypeFromNumber(word.number)), word.width) << word.number;
-  }
-  EXPECT_FALSE(DiTypeFromNumber(-1));
-  EXPECT_FALSE(DiTypeFromNumber(7));
+  } const words[] = {{DiType::kLimitPositive, 8},
+                     {DiType::kLimitNegative, 8},
+                     {DiType::kAlarm, 8},
+                     {DiType::kHome, 8},
+                     {DiType::kGpi, 16},
+                     {DiType::kArrive, 8},
+                     {DiType::kMpg, 7}};
+  for (const auto& word : words) EXPECT_EQ(DiWidth(word.type), word.width);
 }
 
-TEST(DigitalOutput, WordsHaveTheNumbersAndWidthsOfTheCard) {
-  struct {
-    int number;
-    int width;
-  } const words[] = {{10, 8}, {11, 8}, {12, 16}};
-  for (const auto& word : words) {
-    ASSERT_TRUE(DoTypeFromNumber(word.number)) << word.number;
-    EXPECT_EQ(DoWidth(*DoTypeFromNumber(word.number)), word.width) << word.number;
-  }
-  EXPECT_FALSE(DoTypeFromNumber(9));
-  EXPECT_FALSE(DoTypeFromNumber(13));
+TEST(DigitalOutput, WordsHaveTheWidthsOfTheCard) {
+  EXPECT_EQ(DoWidth(DoType::kEnable), 8);
+  EXPECT_EQ(DoWidth(DoType::kClear), 8);
+  EXPECT_EQ(DoWidth(DoType::kGpo), 16);
 }
 
 TEST(DigitalInput, PinIsRawAndUnfiltered) {

@@ -5,6 +5,7 @@
 
 #include "gtcalls/gts/commands/crd_support.h"
 #include "gtcalls/gts/defaults.h"
+#include "gtcalls/gts/numbers.h"
 
 namespace oncard::gtcalls {
 namespace {
@@ -125,7 +126,7 @@ int16_t gts::GT_GetSoftLimit(Call& call) {
 }
 
 int16_t gts::GT_SetStopIo(Call& call) {
-  const auto type = *motion::DiTypeFromNumber(call.integer(2));
+  const auto type = *DiTypeOf(call.integer(2));
   const int index = call.integer(3);
   if (index != kNoInput && (index < 1 || index > DiWidth(type))) {
     return call.Refuse(

@@ -5,6 +5,7 @@
 #include "gtcalls/gts/buffered_values.h"
 #include "gtcalls/gts/commands/crd_support.h"
 #include "gtcalls/gts/defaults.h"
+#include "gtcalls/gts/numbers.h"
 
 namespace oncard::gtcalls {
 namespace {
@@ -40,9 +41,14 @@ int16_t RefuseRange(Call& call, std::string_view name, double value, std::string
                                  value, range));
 }
 
+int ItemOf(motion::DoType type) { return static_cast<int>(type); }
+
+/// The output word of argument 1.
+motion::DoType OutputWord(const Call& call) { return *DoTypeOf(call.integer(1)); }
+
 /// 0, or 7 with the reason if output type argument 1 has no output with the number in argument 2.
 int16_t CheckOutput(Call& call) {
-  const int width = DoWidth(static_cast<motion::DoType>(call.integer(1)));
+  const int width = DoWidth(OutputWord(call));
   if (call.integer(2) >= 1 && call.integer(2) <= width) return vm::kOk;
   return RefuseRange(call, "doIndex", call.value(2), width == 16 ? "[1, 16]" : "[1, 8]");
 }
@@ -61,7 +67,8 @@ int16_t CheckOutside(Call& call) {
 }  // namespace
 
 int16_t gts::GT_BufIO(Call& call) {
-  return Append(call, BufferedKind::kOutputs, call.integer(1), 0, {call.value(2), call.value(3)});
+  return Append(call, BufferedKind::kOutputs, ItemOf(OutputWord(call)), 0,
+                {call.value(2), call.value(3)});
 }
 
 int16_t gts::GT_BufEnableDoBitPulse(Call& call) {
@@ -70,7 +77,7 @@ int16_t gts::GT_BufEnableDoBitPulse(Call& call) {
   if (call.integer(3) < 1) return RefuseRange(call, "highLevelTime", call.value(3), "[1, 65535]");
   if (call.integer(4) < 1) return RefuseRange(call, "lowLevelTime", call.value(4), "[1, 65535]");
   if (call.integer(5) < 0) return RefuseRange(call, "pulseNum", call.value(5), "[0, 2147483647]");
-  return Append(call, BufferedKind::kPulses, call.integer(1), call.integer(2) - 1,
+  return Append(call, BufferedKind::kPulses, ItemOf(OutputWord(call)), call.integer(2) - 1,
                 {call.value(3) * kPulseTimeUnitUs, call.value(4) * kPulseTimeUnitUs, call.value(5),
                  call.value(6)});
 }
@@ -78,7 +85,7 @@ int16_t gts::GT_BufEnableDoBitPulse(Call& call) {
 int16_t gts::GT_BufDisableDoBitPulse(Call& call) {
   const int16_t code = CheckOutput(call);
   if (code != vm::kOk) return code;
-  return Append(call, BufferedKind::kStopPulses, call.integer(1), call.integer(2) - 1);
+  return Append(call, BufferedKind::kStopPulses, ItemOf(OutputWord(call)), call.integer(2) - 1);
 }
 
 int16_t gts::GT_BufDelay(Call& call) {
@@ -102,14 +109,15 @@ int16_t gts::GT_BufLmtsOff(Call& call) {
 
 int16_t gts::GT_BufSetStopIo(Call& call) {
   const int index = call.integer(4);
-  const int width = DiWidth(static_cast<motion::DiType>(call.integer(3)));
+  const motion::DiType type = *DiTypeOf(call.integer(3));
+  const int width = DiWidth(type);
   if (index != kNoInput && (index < 1 || index > width)) {
     return RefuseRange(call, "inputIndex", index, width == 16 ? "-1, [1, 16]" : "-1, [1, 8]");
   }
   const int bit = index == kNoInput ? -1 : index - 1;
   return Append(call, BufferedKind::kStopInput, call.integer(1) - 1,
                 call.integer(2) == kAbruptStopType ? 1 : 0,
-                {call.value(3), static_cast<double>(bit)});
+                {static_cast<double>(type), static_cast<double>(bit)});
 }
 
 int16_t gts::GT_BufMove(Call& call) {

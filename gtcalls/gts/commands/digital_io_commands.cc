@@ -3,6 +3,7 @@
 // timed outputs. Tested by tests/gtcalls/digital_io_command_test.cc.
 #include "gtcalls/gts/commands/commands.h"
 #include "gtcalls/gts/defaults.h"
+#include "gtcalls/gts/numbers.h"
 
 namespace oncard::gtcalls {
 namespace {
@@ -16,8 +17,8 @@ constexpr int64_t kPulseTimeUnitUs = kTimeUnitUs;
 
 DigitalIo& IoOf(const Call& call) { return call.card.motion.state().io; }
 /// The catalogue's range ensures a valid number.
-DiType DiOf(const Call& call) { return *motion::DiTypeFromNumber(call.integer(0)); }
-DoType DoOf(const Call& call) { return *motion::DoTypeFromNumber(call.integer(0)); }
+DiType DiOf(const Call& call) { return *DiTypeOf(call.integer(0)); }
+DoType DoOf(const Call& call) { return *DoTypeOf(call.integer(0)); }
 
 /// False, with the reason recorded, unless [first, first + count) lies in [1, width].
 bool CheckIndex(Call& call, int first, int count, int width) {

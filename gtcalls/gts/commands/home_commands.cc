@@ -2,6 +2,7 @@
 // Source: application notes on smart homing; public header and GE manual for the simple commands.
 // Tested by tests/gtcalls/home_command_test.cc.
 #include "gtcalls/gts/commands/motion_support.h"
+#include "gtcalls/gts/numbers.h"
 
 namespace oncard::gtcalls {
 namespace {
@@ -121,7 +122,7 @@ int16_t CheckIdle(Call& call) {
 
 int16_t gts::GT_GoHome(Call& call) {
   const std::span<double> cells = call.cells(1);
-  const auto mode = motion::HomeModeFromNumber(static_cast<int>(cells[kMode]));
+  const auto mode = HomeModeOf(static_cast<int>(cells[kMode]));
   if (mode == motion::HomeMode::kNone) return RefuseHoming(call, HomeError::kMode);
   int16_t code = CheckMembers(call, mode);
   if (code == vm::kOk) code = CheckIdle(call);
@@ -152,7 +153,7 @@ int16_t gts::GT_GoHome(Call& call) {
 int16_t gts::GT_GetHomePrm(Call& call) {
   const HomeParameters& p = HomingOf(call).parameters;
   for (size_t i = 0; i < call.cells(1).size(); ++i) call.Set(1, 0, i);
-  call.Set(1, static_cast<int>(p.mode), kMode);
+  call.Set(1, HomeNumber(p.mode), kMode);
   call.Set(1, p.move_direction, kMoveDir);
   call.Set(1, p.index_direction, kIndexDir);
   call.Set(1, p.rising ? 1 : 0, kEdge);
@@ -174,8 +175,8 @@ int16_t gts::GT_GetHomePrm(Call& call) {
 int16_t gts::GT_GetHomeStatus(Call& call) {
   const Homing& homing = HomingOf(call);
   const double status[] = {homing.running ? 1.0 : 0.0,
-                           static_cast<double>(homing.stage),
-                           static_cast<double>(homing.error),
+                           static_cast<double>(HomeNumber(homing.stage)),
+                           static_cast<double>(HomeNumber(homing.error)),
                            0,
                            homing.captured,
                            homing.target};

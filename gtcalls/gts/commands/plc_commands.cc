@@ -3,6 +3,7 @@
 // Source: public header of the thread extensions; meanings are assumed from its names.
 // Tested by tests/gtcalls/plc_command_test.cc.
 #include "gtcalls/gts/commands/commands.h"
+#include "gtcalls/gts/numbers.h"
 
 namespace oncard::gtcalls {
 namespace {
@@ -93,8 +94,8 @@ int16_t Add(Call& call, const PlcFunction& function) {
 // --- Commands --------------------------------------------------------------------------------
 
 int16_t gts::GT_BindDi(Call& call) {
-  if (const int16_t code = CheckPrm(call, 0, 0, motion::kDiTypeCount - 1)) return code;
-  const motion::DiType type = *motion::DiTypeFromNumber(Prm(call, 0));
+  if (const int16_t code = CheckPrm(call, 0, 0, kInputWordLast)) return code;
+  const motion::DiType type = *DiTypeOf(Prm(call, 0));
   if (const int16_t code = CheckPrm(call, 1, 1, DiWidth(type))) return code;
   if (const int16_t code = CheckVariables(call, {})) return code;
   return Add(call, DiBlock{.type = type,
@@ -103,11 +104,8 @@ int16_t gts::GT_BindDi(Call& call) {
 }
 
 int16_t gts::GT_BindDo(Call& call) {
-  constexpr int kFirst = static_cast<int>(motion::DoType::kEnable);
-  if (const int16_t code = CheckPrm(call, 0, kFirst, kFirst + motion::kDoTypeCount - 1)) {
-    return code;
-  }
-  const motion::DoType type = *motion::DoTypeFromNumber(Prm(call, 0));
+  if (const int16_t code = CheckPrm(call, 0, kOutputWordFirst, kOutputWordLast)) return code;
+  const motion::DoType type = *DoTypeOf(Prm(call, 0));
   if (const int16_t code = CheckPrm(call, 1, 1, DoWidth(type))) return code;
   if (const int16_t code = CheckVariables(call, {})) return code;
   return Add(call, DoBlock{.type = type,
