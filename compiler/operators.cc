@@ -1,6 +1,7 @@
 #include "compiler/operators.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <utility>
 #include <vector>
@@ -63,8 +64,11 @@ bool IsPrefix(const vm::OperatorInfo& unary) {
          unary.spelling[0] != '(';
 }
 
-// All tokens, the longest first, those of the grammar before those of a class.
-std::vector<OperatorToken> MakeTokens() {
+// All tokens by their first character, the longest first, those of the grammar before those of a
+// class.
+using TokensByFirst = std::array<std::vector<OperatorToken>, 256>;
+
+TokensByFirst MakeTokens() {
   std::vector<OperatorToken> tokens = TokensOfC();
   for (const vm::OperatorInfo& info : vm::BinaryOperators()) {
     tokens.push_back({std::string(info.spelling), KindOf(info.precedence)});
@@ -79,7 +83,11 @@ std::vector<OperatorToken> MakeTokens() {
                    [](const OperatorToken& a, const OperatorToken& b) {
                      return a.spelling.size() > b.spelling.size();
                    });
-  return tokens;
+  TokensByFirst by_first;
+  for (OperatorToken& token : tokens) {
+    by_first[static_cast<unsigned char>(token.spelling.front())].push_back(std::move(token));
+  }
+  return by_first;
 }
 
 // Whether a comparison is true of (0, 1), (0, 0) and (1, 0), which tells comparisons apart.
@@ -95,11 +103,12 @@ std::vector<bool> TruthsOf(const vm::OperatorInfo& comparison) {
 }  // namespace
 
 const OperatorToken* LeadingOperator(std::string_view text) {
-  static const std::vector<OperatorToken> tokens = MakeTokens();
-  const auto found = std::find_if(tokens.begin(), tokens.end(), [text](const OperatorToken& token) {
-    return text.starts_with(token.spelling);
-  });
-  return found == tokens.end() ? nullptr : &*found;
+  static const TokensByFirst tokens = MakeTokens();
+  if (text.empty()) return nullptr;
+  for (const OperatorToken& token : tokens[static_cast<unsigned char>(text.front())]) {
+    if (text.starts_with(token.spelling)) return &token;
+  }
+  return nullptr;
 }
 
 const vm::OperatorInfo* OppositeOf(const vm::OperatorInfo& comparison) {
