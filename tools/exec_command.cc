@@ -227,8 +227,8 @@ void AddExec(CLI::App& app, Session& session) {
   command
       ->add_option(
           "--scenario", arguments->scenario,
-          session.Say({"scenario: the card, its surroundings, expectations (docs/scenarios.md)",
-                       "卡的外部世界与期望（docs/scenarios.md）"}))
+          session.Say({"scenario: the card, its surroundings, what must hold (docs/scenarios.md)",
+                       "场景：控制卡、外部世界与应成立的条件（docs/scenarios.md）"}))
       ->type_name("FILE");
   command
       ->add_option("--keys", arguments->keys,

@@ -25,6 +25,7 @@ struct Verdict {
   std::mutex mutex;
   std::vector<Message> failures;
   std::vector<Message> warnings;
+  std::vector<Message> held;
   int exit_status = 0;
   bool in_child = false;
 };
@@ -73,6 +74,9 @@ CardWatch::CardWatch(std::shared_ptr<const Scenario> scenario, int card,
   std::stable_sort(timed_.begin(), timed_.end(), [](const Expectation* a, const Expectation* b) {
     return *a->at_us < *b->at_us;
   });
+  if (auto requirements = RequirementsOf(*scenario_); !requirements.empty()) {
+    requirements_.emplace(std::move(requirements), std::string());
+  }
   const int64_t limit_us = CycleOf(scenario_->limit_ms * 1000) * scenario_->cycle_us;
   if (scenario_->limit_ms < kTimeMsMax) end_us_ = limit_us;
   if (scenario_->until_us) {
@@ -85,6 +89,9 @@ int64_t CardWatch::CycleOf(int64_t microseconds) const {
 }
 
 void CardWatch::Listen(Controller* controller) {
+  if (requirements_ && requirements_->LooksAtStates()) {
+    controller->ObserveStates([this, controller] { requirements_->Look(*controller); });
+  }
   if (trace_files_.empty()) return;
   controller->ListenToHappenings([this](int64_t time_us, const Message& what) {
     TraceMark mark = {time_us, what, true};
@@ -97,6 +104,7 @@ void CardWatch::Listen(Controller* controller) {
 }
 
 void CardWatch::AdvanceUs(Controller* controller, int64_t microseconds) {
+  if (requirements_) requirements_->Follow(*controller);
   int64_t end_us = controller->NowUs() + microseconds;
   if (end_us_ && end_us >= *end_us_) {
     end_us = *end_us_;
@@ -156,7 +164,10 @@ void CardWatch::Finish(Controller* controller) {
   for (const Expectation& expectation : scenario_->expectations) {
     if (!expectation.at_us) Judge(expectation, *controller);
   }
-  if (over_ && (!scenario_->until_us || controller->NowUs() < *scenario_->until_us)) {
+  const bool in_order =
+      !over_ || (scenario_->until_us && controller->NowUs() >= *scenario_->until_us);
+  if (requirements_) FinishRequirements(*controller, in_order);
+  if (!in_order) {
     failures_.push_back(MakeMessage("card {0}: the host still runs at the time limit of {1} ms",
                                     "卡 {0}：到时间上限 {1} ms 时主机程序仍在运行", card_,
                                     scenario_->limit_ms));
@@ -170,21 +181,33 @@ void CardWatch::Finish(Controller* controller) {
   const std::lock_guard lock(verdict.mutex);
   verdict.failures.insert(verdict.failures.end(), failures_.begin(), failures_.end());
   verdict.warnings.insert(verdict.warnings.end(), warnings_.begin(), warnings_.end());
+  verdict.held.insert(verdict.held.end(), held_.begin(), held_.end());
+}
+
+void CardWatch::FinishRequirements(const Controller& controller, bool in_order) {
+  requirements_->Follow(controller);
+  if (in_order) requirements_->End(controller);
+  requirements_->AddUnchecked(OfCard({}), &fit_);
+  for (const ScenarioFailure& failure : requirements_->failures()) {
+    failures_.push_back(OfCard({fmt::format("'{}' {}", failure.expectation, failure.message.en),
+                                fmt::format("“{}”{}", failure.expectation, failure.message.zh)}));
+  }
+  for (const Message& held : requirements_->DescribeHeld()) held_.push_back(OfCard(held));
+}
+
+Message CardWatch::OfCard(const Message& message) const {
+  return {fmt::format("card {}: {}", card_, message.en),
+          fmt::format("卡 {}：{}", card_, message.zh)};
 }
 
 void CardWatch::WarnOfMovingAxes(const Controller& controller) {
-  for (const Message& axis : DescribeMovingAxes(controller)) {
-    warnings_.push_back(
-        {fmt::format("card {}: {}", card_, axis.en), fmt::format("卡 {}：{}", card_, axis.zh)});
-  }
+  for (const Message& axis : DescribeMovingAxes(controller)) warnings_.push_back(OfCard(axis));
 }
 
 void CardWatch::Judge(const Expectation& expectation, const Controller& controller) {
   const auto bound = CardCondition::Bind(expectation.condition, controller);
   if (!bound.ok()) {
-    const Message& why = bound.error().message;
-    fit_.AddText(expectation.place, expectation.text(),
-                 MakeMessage("card {0}: {1}", "卡 {0}：{2}", card_, why.en, why.zh));
+    fit_.AddText(expectation.place, expectation.text(), OfCard(bound.error().message));
     return;
   }
   if (!bound.value().Holds(controller)) {
@@ -193,11 +216,8 @@ void CardWatch::Judge(const Expectation& expectation, const Controller& controll
 }
 
 void CardWatch::Fail(const Expectation& expectation, const Message& why) {
-  Message failure = MakeMessage("card {0}: '{1}' does not hold: ", "卡 {0}：“{1}”不成立：", card_,
-                                expectation.text());
-  failure.en += why.en;
-  failure.zh += why.zh;
-  failures_.push_back(std::move(failure));
+  failures_.push_back(OfCard({fmt::format("'{}' does not hold: {}", expectation.text(), why.en),
+                              fmt::format("“{}”不成立：{}", expectation.text(), why.zh)}));
 }
 
 void LeaveJudgingToParent() { VerdictOfProcess().in_child = true; }
@@ -226,6 +246,7 @@ bool ReportHost() {
     Print({"warning: " + warning.en, "警告：" + warning.zh});
   }
   for (const Message& failure : verdict.failures) Print(failure);
+  for (const Message& held : verdict.held) Print(held);
   return !verdict.failures.empty();
 }
 

@@ -1,6 +1,7 @@
 // The scenario that ONCARD_SCENARIO names for a host program: every card that is opened gets its
-// inputs, drives and mechanics, and its expectations are checked while the host runs. The scenario
-// contains no program: the host downloads one, or none. Tested by tests/tools/exec_command_test.cc.
+// inputs, drives and mechanics, and its expectations and requirements are checked while the host
+// runs. The scenario contains no program: the host downloads one, or none. Tested by
+// tests/tools/exec_command_test.cc and exec_requirements_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +12,7 @@
 
 #include "base/result.h"
 #include "runtime/observe/trace.h"
+#include "runtime/scenario/requirement_watch.h"
 #include "runtime/scenario/scenario.h"
 #include "runtime/scenario/scenario_fit.h"
 #include "runtime/sim/controller.h"
@@ -26,24 +28,26 @@ Result<std::shared_ptr<const Scenario>> ScenarioFromEnvironment();
 /// is written (trace_file.h).
 std::vector<std::string> TraceFilesFromEnvironment();
 
-/// The expectations of a scenario on one card, from its opening on, and the trace of the card.
+/// The expectations and requirements of a scenario on one card, from its opening on, and the trace
+/// of the card.
 class CardWatch {
  public:
   CardWatch(std::shared_ptr<const Scenario> scenario, int card,
             std::vector<std::string> trace_files = {});
 
-  /// To be called before the card is switched on: adds what the card does by itself to the trace.
-  /// The watch must exist as long as the card runs.
+  /// To be called before the card is switched on: adds what the card does by itself to the trace,
+  /// and looks at every state if requirements speak of them. The watch must exist as long as the
+  /// card runs.
   void Listen(Controller* controller);
-  /// Advances the card's time, at most to the end of the scenario, and checks the expectations that
-  /// become due.
+  /// To be called before every host call: advances the card's time, at most to the end of the
+  /// scenario, and checks the expectations that become due, and the requirements in every state.
   void AdvanceUs(Controller* controller, int64_t microseconds);
   /// True if the card has reached `until_ms` or `limit_ms` of the scenario.
   bool over() const { return over_; }
   /// True when the scenario has such an end.
   bool HasEnd() const { return end_us_.has_value(); }
-  /// To be called when the card is closed or the host has ended: checks the remaining expectations
-  /// and passes the results to FinishHost().
+  /// To be called when the card is closed or the host has ended: checks the remaining expectations,
+  /// `final` and `eventually`, and passes the results to FinishHost().
   void Finish(Controller* controller);
 
  private:
@@ -52,6 +56,9 @@ class CardWatch {
   void WriteTrace(const Controller& controller);
   void Judge(const Expectation& expectation, const Controller& controller);
   void Fail(const Expectation& expectation, const Message& why);
+  void FinishRequirements(const Controller& controller, bool in_order);
+  /// With the number of the card before it.
+  Message OfCard(const Message& message) const;
   int64_t CycleOf(int64_t microseconds) const;
   void WarnOfMovingAxes(const Controller& controller);
 
@@ -59,9 +66,11 @@ class CardWatch {
   int card_;
   std::vector<const Expectation*> timed_;  // in order of time; not yet checked from next_ on
   size_t next_ = 0;
+  std::optional<RequirementWatch> requirements_;  ///< when the scenario has some
   ScenarioFit fit_;
   std::vector<Message> failures_;
   std::vector<Message> warnings_;
+  std::vector<Message> held_;      ///< requirements, and over what
   std::optional<int64_t> end_us_;  ///< of the card's time
   bool over_ = false;
   std::vector<std::string> trace_files_;
@@ -75,8 +84,8 @@ inline constexpr int kExitNotAsExpected = 120;
 inline constexpr int kExitNoMoreKeys = 121;
 
 /// Called when the host ends: checks the cards that are still open, and reports failed expectations
-/// and refused commands on standard error. If there are failures and the host ended with 0, ends
-/// the process with kExitNotAsExpected.
+/// and requirements, the requirements that held, and refused commands on standard error. If there
+/// are failures and the host ended with 0, ends the process with kExitNotAsExpected.
 void FinishHost();
 /// Called in a child of fork(): only the parent reports results and writes files.
 void LeaveJudgingToParent();

@@ -1,5 +1,6 @@
 #include "runtime/scenario/requirement_watch.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "runtime/sim/program.h"
@@ -12,50 +13,136 @@ Message Joined(const Message& first, const Message& values) {
   return {fmt::format("{}: {}", first.en, values.en), fmt::format("{}：{}", first.zh, values.zh)};
 }
 
+/// True if a condition names something that only a program has.
+bool NamesProgram(const CardCondition& condition) {
+  return std::ranges::any_of(condition.quantities(), [](const Quantity& quantity) {
+    switch (quantity.kind) {
+      case QuantityKind::kVariable:
+      case QuantityKind::kThreadRun:
+      case QuantityKind::kThreadResult:
+      case QuantityKind::kThreadError:
+      case QuantityKind::kThreadLine:
+      case QuantityKind::kThreadPage:
+      case QuantityKind::kThreadStatements:
+        return true;
+      case QuantityKind::kInputWord:
+      case QuantityKind::kInputBit:
+      case QuantityKind::kOutputWord:
+      case QuantityKind::kOutputBit:
+      case QuantityKind::kMotion:
+      case QuantityKind::kClock:
+      case QuantityKind::kStatements:
+        break;
+    }
+    return false;
+  });
+}
+
 }  // namespace
 
-void RequirementWatch::Begin(const Controller& controller, ScenarioFit* fit) {
-  auto conditions = ReadRequirements<CardCondition>(requirements_, controller, fit);
-  if (conditions.size() < requirements_.size()) return;
-  for (size_t i = 0; i < requirements_.size(); ++i) {
-    looks_at_states_ = looks_at_states_ || requirements_[i].scope != Scope::kFinal;
-    watched_.push_back({requirements_[i], std::move(conditions[i])});
+RequirementWatch::RequirementWatch(std::vector<Requirement> requirements, std::string program_path)
+    : program_path_(std::move(program_path)) {
+  for (Requirement& requirement : requirements) {
+    looks_at_states_ = looks_at_states_ || requirement.scope != Scope::kFinal;
+    watched_.push_back({std::move(requirement), std::nullopt});
   }
+}
+
+// --- Names ---------------------------------------------------------------------------------------
+
+void RequirementWatch::Begin(const Controller& controller, ScenarioFit* fit) {
+  std::vector<Requirement> requirements;
+  for (const Watched& watched : watched_) requirements.push_back(watched.requirement);
+  auto conditions = ReadRequirements<CardCondition>(requirements, controller, fit);
+  if (conditions.size() < watched_.size()) return;
+  for (size_t i = 0; i < watched_.size(); ++i) watched_[i].condition = std::move(conditions[i]);
   RememberThreads(controller);
 }
+
+RequirementWatch::Names RequirementWatch::NamesNow(const Controller& controller) const {
+  const vm::Machine& machine = controller.machine();
+  Names names;
+  names.image = machine.shared_image();
+  const bool same_program = names_ && names_->image == names.image;
+  names.acts = (same_program && names_->acts) || controller.ProgramActs();
+  for (size_t i = 0; i < names.bindings.size(); ++i) {
+    const vm::ThreadState& thread = machine.thread(static_cast<int>(i));
+    if (thread.run == vm::ThreadRun::kUnbound) continue;
+    names.bindings[i] = {true, thread.function, thread.page};
+  }
+  return names;
+}
+
+void RequirementWatch::Follow(const Controller& controller) {
+  Names names = NamesNow(controller);
+  if (names_ == names) return;
+  names_ = std::move(names);
+  for (Watched& watched : watched_) Bind(controller, &watched);
+  Look(controller);
+}
+
+void RequirementWatch::Bind(const Controller& controller, Watched* watched) const {
+  watched->condition.reset();
+  auto condition = ParseCondition(watched->requirement.text);
+  if (!condition.ok()) {
+    watched->missing = condition.error().message;
+    return;
+  }
+  auto bound = CardCondition::Bind(std::move(condition).value(), controller);
+  if (!bound.ok()) {
+    watched->missing = bound.error().message;
+  } else if (!names_->acts && NamesProgram(bound.value())) {
+    watched->missing = {"no thread of a program has been started", "没有启动任何程序的线程"};
+  } else {
+    watched->condition = std::move(bound).value();
+  }
+}
+
+// --- States --------------------------------------------------------------------------------------
 
 void RequirementWatch::Look(const Controller& controller) {
   for (Watched& watched : watched_) {
     const Scope scope = watched.requirement.scope;
-    if (watched.settled || scope == Scope::kFinal) continue;
-    const bool holds = watched.condition.Holds(controller);
+    if (watched.settled() || !watched.condition || scope == Scope::kFinal) continue;
+    if (watched.states++ == 0) watched.since_ms = controller.NowMs();
+    const bool holds = watched.condition->Holds(controller);
     if (holds == (scope == Scope::kAlways)) continue;
-    watched.settled = true;
-    if (scope == Scope::kEventually) continue;
+    if (scope == Scope::kEventually) {
+      watched.held_ms = controller.NowMs();
+      continue;
+    }
     const Message place = Place(controller);
-    Fail(watched, Joined(scope == Scope::kAlways
-                             ? MakeMessage("does not hold {0}", "{1}不成立", place.en, place.zh)
-                             : MakeMessage("holds {0}", "{1}成立", place.en, place.zh),
-                         watched.condition.DescribeValues(controller)));
+    Fail(&watched, Joined(scope == Scope::kAlways
+                              ? MakeMessage("does not hold {0}", "{1}不成立", place.en, place.zh)
+                              : MakeMessage("holds {0}", "{1}成立", place.en, place.zh),
+                          watched.condition->DescribeValues(controller)));
   }
   RememberThreads(controller);
 }
 
 void RequirementWatch::End(const Controller& controller) {
-  for (const Watched& watched : watched_) {
-    const Message values = watched.condition.DescribeValues(controller);
-    if (watched.requirement.scope == Scope::kFinal && !watched.condition.Holds(controller)) {
-      Fail(watched, Joined({"does not hold at the end", "结束时不成立"}, values));
-    } else if (watched.requirement.scope == Scope::kEventually && !watched.settled) {
-      Fail(watched,
+  for (Watched& watched : watched_) {
+    const Message values =
+        watched.condition ? watched.condition->DescribeValues(controller) : Message();
+    if (watched.requirement.scope == Scope::kFinal && watched.condition) {
+      ++watched.states;
+      if (watched.condition->Holds(controller)) {
+        watched.held_ms = controller.NowMs();
+      } else {
+        Fail(&watched, Joined({"does not hold at the end", "结束时不成立"}, values));
+      }
+    } else if (watched.requirement.scope == Scope::kEventually && watched.states > 0 &&
+               !watched.held_ms) {
+      Fail(&watched,
            Joined({"held in no state of the run; at its end", "在整个运行中从未成立；结束时"},
                   values));
     }
   }
 }
 
-void RequirementWatch::Fail(const Watched& watched, Message message) {
-  failures_.push_back({watched.requirement.Title(), std::move(message)});
+void RequirementWatch::Fail(Watched* watched, Message message) {
+  watched->violated = true;
+  failures_.push_back({watched->requirement.Title(), std::move(message)});
 }
 
 Message RequirementWatch::Place(const Controller& controller) const {
@@ -78,6 +165,47 @@ void RequirementWatch::RememberThreads(const Controller& controller) {
     executed_[i] = thread.executed;
     next_[i] = thread.pc;
   }
+}
+
+// --- What has been checked -----------------------------------------------------------------------
+
+void RequirementWatch::AddUnchecked(const Message& prefix, ScenarioFit* fit) const {
+  for (const Watched& watched : watched_) {
+    if (watched.states > 0 || watched.condition) continue;
+    fit->AddText(watched.requirement.place, watched.requirement.Title(),
+                 {fmt::format("{}never checked: {}", prefix.en, watched.missing.en),
+                  fmt::format("{}从未检查：{}", prefix.zh, watched.missing.zh)});
+  }
+}
+
+std::vector<Message> RequirementWatch::DescribeHeld() const {
+  std::vector<Message> held;
+  for (const Watched& watched : watched_) {
+    if (watched.violated || watched.states == 0) continue;
+    const std::string title = watched.requirement.Title();
+    switch (watched.requirement.scope) {
+      case Scope::kAlways:
+        held.push_back(MakeMessage("'{0}': held in all {1} states from {2} ms on",
+                                   "“{0}”：自 {2} ms 起在全部 {1} 个状态中成立", title,
+                                   watched.states, watched.since_ms));
+        break;
+      case Scope::kNever:
+        held.push_back(MakeMessage("'{0}': held in none of {1} states from {2} ms on",
+                                   "“{0}”：自 {2} ms 起在全部 {1} 个状态中均不成立", title,
+                                   watched.states, watched.since_ms));
+        break;
+      case Scope::kEventually:
+        if (!watched.held_ms) break;
+        held.push_back(MakeMessage("'{0}': held at {1} ms", "“{0}”：在 {1} ms 时成立", title,
+                                   *watched.held_ms));
+        break;
+      case Scope::kFinal:
+        held.push_back(MakeMessage("'{0}': held at the end, {1} ms",
+                                   "“{0}”：在结束时（{1} ms）成立", title, *watched.held_ms));
+        break;
+    }
+  }
+  return held;
 }
 
 Result<ScenarioResult> RunWithRequirements(const Scenario& scenario, vm::Object object,

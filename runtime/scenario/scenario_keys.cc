@@ -25,10 +25,10 @@ constexpr KeyRule kRules[] = {
     {"trace", kUsed, kMeansNothing, kUsed},
     {"keys", kRefused, kRefused, kUsed},
     {"expect", kUsed, kUsed, kUsed},
-    {"final", kUsed, kUsed, kRefused},
-    {"always", kUsed, kUsed, kRefused},
-    {"never", kUsed, kUsed, kRefused},
-    {"eventually", kUsed, kUsed, kRefused},
+    {"final", kUsed, kUsed, kUsed},
+    {"always", kUsed, kUsed, kUsed},
+    {"never", kUsed, kUsed, kUsed},
+    {"eventually", kUsed, kUsed, kUsed},
     {"races", kRefused, kUsed, kRefused},
     {"sync", kRefused, kUsed, kRefused},
     // Only `oncard test` and `oncard explore` use it.
@@ -93,8 +93,9 @@ Message DescribeRefusedKey(std::string_view key, ScenarioUse use) {
   if (use == ScenarioUse::kHost) {
     return MakeMessage(
         "'{0}' cannot be used with a host program: 'oncard exec' takes the card, its world and "
-        "'expect' from a scenario; remove it",
-        "“{0}”不能用于主机程序：“oncard exec”只从场景读取控制卡、外部世界与“expect”；"
+        "what "
+        "must hold from a scenario; remove it",
+        "“{0}”不能用于主机程序：“oncard exec”只从场景读取控制卡、外部世界与应成立的条件；"
         "应去掉",
         key);
   }

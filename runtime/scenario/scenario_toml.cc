@@ -5,6 +5,7 @@
 #include <array>
 
 #include "base/files.h"
+#include "runtime/scenario/requirement.h"
 #include "runtime/scenario/scenario.h"
 #include "runtime/scenario/scenario_keys.h"
 #include "runtime/scenario/search_names.h"
@@ -101,6 +102,7 @@ class ScenarioReader : private TomlKeys {
          {"schedule", "trace", "final", "always", "never", "eventually", "races", "sync"}) {
       scenario_.text_places[key] = PlacesOfTexts(table, key);
     }
+    if (use_ == ScenarioUse::kHost) CheckRequirements();
     ReadExplore(table);
     for (const toml::table* key : Tables(table, "keys")) ReadKeys(*key);
     std::stable_sort(scenario_.keys.begin(), scenario_.keys.end(),
@@ -185,6 +187,14 @@ class ScenarioReader : private TomlKeys {
       Fail(table.source(), {"'text' is missing: the keys to press", "缺少“text”：要按的键"});
     }
     scenario_.keys.push_back(std::move(press));
+  }
+
+  /// A host may run for long before its program is there to read them for.
+  void CheckRequirements() {
+    for (const Requirement& requirement : RequirementsOf(scenario_)) {
+      const auto condition = ParseCondition(requirement.text);
+      if (!condition.ok()) Fail(requirement.place, condition.error().message);
+    }
   }
 
   void ReadExplore(const toml::table& table) {

@@ -202,8 +202,10 @@ std::vector<InitialValue> TomlKeys::Values(const toml::table& table) {
 }
 
 void TomlKeys::Fail(const toml::source_region& place, const Message& message) {
-  errors_.Add(TextPlaceOf(place), message);
+  Fail(TextPlaceOf(place), message);
 }
+
+void TomlKeys::Fail(const TextPlace& place, const Message& message) { errors_.Add(place, message); }
 
 toml::source_region TomlKeys::PlaceOf(size_t line, size_t column) {
   const toml::source_position position = {static_cast<toml::source_index>(line),

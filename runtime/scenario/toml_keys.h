@@ -57,6 +57,7 @@ class TomlKeys {
   /// `name = number` and `name = [number, ...]`, in the order of the file.
   std::vector<InitialValue> Values(const toml::table& table);
   void Fail(const toml::source_region& place, const Message& message);
+  void Fail(const TextPlace& place, const Message& message);
 
   /// A place as errors that are found later name it.
   TextPlace TextPlaceOf(const toml::source_region& place) const;

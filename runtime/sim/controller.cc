@@ -92,6 +92,14 @@ Result<void> Controller::Load(vm::Object object) {
   return {};
 }
 
+bool Controller::ProgramActs() const {
+  return family().writes_variables(view()) ||
+         std::ranges::any_of(machine_.state().threads, [](const vm::ThreadState& thread) {
+           return thread.started || thread.run == vm::ThreadRun::kRunning ||
+                  thread.period_cycles != 0;
+         });
+}
+
 int16_t Controller::Call(const gtcalls::Command& command, std::span<vm::CommandArgument> arguments,
                          Message* reason) {
   AdvanceUs(family().cost_us(command));

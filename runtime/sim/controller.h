@@ -88,6 +88,9 @@ class Controller {
   Result<void> Download(const std::string& bin_path);
   /// Loads an object that is in memory.
   Result<void> Load(vm::Object object);
+  /// True if something of the program acts: one of its threads has been started since it was bound,
+  /// or the family writes variables by itself (PLC blocks, buffered commands).
+  bool ProgramActs() const;
 
   // --- Host calls ------------------------------------------------------------------------------
 

@@ -1,12 +1,16 @@
 // The requirements of a scenario on all schedules, checked in one run.
 #include "runtime/scenario/requirement_watch.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/runtime/scenario_support.h"
 
 namespace oncard::runtime {
 namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 // x is 1 for one statement, twice. Lines 5 to 8.
 constexpr const char* kBlip =
@@ -120,6 +124,130 @@ TEST(RequirementWatch, LeavesTheEndOfAFailedRunAlone) {
   const ScenarioResult result = WatchedRun(spin, "limit_ms = 2\nfinal = [\"n == -1\"]");
   ASSERT_EQ(result.failures.size(), 1u);
   EXPECT_EQ(result.failures[0].expectation, "");
+}
+
+// --- A card whose program comes later ------------------------------------------------------------
+
+/// A card as a host has it, with the requirements of a scenario on it.
+class HostedCard {
+ public:
+  explicit HostedCard(const std::string& scenario)
+      : watch_(RequirementsOf(ScenarioForTest(scenario)), "") {
+    card_.ObserveStates([this] { watch_.Look(card_); });
+    Pass(0);
+  }
+
+  /// Time that passes before a call of the host.
+  void Pass(int64_t cycles) {
+    watch_.Follow(card_);
+    for (int64_t i = 0; i < cycles; ++i) card_.RunCycle();
+  }
+  void Download(const char* program) { EXPECT_TRUE(card_.Load(CompileForTest(program)).ok()); }
+  void Start() {
+    EXPECT_EQ(card_.machine().Bind(0, 1, 0), vm::kOk);
+    EXPECT_EQ(card_.machine().Run(0), vm::kOk);
+  }
+  Controller& card() { return card_; }
+
+  /// All that is said at the end of the host, line by line.
+  std::vector<std::string> End() {
+    watch_.Follow(card_);
+    watch_.End(card_);
+    std::vector<std::string> said;
+    for (const ScenarioFailure& failure : watch_.failures()) {
+      said.push_back(failure.expectation + ": " + failure.message.en);
+    }
+    ScenarioFit fit;
+    watch_.AddUnchecked({}, &fit);
+    if (const auto failure = fit.Failure()) said.push_back(failure->message.en);
+    for (const Message& held : watch_.DescribeHeld()) said.push_back(held.en);
+    return said;
+  }
+
+ private:
+  Controller card_;
+  RequirementWatch watch_;
+};
+
+// A cycle shows its beginning, then each statement. kBlip has six.
+TEST(RequirementWatch, ChecksACardAtOnceAndItsProgramFromItsStart) {
+  HostedCard host(
+      "always = [\"axis1.prfPos == 0\", \"y < 6\"]\nnever = [\"x == 2\"]\n"
+      "final = [\"thread0.result == 3\"]\neventually = [\"y == 5\"]");
+  host.Pass(2);
+  host.Download(kBlip);
+  host.Pass(2);
+  host.Start();
+  host.Pass(1);
+  // At 0 ms, after the download, at the start; five cycles, and the six statements.
+  EXPECT_THAT(host.End(),
+              ElementsAre("'final: thread0.result == 3': held at the end, 1.25 ms",
+                          "'always: axis1.prfPos == 0': held in all 14 states from 0 ms on",
+                          "'always: y < 6': held in all 8 states from 1 ms on",
+                          "'never: x == 2': held in none of 8 states from 1 ms on",
+                          "'eventually: y == 5': held at 1.25 ms"));
+}
+
+TEST(RequirementWatch, LetsAHostSetVariablesBeforeTheStart) {
+  HostedCard host("always = [\"x != 0 || y != 0\"]");
+  host.Download(kBlip);
+  host.Pass(3);
+  const vm::Symbol* x = vm::FindGlobal(*host.card().machine().image(), "x");
+  ASSERT_NE(x, nullptr);
+  EXPECT_TRUE(host.card().machine().Write({.global = true, .id = x->id}, 1));
+  host.Start();
+  host.Pass(1);
+  EXPECT_THAT(host.End(), ElementsAre(HasSubstr("held in all")));
+}
+
+TEST(RequirementWatch, SaysWhatAHostsProgramDoesNotObserve) {
+  HostedCard host("always = [\"x == 0\"]\nnever = [\"x + y == 6\"]");
+  host.Download(kBlip);
+  host.Start();
+  host.Pass(1);
+  EXPECT_THAT(
+      host.End(),
+      ElementsAre("always: x == 0: does not hold after thread 0 has executed p.c:5, at 0.25 ms: "
+                  "x is 1",
+                  "never: x + y == 6: holds after thread 0 has executed p.c:5, at 0.25 ms: x is 1, "
+                  "y is 5"));
+}
+
+// A requirement that nothing was checked for is not one that holds.
+TEST(RequirementWatch, SaysWhatWasNeverChecked) {
+  const char* scenario = "always = [\"z == 1\"]\nfinal = [\"y == 5\"]";
+  HostedCard unnamed(scenario);
+  unnamed.Download(kBlip);
+  unnamed.Start();
+  unnamed.Pass(1);
+  EXPECT_THAT(unnamed.End(),
+              ElementsAre(HasSubstr("t.toml:2:11: never checked: nothing is named 'z'\n"),
+                          "'final: y == 5': held at the end, 0.25 ms"));
+
+  HostedCard not_started(scenario);
+  not_started.Download(kBlip);
+  not_started.Pass(1);
+  EXPECT_THAT(not_started.End(),
+              ElementsAre(HasSubstr("t.toml:3:10: never checked: no thread of a program has been "
+                                    "started\n")));
+  EXPECT_THAT(HostedCard(scenario).End(), ElementsAre(HasSubstr("nothing is named 'y'")));
+}
+
+// The names belong to the program that is there.
+TEST(RequirementWatch, FollowsAHostFromProgramToProgram) {
+  HostedCard host("never = [\"y == 7\"]");
+  host.Download(kBlip);
+  host.Start();
+  host.Pass(1);
+  host.Download("int x, z;\nint f()\n{\n  z = 7;\n  return 0;\n}\n");
+  host.Start();
+  host.Pass(1);
+  host.card().Reset();
+  host.Pass(1);
+  host.Download("int w, z, y;\nint f()\n{\n  y = 7;\n  return 0;\n}\n");
+  host.Start();
+  host.Pass(1);
+  EXPECT_THAT(host.End(), ElementsAre(HasSubstr("holds after thread 0 has executed p.c:4")));
 }
 
 }  // namespace

@@ -241,8 +241,17 @@ TEST(ParseScenario, RefusesWhatACommandCannotUse) {
   EXPECT_EQ(ErrorsOf(races + "explore = \"prove\"\n", ScenarioUse::kTest), "no error");
   EXPECT_EQ(ErrorsOf(races, ScenarioUse::kExplore), "no error");
   EXPECT_EQ(ErrorsOf("expect = []\n", ScenarioUse::kHost), "no error");
-  EXPECT_EQ(ErrorsOf("final = []\n", ScenarioUse::kHost)
-                .rfind("s.toml:1:1: 'final' cannot be used with a host program", 0),
+  EXPECT_EQ(ErrorsOf("sync = []\n", ScenarioUse::kHost)
+                .rfind("s.toml:1:1: 'sync' cannot be used with a host program", 0),
+            0u);
+}
+
+// A host may run for long before there is a program to read them for.
+TEST(ParseScenario, ReadsTheRequirementsOfAHostAtOnce) {
+  EXPECT_EQ(ErrorsOf("always = [\"x < 3\"]\nfinal = [\"y == 1\"]\n", ScenarioUse::kHost),
+            "no error");
+  EXPECT_EQ(ErrorsOf("always = [\"x < 3\", \"x <\"]\n", ScenarioUse::kHost)
+                .rfind("s.toml:1:20: ", 0),
             0u);
 }
 

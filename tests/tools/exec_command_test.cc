@@ -395,9 +395,8 @@ TEST_P(ExecKeyTest, IsRefusedInAScenarioOfAHost) {
 
 INSTANTIATE_TEST_SUITE_P(Keys, ExecKeyTest,
                          testing::Values("program = \"p.c\"", "include = []", "double = \"16.16\"",
-                                         "schedule = \"rr\"", "final = []", "always = []",
-                                         "never = []", "eventually = []", "races = \"none\"",
-                                         "sync = []", "explore = \"prove\"", "[globals]\nx = 1",
+                                         "schedule = \"rr\"", "races = \"none\"", "sync = []",
+                                         "explore = \"prove\"", "[globals]\nx = 1",
                                          "[[thread]]\nfunction = \"f\"",
                                          "[[host]]\nset = { x = 1 }"));
 

@@ -1,0 +1,80 @@
+// What a scenario requires of a host program under `oncard exec`: the client `one_thread_c` adds
+// 1..100 with samples/01_sum/sum.c, in line 17.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/files.h"
+#include "tests/tools/process.h"
+
+namespace oncard::tools {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+ProcessResult ExecSum(const std::string& scenario) {
+  const ScratchFolder folder;
+  folder.Write("sum.c", ReadFile(ONCARD_SOURCE_DIR "/samples/01_sum/sum.c").value());
+  folder.Write("s.toml", scenario);
+  return RunOncard(
+      {"exec", "--scenario=s.toml", "--", ONCARD_BUILD_DIR "/tests/runtime/one_thread_c", "sum.c"},
+      folder.path());
+}
+
+TEST(ExecRequirements, SaysWhatHeldAndOverWhat) {
+  const ProcessResult result = ExecSum(
+      "always = [\"sum <= 5050\", \"axis1.prfPos == 0\"]\nnever = [\"page0.i > 101\"]\n"
+      "final = [\"sum == 5050 && thread0.result == sum\"]\neventually = [\"sum == 4950\"]\n");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(
+      result.err,
+      AllOf(ContainsRegex("oncard: card 0: 'always: sum <= 5050': held in all [0-9]+ states from "),
+            ContainsRegex("'always: axis1.prfPos == 0': held in all [0-9]+ states from 0 ms on"),
+            ContainsRegex("'never: page0.i > 101': held in none of [0-9]+ states from "),
+            HasSubstr("'final: sum == 5050 && thread0.result == sum': held at the end, "),
+            HasSubstr("'eventually: sum == 4950': held at "), Not(HasSubstr("does not"))));
+}
+
+TEST(ExecRequirements, ReportsWhatDoesNotHoldAsARunDoes) {
+  const ProcessResult result = ExecSum(
+      "always = [\"sum < 3\"]\nnever = [\"sum == 10\"]\nfinal = [\"sum == 5051\"]\n"
+      "eventually = [\"sum == 2\"]\n");
+  EXPECT_EQ(result.exit_code, 120);
+  const std::string card = "oncard: card 0: '";
+  EXPECT_THAT(
+      result.err,
+      AllOf(ContainsRegex(card + "always: sum < 3' does not hold after thread 0 has executed "
+                                 "sum.c:17, at [0-9.]+ ms: sum is 3\n"),
+            ContainsRegex(card + "never: sum == 10' holds after thread 0 has executed sum.c:17, at "
+                                 "[0-9.]+ ms: sum is 10\n"),
+            HasSubstr(card + "final: sum == 5051' does not hold at the end: sum is 5050\n"),
+            HasSubstr(card + "eventually: sum == 2' held in no state of the run; at its end: sum "
+                             "is 5050\n")));
+}
+
+TEST(ExecRequirements, RefusesToPassWhatWasNeverChecked) {
+  const ProcessResult result = ExecSum("always = [\"sun <= 5050\"]\n");
+  EXPECT_EQ(result.exit_code, 120);
+  EXPECT_THAT(result.err, HasSubstr("s.toml:1:11: card 0: never checked: nothing is named 'sun'"));
+}
+
+TEST(ExecRequirements, RefusesWhatIsNoConditionBeforeTheHostBegins) {
+  const ProcessResult result = ExecSum("never = [\"sum <\"]\n");
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("s.toml:1:10: "));
+}
+
+// The host is cut off: its end says nothing of what must hold at the end.
+TEST(ExecRequirements, LeavesTheEndOfAHostThatIsCutOffAlone) {
+  const ProcessResult result =
+      ExecSum("limit_ms = 2\nalways = [\"sum <= 5050\"]\nfinal = [\"sum == 5050\"]\n");
+  EXPECT_EQ(result.exit_code, 120);
+  EXPECT_THAT(result.err,
+              AllOf(HasSubstr("the host still runs at the time limit of 2 ms"),
+                    HasSubstr("'always: sum <= 5050': held in all "), Not(HasSubstr("final"))));
+}
+
+}  // namespace
+}  // namespace oncard::tools
