@@ -6,7 +6,6 @@
 #include "explore/models/problem.h"
 #include "runtime/scenario/placed_errors.h"
 #include "runtime/scenario/requirement.h"
-#include "runtime/scenario/scenario_keys.h"
 
 namespace oncard::explore {
 
@@ -20,7 +19,11 @@ Result<void> AddComments(const std::string& path, std::string_view source, const
   if (!read.ok()) return read.error();
   runtime::PlacedErrors refused;
   for (const auto& [key, place] : read.value().of_all_schedules) {
-    refused.Add(place, runtime::DescribeRefusedKey(key, runtime::ScenarioUse::kRun));
+    refused.Add(
+        place,
+        MakeMessage("'{0}' concerns all schedules, a single run cannot check it: "
+                    "use 'oncard explore', or remove it",
+                    "“{0}”针对所有调度，单次运行无法检查：请用“oncard explore”，或去掉", key));
   }
   if (auto failure = refused.Failure()) return *std::move(failure);
   runtime::Scenario& said = read.value().scenario;

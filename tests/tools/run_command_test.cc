@@ -158,8 +158,7 @@ TEST(Run, LooksAtWhatCommentsOfASourceRequire) {
   const ProcessResult races = run("races.c");
   EXPECT_EQ(races.exit_code, 2);
   const std::string refusal =
-      " concerns all schedules, a single run cannot check it: use 'oncard explore', or add the key "
-      "'explore' to the file for 'oncard test'\n";
+      " concerns all schedules, a single run cannot check it: use 'oncard explore', or remove it\n";
   EXPECT_EQ(races.err, "oncard: races.c:2:3: '//@ races'" + refusal +
                            "    2 |   //@ races: none\n      |   ^~~~~~~~~~~~~~~\n"
                            "races.c:14:1: '//@ sync'" +
