@@ -1,5 +1,6 @@
 // Rules for all commands: which are implemented, NULL pointers, ranges, refusals that change
 // nothing.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,6 +14,8 @@
 
 namespace oncard::gtcalls {
 namespace {
+
+using ::testing::StartsWith;
 
 /// The commands that act on the card; those that the host library answers are tested with the
 /// runtime.
@@ -136,7 +139,7 @@ TEST(CardCommands, WhatIsNotImplementedIsNotSupportedByTheFirmware) {
   const Command& command = *GtsCatalogue().Find("GT_SetAxisMode");
   EXPECT_FALSE(GtsFamily().Executes(command));
   EXPECT_EQ(card.Call(command, {1, 0}), 8);
-  EXPECT_TRUE(card.reason.en.starts_with("GT_SetAxisMode is not supported by this card: "));
+  EXPECT_THAT(card.reason.en, StartsWith("GT_SetAxisMode is not supported by this card: "));
 }
 
 TEST(CardCommands, NullForARequiredPointerIsABadParameter) {

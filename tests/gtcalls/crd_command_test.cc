@@ -1,10 +1,13 @@
 // Coordinate systems: set-up, start, status, stops, look-ahead.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/gtcalls/crd_command_support.h"
 
 namespace oncard::gtcalls {
 namespace {
+
+using ::testing::HasSubstr;
 
 TEST(SetCrdPrm, EveryMemberIsChecked) {
   struct {
@@ -70,7 +73,7 @@ TEST(CrdStart, GoesOnWithAModalMoveThatWasStoppedShort) {
   card.CyclesToEnd();
   ASSERT_EQ(card.Call("GT_PrfJog", {3}), 0);
   EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 1);
-  EXPECT_NE(card.reason.en.find("needs mode Trap"), std::string::npos) << card.reason.en;
+  EXPECT_THAT(card.reason.en, HasSubstr("needs mode Trap"));
   ASSERT_EQ(card.Call("GT_PrfTrap", {3}), 0);
   EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 0);
   card.CyclesToEnd();

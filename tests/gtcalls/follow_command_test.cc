@@ -1,10 +1,13 @@
 // The commands of Follow: FIFOs, what they refuse, and the manual's example through them.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "command_test_card.h"
 
 namespace oncard::gtcalls {
 namespace {
+
+using ::testing::HasSubstr;
 
 class FollowCommandTest : public ::testing::Test {
  protected:
@@ -102,7 +105,7 @@ TEST_F(FollowCommandTest, StartNeedsMasterAndData) {
   card_.Expect(0, "GT_PrfFollow", {3, 0});
   card_.Expect(0, "GT_FollowData", {3, 100, 50.0, 0, 0});
   card_.Expect(1, "GT_FollowStart", {4, 0});
-  EXPECT_NE(card_.reason.en.find("GT_SetFollowMaster"), std::string::npos);
+  EXPECT_THAT(card_.reason.en, HasSubstr("GT_SetFollowMaster"));
   card_.Expect(0, "GT_FollowStart", {2, 2});  // FIFO 1
   std::vector<double> fifo(1);
   std::vector<double> switching(1);

@@ -1,10 +1,13 @@
 // The commands of electronic gear: what they refuse, and the manual's example through them.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "command_test_card.h"
 
 namespace oncard::gtcalls {
 namespace {
+
+using ::testing::HasSubstr;
 
 class GearCommandTest : public ::testing::Test {
  protected:
@@ -81,10 +84,10 @@ TEST_F(GearCommandTest, StartNeedsMasterAndRatio) {
   card_.Expect(1, "GT_GearStart", {0});
   card_.Expect(0, "GT_PrfGear", {2, 0});
   card_.Expect(1, "GT_GearStart", {2});
-  EXPECT_NE(card_.reason.en.find("GT_SetGearMaster"), std::string::npos);
+  EXPECT_THAT(card_.reason.en, HasSubstr("GT_SetGearMaster"));
   card_.Expect(0, "GT_SetGearMaster", {2, 1, 2, 0});
   card_.Expect(1, "GT_GearStart", {2});
-  EXPECT_NE(card_.reason.en.find("GT_SetGearRatio"), std::string::npos);
+  EXPECT_THAT(card_.reason.en, HasSubstr("GT_SetGearRatio"));
   card_.Expect(0, "GT_SetGearRatio", {2, 1, 1, 0});
   card_.Expect(1, "GT_GearStart", {2 | 4});  // profile 3 is in mode Trap: nothing starts
   EXPECT_FALSE(card_.motion.state().profiles[1].now.moving);

@@ -1,6 +1,7 @@
 // Schedules for edited programs: lines are identified by their text.
 #include "runtime/scenario/adapted_schedule.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "compiler/compiler.h"
@@ -8,6 +9,8 @@
 
 namespace oncard::runtime {
 namespace {
+
+using ::testing::HasSubstr;
 
 constexpr std::string_view kLostUpdate =
     "int g;\n"
@@ -135,7 +138,7 @@ TEST(AdaptSchedule, NeedsAnAnnotatedSchedule) {
   schedule.segments = {{0, 1}};
   const auto adapted = AdaptSchedule(TwoThreads(), Compiled(kLostUpdate), kLostUpdate, schedule);
   ASSERT_FALSE(adapted.ok());
-  EXPECT_NE(adapted.error().message.en.find("explore --save"), std::string::npos);
+  EXPECT_THAT(adapted.error().message.en, HasSubstr("explore --save"));
 }
 
 }  // namespace

@@ -1,11 +1,14 @@
 #include "runtime/host/clock.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
 
 namespace oncard::runtime {
 namespace {
+
+using ::testing::HasSubstr;
 
 constexpr int64_t kMillisecondNs = 1'000'000;
 
@@ -25,8 +28,8 @@ TEST(ClockSettingTest, RefusesEverythingElseAsAFailedOpen) {
     const auto setting = ParseClockSetting(text);
     ASSERT_FALSE(setting.ok()) << text;
     EXPECT_EQ(setting.error().code, -6) << text;
-    EXPECT_NE(setting.error().message.en.find("'" + text + "'"), std::string::npos);
-    EXPECT_NE(setting.error().message.zh.find("'" + text + "'"), std::string::npos);
+    EXPECT_THAT(setting.error().message.en, HasSubstr("'" + text + "'"));
+    EXPECT_THAT(setting.error().message.zh, HasSubstr("'" + text + "'"));
   }
 }
 

@@ -1,6 +1,7 @@
 // The log lines about what a card does by itself, each caused on a card.
 #include "runtime/sim/happening_text.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -10,6 +11,8 @@
 
 namespace oncard::runtime {
 namespace {
+
+using ::testing::HasSubstr;
 
 using motion::MotionCore;
 
@@ -169,7 +172,7 @@ TEST(Happening, WhatLookAheadDoes) {
   ASSERT_EQ(card.said.size(), 1u);
   EXPECT_EQ(card.said[0].substr(0, 82),
             "coordinate system 1 passes the corner before this segment with at most 3.535533905");
-  EXPECT_NE(card.said[0].find(" of 100 pulse/ms, limited by"), std::string::npos);
+  EXPECT_THAT(card.said[0], HasSubstr(" of 100 pulse/ms, limited by"));
   // A straight continuation: no corner.
   ASSERT_TRUE(card.Line({1000, 3000}, 0));
   ASSERT_EQ(card.said.size(), 1u);

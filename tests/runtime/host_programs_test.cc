@@ -1,4 +1,5 @@
 // Program files through the C API: compiling, downloading, names.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +12,8 @@
 
 namespace oncard::runtime {
 namespace {
+
+using ::testing::StartsWith;
 
 class HostPrograms : public OpenCard {
  protected:
@@ -111,7 +114,7 @@ TEST_F(HostPrograms, LongTextsAreCutToTheCallersBuffers) {
   EXPECT_EQ(answer.code, 2007);
   EXPECT_LE(answer.file.size(), 127u);
   EXPECT_GE(answer.file.size(), 125u);
-  EXPECT_TRUE((folder_ + name).starts_with(answer.file));
+  EXPECT_THAT(folder_ + name, StartsWith(answer.file));
   EXPECT_EQ((answer.file.size() - folder_.size()) % 3, 0u);
 }
 

@@ -1,9 +1,12 @@
 #include "runtime/scenario/key_script.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace oncard::runtime {
 namespace {
+
+using ::testing::HasSubstr;
 
 TEST(KeyScriptTest, MomentsAndCharacters) {
   EXPECT_EQ(ParseKeyScript("").value(), std::vector<KeyPress>{});
@@ -22,8 +25,8 @@ TEST(KeyScriptTest, AnythingElseIsRefusedWithAnExample) {
                            "2e9:q", R"(5:\)", R"(5:\q)", R"(5:\x4)", R"(5:\xzz)", "5:q,,6:r"}) {
     const auto keys = ParseKeyScript(text);
     ASSERT_FALSE(keys.ok()) << text;
-    EXPECT_NE(keys.error().message.en.find("500:a,1000:q"), std::string::npos) << text;
-    EXPECT_NE(keys.error().message.zh.find("500:a,1000:q"), std::string::npos) << text;
+    EXPECT_THAT(keys.error().message.en, HasSubstr("500:a,1000:q")) << text;
+    EXPECT_THAT(keys.error().message.zh, HasSubstr("500:a,1000:q")) << text;
   }
 }
 

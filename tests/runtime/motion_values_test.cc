@@ -1,5 +1,6 @@
 #include "runtime/observe/motion_values.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <set>
@@ -9,6 +10,8 @@
 
 namespace oncard::runtime {
 namespace {
+
+using ::testing::HasSubstr;
 
 class MotionValuesTest : public testing::Test {
  protected:
@@ -135,7 +138,7 @@ TEST(MotionParts, AreDocumented) {
     const std::string text = page.substr(row, page.find('\n', row) - row);
     for (const MotionValue& value : part.values) {
       if (value.name.empty()) continue;
-      EXPECT_NE(text.find(fmt::format("`{}`", value.name)), std::string::npos)
+      EXPECT_THAT(text, HasSubstr(fmt::format("`{}`", value.name)))
           << part.name << '.' << value.name;
     }
   }

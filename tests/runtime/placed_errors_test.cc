@@ -1,6 +1,7 @@
 // Errors with places in files (runtime/scenario/placed_errors.h).
 #include "runtime/scenario/placed_errors.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +10,8 @@
 
 namespace oncard::runtime {
 namespace {
+
+using ::testing::EndsWith;
 
 std::shared_ptr<const TextFile> FileOf(const std::string& path, const std::string& text) {
   return std::make_shared<const TextFile>(path, text);
@@ -85,8 +88,8 @@ TEST(PlacedErrors, ManyAreCounted) {
   PlacedErrors errors;
   for (size_t i = 0; i < PlacedErrors::kShown + 3; ++i) errors.Add({}, {"wrong", "有误"});
   const Message all = errors.Failure()->message;
-  EXPECT_TRUE(all.en.ends_with("wrong\n3 more errors")) << all.en;
-  EXPECT_TRUE(all.zh.ends_with("有误\n另有 3 个错误")) << all.zh;
+  EXPECT_THAT(all.en, EndsWith("wrong\n3 more errors"));
+  EXPECT_THAT(all.zh, EndsWith("有误\n另有 3 个错误"));
   EXPECT_EQ(std::count(all.en.begin(), all.en.end(), '\n'), std::ptrdiff_t{PlacedErrors::kShown});
 }
 

@@ -1,9 +1,13 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "runtime/scenario/scenario.h"
 
 namespace oncard::runtime {
 namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 constexpr const char* kFull = R"(# everything there is
 program = "sum.c"
@@ -198,12 +202,11 @@ INSTANTIATE_TEST_SUITE_P(
                 "s.toml:2:1: 'thread' must be a list of tables, each under [[thread]]"}));
 
 TEST(ParseScenario, ShowsEverythingThatIsWrongInItsPlace) {
-  EXPECT_EQ(ErrorsOf("rat = 5\ntitle = \"轴\"; \nrate = 0\n").rfind("s.toml:2:12: not TOML", 0),
-            0u);
-  EXPECT_EQ(ErrorsOf("expect = [\"x == 1\", \"x =\", 5]\nrate = 0 # 轴\nrat = 5\n"
-                     "globals = { 轴 = 1 }\n")
-                .rfind("s.toml:4:13: non-ASCII characters are allowed only in strings", 0),
-            0u);
+  EXPECT_THAT(ErrorsOf("rat = 5\ntitle = \"轴\"; \nrate = 0\n"),
+              StartsWith("s.toml:2:12: not TOML"));
+  EXPECT_THAT(ErrorsOf("expect = [\"x == 1\", \"x =\", 5]\nrate = 0 # 轴\nrat = 5\n"
+                       "globals = { 轴 = 1 }\n"),
+              StartsWith("s.toml:4:13: non-ASCII characters are allowed only in strings"));
   EXPECT_EQ(ErrorsOf("program = \"轴.c\"\nexpect = [\"轴 == 1\", 5]\nrate = 0\nrat = 5\n"),
             "s.toml:2:11: '轴' is not expected in '轴 == 1'\n"
             "    2 | expect = [\"轴 == 1\", 5]\n"
@@ -227,32 +230,28 @@ TEST(ParseScenario, ShowsSoManyErrorsAndCountsTheRest) {
 }
 
 TEST(ParseScenario, RefusesAPriorityThatNothingUses) {
-  EXPECT_EQ(ErrorOf("program = \"p.c\"\n[[thread]]\nfunction = \"f\"\npriority = 1\n")
-                .rfind("s.toml:4:12: 'priority' is only for periodic threads", 0),
-            0u);
+  EXPECT_THAT(ErrorOf("program = \"p.c\"\n[[thread]]\nfunction = \"f\"\npriority = 1\n"),
+              StartsWith("s.toml:4:12: 'priority' is only for periodic threads"));
 }
 
 TEST(ParseScenario, RefusesWhatACommandCannotUse) {
   const std::string races = "program = \"p.c\"\nraces = \"none\"\n";
-  EXPECT_EQ(
-      ErrorsOf(races, ScenarioUse::kRun).rfind("s.toml:2:1: 'races' concerns all schedules", 0),
-      0u);
+  EXPECT_THAT(ErrorsOf(races, ScenarioUse::kRun),
+              StartsWith("s.toml:2:1: 'races' concerns all schedules"));
   EXPECT_EQ(ErrorsOf(races, ScenarioUse::kTest), ErrorsOf(races, ScenarioUse::kRun));
   EXPECT_EQ(ErrorsOf(races + "explore = \"prove\"\n", ScenarioUse::kTest), "no error");
   EXPECT_EQ(ErrorsOf(races, ScenarioUse::kExplore), "no error");
   EXPECT_EQ(ErrorsOf("expect = []\n", ScenarioUse::kHost), "no error");
-  EXPECT_EQ(ErrorsOf("sync = []\n", ScenarioUse::kHost)
-                .rfind("s.toml:1:1: 'sync' cannot be used with a host program", 0),
-            0u);
+  EXPECT_THAT(ErrorsOf("sync = []\n", ScenarioUse::kHost),
+              StartsWith("s.toml:1:1: 'sync' cannot be used with a host program"));
 }
 
 // A host may run for long before there is a program to read them for.
 TEST(ParseScenario, ReadsTheRequirementsOfAHostAtOnce) {
   EXPECT_EQ(ErrorsOf("always = [\"x < 3\"]\nfinal = [\"y == 1\"]\n", ScenarioUse::kHost),
             "no error");
-  EXPECT_EQ(ErrorsOf("always = [\"x < 3\", \"x <\"]\n", ScenarioUse::kHost)
-                .rfind("s.toml:1:20: ", 0),
-            0u);
+  EXPECT_THAT(ErrorsOf("always = [\"x < 3\", \"x <\"]\n", ScenarioUse::kHost),
+              StartsWith("s.toml:1:20: "));
 }
 
 struct UnusedSetting {
@@ -294,28 +293,26 @@ INSTANTIATE_TEST_SUITE_P(
             "s.toml:2:36: 'engine' has no effect if only one schedule is followed: remove it"}));
 
 TEST(ParseScenario, SaysWhatIsMissing) {
-  EXPECT_NE(ErrorOf("rate = 5\n").find("'program' is missing"), std::string::npos);
-  EXPECT_NE(ErrorOf("program = \"p.c\"\n[[thread]]\npage = 1\n").find("'function' is missing"),
-            std::string::npos);
-  EXPECT_NE(ErrorOf("program = \"p.c\"\n[[world.input]]\nat_ms = 1\n").find("'value' is missing"),
-            std::string::npos);
+  EXPECT_THAT(ErrorOf("rate = 5\n"), HasSubstr("'program' is missing"));
+  EXPECT_THAT(ErrorOf("program = \"p.c\"\n[[thread]]\npage = 1\n"),
+              HasSubstr("'function' is missing"));
+  EXPECT_THAT(ErrorOf("program = \"p.c\"\n[[world.input]]\nat_ms = 1\n"),
+              HasSubstr("'value' is missing"));
 }
 
 TEST(ParseScenario, BindsAThreadOnce) {
-  EXPECT_NE(
-      ErrorOf("program = \"p.c\"\n[[thread]]\nfunction = \"f\"\n[[thread]]\nfunction = \"g\"\n")
-          .find("thread 0 is bound twice"),
-      std::string::npos);
+  EXPECT_THAT(
+      ErrorOf("program = \"p.c\"\n[[thread]]\nfunction = \"f\"\n[[thread]]\nfunction = \"g\"\n"),
+      HasSubstr("thread 0 is bound twice"));
 }
 
 TEST(ParseScenario, ReportsTomlMistakesWithTheirPlace) {
-  EXPECT_EQ(ErrorOf("program = \"p.c\"\nrate = = 5\n").rfind("s.toml:2:", 0), 0u);
+  EXPECT_THAT(ErrorOf("program = \"p.c\"\nrate = = 5\n"), StartsWith("s.toml:2:"));
 }
 
 TEST(ParseScenario, NamesTheInputsThereAre) {
-  EXPECT_NE(ErrorOf("program = \"p.c\"\n[[world.input]]\ntype = \"gpio\"\nvalue = 1\n")
-                .find("limit_positive"),
-            std::string::npos);
+  EXPECT_THAT(ErrorOf("program = \"p.c\"\n[[world.input]]\ntype = \"gpio\"\nvalue = 1\n"),
+              HasSubstr("limit_positive"));
 }
 
 TEST(ParseThreadStart, ReadsTheShortForm) {

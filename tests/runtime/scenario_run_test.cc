@@ -1,9 +1,12 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/runtime/scenario_support.h"
 
 namespace oncard::runtime {
 namespace {
+
+using ::testing::StartsWith;
 
 constexpr const char* kCount = "int n;\nint f(int k)\n{\n  n = n + k;\n  return n;\n}\n";
 constexpr const char* kSpin = "int n;\nint f()\n{\nlbl:\n  n = n + 1;\n  goto lbl;\n}\n";
@@ -102,7 +105,7 @@ TEST(RunScenario, FailsAtTheTimeLimit) {
   EXPECT_EQ(result.end_ms, 2);
   ASSERT_EQ(result.failures.size(), 1u);
   EXPECT_EQ(result.failures[0].message.en, "threads still run at the time limit of 2 ms");
-  EXPECT_EQ(result.threads[0].status.en.rfind("running at p.c:", 0), 0u);
+  EXPECT_THAT(result.threads[0].status.en, StartsWith("running at p.c:"));
 }
 
 TEST(RunScenario, EndsWithoutFailureAtUntil) {
@@ -137,10 +140,9 @@ TEST(RunScenario, TracesUntilTheEndThatIsAskedFor) {
 TEST(RunScenario, SaysThatAnAxisStillMovesAtTheEnd) {
   const ScenarioResult result = RunForTest(kJog, "until_ms = 500");
   ASSERT_EQ(result.warnings.size(), 1u);
-  EXPECT_EQ(result.warnings[0].en.rfind(
-                "axis 1 still moves at the end of the run, at 500 ms: velocity 35 pulse/ms, ", 0),
-            0u)
-      << result.warnings[0].en;
+  EXPECT_THAT(
+      result.warnings[0].en,
+      StartsWith("axis 1 still moves at the end of the run, at 500 ms: velocity 35 pulse/ms, "));
   EXPECT_TRUE(RunForTest(kCount, "until_ms = 500").warnings.empty());
 }
 
@@ -217,7 +219,7 @@ TEST(RunScenario, NoticesADeadlock) {
       RunForTest("int go;\nint f()\n{\n  GT_WaitForVarEq(&go, 1);\n  return 1;\n}\n", "");
   EXPECT_EQ(result.end, RunEnd::kDeadlock);
   EXPECT_FALSE(result.passed());
-  EXPECT_EQ(result.threads[0].status.en.rfind("waiting at p.c:", 0), 0u);
+  EXPECT_THAT(result.threads[0].status.en, StartsWith("waiting at p.c:"));
 }
 
 TEST(RunScenario, StartsPeriodicThreadsAnew) {

@@ -1,4 +1,5 @@
 // The effects of a scenario's world on a card.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +8,8 @@
 
 namespace oncard::runtime {
 namespace {
+
+using ::testing::HasSubstr;
 
 using motion::DiType;
 
@@ -372,14 +375,13 @@ TEST(ScenarioWorld, MistakesSayWhatToDo) {
   for (const auto& c : cases) {
     const auto scenario = ParseScenario(std::string("program = \"x.c\"\n") + c.text, "w.toml");
     ASSERT_FALSE(scenario.ok()) << c.text;
-    EXPECT_NE(scenario.error().message.en.find(c.message), std::string::npos)
-        << scenario.error().message.en;
+    EXPECT_THAT(scenario.error().message.en, HasSubstr(c.message));
     EXPECT_NE(scenario.error().message.zh, scenario.error().message.en);
   }
   const auto nine = ParseScenario(
       "program = \"x.c\"\naxes = 12\n[[world.switch]]\naxis = 9\nfrom = 1\n", "w.toml");
   ASSERT_FALSE(nine.ok());
-  EXPECT_NE(nine.error().message.en.find("'index' is missing"), std::string::npos);
+  EXPECT_THAT(nine.error().message.en, HasSubstr("'index' is missing"));
 }
 
 TEST(ScenarioWorld, TheCardHasTheScenariosCycleAndRate) {

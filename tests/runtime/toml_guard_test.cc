@@ -1,5 +1,6 @@
 #include "runtime/scenario/toml_guard.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -9,6 +10,8 @@
 
 namespace oncard::runtime {
 namespace {
+
+using ::testing::HasSubstr;
 
 const std::string kDeep(kTomlDepthMax + 1, '[');
 const std::string kLong(kTomlKeyPartMax, '.');
@@ -65,7 +68,7 @@ TEST(TomlGuard, SaysThePlace) {
   ASSERT_TRUE(refusal.has_value());
   EXPECT_EQ(refusal->line, 2u);
   EXPECT_EQ(refusal->column, 1 + kTomlKeyPartMax);
-  EXPECT_NE(refusal->message.zh.find("32"), std::string::npos);
+  EXPECT_THAT(refusal->message.zh, HasSubstr("32"));
 }
 
 }  // namespace

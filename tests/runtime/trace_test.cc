@@ -1,11 +1,16 @@
 #include "runtime/observe/trace.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/runtime/scenario_support.h"
 
 namespace oncard::runtime {
 namespace {
+
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 constexpr const char* kSpin = "int n;\nint f()\n{\nlbl:\n  n = n + 1;\n  goto lbl;\n}\n";
 
@@ -34,7 +39,7 @@ TEST(Trace, RefusesAnUnknownName) {
   const auto result =
       RunScenario(ScenarioForTest("trace = [\"axis2.prfPso\"]"), CompileForTest(kSpin), options);
   ASSERT_FALSE(result.ok());
-  EXPECT_NE(result.error().message.en.find("did you mean 'axis2.prfPos'"), std::string::npos);
+  EXPECT_THAT(result.error().message.en, HasSubstr("did you mean 'axis2.prfPos'"));
 }
 
 TEST(Trace, ShowsInputsAndOutputsThatChange) {
@@ -67,24 +72,20 @@ Trace MovingAxis() {
 
 TEST(Trace, ShowsTheAxesThatMoveAndNoOthers) {
   const std::string csv = MovingAxis().Csv();
-  EXPECT_TRUE(csv.starts_with(
-      "time_ms,axis3.prfPos,axis3.prfVel,axis3.prfAcc\n0,0.0,0.0,0.0\n0.25,0.125,1.0,4.0\n"
-      "0.5,0.5,2.0,"))
-      << csv;
-  EXPECT_NE(csv.find("\n1,1.5,2.0,0.0\n"), std::string::npos) << csv;
-  EXPECT_TRUE(csv.ends_with("\n2.5,4.0,0.0,0.0\n2.75,4.0,0.0,0.0\n")) << csv;
+  EXPECT_THAT(
+      csv, StartsWith(
+               "time_ms,axis3.prfPos,axis3.prfVel,axis3.prfAcc\n0,0.0,0.0,0.0\n0.25,0.125,1.0,4.0\n"
+               "0.5,0.5,2.0,"));
+  EXPECT_THAT(csv, HasSubstr("\n1,1.5,2.0,0.0\n"));
+  EXPECT_THAT(csv, EndsWith("\n2.5,4.0,0.0,0.0\n2.75,4.0,0.0,0.0\n"));
 }
 
 TEST(Trace, WritesRealsAndScopesForWaveformViewers) {
   const std::string vcd = MovingAxis().Vcd();
-  EXPECT_TRUE(
-      vcd.starts_with("$timescale 1 us $end\n$scope module oncard $end\n"
-                      "$scope module axis3 $end\n$var real 64 ! prfPos $end\n"))
-      << vcd;
-  EXPECT_NE(vcd.find("$upscope $end\n$upscope $end\n$enddefinitions $end\n#0\nr0.0 !\n"),
-            std::string::npos)
-      << vcd;
-  EXPECT_NE(vcd.find("#250\nr0.125 !\nr1.0 \"\nr4.0 #\n"), std::string::npos) << vcd;
+  EXPECT_THAT(vcd, StartsWith("$timescale 1 us $end\n$scope module oncard $end\n"
+                              "$scope module axis3 $end\n$var real 64 ! prfPos $end\n"));
+  EXPECT_THAT(vcd, HasSubstr("$upscope $end\n$upscope $end\n$enddefinitions $end\n#0\nr0.0 !\n"));
+  EXPECT_THAT(vcd, HasSubstr("#250\nr0.125 !\nr1.0 \"\nr4.0 #\n"));
 }
 
 // The program runs at 250 us; both outputs have a pulse of 100 us between two cycles.
@@ -94,10 +95,9 @@ constexpr const char* kPulse =
 TEST(Trace, ShowsPulsesOfHighSpeedOutputsInsideACycle) {
   const Trace trace = TraceOf(kPulse, "");
   EXPECT_EQ(trace.Csv(), "time_ms,gpo,hsio0,hsio1\n0,0,0,0\n0.25,0,1,1\n0.35,0,0,0\n1.25,0,0,0\n");
-  EXPECT_NE(trace.Vcd().find("#350\n0\"\n0#\n"), std::string::npos) << trace.Vcd();
-  EXPECT_NE(trace.Json().find(R"({"name":"hsio1","ph":"C","pid":1,"ts":350,"args":{"value":0}})"),
-            std::string::npos)
-      << trace.Json();
+  EXPECT_THAT(trace.Vcd(), HasSubstr("#350\n0\"\n0#\n"));
+  EXPECT_THAT(trace.Json(),
+              HasSubstr(R"({"name":"hsio1","ph":"C","pid":1,"ts":350,"args":{"value":0}})"));
 }
 
 TEST(Trace, HoldsTheOutputThatTheScenarioNames) {
@@ -110,7 +110,7 @@ TEST(Trace, WritesTraceEvents) {
   for (const char* event :
        {R"({"name":"axis3.prfPos","ph":"C","pid":1,"ts":250,"args":{"value":0.125}})",
         R"({"name":"start \"3\"","cat":"host","ph":"i","s":"p","pid":1,"tid":32,"ts":0})"}) {
-    EXPECT_NE(json.find(event), std::string::npos) << event << '\n' << json;
+    EXPECT_THAT(json, HasSubstr(event));
   }
 }
 
@@ -121,7 +121,7 @@ TEST(Trace, WritesWhenThreadsRan) {
   for (const char* event :
        {R"({"name":"thread_name","ph":"M","pid":1,"tid":3,"args":{"name":"thread 3"}})",
         R"({"name":"f","cat":"thread","ph":"X","pid":1,"tid":3,"ts":0,"dur":2250})"}) {
-    EXPECT_NE(json.find(event), std::string::npos) << event << '\n' << json;
+    EXPECT_THAT(json, HasSubstr(event));
   }
 }
 
@@ -139,14 +139,14 @@ TEST(Trace, MarksWhatTheCardDoesByItself) {
        R"("ph":"i","s":"p","pid":1,"tid":32,"ts":0})",
        R"({"name":"axis 2 reached its positive limit switch at 0: no motion in that direction until GT_ClrSts",)"
        R"("cat":"card","ph":"i","s":"p","pid":1,"tid":32,"ts":1750})"}) {
-    EXPECT_NE(json.find(event), std::string::npos) << event << '\n' << json;
+    EXPECT_THAT(json, HasSubstr(event));
   }
 }
 
 TEST(Trace, MarksWhatTheHostWrites) {
   const std::string json =
       TraceOf(kSpin, "until_ms = 2\n[[host]]\nat_ms = 1\nset = { n = 5 }\n").Json();
-  EXPECT_NE(json.find(R"({"name":"n = 5","cat":"host","ph":"i")"), std::string::npos) << json;
+  EXPECT_THAT(json, HasSubstr(R"({"name":"n = 5","cat":"host","ph":"i")"));
 }
 
 }  // namespace
