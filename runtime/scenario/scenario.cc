@@ -4,63 +4,14 @@
 #include <filesystem>
 
 #include "base/files.h"
-#include "base/milliseconds.h"
 #include "base/number.h"
 #include "base/trim.h"
+#include "runtime/scenario/key_table.h"
+#include "runtime/scenario/keyed_toml.h"
 #include "vm/limits.h"
 
 namespace oncard::runtime {
 namespace {
-
-// A basic TOML string.
-std::string TomlString(std::string_view text) {
-  std::string quoted = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      quoted += '\\';
-      quoted += c;
-    } else if (byte < 0x20 || byte == 0x7F) {
-      quoted += fmt::format("\\u{:04X}", byte);
-    } else {
-      quoted += c;
-    }
-  }
-  return quoted + '"';
-}
-
-std::string TomlStrings(const std::vector<std::string>& texts) {
-  std::vector<std::string> quoted;
-  quoted.reserve(texts.size());
-  for (const std::string& text : texts) quoted.push_back(TomlString(text));
-  return fmt::format("[{}]", fmt::join(quoted, ", "));
-}
-
-std::string FormatValue(const InitialValue& initial) {
-  if (initial.values.size() == 1) {
-    return fmt::format("{} = {}", TomlString(initial.name), initial.values.front());
-  }
-  return fmt::format("{} = [{}]", TomlString(initial.name), fmt::join(initial.values, ", "));
-}
-
-// The text between the braces of an inline table.
-std::string FormatValues(const std::vector<InitialValue>& values) {
-  std::vector<std::string> texts;
-  texts.reserve(values.size());
-  for (const InitialValue& value : values) texts.push_back(FormatValue(value));
-  return fmt::format("{{ {} }}", fmt::join(texts, ", "));
-}
-
-// An inline table.
-std::string FormatWish(const ExploreWish& wish) {
-  std::string text = fmt::format("{{ engine = {}, verdict = {}", TomlString(wish.engine),
-                                 TomlString(wish.verdict));
-  if (wish.max_executions != 0) text += fmt::format(", max_executions = {}", wish.max_executions);
-  if (wish.max_states != 0) text += fmt::format(", max_states = {}", wish.max_states);
-  if (wish.runs != 0) text += fmt::format(", runs = {}", wish.runs);
-  if (!wish.follow.empty()) text += fmt::format(", follow = {}", TomlString(wish.follow));
-  return text + " }";
-}
 
 std::vector<std::string_view> Split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
@@ -70,6 +21,34 @@ std::vector<std::string_view> Split(std::string_view text, char separator) {
     if (end == std::string_view::npos) return parts;
     begin = end + 1;
   }
+}
+
+/// Empty when there are none.
+std::string FormatExpectations(const std::vector<Expectation>& expectations) {
+  if (expectations.empty()) return {};
+  std::vector<std::string> texts;
+  for (const Expectation& expectation : expectations) texts.push_back(expectation.text());
+  return FormatValue(KeyType::Texts(), texts);
+}
+
+std::string FormatPresses(const std::vector<KeyPress>& keys) {
+  if (keys.empty()) return {};
+  std::vector<std::string> presses;
+  for (const KeyPress& press : keys) {
+    presses.push_back(AsInlineTable(WriteKeys(press, PressKeys())));
+  }
+  return fmt::format("[{}]", fmt::join(presses, ", "));
+}
+
+std::string FormatThread(const ThreadStart& start) {
+  std::vector<std::string> keys = WriteKeys(start, ThreadKeys(), [&](std::string_view key) {
+    const bool later = key == "init" || (key == "priority" && start.period_ms == 0);
+    return later ? SpecialText("") : std::nullopt;
+  });
+  if (!start.values.empty()) {
+    keys.push_back("init = " + FormatValue(KeyType::Values(), start.values));
+  }
+  return AsTable("[[thread]]", keys);
 }
 
 Error BadThreadStart(std::string_view text) {
@@ -86,61 +65,30 @@ TextPlace PlaceOfText(const Scenario& scenario, std::string_view key, size_t ind
 }
 
 std::string FormatScenario(const Scenario& scenario) {
-  std::string text = fmt::format("program = {}\n", TomlString(scenario.program));
-  if (!scenario.title.empty()) text += fmt::format("title = {}\n", TomlString(scenario.title));
-  if (!scenario.include_folders.empty()) {
-    text += fmt::format("include = {}\n", TomlStrings(scenario.include_folders));
-  }
-  text += fmt::format("double = \"{}\"\n",
-                      scenario.double_format == vm::DoubleFormat::k16_16 ? "16.16" : "32.16");
-  text += fmt::format("schedule = {}\n", TomlString(scenario.schedule));
-  text += fmt::format("rate = {}\naxes = {}\ncycle_us = {}\nlimit_ms = {}\n", scenario.rate,
-                      scenario.axis_count, scenario.cycle_us, scenario.limit_ms);
-  if (scenario.until_us) text += fmt::format("until_ms = {}\n", FormatMs(*scenario.until_us));
-  if (!scenario.trace.empty()) text += fmt::format("trace = {}\n", TomlStrings(scenario.trace));
-  if (!scenario.expectations.empty()) {
-    std::vector<std::string> texts;
-    for (const Expectation& expectation : scenario.expectations)
-      texts.push_back(expectation.text());
-    text += fmt::format("expect = {}\n", TomlStrings(texts));
-  }
-  if (!scenario.final.empty()) text += fmt::format("final = {}\n", TomlStrings(scenario.final));
-  if (!scenario.always.empty()) text += fmt::format("always = {}\n", TomlStrings(scenario.always));
-  if (!scenario.never.empty()) text += fmt::format("never = {}\n", TomlStrings(scenario.never));
-  if (!scenario.eventually.empty()) {
-    text += fmt::format("eventually = {}\n", TomlStrings(scenario.eventually));
-  }
-  if (scenario.races != Scenario{}.races) {
-    text += fmt::format("races = {}\n", TomlString(scenario.races));
-  }
-  if (!scenario.sync.empty()) text += fmt::format("sync = {}\n", TomlStrings(scenario.sync));
-  if (scenario.explore) text += fmt::format("explore = {}\n", FormatWish(*scenario.explore));
-  if (!scenario.keys.empty()) {
-    std::vector<std::string> presses;
-    for (const KeyPress& press : scenario.keys) {
-      presses.push_back(fmt::format("{{ at_ms = {}, text = {} }}", FormatMs(press.at_us),
-                                    TomlString(press.text)));
+  const auto special = [&](std::string_view key) -> SpecialText {
+    if (key == "double") {
+      return scenario.double_format == vm::DoubleFormat::k16_16 ? "\"16.16\"" : "\"32.16\"";
     }
-    text += fmt::format("keys = [{}]\n", fmt::join(presses, ", "));
-  }
+    if (key == "expect") return FormatExpectations(scenario.expectations);
+    if (key == "explore" && scenario.explore) {
+      return AsInlineTable(WriteKeys(*scenario.explore, WishKeys()));
+    }
+    if (key == "keys") return FormatPresses(scenario.keys);
+    if (key == "globals") return "";  // after the keys without a table
+    return std::nullopt;
+  };
+  std::string text = AsTable("", WriteKeys(scenario, ScenarioKeys(), special));
   if (!scenario.globals.empty()) {
-    text += "\n[globals]\n";
-    for (const InitialValue& initial : scenario.globals) text += FormatValue(initial) + '\n';
-  }
-  for (const ThreadStart& start : scenario.threads) {
-    text += fmt::format("\n[[thread]]\nthread = {}\nfunction = {}\npage = {}\n", start.thread,
-                        TomlString(start.function), start.page);
-    if (start.period_ms != 0) {
-      text += fmt::format("period_ms = {}\npriority = {}\n", start.period_ms, start.priority);
+    std::vector<std::string> globals;
+    for (const InitialValue& initial : scenario.globals) {
+      globals.push_back(FormatInitialValue(initial));
     }
-    if (!start.values.empty()) {
-      text += fmt::format("init = {}\n", FormatValues(start.values));
-    }
+    text += AsTable("[globals]", globals);
   }
+  for (const ThreadStart& start : scenario.threads) text += FormatThread(start);
   text += FormatWorld(scenario.world, scenario.axis_count);
   for (const HostEvent& event : scenario.host) {
-    text += fmt::format("\n[[host]]\nat_ms = {}\nset = {}\n", FormatMs(event.at_us),
-                        FormatValues(event.values));
+    text += AsTable("[[host]]", WriteKeys(event, HostKeys()));
   }
   return text;
 }

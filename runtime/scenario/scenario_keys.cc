@@ -3,41 +3,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <vector>
+
+#include "runtime/scenario/key_table.h"
 
 namespace oncard::runtime {
 namespace {
-
-using enum KeyUse;
-
-constexpr KeyRule kRules[] = {
-    // name, run, explore, host
-    {"program", kUsed, kUsed, kRefused},
-    {"title", kUsed, kMeansNothing, kUsed},
-    {"include", kUsed, kUsed, kRefused},
-    {"double", kUsed, kUsed, kRefused},
-    // The explorer tries every schedule, including this one.
-    {"schedule", kUsed, kMeansNothing, kRefused},
-    {"rate", kUsed, kUsed, kUsed},
-    {"axes", kUsed, kUsed, kUsed},
-    {"cycle_us", kUsed, kUsed, kUsed},
-    {"limit_ms", kUsed, kUsed, kUsed},
-    {"until_ms", kUsed, kUsed, kUsed},
-    {"trace", kUsed, kMeansNothing, kUsed},
-    {"keys", kRefused, kRefused, kUsed},
-    {"expect", kUsed, kUsed, kUsed},
-    {"final", kUsed, kUsed, kUsed},
-    {"always", kUsed, kUsed, kUsed},
-    {"never", kUsed, kUsed, kUsed},
-    {"eventually", kUsed, kUsed, kUsed},
-    {"races", kRefused, kUsed, kRefused},
-    {"sync", kRefused, kUsed, kRefused},
-    // Only `oncard test` and `oncard explore` use it.
-    {"explore", kMeansNothing, kUsed, kRefused},
-    {"globals", kUsed, kUsed, kRefused},
-    {"thread", kUsed, kUsed, kRefused},
-    {"world", kUsed, kUsed, kUsed},
-    {"host", kUsed, kRefused, kRefused},
-};
 
 constexpr std::string_view kOfTraces[] = {"auto", "dpor"};
 constexpr std::string_view kOfStates[] = {"auto", "stateful", "bounded"};
@@ -71,12 +42,22 @@ Message DescribeUnusedSetting(const SearchSetting& setting, std::string_view nam
                      fmt::join(setting.engines, ", "), fmt::join(setting.engines, "、"));
 }
 
-std::span<const KeyRule> ScenarioKeyRules() { return kRules; }
+std::span<const KeyRule> ScenarioKeyRules() {
+  static const std::vector<KeyRule> rules = [] {
+    std::vector<KeyRule> all;
+    for (const Key<Scenario>& key : ScenarioKeys()) {
+      const KeyUses& uses = key.about.uses;
+      all.push_back({key.about.name, uses.run, uses.explore, uses.host});
+    }
+    return all;
+  }();
+  return rules;
+}
 
 KeyUse UseOfKey(const KeyRule& rule, ScenarioUse use, bool explored) {
   switch (use) {
     case ScenarioUse::kText:
-      return kUsed;
+      return KeyUse::kUsed;
     case ScenarioUse::kRun:
       return rule.run;
     case ScenarioUse::kTest:
@@ -93,8 +74,7 @@ Message DescribeRefusedKey(std::string_view key, ScenarioUse use) {
   if (use == ScenarioUse::kHost) {
     return MakeMessage(
         "'{0}' cannot be used with a host program: 'oncard exec' takes the card, its world and "
-        "what "
-        "must hold from a scenario; remove it",
+        "what must hold from a scenario; remove it",
         "“{0}”不能用于主机程序：“oncard exec”只从场景读取控制卡、外部世界与应成立的条件；"
         "应去掉",
         key);

@@ -2,27 +2,19 @@
 // its place.
 // Tested by tests/runtime/scenario_parse_test.cc.
 #include <algorithm>
-#include <array>
 
 #include "base/files.h"
+#include "runtime/scenario/key_table.h"
+#include "runtime/scenario/keyed_toml.h"
 #include "runtime/scenario/requirement.h"
 #include "runtime/scenario/scenario.h"
 #include "runtime/scenario/scenario_keys.h"
-#include "runtime/scenario/search_names.h"
 #include "runtime/scenario/toml_guard.h"
 #include "runtime/scenario/toml_keys.h"
 #include "runtime/scenario/world_toml.h"
-#include "vm/limits.h"
 
 namespace oncard::runtime {
 namespace {
-
-constexpr std::array<std::string_view, 6> kExploreKeys = {"engine",     "verdict", "max_executions",
-                                                          "max_states", "runs",    "follow"};
-constexpr std::array<std::string_view, 2> kKeyKeys = {"at_ms", "text"};
-constexpr std::array<std::string_view, 6> kThreadKeys = {"thread", "function",  "page",
-                                                         "init",   "period_ms", "priority"};
-constexpr std::array<std::string_view, 2> kHostKeys = {"at_ms", "set"};
 
 class ScenarioReader : private TomlKeys {
  public:
@@ -42,7 +34,7 @@ class ScenarioReader : private TomlKeys {
       Fail(error.source(),
            MakeMessage("not TOML: {0}", "不符合 TOML 语法：{0}", error.description()));
     } else {
-      CheckScenarioKeys(parsed.table());
+      CheckUses(parsed.table());
       ReadScenario(parsed.table());
     }
     if (auto failure = Failure()) return *std::move(failure);
@@ -50,10 +42,7 @@ class ScenarioReader : private TomlKeys {
   }
 
  private:
-  void CheckScenarioKeys(const toml::table& table) {
-    std::vector<std::string_view> known;
-    for (const KeyRule& rule : ScenarioKeyRules()) known.push_back(rule.name);
-    CheckKeys(table, known);
+  void CheckUses(const toml::table& table) {
     for (const auto& [key, node] : table) {
       const auto rule = std::ranges::find(ScenarioKeyRules(), key.str(), &KeyRule::name);
       if (rule == ScenarioKeyRules().end()) continue;
@@ -64,25 +53,16 @@ class ScenarioReader : private TomlKeys {
   }
 
   void ReadScenario(const toml::table& table) {
-    Text(table, "program", scenario_.program);
+    // A host program has no time limit unless the file sets one.
+    if (use_ == ScenarioUse::kHost) scenario_.limit_ms = kTimeMsMax;
+    ReadKeys(table, ScenarioKeys(), *this, &scenario_);
     if (use_ != ScenarioUse::kHost && !table.contains("program")) {
       Fail(table.source(), {"'program' is missing: name a .c or .bin file",
                             "缺少“program”：应给出 .c 或 .bin 文件"});
     }
-    Text(table, "title", scenario_.title);
-    Texts(table, "include", scenario_.include_folders);
     ReadDouble(table);
-    Text(table, "schedule", scenario_.schedule);
-    scenario_.rate = static_cast<int>(Whole(table, "rate", scenario_.rate, 1, 1'000'000));
-    ReadAxisCount(table);
-    ReadCycle(table);
-    // A host program has no time limit unless the file sets one.
-    if (use_ == ScenarioUse::kHost) scenario_.limit_ms = kTimeMsMax;
-    scenario_.limit_ms = Whole(table, "limit_ms", scenario_.limit_ms, 1, kTimeMsMax);
-    if (table.contains("until_ms")) scenario_.until_us = Time(table, "until_ms");
-    if (const toml::table* globals = Table(table, "globals")) {
-      scenario_.globals = Values(*globals);
-    }
+    CheckAxisCount(table);
+    CheckCycle(table);
     for (const toml::table* thread : Tables(table, "thread")) ReadThread(*thread);
     if (const toml::table* world = Table(table, "world")) {
       scenario_.world = ReadWorld(*world, scenario_.axis_count, *this);
@@ -90,21 +70,14 @@ class ScenarioReader : private TomlKeys {
     for (const toml::table* event : Tables(table, "host")) ReadHost(*event);
     std::stable_sort(scenario_.host.begin(), scenario_.host.end(),
                      [](const HostEvent& a, const HostEvent& b) { return a.at_us < b.at_us; });
-    Texts(table, "trace", scenario_.trace);
     ReadExpectations(table);
-    Texts(table, "final", scenario_.final);
-    Texts(table, "always", scenario_.always);
-    Texts(table, "never", scenario_.never);
-    Texts(table, "eventually", scenario_.eventually);
-    scenario_.races = kRaceRuleNames[Choice(table, "races", kRaceRuleNames, 0)];
-    Texts(table, "sync", scenario_.sync);
     for (const char* key :
          {"schedule", "trace", "final", "always", "never", "eventually", "races", "sync"}) {
       scenario_.text_places[key] = PlacesOfTexts(table, key);
     }
     if (use_ == ScenarioUse::kHost) CheckRequirements();
     ReadExplore(table);
-    for (const toml::table* key : Tables(table, "keys")) ReadKeys(*key);
+    for (const toml::table* key : Tables(table, "keys")) ReadPress(*key);
     std::stable_sort(scenario_.keys.begin(), scenario_.keys.end(),
                      [](const KeyPress& a, const KeyPress& b) { return a.at_us < b.at_us; });
   }
@@ -121,37 +94,28 @@ class ScenarioReader : private TomlKeys {
     }
   }
 
-  void ReadCycle(const toml::table& table) {
-    scenario_.cycle_us = Whole(table, "cycle_us", scenario_.cycle_us, 125, 4000);
-    if (scenario_.cycle_us % 125 != 0) {
-      Fail(table.get("cycle_us")->source(),
-           {"'cycle_us' must be a multiple of 125", "“cycle_us”应为 125 的倍数"});
-    }
+  void CheckCycle(const toml::table& table) {
+    if (scenario_.cycle_us % RowOf(ScenarioKeys(), "cycle_us").type.step == 0) return;
+    Fail(table.get("cycle_us")->source(),
+         {"'cycle_us' must be a multiple of 125", "“cycle_us”应为 125 的倍数"});
   }
 
-  void ReadAxisCount(const toml::table& table) {
-    scenario_.axis_count = static_cast<int>(Whole(table, "axes", scenario_.axis_count, 4, 12));
-    if (scenario_.axis_count % 4 != 0) {
-      Fail(table.get("axes")->source(), {"'axes' must be 4, 8 or 12, the sizes of the cards",
-                                         "“axes”应为 4、8 或 12：控制卡的轴数"});
-    }
+  void CheckAxisCount(const toml::table& table) {
+    if (scenario_.axis_count % RowOf(ScenarioKeys(), "axes").type.step == 0) return;
+    Fail(table.get("axes")->source(), {"'axes' must be 4, 8 or 12, the sizes of the cards",
+                                       "“axes”应为 4、8 或 12：控制卡的轴数"});
   }
 
   void ReadThread(const toml::table& table) {
-    CheckKeys(table, kThreadKeys);
     ThreadStart start;
-    start.thread = static_cast<int>(Whole(table, "thread", 0, 0, vm::kThreadCount - 1));
-    start.page = static_cast<int>(Whole(table, "page", start.thread, 0, vm::kPageCount - 1));
-    Text(table, "function", start.function);
+    ReadKeys(table, ThreadKeys(), *this, &start);
+    if (!table.contains("page")) start.page = start.thread;
     if (!table.contains("function")) {
       Fail(table.source(), {"'function' is missing: name a function of the program",
                             "缺少“function”：应给出程序中的函数名"});
     }
     start.function_place = PlaceOfValue(table, "function");
     start.page_place = PlaceOfValue(table, "page");
-    if (const toml::table* init = Table(table, "init")) start.values = Values(*init);
-    start.period_ms = Whole(table, "period_ms", 0, 0, kTimeMsMax);
-    start.priority = static_cast<int>(Whole(table, "priority", start.priority, -32768, 32767));
     if (table.contains("priority") && start.period_ms == 0) {
       Fail(table.get("priority")->source(),
            {"'priority' is only for periodic threads: add 'period_ms', or remove 'priority'",
@@ -167,10 +131,8 @@ class ScenarioReader : private TomlKeys {
   }
 
   void ReadHost(const toml::table& table) {
-    CheckKeys(table, kHostKeys);
     HostEvent event;
-    event.at_us = Time(table, "at_ms");
-    if (const toml::table* values = Table(table, "set")) event.values = Values(*values);
+    ReadKeys(table, HostKeys(), *this, &event);
     if (event.values.empty()) {
       Fail(table.source(), {"'set' is missing: the variables to write, as in { go = 1 }",
                             "缺少“set”：要写入的变量，如 { go = 1 }"});
@@ -178,11 +140,9 @@ class ScenarioReader : private TomlKeys {
     scenario_.host.push_back(std::move(event));
   }
 
-  void ReadKeys(const toml::table& table) {
-    CheckKeys(table, kKeyKeys);
+  void ReadPress(const toml::table& table) {
     KeyPress press;
-    press.at_us = Time(table, "at_ms");
-    Text(table, "text", press.text);
+    ReadKeys(table, PressKeys(), *this, &press);
     if (press.text.empty()) {
       Fail(table.source(), {"'text' is missing: the keys to press", "缺少“text”：要按的键"});
     }
@@ -204,14 +164,8 @@ class ScenarioReader : private TomlKeys {
     if (node->value_exact<std::string>() == "prove") {
       scenario_.explore = wish;
     } else if (const toml::table* wishes = node->as_table()) {
-      CheckKeys(*wishes, kExploreKeys);
-      wish.engine = kEngineNames[Choice(*wishes, "engine", kEngineNames, 0)];
+      ReadKeys(*wishes, WishKeys(), *this, &wish);
       scenario_.text_places["explore.engine"] = PlacesOfTexts(*wishes, "engine");
-      wish.verdict = kVerdictNames[Choice(*wishes, "verdict", kVerdictNames, 0)];
-      wish.max_executions = Whole(*wishes, "max_executions", 0, 1, 1'000'000'000'000);
-      wish.max_states = Whole(*wishes, "max_states", 0, 1, 4'000'000'000);
-      wish.runs = Whole(*wishes, "runs", 0, 1, 1'000'000'000'000);
-      Text(*wishes, "follow", wish.follow);
       if (use_ != ScenarioUse::kText) CheckWish(*wishes, wish);
       scenario_.explore = std::move(wish);
     } else {

@@ -77,6 +77,8 @@ struct HandTurn {
   int64_t until_us = 0;
   bool operator==(const HandTurn&) const = default;
 };
+/// Largest velocity of a drive or a turn, pulse/ms.
+inline constexpr double kWorldVelocityMax = 32767;
 /// Minimum duration of a turn: the longest profile cycle.
 inline constexpr int64_t kHandTurnUsMin = 4000;
 

@@ -3,40 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 
-#include "base/milliseconds.h"
-#include "motion/io/analog.h"
 #include "motion/io/extension.h"
 #include "runtime/observe/quantity.h"
+#include "runtime/scenario/key_table.h"
+#include "runtime/scenario/keyed_toml.h"
 
 namespace oncard::runtime {
 namespace {
-
-using Keys = std::span<const std::string_view>;
-
-constexpr std::array<std::string_view, 7> kWorldKeys = {"input", "axis",   "switch", "fault",
-                                                        "hand",  "analog", "module"};
-constexpr std::array<std::string_view, 4> kInputKeys = {"type", "index", "value", "at_ms"};
-constexpr std::array<std::string_view, 8> kMachineKeys = {
-    "axis", "drive", "gain", "tau_ms", "friction", "position", "index_offset", "index_period"};
-constexpr std::array<std::string_view, 6> kSwitchKeys = {"axis", "type", "index",
-                                                         "from", "to",   "active_low"};
-constexpr std::array<std::string_view, 7> kFaultKeys = {"kind",     "axis",   "switch",  "at_ms",
-                                                        "until_ms", "pulses", "velocity"};
-constexpr std::array<std::string_view, 5> kHandKeys = {"axis", "encoder", "pulses", "at_ms",
-                                                       "until_ms"};
-constexpr std::array<std::string_view, 3> kVoltageKeys = {"channel", "volts", "at_ms"};
-constexpr std::array<std::string_view, 4> kModuleKeys = {"module", "inputs", "volts", "at_ms"};
-
-/// Limit of positions in the world, pulses: the range of an axis.
-constexpr double kPositionMax = 2147483648.0;
-constexpr double kVelocityMax = 32767;
-constexpr double kTauMsMax = 10'000;
-constexpr double kNoiseMax = 1'000'000;
-constexpr double kSlipMax = 1000;
 
 template <typename Event>
 void SortByTime(std::vector<Event>& events) {
@@ -49,7 +25,7 @@ class WorldReader {
   WorldReader(int axis_count, TomlKeys& keys) : axis_count_(axis_count), keys_(keys) {}
 
   World Read(const toml::table& table) {
-    keys_.CheckKeys(table, kWorldKeys);
+    ReadKeys(table, WorldKeys(), keys_, &world_);
     for (const toml::table* input : keys_.Tables(table, "input")) ReadInput(*input);
     for (const toml::table* machine : keys_.Tables(table, "axis")) ReadMachine(*machine);
     for (const toml::table* contact : keys_.Tables(table, "switch")) ReadSwitch(*contact);
@@ -66,8 +42,8 @@ class WorldReader {
 
  private:
   void ReadInput(const toml::table& table) {
-    keys_.CheckKeys(table, kInputKeys);
     InputEvent event;
+    ReadKeys(table, InputKeys(), keys_, &event);
     event.type = InputType(table, "gpi");
     const int width = motion::DiWidth(event.type);
     event.index = static_cast<int>(keys_.Whole(table, "index", 0, 1, width));
@@ -77,25 +53,17 @@ class WorldReader {
       keys_.Fail(table.source(), {"'value' is missing: the level of the pin, 0 or 1",
                                   "缺少“value”：管脚电平，0 或 1"});
     }
-    event.at_us = keys_.Time(table, "at_ms");
     world_.inputs.push_back(event);
   }
 
   void ReadMachine(const toml::table& table) {
-    keys_.CheckKeys(table, kMachineKeys);
     MachineSetup machine;
+    ReadKeys(table, MachineKeys(), keys_, &machine);
     machine.axis = AxisOf(table);
     machine.drive = static_cast<motion::DriveKind>(keys_.Choice(table, "drive", kDriveNames, 0));
     for (const char* key : {"gain", "tau_ms", "friction"}) {
       Refuse(table, key, machine.drive == motion::DriveKind::kIdeal);
     }
-    machine.gain = keys_.Number(table, "gain", machine.gain, 0, kVelocityMax);
-    machine.tau_ms = keys_.Number(table, "tau_ms", machine.tau_ms, 0, kTauMsMax);
-    machine.friction = keys_.Number(table, "friction", machine.friction, 0, kVelocityMax);
-    machine.position = Position(table, "position", 0);
-    machine.index_offset = Position(table, "index_offset", 0);
-    machine.index_period =
-        keys_.Number(table, "index_period", machine.index_period, 0, kPositionMax);
     if (std::ranges::any_of(world_.machines, [&](const MachineSetup& other) {
           return other.axis == machine.axis;
         })) {
@@ -106,8 +74,8 @@ class WorldReader {
   }
 
   void ReadSwitch(const toml::table& table) {
-    keys_.CheckKeys(table, kSwitchKeys);
     SwitchSetup contact;
+    ReadKeys(table, SwitchKeys(), keys_, &contact);
     contact.axis = AxisOf(table);
     contact.type = InputType(table, "home");
     const int width = motion::DiWidth(contact.type);
@@ -116,9 +84,6 @@ class WorldReader {
       Need(table, "index",
            {"there is no input with the number of the axis", "没有与轴号相同的输入"});
     }
-    contact.from = Position(table, "from", contact.from);
-    contact.to = Position(table, "to", contact.to);
-    contact.active_low = keys_.Flag(table, "active_low", false);
     if (!table.contains("from") && !table.contains("to")) {
       keys_.Fail(table.source(), {"'from' or 'to' is missing: the position of the switch in pulses",
                                   "缺少“from”或“to”：开关的位置，单位脉冲"});
@@ -137,8 +102,8 @@ class WorldReader {
   }
 
   void ReadFault(const toml::table& table) {
-    keys_.CheckKeys(table, kFaultKeys);
     WorldFault fault;
+    ReadKeys(table, FaultKeys(), keys_, &fault);
     if (!table.contains("kind")) {
       keys_.Fail(table.source(),
                  MakeMessage("'kind' is missing: one of {0}", "缺少“kind”：应为 {0} 之一",
@@ -155,20 +120,17 @@ class WorldReader {
     Refuse(table, "pulses", fault.kind != FaultKind::kNoise);
     Refuse(table, "velocity", fault.kind != FaultKind::kSlip);
     if (fault.kind == FaultKind::kNoise) {
-      fault.amount =
-          static_cast<double>(keys_.Whole(table, "pulses", 0, 1, static_cast<int64_t>(kNoiseMax)));
+      int64_t pulses = 0;
+      ReadValue(table, RowOf(FaultKeys(), "pulses"), keys_, pulses);
+      fault.amount = static_cast<double>(pulses);
       Need(table, "pulses", {"the largest error of a reading", "读数的最大误差"});
     } else if (fault.kind == FaultKind::kSlip) {
-      fault.amount = keys_.Number(table, "velocity", 0, -kSlipMax, kSlipMax);
+      ReadValue(table, RowOf(FaultKeys(), "velocity"), keys_, fault.amount);
       Need(table, "velocity", {"the velocity of the slip, in pulse/ms", "滑移速度，单位 pulse/ms"});
     }
-    fault.at_us = keys_.Time(table, "at_ms");
-    if (table.contains("until_ms")) {
-      fault.until_us = keys_.Time(table, "until_ms");
-      if (*fault.until_us <= fault.at_us) {
-        keys_.Fail(table.source(),
-                   {"'until_ms' must be later than 'at_ms'", "“until_ms”应晚于“at_ms”"});
-      }
+    if (fault.until_us && *fault.until_us <= fault.at_us) {
+      keys_.Fail(table.source(),
+                 {"'until_ms' must be later than 'at_ms'", "“until_ms”应晚于“at_ms”"});
     }
     CheckFault(table, fault);
     world_.faults.push_back(fault);
@@ -188,18 +150,15 @@ class WorldReader {
   }
 
   void ReadHand(const toml::table& table) {
-    keys_.CheckKeys(table, kHandKeys);
     HandTurn turn;
+    ReadKeys(table, HandKeys(), keys_, &turn);
     if (!table.contains("encoder")) {
       turn.number = AxisOf(table);
     } else {
       Refuse(table, "axis", true);
       turn.number = AuxiliaryOf(table);
     }
-    turn.pulses = Position(table, "pulses", 0);
     Need(table, "pulses", {"the distance, negative for backwards", "转动的脉冲数，反向为负"});
-    turn.at_us = keys_.Time(table, "at_ms");
-    turn.until_us = keys_.Time(table, "until_ms");
     Need(table, "until_ms", {"the time at which it ends", "转到的时刻"});
     CheckHand(table, turn);
     world_.hands.push_back(turn);
@@ -212,9 +171,10 @@ class WorldReader {
       keys_.Fail(table.source(),
                  MakeMessage("'until_ms' must be at least {0} ms after 'at_ms'",
                              "“until_ms”应比“at_ms”晚至少 {0} ms", kHandTurnUsMin / 1000));
-    } else if (std::fabs(turn.pulses) > kVelocityMax * static_cast<double>(length_us) / 1000) {
-      keys_.Fail(table.source(), MakeMessage("that is faster than {0} pulse/ms: give it more time",
-                                             "速度超过 {0} pulse/ms：应延长时间", kVelocityMax));
+    } else if (std::fabs(turn.pulses) > kWorldVelocityMax * static_cast<double>(length_us) / 1000) {
+      keys_.Fail(table.source(),
+                 MakeMessage("that is faster than {0} pulse/ms: give it more time",
+                             "速度超过 {0} pulse/ms：应延长时间", kWorldVelocityMax));
     }
     for (const HandTurn& other : world_.hands) {
       const bool apart = turn.until_us <= other.at_us || other.until_us <= turn.at_us;
@@ -225,14 +185,15 @@ class WorldReader {
   }
 
   int AuxiliaryOf(const toml::table& table) {
-    constexpr int kFirst = static_cast<int>(motion::kAuxiliaryFirst) + 1;
-    constexpr int kLast = kFirst + static_cast<int>(motion::kAuxiliaryCount) - 1;
-    if (axis_count_ >= kFirst) {
+    const KeyDescription& row = RowOf(HandKeys(), "encoder");
+    int encoder = static_cast<int>(row.type.smallest);
+    if (axis_count_ >= encoder) {
       keys_.Fail(table.get("encoder")->source(),
                  MakeMessage("a card of {0} axes has no auxiliary encoders: turn an 'axis'",
                              "{0} 轴控制卡没有辅助编码器：应指定“axis”", axis_count_));
     }
-    return static_cast<int>(keys_.Whole(table, "encoder", kFirst, kFirst, kLast));
+    ReadValue(table, row, keys_, encoder);
+    return encoder;
   }
 
   /// An input to which a switch is connected follows the switch only.
@@ -252,26 +213,21 @@ class WorldReader {
   }
 
   void ReadVoltage(const toml::table& table) {
-    keys_.CheckKeys(table, kVoltageKeys);
     VoltageEvent event;
-    event.channel = static_cast<int>(
-        keys_.Whole(table, "channel", 1, 1, static_cast<int64_t>(motion::kAdcCount)));
-    event.volts = keys_.Number(table, "volts", 0, -motion::kAdcFullVolts, motion::kAdcFullVolts);
+    ReadKeys(table, VoltageKeys(), keys_, &event);
     Need(table, "volts", {"the voltage at the input", "输入端的电压"});
-    event.at_us = keys_.Time(table, "at_ms");
     world_.voltages.push_back(event);
   }
 
   void ReadModule(const toml::table& table) {
-    keys_.CheckKeys(table, kModuleKeys);
     ModuleEvent event;
-    event.module = static_cast<int>(
-        keys_.Whole(table, "module", 0, 0, static_cast<int64_t>(motion::kModuleCount) - 1));
+    ReadKeys(table, ModuleKeys(), keys_, &event);
     if (table.contains("inputs")) {
-      event.inputs = static_cast<uint16_t>(keys_.Whole(table, "inputs", 0, 0, 0xffff));
+      int inputs = 0;
+      ReadValue(table, RowOf(ModuleKeys(), "inputs"), keys_, inputs);
+      event.inputs = static_cast<uint16_t>(inputs);
     }
     if (const toml::node* node = table.get("volts")) ReadModuleVolts(*node, event);
-    event.at_us = keys_.Time(table, "at_ms");
     world_.modules.push_back(std::move(event));
   }
 
@@ -315,10 +271,6 @@ class WorldReader {
     return static_cast<int>(keys_.Whole(table, "switch", 1, 1, count));
   }
 
-  double Position(const toml::table& table, std::string_view key, double absent) {
-    return keys_.Number(table, key, absent, -kPositionMax, kPositionMax);
-  }
-
   motion::DiType InputType(const toml::table& table, std::string_view absent) {
     std::string type(absent);
     keys_.Text(table, "type", type);
@@ -345,41 +297,73 @@ class WorldReader {
 
 // --- Writing -----------------------------------------------------------------------------------
 
+std::string FormatInput(const InputEvent& event) {
+  return AsTable("[[world.input]]", WriteKeys(event, InputKeys(), [&](std::string_view key) {
+                   if (key == "type") return SpecialText(TomlString(InputWordName(event.type)));
+                   if (key == "index" && event.index != 0) {
+                     return SpecialText(std::to_string(event.index));
+                   }
+                   if (key == "value") return SpecialText(std::to_string(event.value));
+                   return SpecialText();
+                 }));
+}
+
 std::string FormatMachine(const MachineSetup& machine) {
-  std::string text = fmt::format("\n[[world.axis]]\naxis = {}\ndrive = \"{}\"\n", machine.axis,
-                                 kDriveNames[static_cast<size_t>(machine.drive)]);
-  if (machine.drive == motion::DriveKind::kVelocity) {
-    text += fmt::format("gain = {}\ntau_ms = {}\nfriction = {}\n", machine.gain, machine.tau_ms,
-                        machine.friction);
-  }
-  return text + fmt::format("position = {}\nindex_offset = {}\nindex_period = {}\n",
-                            machine.position, machine.index_offset, machine.index_period);
+  const bool ideal = machine.drive == motion::DriveKind::kIdeal;
+  return AsTable(
+      "[[world.axis]]", WriteKeys(machine, MachineKeys(), [&](std::string_view key) {
+        if (key == "axis") return SpecialText(std::to_string(machine.axis));
+        if (key == "drive") {
+          return SpecialText(TomlString(kDriveNames[static_cast<size_t>(machine.drive)]));
+        }
+        if (ideal && (key == "gain" || key == "tau_ms" || key == "friction")) {
+          return SpecialText("");
+        }
+        return SpecialText();
+      }));
 }
 
 std::string FormatSwitch(const SwitchSetup& contact) {
-  std::string text = fmt::format("\n[[world.switch]]\naxis = {}\ntype = \"{}\"\nindex = {}\n",
-                                 contact.axis, InputWordName(contact.type), contact.index);
-  if (std::isfinite(contact.from)) text += fmt::format("from = {}\n", contact.from);
-  if (std::isfinite(contact.to)) text += fmt::format("to = {}\n", contact.to);
-  if (contact.active_low) text += "active_low = true\n";
-  return text;
+  return AsTable("[[world.switch]]", WriteKeys(contact, SwitchKeys(), [&](std::string_view key) {
+                   if (key == "axis") return SpecialText(std::to_string(contact.axis));
+                   if (key == "type") return SpecialText(TomlString(InputWordName(contact.type)));
+                   if (key == "index") return SpecialText(std::to_string(contact.index));
+                   return SpecialText();
+                 }));
 }
 
 std::string FormatFault(const WorldFault& fault) {
-  const bool cut = fault.kind == FaultKind::kCutSwitch;
-  std::string text = fmt::format("\n[[world.fault]]\nkind = \"{}\"\n{} = {}\nat_ms = {}\n",
-                                 kFaultNames[static_cast<size_t>(fault.kind)],
-                                 cut ? "switch" : "axis", fault.number, ToMs(fault.at_us));
-  if (fault.until_us) text += fmt::format("until_ms = {}\n", ToMs(*fault.until_us));
-  if (fault.kind == FaultKind::kNoise) text += fmt::format("pulses = {}\n", fault.amount);
-  if (fault.kind == FaultKind::kSlip) text += fmt::format("velocity = {}\n", fault.amount);
-  return text;
+  const std::string_view number = fault.kind == FaultKind::kCutSwitch ? "switch" : "axis";
+  const std::string_view amount = fault.kind == FaultKind::kNoise  ? "pulses"
+                                  : fault.kind == FaultKind::kSlip ? "velocity"
+                                                                   : "";
+  return AsTable("[[world.fault]]", WriteKeys(fault, FaultKeys(), [&](std::string_view key) {
+                   if (key == "kind") {
+                     return SpecialText(TomlString(kFaultNames[static_cast<size_t>(fault.kind)]));
+                   }
+                   if (key == number) return SpecialText(std::to_string(fault.number));
+                   if (key == amount) return SpecialText(fmt::format("{}", fault.amount));
+                   return SpecialText();
+                 }));
 }
 
 std::string FormatHand(const HandTurn& turn, int axis_count) {
-  return fmt::format("\n[[world.hand]]\n{} = {}\npulses = {}\nat_ms = {}\nuntil_ms = {}\n",
-                     turn.number > axis_count ? "encoder" : "axis", turn.number, turn.pulses,
-                     ToMs(turn.at_us), ToMs(turn.until_us));
+  const std::string_view number = turn.number > axis_count ? "encoder" : "axis";
+  return AsTable("[[world.hand]]", WriteKeys(turn, HandKeys(), [&](std::string_view key) {
+                   return key == number ? SpecialText(std::to_string(turn.number)) : SpecialText();
+                 }));
+}
+
+std::string FormatModule(const ModuleEvent& event) {
+  return AsTable("[[world.module]]", WriteKeys(event, ModuleKeys(), [&](std::string_view key) {
+                   if (key == "inputs" && event.inputs) {
+                     return SpecialText(std::to_string(*event.inputs));
+                   }
+                   if (key == "volts" && !event.volts.empty()) {
+                     return SpecialText(fmt::format("[{}]", fmt::join(event.volts, ", ")));
+                   }
+                   return SpecialText();
+                 }));
 }
 
 }  // namespace
@@ -390,25 +374,15 @@ World ReadWorld(const toml::table& table, int axis_count, TomlKeys& keys) {
 
 std::string FormatWorld(const World& world, int axis_count) {
   std::string text;
-  for (const InputEvent& event : world.inputs) {
-    text += fmt::format("\n[[world.input]]\ntype = \"{}\"\n", InputWordName(event.type));
-    if (event.index != 0) text += fmt::format("index = {}\n", event.index);
-    text += fmt::format("value = {}\nat_ms = {}\n", event.value, ToMs(event.at_us));
-  }
+  for (const InputEvent& event : world.inputs) text += FormatInput(event);
   for (const MachineSetup& machine : world.machines) text += FormatMachine(machine);
   for (const SwitchSetup& contact : world.switches) text += FormatSwitch(contact);
   for (const WorldFault& fault : world.faults) text += FormatFault(fault);
   for (const HandTurn& turn : world.hands) text += FormatHand(turn, axis_count);
   for (const VoltageEvent& event : world.voltages) {
-    text += fmt::format("\n[[world.analog]]\nchannel = {}\nvolts = {}\nat_ms = {}\n", event.channel,
-                        event.volts, ToMs(event.at_us));
+    text += AsTable("[[world.analog]]", WriteKeys(event, VoltageKeys()));
   }
-  for (const ModuleEvent& event : world.modules) {
-    text += fmt::format("\n[[world.module]]\nmodule = {}\n", event.module);
-    if (event.inputs) text += fmt::format("inputs = {}\n", *event.inputs);
-    if (!event.volts.empty()) text += fmt::format("volts = [{}]\n", fmt::join(event.volts, ", "));
-    text += fmt::format("at_ms = {}\n", ToMs(event.at_us));
-  }
+  for (const ModuleEvent& event : world.modules) text += FormatModule(event);
   return text;
 }
 
