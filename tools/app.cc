@@ -131,6 +131,7 @@ void DescribeApp(CLI::App& app, Session& session) {
   AddDump(app, session);
   AddVerify(app, session);
   AddExec(app, session);
+  AddSchema(app, session);
   AddDoctor(app, session);
   AddCompletion(app, session);
   AddMan(app, session);

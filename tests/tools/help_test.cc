@@ -6,8 +6,8 @@
 namespace oncard::tools {
 namespace {
 
-const char* const kCommands[] = {"build", "check",  "explain", "run",     "test",  "replay",
-                                 "dump",  "verify", "exec",    "explore", "doctor"};
+const char* const kCommands[] = {"build", "check",  "explain", "run",     "test",   "replay",
+                                 "dump",  "verify", "exec",    "explore", "doctor", "schema"};
 
 class HelpTest : public testing::TestWithParam<const char*> {};
 

@@ -62,8 +62,8 @@ INSTANTIATE_TEST_SUITE_P(
                     CommandLine{{"dump", "p.bin"}}, CommandLine{{"dump", "--json", "p.bin"}},
                     CommandLine{{"verify", "--format=json", "p.bin"}}, CommandLine{{"doctor"}},
                     CommandLine{{"doctor", "--commands"}}, CommandLine{{"completion", "bash"}},
-                    CommandLine{{"man"}}, CommandLine{{"--help"}}, CommandLine{{"run", "--help"}},
-                    CommandLine{{"--version"}}));
+                    CommandLine{{"man"}}, CommandLine{{"schema"}}, CommandLine{{"--help"}},
+                    CommandLine{{"run", "--help"}}, CommandLine{{"--version"}}));
 
 TEST(LostOutput, ClosedOutputIsReported) {
   const ScratchFolder folder;

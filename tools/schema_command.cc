@@ -1,0 +1,17 @@
+// oncard schema: the keys of scenario files for editors.
+#include "runtime/scenario/scenario_schema.h"
+#include "tools/commands.h"
+
+namespace oncard::tools {
+
+void AddSchema(CLI::App& app, Session& session) {
+  AddCommand(app, session, "schema",
+             {"print the JSON Schema of scenario files, for editors",
+              "输出场景文件的 JSON Schema，供编辑器使用"},
+             [&session] {
+               PrintResult(runtime::ScenarioSchema(session.language));
+               return kExitOk;
+             });
+}
+
+}  // namespace oncard::tools
