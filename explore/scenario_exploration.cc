@@ -193,6 +193,7 @@ Result<Problem> ProblemOfScenario(const runtime::Scenario& scenario,
   runtime::Controller controller(runtime::CardOptions(scenario));
   auto started = runtime::StartScenario(scenario, std::move(object), &controller, &fit);
   if (!started.ok()) return started.error();
+  runtime::TraceQuantities(scenario, controller, &fit);
   SyncCells sync = SyncCellsOf(scenario, controller.machine().image()->object, &fit);
   auto model = Model::Create(controller.machine());
   if (!model.ok()) {

@@ -54,6 +54,8 @@ Result<CardModel> CardModel::Create(const runtime::Scenario& scenario,
   controller.CollectRefusals(model.refused_.get());
   auto started = runtime::StartScenario(scenario, std::move(object), &controller, &fit);
   if (!started.ok()) return started.error();
+  // A run of a failing schedule traces them.
+  runtime::TraceQuantities(scenario, controller, &fit);
   model.image_ = controller.machine().shared_image();
   model.scratch_ = std::make_unique<vm::MachineState>(controller.machine().state());
   for (int number = 0; number < vm::kThreadCount; ++number) {
