@@ -2,6 +2,7 @@
 #include "compiler/diagnostic.h"
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -12,6 +13,10 @@
 namespace oncard::compiler {
 namespace {
 
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+
 using Codes = std::vector<int>;
 
 TEST(DiagnosticTable, IsSortedAndComplete) {
@@ -21,7 +26,7 @@ TEST(DiagnosticTable, IsSortedAndComplete) {
     EXPECT_FALSE(info.slug.empty());
     EXPECT_FALSE(info.en.empty());
     EXPECT_FALSE(info.zh.empty());
-    EXPECT_FALSE(info.en.ends_with('.')) << info.en;
+    EXPECT_THAT(info.en, Not(EndsWith(".")));
     EXPECT_EQ(FindDiagnostic(info.code), &info);
     previous = info.code;
   }
@@ -183,10 +188,8 @@ TEST(Diagnostics, TellApartWhatCannotBeCalled) {
       "int f() { return 0; }\nint t0() {\n  f();\n  GT_Open(0, 1);\n  GT_Nothing();\n}\n");
   const Codes wanted = {113, 33, 33};
   ASSERT_EQ(CodesOf(compilation), wanted);
-  EXPECT_NE(compilation.diagnostics[1].notes[0].message.en.find("only the host"),
-            std::string::npos);
-  EXPECT_NE(compilation.diagnostics[2].notes[0].message.en.find("no GT command"),
-            std::string::npos);
+  EXPECT_THAT(compilation.diagnostics[1].notes[0].message.en, HasSubstr("only the host"));
+  EXPECT_THAT(compilation.diagnostics[2].notes[0].message.en, HasSubstr("no GT command"));
 }
 
 // The values that a command writes through an address cannot be converted.
@@ -210,16 +213,16 @@ TEST(Diagnostics, SayWhatToDoAboutAnAddressOfAnotherType) {
         fmt::format("int i;\ndouble d, a[2];\nTTrapPrm t;\nint t0() {{ {}; }}\n", test.call));
     ASSERT_EQ(CodesOf(compilation), Codes{19}) << test.call;
     const Message& message = compilation.diagnostics[0].message;
-    EXPECT_NE(message.en.find(test.advice), std::string::npos) << message.en;
-    EXPECT_EQ(message.en.find("cast"), std::string::npos) << message.en;
-    EXPECT_EQ(message.zh.find("强制"), std::string::npos) << message.zh;
+    EXPECT_THAT(message.en, HasSubstr(test.advice));
+    EXPECT_THAT(message.en, Not(HasSubstr("cast")));
+    EXPECT_THAT(message.zh, Not(HasSubstr("强制")));
   }
 }
 
 TEST(Diagnostics, NameTheMissingArguments) {
   const Compilation compilation = CompileString("long a;\nint t0() {\n  GT_GetClock(&a);\n}\n");
   ASSERT_EQ(CodesOf(compilation), Codes{43});
-  EXPECT_NE(compilation.diagnostics[0].message.en.find("'pLoop'"), std::string::npos);
+  EXPECT_THAT(compilation.diagnostics[0].message.en, HasSubstr("'pLoop'"));
 }
 
 TEST(OutputPaths, StandBesideTheSourceOrInAFolder) {

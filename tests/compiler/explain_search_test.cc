@@ -1,6 +1,7 @@
 // `oncard explain` finds a page by different kinds of search words.
 #include "compiler/explain_search.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +11,8 @@
 
 namespace oncard::compiler {
 namespace {
+
+using testing::HasSubstr;
 
 using Found = std::vector<int>;
 
@@ -74,7 +77,7 @@ TEST(ExplainSearch, SaysWhatToTry) {
   };
   for (const Case& test : cases) {
     const Message advice = AdviseSearch(test.text);
-    EXPECT_NE(advice.en.find(test.advice), std::string::npos) << advice.en;
+    EXPECT_THAT(advice.en, HasSubstr(test.advice));
     EXPECT_NE(advice.en, advice.zh);
   }
 }

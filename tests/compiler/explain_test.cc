@@ -2,6 +2,7 @@
 #include "compiler/explain.h"
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -16,6 +17,10 @@
 
 namespace oncard::compiler {
 namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
 
 constexpr size_t kPageWidth = 80;
 
@@ -68,8 +73,8 @@ TEST_P(ExplainTest, HasAPageInBothLanguages) {
 TEST_P(ExplainTest, PageIsPlainTextOf80Columns) {
   for (const Language language : {Language::kEnglish, Language::kChinese}) {
     const std::string page = ExplainPage(GetParam(), language).value_or("");
-    ASSERT_TRUE(page.ends_with('\n'));
-    EXPECT_FALSE(page.ends_with("\n\n"));
+    ASSERT_THAT(page, EndsWith("\n"));
+    EXPECT_THAT(page, Not(EndsWith("\n\n")));
     size_t begin = 0;
     while (begin < page.size()) {
       const size_t end = page.find('\n', begin);
@@ -77,7 +82,7 @@ TEST_P(ExplainTest, PageIsPlainTextOf80Columns) {
       const DisplayLine shown(line);
       EXPECT_EQ(shown.text(), line) << "not plain text";
       EXPECT_LE(shown.ColumnOf(line.size()), static_cast<int>(kPageWidth)) << line;
-      EXPECT_FALSE(line.ends_with(' ')) << line;
+      EXPECT_THAT(line, Not(EndsWith(" ")));
       begin = end + 1;
     }
   }
@@ -125,8 +130,8 @@ TEST(ExplainPageTest, UnknownCodesHaveNone) {
 
 TEST(ExplainPageTest, SourcesHaveTheLimitsOfTheirPage) {
   for (const std::string_view text : {FindExplanation(22)->en, FindExplanation(22)->zh}) {
-    EXPECT_NE(text.find(std::to_string(kSourceKind.bytes_max)), std::string_view::npos) << text;
-    EXPECT_NE(text.find(std::to_string(kTokenMax)), std::string_view::npos) << text;
+    EXPECT_THAT(text, HasSubstr(std::to_string(kSourceKind.bytes_max)));
+    EXPECT_THAT(text, HasSubstr(std::to_string(kTokenMax)));
   }
 }
 

@@ -1,5 +1,6 @@
 // Every limit of the language, at the limit and one beyond it.
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -8,6 +9,8 @@
 
 namespace oncard::compiler {
 namespace {
+
+using testing::HasSubstr;
 
 using Codes = std::vector<int>;
 
@@ -86,7 +89,7 @@ TEST(Limits, Errors) {
   const Compilation fifty = CompileString(Function(body), options);
   EXPECT_EQ(fifty.diagnostics.size(), 50u);
   ASSERT_EQ(fifty.diagnostics.back().notes.size(), 1u);
-  EXPECT_NE(fifty.diagnostics.back().notes[0].message.en.find("10 more errors"), std::string::npos);
+  EXPECT_THAT(fifty.diagnostics.back().notes[0].message.en, HasSubstr("10 more errors"));
   options.max_errors = 0;
   EXPECT_EQ(CompileString(Function(body), options).diagnostics.size(), 60u);
   options.max_errors = 1;

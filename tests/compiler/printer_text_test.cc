@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "compiler/diagnostic_printer.h"
@@ -5,6 +6,8 @@
 
 namespace oncard::compiler {
 namespace {
+
+using testing::EndsWith;
 
 std::string Print(const Compilation& compilation, Language language = Language::kEnglish) {
   return PrintText(compilation, {.language = language, .color = false});
@@ -137,7 +140,7 @@ TEST(PrintText, CountsErrorsAndWarningsAtTheEnd) {
   Compilation compilation = CompilationOf("x\n");
   for (int i = 0; i < 2; ++i) Report(compilation, kUndeclared, "x", {"m", "m"});
   for (int i = 0; i < 3; ++i) Report(compilation, kTruncated, "x", {"m", "m"});
-  EXPECT_TRUE(Print(compilation).ends_with("2 errors and 3 warnings\n"));
+  EXPECT_THAT(Print(compilation), EndsWith("2 errors and 3 warnings\n"));
 }
 
 TEST(PrintText, ColoursOnRequestOnly) {

@@ -1,6 +1,7 @@
 // Fix-its are valid edits: applying those of one diagnostic after the other results in a program
 // that compiles, and that computes what C would have computed.
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "runtime/sim/controller.h"
@@ -9,6 +10,8 @@
 
 namespace oncard::compiler {
 namespace {
+
+using testing::HasSubstr;
 
 // Some constructs contain many others; each round corrects one.
 constexpr int kRoundMax = 60;
@@ -442,7 +445,7 @@ TEST_P(UnmendableTest, StaysAnErrorThatSaysWhatToDo) {
   }
   EXPECT_FALSE(mended.compilation.ok());
   EXPECT_EQ(CodesOf(mended.compilation), GetParam().codes) << all << notes;
-  EXPECT_NE(notes.find(GetParam().note), std::string::npos) << all << notes;
+  EXPECT_THAT(notes, HasSubstr(GetParam().note)) << all << notes;
 }
 
 INSTANTIATE_TEST_SUITE_P(Programs, UnmendableTest, testing::ValuesIn(kUnmendable),
@@ -468,7 +471,7 @@ TEST(Rewriter, DeclaresInEachFixItWhatItNeeds) {
   const Compilation compilation = CompileString(text);
   ASSERT_EQ(CodesOf(compilation), (std::vector<int>{102, 102}));
   for (const Diagnostic& diagnostic : compilation.diagnostics) {
-    EXPECT_NE(ApplyFixIts(text, diagnostic).find("\n  int n;\n"), std::string::npos);
+    EXPECT_THAT(ApplyFixIts(text, diagnostic), HasSubstr("\n  int n;\n"));
   }
   const std::string mended = MendString(text).files.at("test.c");
   EXPECT_EQ(mended.find("int n;"), mended.rfind("int n;")) << mended;
@@ -479,7 +482,7 @@ TEST(Rewriter, KeepsTheCommentsOfABody) {
       CompileString("int v;\nint t0() {\n  while (v < 3) {\n    v = v + 1;  // count\n  }\n}\n");
   ASSERT_EQ(CodesOf(compilation), std::vector<int>{101});
   const std::string mended = ApplyFixIts(compilation.files[0].text(), compilation.diagnostics[0]);
-  EXPECT_NE(mended.find("v = v + 1;  // count\n"), std::string::npos) << mended;
+  EXPECT_THAT(mended, HasSubstr("v = v + 1;  // count\n"));
 }
 
 // A comment inside an edited range is kept, next to the code that it belonged to.
@@ -510,7 +513,7 @@ TEST(Rewriter, KeepsTheCommentsBetweenTheParts) {
     const Compilation compilation = CompileString(text);
     ASSERT_FALSE(compilation.diagnostics.empty()) << text;
     const std::string mended = ApplyFixIts(text, compilation.diagnostics[0]);
-    EXPECT_NE(mended.find(test.mended), std::string::npos) << text << mended;
+    EXPECT_THAT(mended, HasSubstr(test.mended)) << text << mended;
     EXPECT_TRUE(MendString(text).compilation.ok()) << mended;
   }
 }
@@ -528,7 +531,7 @@ TEST(Rewriter, TakesNamesThatAreFree) {
   const Compilation compilation =
       CompileString("int tmp, tmp1;\nint t0() {\n  tmp = tmp * 2 + tmp1;\n}\n");
   ASSERT_EQ(compilation.diagnostics.size(), 1u);
-  EXPECT_NE(compilation.diagnostics[0].fixits[0].text.find("int tmp2;"), std::string::npos);
+  EXPECT_THAT(compilation.diagnostics[0].fixits[0].text, HasSubstr("int tmp2;"));
 }
 
 }  // namespace
