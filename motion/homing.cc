@@ -5,7 +5,7 @@
 
 #include "motion/common/rounding.h"
 #include "motion/common/state_hash.h"
-#include "motion/motion_core.h"
+#include "motion/io/digital_io.h"
 
 namespace oncard::motion {
 namespace {
@@ -40,315 +40,222 @@ bool SearchesIndex(HomeMode mode) {
          mode == HomeMode::kForcedHomeIndex;
 }
 
-size_t MotionCore::HomingTrigger(size_t index) const {
-  const int16_t chosen = state_.homing[index].parameters.trigger_index;
-  return chosen == 0 ? index : static_cast<size_t>(chosen - 1);
-}
-
-HomeError MotionCore::CheckHoming(size_t index, HomeMode mode) const {
-  if (state_.profiles[index].mode != ProfileMode::kTrap) return HomeError::kNotTrap;
-  if (!state_.axes[index].servo_on) return HomeError::kDisabled;
-  if ((state_.axes[index].latched & kAlarmBit) != 0) return HomeError::kAlarm;
+HomeError CheckHoming(const Profile& profile, const Axis& axis, HomeMode mode) {
+  if (profile.mode != ProfileMode::kTrap) return HomeError::kNotTrap;
+  if (!axis.servo_on) return HomeError::kDisabled;
+  if ((axis.latched & kAlarmBit) != 0) return HomeError::kAlarm;
   return mode == HomeMode::kNone ? HomeError::kMode : HomeError::kNone;
 }
 
-void MotionCore::BeginHoming(size_t index, const HomeParameters& parameters) {
-  Homing& homing = state_.homing[index];
-  homing = {.parameters = parameters, .running = true, .prepared = homing.prepared};
-  homing.ahead = PlannedAhead(index);
-  homing.direction = parameters.move_direction;
-  state_.homing_runs = true;
-  TrapMode& trap = state_.profiles[index].trap;
-  trap.parameters = {parameters.acc, parameters.dec, 0, parameters.smooth_time};
-  // Replanning with a smoothing time stores pieces; reserved here, so that a cycle does not
-  // allocate.
-  trap.past.reserve(4 * Plan::kPieceMax);
-  homing.stage = HomeStage::kStart;
-  if (!parameters.check_start) return BeginHomingSearch(index);
-  const Axis& axis = state_.axes[index];
+size_t HomingSequence::trigger() const {
+  const int16_t chosen = homing_.parameters.trigger_index;
+  return chosen == 0 ? axis_.axis() : static_cast<size_t>(chosen - 1);
+}
+
+void HomingSequence::Begin(const HomeParameters& parameters) {
+  homing_ = {.parameters = parameters, .running = true, .prepared = homing_.prepared};
+  homing_.ahead = axis_.PlannedAhead();
+  homing_.direction = parameters.move_direction;
+  axis_.SetRamps({parameters.acc, parameters.dec, 0, parameters.smooth_time});
+  homing_.stage = HomeStage::kStart;
+  if (!parameters.check_start) return BeginSearch();
   int8_t away = 0;
-  if (SearchesHome(parameters.mode) && InputActive({DiType::kHome, static_cast<int16_t>(index)})) {
+  if (SearchesHome(parameters.mode) && axis_.HomeActive()) {
     away = static_cast<int8_t>(-parameters.move_direction);
   }
-  if (InputActive(axis.positive_limit)) away = -1;
-  if (InputActive(axis.negative_limit)) away = 1;
-  if (away == 0) return BeginHomingSearch(index);
-  MoveHoming(index, HomeStage::kEscape, away * static_cast<double>(parameters.escape),
-             parameters.high);
+  if (axis_.LimitActive(1)) away = -1;
+  if (axis_.LimitActive(-1)) away = 1;
+  if (away == 0) return BeginSearch();
+  Move(HomeStage::kEscape, away * static_cast<double>(parameters.escape), parameters.high);
 }
 
-void MotionCore::BeginSimpleHoming(size_t index, HomeKind kind, int32_t position, double velocity,
-                                   double acceleration, int32_t offset) {
-  Homing& homing = state_.homing[index];
-  homing.running = true;
-  homing.kind = kind;
-  homing.error = HomeError::kNone;
-  homing.found = false;
-  homing.stopping = false;
-  homing.ahead = PlannedAhead(index);
-  homing.parameters.trigger_index = 0;
-  homing.simple_velocity = velocity;
-  homing.simple_acc = acceleration;
-  homing.simple_offset = offset;
-  state_.homing_runs = true;
-  state_.profiles[index].trap.parameters = {acceleration, acceleration, 0, 0};
-  state_.capture.Arm(index, CaptureSource::kHome);
-  MoveHoming(index, HomeStage::kSearchHome, position - state_.profiles[index].now.position,
-             velocity);
+void HomingSequence::BeginSimple(HomeKind kind, int32_t position, double velocity,
+                                 double acceleration, int32_t offset) {
+  homing_.running = true;
+  homing_.kind = kind;
+  homing_.error = HomeError::kNone;
+  homing_.found = false;
+  homing_.stopping = false;
+  homing_.ahead = axis_.PlannedAhead();
+  homing_.parameters.trigger_index = 0;
+  homing_.simple_velocity = velocity;
+  homing_.simple_acc = acceleration;
+  homing_.simple_offset = offset;
+  axis_.SetRamps({acceleration, acceleration, 0, 0});
+  axis_.Arm(axis_.axis(), CaptureSource::kHome);
+  Move(HomeStage::kSearchHome, position - axis_.now().position, velocity);
 }
 
-void MotionCore::SetIndexSearch(size_t index, int32_t distance, int32_t offset) {
-  Homing& homing = state_.homing[index];
-  homing.index_follows = true;
-  homing.index_distance = distance;
-  homing.index_offset = offset;
-  if (homing.running || homing.kind != HomeKind::kHome || !homing.found) return;
-  homing.running = true;
-  state_.homing_runs = true;
-  SearchIndexSimply(index);
+void HomingSequence::SetIndexSearch(int32_t distance, int32_t offset) {
+  homing_.index_follows = true;
+  homing_.index_distance = distance;
+  homing_.index_offset = offset;
+  if (homing_.running || homing_.kind != HomeKind::kHome || !homing_.found) return;
+  homing_.running = true;
+  SearchIndexSimply();
 }
 
-void MotionCore::SearchIndexSimply(size_t index) {
-  Homing& homing = state_.homing[index];
-  homing.kind = HomeKind::kIndex;
-  homing.found = false;
-  homing.index_follows = false;
-  homing.simple_velocity /= 2;
-  homing.simple_offset = homing.index_offset;
-  state_.capture.Arm(index, CaptureSource::kIndex);
-  MoveHoming(index, HomeStage::kSearchIndex, homing.index_distance, homing.simple_velocity);
+void HomingSequence::SearchIndexSimply() {
+  homing_.kind = HomeKind::kIndex;
+  homing_.found = false;
+  homing_.index_follows = false;
+  homing_.simple_velocity /= 2;
+  homing_.simple_offset = homing_.index_offset;
+  axis_.Arm(axis_.axis(), CaptureSource::kIndex);
+  Move(HomeStage::kSearchIndex, homing_.index_distance, homing_.simple_velocity);
 }
 
-double MotionCore::PlannedAhead(size_t index) const {
-  // A closed loop holds the axis at its planned position.
-  if (InClosedLoop(index)) return 0;
-  const Axis& axis = state_.axes[index];
-  double fraction = 0;
-  for (size_t i = 0; i < axis_count(); ++i) {
-    if ((axis.encoder_map >> i & 1) != 0)
-      fraction += CountedPosition(i) - state_.encoders[i].position;
-  }
-  const double measured = axis.encoder.position + axis.encoder_scale.Apply(fraction);
-  return CommandedPosition(index) - measured;
-}
-
-double MotionCore::ProfilePositionOf(size_t index, double captured) const {
-  const Axis& axis = state_.axes[index];
-  const Encoder& encoder = state_.encoders[HomingTrigger(index)];
-  const double measured =
-      axis.encoder.position + axis.encoder_scale.Apply(captured - encoder.position);
-  const double planned =
-      measured + state_.homing[index].ahead - state_.compensations[index].Amount();
-  const Scale& scale = axis.profile_scale;
-  const double way = planned - (MappedProfiles(axis) + axis.profile.offset);
-  const Scale inverse = {scale.beta, scale.alpha};
-  return state_.profiles[index].now.position + inverse.Apply(way);
-}
-
-void MotionCore::AdvanceHomings() {
-  state_.homing_runs = false;
-  for (size_t i = 0; i < axis_count(); ++i) {
-    if (!state_.homing[i].running) continue;
-    AdvanceHoming(i);
-    state_.homing_runs |= state_.homing[i].running;
-  }
-}
-
-void MotionCore::AdvanceHoming(size_t index) {
-  Homing& homing = state_.homing[index];
-  const HomeParameters& p = homing.parameters;
-  const Sample& now = state_.profiles[index].now;
-  if (homing.failing) {
-    homing.running = homing.failing = now.moving;
+void HomingSequence::Advance() {
+  const HomeParameters& p = homing_.parameters;
+  const Sample& now = axis_.now();
+  if (homing_.failing) {
+    homing_.running = homing_.failing = now.moving;
     return;
   }
-  if (!state_.axes[index].servo_on) return FailHoming(index, HomeError::kStop);
-  if (homing.stopping) {
-    if (!now.moving) ContinueHoming(index);
+  if (!axis_.enabled()) return Fail(HomeError::kStop);
+  if (homing_.stopping) {
+    if (!now.moving) Continue();
     return;
   }
-  const bool limit = LimitReached(index, homing.direction);
+  const bool limit = axis_.LimitReached(homing_.direction);
   if (limit &&
-      (homing.stage == HomeStage::kSearchLimit || homing.stage == HomeStage::kLimitReturn)) {
+      (homing_.stage == HomeStage::kSearchLimit || homing_.stage == HomeStage::kLimitReturn)) {
     // Rounded away from the limit: the move to the origin must not reach the limit again.
-    homing.captured = homing.direction > 0 ? std::floor(now.position) : std::ceil(now.position);
-    homing.origin = homing.captured;
-    homing.stage = homing.stage == HomeStage::kSearchLimit ? HomeStage::kSearchLimitStop
-                                                           : HomeStage::kLimitReturnStop;
-    homing.stopping = true;
-    return StopProfile(index, true);
+    homing_.captured = homing_.direction > 0 ? std::floor(now.position) : std::ceil(now.position);
+    homing_.origin = homing_.captured;
+    homing_.stage = homing_.stage == HomeStage::kSearchLimit ? HomeStage::kSearchLimitStop
+                                                             : HomeStage::kLimitReturnStop;
+    homing_.stopping = true;
+    return axis_.Stop();
   }
   const bool searching =
-      homing.stage == HomeStage::kSearchHome || homing.stage == HomeStage::kSearchIndex;
-  if (searching && state_.capture.capture(HomingTrigger(index)).captured) {
-    return TakeHomingCapture(index);
+      homing_.stage == HomeStage::kSearchHome || homing_.stage == HomeStage::kSearchIndex;
+  if (const auto captured = axis_.Captured(trigger()); searching && captured) {
+    return TakeCapture(*captured);
   }
-  if (limit && homing.stage == HomeStage::kSearchHome && homing.kind == HomeKind::kSmart &&
-      IsForced(p.mode) && !homing.turned) {
-    homing.turned = true;
-    homing.stopping = true;
-    return StopProfile(index, true);
+  if (limit && homing_.stage == HomeStage::kSearchHome && homing_.kind == HomeKind::kSmart &&
+      IsForced(p.mode) && !homing_.turned) {
+    homing_.turned = true;
+    homing_.stopping = true;
+    return axis_.Stop();
   }
-  const bool arrived = !now.moving && now.position == homing.target;
-  if (state_.profiles[index].stopping || (!now.moving && !arrived)) {
-    return FailHoming(index, HomeError::kStop);
+  const bool arrived = !now.moving && now.position == homing_.target;
+  if (axis_.stopping() || (!now.moving && !arrived)) {
+    return Fail(HomeError::kStop);
   }
-  if (arrived) ArriveHoming(index);
+  if (arrived) Arrive();
 }
 
-void MotionCore::TakeHomingCapture(size_t index) {
-  Homing& homing = state_.homing[index];
-  homing.captured = state_.capture.capture(HomingTrigger(index)).value;
-  homing.origin = ProfilePositionOf(index, homing.captured);
-  if (homing.kind == HomeKind::kHome || homing.kind == HomeKind::kIndex) {
-    homing.found = true;
-    return MoveHoming(index, HomeStage::kGoHome,
-                      homing.origin + homing.simple_offset - state_.profiles[index].now.position,
-                      homing.simple_velocity);
+void HomingSequence::TakeCapture(double captured) {
+  homing_.captured = captured;
+  homing_.origin = axis_.ProfilePositionOf(trigger(), captured, homing_.ahead);
+  if (homing_.kind == HomeKind::kHome || homing_.kind == HomeKind::kIndex) {
+    homing_.found = true;
+    return Move(HomeStage::kGoHome, homing_.origin + homing_.simple_offset - axis_.now().position,
+                homing_.simple_velocity);
   }
-  if (homing.stage == HomeStage::kSearchHome) homing.stage = HomeStage::kSearchHomeStop;
-  homing.stopping = true;
-  state_.profiles[index].Stop(
-      now(), homing.kind == HomeKind::kStop ? homing.simple_acc : homing.parameters.dec);
+  if (homing_.stage == HomeStage::kSearchHome) homing_.stage = HomeStage::kSearchHomeStop;
+  homing_.stopping = true;
+  axis_.Stop(homing_.kind == HomeKind::kStop ? homing_.simple_acc : homing_.parameters.dec);
 }
 
-void MotionCore::ContinueHoming(size_t index) {
-  Homing& homing = state_.homing[index];
-  const HomeParameters& p = homing.parameters;
-  const double position = state_.profiles[index].now.position;
-  homing.stopping = false;
-  switch (homing.stage) {
+void HomingSequence::Continue() {
+  const HomeParameters& p = homing_.parameters;
+  const double position = axis_.now().position;
+  homing_.stopping = false;
+  switch (homing_.stage) {
     case HomeStage::kSearchLimitStop:
       if (p.mode == HomeMode::kLimit) {
-        return MoveHoming(index, HomeStage::kLimitEscape,
-                          -homing.direction * static_cast<double>(p.escape), p.high);
+        return Move(HomeStage::kLimitEscape, -homing_.direction * static_cast<double>(p.escape),
+                    p.high);
       }
-      homing.direction = static_cast<int8_t>(-homing.direction);
-      return SearchesHome(p.mode) ? SearchHome(index) : SearchIndex(index);
+      homing_.direction = static_cast<int8_t>(-homing_.direction);
+      return SearchesHome(p.mode) ? SearchHome() : SearchIndex();
     case HomeStage::kSearchHome:
-      homing.direction = static_cast<int8_t>(-homing.direction);
-      return SearchHome(index);
+      homing_.direction = static_cast<int8_t>(-homing_.direction);
+      return SearchHome();
     case HomeStage::kSearchHomeStop:
-      if (homing.kind == HomeKind::kStop) {
-        homing.found = true;
-        return EndHoming(index);
+      if (homing_.kind == HomeKind::kStop) {
+        homing_.found = true;
+        return End();
       }
       if (SearchesIndex(p.mode)) {
-        return MoveHoming(index, HomeStage::kHomeReturn, homing.origin - position, p.low);
+        return Move(HomeStage::kHomeReturn, homing_.origin - position, p.low);
       }
       break;
     default:
       break;
   }
-  MoveHoming(index, HomeStage::kGoHome, homing.origin + p.offset - position,
-             p.final_fast ? p.high : p.low);
+  Move(HomeStage::kGoHome, homing_.origin + p.offset - position, p.final_fast ? p.high : p.low);
 }
 
-void MotionCore::ArriveHoming(size_t index) {
-  Homing& homing = state_.homing[index];
-  switch (homing.stage) {
+void HomingSequence::Arrive() {
+  switch (homing_.stage) {
     case HomeStage::kEscape:
-      return BeginHomingSearch(index);
+      return BeginSearch();
     case HomeStage::kLimitEscape:
-      if (LimitActive(index, homing.direction)) return FailHoming(index, HomeError::kStage);
-      return MoveHoming(index, HomeStage::kLimitReturn,
-                        homing.direction * double{kSearchDistanceMax}, homing.parameters.low);
+      if (axis_.LimitActive(homing_.direction)) return Fail(HomeError::kStage);
+      return Move(HomeStage::kLimitReturn, homing_.direction * double{kSearchDistanceMax},
+                  homing_.parameters.low);
     case HomeStage::kHomeReturn:
-      return SearchIndex(index);
+      return SearchIndex();
     case HomeStage::kGoHome:
-      return homing.kind == HomeKind::kHome && homing.index_follows ? SearchIndexSimply(index)
-                                                                    : EndHoming(index);
+      return homing_.kind == HomeKind::kHome && homing_.index_follows ? SearchIndexSimply() : End();
     case HomeStage::kSearchIndex:
-      return FailHoming(index, HomeError::kNoIndex);
+      return Fail(HomeError::kNoIndex);
     default:
-      return FailHoming(index, HomeError::kNoHome);
+      return Fail(HomeError::kNoHome);
   }
 }
 
-void MotionCore::BeginHomingSearch(size_t index) {
-  Homing& homing = state_.homing[index];
-  const HomeParameters& p = homing.parameters;
+void HomingSequence::BeginSearch() {
+  const HomeParameters& p = homing_.parameters;
   if (SearchesLimit(p.mode)) {
-    return MoveHoming(index, HomeStage::kSearchLimit, p.move_direction * double{kSearchDistanceMax},
-                      p.high);
+    return Move(HomeStage::kSearchLimit, p.move_direction * double{kSearchDistanceMax}, p.high);
   }
-  if (SearchesHome(p.mode)) return SearchHome(index);
-  SearchIndex(index);
+  if (SearchesHome(p.mode)) return SearchHome();
+  SearchIndex();
 }
 
-void MotionCore::SearchHome(size_t index) {
-  Homing& homing = state_.homing[index];
-  const size_t trigger = HomingTrigger(index);
-  homing.stage = HomeStage::kSearchHome;
-  if (trigger >= static_cast<size_t>(DiWidth(DiType::kHome))) {
-    return FailHoming(index, HomeError::kSetCaptureHome);
+void HomingSequence::SearchHome() {
+  homing_.stage = HomeStage::kSearchHome;
+  if (trigger() >= static_cast<size_t>(DiWidth(DiType::kHome))) {
+    return Fail(HomeError::kSetCaptureHome);
   }
-  ArmHoming(trigger, CaptureSource::kHome, homing.parameters.rising);
-  MoveHoming(index, HomeStage::kSearchHome,
-             homing.direction * DistanceOf(homing.parameters.home_distance),
-             homing.parameters.high);
+  axis_.ArmOnce(trigger(), CaptureSource::kHome, homing_.parameters.rising);
+  Move(HomeStage::kSearchHome, homing_.direction * DistanceOf(homing_.parameters.home_distance),
+       homing_.parameters.high);
 }
 
-void MotionCore::SearchIndex(size_t index) {
-  Homing& homing = state_.homing[index];
-  const size_t trigger = HomingTrigger(index);
-  homing.stage = HomeStage::kSearchIndex;
-  homing.direction = homing.parameters.index_direction;
-  if (!state_.encoders[trigger].active) {
-    return FailHoming(index, HomeError::kSetCaptureIndex);
+void HomingSequence::SearchIndex() {
+  homing_.stage = HomeStage::kSearchIndex;
+  homing_.direction = homing_.parameters.index_direction;
+  if (!axis_.HasEncoder(trigger())) {
+    return Fail(HomeError::kSetCaptureIndex);
   }
-  ArmHoming(trigger, CaptureSource::kIndex, homing.parameters.rising);
-  MoveHoming(index, HomeStage::kSearchIndex,
-             homing.direction * DistanceOf(homing.parameters.index_distance),
-             homing.parameters.low);
+  axis_.ArmOnce(trigger(), CaptureSource::kIndex, homing_.parameters.rising);
+  Move(HomeStage::kSearchIndex, homing_.direction * DistanceOf(homing_.parameters.index_distance),
+       homing_.parameters.low);
 }
 
-void MotionCore::ArmHoming(size_t trigger, CaptureSource source, bool rising) {
-  Capture& capture = state_.capture.capture(trigger);
-  const auto bit = static_cast<uint16_t>(1u << static_cast<unsigned>(source));
-  capture.rising = static_cast<uint16_t>(rising ? capture.rising | bit : capture.rising & ~bit);
-  capture.repeat = 1;
-  state_.capture.Arm(trigger, source);
-}
-
-void MotionCore::MoveHoming(size_t index, HomeStage stage, double distance, double velocity) {
-  Homing& homing = state_.homing[index];
-  Profile& profile = state_.profiles[index];
-  homing.stage = stage;
+void HomingSequence::Move(HomeStage stage, double distance, double velocity) {
+  homing_.stage = stage;
   // The limit that the search has left must not stop the move back.
-  if (homing.kind == HomeKind::kSmart) ForgetLimit(index, distance > 0 ? 1 : -1);
-  profile.trap.target = Reachable(profile.now.position + distance);
-  profile.trap.velocity = velocity;
-  homing.target = profile.trap.target;
-  StartProfile(index);
+  if (homing_.kind == HomeKind::kSmart) axis_.ForgetLimit(distance > 0 ? 1 : -1);
+  const int32_t target = Reachable(axis_.now().position + distance);
+  homing_.target = target;
+  axis_.Move(target, velocity);
 }
 
-bool MotionCore::LimitActive(size_t index, int direction) const {
-  const Axis& axis = state_.axes[index];
-  return InputActive(direction > 0 ? axis.positive_limit : axis.negative_limit);
+void HomingSequence::End() {
+  homing_.running = false;
+  homing_.stage = HomeStage::kEnd;
 }
 
-bool MotionCore::LimitReached(size_t index, int direction) const {
-  const uint32_t bit = direction > 0 ? kPositiveLimitBit : kNegativeLimitBit;
-  return (state_.axes[index].latched & bit) != 0 || LimitActive(index, direction);
-}
-
-void MotionCore::ForgetLimit(size_t index, int direction) {
-  Axis& axis = state_.axes[index];
-  const uint32_t bit = direction > 0 ? kPositiveLimitBit : kNegativeLimitBit;
-  axis.latched &= ~bit | ActiveCauses(axis);
-}
-
-void MotionCore::EndHoming(size_t index) {
-  state_.homing[index].running = false;
-  state_.homing[index].stage = HomeStage::kEnd;
-}
-
-void MotionCore::FailHoming(size_t index, HomeError error) {
-  Homing& homing = state_.homing[index];
-  homing.running = homing.failing = state_.profiles[index].now.moving;
-  homing.error = error;
-  state_.capture.Disarm(HomingTrigger(index));
+void HomingSequence::Fail(HomeError error) {
+  homing_.running = homing_.failing = axis_.now().moving;
+  homing_.error = error;
+  axis_.Disarm(trigger());
 }
 
 }  // namespace oncard::motion

@@ -22,10 +22,14 @@
 // Tested by tests/gtcalls/home_command_test.cc.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <tuple>
 
+#include "motion/axis.h"
+#include "motion/axis_port.h"
 #include "motion/common/sizes.h"
+#include "motion/profiles/profile.h"
 
 namespace oncard::motion {
 
@@ -141,6 +145,44 @@ struct Homing {
                     turned, stopping, failing, ahead, prepared, simple_velocity, simple_acc,
                     simple_offset, found, index_follows, index_distance, index_offset);
   }
+};
+
+/// The reason why smart homing of an axis cannot begin.
+HomeError CheckHoming(const Profile& profile, const Axis& axis, HomeMode mode);
+
+/// Homing of one axis, which advances itself.
+class HomingSequence {
+ public:
+  HomingSequence(Homing& homing, AxisPort axis) : homing_(homing), axis_(axis) {}
+
+  /// Begins smart homing of a resting profile.
+  void Begin(const HomeParameters& parameters);
+  /// Moves towards `position` until the capture triggers.
+  void BeginSimple(HomeKind kind, int32_t position, double velocity, double acceleration,
+                   int32_t offset);
+  /// Searches for the index pulse after the next home switch, or after the one just found.
+  void SetIndexSearch(int32_t distance, int32_t offset);
+  /// One cycle of a sequence that is running.
+  void Advance();
+
+ private:
+  void BeginSearch();
+  void SearchHome();
+  void SearchIndex();
+  void SearchIndexSimply();
+  /// Next steps: after a capture, after a stop by homing, after a move.
+  void TakeCapture(double captured);
+  void Continue();
+  void Arrive();
+  void End();
+  void Fail(HomeError error);
+  /// Starts a move by `distance` from the current position.
+  void Move(HomeStage stage, double distance, double velocity);
+  /// The capture that it uses.
+  size_t trigger() const;
+
+  Homing& homing_;
+  AxisPort axis_;
 };
 
 }  // namespace oncard::motion

@@ -2,11 +2,12 @@
 // Tested by tests/motion/motion_core_test.cc and axis_test.cc.
 #include "motion/motion_core.h"
 
-#include <bit>
 #include <cmath>
 #include <utility>
 
 #include "motion/common/state_hash.h"
+#include "motion/passages.h"
+#include "motion/surroundings.h"
 
 namespace oncard::motion {
 namespace {
@@ -14,20 +15,12 @@ namespace {
 static_assert(kFieldsComplete<MotionState> && kFieldsComplete<Profile> && kFieldsComplete<Plant> &&
               kFieldsComplete<WorldEvent> && kFieldsComplete<WorldProgress>);
 
-/// Calls `function` with the number of every bit of `map` below `count`.
-template <typename Function>
-void ForEachBit(uint32_t map, size_t count, Function function) {
-  for (map &= (uint32_t{1} << count) - 1; map != 0; map &= map - 1) {
-    function(static_cast<size_t>(std::countr_zero(map)));
-  }
-}
-
 }  // namespace
 
 MotionCore::MotionCore(const MotionConfig& config) : config_(config) { Reset(); }
 
 void MotionCore::Tick() {
-  ApplyWorldEvents();
+  Surroundings(state_, config_).ApplyEvents();
   state_.io.SampleInputs();
   for (Adc& adc : state_.adcs) adc.Sample();
   state_.io.AdvanceOutputs(config_.cycle_us);
@@ -37,11 +30,7 @@ void MotionCore::Tick() {
   MapProfiles();
   for (size_t i = 0; i < axis_count(); ++i) GuardAxis(i);
   if (state_.compensates) AdvanceCompensations();
-  if (Observed()) {
-    AdvanceObserved();
-  } else {
-    AdvanceMachine();
-  }
+  AdvanceDrives();
   for (size_t i = 0; i < axis_count(); ++i) JudgeControl(state_.controls[i]);
   if (state_.gantry.on) JudgeGantry();
   for (size_t i = 0; i < axis_count(); ++i) JudgeAxis(i);
@@ -63,7 +52,12 @@ void MotionCore::Reset() {
   }
   state_.compensations.fill({});
   state_.compensates = false;
-  ResetMachine();
+  drives().Reset();
+  for (Adc& adc : state_.adcs) adc = {.volts = adc.volts, .filtered = adc.volts};
+  for (ExtensionModule& module : state_.modules) {
+    module.outputs = 0;
+    module.output_volts.fill(0);
+  }
   state_.capture.Reset();
   state_.compare.Reset();
   state_.gantry = {};
@@ -97,18 +91,18 @@ void MotionCore::AdvanceProfiles() {
   for (size_t i = 0; i < axis_count(); ++i) {
     const Profile& profile = state_.profiles[i];
     if (!profile.now.moving || profile.driven) continue;
-    if (FollowsCrd(profile)) {
+    if (readings().FollowsCrd(profile)) {
       crd_slaves = true;
     } else {
       AdvanceProfile(i);
     }
   }
-  for (Crd& crd : state_.crds) {
-    if (crd.run.running) AdvanceCrd(crd);
+  for (size_t i = 0; i < kCrdCount; ++i) {
+    if (state_.crds[i].run.running) driver(i).Advance();
   }
   if (!crd_slaves) return;
   for (size_t i = 0; i < axis_count(); ++i) {
-    if (FollowsCrd(state_.profiles[i])) AdvanceProfile(i);
+    if (readings().FollowsCrd(state_.profiles[i])) AdvanceProfile(i);
   }
 }
 
@@ -131,74 +125,18 @@ void MotionCore::BeginProfile(size_t index) {
   const double begin = profile.now.position;
   SampleProfile(index);
   if (profile.now.position == begin) return;
-  if (!LimitForbids(index, profile.now.position - begin)) return;
+  if (!readings().LimitForbids(index, profile.now.position - begin)) return;
   // A motion that a latched limit would stop does not start.
   profile.now = {begin, 0, 0, true};
   Tell(HappeningKind::kHeldAtLimit, index, begin);
   StopProfile(index, true);
 }
 
-bool MotionCore::LimitForbids(size_t profile, double direction) const {
-  for (size_t i = 0; i < axis_count(); ++i) {
-    const Axis& axis = state_.axes[i];
-    if (!axis.active || (axis.profile_map >> profile & 1) == 0) continue;
-    const double along = axis.profile_scale.reverses() ? -direction : direction;
-    if ((along > 0 && (axis.latched & kPositiveLimitBit) != 0) ||
-        (along < 0 && (axis.latched & kNegativeLimitBit) != 0)) {
-      return true;
-    }
-  }
-  return false;
-}
-
-bool MotionCore::FollowsCrd(const Profile& profile) const {
-  const Master* master = profile.FollowedMaster();
-  if (master == nullptr || master->type == MasterType::kEncoder) return false;
-  if (master->type == MasterType::kAxis && master->encoder_side) return false;
-  const uint32_t profiles = master->type == MasterType::kProfile
-                                ? uint32_t{1} << master->index
-                                : state_.axes[master->index].profile_map;
-  bool found = false;
-  ForEachBit(profiles, axis_count(),
-             [&](size_t i) { found = found || state_.profiles[i].mode == ProfileMode::kCrd; });
-  return found;
-}
-
-MasterValue MotionCore::ReadMaster(const Master& master) const {
-  switch (master.type) {
-    case MasterType::kEncoder: {
-      const Encoder& encoder = state_.encoders[master.index];
-      return {encoder.position, encoder.velocity, encoder.acceleration};
-    }
-    case MasterType::kProfile: {
-      const Sample& sample = state_.profiles[master.index].now;
-      return {sample.position, sample.velocity, sample.acceleration};
-    }
-    case MasterType::kAxis:
-      break;
-  }
-  const Axis& axis = state_.axes[master.index];
-  if (!master.encoder_side) return PlannedAxis(axis);
-  return {axis.encoder.position, axis.encoder.velocity, axis.encoder.acceleration};
-}
-
-MasterValue MotionCore::PlannedAxis(const Axis& axis) const {
-  MasterValue sum;
-  ForEachBit(axis.profile_map, axis_count(), [&](size_t profile) {
-    const Sample& sample = state_.profiles[profile].now;
-    sum.position += sample.position;
-    sum.velocity += sample.velocity;
-    sum.acceleration += sample.acceleration;
-  });
-  return {axis.profile_scale.Apply(sum.position) + axis.profile.offset,
-          axis.profile_scale.Apply(sum.velocity), axis.profile_scale.Apply(sum.acceleration)};
-}
-
 void MotionCore::MapProfiles() {
   for (size_t i = 0; i < axis_count(); ++i) {
     Axis& axis = state_.axes[i];
     if (!axis.active) continue;
-    const MasterValue planned = PlannedAxis(axis);
+    const MasterValue planned = readings().PlannedAxis(axis);
     axis.profile.position = planned.position;
     axis.profile.velocity = planned.velocity;
     axis.profile.acceleration = planned.acceleration;
@@ -209,7 +147,7 @@ void MotionCore::MapProfiles() {
 void MotionCore::GuardAxis(size_t index) {
   Axis& axis = state_.axes[index];
   if (!axis.active) return;
-  const uint32_t causes = ActiveCauses(axis);
+  const uint32_t causes = readings().ActiveCauses(axis);
   const uint32_t before = axis.latched;
   axis.latched |= causes;
   if (axis.latched == 0) return;
@@ -228,49 +166,74 @@ void MotionCore::GuardAxis(size_t index) {
   }
 }
 
-void MotionCore::AdvanceMachine() {
-  for (size_t i = 0; i < axis_count(); ++i) AdvancePlant(i);
+void MotionCore::AdvanceCompensations() {
+  state_.compensates = false;
   for (size_t i = 0; i < axis_count(); ++i) {
-    if (state_.encoder_faults[i].any()) AdvanceEncoderFault(i);
-    CountEncoder(i);
-  }
-  if (has_auxiliary()) AdvanceAuxiliary();
-  for (size_t i = 0; i < axis_count(); ++i) {
-    Axis& axis = state_.axes[i];
-    if (!axis.active) continue;
-    double velocity = 0;
-    double acceleration = 0;
-    ForEachBit(axis.encoder_map, axis_count(), [&](size_t encoder) {
-      velocity += state_.encoders[encoder].velocity;
-      acceleration += state_.encoders[encoder].acceleration;
-    });
-    axis.encoder.position = MappedEncoders(axis) + axis.encoder.offset;
-    axis.encoder.velocity = axis.encoder_scale.Apply(velocity);
-    axis.encoder.acceleration = axis.encoder_scale.Apply(acceleration);
-    axis.encoder.filter.Add(axis.encoder.velocity);
+    Compensation& compensation = state_.compensations[i];
+    if (!compensation.InUse()) continue;
+    const AxisValue& planned = state_.axes[i].profile;
+    compensation.Advance(now() - config_.cycle_us, now(), planned.position, planned.velocity);
+    state_.compensates = state_.compensates || compensation.InUse();
   }
 }
 
-void MotionCore::AdvanceAuxiliary() {
-  for (size_t i = kAuxiliaryFirst; i < kAuxiliaryFirst + kAuxiliaryCount; ++i) {
-    Plant& plant = state_.plants[i];
-    const bool faulty = state_.encoder_faults[i].any();
-    // They only count if they are turned by hand or have a fault.
-    if (plant.hand == 0 && !faulty && state_.encoders[i].resting()) continue;
-    if (plant.hand != 0) TurnByHand(plant);
-    if (faulty) AdvanceEncoderFault(i);
-    CountEncoder(i);
+void MotionCore::AdvanceDrives() {
+  if (!Passages::Wanted(state_)) return drives().Advance();
+  Passages passages(state_, config_);
+  drives().Advance();
+  passages.Finish();
+}
+
+void MotionCore::JudgeControl(Control& control) {
+  if (!control.active || control.axis < 0) return;
+  const auto index = static_cast<size_t>(control.axis);
+  const Axis& axis = state_.axes[index];
+  if (!axis.servo_on) return;
+  const double error = std::fabs(readings().CommandedPosition(index) - axis.encoder.position);
+  if (error <= static_cast<double>(control.error_limit) && !drives().EncoderSilent(control)) return;
+  FailControl(control, error);
+}
+
+void MotionCore::FailControl(const Control& control, double error) {
+  const auto index = static_cast<size_t>(control.axis);
+  Axis& axis = state_.axes[index];
+  const auto limit = static_cast<double>(control.error_limit);
+  if (error > limit) {
+    Tell(HappeningKind::kFollowingError, index, error, limit);
+  } else {
+    Tell(HappeningKind::kEncoderSilent, index, axis.encoder.velocity, control.check.min_velocity);
+  }
+  axis.latched |= kFollowingErrorBit;
+  if (config_.defaults.following_error_stops) ServoOff(index);
+}
+
+void MotionCore::JudgeGantry() {
+  const Gantry& gantry = state_.gantry;
+  if (!gantry.Exceeded(state_.axes)) return;
+  Tell(HappeningKind::kGantrySkew, gantry.master, GantrySkew(), gantry.error_limit);
+  for (const size_t axis : {size_t{gantry.master}, size_t{gantry.slave}}) {
+    state_.axes[axis].latched |= kFollowingErrorBit;
+    if (config_.defaults.following_error_stops) ServoOff(axis);
   }
 }
 
 void MotionCore::JudgeAxis(size_t index) {
   Axis& axis = state_.axes[index];
   if (!axis.band_set || !axis.active) return;
-  const double error = std::fabs(CommandedPosition(index) - axis.encoder.position);
+  const double error = std::fabs(readings().CommandedPosition(index) - axis.encoder.position);
   const bool inside = error < axis.band && !AxisMoving(axis);
   if (inside && !axis.in_band) axis.in_band_since = now();
   axis.in_band = inside;
   axis.in_position = inside && now() - axis.in_band_since >= axis.band_time;
+}
+
+void MotionCore::AdvanceHomings() {
+  state_.homing_runs = false;
+  for (size_t i = 0; i < axis_count(); ++i) {
+    if (!state_.homing[i].running) continue;
+    homing(i).Advance();
+    state_.homing_runs |= state_.homing[i].running;
+  }
 }
 
 // --- Axes and profiles -------------------------------------------------------------------------
@@ -286,13 +249,13 @@ void MotionCore::StartProfile(size_t index) {
 
 void MotionCore::ServoOn(size_t axis) {
   state_.axes[axis].servo_on = true;
-  EnableMachine(axis);
+  EnableDrive(axis);
   state_.io.Write(DoType::kEnable, EnableOutputs(axis), ~uint32_t{0});
 }
 
 void MotionCore::ServoOff(size_t axis) {
   state_.axes[axis].servo_on = false;
-  DisableMachine(axis);
+  drives().Disable(axis);
   state_.io.Write(DoType::kEnable, EnableOutputs(axis), 0);
   StopAxis(state_.axes[axis], true);
 }
@@ -303,13 +266,6 @@ uint32_t MotionCore::EnableOutputs(size_t axis) const {
     if (state_.enable_axes[i] == static_cast<int8_t>(axis)) outputs |= uint32_t{1} << i;
   }
   return outputs;
-}
-
-bool MotionCore::AxisMoving(const Axis& axis) const {
-  bool moving = false;
-  ForEachBit(axis.profile_map, axis_count(),
-             [&](size_t profile) { moving = moving || state_.profiles[profile].now.moving; });
-  return moving;
 }
 
 uint32_t MotionCore::Conditions(size_t index) const {
@@ -327,7 +283,7 @@ uint32_t MotionCore::Conditions(size_t index) const {
 void MotionCore::ClearStatus(size_t axis) {
   uint32_t& latched = state_.axes[axis].latched;
   const uint32_t error = FollowingErrorExceeded(axis) ? latched & kFollowingErrorBit : 0;
-  latched = ActiveCauses(state_.axes[axis]) | error;
+  latched = readings().ActiveCauses(state_.axes[axis]) | error;
 }
 
 void MotionCore::StopProfile(size_t profile, bool abrupt) {
@@ -339,127 +295,95 @@ void MotionCore::StopProfile(size_t profile, bool abrupt) {
   stopped.Stop(now(), abrupt ? stopped.abrupt_stop : stopped.smooth_stop);
 }
 
-void MotionCore::ShiftSlaves(const Master& master, double shift) {
-  for (Profile& profile : state_.profiles) {
-    if (const Master* followed = profile.FollowedMaster();
-        followed == nullptr || !(*followed == master)) {
-      continue;
-    }
-    profile.ShiftMaster(shift);
+void MotionCore::StopCommanded(size_t profile, bool abrupt) {
+  StopProfile(profile, abrupt);
+  if (IsGantrySlave(profile)) StopAxis(state_.axes[profile], abrupt);
+}
+
+// --- Drives and encoders -----------------------------------------------------------------------
+
+void MotionCore::EnableDrive(size_t axis) {
+  // A controller begins at rest, where the axis is.
+  if (InClosedLoop(axis)) origins().AlignWithEncoder(axis);
+  drives().Enable(axis);
+}
+
+void MotionCore::RestartDrives() {
+  drives().Wire();
+  drives().KeepPulses();
+  for (size_t i = 0; i < kAxisMax; ++i) {
+    if (state_.axes[i].servo_on) EnableDrive(i);
   }
 }
 
-void MotionCore::SetProfilePosition(size_t profile, double position) {
-  ShiftSlaves({true, MasterType::kProfile, static_cast<uint8_t>(profile), false},
-              position - state_.profiles[profile].now.position);
-  state_.profiles[profile].SetPosition(position);
-  for (Axis& axis : state_.axes) {
-    if ((axis.profile_map >> profile & 1) == 0) continue;
-    axis.profile.offset = axis.profile.position - MappedProfiles(axis);
-  }
+void MotionCore::SetEncoderSense(size_t encoder, bool reversed) {
+  state_.encoders[encoder].reversed = reversed;
+  RebaseEncoder(encoder);
 }
 
-void MotionCore::SetEncoderPosition(size_t encoder, double position) {
-  ShiftSlaves({true, MasterType::kEncoder, static_cast<uint8_t>(encoder), false},
-              position - state_.encoders[encoder].position);
-  state_.encoders[encoder].position = position;
-  for (Axis& axis : state_.axes) {
-    if ((axis.encoder_map >> encoder & 1) == 0) continue;
-    axis.encoder.offset = axis.encoder.position - MappedEncoders(axis);
-  }
+void MotionCore::SetEncoderExternal(size_t encoder, bool external) {
+  state_.encoders[encoder].external = external;
+  RebaseEncoder(encoder);
 }
 
-void MotionCore::SynchAxis(size_t index) {
-  Axis& axis = state_.axes[index];
-  const double before = axis.profile.position;
-  axis.encoder.offset = 0;
-  const double measured = MappedEncoders(axis);
-  if (IsGantrySlave(index)) {
-    // It uses the profiles of its master: its planned position changes by as much as its measured
-    // one, so that the beam does not move.
-    RenamePlanned(index, axis.profile.position + (measured - axis.encoder.position));
-  } else {
-    axis.profile.offset = 0;
-    MoveAxisOrigin(index, MappedProfiles(axis));
-  }
-  state_.compensations[index].MoveOrigin(before, axis.profile.position);
-  MoveEncoderOrigin(index, measured);
+void MotionCore::SetBacklash(size_t axis, const Backlash& backlash) {
+  state_.compensations[axis].SetBacklash(backlash);
+  state_.compensates = true;
 }
 
-void MotionCore::ZeroAxis(size_t axis) {
-  SetProfilePosition(axis, 0);
-  SetEncoderPosition(axis, 0);
-  SynchAxis(axis);
-  Compensation& compensation = state_.compensations[axis];
-  if (IsGantrySlave(axis)) {
-    compensation.MoveOrigin(state_.axes[axis].profile.position, 0);
-    RenamePlanned(axis, 0);
-  }
-  // The position that is set to 0 includes the current compensation.
-  const double amount = compensation.Amount();
-  compensation.origin += amount;
-  KeepMachine(axis, amount);
+void MotionCore::SetPitchTable(size_t axis, PitchTablePointer table) {
+  state_.compensations[axis].pitch_table = std::move(table);
 }
 
-void MotionCore::SetProfileScale(size_t axis, Scale scale) {
-  const double before = state_.axes[axis].profile.position;
-  state_.axes[axis].profile_scale = scale;
-  state_.axes[axis].profile.offset = 0;
-  MoveAxisOrigin(axis, MappedProfiles(state_.axes[axis]));
-  state_.compensations[axis].MoveOrigin(before, state_.axes[axis].profile.position);
-  if (!state_.gantry.on || state_.gantry.master != axis) return;
-  Axis& follower = state_.axes[state_.gantry.slave];
-  follower.profile_scale = scale;
-  follower.profile.offset = follower.profile.position - MappedProfiles(follower);
+void MotionCore::EnablePitchCompensation(size_t axis, bool on) {
+  state_.compensations[axis].pitch_on = on;
+  state_.compensates = true;
 }
 
-void MotionCore::SetEncoderScale(size_t axis, Scale scale) {
-  state_.axes[axis].encoder_scale = scale;
-  state_.axes[axis].encoder.offset = 0;
-  MoveEncoderOrigin(axis, MappedEncoders(state_.axes[axis]));
+// --- Gantry, homing ----------------------------------------------------------------------------
+
+void MotionCore::EnableGantry(size_t master, size_t slave, double master_kp, double slave_kp) {
+  state_.gantry.Begin(master, slave, master_kp, slave_kp, state_.axes);
+  origins().KeepPlanned(slave);
 }
 
-void MotionCore::MoveEncoderOrigin(size_t index, double position) {
-  AxisValue& value = state_.axes[index].encoder;
-  const double shift = position - value.position;
-  ShiftSlaves({true, MasterType::kAxis, static_cast<uint8_t>(index), true}, shift);
-  // Only position values change, not the mechanics, so the skew must not change.
-  Gantry& gantry = state_.gantry;
-  if (gantry.on && gantry.slave == index) gantry.skew_origin += shift;
-  if (gantry.on && gantry.master == index) gantry.skew_origin -= shift;
-  value.position = position;
+void MotionCore::DisableGantry() {
+  if (!state_.gantry.on) return;
+  state_.gantry.End(state_.axes);
+  origins().KeepPlanned(state_.gantry.slave);
 }
 
-double MotionCore::MappedProfiles(const Axis& axis) const {
-  double sum = 0;
-  ForEachBit(axis.profile_map, axis_count(),
-             [&](size_t profile) { sum += state_.profiles[profile].now.position; });
-  return axis.profile_scale.Apply(sum);
+void MotionCore::BeginHoming(size_t index, const HomeParameters& parameters) {
+  state_.homing_runs = true;
+  homing(index).Begin(parameters);
 }
 
-double MotionCore::MappedEncoders(const Axis& axis) const {
-  double sum = 0;
-  ForEachBit(axis.encoder_map, axis_count(),
-             [&](size_t encoder) { sum += state_.encoders[encoder].position; });
-  return axis.encoder_scale.Apply(sum);
+void MotionCore::BeginSimpleHoming(size_t index, HomeKind kind, int32_t position, double velocity,
+                                   double acceleration, int32_t offset) {
+  state_.homing_runs = true;
+  homing(index).BeginSimple(kind, position, velocity, acceleration, offset);
 }
 
-uint32_t MotionCore::ActiveCauses(const Axis& axis) const {
-  uint32_t causes = 0;
-  if (axis.alarm_on && InputActive(axis.alarm)) causes |= kAlarmBit;
-  if (InputActive(axis.smooth_stop)) causes |= kSmoothStopBit;
-  if (InputActive(axis.abrupt_stop)) causes |= kAbruptStopBit;
-  const double position = axis.profile.position;
-  if ((axis.positive_limit_on && InputActive(axis.positive_limit)) ||
-      (axis.soft_positive != kNoPositiveLimit && position > axis.soft_positive)) {
-    causes |= kPositiveLimitBit;
-  }
-  if ((axis.negative_limit_on && InputActive(axis.negative_limit)) ||
-      (axis.soft_negative != kNoNegativeLimit && position < axis.soft_negative)) {
-    causes |= kNegativeLimitBit;
-  }
-  return causes;
+void MotionCore::SetIndexSearch(size_t index, int32_t distance, int32_t offset) {
+  homing(index).SetIndexSearch(distance, offset);
+  state_.homing_runs |= state_.homing[index].running;
 }
+
+// --- Outside the card --------------------------------------------------------------------------
+
+void MotionCore::PowerOn(std::shared_ptr<const WorldEvents> events) {
+  Surroundings(state_, config_).PowerOn(std::move(events));
+  LatchCauses();
+}
+
+void MotionCore::PlaceMachine(size_t machine, double position) {
+  Plant& plant = state_.plants[machine];
+  plant.lead += position - plant.position;
+  plant.position = position;
+  RebaseEncoder(machine);
+}
+
+// --- Stops and reports -------------------------------------------------------------------------
 
 void MotionCore::Tell(HappeningKind kind, size_t item, double value, double bound) const {
   if (observer_) observer_({kind, item, value, bound});
@@ -492,24 +416,10 @@ void MotionCore::TellCauses(size_t index, uint32_t causes) const {
 
 void MotionCore::LatchCauses() {
   for (size_t i = 0; i < axis_count(); ++i) {
-    const uint32_t causes = ActiveCauses(state_.axes[i]) & ~state_.axes[i].latched;
+    const uint32_t causes = readings().ActiveCauses(state_.axes[i]) & ~state_.axes[i].latched;
     TellCauses(i, causes);
     state_.axes[i].latched |= causes;
   }
-}
-
-void MotionCore::MoveAxisOrigin(size_t index, double position) {
-  ShiftSlaves({true, MasterType::kAxis, static_cast<uint8_t>(index), false},
-              position - state_.axes[index].profile.position);
-  AxisValue& value = state_.axes[index].profile;
-  KeepMachine(index, value.position - position);
-  value.position = position;
-}
-
-void MotionCore::RenamePlanned(size_t index, double position) {
-  Axis& axis = state_.axes[index];
-  MoveAxisOrigin(index, position);
-  axis.profile.offset = position - MappedProfiles(axis);
 }
 
 void MotionCore::StopAxis(const Axis& axis, bool abrupt) {

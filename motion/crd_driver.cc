@@ -1,0 +1,183 @@
+#include "motion/crd_driver.h"
+
+#include <algorithm>
+
+namespace oncard::motion {
+
+Coordinates PositionOf(const Crd& crd, std::span<const Profile> profiles) {
+  Coordinates position{};
+  for (size_t i = 0; i < crd.dimension(); ++i) {
+    const Profile& member = profiles[static_cast<size_t>(crd.members[i])];
+    position[i] = member.now.position - crd.origin[i];
+  }
+  return position;
+}
+
+void CrdDriver::SetUp(CrdParameters parameters) {
+  for (size_t i = 0; i < crd_.dimension(); ++i) {
+    Profile& left = card_.profile(crd_.members[i]);
+    if (left.mode == ProfileMode::kCrd) left.mode = ProfileMode::kTrap;
+  }
+  for (uint32_t i = 0; i < crd_.gear_count; ++i) {
+    card_.profile(crd_.gears[i].profile).driven = false;
+  }
+  crd_ = {};
+  crd_.smooth_stop = card_.defaults().smooth_stop;
+  crd_.abrupt_stop = card_.defaults().abrupt_stop;
+  crd_.parameters = parameters;
+  for (size_t i = 0; i < kCrdParameterAxes; ++i) {
+    if (parameters.profile[i] == 0) continue;
+    const auto coordinate = static_cast<size_t>(parameters.profile[i] - 1);
+    Profile& member = card_.profiles()[i];
+    crd_.members[coordinate] = static_cast<int32_t>(i);
+    crd_.origin[coordinate] =
+        parameters.set_origin != 0 ? parameters.origin[coordinate] : member.now.position;
+    member.mode = ProfileMode::kCrd;
+  }
+  crd_.position = PositionOf(crd_, card_.profiles());
+  for (CrdFifo& fifo : crd_.fifos) fifo.slots.slots.reserve(kCrdFifoSize);
+}
+
+bool CrdDriver::Append(size_t fifo, const PathSlot& slot) {
+  const LookAhead& ahead = crd_.fifos[fifo].look_ahead;
+  double corner = 0;
+  double wanted = 0;
+  if (card_.observed() && slot.is_segment && ahead.on() && ahead.has_newest &&
+      !ahead.newest_rests) {
+    corner = CornerVelocity(ahead.newest_tangent, slot.segment.TangentAt(0), ahead.time,
+                            ahead.acceleration);
+    wanted = std::min(slot.velocity, ahead.newest_velocity);
+  }
+  if (!crd_.Append(fifo, slot, card_.now())) return false;
+  if (corner < wanted) card_.Tell(HappeningKind::kCornerLimited, corner, wanted);
+  return true;
+}
+
+void CrdDriver::Start(size_t fifo, bool single_step) {
+  crd_.position = PositionOf(crd_, card_.profiles());
+  crd_.Start(fifo, single_step, card_.now());
+  if (crd_.run.wait == CrdWait::kMove && !AwaitedMoveUnderWay()) {
+    StartMove(BufferedCommand(crd_.active().move));
+  }
+  Write();
+}
+
+void CrdDriver::Stop(bool abrupt) {
+  crd_.Stop(abrupt, card_.now());
+  if (!crd_.run.running) Write();
+}
+
+void CrdDriver::Advance() {
+  const BufferedCommand* command = nullptr;
+  do {
+    if (crd_.run.wait == CrdWait::kMove) JudgeAwaitedMove();
+    command = nullptr;
+    if (crd_.run.running) {
+      command = crd_.Advance(card_.now());
+      if (card_.observed() && !crd_.run.running) TellRunEnd();
+    }
+    if (command != nullptr) CarryOut(*command);
+  } while (command != nullptr);
+  Write();
+}
+
+void CrdDriver::TellRunEnd() const {
+  const CrdFifo& fifo = crd_.active();
+  if (fifo.executing || !fifo.slots.empty()) return;
+  if (!fifo.look_ahead.ring.empty()) {
+    card_.Tell(HappeningKind::kStarved, static_cast<double>(fifo.look_ahead.ring.CountSegments()));
+  } else if (crd_.run.plan.end_velocity > 0) {
+    card_.Tell(HappeningKind::kEndedMoving, crd_.run.plan.end_velocity);
+  }
+}
+
+void CrdDriver::CarryOut(const BufferedCommand& command) {
+  if (command.kind == BufferedKind::kMove) {
+    StartMove(command);
+  } else if (command.kind == BufferedKind::kGear) {
+    StartGear(command);
+  } else {
+    card_.CarryOut(command);
+  }
+}
+
+void CrdDriver::StartMove(const BufferedCommand& command) {
+  Profile& profile = card_.profile(command.item);
+  if (profile.mode != ProfileMode::kTrap || profile.driven) return;
+  profile.trap.parameters = {.acc = command.values[2], .dec = command.values[2]};
+  profile.trap.target = static_cast<int32_t>(command.values[0]);
+  profile.trap.velocity = command.values[1];
+  profile.Start(card_.now());
+  if (command.detail != 0) crd_.AwaitMove(command);
+}
+
+bool CrdDriver::AwaitedMoveUnderWay() const {
+  const BufferedCommand& move = crd_.active().move;
+  const Profile& profile = card_.profile(move.item);
+  return profile.now.moving && profile.mode == ProfileMode::kTrap && profile.trap.running &&
+         profile.trap.target == static_cast<int32_t>(move.values[0]);
+}
+
+void CrdDriver::JudgeAwaitedMove() {
+  const BufferedCommand& move = crd_.active().move;
+  const Sample& awaited = card_.profile(move.item).now;
+  if (awaited.moving) return;
+  if (awaited.position == move.values[0]) {
+    crd_.EndMove(card_.now());
+  } else {
+    card_.Tell(HappeningKind::kMoveStopped, awaited.position, move.item);
+    // Stopped before its target: the path must not continue until the axis has reached it.
+    crd_.EndRun();
+  }
+}
+
+void CrdDriver::StartGear(const BufferedCommand& command) {
+  // Gears of segments that ended in this cycle are written first.
+  Write();
+  Profile& profile = card_.profile(command.item);
+  if (profile.now.moving || crd_.gear_count == crd_.gears.size()) return;
+  profile.driven = true;
+  crd_.gears[crd_.gear_count++] = {command.item,      profile.now.position, command.values[0],
+                                   command.values[1], command.values[2],    false};
+}
+
+void CrdDriver::Write() {
+  const bool running = crd_.run.running;
+  const CrdFifo& fifo = crd_.active();
+  const Segment& segment = fifo.current.segment;
+  const double speed = crd_.run.velocity;
+  Coordinates tangent{};
+  Coordinates curvature{};
+  double part = 0;
+  if (fifo.executing) {
+    part = fifo.path / segment.length;
+    crd_.position = segment.PointAt(fifo.path);
+    tangent = segment.TangentAt(fifo.path);
+    curvature = segment.CurvatureAt(fifo.path);
+  }
+  for (size_t i = 0; i < crd_.dimension(); ++i) {
+    Profile& member = card_.profile(crd_.members[i]);
+    member.now = {crd_.origin[i] + crd_.position[i], tangent[i] * speed,
+                  tangent[i] * crd_.run.acceleration + curvature[i] * speed * speed, running};
+    member.driven = running;
+  }
+  uint32_t kept = 0;
+  for (uint32_t i = 0; i < crd_.gear_count; ++i) {
+    const GearShare gear = crd_.gears[i];
+    Profile& profile = card_.profile(gear.profile);
+    // GT_Update has started another motion of the profile.
+    if (!profile.driven) continue;
+    if (gear.finished) {
+      profile.now = AtRest(gear.begin + gear.displacement);
+      profile.driven = false;
+      continue;
+    }
+    const double slope = fifo.executing ? gear.SlopeAt(part) / segment.length : 0;
+    profile.now = {gear.PositionAt(part), slope * speed, slope * crd_.run.acceleration, running};
+    profile.driven = true;
+    crd_.gears[kept++] = gear;
+  }
+  crd_.gear_count = kept;
+}
+
+}  // namespace oncard::motion

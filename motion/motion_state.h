@@ -1,0 +1,90 @@
+// The state of a motion core: plain data, so that a snapshot is a copy. The headers of its parts
+// say what they are; motion_core.h says how it advances.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+#include "motion/axis.h"
+#include "motion/common/card_defaults.h"
+#include "motion/common/sizes.h"
+#include "motion/compensation.h"
+#include "motion/control.h"
+#include "motion/encoder.h"
+#include "motion/gantry.h"
+#include "motion/homing.h"
+#include "motion/io/analog.h"
+#include "motion/io/capture.h"
+#include "motion/io/compare.h"
+#include "motion/io/digital_io.h"
+#include "motion/io/extension.h"
+#include "motion/mechanics/plant.h"
+#include "motion/mechanics/switches_and_marks.h"
+#include "motion/mechanics/world_events.h"
+#include "motion/paths/crd.h"
+#include "motion/profiles/profile.h"
+#include "motion/profiles/pvt_table.h"
+
+namespace oncard::motion {
+
+/// Sizes and timing of a card.
+struct MotionConfig {
+  int axis_count = 8;      ///< 4, 8 or 12
+  int64_t cycle_us = 250;  ///< profile cycle; a multiple of servo_us, at most 4000
+  int64_t servo_us = 125;  ///< servo sub-step
+  CardDefaults defaults = {};
+
+  double ServoMs() const { return static_cast<double>(servo_us) / 1000; }
+};
+
+/// True if the card has auxiliary encoders (sizes.h).
+constexpr bool HasAuxiliary(const MotionConfig& config) {
+  return static_cast<size_t>(config.axis_count) <= kAuxiliaryFirst;
+}
+
+struct MotionState {
+  int64_t cycle = 0;        ///< profile cycles since power-on
+  int64_t clock_cycle = 0;  ///< profile cycles since the last GT_Reset
+  DigitalIo io;
+  std::array<Profile, kAxisMax> profiles;
+  std::array<PvtTablePointer, kPvtTableCount> pvt_tables;
+  std::array<Crd, kCrdCount> crds;
+  std::array<Axis, kAxisMax> axes;
+  /// Configuration: the axis that an enable output follows, from 0; -1: none.
+  std::array<int8_t, kAxisIoWidth> enable_axes{};
+  std::array<Compensation, kAxisMax> compensations;
+  bool compensates = false;  ///< any of them
+  std::array<Encoder, kAxisMax> encoders;
+  std::array<EncoderFault, kAxisMax> encoder_faults;
+  std::array<Drive, kAxisMax> drives;
+  std::array<Plant, kAxisMax> plants;
+  std::array<Step, kAxisMax> steps;
+  std::array<Control, kAxisMax> controls;
+  std::array<Dac, kAxisMax> dacs;
+  std::array<Adc, kAdcCount> adcs;
+  std::array<ExtensionModule, kModuleCount> modules;
+  WorldProgress world;
+  std::vector<PositionSwitch> switches;
+  std::array<IndexMarks, kAxisMax> index_marks;
+  CaptureUnit capture;
+  CompareUnit compare;
+  Gantry gantry;
+  std::array<Homing, kAxisMax> homing;
+  bool homing_runs = false;  ///< any of them
+  /// BufferedKind::kOutside commands that paths have reached, in their order. The owner of the core
+  /// carries them out after the tick and empties the list; it gives it the capacity of a FIFO
+  /// before it appends the first such command, so that a tick allocates nothing.
+  std::vector<BufferedCommand> reached;
+
+  auto Fields() const {
+    return std::tie(cycle, clock_cycle, io, profiles, pvt_tables, crds, axes, enable_axes,
+                    compensations, compensates, encoders, encoder_faults, drives, plants, steps,
+                    controls, dacs, adcs, modules, world, switches, index_marks, capture, compare,
+                    gantry, homing, homing_runs, reached);
+  }
+};
+
+}  // namespace oncard::motion

@@ -1,0 +1,106 @@
+#include "motion/passages.h"
+
+#include "motion/common/rounding.h"
+
+namespace oncard::motion {
+
+bool Passages::Wanted(const MotionState& state) {
+  return !state.switches.empty() || state.capture.armed() || state.compare.active();
+}
+
+Passages::Passages(MotionState& state, const MotionConfig& config)
+    : state_(state), config_(config), readings_(state, config) {
+  for (size_t i = 0; i < kAxisMax; ++i) {
+    machines_[i] = state_.plants[i].position;
+    encoders_.from[i] = readings_.CountedPosition(i);
+  }
+}
+
+void Passages::Finish() {
+  for (size_t i = 0; i < kAxisMax; ++i) encoders_.to[i] = readings_.CountedPosition(i);
+  if (state_.capture.armed()) PassWorldEdges();
+  for (const PositionSwitch& contact : state_.switches) OperateSwitch(contact);
+  if (state_.capture.armed()) PassIndexMarks();
+  if (state_.compare.active()) PassComparePoints();
+  state_.capture.CountArmed();
+}
+
+double Passages::PositionAt(size_t encoder, double fraction) const {
+  const double from = encoders_.from[encoder];
+  return Whole(from + fraction * (encoders_.to[encoder] - from));
+}
+
+double Passages::PositionWhere(size_t encoder, size_t machine, double place) const {
+  const Encoder& counter = state_.encoders[encoder];
+  if (encoder == machine && counter.external && counter.active) {
+    // Computed directly rather than with the fraction, which would not be exact.
+    const double direction = counter.reversed == counter.wired_reversed ? 1 : -1;
+    return counter.position - counter.source +
+           Whole(direction * place + state_.encoder_faults[encoder].slip);
+  }
+  const double length = state_.plants[machine].position - machines_[machine];
+  return PositionAt(encoder, length == 0 ? 1 : (place - machines_[machine]) / length);
+}
+
+void Passages::PassWorldEdges() {
+  const WorldProgress& world = state_.world;
+  if (world.events == nullptr) return;
+  const WorldEvents& events = *world.events;
+  const Micros begin = now() - config_.cycle_us;
+  // The filters sample the pins in the next cycle; a capture sees the edges themselves.
+  std::array<uint32_t, kDiTypeCount> pins{};
+  for (size_t i = 0; i < pins.size(); ++i) pins[i] = state_.io.Pins(static_cast<DiType>(i));
+  for (auto i = static_cast<size_t>(world.next); i < events.size() && events[i].at < now(); ++i) {
+    const WorldEvent& event = events[i];
+    if (event.kind != WorldEventKind::kPin) continue;
+    const uint32_t mask = uint32_t{1} << event.index;
+    const bool level = event.value != 0;
+    if (((pins[event.item] & mask) != 0) == level) continue;
+    pins[event.item] ^= mask;
+    const double fraction =
+        static_cast<double>(event.at - begin) / static_cast<double>(config_.cycle_us);
+    state_.capture.Edge(static_cast<DiType>(event.item), event.index, level,
+                        [&](size_t encoder) { return PositionAt(encoder, fraction); });
+  }
+}
+
+void Passages::PassComparePoints() {
+  const Micros begin = now() - config_.cycle_us;
+  state_.compare.Advance(begin, config_.cycle_us, encoders_);
+  for (const HsioEdge& edge : state_.compare.edges()) {
+    const double fraction =
+        (edge.instant - static_cast<double>(begin)) / static_cast<double>(config_.cycle_us);
+    state_.capture.OutputEdge(edge.channel, edge.level,
+                              [&](size_t encoder) { return PositionAt(encoder, fraction); });
+  }
+}
+
+void Passages::OperateSwitch(const PositionSwitch& contact) {
+  const size_t machine = contact.axis;
+  const double to = state_.plants[machine].position;
+  const bool level = contact.Level(to);
+  const bool before = (state_.io.Pins(contact.type) >> contact.bit & 1) != 0;
+  state_.io.SetPin(contact.type, contact.bit, level);
+  if (!state_.capture.armed()) return;
+  const auto edge = [&](bool rising, double place) {
+    state_.capture.Edge(contact.type, contact.bit, rising,
+                        [&](size_t encoder) { return PositionWhere(encoder, machine, place); });
+  };
+  SwitchPassage passage;
+  if (contact.connected) passage = PassSwitch(contact, machines_[machine], to);
+  if (passage.enters) edge(!contact.active_low, passage.entry);
+  if (passage.leaves) edge(contact.active_low, passage.exit);
+  if (!passage.enters && !passage.leaves && level != before) edge(level, to);
+}
+
+void Passages::PassIndexMarks() {
+  for (size_t i = 0; i < kAxisMax; ++i) {
+    if (!state_.capture.WaitsForIndex(i)) continue;
+    ForEachMark(state_.index_marks[i], machines_[i], state_.plants[i].position, [&](double place) {
+      state_.capture.Index(i, [&](size_t encoder) { return PositionWhere(encoder, i, place); });
+      return state_.capture.WaitsForIndex(i);
+    });
+  }
+}
+
+}  // namespace oncard::motion
