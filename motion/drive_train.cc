@@ -17,7 +17,7 @@ void DriveTrain::Reset() {
     state_.controls[i].error_limit = defaults.following_error_limit;
     state_.steps[i] = {};
     state_.steps[i].axis = static_cast<int8_t>(i);
-    // The machine does not move; its encoder counts from here.
+    // The motor does not move; its encoder counts from here.
     Rebase(i);
     state_.plants[i].lead = state_.plants[i].position;
   }

@@ -376,11 +376,11 @@ void MotionCore::PowerOn(std::shared_ptr<const WorldEvents> events) {
   LatchCauses();
 }
 
-void MotionCore::PlaceMachine(size_t machine, double position) {
-  Plant& plant = state_.plants[machine];
+void MotionCore::PlaceMotor(size_t motor, double position) {
+  Plant& plant = state_.plants[motor];
   plant.lead += position - plant.position;
   plant.position = position;
-  RebaseEncoder(machine);
+  RebaseEncoder(motor);
 }
 
 // --- Stops and reports -------------------------------------------------------------------------

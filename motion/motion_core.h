@@ -185,7 +185,7 @@ class MotionCore {
   /// accepted all levels, so that the first call sees them.
   void PowerOn(std::shared_ptr<const WorldEvents> events);
   /// Sets the position of a motor by hand; the encoder does not count this.
-  void PlaceMachine(size_t machine, double position);
+  void PlaceMotor(size_t motor, double position);
 
   /// XXH64 of the whole state.
   uint64_t Hash() const;

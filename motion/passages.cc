@@ -11,7 +11,7 @@ bool Passages::Wanted(const MotionState& state) {
 Passages::Passages(MotionState& state, const MotionConfig& config)
     : state_(state), config_(config), readings_(state, config) {
   for (size_t i = 0; i < kAxisMax; ++i) {
-    machines_[i] = state_.plants[i].position;
+    motors_[i] = state_.plants[i].position;
     encoders_.from[i] = readings_.CountedPosition(i);
   }
 }
@@ -30,16 +30,16 @@ double Passages::PositionAt(size_t encoder, double fraction) const {
   return Whole(from + fraction * (encoders_.to[encoder] - from));
 }
 
-double Passages::PositionWhere(size_t encoder, size_t machine, double place) const {
+double Passages::PositionWhere(size_t encoder, size_t motor, double place) const {
   const Encoder& counter = state_.encoders[encoder];
-  if (encoder == machine && counter.external && counter.active) {
+  if (encoder == motor && counter.external && counter.active) {
     // Computed directly rather than with the fraction, which would not be exact.
     const double direction = counter.reversed == counter.wired_reversed ? 1 : -1;
     return counter.position - counter.source +
            Whole(direction * place + state_.encoder_faults[encoder].slip);
   }
-  const double length = state_.plants[machine].position - machines_[machine];
-  return PositionAt(encoder, length == 0 ? 1 : (place - machines_[machine]) / length);
+  const double length = state_.plants[motor].position - motors_[motor];
+  return PositionAt(encoder, length == 0 ? 1 : (place - motors_[motor]) / length);
 }
 
 void Passages::PassWorldEdges() {
@@ -76,18 +76,18 @@ void Passages::PassComparePoints() {
 }
 
 void Passages::OperateSwitch(const PositionSwitch& contact) {
-  const size_t machine = contact.axis;
-  const double to = state_.plants[machine].position;
+  const size_t motor = contact.axis;
+  const double to = state_.plants[motor].position;
   const bool level = contact.Level(to);
   const bool before = (state_.io.Pins(contact.type) >> contact.bit & 1) != 0;
   state_.io.SetPin(contact.type, contact.bit, level);
   if (!state_.capture.armed()) return;
   const auto edge = [&](bool rising, double place) {
     state_.capture.Edge(contact.type, contact.bit, rising,
-                        [&](size_t encoder) { return PositionWhere(encoder, machine, place); });
+                        [&](size_t encoder) { return PositionWhere(encoder, motor, place); });
   };
   SwitchPassage passage;
-  if (contact.connected) passage = PassSwitch(contact, machines_[machine], to);
+  if (contact.connected) passage = PassSwitch(contact, motors_[motor], to);
   if (passage.enters) edge(!contact.active_low, passage.entry);
   if (passage.leaves) edge(contact.active_low, passage.exit);
   if (!passage.enters && !passage.leaves && level != before) edge(level, to);
@@ -96,7 +96,7 @@ void Passages::OperateSwitch(const PositionSwitch& contact) {
 void Passages::PassIndexMarks() {
   for (size_t i = 0; i < kAxisMax; ++i) {
     if (!state_.capture.WaitsForIndex(i)) continue;
-    ForEachMark(state_.index_marks[i], machines_[i], state_.plants[i].position, [&](double place) {
+    ForEachMark(state_.index_marks[i], motors_[i], state_.plants[i].position, [&](double place) {
       state_.capture.Index(i, [&](size_t encoder) { return PositionWhere(encoder, i, place); });
       return state_.capture.WaitsForIndex(i);
     });

@@ -30,13 +30,13 @@ class Passages {
   void PassIndexMarks();
   /// An encoder's position at a fraction of the cycle, and at a position on a motor's way.
   double PositionAt(size_t encoder, double fraction) const;
-  double PositionWhere(size_t encoder, size_t machine, double place) const;
+  double PositionWhere(size_t encoder, size_t motor, double place) const;
   Micros now() const { return state_.cycle * config_.cycle_us; }
 
   MotionState& state_;
   const MotionConfig& config_;
   Readings readings_;
-  std::array<double, kAxisMax> machines_{};  ///< positions of motors before the motion
+  std::array<double, kAxisMax> motors_{};  ///< positions of motors before the motion
   EncoderWay encoders_;
 };
 

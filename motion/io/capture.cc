@@ -92,11 +92,11 @@ void CaptureUnit::ClearTrigger(size_t index) {
   triggers_[index].count = 0;
 }
 
-bool CaptureUnit::WaitsForIndex(size_t machine) const {
-  const Capture& own = captures_[machine];
+bool CaptureUnit::WaitsForIndex(size_t motor) const {
+  const Capture& own = captures_[motor];
   if (own.armed && own.source == CaptureSource::kIndex) return true;
   for (const Trigger& t : triggers_) {
-    if (t.armed && t.source == CaptureSource::kIndex && t.input == machine) return true;
+    if (t.armed && t.source == CaptureSource::kIndex && t.input == motor) return true;
   }
   return false;
 }

@@ -122,7 +122,7 @@ class CaptureUnit {
   /// Checks whether something is still armed; called once per tick.
   void CountArmed();
   /// True if something waits for the index pulses of an encoder.
-  bool WaitsForIndex(size_t machine) const;
+  bool WaitsForIndex(size_t motor) const;
 
   /// An edge of a pin; `position(encoder)` gives an encoder's position at that instant.
   template <typename Position>
@@ -140,14 +140,14 @@ class CaptureUnit {
   }
   /// An index pulse of an encoder.
   template <typename Position>
-  void Index(size_t machine, Position position) {
+  void Index(size_t motor, Position position) {
     for (size_t i = 0; i < kAxisMax; ++i) {
       const Capture& c = captures_[i];
-      if (c.armed && c.source == CaptureSource::kIndex && i == machine) {
+      if (c.armed && c.source == CaptureSource::kIndex && i == motor) {
         Take(i, position(c.encoder));
       }
       const Trigger& t = triggers_[i];
-      if (t.armed && t.source == CaptureSource::kIndex && t.input == machine) {
+      if (t.armed && t.source == CaptureSource::kIndex && t.input == motor) {
         TakeTrigger(i, position(t.encoder));
       }
     }

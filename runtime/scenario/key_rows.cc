@@ -278,7 +278,7 @@ std::vector<KeySection> KeySections() {
   return {
       SectionOf("", ScenarioKeys()),           SectionOf("explore", WishKeys()),
       SectionOf("thread", ThreadKeys()),       SectionOf("world", WorldKeys()),
-      SectionOf("world.input", InputKeys()),   SectionOf("world.axis", MachineKeys()),
+      SectionOf("world.input", InputKeys()),   SectionOf("world.axis", MotorKeys()),
       SectionOf("world.switch", SwitchKeys()), SectionOf("world.fault", FaultKeys()),
       SectionOf("world.hand", HandKeys()),     SectionOf("world.analog", VoltageKeys()),
       SectionOf("world.module", ModuleKeys()), SectionOf("host", HostKeys()),

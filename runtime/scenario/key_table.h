@@ -129,7 +129,7 @@ std::span<const Key<HostEvent>> HostKeys();
 std::span<const Key<KeyPress>> PressKeys();
 std::span<const Key<World>> WorldKeys();
 std::span<const Key<InputEvent>> InputKeys();
-std::span<const Key<MachineSetup>> MachineKeys();
+std::span<const Key<MotorSetup>> MotorKeys();
 std::span<const Key<SwitchSetup>> SwitchKeys();
 std::span<const Key<WorldFault>> FaultKeys();
 std::span<const Key<HandTurn>> HandKeys();

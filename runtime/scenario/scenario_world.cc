@@ -84,14 +84,14 @@ void AddModule(const ModuleEvent& module, WorldEvents& events) {
   }
 }
 
-void SetUpMachine(const MachineSetup& setup, motion::MotionCore& core) {
+void SetUpMotor(const MotorSetup& setup, motion::MotionCore& core) {
   const size_t index = FromZero(setup.axis);
   if (setup.drive == motion::DriveKind::kVelocity) {
     core.state().drives[index] =
         motion::VelocityDrive(setup.gain, setup.tau_ms, setup.friction, core.config().ServoMs());
   }
   core.state().index_marks[index] = {setup.index_offset, setup.index_period};
-  core.PlaceMachine(index, setup.position);
+  core.PlaceMotor(index, setup.position);
 }
 
 motion::PositionSwitch SwitchOf(const SwitchSetup& setup) {
@@ -116,7 +116,7 @@ ControllerOptions CardOptions(const Scenario& scenario) {
 void ApplyWorld(const Scenario& scenario, Controller* controller) {
   const World& world = scenario.world;
   motion::MotionCore& core = controller->motion();
-  for (const MachineSetup& machine : world.machines) SetUpMachine(machine, core);
+  for (const MotorSetup& motor : world.motors) SetUpMotor(motor, core);
   for (const SwitchSetup& contact : world.switches) {
     core.state().switches.push_back(SwitchOf(contact));
   }

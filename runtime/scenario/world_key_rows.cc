@@ -77,7 +77,7 @@ constexpr Key<InputEvent> kInputKeys[] = {
      true},
 };
 
-constexpr Key<MachineSetup> kMachineKeys[] = {
+constexpr Key<MotorSetup> kMotorKeys[] = {
     {{"axis", kAxis, {"the axis", "轴号"}}},
     {{"drive",
       KeyType::Choice(kDriveNames),
@@ -91,20 +91,20 @@ constexpr Key<MachineSetup> kMachineKeys[] = {
       KeyType::Number(0, kWorldVelocityMax),
       {"of a velocity drive: pulse/ms at full output", "速度型驱动器：满幅输出时的速度，pulse/ms"},
       {"100", "100"}},
-     &MachineSetup::gain,
+     &MotorSetup::gain,
      true},
     {{"tau_ms",
       KeyType::Number(0, kTauMsMax),
       {"of a velocity drive: time constant of the lag", "速度型驱动器：滞后的时间常数"},
       {"2", "2"}},
-     &MachineSetup::tau_ms,
+     &MotorSetup::tau_ms,
      true},
     {{"friction",
       KeyType::Number(0, kWorldVelocityMax),
       {"of a velocity drive: pulse/ms that friction takes from the commanded speed",
        "速度型驱动器：摩擦使指令速度减小的量，pulse/ms"},
       kZero},
-     &MachineSetup::friction,
+     &MotorSetup::friction,
      true},
     {{"position",
       kPosition,
@@ -112,21 +112,21 @@ constexpr Key<MachineSetup> kMachineKeys[] = {
        "index marks are at positions of the mechanics",
        "上电时机械的位置，单位脉冲。编码器在该处读数为 0；开关与零位标记按机械位置给出"},
       kZero},
-     &MachineSetup::position,
+     &MotorSetup::position,
      true},
     {{"index_offset",
       kPosition,
       {"position of an index mark of the encoder, in pulses",
        "编码器的一个零位标记的位置，单位脉冲"},
       kZero},
-     &MachineSetup::index_offset,
+     &MotorSetup::index_offset,
      true},
     {{"index_period",
       KeyType::Number(0, kPositionMax),
       {"index marks are at every whole multiple of it from `index_offset`, in pulses; 0: none",
        "自 `index_offset` 起每隔此距离有一个零位标记，单位脉冲；0 表示没有"},
       {"10000", "10000"}},
-     &MachineSetup::index_period,
+     &MotorSetup::index_period,
      true},
 };
 
@@ -254,7 +254,7 @@ constexpr Key<ModuleEvent> kModuleKeys[] = {
 
 std::span<const Key<World>> WorldKeys() { return kWorldKeys; }
 std::span<const Key<InputEvent>> InputKeys() { return kInputKeys; }
-std::span<const Key<MachineSetup>> MachineKeys() { return kMachineKeys; }
+std::span<const Key<MotorSetup>> MotorKeys() { return kMotorKeys; }
 std::span<const Key<SwitchSetup>> SwitchKeys() { return kSwitchKeys; }
 std::span<const Key<WorldFault>> FaultKeys() { return kFaultKeys; }
 std::span<const Key<HandTurn>> HandKeys() { return kHandKeys; }

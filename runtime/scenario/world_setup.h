@@ -27,7 +27,7 @@ struct InputEvent {
 };
 
 /// The drive and mechanics of an axis.
-struct MachineSetup {
+struct MotorSetup {
   int axis = 1;
   motion::DriveKind drive = motion::DriveKind::kIdeal;
   double gain = motion::Drive{}.gain;  ///< pulse/ms at full output
@@ -36,7 +36,7 @@ struct MachineSetup {
   double position = 0;  ///< at power-on, pulses; the encoder reads 0 there
   double index_offset = 0;
   double index_period = motion::IndexMarks{}.period;  ///< pulses; 0: no index marks
-  bool operator==(const MachineSetup&) const = default;
+  bool operator==(const MotorSetup&) const = default;
 };
 
 /// A switch that an axis operates between two positions.
@@ -101,7 +101,7 @@ struct ModuleEvent {
 
 struct World {
   std::vector<InputEvent> inputs;  ///< in order of time
-  std::vector<MachineSetup> machines;
+  std::vector<MotorSetup> motors;
   std::vector<SwitchSetup> switches;
   std::vector<WorldFault> faults;
   std::vector<HandTurn> hands;

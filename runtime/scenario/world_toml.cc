@@ -27,7 +27,7 @@ class WorldReader {
   World Read(const toml::table& table) {
     ReadKeys(table, WorldKeys(), keys_, &world_);
     for (const toml::table* input : keys_.Tables(table, "input")) ReadInput(*input);
-    for (const toml::table* machine : keys_.Tables(table, "axis")) ReadMachine(*machine);
+    for (const toml::table* motor : keys_.Tables(table, "axis")) ReadMotor(*motor);
     for (const toml::table* contact : keys_.Tables(table, "switch")) ReadSwitch(*contact);
     for (const toml::table* fault : keys_.Tables(table, "fault")) ReadFault(*fault);
     for (const toml::table* hand : keys_.Tables(table, "hand")) ReadHand(*hand);
@@ -56,21 +56,20 @@ class WorldReader {
     world_.inputs.push_back(event);
   }
 
-  void ReadMachine(const toml::table& table) {
-    MachineSetup machine;
-    ReadKeys(table, MachineKeys(), keys_, &machine);
-    machine.axis = AxisOf(table);
-    machine.drive = static_cast<motion::DriveKind>(keys_.Choice(table, "drive", kDriveNames, 0));
+  void ReadMotor(const toml::table& table) {
+    MotorSetup motor;
+    ReadKeys(table, MotorKeys(), keys_, &motor);
+    motor.axis = AxisOf(table);
+    motor.drive = static_cast<motion::DriveKind>(keys_.Choice(table, "drive", kDriveNames, 0));
     for (const char* key : {"gain", "tau_ms", "friction"}) {
-      Refuse(table, key, machine.drive == motion::DriveKind::kIdeal);
+      Refuse(table, key, motor.drive == motion::DriveKind::kIdeal);
     }
-    if (std::ranges::any_of(world_.machines, [&](const MachineSetup& other) {
-          return other.axis == machine.axis;
-        })) {
+    if (std::ranges::any_of(world_.motors,
+                            [&](const MotorSetup& other) { return other.axis == motor.axis; })) {
       keys_.Fail(table.source(), MakeMessage("axis {0} is described twice; join the two tables",
-                                             "轴 {0} 被描述两次；应合并为一项", machine.axis));
+                                             "轴 {0} 被描述两次；应合并为一项", motor.axis));
     }
-    world_.machines.push_back(machine);
+    world_.motors.push_back(motor);
   }
 
   void ReadSwitch(const toml::table& table) {
@@ -308,19 +307,18 @@ std::string FormatInput(const InputEvent& event) {
                  }));
 }
 
-std::string FormatMachine(const MachineSetup& machine) {
-  const bool ideal = machine.drive == motion::DriveKind::kIdeal;
-  return AsTable(
-      "[[world.axis]]", WriteKeys(machine, MachineKeys(), [&](std::string_view key) {
-        if (key == "axis") return SpecialText(std::to_string(machine.axis));
-        if (key == "drive") {
-          return SpecialText(TomlString(kDriveNames[static_cast<size_t>(machine.drive)]));
-        }
-        if (ideal && (key == "gain" || key == "tau_ms" || key == "friction")) {
-          return SpecialText("");
-        }
-        return SpecialText();
-      }));
+std::string FormatMotor(const MotorSetup& motor) {
+  const bool ideal = motor.drive == motion::DriveKind::kIdeal;
+  return AsTable("[[world.axis]]", WriteKeys(motor, MotorKeys(), [&](std::string_view key) {
+                   if (key == "axis") return SpecialText(std::to_string(motor.axis));
+                   if (key == "drive") {
+                     return SpecialText(TomlString(kDriveNames[static_cast<size_t>(motor.drive)]));
+                   }
+                   if (ideal && (key == "gain" || key == "tau_ms" || key == "friction")) {
+                     return SpecialText("");
+                   }
+                   return SpecialText();
+                 }));
 }
 
 std::string FormatSwitch(const SwitchSetup& contact) {
@@ -375,7 +373,7 @@ World ReadWorld(const toml::table& table, int axis_count, TomlKeys& keys) {
 std::string FormatWorld(const World& world, int axis_count) {
   std::string text;
   for (const InputEvent& event : world.inputs) text += FormatInput(event);
-  for (const MachineSetup& machine : world.machines) text += FormatMachine(machine);
+  for (const MotorSetup& motor : world.motors) text += FormatMotor(motor);
   for (const SwitchSetup& contact : world.switches) text += FormatSwitch(contact);
   for (const WorldFault& fault : world.faults) text += FormatFault(fault);
   for (const HandTurn& turn : world.hands) text += FormatHand(turn, axis_count);

@@ -289,7 +289,7 @@ TEST(GoHome, LeavesASwitchItStandsOnWhenAskedTo) {
   // On the switch, searching forwards for its rising edge at 4000: the escape of 1000 is backwards.
   CommandTestCard card;
   ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
-  card.motion.PlaceMachine(0, 4500);
+  card.motion.PlaceMotor(0, 4500);
   AddSwitch(card, motion::DiType::kHome, 4000, 6000);
   for (int i = 0; i < 3; ++i) card.motion.Tick();  // to pass the input's filter
   Cells cells = Example(card);

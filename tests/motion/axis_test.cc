@@ -1,5 +1,5 @@
 // Axes: mapping and scales, position values, limits, alarm, stop inputs, conditions, the
-// in-position band, the drive and the ideal machine connected to it.
+// in-position band, the drive and the ideal motor connected to it.
 #include "motion/axis.h"
 
 #include <gtest/gtest.h>
@@ -99,7 +99,7 @@ TEST(AxisScale, AChangeComputesThePositionAnewAndMovesNothing) {
   card.core.SetEncoderScale(0, {3, 1});
   card.Ticks(1);
   EXPECT_EQ(card.axis().encoder.position, 1000);
-  // The machine follows the axis: 3000 profile pulses are 1000 of the axis.
+  // The motor follows the axis: 3000 profile pulses are 1000 of the axis.
   card.MoveTo(6000, 100);
   card.TicksToRest();
   EXPECT_EQ(card.encoder().position, 4000);
@@ -163,7 +163,7 @@ TEST(AxisPosition, SettingAProfileLeavesTheAxisUntilSynch) {
   card.core.SynchAxis(0);
   EXPECT_EQ(card.axis().profile.position, 5500);
   EXPECT_EQ(card.axis().encoder.position, 1500);
-  // This has not moved the machine, which follows as before.
+  // This has not moved the motor, which follows as before.
   card.Ticks(2);
   EXPECT_EQ(card.encoder().position, 1500);
   card.MoveTo(5600, 50);
@@ -523,9 +523,9 @@ TEST(InPosition, GoesAtOnceWithMotionOrTheErrorAndNeedsTheWholeTimeAgain) {
   EXPECT_EQ(card.conditions(), kServoOnBit);
 }
 
-// --- Drive and machine -------------------------------------------------------------------------
+// --- Drive and motor -------------------------------------------------------------------------
 
-TEST(Servo, AnIdealMachineFollowsAnEnabledAxisAndRestsBehindADisabledOne) {
+TEST(Servo, AnIdealMotorFollowsAnEnabledAxisAndRestsBehindADisabledOne) {
   AxisCard card;
   card.SetTrap({.acc = 1, .dec = 1});
   card.MoveTo(1000, 10);
@@ -580,7 +580,7 @@ TEST(Conditions, InputsThatAreActiveAtPowerOnShowAfterTheFirstCycle) {
   EXPECT_EQ(card.conditions(4), kNegativeLimitBit);
 }
 
-TEST(Conditions, ResetClearsEverythingAndTheMachineStays) {
+TEST(Conditions, ResetClearsEverythingAndTheMotorStays) {
   AxisCard card;
   card.core.ServoOn(0);
   card.axis().soft_positive = 100;
@@ -588,13 +588,13 @@ TEST(Conditions, ResetClearsEverythingAndTheMachineStays) {
   card.MoveTo(1000, 10);
   card.TicksToRest();
   ASSERT_NE(card.conditions(), 0u);
-  const double machine = card.core.state().plants[0].position;
+  const double motor = card.core.state().plants[0].position;
   card.core.Reset();
   card.Ticks(3);
   EXPECT_EQ(card.conditions(), 0u);
   EXPECT_EQ(card.profile().now, AtRest(0));
   EXPECT_EQ(card.encoder().position, 0);
-  EXPECT_EQ(card.core.state().plants[0].position, machine);
+  EXPECT_EQ(card.core.state().plants[0].position, motor);
 }
 
 // --- Velocity filter ---------------------------------------------------------------------------

@@ -121,7 +121,7 @@ struct JoggingCore {
   void Ticks(int count) {
     for (int i = 0; i < count; ++i) core.Tick();
   }
-  /// The distance from the planned position to the machine.
+  /// The distance from the planned position to the motor.
   double Lead() const {
     return core.state().plants[0].position - core.state().axes[0].profile.position;
   }
@@ -173,10 +173,10 @@ TEST(CompensatedAxis, DoesNotJumpWhenItIsEnabledAgain) {
   jog.Ticks(10);
   jog.core.ServoOff(0);
   jog.Ticks(10);
-  const double machine = jog.core.state().plants[0].position;
+  const double motor = jog.core.state().plants[0].position;
   jog.core.ServoOn(0);
   jog.Ticks(1);
-  EXPECT_EQ(jog.core.state().plants[0].position, machine);
+  EXPECT_EQ(jog.core.state().plants[0].position, motor);
 }
 
 TEST(CompensatedAxis, DoesNotJumpWhenAClosedLoopIsEnabled) {
@@ -186,10 +186,10 @@ TEST(CompensatedAxis, DoesNotJumpWhenAClosedLoopIsEnabled) {
   jog.core.ServoOff(0);
   jog.Ticks(10);
   jog.core.SetClosedLoop(0, true);
-  const double machine = jog.core.state().plants[0].position;
+  const double motor = jog.core.state().plants[0].position;
   jog.core.ServoOn(0);
   jog.Ticks(1);
-  EXPECT_NEAR(jog.core.state().plants[0].position, machine, 1);
+  EXPECT_NEAR(jog.core.state().plants[0].position, motor, 1);
 }
 
 TEST(CompensatedAxis, RenamingItsPositionsMovesNothing) {
@@ -213,8 +213,8 @@ TEST(CompensatedAxis, RenamingItsPositionsMovesNothing) {
       jog.Ticks(40);
       core.StopProfile(0, true);
       jog.Ticks(400);
-      const double machine = core.state().plants[0].position;
-      ASSERT_NEAR(machine, 400 + 300 + 300, 5);
+      const double motor = core.state().plants[0].position;
+      ASSERT_NEAR(motor, 400 + 300 + 300, 5);
       if (zero) {
         core.ZeroAxis(0);
         EXPECT_EQ(core.state().axes[0].profile.position, 0);
@@ -222,17 +222,17 @@ TEST(CompensatedAxis, RenamingItsPositionsMovesNothing) {
       } else {
         core.SynchAxis(0);
       }
-      EXPECT_EQ(core.state().plants[0].position, machine);
+      EXPECT_EQ(core.state().plants[0].position, motor);
       jog.Ticks(400);
-      EXPECT_NEAR(core.state().plants[0].position, machine, 2) << closed << zero;
-      EXPECT_NEAR(core.state().axes[0].encoder.position, zero ? 0 : machine, 2) << closed << zero;
+      EXPECT_NEAR(core.state().plants[0].position, motor, 2) << closed << zero;
+      EXPECT_NEAR(core.state().axes[0].encoder.position, zero ? 0 : motor, 2) << closed << zero;
       // Afterwards the backlash is output as before.
       jog.Reverse();
       jog.Ticks(2);
       core.StopProfile(0, true);
       jog.Ticks(400);
       EXPECT_NEAR(core.state().compensations[0].backlash_error, 0, 1e-9);
-      EXPECT_LT(core.state().plants[0].position, machine - 290) << closed << zero;
+      EXPECT_LT(core.state().plants[0].position, motor - 290) << closed << zero;
     }
   }
 }

@@ -217,7 +217,7 @@ TEST(ClosedLoop, DisablingTakesTheVoltageAway) {
   EXPECT_EQ(core.state().dacs[0].Output(), 0);
 }
 
-TEST(ClosedLoop, ZeroingAndSynchronisingDoNotMoveTheMachine) {
+TEST(ClosedLoop, ZeroingAndSynchronisingDoNotMoveTheMotor) {
   MotionCore core({});
   core.SetClosedLoop(0, true);
   core.ServoOn(0);

@@ -31,7 +31,7 @@ void StartJog(MotionCore& core, double velocity = 10) {
 double Position(const MotionCore& core) { return core.state().encoders[kX].position; }
 double Planned(const MotionCore& core) { return core.state().profiles[kX].now.position; }
 
-TEST(Encoder, CountsTheMachineWhenEnabledOnly) {
+TEST(Encoder, CountsTheMotorWhenEnabledOnly) {
   MotionCore core({});
   StartJog(core);
   Ticks(core, 40);
@@ -65,7 +65,7 @@ TEST(Encoder, AChangeOfSenseReversesTheCountAndKeepsThePosition) {
 TEST(Encoder, AChangeOfSourceKeepsThePosition) {
   MotionCore core({});
   StartJog(core);
-  core.state().axes[kX].servo_on = false;  // pulses are output, but the machine does not move
+  core.state().axes[kX].servo_on = false;  // pulses are output, but the motor does not move
   Ticks(core, 40);
   EXPECT_EQ(Position(core), 0);
   core.SetEncoderExternal(kX, false);
@@ -94,7 +94,7 @@ void Happen(MotionCore& core, WorldEvents events) {
   core.PowerOn(std::make_shared<const WorldEvents>(std::move(events)));
 }
 
-TEST(EncoderFault, AHeldEncoderLosesWhatTheMachineDoes) {
+TEST(EncoderFault, AHeldEncoderLosesWhatTheMotorDoes) {
   MotionCore core({});
   Happen(core, {{.at = 10'000, .kind = WorldEventKind::kEncoderHeld, .value = 1},
                 {.at = 20'000, .kind = WorldEventKind::kEncoderHeld, .value = 0}});

@@ -1,4 +1,4 @@
-// Positions of a machine: switches and index marks. The expected numbers follow from the intervals.
+// Positions of a motor: switches and index marks. The expected numbers follow from the intervals.
 #include "motion/mechanics/switches_and_marks.h"
 
 #include <gtest/gtest.h>

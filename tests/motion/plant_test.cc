@@ -1,4 +1,4 @@
-// Drives: the lag's exact solution, friction, and how the machine follows pulses and voltages.
+// Drives: the lag's exact solution, friction, and how the motor follows pulses and voltages.
 #include "motion/mechanics/plant.h"
 
 #include <gtest/gtest.h>
@@ -59,7 +59,7 @@ TEST(IdealDrive, FollowsExactlyByPulsesAndInClosedLoop) {
   for (const bool closed : {false, true}) {
     for (const int64_t cycle_us : {125, 250, 1000}) {
       MotionCore core({.cycle_us = cycle_us});
-      core.PlaceMachine(0, 777);
+      core.PlaceMotor(0, 777);
       core.SetClosedLoop(0, closed);
       core.ServoOn(0);
       Jog(core, 33.3);
@@ -91,7 +91,7 @@ TEST(IdealDrive, LosesThePulsesOfAStall) {
   EXPECT_NEAR(core.state().axes[0].profile.position, planned + 200, 1e-9);
 }
 
-TEST(VelocityDriveMachine, ObeysTheVoltageOfItsOutputWhileEnabled) {
+TEST(VelocityDriveMotor, ObeysTheVoltageOfItsOutputWhileEnabled) {
   MotionCore core({});
   core.state().drives[0] = VelocityDrive(100, 2, 0, 0.125);
   core.state().dacs[0].value = 32767;
@@ -105,7 +105,7 @@ TEST(VelocityDriveMachine, ObeysTheVoltageOfItsOutputWhileEnabled) {
   EXPECT_NEAR(core.state().plants[0].velocity, 0, 1e-9);
 }
 
-TEST(VelocityDriveMachine, DoesNotDependOnTheCycle) {
+TEST(VelocityDriveMotor, DoesNotDependOnTheCycle) {
   const auto run = [](int64_t cycle_us) {
     MotionCore core({.cycle_us = cycle_us});
     core.state().drives[0] = VelocityDrive(100, 2, 0.5, 0.125);

@@ -108,9 +108,9 @@ TEST(WorldState, ResetClearsTheCardAndLeavesTheWorldAlone) {
   EXPECT_EQ(core.state().dacs[0].value, 0);
 }
 
-TEST(WorldState, AMachineMovedByHandStaysWhereItIsPut) {
+TEST(WorldState, AMotorMovedByHandStaysWhereItIsPut) {
   MotionCore core({});
-  core.PlaceMachine(0, -500);
+  core.PlaceMotor(0, -500);
   core.ServoOn(0);
   core.Tick();
   EXPECT_EQ(core.state().plants[0].position, -500);

@@ -69,7 +69,7 @@ TEST(KeyTable, SaysTheValuesThatTheStructuresBeginWith) {
   ExpectStandards(HostKeys());
   ExpectStandards(PressKeys());
   ExpectStandards(InputKeys());
-  ExpectStandards(MachineKeys());
+  ExpectStandards(MotorKeys());
   ExpectStandards(FaultKeys());
   ExpectStandards(HandKeys());
   ExpectStandards(VoltageKeys());
