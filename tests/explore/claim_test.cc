@@ -2,6 +2,7 @@
 // (ends.h).
 #include "explore/reports/claim.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -11,6 +12,9 @@
 
 namespace oncard::explore {
 namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
 
 using Json = nlohmann::json;
 
@@ -108,15 +112,14 @@ TEST(ClaimTest, AWorldIsNamedByItsHash) {
 TEST(ClaimTest, WithoutARequirementTheResultsAreShown) {
   for (const EngineKind engine : {EngineKind::kAuto, EngineKind::kDpor, EngineKind::kStateful}) {
     const std::string text = TextOf(FindingsOf(kTakeANumber, {.engine = engine}));
-    EXPECT_NE(text.find("not asked  the results, data races\n"), std::string::npos) << text;
-    EXPECT_NE(text.find("there is no requirement on the results; 3 different ones were found:\n"
-                        "  next = 2, ret0 = 1, ret1 = 2\n"
-                        "  next = 2, ret0 = 2, ret1 = 1\n"
-                        "  next = 2, ret0 = 2, ret1 = 2\n"
-                        "require the intended one with a line in the source, for example\n"
-                        "  //@ final: next == 2\n"),
-              std::string::npos)
-        << text;
+    EXPECT_THAT(text, HasSubstr("not asked  the results, data races\n"));
+    EXPECT_THAT(text,
+                HasSubstr("there is no requirement on the results; 3 different ones were found:\n"
+                          "  next = 2, ret0 = 1, ret1 = 2\n"
+                          "  next = 2, ret0 = 2, ret1 = 1\n"
+                          "  next = 2, ret0 = 2, ret1 = 2\n"
+                          "require the intended one with a line in the source, for example\n"
+                          "  //@ final: next == 2\n"));
   }
   const Json json = JsonOf(FindingsOf(kTakeANumber, {}));
   EXPECT_EQ(json["verdict"], "PROVED");
@@ -156,15 +159,14 @@ TEST(ClaimTest, ThePageSaysTheSame) {
   for (const char* part :
        {"<tr><th>asked</th><td>no thread fault, no deadlock, no livelock</td></tr>",
         "<li><code>next = 2, ret0 = 1, ret1 = 2</code></li>", "<pre>//@ final: next == 2</pre>"}) {
-    EXPECT_NE(page.find(part), std::string::npos) << part;
+    EXPECT_THAT(page, HasSubstr(part));
   }
 }
 
 TEST(ClaimTest, SpeaksChinese) {
   const std::string text = TextOf(FindingsOf(kTakeANumber, {}), Language::kChinese);
-  EXPECT_TRUE(text.starts_with("要求    无线程故障，无死锁，无活锁\n未要求  运行结果、数据竞争\n"))
-      << text;
-  EXPECT_NE(text.find("未对结果提出要求；发现 3 种不同结果：\n"), std::string::npos) << text;
+  EXPECT_THAT(text, StartsWith("要求    无线程故障，无死锁，无活锁\n未要求  运行结果、数据竞争\n"));
+  EXPECT_THAT(text, HasSubstr("未对结果提出要求；发现 3 种不同结果：\n"));
 }
 
 TEST(EndSetTest, KeepsTheSmallestWhateverTheOrder) {

@@ -1,5 +1,6 @@
 // The report of a failure besides its steps: the wrong values (explore/reports/trail.h), the cause
 // (explore/reports/culprit.h), both orders of a data race (explore/reports/race_orders.h).
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "explore/reports/culprit.h"
@@ -8,6 +9,9 @@
 
 namespace oncard::explore {
 namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
 
 struct Told {
   std::string actual;
@@ -40,10 +44,9 @@ TEST(FailureTest, ADecisionOnWhatNoLongerHolds) {
       "  return 0;\n}\n"
       "int t1() {\n  stop = 1;\n  moves = 0;\n  return 0;\n}\n");
   EXPECT_EQ(told.actual, "moves is 1, expected 0");
-  EXPECT_TRUE(told.culprit.starts_with("thread 0 continued to step ")) << told.culprit;
-  EXPECT_NE(told.culprit.find("because it had read stop = 0 at step 1; thread 1 had set it to 1"),
-            std::string::npos)
-      << told.culprit;
+  EXPECT_THAT(told.culprit, StartsWith("thread 0 continued to step "));
+  EXPECT_THAT(told.culprit,
+              HasSubstr("because it had read stop = 0 at step 1; thread 1 had set it to 1"));
 }
 
 TEST(FailureTest, AReadBeforeTheWrite) {
@@ -53,9 +56,8 @@ TEST(FailureTest, AReadBeforeTheWrite) {
       "int t0() {\n  got = ready;\n  return 0;\n}\n"
       "int t1() {\n  ready = 1;\n  return 0;\n}\n");
   EXPECT_EQ(told.actual, "got is 0, expected 1");
-  EXPECT_NE(told.culprit.find("thread 0 read ready = 0 at step 1, before thread 1 wrote ready = 1"),
-            std::string::npos)
-      << told.culprit;
+  EXPECT_THAT(told.culprit,
+              HasSubstr("thread 0 read ready = 0 at step 1, before thread 1 wrote ready = 1"));
 }
 
 struct ActualCase {

@@ -1,6 +1,7 @@
 // Expressions over a program's variables (explore/models/property.h).
 #include "explore/models/property.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "explore_programs.h"
@@ -8,6 +9,8 @@
 
 namespace oncard::explore {
 namespace {
+
+using testing::HasSubstr;
 
 /// The values of a text for a model or a card.
 template <typename Bound, typename Names>
@@ -76,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(PropertyTest, AGlobalsName,
 
 TEST_F(PropertyTest, WordsAreNoNumbers) {
   for (const char* word : {"inf", "nan", "infinity", "-inf", "-nan"}) {
-    EXPECT_NE(Error((std::string("x < ") + word).c_str()).find("no variable"), std::string::npos);
+    EXPECT_THAT(Error((std::string("x < ") + word).c_str()), HasSubstr("no variable"));
   }
 }
 
@@ -88,13 +91,13 @@ TEST_F(PropertyTest, Operators) {
 }
 
 TEST_F(PropertyTest, ErrorsSayWhatToDo) {
-  EXPECT_NE(Error("y == 1").find("no variable 'y'"), std::string::npos);
-  EXPECT_NE(Error("x ==").find("missing"), std::string::npos);
-  EXPECT_NE(Error("x == 1 @ 5ms").find("only 'expect'"), std::string::npos);
-  EXPECT_NE(Error("a == 1").find("3 elements"), std::string::npos);
-  EXPECT_NE(Error("a[3] == 1").find("3 elements"), std::string::npos);
-  EXPECT_NE(Error("ret7 == 1").find("no thread 7"), std::string::npos);
-  EXPECT_NE(Error("page0.w == 1").find("'w'"), std::string::npos);
+  EXPECT_THAT(Error("y == 1"), HasSubstr("no variable 'y'"));
+  EXPECT_THAT(Error("x =="), HasSubstr("missing"));
+  EXPECT_THAT(Error("x == 1 @ 5ms"), HasSubstr("only 'expect'"));
+  EXPECT_THAT(Error("a == 1"), HasSubstr("3 elements"));
+  EXPECT_THAT(Error("a[3] == 1"), HasSubstr("3 elements"));
+  EXPECT_THAT(Error("ret7 == 1"), HasSubstr("no thread 7"));
+  EXPECT_THAT(Error("page0.w == 1"), HasSubstr("'w'"));
 }
 
 }  // namespace

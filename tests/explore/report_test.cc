@@ -1,6 +1,7 @@
 // Reports for users and for programs (explore/reports/report.h).
 #include "explore/reports/report.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -10,6 +11,10 @@
 
 namespace oncard::explore {
 namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
 
 Findings FindingsOf(const Problem& problem, const Exploration& exploration,
                     const std::string& source = {}) {
@@ -48,9 +53,8 @@ TEST(ReportTest, AFullOneShowsEveryStatement) {
   const auto exploration = Explore(problem, {.engine = EngineKind::kStateful});
   const std::string text = TextReport(FindingsOf(problem, exploration.value(), source),
                                       Language::kEnglish, {.full = true});
-  EXPECT_NE(text.find("     6     6  t = t + 1;   [t = 0]   t: 0 -> 1\n"), std::string::npos)
-      << text;
-  EXPECT_EQ(text.find("left out"), std::string::npos) << text;
+  EXPECT_THAT(text, HasSubstr("     6     6  t = t + 1;   [t = 0]   t: 0 -> 1\n"));
+  EXPECT_THAT(text, Not(HasSubstr("left out")));
 }
 
 TEST(ReportTest, JsonHasTheCounts) {
@@ -74,8 +78,7 @@ TEST(ReportTest, JsonHasTheCounts) {
   EXPECT_EQ(json["min_steps_to_bad"], 8);
   EXPECT_EQ(json["schedule"].size(), 3u);
   EXPECT_EQ(json["actual"], "x is 1, expected 2");
-  EXPECT_NE(json["culprit"].get<std::string>().find("because it had read x = 0"),
-            std::string::npos);
+  EXPECT_THAT(json["culprit"].get<std::string>(), HasSubstr("because it had read x = 0"));
 }
 
 TEST(ReportTest, ThePageNeedsNothingElse) {
@@ -84,15 +87,14 @@ TEST(ReportTest, ThePageNeedsNothingElse) {
   const auto exploration = Explore(problem, {.engine = EngineKind::kStateful});
   const Findings findings = FindingsOf(problem, exploration.value(), source);
   const std::string page = HtmlReport(findings, Language::kEnglish);
-  EXPECT_TRUE(page.starts_with("<!DOCTYPE html>"));
-  EXPECT_EQ(page.find("http"), std::string::npos);
-  EXPECT_NE(page.find("<th>thread 0 t0</th><th>thread 1 t1</th>"), std::string::npos);
-  EXPECT_NE(
-      page.find("<td class=\"number\">4</td><td class=\"line\">14</td><td></td>"
-                "<td class=\"statement\">x = t;   <span class=\"written\">x: 0 -&gt; 1</span>"),
-      std::string::npos)
-      << page;
-  EXPECT_NE(HtmlReport(findings, Language::kChinese).find("线程 0 t0"), std::string::npos);
+  EXPECT_THAT(page, StartsWith("<!DOCTYPE html>"));
+  EXPECT_THAT(page, Not(HasSubstr("http")));
+  EXPECT_THAT(page, HasSubstr("<th>thread 0 t0</th><th>thread 1 t1</th>"));
+  EXPECT_THAT(
+      page,
+      HasSubstr("<td class=\"number\">4</td><td class=\"line\">14</td><td></td>"
+                "<td class=\"statement\">x = t;   <span class=\"written\">x: 0 -&gt; 1</span>"));
+  EXPECT_THAT(HtmlReport(findings, Language::kChinese), HasSubstr("线程 0 t0"));
 }
 
 TEST(ReportTest, TraceEventsHaveABarPerStatement) {

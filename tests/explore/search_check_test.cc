@@ -2,12 +2,15 @@
 // (explore/search/search_check.h).
 #include "explore/search/search_check.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "explore_programs.h"
 
 namespace oncard::explore {
 namespace {
+
+using testing::HasSubstr;
 
 /// An interrupted search with frames, plans and races, for two threads with three statements and a
 /// return each, one of which accesses nothing shared.
@@ -64,7 +67,7 @@ TEST_F(SearchCheck, AThreadThatThereIsNot) {
   EXPECT_EQ(Error(),
             "units[0].sleep: thread 2 of the search cannot execute a step there; explore again");
   unit() = {{}, {}, {{.sleep = {9}, .plans = {{0, 0}}}}};
-  EXPECT_NE(Error().find("units[0].frames[0].sleep: thread 9"), std::string::npos);
+  EXPECT_THAT(Error(), HasSubstr("units[0].frames[0].sleep: thread 9"));
 }
 
 TEST_F(SearchCheck, AThreadThatHasEnded) {
@@ -72,9 +75,9 @@ TEST_F(SearchCheck, AThreadThatHasEnded) {
   unit() = {{0, 0, 0, 0}, {}};
   EXPECT_EQ(Error(), "");
   unit() = {{0, 0, 0, 0, 0}, {}};
-  EXPECT_NE(Error().find("prefix[4]: thread 0"), std::string::npos);
+  EXPECT_THAT(Error(), HasSubstr("prefix[4]: thread 0"));
   unit() = {{0, 0, 0, 0}, {0}};
-  EXPECT_NE(Error().find("sleep: thread 0"), std::string::npos);
+  EXPECT_THAT(Error(), HasSubstr("sleep: thread 0"));
 }
 
 TEST_F(SearchCheck, PlansThatAreNoTrees) {
@@ -83,22 +86,19 @@ TEST_F(SearchCheck, PlansThatAreNoTrees) {
     return Error();
   };
   EXPECT_EQ(with_plans({{0, 1}, {1, 0}, {1, 0}}), "");
-  EXPECT_NE(with_plans({}).find("not a list of plans"), std::string::npos);
-  EXPECT_NE(with_plans({{0, 1}}).find("not a list of plans"), std::string::npos);
-  EXPECT_NE(with_plans({{0, 4'000'000'000}, {1, 0}}).find("not a list of plans"),
-            std::string::npos);
-  EXPECT_NE(with_plans({{0, 1}, {0, 1}, {0, 1}, {0, 1}, {0, 0}}).find("thread 0"),
-            std::string::npos);
+  EXPECT_THAT(with_plans({}), HasSubstr("not a list of plans"));
+  EXPECT_THAT(with_plans({{0, 1}}), HasSubstr("not a list of plans"));
+  EXPECT_THAT(with_plans({{0, 4'000'000'000}, {1, 0}}), HasSubstr("not a list of plans"));
+  EXPECT_THAT(with_plans({{0, 1}, {0, 1}, {0, 1}, {0, 1}, {0, 0}}), HasSubstr("thread 0"));
 }
 
 TEST_F(SearchCheck, RacesWithWhatIsNotEarlier) {
   for (size_t i = 0; i < frames_->size(); ++i) {
     const SavedFrame kept = (*frames_)[i];
     (*frames_)[i].races = {static_cast<uint32_t>(i)};
-    EXPECT_NE(Error().find(".races: " + std::to_string(i) + " is not an earlier step"),
-              std::string::npos);
+    EXPECT_THAT(Error(), HasSubstr(".races: " + std::to_string(i) + " is not an earlier step"));
     (*frames_)[i].races = {UINT32_MAX};
-    EXPECT_NE(Error().find(".races: 4294967295"), std::string::npos);
+    EXPECT_THAT(Error(), HasSubstr(".races: 4294967295"));
     (*frames_)[i] = kept;
   }
 }
@@ -124,7 +124,7 @@ TEST_F(SearchCheck, RunsThatDoNotFail) {
   ASSERT_GT(file_.traces.bad, 0);
   const std::vector<uint8_t> failing = file_.traces.failing;
   file_.traces.failing.back() = 5;
-  EXPECT_NE(Error().find("thread 5"), std::string::npos);
+  EXPECT_THAT(Error(), HasSubstr("thread 5"));
   // One thread after the other: no addition is lost.
   file_.traces.failing = std::vector<uint8_t>(7, 0);
   file_.traces.failing.insert(file_.traces.failing.end(), 7, 1);
@@ -141,7 +141,7 @@ TEST_F(SearchCheck, RunsThatAreLongerThanTheSearchFollows) {
   EXPECT_TRUE(CheckSearch(problem_, file_, 100).ok());
   const auto checked = CheckSearch(problem_, file_, 4);
   ASSERT_FALSE(checked.ok());
-  EXPECT_NE(checked.error().message.en.find("longer than 4 statements"), std::string::npos);
+  EXPECT_THAT(checked.error().message.en, HasSubstr("longer than 4 statements"));
 }
 
 }  // namespace

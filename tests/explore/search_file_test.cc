@@ -3,6 +3,7 @@
 #include "explore/search/search_file.h"
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <xxhash.h>
 
@@ -12,6 +13,8 @@
 
 namespace oncard::explore {
 namespace {
+
+using testing::HasSubstr;
 
 SearchFile Interrupted(const Problem& problem, int64_t executions) {
   SearchFile file;
@@ -184,11 +187,10 @@ TEST(SearchFileTest, DeepFilesAreRefused) {
     for (int i = 0; i < 60'000; ++i) text += open;
     const auto read = ParseSearchFile(text);
     ASSERT_FALSE(read.ok());
-    EXPECT_NE(read.error().message.en.find("nested more than 16 deep"), std::string::npos);
+    EXPECT_THAT(read.error().message.en, HasSubstr("nested more than 16 deep"));
   }
   const auto quoted = ParseSearchFile("{\"kind\": \"" + std::string(100, '[') + "\\\"[[\"}");
-  EXPECT_NE(quoted.error().message.en.find("this is not a search file: expected"),
-            std::string::npos);
+  EXPECT_THAT(quoted.error().message.en, HasSubstr("this is not a search file: expected"));
 }
 
 TEST(SearchFileTest, SaysWhetherItIsDone) {

@@ -2,6 +2,7 @@
 // (explore/reports/axis_curve.h).
 #include "explore/reports/step_table.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "compiler/compiler.h"
@@ -12,6 +13,9 @@
 
 namespace oncard::explore {
 namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
 
 /// A program and some of its statements in an order.
 class StepTableTest : public ::testing::Test {
@@ -78,11 +82,10 @@ TEST_F(StepTableTest, NamedStepsAreNeverHidden) {
   view.named = {2};               // private
   view.last_escape = 1 + 4 * 20;  // within the loop
   const std::string text = TextTable(view, 0, Language::kEnglish);
-  EXPECT_NE(text.find("     3     8  i = i + 1;"), std::string::npos) << text;
-  EXPECT_NE(text.find("    82     7  sum = sum + i;   [sum = 190]   sum: 190 -> 210   <- from here "
-                      "on every continuation fails"),
-            std::string::npos)
-      << text;
+  EXPECT_THAT(text, HasSubstr("     3     8  i = i + 1;"));
+  EXPECT_THAT(
+      text, HasSubstr("    82     7  sum = sum + i;   [sum = 190]   sum: 190 -> 210   <- from here "
+                      "on every continuation fails"));
 }
 
 TEST_F(StepTableTest, OneStatementOfALineIsShown) {
@@ -123,11 +126,11 @@ TEST_F(StepTableTest, FitsTheTerminal) {
     }
     for (const char* part : {"+1;", "加一", "first_variable:0->1"}) {
       if (width < 80) continue;
-      EXPECT_NE(joined.find(part), std::string::npos) << part << '\n' << text;
+      EXPECT_THAT(joined, HasSubstr(part)) << part << '\n' << text;
     }
   }
   // 40 columns are not enough for two: the threads share one column.
-  EXPECT_NE(TextTable(view, 40, Language::kEnglish).find("thread 1 t1"), std::string::npos);
+  EXPECT_THAT(TextTable(view, 40, Language::kEnglish), HasSubstr("thread 1 t1"));
 }
 
 TEST(AxisCurveTest, DrawsWhereTheAxisIs) {
@@ -147,9 +150,9 @@ TEST(AxisCurveTest, DrawsWhereTheAxisIs) {
   const std::vector<double> tail = curve.TailAfter(0);
   ASSERT_EQ(tail.size(), 8u);
   EXPECT_EQ(tail.back(), run.value().end_ms);
-  EXPECT_TRUE(curve.BarAt(tail.back()).ends_with("|                               *|"));
-  EXPECT_NE(curve.Svg().find("<polyline"), std::string::npos);
-  EXPECT_NE(curve.Svg().find("axis1.prfPos"), std::string::npos);
+  EXPECT_THAT(curve.BarAt(tail.back()), EndsWith("|                               *|"));
+  EXPECT_THAT(curve.Svg(), HasSubstr("<polyline"));
+  EXPECT_THAT(curve.Svg(), HasSubstr("axis1.prfPos"));
 }
 
 TEST(AxisCurveTest, WithoutMotionThereIsNone) {

@@ -1,4 +1,5 @@
 // The commands build, check, dump, verify and explain.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -7,6 +8,10 @@
 
 namespace oncard::tools {
 namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
 
 using Json = nlohmann::json;
 
@@ -53,7 +58,7 @@ TEST(Build, LeavesTheOldPairWhenTheProgramIsWrong) {
 TEST(Build, ExitsWithThreeWhenAFileCannotBeRead) {
   const ProcessResult result = RunOncard({"build", "/nonexistent/p.c"});
   EXPECT_EQ(result.exit_code, 3);
-  EXPECT_NE(result.err.find("/nonexistent/p.c"), std::string::npos);
+  EXPECT_THAT(result.err, HasSubstr("/nonexistent/p.c"));
 }
 
 TEST(Build, RefusesAnObject) { EXPECT_EQ(RunOncard({"build", "p.bin"}).exit_code, 2); }
@@ -61,7 +66,7 @@ TEST(Build, RefusesAnObject) { EXPECT_EQ(RunOncard({"build", "p.bin"}).exit_code
 TEST(Build, StoresTheWidthOfDouble) {
   const ScratchFolder scratch;
   RunOncard({"build", "--double=16.16", scratch.Write("p.c", kGood)});
-  EXPECT_NE(scratch.Read("p.ini").find("double=16.16"), std::string::npos);
+  EXPECT_THAT(scratch.Read("p.ini"), HasSubstr("double=16.16"));
 }
 
 TEST(Build, FindsIncludedFiles) {
@@ -103,8 +108,8 @@ TEST(Check, IsSilentAboutAGoodProgram) {
 TEST(Check, ColoursOnlyWhenTold) {
   const ScratchFolder scratch;
   const std::string source = scratch.Write("p.c", kBad);
-  EXPECT_EQ(RunOncard({"check", source}).err.find('\x1b'), std::string::npos);
-  EXPECT_NE(RunOncard({"check", "--color=always", source}).err.find('\x1b'), std::string::npos);
+  EXPECT_THAT(RunOncard({"check", source}).err, Not(HasSubstr("\x1b")));
+  EXPECT_THAT(RunOncard({"check", "--color=always", source}).err, HasSubstr("\x1b"));
 }
 
 TEST(Check, GivesJsonAndSarifOnStandardOutput) {
@@ -123,9 +128,9 @@ TEST(Check, StopsAfterSoManyErrors) {
   const std::string source =
       scratch.Write("p.c", "int f()\n{\n  a = 1;\n  b = 1;\n  c = 1;\n  return 0;\n}\n");
   const std::string all = RunOncard({"check", source}).err;
-  EXPECT_NE(all.find("3 errors"), std::string::npos) << all;
+  EXPECT_THAT(all, HasSubstr("3 errors"));
   const std::string one = RunOncard({"check", "--max-errors=1", source}).err;
-  EXPECT_NE(one.find("1 error"), std::string::npos) << one;
+  EXPECT_THAT(one, HasSubstr("1 error"));
 }
 
 constexpr const char* kLoop =
@@ -138,10 +143,10 @@ TEST(Check, TakesWarningsForErrorsOrLeavesThemOut) {
   const std::string source = scratch.Write("p.c", kSuspicious);
   const ProcessResult plain = RunOncard({"check", source});
   EXPECT_EQ(plain.exit_code, 0);
-  EXPECT_NE(plain.err.find("warning MP136"), std::string::npos) << plain.err;
+  EXPECT_THAT(plain.err, HasSubstr("warning MP136"));
   const ProcessResult errors = RunOncard({"check", "-Werror", source});
   EXPECT_EQ(errors.exit_code, 1);
-  EXPECT_NE(errors.err.find("error MP136"), std::string::npos) << errors.err;
+  EXPECT_THAT(errors.err, HasSubstr("error MP136"));
   EXPECT_EQ(RunOncard({"check", "-Werror", "-Wno-unreachable", source}).err, "");
   EXPECT_EQ(RunOncard({"check", "-Wno-such", source}).exit_code, 2);
   EXPECT_EQ(RunOncard({"build", "-Werror", source}).exit_code, 1);
@@ -154,7 +159,7 @@ TEST(Check, MendsInPlace) {
   const std::string source = scratch.Write("p.c", kLoop);
   const ProcessResult result = RunOncard({"check", "--fix", source});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_NE(result.err.find("fix-its applied: 3"), std::string::npos) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("fix-its applied: 3"));
   EXPECT_EQ(RunOncard({"check", source}).err, "");
   EXPECT_EQ(scratch.Read("p.c").find('{', scratch.Read("p.c").find('{') + 1), std::string::npos);
 }
@@ -172,7 +177,7 @@ TEST(Check, KeepsAByteOrderMarkWhenItMends) {
   const ScratchFolder scratch;
   const std::string source = scratch.Write("p.c", std::string("\xEF\xBB\xBF") + kLoop);
   EXPECT_EQ(RunOncard({"check", "--fix", source}).exit_code, 0);
-  EXPECT_TRUE(scratch.Read("p.c").starts_with("\xEF\xBB\xBFint v;"));
+  EXPECT_THAT(scratch.Read("p.c"), StartsWith("\xEF\xBB\xBFint v;"));
 }
 
 TEST(Check, ReportsWhatNoFixItMends) {
@@ -180,7 +185,7 @@ TEST(Check, ReportsWhatNoFixItMends) {
   const std::string source = scratch.Write("p.c", "int rate = 25;\nint f()\n{\n  rate++;\n}\n");
   const ProcessResult result = RunOncard({"check", "--fix", source});
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_NE(result.err.find("MP110"), std::string::npos) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("MP110"));
   EXPECT_EQ(scratch.Read("p.c"), "int rate = 25;\nint f()\n{\n  rate = rate + 1;\n}\n");
 }
 
@@ -195,22 +200,22 @@ TEST(Check, ReadsStandardInput) {
   };
   const ProcessResult bad = piped("bad.c", "-");
   EXPECT_EQ(bad.exit_code, 1);
-  EXPECT_NE(bad.err.find("<stdin>:3:10: error MP027"), std::string::npos) << bad.err;
+  EXPECT_THAT(bad.err, HasSubstr("<stdin>:3:10: error MP027"));
   const ProcessResult mended = piped("loop.c", "--fix -");
   EXPECT_EQ(mended.exit_code, 0) << mended.err;
-  EXPECT_NE(mended.out.find("goto lbl_loop;"), std::string::npos) << mended.out;
+  EXPECT_THAT(mended.out, HasSubstr("goto lbl_loop;"));
   EXPECT_EQ(piped("loop.c", "--fix --format=json -").exit_code, 2);
   EXPECT_EQ(piped("/dev/zero", "-").exit_code, 3);
   EXPECT_EQ(piped("/dev/null", "-").exit_code, 0);
   const ProcessResult folder = piped(".", "-");
   EXPECT_EQ(folder.exit_code, 3);
-  EXPECT_NE(folder.err.find("cannot read standard input"), std::string::npos) << folder.err;
+  EXPECT_THAT(folder.err, HasSubstr("cannot read standard input"));
 }
 
 TEST(Dump, ListsInstructionsWithTheirLines) {
   const ProcessResult result = RunOncard({"dump", kSum});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_NE(result.out.find("sum := sum + i"), std::string::npos) << result.out;
+  EXPECT_THAT(result.out, HasSubstr("sum := sum + i"));
   EXPECT_TRUE(Json::accept(RunOncard({"dump", "--json", kSum}).out));
 }
 
@@ -229,7 +234,7 @@ TEST(Verify, SaysWhyADamagedObjectIsRefused) {
   const std::string path = scratch.Write("sum.bin", bytes.substr(0, bytes.size() - 2));
   const ProcessResult text = RunOncard({"verify", path});
   EXPECT_EQ(text.exit_code, 1);
-  EXPECT_NE(text.err.find("2008"), std::string::npos) << text.err;
+  EXPECT_THAT(text.err, HasSubstr("2008"));
   const Json json = Json::parse(RunOncard({"verify", "--format=json", path}).out);
   EXPECT_EQ(json[0]["accepted"], false);
   EXPECT_EQ(json[0]["code"], 2008);
@@ -241,7 +246,7 @@ TEST(Verify, ExitsWithThreeForAMissingFile) {
 
 TEST(Explain, PrintsThePageOfACode) {
   const std::string page = RunOncard({"explain", "MP027"}).out;
-  EXPECT_NE(page.find("MP027"), std::string::npos);
+  EXPECT_THAT(page, HasSubstr("MP027"));
   EXPECT_EQ(RunOncard({"explain", "mp27"}).out, page);
   EXPECT_EQ(RunOncard({"explain", "27"}).out, page);
   EXPECT_EQ(RunOncard({"explain", "undeclared"}).out, page);
@@ -250,16 +255,14 @@ TEST(Explain, PrintsThePageOfACode) {
 
 TEST(Explain, ListsAllCodesWithoutOne) {
   const std::string list = RunOncard({"explain"}).out;
-  EXPECT_NE(list.find("MP027  undeclared\n"), std::string::npos) << list;
+  EXPECT_THAT(list, HasSubstr("MP027  undeclared\n"));
 }
 
 TEST(Explain, ListsWhatHasTheWords) {
   const std::string list = RunOncard({"explain", "goto", "condition"}).out;
-  EXPECT_NE(list.find("MP101 while-loop\n    the language has no 'while'; "), std::string::npos)
-      << list;
-  EXPECT_EQ(list.find("MP027"), std::string::npos) << list;
-  EXPECT_NE(RunOncard({"--lang=zh", "explain", "goto"}).out.find("\n    不支持 'while'；"),
-            std::string::npos);
+  EXPECT_THAT(list, HasSubstr("MP101 while-loop\n    the language has no 'while'; "));
+  EXPECT_THAT(list, Not(HasSubstr("MP027")));
+  EXPECT_THAT(RunOncard({"--lang=zh", "explain", "goto"}).out, HasSubstr("\n    不支持 'while'；"));
 }
 
 TEST(Explain, SaysWhatToTryWhenItKnowsNothing) {
@@ -267,7 +270,7 @@ TEST(Explain, SaysWhatToTryWhenItKnowsNothing) {
     const ProcessResult result = RunOncard({"explain", "--", name});
     EXPECT_EQ(result.exit_code, 2) << name;
     EXPECT_EQ(result.out, "") << name;
-    EXPECT_NE(result.err.find(name), std::string::npos) << result.err;
+    EXPECT_THAT(result.err, HasSubstr(name));
   }
 }
 

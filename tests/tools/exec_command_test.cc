@@ -1,4 +1,5 @@
 // Host programs under `oncard exec`: the clients of tests/runtime, which are not adapted to it.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -11,6 +12,10 @@
 
 namespace oncard::tools {
 namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
 
 std::string Client(const std::string& name) {
   return std::string(ONCARD_BUILD_DIR "/tests/runtime/") + name;
@@ -100,7 +105,7 @@ TEST(Exec, FailsWhenTheCallLogIsLost) {
   const ProcessResult result =
       RunOncard({"exec", "--", Client("trap_move")}, {}, {"ONCARD_LOG=calls:/dev/full"});
   EXPECT_EQ(result.exit_code, 120);
-  EXPECT_NE(result.err.find("the call log could not be written"), std::string::npos) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("the call log could not be written"));
 }
 
 TEST(Exec, TracesTheFirstCard) {
@@ -108,7 +113,7 @@ TEST(Exec, TracesTheFirstCard) {
   const ProcessResult result = Exec({"--trace", scratch.path() + "/t.csv"}, {Client("trap_move")});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   const std::string csv = scratch.Read("t.csv");
-  EXPECT_TRUE(csv.starts_with("time_ms,axis1.prfPos,axis1.prfVel,axis1.prfAcc,")) << csv;
+  EXPECT_THAT(csv, StartsWith("time_ms,axis1.prfPos,axis1.prfVel,axis1.prfAcc,"));
   EXPECT_NE(csv.find(",50000.0,0.0,0.0,"), std::string::npos) << csv.substr(csv.size() - 200);
 }
 
@@ -120,9 +125,8 @@ TEST(Exec, LogsAndTracesWhatTheCardDoesAtPowerOn) {
                 scratch.path(), {"ONCARD_LOG=calls"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   const std::string alarm = "the drive of axis 2 reports an alarm at 0: it is switched off";
-  EXPECT_NE(result.err.find("0.000 card0: " + alarm), std::string::npos) << result.err;
-  EXPECT_NE(scratch.Read("t.json").find("{\"name\":\"" + alarm + "\",\"cat\":\"card\""),
-            std::string::npos);
+  EXPECT_THAT(result.err, HasSubstr("0.000 card0: " + alarm));
+  EXPECT_THAT(scratch.Read("t.json"), HasSubstr("{\"name\":\"" + alarm + "\",\"cat\":\"card\""));
 }
 
 TEST(Exec, DrawsTheFirstCard) {
@@ -132,7 +136,7 @@ TEST(Exec, DrawsTheFirstCard) {
   const ScratchFolder scratch;
   const ProcessResult result = Exec({"--plot", scratch.path() + "/t.svg"}, {Client("trap_move")});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_NE(scratch.Read("t.svg").find("axis1.prfVel"), std::string::npos);
+  EXPECT_THAT(scratch.Read("t.svg"), HasSubstr("axis1.prfVel"));
   EXPECT_FALSE(scratch.Has("t.svg.gnuplot"));
 }
 
@@ -146,14 +150,14 @@ TEST(Exec, TheRealClockIsTheWallClock) {
   const ProcessResult result = Exec({"--clock=real"}, {Client("sleeper"), "0", "1"});
   EXPECT_GE(std::chrono::steady_clock::now() - begin, std::chrono::seconds(3));
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_EQ(result.out.find("2026-01-01 00:00:0"), std::string::npos);
+  EXPECT_THAT(result.out, Not(HasSubstr("2026-01-01 00:00:0")));
 }
 
 TEST(Exec, WorksThroughAShell) {
   const ProcessResult result =
       Exec({}, {"sh", "-c", Client("sleeper") + " 0 100 && echo shell goes on"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_NE(result.out.find("card 102126 ms\nshell goes on\n"), std::string::npos) << result.out;
+  EXPECT_THAT(result.out, HasSubstr("card 102126 ms\nshell goes on\n"));
 }
 
 // --- Keys ----------------------------------------------------------------------------------------
@@ -182,7 +186,7 @@ TEST(Exec, TakesKeysFromTheScenario) {
   const std::string scenario = folder.Write("keys.toml", "keys = [{at_ms = 300, text = \"q\"}]\n");
   const ProcessResult result = Exec({"--scenario=" + scenario}, {Client("windows_style")});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_NE(result.out.find(" 0.3"), std::string::npos) << result.out;
+  EXPECT_THAT(result.out, HasSubstr(" 0.3"));
 }
 
 /// Runs the host `keys` with empty standard input.
@@ -256,7 +260,7 @@ TEST(Exec, PutsTheHostIntoTheWorldOfAScenario) {
   const ProcessResult result = Exec({"--scenario=" + scenario}, {Client("watched"), "0"});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.err, "");
-  EXPECT_NE(result.out.find("input 1 at 50"), std::string::npos) << result.out;
+  EXPECT_THAT(result.out, HasSubstr("input 1 at 50"));
 }
 
 TEST(Exec, ReportsWhatIsNotAsExpectedWithAnExitCodeOfItsOwn) {
@@ -271,20 +275,14 @@ TEST(Exec, ReportsWhatIsNotAsExpectedWithAnExitCodeOfItsOwn) {
                                          "3600s\", \"gpo == 2\", \"nothing == 1\"]\n");
   const ProcessResult result = Exec({"--scenario=" + right}, {Client("watched"), "0"});
   EXPECT_EQ(result.exit_code, 120);
-  EXPECT_NE(result.out.find("input 0"), std::string::npos) << "its own output is complete";
-  EXPECT_NE(result.err.find("oncard: card 0: 'gpo[1] == 1 @ 100ms' does not hold: gpo[1] is 0\n"),
-            std::string::npos)
-      << result.err;
-  EXPECT_NE(result.err.find("'clock > 10 @ 3600s' does not hold: the host ended before"),
-            std::string::npos)
-      << result.err;
-  EXPECT_NE(result.err.find("'gpo == 2' does not hold: gpo is 1\n"), std::string::npos)
-      << result.err;
-  EXPECT_NE(result.err.find("oncard: " + right +
-                            ":1:68: card 0: nothing is named 'nothing'\n"
-                            "    1 | expect = ["),
-            std::string::npos)
-      << result.err;
+  EXPECT_THAT(result.out, HasSubstr("input 0")) << "its own output is complete";
+  EXPECT_THAT(result.err,
+              HasSubstr("oncard: card 0: 'gpo[1] == 1 @ 100ms' does not hold: gpo[1] is 0\n"));
+  EXPECT_THAT(result.err, HasSubstr("'clock > 10 @ 3600s' does not hold: the host ended before"));
+  EXPECT_THAT(result.err, HasSubstr("'gpo == 2' does not hold: gpo is 1\n"));
+  EXPECT_THAT(result.err, HasSubstr("oncard: " + right +
+                                    ":1:68: card 0: nothing is named 'nothing'\n"
+                                    "    1 | expect = ["));
 }
 
 TEST(Exec, LeavesTheHostsOwnFailureAlone) {
@@ -343,13 +341,11 @@ TEST(Exec, EndsTheHostWhenTheScenarioEnds) {
   const ProcessResult good = Exec({"--scenario=" + scenario, "--trace=" + folder.path() + "/t.csv"},
                                   {Client("watched"), "9"});
   EXPECT_EQ(good.exit_code, 0) << good.err;
-  EXPECT_NE(folder.Read("t.csv").find("\n200\n"), std::string::npos) << folder.Read("t.csv");
+  EXPECT_THAT(folder.Read("t.csv"), HasSubstr("\n200\n"));
   const std::string limited = folder.Write("l.toml", "limit_ms = 200\n");
   const ProcessResult bad = Exec({"--scenario=" + limited}, {Client("watched"), "0"});
   EXPECT_EQ(bad.exit_code, 120);
-  EXPECT_NE(bad.err.find("card 0: the host still runs at the time limit of 200 ms"),
-            std::string::npos)
-      << bad.err;
+  EXPECT_THAT(bad.err, HasSubstr("card 0: the host still runs at the time limit of 200 ms"));
 }
 
 TEST(Exec, EndsAHostThatOnlyWaits) {
@@ -363,12 +359,11 @@ TEST(Exec, EndsAHostThatOnlyWaits) {
 TEST(Exec, SaysWhichCallsWereRefused) {
   const ProcessResult result = Exec({}, {Client("refused")});
   EXPECT_EQ(result.exit_code, 0);
-  EXPECT_NE(result.err.find("oncard: warning: card 0: GT_AxisOn(9) = 7: "), std::string::npos)
-      << result.err;
-  EXPECT_NE(result.err.find(", 3 times)\n"), std::string::npos) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("oncard: warning: card 0: GT_AxisOn(9) = 7: "));
+  EXPECT_THAT(result.err, HasSubstr(", 3 times)\n"));
   const ProcessResult strict = Exec({"--strict-commands"}, {Client("refused")});
   EXPECT_EQ(strict.exit_code, 120);
-  EXPECT_NE(strict.err.find("oncard: card 0: GT_AxisOn(9) = 7: "), std::string::npos) << strict.err;
+  EXPECT_THAT(strict.err, HasSubstr("oncard: card 0: GT_AxisOn(9) = 7: "));
 }
 
 class ExecSignalTest : public testing::TestWithParam<int> {};
@@ -378,7 +373,7 @@ TEST_P(ExecSignalTest, WritesTheTraceBeforeTheHostEnds) {
   const ProcessResult result = InterruptOncard({"exec", "--trace=t.csv", "--", Client("endless")},
                                                GetParam(), folder.path());
   EXPECT_EQ(result.exit_code, 128 + GetParam()) << result.err;
-  EXPECT_TRUE(folder.Read("t.csv").starts_with("time_ms"));
+  EXPECT_THAT(folder.Read("t.csv"), StartsWith("time_ms"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Signals, ExecSignalTest, testing::Values(SIGINT, SIGTERM, SIGHUP));
@@ -390,7 +385,7 @@ TEST_P(ExecKeyTest, IsRefusedInAScenarioOfAHost) {
   const std::string scenario = folder.Write("s.toml", GetParam());
   const ProcessResult result = Exec({"--scenario=" + scenario}, {Client("watched"), "0"});
   EXPECT_EQ(result.exit_code, 3);
-  EXPECT_NE(result.err.find("cannot be used with a host program"), std::string::npos) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("cannot be used with a host program"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Keys, ExecKeyTest,
@@ -428,7 +423,7 @@ TEST(Exec, SaysWhatIsWrong) {
     const ProcessResult result = Exec(c.options, {c.host});
     EXPECT_EQ(result.exit_code, c.code) << c.says;
     EXPECT_EQ(result.out, "");
-    EXPECT_NE(result.err.find(c.says), std::string::npos) << result.err;
+    EXPECT_THAT(result.err, HasSubstr(c.says));
   }
   EXPECT_EQ(RunOncard({"exec"}).exit_code, 2);
 }

@@ -1,4 +1,5 @@
 // explore: verdicts, exit codes, refusals, schedules that can be replayed.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -8,6 +9,10 @@
 
 namespace oncard::tools {
 namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
 
 using Json = nlohmann::json;
 
@@ -97,14 +102,12 @@ TEST(Explore, ASearchEndsWhenItsTimeIsOver) {
   scratch.Write("large.c", large);
   const ProcessResult late = RunOncard({"explore", "large.c", "--time=0.2"}, scratch.path());
   EXPECT_EQ(late.exit_code, 6) << late.err;
-  EXPECT_TRUE(late.out.starts_with("INCOMPLETE\nthe time limit was reached\n")) << late.out;
-  EXPECT_NE(late.err.find("to continue: oncard explore large.search"), std::string::npos)
-      << late.err;
+  EXPECT_THAT(late.out, StartsWith("INCOMPLETE\nthe time limit was reached\n"));
+  EXPECT_THAT(late.err, HasSubstr("to continue: oncard explore large.search"));
   // An existing search is not overwritten by the next one.
   const std::string kept = scratch.Read("large.search");
   const ProcessResult again = RunOncard({"explore", "large.c", "--time=0.2"}, scratch.path());
-  EXPECT_NE(again.err.find("to continue: oncard explore large.2.search"), std::string::npos)
-      << again.err;
+  EXPECT_THAT(again.err, HasSubstr("to continue: oncard explore large.2.search"));
   EXPECT_EQ(scratch.Read("large.search"), kept);
   EXPECT_EQ(RunOncard({"explore", "p.c", "--time=0"}, scratch.path()).exit_code, 2);
 }
@@ -127,8 +130,8 @@ TEST(Explore, ASavedScheduleThatFailsOnTheWayEndsThere) {
   const ProcessResult replay = RunOncard({"replay", "p.schedule"}, scratch.path());
   EXPECT_EQ(replay.exit_code, 1);
   EXPECT_EQ(replay.out, "thread 0 t0: running at p.c:6\nx = 2\n");
-  EXPECT_TRUE(replay.err.starts_with("oncard: always: x < 2: does not hold after")) << replay.err;
-  EXPECT_EQ(replay.err.find("the schedule ends after"), std::string::npos) << replay.err;
+  EXPECT_THAT(replay.err, StartsWith("oncard: always: x < 2: does not hold after"));
+  EXPECT_THAT(replay.err, Not(HasSubstr("the schedule ends after")));
 }
 
 struct UnusedSetting {
@@ -148,7 +151,7 @@ TEST_P(ExploreSetting, ThatTheEngineCannotUseIsRefused) {
   const std::string text(option);
   const std::string expected = "oncard: '" + text.substr(0, text.find('=')) +
                                "' has no effect with the engine " + engine + ": remove it, or use ";
-  EXPECT_TRUE(refused.err.starts_with(expected)) << refused.err;
+  EXPECT_THAT(refused.err, StartsWith(expected));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -168,9 +171,7 @@ TEST(Explore, ASearchFileHasAnEngineToo) {
   const ProcessResult refused =
       RunOncard({"explore", "p.c", "--search=p.search", "--max-states=5"}, scratch.path());
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_NE(refused.err.find("'--max-states' has no effect with the engine dpor"),
-            std::string::npos)
-      << refused.err;
+  EXPECT_THAT(refused.err, HasSubstr("'--max-states' has no effect with the engine dpor"));
 }
 
 TEST(Explore, TheSavedScheduleFollowsAnEditedProgram) {
@@ -180,7 +181,7 @@ TEST(Explore, TheSavedScheduleFollowsAnEditedProgram) {
   scratch.Write("p.c", Replaced(kLostUpdate, "  g = r + 1;", "  r = r + 0;\n  g = r + 1;"));
   const ProcessResult strict = RunOncard({"replay", saved});
   EXPECT_EQ(strict.exit_code, 1);
-  EXPECT_NE(strict.err.find("recorded with another program"), std::string::npos) << strict.err;
+  EXPECT_THAT(strict.err, HasSubstr("recorded with another program"));
   const ProcessResult tolerant = RunOncard({"replay", "--tolerant", saved, "--format=json"});
   EXPECT_EQ(tolerant.exit_code, 1);
   EXPECT_EQ(tolerant.err,
@@ -193,7 +194,7 @@ TEST(Explore, WritesReports) {
   const ScratchFolder scratch;
   const std::string file = scratch.Write("p.c", kLostUpdate);
   RunOncard({"explore", file, "--report", scratch.path() + "/r.html"});
-  EXPECT_NE(scratch.Read("r.html").find("<h1 class=\"FAILED\">"), std::string::npos);
+  EXPECT_THAT(scratch.Read("r.html"), HasSubstr("<h1 class=\"FAILED\">"));
   RunOncard({"explore", file, "--report", scratch.path() + "/r.json"});
   EXPECT_EQ(Json::parse(scratch.Read("r.json"))["traceEvents"][0]["ph"], "M");
   EXPECT_EQ(RunOncard({"explore", file, "--report", scratch.path() + "/r.txt"}).exit_code, 2);
@@ -215,7 +216,7 @@ TEST(Explore, TriesRandomSchedules) {
   const std::string right = scratch.Write("right.c", Replaced(kLostUpdate, "g == 2", "g >= 1"));
   const ProcessResult passed = RunOncard({"explore", right, "--engine=random", "--runs=50"});
   EXPECT_EQ(passed.exit_code, 5);
-  EXPECT_NE(passed.out.find("PASSED\nnone of 50 random schedules"), std::string::npos);
+  EXPECT_THAT(passed.out, HasSubstr("PASSED\nnone of 50 random schedules"));
 }
 
 TEST(Explore, TakesScenarios) {
@@ -238,7 +239,7 @@ TEST(Explore, TakesScenarios) {
   const ProcessResult late =
       explore("program = \"p.c\"\nuntil_ms = 3\nexpect = [\"g >= 1 @ 5ms\"]\n");
   EXPECT_EQ(late.exit_code, 2);
-  EXPECT_NE(late.err.find("later than the end of the run"), std::string::npos) << late.err;
+  EXPECT_THAT(late.err, HasSubstr("later than the end of the run"));
   EXPECT_EQ(explore("program = \"p.c\"\nnever = [\"g == 2 && ret0 == 1\"]\n").exit_code, 0);
 }
 
@@ -278,7 +279,7 @@ TEST(Explore, ALivelockIsNoRegressionScenario) {
   const ProcessResult result =
       RunOncard({"explore", "p.c", "--regression", "live.toml"}, scratch.path());
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_NE(result.err.find("livelock"), std::string::npos) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("livelock"));
   EXPECT_FALSE(scratch.Has("live.toml"));
 }
 
@@ -290,9 +291,7 @@ TEST(Explore, RefusesHostEvents) {
                                           "program = \"p.c\"\n[[thread]]\nfunction = \"t0\"\n"
                                           "[[host]]\nat_ms = 1\nset = { g = 1 }\n")});
   EXPECT_EQ(result.exit_code, 3);
-  EXPECT_NE(result.err.find("s.toml:4:3: a scenario with [[host]] cannot be explored"),
-            std::string::npos)
-      << result.err;
+  EXPECT_THAT(result.err, HasSubstr("s.toml:4:3: a scenario with [[host]] cannot be explored"));
 }
 
 TEST(Explore, TheDporEngineKnowsNoTime) {
@@ -301,7 +300,7 @@ TEST(Explore, TheDporEngineKnowsNoTime) {
       RunOncard({"explore", "--engine=dpor",
                  scratch.Write("p.c", "int t0()\n{\n  GT_AxisOn(1);\n  return 0;\n}\n")});
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_NE(result.err.find("stateful"), std::string::npos) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("stateful"));
 }
 
 TEST(Explore, FindsTheOrderInWhichTheAxisMovesAfterTheStop) {
@@ -317,7 +316,7 @@ TEST(Explore, TheScheduleWithACardReplays) {
   RunOncard({"explore", kEstop + "/check_act.toml", "--save", saved});
   const ProcessResult replay = RunOncard({"replay", saved, "--format=json"});
   EXPECT_EQ(replay.exit_code, 1);
-  EXPECT_NE(replay.out.find("axis1.moving == 0 @ 100ms"), std::string::npos) << replay.out;
+  EXPECT_THAT(replay.out, HasSubstr("axis1.moving == 0 @ 100ms"));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // oncard explore with searches in files: interrupted, in parts, merged.
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <xxhash.h>
 
@@ -10,6 +11,8 @@
 
 namespace oncard::tools {
 namespace {
+
+using testing::HasSubstr;
 
 std::string Increments() {
   std::string source = "int x;\n//@ final: x <= 6\n";
@@ -83,7 +86,7 @@ TEST_F(ExploreSearch, WhatDoesNotBelongTogetherIsRefused) {
   EXPECT_EQ(Explore({"inc.c", "--shard=2/3"}).exit_code, 5);
   const ProcessResult twice = Explore({"--merge", "inc.1-of-2.search", "inc.1-of-2.search"});
   EXPECT_EQ(twice.exit_code, 2);
-  EXPECT_NE(twice.err.find("part 1"), std::string::npos) << twice.err;
+  EXPECT_THAT(twice.err, HasSubstr("part 1"));
   EXPECT_EQ(Explore({"--merge", "inc.1-of-2.search", "inc.2-of-3.search"}).exit_code, 2);
   EXPECT_EQ(Explore({"inc.c", "--shard=3/2"}).exit_code, 2);
   EXPECT_EQ(
@@ -104,7 +107,7 @@ TEST_F(ExploreSearch, AChangedProgramOrFileIsRefused) {
   scratch_.Write("inc.c", "int y;\n" + Increments());
   const ProcessResult changed = Explore({"inc.1-of-2.search"});
   EXPECT_EQ(changed.exit_code, 1);
-  EXPECT_NE(changed.err.find("has changed"), std::string::npos) << changed.err;
+  EXPECT_THAT(changed.err, HasSubstr("has changed"));
 }
 
 /// A search of a minute or more, stopped by a signal as soon as it handles the signal.
@@ -130,7 +133,7 @@ TEST_P(ExploreSignal, KeepsTheSearch) {
         RunProgram({"bash", "-c", kScript, ONCARD_BUILD_DIR "/bin/oncard", GetParam(), option},
                    scratch_.path());
     EXPECT_EQ(ended.exit_code, 6) << ended.err;
-    EXPECT_NE(ended.out.find("it was interrupted"), std::string::npos) << ended.out;
+    EXPECT_THAT(ended.out, HasSubstr("it was interrupted"));
     ASSERT_TRUE(scratch_.Has("long.search"));
     const auto more = Json({"long.search", "--max-executions=5"});
     EXPECT_EQ(more["verdict"], "INCOMPLETE");
@@ -150,7 +153,7 @@ TEST_F(ExploreSearch, APathThatNoSearchFileCanNameIsRefused) {
         RunOncard({"explore", "--merge", "inc.1-of-2.search", "--search=../kept.search"},
                   inside)}) {
     EXPECT_EQ(refused.exit_code, 2);
-    EXPECT_NE(refused.err.find("its path is not UTF-8"), std::string::npos) << refused.err;
+    EXPECT_THAT(refused.err, HasSubstr("its path is not UTF-8"));
     EXPECT_FALSE(scratch_.Has("kept.search"));
   }
   // Without a search file no path needs to be written.
@@ -170,9 +173,8 @@ TEST_F(ExploreSearch, ASearchThatCannotBeKeptSaysSoWhenItIsEnded) {
                  "[[thread]]\nthread = 1\nfunction = \"t1\"\n");
   const ProcessResult ended = Explore({"card.toml", "--time=0.2"});
   EXPECT_EQ(ended.exit_code, 6) << ended.out;
-  EXPECT_NE(ended.err.find("the search could not be saved: the search of a program with its card"),
-            std::string::npos)
-      << ended.err;
+  EXPECT_THAT(ended.err,
+              HasSubstr("the search could not be saved: the search of a program with its card"));
 }
 
 TEST_F(ExploreSearch, MergedPartsShowTheResults) {
@@ -202,13 +204,12 @@ TEST_F(ExploreSearch, AHostileFileIsRefused) {
   EXPECT_EQ(with_value("/traces/units/0/prefix", {0, "a"}).exit_code, 3);
   const ProcessResult thread = with_value("/traces/units/0/frames/0/plans/0", 31);
   EXPECT_EQ(thread.exit_code, 3);
-  EXPECT_NE(thread.err.find("kept.search: units[0].frames[0].plans: thread 31 of the search"),
-            std::string::npos)
-      << thread.err;
+  EXPECT_THAT(thread.err,
+              HasSubstr("kept.search: units[0].frames[0].plans: thread 31 of the search"));
   scratch_.Write("kept.search", std::string(60'000, '['));
   const ProcessResult deep = Explore({"kept.search"});
   EXPECT_EQ(deep.exit_code, 3);
-  EXPECT_NE(deep.err.find("nested more than 16 deep"), std::string::npos) << deep.err;
+  EXPECT_THAT(deep.err, HasSubstr("nested more than 16 deep"));
 }
 
 TEST_F(ExploreSearch, AProgramWithItsCardCannotBeSplit) {

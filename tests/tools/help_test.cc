@@ -1,10 +1,14 @@
 // The help of every command is a golden file: a change of the command line is visible in review.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/tools/process.h"
 
 namespace oncard::tools {
 namespace {
+
+using testing::HasSubstr;
+using testing::Not;
 
 const char* const kCommands[] = {"build", "check",  "explain", "run",     "test",   "replay",
                                  "dump",  "verify", "exec",    "explore", "doctor", "schema"};
@@ -21,7 +25,7 @@ TEST_P(HelpTest, IsGoldenInEnglish) {
 TEST_P(HelpTest, SpeaksChinese) {
   const ProcessResult result = RunOncard({"--lang=zh", GetParam(), "--help"});
   EXPECT_EQ(result.exit_code, 0);
-  EXPECT_NE(result.out.find("显示本帮助"), std::string::npos) << result.out;
+  EXPECT_THAT(result.out, HasSubstr("显示本帮助"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Commands, HelpTest, testing::ValuesIn(kCommands),
@@ -35,18 +39,18 @@ TEST(Help, OfTheRootIsGoldenInBothLanguages) {
 TEST(Help, NamesEveryCommand) {
   const std::string help = RunOncard({"--help"}).out;
   for (const char* command : kCommands) {
-    EXPECT_NE(help.find(std::string("\n  ") + command + " "), std::string::npos) << command;
+    EXPECT_THAT(help, HasSubstr(std::string("\n  ") + command + " ")) << command;
   }
 }
 
 TEST(Help, HidesWhatPackagersUse) {
-  EXPECT_EQ(RunOncard({"--help"}).out.find("completion"), std::string::npos);
+  EXPECT_THAT(RunOncard({"--help"}).out, Not(HasSubstr("completion")));
 }
 
 TEST(Language, FollowsTheLocaleUnlessTold) {
-  EXPECT_NE(RunOncard({"--help"}, "", {"LC_ALL=zh_CN.UTF-8"}).out.find("用法"), std::string::npos);
-  EXPECT_NE(RunOncard({"--help", "--lang=en"}, "", {"LC_ALL=zh_CN.UTF-8"}).out.find("Usage"),
-            std::string::npos);
+  EXPECT_THAT(RunOncard({"--help"}, "", {"LC_ALL=zh_CN.UTF-8"}).out, HasSubstr("用法"));
+  EXPECT_THAT(RunOncard({"--help", "--lang=en"}, "", {"LC_ALL=zh_CN.UTF-8"}).out,
+              HasSubstr("Usage"));
 }
 
 TEST(Version, IsOneLine) {
@@ -67,8 +71,8 @@ TEST_P(MistakeTest, ExitsWithTwoAndSaysWhere) {
   const ProcessResult result = RunOncard(GetParam().arguments);
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_EQ(result.out, "");
-  EXPECT_NE(result.err.find(GetParam().says), std::string::npos) << result.err;
-  EXPECT_NE(result.err.find("--help"), std::string::npos) << result.err;
+  EXPECT_THAT(result.err, HasSubstr(GetParam().says));
+  EXPECT_THAT(result.err, HasSubstr("--help"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Mistakes, MistakeTest,
@@ -86,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(Mistakes, MistakeTest,
 TEST(Mistake, IsReportedInChinese) {
   const ProcessResult result = RunOncard({"--lang=zh", "build"});
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_NE(result.err.find("缺少必需的参数"), std::string::npos) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("缺少必需的参数"));
 }
 
 }  // namespace

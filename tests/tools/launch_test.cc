@@ -1,5 +1,6 @@
 // The templates that explore in parts (tools/launch): each gives the counts of a search that is not
 // split.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -9,6 +10,8 @@
 
 namespace oncard::tools {
 namespace {
+
+using testing::HasSubstr;
 
 const std::string kTemplates = ONCARD_SOURCE_DIR "/tools/launch/";
 
@@ -48,7 +51,7 @@ TEST(LaunchTest, LocalProcesses) {
   const ProcessResult result =
       RunTemplate({kTemplates + "explore_local.sh", "inc.c", "3"}, scratch);
   EXPECT_EQ(result.exit_code, 1) << result.err;
-  EXPECT_NE(result.out.find("dpor: 36 executions"), std::string::npos) << result.out;
+  EXPECT_THAT(result.out, HasSubstr("dpor: 36 executions"));
   ExpectWholeSearch(scratch);
 }
 
@@ -59,7 +62,7 @@ TEST(LaunchTest, LocalProcessesPassOptionsOn) {
       {kTemplates + "explore_local.sh", "inc.c", "2", "--engine", "random", "--runs", "100"},
       scratch);
   EXPECT_EQ(result.exit_code, 1) << result.err;
-  EXPECT_NE(result.out.find("random: 100 runs"), std::string::npos) << result.out;
+  EXPECT_THAT(result.out, HasSubstr("random: 100 runs"));
 }
 
 TEST(LaunchTest, GnuParallel) {

@@ -1,6 +1,7 @@
 // Every limit of base/limits.h: documented in docs/limits.md, accepted at the limit, refused one
 // beyond it. The limits of the language itself are tested by tests/compiler/limits_test.cc.
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -11,6 +12,9 @@
 
 namespace oncard::tools {
 namespace {
+
+using testing::HasSubstr;
+using testing::Not;
 
 std::string Times(size_t count, const std::string& piece) {
   std::string text;
@@ -29,7 +33,7 @@ class LimitPageTest : public testing::TestWithParam<PageRow> {};
 TEST_P(LimitPageTest, SaysTheBound) {
   const std::string page = ReadFile(ONCARD_SOURCE_DIR "/docs/limits.md").value();
   const std::string row = fmt::format("| {} | {} |", GetParam().what, GetParam().bound);
-  EXPECT_NE(page.find(row), std::string::npos) << row;
+  EXPECT_THAT(page, HasSubstr(row));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -65,9 +69,8 @@ TEST_P(LargeFileTest, IsRefusedUnread) {
   command.push_back(path);
   const ProcessResult result = RunOncard(command, folder.path());
   EXPECT_NE(result.exit_code, 0);
-  EXPECT_NE(
-      (result.out + result.err).find(fmt::format("has at most {}", GetParam().kind.bytes_max)),
-      std::string::npos)
+  EXPECT_THAT(result.out + result.err,
+              HasSubstr(fmt::format("has at most {}", GetParam().kind.bytes_max)))
       << result.out << result.err;
 }
 
@@ -128,9 +131,7 @@ TEST(SourceLimits, CountAllIncludedFilesTogether) {
   folder.Write("a.h", std::string(rest + 1, '\n'));
   const ProcessResult past = RunOncard({"check", "p.c"}, folder.path());
   EXPECT_EQ(past.exit_code, 1);
-  EXPECT_NE(past.err.find(fmt::format("more than {} bytes", kSourceKind.bytes_max)),
-            std::string::npos)
-      << past.err;
+  EXPECT_THAT(past.err, HasSubstr(fmt::format("more than {} bytes", kSourceKind.bytes_max)));
 }
 
 TEST(SourceLimits, Tokens) {
@@ -139,7 +140,7 @@ TEST(SourceLimits, Tokens) {
   constexpr size_t kOwn = 9;
   const std::string said = "more than 1048576 tokens";
   folder.Write("p.c", Times(kTokenMax - kOwn, ";") + end);
-  EXPECT_EQ(RunOncard({"check", "p.c"}, folder.path()).err.find(said), std::string::npos);
+  EXPECT_THAT(RunOncard({"check", "p.c"}, folder.path()).err, Not(HasSubstr(said)));
   folder.Write("p.c", Times(kTokenMax - kOwn + 1, ";") + end);
   const ProcessResult past = RunOncard({"check", "p.c"}, folder.path());
   EXPECT_EQ(past.exit_code, 1);

@@ -1,5 +1,6 @@
 // Output that cannot be written is an error of its own; and the effects of names and comments on
 // output.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -8,6 +9,9 @@
 
 namespace oncard::tools {
 namespace {
+
+using testing::HasSubstr;
+using testing::Not;
 
 constexpr const char* kOncard = ONCARD_BUILD_DIR "/bin/oncard";
 constexpr const char* kProgram = "int sum;\nint add() { sum = sum + 1; return sum; }\n";
@@ -46,8 +50,7 @@ TEST_P(FullOutputTest, IsReported) {
   const ProcessResult result =
       RunInShell("exec \"$0\" \"$@\" > /dev/full", GetParam().words, folder.path());
   EXPECT_EQ(result.exit_code, 3);
-  EXPECT_NE(result.err.find("oncard: cannot write to standard output"), std::string::npos)
-      << result.err;
+  EXPECT_THAT(result.err, HasSubstr("oncard: cannot write to standard output"));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -87,7 +90,7 @@ TEST_P(FullFileTest, IsReported) {
   std::filesystem::create_symlink("/dev/full", std::filesystem::path(folder.path()) / words.back());
   const ProcessResult result = RunOncard(words, folder.path());
   EXPECT_EQ(result.exit_code, 3) << result.out << result.err;
-  EXPECT_NE(result.err.find("cannot write '" + words.back()), std::string::npos) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("cannot write '" + words.back()));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -105,7 +108,7 @@ TEST(LostOutput, ObjectThatCannotBeWrittenIsReported) {
     std::filesystem::create_symlink("/dev/full", std::filesystem::path(folder.path()) / name);
     const ProcessResult result = RunOncard({"build", "p.c"}, folder.path());
     EXPECT_EQ(result.exit_code, 3) << name;
-    EXPECT_NE(result.err.find(name), std::string::npos) << result.err;
+    EXPECT_THAT(result.err, HasSubstr(name));
   }
 }
 
@@ -129,7 +132,7 @@ TEST(HostileNames, DoNotReachTheTerminalRaw) {
         Words{"verify", name + ".bin"}, Words{"run", "x.c", "--set", name}, Words{name},
         Words{"run", "--" + name}}) {
     const ProcessResult result = RunOncard(words, folder.path());
-    EXPECT_EQ((result.out + result.err).find('\x1B'), std::string::npos)
+    EXPECT_THAT(result.out + result.err, Not(HasSubstr("\x1B")))
         << words.front() << ": " << result.out << result.err;
   }
 }
@@ -153,7 +156,7 @@ TEST(GbkText, IsReplacedInEveryJson) {
                              Words{"explore", "p.toml", "--search", "p.search"},
                              Words{"explore", "p.toml", "--format=json"}}) {
     const ProcessResult result = RunOncard(words, folder.path());
-    EXPECT_EQ(result.err.find("internal error"), std::string::npos) << result.err;
+    EXPECT_THAT(result.err, Not(HasSubstr("internal error")));
     EXPECT_NE(result.exit_code, 4);
   }
 }

@@ -1,4 +1,5 @@
 // Commands that run out of memory.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -7,6 +8,8 @@
 
 namespace oncard::tools {
 namespace {
+
+using testing::HasSubstr;
 
 /// Three threads that count: far too many states for the memory limit set here.
 constexpr const char* kLarge =
@@ -37,18 +40,17 @@ class OutOfMemory : public testing::Test {
 TEST_F(OutOfMemory, ASearchSaysSoAndWhatNeedsLess) {
   const ProcessResult ended = Run("explore s.toml");
   EXPECT_EQ(ended.exit_code, 6) << ended.err;
-  EXPECT_NE(ended.err.find("oncard: out of memory: 'explore' needs less with --max-states"),
-            std::string::npos)
-      << ended.err;
+  EXPECT_THAT(ended.err,
+              HasSubstr("oncard: out of memory: 'explore' needs less with --max-states"));
 }
 
 TEST_F(OutOfMemory, ATestHasFailedAndTheOthersRun) {
   scratch_.Write("t.toml", "program = \"p.c\"\nuntil_ms = 1\n");
   const ProcessResult ended = Run("test s.toml t.toml");
   EXPECT_EQ(ended.exit_code, 1) << ended.err;
-  EXPECT_NE((ended.out + ended.err).find("there was not enough memory for it"), std::string::npos)
+  EXPECT_THAT(ended.out + ended.err, HasSubstr("there was not enough memory for it"))
       << ended.out << ended.err;
-  EXPECT_NE((ended.out + ended.err).find("t.toml"), std::string::npos) << ended.out;
+  EXPECT_THAT(ended.out + ended.err, HasSubstr("t.toml")) << ended.out;
 }
 
 }  // namespace

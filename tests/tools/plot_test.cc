@@ -1,4 +1,5 @@
 // run --plot, with and without gnuplot; the pictures of the documentation.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +10,9 @@
 
 namespace oncard::tools {
 namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
 
 const std::string kSource = ONCARD_SOURCE_DIR;
 const std::string kBlink = kSource + "/samples/09_blink/blink.toml";
@@ -29,15 +33,15 @@ TEST(Plot, DrawsTheSameBytesEveryTime) {
   REQUIRE_GNUPLOT();
   const ScratchFolder scratch;
   const std::string first = Draw(kBlink, scratch, "a.svg");
-  EXPECT_NE(first.find("<svg"), std::string::npos);
-  EXPECT_NE(first.find("gpo[1]"), std::string::npos);
+  EXPECT_THAT(first, HasSubstr("<svg"));
+  EXPECT_THAT(first, HasSubstr("gpo[1]"));
   EXPECT_EQ(first, Draw(kBlink, scratch, "b.svg"));
 }
 
 TEST(Plot, DrawsPng) {
   REQUIRE_GNUPLOT();
   const ScratchFolder scratch;
-  EXPECT_TRUE(Draw(kBlink, scratch, "a.png").starts_with("\x89PNG"));
+  EXPECT_THAT(Draw(kBlink, scratch, "a.png"), StartsWith("\x89PNG"));
 }
 
 TEST(Plot, SaysHowToInstallGnuplot) {
@@ -59,10 +63,8 @@ TEST(Plot, SaysWhenThereIsNothingToSee) {
 
 TEST(Plot, DoctorNamesGnuplot) {
   const ProcessResult result = RunOncard({"doctor"}, {}, {"PATH=/nonexistent"});
-  EXPECT_NE(result.out.find("pictures (--plot): gnuplot is not installed: apt-get install "
-                            "gnuplot-nox\n"),
-            std::string::npos)
-      << result.out;
+  EXPECT_THAT(result.out, HasSubstr("pictures (--plot): gnuplot is not installed: apt-get install "
+                                    "gnuplot-nox\n"));
 }
 
 // The line of an SVG with the version of gnuplot.

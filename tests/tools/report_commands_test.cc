@@ -1,4 +1,5 @@
 // The commands test, doctor, completion and man.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -7,6 +8,8 @@
 
 namespace oncard::tools {
 namespace {
+
+using testing::HasSubstr;
 
 using Json = nlohmann::json;
 
@@ -89,11 +92,11 @@ TEST_F(TestCommandTest, ReportsWhatCannotBeRunAsAFailure) {
   scratch_.Write("c/typo.toml", "program = \"../p.c\"\nexpct = []\n");
   const ProcessResult result = Test({"c"});
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_NE(result.out.find("MP027"), std::string::npos) << result.out;
-  EXPECT_NE(result.out.find("none.c"), std::string::npos) << result.out;
-  EXPECT_NE(result.out.find("c/typo.toml:2:1"), std::string::npos) << result.out;
-  EXPECT_NE(result.out.find("'expect'"), std::string::npos) << result.out;
-  EXPECT_NE(result.out.find("0 passed, 3 failed"), std::string::npos) << result.out;
+  EXPECT_THAT(result.out, HasSubstr("MP027"));
+  EXPECT_THAT(result.out, HasSubstr("none.c"));
+  EXPECT_THAT(result.out, HasSubstr("c/typo.toml:2:1"));
+  EXPECT_THAT(result.out, HasSubstr("'expect'"));
+  EXPECT_THAT(result.out, HasSubstr("0 passed, 3 failed"));
 }
 
 TEST_F(TestCommandTest, IsNotSatisfiedWithNothing) {
@@ -122,7 +125,7 @@ TEST(Doctor, ListsEveryCommandOfTheCatalogue) {
   const Json list = Json::parse(RunOncard({"doctor", "--commands", "--format=json"}).out);
   EXPECT_EQ(std::to_string(list.size()), facts["commands"]);
   const std::string text = RunOncard({"doctor", "--commands"}).out;
-  EXPECT_NE(text.find("GT_Delay "), std::string::npos);
+  EXPECT_THAT(text, HasSubstr("GT_Delay "));
   for (const Json& command : list) {
     if (command["name"] == "GT_SetDo") {
       EXPECT_EQ(command["implemented"], true);
@@ -136,10 +139,10 @@ TEST_P(CompletionTest, MentionsEveryCommandAndOption) {
   const ProcessResult result = RunOncard({"completion", GetParam()});
   EXPECT_EQ(result.exit_code, 0);
   for (const char* command : kCommands) {
-    EXPECT_NE(result.out.find(command), std::string::npos) << command;
+    EXPECT_THAT(result.out, HasSubstr(command));
   }
   for (const char* option : {"vendor-format", "thread", "schedule", "max-errors", "lang"}) {
-    EXPECT_NE(result.out.find(option), std::string::npos) << option;
+    EXPECT_THAT(result.out, HasSubstr(option));
   }
 }
 
@@ -152,10 +155,10 @@ TEST(Man, HasTheSectionsOfAManualPage) {
   EXPECT_EQ(page.rfind(".TH ONCARD 1 ", 0), 0u);
   for (const char* section :
        {".SH NAME\noncard \\- ", ".SH SYNOPSIS", ".SH COMMANDS", ".SH EXIT STATUS"}) {
-    EXPECT_NE(page.find(section), std::string::npos) << section;
+    EXPECT_THAT(page, HasSubstr(section));
   }
   for (const char* command : kCommands) {
-    EXPECT_NE(page.find(std::string("oncard ") + command), std::string::npos) << command;
+    EXPECT_THAT(page, HasSubstr(std::string("oncard ") + command)) << command;
   }
 }
 

@@ -1,4 +1,5 @@
 // The commands run and replay: results, exit codes, recordings, traces.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -7,6 +8,8 @@
 
 namespace oncard::tools {
 namespace {
+
+using testing::HasSubstr;
 
 using Json = nlohmann::json;
 
@@ -78,7 +81,7 @@ TEST(Run, ReportsAFaultWithItsPlaceAndValues) {
       result.out,
       "thread 0 pick: fault at largest.c:35: index 8 is out of bounds: the array has elements "
       "0 to 7\nthread0.error = 101\n");
-  EXPECT_NE(result.err.find("largest.c:35"), std::string::npos);
+  EXPECT_THAT(result.err, HasSubstr("largest.c:35"));
 }
 
 TEST(Run, ReportsADivisionByZero) {
@@ -96,7 +99,7 @@ TEST(Run, ReportsADeadlock) {
   const ProcessResult result = RunOncard({"run", source, "--format=json"});
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_EQ(Json::parse(result.out)["end"], "deadlock");
-  EXPECT_NE(result.err.find("deadlock"), std::string::npos);
+  EXPECT_THAT(result.err, HasSubstr("deadlock"));
 }
 
 TEST(Run, FailsAtTheTimeLimitButNotAtTheEndAskedFor) {
@@ -165,11 +168,9 @@ TEST(Run, LooksAtWhatCommentsOfASourceRequire) {
                            refusal + "   14 | //@ sync: x, y\n      | ^~~~~~~~~~~~~~\n");
   const ProcessResult wrong = run("wrong.c");
   EXPECT_EQ(wrong.exit_code, 2);
-  EXPECT_NE(wrong.err.find("wrong.c:1:1: "), std::string::npos) << wrong.err;
-  EXPECT_NE(wrong.err.find("wrong.c:2:1: "), std::string::npos) << wrong.err;
-  EXPECT_NE(wrong.err.find("\n    2 | //@ nevr: x == 1\n      | ^~~~~~~~~~~~~~~~\n"),
-            std::string::npos)
-      << wrong.err;
+  EXPECT_THAT(wrong.err, HasSubstr("wrong.c:1:1: "));
+  EXPECT_THAT(wrong.err, HasSubstr("wrong.c:2:1: "));
+  EXPECT_THAT(wrong.err, HasSubstr("\n    2 | //@ nevr: x == 1\n      | ^~~~~~~~~~~~~~~~\n"));
   EXPECT_EQ(run("s.toml").err,
             "oncard: warning: bad.c:1: this comment is not checked: the requirements come from the "
             "scenario; write it there\n");
@@ -208,7 +209,7 @@ TEST(Run, ShowsRequirementsThatCannotBeReadInTheirPlaces) {
       EXPECT_NE(result.exit_code, 0);
       const std::string said = result.out + result.err + '\n';
       for (const std::string& wanted : test.wanted) {
-        EXPECT_NE(said.find(wanted), std::string::npos) << command << ' ' << wanted << '\n' << said;
+        EXPECT_THAT(said, HasSubstr(wanted)) << command << ' ' << wanted << '\n' << said;
       }
     }
   }
@@ -227,8 +228,7 @@ TEST(Run, WarnsOfRefusedCommandsOrFailsByThem) {
   EXPECT_EQ(strict.err.rfind("oncard: p.c:3: thread 0 f: GT_AxisOn(9) = 7: ", 0), 0u) << strict.err;
   const ProcessResult test = RunOncard({"test", "s.toml"}, scratch.path());
   EXPECT_EQ(test.exit_code, 0);
-  EXPECT_NE(test.out.find("     warning: p.c:3: thread 0 f: GT_AxisOn(9) = 7: "), std::string::npos)
-      << test.out;
+  EXPECT_THAT(test.out, HasSubstr("     warning: p.c:3: thread 0 f: GT_AxisOn(9) = 7: "));
   EXPECT_EQ(RunOncard({"test", "--strict-commands", "s.toml"}, scratch.path()).exit_code, 1);
   const ProcessResult explored = RunOncard({"explore", "s.toml"}, scratch.path());
   EXPECT_EQ(explored.exit_code, 0);
@@ -252,8 +252,8 @@ TEST(Run, ExitCodesTellWhatWentWrong) {
 }
 
 TEST(Run, SuggestsTheNearestName) {
-  EXPECT_NE(RunOncard({"run", kSum, "--thread", "0=ad"}).err.find("'add'"), std::string::npos);
-  EXPECT_NE(RunOncard({"run", kSum, "--show", "summ"}).err.find("'sum'"), std::string::npos);
+  EXPECT_THAT(RunOncard({"run", kSum, "--thread", "0=ad"}).err, HasSubstr("'add'"));
+  EXPECT_THAT(RunOncard({"run", kSum, "--show", "summ"}).err, HasSubstr("'sum'"));
 }
 
 TEST(Run, WritesTracesInThreeForms) {
@@ -273,8 +273,8 @@ TEST(Run, WritesTracesInThreeForms) {
       Json::parse(R"({"name":"gpo","ph":"C","pid":1,"ts":10250,"args":{"value":0}})");
   EXPECT_NE(std::find(events.begin(), events.end(), lamp_off), events.end()) << events.dump(2);
   const std::string vcd = trace("t.vcd");
-  EXPECT_NE(vcd.find("$timescale 1 us $end"), std::string::npos);
-  EXPECT_NE(vcd.find("#10250\nb00000000000000000000000000000000 \"\n"), std::string::npos) << vcd;
+  EXPECT_THAT(vcd, HasSubstr("$timescale 1 us $end"));
+  EXPECT_THAT(vcd, HasSubstr("#10250\nb00000000000000000000000000000000 \"\n"));
 }
 
 class RecordTest : public testing::TestWithParam<const char*> {};
@@ -296,7 +296,7 @@ TEST_P(RecordTest, ReplayGivesTheSameRun) {
   EXPECT_EQ(first["values"], second["values"]);
   EXPECT_EQ(first["statements"], second["statements"]);
   // Checkpoints every 10 000 statements, and one at the end.
-  EXPECT_NE(scratch.Read("run.schedule").find("\ncheck 10000 "), std::string::npos);
+  EXPECT_THAT(scratch.Read("run.schedule"), HasSubstr("\ncheck 10000 "));
 }
 
 INSTANTIATE_TEST_SUITE_P(Policies, RecordTest,
@@ -339,7 +339,7 @@ class ReplayTest : public testing::Test {
 TEST_F(ReplayTest, StandsAloneBesideItsProgram) {
   const ProcessResult result = Replay();
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_NE(result.out.find("sum = 16\n"), std::string::npos) << result.out;
+  EXPECT_THAT(result.out, HasSubstr("sum = 16\n"));
 }
 
 TEST_F(ReplayTest, RefusesAnotherProgramAndShowsBothHashes) {
@@ -347,7 +347,7 @@ TEST_F(ReplayTest, RefusesAnotherProgramAndShowsBothHashes) {
   const ProcessResult result = Replay();
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_EQ(result.out, "");
-  EXPECT_NE(result.err.find("another program"), std::string::npos) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("another program"));
 }
 
 TEST_F(ReplayTest, AllowsOtherNamesAndLines) {
@@ -359,7 +359,7 @@ TEST_F(ReplayTest, SaysWhereItLeavesTheRecordedRun) {
   Edit("run.schedule", "\"n\" = 3", "\"n\" = 2");
   const ProcessResult result = Replay();
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_NE(result.err.find("statement"), std::string::npos) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("statement"));
 }
 
 TEST_F(ReplayTest, RefusesADamagedFile) {
@@ -389,13 +389,10 @@ TEST(RunSteps, ShowsWhatEveryStatementDoes) {
   EXPECT_EQ(RunOncard({"run", program, "--steps"}).out, table + results);
   EXPECT_EQ(RunOncard({"run", program}).out, results);
   const ProcessResult full = RunOncard({"run", program, "--steps", "--full"});
-  EXPECT_NE(full.out.find("     7     6  n = n + 1;   [n = 2]   n: 2 -> 3\n"), std::string::npos)
-      << full.out;
+  EXPECT_THAT(full.out, HasSubstr("     7     6  n = n + 1;   [n = 2]   n: 2 -> 3\n"));
   const ProcessResult narrow = RunOncard({"run", program, "--steps"}, {}, {"COLUMNS=40"});
-  EXPECT_NE(narrow.out.find("     1     6  n = n + 1;   [n = 0]\n"
-                            "                n: 0 -> 1\n"),
-            std::string::npos)
-      << narrow.out;
+  EXPECT_THAT(narrow.out, HasSubstr("     1     6  n = n + 1;   [n = 0]\n"
+                                    "                n: 0 -> 1\n"));
 }
 
 TEST(RunSteps, AreInJson) {
@@ -416,10 +413,9 @@ TEST(RunSteps, WhatTheCardDoesByItselfStandsBelow) {
                 "program = \"p.c\"\nuntil_ms = 1\n[[world.input]]\ntype = \"alarm\"\nindex = 2\n"
                 "value = 1\n");
   const ProcessResult shown = RunOncard({"run", "p.toml", "--steps"}, scratch.path());
-  EXPECT_NE(shown.out.find("what the card did by itself:\n0 ms  the drive of axis 2 reports an "
-                           "alarm at 0: it is switched off\n"),
-            std::string::npos)
-      << shown.out;
+  EXPECT_THAT(shown.out,
+              HasSubstr("what the card did by itself:\n0 ms  the drive of axis 2 reports an "
+                        "alarm at 0: it is switched off\n"));
 }
 
 TEST(RunSteps, AReplayShowsTheSame) {

@@ -1,5 +1,6 @@
 // Names in a scenario that its program does not have are all reported by every command, with line
 // and column, in the order of the file.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
@@ -13,6 +14,9 @@
 
 namespace oncard::tools {
 namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
 
 using Places = std::vector<std::string>;
 
@@ -92,7 +96,7 @@ TEST(ScenarioPlaces, WhatSpeaksOfAllSchedulesHasItsPlaceToo) {
   const ProcessResult said =
       RunOncard({"explore", "s.toml", "--engine=dpor", "--benign"}, scratch.path());
   EXPECT_EQ(PlacesIn("s.toml", said.err), (Places{"2:14", "4:22", "7:10"})) << said.err;
-  EXPECT_NE(said.err.find("\ndata races are found only"), std::string::npos) << said.err;
+  EXPECT_THAT(said.err, HasSubstr("\ndata races are found only"));
 }
 
 TEST(ScenarioPlaces, CommentsOfASourceHaveThem) {
@@ -114,7 +118,7 @@ TEST(ScenarioPlaces, AnOptionInPlaceOfTheScheduleStandsNowhere) {
   const ProcessResult read = RunOncard({"run", "s.toml"}, scratch.path());
   EXPECT_EQ(PlacesIn("s.toml", read.err), (Places{"2:12"})) << read.err;
   const ProcessResult said = RunOncard({"run", "s.toml", "--schedule=prr"}, scratch.path());
-  EXPECT_TRUE(said.err.starts_with("oncard: 'prr' is not a schedule policy")) << said.err;
+  EXPECT_THAT(said.err, StartsWith("oncard: 'prr' is not a schedule policy"));
 }
 
 // Names are not part of a program's hash. In the recording the scenario follows three lines, and

@@ -1,4 +1,5 @@
 // Commands that are stopped by a signal keep their results.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -8,6 +9,8 @@
 
 namespace oncard::tools {
 namespace {
+
+using testing::HasSubstr;
 
 using Json = nlohmann::json;
 
@@ -25,15 +28,15 @@ TEST_P(SignalTest, ARunKeepsItsTraceAndItsRecord) {
       {"run", "p.c", "--limit=1000000000", "--trace=t.csv", "--record=r.schedule", "--format=json"},
       GetParam(), scratch_.path());
   EXPECT_EQ(run.exit_code, 6) << run.err;
-  EXPECT_NE(run.err.find("interrupted at "), std::string::npos) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("interrupted at "));
   const Json json = Json::parse(run.out);
   EXPECT_EQ(json["end"], "interrupted");
-  EXPECT_NE(scratch_.Read("t.csv").find("time_ms,n,gpo\n0,0,0\n"), std::string::npos);
+  EXPECT_THAT(scratch_.Read("t.csv"), HasSubstr("time_ms,n,gpo\n0,0,0\n"));
   const ProcessResult replay =
       RunOncard({"replay", "r.schedule", "--format=json"}, scratch_.path());
   // The replay also ends there, in the same state, and gives the reason.
   EXPECT_EQ(replay.exit_code, 6);
-  EXPECT_NE(replay.err.find("warning: the recording ends at "), std::string::npos) << replay.err;
+  EXPECT_THAT(replay.err, HasSubstr("warning: the recording ends at "));
   EXPECT_EQ(Json::parse(replay.out)["failures"], Json::array());
   for (const char* key : {"end", "time_ms", "statements", "state_hash"}) {
     EXPECT_EQ(Json::parse(replay.out)[key], json[key]) << key;

@@ -1,5 +1,6 @@
 #include "vm/disassembler.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -9,6 +10,8 @@
 
 namespace oncard::vm {
 namespace {
+
+using testing::HasSubstr;
 
 TEST(DisassemblerTest, SumIsListedWithTheVendorsWords) {
   EXPECT_EQ(Disassemble(SumObject(), FakeCommands()), R"(double 32.16
@@ -104,7 +107,7 @@ TEST(DisassemblerTest, JsonHoldsTheSameFacts) {
 TEST(DisassemblerTest, JsonSurvivesFileNamesThatAreNotUtf8) {
   Object object = SumObject();
   object.functions[0].file = "\xCE.c";
-  EXPECT_NE(DisassembleJson(object, FakeCommands()).find("\"\xEF\xBF\xBD.c\""), std::string::npos);
+  EXPECT_THAT(DisassembleJson(object, FakeCommands()), HasSubstr("\"\xEF\xBF\xBD.c\""));
 }
 
 struct Statement {
@@ -168,8 +171,7 @@ TEST(DisassemblerTest, LongStatementsDoNotWidenTheColumn) {
   object.functions[0].instructions = {
       Jump(ImmediateInt(1), 0), Command(kFifteen, std::vector<Operand>(15, ImmediateInt(12345)))};
   object.functions[0].lines = {1, 2};
-  EXPECT_NE(Disassemble(object, FakeCommands()).find("line 1      goto 0  ; 0003 5080"),
-            std::string::npos);
+  EXPECT_THAT(Disassemble(object, FakeCommands()), HasSubstr("line 1      goto 0  ; 0003 5080"));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "vm/object_reader.h"
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -20,6 +21,8 @@
 
 namespace oncard::vm {
 namespace {
+
+using testing::HasSubstr;
 
 // --- Round trips ---------------------------------------------------------------------------------
 
@@ -525,10 +528,10 @@ TEST_F(ObjectPairTest, NameThatIsNotABinIs2007) {
 TEST_F(ObjectPairTest, TooLongNameIs2007) {
   // The name is checked before the file is searched for.
   const std::string longest = std::string(kObjectPathMax - 4, 'a') + ".bin";
-  EXPECT_NE(ErrorOf(longest).message.en.find("there is no file"), std::string::npos);
+  EXPECT_THAT(ErrorOf(longest).message.en, HasSubstr("there is no file"));
   const Error error = ErrorOf("a" + longest);
   EXPECT_EQ(error.code, 2007);
-  EXPECT_NE(error.message.en.find("has 126 bytes; 125 are allowed"), std::string::npos);
+  EXPECT_THAT(error.message.en, HasSubstr("has 126 bytes; 125 are allowed"));
 }
 
 TEST_F(ObjectPairTest, MissingIniIs2008) {
@@ -558,7 +561,7 @@ TEST_F(ObjectPairTest, HugeFileIs2008) {
   std::filesystem::resize_file(Path("sum.bin"), uintmax_t{1} << 40);  // sparse
   const Error error = ErrorOf(Path("sum.bin"));
   EXPECT_EQ(error.code, 2008);
-  EXPECT_NE(error.message.en.find("an object file has at most 268435456"), std::string::npos);
+  EXPECT_THAT(error.message.en, HasSubstr("an object file has at most 268435456"));
 }
 
 TEST_F(ObjectPairTest, DamageIs2008AndNamesTheFile) {

@@ -1,5 +1,6 @@
 #include "vm/object_writer.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -9,6 +10,8 @@
 
 namespace oncard::vm {
 namespace {
+
+using testing::HasSubstr;
 
 // The vendor's object of example 10-1, word by word.
 constexpr uint16_t kVendorSum[] = {
@@ -59,7 +62,7 @@ TEST(ObjectWriterTest, OwnSectionFollowsTheVendorsWithFormatAndChecksum) {
 }
 
 TEST(ObjectWriterTest, NarrowDoublesAreNamed) {
-  EXPECT_NE(WriteObject(StructureObject(), false).ini.find("\ndouble=16.16\n"), std::string::npos);
+  EXPECT_THAT(WriteObject(StructureObject(), false).ini, HasSubstr("\ndouble=16.16\n"));
 }
 
 TEST(ObjectWriterTest, SectionsOfFunctionsStandInOrderOfDefinition) {
@@ -72,10 +75,9 @@ TEST(ObjectWriterTest, SectionsOfFunctionsStandInOrderOfDefinition) {
 }
 
 TEST(ObjectWriterTest, MembersAreSymbolsOfTheirOwn) {
-  EXPECT_NE(WriteObject(StructureObject(), true)
-                .ini.find("[move.var]\ntrap.acc=0,2\ntrap.dec=1,2\ntrap.velStart=2,2\n"
-                          "trap.smoothTime=3,1\nless=4,1\n"),
-            std::string::npos);
+  EXPECT_THAT(WriteObject(StructureObject(), true).ini,
+              HasSubstr("[move.var]\ntrap.acc=0,2\ntrap.dec=1,2\ntrap.velStart=2,2\n"
+                        "trap.smoothTime=3,1\nless=4,1\n"));
 }
 
 TEST(ObjectWriterTest, EmptyFunctionIsItsHeader) {

@@ -1,11 +1,18 @@
 // Schedule files: their text, the errors of damaged files, recording and replaying.
 #include "vm/schedule.h"
 
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
 #include "tests/vm/program_builder.h"
 #include "tests/vm/random_program.h"
 
 namespace oncard::vm {
 namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::StartsWith;
 
 // --- Text ----------------------------------------------------------------------------------------
 
@@ -37,8 +44,8 @@ TEST(ScheduleTextTest, SaysWhereSegmentsStop) {
   Schedule schedule = Sample();
   schedule.stops = {{6, 1, "g = r + 1;"}, {12, 300, "goto  lbl;"}, {0, 0, ""}};
   const std::string text = FormatSchedule(schedule);
-  EXPECT_NE(text.find("run 0 5\nnext 6 1 g = r + 1;\nrun 31"), std::string::npos) << text;
-  EXPECT_NE(text.find("run 0 1\nnext 0 0\nend"), std::string::npos) << text;
+  EXPECT_THAT(text, HasSubstr("run 0 5\nnext 6 1 g = r + 1;\nrun 31"));
+  EXPECT_THAT(text, HasSubstr("run 0 1\nnext 0 0\nend"));
   const auto read = ParseSchedule(text);
   ASSERT_TRUE(read.ok()) << read.error().message.en;
   EXPECT_EQ(read.value(), schedule);
@@ -58,7 +65,7 @@ TEST(ScheduleTextTest, SaysWhereTheRunWasCutOff) {
   Schedule schedule = Sample();
   schedule.cut_us = 5'000'250;
   const std::string text = FormatSchedule(schedule);
-  EXPECT_TRUE(text.ends_with("run 0 1\ncut 5000250\nend 10002\n")) << text;
+  EXPECT_THAT(text, EndsWith("run 0 1\ncut 5000250\nend 10002\n"));
   const auto read = ParseSchedule(text);
   ASSERT_TRUE(read.ok()) << read.error().message.en;
   EXPECT_EQ(read.value(), schedule);
@@ -124,7 +131,7 @@ TEST(ScheduleTextTest, DamageIsReportedWithItsLine) {
     ASSERT_FALSE(schedule.ok()) << c.text;
     EXPECT_EQ(schedule.error().message.en,
               fmt::format("line {} of the schedule: {}", c.line, c.expected));
-    EXPECT_TRUE(schedule.error().message.zh.starts_with(fmt::format("调度文件第 {} 行", c.line)));
+    EXPECT_THAT(schedule.error().message.zh, StartsWith(fmt::format("调度文件第 {} 行", c.line)));
   }
 }
 

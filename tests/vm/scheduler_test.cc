@@ -1,6 +1,7 @@
 // Which thread executes next under each policy, and how policies are named.
 #include "vm/scheduler.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <set>
@@ -9,6 +10,8 @@
 
 namespace oncard::vm {
 namespace {
+
+using testing::HasSubstr;
 
 using Segments = std::vector<ScheduleSegment>;
 
@@ -232,7 +235,7 @@ TEST(PolicyNameTest, AnythingElseIsRefusedWithTheListOfPolicies) {
                           "pct:SEED:DEPTH or pct:SEED:DEPTH:STEPS (N up to 1000000000, DEPTH up "
                           "to 64)",
                           text));
-    EXPECT_NE(policy.error().message.zh.find("调度策略"), std::string::npos);
+    EXPECT_THAT(policy.error().message.zh, HasSubstr("调度策略"));
   }
 }
 
