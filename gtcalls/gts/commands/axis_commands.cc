@@ -182,7 +182,8 @@ int16_t gts::GT_SetAxisBand(Call& call) {
 
 int16_t gts::GT_GetAxisBand(Call& call) {
   call.Set(1, AxisOf(call).band);
-  call.Set(2, static_cast<double>(AxisOf(call).band_time / kTimeUnitUs));
+  const int64_t units = AxisOf(call).band_time / kTimeUnitUs;
+  call.Set(2, static_cast<double>(units));
   return vm::kOk;
 }
 
