@@ -26,6 +26,11 @@ inline constexpr motion::CardDefaults kGtsDefaults = {
 /// GT_SetAxisBand and GT_SetDoBitReverse count in profile cycles of 250 us. Assumption:
 /// GT_SetEncResponseCheck does too.
 inline constexpr int64_t kTimeUnitUs = 250;
+/// Whole units in a time, as the commands give it back.
+constexpr double TimeUnits(int64_t time_us) {
+  const int64_t units = time_us / kTimeUnitUs;
+  return static_cast<double>(units);
+}
 /// GT_GetClockHighPrecision counts servo sub-steps of 125 us.
 inline constexpr int64_t kFineClockUs = 125;
 

@@ -182,8 +182,7 @@ int16_t gts::GT_SetAxisBand(Call& call) {
 
 int16_t gts::GT_GetAxisBand(Call& call) {
   call.Set(1, AxisOf(call).band);
-  const int64_t units = AxisOf(call).band_time / kTimeUnitUs;
-  call.Set(2, static_cast<double>(units));
+  call.Set(2, TimeUnits(AxisOf(call).band_time));
   return vm::kOk;
 }
 

@@ -151,7 +151,7 @@ int16_t gts::GT_GetEncResponseCheck(Call& call) {
   const motion::ResponseCheck& check = ControlOf(call).check;
   call.Set(1, check.threshold);
   call.Set(2, check.min_velocity);
-  call.Set(3, static_cast<double>(check.time / kTimeUnitUs));
+  call.Set(3, TimeUnits(check.time));
   return vm::kOk;
 }
 
