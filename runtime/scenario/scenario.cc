@@ -27,6 +27,7 @@ std::vector<std::string_view> Split(std::string_view text, char separator) {
 std::string FormatExpectations(const std::vector<Expectation>& expectations) {
   if (expectations.empty()) return {};
   std::vector<std::string> texts;
+  texts.reserve(expectations.size());
   for (const Expectation& expectation : expectations) texts.push_back(expectation.text());
   return FormatValue(KeyType::Texts(), texts);
 }
@@ -34,6 +35,7 @@ std::string FormatExpectations(const std::vector<Expectation>& expectations) {
 std::string FormatPresses(const std::vector<KeyPress>& keys) {
   if (keys.empty()) return {};
   std::vector<std::string> presses;
+  presses.reserve(keys.size());
   for (const KeyPress& press : keys) {
     presses.push_back(AsInlineTable(WriteKeys(press, PressKeys())));
   }
