@@ -18,14 +18,16 @@ bool BeginsWithDigit(std::string_view text) {
 }
 
 /// True if the decimal number underflows: the value is 0, but the text has another digit.
-bool IsLost(std::string_view text, double value) {
+template <typename Number>
+bool IsLost(std::string_view text, Number value) {
   return value == 0 && text.substr(0, text.find_first_of("eE")).find_first_of("123456789") !=
                            std::string_view::npos;
 }
 
 /// Returns the end of the decimal number at the beginning of the text, or the beginning of the text
-/// if there is no number that a double can hold.
-const char* ReadDecimal(std::string_view text, double* value) {
+/// if there is no number that the type can hold.
+template <typename Number>
+const char* ReadDecimal(std::string_view text, Number* value) {
   const auto [stop, error] = fast_float::from_chars(text.data(), text.data() + text.size(), *value);
   const std::string_view read(text.data(), static_cast<size_t>(stop - text.data()));
   if (error == std::errc() && std::isfinite(*value) && !IsLost(read, *value)) return stop;
@@ -52,6 +54,12 @@ std::optional<double> ReadNumber(std::string_view text) {
 
 double ReadLeadingNumber(std::string_view text) {
   double value = 0;
+  ReadDecimal(text, &value);
+  return value;
+}
+
+float ReadLeadingFloat(std::string_view text) {
+  float value = 0;
   ReadDecimal(text, &value);
   return value;
 }

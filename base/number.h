@@ -19,6 +19,8 @@ std::optional<double> ReadNumber(std::string_view text);
 /// The decimal number that a text begins with, whatever follows it; 0 if there is none,
 /// or if it is too large or too small for a double.
 double ReadLeadingNumber(std::string_view text);
+/// The same as a float: the nearest one to the text, which the nearest double might not lead to.
+float ReadLeadingFloat(std::string_view text);
 
 /// The whole text as a whole number that fits the type: digits of the base, after a `-` when the
 /// type has a sign. Empty for anything else.

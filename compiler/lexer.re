@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <string>
 #include <unordered_set>
 
+#include "base/number.h"
 #include "compiler/operators.h"
 #include "compiler/parser.hh"
 #include "compiler/text.h"
@@ -28,10 +28,8 @@ std::string_view WithoutSuffix(std::string_view text) {
   const char suffix = static_cast<char>(text.back() | 0x20);
   if (suffix != 'f' && suffix != 'l') return {};
   text.remove_suffix(1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = error == std::errc() && end == text.data() + text.size();
-  return whole && text.find_first_of(".eE") != std::string_view::npos ? text : std::string_view();
+  const bool fraction = text.find_first_of(".eE") != std::string_view::npos;
+  return fraction && ReadNumber(text) ? text : std::string_view();
 }
 
 class Lexer {
@@ -132,18 +130,17 @@ void Lexer::AddUnsuffixed(std::string_view number, Diagnostic& diagnostic, const
                           const char* end) {
   const Literal literal = ParseFixed(number);
   Add(Kind::kFixed, begin, end, literal);
-  float value = 0;
-  std::from_chars(number.data(), number.data() + number.size(), value);
   const bool is_float = (end[-1] | 0x20) == 'f';
+  const double value = ReadLeadingFloat(number);
   // All its digits: a float needs only a few.
-  const std::string exact = fmt::format("{:.60f}", static_cast<double>(value));
+  const std::string exact = fmt::format("{:.60f}", value);
   if (!is_float || ParseFixed(exact).magnitude == literal.magnitude) {
     Replace(diagnostic, Range(begin, end), std::string(number));
     return;
   }
   AddNote(diagnostic, MakeMessage("a float of C is {0} here; write that, or {1}",
-                                  "C 语言的 float 在此处是 {0}；请写成它，或 {1}",
-                                  static_cast<double>(value), number));
+                                  "C 语言的 float 在此处是 {0}；请写成它，或 {1}", value,
+                                  number));
 }
 
 void Lexer::AddString(const char* begin, const char* end) {

@@ -43,6 +43,20 @@ TEST(ReadLeadingNumber, EndsWhereTheNumberEnds) {
   EXPECT_EQ(ReadLeadingNumber("1e999"), 0);
 }
 
+// A little more than 1 + 2^-24, which is halfway between two floats. The nearest double is exactly
+// halfway, and would be rounded again, to 1.
+TEST(ReadLeadingFloat, IsRoundedOnce) {
+  constexpr const char* kText = "1.000000059604644776280f";
+  EXPECT_EQ(static_cast<float>(ReadLeadingNumber(kText)), 1.0F);
+  EXPECT_EQ(ReadLeadingFloat(kText), 1.0F + 0x1p-23F);
+}
+
+TEST(ReadLeadingFloat, IsZeroWithoutANumberThatFits) {
+  EXPECT_EQ(ReadLeadingFloat("f"), 0);
+  EXPECT_EQ(ReadLeadingFloat("1e39"), 0);
+  EXPECT_EQ(ReadLeadingFloat("1e-50"), 0);
+}
+
 TEST(ReadWhole, TakesWhatFitsTheType) {
   EXPECT_EQ(ReadWhole<int>("-12"), -12);
   EXPECT_EQ(ReadWhole<uint8_t>("255"), 255);
