@@ -81,7 +81,7 @@ void Directives::AddFile(SourceFile file, uint32_t inclusion_point) {
   // One token more than the limit is read, to detect a program with too many.
   const size_t token_max = kTokenMax - scanned_tokens_;
   const std::vector<Token> tokens =
-      Tokenize(files_.back(), index, token_max + 1, *options_.catalogue, reporter_);
+      Tokenize(files_.back(), index, token_max + 1, *options_.catalogue, reporter_, dialect_);
   if (tokens.size() > token_max) {
     Refuse(MakeMessage("the program has more than {0} tokens", "程序的记号超过 {0} 个", kTokenMax));
     return;

@@ -14,6 +14,7 @@
 
 #include "compiler/compiler.h"
 #include "compiler/constant_folding.h"
+#include "compiler/dialect.h"
 #include "compiler/reporter.h"
 #include "compiler/syntax.h"
 
@@ -22,14 +23,15 @@ namespace oncard::compiler {
 class Directives {
  public:
   /// The references must outlive this object and its tokens.
-  Directives(const Options& options, const FileReader& reader, Reporter& reporter)
-      : options_(options), reader_(reader), reporter_(reporter) {}
+  Directives(const Options& options, const FileReader& reader, Reporter& reporter,
+             Dialect dialect = Dialect::kCard)
+      : options_(options), reader_(reader), reporter_(reporter), dialect_(dialect) {}
 
   /// Reads the program, given as text. Call once.
   void Run(SourceFile program);
 
   /// The tokens, ending in an end token. #define lines are kMacroDefinition tokens.
-  const std::vector<Token>& tokens() const { return tokens_; }
+  std::vector<Token>& tokens() { return tokens_; }
   std::vector<Macro>& macros() { return macros_; }
   /// The files read, the program first, and where each is included: the offset of the directive.
   std::deque<SourceFile>& files() { return files_; }
@@ -60,6 +62,7 @@ class Directives {
   const Options& options_;
   const FileReader& reader_;
   Reporter& reporter_;
+  const Dialect dialect_;
   std::deque<SourceFile> files_;
   std::vector<uint32_t> inclusion_points_;
   std::vector<Token> tokens_;

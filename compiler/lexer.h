@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "compiler/dialect.h"
 #include "compiler/reporter.h"
 #include "compiler/syntax.h"
 #include "gtcalls/catalogue.h"
@@ -12,9 +13,11 @@ namespace oncard::compiler {
 /// The tokens of a file, without an end token. Comments and white space are skipped; malformed
 /// numbers and illegal characters are reported and leave a token that the parser skips without a
 /// further report. Scanning stops after `token_max` tokens. The file's text must outlive the
-/// tokens; the catalogue has the structures that programs may declare.
+/// tokens; the catalogue has the structures that programs may declare. Structured C has more
+/// keywords and constants: enum, sizeof, bool, binary and octal numbers, characters.
 std::vector<Token> Tokenize(const SourceFile& file, int file_index, size_t token_max,
-                            const gtcalls::Catalogue& catalogue, Reporter& reporter);
+                            const gtcalls::Catalogue& catalogue, Reporter& reporter,
+                            Dialect dialect = Dialect::kCard);
 
 /// The name of a token in messages: 'x', or a description if it has no text.
 Message DescribeToken(const Token& token);

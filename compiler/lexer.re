@@ -23,6 +23,21 @@ using Kind = Parser::token;
 // Characters that are tokens by themselves.
 constexpr std::string_view kPunctuation = "(){}[];:,=<>+-*/%!&|^~?.";
 
+struct Keyword {
+  std::string_view text;
+  int kind;
+};
+
+// Words that are names in the card's language.
+constexpr Keyword kStructuredKeywords[] = {
+    {"bool", Kind::kBool},          {"_Bool", Kind::kBool},         {"volatile", Kind::kQualifier},
+    {"register", Kind::kQualifier}, {"auto", Kind::kQualifier},     {"inline", Kind::kQualifier},
+    {"asm", Kind::kReserved},       {"__asm", Kind::kReserved},     {"__asm__", Kind::kReserved},
+    {"_Generic", Kind::kReserved},  {"_Atomic", Kind::kReserved},   {"_Complex", Kind::kReserved},
+    {"_Alignas", Kind::kReserved},  {"_Alignof", Kind::kReserved},  {"_Noreturn", Kind::kReserved},
+    {"restrict", Kind::kReserved},  {"__attribute__", Kind::kReserved},
+    {"_Static_assert", Kind::kReserved}, {"_Thread_local", Kind::kReserved}};
+
 // The text before the suffix of a C floating-point number; empty for any other text.
 std::string_view WithoutSuffix(std::string_view text) {
   const char suffix = static_cast<char>(text.back() | 0x20);
@@ -35,12 +50,13 @@ std::string_view WithoutSuffix(std::string_view text) {
 class Lexer {
  public:
   Lexer(const SourceFile& file, int file_index, size_t token_max,
-        const gtcalls::Catalogue& catalogue, Reporter& reporter)
+        const gtcalls::Catalogue& catalogue, Reporter& reporter, Dialect dialect)
       : text_(file.text()),
         file_(file_index),
         token_max_(token_max),
         catalogue_(catalogue),
         reporter_(reporter),
+        structured_(dialect == Dialect::kStructured),
         utf8_(IsUtf8(file.text())) {}
 
   std::vector<Token> Run();
@@ -52,6 +68,7 @@ class Lexer {
   }
   void Add(int kind, const char* begin, const char* end, const Literal& literal = {});
   void AddName(const char* begin, const char* end);
+  void AddEllipsis(const char* begin, const char* end);
   void AddInteger(const char* begin, const char* end);
   void AddFixed(const char* begin, const char* end);
   void AddBadNumber(Code code, const char* begin, const char* end);
@@ -68,6 +85,7 @@ class Lexer {
   size_t token_max_;
   const gtcalls::Catalogue& catalogue_;
   Reporter& reporter_;
+  bool structured_;
   bool utf8_;
   bool new_line_ = true;
   std::vector<Token> tokens_;
@@ -84,8 +102,24 @@ void Lexer::Add(int kind, const char* begin, const char* end, const Literal& lit
   new_line_ = false;
 }
 
+// The card's language has no `...`: it sees three points.
+void Lexer::AddEllipsis(const char* begin, const char* end) {
+  if (structured_) {
+    Add(Kind::kEllipsis, begin, end);
+    return;
+  }
+  for (const char* dot = begin; dot != end; ++dot) Add(Kind::kDot, dot, dot + 1);
+}
+
 void Lexer::AddName(const char* begin, const char* end) {
   const std::string_view name(begin, static_cast<size_t>(end - begin));
+  if (structured_) {
+    for (const Keyword& keyword : kStructuredKeywords) {
+      if (keyword.text != name) continue;
+      Add(keyword.kind, begin, end);
+      return;
+    }
+  }
   if (name.size() > vm::kNameLengthMax && long_names_.insert(name).second) {
     reporter_.Report(Code::kNameTooLong, Range(begin, end), name,
                      static_cast<int64_t>(name.size()), int64_t{vm::kNameLengthMax});
@@ -284,10 +318,10 @@ void Lexer::Scan(const char* cursor, const char* limit) {
       "static"   { Add(Kind::kStatic, begin, cursor); continue; }
       "const"    { Add(Kind::kConst, begin, cursor); continue; }
       "extern"   { Add(Kind::kExtern, begin, cursor); continue; }
-      "struct" | "typedef" | "sizeof" | "enum" | "union" {
-        Add(Kind::kReserved, begin, cursor);
-        continue;
-      }
+      "enum"     { Add(structured_ ? Kind::kEnum : Kind::kReserved, begin, cursor); continue; }
+      "sizeof"   { Add(structured_ ? Kind::kSizeof : Kind::kReserved, begin, cursor); continue; }
+      "struct" | "typedef" | "union" { Add(Kind::kReserved, begin, cursor); continue; }
+      "..."      { AddEllipsis(begin, cursor); continue; }
       letter (letter | digit)* { AddName(begin, cursor); continue; }
 
       ":"   { Add(Kind::kColon, begin, cursor); continue; }
@@ -315,8 +349,9 @@ std::vector<Token> Lexer::Run() {
 }  // namespace
 
 std::vector<Token> Tokenize(const SourceFile& file, int file_index, size_t token_max,
-                            const gtcalls::Catalogue& catalogue, Reporter& reporter) {
-  return Lexer(file, file_index, token_max, catalogue, reporter).Run();
+                            const gtcalls::Catalogue& catalogue, Reporter& reporter,
+                            Dialect dialect) {
+  return Lexer(file, file_index, token_max, catalogue, reporter, dialect).Run();
 }
 
 Message DescribeToken(const Token& token) {

@@ -28,6 +28,7 @@ bool IsTypeWord(int kind) {
     case Kind::kStatic:
     case Kind::kConst:
     case Kind::kExtern:
+    case Kind::kQualifier:
     case Kind::kStructureName:
       return true;
     default:
@@ -63,20 +64,55 @@ int ParserDriver::Next(Parser::semantic_type* value, SourceRange* location) {
   } else if (token->kind != Kind::kEnd) {
     ++next_;
     if (token->kind == Kind::kOpenBrace) {
-      const bool initialiser =
-          last_ != nullptr && (last_->kind == Kind::kAssign ||
-                               (!braces_.empty() && braces_.back().initialiser &&
-                                (last_->kind == Kind::kComma || last_->kind == Kind::kOpenBrace)));
-      braces_.push_back({token->range, initialiser});
+      braces_.push_back({token->range, BeginsValues()});
     } else if (token->kind == Kind::kCloseBrace && !braces_.empty()) {
       braces_.pop_back();
     }
   }
+  const int kind = KindOf(*token);
   previous_ = last_;
   last_ = token;
   *location = token->range;
   if (token->kind != Kind::kEnd) value->emplace<const Token*>(token);
-  return token->kind;
+  return kind;
+}
+
+// Whether the brace after the last token begins a list of values and not statements.
+bool ParserDriver::BeginsValues() const {
+  if (last_ == nullptr) return false;
+  if (last_->kind == Kind::kAssign || last_->kind == Kind::kEnum || AfterEnumName()) return true;
+  return !braces_.empty() && braces_.back().initialiser &&
+         (last_->kind == Kind::kComma || last_->kind == Kind::kOpenBrace);
+}
+
+bool ParserDriver::AfterEnumName() const {
+  return previous_ != nullptr && previous_->kind == Kind::kEnum && last_->kind == Kind::kName;
+}
+
+// The kind of a token for the grammar: in structured C some depend on what stands before them.
+int ParserDriver::KindOf(const Token& token) {
+  if (dialect_ == Dialect::kCard) return token.kind;
+  switch (token.kind) {
+    case Kind::kQuestion:
+      ++questions_;
+      return token.kind;
+    case Kind::kColon:
+      if (questions_ == 0) return Kind::kLabelColon;
+      --questions_;
+      return token.kind;
+    case Kind::kOpenBrace:
+      questions_ = 0;
+      return braces_.back().initialiser ? Kind::kOpenValues : token.kind;
+    case Kind::kSemicolon:
+    case Kind::kCloseBrace:
+      questions_ = 0;
+      return token.kind;
+    case Kind::kOpenBracket:
+      return last_ != nullptr && (IsTypeWord(last_->kind) || AfterEnumName()) ? Kind::kOpenAbstract
+                                                                              : token.kind;
+    default:
+      return token.kind;
+  }
 }
 
 bool ParserDriver::OpenMissingBrace() {
@@ -181,6 +217,7 @@ bool ParserDriver::SkipStatement() {
   }
   RememberNames(begin, at);
   next_ = at;
+  questions_ = 0;
   return consumed;
 }
 
@@ -287,6 +324,11 @@ void ParserDriver::LimitDepth(Expression& expression) {
   for (const ExpressionPtr& operand : expression.operands) {
     depth = std::max(depth, DepthOf(operand));
   }
+  if (expression.type != nullptr) {
+    for (const ExpressionPtr& size : expression.type->sizes) {
+      depth = std::max(depth, DepthOf(size));
+    }
+  }
   expression.depth = depth + 1;
   if (expression.depth <= kDepthMax) return;
   if (!too_deep_reported_) {
@@ -295,6 +337,7 @@ void ParserDriver::LimitDepth(Expression& expression) {
   }
   expression.kind = Expression::Kind::kError;
   expression.operands.clear();
+  expression.type.reset();
   expression.depth = 1;
 }
 
@@ -349,13 +392,28 @@ ExpressionPtr ParserDriver::Conditional(ExpressionPtr condition, const Token* op
   return result;
 }
 
-ExpressionPtr ParserDriver::Cast(const Specifiers& type, bool pointer, ExpressionPtr operand,
-                                 SourceRange range) {
+ExpressionPtr ParserDriver::Cast(TypeNamePtr type, ExpressionPtr operand, SourceRange range) {
   ExpressionPtr result = MakeExpression(Expression::Kind::kCast, range);
   // Only a single word can be the type of a cast.
-  if (type.words.size() == 1 && !pointer) result->text = type.words[0]->text;
-  result->op_range = type.range;
+  const std::vector<const Token*>& words = type->specifiers.words;
+  if (words.size() == 1 && !type->pointer) result->text = words[0]->text;
+  result->op_range = type->specifiers.range;
+  result->type = std::move(type);
   result->operands.push_back(std::move(operand));
+  LimitDepth(*result);
+  return result;
+}
+
+ExpressionPtr ParserDriver::SizeOf(ExpressionPtr operand, SourceRange range) {
+  ExpressionPtr result = MakeExpression(Expression::Kind::kSizeof, range);
+  result->operands.push_back(std::move(operand));
+  LimitDepth(*result);
+  return result;
+}
+
+ExpressionPtr ParserDriver::SizeOfType(TypeNamePtr type, SourceRange range) {
+  ExpressionPtr result = MakeExpression(Expression::Kind::kSizeof, range);
+  result->type = std::move(type);
   LimitDepth(*result);
   return result;
 }
@@ -469,6 +527,15 @@ StatementPtr ParserDriver::Block(std::vector<StatementPtr> items, SourceRange ra
   return LimitDepth(std::move(statement));
 }
 
+StatementPtr ParserDriver::Labelled(std::vector<StatementPtr> labels, StatementPtr statement,
+                                    SourceRange range) {
+  StatementPtr block = MakeStatement(Statement::Kind::kBlock, range);
+  block->keyword = labels.front()->range;
+  block->items = std::move(labels);
+  block->items.push_back(std::move(statement));
+  return LimitDepth(std::move(block));
+}
+
 SourceRange Join(SourceRange first, SourceRange last) {
   if (first.file != last.file || last.end < first.begin) return last;
   return {first.file, first.begin, last.end};
@@ -500,6 +567,47 @@ StatementPtr MakeDeclaration(Specifiers specifiers, std::vector<Declarator> decl
   statement->specifiers = std::move(specifiers);
   statement->declarators = std::move(declarators);
   return statement;
+}
+
+std::unique_ptr<Enumeration> MakeEnumeration(const Token* name, SourceRange range) {
+  auto enumeration = std::make_unique<Enumeration>();
+  enumeration->range = range;
+  if (name != nullptr) {
+    enumeration->name = name->text;
+    enumeration->name_range = name->range;
+  }
+  return enumeration;
+}
+
+StatementPtr MakeEnumDeclaration(std::unique_ptr<Enumeration> enumeration, SourceRange range) {
+  Specifiers specifiers;
+  specifiers.range = enumeration->range;
+  specifiers.enumeration = std::move(enumeration);
+  return MakeDeclaration(std::move(specifiers), {}, range);
+}
+
+StatementPtr MakeCase(SourceRange keyword, ExpressionPtr value, ExpressionPtr last,
+                      SourceRange range) {
+  StatementPtr statement = MakeStatement(Statement::Kind::kCase, range);
+  statement->keyword = keyword;
+  statement->value = std::move(value);
+  statement->last = std::move(last);
+  return statement;
+}
+
+TypeNamePtr MakeTypeName(Specifiers specifiers, bool pointer, std::vector<ExpressionPtr> sizes,
+                         SourceRange range) {
+  auto type = std::make_unique<TypeName>();
+  type->range = range;
+  type->specifiers = std::move(specifiers);
+  type->pointer = pointer;
+  type->sizes = std::move(sizes);
+  return type;
+}
+
+std::vector<ExpressionPtr> PutFirst(ExpressionPtr first, std::vector<ExpressionPtr> others) {
+  others.insert(others.begin(), std::move(first));
+  return others;
 }
 
 ExpressionPtr MakeExpression(Expression::Kind kind, SourceRange range) {

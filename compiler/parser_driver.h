@@ -7,6 +7,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "compiler/dialect.h"
 #include "compiler/parser.hh"
 #include "compiler/reporter.h"
 #include "compiler/syntax.h"
@@ -16,8 +17,8 @@ namespace oncard::compiler {
 class ParserDriver {
  public:
   /// `tokens` end with an end token and must outlive the tree.
-  ParserDriver(std::span<const Token> tokens, Reporter& reporter)
-      : tokens_(tokens), reporter_(reporter) {}
+  ParserDriver(std::span<const Token> tokens, Reporter& reporter, Dialect dialect = Dialect::kCard)
+      : tokens_(tokens), reporter_(reporter), dialect_(dialect) {}
 
   Tree tree;
 
@@ -52,8 +53,9 @@ class ParserDriver {
                       SourceRange range);
   ExpressionPtr Conditional(ExpressionPtr condition, const Token* op, ExpressionPtr yes,
                             ExpressionPtr no, SourceRange range);
-  ExpressionPtr Cast(const Specifiers& type, bool pointer, ExpressionPtr operand,
-                     SourceRange range);
+  ExpressionPtr Cast(TypeNamePtr type, ExpressionPtr operand, SourceRange range);
+  ExpressionPtr SizeOf(ExpressionPtr operand, SourceRange range);
+  ExpressionPtr SizeOfType(TypeNamePtr type, SourceRange range);
   ExpressionPtr Index(ExpressionPtr array, ExpressionPtr index, SourceRange range);
   ExpressionPtr Call(ExpressionPtr callee, std::vector<ExpressionPtr> arguments, SourceRange range);
   ExpressionPtr Member(ExpressionPtr structure, const Token* op, const Token* name,
@@ -74,15 +76,23 @@ class ParserDriver {
   StatementPtr Return(SourceRange keyword, ExpressionPtr value, SourceRange range);
   StatementPtr FunctionItem(std::unique_ptr<Function> function, SourceRange range);
   StatementPtr Block(std::vector<StatementPtr> items, SourceRange range);
+  /// A statement inside another one with the labels before it, as a block without braces.
+  StatementPtr Labelled(std::vector<StatementPtr> labels, StatementPtr statement,
+                        SourceRange range);
 
  private:
+  int KindOf(const Token& token);
+  bool BeginsValues() const;
+  bool AfterEnumName() const;
   bool InForHeader() const;
   void RememberNames(size_t begin, size_t end);
   void ReportReservedWord(const Token& token);
 
   std::span<const Token> tokens_;
   Reporter& reporter_;
+  const Dialect dialect_;
   size_t next_ = 0;
+  int questions_ = 0;  // `?` whose `:` is still to come
   static constexpr int kErrorsHereMax = 8;
   const Token* error_at_ = nullptr;  // the token of the last syntax error
   int errors_here_ = 0;              // number of errors at this token
@@ -110,6 +120,16 @@ StatementPtr MakeNamed(Statement::Kind kind, const Token* name, SourceRange name
                        SourceRange range);
 StatementPtr MakeDeclaration(Specifiers specifiers, std::vector<Declarator> declarators,
                              SourceRange range);
+/// An enum without its constants; `name` may be nullptr.
+std::unique_ptr<Enumeration> MakeEnumeration(const Token* name, SourceRange range);
+/// The declaration of an enum alone: `enum Name { A, B };`.
+StatementPtr MakeEnumDeclaration(std::unique_ptr<Enumeration> enumeration, SourceRange range);
+/// `last` is nullptr unless the case is a range.
+StatementPtr MakeCase(SourceRange keyword, ExpressionPtr value, ExpressionPtr last,
+                      SourceRange range);
+TypeNamePtr MakeTypeName(Specifiers specifiers, bool pointer, std::vector<ExpressionPtr> sizes,
+                         SourceRange range);
+std::vector<ExpressionPtr> PutFirst(ExpressionPtr first, std::vector<ExpressionPtr> others);
 ExpressionPtr MakeExpression(Expression::Kind kind, SourceRange range);
 ExpressionPtr MakeLiteral(const Token* token, SourceRange range);
 std::unique_ptr<Function> MakeFunction(Specifiers specifiers, bool pointer, const Token* name,

@@ -1,6 +1,6 @@
 // The syntax tree of a program. It is deliberately richer than the language: it can represent
 // nearly all statements and expressions of C, so that the checker can say for each unsupported
-// construct what to write instead.
+// construct what to write instead. What only structured C has (compiler/dialect.h) is marked so.
 #pragma once
 
 #include <cstdint>
@@ -28,6 +28,8 @@ inline constexpr int kDepthMax = 200;
 
 struct Expression;
 using ExpressionPtr = std::unique_ptr<Expression>;
+struct TypeName;
+using TypeNamePtr = std::unique_ptr<TypeName>;
 
 struct Expression {
   enum class Kind : uint8_t {
@@ -41,12 +43,13 @@ struct Expression {
     kBinary,       ///< op, operands: two
     kAssign,       ///< op `=`, operands: target, value
     kCompound,     ///< op such as `+=`, operands: target, value
-    kCast,         ///< text is the type, operands: one
+    kCast,         ///< type; text is the type if it is one word; operands: one
+    kSizeof,       ///< operands: one, or type; structured C
     kCall,         ///< operands: callee, arguments
     kConditional,  ///< operands: three
     kComma,        ///< operands: two
     kParen,        ///< operands: one
-    kBraces,       ///< { a, b }: an array's initialiser
+    kBraces,       ///< { a, b }: an array's initialiser, nested for more dimensions
     kError         ///< reported already
   };
   Kind kind = Kind::kError;
@@ -55,14 +58,41 @@ struct Expression {
   std::string_view op;
   std::string_view text;
   Literal literal;
+  TypeNamePtr type;
   std::vector<ExpressionPtr> operands;
   int depth = 1;
+};
+
+/// A constant of an enum.
+struct Enumerator {
+  SourceRange range;
+  SourceRange name_range;
+  std::string_view name;
+  ExpressionPtr value;  ///< nullptr: one more than the previous one
+};
+
+/// `enum Name` or `enum Name { A, B = 4 }`; structured C.
+struct Enumeration {
+  SourceRange range;
+  SourceRange name_range;
+  std::string_view name;  ///< empty for an anonymous one
+  bool defined = false;   ///< has braces
+  std::vector<Enumerator> enumerators;
 };
 
 /// The words before a declared name, such as `unsigned long`.
 struct Specifiers {
   SourceRange range;
-  std::vector<const Token*> words;
+  std::vector<const Token*> words;           ///< without those of the enumeration
+  std::unique_ptr<Enumeration> enumeration;  ///< structured C
+};
+
+/// A type without a name, as in `(double)` and `sizeof(int[4])`.
+struct TypeName {
+  SourceRange range;
+  Specifiers specifiers;
+  bool pointer = false;
+  std::vector<ExpressionPtr> sizes;  ///< nullptr for `[]`
 };
 
 struct Declarator {
@@ -101,20 +131,20 @@ struct Statement {
   enum class Kind : uint8_t {
     kEmpty,
     kExpression,   ///< value
-    kDeclaration,  ///< specifiers, declarators
+    kDeclaration,  ///< specifiers, declarators; of an enum, there may be none
     kIf,           ///< value, body, else_body
     kWhile,        ///< value, body
     kDo,           ///< body, value
     kFor,          ///< initial, value, step, body
     kSwitch,       ///< value, body
-    kCase,         ///< value
+    kCase,         ///< value, and last of a range `case 1 ... 5:` (structured C)
     kDefault,
     kLabel,   ///< name
     kGoto,    ///< name
     kReturn,  ///< value or nullptr
     kBreak,
     kContinue,
-    kBlock,       ///< items
+    kBlock,       ///< items; also labels with their statement as the body of an `if` or a loop
     kFunction,    ///< function
     kMacro,       ///< macro
     kStrayBrace,  ///< `}` outside a function
@@ -127,6 +157,7 @@ struct Statement {
   std::string_view name;
   SourceRange name_range;
   ExpressionPtr value;
+  ExpressionPtr last;
   ExpressionPtr step;
   StatementPtr initial;
   StatementPtr body;

@@ -24,9 +24,18 @@ void ForEachStatement(const Statement& statement, const StatementVisitor& visit)
 void ForEachExpression(const Expression& expression, const ExpressionVisitor& visit) {
   visit(expression);
   for (const ExpressionPtr& operand : expression.operands) ForEachExpression(*operand, visit);
+  if (expression.type == nullptr) return;
+  for (const ExpressionPtr& size : expression.type->sizes) {
+    if (size != nullptr) ForEachExpression(*size, visit);
+  }
 }
 
 void ForEachWholeExpression(const Statement& statement, const ExpressionVisitor& visit) {
+  if (statement.specifiers.enumeration != nullptr) {
+    for (const Enumerator& constant : statement.specifiers.enumeration->enumerators) {
+      if (constant.value != nullptr) visit(*constant.value);
+    }
+  }
   for (const Declarator& declarator : statement.declarators) {
     for (const ExpressionPtr& size : declarator.sizes) {
       if (size != nullptr) visit(*size);
@@ -34,6 +43,7 @@ void ForEachWholeExpression(const Statement& statement, const ExpressionVisitor&
     if (declarator.initialiser != nullptr) visit(*declarator.initialiser);
   }
   if (statement.value != nullptr) visit(*statement.value);
+  if (statement.last != nullptr) visit(*statement.last);
   if (statement.step != nullptr) visit(*statement.step);
 }
 
