@@ -57,9 +57,7 @@ void AxisPort::Arm(size_t capture, CaptureSource source) {
 
 void AxisPort::ArmOnce(size_t capture, CaptureSource source, bool rising) {
   Capture& registers = core_.state().capture.capture(capture);
-  const auto bit = static_cast<uint16_t>(1u << static_cast<unsigned>(source));
-  registers.rising =
-      static_cast<uint16_t>(rising ? registers.rising | bit : registers.rising & ~bit);
+  registers.SetRising(source, rising);
   registers.repeat = 1;
   Arm(capture, source);
 }

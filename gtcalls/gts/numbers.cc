@@ -6,11 +6,18 @@
 namespace oncard::gtcalls {
 namespace {
 
+using motion::ArcPlane;
+using motion::CaptureSource;
 using motion::DiType;
 using motion::DoType;
+using motion::FollowEvent;
+using motion::FollowSegmentType;
+using motion::GearEvent;
 using motion::HomeError;
 using motion::HomeMode;
 using motion::HomeStage;
+using motion::MasterType;
+using motion::PtSegmentType;
 
 template <typename Name>
 struct Row {
@@ -66,6 +73,33 @@ constexpr Row<HomeError> kHomeErrors[] = {
     {10, HomeError::kNoIndex},
 };
 
+constexpr Row<CaptureSource> kCaptureSources[] = {
+    {0, CaptureSource::kNone},    {1, CaptureSource::kHome},  {2, CaptureSource::kIndex},
+    {3, CaptureSource::kProbe},   {6, CaptureSource::kHsio0}, {7, CaptureSource::kHsio1},
+    {8, CaptureSource::kHomeGpi},
+};
+
+constexpr Row<MasterType> kMasterTypes[] = {
+    {1, MasterType::kEncoder}, {2, MasterType::kProfile}, {3, MasterType::kAxis}};
+
+constexpr Row<GearEvent> kGearEvents[] = {
+    {1, GearEvent::kStart}, {2, GearEvent::kPass}, {5, GearEvent::kArea}};
+
+constexpr Row<FollowEvent> kFollowEvents[] = {{1, FollowEvent::kStart}, {2, FollowEvent::kPass}};
+
+constexpr Row<PtSegmentType> kPtSegmentTypes[] = {
+    {0, PtSegmentType::kNormal}, {1, PtSegmentType::kEven}, {2, PtSegmentType::kStop}};
+
+constexpr Row<FollowSegmentType> kFollowSegmentTypes[] = {
+    {0, FollowSegmentType::kNormal},
+    {1, FollowSegmentType::kEven},
+    {2, FollowSegmentType::kStop},
+    {3, FollowSegmentType::kContinue},
+};
+
+constexpr Row<ArcPlane> kArcPlanes[] = {
+    {0, motion::kXyPlane}, {1, motion::kYzPlane}, {2, motion::kZxPlane}};
+
 template <typename Name, size_t kSize>
 std::optional<Name> NameIn(const Row<Name> (&rows)[kSize], int number) {
   const auto* row = std::find_if(std::begin(rows), std::end(rows),
@@ -90,5 +124,25 @@ HomeMode HomeModeOf(int number) { return NameIn(kHomeModes, number).value_or(Hom
 int HomeNumber(HomeMode mode) { return NumberIn(kHomeModes, mode); }
 int HomeNumber(HomeStage stage) { return NumberIn(kHomeStages, stage); }
 int HomeNumber(HomeError error) { return NumberIn(kHomeErrors, error); }
+
+CaptureSource CaptureSourceOf(int number) {
+  return NameIn(kCaptureSources, number).value_or(CaptureSource::kNone);
+}
+int CaptureNumber(CaptureSource source) { return NumberIn(kCaptureSources, source); }
+
+std::optional<MasterType> MasterTypeOf(int number) { return NameIn(kMasterTypes, number); }
+int MasterNumber(MasterType type) { return NumberIn(kMasterTypes, type); }
+
+std::optional<GearEvent> GearEventOf(int number) { return NameIn(kGearEvents, number); }
+int EventNumber(GearEvent event) { return NumberIn(kGearEvents, event); }
+std::optional<FollowEvent> FollowEventOf(int number) { return NameIn(kFollowEvents, number); }
+int EventNumber(FollowEvent event) { return NumberIn(kFollowEvents, event); }
+
+std::optional<PtSegmentType> PtSegmentTypeOf(int number) { return NameIn(kPtSegmentTypes, number); }
+std::optional<FollowSegmentType> FollowSegmentTypeOf(int number) {
+  return NameIn(kFollowSegmentTypes, number);
+}
+
+std::optional<ArcPlane> ArcPlaneOf(int number) { return NameIn(kArcPlanes, number); }
 
 }  // namespace oncard::gtcalls

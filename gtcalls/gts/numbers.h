@@ -1,13 +1,21 @@
-// The numbers by which GTS commands name words of inputs and outputs (MC_...), and modes, stages
-// and errors of homing (HOME_...), for what the motion core names. Source: the public header's
-// constants. Tested by tests/gtcalls/numbers_test.cc.
+// The numbers by which GTS commands name what the motion core has names for: words of inputs and
+// outputs (MC_...), modes, stages and errors of homing (HOME_...), sources of captures
+// (CAPTURE_...), masters and events of slaves (GEAR_..., FOLLOW_...), types of segments
+// (PT_SEGMENT_..., FOLLOW_SEGMENT_...), planes of arcs. Source: the public header's constants.
+// Tested by tests/gtcalls/numbers_test.cc.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 
 #include "motion/homing.h"
+#include "motion/io/capture.h"
 #include "motion/io/digital_io.h"
+#include "motion/paths/segment.h"
+#include "motion/profiles/follow_mode.h"
+#include "motion/profiles/gear_mode.h"
+#include "motion/profiles/master.h"
+#include "motion/profiles/pt_mode.h"
 
 namespace oncard::gtcalls {
 
@@ -28,5 +36,30 @@ motion::HomeMode HomeModeOf(int number);
 int HomeNumber(motion::HomeMode mode);
 int HomeNumber(motion::HomeStage stage);
 int HomeNumber(motion::HomeError error);
+
+/// The source of CAPTURE_...; kNone for other numbers.
+motion::CaptureSource CaptureSourceOf(int number);
+/// CAPTURE_...; 0 for kNone.
+int CaptureNumber(motion::CaptureSource source);
+
+/// The type of GEAR_MASTER_... and FOLLOW_MASTER_..., which have the same numbers; empty for
+/// others.
+std::optional<motion::MasterType> MasterTypeOf(int number);
+int MasterNumber(motion::MasterType type);
+
+/// The event of GEAR_EVENT_...; empty for other numbers.
+std::optional<motion::GearEvent> GearEventOf(int number);
+int EventNumber(motion::GearEvent event);
+/// The event of FOLLOW_EVENT_...; empty for other numbers.
+std::optional<motion::FollowEvent> FollowEventOf(int number);
+int EventNumber(motion::FollowEvent event);
+
+/// The type of PT_SEGMENT_...; empty for other numbers.
+std::optional<motion::PtSegmentType> PtSegmentTypeOf(int number);
+/// The type of FOLLOW_SEGMENT_...; empty for other numbers.
+std::optional<motion::FollowSegmentType> FollowSegmentTypeOf(int number);
+
+/// The plane of TCrdData.circlePlat; empty for other numbers.
+std::optional<motion::ArcPlane> ArcPlaneOf(int number);
 
 }  // namespace oncard::gtcalls

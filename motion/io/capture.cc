@@ -11,11 +11,6 @@ static_assert(kFieldsComplete<Capture> && kFieldsComplete<Trigger>);
 
 }  // namespace
 
-CaptureSource CaptureSourceFromNumber(int number) {
-  const bool known = (number >= 1 && number <= 3) || (number >= 6 && number <= 8);
-  return known ? static_cast<CaptureSource>(number) : CaptureSource::kNone;
-}
-
 bool SourceListens(CaptureSource source, size_t index, DiType type, int bit) {
   const int own = static_cast<int>(index);
   switch (source) {
@@ -32,6 +27,10 @@ bool SourceListens(CaptureSource source, size_t index, DiType type, int bit) {
       break;
   }
   return false;
+}
+
+void Capture::SetRising(CaptureSource of, bool edge_rises) {
+  rising = static_cast<uint16_t>(edge_rises ? rising | BitOf(of) : rising & ~BitOf(of));
 }
 
 void CaptureUnit::Reset() {

@@ -22,18 +22,15 @@
 
 namespace oncard::motion {
 
-/// Numbered as CAPTURE_HOME ... CAPTURE_HOME_GPI.
 enum class CaptureSource : uint8_t {
-  kNone = 0,
-  kHome = 1,
-  kIndex = 2,
-  kProbe = 3,
-  kHsio0 = 6,
-  kHsio1 = 7,
-  kHomeGpi = 8  ///< the home input or the general input of the same number
+  kNone,
+  kHome,
+  kIndex,
+  kProbe,
+  kHsio0,
+  kHsio1,
+  kHomeGpi,  ///< the home input or the general input of the same number
 };
-/// The source with a number; kNone for any other number.
-CaptureSource CaptureSourceFromNumber(int number);
 
 /// Maximum number of positions captured in a row (GT_SetCaptureRepeat).
 inline constexpr uint16_t kCaptureRepeatMax = 256;
@@ -46,7 +43,7 @@ bool SourceListens(CaptureSource source, size_t index, DiType type, int bit);
 struct Capture {
   // Registers.
   CaptureSource source = CaptureSource::kNone;
-  uint16_t rising = 0;  ///< bit n: the sense of source n is the rising edge
+  uint16_t rising = 0;  ///< bit n: the sense of the nth CaptureSource is the rising edge
   uint16_t repeat = 1;  ///< positions to capture in a row
   uint8_t encoder = 0;  ///< the encoder whose position is latched
   std::vector<int32_t> offsets;
@@ -62,11 +59,19 @@ struct Capture {
   uint32_t offsets_used = 0;      ///< in the present loop
   int32_t loops_done = 0;
 
-  bool Rising() const { return (rising >> static_cast<unsigned>(source) & 1) != 0; }
+  /// The sense of the present source.
+  bool Rising() const { return (rising & BitOf(source)) != 0; }
+  /// Sets the sense of a source, which need not be the present one.
+  void SetRising(CaptureSource of, bool edge_rises);
 
   auto Fields() const {
     return std::tie(source, rising, repeat, encoder, offsets, loop, offset_source, armed, captured,
                     value, raw, positions, offsets_used, loops_done);
+  }
+
+ private:
+  static uint16_t BitOf(CaptureSource of) {
+    return static_cast<uint16_t>(1u << static_cast<unsigned>(of));
   }
 };
 

@@ -24,13 +24,15 @@ inline constexpr double kArcTolerance = 1;
 
 enum class SegmentShape : uint8_t { kLine, kArc };
 
-/// The plane of an arc, numbered as TCrdData.circlePlat: XY, YZ, ZX.
+/// The plane of an arc: two axes, and the one from which the arc's direction is seen.
 struct ArcPlane {
   uint8_t first = 0;
   uint8_t second = 1;
   uint8_t normal = 2;
 };
-inline constexpr std::array<ArcPlane, 3> kArcPlanes = {{{0, 1, 2}, {1, 2, 0}, {2, 0, 1}}};
+inline constexpr ArcPlane kXyPlane = {0, 1, 2};
+inline constexpr ArcPlane kYzPlane = {1, 2, 0};
+inline constexpr ArcPlane kZxPlane = {2, 0, 1};
 
 struct Segment {
   SegmentShape shape = SegmentShape::kLine;

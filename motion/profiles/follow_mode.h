@@ -18,8 +18,13 @@
 
 namespace oncard::motion {
 
-/// Numbered as FOLLOW_SEGMENT_NORMAL ...
-enum class FollowSegmentType : uint8_t { kNormal, kEven, kStop, kContinue };
+/// How the ratio of the velocities changes within a segment.
+enum class FollowSegmentType : uint8_t {
+  kNormal,    ///< begins with the last ratio of the segment before; the first with 0
+  kEven,      ///< constant
+  kStop,      ///< ends with 0
+  kContinue,  ///< like kNormal, but the first begins with the last ratio of the pass before
+};
 
 struct FollowSegment {
   int32_t master = 0;  ///< pulses since the pass began, cumulative
@@ -32,7 +37,11 @@ struct FollowSegment {
 /// Segments of a FIFO with GT_SetFollowMemory 0 and 1.
 inline constexpr std::array<size_t, 2> kFollowSegments = {16, 512};
 
-enum class FollowEvent : uint8_t { kStart = 1, kPass = 2 };
+/// When a started slave begins to follow.
+enum class FollowEvent : uint8_t {
+  kStart,  ///< at once
+  kPass,   ///< when the master passes a position
+};
 
 struct FollowMode {
   // Registers.

@@ -14,12 +14,12 @@
 
 namespace oncard::motion {
 
-/// When a started slave begins to follow (GT_SetGearEvent; the numbers are the public header's,
-/// what they do is an assumption).
+/// When a started slave begins to follow (GT_SetGearEvent). What the events mean is an assumption:
+/// the public header only names them.
 enum class GearEvent : uint8_t {
-  kStart = 1,  ///< at once
-  kPass = 2,   ///< when the master passes a position
-  kArea = 5    ///< when the master is between two positions
+  kStart,  ///< at once
+  kPass,   ///< when the master passes a position
+  kArea,   ///< when the master is between two positions
 };
 
 struct GearMode {

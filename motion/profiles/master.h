@@ -6,8 +6,7 @@
 
 namespace oncard::motion {
 
-/// Numbered as GEAR_MASTER_ENCODER ... GEAR_MASTER_AXIS and FOLLOW_MASTER_...
-enum class MasterType : uint8_t { kEncoder = 1, kProfile = 2, kAxis = 3 };
+enum class MasterType : uint8_t { kEncoder, kProfile, kAxis };
 
 struct Master {
   bool chosen = false;  ///< a master has been set

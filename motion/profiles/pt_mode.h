@@ -22,7 +22,6 @@ namespace oncard::motion {
 inline constexpr size_t kPtSmallBuffer = 32;
 inline constexpr size_t kPtLargeBuffer = 1024;
 
-/// Numbered as GT_PtData has them.
 enum class PtSegmentType : uint8_t {
   kNormal,  ///< begins with the end velocity of the one before; the first with 0
   kEven,    ///< constant velocity

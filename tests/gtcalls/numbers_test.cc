@@ -6,11 +6,17 @@
 namespace oncard::gtcalls {
 namespace {
 
+using motion::CaptureSource;
 using motion::DiType;
 using motion::DoType;
+using motion::FollowEvent;
+using motion::FollowSegmentType;
+using motion::GearEvent;
 using motion::HomeError;
 using motion::HomeMode;
 using motion::HomeStage;
+using motion::MasterType;
+using motion::PtSegmentType;
 
 TEST(Numbers, NameTheInputWords) {
   EXPECT_EQ(DiTypeOf(0), DiType::kLimitPositive);
@@ -55,6 +61,65 @@ TEST(Numbers, NameTheStagesAndErrorsOfHoming) {
   EXPECT_EQ(HomeNumber(HomeError::kNone), 0);
   EXPECT_EQ(HomeNumber(HomeError::kMode), 6);
   EXPECT_EQ(HomeNumber(HomeError::kNoIndex), 10);
+}
+
+TEST(Numbers, NameTheSourcesOfCaptures) {
+  EXPECT_EQ(CaptureSourceOf(1), CaptureSource::kHome);
+  EXPECT_EQ(CaptureSourceOf(2), CaptureSource::kIndex);
+  EXPECT_EQ(CaptureSourceOf(3), CaptureSource::kProbe);
+  EXPECT_EQ(CaptureSourceOf(6), CaptureSource::kHsio0);
+  EXPECT_EQ(CaptureSourceOf(7), CaptureSource::kHsio1);
+  EXPECT_EQ(CaptureSourceOf(8), CaptureSource::kHomeGpi);
+  for (const int number : {-1, 0, 4, 5, 9}) {
+    EXPECT_EQ(CaptureSourceOf(number), CaptureSource::kNone) << number;
+  }
+  for (const int number : {0, 1, 2, 3, 6, 7, 8}) {
+    EXPECT_EQ(CaptureNumber(CaptureSourceOf(number)), number);
+  }
+}
+
+TEST(Numbers, NameTheMastersOfSlaves) {
+  EXPECT_EQ(MasterTypeOf(1), MasterType::kEncoder);
+  EXPECT_EQ(MasterTypeOf(2), MasterType::kProfile);
+  EXPECT_EQ(MasterTypeOf(3), MasterType::kAxis);
+  for (const int number : {1, 2, 3}) EXPECT_EQ(MasterNumber(*MasterTypeOf(number)), number);
+  for (const int number : {0, 4}) EXPECT_EQ(MasterTypeOf(number), std::nullopt) << number;
+}
+
+TEST(Numbers, NameTheEventsOfSlaves) {
+  EXPECT_EQ(GearEventOf(1), GearEvent::kStart);
+  EXPECT_EQ(GearEventOf(2), GearEvent::kPass);
+  EXPECT_EQ(GearEventOf(5), GearEvent::kArea);
+  for (const int number : {1, 2, 5}) EXPECT_EQ(EventNumber(*GearEventOf(number)), number);
+  for (const int number : {0, 3, 4, 6}) EXPECT_EQ(GearEventOf(number), std::nullopt) << number;
+  EXPECT_EQ(FollowEventOf(1), FollowEvent::kStart);
+  EXPECT_EQ(FollowEventOf(2), FollowEvent::kPass);
+  for (const int number : {1, 2}) EXPECT_EQ(EventNumber(*FollowEventOf(number)), number);
+  for (const int number : {0, 3}) EXPECT_EQ(FollowEventOf(number), std::nullopt) << number;
+}
+
+TEST(Numbers, NameTheTypesOfSegments) {
+  EXPECT_EQ(PtSegmentTypeOf(0), PtSegmentType::kNormal);
+  EXPECT_EQ(PtSegmentTypeOf(1), PtSegmentType::kEven);
+  EXPECT_EQ(PtSegmentTypeOf(2), PtSegmentType::kStop);
+  for (const int number : {-1, 3}) EXPECT_EQ(PtSegmentTypeOf(number), std::nullopt) << number;
+  EXPECT_EQ(FollowSegmentTypeOf(0), FollowSegmentType::kNormal);
+  EXPECT_EQ(FollowSegmentTypeOf(1), FollowSegmentType::kEven);
+  EXPECT_EQ(FollowSegmentTypeOf(2), FollowSegmentType::kStop);
+  EXPECT_EQ(FollowSegmentTypeOf(3), FollowSegmentType::kContinue);
+  for (const int number : {-1, 4}) EXPECT_EQ(FollowSegmentTypeOf(number), std::nullopt) << number;
+}
+
+TEST(Numbers, NameThePlanesOfArcs) {
+  const auto normal = [](int number) {
+    const auto plane = ArcPlaneOf(number);
+    return plane ? plane->normal : -1;
+  };
+  EXPECT_EQ(normal(0), 2);  // XY
+  EXPECT_EQ(normal(1), 0);  // YZ
+  EXPECT_EQ(normal(2), 1);  // ZX
+  EXPECT_EQ(normal(-1), -1);
+  EXPECT_EQ(normal(3), -1);
 }
 
 }  // namespace

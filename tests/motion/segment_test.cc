@@ -9,8 +9,6 @@
 namespace oncard::motion {
 namespace {
 
-constexpr ArcPlane kXy = kArcPlanes[0];
-
 void ExpectNear(const Coordinates& a, const Coordinates& b, double tolerance = 1e-9) {
   for (size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], tolerance) << "coordinate " << i;
 }
@@ -38,7 +36,7 @@ TEST(Segment, ArcsOfARadius) {
                      {{0, 0}, {200, 0}, 100, true, 100, 0, 180, 314.159265},
                      {{6000, 12000}, {14000, 20000}, 8000, false, 14000, 12000, 90, 12566.3706}};
   for (const auto& c : cases) {
-    const auto arc = MakeArcWithRadius(c.start, c.end, kXy, c.radius, c.counter_clockwise);
+    const auto arc = MakeArcWithRadius(c.start, c.end, kXyPlane, c.radius, c.counter_clockwise);
     ASSERT_TRUE(arc.has_value());
     EXPECT_NEAR(arc->centre[0], c.centre_x, 1e-6);
     EXPECT_NEAR(arc->centre[1], c.centre_y, 1e-6);
@@ -56,29 +54,29 @@ TEST(Segment, ArcsOfARadius) {
 }
 
 TEST(Segment, ARadiusMustReach) {
-  EXPECT_TRUE(MakeArcWithRadius({0, 0}, {200, 0}, kXy, 99, true).has_value());
-  EXPECT_FALSE(MakeArcWithRadius({0, 0}, {200, 0}, kXy, 98.9, true).has_value());
-  EXPECT_FALSE(MakeArcWithRadius({0, 0}, {0, 0}, kXy, 10, true).has_value());
-  EXPECT_FALSE(MakeArcWithRadius({0, 0}, {20, 0}, kXy, 0, true).has_value());
+  EXPECT_TRUE(MakeArcWithRadius({0, 0}, {200, 0}, kXyPlane, 99, true).has_value());
+  EXPECT_FALSE(MakeArcWithRadius({0, 0}, {200, 0}, kXyPlane, 98.9, true).has_value());
+  EXPECT_FALSE(MakeArcWithRadius({0, 0}, {0, 0}, kXyPlane, 10, true).has_value());
+  EXPECT_FALSE(MakeArcWithRadius({0, 0}, {20, 0}, kXyPlane, 0, true).has_value());
 }
 
 TEST(Segment, ArcsAroundACentre) {
-  const auto quarter = MakeArcAroundCentre({100, 0}, {0, 100}, kXy, -100, 0, true);
+  const auto quarter = MakeArcAroundCentre({100, 0}, {0, 100}, kXyPlane, -100, 0, true);
   ASSERT_TRUE(quarter.has_value());
   EXPECT_NEAR(quarter->sweep, kPi / 2, 1e-12);
-  const auto rest = MakeArcAroundCentre({100, 0}, {0, 100}, kXy, -100, 0, false);
+  const auto rest = MakeArcAroundCentre({100, 0}, {0, 100}, kXyPlane, -100, 0, false);
   EXPECT_NEAR(rest->sweep, 3 * kPi / 2, 1e-12);
-  const auto full = MakeArcAroundCentre({100, 0}, {100, 0}, kXy, -100, 0, false);
+  const auto full = MakeArcAroundCentre({100, 0}, {100, 0}, kXyPlane, -100, 0, false);
   EXPECT_NEAR(full->length, 200 * kPi, 1e-9);
   ExpectNear(full->PointAt(50 * kPi), {0, -100});
-  EXPECT_TRUE(MakeArcAroundCentre({100, 0}, {0, 101}, kXy, -100, 0, true).has_value());
-  EXPECT_FALSE(MakeArcAroundCentre({100, 0}, {0, 101.5}, kXy, -100, 0, true).has_value());
-  EXPECT_FALSE(MakeArcAroundCentre({100, 0}, {0, 100}, kXy, 0, 0, true).has_value());
+  EXPECT_TRUE(MakeArcAroundCentre({100, 0}, {0, 101}, kXyPlane, -100, 0, true).has_value());
+  EXPECT_FALSE(MakeArcAroundCentre({100, 0}, {0, 101.5}, kXyPlane, -100, 0, true).has_value());
+  EXPECT_FALSE(MakeArcAroundCentre({100, 0}, {0, 100}, kXyPlane, 0, 0, true).has_value());
 }
 
 TEST(Segment, PlanesAreTakenInCyclicOrder) {
   // A quarter circle counter-clockwise from the first axis of the plane to the second.
-  for (const ArcPlane& plane : kArcPlanes) {
+  for (const ArcPlane& plane : {kXyPlane, kYzPlane, kZxPlane}) {
     Coordinates start{};
     Coordinates end{};
     start[plane.first] = 10;
@@ -93,7 +91,7 @@ TEST(Segment, PlanesAreTakenInCyclicOrder) {
 }
 
 TEST(Segment, HelicesRiseWithTheAngle) {
-  const auto helix = MakeArcAroundCentre({100, 0, 0}, {100, 0, 50}, kXy, -100, 0, true);
+  const auto helix = MakeArcAroundCentre({100, 0, 0}, {100, 0, 50}, kXyPlane, -100, 0, true);
   ASSERT_TRUE(helix.has_value());
   EXPECT_NEAR(helix->length, std::sqrt(200 * kPi * 200 * kPi + 50 * 50), 1e-9);
   ExpectNear(helix->PointAt(helix->length / 4), {0, 100, 12.5, 0});

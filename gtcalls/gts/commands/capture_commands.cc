@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "gtcalls/gts/commands/motion_support.h"
+#include "gtcalls/gts/numbers.h"
 
 namespace oncard::gtcalls {
 namespace {
@@ -31,9 +32,7 @@ Capture& CaptureOf(const Call& call) { return UnitOf(call).capture(NumberOf(call
 
 /// 0, or 7 if there is no capture source with this number.
 int16_t CheckSource(Call& call, double number) {
-  if (motion::CaptureSourceFromNumber(static_cast<int>(number)) != CaptureSource::kNone) {
-    return vm::kOk;
-  }
+  if (CaptureSourceOf(static_cast<int>(number)) != CaptureSource::kNone) return vm::kOk;
   return call.Refuse(vm::kBadParameter,
                      MakeMessage("capture source {0} does not exist; there are 1 to 3 and 6 to 8",
                                  "捕获方式为 {0}；应为 1 到 3 或 6 到 8", number));
@@ -58,12 +57,12 @@ int16_t CheckEncoder(Call& call, std::string_view name, double number) {
 int16_t gts::GT_SetCaptureMode(Call& call) {
   const int16_t code = CheckSource(call, call.value(1));
   if (code != vm::kOk) return code;
-  UnitOf(call).Arm(NumberOf(call), motion::CaptureSourceFromNumber(call.integer(1)));
+  UnitOf(call).Arm(NumberOf(call), CaptureSourceOf(call.integer(1)));
   return vm::kOk;
 }
 
 int16_t gts::GT_GetCaptureMode(Call& call) {
-  return ReadEach(call, [&](size_t i) { return static_cast<int>(UnitOf(call).capture(i).source); });
+  return ReadEach(call, [&](size_t i) { return CaptureNumber(UnitOf(call).capture(i).source); });
 }
 
 int16_t gts::GT_GetCaptureStatus(Call& call) {
@@ -80,9 +79,7 @@ int16_t gts::GT_GetCaptureStatus(Call& call) {
 int16_t gts::GT_SetCaptureSense(Call& call) {
   const int16_t code = CheckSource(call, call.value(1));
   if (code != vm::kOk) return code;
-  uint16_t& rising = CaptureOf(call).rising;
-  const auto bit = static_cast<uint16_t>(1u << static_cast<unsigned>(call.integer(1)));
-  rising = static_cast<uint16_t>(call.integer(2) != 0 ? rising | bit : rising & ~bit);
+  CaptureOf(call).SetRising(CaptureSourceOf(call.integer(1)), call.integer(2) != 0);
   return vm::kOk;
 }
 
@@ -191,7 +188,7 @@ int16_t gts::GT_SetTrigger(Call& call) {
   }
   Trigger trigger;
   trigger.encoder = static_cast<uint8_t>(cells[kEncoder] - 1);
-  trigger.source = motion::CaptureSourceFromNumber(static_cast<int>(cells[kProbeType]));
+  trigger.source = CaptureSourceOf(static_cast<int>(cells[kProbeType]));
   trigger.input = static_cast<uint8_t>(cells[kProbeIndex] - 1);
   trigger.rising = cells[kSense] != 0;
   trigger.offset = static_cast<int16_t>(cells[kOffset]);
@@ -206,7 +203,7 @@ int16_t gts::GT_SetTrigger(Call& call) {
 int16_t gts::GT_GetTrigger(Call& call) {
   const Trigger& t = UnitOf(call).trigger(NumberOf(call));
   const double cells[] = {double(t.encoder + 1),
-                          double(static_cast<int>(t.source)),
+                          double(CaptureNumber(t.source)),
                           double(t.input + 1),
                           t.rising ? 1.0 : 0.0,
                           double(t.offset),

@@ -1,13 +1,13 @@
 // Follow: tables of slave displacement against master displacement.
 // Source: GTS manual 7.6 and chapter 13. Tested by tests/gtcalls/follow_command_test.cc.
 #include "gtcalls/gts/commands/motion_support.h"
+#include "gtcalls/gts/numbers.h"
 
 namespace oncard::gtcalls {
 namespace {
 
 using motion::FollowMode;
 using motion::FollowSegment;
-using motion::FollowSegmentType;
 using motion::ProfileMode;
 
 FollowMode& FollowOf(const Call& call) { return ProfileOf(call).follow; }
@@ -61,7 +61,7 @@ int16_t gts::GT_SetFollowEvent(Call& call) {
   const int16_t code = CheckFollow(call);
   if (code != vm::kOk) return code;
   FollowMode& follow = FollowOf(call);
-  follow.event = static_cast<motion::FollowEvent>(call.integer(1));
+  follow.event = *FollowEventOf(call.integer(1));
   follow.event_direction = static_cast<int8_t>(call.integer(2));
   follow.event_position = call.integer(3);
   return vm::kOk;
@@ -71,7 +71,7 @@ int16_t gts::GT_GetFollowEvent(Call& call) {
   const int16_t code = CheckFollow(call);
   if (code != vm::kOk) return code;
   const FollowMode& follow = FollowOf(call);
-  call.Set(1, static_cast<int>(follow.event));
+  call.Set(1, EventNumber(follow.event));
   call.Set(2, follow.event_direction);
   call.Set(3, follow.event_position);
   return vm::kOk;
@@ -129,8 +129,7 @@ int16_t gts::GT_FollowData(Call& call) {
                                    "FIFO {0} 已满，请先用 GT_FollowSpace 查询空间", which));
   }
   segments.reserve(follow.Capacity());
-  segments.push_back(
-      {call.integer(1), call.value(2), static_cast<FollowSegmentType>(call.integer(3))});
+  segments.push_back({call.integer(1), call.value(2), *FollowSegmentTypeOf(call.integer(3))});
   return vm::kOk;
 }
 

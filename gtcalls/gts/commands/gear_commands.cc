@@ -2,11 +2,11 @@
 // Source: GTS manual 7.5 and chapter 13; the public header for events.
 // Tested by tests/gtcalls/gear_command_test.cc.
 #include "gtcalls/gts/commands/motion_support.h"
+#include "gtcalls/gts/numbers.h"
 
 namespace oncard::gtcalls {
 namespace {
 
-using motion::GearEvent;
 using motion::GearMode;
 using motion::ProfileMode;
 
@@ -66,18 +66,19 @@ int16_t gts::GT_GetGearRatio(Call& call) {
 }
 
 int16_t gts::GT_SetGearEvent(Call& call) {
-  const int event = call.integer(1);
-  if (event == 3 || event == 4) {
+  const auto event = GearEventOf(call.integer(1));
+  if (!event) {
     return call.Refuse(
         vm::kBadParameter,
         MakeMessage("event {0} is unknown; 1 starts at once, 2 when the master passes a position, "
                     "5 inside an area",
-                    "事件 {0} 无效；1 为立即启动，2 为主轴穿越位置，5 为位于区域内", event));
+                    "事件 {0} 无效；1 为立即启动，2 为主轴穿越位置，5 为位于区域内",
+                    call.integer(1)));
   }
   const int16_t code = CheckModeAtRest(call, NumberOf(call), ProfileMode::kGear);
   if (code != vm::kOk) return code;
   GearMode& gear = GearOf(call);
-  gear.event = static_cast<GearEvent>(event);
+  gear.event = *event;
   gear.event_first = call.integer(2);
   gear.event_last = call.integer(3);
   return vm::kOk;
@@ -87,7 +88,7 @@ int16_t gts::GT_GetGearEvent(Call& call) {
   const int16_t code = CheckGear(call);
   if (code != vm::kOk) return code;
   const GearMode& gear = GearOf(call);
-  call.Set(1, static_cast<int>(gear.event));
+  call.Set(1, EventNumber(gear.event));
   call.Set(2, gear.event_first);
   call.Set(3, gear.event_last);
   return vm::kOk;

@@ -1,5 +1,7 @@
 #include "gtcalls/gts/commands/motion_support.h"
 
+#include "gtcalls/gts/numbers.h"
+
 namespace oncard::gtcalls {
 
 using motion::Axis;
@@ -109,7 +111,7 @@ std::optional<motion::Master> ReadMasterArguments(Call& call) {
   motion::Master master;
   const int index = call.integer(1);
   master.chosen = true;
-  master.type = static_cast<motion::MasterType>(call.integer(2));
+  master.type = *MasterTypeOf(call.integer(2));
   master.encoder_side = call.integer(3) != 0;
   const int last = call.card.motion.config().axis_count;
   const bool auxiliary = master.type == motion::MasterType::kEncoder && index > last &&
@@ -129,7 +131,7 @@ std::optional<motion::Master> ReadMasterArguments(Call& call) {
 
 void SetMasterOutputs(const Call& call, const motion::Master& master) {
   call.Set(1, master.chosen ? master.index + 1 : 0);
-  call.Set(2, static_cast<int>(master.type));
+  call.Set(2, MasterNumber(master.type));
   call.Set(3, master.encoder_side ? 1 : 0);
 }
 

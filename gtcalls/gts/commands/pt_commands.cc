@@ -2,6 +2,7 @@
 // Source: GTS manual 7.4 and chapter 13; the public header for numbered segments. Tested by
 // tests/gtcalls/pt_command_test.cc.
 #include "gtcalls/gts/commands/motion_support.h"
+#include "gtcalls/gts/numbers.h"
 
 namespace oncard::gtcalls {
 namespace {
@@ -80,8 +81,7 @@ int16_t Append(Call& call, size_t buffer, int32_t number) {
                                    "GT_PtClear",
                                    call.integer(0)));
   }
-  pt.Append(buffer, call.value(1), time, static_cast<motion::PtSegmentType>(call.integer(3)),
-            number);
+  pt.Append(buffer, call.value(1), time, *PtSegmentTypeOf(call.integer(3)), number);
   return vm::kOk;
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "gtcalls/gts/commands/crd_support.h"
+#include "gtcalls/gts/numbers.h"
 #include "motion/paths/segment.h"
 
 namespace oncard::gtcalls {
@@ -41,9 +42,9 @@ struct Request {
 };
 
 ArcPlane PlaneOf(std::string_view command) {
-  if (Contains(command, "ArcYZ") || Contains(command, "HelixYZ")) return motion::kArcPlanes[1];
-  if (Contains(command, "ArcZX") || Contains(command, "HelixZX")) return motion::kArcPlanes[2];
-  return motion::kArcPlanes[0];
+  if (Contains(command, "ArcYZ") || Contains(command, "HelixYZ")) return motion::kYzPlane;
+  if (Contains(command, "ArcZX") || Contains(command, "HelixZX")) return motion::kZxPlane;
+  return motion::kXyPlane;
 }
 
 /// The coordinate of parameter x, y, z or a; 4 for other names.
@@ -224,7 +225,7 @@ int16_t AppendData(Call& call, bool arc) {
   request.end_velocity = cells[kEndVelocityCell];
   request.ends_at_rest = cells[kEndsAtRestCell] != 0;
   if (arc) {
-    request.plane = motion::kArcPlanes[static_cast<size_t>(cells[kPlaneCell])];
+    request.plane = *ArcPlaneOf(static_cast<int>(cells[kPlaneCell]));
     request.dimension = std::max(request.plane.first, request.plane.second) + size_t{1};
     request.counter_clockwise = cells[kDirectionCell] != 0;
     if (cells[kRadiusCell] != 0) {
