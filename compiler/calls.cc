@@ -287,7 +287,7 @@ bool Checker::CheckInput(const Expression& argument, const gtcalls::Command& com
       return false;
     }
     const Limits limits = LimitsOf(parameter.type);
-    const bool bits = operand->literal->hexadecimal && parameter.type == Scalar::kUnsignedLong;
+    const bool bits = operand->literal->as_bits && parameter.type == Scalar::kUnsignedLong;
     if (!bits && (value < limits.minimum || value > limits.maximum)) {
       const int32_t passed = Truncated(value, parameter.type);
       reporter_.Report(Code::kLiteralTruncated, argument.range, Source(argument.range),

@@ -306,6 +306,8 @@ class Checker {
 
 /// How messages name things.
 Message DescribeType(vm::DataType type);
+/// The smallest or the largest value.
+Message DescribeRange(vm::DataType type, vm::DoubleFormat format, bool upper);
 Message DescribeEntity(const Entity& entity);
 /// Advice for a value of the other type.
 Message ConvertAdvice();

@@ -4,9 +4,14 @@
 #include "compiler/checker.h"
 
 namespace oncard::compiler {
-namespace {
 
 using vm::DataType;
+
+Message DescribeType(DataType type) {
+  if (type == DataType::kDouble) return MakeMessage("a double", "double");
+  if (type == DataType::kInt) return MakeMessage("an int", "int");
+  return MakeMessage("nothing", "无");
+}
 
 Message DescribeRange(DataType type, vm::DoubleFormat format, bool upper) {
   if (type == DataType::kInt)
@@ -14,14 +19,6 @@ Message DescribeRange(DataType type, vm::DoubleFormat format, bool upper) {
   const bool wide = format == vm::DoubleFormat::k32_16;
   return ToMessage(std::string_view(upper ? (wide ? "2147483647.99998" : "32767.99998")
                                           : (wide ? "-2147483648" : "-32768")));
-}
-
-}  // namespace
-
-Message DescribeType(DataType type) {
-  if (type == DataType::kDouble) return MakeMessage("a double", "double");
-  if (type == DataType::kInt) return MakeMessage("an int", "int");
-  return MakeMessage("nothing", "无");
 }
 
 Message DescribeEntity(const Entity& entity) {

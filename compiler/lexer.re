@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <string>
 #include <unordered_set>
 
@@ -70,11 +71,16 @@ class Lexer {
   void AddName(const char* begin, const char* end);
   void AddEllipsis(const char* begin, const char* end);
   void AddInteger(const char* begin, const char* end);
+  void AddIntegerOfC(const char* begin, const char* end);
+  void AddOctal(const char* begin, const char* end);
+  void AddOtherNumber(const char* begin, const char* end);
+  void AddCharacter(const char* begin, const char* end);
   void AddFixed(const char* begin, const char* end);
   void AddBadNumber(Code code, const char* begin, const char* end);
   void AddUnsuffixed(std::string_view number, Diagnostic& diagnostic, const char* begin,
                      const char* end);
   void AddString(const char* begin, const char* end);
+  const char* EndOfString(const char* begin, const char* end, const char* limit) const;
   const char* SkipComment(const char* begin, const char* limit);
   const char* Operator(const char* begin, const char* limit);
   const char* IllegalCharacters(const char* begin, const char* limit);
@@ -131,10 +137,53 @@ void Lexer::AddName(const char* begin, const char* end) {
 }
 
 void Lexer::AddInteger(const char* begin, const char* end) {
+  if (structured_) {
+    AddIntegerOfC(begin, end);
+    return;
+  }
   const char* digits_end = end;
   while (std::string_view("uUlL").find(digits_end[-1]) != std::string_view::npos) --digits_end;
   Add(Kind::kInteger, begin, end,
       ParseInteger({begin, static_cast<size_t>(digits_end - begin)}));
+}
+
+// Also what is no number at all.
+void Lexer::AddIntegerOfC(const char* begin, const char* end) {
+  const std::string_view text(begin, static_cast<size_t>(end - begin));
+  if (const std::optional<Literal> literal = ParseIntegerOfC(text)) {
+    Add(Kind::kInteger, begin, end, *literal);
+    return;
+  }
+  const size_t suffix = std::min(text.find_last_not_of("lLuU") + 1, text.size());
+  const bool is_long_long = text.find("ll", suffix) != std::string_view::npos ||
+                            text.find("LL", suffix) != std::string_view::npos;
+  const bool decimal = text.find_first_not_of("0123456789") == std::string_view::npos;
+  if (is_long_long && ParseIntegerOfC(text.substr(0, suffix))) {
+    reporter_.Report(Code::kLongLong, Range(begin, end), text);
+    Literal literal;
+    literal.invalid = true;
+    Add(Kind::kInteger, begin, end, literal);
+  } else {
+    AddBadNumber(decimal ? Code::kOctal : Code::kMalformedLiteral, begin, end);
+  }
+}
+
+void Lexer::AddOctal(const char* begin, const char* end) {
+  if (structured_) {
+    AddIntegerOfC(begin, end);
+  } else {
+    AddBadNumber(Code::kOctal, begin, end);
+  }
+}
+
+// A word that begins with a digit.
+void Lexer::AddOtherNumber(const char* begin, const char* end) {
+  if (structured_ && std::string_view(begin, static_cast<size_t>(end - begin)).find('.') ==
+                         std::string_view::npos) {
+    AddIntegerOfC(begin, end);
+  } else {
+    AddBadNumber(Code::kMalformedLiteral, begin, end);
+  }
 }
 
 void Lexer::AddFixed(const char* begin, const char* end) {
@@ -183,6 +232,35 @@ void Lexer::AddString(const char* begin, const char* end) {
     InsertAfter(diagnostic, Range(begin, end), std::string(1, *begin));
   }
   Add(Kind::kString, begin, end);
+}
+
+// The end of a string that the rules have read up to a quote: in structured C a quote after a
+// backslash does not end it.
+const char* Lexer::EndOfString(const char* begin, const char* end, const char* limit) const {
+  if (!structured_) return end;
+  for (end = begin + 1; end < limit && *end != '\n'; ++end) {
+    if (*end == '"') return end + 1;
+    if (*end == '\\' && end + 1 < limit && end[1] != '\n') ++end;
+  }
+  return end;
+}
+
+// 'x': in structured C a number.
+void Lexer::AddCharacter(const char* begin, const char* end) {
+  const std::string_view text(begin, static_cast<size_t>(end - begin));
+  if (!structured_) {
+    Add(Kind::kString, begin, end);
+    return;
+  }
+  Literal literal;
+  if (const std::optional<int> value = CharacterValue(text)) {
+    literal.negative = *value < 0;
+    literal.magnitude = static_cast<uint64_t>(std::abs(*value));
+  } else {
+    literal.invalid = true;
+    reporter_.Report(Code::kNotACharacter, Range(begin, end), text);
+  }
+  Add(Kind::kInteger, begin, end, literal);
 }
 
 const char* Lexer::SkipComment(const char* begin, const char* limit) {
@@ -285,14 +363,15 @@ void Lexer::Scan(const char* cursor, const char* limit) {
 
       (decimal | hex) suffix? { AddInteger(begin, cursor); continue; }
       fixed                   { AddFixed(begin, cursor); continue; }
-      octal suffix?           { AddBadNumber(Code::kOctal, begin, cursor); continue; }
+      octal suffix?           { AddOctal(begin, cursor); continue; }
       fixed [fFlL]            { AddBadNumber(Code::kMalformedLiteral, begin, cursor); continue; }
-      "."? digit (letter | digit | ".")* {
-        AddBadNumber(Code::kMalformedLiteral, begin, cursor);
+      "."? digit (letter | digit | ".")* { AddOtherNumber(begin, cursor); continue; }
+      ["] [^"\n]* ["]? {
+        cursor = EndOfString(begin, cursor, limit);
+        AddString(begin, cursor);
         continue;
       }
-      ["] [^"\n]* ["]?        { AddString(begin, cursor); continue; }
-      ['] ([^'\\\n] | [\\] [^\n])* ['] { AddString(begin, cursor); continue; }
+      ['] ([^'\\\n] | [\\] [^\n])* ['] { AddCharacter(begin, cursor); continue; }
 
       "int"      { Add(Kind::kInt, begin, cursor); continue; }
       "long"     { Add(Kind::kLong, begin, cursor); continue; }

@@ -1,6 +1,7 @@
 #include "compiler/literal.h"
 
 #include <algorithm>
+#include <cctype>
 #include <string>
 
 namespace oncard::compiler {
@@ -13,6 +14,44 @@ constexpr int64_t kExponentMax = 1'000'000'000;
 int DigitOf(char c) {
   if (c >= '0' && c <= '9') return c - '0';
   return (c | 0x20) - 'a' + 10;
+}
+
+// Adds digits to a literal; false if one of them is none of the base.
+bool AddDigits(std::string_view digits, uint64_t base, Literal& literal) {
+  for (const char c : digits) {
+    if (std::isxdigit(static_cast<unsigned char>(c)) == 0) return false;
+    const uint64_t digit = static_cast<uint64_t>(DigitOf(c));
+    if (digit >= base) return false;
+    literal.magnitude = std::min(kHuge, literal.magnitude * base + digit);
+  }
+  return true;
+}
+
+// Removes a suffix `u`, `l`, `ul` or `lu`. Returns whether it has a `u`, or nothing if it is none
+// of these.
+std::optional<bool> TakeSuffix(std::string_view& text) {
+  const auto take = [&text](char wanted) {
+    if (text.empty() || (text.back() | 0x20) != wanted) return false;
+    text.remove_suffix(1);
+    return true;
+  };
+  const bool first = take('u');
+  const bool is_long = take('l');
+  const bool second = take('u');
+  if (first && second) return std::nullopt;
+  if (!is_long && second) return std::nullopt;
+  return first || second;
+}
+
+// The value of the digits after a backslash: `x1F` or up to three octal ones.
+std::optional<int> EscapeValue(std::string_view digits) {
+  Literal literal;
+  const bool hexadecimal = !digits.empty() && digits[0] == 'x';
+  if (hexadecimal) digits.remove_prefix(1);
+  if (digits.empty() || (!hexadecimal && digits.size() > 3)) return std::nullopt;
+  if (!AddDigits(digits, hexadecimal ? 16 : 8, literal)) return std::nullopt;
+  if (literal.magnitude > UINT8_MAX) return std::nullopt;
+  return static_cast<int8_t>(static_cast<uint8_t>(literal.magnitude));
 }
 
 // Doubles the decimal fraction 0.DDD in place and returns the digit carried before the point.
@@ -40,9 +79,9 @@ int64_t ParseExponent(std::string_view text) {
 
 Literal ParseInteger(std::string_view digits) {
   Literal literal;
-  literal.hexadecimal = digits.size() > 1 && (digits[1] | 0x20) == 'x';
-  if (literal.hexadecimal) digits.remove_prefix(2);
-  const uint64_t base = literal.hexadecimal ? 16 : 10;
+  literal.as_bits = digits.size() > 1 && (digits[1] | 0x20) == 'x';
+  if (literal.as_bits) digits.remove_prefix(2);
+  const uint64_t base = literal.as_bits ? 16 : 10;
   for (const char c : digits) {
     literal.magnitude = literal.magnitude * base + static_cast<uint64_t>(DigitOf(c));
     if (literal.magnitude >= kHuge / base) {
@@ -50,6 +89,22 @@ Literal ParseInteger(std::string_view digits) {
       break;
     }
   }
+  return literal;
+}
+
+std::optional<Literal> ParseIntegerOfC(std::string_view text) {
+  const bool octal = text.size() > 1 && text[0] == '0';
+  const char mark = octal ? static_cast<char>(text[1] | 0x20) : '\0';
+  const std::optional<bool> suffix = TakeSuffix(text);
+  if (!suffix) return std::nullopt;
+  uint64_t base = octal ? 8 : 10;
+  if (mark == 'x') base = 16;
+  if (mark == 'b') base = 2;
+  if (mark == 'x' || mark == 'b') text.remove_prefix(std::min<size_t>(2, text.size()));
+  Literal literal;
+  literal.as_bits = base != 10;
+  if (text.empty() || !AddDigits(text, base, literal)) return std::nullopt;
+  literal.is_unsigned = *suffix || (literal.as_bits && literal.magnitude > INT32_MAX);
   return literal;
 }
 
@@ -104,11 +159,12 @@ std::optional<int> CharacterValue(std::string_view text) {
     const unsigned char character = static_cast<unsigned char>(text[0]);
     return character < 0x80 && character != '\\' ? std::optional<int>(character) : std::nullopt;
   }
-  if (text.size() != 2 || text[0] != '\\') return std::nullopt;
+  if (text.size() < 2 || text[0] != '\\') return std::nullopt;
+  if (const std::optional<int> value = EscapeValue(text.substr(1))) return value;
+  if (text.size() != 2) return std::nullopt;
   constexpr std::string_view kEscapes = "abtnvfr";  // 7 to 13
   const size_t escape = kEscapes.find(text[1]);
   if (escape != std::string_view::npos) return 7 + static_cast<int>(escape);
-  if (text[1] == '0') return 0;
   if (std::string_view("'\"\\?").find(text[1]) != std::string_view::npos) return text[1];
   return std::nullopt;
 }
@@ -116,7 +172,7 @@ std::optional<int> CharacterValue(std::string_view text) {
 std::optional<int32_t> IntValue(const Literal& literal) {
   if (literal.kind != Literal::Kind::kInteger) return std::nullopt;
   if (literal.invalid) return 0;
-  if (literal.hexadecimal) {
+  if (literal.as_bits || literal.is_unsigned) {
     if (literal.magnitude > UINT32_MAX) return std::nullopt;
     const uint32_t bits = static_cast<uint32_t>(literal.magnitude);
     return static_cast<int32_t>(literal.negative ? 0 - bits : bits);

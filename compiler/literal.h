@@ -16,7 +16,10 @@ namespace oncard::compiler {
 struct Literal {
   enum class Kind : uint8_t { kInteger, kFixed };
   Kind kind = Kind::kInteger;
-  bool hexadecimal = false;
+  /// Written as bits, in hexadecimal, octal or binary: up to 32 of them wrap to an int.
+  bool as_bits = false;
+  /// Structured C: the type is unsigned int, by its suffix, or because the bits do not fit an int.
+  bool is_unsigned = false;
   /// It is not a number, or has been reported already; any value is accepted.
   bool invalid = false;
   /// The sign before it is part of it.
@@ -31,14 +34,18 @@ inline constexpr uint64_t kHuge = uint64_t{1} << 62;
 
 /// Reads `12`, `0x1F` (suffixes removed). The digits must be well formed.
 Literal ParseInteger(std::string_view digits);
+/// Reads an integer of structured C with its suffix: `12`, `0x1F`, `0b101`, octal `017`, `12UL`.
+/// Empty for anything else.
+std::optional<Literal> ParseIntegerOfC(std::string_view text);
 /// Reads `12.5`, `.5`, `3.`, `1e-3`. Rounds half away from zero. The text must be well formed.
 Literal ParseFixed(std::string_view text);
 
-/// The value of `'x'` in C, with the quotes: one ASCII character or one of C's escapes.
+/// The value of `'x'` in C, with the quotes: one ASCII character or one of C's escapes. A char has
+/// a sign: '\xFF' is -1.
 std::optional<int> CharacterValue(std::string_view text);
 
-/// The value as an int: decimal literals in the range of int, hexadecimal ones of up to 32 bits,
-/// which wrap. Empty for a fixed-point literal, or if it does not fit.
+/// The value as an int: decimal literals in the range of int; unsigned ones and those written as
+/// bits up to 32 bits, which wrap. Empty for a fixed-point literal, or if it does not fit.
 std::optional<int32_t> IntValue(const Literal& literal);
 /// The raw value as a double of the given format. Empty if it does not fit.
 std::optional<int64_t> FixedValue(const Literal& literal, vm::DoubleFormat format);

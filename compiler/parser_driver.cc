@@ -36,6 +36,21 @@ bool IsTypeWord(int kind) {
   }
 }
 
+// The reason for a reserved word of structured C.
+Message WhyNotForTheCard(std::string_view word) {
+  if (word == "struct" || word == "union") {
+    return MakeMessage(
+        "the only structures are TTrapPrm, TJogPrm and TPid; declare a variable or an array for "
+        "each member",
+        "只有 TTrapPrm、TJogPrm 和 TPid 三种结构；请为每个成员声明一个变量或数组");
+  }
+  if (word == "typedef") return MakeMessage("write the type itself", "请直接写出类型");
+  if (word.find("asm") != std::string_view::npos) {
+    return MakeMessage("the card does not run machine code", "控制卡不能运行机器码");
+  }
+  return MakeMessage("leave it out", "请去掉它");
+}
+
 int DepthOf(const ExpressionPtr& expression) { return expression ? expression->depth : 0; }
 int DepthOf(const StatementPtr& statement) { return statement ? statement->depth : 0; }
 
@@ -116,6 +131,20 @@ int ParserDriver::KindOf(const Token& token) {
 }
 
 bool ParserDriver::OpenMissingBrace() {
+  // `int f(a) int a; {`: the types of the parameters are skipped.
+  if (dialect_ == Dialect::kStructured && AfterUntypedParameters()) {
+    const auto brace =
+        std::find_if(tokens_.begin() + static_cast<std::ptrdiff_t>(next_), tokens_.end(),
+                     [](const Token& token) {
+                       return token.kind == Kind::kOpenBrace || token.kind == Kind::kCloseBrace;
+                     });
+    if (brace != tokens_.end() && brace->kind == Kind::kOpenBrace) {
+      next_ = static_cast<size_t>(brace - tokens_.begin()) + 1;
+      braces_.push_back({brace->range, false});
+      resume_ = false;
+      return true;
+    }
+  }
   braces_.push_back({last_->range, false});
   // The token after the missing brace has already been counted before it.
   if (last_->kind == Kind::kOpenBrace && braces_.size() >= 2) {
@@ -146,6 +175,14 @@ void ParserDriver::RememberNames(size_t begin, size_t end) {
   }
 }
 
+// Whether a skipped statement with an error continues after a `}`: `struct { int a; } b;` and
+// `({ a; })` in structured C.
+bool ParserDriver::ContinuesAfterBrace(const Token& error, const Token& next) const {
+  if (dialect_ == Dialect::kCard) return false;
+  if (error.kind == Kind::kReserved) return next.kind == Kind::kName || next.kind == Kind::kStar;
+  return error.kind == Kind::kOpenBrace && next.kind == Kind::kCloseParen;
+}
+
 bool ParserDriver::SkipStatement() {
   if (resume_) {
     resume_ = false;
@@ -170,6 +207,7 @@ bool ParserDriver::SkipStatement() {
   }
 
   size_t at = next_ - 1;
+  const Token& error = tokens_[at];
   if (tokens_[at].kind == Kind::kOpenBrace && !braces_.empty()) braces_.pop_back();
   int depth = 0;
   if (tokens_[at].kind == Kind::kCloseBrace) {
@@ -206,6 +244,7 @@ bool ParserDriver::SkipStatement() {
             (tokens_[at + 1].kind == Kind::kSemicolon || tokens_[at + 1].kind == Kind::kComma)) {
           continue;
         }
+        if (ContinuesAfterBrace(error, tokens_[at + 1])) continue;
         ++at;
         break;
       }
@@ -238,6 +277,51 @@ void ParserDriver::ReportReservedWord(const Token& token) {
   reporter_.Report(Code::kReservedWord, token.range, token.text, hint);
 }
 
+// Whether the last token follows the parentheses of `f(a, b)`, in which no parameter has a type.
+bool ParserDriver::AfterUntypedParameters() const {
+  bool named = false;
+  for (size_t i = next_ - 1; i-- > 1 && tokens_[i - 1].kind != Kind::kOpenParen;) {
+    if (tokens_[i - 1].kind != Kind::kName && tokens_[i - 1].kind != Kind::kComma) return false;
+    named = true;
+  }
+  return named;
+}
+
+// A syntax error that is a construct of C which structured C leaves out: reports the reason.
+bool ParserDriver::ReportUntranslatable(bool operand) {
+  const Token& found = *last_;
+  const int before = previous_ != nullptr ? previous_->kind : Kind::kEnd;
+  std::string_view word = found.text;
+  Message why;
+  if (found.kind == Kind::kReserved) {
+    why = WhyNotForTheCard(word);
+  } else if (before == Kind::kGoto && found.kind == Kind::kStar) {
+    word = "goto *";
+    why = MakeMessage("jump to a label, and choose one with 'switch'",
+                      "请跳转到标号，并用 'switch' 选择");
+  } else if (operand && found.text == "&&") {
+    why = MakeMessage("a label has no address; choose one with 'switch'",
+                      "标号没有地址；请用 'switch' 选择");
+  } else if (found.kind == Kind::kEllipsis && !operand) {
+    why = MakeMessage("a function has a fixed number of parameters", "函数的参数个数是固定的");
+  } else if (found.kind == Kind::kOpenParen && IsTypeWord(before)) {
+    word = "(*)";
+    why = MakeMessage("there are no pointers to functions; call them by name",
+                      "没有函数指针；请用名称调用函数");
+  } else if ((found.kind == Kind::kOpenBracket || found.kind == Kind::kDot) && operand &&
+             !braces_.empty() && braces_.back().initialiser) {
+    why = MakeMessage("write all values in order, without the places that they are for",
+                      "请按顺序写出所有的值，不要写明位置");
+  } else if (found.kind == Kind::kOpenBrace && operand) {
+    why = MakeMessage("a value in braces or a statement inside an expression; use a variable",
+                      "表达式中的花括号值或语句；请使用变量");
+  } else {
+    return false;
+  }
+  reporter_.Report(Code::kNotForTheCard, found.range, word, why);
+  return true;
+}
+
 void ParserDriver::SyntaxError(std::span<const Parser::symbol_kind_type> expected) {
   const auto has = [expected](Parser::symbol_kind_type kind) {
     return std::find(expected.begin(), expected.end(), kind) != expected.end();
@@ -258,12 +342,13 @@ void ParserDriver::SyntaxError(std::span<const Parser::symbol_kind_type> expecte
     reporter_.Report(Code::kIllegalCharacter, found.range, std::string_view("'#'"));
     return;
   }
+  const bool statement_start = has(Symbol::S_If);
+  const bool operand = has(Symbol::S_Integer) && !statement_start;
+  if (dialect_ == Dialect::kStructured && ReportUntranslatable(operand)) return;
   if (before == Kind::kGoto) {
     reporter_.Report(Code::kMissingLabel, found.range, what);
     return;
   }
-  const bool statement_start = has(Symbol::S_If);
-  const bool operand = has(Symbol::S_Integer) && !statement_start;
   if (found.kind == Kind::kReserved || (found.kind == Kind::kElse && statement_start)) {
     ReportReservedWord(found);
     return;
@@ -275,6 +360,7 @@ void ParserDriver::SyntaxError(std::span<const Parser::symbol_kind_type> expecte
     return;
   }
   if (has(Symbol::S_OpenBrace) && before == Kind::kCloseParen && !statement_start) {
+    if (dialect_ == Dialect::kStructured && AfterUntypedParameters()) return;  // reported later
     Diagnostic& diagnostic = reporter_.Report(Code::kMissingOpenBrace, found.range, what);
     InsertAfter(diagnostic, after_previous, " {");
     return;

@@ -84,9 +84,12 @@ class ParserDriver {
   int KindOf(const Token& token);
   bool BeginsValues() const;
   bool AfterEnumName() const;
+  bool ContinuesAfterBrace(const Token& error, const Token& next) const;
   bool InForHeader() const;
   void RememberNames(size_t begin, size_t end);
   void ReportReservedWord(const Token& token);
+  bool ReportUntranslatable(bool operand);
+  bool AfterUntypedParameters() const;
 
   std::span<const Token> tokens_;
   Reporter& reporter_;

@@ -2,6 +2,7 @@
 
 #include "compiler/directives.h"
 #include "compiler/parser_driver.h"
+#include "compiler/structured_refusals.h"
 
 namespace oncard::compiler {
 
@@ -19,6 +20,7 @@ StructuredSource::StructuredSource(const std::string& path, std::string text,
   Parser parser(driver);
   parser.parse();
   tree_ = std::move(driver.tree);
+  RefuseUntranslatable(tree_, options, reporter);
   skipped_names_.insert(driver.skipped_names().begin(), driver.skipped_names().end());
 }
 

@@ -13,7 +13,9 @@
 #include "base/files.h"
 #include "base/limits.h"
 #include "compiler/compiler.h"
+#include "compiler/dialect.h"
 #include "compiler/display_text.h"
+#include "compiler/structured_source.h"
 
 namespace oncard::compiler {
 namespace {
@@ -37,6 +39,16 @@ const std::map<int, std::string> kWithoutPrograms = {
 // Nothing is included, so the use of the included name is a second error.
 const std::set<int> kFollowedByUndeclared = {21, 22, 36, 37};
 
+// What a program of structured C can be said to be without its translation: good, or not.
+Compilation ReadStructured(const std::string& program, const FileReader& reader) {
+  Reporter reporter;
+  const StructuredSource source("program.c", program, {}, reader, reporter);
+  Compilation compilation;
+  compilation.diagnostics.assign(reporter.diagnostics().begin(), reporter.diagnostics().end());
+  if (!reporter.HasErrors()) compilation.object.emplace();
+  return compilation;
+}
+
 Compilation CompileExample(int code, std::string_view program) {
   const FileReader reader = [code](const std::string& path) -> Result<std::string> {
     for (const ExplanationFile& file : ExplanationFiles(code)) {
@@ -44,6 +56,7 @@ Compilation CompileExample(int code, std::string_view program) {
     }
     return MakeError(kNoSuchFile, "no such file", "没有该文件");
   };
+  if (WantsStructured(program)) return ReadStructured(std::string(program), reader);
   return CompileText("program.c", std::string(program), {}, reader);
 }
 

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace oncard::compiler {
 namespace {
@@ -86,6 +88,55 @@ TEST(IntegerLiteral, IsTheSameNumberAsADouble) {
   EXPECT_EQ(*FixedValue(ParseInteger("5"), DoubleFormat::k16_16), 5 * 65536);
   EXPECT_FALSE(FixedValue(ParseInteger("40000"), DoubleFormat::k16_16).has_value());
   EXPECT_EQ(*FixedValue(ParseInteger("40000"), DoubleFormat::k32_16), int64_t{40000} * 65536);
+}
+
+struct IntegerCase {
+  const char* text;
+  uint64_t magnitude;
+  bool as_bits = false;
+  bool is_unsigned = false;
+};
+
+class IntegerOfCTest : public testing::TestWithParam<IntegerCase> {};
+
+TEST_P(IntegerOfCTest, HasTheValueAndTypeOfC) {
+  const std::optional<Literal> literal = ParseIntegerOfC(GetParam().text);
+  ASSERT_TRUE(literal.has_value());
+  EXPECT_EQ(literal->magnitude, GetParam().magnitude);
+  EXPECT_EQ(literal->as_bits, GetParam().as_bits);
+  EXPECT_EQ(literal->is_unsigned, GetParam().is_unsigned);
+}
+
+// With C's rules for an int and a long of 32 bits.
+INSTANTIATE_TEST_SUITE_P(
+    Values, IntegerOfCTest,
+    testing::Values(IntegerCase{"0", 0}, IntegerCase{"12", 12}, IntegerCase{"12L", 12},
+                    IntegerCase{"12u", 12, false, true}, IntegerCase{"12Ul", 12, false, true},
+                    IntegerCase{"12lU", 12, false, true}, IntegerCase{"017", 15, true},
+                    IntegerCase{"00", 0, true}, IntegerCase{"037777777777", 4294967295, true, true},
+                    IntegerCase{"0b101", 5, true}, IntegerCase{"0B0L", 0, true},
+                    IntegerCase{"0x7FFFFFFF", 2147483647, true},
+                    IntegerCase{"0x80000000", 2147483648, true, true},
+                    IntegerCase{"0xAu", 10, true, true}, IntegerCase{"2147483648", 2147483648},
+                    IntegerCase{"99999999999999999999999", kHuge}));
+
+TEST(IntegerOfC, IsNothingElse) {
+  for (const char* text : {"", "u", "09", "0b2", "0b", "0x", "0xG", "1ll", "1uu", "1lul", "1ull",
+                           "1f", "1.0", "12a", "-1", "1'000"}) {
+    EXPECT_FALSE(ParseIntegerOfC(text).has_value()) << text;
+  }
+}
+
+TEST(Character, HasTheValueOfC) {
+  const std::pair<const char*, int> values[] = {
+      {"'a'", 97},     {"'0'", 48},   {"' '", 32},     {"'\"'", 34},      {"'\\''", 39},
+      {"'\\n'", 10},   {"'\\0'", 0},  {"'\\12'", 10},  {"'\\177'", 127},  {"'\\377'", -1},
+      {"'\\x41'", 65}, {"'\\x7'", 7}, {"'\\xff'", -1}, {"'\\x80'", -128}, {"'\\?'", 63}};
+  for (const auto& [text, value] : values) EXPECT_EQ(CharacterValue(text), value) << text;
+  for (const char* text : {"''", "'ab'", "'\\q'", "'\\x'", "'\\x100'", "'\\400'", "'\\0000'",
+                           "'\\8'", "'\xC3\xA9'", "a"}) {
+    EXPECT_EQ(CharacterValue(text), std::nullopt) << text;
+  }
 }
 
 }  // namespace

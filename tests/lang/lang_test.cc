@@ -9,19 +9,25 @@
 //                                   function on thread 0 and page 0
 //   // options: double=16.16        options of the compilation: double, max-errors
 //
+// A program that begins with `//@ structured` is read by the front end of structured C alone.
+//
 // What is reported and what is expected must be the same, code by code and line by line. Included
 // files carry their own expectations.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <deque>
 #include <filesystem>
+#include <optional>
 #include <regex>
 #include <string>
 #include <vector>
 
 #include "base/files.h"
 #include "compiler/compiler.h"
+#include "compiler/dialect.h"
+#include "compiler/structured_source.h"
 #include "runtime/sim/controller.h"
 
 namespace oncard {
@@ -119,6 +125,34 @@ void CheckValues(const vm::Object& object,
   }
 }
 
+struct Outcome {
+  std::deque<compiler::SourceFile> files;
+  std::vector<compiler::Diagnostic> diagnostics;
+  bool good = false;
+  std::optional<vm::Object> object;
+};
+
+Outcome ReadStructured(const std::string& path, const std::string& text,
+                       const compiler::Options& options) {
+  compiler::Reporter reporter;
+  const compiler::StructuredSource source(path, text, options, compiler::ReadSource, reporter);
+  Outcome outcome;
+  outcome.files = source.files();
+  outcome.diagnostics.assign(reporter.diagnostics().begin(), reporter.diagnostics().end());
+  outcome.good = !reporter.HasErrors();
+  return outcome;
+}
+
+Outcome CompileProgram(const std::string& path, const compiler::Options& options) {
+  compiler::Compilation compilation = compiler::Compile(path, options);
+  Outcome outcome;
+  outcome.files.assign(compilation.files.begin(), compilation.files.end());
+  outcome.diagnostics = std::move(compilation.diagnostics);
+  outcome.good = compilation.ok();
+  outcome.object = std::move(compilation.object);
+  return outcome;
+}
+
 class LangTest : public testing::TestWithParam<std::string> {};
 
 TEST_P(LangTest, MeetsItsExpectations) {
@@ -128,16 +162,17 @@ TEST_P(LangTest, MeetsItsExpectations) {
   Expectations expected;
   ReadExpectations(path, text.value(), &expected);
   expected.options.include_folders = {Root() + "/include_folder"};
-  const compiler::Compilation compilation = compiler::Compile(path, expected.options);
-  for (size_t i = 1; i < compilation.files.size(); ++i) {
-    ReadExpectations(compilation.files[i].path(), compilation.files[i].text(), &expected);
+  const Outcome outcome = compiler::WantsStructured(text.value())
+                              ? ReadStructured(path, text.value(), expected.options)
+                              : CompileProgram(path, expected.options);
+  for (size_t i = 1; i < outcome.files.size(); ++i) {
+    ReadExpectations(outcome.files[i].path(), outcome.files[i].text(), &expected);
   }
 
   std::vector<std::string> reported;
   std::string messages;
-  for (const compiler::Diagnostic& diagnostic : compilation.diagnostics) {
-    const compiler::SourceFile& file =
-        compilation.files[static_cast<size_t>(diagnostic.range.file)];
+  for (const compiler::Diagnostic& diagnostic : outcome.diagnostics) {
+    const compiler::SourceFile& file = outcome.files[static_cast<size_t>(diagnostic.range.file)];
     const bool error = diagnostic.severity == compiler::Severity::kError;
     reported.push_back(Describe(file.path(), file.LineOf(diagnostic.range.begin),
                                 error ? "error" : "warning",
@@ -148,9 +183,9 @@ TEST_P(LangTest, MeetsItsExpectations) {
   std::sort(expected.diagnostics.begin(), expected.diagnostics.end());
   EXPECT_EQ(reported, expected.diagnostics) << messages;
   const bool bad = std::filesystem::path(path).filename().string().starts_with("bad_");
-  EXPECT_EQ(compilation.ok(), !bad) << "the name says whether the program is good";
-  if (compilation.ok() && !expected.values.empty()) {
-    CheckValues(*compilation.object, expected.values);
+  EXPECT_EQ(outcome.good, !bad) << "the name says whether the program is good";
+  if (outcome.object && !expected.values.empty()) {
+    CheckValues(*outcome.object, expected.values);
   }
 }
 

@@ -1,0 +1,301 @@
+#include "compiler/structured_refusals.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "compiler/checker.h"
+#include "compiler/tree_walk.h"
+
+namespace oncard::compiler {
+namespace {
+
+using EKind = Expression::Kind;
+using SKind = Statement::Kind;
+
+constexpr std::string_view kTypes =
+    "void, bool, char, short, int, long, double, an enum, TTrapPrm, TJogPrm, TPid";
+constexpr std::string_view kStorage[] = {"static", "const",    "extern", "volatile",
+                                         "auto",   "register", "inline"};
+
+bool IsIn(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+class Refusals {
+ public:
+  Refusals(const Options& options, Reporter& reporter) : options_(options), reporter_(reporter) {}
+
+  void VisitTopLevel(const Statement& item);
+
+ private:
+  enum class Use : uint8_t { kVariable, kParameter, kFunction, kCast };
+
+  void VisitFunction(const Function& function);
+  void VisitStatement(const Statement& statement);
+  void VisitBody(const Statement* body, std::string_view word);
+  void VisitDeclaration(const Statement& statement);
+  void VisitDeclarator(const Declarator& declarator);
+  void VisitSpecifiers(const Specifiers& specifiers, Use use);
+  void VisitType(const TypeName& type);
+  void Visit(const Expression* expression);
+  void VisitCall(const Expression& call);
+  void VisitNumber(const Expression& expression, bool negated);
+  void TooLarge(const Expression& number, const Message& type, const Message& lowest,
+                const Message& highest);
+
+  const Options& options_;
+  Reporter& reporter_;
+  std::string_view function_;  // the one whose body is visited
+};
+
+// Only definitions are allowed at the top level.
+void Refusals::VisitTopLevel(const Statement& item) {
+  switch (item.kind) {
+    case SKind::kFunction:
+      VisitFunction(*item.function);
+      return;
+    case SKind::kDeclaration:
+      VisitDeclaration(item);
+      return;
+    case SKind::kStrayBrace:
+      Replace(reporter_.Report(Code::kStrayBrace, item.range), item.range, "");
+      return;
+    case SKind::kEmpty:
+    case SKind::kMacro:
+    case SKind::kError:
+      return;
+    default:
+      reporter_.Report(Code::kOutsideFunction, item.keyword);
+  }
+}
+
+void Refusals::VisitFunction(const Function& function) {
+  if (!function_.empty() && !function.prototype) {
+    reporter_.Report(Code::kNestedFunction, function.name_range, function.name, function_);
+    return;
+  }
+  VisitSpecifiers(function.specifiers, Use::kFunction);
+  if (function.pointer) reporter_.Report(Code::kPointer, function.name_range, function.name);
+  for (const ParameterDeclaration& parameter : function.parameters) {
+    const Declarator& declarator = parameter.declarator;
+    const Specifiers& specifiers = parameter.specifiers;
+    if (specifiers.words.empty() && specifiers.enumeration == nullptr) {
+      reporter_.Report(Code::kOldStyle, parameter.range, declarator.name);
+      continue;
+    }
+    const bool nothing = function.parameters.size() == 1 && declarator.name.empty() &&
+                         specifiers.words.size() == 1 && specifiers.words[0]->text == "void";
+    if (nothing && !declarator.pointer && declarator.sizes.empty()) continue;
+    VisitSpecifiers(specifiers, Use::kParameter);
+    VisitDeclarator(declarator);
+    if (!function.prototype && declarator.name.empty()) {
+      SourceRange end = parameter.range;
+      end.begin = end.end;
+      reporter_.Report(Code::kExpectedName, end, MakeMessage("only a type", "只有类型"));
+    }
+  }
+  if (function.prototype) return;
+  function_ = function.name;
+  for (const StatementPtr& item : function.body) VisitStatement(*item);
+  function_ = {};
+}
+
+void Refusals::VisitStatement(const Statement& statement) {
+  if (statement.kind == SKind::kDeclaration) {
+    VisitDeclaration(statement);
+    return;
+  }
+  if (statement.kind == SKind::kFunction) {
+    VisitFunction(*statement.function);
+    return;
+  }
+  ForEachWholeExpression(statement, [this](const Expression& whole) { Visit(&whole); });
+  if (statement.initial != nullptr) VisitStatement(*statement.initial);
+  const std::string_view word = statement.kind == SKind::kIf       ? "if"
+                                : statement.kind == SKind::kWhile  ? "while"
+                                : statement.kind == SKind::kDo     ? "do"
+                                : statement.kind == SKind::kSwitch ? "switch"
+                                                                   : "for";
+  VisitBody(statement.body.get(), word);
+  VisitBody(statement.else_body.get(), "else");
+  for (const StatementPtr& item : statement.items) VisitStatement(*item);
+}
+
+void Refusals::VisitBody(const Statement* body, std::string_view word) {
+  if (body == nullptr) return;
+  // Labels stand before the statement itself.
+  const bool labelled = body->kind == SKind::kBlock && body->keyword.end - body->keyword.begin > 1;
+  const Statement& statement = labelled ? *body->items.back() : *body;
+  if (statement.kind == SKind::kDeclaration) {
+    reporter_.Report(Code::kDeclarationAsBody, statement.range, word);
+  }
+  VisitStatement(*body);
+}
+
+void Refusals::VisitDeclaration(const Statement& statement) {
+  VisitSpecifiers(statement.specifiers, Use::kVariable);
+  for (const Declarator& declarator : statement.declarators) VisitDeclarator(declarator);
+}
+
+void Refusals::VisitDeclarator(const Declarator& declarator) {
+  if (declarator.pointer) {
+    const SourceRange range = declarator.name.empty() ? declarator.range : declarator.name_range;
+    reporter_.Report(Code::kPointer, range, declarator.name);
+  }
+  for (const ExpressionPtr& size : declarator.sizes) Visit(size.get());
+  Visit(declarator.initialiser.get());
+}
+
+// The words of a type are one of the types of kTypes, and together one that C has.
+void Refusals::VisitSpecifiers(const Specifiers& specifiers, Use use) {
+  if (specifiers.enumeration != nullptr) {
+    for (const Enumerator& constant : specifiers.enumeration->enumerators) {
+      Visit(constant.value.get());
+    }
+  }
+  std::string spelled;
+  std::string_view base = specifiers.enumeration != nullptr ? "enum" : "";
+  int longs = 0;
+  int shorts = 0;
+  int signs = 0;
+  bool good = true;
+  for (const Token* word : specifiers.words) {
+    const std::string_view text = word->text;
+    if (!spelled.empty()) spelled += ' ';
+    spelled += text;
+    if (text == "extern" && use != Use::kFunction) {
+      reporter_.Report(Code::kReservedWord, word->range, text,
+                       MakeMessage("leave it out", "请去掉它"));
+    }
+    if (std::find(std::begin(kStorage), std::end(kStorage), text) != std::end(kStorage)) {
+      const bool allowed = use == Use::kVariable || use == Use::kFunction ||
+                           IsIn(text, {"const", "volatile", "register", "extern"});
+      good = good && allowed;
+      continue;
+    }
+    if (text == "long") {
+      ++longs;
+    } else if (text == "short") {
+      ++shorts;
+    } else if (IsIn(text, {"signed", "unsigned"})) {
+      ++signs;
+    } else {
+      good = good && base.empty();
+      base = text;
+    }
+  }
+  const bool sized = longs + shorts > 0;
+  if (longs == 2 && shorts == 0 && signs <= 1 && IsIn(base, {"", "int"})) {
+    reporter_.Report(Code::kLongLong, specifiers.range, spelled);
+    return;
+  }
+  if (base == "float" || (base == "double" && longs == 1)) {
+    Diagnostic& diagnostic =
+        reporter_.Report(Code::kForeignType, specifiers.range, spelled, std::string_view("double"));
+    if (specifiers.words.size() == 1) Replace(diagnostic, specifiers.range, "double");
+    return;
+  }
+  if (sized || signs > 0) {
+    good = good && longs + shorts <= 1 && signs <= 1 &&
+           (IsIn(base, {"", "int"}) || (base == "char" && !sized));
+  } else {
+    const gtcalls::Structure* structure = options_.catalogue->FindStructure(base);
+    good = good && (IsIn(base, {"bool", "_Bool", "char", "int", "double", "enum"}) ||
+                    (base == "void" && (use == Use::kFunction || use == Use::kCast)) ||
+                    (structure != nullptr && structure->in_motion_program));
+  }
+  if (good) return;
+  reporter_.Report(Code::kNotAType, specifiers.range, ToMessage(fmt::format("'{}'", spelled)),
+                   kTypes);
+}
+
+void Refusals::VisitType(const TypeName& type) {
+  VisitSpecifiers(type.specifiers, Use::kCast);
+  if (type.pointer) reporter_.Report(Code::kNeedsPointer, type.range, std::string_view("*"));
+  for (const ExpressionPtr& size : type.sizes) Visit(size.get());
+}
+
+void Refusals::Visit(const Expression* expression) {
+  if (expression == nullptr) return;
+  switch (expression->kind) {
+    case EKind::kLiteral:
+      VisitNumber(*expression, false);
+      return;
+    case EKind::kString:
+      reporter_.Report(Code::kStringData, expression->range, expression->text);
+      return;
+    case EKind::kCall:
+      VisitCall(*expression);
+      return;
+    case EKind::kMember:
+      if (expression->op == "->") {
+        reporter_.Report(Code::kNeedsPointer, expression->range, expression->op);
+      }
+      break;
+    case EKind::kUnary: {
+      const Expression& operand = *expression->operands[0];
+      if (expression->op == "*") {
+        reporter_.Report(Code::kNeedsPointer, expression->op_range, expression->op);
+      } else if (expression->op == "&") {
+        reporter_.Report(Code::kAddress, expression->op_range);
+      } else if (expression->op == "-" && operand.kind == EKind::kLiteral) {
+        VisitNumber(operand, true);
+        return;
+      }
+      break;
+    }
+    default:
+      break;
+  }
+  if (expression->type != nullptr) VisitType(*expression->type);
+  for (const ExpressionPtr& operand : expression->operands) Visit(operand.get());
+}
+
+void Refusals::VisitCall(const Expression& call) {
+  const Expression& callee = *call.operands[0];
+  if (callee.kind != EKind::kName && callee.kind != EKind::kError) {
+    reporter_.Report(Code::kIndirectCall, callee.range);
+  }
+  for (size_t i = 1; i < call.operands.size(); ++i) {
+    const Expression& argument = *call.operands[i];
+    const bool address = argument.kind == EKind::kUnary && argument.op == "&";
+    Visit(address ? argument.operands[0].get() : &argument);
+  }
+}
+
+// The number fits its type: `-2147483648` is one number, although C reads two.
+void Refusals::VisitNumber(const Expression& expression, bool negated) {
+  Literal literal = expression.literal;
+  literal.negative = literal.negative || negated;
+  if (literal.kind == Literal::Kind::kFixed) {
+    if (FixedValue(literal, options_.double_format)) return;
+    const auto bound = [this](bool upper) {
+      return DescribeRange(vm::DataType::kDouble, options_.double_format, upper);
+    };
+    TooLarge(expression, DescribeType(vm::DataType::kDouble), bound(false), bound(true));
+  } else if (!IntValue(literal)) {
+    const bool bits = literal.as_bits || literal.is_unsigned;
+    TooLarge(
+        expression,
+        bits ? MakeMessage("an unsigned int", "unsigned int") : DescribeType(vm::DataType::kInt),
+        ToMessage(std::string_view(bits ? "0" : "-2147483648")),
+        ToMessage(std::string_view(bits ? "4294967295" : "2147483647")));
+  }
+}
+
+void Refusals::TooLarge(const Expression& number, const Message& type, const Message& lowest,
+                        const Message& highest) {
+  reporter_.Report(Code::kLiteralTooLarge, number.range, number.text, type, lowest, highest);
+}
+
+}  // namespace
+
+void RefuseUntranslatable(const Tree& tree, const Options& options, Reporter& reporter) {
+  Refusals refusals(options, reporter);
+  for (const StatementPtr& item : tree.items) refusals.VisitTopLevel(*item);
+}
+
+}  // namespace oncard::compiler

@@ -1,0 +1,20 @@
+// What structured C cannot have, as far as the text alone shows it: pointers, strings, types with
+// 64 bits and the like. Reports each with its reason. What needs names and types to be known is
+// left to compiler/lowering. Tested by tests/lang/structured.
+#pragma once
+
+#include "compiler/compiler.h"
+#include "compiler/reporter.h"
+#include "compiler/syntax.h"
+
+namespace oncard::compiler {
+
+/// Reports what cannot be translated. If nothing is reported:
+/// - the words of every type are `void`, `bool`, an integer type with or without a sign and size,
+///   `double`, an enum or a structure of the catalogue, perhaps with `const`, `static` or another
+///   qualifier, and in prototypes `extern`;
+/// - there are no pointers; `&` is an argument of a call; functions are called by name;
+/// - numbers fit their types; `-2147483648` is the only use of a decimal 2147483648.
+void RefuseUntranslatable(const Tree& tree, const Options& options, Reporter& reporter);
+
+}  // namespace oncard::compiler

@@ -1,0 +1,22 @@
+//@ structured
+struct Point { int x; int y; }; // expect error MP206
+struct Point origin; // expect error MP206
+union Word { int all; char bytes[4]; } word; // expect error MP206
+typedef unsigned int u32; // expect error MP206
+int (*callback)(int); // expect error MP206
+int print(int format, ...); // expect error MP206
+_Static_assert(sizeof(int) == 4); // expect error MP206
+int a[4] = {[2] = 1}; // expect error MP206
+int b[2] = {.x = 1}; // expect error MP206
+void f(int (*each)(int)); // expect error MP206
+struct Flags { unsigned low : 4; } flags; // expect error MP206
+void t0() {
+  int c;
+  asm("nop"); // expect error MP206
+  __asm__ volatile ("nop"); // expect error MP206
+  goto *c; // expect error MP206
+  c = &&end; // expect error MP206
+  c = (int[2]) {1, 2}; // expect error MP206
+  c = ({ 1; }); // expect error MP206
+end:
+}
