@@ -1,7 +1,5 @@
 #include "motion/paths/segment.h"
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <cmath>
 
 #include "motion/common/state_hash.h"
@@ -12,22 +10,41 @@ namespace {
 
 static_assert(kFieldsComplete<Segment>);
 
-using Vector = Eigen::Vector4d;
-using Eigen::Vector3d;
-
-Eigen::Map<const Vector> AsVector(const Coordinates& values) {
-  return Eigen::Map<const Vector>(values.data());
+/// Coordinates of which each is computed alike: `value(i)` is the ith.
+template <typename Function>
+Coordinates Each(Function value) {
+  return {value(0), value(1), value(2), value(3)};
 }
 
-Coordinates AsCoordinates(const Vector& vector) {
-  return {vector[0], vector[1], vector[2], vector[3]};
+double LengthOf(const Coordinates& v) {
+  return std::sqrt((v[0] * v[0] + v[1] * v[1]) + (v[2] * v[2] + v[3] * v[3]));
+}
+
+/// A vector in X, Y, Z.
+struct Vector {
+  double x = 0;
+  double y = 0;
+  double z = 0;
+};
+
+Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+Vector operator*(double factor, const Vector& v) {
+  return {factor * v.x, factor * v.y, factor * v.z};
+}
+Vector operator/(const Vector& v, double divisor) {
+  return {v.x / divisor, v.y / divisor, v.z / divisor};
+}
+double Dot(const Vector& a, const Vector& b) { return a.x * b.x + (a.y * b.y + a.z * b.z); }
+Vector Cross(const Vector& a, const Vector& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 /// Completes an arc for which centre, unit vectors, radii, sweep and linear travel are set.
 std::optional<Segment> Complete(Segment arc) {
   arc.shape = SegmentShape::kArc;
   const double mean = arc.radius + arc.radius_change / 2;
-  const double along = AsVector(arc.travel).norm();
+  const double along = LengthOf(arc.travel);
   arc.length = std::sqrt(mean * mean * arc.sweep * arc.sweep + along * along);
   return arc;
 }
@@ -64,23 +81,28 @@ Coordinates Segment::PointAt(double path) const {
   if (path >= length) return end;
   const double part = path / length;
   if (shape == SegmentShape::kLine) {
-    return AsCoordinates(AsVector(start) + part * AsVector(travel));
+    return Each([&](size_t i) { return start[i] + part * travel[i]; });
   }
   const auto [sine, cosine] = SineAndCosine(sweep * part);
   const double r = radius + radius_change * part;
-  return AsCoordinates(AsVector(centre) + (r * cosine) * AsVector(toward_start) +
-                       (r * sine) * AsVector(sideways) + part * AsVector(travel));
+  const double along_start = r * cosine;
+  const double along_side = r * sine;
+  return Each([&](size_t i) {
+    return centre[i] + along_start * toward_start[i] + along_side * sideways[i] + part * travel[i];
+  });
 }
 
 Coordinates Segment::TangentAt(double path) const {
-  if (shape == SegmentShape::kLine) return AsCoordinates(AsVector(travel) / length);
+  if (shape == SegmentShape::kLine) return Each([&](size_t i) { return travel[i] / length; });
   const double part = path / length;
   const auto [sine, cosine] = SineAndCosine(sweep * part);
   const double turning = (radius + radius_change * part) * sweep / length;
   const double growing = radius_change / length;
-  return AsCoordinates((growing * cosine - turning * sine) * AsVector(toward_start) +
-                       (growing * sine + turning * cosine) * AsVector(sideways) +
-                       AsVector(travel) / length);
+  const double along_start = growing * cosine - turning * sine;
+  const double along_side = growing * sine + turning * cosine;
+  return Each([&](size_t i) {
+    return along_start * toward_start[i] + along_side * sideways[i] + travel[i] / length;
+  });
 }
 
 Coordinates Segment::CurvatureAt(double path) const {
@@ -90,16 +112,17 @@ Coordinates Segment::CurvatureAt(double path) const {
   const double rate = sweep / length;
   const double inward = -(radius + radius_change * part) * rate * rate;
   const double aside = 2 * (radius_change / length) * rate;
-  return AsCoordinates((inward * cosine - aside * sine) * AsVector(toward_start) +
-                       (inward * sine + aside * cosine) * AsVector(sideways));
+  const double along_start = inward * cosine - aside * sine;
+  const double along_side = inward * sine + aside * cosine;
+  return Each([&](size_t i) { return along_start * toward_start[i] + along_side * sideways[i]; });
 }
 
 std::optional<Segment> MakeLine(const Coordinates& start, const Coordinates& end) {
   Segment line;
   line.start = start;
   line.end = end;
-  line.travel = AsCoordinates(AsVector(end) - AsVector(start));
-  line.length = AsVector(line.travel).norm();
+  line.travel = Each([&](size_t i) { return end[i] - start[i]; });
+  line.length = LengthOf(line.travel);
   if (!(line.length > 0)) return std::nullopt;
   return line;
 }
@@ -143,32 +166,27 @@ std::optional<Segment> MakeArcAroundCentre(const Coordinates& start, const Coord
 
 std::optional<Segment> MakeArcThroughPoint(const Coordinates& start, const Coordinates& end,
                                            const std::array<double, 3>& between) {
-  const Vector3d from = AsVector(start).head<3>();
-  const Vector3d b = Eigen::Map<const Vector3d>(between.data()) - from;
-  const Vector3d c = AsVector(end).head<3>() - from;
-  const Vector3d normal = b.cross(c);
-  const double area = normal.squaredNorm();
+  // Relative to the start.
+  const Vector b = {between[0] - start[0], between[1] - start[1], between[2] - start[2]};
+  const Vector c = {end[0] - start[0], end[1] - start[1], end[2] - start[2]};
+  const Vector normal = Cross(b, c);
+  const double area = Dot(normal, normal);
   // There is no circle through three points on a line.
-  if (!(area > 1e-12 * b.squaredNorm() * c.squaredNorm())) return std::nullopt;
-  // The circumcentre relative to the start.
-  const Vector3d to_centre =
-      (b.squaredNorm() * c.cross(normal) + c.squaredNorm() * normal.cross(b)) / (2 * area);
+  if (!(area > 1e-12 * Dot(b, b) * Dot(c, c))) return std::nullopt;
+  const Vector to_centre =
+      (Dot(b, b) * Cross(c, normal) + Dot(c, c) * Cross(normal, b)) / (2 * area);
   Segment arc;
   arc.start = start;
   arc.end = end;
-  arc.radius = to_centre.norm();
-  const Vector3d u = -to_centre / arc.radius;
-  const Vector3d w = (normal / std::sqrt(area)).cross(u);
-  const Vector3d last = c - to_centre;
-  arc.sweep = AngleOf(last.dot(w), last.dot(u));
+  arc.radius = std::sqrt(Dot(to_centre, to_centre));
+  const Vector u = to_centre / -arc.radius;
+  const Vector w = Cross(normal / std::sqrt(area), u);
+  const Vector last = c - to_centre;
+  arc.sweep = AngleOf(Dot(last, w), Dot(last, u));
   if (arc.sweep <= 0) arc.sweep += 2 * kPi;
-  arc.centre = start;
-  for (int i = 0; i < 3; ++i) {
-    const auto axis = static_cast<size_t>(i);
-    arc.centre[axis] += to_centre[i];
-    arc.toward_start[axis] = u[i];
-    arc.sideways[axis] = w[i];
-  }
+  arc.centre = {start[0] + to_centre.x, start[1] + to_centre.y, start[2] + to_centre.z, start[3]};
+  arc.toward_start = {u.x, u.y, u.z};
+  arc.sideways = {w.x, w.y, w.z};
   arc.travel[3] = end[3] - start[3];
   return Complete(arc);
 }
