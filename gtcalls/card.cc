@@ -187,9 +187,7 @@ int16_t CheckArguments(Call& call) {
   return vm::kOk;
 }
 
-}  // namespace
-
-int16_t ExecuteCommand(Call& call) {
+int16_t Perform(Call& call) {
   const Family& family = call.card.family;
   const CommandFunction function = family.FunctionOf(call.command);
   if (function == nullptr) {
@@ -203,6 +201,14 @@ int16_t ExecuteCommand(Call& call) {
   }
   const int16_t code = CheckArguments(call);
   return code != vm::kOk ? code : function(call);
+}
+
+}  // namespace
+
+int16_t ExecuteCommand(Call& call) {
+  const int16_t code = Perform(call);
+  const auto finish = call.card.family.finish;
+  return finish == nullptr ? code : finish(call, code);
 }
 
 const vm::CommandShape* CardCommands::Find(uint16_t number) const {

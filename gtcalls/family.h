@@ -5,8 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "base/message.h"
+#include "gtcalls/card_type.h"
 #include "gtcalls/catalogue.h"
 #include "gtcalls/family_state.h"
 #include "motion/motion_core.h"
@@ -26,13 +28,23 @@ using CommandFunction = int16_t (*)(Call& call);
 
 /// A family of cards. There is one constant object for each (gts/family.h).
 struct Family {
+  /// As in the names of its header and library: `gts`.
+  std::string_view name;
   const Catalogue& catalogue;
   /// The function of each command, in the order of their numbers; nullptr if the card has none.
   std::span<const CommandFunction> functions;
   /// Return code of a command without a function.
   int16_t not_supported;
+  /// Return code of a command for a card that is not open.
+  int16_t not_open;
   /// The reason why a command has no function; nullptr for commands of the host library.
   const Message* (*why_unsupported)(const Command& command);
+  /// Acts after every command that the card has been given, refused ones included, with its return
+  /// code; returns the code that the caller gets. nullptr: the code is kept.
+  int16_t (*finish)(Call& call, int16_t code);
+  /// Its cards; the host library opens the default one unless a user names another.
+  std::span<const CardType> card_types;
+  const CardType& default_card;
   /// What the motion core of a card is after a reset.
   motion::CardDefaults defaults;
   /// The virtual time of a call from the host, in microseconds.

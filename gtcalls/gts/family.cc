@@ -17,6 +17,16 @@ namespace {
 
 /// The code of GTS for "not supported by the firmware".
 constexpr int16_t kNotSupported = 8;
+/// The code of GTS for "communication failed" (GTS manual table 3-1).
+constexpr int16_t kNotOpen = -1;
+
+constexpr CardType kCardTypes[] = {
+#define CARD_TYPE(name, axes) {name, axes},
+#include "gtcalls/gts/card_types.def"
+};
+/// Assumption: the card with 8 axes, to which the manual's bits of coordinate systems belong.
+constexpr const CardType& kDefaultCard = kCardTypes[1];
+static_assert(kDefaultCard.axis_count == motion::MotionConfig{}.axis_count);
 
 /// GTS manual 10.2: a host calls at a fifth of the card's rate; also the end of its chapter 7.
 constexpr int64_t kHostCallUs = 50;
@@ -66,10 +76,15 @@ void AfterTick(Card& card) {
 
 const Family& GtsFamily() {
   static const Family kFamily = {
+      .name = "gts",
       .catalogue = GtsCatalogue(),
       .functions = kFunctions,
       .not_supported = kNotSupported,
+      .not_open = kNotOpen,
       .why_unsupported = WhyUnsupported,
+      .finish = nullptr,
+      .card_types = kCardTypes,
+      .default_card = kDefaultCard,
       .defaults = kGtsDefaults,
       .cost_us = CostUs,
       .status_word = GtsStatusWord,

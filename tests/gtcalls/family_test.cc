@@ -1,0 +1,60 @@
+// What a family says of itself, and the cards that users can name.
+#include "gtcalls/family.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "command_test_card.h"
+#include "gtcalls/card_type.h"
+
+namespace oncard::gtcalls {
+namespace {
+
+using ::testing::ElementsAre;
+
+TEST(CardTypes, AreNamedOnceInAllFamilies) {
+  EXPECT_THAT(kCardTypeNames, ElementsAre("GTS-400", "GTS-800", "GTS-1200"));
+  size_t types = 0;
+  for (const Family* family : Families()) types += family->card_types.size();
+  EXPECT_EQ(types, std::size(kCardTypeNames));
+}
+
+TEST(CardTypes, AreFoundWithTheirFamilyAndNumberOfAxes) {
+  const struct {
+    const char* name;
+    int axis_count;
+  } cases[] = {{"GTS-400", 4}, {"GTS-800", 8}, {"GTS-1200", 12}};
+  for (const auto& c : cases) {
+    const auto card = FindCard(c.name);
+    ASSERT_TRUE(card) << c.name;
+    EXPECT_EQ(card->family, &GtsFamily());
+    EXPECT_EQ(card->type->axis_count, c.axis_count);
+  }
+}
+
+TEST(CardTypes, HaveExactNames) {
+  for (const char* name : {"", "gts-800", "GTS-8000", "GTS"}) EXPECT_FALSE(FindCard(name)) << name;
+}
+
+TEST(Family, OfGtsOpensACardWithEightAxes) {
+  EXPECT_EQ(GtsFamily().default_card.name, "GTS-800");
+  EXPECT_EQ(GtsFamily().name, "gts");
+}
+
+TEST(Family, FinishesEveryCommandOfTheCard) {
+  CommandTestCard card;
+  Family family = GtsFamily();
+  family.finish = [](Call&, int16_t code) { return static_cast<int16_t>(code + 100); };
+  Card other{family, card.machine, card.motion, card.family_state};
+  const auto code = [&](std::string_view name, double thread) {
+    std::vector<vm::CommandArgument> arguments(1);
+    arguments[0].value = thread;
+    Call call{*GtsCatalogue().Find(name), other, vm::kHostCaller, arguments, {}};
+    return ExecuteCommand(call);
+  };
+  EXPECT_EQ(code("GT_AxisOn", 1), 100);
+  EXPECT_EQ(code("GT_AxisOn", 9), 107);  // refused
+}
+
+}  // namespace
+}  // namespace oncard::gtcalls
