@@ -13,6 +13,7 @@
 
 #include "base/result.h"
 #include "compiler/compiler.h"
+#include "gtcalls/card_type.h"
 #include "motion/motion_core.h"
 #include "runtime/scenario/expectation.h"
 #include "runtime/scenario/key_script.h"
@@ -86,6 +87,8 @@ struct Scenario {
   std::vector<InitialValue> globals;
   std::string schedule = "rr";
   int rate = kRateDefault;
+  /// The name of a gtcalls::CardType, which then has axis_count axes; empty: any GTS card.
+  std::string card = {};
   int axis_count = motion::MotionConfig{}.axis_count;
   int64_t cycle_us = kCycleUsDefault;
   /// Reaching it is a failure.
@@ -124,8 +127,10 @@ struct Scenario {
 Result<Scenario> ParseScenario(std::string_view text, const std::string& path,
                                ScenarioUse use = ScenarioUse::kText, TextMargin margin = {});
 
-/// Reads a scenario file. For ScenarioUse::kHost it needs no program.
-Result<Scenario> LoadScenario(const std::string& path, ScenarioUse use);
+/// Reads a scenario file. For ScenarioUse::kHost it needs no program, and `host_card` is the card
+/// that ONCARD_CARD names, if any.
+Result<Scenario> LoadScenario(const std::string& path, ScenarioUse use,
+                              const gtcalls::CardType* host_card = nullptr);
 
 /// The place of one of the texts of a key, if it is in Scenario::text_places.
 TextPlace PlaceOfText(const Scenario& scenario, std::string_view key, size_t index = 0);

@@ -18,8 +18,9 @@ namespace {
 
 class ScenarioReader : private TomlKeys {
  public:
-  ScenarioReader(std::string_view text, const std::string& path, ScenarioUse use, TextMargin margin)
-      : TomlKeys(path, text, margin), text_(text), use_(use) {
+  ScenarioReader(std::string_view text, const std::string& path, ScenarioUse use, TextMargin margin,
+                 const gtcalls::CardType* host_card)
+      : TomlKeys(path, text, margin), text_(text), use_(use), host_card_(host_card) {
     scenario_.path = path;
   }
 
@@ -62,6 +63,7 @@ class ScenarioReader : private TomlKeys {
     }
     ReadDouble(table);
     CheckAxisCount(table);
+    ReadCard(table);
     CheckCycle(table);
     for (const toml::table* thread : Tables(table, "thread")) ReadThread(*thread);
     if (const toml::table* world = Table(table, "world")) {
@@ -104,6 +106,29 @@ class ScenarioReader : private TomlKeys {
     if (scenario_.axis_count % RowOf(ScenarioKeys(), "axes").type.step == 0) return;
     Fail(table.get("axes")->source(), {"'axes' must be 4, 8 or 12, the sizes of the cards",
                                        "“axes”应为 4、8 或 12：控制卡的轴数"});
+  }
+
+  /// The card says how many axes there are.
+  void ReadCard(const toml::table& table) {
+    if (host_card_ != nullptr) {
+      if (!scenario_.card.empty() && scenario_.card != host_card_->name) {
+        Fail(table.get("card")->source(),
+             MakeMessage("'card' is {0}, but ONCARD_CARD is {1}: change or remove one of them",
+                         "“card”为 {0}，而 ONCARD_CARD 为 {1}：应修改或去掉其中之一",
+                         scenario_.card, host_card_->name));
+        return;
+      }
+      scenario_.card = host_card_->name;
+    }
+    const auto card = gtcalls::FindCard(scenario_.card);
+    if (!card) return;
+    if (table.contains("axes") && scenario_.axis_count != card->type->axis_count) {
+      Fail(table.get("axes")->source(),
+           MakeMessage("'axes' is {0}, but the card {1} has {2} axes: remove 'axes'",
+                       "“axes”为 {0}，而控制卡 {1} 有 {2} 个轴：应去掉“axes”", scenario_.axis_count,
+                       scenario_.card, card->type->axis_count));
+    }
+    scenario_.axis_count = card->type->axis_count;
   }
 
   void ReadThread(const toml::table& table) {
@@ -224,6 +249,7 @@ class ScenarioReader : private TomlKeys {
 
   const std::string_view text_;
   const ScenarioUse use_;
+  const gtcalls::CardType* const host_card_;
   Scenario scenario_;
 };
 
@@ -231,13 +257,14 @@ class ScenarioReader : private TomlKeys {
 
 Result<Scenario> ParseScenario(std::string_view text, const std::string& path, ScenarioUse use,
                                TextMargin margin) {
-  return ScenarioReader(text, path, use, margin).Read();
+  return ScenarioReader(text, path, use, margin, nullptr).Read();
 }
 
-Result<Scenario> LoadScenario(const std::string& path, ScenarioUse use) {
+Result<Scenario> LoadScenario(const std::string& path, ScenarioUse use,
+                              const gtcalls::CardType* host_card) {
   auto text = ReadFile(path, kScenarioKind);
   if (!text.ok()) return text.error();
-  return ParseScenario(text.value(), path, use);
+  return ScenarioReader(text.value(), path, use, {}, host_card).Read();
 }
 
 }  // namespace oncard::runtime

@@ -107,6 +107,7 @@ motion::PositionSwitch SwitchOf(const SwitchSetup& setup) {
 
 ControllerOptions CardOptions(const Scenario& scenario) {
   ControllerOptions options;
+  if (const auto card = gtcalls::FindCard(scenario.card)) options.family = card->family;
   options.motion.axis_count = scenario.axis_count;
   options.motion.cycle_us = scenario.cycle_us;
   options.rate = scenario.rate;

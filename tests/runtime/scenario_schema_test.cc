@@ -131,7 +131,8 @@ TEST(ScenarioSchema, TakesEverySample) {
 
 TEST(ScenarioSchema, TakesWhatIsWritten) {
   const std::string text =
-      "program = \"p.c\"\nuntil_ms = 2.5\nexplore = { engine = \"stateful\", max_states = 7 }\n"
+      "program = \"p.c\"\ncard = \"GTS-400\"\nuntil_ms = 2.5\nexplore = { engine = \"stateful\", "
+      "max_states = 7 }\n"
       "keys = [{ at_ms = 1, text = \"q\" }]\n[globals]\nn = [1, 2.5]\n\"s.m\" = 3\n"
       "[[thread]]\nfunction = \"f\"\nperiod_ms = 5\ninit = { k = 1 }\n"
       "[[world.axis]]\naxis = 1\ndrive = \"velocity\"\n[[world.switch]]\naxis = 1\nfrom = 5\n"
@@ -167,6 +168,7 @@ INSTANTIATE_TEST_SUITE_P(
         WrongCase{"title = 5\n", "'title' must be a string"},
         WrongCase{"rate = \"5\"\n", "'rate' must be a whole number"},
         WrongCase{"rate = 5.5\n", "'rate' must be a whole number"},
+        WrongCase{"card = \"GTS-500\"\n", "'card' must be one of GTS-400"},
         WrongCase{"axes = 6\n", "'axes' must be 4, 8 or 12"},
         WrongCase{"cycle_us = 300\n", "'cycle_us' must be a multiple of 125"},
         WrongCase{"until_ms = -1\n", "'until_ms' must be a time in ms"},

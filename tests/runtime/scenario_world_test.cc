@@ -319,12 +319,33 @@ TEST(ScenarioWorld, IsWrittenAsItIsRead) {
   EXPECT_EQ(Parsed(FormatScenario(wheel)).world, wheel.world);
 }
 
+TEST(ScenarioWorld, TheCardSaysHowManyAxesThereAre) {
+  const Scenario scenario = Parsed("program = \"x.c\"\ncard = \"GTS-1200\"\n");
+  EXPECT_EQ(scenario.axis_count, 12);
+  EXPECT_EQ(CardOptions(scenario).motion.axis_count, 12);
+  EXPECT_EQ(CardOptions(scenario).family->name, "gts");
+  const std::string text = FormatScenario(scenario);
+  EXPECT_THAT(text, HasSubstr("card = \"GTS-1200\"\naxes = 12\n"));
+  EXPECT_EQ(Parsed(text).card, "GTS-1200");
+}
+
+TEST(ScenarioWorld, ACardWithoutANameHasEightAxes) {
+  const Scenario scenario = Parsed("program = \"x.c\"\n");
+  EXPECT_EQ(scenario.axis_count, 8);
+  EXPECT_THAT(FormatScenario(scenario), Not(HasSubstr("card")));
+}
+
 TEST(ScenarioWorld, MistakesSayWhatToDo) {
   const struct {
     const char* text;
     const char* message;
   } cases[] = {
       {"axes = 5\n", "w.toml:2:8: 'axes' must be 4, 8 or 12"},
+      {"card = \"GTS-500\"\n", "w.toml:2:8: 'card' must be one of GTS-400, GTS-800, GTS-1200"},
+      {"card = \"GTS-400\"\naxes = 8\n",
+       "w.toml:3:8: 'axes' is 8, but the card GTS-400 has 4 axes: remove 'axes'"},
+      {"card = \"GTS-400\"\n[[world.axis]]\naxis = 5\n",
+       "'axis' must be a whole number from 1 to 4"},
       {"[[world.axes]]\n", "unknown key 'axes'; did you mean 'axis'?"},
       {"[[world.axis]]\ndrive = \"ideal\"\n", "'axis' is missing: the number of the axis, from 1"},
       {"[[world.axis]]\naxis = 9\n", "'axis' must be a whole number from 1 to 8"},

@@ -52,6 +52,7 @@ const KeyCase kCases[] = {
      "\"g\"\n"},
     {"rate", kSpin, "until_ms = 2\nnever = [\"n > 30\"]\n",
      "until_ms = 2\nnever = [\"n > 30\"]\nrate = 20\n"},
+    {"card", kAxis, "", "card = \"GTS-1200\"\n"},
     {"axes", kAxis, "", "axes = 12\n"},
     {"cycle_us", kDelay, "expect = [\"clock < 10.5\"]\n",
      "expect = [\"clock < 10.5\"]\ncycle_us = 4000\n"},
