@@ -13,6 +13,7 @@
 
 #include "base/files.h"
 #include "runtime/host/clock.h"
+#include "runtime/host/host_card.h"
 #include "runtime/scenario/key_script.h"
 #include "runtime/scenario/scenario.h"
 #include "tools/commands.h"
@@ -30,6 +31,7 @@ struct ExecArguments {
   std::string scenario;
   std::string keys;
   std::string clock = "virtual";
+  std::string card;
   std::string trace;
   std::string plot;
   bool gbk = false;
@@ -174,8 +176,12 @@ int Exec(const ExecArguments& arguments, const Session& session) {
   }
   const auto keys = runtime::ParseKeyScript(arguments.keys);
   if (!keys.ok()) return Fail(session, kExitUsage, keys.error().message);
+  if (!arguments.card.empty()) ::setenv("ONCARD_CARD", arguments.card.c_str(), 1);
+  const auto card = runtime::CardFromEnvironment();
+  if (!card.ok()) return Fail(session, kExitUsage, card.error().message);
   if (!arguments.scenario.empty()) {
-    const auto scenario = runtime::LoadScenario(arguments.scenario, runtime::ScenarioUse::kHost);
+    const auto scenario =
+        runtime::LoadScenario(arguments.scenario, runtime::ScenarioUse::kHost, card.value());
     if (!scenario.ok()) return Fail(session, kExitUnreadable, scenario.error().message);
     ::setenv("ONCARD_SCENARIO", arguments.scenario.c_str(), 1);
   }
@@ -240,6 +246,16 @@ void AddExec(CLI::App& app, Session& session) {
                    session.Say({"virtual (default), real or real:SCALE",
                                 "virtual（默认）、real 或 real:倍率"}))
       ->type_name("CLOCK");
+  const auto& card_names = gtcalls::kCardTypeNames;
+  command
+      ->add_option("--card", arguments->card,
+                   session.Say(MakeMessage("type of the cards: {0} (without a scenario {1})",
+                                           "控制卡型号：{0}（没有场景时为 {1}）",
+                                           fmt::to_string(fmt::join(card_names, ", ")),
+                                           runtime::LibraryFamily().default_card.name)))
+      ->check(CLI::IsMember(std::vector<std::string>(std::begin(card_names), std::end(card_names)))
+                  .description(""))
+      ->type_name("CARD");
   command->add_flag("--gbk", arguments->gbk,
                     session.Say({"convert the output of the host from GBK to UTF-8",
                                  "将主机程序以 GBK 输出的文字转为 UTF-8"}));

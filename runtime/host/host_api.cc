@@ -2,18 +2,15 @@
 
 #include <mutex>
 
-#include "gtcalls/gts/family.h"
 #include "runtime/host/call_log.h"
 #include "runtime/host/card_number_hint.h"
 #include "runtime/host/card_table.h"
+#include "runtime/host/host_card.h"
 #include "runtime/host/host_refusals.h"
 #include "runtime/host/host_services.h"
 
 namespace oncard::runtime {
 namespace {
-
-/// Communication with a card that is not open (GTS manual table 3-1).
-constexpr int16_t kNotOpen = -1;
 
 /// Executes a command whose arguments have been read. The card is locked.
 int16_t Dispatch(const gtcalls::Command& command, const HostService* service, CardSlot& slot,
@@ -25,13 +22,13 @@ int16_t Dispatch(const gtcalls::Command& command, const HostService* service, Ca
   return code;
 }
 
-int16_t CallLockedCard(int card, CardSlot& slot, const gtcalls::Command& command,
-                       std::span<const HostArgument> host) {
+int16_t CallLockedCard(const gtcalls::Family& family, int card, CardSlot& slot,
+                       const gtcalls::Command& command, std::span<const HostArgument> host) {
   const HostService* service = FindHostService(command);
   const bool open = slot.controller != nullptr;
   int64_t time_us = 0;
   if (open) {
-    slot.CatchUp(slot.controller->family().cost_us(command));
+    slot.CatchUp(family.cost_us(command));
     EndHostIfOver(&slot);
     time_us = slot.controller->NowUs();
   }
@@ -41,7 +38,7 @@ int16_t CallLockedCard(int card, CardSlot& slot, const gtcalls::Command& command
   Message reason;
   int16_t code = vm::kOk;
   if (!open && (service == nullptr || !service->before_open)) {
-    code = kNotOpen;
+    code = family.not_open;
     reason = MakeMessage("card {} is not open, call GT_Open first",
                          "卡 {} 未打开，请先调用 GT_Open", card);
   } else if (!read.ok()) {
@@ -68,9 +65,10 @@ int16_t CallCard(int card, uint16_t number, std::span<const HostArgument> argume
   const int index = card == kSelectedCard ? table.selected.load() : card;
   if (index < 0 || index >= kCardCount) return vm::kBadParameter;
   CardSlot& slot = table.slots[static_cast<size_t>(index)];
-  const gtcalls::Command& command = *gtcalls::GtsFamily().catalogue.Find(number);
+  const gtcalls::Family& family = LibraryFamily();
+  const gtcalls::Command& command = *family.catalogue.Find(number);
   const std::lock_guard lock(slot.mutex);
-  const int16_t code = CallLockedCard(index, slot, command, arguments);
+  const int16_t code = CallLockedCard(family, index, slot, command, arguments);
   if (card == kSelectedCard) HintAtCardNumber(command, arguments, code);
   return code;
 }

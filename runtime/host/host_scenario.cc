@@ -12,6 +12,7 @@
 #include "base/files.h"
 #include "runtime/host/call_log.h"
 #include "runtime/host/card_table.h"
+#include "runtime/host/host_card.h"
 #include "runtime/host/host_refusals.h"
 #include "runtime/observe/moving_axes.h"
 #include "runtime/observe/trace_file.h"
@@ -41,7 +42,9 @@ Result<std::shared_ptr<const Scenario>> ReadScenario() {
   ::on_exit(KeepExitStatus, nullptr);
   const char* path = std::getenv("ONCARD_SCENARIO");
   if (path == nullptr || *path == '\0') return std::shared_ptr<const Scenario>();
-  auto scenario = LoadScenario(path, ScenarioUse::kHost);
+  const auto card = CardFromEnvironment();
+  if (!card.ok()) return card.error();
+  auto scenario = LoadScenario(path, ScenarioUse::kHost, card.value());
   if (!scenario.ok()) return scenario.error();
   return std::make_shared<const Scenario>(std::move(scenario).value());
 }

@@ -9,10 +9,10 @@
 
 #include "base/files.h"
 #include "compiler/compiler.h"
-#include "gtcalls/gts/catalogue.h"
 #include "gts.h"
 #include "runtime/host/call_log.h"
 #include "runtime/host/clock.h"
+#include "runtime/host/host_card.h"
 #include "runtime/host/host_refusals.h"
 #include "runtime/host/host_signals.h"
 #include "runtime/scenario/scenario_world.h"
@@ -44,6 +44,15 @@ int CardNumber(const ServiceCall& call) {
   return static_cast<int>(&call.slot - call.table.slots.data());
 }
 
+/// A card without surroundings: of the named type, or the default one.
+Scenario BareCard(const gtcalls::CardType* named) {
+  const gtcalls::CardType& type = named != nullptr ? *named : LibraryFamily().default_card;
+  Scenario scenario;
+  scenario.card = type.name;
+  scenario.axis_count = type.axis_count;
+  return scenario;
+}
+
 int16_t Open(ServiceCall& call) {
   CardSlot& slot = call.slot;
   if (slot.controller != nullptr) {
@@ -52,14 +61,16 @@ int16_t Open(ServiceCall& call) {
   const char* setting = std::getenv("ONCARD_CLOCK");
   const auto clock = ParseClockSetting(setting == nullptr ? "" : setting);
   if (!clock.ok()) return call.Refuse(kOpenFailed, clock.error().message);
+  const auto card = CardFromEnvironment();
+  if (!card.ok()) return call.Refuse(kOpenFailed, card.error().message);
   const auto scenario = ScenarioFromEnvironment();
   if (!scenario.ok()) return call.Refuse(kOpenFailed, scenario.error().message);
   std::shared_ptr<const Scenario> world = scenario.value();
   std::vector<std::string> trace_files;
   if (CardNumber(call) == 0) trace_files = TraceFilesFromEnvironment();
-  if (world == nullptr && !trace_files.empty()) world = std::make_shared<const Scenario>();
-  slot.controller = world == nullptr ? std::make_unique<Controller>()
-                                     : std::make_unique<Controller>(CardOptions(*world));
+  const Scenario bare = BareCard(card.value());
+  if (world == nullptr && !trace_files.empty()) world = std::make_shared<const Scenario>(bare);
+  slot.controller = std::make_unique<Controller>(CardOptions(world == nullptr ? bare : *world));
   // The log also shows what happens at power-on.
   if (CallLog* log = CallLog::Wanted(); log != nullptr) {
     slot.controller->LogRefusals(log, CardNumber(call));
@@ -278,9 +289,10 @@ constexpr HostService kServices[] = {
 
 /// One entry per command of the catalogue; nullptr for a command that the card executes.
 std::vector<const HostService*> ServicesByNumber() {
-  std::vector<const HostService*> services(gtcalls::GtsCatalogue().commands().size());
+  const gtcalls::Catalogue& catalogue = LibraryFamily().catalogue;
+  std::vector<const HostService*> services(catalogue.commands().size());
   for (const HostService& service : kServices) {
-    const gtcalls::Command* command = gtcalls::GtsCatalogue().Find(service.command);
+    const gtcalls::Command* command = catalogue.Find(service.command);
     if (command == nullptr) continue;  // a misspelt name, which a test reports
     services[command->number - 1u] = &service;
   }

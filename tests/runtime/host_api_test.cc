@@ -84,6 +84,30 @@ TEST(HostApiTest, AWrongClockSettingFailsTheOpening) {
   EXPECT_EQ(GT_Close(), 0);
 }
 
+TEST(HostApiTest, TheEnvironmentNamesTheCard) {
+  setenv("ONCARD_CLOCK", "virtual", 1);
+  const struct {
+    const char* card;
+    short axes;
+  } cases[] = {{"GTS-400", 4}, {"GTS-800", 8}, {"GTS-1200", 12}, {"", 8}};
+  for (const auto& c : cases) {
+    setenv("ONCARD_CARD", c.card, 1);
+    ASSERT_EQ(GT_Open(), 0);
+    EXPECT_EQ(GT_AxisOn(c.axes), 0) << c.card;
+    EXPECT_EQ(GT_AxisOn(static_cast<short>(c.axes + 1)), 7) << c.card;
+    EXPECT_EQ(GT_Close(), 0);
+  }
+  unsetenv("ONCARD_CARD");
+}
+
+TEST(HostApiTest, AnUnknownCardFailsTheOpening) {
+  setenv("ONCARD_CARD", "GTS-500", 1);
+  EXPECT_EQ(GT_Open(), -6);
+  unsetenv("ONCARD_CARD");
+  EXPECT_EQ(GT_Open(), 0);
+  EXPECT_EQ(GT_Close(), 0);
+}
+
 TEST(HostApiTest, ACardIsSelectedBeforeItIsOpened) {
   setenv("ONCARD_CLOCK", "virtual", 1);
   short selected = -1;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/files.h"
 #include "tests/tools/process.h"
 
 namespace oncard::tools {
@@ -29,6 +30,61 @@ ProcessResult Exec(const std::vector<std::string>& options,
   arguments.push_back("--");
   arguments.insert(arguments.end(), command.begin(), command.end());
   return RunOncard(arguments);
+}
+
+// --- Cards ---------------------------------------------------------------------------------------
+
+/// Runs the client that adds 1..100 with a card and a scenario; either may be empty.
+ProcessResult ExecOnCard(const std::string& card, const std::string& scenario) {
+  const ScratchFolder folder;
+  folder.Write("sum.c", ReadFile(ONCARD_SOURCE_DIR "/samples/01_sum/sum.c").value());
+  std::vector<std::string> arguments = {"exec"};
+  if (!card.empty()) arguments.push_back("--card=" + card);
+  if (!scenario.empty()) {
+    folder.Write("s.toml", scenario);
+    arguments.emplace_back("--scenario=s.toml");
+  }
+  for (const std::string& word :
+       {std::string("--"), Client("one_thread_c"), std::string("sum.c")}) {
+    arguments.push_back(word);
+  }
+  return RunOncard(arguments, folder.path());
+}
+
+TEST(ExecCard, IsTheOneOfTheOptionOrTheScenario) {
+  const struct {
+    const char* card;
+    const char* scenario;
+  } cases[] = {{"GTS-1200", "final = [\"axis12.prfPos == 0\"]\n"},
+               {"", "card = \"GTS-1200\"\nfinal = [\"axis12.prfPos == 0\"]\n"},
+               {"GTS-1200", "card = \"GTS-1200\"\nfinal = [\"axis12.prfPos == 0\"]\n"},
+               {"GTS-1200", "axes = 12\n[[world.axis]]\naxis = 12\n"},
+               {"GTS-400", ""}};
+  for (const auto& c : cases) {
+    const ProcessResult result = ExecOnCard(c.card, c.scenario);
+    EXPECT_EQ(result.exit_code, 0) << c.card << '\n' << c.scenario << result.err;
+  }
+}
+
+TEST(ExecCard, IsRefusedWhereTheyContradictEachOther) {
+  const struct {
+    const char* card;
+    const char* scenario;
+    int exit_code;
+    const char* message;
+  } cases[] = {
+      {"GTS-500", "", 2, "GTS-500"},
+      {"GTS-400", "card = \"GTS-800\"\n", 3,
+       "s.toml:1:8: 'card' is GTS-800, but ONCARD_CARD is GTS-400: change or remove one of them"},
+      {"GTS-400", "axes = 8\n", 3,
+       "s.toml:1:8: 'axes' is 8, but the card GTS-400 has 4 axes: remove 'axes'"},
+      {"GTS-400", "[[world.axis]]\naxis = 5\n", 3, "'axis' must be a whole number from 1 to 4"},
+  };
+  for (const auto& c : cases) {
+    const ProcessResult result = ExecOnCard(c.card, c.scenario);
+    EXPECT_EQ(result.exit_code, c.exit_code) << c.card << '\n' << c.scenario;
+    EXPECT_THAT(result.err, HasSubstr(c.message));
+  }
 }
 
 // --- Time ----------------------------------------------------------------------------------------
