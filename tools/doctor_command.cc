@@ -7,7 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json_text.h"
-#include "gtcalls/gts/family.h"
+#include "gtcalls/family.h"
+#include "runtime/host/host_card.h"
 #include "runtime/host/host_services.h"
 #include "tools/commands.h"
 #include "tools/gnuplot.h"
@@ -17,12 +18,24 @@ namespace {
 
 struct DoctorArguments {
   bool commands = false;
+  std::string family{runtime::LibraryFamily().name};
   std::string format = "text";
 };
 
 /// True if the card executes the command or the host library answers it.
-bool IsAnswered(const gtcalls::Command& command) {
-  return gtcalls::GtsFamily().Executes(command) || runtime::FindHostService(command) != nullptr;
+bool IsAnswered(const gtcalls::Family& family, const gtcalls::Command& command) {
+  return family.Executes(command) || runtime::FindHostService(command) != nullptr;
+}
+
+std::vector<std::string> FamilyNames() {
+  std::vector<std::string> names;
+  for (const gtcalls::Family* family : gtcalls::Families()) names.emplace_back(family->name);
+  return names;
+}
+
+/// The family of a name that the option has checked.
+const gtcalls::Family& FamilyNamed(std::string_view name) {
+  return **std::ranges::find(gtcalls::Families(), name, &gtcalls::Family::name);
 }
 
 struct Fact {
@@ -38,11 +51,11 @@ bool HasGbk() {
   return true;
 }
 
-std::vector<Fact> Facts() {
-  const auto commands = gtcalls::GtsFamily().catalogue.commands();
+std::vector<Fact> Facts(const gtcalls::Family& family) {
+  const auto commands = family.catalogue.commands();
   const auto implemented =
       std::count_if(commands.begin(), commands.end(),
-                    [](const gtcalls::Command& command) { return IsAnswered(command); });
+                    [&](const gtcalls::Command& command) { return IsAnswered(family, command); });
   const auto in_programs =
       std::count_if(commands.begin(), commands.end(),
                     [](const gtcalls::Command& command) { return command.in_motion_program; });
@@ -66,6 +79,8 @@ std::vector<Fact> Facts() {
       {"xxhash",
        {"xxhash", "xxhash"},
        fmt::format("{}.{}.{}", XXH_VERSION_MAJOR, XXH_VERSION_MINOR, XXH_VERSION_RELEASE)},
+      {"fast_float", {"fast_float", "fast_float"}, ONCARD_FAST_FLOAT_VERSION},
+      {"cards", {"cards", "控制卡型号"}, fmt::to_string(fmt::join(gtcalls::kCardTypeNames, ", "))},
       {"commands", {"commands in the catalogue", "指令目录中的指令"}, count(commands.size())},
       {"commands_in_programs",
        {"... allowed in motion programs", "……可在运动程序中使用"},
@@ -97,9 +112,9 @@ std::vector<OptionalPart> OptionalParts() {
            GnuplotRemedy()}};
 }
 
-void PrintText(const Session& session) {
+void PrintText(const gtcalls::Family& family, const Session& session) {
   std::string text;
-  for (const Fact& fact : Facts()) {
+  for (const Fact& fact : Facts(family)) {
     text += fmt::format("{}: {}\n", session.Say(fact.name), fact.value);
   }
   for (const OptionalPart& part : OptionalParts()) {
@@ -110,9 +125,9 @@ void PrintText(const Session& session) {
   PrintResult(text);
 }
 
-void PrintJson(const Session& session) {
+void PrintJson(const gtcalls::Family& family, const Session& session) {
   nlohmann::ordered_json json;
-  for (const Fact& fact : Facts()) json[fact.key] = fact.value;
+  for (const Fact& fact : Facts(family)) json[fact.key] = fact.value;
   for (const OptionalPart& part : OptionalParts()) {
     json["optional"][part.key]["present"] = part.present;
     if (!part.present) json["optional"][part.key]["remedy"] = session.Say(part.remedy);
@@ -120,14 +135,14 @@ void PrintJson(const Session& session) {
   PrintResult(JsonText(json, 2) + '\n');
 }
 
-void PrintCommands(bool as_json, const Session& session) {
+void PrintCommands(const gtcalls::Family& family, bool as_json, const Session& session) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   std::string text;
-  for (const gtcalls::Command& command : gtcalls::GtsFamily().catalogue.commands()) {
-    const bool implemented = IsAnswered(command);
+  for (const gtcalls::Command& command : family.catalogue.commands()) {
+    const bool implemented = IsAnswered(family, command);
     Message state =
         implemented ? Message{"implemented", "已实现"} : Message{"not supported", "不支持"};
-    const Message* why = implemented ? nullptr : gtcalls::GtsFamily().why_unsupported(command);
+    const Message* why = implemented ? nullptr : family.why_unsupported(command);
     if (why != nullptr) {
       state.en += ": " + why->en;
       state.zh += "：" + why->zh;
@@ -143,12 +158,13 @@ void PrintCommands(bool as_json, const Session& session) {
 
 int Doctor(const DoctorArguments& arguments, const Session& session) {
   const bool json = arguments.format == "json";
+  const gtcalls::Family& family = FamilyNamed(arguments.family);
   if (arguments.commands) {
-    PrintCommands(json, session);
+    PrintCommands(family, json, session);
   } else if (json) {
-    PrintJson(session);
+    PrintJson(family, session);
   } else {
-    PrintText(session);
+    PrintText(family, session);
   }
   return kExitOk;
 }
@@ -164,6 +180,14 @@ void AddDoctor(CLI::App& app, Session& session) {
   command->add_flag("--commands", arguments->commands,
                     session.Say({"list every GT command and whether it is implemented",
                                  "列出全部 GT 指令及其实现情况"}));
+  command
+      ->add_option("--family", arguments->family,
+                   session.Say(MakeMessage("the family of cards whose commands are counted or "
+                                           "listed: {0}",
+                                           "统计或列出哪个系列控制卡的指令：{0}",
+                                           fmt::to_string(fmt::join(FamilyNames(), ", ")))))
+      ->check(CLI::IsMember(FamilyNames()).description(""))
+      ->type_name("FAMILY");
   AddFormatOption(*command, session, arguments->format, {"text", "json"});
 }
 

@@ -115,9 +115,18 @@ TEST(Doctor, TellsTheSameFactsAsTextAndJson) {
   EXPECT_EQ(text.exit_code, 0);
   EXPECT_EQ(text.out.rfind("oncard: ", 0), 0u) << text.out;
   const Json json = Json::parse(RunOncard({"doctor", "--format=json"}).out);
-  for (const char* key : {"version", "compiler", "fmt", "zlib", "commands", "optional"}) {
+  for (const char* key :
+       {"version", "compiler", "fast_float", "fmt", "zlib", "cards", "commands", "optional"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
+}
+
+TEST(Doctor, ListsTheCommandsOfAFamily) {
+  const ProcessResult usual = RunOncard({"doctor", "--commands"});
+  EXPECT_EQ(RunOncard({"doctor", "--commands", "--family=gts"}).out, usual.out);
+  const ProcessResult unknown = RunOncard({"doctor", "--commands", "--family=gtx"});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("--family"));
 }
 
 TEST(Doctor, ListsEveryCommandOfTheCatalogue) {
