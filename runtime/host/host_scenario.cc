@@ -27,7 +27,7 @@ struct Verdict {
   std::vector<Message> failures;
   std::vector<Message> warnings;
   std::vector<Message> held;
-  int exit_status = 0;
+  bool card_opened = false;  ///< a card of the scenario
   bool in_child = false;
 };
 
@@ -36,10 +36,7 @@ Verdict& VerdictOfProcess() {
   return verdict;
 }
 
-void KeepExitStatus(int status, void*) { VerdictOfProcess().exit_status = status; }
-
 Result<std::shared_ptr<const Scenario>> ReadScenario() {
-  ::on_exit(KeepExitStatus, nullptr);
   const char* path = std::getenv("ONCARD_SCENARIO");
   if (path == nullptr || *path == '\0') return std::shared_ptr<const Scenario>();
   const auto card = CardFromEnvironment();
@@ -71,6 +68,10 @@ std::vector<std::string> TraceFilesFromEnvironment() {
 CardWatch::CardWatch(std::shared_ptr<const Scenario> scenario, int card,
                      std::vector<std::string> trace_files)
     : scenario_(std::move(scenario)), card_(card), trace_files_(std::move(trace_files)) {
+  {
+    const std::lock_guard lock(VerdictOfProcess().mutex);
+    VerdictOfProcess().card_opened = true;
+  }
   for (const Expectation& expectation : scenario_->expectations) {
     if (expectation.at_us) timed_.push_back(&expectation);
   }
@@ -231,10 +232,23 @@ void Print(const Message& message) {
   std::fprintf(stderr, "oncard: %s\n", message.In(LanguageFromEnvironment()).c_str());
 }
 
+/// Why nothing of the scenario was checked, if it has something to check.
+std::optional<Message> NeverChecked(const Verdict& verdict) {
+  if (verdict.card_opened) return std::nullopt;
+  const auto scenario = ScenarioFromEnvironment();
+  if (!scenario.ok()) return scenario.error().message;
+  if (scenario.value() == nullptr) return std::nullopt;
+  const Scenario& asked = *scenario.value();
+  if (asked.expectations.empty() && RequirementsOf(asked).empty()) return std::nullopt;
+  return Message{"the host has opened no card: nothing of the scenario was checked",
+                 "主机程序没有打开任何卡：场景中的条件均未检查"};
+}
+
 /// Prints what was found. True if there are failures.
 bool ReportHost() {
   Verdict& verdict = VerdictOfProcess();
   const std::lock_guard lock(verdict.mutex);
+  if (auto never = NeverChecked(verdict)) verdict.failures.push_back(*std::move(never));
   const RefusalWish wish = RefusalWishOfProcess();
   std::vector<Message> refusals;
   if (wish != RefusalWish::kNothing) refusals = HostRefusals::OfProcess().Describe();
@@ -275,7 +289,12 @@ void FinishHost() {
   }
   if (!ReportHost()) return;
   std::fflush(nullptr);
-  if (VerdictOfProcess().exit_status == 0) ::_exit(kExitNotAsExpected);
+  // Only such a function is given the host's exit code. The C library calls it next.
+  ::on_exit(
+      [](int status, void*) {
+        if (status == 0) ::_exit(kExitNotAsExpected);
+      },
+      nullptr);
 }
 
 void ConcludeHost() {

@@ -54,6 +54,22 @@ TEST(ExecRequirements, ReportsWhatDoesNotHoldAsARunDoes) {
                              "is 5050\n")));
 }
 
+TEST(ExecRequirements, AreNotMetByAHostThatOpensNoCard) {
+  const ScratchFolder folder;
+  const std::string host = ONCARD_BUILD_DIR "/tests/runtime/no_card_c";
+  const auto run = [&](const std::string& scenario, const char* exit_code) {
+    folder.Write("s.toml", scenario);
+    return RunOncard({"exec", "--scenario=s.toml", "--", host, exit_code}, folder.path());
+  };
+  const ProcessResult result = run("final = [\"1 == 1\"]\n", "0");
+  EXPECT_EQ(result.exit_code, 120);
+  EXPECT_EQ(result.err,
+            "oncard: the host has opened no card: nothing of the scenario was checked\n");
+  EXPECT_EQ(run("expect = [\"1 == 1\"]\n", "0").exit_code, 120);
+  EXPECT_EQ(run("expect = [\"1 == 1\"]\n", "5").exit_code, 5);
+  EXPECT_EQ(run("rate = 50\n", "0").exit_code, 0) << "nothing to check";
+}
+
 TEST(ExecRequirements, RefusesToPassWhatWasNeverChecked) {
   const ProcessResult result = ExecSum("always = [\"sun <= 5050\"]\n");
   EXPECT_EQ(result.exit_code, 120);
