@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "base/files.h"
+#include "base/limits.h"
+#include "compiler/include_files.h"
 #include "compiler/lexer.h"
 #include "compiler/macro_body.h"
 #include "compiler/parser.hh"
@@ -13,34 +14,11 @@ namespace {
 
 using Kind = Parser::token;
 
-constexpr std::string_view kHeadersOfC[] = {
-    "assert.h",   "complex.h",  "ctype.h",  "errno.h",       "fenv.h",    "float.h",
-    "inttypes.h", "iso646.h",   "limits.h", "locale.h",      "math.h",    "setjmp.h",
-    "signal.h",   "stdalign.h", "stdarg.h", "stdatomic.h",   "stdbool.h", "stddef.h",
-    "stdint.h",   "stdio.h",    "stdlib.h", "stdnoreturn.h", "string.h",  "tgmath.h",
-    "threads.h",  "time.h",     "uchar.h",  "wchar.h",       "wctype.h"};
-
-std::string FolderOf(const std::string& path) {
-  const size_t slash = path.find_last_of("/\\");
-  return slash == std::string::npos ? std::string() : path.substr(0, slash + 1);
-}
-
-std::string InFolder(const std::string& folder, const std::string& name) {
-  if (folder.empty() || folder.back() == '/' || folder.back() == '\\') return folder + name;
-  return folder + '/' + name;
-}
-
 bool IsNumber(const Token& token) {
   return token.kind == Kind::kInteger || token.kind == Kind::kFixed;
 }
 
 bool IsBool(std::string_view name) { return name == "bool" || name == "_Bool"; }
-
-// Names and keywords of the lexer: all may follow `#`.
-bool IsWord(const Token& token) {
-  return !token.text.empty() &&
-         (std::isalpha(static_cast<unsigned char>(token.text[0])) != 0 || token.text[0] == '_');
-}
 
 }  // namespace
 
@@ -81,7 +59,7 @@ void Directives::AddFile(SourceFile file, uint32_t inclusion_point) {
   // One token more than the limit is read, to detect a program with too many.
   const size_t token_max = kTokenMax - scanned_tokens_;
   const std::vector<Token> tokens =
-      Tokenize(files_.back(), index, token_max + 1, *options_.catalogue, reporter_, dialect_);
+      Tokenize(files_.back(), index, token_max + 1, *options_.catalogue, reporter_);
   if (tokens.size() > token_max) {
     Refuse(MakeMessage("the program has more than {0} tokens", "程序的记号超过 {0} 个", kTokenMax));
     return;
@@ -285,39 +263,15 @@ void Directives::MendOpenMacros() {
   }
 }
 
-std::string Directives::FindInclude(const std::string& name, std::string* text,
-                                    std::optional<Message>* unreadable) const {
-  std::vector<std::string> paths = {FolderOf(files_[0].path()) + name};
-  if (name.front() == '/') paths = {name};
-  for (const std::string& folder : options_.include_folders) {
-    if (name.front() != '/') paths.push_back(InFolder(folder, name));
-  }
-  for (const std::string& path : paths) {
-    Result<std::string> content = reader_(path);
-    if (content.ok()) {
-      *text = std::move(content).value();
-      return path;
-    }
-    if (content.error().code != kNoSuchFile) {
-      *unreadable = content.error().message;
-      return {};
-    }
-  }
-  return {};
-}
-
 // `#include <...>`: the name of an existing file is put in quotes, a header of C is removed.
 void Directives::MendAngles(Diagnostic& diagnostic, SourceRange range, SourceRange whole) const {
   std::string_view name = files_[static_cast<size_t>(whole.file)].text();
   name = name.substr(range.begin, range.end - range.begin);
   if (name.size() < 3 || name.front() != '<' || name.back() != '>') return;
   name = name.substr(1, name.size() - 2);
-  std::string text;
-  std::optional<Message> unreadable;
-  if (!FindInclude(std::string(name), &text, &unreadable).empty()) {
+  if (FindInclude(std::string(name), {files_[0].path()}, options_, reader_).found) {
     Replace(diagnostic, range, fmt::format("\"{}\"", name));
-  } else if (std::find(std::begin(kHeadersOfC), std::end(kHeadersOfC), name) !=
-             std::end(kHeadersOfC)) {
+  } else if (IsHeaderOfC(name)) {
     AddNote(diagnostic,
             MakeMessage("programs have no C library, and abs and fabs need none; remove this line",
                         "运动程序没有 C 语言的库，abs 和 fabs 不需要它；请去掉"));
@@ -350,24 +304,12 @@ void Directives::Include(const std::vector<Token>& line, SourceRange whole) {
     reporter_.Report(Code::kNestedInclude, whole);
     return;
   }
-  std::string text;
-  std::optional<Message> unreadable;
-  const std::string path = FindInclude(name, &text, &unreadable);
-  if (unreadable) {
-    reporter_.Report(Code::kCannotOpen, line[2].range, name, *unreadable);
+  IncludedFile file = FindInclude(name, {files_[0].path()}, options_, reader_);
+  if (!file.found) {
+    ReportMissingInclude(name, line[2].range, file, options_, reporter_);
     return;
   }
-  if (path.empty()) {
-    Diagnostic& diagnostic =
-        reporter_.Report(Code::kCannotOpen, line[2].range, name,
-                         MakeMessage("it is neither beside the program nor in an include folder",
-                                     "程序所在目录和包含目录中都没有该文件"));
-    for (const std::string& folder : options_.include_folders) {
-      AddNote(diagnostic, MakeMessage("searched in '{}'", "已搜索 '{}'", folder));
-    }
-    return;
-  }
-  AddFile(SourceFile(path, std::move(text)), whole.begin);
+  AddFile(SourceFile(std::move(file.path), std::move(file.text)), whole.begin);
 }
 
 }  // namespace oncard::compiler

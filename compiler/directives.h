@@ -1,5 +1,5 @@
-// Converts files to the sequence of tokens that the parser reads: inserts included files and
-// removes #define lines.
+// Converts files of the card's language to the sequence of tokens that the parser reads: inserts
+// included files and removes #define lines.
 #pragma once
 
 #include <deque>
@@ -14,7 +14,6 @@
 
 #include "compiler/compiler.h"
 #include "compiler/constant_folding.h"
-#include "compiler/dialect.h"
 #include "compiler/reporter.h"
 #include "compiler/syntax.h"
 
@@ -23,15 +22,14 @@ namespace oncard::compiler {
 class Directives {
  public:
   /// The references must outlive this object and its tokens.
-  Directives(const Options& options, const FileReader& reader, Reporter& reporter,
-             Dialect dialect = Dialect::kCard)
-      : options_(options), reader_(reader), reporter_(reporter), dialect_(dialect) {}
+  Directives(const Options& options, const FileReader& reader, Reporter& reporter)
+      : options_(options), reader_(reader), reporter_(reporter) {}
 
   /// Reads the program, given as text. Call once.
   void Run(SourceFile program);
 
   /// The tokens, ending in an end token. #define lines are kMacroDefinition tokens.
-  std::vector<Token>& tokens() { return tokens_; }
+  const std::vector<Token>& tokens() const { return tokens_; }
   std::vector<Macro>& macros() { return macros_; }
   /// The files read, the program first, and where each is included: the offset of the directive.
   std::deque<SourceFile>& files() { return files_; }
@@ -50,10 +48,6 @@ class Directives {
   void MendOpenMacros();
   void Include(const std::vector<Token>& line, SourceRange whole);
   void MendAngles(Diagnostic& diagnostic, SourceRange range, SourceRange whole) const;
-  /// The path of an included file, with its text; empty if there is none, or if the first one found
-  /// cannot be read, with the reason.
-  std::string FindInclude(const std::string& name, std::string* text,
-                          std::optional<Message>* unreadable) const;
   /// False, with a report, when the program would become larger than kSourceKind allows.
   bool Admit(const SourceFile& file);
   /// Reports at the file read last; the program is not read on.
@@ -62,7 +56,6 @@ class Directives {
   const Options& options_;
   const FileReader& reader_;
   Reporter& reporter_;
-  const Dialect dialect_;
   std::deque<SourceFile> files_;
   std::vector<uint32_t> inclusion_points_;
   std::vector<Token> tokens_;

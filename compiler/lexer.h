@@ -19,6 +19,9 @@ std::vector<Token> Tokenize(const SourceFile& file, int file_index, size_t token
                             const gtcalls::Catalogue& catalogue, Reporter& reporter,
                             Dialect dialect = Dialect::kCard);
 
+/// Whether a token is a name or a keyword.
+bool IsWord(const Token& token);
+
 /// The name of a token in messages: 'x', or a description if it has no text.
 Message DescribeToken(const Token& token);
 

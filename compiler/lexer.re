@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <string>
 #include <unordered_set>
@@ -82,6 +83,8 @@ class Lexer {
   void AddString(const char* begin, const char* end);
   const char* EndOfString(const char* begin, const char* end, const char* limit) const;
   const char* SkipComment(const char* begin, const char* limit);
+  const char* EndOfLineComment(const char* end, const char* limit) const;
+  const char* Continuation(const char* begin, const char* end, const char* limit);
   const char* Operator(const char* begin, const char* limit);
   const char* IllegalCharacters(const char* begin, const char* limit);
   void Scan(const char* cursor, const char* limit);
@@ -126,7 +129,7 @@ void Lexer::AddName(const char* begin, const char* end) {
       return;
     }
   }
-  if (name.size() > vm::kNameLengthMax && long_names_.insert(name).second) {
+  if (!structured_ && name.size() > vm::kNameLengthMax && long_names_.insert(name).second) {
     reporter_.Report(Code::kNameTooLong, Range(begin, end), name,
                      static_cast<int64_t>(name.size()), int64_t{vm::kNameLengthMax});
   }
@@ -271,8 +274,36 @@ const char* Lexer::SkipComment(const char* begin, const char* limit) {
                 Range(begin, limit), "*/");
     return limit;
   }
-  if (rest.substr(0, close).find('\n') != std::string_view::npos) new_line_ = true;
+  // In structured C, as in C, a comment is a blank, also inside a directive.
+  const bool lines = rest.substr(0, close).find('\n') != std::string_view::npos;
+  if (lines && !structured_) new_line_ = true;
   return begin + close + 2;
+}
+
+// In structured C a `\` at the end of the line continues a comment.
+const char* Lexer::EndOfLineComment(const char* end, const char* limit) const {
+  const auto continues = [end, this](const char* at) {
+    while (at > text_.data() && (at[-1] == '\r' || at[-1] == ' ' || at[-1] == '\t')) --at;
+    return at > text_.data() && at[-1] == '\\';
+  };
+  while (structured_ && end < limit && continues(end)) {
+    ++end;
+    while (end < limit && *end != '\n') ++end;
+  }
+  return end;
+}
+
+// A `\` at the end of a line, which continues it in structured C. C would also join two halves of a
+// word.
+const char* Lexer::Continuation(const char* begin, const char* end, const char* limit) {
+  if (!structured_) return Operator(begin, limit);
+  const auto in_word = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+  };
+  if (begin > text_.data() && end < limit && in_word(begin[-1]) && in_word(*end)) {
+    reporter_.Report(Code::kSplitWord, Range(begin, begin + 1));
+  }
+  return end;
 }
 
 const char* Lexer::Operator(const char* begin, const char* limit) {
@@ -358,7 +389,8 @@ void Lexer::Scan(const char* cursor, const char* limit) {
       $                       { return; }
       [ \t\r\f\v]+            { continue; }
       "\n"                    { new_line_ = true; continue; }
-      "//" [^\n]*             { continue; }
+      "//" [^\n]*             { cursor = EndOfLineComment(cursor, limit); continue; }
+      "\\" [ \t\r]* "\n"       { cursor = Continuation(begin, cursor, limit); continue; }
       "/*"                    { cursor = SkipComment(begin, limit); continue; }
 
       (decimal | hex) suffix? { AddInteger(begin, cursor); continue; }
@@ -431,6 +463,11 @@ std::vector<Token> Tokenize(const SourceFile& file, int file_index, size_t token
                             const gtcalls::Catalogue& catalogue, Reporter& reporter,
                             Dialect dialect) {
   return Lexer(file, file_index, token_max, catalogue, reporter, dialect).Run();
+}
+
+bool IsWord(const Token& token) {
+  return !token.text.empty() &&
+         (std::isalpha(static_cast<unsigned char>(token.text[0])) != 0 || token.text[0] == '_');
 }
 
 Message DescribeToken(const Token& token) {

@@ -1,7 +1,7 @@
 #include "compiler/structured_source.h"
 
-#include "compiler/directives.h"
 #include "compiler/parser_driver.h"
+#include "compiler/preprocessor.h"
 #include "compiler/structured_refusals.h"
 
 namespace oncard::compiler {
@@ -9,23 +9,32 @@ namespace oncard::compiler {
 StructuredSource::StructuredSource(const std::string& path, std::string text,
                                    const Options& options, const FileReader& reader,
                                    Reporter& reporter) {
-  Directives directives(options, reader, reporter, Dialect::kStructured);
-  directives.Run(SourceFile(path, std::move(text)));
-  files_ = std::move(directives.files());
-  inclusion_points_ = directives.inclusion_points();
-  skipped_names_ = directives.skipped_names();
-  tokens_ = std::move(directives.tokens());
+  Preprocessor preprocessor(options, reader, reporter);
+  preprocessor.Run(SourceFile(path, std::move(text)));
+  files_ = std::move(preprocessor.files());
+  inclusion_points_ = std::move(preprocessor.inclusion_points());
+  macro_uses_ = std::move(preprocessor.macros().uses());
+  tokens_ = std::move(preprocessor.tokens());
   ParserDriver driver(tokens_, reporter, Dialect::kStructured);
-  driver.tree.macros = std::move(directives.macros());
   Parser parser(driver);
   parser.parse();
   tree_ = std::move(driver.tree);
   RefuseUntranslatable(tree_, options, reporter);
-  skipped_names_.insert(driver.skipped_names().begin(), driver.skipped_names().end());
+  skipped_names_ = driver.skipped_names();
 }
 
 StructuredSource::StructuredSource(StructuredSource&&) noexcept = default;
 StructuredSource& StructuredSource::operator=(StructuredSource&&) noexcept = default;
 StructuredSource::~StructuredSource() = default;
+
+void StructuredSource::AddMacroNotes(Reporter& reporter) const {
+  for (Diagnostic& diagnostic : reporter.diagnostics()) {
+    const MacroUses::Macro* const macro = macro_uses_.Find(diagnostic.range);
+    if (macro == nullptr) continue;
+    AddNote(diagnostic, macro->name_range,
+            MakeMessage("this comes from the macro '{0}', defined here",
+                        "这来自宏 '{0}'，它在此处定义", macro->name));
+  }
+}
 
 }  // namespace oncard::compiler

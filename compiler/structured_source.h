@@ -12,12 +12,14 @@
 #include <vector>
 
 #include "compiler/compiler.h"
+#include "compiler/macro_expander.h"
 #include "compiler/reporter.h"
 #include "compiler/syntax.h"
 
 namespace oncard::compiler {
 
-/// A program and everything that its tree points into.
+/// A program and everything that its tree points into. Nodes from the body of a macro have the
+/// range of its use, but the text of the body.
 class StructuredSource {
  public:
   /// Reads the program `text`, which diagnostics call `path`; includes go through `reader`. The
@@ -39,10 +41,14 @@ class StructuredSource {
   /// Names that stand in skipped text: they may have been declared there, so that nothing more
   /// should be said about them.
   const std::unordered_set<std::string_view>& skipped_names() const { return skipped_names_; }
+  /// Adds to each diagnostic at the use of a macro where the macro is defined. Call once, when
+  /// nothing more is reported.
+  void AddMacroNotes(Reporter& reporter) const;
 
  private:
   std::deque<SourceFile> files_;
   std::vector<uint32_t> inclusion_points_;
+  MacroUses macro_uses_;
   std::vector<Token> tokens_;
   std::unordered_set<std::string_view> skipped_names_;
   Tree tree_;

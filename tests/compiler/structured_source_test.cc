@@ -138,11 +138,11 @@ TEST(DialectTest, IsSaidByTheFirstLine) {
 
 // The words and tokens of structured C mean in the card's language what they have always meant.
 TEST(DialectTest, LeavesTheCardsLanguageAlone) {
-  struct Case {
+  struct CardCase {
     std::string text;
     std::vector<int> codes;
   };
-  for (const Case& row : std::vector<Case>{
+  for (const CardCase& row : std::vector<CardCase>{
            {"enum { kA };", {115}},
            {"int t0() { return sizeof(int); }", {115}},
            {"int volatile; int inline; int asm; int t0() { return volatile; }", {}},

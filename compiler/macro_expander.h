@@ -1,0 +1,95 @@
+// The macros of structured C and their expansion, as C defines it: arguments are expanded once,
+// before they replace a parameter, the result is read again, and a macro is not expanded inside
+// itself. Tested by tests/compiler/preprocessor_test.cc.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <map>
+#include <span>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "compiler/reporter.h"
+#include "compiler/syntax.h"
+
+namespace oncard::compiler {
+
+struct MacroDefinition {
+  std::string_view name;
+  SourceRange name_range;
+  bool has_parameters = false;  ///< also with none in its parentheses
+  std::vector<std::string_view> parameters;
+  std::vector<Token> body;
+};
+
+/// Which macros a text uses, and where.
+class MacroUses {
+ public:
+  struct Macro {
+    std::string_view name;
+    SourceRange name_range;  ///< in its #define
+  };
+
+  /// The macro whose use has this range, or nullptr; of several, the outermost one.
+  const Macro* Find(SourceRange range) const;
+  void Add(SourceRange range, const MacroDefinition& macro);
+
+ private:
+  std::map<std::pair<int, uint64_t>, Macro> macros_;  // by file, and by begin and end
+};
+
+class MacroExpander {
+ public:
+  /// The reporter must outlive this object, and the text of all tokens what is expanded.
+  explicit MacroExpander(Reporter& reporter) : reporter_(reporter) {}
+
+  /// The macro of a name, or nullptr.
+  const MacroDefinition* Find(std::string_view name) const;
+  void Define(MacroDefinition definition);
+  void Undefine(std::string_view name) { macros_.erase(name); }
+
+  /// Appends the tokens of a text to `out`, with macros expanded. Tokens from the body of a macro
+  /// get the range of its use. False if the texts expanded so far have more than kTokenMax tokens.
+  bool Expand(std::span<const Token> text, std::vector<Token>* out);
+
+  MacroUses& uses() { return uses_; }
+
+ private:
+  struct Piece {
+    Token token;
+    bool final = false;  ///< the name of a macro that is not expanded any more
+  };
+  // Tokens that are read next, of the macro that they come from.
+  struct Source {
+    std::vector<Piece> pieces;
+    size_t next = 0;
+    const MacroDefinition* macro = nullptr;
+  };
+  using Arguments = std::vector<std::vector<Piece>>;
+  struct Expansion {
+    std::vector<Source> sources;                  // the innermost is the last
+    std::vector<const MacroDefinition*> outside;  // those around an argument
+    int depth = 0;
+  };
+
+  void Run(Expansion& expansion, std::vector<Piece>* out);
+  static const Piece* Peek(Expansion& expansion);
+  static bool IsActive(const Expansion& expansion, const MacroDefinition& macro);
+  bool ReadArguments(Expansion& expansion, const MacroDefinition& macro, SourceRange* use,
+                     Arguments* arguments);
+  std::vector<Piece> Substitute(const Expansion& expansion, const MacroDefinition& macro,
+                                const Arguments& arguments, SourceRange use);
+  static Piece Invalid(SourceRange range);
+  bool Count(size_t tokens);
+
+  Reporter& reporter_;
+  std::deque<MacroDefinition> definitions_;
+  std::unordered_map<std::string_view, const MacroDefinition*> macros_;
+  MacroUses uses_;
+  size_t count_ = 0;
+};
+
+}  // namespace oncard::compiler

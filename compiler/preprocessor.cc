@@ -1,0 +1,430 @@
+#include "compiler/preprocessor.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "base/limits.h"
+#include "compiler/condition.h"
+#include "compiler/include_files.h"
+#include "compiler/lexer.h"
+#include "compiler/parser.hh"
+#include "vm/limits.h"
+
+namespace oncard::compiler {
+namespace {
+
+using Kind = Parser::token;
+
+constexpr int kIncludeDepthMax = 32;
+/// The vendor's header for hosts. Its commands and structures are known without it.
+constexpr std::string_view kVendorHeader = "gts.h";
+/// The headers of C that only define what structured C has.
+constexpr std::string_view kBoolHeader = "stdbool.h";
+
+Token NumberToken(const Token& like, bool value) {
+  Token token = like;
+  token.kind = Kind::kInteger;
+  token.literal = {};
+  token.literal.magnitude = value ? 1 : 0;
+  return token;
+}
+
+// Bodies are equal if their words are.
+bool SameBody(const MacroDefinition& a, const MacroDefinition& b) {
+  return a.has_parameters == b.has_parameters && a.parameters == b.parameters &&
+         std::equal(a.body.begin(), a.body.end(), b.body.begin(), b.body.end(),
+                    [](const Token& x, const Token& y) { return x.text == y.text; });
+}
+
+}  // namespace
+
+void Preprocessor::Run(SourceFile program) {
+  AddFile(std::move(program), 0, 0);
+  if (refused_) tokens_.clear();
+  DropReportsOfSkippedText();
+  Token end;
+  end.kind = Kind::kEnd;
+  const uint32_t size = static_cast<uint32_t>(files_[0].text().size());
+  end.range = {0, size, size};
+  end.on_new_line = true;
+  tokens_.push_back(end);
+}
+
+void Preprocessor::Refuse(const Message& why) {
+  if (refused_) return;
+  refused_ = true;
+  const SourceRange start = {static_cast<int>(files_.size()) - 1, 0, 0};
+  reporter_.Report(Code::kCannotOpen, start, files_.back().path(), why);
+}
+
+void Preprocessor::AddFile(SourceFile file, uint32_t inclusion_point, int depth) {
+  const int index = static_cast<int>(files_.size());
+  files_.push_back(std::move(file));
+  inclusion_points_.push_back(inclusion_point);
+  const std::string& text = files_.back().text();
+  if (text.size() > kSourceKind.bytes_max - read_bytes_) {
+    Refuse(MakeMessage("the program and what it includes have more than {0} bytes",
+                       "程序及其包含的文件超过 {0} 字节", kSourceKind.bytes_max));
+    return;
+  }
+  read_bytes_ += text.size();
+  const size_t token_max = kTokenMax - scanned_tokens_;
+  const std::vector<Token> tokens = Tokenize(files_.back(), index, token_max + 1,
+                                             *options_.catalogue, reporter_, Dialect::kStructured);
+  if (tokens.size() > token_max) {
+    Refuse(MakeMessage("the program has more than {0} tokens", "程序的记号超过 {0} 个", kTokenMax));
+    return;
+  }
+  scanned_tokens_ += tokens.size();
+
+  const size_t open = conditionals_.size();
+  const std::span<const Token> all(tokens);
+  uint32_t text_begin = 0;
+  for (size_t i = 0; i < tokens.size() && !refused_;) {
+    // The text up to the next directive, and that directive.
+    size_t end = i;
+    while (end < tokens.size() && !(tokens[end].kind == Kind::kHash && tokens[end].on_new_line)) {
+      ++end;
+    }
+    size_t after = std::min(end + 1, tokens.size());
+    while (after < tokens.size() && !tokens[after].on_new_line) ++after;
+    const uint32_t text_end =
+        end < tokens.size() ? tokens[end].range.begin : static_cast<uint32_t>(text.size());
+    if (Reading()) {
+      AddText(all.subspan(i, end - i));
+    } else {
+      skipped_.push_back({index, text_begin, text_end});
+    }
+    if (end < tokens.size()) {
+      Directive(all.subspan(end, after - end), depth);
+      // Reports about the end of the directive stand before the text.
+      text_begin = tokens[after - 1].range.end + 1;
+    }
+    i = after;
+  }
+  for (; conditionals_.size() > open; conditionals_.pop_back()) {
+    reporter_.Report(Code::kUnbalancedIf, conditionals_.back().place, std::string_view("if"),
+                     MakeMessage("is not closed with #endif", "没有对应的 #endif"));
+  }
+}
+
+void Preprocessor::AddText(std::span<const Token> text) {
+  std::vector<Token> expanded;
+  if (!macros_.Expand(text, &expanded)) {
+    Refuse(MakeMessage("the program has more than {0} tokens with its macros expanded",
+                       "宏展开后，程序的记号超过 {0} 个", kTokenMax));
+    return;
+  }
+  tokens_.reserve(tokens_.size() + expanded.size());
+  for (const Token& token : expanded) Emit(token);
+}
+
+// What the parser gets: only now a word is known not to be a macro.
+void Preprocessor::Emit(Token token) {
+  if (token.kind == Kind::kName) {
+    if (token.text == "true" || token.text == "false") {
+      token = NumberToken(token, token.text == "true");
+    } else if (token.text.size() > vm::kNameLengthMax && long_names_.insert(token.text).second) {
+      reporter_.Report(Code::kNameTooLong, token.range, token.text,
+                       static_cast<int64_t>(token.text.size()), int64_t{vm::kNameLengthMax});
+    }
+  }
+  tokens_.push_back(token);
+}
+
+void Preprocessor::Directive(Line line, int depth) {
+  const SourceRange whole = {line.front().range.file, line.front().range.begin,
+                             line.back().range.end};
+  if (line.size() == 1) return;  // `#` alone says nothing
+  const std::string_view word = IsWord(line[1]) ? line[1].text : std::string_view();
+  if (ConditionalDirective(line, whole, word)) return;
+  if (!Reading()) {
+    skipped_.push_back(whole);
+    return;
+  }
+  const std::string_view text = files_[static_cast<size_t>(whole.file)].text();
+  if (word == "define") {
+    Define(line, whole);
+  } else if (word == "undef") {
+    const Token* name = nullptr;
+    if (NameAfter(line, whole, &name)) macros_.Undefine(name->text);
+  } else if (word == "include") {
+    Include(line, whole, depth);
+  } else if (word == "error") {
+    skipped_.push_back(whole);
+    const uint32_t begin = line.size() > 2 ? line[2].range.begin : whole.end;
+    const std::string_view reason = text.substr(begin, whole.end - begin);
+    // The text of the directive is no program.
+    DropReportsOfSkippedText();
+    skipped_.clear();
+    reporter_.Report(Code::kErrorDirective, whole, reason);
+  } else if (word == "pragma") {
+    skipped_.push_back(whole);
+    if (line.size() > 2 && line[2].text == "once") {
+      once_.insert(files_[static_cast<size_t>(whole.file)].path());
+    }
+  } else {
+    reporter_.Report(Code::kUnknownDirective, whole,
+                     word.empty() ? std::string_view(line[1].text) : word);
+  }
+}
+
+// #if and its relatives. False for any other directive.
+bool Preprocessor::ConditionalDirective(Line line, SourceRange whole, std::string_view word) {
+  if (word == "if" || word == "ifdef" || word == "ifndef") {
+    Conditional conditional;
+    conditional.place = whole;
+    conditional.around = Reading();
+    conditional.reading = false;
+    if (!conditional.around) {
+      skipped_.push_back(whole);
+    } else if (const std::optional<bool> holds = Condition(line, whole, word)) {
+      conditional.reading = conditional.taken = *holds;
+    } else {
+      conditional.taken = true;  // neither branch, after an error
+    }
+    conditionals_.push_back(conditional);
+    return true;
+  }
+  if (word != "elif" && word != "else" && word != "endif") return false;
+  const bool here = !conditionals_.empty() && conditionals_.back().place.file == whole.file;
+  if (!here) {
+    reporter_.Report(Code::kUnbalancedIf, whole, word,
+                     MakeMessage("has no #if before it", "之前没有 #if"));
+  } else if (word == "endif") {
+    conditionals_.pop_back();
+  } else {
+    NextBranch(line, whole, word);
+  }
+  return true;
+}
+
+void Preprocessor::NextBranch(Line line, SourceRange whole, std::string_view word) {
+  Conditional& conditional = conditionals_.back();
+  if (conditional.last) {
+    AddNote(reporter_.Report(Code::kUnbalancedIf, whole, word,
+                             MakeMessage("stands after #else", "位于 #else 之后")),
+            conditional.place, MakeMessage("the #if is here", "#if 在此处"));
+    return;
+  }
+  conditional.last = word == "else";
+  const bool open = conditional.around && !conditional.taken;
+  conditional.reading = false;
+  if (!open) {
+    skipped_.push_back(whole);
+    return;
+  }
+  std::optional<bool> holds = true;
+  if (word == "elif") holds = Condition(line, whole, word);
+  conditional.reading = holds.value_or(false);
+  conditional.taken = holds.value_or(true);
+}
+
+// The condition of #if, #ifdef, #ifndef or #elif; empty after a report.
+std::optional<bool> Preprocessor::Condition(Line line, SourceRange whole, std::string_view word) {
+  if (word == "ifdef" || word == "ifndef") {
+    const Token* name = nullptr;
+    if (!NameAfter(line, whole, &name)) return std::nullopt;
+    return (macros_.Find(name->text) != nullptr) == (word == "ifdef");
+  }
+  std::vector<Token> condition;
+  for (size_t i = 2; i < line.size(); ++i) {
+    if (line[i].text != "defined") {
+      condition.push_back(line[i]);
+      continue;
+    }
+    const bool parens = i + 1 < line.size() && line[i + 1].kind == Kind::kOpenParen;
+    const size_t name = i + (parens ? 2 : 1);
+    const bool good =
+        name < line.size() && IsWord(line[name]) &&
+        (!parens || (name + 1 < line.size() && line[name + 1].kind == Kind::kCloseParen));
+    if (!good) {
+      condition.clear();
+      break;
+    }
+    condition.push_back(NumberToken(line[i], macros_.Find(line[name].text) != nullptr));
+    i = parens ? name + 1 : name;
+  }
+  std::vector<Token> expanded;
+  std::optional<bool> holds;
+  if (macros_.Expand(condition, &expanded)) holds = EvaluateCondition(expanded);
+  if (!holds) {
+    SourceRange range = whole;
+    if (line.size() > 2) range.begin = line[2].range.begin;
+    const std::string_view text = files_[static_cast<size_t>(whole.file)].text();
+    reporter_.Report(
+        Code::kBadCondition, range,
+        line.size() > 2
+            ? ToMessage(fmt::format("'{}'", text.substr(range.begin, range.end - range.begin)))
+            : MakeMessage("the end of the line", "行尾"),
+        word);
+  }
+  return holds;
+}
+
+// The name of #define, #undef, #ifdef and #ifndef. False, with a report, if there is none.
+bool Preprocessor::NameAfter(Line line, SourceRange whole, const Token** name) {
+  if (line.size() > 2 && IsWord(line[2]) && line[2].text != "defined") {
+    *name = &line[2];
+    return true;
+  }
+  if (line.size() > 2) {
+    reporter_.Report(Code::kExpectedName, line[2].range, DescribeToken(line[2]));
+  } else {
+    reporter_.Report(Code::kExpectedName, SourceRange{whole.file, whole.end, whole.end},
+                     MakeMessage("the end of the line", "行尾"));
+  }
+  return false;
+}
+
+void Preprocessor::Define(Line line, SourceRange whole) {
+  const Token* name = nullptr;
+  if (!NameAfter(line, whole, &name)) return;
+  MacroDefinition macro;
+  macro.name = name->text;
+  macro.name_range = name->range;
+  size_t next = 3;
+  if (next < line.size() && line[next].kind == Kind::kOpenParen &&
+      line[next].range.begin == name->range.end) {
+    macro.has_parameters = true;
+    if (!ReadParameters(line, &next, &macro)) return;
+  }
+  macro.body.assign(line.begin() + static_cast<std::ptrdiff_t>(next), line.end());
+  for (const Token& token : macro.body) {
+    if (token.kind != Kind::kHash) continue;
+    const std::string_view text = files_[static_cast<size_t>(whole.file)].text();
+    const bool joins = text.substr(token.range.begin, 2) == "##";
+    reporter_.Report(Code::kMacroOperator, token.range, std::string_view(joins ? "##" : "#"),
+                     joins ? MakeMessage("joins words; write out the word that is meant",
+                                         "会连接单词；请直接写出所需的单词")
+                           : MakeMessage("makes text, which the card does not have",
+                                         "会生成字符串，而控制卡没有字符串"));
+    return;
+  }
+  const MacroDefinition* const earlier = macros_.Find(macro.name);
+  if (earlier != nullptr && !SameBody(*earlier, macro)) {
+    AddNote(reporter_.Report(Code::kRedefinition, macro.name_range, macro.name),
+            earlier->name_range,
+            MakeMessage("it is defined here; #undef ends that definition",
+                        "已在此处定义；用 #undef 可以取消该定义"));
+    return;
+  }
+  if (earlier == nullptr) macros_.Define(std::move(macro));
+}
+
+// Reads `(a, b)`; `next` becomes the place after it.
+bool Preprocessor::ReadParameters(Line line, size_t* next, MacroDefinition* macro) {
+  size_t at = *next + 1;
+  const auto kind_at = [&line](size_t i) {
+    return i < line.size() ? line[i].kind : static_cast<int>(Kind::kEnd);
+  };
+  bool wants_name = kind_at(at) != Kind::kCloseParen;
+  for (;; ++at) {
+    if (!wants_name && kind_at(at) == Kind::kCloseParen) break;
+    if (!wants_name && kind_at(at) == Kind::kComma) {
+      wants_name = true;
+      continue;
+    }
+    if (wants_name && kind_at(at) == Kind::kEllipsis) {
+      reporter_.Report(
+          Code::kNotForTheCard, line[at].range, line[at].text,
+          MakeMessage("a macro has a fixed number of parameters", "宏的参数个数是固定的"));
+      return false;
+    }
+    const bool name = wants_name && at < line.size() && IsWord(line[at]);
+    if (!name) {
+      SourceRange range = line.back().range;
+      Message found = MakeMessage("the end of the line", "行尾");
+      if (at < line.size()) {
+        range = line[at].range;
+        found = DescribeToken(line[at]);
+      }
+      reporter_.Report(Code::kUnexpected, range, found,
+                       wants_name ? MakeMessage("the name of a parameter", "参数的名称")
+                                  : ToMessage(std::string_view("')'")));
+      return false;
+    }
+    const std::string_view text = line[at].text;
+    if (std::find(macro->parameters.begin(), macro->parameters.end(), text) !=
+        macro->parameters.end()) {
+      reporter_.Report(Code::kRedefinition, line[at].range, text);
+      return false;
+    }
+    macro->parameters.push_back(text);
+    wants_name = false;
+  }
+  *next = at + 1;
+  return true;
+}
+
+void Preprocessor::Include(Line line, SourceRange whole, int depth) {
+  SourceRange range = whole;
+  if (line.size() > 2) range.begin = line[2].range.begin;
+  std::string_view name = files_[static_cast<size_t>(whole.file)].text();
+  name = name.substr(range.begin, range.end - range.begin);
+  const bool quotes = line.size() == 3 && name.size() > 2 && name.front() == '"';
+  const bool angles = line.size() > 3 && name.size() > 2 && name.front() == '<';
+  const bool closed = (quotes && name.back() == '"') || (angles && name.back() == '>');
+  if (quotes && !closed) return;  // the lexer has reported it
+  if (!closed) {
+    reporter_.Report(Code::kBadFileName, range,
+                     line.size() > 2 ? ToMessage(fmt::format("'{}'", name))
+                                     : MakeMessage("the end of the line", "行尾"));
+    return;
+  }
+  const std::string file_name(name.substr(1, name.size() - 2));
+  const std::string_view last_part =
+      std::string_view(file_name).substr(file_name.find_last_of("/\\") + 1);
+  if (last_part == kVendorHeader || last_part == kBoolHeader) {
+    skipped_.push_back(range);
+    return;
+  }
+  if (angles) {
+    Diagnostic& diagnostic =
+        reporter_.Report(Code::kBadFileName, range, ToMessage(fmt::format("'{}'", name)));
+    if (IsHeaderOfC(file_name)) {
+      AddNote(diagnostic, MakeMessage("programs have no C library, and abs and fabs need none; "
+                                      "remove this line",
+                                      "运动程序没有 C 语言的库，abs 和 fabs 不需要它；请去掉"));
+      Replace(diagnostic, whole, "");
+    }
+    return;
+  }
+  if (whole.file == 0) program_include_ = whole;
+  if (depth == kIncludeDepthMax) {
+    AddNote(reporter_.Report(Code::kIncludeDepth, program_include_, int64_t{kIncludeDepthMax}),
+            whole,
+            MakeMessage("the last of these files is included here", "最后一个文件在此处被包含"));
+    return;
+  }
+  const std::string& includer = files_[static_cast<size_t>(whole.file)].path();
+  std::vector<std::string> beside = {includer};
+  if (whole.file != 0) beside.push_back(files_[0].path());
+  IncludedFile file = FindInclude(file_name, beside, options_, reader_);
+  if (!file.found) {
+    ReportMissingInclude(file_name, range, file, options_, reporter_);
+    return;
+  }
+  if (once_.contains(file.path)) return;
+  AddFile(SourceFile(std::move(file.path), std::move(file.text)), program_include_.begin,
+          depth + 1);
+}
+
+// The lexer has looked at text that is not read, where anything may stand.
+void Preprocessor::DropReportsOfSkippedText() {
+  if (skipped_.empty()) return;
+  const auto before = [](const SourceRange& a, const SourceRange& b) {
+    return std::tuple(a.file, a.begin) < std::tuple(b.file, b.begin);
+  };
+  std::sort(skipped_.begin(), skipped_.end(), before);
+  std::erase_if(reporter_.diagnostics(), [&](const Diagnostic& diagnostic) {
+    const SourceRange& at = diagnostic.range;
+    const auto after = std::upper_bound(skipped_.begin(), skipped_.end(), at, before);
+    if (after == skipped_.begin()) return false;
+    const SourceRange& candidate = *(after - 1);
+    return candidate.file == at.file && at.begin < candidate.end;
+  });
+}
+
+}  // namespace oncard::compiler

@@ -1,0 +1,83 @@
+// Converts files of structured C to the tokens that the parser reads: obeys the directives,
+// inserts included files and expands macros. The card's language has directives.h.
+// Tested by tests/compiler/preprocessor_test.cc.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_set>
+#include <vector>
+
+#include "compiler/compiler.h"
+#include "compiler/macro_expander.h"
+#include "compiler/reporter.h"
+#include "compiler/syntax.h"
+
+namespace oncard::compiler {
+
+class Preprocessor {
+ public:
+  /// The references must outlive this object and its tokens.
+  Preprocessor(const Options& options, const FileReader& reader, Reporter& reporter)
+      : options_(options), reader_(reader), reporter_(reporter), macros_(reporter) {}
+
+  /// Reads the program, given as text. Call once.
+  void Run(SourceFile program);
+
+  /// The tokens, ending in an end token; their texts are in the files.
+  std::vector<Token>& tokens() { return tokens_; }
+  /// The files read, the program first, and for each one where the program includes it, directly or
+  /// not: the offset of the directive.
+  std::deque<SourceFile>& files() { return files_; }
+  std::vector<uint32_t>& inclusion_points() { return inclusion_points_; }
+  MacroExpander& macros() { return macros_; }
+
+ private:
+  // An #if that is not closed yet.
+  struct Conditional {
+    SourceRange place;
+    bool around = true;   // the text around it is read
+    bool taken = false;   // one of its branches has been read
+    bool reading = true;  // the present one is
+    bool last = false;    // it is the one of #else
+  };
+  using Line = std::span<const Token>;
+
+  void AddFile(SourceFile file, uint32_t inclusion_point, int depth);
+  /// Reports at the file read last; the program is not read on.
+  void Refuse(const Message& why);
+  bool Reading() const { return conditionals_.empty() || conditionals_.back().reading; }
+  void AddText(std::span<const Token> text);
+  void Emit(Token token);
+  void Directive(Line line, int depth);
+  bool ConditionalDirective(Line line, SourceRange whole, std::string_view word);
+  void NextBranch(Line line, SourceRange whole, std::string_view word);
+  std::optional<bool> Condition(Line line, SourceRange whole, std::string_view word);
+  bool NameAfter(Line line, SourceRange whole, const Token** name);
+  void Define(Line line, SourceRange whole);
+  bool ReadParameters(Line line, size_t* next, MacroDefinition* macro);
+  void Include(Line line, SourceRange whole, int depth);
+  void DropReportsOfSkippedText();
+
+  const Options& options_;
+  const FileReader& reader_;
+  Reporter& reporter_;
+  MacroExpander macros_;
+  std::deque<SourceFile> files_;
+  std::vector<uint32_t> inclusion_points_;
+  std::vector<Token> tokens_;
+  std::vector<Conditional> conditionals_;
+  SourceRange program_include_;       // the #include of the program that is being obeyed
+  std::vector<SourceRange> skipped_;  // text that is not read
+  std::set<std::string> once_;        // files with #pragma once
+  std::unordered_set<std::string_view> long_names_;
+  size_t read_bytes_ = 0;
+  size_t scanned_tokens_ = 0;
+  bool refused_ = false;
+};
+
+}  // namespace oncard::compiler
