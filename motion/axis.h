@@ -58,9 +58,6 @@ struct Scale {
 inline constexpr int32_t kNoPositiveLimit = std::numeric_limits<int32_t>::max();
 inline constexpr int32_t kNoNegativeLimit = std::numeric_limits<int32_t>::min();
 
-/// Largest exponent of GT_SetAxisPrfVelFilter (assumption; the header names no range).
-inline constexpr int16_t kVelocityFilterMax = 8;
-
 /// The mean of a velocity over the last 2^exponent profile cycles, for reading only (assumption:
 /// the public header calls the parameter `filterNumExp` and says no more).
 struct VelocityFilter {

@@ -21,8 +21,6 @@ namespace oncard::motion {
 /// The integral gain counts 256ths (GT-400 manual).
 inline constexpr double kIntegralUnit = 1.0 / 256;
 inline constexpr size_t kPidSetCount = 3;
-/// Largest exponent of GT_SetKvffFilter (assumption).
-inline constexpr int16_t kKvffFilterMax = 8;
 /// TPid and GT_SetKvffFilter. Assumption: after reset all gains are 0 and all limits 32767, as in
 /// the GE manual.
 struct PidSet {

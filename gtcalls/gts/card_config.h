@@ -11,6 +11,7 @@
 
 #include "base/message.h"
 #include "gtcalls/gts/defaults.h"
+#include "gtcalls/gts/limits.h"
 #include "motion/motion_core.h"
 
 namespace oncard::gtcalls {
@@ -73,12 +74,12 @@ struct CardConfig {
     double filter_ticks = kGtsDefaults.filter_ticks;
   };
 
-  std::array<Profile, motion::kAxisMax> profiles;
-  std::array<Axis, motion::kAxisMax> axes;
-  std::array<Control, motion::kAxisMax> controls;
-  std::array<Dac, motion::kAxisMax> dacs;
-  std::array<Step, motion::kAxisMax> steps;
-  std::array<Encoder, motion::kAxisMax> encoders;
+  std::array<Profile, gts::kAxisMax> profiles;
+  std::array<Axis, gts::kAxisMax> axes;
+  std::array<Control, gts::kAxisMax> controls;
+  std::array<Dac, gts::kAxisMax> dacs;
+  std::array<Step, gts::kAxisMax> steps;
+  std::array<Encoder, gts::kAxisMax> encoders;
   std::array<std::array<Output, motion::kIoWidthMax>, motion::kDoTypeCount> outputs;
   std::array<std::array<Input, motion::kIoWidthMax>, motion::kDiTypeCount> inputs;
 

@@ -7,6 +7,7 @@
 #include "gtcalls/gts/catalogue.h"
 #include "gtcalls/gts/commands/commands.h"
 #include "gtcalls/gts/defaults.h"
+#include "gtcalls/gts/limits.h"
 #include "gtcalls/gts/profile_modes.h"
 #include "gtcalls/gts/status_word.h"
 #include "gtcalls/gts/unsupported.h"
@@ -14,6 +15,14 @@
 
 namespace oncard::gtcalls {
 namespace {
+
+// What GTS commands accept fits into the cores.
+static_assert(gts::kAxisMax <= motion::kAxisMax && gts::kCrdMax <= motion::kCrdCount &&
+              gts::kPvtTableMax <= motion::kPvtTableCount && gts::kAdcMax <= motion::kAdcCount &&
+              gts::kModuleLast < motion::kModuleCount &&
+              gts::kModuleChannelLast < motion::kModuleChannels);
+static_assert(gts::kPositionMax <= motion::kPositionMax && gts::kAboveZero >= motion::kRateMin);
+static_assert(gts::kThreadLast < vm::kThreadCount && gts::kPageLast < vm::kPageCount);
 
 /// The code of GTS for "not supported by the firmware".
 constexpr int16_t kNotSupported = 8;

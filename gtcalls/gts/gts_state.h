@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <tuple>
 
+#include "gtcalls/gts/limits.h"
 #include "gtcalls/gts/mram.h"
 #include "gtcalls/gts/plc_blocks.h"
 
@@ -14,7 +15,7 @@ namespace oncard::gtcalls {
 
 /// Number of variables of GT_SetLongVar and GT_SetDoubleVar (assumption: 1024 each; the manuals
 /// give no number).
-inline constexpr int kUserVariableCount = 1024;
+inline constexpr int kUserVariableCount = gts::kUserVariableLast + 1;
 
 struct GtsState {
   Mram mram;

@@ -1,7 +1,8 @@
-// The limits in the rows of the GTS catalogue: GTS manual chapter 13 and table 4-4, unless noted.
+// The limits of GTS commands: GTS manual chapter 13 and table 4-4, unless noted. The motion core
+// has capacities of its own, into which they must fit (family.cc).
 #pragma once
 
-namespace oncard::gtcalls::gts::words {
+namespace oncard::gtcalls::gts {
 
 /// Axes, profiles, controllers, encoders and outputs are numbered from 1 to at most this; a card
 /// may have fewer, which the commands check.
@@ -18,22 +19,30 @@ inline constexpr int kVariableMax = 6;
 /// Words per call of GT_LoadPlcCommand.
 inline constexpr int kLoadMax = 24;
 inline constexpr double kPositionMax = 1073741823;
-/// Assumption: the smallest value where the manuals say "> 0"; as motion::kRateMin.
+/// Assumption: the smallest value where the manuals say "> 0".
 inline constexpr double kAboveZero = 1e-9;
-/// The open end of a range: the nearest double inside (..., 32767).
-inline constexpr double kBelow32767 = 32767.0 - 0x1p-38;
+/// Velocities, accelerations and times of coordinate systems are below this.
+inline constexpr double kRateBound = 32767;
+/// The open end of such a range: the nearest double below.
+inline constexpr double kBelow32767 = kRateBound - 0x1p-38;
 /// GT_SetPosErr.
 inline constexpr double kPositionErrorMax = 2147483648.0;
-/// Assumption: the largest exponent of GT_SetKvffFilter; as motion::kKvffFilterMax.
+/// Assumption: the largest exponent of GT_SetKvffFilter.
 inline constexpr int kKvffFilterMax = 8;
+/// Assumption: the largest exponent of GT_SetAxisPrfVelFilter; the header names no range.
+inline constexpr int kVelocityFilterMax = 8;
+/// TTrapPrm.smoothTime, ms.
+inline constexpr int kSmoothTimeMax = 50;
+/// Positions captured in a row (GT_SetCaptureRepeat).
+inline constexpr int kCaptureRepeatMax = 256;
 /// PVT tables and the points of one (GTS manual chapter 7).
 inline constexpr int kPvtTableMax = 32;
 inline constexpr int kPvtPointMax = 1024;
-/// Assumption: numbers of GT_SetLongVar and GT_SetDoubleVar; as many as kUserVariableCount.
+/// Assumption: numbers of GT_SetLongVar and GT_SetDoubleVar.
 inline constexpr int kUserVariableLast = 1023;
 /// Assumption: extension modules are numbered from 0.
 inline constexpr int kModuleLast = 15;
-/// Assumption: analogue channels of an extension module; one less than motion::kModuleChannels.
+/// Assumption: analogue channels of an extension module.
 inline constexpr int kModuleChannelLast = 7;
 
-}  // namespace oncard::gtcalls::gts::words
+}  // namespace oncard::gtcalls::gts

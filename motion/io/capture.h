@@ -32,9 +32,6 @@ enum class CaptureSource : uint8_t {
   kHomeGpi,  ///< the home input or the general input of the same number
 };
 
-/// Maximum number of positions captured in a row (GT_SetCaptureRepeat).
-inline constexpr uint16_t kCaptureRepeatMax = 256;
-
 inline constexpr int kProbeInput = 0;
 
 /// True if edges of the input can trigger a source; `index`, from 0, numbers the home input.

@@ -17,9 +17,6 @@
 
 namespace oncard::motion {
 
-/// Range of TTrapPrm.smoothTime, milliseconds.
-inline constexpr int16_t kSmoothTimeMax = 50;
-
 /// TTrapPrm. The defaults are assumptions: the manual gives none, and a card must not divide by 0.
 struct TrapParameters {
   double acc = 1;        ///< pulse/ms^2, > 0

@@ -616,7 +616,7 @@ TEST(VelocityFilter, IsTheMeanOfTheLastCycles) {
 
 TEST(VelocityFilter, DoesNotTouchWhatTheCardDecidesBy) {
   AxisCard card;
-  card.axis().profile.filter.Set(kVelocityFilterMax, 0);
+  card.axis().profile.filter.Set(8, 0);
   card.SetTrap({.acc = 1, .dec = 1});
   card.MoveTo(100000, 10);
   card.RunToMs(10);

@@ -66,11 +66,11 @@ namespace {
 /// The inputs from `adc` on must exist.
 int16_t CheckLastAdc(Call& call) {
   const int last = call.integer(0) + call.integer(2) - 1;
-  if (last <= static_cast<int>(motion::kAdcCount)) return vm::kOk;
+  if (last <= gts::kAdcMax) return vm::kOk;
   return call.Refuse(vm::kBadParameter,
                      MakeMessage("{0} inputs starting at {1} extend to {2}; this card has 1 to {3}",
                                  "从 {1} 起共 {0} 个，到 {2} 为止；本控制卡的编号为 1 到 {3}",
-                                 call.integer(2), call.integer(0), last, motion::kAdcCount));
+                                 call.integer(2), call.integer(0), last, gts::kAdcMax));
 }
 
 }  // namespace

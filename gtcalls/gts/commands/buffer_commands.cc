@@ -18,8 +18,6 @@ constexpr int kNoInput = -1;
 constexpr int kAbruptStopType = 0;
 /// The time unit of GT_BufEnableDoBitPulse is that of GT_EnableDoBitPulse.
 constexpr double kPulseTimeUnitUs = kTimeUnitUs;
-/// Limit of velocities and accelerations, excluded.
-constexpr double kRateBound = 32767;
 
 int16_t Append(Call& call, BufferedKind kind, int item, int detail,
                const std::array<double, 4>& values = {}) {
@@ -121,10 +119,10 @@ int16_t gts::GT_BufSetStopIo(Call& call) {
 }
 
 int16_t gts::GT_BufMove(Call& call) {
-  if (!(call.value(3) >= motion::kRateMin && call.value(3) < kRateBound)) {
+  if (!(call.value(3) >= gts::kAboveZero && call.value(3) < gts::kRateBound)) {
     return RefuseRange(call, "vel", call.value(3), "[1e-09, 32767)");
   }
-  if (!(call.value(4) >= motion::kRateMin && call.value(4) < kRateBound)) {
+  if (!(call.value(4) >= gts::kAboveZero && call.value(4) < gts::kRateBound)) {
     return RefuseRange(call, "acc", call.value(4), "[1e-09, 32767)");
   }
   int16_t code = CheckOutside(call);

@@ -22,9 +22,6 @@ constexpr size_t kEvenTimeCell = 11;
 constexpr size_t kOriginFlagCell = 12;
 constexpr size_t kOriginCell = 13;
 
-/// Limit of velocities, accelerations and times, excluded.
-constexpr double kRateBound = 32767;
-
 /// Assumption: how far the axes may be from the path's next point when it starts, pulses.
 constexpr double kStartTolerance = 1e-3;
 
@@ -77,17 +74,17 @@ int16_t CheckParameters(Call& call) {
   if (code != vm::kOk) return code;
   for (const auto& [cell, name] :
        {std::pair{kVelocityCell, "synVelMax"}, std::pair{kAccelerationCell, "synAccMax"}}) {
-    if (!(cells[cell] >= motion::kRateMin && cells[cell] < kRateBound)) {
+    if (!(cells[cell] >= gts::kAboveZero && cells[cell] < gts::kRateBound)) {
       return RefuseMember(call, name, cells[cell], "[1e-09, 32767)");
     }
   }
-  if (!(cells[kEvenTimeCell] >= 0 && cells[kEvenTimeCell] < kRateBound)) {
+  if (!(cells[kEvenTimeCell] >= 0 && cells[kEvenTimeCell] < gts::kRateBound)) {
     return RefuseMember(call, "evenTime", cells[kEvenTimeCell], "[0, 32767)");
   }
   const double flag = cells[kOriginFlagCell];
   if (flag != 0 && flag != 1) return RefuseMember(call, "setOriginFlag", flag, "[0, 1]");
   for (size_t i = 0; i < motion::kCrdParameterAxes; ++i) {
-    if (std::fabs(cells[kOriginCell + i]) > motion::kPositionMax) {
+    if (std::fabs(cells[kOriginCell + i]) > gts::kPositionMax) {
       return RefuseMember(call, "originPos", cells[kOriginCell + i], "[-1073741823, 1073741823]");
     }
   }
@@ -190,7 +187,7 @@ int16_t gts::GT_SetCrdSingleMaxVel(Call& call) {
   if (code != vm::kOk) return code;
   for (size_t i = 0; i < CoordinateCells(call); ++i) {
     const double velocity = call.cells(1)[i];
-    if (!(velocity >= motion::kRateMin && velocity <= Crd::kNoVelocityLimit)) {
+    if (!(velocity >= gts::kAboveZero && velocity <= Crd::kNoVelocityLimit)) {
       return RefuseMember(call, "pMaxVel", velocity, "[1e-09, 32767]");
     }
   }
@@ -426,10 +423,10 @@ int16_t gts::GT_GetSegTargetPos(Call& call) {
 int16_t gts::GT_InitLookAhead(Call& call) {
   const double time = call.value(2);
   const double acceleration = call.value(3);
-  if (!(time >= motion::kRateMin && time < kRateBound)) {
+  if (!(time >= gts::kAboveZero && time < gts::kRateBound)) {
     return RefuseMember(call, "T", time, "[1e-09, 32767)");
   }
-  if (!(acceleration >= motion::kRateMin && acceleration < kRateBound)) {
+  if (!(acceleration >= gts::kAboveZero && acceleration < gts::kRateBound)) {
     return RefuseMember(call, "accMax", acceleration, "[1e-09, 32767)");
   }
   const int16_t code = CheckCrd(call, NumberOf(call));

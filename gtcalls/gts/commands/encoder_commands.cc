@@ -27,7 +27,7 @@ int16_t gts::GT_EncOff(Call& call) {
 /// Bit n-1 reverses encoder n.
 int16_t gts::GT_EncSns(Call& call) {
   const uint32_t sense = BitWord(call.value(0));
-  for (size_t i = 0; i < motion::kAxisMax; ++i) {
+  for (size_t i = 0; i < gts::kAxisMax; ++i) {
     if (call.card.motion.HasEncoder(i)) {
       call.card.motion.SetEncoderSense(i, (sense >> i & 1) != 0);
     }

@@ -44,11 +44,11 @@ struct Bound {
 constexpr double kLongMax = 2147483647;
 constexpr Bound kBounds[] = {
     {kEdge, "edge", 0, 1},
-    {kVelHigh, "velHigh", motion::kRateMin, 32767},
-    {kVelLow, "velLow", motion::kRateMin, 32767},
-    {kAcc, "acc", motion::kRateMin, 32767},
-    {kDec, "dec", motion::kRateMin, 32767},
-    {kSmoothTime, "smoothTime", 0, motion::kSmoothTimeMax},
+    {kVelHigh, "velHigh", gts::kAboveZero, 32767},
+    {kVelLow, "velLow", gts::kAboveZero, 32767},
+    {kAcc, "acc", gts::kAboveZero, 32767},
+    {kDec, "dec", gts::kAboveZero, 32767},
+    {kSmoothTime, "smoothTime", 0, gts::kSmoothTimeMax},
     {kSearchHomeDistance, "searchHomeDistance", 0, kLongMax},
     {kSearchIndexDistance, "searchIndexDistance", 0, kLongMax},
     {kEscapeStep, "escapeStep", 0, kLongMax},
@@ -209,7 +209,7 @@ int16_t CheckPrepared(Call& call) {
 /// Searches for the home switch of an axis, at most up to the position in argument 1.
 int16_t SearchSimply(Call& call, HomeKind kind, double velocity, double acceleration,
                      int32_t offset) {
-  const auto in_range = [](double value) { return value >= motion::kRateMin && value <= 32767; };
+  const auto in_range = [](double value) { return value >= gts::kAboveZero && value <= 32767; };
   if (!in_range(velocity) || !in_range(acceleration)) {
     return call.Refuse(vm::kBadParameter,
                        MakeMessage("vel is {0} and acc is {1}; the range of both is [1e-09, 32767]",

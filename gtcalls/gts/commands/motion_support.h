@@ -10,6 +10,7 @@
 
 #include "gtcalls/card.h"
 #include "gtcalls/gts/commands/commands.h"
+#include "gtcalls/gts/limits.h"
 #include "motion/motion_core.h"
 
 namespace oncard::gtcalls {

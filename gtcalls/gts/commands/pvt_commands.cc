@@ -21,7 +21,7 @@ using motion::PvtTablePointer;
 /// Assumptions: limits of the arrays' elements; the manual gives one only for positions.
 constexpr double kTimeMax = 2147483647;
 constexpr double kVelocityMax = 32767;
-constexpr double kAccelerationMin = motion::kRateMin;
+constexpr double kAccelerationMin = gts::kAboveZero;
 constexpr double kAccelerationMax = 1e9;
 
 int16_t CheckPvt(Call& call, size_t profile) { return CheckMode(call, profile, ProfileMode::kPvt); }
@@ -61,7 +61,7 @@ bool CheckVelocities(Call& call, size_t index, size_t count) {
   return CheckElements(call, index, count, -kVelocityMax, kVelocityMax);
 }
 bool CheckPositions(Call& call, size_t index, size_t count) {
-  return CheckElements(call, index, count, -motion::kPositionMax, motion::kPositionMax);
+  return CheckElements(call, index, count, -gts::kPositionMax, gts::kPositionMax);
 }
 bool CheckPercents(Call& call, size_t index, size_t count) {
   return CheckElements(call, index, count, 0, 100);
@@ -97,11 +97,11 @@ std::span<const double> Elements(const Call& call, size_t index, size_t count) {
 /// Stores the table under the number in argument 0, unless it is too large. A motion in progress
 /// keeps the table with which it started.
 int16_t Fill(Call& call, PvtTable table) {
-  if (table.slots() > motion::kPvtPointMax) {
+  if (table.slots() > size_t{gts::kPvtPointMax}) {
     return call.Refuse(vm::kBadParameter,
                        MakeMessage("the description takes {0} units of storage; a table has {1}",
                                    "该描述占用 {0} 个存储空间；每个数据表只有 {1} 个",
-                                   table.slots(), motion::kPvtPointMax));
+                                   table.slots(), gts::kPvtPointMax));
   }
   TablesOf(call)[NumberOf(call)] = std::make_shared<const PvtTable>(std::move(table));
   return vm::kOk;

@@ -179,20 +179,17 @@ constexpr size_t kEndVelocityCell = 33;
 constexpr double kLineType = 0;
 constexpr double kArcType = 1;
 
-/// Limit of velocities and accelerations, excluded.
-constexpr double kRateBound = 32767;
-
 /// False, with the reason recorded, unless the members of TCrdData that a segment needs are in
 /// range.
 bool CheckData(Call& call, bool arc) {
   const std::span<double> cells = call.cells(1);
-  bool good = cells[kVelocityCell] >= motion::kRateMin && cells[kVelocityCell] < kRateBound &&
-              cells[kAccelerationCell] >= motion::kRateMin &&
-              cells[kAccelerationCell] < kRateBound && cells[kEndVelocityCell] >= 0 &&
-              cells[kEndVelocityCell] < kRateBound;
+  bool good = cells[kVelocityCell] >= gts::kAboveZero && cells[kVelocityCell] < gts::kRateBound &&
+              cells[kAccelerationCell] >= gts::kAboveZero &&
+              cells[kAccelerationCell] < gts::kRateBound && cells[kEndVelocityCell] >= 0 &&
+              cells[kEndVelocityCell] < gts::kRateBound;
   for (size_t i = 0; i < motion::kCrdDimensionMax; ++i) {
-    good = good && cells[kPositionCell + i] >= -motion::kPositionMax &&
-           cells[kPositionCell + i] <= motion::kPositionMax;
+    good = good && cells[kPositionCell + i] >= -gts::kPositionMax &&
+           cells[kPositionCell + i] <= gts::kPositionMax;
   }
   if (arc) {
     good = good && cells[kPlaneCell] >= 0 && cells[kPlaneCell] <= 2 && cells[kDirectionCell] >= 0 &&

@@ -9,7 +9,7 @@ using motion::ProfileMode;
 
 /// Assumption: limits of accelerations. The manual only says > 0; outside these limits a motion
 /// would last years, or the velocity would change by more than a double can represent accurately.
-constexpr double kAccelerationMin = motion::kRateMin;
+constexpr double kAccelerationMin = gts::kAboveZero;
 constexpr double kAccelerationMax = 1e9;
 
 /// Maximum of TTrapPrm.velStart, as for velocities.
@@ -47,7 +47,7 @@ int16_t gts::GT_SetTrapPrm(Call& call) {
   const double start = call.cells(1)[2];
   const double smooth = call.cells(1)[3];
   if (!CheckAccelerations(call) || !CheckMember(call, "velStart", start, 0, kStartVelocityMax) ||
-      !CheckMember(call, "smoothTime", smooth, 0, motion::kSmoothTimeMax)) {
+      !CheckMember(call, "smoothTime", smooth, 0, gts::kSmoothTimeMax)) {
     return vm::kBadParameter;
   }
   const int16_t code = CheckModeAtRest(call, NumberOf(call), ProfileMode::kTrap);
