@@ -320,13 +320,19 @@ int64_t Machine::RunTurn(int thread, int64_t statements) {
   return executed;
 }
 
-// A thread whose last statement put it to sleep has nothing left to execute when it wakes up.
-void Machine::FinishSleepersAtEnd() {
+uint32_t Machine::FinishSleepersAtEnd() {
+  uint32_t runnable = 0;
   for (int thread = 0; thread < kThreadCount; ++thread) {
     const ThreadState& state = ThreadAt(thread);
-    if (state.wake_cycle == 0 && !state.waiting) continue;
-    if (CanContinue(state) && MakeFrame(thread).pc->op == kEnd) RunTurn(thread, 0);
+    if (!CanContinue(state)) continue;
+    const bool slept = state.wake_cycle != 0 || state.waiting;
+    if (slept && MakeFrame(thread).pc->op == kEnd) {
+      RunTurn(thread, 0);
+    } else {
+      runnable |= Bit(thread);
+    }
   }
+  return runnable;
 }
 
 bool Machine::ExecuteOne(int thread) {
@@ -341,10 +347,9 @@ int64_t Machine::Execute(int64_t budget) {
   const SchedulerState& scheduler = state_->scheduler;
   const bool one_statement_rounds = scheduler.policy.kind == PolicyKind::kRoundRobin &&
                                     scheduler.policy.quantum == 1 && recording_ == nullptr;
-  while (executed < budget) {
+  for (uint32_t runnable = FinishSleepersAtEnd(); executed < budget && last_stop_ == Stop::kBudget;
+       runnable = FinishSleepersAtEnd()) {
     const int64_t left = std::min(budget - executed, kInterpretMax);
-    FinishSleepersAtEnd();
-    const uint32_t runnable = RunnableThreads();
     if (runnable == 0) {
       last_stop_ = Stop::kIdle;
       break;
@@ -366,11 +371,8 @@ int64_t Machine::Execute(int64_t budget) {
         if (done > 0) continue;
       }
     }
-    const int64_t done = ExecuteTurn(runnable, left);
-    executed += done;
-    if (last_stop_ != Stop::kBudget) break;
+    executed += ExecuteTurn(runnable, left);
   }
-  FinishSleepersAtEnd();
   return executed;
 }
 

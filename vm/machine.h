@@ -223,7 +223,9 @@ class Machine {
   void Settle(const Frame& frame, Exit exit, int64_t executed);
   /// Executes up to `statements` of a thread; returns how many.
   int64_t RunTurn(int thread, int64_t statements);
-  void FinishSleepersAtEnd();
+  /// Ends the threads that have woken up with nothing left to execute, because their last statement
+  /// put them to sleep. Returns the threads that can continue.
+  uint32_t FinishSleepersAtEnd();
   /// Executes one turn of the policy, or returns why it stops.
   int64_t ExecuteTurn(uint32_t runnable, int64_t budget);
   /// Number of statements until the next checkpoint of a recording or a replay.
