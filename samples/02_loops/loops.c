@@ -1,5 +1,5 @@
 /* Loops are written with labels and goto (GTS manual 10.4.3). A condition is a variable, so the
-   comparison stands in a statement of its own. */
+   comparison is a statement of its own. */
 
 /* while (i <= 10) { sum = sum + i; i = i + 1; } */
 int test_first(void)
@@ -20,7 +20,7 @@ lbl_end:
   return sum;
 }
 
-/* do { sum = sum + i; i = i + 1; } while (i <= 10); one statement less in each round */
+/* do { sum = sum + i; i = i + 1; } while (i <= 10); one statement less in each iteration */
 int test_last(void)
 {
   int i;

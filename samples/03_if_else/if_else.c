@@ -1,5 +1,5 @@
 /* if (a > b) a = a - b; else a = b - a;     (GTS manual 10.4.3)
-   The condition is turned round, so that the jump skips the first branch. */
+   The condition is negated, so that the jump skips the first branch. */
 int distance(int a, int b)
 {
   int cc;

@@ -1,5 +1,5 @@
 /* switch with a comparison and a jump for each case (GTS manual 10.4.3). The constants of the C
-   header are not known in motion programs: define those you use. */
+   header do not exist in motion programs: define those that you use. */
 #define MC_GPO 12
 
 int choose(int a)

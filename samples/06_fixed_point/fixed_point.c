@@ -1,5 +1,5 @@
 /* double is a fixed-point number with 16 fractional bits: a multiple of 1/65536 (GTS manual
-   10.4.1). Products and quotients are cut off, not rounded. */
+   10.4.1). Products and quotients are truncated, not rounded. */
 double third;
 double tenth;
 double area;
@@ -20,7 +20,7 @@ double square(double side)
   return area;
 }
 
-/* A cast to int cuts off the fraction, toward zero. */
+/* A cast to int drops the fraction: it rounds towards zero. */
 int whole(double x)
 {
   int i;

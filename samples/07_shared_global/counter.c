@@ -1,4 +1,4 @@
-/* Between two statements another thread can run; within one statement none can. */
+/* Another thread can run between two statements, but not within one. */
 int careful;
 int careless;
 
@@ -19,8 +19,8 @@ lbl_end:
   return i;
 }
 
-/* Three statements: another thread can write `careless` after it was read here, and its work is
-   overwritten. */
+/* Three statements: another thread can write `careless` after this one has read it. The
+   value that it wrote is then overwritten. */
 int count_in_three(int n)
 {
   int i;

@@ -1,6 +1,6 @@
-/* Parameters and locals live in the data page of the thread. GT_SetDataPage gives the thread
-   another page from the next statement on: all its locals are then other variables. What has to
-   survive the switch must be global. */
+/* Parameters and locals are stored in the data page of the thread. From the statement after
+   GT_SetDataPage on the thread uses another page, where all its locals have other values. A value
+   that is needed before and after the switch must be global. */
 int page;
 int more;
 
@@ -17,7 +17,7 @@ lbl_loop:
   return mark;
 }
 
-/* Keeps its page for a while. */
+/* Waits, and so keeps its page in use for a while. */
 int hold(int kept)
 {
   GT_Delay(10);

@@ -5,7 +5,7 @@
 #define ON 1
 #define OFF 0
 
-/* Switches the lamp on and off, 10 ms each. A delayed thread leaves its share to the others. */
+/* Switches the lamp on and off, 10 ms each. During a delay the other threads get more time. */
 int blink(int times)
 {
   int i;

@@ -1,4 +1,4 @@
-/* Axis 1 runs at 100 pulse/ms for a while, then stops smoothly. */
+/* Axis 1 runs at 100 pulse/ms for two seconds, then stops smoothly. */
 TJogPrm jog;
 
 int run(int time)

@@ -1,4 +1,4 @@
-/* GTS manual, example 7-2: axis 1 runs at 100 pulse/ms; once it is past 100000 pulses, at 50. */
+/* GTS manual, example 7-2: axis 1 runs at 100 pulse/ms, and at 50 after it has passed 100000. */
 TJogPrm jog;
 double pos;
 

@@ -1,4 +1,4 @@
-/* GTS manual, example 7-3: three data segments in a static FIFO make a trapezoid of velocity. */
+/* GTS manual, example 7-3: three segments in a static FIFO form a trapezoidal velocity. */
 #define PT_STATIC 0
 #define PT_NORMAL 0
 

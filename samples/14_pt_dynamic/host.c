@@ -1,6 +1,6 @@
-/* GTS manual, example 7-4: velocity 50 sin(2 pi t / 1000), in segments of 16 ms that the host feeds
-   into the dynamic FIFO while the axis moves. Two periods of 63 segments: 62 of 16 ms and a last one
-   of 8 ms that stops. */
+/* GTS manual, example 7-4: velocity 50 sin(2 pi t / 1000), in segments of 16 ms that the host
+   writes to the dynamic FIFO while the axis moves. There are two periods of 63 segments: 62 of 16 ms,
+   and a last one of 8 ms that ends at rest. */
 #include <math.h>
 
 #include "accepted.h"
@@ -14,7 +14,7 @@
 
 static int started = 0;
 
-/* Waits until there is room; a full FIFO starts the motion, which makes room. */
+/* Waits until the FIFO has space. When it is full for the first time, the motion is started. */
 static void WaitForRoom(void) {
   short space = 0;
   for (;;) {

@@ -1,4 +1,4 @@
-/* A PVT table: position and velocity at four times, a cubic between each two of them. */
+/* A PVT table: positions and velocities at five times, and a cubic between neighbours. */
 #include "accepted.h"
 #include "gts.h"
 

@@ -1,5 +1,5 @@
-/* GTS manual, example 7-7: the knife on axis 2 meets the material on axis 1, travels along with it for
-   a while to cut it, and lets it go, again and again. */
+/* GTS manual, example 7-7: the knife on axis 2 catches up with the material on axis 1, moves with it
+   while it cuts, and stops. This repeats. */
 #define PROFILE 2
 #define PASS 2
 #define NORMAL 0

@@ -1,4 +1,4 @@
-/* A line, a half circle, a quarter by its radius, and a helix of one turn that rises. */
+/* A line, a semicircle, a quarter circle given by its radius, and one turn of a helix. */
 #include "accepted.h"
 #include "gts.h"
 
@@ -31,7 +31,7 @@ int main(void) {
   ACCEPTED(GT_Open(0, 1));
   SetUp();
   ACCEPTED(GT_LnXYZ(CRD, 20000, 0, 0, VEL, ACC, VEL, 0));
-  /* the centre is given from the begin of the arc */
+  /* the centre, relative to the start of the arc */
   ACCEPTED(GT_ArcXYC(CRD, 20000, 20000, 0, 10000, COUNTERCLOCKWISE, VEL, ACC, VEL, 0));
   ACCEPTED(GT_ArcXYR(CRD, 10000, 10000, 10000, COUNTERCLOCKWISE, VEL, ACC, 0, 0));
   ACCEPTED(GT_HelixXYCZ(CRD, 10000, 10000, 8000, -5000, 0, CLOCKWISE, VEL, ACC, 0, 0));

@@ -1,5 +1,5 @@
-/* A circle of 72 short lines, first without and then with look-ahead: without it every line ends at
-   rest. */
+/* A circle of 72 short lines, first without look-ahead, so that every line ends at rest, and then
+   with it. */
 #include <math.h>
 
 #include "accepted.h"
@@ -40,7 +40,7 @@ static void Circle(void) {
   }
 }
 
-/* Runs what is in the FIFO; gives the time it took, in ms. */
+/* Executes the content of the FIFO. Returns the time that it took, in ms. */
 static unsigned long Run(void) {
   unsigned long begin = 0;
   unsigned long end = 0;

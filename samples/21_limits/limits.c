@@ -1,5 +1,5 @@
-/* GTS manual, example 9-1: axis 1 sets out for 1000000 but has a soft limit at 20000; then it goes
-   back, until its negative limit switch stops it. */
+/* GTS manual, example 9-1: axis 1 moves towards 1000000, but has a soft limit at 20000. Then it
+   moves back until its negative limit switch stops it. */
 #define IN_MOTION 0x400
 TTrapPrm trap;
 int sts;

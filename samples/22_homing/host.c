@@ -1,5 +1,5 @@
-/* Smart homing: axis 1 searches its home switch at 5 pulse/ms, then the index mark behind it at
-   1 pulse/ms, and goes 250 pulses further. That place becomes position 0. */
+/* Smart homing: axis 1 searches for its home switch at 5 pulse/ms and for the index mark after it
+   at 1 pulse/ms, and moves 250 pulses further. That position becomes 0. */
 #include "accepted.h"
 #include "gts.h"
 

@@ -1,5 +1,5 @@
-/* One-dimensional use of the 2-D compare: while axis 1 moves to 30000, channel 0 puts out a pulse of
-   500 us where its encoder passes 10000 and 20000. */
+/* 2-D compare used in one dimension: while axis 1 moves to 30000, channel 0 outputs a pulse of
+   500 us when the encoder passes 10000, and another one when it passes 20000. */
 #include "accepted.h"
 #include "gts.h"
 

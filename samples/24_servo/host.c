@@ -1,5 +1,5 @@
-/* A servo axis in closed loop: a proportional controller drives a motor through a voltage. The same
-   move twice, there without and back with velocity feed-forward. */
+/* A servo axis in closed loop: a proportional controller outputs the voltage of the motor. The axis
+   moves forward without velocity feed-forward and back with it. */
 #include "accepted.h"
 #include "gts.h"
 

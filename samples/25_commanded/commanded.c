@@ -1,6 +1,6 @@
-/* A program that the host drives by flags: it jogs axis 1 or moves it to a place, as `command` says,
-   and reports what it does and whether the axis has met a limit. The host writes `command`, `speed`
-   and `target` and reads `state` and `limits`. */
+/* A program that the host controls with flags: it jogs axis 1 or moves it to `target`, depending on
+   `command`, and reports what it does and whether the axis has reached a limit. The host writes
+   `command`, `speed` and `target` and reads `state` and `limits`. */
 #define COMMAND_NONE 0
 #define COMMAND_JOG 1
 #define COMMAND_MOVE 2

@@ -1,5 +1,5 @@
-/* The sum of 01_sum with its addition split into two statements: between reading and writing `sum`
-   another thread can write it, and its addition is then lost. */
+/* The sum of 01_sum with its addition split into two statements: another thread can write `sum`
+   between them, and what it has added is then lost. */
 int sum;
 
 int add(int begin, int end)

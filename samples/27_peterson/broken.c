@@ -1,5 +1,5 @@
 /* Peterson's lock with two lines exchanged: each thread first gives the turn to the other one, and
-   only then sets its flag. Both can be inside. */
+   only then sets its flag. Both can hold the lock. */
 int want0;
 int want1;
 int turn;

@@ -1,5 +1,5 @@
-/* An axis that must not move after the emergency stop: checks, then acts. The stop can come between
-   the two. */
+/* An axis must not move after the emergency stop. The program checks first and then acts; the stop can
+   come between the two. */
 int stopped;
 
 int mover()

@@ -1,5 +1,5 @@
-/* Two threads need two places. Each occupies its own first and then waits for the other's: when
-   both have occupied theirs, both wait for ever. */
+/* Two threads need two places each. Each occupies one and then waits for the one that the other
+   thread occupies first: once both have occupied their first place, both wait for ever. */
 int loader_place;
 int unloader_place;
 int parts;

@@ -1,5 +1,5 @@
-/* Two polite threads: each raises its flag, and lowers it again when the other one's is up. Both can
-   do so for ever. */
+/* Two polite threads: each sets its flag, and clears it again if the other one has set its own.
+   Both can do so for ever. */
 int flag0;
 int flag1;
 int passed;
