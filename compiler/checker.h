@@ -158,22 +158,22 @@ class Checker {
                        const Declarator* declarator);
   void CheckInitialiser(const Declarator& declarator, const Entity* entity,
                         const DeclaredType& type);
-  void MendInitialValues();
+  void CorrectInitialValues();
   void OpenName(std::string_view name);
   const Entity* Reopen(const Declarator& declarator, const DeclaredType& type);
   void CheckLateDeclaration(const Statement& statement, const Place& place);
 
   // --- foreign_declarations.cc ---
-  bool MendType(const Specifiers& specifiers, const DeclaredType& type,
-                std::span<const Declarator> declarators, SourceRange declaration);
-  bool MendConst(const DeclaredType& type, std::span<const Declarator> declarators,
-                 SourceRange declaration, bool* as_macros);
+  bool CorrectType(const Specifiers& specifiers, const DeclaredType& type,
+                   std::span<const Declarator> declarators, SourceRange declaration);
+  bool CorrectConst(const DeclaredType& type, std::span<const Declarator> declarators,
+                    SourceRange declaration, bool* as_macros);
   bool KeepsMeaning(const Specifiers& specifiers, const DeclaredType& type,
                     std::span<const Declarator> declarators);
   bool KeepsReturns(const Function& function, const DeclaredType& type);
   const NameScopes& Scopes();
-  void MendGlobalInitialiser(const Declarator& declarator, Diagnostic& diagnostic,
-                             SourceRange value);
+  void CorrectGlobalInitialiser(const Declarator& declarator, Diagnostic& diagnostic,
+                                SourceRange value);
   void Rename(const Declarator& declarator, Diagnostic& diagnostic);
   const std::vector<StatementPtr>& ScopeOfNames() const;
   NameUses UsesInFunction(std::string_view name);

@@ -286,7 +286,7 @@ void Checker::CheckDeclaration(const Statement& statement, const Place& place) {
     type.valid = false;
   }
   const bool as_macros =
-      MendType(statement.specifiers, type, statement.declarators, statement.range);
+      CorrectType(statement.specifiers, type, statement.declarators, statement.range);
   for (const Declarator& declarator : statement.declarators) {
     const Entity* entity = Declare(declarator, type, false);
     if (declarator.initialiser == nullptr || as_macros) continue;
@@ -309,7 +309,7 @@ void Checker::CheckInitialiser(const Declarator& declarator, const Entity* entit
   const bool failed = failed_;
   Diagnostic& diagnostic = reporter_.Report(Code::kInitialiser, value, declarator.name);
   if (function_ == nullptr) {
-    if (usable && !failed) MendGlobalInitialiser(declarator, diagnostic, value);
+    if (usable && !failed) CorrectGlobalInitialiser(declarator, diagnostic, value);
     return;
   }
   InitialValues& values = function_->initial_values;
@@ -321,7 +321,7 @@ void Checker::CheckInitialiser(const Declarator& declarator, const Entity* entit
 
 // One fix-it moves all initial values of a function to its first statement, because each may depend
 // on the previous ones.
-void Checker::MendInitialValues() {
+void Checker::CorrectInitialValues() {
   const InitialValues& values = function_->initial_values;
   if (values.bearer == nullptr || !values.good) return;
   Rewriter rewriter(*this, *values.bearer);
@@ -355,7 +355,7 @@ const Entity* Checker::Reopen(const Declarator& declarator, const DeclaredType& 
 
 void Checker::CheckLateDeclaration(const Statement& statement, const Place& place) {
   const DeclaredType type = ResolveType(statement.specifiers);
-  MendType(statement.specifiers, type, statement.declarators, statement.range);
+  CorrectType(statement.specifiers, type, statement.declarators, statement.range);
   bool all_good = type.valid && !type.is_void && !type.is_static;
   std::vector<std::pair<const Declarator*, const Entity*>> declared;
   std::vector<std::string> declarations;
@@ -414,7 +414,7 @@ void Checker::CheckParameters(const Function& syntax) {
     } else {
       type = ResolveType(parameter.specifiers);
       type.is_parameter = true;
-      MendType(parameter.specifiers, type, {&parameter.declarator, 1}, parameter.range);
+      CorrectType(parameter.specifiers, type, {&parameter.declarator, 1}, parameter.range);
     }
     if (type.is_void || type.structure != nullptr) {
       reporter_.Report(Code::kBadParameter, parameter.range,
@@ -442,7 +442,7 @@ void Checker::CheckFunction(const Function& syntax) {
   FunctionState* const outer = function_;
   function_ = nullptr;
   const DeclaredType type = ResolveType(syntax.specifiers);
-  if (KeepsReturns(syntax, type)) MendType(syntax.specifiers, type, {}, syntax.header);
+  if (KeepsReturns(syntax, type)) CorrectType(syntax.specifiers, type, {}, syntax.header);
   if (type.structure != nullptr || syntax.pointer) {
     reporter_.Report(Code::kNotAType, syntax.specifiers.range,
                      ToMessage(fmt::format("'{}{}'", Source(syntax.specifiers.range),
@@ -515,7 +515,7 @@ void Checker::CheckFunction(const Function& syntax) {
   Place place;
   place.followed = false;
   CheckBody(syntax.body, place);
-  MendInitialValues();
+  CorrectInitialValues();
   ResolveJumps();
   function_ = outer;
   object_.functions.push_back(std::move(state.out));

@@ -25,7 +25,7 @@ bool IsBool(std::string_view name) { return name == "bool" || name == "_Bool"; }
 void Directives::Run(SourceFile program) {
   AddFile(std::move(program), 0);
   if (refused_) tokens_.clear();
-  MendOpenMacros();
+  CorrectOpenMacros();
   Token end;
   end.kind = Kind::kEnd;
   const uint32_t size = static_cast<uint32_t>(files_[0].text().size());
@@ -238,7 +238,7 @@ void Directives::ReportBody(std::span<const Token> line, SourceRange whole, bool
 
 // C replaces the name by the body: `2 * N` with `3 + 4` for N is 10. The value may replace the body
 // only if each use is a whole expression.
-void Directives::MendOpenMacros() {
+void Directives::CorrectOpenMacros() {
   if (open_macros_.empty()) return;
   std::unordered_map<std::string_view, SourceRange> parts = names_in_bodies_;
   for (size_t i = 0; i < tokens_.size(); ++i) {
@@ -264,7 +264,7 @@ void Directives::MendOpenMacros() {
 }
 
 // `#include <...>`: the name of an existing file is put in quotes, a header of C is removed.
-void Directives::MendAngles(Diagnostic& diagnostic, SourceRange range, SourceRange whole) const {
+void Directives::CorrectAngles(Diagnostic& diagnostic, SourceRange range, SourceRange whole) const {
   std::string_view name = files_[static_cast<size_t>(whole.file)].text();
   name = name.substr(range.begin, range.end - range.begin);
   if (name.size() < 3 || name.front() != '<' || name.back() != '>') return;
@@ -289,7 +289,7 @@ void Directives::Include(const std::vector<Token>& line, SourceRange whole) {
       what = ToMessage(fmt::format("'{}'", text.substr(range.begin, range.end - range.begin)));
     }
     Diagnostic& diagnostic = reporter_.Report(Code::kBadFileName, range, what);
-    if (line.size() >= 3) MendAngles(diagnostic, range, whole);
+    if (line.size() >= 3) CorrectAngles(diagnostic, range, whole);
     return;
   }
   std::string_view quoted = line[2].text;

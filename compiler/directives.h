@@ -45,9 +45,9 @@ class Directives {
   /// one.
   void ReportBody(std::span<const Token> line, SourceRange whole, bool parameters, Macro& macro);
   /// Checks macros whose value is not equivalent to their body in every place.
-  void MendOpenMacros();
+  void CorrectOpenMacros();
   void Include(const std::vector<Token>& line, SourceRange whole);
-  void MendAngles(Diagnostic& diagnostic, SourceRange range, SourceRange whole) const;
+  void CorrectAngles(Diagnostic& diagnostic, SourceRange range, SourceRange whole) const;
   /// False, with a report, when the program would become larger than kSourceKind allows.
   bool Admit(const SourceFile& file);
   /// Reports at the file read last; the program is not read on.

@@ -257,8 +257,8 @@ const NameScopes& Checker::Scopes() {
 }
 
 // A global const with a number becomes a macro, any other const a variable.
-bool Checker::MendConst(const DeclaredType& type, std::span<const Declarator> declarators,
-                        SourceRange declaration, bool* as_macros) {
+bool Checker::CorrectConst(const DeclaredType& type, std::span<const Declarator> declarators,
+                           SourceRange declaration, bool* as_macros) {
   std::string macros;
   bool numbers = !declarators.empty();
   for (const Declarator& declarator : declarators) {
@@ -311,8 +311,8 @@ bool Checker::MendConst(const DeclaredType& type, std::span<const Declarator> de
 
 // Offers the language's own types in place of foreign ones. True if the declaration becomes #define
 // lines, which include the values.
-bool Checker::MendType(const Specifiers& specifiers, const DeclaredType& type,
-                       std::span<const Declarator> declarators, SourceRange declaration) {
+bool Checker::CorrectType(const Specifiers& specifiers, const DeclaredType& type,
+                          std::span<const Declarator> declarators, SourceRange declaration) {
   if (type.report == nullptr || !type.valid) return false;
   if (type.is_static && function_ != nullptr) {
     AddNote(*type.report, MakeMessage("a variable that keeps its value between runs of a function "
@@ -323,7 +323,7 @@ bool Checker::MendType(const Specifiers& specifiers, const DeclaredType& type,
   if (!KeepsMeaning(specifiers, type, declarators)) return false;
   bool as_macros = false;
   if (type.is_const && !declarators.empty() &&
-      !MendConst(type, declarators, declaration, &as_macros)) {
+      !CorrectConst(type, declarators, declaration, &as_macros)) {
     return false;
   }
   if (!as_macros) Replace(*type.report, specifiers.range, type.plain);
@@ -331,8 +331,8 @@ bool Checker::MendType(const Specifiers& specifiers, const DeclaredType& type,
 }
 
 // Variables start at 0, so only that value can be omitted.
-void Checker::MendGlobalInitialiser(const Declarator& declarator, Diagnostic& diagnostic,
-                                    SourceRange value) {
+void Checker::CorrectGlobalInitialiser(const Declarator& declarator, Diagnostic& diagnostic,
+                                       SourceRange value) {
   const bool zero = IsZero(*declarator.initialiser, [this](const Expression& element) {
     const std::optional<Constant> constant = FoldHere(element);
     return constant && constant->AsDouble() == 0;

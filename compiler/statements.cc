@@ -518,8 +518,8 @@ void Checker::CheckLoop(const Statement& statement, const Place& place) {
   std::vector<std::string> declarations;
   if (statement.initial != nullptr && statement.initial->kind == Statement::Kind::kDeclaration) {
     const DeclaredType type = ResolveType(statement.initial->specifiers);
-    MendType(statement.initial->specifiers, type, statement.initial->declarators,
-             statement.initial->range);
+    CorrectType(statement.initial->specifiers, type, statement.initial->declarators,
+                statement.initial->range);
     if (type.is_static) failed_ = true;
     for (const Declarator& declarator : statement.initial->declarators) {
       const Entity* entity = Reopen(declarator, type);

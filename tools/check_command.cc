@@ -8,7 +8,7 @@
 
 #include "base/limits.h"
 #include "compiler/diagnostic_printer.h"
-#include "compiler/mender.h"
+#include "compiler/fix_it_applier.h"
 #include "tools/commands.h"
 
 namespace oncard::tools {
@@ -52,10 +52,10 @@ Result<std::string> ReadSource(const std::string& source) {
 }
 
 // Writes the corrected text: files in place, standard input to standard output.
-int WriteMended(const compiler::Mended& mended, const std::string& name, const std::string& text,
-                const Session& session) {
+int WriteCorrected(const compiler::CorrectedProgram& corrected, const std::string& name,
+                   const std::string& text, const Session& session) {
   int code = kExitOk;
-  for (const auto& [path, content] : mended.files) {
+  for (const auto& [path, content] : corrected.files) {
     if (path == kStandardInputName) continue;
     const auto before = compiler::ReadSource(path);
     const bool marked = before.ok() && before.value().starts_with(kByteOrderMark);
@@ -63,12 +63,12 @@ int WriteMended(const compiler::Mended& mended, const std::string& name, const s
         code, WriteOutput(session, path, (marked ? std::string(kByteOrderMark) : "") + content));
   }
   if (name == kStandardInputName) {
-    const auto found = mended.files.find(name);
-    PrintResult(found != mended.files.end() ? found->second : text);
-  } else if (mended.count > 0) {
+    const auto found = corrected.files.find(name);
+    PrintResult(found != corrected.files.end() ? found->second : text);
+  } else if (corrected.count > 0) {
     PrintDiagnostics(
         fmt::format("{}\n", session.Say(MakeMessage("{0}: fix-its applied: {1}",
-                                                    "{0}：修改了 {1} 处", name, mended.count))));
+                                                    "{0}：修改了 {1} 处", name, corrected.count))));
   }
   return code;
 }
@@ -86,9 +86,10 @@ std::optional<compiler::Compilation> CheckOne(const CheckOptions& options,
   const std::string name(source == kStandardInput ? kStandardInputName : source);
   if (!options.fix)
     return compiler::CompileText(name, std::move(text).value(), compile, compiler::ReadSource);
-  compiler::Mended mended = compiler::Mend(name, text.value(), compile, compiler::ReadSource);
-  *code = std::max(*code, WriteMended(mended, name, text.value(), session));
-  return std::move(mended.compilation);
+  compiler::CorrectedProgram corrected =
+      compiler::ApplyAllFixIts(name, text.value(), compile, compiler::ReadSource);
+  *code = std::max(*code, WriteCorrected(corrected, name, text.value(), session));
+  return std::move(corrected.compilation);
 }
 
 int Check(const CheckOptions& options, const Session& session) {
@@ -99,9 +100,10 @@ int Check(const CheckOptions& options, const Session& session) {
   }
   const compiler::PrintOptions print = {session.language, session.color};
   int code = kExitOk;
-  const bool mends_input = options.fix && std::find(options.sources.begin(), options.sources.end(),
-                                                    kStandardInput) != options.sources.end();
-  if (mends_input && options.diagnostics != "text") {
+  const bool corrects_input =
+      options.fix && std::find(options.sources.begin(), options.sources.end(), kStandardInput) !=
+                         options.sources.end();
+  if (corrects_input && options.diagnostics != "text") {
     return Fail(session, kExitUsage,
                 MakeMessage("--fix - writes the program to standard output: leave out --format",
                             "--fix - 把程序写到标准输出：请去掉 --format"));

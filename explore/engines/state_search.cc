@@ -32,8 +32,8 @@ class RaceSearch {
  public:
   explicit RaceSearch(const Problem& problem) : problem_(problem) {}
 
-  /// Examines the next state.
-  void Look(const Model& state) {
+  /// Examines the next state for races.
+  void Examine(const Model& state) {
     if (problem_.races != RaceRule::kAny) {
       for (const Race& race : FindRaces(state, problem_.sync)) states_[race].push_back(next_);
     }
@@ -161,7 +161,7 @@ StateSearch SearchStates(const Problem& problem, const StateLimits& limits) {
       end = full.FindOrAdd(state.FinalKey(), &added);
       if (added && problem.requirements.empty()) search.ends.Add(EndOf(state));
     }
-    races.Look(state);
+    races.Examine(state);
     if (problem.races != RaceRule::kAny) end_of.push_back(end);
     search.counts.bad_states += bad ? 1 : 0;
     return (bad ? kBad : 0u) | HoldingFlags(problem, state);

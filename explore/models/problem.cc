@@ -16,24 +16,24 @@ namespace {
 
 constexpr std::string_view kMark = "//@";
 
-/// Calls `look` with the number and text of every line that is a comment of the explorer.
-template <typename Look>
-void ForEachComment(std::string_view source, Look look) {
+/// Calls `visit` with the number and text of every line that is a comment of the explorer.
+template <typename Visit>
+void ForEachComment(std::string_view source, Visit visit) {
   int number = 1;
   for (size_t begin = 0; begin < source.size(); ++number) {
     const size_t end = std::min(source.find('\n', begin), source.size());
     const std::string_view line = source.substr(begin, end - begin);
     begin = end + 1;
-    if (Trim(line).starts_with(kMark)) look(number, line);
+    if (Trim(line).starts_with(kMark)) visit(number, line);
   }
 }
 
-/// Calls `look` with every part of a comma-separated list.
-template <typename Look>
-void ForEachPart(std::string_view text, Look look) {
+/// Calls `visit` with every part of a comma-separated list.
+template <typename Visit>
+void ForEachPart(std::string_view text, Visit visit) {
   while (!text.empty()) {
     const size_t comma = text.find(',');
-    look(Trim(text.substr(0, comma)));
+    visit(Trim(text.substr(0, comma)));
     text = comma == std::string_view::npos ? std::string_view{} : text.substr(comma + 1);
   }
 }

@@ -94,9 +94,9 @@ class Flow {
                         return w.slot.global;
                       });
     if (acts) {
-      for (const Source& source : sources) Look(source, KindOf(source, step), step.thread);
+      for (const Source& source : sources) Judge(source, KindOf(source, step), step.thread);
       for (const Source& source : decisions_[step.thread]) {
-        Look(source, StaleUse::Kind::kDecides, step.thread);
+        Judge(source, StaleUse::Kind::kDecides, step.thread);
       }
     }
     if (step.log.decides) decisions_[step.thread] = sources;
@@ -119,7 +119,7 @@ class Flow {
   }
 
   /// Checks whether another thread has written what the source read.
-  void Look(const Source& source, StaleUse::Kind kind, int thread) {
+  void Judge(const Source& source, StaleUse::Kind kind, int thread) {
     const Writers& writers = writers_[source.value.slot.id];
     const auto& write =
         writers.last && writers.last->thread != thread ? writers.last : writers.other;
@@ -147,12 +147,12 @@ class Flow {
 };
 
 /// Describes steps in words.
-class Teller {
+class CulpritDescriber {
  public:
-  Teller(const Subject& subject, const Trail& trail)
+  CulpritDescriber(const Subject& subject, const Trail& trail)
       : trail_(trail), object_(subject.image->object) {}
 
-  Culprit Tell(const StaleUse& use) const {
+  Culprit Describe(const StaleUse& use) const {
     const LoggedStep& read = Log(use.read);
     const LoggedStep& write = Log(use.write);
     const LoggedStep& acts = Log(use.use);
@@ -192,7 +192,7 @@ class Teller {
   }
 
   /// Two statements whose order makes the difference.
-  Culprit Tell(const RacingPair& pair) const {
+  Culprit Describe(const RacingPair& pair) const {
     const LoggedStep& first = Log(pair.first.step);
     const LoggedStep& second = Log(pair.second.step);
     const auto does = [&](const LoggedStep& step, bool writes) -> Message {
@@ -245,10 +245,10 @@ std::optional<Culprit> FindCulprit(const Subject& subject, const Failure& failur
   const bool told_already = failure.livelock || failure.fault.kind == Fault::Kind::kRace ||
                             failure.fault.kind == Fault::Kind::kDeadlock;
   if (told_already) return std::nullopt;
-  const Teller teller(subject, trail);
+  const CulpritDescriber describer(subject, trail);
   const Flow flow(trail.steps, failure.last_escape);
-  if (flow.use()) return teller.Tell(*flow.use());
-  if (trail.pair) return teller.Tell(*trail.pair);
+  if (flow.use()) return describer.Describe(*flow.use());
+  if (trail.pair) return describer.Describe(*trail.pair);
   return std::nullopt;
 }
 

@@ -93,8 +93,8 @@ int64_t CardWatch::CycleOf(int64_t microseconds) const {
 }
 
 void CardWatch::Listen(Controller* controller) {
-  if (requirements_ && requirements_->LooksAtStates()) {
-    controller->ObserveStates([this, controller] { requirements_->Look(*controller); });
+  if (requirements_ && requirements_->ObservesStates()) {
+    controller->ObserveStates([this, controller] { requirements_->ObserveState(*controller); });
   }
   if (trace_files_.empty()) return;
   controller->ListenToHappenings([this](int64_t time_us, const Message& what) {

@@ -43,7 +43,7 @@ bool NamesProgram(const CardCondition& condition) {
 RequirementWatch::RequirementWatch(std::vector<Requirement> requirements, std::string program_path)
     : program_path_(std::move(program_path)) {
   for (Requirement& requirement : requirements) {
-    looks_at_states_ = looks_at_states_ || requirement.scope != Scope::kFinal;
+    observes_states_ = observes_states_ || requirement.scope != Scope::kFinal;
     watched_.push_back({std::move(requirement), std::nullopt});
   }
 }
@@ -78,7 +78,7 @@ void RequirementWatch::Follow(const Controller& controller) {
   if (names_ == names) return;
   names_ = std::move(names);
   for (Watched& watched : watched_) Bind(controller, &watched);
-  Look(controller);
+  ObserveState(controller);
 }
 
 void RequirementWatch::Bind(const Controller& controller, Watched* watched) const {
@@ -100,7 +100,7 @@ void RequirementWatch::Bind(const Controller& controller, Watched* watched) cons
 
 // --- States --------------------------------------------------------------------------------------
 
-void RequirementWatch::Look(const Controller& controller) {
+void RequirementWatch::ObserveState(const Controller& controller) {
   for (Watched& watched : watched_) {
     const Scope scope = watched.requirement.scope;
     if (watched.settled() || !watched.condition || scope == Scope::kFinal) continue;

@@ -28,12 +28,12 @@ class RequirementWatch : public RunWatch {
   RequirementWatch(std::vector<Requirement> requirements, std::string program_path);
 
   void Begin(const Controller& controller, ScenarioFit* fit) override;
-  bool LooksAtStates() const override { return looks_at_states_; }
-  void Look(const Controller& controller) override;
+  bool ObservesStates() const override { return observes_states_; }
+  void ObserveState(const Controller& controller) override;
   void End(const Controller& controller) override;
 
   /// To be called instead of Begin(), and again whenever a host may have changed what the names
-  /// stand for: the program, or what its threads are bound to. Looks at the state if they have
+  /// stand for: the program, or what its threads are bound to. Observes the state if they have
   /// changed. A requirement is checked while all its names exist; one that names something of a
   /// program only after the program has begun to act, so that a host can set its variables first.
   void Follow(const Controller& controller);
@@ -82,7 +82,7 @@ class RequirementWatch : public RunWatch {
 
   std::string program_path_;
   std::vector<Watched> watched_;
-  bool looks_at_states_ = false;
+  bool observes_states_ = false;
   std::optional<Names> names_;  ///< those that Follow() has seen last
   /// For every thread at the last check: the number of statements executed, and the next statement.
   std::array<int64_t, vm::kThreadCount> executed_{};

@@ -18,10 +18,10 @@ class RunWatch {
   /// Called before the first statement. Adds an error to `fit` for everything that it should
   /// observe and that does not exist; then no other function is called.
   virtual void Begin(const Controller& controller, ScenarioFit* fit) = 0;
-  /// True if Look() is to be called; observing every state makes a run slower.
-  virtual bool LooksAtStates() const = 0;
+  /// True if ObserveState() is to be called; observing every state makes a run slower.
+  virtual bool ObservesStates() const = 0;
   /// Called in the first state, and then after every statement and every beginning of a cycle.
-  virtual void Look(const Controller& controller) = 0;
+  virtual void ObserveState(const Controller& controller) = 0;
   /// Called at the end of a run whose requirements are to be checked.
   virtual void End(const Controller& controller) = 0;
 };

@@ -226,9 +226,9 @@ class ScenarioRunner {
 
   void BeginWatch() {
     RunWatch* watch = options_.watch;
-    if (watch == nullptr || !watch->LooksAtStates()) return;
-    watch->Look(controller_);
-    controller_.ObserveStates([this, watch] { watch->Look(controller_); });
+    if (watch == nullptr || !watch->ObservesStates()) return;
+    watch->ObserveState(controller_);
+    controller_.ObserveStates([this, watch] { watch->ObserveState(controller_); });
   }
 
   // --- The run ---------------------------------------------------------------------------------

@@ -8,7 +8,7 @@
 
 #include "base/files.h"
 #include "compiler/compiler.h"
-#include "compiler/mender.h"
+#include "compiler/fix_it_applier.h"
 #include "gtcalls/gts/catalogue.h"
 #include "vm/command_table.h"
 
@@ -42,12 +42,13 @@ inline std::string ApplyFixIts(const std::string& text, const Diagnostic& diagno
 }
 
 /// The program after all fix-its are applied.
-inline Mended MendString(const std::string& text, const MemoryFiles& files = {}) {
-  return Mend("test.c", text, {}, [files](const std::string& path) -> Result<std::string> {
-    const auto found = files.find(path);
-    if (found == files.end()) return MakeError(1, "missing", "缺少");
-    return found->second;
-  });
+inline CorrectedProgram CorrectString(const std::string& text, const MemoryFiles& files = {}) {
+  return ApplyAllFixIts("test.c", text, {},
+                        [files](const std::string& path) -> Result<std::string> {
+                          const auto found = files.find(path);
+                          if (found == files.end()) return MakeError(1, "missing", "缺少");
+                          return found->second;
+                        });
 }
 
 /// The catalogue as needed by the object verifier; executes nothing.

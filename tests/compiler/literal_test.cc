@@ -120,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(
                     IntegerCase{"0xAu", 10, true, true}, IntegerCase{"2147483648", 2147483648},
                     IntegerCase{"99999999999999999999999", kHuge}));
 
-TEST(IntegerOfC, IsNothingElse) {
+TEST(IntegerOfC, RefusesOtherTexts) {
   for (const char* text : {"", "u", "09", "0b2", "0b", "0x", "0xG", "1ll", "1uu", "1lul", "1ull",
                            "1f", "1.0", "12a", "-1", "1'000"}) {
     EXPECT_FALSE(ParseIntegerOfC(text).has_value()) << text;

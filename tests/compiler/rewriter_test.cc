@@ -17,16 +17,16 @@ using testing::HasSubstr;
 constexpr int kRoundMax = 60;
 
 // Applies the fix-its of the first error with any (or of the last one), until there are none left.
-std::string MendOneByOne(std::string text, std::string* trace, bool from_last = false) {
+std::string CorrectOneByOne(std::string text, std::string* trace, bool from_last = false) {
   for (int round = 0; round < kRoundMax; ++round) {
     const Compilation compilation = CompileString(text);
     if (compilation.ok()) return text;
-    std::vector<const Diagnostic*> mendable;
+    std::vector<const Diagnostic*> correctable;
     for (const Diagnostic& diagnostic : compilation.diagnostics) {
-      if (!diagnostic.fixits.empty()) mendable.push_back(&diagnostic);
+      if (!diagnostic.fixits.empty()) correctable.push_back(&diagnostic);
     }
-    if (mendable.empty()) return text;
-    const Diagnostic& next = from_last ? *mendable.back() : *mendable.front();
+    if (correctable.empty()) return text;
+    const Diagnostic& next = from_last ? *correctable.back() : *correctable.front();
     *trace += DiagnosticName(next.info->code) + ": " + next.message.en + "\n" + text + "\n";
     text = ApplyFixIts(text, next);
   }
@@ -208,30 +208,30 @@ const Foreign kBodies[] = {
 
 class RewriterTest : public testing::TestWithParam<Foreign> {};
 
-TEST_P(RewriterTest, MendsTheProgramToWhatCMeans) {
+TEST_P(RewriterTest, CorrectsTheProgramToWhatItMeansInC) {
   const std::string text = std::string(
                                "int v, counter;\nint a[4];\nint t0() {\n  int i, j, k;\n"
                                "  double x;\n  v = 0;\n  ") +
                            GetParam().body + "\n}\n";
   std::string trace;
-  const std::string mended = MendOneByOne(text, &trace);
-  const Compilation compilation = CompileString(mended);
+  const std::string corrected = CorrectOneByOne(text, &trace);
+  const Compilation compilation = CompileString(corrected);
   ASSERT_TRUE(compilation.ok()) << trace << compilation.diagnostics.front().message.en << '\n'
-                                << mended;
+                                << corrected;
   const CatalogueShapes shapes;
   const Result<void> verified = vm::Verify(*compilation.object, shapes);
   ASSERT_TRUE(verified.ok()) << verified.error().message.en;
-  EXPECT_EQ(RunAndRead(*compilation.object, "v"), GetParam().v) << trace << mended;
+  EXPECT_EQ(RunAndRead(*compilation.object, "v"), GetParam().v) << trace << corrected;
 
   // In another order a type may remain that must be corrected first, but no fix-it is wrong.
   trace.clear();
-  const std::string backwards = MendOneByOne(text, &trace, true);
+  const std::string backwards = CorrectOneByOne(text, &trace, true);
   const Compilation from_last = CompileString(backwards);
   if (from_last.ok()) {
     EXPECT_EQ(RunAndRead(*from_last.object, "v"), GetParam().v) << trace << backwards;
   }
 
-  const Mended at_once = MendString(text);
+  const CorrectedProgram at_once = CorrectString(text);
   ASSERT_TRUE(at_once.compilation.ok()) << at_once.files.at("test.c");
   EXPECT_EQ(RunAndRead(*at_once.compilation.object, "v"), GetParam().v)
       << at_once.files.at("test.c");
@@ -289,12 +289,12 @@ const Whole kPrograms[] = {
 
 class ProgramTest : public testing::TestWithParam<Whole> {};
 
-TEST_P(ProgramTest, CanBeMended) {
+TEST_P(ProgramTest, CanBeCorrected) {
   std::string trace;
-  const std::string mended = MendOneByOne(GetParam().text, &trace);
-  const Compilation compilation = CompileString(mended);
+  const std::string corrected = CorrectOneByOne(GetParam().text, &trace);
+  const Compilation compilation = CompileString(corrected);
   EXPECT_TRUE(compilation.ok()) << trace << compilation.diagnostics.front().message.en << '\n'
-                                << mended;
+                                << corrected;
 }
 
 INSTANTIATE_TEST_SUITE_P(Programs, ProgramTest, testing::ValuesIn(kPrograms),
@@ -328,17 +328,17 @@ const MacroCase kMacros[] = {
 
 class MacroTest : public testing::TestWithParam<MacroCase> {};
 
-TEST_P(MacroTest, IsTheNumberThatItsBodyIs) {
+TEST_P(MacroTest, HasTheValueOfItsBody) {
   const std::string text = fmt::format(
       "#define M 5\n#define N {}\nint v, a[4];\nint t0() {{\n  a[1] = 9;\n  v = {};\n}}\n",
       GetParam().body, GetParam().use);
   const Compilation compilation = CompileString(text);
   ASSERT_FALSE(compilation.diagnostics.empty());
   EXPECT_EQ(compilation.diagnostics[0].info->code, 35);
-  const Mended mended = MendString(text);
-  ASSERT_TRUE(mended.compilation.ok()) << mended.files.at("test.c");
-  EXPECT_EQ(RunAndRead(*mended.compilation.object, "v"), GetParam().value)
-      << mended.files.at("test.c");
+  const CorrectedProgram corrected = CorrectString(text);
+  ASSERT_TRUE(corrected.compilation.ok()) << corrected.files.at("test.c");
+  EXPECT_EQ(RunAndRead(*corrected.compilation.object, "v"), GetParam().value)
+      << corrected.files.at("test.c");
 }
 
 INSTANTIATE_TEST_SUITE_P(Macros, MacroTest, testing::ValuesIn(kMacros),
@@ -346,7 +346,7 @@ INSTANTIATE_TEST_SUITE_P(Macros, MacroTest, testing::ValuesIn(kMacros),
                            return std::string(macro.param.name);
                          });
 
-struct Unmendable {
+struct Uncorrectable {
   const char* name;
   const char* text;
   std::vector<int> codes;  ///< the codes that remain
@@ -354,7 +354,7 @@ struct Unmendable {
 };
 
 // No fix-it is possible in the language, or C gives no meaning: it remains an error.
-const Unmendable kUnmendable[] = {
+const Uncorrectable kUncorrectable[] = {
     {"global_value", "int rate = 25; int t0() { return rate; }\n", {110}, "#define"},
     {"global_array", "int a[2] = {0, 1}; int t0() { return a[1]; }\n", {110}, "in a function"},
     {"const_table", "const int a[2] = {1, 2}; int t0() { return a[1]; }\n", {115, 110}, "#define"},
@@ -433,34 +433,34 @@ const Unmendable kUnmendable[] = {
     {"long_long", "long long n; int t0() { return n; }\n", {114}, "32 bits"},
 };
 
-class UnmendableTest : public testing::TestWithParam<Unmendable> {};
+class UncorrectableTest : public testing::TestWithParam<Uncorrectable> {};
 
-TEST_P(UnmendableTest, StaysAnErrorThatSaysWhatToDo) {
-  const Mended mended = MendString(GetParam().text);
+TEST_P(UncorrectableTest, StaysAnErrorThatSaysWhatToDo) {
+  const CorrectedProgram corrected = CorrectString(GetParam().text);
   std::string all;
   std::string notes;
-  for (const Diagnostic& diagnostic : mended.compilation.diagnostics) {
+  for (const Diagnostic& diagnostic : corrected.compilation.diagnostics) {
     all += DiagnosticName(diagnostic.info->code) + ": " + diagnostic.message.en + '\n';
     for (const Note& note : diagnostic.notes) notes += note.message.en + '\n';
   }
-  EXPECT_FALSE(mended.compilation.ok());
-  EXPECT_EQ(CodesOf(mended.compilation), GetParam().codes) << all << notes;
+  EXPECT_FALSE(corrected.compilation.ok());
+  EXPECT_EQ(CodesOf(corrected.compilation), GetParam().codes) << all << notes;
   EXPECT_THAT(notes, HasSubstr(GetParam().note)) << all << notes;
 }
 
-INSTANTIATE_TEST_SUITE_P(Programs, UnmendableTest, testing::ValuesIn(kUnmendable),
-                         [](const testing::TestParamInfo<Unmendable>& program) {
+INSTANTIATE_TEST_SUITE_P(Programs, UncorrectableTest, testing::ValuesIn(kUncorrectable),
+                         [](const testing::TestParamInfo<Uncorrectable>& program) {
                            return std::string(program.param.name);
                          });
 
 // Whether a variable can be an int depends on other types, so all types are corrected before the
 // loops around them.
-TEST(Mender, MendsTypesFirst) {
-  const Mended mended = MendString(
+TEST(ApplyAllFixIts, CorrectsTypesFirst) {
+  const CorrectedProgram corrected = CorrectString(
       "bool ready; int v;\nint t0() {\n  ready = v == 0;\n  while (v < 3) {\n    bool go = ready;\n"
       "    v += go + 1;\n  }\n  return v;\n}\n");
-  ASSERT_TRUE(mended.compilation.ok()) << mended.files.at("test.c");
-  EXPECT_EQ(RunAndRead(*mended.compilation.object, "v"), 4) << mended.files.at("test.c");
+  ASSERT_TRUE(corrected.compilation.ok()) << corrected.files.at("test.c");
+  EXPECT_EQ(RunAndRead(*corrected.compilation.object, "v"), 4) << corrected.files.at("test.c");
 }
 
 // Fix-its may be applied in any order, or one of them alone.
@@ -473,23 +473,24 @@ TEST(Rewriter, DeclaresInEachFixItWhatItNeeds) {
   for (const Diagnostic& diagnostic : compilation.diagnostics) {
     EXPECT_THAT(ApplyFixIts(text, diagnostic), HasSubstr("\n  int n;\n"));
   }
-  const std::string mended = MendString(text).files.at("test.c");
-  EXPECT_EQ(mended.find("int n;"), mended.rfind("int n;")) << mended;
+  const std::string corrected = CorrectString(text).files.at("test.c");
+  EXPECT_EQ(corrected.find("int n;"), corrected.rfind("int n;")) << corrected;
 }
 
 TEST(Rewriter, KeepsTheCommentsOfABody) {
   const Compilation compilation =
       CompileString("int v;\nint t0() {\n  while (v < 3) {\n    v = v + 1;  // count\n  }\n}\n");
   ASSERT_EQ(CodesOf(compilation), std::vector<int>{101});
-  const std::string mended = ApplyFixIts(compilation.files[0].text(), compilation.diagnostics[0]);
-  EXPECT_THAT(mended, HasSubstr("v = v + 1;  // count\n"));
+  const std::string corrected =
+      ApplyFixIts(compilation.files[0].text(), compilation.diagnostics[0]);
+  EXPECT_THAT(corrected, HasSubstr("v = v + 1;  // count\n"));
 }
 
 // A comment inside an edited range is kept, next to the code that it belonged to.
 TEST(Rewriter, KeepsTheCommentsBetweenTheParts) {
   struct Case {
     const char* statement;
-    const char* mended;  ///< the statement's text, up to the end label
+    const char* corrected;  ///< the statement's text, up to the end label
   };
   const Case cases[] = {
       {"if (v) /* why */ v = 1;", "cc = !v;\n  if (cc) goto lbl_end;\n  /* why */\n  v = 1;\n"},
@@ -512,9 +513,9 @@ TEST(Rewriter, KeepsTheCommentsBetweenTheParts) {
     const std::string text = fmt::format("int v;\nint t0() {{\n  {}\n}}\n", test.statement);
     const Compilation compilation = CompileString(text);
     ASSERT_FALSE(compilation.diagnostics.empty()) << text;
-    const std::string mended = ApplyFixIts(text, compilation.diagnostics[0]);
-    EXPECT_THAT(mended, HasSubstr(test.mended)) << text << mended;
-    EXPECT_TRUE(MendString(text).compilation.ok()) << mended;
+    const std::string corrected = ApplyFixIts(text, compilation.diagnostics[0]);
+    EXPECT_THAT(corrected, HasSubstr(test.corrected)) << text << corrected;
+    EXPECT_TRUE(CorrectString(text).compilation.ok()) << corrected;
   }
 }
 

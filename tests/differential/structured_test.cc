@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/mender.h"
+#include "compiler/fix_it_applier.h"
 #include "machine_run.h"
 #include "oracle.h"
 #include "structured_program.h"
@@ -46,7 +46,7 @@ std::string OracleText(const std::vector<StructuredProgram>& programs) {
 }
 
 // The same values from a run of the corrected program; empty if it does not end.
-Values RunMended(const StructuredProgram& program, const vm::Object& object) {
+Values RunCorrected(const StructuredProgram& program, const vm::Object& object) {
   NoCommands commands;
   vm::Machine machine(&commands);
   auto image = vm::LinkObject(object, commands);
@@ -71,7 +71,7 @@ Values RunMended(const StructuredProgram& program, const vm::Object& object) {
   return values;
 }
 
-TEST(StructuredTest, MendedProgramsComputeWhatGccComputes) {
+TEST(StructuredTest, CorrectedProgramsComputeWhatGccComputes) {
   const int count = ProgramCount();
   for (int begin = 0; begin < count; begin += kProgramsPerBatch) {
     std::vector<StructuredProgram> programs;
@@ -85,15 +85,15 @@ TEST(StructuredTest, MendedProgramsComputeWhatGccComputes) {
     ASSERT_EQ(oracle.value().size(), programs.size());
     for (size_t i = 0; i < programs.size(); ++i) {
       const StructuredProgram& program = programs[i];
-      const compiler::Mended mended = compiler::Mend(
+      const compiler::CorrectedProgram corrected = compiler::ApplyAllFixIts(
           "random.c", program.text, {}, [](const std::string& path) -> Result<std::string> {
             return MakeError(1, "no file '{}'", "没有文件“{}”", path);
           });
       const std::string listing =
-          fmt::format("seed {}\n{}\nmended\n{}", program.seed, program.text,
-                      mended.files.contains("random.c") ? mended.files.at("random.c") : "");
-      ASSERT_TRUE(mended.compilation.ok()) << ErrorsOf(mended.compilation) << listing;
-      ASSERT_EQ(RunMended(program, *mended.compilation.object), oracle.value()[i]) << listing;
+          fmt::format("seed {}\n{}\ncorrected\n{}", program.seed, program.text,
+                      corrected.files.contains("random.c") ? corrected.files.at("random.c") : "");
+      ASSERT_TRUE(corrected.compilation.ok()) << ErrorsOf(corrected.compilation) << listing;
+      ASSERT_EQ(RunCorrected(program, *corrected.compilation.object), oracle.value()[i]) << listing;
     }
   }
 }

@@ -57,7 +57,7 @@ TEST(Segments, EveryCommandMovesItsAxesToTheEnd) {
 
 // For every form: the second override only applies to Override2, WN commands have a number, and a
 // G0 segment ends at rest whatever follows.
-TEST(Segments, EveryCommandSaysWhatItsNameSays) {
+TEST(Segments, EveryCommandHasTheEffectsThatItsNamePromises) {
   for (const Command& command : GtsCatalogue().commands()) {
     if (command.number < 230 || command.number > 303) continue;
     const std::string name(command.name);

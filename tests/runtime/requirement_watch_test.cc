@@ -133,7 +133,7 @@ class HostedCard {
  public:
   explicit HostedCard(const std::string& scenario)
       : watch_(RequirementsOf(ScenarioForTest(scenario)), "") {
-    card_.ObserveStates([this] { watch_.Look(card_); });
+    card_.ObserveStates([this] { watch_.ObserveState(card_); });
     Pass(0);
   }
 

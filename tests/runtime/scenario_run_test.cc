@@ -78,7 +78,7 @@ TEST(RunScenario, LogsWhatItsStatementsDo) {
 }
 
 /// Under every policy a run with a step log is the same as without.
-TEST(RunScenario, ALogChangesNothing) {
+TEST(RunScenario, ALogDoesNotChangeTheRun) {
   const std::string program =
       "int n, a[3];\nint f(int k)\n{\n  int cc;\n  int q;\nlbl:\n  n = n + 1;\n  a[k] = n;\n"
       "  cc = a[k] < 500;\n  if (cc) goto lbl;\n  GT_Delay(2);\n  q = n / k;\n  return q;\n}\n";
@@ -163,7 +163,7 @@ TEST(RunScenario, SaysThatTheHostCameTooLate) {
             "longer");
 }
 
-TEST(RunScenario, StopsWhenItIsToldAndKeepsWhatItHas) {
+TEST(RunScenario, StopsOnRequestAndKeepsItsResults) {
   const std::atomic<bool> stop = true;
   RunOptions options;
   options.stop = &stop;
@@ -262,8 +262,8 @@ TEST(RunScenario, ReplaysARecordingThatWasCutOffToWhereItWas) {
      public:
       explicit StopAtOnce(std::atomic<bool>* stop) : stop_(stop) {}
       void Begin(const Controller&, ScenarioFit*) override {}
-      bool LooksAtStates() const override { return true; }
-      void Look(const Controller& controller) override {
+      bool ObservesStates() const override { return true; }
+      void ObserveState(const Controller& controller) override {
         if (controller.cycle() > 0) *stop_ = true;
       }
       void End(const Controller&) override {}
@@ -342,7 +342,7 @@ TEST(Host, EndsAWaitThatNothingElseCanEnd) {
   EXPECT_EQ(RunForTest(kWaits, "[[host]]\nat_ms = 10\nset = { go = 2 }\n").end, RunEnd::kDeadlock);
 }
 
-TEST(Host, IsRefusedWhatIsNoVariableOrDoesNotFit) {
+TEST(Host, CannotWriteUnknownVariablesOrValuesThatDoNotFit) {
   const vm::Object object = CompileForTest("int go;\nint f()\n{\n  return 0;\n}\n");
   for (const char* set : {"{ gpo = 1 }", "{ goo = 1 }", "{ go = 3e9 }", "{ go = [1, 2] }"}) {
     const Scenario scenario = ScenarioForTest(std::string("[[host]]\nset = ") + set);

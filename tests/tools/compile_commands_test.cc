@@ -154,7 +154,7 @@ TEST(Check, TakesWarningsForErrorsOrLeavesThemOut) {
   EXPECT_EQ(sarif["runs"][0]["results"][0]["level"], "warning");
 }
 
-TEST(Check, MendsInPlace) {
+TEST(Check, CorrectsInPlace) {
   const ScratchFolder scratch;
   const std::string source = scratch.Write("p.c", kLoop);
   const ProcessResult result = RunOncard({"check", "--fix", source});
@@ -164,7 +164,7 @@ TEST(Check, MendsInPlace) {
   EXPECT_EQ(scratch.Read("p.c").find('{', scratch.Read("p.c").find('{') + 1), std::string::npos);
 }
 
-TEST(Check, MendsIncludedFilesToo) {
+TEST(Check, CorrectsIncludedFilesToo) {
   const ScratchFolder scratch;
   scratch.Write("n.h", "const int N = 7;\n");
   const std::string source = scratch.Write("p.c", "#include \"n.h\"\nint f()\n{\n  return N;\n}\n");
@@ -173,14 +173,14 @@ TEST(Check, MendsIncludedFilesToo) {
   EXPECT_EQ(scratch.Read("p.c"), "#include \"n.h\"\nint f()\n{\n  return N;\n}\n");
 }
 
-TEST(Check, KeepsAByteOrderMarkWhenItMends) {
+TEST(Check, KeepsAByteOrderMarkWhenItCorrects) {
   const ScratchFolder scratch;
   const std::string source = scratch.Write("p.c", std::string("\xEF\xBB\xBF") + kLoop);
   EXPECT_EQ(RunOncard({"check", "--fix", source}).exit_code, 0);
   EXPECT_THAT(scratch.Read("p.c"), StartsWith("\xEF\xBB\xBFint v;"));
 }
 
-TEST(Check, ReportsWhatNoFixItMends) {
+TEST(Check, ReportsErrorsWithoutAFixIt) {
   const ScratchFolder scratch;
   const std::string source = scratch.Write("p.c", "int rate = 25;\nint f()\n{\n  rate++;\n}\n");
   const ProcessResult result = RunOncard({"check", "--fix", source});
@@ -201,9 +201,9 @@ TEST(Check, ReadsStandardInput) {
   const ProcessResult bad = piped("bad.c", "-");
   EXPECT_EQ(bad.exit_code, 1);
   EXPECT_THAT(bad.err, HasSubstr("<stdin>:3:10: error MP027"));
-  const ProcessResult mended = piped("loop.c", "--fix -");
-  EXPECT_EQ(mended.exit_code, 0) << mended.err;
-  EXPECT_THAT(mended.out, HasSubstr("goto lbl_loop;"));
+  const ProcessResult corrected = piped("loop.c", "--fix -");
+  EXPECT_EQ(corrected.exit_code, 0) << corrected.err;
+  EXPECT_THAT(corrected.out, HasSubstr("goto lbl_loop;"));
   EXPECT_EQ(piped("loop.c", "--fix --format=json -").exit_code, 2);
   EXPECT_EQ(piped("/dev/zero", "-").exit_code, 3);
   EXPECT_EQ(piped("/dev/null", "-").exit_code, 0);
@@ -258,7 +258,7 @@ TEST(Explain, ListsAllCodesWithoutOne) {
   EXPECT_THAT(list, HasSubstr("MP027  undeclared\n"));
 }
 
-TEST(Explain, ListsWhatHasTheWords) {
+TEST(Explain, ListsThePagesThatContainAllWords) {
   const std::string list = RunOncard({"explain", "goto", "condition"}).out;
   EXPECT_THAT(list, HasSubstr("MP101 while-loop\n    the language has no 'while'; "));
   EXPECT_THAT(list, Not(HasSubstr("MP027")));

@@ -257,12 +257,12 @@ TEST(Explore, AFailureBecomesARegressionScenario) {
   // Changed lines before the fault have no effect.
   scratch.Write("p.c", std::string("int other;\n") + kLostUpdate);
   EXPECT_EQ(run({"test", "lost.toml"}).exit_code, 1);
-  std::string mended = kLostUpdate;
-  for (size_t at = mended.find("g = r + 1;"); at != std::string::npos;
-       at = mended.find("g = r + 1;")) {
-    mended.replace(at, 10, "g = g + 1;");
+  std::string corrected = kLostUpdate;
+  for (size_t at = corrected.find("g = r + 1;"); at != std::string::npos;
+       at = corrected.find("g = r + 1;")) {
+    corrected.replace(at, 10, "g = g + 1;");
   }
-  scratch.Write("p.c", mended);
+  scratch.Write("p.c", corrected);
   const ProcessResult test = run({"test", "lost.toml"});
   EXPECT_EQ(test.exit_code, 0) << test.out;
   EXPECT_EQ(run({"explore", "lost.toml"}).exit_code, 5);

@@ -11,7 +11,7 @@
 namespace oncard::compiler {
 
 /// A program after its fix-its.
-struct Mended {
+struct CorrectedProgram {
   /// The remaining diagnostics, which no fix-it corrects.
   Compilation compilation;
   /// Number of diagnostics that were corrected.
@@ -27,7 +27,7 @@ std::string ApplyEdits(const std::string& text, std::vector<FixIt> edits);
 /// and the others are computed again, because each applies to the current text. Included files are
 /// corrected as well. Terminates, because an edit that leads back to an earlier text is the last
 /// one.
-Mended Mend(const std::string& path, std::string text, const Options& options,
-            const FileReader& reader);
+CorrectedProgram ApplyAllFixIts(const std::string& path, std::string text, const Options& options,
+                                const FileReader& reader);
 
 }  // namespace oncard::compiler

@@ -1,4 +1,4 @@
-#include "compiler/mender.h"
+#include "compiler/fix_it_applier.h"
 
 #include <algorithm>
 #include <functional>
@@ -119,34 +119,34 @@ std::string ApplyEdits(const std::string& text, std::vector<FixIt> edits) {
   return result.append(text, position);
 }
 
-Mended Mend(const std::string& path, std::string text, const Options& options,
-            const FileReader& reader) {
-  Mended mended;
-  const FileReader mended_reader = [&](const std::string& name) -> Result<std::string> {
-    const auto found = mended.files.find(name);
-    if (found != mended.files.end()) return found->second;
+CorrectedProgram ApplyAllFixIts(const std::string& path, std::string text, const Options& options,
+                                const FileReader& reader) {
+  CorrectedProgram corrected;
+  const FileReader corrected_reader = [&](const std::string& name) -> Result<std::string> {
+    const auto found = corrected.files.find(name);
+    if (found != corrected.files.end()) return found->second;
     return reader(name);
   };
   Options all = options;
   all.max_errors = 0;
   std::set<size_t> seen;
   for (;;) {
-    const Compilation compilation = CompileText(path, text, all, mended_reader);
+    const Compilation compilation = CompileText(path, text, all, corrected_reader);
     std::map<int, std::vector<FixIt>> edits;
     const int count = Choose(compilation, &edits);
-    std::map<std::string, std::string> files = mended.files;
+    std::map<std::string, std::string> files = corrected.files;
     for (const auto& [file, of_file] : edits) {
       const SourceFile& source = compilation.files[static_cast<size_t>(file)];
       files[source.path()] = ApplyEdits(source.text(), of_file);
     }
     if (count == 0 || !seen.insert(Fingerprint(files)).second) break;
-    mended.files = std::move(files);
-    mended.count += count;
-    const auto program = mended.files.find(path);
-    if (program != mended.files.end()) text = program->second;
+    corrected.files = std::move(files);
+    corrected.count += count;
+    const auto program = corrected.files.find(path);
+    if (program != corrected.files.end()) text = program->second;
   }
-  mended.compilation = CompileText(path, std::move(text), options, mended_reader);
-  return mended;
+  corrected.compilation = CompileText(path, std::move(text), options, corrected_reader);
+  return corrected;
 }
 
 }  // namespace oncard::compiler
