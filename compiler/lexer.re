@@ -282,7 +282,7 @@ const char* Lexer::SkipComment(const char* begin, const char* limit) {
 
 // In structured C a `\` at the end of the line continues a comment.
 const char* Lexer::EndOfLineComment(const char* end, const char* limit) const {
-  const auto continues = [end, this](const char* at) {
+  const auto continues = [this](const char* at) {
     while (at > text_.data() && (at[-1] == '\r' || at[-1] == ' ' || at[-1] == '\t')) --at;
     return at > text_.data() && at[-1] == '\\';
   };

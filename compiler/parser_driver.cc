@@ -54,6 +54,16 @@ Message WhyNotForTheCard(std::string_view word) {
 int DepthOf(const ExpressionPtr& expression) { return expression ? expression->depth : 0; }
 int DepthOf(const StatementPtr& statement) { return statement ? statement->depth : 0; }
 
+int DepthOf(const TypeName& type) {
+  int depth = 0;
+  for (const ExpressionPtr& size : type.sizes) depth = std::max(depth, DepthOf(size));
+  if (type.specifiers.enumeration == nullptr) return depth;
+  for (const Enumerator& constant : type.specifiers.enumeration->enumerators) {
+    depth = std::max(depth, DepthOf(constant.value));
+  }
+  return depth;
+}
+
 SourceRange EndOf(SourceRange range) {
   range.begin = range.end;
   return range;
@@ -349,6 +359,11 @@ void ParserDriver::SyntaxError(std::span<const Parser::symbol_kind_type> expecte
     reporter_.Report(Code::kMissingLabel, found.range, what);
     return;
   }
+  if (dialect_ == Dialect::kStructured && found.kind == Kind::kElse && statement_start) {
+    AddNote(reporter_.Report(Code::kCannotStart, found.range, what),
+            MakeMessage("there is no 'if' before it", "它之前没有 'if'"));
+    return;
+  }
   if (found.kind == Kind::kReserved || (found.kind == Kind::kElse && statement_start)) {
     ReportReservedWord(found);
     return;
@@ -391,6 +406,9 @@ void ParserDriver::SyntaxError(std::span<const Parser::symbol_kind_type> expecte
   } else if (has(Symbol::S_Int) && before != Kind::kStar) {
     reporter_.Report(Code::kNotAType, found.range, what,
                      std::string_view("int, double, long, short"));
+  } else if (dialect_ == Dialect::kStructured &&
+             (has(Symbol::S_Colon) || has(Symbol::S_LabelColon))) {
+    reporter_.Report(Code::kUnexpected, found.range, what, std::string_view("':'"));
   } else if (has(Symbol::S_CloseParen)) {
     reporter_.Report(Code::kMissingCloseParen, found.range, what);
   } else if (has(Symbol::S_CloseBracket)) {
@@ -410,11 +428,7 @@ void ParserDriver::LimitDepth(Expression& expression) {
   for (const ExpressionPtr& operand : expression.operands) {
     depth = std::max(depth, DepthOf(operand));
   }
-  if (expression.type != nullptr) {
-    for (const ExpressionPtr& size : expression.type->sizes) {
-      depth = std::max(depth, DepthOf(size));
-    }
-  }
+  if (expression.type != nullptr) depth = std::max(depth, DepthOf(*expression.type));
   expression.depth = depth + 1;
   if (expression.depth <= kDepthMax) return;
   if (!too_deep_reported_) {

@@ -152,6 +152,12 @@ void Refusals::VisitDeclarator(const Declarator& declarator) {
 // The words of a type are one of the types of kTypes, and together one that C has.
 void Refusals::VisitSpecifiers(const Specifiers& specifiers, Use use) {
   if (specifiers.enumeration != nullptr) {
+    if (specifiers.enumeration->defined && use != Use::kVariable) {
+      reporter_.Report(Code::kNotForTheCard, specifiers.enumeration->range,
+                       std::string_view("enum"),
+                       MakeMessage("define it before, in a declaration of its own",
+                                   "请在此之前用单独的声明定义它"));
+    }
     for (const Enumerator& constant : specifiers.enumeration->enumerators) {
       Visit(constant.value.get());
     }

@@ -10,6 +10,9 @@ int a[4] = {[2] = 1}; // expect error MP206
 int b[2] = {.x = 1}; // expect error MP206
 void f(int (*each)(int)); // expect error MP206
 struct Flags { unsigned low : 4; } flags; // expect error MP206
+int g(enum { kA } a); // expect error MP206
+enum { kB } h(int a); // expect error MP206
+int i = sizeof(enum { kC }); // expect error MP206
 void t0() {
   int c;
   asm("nop"); // expect error MP206
