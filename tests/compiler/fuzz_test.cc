@@ -6,7 +6,9 @@
 #include <random>
 
 #include "base/files.h"
+#include "compiler/structured_source.h"
 #include "compiler/syntax.h"
+#include "compiler/tree_walk.h"
 #include "tests/compiler/compiler_support.h"
 #include "vm/verifier.h"
 
@@ -16,8 +18,44 @@ namespace {
 constexpr uint32_t kSeed = 20090909;
 constexpr int kMutationsPerProgram = 40;
 
+// Structured C, too, has a tree and messages with places inside the text only.
+void CheckStructured(const std::string& text, const MemoryFiles& files) {
+  Reporter reporter;
+  const StructuredSource source(
+      "test.c", text, {},
+      [&files](const std::string& path) -> Result<std::string> {
+        const auto found = files.find(path);
+        if (found == files.end()) return MakeError(kNoSuchFile, "missing", "缺少");
+        return found->second;
+      },
+      reporter);
+  source.AddMacroNotes(reporter);
+  const auto inside = [&source](const SourceRange& range) {
+    return static_cast<size_t>(range.file) < source.files().size() && range.begin <= range.end &&
+           range.end <= source.files()[static_cast<size_t>(range.file)].text().size();
+  };
+  for (const Diagnostic& diagnostic : reporter.diagnostics()) {
+    ASSERT_TRUE(inside(diagnostic.range)) << DiagnosticName(diagnostic.info->code) << '\n' << text;
+    for (const Note& note : diagnostic.notes) {
+      ASSERT_TRUE(!note.has_place || inside(note.range)) << text;
+    }
+    for (const FixIt& edit : diagnostic.fixits) ASSERT_TRUE(inside(edit.range)) << text;
+  }
+  for (const StatementPtr& item : source.tree().items) {
+    ForEachStatement(*item, [&](const Statement& statement) {
+      EXPECT_TRUE(inside(statement.range)) << text;
+      ForEachWholeExpression(statement, [&](const Expression& whole) {
+        ForEachExpression(whole, [&](const Expression& expression) {
+          EXPECT_TRUE(inside(expression.range)) << text;
+        });
+      });
+    });
+  }
+}
+
 void Check(const std::string& text) {
   const MemoryFiles files = {{"a.h", "#define A 1\nint t9() { return"}, {"b.h", text}};
+  ASSERT_NO_FATAL_FAILURE(CheckStructured(text, files));
   Options options;
   options.max_errors = 0;
   const Compilation compilation = CompileString(text, options, files);
@@ -115,6 +153,16 @@ TEST(Fuzz, MutatedPrograms) {
                                             "#include \"a.h\"\n",
                                             "#include \"b.h\"\n",
                                             "#define A 2\n",
+                                            "#define F(a) a F(a) A\n",
+                                            "F(",
+                                            "#if 1\n",
+                                            "#else\n",
+                                            "#endif\n",
+                                            "\\\n",
+                                            "enum ",
+                                            "sizeof(",
+                                            "typedef ",
+                                            "...",
                                             "long ",
                                             "void ",
                                             "double "};
@@ -185,13 +233,21 @@ TEST(Fuzz, RandomTokens) {
 
 // Long and deep input: the time must be proportional to the length, and the stack limited.
 TEST(Fuzz, ManyOfOneThing) {
-  for (const std::string piece :
-       {"(",   ")",       "{",         "}",        "[",         "]",          "a[",
-        "-",   "!",       "a+",        "a,",       "if(a)",     "else ",      "while(a)",
-        "do ", "for(;;)", "{int f(){", "int f(){", "int a[1]",  "\"",         "'",
-        "/*",  "//",      "#",         "#define ", "a:",        "case 1:",    "goto ",
-        ";",   "int ",    "a ",        "a=",       "a?",        "a.b",        "&",
-        "0",   ".",       "\xFF",      "= {",      "int x = {", "switch(a){", "return "}) {
+  for (const std::string piece : {"(",         ")",          "{",
+                                  "}",         "[",          "]",
+                                  "a[",        "-",          "!",
+                                  "a+",        "a,",         "if(a)",
+                                  "else ",     "while(a)",   "do ",
+                                  "for(;;)",   "{int f(){",  "int f(){",
+                                  "int a[1]",  "\"",         "'",
+                                  "/*",        "//",         "#",
+                                  "#define ",  "#if 1\n",    "sizeof(enum{a=",
+                                  "F(",        "a:",         "case 1:",
+                                  "goto ",     ";",          "int ",
+                                  "a ",        "a=",         "a?",
+                                  "a.b",       "&",          "0",
+                                  ".",         "\xFF",       "= {",
+                                  "int x = {", "switch(a){", "return "}) {
     std::string text = "int a; int t0() {\n";
     for (int i = 0; i < 3000; ++i) text += piece;
     ASSERT_NO_FATAL_FAILURE(Check(text)) << piece;

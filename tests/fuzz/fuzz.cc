@@ -18,6 +18,7 @@ struct Target {
 
 constexpr Target kTargets[] = {
     {"source", FuzzSource},
+    {"structured", FuzzStructured},
     {"object", FuzzObject},
     {"disassembler", FuzzDisassembler},
     {"scenario", FuzzScenario},

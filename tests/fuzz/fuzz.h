@@ -22,6 +22,7 @@
 namespace oncard::fuzz {
 
 void FuzzSource(std::string_view bytes);
+void FuzzStructured(std::string_view bytes);
 void FuzzObject(std::string_view bytes);
 void FuzzDisassembler(std::string_view bytes);
 void FuzzScenario(std::string_view bytes);

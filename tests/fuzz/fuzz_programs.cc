@@ -4,6 +4,8 @@
 #include "base/files.h"
 #include "compiler/compiler.h"
 #include "compiler/diagnostic_printer.h"
+#include "compiler/structured_source.h"
+#include "compiler/tree_walk.h"
 #include "gtcalls/gts/catalogue.h"
 #include "runtime/scenario/scenario_run.h"
 #include "tests/fuzz/fuzz.h"
@@ -97,6 +99,37 @@ void FuzzSource(std::string_view bytes) {
   const auto read = vm::ReadObject(vm::WriteObject(object, false));
   FUZZ_CHECK(read.ok());
   RunBriefly(object);
+}
+
+void FuzzStructured(std::string_view bytes) {
+  const compiler::Options options;
+  compiler::Reporter reporter;
+  const compiler::StructuredSource source("p.c", std::string(bytes), options, ReadIncluded,
+                                          reporter);
+  source.AddMacroNotes(reporter);
+  const auto check = [&source](const compiler::SourceRange& range) {
+    FUZZ_CHECK(static_cast<size_t>(range.file) < source.files().size());
+    FUZZ_CHECK(range.begin <= range.end);
+    FUZZ_CHECK(range.end <= source.files()[static_cast<size_t>(range.file)].text().size());
+  };
+  for (const compiler::Diagnostic& diagnostic : reporter.diagnostics()) {
+    check(diagnostic.range);
+    for (const compiler::Note& note : diagnostic.notes) {
+      if (note.has_place) check(note.range);
+    }
+    for (const compiler::FixIt& edit : diagnostic.fixits) check(edit.range);
+  }
+  const auto check_expression = [&check](const compiler::Expression& expression) {
+    check(expression.range);
+  };
+  for (const compiler::StatementPtr& item : source.tree().items) {
+    compiler::ForEachStatement(*item, [&](const compiler::Statement& statement) {
+      check(statement.range);
+      compiler::ForEachWholeExpression(statement, [&](const compiler::Expression& whole) {
+        compiler::ForEachExpression(whole, check_expression);
+      });
+    });
+  }
 }
 
 void FuzzObject(std::string_view bytes) {
