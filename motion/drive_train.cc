@@ -85,8 +85,9 @@ void DriveTrain::Keep(size_t axis, double difference) {
 }
 
 void DriveTrain::Advance() {
-  for (size_t i = 0; i < axis_count(); ++i) AdvancePlant(i);
-  for (size_t i = 0; i < axis_count(); ++i) {
+  const size_t count = axis_count();
+  for (size_t i = 0; i < count; ++i) AdvancePlant(i);
+  for (size_t i = 0; i < count; ++i) {
     if (state_.encoder_faults[i].any()) AdvanceEncoderFault(i);
     CountEncoder(i);
   }
@@ -95,12 +96,13 @@ void DriveTrain::Advance() {
 }
 
 void DriveTrain::MapEncoders() {
-  for (size_t i = 0; i < axis_count(); ++i) {
+  const size_t count = axis_count();
+  for (size_t i = 0; i < count; ++i) {
     Axis& axis = state_.axes[i];
     if (!axis.active) continue;
     double velocity = 0;
     double acceleration = 0;
-    ForEachBit(axis.encoder_map, axis_count(), [&](size_t encoder) {
+    ForEachBit(axis.encoder_map, count, [&](size_t encoder) {
       velocity += state_.encoders[encoder].velocity;
       acceleration += state_.encoders[encoder].acceleration;
     });

@@ -28,7 +28,12 @@ void MotionCore::Tick() {
   ++state_.clock_cycle;
   AdvanceProfiles();
   MapProfiles();
-  for (size_t i = 0; i < axis_count(); ++i) GuardAxis(i);
+  const Readings present = readings();
+  for (size_t i = 0; i < axis_count(); ++i) {
+    const Axis& axis = state_.axes[i];
+    // Most axes have no latched condition and no cause to latch one.
+    if (axis.latched != 0 || present.ActiveCauses(axis) != 0) GuardAxis(i);
+  }
   if (state_.compensates) AdvanceCompensations();
   AdvanceDrives();
   for (size_t i = 0; i < axis_count(); ++i) JudgeControl(state_.controls[i]);
@@ -87,11 +92,13 @@ int64_t MotionCore::ClockMs() const { return ClockUs() / 1000; }
 // --- Steps of a tick ---------------------------------------------------------------------------
 
 void MotionCore::AdvanceProfiles() {
+  const Readings present = readings();
   bool crd_slaves = false;
   for (size_t i = 0; i < axis_count(); ++i) {
     const Profile& profile = state_.profiles[i];
     if (!profile.now.moving || profile.driven) continue;
-    if (readings().FollowsCrd(profile)) {
+    // Most profiles have no master.
+    if (profile.FollowedMaster() != nullptr && present.FollowsCrd(profile)) {
       crd_slaves = true;
     } else {
       AdvanceProfile(i);
@@ -102,7 +109,7 @@ void MotionCore::AdvanceProfiles() {
   }
   if (!crd_slaves) return;
   for (size_t i = 0; i < axis_count(); ++i) {
-    if (readings().FollowsCrd(state_.profiles[i])) AdvanceProfile(i);
+    if (present.FollowsCrd(state_.profiles[i])) AdvanceProfile(i);
   }
 }
 
@@ -133,10 +140,11 @@ void MotionCore::BeginProfile(size_t index) {
 }
 
 void MotionCore::MapProfiles() {
+  const Readings present = readings();
   for (size_t i = 0; i < axis_count(); ++i) {
     Axis& axis = state_.axes[i];
     if (!axis.active) continue;
-    const MasterValue planned = readings().PlannedAxis(axis);
+    const MasterValue planned = present.PlannedAxis(axis);
     axis.profile.position = planned.position;
     axis.profile.velocity = planned.velocity;
     axis.profile.acceleration = planned.acceleration;
