@@ -114,6 +114,11 @@ class ParserDriver {
   std::unordered_set<std::string_view> skipped_names_;
 };
 
+/// Whether a word can be part of a type.
+bool IsTypeWord(int kind);
+
+/// The empty range after a range.
+SourceRange EndOf(SourceRange range);
 /// The range from the first to the last; only the last if they are in different files.
 SourceRange Join(SourceRange first, SourceRange last);
 

@@ -1,0 +1,183 @@
+// The messages of syntax errors: what is missing, or which construct of C cannot be there.
+#include <algorithm>
+
+#include "compiler/lexer.h"
+#include "compiler/parser_driver.h"
+
+namespace oncard::compiler {
+namespace {
+
+using Kind = Parser::token;
+using Symbol = Parser::symbol_kind;
+
+// The reason for a reserved word of structured C.
+Message WhyNotForTheCard(std::string_view word) {
+  if (word == "struct" || word == "union") {
+    return MakeMessage(
+        "the only structures are TTrapPrm, TJogPrm and TPid; declare a variable or an array for "
+        "each member",
+        "只有 TTrapPrm、TJogPrm 和 TPid 三种结构；请为每个成员声明一个变量或数组");
+  }
+  if (word == "typedef") return MakeMessage("write the type itself", "请直接写出类型");
+  if (word.find("asm") != std::string_view::npos) {
+    return MakeMessage("the card does not run machine code", "控制卡不能运行机器码");
+  }
+  return MakeMessage("leave it out", "请去掉它");
+}
+
+}  // namespace
+
+void ParserDriver::ReportReservedWord(const Token& token) {
+  Message hint;
+  if (token.kind == Kind::kElse) {
+    hint = MakeMessage("there is no 'if' before it", "它之前没有 'if'");
+  } else if (token.text == "sizeof") {
+    hint = MakeMessage("write the number", "请直接写出数值");
+  } else if (token.text == "enum") {
+    hint = MakeMessage("write a #define for each name", "请为每个名称写一条 #define");
+  } else if (token.text == "typedef") {
+    hint = MakeMessage("write int or double", "请直接写 int 或 double");
+  } else {
+    hint = MakeMessage("the only structures are TTrapPrm, TJogPrm and TPid",
+                       "只有 TTrapPrm、TJogPrm 和 TPid 三种结构");
+  }
+  reporter_.Report(Code::kReservedWord, token.range, token.text, hint);
+}
+
+// Whether the last token follows the parentheses of `f(a, b)`, in which no parameter has a type.
+bool ParserDriver::AfterUntypedParameters() const {
+  bool named = false;
+  for (size_t i = next_ - 1; i-- > 1 && tokens_[i - 1].kind != Kind::kOpenParen;) {
+    if (tokens_[i - 1].kind != Kind::kName && tokens_[i - 1].kind != Kind::kComma) return false;
+    named = true;
+  }
+  return named;
+}
+
+// A syntax error that is a construct of C which structured C leaves out: reports the reason.
+bool ParserDriver::ReportUntranslatable(bool operand) {
+  const Token& found = *last_;
+  const int before = previous_ != nullptr ? previous_->kind : Kind::kEnd;
+  std::string_view word = found.text;
+  Message why;
+  if (found.kind == Kind::kReserved) {
+    why = WhyNotForTheCard(word);
+  } else if (before == Kind::kGoto && found.kind == Kind::kStar) {
+    word = "goto *";
+    why = MakeMessage("jump to a label, and choose one with 'switch'",
+                      "请跳转到标号，并用 'switch' 选择");
+  } else if (operand && found.text == "&&") {
+    why = MakeMessage("a label has no address; choose one with 'switch'",
+                      "标号没有地址；请用 'switch' 选择");
+  } else if (found.kind == Kind::kEllipsis && !operand) {
+    why = MakeMessage("a function has a fixed number of parameters", "函数的参数个数是固定的");
+  } else if (found.kind == Kind::kOpenParen && IsTypeWord(before)) {
+    word = "(*)";
+    why = MakeMessage("there are no pointers to functions; call them by name",
+                      "没有函数指针；请用名称调用函数");
+  } else if ((found.kind == Kind::kOpenBracket || found.kind == Kind::kDot) && operand &&
+             !braces_.empty() && braces_.back().initialiser) {
+    why = MakeMessage("write all values in order, without the places that they are for",
+                      "请按顺序写出所有的值，不要写明位置");
+  } else if (found.kind == Kind::kOpenBrace && operand) {
+    why = MakeMessage("a value in braces or a statement inside an expression; use a variable",
+                      "表达式中的花括号值或语句；请使用变量");
+  } else {
+    return false;
+  }
+  reporter_.Report(Code::kNotForTheCard, found.range, word, why);
+  return true;
+}
+
+void ParserDriver::SyntaxError(std::span<const Parser::symbol_kind_type> expected) {
+  const auto has = [expected](Parser::symbol_kind_type kind) {
+    return std::find(expected.begin(), expected.end(), kind) != expected.end();
+  };
+  const Token& found = *last_;
+  const int before = previous_ != nullptr ? previous_->kind : Kind::kEnd;
+  const SourceRange after_previous = previous_ != nullptr ? EndOf(previous_->range) : found.range;
+  const Message what = DescribeToken(found);
+  resume_ = false;
+  errors_here_ = last_ == error_at_ ? errors_here_ + 1 : 0;
+  error_at_ = last_;
+  if (errors_here_ > 0) return;
+
+  // The lexer has reported these; consequential errors are not reported.
+  if (found.kind == Kind::kInvalid || found.literal.invalid) return;
+  if (previous_ != nullptr && previous_->literal.invalid && !found.on_new_line) return;
+  if (found.kind == Kind::kHash) {
+    reporter_.Report(Code::kIllegalCharacter, found.range, std::string_view("'#'"));
+    return;
+  }
+  const bool statement_start = has(Symbol::S_If);
+  const bool operand = has(Symbol::S_Integer) && !statement_start;
+  if (dialect_ == Dialect::kStructured && ReportUntranslatable(operand)) return;
+  if (before == Kind::kGoto) {
+    reporter_.Report(Code::kMissingLabel, found.range, what);
+    return;
+  }
+  if (dialect_ == Dialect::kStructured && found.kind == Kind::kElse && statement_start) {
+    AddNote(reporter_.Report(Code::kCannotStart, found.range, what),
+            MakeMessage("there is no 'if' before it", "它之前没有 'if'"));
+    return;
+  }
+  if (found.kind == Kind::kReserved || (found.kind == Kind::kElse && statement_start)) {
+    ReportReservedWord(found);
+    return;
+  }
+  const Token* following = next_ < tokens_.size() ? &tokens_[next_] : nullptr;
+  if (!operand && !statement_start && (found.kind == Kind::kInteger || found.kind == Kind::kName) &&
+      following != nullptr && following->kind == Kind::kCloseBracket) {
+    InsertBefore(reporter_.Report(Code::kMissingOpenBracket, found.range, what), found.range, "[");
+    return;
+  }
+  if (has(Symbol::S_OpenBrace) && before == Kind::kCloseParen && !statement_start) {
+    if (dialect_ == Dialect::kStructured && AfterUntypedParameters()) return;  // reported later
+    Diagnostic& diagnostic = reporter_.Report(Code::kMissingOpenBrace, found.range, what);
+    InsertAfter(diagnostic, after_previous, " {");
+    return;
+  }
+  if (found.kind == Kind::kEnd) {
+    const char* wanted = has(Symbol::S_Semicolon) && !statement_start ? "';'"
+                         : has(Symbol::S_CloseParen)                  ? "')'"
+                         : has(Symbol::S_CloseBracket)                ? "']'"
+                                                                      : nullptr;
+    reporter_.Report(Code::kUnexpectedEnd, EndOf(found.range),
+                     wanted != nullptr
+                         ? ToMessage(std::string_view(wanted))
+                         : MakeMessage("the rest of the statement", "语句的其余部分"));
+    return;
+  }
+  const bool other_than_name = has(Symbol::S_Semicolon) || has(Symbol::S_Int) ||
+                               has(Symbol::S_CloseParen) || has(Symbol::S_CloseBracket);
+  if (statement_start) {
+    reporter_.Report(Code::kCannotStart, found.range, what);
+  } else if (operand) {
+    reporter_.Report(Code::kExpectedOperand, found.range, what);
+  } else if (has(Symbol::S_Name) && (IsTypeWord(before) || !other_than_name)) {
+    reporter_.Report(Code::kExpectedName, found.range, what);
+  } else if (has(Symbol::S_Semicolon)) {
+    Diagnostic& diagnostic = reporter_.Report(Code::kMissingSemicolon, after_previous, what);
+    InsertAfter(diagnostic, after_previous, ";");
+    resume_ = found.on_new_line || found.kind == Kind::kCloseBrace;
+  } else if (has(Symbol::S_Int) && before != Kind::kStar) {
+    reporter_.Report(Code::kNotAType, found.range, what,
+                     std::string_view("int, double, long, short"));
+  } else if (dialect_ == Dialect::kStructured &&
+             (has(Symbol::S_Colon) || has(Symbol::S_LabelColon))) {
+    reporter_.Report(Code::kUnexpected, found.range, what, std::string_view("':'"));
+  } else if (has(Symbol::S_CloseParen)) {
+    reporter_.Report(Code::kMissingCloseParen, found.range, what);
+  } else if (has(Symbol::S_CloseBracket)) {
+    reporter_.Report(Code::kMissingCloseBracket, found.range, what);
+  } else if (has(Symbol::S_OpenParen)) {
+    reporter_.Report(Code::kMissingOpenParen, found.range, what);
+  } else {
+    reporter_.Report(Code::kUnexpected, found.range, what,
+                     std::string_view(has(Symbol::S_Colon)   ? "':'"
+                                      : has(Symbol::S_While) ? "'while (...);'"
+                                                             : "'}'"));
+  }
+}
+
+}  // namespace oncard::compiler

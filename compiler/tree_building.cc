@@ -1,0 +1,345 @@
+// The nodes of the syntax tree, as the parser builds them.
+#include <algorithm>
+
+#include "compiler/parser_driver.h"
+
+namespace oncard::compiler {
+namespace {
+
+int DepthOf(const ExpressionPtr& expression) { return expression ? expression->depth : 0; }
+int DepthOf(const StatementPtr& statement) { return statement ? statement->depth : 0; }
+
+int DepthOf(const TypeName& type) {
+  int depth = 0;
+  for (const ExpressionPtr& size : type.sizes) depth = std::max(depth, DepthOf(size));
+  if (type.specifiers.enumeration == nullptr) return depth;
+  for (const Enumerator& constant : type.specifiers.enumeration->enumerators) {
+    depth = std::max(depth, DepthOf(constant.value));
+  }
+  return depth;
+}
+
+}  // namespace
+
+void ParserDriver::LimitDepth(Expression& expression) {
+  int depth = 0;
+  for (const ExpressionPtr& operand : expression.operands) {
+    depth = std::max(depth, DepthOf(operand));
+  }
+  if (expression.type != nullptr) depth = std::max(depth, DepthOf(*expression.type));
+  expression.depth = depth + 1;
+  if (expression.depth <= kDepthMax) return;
+  if (!too_deep_reported_) {
+    reporter_.Report(Code::kTooDeep, expression.range, int64_t{kDepthMax});
+    too_deep_reported_ = true;
+  }
+  expression.kind = Expression::Kind::kError;
+  expression.operands.clear();
+  expression.type.reset();
+  expression.depth = 1;
+}
+
+StatementPtr ParserDriver::LimitDepth(StatementPtr statement) {
+  int depth = std::max(
+      {DepthOf(statement->initial), DepthOf(statement->body), DepthOf(statement->else_body)});
+  for (const StatementPtr& item : statement->items) depth = std::max(depth, DepthOf(item));
+  if (statement->function != nullptr) {
+    for (const StatementPtr& item : statement->function->body) {
+      depth = std::max(depth, DepthOf(item));
+    }
+  }
+  statement->depth = depth + 1;
+  if (statement->depth <= kDepthMax) return statement;
+  if (!too_deep_reported_) {
+    reporter_.Report(Code::kTooDeep, statement->keyword, int64_t{kDepthMax});
+    too_deep_reported_ = true;
+  }
+  return MakeStatement(Statement::Kind::kError, statement->range);
+}
+
+ExpressionPtr ParserDriver::Binary(Expression::Kind kind, ExpressionPtr left, const Token* op,
+                                   ExpressionPtr right, SourceRange range) {
+  ExpressionPtr result = MakeExpression(kind, range);
+  result->op = op->text;
+  result->op_range = op->range;
+  result->operands.push_back(std::move(left));
+  result->operands.push_back(std::move(right));
+  LimitDepth(*result);
+  return result;
+}
+
+ExpressionPtr ParserDriver::Unary(Expression::Kind kind, const Token* op, ExpressionPtr operand,
+                                  SourceRange range) {
+  ExpressionPtr result = MakeExpression(kind, range);
+  result->op = op->text;
+  result->op_range = op->range;
+  result->operands.push_back(std::move(operand));
+  LimitDepth(*result);
+  return result;
+}
+
+ExpressionPtr ParserDriver::Conditional(ExpressionPtr condition, const Token* op, ExpressionPtr yes,
+                                        ExpressionPtr no, SourceRange range) {
+  ExpressionPtr result = MakeExpression(Expression::Kind::kConditional, range);
+  result->op = op->text;
+  result->op_range = op->range;
+  result->operands.push_back(std::move(condition));
+  result->operands.push_back(std::move(yes));
+  result->operands.push_back(std::move(no));
+  LimitDepth(*result);
+  return result;
+}
+
+ExpressionPtr ParserDriver::Cast(TypeNamePtr type, ExpressionPtr operand, SourceRange range) {
+  ExpressionPtr result = MakeExpression(Expression::Kind::kCast, range);
+  // Only a single word can be the type of a cast.
+  const std::vector<const Token*>& words = type->specifiers.words;
+  if (words.size() == 1 && !type->pointer) result->text = words[0]->text;
+  result->op_range = type->specifiers.range;
+  result->type = std::move(type);
+  result->operands.push_back(std::move(operand));
+  LimitDepth(*result);
+  return result;
+}
+
+ExpressionPtr ParserDriver::SizeOf(ExpressionPtr operand, SourceRange range) {
+  ExpressionPtr result = MakeExpression(Expression::Kind::kSizeof, range);
+  result->operands.push_back(std::move(operand));
+  LimitDepth(*result);
+  return result;
+}
+
+ExpressionPtr ParserDriver::SizeOfType(TypeNamePtr type, SourceRange range) {
+  ExpressionPtr result = MakeExpression(Expression::Kind::kSizeof, range);
+  result->type = std::move(type);
+  LimitDepth(*result);
+  return result;
+}
+
+ExpressionPtr ParserDriver::Index(ExpressionPtr array, ExpressionPtr index, SourceRange range) {
+  ExpressionPtr result = MakeExpression(Expression::Kind::kIndex, range);
+  result->operands.push_back(std::move(array));
+  result->operands.push_back(std::move(index));
+  LimitDepth(*result);
+  return result;
+}
+
+ExpressionPtr ParserDriver::Call(ExpressionPtr callee, std::vector<ExpressionPtr> arguments,
+                                 SourceRange range) {
+  ExpressionPtr result = MakeExpression(Expression::Kind::kCall, range);
+  result->operands.push_back(std::move(callee));
+  for (ExpressionPtr& argument : arguments) result->operands.push_back(std::move(argument));
+  LimitDepth(*result);
+  return result;
+}
+
+ExpressionPtr ParserDriver::Member(ExpressionPtr structure, const Token* op, const Token* name,
+                                   SourceRange range) {
+  ExpressionPtr result = MakeExpression(Expression::Kind::kMember, range);
+  result->op = op->text;
+  result->op_range = name->range;
+  result->text = name->text;
+  result->operands.push_back(std::move(structure));
+  LimitDepth(*result);
+  return result;
+}
+
+ExpressionPtr ParserDriver::Paren(ExpressionPtr inner, SourceRange range) {
+  ExpressionPtr result = MakeExpression(Expression::Kind::kParen, range);
+  result->operands.push_back(std::move(inner));
+  LimitDepth(*result);
+  return result;
+}
+
+ExpressionPtr ParserDriver::Braces(std::vector<ExpressionPtr> values, SourceRange range) {
+  ExpressionPtr result = MakeExpression(Expression::Kind::kBraces, range);
+  result->operands = std::move(values);
+  LimitDepth(*result);
+  return result;
+}
+
+StatementPtr ParserDriver::ExpressionStatement(ExpressionPtr value, SourceRange range) {
+  too_deep_reported_ = false;
+  StatementPtr statement = MakeStatement(
+      value == nullptr ? Statement::Kind::kEmpty : Statement::Kind::kExpression, range);
+  statement->value = std::move(value);
+  return statement;
+}
+
+StatementPtr ParserDriver::BrokenStatement(ExpressionPtr value, SourceRange range) {
+  if (resume_) return ExpressionStatement(std::move(value), range);
+  return MakeStatement(Statement::Kind::kError, range);
+}
+
+StatementPtr ParserDriver::If(SourceRange keyword, ExpressionPtr condition, StatementPtr body,
+                              SourceRange else_keyword, StatementPtr else_body, SourceRange range) {
+  StatementPtr statement = MakeStatement(Statement::Kind::kIf, range);
+  statement->keyword = keyword;
+  statement->value = std::move(condition);
+  statement->body = std::move(body);
+  statement->other = else_keyword;
+  statement->else_body = std::move(else_body);
+  return LimitDepth(std::move(statement));
+}
+
+StatementPtr ParserDriver::Loop(Statement::Kind kind, SourceRange keyword, ExpressionPtr condition,
+                                StatementPtr body, SourceRange range) {
+  StatementPtr statement = MakeStatement(kind, range);
+  statement->keyword = keyword;
+  statement->value = std::move(condition);
+  statement->body = std::move(body);
+  return LimitDepth(std::move(statement));
+}
+
+StatementPtr ParserDriver::For(SourceRange keyword, StatementPtr initial, ExpressionPtr condition,
+                               ExpressionPtr step, StatementPtr body, SourceRange range) {
+  StatementPtr statement = MakeStatement(Statement::Kind::kFor, range);
+  statement->keyword = keyword;
+  statement->initial = std::move(initial);
+  statement->value = std::move(condition);
+  statement->step = std::move(step);
+  statement->body = std::move(body);
+  return LimitDepth(std::move(statement));
+}
+
+StatementPtr ParserDriver::Return(SourceRange keyword, ExpressionPtr value, SourceRange range) {
+  too_deep_reported_ = false;
+  StatementPtr statement = MakeStatement(Statement::Kind::kReturn, range);
+  statement->keyword = keyword;
+  statement->value = std::move(value);
+  return statement;
+}
+
+StatementPtr ParserDriver::FunctionItem(std::unique_ptr<Function> function, SourceRange range) {
+  StatementPtr statement = MakeStatement(Statement::Kind::kFunction, range);
+  statement->keyword = function->header;
+  statement->function = std::move(function);
+  return LimitDepth(std::move(statement));
+}
+
+StatementPtr ParserDriver::Block(std::vector<StatementPtr> items, SourceRange range) {
+  StatementPtr statement = MakeStatement(Statement::Kind::kBlock, range);
+  statement->items = std::move(items);
+  statement->keyword = range;
+  statement->keyword.end = range.begin + 1;
+  return LimitDepth(std::move(statement));
+}
+
+StatementPtr ParserDriver::Labelled(std::vector<StatementPtr> labels, StatementPtr statement,
+                                    SourceRange range) {
+  StatementPtr block = MakeStatement(Statement::Kind::kBlock, range);
+  block->keyword = labels.front()->range;
+  block->items = std::move(labels);
+  block->items.push_back(std::move(statement));
+  return LimitDepth(std::move(block));
+}
+
+SourceRange Join(SourceRange first, SourceRange last) {
+  if (first.file != last.file || last.end < first.begin) return last;
+  return {first.file, first.begin, last.end};
+}
+
+void Append(std::vector<StatementPtr>& items, StatementPtr item) {
+  items.push_back(std::move(item));
+}
+
+StatementPtr MakeStatement(Statement::Kind kind, SourceRange range) {
+  StatementPtr statement = std::make_unique<Statement>();
+  statement->kind = kind;
+  statement->range = statement->keyword = range;
+  return statement;
+}
+
+StatementPtr MakeNamed(Statement::Kind kind, const Token* name, SourceRange name_range,
+                       SourceRange range) {
+  StatementPtr statement = MakeStatement(kind, range);
+  statement->name = name->text;
+  statement->name_range = name_range;
+  return statement;
+}
+
+StatementPtr MakeDeclaration(Specifiers specifiers, std::vector<Declarator> declarators,
+                             SourceRange range) {
+  StatementPtr statement = MakeStatement(Statement::Kind::kDeclaration, range);
+  statement->keyword = specifiers.range;
+  statement->specifiers = std::move(specifiers);
+  statement->declarators = std::move(declarators);
+  return statement;
+}
+
+std::unique_ptr<Enumeration> MakeEnumeration(const Token* name, SourceRange range) {
+  auto enumeration = std::make_unique<Enumeration>();
+  enumeration->range = range;
+  if (name != nullptr) {
+    enumeration->name = name->text;
+    enumeration->name_range = name->range;
+  }
+  return enumeration;
+}
+
+StatementPtr MakeEnumDeclaration(std::unique_ptr<Enumeration> enumeration, SourceRange range) {
+  Specifiers specifiers;
+  specifiers.range = enumeration->range;
+  specifiers.enumeration = std::move(enumeration);
+  return MakeDeclaration(std::move(specifiers), {}, range);
+}
+
+StatementPtr MakeCase(SourceRange keyword, ExpressionPtr value, ExpressionPtr last,
+                      SourceRange range) {
+  StatementPtr statement = MakeStatement(Statement::Kind::kCase, range);
+  statement->keyword = keyword;
+  statement->value = std::move(value);
+  statement->last = std::move(last);
+  return statement;
+}
+
+TypeNamePtr MakeTypeName(Specifiers specifiers, bool pointer, std::vector<ExpressionPtr> sizes,
+                         SourceRange range) {
+  auto type = std::make_unique<TypeName>();
+  type->range = range;
+  type->specifiers = std::move(specifiers);
+  type->pointer = pointer;
+  type->sizes = std::move(sizes);
+  return type;
+}
+
+std::vector<ExpressionPtr> PutFirst(ExpressionPtr first, std::vector<ExpressionPtr> others) {
+  others.insert(others.begin(), std::move(first));
+  return others;
+}
+
+ExpressionPtr MakeExpression(Expression::Kind kind, SourceRange range) {
+  ExpressionPtr expression = std::make_unique<Expression>();
+  expression->kind = kind;
+  expression->range = range;
+  return expression;
+}
+
+ExpressionPtr MakeLiteral(const Token* token, SourceRange range) {
+  ExpressionPtr expression = MakeExpression(Expression::Kind::kLiteral, range);
+  expression->literal = token->literal;
+  expression->text = token->text;
+  return expression;
+}
+
+std::unique_ptr<Function> MakeFunction(Specifiers specifiers, bool pointer, const Token* name,
+                                       std::vector<ParameterDeclaration> parameters,
+                                       SourceRange range) {
+  auto function = std::make_unique<Function>();
+  function->header = range;
+  function->name = name->text;
+  function->name_range = name->range;
+  function->specifiers = std::move(specifiers);
+  function->pointer = pointer;
+  function->parameters = std::move(parameters);
+  return function;
+}
+
+void CloseFunction(Function& function, SourceRange open_brace, std::vector<StatementPtr> body,
+                   SourceRange close_brace) {
+  function.open_brace = open_brace;
+  function.close_brace = close_brace;
+  function.body = std::move(body);
+}
+
+}  // namespace oncard::compiler
