@@ -7,9 +7,6 @@ namespace {
 
 using Kind = Parser::token;
 
-// How far back to search for the names in a skipped statement and for the head of a `for`.
-constexpr size_t kLookBack = 64;
-
 }  // namespace
 
 bool IsTypeWord(int kind) {

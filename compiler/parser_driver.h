@@ -2,6 +2,7 @@
 // diagnosis of syntax errors.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string_view>
 #include <unordered_set>
@@ -89,6 +90,8 @@ class ParserDriver {
   void RememberNames(size_t begin, size_t end);
   void ReportReservedWord(const Token& token);
   bool ReportUntranslatable(bool operand);
+  bool ReportSlip(const std::function<bool(Parser::symbol_kind_type)>& expects);
+  const Token* UntypedFunction() const;
   bool AfterUntypedParameters() const;
 
   std::span<const Token> tokens_;
@@ -97,6 +100,8 @@ class ParserDriver {
   size_t next_ = 0;
   int questions_ = 0;  // `?` whose `:` is still to come
   static constexpr int kErrorsHereMax = 8;
+  // How many tokens back the head of a statement is searched.
+  static constexpr size_t kLookBack = 64;
   const Token* error_at_ = nullptr;  // the token of the last syntax error
   int errors_here_ = 0;              // number of errors at this token
   size_t stuck_at_ = 0;              // where SkipStatement() last found nothing to skip

@@ -1,5 +1,6 @@
 // The messages of syntax errors: what is missing, or which construct of C cannot be there.
 #include <algorithm>
+#include <functional>
 
 #include "compiler/lexer.h"
 #include "compiler/parser_driver.h"
@@ -47,7 +48,8 @@ void ParserDriver::ReportReservedWord(const Token& token) {
 // Whether the last token follows the parentheses of `f(a, b)`, in which no parameter has a type.
 bool ParserDriver::AfterUntypedParameters() const {
   bool named = false;
-  for (size_t i = next_ - 1; i-- > 1 && tokens_[i - 1].kind != Kind::kOpenParen;) {
+  const size_t lowest = next_ > kLookBack ? next_ - kLookBack : 1;
+  for (size_t i = next_ - 1; i-- > lowest && tokens_[i - 1].kind != Kind::kOpenParen;) {
     if (tokens_[i - 1].kind != Kind::kName && tokens_[i - 1].kind != Kind::kComma) return false;
     named = true;
   }
@@ -73,8 +75,8 @@ bool ParserDriver::ReportUntranslatable(bool operand) {
     why = MakeMessage("a function has a fixed number of parameters", "函数的参数个数是固定的");
   } else if (found.kind == Kind::kOpenParen && IsTypeWord(before)) {
     word = "(*)";
-    why = MakeMessage("there are no pointers to functions; call them by name",
-                      "没有函数指针；请用名称调用函数");
+    why = MakeMessage("there are no pointers; call functions by name, and name arrays",
+                      "没有指针；请用名称调用函数和使用数组");
   } else if ((found.kind == Kind::kOpenBracket || found.kind == Kind::kDot) && operand &&
              !braces_.empty() && braces_.back().initialiser) {
     why = MakeMessage("write all values in order, without the places that they are for",
@@ -87,6 +89,57 @@ bool ParserDriver::ReportUntranslatable(bool operand) {
   }
   reporter_.Report(Code::kNotForTheCard, found.range, word, why);
   return true;
+}
+
+// A syntax error for which structured C knows better than the expected tokens what is meant.
+bool ParserDriver::ReportSlip(const std::function<bool(Parser::symbol_kind_type)>& expects) {
+  const Token& found = *last_;
+  const Message what = DescribeToken(found);
+  const int before = previous_ != nullptr ? previous_->kind : Kind::kEnd;
+  const bool statement_start = expects(Symbol::S_If);
+  if (found.kind == Kind::kElse && statement_start) {
+    AddNote(reporter_.Report(Code::kCannotStart, found.range, what),
+            MakeMessage("there is no 'if' before it", "它之前没有 'if'"));
+  } else if (const Token* const function = UntypedFunction()) {
+    reporter_.Report(
+        Code::kNotAType, function->range, DescribeToken(*function),
+        MakeMessage("that of the function's value, or void", "函数返回值的类型，或 void"));
+  } else if (before == Kind::kStar &&
+             (found.kind == Kind::kConst || found.kind == Kind::kQualifier)) {
+    reporter_.Report(Code::kNeedsPointer, previous_->range, previous_->text);
+  } else if (before == Kind::kSizeof && IsTypeWord(found.kind)) {
+    reporter_.Report(Code::kMissingOpenParen, found.range, what);
+  } else if (statement_start) {
+    return false;
+  } else if (IsTypeWord(before) && expects(Symbol::S_CloseParen) && !expects(Symbol::S_Name)) {
+    reporter_.Report(Code::kMissingCloseParen, found.range, what);
+  } else if (expects(Symbol::S_Colon) || expects(Symbol::S_LabelColon)) {
+    reporter_.Report(Code::kUnexpected, found.range, what, std::string_view("':'"));
+  } else if (expects(Symbol::S_Comma) && !braces_.empty() && braces_.back().initialiser) {
+    reporter_.Report(Code::kUnexpected, found.range, what, std::string_view("',' or '}'"));
+  } else {
+    return false;
+  }
+  return true;
+}
+
+// The name of a function that begins without a type, `f(int a) {` or `f() {`, if the last token is
+// the first one that cannot be a call.
+const Token* ParserDriver::UntypedFunction() const {
+  const Token& found = *last_;
+  const bool body = found.kind == Kind::kOpenBrace && braces_.size() == 1;
+  if (!body && !(IsTypeWord(found.kind) && braces_.empty())) return nullptr;
+  size_t open = next_ - 1;
+  if (body && (open == 0 || tokens_[open - 1].kind != Kind::kCloseParen)) return nullptr;
+  const size_t lowest = open > kLookBack ? open - kLookBack : 0;
+  while (open > lowest && tokens_[open].kind != Kind::kOpenParen) {
+    if (tokens_[open].kind == Kind::kSemicolon) return nullptr;
+    --open;
+  }
+  if (open == lowest || tokens_[open - 1].kind != Kind::kName) return nullptr;
+  const bool first = open == 1 || tokens_[open - 2].kind == Kind::kSemicolon ||
+                     tokens_[open - 2].kind == Kind::kCloseBrace;
+  return first ? &tokens_[open - 1] : nullptr;
 }
 
 void ParserDriver::SyntaxError(std::span<const Parser::symbol_kind_type> expected) {
@@ -111,14 +164,11 @@ void ParserDriver::SyntaxError(std::span<const Parser::symbol_kind_type> expecte
   }
   const bool statement_start = has(Symbol::S_If);
   const bool operand = has(Symbol::S_Integer) && !statement_start;
-  if (dialect_ == Dialect::kStructured && ReportUntranslatable(operand)) return;
-  if (before == Kind::kGoto) {
-    reporter_.Report(Code::kMissingLabel, found.range, what);
+  if (dialect_ == Dialect::kStructured && (ReportUntranslatable(operand) || ReportSlip(has))) {
     return;
   }
-  if (dialect_ == Dialect::kStructured && found.kind == Kind::kElse && statement_start) {
-    AddNote(reporter_.Report(Code::kCannotStart, found.range, what),
-            MakeMessage("there is no 'if' before it", "它之前没有 'if'"));
+  if (before == Kind::kGoto) {
+    reporter_.Report(Code::kMissingLabel, found.range, what);
     return;
   }
   if (found.kind == Kind::kReserved || (found.kind == Kind::kElse && statement_start)) {
@@ -163,9 +213,6 @@ void ParserDriver::SyntaxError(std::span<const Parser::symbol_kind_type> expecte
   } else if (has(Symbol::S_Int) && before != Kind::kStar) {
     reporter_.Report(Code::kNotAType, found.range, what,
                      std::string_view("int, double, long, short"));
-  } else if (dialect_ == Dialect::kStructured &&
-             (has(Symbol::S_Colon) || has(Symbol::S_LabelColon))) {
-    reporter_.Report(Code::kUnexpected, found.range, what, std::string_view("':'"));
   } else if (has(Symbol::S_CloseParen)) {
     reporter_.Report(Code::kMissingCloseParen, found.range, what);
   } else if (has(Symbol::S_CloseBracket)) {

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "base/files.h"
+#include "compiler/diagnostic_printer.h"
 #include "compiler/structured_source.h"
 #include "compiler/syntax.h"
 #include "compiler/tree_walk.h"
@@ -30,6 +31,14 @@ void CheckStructured(const std::string& text, const MemoryFiles& files) {
       },
       reporter);
   source.AddMacroNotes(reporter);
+  // A thousand messages about one long line take long to print.
+  constexpr size_t kPrintedMax = 4000;
+  Compilation printed;
+  printed.files.assign(source.files().begin(), source.files().end());
+  printed.diagnostics.assign(reporter.diagnostics().begin(), reporter.diagnostics().end());
+  if (text.size() <= kPrintedMax) {
+    ASSERT_EQ(PrintText(printed, {}).empty(), printed.diagnostics.empty());
+  }
   const auto inside = [&source](const SourceRange& range) {
     return static_cast<size_t>(range.file) < source.files().size() && range.begin <= range.end &&
            range.end <= source.files()[static_cast<size_t>(range.file)].text().size();

@@ -19,6 +19,17 @@ void t0() {
   a[2 = 3; // expect error MP042
   i = (a + 2; // expect error MP039
 }
+int e[3] = {1, 2 3}; // expect error MP131
+int *const f; // expect error MP203
+int g = sizeof int; // expect error MP038
+int h = sizeof(int;  // expect error MP039
+untyped() { // expect error MP005
+  return 1;
+}
+untyped_too(int a) { // expect error MP005
+  return 1;
+}
+int i = a ? 1 : 2;
 void t1() {
   a = 1;
-// expect error MP004 @24
+// expect error MP004 @35
