@@ -109,13 +109,13 @@ bool ParserDriver::ReportSlip(const std::function<bool(Parser::symbol_kind_type)
     reporter_.Report(Code::kNeedsPointer, previous_->range, previous_->text);
   } else if (before == Kind::kSizeof && IsTypeWord(found.kind)) {
     reporter_.Report(Code::kMissingOpenParen, found.range, what);
-  } else if (statement_start) {
-    return false;
-  } else if (IsTypeWord(before) && expects(Symbol::S_CloseParen) && !expects(Symbol::S_Name)) {
+  } else if (!statement_start && IsTypeWord(before) && expects(Symbol::S_CloseParen) &&
+             !expects(Symbol::S_Name)) {
     reporter_.Report(Code::kMissingCloseParen, found.range, what);
-  } else if (expects(Symbol::S_Colon) || expects(Symbol::S_LabelColon)) {
+  } else if (!statement_start && (expects(Symbol::S_Colon) || expects(Symbol::S_LabelColon))) {
     reporter_.Report(Code::kUnexpected, found.range, what, std::string_view("':'"));
-  } else if (expects(Symbol::S_Comma) && !braces_.empty() && braces_.back().initialiser) {
+  } else if (expects(Symbol::S_Comma) && !expects(Symbol::S_CloseParen) && !braces_.empty() &&
+             braces_.back().initialiser) {
     reporter_.Report(Code::kUnexpected, found.range, what, std::string_view("',' or '}'"));
   } else {
     return false;

@@ -20,6 +20,7 @@ void t0() {
   i = (a + 2; // expect error MP039
 }
 int e[3] = {1, 2 3}; // expect error MP131
+int f0[2] = {(1 2), 3}; // expect error MP039
 int *const f; // expect error MP203
 int g = sizeof int; // expect error MP038
 int h = sizeof(int;  // expect error MP039
@@ -32,4 +33,4 @@ untyped_too(int a) { // expect error MP005
 int i = a ? 1 : 2;
 void t1() {
   a = 1;
-// expect error MP004 @35
+// expect error MP004 @36
