@@ -20,7 +20,7 @@ Everything the compiler reports about a program, with a program that causes it a
 `compiler/explain_pages.def` instead.
 
 `...` stands for what the compiler found. Codes up to MP050 have the numbers and meanings of the vendor's
-compiler.
+compiler; those from MP200 on belong to structured C.
 
 | code | slug | severity |
 |---|---|---|
