@@ -11,33 +11,6 @@
 namespace oncard::compiler {
 namespace {
 
-// Diagnostics come from the lexer, the parser and the checker in turn; they are shown in source
-// order, those of an included file at its #include.
-void SortAndLimit(std::vector<Diagnostic>& diagnostics, const std::vector<uint32_t>& inclusion,
-                  int max_errors) {
-  const auto key = [&inclusion](const Diagnostic& diagnostic) {
-    const SourceRange& range = diagnostic.range;
-    const uint32_t in_program =
-        range.file == 0 ? range.begin : inclusion[static_cast<size_t>(range.file)];
-    return std::tuple(in_program, range.file, range.begin);
-  };
-  std::stable_sort(diagnostics.begin(), diagnostics.end(),
-                   [&key](const Diagnostic& a, const Diagnostic& b) { return key(a) < key(b); });
-  if (max_errors <= 0) return;
-  int errors = 0;
-  for (size_t i = 0; i < diagnostics.size(); ++i) {
-    if (diagnostics[i].severity != Severity::kError) continue;
-    if (++errors <= max_errors) continue;
-    const auto hidden =
-        std::count_if(diagnostics.begin() + static_cast<std::ptrdiff_t>(i), diagnostics.end(),
-                      [](const Diagnostic& rest) { return rest.severity == Severity::kError; });
-    diagnostics.erase(diagnostics.begin() + static_cast<std::ptrdiff_t>(i), diagnostics.end());
-    AddNote(diagnostics.back(),
-            MakeMessage("{0} more errors are not shown", "还有 {0} 个错误没有显示", hidden));
-    return;
-  }
-}
-
 void ApplyWarningOptions(const Options& options, Reporter& reporter) {
   for (const int code : options.silent_warnings) reporter.Drop(static_cast<Code>(code));
   if (!options.warnings_are_errors) return;

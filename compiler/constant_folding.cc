@@ -121,6 +121,16 @@ std::optional<Constant> FoldInts(const vm::OperatorInfo& info, int64_t a, int64_
   return value && wrapped == value->integer ? value : std::nullopt;
 }
 
+std::optional<Constant> FoldCast(std::string_view type, const Constant& value) {
+  if (type == "double") return Double(value.AsDouble());
+  if (type != "int" && type != "long") return std::nullopt;
+  if (!value.is_double) return value;
+  if (value.real <= -2147483649.0 || value.real >= 2147483648.0) return std::nullopt;
+  return Int(static_cast<int64_t>(value.real));
+}
+
+}  // namespace
+
 std::optional<Constant> FoldBinary(std::string_view spelling, const Constant& left,
                                    const Constant& right) {
   const vm::OperatorInfo& info = *vm::FindBinaryOperator(spelling);
@@ -139,16 +149,6 @@ std::optional<Constant> FoldUnary(std::string_view spelling, const Constant& val
   if (info == nullptr || value.is_double) return std::nullopt;
   return exact::UnaryOfInt(static_cast<vm::UnaryOperator>(info->number), value.integer);
 }
-
-std::optional<Constant> FoldCast(std::string_view type, const Constant& value) {
-  if (type == "double") return Double(value.AsDouble());
-  if (type != "int" && type != "long") return std::nullopt;
-  if (!value.is_double) return value;
-  if (value.real <= -2147483649.0 || value.real >= 2147483648.0) return std::nullopt;
-  return Int(static_cast<int64_t>(value.real));
-}
-
-}  // namespace
 
 std::string Constant::Text() const {
   if (!is_double) return std::to_string(integer);

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "compiler/syntax.h"
 
@@ -32,5 +33,10 @@ std::optional<Literal> TruthValue(std::string_view name);
 /// The value of an expression of literals and macros. Empty if it contains anything else, divides
 /// by zero, or overflows an int, which C leaves undefined.
 std::optional<Constant> Fold(const Expression& expression, const MacroLookup& lookup);
+
+/// The values of a binary operator and of a unary one, under the same conditions.
+std::optional<Constant> FoldBinary(std::string_view spelling, const Constant& left,
+                                   const Constant& right);
+std::optional<Constant> FoldUnary(std::string_view spelling, const Constant& value);
 
 }  // namespace oncard::compiler
