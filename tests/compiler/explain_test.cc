@@ -15,7 +15,8 @@
 #include "compiler/compiler.h"
 #include "compiler/dialect.h"
 #include "compiler/display_text.h"
-#include "compiler/structured_source.h"
+#include "compiler/lowering/lowering.h"
+#include "compiler/lowering/overview.h"
 
 namespace oncard::compiler {
 namespace {
@@ -34,19 +35,16 @@ const std::map<int, std::string> kWithoutPrograms = {
     {10, "takes 33 functions"},
     {122, "takes 32768 statements"},
     {130, "takes hundreds of parentheses"},
+    {238, "takes hundreds of loops"},
+    {239, "takes thousands of calls"},
 };
 
 // Nothing is included, so the use of the included name is a second error.
 const std::set<int> kFollowedByUndeclared = {21, 22, 36, 37};
 
-// What a program of structured C can be said to be without its translation: good, or not.
-Compilation ReadStructured(const std::string& program, const FileReader& reader) {
-  Reporter reporter;
-  const StructuredSource source("program.c", program, {}, reader, reporter);
-  Compilation compilation;
-  compilation.diagnostics.assign(reporter.diagnostics().begin(), reporter.diagnostics().end());
-  if (!reporter.HasErrors()) compilation.object.emplace();
-  return compilation;
+Compilation CompileStructured(const std::string& program, const FileReader& reader) {
+  Lowering lowering = LowerText("program.c", program, {}, {}, reader);
+  return {std::move(lowering.files), std::move(lowering.diagnostics), std::move(lowering.object)};
 }
 
 Compilation CompileExample(int code, std::string_view program) {
@@ -56,7 +54,7 @@ Compilation CompileExample(int code, std::string_view program) {
     }
     return MakeError(kNoSuchFile, "no such file", "没有该文件");
   };
-  if (WantsStructured(program)) return ReadStructured(std::string(program), reader);
+  if (WantsStructured(program)) return CompileStructured(std::string(program), reader);
   return CompileText("program.c", std::string(program), {}, reader);
 }
 
@@ -83,21 +81,24 @@ TEST_P(ExplainTest, HasAPageInBothLanguages) {
   EXPECT_NE(*english, *chinese);
 }
 
+void ExpectPlainText(std::string_view page) {
+  ASSERT_THAT(page, EndsWith("\n"));
+  EXPECT_THAT(page, Not(EndsWith("\n\n")));
+  size_t begin = 0;
+  while (begin < page.size()) {
+    const size_t end = page.find('\n', begin);
+    const std::string line(page.substr(begin, end - begin));
+    const DisplayLine shown(line);
+    EXPECT_EQ(shown.text(), line) << "not plain text";
+    EXPECT_LE(shown.ColumnOf(line.size()), static_cast<int>(kPageWidth)) << line;
+    EXPECT_THAT(line, Not(EndsWith(" ")));
+    begin = end + 1;
+  }
+}
+
 TEST_P(ExplainTest, PageIsPlainTextOf80Columns) {
   for (const Language language : {Language::kEnglish, Language::kChinese}) {
-    const std::string page = ExplainPage(GetParam(), language).value_or("");
-    ASSERT_THAT(page, EndsWith("\n"));
-    EXPECT_THAT(page, Not(EndsWith("\n\n")));
-    size_t begin = 0;
-    while (begin < page.size()) {
-      const size_t end = page.find('\n', begin);
-      const std::string line = page.substr(begin, end - begin);
-      const DisplayLine shown(line);
-      EXPECT_EQ(shown.text(), line) << "not plain text";
-      EXPECT_LE(shown.ColumnOf(line.size()), static_cast<int>(kPageWidth)) << line;
-      EXPECT_THAT(line, Not(EndsWith(" ")));
-      begin = end + 1;
-    }
+    ExpectPlainText(ExplainPage(GetParam(), language).value_or(""));
   }
 }
 
@@ -134,6 +135,12 @@ std::vector<int> AllCodes() {
 INSTANTIATE_TEST_SUITE_P(Diagnostics, ExplainTest, testing::ValuesIn(AllCodes()),
                          [](const auto& code) { return DiagnosticName(code.param); });
 
+TEST(ExplainPageTest, OverviewOfStructuredCIsPlainTextOf80Columns) {
+  for (const Language language : {Language::kEnglish, Language::kChinese}) {
+    ExpectPlainText(StructuredOverview(language));
+  }
+}
+
 TEST(ExplainPageTest, UnknownCodesHaveNone) {
   for (const int code : {-1, 51, 99, 138, 1000}) {
     EXPECT_EQ(ExplainPage(code, Language::kEnglish), std::nullopt) << code;
@@ -164,6 +171,15 @@ TEST(ExplainPageTest, DiagnosticsReferenceIsUpToDate) {
   ASSERT_FALSE(generated.empty());
   EXPECT_TRUE(ReadAll(ONCARD_SOURCE_DIR "/docs/diagnostics.md") == generated)
       << "run `cmake --build . --target update_diagnostics_page`";
+}
+
+TEST(ExplainPageTest, ProgramsOfThePagesOfStructuredCAreUpToDate) {
+  for (const char* name : {"/structured.md", "/structured.zh-CN.md"}) {
+    const std::string generated = ReadAll(std::string(ONCARD_GENERATED_FOLDER) + name);
+    ASSERT_FALSE(generated.empty());
+    EXPECT_TRUE(ReadAll(std::string(ONCARD_SOURCE_DIR "/docs") + name) == generated)
+        << "run `cmake --build . --target update_structured_page`";
+  }
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ constexpr int kDepthMax = 3;
 
 class Generator {
  public:
-  explicit Generator(uint64_t seed) : random_(seed) { program_.seed = seed; }
+  Generator(uint64_t seed, Floats floats) : random_(seed), floats_(floats) { program_.seed = seed; }
 
   StructuredProgram Make() {
     std::string& text = program_.text;
@@ -28,7 +28,7 @@ class Generator {
     program_.globals = {"fuel", "g0", "g1", "g2", "g3"};
     for (int i = 0; i < kArraySize; ++i) program_.globals.push_back(fmt::format("a[{}]", i));
     text += "int f() {\n  int x = " + Number() + ", y = " + Pick({"x + 1", "3", "x * x"}) + ";\n";
-    text += "  int z = y - x;\n  double d = 0.5f;\n";
+    text += fmt::format("  int z = y - x;\n  double d = {};\n", Float("0.5"));
     text += fmt::format("  bool b1 = {}, b2 = b1;\n", Pick({"true", "false", "x > 2", "!x"}));
     if (Chance(50))
       text += "  int t[C0 * 0 + 5] = {4, 7};\n";
@@ -54,6 +54,10 @@ class Generator {
   std::string Number() {
     if (Chance(85)) return std::to_string(Between(-3, 9));
     return Pick({"'\\a'", "'!'", "true", "false", "C0"});
+  }
+
+  std::string Float(std::string_view number) const {
+    return fmt::format("{}{}", number, floats_ == Floats::kSuffixed ? "f" : "");
   }
 
   std::string Truth() { return Pick({"b0", "b1", "b2"}); }
@@ -245,7 +249,8 @@ class Generator {
       case 7:
         return fmt::format("{} = {};", target, Condition(1));
       case 8:
-        return fmt::format("d = ({} & 63) * {};", Pure(1, ""), Pick({"0.25", "0.5", "1.5f", "2"}));
+        return fmt::format("d = ({} & 63) * {};", Pure(1, ""),
+                           Pick({"0.25", "0.5", Float("1.5"), "2"}));
       case 9:
         return fmt::format("{} = d * {};", target, Pick({"2", "0.5", "4.0"}));
       case 10:
@@ -362,6 +367,7 @@ class Generator {
   }
 
   std::mt19937_64 random_;
+  const Floats floats_;
   StructuredProgram program_;
   int indent_ = 0;
   int nesting_ = 0;
@@ -372,6 +378,8 @@ class Generator {
 
 }  // namespace
 
-StructuredProgram MakeStructuredProgram(uint64_t seed) { return Generator(seed).Make(); }
+StructuredProgram MakeStructuredProgram(uint64_t seed, Floats floats) {
+  return Generator(seed, floats).Make();
+}
 
 }  // namespace oncard::differential

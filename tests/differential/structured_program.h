@@ -18,7 +18,10 @@ struct StructuredProgram {
   std::vector<std::string> globals;  ///< int scalars, then elements of int arrays: `g0`, `a[3]`
 };
 
+/// Whether some numbers are floats, `0.5f`, which the lowering refuses.
+enum class Floats { kSuffixed, kNone };
+
 /// Everything is derived from the seed.
-StructuredProgram MakeStructuredProgram(uint64_t seed);
+StructuredProgram MakeStructuredProgram(uint64_t seed, Floats floats = Floats::kSuffixed);
 
 }  // namespace oncard::differential

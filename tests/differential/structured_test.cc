@@ -13,6 +13,7 @@
 #include "machine_run.h"
 #include "oracle.h"
 #include "structured_program.h"
+#include "structured_run.h"
 
 namespace oncard::differential {
 namespace {
@@ -25,52 +26,6 @@ int ProgramCount() {
   return wanted != nullptr ? std::atoi(wanted) : kUsualPrograms;
 }
 
-// One C file with all programs, each of which prints its result and its globals. Macros keep their
-// names apart.
-std::string OracleText(const std::vector<StructuredProgram>& programs) {
-  std::string text = "#include <stdbool.h>\n#include <stdio.h>\n";
-  std::string calls;
-  for (const StructuredProgram& program : programs) {
-    text += "#undef C0\n#undef C1\n";
-    for (const char* name : {"f", "fuel", "b0", "g0", "g1", "g2", "g3", "a", "m"}) {
-      text += fmt::format("#undef {0}\n#define {0} {0}_{1}\n", name, program.seed);
-    }
-    text += fmt::format("{}void run_{}() {{\n  printf(\"%d\", f());\n", program.text, program.seed);
-    for (const std::string& global : program.globals) {
-      text += fmt::format("  printf(\" %d\", {});\n", global);
-    }
-    text += "  printf(\"\\n\");\n}\n";
-    calls += fmt::format("run_{}();\n", program.seed);
-  }
-  return text + fmt::format("int main() {{\n{}}}\n", calls);
-}
-
-// The same values from a run of the corrected program; empty if it does not end.
-Values RunCorrected(const StructuredProgram& program, const vm::Object& object) {
-  NoCommands commands;
-  vm::Machine machine(&commands);
-  auto image = vm::LinkObject(object, commands);
-  EXPECT_TRUE(image.ok());
-  machine.Load(std::move(image).value());
-  machine.Bind(0, 1, 0);
-  machine.Run(0);
-  machine.Execute(kEndless);
-  if (!machine.Quiet()) return {};
-  EXPECT_EQ(machine.thread(0).error, 0) << "fault";
-  Values values = {machine.thread(0).result};
-  for (const std::string& name : program.globals) {
-    const size_t bracket = name.find('[');
-    const vm::Symbol* symbol = vm::FindGlobal(*machine.image(), name.substr(0, bracket));
-    const int element = bracket == std::string::npos ? 0 : name[bracket + 1] - '0';
-    vm::SlotAddress slot;
-    slot.global = true;
-    slot.id = static_cast<uint16_t>(symbol->id + element);
-    slot.type = symbol->type;
-    values.push_back(machine.ReadRaw(slot));
-  }
-  return values;
-}
-
 TEST(StructuredTest, CorrectedProgramsComputeWhatGccComputes) {
   const int count = ProgramCount();
   for (int begin = 0; begin < count; begin += kProgramsPerBatch) {
@@ -79,7 +34,7 @@ TEST(StructuredTest, CorrectedProgramsComputeWhatGccComputes) {
       programs.push_back(MakeStructuredProgram(static_cast<uint64_t>(i)));
     }
     // With -fwrapv ints wrap as in the language.
-    const auto oracle = RunOracle(OracleText(programs), "-x c -fwrapv",
+    const auto oracle = RunOracle(StructuredOracleText(programs), "-x c -fwrapv",
                                   std::string(ONCARD_BUILD_DIR) + "/tests/differential/structured");
     ASSERT_TRUE(oracle.ok()) << oracle.error().message.en;
     ASSERT_EQ(oracle.value().size(), programs.size());
@@ -93,7 +48,8 @@ TEST(StructuredTest, CorrectedProgramsComputeWhatGccComputes) {
           fmt::format("seed {}\n{}\ncorrected\n{}", program.seed, program.text,
                       corrected.files.contains("random.c") ? corrected.files.at("random.c") : "");
       ASSERT_TRUE(corrected.compilation.ok()) << ErrorsOf(corrected.compilation) << listing;
-      ASSERT_EQ(RunCorrected(program, *corrected.compilation.object), oracle.value()[i]) << listing;
+      ASSERT_EQ(RunStructured(program, *corrected.compilation.object), oracle.value()[i])
+          << listing;
     }
   }
 }

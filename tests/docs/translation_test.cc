@@ -46,7 +46,8 @@ TEST_P(TranslationTest, AndOriginalLeadToEachOther) {
   EXPECT_THAT(Links(Page(Chinese(GetParam()))), Contains(English(name)));
 }
 
-INSTANTIATE_TEST_SUITE_P(Pages, TranslationTest, testing::Values("README", "docs/language"));
+INSTANTIATE_TEST_SUITE_P(Pages, TranslationTest,
+                         testing::Values("README", "docs/language", "docs/structured"));
 
 constexpr const char* kPage =
     "# Title\n"

@@ -9,7 +9,7 @@
 //                                   function on thread 0 and page 0
 //   // options: double=16.16        options of the compilation: double, max-errors
 //
-// A program that begins with `//@ structured` is read by the front end of structured C alone.
+// A program that begins with `//@ structured` is lowered first.
 //
 // What is reported and what is expected must be the same, code by code and line by line. Included
 // files carry their own expectations.
@@ -27,7 +27,7 @@
 #include "base/files.h"
 #include "compiler/compiler.h"
 #include "compiler/dialect.h"
-#include "compiler/structured_source.h"
+#include "compiler/lowering/lowering.h"
 #include "runtime/sim/controller.h"
 
 namespace oncard {
@@ -132,14 +132,14 @@ struct Outcome {
   std::optional<vm::Object> object;
 };
 
-Outcome ReadStructured(const std::string& path, const std::string& text,
-                       const compiler::Options& options) {
-  compiler::Reporter reporter;
-  const compiler::StructuredSource source(path, text, options, compiler::ReadSource, reporter);
+Outcome LowerProgram(const std::string& path, const std::string& text,
+                     const compiler::Options& options) {
+  compiler::Lowering lowering = compiler::LowerText(path, text, options, {}, compiler::ReadSource);
   Outcome outcome;
-  outcome.files = source.files();
-  outcome.diagnostics.assign(reporter.diagnostics().begin(), reporter.diagnostics().end());
-  outcome.good = !reporter.HasErrors();
+  outcome.files.assign(lowering.files.begin(), lowering.files.end());
+  outcome.diagnostics = std::move(lowering.diagnostics);
+  outcome.good = lowering.text.has_value();
+  outcome.object = std::move(lowering.object);
   return outcome;
 }
 
@@ -163,7 +163,7 @@ TEST_P(LangTest, MeetsItsExpectations) {
   ReadExpectations(path, text.value(), &expected);
   expected.options.include_folders = {Root() + "/include_folder"};
   const Outcome outcome = compiler::WantsStructured(text.value())
-                              ? ReadStructured(path, text.value(), expected.options)
+                              ? LowerProgram(path, text.value(), expected.options)
                               : CompileProgram(path, expected.options);
   for (size_t i = 1; i < outcome.files.size(); ++i) {
     ReadExpectations(outcome.files[i].path(), outcome.files[i].text(), &expected);

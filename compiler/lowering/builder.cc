@@ -1,0 +1,121 @@
+// The smallest steps of the translation: statements, temporaries, labels and names.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/lowering/lowerer.h"
+#include "vm/limits.h"
+
+namespace oncard::compiler::lowering {
+
+std::string NameMaker::Make(std::string_view wish) {
+  std::string name(wish.substr(0, vm::kNameLengthMax));
+  if (used_.insert(name).second) return name;
+  int& number = next_.try_emplace(name, 2).first->second;
+  for (;;) {
+    const std::string suffix = fmt::format("_{}", number++);
+    std::string candidate(wish.substr(0, vm::kNameLengthMax - suffix.size()));
+    candidate += suffix;
+    if (used_.insert(candidate).second) return candidate;
+  }
+}
+
+const Expression& WithoutParens(const Expression& expression) {
+  const Expression* inner = &expression;
+  while (inner->kind == Expression::Kind::kParen) inner = inner->operands[0].get();
+  return *inner;
+}
+
+Instruction& Lowerer::Emit(Instruction instruction, SourceRange range) {
+  instruction.range = range;
+  instruction.statement = statement_;
+  // The passes may still shorten the function, but not by this much.
+  if (out_->code.size() > size_t{2} * vm::kInstructionMax) stopped_ = true;
+  out_->code.push_back(std::move(instruction));
+  return out_->code.back();
+}
+
+void Lowerer::EmitCopy(const Operand& target, const Operand& value, SourceRange range) {
+  Instruction copy;
+  copy.target = target;
+  copy.a = value;
+  Emit(std::move(copy), range);
+}
+
+void Lowerer::EmitGoto(int label, SourceRange range) {
+  if (EndsInJump()) return;
+  Instruction jump;
+  jump.kind = Instruction::Kind::kGoto;
+  jump.label = label;
+  Emit(std::move(jump), range);
+}
+
+void Lowerer::EmitIf(const Operand& condition, int label, SourceRange range) {
+  Instruction jump;
+  jump.kind = Instruction::Kind::kIf;
+  jump.a = condition;
+  jump.label = label;
+  Emit(std::move(jump), range);
+}
+
+void Lowerer::EmitLabel(int label, SourceRange range) {
+  Instruction instruction;
+  instruction.kind = Instruction::Kind::kLabel;
+  instruction.label = label;
+  Emit(std::move(instruction), range);
+}
+
+Operand Lowerer::NewTemporary(vm::DataType type, SourceRange range) {
+  Variable variable;
+  variable.role = Variable::Role::kTemporary;
+  variable.type = type;
+  variable.range = range;
+  program_.variables.push_back(std::move(variable));
+  return VariableOperand(static_cast<int>(program_.variables.size()) - 1);
+}
+
+Operand Lowerer::VariableOperand(int variable) const {
+  Operand operand;
+  operand.kind = Operand::Kind::kVariable;
+  operand.type = program_.variables[static_cast<size_t>(variable)].type;
+  operand.variable = variable;
+  return operand;
+}
+
+int Lowerer::NewLabel(std::string_view wish) {
+  out_->labels.push_back(label_names_.Make(wish));
+  return static_cast<int>(out_->labels.size()) - 1;
+}
+
+int Lowerer::NewLabel(std::string_view construct, SourceRange keyword, std::string_view part) {
+  return NewLabel(
+      fmt::format("lbl_{}_{}{}{}", construct, LineOf(keyword), part.empty() ? "" : "_", part));
+}
+
+// A jump after another one is never reached.
+bool Lowerer::EndsInJump() const {
+  if (out_->code.empty()) return false;
+  const Instruction::Kind kind = out_->code.back().kind;
+  return kind == Instruction::Kind::kGoto || kind == Instruction::Kind::kReturn;
+}
+
+void Lowerer::BeginFullExpression(SourceRange range) {
+  statement_ = static_cast<int>(program_.statements.size());
+  program_.statements.push_back(range);
+}
+
+bool Lowerer::IsShared(const Operand& operand) const {
+  return operand.variable >= 0 &&
+         program_.variables[static_cast<size_t>(operand.variable)].role == Variable::Role::kGlobal;
+}
+
+std::string_view Lowerer::Source(SourceRange range) const {
+  return std::string_view(files_[static_cast<size_t>(range.file)].text())
+      .substr(range.begin, range.end - range.begin);
+}
+
+int Lowerer::LineOf(SourceRange range) const {
+  return files_[static_cast<size_t>(range.file)].LineOf(range.begin);
+}
+
+}  // namespace oncard::compiler::lowering

@@ -1,0 +1,160 @@
+// Calls of the program's own functions, whose statements are inserted, and of abs and fabs.
+#include <fmt/format.h>
+
+#include "compiler/lowering/lowerer.h"
+#include "compiler/tree_walk.h"
+#include "vm/limits.h"
+
+namespace oncard::compiler::lowering {
+
+Value Lowerer::LowerMagnitude(const Expression& call, bool real) {
+  if (call.operands.size() != 2) {
+    Report(Code::kArgumentCount, call.range, real ? "fabs" : "abs", int64_t{1},
+           static_cast<int64_t>(call.operands.size()) - 1);
+    return {};
+  }
+  const Value value = LowerValue(*call.operands[1]);
+  if (!RequireNumber(value, *call.operands[1])) return {};
+  const BasicType type = real ? BasicType::kDouble : BasicType::kInt;
+  return Compute(real ? vm::UnaryOperator::kFabs : vm::UnaryOperator::kAbs,
+                 Convert(value, type, call.range).operand, type, call.range);
+}
+
+Value Lowerer::LowerCall(const Expression& expression) {
+  const Value nothing = {Operand(), BasicType::kVoid, BasicType::kVoid};
+  const Expression& callee = WithoutParens(*expression.operands[0]);
+  const Symbol* symbol = Lookup(callee.text);
+  if (symbol == nullptr) {
+    if (callee.text == "abs" || callee.text == "fabs") {
+      return LowerMagnitude(expression, callee.text == "fabs");
+    }
+    if (const gtcalls::Command* command = options_.catalogue->Find(callee.text)) {
+      LowerCommand(expression, *command);
+      return nothing;
+    }
+    Report(Code::kNotACommand, callee.range, callee.text);
+    return {};
+  }
+  if (symbol->kind != Symbol::Kind::kFunction) {
+    if (!symbol->invalid) {
+      Report(Code::kNotLowered, callee.range, MakeMessage("a call of a variable", "对变量的调用"),
+             MakeMessage("there are no pointers to functions", "没有函数指针"));
+    }
+    return {};
+  }
+  if (symbol->function->syntax->prototype) {
+    Report(Code::kNoBody, expression.range, callee.text);
+    return {};
+  }
+  return Inline(expression, *symbol->function);
+}
+
+// Gives the parameters their values. All arguments are computed before the first is assigned.
+bool Lowerer::BindArguments(const Expression& call, const FunctionInfo& info, Scope& scope) {
+  const Function& syntax = *info.syntax;
+  std::vector<const ParameterDeclaration*> parameters;
+  for (const ParameterDeclaration& parameter : syntax.parameters) {
+    const bool nothing = parameter.declarator.name.empty() && HasWord(parameter.specifiers, "void");
+    if (!nothing) parameters.push_back(&parameter);
+  }
+  if (parameters.size() != call.operands.size() - 1) {
+    Diagnostic* diagnostic = Report(Code::kArgumentCount, call.range, syntax.name,
+                                    static_cast<int64_t>(parameters.size()),
+                                    static_cast<int64_t>(call.operands.size()) - 1);
+    if (diagnostic != nullptr) {
+      AddNote(*diagnostic, syntax.name_range, MakeMessage("it is defined here", "其定义在此"));
+    }
+    return false;
+  }
+  struct Argument {
+    Place place;
+    Value value;
+    SourceRange range;
+  };
+  std::vector<Argument> copies;
+  bool good = true;
+  for (size_t i = 0; i < parameters.size(); ++i) {
+    const Declarator& declarator = parameters[i]->declarator;
+    const Expression& argument = *call.operands[i + 1];
+    const Type type = ResolveType(parameters[i]->specifiers);
+    Symbol symbol;
+    symbol.type = type;
+    symbol.range = declarator.name_range;
+    symbol.offset = ConstantOperand(vm::DataType::kInt, 0);
+    if (!declarator.sizes.empty()) {
+      const Expression* start = &WithoutParens(argument);
+      const bool address = start->kind == Expression::Kind::kUnary && start->op == "&";
+      std::optional<ArrayPlace> array;
+      if (address) {
+        start = &WithoutParens(*start->operands[0]);
+      }
+      array = LowerArray(*start);
+      std::optional<std::vector<int64_t>> dimensions = Dimensions(declarator);
+      if (!array || !dimensions) return false;
+      const size_t expected = dimensions->size() - (address ? 1 : 0);
+      const bool same_rows = array->dimensions.size() == expected &&
+                             std::equal(dimensions->begin() + 1, dimensions->end(),
+                                        array->dimensions.begin() + (address ? 0 : 1));
+      if (!same_rows || array->element.basic != type.basic) {
+        Report(Code::kArrayArgument, argument.range, Source(argument.range), syntax.name,
+               Source(parameters[i]->range));
+        return false;
+      }
+      // How many elements there are is that of the argument.
+      dimensions->front() = address ? 0 : array->dimensions.front();
+      symbol.dimensions = std::move(*dimensions);
+      symbol.variable = array->variable;
+      symbol.offset = Stable(array->offset, argument.range);
+      symbol.type.is_const |= array->element.is_const;
+    } else {
+      if (type.structure != nullptr) {
+        Report(Code::kBadParameter, parameters[i]->range, Source(parameters[i]->range));
+        return false;
+      }
+      Value value = LowerValue(argument);
+      if (!RequireNumber(value, argument)) {
+        good = false;
+        continue;
+      }
+      value = Convert(value, type.basic, argument.range);
+      symbol.variable = VariableOf(parameters[i], Variable::Role::kLocal,
+                                   fmt::format("{}_{}", syntax.name, declarator.name), type, 0,
+                                   declarator.name_range);
+      copies.push_back({{VariableOperand(symbol.variable), type}, value, argument.range});
+    }
+    if (!declarator.name.empty()) scope.emplace(declarator.name, std::move(symbol));
+  }
+  for (const Argument& copy : copies) Store(copy.place, copy.value, copy.range, false);
+  return good;
+}
+
+Value Lowerer::Inline(const Expression& call, FunctionInfo& info) {
+  const BasicType type = info.type.basic;
+  Value result = {Operand(), type, type};
+  if (++inlined_ > vm::kInstructionMax) stopped_ = true;
+  if (stopped_) return result;
+  Scope scope;
+  if (!BindArguments(call, info, scope)) return {};
+  Frame frame;
+  frame.info = &info;
+  frame.scope_base = scopes_.size();
+  frame.prefix = fmt::format("{}_", info.syntax->name);
+  frame.outer = frame_;
+  if (type != BasicType::kVoid) {
+    result.operand = frame.result = NewTemporary(DataTypeOf(type), call.range);
+  }
+  frame.return_label = NewLabel(info.syntax->name, call.range, "end");
+  Frame* const outer = frame_;
+  const int statement = statement_;
+  frame_ = &frame;
+  scopes_.push_back(std::move(scope));
+  DefineLabels(frame);
+  LowerBody(info.syntax->body);
+  scopes_.pop_back();
+  frame_ = outer;
+  statement_ = statement;
+  EmitLabel(frame.return_label, call.range);
+  return result;
+}
+
+}  // namespace oncard::compiler::lowering

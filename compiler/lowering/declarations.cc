@@ -1,0 +1,307 @@
+// Declarations: types, dimensions, scopes, and the names that variables get in the output.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/lowering/lowerer.h"
+#include "vm/limits.h"
+
+namespace oncard::compiler::lowering {
+namespace {
+
+// What the words of a declaration say about a scalar type. The front end has refused all that have
+// no meaning.
+struct Words {
+  std::string_view base;
+  bool is_short = false;
+  bool is_unsigned = false;
+};
+
+BasicType TypeOfWords(const Words& words) {
+  if (words.base == "char") {
+    return words.is_unsigned ? BasicType::kUnsignedChar : BasicType::kChar;
+  }
+  if (words.base == "void") return BasicType::kVoid;
+  if (words.base == "bool" || words.base == "_Bool") return BasicType::kBool;
+  if (words.base == "double") return BasicType::kDouble;
+  if (words.is_short) return words.is_unsigned ? BasicType::kUnsignedShort : BasicType::kShort;
+  return words.is_unsigned ? BasicType::kUnsigned : BasicType::kInt;
+}
+
+}  // namespace
+
+bool Lowerer::HasWord(const Specifiers& specifiers, std::string_view word) const {
+  return std::any_of(specifiers.words.begin(), specifiers.words.end(),
+                     [word](const Token* token) { return token->text == word; });
+}
+
+Type Lowerer::ResolveType(const Specifiers& specifiers) const {
+  constexpr std::string_view kBases[] = {"char", "double", "void", "bool", "_Bool"};
+  Type type;
+  Words words;
+  for (const Token* token : specifiers.words) {
+    const std::string_view word = token->text;
+    type.is_const |= word == "const";
+    words.is_short |= word == "short";
+    words.is_unsigned |= word == "unsigned";
+    if (std::find(std::begin(kBases), std::end(kBases), word) != std::end(kBases)) {
+      words.base = word;
+    }
+    if (const gtcalls::Structure* structure = options_.catalogue->FindStructure(word)) {
+      type.structure = structure;
+    }
+  }
+  type.basic = type.structure != nullptr ? BasicType::kStructure : TypeOfWords(words);
+  return type;
+}
+
+void Lowerer::Define(std::string_view name, Symbol symbol) {
+  Scope& scope = scopes_.back();
+  symbol.order = order_;
+  const auto [entry, added] = scope.emplace(name, symbol);
+  if (added) return;
+  Report(Code::kRedefinition, symbol.range, name);
+}
+
+const Lowerer::Symbol* Lowerer::Lookup(std::string_view name) const {
+  if (frame_ != nullptr) {
+    for (size_t i = scopes_.size(); i > frame_->scope_base; --i) {
+      const auto found = scopes_[i - 1].find(name);
+      if (found != scopes_[i - 1].end()) return &found->second;
+    }
+  }
+  const auto found = scopes_[0].find(name);
+  if (found == scopes_[0].end()) return nullptr;
+  const Symbol& symbol = found->second;
+  const bool later = frame_ != nullptr && symbol.kind != Symbol::Kind::kFunction &&
+                     symbol.order > frame_->info->order;
+  return later ? nullptr : &symbol;
+}
+
+int Lowerer::NewVariable(Variable::Role role, std::string_view wish, const Type& type, int size,
+                         SourceRange range) {
+  Variable variable;
+  variable.role = role;
+  variable.name = names_.Make(wish);
+  local_names_.insert(variable.name);
+  variable.type = DataTypeOf(type.basic);
+  variable.size = size;
+  variable.structure = type.structure;
+  variable.range = range;
+  program_.variables.push_back(std::move(variable));
+  return static_cast<int>(program_.variables.size()) - 1;
+}
+
+int Lowerer::NewGlobal(std::string name, const Type& type, int size, SourceRange range) {
+  Variable variable;
+  variable.role = Variable::Role::kGlobal;
+  variable.name = std::move(name);
+  variable.type = DataTypeOf(type.basic);
+  variable.size = size;
+  variable.structure = type.structure;
+  variable.range = range;
+  program_.variables.push_back(std::move(variable));
+  program_.globals.push_back(static_cast<int>(program_.variables.size()) - 1);
+  return program_.globals.back();
+}
+
+// A name that no local has either.
+std::string Lowerer::NewGlobalName(std::string_view wish) {
+  std::string name;
+  do {
+    name = global_names_.Make(wish);
+  } while (local_names_.contains(name));
+  return name;
+}
+
+// A function that is inlined twice has its variables once.
+int Lowerer::VariableOf(const void* declaration, Variable::Role role, std::string_view name,
+                        const Type& type, int size, SourceRange range) {
+  const auto found = variables_.find(declaration);
+  if (found != variables_.end()) return found->second;
+  const int variable = NewVariable(role, frame_->prefix + std::string(name), type, size, range);
+  variables_.emplace(declaration, variable);
+  return variable;
+}
+
+std::optional<std::vector<int64_t>> Lowerer::Dimensions(const Declarator& declarator) {
+  std::vector<int64_t> dimensions;
+  for (size_t i = 0; i < declarator.sizes.size(); ++i) {
+    const Expression* size = declarator.sizes[i].get();
+    if (size == nullptr) {
+      if (i > 0) {
+        Report(Code::kNotLowered, declarator.head,
+               MakeMessage("a second '[]' without a size", "第二个没有长度的 '[]'"),
+               MakeMessage("only the first size can be left out", "只有第一个长度可以省略"));
+        return std::nullopt;
+      }
+      dimensions.push_back(0);
+      continue;
+    }
+    const std::optional<TypedConstant> value = Evaluate(*size);
+    if (!value || !IsInteger(value->type)) {
+      Report(Code::kVariableSize, size->range, declarator.name);
+      return std::nullopt;
+    }
+    if (value->value.integer < 1 || value->value.integer > vm::kSlotCount) {
+      Report(Code::kArraySize, size->range, declarator.name, value->value.Text(),
+             int64_t{vm::kSlotCount});
+      return std::nullopt;
+    }
+    dimensions.push_back(value->value.integer);
+  }
+  return dimensions;
+}
+
+// The constants of an enum, in the scope that declares it.
+void Lowerer::DefineEnumeration(const Enumeration& enumeration) {
+  TypedConstant next;
+  for (const Enumerator& enumerator : enumeration.enumerators) {
+    if (enumerator.value != nullptr) {
+      const std::optional<TypedConstant> value = Evaluate(*enumerator.value);
+      if (value && IsInteger(value->type)) {
+        next = *ConvertConstant(*value, BasicType::kInt);
+      } else {
+        Report(Code::kConstantNeeded, enumerator.value->range, Source(enumerator.value->range));
+      }
+    }
+    Symbol symbol;
+    symbol.kind = Symbol::Kind::kConstant;
+    symbol.range = enumerator.name_range;
+    symbol.constant = next;
+    Define(enumerator.name, std::move(symbol));
+    next.value.integer = ConvertInteger(next.value.integer + 1, BasicType::kInt);
+  }
+}
+
+void Lowerer::LowerDeclaration(const Statement& statement) {
+  const Enumeration* enumeration = statement.specifiers.enumeration.get();
+  if (enumeration != nullptr && enumeration->defined) DefineEnumeration(*enumeration);
+  if (statement.declarators.empty()) return;
+  const Type type = ResolveType(statement.specifiers);
+  for (const Declarator& declarator : statement.declarators) {
+    if (DeclareConstant(declarator, type)) continue;
+    if (frame_ == nullptr) {
+      DeclareGlobal(declarator, type);
+    } else if (HasWord(statement.specifiers, "extern")) {
+      if (Lookup(declarator.name) == nullptr) {
+        Report(Code::kUndeclared, declarator.name_range, declarator.name);
+      }
+    } else {
+      DeclareLocal(declarator, type, HasWord(statement.specifiers, "static"));
+    }
+  }
+}
+
+// A const number with a known value takes no storage.
+bool Lowerer::DeclareConstant(const Declarator& declarator, const Type& type) {
+  if (!type.is_const || !IsArithmetic(type.basic) || !declarator.sizes.empty() ||
+      declarator.initialiser == nullptr) {
+    return false;
+  }
+  const std::optional<TypedConstant> value = Evaluate(*declarator.initialiser);
+  const std::optional<TypedConstant> converted =
+      value ? ConvertConstant(*value, type.basic) : std::nullopt;
+  if (!converted) return false;
+  Symbol symbol;
+  symbol.kind = Symbol::Kind::kConstant;
+  symbol.type = type;
+  symbol.range = declarator.name_range;
+  symbol.constant = *converted;
+  Define(declarator.name, std::move(symbol));
+  return true;
+}
+
+namespace {
+
+int64_t SizeOfAll(const std::vector<int64_t>& dimensions) {
+  int64_t size = dimensions.empty() ? 0 : 1;
+  for (const int64_t dimension : dimensions) size *= dimension;
+  return size;
+}
+
+}  // namespace
+
+// `[]` has as many rows as there are values for.
+void Lowerer::SetDimensions(const Declarator& declarator, Symbol& symbol) {
+  std::optional<std::vector<int64_t>> dimensions = Dimensions(declarator);
+  symbol.invalid = !dimensions;
+  if (!dimensions) return;
+  symbol.dimensions = std::move(*dimensions);
+  if (symbol.dimensions.empty()) return;
+  if (symbol.type.structure != nullptr) {
+    symbol.invalid = true;
+    Report(Code::kNotLowered, declarator.head, MakeMessage("an array of structures", "结构数组"),
+           MakeMessage("declare several variables", "请声明多个变量"));
+    return;
+  }
+  if (symbol.dimensions[0] != 0) return;
+  const std::optional<Elements> elements = ElementsOf(declarator, symbol);
+  symbol.invalid = !elements;
+  if (!elements) return;
+  const std::vector<int64_t> row(symbol.dimensions.begin() + 1, symbol.dimensions.end());
+  const int64_t width = row.empty() ? 1 : SizeOfAll(row);
+  symbol.dimensions[0] = (static_cast<int64_t>(elements->size()) + width - 1) / width;
+}
+
+void Lowerer::DeclareGlobal(const Declarator& declarator, const Type& type) {
+  Symbol symbol;
+  symbol.type = type;
+  symbol.range = declarator.name_range;
+  const auto known = scopes_[0].find(declarator.name);
+  if (known != scopes_[0].end() && known->second.variable >= 0 &&
+      known->second.type.basic == type.basic) {
+    // C's tentative definitions: `extern int g;` and `int g;` are one variable.
+    if (declarator.initialiser != nullptr) InitialiseGlobal(declarator, known->second);
+    return;
+  }
+  SetDimensions(declarator, symbol);
+  if (declarator.name.size() > vm::kNameLengthMax) {
+    Report(Code::kNameTooLong, declarator.name_range, declarator.name,
+           static_cast<int64_t>(declarator.name.size()), int64_t{vm::kNameLengthMax});
+  }
+  global_names_.Reserve(declarator.name);
+  symbol.offset = ConstantOperand(vm::DataType::kInt, 0);
+  if (!symbol.invalid) {
+    const int64_t count = SizeOfAll(symbol.dimensions);
+    symbol.variable = NewGlobal(std::string(declarator.name), type, static_cast<int>(count),
+                                declarator.name_range);
+  }
+  const bool good = !symbol.invalid;
+  Define(declarator.name, symbol);
+  if (good && declarator.initialiser != nullptr) InitialiseGlobal(declarator, symbol);
+}
+
+void Lowerer::DeclareLocal(const Declarator& declarator, const Type& type, bool is_static) {
+  Symbol symbol;
+  symbol.type = type;
+  symbol.range = declarator.name_range;
+  symbol.offset = ConstantOperand(vm::DataType::kInt, 0);
+  SetDimensions(declarator, symbol);
+  if (symbol.invalid) {
+    Define(declarator.name, std::move(symbol));
+    return;
+  }
+  const int size = static_cast<int>(SizeOfAll(symbol.dimensions));
+  if (is_static) {
+    const auto [entry, added] = statics_.try_emplace(&declarator, -1);
+    if (added) {
+      // The name says whose it is: it is a global now.
+      const std::string wish = fmt::format("{}_{}", frame_->info->syntax->name, declarator.name);
+      entry->second = NewGlobal(NewGlobalName(wish), type, size, declarator.name_range);
+      names_.Reserve(program_.variables.back().name);
+      symbol.variable = entry->second;
+      if (declarator.initialiser != nullptr) InitialiseGlobal(declarator, symbol);
+    }
+    symbol.variable = entry->second;
+    Define(declarator.name, std::move(symbol));
+    return;
+  }
+  symbol.variable = VariableOf(&declarator, Variable::Role::kLocal, declarator.name, type, size,
+                               declarator.name_range);
+  // In C the scope of a name begins before its initial value.
+  Define(declarator.name, symbol);
+  if (declarator.initialiser != nullptr) InitialiseLocal(declarator, symbol);
+}
+
+}  // namespace oncard::compiler::lowering

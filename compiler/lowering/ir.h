@@ -1,0 +1,114 @@
+// The program between C and the card's language: a list of the card's simple statements for each
+// function, whose operands refer to variables by number. Lowering builds it, the passes rewrite it,
+// the printer writes it as text.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "compiler/diagnostic.h"
+#include "gtcalls/catalogue.h"
+#include "vm/opcodes.h"
+
+namespace oncard::compiler::lowering {
+
+/// A variable of the lowered program.
+struct Variable {
+  enum class Role : uint8_t { kGlobal, kParameter, kLocal, kTemporary };
+  Role role = Role::kLocal;
+  /// As it is printed; temporaries get theirs when they share slots.
+  std::string name;
+  vm::DataType type = vm::DataType::kInt;
+  /// Elements of an array; 0: not an array.
+  int size = 0;
+  const gtcalls::Structure* structure = nullptr;
+  SourceRange range;  ///< where it is declared
+};
+
+/// What a statement reads or writes.
+struct Operand {
+  enum class Kind : uint8_t {
+    kNone,
+    kConstant,  ///< value: an int, or the raw value of a double
+    kVariable,
+    kElement,  ///< variable, index; without an index variable, value is the index
+    kMember    ///< variable, member
+  };
+  Kind kind = Kind::kNone;
+  vm::DataType type = vm::DataType::kInt;
+  bool address = false;  ///< an argument written with `&`
+  int16_t member = 0;
+  int variable = -1;
+  int index = -1;  ///< the int variable that holds the index of an element
+  int64_t value = 0;
+
+  bool operator==(const Operand&) const = default;
+  bool IsConstant() const { return kind == Kind::kConstant; }
+  bool IsVariable() const { return kind == Kind::kVariable; }
+};
+
+/// One simple statement of the card, or a label.
+struct Instruction {
+  enum class Kind : uint8_t {
+    kUnary,   ///< target = op a; the copy too
+    kBinary,  ///< target = a op b
+    kLabel,   ///< label
+    kGoto,    ///< label
+    kIf,      ///< a is an int variable or member; label
+    kReturn,  ///< a, which may be absent
+    kCall     ///< command, arguments
+  };
+  Kind kind = Kind::kUnary;
+  vm::UnaryOperator unary = vm::UnaryOperator::kCopy;
+  vm::BinaryOperator binary = vm::BinaryOperator::kAdd;
+  int label = -1;
+  Operand target;
+  Operand a;
+  Operand b;
+  const gtcalls::Command* command = nullptr;
+  std::vector<Operand> arguments;
+  SourceRange range;  ///< the expression or statement of C that it computes
+  int statement = 0;  ///< the full expression of C that it belongs to, for atomicity
+
+  bool Writes() const { return kind == Kind::kUnary || kind == Kind::kBinary; }
+};
+
+/// A thread function.
+struct LoweredFunction {
+  std::string name;
+  vm::DataType type = vm::DataType::kVoid;
+  std::vector<int> parameters;  ///< variables, in the order of the host
+  std::vector<Instruction> code;
+  std::vector<std::string> labels;  ///< names, by number
+  SourceRange header;
+  SourceRange end;  ///< the closing brace
+};
+
+struct Program {
+  std::vector<Variable> variables;  ///< of all functions, and the globals
+  std::vector<int> globals;         ///< in the order of their declarations
+  std::vector<LoweredFunction> functions;
+  std::vector<SourceRange> statements;  ///< the full expressions of C, by Instruction::statement
+};
+
+/// Calls `visit(Operand&, bool written)` for every operand of an instruction, those that it reads
+/// before the one that it writes. The address of an argument counts as written.
+template <typename Code, typename Visitor>
+void ForEachOperand(Code& instruction, const Visitor& visit) {
+  for (auto& argument : instruction.arguments) visit(argument, argument.address);
+  if (instruction.a.kind != Operand::Kind::kNone) visit(instruction.a, false);
+  if (instruction.b.kind != Operand::Kind::kNone) visit(instruction.b, false);
+  if (instruction.target.kind != Operand::Kind::kNone) visit(instruction.target, true);
+}
+
+/// An int or double as an operand.
+inline Operand ConstantOperand(vm::DataType type, int64_t value) {
+  Operand operand;
+  operand.kind = Operand::Kind::kConstant;
+  operand.type = type;
+  operand.value = value;
+  return operand;
+}
+
+}  // namespace oncard::compiler::lowering

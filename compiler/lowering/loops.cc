@@ -1,0 +1,57 @@
+// Loops. The condition stands before the body, negated, as one writes it by hand.
+#include "compiler/lowering/lowerer.h"
+
+namespace oncard::compiler::lowering {
+
+void Lowerer::LowerWhile(const Statement& statement) {
+  const int begin = NewLabel("while", statement.keyword);
+  const int end = NewLabel("while", statement.keyword, "end");
+  BeginFullExpression(statement.value->range);
+  EmitLabel(begin, statement.value->range);
+  BranchIf(*statement.value, false, end);
+  frame_->targets.push_back({end, begin});
+  LowerStatement(*statement.body);
+  frame_->targets.pop_back();
+  BeginFullExpression(statement.value->range);
+  EmitGoto(begin, statement.value->range);
+  EmitLabel(end, statement.range);
+}
+
+void Lowerer::LowerDo(const Statement& statement) {
+  const int begin = NewLabel("do", statement.range);
+  const int condition = NewLabel("do", statement.range, "while");
+  const int end = NewLabel("do", statement.range, "end");
+  EmitLabel(begin, statement.range);
+  frame_->targets.push_back({end, condition});
+  LowerStatement(*statement.body);
+  frame_->targets.pop_back();
+  EmitLabel(condition, statement.value->range);
+  BeginFullExpression(statement.value->range);
+  BranchIf(*statement.value, true, begin);
+  EmitLabel(end, statement.range);
+}
+
+void Lowerer::LowerFor(const Statement& statement) {
+  const int begin = NewLabel("for", statement.keyword);
+  const int next = NewLabel("for", statement.keyword, "next");
+  const int end = NewLabel("for", statement.keyword, "end");
+  scopes_.emplace_back();
+  if (statement.initial != nullptr) LowerStatement(*statement.initial);
+  const SourceRange head = statement.value != nullptr ? statement.value->range : statement.keyword;
+  BeginFullExpression(head);
+  EmitLabel(begin, head);
+  if (statement.value != nullptr) BranchIf(*statement.value, false, end);
+  frame_->targets.push_back({end, next});
+  LowerStatement(*statement.body);
+  frame_->targets.pop_back();
+  EmitLabel(next, statement.keyword);
+  if (statement.step != nullptr) {
+    BeginFullExpression(statement.step->range);
+    LowerEffect(*statement.step);
+  }
+  EmitGoto(begin, statement.step != nullptr ? statement.step->range : head);
+  EmitLabel(end, statement.range);
+  scopes_.pop_back();
+}
+
+}  // namespace oncard::compiler::lowering

@@ -1,0 +1,326 @@
+// Translates the tree of a structured program to the statements of the card, construct by
+// construct: program.cc has the functions and the order of work, declarations.cc and
+// initialisers.cc variables, statements.cc, loops.cc and switches.cc statements, expressions.cc,
+// unsigned.cc, conversions.cc, conditions.cc, assignments.cc and places.cc expressions, calls.cc
+// own functions, commands.cc GT commands, start.cc initial values of globals.
+//
+// Rules that all of them keep:
+// - An operand is read in the statement that uses it, so a global is read exactly as often as in C.
+//   Values that are used twice are loaded into a temporary first.
+// - Every temporary is new. The last pass lets them share slots.
+// - A mistake is reported once, and an operand of value 0 takes its place.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "compiler/compiler.h"
+#include "compiler/constant_folding.h"
+#include "compiler/lowering/ir.h"
+#include "compiler/lowering/types.h"
+#include "compiler/reporter.h"
+#include "compiler/syntax.h"
+
+namespace oncard::compiler::lowering {
+
+/// A number that is known while compiling; unsigned ones have the bits of an int.
+struct TypedConstant {
+  BasicType type = BasicType::kInt;
+  Constant value;
+};
+
+/// The value of an expression.
+struct Value {
+  Operand operand;  ///< kNone: void, or a structure, or an error
+  BasicType type = BasicType::kInt;
+  /// A type, perhaps a narrower one, to which every possible value belongs: bool for `a < b`.
+  BasicType range = BasicType::kInt;
+};
+
+/// Something that can be assigned.
+struct Place {
+  Operand operand;
+  Type type;
+};
+
+/// An array, a row of one, or an array parameter.
+struct ArrayPlace {
+  int variable = -1;
+  Operand offset;                   ///< of its first element: a constant or an int variable
+  std::vector<int64_t> dimensions;  ///< the first is 0 if unknown, as in `int a[]`
+  Type element;
+  std::string_view name;
+};
+
+/// Makes names that are at most 31 characters long and different from each other.
+class NameMaker {
+ public:
+  void Reserve(std::string_view name) { used_.emplace(name); }
+  std::string Make(std::string_view wish);
+
+ private:
+  std::unordered_set<std::string> used_;
+  std::unordered_map<std::string, int> next_;
+};
+
+class Lowerer {
+ public:
+  /// The files and the tree must outlive the lowerer.
+  Lowerer(const Options& options, const std::deque<SourceFile>& files, Reporter& reporter)
+      : options_(options), files_(files), reporter_(reporter) {}
+
+  /// Translates a whole program. The result is valid only if no error was reported.
+  Program Lower(const Tree& tree);
+
+ private:
+  struct FunctionInfo {
+    const Function* syntax = nullptr;
+    Type type;
+    std::vector<Type> parameters;
+    int order = 0;
+    bool is_static = false;
+    bool called = false;
+    std::vector<std::pair<FunctionInfo*, SourceRange>> calls;
+    int mark = 0;  // while looking for recursion
+  };
+  struct Symbol {
+    enum class Kind : uint8_t { kVariable, kConstant, kFunction };
+    Kind kind = Kind::kVariable;
+    Type type;
+    SourceRange range;
+    int order = 0;  // of a global: position in the program
+    bool invalid = false;
+    int variable = -1;
+    std::vector<int64_t> dimensions;
+    Operand offset;
+    TypedConstant constant;
+    FunctionInfo* function = nullptr;
+  };
+  using Scope = std::unordered_map<std::string_view, Symbol>;
+  // Where `break` and `continue` lead; -1: nowhere.
+  struct Targets {
+    int break_label = -1;
+    int continue_label = -1;
+  };
+  // A function of C that is being translated: a thread function, or one that is inlined.
+  struct Frame {
+    const FunctionInfo* info = nullptr;
+    size_t scope_base = 0;
+    std::string prefix;  // of names: empty, or the inlined function's
+    int return_label = -1;
+    Operand result;  // of an inlined function
+    std::unordered_map<std::string_view, int> labels;
+    std::vector<Targets> targets;
+    std::vector<std::unordered_map<const Statement*, int>> cases;
+    const Frame* outer = nullptr;
+  };
+  // A value that a global has before the first thread starts.
+  struct InitialValue {
+    Operand target;
+    Operand value;
+    SourceRange range;
+  };
+  // The values of an aggregate's initialiser in order; nullptr: 0.
+  using Elements = std::vector<const Expression*>;
+
+  // --- program.cc ---
+  void DeclareFunction(const Function& syntax);
+  void CollectCalls(FunctionInfo& info);
+  bool Recurses(FunctionInfo& info, std::vector<FunctionInfo*>& path);
+  void LowerFunction(FunctionInfo& info);
+  void DefineLabels(Frame& frame);
+
+  // --- declarations.cc ---
+  Type ResolveType(const Specifiers& specifiers) const;
+  bool HasWord(const Specifiers& specifiers, std::string_view word) const;
+  void LowerDeclaration(const Statement& statement);
+  void DefineEnumeration(const Enumeration& enumeration);
+  void DeclareGlobal(const Declarator& declarator, const Type& type);
+  void DeclareLocal(const Declarator& declarator, const Type& type, bool is_static);
+  bool DeclareConstant(const Declarator& declarator, const Type& type);
+  std::optional<std::vector<int64_t>> Dimensions(const Declarator& declarator);
+  void SetDimensions(const Declarator& declarator, Symbol& symbol);
+  void Define(std::string_view name, Symbol symbol);
+  const Symbol* Lookup(std::string_view name) const;
+  int NewVariable(Variable::Role role, std::string_view wish, const Type& type, int size,
+                  SourceRange range);
+  int VariableOf(const void* declaration, Variable::Role role, std::string_view name,
+                 const Type& type, int size, SourceRange range);
+  std::string NewGlobalName(std::string_view wish);
+  int NewGlobal(std::string name, const Type& type, int size, SourceRange range);
+
+  // --- initialisers.cc ---
+  void InitialiseGlobal(const Declarator& declarator, const Symbol& symbol);
+  void InitialiseLocal(const Declarator& declarator, const Symbol& symbol);
+  bool Flatten(const Expression& braces, const std::vector<int64_t>& dimensions, size_t level,
+               int64_t base, Elements& elements);
+  std::optional<Elements> ElementsOf(const Declarator& declarator, const Symbol& symbol);
+  void ClearElements(const Symbol& symbol, int64_t begin, int64_t end, SourceRange range);
+  Operand ElementOperand(const Symbol& symbol, int64_t index) const;
+
+  // --- statements.cc ---
+  void LowerBody(const std::vector<StatementPtr>& items);
+  void LowerStatement(const Statement& statement);
+  void LowerIf(const Statement& statement);
+  void LowerReturn(const Statement& statement);
+  void LowerLeave(const Statement& statement);
+  std::optional<int> JumpTarget(const Statement& statement);
+
+  // --- loops.cc ---
+  void LowerWhile(const Statement& statement);
+  void LowerDo(const Statement& statement);
+  void LowerFor(const Statement& statement);
+
+  // --- switches.cc ---
+  void LowerSwitch(const Statement& statement);
+
+  // --- expressions.cc ---
+  Value LowerValue(const Expression& expression);
+  void LowerEffect(const Expression& expression);
+  Value LowerUnary(const Expression& expression);
+  Value LowerBinary(const Expression& expression);
+  Value LowerName(const Expression& expression);
+  Value Arithmetic(const vm::OperatorInfo& info, Value a, Value b, const Expression& expression);
+  Value Compute(vm::BinaryOperator op, const Operand& a, const Operand& b, BasicType type,
+                SourceRange range);
+  Value Compute(vm::UnaryOperator op, const Operand& a, BasicType type, SourceRange range);
+  bool RequireNumber(const Value& value, const Expression& expression);
+
+  // --- type_of.cc ---
+  BasicType TypeOf(const Expression& expression);
+  std::optional<BasicType> CastType(const Expression& expression);
+  std::optional<int64_t> SizeOfOperand(const Expression& expression);
+
+  // --- unsigned.cc ---
+  Value CompareUnsigned(vm::BinaryOperator op, const Value& a, const Value& b, SourceRange range);
+  Value DivideUnsigned(const Value& a, const Value& b, bool remainder, SourceRange range);
+  Value ShiftUnsignedRight(const Value& a, const Value& count, SourceRange range);
+
+  // --- constants.cc ---
+  std::optional<TypedConstant> Evaluate(const Expression& expression);
+  std::optional<TypedConstant> EvaluateBinary(const Expression& expression);
+  std::optional<int64_t> EvaluateInteger(const Expression& expression);
+  Value ConstantValue(const TypedConstant& constant, SourceRange range);
+  static std::optional<TypedConstant> ConvertConstant(const TypedConstant& constant,
+                                                      BasicType type);
+  std::optional<TypedConstant> LiteralConstant(const Expression& expression) const;
+
+  // --- conversions.cc ---
+  Value Convert(Value value, BasicType type, SourceRange range);
+  Value Load(Value value, SourceRange range);
+  Operand Stable(const Operand& operand, SourceRange range);
+
+  // --- conditions.cc ---
+  void BranchIf(const Expression& condition, bool when, int label);
+  void BranchOnValue(const Value& value, bool when, int label, SourceRange range);
+  Value LowerLogical(const Expression& expression);
+  Value LowerConditional(const Expression& expression);
+
+  // --- places.cc ---
+  std::optional<Place> LowerPlace(const Expression& expression);
+  std::optional<ArrayPlace> LowerArray(const Expression& expression);
+  const Symbol* ArrayOf(const Expression& expression, size_t* indices) const;
+  bool IsArray(const Expression& expression) const;
+  std::optional<Place> LowerElement(const Expression& expression);
+  std::optional<Place> LowerMember(const Expression& expression);
+  void ReportUndeclared(const Expression& name);
+  bool CheckWritable(const Place& place, const Expression& expression);
+
+  // --- assignments.cc ---
+  Value LowerAssignment(const Expression& expression, bool value_used);
+  Value LowerCompound(const Expression& expression, bool value_used);
+  Value LowerStep(const Expression& expression, bool value_used);
+  void AssignInto(const Place& place, const Expression& value);
+  void AssignBoth(const Place& place, const Expression& conditional);
+  Value Store(const Place& place, Value value, SourceRange range, bool value_used);
+  Value Update(Place place, const vm::OperatorInfo& info, const Value& change,
+               const Expression& expression, bool value_used);
+  bool AssignStructure(const Expression& target, const Expression& value);
+
+  // --- calls.cc ---
+  Value LowerCall(const Expression& expression);
+  Value Inline(const Expression& call, FunctionInfo& info);
+  bool BindArguments(const Expression& call, const FunctionInfo& info, Scope& scope);
+  Value LowerMagnitude(const Expression& call, bool real);
+
+  // --- commands.cc ---
+  void LowerCommand(const Expression& call, const gtcalls::Command& command);
+  std::optional<Operand> LowerAddress(const Expression& argument);
+
+  // --- start.cc ---
+  void EmitStart(LoweredFunction& function);
+
+  // --- Building blocks (builder.cc) ---
+  Instruction& Emit(Instruction instruction, SourceRange range);
+  void EmitCopy(const Operand& target, const Operand& value, SourceRange range);
+  void EmitGoto(int label, SourceRange range);
+  void EmitIf(const Operand& condition, int label, SourceRange range);
+  void EmitLabel(int label, SourceRange range);
+  Operand NewTemporary(vm::DataType type, SourceRange range);
+  int NewLabel(std::string_view wish);
+  int NewLabel(std::string_view construct, SourceRange keyword, std::string_view part = {});
+  bool EndsInJump() const;
+  void BeginFullExpression(SourceRange range);
+  bool IsShared(const Operand& operand) const;
+  Operand VariableOperand(int variable) const;
+  std::string_view Source(SourceRange range) const;
+  int LineOf(SourceRange range) const;
+
+  /// Reports unless the same was reported at the same place, in another copy of an inlined
+  /// function.
+  template <typename... Args>
+  Diagnostic* Report(Code code, SourceRange range, const Args&... args) {
+    if (!reported_.insert({static_cast<int>(code), range.file, range.begin}).second) return nullptr;
+    return &reporter_.Report(code, range, args...);
+  }
+
+  const Options& options_;
+  const std::deque<SourceFile>& files_;
+  Reporter& reporter_;
+  Program program_;
+  std::set<std::tuple<int, int, uint32_t>> reported_;
+  std::deque<FunctionInfo> functions_;
+  std::vector<Scope> scopes_;  // [0]: the globals
+  int order_ = 0;
+  NameMaker global_names_;
+  std::unordered_set<std::string> local_names_;   // of all functions
+  std::unordered_map<const void*, int> statics_;  // variables of static locals by declarator
+  std::vector<InitialValue> initial_values_;
+  // The globals of start.cc.
+  struct Start {
+    int ready = -1;
+    int entered = -1;
+    int written = -1;
+    int left = -1;
+  };
+  Start start_;
+
+  // Of the thread function that is being translated.
+  LoweredFunction* out_ = nullptr;
+  Frame* frame_ = nullptr;
+  NameMaker names_;
+  NameMaker label_names_;
+  std::unordered_map<const void*, int> variables_;  // by declarator or parameter
+  int inlined_ = 0;
+  int statement_ = 0;     // the full expression that is being translated
+  bool stopped_ = false;  // it became too long
+};
+
+/// `true` for a value that is void, a structure, or follows an error.
+inline bool IsVoid(const Value& value) { return value.operand.kind == Operand::Kind::kNone; }
+
+/// The type of C that a member of a structure has.
+BasicType TypeOfMember(const gtcalls::Member& member);
+
+/// The expression inside all parentheses.
+const Expression& WithoutParens(const Expression& expression);
+
+}  // namespace oncard::compiler::lowering

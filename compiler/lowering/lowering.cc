@@ -1,0 +1,94 @@
+#include "compiler/lowering/lowering.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "compiler/lowering/costs.h"
+#include "compiler/lowering/lowerer.h"
+#include "compiler/lowering/passes/passes.h"
+#include "compiler/lowering/printer.h"
+#include "compiler/structured_source.h"
+
+namespace oncard::compiler {
+namespace {
+
+// The compiler's diagnostics of the lowered text, at the places of C. The same statement may stand
+// in the text several times.
+void Translate(const Compilation& compilation, const std::vector<SourceRange>& origins,
+               Reporter& reporter) {
+  const SourceFile& text = compilation.files[0];
+  const auto origin = [&](const SourceRange& range) {
+    const size_t line = static_cast<size_t>(text.LineOf(range.begin)) - 1;
+    SourceRange nowhere;
+    nowhere.file = -1;
+    return line < origins.size() ? origins[line] : nowhere;
+  };
+  for (const Diagnostic& diagnostic : compilation.diagnostics) {
+    const SourceRange place = origin(diagnostic.range);
+    const bool known = std::any_of(reporter.diagnostics().begin(), reporter.diagnostics().end(),
+                                   [&](const Diagnostic& other) {
+                                     return other.info == diagnostic.info && other.range == place;
+                                   });
+    if (known) continue;
+    Diagnostic translated;
+    translated.info = diagnostic.info;
+    translated.severity = diagnostic.severity;
+    translated.range = place.file < 0 ? SourceRange() : place;
+    translated.message = diagnostic.message;
+    for (const Note& note : diagnostic.notes) {
+      Note moved = note;
+      moved.range = note.has_place ? origin(note.range) : note.range;
+      moved.has_place = note.has_place && moved.range.file >= 0;
+      translated.notes.push_back(std::move(moved));
+    }
+    std::string_view line = text.Line(text.LineOf(diagnostic.range.begin));
+    line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+    AddNote(translated,
+            MakeMessage("the lowered statement is '{0}'", "转换后的语句是 '{0}'", line));
+    reporter.diagnostics().push_back(std::move(translated));
+  }
+}
+
+}  // namespace
+
+Lowering LowerText(const std::string& path, std::string text, const Options& options,
+                   const LoweringOptions& lowering_options, const FileReader& reader) {
+  Reporter reporter;
+  StructuredSource source(path, std::move(text), options, reader, reporter);
+  Lowering result;
+  if (!reporter.HasErrors()) {
+    lowering::Program program =
+        lowering::Lowerer(options, source.files(), reporter).Lower(source.tree());
+    if (!reporter.HasErrors()) {
+      for (lowering::LoweredFunction& function : program.functions) {
+        lowering::RemoveUnusedLabels(function);
+        if (lowering_options.optimize) {
+          lowering::Optimize(program, function, options.double_format);
+        }
+        lowering::ShareTemporaries(program, function);
+        result.costs.push_back(lowering::CostOf(program, function));
+      }
+      result.global_slots = lowering::GlobalSlots(program);
+      lowering::CheckLimits(program, result.costs, reporter);
+    }
+    if (!reporter.HasErrors()) {
+      lowering::PrintedProgram printed =
+          lowering::Print(program, source.files(), lowering_options.annotate);
+      Compilation compilation = CompileText(path, printed.text, options, reader);
+      Translate(compilation, printed.origins, reporter);
+      result.origins = std::move(printed.origins);
+      if (!reporter.HasErrors()) {
+        result.text = std::move(printed.text);
+        result.object = std::move(compilation.object);
+      }
+    }
+  }
+  source.AddMacroNotes(reporter);
+  result.diagnostics.assign(std::make_move_iterator(reporter.diagnostics().begin()),
+                            std::make_move_iterator(reporter.diagnostics().end()));
+  SortAndLimit(result.diagnostics, source.inclusion_points(), options.max_errors);
+  result.files.assign(source.files().begin(), source.files().end());
+  return result;
+}
+
+}  // namespace oncard::compiler

@@ -1,0 +1,50 @@
+// Structured C to the card's language (docs/structured.md). Like compiler.h: text in, text and
+// diagnostics out, no files of its own, no exceptions, no global state, usable from any thread.
+// The parts: lowerer.h translates the syntax tree to the program of ir.h, passes/ shortens it,
+// printer.h writes it. Tested by tests/lowering/ and tests/differential/lowered_test.cc.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compiler/compiler.h"
+
+namespace oncard::compiler {
+
+struct LoweringOptions {
+  /// Folds constants, propagates copies, threads jumps, removes what has no effect.
+  bool optimize = true;
+  /// Comments on statements of C that read and write a global in different statements of the card.
+  bool annotate = false;
+};
+
+/// What a thread function takes on the card.
+struct FunctionCost {
+  std::string name;
+  int statements = 0;
+  int labels = 0;
+  int temporaries = 0;
+  int page_slots = 0;  ///< parameters, locals and temporaries
+};
+
+struct Lowering {
+  /// The files of the structured program, [0] the program itself; diagnostics index them.
+  std::vector<SourceFile> files;
+  /// Errors of lowering, or all that the compiler says about the lowered text, at the places of C.
+  std::vector<Diagnostic> diagnostics;
+  /// The lowered program. Present when there is no error.
+  std::optional<std::string> text;
+  /// What the text compiles to; present with it.
+  std::optional<vm::Object> object;
+  /// For each line of the text the place in C that it comes from; file -1: none.
+  std::vector<SourceRange> origins;
+  std::vector<FunctionCost> costs;
+  int global_slots = 0;
+};
+
+/// Lowers a program that is in memory under the name `path`; includes go through `reader`.
+Lowering LowerText(const std::string& path, std::string text, const Options& options,
+                   const LoweringOptions& lowering_options, const FileReader& reader);
+
+}  // namespace oncard::compiler

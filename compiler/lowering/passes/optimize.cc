@@ -1,0 +1,23 @@
+// The order of the passes.
+#include "compiler/lowering/passes/passes.h"
+
+namespace oncard::compiler::lowering {
+namespace {
+
+// Programs need two or three rounds.
+constexpr int kRoundMax = 16;
+
+}  // namespace
+
+void Optimize(const Program& program, LoweredFunction& function, vm::DoubleFormat format) {
+  bool changed = true;
+  for (int round = 0; changed && round < kRoundMax; ++round) {
+    changed = PropagateCopies(program, function);
+    changed |= FoldConstants(function, format);
+    changed |= ThreadJumps(program, function);
+    changed |= RemoveUnreachable(function);
+    changed |= RemoveDeadStores(program, function);
+  }
+}
+
+}  // namespace oncard::compiler::lowering

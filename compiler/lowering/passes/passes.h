@@ -1,0 +1,40 @@
+// Passes over the lowered statements of one function. None adds an access to a global, and none
+// moves one past another. Each is in a file of its own.
+#pragma once
+
+#include "compiler/lowering/ir.h"
+#include "vm/fixed_point.h"
+
+namespace oncard::compiler::lowering {
+
+/// Computes statements whose operands are constants, with the card's arithmetic.
+bool FoldConstants(LoweredFunction& function, vm::DoubleFormat format);
+
+/// Replaces locals by what was assigned to them, up to the next label.
+bool PropagateCopies(const Program& program, LoweredFunction& function);
+
+/// Jumps to jumps, jumps to the next statement, and jumps over jumps.
+bool ThreadJumps(const Program& program, LoweredFunction& function);
+
+/// Removes statements that no path reaches, and labels without a jump.
+bool RemoveUnreachable(LoweredFunction& function);
+
+/// Removes labels without a jump.
+void RemoveUnusedLabels(LoweredFunction& function);
+
+/// Removes assignments to locals that are never read.
+bool RemoveDeadStores(const Program& program, LoweredFunction& function);
+
+/// Lets temporaries with disjoint lifetimes share one, and names them.
+void ShareTemporaries(Program& program, LoweredFunction& function);
+
+/// All optimising passes until nothing changes.
+void Optimize(const Program& program, LoweredFunction& function, vm::DoubleFormat format);
+
+/// Positions of the labels of a function, by number; -1 if it is not there.
+std::vector<int> LabelPositions(const LoweredFunction& function);
+
+/// True for a number that only its function can access.
+bool IsLocalNumber(const Program& program, int variable);
+
+}  // namespace oncard::compiler::lowering

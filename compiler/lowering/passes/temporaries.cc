@@ -1,0 +1,136 @@
+// Temporaries whose lifetimes do not overlap become one. A lifetime is the part of the text from
+// the first to the last use; a loop that is entered within it belongs to it as a whole.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <unordered_set>
+
+#include "compiler/lowering/passes/passes.h"
+
+namespace oncard::compiler::lowering {
+namespace {
+
+struct Lifetime {
+  int variable = -1;
+  int begin = -1;
+  int end = -1;
+};
+
+struct Loop {
+  int begin;
+  int end;
+};
+
+std::vector<Loop> LoopsOf(const LoweredFunction& function) {
+  const std::vector<int> positions = LabelPositions(function);
+  std::vector<Loop> loops;
+  for (size_t i = 0; i < function.code.size(); ++i) {
+    const Instruction& instruction = function.code[i];
+    if (instruction.kind != Instruction::Kind::kGoto &&
+        instruction.kind != Instruction::Kind::kIf) {
+      continue;
+    }
+    const int position = positions[static_cast<size_t>(instruction.label)];
+    if (position <= static_cast<int>(i)) loops.push_back({position, static_cast<int>(i)});
+  }
+  std::sort(loops.begin(), loops.end(),
+            [](const Loop& a, const Loop& b) { return a.begin < b.begin; });
+  return loops;
+}
+
+void Extend(Lifetime& lifetime, const std::vector<Loop>& loops) {
+  for (bool changed = true; changed;) {
+    changed = false;
+    auto loop = std::upper_bound(loops.begin(), loops.end(), lifetime.begin,
+                                 [](int begin, const Loop& other) { return begin < other.begin; });
+    for (; loop != loops.end() && loop->begin <= lifetime.end; ++loop) {
+      if (loop->end <= lifetime.end) continue;
+      lifetime.end = loop->end;
+      changed = true;
+    }
+  }
+}
+
+}  // namespace
+
+void ShareTemporaries(Program& program, LoweredFunction& function) {
+  std::vector<Lifetime> lifetimes(program.variables.size());
+  std::unordered_set<std::string> names;
+  for (const int global : program.globals) {
+    names.insert(program.variables[static_cast<size_t>(global)].name);
+  }
+  for (const LoweredFunction& other : program.functions) names.insert(other.name);
+  for (const int parameter : function.parameters) {
+    names.insert(program.variables[static_cast<size_t>(parameter)].name);
+  }
+  const auto use = [&](int variable, int position) {
+    const Variable& info = program.variables[static_cast<size_t>(variable)];
+    if (info.role != Variable::Role::kTemporary) {
+      names.insert(info.name);
+      return;
+    }
+    Lifetime& lifetime = lifetimes[static_cast<size_t>(variable)];
+    lifetime.variable = variable;
+    if (lifetime.begin < 0) lifetime.begin = position;
+    lifetime.end = position;
+  };
+  for (size_t i = 0; i < function.code.size(); ++i) {
+    const int position = static_cast<int>(i);
+    ForEachOperand(function.code[i], [&use, position](const Operand& operand, bool /*written*/) {
+      if (operand.variable >= 0) use(operand.variable, position);
+      if (operand.index >= 0) use(operand.index, position);
+    });
+  }
+  std::erase_if(lifetimes, [](const Lifetime& lifetime) { return lifetime.variable < 0; });
+  const std::vector<Loop> loops = LoopsOf(function);
+  for (Lifetime& lifetime : lifetimes) Extend(lifetime, loops);
+  std::stable_sort(lifetimes.begin(), lifetimes.end(),
+                   [](const Lifetime& a, const Lifetime& b) { return a.begin < b.begin; });
+
+  // Of each type, those that are free, the oldest first, and those in use by the end of their use.
+  // A statement reads its operands before it writes, so one may end where the next begins.
+  struct Pool {
+    std::set<int> free;
+    std::multimap<int, int> busy;
+    int count = 0;
+  };
+  std::map<vm::DataType, Pool> pools;
+  std::vector<int> shared(program.variables.size(), -1);
+  for (const Lifetime& lifetime : lifetimes) {
+    const vm::DataType type = program.variables[static_cast<size_t>(lifetime.variable)].type;
+    Pool& pool = pools[type];
+    while (!pool.busy.empty() && pool.busy.begin()->first <= lifetime.begin) {
+      pool.free.insert(pool.busy.begin()->second);
+      pool.busy.erase(pool.busy.begin());
+    }
+    int owner = lifetime.variable;
+    if (!pool.free.empty()) {
+      owner = *pool.free.begin();
+      pool.free.erase(pool.free.begin());
+    } else {
+      const std::string_view prefix = type == vm::DataType::kDouble ? "real" : "tmp";
+      std::string name;
+      do {
+        name = fmt::format("{}{}", prefix, ++pool.count);
+      } while (!names.insert(name).second);
+      program.variables[static_cast<size_t>(owner)].name = name;
+    }
+    shared[static_cast<size_t>(lifetime.variable)] = owner;
+    pool.busy.emplace(lifetime.end, owner);
+  }
+  for (Instruction& instruction : function.code) {
+    ForEachOperand(instruction, [&shared](Operand& operand, bool /*written*/) {
+      if (operand.variable >= 0 && shared[static_cast<size_t>(operand.variable)] >= 0) {
+        operand.variable = shared[static_cast<size_t>(operand.variable)];
+      }
+      if (operand.index >= 0 && shared[static_cast<size_t>(operand.index)] >= 0) {
+        operand.index = shared[static_cast<size_t>(operand.index)];
+      }
+    });
+  }
+}
+
+}  // namespace oncard::compiler::lowering

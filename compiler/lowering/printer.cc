@@ -1,0 +1,285 @@
+#include "compiler/lowering/printer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "compiler/literal.h"
+#include "vm/fixed_point.h"
+
+namespace oncard::compiler::lowering {
+namespace {
+
+using Kind = Instruction::Kind;
+
+constexpr size_t kDeclarationWidth = 80;
+
+class Printer {
+ public:
+  Printer(const Program& program, const std::deque<SourceFile>& files, bool annotate)
+      : program_(program), files_(files), annotate_(annotate) {}
+
+  PrintedProgram Run() {
+    for (const int global : program_.globals) {
+      const Variable& variable = VariableAt(global);
+      Line(fmt::format("{} {};", TypeOf(variable), Declare(variable)), variable.range);
+    }
+    for (const LoweredFunction& function : program_.functions) PrintFunction(function);
+    return std::move(out_);
+  }
+
+ private:
+  static constexpr SourceRange Nowhere() {
+    SourceRange range;
+    range.file = -1;
+    return range;
+  }
+
+  void Line(const std::string& text, SourceRange origin) {
+    out_.text += text + '\n';
+    out_.origins.push_back(origin);
+  }
+
+  const Variable& VariableAt(int number) const {
+    return program_.variables[static_cast<size_t>(number)];
+  }
+
+  static std::string_view TypeOf(const Variable& variable) {
+    return variable.structure != nullptr ? variable.structure->name : vm::TypeName(variable.type);
+  }
+
+  static std::string Declare(const Variable& variable) {
+    if (variable.size == 0) return variable.name;
+    return fmt::format("{}[{}]", variable.name, variable.size);
+  }
+
+  std::string Spell(const Operand& operand) const {
+    if (operand.IsConstant()) {
+      return operand.type == vm::DataType::kDouble ? SpellDouble(operand.value)
+                                                   : std::to_string(operand.value);
+    }
+    const Variable& variable = VariableAt(operand.variable);
+    std::string text = operand.address ? "&" + variable.name : variable.name;
+    if (operand.kind == Operand::Kind::kElement) {
+      text += operand.index >= 0 ? fmt::format("[{}]", VariableAt(operand.index).name)
+                                 : fmt::format("[{}]", operand.value);
+    } else if (operand.kind == Operand::Kind::kMember) {
+      text +=
+          fmt::format(".{}", variable.structure->members[static_cast<size_t>(operand.member)].name);
+    }
+    return text;
+  }
+
+  std::string SpellUnary(const Instruction& instruction) const {
+    const std::string operand = Spell(instruction.a);
+    switch (instruction.unary) {
+      case vm::UnaryOperator::kCopy:
+        return operand;
+      case vm::UnaryOperator::kNot:
+        return "!" + operand;
+      case vm::UnaryOperator::kInvert:
+        return "~" + operand;
+      case vm::UnaryOperator::kAbs:
+        return fmt::format("abs({})", operand);
+      case vm::UnaryOperator::kFabs:
+        return fmt::format("fabs({})", operand);
+      case vm::UnaryOperator::kToInt:
+        return "(int) " + operand;
+      case vm::UnaryOperator::kToDouble:
+        return "(double) " + operand;
+    }
+    return operand;
+  }
+
+  std::string Spell(const Instruction& instruction, const LoweredFunction& function) const {
+    switch (instruction.kind) {
+      case Kind::kUnary:
+        return fmt::format("{} = {};", Spell(instruction.target), SpellUnary(instruction));
+      case Kind::kBinary:
+        return fmt::format(
+            "{} = {} {} {};", Spell(instruction.target), Spell(instruction.a),
+            vm::FindBinaryOperator(static_cast<uint16_t>(instruction.binary))->spelling,
+            Spell(instruction.b));
+      case Kind::kLabel:
+        return function.labels[static_cast<size_t>(instruction.label)] + ":";
+      case Kind::kGoto:
+        return fmt::format("goto {};", function.labels[static_cast<size_t>(instruction.label)]);
+      case Kind::kIf:
+        return fmt::format("if ({}) goto {};", Spell(instruction.a),
+                           function.labels[static_cast<size_t>(instruction.label)]);
+      case Kind::kReturn:
+        return instruction.a.kind == Operand::Kind::kNone
+                   ? "return;"
+                   : fmt::format("return {};", Spell(instruction.a));
+      case Kind::kCall: {
+        std::string arguments;
+        for (const Operand& argument : instruction.arguments) {
+          if (!arguments.empty()) arguments += ", ";
+          arguments += Spell(argument);
+        }
+        return fmt::format("{}({});", instruction.command->name, arguments);
+      }
+    }
+    return {};
+  }
+
+  // The locals that the function uses: variables in the order of their declarations, temporaries
+  // after them.
+  void PrintLocals(const LoweredFunction& function) {
+    std::set<std::tuple<bool, vm::DataType, int>> used;
+    for (const Instruction& instruction : function.code) {
+      ForEachOperand(instruction, [this, &used](const Operand& operand, bool /*written*/) {
+        for (const int number : {operand.variable, operand.index}) {
+          if (number < 0) continue;
+          const Variable::Role role = VariableAt(number).role;
+          const bool temporary = role == Variable::Role::kTemporary;
+          // Temporaries of one type stand together; variables keep their order.
+          const vm::DataType group = temporary ? VariableAt(number).type : vm::DataType::kVoid;
+          if (temporary || role == Variable::Role::kLocal) used.emplace(temporary, group, number);
+        }
+      });
+    }
+    std::string line;
+    std::string_view type;
+    const auto flush = [this, &line, &function] {
+      if (!line.empty()) Line(line + ";", function.header);
+      line.clear();
+    };
+    for (const auto& [temporary, group, number] : used) {
+      const Variable& variable = VariableAt(number);
+      const std::string declared = Declare(variable);
+      const bool fits = line.size() + declared.size() + 3 <= kDeclarationWidth;
+      if (line.empty() || TypeOf(variable) != type || !fits) {
+        flush();
+        type = TypeOf(variable);
+        line = fmt::format("  {} {}", type, declared);
+      } else {
+        line += ", " + declared;
+      }
+    }
+    flush();
+    if (!used.empty()) Line("", Nowhere());
+  }
+
+  // The text of C in one line, so that it can be a comment.
+  static std::string OneLine(std::string_view text) {
+    const size_t end = text.find_first_of("\r\n");
+    std::string line(text.substr(0, end));
+    line.erase(0, std::min(line.find_first_not_of(" \t"), line.size()));
+    // A backslash at the end would continue the comment.
+    while (!line.empty() && (line.back() == ' ' || line.back() == '\t' || line.back() == '\\')) {
+      line.pop_back();
+    }
+    return end != std::string_view::npos && end > 0 &&
+                   text.find_first_not_of(" \t\r\n", end) != std::string_view::npos
+               ? line + " ..."
+               : line;
+  }
+
+  void PrintComment(int statement) {
+    const SourceRange range = program_.statements[static_cast<size_t>(statement)];
+    const SourceFile& file = files_[static_cast<size_t>(range.file)];
+    const int line = file.LineOf(range.begin);
+    const std::pair<int, int> place(range.file, line);
+    if (place == last_place_) return;
+    last_place_ = place;
+    const bool first = printed_.insert(place).second;
+    const std::string_view source =
+        first ? file.Line(line)
+              : std::string_view(file.text()).substr(range.begin, range.end - range.begin);
+    const std::string where =
+        range.file == 0 ? std::to_string(line) : fmt::format("{}:{}", file.path(), line);
+    Line(fmt::format("  // {}: {}", where, OneLine(source)), range);
+  }
+
+  // The first global that a full expression reads in one statement and writes in a later one.
+  void PrintAnnotations(const LoweredFunction& function, size_t begin) {
+    const int statement = function.code[begin].statement;
+    if (!annotated_.insert(statement).second) return;
+    std::map<int, size_t> first_read;
+    std::set<int> reported;
+    for (size_t i = begin; i < function.code.size(); ++i) {
+      const Instruction& instruction = function.code[i];
+      if (instruction.statement != statement) continue;
+      ForEachOperand(instruction, [&](const Operand& operand, bool written) {
+        for (const int number : {operand.variable, operand.index}) {
+          if (number < 0 || VariableAt(number).role != Variable::Role::kGlobal) continue;
+          const bool writes = written && number == operand.variable;
+          if (!writes) {
+            first_read.try_emplace(number, i);
+            continue;
+          }
+          const auto read = first_read.find(number);
+          if (read == first_read.end() || read->second == i || !reported.insert(number).second) {
+            continue;
+          }
+          Line(fmt::format(
+                   "  // not atomic: '{}' is read in one statement and written in a later one",
+                   VariableAt(number).name),
+               instruction.range);
+        }
+      });
+    }
+  }
+
+  void PrintFunction(const LoweredFunction& function) {
+    if (!out_.text.empty()) Line("", Nowhere());
+    std::string parameters;
+    for (const int parameter : function.parameters) {
+      if (!parameters.empty()) parameters += ", ";
+      parameters += fmt::format("{} {}", TypeOf(VariableAt(parameter)), VariableAt(parameter).name);
+    }
+    Line(fmt::format("{} {}({}) {{", vm::TypeName(function.type), function.name, parameters),
+         function.header);
+    PrintLocals(function);
+    printed_.clear();
+    annotated_.clear();
+    last_place_ = {-1, -1};
+    int newest = -1;
+    for (size_t i = 0; i < function.code.size(); ++i) {
+      const Instruction& instruction = function.code[i];
+      const bool label = instruction.kind == Kind::kLabel;
+      if (!label || instruction.statement > newest) {
+        PrintComment(instruction.statement);
+        if (annotate_) PrintAnnotations(function, i);
+      }
+      newest = std::max(newest, instruction.statement);
+      Line((label ? "" : "  ") + Spell(instruction, function), instruction.range);
+    }
+    if (!function.code.empty() && function.code.back().kind == Kind::kLabel) {
+      Line(function.type == vm::DataType::kVoid ? "  return;" : "  return 0;", function.end);
+    }
+    Line("}", function.end);
+  }
+
+  const Program& program_;
+  const std::deque<SourceFile>& files_;
+  const bool annotate_;
+  PrintedProgram out_;
+  std::set<std::pair<int, int>> printed_;  // lines of C that are in the function already
+  std::set<int> annotated_;
+  std::pair<int, int> last_place_;
+};
+
+}  // namespace
+
+std::string SpellDouble(int64_t raw) {
+  const double value = vm::DoubleFromFixed(raw);
+  for (int digits = 1; digits < vm::kFractionBits; ++digits) {
+    std::string text = fmt::format("{:.{}f}", value < 0 ? -value : value, digits);
+    const Literal literal = ParseFixed(text);
+    const int64_t magnitude = static_cast<int64_t>(literal.magnitude);
+    if ((value < 0 ? -magnitude : magnitude) == raw) return (value < 0 ? "-" : "") + text;
+  }
+  return fmt::format("{:.{}f}", value, vm::kFractionBits);
+}
+
+PrintedProgram Print(const Program& program, const std::deque<SourceFile>& files, bool annotate) {
+  return Printer(program, files, annotate).Run();
+}
+
+}  // namespace oncard::compiler::lowering

@@ -1,0 +1,26 @@
+// Writes a lowered program as text of the card's language, with the statements of C as comments.
+#pragma once
+
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "compiler/diagnostic.h"
+#include "compiler/lowering/ir.h"
+
+namespace oncard::compiler::lowering {
+
+struct PrintedProgram {
+  std::string text;
+  /// Where each line of the text (from 1, so [0] is line 1) comes from; file -1: from nowhere.
+  std::vector<SourceRange> origins;
+};
+
+/// `annotate` marks the statements of C that read and write a global in different statements of the
+/// card.
+PrintedProgram Print(const Program& program, const std::deque<SourceFile>& files, bool annotate);
+
+/// As motion programs spell it: the shortest decimal fraction with this raw value.
+std::string SpellDouble(int64_t raw);
+
+}  // namespace oncard::compiler::lowering

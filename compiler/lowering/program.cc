@@ -1,0 +1,186 @@
+// The functions of a program: which of them are thread functions, and that none calls itself.
+#include <fmt/format.h>
+
+#include "compiler/lowering/lowerer.h"
+#include "compiler/tree_walk.h"
+
+namespace oncard::compiler::lowering {
+namespace {
+
+// Words that a generated name must not have.
+constexpr std::string_view kReserved[] = {
+    "int",      "long",   "short",   "void",     "double", "if",   "goto",    "return",
+    "else",     "while",  "for",     "do",       "switch", "case", "default", "break",
+    "continue", "struct", "typedef", "unsigned", "signed", "char", "float",   "static",
+    "const",    "sizeof", "enum",    "union",    "extern", "abs",  "fabs"};
+
+}  // namespace
+
+void Lowerer::DeclareFunction(const Function& syntax) {
+  Symbol symbol;
+  symbol.kind = Symbol::Kind::kFunction;
+  symbol.range = syntax.name_range;
+  symbol.order = order_;
+  const auto found = scopes_[0].find(syntax.name);
+  if (found != scopes_[0].end()) {
+    FunctionInfo* known = found->second.function;
+    if (known == nullptr || (!syntax.prototype && !known->syntax->prototype)) {
+      Report(Code::kRedefinition, syntax.name_range, syntax.name);
+      return;
+    }
+    if (!syntax.prototype) {
+      known->syntax = &syntax;
+      known->order = order_;
+    }
+    if (HasWord(syntax.specifiers, "static")) known->is_static = true;
+    return;
+  }
+  FunctionInfo& info = functions_.emplace_back();
+  info.syntax = &syntax;
+  info.order = order_;
+  info.type = ResolveType(syntax.specifiers);
+  info.is_static = HasWord(syntax.specifiers, "static");
+  symbol.type = info.type;
+  symbol.function = &info;
+  scopes_[0].emplace(syntax.name, std::move(symbol));
+}
+
+// Who calls whom. A name that a local hides counts as a call too; it is reported where it is used.
+void Lowerer::CollectCalls(FunctionInfo& info) {
+  const auto in_expression = [this, &info](const Expression& expression) {
+    if (expression.kind != Expression::Kind::kCall) return;
+    const Expression& callee = WithoutParens(*expression.operands[0]);
+    if (callee.kind != Expression::Kind::kName) return;
+    const auto found = scopes_[0].find(callee.text);
+    if (found == scopes_[0].end() || found->second.function == nullptr) return;
+    found->second.function->called = true;
+    info.calls.emplace_back(found->second.function, expression.range);
+  };
+  const auto in_statement = [&in_expression](const Statement& statement) {
+    ForEachWholeExpression(statement, [&in_expression](const Expression& whole) {
+      ForEachExpression(whole, in_expression);
+    });
+  };
+  for (const StatementPtr& item : info.syntax->body) ForEachStatement(*item, in_statement);
+}
+
+// Follows the calls of a function; reports the first one that leads back.
+bool Lowerer::Recurses(FunctionInfo& info, std::vector<FunctionInfo*>& path) {
+  constexpr int kOpen = 1;
+  constexpr int kClosed = 2;
+  info.mark = kOpen;
+  path.push_back(&info);
+  bool recurses = false;
+  for (const auto& [callee, range] : info.calls) {
+    if (callee->mark == kClosed) continue;
+    if (callee->mark != kOpen) {
+      recurses |= Recurses(*callee, path);
+      continue;
+    }
+    std::string cycle;
+    bool inside = false;
+    for (const FunctionInfo* function : path) {
+      inside |= function == callee;
+      if (inside) cycle += fmt::format("{} -> ", function->syntax->name);
+    }
+    Report(Code::kRecursion, range, callee->syntax->name,
+           cycle + std::string(callee->syntax->name));
+    recurses = true;
+  }
+  path.pop_back();
+  info.mark = kClosed;
+  return recurses;
+}
+
+void Lowerer::DefineLabels(Frame& frame) {
+  for (const StatementPtr& item : frame.info->syntax->body) {
+    ForEachStatement(*item, [this, &frame](const Statement& statement) {
+      if (statement.kind != Statement::Kind::kLabel) return;
+      if (frame.labels.contains(statement.name)) {
+        Report(Code::kRedefinition, statement.name_range, statement.name);
+        return;
+      }
+      frame.labels.emplace(statement.name, NewLabel(frame.prefix + std::string(statement.name)));
+    });
+  }
+}
+
+void Lowerer::LowerFunction(FunctionInfo& info) {
+  const Function& syntax = *info.syntax;
+  LoweredFunction& function = program_.functions.emplace_back();
+  out_ = &function;
+  names_ = global_names_;
+  label_names_ = NameMaker();
+  variables_.clear();
+  inlined_ = 0;
+  stopped_ = false;
+  function.name = syntax.name;
+  function.type = DataTypeOf(info.type.basic);
+  function.header = syntax.header;
+  function.end = syntax.close_brace;
+
+  Frame frame;
+  frame.info = &info;
+  frame.scope_base = scopes_.size();
+  frame_ = &frame;
+  scopes_.emplace_back();
+  BeginFullExpression(syntax.header);
+  for (const ParameterDeclaration& parameter : syntax.parameters) {
+    const Type type = ResolveType(parameter.specifiers);
+    const Declarator& declarator = parameter.declarator;
+    if (type.basic == BasicType::kVoid) continue;
+    if (!declarator.sizes.empty() || type.structure != nullptr) {
+      Report(Code::kThreadParameter, parameter.range, declarator.name, syntax.name);
+      Symbol unusable;
+      unusable.range = declarator.name_range;
+      unusable.invalid = true;
+      Define(declarator.name, std::move(unusable));
+      continue;
+    }
+    Symbol symbol;
+    symbol.type = type;
+    symbol.range = declarator.name_range;
+    symbol.variable =
+        NewVariable(Variable::Role::kParameter, declarator.name, type, 0, declarator.name_range);
+    function.parameters.push_back(symbol.variable);
+    Define(declarator.name, std::move(symbol));
+  }
+  DefineLabels(frame);
+  LowerBody(syntax.body);
+  scopes_.pop_back();
+  frame_ = nullptr;
+  if (stopped_) Report(Code::kLoweredTooLong, syntax.name_range, syntax.name);
+}
+
+Program Lowerer::Lower(const Tree& tree) {
+  scopes_.emplace_back();
+  for (const std::string_view word : kReserved) global_names_.Reserve(word);
+  for (const StatementPtr& item : tree.items) {
+    ++order_;
+    switch (item->kind) {
+      case Statement::Kind::kFunction:
+        DeclareFunction(*item->function);
+        global_names_.Reserve(item->function->name);
+        break;
+      case Statement::Kind::kDeclaration:
+        LowerDeclaration(*item);
+        break;
+      default:
+        break;
+    }
+  }
+  for (FunctionInfo& info : functions_) CollectCalls(info);
+  bool recurses = false;
+  for (FunctionInfo& info : functions_) {
+    std::vector<FunctionInfo*> path;
+    if (info.mark == 0) recurses |= Recurses(info, path);
+  }
+  if (recurses) return std::move(program_);
+  for (FunctionInfo& info : functions_) {
+    if (!info.called && !info.is_static && !info.syntax->prototype) LowerFunction(info);
+  }
+  for (LoweredFunction& function : program_.functions) EmitStart(function);
+  return std::move(program_);
+}
+
+}  // namespace oncard::compiler::lowering

@@ -1,0 +1,164 @@
+// Statements other than loops and `switch`.
+#include <fmt/format.h>
+
+#include "compiler/lowering/lowerer.h"
+
+namespace oncard::compiler::lowering {
+
+void Lowerer::LowerBody(const std::vector<StatementPtr>& items) {
+  for (const StatementPtr& item : items) LowerStatement(*item);
+}
+
+// Where a `goto`, `break` or `continue` leads, if the statement is nothing else.
+std::optional<int> Lowerer::JumpTarget(const Statement& statement) {
+  const auto target = [this](int Targets::*label) -> std::optional<int> {
+    if (frame_->targets.empty() || frame_->targets.back().*label < 0) return std::nullopt;
+    return frame_->targets.back().*label;
+  };
+  switch (statement.kind) {
+    case Statement::Kind::kBlock:
+      return statement.items.size() == 1 ? JumpTarget(*statement.items[0]) : std::nullopt;
+    case Statement::Kind::kGoto: {
+      const auto found = frame_->labels.find(statement.name);
+      return found == frame_->labels.end() ? std::nullopt : std::optional(found->second);
+    }
+    case Statement::Kind::kBreak:
+      return target(&Targets::break_label);
+    case Statement::Kind::kContinue:
+      return target(&Targets::continue_label);
+    default:
+      return std::nullopt;
+  }
+}
+
+void Lowerer::LowerLeave(const Statement& statement) {
+  if (const std::optional<int> label = JumpTarget(statement)) {
+    EmitGoto(*label, statement.range);
+  } else if (statement.kind == Statement::Kind::kGoto) {
+    Report(Code::kUnknownLabel, statement.name_range, statement.name);
+  } else {
+    const bool is_break = statement.kind == Statement::Kind::kBreak;
+    Report(Code::kStrayLeave, statement.range, is_break ? "break" : "continue");
+  }
+}
+
+void Lowerer::LowerIf(const Statement& statement) {
+  const Expression& condition = *statement.value;
+  if (statement.else_body == nullptr) {
+    if (const std::optional<int> label = JumpTarget(*statement.body)) {
+      BranchIf(condition, true, *label);
+      return;
+    }
+    const int end = NewLabel("if", statement.keyword, "end");
+    BranchIf(condition, false, end);
+    LowerStatement(*statement.body);
+    EmitLabel(end, statement.range);
+    return;
+  }
+  const int otherwise = NewLabel("if", statement.keyword, "else");
+  const int end = NewLabel("if", statement.keyword, "end");
+  BranchIf(condition, false, otherwise);
+  LowerStatement(*statement.body);
+  EmitGoto(end, statement.range);
+  EmitLabel(otherwise, statement.range);
+  LowerStatement(*statement.else_body);
+  EmitLabel(end, statement.range);
+}
+
+void Lowerer::LowerReturn(const Statement& statement) {
+  const BasicType type = frame_->info->type.basic;
+  Instruction instruction;
+  instruction.kind = Instruction::Kind::kReturn;
+  if (statement.value != nullptr) {
+    const Expression& expression = *statement.value;
+    if (type == BasicType::kVoid) {
+      Report(Code::kReturnValue, expression.range, frame_->info->syntax->name);
+      return;
+    }
+    if (frame_->return_label >= 0) {
+      AssignInto({frame_->result, frame_->info->type}, expression);
+    } else {
+      const std::optional<TypedConstant> constant = Evaluate(expression);
+      const std::optional<TypedConstant> converted =
+          constant ? ConvertConstant(*constant, type) : std::nullopt;
+      Value value =
+          converted ? ConstantValue(*converted, expression.range) : LowerValue(expression);
+      if (!RequireNumber(value, expression)) return;
+      instruction.a = Convert(value, type, expression.range).operand;
+    }
+  }
+  if (frame_->return_label >= 0) {
+    EmitGoto(frame_->return_label, statement.range);
+  } else {
+    Emit(std::move(instruction), statement.range);
+  }
+}
+
+void Lowerer::LowerStatement(const Statement& statement) {
+  using Kind = Statement::Kind;
+  if (stopped_) return;
+  switch (statement.kind) {
+    case Kind::kExpression:
+      BeginFullExpression(statement.value->range);
+      LowerEffect(*statement.value);
+      return;
+    case Kind::kDeclaration:
+      LowerDeclaration(statement);
+      return;
+    case Kind::kBlock:
+      scopes_.emplace_back();
+      LowerBody(statement.items);
+      scopes_.pop_back();
+      return;
+    case Kind::kIf:
+      BeginFullExpression(statement.value->range);
+      LowerIf(statement);
+      return;
+    case Kind::kWhile:
+      LowerWhile(statement);
+      return;
+    case Kind::kDo:
+      LowerDo(statement);
+      return;
+    case Kind::kFor:
+      LowerFor(statement);
+      return;
+    case Kind::kSwitch:
+      LowerSwitch(statement);
+      return;
+    case Kind::kCase:
+    case Kind::kDefault: {
+      if (frame_->cases.empty()) {
+        Report(Code::kCaseLabel, statement.range,
+               MakeMessage("it stands outside a 'switch'", "它不在 'switch' 内"));
+        return;
+      }
+      const auto found = frame_->cases.back().find(&statement);
+      if (found != frame_->cases.back().end()) EmitLabel(found->second, statement.range);
+      return;
+    }
+    case Kind::kLabel: {
+      const auto found = frame_->labels.find(statement.name);
+      if (found != frame_->labels.end()) EmitLabel(found->second, statement.range);
+      return;
+    }
+    case Kind::kGoto:
+    case Kind::kBreak:
+    case Kind::kContinue:
+      BeginFullExpression(statement.range);
+      LowerLeave(statement);
+      return;
+    case Kind::kReturn:
+      BeginFullExpression(statement.range);
+      LowerReturn(statement);
+      return;
+    case Kind::kFunction:  // a prototype
+    case Kind::kMacro:
+    case Kind::kStrayBrace:
+    case Kind::kEmpty:
+    case Kind::kError:
+      return;
+  }
+}
+
+}  // namespace oncard::compiler::lowering

@@ -1,0 +1,145 @@
+// The type of an expression without computing it: for `?:`, whose branches need a common type, and
+// for `sizeof`.
+#include <algorithm>
+
+#include "compiler/lowering/lowerer.h"
+
+namespace oncard::compiler::lowering {
+
+BasicType TypeOfMember(const gtcalls::Member& member) {
+  switch (member.type) {
+    case gtcalls::Scalar::kChar:
+      return BasicType::kChar;
+    case gtcalls::Scalar::kUnsignedChar:
+      return BasicType::kUnsignedChar;
+    case gtcalls::Scalar::kShort:
+      return BasicType::kShort;
+    case gtcalls::Scalar::kUnsignedShort:
+      return BasicType::kUnsignedShort;
+    case gtcalls::Scalar::kLong:
+      return BasicType::kInt;
+    case gtcalls::Scalar::kUnsignedLong:
+      return BasicType::kUnsigned;
+    case gtcalls::Scalar::kDouble:
+      return BasicType::kDouble;
+  }
+  return BasicType::kInt;
+}
+
+namespace {
+
+// Bytes of a structure, with every member at a multiple of its size.
+int64_t SizeOfStructure(const gtcalls::Structure& structure) {
+  int64_t bytes = 0;
+  int64_t alignment = 1;
+  for (const gtcalls::Member& member : structure.members) {
+    const int64_t size = SizeOf(TypeOfMember(member));
+    bytes = (bytes + size - 1) / size * size + size;
+    alignment = std::max(alignment, size);
+  }
+  return (bytes + alignment - 1) / alignment * alignment;
+}
+
+}  // namespace
+
+std::optional<BasicType> Lowerer::CastType(const Expression& expression) {
+  const TypeName& name = *expression.type;
+  if (!name.sizes.empty()) return std::nullopt;
+  const Type type = ResolveType(name.specifiers);
+  return type.structure != nullptr ? std::nullopt : std::optional(type.basic);
+}
+
+// Empty for what has no size here.
+std::optional<int64_t> Lowerer::SizeOfOperand(const Expression& expression) {
+  const auto product = [](int64_t size, const std::vector<int64_t>& dimensions, size_t from) {
+    for (size_t i = from; i < dimensions.size(); ++i) size *= dimensions[i];
+    return size > 0 ? std::optional(size) : std::nullopt;
+  };
+  const auto size_of = [](const Type& type) {
+    return type.structure != nullptr ? SizeOfStructure(*type.structure)
+                                     : int64_t{SizeOf(type.basic)};
+  };
+  if (expression.type != nullptr) {
+    const Type type = ResolveType(expression.type->specifiers);
+    std::vector<int64_t> dimensions;
+    for (const ExpressionPtr& size : expression.type->sizes) {
+      const std::optional<int64_t> value = size != nullptr ? EvaluateInteger(*size) : std::nullopt;
+      if (!value) return std::nullopt;
+      dimensions.push_back(*value);
+    }
+    return product(size_of(type), dimensions, 0);
+  }
+  const Expression& operand = WithoutParens(*expression.operands[0]);
+  size_t indices = 0;
+  const Symbol* symbol = ArrayOf(operand, &indices);
+  if (symbol != nullptr && symbol->kind == Symbol::Kind::kVariable) {
+    return product(size_of(symbol->type), symbol->dimensions, indices);
+  }
+  const BasicType type = TypeOf(operand);
+  return IsArithmetic(type) ? std::optional<int64_t>(SizeOf(type)) : std::nullopt;
+}
+
+BasicType Lowerer::TypeOf(const Expression& expression) {
+  using Kind = Expression::Kind;
+  const auto operand = [this, &expression](size_t i) { return TypeOf(*expression.operands[i]); };
+  switch (expression.kind) {
+    case Kind::kLiteral: {
+      const std::optional<TypedConstant> constant = LiteralConstant(expression);
+      return constant ? constant->type : BasicType::kInt;
+    }
+    case Kind::kName: {
+      const Symbol* symbol = Lookup(expression.text);
+      if (symbol == nullptr) return BasicType::kInt;
+      return symbol->kind == Symbol::Kind::kConstant ? symbol->constant.type : symbol->type.basic;
+    }
+    case Kind::kParen:
+    case Kind::kIndex:
+    case Kind::kPostfix:
+    case Kind::kAssign:
+    case Kind::kCompound:
+      return operand(0);
+    case Kind::kComma:
+      return operand(1);
+    case Kind::kMember: {
+      const Expression& structure = WithoutParens(*expression.operands[0]);
+      const Symbol* symbol = structure.kind == Kind::kName ? Lookup(structure.text) : nullptr;
+      if (symbol == nullptr || symbol->type.structure == nullptr) return BasicType::kInt;
+      for (const gtcalls::Member& member : symbol->type.structure->members) {
+        if (member.name == expression.text) return TypeOfMember(member);
+      }
+      return BasicType::kInt;
+    }
+    case Kind::kUnary:
+      if (expression.op == "!") return BasicType::kInt;
+      if (expression.op == "++" || expression.op == "--") return operand(0);
+      return Promoted(operand(0));
+    case Kind::kBinary: {
+      const vm::OperatorInfo* info = vm::FindBinaryOperator(expression.op);
+      if (info == nullptr || vm::IsLogical(*info) || vm::IsComparison(*info)) {
+        return BasicType::kInt;
+      }
+      if (info->precedence == vm::Precedence::kShift) return Promoted(operand(0));
+      return Common(operand(0), operand(1));
+    }
+    case Kind::kCast:
+      return CastType(expression).value_or(BasicType::kInt);
+    case Kind::kSizeof:
+      return BasicType::kUnsigned;
+    case Kind::kConditional: {
+      const BasicType yes = operand(1);
+      const BasicType no = operand(2);
+      return IsArithmetic(yes) && IsArithmetic(no) ? Common(yes, no) : BasicType::kVoid;
+    }
+    case Kind::kCall: {
+      const Expression& callee = WithoutParens(*expression.operands[0]);
+      const Symbol* symbol = callee.kind == Kind::kName ? Lookup(callee.text) : nullptr;
+      if (symbol != nullptr) return symbol->type.basic;
+      if (callee.text == "fabs") return BasicType::kDouble;
+      return callee.text == "abs" ? BasicType::kInt : BasicType::kVoid;
+    }
+    default:
+      return BasicType::kInt;
+  }
+}
+
+}  // namespace oncard::compiler::lowering

@@ -1,0 +1,72 @@
+// The types of C that structured programs use, and C's rules for them. On the card every value is
+// an int of 32 bits or a fixed-point double; the narrower types and the unsigned ones exist only
+// here. Tested by tests/lowering/.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "gtcalls/catalogue.h"
+#include "vm/opcodes.h"
+
+namespace oncard::compiler::lowering {
+
+/// `long` is `int` and `float` is `double`, as on the card. In the order of conversion rank.
+enum class BasicType : uint8_t {
+  kVoid,
+  kBool,
+  kChar,
+  kUnsignedChar,
+  kShort,
+  kUnsignedShort,
+  kInt,
+  kUnsigned,
+  kDouble,
+  kStructure
+};
+
+/// A type of C with its qualifiers.
+struct Type {
+  BasicType basic = BasicType::kInt;
+  const gtcalls::Structure* structure = nullptr;
+  bool is_const = false;
+};
+
+constexpr bool IsInteger(BasicType type) {
+  return type >= BasicType::kBool && type <= BasicType::kUnsigned;
+}
+constexpr bool IsArithmetic(BasicType type) {
+  return type >= BasicType::kBool && type <= BasicType::kDouble;
+}
+
+/// The type of the card that holds the values.
+constexpr vm::DataType DataTypeOf(BasicType type) {
+  if (type == BasicType::kVoid) return vm::DataType::kVoid;
+  return type == BasicType::kDouble ? vm::DataType::kDouble : vm::DataType::kInt;
+}
+
+/// The integer promotions.
+constexpr BasicType Promoted(BasicType type) {
+  return type < BasicType::kInt ? BasicType::kInt : type;
+}
+
+/// The usual arithmetic conversions of two operands.
+constexpr BasicType Common(BasicType a, BasicType b) {
+  const BasicType left = Promoted(a);
+  const BasicType right = Promoted(b);
+  return left > right ? left : right;
+}
+
+/// True when every value of the first type is one of the second, bit by bit.
+bool Fits(BasicType values, BasicType into);
+
+/// Bytes, as `sizeof` gives them on the controllers' compilers.
+int SizeOf(BasicType type);
+
+/// The value of an integer, converted to another integer type.
+int64_t ConvertInteger(int64_t value, BasicType type);
+
+/// As C spells it.
+std::string_view NameOf(BasicType type);
+
+}  // namespace oncard::compiler::lowering

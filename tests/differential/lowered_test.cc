@@ -1,0 +1,111 @@
+// Random programs of ordinary C, lowered with and without the passes, must compute with oncard what
+// the originals compute when compiled by gcc. ONCARD_STRUCTURED_PROGRAMS=20000 tests more than the
+// default number.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "compiler/lowering/lowering.h"
+#include "machine_run.h"
+#include "oracle.h"
+#include "structured_program.h"
+#include "structured_run.h"
+
+namespace oncard::differential {
+namespace {
+
+constexpr int kUsualPrograms = 250;
+constexpr int kProgramsPerBatch = 250;
+
+int ProgramCount() {
+  const char* wanted = std::getenv("ONCARD_STRUCTURED_PROGRAMS");
+  return wanted != nullptr ? std::atoi(wanted) : kUsualPrograms;
+}
+
+Result<std::string> NoFile(const std::string& path) {
+  return MakeError(1, "no file '{}'", "没有文件“{}”", path);
+}
+
+std::string MessagesOf(const std::vector<compiler::Diagnostic>& diagnostics) {
+  std::string messages;
+  for (const compiler::Diagnostic& diagnostic : diagnostics) {
+    messages +=
+        compiler::DiagnosticName(diagnostic.info->code) + ' ' + diagnostic.message.en + '\n';
+  }
+  return messages;
+}
+
+// The warnings, without those of the original itself: a divisor that it never sets.
+std::string WarningsOfLowering(const compiler::Compilation& compilation) {
+  std::vector<compiler::Diagnostic> warnings = compilation.diagnostics;
+  std::erase_if(warnings, [](const compiler::Diagnostic& diagnostic) {
+    return diagnostic.info->slug == "zero-divisor";
+  });
+  return MessagesOf(warnings);
+}
+
+// Lowers one program, compiles the text and compares what it computes.
+void Check(const StructuredProgram& program, bool optimize, const Values& expected) {
+  const compiler::Lowering lowering =
+      compiler::LowerText("random.c", program.text, {}, {optimize, true}, NoFile);
+  const std::string listing = fmt::format("seed {}, optimize {}\n{}\nlowered\n{}", program.seed,
+                                          optimize, program.text, lowering.text.value_or(""));
+  ASSERT_TRUE(lowering.text.has_value()) << MessagesOf(lowering.diagnostics) << listing;
+  const compiler::Compilation compilation =
+      compiler::CompileText("lowered.c", *lowering.text, {}, NoFile);
+  ASSERT_TRUE(compilation.ok()) << ErrorsOf(compilation) << listing;
+  // Without the passes, what they would remove may cause warnings.
+  if (optimize) {
+    EXPECT_EQ(WarningsOfLowering(compilation), "") << listing;
+  }
+  ASSERT_EQ(RunStructured(program, *compilation.object), expected) << listing;
+}
+
+TEST(LoweredTest, LoweredProgramsComputeWhatGccComputes) {
+  const int count = ProgramCount();
+  for (int begin = 0; begin < count; begin += kProgramsPerBatch) {
+    std::vector<StructuredProgram> programs;
+    for (int i = begin; i < std::min(begin + kProgramsPerBatch, count); ++i) {
+      programs.push_back(MakeStructuredProgram(static_cast<uint64_t>(i), Floats::kNone));
+    }
+    // With -fwrapv ints wrap as in the language.
+    const auto oracle = RunOracle(StructuredOracleText(programs), "-x c -fwrapv",
+                                  std::string(ONCARD_BUILD_DIR) + "/tests/differential/lowered");
+    ASSERT_TRUE(oracle.ok()) << oracle.error().message.en;
+    ASSERT_EQ(oracle.value().size(), programs.size());
+    for (size_t i = 0; i < programs.size(); ++i) {
+      for (const bool optimize : {true, false}) {
+        Check(programs[i], optimize, oracle.value()[i]);
+        if (testing::Test::HasFailure()) return;
+      }
+    }
+  }
+}
+
+constexpr int kCountedPrograms = 60;
+
+TEST(LoweredTest, PassesAddNoAccessToGlobals) {
+  int64_t saved = 0;
+  for (int seed = 0; seed < kCountedPrograms; ++seed) {
+    const StructuredProgram program =
+        MakeStructuredProgram(static_cast<uint64_t>(seed), Floats::kNone);
+    const auto count = [&program](bool optimize) {
+      const compiler::Lowering lowering =
+          compiler::LowerText("random.c", program.text, {}, {optimize, false}, NoFile);
+      EXPECT_TRUE(lowering.object.has_value()) << MessagesOf(lowering.diagnostics);
+      return CountGlobalAccesses(lowering.object.value());
+    };
+    const int64_t plain = count(false);
+    const int64_t optimized = count(true);
+    EXPECT_LE(optimized, plain) << program.text;
+    saved += plain - optimized;
+  }
+  EXPECT_GT(saved, 0);
+}
+
+}  // namespace
+}  // namespace oncard::differential
