@@ -123,6 +123,7 @@ void DescribeApp(CLI::App& app, Session& session) {
   app.require_subcommand(1);
   AddBuild(app, session);
   AddCheck(app, session);
+  AddLower(app, session);
   AddExplain(app, session);
   AddRun(app, session);
   AddTest(app, session);

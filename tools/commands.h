@@ -17,6 +17,7 @@ void DescribeApp(CLI::App& app, Session& session);
 
 void AddBuild(CLI::App& app, Session& session);
 void AddCheck(CLI::App& app, Session& session);
+void AddLower(CLI::App& app, Session& session);
 void AddExplain(CLI::App& app, Session& session);
 void AddRun(CLI::App& app, Session& session);
 void AddTest(CLI::App& app, Session& session);

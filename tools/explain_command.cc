@@ -1,6 +1,8 @@
-// oncard explain: shows the page of a diagnostic, or lists the diagnostics about a word.
+// oncard explain: shows the page of a diagnostic or of structured C, or lists the diagnostics about
+// a word.
 #include "compiler/explain.h"
 #include "compiler/explain_search.h"
+#include "compiler/lowering/overview.h"
 #include "tools/commands.h"
 
 namespace oncard::tools {
@@ -18,6 +20,10 @@ int ListCodes() {
 int Explain(const std::vector<std::string>& words, const Session& session) {
   const std::string text = fmt::format("{}", fmt::join(words, " "));
   if (text.empty()) return ListCodes();
+  if (text == compiler::kStructuredTopic) {
+    PrintResult(compiler::StructuredOverview(session.language));
+    return kExitOk;
+  }
   const std::vector<int> codes = compiler::SearchDiagnostics(text);
   if (codes.empty()) return Fail(session, kExitUsage, compiler::AdviseSearch(text));
   PrintResult(codes.size() == 1 ? *compiler::ExplainPage(codes[0], session.language)

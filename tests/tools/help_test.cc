@@ -10,8 +10,8 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-const char* const kCommands[] = {"build", "check",  "explain", "run",     "test",   "replay",
-                                 "dump",  "verify", "exec",    "explore", "doctor", "schema"};
+const char* const kCommands[] = {"build", "check",  "lower", "explain", "run",    "test",  "replay",
+                                 "dump",  "verify", "exec",  "explore", "doctor", "schema"};
 
 class HelpTest : public testing::TestWithParam<const char*> {};
 

@@ -1,0 +1,82 @@
+// The command lower. What it translates is tested by tests/lang/structured and tests/differential.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/tools/process.h"
+
+namespace oncard::tools {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* kLoops =
+    "int g, h;\nvoid t0(int x) {\n  while (x > 0) g += x--;\n  h = h * g + 1;\n}\n";
+constexpr const char* kUndeclared = "int g;\nvoid t0() {\n  g = later + 1;\n}\n";
+
+TEST(Lower, PrintsAProgramThatTheCheckAccepts) {
+  const ScratchFolder scratch;
+  const ProcessResult lowered = RunOncard({"lower", scratch.Write("p.c", kLoops)});
+  EXPECT_EQ(lowered.exit_code, 0);
+  EXPECT_EQ(lowered.err, "");
+  EXPECT_THAT(lowered.out, HasSubstr("lbl_while_3_end:"));
+  const ProcessResult check = RunOncard({"check", scratch.Write("lowered.c", lowered.out)});
+  EXPECT_EQ(check.exit_code, 0);
+  EXPECT_EQ(check.err, "");
+}
+
+TEST(Lower, WritesAFileOnRequest) {
+  const ScratchFolder scratch;
+  const std::string source = scratch.Write("p.c", kLoops);
+  const ProcessResult result = RunOncard({"lower", source, "-o", scratch.path() + "/out.c"});
+  EXPECT_EQ(result.out + result.err, "");
+  EXPECT_EQ(scratch.Read("out.c"), RunOncard({"lower", source}).out);
+}
+
+TEST(Lower, WritesNothingWhenTheProgramIsWrong) {
+  const ScratchFolder scratch;
+  const std::string source = scratch.Write("p.c", kUndeclared);
+  const ProcessResult result = RunOncard({"lower", source, "-o", scratch.path() + "/out.c"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.out, "");
+  EXPECT_THAT(result.err, HasSubstr("p.c:3:7: error MP027"));
+  EXPECT_FALSE(scratch.Has("out.c"));
+}
+
+TEST(Lower, DoesNotOverwriteItsSource) {
+  const ScratchFolder scratch;
+  const std::string source = scratch.Write("p.c", kLoops);
+  EXPECT_EQ(RunOncard({"lower", source, "-o", source}).exit_code, 2);
+  EXPECT_EQ(scratch.Read("p.c"), kLoops);
+}
+
+TEST(Lower, AnnotatesWhatIsNotAtomic) {
+  const ScratchFolder scratch;
+  const std::string source = scratch.Write("p.c", kLoops);
+  const std::string remark = "not atomic: 'h' is read in one statement and written in a later";
+  EXPECT_THAT(RunOncard({"lower", "--annotate", source}).out, HasSubstr(remark));
+  EXPECT_THAT(RunOncard({"lower", source}).out, Not(HasSubstr("not atomic")));
+}
+
+TEST(Lower, ShowsTheCostOfEachFunction) {
+  const ScratchFolder scratch;
+  const std::string source = scratch.Write("p.c", kLoops);
+  const ProcessResult result = RunOncard({"lower", "--cost", source});
+  EXPECT_THAT(result.err, HasSubstr("t0"));
+  EXPECT_THAT(result.err, HasSubstr("global slots: 2"));
+}
+
+TEST(Lower, IsExplained) {
+  for (const char* language : {"--lang=en", "--lang=zh"}) {
+    const ProcessResult page = RunOncard({language, "explain", "structured"});
+    EXPECT_EQ(page.exit_code, 0);
+    EXPECT_THAT(page.out, HasSubstr("oncard lower FILE.c -o OUT.c"));
+  }
+}
+
+TEST(Lower, ExitsWithThreeWhenTheFileCannotBeRead) {
+  EXPECT_EQ(RunOncard({"lower", "/nonexistent/p.c"}).exit_code, 3);
+}
+
+}  // namespace
+}  // namespace oncard::tools

@@ -1,0 +1,102 @@
+// oncard lower: structured C in, the card's language out.
+#include "compiler/diagnostic_printer.h"
+#include "compiler/lowering/lowering.h"
+#include "tools/commands.h"
+
+namespace oncard::tools {
+namespace {
+
+struct LowerOptions {
+  std::string source;
+  std::string output;
+  compiler::LoweringOptions lowering;
+  bool cost = false;
+  std::vector<std::string> include_folders;
+  std::vector<std::string> warnings;
+  std::string double_format = "32.16";
+  int max_errors = compiler::Options().max_errors;
+  std::string diagnostics = "text";
+};
+
+// A table of what each thread function takes, and the globals.
+std::string CostTable(const compiler::Lowering& lowering, const Session& session) {
+  std::string text = session.Say(MakeMessage("{0:<32}{1:>12}{2:>8}{3:>13}{4:>12}\n",
+                                             "{5:<30}{6:>10}{7:>6}{8:>9}{9:>10}\n", "function",
+                                             "statements", "labels", "temporaries", "page slots",
+                                             "函数", "语句", "标号", "临时变量", "页存储单元"));
+  for (const compiler::FunctionCost& cost : lowering.costs) {
+    text += fmt::format("{:<32}{:>12}{:>8}{:>13}{:>12}\n", cost.name, cost.statements, cost.labels,
+                        cost.temporaries, cost.page_slots);
+  }
+  return text +
+         fmt::format("{}\n", session.Say(MakeMessage("global slots: {0}", "全局存储单元：{0}",
+                                                     lowering.global_slots)));
+}
+
+int Lower(const LowerOptions& options, const Session& session) {
+  compiler::Options compile = {DoubleFormatOf(options.double_format), options.include_folders,
+                               options.max_errors};
+  for (const std::string& warning : options.warnings) {
+    compiler::ReadWarningOption(warning, &compile);
+  }
+  if (!options.output.empty() && options.output == options.source) {
+    return Fail(session, kExitUsage,
+                MakeMessage("the output '{0}' is the source: give it another name",
+                            "输出“{0}”就是源文件：请换一个名称", options.output));
+  }
+  Result<std::string> text = compiler::ReadSource(options.source);
+  if (!text.ok()) return Fail(session, kExitUnreadable, text.error().message);
+  compiler::Lowering lowering = compiler::LowerText(
+      options.source, std::move(text).value(), compile, options.lowering, compiler::ReadSource);
+  compiler::Compilation report;
+  report.files = std::move(lowering.files);
+  report.diagnostics = std::move(lowering.diagnostics);
+  const compiler::PrintOptions print = {session.language, session.color};
+  PrintDiagnostics(options.diagnostics == "json" ? compiler::PrintJson(report, print)
+                                                 : compiler::PrintText(report, print));
+  if (!lowering.text) return kExitFailed;
+  if (options.cost) PrintDiagnostics(CostTable(lowering, session));
+  if (!options.output.empty()) return WriteOutput(session, options.output, *lowering.text);
+  PrintResult(*lowering.text);
+  return kExitOk;
+}
+
+}  // namespace
+
+void AddLower(CLI::App& app, Session& session) {
+  const auto options = std::make_shared<LowerOptions>();
+  CLI::App* command =
+      AddCommand(app, session, "lower",
+                 {"translate structured C to the card's language", "把结构化 C 转换为控制卡的语言"},
+                 [options, &session] { return Lower(*options, session); });
+  command
+      ->add_option("source", options->source,
+                   session.Say({"program in structured C (.c)", "结构化 C 程序（.c）"}))
+      ->required()
+      ->type_name("FILE");
+  command
+      ->add_option("-o,--output", options->output,
+                   session.Say({"file of the lowered program (default: standard output)",
+                                "转换结果的文件（默认：标准输出）"}))
+      ->type_name("FILE");
+  command->add_flag("--annotate", options->lowering.annotate,
+                    session.Say({"mark statements of C that read and write a global in different "
+                                 "statements of the card",
+                                 "标出在不同的卡语句中读写同一全局变量的 C 语句"}));
+  command->add_flag("--optimize,!--no-optimize", options->lowering.optimize,
+                    session.Say({"shorten the program (default)", "精简程序（默认）"}));
+  command->add_flag("--cost", options->cost,
+                    session.Say({"print what each function takes to standard error",
+                                 "把各函数的占用情况写到标准错误"}));
+  AddIncludeOption(*command, session, options->include_folders);
+  AddDoubleOption(*command, session, options->double_format);
+  AddMaxErrorsOption(*command, session, options->max_errors);
+  AddWarningOption(*command, session, options->warnings);
+  command
+      ->add_option("--diagnostics", options->diagnostics,
+                   session.Say({"form of the diagnostics: text|json", "诊断格式：text|json"}))
+      ->type_name("FORMAT")
+      ->check(CLI::IsMember({"text", "json"}).description(""));
+}
+
+}  // namespace oncard::tools
