@@ -20,7 +20,7 @@ constexpr int32_t IntOf(int64_t slot) { return static_cast<int32_t>(slot); }
 /// a/b, truncated toward zero and wrapped; b must not be 0. Programs mostly divide by powers of
 /// two, and a division instruction takes as long as several statements.
 inline __attribute__((always_inline)) int32_t DivideInt(int32_t a, int32_t b) {
-  if (b > 0 && (b & (b - 1)) == 0) {
+  if (b > 0 && (b & (b - 1)) == 0) [[likely]] {
     const int32_t toward_zero = (a >> 31) & (b - 1);
     return ToInt(ToUnsigned(a) + ToUnsigned(toward_zero)) >> __builtin_ctz(ToUnsigned(b));
   }
@@ -29,7 +29,7 @@ inline __attribute__((always_inline)) int32_t DivideInt(int32_t a, int32_t b) {
 
 /// The remainder of that division, with the sign of a; b must not be 0.
 inline __attribute__((always_inline)) int32_t RemainderInt(int32_t a, int32_t b) {
-  if (b > 0 && (b & (b - 1)) == 0) {
+  if (b > 0 && (b & (b - 1)) == 0) [[likely]] {
     const int32_t toward_zero = (a >> 31) & (b - 1);
     return (ToInt(ToUnsigned(a) + ToUnsigned(toward_zero)) & (b - 1)) - toward_zero;
   }
