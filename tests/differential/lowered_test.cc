@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "oracle.h"
 #include "structured_program.h"
 #include "structured_run.h"
+#include "typed_program.h"
 
 namespace oncard::differential {
 namespace {
@@ -65,16 +67,17 @@ void Check(const StructuredProgram& program, bool optimize, const Values& expect
   ASSERT_EQ(RunStructured(program, *compilation.object), expected) << listing;
 }
 
-TEST(LoweredTest, LoweredProgramsComputeWhatGccComputes) {
+// What all programs of a generator compute, against gcc.
+void CheckAll(const std::function<StructuredProgram(uint64_t)>& make, const std::string& folder) {
   const int count = ProgramCount();
   for (int begin = 0; begin < count; begin += kProgramsPerBatch) {
     std::vector<StructuredProgram> programs;
     for (int i = begin; i < std::min(begin + kProgramsPerBatch, count); ++i) {
-      programs.push_back(MakeStructuredProgram(static_cast<uint64_t>(i), Floats::kNone));
+      programs.push_back(make(static_cast<uint64_t>(i)));
     }
     // With -fwrapv ints wrap as in the language.
     const auto oracle = RunOracle(StructuredOracleText(programs), "-x c -fwrapv",
-                                  std::string(ONCARD_BUILD_DIR) + "/tests/differential/lowered");
+                                  std::string(ONCARD_BUILD_DIR) + "/tests/differential/" + folder);
     ASSERT_TRUE(oracle.ok()) << oracle.error().message.en;
     ASSERT_EQ(oracle.value().size(), programs.size());
     for (size_t i = 0; i < programs.size(); ++i) {
@@ -84,6 +87,14 @@ TEST(LoweredTest, LoweredProgramsComputeWhatGccComputes) {
       }
     }
   }
+}
+
+TEST(LoweredTest, LoweredProgramsComputeWhatGccComputes) {
+  CheckAll([](uint64_t seed) { return MakeStructuredProgram(seed, Floats::kNone); }, "lowered");
+}
+
+TEST(LoweredTest, LoweredTypesAndCallsComputeWhatGccComputes) {
+  CheckAll(MakeTypedProgram, "typed");
 }
 
 constexpr int kCountedPrograms = 60;

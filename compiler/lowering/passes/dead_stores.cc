@@ -190,8 +190,10 @@ bool RemoveUnreadAggregates(const Program& program, LoweredFunction& function) {
 }  // namespace
 
 bool RemoveDeadStores(const Program& program, LoweredFunction& function) {
-  const bool removed = RemoveUnreadAggregates(program, function);
-  return Liveness(program, function).RemoveDead() || removed;
+  bool removed = RemoveUnreadAggregates(program, function);
+  // What only removed statements read is dead then.
+  while (Liveness(program, function).RemoveDead()) removed = true;
+  return removed;
 }
 
 }  // namespace oncard::compiler::lowering

@@ -4,8 +4,8 @@
 namespace oncard::compiler::lowering {
 namespace {
 
-// Programs need two or three rounds.
-constexpr int kRoundMax = 16;
+// Programs need two or three rounds, a value that goes through many branches one for each.
+constexpr int kRoundMax = 64;
 
 }  // namespace
 
