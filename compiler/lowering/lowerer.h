@@ -89,7 +89,8 @@ class Lowerer {
     bool is_static = false;
     bool called = false;
     std::vector<std::pair<FunctionInfo*, SourceRange>> calls;
-    int mark = 0;  // while looking for recursion
+    int mark = 0;    // while looking for recursion
+    int height = 0;  // levels of calls below it
   };
   struct Symbol {
     enum class Kind : uint8_t { kVariable, kConstant, kFunction };

@@ -1,11 +1,15 @@
 // The functions of a program: which of them are thread functions, and that none calls itself.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "compiler/lowering/lowerer.h"
 #include "compiler/tree_walk.h"
 
 namespace oncard::compiler::lowering {
 namespace {
+
+constexpr int kCallDepthMax = 16;
 
 // Words that a generated name must not have.
 constexpr std::string_view kReserved[] = {
@@ -39,6 +43,11 @@ void Lowerer::DeclareFunction(const Function& syntax) {
   info.syntax = &syntax;
   info.order = order_;
   info.type = ResolveType(syntax.specifiers);
+  if (info.type.structure != nullptr) {
+    Report(Code::kNotLowered, syntax.specifiers.range,
+           MakeMessage("a function whose result is a structure", "返回结构的函数"),
+           MakeMessage("write the result to a global structure", "请把结果写入全局结构"));
+  }
   info.is_static = HasWord(syntax.specifiers, "static");
   symbol.type = info.type;
   symbol.function = &info;
@@ -64,7 +73,7 @@ void Lowerer::CollectCalls(FunctionInfo& info) {
   for (const StatementPtr& item : info.syntax->body) ForEachStatement(*item, in_statement);
 }
 
-// Follows the calls of a function; reports the first one that leads back.
+// Follows the calls of a function; reports those that lead back, or too deep.
 bool Lowerer::Recurses(FunctionInfo& info, std::vector<FunctionInfo*>& path) {
   constexpr int kOpen = 1;
   constexpr int kClosed = 2;
@@ -72,9 +81,12 @@ bool Lowerer::Recurses(FunctionInfo& info, std::vector<FunctionInfo*>& path) {
   path.push_back(&info);
   bool recurses = false;
   for (const auto& [callee, range] : info.calls) {
-    if (callee->mark == kClosed) continue;
     if (callee->mark != kOpen) {
-      recurses |= Recurses(*callee, path);
+      // A level of calls takes the stack of all that a function can nest.
+      const bool deep = static_cast<int>(path.size()) + callee->height >= kCallDepthMax;
+      if (deep) Report(Code::kTooDeep, range, int64_t{kCallDepthMax});
+      recurses |= deep || (callee->mark != kClosed && Recurses(*callee, path));
+      info.height = std::max(info.height, callee->height + 1);
       continue;
     }
     std::string cycle;

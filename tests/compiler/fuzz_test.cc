@@ -7,6 +7,7 @@
 
 #include "base/files.h"
 #include "compiler/diagnostic_printer.h"
+#include "compiler/lowering/lowering.h"
 #include "compiler/structured_source.h"
 #include "compiler/syntax.h"
 #include "compiler/tree_walk.h"
@@ -62,9 +63,34 @@ void CheckStructured(const std::string& text, const MemoryFiles& files) {
   }
 }
 
+// The lowering has a text exactly if it reports no error, and the text is a program of the card.
+void CheckLowered(const std::string& text, const MemoryFiles& files) {
+  const FileReader reader = [&files](const std::string& path) -> Result<std::string> {
+    const auto found = files.find(path);
+    if (found == files.end()) return MakeError(kNoSuchFile, "missing", "缺少");
+    return found->second;
+  };
+  for (const bool optimize : {true, false}) {
+    const Lowering lowering = LowerText("test.c", text, {}, {optimize, true}, reader);
+    bool has_error = false;
+    for (const Diagnostic& diagnostic : lowering.diagnostics) {
+      has_error |= diagnostic.severity == Severity::kError;
+      const SourceRange& range = diagnostic.range;
+      ASSERT_LT(static_cast<size_t>(range.file), lowering.files.size()) << text;
+      ASSERT_LE(range.end, lowering.files[static_cast<size_t>(range.file)].text().size()) << text;
+    }
+    ASSERT_NE(lowering.text.has_value(), has_error) << text;
+    if (!lowering.object) continue;
+    const CatalogueShapes shapes;
+    const Result<void> verified = vm::Verify(*lowering.object, shapes);
+    ASSERT_TRUE(verified.ok()) << verified.error().message.en << '\n' << text;
+  }
+}
+
 void Check(const std::string& text) {
   const MemoryFiles files = {{"a.h", "#define A 1\nint t9() { return"}, {"b.h", text}};
   ASSERT_NO_FATAL_FAILURE(CheckStructured(text, files));
+  ASSERT_NO_FATAL_FAILURE(CheckLowered(text, files));
   Options options;
   options.max_errors = 0;
   const Compilation compilation = CompileString(text, options, files);

@@ -53,6 +53,12 @@ TEST(LoweringLimits, CopiesOfCalledFunctions) {
   ExpectError(functions, Codes{239}, 14, "'f12'");
 }
 
+TEST(LoweringLimits, LevelsOfCalls) {
+  std::string functions = "int v;\nvoid f0() { v++; }\n";
+  for (int i = 1; i <= 16; ++i) functions += fmt::format("void f{}() {{ f{}(); }}\n", i, i - 1);
+  ExpectError(functions, Codes{130}, 18, "16 levels");
+}
+
 TEST(LoweringLimits, SlotsOfTheGlobalsNameTheLargest) {
   ExpectError("int a[100], b[700],\n  c[300];\nvoid t0() { a[0] = b[0] + c[0]; }\n", Codes{237}, 2,
               "1100 slots of 1024; the largest: b (700), c (300), a (100)");
