@@ -21,7 +21,7 @@ struct LowerOptions {
 // A table of what each thread function takes, and the globals.
 std::string CostTable(const compiler::Lowering& lowering, const Session& session) {
   std::string text = session.Say(MakeMessage("{0:<32}{1:>12}{2:>8}{3:>13}{4:>12}\n",
-                                             "{5:<30}{6:>10}{7:>6}{8:>9}{9:>10}\n", "function",
+                                             "{5:<32}{6:>12}{7:>8}{8:>13}{9:>12}\n", "function",
                                              "statements", "labels", "temporaries", "page slots",
                                              "函数", "语句", "标号", "临时变量", "页存储单元"));
   for (const compiler::FunctionCost& cost : lowering.costs) {
