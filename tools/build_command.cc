@@ -1,6 +1,7 @@
 // oncard build: compiles motion programs to object pairs.
 #include "base/files.h"
 #include "tools/commands.h"
+#include "tools/compile_arguments.h"
 #include "vm/object_writer.h"
 
 namespace oncard::tools {
@@ -10,26 +11,19 @@ struct BuildOptions {
   std::vector<std::string> sources;
   std::string folder;
   bool vendor_format = false;
-  std::vector<std::string> include_folders;
-  std::vector<std::string> warnings;
-  std::string double_format = "32.16";
-  int max_errors = compiler::Options().max_errors;
+  CompileArguments compile;
   std::string diagnostics = "text";
 };
 
 int BuildOne(const BuildOptions& options, const std::string& source, const Session& session) {
-  compiler::Options compile = {DoubleFormatOf(options.double_format), options.include_folders,
-                               options.max_errors};
-  for (const std::string& warning : options.warnings) {
-    compiler::ReadWarningOption(warning, &compile);
-  }
   if (source.ends_with(".bin")) {
     return Fail(session, kExitUsage,
                 MakeMessage("'{0}' is an object: build takes sources",
                             "“{0}”是目标文件：build 需要源文件", source));
   }
   runtime::ProgramLoad load;
-  const int code = LoadOrReport(session, source, compile, options.diagnostics == "json", &load);
+  const int code = LoadOrReport(session, source, OptionsOf(options.compile),
+                                options.diagnostics == "json", &load);
   if (code != kExitOk) return code;
   const compiler::OutputPaths paths = compiler::OutputPathsFor(source, options.folder);
   const vm::ObjectFiles files = vm::WriteObject(*load.object, options.vendor_format);
@@ -66,10 +60,7 @@ void AddBuild(CLI::App& app, Session& session) {
       "--vendor-format", options->vendor_format,
       session.Say({"omit the section [oncard] of the .ini, as the vendor's compiler does",
                    ".ini 中不写本工具的节，与原厂编译器一致"}));
-  AddIncludeOption(*command, session, options->include_folders);
-  AddDoubleOption(*command, session, options->double_format);
-  AddMaxErrorsOption(*command, session, options->max_errors);
-  AddWarningOption(*command, session, options->warnings);
+  AddCompileOptions(*command, session, options->compile);
   command
       ->add_option("--diagnostics", options->diagnostics,
                    session.Say({"form of the diagnostics: text|json", "诊断格式：text|json"}))

@@ -10,6 +10,7 @@
 #include "compiler/diagnostic_printer.h"
 #include "compiler/fix_it_applier.h"
 #include "tools/commands.h"
+#include "tools/compile_arguments.h"
 
 namespace oncard::tools {
 namespace {
@@ -22,10 +23,7 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 struct CheckOptions {
   std::vector<std::string> sources;
   bool fix = false;
-  std::vector<std::string> include_folders;
-  std::vector<std::string> warnings;
-  std::string double_format = "32.16";
-  int max_errors = compiler::Options().max_errors;
+  CompileArguments compile;
   std::string diagnostics = "text";
 };
 
@@ -84,8 +82,9 @@ std::optional<compiler::Compilation> CheckOne(const CheckOptions& options,
     return std::nullopt;
   }
   const std::string name(source == kStandardInput ? kStandardInputName : source);
-  if (!options.fix)
+  if (!options.fix) {
     return compiler::CompileText(name, std::move(text).value(), compile, compiler::ReadSource);
+  }
   compiler::CorrectedProgram corrected =
       compiler::ApplyAllFixIts(name, text.value(), compile, compiler::ReadSource);
   *code = std::max(*code, WriteCorrected(corrected, name, text.value(), session));
@@ -93,11 +92,7 @@ std::optional<compiler::Compilation> CheckOne(const CheckOptions& options,
 }
 
 int Check(const CheckOptions& options, const Session& session) {
-  compiler::Options compile = {DoubleFormatOf(options.double_format), options.include_folders,
-                               options.max_errors};
-  for (const std::string& warning : options.warnings) {
-    compiler::ReadWarningOption(warning, &compile);
-  }
+  const compiler::Options compile = OptionsOf(options.compile);
   const compiler::PrintOptions print = {session.language, session.color};
   int code = kExitOk;
   const bool corrects_input =
@@ -147,10 +142,7 @@ void AddCheck(CLI::App& app, Session& session) {
   command->add_flag("--fix", options->fix,
                     session.Say({"apply all fix-its in place; with -, print the corrected program",
                                  "就地应用所有修改建议；- 的结果写到标准输出"}));
-  AddIncludeOption(*command, session, options->include_folders);
-  AddDoubleOption(*command, session, options->double_format);
-  AddMaxErrorsOption(*command, session, options->max_errors);
-  AddWarningOption(*command, session, options->warnings);
+  AddCompileOptions(*command, session, options->compile);
   command
       ->add_option(
           "--diagnostics,--format", options->diagnostics,

@@ -2,6 +2,7 @@
 #include "compiler/diagnostic_printer.h"
 #include "compiler/lowering/lowering.h"
 #include "tools/commands.h"
+#include "tools/compile_arguments.h"
 
 namespace oncard::tools {
 namespace {
@@ -11,17 +12,14 @@ struct LowerOptions {
   std::string output;
   compiler::LoweringOptions lowering;
   bool cost = false;
-  std::vector<std::string> include_folders;
-  std::vector<std::string> warnings;
-  std::string double_format = "32.16";
-  int max_errors = compiler::Options().max_errors;
+  CompileArguments compile;
   std::string diagnostics = "text";
 };
 
 // A table of what each thread function takes, and the globals.
 std::string CostTable(const compiler::Lowering& lowering, const Session& session) {
   std::string text = session.Say(MakeMessage("{0:<32}{1:>12}{2:>8}{3:>13}{4:>12}\n",
-                                             "{5:<32}{6:>12}{7:>8}{8:>13}{9:>12}\n", "function",
+                                             "{5:<30}{6:>10}{7:>6}{8:>9}{9:>10}\n", "function",
                                              "statements", "labels", "temporaries", "page slots",
                                              "函数", "语句", "标号", "临时变量", "页存储单元"));
   for (const compiler::FunctionCost& cost : lowering.costs) {
@@ -34,11 +32,6 @@ std::string CostTable(const compiler::Lowering& lowering, const Session& session
 }
 
 int Lower(const LowerOptions& options, const Session& session) {
-  compiler::Options compile = {DoubleFormatOf(options.double_format), options.include_folders,
-                               options.max_errors};
-  for (const std::string& warning : options.warnings) {
-    compiler::ReadWarningOption(warning, &compile);
-  }
   if (!options.output.empty() && options.output == options.source) {
     return Fail(session, kExitUsage,
                 MakeMessage("the output '{0}' is the source: give it another name",
@@ -46,8 +39,9 @@ int Lower(const LowerOptions& options, const Session& session) {
   }
   Result<std::string> text = compiler::ReadSource(options.source);
   if (!text.ok()) return Fail(session, kExitUnreadable, text.error().message);
-  compiler::Lowering lowering = compiler::LowerText(
-      options.source, std::move(text).value(), compile, options.lowering, compiler::ReadSource);
+  compiler::Lowering lowering =
+      compiler::LowerText(options.source, std::move(text).value(), OptionsOf(options.compile),
+                          options.lowering, compiler::ReadSource);
   compiler::Compilation report;
   report.files = std::move(lowering.files);
   report.diagnostics = std::move(lowering.diagnostics);
@@ -88,10 +82,7 @@ void AddLower(CLI::App& app, Session& session) {
   command->add_flag("--cost", options->cost,
                     session.Say({"print what each function takes to standard error",
                                  "把各函数的占用情况写到标准错误"}));
-  AddIncludeOption(*command, session, options->include_folders);
-  AddDoubleOption(*command, session, options->double_format);
-  AddMaxErrorsOption(*command, session, options->max_errors);
-  AddWarningOption(*command, session, options->warnings);
+  AddCompileOptions(*command, session, options->compile);
   command
       ->add_option("--diagnostics", options->diagnostics,
                    session.Say({"form of the diagnostics: text|json", "诊断格式：text|json"}))

@@ -1,0 +1,23 @@
+#include "tools/compile_arguments.h"
+
+namespace oncard::tools {
+
+void AddCompileOptions(CLI::App& command, const Session& session, CompileArguments& arguments) {
+  AddIncludeOption(command, session, arguments.include_folders);
+  AddDoubleOption(command, session, arguments.double_format);
+  AddMaxErrorsOption(command, session, arguments.max_errors);
+  AddWarningOption(command, session, arguments.warnings);
+}
+
+compiler::Options OptionsOf(const CompileArguments& arguments) {
+  compiler::Options options;
+  options.double_format = DoubleFormatOf(arguments.double_format);
+  options.include_folders = arguments.include_folders;
+  options.max_errors = arguments.max_errors;
+  for (const std::string& warning : arguments.warnings) {
+    compiler::ReadWarningOption(warning, &options);
+  }
+  return options;
+}
+
+}  // namespace oncard::tools

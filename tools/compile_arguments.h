@@ -1,0 +1,24 @@
+// The options of the command line with which a source is compiled, for all commands that compile
+// one themselves.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/commands.h"
+
+namespace oncard::tools {
+
+struct CompileArguments {
+  std::vector<std::string> include_folders;
+  std::string double_format = "32.16";
+  std::vector<std::string> warnings;
+  int max_errors = compiler::Options().max_errors;
+};
+
+/// Adds -I, --double, -W and --max-errors.
+void AddCompileOptions(CLI::App& command, const Session& session, CompileArguments& arguments);
+
+compiler::Options OptionsOf(const CompileArguments& arguments);
+
+}  // namespace oncard::tools
