@@ -4,8 +4,10 @@
 
 #include "base/files.h"
 #include "compiler/checker.h"
+#include "compiler/dialect.h"
 #include "compiler/directives.h"
 #include "compiler/flow_warnings.h"
+#include "compiler/lowering/lowering.h"
 #include "compiler/parser_driver.h"
 
 namespace oncard::compiler {
@@ -37,6 +39,15 @@ bool ReadWarningOption(std::string_view text, Options* options) {
 
 Compilation CompileText(const std::string& path, std::string text, const Options& options,
                         const FileReader& reader) {
+  if (!options.structured && !WantsStructured(text)) {
+    return CompileCardText(path, std::move(text), options, reader);
+  }
+  Lowering lowering = LowerText(path, std::move(text), options, {}, reader);
+  return {std::move(lowering.files), std::move(lowering.diagnostics), std::move(lowering.object)};
+}
+
+Compilation CompileCardText(const std::string& path, std::string text, const Options& options,
+                            const FileReader& reader) {
   Reporter reporter;
   Directives directives(options, reader, reporter);
   directives.Run(SourceFile(path, std::move(text)));

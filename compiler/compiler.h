@@ -1,6 +1,6 @@
 // Compiles one motion program: source text in, vm::Object and diagnostics out. No output, no
 // exceptions, no global state: usable from any thread.
-// The language is described in docs/language.md.
+// The language is described in docs/language.md, structured C in docs/structured.md.
 #pragma once
 
 #include <functional>
@@ -29,6 +29,8 @@ struct Options {
   std::vector<int> silent_warnings = {};
   /// The commands that programs may call. There are motion programs on GTS controllers only.
   const gtcalls::Catalogue* catalogue = &gtcalls::GtsCatalogue();
+  /// The program is structured C (docs/structured.md) even if its first line does not say so.
+  bool structured = false;
 };
 
 /// Reads `error`, or `no-` with the slug of a warning, into the options unless they are nullptr.
@@ -59,9 +61,15 @@ Compilation Compile(const std::string& path, const Options& options, const FileR
 /// The same, reading from the file system.
 Compilation Compile(const std::string& path, const Options& options = {});
 
-/// Compiles text that is in memory under the name `path`; includes go through `reader`.
+/// Compiles text that is in memory under the name `path`; includes go through `reader`. A program
+/// of structured C is lowered first; diagnostics and lines of the object are those of its source.
 Compilation CompileText(const std::string& path, std::string text, const Options& options,
                         const FileReader& reader);
+
+/// The same for a program of the card's language, whatever Options::structured and its first line
+/// say.
+Compilation CompileCardText(const std::string& path, std::string text, const Options& options,
+                            const FileReader& reader);
 
 /// Paths of the pair that belongs to a source: `dir/sum.c` -> `dir/sum.bin`, `dir/sum.ini`, or in
 /// `folder` when it is not empty.

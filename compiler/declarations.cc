@@ -474,12 +474,7 @@ void Checker::CheckFunction(const Function& syntax) {
   state.syntax = &syntax;
   state.is_void = type.is_void;
   state.out.name = syntax.name;
-  const std::string& path = files_[static_cast<size_t>(syntax.header.file)].path();
-  state.out.file = path.substr(path.find_last_of("/\\") + 1);
-  // The .ini contains it in one line.
-  std::replace_if(
-      state.out.file.begin(), state.out.file.end(),
-      [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, '_');
+  state.out.file = files_[static_cast<size_t>(syntax.header.file)].IniName();
   state.out.return_type = type.is_void ? DataType::kVoid : type.type;
   state.declarations_end = syntax.open_brace;
   state.declarations_end.begin = syntax.open_brace.end;

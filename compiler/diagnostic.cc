@@ -30,6 +30,14 @@ SourceFile::SourceFile(std::string path, std::string text)
   if (line_starts_.size() > 1 && line_starts_.back() == text_.size()) line_starts_.pop_back();
 }
 
+std::string SourceFile::IniName() const {
+  std::string name = path_.substr(path_.find_last_of("/\\") + 1);
+  std::replace_if(
+      name.begin(), name.end(),
+      [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, '_');
+  return name;
+}
+
 std::string_view SourceFile::Line(int line) const {
   if (line < 1 || line > line_count()) return {};
   const size_t index = static_cast<size_t>(line - 1);

@@ -17,6 +17,8 @@ class SourceFile {
   SourceFile(std::string path, std::string text);
 
   const std::string& path() const { return path_; }
+  /// Its name as the `.ini` contains it: without folders, in one line.
+  std::string IniName() const;
   /// The text as read, without a UTF-8 byte order mark.
   const std::string& text() const { return text_; }
   int line_count() const { return static_cast<int>(line_starts_.size()); }

@@ -33,13 +33,7 @@ bool Lowerer::RequireNumber(const Value& value, const Expression& expression) {
   if (!IsVoid(value)) return true;
   const Expression& inner = WithoutParens(expression);
   if (inner.kind == Expression::Kind::kCall && value.type == BasicType::kVoid) {
-    Diagnostic* diagnostic = Report(Code::kVoidValue, expression.range, Source(expression.range));
-    const bool command = options_.catalogue->Find(inner.operands[0]->text) != nullptr;
-    if (diagnostic != nullptr && command) {
-      AddNote(*diagnostic,
-              MakeMessage("the return code goes to the thread's status, where the host reads it",
-                          "返回码写入线程状态，由主机读取"));
-    }
+    Report(Code::kVoidValue, expression.range, Source(expression.range));
   }
   return false;
 }

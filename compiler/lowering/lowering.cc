@@ -49,6 +49,21 @@ void Translate(const Compilation& compilation, const std::vector<SourceRange>& o
   }
 }
 
+/// Gives the instructions of a function the lines of C, in the file where the function begins. What
+/// comes from another file, such as a function that it calls, has the line of the statement before.
+void MoveLines(SourceRange header, const std::deque<SourceFile>& files,
+               const std::vector<SourceRange>& origins, vm::Function* function) {
+  const SourceFile& file = files[static_cast<size_t>(header.file)];
+  function->file = file.IniName();
+  int line = file.LineOf(header.begin);
+  for (uint16_t& number : function->lines) {
+    if (number == 0) continue;  // beyond the last line that an object can name
+    const SourceRange& origin = origins[number - 1u];
+    if (origin.file == header.file) line = file.LineOf(origin.begin);
+    number = line <= UINT16_MAX ? static_cast<uint16_t>(line) : uint16_t{0};
+  }
+}
+
 }  // namespace
 
 Lowering LowerText(const std::string& path, std::string text, const Options& options,
@@ -74,13 +89,17 @@ Lowering LowerText(const std::string& path, std::string text, const Options& opt
     if (!reporter.HasErrors()) {
       lowering::PrintedProgram printed =
           lowering::Print(program, source.files(), lowering_options.annotate);
-      Compilation compilation = CompileText(path, printed.text, options, reader);
+      Compilation compilation = CompileCardText(path, printed.text, options, reader);
       Translate(compilation, printed.origins, reporter);
-      result.origins = std::move(printed.origins);
       if (!reporter.HasErrors()) {
-        result.text = std::move(printed.text);
+        for (size_t i = 0; i < program.functions.size(); ++i) {
+          MoveLines(program.functions[i].header, source.files(), printed.origins,
+                    &compilation.object->functions[i]);
+        }
         result.object = std::move(compilation.object);
+        result.text = std::move(printed.text);
       }
+      result.origins = std::move(printed.origins);
     }
   }
   source.AddMacroNotes(reporter);

@@ -35,7 +35,7 @@ struct Lowering {
   std::vector<Diagnostic> diagnostics;
   /// The lowered program. Present when there is no error.
   std::optional<std::string> text;
-  /// What the text compiles to; present with it.
+  /// What the compiler makes of that text; the lines of its functions are those of C.
   std::optional<vm::Object> object;
   /// For each line of the text the place in C that it comes from; file -1: none.
   std::vector<SourceRange> origins;

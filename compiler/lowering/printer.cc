@@ -75,7 +75,7 @@ class Printer {
   }
 
   std::string SpellUnary(const Instruction& instruction) const {
-    std::string operand = Spell(instruction.a);
+    const std::string operand = Spell(instruction.a);
     switch (instruction.unary) {
       case vm::UnaryOperator::kCopy:
         return operand;
