@@ -59,6 +59,13 @@ CLI::Option* AddDoubleOption(CLI::App& command, const Session& session, std::str
       ->check(CLI::IsMember({"32.16", "16.16"}).description(""));
 }
 
+CLI::Option* AddStructuredOption(CLI::App& command, const Session& session, bool& structured) {
+  return command.add_flag(
+      "--structured", structured,
+      session.Say({"the program is structured C, even if its first line is not //@ structured",
+                   "程序为结构化 C，即使其首行不是 //@ structured"}));
+}
+
 CLI::Option* AddMaxErrorsOption(CLI::App& command, const Session& session, int& count) {
   return command
       .add_option("--max-errors", count,

@@ -8,6 +8,7 @@
 
 #include "base/limits.h"
 #include "compiler/diagnostic_printer.h"
+#include "compiler/dialect.h"
 #include "compiler/fix_it_applier.h"
 #include "tools/commands.h"
 #include "tools/compile_arguments.h"
@@ -82,6 +83,18 @@ std::optional<compiler::Compilation> CheckOne(const CheckOptions& options,
     return std::nullopt;
   }
   const std::string name(source == kStandardInput ? kStandardInputName : source);
+  const bool structured = compile.structured || compiler::WantsStructured(text.value());
+  if (options.fix && structured) {
+    *code = std::max<int>(
+        *code,
+        Fail(session, kExitUsage,
+             MakeMessage("--fix rewrites C as the card's language; '{0}' is structured C, which "
+                         "stays as it is: use 'oncard lower' for a program of the card's language",
+                         "--fix 把 C 改写为控制卡的语言；“{0}”是结构化 C，无需改写："
+                         "要得到控制卡语言的程序，请用“oncard lower”",
+                         name)));
+    return std::nullopt;
+  }
   if (!options.fix) {
     return compiler::CompileText(name, std::move(text).value(), compile, compiler::ReadSource);
   }

@@ -40,6 +40,7 @@ CLI::App* AddCommand(CLI::App& app, Session& session, const std::string& name,
 CLI::Option* AddIncludeOption(CLI::App& command, const Session& session,
                               std::vector<std::string>& folders);
 CLI::Option* AddDoubleOption(CLI::App& command, const Session& session, std::string& format);
+CLI::Option* AddStructuredOption(CLI::App& command, const Session& session, bool& structured);
 CLI::Option* AddMaxErrorsOption(CLI::App& command, const Session& session, int& count);
 /// `-Werror`, `-Wno-NAME`: one value for each, without the W.
 CLI::Option* AddWarningOption(CLI::App& command, const Session& session,

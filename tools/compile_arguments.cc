@@ -2,9 +2,11 @@
 
 namespace oncard::tools {
 
-void AddCompileOptions(CLI::App& command, const Session& session, CompileArguments& arguments) {
+void AddCompileOptions(CLI::App& command, const Session& session, CompileArguments& arguments,
+                       bool with_structured) {
   AddIncludeOption(command, session, arguments.include_folders);
   AddDoubleOption(command, session, arguments.double_format);
+  if (with_structured) AddStructuredOption(command, session, arguments.structured);
   AddMaxErrorsOption(command, session, arguments.max_errors);
   AddWarningOption(command, session, arguments.warnings);
 }
@@ -14,6 +16,7 @@ compiler::Options OptionsOf(const CompileArguments& arguments) {
   options.double_format = DoubleFormatOf(arguments.double_format);
   options.include_folders = arguments.include_folders;
   options.max_errors = arguments.max_errors;
+  options.structured = arguments.structured;
   for (const std::string& warning : arguments.warnings) {
     compiler::ReadWarningOption(warning, &options);
   }

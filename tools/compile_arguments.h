@@ -14,10 +14,13 @@ struct CompileArguments {
   std::string double_format = "32.16";
   std::vector<std::string> warnings;
   int max_errors = compiler::Options().max_errors;
+  bool structured = false;
 };
 
-/// Adds -I, --double, -W and --max-errors.
-void AddCompileOptions(CLI::App& command, const Session& session, CompileArguments& arguments);
+/// Adds -I, --double, -W and --max-errors, and --structured unless the command reads nothing but
+/// structured C.
+void AddCompileOptions(CLI::App& command, const Session& session, CompileArguments& arguments,
+                       bool with_structured = true);
 
 compiler::Options OptionsOf(const CompileArguments& arguments);
 

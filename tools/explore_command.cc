@@ -159,10 +159,13 @@ int ExploreKept(const ExploreArguments& arguments, const Session& session,
   return Report(arguments, session, subject, std::move(findings).value());
 }
 
+SubjectReading ReadingOf(const ExploreArguments& arguments) {
+  return {arguments.format == "json", arguments.structured};
+}
+
 /// Begins a search that is kept in a file, or continues it if the file exists.
 int ExploreIntoFile(const ExploreArguments& arguments, const Session& session) {
   const std::string& input = arguments.paths.front();
-  const bool json = arguments.format == "json";
   explore::SearchPart part;
   if (!arguments.shard.empty()) {
     const auto parsed = explore::ParsePart(arguments.shard);
@@ -177,11 +180,11 @@ int ExploreIntoFile(const ExploreArguments& arguments, const Session& session) {
   ExploreSubject subject;
   explore::SearchFile file;
   if (std::filesystem::exists(path)) {
-    const int read = ReadSearch(session, path, json, &file, &subject);
+    const int read = ReadSearch(session, path, ReadingOf(arguments), &file, &subject);
     if (read != kExitOk) return read;
     return ExploreKept(arguments, session, subject, path, std::move(file));
   }
-  const int read = ReadSubject(session, input, json, &subject);
+  const int read = ReadSubject(session, input, ReadingOf(arguments), &subject);
   if (read != kExitOk) return read;
   ApplyRaceRule(arguments, &subject);
   auto begun = BeginSearch(subject, input, path, part, OptionsOf(arguments, subject));
@@ -192,8 +195,7 @@ int ExploreIntoFile(const ExploreArguments& arguments, const Session& session) {
 int Merge(const ExploreArguments& arguments, const Session& session) {
   ExploreSubject subject;
   explore::SearchFile file;
-  const int merged =
-      MergeSearches(session, arguments.paths, arguments.format == "json", &file, &subject);
+  const int merged = MergeSearches(session, arguments.paths, ReadingOf(arguments), &file, &subject);
   if (merged != kExitOk) return merged;
   if (!arguments.search.empty()) {
     const auto moved = MoveSearch(arguments.paths.front(), arguments.search, &file);
@@ -214,18 +216,17 @@ int Explore(const ExploreArguments& arguments, const Session& session) {
                  "一次只能探索一个文件；多个文件用于 --merge"});
   }
   const std::string& input = arguments.paths.front();
-  const bool json = arguments.format == "json";
   ExploreSubject subject;
   if (input.ends_with(".search")) {
     explore::SearchFile file;
-    const int read = ReadSearch(session, input, json, &file, &subject);
+    const int read = ReadSearch(session, input, ReadingOf(arguments), &file, &subject);
     if (read != kExitOk) return read;
     return ExploreKept(arguments, session, subject, input, std::move(file));
   }
   if (!arguments.search.empty() || !arguments.shard.empty()) {
     return ExploreIntoFile(arguments, session);
   }
-  const int read = ReadSubject(session, input, json, &subject);
+  const int read = ReadSubject(session, input, ReadingOf(arguments), &subject);
   if (read != kExitOk) return read;
   ApplyRaceRule(arguments, &subject);
   const auto& wish = subject.scenario.explore;

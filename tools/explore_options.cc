@@ -35,6 +35,7 @@ void AddExploreOptions(CLI::App& command, const Session& session, ExploreArgumen
                                "bounded 引擎的最大抢占次数（默认 2）"}))
       ->type_name("N")
       ->check(CLI::Range(0, 1000).description(""));
+  AddStructuredOption(command, session, arguments.structured);
   command.add_flag(
       "--merge-private", arguments.merge_private,
       session.Say(

@@ -24,6 +24,7 @@ struct ExploreArguments {
   std::optional<uint64_t> seed;
   std::optional<int> depth;
   std::optional<int> preemptions;
+  bool structured = false;
   bool merge_private = false;
   bool races = false;
   bool benign = false;

@@ -60,13 +60,13 @@ Result<explore::SearchFile> ReadFileOf(const std::string& path) {
 
 }  // namespace
 
-int ReadSearch(const Session& session, const std::string& path, bool json,
+int ReadSearch(const Session& session, const std::string& path, SubjectReading reading,
                explore::SearchFile* file, ExploreSubject* subject) {
   auto read = ReadFileOf(path);
   if (!read.ok()) return Fail(session, kExitUnreadable, read.error().message);
   *file = std::move(read).value();
   const std::string input = runtime::PathFromScenario(At(path), file->input);
-  const int found = ReadSubject(session, input, json, subject);
+  const int found = ReadSubject(session, input, reading, subject);
   if (found != kExitOk) return found;
   subject->scenario.races = file->races;
   const auto problem = ProblemOf(*subject);
@@ -79,9 +79,9 @@ int ReadSearch(const Session& session, const std::string& path, bool json,
   return Check(session, path, problem.value(), *file);
 }
 
-int MergeSearches(const Session& session, const std::vector<std::string>& paths, bool json,
-                  explore::SearchFile* file, ExploreSubject* subject) {
-  const int read = ReadSearch(session, paths.front(), json, file, subject);
+int MergeSearches(const Session& session, const std::vector<std::string>& paths,
+                  SubjectReading reading, explore::SearchFile* file, ExploreSubject* subject) {
+  const int read = ReadSearch(session, paths.front(), reading, file, subject);
   if (read != kExitOk) return read;
   const auto problem = ProblemOf(*subject);
   if (!problem.ok()) return Fail(session, kExitUsage, problem.error().message);

@@ -15,12 +15,12 @@ namespace oncard::tools {
 
 /// Reads a search file and the program that it explores, which must be unchanged. Returns the exit
 /// code.
-int ReadSearch(const Session& session, const std::string& path, bool json,
+int ReadSearch(const Session& session, const std::string& path, SubjectReading reading,
                explore::SearchFile* file, ExploreSubject* subject);
 
 /// Reads the files of parts and merges them. Returns the exit code.
-int MergeSearches(const Session& session, const std::vector<std::string>& paths, bool json,
-                  explore::SearchFile* file, ExploreSubject* subject);
+int MergeSearches(const Session& session, const std::vector<std::string>& paths,
+                  SubjectReading reading, explore::SearchFile* file, ExploreSubject* subject);
 
 /// A new search, to be saved in `path`. Fails if searches of the engine cannot be saved, the
 /// program needs its card, or its path is not UTF-8.

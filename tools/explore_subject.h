@@ -18,8 +18,14 @@ struct ExploreSubject {
   std::string source;  ///< of a program that was compiled
 };
 
+/// How its program is read.
+struct SubjectReading {
+  bool json = false;        ///< the format of diagnostics
+  bool structured = false;  ///< the program is structured C whatever it says itself
+};
+
 /// Reads it and reports errors. Returns the exit code; the subject is filled in if that is kExitOk.
-int ReadSubject(const Session& session, const std::string& path, bool json,
+int ReadSubject(const Session& session, const std::string& path, SubjectReading reading,
                 ExploreSubject* subject);
 
 }  // namespace oncard::tools

@@ -82,7 +82,7 @@ void AddLower(CLI::App& app, Session& session) {
   command->add_flag("--cost", options->cost,
                     session.Say({"print what each function takes to standard error",
                                  "把各函数的占用情况写到标准错误"}));
-  AddCompileOptions(*command, session, options->compile);
+  AddCompileOptions(*command, session, options->compile, false);
   command
       ->add_option("--diagnostics", options->diagnostics,
                    session.Say({"form of the diagnostics: text|json", "诊断格式：text|json"}))

@@ -27,6 +27,7 @@ struct RunArguments {
   std::optional<int64_t> limit_ms;
   std::optional<std::string> double_format;
   std::vector<std::string> include_folders;
+  bool structured = false;
   std::string record;
   RunViews views;
   bool strict_commands = false;
@@ -73,6 +74,7 @@ Result<runtime::Scenario> ScenarioOf(const RunArguments& arguments) {
     }
   }
   if (arguments.double_format) scenario.double_format = DoubleFormatOf(*arguments.double_format);
+  if (arguments.structured) scenario.structured = true;
   scenario.rate = arguments.rate.value_or(scenario.rate);
   scenario.cycle_us = arguments.cycle_us.value_or(scenario.cycle_us);
   scenario.limit_ms = arguments.limit_ms.value_or(scenario.limit_ms);
@@ -220,6 +222,7 @@ void AddRun(CLI::App& app, Session& session) {
                        "源文件中 double 类型的宽度：32.16（默认）或 16.16"))
       ->type_name("WIDTH")
       ->check(CLI::IsMember({"32.16", "16.16"}).description(""));
+  AddStructuredOption(*command, session, arguments->structured);
   AddStrictCommandsOption(*command, session, arguments->strict_commands);
   AddFormatOption(*command, session, arguments->format, {"text", "json"});
 }

@@ -19,6 +19,7 @@ struct TestArguments {
   std::vector<std::string> paths;
   std::string format = "text";
   bool strict_commands = false;
+  bool structured = false;
 };
 
 // The ending of scenarios for host programs, which `oncard exec` runs.
@@ -87,14 +88,16 @@ void ExploreTest(const runtime::Scenario& scenario, const runtime::ProgramLoad& 
                                           report(Language::kChinese)));
 }
 
-TestOutcome RunTest(const std::string& path, bool strict_commands, const StopSignals& signals) {
+TestOutcome RunTest(const std::string& path, const TestArguments& arguments,
+                    const StopSignals& signals) {
   TestOutcome outcome;
   outcome.path = path;
-  const auto scenario = runtime::LoadScenario(path, runtime::ScenarioUse::kTest);
+  auto scenario = runtime::LoadScenario(path, runtime::ScenarioUse::kTest);
   if (!scenario.ok()) {
     outcome.failures.push_back(scenario.error().message);
     return outcome;
   }
+  if (arguments.structured) scenario.value().structured = true;
   runtime::ProgramLoad load = runtime::LoadProgram(runtime::ProgramPath(scenario.value()),
                                                    runtime::CompileOptions(scenario.value()));
   if (!load.object) {
@@ -108,11 +111,11 @@ TestOutcome RunTest(const std::string& path, bool strict_commands, const StopSig
     if (unused) outcome.warnings.push_back(*unused);
   }
   if (scenario.value().explore) {
-    ExploreTest(scenario.value(), load, strict_commands, &outcome);
+    ExploreTest(scenario.value(), load, arguments.strict_commands, &outcome);
     return outcome;
   }
   runtime::RunOptions options;
-  options.strict_commands = strict_commands;
+  options.strict_commands = arguments.strict_commands;
   options.stop = signals.stop();
   options.log = runtime::CallLog::Wanted();
   const auto result =
@@ -160,7 +163,7 @@ int Test(const TestArguments& arguments, const Session& session) {
       outcomes.push_back(NotRun(path));
       continue;
     }
-    const auto work = [&] { return RunTest(path, arguments.strict_commands, signals); };
+    const auto work = [&] { return RunTest(path, arguments, signals); };
     outcomes.push_back(RunIsolated(path, work, *signals.stop()));
   }
   if (outcomes.empty()) {
@@ -195,6 +198,7 @@ void AddTest(CLI::App& app, Session& session) {
                                 "场景文件（.toml）或含有场景的文件夹"}))
       ->required()
       ->type_name("PATH");
+  AddStructuredOption(*command, session, arguments->structured);
   AddStrictCommandsOption(*command, session, arguments->strict_commands);
   AddFormatOption(*command, session, arguments->format, {"text", "junit", "tap", "json"});
 }

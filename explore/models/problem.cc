@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/trim.h"
+#include "compiler/dialect.h"
 #include "runtime/scenario/placed_errors.h"
 #include "runtime/scenario/search_names.h"
 
@@ -24,6 +25,7 @@ void ForEachComment(std::string_view source, Visit visit) {
     const size_t end = std::min(source.find('\n', begin), source.size());
     const std::string_view line = source.substr(begin, end - begin);
     begin = end + 1;
+    if (number == 1 && compiler::WantsStructured(line)) continue;
     if (Trim(line).starts_with(kMark)) visit(number, line);
   }
 }

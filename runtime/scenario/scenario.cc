@@ -119,6 +119,7 @@ std::string ProgramPath(const Scenario& scenario) {
 compiler::Options CompileOptions(const Scenario& scenario) {
   compiler::Options options;
   options.double_format = scenario.double_format;
+  options.structured = scenario.structured;
   for (const std::string& folder : scenario.include_folders) {
     options.include_folders.push_back(PathFromScenario(scenario, folder));
   }

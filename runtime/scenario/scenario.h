@@ -81,6 +81,8 @@ struct Scenario {
   std::string program;
   std::vector<std::string> include_folders;
   vm::DoubleFormat double_format = vm::DoubleFormat::k32_16;
+  /// The program is structured C, even if its first line does not say so.
+  bool structured = false;
   /// Empty: the function `main`, or the first function if there is no `main`, on thread 0 and page
   /// 0.
   std::vector<ThreadStart> threads;

@@ -97,12 +97,5 @@ TEST(Lowering, MessagesAboutTheLoweredTextHavePlacesOfC) {
               "GT_SetVel takes 2 arguments");
 }
 
-TEST(Lowering, SaysWhereTheReturnCodeOfACommandGoes) {
-  const Lowering lowering = Lower("int v;\nvoid t0() {\n  v = GT_Update(1);\n}\n");
-  ASSERT_EQ(lowering.diagnostics.size(), 1u);
-  ASSERT_EQ(lowering.diagnostics[0].notes.size(), 1u);
-  EXPECT_THAT(lowering.diagnostics[0].notes[0].message.en, HasSubstr("the thread's status"));
-}
-
 }  // namespace
 }  // namespace oncard::compiler

@@ -9,8 +9,7 @@
 //                                   function on thread 0 and page 0
 //   // options: double=16.16        options of the compilation: double, max-errors
 //
-// A program that begins with `//@ structured` is lowered first. If it is good, the file with the
-// ending .lowered beside it is what it becomes; ONCARD_REBASE=1 writes these files.
+// A program that begins with `//@ structured` is lowered first.
 //
 // What is reported and what is expected must be the same, code by code and line by line. Included
 // files carry their own expectations.
@@ -18,7 +17,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <deque>
 #include <filesystem>
 #include <optional>
@@ -191,48 +189,6 @@ TEST_P(LangTest, MeetsItsExpectations) {
   }
 }
 
-// The good programs of one of the two languages.
-std::vector<std::string> GoodPrograms(bool structured) {
-  std::vector<std::string> programs = Programs();
-  std::erase_if(programs, [structured](const std::string& program) {
-    const std::filesystem::path path = Root() + '/' + program;
-    return path.filename().string().starts_with("bad_") ||
-           compiler::WantsStructured(ReadFile(path.string()).value()) != structured;
-  });
-  return programs;
-}
-
-// The card's language is a part of C: lowering leaves its programs what they are.
-class CardProgramTest : public testing::TestWithParam<std::string> {};
-
-TEST_P(CardProgramTest, ComputesTheSameWhenItIsLowered) {
-  const std::string path = Root() + '/' + GetParam();
-  const std::string text = ReadFile(path).value();
-  Expectations expected;
-  ReadExpectations(path, text, &expected);
-  expected.options.include_folders = {Root() + "/include_folder"};
-  const Outcome outcome = LowerProgram(path, text, expected.options);
-  ASSERT_TRUE(outcome.object.has_value());
-  if (!expected.values.empty()) CheckValues(*outcome.object, expected.values);
-}
-
-class LoweredTextTest : public testing::TestWithParam<std::string> {};
-
-TEST_P(LoweredTextTest, IsGolden) {
-  const std::string path = Root() + '/' + GetParam();
-  const std::string golden = std::filesystem::path(path).replace_extension(".lowered").string();
-  const compiler::Lowering lowering = compiler::LowerText(GetParam(), ReadFile(path).value(), {},
-                                                          {true, true}, compiler::ReadSource);
-  ASSERT_TRUE(lowering.text.has_value());
-  if (std::getenv("ONCARD_REBASE") != nullptr) {
-    ASSERT_TRUE(WriteFileAtomically(golden, *lowering.text).ok());
-    return;
-  }
-  const Result<std::string> expected = ReadFile(golden);
-  ASSERT_TRUE(expected.ok()) << expected.error().message.en;
-  EXPECT_EQ(*lowering.text, expected.value()) << golden;
-}
-
 std::string TestName(const testing::TestParamInfo<std::string>& info) {
   std::string name = info.param;
   for (char& c : name) {
@@ -242,11 +198,6 @@ std::string TestName(const testing::TestParamInfo<std::string>& info) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Programs, LangTest, testing::ValuesIn(Programs()), TestName);
-
-INSTANTIATE_TEST_SUITE_P(Programs, CardProgramTest, testing::ValuesIn(GoodPrograms(false)),
-                         TestName);
-INSTANTIATE_TEST_SUITE_P(Programs, LoweredTextTest, testing::ValuesIn(GoodPrograms(true)),
-                         TestName);
 
 }  // namespace
 }  // namespace oncard

@@ -37,12 +37,14 @@ constexpr const char* kDouble =
     "int n;\nint f()\n{\n  double d;\n  d = 30000;\n  d = d + d;\n"
     "  n = d > 0;\n  return n;\n}\n";
 constexpr const char* kInclude = "#include \"v.h\"\nint f()\n{\n  n = 1;\n  return n;\n}\n";
+constexpr const char* kNested = "int n;\nint f()\n{\n  n = 1 + 2 * 3;\n  return n;\n}\n";
 constexpr const char* kAxis = "int n;\nint f()\n{\n  GT_AxisOn(10);\n  return n;\n}\n";
 
 const KeyCase kCases[] = {
     {"program", kAdd, "final = [\"n == 0\"]\n", "program = \"other.c\"\nfinal = [\"n == 0\"]\n"},
     {"title", kDelay, "", "title = \"A name\"\n"},
     {"include", kInclude, "", "include = [\"sub\"]\n"},
+    {"structured", kNested, "", "structured = true\n"},
     {"double", kDouble, "final = [\"n == 1\"]\n", "final = [\"n == 1\"]\ndouble = \"16.16\"\n"},
     {"schedule", kTwo,
      "final = [\"n == 2\"]\n[[thread]]\nfunction = \"f\"\n[[thread]]\nthread = 1\nfunction = "

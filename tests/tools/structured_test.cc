@@ -1,0 +1,126 @@
+// Structured C with the commands that compile: what they say is about the source, not about the
+// lowered program.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "base/files.h"
+#include "tests/tools/process.h"
+
+namespace oncard::tools {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+
+// Line 5 is one statement of C and several of the card.
+const std::string kSum =
+    "int sum;\n"                           // 1
+    "int f(int n) {\n"                     // 2
+    "  int i;\n"                           // 3
+    "  for (i = 1; i <= n; i++)\n"         // 4
+    "    sum += i * i > 4 ? i * 2 : i;\n"  // 5
+    "  return sum;\n"                      // 6
+    "}\n";
+const std::string kMarked = "//@ structured\n";
+
+class StructuredTest : public testing::Test {
+ protected:
+  ProcessResult Run(const std::vector<std::string>& arguments) {
+    return RunOncard(arguments, folder_.path());
+  }
+  ScratchFolder folder_;
+};
+
+TEST_F(StructuredTest, IsRefusedUnlessItIsAskedFor) {
+  folder_.Write("f.c", kSum);
+  EXPECT_EQ(Run({"check", "f.c"}).exit_code, 1);
+  EXPECT_EQ(Run({"check", "--structured", "f.c"}).exit_code, 0);
+  folder_.Write("f.c", kMarked + kSum);
+  EXPECT_EQ(Run({"check", "f.c"}).exit_code, 0);
+}
+
+TEST_F(StructuredTest, RunsAsCDoes) {
+  folder_.Write("f.c", kSum);
+  const ProcessResult result = Run({"run", "--structured", "f.c", "--thread=0=f:n=4",
+                                    "--expect=sum == 17", "--expect=thread0.result == 17"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+}
+
+TEST_F(StructuredTest, IsAKeyOfAScenario) {
+  folder_.Write("f.c", kSum);
+  const std::string scenario =
+      "program = \"f.c\"\nexpect = [\"sum == 17\"]\n[[thread]]\nfunction = \"f\"\ninit.n = 4\n";
+  folder_.Write("plain.toml", scenario);
+  folder_.Write("keyed.toml", "structured = true\n" + scenario);
+  EXPECT_EQ(Run({"test", "keyed.toml"}).exit_code, 0);
+  EXPECT_EQ(Run({"test", "plain.toml"}).exit_code, 1);
+  EXPECT_EQ(Run({"test", "--structured", "plain.toml"}).exit_code, 0);
+}
+
+TEST_F(StructuredTest, NamesLinesOfTheSource) {
+  folder_.Write("f.c", kSum);
+  EXPECT_EQ(Run({"build", "--structured", "f.c"}).exit_code, 0);
+  EXPECT_THAT(Run({"dump", "f.bin"}).out,
+              AllOf(HasSubstr("'f' of f.c"), ContainsRegex("line 4 +i := 1 "),
+                    ContainsRegex("line 5 +sum := sum"), ContainsRegex("line 6 +return sum")));
+  const ProcessResult stopped =
+      Run({"run", "--structured", "f.c", "--thread=0=f:n=4", "--expect=sum == 1", "--steps"});
+  EXPECT_THAT(stopped.out, AllOf(HasSubstr("     4  for (i = 1; i <= n; i++)   i: 0 -> 1\n"),
+                                 HasSubstr("     5  sum += i * i > 4 ? i * 2 : i;   [i = 1]"),
+                                 HasSubstr("     6  return sum;   [sum = 17]\n")));
+}
+
+TEST_F(StructuredTest, FaultsAtItsLine) {
+  folder_.Write("f.c",
+                "int a;\nint f() {\n  int i;\n\n  while (a >= 0)\n    a += 10 / (3 - a);\n}\n");
+  const ProcessResult result = Run({"run", "--structured", "f.c", "--thread=0=f"});
+  EXPECT_NE(result.exit_code, 0);
+  EXPECT_THAT(result.out + result.err, HasSubstr("f.c:6"));
+}
+
+TEST_F(StructuredTest, ReportsErrorsInTheSource) {
+  folder_.Write("f.c", kMarked + "int f() {\n  return 1 + missing;\n}\n");
+  const ProcessResult result = Run({"check", "f.c"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, HasSubstr("f.c:3:14: error"));
+}
+
+TEST_F(StructuredTest, HasTheVerdictOfItsLoweredProgram) {
+  const std::string threads =
+      "int n;\nint t0() { for (int i = 0; i < 2; i++) n += 1; }\nint t1() { n++; }\n";
+  for (const char* requirement : {"//@ final: n == 3\n", "//@ always: n <= 3\n"}) {
+    folder_.Write("t.c", kMarked + requirement + threads);
+    ASSERT_EQ(Run({"lower", "t.c", "-o", "card.c"}).exit_code, 0);
+    folder_.Write("card.c", requirement + ReadFile(folder_.path() + "/card.c").value());
+    const ProcessResult structured = Run({"explore", "t.c"});
+    const ProcessResult card = Run({"explore", "card.c"});
+    EXPECT_EQ(structured.exit_code, card.exit_code) << requirement << structured.err << card.err;
+    EXPECT_EQ(structured.out.substr(0, structured.out.find('\n')),
+              card.out.substr(0, card.out.find('\n')));
+  }
+}
+
+TEST_F(StructuredTest, ShowsCounterexamplesInTheSource) {
+  folder_.Write("t.c",
+                "//@ final: n == 2\nint n;\nint t0() { n = abs(n) + 1; }\nint t1() {\n  n++;\n}\n");
+  const ProcessResult result = Run({"explore", "--structured", "t.c"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.out,
+              AllOf(HasSubstr("FAILED"), HasSubstr("     3  int t0() { n = abs(n) + 1; }"),
+                    HasSubstr(" 5  n++;")));
+}
+
+TEST_F(StructuredTest, IsNotCorrectedByFixIts) {
+  folder_.Write("f.c", kMarked + kSum);
+  const ProcessResult result = Run({"check", "--fix", "f.c"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("use 'oncard lower'"));
+  EXPECT_EQ(ReadFile(folder_.path() + "/f.c").value(), kMarked + kSum);
+}
+
+}  // namespace
+}  // namespace oncard::tools
