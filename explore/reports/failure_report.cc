@@ -89,6 +89,24 @@ Message DescribeOrder(const RaceOrder& order, const std::vector<RaceOrder>& orde
                       end.zh)};
 }
 
+/// Says so if a thread has read and used a value in one statement of its source. Structured C has
+/// such statements; on the card they are several.
+Message DescribeSplit(const Findings& findings, const Culprit& culprit) {
+  if (culprit.steps.size() != 3) return {};
+  const runtime::LoggedStep& read = findings.trail.steps[culprit.steps.front()].log;
+  const runtime::LoggedStep& use = findings.trail.steps[culprit.steps.back()].log;
+  const StatementTexts texts(findings.source, findings.subject.image->object);
+  const std::string text = texts.Of(read);
+  const bool one = read.thread == use.thread && read.line == use.line &&
+                   read.position != use.position && text == texts.Of(use);
+  if (!one || text.empty()) return {};
+  return MakeMessage(
+      "steps {0} and {1} belong to one statement of line {2}, '{3}': other threads can run between "
+      "them",
+      "第 {0} 步和第 {1} 步同属第 {2} 行的语句“{3}”：其间其他线程可以执行",
+      culprit.steps.front() + 1, culprit.steps.back() + 1, read.line, text);
+}
+
 /// What is wrong, its cause and how it is reached, one line each.
 std::string SummaryOf(const Findings& findings, const Failure& failure,
                       const std::optional<Culprit>& culprit, Language language) {
@@ -99,7 +117,10 @@ std::string SummaryOf(const Findings& findings, const Failure& failure,
     wrong.zh += "：" + trail.actual.zh;
   }
   std::string text = wrong.In(language) + '\n';
-  if (culprit) AddLine(culprit->sentence, language, &text);
+  if (culprit) {
+    AddLine(culprit->sentence, language, &text);
+    AddLine(DescribeSplit(findings, *culprit), language, &text);
+  }
   if (!trail.orders.empty()) {
     AddLine({"both orders of the two statements:", "两条语句的两种顺序："}, language, &text);
     for (const RaceOrder& order : trail.orders) {

@@ -111,7 +111,9 @@ TEST_F(StructuredTest, ShowsCounterexamplesInTheSource) {
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.out,
               AllOf(HasSubstr("FAILED"), HasSubstr("     3  int t0() { n = abs(n) + 1; }"),
-                    HasSubstr(" 5  n++;")));
+                    HasSubstr(" 5  n++;"),
+                    HasSubstr("steps 1 and 3 belong to one statement of line 3, 'int "
+                              "t0() { n = abs(n) + 1; }': other threads can run ")));
 }
 
 TEST_F(StructuredTest, IsNotCorrectedByFixIts) {
