@@ -14,8 +14,6 @@
 namespace oncard::compiler::lowering {
 namespace {
 
-using Kind = Instruction::Kind;
-
 constexpr size_t kDeclarationWidth = 80;
 
 class Printer {
@@ -97,25 +95,25 @@ class Printer {
 
   std::string Spell(const Instruction& instruction, const LoweredFunction& function) const {
     switch (instruction.kind) {
-      case Kind::kUnary:
+      case Instruction::Kind::kUnary:
         return fmt::format("{} = {};", Spell(instruction.target), SpellUnary(instruction));
-      case Kind::kBinary:
+      case Instruction::Kind::kBinary:
         return fmt::format(
             "{} = {} {} {};", Spell(instruction.target), Spell(instruction.a),
             vm::FindBinaryOperator(static_cast<uint16_t>(instruction.binary))->spelling,
             Spell(instruction.b));
-      case Kind::kLabel:
+      case Instruction::Kind::kLabel:
         return function.labels[static_cast<size_t>(instruction.label)] + ":";
-      case Kind::kGoto:
+      case Instruction::Kind::kGoto:
         return fmt::format("goto {};", function.labels[static_cast<size_t>(instruction.label)]);
-      case Kind::kIf:
+      case Instruction::Kind::kIf:
         return fmt::format("if ({}) goto {};", Spell(instruction.a),
                            function.labels[static_cast<size_t>(instruction.label)]);
-      case Kind::kReturn:
+      case Instruction::Kind::kReturn:
         return instruction.a.kind == Operand::Kind::kNone
                    ? "return;"
                    : fmt::format("return {};", Spell(instruction.a));
-      case Kind::kCall: {
+      case Instruction::Kind::kCall: {
         std::string arguments;
         for (const Operand& argument : instruction.arguments) {
           if (!arguments.empty()) arguments += ", ";
@@ -242,7 +240,7 @@ class Printer {
     int newest = -1;
     for (size_t i = 0; i < function.code.size(); ++i) {
       const Instruction& instruction = function.code[i];
-      const bool label = instruction.kind == Kind::kLabel;
+      const bool label = instruction.kind == Instruction::Kind::kLabel;
       if (!label || instruction.statement > newest) {
         PrintComment(instruction.statement);
         if (annotate_) PrintAnnotations(function, i);
@@ -250,7 +248,7 @@ class Printer {
       newest = std::max(newest, instruction.statement);
       Line((label ? "" : "  ") + Spell(instruction, function), instruction.range);
     }
-    if (!function.code.empty() && function.code.back().kind == Kind::kLabel) {
+    if (!function.code.empty() && function.code.back().kind == Instruction::Kind::kLabel) {
       Line(function.type == vm::DataType::kVoid ? "  return;" : "  return 0;", function.end);
     }
     Line("}", function.end);

@@ -7,8 +7,6 @@
 namespace oncard::compiler::lowering {
 namespace {
 
-using Kind = Instruction::Kind;
-
 // Sets of variables as bits. Only those that a block reads before it writes them have one: all
 // others live in one block.
 class Liveness {
@@ -85,9 +83,10 @@ class Liveness {
   void FindBlocks(const std::vector<int>& positions) {
     std::vector<int> block_of(code_.size(), -1);
     for (size_t i = 0; i < code_.size(); ++i) {
-      const bool begins = i == 0 || code_[i].kind == Kind::kLabel ||
-                          code_[i - 1].kind == Kind::kGoto || code_[i - 1].kind == Kind::kIf ||
-                          code_[i - 1].kind == Kind::kReturn;
+      const bool begins = i == 0 || code_[i].kind == Instruction::Kind::kLabel ||
+                          code_[i - 1].kind == Instruction::Kind::kGoto ||
+                          code_[i - 1].kind == Instruction::Kind::kIf ||
+                          code_[i - 1].kind == Instruction::Kind::kReturn;
       if (begins) {
         blocks_.emplace_back();
         blocks_.back().begin = i;
@@ -97,9 +96,10 @@ class Liveness {
     }
     for (size_t b = 0; b < blocks_.size(); ++b) {
       const Instruction& last = code_[blocks_[b].end - 1];
-      const bool falls = last.kind != Kind::kGoto && last.kind != Kind::kReturn;
+      const bool falls =
+          last.kind != Instruction::Kind::kGoto && last.kind != Instruction::Kind::kReturn;
       if (falls && b + 1 < blocks_.size()) blocks_[b].next[0] = static_cast<int>(b) + 1;
-      if (last.kind == Kind::kGoto || last.kind == Kind::kIf) {
+      if (last.kind == Instruction::Kind::kGoto || last.kind == Instruction::Kind::kIf) {
         const int position = positions[static_cast<size_t>(last.label)];
         blocks_[b].next[1] = block_of[static_cast<size_t>(position)];
       }

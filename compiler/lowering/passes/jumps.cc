@@ -5,8 +5,6 @@
 namespace oncard::compiler::lowering {
 namespace {
 
-using Kind = Instruction::Kind;
-
 class Jumps {
  public:
   Jumps(const Program& program, LoweredFunction& function)
@@ -15,7 +13,9 @@ class Jumps {
   bool Run() {
     Decide();
     for (Instruction& instruction : code_) {
-      if (instruction.kind != Kind::kGoto && instruction.kind != Kind::kIf) continue;
+      if (instruction.kind != Instruction::Kind::kGoto &&
+          instruction.kind != Instruction::Kind::kIf)
+        continue;
       const int label = Final(instruction.label);
       changed_ |= label != instruction.label;
       instruction.label = label;
@@ -28,12 +28,12 @@ class Jumps {
 
  private:
   static bool IsRemoved(const Instruction& instruction) {
-    return instruction.kind == Kind::kLabel && instruction.label < 0;
+    return instruction.kind == Instruction::Kind::kLabel && instruction.label < 0;
   }
 
   void Remove(Instruction& instruction) {
     instruction = Instruction();
-    instruction.kind = Kind::kLabel;
+    instruction.kind = Instruction::Kind::kLabel;
     instruction.label = -1;
     changed_ = true;
   }
@@ -41,12 +41,12 @@ class Jumps {
   // Conditions that copies have made constant.
   void Decide() {
     for (Instruction& instruction : code_) {
-      if (instruction.kind != Kind::kIf || !instruction.a.IsConstant()) continue;
+      if (instruction.kind != Instruction::Kind::kIf || !instruction.a.IsConstant()) continue;
       if (instruction.a.value == 0) {
         Remove(instruction);
         continue;
       }
-      instruction.kind = Kind::kGoto;
+      instruction.kind = Instruction::Kind::kGoto;
       instruction.a = Operand();
       changed_ = true;
     }
@@ -54,14 +54,14 @@ class Jumps {
 
   // Index of the first statement at or after `i` that is not a label.
   size_t Statement(size_t i) const {
-    while (i < code_.size() && code_[i].kind == Kind::kLabel) ++i;
+    while (i < code_.size() && code_[i].kind == Instruction::Kind::kLabel) ++i;
     return i;
   }
 
   int Final(int label) const {
     for (size_t steps = 0; steps <= code_.size(); ++steps) {
       const size_t next = Statement(static_cast<size_t>(positions_[static_cast<size_t>(label)]));
-      if (next >= code_.size() || code_[next].kind != Kind::kGoto) return label;
+      if (next >= code_.size() || code_[next].kind != Instruction::Kind::kGoto) return label;
       if (code_[next].label == label) return label;
       label = code_[next].label;
     }
@@ -87,12 +87,12 @@ class Jumps {
 
   void Shorten(size_t i) {
     Instruction& jump = code_[i];
-    if (jump.kind != Kind::kGoto && jump.kind != Kind::kIf) return;
+    if (jump.kind != Instruction::Kind::kGoto && jump.kind != Instruction::Kind::kIf) return;
     if (LeadsToNext(i, jump.label)) {
       Remove(jump);
       return;
     }
-    if (jump.kind == Kind::kIf) JumpOver(i);
+    if (jump.kind == Instruction::Kind::kIf) JumpOver(i);
   }
 
   // `t = a < b; if (t) goto x; goto y; x:` becomes `t = a >= b; if (t) goto y; x:`
@@ -101,12 +101,12 @@ class Jumps {
     Instruction& test = code_[i - 1];
     Instruction& jump = code_[i];
     Instruction& other = code_[i + 1];
-    if (other.kind != Kind::kGoto || !LeadsToNext(i + 1, jump.label)) return;
+    if (other.kind != Instruction::Kind::kGoto || !LeadsToNext(i + 1, jump.label)) return;
     const bool only_here = test.Writes() && jump.a.IsVariable() && test.target == jump.a &&
                            IsLocalNumber(program_, jump.a.variable) &&
                            reads_[static_cast<size_t>(jump.a.variable)] == 1;
     if (!only_here) return;
-    if (test.kind == Kind::kBinary) {
+    if (test.kind == Instruction::Kind::kBinary) {
       const vm::OperatorInfo& info = *vm::FindBinaryOperator(static_cast<uint16_t>(test.binary));
       const vm::OperatorInfo* opposite = vm::IsComparison(info) ? OppositeOf(info) : nullptr;
       if (opposite == nullptr) return;
@@ -135,7 +135,7 @@ std::vector<int> LabelPositions(const LoweredFunction& function) {
   std::vector<int> positions(function.labels.size(), -1);
   for (size_t i = 0; i < function.code.size(); ++i) {
     const Instruction& instruction = function.code[i];
-    if (instruction.kind != Kind::kLabel) continue;
+    if (instruction.kind != Instruction::Kind::kLabel) continue;
     positions[static_cast<size_t>(instruction.label)] = static_cast<int>(i);
   }
   return positions;

@@ -6,19 +6,19 @@
 namespace oncard::compiler::lowering {
 
 void RemoveUnusedLabels(LoweredFunction& function) {
-  using Kind = Instruction::Kind;
   std::vector<char> named(function.labels.size());
   for (const Instruction& instruction : function.code) {
-    const bool jumps = instruction.kind == Kind::kGoto || instruction.kind == Kind::kIf;
+    const bool jumps =
+        instruction.kind == Instruction::Kind::kGoto || instruction.kind == Instruction::Kind::kIf;
     if (jumps) named[static_cast<size_t>(instruction.label)] = 1;
   }
   std::erase_if(function.code, [&named](const Instruction& instruction) {
-    return instruction.kind == Kind::kLabel && named[static_cast<size_t>(instruction.label)] == 0;
+    return instruction.kind == Instruction::Kind::kLabel &&
+           named[static_cast<size_t>(instruction.label)] == 0;
   });
 }
 
 bool RemoveUnreachable(LoweredFunction& function) {
-  using Kind = Instruction::Kind;
   std::vector<Instruction>& code = function.code;
   const std::vector<int> positions = LabelPositions(function);
   std::vector<char> reached(code.size());
@@ -29,11 +29,12 @@ bool RemoveUnreachable(LoweredFunction& function) {
     while (i < code.size() && reached[i] == 0) {
       reached[i] = 1;
       const Instruction& instruction = code[i];
-      if (instruction.kind == Kind::kReturn) break;
-      if (instruction.kind == Kind::kGoto || instruction.kind == Kind::kIf) {
+      if (instruction.kind == Instruction::Kind::kReturn) break;
+      if (instruction.kind == Instruction::Kind::kGoto ||
+          instruction.kind == Instruction::Kind::kIf) {
         open.push_back(static_cast<size_t>(positions[static_cast<size_t>(instruction.label)]));
       }
-      if (instruction.kind == Kind::kGoto) break;
+      if (instruction.kind == Instruction::Kind::kGoto) break;
       ++i;
     }
   }
