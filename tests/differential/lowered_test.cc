@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "compiler/lowering/lowering.h"
+#include "fixed_program.h"
 #include "machine_run.h"
 #include "oracle.h"
 #include "structured_program.h"
@@ -107,6 +108,8 @@ TEST(LoweredTest, LoweredProgramsComputeWhatGccComputes) {
 TEST(LoweredTest, LoweredTypesAndCallsComputeWhatGccComputes) {
   CheckAll(MakeTypedProgram, "typed");
 }
+
+TEST(LoweredTest, LoweredDoublesComputeWhatGccComputes) { CheckAll(MakeFixedProgram, "fixed"); }
 
 constexpr int kCountedPrograms = 60;
 

@@ -9,11 +9,12 @@ namespace oncard::differential {
 
 // Macros keep the names of the programs apart.
 std::string StructuredOracleText(const std::vector<StructuredProgram>& programs) {
-  std::string text = "#include <stdbool.h>\n#include <stdio.h>\n";
+  std::string text = "#include <math.h>\n#include <stdbool.h>\n#include <stdio.h>\n";
   std::string calls;
   for (const StructuredProgram& program : programs) {
     text += "#undef C0\n#undef C1\n";
-    for (const char* name : {"f", "fuel", "b0", "g0", "g1", "g2", "g3", "a", "m", "h", "k", "s"}) {
+    for (const char* name : {"f", "fuel", "b0", "g0", "g1", "g2", "g3", "a", "m", "h", "k", "s",
+                             "e", "w", "mean", "eighths"}) {
       text += fmt::format("#undef {0}\n#define {0} {0}_{1}\n", name, program.seed);
     }
     text += fmt::format("{}void run_{}() {{\n  printf(\"%d\", f());\n", program.text, program.seed);
