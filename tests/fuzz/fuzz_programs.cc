@@ -85,10 +85,12 @@ void RunBriefly(const vm::Object& object) {
   static_cast<void>(runtime::RunScenario(scenario, object, options));
 }
 
-void FuzzSource(std::string_view bytes) {
+/// Compiles a text, prints what the compiler says, and runs the program if there is one.
+static void CompileAndRun(std::string_view text, bool structured) {
   compiler::Options options;
   options.max_errors = 0;
-  const auto compilation = compiler::CompileText("p.c", std::string(bytes), options, ReadIncluded);
+  options.structured = structured;
+  const auto compilation = compiler::CompileText("p.c", std::string(text), options, ReadIncluded);
   CheckPlaces(compilation);
   static_cast<void>(compiler::PrintText(compilation, {}));
   static_cast<void>(compiler::PrintJson(compilation, {}));
@@ -100,6 +102,8 @@ void FuzzSource(std::string_view bytes) {
   FUZZ_CHECK(read.ok());
   RunBriefly(object);
 }
+
+void FuzzSource(std::string_view bytes) { CompileAndRun(bytes, false); }
 
 void FuzzStructured(std::string_view bytes) {
   const compiler::Options options;
@@ -130,6 +134,7 @@ void FuzzStructured(std::string_view bytes) {
       });
     });
   }
+  CompileAndRun(bytes, true);
 }
 
 void FuzzObject(std::string_view bytes) {
