@@ -5,6 +5,7 @@
 #include <unistd.h>
 #include <lua.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -16,6 +17,7 @@
 #include "bench/measure.h"
 #include "bench/native_kernels.h"
 #include "compiler/compiler.h"
+#include "compiler/lowering/lowering.h"
 #include "runtime/sim/controller.h"
 #include "vm/image.h"
 #include "vm/machine.h"
@@ -202,6 +204,31 @@ void MeasureCompiler() {
   std::printf("compile %d statements: %.1f ms\n", kStatements, seconds * 1e3);
 }
 
+// A program of structured C with 10 000 lines, in ten thread functions.
+void MeasureLowering() {
+  constexpr int kFunctions = 10;
+  constexpr int kParts = 100;
+  std::string text = "int a[100], m[8][8], limit;\ndouble gain;\n\n";
+  for (int f = 0; f < kFunctions; ++f) {
+    text += fmt::format("int f{}(int n) {{\n  int i, x = 0;\n  double y = 0.5;\n", f);
+    for (int part = 0; part < kParts; ++part) {
+      text += fmt::format(
+          "  for (i = 0; i < n; i++) {{\n    if (a[i] > limit && x != {0}) {{\n"
+          "      x += a[i] * {0} - (i & 3);\n    }} else {{\n      m[i & 7][x & 7] = -x;\n    }}\n"
+          "    y = y * gain + i;\n  }}\n  a[{0}] = x > {0} ? x : (int)y;\n\n",
+          part);
+    }
+    text += "  return x;\n}\n\n";
+  }
+  const double seconds = MeasureCpu([&] {
+    const auto lowering =
+        compiler::LowerText("big.c", text, {}, compiler::LoweringOptions(), compiler::ReadSource);
+    if (!lowering.text) Fail("the generated program cannot be lowered");
+  });
+  std::printf("lower and check %ld lines of structured C: %.1f ms\n",
+              static_cast<long>(std::count(text.begin(), text.end(), '\n')), seconds * 1e3);
+}
+
 void MeasureTool() {
   std::fflush(stdout);  // the child must not print it again
   const double seconds = MeasureWall([] {
@@ -237,6 +264,7 @@ int Main(int argc, char** argv) {
   gtcalls::CardCommands commands(&controller.card());
   MeasureQuantumOne(commands);
   MeasureCompiler();
+  MeasureLowering();
   MeasureTool();
   CompareKernels(commands);
   return 0;
