@@ -36,6 +36,7 @@ std::set<int> PageOf(const Program& program, const LoweredFunction& function) {
 template <typename Numbers>
 std::string Largest(const Program& program, const Numbers& numbers) {
   std::vector<const Variable*> variables;
+  variables.reserve(numbers.size());
   for (const int number : numbers) {
     variables.push_back(&program.variables[static_cast<size_t>(number)]);
   }

@@ -37,7 +37,8 @@ void Lowerer::LowerFor(const Statement& statement) {
   const int end = NewLabel("for", statement.keyword, "end");
   scopes_.emplace_back();
   if (statement.initial != nullptr) LowerStatement(*statement.initial);
-  const SourceRange head = statement.value != nullptr ? statement.value->range : statement.keyword;
+  SourceRange head = statement.keyword;
+  if (statement.value != nullptr) head = statement.value->range;
   BeginFullExpression(head);
   EmitLabel(begin, head);
   if (statement.value != nullptr) BranchIf(*statement.value, false, end);
@@ -45,11 +46,13 @@ void Lowerer::LowerFor(const Statement& statement) {
   LowerStatement(*statement.body);
   frame_->targets.pop_back();
   EmitLabel(next, statement.keyword);
+  SourceRange last = head;
   if (statement.step != nullptr) {
-    BeginFullExpression(statement.step->range);
+    last = statement.step->range;
+    BeginFullExpression(last);
     LowerEffect(*statement.step);
   }
-  EmitGoto(begin, statement.step != nullptr ? statement.step->range : head);
+  EmitGoto(begin, last);
   EmitLabel(end, statement.range);
   scopes_.pop_back();
 }

@@ -73,7 +73,7 @@ class Printer {
   }
 
   std::string SpellUnary(const Instruction& instruction) const {
-    const std::string operand = Spell(instruction.a);
+    std::string operand = Spell(instruction.a);
     switch (instruction.unary) {
       case vm::UnaryOperator::kCopy:
         return operand;
