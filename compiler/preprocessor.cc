@@ -116,7 +116,6 @@ void Preprocessor::AddText(std::span<const Token> text) {
                        "宏展开后，程序的记号超过 {0} 个", kTokenMax));
     return;
   }
-  tokens_.reserve(tokens_.size() + expanded.size());
   for (const Token& token : expanded) Emit(token);
 }
 
@@ -396,6 +395,7 @@ void Preprocessor::Include(Line line, SourceRange whole, int depth) {
     AddNote(reporter_.Report(Code::kIncludeDepth, program_include_, int64_t{kIncludeDepthMax}),
             whole,
             MakeMessage("the last of these files is included here", "最后一个文件在此处被包含"));
+    refused_ = true;  // files that include themselves twice would be read millions of times
     return;
   }
   const std::string& includer = files_[static_cast<size_t>(whole.file)].path();

@@ -198,6 +198,7 @@ TEST(Include, MayBeNestedAndGuarded) {
       {"c.h", "wrong\n"},
       {"open.h", "int f() {\n"},
       {"self.h", "#include \"self.h\"\n"},
+      {"twice.h", "#include \"twice.h\"\n#include \"twice.h\"\n"},
       {"unclosed.h", "#if 1\n"}};
   EXPECT_EQ(Words("#include \"a.h\"\n#include \"a.h\"\n#include \"folder/b.h\"\nd", files),
             "c b a d");
@@ -205,6 +206,8 @@ TEST(Include, MayBeNestedAndGuarded) {
   EXPECT_EQ(Words("#include \"open.h\"\n}", files), "int f ( ) { }");
   EXPECT_EQ(Words("#include \"unclosed.h\"\n#endif", files), "MP214:1 MP214:2");
   EXPECT_EQ(Words("#include \"self.h\"", files), "MP212:1");
+  // Read to the end, it would be read 2^32 times.
+  EXPECT_EQ(Words("#include \"twice.h\"", files), "MP212:1");
 }
 
 // The vendor's header is for hosts; what programs need of it is known.
