@@ -5,6 +5,7 @@
 
 #include "explore/engines/sampler.h"
 #include "runtime/scenario/search_names.h"
+#include "tools/commands.h"
 
 namespace oncard::tools {
 
