@@ -61,11 +61,7 @@ void AddBuild(CLI::App& app, Session& session) {
       session.Say({"omit the section [oncard] of the .ini, as the vendor's compiler does",
                    ".ini 中不写本工具的节，与原厂编译器一致"}));
   AddCompileOptions(*command, session, options->compile);
-  command
-      ->add_option("--diagnostics", options->diagnostics,
-                   session.Say({"form of the diagnostics: text|json", "诊断格式：text|json"}))
-      ->type_name("FORMAT")
-      ->check(CLI::IsMember({"text", "json"}).description(""));
+  AddDiagnosticsOption(*command, session, options->diagnostics);
 }
 
 }  // namespace oncard::tools

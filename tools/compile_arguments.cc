@@ -11,6 +11,14 @@ void AddCompileOptions(CLI::App& command, const Session& session, CompileArgumen
   AddWarningOption(command, session, arguments.warnings);
 }
 
+void AddDiagnosticsOption(CLI::App& command, const Session& session, std::string& format) {
+  command
+      .add_option("--diagnostics", format,
+                  session.Say({"form of the diagnostics: text|json", "诊断格式：text|json"}))
+      ->type_name("FORMAT")
+      ->check(CLI::IsMember({"text", "json"}).description(""));
+}
+
 compiler::Options OptionsOf(const CompileArguments& arguments) {
   compiler::Options options;
   options.double_format = DoubleFormatOf(arguments.double_format);

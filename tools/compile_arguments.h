@@ -22,6 +22,9 @@ struct CompileArguments {
 void AddCompileOptions(CLI::App& command, const Session& session, CompileArguments& arguments,
                        bool with_structured = true);
 
+/// Adds --diagnostics, for commands whose results are files: `text` or `json`.
+void AddDiagnosticsOption(CLI::App& command, const Session& session, std::string& format);
+
 compiler::Options OptionsOf(const CompileArguments& arguments);
 
 }  // namespace oncard::tools

@@ -83,11 +83,7 @@ void AddLower(CLI::App& app, Session& session) {
                     session.Say({"print what each function takes to standard error",
                                  "把各函数的占用情况写到标准错误"}));
   AddCompileOptions(*command, session, options->compile, false);
-  command
-      ->add_option("--diagnostics", options->diagnostics,
-                   session.Say({"form of the diagnostics: text|json", "诊断格式：text|json"}))
-      ->type_name("FORMAT")
-      ->check(CLI::IsMember({"text", "json"}).description(""));
+  AddDiagnosticsOption(*command, session, options->diagnostics);
 }
 
 }  // namespace oncard::tools
