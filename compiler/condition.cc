@@ -2,15 +2,13 @@
 
 #include <cstdint>
 #include <string_view>
-#include <vector>
 
-#include "compiler/parser_driver.h"
+#include "compiler/token_expression.h"
 
 namespace oncard::compiler {
 namespace {
 
 using EKind = Expression::Kind;
-using Kind = Parser::token;
 
 // A value of C's preprocessor: the bits of an integer with or without a sign.
 struct Value {
@@ -118,21 +116,9 @@ std::optional<Value> Evaluate(const Expression& expression) {
 }  // namespace
 
 std::optional<bool> EvaluateCondition(std::span<const Token> condition) {
-  std::vector<Token> tokens(condition.begin(), condition.end());
-  Token mark;
-  mark.kind = Kind::kSemicolon;
-  tokens.push_back(mark);
-  mark.kind = Kind::kEnd;
-  tokens.push_back(mark);
-  Reporter reporter;
-  ParserDriver driver(tokens, reporter, Dialect::kStructured);
-  Parser parser(driver);
-  if (parser.parse() != 0 || reporter.HasErrors() || driver.tree.items.size() != 1) {
-    return std::nullopt;
-  }
-  const Statement& statement = *driver.tree.items[0];
-  if (statement.kind != Statement::Kind::kExpression) return std::nullopt;
-  const std::optional<Value> value = Evaluate(*statement.value);
+  const TokenExpression expression(condition, Dialect::kStructured);
+  if (expression.get() == nullptr) return std::nullopt;
+  const std::optional<Value> value = Evaluate(*expression.get());
   if (!value) return std::nullopt;
   return value->bits != 0;
 }

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "compiler/parser_driver.h"
+#include "compiler/parser.hh"
+#include "compiler/token_expression.h"
 
 namespace oncard::compiler {
 namespace {
@@ -26,23 +27,11 @@ bool IsOneOf(int kind, std::initializer_list<int> kinds) {
 }  // namespace
 
 std::optional<MacroNumber> FoldMacroBody(std::span<const Token> body, const MacroLookup& lookup) {
-  std::vector<Token> tokens(body.begin(), body.end());
-  Token mark;
-  mark.kind = Kind::kSemicolon;
-  tokens.push_back(mark);
-  mark.kind = Kind::kEnd;
-  tokens.push_back(mark);
-  Reporter reporter;
-  ParserDriver driver(tokens, reporter);
-  Parser parser(driver);
-  if (parser.parse() != 0 || reporter.HasErrors() || driver.tree.items.size() != 1) {
-    return std::nullopt;
-  }
-  const Statement& statement = *driver.tree.items[0];
-  if (statement.kind != Statement::Kind::kExpression) return std::nullopt;
-  const std::optional<Constant> value = Fold(*statement.value, lookup);
+  const TokenExpression expression(body, Dialect::kCard);
+  if (expression.get() == nullptr) return std::nullopt;
+  const std::optional<Constant> value = Fold(*expression.get(), lookup);
   if (!value) return std::nullopt;
-  return MacroNumber{*value, IsClosed(*statement.value)};
+  return MacroNumber{*value, IsClosed(*expression.get())};
 }
 
 bool StandsAlone(const Token& before, const Token& after) {
