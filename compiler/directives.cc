@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "base/limits.h"
 #include "compiler/include_files.h"
 #include "compiler/lexer.h"
 #include "compiler/macro_body.h"
@@ -24,47 +23,16 @@ bool IsBool(std::string_view name) { return name == "bool" || name == "_Bool"; }
 
 void Directives::Run(SourceFile program) {
   AddFile(std::move(program), 0);
-  if (refused_) tokens_.clear();
+  if (files_.refused()) tokens_.clear();
   CorrectOpenMacros();
-  Token end;
-  end.kind = Kind::kEnd;
-  const uint32_t size = static_cast<uint32_t>(files_[0].text().size());
-  end.range = {0, size, size};
-  end.on_new_line = true;
-  tokens_.push_back(end);
-}
-
-bool Directives::Admit(const SourceFile& file) {
-  if (refused_) return false;
-  if (file.text().size() <= kSourceKind.bytes_max - read_bytes_) {
-    read_bytes_ += file.text().size();
-    return true;
-  }
-  Refuse(MakeMessage("the program and what it includes have more than {0} bytes",
-                     "程序及其包含的文件超过 {0} 字节", kSourceKind.bytes_max));
-  return false;
-}
-
-void Directives::Refuse(const Message& why) {
-  refused_ = true;
-  const SourceRange start = {static_cast<int>(files_.size()) - 1, 0, 0};
-  reporter_.Report(Code::kCannotOpen, start, files_.back().path(), why);
+  tokens_.push_back(files_.EndToken());
 }
 
 void Directives::AddFile(SourceFile file, uint32_t inclusion_point) {
-  const int index = static_cast<int>(files_.size());
-  files_.push_back(std::move(file));
-  inclusion_points_.push_back(inclusion_point);
-  if (!Admit(files_.back())) return;
-  // One token more than the limit is read, to detect a program with too many.
-  const size_t token_max = kTokenMax - scanned_tokens_;
-  const std::vector<Token> tokens =
-      Tokenize(files_.back(), index, token_max + 1, *options_.catalogue, reporter_);
-  if (tokens.size() > token_max) {
-    Refuse(MakeMessage("the program has more than {0} tokens", "程序的记号超过 {0} 个", kTokenMax));
-    return;
-  }
-  scanned_tokens_ += tokens.size();
+  const int index = files_.count();
+  const std::optional<std::vector<Token>> scanned = files_.Add(std::move(file), inclusion_point);
+  if (!scanned) return;
+  const std::vector<Token>& tokens = *scanned;
   tokens_.reserve(tokens_.size() + tokens.size() + 1);
   bool external_begins = true;
   for (size_t i = 0; i < tokens.size();) {
@@ -94,7 +62,7 @@ void Directives::AddFile(SourceFile file, uint32_t inclusion_point) {
   }
   // A function cannot continue after the end of an included file.
   if (index == 0) return;
-  const uint32_t size = static_cast<uint32_t>(files_[static_cast<size_t>(index)].text().size());
+  const uint32_t size = static_cast<uint32_t>(files_.TextOf(index).size());
   if (!open_braces_.empty()) {
     Diagnostic& diagnostic = reporter_.Report(Code::kUnexpectedEnd, SourceRange{index, size, size},
                                               std::string_view("'}'"));
@@ -120,7 +88,7 @@ void Directives::Directive(const std::vector<Token>& line) {
   }
   if (!open_braces_.empty()) {
     Diagnostic& diagnostic = reporter_.Report(Code::kDirectiveInside, whole, word);
-    const std::string_view text = files_[static_cast<size_t>(whole.file)].text();
+    const std::string_view text = files_.TextOf(whole.file);
     Replace(diagnostic, whole, "");
     if (external_.file == whole.file) {
       InsertBefore(diagnostic, external_,
@@ -216,7 +184,7 @@ void Directives::ReportBody(std::span<const Token> line, SourceRange whole, bool
   SourceRange range = macro.name_range;
   if (line.size() > 3) {
     range = {whole.file, line[3].range.begin, whole.end};
-    const std::string_view text = files_[static_cast<size_t>(whole.file)].text();
+    const std::string_view text = files_.TextOf(whole.file);
     what = ToMessage(fmt::format("'{}'", text.substr(range.begin, range.end - range.begin)));
   }
   Diagnostic& diagnostic = reporter_.Report(Code::kMacroBody, range, macro.name, what);
@@ -265,11 +233,11 @@ void Directives::CorrectOpenMacros() {
 
 // `#include <...>`: the name of an existing file is put in quotes, a header of C is removed.
 void Directives::CorrectAngles(Diagnostic& diagnostic, SourceRange range, SourceRange whole) const {
-  std::string_view name = files_[static_cast<size_t>(whole.file)].text();
+  std::string_view name = files_.TextOf(whole.file);
   name = name.substr(range.begin, range.end - range.begin);
   if (name.size() < 3 || name.front() != '<' || name.back() != '>') return;
   name = name.substr(1, name.size() - 2);
-  if (FindInclude(std::string(name), {files_[0].path()}, options_, reader_).found) {
+  if (FindInclude(std::string(name), {files_.PathOf(0)}, options_, reader_).found) {
     Replace(diagnostic, range, fmt::format("\"{}\"", name));
   } else if (IsHeaderOfC(name)) {
     AddNote(diagnostic,
@@ -285,7 +253,7 @@ void Directives::Include(const std::vector<Token>& line, SourceRange whole) {
     Message what = MakeMessage("the end of the line", "行尾");
     if (line.size() >= 3) {
       range = {whole.file, line[2].range.begin, whole.end};
-      const std::string_view text = files_[static_cast<size_t>(whole.file)].text();
+      const std::string_view text = files_.TextOf(whole.file);
       what = ToMessage(fmt::format("'{}'", text.substr(range.begin, range.end - range.begin)));
     }
     Diagnostic& diagnostic = reporter_.Report(Code::kBadFileName, range, what);
@@ -304,7 +272,7 @@ void Directives::Include(const std::vector<Token>& line, SourceRange whole) {
     reporter_.Report(Code::kNestedInclude, whole);
     return;
   }
-  IncludedFile file = FindInclude(name, {files_[0].path()}, options_, reader_);
+  IncludedFile file = FindInclude(name, {files_.PathOf(0)}, options_, reader_);
   if (!file.found) {
     ReportMissingInclude(name, line[2].range, file, options_, reporter_);
     return;

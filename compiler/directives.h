@@ -14,6 +14,7 @@
 
 #include "compiler/compiler.h"
 #include "compiler/constant_folding.h"
+#include "compiler/program_files.h"
 #include "compiler/reporter.h"
 #include "compiler/syntax.h"
 
@@ -23,7 +24,10 @@ class Directives {
  public:
   /// The references must outlive this object and its tokens.
   Directives(const Options& options, const FileReader& reader, Reporter& reporter)
-      : options_(options), reader_(reader), reporter_(reporter) {}
+      : options_(options),
+        reader_(reader),
+        reporter_(reporter),
+        files_(options, reporter, Dialect::kCard) {}
 
   /// Reads the program, given as text. Call once.
   void Run(SourceFile program);
@@ -32,8 +36,8 @@ class Directives {
   const std::vector<Token>& tokens() const { return tokens_; }
   std::vector<Macro>& macros() { return macros_; }
   /// The files read, the program first, and where each is included: the offset of the directive.
-  std::deque<SourceFile>& files() { return files_; }
-  const std::vector<uint32_t>& inclusion_points() const { return inclusion_points_; }
+  std::deque<SourceFile>& files() { return files_.files(); }
+  const std::vector<uint32_t>& inclusion_points() { return files_.inclusion_points(); }
   /// Names whose definitions were wrong: no further diagnostics about them.
   const std::unordered_set<std::string_view>& skipped_names() const { return skipped_names_; }
 
@@ -48,16 +52,11 @@ class Directives {
   void CorrectOpenMacros();
   void Include(const std::vector<Token>& line, SourceRange whole);
   void CorrectAngles(Diagnostic& diagnostic, SourceRange range, SourceRange whole) const;
-  /// False, with a report, when the program would become larger than kSourceKind allows.
-  bool Admit(const SourceFile& file);
-  /// Reports at the file read last; the program is not read on.
-  void Refuse(const Message& why);
 
   const Options& options_;
   const FileReader& reader_;
   Reporter& reporter_;
-  std::deque<SourceFile> files_;
-  std::vector<uint32_t> inclusion_points_;
+  ProgramFiles files_;
   std::vector<Token> tokens_;
   std::vector<Macro> macros_;
   std::unordered_map<std::string_view, size_t> macro_by_name_;
@@ -71,9 +70,6 @@ class Directives {
   std::vector<OpenMacro> open_macros_;
   std::unordered_map<std::string_view, SourceRange> names_in_bodies_;
   bool too_many_ = false;
-  size_t read_bytes_ = 0;
-  size_t scanned_tokens_ = 0;
-  bool refused_ = false;
   std::vector<SourceRange> open_braces_;
   SourceRange external_;  // start of the definition that is being read
 };

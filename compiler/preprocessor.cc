@@ -41,47 +41,21 @@ bool SameBody(const MacroDefinition& a, const MacroDefinition& b) {
 
 void Preprocessor::Run(SourceFile program) {
   AddFile(std::move(program), 0, 0);
-  if (refused_) tokens_.clear();
+  if (files_.refused()) tokens_.clear();
   DropReportsOfSkippedText();
-  Token end;
-  end.kind = Kind::kEnd;
-  const uint32_t size = static_cast<uint32_t>(files_[0].text().size());
-  end.range = {0, size, size};
-  end.on_new_line = true;
-  tokens_.push_back(end);
-}
-
-void Preprocessor::Refuse(const Message& why) {
-  if (refused_) return;
-  refused_ = true;
-  const SourceRange start = {static_cast<int>(files_.size()) - 1, 0, 0};
-  reporter_.Report(Code::kCannotOpen, start, files_.back().path(), why);
+  tokens_.push_back(files_.EndToken());
 }
 
 void Preprocessor::AddFile(SourceFile file, uint32_t inclusion_point, int depth) {
-  const int index = static_cast<int>(files_.size());
-  files_.push_back(std::move(file));
-  inclusion_points_.push_back(inclusion_point);
-  const std::string& text = files_.back().text();
-  if (text.size() > kSourceKind.bytes_max - read_bytes_) {
-    Refuse(MakeMessage("the program and what it includes have more than {0} bytes",
-                       "程序及其包含的文件超过 {0} 字节", kSourceKind.bytes_max));
-    return;
-  }
-  read_bytes_ += text.size();
-  const size_t token_max = kTokenMax - scanned_tokens_;
-  const std::vector<Token> tokens = Tokenize(files_.back(), index, token_max + 1,
-                                             *options_.catalogue, reporter_, Dialect::kStructured);
-  if (tokens.size() > token_max) {
-    Refuse(MakeMessage("the program has more than {0} tokens", "程序的记号超过 {0} 个", kTokenMax));
-    return;
-  }
-  scanned_tokens_ += tokens.size();
-
+  const int index = files_.count();
+  const std::optional<std::vector<Token>> scanned = files_.Add(std::move(file), inclusion_point);
+  if (!scanned) return;
+  const std::vector<Token>& tokens = *scanned;
+  const std::string_view text = files_.TextOf(index);
   const size_t open = conditionals_.size();
   const std::span<const Token> all(tokens);
   uint32_t text_begin = 0;
-  for (size_t i = 0; i < tokens.size() && !refused_;) {
+  for (size_t i = 0; i < tokens.size() && !files_.refused();) {
     // The text up to the next directive, and that directive.
     size_t end = i;
     while (end < tokens.size() && !(tokens[end].kind == Kind::kHash && tokens[end].on_new_line)) {
@@ -112,8 +86,8 @@ void Preprocessor::AddFile(SourceFile file, uint32_t inclusion_point, int depth)
 void Preprocessor::AddText(std::span<const Token> text) {
   std::vector<Token> expanded;
   if (!macros_.Expand(text, &expanded)) {
-    Refuse(MakeMessage("the program has more than {0} tokens with its macros expanded",
-                       "宏展开后，程序的记号超过 {0} 个", kTokenMax));
+    files_.Refuse(MakeMessage("the program has more than {0} tokens with its macros expanded",
+                              "宏展开后，程序的记号超过 {0} 个", kTokenMax));
     return;
   }
   for (const Token& token : expanded) Emit(token);
@@ -142,7 +116,7 @@ void Preprocessor::Directive(Line line, int depth) {
     skipped_.push_back(whole);
     return;
   }
-  const std::string_view text = files_[static_cast<size_t>(whole.file)].text();
+  const std::string_view text = files_.TextOf(whole.file);
   if (word == "define") {
     Define(line, whole);
   } else if (word == "undef") {
@@ -161,7 +135,7 @@ void Preprocessor::Directive(Line line, int depth) {
   } else if (word == "pragma") {
     skipped_.push_back(whole);
     if (line.size() > 2 && line[2].text == "once") {
-      once_.insert(files_[static_cast<size_t>(whole.file)].path());
+      once_.insert(files_.PathOf(whole.file));
     }
   } else {
     reporter_.Report(Code::kUnknownDirective, whole,
@@ -251,7 +225,7 @@ std::optional<bool> Preprocessor::Condition(Line line, SourceRange whole, std::s
   if (!holds) {
     SourceRange range = whole;
     if (line.size() > 2) range.begin = line[2].range.begin;
-    const std::string_view text = files_[static_cast<size_t>(whole.file)].text();
+    const std::string_view text = files_.TextOf(whole.file);
     reporter_.Report(
         Code::kBadCondition, range,
         line.size() > 2
@@ -292,7 +266,7 @@ void Preprocessor::Define(Line line, SourceRange whole) {
   macro.body.assign(line.begin() + static_cast<std::ptrdiff_t>(next), line.end());
   for (const Token& token : macro.body) {
     if (token.kind != Kind::kHash) continue;
-    const std::string_view text = files_[static_cast<size_t>(whole.file)].text();
+    const std::string_view text = files_.TextOf(whole.file);
     const bool joins = text.substr(token.range.begin, 2) == "##";
     reporter_.Report(Code::kMacroOperator, token.range, std::string_view(joins ? "##" : "#"),
                      joins ? MakeMessage("joins words; write out the word that is meant",
@@ -360,7 +334,7 @@ bool Preprocessor::ReadParameters(Line line, size_t* next, MacroDefinition* macr
 void Preprocessor::Include(Line line, SourceRange whole, int depth) {
   SourceRange range = whole;
   if (line.size() > 2) range.begin = line[2].range.begin;
-  std::string_view name = files_[static_cast<size_t>(whole.file)].text();
+  std::string_view name = files_.TextOf(whole.file);
   name = name.substr(range.begin, range.end - range.begin);
   const bool quotes = line.size() == 3 && name.size() > 2 && name.front() == '"';
   const bool angles = line.size() > 3 && name.size() > 2 && name.front() == '<';
@@ -395,12 +369,12 @@ void Preprocessor::Include(Line line, SourceRange whole, int depth) {
     AddNote(reporter_.Report(Code::kIncludeDepth, program_include_, int64_t{kIncludeDepthMax}),
             whole,
             MakeMessage("the last of these files is included here", "最后一个文件在此处被包含"));
-    refused_ = true;  // files that include themselves twice would be read millions of times
+    files_.Stop();  // files that include themselves twice would be read millions of times
     return;
   }
-  const std::string& includer = files_[static_cast<size_t>(whole.file)].path();
+  const std::string& includer = files_.PathOf(whole.file);
   std::vector<std::string> beside = {includer};
-  if (whole.file != 0) beside.push_back(files_[0].path());
+  if (whole.file != 0) beside.push_back(files_.PathOf(0));
   IncludedFile file = FindInclude(file_name, beside, options_, reader_);
   if (!file.found) {
     ReportMissingInclude(file_name, range, file, options_, reporter_);

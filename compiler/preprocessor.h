@@ -14,6 +14,7 @@
 
 #include "compiler/compiler.h"
 #include "compiler/macro_expander.h"
+#include "compiler/program_files.h"
 #include "compiler/reporter.h"
 #include "compiler/syntax.h"
 
@@ -23,7 +24,11 @@ class Preprocessor {
  public:
   /// The references must outlive this object and its tokens.
   Preprocessor(const Options& options, const FileReader& reader, Reporter& reporter)
-      : options_(options), reader_(reader), reporter_(reporter), macros_(reporter) {}
+      : options_(options),
+        reader_(reader),
+        reporter_(reporter),
+        macros_(reporter),
+        files_(options, reporter, Dialect::kStructured) {}
 
   /// Reads the program, given as text. Call once.
   void Run(SourceFile program);
@@ -32,8 +37,8 @@ class Preprocessor {
   std::vector<Token>& tokens() { return tokens_; }
   /// The files read, the program first, and for each one where the program includes it, directly or
   /// not: the offset of the directive.
-  std::deque<SourceFile>& files() { return files_; }
-  std::vector<uint32_t>& inclusion_points() { return inclusion_points_; }
+  std::deque<SourceFile>& files() { return files_.files(); }
+  std::vector<uint32_t>& inclusion_points() { return files_.inclusion_points(); }
   MacroExpander& macros() { return macros_; }
 
  private:
@@ -48,8 +53,6 @@ class Preprocessor {
   using Line = std::span<const Token>;
 
   void AddFile(SourceFile file, uint32_t inclusion_point, int depth);
-  /// Reports at the file read last; the program is not read on.
-  void Refuse(const Message& why);
   bool Reading() const { return conditionals_.empty() || conditionals_.back().reading; }
   void AddText(std::span<const Token> text);
   void Emit(Token token);
@@ -67,17 +70,13 @@ class Preprocessor {
   const FileReader& reader_;
   Reporter& reporter_;
   MacroExpander macros_;
-  std::deque<SourceFile> files_;
-  std::vector<uint32_t> inclusion_points_;
+  ProgramFiles files_;
   std::vector<Token> tokens_;
   std::vector<Conditional> conditionals_;
   SourceRange program_include_;       // the #include of the program that is being obeyed
   std::vector<SourceRange> skipped_;  // text that is not read
   std::set<std::string> once_;        // files with #pragma once
   std::unordered_set<std::string_view> long_names_;
-  size_t read_bytes_ = 0;
-  size_t scanned_tokens_ = 0;
-  bool refused_ = false;
 };
 
 }  // namespace oncard::compiler
