@@ -45,7 +45,7 @@ class ParserDriver {
   // --- Building blocks of the tree that need the reporter -------------------------------------
 
   /// Replaces a tree that is too deep by an error node.
-  void LimitDepth(Expression& expression);
+  ExpressionPtr LimitDepth(ExpressionPtr expression);
   StatementPtr LimitDepth(StatementPtr statement);
 
   ExpressionPtr Binary(Expression::Kind kind, ExpressionPtr left, const Token* op,

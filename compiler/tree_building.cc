@@ -19,24 +19,37 @@ int DepthOf(const TypeName& type) {
   return depth;
 }
 
+template <typename... Operands>
+ExpressionPtr MakeNode(Expression::Kind kind, SourceRange range, Operands... operands) {
+  ExpressionPtr result = MakeExpression(kind, range);
+  (result->operands.push_back(std::move(operands)), ...);
+  return result;
+}
+
+template <typename... Operands>
+ExpressionPtr MakeOperation(Expression::Kind kind, const Token* op, SourceRange range,
+                            Operands... operands) {
+  ExpressionPtr result = MakeNode(kind, range, std::move(operands)...);
+  result->op = op->text;
+  result->op_range = op->range;
+  return result;
+}
+
 }  // namespace
 
-void ParserDriver::LimitDepth(Expression& expression) {
+ExpressionPtr ParserDriver::LimitDepth(ExpressionPtr expression) {
   int depth = 0;
-  for (const ExpressionPtr& operand : expression.operands) {
+  for (const ExpressionPtr& operand : expression->operands) {
     depth = std::max(depth, DepthOf(operand));
   }
-  if (expression.type != nullptr) depth = std::max(depth, DepthOf(*expression.type));
-  expression.depth = depth + 1;
-  if (expression.depth <= kDepthMax) return;
+  if (expression->type != nullptr) depth = std::max(depth, DepthOf(*expression->type));
+  expression->depth = depth + 1;
+  if (expression->depth <= kDepthMax) return expression;
   if (!too_deep_reported_) {
-    reporter_.Report(Code::kTooDeep, expression.range, int64_t{kDepthMax});
+    reporter_.Report(Code::kTooDeep, expression->range, int64_t{kDepthMax});
     too_deep_reported_ = true;
   }
-  expression.kind = Expression::Kind::kError;
-  expression.operands.clear();
-  expression.type.reset();
-  expression.depth = 1;
+  return MakeExpression(Expression::Kind::kError, expression->range);
 }
 
 StatementPtr ParserDriver::LimitDepth(StatementPtr statement) {
@@ -59,103 +72,67 @@ StatementPtr ParserDriver::LimitDepth(StatementPtr statement) {
 
 ExpressionPtr ParserDriver::Binary(Expression::Kind kind, ExpressionPtr left, const Token* op,
                                    ExpressionPtr right, SourceRange range) {
-  ExpressionPtr result = MakeExpression(kind, range);
-  result->op = op->text;
-  result->op_range = op->range;
-  result->operands.push_back(std::move(left));
-  result->operands.push_back(std::move(right));
-  LimitDepth(*result);
-  return result;
+  return LimitDepth(MakeOperation(kind, op, range, std::move(left), std::move(right)));
 }
 
 ExpressionPtr ParserDriver::Unary(Expression::Kind kind, const Token* op, ExpressionPtr operand,
                                   SourceRange range) {
-  ExpressionPtr result = MakeExpression(kind, range);
-  result->op = op->text;
-  result->op_range = op->range;
-  result->operands.push_back(std::move(operand));
-  LimitDepth(*result);
-  return result;
+  return LimitDepth(MakeOperation(kind, op, range, std::move(operand)));
 }
 
 ExpressionPtr ParserDriver::Conditional(ExpressionPtr condition, const Token* op, ExpressionPtr yes,
                                         ExpressionPtr no, SourceRange range) {
-  ExpressionPtr result = MakeExpression(Expression::Kind::kConditional, range);
-  result->op = op->text;
-  result->op_range = op->range;
-  result->operands.push_back(std::move(condition));
-  result->operands.push_back(std::move(yes));
-  result->operands.push_back(std::move(no));
-  LimitDepth(*result);
-  return result;
+  return LimitDepth(MakeOperation(Expression::Kind::kConditional, op, range, std::move(condition),
+                                  std::move(yes), std::move(no)));
 }
 
 ExpressionPtr ParserDriver::Cast(TypeNamePtr type, ExpressionPtr operand, SourceRange range) {
-  ExpressionPtr result = MakeExpression(Expression::Kind::kCast, range);
+  ExpressionPtr result = MakeNode(Expression::Kind::kCast, range, std::move(operand));
   // Only a single word can be the type of a cast.
   const std::vector<const Token*>& words = type->specifiers.words;
   if (words.size() == 1 && !type->pointer) result->text = words[0]->text;
   result->op_range = type->specifiers.range;
   result->type = std::move(type);
-  result->operands.push_back(std::move(operand));
-  LimitDepth(*result);
-  return result;
+  return LimitDepth(std::move(result));
 }
 
 ExpressionPtr ParserDriver::SizeOf(ExpressionPtr operand, SourceRange range) {
-  ExpressionPtr result = MakeExpression(Expression::Kind::kSizeof, range);
-  result->operands.push_back(std::move(operand));
-  LimitDepth(*result);
-  return result;
+  return LimitDepth(MakeNode(Expression::Kind::kSizeof, range, std::move(operand)));
 }
 
 ExpressionPtr ParserDriver::SizeOfType(TypeNamePtr type, SourceRange range) {
   ExpressionPtr result = MakeExpression(Expression::Kind::kSizeof, range);
   result->type = std::move(type);
-  LimitDepth(*result);
-  return result;
+  return LimitDepth(std::move(result));
 }
 
 ExpressionPtr ParserDriver::Index(ExpressionPtr array, ExpressionPtr index, SourceRange range) {
-  ExpressionPtr result = MakeExpression(Expression::Kind::kIndex, range);
-  result->operands.push_back(std::move(array));
-  result->operands.push_back(std::move(index));
-  LimitDepth(*result);
-  return result;
+  return LimitDepth(MakeNode(Expression::Kind::kIndex, range, std::move(array), std::move(index)));
 }
 
 ExpressionPtr ParserDriver::Call(ExpressionPtr callee, std::vector<ExpressionPtr> arguments,
                                  SourceRange range) {
   ExpressionPtr result = MakeExpression(Expression::Kind::kCall, range);
-  result->operands.push_back(std::move(callee));
-  for (ExpressionPtr& argument : arguments) result->operands.push_back(std::move(argument));
-  LimitDepth(*result);
-  return result;
+  result->operands = PutFirst(std::move(callee), std::move(arguments));
+  return LimitDepth(std::move(result));
 }
 
 ExpressionPtr ParserDriver::Member(ExpressionPtr structure, const Token* op, const Token* name,
                                    SourceRange range) {
-  ExpressionPtr result = MakeExpression(Expression::Kind::kMember, range);
-  result->op = op->text;
+  ExpressionPtr result = MakeOperation(Expression::Kind::kMember, op, range, std::move(structure));
   result->op_range = name->range;
   result->text = name->text;
-  result->operands.push_back(std::move(structure));
-  LimitDepth(*result);
-  return result;
+  return LimitDepth(std::move(result));
 }
 
 ExpressionPtr ParserDriver::Paren(ExpressionPtr inner, SourceRange range) {
-  ExpressionPtr result = MakeExpression(Expression::Kind::kParen, range);
-  result->operands.push_back(std::move(inner));
-  LimitDepth(*result);
-  return result;
+  return LimitDepth(MakeNode(Expression::Kind::kParen, range, std::move(inner)));
 }
 
 ExpressionPtr ParserDriver::Braces(std::vector<ExpressionPtr> values, SourceRange range) {
   ExpressionPtr result = MakeExpression(Expression::Kind::kBraces, range);
   result->operands = std::move(values);
-  LimitDepth(*result);
-  return result;
+  return LimitDepth(std::move(result));
 }
 
 StatementPtr ParserDriver::ExpressionStatement(ExpressionPtr value, SourceRange range) {
