@@ -2,29 +2,20 @@
 #pragma once
 
 #include <algorithm>
-#include <map>
 #include <string>
 #include <vector>
 
-#include "base/files.h"
 #include "compiler/compiler.h"
 #include "compiler/fix_it_applier.h"
 #include "gtcalls/gts/catalogue.h"
+#include "tests/compiler/memory_files.h"
 #include "vm/command_table.h"
 
 namespace oncard::compiler {
 
-/// Files that only exist in a test.
-using MemoryFiles = std::map<std::string, std::string>;
-
 inline Compilation CompileString(const std::string& text, const Options& options = {},
                                  const MemoryFiles& files = {}) {
-  return CompileText("test.c", text, options,
-                     [files](const std::string& path) -> Result<std::string> {
-                       const auto found = files.find(path);
-                       if (found == files.end()) return MakeError(kNoSuchFile, "missing", "缺少");
-                       return found->second;
-                     });
+  return CompileText("test.c", text, options, ReaderOf(files));
 }
 
 /// The codes of the diagnostics, in order.
@@ -43,12 +34,7 @@ inline std::string ApplyFixIts(const std::string& text, const Diagnostic& diagno
 
 /// The program after all fix-its are applied.
 inline CorrectedProgram CorrectString(const std::string& text, const MemoryFiles& files = {}) {
-  return ApplyAllFixIts("test.c", text, {},
-                        [files](const std::string& path) -> Result<std::string> {
-                          const auto found = files.find(path);
-                          if (found == files.end()) return MakeError(1, "missing", "缺少");
-                          return found->second;
-                        });
+  return ApplyAllFixIts("test.c", text, {}, ReaderOf(files));
 }
 
 /// The catalogue as needed by the object verifier; executes nothing.

@@ -23,14 +23,7 @@ constexpr int kMutationsPerProgram = 40;
 // Structured C, too, has a tree and messages with places inside the text only.
 void CheckStructured(const std::string& text, const MemoryFiles& files) {
   Reporter reporter;
-  const StructuredSource source(
-      "test.c", text, {},
-      [&files](const std::string& path) -> Result<std::string> {
-        const auto found = files.find(path);
-        if (found == files.end()) return MakeError(kNoSuchFile, "missing", "缺少");
-        return found->second;
-      },
-      reporter);
+  const StructuredSource source("test.c", text, {}, ReaderOf(files), reporter);
   source.AddMacroNotes(reporter);
   // A thousand messages about one long line take long to print.
   constexpr size_t kPrintedMax = 4000;
@@ -65,11 +58,7 @@ void CheckStructured(const std::string& text, const MemoryFiles& files) {
 
 // The lowering has a text exactly if it reports no error, and the text is a program of the card.
 void CheckLowered(const std::string& text, const MemoryFiles& files) {
-  const FileReader reader = [&files](const std::string& path) -> Result<std::string> {
-    const auto found = files.find(path);
-    if (found == files.end()) return MakeError(kNoSuchFile, "missing", "缺少");
-    return found->second;
-  };
+  const FileReader reader = ReaderOf(files);
   for (const bool optimize : {true, false}) {
     const Lowering lowering = LowerText("test.c", text, {}, {optimize, true}, reader);
     bool has_error = false;

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/compiler/memory_files.h"
+
 namespace oncard::compiler {
 namespace {
 
@@ -18,9 +20,7 @@ using testing::HasSubstr;
 using Codes = std::vector<int>;
 
 Lowering Lower(const std::string& program, const LoweringOptions& options = {}) {
-  return LowerText("p.c", program, {}, options, [](const std::string& path) -> Result<std::string> {
-    return MakeError(1, "no file '{}'", "没有文件“{}”", path);
-  });
+  return LowerText("p.c", program, {}, options, NoFiles());
 }
 
 // One error of the given code, in the given line, and no text.

@@ -14,14 +14,6 @@
 namespace oncard::compiler {
 namespace {
 
-FileReader ReaderOf(const MemoryFiles& files) {
-  return [files](const std::string& path) -> Result<std::string> {
-    const auto found = files.find(path);
-    if (found == files.end()) return MakeError(kNoSuchFile, "missing", "缺少");
-    return found->second;
-  };
-}
-
 // The words that a program consists of after the preprocessor, or the codes and lines of what was
 // reported: `MP209:2`.
 std::string Words(const std::string& text, const MemoryFiles& files = {}) {
@@ -54,7 +46,9 @@ struct Case {
 void PrintTo(const Case& row, std::ostream* out) { *out << row.text; }
 
 class PreprocessorTest : public testing::TestWithParam<Case> {};
-TEST_P(PreprocessorTest, LeavesTheWords) { EXPECT_EQ(Words(GetParam().text), GetParam().words); }
+TEST_P(PreprocessorTest, LeavesTheWords) {
+  EXPECT_EQ(Words(GetParam().text), GetParam().words);
+}
 
 INSTANTIATE_TEST_SUITE_P(
     Macros, PreprocessorTest,
@@ -241,7 +235,7 @@ TEST(Macro, HasAnEnd) {
 TEST(Macro, HasTheRangeOfItsUse) {
   Reporter reporter;
   const Options options;
-  const FileReader reader = ReaderOf({});
+  const FileReader reader = NoFiles();
   Preprocessor preprocessor(options, reader, reporter);
   const std::string text = "#define SUM(a, b) ((a) + (b))\nSUM(xx, 1)";
   preprocessor.Run(SourceFile("test.c", text));
@@ -257,7 +251,7 @@ TEST(Macro, HasTheRangeOfItsUse) {
 TEST(Macro, IsNamedByANote) {
   Reporter reporter;
   const StructuredSource source("test.c", "#define TEXT (\"text\")\nint a = TEXT;\nint *b;\n", {},
-                                ReaderOf({}), reporter);
+                                NoFiles(), reporter);
   source.AddMacroNotes(reporter);
   ASSERT_EQ(reporter.diagnostics().size(), 2u);
   const Diagnostic& in_macro = reporter.diagnostics()[0];

@@ -16,14 +16,7 @@ namespace {
 // The tree of a program, or what was reported about it.
 std::string Read(const std::string& text, const MemoryFiles& files = {}) {
   Reporter reporter;
-  const StructuredSource source(
-      "test.c", text, {},
-      [&files](const std::string& path) -> Result<std::string> {
-        const auto found = files.find(path);
-        if (found == files.end()) return MakeError(kNoSuchFile, "missing", "缺少");
-        return found->second;
-      },
-      reporter);
+  const StructuredSource source("test.c", text, {}, ReaderOf(files), reporter);
   std::string reported;
   for (const Diagnostic& diagnostic : reporter.diagnostics()) {
     reported += DiagnosticName(diagnostic.info->code) + ": " + diagnostic.message.en + '\n';
@@ -136,7 +129,6 @@ TEST(DialectTest, IsSaidByTheFirstLine) {
   }
 }
 
-// The words and tokens of structured C mean in the card's language what they have always meant.
 TEST(DialectTest, LeavesTheCardsLanguageAlone) {
   struct CardCase {
     std::string text;

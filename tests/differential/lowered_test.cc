@@ -16,6 +16,7 @@
 #include "oracle.h"
 #include "structured_program.h"
 #include "structured_run.h"
+#include "tests/compiler/memory_files.h"
 #include "typed_program.h"
 
 namespace oncard::differential {
@@ -33,10 +34,6 @@ constexpr const char* kCompilations[] = {
 int ProgramCount() {
   const char* wanted = std::getenv("ONCARD_STRUCTURED_PROGRAMS");
   return wanted != nullptr ? std::atoi(wanted) : kUsualPrograms;
-}
-
-Result<std::string> NoFile(const std::string& path) {
-  return MakeError(1, "no file '{}'", "没有文件“{}”", path);
 }
 
 std::string MessagesOf(const std::vector<compiler::Diagnostic>& diagnostics) {
@@ -60,12 +57,12 @@ std::string WarningsOfLowering(const compiler::Compilation& compilation) {
 // Lowers one program, compiles the text and compares what it computes.
 void Check(const StructuredProgram& program, bool optimize, const Values& expected) {
   const compiler::Lowering lowering =
-      compiler::LowerText("random.c", program.text, {}, {optimize, true}, NoFile);
+      compiler::LowerText("random.c", program.text, {}, {optimize, true}, compiler::NoFiles());
   const std::string listing = fmt::format("seed {}, optimize {}\n{}\nlowered\n{}", program.seed,
                                           optimize, program.text, lowering.text.value_or(""));
   ASSERT_TRUE(lowering.text.has_value()) << MessagesOf(lowering.diagnostics) << listing;
   const compiler::Compilation compilation =
-      compiler::CompileText("lowered.c", *lowering.text, {}, NoFile);
+      compiler::CompileText("lowered.c", *lowering.text, {}, compiler::NoFiles());
   ASSERT_TRUE(compilation.ok()) << ErrorsOf(compilation) << listing;
   // Without the passes, what they would remove may cause warnings.
   if (optimize) {
@@ -120,7 +117,7 @@ TEST(LoweredTest, PassesAddNoAccessToGlobals) {
         MakeStructuredProgram(static_cast<uint64_t>(seed), Floats::kNone);
     const auto count = [&program](bool optimize) {
       const compiler::Lowering lowering =
-          compiler::LowerText("random.c", program.text, {}, {optimize, false}, NoFile);
+          compiler::LowerText("random.c", program.text, {}, {optimize, false}, compiler::NoFiles());
       EXPECT_TRUE(lowering.object.has_value()) << MessagesOf(lowering.diagnostics);
       return CountGlobalAccesses(lowering.object.value());
     };

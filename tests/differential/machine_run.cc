@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "tests/compiler/memory_files.h"
+
 namespace oncard::differential {
 namespace {
 
@@ -13,9 +15,7 @@ constexpr int kGlobals = -1;  // instead of a function's number
 compiler::Compilation CompileSource(const std::string& text, vm::DoubleFormat format) {
   compiler::Options options;
   options.double_format = format;
-  return compiler::CompileText("random.c", text, options, [](const std::string& path) {
-    return Result<std::string>(MakeError(1, "no file '{}'", "没有文件“{}”", path));
-  });
+  return compiler::CompileText("random.c", text, options, compiler::NoFiles());
 }
 
 std::string ErrorsOf(const compiler::Compilation& compilation) {

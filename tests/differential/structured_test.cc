@@ -14,6 +14,7 @@
 #include "oracle.h"
 #include "structured_program.h"
 #include "structured_run.h"
+#include "tests/compiler/memory_files.h"
 
 namespace oncard::differential {
 namespace {
@@ -40,10 +41,8 @@ TEST(StructuredTest, CorrectedProgramsComputeWhatGccComputes) {
     ASSERT_EQ(oracle.value().size(), programs.size());
     for (size_t i = 0; i < programs.size(); ++i) {
       const StructuredProgram& program = programs[i];
-      const compiler::CorrectedProgram corrected = compiler::ApplyAllFixIts(
-          "random.c", program.text, {}, [](const std::string& path) -> Result<std::string> {
-            return MakeError(1, "no file '{}'", "没有文件“{}”", path);
-          });
+      const compiler::CorrectedProgram corrected =
+          compiler::ApplyAllFixIts("random.c", program.text, {}, compiler::NoFiles());
       const std::string listing =
           fmt::format("seed {}\n{}\ncorrected\n{}", program.seed, program.text,
                       corrected.files.contains("random.c") ? corrected.files.at("random.c") : "");

@@ -7,6 +7,7 @@
 
 #include "compiler/compiler.h"
 #include "explore/scenario_exploration.h"
+#include "tests/compiler/memory_files.h"
 
 namespace oncard::explore {
 namespace {
@@ -21,9 +22,7 @@ T Need(Result<T> result) {
 }
 
 vm::Object Compiled(const std::string& source) {
-  auto compilation = compiler::CompileText("program.c", source, {}, [](const std::string&) {
-    return Result<std::string>(MakeError(1, "no files", "无文件"));
-  });
+  auto compilation = compiler::CompileText("program.c", source, {}, compiler::NoFiles());
   if (!compilation.ok()) std::abort();
   return *compilation.object;
 }

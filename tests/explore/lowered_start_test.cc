@@ -8,6 +8,7 @@
 #include "compiler/lowering/lowering.h"
 #include "explore/search/explorer.h"
 #include "explore_programs.h"
+#include "tests/compiler/memory_files.h"
 
 namespace oncard::explore {
 namespace {
@@ -24,10 +25,8 @@ void t1() { second = speed; }
 constexpr std::string_view kClaim = "//@ final: first == 5 && speed == 7 && second != 0\n";
 
 std::string Lowered() {
-  const compiler::Lowering lowering = compiler::LowerText(
-      "start.c", std::string(kProgram), {}, {}, [](const std::string& path) -> Result<std::string> {
-        return MakeError(1, "no file '{}'", "没有文件“{}”", path);
-      });
+  const compiler::Lowering lowering =
+      compiler::LowerText("start.c", std::string(kProgram), {}, {}, compiler::NoFiles());
   return lowering.text.value_or("") + std::string(kClaim);
 }
 

@@ -10,16 +10,15 @@
 #include "gtcalls/gts/buffered_values.h"
 #include "runtime/host/call_log.h"
 #include "test_programs.h"
+#include "tests/compiler/memory_files.h"
 
 namespace oncard::runtime {
 namespace {
 
 /// Compiles a program that is known to be correct.
 vm::Object CompileProgram(std::string_view text) {
-  const auto compilation = compiler::CompileText(
-      "program.c", std::string(text), compiler::Options{}, [](const std::string& path) {
-        return Result<std::string>(MakeError(1, "no file '{}'", "没有文件 '{}'", path));
-      });
+  const auto compilation = compiler::CompileText("program.c", std::string(text),
+                                                 compiler::Options{}, compiler::NoFiles());
   EXPECT_TRUE(compilation.ok());
   return compilation.ok() ? *compilation.object : vm::Object{};
 }
