@@ -46,7 +46,7 @@ struct Case {
 void PrintTo(const Case& row, std::ostream* out) { *out << row.text; }
 
 class PreprocessorTest : public testing::TestWithParam<Case> {};
-TEST_P(PreprocessorTest, LeavesTheWords) {
+TEST_P(PreprocessorTest, ProgramBecomesTheseTokensOrErrors) {
   EXPECT_EQ(Words(GetParam().text), GetParam().words);
 }
 
@@ -151,7 +151,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"#ifdef\n#endif", "MP128:1"}, Case{"#ifdef 1\n#else\na\n#endif", "MP128:1"}));
 
 // Conditions are computed with 64 bits, and with a sign unless a number has the suffix U.
-TEST(Condition, IsThatOfC) {
+TEST(Condition, IsComputedAsInC) {
   for (const char* text : {"2147483647 + 1 > 0",
                            "1 << 40",
                            "0xFFFFFFFF > 0",
@@ -184,7 +184,7 @@ TEST(Condition, IsThatOfC) {
   }
 }
 
-TEST(Include, MayBeNestedAndGuarded) {
+TEST(Include, FilesMayIncludeOthersAndGuardThemselves) {
   const MemoryFiles files = {
       {"a.h", "#ifndef A_H\n#define A_H\n#include \"folder/b.h\"\na\n#endif\n"},
       {"folder/b.h", "#pragma once\n#include \"c.h\"\n#include \"a.h\"\nb\n"},
@@ -205,7 +205,7 @@ TEST(Include, MayBeNestedAndGuarded) {
 }
 
 // The vendor's header is for hosts; what programs need of it is known.
-TEST(Include, LeavesTheVendorsHeaderOut) {
+TEST(Include, OnlyHeadersThatProgramsDoNotNeedAreIgnored) {
   EXPECT_EQ(Words("#include \"gts.h\"\n#include <gts.h>\n#include \"../sdk/gts.h\"\na"), "a");
   EXPECT_EQ(Words("#include <stdbool.h>\na"), "a");
   EXPECT_EQ(Words("#include <stdio.h>\n"), "MP037:1");
@@ -216,7 +216,7 @@ TEST(Include, LeavesTheVendorsHeaderOut) {
 }
 
 // Macros that double each other reach the limit, not the end of the memory.
-TEST(Macro, HasAnEnd) {
+TEST(Macro, ExpansionIsLimited) {
   std::string doubling = "#define X0 x\n";
   std::string nested = "#define F(a) a a\nF(";
   for (int i = 0; i < 40; ++i) {
@@ -232,7 +232,7 @@ TEST(Macro, HasAnEnd) {
 }
 
 // Words of a body stand at the use of the macro, for messages; arguments where they are written.
-TEST(Macro, HasTheRangeOfItsUse) {
+TEST(Macro, TokensOfItsBodyHaveThePlaceOfItsUse) {
   Reporter reporter;
   const Options options;
   const FileReader reader = NoFiles();
@@ -248,7 +248,7 @@ TEST(Macro, HasTheRangeOfItsUse) {
   }
 }
 
-TEST(Macro, IsNamedByANote) {
+TEST(Macro, MessageInItsBodyHasANoteAboutIt) {
   Reporter reporter;
   const StructuredSource source("test.c", "#define TEXT (\"text\")\nint a = TEXT;\nint *b;\n", {},
                                 NoFiles(), reporter);

@@ -40,7 +40,7 @@ struct Row {
 void PrintTo(const Row& row, std::ostream* out) { *out << row.text; }
 
 class DeclarationTest : public testing::TestWithParam<Row> {};
-TEST_P(DeclarationTest, HasTheTree) { EXPECT_EQ(Read(GetParam().text), GetParam().tree); }
+TEST_P(DeclarationTest, IsReadAsThisTree) { EXPECT_EQ(Read(GetParam().text), GetParam().tree); }
 
 INSTANTIATE_TEST_SUITE_P(
     Rules, DeclarationTest,
@@ -73,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"void f(int a[], int b[2][3]) { }", "(void f (int a[], int b[2][3]) {})"}));
 
 class StatementTest : public testing::TestWithParam<Row> {};
-TEST_P(StatementTest, HasTheTree) { EXPECT_EQ(ReadBody(GetParam().text), GetParam().tree); }
+TEST_P(StatementTest, IsReadAsThisTree) { EXPECT_EQ(ReadBody(GetParam().text), GetParam().tree); }
 
 INSTANTIATE_TEST_SUITE_P(
     Rules, StatementTest,
@@ -118,7 +118,7 @@ INSTANTIATE_TEST_SUITE_P(
             "(decl static int calls=0) (decl enum { kLocal=3 })"},
         Row{"a = b = c ? d, e : f ? g : h;", "(= a (= b (? c (, d e) (? f g h))))"}));
 
-TEST(DialectTest, IsSaidByTheFirstLine) {
+TEST(DialectTest, FirstLineSelectsStructuredC) {
   for (const char* text : {"//@ structured", "//@ structured\nint a;", "//@structured\r\nint a;",
                            "\xEF\xBB\xBF  //@  structured  \n"}) {
     EXPECT_TRUE(WantsStructured(text)) << text;
@@ -129,7 +129,7 @@ TEST(DialectTest, IsSaidByTheFirstLine) {
   }
 }
 
-TEST(DialectTest, LeavesTheCardsLanguageAlone) {
+TEST(DialectTest, WordsOfStructuredCKeepTheirMeaningInTheCardsLanguage) {
   struct CardCase {
     std::string text;
     std::vector<int> codes;
