@@ -10,6 +10,7 @@
 #include "explore/reports/axis_curve.h"
 #include "explore_programs.h"
 #include "runtime/scenario/scenario_run.h"
+#include "tests/compiler/memory_files.h"
 
 namespace oncard::explore {
 namespace {
@@ -138,7 +139,7 @@ TEST(AxisCurveTest, DrawsWhereTheAxisIs) {
       "p.c",
       "int t0() {\n  GT_AxisOn(1);\n  GT_PrfJog(1);\n  GT_SetVel(1, 50);\n  GT_Update(1);\n"
       "  GT_Delay(20);\n  return 0;\n}\n",
-      {}, [](const std::string&) { return Result<std::string>(MakeError(1, "none", "无")); });
+      {}, compiler::NoFiles());
   ASSERT_TRUE(compilation.object);
   const auto scenario = runtime::ParseScenario("program = \"p.c\"\n", "test.toml");
   runtime::RunOptions options;

@@ -6,6 +6,7 @@
 
 #include "compiler/compiler.h"
 #include "runtime/scenario/scenario_run.h"
+#include "tests/compiler/memory_files.h"
 
 namespace oncard::runtime {
 namespace {
@@ -23,9 +24,7 @@ constexpr std::string_view kLostUpdate =
     "}\n";
 
 vm::Object Compiled(std::string_view source) {
-  auto compilation = compiler::CompileText("p.c", std::string(source), {}, [](const std::string&) {
-    return Result<std::string>(MakeError(1, "no files", "无文件"));
-  });
+  auto compilation = compiler::CompileText("p.c", std::string(source), {}, compiler::NoFiles());
   EXPECT_TRUE(compilation.ok());
   return compilation.ok() ? *compilation.object : vm::Object{};
 }

@@ -7,14 +7,12 @@
 
 #include "compiler/diagnostic_printer.h"
 #include "runtime/scenario/scenario_run.h"
+#include "tests/compiler/memory_files.h"
 
 namespace oncard::runtime {
 
 inline vm::Object CompileForTest(const std::string& text) {
-  const auto no_files = [](const std::string&) -> Result<std::string> {
-    return MakeError(1, "no file", "没有文件");
-  };
-  compiler::Compilation compilation = compiler::CompileText("p.c", text, {}, no_files);
+  compiler::Compilation compilation = compiler::CompileText("p.c", text, {}, compiler::NoFiles());
   EXPECT_TRUE(compilation.ok()) << compiler::PrintText(compilation, {});
   return compilation.ok() ? *compilation.object : vm::Object();
 }
