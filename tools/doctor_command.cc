@@ -2,7 +2,6 @@
 #include <iconv.h>
 #include <toml++/impl/preprocessor.h>
 #include <xxhash.h>
-#include <zlib.h>
 
 #include <nlohmann/json.hpp>
 
@@ -75,7 +74,6 @@ std::vector<Fact> Facts(const gtcalls::Family& family) {
       {"tomlplusplus",
        {"toml++", "toml++"},
        fmt::format("{}.{}.{}", TOML_LIB_MAJOR, TOML_LIB_MINOR, TOML_LIB_PATCH)},
-      {"zlib", {"zlib", "zlib"}, zlibVersion()},
       {"xxhash",
        {"xxhash", "xxhash"},
        fmt::format("{}.{}.{}", XXH_VERSION_MAJOR, XXH_VERSION_MINOR, XXH_VERSION_RELEASE)},

@@ -2,8 +2,8 @@
 #include "vm/object_writer.h"
 
 #include <fmt/format.h>
-#include <zlib.h>
 
+#include <array>
 #include <iterator>
 
 #include "vm/record.h"
@@ -63,10 +63,30 @@ std::string WriteVendorSections(const Object& object) {
   return ini;
 }
 
+/// The polynomial of ITU-T V.42, reflected.
+constexpr uint32_t kChecksumPolynomial = 0xEDB88320;
+
+/// The remainder of each byte.
+constexpr std::array<uint32_t, 256> kRemainders = [] {
+  std::array<uint32_t, 256> remainders{};
+  for (uint32_t byte = 0; byte < remainders.size(); ++byte) {
+    uint32_t remainder = byte;
+    for (int bit = 0; bit < 8; ++bit) {
+      remainder = (remainder >> 1) ^ ((remainder & 1) != 0 ? kChecksumPolynomial : 0);
+    }
+    remainders[byte] = remainder;
+  }
+  return remainders;
+}();
+
 }  // namespace
 
 uint32_t BinChecksum(std::string_view bin) {
-  return static_cast<uint32_t>(crc32_z(0, reinterpret_cast<const Bytef*>(bin.data()), bin.size()));
+  uint32_t remainder = ~uint32_t{0};
+  for (const char byte : bin) {
+    remainder = (remainder >> 8) ^ kRemainders[(remainder ^ static_cast<uint8_t>(byte)) & 0xFF];
+  }
+  return ~remainder;
 }
 
 std::string_view DoubleFormatName(DoubleFormat format) {

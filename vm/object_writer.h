@@ -16,7 +16,7 @@ inline constexpr int kObjectFormat = 1;
 /// `.bin`'s CRC-32 follows them. The object must be one that Verify() accepts.
 ObjectFiles WriteObject(const Object& object, bool vendor_format);
 
-/// The CRC-32 (zlib's) of a whole `.bin`.
+/// The CRC-32 of a whole `.bin`, as zlib computes it.
 uint32_t BinChecksum(std::string_view bin);
 
 /// How `[oncard]` and listings name a double format: `32.16` or `16.16`.

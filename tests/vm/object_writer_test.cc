@@ -96,6 +96,10 @@ TEST(ObjectWriterTest, ChecksumIsTheCommonCrc32) {
   // Check value of CRC-32/ISO-HDLC.
   EXPECT_EQ(BinChecksum("123456789"), 0xCBF43926u);
   EXPECT_EQ(BinChecksum(""), 0u);
+  // By Python's zlib.crc32.
+  std::string all_bytes;
+  for (int byte = 0; byte < 256; ++byte) all_bytes.push_back(static_cast<char>(byte));
+  EXPECT_EQ(BinChecksum(all_bytes), 0x29058C73u);
 }
 
 }  // namespace
