@@ -434,7 +434,9 @@ class Search {
     // Distributes them by their first bits to parts that fit into a cache, which are then sorted.
     constexpr int kPartBits = 12;
     std::vector<size_t> ends(size_t{1} << kPartBits);
-    const auto part_of = [](uint64_t trace) { return trace >> (64 - kPartBits); };
+    const auto part_of = [](uint64_t trace) {
+      return static_cast<size_t>(trace >> (64 - kPartBits));
+    };
     for (const uint64_t trace : traces_) ++ends[part_of(trace)];
     std::partial_sum(ends.begin(), ends.end(), ends.begin());
     std::vector<size_t> begins = ends;

@@ -50,8 +50,9 @@ Result<Model> Model::Create(const vm::Machine& machine) {
   const vm::Object& object = model.image_->object;
   model.wrap_shift_ = vm::WrapShift(object.double_format);
   model.global_count_ = SlotCount(object.globals);
-  model.cells_.assign(machine.state().globals.begin(),
-                      machine.state().globals.begin() + model.global_count_);
+  model.cells_.assign(
+      machine.state().globals.begin(),
+      machine.state().globals.begin() + static_cast<std::ptrdiff_t>(model.global_count_));
   for (int number = 0; number < vm::kThreadCount; ++number) {
     const vm::ThreadState& state = machine.thread(number);
     if (state.run != vm::ThreadRun::kRunning) continue;
@@ -76,7 +77,8 @@ Result<void> Model::AddThread(int number, const vm::ThreadState& state,
   thread.end_cell = thread.position_cell + 1;
   thread.result_cell = thread.position_cell + 2;
   const auto& page = machine.state().pages[state.page];
-  cells_.insert(cells_.end(), page.begin(), page.begin() + thread.local_count);
+  cells_.insert(cells_.end(), page.begin(),
+                page.begin() + static_cast<std::ptrdiff_t>(thread.local_count));
   cells_.resize(size_t{thread.position_cell} + 3);
   if (cells_.size() > kCellMax) {
     return MakeError(1, "the program has too many variables to explore",

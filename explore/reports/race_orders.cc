@@ -130,9 +130,11 @@ std::vector<RaceOrder> BothOrders(const Problem& problem, const Failure& failure
   const auto [earlier, later] = std::minmax(first, second);
   const uint8_t held = failure.steps[static_cast<size_t>(earlier)];
   const uint8_t ahead = failure.steps[static_cast<size_t>(later)];
-  const std::vector<uint8_t> as_run(failure.steps.begin(), failure.steps.begin() + later + 1);
+  const std::vector<uint8_t> as_run(failure.steps.begin(),
+                                    failure.steps.begin() + static_cast<std::ptrdiff_t>(later) + 1);
   // The thread that was first waits before its statement until the other has executed its own.
-  std::vector<uint8_t> other(failure.steps.begin(), failure.steps.begin() + earlier);
+  std::vector<uint8_t> other(failure.steps.begin(),
+                             failure.steps.begin() + static_cast<std::ptrdiff_t>(earlier));
   for (int64_t i = earlier + 1; i <= later; ++i) {
     const uint8_t thread = failure.steps[static_cast<size_t>(i)];
     if (thread != held) other.push_back(thread);

@@ -71,7 +71,8 @@ void CompareUnit::SetLevel(size_t channel, bool level) {
 
 void CompareUnit::Append(size_t channel, const std::vector<ComparePoint>& points) {
   CompareModule& module = modules_[channel];
-  module.points.erase(module.points.begin(), module.points.begin() + module.next);
+  module.points.erase(module.points.begin(),
+                      module.points.begin() + static_cast<std::ptrdiff_t>(module.next));
   module.next = 0;
   module.points.insert(module.points.end(), points.begin(), points.end());
 }
