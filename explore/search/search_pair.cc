@@ -44,7 +44,7 @@ PairResult RunPair(const SearchPair& pair) {
   };
   std::thread tracing([&] {
     result.traces = pair.traces(&stop_traces, take_pause);
-    report(First::kTraces, result.traces.complete() || result.traces.bad > 0);
+    report(First::kTraces, result.traces->complete() || result.traces->bad > 0);
   });
   std::thread stating([&] {
     result.states = pair.states(&stop);

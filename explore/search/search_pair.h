@@ -1,11 +1,13 @@
-// Two searches of one problem at the same time, each in a thread of its own: what `auto` does with
-// the search of traces and that of states. Nothing else in the explorer uses threads or a clock.
-// Tested by tests/explore/explorer_test.cc.
+// Two searches of one problem: what `auto` does with the search of traces and that of states. They
+// run at the same time, each in a thread of its own; where there are no threads, one after the
+// other. Nothing else in the explorer uses threads or a clock. Tested by
+// tests/explore/explorer_test.cc and search_pair_test.cc.
 #pragma once
 
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 #include "explore/engines/progress.h"
 #include "explore/engines/state_search.h"
@@ -28,12 +30,17 @@ struct SearchPair {
 struct PairResult {
   enum class First : uint8_t { kNeither, kTraces, kStates };
 
-  TraceSearch traces;
+  std::optional<TraceSearch> traces;  ///< if it was run
   StateSearch states;
   First first = First::kNeither;  ///< the search that first had an answer
 };
 
-/// Runs both; each is stopped some time after the other has a result.
+/// Runs both at the same time; each is stopped some time after the other has a result. A build
+/// without threads has RunInTurn() in its place (search_pair_without_threads.cc).
 PairResult RunPair(const SearchPair& pair);
+
+/// Runs the search of states, whose number is limited, and that of traces only if the first one has
+/// no answer and nobody has stopped it. Deterministic, counts included.
+PairResult RunInTurn(const SearchPair& pair);
 
 }  // namespace oncard::explore
