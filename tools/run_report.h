@@ -11,17 +11,10 @@ namespace oncard::tools {
 /// `thread 0 add: finished, result 5050`, then `sum = 5050`.
 std::string FormatRunText(const runtime::ScenarioResult& result, const Session& session);
 
-/// One JSON document with all results of the run.
-std::string FormatRunJson(const runtime::ScenarioResult& result, const Session& session);
-
 /// Prints the result in a format (`text` or `json`), and its failures always on standard error.
 /// Returns the exit code.
 int ReportRun(const runtime::ScenarioResult& result, const std::string& format,
               const Session& session);
-
-/// Word for the end of a run in JSON: quiet, until, time-limit, deadlock, schedule-end, diverged,
-/// interrupted.
-std::string_view EndName(const runtime::ScenarioResult& result);
 
 /// `sum == 5051: sum is 5050`, or only the message for other failures.
 std::string FormatFailure(const runtime::ScenarioFailure& failure, Language language);
