@@ -290,6 +290,7 @@ void Machine::Settle(const Frame& frame, Exit exit, int64_t executed) {
   state.executed += executed;
   state_->executed += executed;
   if (exit == Exit::kFault) {
+    ++state_->faults;
     state.run = ThreadRun::kFaulted;
     state.period_cycles = 0;
     state.error = static_cast<int16_t>(frame.fault);
@@ -376,11 +377,22 @@ int64_t Machine::Execute(int64_t budget) {
   return executed;
 }
 
-int64_t Machine::ExecuteTurn(uint32_t runnable, int64_t budget) {
-  SchedulerState& scheduler = state_->scheduler;
+Turn Machine::NextTurn(SchedulerState& scheduler, uint32_t runnable, int64_t budget) const {
   std::array<int16_t, kThreadCount> priorities;
   for (size_t i = 0; i < kThreadCount; ++i) priorities[i] = state_->threads[i].priority;
-  const Turn turn = BeginTurn(scheduler, runnable, std::min(budget, UntilCheckpoint()), priorities);
+  return BeginTurn(scheduler, runnable, budget, priorities);
+}
+
+int Machine::NextThread() const {
+  const uint32_t runnable = RunnableThreads();
+  if (runnable == 0) return -1;
+  SchedulerState scheduler = state_->scheduler;
+  return NextTurn(scheduler, runnable, 1).thread;
+}
+
+int64_t Machine::ExecuteTurn(uint32_t runnable, int64_t budget) {
+  SchedulerState& scheduler = state_->scheduler;
+  const Turn turn = NextTurn(scheduler, runnable, std::min(budget, UntilCheckpoint()));
   if (turn.thread < 0) {
     const bool at_end = scheduler.segment >= scheduler.policy.schedule->segments.size();
     last_stop_ = at_end ? Stop::kScheduleEnd : Stop::kScheduleDiverged;
@@ -447,6 +459,14 @@ bool Machine::PassCheckpoint() {
       expected.begin(), expected.end(), state_->executed,
       [](const ScheduleCheckpoint& checkpoint, int64_t at) { return checkpoint.statement < at; });
   return found == expected.end() || found->statement != state_->executed || found->hash == Hash();
+}
+
+void Machine::EndRecording() {
+  const int64_t executed = state_->executed;
+  if (executed > 0 && executed % kCheckpointInterval != 0) {
+    recording_->checkpoints.push_back({executed, Hash()});
+  }
+  recording_ = nullptr;
 }
 
 // --- State ---------------------------------------------------------------------------------------

@@ -101,6 +101,7 @@ struct MachineState {
   std::array<ThreadState, kThreadCount> threads{};
   SchedulerState scheduler;
   int64_t executed = 0;  ///< statements since the program was loaded
+  int64_t faults = 0;    ///< of threads, since the program was loaded
   int64_t cycle = 0;     ///< current profile cycle
 };
 
@@ -182,6 +183,8 @@ class Machine {
   bool ExecuteOne(int thread);
   /// Bit n: thread n could execute a statement now.
   uint32_t RunnableThreads() const;
+  /// The thread whose statement Execute() would execute next; -1: none.
+  int NextThread() const;
   /// Advances the clock to a cycle (never backwards): wakes delayed threads, starts periodic ones.
   void BeginCycle(int64_t cycle);
   /// True when no thread is running: all are unbound, stopped, paused or faulted, and none is
@@ -193,6 +196,8 @@ class Machine {
   /// Appends what is executed to `schedule` until called with nullptr; the schedule must outlive
   /// the recording.
   void Record(Schedule* schedule) { recording_ = schedule; }
+  /// Ends a recording with a checkpoint of the present state.
+  void EndRecording();
 
   // --- State -----------------------------------------------------------------------------------
 
@@ -200,8 +205,8 @@ class Machine {
   const ThreadState& thread(int index) const { return state_->threads[static_cast<size_t>(index)]; }
   /// Restores a state taken from a virtual machine with the same image.
   void Restore(const MachineState& state) { *state_ = state; }
-  /// XXH64 of variables, threads and counters: the whole state except that of the policy. Equal
-  /// states have equal hashes on every computer.
+  /// XXH64 of variables, threads and counters: the whole state except that of the policy and the
+  /// number of faults. Equal states have equal hashes on every computer.
   uint64_t Hash() const;
   /// Source line of the current or last instruction of a thread, 0 when unknown.
   int Line(int thread) const;
@@ -226,6 +231,8 @@ class Machine {
   /// Ends the threads that have woken up with nothing left to execute, because their last statement
   /// put them to sleep. Returns the threads that can continue.
   uint32_t FinishSleepersAtEnd();
+  /// The next turn of a policy among runnable threads.
+  Turn NextTurn(SchedulerState& scheduler, uint32_t runnable, int64_t budget) const;
   /// Executes one turn of the policy, or returns why it stops.
   int64_t ExecuteTurn(uint32_t runnable, int64_t budget);
   /// Number of statements until the next checkpoint of a recording or a replay.

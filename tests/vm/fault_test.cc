@@ -116,6 +116,17 @@ TEST_F(FaultTest, IndicesAreCheckedAtBothEnds) {
   }
 }
 
+TEST_F(FaultTest, FaultsAreCounted) {
+  LoadAndStart({Set(At(kL, kL), ImmediateInt(5))});
+  SetLocalInt(0, 0, -1);
+  EXPECT_EQ(machine_.state().faults, 0);
+  machine_.Execute(1);
+  EXPECT_EQ(machine_.state().faults, 1);
+  machine_.Run(0);
+  machine_.Execute(1);
+  EXPECT_EQ(machine_.state().faults, 2);
+}
+
 TEST_F(FaultTest, OtherThreadsRunOn) {
   Load({MakeFunction({Binary(BinaryOperator::kDivide, kInt, Local(0), Local(1), Local(0))}),
         MakeFunction({Add(Local(0), Local(0), ImmediateInt(1)), Goto(-1)})});

@@ -125,6 +125,20 @@ TEST_F(SchedulerTest, SmallestPriorityNumberRunsFirstAndEqualsTakeTurns) {
 
 // --- Random policies -----------------------------------------------------------------------------
 
+TEST_F(SchedulerTest, TheNextThreadIsKnownBeforeItExecutes) {
+  for (const char* policy : {"rr", "rr:3", "priority", "random:5", "pct:5:3"}) {
+    StartEndless({1, 4, 9}, policy);
+    for (int i = 0; i < 50; ++i) {
+      const int next = machine_.NextThread();
+      const int64_t before = machine_.thread(next).executed;
+      machine_.Execute(1);
+      EXPECT_EQ(machine_.thread(next).executed, before + 1) << policy;
+    }
+  }
+  for (const int thread : {1, 4, 9}) machine_.StopThread(thread);
+  EXPECT_EQ(machine_.NextThread(), -1);
+}
+
 TEST_F(SchedulerTest, RandomPoliciesDependOnTheSeedOnly) {
   for (const std::string policy : {"random:", "pct:"}) {
     const std::string tail = policy == "pct:" ? ":8:60" : "";

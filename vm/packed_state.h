@@ -1,0 +1,31 @@
+// The state of a virtual machine in the memory that its program needs: a MachineState has room for
+// 32 data pages, and most programs use a few. For owners of many states of one program.
+// Tested by tests/vm/packed_state_test.cc.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "vm/machine.h"
+
+namespace oncard::vm {
+
+class PackedState {
+ public:
+  explicit PackedState(const MachineState& state);
+
+  /// Makes `state` equal to the packed one.
+  void Unpack(MachineState* state) const;
+
+ private:
+  std::vector<int64_t> slots_;  // the globals, then the pages in use
+  uint32_t used_pages_ = 0;
+  std::array<ThreadState, kThreadCount> threads_;
+  SchedulerState scheduler_;
+  int64_t executed_ = 0;
+  int64_t faults_ = 0;
+  int64_t cycle_ = 0;
+};
+
+}  // namespace oncard::vm
