@@ -25,6 +25,8 @@ inline constexpr FileKind kObjectKind = {"an object file", "目标文件", 256 *
 inline constexpr FileKind kScenarioKind = {"a scenario", "场景文件", 1 * kMebibyte};
 inline constexpr FileKind kScheduleKind = {"a schedule", "调度文件", 64 * kMebibyte};
 inline constexpr FileKind kSearchKind = {"a search file", "搜索文件", 1024 * kMebibyte};
+/// A request of the session protocol.
+inline constexpr FileKind kRequestKind = {"a request", "请求", 64 * kMebibyte};
 /// The vendor's .cfg.
 inline constexpr FileKind kConfigKind = {"a configuration", "配置文件", 1 * kMebibyte};
 /// Files that oncard itself writes and reads back.

@@ -152,10 +152,18 @@ Json ResultOf(const Compilation& compilation, const Diagnostic& diagnostic, Lang
 
 std::string PrintJson(const Compilation& compilation, const PrintOptions& options) {
   std::string text;
-  for (const Diagnostic& diagnostic : compilation.diagnostics) {
-    text += Dump(DiagnosticToJson(compilation, diagnostic, options.language), -1);
+  for (const Json& diagnostic : DiagnosticsJson(compilation, options.language)) {
+    text += Dump(diagnostic, -1);
   }
   return text;
+}
+
+nlohmann::ordered_json DiagnosticsJson(const Compilation& compilation, Language language) {
+  Json all = Json::array();
+  for (const Diagnostic& diagnostic : compilation.diagnostics) {
+    all.push_back(DiagnosticToJson(compilation, diagnostic, language));
+  }
+  return all;
 }
 
 std::string PrintSarif(std::span<const Compilation> compilations, const PrintOptions& options) {

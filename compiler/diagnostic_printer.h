@@ -1,6 +1,7 @@
 // Diagnostics for people and for programs: clang-like text, one JSON object per line, SARIF 2.1.0.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 
@@ -21,6 +22,9 @@ std::string PrintText(const Compilation& compilation, const PrintOptions& option
 /// One JSON object per diagnostic and line: code, severity, slug, message in the chosen language
 /// and both as "message_en"/"message_zh", file, line, column, end_line, end_column, notes, fixits.
 std::string PrintJson(const Compilation& compilation, const PrintOptions& options);
+
+/// The same objects as one array.
+nlohmann::ordered_json DiagnosticsJson(const Compilation& compilation, Language language);
 
 /// One SARIF document for a whole run.
 std::string PrintSarif(std::span<const Compilation> compilations, const PrintOptions& options);

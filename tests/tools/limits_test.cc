@@ -47,6 +47,7 @@ INSTANTIATE_TEST_SUITE_P(
                     PageRow{"parts of a dotted key", kTomlKeyPartMax},
                     PageRow{"bytes of a schedule", kScheduleKind.bytes_max},
                     PageRow{"bytes of a search file", kSearchKind.bytes_max},
+                    PageRow{"bytes of a request of a session", kRequestKind.bytes_max},
                     PageRow{"bytes of a `.cfg`", kConfigKind.bytes_max}));
 
 struct LargeFile {
