@@ -66,11 +66,11 @@ Result<runtime::Scenario> ScenarioOf(const RunArguments& arguments) {
   if (arguments.schedule) {
     scenario.schedule = *arguments.schedule;
     scenario.text_places.erase("schedule");
-    constexpr std::string_view kReplay = "replay:";
-    if (scenario.schedule.starts_with(kReplay)) {
+    using runtime::kReplayPrefix;
+    if (scenario.schedule.starts_with(kReplayPrefix)) {
       scenario.schedule =
-          std::string(kReplay) +
-          runtime::PathToScenario(scenario, scenario.schedule.substr(kReplay.size()));
+          std::string(kReplayPrefix) +
+          runtime::PathToScenario(scenario, scenario.schedule.substr(kReplayPrefix.size()));
     }
   }
   if (arguments.double_format) scenario.double_format = DoubleFormatOf(*arguments.double_format);

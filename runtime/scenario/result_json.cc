@@ -5,29 +5,15 @@
 
 #include <nlohmann/json.hpp>
 
+#include "runtime/observe/thread_status.h"
+
 namespace oncard::runtime {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string_view ThreadStateName(vm::ThreadRun run) {
-  switch (run) {
-    case vm::ThreadRun::kUnbound:
-      return "unbound";
-    case vm::ThreadRun::kStopped:
-      return "finished";
-    case vm::ThreadRun::kRunning:
-      return "running";
-    case vm::ThreadRun::kPaused:
-      return "paused";
-    case vm::ThreadRun::kFaulted:
-      return "faulted";
-  }
-  return "unbound";
-}
-
 // The numbers are already written in the form that JSON uses.
-Json Number(const std::string& text) { return Json::parse(text); }
+Json Number(const std::string& text) { return Json::parse(text, nullptr, false); }
 
 /// `reads` by name, `writes` as `[old, new]`.
 Json StepsJson(const StepLog& log) {

@@ -72,6 +72,9 @@ inline constexpr int64_t kCycleUsDefault = 250;    ///< profile cycle
 inline constexpr int64_t kLimitMsDefault = 60000;  ///< a minute of virtual time
 inline constexpr int64_t kTimeMsMax = 1'000'000'000;
 
+/// Before the file in a `schedule` that replays a recording.
+inline constexpr std::string_view kReplayPrefix = "replay:";
+
 struct Scenario {
   /// The file it was read from; the program's path is relative to its folder.
   std::string path;

@@ -5,6 +5,8 @@
 #include "base/files.h"
 #include "base/milliseconds.h"
 #include "runtime/observe/moving_axes.h"
+#include "runtime/observe/thread_status.h"
+#include "runtime/scenario/agenda.h"
 #include "runtime/scenario/scenario_start.h"
 #include "runtime/scenario/scenario_world.h"
 #include "runtime/sim/program.h"
@@ -12,31 +14,11 @@
 namespace oncard::runtime {
 namespace {
 
-constexpr std::string_view kReplayPrefix = "replay:";
-
 /// A cycle that is never reached.
 constexpr int64_t kNever = INT64_MAX;
 
 /// The number of cycles after which a run checks whether it must stop.
 constexpr int64_t kLookCycles = 1000;
-
-Message DescribeFault(const vm::ThreadState& thread) {
-  switch (static_cast<vm::Fault>(thread.error)) {
-    case vm::Fault::kDivisionByZero:
-      return {"division by zero", "除数为零"};
-    case vm::Fault::kIndexOutOfBounds:
-      return MakeMessage("index {0} is out of bounds: the array has elements 0 to {1}",
-                         "下标 {0} 越界：数组下标为 0 至 {1}", thread.fault_value,
-                         thread.fault_limit - 1);
-    case vm::Fault::kOutputBeyondStorage:
-      return MakeMessage("the command covers {0} variables, but only {1} are there",
-                         "指令涉及 {0} 个变量，而此处只有 {1} 个", thread.fault_value,
-                         thread.fault_limit);
-    case vm::Fault::kNone:
-      break;
-  }
-  return MakeMessage("fault {0}", "故障 {0}", thread.error);
-}
 
 class ScenarioRunner {
  public:
@@ -76,49 +58,15 @@ class ScenarioRunner {
   }
 
  private:
-  struct PendingExpectation {
-    const Expectation* expectation = nullptr;
-    CardCondition condition;
-    int64_t cycle = 0;  // with an instant: evaluated at the end of this cycle
-  };
-
-  struct PendingWrite {
-    int64_t cycle = 0;
-    Quantity variable;
-    double value = 0;
-  };
-
   const vm::Image& image() const { return *controller_.machine().image(); }
 
   // --- Before the start ------------------------------------------------------------------------
 
   Result<void> SetUpPolicy() {
-    vm::Policy policy;
-    if (options_.replay != nullptr) {
-      policy.schedule = options_.replay;
-    } else if (scenario_.schedule.starts_with(kReplayPrefix)) {
-      const std::string path =
-          PathFromScenario(scenario_, scenario_.schedule.substr(kReplayPrefix.size()));
-      auto schedule = vm::LoadSchedule(path);
-      if (!schedule.ok()) return schedule.error();
-      policy.schedule = std::make_shared<const vm::Schedule>(std::move(schedule).value());
-    } else {
-      auto parsed = vm::ParsePolicy(scenario_.schedule);
-      if (!parsed.ok()) return parsed.error();
-      policy = std::move(parsed).value();
-    }
-    if (policy.schedule != nullptr) {
-      if (policy.schedule->program_hash != image().hash) {
-        return MakeError(1,
-                         "the schedule was recorded with another program: its hash is {0:016x}, "
-                         "this one's {1:016x}",
-                         "该调度是用另一个程序录制的：其散列值为 {0:016x}，此程序为 {1:016x}",
-                         policy.schedule->program_hash, image().hash);
-      }
-      policy.kind = vm::PolicyKind::kReplay;
-      replayed_ = policy.schedule;
-    }
-    controller_.machine().SetPolicy(policy);
+    const auto policy = ChosenPolicy();
+    if (!policy.ok()) return policy.error();
+    replayed_ = policy.value().schedule;
+    controller_.machine().SetPolicy(policy.value());
     if (options_.record) {
       result_.schedule.emplace();
       result_.schedule->program_hash = image().hash;
@@ -127,54 +75,23 @@ class ScenarioRunner {
     return {};
   }
 
+  Result<vm::Policy> ChosenPolicy() const {
+    if (options_.replay != nullptr) return FollowSchedule(options_.replay, image());
+    if (!scenario_.schedule.starts_with(kReplayPrefix)) return vm::ParsePolicy(scenario_.schedule);
+    const std::string path =
+        PathFromScenario(scenario_, scenario_.schedule.substr(kReplayPrefix.size()));
+    auto schedule = vm::LoadSchedule(path);
+    if (!schedule.ok()) return schedule.error();
+    return FollowSchedule(std::make_shared<const vm::Schedule>(std::move(schedule).value()),
+                          image());
+  }
+
   // Resolves all names.
   void FindNames() {
-    FindExpectations();
-    FindHostWrites();
+    agenda_.Read(scenario_, &controller_, &fit_);
     FindShown();
     traced_ = TraceQuantities(scenario_, controller_, &fit_);
     if (options_.watch != nullptr) options_.watch->Begin(controller_, &fit_);
-  }
-
-  void FindExpectations() {
-    for (const Expectation& expectation : scenario_.expectations) {
-      if (!fit_.CanJudge(expectation.text())) continue;
-      auto bound = CardCondition::Bind(expectation.condition, controller_);
-      if (!bound.ok()) {
-        fit_.AddText(expectation.place, expectation.text(), bound.error().message);
-        continue;
-      }
-      for (const Quantity& quantity : bound.value().quantities()) {
-        if (quantity.kind == QuantityKind::kThreadError) {
-          fault_expected_.push_back(quantity.thread);
-        }
-      }
-      const int64_t cycle = CycleOf(scenario_, expectation.at_us.value_or(0));
-      auto& list = expectation.at_us ? timed_ : final_;
-      list.push_back({&expectation, std::move(bound).value(), cycle});
-    }
-    std::stable_sort(timed_.begin(), timed_.end(),
-                     [](const auto& a, const auto& b) { return a.cycle < b.cycle; });
-  }
-
-  // The host's writes are prepared now, so that none can fail later.
-  void FindHostWrites() {
-    const ControllerSnapshot before = controller_.Snapshot();
-    for (const HostEvent& event : scenario_.host) {
-      for (const InitialValue& written : event.values) {
-        if (!fit_.CanJudge(written.name)) continue;
-        auto variables = SetVariable(written, written.name, &controller_);
-        if (!variables.ok()) {
-          fit_.Add(written.place, variables.error().message);
-          continue;
-        }
-        for (size_t i = 0; i < written.values.size(); ++i) {
-          writes_.push_back({CycleOf(scenario_, event.at_us), std::move(variables.value()[i]),
-                             written.values[i]});
-        }
-      }
-    }
-    controller_.Restore(before);
   }
 
   void FindShown() {
@@ -252,9 +169,9 @@ class ScenarioRunner {
         break;
       }
       if (!ended) ended = controller_.machine().Quiet();
-      if (ended && next_timed_ == timed_.size() && !scenario_.until_us) break;
+      if (ended && !agenda_.has_checks() && !scenario_.until_us) break;
       const int64_t next = NextLook(last);
-      const bool host_is_awaited = next_write_ < writes_.size();
+      const bool host_is_awaited = agenda_.has_writes();
       if (ended || (host_is_awaited && controller_.Deadlocked())) {
         while (controller_.cycle() < next) controller_.RunCycle();
         continue;
@@ -284,33 +201,26 @@ class ScenarioRunner {
   // The cycle up to which the run can continue without an action from here.
   int64_t NextLook(int64_t last) const {
     if (result_.trace) return controller_.cycle() + 1;
-    int64_t next = std::min(last, controller_.cycle() + kLookCycles);
-    if (next_timed_ < timed_.size()) next = std::min(next, timed_[next_timed_].cycle);
-    if (next_write_ < writes_.size()) next = std::min(next, writes_[next_write_].cycle);
-    return next;
+    return std::min({last, controller_.cycle() + kLookCycles, agenda_.NextCycle()});
   }
 
   void ApplyDueWrites() {
-    for (; next_write_ < writes_.size(); ++next_write_) {
-      const PendingWrite& write = writes_[next_write_];
-      if (write.cycle > controller_.cycle()) break;
-      controller_.machine().Write(write.variable.slot, write.value);
+    while (const Agenda::Write* write = agenda_.TakeWrite(controller_.cycle())) {
+      controller_.machine().Write(write->variable.slot, write->value);
       if (result_.trace) {
-        result_.trace->Mark(controller_, fmt::format("{} = {}", write.variable.name, write.value));
+        result_.trace->Mark(controller_,
+                            fmt::format("{} = {}", write->variable.name, write->value));
       }
     }
   }
 
   void EvaluateDue() {
-    for (; next_timed_ < timed_.size(); ++next_timed_) {
-      if (timed_[next_timed_].cycle > controller_.cycle()) break;
-      EvaluateNow(timed_[next_timed_]);
-    }
+    while (const Agenda::Check* check = agenda_.TakeCheck(controller_.cycle())) EvaluateNow(*check);
   }
 
-  void EvaluateNow(const PendingExpectation& pending) {
-    if (pending.condition.Holds(controller_)) return;
-    Fail(pending.expectation->text(), DescribeFailure(pending.condition, controller_));
+  void EvaluateNow(const Agenda::Check& check) {
+    if (check.condition.Holds(controller_)) return;
+    Fail(check.text, DescribeFailure(check.condition, controller_));
   }
 
   void Fail(std::string expectation, Message message) {
@@ -350,12 +260,11 @@ class ScenarioRunner {
   }
 
   void JudgeEnd() {
-    for (; next_timed_ < timed_.size(); ++next_timed_) {
-      Fail(timed_[next_timed_].expectation->text(),
-           MakeMessage("the run ended before, at {0} ms", "运行在此之前结束，时刻 {0} ms",
-                       result_.end_ms));
+    while (const Agenda::Check* check = agenda_.TakeCheck(kNever)) {
+      Fail(check->text, MakeMessage("the run ended before, at {0} ms",
+                                    "运行在此之前结束，时刻 {0} ms", result_.end_ms));
     }
-    for (const PendingExpectation& pending : final_) EvaluateNow(pending);
+    for (const Agenda::Check& check : agenda_.at_end()) EvaluateNow(check);
     if (options_.watch != nullptr && InOrder()) options_.watch->End(controller_);
     ReportEnd();
   }
@@ -380,8 +289,8 @@ class ScenarioRunner {
   }
 
   void WarnOfMissedWrites() {
-    if (next_write_ == writes_.size()) return;
-    const PendingWrite& write = writes_[next_write_];
+    if (!agenda_.has_writes()) return;
+    const Agenda::Write& write = agenda_.next_write();
     const int64_t at_us = write.cycle * scenario_.cycle_us;
     result_.warnings.push_back(
         MakeMessage("the run ended at {0} ms, before the host writes {1} at {2} ms: 'until_ms' "
@@ -447,12 +356,7 @@ class ScenarioRunner {
   }
 
   void FinishRecording(vm::Schedule& schedule) {
-    vm::Machine& machine = controller_.machine();
-    machine.Record(nullptr);
-    const int64_t executed = machine.state().executed;
-    if (executed > 0 && executed % vm::kCheckpointInterval != 0) {
-      schedule.checkpoints.push_back({executed, machine.Hash()});
-    }
+    controller_.machine().EndRecording();
     if (result_.interrupted || result_.end == RunEnd::kScheduleEnd) {
       schedule.cut_us = controller_.cycle() * scenario_.cycle_us;
     }
@@ -469,41 +373,14 @@ class ScenarioRunner {
     report.run = thread.run;
     report.error = thread.error;
     report.statements = thread.executed;
-    const double result = thread.result_type == vm::DataType::kDouble
-                              ? vm::DoubleFromFixed(thread.result)
-                              : static_cast<double>(thread.result);
-    report.result = FormatNumber(result, FormOf(thread.result_type));
+    report.result = ResultText(thread);
     report.place = SourcePlace(ProgramPath(scenario_), function, thread.pc);
-    report.status = StatusOf(thread, report);
-    if (thread.run == vm::ThreadRun::kFaulted &&
-        std::find(fault_expected_.begin(), fault_expected_.end(), number) ==
-            fault_expected_.end()) {
+    report.status = DescribeStatus(thread, report.place);
+    if (thread.run == vm::ThreadRun::kFaulted && !agenda_.ExpectsFault(number)) {
       Fail({}, {fmt::format("thread {} {}: {}", number, function.name, report.status.en),
                 fmt::format("线程 {} {}：{}", number, function.name, report.status.zh)});
     }
     result_.threads.push_back(std::move(report));
-  }
-
-  Message StatusOf(const vm::ThreadState& thread, const ThreadReport& report) const {
-    switch (thread.run) {
-      case vm::ThreadRun::kFaulted: {
-        const Message fault = DescribeFault(thread);
-        return {fmt::format("fault at {}: {}", report.place, fault.en),
-                fmt::format("在 {} 发生故障：{}", report.place, fault.zh)};
-      }
-      case vm::ThreadRun::kRunning:
-        if (thread.waiting) {
-          return MakeMessage("waiting at {0}", "在 {0} 等待", report.place);
-        }
-        return MakeMessage("running at {0}", "在 {0} 运行", report.place);
-      case vm::ThreadRun::kPaused:
-        return MakeMessage("paused at {0}", "在 {0} 暂停", report.place);
-      case vm::ThreadRun::kStopped:
-      case vm::ThreadRun::kUnbound:
-        break;
-    }
-    if (thread.result_type == vm::DataType::kVoid) return {"finished", "已结束"};
-    return MakeMessage("finished, result {0}", "已结束，返回值 {0}", report.result);
   }
 
   const Scenario& scenario_;
@@ -512,14 +389,9 @@ class ScenarioRunner {
   Controller controller_;
   ScenarioFit fit_;
   std::shared_ptr<const vm::Schedule> replayed_;
-  std::vector<PendingExpectation> timed_;  // by cycle
-  std::vector<PendingExpectation> final_;
-  size_t next_timed_ = 0;
-  std::vector<PendingWrite> writes_;  // the host's writes, by cycle
-  size_t next_write_ = 0;
+  Agenda agenda_;
   std::vector<TraceMark> at_power_on_;
-  bool came_to_cut_ = false;         // the recorded run was cut off, and this one is there
-  std::vector<int> fault_expected_;  // threads whose error is named in an expectation
+  bool came_to_cut_ = false;  // the recorded run was cut off, and this one is there
   std::vector<std::string> shown_;
   std::vector<std::vector<Quantity>> shown_quantities_;
   std::vector<Quantity> traced_;  // from the scenario's `trace`

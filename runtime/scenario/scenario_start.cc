@@ -114,6 +114,21 @@ Result<void> StartScenario(const Scenario& scenario, vm::Object object, Controll
   return {};
 }
 
+Result<vm::Policy> FollowSchedule(std::shared_ptr<const vm::Schedule> schedule,
+                                  const vm::Image& image) {
+  if (schedule->program_hash != image.hash) {
+    return MakeError(1,
+                     "the schedule was recorded with another program: its hash is {0:016x}, "
+                     "this one's {1:016x}",
+                     "该调度是用另一个程序录制的：其散列值为 {0:016x}，此程序为 {1:016x}",
+                     schedule->program_hash, image.hash);
+  }
+  vm::Policy policy;
+  policy.kind = vm::PolicyKind::kReplay;
+  policy.schedule = std::move(schedule);
+  return policy;
+}
+
 Result<std::vector<Quantity>> SetVariable(const InitialValue& initial, const std::string& name,
                                           Controller* controller) {
   auto slots = ResolveQuantity(name, *controller);

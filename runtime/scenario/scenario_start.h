@@ -2,12 +2,16 @@
 // its threads. Tested by tests/runtime/scenario_run_test.cc.
 #pragma once
 
+#include <memory>
+
 #include "base/result.h"
 #include "runtime/observe/quantity.h"
 #include "runtime/scenario/scenario.h"
 #include "runtime/scenario/scenario_fit.h"
 #include "runtime/sim/controller.h"
 #include "vm/object.h"
+#include "vm/schedule.h"
+#include "vm/scheduler.h"
 
 namespace oncard::runtime {
 
@@ -21,6 +25,10 @@ Result<void> StartScenario(const Scenario& scenario, vm::Object object, Controll
 
 /// The same for a caller without checks of its own: also fails if anything does not fit.
 Result<void> StartScenario(const Scenario& scenario, vm::Object object, Controller* controller);
+
+/// The policy that replays a schedule. Fails if it was recorded with another program.
+Result<vm::Policy> FollowSchedule(std::shared_ptr<const vm::Schedule> schedule,
+                                  const vm::Image& image);
 
 /// Writes the values to the variable `name`, or to the first elements of an array. Returns all
 /// quantities to which the name refers; fails if it is not a variable, has fewer elements than

@@ -114,6 +114,22 @@ ControllerOptions CardOptions(const Scenario& scenario) {
   return options;
 }
 
+WorldEvents EventsOfWorld(const Scenario& scenario) {
+  const World& world = scenario.world;
+  WorldEvents events;
+  for (const InputEvent& input : world.inputs) AddInput(input, events);
+  AddFaults(world.faults, events);
+  AddHands(scenario, events);
+  for (const VoltageEvent& voltage : world.voltages) {
+    events.push_back(
+        {voltage.at_us, WorldEventKind::kAdc, FromZero(voltage.channel), 0, voltage.volts});
+  }
+  for (const ModuleEvent& module : world.modules) AddModule(module, events);
+  std::stable_sort(events.begin(), events.end(),
+                   [](const WorldEvent& a, const WorldEvent& b) { return a.at < b.at; });
+  return events;
+}
+
 void ApplyWorld(const Scenario& scenario, Controller* controller) {
   const World& world = scenario.world;
   motion::MotionCore& core = controller->motion();
@@ -124,21 +140,10 @@ void ApplyWorld(const Scenario& scenario, Controller* controller) {
   if (!world.modules.empty()) {
     for (motion::ExtensionModule& module : core.state().modules) module.present = false;
   }
-  WorldEvents events;
-  for (const InputEvent& input : world.inputs) AddInput(input, events);
-  AddFaults(world.faults, events);
-  AddHands(scenario, events);
-  for (const VoltageEvent& voltage : world.voltages) {
-    events.push_back(
-        {voltage.at_us, WorldEventKind::kAdc, FromZero(voltage.channel), 0, voltage.volts});
-  }
   for (const ModuleEvent& module : world.modules) {
     core.state().modules[static_cast<size_t>(module.module)].present = true;
-    AddModule(module, events);
   }
-  std::stable_sort(events.begin(), events.end(),
-                   [](const WorldEvent& a, const WorldEvent& b) { return a.at < b.at; });
-  core.PowerOn(std::make_shared<const WorldEvents>(std::move(events)));
+  core.PowerOn(std::make_shared<const WorldEvents>(EventsOfWorld(scenario)));
 }
 
 }  // namespace oncard::runtime

@@ -14,4 +14,7 @@ ControllerOptions CardOptions(const Scenario& scenario);
 /// scenario's surroundings. Times count from power-on.
 void ApplyWorld(const Scenario& scenario, Controller* controller);
 
+/// The events of the scenario's world, in order of time.
+motion::WorldEvents EventsOfWorld(const Scenario& scenario);
+
 }  // namespace oncard::runtime

@@ -1,0 +1,76 @@
+#include "runtime/scenario/agenda.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "runtime/scenario/scenario_start.h"
+
+namespace oncard::runtime {
+
+void Agenda::Read(const Scenario& scenario, Controller* controller, ScenarioFit* fit) {
+  ReadExpectations(scenario, *controller, fit);
+  ReadWrites(scenario, controller, fit);
+}
+
+void Agenda::ReadExpectations(const Scenario& scenario, const Controller& controller,
+                              ScenarioFit* fit) {
+  for (const Expectation& expectation : scenario.expectations) {
+    if (!fit->CanJudge(expectation.text())) continue;
+    auto bound = CardCondition::Bind(expectation.condition, controller);
+    if (!bound.ok()) {
+      fit->AddText(expectation.place, expectation.text(), bound.error().message);
+      continue;
+    }
+    for (const Quantity& quantity : bound.value().quantities()) {
+      if (quantity.kind == QuantityKind::kThreadError) fault_expected_.push_back(quantity.thread);
+    }
+    const int64_t cycle = CycleOf(scenario, expectation.at_us.value_or(0));
+    auto& list = expectation.at_us ? timed_ : at_end_;
+    list.push_back({expectation.text(), std::move(bound).value(), cycle});
+  }
+  std::stable_sort(timed_.begin(), timed_.end(),
+                   [](const Check& a, const Check& b) { return a.cycle < b.cycle; });
+}
+
+// The writes are prepared now, so that none can fail later.
+void Agenda::ReadWrites(const Scenario& scenario, Controller* controller, ScenarioFit* fit) {
+  if (scenario.host.empty()) return;
+  const ControllerSnapshot before = controller->Snapshot();
+  for (const HostEvent& event : scenario.host) {
+    for (const InitialValue& written : event.values) {
+      if (!fit->CanJudge(written.name)) continue;
+      auto variables = SetVariable(written, written.name, controller);
+      if (!variables.ok()) {
+        fit->Add(written.place, variables.error().message);
+        continue;
+      }
+      for (size_t i = 0; i < written.values.size(); ++i) {
+        writes_.push_back(
+            {CycleOf(scenario, event.at_us), std::move(variables.value()[i]), written.values[i]});
+      }
+    }
+  }
+  controller->Restore(before);
+}
+
+bool Agenda::ExpectsFault(int thread) const {
+  return std::ranges::find(fault_expected_, thread) != fault_expected_.end();
+}
+
+const Agenda::Check* Agenda::TakeCheck(int64_t cycle) {
+  if (!has_checks() || timed_[taken_.check].cycle > cycle) return nullptr;
+  return &timed_[taken_.check++];
+}
+
+const Agenda::Write* Agenda::TakeWrite(int64_t cycle) {
+  if (!has_writes() || next_write().cycle > cycle) return nullptr;
+  return &writes_[taken_.write++];
+}
+
+int64_t Agenda::NextCycle() const {
+  const int64_t check = has_checks() ? timed_[taken_.check].cycle : INT64_MAX;
+  const int64_t write = has_writes() ? next_write().cycle : INT64_MAX;
+  return std::min(check, write);
+}
+
+}  // namespace oncard::runtime
