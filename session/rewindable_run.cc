@@ -1,0 +1,492 @@
+#include "session/rewindable_run.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdlib>
+#include <utility>
+
+#include "base/milliseconds.h"
+#include "runtime/observe/quantity.h"
+#include "runtime/scenario/scenario_start.h"
+#include "runtime/scenario/scenario_world.h"
+
+namespace oncard::session {
+namespace {
+
+/// Inserts an event of the scenario behind those of the same time.
+template <typename Event>
+void InsertInTime(Event event, std::vector<Event>* events) {
+  const auto later = [](int64_t at, const Event& other) { return at < other.at_us; };
+  events->insert(std::upper_bound(events->begin(), events->end(), event.at_us, later),
+                 std::move(event));
+}
+
+}  // namespace
+
+// --- What the card reports -----------------------------------------------------------------------
+
+void RewindableRun::RefusalLog::Write(const runtime::LoggedCall& call) {
+  if (call.caller < 0 || call.caller >= vm::kThreadCount) return;
+  ++run_.place_.refused;
+  const auto say = [&](Language language) {
+    return runtime::FormatCallAndCode(call.command, call.arguments, call.code, call.reason,
+                                      language);
+  };
+  auto refusal = std::make_shared<const Refusal>(
+      Refusal{call.caller, call.code, {say(Language::kEnglish), say(Language::kChinese)}});
+  run_.report_.refusals.assign(1, *refusal);
+  run_.place_.refusals[static_cast<size_t>(call.caller)] = std::move(refusal);
+}
+
+void RewindableRun::RefusalLog::Write(int64_t /*time_us*/, int /*card*/, const Message& what) {
+  run_.report_.happened.push_back(what);
+}
+
+// --- Start ---------------------------------------------------------------------------------------
+
+RewindableRun::RewindableRun(runtime::Scenario scenario,
+                             std::shared_ptr<const vm::Schedule> schedule)
+    : scenario_(std::move(scenario)),
+      schedule_(std::move(schedule)),
+      log_(this),
+      controller_(runtime::CardOptions(scenario_)) {}
+
+Result<std::unique_ptr<RewindableRun>> RewindableRun::Create(
+    runtime::Scenario scenario, vm::Object object, std::shared_ptr<const vm::Schedule> schedule) {
+  std::unique_ptr<RewindableRun> run(new RewindableRun(std::move(scenario), std::move(schedule)));
+  if (auto started = run->Start(std::move(object)); !started.ok()) return started.error();
+  return run;
+}
+
+Result<void> RewindableRun::Start(vm::Object object) {
+  controller_.LogRefusals(&log_, 0);
+  controller_.LogHappenings(&log_, 0);
+  runtime::ScenarioFit fit;
+  auto started = runtime::StartScenario(scenario_, std::move(object), &controller_, &fit);
+  if (!started.ok()) return started;
+  agenda_.Read(scenario_, &controller_, &fit);
+  if (!scenario_.schedule.starts_with(runtime::kReplayPrefix)) {
+    auto policy = vm::ParsePolicy(scenario_.schedule);
+    if (policy.ok()) {
+      own_policy_ = std::move(policy).value();
+    } else {
+      fit.Add(runtime::PlaceOfText(scenario_, "schedule"), policy.error().message);
+    }
+  } else if (schedule_ == nullptr) {
+    fit.Add(runtime::PlaceOfText(scenario_, "schedule"),
+            {"the schedule file must be given with the scenario", "调度文件必须随场景一起给出"});
+  }
+  if (auto failure = fit.Failure()) return *std::move(failure);
+  controller_.machine().SetPolicy(own_policy_);
+  if (schedule_ != nullptr) {
+    const auto replay = runtime::FollowSchedule(schedule_, image());
+    if (!replay.ok()) return replay.error();
+    controller_.machine().SetPolicy(replay.value());
+  }
+  limit_cycle_ = runtime::CycleOf(scenario_, scenario_.limit_ms * 1000);
+  until_cycle_ =
+      scenario_.until_us ? runtime::CycleOf(scenario_, *scenario_.until_us) : limit_cycle_ + 1;
+  UpdateWorld();
+  Keep();
+  return {};
+}
+
+runtime::Scenario RewindableRun::ScenarioWithChanges() const {
+  runtime::Scenario scenario = scenario_;
+  for (const Change& change : changes_) {
+    if (change.write) InsertInTime(*change.write, &scenario.host);
+    if (change.input) InsertInTime(*change.input, &scenario.world.inputs);
+    if (change.voltage) InsertInTime(*change.voltage, &scenario.world.voltages);
+  }
+  return scenario;
+}
+
+// --- The present ---------------------------------------------------------------------------------
+
+StepKind RewindableRun::NextStep() const {
+  if (place_.statements_left > 0) return StepKind::kStatement;
+  return agenda_.NextCycle() <= controller_.cycle() ? StepKind::kHost : StepKind::kCycle;
+}
+
+int RewindableRun::NextThread() const {
+  if (NextStep() != StepKind::kStatement) return -1;
+  if (const auto chosen = ChosenNow()) return *chosen;
+  const int thread = machine().NextThread();
+  return thread >= 0 ? thread : std::countr_zero(machine().RunnableThreads());
+}
+
+std::optional<RunOver> RewindableRun::Over() const {
+  if (NextStep() != StepKind::kCycle) return std::nullopt;
+  const int64_t cycle = controller_.cycle();
+  if (until_cycle_ <= limit_cycle_ && cycle >= until_cycle_) return RunOver::kUntil;
+  if (cycle >= limit_cycle_) return RunOver::kLimit;
+  if (agenda_.has_checks() || scenario_.until_us) return std::nullopt;
+  if (machine().Quiet()) return RunOver::kQuiet;
+  if (!agenda_.has_writes() && controller_.Deadlocked()) return RunOver::kDeadlock;
+  return std::nullopt;
+}
+
+bool RewindableRun::follows_schedule() const {
+  return machine().state().scheduler.policy.kind == vm::PolicyKind::kReplay;
+}
+
+const Refusal* RewindableRun::LastRefusal(int thread) const {
+  const auto& refusal = place_.refusals[static_cast<size_t>(thread)];
+  return refusal != nullptr && refusal->code == machine().thread(thread).error ? refusal.get()
+                                                                               : nullptr;
+}
+
+std::optional<int> RewindableRun::ChosenNow() const {
+  const auto choice = std::ranges::lower_bound(choices_, moment(), {}, &Choice::moment);
+  if (choice == choices_.end() || choice->moment != moment()) return std::nullopt;
+  return choice->thread;
+}
+
+int64_t RewindableRun::NextRecorded() const {
+  const auto next = [this](const auto& recorded) {
+    using Recorded = std::decay_t<decltype(recorded.front())>;
+    const auto found = std::ranges::upper_bound(recorded, moment(), {}, &Recorded::moment);
+    return found == recorded.end() ? INT64_MAX : found->moment;
+  };
+  return std::min(next(choices_), next(changes_));
+}
+
+// --- Forward -------------------------------------------------------------------------------------
+
+const StepReport& RewindableRun::Step() {
+  report_ = {NextStep(), -1, {}, {}, {}};
+  switch (report_.kind) {
+    case StepKind::kHost:
+      StepHost();
+      break;
+    case StepKind::kCycle:
+      BeginCycle();
+      break;
+    case StepKind::kStatement:
+      StepStatement();
+      break;
+  }
+  Arrive();
+  return report_;
+}
+
+void RewindableRun::Advance(int64_t last) {
+  const StepKind next = NextStep();
+  if (next == StepKind::kHost || ChosenNow()) {
+    Step();
+    return;
+  }
+  const int64_t end = std::min({last, NextRecorded(), moment() + keep_interval_});
+  if (next == StepKind::kCycle) BeginCycle();
+  ExecuteTo(end);
+  report_.happened.clear();
+  Arrive();
+}
+
+void RewindableRun::AdvanceTo(int64_t last) {
+  while (moment() < last) Advance(last);
+}
+
+Result<void> RewindableRun::CheckThread(int thread) {
+  if (thread >= 0 && thread < vm::kThreadCount) return {};
+  return MakeError(7, "there is no thread {0}: threads are 0 to {1}",
+                   "没有线程 {0}：线程编号为 0 至 {1}", thread, vm::kThreadCount - 1);
+}
+
+Result<void> RewindableRun::StepThread(int thread) {
+  if (auto valid = CheckThread(thread); !valid.ok()) return valid;
+  const int64_t from = moment();
+  const auto can_run = [&] { return (machine().RunnableThreads() >> thread & 1) != 0; };
+  while (can_run() && NextStep() != StepKind::kStatement) Step();
+  if (!can_run()) {
+    GoTo(from);
+    return MakeError(1,
+                     "thread {0} cannot execute a statement now: it has ended, or it waits; run "
+                     "on until it is ready",
+                     "线程 {0} 此刻不能执行语句：它已结束或正在等待；请继续运行到它就绪", thread);
+  }
+  if (NextThread() != thread) {
+    Cut();
+    choices_.push_back({moment(), thread});
+  }
+  Step();
+  return {};
+}
+
+void RewindableRun::StepHost() {
+  while (const runtime::Agenda::Check* check = agenda_.TakeCheck(controller_.cycle())) {
+    if (check->condition.Holds(controller_)) continue;
+    ++place_.failed;
+    const Message why = runtime::DescribeFailure(check->condition, controller_);
+    report_.failed.push_back(
+        {fmt::format("{}: {}", check->text, why.en), fmt::format("{}：{}", check->text, why.zh)});
+  }
+  while (const runtime::Agenda::Write* write = agenda_.TakeWrite(controller_.cycle())) {
+    controller_.machine().Write(write->variable.slot, write->value);
+  }
+  ++place_.moment;
+}
+
+void RewindableRun::BeginCycle() {
+  place_.statements_left = controller_.BeginCycle();
+  // Threads that wake up at the end of their function finish.
+  controller_.machine().Execute(0);
+  ++place_.moment;
+}
+
+void RewindableRun::StepStatement() {
+  vm::Machine& machine = controller_.machine();
+  if (const auto chosen = ChosenNow()) {
+    if (follows_schedule()) LeaveSchedule();
+    machine.ExecuteOne(*chosen);
+    machine.Execute(0);
+    report_.thread = *chosen;
+  } else {
+    last_turn_.segments.clear();
+    machine.Record(&last_turn_);
+    if (machine.Execute(1) == 0) {
+      LeaveSchedule();
+      machine.Execute(1);
+    }
+    machine.Record(nullptr);
+    if (!last_turn_.segments.empty()) report_.thread = last_turn_.segments.front().thread;
+  }
+  --place_.statements_left;
+  ++place_.moment;
+}
+
+void RewindableRun::ExecuteTo(int64_t last) {
+  vm::Machine& machine = controller_.machine();
+  while (place_.statements_left > 0 && moment() < last) {
+    const int64_t executed = machine.Execute(std::min(place_.statements_left, last - moment()));
+    place_.statements_left -= executed;
+    place_.moment += executed;
+    if (machine.RunnableThreads() == 0) break;
+    if (executed == 0) LeaveSchedule();
+  }
+}
+
+void RewindableRun::LeaveSchedule() { controller_.machine().SetPolicy(own_policy_); }
+
+void RewindableRun::Arrive() {
+  // A cycle's statements that no thread can use are lost.
+  if (machine().RunnableThreads() == 0) place_.statements_left = 0;
+  const auto [first, last] = std::ranges::equal_range(changes_, moment(), {}, &Change::moment);
+  for (auto change = first; change != last; ++change) Apply(*change);
+  NoteEnd();
+  head_ = std::max(head_, moment());
+  const auto after = FirstKeptAfter(moment());
+  if (moment() - std::prev(after)->place.moment >= keep_interval_) Keep();
+}
+
+void RewindableRun::NoteEnd() {
+  if (place_.over_cycle < 0 && Over()) place_.over_cycle = controller_.cycle();
+}
+
+// --- Kept states ---------------------------------------------------------------------------------
+
+void RewindableRun::Keep() {
+  place_.agenda = agenda_.position();
+  const auto at = std::ranges::lower_bound(kept_, moment(), {},
+                                           [](const Kept& kept) { return kept.place.moment; });
+  Kept present = {place_, vm::PackedState(machine().state()), controller_.Body()};
+  if (at != kept_.end() && at->place.moment == moment()) {
+    *at = std::move(present);
+  } else {
+    kept_.insert(at, std::move(present));
+  }
+  if (kept_.size() > kKeptMax) ThinOut();
+}
+
+// Drops the state that is missed least: the one whose neighbours are close to each other, in
+// proportion to their distance from the present.
+void RewindableRun::ThinOut() {
+  const auto moment_of = [this](size_t i) { return kept_[i].place.moment; };
+  size_t least = 1;
+  double least_gap = 0;
+  for (size_t i = 1; i + 1 < kept_.size(); ++i) {
+    const auto distance = static_cast<double>(std::abs(moment() - moment_of(i)) + kKeptInterval);
+    const double gap = static_cast<double>(moment_of(i + 1) - moment_of(i - 1)) / distance;
+    if (i > 1 && gap >= least_gap) continue;
+    least = i;
+    least_gap = gap;
+  }
+  kept_.erase(kept_.begin() + static_cast<std::ptrdiff_t>(least));
+}
+
+void RewindableRun::Restore(const Kept& kept) {
+  place_ = kept.place;
+  agenda_.GoTo(place_.agenda);
+  kept.machine.Unpack(scratch_.get());
+  controller_.machine().Restore(*scratch_);
+  controller_.RestoreBody(kept.body);
+  ShareWorld();
+}
+
+std::vector<RewindableRun::Kept>::iterator RewindableRun::FirstKeptAfter(int64_t moment) {
+  return std::upper_bound(kept_.begin(), kept_.end(), moment,
+                          [](int64_t at, const Kept& kept) { return at < kept.place.moment; });
+}
+
+int64_t RewindableRun::KeptBefore(int64_t moment) const {
+  const auto at = std::ranges::lower_bound(kept_, moment, {},
+                                           [](const Kept& kept) { return kept.place.moment; });
+  return at == kept_.begin() ? 0 : std::prev(at)->place.moment;
+}
+
+void RewindableRun::GoTo(int64_t target) {
+  target = std::clamp<int64_t>(target, 0, head_);
+  const auto after = FirstKeptAfter(target);
+  const Kept& nearest = *std::prev(after);
+  if (target < moment() || nearest.place.moment > moment()) Restore(nearest);
+  // Further steps back from there are shorter.
+  constexpr int64_t kPartOfWay = 8;
+  keep_interval_ = std::clamp((target - moment()) / kPartOfWay, int64_t{64}, kKeptInterval);
+  AdvanceTo(target);
+  keep_interval_ = kKeptInterval;
+}
+
+void RewindableRun::GoToCycle(int64_t cycle) {
+  const auto reached = std::ranges::lower_bound(
+      kept_, cycle, {}, [](const Kept& kept) { return kept.body.motion.cycle; });
+  Restore(reached == kept_.begin() ? kept_.front() : *std::prev(reached));
+  const auto at_end = [&] {
+    return controller_.cycle() >= cycle && NextStep() == StepKind::kCycle;
+  };
+  while (moment() < head_ && !at_end()) Advance(head_);
+}
+
+// --- Changes -------------------------------------------------------------------------------------
+
+void RewindableRun::Cut() {
+  head_ = moment();
+  std::erase_if(choices_, [this](const Choice& choice) { return choice.moment >= moment(); });
+  std::erase_if(kept_, [this](const Kept& kept) { return kept.place.moment > moment(); });
+  const auto cut =
+      std::erase_if(changes_, [this](const Change& change) { return change.moment > moment(); });
+  if (cut > 0) UpdateWorld();
+}
+
+void RewindableRun::AddChange(Change change) {
+  Cut();
+  change.moment = moment();
+  change.at_us = controller_.cycle() * scenario_.cycle_us;
+  changes_.push_back(std::move(change));
+  Apply(changes_.back());
+  UpdateWorld();
+  place_.over_cycle = -1;
+  NoteEnd();
+  Keep();
+}
+
+void RewindableRun::Apply(const Change& change) {
+  if (!change.write) return;
+  vm::Machine& machine = controller_.machine();
+  for (size_t i = 0; i < change.variables.size(); ++i) {
+    machine.Write(change.variables[i].slot, change.write->values.front().values[i]);
+  }
+  // In the middle of a cycle threads that waited for the value at the end of their function finish.
+  if (change.within_cycle) machine.Execute(0);
+}
+
+Result<void> RewindableRun::WriteVariable(const std::string& name, double value) {
+  const runtime::ControllerSnapshot before = controller_.Snapshot();
+  const runtime::InitialValue initial = {name, {value}};
+  auto variables = runtime::SetVariable(initial, name, &controller_);
+  controller_.Restore(before);
+  if (!variables.ok()) return variables.error();
+  if (NextStep() == StepKind::kHost) Step();
+  Change change;
+  change.within_cycle = place_.statements_left > 0;
+  change.variables.push_back(std::move(variables).value().front());
+  change.write = runtime::HostEvent{controller_.cycle() * scenario_.cycle_us, {initial}};
+  AddChange(std::move(change));
+  return {};
+}
+
+int64_t RewindableRun::InputInstant() const {
+  // Events at 0 are those of power-on.
+  return std::max<int64_t>(1, controller_.cycle() * scenario_.cycle_us);
+}
+
+Result<void> RewindableRun::SetInput(motion::DiType type, int index, bool level) {
+  if (index < 1 || index > motion::DiWidth(type)) {
+    return MakeError(7, "there is no input {0}[{1}]: it has pins 1 to {2}",
+                     "没有输入 {0}[{1}]：其引脚为 1 至 {2}", runtime::InputWordName(type), index,
+                     motion::DiWidth(type));
+  }
+  Change change;
+  change.input = runtime::InputEvent{InputInstant(), type, index, level ? 1u : 0u};
+  AddChange(std::move(change));
+  return {};
+}
+
+Result<void> RewindableRun::SetVoltage(int channel, double volts) {
+  if (channel < 1 || channel > static_cast<int>(motion::kAdcCount)) {
+    return MakeError(7, "there is no analogue input {0}: they are 1 to {1}",
+                     "没有模拟量输入 {0}：编号为 1 至 {1}", channel, motion::kAdcCount);
+  }
+  Change change;
+  change.voltage = runtime::VoltageEvent{InputInstant(), channel, volts};
+  AddChange(std::move(change));
+  return {};
+}
+
+void RewindableRun::UpdateWorld() {
+  world_events_ = std::make_shared<const motion::WorldEvents>(EventsOfWorld(ScenarioWithChanges()));
+  ShareWorld();
+}
+
+// --- Recording -----------------------------------------------------------------------------------
+
+Result<vm::Schedule> RewindableRun::Record() {
+  for (const Change& change : changes_) {
+    if (change.moment > moment() || !change.within_cycle) continue;
+    return MakeError(1,
+                     "'{0}' was changed in the middle of the cycle at {1} ms, and the host of a "
+                     "scenario writes between cycles: go back, run to the end of the cycle, and "
+                     "change it there",
+                     "“{0}”在 {1} ms 的周期中途被修改，而场景中的主机只在周期之间写入："
+                     "请退回，运行到周期末再修改",
+                     change.write->values.front().name, ToMs(change.at_us));
+  }
+  vm::Schedule schedule;
+  schedule.program_hash = image().hash;
+  const int64_t present = moment();
+  Restore(kept_.front());
+  controller_.machine().Record(&schedule);
+  AdvanceTo(present);
+  controller_.machine().EndRecording();
+  const int64_t now_us = controller_.cycle() * scenario_.cycle_us;
+  if (!Over()) schedule.cut_us = now_us;
+  runtime::Scenario scenario = ScenarioWithChanges();
+  if (place_.over_cycle >= 0 && place_.over_cycle < controller_.cycle()) {
+    constexpr int64_t kMs = 1000;
+    scenario.until_us = now_us;
+    scenario.limit_ms = std::max(scenario.limit_ms, (now_us + kMs - 1) / kMs);
+  }
+  schedule.scenario = runtime::FormatScenario(scenario);
+  return schedule;
+}
+
+std::vector<RewindableRun::Turn> RewindableRun::Turns(int64_t from, int64_t to, size_t most) {
+  std::vector<Turn> turns;
+  const int64_t present = moment();
+  GoTo(from);
+  while (moment() < std::min(to, head_)) {
+    const int64_t at = moment();
+    const StepReport& step = Step();
+    if (step.kind != StepKind::kStatement) continue;
+    const int64_t cycle = controller_.cycle();
+    if (!turns.empty() && turns.back().thread == step.thread && turns.back().cycle == cycle) {
+      ++turns.back().statements;
+      continue;
+    }
+    if (turns.size() == most) break;
+    turns.push_back({at, cycle, step.thread, 1});
+  }
+  GoTo(present);
+  return turns;
+}
+
+}  // namespace oncard::session

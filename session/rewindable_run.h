@@ -1,0 +1,255 @@
+// A scenario with its program as a sequence of moments that can be walked in both directions.
+//
+// From one moment to the next the card takes one *step*: the scenario acts between two cycles
+// (expectations of that instant, writes of the host), a profile cycle begins, or a thread executes
+// one statement. Moment 0 is before the first step. The scenario's policy decides which thread
+// executes a statement unless the user chooses one; variables and inputs can be changed between
+// two steps. Choices and changes are recorded, so that every moment up to head() can be reached
+// again, exactly. A choice or a change at an earlier moment discards what was after it.
+//
+// Copies of the state are kept more densely near the present: at most kKeptMax, and executing again
+// from the nearest one takes a fraction of the way to it.
+//
+// Deterministic; not thread-safe. Tested by tests/session/rewindable_run_test.cc.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "runtime/conditions/card_condition.h"
+#include "runtime/scenario/agenda.h"
+#include "runtime/scenario/scenario.h"
+#include "runtime/sim/controller.h"
+#include "vm/packed_state.h"
+#include "vm/schedule.h"
+
+namespace oncard::session {
+
+/// What happens from one moment to the next.
+enum class StepKind : uint8_t { kHost, kCycle, kStatement };
+
+/// A GT command that a thread was refused.
+struct Refusal {
+  int thread = 0;
+  int16_t code = 0;
+  Message call;  ///< `GT_AxisOn(9) = 7: parameter axis is 9; the range is [1, 8]`
+};
+
+/// What a step did.
+struct StepReport {
+  StepKind kind = StepKind::kStatement;
+  int thread = -1;                ///< kStatement
+  std::vector<Refusal> refusals;  ///< kStatement: at most one
+  std::vector<Message> failed;    ///< kHost: expectations that did not hold, and why
+  std::vector<Message> happened;  ///< what the card did by itself
+};
+
+/// Why the scenario's run is over.
+enum class RunOver : uint8_t {
+  kQuiet,     ///< no thread runs any more
+  kUntil,     ///< `until_ms`
+  kLimit,     ///< `limit_ms`
+  kDeadlock,  ///< all running threads wait for values that nothing changes any more
+};
+
+class RewindableRun {
+ public:
+  /// States that are kept at most.
+  static constexpr size_t kKeptMax = 192;
+  /// Steps between two kept states of a run that goes forward.
+  static constexpr int64_t kKeptInterval = 4096;
+
+  /// The scenario with its program before the first step. `schedule` is followed as far as it goes;
+  /// then the scenario's own policy continues. Fails with everything that does not fit the program.
+  static Result<std::unique_ptr<RewindableRun>> Create(
+      runtime::Scenario scenario, vm::Object object,
+      std::shared_ptr<const vm::Schedule> schedule = nullptr);
+
+  RewindableRun(const RewindableRun&) = delete;
+  RewindableRun& operator=(const RewindableRun&) = delete;
+
+  const runtime::Controller& controller() const { return controller_; }
+  const vm::Machine& machine() const { return controller_.machine(); }
+  const vm::Image& image() const { return *controller_.machine().image(); }
+  /// The scenario without changes.
+  const runtime::Scenario& scenario() const { return scenario_; }
+  /// The scenario with the changes that have been made up to head().
+  runtime::Scenario ScenarioWithChanges() const;
+
+  // --- The present -----------------------------------------------------------------------------
+
+  int64_t moment() const { return place_.moment; }
+  /// The last moment that has been reached since the last choice or change.
+  int64_t head() const { return head_; }
+  /// The statements that the threads may still execute in this cycle.
+  int64_t statements_left() const { return place_.statements_left; }
+  StepKind NextStep() const;
+  /// The thread that executes the next statement if the user chooses none; -1: the next step is no
+  /// statement.
+  int NextThread() const;
+  /// Set if a run of the scenario is over at this moment. The card can go on.
+  std::optional<RunOver> Over() const;
+  /// True if a schedule was given and is still followed: it has not ended, its threads could run,
+  /// and the user has chosen no other one.
+  bool follows_schedule() const;
+  /// Number of commands that threads were refused, and of expectations that failed, up to this
+  /// moment.
+  int64_t refused() const { return place_.refused; }
+  int64_t failed() const { return place_.failed; }
+  /// True if the scenario has expectations or writes of the host after this moment.
+  bool scenario_goes_on() const { return agenda_.has_checks() || agenda_.has_writes(); }
+  /// The last refused command of a thread since it was started; nullptr: none.
+  const Refusal* LastRefusal(int thread) const;
+
+  // --- Forward ---------------------------------------------------------------------------------
+
+  /// Takes one step.
+  const StepReport& Step();
+  /// What the last single step did.
+  const StepReport& last_step() const { return report_; }
+  /// Takes the next steps up to the end of the cycle, but not beyond the moment `last`. Much faster
+  /// than single steps.
+  void Advance(int64_t last);
+  /// Takes all steps up to a moment.
+  void AdvanceTo(int64_t moment);
+  /// Fails if there is no thread with this number.
+  static Result<void> CheckThread(int thread);
+  /// A thread executes the next statement of this cycle, or of the next one if this one has no
+  /// statements left. Fails if it cannot run; then nothing has changed.
+  Result<void> StepThread(int thread);
+
+  // --- Back ------------------------------------------------------------------------------------
+
+  /// Goes to a moment from 0 to head().
+  void GoTo(int64_t moment);
+  /// Goes to the end of a cycle, or to head() if that is earlier.
+  void GoToCycle(int64_t cycle);
+  /// Number of states that are kept.
+  size_t kept_count() const { return kept_.size(); }
+  /// The last kept moment before `moment`; 0 for moment 0.
+  int64_t KeptBefore(int64_t moment) const;
+
+  // --- Changes ---------------------------------------------------------------------------------
+
+  /// The host writes a variable (quantity.h). Between two cycles the items of the scenario that are
+  /// due come first. Fails if there is no such variable or the value does not fit.
+  Result<void> WriteVariable(const std::string& name, double value);
+  /// Changes the level of an input pin, or the voltage at an analogue input, from the next cycle
+  /// on. Numbers count from 1. Fails if there is no such input.
+  Result<void> SetInput(motion::DiType type, int index, bool level);
+  Result<void> SetVoltage(int channel, double volts);
+
+  // --- Recording -------------------------------------------------------------------------------
+
+  /// The run up to this moment as a schedule with its scenario, which lasts longer than the
+  /// original one if the card went on after its end. Fails if a variable was changed in
+  /// the middle of a cycle, which a scenario cannot express.
+  Result<vm::Schedule> Record();
+  /// The threads of the steps from one moment to another, at most `most` segments.
+  struct Turn {
+    int64_t moment = 0;  ///< of its first statement
+    int64_t cycle = 0;
+    int thread = 0;
+    int64_t statements = 0;
+  };
+  std::vector<Turn> Turns(int64_t from, int64_t to, size_t most);
+
+ private:
+  /// The part of the present that is not the card's.
+  struct Place {
+    int64_t moment = 0;
+    int64_t statements_left = 0;
+    runtime::Agenda::Position agenda;
+    int64_t refused = 0;
+    int64_t failed = 0;
+    int64_t over_cycle = -1;  ///< the cycle with whose end the scenario's run was over
+    /// The last refused command of each thread.
+    std::array<std::shared_ptr<const Refusal>, vm::kThreadCount> refusals{};
+  };
+  struct Kept {
+    Place place;
+    vm::PackedState machine;
+    runtime::CardBody body;
+  };
+  struct Choice {
+    int64_t moment = 0;
+    int thread = 0;
+  };
+  /// A change of a variable, or of an input.
+  struct Change {
+    int64_t moment = 0;
+    int64_t at_us = 0;
+    bool within_cycle = false;
+    std::optional<runtime::HostEvent> write;
+    std::vector<runtime::Quantity> variables;  ///< of `write`
+    std::optional<runtime::InputEvent> input;
+    std::optional<runtime::VoltageEvent> voltage;
+  };
+  /// Notes the commands that threads are refused.
+  class RefusalLog final : public runtime::CardLog {
+   public:
+    explicit RefusalLog(RewindableRun* run) : run_(*run) {}
+    void Write(const runtime::LoggedCall& call) override;
+    void Write(int64_t time_us, int card, const Message& what) override;
+
+   private:
+    RewindableRun& run_;
+  };
+
+  RewindableRun(runtime::Scenario scenario, std::shared_ptr<const vm::Schedule> schedule);
+  Result<void> Start(vm::Object object);
+
+  /// The thread that the user has chosen for the next statement.
+  std::optional<int> ChosenNow() const;
+  /// The first moment after the present at which a choice or change is recorded.
+  int64_t NextRecorded() const;
+  void StepHost();
+  void StepStatement();
+  /// Begins a cycle without executing its statements.
+  void BeginCycle();
+  /// Executes statements of this cycle in the policy's order, up to the moment `last`.
+  void ExecuteTo(int64_t last);
+  void LeaveSchedule();
+  /// To be called at the end of a step: applies recorded changes, keeps the state.
+  void Arrive();
+  void Apply(const Change& change);
+  void NoteEnd();
+  void Keep();
+  void ThinOut();
+  void Restore(const Kept& kept);
+  std::vector<Kept>::iterator FirstKeptAfter(int64_t moment);
+  /// Discards what was recorded after the present.
+  void Cut();
+  void AddChange(Change change);
+  /// The instant from which a change of an input acts.
+  int64_t InputInstant() const;
+  /// Gives the card the events of the scenario with its changes.
+  void UpdateWorld();
+  void ShareWorld() { controller_.motion().state().world.events = world_events_; }
+
+  runtime::Scenario scenario_;
+  std::shared_ptr<const vm::Schedule> schedule_;
+  vm::Policy own_policy_;  ///< of the scenario, after the schedule
+  RefusalLog log_;
+  runtime::Controller controller_;
+  runtime::Agenda agenda_;
+  Place place_;
+  int64_t head_ = 0;
+  std::vector<Choice> choices_;  // in order of moments
+  std::vector<Change> changes_;
+  std::vector<Kept> kept_;  // in order of moments; the first one is moment 0
+  int64_t keep_interval_ = kKeptInterval;
+  std::shared_ptr<const motion::WorldEvents> world_events_;
+  StepReport report_;
+  vm::Schedule last_turn_;  // of the thread that has just executed a statement
+  std::unique_ptr<vm::MachineState> scratch_ = std::make_unique<vm::MachineState>();
+  int64_t until_cycle_ = 0;
+  int64_t limit_cycle_ = 0;
+};
+
+}  // namespace oncard::session

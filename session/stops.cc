@@ -1,0 +1,306 @@
+#include "session/stops.h"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#include "runtime/observe/quantity.h"
+#include "runtime/observe/thread_status.h"
+#include "runtime/scenario/requirement.h"
+
+namespace oncard::session {
+namespace {
+
+using runtime::CardCondition;
+using runtime::Quantity;
+
+/// The texts and values of a log line, of which the values are in braces.
+Result<std::vector<std::variant<std::string, Quantity>>> ReadLog(const std::string& log,
+                                                                 const RewindableRun& run) {
+  std::vector<std::variant<std::string, Quantity>> parts;
+  for (size_t at = 0; at < log.size();) {
+    const size_t open = log.find('{', at);
+    if (open != at) parts.emplace_back(log.substr(at, open - at));
+    if (open == std::string::npos) break;
+    const size_t close = log.find('}', open);
+    if (close == std::string::npos) {
+      return MakeError(1, "a brace in the log text '{0}' is not closed",
+                       "日志文本“{0}”中的花括号未闭合", log);
+    }
+    auto found = runtime::ResolveQuantity(log.substr(open + 1, close - open - 1), run.controller());
+    if (!found.ok()) return found.error();
+    for (Quantity& quantity : found.value()) parts.emplace_back(std::move(quantity));
+    at = close + 1;
+  }
+  return parts;
+}
+
+Result<CardCondition> ReadCondition(const std::string& text, const RewindableRun& run) {
+  auto condition = runtime::ParseCondition(text);
+  if (!condition.ok()) return condition.error();
+  return CardCondition::Bind(std::move(condition).value(), run.controller());
+}
+
+/// The first line from `line` on that has a statement in the file; 0: there is none.
+int LineWithStatement(const vm::Object& object, const std::string& file, int line) {
+  int nearest = 0;
+  for (const vm::Function& function : object.functions) {
+    if (!file.empty() && function.file != file) continue;
+    for (const int has : function.lines) {
+      if (has >= line && (nearest == 0 || has < nearest)) nearest = has;
+    }
+  }
+  return nearest;
+}
+
+/// True if a thread has just been started and has not executed a statement.
+bool StartedNow(const vm::ThreadState& thread, int64_t cycle) {
+  if (thread.run != vm::ThreadRun::kRunning || thread.executed != 0) return false;
+  return cycle == 1 ||
+         (thread.period_cycles != 0 && thread.next_start - thread.period_cycles == cycle);
+}
+
+}  // namespace
+
+// --- What to stop at -----------------------------------------------------------------------------
+
+Result<Stops> Stops::Create(const RewindableRun& run) {
+  Stops stops;
+  runtime::ScenarioFit fit;
+  const auto requirements = runtime::RequirementsOf(run.scenario());
+  auto conditions = runtime::ReadRequirements<CardCondition>(requirements, run.controller(), &fit);
+  if (auto failure = fit.Failure()) return *std::move(failure);
+  for (size_t i = 0; i < requirements.size(); ++i) {
+    const runtime::Scope scope = requirements[i].scope;
+    if (scope != runtime::Scope::kAlways && scope != runtime::Scope::kNever) continue;
+    stops.requirements_.push_back({std::move(conditions[i]), scope == runtime::Scope::kNever, false,
+                                   -1, requirements[i].Title()});
+  }
+  return stops;
+}
+
+Result<Stops::Line> Stops::ReadLine(const LineStop& wish, const RewindableRun& run) {
+  Line line;
+  line.wish = wish;
+  line.wish.line = LineWithStatement(run.image().object, wish.file, wish.line);
+  if (line.wish.line == 0) {
+    return MakeError(1, "no statement of {0} is on line {1} or after it",
+                     "{0} 的第 {1} 行及其后没有语句",
+                     wish.file.empty() ? std::string("the program") : wish.file, wish.line);
+  }
+  if (!wish.condition.empty()) {
+    auto condition = ReadCondition(wish.condition, run);
+    if (!condition.ok()) return condition.error();
+    line.condition = std::move(condition).value();
+  }
+  auto log = ReadLog(wish.log, run);
+  if (!log.ok()) return log.error();
+  line.log = std::move(log).value();
+  return line;
+}
+
+Result<void> Stops::Set(const StopWishes& wishes, const RewindableRun& run) {
+  Stops stops;
+  for (const LineStop& wish : wishes.lines) {
+    auto line = ReadLine(wish, run);
+    if (!line.ok()) return line.error();
+    stops.lines_.push_back(std::move(line).value());
+  }
+  for (size_t i = 0; i < wishes.changes.size(); ++i) {
+    auto found = runtime::ResolveQuantity(wishes.changes[i], run.controller());
+    if (!found.ok()) return found.error();
+    for (Quantity& quantity : found.value()) {
+      stops.values_.push_back({std::move(quantity), 0, static_cast<int>(i)});
+    }
+  }
+  for (size_t i = 0; i < wishes.conditions.size(); ++i) {
+    auto condition = ReadCondition(wishes.conditions[i], run);
+    if (!condition.ok()) return condition.error();
+    stops.conditions_.push_back(
+        {std::move(condition).value(), true, false, static_cast<int>(i), wishes.conditions[i]});
+  }
+  stops.faults_ = wishes.faults;
+  stops.refusals_ = wishes.refusals;
+  stops.checks_requirements_ = wishes.requirements;
+  stops.requirements_ = std::move(requirements_);
+  // A line that was there before keeps its count.
+  for (Line& line : stops.lines_) {
+    const auto same = [&](const Line& old) {
+      return old.wish.file == line.wish.file && old.wish.line == line.wish.line &&
+             old.wish.thread == line.wish.thread && old.wish.condition == line.wish.condition;
+    };
+    const auto old = std::ranges::find_if(lines_, same);
+    if (old != lines_.end()) line.hits = std::move(old->hits);
+  }
+  *this = std::move(stops);
+  return {};
+}
+
+std::vector<int> Stops::lines() const {
+  std::vector<int> lines;
+  for (const Line& line : lines_) lines.push_back(line.wish.line);
+  return lines;
+}
+
+bool Stops::CheckEveryStep() const {
+  return !lines_.empty() || !values_.empty() || !conditions_.empty() ||
+         (checks_requirements_ && !requirements_.empty());
+}
+
+// --- Checks --------------------------------------------------------------------------------------
+
+void Stops::Begin(const RewindableRun& run) {
+  const vm::Machine& machine = run.machine();
+  const uint32_t runnable = machine.RunnableThreads();
+  asleep_ = 0;
+  arrivals_ = 0;
+  for (int number = 0; number < vm::kThreadCount; ++number) {
+    const vm::ThreadState& thread = machine.thread(number);
+    pcs_[static_cast<size_t>(number)] = thread.pc;
+    const bool sleeps = thread.run == vm::ThreadRun::kRunning && (runnable >> number & 1) == 0;
+    if (sleeps && thread.executed > 0) asleep_ |= 1u << number;
+  }
+  for (Value& value : values_) value.last = ReadQuantity(value.quantity, run.controller());
+  for (Truth& truth : conditions_) truth.last = truth.condition.Holds(run.controller());
+  for (Truth& truth : requirements_) truth.last = truth.condition.Holds(run.controller());
+  fault_count_ = machine.state().faults;
+}
+
+std::optional<Stop> Stops::Check(const RewindableRun& run, const StepReport& step,
+                                 std::vector<LogLine>* log) {
+  FindArrivals(run, step);
+  // Each of them updates what it remembers, so all are called.
+  std::optional<Stop> incident = CheckIncidents(run, step);
+  std::optional<Stop> truth = CheckTruths(run, step);
+  std::optional<Stop> value = CheckValues(run, step);
+  std::optional<Stop> line = CheckLines(run, log);
+  if (incident) return incident;
+  if (truth) return truth;
+  return value ? value : line;
+}
+
+// A thread arrives at a line when its next statement is the line's first, or when it comes from
+// another line; a thread that sleeps arrives when it wakes up.
+void Stops::FindArrivals(const RewindableRun& run, const StepReport& step) {
+  const vm::Machine& machine = run.machine();
+  arrivals_ = 0;
+  const auto runnable = [&](int number) { return (machine.RunnableThreads() >> number & 1) != 0; };
+  if (step.kind == StepKind::kStatement && step.thread >= 0) {
+    const vm::ThreadState& thread = machine.thread(step.thread);
+    const auto& lines = run.image().object.functions[thread.function].lines;
+    uint16_t& was = pcs_[static_cast<size_t>(step.thread)];
+    const bool runs = thread.run == vm::ThreadRun::kRunning && thread.pc < lines.size();
+    if (runs && (lines[thread.pc] != lines[was] || thread.pc <= was)) {
+      (runnable(step.thread) ? arrivals_ : asleep_) |= 1u << step.thread;
+    }
+    was = thread.pc;
+  }
+  for (uint32_t rest = asleep_; rest != 0; rest &= rest - 1) {
+    const int number = std::countr_zero(rest);
+    const bool runs = machine.thread(number).run == vm::ThreadRun::kRunning;
+    if (runs && !runnable(number)) continue;
+    asleep_ &= ~(1u << number);
+    if (runs) arrivals_ |= 1u << number;
+  }
+  if (step.kind != StepKind::kCycle) return;
+  for (int number = 0; number < vm::kThreadCount; ++number) {
+    const vm::ThreadState& thread = machine.thread(number);
+    if (!StartedNow(thread, run.controller().cycle())) continue;
+    pcs_[static_cast<size_t>(number)] = thread.pc;
+    arrivals_ |= 1u << number;
+  }
+}
+
+std::optional<Stop> Stops::CheckLines(const RewindableRun& run, std::vector<LogLine>* log) {
+  std::optional<Stop> stop;
+  if (arrivals_ == 0) return stop;
+  for (size_t i = 0; i < lines_.size(); ++i) {
+    Line& line = lines_[i];
+    for (uint32_t rest = arrivals_; rest != 0; rest &= rest - 1) {
+      const int number = std::countr_zero(rest);
+      const vm::ThreadState& thread = run.machine().thread(number);
+      const vm::Function& function = run.image().object.functions[thread.function];
+      if (function.lines[thread.pc] != line.wish.line) continue;
+      if (!line.wish.file.empty() && function.file != line.wish.file) continue;
+      if (line.wish.thread && *line.wish.thread != number) continue;
+      if (line.condition && !line.condition->Holds(run.controller())) continue;
+      const auto known = std::ranges::lower_bound(line.hits, run.moment());
+      const auto count = known - line.hits.begin() + 1;
+      if (known == line.hits.end() || *known != run.moment()) {
+        line.hits.insert(known, run.moment());
+      }
+      if (count < line.wish.hits) continue;
+      if (line.wish.log.empty()) {
+        if (!stop) stop = Stop{StopReason::kLine, number, static_cast<int>(i), {}};
+        continue;
+      }
+      if (log == nullptr) continue;
+      std::string text;
+      for (const auto& part : line.log) {
+        const auto* quantity = std::get_if<Quantity>(&part);
+        text += quantity == nullptr ? std::get<std::string>(part)
+                                    : runtime::FormatQuantity(*quantity, run.controller());
+      }
+      log->push_back({run.moment(), number, std::move(text)});
+    }
+  }
+  return stop;
+}
+
+std::optional<Stop> Stops::CheckValues(const RewindableRun& run, const StepReport& step) {
+  std::optional<Stop> stop;
+  for (Value& value : values_) {
+    const double now = ReadQuantity(value.quantity, run.controller());
+    if (now == value.last) continue;
+    if (!stop) {
+      const auto form = FormOfQuantity(value.quantity, run.controller());
+      const std::string was = runtime::FormatNumber(value.last, form);
+      const std::string is = runtime::FormatNumber(now, form);
+      stop = Stop{StopReason::kChange, step.thread, value.number,
+                  MakeMessage("{0} has changed from {1} to {2}", "{0} 由 {1} 变为 {2}",
+                              value.quantity.name, was, is)};
+    }
+    value.last = now;
+  }
+  return stop;
+}
+
+std::optional<Stop> Stops::CheckTruths(const RewindableRun& run, const StepReport& step) {
+  std::optional<Stop> stop;
+  const auto changes_to_wanted = [&](Truth& truth) {
+    const bool now = truth.condition.Holds(run.controller());
+    const bool turned = now != truth.last && now == truth.wanted;
+    truth.last = now;
+    return turned;
+  };
+  for (Truth& truth : requirements_) {
+    if (!changes_to_wanted(truth) || !checks_requirements_ || stop) continue;
+    const Message values = truth.condition.DescribeValues(run.controller());
+    stop = Stop{StopReason::kRequirement, step.thread, -1,
+                MakeMessage("{0} does not hold: {1}", "{0} 不成立：{2}", truth.title, values.en,
+                            values.zh)};
+  }
+  for (Truth& truth : conditions_) {
+    if (!changes_to_wanted(truth) || stop) continue;
+    stop = Stop{StopReason::kCondition, step.thread, truth.number,
+                MakeMessage("{0} has become true", "{0} 已成立", truth.title)};
+  }
+  return stop;
+}
+
+std::optional<Stop> Stops::CheckIncidents(const RewindableRun& run, const StepReport& step) {
+  const int64_t faults_before = std::exchange(fault_count_, run.machine().state().faults);
+  if (faults_ && fault_count_ != faults_before && step.thread >= 0) {
+    return Stop{StopReason::kFault, step.thread, -1,
+                runtime::DescribeFault(run.machine().thread(step.thread))};
+  }
+  if (refusals_ && !step.refusals.empty()) {
+    return Stop{StopReason::kRefusal, step.refusals.front().thread, -1, step.refusals.front().call};
+  }
+  if (checks_requirements_ && !step.failed.empty()) {
+    return Stop{StopReason::kRequirement, -1, -1, step.failed.front()};
+  }
+  return std::nullopt;
+}
+
+}  // namespace oncard::session

@@ -1,0 +1,137 @@
+// Where a run stops: breakpoints, changes of variables, conditions that become true, faults,
+// refused commands, requirements and expectations that do not hold. They are checked after every
+// step (rewindable_run.h) in both directions, and depend on nothing but the run.
+// Not thread-safe. Tested by tests/session/stops_test.cc.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/result.h"
+#include "runtime/conditions/card_condition.h"
+#include "session/rewindable_run.h"
+
+namespace oncard::session {
+
+/// Before the first statement of a line.
+struct LineStop {
+  std::string file;  ///< as in the program's functions; empty: any
+  int line = 0;
+  std::optional<int> thread;  ///< empty: every thread
+  std::string condition;      ///< empty: always
+  int64_t hits = 0;           ///< only from this arrival on, counted since the stop was set
+  std::string log;            ///< not empty: this text is logged, `{name}` is a value; no stop
+};
+
+/// All places where a run is to stop, as the user names them.
+struct StopWishes {
+  std::vector<LineStop> lines;
+  std::vector<std::string> changes;     ///< names of variables or other values (quantity.h)
+  std::vector<std::string> conditions;  ///< stop when one becomes true
+  bool faults = true;
+  bool refusals = true;      ///< commands of threads whose code is not 0
+  bool requirements = true;  ///< `always`, `never`, and expectations with an instant
+};
+
+enum class StopReason : uint8_t {
+  kGoal,         ///< what was asked for has been reached
+  kLine,         ///< a LineStop
+  kChange,       ///< a value has changed
+  kCondition,    ///< a condition has become true
+  kFault,        ///< a thread has faulted
+  kRefusal,      ///< a thread was refused a command
+  kRequirement,  ///< a requirement or an expectation does not hold
+  kScheduleEnd,  ///< the schedule that was followed is over
+  kEnd,          ///< the scenario's run is over
+  kStart,        ///< the first moment
+  kBudget        ///< the number of steps of one request is used up
+};
+
+struct Stop {
+  StopReason reason = StopReason::kGoal;
+  int thread = -1;
+  int number = -1;  ///< kLine, kChange, kCondition: which of the wishes, from 0
+  Message text = {};
+};
+
+/// A line of a LineStop's log.
+struct LogLine {
+  int64_t moment = 0;
+  int thread = 0;
+  std::string text;
+};
+
+class Stops {
+ public:
+  /// No stops but those of a StopWishes without lines, changes and conditions. Fails if a
+  /// requirement of the scenario does not fit the program.
+  static Result<Stops> Create(const RewindableRun& run);
+
+  /// Replaces all stops. Fails with the first wish that cannot be fulfilled; then nothing changes.
+  /// A line without a statement is moved to the next one that has one: lines() says where.
+  Result<void> Set(const StopWishes& wishes, const RewindableRun& run);
+  /// The line of each LineStop.
+  std::vector<int> lines() const;
+
+  /// True if every step must be checked: a stop can be anywhere, and not only where a thread
+  /// faults, is refused a command, or an expectation fails.
+  bool CheckEveryStep() const;
+  bool faults() const { return faults_; }
+  bool refusals() const { return refusals_; }
+  bool requirements() const { return checks_requirements_; }
+
+  /// To be called before the first step of a walk: remembers the present values.
+  void Begin(const RewindableRun& run);
+  /// Checks the state after a step. Logged lines are appended to `log` unless it is nullptr.
+  std::optional<Stop> Check(const RewindableRun& run, const StepReport& step,
+                            std::vector<LogLine>* log);
+  /// After Check(): bit n is set if thread n has arrived at the beginning of a line with this step.
+  uint32_t arrivals() const { return arrivals_; }
+
+ private:
+  struct Line {
+    LineStop wish;
+    std::optional<runtime::CardCondition> condition;
+    std::vector<std::variant<std::string, runtime::Quantity>> log;
+    std::vector<int64_t> hits;  ///< moments, in order
+  };
+  struct Value {
+    runtime::Quantity quantity;
+    double last = 0;
+    int number = 0;
+  };
+  struct Truth {
+    runtime::CardCondition condition;
+    bool wanted = true;  ///< the value at which to stop
+    bool last = false;
+    int number = -1;  ///< -1: a requirement of the scenario
+    std::string title;
+  };
+
+  Stops() = default;
+  static Result<Line> ReadLine(const LineStop& wish, const RewindableRun& run);
+  void FindArrivals(const RewindableRun& run, const StepReport& step);
+  std::optional<Stop> CheckLines(const RewindableRun& run, std::vector<LogLine>* log);
+  std::optional<Stop> CheckValues(const RewindableRun& run, const StepReport& step);
+  std::optional<Stop> CheckTruths(const RewindableRun& run, const StepReport& step);
+  std::optional<Stop> CheckIncidents(const RewindableRun& run, const StepReport& step);
+
+  std::vector<Line> lines_;
+  std::vector<Value> values_;
+  std::vector<Truth> conditions_;
+  std::vector<Truth> requirements_;  // `always` and `never` of the scenario
+  bool faults_ = true;
+  bool refusals_ = true;
+  bool checks_requirements_ = true;
+
+  std::array<uint16_t, vm::kThreadCount> pcs_{};
+  uint32_t asleep_ = 0;  // threads that will arrive at a statement when they wake up
+  uint32_t arrivals_ = 0;
+  int64_t fault_count_ = 0;
+};
+
+}  // namespace oncard::session

@@ -1,0 +1,152 @@
+// A session may be driven in any way: in the end its state is the one that straight execution of
+// what it recorded leads to.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "base/random.h"
+#include "tests/session/session_support.h"
+
+namespace oncard::session {
+namespace {
+
+struct Walked {
+  std::string name;
+  std::string program;
+  std::string scenario;
+};
+
+// Threads that race, wait for each other and for the host, sleep, fault and start periodically,
+// with and without axes that move.
+std::vector<Walked> Programs() {
+  const std::string threads =
+      "[[thread]]\nfunction = \"f\"\n[[thread]]\nthread = 3\nfunction = \"g\"\n";
+  return {
+      {"race", kRace, kTwoThreads},
+      {"random policy", kRace, "schedule = \"random:11\"\n" + std::string(kTwoThreads)},
+      {"axis", kMove,
+       "until_ms = 60\n[[world.input]]\ntype = \"gpi\"\nindex = 1\nvalue = 1\nat_ms = 3\n"},
+      {"handover",
+       "int go;\nint n;\nint f()\n{\n  GT_WaitForVarEq(&go, 1);\n  n = n + 1;\n  go = 0;\n}\n"
+       "int g()\n{\n  int i;\n  int c;\nloop:\n  i = i + 1;\n  GT_Delay(1);\n  c = i < 9;\n"
+       "  if (c) goto loop;\n  go = 1;\n  n = n * 2;\n}\n",
+       "schedule = \"pct:5:3\"\nlimit_ms = 50\n" + threads +
+           "[[host]]\nat_ms = 2\nset = { n = 100 }\n"},
+      {"periodic",
+       "int n;\nint a[4];\nint f()\n{\n  n = n + 1;\n  a[n] = n;\n}\nint g()\n{\n  int i;\nloop:\n"
+       "  i = i + 1;\n  goto loop;\n}\n",
+       "until_ms = 12\n[[thread]]\nfunction = \"f\"\nperiod_ms = 2\n"
+       "[[thread]]\nthread = 3\nfunction = \"g\"\n"},
+  };
+}
+
+class RandomWalk {
+ public:
+  RandomWalk(const Walked& walked, uint64_t seed)
+      : walked_(walked), session_(SessionOf(walked.program, walked.scenario)), random_(seed) {}
+
+  /// Takes random steps in both directions, with choices and changes.
+  void Go() {
+    const uint64_t moves = 5 + Draw(40);
+    for (uint64_t i = 0; i < moves; ++i) Move();
+    // A recording ends where the scenario has acted.
+    while (run().NextStep() == StepKind::kHost) run().Step();
+  }
+
+  RewindableRun& run() { return session_.run(); }
+
+  /// The state to which the recording leads.
+  uint64_t HashOfRecording() {
+    auto schedule = run().Record();
+    EXPECT_TRUE(schedule.ok()) << (schedule.ok() ? "" : schedule.error().message.en);
+    auto scenario = runtime::ParseScenario(schedule.value().scenario, "recorded.toml");
+    EXPECT_TRUE(scenario.ok());
+    runtime::RunOptions options;
+    options.replay = std::make_shared<const vm::Schedule>(std::move(schedule).value());
+    const auto result =
+        runtime::RunScenario(scenario.value(), runtime::CompileForTest(walked_.program), options);
+    EXPECT_TRUE(result.ok()) << (result.ok() ? "" : result.error().message.en);
+    return result.ok() ? result.value().hash : 0;
+  }
+
+ private:
+  uint64_t Draw(uint64_t bound) { return RandomBelow(random_, bound); }
+
+  void Move() {
+    Walk walk;
+    walk.thread = Draw(2) == 0 ? 0 : 3;
+    walk.budget = 1 + static_cast<int64_t>(Draw(400));
+    switch (Draw(12)) {
+      case 0:
+      case 1:
+        run().Step();
+        break;
+      case 2:
+        run().AdvanceTo(run().moment() + static_cast<int64_t>(Draw(300)));
+        break;
+      case 3:
+        static_cast<void>(run().StepThread(walk.thread));
+        break;
+      case 4:
+        run().GoTo(static_cast<int64_t>(Draw(static_cast<uint64_t>(run().head()) + 1)));
+        break;
+      case 5:
+        run().GoTo(run().moment() - 1);
+        break;
+      case 6:
+        walk.goal = Goal::kCycle;
+        static_cast<void>(session_.Forward(walk, nullptr));
+        break;
+      case 7:
+        walk.goal = Draw(2) == 0 ? Goal::kCycle : Goal::kLine;
+        static_cast<void>(session_.Back(walk));
+        break;
+      case 8:
+        walk.goal = Goal::kStatement;
+        static_cast<void>(session_.Forward(walk, nullptr));
+        break;
+      case 9:
+        static_cast<void>(session_.Forward(walk, nullptr));
+        break;
+      case 10:
+        ToEndOfCycle();
+        static_cast<void>(run().WriteVariable(walked_.program.starts_with("int go") ? "go" : "n",
+                                              static_cast<double>(Draw(3))));
+        break;
+      default:
+        static_cast<void>(
+            run().SetInput(motion::DiType::kGpi, 1 + static_cast<int>(Draw(16)), Draw(2) == 0));
+        break;
+    }
+  }
+
+  // A scenario's host writes between cycles.
+  void ToEndOfCycle() {
+    while (run().NextStep() != StepKind::kCycle) run().Step();
+  }
+
+  const Walked& walked_;
+  Session session_;
+  uint64_t random_;
+};
+
+TEST(RandomWalks, EndWhereStraightExecutionDoes) {
+  const char* wanted = std::getenv("ONCARD_WALKS");
+  const int walks = wanted == nullptr ? 200 : std::atoi(wanted);
+  for (const Walked& walked : Programs()) {
+    for (int seed = 0; seed < walks; ++seed) {
+      RandomWalk walk(walked, static_cast<uint64_t>(seed));
+      walk.Go();
+      const uint64_t hash = walk.run().controller().Hash();
+      ASSERT_EQ(walk.HashOfRecording(), hash) << walked.name << ", seed " << seed;
+      // Going back and forth does not matter.
+      const int64_t moment = walk.run().moment();
+      walk.run().GoTo(moment / 2);
+      walk.run().GoTo(moment);
+      ASSERT_EQ(walk.run().controller().Hash(), hash) << walked.name << ", seed " << seed;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace oncard::session

@@ -1,0 +1,349 @@
+#include "session/rewindable_run.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/session/session_support.h"
+
+namespace oncard::session {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::Each;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+/// The hashes of all moments of a run from the present to the end of its scenario.
+std::vector<uint64_t> HashesToTheEnd(RewindableRun* run) {
+  std::vector<uint64_t> hashes = {run->controller().Hash()};
+  while (!run->Over()) {
+    run->Step();
+    hashes.push_back(run->controller().Hash());
+  }
+  return hashes;
+}
+
+/// The hash at the end of the same scenario under `oncard run`.
+uint64_t HashOfWholeRun(const std::string& program, const std::string& scenario) {
+  return runtime::RunForTest(program, scenario).hash;
+}
+
+/// The hash at the end of a recording.
+uint64_t HashOfReplay(const std::string& program, RewindableRun* run) {
+  auto schedule = run->Record();
+  EXPECT_TRUE(schedule.ok()) << (schedule.ok() ? "" : schedule.error().message.en);
+  if (!schedule.ok()) return 0;
+  runtime::RunOptions options;
+  const auto scenario = runtime::ParseScenario(schedule.value().scenario, "recorded.toml");
+  EXPECT_TRUE(scenario.ok());
+  options.replay = std::make_shared<const vm::Schedule>(std::move(schedule).value());
+  const auto result =
+      runtime::RunScenario(scenario.value(), runtime::CompileForTest(program), options);
+  EXPECT_TRUE(result.ok()) << (result.ok() ? "" : result.error().message.en);
+  return result.ok() ? result.value().hash : 0;
+}
+
+// --- Steps ---------------------------------------------------------------------------------------
+
+TEST(RewindableRun, StepsAreCyclesAndStatements) {
+  const auto run = RunOf(kRace, kTwoThreads);
+  EXPECT_EQ(run->NextStep(), StepKind::kCycle);
+  EXPECT_EQ(run->NextThread(), -1);
+  EXPECT_EQ(run->Step().kind, StepKind::kCycle);
+  std::vector<int> threads;
+  while (run->NextStep() == StepKind::kStatement) {
+    const int announced = run->NextThread();
+    threads.push_back(run->Step().thread);
+    EXPECT_EQ(threads.back(), announced);
+  }
+  EXPECT_THAT(threads, ElementsAre(0, 1, 0, 1, 0, 1));
+  EXPECT_EQ(run->moment(), 7);
+  EXPECT_EQ(run->Over(), RunOver::kQuiet);
+}
+
+TEST(RewindableRun, EndsInTheStateOfAWholeRun) {
+  for (const auto* schedule : {"rr", "rr:3", "priority", "random:7", "pct:3:2"}) {
+    const std::string scenario = "schedule = \"" + std::string(schedule) + "\"\n" + kTwoThreads;
+    const auto run = RunOf(kRace, scenario);
+    HashesToTheEnd(run.get());
+    EXPECT_EQ(run->controller().Hash(), HashOfWholeRun(kRace, scenario)) << schedule;
+  }
+  const std::string move = "until_ms = 40\n";
+  const auto run = RunOf(kMove, move);
+  HashesToTheEnd(run.get());
+  EXPECT_EQ(run->Over(), RunOver::kUntil);
+  EXPECT_EQ(run->controller().Hash(), HashOfWholeRun(kMove, move));
+}
+
+TEST(RewindableRun, TakesSeveralStepsAtATimeToTheSameState) {
+  const auto slow = RunOf(kMove, "until_ms = 30\n");
+  const std::vector<uint64_t> hashes = HashesToTheEnd(slow.get());
+  for (const int64_t moment : {1, 2, 26, 27, 1000, 2999}) {
+    const auto fast = RunOf(kMove, "until_ms = 30\n");
+    fast->AdvanceTo(moment);
+    EXPECT_EQ(fast->moment(), moment);
+    EXPECT_EQ(fast->controller().Hash(), hashes[static_cast<size_t>(moment)]) << moment;
+  }
+}
+
+TEST(RewindableRun, StatementsThatNoThreadCanUseAreLost) {
+  const auto run = RunOf("int x;\nint f()\n{\n  x = 1;\n  GT_Delay(2);\n  x = 2;\n}\n");
+  run->Step();
+  EXPECT_EQ(run->statements_left(), 25);
+  run->Step();
+  run->Step();
+  EXPECT_EQ(run->statements_left(), 0);
+  EXPECT_EQ(run->NextStep(), StepKind::kCycle);
+}
+
+TEST(RewindableRun, TheScenarioActsBetweenCycles) {
+  const auto run = RunOf(kRace,
+                         "expect = [\"x == 1 @ 0.25ms\"]\nuntil_ms = 1\n"
+                         "[[host]]\nat_ms = 0.25\nset = { x = 7 }\n");
+  while (run->NextStep() != StepKind::kHost) run->Step();
+  EXPECT_EQ(run->controller().cycle(), 1);
+  EXPECT_EQ(ValueOf("x", *run), 1);
+  EXPECT_TRUE(run->Step().failed.empty());
+  EXPECT_EQ(ValueOf("x", *run), 7);
+  EXPECT_EQ(run->NextStep(), StepKind::kCycle);
+}
+
+TEST(RewindableRun, TellsOfExpectationsThatDoNotHold) {
+  const auto run = RunOf(kRace, "expect = [\"x == 5 @ 0.25ms\"]\n");
+  while (run->NextStep() != StepKind::kHost) run->Step();
+  const StepReport report = run->Step();
+  ASSERT_EQ(report.failed.size(), 1u);
+  EXPECT_THAT(report.failed[0].en, AllOf(HasSubstr("x == 5 @ 0.25ms"), HasSubstr("x is 1")));
+  EXPECT_EQ(run->failed(), 1);
+}
+
+TEST(RewindableRun, TellsOfRefusedCommands) {
+  const auto run = RunOf("int f()\n{\n  GT_AxisOn(9);\n  return 0;\n}\n");
+  run->Step();
+  const StepReport report = run->Step();
+  ASSERT_EQ(report.refusals.size(), 1u);
+  EXPECT_EQ(report.refusals[0].code, 7);
+  EXPECT_THAT(report.refusals[0].call.en, HasSubstr("GT_AxisOn(9) = 7: "));
+  ASSERT_NE(run->LastRefusal(0), nullptr);
+  EXPECT_EQ(run->LastRefusal(0)->call.en, report.refusals[0].call.en);
+  run->GoTo(1);
+  EXPECT_EQ(run->LastRefusal(0), nullptr);
+}
+
+TEST(RewindableRun, KnowsWhyTheRunIsOver) {
+  const auto over = [](const char* program, const char* scenario) {
+    const auto run = RunOf(program, scenario);
+    HashesToTheEnd(run.get());
+    return *run->Over();
+  };
+  constexpr const char* kWait = "int go;\nint f()\n{\n  GT_WaitForVarEq(&go, 1);\n  return 0;\n}\n";
+  EXPECT_EQ(over(kWait, ""), RunOver::kDeadlock);
+  EXPECT_EQ(over(kWait, "[[host]]\nat_ms = 1\nset = { go = 1 }\n"), RunOver::kQuiet);
+  EXPECT_EQ(over(kRace, ""), RunOver::kQuiet);
+  EXPECT_EQ(over(kMove, "until_ms = 1\n"), RunOver::kUntil);
+  EXPECT_EQ(over(kMove, "limit_ms = 2\n"), RunOver::kLimit);
+}
+
+TEST(RewindableRun, DoesNotStartWhatDoesNotFit) {
+  const auto error = [](const std::string& scenario) {
+    const auto run =
+        RewindableRun::Create(runtime::ScenarioForTest(scenario), runtime::CompileForTest(kRace));
+    return run.ok() ? std::string() : run.error().message.en;
+  };
+  EXPECT_THAT(error("[globals]\ny = 1\n"), HasSubstr("nothing is named 'y'"));
+  EXPECT_THAT(error("schedule = \"fair\"\n"), HasSubstr("fair"));
+  EXPECT_THAT(error("schedule = \"replay:a.sched\"\n"), HasSubstr("schedule file"));
+}
+
+// --- Back ----------------------------------------------------------------------------------------
+
+TEST(RewindableRun, EveryMomentCanBeReachedAgain) {
+  const auto run = RunOf(kMove, "until_ms = 12\n");
+  const std::vector<uint64_t> hashes = HashesToTheEnd(run.get());
+  for (auto moment = static_cast<int64_t>(hashes.size()) - 1; moment >= 0; moment -= 7) {
+    run->GoTo(moment);
+    EXPECT_EQ(run->moment(), moment);
+    EXPECT_EQ(run->controller().Hash(), hashes[static_cast<size_t>(moment)]) << moment;
+  }
+  run->GoTo(static_cast<int64_t>(hashes.size()) + 100);
+  EXPECT_EQ(run->moment(), static_cast<int64_t>(hashes.size()) - 1);
+}
+
+TEST(RewindableRun, KeepsFewStatesOfALongRun) {
+  const auto run = RunOf(kMove, "until_ms = 100000\n");
+  run->AdvanceTo(3'000'000);
+  const uint64_t end = run->controller().Hash();
+  EXPECT_LE(run->kept_count(), RewindableRun::kKeptMax);
+  // Near the present the states are dense: a step back executes few steps again.
+  EXPECT_LE(run->moment() - run->KeptBefore(run->moment()), RewindableRun::kKeptInterval + 32);
+  run->GoTo(17);
+  run->GoTo(3'000'000);
+  EXPECT_EQ(run->controller().Hash(), end);
+}
+
+// --- Choices -------------------------------------------------------------------------------------
+
+TEST(RewindableRun, TheUserChoosesTheNextThread) {
+  const auto run = RunOf(kRace, kTwoThreads);
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(run->StepThread(1).ok());
+  EXPECT_EQ(ValueOf("x", *run), 1);
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(run->StepThread(0).ok());
+  EXPECT_EQ(ValueOf("x", *run), 2);
+  EXPECT_EQ(HashOfReplay(kRace, run.get()), run->controller().Hash());
+}
+
+TEST(RewindableRun, AChoiceIsMadeAgainAfterGoingBack) {
+  const auto run = RunOf(kRace, kTwoThreads);
+  ASSERT_TRUE(run->StepThread(1).ok());
+  ASSERT_TRUE(run->StepThread(1).ok());
+  const uint64_t hash = run->controller().Hash();
+  run->GoTo(0);
+  EXPECT_EQ(run->Step().kind, StepKind::kCycle);
+  EXPECT_EQ(run->NextThread(), 1);
+  EXPECT_EQ(run->Step().thread, 1);
+  run->Step();
+  EXPECT_EQ(run->controller().Hash(), hash);
+}
+
+TEST(RewindableRun, AnotherChoiceDiscardsWhatWasAfterIt) {
+  const auto run = RunOf(kRace, kTwoThreads);
+  for (int i = 0; i < 5; ++i) run->Step();
+  EXPECT_EQ(run->head(), 5);
+  run->GoTo(1);
+  // The thread that is next anyway is no choice.
+  ASSERT_TRUE(run->StepThread(0).ok());
+  EXPECT_EQ(run->head(), 5);
+  run->GoTo(1);
+  ASSERT_TRUE(run->StepThread(1).ok());
+  EXPECT_EQ(run->head(), 2);
+}
+
+TEST(RewindableRun, AThreadThatCannotRunIsNotStepped) {
+  const auto run = RunOf("int f()\n{\n  GT_Delay(100);\n  return 0;\n}\n");
+  run->Step();
+  run->Step();
+  const auto waits = run->StepThread(0);
+  ASSERT_FALSE(waits.ok());
+  EXPECT_THAT(waits.error().message.en, HasSubstr("thread 0 cannot execute a statement now"));
+  EXPECT_EQ(run->moment(), 2);
+  EXPECT_THAT(run->StepThread(5).error().message.en, HasSubstr("thread 5 cannot execute"));
+  EXPECT_THAT(run->StepThread(32).error().message.en, HasSubstr("threads are 0 to 31"));
+  EXPECT_THAT(run->StepThread(-1).error().message.en, HasSubstr("threads are 0 to 31"));
+}
+
+TEST(RewindableRun, FollowsAScheduleUntilItEndsOrTheUserChooses) {
+  runtime::RunOptions options;
+  options.record = true;
+  const std::string scenario = "schedule = \"random:3\"\n" + std::string(kTwoThreads);
+  const auto recorded = runtime::RunForTest(kRace, scenario, options);
+  const auto schedule = std::make_shared<const vm::Schedule>(*recorded.schedule);
+  const auto follow = [&] {
+    return RewindableRun::Create(runtime::ScenarioForTest(kTwoThreads),
+                                 runtime::CompileForTest(kRace), schedule);
+  };
+  auto run = follow();
+  ASSERT_TRUE(run.ok());
+  HashesToTheEnd(run.value().get());
+  EXPECT_TRUE(run.value()->follows_schedule());
+  EXPECT_EQ(run.value()->controller().Hash(), recorded.hash);
+
+  run = follow();
+  run.value()->Step();
+  const int other = 1 - run.value()->NextThread();
+  ASSERT_TRUE(run.value()->StepThread(other).ok());
+  EXPECT_FALSE(run.value()->follows_schedule());
+  HashesToTheEnd(run.value().get());
+  EXPECT_EQ(run.value()->Over(), RunOver::kQuiet);
+}
+
+TEST(RewindableRun, RefusesAScheduleOfAnotherProgram) {
+  vm::Schedule schedule;
+  schedule.program_hash = 1;
+  const auto run =
+      RewindableRun::Create(runtime::ScenarioForTest(kTwoThreads), runtime::CompileForTest(kRace),
+                            std::make_shared<const vm::Schedule>(schedule));
+  ASSERT_FALSE(run.ok());
+  EXPECT_THAT(run.error().message.en, HasSubstr("another program"));
+}
+
+// --- Changes -------------------------------------------------------------------------------------
+
+TEST(RewindableRun, AVariableIsChangedAtOnceAndAgainAfterGoingBack) {
+  const auto run = RunOf(kRace, kTwoThreads);
+  run->AdvanceTo(3);
+  ASSERT_TRUE(run->WriteVariable("x", 40).ok());
+  EXPECT_EQ(ValueOf("x", *run), 40);
+  HashesToTheEnd(run.get());
+  const uint64_t end = run->controller().Hash();
+  const int64_t last = run->moment();
+  run->GoTo(2);
+  EXPECT_EQ(ValueOf("x", *run), 0);
+  run->GoTo(3);
+  EXPECT_EQ(ValueOf("x", *run), 40);
+  run->GoTo(last);
+  EXPECT_EQ(run->controller().Hash(), end);
+}
+
+TEST(RewindableRun, AChangeBetweenCyclesIsRecordedAsTheHosts) {
+  const auto run = RunOf(kMove, "until_ms = 5\n");
+  run->GoToCycle(0);
+  while (run->controller().cycle() < 8 || run->NextStep() != StepKind::kCycle) run->Step();
+  ASSERT_TRUE(run->WriteVariable("n", 1000).ok());
+  EXPECT_THAT(runtime::FormatScenario(run->ScenarioWithChanges()), HasSubstr("\"n\" = 1000"));
+  HashesToTheEnd(run.get());
+  EXPECT_EQ(HashOfReplay(kMove, run.get()), run->controller().Hash());
+}
+
+TEST(RewindableRun, AChangeWithinACycleCannotBeRecorded) {
+  const auto run = RunOf(kRace, kTwoThreads);
+  run->AdvanceTo(3);
+  ASSERT_TRUE(run->WriteVariable("x", 40).ok());
+  const auto schedule = run->Record();
+  ASSERT_FALSE(schedule.ok());
+  EXPECT_THAT(schedule.error().message.en, HasSubstr("'x' was changed in the middle of the cycle"));
+  EXPECT_EQ(run->moment(), 3);
+}
+
+TEST(RewindableRun, InputsAndVoltagesChangeFromTheNextCycleOn) {
+  const auto run = RunOf(kMove, "until_ms = 10\n");
+  run->AdvanceTo(60);
+  ASSERT_TRUE(run->SetInput(motion::DiType::kGpi, 3, true).ok());
+  ASSERT_TRUE(run->SetVoltage(2, 5).ok());
+  EXPECT_EQ(ValueOf("gpi[3]", *run), 0);
+  HashesToTheEnd(run.get());
+  EXPECT_EQ(ValueOf("gpi[3]", *run), 1);
+  EXPECT_EQ(ValueOf("adc2", *run), 13107);  // 5 of 12.5 V of 32768
+  EXPECT_EQ(HashOfReplay(kMove, run.get()), run->controller().Hash());
+  run->GoTo(59);
+  run->Step();
+  EXPECT_EQ(ValueOf("gpi[3]", *run), 0);
+}
+
+TEST(RewindableRun, RefusesChangesOfWhatIsNotThere) {
+  const auto run = RunOf(kRace);
+  EXPECT_THAT(run->WriteVariable("y", 1).error().message.en, HasSubstr("nothing is named 'y'"));
+  EXPECT_THAT(run->WriteVariable("x", 1e12).error().message.en, HasSubstr("does not fit"));
+  EXPECT_THAT(run->WriteVariable("gpo", 1).error().message.en, HasSubstr("not a variable"));
+  EXPECT_THAT(run->SetInput(motion::DiType::kGpi, 17, true).error().message.en,
+              HasSubstr("pins 1 to 16"));
+  EXPECT_THAT(run->SetVoltage(9, 1).error().message.en, HasSubstr("1 to 8"));
+  EXPECT_EQ(run->moment(), 0);
+}
+
+// --- Turns ---------------------------------------------------------------------------------------
+
+TEST(RewindableRun, ListsTheTurnsOfThreads) {
+  const auto run = RunOf(kRace, "schedule = \"rr:2\"\n" + std::string(kTwoThreads));
+  HashesToTheEnd(run.get());
+  const int64_t end = run->moment();
+  const auto turns = run->Turns(0, end, 100);
+  std::vector<std::pair<int, int64_t>> listed;
+  for (const auto& turn : turns) listed.emplace_back(turn.thread, turn.statements);
+  EXPECT_THAT(listed,
+              ElementsAre(std::pair(0, 2), std::pair(1, 2), std::pair(0, 1), std::pair(1, 1)));
+  EXPECT_EQ(turns[0].moment, 1);
+  EXPECT_EQ(run->moment(), end);
+  EXPECT_EQ(run->Turns(0, end, 2).size(), 2u);
+}
+
+}  // namespace
+}  // namespace oncard::session
