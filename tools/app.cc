@@ -136,6 +136,7 @@ void DescribeApp(CLI::App& app, Session& session) {
   AddTest(app, session);
   AddExplore(app, session);
   AddReplay(app, session);
+  AddDebug(app, session);
   AddDump(app, session);
   AddVerify(app, session);
   AddExec(app, session);

@@ -25,6 +25,7 @@ void AddDump(CLI::App& app, Session& session);
 void AddVerify(CLI::App& app, Session& session);
 void AddExplore(CLI::App& app, Session& session);
 void AddReplay(CLI::App& app, Session& session);
+void AddDebug(CLI::App& app, Session& session);
 void AddExec(CLI::App& app, Session& session);
 void AddSchema(CLI::App& app, Session& session);
 void AddDoctor(CLI::App& app, Session& session);

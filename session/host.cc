@@ -1,0 +1,459 @@
+#include "session/host.h"
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "base/json_text.h"
+#include "base/limits.h"
+#include "base/milliseconds.h"
+#include "base/nearest.h"
+#include "compiler/diagnostic_printer.h"
+#include "runtime/scenario/requirement_watch.h"
+#include "runtime/scenario/result_json.h"
+#include "session/arguments.h"
+#include "session/project.h"
+#include "session/session.h"
+#include "session/views.h"
+
+namespace oncard::session {
+namespace {
+
+constexpr int64_t kMomentMax = int64_t{1} << 53;  // integers of JSON are exact up to here
+constexpr int64_t kStepsMax = 1'000'000'000;
+constexpr auto kMsMax = static_cast<double>(runtime::kTimeMsMax);
+constexpr int kPointsMax = 100'000;
+constexpr int64_t kTurnsMax = 100'000;
+constexpr int64_t kTurnsDefault = 1000;
+
+const std::vector<std::string_view> kGoals = {"step", "statement", "line", "cycle",
+                                              "time", "stop",      "rest", "change"};
+
+Error NoSession() {
+  return MakeError(1, "no program is loaded: 'load' one first", "尚未加载程序：请先使用“load”");
+}
+
+compiler::Options ReadCompileOptions(Arguments* arguments) {
+  compiler::Options options;
+  options.structured = arguments->Flag("structured", false);
+  return options;
+}
+
+Walk ReadWalk(Arguments* arguments) {
+  Walk walk;
+  walk.goal = static_cast<Goal>(arguments->Word("goal", kGoals));
+  const bool of_thread = walk.goal == Goal::kStatement || walk.goal == Goal::kLine;
+  if (of_thread) {
+    walk.thread = static_cast<int>(arguments->Whole("thread", 0, vm::kThreadCount - 1));
+  }
+  if (walk.goal == Goal::kTime) walk.time_us = FromMs(arguments->Number("ms", 0, kMsMax));
+  if (walk.goal == Goal::kChange) walk.name = arguments->Text("name");
+  walk.budget = arguments->Whole("budget", 1, kStepsMax, walk.budget);
+  return walk;
+}
+
+StopWishes ReadWishes(Arguments* arguments) {
+  StopWishes wishes;
+  for (Arguments& item : arguments->Objects("lines")) {
+    LineStop line;
+    line.file = item.Text("file", {});
+    line.line = static_cast<int>(item.Whole("line", 1, std::numeric_limits<uint16_t>::max()));
+    if (item.Has("thread")) {
+      line.thread = static_cast<int>(item.Whole("thread", 0, vm::kThreadCount - 1));
+    }
+    line.condition = item.Text("condition", {});
+    line.hits = item.Whole("hits", 0, kMomentMax, 0);
+    line.log = item.Text("log", {});
+    static_cast<void>(item.Mistakes());
+    arguments->Join(item);
+    wishes.lines.push_back(std::move(line));
+  }
+  wishes.changes = arguments->Texts("changes");
+  wishes.conditions = arguments->Texts("conditions");
+  wishes.faults = arguments->Flag("faults", true);
+  wishes.refusals = arguments->Flag("refusals", true);
+  wishes.requirements = arguments->Flag("requirements", true);
+  return wishes;
+}
+
+}  // namespace
+
+// One function for each request. They read all arguments before they act, and return the result.
+class SessionHost::Requests {
+ public:
+  explicit Requests(compiler::FileReader reader) : reader_(std::move(reader)) {}
+
+  std::string Handle(std::string_view text);
+
+ private:
+  friend class SessionHost;
+  using Handler = Result<Json> (Requests::*)(Arguments&);
+  struct Request {
+    RequestText text;
+    Handler handler;
+  };
+  static const std::vector<Request>& All();
+
+  Result<Json> Hello(Arguments& arguments);
+  Result<Json> Check(Arguments& arguments);
+  Result<Json> RunWhole(Arguments& arguments);
+  Result<Json> Load(Arguments& arguments);
+  Result<Json> State(Arguments& arguments);
+  Result<Json> Forward(Arguments& arguments);
+  Result<Json> Back(Arguments& arguments);
+  Result<Json> StepThread(Arguments& arguments);
+  Result<Json> GoTo(Arguments& arguments);
+  Result<Json> SetStops(Arguments& arguments);
+  Result<Json> Variables(Arguments& arguments);
+  Result<Json> Slots(Arguments& arguments);
+  Result<Json> Card(Arguments& arguments);
+  Result<Json> Evaluate(Arguments& arguments);
+  Result<Json> Write(Arguments& arguments);
+  Result<Json> SetInput(Arguments& arguments);
+  Result<Json> SetVoltage(Arguments& arguments);
+  Result<Json> Trace(Arguments& arguments);
+  Result<Json> Turns(Arguments& arguments);
+  Result<Json> Listing(Arguments& arguments);
+  Result<Json> Record(Arguments& arguments);
+
+  Result<Json> Answer(std::string_view text);
+  /// Reads the files that a request brings.
+  Result<Project> ReadFiles(Arguments& arguments);
+  /// For a request that needs a session and has no further arguments.
+  std::optional<Error> Missing(Arguments& arguments) const;
+  Json StateNow() const { return StateView(session_->run(), language_); }
+  /// The answer to a walk.
+  Json WalkAnswer(const Stop& stop) const;
+
+  compiler::FileReader reader_;
+  Language language_ = Language::kEnglish;
+  std::optional<Session> session_;
+  std::string events_;
+  Json id_;
+};
+
+const std::vector<SessionHost::Requests::Request>& SessionHost::Requests::All() {
+  static const std::vector<Request> all = {
+      {{"hello", "[protocol] [language]"}, &Requests::Hello},
+      {{"check", "main [files] [structured]"}, &Requests::Check},
+      {{"run", "main [files] [structured] [show]"}, &Requests::RunWhole},
+      {{"load", "main [files] [structured]"}, &Requests::Load},
+      {{"state", ""}, &Requests::State},
+      {{"forward", "goal [thread] [ms] [budget]"}, &Requests::Forward},
+      {{"back", "goal [thread] [name] [budget]"}, &Requests::Back},
+      {{"step_thread", "thread"}, &Requests::StepThread},
+      {{"go_to", "moment"}, &Requests::GoTo},
+      {{"set_stops", "[lines] [changes] [conditions] [faults] [refusals] [requirements]"},
+       &Requests::SetStops},
+      {{"variables", "[page]"}, &Requests::Variables},
+      {{"slots", "page"}, &Requests::Slots},
+      {{"card", ""}, &Requests::Card},
+      {{"evaluate", "text"}, &Requests::Evaluate},
+      {{"write", "name value"}, &Requests::Write},
+      {{"set_input", "type index level"}, &Requests::SetInput},
+      {{"set_voltage", "channel volts"}, &Requests::SetVoltage},
+      {{"trace", "names from_ms to_ms points"}, &Requests::Trace},
+      {{"turns", "from to [most]"}, &Requests::Turns},
+      {{"listing", ""}, &Requests::Listing},
+      {{"record", ""}, &Requests::Record},
+  };
+  return all;
+}
+
+std::span<const RequestText> SessionHost::RequestTexts() {
+  static const std::vector<RequestText> texts = [] {
+    std::vector<RequestText> list;
+    for (const auto& request : Requests::All()) list.push_back(request.text);
+    return list;
+  }();
+  return texts;
+}
+
+std::string SessionHost::Requests::Handle(std::string_view text) {
+  events_.clear();
+  id_ = nullptr;
+  auto answer = Answer(text);
+  Json response = {{"id", id_}, {"ok", answer.ok()}};
+  if (answer.ok()) {
+    response["result"] = std::move(answer).value();
+  } else {
+    response["error"] = answer.error().message.In(language_);
+  }
+  return std::move(events_) + JsonText(response) + '\n';
+}
+
+Result<Json> SessionHost::Requests::Answer(std::string_view text) {
+  if (text.size() > kRequestKind.bytes_max) {
+    return MakeError(1, "a request has at most {0} bytes", "请求最多 {0} 字节",
+                     kRequestKind.bytes_max);
+  }
+  const Json request = Json::parse(text, nullptr, false);
+  if (!request.is_object()) {
+    return MakeError(1, "a request is a JSON object in one line", "请求应为一行 JSON 对象");
+  }
+  if (const auto id = request.find("id"); id != request.end()) {
+    if (id->is_number_integer() || id->is_string()) id_ = *id;
+  }
+  Arguments head(request);
+  const bool has_id = head.Has("id");
+  const std::string name = head.Text("request");
+  const Json none = Json::object();
+  const bool has_arguments = head.Has("arguments");
+  if (has_id && id_.is_null()) {
+    return MakeError(1, "'id' must be an integer or a text", "“id”应为整数或文本");
+  }
+  if (auto mistakes = head.Mistakes()) return *std::move(mistakes);
+  std::vector<std::string_view> names;
+  for (const Request& each : All()) {
+    names.push_back(each.text.name);
+    if (each.text.name != name) continue;
+    Arguments arguments(has_arguments ? request["arguments"] : none);
+    return (this->*each.handler)(arguments);
+  }
+  const std::string_view near = NearestName(name, names);
+  if (!near.empty()) {
+    return MakeError(1, "there is no request '{0}'; did you mean '{1}'?",
+                     "没有请求“{0}”；是否为“{1}”？", name, near);
+  }
+  return MakeError(1, "there is no request '{0}': 'hello' lists them",
+                   "没有请求“{0}”：“hello”会列出所有请求", name);
+}
+
+std::optional<Error> SessionHost::Requests::Missing(Arguments& arguments) const {
+  if (auto mistakes = arguments.Mistakes()) return mistakes;
+  if (!session_) return NoSession();
+  return std::nullopt;
+}
+
+// --- Before a session ----------------------------------------------------------------------------
+
+Result<Json> SessionHost::Requests::Hello(Arguments& arguments) {
+  const int64_t protocol = arguments.Whole("protocol", 1, kMomentMax, kProtocolVersion);
+  const bool chinese = arguments.Has("language") && arguments.Word("language", {"en", "zh"}) == 1;
+  if (auto mistakes = arguments.Mistakes()) return *std::move(mistakes);
+  if (protocol != kProtocolVersion) {
+    return MakeError(1, "protocol {0} is not spoken here: this is {1}",
+                     "此处不支持协议 {0}：当前版本为 {1}", protocol, kProtocolVersion);
+  }
+  language_ = chinese ? Language::kChinese : Language::kEnglish;
+  Json requests = Json::object();
+  for (const Request& each : All()) requests[std::string(each.text.name)] = each.text.arguments;
+  return Json{{"protocol", kProtocolVersion}, {"requests", std::move(requests)}};
+}
+
+Result<Project> SessionHost::Requests::ReadFiles(Arguments& arguments) {
+  const std::string main = arguments.Text("main");
+  Files files(arguments.TextsByName("files"), reader_);
+  const compiler::Options options = ReadCompileOptions(&arguments);
+  if (auto mistakes = arguments.Mistakes()) return *std::move(mistakes);
+  return ReadProject(main, files, options);
+}
+
+Result<Json> SessionHost::Requests::Check(Arguments& arguments) {
+  const auto project = ReadFiles(arguments);
+  if (!project.ok()) return project.error();
+  const compiler::Compilation& compilation = project.value().compilation;
+  return Json{{"compiled", compilation.ok()},
+              {"diagnostics", compiler::DiagnosticsJson(compilation, language_)}};
+}
+
+Result<Json> SessionHost::Requests::RunWhole(Arguments& arguments) {
+  runtime::RunOptions options;
+  options.show = arguments.Texts("show");
+  auto project = ReadFiles(arguments);
+  if (!project.ok()) return project.error();
+  const compiler::Compilation& compilation = project.value().compilation;
+  Json answer = {{"compiled", compilation.ok()},
+                 {"diagnostics", compiler::DiagnosticsJson(compilation, language_)}};
+  if (!compilation.ok()) return answer;
+  options.replay = project.value().schedule;
+  const auto result =
+      runtime::RunWithRequirements(project.value().scenario, *compilation.object, options);
+  if (!result.ok()) return result.error();
+  answer["run"] = runtime::ResultJson(result.value(), language_);
+  return answer;
+}
+
+Result<Json> SessionHost::Requests::Load(Arguments& arguments) {
+  auto project = ReadFiles(arguments);
+  if (!project.ok()) return project.error();
+  compiler::Compilation& compilation = project.value().compilation;
+  Json answer = {{"compiled", compilation.ok()},
+                 {"diagnostics", compiler::DiagnosticsJson(compilation, language_)}};
+  if (!compilation.ok()) return answer;
+  auto session =
+      Session::Create(std::move(project.value().scenario), *std::move(compilation.object),
+                      std::move(project.value().schedule));
+  if (!session.ok()) return session.error();
+  session_.emplace(std::move(session).value());
+  answer["files"] = Json::array();
+  for (const compiler::SourceFile& file : compilation.files) {
+    answer["files"].push_back({{"path", file.path()}, {"text", file.text()}});
+  }
+  answer["state"] = StateNow();
+  return answer;
+}
+
+// --- Walks ---------------------------------------------------------------------------------------
+
+Result<Json> SessionHost::Requests::State(Arguments& arguments) {
+  if (auto missing = Missing(arguments)) return *std::move(missing);
+  return StateNow();
+}
+
+Json SessionHost::Requests::WalkAnswer(const Stop& stop) const {
+  return {{"stop", StopView(stop, language_)}, {"state", StateNow()}};
+}
+
+Result<Json> SessionHost::Requests::Forward(Arguments& arguments) {
+  const Walk walk = ReadWalk(&arguments);
+  if (auto missing = Missing(arguments)) return *std::move(missing);
+  std::vector<LogLine> log;
+  const auto stop = session_->Forward(walk, &log);
+  for (const LogLine& line : log) {
+    const Json event = {
+        {"event", "log"}, {"moment", line.moment}, {"thread", line.thread}, {"text", line.text}};
+    events_ += JsonText(event) + '\n';
+  }
+  if (!stop.ok()) return stop.error();
+  return WalkAnswer(stop.value());
+}
+
+Result<Json> SessionHost::Requests::Back(Arguments& arguments) {
+  const Walk walk = ReadWalk(&arguments);
+  if (auto missing = Missing(arguments)) return *std::move(missing);
+  const auto stop = session_->Back(walk);
+  if (!stop.ok()) return stop.error();
+  return WalkAnswer(stop.value());
+}
+
+Result<Json> SessionHost::Requests::StepThread(Arguments& arguments) {
+  const auto thread = static_cast<int>(arguments.Whole("thread", 0, vm::kThreadCount - 1));
+  if (auto missing = Missing(arguments)) return *std::move(missing);
+  const auto stop = session_->StepThread(thread);
+  if (!stop.ok()) return stop.error();
+  return WalkAnswer(stop.value());
+}
+
+Result<Json> SessionHost::Requests::GoTo(Arguments& arguments) {
+  const int64_t moment = arguments.Whole("moment", 0, kMomentMax);
+  if (auto missing = Missing(arguments)) return *std::move(missing);
+  if (moment > session_->run().head()) {
+    return MakeError(1, "the run has reached moment {0}, not {1}: go forward",
+                     "运行只到达时刻 {0}，未到 {1}：请前进", session_->run().head(), moment);
+  }
+  session_->run().GoTo(moment);
+  return StateNow();
+}
+
+Result<Json> SessionHost::Requests::SetStops(Arguments& arguments) {
+  const StopWishes wishes = ReadWishes(&arguments);
+  if (auto missing = Missing(arguments)) return *std::move(missing);
+  if (auto set = session_->stops().Set(wishes, session_->run()); !set.ok()) return set.error();
+  return Json{{"lines", session_->stops().lines()}};
+}
+
+// --- Looks ---------------------------------------------------------------------------------------
+
+Result<Json> SessionHost::Requests::Variables(Arguments& arguments) {
+  const int64_t page = arguments.Whole("page", 0, vm::kPageCount - 1, -1);
+  if (auto missing = Missing(arguments)) return *std::move(missing);
+  return page < 0 ? GlobalsView(session_->run())
+                  : PageView(session_->run(), static_cast<int>(page));
+}
+
+Result<Json> SessionHost::Requests::Slots(Arguments& arguments) {
+  const auto page = static_cast<int>(arguments.Whole("page", 0, vm::kPageCount - 1));
+  if (auto missing = Missing(arguments)) return *std::move(missing);
+  return SlotsView(session_->run(), page);
+}
+
+Result<Json> SessionHost::Requests::Card(Arguments& arguments) {
+  if (auto missing = Missing(arguments)) return *std::move(missing);
+  return CardView(session_->run());
+}
+
+Result<Json> SessionHost::Requests::Evaluate(Arguments& arguments) {
+  const std::string text = arguments.Text("text");
+  if (auto missing = Missing(arguments)) return *std::move(missing);
+  return session::Evaluate(text, session_->run());
+}
+
+Result<Json> SessionHost::Requests::Trace(Arguments& arguments) {
+  const std::vector<std::string> names = arguments.Texts("names");
+  const double from_ms = arguments.Number("from_ms", 0, kMsMax);
+  const double to_ms = arguments.Number("to_ms", 0, kMsMax);
+  const auto points = static_cast<int>(arguments.Whole("points", 1, kPointsMax));
+  if (auto missing = Missing(arguments)) return *std::move(missing);
+  if (from_ms > to_ms) {
+    return MakeError(1, "'from_ms' must not be later than 'to_ms'", "“from_ms”不得晚于“to_ms”");
+  }
+  const auto channels = session_->Trace(names, FromMs(from_ms), FromMs(to_ms), points);
+  if (!channels.ok()) return channels.error();
+  return ChannelsView(channels.value());
+}
+
+Result<Json> SessionHost::Requests::Turns(Arguments& arguments) {
+  const int64_t from = arguments.Whole("from", 0, kMomentMax);
+  const int64_t to = arguments.Whole("to", 0, kMomentMax);
+  const int64_t most = arguments.Whole("most", 1, kTurnsMax, kTurnsDefault);
+  if (auto missing = Missing(arguments)) return *std::move(missing);
+  return TurnsView(session_->run().Turns(from, to, static_cast<size_t>(most)), session_->run());
+}
+
+Result<Json> SessionHost::Requests::Listing(Arguments& arguments) {
+  if (auto missing = Missing(arguments)) return *std::move(missing);
+  return ListingView(session_->run());
+}
+
+// --- Changes and recordings ----------------------------------------------------------------------
+
+Result<Json> SessionHost::Requests::Write(Arguments& arguments) {
+  const std::string name = arguments.Text("name");
+  const double value = arguments.Number("value");
+  if (auto missing = Missing(arguments)) return *std::move(missing);
+  if (auto done = session_->run().WriteVariable(name, value); !done.ok()) return done.error();
+  return StateNow();
+}
+
+Result<Json> SessionHost::Requests::SetInput(Arguments& arguments) {
+  const std::string type = arguments.Text("type");
+  const auto index = static_cast<int>(arguments.Whole("index", 1, 16));
+  const bool level = arguments.Whole("level", 0, 1) != 0;
+  if (auto missing = Missing(arguments)) return *std::move(missing);
+  const auto word = runtime::FindInputWord(type);
+  if (!word) {
+    return MakeError(1, "'{0}' is no type of input", "“{0}”不是输入类型", type);
+  }
+  if (auto done = session_->run().SetInput(*word, index, level); !done.ok()) return done.error();
+  return StateNow();
+}
+
+Result<Json> SessionHost::Requests::SetVoltage(Arguments& arguments) {
+  const auto channel = static_cast<int>(arguments.Whole("channel", 1, 8));
+  const double volts = arguments.Number("volts");
+  if (auto missing = Missing(arguments)) return *std::move(missing);
+  if (auto done = session_->run().SetVoltage(channel, volts); !done.ok()) return done.error();
+  return StateNow();
+}
+
+Result<Json> SessionHost::Requests::Record(Arguments& arguments) {
+  if (auto missing = Missing(arguments)) return *std::move(missing);
+  const auto schedule = session_->run().Record();
+  if (!schedule.ok()) return schedule.error();
+  return Json{{"schedule", vm::FormatSchedule(schedule.value())}};
+}
+
+// --- The host ------------------------------------------------------------------------------------
+
+SessionHost::SessionHost(compiler::FileReader reader)
+    : requests_(std::make_unique<Requests>(std::move(reader))) {}
+SessionHost::SessionHost(SessionHost&&) noexcept = default;
+SessionHost& SessionHost::operator=(SessionHost&&) noexcept = default;
+SessionHost::~SessionHost() = default;
+
+std::string SessionHost::Handle(std::string_view request) { return requests_->Handle(request); }
+
+}  // namespace oncard::session

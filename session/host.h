@@ -1,0 +1,46 @@
+// The session protocol: one request as JSON text in, lines of JSON out. The last line is the
+// response; lines before it are events that belong to the request. docs/session-protocol.md
+// describes requests and answers for clients; `oncard debug` and the WebAssembly module speak it.
+//
+// The answers are a deterministic function of the requests, and of the files if there is a reader.
+// Any text is safe to give. Not thread-safe.
+// Tested by tests/session/host_test.cc and tests/session/protocol_page_test.cc.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "compiler/compiler.h"
+
+namespace oncard::session {
+
+inline constexpr int kProtocolVersion = 1;
+
+/// A request, for documentation and messages.
+struct RequestText {
+  std::string_view name;
+  std::string_view arguments;  ///< their names, separated by blanks; optional ones in brackets
+};
+
+class SessionHost {
+ public:
+  /// `reader` reads files that a request names without their content; empty: there are none.
+  explicit SessionHost(compiler::FileReader reader = {});
+  SessionHost(SessionHost&&) noexcept;
+  SessionHost& operator=(SessionHost&&) noexcept;
+  ~SessionHost();
+
+  /// All requests, in the order of the documentation.
+  static std::span<const RequestText> RequestTexts();
+
+  /// Executes one request. Every line of the answer ends in a newline.
+  std::string Handle(std::string_view request);
+
+ private:
+  class Requests;
+  std::unique_ptr<Requests> requests_;
+};
+
+}  // namespace oncard::session

@@ -1,0 +1,89 @@
+#include "session/project.h"
+
+#include <utility>
+
+#include "base/files.h"
+#include "vm/object_reader.h"
+
+namespace oncard::session {
+namespace {
+
+Result<std::shared_ptr<const vm::Schedule>> ReadSchedule(const std::string& path,
+                                                         const Files& files) {
+  const auto text = files.Read(path);
+  if (!text.ok()) return text.error();
+  auto schedule = vm::ParseSchedule(text.value());
+  if (schedule.ok()) return std::make_shared<const vm::Schedule>(std::move(schedule).value());
+  const Message& why = schedule.error().message;
+  return Error{1, {path + ": " + why.en, path + "：" + why.zh}};
+}
+
+/// Reads the scenario, which may come from a recording.
+Result<void> ReadScenario(const std::string& main, const Files& files, Project* project) {
+  std::string text;
+  runtime::TextMargin margin;
+  if (main.ends_with(".schedule")) {
+    auto schedule = ReadSchedule(main, files);
+    if (!schedule.ok()) return schedule.error();
+    project->schedule = std::move(schedule).value();
+    text = project->schedule->scenario;
+    margin = {vm::kLinesBeforeScenario, static_cast<int>(vm::kScenarioPrefix.size())};
+  } else if (main.ends_with(".toml")) {
+    auto read = files.Read(main);
+    if (!read.ok()) return read.error();
+    text = std::move(read).value();
+  } else {
+    project->scenario.program = main;
+    return {};
+  }
+  auto scenario = runtime::ParseScenario(text, main, runtime::ScenarioUse::kRun, margin);
+  if (!scenario.ok()) return scenario.error();
+  project->scenario = std::move(scenario).value();
+  return {};
+}
+
+Result<void> ReadProgram(const Files& files, const compiler::Options& options, Project* project) {
+  const std::string path = runtime::ProgramPath(project->scenario);
+  auto text = files.Read(path);
+  if (!text.ok()) return text.error();
+  if (path.ends_with(".bin")) {
+    auto ini = files.Read(vm::IniPathFor(path));
+    if (!ini.ok()) return ini.error();
+    auto object = vm::ReadObject({std::move(text).value(), std::move(ini).value()});
+    if (!object.ok()) return object.error();
+    project->compilation.object = std::move(object).value();
+    return {};
+  }
+  compiler::Options all = runtime::CompileOptions(project->scenario);
+  all.structured = all.structured || options.structured;
+  const auto reader = [&files](const std::string& name) { return files.Read(name); };
+  project->compilation = compiler::CompileText(path, std::move(text).value(), all, reader);
+  return {};
+}
+
+}  // namespace
+
+Result<std::string> Files::Read(const std::string& path) const {
+  if (const auto found = texts_.find(path); found != texts_.end()) return found->second;
+  if (other_) return other_(path);
+  return MakeError(kNoSuchFile, "there is no file '{0}': give it with the request",
+                   "没有文件“{0}”：请随请求一起给出", path);
+}
+
+Result<Project> ReadProject(const std::string& main, const Files& files,
+                            const compiler::Options& options) {
+  Project project;
+  if (auto read = ReadScenario(main, files, &project); !read.ok()) return read.error();
+  if (auto read = ReadProgram(files, options, &project); !read.ok()) return read.error();
+  const std::string& policy = project.scenario.schedule;
+  if (project.schedule == nullptr && policy.starts_with(runtime::kReplayPrefix)) {
+    auto schedule = ReadSchedule(
+        runtime::PathFromScenario(project.scenario, policy.substr(runtime::kReplayPrefix.size())),
+        files);
+    if (!schedule.ok()) return schedule.error();
+    project.schedule = std::move(schedule).value();
+  }
+  return project;
+}
+
+}  // namespace oncard::session

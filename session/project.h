@@ -1,0 +1,47 @@
+// The files of a session: a scenario, a program or a recording, and what they refer to. They come
+// with the request; a reader supplies those that do not, if the session has a file system.
+// Tested by tests/session/host_test.cc.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "base/result.h"
+#include "compiler/compiler.h"
+#include "runtime/scenario/scenario.h"
+#include "vm/schedule.h"
+
+namespace oncard::session {
+
+/// Files by their paths as the scenario and the program write them.
+class Files {
+ public:
+  /// `other` reads the files that are not in `texts`; empty: there are no others.
+  Files(std::map<std::string, std::string> texts, compiler::FileReader other)
+      : texts_(std::move(texts)), other_(std::move(other)) {}
+
+  Result<std::string> Read(const std::string& path) const;
+
+ private:
+  std::map<std::string, std::string> texts_;
+  compiler::FileReader other_;
+};
+
+/// What is needed to run a program.
+struct Project {
+  runtime::Scenario scenario;
+  /// Of the program, with its warnings, or the errors because of which there is no object.
+  compiler::Compilation compilation;
+  /// The recording that is to be followed.
+  std::shared_ptr<const vm::Schedule> schedule;
+};
+
+/// Reads `main`: a scenario (.toml), a recording (.schedule or .sched), or a program that runs by
+/// itself. Fails if a file is missing, or is not what it should be; errors of the program are in
+/// the compilation.
+Result<Project> ReadProject(const std::string& main, const Files& files,
+                            const compiler::Options& options = {});
+
+}  // namespace oncard::session

@@ -1,0 +1,289 @@
+#include "session/views.h"
+
+#include <nlohmann/json.hpp>
+
+#include "base/milliseconds.h"
+#include "runtime/observe/quantity.h"
+#include "runtime/observe/thread_status.h"
+#include "runtime/scenario/scenario.h"
+#include "runtime/sim/program.h"
+#include "vm/disassembler.h"
+
+namespace oncard::session {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using runtime::Quantity;
+
+std::string_view StepName(StepKind kind) {
+  switch (kind) {
+    case StepKind::kHost:
+      return "host";
+    case StepKind::kCycle:
+      return "cycle";
+    case StepKind::kStatement:
+      break;
+  }
+  return "statement";
+}
+
+std::string_view OverName(RunOver over) {
+  switch (over) {
+    case RunOver::kQuiet:
+      return "quiet";
+    case RunOver::kUntil:
+      return "until";
+    case RunOver::kLimit:
+      return "time-limit";
+    case RunOver::kDeadlock:
+      break;
+  }
+  return "deadlock";
+}
+
+std::string_view ReasonName(StopReason reason) {
+  switch (reason) {
+    case StopReason::kGoal:
+      return "goal";
+    case StopReason::kLine:
+      return "line";
+    case StopReason::kChange:
+      return "change";
+    case StopReason::kCondition:
+      return "condition";
+    case StopReason::kFault:
+      return "fault";
+    case StopReason::kRefusal:
+      return "refusal";
+    case StopReason::kRequirement:
+      return "requirement";
+    case StopReason::kScheduleEnd:
+      return "schedule-end";
+    case StopReason::kEnd:
+      return "end";
+    case StopReason::kStart:
+      return "start";
+    case StopReason::kBudget:
+      break;
+  }
+  return "budget";
+}
+
+/// What a thread waits for.
+Json WaitView(const RewindableRun& run, const vm::ThreadState& thread) {
+  const int64_t cycle_us = run.scenario().cycle_us;
+  if (thread.wake_cycle > run.machine().state().cycle) {
+    return {{"until_ms", ToMs(thread.wake_cycle * cycle_us)}};
+  }
+  const vm::SlotAddress& slot = thread.wait_slot;
+  const auto& symbols = slot.global ? run.image().object.globals
+                                    : run.image().object.functions[thread.function].variables;
+  Json json = Json::object();
+  for (const vm::Symbol& symbol : symbols) {
+    if (slot.id < symbol.id || slot.id >= symbol.id + symbol.slots()) continue;
+    json["name"] = symbol.array_size == 0 ? symbol.name
+                                          : fmt::format("{}[{}]", symbol.name, slot.id - symbol.id);
+  }
+  json["value"] = slot.type == vm::DataType::kDouble ? vm::DoubleFromFixed(thread.wait_value)
+                                                     : static_cast<double>(thread.wait_value);
+  return json;
+}
+
+Json ThreadView(const RewindableRun& run, int number, Language language) {
+  const vm::ThreadState& thread = run.machine().thread(number);
+  const vm::Function& function = run.image().object.functions[thread.function];
+  const std::string program = ProgramPath(run.scenario());
+  const int line = run.machine().Line(number);
+  const std::string place = runtime::SourcePlace(program, function, thread.pc);
+  Json json = {
+      {"thread", number},      {"function", function.name},
+      {"page", thread.page},   {"state", runtime::ThreadStateName(thread.run)},
+      {"file", function.file}, {"line", line},
+      {"position", thread.pc}, {"statements", thread.executed},
+      {"error", thread.error}, {"status", runtime::DescribeStatus(thread, place).In(language)}};
+  const bool runs = thread.run == vm::ThreadRun::kRunning;
+  const bool ready = (run.machine().RunnableThreads() >> number & 1) != 0;
+  json["ready"] = ready;
+  if (runs && !ready) json["waits"] = WaitView(run, thread);
+  if (thread.period_cycles != 0) {
+    json["next_start_ms"] = ToMs(thread.next_start * run.scenario().cycle_us);
+  }
+  if (!runs && thread.started && thread.result_type != vm::DataType::kVoid) {
+    json["result"] = Json::parse(runtime::ResultText(thread), nullptr, false);
+  }
+  if (const Refusal* refusal = run.LastRefusal(number)) {
+    json["refused"] = refusal->call.In(language);
+  }
+  return json;
+}
+
+/// The value as JSON has it.
+Json ValueView(const Quantity& quantity, const RewindableRun& run) {
+  const std::string text = runtime::FormatQuantity(quantity, run.controller());
+  return Json::parse(text, nullptr, false);
+}
+
+Json ValuesView(const std::vector<Quantity>& quantities, const RewindableRun& run) {
+  Json values = Json::array();
+  for (const Quantity& quantity : quantities) values.push_back(ValueView(quantity, run));
+  return values;
+}
+
+/// Variables, an array as a list.
+Json VariablesView(const std::vector<vm::Symbol>& symbols, const std::string& prefix,
+                   const RewindableRun& run) {
+  Json variables = Json::array();
+  for (const vm::Symbol& symbol : symbols) {
+    const std::string name = prefix + symbol.name;
+    const auto found = runtime::ResolveQuantity(name, run.controller());
+    if (!found.ok()) continue;
+    Json values = ValuesView(found.value(), run);
+    variables.push_back({{"name", symbol.name},
+                         {"path", name},
+                         {"type", vm::TypeName(symbol.type)},
+                         {"slot", symbol.id},
+                         {"value", symbol.array_size == 0 ? values.front() : values}});
+  }
+  return variables;
+}
+
+Json PartView(const runtime::MotionPart& part, size_t index, const RewindableRun& run) {
+  const int number = part.first + static_cast<int>(index);
+  Json values = Json::array();
+  for (const runtime::MotionValue& value : part.values) {
+    const std::string name = runtime::MotionValueName(part, number, value.name);
+    const auto found = runtime::ResolveQuantity(name, run.controller());
+    if (!found.ok()) continue;
+    Json json = {
+        {"name", value.name}, {"path", name}, {"value", ValueView(found.value().front(), run)}};
+    if (value.unit != runtime::Unit::kNone) json["unit"] = runtime::UnitName(value.unit);
+    values.push_back(std::move(json));
+  }
+  return {{"part", part.name}, {"number", number}, {"values", std::move(values)}};
+}
+
+}  // namespace
+
+nlohmann::ordered_json StateView(const RewindableRun& run, Language language) {
+  const runtime::Controller& controller = run.controller();
+  Json json = {{"moment", run.moment()},
+               {"head", run.head()},
+               {"cycle", controller.cycle()},
+               {"time_ms", controller.NowMs()},
+               {"statements", run.machine().state().executed},
+               {"statements_left", run.statements_left()},
+               {"next", StepName(run.NextStep())}};
+  if (const int thread = run.NextThread(); thread >= 0) json["next_thread"] = thread;
+  if (const auto over = run.Over()) json["over"] = OverName(*over);
+  json["follows_schedule"] = run.follows_schedule();
+  json["hash"] = fmt::format("{:016x}", controller.Hash());
+  json["threads"] = Json::array();
+  for (int number = 0; number < vm::kThreadCount; ++number) {
+    if (run.machine().thread(number).run == vm::ThreadRun::kUnbound) continue;
+    json["threads"].push_back(ThreadView(run, number, language));
+  }
+  return json;
+}
+
+nlohmann::ordered_json StopView(const Stop& stop, Language language) {
+  Json json = {{"reason", ReasonName(stop.reason)}};
+  if (stop.thread >= 0) json["thread"] = stop.thread;
+  if (stop.number >= 0) json["number"] = stop.number;
+  const std::string& text = stop.text.In(language);
+  if (!text.empty()) json["text"] = text;
+  return json;
+}
+
+nlohmann::ordered_json GlobalsView(const RewindableRun& run) {
+  return VariablesView(run.image().object.globals, {}, run);
+}
+
+nlohmann::ordered_json PageView(const RewindableRun& run, int page) {
+  for (const vm::ThreadState& thread : run.machine().state().threads) {
+    if (thread.run == vm::ThreadRun::kUnbound || thread.page != page) continue;
+    return VariablesView(run.image().object.functions[thread.function].variables,
+                         fmt::format("page{}.", page), run);
+  }
+  return Json::array();
+}
+
+nlohmann::ordered_json SlotsView(const RewindableRun& run, int page) {
+  return run.machine().state().pages[static_cast<size_t>(page)];
+}
+
+nlohmann::ordered_json CardView(const RewindableRun& run) {
+  const motion::MotionCore& core = run.controller().motion();
+  Json parts = Json::array();
+  for (const runtime::MotionPart& part : runtime::MotionParts()) {
+    for (size_t index = 0; index < part.count(core); ++index) {
+      if (part.has != nullptr && !part.has(core, index)) continue;
+      parts.push_back(PartView(part, index, run));
+    }
+  }
+  Json words = Json::array();
+  for (const std::string_view name : runtime::WordNames()) {
+    const auto found = runtime::ResolveQuantity(name, run.controller());
+    if (!found.ok()) continue;
+    const auto input = runtime::FindInputWord(name);
+    Json word = {{"name", name},
+                 {"kind", input ? "input" : "output"},
+                 {"value", ValueView(found.value().front(), run)}};
+    if (input) word["pins"] = motion::DiWidth(*input);
+    words.push_back(std::move(word));
+  }
+  return {{"parts", std::move(parts)}, {"words", std::move(words)}};
+}
+
+Result<nlohmann::ordered_json> Evaluate(const std::string& text, const RewindableRun& run) {
+  auto found = runtime::ResolveQuantity(text, run.controller());
+  if (found.ok()) {
+    const bool array = found.value().size() != 1 || found.value().front().name != text;
+    Json values = ValuesView(found.value(), run);
+    return Json{{"value", array ? values : values.front()}};
+  }
+  auto condition = runtime::ParseCondition(text);
+  if (!condition.ok()) return condition.error();
+  auto bound = runtime::CardCondition::Bind(std::move(condition).value(), run.controller());
+  // A lone name that does not exist: the first error suggests a similar one.
+  if (!bound.ok()) return bound.error();
+  return Json{{"holds", bound.value().Holds(run.controller())}};
+}
+
+nlohmann::ordered_json ListingView(const RewindableRun& run) {
+  Json functions = Json::array();
+  const vm::Object& object = run.image().object;
+  for (const vm::Function& function : object.functions) {
+    Json statements = Json::array();
+    for (size_t i = 0; i < function.instructions.size(); ++i) {
+      statements.push_back(
+          {{"line", function.lines[i]},
+           {"text", vm::DescribeInstruction(object, function, i, run.controller().commands())}});
+    }
+    functions.push_back(
+        {{"name", function.name}, {"file", function.file}, {"statements", std::move(statements)}});
+  }
+  return functions;
+}
+
+nlohmann::ordered_json ChannelsView(const std::vector<Session::Channel>& channels) {
+  Json json = Json::array();
+  for (const Session::Channel& channel : channels) {
+    json.push_back(
+        {{"name", channel.name}, {"least", channel.least}, {"largest", channel.largest}});
+  }
+  return json;
+}
+
+nlohmann::ordered_json TurnsView(const std::vector<RewindableRun::Turn>& turns,
+                                 const RewindableRun& run) {
+  Json json = Json::array();
+  for (const RewindableRun::Turn& turn : turns) {
+    json.push_back({{"moment", turn.moment},
+                    {"time_ms", ToMs(turn.cycle * run.scenario().cycle_us)},
+                    {"thread", turn.thread},
+                    {"statements", turn.statements}});
+  }
+  return json;
+}
+
+}  // namespace oncard::session

@@ -1,0 +1,41 @@
+// What a session shows of its run, as JSON. docs/session-protocol.md describes the members.
+// Tested by tests/session/host_test.cc.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "base/message.h"
+#include "base/result.h"
+#include "session/session.h"
+
+namespace oncard::session {
+
+/// The present: moment, time, threads, what comes next.
+nlohmann::ordered_json StateView(const RewindableRun& run, Language language);
+
+/// Why a walk ended.
+nlohmann::ordered_json StopView(const Stop& stop, Language language);
+
+/// Global variables, or the variables of the function on a data page.
+nlohmann::ordered_json GlobalsView(const RewindableRun& run);
+nlohmann::ordered_json PageView(const RewindableRun& run, int page);
+/// The 1024 slots of a data page as they are.
+nlohmann::ordered_json SlotsView(const RewindableRun& run, int page);
+
+/// Axes, profiles and the other parts of the card, its inputs and outputs.
+nlohmann::ordered_json CardView(const RewindableRun& run);
+
+/// A text of a user: the values of a name (quantity.h), or whether a condition holds. Fails if it
+/// is neither.
+Result<nlohmann::ordered_json> Evaluate(const std::string& text, const RewindableRun& run);
+
+/// The functions of the program with the lines of their statements and their texts.
+nlohmann::ordered_json ListingView(const RewindableRun& run);
+
+nlohmann::ordered_json ChannelsView(const std::vector<Session::Channel>& channels);
+nlohmann::ordered_json TurnsView(const std::vector<RewindableRun::Turn>& turns,
+                                 const RewindableRun& run);
+
+}  // namespace oncard::session

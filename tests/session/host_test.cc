@@ -1,0 +1,360 @@
+#include "session/host.h"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/limits.h"
+#include "tests/session/session_support.h"
+
+namespace oncard::session {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+using ::testing::StartsWith;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kAxis =
+    "int n;\ndouble d;\nint a[3];\nint f(int k)\n{\n  n = k;\n  d = 2.5;\n  a[1] = 7;\n"
+    "  GT_AxisOn(9);\n  GT_Delay(100);\n  return n;\n}\n";
+
+class HostTest : public testing::Test {
+ protected:
+  /// The last line of the answer.
+  Json Ask(const std::string& request, Json arguments = Json::object()) {
+    const Json message = {{"id", ++id_}, {"request", request}, {"arguments", std::move(arguments)}};
+    const std::string answer = host_.Handle(message.dump());
+    EXPECT_EQ(answer.back(), '\n');
+    const size_t last = answer.find_last_of('\n', answer.size() - 2);
+    const size_t begin = last == std::string::npos ? 0 : last + 1;
+    events_ = answer.substr(0, begin);
+    const Json response = Json::parse(answer.substr(begin));
+    EXPECT_EQ(response["id"], id_);
+    return response;
+  }
+  /// The result of a request that must succeed.
+  Json Result(const std::string& request, Json arguments = Json::object()) {
+    const Json response = Ask(request, std::move(arguments));
+    EXPECT_TRUE(response["ok"]) << response;
+    return response["result"];
+  }
+  /// The error of one that must fail.
+  std::string ErrorOf(const std::string& request, Json arguments = Json::object()) {
+    const Json response = Ask(request, std::move(arguments));
+    EXPECT_FALSE(response["ok"]) << response;
+    return response.value("error", "");
+  }
+  void Load(const std::string& program, const std::string& scenario = "") {
+    const Json result = Result(
+        "load", {{"main", "s.toml"},
+                 {"files", {{"p.c", program}, {"s.toml", "program = \"p.c\"\n" + scenario}}}});
+    EXPECT_TRUE(result["compiled"]) << result;
+  }
+
+  SessionHost host_;
+  std::string events_;
+  int id_ = 0;
+};
+
+// --- Requests ------------------------------------------------------------------------------------
+
+TEST_F(HostTest, RefusesWhatIsNoRequest) {
+  for (const std::string_view text : {"", "x", "[]", "1", "{\"id\":", "\xff\xfe", "null"}) {
+    const Json response = Json::parse(host_.Handle(text));
+    EXPECT_FALSE(response["ok"]) << text;
+    EXPECT_TRUE(response["id"].is_null()) << text;
+    EXPECT_THAT(response["error"].get<std::string>(), HasSubstr("JSON object")) << text;
+  }
+  EXPECT_THAT(host_.Handle(std::string(100'000, '[')), HasSubstr("JSON object"));
+  EXPECT_THAT(host_.Handle("{\"id\": {}, \"request\": \"state\"}"), HasSubstr("'id' must be"));
+  EXPECT_THAT(host_.Handle("{\"id\": 1}"), HasSubstr("'request' is missing"));
+  EXPECT_THAT(host_.Handle("{\"id\": 1, \"request\": \"state\", \"argument\": {}}"),
+              HasSubstr("did you mean 'arguments'?"));
+  EXPECT_THAT(host_.Handle(std::string(kRequestKind.bytes_max + 1, ' ')),
+              HasSubstr("at most 67108864 bytes"));
+}
+
+TEST_F(HostTest, SuggestsSimilarRequests) {
+  EXPECT_EQ(ErrorOf("foward"), "there is no request 'foward'; did you mean 'forward'?");
+  EXPECT_THAT(ErrorOf("xyz"), HasSubstr("'hello' lists them"));
+}
+
+TEST_F(HostTest, ReportsAllMistakesOfTheArguments) {
+  EXPECT_EQ(ErrorOf("forward", {{"goal", "sideways"}, {"budget", 0}, {"bugdet", 1}}),
+            "'goal' is wrong: one of step, statement, line, cycle, time, stop, rest, change\n"
+            "'budget' is wrong: an integer from 1 to 1000000000\n"
+            "'bugdet' is not an argument of this request; did you mean 'budget'?");
+  EXPECT_EQ(ErrorOf("go_to"), "'moment' is missing: an integer from 0 to 9007199254740992");
+  EXPECT_THAT(ErrorOf("go_to", {{"moment", 1.5}}), StartsWith("'moment' is wrong"));
+  EXPECT_THAT(ErrorOf("write", {{"name", 1}, {"value", "x"}}),
+              HasSubstr("'name' is wrong: a text\n'value' is wrong: a number"));
+  EXPECT_THAT(ErrorOf("set_stops", {{"lines", {{{"lin", 3}}}}}),
+              AllOf(HasSubstr("'lines[0].line' is missing"), HasSubstr("'lines[0].lin'")));
+  EXPECT_THAT(ErrorOf("state", Json::array()), HasSubstr("must be an object"));
+}
+
+TEST_F(HostTest, NeedsAProgramFirst) {
+  for (const char* request : {"state", "card", "listing", "record", "variables"}) {
+    EXPECT_THAT(ErrorOf(request), HasSubstr("'load' one first")) << request;
+  }
+}
+
+TEST_F(HostTest, SaysWhichProtocolItSpeaks) {
+  const Json hello = Result("hello", {{"protocol", 1}});
+  EXPECT_EQ(hello["protocol"], 1);
+  EXPECT_EQ(hello["requests"]["go_to"], "moment");
+  EXPECT_THAT(ErrorOf("hello", {{"protocol", 2}}), HasSubstr("protocol 2 is not spoken here"));
+  Result("hello", {{"language", "zh"}});
+  EXPECT_THAT(ErrorOf("state"), HasSubstr("尚未加载程序"));
+}
+
+// --- Programs ------------------------------------------------------------------------------------
+
+TEST_F(HostTest, LoadsScenariosProgramsAndRecordings) {
+  Load(kRace, kTwoThreads);
+  EXPECT_THAT(Result("state")["threads"], SizeIs(2));
+  Result("forward", {{"goal", "stop"}});
+  const std::string hash = Result("state")["hash"];
+  const std::string schedule = Result("record")["schedule"];
+
+  Result("load", {{"main", "p.c"}, {"files", {{"p.c", kRace}}}});
+  EXPECT_THAT(Result("state")["threads"], SizeIs(1));
+
+  const Json loaded = Result(
+      "load", {{"main", "r.schedule"}, {"files", {{"p.c", kRace}, {"r.schedule", schedule}}}});
+  EXPECT_TRUE(loaded["state"]["follows_schedule"]);
+  Result("forward", {{"goal", "stop"}});
+  EXPECT_EQ(Result("state")["hash"], hash);
+}
+
+TEST_F(HostTest, ReadsStructuredCAndItsIncludes) {
+  const Json result = Result(
+      "load", {{"main", "p.c"},
+               {"structured", true},
+               {"files",
+                {{"p.c",
+                  "#include \"k.h\"\nint s;\nint f(void)\n{\n  for (int i = 0; i < K; i++) s "
+                  "+= i;\n  return s;\n}\n"},
+                 {"k.h", "#define K 5\n"}}}});
+  EXPECT_TRUE(result["compiled"]) << result;
+  EXPECT_THAT(result["files"], SizeIs(2));
+  Result("forward", {{"goal", "stop"}});
+  EXPECT_EQ(Result("evaluate", {{"text", "s"}})["value"], 10);
+}
+
+TEST_F(HostTest, AProgramWithErrorsIsNotLoaded) {
+  Load(kRace);
+  const Json result =
+      Result("load", {{"main", "p.c"}, {"files", {{"p.c", "int f() { x = 1; }\n"}}}});
+  EXPECT_FALSE(result["compiled"]);
+  EXPECT_EQ(result["diagnostics"][0]["code"], "MP027");
+  EXPECT_EQ(result["diagnostics"][0]["line"], 1);
+  EXPECT_FALSE(result.contains("state"));
+  // The session that was there goes on.
+  EXPECT_EQ(Result("state")["threads"][0]["function"], "f");
+}
+
+TEST_F(HostTest, SaysWhichFileIsMissingOrWrong) {
+  EXPECT_THAT(ErrorOf("load", {{"main", "p.c"}}), HasSubstr("there is no file 'p.c'"));
+  EXPECT_THAT(ErrorOf("load", {{"main", "s.toml"}, {"files", {{"s.toml", "program = \"q.c\"\n"}}}}),
+              HasSubstr("there is no file 'q.c'"));
+  EXPECT_THAT(ErrorOf("load", {{"main", "s.toml"}, {"files", {{"s.toml", "progam = \"q.c\"\n"}}}}),
+              HasSubstr("s.toml:1:1: unknown key 'progam'"));
+  EXPECT_THAT(ErrorOf("load", {{"main", "r.schedule"}, {"files", {{"r.schedule", "x"}}}}),
+              StartsWith("r.schedule: "));
+  EXPECT_THAT(
+      ErrorOf("load", {{"main", "s.toml"},
+                       {"files",
+                        {{"p.c", kRace}, {"s.toml", "program = \"p.c\"\nexpect = [\"y == 1\"]"}}}}),
+      HasSubstr("s.toml:2:11: nothing is named 'y'"));
+}
+
+TEST_F(HostTest, ReadsFilesIfItHasAReader) {
+  SessionHost host([](const std::string& path) -> oncard::Result<std::string> {
+    if (path == "p.c") return std::string(kRace);
+    return MakeError(1, "no {0}", "没有 {0}", path);
+  });
+  const std::string load = R"({"id":1,"request":"load","arguments":{"main":"p.c"}})";
+  EXPECT_TRUE(Json::parse(host.Handle(load))["result"]["compiled"]);
+}
+
+TEST_F(HostTest, ChecksAndRunsWithoutASession) {
+  const Json files = {{"p.c", kRace}};
+  EXPECT_TRUE(Result("check", {{"main", "p.c"}, {"files", files}})["compiled"]);
+  const Json result = Result("run", {{"main", "p.c"}, {"files", files}, {"show", {"x"}}});
+  EXPECT_TRUE(result["run"]["passed"]);
+  EXPECT_EQ(result["run"]["values"]["x"], 1);
+  EXPECT_THAT(ErrorOf("state"), HasSubstr("'load' one first"));
+}
+
+// --- Looks ---------------------------------------------------------------------------------------
+
+TEST_F(HostTest, ShowsTheState) {
+  Load(kAxis, "[[thread]]\nthread = 2\nfunction = \"f\"\ninit = { k = 4 }\n");
+  Result("set_stops", {{"refusals", false}});
+  Result("forward", {{"goal", "cycle"}});
+  const Json state = Result("state");
+  EXPECT_EQ(state["time_ms"], 0.25);
+  EXPECT_EQ(state["statements"], 5);
+  EXPECT_EQ(state["next"], "cycle");
+  EXPECT_FALSE(state.contains("next_thread"));
+  const Json thread = state["threads"][0];
+  EXPECT_EQ(thread["thread"], 2);
+  EXPECT_EQ(thread["line"], 10);
+  EXPECT_EQ(thread["state"], "running");
+  EXPECT_FALSE(thread["ready"]);
+  EXPECT_EQ(thread["waits"]["until_ms"], 100.25);
+  EXPECT_EQ(thread["status"], "running at p.c:11");
+}
+
+TEST_F(HostTest, ShowsWhyACommandWasRefused) {
+  Load(kAxis);
+  const Json stopped = Result("forward", {{"goal", "stop"}});
+  EXPECT_EQ(stopped["stop"]["reason"], "refusal");
+  EXPECT_THAT(stopped["stop"]["text"].get<std::string>(), HasSubstr("GT_AxisOn(9) = 7"));
+  const Json thread = stopped["state"]["threads"][0];
+  EXPECT_EQ(thread["error"], 7);
+  EXPECT_EQ(thread["refused"], stopped["stop"]["text"]);
+}
+
+TEST_F(HostTest, ShowsVariables) {
+  Load(kAxis, "[[thread]]\nfunction = \"f\"\npage = 5\ninit = { k = 4 }\n");
+  Result("forward", {{"goal", "cycle"}});
+  const Json globals = Result("variables");
+  ASSERT_THAT(globals, SizeIs(3));
+  EXPECT_EQ(globals[1]["name"], "d");
+  EXPECT_EQ(globals[1]["type"], "double");
+  EXPECT_EQ(globals[1]["value"], 2.5);
+  EXPECT_EQ(globals[2]["value"], Json({0, 7, 0}));
+  const Json locals = Result("variables", {{"page", 5}});
+  EXPECT_EQ(locals[0]["name"], "k");
+  EXPECT_EQ(locals[0]["path"], "page5.k");
+  EXPECT_EQ(locals[0]["value"], 4);
+  EXPECT_THAT(Result("variables", {{"page", 6}}), SizeIs(0));
+  EXPECT_EQ(Result("slots", {{"page", 5}})[0], 4);
+  EXPECT_THAT(Result("slots", {{"page", 5}}), SizeIs(1024));
+}
+
+TEST_F(HostTest, ShowsTheCard) {
+  Load(kMove, "until_ms = 100\n");
+  Result("forward", {{"goal", "stop"}});
+  const Json card = Result("card");
+  EXPECT_EQ(card["parts"][0]["part"], "axis");
+  EXPECT_EQ(card["parts"][0]["number"], 1);
+  const Json value = card["parts"][0]["values"][0];
+  EXPECT_EQ(value["path"], "axis1." + value["name"].get<std::string>());
+  const auto gpi = std::ranges::find(
+      card["words"], "gpi", [](const Json& word) { return word["name"].get<std::string>(); });
+  ASSERT_NE(gpi, card["words"].end());
+  EXPECT_EQ((*gpi)["kind"], "input");
+  EXPECT_EQ((*gpi)["pins"], 16);
+}
+
+TEST_F(HostTest, EvaluatesNamesAndConditions) {
+  Load(kAxis);
+  Result("forward", {{"goal", "cycle"}});
+  EXPECT_EQ(Result("evaluate", {{"text", "a[1]"}})["value"], 7);
+  EXPECT_EQ(Result("evaluate", {{"text", "a"}})["value"], Json({0, 7, 0}));
+  EXPECT_EQ(Result("evaluate", {{"text", "a[1] > 5 && d == 2.5"}})["holds"], true);
+  EXPECT_THAT(ErrorOf("evaluate", {{"text", "b"}}), HasSubstr("nothing is named 'b'"));
+  EXPECT_THAT(ErrorOf("evaluate", {{"text", "a[1] >"}}), HasSubstr("a[1] >"));
+}
+
+TEST_F(HostTest, ListsTheStatements) {
+  Load(kRace);
+  const Json listing = Result("listing");
+  EXPECT_EQ(listing[0]["name"], "f");
+  EXPECT_EQ(listing[0]["statements"][1]["line"], 6);
+  EXPECT_EQ(listing[0]["statements"][1]["text"], "a := a + 1");
+}
+
+TEST_F(HostTest, ShowsValuesOverTimeAndTurns) {
+  Load(kRace, kTwoThreads);
+  Result("forward", {{"goal", "stop"}});
+  const Json trace =
+      Result("trace", {{"names", {"x"}}, {"from_ms", 0}, {"to_ms", 1}, {"points", 2}});
+  EXPECT_EQ(trace[0]["name"], "x");
+  EXPECT_EQ(trace[0]["largest"].back(), 1);
+  const Json turns = Result("turns", {{"from", 0}, {"to", 100}});
+  ASSERT_THAT(turns, SizeIs(6));
+  EXPECT_EQ(turns[1]["thread"], 1);
+  EXPECT_EQ(turns[1]["moment"], 2);
+  EXPECT_THAT(ErrorOf("trace", {{"names", {"x"}}, {"from_ms", 2}, {"to_ms", 1}, {"points", 2}}),
+              HasSubstr("must not be later than 'to_ms'"));
+}
+
+// --- Walks ---------------------------------------------------------------------------------------
+
+TEST_F(HostTest, WalksForwardAndBack) {
+  Load(kRace, kTwoThreads);
+  EXPECT_EQ(Result("forward", {{"goal", "step"}})["state"]["moment"], 1);
+  EXPECT_EQ(Result("step_thread", {{"thread", 1}})["stop"]["thread"], 1);
+  EXPECT_EQ(Result("forward", {{"goal", "statement"}, {"thread", 0}})["stop"]["reason"], "goal");
+  const Json end = Result("forward", {{"goal", "stop"}});
+  EXPECT_EQ(end["stop"]["reason"], "end");
+  EXPECT_EQ(end["state"]["over"], "quiet");
+  Result("back", {{"goal", "change"}, {"name", "x"}});
+  // Both threads wrote 1.
+  EXPECT_EQ(Result("evaluate", {{"text", "x"}})["value"], 0);
+  EXPECT_EQ(Result("go_to", {{"moment", 0}})["moment"], 0);
+  EXPECT_THAT(ErrorOf("go_to", {{"moment", 99}}), HasSubstr("has reached moment 7, not 99"));
+  EXPECT_THAT(ErrorOf("forward", {{"goal", "time"}, {"ms", -1}}), HasSubstr("'ms'"));
+}
+
+TEST_F(HostTest, StopsAndLogs) {
+  Load(kRace, kTwoThreads);
+  const Json set =
+      Result("set_stops",
+             {{"lines", {{{"line", 7}, {"log", "a is {page0.a}"}}, {{"line", 6}, {"thread", 1}}}}});
+  EXPECT_EQ(set["lines"], Json({7, 6}));
+  const Json first = Result("forward", {{"goal", "stop"}});
+  EXPECT_EQ(first["stop"]["reason"], "line");
+  EXPECT_EQ(first["stop"]["number"], 1);
+  Result("forward", {{"goal", "stop"}});
+  EXPECT_EQ(events_,
+            "{\"event\":\"log\",\"moment\":4,\"thread\":0,\"text\":\"a is 1\"}\n"
+            "{\"event\":\"log\",\"moment\":5,\"thread\":1,\"text\":\"a is 1\"}\n");
+  EXPECT_THAT(ErrorOf("set_stops", {{"conditions", {"y > 1"}}}), HasSubstr("nothing is named 'y'"));
+}
+
+// --- Changes -------------------------------------------------------------------------------------
+
+TEST_F(HostTest, ChangesVariablesAndInputs) {
+  Load(kMove, "until_ms = 20\n");
+  Result("forward", {{"goal", "cycle"}});
+  Result("write", {{"name", "n"}, {"value", 500}});
+  Result("set_input", {{"type", "gpi"}, {"index", 2}, {"level", 1}});
+  Result("set_voltage", {{"channel", 1}, {"volts", 2.5}});
+  EXPECT_EQ(Result("evaluate", {{"text", "n"}})["value"], 500);
+  Result("forward", {{"goal", "stop"}});
+  EXPECT_EQ(Result("evaluate", {{"text", "gpi[2]"}})["value"], 1);
+  const std::string schedule = Result("record")["schedule"];
+  EXPECT_THAT(schedule, HasSubstr("[[host]]"));
+  EXPECT_THAT(ErrorOf("set_input", {{"type", "gpo"}, {"index", 2}, {"level", 1}}),
+              HasSubstr("no type of input"));
+  EXPECT_THAT(ErrorOf("write", {{"name", "n"}, {"value", 1e12}}), HasSubstr("does not fit"));
+}
+
+// --- The same requests give the same bytes -------------------------------------------------------
+
+TEST_F(HostTest, AnswersTheSameRequestsWithTheSameBytes) {
+  const std::vector<std::string> requests = {
+      R"({"id":1,"request":"load","arguments":{"main":"p.c","files":{"p.c":"int x;\nint f()\n{\nl:\n  x = x + 1;\n  goto l;\n}\n"}}})",
+      R"({"id":2,"request":"forward","arguments":{"goal":"time","ms":50}})",
+      R"({"id":3,"request":"back","arguments":{"goal":"change","name":"x"}})",
+      R"({"id":4,"request":"go_to","arguments":{"moment":1234}})",
+      R"({"id":5,"request":"trace","arguments":{"names":["x","clock"],"from_ms":0,"to_ms":50,"points":7}})",
+      R"({"id":6,"request":"record"})"};
+  const auto all = [&] {
+    SessionHost host;
+    std::string answers;
+    for (const std::string& request : requests) answers += host.Handle(request);
+    return answers;
+  };
+  EXPECT_EQ(all(), all());
+}
+
+}  // namespace
+}  // namespace oncard::session

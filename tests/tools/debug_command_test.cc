@@ -1,0 +1,36 @@
+// oncard debug: the session protocol on the standard streams; its requests are tested by
+// tests/session/host_test.cc.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/tools/process.h"
+
+namespace oncard::tools {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+TEST(DebugCommand, AnswersEachLineAndReadsFiles) {
+  const ScratchFolder scratch;
+  scratch.Write("p.c", "int x;\nint f()\n{\n  x = 5;\n  return x;\n}\n");
+  scratch.Write("requests",
+                "{\"id\":1,\"request\":\"load\",\"arguments\":{\"main\":\"p.c\"}}\n\n"
+                "{\"id\":2,\"request\":\"forward\",\"arguments\":{\"goal\":\"stop\"}}\n");
+  const ProcessResult result = RunProgram(
+      {"sh", "-c", ONCARD_BUILD_DIR "/bin/oncard debug --stdio < requests"}, scratch.path());
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err, "");
+  EXPECT_THAT(result.out, StartsWith(R"({"id":1,"ok":true,"result":{"compiled":true)"));
+  EXPECT_THAT(result.out,
+              HasSubstr("\n{\"id\":2,\"ok\":true,\"result\":{\"stop\":{\"reason\":\"end\"}"));
+}
+
+TEST(DebugCommand, NeedsItsStreams) {
+  const ProcessResult result = RunOncard({"debug"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("--stdio"));
+}
+
+}  // namespace
+}  // namespace oncard::tools

@@ -1,0 +1,50 @@
+// oncard debug: the session protocol on standard input and output, for adapters and scripts.
+#include <cerrno>
+#include <cstdio>
+#include <iostream>
+#include <string>
+
+#include "base/files.h"
+#include "base/limits.h"
+#include "session/host.h"
+#include "tools/commands.h"
+
+namespace oncard::tools {
+namespace {
+
+/// Reads the files that a request does not bring: sources, scenarios, recordings, objects.
+Result<std::string> ReadProjectFile(const std::string& path) {
+  const bool large = path.ends_with(".schedule") || path.ends_with(".bin");
+  return ReadFile(path, large ? kScheduleKind : kSourceKind);
+}
+
+/// One request a line, until the input ends.
+int ServeStandardStreams(const Session& session) {
+  session::SessionHost host(ReadProjectFile);
+  std::ios::sync_with_stdio(false);
+  for (std::string line; std::getline(std::cin, line);) {
+    if (line.empty()) continue;
+    PrintResult(host.Handle(line));
+    if (const int code = FinishOutput(session, kExitOk); code != kExitOk) return code;
+  }
+  return kExitOk;
+}
+
+}  // namespace
+
+void AddDebug(CLI::App& app, Session& session) {
+  const auto stdio = std::make_shared<bool>(false);
+  CLI::App* command = AddCommand(
+      app, session, "debug",
+      {"step a program forward and back, for editors and scripts (docs/session-protocol.md)",
+       "供编辑器和脚本使用：让程序向前、向后单步运行（docs/session-protocol.md）"},
+      [&session] { return ServeStandardStreams(session); });
+  command
+      ->add_flag("--stdio", *stdio,
+                 session.Say({"requests on standard input, one JSON object a line; answers on "
+                              "standard output",
+                              "从标准输入读取请求，每行一个 JSON 对象；回答写到标准输出"}))
+      ->required();
+}
+
+}  // namespace oncard::tools
