@@ -16,7 +16,7 @@ struct LowerOptions {
   std::string diagnostics = "text";
 };
 
-// A table of what each thread function takes, and the globals.
+// A table of what each thread function takes, its calls that are jumps, and the globals.
 std::string CostTable(const compiler::Lowering& lowering, const Session& session) {
   std::string text = session.Say(MakeMessage("{0:<32}{1:>12}{2:>8}{3:>13}{4:>12}\n",
                                              "{5:<30}{6:>10}{7:>6}{8:>9}{9:>10}\n", "function",
@@ -25,6 +25,13 @@ std::string CostTable(const compiler::Lowering& lowering, const Session& session
   for (const compiler::FunctionCost& cost : lowering.costs) {
     text += fmt::format("{:<32}{:>12}{:>8}{:>13}{:>12}\n", cost.name, cost.statements, cost.labels,
                         cost.temporaries, cost.page_slots);
+  }
+  for (const compiler::FunctionCost& cost : lowering.costs) {
+    for (const compiler::JumpCalls& jumps : cost.jumps) {
+      text += fmt::format("{}\n", session.Say(MakeMessage("{0}: {1} calls of {2} are jumps",
+                                                          "{0}：对 {2} 的 {1} 次调用为跳转",
+                                                          cost.name, jumps.calls, jumps.name)));
+    }
   }
   return text +
          fmt::format("{}\n", session.Say(MakeMessage("global slots: {0}", "全局存储单元：{0}",
@@ -73,15 +80,17 @@ void AddLower(CLI::App& app, Session& session) {
                    session.Say({"file of the lowered program (default: standard output)",
                                 "转换结果的文件（默认：标准输出）"}))
       ->type_name("FILE");
-  command->add_flag("--annotate", options->lowering.annotate,
-                    session.Say({"mark statements of C that read and write a global in different "
-                                 "statements of the card",
-                                 "标出在不同的卡语句中读写同一全局变量的 C 语句"}));
+  command->add_flag(
+      "--annotate", options->lowering.annotate,
+      session.Say({"mark statements of C that read and write a global in different "
+                   "statements of the card, and calls that are jumps",
+                   "标出在不同的卡语句中读写同一全局变量的 C 语句，以及成为跳转的调用"}));
   command->add_flag("--optimize,!--no-optimize", options->lowering.optimize,
                     session.Say({"shorten the program (default)", "精简程序（默认）"}));
   command->add_flag("--cost", options->cost,
-                    session.Say({"print what each function takes to standard error",
-                                 "把各函数的占用情况写到标准错误"}));
+                    session.Say({"print what each function takes, and which calls are jumps, to "
+                                 "standard error",
+                                 "把各函数的占用情况以及哪些调用为跳转写到标准错误"}));
   AddCompileOptions(*command, session, options->compile, false);
   AddDiagnosticsOption(*command, session, options->diagnostics);
 }

@@ -1,5 +1,8 @@
-// Calls of the program's own functions, whose statements are inserted, and of abs and fabs.
+// Calls of the program's own functions, and of abs and fabs. The statements of a function are
+// inserted where it is called, unless shared_bodies.cc lets them stand once.
 #include <fmt/format.h>
+
+#include <algorithm>
 
 #include "compiler/lowering/lowerer.h"
 #include "compiler/tree_walk.h"
@@ -46,7 +49,7 @@ Value Lowerer::LowerCall(const Expression& expression) {
     Report(Code::kNoBody, expression.range, callee.text);
     return {};
   }
-  return Inline(expression, *symbol->function);
+  return LowerOwnCall(expression, *symbol->function);
 }
 
 // Gives the parameters their values. All arguments are computed before the first is assigned.
@@ -128,22 +131,33 @@ bool Lowerer::BindArguments(const Expression& call, const FunctionInfo& info, Sc
   return good;
 }
 
-Value Lowerer::Inline(const Expression& call, FunctionInfo& info) {
+Value Lowerer::LowerOwnCall(const Expression& call, FunctionInfo& info) {
   const BasicType type = info.type.basic;
   Value result = {Operand(), type, type};
   if (++inlined_ > vm::kInstructionMax) stopped_ = true;
   if (stopped_) return result;
   Scope scope;
   if (!BindArguments(call, info, scope)) return {};
+  if (CanShare(info, scope)) return LowerSharedCall(call, info, std::move(scope));
+  if (type != BasicType::kVoid) result.operand = NewTemporary(DataTypeOf(type), call.range);
+  const int end = NewLabel(info.syntax->name, call.range, "end");
+  const size_t before = out_->code.size();
+  LowerBodyOf(call, info, std::move(scope), {frame_->body, end, result.operand});
+  ++info.copies;
+  info.copied = std::max(info.copied, out_->code.size() - before);
+  return result;
+}
+
+// The statements of a function whose parameters have their values.
+void Lowerer::LowerBodyOf(const Expression& call, FunctionInfo& info, Scope scope,
+                          const BodyEnd& end) {
   Frame frame;
   frame.info = &info;
   frame.scope_base = scopes_.size();
   frame.prefix = fmt::format("{}_", info.syntax->name);
-  frame.outer = frame_;
-  if (type != BasicType::kVoid) {
-    result.operand = frame.result = NewTemporary(DataTypeOf(type), call.range);
-  }
-  frame.return_label = NewLabel(info.syntax->name, call.range, "end");
+  frame.body = end.body;
+  frame.result = end.result;
+  frame.return_label = end.label;
   Frame* const outer = frame_;
   const int statement = statement_;
   frame_ = &frame;
@@ -154,7 +168,6 @@ Value Lowerer::Inline(const Expression& call, FunctionInfo& info) {
   frame_ = outer;
   statement_ = statement;
   EmitLabel(frame.return_label, call.range);
-  return result;
 }
 
 }  // namespace oncard::compiler::lowering

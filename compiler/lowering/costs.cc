@@ -63,6 +63,13 @@ FunctionCost CostOf(const Program& program, const LoweredFunction& function) {
     if (variable.role == Variable::Role::kTemporary) ++cost.temporaries;
     cost.page_slots += SlotsOf(variable);
   }
+  for (const SharedCalls& shared : function.calls) {
+    const auto calls = std::count_if(function.code.begin(), function.code.end(),
+                                     [&shared](const Instruction& instruction) {
+                                       return instruction.target.variable == shared.number;
+                                     });
+    if (calls > 0) cost.jumps.push_back({shared.name, static_cast<int>(calls)});
+  }
   return cost;
 }
 

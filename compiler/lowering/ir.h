@@ -23,6 +23,8 @@ struct Variable {
   /// Elements of an array; 0: not an array.
   int size = 0;
   const gtcalls::Structure* structure = nullptr;
+  /// Of a temporary: the shared body whose statements use it, 0 for none.
+  int body = 0;
   SourceRange range;  ///< where it is declared
 };
 
@@ -74,6 +76,12 @@ struct Instruction {
   bool Writes() const { return kind == Kind::kUnary || kind == Kind::kBinary; }
 };
 
+/// A function whose statements stand once in a thread function that calls it several times.
+struct SharedCalls {
+  std::string name;
+  int number = -1;  ///< the variable that says which call it is, from 0; each call assigns its own
+};
+
 /// A thread function.
 struct LoweredFunction {
   std::string name;
@@ -81,6 +89,7 @@ struct LoweredFunction {
   std::vector<int> parameters;  ///< variables, in the order of the host
   std::vector<Instruction> code;
   std::vector<std::string> labels;  ///< names, by number
+  std::vector<SharedCalls> calls;   ///< those that are jumps; all others are inlined
   SourceRange header;
   SourceRange end;  ///< the closing brace
 };

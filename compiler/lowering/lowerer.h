@@ -2,7 +2,8 @@
 // construct: program.cc has the functions and the order of work, declarations.cc and
 // initialisers.cc variables, statements.cc, loops.cc and switches.cc statements, expressions.cc,
 // unsigned.cc, conversions.cc, conditions.cc, assignments.cc and places.cc expressions, calls.cc
-// own functions, commands.cc GT commands, start.cc initial values of globals.
+// own functions, shared_bodies.cc those whose statements stand once for several calls, commands.cc
+// GT commands, start.cc initial values of globals.
 //
 // Rules that all of them keep:
 // - An operand is read in the statement that uses it, so a global is read exactly as often as in C.
@@ -73,9 +74,11 @@ class NameMaker {
 
 class Lowerer {
  public:
-  /// The files and the tree must outlive the lowerer.
-  Lowerer(const Options& options, const std::deque<SourceFile>& files, Reporter& reporter)
-      : options_(options), files_(files), reporter_(reporter) {}
+  /// The files and the tree must outlive the lowerer. With `share_bodies`, calls are jumps where
+  /// that makes a thread function shorter; otherwise all are inlined.
+  Lowerer(const Options& options, const std::deque<SourceFile>& files, Reporter& reporter,
+          bool share_bodies)
+      : options_(options), files_(files), reporter_(reporter), share_bodies_(share_bodies) {}
 
   /// Translates a whole program. The result is valid only if no error was reported.
   Program Lower(const Tree& tree);
@@ -91,6 +94,10 @@ class Lowerer {
     std::vector<std::pair<FunctionInfo*, SourceRange>> calls;
     int mark = 0;    // while looking for recursion
     int height = 0;  // levels of calls below it
+    // In the thread function that is being translated:
+    bool shared = false;  // its calls are jumps
+    int copies = 0;       // how often it is inlined
+    size_t copied = 0;    // statements of the longest copy
   };
   struct Symbol {
     enum class Kind : uint8_t { kVariable, kConstant, kFunction };
@@ -121,7 +128,30 @@ class Lowerer {
     std::unordered_map<std::string_view, int> labels;
     std::vector<Targets> targets;
     std::vector<std::unordered_map<const Statement*, int>> cases;
-    const Frame* outer = nullptr;
+    int body = 0;  // the shared body that it belongs to; 0: none
+  };
+  // The statements of a function that stand once for several calls.
+  struct SharedBody {
+    const FunctionInfo* function = nullptr;
+    Scope scope;  // its parameters
+    int id = 0;   // from 1
+    int begin = -1;
+    int end = -1;
+    Operand number;  // of the call
+    Operand result;
+    std::vector<int> back;  // where the calls go on, by number
+  };
+  // Where the statements of a called function leave their result and lead.
+  struct BodyEnd {
+    int body = 0;
+    int label = -1;
+    Operand result;
+  };
+  // What a thread function takes with some calls as jumps.
+  struct Size {
+    bool stopped = false;
+    int labels = 0;  // or the limit, if they are fewer
+    int statements = 0;
   };
   // A value that a global has before the first thread starts.
   struct InitialValue {
@@ -136,7 +166,7 @@ class Lowerer {
   void DeclareFunction(const Function& syntax);
   void CollectCalls(FunctionInfo& info);
   bool Recurses(FunctionInfo& info, std::vector<FunctionInfo*>& path);
-  void LowerFunction(FunctionInfo& info);
+  LoweredFunction LowerFunction(FunctionInfo& info);
   void DefineLabels(Frame& frame);
 
   // --- declarations.cc ---
@@ -248,9 +278,19 @@ class Lowerer {
 
   // --- calls.cc ---
   Value LowerCall(const Expression& expression);
-  Value Inline(const Expression& call, FunctionInfo& info);
+  Value LowerOwnCall(const Expression& call, FunctionInfo& info);
+  void LowerBodyOf(const Expression& call, FunctionInfo& info, Scope scope, const BodyEnd& end);
   bool BindArguments(const Expression& call, const FunctionInfo& info, Scope& scope);
   Value LowerMagnitude(const Expression& call, bool real);
+
+  // --- shared_bodies.cc ---
+  void LowerThreadFunction(FunctionInfo& info);
+  void ChooseShared(FunctionInfo& info);
+  Size TrySize(FunctionInfo& info);
+  bool CanShare(const FunctionInfo& info, const Scope& scope) const;
+  SharedBody* FindBody(const FunctionInfo& info, const Scope& scope);
+  Value LowerSharedCall(const Expression& call, FunctionInfo& info, Scope scope);
+  void EmitWaysBack();
 
   // --- commands.cc ---
   void LowerCommand(const Expression& call, const gtcalls::Command& command);
@@ -286,6 +326,7 @@ class Lowerer {
   const Options& options_;
   const std::deque<SourceFile>& files_;
   Reporter& reporter_;
+  const bool share_bodies_;
   Program program_;
   std::set<std::tuple<int, int, uint32_t>> reported_;
   std::deque<FunctionInfo> functions_;
@@ -310,6 +351,7 @@ class Lowerer {
   NameMaker names_;
   NameMaker label_names_;
   std::unordered_map<const void*, int> variables_;  // by declarator or parameter
+  std::deque<SharedBody> bodies_;
   int inlined_ = 0;
   int statement_ = 0;     // the full expression that is being translated
   bool stopped_ = false;  // it became too long

@@ -73,7 +73,8 @@ Lowering LowerText(const std::string& path, std::string text, const Options& opt
   Lowering result;
   if (!reporter.HasErrors()) {
     lowering::Program program =
-        lowering::Lowerer(options, source.files(), reporter).Lower(source.tree());
+        lowering::Lowerer(options, source.files(), reporter, lowering_options.optimize)
+            .Lower(source.tree());
     if (!reporter.HasErrors()) {
       for (lowering::LoweredFunction& function : program.functions) {
         lowering::RemoveUnusedLabels(function);

@@ -1,7 +1,8 @@
 // Structured C to the card's language (docs/structured.md). Like compiler.h: text in, text and
 // diagnostics out, no files of its own, no exceptions, no global state, usable from any thread.
 // The parts: lowerer.h translates the syntax tree to the program of ir.h, passes/ shortens it,
-// printer.h writes it. Tested by tests/lowering/ and tests/differential/lowered_test.cc.
+// printer.h writes it. Tested by tests/compiler/lowering_test.cc,
+// tests/lang/structured and tests/differential/lowered_test.cc.
 #pragma once
 
 #include <optional>
@@ -13,10 +14,18 @@
 namespace oncard::compiler {
 
 struct LoweringOptions {
-  /// Folds constants, propagates copies, threads jumps, removes what has no effect.
+  /// Calls are jumps where that is shorter, constants are folded, copies propagated, jumps
+  /// threaded, and what has no effect is removed.
   bool optimize = true;
-  /// Comments on statements of C that read and write a global in different statements of the card.
+  /// Comments on statements of C that read and write a global in different statements of the card,
+  /// and on calls that are jumps.
   bool annotate = false;
+};
+
+/// A function whose statements stand once in a thread function, for several calls.
+struct JumpCalls {
+  std::string name;
+  int calls = 0;
 };
 
 /// What a thread function takes on the card.
@@ -25,7 +34,8 @@ struct FunctionCost {
   int statements = 0;
   int labels = 0;
   int temporaries = 0;
-  int page_slots = 0;  ///< parameters, locals and temporaries
+  int page_slots = 0;            ///< parameters, locals and temporaries
+  std::vector<JumpCalls> jumps;  ///< calls that are jumps; all others are inlined
 };
 
 struct Lowering {

@@ -25,7 +25,8 @@ C as people write it, and `oncard lower FILE.c -o OUT.c` translates it:
 
 Functions that no other function calls are thread functions. They, their
 parameters and the globals keep their names. Functions that are called are
-inserted where they are called.
+inserted where they are called, or stand once and are jumped to where that is
+shorter.
 
 Another thread can run between two statements of the card. --annotate marks the
 statements of C that read and write a global in different ones.
@@ -57,7 +58,7 @@ constexpr std::string_view kChinesePage = R"(结构化 C
                                         ...
 
 没有被其他函数调用的函数是线程函数。线程函数及其参数、全局变量的名称不变。
-被调用的函数插入到调用处。
+被调用的函数插入到调用处；如果更短，则只出现一次，用跳转调用。
 
 控制卡的两条语句之间可能运行其他线程。--annotate 标出在不同语句中读写同一
 全局变量的 C 语句。

@@ -194,10 +194,20 @@ class Printer {
     Line(fmt::format("  // {}: {}", where, OneLine(source)), range);
   }
 
-  // The first global that a full expression reads in one statement and writes in a later one.
+  // What is worth knowing about a full expression: which of its calls are jumps, and globals that
+  // it reads in one statement and writes in a later one.
   void PrintAnnotations(const LoweredFunction& function, size_t begin) {
     const int statement = function.code[begin].statement;
     if (!annotated_.insert(statement).second) return;
+    for (const SharedCalls& shared : function.calls) {
+      const bool calls = std::any_of(function.code.begin(), function.code.end(),
+                                     [&](const Instruction& instruction) {
+                                       return instruction.statement == statement &&
+                                              instruction.target.variable == shared.number;
+                                     });
+      if (!calls) continue;
+      Line(fmt::format("  // called by a jump: '{}'", shared.name), function.code[begin].range);
+    }
     std::map<int, size_t> first_read;
     std::set<int> reported;
     for (size_t i = begin; i < function.code.size(); ++i) {

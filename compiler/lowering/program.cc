@@ -117,13 +117,15 @@ void Lowerer::DefineLabels(Frame& frame) {
   }
 }
 
-void Lowerer::LowerFunction(FunctionInfo& info) {
+// The statements of a thread function. Those of a function that is too long are not complete.
+LoweredFunction Lowerer::LowerFunction(FunctionInfo& info) {
   const Function& syntax = *info.syntax;
-  LoweredFunction& function = program_.functions.emplace_back();
+  LoweredFunction function;
   out_ = &function;
   names_ = global_names_;
   label_names_ = NameMaker();
   variables_.clear();
+  bodies_.clear();
   inlined_ = 0;
   stopped_ = false;
   function.name = syntax.name;
@@ -159,9 +161,11 @@ void Lowerer::LowerFunction(FunctionInfo& info) {
   }
   DefineLabels(frame);
   LowerBody(syntax.body);
+  EmitWaysBack();
   scopes_.pop_back();
   frame_ = nullptr;
-  if (stopped_) Report(Code::kLoweredTooLong, syntax.name_range, syntax.name);
+  out_ = nullptr;
+  return function;
 }
 
 Program Lowerer::Lower(const Tree& tree) {
@@ -189,7 +193,7 @@ Program Lowerer::Lower(const Tree& tree) {
   }
   if (recurses) return std::move(program_);
   for (FunctionInfo& info : functions_) {
-    if (!info.called && !info.is_static && !info.syntax->prototype) LowerFunction(info);
+    if (!info.called && !info.is_static && !info.syntax->prototype) LowerThreadFunction(info);
   }
   for (LoweredFunction& function : program_.functions) EmitStart(function);
   return std::move(program_);

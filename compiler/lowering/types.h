@@ -1,6 +1,6 @@
 // The types of C that structured programs use, and C's rules for them. On the card every value is
 // an int of 32 bits or a fixed-point double; the narrower types and the unsigned ones exist only
-// here. Tested by tests/lowering/.
+// here. Tested by tests/lang/structured.
 #pragma once
 
 #include <cstdint>

@@ -24,9 +24,9 @@ Lowering Lower(const std::string& program, const LoweringOptions& options = {}) 
 }
 
 // One error of the given code, in the given line, and no text.
-void ExpectError(const std::string& program, const Codes& codes, int line,
-                 const std::string& words) {
-  const Lowering lowering = Lower(program);
+void ExpectError(const std::string& program, const Codes& codes, int line, const std::string& words,
+                 const LoweringOptions& options = {}) {
+  const Lowering lowering = Lower(program, options);
   EXPECT_FALSE(lowering.text.has_value());
   Codes reported;
   for (const Diagnostic& diagnostic : lowering.diagnostics) {
@@ -44,13 +44,29 @@ TEST(LoweringLimits, LabelsOfAFunction) {
   ExpectError("int v;\nvoid t0() {\n" + loops + "}\n", Codes{238}, 2, "1026 labels");
 }
 
-// Each function calls the next one four times: 4^12 copies of the last.
+// Each function calls the next one four times: 4^12 copies of the last if calls are inlined.
 TEST(LoweringLimits, CopiesOfCalledFunctions) {
   std::string functions = "int v;\nvoid f0() { v++; }\n";
   for (int i = 1; i <= 12; ++i) {
     functions += fmt::format("void f{0}() {{ f{1}(); f{1}(); f{1}(); f{1}(); }}\n", i, i - 1);
   }
-  ExpectError(functions, Codes{239}, 14, "'f12'");
+  ExpectError(functions, Codes{239}, 14, "'f12'", {.optimize = false});
+  EXPECT_TRUE(Lower(functions).text.has_value());
+}
+
+// Three hundred copies of two loops have 1200 labels.
+TEST(LoweringLimits, LabelsOfCopiesAreFewerWithJumps) {
+  std::string program =
+      "int v;\nvoid pass(int n) {\n  while (n > 0) { v += n; n--; }\n"
+      "  while (n < 9) { v -= n; n++; }\n}\nvoid t0() {\n";
+  for (int i = 0; i < 300; ++i) program += fmt::format("  pass({});\n", i);
+  program += "}\n";
+  ExpectError(program, Codes{238}, 6, "1200 labels", {.optimize = false});
+  const Lowering lowering = Lower(program);
+  ASSERT_TRUE(lowering.text.has_value());
+  ASSERT_EQ(lowering.costs[0].jumps.size(), 1u);
+  EXPECT_EQ(lowering.costs[0].jumps[0].name, "pass");
+  EXPECT_EQ(lowering.costs[0].jumps[0].calls, 300);
 }
 
 TEST(LoweringLimits, LevelsOfCalls) {
@@ -75,6 +91,58 @@ TEST(Lowering, CountsWhatAFunctionTakes) {
   EXPECT_EQ(cost.temporaries, 1);
   EXPECT_EQ(cost.page_slots, 2);
   EXPECT_EQ(lowering.global_slots, 4);
+}
+
+// The calls of the first thread function that are jumps: `f 2, g 3`.
+std::string JumpsOf(const std::string& program) {
+  const Lowering lowering = Lower(program);
+  EXPECT_TRUE(lowering.text.has_value()) << program;
+  std::string jumps;
+  for (const JumpCalls& calls : lowering.costs.at(0).jumps) {
+    jumps += fmt::format("{}{} {}", jumps.empty() ? "" : ", ", calls.name, calls.calls);
+  }
+  return jumps;
+}
+
+TEST(Lowering, CallsAreJumpsWhereThatIsShorter) {
+  struct Row {
+    std::string functions;
+    std::string body;
+    std::string jumps;
+  };
+  const std::string array =
+      "int sum(int v[], int n) { int s = 0; while (n > 0) { n--; s += v[n]; } return s; }\n";
+  const std::string step =
+      "int step(int x) { if (x > 9) x -= g; if (x < h) x += k; return x * x + g; }\n";
+  for (const Row& row : std::vector<Row>{
+           // A long body called twice is shorter once, a short one or a single call is not.
+           {step, "g = step(h); h = step(g); k = step(h);", "step 3"},
+           {step, "g = step(h);", ""},
+           {"int twice(int x) { return x + x; }\n", "g = twice(h); h = twice(g); k = twice(h);",
+            ""},
+           // Calls within each other, and in loops.
+           {step, "g = step(step(step(h)));", "step 3"},
+           {step, "for (int i = 0; i < 5; i++) { g = step(h); h = step(g); k = step(i); }",
+            "step 3"},
+           // Each array has its own body; one that begins at a computed element has none.
+           {array, "g = sum(a, 4); h = sum(a, 5); g -= sum(a, g);", "sum 3"},
+           {array, "g = sum(a, 4); h = sum(b, 5);", ""},
+           {array,
+            "g = sum(a, 4); h = sum(b, 4); g += sum(a, 3); h -= sum(b, 3); g ^= sum(a, h); "
+            "h ^= sum(b, g);",
+            "sum 3, sum 3"},
+           {array, "for (int i = 0; i < 4; i++) { g += sum(&a[i], 2); h += sum(&a[i], 1); }", ""},
+           // What is never reached is no call.
+           {step, "if (0) g = step(h); h = step(g); k = step(h); g = step(k);", "step 3"},
+           {step, "return; g = step(h); h = step(g); k = step(h);", ""},
+           // A function that is called by one that is itself shared.
+           {step + "int both(int x, int y) { return step(x) * step(y) - step(x + y); }\n",
+            "g = both(g, h); h = both(h, k); k = both(k, g);", "step 3, both 3"}}) {
+    EXPECT_EQ(
+        JumpsOf("int g, h, k, a[8], b[8];\n" + row.functions + "void t0() { " + row.body + " }\n"),
+        row.jumps)
+        << row.functions << row.body;
+  }
 }
 
 TEST(Lowering, LinesKnowWhereTheyComeFrom) {

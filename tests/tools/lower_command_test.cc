@@ -66,6 +66,20 @@ TEST(Lower, ShowsTheCostOfEachFunction) {
   EXPECT_THAT(result.err, HasSubstr("global slots: 2"));
 }
 
+TEST(Lower, SaysWhichCallsAreJumps) {
+  const ScratchFolder scratch;
+  const std::string source =
+      scratch.Write("p.c",
+                    "int g, h;\nint f(int x) {\n  if (x > 9) x -= g;\n  if (x < h) x += g;\n  "
+                    "return x * x + h;\n}\n"
+                    "void t0() {\n  g = f(h);\n  h = f(g);\n  g += f(h);\n}\n");
+  const ProcessResult result = RunOncard({"lower", "--cost", "--annotate", source});
+  EXPECT_THAT(result.err, HasSubstr("t0: 3 calls of f are jumps\n"));
+  EXPECT_THAT(result.out, HasSubstr("  // 9: h = f(g);\n  // called by a jump: 'f'\n"));
+  const ProcessResult inlined = RunOncard({"lower", "--cost", "--no-optimize", source});
+  EXPECT_THAT(inlined.err, Not(HasSubstr("jumps")));
+}
+
 TEST(Lower, IsExplained) {
   for (const char* language : {"--lang=en", "--lang=zh"}) {
     const ProcessResult page = RunOncard({language, "explain", "structured"});

@@ -116,6 +116,23 @@ TEST_F(StructuredTest, ShowsCounterexamplesInTheSource) {
                               "t0() { n = abs(n) + 1; }': other threads can run ")));
 }
 
+// The value of n waits in a temporary while f runs, elsewhere in the thread function.
+TEST_F(StructuredTest, ShowsThatAStatementWithACallByAJumpIsNotAtomic) {
+  folder_.Write("t.c",
+                "//@ structured\n//@ final: n != 1\nint n, a, b;\nint f(int x) {\n"
+                "  if (x > 3) x -= a;\n  if (x < b) x += a;\n  return x * x + b;\n}\n"
+                "void t0() {\n  a = f(a);\n  b = f(b);\n  n = n * 2 + 1 - f(a);\n}\n"
+                "void t1() {\n  n++;\n}\n");
+  const ProcessResult lowered = Run({"lower", "--annotate", "--cost", "t.c"});
+  EXPECT_THAT(lowered.err, HasSubstr("t0: 3 calls of f are jumps"));
+  EXPECT_THAT(lowered.out, HasSubstr("  // called by a jump: 'f'\n"
+                                     "  // not atomic: 'n' is read in one statement and written"));
+  const ProcessResult explored = Run({"explore", "t.c"});
+  EXPECT_EQ(explored.exit_code, 1);
+  EXPECT_THAT(explored.out,
+              HasSubstr("belong to one statement of line 12, 'n = n * 2 + 1 - f(a);'"));
+}
+
 TEST_F(StructuredTest, IsNotCorrectedByFixIts) {
   folder_.Write("f.c", kMarked + kSum);
   const ProcessResult result = Run({"check", "--fix", "f.c"});

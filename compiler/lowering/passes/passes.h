@@ -16,6 +16,13 @@ bool PropagateCopies(const Program& program, LoweredFunction& function);
 /// Jumps to jumps, jumps to the next statement, and jumps over jumps.
 bool ThreadJumps(const Program& program, LoweredFunction& function);
 
+/// Decides comparisons with the number of a call (shared_bodies.cc) that can have one result only.
+bool DecideWaysBack(LoweredFunction& function);
+
+/// Replaces `number == 3` by the number itself where only 3 and 0 are possible. DecideWaysBack()
+/// does not see what has been replaced, so this comes last.
+bool ShortenWaysBack(LoweredFunction& function);
+
 /// Removes statements that no path reaches, and labels without a jump.
 bool RemoveUnreachable(LoweredFunction& function);
 

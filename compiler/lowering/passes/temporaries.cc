@@ -1,5 +1,7 @@
 // Temporaries whose lifetimes do not overlap become one. A lifetime is the part of the text from
-// the first to the last use; a loop that is entered within it belongs to it as a whole.
+// the first to the last use; a loop that is entered within it belongs to it as a whole. What is in
+// use at a call by a jump must outlive a body that stands elsewhere in the text, so the temporaries
+// of a shared body are its own.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +9,7 @@
 #include <set>
 #include <string>
 #include <unordered_set>
+#include <utility>
 
 #include "compiler/lowering/passes/passes.h"
 
@@ -95,13 +98,14 @@ void ShareTemporaries(Program& program, LoweredFunction& function) {
   struct Pool {
     std::set<int> free;
     std::multimap<int, int> busy;
-    int count = 0;
   };
-  std::map<vm::DataType, Pool> pools;
+  std::map<std::pair<vm::DataType, int>, Pool> pools;  // by type and shared body
+  std::map<vm::DataType, int> counts;
   std::vector<int> shared(program.variables.size(), -1);
   for (const Lifetime& lifetime : lifetimes) {
-    const vm::DataType type = program.variables[static_cast<size_t>(lifetime.variable)].type;
-    Pool& pool = pools[type];
+    const Variable& variable = program.variables[static_cast<size_t>(lifetime.variable)];
+    const vm::DataType type = variable.type;
+    Pool& pool = pools[{type, variable.body}];
     while (!pool.busy.empty() && pool.busy.begin()->first <= lifetime.begin) {
       pool.free.insert(pool.busy.begin()->second);
       pool.busy.erase(pool.busy.begin());
@@ -114,7 +118,7 @@ void ShareTemporaries(Program& program, LoweredFunction& function) {
       const std::string_view prefix = type == vm::DataType::kDouble ? "real" : "tmp";
       std::string name;
       do {
-        name = fmt::format("{}{}", prefix, ++pool.count);
+        name = fmt::format("{}{}", prefix, ++counts[type]);
       } while (!names.insert(name).second);
       program.variables[static_cast<size_t>(owner)].name = name;
     }

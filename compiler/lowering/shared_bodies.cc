@@ -1,0 +1,185 @@
+// Functions whose statements stand once in a thread function, for several calls. A call gives the
+// parameters their values, says which call it is, and jumps; after the body a chain of comparisons
+// leads back. The body stands where the first call is:
+//
+//     square_x = a;
+//     square_call = 0;
+//   lbl_square:
+//     square_result = square_x * square_x;
+//     if (square_call) goto lbl_square_5_back;
+//     ...
+//     square_x = b;
+//     square_call = 1;
+//     goto lbl_square;
+//   lbl_square_5_back:
+//
+// All of these variables belong to the page of the thread, so that no access to a global is added.
+// A function can have several bodies, one for each choice of arrays that it is called with.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "compiler/lowering/costs.h"
+#include "compiler/lowering/lowerer.h"
+#include "compiler/lowering/passes/passes.h"
+#include "vm/limits.h"
+
+namespace oncard::compiler::lowering {
+namespace {
+
+// A call by a jump takes at least two statements, and two more to come back.
+constexpr size_t kWorthSharing = 3;
+
+Operand Int(int64_t value) { return ConstantOperand(vm::DataType::kInt, value); }
+
+}  // namespace
+
+// The body for the arrays of a call, nullptr if there is none yet.
+Lowerer::SharedBody* Lowerer::FindBody(const FunctionInfo& info, const Scope& scope) {
+  for (SharedBody& body : bodies_) {
+    if (body.function != &info) continue;
+    const bool same = std::all_of(scope.begin(), scope.end(), [&body](const auto& parameter) {
+      const Symbol& symbol = parameter.second;
+      const Symbol& other = body.scope.at(parameter.first);
+      return symbol.variable == other.variable && symbol.offset == other.offset &&
+             symbol.dimensions == other.dimensions && symbol.type.is_const == other.type.is_const;
+    });
+    if (same) return &body;
+  }
+  return nullptr;
+}
+
+// An array that begins at a computed element is another one in each call.
+bool Lowerer::CanShare(const FunctionInfo& info, const Scope& scope) const {
+  return info.shared && std::all_of(scope.begin(), scope.end(), [](const auto& parameter) {
+           return parameter.second.offset.IsConstant();
+         });
+}
+
+Value Lowerer::LowerSharedCall(const Expression& call, FunctionInfo& info, Scope scope) {
+  const BasicType type = info.type.basic;
+  const std::string_view name = info.syntax->name;
+  SharedBody* body = FindBody(info, scope);
+  const int back = NewLabel(name, call.range, body != nullptr ? "back" : "first");
+  if (body != nullptr) {
+    EmitCopy(body->number, Int(static_cast<int64_t>(body->back.size())), call.range);
+    body->back.push_back(back);
+    EmitGoto(body->begin, call.range);
+    EmitLabel(back, call.range);
+  } else {
+    body = &bodies_.emplace_back();
+    body->function = &info;
+    body->scope = scope;
+    body->id = static_cast<int>(bodies_.size());
+    body->back.push_back(back);
+    const auto make = [this, name, &call](std::string_view what, BasicType of) {
+      return VariableOperand(NewVariable(Variable::Role::kLocal, fmt::format("{}_{}", name, what),
+                                         Type{of}, 0, call.range));
+    };
+    body->number = make("call", BasicType::kInt);
+    if (type != BasicType::kVoid) body->result = make("result", type);
+    body->begin = NewLabel(fmt::format("lbl_{}", name));
+    body->end = NewLabel(name, call.range, "end");
+    EmitCopy(body->number, Int(0), call.range);
+    EmitLabel(body->begin, call.range);
+    LowerBodyOf(call, info, std::move(scope), {body->id, body->end, body->result});
+  }
+  if (type == BasicType::kVoid) return {Operand(), type, type};
+  // Another call may follow before the result is used.
+  const Operand result = NewTemporary(DataTypeOf(type), call.range);
+  EmitCopy(result, body->result, call.range);
+  return {result, type, type};
+}
+
+// After each body the ways back to its calls. The first one goes on where the body ends.
+void Lowerer::EmitWaysBack() {
+  std::vector<Instruction> code = std::exchange(out_->code, {});
+  for (Instruction& instruction : code) {
+    const int label = instruction.kind == Instruction::Kind::kLabel ? instruction.label : -1;
+    out_->code.push_back(std::move(instruction));
+    const auto body = std::find_if(bodies_.begin(), bodies_.end(),
+                                   [label](const SharedBody& one) { return one.end == label; });
+    if (body == bodies_.end()) continue;
+    const SourceRange range = body->function->syntax->close_brace;
+    BeginFullExpression(range);
+    frame_->body = body->id;
+    for (size_t i = body->back.size(); i-- > 0;) {
+      const Value here = Compute(vm::BinaryOperator::kEqual, body->number,
+                                 Int(static_cast<int64_t>(i)), BasicType::kInt, range);
+      EmitIf(here.operand, body->back[i], range);
+    }
+    EmitLabel(body->back[0], range);
+    out_->calls.push_back({std::string(body->function->syntax->name), body->number.variable});
+  }
+  frame_->body = 0;
+}
+
+// What becomes of a thread function with the calls as jumps that are marked.
+Lowerer::Size Lowerer::TrySize(FunctionInfo& info) {
+  const size_t variables = program_.variables.size();
+  const size_t statements = program_.statements.size();
+  const size_t globals = program_.globals.size();
+  LoweredFunction function = LowerFunction(info);
+  Size size;
+  size.stopped = stopped_;
+  if (!stopped_) {
+    RemoveUnusedLabels(function);
+    Optimize(program_, function, options_.double_format);
+    const FunctionCost cost = CostOf(program_, function);
+    size.statements = cost.statements;
+    size.labels = std::max(cost.labels, vm::kLabelMax);
+  }
+  // The first time, static locals become globals, which stay.
+  if (program_.globals.size() == globals) {
+    program_.variables.resize(variables);
+    program_.statements.resize(statements);
+  }
+  return size;
+}
+
+// Marks the functions whose calls become jumps, because that makes a thread function shorter, or
+// makes it fit the card at all: first all that are worth it, then all but those without which it is
+// no longer.
+void Lowerer::ChooseShared(FunctionInfo& info) {
+  for (FunctionInfo& other : functions_) {
+    other.shared = false;
+    other.copies = 0;
+    other.copied = 0;
+  }
+  if (!share_bodies_ || info.calls.empty()) return;
+  const Size inlined = TrySize(info);
+  if (reporter_.HasErrors()) return;
+  std::vector<FunctionInfo*> candidates;
+  for (FunctionInfo& other : functions_) {
+    // Of a function that is too long as far as it goes, nothing is known.
+    const bool worth = other.copies > 1 && other.copied > kWorthSharing;
+    if (worth || (inlined.stopped && other.called)) candidates.push_back(&other);
+  }
+  if (candidates.empty()) return;
+  const auto mark = [&candidates](bool shared) {
+    for (FunctionInfo* candidate : candidates) candidate->shared = shared;
+  };
+  const auto shorter = [](const Size& a, const Size& b) {
+    return std::tie(a.stopped, a.labels, a.statements) <
+           std::tie(b.stopped, b.labels, b.statements);
+  };
+  mark(true);
+  Size best = TrySize(info);
+  for (FunctionInfo* candidate : candidates) {
+    candidate->shared = false;
+    const Size size = TrySize(info);
+    candidate->shared = shorter(best, size);
+    if (!candidate->shared) best = size;
+  }
+  if (!shorter(best, inlined)) mark(false);
+}
+
+void Lowerer::LowerThreadFunction(FunctionInfo& info) {
+  ChooseShared(info);
+  program_.functions.push_back(LowerFunction(info));
+  if (stopped_) Report(Code::kLoweredTooLong, info.syntax->name_range, info.syntax->name);
+}
+
+}  // namespace oncard::compiler::lowering
