@@ -271,8 +271,8 @@ void RewindableRun::LeaveSchedule() { controller_.machine().SetPolicy(own_policy
 void RewindableRun::Arrive() {
   // A cycle's statements that no thread can use are lost.
   if (machine().RunnableThreads() == 0) place_.statements_left = 0;
-  const auto [first, last] = std::ranges::equal_range(changes_, moment(), {}, &Change::moment);
-  for (auto change = first; change != last; ++change) Apply(*change);
+  auto change = std::ranges::lower_bound(changes_, moment(), {}, &Change::moment);
+  for (; change != changes_.end() && change->moment == moment(); ++change) Apply(*change);
   NoteEnd();
   head_ = std::max(head_, moment());
   const auto after = FirstKeptAfter(moment());

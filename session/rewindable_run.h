@@ -101,6 +101,10 @@ class RewindableRun {
   /// moment.
   int64_t refused() const { return place_.refused; }
   int64_t failed() const { return place_.failed; }
+  /// The expectations without an instant.
+  const std::vector<runtime::Agenda::Check>& expectations_at_end() const {
+    return agenda_.at_end();
+  }
   /// True if the scenario has expectations or writes of the host after this moment.
   bool scenario_goes_on() const { return agenda_.has_checks() || agenda_.has_writes(); }
   /// The last refused command of a thread since it was started; nullptr: none.

@@ -68,7 +68,9 @@ Result<Stop> Session::Forward(const Walk& walk, std::vector<LogLine>* log) {
   const bool followed = run_->follows_schedule();
   stops_.Begin(*run_);
   for (bool look_closely = false;;) {
-    if (walk.goal == Goal::kStop && run_->Over()) return Stop{StopReason::kEnd, -1, -1, {}};
+    if (walk.goal == Goal::kStop && run_->Over()) {
+      return Stop{StopReason::kEnd, -1, -1, {}, stops_.FailedAtEnd(*run_)};
+    }
     if (walk.goal == Goal::kRest && Rests()) return Stop{StopReason::kGoal, -1, -1, {}};
     if (run_->moment() - start >= walk.budget) return Stop{StopReason::kBudget, -1, -1, {}};
     StepReport step;

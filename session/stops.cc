@@ -41,6 +41,12 @@ Result<CardCondition> ReadCondition(const std::string& text, const RewindableRun
   return CardCondition::Bind(std::move(condition).value(), run.controller());
 }
 
+Message DoesNotHold(const std::string& title, const CardCondition& condition,
+                    const RewindableRun& run) {
+  const Message values = condition.DescribeValues(run.controller());
+  return MakeMessage("{0} does not hold: {1}", "{0} 不成立：{2}", title, values.en, values.zh);
+}
+
 /// The first line from `line` on that has a statement in the file; 0: there is none.
 int LineWithStatement(const vm::Object& object, const std::string& file, int line) {
   int nearest = 0;
@@ -72,9 +78,11 @@ Result<Stops> Stops::Create(const RewindableRun& run) {
   if (auto failure = fit.Failure()) return *std::move(failure);
   for (size_t i = 0; i < requirements.size(); ++i) {
     const runtime::Scope scope = requirements[i].scope;
-    if (scope != runtime::Scope::kAlways && scope != runtime::Scope::kNever) continue;
-    stops.requirements_.push_back({std::move(conditions[i]), scope == runtime::Scope::kNever, false,
-                                   -1, requirements[i].Title()});
+    // In one run, nothing says before its end whether something will hold at some time.
+    if (scope == runtime::Scope::kEventually) continue;
+    auto& list = scope == runtime::Scope::kFinal ? stops.final_ : stops.requirements_;
+    list.push_back({std::move(conditions[i]), scope == runtime::Scope::kNever, false, -1,
+                    requirements[i].Title()});
   }
   return stops;
 }
@@ -123,6 +131,7 @@ Result<void> Stops::Set(const StopWishes& wishes, const RewindableRun& run) {
   stops.refusals_ = wishes.refusals;
   stops.checks_requirements_ = wishes.requirements;
   stops.requirements_ = std::move(requirements_);
+  stops.final_ = std::move(final_);
   // A line that was there before keeps its count.
   for (Line& line : stops.lines_) {
     const auto same = [&](const Line& old) {
@@ -145,6 +154,19 @@ std::vector<int> Stops::lines() const {
 bool Stops::CheckEveryStep() const {
   return !lines_.empty() || !values_.empty() || !conditions_.empty() ||
          (checks_requirements_ && !requirements_.empty());
+}
+
+std::vector<Message> Stops::FailedAtEnd(const RewindableRun& run) const {
+  std::vector<Message> failed;
+  const auto check = [&](const std::string& title, const CardCondition& condition) {
+    if (condition.Holds(run.controller())) return;
+    failed.push_back(DoesNotHold(title, condition, run));
+  };
+  for (const runtime::Agenda::Check& each : run.expectations_at_end()) {
+    check(each.text, each.condition);
+  }
+  for (const Truth& each : final_) check(each.title, each.condition);
+  return failed;
 }
 
 // --- Checks --------------------------------------------------------------------------------------
@@ -275,10 +297,8 @@ std::optional<Stop> Stops::CheckTruths(const RewindableRun& run, const StepRepor
   };
   for (Truth& truth : requirements_) {
     if (!changes_to_wanted(truth) || !checks_requirements_ || stop) continue;
-    const Message values = truth.condition.DescribeValues(run.controller());
     stop = Stop{StopReason::kRequirement, step.thread, -1,
-                MakeMessage("{0} does not hold: {1}", "{0} 不成立：{2}", truth.title, values.en,
-                            values.zh)};
+                DoesNotHold(truth.title, truth.condition, run)};
   }
   for (Truth& truth : conditions_) {
     if (!changes_to_wanted(truth) || stop) continue;

@@ -56,6 +56,7 @@ struct Stop {
   int thread = -1;
   int number = -1;  ///< kLine, kChange, kCondition: which of the wishes, from 0
   Message text = {};
+  std::vector<Message> failed = {};  ///< kEnd: requirements on the end that do not hold
 };
 
 /// A line of a LineStop's log.
@@ -89,6 +90,9 @@ class Stops {
   /// Checks the state after a step. Logged lines are appended to `log` unless it is nullptr.
   std::optional<Stop> Check(const RewindableRun& run, const StepReport& step,
                             std::vector<LogLine>* log);
+  /// The expectations without an instant and the `final` requirements that do not hold at the
+  /// present, and why.
+  std::vector<Message> FailedAtEnd(const RewindableRun& run) const;
   /// After Check(): bit n is set if thread n has arrived at the beginning of a line with this step.
   uint32_t arrivals() const { return arrivals_; }
 
@@ -124,6 +128,7 @@ class Stops {
   std::vector<Value> values_;
   std::vector<Truth> conditions_;
   std::vector<Truth> requirements_;  // `always` and `never` of the scenario
+  std::vector<Truth> final_;
   bool faults_ = true;
   bool refusals_ = true;
   bool checks_requirements_ = true;

@@ -191,6 +191,10 @@ nlohmann::ordered_json StopView(const Stop& stop, Language language) {
   if (stop.number >= 0) json["number"] = stop.number;
   const std::string& text = stop.text.In(language);
   if (!text.empty()) json["text"] = text;
+  if (stop.reason == StopReason::kEnd) {
+    json["failed"] = Json::array();
+    for (const Message& failed : stop.failed) json["failed"].push_back(failed.In(language));
+  }
   return json;
 }
 

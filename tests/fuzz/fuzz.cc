@@ -17,17 +17,12 @@ struct Target {
 };
 
 constexpr Target kTargets[] = {
-    {"source", FuzzSource},
-    {"structured", FuzzStructured},
-    {"object", FuzzObject},
-    {"disassembler", FuzzDisassembler},
-    {"scenario", FuzzScenario},
-    {"schedule", FuzzSchedule},
-    {"search", FuzzSearch},
-    {"config", FuzzConfig},
-    {"requirement", FuzzRequirement},
-    {"commands", FuzzCommands},
-    {"threads", FuzzCommandsOfThreads},
+    {"source", FuzzSource},           {"structured", FuzzStructured},
+    {"object", FuzzObject},           {"disassembler", FuzzDisassembler},
+    {"scenario", FuzzScenario},       {"schedule", FuzzSchedule},
+    {"search", FuzzSearch},           {"config", FuzzConfig},
+    {"requirement", FuzzRequirement}, {"session", FuzzSession},
+    {"commands", FuzzCommands},       {"threads", FuzzCommandsOfThreads},
 };
 
 const Target* ChosenTarget() {

@@ -113,6 +113,17 @@ TEST(Forward, ChecksWhatItIsAsked) {
   EXPECT_THAT(session.Back(change).error().message.en, HasSubstr("nothing is named 'y'"));
 }
 
+TEST(Forward, TheEndSaysWhatDoesNotHold) {
+  Session session =
+      SessionOf(kRace, "expect = [\"x == 3\", \"x == 1\"]\nfinal = [\"x == 2\", \"x > 0\"]\n" +
+                           std::string(kTwoThreads));
+  const Stop stop = Forward(To(Goal::kStop), &session);
+  EXPECT_EQ(stop.reason, StopReason::kEnd);
+  ASSERT_EQ(stop.failed.size(), 2u);
+  EXPECT_EQ(stop.failed[0].en, "x == 3 does not hold: x is 1");
+  EXPECT_EQ(stop.failed[1].en, "final: x == 2 does not hold: x is 1");
+}
+
 TEST(Forward, SaysWhereAScheduleEnds) {
   Session recorded = SessionOf(kRace, kTwoThreads);
   recorded.run().AdvanceTo(4);

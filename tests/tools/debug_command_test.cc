@@ -23,7 +23,24 @@ TEST(DebugCommand, AnswersEachLineAndReadsFiles) {
   EXPECT_EQ(result.err, "");
   EXPECT_THAT(result.out, StartsWith(R"({"id":1,"ok":true,"result":{"compiled":true)"));
   EXPECT_THAT(result.out,
-              HasSubstr("\n{\"id\":2,\"ok\":true,\"result\":{\"stop\":{\"reason\":\"end\"}"));
+              HasSubstr("\n{\"id\":2,\"ok\":true,\"result\":{\"stop\":{\"reason\":\"end\","));
+}
+
+TEST(DebugCommand, WalksACounterexampleOfTheExplorer) {
+  const ScratchFolder scratch;
+  scratch.Write("p.c",
+                "int x;\nint f()\n{\n  int a;\n  a = x;\n  a = a + 1;\n  x = a;\n  return 0;\n}\n");
+  scratch.Write("p.toml",
+                "program = \"p.c\"\nfinal = [\"x == 2\"]\n[[thread]]\nfunction = \"f\"\n"
+                "[[thread]]\nthread = 1\nfunction = \"f\"\n");
+  RunOncard({"explore", "p.toml", "--save", "lost.schedule"}, scratch.path());
+  scratch.Write("requests",
+                "{\"request\":\"load\",\"arguments\":{\"main\":\"lost.schedule\"}}\n"
+                "{\"request\":\"forward\",\"arguments\":{\"goal\":\"stop\"}}\n");
+  const ProcessResult result = RunProgram(
+      {"sh", "-c", ONCARD_BUILD_DIR "/bin/oncard debug --stdio < requests"}, scratch.path());
+  EXPECT_THAT(result.out, HasSubstr("\"follows_schedule\":true"));
+  EXPECT_THAT(result.out, HasSubstr("\"failed\":[\"final: x == 2 does not hold: x is 1\"]"));
 }
 
 TEST(DebugCommand, NeedsItsStreams) {
