@@ -5,11 +5,15 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <exception>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
 
 #include "base/json_text.h"
 #include "tools/session.h"
@@ -17,10 +21,11 @@
 namespace oncard::tools {
 namespace {
 
-/// How often the parent checks whether it must stop, and after how many checks a child must have
-/// ended.
+using Clock = std::chrono::steady_clock;
+
+/// How often the parent checks whether it must stop, and how long a child may take to end.
 constexpr int kLookMs = 100;
-constexpr int kLooksToEnd = 20;
+constexpr auto kTimeToEnd = std::chrono::seconds(2);
 
 // --- An outcome as text ----------------------------------------------------------------------
 
@@ -80,23 +85,6 @@ bool Unpack(const std::string& text, TestOutcome* outcome) {
 
 // --- The parent ------------------------------------------------------------------------------
 
-/// Reads the child's output until it ends. True if the child was told to stop.
-bool ReadAll(int descriptor, pid_t child, const std::atomic<bool>& stop, std::string* text) {
-  int looks = 0;
-  for (;;) {
-    pollfd readable = {descriptor, POLLIN, 0};
-    if (::poll(&readable, 1, kLookMs) > 0) {
-      char buffer[4096];
-      const ssize_t count = ::read(descriptor, buffer, sizeof buffer);
-      if (count == 0 || (count < 0 && errno != EINTR)) return looks > 0;
-      if (count > 0) text->append(buffer, static_cast<size_t>(count));
-    }
-    if (!stop) continue;
-    if (looks == 0) ::kill(child, SIGTERM);
-    if (++looks > kLooksToEnd) ::kill(child, SIGKILL);
-  }
-}
-
 Message DescribeEnd(int status) {
   if (WIFSIGNALED(status)) {
     const char* name = ::strsignal(WTERMSIG(status));
@@ -111,39 +99,132 @@ Message DescribeEnd(int status) {
                      WEXITSTATUS(status));
 }
 
+/// A test that runs.
+struct Child {
+  size_t test = 0;
+  pid_t process = -1;
+  int descriptor = -1;
+  std::string text;
+  std::optional<Clock::time_point> killed_at;  ///< when it is killed at the latest
+  bool told_to_stop = false;
+};
+
+class IsolatedRuns {
+ public:
+  IsolatedRuns(const std::vector<IsolatedTest>& tests, const IsolationOptions& options,
+               const std::atomic<bool>& stop)
+      : tests_(tests), options_(options), stop_(stop) {
+    for (const IsolatedTest& test : tests) outcomes_.push_back(test.named);
+  }
+
+  std::vector<TestOutcome> Run() {
+    const auto jobs = static_cast<size_t>(std::max(1, options_.jobs));
+    while (next_ < tests_.size() || !children_.empty()) {
+      while (next_ < tests_.size() && (stop_ || children_.size() < jobs)) Begin(next_++);
+      ReadSome();
+      for (Child& child : children_) Hurry(&child);
+      std::erase_if(children_, [](const Child& child) { return child.descriptor < 0; });
+    }
+    return std::move(outcomes_);
+  }
+
+ private:
+  void Begin(size_t test) {
+    TestOutcome& outcome = outcomes_[test];
+    if (stop_) {
+      outcome.interrupted = true;
+      outcome.failures.push_back({"not run: interrupted", "未运行：被中断"});
+      return;
+    }
+    int ends[2] = {};
+    const bool piped = ::pipe2(ends, O_CLOEXEC) == 0;
+    const pid_t process = piped ? ::fork() : -1;
+    if (process < 0) {
+      outcome.failures.push_back(MakeMessage("cannot start a process for it: {0}",
+                                             "无法为其启动进程：{0}", std::strerror(errno)));
+      if (piped) {
+        ::close(ends[0]);
+        ::close(ends[1]);
+      }
+      return;
+    }
+    if (process == 0) {
+      ::close(ends[0]);
+      WorkAndEnd(tests_[test].work, ends[1]);
+    }
+    ::close(ends[1]);
+    Child child;
+    child.test = test;
+    child.process = process;
+    child.descriptor = ends[0];
+    if (options_.timeout_s > 0) {
+      child.killed_at = Clock::now() + std::chrono::seconds(options_.timeout_s);
+    }
+    children_.push_back(std::move(child));
+  }
+
+  // Waits for output of any child for a moment.
+  void ReadSome() {
+    std::vector<pollfd> readable;
+    for (const Child& child : children_) readable.push_back({child.descriptor, POLLIN, 0});
+    if (::poll(readable.data(), readable.size(), kLookMs) <= 0) return;
+    for (size_t i = 0; i < children_.size(); ++i) {
+      if (readable[i].revents == 0) continue;
+      char buffer[65536];
+      const ssize_t count = ::read(children_[i].descriptor, buffer, sizeof buffer);
+      if (count == 0 || (count < 0 && errno != EINTR)) End(&children_[i]);
+      if (count > 0) children_[i].text.append(buffer, static_cast<size_t>(count));
+    }
+  }
+
+  // Stops a child that must end.
+  void Hurry(Child* child) {
+    if (child->descriptor < 0) return;
+    if (stop_ && !child->told_to_stop) {
+      child->told_to_stop = true;
+      child->killed_at = Clock::now() + kTimeToEnd;
+      ::kill(child->process, SIGTERM);
+    }
+    if (child->killed_at && Clock::now() >= *child->killed_at) {
+      ::kill(child->process, SIGKILL);
+      End(child);
+    }
+  }
+
+  void End(Child* child) {
+    TestOutcome& outcome = outcomes_[child->test];
+    ::close(child->descriptor);
+    child->descriptor = -1;
+    int status = 0;
+    while (::waitpid(child->process, &status, 0) < 0 && errno == EINTR) {
+    }
+    if (status == 0 && Unpack(child->text, &outcome)) return;
+    outcome.interrupted = child->told_to_stop;
+    if (child->told_to_stop) {
+      outcome.failures.push_back({"interrupted", "被中断"});
+    } else if (child->killed_at && Clock::now() >= *child->killed_at) {
+      outcome.failures.push_back(MakeMessage("it took longer than {0} s: --timeout sets the limit",
+                                             "耗时超过 {0} 秒：可用 --timeout 设定上限",
+                                             options_.timeout_s));
+    } else {
+      outcome.failures.push_back(DescribeEnd(status));
+    }
+  }
+
+  const std::vector<IsolatedTest>& tests_;
+  const IsolationOptions& options_;
+  const std::atomic<bool>& stop_;
+  std::vector<TestOutcome> outcomes_;
+  std::vector<Child> children_;
+  size_t next_ = 0;  // test to begin
+};
+
 }  // namespace
 
-TestOutcome RunIsolated(const std::string& path, const std::function<TestOutcome()>& work,
-                        const std::atomic<bool>& stop) {
-  TestOutcome outcome;
-  outcome.path = path;
-  int ends[2] = {};
-  const bool piped = ::pipe2(ends, O_CLOEXEC) == 0;
-  const pid_t child = piped ? ::fork() : -1;
-  if (child < 0) {
-    outcome.failures.push_back(MakeMessage("cannot start a process for it: {0}",
-                                           "无法为其启动进程：{0}", std::strerror(errno)));
-    if (piped) {
-      ::close(ends[0]);
-      ::close(ends[1]);
-    }
-    return outcome;
-  }
-  if (child == 0) {
-    ::close(ends[0]);
-    WorkAndEnd(work, ends[1]);
-  }
-  ::close(ends[1]);
-  std::string text;
-  const bool told = ReadAll(ends[0], child, stop, &text);
-  ::close(ends[0]);
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (status == 0 && Unpack(text, &outcome)) return outcome;
-  outcome.interrupted = told;
-  outcome.failures.push_back(told ? Message{"interrupted", "被中断"} : DescribeEnd(status));
-  return outcome;
+std::vector<TestOutcome> RunIsolated(const std::vector<IsolatedTest>& tests,
+                                     const IsolationOptions& options,
+                                     const std::atomic<bool>& stop) {
+  return IsolatedRuns(tests, options, stop).Run();
 }
 
 }  // namespace oncard::tools

@@ -1,19 +1,33 @@
-// Runs a test in a process of its own, so that a crash affects neither the other tests nor the
-// report. Tested by tests/tools/isolation_test.cc.
+// Runs tests in processes of their own, several at a time, so that a crash or an endless test
+// affects neither the others nor the report. Tested by tests/tools/isolation_test.cc.
 #pragma once
 
 #include <atomic>
 #include <functional>
-#include <string>
+#include <vector>
 
 #include "tools/test_report.h"
 
 namespace oncard::tools {
 
-/// The result of `work`, executed in a child process. If the child crashes or ends unexpectedly,
-/// this test has failed. If `stop` is set meanwhile, the child gets SIGTERM, and is killed if it
-/// does not end soon. To be called while the process has only one thread.
-TestOutcome RunIsolated(const std::string& path, const std::function<TestOutcome()>& work,
-                        const std::atomic<bool>& stop);
+/// What is reported of a test if its work gives no outcome, and the work.
+struct IsolatedTest {
+  TestOutcome named;
+  std::function<TestOutcome()> work;
+};
+
+struct IsolationOptions {
+  /// Number of processes at the same time.
+  int jobs = 1;
+  /// Seconds of the wall clock after which a test is killed and has failed; 0: never.
+  int timeout_s = 0;
+};
+
+/// The outcomes in the order of the tests. A child that crashes or ends unexpectedly has failed. If
+/// `stop` is set meanwhile, children get SIGTERM, and are killed if they do not end soon; tests
+/// that have not begun are not run. To be called while the process has only one thread.
+std::vector<TestOutcome> RunIsolated(const std::vector<IsolatedTest>& tests,
+                                     const IsolationOptions& options,
+                                     const std::atomic<bool>& stop);
 
 }  // namespace oncard::tools

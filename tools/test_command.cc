@@ -1,5 +1,9 @@
-// oncard test: runs every scenario in files and folders.
+// oncard test: runs every scenario in files and folders, with its program or with many.
+#include <glob.h>
+
 #include <filesystem>
+#include <optional>
+#include <thread>
 
 #include "compiler/diagnostic_printer.h"
 #include "explore/scenario_exploration.h"
@@ -17,6 +21,9 @@ namespace {
 
 struct TestArguments {
   std::vector<std::string> paths;
+  std::vector<std::string> programs;
+  int jobs = 0;
+  std::optional<int> timeout_s;
   std::string format = "text";
   bool strict_commands = false;
   bool structured = false;
@@ -49,6 +56,20 @@ Result<std::vector<std::string>> FindScenarios(const std::string& path) {
   }
   std::sort(found.begin(), found.end());
   return found;
+}
+
+// The programs that match a pattern, sorted by path.
+Result<std::vector<std::string>> FindPrograms(const std::string& pattern) {
+  glob_t matches = {};
+  const int code = ::glob(pattern.c_str(), 0, nullptr, &matches);
+  std::vector<std::string> found;
+  for (size_t i = 0; i < matches.gl_pathc; ++i) found.emplace_back(matches.gl_pathv[i]);
+  ::globfree(&matches);
+  if (code == 0) return found;
+  if (code == GLOB_NOMATCH) {
+    return MakeError(1, "no program matches '{0}'", "没有程序匹配“{0}”", pattern);
+  }
+  return MakeError(1, "cannot search for '{0}'", "无法查找“{0}”", pattern);
 }
 
 // A failed compilation as one message: its diagnostics in the format of `check`.
@@ -88,16 +109,17 @@ void ExploreTest(const runtime::Scenario& scenario, const runtime::ProgramLoad& 
                                           report(Language::kChinese)));
 }
 
-TestOutcome RunTest(const std::string& path, const TestArguments& arguments,
+TestOutcome RunTest(TestOutcome outcome, const TestArguments& arguments,
                     const StopSignals& signals) {
-  TestOutcome outcome;
-  outcome.path = path;
-  auto scenario = runtime::LoadScenario(path, runtime::ScenarioUse::kTest);
+  auto scenario = runtime::LoadScenario(outcome.path, runtime::ScenarioUse::kTest);
   if (!scenario.ok()) {
     outcome.failures.push_back(scenario.error().message);
     return outcome;
   }
   if (arguments.structured) scenario.value().structured = true;
+  if (!outcome.program.empty()) {
+    scenario.value().program = runtime::PathToScenario(scenario.value(), outcome.program);
+  }
   runtime::ProgramLoad load = runtime::LoadProgram(runtime::ProgramPath(scenario.value()),
                                                    runtime::CompileOptions(scenario.value()));
   if (!load.object) {
@@ -140,32 +162,52 @@ TestOutcome RunTest(const std::string& path, const TestArguments& arguments,
   return outcome;
 }
 
-/// The outcome of a scenario that was not run because the command was stopped.
-TestOutcome NotRun(const std::string& path) {
-  TestOutcome outcome;
-  outcome.path = path;
-  outcome.interrupted = true;
-  outcome.failures.push_back({"not run: interrupted", "未运行：被中断"});
-  return outcome;
+// What all finders find for all texts.
+Result<std::vector<std::string>> FindAll(
+    const std::vector<std::string>& texts,
+    Result<std::vector<std::string>> (*find)(const std::string& text)) {
+  std::vector<std::string> all;
+  for (const std::string& text : texts) {
+    auto found = find(text);
+    if (!found.ok()) return found;
+    all.insert(all.end(), found.value().begin(), found.value().end());
+  }
+  return all;
+}
+
+// Every scenario with every program, or with its own.
+std::vector<IsolatedTest> ListTests(const std::vector<std::string>& scenarios,
+                                    const std::vector<std::string>& programs,
+                                    const TestArguments& arguments, const StopSignals& signals) {
+  std::vector<IsolatedTest> tests;
+  const auto add = [&](const std::string& scenario, const std::string& program) {
+    TestOutcome named;
+    named.path = scenario;
+    named.program = program;
+    tests.push_back(
+        {named, [named, &arguments, &signals] { return RunTest(named, arguments, signals); }});
+  };
+  for (const std::string& scenario : scenarios) {
+    if (arguments.programs.empty()) add(scenario, {});
+    for (const std::string& program : programs) add(scenario, program);
+  }
+  return tests;
 }
 
 int Test(const TestArguments& arguments, const Session& session) {
-  std::vector<std::string> scenarios;
-  for (const std::string& path : arguments.paths) {
-    const auto found = FindScenarios(path);
-    if (!found.ok()) return Fail(session, kExitUnreadable, found.error().message);
-    scenarios.insert(scenarios.end(), found.value().begin(), found.value().end());
-  }
+  const auto scenarios = FindAll(arguments.paths, FindScenarios);
+  if (!scenarios.ok()) return Fail(session, kExitUnreadable, scenarios.error().message);
+  const auto programs = FindAll(arguments.programs, FindPrograms);
+  if (!programs.ok()) return Fail(session, kExitUnreadable, programs.error().message);
   const StopSignals signals;
-  std::vector<TestOutcome> outcomes;
-  for (const std::string& path : scenarios) {
-    if (signals.stopped()) {
-      outcomes.push_back(NotRun(path));
-      continue;
-    }
-    const auto work = [&] { return RunTest(path, arguments, signals); };
-    outcomes.push_back(RunIsolated(path, work, *signals.stop()));
-  }
+  IsolationOptions isolation;
+  isolation.jobs =
+      arguments.jobs > 0 ? arguments.jobs : static_cast<int>(std::thread::hardware_concurrency());
+  constexpr int kClassTimeout = 60;
+  isolation.timeout_s = arguments.timeout_s.value_or(programs.value().empty() ? 0 : kClassTimeout);
+  const std::vector<TestOutcome> outcomes =
+      RunIsolated(ListTests(scenarios.value(), programs.value(), arguments, signals), isolation,
+                  *signals.stop());
   if (outcomes.empty()) {
     return Fail(session, kExitUnreadable, {"no scenario (.toml) found", "未找到场景文件（.toml）"});
   }
@@ -173,6 +215,8 @@ int Test(const TestArguments& arguments, const Session& session) {
     PrintResult(FormatTestJunit(outcomes, session.language));
   } else if (arguments.format == "tap") {
     PrintResult(FormatTestTap(outcomes, session.language));
+  } else if (arguments.format == "csv") {
+    PrintResult(FormatTestCsv(outcomes, session.language));
   } else if (arguments.format == "json") {
     PrintResult(FormatTestJson(outcomes, session.language));
   } else {
@@ -198,9 +242,32 @@ void AddTest(CLI::App& app, Session& session) {
                                 "场景文件（.toml）或含有场景的文件夹"}))
       ->required()
       ->type_name("PATH");
+  command
+      ->add_option("--program", arguments->programs,
+                   session.Say({"programs that run in place of the scenarios' own, each a test of "
+                                "its own: a file or a pattern such as 'hand-in/*.c' (repeatable)",
+                                "代替场景中程序运行的程序，各为一个测试：文件或通配，如 "
+                                "'hand-in/*.c'（可重复）"}))
+      ->type_name("PATTERN")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--jobs", arguments->jobs,
+                   session.Say({"tests at the same time (default: one per processor)",
+                                "同时运行的测试数（默认每个处理器一个）"}))
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000).description(""));
+  command
+      ->add_option(
+          "--timeout", arguments->timeout_s,
+          session.Say({"a test that takes longer has failed; 0: no limit (default 60 with "
+                       "--program, otherwise 0)",
+                       "耗时更长的测试视为失败；0 为不限（使用 --program 时默认 60，否则为 "
+                       "0）"}))
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0, 86'400).description(""));
   AddStructuredOption(*command, session, arguments->structured);
   AddStrictCommandsOption(*command, session, arguments->strict_commands);
-  AddFormatOption(*command, session, arguments->format, {"text", "junit", "tap", "json"});
+  AddFormatOption(*command, session, arguments->format, {"text", "junit", "tap", "json", "csv"});
 }
 
 }  // namespace oncard::tools

@@ -27,7 +27,7 @@ std::string FormatTestText(const std::vector<TestOutcome>& outcomes, Language la
   const std::string fail = color ? "\x1b[1;31mFAIL\x1b[0m" : "FAIL";
   std::string text;
   for (const TestOutcome& outcome : outcomes) {
-    text += fmt::format("{} {}\n", outcome.passed() ? ok : fail, outcome.path);
+    text += fmt::format("{} {}\n", outcome.passed() ? ok : fail, outcome.Title());
     for (const Message& failure : outcome.failures) {
       text += fmt::format("     {}\n", failure.In(language));
     }
@@ -47,8 +47,10 @@ std::string FormatTestJunit(const std::vector<TestOutcome>& outcomes, Language l
       "<testsuite name=\"oncard\" tests=\"{}\" failures=\"{}\">\n",
       outcomes.size(), outcomes.size() - CountPassed(outcomes));
   for (const TestOutcome& outcome : outcomes) {
-    text += fmt::format("  <testcase name=\"{}\" time=\"{:.6f}\"", EscapeXml(outcome.path),
-                        outcome.time_ms / 1000);
+    const bool other = !outcome.program.empty();
+    if (other) text += fmt::format("  <testcase classname=\"{}\"", EscapeXml(outcome.path));
+    text += fmt::format("{} name=\"{}\" time=\"{:.6f}\"", other ? "" : "  <testcase",
+                        EscapeXml(other ? outcome.program : outcome.path), outcome.time_ms / 1000);
     if (outcome.passed() && outcome.warnings.empty()) {
       text += "/>\n";
       continue;
@@ -70,13 +72,35 @@ std::string FormatTestTap(const std::vector<TestOutcome>& outcomes, Language lan
   std::string text = fmt::format("TAP version 13\n1..{}\n", outcomes.size());
   for (size_t i = 0; i < outcomes.size(); ++i) {
     const TestOutcome& outcome = outcomes[i];
-    text += fmt::format("{} {} - {}\n", outcome.passed() ? "ok" : "not ok", i + 1, outcome.path);
+    text += fmt::format("{} {} - {}\n", outcome.passed() ? "ok" : "not ok", i + 1, outcome.Title());
     for (const Message& failure : outcome.failures) {
       text += fmt::format("# {}\n", compiler::DisplayText(failure.In(language)));
     }
     for (const Message& warning : outcome.warnings) {
       text += fmt::format("# {}\n", compiler::DisplayText(Warning(warning).In(language)));
     }
+  }
+  return text;
+}
+
+std::string FormatTestCsv(const std::vector<TestOutcome>& outcomes, Language language) {
+  const auto cell = [](std::string_view text) {
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + '"';
+  };
+  const auto lines = [&](const std::vector<Message>& messages) {
+    std::string joined;
+    for (const Message& message : messages) {
+      joined += (joined.empty() ? "" : "\n") + message.In(language);
+    }
+    return cell(joined);
+  };
+  std::string text = "scenario,program,passed,time_ms,statements,failures,warnings\r\n";
+  for (const TestOutcome& outcome : outcomes) {
+    text += fmt::format("{},{},{},{},{},{},{}\r\n", cell(outcome.path), cell(outcome.program),
+                        outcome.passed() ? "yes" : "no", outcome.time_ms, outcome.statements,
+                        lines(outcome.failures), lines(outcome.warnings));
   }
   return text;
 }
@@ -89,12 +113,14 @@ std::string FormatTestJson(const std::vector<TestOutcome>& outcomes, Language la
     for (const Message& failure : outcome.failures) failures.push_back(failure.In(language));
     Json warnings = Json::array();
     for (const Message& warning : outcome.warnings) warnings.push_back(warning.In(language));
-    tests.push_back({{"path", outcome.path},
-                     {"passed", outcome.passed()},
-                     {"time_ms", outcome.time_ms},
-                     {"statements", outcome.statements},
-                     {"failures", std::move(failures)},
-                     {"warnings", std::move(warnings)}});
+    Json test = {{"path", outcome.path}};
+    if (!outcome.program.empty()) test["program"] = outcome.program;
+    test["passed"] = outcome.passed();
+    test["time_ms"] = outcome.time_ms;
+    test["statements"] = outcome.statements;
+    test["failures"] = std::move(failures);
+    test["warnings"] = std::move(warnings);
+    tests.push_back(std::move(test));
   }
   const size_t passed = CountPassed(outcomes);
   const Json document = {

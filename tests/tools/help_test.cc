@@ -10,8 +10,9 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-const char* const kCommands[] = {"build", "check",  "lower", "explain", "run",    "test",  "replay",
-                                 "dump",  "verify", "exec",  "explore", "doctor", "schema", "debug"};
+const char* const kCommands[] = {"build",   "check",  "lower",  "explain", "run",
+                                 "test",    "replay", "dump",   "verify",  "exec",
+                                 "explore", "doctor", "schema", "debug"};
 
 class HelpTest : public testing::TestWithParam<const char*> {};
 

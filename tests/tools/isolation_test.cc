@@ -14,10 +14,21 @@ namespace {
 
 const std::atomic<bool> kGoOn = false;
 
+TestOutcome Named(const std::string& path) {
+  TestOutcome named;
+  named.path = path;
+  return named;
+}
+
+TestOutcome RunOne(const std::function<TestOutcome()>& work, const std::atomic<bool>& stop,
+                   const IsolationOptions& options = {}) {
+  return RunIsolated({{Named("x.toml"), work}}, options, stop).at(0);
+}
+
 /// The only failure, in English.
 std::string FailureOf(const std::function<TestOutcome()>& work,
                       const std::atomic<bool>& stop = kGoOn) {
-  const TestOutcome outcome = RunIsolated("x.toml", work, stop);
+  const TestOutcome outcome = RunOne(work, stop);
   EXPECT_EQ(outcome.path, "x.toml");
   return outcome.failures.size() == 1 ? outcome.failures[0].en : "";
 }
@@ -28,8 +39,7 @@ TEST(RunIsolated, GivesWhatTheWorkGives) {
   made.warnings = {{"three", "三"}};
   made.time_ms = 0.1;
   made.statements = 7;
-  const TestOutcome outcome = RunIsolated(
-      "x.toml", [&] { return made; }, kGoOn);
+  const TestOutcome outcome = RunOne([&] { return made; }, kGoOn);
   ASSERT_EQ(outcome.failures.size(), 2u);
   EXPECT_EQ(outcome.failures[0].en, "one \xEF\xBF\xBD");
   EXPECT_EQ(outcome.failures[1].zh, "二");
@@ -65,16 +75,46 @@ TEST(RunIsolated, SurvivesWhateverBecomesOfTheWork) {
             "internal error: no reason");
 }
 
+const std::function<TestOutcome()> kEndless = []() -> TestOutcome {
+  for (;;) ::pause();
+};
+
 TEST(RunIsolated, EndsAWorkThatIsToStop) {
-  const std::atomic<bool> stop = true;
-  const TestOutcome outcome = RunIsolated(
-      "x.toml",
-      []() -> TestOutcome {
-        for (;;) ::pause();
-      },
-      stop);
+  static std::atomic<bool> stop = false;
+  ::signal(SIGALRM, [](int) { stop = true; });
+  ::ualarm(50'000, 0);
+  const TestOutcome outcome = RunOne(kEndless, stop);
   EXPECT_TRUE(outcome.interrupted);
   EXPECT_EQ(outcome.failures.at(0).en, "interrupted");
+}
+
+TEST(RunIsolated, DoesNotBeginWhenItIsToStop) {
+  const TestOutcome outcome = RunOne(kEndless, true);
+  EXPECT_TRUE(outcome.interrupted);
+  EXPECT_EQ(outcome.failures.at(0).en, "not run: interrupted");
+}
+
+TEST(RunIsolated, AnEndlessWorkHarmsNoOther) {
+  IsolationOptions options;
+  options.jobs = 2;
+  options.timeout_s = 1;
+  std::vector<IsolatedTest> tests;
+  tests.push_back({Named("endless"), kEndless});
+  for (const char* name : {"a", "b", "c"}) {
+    tests.push_back({Named(name), [name] {
+                       TestOutcome outcome;
+                       outcome.warnings = {{name, name}};
+                       return outcome;
+                     }});
+  }
+  const std::vector<TestOutcome> outcomes = RunIsolated(tests, options, kGoOn);
+  ASSERT_EQ(outcomes.size(), 4u);
+  EXPECT_EQ(outcomes[0].failures.at(0).en, "it took longer than 1 s: --timeout sets the limit");
+  EXPECT_FALSE(outcomes[0].interrupted);
+  for (size_t i = 1; i < 4; ++i) {
+    EXPECT_TRUE(outcomes[i].passed());
+    EXPECT_EQ(outcomes[i].warnings.at(0).en, outcomes[i].path);
+  }
 }
 
 }  // namespace

@@ -105,6 +105,65 @@ TEST_F(TestCommandTest, IsNotSatisfiedWithNothing) {
   EXPECT_EQ(Test({"nowhere"}).exit_code, 3);
 }
 
+// --- One scenario with many programs -------------------------------------------------------------
+
+class ClassTest : public TestCommandTest {
+ protected:
+  ClassTest() {
+    scratch_.Write("sum.toml",
+                   "program = \"solution.c\"\nlimit_ms = 100\nexpect = [\"sum == 6\"]\n");
+    scratch_.Write("hand-in/ann.c", "int sum;\nint f()\n{\n  sum = 6;\n}\n");
+    scratch_.Write("hand-in/ben.c", "int sum;\nint f()\n{\n  sum = 5;\n}\n");
+    scratch_.Write("hand-in/cem.c", "int sum;\nint f()\n{\n  sum = six;\n}\n");
+    scratch_.Write("hand-in/dan.c", "int sum;\nint f()\n{\nl:\n  sum = 6;\n  goto l;\n}\n");
+    scratch_.Write("hand-in/eve.c", "int total;\nint f()\n{\n  total = 6;\n}\n");
+    scratch_.Write("hand-in/notes.txt", "");
+  }
+};
+
+TEST_F(ClassTest, EveryProgramIsATest) {
+  const ProcessResult result = Test({"sum.toml", "--program", "hand-in/*.c"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.out, HasSubstr("ok   sum.toml: hand-in/ann.c\n"));
+  EXPECT_THAT(result.out, HasSubstr("FAIL sum.toml: hand-in/ben.c\n     sum == 6: sum is 5\n"));
+  EXPECT_THAT(result.out,
+              HasSubstr("FAIL sum.toml: hand-in/cem.c\n     hand-in/cem.c:4:9: error MP027"));
+  EXPECT_THAT(result.out, HasSubstr("threads still run at the time limit of 100 ms"));
+  EXPECT_THAT(result.out, HasSubstr("sum.toml:3:11: nothing is named 'sum'"));
+  EXPECT_THAT(result.out, HasSubstr("1 passed, 4 failed"));
+}
+
+TEST_F(ClassTest, TheReportDoesNotDependOnTheNumberOfJobs) {
+  const std::vector<std::string> all = {"sum.toml", "--program", "hand-in/*.c", "--format=csv"};
+  std::vector<std::string> one = all;
+  one.push_back("--jobs=1");
+  std::vector<std::string> many = all;
+  many.push_back("--jobs=7");
+  EXPECT_EQ(Test(one).out, Test(many).out);
+}
+
+TEST_F(ClassTest, ReportsAsCsv) {
+  const ProcessResult result =
+      Test({"sum.toml", "--program=hand-in/ann.c", "--program=hand-in/b*", "--format=csv"});
+  EXPECT_EQ(result.out,
+            "scenario,program,passed,time_ms,statements,failures,warnings\r\n"
+            "\"sum.toml\",\"hand-in/ann.c\",yes,0.25,1,\"\",\"\"\r\n"
+            "\"sum.toml\",\"hand-in/ben.c\",no,0.25,1,\"sum == 6: sum is 5\",\"\"\r\n");
+}
+
+TEST_F(ClassTest, ReportsAsJunit) {
+  const ProcessResult result = Test({"sum.toml", "--program", "hand-in/a*", "--format=junit"});
+  EXPECT_THAT(
+      result.out,
+      HasSubstr("<testcase classname=\"sum.toml\" name=\"hand-in/ann.c\" time=\"0.000250\"/>"));
+}
+
+TEST_F(ClassTest, APatternThatMatchesNothingIsAMistake) {
+  const ProcessResult result = Test({"sum.toml", "--program", "hand-in/*.cc"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("no program matches 'hand-in/*.cc'"));
+}
+
 TEST(Samples, AllPass) {
   const ProcessResult result = RunOncard({"test", ONCARD_SOURCE_DIR "/samples"});
   EXPECT_EQ(result.exit_code, 0) << result.out;
