@@ -248,6 +248,10 @@ void MeasureTool() {
 
 int Main(int argc, char** argv) {
   const std::string what = argc == 2 ? argv[1] : "";
+  if (what == "session") {
+    BenchSession();
+    return 0;
+  }
   if (what == "motion") {
     BenchMotion();
     return 0;
@@ -257,7 +261,7 @@ int Main(int argc, char** argv) {
     return 0;
   }
   if (what != "vm") {
-    std::fprintf(stderr, "usage: oncard_bench vm|motion|explore\n");
+    std::fprintf(stderr, "usage: oncard_bench vm|motion|explore|session\n");
     return 2;
   }
   runtime::Controller controller;

@@ -20,4 +20,7 @@ void BenchMotion();
 /// `oncard_bench explore`: how fast interleavings are searched, beside SPIN.
 void BenchExplore();
 
+/// `oncard_bench session`: how fast a session goes back.
+void BenchSession();
+
 }  // namespace oncard::bench
