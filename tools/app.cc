@@ -18,10 +18,10 @@ void TranslateLabels(CLI::App& app) {
   app.option_defaults()->group("选项");
 }
 
-std::string ExitCodeFooter(const Session& session) {
-  std::string text = session.Say({"Exit codes:", "退出码："});
+std::string ExitCodeFooter(const Invocation& invocation) {
+  std::string text = invocation.Say({"Exit codes:", "退出码："});
   for (const ExitCodeText& row : kExitCodeTexts) {
-    const bool chinese = session.language == Language::kChinese;
+    const bool chinese = invocation.language == Language::kChinese;
     text += fmt::format("\n  {} {}", static_cast<int>(row.code),
                         chinese ? row.meaning_zh : row.meaning_en);
   }
@@ -30,57 +30,58 @@ std::string ExitCodeFooter(const Session& session) {
 
 }  // namespace
 
-CLI::App* AddCommand(CLI::App& app, Session& session, const std::string& name,
+CLI::App* AddCommand(CLI::App& app, Invocation& invocation, const std::string& name,
                      const Message& description, std::function<int()> action) {
-  CLI::App* command = app.add_subcommand(name, session.Say(description));
+  CLI::App* command = app.add_subcommand(name, invocation.Say(description));
   command->fallthrough();
-  if (session.language == Language::kChinese) command->group("子命令");
-  command->set_help_flag("-h,--help", session.Say({"print this help", "显示本帮助"}));
-  command->callback([&session, run = std::move(action)] { session.exit_code = run(); });
+  if (invocation.language == Language::kChinese) command->group("子命令");
+  command->set_help_flag("-h,--help", invocation.Say({"print this help", "显示本帮助"}));
+  command->callback([&invocation, run = std::move(action)] { invocation.exit_code = run(); });
   return command;
 }
 
-CLI::Option* AddIncludeOption(CLI::App& command, const Session& session,
+CLI::Option* AddIncludeOption(CLI::App& command, const Invocation& invocation,
                               std::vector<std::string>& folders) {
   return command
       .add_option("-I,--include", folders,
-                  session.Say({"folder searched for #include (repeatable)",
-                               "查找 #include 的文件夹（可重复）"}))
+                  invocation.Say({"folder searched for #include (repeatable)",
+                                  "查找 #include 的文件夹（可重复）"}))
       ->type_name("DIR")
       ->allow_extra_args(false);
 }
 
-CLI::Option* AddDoubleOption(CLI::App& command, const Session& session, std::string& format) {
+CLI::Option* AddDoubleOption(CLI::App& command, const Invocation& invocation, std::string& format) {
   return command
       .add_option("--double", format,
-                  session.Say({"width of the type double: 32.16 (default) or 16.16",
-                               "double 类型的宽度：32.16（默认）或 16.16"}))
+                  invocation.Say({"width of the type double: 32.16 (default) or 16.16",
+                                  "double 类型的宽度：32.16（默认）或 16.16"}))
       ->type_name("WIDTH")
       ->check(CLI::IsMember({"32.16", "16.16"}).description(""));
 }
 
-CLI::Option* AddStructuredOption(CLI::App& command, const Session& session, bool& structured) {
+CLI::Option* AddStructuredOption(CLI::App& command, const Invocation& invocation,
+                                 bool& structured) {
   return command.add_flag(
       "--structured", structured,
-      session.Say({"the program is structured C, even if its first line is not //@ structured",
-                   "程序为结构化 C，即使其首行不是 //@ structured"}));
+      invocation.Say({"the program is structured C, even if its first line is not //@ structured",
+                      "程序为结构化 C，即使其首行不是 //@ structured"}));
 }
 
-CLI::Option* AddMaxErrorsOption(CLI::App& command, const Session& session, int& count) {
+CLI::Option* AddMaxErrorsOption(CLI::App& command, const Invocation& invocation, int& count) {
   return command
       .add_option("--max-errors", count,
-                  session.Say({"stop reporting after N errors; 0 = report all (default 50)",
-                               "报告 N 个错误后停止；0 表示全部报告（默认 50）"}))
+                  invocation.Say({"stop reporting after N errors; 0 = report all (default 50)",
+                                  "报告 N 个错误后停止；0 表示全部报告（默认 50）"}))
       ->type_name("N")
       ->check(CLI::Range(0, 1'000'000).description(""));
 }
 
-CLI::Option* AddWarningOption(CLI::App& command, const Session& session,
+CLI::Option* AddWarningOption(CLI::App& command, const Invocation& invocation,
                               std::vector<std::string>& warnings) {
   return command
       .add_option(
           "-W", warnings,
-          session.Say(
+          invocation.Say(
               {"-Werror turns warnings into errors, -Wno-NAME switches one off (repeatable)",
                "-Werror 把警告当作错误，-Wno-名称 不报告某种警告（可重复）"}))
       ->type_name("WARNING")
@@ -94,58 +95,59 @@ CLI::Option* AddWarningOption(CLI::App& command, const Session& session,
           ""));
 }
 
-CLI::Option* AddStrictCommandsOption(CLI::App& command, const Session& session, bool& strict) {
+CLI::Option* AddStrictCommandsOption(CLI::App& command, const Invocation& invocation,
+                                     bool& strict) {
   return command.add_flag(
       "--strict-commands", strict,
-      session.Say({"fail when a GT command returns a code other than 0 (by default a warning)",
-                   "GT 指令返回值不为 0 时视为失败（默认仅警告）"}));
+      invocation.Say({"fail when a GT command returns a code other than 0 (by default a warning)",
+                      "GT 指令返回值不为 0 时视为失败（默认仅警告）"}));
 }
 
-CLI::Option* AddFormatOption(CLI::App& command, const Session& session, std::string& format,
+CLI::Option* AddFormatOption(CLI::App& command, const Invocation& invocation, std::string& format,
                              const std::vector<std::string>& choices) {
   const std::string list = fmt::to_string(fmt::join(choices, "|"));
   return command
       .add_option("--format", format,
-                  fmt::format("{}: {}", session.Say({"output format", "输出格式"}), list))
+                  fmt::format("{}: {}", invocation.Say({"output format", "输出格式"}), list))
       ->type_name("FORMAT")
       ->check(CLI::IsMember(choices).description(""));
 }
 
-void DescribeApp(CLI::App& app, Session& session) {
-  if (session.language == Language::kChinese) TranslateLabels(app);
-  app.description(session.Say(
+void DescribeApp(CLI::App& app, Invocation& invocation) {
+  if (invocation.language == Language::kChinese) TranslateLabels(app);
+  app.description(invocation.Say(
       {"write, run and test Googol GTS motion programs", "编写、运行和测试固高 GTS 运动程序"}));
-  app.set_help_flag("-h,--help", session.Say({"print this help", "显示本帮助"}));
+  app.set_help_flag("-h,--help", invocation.Say({"print this help", "显示本帮助"}));
   app.set_version_flag("--version", "oncard " ONCARD_VERSION,
-                       session.Say({"print the version", "显示版本"}));
+                       invocation.Say({"print the version", "显示版本"}));
   // main() has evaluated these two before the help texts were chosen; here they are only described.
-  app.add_option("--lang", session.Say({"language of messages: en or zh (default: the locale's)",
-                                        "消息语言：en 或 zh（默认取自区域设置）"}))
+  app.add_option("--lang", invocation.Say({"language of messages: en or zh (default: the locale's)",
+                                           "消息语言：en 或 zh（默认取自区域设置）"}))
       ->type_name("LANG")
       ->check(CLI::IsMember({"en", "zh"}).description(""));
-  app.add_option("--color", session.Say({"colours: auto (default), always or never",
-                                         "颜色：auto（默认）、always 或 never"}))
+  app.add_option("--color", invocation.Say({"colours: auto (default), always or never",
+                                            "颜色：auto（默认）、always 或 never"}))
       ->type_name("WHEN")
       ->check(CLI::IsMember({"auto", "always", "never"}).description(""));
   app.require_subcommand(1);
-  AddBuild(app, session);
-  AddCheck(app, session);
-  AddLower(app, session);
-  AddExplain(app, session);
-  AddRun(app, session);
-  AddTest(app, session);
-  AddExplore(app, session);
-  AddReplay(app, session);
-  AddDebug(app, session);
-  AddDump(app, session);
-  AddVerify(app, session);
-  AddExec(app, session);
-  AddSchema(app, session);
-  AddDoctor(app, session);
-  AddCompletion(app, session);
-  AddMan(app, session);
+  AddBuild(app, invocation);
+  AddCheck(app, invocation);
+  AddLower(app, invocation);
+  AddExplain(app, invocation);
+  AddRun(app, invocation);
+  AddTest(app, invocation);
+  AddExplore(app, invocation);
+  AddReplay(app, invocation);
+  AddDebug(app, invocation);
+  AddDump(app, invocation);
+  AddVerify(app, invocation);
+  AddExec(app, invocation);
+  AddSchema(app, invocation);
+  AddDoctor(app, invocation);
+  AddCompletion(app, invocation);
+  AddMan(app, invocation);
   // Set after the subcommands are added, because they would inherit it.
-  app.footer(ExitCodeFooter(session));
+  app.footer(ExitCodeFooter(invocation));
 }
 
 }  // namespace oncard::tools

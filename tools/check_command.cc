@@ -52,22 +52,22 @@ Result<std::string> ReadSource(const std::string& source) {
 
 // Writes the corrected text: files in place, standard input to standard output.
 int WriteCorrected(const compiler::CorrectedProgram& corrected, const std::string& name,
-                   const std::string& text, const Session& session) {
+                   const std::string& text, const Invocation& invocation) {
   int code = kExitOk;
   for (const auto& [path, content] : corrected.files) {
     if (path == kStandardInputName) continue;
     const auto before = compiler::ReadSource(path);
     const bool marked = before.ok() && before.value().starts_with(kByteOrderMark);
     code = std::max(
-        code, WriteOutput(session, path, (marked ? std::string(kByteOrderMark) : "") + content));
+        code, WriteOutput(invocation, path, (marked ? std::string(kByteOrderMark) : "") + content));
   }
   if (name == kStandardInputName) {
     const auto found = corrected.files.find(name);
     PrintResult(found != corrected.files.end() ? found->second : text);
   } else if (corrected.count > 0) {
-    PrintDiagnostics(
-        fmt::format("{}\n", session.Say(MakeMessage("{0}: fix-its applied: {1}",
-                                                    "{0}：修改了 {1} 处", name, corrected.count))));
+    PrintDiagnostics(fmt::format(
+        "{}\n", invocation.Say(MakeMessage("{0}: fix-its applied: {1}", "{0}：修改了 {1} 处", name,
+                                           corrected.count))));
   }
   return code;
 }
@@ -75,11 +75,11 @@ int WriteCorrected(const compiler::CorrectedProgram& corrected, const std::strin
 // Compiles one source, and corrects it if requested. Empty if it cannot be read.
 std::optional<compiler::Compilation> CheckOne(const CheckOptions& options,
                                               const compiler::Options& compile,
-                                              const std::string& source, const Session& session,
-                                              int* code) {
+                                              const std::string& source,
+                                              const Invocation& invocation, int* code) {
   Result<std::string> text = ReadSource(source);
   if (!text.ok()) {
-    *code = std::max<int>(*code, Fail(session, kExitUnreadable, text.error().message));
+    *code = std::max<int>(*code, Fail(invocation, kExitUnreadable, text.error().message));
     return std::nullopt;
   }
   const std::string name(source == kStandardInput ? kStandardInputName : source);
@@ -87,7 +87,7 @@ std::optional<compiler::Compilation> CheckOne(const CheckOptions& options,
   if (options.fix && structured) {
     *code = std::max<int>(
         *code,
-        Fail(session, kExitUsage,
+        Fail(invocation, kExitUsage,
              MakeMessage("--fix rewrites C as the card's language; '{0}' is structured C, which "
                          "stays as it is: use 'oncard lower' for a program of the card's language",
                          "--fix 把 C 改写为控制卡的语言；“{0}”是结构化 C，无需改写："
@@ -100,31 +100,31 @@ std::optional<compiler::Compilation> CheckOne(const CheckOptions& options,
   }
   compiler::CorrectedProgram corrected =
       compiler::ApplyAllFixIts(name, text.value(), compile, compiler::ReadSource);
-  *code = std::max(*code, WriteCorrected(corrected, name, text.value(), session));
+  *code = std::max(*code, WriteCorrected(corrected, name, text.value(), invocation));
   return std::move(corrected.compilation);
 }
 
-int Check(const CheckOptions& options, const Session& session) {
+int Check(const CheckOptions& options, const Invocation& invocation) {
   const compiler::Options compile = OptionsOf(options.compile);
-  const compiler::PrintOptions print = {session.language, session.color};
+  const compiler::PrintOptions print = {invocation.language, invocation.color};
   int code = kExitOk;
   const bool corrects_input =
       options.fix && std::find(options.sources.begin(), options.sources.end(), kStandardInput) !=
                          options.sources.end();
   if (corrects_input && options.diagnostics != "text") {
-    return Fail(session, kExitUsage,
+    return Fail(invocation, kExitUsage,
                 MakeMessage("--fix - writes the program to standard output: leave out --format",
                             "--fix - 把程序写到标准输出：请去掉 --format"));
   }
   std::vector<compiler::Compilation> compilations;
   for (const std::string& source : options.sources) {
     if (source.ends_with(".bin")) {
-      code = std::max<int>(code, Fail(session, kExitUsage,
+      code = std::max<int>(code, Fail(invocation, kExitUsage,
                                       MakeMessage("'{0}' is an object: use 'oncard verify'",
                                                   "“{0}”是目标文件：请用“oncard verify”", source)));
       continue;
     }
-    auto compilation = CheckOne(options, compile, source, session, &code);
+    auto compilation = CheckOne(options, compile, source, invocation, &code);
     if (!compilation) continue;
     if (!compilation->ok()) code = std::max<int>(code, kExitFailed);
     if (options.diagnostics == "text") {
@@ -140,26 +140,27 @@ int Check(const CheckOptions& options, const Session& session) {
 
 }  // namespace
 
-void AddCheck(CLI::App& app, Session& session) {
+void AddCheck(CLI::App& app, Invocation& invocation) {
   const auto options = std::make_shared<CheckOptions>();
-  CLI::App* command = AddCommand(app, session, "check",
+  CLI::App* command = AddCommand(app, invocation, "check",
                                  {"report errors and warnings of programs, correct them on request",
                                   "检查程序并报告问题，可自动修改"},
-                                 [options, &session] { return Check(*options, session); });
+                                 [options, &invocation] { return Check(*options, invocation); });
   command
       ->add_option("sources", options->sources,
-                   session.Say({"motion programs (.c); - is standard input",
-                                "运动程序（.c）；- 表示标准输入"}))
+                   invocation.Say({"motion programs (.c); - is standard input",
+                                   "运动程序（.c）；- 表示标准输入"}))
       ->required()
       ->type_name("FILE");
-  command->add_flag("--fix", options->fix,
-                    session.Say({"apply all fix-its in place; with -, print the corrected program",
-                                 "就地应用所有修改建议；- 的结果写到标准输出"}));
-  AddCompileOptions(*command, session, options->compile);
+  command->add_flag(
+      "--fix", options->fix,
+      invocation.Say({"apply all fix-its in place; with -, print the corrected program",
+                      "就地应用所有修改建议；- 的结果写到标准输出"}));
+  AddCompileOptions(*command, invocation, options->compile);
   command
-      ->add_option(
-          "--diagnostics,--format", options->diagnostics,
-          session.Say({"format of the diagnostics: text|json|sarif", "诊断格式：text|json|sarif"}))
+      ->add_option("--diagnostics,--format", options->diagnostics,
+                   invocation.Say(
+                       {"format of the diagnostics: text|json|sarif", "诊断格式：text|json|sarif"}))
       ->type_name("FORMAT")
       ->check(CLI::IsMember({"text", "json", "sarif"}).description(""));
 }

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "tools/session.h"
+#include "tools/invocation.h"
 
 namespace oncard::tools {
 namespace {

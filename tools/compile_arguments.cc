@@ -2,19 +2,19 @@
 
 namespace oncard::tools {
 
-void AddCompileOptions(CLI::App& command, const Session& session, CompileArguments& arguments,
+void AddCompileOptions(CLI::App& command, const Invocation& invocation, CompileArguments& arguments,
                        bool with_structured) {
-  AddIncludeOption(command, session, arguments.include_folders);
-  AddDoubleOption(command, session, arguments.double_format);
-  if (with_structured) AddStructuredOption(command, session, arguments.structured);
-  AddMaxErrorsOption(command, session, arguments.max_errors);
-  AddWarningOption(command, session, arguments.warnings);
+  AddIncludeOption(command, invocation, arguments.include_folders);
+  AddDoubleOption(command, invocation, arguments.double_format);
+  if (with_structured) AddStructuredOption(command, invocation, arguments.structured);
+  AddMaxErrorsOption(command, invocation, arguments.max_errors);
+  AddWarningOption(command, invocation, arguments.warnings);
 }
 
-void AddDiagnosticsOption(CLI::App& command, const Session& session, std::string& format) {
+void AddDiagnosticsOption(CLI::App& command, const Invocation& invocation, std::string& format) {
   command
       .add_option("--diagnostics", format,
-                  session.Say({"form of the diagnostics: text|json", "诊断格式：text|json"}))
+                  invocation.Say({"form of the diagnostics: text|json", "诊断格式：text|json"}))
       ->type_name("FORMAT")
       ->check(CLI::IsMember({"text", "json"}).description(""));
 }

@@ -19,11 +19,11 @@ struct CompileArguments {
 
 /// Adds -I, --double, -W and --max-errors, and --structured unless the command reads nothing but
 /// structured C.
-void AddCompileOptions(CLI::App& command, const Session& session, CompileArguments& arguments,
+void AddCompileOptions(CLI::App& command, const Invocation& invocation, CompileArguments& arguments,
                        bool with_structured = true);
 
 /// Adds --diagnostics, for commands whose results are files: `text` or `json`.
-void AddDiagnosticsOption(CLI::App& command, const Session& session, std::string& format);
+void AddDiagnosticsOption(CLI::App& command, const Invocation& invocation, std::string& format);
 
 compiler::Options OptionsOf(const CompileArguments& arguments);
 

@@ -110,30 +110,30 @@ std::vector<OptionalPart> OptionalParts() {
            GnuplotRemedy()}};
 }
 
-void PrintText(const gtcalls::Family& family, const Session& session) {
+void PrintText(const gtcalls::Family& family, const Invocation& invocation) {
   std::string text;
   for (const Fact& fact : Facts(family)) {
-    text += fmt::format("{}: {}\n", session.Say(fact.name), fact.value);
+    text += fmt::format("{}: {}\n", invocation.Say(fact.name), fact.value);
   }
   for (const OptionalPart& part : OptionalParts()) {
     const Message found = {"yes", "有"};
-    text += fmt::format("{}: {}\n", session.Say(part.name),
-                        session.Say(part.present ? found : part.remedy));
+    text += fmt::format("{}: {}\n", invocation.Say(part.name),
+                        invocation.Say(part.present ? found : part.remedy));
   }
   PrintResult(text);
 }
 
-void PrintJson(const gtcalls::Family& family, const Session& session) {
+void PrintJson(const gtcalls::Family& family, const Invocation& invocation) {
   nlohmann::ordered_json json;
   for (const Fact& fact : Facts(family)) json[fact.key] = fact.value;
   for (const OptionalPart& part : OptionalParts()) {
     json["optional"][part.key]["present"] = part.present;
-    if (!part.present) json["optional"][part.key]["remedy"] = session.Say(part.remedy);
+    if (!part.present) json["optional"][part.key]["remedy"] = invocation.Say(part.remedy);
   }
   PrintResult(JsonText(json, 2) + '\n');
 }
 
-void PrintCommands(const gtcalls::Family& family, bool as_json, const Session& session) {
+void PrintCommands(const gtcalls::Family& family, bool as_json, const Invocation& invocation) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   std::string text;
   for (const gtcalls::Command& command : family.catalogue.commands()) {
@@ -145,48 +145,48 @@ void PrintCommands(const gtcalls::Family& family, bool as_json, const Session& s
       state.en += ": " + why->en;
       state.zh += "：" + why->zh;
     }
-    text += fmt::format("{:<28} {}\n", command.name, session.Say(state));
+    text += fmt::format("{:<28} {}\n", command.name, invocation.Say(state));
     list.push_back({{"name", command.name},
                     {"implemented", implemented},
                     {"in_motion_program", command.in_motion_program}});
-    if (why != nullptr) list.back()["reason"] = session.Say(*why);
+    if (why != nullptr) list.back()["reason"] = invocation.Say(*why);
   }
   PrintResult(as_json ? JsonText(list, 2) + '\n' : text);
 }
 
-int Doctor(const DoctorArguments& arguments, const Session& session) {
+int Doctor(const DoctorArguments& arguments, const Invocation& invocation) {
   const bool json = arguments.format == "json";
   const gtcalls::Family& family = FamilyNamed(arguments.family);
   if (arguments.commands) {
-    PrintCommands(family, json, session);
+    PrintCommands(family, json, invocation);
   } else if (json) {
-    PrintJson(family, session);
+    PrintJson(family, invocation);
   } else {
-    PrintText(family, session);
+    PrintText(family, invocation);
   }
   return kExitOk;
 }
 
 }  // namespace
 
-void AddDoctor(CLI::App& app, Session& session) {
+void AddDoctor(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<DoctorArguments>();
   CLI::App* command =
-      AddCommand(app, session, "doctor",
+      AddCommand(app, invocation, "doctor",
                  {"show versions and the capabilities of this build", "显示版本以及本构建的能力"},
-                 [arguments, &session] { return Doctor(*arguments, session); });
+                 [arguments, &invocation] { return Doctor(*arguments, invocation); });
   command->add_flag("--commands", arguments->commands,
-                    session.Say({"list every GT command and whether it is implemented",
-                                 "列出全部 GT 指令及其实现情况"}));
+                    invocation.Say({"list every GT command and whether it is implemented",
+                                    "列出全部 GT 指令及其实现情况"}));
   command
       ->add_option("--family", arguments->family,
-                   session.Say(MakeMessage("the family of cards whose commands are counted or "
-                                           "listed: {0}",
-                                           "统计或列出哪个系列控制卡的指令：{0}",
-                                           fmt::to_string(fmt::join(FamilyNames(), ", ")))))
+                   invocation.Say(MakeMessage("the family of cards whose commands are counted or "
+                                              "listed: {0}",
+                                              "统计或列出哪个系列控制卡的指令：{0}",
+                                              fmt::to_string(fmt::join(FamilyNames(), ", ")))))
       ->check(CLI::IsMember(FamilyNames()).description(""))
       ->type_name("FAMILY");
-  AddFormatOption(*command, session, arguments->format, {"text", "json"});
+  AddFormatOption(*command, invocation, arguments->format, {"text", "json"});
 }
 
 }  // namespace oncard::tools

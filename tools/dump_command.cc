@@ -11,9 +11,9 @@ struct DumpArguments {
   bool json = false;
 };
 
-int Dump(const DumpArguments& arguments, const Session& session) {
+int Dump(const DumpArguments& arguments, const Invocation& invocation) {
   runtime::ProgramLoad load;
-  const int code = LoadOrReport(session, arguments.path, {}, false, &load);
+  const int code = LoadOrReport(invocation, arguments.path, {}, false, &load);
   if (code != kExitOk) return code;
   const runtime::Controller controller;
   PrintResult(arguments.json ? vm::DisassembleJson(*load.object, controller.commands())
@@ -23,19 +23,19 @@ int Dump(const DumpArguments& arguments, const Session& session) {
 
 }  // namespace
 
-void AddDump(CLI::App& app, Session& session) {
+void AddDump(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<DumpArguments>();
   CLI::App* command = AddCommand(
-      app, session, "dump",
+      app, invocation, "dump",
       {"list an object's instructions, words and source lines", "列出目标文件的指令、字和源代码行"},
-      [arguments, &session] { return Dump(*arguments, session); });
+      [arguments, &invocation] { return Dump(*arguments, invocation); });
   command
       ->add_option("object", arguments->path,
-                   session.Say({"object (.bin), or a source to be compiled first",
-                                "目标文件（.bin），或先行编译的源文件"}))
+                   invocation.Say({"object (.bin), or a source to be compiled first",
+                                   "目标文件（.bin），或先行编译的源文件"}))
       ->required()
       ->type_name("FILE");
-  command->add_flag("--json", arguments->json, session.Say({"print JSON", "以 JSON 输出"}));
+  command->add_flag("--json", arguments->json, invocation.Say({"print JSON", "以 JSON 输出"}));
 }
 
 }  // namespace oncard::tools

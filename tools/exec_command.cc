@@ -128,25 +128,25 @@ int Start(char* const* host, int output, pid_t* process) {
 
 /// Draws the script that a host with that exit code has written; returns the code unless drawing
 /// fails.
-int Draw(const ExecArguments& arguments, int code, const Session& session) {
+int Draw(const ExecArguments& arguments, int code, const Invocation& invocation) {
   const auto script = ReadFile(ScriptPath(arguments));
-  if (!script.ok()) return code != 0 ? code : Fail(session, kExitFailed, script.error().message);
+  if (!script.ok()) return code != 0 ? code : Fail(invocation, kExitFailed, script.error().message);
   std::error_code ignored;
   std::filesystem::remove(ScriptPath(arguments), ignored);
   ::unsetenv("LD_PRELOAD");  // gnuplot uses the real time
-  const int drawn = WritePicture(session, arguments.plot, script.value());
+  const int drawn = WritePicture(invocation, arguments.plot, script.value());
   return code != 0 ? code : drawn;
 }
 
 /// Runs the host to its end, converts its output to UTF-8 and draws, as far as requested. Returns
 /// the host's exit code, unless one of the others fails.
-int RunToEnd(const ExecArguments& arguments, char* const* host, const Session& session) {
+int RunToEnd(const ExecArguments& arguments, char* const* host, const Invocation& invocation) {
   int output[2] = {-1, -1};
   if (arguments.gbk && ::pipe2(output, O_CLOEXEC) != 0) return kExitInternal;
   pid_t process = 0;
   const int failure = Start(host, output[1], &process);
   if (failure != 0) {
-    return Fail(session, kExitUnreadable,
+    return Fail(invocation, kExitUnreadable,
                 MakeMessage("cannot run '{0}': {1}", "无法运行“{0}”：{1}", host[0],
                             std::strerror(failure)));
   }
@@ -163,26 +163,26 @@ int RunToEnd(const ExecArguments& arguments, char* const* host, const Session& s
   }
   HandSignalsOn(0);
   int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  if (!relayed.ok() && code == 0) code = Fail(session, kExitFailed, relayed.error().message);
-  return arguments.plot.empty() ? code : Draw(arguments, code, session);
+  if (!relayed.ok() && code == 0) code = Fail(invocation, kExitFailed, relayed.error().message);
+  return arguments.plot.empty() ? code : Draw(arguments, code, invocation);
 }
 
-int Exec(const ExecArguments& arguments, const Session& session) {
+int Exec(const ExecArguments& arguments, const Invocation& invocation) {
   const auto clock = runtime::ParseClockSetting(arguments.clock);
   if (!clock.ok()) {
-    return Fail(session, kExitUsage,
+    return Fail(invocation, kExitUsage,
                 MakeMessage("--clock is '{}', expected virtual, real or real:SCALE",
                             "--clock 为“{}”，应为 virtual、real 或 real:倍率", arguments.clock));
   }
   const auto keys = runtime::ParseKeyScript(arguments.keys);
-  if (!keys.ok()) return Fail(session, kExitUsage, keys.error().message);
+  if (!keys.ok()) return Fail(invocation, kExitUsage, keys.error().message);
   if (!arguments.card.empty()) ::setenv("ONCARD_CARD", arguments.card.c_str(), 1);
   const auto card = runtime::CardFromEnvironment();
-  if (!card.ok()) return Fail(session, kExitUsage, card.error().message);
+  if (!card.ok()) return Fail(invocation, kExitUsage, card.error().message);
   if (!arguments.scenario.empty()) {
     const auto scenario =
         runtime::LoadScenario(arguments.scenario, runtime::ScenarioUse::kHost, card.value());
-    if (!scenario.ok()) return Fail(session, kExitUnreadable, scenario.error().message);
+    if (!scenario.ok()) return Fail(invocation, kExitUnreadable, scenario.error().message);
     ::setenv("ONCARD_SCENARIO", arguments.scenario.c_str(), 1);
   }
   RequestTrace(arguments);
@@ -194,7 +194,7 @@ int Exec(const ExecArguments& arguments, const Session& session) {
   static_cast<void>(std::signal(SIGXFSZ, SIG_DFL));
   const LibraryFolders folders = FindLibraries();
   const Message missing = MissingLibrary(folders, arguments.host.front());
-  if (!missing.en.empty()) return Fail(session, kExitUnreadable, missing);
+  if (!missing.en.empty()) return Fail(invocation, kExitUnreadable, missing);
   ExtendList("LD_LIBRARY_PATH", folders.own, ":", false);
   if (!folders.of32bits.empty()) ExtendList("LD_LIBRARY_PATH", folders.of32bits, ":", false);
   if (clock.value().kind == runtime::ClockKind::kVirtual) {
@@ -209,69 +209,69 @@ int Exec(const ExecArguments& arguments, const Session& session) {
   pointers.push_back(nullptr);
   if (arguments.gbk) ::setenv("ONCARD_LINES", "1", 1);
   if (!arguments.plot.empty() || arguments.gbk) {
-    return RunToEnd(arguments, pointers.data(), session);
+    return RunToEnd(arguments, pointers.data(), invocation);
   }
   ::execvp(pointers[0], pointers.data());
   return Fail(
-      session, kExitUnreadable,
+      invocation, kExitUnreadable,
       MakeMessage("cannot run '{0}': {1}", "无法运行“{0}”：{1}", host[0], std::strerror(errno)));
 }
 
 }  // namespace
 
-void AddExec(CLI::App& app, Session& session) {
+void AddExec(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<ExecArguments>();
-  CLI::App* command = AddCommand(app, session, "exec",
+  CLI::App* command = AddCommand(app, invocation, "exec",
                                  {"run a host program in virtual time", "以虚拟时间运行主机程序"},
-                                 [arguments, &session] { return Exec(*arguments, session); });
+                                 [arguments, &invocation] { return Exec(*arguments, invocation); });
   command
       ->add_option(
           "host", arguments->host,
-          session.Say({"the program and its arguments, after --", "程序及其参数，写在 -- 之后"}))
+          invocation.Say({"the program and its arguments, after --", "程序及其参数，写在 -- 之后"}))
       ->required()
       ->type_name("HOST");
   command
-      ->add_option(
-          "--scenario", arguments->scenario,
-          session.Say({"scenario: the card, its surroundings, what must hold (docs/scenarios.md)",
-                       "场景：控制卡、外部世界与应成立的条件（docs/scenarios.md）"}))
+      ->add_option("--scenario", arguments->scenario,
+                   invocation.Say(
+                       {"scenario: the card, its surroundings, what must hold (docs/scenarios.md)",
+                        "场景：控制卡、外部世界与应成立的条件（docs/scenarios.md）"}))
       ->type_name("FILE");
   command
       ->add_option("--keys", arguments->keys,
-                   session.Say({"keys to press, as in 500:a,1000:q (at 500 ms, at 1000 ms)",
-                                "要按的键，如 500:a,1000:q（500 ms、1000 ms 时）"}))
+                   invocation.Say({"keys to press, as in 500:a,1000:q (at 500 ms, at 1000 ms)",
+                                   "要按的键，如 500:a,1000:q（500 ms、1000 ms 时）"}))
       ->type_name("KEYS");
   command
       ->add_option("--clock", arguments->clock,
-                   session.Say({"virtual (default), real or real:SCALE",
-                                "virtual（默认）、real 或 real:倍率"}))
+                   invocation.Say({"virtual (default), real or real:SCALE",
+                                   "virtual（默认）、real 或 real:倍率"}))
       ->type_name("CLOCK");
   const auto& card_names = gtcalls::kCardTypeNames;
   command
       ->add_option("--card", arguments->card,
-                   session.Say(MakeMessage("type of the cards: {0} (without a scenario {1})",
-                                           "控制卡型号：{0}（没有场景时为 {1}）",
-                                           fmt::to_string(fmt::join(card_names, ", ")),
-                                           runtime::LibraryFamily().default_card.name)))
+                   invocation.Say(MakeMessage("type of the cards: {0} (without a scenario {1})",
+                                              "控制卡型号：{0}（没有场景时为 {1}）",
+                                              fmt::to_string(fmt::join(card_names, ", ")),
+                                              runtime::LibraryFamily().default_card.name)))
       ->check(CLI::IsMember(std::vector<std::string>(std::begin(card_names), std::end(card_names)))
                   .description(""))
       ->type_name("CARD");
   command->add_flag("--gbk", arguments->gbk,
-                    session.Say({"convert the output of the host from GBK to UTF-8",
-                                 "将主机程序以 GBK 输出的文字转为 UTF-8"}));
+                    invocation.Say({"convert the output of the host from GBK to UTF-8",
+                                    "将主机程序以 GBK 输出的文字转为 UTF-8"}));
   command
       ->add_option("--trace", arguments->trace,
-                   session.Say({"write values over time, as .vcd, .csv, .json or .gnuplot",
-                                "写出随时间变化的值，格式为 .vcd、.csv、.json 或 .gnuplot"}))
+                   invocation.Say({"write values over time, as .vcd, .csv, .json or .gnuplot",
+                                   "写出随时间变化的值，格式为 .vcd、.csv、.json 或 .gnuplot"}))
       ->type_name("FILE")
       ->check(CLI::Validator(CheckTraceName, ""));
   command
       ->add_option("--plot", arguments->plot,
-                   session.Say({"draw values over time, as .svg or .png (needs gnuplot)",
-                                "绘制随时间变化的曲线，格式为 .svg 或 .png（需要 gnuplot）"}))
+                   invocation.Say({"draw values over time, as .svg or .png (needs gnuplot)",
+                                   "绘制随时间变化的曲线，格式为 .svg 或 .png（需要 gnuplot）"}))
       ->type_name("FILE")
       ->check(CLI::Validator(CheckPictureName, ""));
-  AddStrictCommandsOption(*command, session, arguments->strict_commands);
+  AddStrictCommandsOption(*command, invocation, arguments->strict_commands);
 }
 
 }  // namespace oncard::tools

@@ -25,23 +25,23 @@ explore::Explored ExploredOf(const ExploreSubject& subject) {
 }
 
 /// Writes the failing schedule. Returns the exit code.
-int SaveSchedule(const std::string& path, const Session& session, const ExploreSubject& subject,
-                 const explore::Findings& findings) {
+int SaveSchedule(const std::string& path, const Invocation& invocation,
+                 const ExploreSubject& subject, const explore::Findings& findings) {
   const auto text = explore::FailureSchedule(ExploredOf(subject), findings, path);
-  if (!text.ok()) return Fail(session, kExitInternal, text.error().message);
-  return WriteOutput(session, path, text.value());
+  if (!text.ok()) return Fail(invocation, kExitInternal, text.error().message);
+  return WriteOutput(invocation, path, text.value());
 }
 
 /// Writes a scenario that replays the failing schedule and expects that it no longer fails,
 /// together with the schedule. Returns the exit code.
-int SaveRegression(const std::string& path, const Session& session, const ExploreSubject& subject,
-                   const explore::Findings& findings) {
+int SaveRegression(const std::string& path, const Invocation& invocation,
+                   const ExploreSubject& subject, const explore::Findings& findings) {
   const std::string schedule = std::filesystem::path(path).replace_extension(".schedule").string();
   const auto text = explore::RegressionScenario(ExploredOf(subject), findings, path, schedule);
-  if (!text.ok()) return Fail(session, kExitUsage, text.error().message);
-  const int saved = SaveSchedule(schedule, session, subject, findings);
+  if (!text.ok()) return Fail(invocation, kExitUsage, text.error().message);
+  const int saved = SaveSchedule(schedule, invocation, subject, findings);
   if (saved != kExitOk) return saved;
-  return WriteOutput(session, path, text.value());
+  return WriteOutput(invocation, path, text.value());
 }
 
 int ExitCodeOf(explore::Verdict verdict) {
@@ -81,7 +81,7 @@ explore::ExploreOptions OptionsOf(const ExploreArguments& arguments,
 }
 
 /// Reports options that the engine cannot use. Returns the exit code.
-int CheckSettings(const ExploreArguments& arguments, const Session& session,
+int CheckSettings(const ExploreArguments& arguments, const Invocation& invocation,
                   explore::EngineKind engine) {
   const std::pair<std::string_view, bool> given[] = {
       {"--max-executions", arguments.execution_limit != 0},
@@ -96,67 +96,69 @@ int CheckSettings(const ExploreArguments& arguments, const Session& session,
     const bool is_given =
         std::ranges::find(given, std::pair(setting.option, true)) != std::end(given);
     if (!is_given || setting.UsedBy(name)) continue;
-    return Fail(session, kExitUsage, runtime::DescribeUnusedSetting(setting, setting.option, name));
+    return Fail(invocation, kExitUsage,
+                runtime::DescribeUnusedSetting(setting, setting.option, name));
   }
   return kExitOk;
 }
 
 /// Reports which commands of threads were refused. Returns the exit code for that.
-int ReportRefused(const ExploreArguments& arguments, const Session& session,
+int ReportRefused(const ExploreArguments& arguments, const Invocation& invocation,
                   const ExploreSubject& subject, const explore::Findings& findings) {
   for (const runtime::RefusedCommand& refused : findings.refused) {
     const Message text =
         runtime::DescribeRefusedPlace(refused, runtime::ProgramPath(subject.scenario));
-    PrintDiagnostics(session.Say(
+    PrintDiagnostics(invocation.Say(
         MakeMessage("oncard: warning: {0}\n", "oncard: 警告：{1}\n", text.en, text.zh)));
   }
   return arguments.strict_commands && !findings.refused.empty() ? kExitFailed : kExitOk;
 }
 
 /// Writes the requested output. Returns the exit code.
-int Report(const ExploreArguments& arguments, const Session& session, const ExploreSubject& subject,
-           explore::Findings findings) {
+int Report(const ExploreArguments& arguments, const Invocation& invocation,
+           const ExploreSubject& subject, explore::Findings findings) {
   findings.source = subject.source;
   const explore::ReportOptions shown = {arguments.full, OutputWidth()};
-  PrintResult(arguments.format == "json" ? explore::JsonReport(findings)
-                                         : explore::TextReport(findings, session.language, shown));
+  PrintResult(arguments.format == "json"
+                  ? explore::JsonReport(findings)
+                  : explore::TextReport(findings, invocation.language, shown));
   if (!arguments.report.empty()) {
     const std::string report = arguments.report.ends_with(".html")
-                                   ? explore::HtmlReport(findings, session.language, shown)
+                                   ? explore::HtmlReport(findings, invocation.language, shown)
                                    : explore::ChromeReport(findings);
-    const int written = WriteOutput(session, arguments.report, report);
+    const int written = WriteOutput(invocation, arguments.report, report);
     if (written != kExitOk) return written;
   }
   if (findings.exploration.failure && !arguments.save.empty()) {
-    const int saved = SaveSchedule(arguments.save, session, subject, findings);
+    const int saved = SaveSchedule(arguments.save, invocation, subject, findings);
     if (saved != kExitOk) return saved;
   }
   if (findings.exploration.failure && !arguments.regression.empty()) {
-    const int saved = SaveRegression(arguments.regression, session, subject, findings);
+    const int saved = SaveRegression(arguments.regression, invocation, subject, findings);
     if (saved != kExitOk) return saved;
   }
-  const int refused = ReportRefused(arguments, session, subject, findings);
+  const int refused = ReportRefused(arguments, invocation, subject, findings);
   return refused != kExitOk ? refused : ExitCodeOf(findings.exploration.verdict);
 }
 
 /// Continues a search that is kept in a file.
-int ExploreKept(const ExploreArguments& arguments, const Session& session,
+int ExploreKept(const ExploreArguments& arguments, const Invocation& invocation,
                 const ExploreSubject& subject, const std::string& path, explore::SearchFile file) {
-  const int checked = CheckSettings(arguments, session, file.engine);
+  const int checked = CheckSettings(arguments, invocation, file.engine);
   if (checked != kExitOk) return checked;
-  SearchWatch watch(session,
+  SearchWatch watch(invocation,
                     {.shows = arguments.progress, .seconds = arguments.seconds, .pauses = true});
   explore::ExploreOptions options = OptionsOf(arguments, subject);
   options.progress = watch.progress();
   int written = kExitOk;
   const auto keep = [&](const explore::SearchFile& present) {
-    written = WriteOutput(session, path, explore::FormatSearchFile(present));
+    written = WriteOutput(invocation, path, explore::FormatSearchFile(present));
     return written == kExitOk;
   };
   auto findings = GoOn(subject, options, keep, &file);
-  if (!findings.ok()) return Fail(session, kExitUsage, findings.error().message);
+  if (!findings.ok()) return Fail(invocation, kExitUsage, findings.error().message);
   if (written != kExitOk || !keep(file)) return written;
-  return Report(arguments, session, subject, std::move(findings).value());
+  return Report(arguments, invocation, subject, std::move(findings).value());
 }
 
 SubjectReading ReadingOf(const ExploreArguments& arguments) {
@@ -164,12 +166,12 @@ SubjectReading ReadingOf(const ExploreArguments& arguments) {
 }
 
 /// Begins a search that is kept in a file, or continues it if the file exists.
-int ExploreIntoFile(const ExploreArguments& arguments, const Session& session) {
+int ExploreIntoFile(const ExploreArguments& arguments, const Invocation& invocation) {
   const std::string& input = arguments.paths.front();
   explore::SearchPart part;
   if (!arguments.shard.empty()) {
     const auto parsed = explore::ParsePart(arguments.shard);
-    if (!parsed.ok()) return Fail(session, kExitUsage, parsed.error().message);
+    if (!parsed.ok()) return Fail(invocation, kExitUsage, parsed.error().message);
     part = parsed.value();
   }
   std::string path = arguments.search;
@@ -180,38 +182,39 @@ int ExploreIntoFile(const ExploreArguments& arguments, const Session& session) {
   ExploreSubject subject;
   explore::SearchFile file;
   if (std::filesystem::exists(path)) {
-    const int read = ReadSearch(session, path, ReadingOf(arguments), &file, &subject);
+    const int read = ReadSearch(invocation, path, ReadingOf(arguments), &file, &subject);
     if (read != kExitOk) return read;
-    return ExploreKept(arguments, session, subject, path, std::move(file));
+    return ExploreKept(arguments, invocation, subject, path, std::move(file));
   }
-  const int read = ReadSubject(session, input, ReadingOf(arguments), &subject);
+  const int read = ReadSubject(invocation, input, ReadingOf(arguments), &subject);
   if (read != kExitOk) return read;
   ApplyRaceRule(arguments, &subject);
   auto begun = BeginSearch(subject, input, path, part, OptionsOf(arguments, subject));
-  if (!begun.ok()) return Fail(session, kExitUsage, begun.error().message);
-  return ExploreKept(arguments, session, subject, path, std::move(begun).value());
+  if (!begun.ok()) return Fail(invocation, kExitUsage, begun.error().message);
+  return ExploreKept(arguments, invocation, subject, path, std::move(begun).value());
 }
 
-int Merge(const ExploreArguments& arguments, const Session& session) {
+int Merge(const ExploreArguments& arguments, const Invocation& invocation) {
   ExploreSubject subject;
   explore::SearchFile file;
-  const int merged = MergeSearches(session, arguments.paths, ReadingOf(arguments), &file, &subject);
+  const int merged =
+      MergeSearches(invocation, arguments.paths, ReadingOf(arguments), &file, &subject);
   if (merged != kExitOk) return merged;
   if (!arguments.search.empty()) {
     const auto moved = MoveSearch(arguments.paths.front(), arguments.search, &file);
-    if (!moved.ok()) return Fail(session, kExitUsage, moved.error().message);
-    const int written = WriteOutput(session, arguments.search, explore::FormatSearchFile(file));
+    if (!moved.ok()) return Fail(invocation, kExitUsage, moved.error().message);
+    const int written = WriteOutput(invocation, arguments.search, explore::FormatSearchFile(file));
     if (written != kExitOk) return written;
   }
   auto findings = ConcludeSearch(subject, file);
-  if (!findings.ok()) return Fail(session, kExitUsage, findings.error().message);
-  return Report(arguments, session, subject, std::move(findings).value());
+  if (!findings.ok()) return Fail(invocation, kExitUsage, findings.error().message);
+  return Report(arguments, invocation, subject, std::move(findings).value());
 }
 
-int Explore(const ExploreArguments& arguments, const Session& session) {
-  if (arguments.merge) return Merge(arguments, session);
+int Explore(const ExploreArguments& arguments, const Invocation& invocation) {
+  if (arguments.merge) return Merge(arguments, invocation);
   if (arguments.paths.size() > 1) {
-    return Fail(session, kExitUsage,
+    return Fail(invocation, kExitUsage,
                 {"only one file can be explored at a time; --merge takes several",
                  "一次只能探索一个文件；多个文件用于 --merge"});
   }
@@ -219,52 +222,53 @@ int Explore(const ExploreArguments& arguments, const Session& session) {
   ExploreSubject subject;
   if (input.ends_with(".search")) {
     explore::SearchFile file;
-    const int read = ReadSearch(session, input, ReadingOf(arguments), &file, &subject);
+    const int read = ReadSearch(invocation, input, ReadingOf(arguments), &file, &subject);
     if (read != kExitOk) return read;
-    return ExploreKept(arguments, session, subject, input, std::move(file));
+    return ExploreKept(arguments, invocation, subject, input, std::move(file));
   }
   if (!arguments.search.empty() || !arguments.shard.empty()) {
-    return ExploreIntoFile(arguments, session);
+    return ExploreIntoFile(arguments, invocation);
   }
-  const int read = ReadSubject(session, input, ReadingOf(arguments), &subject);
+  const int read = ReadSubject(invocation, input, ReadingOf(arguments), &subject);
   if (read != kExitOk) return read;
   ApplyRaceRule(arguments, &subject);
   const auto& wish = subject.scenario.explore;
   if (arguments.engine.empty() && wish && !wish->follow.empty()) {
     auto findings = explore::ExploreAsWished(subject.scenario, subject.object, subject.source);
-    if (!findings.ok()) return Fail(session, kExitUsage, findings.error().message);
-    return Report(arguments, session, subject, std::move(findings).value());
+    if (!findings.ok()) return Fail(invocation, kExitUsage, findings.error().message);
+    return Report(arguments, invocation, subject, std::move(findings).value());
   }
   explore::ExploreOptions options = OptionsOf(arguments, subject);
-  const int checked = CheckSettings(arguments, session, options.engine);
+  const int checked = CheckSettings(arguments, invocation, options.engine);
   if (checked != kExitOk) return checked;
-  UnnamedSearch unnamed(session, input, subject, options);
-  SearchWatch watch(session, {.shows = arguments.progress,
-                              .seconds = arguments.seconds,
-                              .pauses = unnamed.searches_traces()});
+  UnnamedSearch unnamed(invocation, input, subject, options);
+  SearchWatch watch(invocation, {.shows = arguments.progress,
+                                 .seconds = arguments.seconds,
+                                 .pauses = unnamed.searches_traces()});
   options.progress = watch.progress();
   options.keep = [&unnamed](const explore::TraceSearch& search) { unnamed.Keep(search); };
   auto findings =
       explore::ExploreScenario(subject.scenario, subject.requirements, subject.object, options);
-  if (!findings.ok()) return Fail(session, kExitUsage, findings.error().message);
+  if (!findings.ok()) return Fail(invocation, kExitUsage, findings.error().message);
   const int kept = unnamed.End(findings.value().exploration, watch.interrupted());
   if (kept != kExitOk) return kept;
-  return Report(arguments, session, subject, std::move(findings).value());
+  return Report(arguments, invocation, subject, std::move(findings).value());
 }
 
 }  // namespace
 
-void AddExplore(CLI::App& app, Session& session) {
+void AddExplore(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<ExploreArguments>();
   arguments->progress = ::isatty(STDERR_FILENO) == 1;
-  CLI::App* command = AddCommand(app, session, "explore",
-                                 {"prove that a program is correct under every interleaving of its "
-                                  "threads, or show one that fails",
-                                  "证明线程的任何交错都不会出错，或给出一个出错的交错"},
-                                 [arguments, &session] { return Explore(*arguments, session); });
-  AddExploreOptions(*command, session, *arguments);
-  AddStrictCommandsOption(*command, session, arguments->strict_commands);
-  AddFormatOption(*command, session, arguments->format, {"text", "json"});
+  CLI::App* command =
+      AddCommand(app, invocation, "explore",
+                 {"prove that a program is correct under every interleaving of its "
+                  "threads, or show one that fails",
+                  "证明线程的任何交错都不会出错，或给出一个出错的交错"},
+                 [arguments, &invocation] { return Explore(*arguments, invocation); });
+  AddExploreOptions(*command, invocation, *arguments);
+  AddStrictCommandsOption(*command, invocation, arguments->strict_commands);
+  AddFormatOption(*command, invocation, arguments->format, {"text", "json"});
 }
 
 }  // namespace oncard::tools

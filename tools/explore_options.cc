@@ -9,18 +9,20 @@
 
 namespace oncard::tools {
 
-void AddExploreOptions(CLI::App& command, const Session& session, ExploreArguments& arguments) {
+void AddExploreOptions(CLI::App& command, const Invocation& invocation,
+                       ExploreArguments& arguments) {
   command
-      .add_option("file", arguments.paths,
-                  session.Say({"scenario (.toml), a source with //@ comments, or an interrupted "
-                               "search (.search)",
-                               "场景文件（.toml）、带 //@ 注释的源程序，或中断的搜索（.search）"}))
+      .add_option(
+          "file", arguments.paths,
+          invocation.Say({"scenario (.toml), a source with //@ comments, or an interrupted "
+                          "search (.search)",
+                          "场景文件（.toml）、带 //@ 注释的源程序，或中断的搜索（.search）"}))
       ->required()
       ->type_name("FILE");
   command
       .add_option(
           "--engine", arguments.engine,
-          session.Say(
+          invocation.Say(
               {"auto (default), dpor or stateful search all schedules; bounded those with few "
                "preemptions; random, pct and pos try some",
                "auto（默认）、dpor 或 stateful 搜索所有调度；bounded "
@@ -32,102 +34,105 @@ void AddExploreOptions(CLI::App& command, const Session& session, ExploreArgumen
                   .description(""));
   command
       .add_option("--preemptions", arguments.preemptions,
-                  session.Say({"maximum number of preemptions, for bounded (default 2)",
-                               "bounded 引擎的最大抢占次数（默认 2）"}))
+                  invocation.Say({"maximum number of preemptions, for bounded (default 2)",
+                                  "bounded 引擎的最大抢占次数（默认 2）"}))
       ->type_name("N")
       ->check(CLI::Range(0, 1000).description(""));
-  AddStructuredOption(command, session, arguments.structured);
+  AddStructuredOption(command, invocation, arguments.structured);
   command.add_flag(
       "--merge-private", arguments.merge_private,
-      session.Say(
+      invocation.Say(
           {"combine statements that access no global with the one before them: fewer states",
            "将不涉及全局变量的语句并入前一条语句：状态更少"}));
-  command.add_flag("--full", arguments.full,
-                   session.Say({"show every statement of a failing run and every pass of its loops",
-                                "列出出错运行的每条语句，循环逐次列出"}));
+  command.add_flag(
+      "--full", arguments.full,
+      invocation.Say({"show every statement of a failing run and every pass of its loops",
+                      "列出出错运行的每条语句，循环逐次列出"}));
   command.add_flag("--races", arguments.races,
-                   session.Say({"a data race is a failure", "将数据竞争视为失败"}));
+                   invocation.Say({"a data race is a failure", "将数据竞争视为失败"}));
   command.add_flag("--benign", arguments.benign,
-                   session.Say({"the same, except races that change no final value",
-                                "同上，但不改变任何最终值的竞争除外"}));
+                   invocation.Say({"the same, except races that change no final value",
+                                   "同上，但不改变任何最终值的竞争除外"}));
   command
       .add_option("--runs", arguments.runs,
-                  session.Say({"number of random schedules (default 10000)",
-                               "尝试的随机调度数（默认 10000）"}))
+                  invocation.Say({"number of random schedules (default 10000)",
+                                  "尝试的随机调度数（默认 10000）"}))
       ->type_name("N")
       ->check(CLI::Range(int64_t{1}, int64_t{1'000'000'000'000}).description(""));
   command
       .add_option(
           "--seed", arguments.seed,
-          session.Say({"seed of the random schedules (default 1)", "随机调度的种子（默认 1）"}))
+          invocation.Say({"seed of the random schedules (default 1)", "随机调度的种子（默认 1）"}))
       ->type_name("N");
   command
       .add_option("--depth", arguments.depth,
-                  session.Say({"number of orderings that a fault needs, for pct (default 3)",
-                               "pct 引擎所假定的错误深度（默认 3）"}))
+                  invocation.Say({"number of orderings that a fault needs, for pct (default 3)",
+                                  "pct 引擎所假定的错误深度（默认 3）"}))
       ->type_name("N")
       ->check(CLI::Range(1, explore::kPctDepthMax).description(""));
   command
       .add_option("--save", arguments.save,
-                  session.Say({"write a failing schedule for 'oncard replay'",
-                               "写出失败的调度，供“oncard replay”使用"}))
+                  invocation.Say({"write a failing schedule for 'oncard replay'",
+                                  "写出失败的调度，供“oncard replay”使用"}))
       ->type_name("FILE");
   command
-      .add_option("--regression", arguments.regression,
-                  session.Say({"write a scenario for 'oncard test' that checks a failing schedule "
-                               "again, and the schedule beside it",
-                               "写出供“oncard test”再次检查失败调度的场景，调度文件在其旁边"}))
+      .add_option(
+          "--regression", arguments.regression,
+          invocation.Say({"write a scenario for 'oncard test' that checks a failing schedule "
+                          "again, and the schedule beside it",
+                          "写出供“oncard test”再次检查失败调度的场景，调度文件在其旁边"}))
       ->type_name("FILE.toml")
-      ->check([&session](const std::string& path) {
+      ->check([&invocation](const std::string& path) {
         if (path.ends_with(".toml")) return std::string();
-        return session.Say({"the file name must end in .toml", "文件名应以 .toml 结尾"});
+        return invocation.Say({"the file name must end in .toml", "文件名应以 .toml 结尾"});
       });
   command
-      .add_option("--report", arguments.report,
-                  session.Say({"write the result as a page (.html), or a failure as trace events "
-                               "(.json)",
-                               "将结果写成网页（.html），或将失败写成跟踪事件（.json）"}))
+      .add_option(
+          "--report", arguments.report,
+          invocation.Say({"write the result as a page (.html), or a failure as trace events "
+                          "(.json)",
+                          "将结果写成网页（.html），或将失败写成跟踪事件（.json）"}))
       ->type_name("FILE")
-      ->check([&session](const std::string& path) {
+      ->check([&invocation](const std::string& path) {
         if (path.ends_with(".html") || path.ends_with(".json")) return std::string();
-        return session.Say(
+        return invocation.Say(
             {"the file name must end in .html or .json", "文件名应以 .html 或 .json 结尾"});
       });
   command
       .add_option("--max-executions", arguments.execution_limit,
-                  session.Say({"end the search after N executions", "执行次数上限"}))
+                  invocation.Say({"end the search after N executions", "执行次数上限"}))
       ->type_name("N")
       ->check(CLI::Range(int64_t{1}, int64_t{1'000'000'000'000}).description(""));
   command
       .add_option("--max-states", arguments.state_limit,
-                  session.Say({"end the search after N states", "状态数上限"}))
+                  invocation.Say({"end the search after N states", "状态数上限"}))
       ->type_name("N")
       ->check(CLI::Range(1u, 4'000'000'000u).description(""));
   command
       .add_option("--time", arguments.seconds,
-                  session.Say({"end the search after this time and report what is known",
-                               "搜索超过该秒数后结束，并给出已知结果"}))
+                  invocation.Say({"end the search after this time and report what is known",
+                                  "搜索超过该秒数后结束，并给出已知结果"}))
       ->type_name("SECONDS")
       ->check(CLI::Range(0.001, 1e9).description(""));
   command.add_flag("--all", arguments.all,
-                   session.Say({"continue after a failure, so that all are counted",
-                                "出错后继续搜索，以统计全部错误"}));
+                   invocation.Say({"continue after a failure, so that all are counted",
+                                   "出错后继续搜索，以统计全部错误"}));
   command
       .add_option("--search", arguments.search,
-                  session.Say({"save the search in this file; continue it if the file exists",
-                               "将搜索保存到该文件；文件已存在时继续该搜索"}))
+                  invocation.Say({"save the search in this file; continue it if the file exists",
+                                  "将搜索保存到该文件；文件已存在时继续该搜索"}))
       ->type_name("FILE");
   command
       .add_option(
           "--shard", arguments.shard,
-          session.Say({"search only the I-th of N parts, for --merge; saved in a search file",
-                       "只搜索 N 部分中的第 I 部分，供 --merge 合并；结果存入搜索文件"}))
+          invocation.Say({"search only the I-th of N parts, for --merge; saved in a search file",
+                          "只搜索 N 部分中的第 I 部分，供 --merge 合并；结果存入搜索文件"}))
       ->type_name("I/N");
   command.add_flag("--merge", arguments.merge,
-                   session.Say({"merge the search files of the parts", "合并各部分的搜索文件"}));
+                   invocation.Say({"merge the search files of the parts", "合并各部分的搜索文件"}));
   command.add_flag("--progress", arguments.progress,
-                   session.Say({"show the progress every second (default on a terminal)",
-                                "每秒显示搜索进度（终端上默认开启）"}));
+                   invocation.Say({"show the progress every second (default on a terminal)",
+                                   "每秒显示搜索进度（终端上默认开启）"}));
 }
 
 }  // namespace oncard::tools

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/session.h"
+#include "tools/invocation.h"
 
 namespace oncard::tools {
 
@@ -39,6 +39,7 @@ struct ExploreArguments {
 };
 
 /// Declares them; parsing the command line fills in `arguments`, which must outlive the command.
-void AddExploreOptions(CLI::App& command, const Session& session, ExploreArguments& arguments);
+void AddExploreOptions(CLI::App& command, const Invocation& invocation,
+                       ExploreArguments& arguments);
 
 }  // namespace oncard::tools

@@ -43,11 +43,11 @@ Error Prefixed(const std::string& path, const Message& message) {
 }
 
 /// Checks the file's data with its program. Returns the exit code.
-int Check(const Session& session, const std::string& path, const explore::Problem& problem,
+int Check(const Invocation& invocation, const std::string& path, const explore::Problem& problem,
           const explore::SearchFile& file) {
   const auto checked = explore::CheckSearch(problem, file);
   if (checked.ok()) return kExitOk;
-  return Fail(session, kExitUnreadable, Prefixed(path, checked.error().message).message);
+  return Fail(invocation, kExitUnreadable, Prefixed(path, checked.error().message).message);
 }
 
 Result<explore::SearchFile> ReadFileOf(const std::string& path) {
@@ -60,40 +60,40 @@ Result<explore::SearchFile> ReadFileOf(const std::string& path) {
 
 }  // namespace
 
-int ReadSearch(const Session& session, const std::string& path, SubjectReading reading,
+int ReadSearch(const Invocation& invocation, const std::string& path, SubjectReading reading,
                explore::SearchFile* file, ExploreSubject* subject) {
   auto read = ReadFileOf(path);
-  if (!read.ok()) return Fail(session, kExitUnreadable, read.error().message);
+  if (!read.ok()) return Fail(invocation, kExitUnreadable, read.error().message);
   *file = std::move(read).value();
   const std::string input = runtime::PathFromScenario(At(path), file->input);
-  const int found = ReadSubject(session, input, reading, subject);
+  const int found = ReadSubject(invocation, input, reading, subject);
   if (found != kExitOk) return found;
   subject->scenario.races = file->races;
   const auto problem = ProblemOf(*subject);
-  if (!problem.ok()) return Fail(session, kExitUsage, problem.error().message);
+  if (!problem.ok()) return Fail(invocation, kExitUsage, problem.error().message);
   if (explore::HashOf(problem.value()) != file->problem) {
-    return Fail(session, kExitFailed,
+    return Fail(invocation, kExitFailed,
                 MakeMessage("{0} has changed since {1} was written: explore it again",
                             "{1} 写出之后 {0} 已改变：请重新探索", input, path));
   }
-  return Check(session, path, problem.value(), *file);
+  return Check(invocation, path, problem.value(), *file);
 }
 
-int MergeSearches(const Session& session, const std::vector<std::string>& paths,
+int MergeSearches(const Invocation& invocation, const std::vector<std::string>& paths,
                   SubjectReading reading, explore::SearchFile* file, ExploreSubject* subject) {
-  const int read = ReadSearch(session, paths.front(), reading, file, subject);
+  const int read = ReadSearch(invocation, paths.front(), reading, file, subject);
   if (read != kExitOk) return read;
   const auto problem = ProblemOf(*subject);
-  if (!problem.ok()) return Fail(session, kExitUsage, problem.error().message);
+  if (!problem.ok()) return Fail(invocation, kExitUsage, problem.error().message);
   for (size_t i = 1; i < paths.size(); ++i) {
     const auto other = ReadFileOf(paths[i]);
-    if (!other.ok()) return Fail(session, kExitUnreadable, other.error().message);
+    if (!other.ok()) return Fail(invocation, kExitUnreadable, other.error().message);
     if (other.value().problem == file->problem) {
-      const int checked = Check(session, paths[i], problem.value(), other.value());
+      const int checked = Check(invocation, paths[i], problem.value(), other.value());
       if (checked != kExitOk) return checked;
     }
     if (const auto merged = MergeInto(file, other.value()); !merged.ok()) {
-      return Fail(session, kExitUsage, Prefixed(paths[i], merged.error().message).message);
+      return Fail(invocation, kExitUsage, Prefixed(paths[i], merged.error().message).message);
     }
   }
   return kExitOk;

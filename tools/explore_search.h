@@ -9,17 +9,17 @@
 #include "explore/search/kept_search.h"
 #include "explore/search/search_file.h"
 #include "tools/explore_subject.h"
-#include "tools/session.h"
+#include "tools/invocation.h"
 
 namespace oncard::tools {
 
 /// Reads a search file and the program that it explores, which must be unchanged. Returns the exit
 /// code.
-int ReadSearch(const Session& session, const std::string& path, SubjectReading reading,
+int ReadSearch(const Invocation& invocation, const std::string& path, SubjectReading reading,
                explore::SearchFile* file, ExploreSubject* subject);
 
 /// Reads the files of parts and merges them. Returns the exit code.
-int MergeSearches(const Session& session, const std::vector<std::string>& paths,
+int MergeSearches(const Invocation& invocation, const std::vector<std::string>& paths,
                   SubjectReading reading, explore::SearchFile* file, ExploreSubject* subject);
 
 /// A new search, to be saved in `path`. Fails if searches of the engine cannot be saved, the

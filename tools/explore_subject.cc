@@ -8,17 +8,17 @@
 namespace oncard::tools {
 namespace {
 
-int ReadSource(const Session& session, const std::string& path, SubjectReading reading,
+int ReadSource(const Invocation& invocation, const std::string& path, SubjectReading reading,
                ExploreSubject* subject) {
   runtime::ProgramLoad load;
   runtime::Scenario alone;
   alone.structured = reading.structured;
   const int loaded =
-      LoadOrReport(session, path, runtime::CompileOptions(alone), reading.json, &load);
+      LoadOrReport(invocation, path, runtime::CompileOptions(alone), reading.json, &load);
   if (loaded != kExitOk) return loaded;
   subject->source = load.compilation ? load.compilation->files[0].text() : std::string();
   auto read = explore::ReadComments(path, subject->source, *load.object);
-  if (!read.ok()) return Fail(session, kExitUsage, read.error().message);
+  if (!read.ok()) return Fail(invocation, kExitUsage, read.error().message);
   subject->scenario = std::move(read.value().scenario);
   subject->scenario.structured = reading.structured;
   subject->requirements = std::move(read.value().requirements);
@@ -26,15 +26,15 @@ int ReadSource(const Session& session, const std::string& path, SubjectReading r
   return kExitOk;
 }
 
-int ReadScenario(const Session& session, const std::string& path, SubjectReading reading,
+int ReadScenario(const Invocation& invocation, const std::string& path, SubjectReading reading,
                  ExploreSubject* subject) {
   auto scenario = runtime::LoadScenario(path, runtime::ScenarioUse::kExplore);
-  if (!scenario.ok()) return Fail(session, kExitUnreadable, scenario.error().message);
+  if (!scenario.ok()) return Fail(invocation, kExitUnreadable, scenario.error().message);
   subject->scenario = std::move(scenario).value();
   if (reading.structured) subject->scenario.structured = true;
   subject->requirements = runtime::RequirementsOf(subject->scenario);
   runtime::ProgramLoad load;
-  const int loaded = LoadOrReport(session, runtime::ProgramPath(subject->scenario),
+  const int loaded = LoadOrReport(invocation, runtime::ProgramPath(subject->scenario),
                                   runtime::CompileOptions(subject->scenario), reading.json, &load);
   if (loaded != kExitOk) return loaded;
   subject->source = load.compilation ? load.compilation->files[0].text() : std::string();
@@ -44,10 +44,10 @@ int ReadScenario(const Session& session, const std::string& path, SubjectReading
 
 }  // namespace
 
-int ReadSubject(const Session& session, const std::string& path, SubjectReading reading,
+int ReadSubject(const Invocation& invocation, const std::string& path, SubjectReading reading,
                 ExploreSubject* subject) {
-  return path.ends_with(".toml") ? ReadScenario(session, path, reading, subject)
-                                 : ReadSource(session, path, reading, subject);
+  return path.ends_with(".toml") ? ReadScenario(invocation, path, reading, subject)
+                                 : ReadSource(invocation, path, reading, subject);
 }
 
 }  // namespace oncard::tools

@@ -6,7 +6,7 @@
 
 #include "explore/models/problem.h"
 #include "runtime/scenario/scenario.h"
-#include "tools/session.h"
+#include "tools/invocation.h"
 
 namespace oncard::tools {
 
@@ -25,7 +25,7 @@ struct SubjectReading {
 };
 
 /// Reads it and reports errors. Returns the exit code; the subject is filled in if that is kExitOk.
-int ReadSubject(const Session& session, const std::string& path, SubjectReading reading,
+int ReadSubject(const Invocation& invocation, const std::string& path, SubjectReading reading,
                 ExploreSubject* subject);
 
 }  // namespace oncard::tools

@@ -91,14 +91,14 @@ Message GnuplotRemedy() {
           "未安装 gnuplot：apt-get install gnuplot-nox"};
 }
 
-int WritePicture(const Session& session, const std::string& path, const std::string& script) {
+int WritePicture(const Invocation& invocation, const std::string& path, const std::string& script) {
   // -d: without the user's initialisation file.
   const auto run = RunGnuplot({"-d", "-"}, script);
-  if (!run) return Fail(session, kExitUnreadable, GnuplotRemedy());
+  if (!run) return Fail(invocation, kExitUnreadable, GnuplotRemedy());
   if (run->out.empty()) {
-    return Fail(session, kExitInternal, MakeMessage("gnuplot: {0}", "gnuplot：{0}", run->err));
+    return Fail(invocation, kExitInternal, MakeMessage("gnuplot: {0}", "gnuplot：{0}", run->err));
   }
-  return WriteOutput(session, path, run->out);
+  return WriteOutput(invocation, path, run->out);
 }
 
 std::string CheckPictureName(const std::string& path) {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "tools/session.h"
+#include "tools/invocation.h"
 
 namespace oncard::tools {
 
@@ -16,7 +16,7 @@ Message GnuplotRemedy();
 
 /// Runs a script (runtime/observe/plot.h) and writes the picture to a file; reports errors. Returns
 /// the exit code.
-int WritePicture(const Session& session, const std::string& path, const std::string& script);
+int WritePicture(const Invocation& invocation, const std::string& path, const std::string& script);
 
 /// Empty for the name of a picture, .svg or .png; otherwise the error.
 std::string CheckPictureName(const std::string& path);

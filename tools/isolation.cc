@@ -16,7 +16,7 @@
 #include <string>
 
 #include "base/json_text.h"
-#include "tools/session.h"
+#include "tools/invocation.h"
 
 namespace oncard::tools {
 namespace {

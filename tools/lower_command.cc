@@ -17,82 +17,82 @@ struct LowerOptions {
 };
 
 // A table of what each thread function takes, its calls that are jumps, and the globals.
-std::string CostTable(const compiler::Lowering& lowering, const Session& session) {
-  std::string text = session.Say(MakeMessage("{0:<32}{1:>12}{2:>8}{3:>13}{4:>12}\n",
-                                             "{5:<30}{6:>10}{7:>6}{8:>9}{9:>10}\n", "function",
-                                             "statements", "labels", "temporaries", "page slots",
-                                             "函数", "语句", "标号", "临时变量", "页存储单元"));
+std::string CostTable(const compiler::Lowering& lowering, const Invocation& invocation) {
+  std::string text = invocation.Say(MakeMessage("{0:<32}{1:>12}{2:>8}{3:>13}{4:>12}\n",
+                                                "{5:<30}{6:>10}{7:>6}{8:>9}{9:>10}\n", "function",
+                                                "statements", "labels", "temporaries", "page slots",
+                                                "函数", "语句", "标号", "临时变量", "页存储单元"));
   for (const compiler::FunctionCost& cost : lowering.costs) {
     text += fmt::format("{:<32}{:>12}{:>8}{:>13}{:>12}\n", cost.name, cost.statements, cost.labels,
                         cost.temporaries, cost.page_slots);
   }
   for (const compiler::FunctionCost& cost : lowering.costs) {
     for (const compiler::JumpCalls& jumps : cost.jumps) {
-      text += fmt::format("{}\n", session.Say(MakeMessage("{0}: {1} calls of {2} are jumps",
-                                                          "{0}：对 {2} 的 {1} 次调用为跳转",
-                                                          cost.name, jumps.calls, jumps.name)));
+      text += fmt::format("{}\n", invocation.Say(MakeMessage("{0}: {1} calls of {2} are jumps",
+                                                             "{0}：对 {2} 的 {1} 次调用为跳转",
+                                                             cost.name, jumps.calls, jumps.name)));
     }
   }
   return text +
-         fmt::format("{}\n", session.Say(MakeMessage("global slots: {0}", "全局存储单元：{0}",
-                                                     lowering.global_slots)));
+         fmt::format("{}\n", invocation.Say(MakeMessage("global slots: {0}", "全局存储单元：{0}",
+                                                        lowering.global_slots)));
 }
 
-int Lower(const LowerOptions& options, const Session& session) {
+int Lower(const LowerOptions& options, const Invocation& invocation) {
   if (!options.output.empty() && options.output == options.source) {
-    return Fail(session, kExitUsage,
+    return Fail(invocation, kExitUsage,
                 MakeMessage("the output '{0}' is the source: give it another name",
                             "输出“{0}”就是源文件：请换一个名称", options.output));
   }
   Result<std::string> text = compiler::ReadSource(options.source);
-  if (!text.ok()) return Fail(session, kExitUnreadable, text.error().message);
+  if (!text.ok()) return Fail(invocation, kExitUnreadable, text.error().message);
   compiler::Lowering lowering =
       compiler::LowerText(options.source, std::move(text).value(), OptionsOf(options.compile),
                           options.lowering, compiler::ReadSource);
   compiler::Compilation report;
   report.files = std::move(lowering.files);
   report.diagnostics = std::move(lowering.diagnostics);
-  const compiler::PrintOptions print = {session.language, session.color};
+  const compiler::PrintOptions print = {invocation.language, invocation.color};
   PrintDiagnostics(options.diagnostics == "json" ? compiler::PrintJson(report, print)
                                                  : compiler::PrintText(report, print));
   if (!lowering.text) return kExitFailed;
-  if (options.cost) PrintDiagnostics(CostTable(lowering, session));
-  if (!options.output.empty()) return WriteOutput(session, options.output, *lowering.text);
+  if (options.cost) PrintDiagnostics(CostTable(lowering, invocation));
+  if (!options.output.empty()) return WriteOutput(invocation, options.output, *lowering.text);
   PrintResult(*lowering.text);
   return kExitOk;
 }
 
 }  // namespace
 
-void AddLower(CLI::App& app, Session& session) {
+void AddLower(CLI::App& app, Invocation& invocation) {
   const auto options = std::make_shared<LowerOptions>();
   CLI::App* command =
-      AddCommand(app, session, "lower",
+      AddCommand(app, invocation, "lower",
                  {"translate structured C to the card's language", "把结构化 C 转换为控制卡的语言"},
-                 [options, &session] { return Lower(*options, session); });
+                 [options, &invocation] { return Lower(*options, invocation); });
   command
       ->add_option("source", options->source,
-                   session.Say({"program in structured C (.c)", "结构化 C 程序（.c）"}))
+                   invocation.Say({"program in structured C (.c)", "结构化 C 程序（.c）"}))
       ->required()
       ->type_name("FILE");
   command
       ->add_option("-o,--output", options->output,
-                   session.Say({"file of the lowered program (default: standard output)",
-                                "转换结果的文件（默认：标准输出）"}))
+                   invocation.Say({"file of the lowered program (default: standard output)",
+                                   "转换结果的文件（默认：标准输出）"}))
       ->type_name("FILE");
   command->add_flag(
       "--annotate", options->lowering.annotate,
-      session.Say({"mark statements of C that read and write a global in different "
-                   "statements of the card, and calls that are jumps",
-                   "标出在不同的卡语句中读写同一全局变量的 C 语句，以及成为跳转的调用"}));
+      invocation.Say({"mark statements of C that read and write a global in different "
+                      "statements of the card, and calls that are jumps",
+                      "标出在不同的卡语句中读写同一全局变量的 C 语句，以及成为跳转的调用"}));
   command->add_flag("--optimize,!--no-optimize", options->lowering.optimize,
-                    session.Say({"shorten the program (default)", "精简程序（默认）"}));
+                    invocation.Say({"shorten the program (default)", "精简程序（默认）"}));
   command->add_flag("--cost", options->cost,
-                    session.Say({"print what each function takes, and which calls are jumps, to "
-                                 "standard error",
-                                 "把各函数的占用情况以及哪些调用为跳转写到标准错误"}));
-  AddCompileOptions(*command, session, options->compile, false);
-  AddDiagnosticsOption(*command, session, options->diagnostics);
+                    invocation.Say({"print what each function takes, and which calls are jumps, to "
+                                    "standard error",
+                                    "把各函数的占用情况以及哪些调用为跳转写到标准错误"}));
+  AddCompileOptions(*command, invocation, options->compile, false);
+  AddDiagnosticsOption(*command, invocation, options->diagnostics);
 }
 
 }  // namespace oncard::tools

@@ -64,40 +64,40 @@ Message DescribeUnknownCommand(const CLI::App& app, const std::string& word) {
                      "没有命令“{0}”；是否为“{1}”？", word, near);
 }
 
-int ReportMistake(const CLI::App& app, const CLI::ParseError& error, const Session& session) {
+int ReportMistake(const CLI::App& app, const CLI::ParseError& error, const Invocation& invocation) {
   std::string command = app.get_name();
   for (const CLI::App* chosen : app.get_subcommands()) command += ' ' + chosen->get_name();
   const std::vector<std::string> words = app.remaining();
   const bool unknown =
       app.get_subcommands().empty() && !words.empty() && !words.front().starts_with('-');
-  Fail(session, kExitUsage,
+  Fail(invocation, kExitUsage,
        unknown ? DescribeUnknownCommand(app, words.front()) : DescribeMistake(error));
-  PrintDiagnostics(session.Say(
+  PrintDiagnostics(invocation.Say(
       MakeMessage("run '{0} --help' for its usage\n", "运行“{0} --help”查看用法\n", command)));
   return kExitUsage;
 }
 
 int Main(int argc, char** argv) {
   const std::span<char*> arguments(argv, static_cast<size_t>(argc));
-  Session session;
+  Invocation invocation;
   const auto language = OptionValue(arguments, "--lang");
-  session.language = language.has_value()
-                         ? (*language == "zh" ? Language::kChinese : Language::kEnglish)
-                         : LanguageFromEnvironment();
-  session.color = UseColor(OptionValue(arguments, "--color").value_or("auto"));
+  invocation.language = language.has_value()
+                            ? (*language == "zh" ? Language::kChinese : Language::kEnglish)
+                            : LanguageFromEnvironment();
+  invocation.color = UseColor(OptionValue(arguments, "--color").value_or("auto"));
 
-  EndWhenOutOfMemory(session);
+  EndWhenOutOfMemory(invocation);
   CLI::App app;
   app.name("oncard");
-  DescribeApp(app, session);
+  DescribeApp(app, invocation);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& wish) {  // --help and --version
     app.exit(wish);
   } catch (const CLI::ParseError& error) {
-    session.exit_code = ReportMistake(app, error, session);
+    invocation.exit_code = ReportMistake(app, error, invocation);
   }
-  return FinishOutput(session, session.exit_code);
+  return FinishOutput(invocation, invocation.exit_code);
 }
 
 }  // namespace

@@ -19,9 +19,9 @@ std::string* said = nullptr;
 
 }  // namespace
 
-void EndWhenOutOfMemory(const Session& session) {
+void EndWhenOutOfMemory(const Invocation& invocation) {
   static std::string text;
-  text = session.Say(
+  text = invocation.Say(
       {"oncard: out of memory: 'explore' needs less with --max-states, --engine=dpor or "
        "--engine=bounded, with a card also with a longer cycle_us or a smaller rate; 'run' with a "
        "shorter limit_ms, or without --trace, --plot, --steps and --record\n",

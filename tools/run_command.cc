@@ -83,16 +83,16 @@ Result<runtime::Scenario> ScenarioOf(const RunArguments& arguments) {
 }
 
 int WriteRecording(const RunArguments& arguments, const runtime::Scenario& scenario,
-                   vm::Schedule schedule, const Session& session) {
+                   vm::Schedule schedule, const Invocation& invocation) {
   schedule.scenario = runtime::FormatScenario(runtime::MoveScenario(scenario, arguments.record));
-  return WriteOutput(session, arguments.record, vm::FormatSchedule(schedule));
+  return WriteOutput(invocation, arguments.record, vm::FormatSchedule(schedule));
 }
 
-int Run(const RunArguments& arguments, const Session& session) {
+int Run(const RunArguments& arguments, const Invocation& invocation) {
   auto scenario = ScenarioOf(arguments);
-  if (!scenario.ok()) return Fail(session, scenario.error().code, scenario.error().message);
+  if (!scenario.ok()) return Fail(invocation, scenario.error().code, scenario.error().message);
   runtime::ProgramLoad load;
-  const int loaded = LoadOrReport(session, runtime::ProgramPath(scenario.value()),
+  const int loaded = LoadOrReport(invocation, runtime::ProgramPath(scenario.value()),
                                   runtime::CompileOptions(scenario.value()), false, &load);
   if (loaded != kExitOk) return loaded;
 
@@ -101,7 +101,7 @@ int Run(const RunArguments& arguments, const Session& session) {
   if (alone) {
     const auto added =
         explore::AddComments(arguments.path, source, *load.object, &scenario.value());
-    if (!added.ok()) return Fail(session, kExitUsage, added.error().message);
+    if (!added.ok()) return Fail(invocation, kExitUsage, added.error().message);
   }
 
   runtime::RunOptions options;
@@ -113,19 +113,19 @@ int Run(const RunArguments& arguments, const Session& session) {
   options.stop = signals.stop();
   options.log = runtime::CallLog::Wanted();
   auto result = runtime::RunWithRequirements(scenario.value(), *load.object, options);
-  if (!result.ok()) return Fail(session, kExitUsage, result.error().message);
+  if (!result.ok()) return Fail(invocation, kExitUsage, result.error().message);
 
   if (const auto unused = explore::DescribeUnusedComments(scenario.value(), source);
       unused && !alone) {
     result.value().warnings.push_back(*unused);
   }
-  PrintSteps(result.value(), load, arguments.views, arguments.format, session);
-  int code = ReportRun(result.value(), arguments.format, session);
+  PrintSteps(result.value(), load, arguments.views, arguments.format, invocation);
+  int code = ReportRun(result.value(), arguments.format, invocation);
   code = std::max(code, WriteViews(result.value(), arguments.views,
-                                   runtime::TitleOf(scenario.value()), session));
+                                   runtime::TitleOf(scenario.value()), invocation));
   if (options.record) {
     code = std::max(code, WriteRecording(arguments, scenario.value(),
-                                         std::move(*result.value().schedule), session));
+                                         std::move(*result.value().schedule), invocation));
   }
   return code;
 }
@@ -151,15 +151,15 @@ void AddList(CLI::App& command, const std::string& name, std::vector<std::string
 
 }  // namespace
 
-void AddRun(CLI::App& app, Session& session) {
+void AddRun(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<RunArguments>();
-  const auto say = [&session](std::string_view en, std::string_view zh) {
-    return session.Say({std::string(en), std::string(zh)});
+  const auto say = [&invocation](std::string_view en, std::string_view zh) {
+    return invocation.Say({std::string(en), std::string(zh)});
   };
-  CLI::App* command = AddCommand(app, session, "run",
+  CLI::App* command = AddCommand(app, invocation, "run",
                                  {"run a program or a scenario in virtual time, print its results",
                                   "以虚拟时间运行程序或场景并显示结果"},
-                                 [arguments, &session] { return Run(*arguments, session); });
+                                 [arguments, &invocation] { return Run(*arguments, invocation); });
   command
       ->add_option("program", arguments->path,
                    say("source (.c), object (.bin) or scenario (.toml)",
@@ -214,17 +214,17 @@ void AddRun(CLI::App& app, Session& session) {
           "--record", arguments->record,
           say("write the schedule, for 'oncard replay'", "写出调度文件，供“oncard replay”使用"))
       ->type_name("FILE");
-  AddViewOptions(*command, session, arguments->views);
-  AddIncludeOption(*command, session, arguments->include_folders);
+  AddViewOptions(*command, invocation, arguments->views);
+  AddIncludeOption(*command, invocation, arguments->include_folders);
   command
       ->add_option("--double", arguments->double_format,
                    say("width of the type double of a source: 32.16 (default) or 16.16",
                        "源文件中 double 类型的宽度：32.16（默认）或 16.16"))
       ->type_name("WIDTH")
       ->check(CLI::IsMember({"32.16", "16.16"}).description(""));
-  AddStructuredOption(*command, session, arguments->structured);
-  AddStrictCommandsOption(*command, session, arguments->strict_commands);
-  AddFormatOption(*command, session, arguments->format, {"text", "json"});
+  AddStructuredOption(*command, invocation, arguments->structured);
+  AddStrictCommandsOption(*command, invocation, arguments->strict_commands);
+  AddFormatOption(*command, invocation, arguments->format, {"text", "json"});
 }
 
 }  // namespace oncard::tools

@@ -13,11 +13,12 @@ std::string FormatFailure(const runtime::ScenarioFailure& failure, Language lang
                                      : fmt::format("{}: {}", failure.expectation, message);
 }
 
-std::string FormatRunText(const runtime::ScenarioResult& result, const Session& session) {
+std::string FormatRunText(const runtime::ScenarioResult& result, const Invocation& invocation) {
   std::string text;
   for (const runtime::ThreadReport& thread : result.threads) {
-    text += session.Say(MakeMessage("thread {0} {1}: {2}\n", "线程 {0} {1}：{3}\n", thread.thread,
-                                    thread.function, thread.status.en, thread.status.zh));
+    text +=
+        invocation.Say(MakeMessage("thread {0} {1}: {2}\n", "线程 {0} {1}：{3}\n", thread.thread,
+                                   thread.function, thread.status.en, thread.status.zh));
   }
   for (const runtime::ShownValue& value : result.values) {
     const std::string list = fmt::to_string(fmt::join(value.elements, ", "));
@@ -27,20 +28,21 @@ std::string FormatRunText(const runtime::ScenarioResult& result, const Session& 
 }
 
 int ReportRun(const runtime::ScenarioResult& result, const std::string& format,
-              const Session& session) {
-  PrintResult(format == "json" ? JsonText(runtime::ResultJson(result, session.language), 2) + '\n'
-                               : FormatRunText(result, session));
+              const Invocation& invocation) {
+  PrintResult(format == "json"
+                  ? JsonText(runtime::ResultJson(result, invocation.language), 2) + '\n'
+                  : FormatRunText(result, invocation));
   for (const runtime::ScenarioFailure& failure : result.failures) {
-    PrintDiagnostics(fmt::format("oncard: {}\n", FormatFailure(failure, session.language)));
+    PrintDiagnostics(fmt::format("oncard: {}\n", FormatFailure(failure, invocation.language)));
   }
   for (const Message& warning : result.warnings) {
-    PrintDiagnostics(session.Say(
+    PrintDiagnostics(invocation.Say(
         MakeMessage("oncard: warning: {0}\n", "oncard: 警告：{1}\n", warning.en, warning.zh)));
   }
   if (!result.passed()) return kExitFailed;
   if (!result.interrupted) return kExitOk;
   return Fail(
-      session, kExitIncomplete,
+      invocation, kExitIncomplete,
       MakeMessage("interrupted at {0} ms: requirements on the end of the run were not checked",
                   "在 {0} ms 被中断：未检查结束时应成立的条件", result.end_ms));
 }

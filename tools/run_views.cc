@@ -12,20 +12,20 @@ namespace oncard::tools {
 namespace {
 
 /// What the card did by itself, one line each.
-std::string FormatHappenings(const runtime::Trace& trace, const Session& session) {
+std::string FormatHappenings(const runtime::Trace& trace, const Invocation& invocation) {
   std::string text;
   for (const runtime::TraceMark& mark : trace.marks()) {
     if (!mark.by_card) continue;
-    text += fmt::format("{} ms  {}\n", ToMs(mark.time_us), session.Say(mark.text));
+    text += fmt::format("{} ms  {}\n", ToMs(mark.time_us), invocation.Say(mark.text));
   }
   if (text.empty()) return text;
-  return session.Say({"what the card did by itself:\n", "控制卡自身的动作：\n"}) + text;
+  return invocation.Say({"what the card did by itself:\n", "控制卡自身的动作：\n"}) + text;
 }
 
 /// The run statement by statement, with a column per thread (explore/reports/step_table.h).
 /// `source` is the program's text, or empty.
 std::string FormatSteps(const runtime::ScenarioResult& result, std::string_view source, bool full,
-                        const Session& session) {
+                        const Invocation& invocation) {
   const runtime::StepLog& log = *result.steps;
   if (log.steps.empty()) return {};
   explore::Subject subject;
@@ -45,36 +45,36 @@ std::string FormatSteps(const runtime::ScenarioResult& result, std::string_view 
   view.detail = full ? explore::Detail::kFull : explore::Detail::kLoops;
   view.with_card = true;
   view.trace = result.trace ? &*result.trace : nullptr;
-  std::string text = explore::TextTable(view, OutputWidth(), session.language);
+  std::string text = explore::TextTable(view, OutputWidth(), invocation.language);
   if (log.executed > static_cast<int64_t>(log.steps.size())) {
-    text += session.Say(MakeMessage("these are the first {0} of {1} statements\n",
-                                    "以上为 {1} 条语句中的前 {0} 条\n", log.steps.size(),
-                                    log.executed));
+    text += invocation.Say(MakeMessage("these are the first {0} of {1} statements\n",
+                                       "以上为 {1} 条语句中的前 {0} 条\n", log.steps.size(),
+                                       log.executed));
   }
-  if (result.trace) text += FormatHappenings(*result.trace, session);
+  if (result.trace) text += FormatHappenings(*result.trace, invocation);
   return text + '\n';
 }
 
 }  // namespace
 
-void AddViewOptions(CLI::App& command, const Session& session, RunViews& views) {
+void AddViewOptions(CLI::App& command, const Invocation& invocation, RunViews& views) {
   command.add_flag(
       "--steps", views.steps,
-      session.Say({"print what every statement reads and writes, one column per thread",
-                   "列出每条语句的读写，每个线程一列"}));
+      invocation.Say({"print what every statement reads and writes, one column per thread",
+                      "列出每条语句的读写，每个线程一列"}));
   command.add_flag(
       "--full", views.full,
-      session.Say({"with --steps: show every pass of a loop", "与 --steps 合用：循环逐次列出"}));
+      invocation.Say({"with --steps: show every pass of a loop", "与 --steps 合用：循环逐次列出"}));
   command
       .add_option("--trace", views.trace,
-                  session.Say({"write values over time, as .vcd, .csv, .json or .gnuplot",
-                               "写出随时间变化的值，格式为 .vcd、.csv、.json 或 .gnuplot"}))
+                  invocation.Say({"write values over time, as .vcd, .csv, .json or .gnuplot",
+                                  "写出随时间变化的值，格式为 .vcd、.csv、.json 或 .gnuplot"}))
       ->type_name("FILE")
       ->check(CLI::Validator(CheckTraceName, ""));
   command
       .add_option("--plot", views.plot,
-                  session.Say({"draw values over time, as .svg or .png (needs gnuplot)",
-                               "绘制随时间变化的曲线，格式为 .svg 或 .png（需要 gnuplot）"}))
+                  invocation.Say({"draw values over time, as .svg or .png (needs gnuplot)",
+                                  "绘制随时间变化的曲线，格式为 .svg 或 .png（需要 gnuplot）"}))
       ->type_name("FILE")
       ->check(CLI::Validator(CheckPictureName, ""));
 }
@@ -85,24 +85,24 @@ void ApplyViews(const RunViews& views, runtime::RunOptions* options) {
 }
 
 void PrintSteps(const runtime::ScenarioResult& result, const runtime::ProgramLoad& load,
-                const RunViews& views, const std::string& format, const Session& session) {
+                const RunViews& views, const std::string& format, const Invocation& invocation) {
   if (!result.steps || format != "text") return;
   const std::string source = load.compilation ? load.compilation->files[0].text() : std::string();
-  PrintResult(FormatSteps(result, source, views.full, session));
+  PrintResult(FormatSteps(result, source, views.full, invocation));
 }
 
 int WriteViews(const runtime::ScenarioResult& result, const RunViews& views,
-               const std::string& title, const Session& session) {
+               const std::string& title, const Invocation& invocation) {
   int code = kExitOk;
   if (!views.trace.empty()) {
     const auto text = runtime::TraceText(*result.trace, views.trace, title);
-    if (!text.ok()) return Fail(session, kExitFailed, text.error().message);
-    code = WriteOutput(session, views.trace, text.value());
+    if (!text.ok()) return Fail(invocation, kExitFailed, text.error().message);
+    code = WriteOutput(invocation, views.trace, text.value());
   }
   if (!views.plot.empty()) {
     const auto script = runtime::TraceText(*result.trace, views.plot + ".gnuplot", title);
-    if (!script.ok()) return Fail(session, kExitFailed, script.error().message);
-    code = std::max(code, WritePicture(session, views.plot, script.value()));
+    if (!script.ok()) return Fail(invocation, kExitFailed, script.error().message);
+    code = std::max(code, WritePicture(invocation, views.plot, script.value()));
   }
   return code;
 }

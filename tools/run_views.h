@@ -6,7 +6,7 @@
 #include <string>
 
 #include "runtime/scenario/scenario_run.h"
-#include "tools/session.h"
+#include "tools/invocation.h"
 
 namespace oncard::tools {
 
@@ -18,17 +18,17 @@ struct RunViews {
 };
 
 /// Describes `--steps`, `--full`, `--trace` and `--plot`.
-void AddViewOptions(CLI::App& command, const Session& session, RunViews& views);
+void AddViewOptions(CLI::App& command, const Invocation& invocation, RunViews& views);
 
 /// The data that the run must record for them.
 void ApplyViews(const RunViews& views, runtime::RunOptions* options);
 
 /// Prints the statements if they are requested and the results are printed as text.
 void PrintSteps(const runtime::ScenarioResult& result, const runtime::ProgramLoad& load,
-                const RunViews& views, const std::string& format, const Session& session);
+                const RunViews& views, const std::string& format, const Invocation& invocation);
 
 /// Writes the files. Returns the exit code.
 int WriteViews(const runtime::ScenarioResult& result, const RunViews& views,
-               const std::string& title, const Session& session);
+               const std::string& title, const Invocation& invocation);
 
 }  // namespace oncard::tools

@@ -4,12 +4,12 @@
 
 namespace oncard::tools {
 
-void AddSchema(CLI::App& app, Session& session) {
-  AddCommand(app, session, "schema",
+void AddSchema(CLI::App& app, Invocation& invocation) {
+  AddCommand(app, invocation, "schema",
              {"print the JSON Schema of scenario files, for editors",
               "输出场景文件的 JSON Schema，供编辑器使用"},
-             [&session] {
-               PrintResult(runtime::ScenarioSchema(session.language));
+             [&invocation] {
+               PrintResult(runtime::ScenarioSchema(invocation.language));
                return kExitOk;
              });
 }

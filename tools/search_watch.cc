@@ -48,8 +48,8 @@ Message ProgressText(const explore::SearchProgress& progress, double seconds) {
 
 }  // namespace
 
-SearchWatch::SearchWatch(const Session& session, const WatchOptions& options)
-    : session_(session), options_(options) {
+SearchWatch::SearchWatch(const Invocation& invocation, const WatchOptions& options)
+    : invocation_(invocation), options_(options) {
   progress_.estimates = options.shows;
   watched = &progress_;
   struct sigaction stops = {};
@@ -95,7 +95,7 @@ void SearchWatch::Watch() {
       return;
     }
     if (options_.shows) {
-      PrintDiagnostics(session_.Say(ProgressText(progress_, passed.count())) + '\n');
+      PrintDiagnostics(invocation_.Say(ProgressText(progress_, passed.count())) + '\n');
     }
     if (options_.pauses && now - kept >= kKept) {
       kept = now;

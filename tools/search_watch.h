@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "explore/engines/progress.h"
-#include "tools/session.h"
+#include "tools/invocation.h"
 
 namespace oncard::tools {
 
@@ -24,7 +24,7 @@ struct WatchOptions {
 /// the program as usual. An ignored SIGHUP (nohup) stays ignored.
 class SearchWatch {
  public:
-  SearchWatch(const Session& session, const WatchOptions& options);
+  SearchWatch(const Invocation& invocation, const WatchOptions& options);
   ~SearchWatch();
   SearchWatch(const SearchWatch&) = delete;
   SearchWatch& operator=(const SearchWatch&) = delete;
@@ -38,7 +38,7 @@ class SearchWatch {
 
   static constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP};
 
-  const Session& session_;
+  const Invocation& invocation_;
   WatchOptions options_;
   explore::SearchProgress progress_;
   std::mutex mutex_;

@@ -194,11 +194,11 @@ std::vector<IsolatedTest> ListTests(const std::vector<std::string>& scenarios,
   return tests;
 }
 
-int Test(const TestArguments& arguments, const Session& session) {
+int Test(const TestArguments& arguments, const Invocation& invocation) {
   const auto scenarios = FindAll(arguments.paths, FindScenarios);
-  if (!scenarios.ok()) return Fail(session, kExitUnreadable, scenarios.error().message);
+  if (!scenarios.ok()) return Fail(invocation, kExitUnreadable, scenarios.error().message);
   const auto programs = FindAll(arguments.programs, FindPrograms);
-  if (!programs.ok()) return Fail(session, kExitUnreadable, programs.error().message);
+  if (!programs.ok()) return Fail(invocation, kExitUnreadable, programs.error().message);
   const StopSignals signals;
   IsolationOptions isolation;
   isolation.jobs =
@@ -209,18 +209,19 @@ int Test(const TestArguments& arguments, const Session& session) {
       RunIsolated(ListTests(scenarios.value(), programs.value(), arguments, signals), isolation,
                   *signals.stop());
   if (outcomes.empty()) {
-    return Fail(session, kExitUnreadable, {"no scenario (.toml) found", "未找到场景文件（.toml）"});
+    return Fail(invocation, kExitUnreadable,
+                {"no scenario (.toml) found", "未找到场景文件（.toml）"});
   }
   if (arguments.format == "junit") {
-    PrintResult(FormatTestJunit(outcomes, session.language));
+    PrintResult(FormatTestJunit(outcomes, invocation.language));
   } else if (arguments.format == "tap") {
-    PrintResult(FormatTestTap(outcomes, session.language));
+    PrintResult(FormatTestTap(outcomes, invocation.language));
   } else if (arguments.format == "csv") {
-    PrintResult(FormatTestCsv(outcomes, session.language));
+    PrintResult(FormatTestCsv(outcomes, invocation.language));
   } else if (arguments.format == "json") {
-    PrintResult(FormatTestJson(outcomes, session.language));
+    PrintResult(FormatTestJson(outcomes, invocation.language));
   } else {
-    PrintResult(FormatTestText(outcomes, session.language, session.color));
+    PrintResult(FormatTestText(outcomes, invocation.language, invocation.color));
   }
   const bool passed = std::all_of(outcomes.begin(), outcomes.end(),
                                   [](const TestOutcome& outcome) { return outcome.passed(); });
@@ -230,44 +231,45 @@ int Test(const TestArguments& arguments, const Session& session) {
 
 }  // namespace
 
-void AddTest(CLI::App& app, Session& session) {
+void AddTest(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<TestArguments>();
   CLI::App* command =
-      AddCommand(app, session, "test",
+      AddCommand(app, invocation, "test",
                  {"run scenarios and report which expectations fail", "运行场景并报告未满足的期望"},
-                 [arguments, &session] { return Test(*arguments, session); });
+                 [arguments, &invocation] { return Test(*arguments, invocation); });
   command
       ->add_option("paths", arguments->paths,
-                   session.Say({"scenarios (.toml), or folders searched for them",
-                                "场景文件（.toml）或含有场景的文件夹"}))
+                   invocation.Say({"scenarios (.toml), or folders searched for them",
+                                   "场景文件（.toml）或含有场景的文件夹"}))
       ->required()
       ->type_name("PATH");
   command
-      ->add_option("--program", arguments->programs,
-                   session.Say({"programs that run in place of the scenarios' own, each a test of "
-                                "its own: a file or a pattern such as 'hand-in/*.c' (repeatable)",
-                                "代替场景中程序运行的程序，各为一个测试：文件或通配，如 "
-                                "'hand-in/*.c'（可重复）"}))
+      ->add_option(
+          "--program", arguments->programs,
+          invocation.Say({"programs that run in place of the scenarios' own, each a test of "
+                          "its own: a file or a pattern such as 'hand-in/*.c' (repeatable)",
+                          "代替场景中程序运行的程序，各为一个测试：文件或通配，如 "
+                          "'hand-in/*.c'（可重复）"}))
       ->type_name("PATTERN")
       ->allow_extra_args(false);
   command
       ->add_option("--jobs", arguments->jobs,
-                   session.Say({"tests at the same time (default: one per processor)",
-                                "同时运行的测试数（默认每个处理器一个）"}))
+                   invocation.Say({"tests at the same time (default: one per processor)",
+                                   "同时运行的测试数（默认每个处理器一个）"}))
       ->type_name("N")
       ->check(CLI::Range(1, 1000).description(""));
   command
       ->add_option(
           "--timeout", arguments->timeout_s,
-          session.Say({"a test that takes longer has failed; 0: no limit (default 60 with "
-                       "--program, otherwise 0)",
-                       "耗时更长的测试视为失败；0 为不限（使用 --program 时默认 60，否则为 "
-                       "0）"}))
+          invocation.Say({"a test that takes longer has failed; 0: no limit (default 60 with "
+                          "--program, otherwise 0)",
+                          "耗时更长的测试视为失败；0 为不限（使用 --program 时默认 60，否则为 "
+                          "0）"}))
       ->type_name("SECONDS")
       ->check(CLI::Range(0, 86'400).description(""));
-  AddStructuredOption(*command, session, arguments->structured);
-  AddStrictCommandsOption(*command, session, arguments->strict_commands);
-  AddFormatOption(*command, session, arguments->format, {"text", "junit", "tap", "json", "csv"});
+  AddStructuredOption(*command, invocation, arguments->structured);
+  AddStrictCommandsOption(*command, invocation, arguments->strict_commands);
+  AddFormatOption(*command, invocation, arguments->format, {"text", "junit", "tap", "json", "csv"});
 }
 
 }  // namespace oncard::tools

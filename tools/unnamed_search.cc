@@ -32,9 +32,9 @@ bool AsksOnlyForEnds(const ExploreSubject& subject) {
 
 }  // namespace
 
-UnnamedSearch::UnnamedSearch(const Session& session, const std::string& input,
+UnnamedSearch::UnnamedSearch(const Invocation& invocation, const std::string& input,
                              const ExploreSubject& subject, const explore::ExploreOptions& options)
-    : session_(session), path_(FreeName(input)) {
+    : invocation_(invocation), path_(FreeName(input)) {
   auto begun = BeginSearch(subject, input, path_, {}, options);
   if (!begun.ok()) {
     why_not_ = begun.error().message;
@@ -47,11 +47,11 @@ UnnamedSearch::UnnamedSearch(const Session& session, const std::string& input,
 int UnnamedSearch::Keep(const explore::TraceSearch& search) {
   if (!file_ || search.too_deep) return kExitOk;
   file_->traces = search;
-  const int written = WriteOutput(session_, path_, explore::FormatSearchFile(*file_));
+  const int written = WriteOutput(invocation_, path_, explore::FormatSearchFile(*file_));
   if (written == kExitOk && !std::exchange(kept_, true)) {
     PrintDiagnostics(
-        session_.Say(MakeMessage("the search is saved in {0}; to continue: oncard explore {0}\n",
-                                 "搜索已保存到 {0}；继续：oncard explore {0}\n", path_)));
+        invocation_.Say(MakeMessage("the search is saved in {0}; to continue: oncard explore {0}\n",
+                                    "搜索已保存到 {0}；继续：oncard explore {0}\n", path_)));
   }
   return written;
 }
@@ -64,7 +64,7 @@ int UnnamedSearch::End(const explore::Exploration& found, bool interrupted) {
   if (interrupted && incomplete && why_not_) {
     const Message text = MakeMessage("oncard: the search could not be saved: {0}\n",
                                      "oncard: 搜索未保存：{1}\n", why_not_->en, why_not_->zh);
-    PrintDiagnostics(session_.Say(text));
+    PrintDiagnostics(invocation_.Say(text));
   }
   std::error_code ignored;
   if (kept_) std::filesystem::remove(path_, ignored);

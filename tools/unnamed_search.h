@@ -8,15 +8,15 @@
 #include "explore/search/explorer.h"
 #include "explore/search/search_file.h"
 #include "tools/explore_subject.h"
-#include "tools/session.h"
+#include "tools/invocation.h"
 
 namespace oncard::tools {
 
 class UnnamedSearch {
  public:
-  /// A search of the file `input`. The session must outlive this object.
-  UnnamedSearch(const Session& session, const std::string& input, const ExploreSubject& subject,
-                const explore::ExploreOptions& options);
+  /// A search of the file `input`. The invocation must outlive this object.
+  UnnamedSearch(const Invocation& invocation, const std::string& input,
+                const ExploreSubject& subject, const explore::ExploreOptions& options);
 
   /// True if the search of traces will be run, which can be saved.
   bool searches_traces() const { return searches_traces_; }
@@ -29,7 +29,7 @@ class UnnamedSearch {
   int End(const explore::Exploration& found, bool interrupted);
 
  private:
-  const Session& session_;
+  const Invocation& invocation_;
   std::string path_;
   std::optional<explore::SearchFile> file_;
   std::optional<Message> why_not_;  ///< why the search cannot be saved

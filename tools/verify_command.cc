@@ -25,7 +25,7 @@ Result<void> VerifyObject(const std::string& path) {
   return vm::Verify(object.value(), controller.commands());
 }
 
-int VerifyAll(const VerifyArguments& arguments, const Session& session) {
+int VerifyAll(const VerifyArguments& arguments, const Invocation& invocation) {
   int code = kExitOk;
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const std::string& path : arguments.paths) {
@@ -34,11 +34,11 @@ int VerifyAll(const VerifyArguments& arguments, const Session& session) {
     if (!verified.ok()) {
       const Error& error = verified.error();
       item["code"] = error.code;
-      item["reason"] = session.Say(error.message);
+      item["reason"] = invocation.Say(error.message);
       const int exit_code = error.code == kNoSuchFile ? kExitUnreadable : kExitFailed;
       code = std::max(code, exit_code);
       if (arguments.format == "text") {
-        Fail(session, exit_code,
+        Fail(invocation, exit_code,
              MakeMessage("{0}: refused with code {1}: {2}", "{0}：拒绝，返回值 {1}：{3}", path,
                          error.code, error.message.en, error.message.zh));
       }
@@ -53,19 +53,19 @@ int VerifyAll(const VerifyArguments& arguments, const Session& session) {
 
 }  // namespace
 
-void AddVerify(CLI::App& app, Session& session) {
+void AddVerify(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<VerifyArguments>();
   CLI::App* command =
-      AddCommand(app, session, "verify",
+      AddCommand(app, invocation, "verify",
                  {"check an object and say why a card would reject it", "说明目标文件被拒绝的原因"},
-                 [arguments, &session] { return VerifyAll(*arguments, session); });
+                 [arguments, &invocation] { return VerifyAll(*arguments, invocation); });
   command
       ->add_option("objects", arguments->paths,
-                   session.Say({"objects (.bin), each with its .ini beside it",
-                                "目标文件（.bin），其 .ini 在同一文件夹"}))
+                   invocation.Say({"objects (.bin), each with its .ini beside it",
+                                   "目标文件（.bin），其 .ini 在同一文件夹"}))
       ->required()
       ->type_name("FILE");
-  AddFormatOption(*command, session, arguments->format, {"text", "json"});
+  AddFormatOption(*command, invocation, arguments->format, {"text", "json"});
 }
 
 }  // namespace oncard::tools

@@ -44,12 +44,12 @@ inline constexpr std::array kExitCodeTexts = {
                  "达到上限、内存耗尽或被中断而未完成"},
 };
 
-struct Session {
+struct Invocation {
   Language language = Language::kEnglish;
   bool color = false;
   int exit_code = kExitOk;
 
-  /// The text in the session's language.
+  /// The text in the invocation's language.
   const std::string& Say(const Message& message) const { return message.In(language); }
 };
 
@@ -59,18 +59,18 @@ void PrintResult(std::string_view text);
 void PrintDiagnostics(std::string_view text);
 /// To be called once at the end. Returns `code`, or kExitUnreadable with a report if output to
 /// standard output or standard error was lost.
-int FinishOutput(const Session& session, int code);
+int FinishOutput(const Invocation& invocation, int code);
 /// Reports `oncard: message` on standard error and returns `code`. Unprintable bytes in a line of
 /// the message (names can contain any bytes) show as `<1B>`.
-int Fail(const Session& session, int code, const Message& message);
+int Fail(const Invocation& invocation, int code, const Message& message);
 
 /// Writes a file; reports a failure. Returns the exit code.
-int WriteOutput(const Session& session, const std::string& path, std::string_view content);
+int WriteOutput(const Invocation& invocation, const std::string& path, std::string_view content);
 
 /// Loads a program and reports its diagnostics in the chosen format (`text` or `json`). Returns the
 /// exit code; the object is present if that is kExitOk.
-int LoadOrReport(const Session& session, const std::string& path, const compiler::Options& options,
-                 bool json, runtime::ProgramLoad* load);
+int LoadOrReport(const Invocation& invocation, const std::string& path,
+                 const compiler::Options& options, bool json, runtime::ProgramLoad* load);
 
 /// Reads `32.16` or `16.16`, which the option has checked.
 vm::DoubleFormat DoubleFormatOf(std::string_view text);

@@ -1,4 +1,4 @@
-#include "tools/session.h"
+#include "tools/invocation.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -16,36 +16,36 @@ void PrintResult(std::string_view text) { std::fwrite(text.data(), 1, text.size(
 
 void PrintDiagnostics(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
-int Fail(const Session& session, int code, const Message& message) {
+int Fail(const Invocation& invocation, int code, const Message& message) {
   std::string text;
-  std::istringstream lines(session.Say(message));
+  std::istringstream lines(invocation.Say(message));
   for (std::string line; std::getline(lines, line);) text += compiler::DisplayText(line) + '\n';
   PrintDiagnostics("oncard: " + text);
   return code;
 }
 
-int FinishOutput(const Session& session, int code) {
+int FinishOutput(const Invocation& invocation, int code) {
   const bool flushed = std::fflush(stdout) == 0;
   const std::string why = flushed ? std::string() : fmt::format(": {}", std::strerror(errno));
   if (!flushed || std::ferror(stdout) != 0) {
-    return Fail(session, kExitUnreadable,
+    return Fail(invocation, kExitUnreadable,
                 MakeMessage("cannot write to standard output{0}", "无法写入标准输出{0}", why));
   }
   // There is no output left for an error message.
   return std::ferror(stderr) != 0 ? static_cast<int>(kExitUnreadable) : code;
 }
 
-int WriteOutput(const Session& session, const std::string& path, std::string_view content) {
+int WriteOutput(const Invocation& invocation, const std::string& path, std::string_view content) {
   const auto written = WriteFileAtomically(path, content);
-  return written.ok() ? kExitOk : Fail(session, kExitUnreadable, written.error().message);
+  return written.ok() ? kExitOk : Fail(invocation, kExitUnreadable, written.error().message);
 }
 
-int LoadOrReport(const Session& session, const std::string& path, const compiler::Options& options,
-                 bool json, runtime::ProgramLoad* load) {
+int LoadOrReport(const Invocation& invocation, const std::string& path,
+                 const compiler::Options& options, bool json, runtime::ProgramLoad* load) {
   *load = runtime::LoadProgram(path, options);
-  if (load->error) return Fail(session, kExitUnreadable, load->error->message);
+  if (load->error) return Fail(invocation, kExitUnreadable, load->error->message);
   if (load->compilation) {
-    const compiler::PrintOptions print = {session.language, session.color};
+    const compiler::PrintOptions print = {invocation.language, invocation.color};
     PrintDiagnostics(json ? compiler::PrintJson(*load->compilation, print)
                           : compiler::PrintText(*load->compilation, print));
   }
