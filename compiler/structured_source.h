@@ -41,6 +41,7 @@ class StructuredSource {
   /// Names that stand in skipped text: they may have been declared there, so that nothing more
   /// should be said about them.
   const std::unordered_set<std::string_view>& skipped_names() const { return skipped_names_; }
+  const MacroUses& macro_uses() const { return macro_uses_; }
   /// Adds to each diagnostic at the use of a macro where the macro is defined. Call once, when
   /// nothing more is reported.
   void AddMacroNotes(Reporter& reporter) const;

@@ -1,6 +1,11 @@
 // GT commands, which stay as they are: arguments become operands, and ints become doubles where the
 // command takes doubles. Everything else about them is checked in the lowered text.
+#include <algorithm>
+
+#include "compiler/lexer.h"
 #include "compiler/lowering/lowerer.h"
+#include "compiler/parser.hh"
+#include "vm/limits.h"
 
 namespace oncard::compiler::lowering {
 
@@ -31,6 +36,49 @@ std::optional<Operand> Lowerer::LowerAddress(const Expression& argument) {
   return operand;
 }
 
+// Whether the card's language leaves a name to programs.
+bool Lowerer::IsFreeName(std::string_view name) const {
+  if (name.size() > vm::kNameLengthMax || name == "bool") return false;
+  if (options_.catalogue->Find(name) != nullptr) return false;
+  Reporter unused;
+  const SourceFile text("", std::string(name));
+  const std::vector<Token> tokens = Tokenize(text, 0, 2, *options_.catalogue, unused);
+  return tokens.size() == 1 && tokens[0].kind == Parser::token::kName;
+}
+
+// An argument that is a macro without parameters, a constant of an enum or a const number keeps
+// this name.
+void Lowerer::NameConstant(const Expression& argument, Operand& value) {
+  if (!value.IsConstant()) return;
+  std::string_view name;
+  SourceRange range;
+  for (const Expression* part = &argument; name.empty();) {
+    const MacroUses::Macro* const macro = macros_.Find(part->range);
+    const Symbol* const symbol =
+        part->kind == Expression::Kind::kName ? Lookup(part->text) : nullptr;
+    if (macro != nullptr && Source(part->range) == macro->name) {
+      name = macro->name;
+      range = macro->name_range;
+    } else if (symbol != nullptr && symbol->kind == Symbol::Kind::kConstant) {
+      name = part->text;
+      range = symbol->range;
+    } else if (part->kind == Expression::Kind::kParen) {
+      part = part->operands[0].get();
+    } else {
+      return;
+    }
+  }
+  std::vector<NamedConstant>& constants = program_.constants;
+  auto known = std::find_if(constants.begin(), constants.end(),
+                            [name](const NamedConstant& other) { return other.name == name; });
+  if (known == constants.end()) {
+    if (!IsFreeName(name) || constants.size() == size_t{vm::kMacroMax}) return;
+    known = constants.insert(constants.end(), {std::string(name), value, range});
+  }
+  known->ambiguous |= !(known->value == value);
+  value.name = static_cast<int>(known - constants.begin());
+}
+
 void Lowerer::LowerCommand(const Expression& call, const gtcalls::Command& command) {
   Instruction instruction;
   instruction.kind = Instruction::Kind::kCall;
@@ -54,6 +102,8 @@ void Lowerer::LowerCommand(const Expression& call, const gtcalls::Command& comma
       const bool real = parameter->type == gtcalls::Scalar::kDouble;
       if (real != (value.type == BasicType::kDouble)) {
         value = Convert(value, real ? BasicType::kDouble : BasicType::kInt, argument.range);
+      } else {
+        NameConstant(argument, value.operand);
       }
     }
     instruction.arguments.push_back(value.operand);

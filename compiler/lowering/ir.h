@@ -44,6 +44,7 @@ struct Operand {
   int variable = -1;
   int index = -1;  ///< the int variable that holds the index of an element
   int64_t value = 0;
+  int name = -1;  ///< of a constant: which one of Program::constants, if it has a name
 
   bool operator==(const Operand&) const = default;
   bool IsConstant() const { return kind == Kind::kConstant; }
@@ -94,7 +95,16 @@ struct LoweredFunction {
   SourceRange end;  ///< the closing brace
 };
 
+/// A constant to which C gives a name, for the arguments of commands.
+struct NamedConstant {
+  std::string name;
+  Operand value;
+  SourceRange range;       ///< where it is defined
+  bool ambiguous = false;  ///< the name has another value elsewhere, so nothing is called so
+};
+
 struct Program {
+  std::vector<NamedConstant> constants;
   std::vector<Variable> variables;  ///< of all functions, and the globals
   std::vector<int> globals;         ///< in the order of their declarations
   std::vector<LoweredFunction> functions;

@@ -27,6 +27,7 @@
 #include "compiler/constant_folding.h"
 #include "compiler/lowering/ir.h"
 #include "compiler/lowering/types.h"
+#include "compiler/macro_expander.h"
 #include "compiler/reporter.h"
 #include "compiler/syntax.h"
 
@@ -74,11 +75,15 @@ class NameMaker {
 
 class Lowerer {
  public:
-  /// The files and the tree must outlive the lowerer. With `share_bodies`, calls are jumps where
-  /// that makes a thread function shorter; otherwise all are inlined.
-  Lowerer(const Options& options, const std::deque<SourceFile>& files, Reporter& reporter,
-          bool share_bodies)
-      : options_(options), files_(files), reporter_(reporter), share_bodies_(share_bodies) {}
+  /// The files, the tree and the uses of macros must outlive the lowerer. With `share_bodies`,
+  /// calls are jumps where that makes a thread function shorter; otherwise all are inlined.
+  Lowerer(const Options& options, const std::deque<SourceFile>& files, const MacroUses& macros,
+          Reporter& reporter, bool share_bodies)
+      : options_(options),
+        files_(files),
+        macros_(macros),
+        reporter_(reporter),
+        share_bodies_(share_bodies) {}
 
   /// Translates a whole program. The result is valid only if no error was reported.
   Program Lower(const Tree& tree);
@@ -295,6 +300,8 @@ class Lowerer {
   // --- commands.cc ---
   void LowerCommand(const Expression& call, const gtcalls::Command& command);
   std::optional<Operand> LowerAddress(const Expression& argument);
+  void NameConstant(const Expression& argument, Operand& value);
+  bool IsFreeName(std::string_view name) const;
 
   // --- start.cc ---
   void EmitStart(LoweredFunction& function);
@@ -325,6 +332,7 @@ class Lowerer {
 
   const Options& options_;
   const std::deque<SourceFile>& files_;
+  const MacroUses& macros_;
   Reporter& reporter_;
   const bool share_bodies_;
   Program program_;

@@ -72,9 +72,9 @@ Lowering LowerText(const std::string& path, std::string text, const Options& opt
   StructuredSource source(path, std::move(text), options, reader, reporter);
   Lowering result;
   if (!reporter.HasErrors()) {
-    lowering::Program program =
-        lowering::Lowerer(options, source.files(), reporter, lowering_options.optimize)
-            .Lower(source.tree());
+    lowering::Program program = lowering::Lowerer(options, source.files(), source.macro_uses(),
+                                                  reporter, lowering_options.optimize)
+                                    .Lower(source.tree());
     if (!reporter.HasErrors()) {
       for (lowering::LoweredFunction& function : program.functions) {
         lowering::RemoveUnusedLabels(function);

@@ -22,6 +22,7 @@ class Printer {
       : program_(program), files_(files), annotate_(annotate) {}
 
   PrintedProgram Run() {
+    PrintConstants();
     for (const int global : program_.globals) {
       const Variable& variable = VariableAt(global);
       Line(fmt::format("{} {};", TypeOf(variable), Declare(variable)), variable.range);
@@ -57,6 +58,8 @@ class Printer {
 
   std::string Spell(const Operand& operand) const {
     if (operand.IsConstant()) {
+      const auto name = names_.find(operand.name);
+      if (name != names_.end()) return std::string(name->second);
       return operand.type == vm::DataType::kDouble ? SpellDouble(operand.value)
                                                    : std::to_string(operand.value);
     }
@@ -264,9 +267,32 @@ class Printer {
     Line("}", function.end);
   }
 
+  // The constants that are used by their names, which nothing else in the program must have.
+  void PrintConstants() {
+    std::set<std::string_view> taken;
+    std::set<int> used;
+    for (const Variable& variable : program_.variables) taken.insert(variable.name);
+    for (const LoweredFunction& function : program_.functions) {
+      taken.insert(function.name);
+      taken.insert(function.labels.begin(), function.labels.end());
+      for (const Instruction& instruction : function.code) {
+        for (const Operand& argument : instruction.arguments) used.insert(argument.name);
+      }
+    }
+    for (const int number : used) {
+      if (number < 0) continue;
+      const NamedConstant& constant = program_.constants[static_cast<size_t>(number)];
+      if (constant.ambiguous || taken.contains(constant.name)) continue;
+      Line(fmt::format("#define {} {}", constant.name, Spell(constant.value)), constant.range);
+      names_.emplace(number, constant.name);
+    }
+    if (!names_.empty()) Line("", Nowhere());
+  }
+
   const Program& program_;
   const std::deque<SourceFile>& files_;
   const bool annotate_;
+  std::map<int, std::string_view> names_;  // of constants, by number
   PrintedProgram out_;
   std::set<std::pair<int, int>> printed_;  // lines of C that are in the function already
   std::set<int> annotated_;

@@ -145,6 +145,55 @@ TEST(Lowering, CallsAreJumpsWhereThatIsShorter) {
   }
 }
 
+// The line of the lowered program with a command, after its #define lines.
+std::string CommandOf(const std::string& program) {
+  const Lowering lowering = Lower(program);
+  EXPECT_TRUE(lowering.text.has_value()) << program;
+  const SourceFile text("lowered.c", lowering.text.value_or(""));
+  std::string found;
+  for (int line = 1; line <= text.line_count(); ++line) {
+    const std::string_view words = text.Line(line);
+    if (words.starts_with("#define ")) found += std::string(words.substr(8)) + "; ";
+    if (words.starts_with("  GT_")) return found + std::string(words.substr(2));
+  }
+  return found;
+}
+
+TEST(Lowering, ConstantsKeepTheirNamesAsArgumentsOfCommands) {
+  struct Row {
+    std::string before;
+    std::string command;
+    std::string lowered;
+  };
+  const std::string axis = "#define AXIS 1\n";
+  for (const Row& row : std::vector<Row>{
+           {axis, "GT_AxisOn(AXIS);", "AXIS 1; GT_AxisOn(AXIS);"},
+           {axis + "#define SPEED 2.5\n", "GT_SetVel(AXIS, (SPEED));",
+            "AXIS 1; SPEED 2.5; GT_SetVel(AXIS, SPEED);"},
+           {axis + "#define NEXT AXIS + 1\n", "GT_AxisOn(NEXT);", "NEXT 2; GT_AxisOn(NEXT);"},
+           {"#define BACK (-7)\n", "GT_SetPos(1, BACK);", "BACK -7; GT_SetPos(1, BACK);"},
+           {"enum { kLeft, kRight };\n", "GT_AxisOn(kRight);", "kRight 1; GT_AxisOn(kRight);"},
+           {"const int AXIS = 3;\n", "GT_AxisOn(AXIS);", "AXIS 3; GT_AxisOn(AXIS);"},
+           // What is no name, or another value.
+           {axis, "GT_AxisOn(AXIS + 1);", "GT_AxisOn(2);"},
+           {axis, "GT_SetVel(1, AXIS);", "GT_SetVel(1, 1.0);"},
+           {"#define BIT(a) (1 << (a))\n", "GT_Update(BIT(2));", "GT_Update(4);"},
+           {axis, "GT_AxisOn(1);", "GT_AxisOn(1);"},
+           // Another use of the name.
+           {axis, "GT_AxisOn(AXIS);\n#undef AXIS\n#define AXIS 2\nGT_AxisOn(AXIS);",
+            "GT_AxisOn(1);"},
+           {"enum { kLeft = 1 };\nvoid t1(int kLeft) { kLeft = 1; }\n", "GT_AxisOn(kLeft);",
+            "GT_AxisOn(1);"},
+           {"enum { here = 1 };\n", "GT_AxisOn(here); here: if (v) goto here;", "GT_AxisOn(1);"},
+           {"#define bool 1\n", "GT_AxisOn(bool);", "GT_AxisOn(1);"},
+           {"#define GT_Close 1\n", "GT_AxisOn(GT_Close);", "GT_AxisOn(1);"},
+           {"#define A_NAME_OF_MORE_THAN_THIRTY_ONE_LETTERS 1\n",
+            "GT_AxisOn(A_NAME_OF_MORE_THAN_THIRTY_ONE_LETTERS);", "GT_AxisOn(1);"}}) {
+    EXPECT_EQ(CommandOf(row.before + "int v;\nvoid t0() {\n" + row.command + "\n}\n"), row.lowered)
+        << row.before << row.command;
+  }
+}
+
 TEST(Lowering, LinesKnowWhereTheyComeFrom) {
   const std::string program = "int v;\nvoid t0(int n) {\n  v = n * 2 + 1;\n}\n";
   const Lowering lowering = Lower(program);
