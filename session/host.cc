@@ -13,6 +13,7 @@
 #include "compiler/diagnostic_printer.h"
 #include "runtime/scenario/requirement_watch.h"
 #include "runtime/scenario/result_json.h"
+#include "runtime/scenario/scenario_start.h"
 #include "session/arguments.h"
 #include "session/project.h"
 #include "session/session.h"
@@ -144,7 +145,7 @@ const std::vector<SessionHost::Requests::Request>& SessionHost::Requests::All() 
       {{"forward", "goal [thread] [ms] [budget]"}, &Requests::Forward},
       {{"back", "goal [thread] [name] [budget]"}, &Requests::Back},
       {{"step_thread", "thread"}, &Requests::StepThread},
-      {{"go_to", "moment"}, &Requests::GoTo},
+      {{"go_to", "[moment] [ms]"}, &Requests::GoTo},
       {{"set_stops", "[lines] [changes] [conditions] [faults] [refusals] [requirements]"},
        &Requests::SetStops},
       {{"variables", "[page]"}, &Requests::Variables},
@@ -338,8 +339,14 @@ Result<Json> SessionHost::Requests::StepThread(Arguments& arguments) {
 }
 
 Result<Json> SessionHost::Requests::GoTo(Arguments& arguments) {
-  const int64_t moment = arguments.Whole("moment", 0, kMomentMax);
+  const bool to_time = arguments.Has("ms");
+  const double ms = to_time ? arguments.Number("ms", 0, kMsMax) : 0;
+  const int64_t moment = to_time ? 0 : arguments.Whole("moment", 0, kMomentMax);
   if (auto missing = Missing(arguments)) return *std::move(missing);
+  if (to_time) {
+    session_->run().GoToCycle(runtime::CycleOf(session_->run().scenario(), FromMs(ms)));
+    return StateNow();
+  }
   if (moment > session_->run().head()) {
     return MakeError(1, "the run has reached moment {0}, not {1}: go forward",
                      "运行只到达时刻 {0}，未到 {1}：请前进", session_->run().head(), moment);
@@ -443,7 +450,8 @@ Result<Json> SessionHost::Requests::Record(Arguments& arguments) {
   if (auto missing = Missing(arguments)) return *std::move(missing);
   const auto schedule = session_->run().Record();
   if (!schedule.ok()) return schedule.error();
-  return Json{{"schedule", vm::FormatSchedule(schedule.value())}};
+  return Json{{"schedule", vm::FormatSchedule(schedule.value())},
+              {"scenario", schedule.value().scenario}};
 }
 
 // --- The host ------------------------------------------------------------------------------------

@@ -87,6 +87,8 @@ TEST_F(HostTest, ReportsAllMistakesOfTheArguments) {
             "'budget' is wrong: an integer from 1 to 1000000000\n"
             "'bugdet' is not an argument of this request; did you mean 'budget'?");
   EXPECT_EQ(ErrorOf("go_to"), "'moment' is missing: an integer from 0 to 9007199254740992");
+  EXPECT_THAT(ErrorOf("go_to", {{"moment", 1}, {"ms", 1}}),
+              HasSubstr("'moment' is not an argument"));
   EXPECT_THAT(ErrorOf("go_to", {{"moment", 1.5}}), StartsWith("'moment' is wrong"));
   EXPECT_THAT(ErrorOf("write", {{"name", 1}, {"value", "x"}}),
               HasSubstr("'name' is wrong: a text\n'value' is wrong: a number"));
@@ -104,7 +106,7 @@ TEST_F(HostTest, NeedsAProgramFirst) {
 TEST_F(HostTest, SaysWhichProtocolItSpeaks) {
   const Json hello = Result("hello", {{"protocol", 1}});
   EXPECT_EQ(hello["protocol"], 1);
-  EXPECT_EQ(hello["requests"]["go_to"], "moment");
+  EXPECT_EQ(hello["requests"]["go_to"], "[moment] [ms]");
   EXPECT_THAT(ErrorOf("hello", {{"protocol", 2}}), HasSubstr("protocol 2 is not spoken here"));
   Result("hello", {{"language", "zh"}});
   EXPECT_THAT(ErrorOf("state"), HasSubstr("尚未加载程序"));
@@ -330,8 +332,11 @@ TEST_F(HostTest, ChangesVariablesAndInputs) {
   EXPECT_EQ(Result("evaluate", {{"text", "n"}})["value"], 500);
   Result("forward", {{"goal", "stop"}});
   EXPECT_EQ(Result("evaluate", {{"text", "gpi[2]"}})["value"], 1);
-  const std::string schedule = Result("record")["schedule"];
-  EXPECT_THAT(schedule, HasSubstr("[[host]]"));
+  EXPECT_EQ(Result("go_to", {{"ms", 1.1}})["time_ms"], 1.25);
+  Result("forward", {{"goal", "stop"}});
+  const Json recorded = Result("record");
+  EXPECT_THAT(recorded["schedule"].get<std::string>(), HasSubstr("[[host]]"));
+  EXPECT_THAT(recorded["scenario"].get<std::string>(), HasSubstr("[[world.input]]"));
   EXPECT_THAT(ErrorOf("set_input", {{"type", "gpo"}, {"index", 2}, {"level", 1}}),
               HasSubstr("no type of input"));
   EXPECT_THAT(ErrorOf("write", {{"name", "n"}, {"value", 1e12}}), HasSubstr("does not fit"));
