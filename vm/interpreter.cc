@@ -1,7 +1,8 @@
 // The interpreter: one handler per decoded op, each ending with a jump to the next handler. With
 // clang the handlers are functions that tail-call each other (musttail), so that the state stays in
 // registers; g++ cannot guarantee tail calls, so there they are labels of one function (computed
-// goto). The bodies are the same source text.
+// goto). In WebAssembly they are labels, too: a tail call through a table takes five times as long
+// there, and not every engine has it. The bodies are the same source text.
 //
 // Fuel is counted with the program counter: `limit` is where the permitted statements end if no
 // jump is taken, and a jump moves it along. A straight-line statement then costs one comparison and
@@ -19,7 +20,14 @@
 namespace oncard::vm {
 namespace {
 
-Exit StopWithFault(Frame* frame, const Code* pc, uintptr_t limit, Fault fault) {
+/// Where the permitted statements end if no jump is taken. It has 64 bits also where addresses have
+/// 32: the statements may be more than memory holds.
+uint64_t LimitFrom(const Code* pc, int64_t statements) {
+  return uint64_t{reinterpret_cast<uintptr_t>(pc)} +
+         static_cast<uint64_t>(statements) * sizeof(Code);
+}
+
+Exit StopWithFault(Frame* frame, const Code* pc, uint64_t limit, Fault fault) {
   frame->pc = pc;
   frame->fault = fault;
   frame->left =
@@ -54,13 +62,13 @@ int64_t* ElementAddress(Frame& frame, uint16_t operand) {
   return AddressOfElement(frame, IndexOf(operand));
 }
 
-#if defined(__clang__) && __has_cpp_attribute(clang::musttail)
+#if defined(__clang__) && __has_cpp_attribute(clang::musttail) && !defined(__wasm__)
 
 namespace {
 
 struct HandlerEntry;
 using Handler = Exit (*)(const Code* pc, int64_t* locals, const int64_t* constants, Frame* frame,
-                         uintptr_t limit, const HandlerEntry* table);
+                         uint64_t limit, const HandlerEntry* table);
 struct HandlerEntry {
   Handler run;
 };
@@ -84,7 +92,7 @@ constexpr HandlerEntry kPrivateHandlers[] = {
 };
 #undef PRIVATE_ONLY
 
-Exit Enter(Frame& frame, uintptr_t limit, const HandlerEntry* first, const HandlerEntry* table) {
+Exit Enter(Frame& frame, uint64_t limit, const HandlerEntry* first, const HandlerEntry* table) {
   return first[frame.pc->op].run(frame.pc, frame.locals(), frame.bases[kConstantBase], &frame,
                                  limit, table);
 }
@@ -94,8 +102,7 @@ Exit Enter(Frame& frame, uintptr_t limit, const HandlerEntry* first, const Handl
 Exit Interpret(Frame& frame, int64_t statements, Reach reach) {
   frame.left = 0;
   if (statements == 0 && frame.pc->op != kEnd) return Exit::kBudget;
-  const uintptr_t limit =
-      reinterpret_cast<uintptr_t>(frame.pc) + static_cast<uintptr_t>(statements) * sizeof(Code);
+  const uint64_t limit = LimitFrom(frame.pc, statements);
   return Enter(frame, limit, reach == Reach::kPrivateOnly ? kPrivateHandlers : kAllHandlers,
                reach == Reach::kAll ? kAllHandlers : kPrivateHandlers);
 }
@@ -123,8 +130,7 @@ Exit Interpret(Frame& entry_frame, int64_t statements, Reach reach) {
   if (statements == 0 && pc->op != kEnd) return Exit::kBudget;
   int64_t* locals = frame->locals();
   const int64_t* const constants = frame->bases[kConstantBase];
-  uintptr_t limit =
-      reinterpret_cast<uintptr_t>(pc) + static_cast<uintptr_t>(statements) * sizeof(Code);
+  uint64_t limit = LimitFrom(pc, statements);
   const void* const* const first = reach == Reach::kPrivateOnly ? kPrivateHandlers : kAllHandlers;
   const void* const* const table = reach == Reach::kAll ? kAllHandlers : kPrivateHandlers;
   goto* first[pc->op];
