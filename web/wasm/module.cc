@@ -1,0 +1,46 @@
+// The functions that the module exports, for web/engine/engine.js. A request is written to memory
+// of the module, and its answer is read there:
+//
+//   oncard_request(size)  memory for a request; nullptr if a request may not be that large
+//   oncard_handle()       handles the request that was written there; the size of the answer
+//   oncard_answer()       where the answer is, until the next request
+//   oncard_version()      the version of the project, ending in a NUL
+//
+// Tested by tests/web/module_test.mjs.
+#include <cstddef>
+#include <string>
+
+#include "base/limits.h"
+#include "web/wasm/whole_runs.h"
+
+namespace {
+
+/// A program with all it includes, a scenario and a schedule, and what JSON adds to them.
+constexpr size_t kRequestMax = 2 * oncard::kScheduleKind.bytes_max;
+
+std::string request;
+std::string answer;
+
+}  // namespace
+
+#define ONCARD_EXPORT(name) __attribute__((export_name(#name))) name
+
+extern "C" {
+
+char* ONCARD_EXPORT(oncard_request)(size_t size) {
+  if (size > kRequestMax) return nullptr;
+  request.resize(size);
+  return request.data();
+}
+
+size_t ONCARD_EXPORT(oncard_handle)() {
+  answer = oncard::web::HandleRequest(request);
+  request = {};
+  return answer.size();
+}
+
+const char* ONCARD_EXPORT(oncard_answer)() { return answer.data(); }
+
+const char* ONCARD_EXPORT(oncard_version)() { return ONCARD_VERSION; }
+
+}  // extern "C"
