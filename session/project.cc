@@ -19,7 +19,8 @@ Result<std::shared_ptr<const vm::Schedule>> ReadSchedule(const std::string& path
 }
 
 /// Reads the scenario, which may come from a recording.
-Result<void> ReadScenario(const std::string& main, const Files& files, Project* project) {
+Result<void> ReadScenario(const std::string& main, const Files& files, runtime::ScenarioUse use,
+                          Project* project) {
   std::string text;
   runtime::TextMargin margin;
   if (main.ends_with(".schedule")) {
@@ -36,7 +37,7 @@ Result<void> ReadScenario(const std::string& main, const Files& files, Project* 
     project->scenario.program = main;
     return {};
   }
-  auto scenario = runtime::ParseScenario(text, main, runtime::ScenarioUse::kRun, margin);
+  auto scenario = runtime::ParseScenario(text, main, use, margin);
   if (!scenario.ok()) return scenario.error();
   project->scenario = std::move(scenario).value();
   return {};
@@ -71,9 +72,9 @@ Result<std::string> Files::Read(const std::string& path) const {
 }
 
 Result<Project> ReadProject(const std::string& main, const Files& files,
-                            const compiler::Options& options) {
+                            const compiler::Options& options, runtime::ScenarioUse use) {
   Project project;
-  if (auto read = ReadScenario(main, files, &project); !read.ok()) return read.error();
+  if (auto read = ReadScenario(main, files, use, &project); !read.ok()) return read.error();
   if (auto read = ReadProgram(files, options, &project); !read.ok()) return read.error();
   const std::string& policy = project.scenario.schedule;
   if (project.schedule == nullptr && policy.starts_with(runtime::kReplayPrefix)) {

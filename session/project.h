@@ -39,9 +39,10 @@ struct Project {
 };
 
 /// Reads `main`: a scenario (.toml), a recording (.schedule or .sched), or a program that runs by
-/// itself. Fails if a file is missing, or is not what it should be; errors of the program are in
-/// the compilation.
+/// itself. Fails if a file is missing, or is not what it should be, or if the scenario has keys
+/// that cannot be used for `use`; errors of the program are in the compilation.
 Result<Project> ReadProject(const std::string& main, const Files& files,
-                            const compiler::Options& options = {});
+                            const compiler::Options& options = {},
+                            runtime::ScenarioUse use = runtime::ScenarioUse::kRun);
 
 }  // namespace oncard::session

@@ -27,6 +27,7 @@ function equalAnswersTo(chosen) {
 }
 
 const runs = cases.filter(({ request }) => request.request === "run");
+const walks = cases.filter(({ request }) => request.id.startsWith("walk "));
 const isRandom = ({ request }) => request.id === "random.toml";
 
 test("every scenario of the samples has the same result", (t) => {
@@ -42,6 +43,13 @@ test("a thousand random programs have the same results", (t) => {
   t.diagnostic(`${hashes.length} equal state hashes, ${new Set(hashes).size} different ones`);
   assert.equal(hashes.length, 1000);
   assert.ok(new Set(hashes).size > 900);
+});
+
+test("sessions that go forward and back give the same answers", (t) => {
+  const answers = equalAnswersTo(walks);
+  const good = answers.filter(({ ok }) => ok).length;
+  t.diagnostic(`${good} equal answers, ${answers.length - good} equal refusals`);
+  assert.ok(good > 1500);
 });
 
 test("explorations have the same verdicts", (t) => {

@@ -117,6 +117,35 @@ test("a program that never ends reaches the limit of its scenario", () => {
   assert.equal(result.run.time_ms, 50);
 });
 
+test("a session stops when its budget is used up, and goes on from there", async () => {
+  const session = await Engine.create(bytes);
+  const ask = (request, parameters) => {
+    const text = JSON.stringify({ id: 1, request, arguments: parameters });
+    const { ok, result, error } = JSON.parse(session.handle(text).trimEnd().split("\n").at(-1));
+    assert.ok(ok, error);
+    return result;
+  };
+  const endless = runOf("int n;\nint main() {\nlbl:\n  n = n + 1;\n  goto lbl;\n}\n");
+  assert.ok(ask("load", endless.arguments).compiled);
+  const first = ask("forward", { goal: "stop", budget: 1000 });
+  assert.equal(first.stop.reason, "budget");
+  const second = ask("forward", { goal: "stop", budget: 1000 });
+  assert.ok(second.state.statements > first.state.statements);
+  const back = ask("go_to", { moment: first.state.moment });
+  assert.equal(back.statements, first.state.statements);
+});
+
+test("an exploration finds a lost update", () => {
+  const source =
+    "int sum;\nint add() {\n  int copy;\n  copy = sum;\n  sum = copy + 1;\n}\n";
+  const threads = '[[thread]]\nfunction = "add"\n[[thread]]\nthread = 1\npage = 1\nfunction = "add"\n';
+  const request = runOf(source, `final = ["sum == 2"]\n${threads}`);
+  const { ok, result, error } = answerTo({ ...request, request: "explore" });
+  assert.ok(ok, error);
+  assert.equal(result.report.verdict, "FAILED");
+  assert.match(result.text, /sum is 1, expected 2/);
+});
+
 test("nesting that is too deep for the stack is a diagnostic", () => {
   for (const depth of [1000, 100_000]) {
     const deep = `int x;\nint main() {\n  x = ${"(".repeat(depth)}1${")".repeat(depth)};\n}\n`;

@@ -1,6 +1,7 @@
 // Writes requests to the module, one in each line, and beside them the answers of this computer's
-// build: whole runs of all scenarios in samples/ and of random programs, and explorations of the
-// samples that are for the explorer. tests/web/equality_test.mjs gives the requests to the module.
+// build: whole runs of all scenarios in samples/ and of random programs, sessions with them, and
+// explorations of the samples that are for the explorer. tests/web/equality_test.mjs gives the
+// requests to the module.
 //   web_requests SAMPLES REQUESTS ANSWERS
 #include <fmt/format.h>
 
@@ -19,7 +20,7 @@
 #include "moving_program.h"
 #include "random_program.h"
 #include "structured_program.h"
-#include "web/wasm/whole_runs.h"
+#include "web/wasm/module_host.h"
 
 namespace oncard::web {
 namespace {
@@ -33,6 +34,8 @@ constexpr uint64_t kInterleaved = 400;
 constexpr uint64_t kMoving = 300;
 constexpr uint64_t kStructured = 150;
 constexpr uint64_t kWithDoubles = 150;
+/// So many of the moving programs are also driven in a session.
+constexpr uint64_t kWalks = 100;
 
 Json RequestFor(std::string_view kind, const std::string& main, Json files) {
   return {{"id", main},
@@ -93,6 +96,32 @@ Json StructuredRun(const differential::StructuredProgram& program) {
   return RunOf(program.text, "structured = true\n");
 }
 
+/// Drives a program in a session forward and back, and looks into it. `load` is its first request.
+void AddWalk(Json load, std::vector<Json>* requests) {
+  const std::string id = "walk " + load["id"].get<std::string>();
+  load["id"] = id;
+  load["request"] = "load";
+  requests->push_back(std::move(load));
+  const auto add = [&](std::string_view request, Json arguments) {
+    requests->push_back({{"id", id}, {"request", request}, {"arguments", std::move(arguments)}});
+  };
+  const Json none = Json::object();
+  for (int i = 0; i < 5; ++i) add("forward", {{"goal", "step"}});
+  add("forward", {{"goal", "line"}, {"thread", 0}, {"budget", 1000}});
+  add("forward", {{"goal", "time"}, {"ms", 20}, {"budget", 5000}});
+  add("variables", none);
+  add("card", none);
+  add("back", {{"goal", "cycle"}});
+  add("back", {{"goal", "step"}});
+  add("set_stops", {{"lines", Json::array({{{"line", 9}}})}, {"faults", true}});
+  add("forward", {{"goal", "stop"}, {"budget", 5000}});
+  add("back", {{"goal", "stop"}, {"budget", 5000}});
+  add("trace", {{"names", {"axis1.prfPos"}}, {"from_ms", 0}, {"to_ms", 10}, {"points", 20}});
+  add("turns", {{"from", 0}, {"to", 1000}});
+  add("listing", none);
+  add("record", none);
+}
+
 /// A request for each scenario of a sample's folder, with all its files.
 void AddSample(const fs::path& folder, std::vector<Json>* requests) {
   Json files = Json::object();
@@ -105,6 +134,7 @@ void AddSample(const fs::path& folder, std::vector<Json>* requests) {
   std::ranges::sort(scenarios);
   for (const std::string& path : scenarios) {
     requests->push_back(RequestFor("run", path, files));
+    AddWalk(RequestFor("load", path, files), requests);
     if (files[path].get<std::string>().find("explore") == std::string::npos) continue;
     requests->push_back(RequestFor("explore", path, files));
   }
@@ -119,7 +149,10 @@ std::vector<Json> Requests(const fs::path& samples) {
   std::vector<Json> requests;
   for (const fs::path& folder : folders) AddSample(folder, &requests);
   for (uint64_t i = 0; i < kInterleaved; ++i) requests.push_back(InterleavedRun(kFirstSeed + i));
-  for (uint64_t i = 0; i < kMoving; ++i) requests.push_back(MovingRun(kFirstSeed + i));
+  for (uint64_t i = 0; i < kMoving; ++i) {
+    requests.push_back(MovingRun(kFirstSeed + i));
+    if (i < kWalks) AddWalk(requests.back(), &requests);
+  }
   for (uint64_t i = 0; i < kStructured; ++i) {
     requests.push_back(StructuredRun(
         differential::MakeStructuredProgram(kFirstSeed + i, differential::Floats::kNone)));
@@ -132,12 +165,13 @@ std::vector<Json> Requests(const fs::path& samples) {
 
 Result<void> Write(const fs::path& samples, const std::string& requests_path,
                    const std::string& answers_path) {
+  ModuleHost host;
   std::string requests;
   std::string answers;
   for (const Json& request : Requests(samples)) {
     const std::string text = JsonText(request);
     requests += text + '\n';
-    answers += HandleRequest(text);
+    answers += host.Handle(text);
   }
   if (auto written = WriteFileAtomically(requests_path, requests); !written.ok()) return written;
   return WriteFileAtomically(answers_path, answers);

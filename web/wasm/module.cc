@@ -11,13 +11,11 @@
 #include <string>
 
 #include "base/limits.h"
-#include "web/wasm/whole_runs.h"
+#include "web/wasm/module_host.h"
 
 namespace {
 
-/// A program with all it includes, a scenario and a schedule, and what JSON adds to them.
-constexpr size_t kRequestMax = 2 * oncard::kScheduleKind.bytes_max;
-
+oncard::web::ModuleHost host;
 std::string request;
 std::string answer;
 
@@ -28,13 +26,13 @@ std::string answer;
 extern "C" {
 
 char* ONCARD_EXPORT(oncard_request)(size_t size) {
-  if (size > kRequestMax) return nullptr;
+  if (size > oncard::kRequestKind.bytes_max) return nullptr;
   request.resize(size);
   return request.data();
 }
 
 size_t ONCARD_EXPORT(oncard_handle)() {
-  answer = oncard::web::HandleRequest(request);
+  answer = host.Handle(request);
   request = {};
   return answer.size();
 }

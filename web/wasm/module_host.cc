@@ -1,0 +1,119 @@
+#include "web/wasm/module_host.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "base/json_text.h"
+#include "compiler/diagnostic_printer.h"
+#include "explore/reports/report.h"
+#include "explore/scenario_exploration.h"
+#include "runtime/scenario/requirement.h"
+#include "session/arguments.h"
+#include "session/project.h"
+
+namespace oncard::web {
+namespace {
+
+using session::Json;
+
+/// So many states of any program fit into the memory of a module, at most 4 GiB.
+constexpr uint32_t kStateLimit = 2'000'000;
+
+/// What is explored, and the requirements that must hold.
+struct Subject {
+  runtime::Scenario scenario;
+  std::vector<runtime::Requirement> requirements;
+};
+
+/// The requirements of a scenario, or of the comments in a program that is explored by itself.
+Result<Subject> SubjectOf(const std::string& main, const std::string& source,
+                          const session::Project& project) {
+  if (main.ends_with(".toml")) {
+    return Subject{project.scenario, runtime::RequirementsOf(project.scenario)};
+  }
+  auto read = explore::ReadComments(main, source, *project.compilation.object);
+  if (!read.ok()) return read.error();
+  Subject subject{std::move(read.value().scenario), std::move(read.value().requirements)};
+  subject.scenario.structured = project.scenario.structured;
+  return subject;
+}
+
+Result<explore::Findings> Search(const Subject& subject, const std::string& source,
+                                 const vm::Object& object, const session::Files& files) {
+  const runtime::Scenario& scenario = subject.scenario;
+  const runtime::ExploreWish wish = scenario.explore.value_or(runtime::ExploreWish{});
+  if (!wish.follow.empty()) {
+    const auto text = files.Read(runtime::PathFromScenario(scenario, wish.follow));
+    if (!text.ok()) return text.error();
+    const auto schedule = vm::ParseSchedule(text.value());
+    if (!schedule.ok()) return schedule.error();
+    return explore::FollowSchedule(scenario, subject.requirements, object, source,
+                                   schedule.value());
+  }
+  explore::ExploreOptions options = explore::OptionsOf(wish);
+  options.state_limit = std::min(options.state_limit, kStateLimit);
+  return explore::ExploreScenario(scenario, subject.requirements, object, options);
+}
+
+/// `language` becomes that of the request.
+Result<Json> Explore(const Json& json, Language* language) {
+  session::Arguments arguments(json);
+  const std::string main = arguments.Text("main");
+  const session::Files files(arguments.TextsByName("files"), {});
+  compiler::Options options;
+  options.structured = arguments.Flag("structured", false);
+  const bool chinese = arguments.Has("language") && arguments.Word("language", {"en", "zh"}) == 1;
+  if (auto mistakes = arguments.Mistakes()) return *std::move(mistakes);
+  if (chinese) *language = Language::kChinese;
+
+  const auto project = session::ReadProject(main, files, options, runtime::ScenarioUse::kExplore);
+  if (!project.ok()) return project.error();
+  const compiler::Compilation& compilation = project.value().compilation;
+  Json answer = {{"compiled", compilation.ok()},
+                 {"diagnostics", compiler::DiagnosticsJson(compilation, *language)}};
+  if (!compilation.ok()) return answer;
+
+  // An object has no source.
+  const std::string source = compilation.files.empty() ? "" : compilation.files.front().text();
+  auto subject = SubjectOf(main, source, project.value());
+  if (!subject.ok()) return subject.error();
+  auto findings = Search(subject.value(), source, *compilation.object, files);
+  if (!findings.ok()) return findings.error();
+  findings.value().source = source;
+  answer["report"] = Json::parse(explore::JsonReport(findings.value()));
+  answer["text"] = explore::TextReport(findings.value(), *language);
+  return answer;
+}
+
+/// The arguments of a request to explore; nullptr for any other request.
+const Json* ArgumentsOfExplore(const Json& request) {
+  static const Json none = Json::object();
+  if (!request.is_object()) return nullptr;
+  const auto name = request.find("request");
+  if (name == request.end() || *name != "explore") return nullptr;
+  const auto arguments = request.find("arguments");
+  return arguments == request.end() ? &none : &*arguments;
+}
+
+}  // namespace
+
+std::string ModuleHost::Handle(std::string_view text) {
+  if (text.find("explore") == std::string_view::npos) return session_.Handle(text);
+  // The session reads its own requests, and says what is wrong with them.
+  const Json request = Json::parse(text, nullptr, false);
+  const Json* arguments = ArgumentsOfExplore(request);
+  if (arguments == nullptr) return session_.Handle(text);
+  Language language = Language::kEnglish;
+  const auto answer = Explore(*arguments, &language);
+  const auto id = request.find("id");
+  Json response = {{"id", id == request.end() ? Json() : *id}, {"ok", answer.ok()}};
+  if (answer.ok()) {
+    response["result"] = answer.value();
+  } else {
+    response["error"] = answer.error().message.In(language);
+  }
+  return JsonText(response) + '\n';
+}
+
+}  // namespace oncard::web

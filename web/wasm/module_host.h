@@ -1,0 +1,22 @@
+// What the module answers: the session protocol (docs/session-protocol.md), and explorations, which
+// a session does not know. All files are in the requests. Tested by tests/web/.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "session/host.h"
+
+namespace oncard::web {
+
+class ModuleHost {
+ public:
+  /// Executes one request: `explore`, as web/README.md describes it, or one of the session's. Every
+  /// line of the answer ends in a newline. Any text is safe to give. Deterministic.
+  std::string Handle(std::string_view request);
+
+ private:
+  session::SessionHost session_;
+};
+
+}  // namespace oncard::web
