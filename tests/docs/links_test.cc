@@ -19,12 +19,14 @@ namespace fs = std::filesystem;
 
 const fs::path kRoot = ONCARD_SOURCE_DIR;
 
-// The pages of the repository itself, without those in hidden folders and build trees.
+// The pages of the repository itself, without those in hidden folders, build trees and packages of
+// others.
 std::vector<fs::path> Pages() {
   std::vector<fs::path> pages;
   for (fs::recursive_directory_iterator entry(kRoot), end; entry != end; ++entry) {
     const std::string name = entry->path().filename();
-    if (name.starts_with('.') || name == "build") entry.disable_recursion_pending();
+    const bool foreign = name == "build" || name == "node_modules";
+    if (name.starts_with('.') || foreign) entry.disable_recursion_pending();
     if (entry->path().extension() == ".md") pages.push_back(entry->path());
   }
   return pages;

@@ -50,7 +50,8 @@ export class Engine {
     try {
       return this.#exchange(bytes);
     } catch (error) {
-      if (!(error instanceof WebAssembly.RuntimeError) && !(error instanceof RangeError)) throw error;
+      if (!(error instanceof WebAssembly.RuntimeError) && !(error instanceof RangeError))
+        throw error;
       this.#functions = started(new WebAssembly.Instance(this.#module));
       throw new EngineError(`the engine ended and has started anew: ${error.message}`);
     }

@@ -1,0 +1,244 @@
+// A session of the engine: one method for each request of the protocol. Requests are answered in
+// their order, whoever makes them.
+// Tested by test/engine.test.ts and test/walk.test.ts.
+
+import type {
+  BackWalk,
+  Card,
+  Channel,
+  Compiled,
+  Evaluation,
+  ForwardWalk,
+  Hello,
+  Language,
+  ListedFunction,
+  Loaded,
+  LogEvent,
+  Project,
+  RunAnswer,
+  State,
+  StopWishes,
+  Turn,
+  Variable,
+  WalkResult,
+} from "./protocol.js";
+import { protocolVersion } from "./protocol.js";
+import type { Transport } from "./transport.js";
+
+/** The engine has refused a request; the message is its own. Nothing has changed. */
+export class RefusedError extends Error {}
+
+/** What a walk does between its slices. */
+export interface WalkOptions {
+  /** Ends the walk after the present slice. */
+  signal?: AbortSignal;
+  /** Called after each slice that did not arrive. */
+  onSlice?: (result: WalkResult) => void;
+  /** Steps in a slice; other requests are answered between two of them. */
+  slice?: number;
+}
+
+const stepsOfSlice = 50_000;
+
+interface Answer {
+  id?: number;
+  ok?: boolean;
+  result?: unknown;
+  error?: string;
+}
+
+interface Waiting {
+  /** Takes the answer and its text. */
+  resolve: (answer: { result: unknown; text: string }) => void;
+  reject: (why: Error) => void;
+}
+
+export class Engine {
+  /** Called for each line of a log point. */
+  onLog: (event: LogEvent) => void = () => undefined;
+  /** Called when the engine ends by itself. */
+  onEnded: (why: Error) => void = () => undefined;
+
+  readonly #transport: Transport;
+  readonly #waiting = new Map<number, Waiting>();
+  #requests = 0;
+  #ended: Error | undefined;
+
+  constructor(transport: Transport) {
+    this.#transport = transport;
+    transport.connect({
+      line: (text) => {
+        this.#receive(text);
+      },
+      ended: (why) => {
+        this.#end(why);
+        this.onEnded(why);
+      },
+    });
+  }
+
+  /** Ends the engine; requests without an answer fail. */
+  close(): void {
+    this.#end(new Error("the session was closed"));
+    this.#transport.close();
+  }
+
+  // --- Requests ----------------------------------------------------------------------------------
+
+  hello(language?: Language): Promise<Hello> {
+    return this.#request("hello", { protocol: protocolVersion, language });
+  }
+  check(project: Project): Promise<Compiled> {
+    return this.#request("check", { ...project });
+  }
+  /** Runs a whole project beside the session. */
+  run(project: Project, show: string[] = []): Promise<RunAnswer> {
+    return this.#request("run", { ...project, show });
+  }
+  load(project: Project): Promise<Loaded> {
+    return this.#request("load", { ...project });
+  }
+  state(): Promise<State> {
+    return this.#request("state");
+  }
+  /** One slice of a walk; `walkForward` goes on until it arrives. */
+  forward(walk: ForwardWalk, budget?: number): Promise<WalkResult> {
+    return this.#request("forward", { ...walk, budget });
+  }
+  back(walk: BackWalk, budget?: number): Promise<WalkResult> {
+    return this.#request("back", { ...walk, budget });
+  }
+  stepThread(thread: number): Promise<WalkResult> {
+    return this.#request("step_thread", { thread });
+  }
+  /** To a moment that has been reached, or to the end of a cycle. */
+  goTo(place: { moment: number } | { ms: number }): Promise<State> {
+    return this.#request("go_to", place);
+  }
+  setStops(wishes: StopWishes): Promise<{ lines: number[] }> {
+    return this.#request("set_stops", { ...wishes });
+  }
+  /** The global variables, or those of a data page. */
+  variables(page?: number): Promise<Variable[]> {
+    return this.#request("variables", { page });
+  }
+  /** The slots of a data page: integers of 64 bits. */
+  async slots(page: number): Promise<BigInt64Array> {
+    const { text } = await this.#exchange("slots", { page });
+    // Numbers of JavaScript would lose their last bits.
+    const list = /"result":\[([^\]]*)\]/.exec(text)?.[1] ?? "";
+    return BigInt64Array.from(list.split(",").map(BigInt));
+  }
+  card(): Promise<Card> {
+    return this.#request("card");
+  }
+  evaluate(text: string): Promise<Evaluation> {
+    return this.#request("evaluate", { text });
+  }
+  write(name: string, value: number): Promise<State> {
+    return this.#request("write", { name, value });
+  }
+  setInput(type: string, index: number, level: number): Promise<State> {
+    return this.#request("set_input", { type, index, level });
+  }
+  setVoltage(channel: number, volts: number): Promise<State> {
+    return this.#request("set_voltage", { channel, volts });
+  }
+  trace(names: string[], fromMs: number, toMs: number, points: number): Promise<Channel[]> {
+    return this.#request("trace", { names, from_ms: fromMs, to_ms: toMs, points });
+  }
+  turns(from: number, to: number, most?: number): Promise<Turn[]> {
+    return this.#request("turns", { from, to, most });
+  }
+  listing(): Promise<ListedFunction[]> {
+    return this.#request("listing");
+  }
+  /** The texts of a schedule file and of its scenario, with the changes. */
+  record(): Promise<{ schedule: string; scenario: string }> {
+    return this.#request("record");
+  }
+
+  // --- Walks -------------------------------------------------------------------------------------
+
+  /** Goes forward until it arrives or stops. A cancelled walk has the stop `budget`. */
+  async walkForward(walk: ForwardWalk, options: WalkOptions = {}): Promise<WalkResult> {
+    if (walk.goal !== "time") return inSlices((budget) => this.forward(walk, budget), options);
+    const goal = (await this.state()).time_ms + walk.ms;
+    let left = walk.ms;
+    return inSlices(async (budget) => {
+      const result = await this.forward({ goal: "time", ms: left }, budget);
+      left = Math.max(0, goal - result.state.time_ms);
+      return result;
+    }, options);
+  }
+
+  /** Goes back until it arrives or stops. A cancelled walk has the stop `budget`. */
+  walkBack(walk: BackWalk, options: WalkOptions = {}): Promise<WalkResult> {
+    return inSlices((budget) => this.back(walk, budget), options);
+  }
+
+  // --- Lines -------------------------------------------------------------------------------------
+
+  async #request<Result>(request: string, args: Record<string, unknown> = {}): Promise<Result> {
+    // The engine keeps to the protocol: its version was checked by `hello`.
+    return (await this.#exchange(request, args)).result as Result;
+  }
+
+  #exchange(
+    request: string,
+    args: Record<string, unknown>,
+  ): Promise<{ result: unknown; text: string }> {
+    if (this.#ended) return Promise.reject(this.#ended);
+    const id = ++this.#requests;
+    return new Promise((resolve, reject) => {
+      this.#waiting.set(id, { resolve, reject });
+      this.#transport.send(JSON.stringify({ id, request, arguments: args }));
+    });
+  }
+
+  #receive(text: string): void {
+    let message: Answer | LogEvent;
+    try {
+      message = JSON.parse(text) as Answer | LogEvent;
+    } catch {
+      const why = new Error(`this is not an answer of the session protocol: ${text.slice(0, 200)}`);
+      this.#end(why);
+      this.#transport.close();
+      this.onEnded(why);
+      return;
+    }
+    if ("event" in message) {
+      this.onLog(message);
+      return;
+    }
+    const waiting = this.#waiting.get(message.id ?? 0);
+    if (!waiting) return;
+    this.#waiting.delete(message.id ?? 0);
+    if (message.ok) {
+      waiting.resolve({ result: message.result, text });
+    } else {
+      waiting.reject(new RefusedError(message.error));
+    }
+  }
+
+  #end(why: Error): void {
+    this.#ended ??= why;
+    for (const { reject } of this.#waiting.values()) reject(why);
+    this.#waiting.clear();
+  }
+}
+
+/** Repeats a walk until its budget was enough. */
+async function inSlices(
+  walk: (budget: number) => Promise<WalkResult>,
+  { signal, onSlice, slice = stepsOfSlice }: WalkOptions,
+): Promise<WalkResult> {
+  for (;;) {
+    const result = await walk(slice);
+    if (result.stop.reason !== "budget") return result;
+    onSlice?.(result);
+    // Whatever else has happened comes first, also where an engine answers at once.
+    await new Promise((resume) => setTimeout(resume));
+    if (signal?.aborted) return result;
+  }
+}

@@ -1,0 +1,218 @@
+// The session protocol, version 1: what requests take and answer. docs/session-protocol.md says what
+// the members mean; this file follows it name by name.
+
+export const protocolVersion = 1;
+
+export type Language = "en" | "zh";
+
+/** A program that is to be compiled: `main` names a scenario, a recording or a program. */
+export interface Project {
+  main: string;
+  /** The text of each file by its path; others are read by the engine if it can. */
+  files?: Record<string, string>;
+  /** The program is structured C. */
+  structured?: boolean;
+}
+
+export interface Hello {
+  protocol: number;
+  /** All requests with their arguments. */
+  requests: Record<string, string>;
+}
+
+/** A message of the compiler; lines count from 1, columns from 1. */
+export interface Diagnostic {
+  code: string;
+  slug: string;
+  severity: "error" | "warning" | "note";
+  message: string;
+  file: string;
+  line: number;
+  column: number;
+  end_line: number;
+  end_column: number;
+}
+
+export interface Compiled {
+  compiled: boolean;
+  diagnostics: Diagnostic[];
+}
+
+export interface SourceFile {
+  path: string;
+  text: string;
+}
+
+export type Loaded =
+  | { compiled: false; diagnostics: Diagnostic[] }
+  | { compiled: true; diagnostics: Diagnostic[]; files: SourceFile[]; state: State };
+
+/** The result of a whole run, as `oncard run --format=json` writes it. */
+export interface Run {
+  passed: boolean;
+  end: string;
+  time_ms: number;
+  statements: number;
+  state_hash: string;
+  values: Record<string, Value>;
+  failures: { expectation: string; message: string }[];
+  warnings: string[];
+}
+
+export interface RunAnswer extends Compiled {
+  /** Missing if the program was not compiled. */
+  run?: Run;
+}
+
+export interface Thread {
+  thread: number;
+  function: string;
+  page: number;
+  state: "finished" | "running" | "paused" | "faulted";
+  file: string;
+  line: number;
+  position: number;
+  statements: number;
+  error: number;
+  status: string;
+  ready: boolean;
+  waits?: { until_ms?: number; name?: string; value?: number };
+  next_start_ms?: number;
+  result?: number;
+  refused?: string;
+}
+
+export interface State {
+  moment: number;
+  head: number;
+  cycle: number;
+  time_ms: number;
+  statements: number;
+  statements_left: number;
+  next: "host" | "cycle" | "statement";
+  next_thread?: number;
+  over?: "quiet" | "until" | "time-limit" | "deadlock";
+  follows_schedule: boolean;
+  hash: string;
+  threads: Thread[];
+}
+
+export type StopReason =
+  | "goal"
+  | "line"
+  | "change"
+  | "condition"
+  | "fault"
+  | "refusal"
+  | "requirement"
+  | "schedule-end"
+  | "end"
+  | "start"
+  | "budget";
+
+export interface Stop {
+  reason: StopReason;
+  thread?: number;
+  /** Which of the wishes, from 0. */
+  number?: number;
+  text?: string;
+  /** At the end: expectations and final requirements that do not hold. */
+  failed?: string[];
+}
+
+export interface WalkResult {
+  stop: Stop;
+  state: State;
+}
+
+interface ThreadGoal {
+  goal: "statement" | "line";
+  thread: number;
+}
+
+export type ForwardWalk =
+  | { goal: "step" | "cycle" | "stop" | "rest" }
+  | ThreadGoal
+  | { goal: "time"; ms: number };
+
+export type BackWalk =
+  | { goal: "step" | "cycle" | "stop" }
+  | ThreadGoal
+  | { goal: "change"; name: string };
+
+export interface LineStop {
+  line: number;
+  /** As the threads of the state name it. */
+  file?: string;
+  thread?: number;
+  condition?: string;
+  hits?: number;
+  log?: string;
+}
+
+export interface StopWishes {
+  lines?: LineStop[];
+  changes?: string[];
+  conditions?: string[];
+  faults?: boolean;
+  refusals?: boolean;
+  requirements?: boolean;
+}
+
+export type Value = number | number[];
+
+export interface Variable {
+  name: string;
+  /** Its name for `evaluate` and `write`. */
+  path: string;
+  type: string;
+  slot: number;
+  value: Value;
+}
+
+export interface CardPart {
+  part: string;
+  number: number;
+  values: { name: string; path: string; value: number; unit?: string }[];
+}
+
+export interface CardWord {
+  name: string;
+  kind: "input" | "output";
+  value: number;
+  /** Inputs only: how many pins it has, from bit 0. */
+  pins?: number;
+}
+
+export interface Card {
+  parts: CardPart[];
+  words: CardWord[];
+}
+
+export type Evaluation = { value: Value } | { holds: boolean };
+
+export interface Channel {
+  name: string;
+  least: number[];
+  largest: number[];
+}
+
+export interface Turn {
+  moment: number;
+  time_ms: number;
+  thread: number;
+  statements: number;
+}
+
+export interface ListedFunction {
+  name: string;
+  file: string;
+  statements: { line: number; text: string }[];
+}
+
+export interface LogEvent {
+  event: "log";
+  moment: number;
+  thread: number;
+  text: string;
+}
