@@ -1,0 +1,37 @@
+// The commands of the debug console; everything else typed there is evaluated.
+
+export type Command =
+  | { do: "cycle" | "rest" | "help" }
+  | { do: "thread"; thread: number }
+  | { do: "back"; name: string }
+  | { do: "record"; file: string };
+
+export const commandHelp = {
+  en: `cycle             go to the end of this cycle
+rest              go on until no thread runs and no axis moves
+thread N          thread N executes its next statement, whatever the schedule says
+back change NAME  go back to before the last change of a value
+record FILE       write the run up to now as a schedule file, beside the program
+NAME, CONDITION   show a value, or whether a condition holds
+`,
+  zh: `cycle             运行到本周期结束
+rest              运行到没有线程运行、没有轴运动为止
+thread N          让线程 N 执行下一条语句，不论调度如何
+back change NAME  后退到某个量上一次改变之前
+record FILE       将到目前为止的运行写成调度文件，保存在程序所在目录
+名称、条件         显示值，或条件是否成立
+`,
+};
+
+/** Nothing if the text is no command. */
+export function readCommand(text: string): Command | undefined {
+  const line = text.trim();
+  if (line === "cycle" || line === "rest" || line === "help") return { do: line };
+  const thread = /^thread\s+(\d+)$/.exec(line)?.[1];
+  if (thread !== undefined) return { do: "thread", thread: Number(thread) };
+  const name = /^back\s+change\s+(\S.*)$/.exec(line)?.[1];
+  if (name !== undefined) return { do: "back", name };
+  const file = /^record\s+(\S.*)$/.exec(line)?.[1];
+  if (file !== undefined) return { do: "record", file };
+  return undefined;
+}

@@ -1,0 +1,33 @@
+// Whether what has been walked through fulfils the scenario.
+
+import { dirname, join } from "node:path";
+
+import type { Engine } from "@oncard/engine";
+import { RefusedError } from "@oncard/engine";
+
+import type { LaunchConfig } from "./launch.js";
+import type { Text } from "./texts.js";
+
+export interface Verdict {
+  passed: boolean;
+  text: Text;
+}
+
+/** Records the run and lets the engine judge the recording, with the user's choices and changes. */
+export async function judge(engine: Engine, config: LaunchConfig): Promise<Verdict> {
+  const main = join(dirname(config.program), "verdict.schedule");
+  try {
+    const { schedule } = await engine.record();
+    const { structured } = config;
+    const { run } = await engine.run({ main, files: { [main]: schedule }, structured });
+    if (run?.passed) return { passed: true, text: { en: "passed", zh: "通过" } };
+    const why = (run?.failures ?? [])
+      .map(({ expectation, message }) => (expectation ? `${expectation}: ${message}` : message))
+      .join("\n");
+    return { passed: false, text: { en: `failed\n${why}`, zh: `未通过\n${why}` } };
+  } catch (error) {
+    if (!(error instanceof RefusedError)) throw error;
+    const why = error.message;
+    return { passed: true, text: { en: `no verdict: ${why}`, zh: `无结论：${why}` } };
+  }
+}
