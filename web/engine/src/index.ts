@@ -1,3 +1,4 @@
 export * from "./engine.js";
+export * from "./module.js";
 export * from "./protocol.js";
 export * from "./transport.js";
