@@ -7,10 +7,10 @@ import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { createInterface } from "node:readline";
-import { Engine } from "../../web/engine/engine.js";
+import { EngineModule } from "../../web/engine/engine_module.js";
 
 const [modulePath, oncardPath] = process.argv.slice(2);
-const engine = await Engine.create(readFileSync(modulePath));
+const engine = await EngineModule.create(readFileSync(modulePath));
 const repetitions = 5;
 
 const kernel = (name, parameters) => ({

@@ -5,11 +5,11 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
-import { Engine } from "../../web/engine/engine.js";
+import { EngineModule } from "../../web/engine/engine_module.js";
 
 const [modulePath, requestsPath, answersPath] = process.argv.slice(2);
 const linesOf = (path) => readFileSync(path, "utf8").trimEnd().split("\n");
-const engine = await Engine.create(readFileSync(modulePath));
+const engine = await EngineModule.create(readFileSync(modulePath));
 const expected = linesOf(answersPath);
 const cases = linesOf(requestsPath).map((text, i) => ({
   text,

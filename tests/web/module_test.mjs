@@ -4,10 +4,10 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
 import { gzipSync } from "node:zlib";
-import { Engine, EngineError } from "../../web/engine/engine.js";
+import { EngineModule, ModuleError } from "../../web/engine/engine_module.js";
 
 const bytes = readFileSync(process.argv[2]);
-const engine = await Engine.create(bytes);
+const engine = await EngineModule.create(bytes);
 
 /** The request to run a program, after its scenario's other keys. */
 const runOf = (source, keys = "") => ({
@@ -57,7 +57,7 @@ test("a run answers with values and a hash", () => {
 
 test("the same request has the same answer in another instance", async () => {
   const text = JSON.stringify(counting);
-  assert.equal((await Engine.create(bytes)).handle(text), engine.handle(text));
+  assert.equal((await EngineModule.create(bytes)).handle(text), engine.handle(text));
 });
 
 test("what is not JSON, or not an object, is refused", () => {
@@ -118,7 +118,7 @@ test("a program that never ends reaches the limit of its scenario", () => {
 });
 
 test("a session stops when its budget is used up, and goes on from there", async () => {
-  const session = await Engine.create(bytes);
+  const session = await EngineModule.create(bytes);
   const ask = (request, parameters) => {
     const text = JSON.stringify({ id: 1, request, arguments: parameters });
     const { ok, result, error } = JSON.parse(session.handle(text).trimEnd().split("\n").at(-1));
@@ -155,15 +155,15 @@ test("nesting that is too deep for the stack is a diagnostic", () => {
 });
 
 test("a request that is too large is refused, and the next one is answered", () => {
-  assert.throws(() => engine.handle(new Uint8Array(200 * 2 ** 20)), EngineError);
+  assert.throws(() => engine.handle(new Uint8Array(200 * 2 ** 20)), ModuleError);
   assert.equal(answerTo(counting).result.run.values.sum, 42);
 });
 
 test("after the module has ended it answers again", async () => {
   // A module that has the same exports and always ends.
-  const ending = await Engine.create(endingModule());
-  assert.throws(() => ending.handle("{}"), EngineError);
-  assert.throws(() => ending.handle("{}"), EngineError);
+  const ending = await EngineModule.create(endingModule());
+  assert.throws(() => ending.handle("{}"), ModuleError);
+  assert.throws(() => ending.handle("{}"), ModuleError);
 });
 
 /** (module (memory 1) (func _initialize) (func that takes or gives an i32, and traps) ...) */

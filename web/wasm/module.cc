@@ -1,5 +1,5 @@
-// The functions that the module exports, for web/engine/engine.js. A request is written to memory
-// of the module, and its answer is read there:
+// The functions that the module exports, for web/engine/engine_module.js. A request is written to
+// memory of the module, and its answer is read there:
 //
 //   oncard_request(size)  memory for a request; nullptr if a request may not be that large
 //   oncard_handle()       handles the request that was written there; the size of the answer

@@ -373,16 +373,16 @@ export class OncardSession extends DebugSession {
 
   /** The user goes on where the run is over. */
   async #finish(): Promise<void> {
-    const { passed } = this.#verdict ?? (await this.#showVerdict());
-    this.sendEvent(new ExitedEvent(passed ? 0 : 1));
+    const { exitCode } = this.#verdict ?? (await this.#showVerdict());
+    this.sendEvent(new ExitedEvent(exitCode));
     this.sendEvent(new TerminatedEvent());
   }
 
   async #showVerdict(): Promise<Verdict> {
     const { engine, config } = this.#now();
     this.#verdict = await judge(engine, config);
-    const { passed, text } = this.#verdict;
-    this.#print(`${this.#say(text)}\n`, passed ? "stdout" : "stderr");
+    const { exitCode, text } = this.#verdict;
+    this.#print(`${this.#say(text)}\n`, exitCode === 0 ? "stdout" : "stderr");
     return this.#verdict;
   }
 

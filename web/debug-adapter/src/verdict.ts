@@ -9,9 +9,14 @@ import type { LaunchConfig } from "./launch.js";
 import type { Text } from "./texts.js";
 
 export interface Verdict {
-  passed: boolean;
+  /** As `oncard replay` has it. */
+  exitCode: number;
   text: Text;
 }
+
+const fulfilled = 0;
+const failed = 1;
+const unknown = 6;
 
 /** Records the run and lets the engine judge the recording, with the user's choices and changes. */
 export async function judge(engine: Engine, config: LaunchConfig): Promise<Verdict> {
@@ -20,14 +25,14 @@ export async function judge(engine: Engine, config: LaunchConfig): Promise<Verdi
     const { schedule } = await engine.record();
     const { structured } = config;
     const { run } = await engine.run({ main, files: { [main]: schedule }, structured });
-    if (run?.passed) return { passed: true, text: { en: "passed", zh: "通过" } };
+    if (run?.passed) return { exitCode: fulfilled, text: { en: "passed", zh: "通过" } };
     const why = (run?.failures ?? [])
       .map(({ expectation, message }) => (expectation ? `${expectation}: ${message}` : message))
       .join("\n");
-    return { passed: false, text: { en: `failed\n${why}`, zh: `未通过\n${why}` } };
+    return { exitCode: failed, text: { en: `failed\n${why}`, zh: `未通过\n${why}` } };
   } catch (error) {
     if (!(error instanceof RefusedError)) throw error;
     const why = error.message;
-    return { passed: true, text: { en: `no verdict: ${why}`, zh: `无结论：${why}` } };
+    return { exitCode: unknown, text: { en: `no verdict: ${why}`, zh: `无结论：${why}` } };
   }
 }

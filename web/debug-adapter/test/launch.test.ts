@@ -170,6 +170,20 @@ describe("at the end", () => {
     }
   });
 
+  test("there is no verdict on what a scenario cannot repeat", async () => {
+    const editor = await openEditor();
+    await editor.launch(sample("01_sum/two_threads.toml"), { stopOnEntry: true });
+    await editor.run();
+    await editor.move("stepIn");
+    const expression = "sum";
+    await editor.request("setExpression", { expression, value: "0" });
+    await editor.move("continue");
+    expect(editor.output).toMatch(/^no verdict: 'sum' was changed in the middle of the cycle/m);
+    const exited = editor.client.waitForEvent("exited");
+    await editor.request("continue", { threadId: 1 });
+    expect((await exited).body).toEqual({ exitCode: 6 });
+  });
+
   test("the user's choices count", async () => {
     const editor = await openEditor();
     await editor.enter(sample("26_lost_update/lost.toml"));

@@ -3,7 +3,7 @@
 
 import type { Receiver, Transport } from "./transport.js";
 
-/** Answers a request with lines of JSON: `Engine` of engine.js is one. */
+/** Answers a request with lines of JSON: `EngineModule` of engine_module.js is one. */
 export interface RequestHandler {
   /** Throws if it has lost its session. */
   handle(request: string): string;

@@ -9,10 +9,10 @@ import { startEngine, top } from "./support.js";
 const wasm = `${top}/build/web/oncard.wasm`;
 
 async function startModule(): Promise<RequestHandler> {
-  const { Engine: Module } = (await import(`${top}/web/engine/engine.js`)) as {
-    Engine: { create(bytes: Uint8Array): Promise<RequestHandler> };
+  const { EngineModule } = (await import(`${top}/web/engine/engine_module.js`)) as {
+    EngineModule: { create(bytes: Uint8Array): Promise<RequestHandler> };
   };
-  return Module.create(readFileSync(wasm));
+  return EngineModule.create(readFileSync(wasm));
 }
 
 test.skipIf(!existsSync(wasm))("a session in the module is one in a process", async () => {

@@ -6,9 +6,9 @@ const utf8Encoder = new TextEncoder();
 const utf8Decoder = new TextDecoder();
 
 /** The module ended within a request, or was given one that it cannot hold. */
-export class EngineError extends Error {}
+export class ModuleError extends Error {}
 
-export class Engine {
+export class EngineModule {
   /** @type {WebAssembly.Module} */
   #module;
   /** @type {WebAssembly.Exports} */
@@ -25,11 +25,11 @@ export class Engine {
 
   /**
    * @param {BufferSource} bytes the content of oncard.wasm
-   * @returns {Promise<Engine>}
+   * @returns {Promise<EngineModule>}
    */
   static async create(bytes) {
     const { module, instance } = await WebAssembly.instantiate(bytes);
-    return new Engine(module, instance);
+    return new EngineModule(module, instance);
   }
 
   /** The version of oncard. */
@@ -43,7 +43,7 @@ export class Engine {
    * that it knew is lost: it has started anew when the error arrives.
    * @param {string | Uint8Array} request JSON, as text or as its bytes in UTF-8
    * @returns {string} JSON lines
-   * @throws {EngineError}
+   * @throws {ModuleError}
    */
   handle(request) {
     const bytes = typeof request === "string" ? utf8Encoder.encode(request) : request;
@@ -53,7 +53,7 @@ export class Engine {
       if (!(error instanceof WebAssembly.RuntimeError) && !(error instanceof RangeError))
         throw error;
       this.#functions = started(new WebAssembly.Instance(this.#module));
-      throw new EngineError(`the engine ended and has started anew: ${error.message}`);
+      throw new ModuleError(`the module ended and has started anew: ${error.message}`);
     }
   }
 
@@ -61,7 +61,7 @@ export class Engine {
   #exchange(bytes) {
     const { memory, oncard_request, oncard_handle, oncard_answer } = this.#functions;
     const place = oncard_request(bytes.length) >>> 0;
-    if (place === 0) throw new EngineError(`a request of ${bytes.length} bytes is too large`);
+    if (place === 0) throw new ModuleError(`a request of ${bytes.length} bytes is too large`);
     new Uint8Array(memory.buffer, place, bytes.length).set(bytes);
     const size = oncard_handle() >>> 0;
     // The memory may have grown, which replaces its buffer.
