@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "base/nearest.h"
@@ -19,14 +20,11 @@ Arguments::Arguments(const Json& json, std::string where) : json_(&json), where_
 void Arguments::Add(Message mistake) { mistakes_.push_back(std::move(mistake)); }
 
 void Arguments::Expect(const std::string& name, const Message& expected) {
-  const char* what = json_->is_object() && json_->contains(name) ? "" : nullptr;
-  if (what == nullptr) {
-    Add(MakeMessage("'{0}{1}' is missing: {2}", "缺少“{0}{1}”：{3}", where_, name, expected.en,
-                    expected.zh));
-  } else {
-    Add(MakeMessage("'{0}{1}' is wrong: {2}", "“{0}{1}”有误：{3}", where_, name, expected.en,
-                    expected.zh));
-  }
+  const bool missing = !json_->is_object() || !json_->contains(name);
+  Add(missing ? MakeMessage("'{0}{1}' is missing: {2}", "缺少“{0}{1}”：{3}", where_, name,
+                            expected.en, expected.zh)
+              : MakeMessage("'{0}{1}' is wrong: {2}", "“{0}{1}”有误：{3}", where_, name,
+                            expected.en, expected.zh));
 }
 
 const Json* Arguments::Find(const std::string& name) {
@@ -133,8 +131,9 @@ std::vector<Arguments> Arguments::Objects(const std::string& name) {
   return objects;
 }
 
-void Arguments::Join(const Arguments& part) {
-  mistakes_.insert(mistakes_.end(), part.mistakes_.begin(), part.mistakes_.end());
+void Arguments::Join(Arguments part) {
+  part.AddUnread();
+  std::ranges::move(part.mistakes_, std::back_inserter(mistakes_));
 }
 
 std::string Arguments::Text(const std::string& name, std::string missing) {
@@ -149,21 +148,24 @@ int64_t Arguments::Whole(const std::string& name, int64_t least, int64_t largest
   return Has(name) ? Whole(name, least, largest) : missing;
 }
 
-std::optional<Error> Arguments::Mistakes() {
-  if (json_->is_object()) {
-    for (auto item = json_->begin(); item != json_->end(); ++item) {
-      if (read_.contains(item.key())) continue;
-      const std::vector<std::string_view> known(read_.begin(), read_.end());
-      const std::string_view near = NearestName(item.key(), known);
-      Add(near.empty()
-              ? MakeMessage("'{0}{1}' is not an argument of this request",
-                            "“{0}{1}”不是此请求的参数", where_, item.key())
-              : MakeMessage("'{0}{1}' is not an argument of this request; did you mean "
-                            "'{2}'?",
-                            "“{0}{1}”不是此请求的参数；是否为“{2}”？", where_, item.key(), near));
-      read_.insert(item.key());
+void Arguments::AddUnread() {
+  if (!json_->is_object()) return;
+  const std::vector<std::string_view> known(read_.begin(), read_.end());
+  for (auto item = json_->begin(); item != json_->end(); ++item) {
+    if (read_.contains(item.key())) continue;
+    const std::string_view near = NearestName(item.key(), known);
+    Message mistake = MakeMessage("'{0}{1}' is not an argument of this request",
+                                  "“{0}{1}”不是此请求的参数", where_, item.key());
+    if (!near.empty()) {
+      mistake.en += fmt::format("; did you mean '{}'?", near);
+      mistake.zh += fmt::format("；是否为“{}”？", near);
     }
+    Add(std::move(mistake));
   }
+}
+
+std::optional<Error> Arguments::Mistakes() {
+  AddUnread();
   if (mistakes_.empty()) return std::nullopt;
   Message all;
   for (const Message& mistake : mistakes_) {

@@ -37,9 +37,10 @@ class Arguments {
   std::map<std::string, std::string> TextsByName(const std::string& name);
   /// One of the words; the result is its index.
   size_t Word(const std::string& name, const std::vector<std::string_view>& words);
-  /// The objects in a list, each with its arguments. Their mistakes are to be added with Join().
+  /// The objects in a list, each with its arguments. Join() is to be called with each when all its
+  /// members have been read: it adds its mistakes.
   std::vector<Arguments> Objects(const std::string& name);
-  void Join(const Arguments& part);
+  void Join(Arguments part);
 
   // The same with a value for a missing member.
 
@@ -47,7 +48,7 @@ class Arguments {
   bool Flag(const std::string& name, bool missing);
   int64_t Whole(const std::string& name, int64_t least, int64_t largest, int64_t missing);
 
-  /// Everything that was wrong, after all members have been read.
+  /// Everything that was wrong. To be called once, after all members have been read.
   std::optional<Error> Mistakes();
 
  private:
@@ -55,6 +56,8 @@ class Arguments {
   /// Adds a mistake: what was expected of a member.
   void Expect(const std::string& name, const Message& expected);
   void Add(Message mistake);
+  /// Adds the members that have not been read.
+  void AddUnread();
 
   const Json* json_;
   std::string where_;

@@ -67,8 +67,7 @@ StopWishes ReadWishes(Arguments* arguments) {
     line.condition = item.Text("condition", {});
     line.hits = item.Whole("hits", 0, kMomentMax, 0);
     line.log = item.Text("log", {});
-    static_cast<void>(item.Mistakes());
-    arguments->Join(item);
+    arguments->Join(std::move(item));
     wishes.lines.push_back(std::move(line));
   }
   wishes.changes = arguments->Texts("changes");

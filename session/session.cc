@@ -71,8 +71,8 @@ Result<Stop> Session::Forward(const Walk& walk, std::vector<LogLine>* log) {
     if (walk.goal == Goal::kStop && run_->Over()) {
       return Stop{StopReason::kEnd, -1, -1, {}, stops_.FailedAtEnd(*run_)};
     }
-    if (walk.goal == Goal::kRest && Rests()) return Stop{StopReason::kGoal, -1, -1, {}};
-    if (run_->moment() - start >= walk.budget) return Stop{StopReason::kBudget, -1, -1, {}};
+    if (walk.goal == Goal::kRest && Rests()) return Stop{StopReason::kGoal};
+    if (run_->moment() - start >= walk.budget) return Stop{StopReason::kBudget};
     StepReport step;
     if (checks_all || look_closely) {
       step = run_->Step();
@@ -83,7 +83,7 @@ Result<Stop> Session::Forward(const Walk& walk, std::vector<LogLine>* log) {
       look_closely = true;
       continue;
     }
-    if (followed && !run_->follows_schedule()) return Stop{StopReason::kScheduleEnd, -1, -1, {}};
+    if (followed && !run_->follows_schedule()) return Stop{StopReason::kScheduleEnd};
     if (auto stop = Reached(walk, step, goal_cycle)) return *std::move(stop);
   }
 }
@@ -91,7 +91,7 @@ Result<Stop> Session::Forward(const Walk& walk, std::vector<LogLine>* log) {
 std::optional<Stop> Session::Reached(const Walk& walk, const StepReport& step,
                                      int64_t goal_cycle) const {
   const auto reached = [&](bool is) {
-    return is ? std::optional(Stop{StopReason::kGoal, step.thread, -1, {}}) : std::nullopt;
+    return is ? std::optional(Stop{StopReason::kGoal, step.thread}) : std::nullopt;
   };
   const auto thread_runs = [&] {
     return run_->machine().thread(walk.thread).run == vm::ThreadRun::kRunning;
@@ -143,7 +143,7 @@ Result<Stop> Session::StepThread(int thread) {
   const auto stepped = run_->StepThread(thread);
   if (!stepped.ok()) return stepped.error();
   if (auto stop = stops_.Check(*run_, run_->last_step(), nullptr)) return *std::move(stop);
-  return Stop{StopReason::kGoal, thread, -1, {}};
+  return Stop{StopReason::kGoal, thread};
 }
 
 // --- Back ----------------------------------------------------------------------------------------
@@ -152,9 +152,9 @@ Result<Stop> Session::Back(const Walk& walk) {
   if (const auto valid = CheckThread(walk); !valid.ok()) return valid.error();
   switch (walk.goal) {
     case Goal::kStep:
-      if (run_->moment() == 0) return Stop{StopReason::kStart, -1, -1, {}};
+      if (run_->moment() == 0) return Stop{StopReason::kStart};
       run_->GoTo(run_->moment() - 1);
-      return Stop{StopReason::kGoal, -1, -1, {}};
+      return Stop{StopReason::kGoal};
     case Goal::kStatement:
     case Goal::kLine:
     case Goal::kCycle:
@@ -176,7 +176,7 @@ Result<Stop> Session::Back(const Walk& walk) {
 Session::Look Session::LookFor(const Walk& walk) {
   const auto look = [this, walk](int64_t before, const StepReport& step) -> std::optional<Found> {
     const auto goal = [](int64_t moment, int thread) {
-      return Found{moment, {StopReason::kGoal, thread, -1, {}}};
+      return Found{moment, {StopReason::kGoal, thread}};
     };
     std::optional<Stop> stop = stops_.Check(*run_, step, nullptr);
     if (walk.goal == Goal::kStop) {
@@ -206,7 +206,7 @@ Session::Look Session::LookForChange(std::vector<Quantity> quantities) const {
   const auto look = [read, last](int64_t before, const StepReport& step) -> std::optional<Found> {
     std::vector<double> now = read();
     if (std::exchange(*last, now) == now) return std::nullopt;
-    return Found{before, {StopReason::kGoal, step.thread, -1, {}}};
+    return Found{before, {StopReason::kGoal, step.thread}};
   };
   return {[read, last] { *last = read(); }, look};
 }
@@ -217,7 +217,7 @@ Stop Session::SearchBack(const Look& look, int64_t budget) {
   for (int64_t end = present; end > 0;) {
     if (present - end >= budget) {
       run_->GoTo(end);
-      return {StopReason::kBudget, -1, -1, {}};
+      return {StopReason::kBudget};
     }
     const int64_t begin = run_->KeptBefore(end);
     run_->GoTo(begin);
@@ -235,7 +235,7 @@ Stop Session::SearchBack(const Look& look, int64_t budget) {
     end = begin;
   }
   run_->GoTo(0);
-  return {StopReason::kStart, -1, -1, {}};
+  return {StopReason::kStart};
 }
 
 // --- Values over time ----------------------------------------------------------------------------

@@ -253,7 +253,7 @@ std::optional<Stop> Stops::CheckLines(const RewindableRun& run, std::vector<LogL
       }
       if (count < line.wish.hits) continue;
       if (line.wish.log.empty()) {
-        if (!stop) stop = Stop{StopReason::kLine, number, static_cast<int>(i), {}};
+        if (!stop) stop = Stop{StopReason::kLine, number, static_cast<int>(i)};
         continue;
       }
       if (log == nullptr) continue;
