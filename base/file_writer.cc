@@ -164,12 +164,21 @@ int OwnOutput(const Place& place) {
 /// Undone unless Put() or Exchange() succeeds.
 class StagedFile {
  public:
-  explicit StagedFile(const std::string& path) : path_(path) {}
+  explicit StagedFile(const std::string& path) : path_(path) { newest_ = this; }
   StagedFile(const StagedFile&) = delete;
   StagedFile& operator=(const StagedFile&) = delete;
   ~StagedFile() {
-    if (!temporary_.empty()) ::unlink(temporary_.c_str());
-    if (!placed_ && place_.dangling) ::unlink(place_.path.c_str());
+    newest_ = before_;
+    Remove();
+  }
+
+  /// Undoes all files of this thread that are not in their places. Allocates nothing.
+  static void UndoAll() {
+    for (StagedFile* file = newest_; file != nullptr; file = file->before_) {
+      file->BringBack();
+      file->PutBack();
+      file->Remove();
+    }
   }
 
   Result<void> Stage(std::string_view content) {
@@ -260,13 +269,20 @@ class StagedFile {
   }
 
  private:
+  /// Removes what has not been put into its place.
+  void Remove() {
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+    temporary_.clear();
+    if (!placed_ && place_.dangling) ::unlink(place_.path.c_str());
+  }
+
   /// Creates a temporary file and locks it; -1 with errno on failure.
   int Create() {
     // A new file gets the mode that the creation mask allows. A replacement is private until it
     // gets the mode of the old file.
     const mode_t mode = place_.exists ? 0600 : 0666;
     for (int attempt = 0; attempt < kNameAttempts; ++attempt) {
-      const auto name = TemporaryName(FolderOf(place_.path), path_);
+      auto name = TemporaryName(FolderOf(place_.path), path_);
       if (!name.ok()) return -1;
       const int number =
           ::open(name.value().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
@@ -274,14 +290,13 @@ class StagedFile {
         if (errno == EEXIST) continue;
         return -1;
       }
+      temporary_ = std::move(name).value();
       // Another writer may have removed it before it was locked.
       struct stat info;
       const bool swept = ::flock(number, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-      if (!swept && ::fstat(number, &info) == 0 && info.st_nlink > 0) {
-        temporary_ = name.value();
-        return number;
-      }
-      ::unlink(name.value().c_str());
+      if (!swept && ::fstat(number, &info) == 0 && info.st_nlink > 0) return number;
+      ::unlink(temporary_.c_str());
+      temporary_.clear();
       ::close(number);
     }
     errno = EEXIST;
@@ -305,6 +320,8 @@ class StagedFile {
     return {};
   }
 
+  static thread_local StagedFile* newest_;
+  StagedFile* const before_ = newest_;
   std::string path_;
   std::string_view content_;
   Place place_;
@@ -318,7 +335,11 @@ class StagedFile {
   std::optional<SignalsHeld> signals_;
 };
 
+thread_local StagedFile* StagedFile::newest_ = nullptr;
+
 }  // namespace
+
+void UndoWrites() { StagedFile::UndoAll(); }
 
 Result<void> WriteFileAtomically(const std::string& path, std::string_view content) {
   StagedFile file(path);

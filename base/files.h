@@ -34,6 +34,10 @@ Result<void> WriteFileAtomically(const std::string& path, std::string_view conte
 Result<void> WritePairAtomically(const std::string& first_path, std::string_view first,
                                  const std::string& second_path, std::string_view second);
 
+/// Undoes the writes of this thread that are not complete, as a failure does. For a process that
+/// ends in the middle of one, because memory has run out: allocates nothing.
+void UndoWrites();
+
 /// True if a file or folder of this name exists and can be seen.
 bool FileExists(const std::string& path);
 

@@ -5,6 +5,8 @@
 #include <new>
 #include <string>
 
+#include "base/files.h"
+
 namespace oncard::tools {
 namespace {
 
@@ -12,6 +14,7 @@ namespace {
 std::string* said = nullptr;
 
 [[noreturn]] void End() {
+  UndoWrites();
   // An error of this write cannot be handled.
   static_cast<void>(!::write(STDERR_FILENO, said->data(), said->size()));
   ::_exit(kExitIncomplete);

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <functional>
 
 #include "tests/tools/process.h"
 
@@ -13,7 +15,6 @@ namespace {
 
 constexpr const char* kOld = "int v;\nint t0() { v = 1; return v; }\n";
 constexpr const char* kNew = "int v, w;\nint t0() { v = 2; w = 3; return w; }\n";
-constexpr int kMostRuns = 400;
 
 ProcessResult RunFailing(const std::vector<std::string>& arguments, const std::string& folder,
                          const std::string& call, int at) {
@@ -25,6 +26,22 @@ ProcessResult RunFailing(const std::vector<std::string>& arguments, const std::s
 size_t FileCount(const std::string& folder) {
   const std::filesystem::directory_iterator entries(folder);
   return static_cast<size_t>(std::distance(begin(entries), end(entries)));
+}
+
+/// Tests every call of a kind that there may be: the first ones one by one, then ever fewer of
+/// them, because there are many allocations, and the last ones, while the files are written, one by
+/// one. `test` lets a call fail and returns false if there is no such call.
+void TestCalls(const std::function<bool(int at)>& test) {
+  int last = 0;
+  int beyond = 1;
+  for (; test(beyond); beyond += 1 + beyond / 16) last = beyond;
+  EXPECT_GT(last, 0) << "the call was not made at all";
+  while (beyond - last > 1) {
+    const int middle = (last + beyond) / 2;
+    (test(middle) ? last : beyond) = middle;
+  }
+  constexpr int kLastOnes = 100;
+  for (int at = std::max(1, last - kLastOnes); at < last; ++at) test(at);
 }
 
 class FailingCallTest : public testing::TestWithParam<const char*> {};
@@ -39,9 +56,7 @@ TEST_P(FailingCallTest, LeavesOnePairOfObjectFiles) {
   const std::string old_bin = folder.Read("p.bin");
   const std::string old_ini = folder.Read("p.ini");
   folder.Write("p.c", kNew);
-  int at = 1;
-  for (int runs = 0;; ++runs) {
-    ASSERT_LT(runs, kMostRuns);
+  TestCalls([&](int at) {
     folder.Write("p.bin", old_bin);
     folder.Write("p.ini", old_ini);
     const ProcessResult result = RunFailing({"build", "p.c"}, folder.path(), GetParam(), at);
@@ -52,14 +67,10 @@ TEST_P(FailingCallTest, LeavesOnePairOfObjectFiles) {
     } else {
       EXPECT_TRUE(pair == old_bin + old_ini || pair == new_pair) << GetParam() << ':' << at;
     }
-    if (result.err.find("injected") == std::string::npos) {
-      EXPECT_EQ(result.exit_code, 0) << result.err;
-      EXPECT_GT(at, 1) << "the call was not made at all";
-      break;
-    }
-    // There are many allocations; the first ones are tested one by one, then ever fewer of them.
-    at += 1 + at / 16;
-  }
+    const bool failed = result.err.find("injected") != std::string::npos;
+    EXPECT_TRUE(failed || result.exit_code == 0) << result.err;
+    return failed;
+  });
 }
 
 TEST_P(FailingCallTest, LeavesOneSchedule) {
@@ -68,18 +79,15 @@ TEST_P(FailingCallTest, LeavesOneSchedule) {
   const std::vector<std::string> arguments = {"run", "p.c", "--record", "p.schedule"};
   ASSERT_EQ(RunOncard(arguments, folder.path()).exit_code, 0);
   const std::string new_text = folder.Read("p.schedule");
-  int at = 1;
-  for (int runs = 0;; ++runs) {
-    ASSERT_LT(runs, kMostRuns);
+  TestCalls([&](int at) {
     folder.Write("p.schedule", "old");
     const ProcessResult result = RunFailing(arguments, folder.path(), GetParam(), at);
     const std::string text = folder.Read("p.schedule");
     EXPECT_EQ(FileCount(folder.path()), 2u) << GetParam() << ':' << at;
     EXPECT_TRUE(text == new_text || (text == "old" && result.exit_code != 0))
         << GetParam() << ':' << at;
-    if (result.err.find("injected") == std::string::npos) break;
-    at += 1 + at / 16;
-  }
+    return result.err.find("injected") != std::string::npos;
+  });
 }
 
 INSTANTIATE_TEST_SUITE_P(Calls, FailingCallTest,
