@@ -33,12 +33,13 @@ int ServeStandardStreams(const Invocation& invocation) {
 }  // namespace
 
 void AddDebug(CLI::App& app, Invocation& invocation) {
+  // The action keeps what the option writes to.
   const auto stdio = std::make_shared<bool>(false);
   CLI::App* command = AddCommand(
       app, invocation, "debug",
       {"step a program forward and back, for editors and scripts (docs/session-protocol.md)",
        "供编辑器和脚本使用：让程序向前、向后单步运行（docs/session-protocol.md）"},
-      [&invocation] { return ServeStandardStreams(invocation); });
+      [stdio, &invocation] { return ServeStandardStreams(invocation); });
   command
       ->add_flag("--stdio", *stdio,
                  invocation.Say({"requests on standard input, one JSON object a line; answers on "
