@@ -5,38 +5,44 @@
 
 namespace oncard::vm {
 
+void PackedVariables::Pack(const MachineState& state) {
+  used_pages = 0;
+  slots.assign(state.globals.begin(), state.globals.end());
+  for (uint32_t pages = state.pages.used(); pages != 0; pages &= pages - 1) {
+    const auto number = static_cast<size_t>(std::countr_zero(pages));
+    const DataPages::Page& page = state.pages[number];
+    if (std::ranges::all_of(page, [](int64_t slot) { return slot == 0; })) continue;
+    used_pages |= uint32_t{1} << number;
+    slots.insert(slots.end(), page.begin(), page.end());
+  }
+}
+
+void PackedVariables::Unpack(MachineState* state) const {
+  std::copy_n(slots.begin(), kSlotCount, state->globals.begin());
+  auto from = slots.begin() + kSlotCount;
+  for (uint32_t pages = state->pages.used() | used_pages; pages != 0; pages &= pages - 1) {
+    const auto number = static_cast<size_t>(std::countr_zero(pages));
+    DataPages::Page& page = state->pages.Use(number);
+    if ((used_pages >> number & 1) == 0) {
+      page.fill(0);
+      continue;
+    }
+    std::copy_n(from, kSlotCount, page.begin());
+    from += kSlotCount;
+  }
+}
+
 PackedState::PackedState(const MachineState& state)
-    : slots_(state.globals.begin(), state.globals.end()),
-      used_pages_(state.pages.used()),
-      threads_(state.threads),
+    : threads_(state.threads),
       scheduler_(state.scheduler),
       executed_(state.executed),
       faults_(state.faults),
       cycle_(state.cycle) {
-  slots_.reserve(slots_.size() * (1 + static_cast<size_t>(std::popcount(used_pages_))));
-  for (uint32_t pages = used_pages_; pages != 0; pages &= pages - 1) {
-    const auto& page = state.pages[static_cast<size_t>(std::countr_zero(pages))];
-    slots_.insert(slots_.end(), page.begin(), page.end());
-  }
+  variables_.Pack(state);
 }
 
 void PackedState::Unpack(MachineState* state) const {
-  auto from = slots_.begin();
-  const auto take = [&from](auto& slots) {
-    const auto end = from + static_cast<std::ptrdiff_t>(slots.size());
-    std::copy(from, end, slots.begin());
-    from = end;
-  };
-  take(state->globals);
-  for (uint32_t pages = used_pages_ | state->pages.used(); pages != 0; pages &= pages - 1) {
-    const auto number = static_cast<size_t>(std::countr_zero(pages));
-    DataPages::Page& page = state->pages.Use(number);
-    if ((used_pages_ >> number & 1) != 0) {
-      take(page);
-    } else {
-      page.fill(0);
-    }
-  }
+  variables_.Unpack(state);
   state->threads = threads_;
   state->scheduler = scheduler_;
   state->executed = executed_;

@@ -11,6 +11,17 @@
 
 namespace oncard::vm {
 
+/// The values of all variables. Equal variables are packed equally: a page with only zeros is one
+/// that is not in use.
+struct PackedVariables {
+  std::vector<int64_t> slots;  ///< the globals, then the pages in use
+  uint32_t used_pages = 0;     ///< bit n: page n is among them
+
+  void Pack(const MachineState& state);
+  /// Makes the variables of `state` equal to the packed ones.
+  void Unpack(MachineState* state) const;
+};
+
 class PackedState {
  public:
   explicit PackedState(const MachineState& state);
@@ -19,8 +30,7 @@ class PackedState {
   void Unpack(MachineState* state) const;
 
  private:
-  std::vector<int64_t> slots_;  // the globals, then the pages in use
-  uint32_t used_pages_ = 0;
+  PackedVariables variables_;
   std::array<ThreadState, kThreadCount> threads_;
   SchedulerState scheduler_;
   int64_t executed_ = 0;

@@ -300,16 +300,7 @@ void CardModel::End(State* state) {
 
 void CardModel::Save(const std::shared_ptr<const Body>& body, State* state) {
   const vm::MachineState& machine = controller_->machine().state();
-  state->used_pages = 0;
-  state->slots.assign(machine.globals.begin(), machine.globals.end());
-  for (uint32_t pages = machine.pages.used(); pages != 0; pages &= pages - 1) {
-    const auto number = static_cast<size_t>(std::countr_zero(pages));
-    const auto& page = machine.pages[number];
-    // A page with only zeros is equivalent to one that was never used.
-    if (std::ranges::all_of(page, [](int64_t slot) { return slot == 0; })) continue;
-    state->used_pages |= 1u << number;
-    state->slots.insert(state->slots.end(), page.begin(), page.end());
-  }
+  state->variables.Pack(machine);
   state->threads = machine.threads;
   state->executed = machine.executed;
   state->body =
@@ -321,18 +312,7 @@ void CardModel::Save(const std::shared_ptr<const Body>& body, State* state) {
 
 void CardModel::Load(const State& state) {
   vm::MachineState& machine = *scratch_;
-  std::copy_n(state.slots.begin(), vm::kSlotCount, machine.globals.begin());
-  auto from = state.slots.begin() + vm::kSlotCount;
-  for (uint32_t pages = machine.pages.used() | state.used_pages; pages != 0; pages &= pages - 1) {
-    const auto number = static_cast<size_t>(std::countr_zero(pages));
-    auto& page = machine.pages.Use(number);
-    if ((state.used_pages >> number & 1) == 0) {
-      page.fill(0);
-      continue;
-    }
-    std::copy_n(from, vm::kSlotCount, page.begin());
-    from += vm::kSlotCount;
-  }
+  state.variables.Unpack(&machine);
   machine.threads = state.threads;
   machine.executed = state.executed;
   machine.cycle = state.body->values.motion.cycle;
@@ -343,7 +323,7 @@ void CardModel::Load(const State& state) {
 
 void CardModel::CopyVariables(State* state) const {
   const vm::MachineState& machine = controller_->machine().state();
-  state->slots.assign(machine.globals.begin(), machine.globals.end());
+  state->variables.slots.assign(machine.globals.begin(), machine.globals.end());
   state->threads = machine.threads;
 }
 
@@ -353,8 +333,8 @@ bool CardModel::NextDependOnEachOther(int a, int b) const {
 }
 
 StateKey CardModel::KeyOf(const State& state) const {
-  std::vector<int64_t> words = state.slots;
-  words.push_back(state.used_pages);
+  std::vector<int64_t> words = state.variables.slots;
+  words.push_back(state.variables.used_pages);
   for (const ThreadState& thread : state.threads) {
     const auto of_thread = vm::WordsOf(thread);
     words.insert(words.end(), of_thread.begin(), of_thread.end() - kCountWords);
@@ -366,11 +346,13 @@ StateKey CardModel::KeyOf(const State& state) const {
 }
 
 StateKey CardModel::GlobalsKey(const State& state) const {
-  return KeyOfWords({state.slots.begin(), state.slots.begin() + vm::kSlotCount});
+  const auto globals = state.variables.slots.begin();
+  return KeyOfWords({globals, globals + vm::kSlotCount});
 }
 
 StateKey CardModel::FinalKey(const State& state) const {
-  std::vector<int64_t> words(state.slots.begin(), state.slots.begin() + vm::kSlotCount);
+  const auto globals = state.variables.slots.begin();
+  std::vector<int64_t> words(globals, globals + vm::kSlotCount);
   for (const ThreadState& thread : state.threads) words.push_back(thread.result);
   return KeyOfWords(words);
 }

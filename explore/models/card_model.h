@@ -23,6 +23,7 @@
 #include "explore/models/state_key.h"
 #include "runtime/scenario/scenario.h"
 #include "runtime/sim/controller.h"
+#include "vm/packed_state.h"
 
 namespace oncard::explore {
 
@@ -33,8 +34,7 @@ class CardModel {
   struct Body;
   /// A state between two statements.
   struct State {
-    std::vector<int64_t> slots;  ///< the globals, then the pages in use
-    uint32_t used_pages = 0;
+    vm::PackedVariables variables;
     std::array<vm::ThreadState, vm::kThreadCount> threads{};
     int64_t executed = 0;
     std::shared_ptr<const Body> body;
