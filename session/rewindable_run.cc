@@ -34,33 +34,25 @@ void RewindableRun::RefusalLog::Write(const runtime::LoggedCall& call) {
   };
   auto refusal = std::make_shared<const Refusal>(
       Refusal{call.caller, call.code, {say(Language::kEnglish), say(Language::kChinese)}});
-  run_.report_.refusals.assign(1, *refusal);
+  run_.report_.refusal = refusal;
   run_.place_.refusals[static_cast<size_t>(call.caller)] = std::move(refusal);
-}
-
-void RewindableRun::RefusalLog::Write(int64_t /*time_us*/, int /*card*/, const Message& what) {
-  run_.report_.happened.push_back(what);
 }
 
 // --- Start ---------------------------------------------------------------------------------------
 
-RewindableRun::RewindableRun(runtime::Scenario scenario,
-                             std::shared_ptr<const vm::Schedule> schedule)
-    : scenario_(std::move(scenario)),
-      schedule_(std::move(schedule)),
-      log_(this),
-      controller_(runtime::CardOptions(scenario_)) {}
+RewindableRun::RewindableRun(runtime::Scenario scenario)
+    : scenario_(std::move(scenario)), log_(this), controller_(runtime::CardOptions(scenario_)) {}
 
 Result<std::unique_ptr<RewindableRun>> RewindableRun::Create(
     runtime::Scenario scenario, vm::Object object, std::shared_ptr<const vm::Schedule> schedule) {
-  std::unique_ptr<RewindableRun> run(new RewindableRun(std::move(scenario), std::move(schedule)));
-  if (auto started = run->Start(std::move(object)); !started.ok()) return started.error();
+  std::unique_ptr<RewindableRun> run(new RewindableRun(std::move(scenario)));
+  auto started = run->Start(std::move(object), std::move(schedule));
+  if (!started.ok()) return started.error();
   return run;
 }
 
-Result<void> RewindableRun::Start(vm::Object object) {
+Result<void> RewindableRun::Start(vm::Object object, std::shared_ptr<const vm::Schedule> schedule) {
   controller_.LogRefusals(&log_, 0);
-  controller_.LogHappenings(&log_, 0);
   runtime::ScenarioFit fit;
   auto started = runtime::StartScenario(scenario_, std::move(object), &controller_, &fit);
   if (!started.ok()) return started;
@@ -72,14 +64,14 @@ Result<void> RewindableRun::Start(vm::Object object) {
     } else {
       fit.Add(runtime::PlaceOfText(scenario_, "schedule"), policy.error().message);
     }
-  } else if (schedule_ == nullptr) {
+  } else if (schedule == nullptr) {
     fit.Add(runtime::PlaceOfText(scenario_, "schedule"),
             {"the schedule file must be given with the scenario", "调度文件必须随场景一起给出"});
   }
   if (auto failure = fit.Failure()) return *std::move(failure);
   controller_.machine().SetPolicy(own_policy_);
-  if (schedule_ != nullptr) {
-    const auto replay = runtime::FollowSchedule(schedule_, image());
+  if (schedule != nullptr) {
+    const auto replay = runtime::FollowSchedule(std::move(schedule), image());
     if (!replay.ok()) return replay.error();
     controller_.machine().SetPolicy(replay.value());
   }
@@ -154,7 +146,7 @@ int64_t RewindableRun::NextRecorded() const {
 // --- Forward -------------------------------------------------------------------------------------
 
 const StepReport& RewindableRun::Step() {
-  report_ = {NextStep(), -1, {}, {}, {}};
+  report_ = {NextStep(), -1, nullptr, {}};
   switch (report_.kind) {
     case StepKind::kHost:
       StepHost();
@@ -179,7 +171,6 @@ void RewindableRun::Advance(int64_t last) {
   const int64_t end = std::min({last, NextRecorded(), moment() + keep_interval_});
   if (next == StepKind::kCycle) BeginCycle();
   ExecuteTo(end);
-  report_.happened.clear();
   Arrive();
 }
 
@@ -286,10 +277,10 @@ void RewindableRun::NoteEnd() {
 // --- Kept states ---------------------------------------------------------------------------------
 
 void RewindableRun::Keep() {
-  place_.agenda = agenda_.position();
   const auto at = std::ranges::lower_bound(kept_, moment(), {},
                                            [](const Kept& kept) { return kept.place.moment; });
-  Kept present = {place_, vm::PackedState(machine().state()), controller_.Body()};
+  Kept present = {place_, agenda_.position(), vm::PackedState(machine().state()),
+                  controller_.Body()};
   if (at != kept_.end() && at->place.moment == moment()) {
     *at = std::move(present);
   } else {
@@ -316,7 +307,7 @@ void RewindableRun::ThinOut() {
 
 void RewindableRun::Restore(const Kept& kept) {
   place_ = kept.place;
-  agenda_.GoTo(place_.agenda);
+  agenda_.GoTo(kept.agenda);
   kept.machine.Unpack(scratch_.get());
   controller_.machine().Restore(*scratch_);
   controller_.RestoreBody(kept.body);
@@ -370,7 +361,6 @@ void RewindableRun::Cut() {
 void RewindableRun::AddChange(Change change) {
   Cut();
   change.moment = moment();
-  change.at_us = controller_.cycle() * scenario_.cycle_us;
   changes_.push_back(std::move(change));
   Apply(changes_.back());
   UpdateWorld();
@@ -448,7 +438,7 @@ Result<vm::Schedule> RewindableRun::Record() {
                      "change it there",
                      "“{0}”在 {1} ms 的周期中途被修改，而场景中的主机只在周期之间写入："
                      "请退回，运行到周期末再修改",
-                     change.write->values.front().name, ToMs(change.at_us));
+                     change.write->values.front().name, ToMs(change.write->at_us));
   }
   vm::Schedule schedule;
   schedule.program_hash = image().hash;

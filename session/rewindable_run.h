@@ -43,10 +43,9 @@ struct Refusal {
 /// What a step did.
 struct StepReport {
   StepKind kind = StepKind::kStatement;
-  int thread = -1;                ///< kStatement
-  std::vector<Refusal> refusals;  ///< kStatement: at most one
-  std::vector<Message> failed;    ///< kHost: expectations that did not hold, and why
-  std::vector<Message> happened;  ///< what the card did by itself
+  int thread = -1;                         ///< kStatement
+  std::shared_ptr<const Refusal> refusal;  ///< kStatement: nullptr if no command was refused
+  std::vector<Message> failed;             ///< kHost: expectations that did not hold, and why
 };
 
 /// Why the scenario's run is over.
@@ -168,7 +167,6 @@ class RewindableRun {
   struct Place {
     int64_t moment = 0;
     int64_t statements_left = 0;
-    runtime::Agenda::Position agenda;
     int64_t refused = 0;
     int64_t failed = 0;
     int64_t over_cycle = -1;  ///< the cycle with whose end the scenario's run was over
@@ -177,6 +175,7 @@ class RewindableRun {
   };
   struct Kept {
     Place place;
+    runtime::Agenda::Position agenda;
     vm::PackedState machine;
     runtime::CardBody body;
   };
@@ -187,7 +186,6 @@ class RewindableRun {
   /// A change of a variable, or of an input.
   struct Change {
     int64_t moment = 0;
-    int64_t at_us = 0;
     bool within_cycle = false;
     std::optional<runtime::HostEvent> write;
     std::vector<runtime::Quantity> variables;  ///< of `write`
@@ -199,14 +197,15 @@ class RewindableRun {
    public:
     explicit RefusalLog(RewindableRun* run) : run_(*run) {}
     void Write(const runtime::LoggedCall& call) override;
-    void Write(int64_t time_us, int card, const Message& what) override;
+    /// What the card does by itself is not asked for.
+    void Write(int64_t, int, const Message&) override {}
 
    private:
     RewindableRun& run_;
   };
 
-  RewindableRun(runtime::Scenario scenario, std::shared_ptr<const vm::Schedule> schedule);
-  Result<void> Start(vm::Object object);
+  explicit RewindableRun(runtime::Scenario scenario);
+  Result<void> Start(vm::Object object, std::shared_ptr<const vm::Schedule> schedule);
 
   /// The thread that the user has chosen for the next statement.
   std::optional<int> ChosenNow() const;
@@ -237,7 +236,6 @@ class RewindableRun {
   void ShareWorld() { controller_.motion().state().world.events = world_events_; }
 
   runtime::Scenario scenario_;
-  std::shared_ptr<const vm::Schedule> schedule_;
   vm::Policy own_policy_;  ///< of the scenario, after the schedule
   RefusalLog log_;
   runtime::Controller controller_;

@@ -314,8 +314,8 @@ std::optional<Stop> Stops::CheckIncidents(const RewindableRun& run, const StepRe
     return Stop{StopReason::kFault, step.thread, -1,
                 runtime::DescribeFault(run.machine().thread(step.thread))};
   }
-  if (refusals_ && !step.refusals.empty()) {
-    return Stop{StopReason::kRefusal, step.refusals.front().thread, -1, step.refusals.front().call};
+  if (refusals_ && step.refusal != nullptr) {
+    return Stop{StopReason::kRefusal, step.refusal->thread, -1, step.refusal->call};
   }
   if (checks_requirements_ && !step.failed.empty()) {
     return Stop{StopReason::kRequirement, -1, -1, step.failed.front()};

@@ -4,6 +4,7 @@
 
 #include "base/milliseconds.h"
 #include "runtime/observe/quantity.h"
+#include "runtime/observe/step_log.h"
 #include "runtime/observe/thread_status.h"
 #include "runtime/scenario/scenario.h"
 #include "runtime/sim/program.h"
@@ -76,14 +77,9 @@ Json WaitView(const RewindableRun& run, const vm::ThreadState& thread) {
     return {{"until_ms", ToMs(thread.wake_cycle * cycle_us)}};
   }
   const vm::SlotAddress& slot = thread.wait_slot;
-  const auto& symbols = slot.global ? run.image().object.globals
-                                    : run.image().object.functions[thread.function].variables;
   Json json = Json::object();
-  for (const vm::Symbol& symbol : symbols) {
-    if (slot.id < symbol.id || slot.id >= symbol.id + symbol.slots()) continue;
-    json["name"] = symbol.array_size == 0 ? symbol.name
-                                          : fmt::format("{}[{}]", symbol.name, slot.id - symbol.id);
-  }
+  const std::string name = runtime::NameOfSlot(slot, thread.function, run.image().object);
+  if (!name.empty()) json["name"] = name;
   json["value"] = slot.type == vm::DataType::kDouble ? vm::DoubleFromFixed(thread.wait_value)
                                                      : static_cast<double>(thread.wait_value);
   return json;

@@ -12,10 +12,9 @@ namespace {
 
 using vm::SlotAddress;
 
-const vm::Symbol* SymbolOf(const LoggedStep& step, const SlotAddress& slot,
-                           const vm::Object& object) {
+const vm::Symbol* SymbolOf(const SlotAddress& slot, int function, const vm::Object& object) {
   const auto& symbols =
-      slot.global ? object.globals : object.functions[static_cast<size_t>(step.function)].variables;
+      slot.global ? object.globals : object.functions[static_cast<size_t>(function)].variables;
   const auto holds = [&](const vm::Symbol& symbol) {
     return slot.id >= symbol.id && slot.id < symbol.id + symbol.slots();
   };
@@ -96,7 +95,11 @@ bool SameSlot(const SlotAddress& a, const SlotAddress& b) {
 }
 
 std::string NameOf(const LoggedStep& step, const SlotAddress& slot, const vm::Object& object) {
-  const vm::Symbol* symbol = SymbolOf(step, slot, object);
+  return NameOfSlot(slot, step.function, object);
+}
+
+std::string NameOfSlot(const SlotAddress& slot, int function, const vm::Object& object) {
+  const vm::Symbol* symbol = SymbolOf(slot, function, object);
   if (symbol == nullptr) return {};
   if (symbol->array_size == 0) return symbol->name;
   return fmt::format("{}[{}]", symbol->name, slot.id - symbol->id);
@@ -104,7 +107,7 @@ std::string NameOf(const LoggedStep& step, const SlotAddress& slot, const vm::Ob
 
 std::string ValueText(const LoggedStep& step, const SlotAddress& slot, int64_t raw,
                       const vm::Object& object) {
-  const vm::Symbol* symbol = SymbolOf(step, slot, object);
+  const vm::Symbol* symbol = SymbolOf(slot, step.function, object);
   const vm::DataType type = symbol == nullptr ? vm::DataType::kInt : symbol->type;
   const double value = type == vm::DataType::kDouble
                            ? vm::DoubleFromFixed(raw)

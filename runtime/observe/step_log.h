@@ -39,7 +39,9 @@ struct LoggedStep {
 
 bool SameSlot(const vm::SlotAddress& a, const vm::SlotAddress& b);
 
-/// `x`, `a[3]`; a local is one of the step's function. Empty for a slot without a name.
+/// `x`, `a[3]`; a local is one of the function with that index. Empty for a slot without a name.
+std::string NameOfSlot(const vm::SlotAddress& slot, int function, const vm::Object& object);
+/// The same for a slot that a step accesses.
 std::string NameOf(const LoggedStep& step, const vm::SlotAddress& slot, const vm::Object& object);
 /// The slot's content as FormatNumber() writes it.
 std::string ValueText(const LoggedStep& step, const vm::SlotAddress& slot, int64_t raw,
