@@ -223,4 +223,15 @@ RandomProgram MakeRandomProgram(RandomNumbers& random) {
   return program;
 }
 
+void StartProgram(const RandomProgram& program, const Policy& policy, const CommandTable& commands,
+                  Machine* machine) {
+  machine->SetPolicy(policy);
+  machine->Load(LinkRecords(program.object, commands));
+  for (const auto& value : program.values) machine->WriteRaw(value.slot, value.raw);
+  for (const auto& binding : program.bindings) {
+    machine->Bind(binding.thread, binding.function + 1, binding.page);
+    machine->Run(binding.thread);
+  }
+}
+
 }  // namespace oncard::vm

@@ -46,4 +46,8 @@ class RandomNumbers {
 /// One to four functions on one to 32 threads; runs with ThreadCommands.
 RandomProgram MakeRandomProgram(RandomNumbers& random);
 
+/// Loads it, sets its variables and starts its threads under a policy.
+void StartProgram(const RandomProgram& program, const Policy& policy, const CommandTable& commands,
+                  Machine* machine);
+
 }  // namespace oncard::vm

@@ -145,16 +145,6 @@ TEST(ScheduleTextTest, EveryCutIsNoticed) {
 
 class ReplayTest : public MachineTest {
  protected:
-  void StartProgram(const RandomProgram& program, const Policy& policy) {
-    machine_.SetPolicy(policy);
-    machine_.Load(LinkRecords(program.object, commands_));
-    for (const auto& value : program.values) machine_.WriteRaw(value.slot, value.raw);
-    for (const auto& binding : program.bindings) {
-      machine_.Bind(binding.thread, binding.function + 1, binding.page);
-      machine_.Run(binding.thread);
-    }
-  }
-
   static Policy Replay(const Schedule& schedule) {
     Policy policy;
     policy.kind = PolicyKind::kReplay;
@@ -186,19 +176,19 @@ TEST_F(ReplayTest, ReplayOfAnyPolicyEndsInTheSameState) {
     for (const char* name : {"rr", "rr:3", "priority", "random:5", "pct:5:4:300"}) {
       RandomNumbers random(seed);
       const RandomProgram program = MakeRandomProgram(random);
-      StartProgram(program, ParsePolicy(name).value());
+      StartProgram(program, ParsePolicy(name).value(), commands_, &machine_);
       Schedule schedule;
       machine_.Record(&schedule);
       const int64_t executed = machine_.Execute(300) + machine_.Execute(200);
       machine_.Record(nullptr);
       const uint64_t hash = machine_.Hash();
-      StartProgram(program, ParsePolicy(name).value());
+      StartProgram(program, ParsePolicy(name).value(), commands_, &machine_);
       EXPECT_EQ(machine_.Execute(500), executed);
       EXPECT_EQ(machine_.Hash(), hash) << "recording changes nothing";
 
       const auto read = ParseSchedule(FormatSchedule(schedule));
       ASSERT_TRUE(read.ok());
-      StartProgram(program, Replay(read.value()));
+      StartProgram(program, Replay(read.value()), commands_, &machine_);
       int64_t replayed = 0;
       while (replayed < executed) {
         const int64_t some = machine_.Execute(37);

@@ -18,13 +18,7 @@ TEST_F(SnapshotTest, ContinuingTwiceGivesTheSameStates) {
     for (uint64_t seed = 1; seed <= 40; ++seed) {
       RandomNumbers random(seed);
       const RandomProgram program = MakeRandomProgram(random);
-      machine_.SetPolicy(ParsePolicy(policy).value());
-      machine_.Load(LinkRecords(program.object, commands_));
-      for (const auto& value : program.values) machine_.WriteRaw(value.slot, value.raw);
-      for (const auto& binding : program.bindings) {
-        machine_.Bind(binding.thread, binding.function + 1, binding.page);
-        machine_.Run(binding.thread);
-      }
+      StartProgram(program, ParsePolicy(policy).value(), commands_, &machine_);
       machine_.Execute(random.Between(1, 100));
       const MachineState snapshot = machine_.state();
       const uint64_t hash = machine_.Hash();
