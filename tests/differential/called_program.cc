@@ -4,15 +4,16 @@
 
 #include <fmt/format.h>
 
-#include <random>
 #include <string_view>
+
+#include "random_choices.h"
 
 namespace oncard::differential {
 namespace {
 
-class Generator {
+class Generator : RandomChoices {
  public:
-  explicit Generator(uint64_t seed) : random_(seed) { program_.seed = seed; }
+  explicit Generator(uint64_t seed) : RandomChoices(seed) { program_.seed = seed; }
 
   StructuredProgram Make() {
     std::string& text = program_.text;
@@ -30,13 +31,6 @@ class Generator {
   }
 
  private:
-  int Between(int low, int high) {
-    return low + static_cast<int>(random_() % static_cast<uint64_t>(high - low + 1));
-  }
-  std::string Pick(std::initializer_list<std::string_view> from) {
-    return std::string(from.begin()[Between(0, static_cast<int>(from.size()) - 1)]);
-  }
-
   // One that may call those before it: c0, c1, ...; its last parameter is an array of 6.
   std::string Function() {
     const int number = count_;
@@ -123,7 +117,6 @@ class Generator {
     }
   }
 
-  std::mt19937_64 random_;
   StructuredProgram program_;
   std::vector<std::string> values_;
   int count_ = 0;  // functions so far

@@ -2,16 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <random>
 #include <string>
 #include <string_view>
+
+#include "random_choices.h"
 
 namespace oncard::differential {
 namespace {
 
-class Generator {
+class Generator : RandomChoices {
  public:
-  explicit Generator(uint64_t seed) : random_(seed) { program_.seed = seed; }
+  explicit Generator(uint64_t seed) : RandomChoices(seed) { program_.seed = seed; }
 
   StructuredProgram Make() {
     std::string& text = program_.text;
@@ -34,12 +35,6 @@ class Generator {
  private:
   static constexpr int kDoubles = 4;
 
-  int Between(int low, int high) {
-    return low + static_cast<int>(random_() % static_cast<uint64_t>(high - low + 1));
-  }
-  std::string Pick(std::initializer_list<std::string_view> from) {
-    return std::string(from.begin()[Between(0, static_cast<int>(from.size()) - 1)]);
-  }
   std::string Number() {
     return Pick({"0", "1", "-1", "0.5", "-0.125", "2.25", "-7.375", "100", "-300.5", "511.875"});
   }
@@ -125,7 +120,6 @@ class Generator {
     }
   }
 
-  std::mt19937_64 random_;
   StructuredProgram program_;
 };
 

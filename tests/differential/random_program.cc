@@ -6,9 +6,10 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <random>
 #include <string_view>
 #include <utility>
+
+#include "random_choices.h"
 
 namespace oncard::differential {
 namespace {
@@ -24,9 +25,9 @@ constexpr int kNestingMax = 2;
 constexpr std::array<int32_t, 14> kNotableInts = {
     0, 1, -1, 2, -2, 7, 31, 32, 33, 65535, 65536, INT32_MAX, INT32_MIN, INT32_MIN + 1};
 
-class Generator {
+class Generator : RandomChoices {
  public:
-  Generator(uint64_t seed, Sharing sharing) : random_(seed), sharing_(sharing) {
+  Generator(uint64_t seed, Sharing sharing) : RandomChoices(seed), sharing_(sharing) {
     program_.seed = seed;
   }
 
@@ -48,10 +49,6 @@ class Generator {
   };
 
   bool interleaved() const { return sharing_ == Sharing::kInterleaved; }
-  int Between(int low, int high) {
-    return low + static_cast<int>(random_() % static_cast<uint64_t>(high - low + 1));
-  }
-  bool Chance(int percent) { return Between(1, 100) <= percent; }
   template <typename Container>
   const auto& Pick(const Container& from) {
     return from[static_cast<size_t>(Between(0, static_cast<int>(from.size()) - 1))];
@@ -69,13 +66,13 @@ class Generator {
   int32_t AnyInt() {
     if (Chance(35)) return Pick(kNotableInts);
     if (Chance(60)) return Between(-100, 100);
-    return static_cast<int32_t>(random_());
+    return static_cast<int32_t>(Bits());
   }
 
   int64_t AnyRaw() {
     const int shift = vm::WrapShift(program_.format);
     if (Chance(20)) return vm::WrapFixed(Pick(kNotableInts) * int64_t{Between(1, 3)}, shift);
-    return static_cast<int64_t>(random_()) >> (shift + (Chance(60) ? Between(8, 24) : 0));
+    return static_cast<int64_t>(Bits()) >> (shift + (Chance(60) ? Between(8, 24) : 0));
   }
 
   std::string IntLiteral() {
@@ -551,7 +548,6 @@ class Generator {
     if (!next_labels_.empty() || Chance(60)) Return(/*conditional=*/false);
   }
 
-  std::mt19937_64 random_;
   Sharing sharing_;
   RandomProgram program_;
   Scope global_;

@@ -4,8 +4,9 @@
 
 #include <fmt/format.h>
 
-#include <random>
 #include <string_view>
+
+#include "random_choices.h"
 
 namespace oncard::differential {
 namespace {
@@ -15,9 +16,11 @@ constexpr int kFuel = 60;
 constexpr int kNestingMax = 3;
 constexpr int kDepthMax = 3;
 
-class Generator {
+class Generator : RandomChoices {
  public:
-  Generator(uint64_t seed, Floats floats) : random_(seed), floats_(floats) { program_.seed = seed; }
+  Generator(uint64_t seed, Floats floats) : RandomChoices(seed), floats_(floats) {
+    program_.seed = seed;
+  }
 
   StructuredProgram Make() {
     std::string& text = program_.text;
@@ -44,13 +47,6 @@ class Generator {
   }
 
  private:
-  int Between(int low, int high) {
-    return low + static_cast<int>(random_() % static_cast<uint64_t>(high - low + 1));
-  }
-  bool Chance(int percent) { return Between(1, 100) <= percent; }
-  std::string Pick(std::initializer_list<std::string_view> from) {
-    return std::string(from.begin()[Between(0, static_cast<int>(from.size()) - 1)]);
-  }
   std::string Number() {
     if (Chance(85)) return std::to_string(Between(-3, 9));
     return Pick({"'\\a'", "'!'", "true", "false", "C0"});
@@ -366,7 +362,6 @@ class Generator {
     return text + Indent() + '}';
   }
 
-  std::mt19937_64 random_;
   const Floats floats_;
   StructuredProgram program_;
   int indent_ = 0;

@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <random>
 #include <string_view>
+
+#include "random_choices.h"
 
 namespace oncard::differential {
 namespace {
@@ -13,9 +14,9 @@ constexpr const char* kTypes[] = {"bool",  "char",           "signed char", "uns
 constexpr int kVariables = 8;
 constexpr int kDepthMax = 3;
 
-class Generator {
+class Generator : RandomChoices {
  public:
-  explicit Generator(uint64_t seed) : random_(seed) { program_.seed = seed; }
+  explicit Generator(uint64_t seed) : RandomChoices(seed) { program_.seed = seed; }
 
   StructuredProgram Make() {
     std::string& text = program_.text;
@@ -46,12 +47,6 @@ class Generator {
   }
 
  private:
-  int Between(int low, int high) {
-    return low + static_cast<int>(random_() % static_cast<uint64_t>(high - low + 1));
-  }
-  std::string Pick(std::initializer_list<std::string_view> from) {
-    return std::string(from.begin()[Between(0, static_cast<int>(from.size()) - 1)]);
-  }
   std::string Type() { return kTypes[Between(0, static_cast<int>(std::size(kTypes)) - 1)]; }
   std::string Number() {
     return Pick({"0", "1", "-1", "7", "127", "128", "-129", "255", "300", "40000", "-40000",
@@ -129,7 +124,6 @@ class Generator {
     }
   }
 
-  std::mt19937_64 random_;
   StructuredProgram program_;
   std::vector<std::string> names_;
 };

@@ -5,9 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <initializer_list>
 #include <map>
-#include <random>
 #include <string>
 #include <string_view>
 
@@ -15,6 +13,7 @@
 #include "explore/search/explorer.h"
 #include "explore_programs.h"
 #include "tests/compiler/memory_files.h"
+#include "tests/differential/random_choices.h"
 
 namespace oncard::explore {
 namespace {
@@ -22,9 +21,9 @@ namespace {
 constexpr int kUsualPrograms = 60;
 
 // Every loop ends after a few rounds, whatever the other threads do.
-class Generator {
+class Generator : differential::RandomChoices {
  public:
-  explicit Generator(uint64_t seed) : random_(seed) {}
+  using RandomChoices::RandomChoices;
 
   std::string Make() {
     std::string text =
@@ -46,13 +45,6 @@ class Generator {
   }
 
  private:
-  int Between(int low, int high) {
-    return low + static_cast<int>(random_() % static_cast<uint64_t>(high - low + 1));
-  }
-  std::string Pick(std::initializer_list<std::string_view> from) {
-    return std::string(from.begin()[Between(0, static_cast<int>(from.size()) - 1)]);
-  }
-
   std::string Target() { return Pick({"g0", "g0", "g1", "a[0]", "a[l & 1]", "l"}); }
 
   std::string Value() {
@@ -91,8 +83,6 @@ class Generator {
                            Statement(depth - 1), Statement(depth - 1));
     }
   }
-
-  std::mt19937_64 random_;
 };
 
 int ProgramCount() {
