@@ -14,7 +14,6 @@ import {
   RefusedError,
   type State,
   type Thread,
-  type WalkOptions,
   type WalkResult,
 } from "@oncard/engine";
 import { ChildProcessTransport } from "@oncard/engine/child-process";
@@ -37,6 +36,7 @@ import { Code } from "./code.js";
 import { type Command, commandHelp, readCommand } from "./console.js";
 import { type LaunchConfig, readLaunchConfig } from "./launch.js";
 import { bytesOf, readPlace } from "./memory.js";
+import { back, forward, type Movement, toNextStop, turnOf } from "./movements.js";
 import { readHits, Stops, type Wish } from "./stops.js";
 import { describeStop, languageOf, type Text, UserError } from "./texts.js";
 import { numberOf, Variables } from "./variables.js";
@@ -49,15 +49,6 @@ interface Launched {
   code: Code;
   variables: Variables;
   state: State;
-}
-
-/** Something that moves the card. */
-interface Movement {
-  walk: (options: WalkOptions) => Promise<WalkResult>;
-  /** The reason of the event if the walk arrives. */
-  reason: string;
-  /** The card's thread that the user moves. */
-  thread?: number;
 }
 
 const exceptionReasons = new Set(["fault", "refusal", "requirement"]);
@@ -211,12 +202,7 @@ export class OncardSession extends DebugSession {
     { threadId, granularity }: DebugProtocol.NextArguments,
   ): void {
     const thread = threadId - 1;
-    const goal = granularity === "instruction" ? "statement" : "line";
-    this.#move(response, (engine) => ({
-      walk: (options) => engine.walkForward({ goal, thread }, options),
-      reason: "step",
-      thread,
-    }));
+    this.#move(response, forward({ goal: goalOf(granularity), thread }, thread));
   }
 
   protected override stepInRequest(
@@ -224,18 +210,14 @@ export class OncardSession extends DebugSession {
     { threadId }: DebugProtocol.StepInArguments,
   ): void {
     const thread = threadId - 1;
-    this.#move(response, (engine) => ({
-      walk: (options) => engine.walkForward({ goal: "statement", thread }, options),
-      reason: "step",
-      thread,
-    }));
+    this.#move(response, forward({ goal: "statement", thread }, thread));
   }
 
   protected override stepOutRequest(
     response: DebugProtocol.StepOutResponse,
     { threadId }: DebugProtocol.StepOutArguments,
   ): void {
-    this.#move(response, (engine) => ({ ...toEndOfCycle(engine), thread: threadId - 1 }));
+    this.#move(response, forward({ goal: "cycle" }, threadId - 1));
   }
 
   protected override stepBackRequest(
@@ -243,23 +225,14 @@ export class OncardSession extends DebugSession {
     { threadId, granularity }: DebugProtocol.StepBackArguments,
   ): void {
     const thread = threadId - 1;
-    const goal = granularity === "instruction" ? "statement" : "line";
-    this.#move(response, (engine) => ({
-      walk: (options) => engine.walkBack({ goal, thread }, options),
-      reason: "step",
-      thread,
-    }));
+    this.#move(response, back({ goal: goalOf(granularity), thread }, thread));
   }
 
   protected override reverseContinueRequest(
     response: DebugProtocol.ReverseContinueResponse,
     { threadId }: DebugProtocol.ReverseContinueArguments,
   ): void {
-    this.#move(response, (engine) => ({
-      walk: (options) => engine.walkBack({ goal: "stop" }, options),
-      reason: "step",
-      thread: threadId - 1,
-    }));
+    this.#move(response, back({ goal: "stop" }, threadId - 1));
   }
 
   protected override gotoTargetsRequest(
@@ -298,7 +271,7 @@ export class OncardSession extends DebugSession {
   }
 
   /** Moves the card. The response is sent as soon as it is certain that the engine agrees. */
-  #move(response: DebugProtocol.Response, movementOf: (engine: Engine) => Movement): void {
+  #move(response: DebugProtocol.Response, movement: Movement): void {
     const launched = this.#launched;
     if (!launched) {
       this.#fail(response, notLaunched());
@@ -310,7 +283,6 @@ export class OncardSession extends DebugSession {
     }
     const moving = new AbortController();
     this.#moving = moving;
-    const movement = movementOf(launched.engine);
     let answered = false;
     const onSlice = ({ state }: WalkResult) => {
       launched.state = state;
@@ -319,7 +291,7 @@ export class OncardSession extends DebugSession {
       answered = true;
     };
     movement
-      .walk({ signal: moving.signal, onSlice })
+      .walk(launched.engine, { signal: moving.signal, onSlice })
       .then((result) => {
         this.#moving = undefined;
         onSlice(result);
@@ -635,45 +607,33 @@ export class OncardSession extends DebugSession {
         });
         break;
       case "cycle":
-        this.#moveFromConsole(response, toEndOfCycle);
+        this.#moveFromConsole(response, forward({ goal: "cycle" }));
         break;
       case "rest":
-        this.#moveFromConsole(response, (engine) => ({
-          walk: (options) => engine.walkForward({ goal: "rest" }, options),
-          reason: "step",
-        }));
+        this.#moveFromConsole(response, forward({ goal: "rest" }));
         break;
       case "thread":
         this.#moveFromConsole(response, turnOf(command.thread));
         break;
       case "back":
-        this.#moveFromConsole(response, (engine) => ({
-          walk: (options) => engine.walkBack({ goal: "change", name: command.name }, options),
-          reason: "step",
-        }));
+        this.#moveFromConsole(response, back({ goal: "change", name: command.name }));
     }
   }
 
   /** The editor does not expect the card to move: it is told when that takes long. */
-  #moveFromConsole(
-    response: DebugProtocol.Response,
-    movementOf: (engine: Engine) => Movement,
-  ): void {
-    this.#move(response, (engine) => {
-      const { walk, ...movement } = movementOf(engine);
-      let told = false;
-      return {
-        ...movement,
-        walk: ({ onSlice, ...options }) =>
-          walk({
-            ...options,
-            onSlice: (result) => {
-              onSlice?.(result);
-              if (!told) this.sendEvent(new ContinuedEvent(1, true));
-              told = true;
-            },
-          }),
-      };
+  #moveFromConsole(response: DebugProtocol.Response, movement: Movement): void {
+    let told = false;
+    this.#move(response, {
+      ...movement,
+      walk: (engine, { onSlice, ...options }) =>
+        movement.walk(engine, {
+          ...options,
+          onSlice: (result) => {
+            onSlice?.(result);
+            if (!told) this.sendEvent(new ContinuedEvent(1, true));
+            told = true;
+          },
+        }),
     });
   }
 
@@ -819,22 +779,8 @@ export class OncardSession extends DebugSession {
   }
 }
 
-function toNextStop(engine: Engine): Movement {
-  return {
-    walk: (options) => engine.walkForward({ goal: "stop" }, options),
-    reason: "pause",
-  };
-}
-
-function toEndOfCycle(engine: Engine): Movement {
-  return {
-    walk: (options) => engine.walkForward({ goal: "cycle" }, options),
-    reason: "step",
-  };
-}
-
-function turnOf(thread: number): (engine: Engine) => Movement {
-  return (engine) => ({ walk: () => engine.stepThread(thread), reason: "goto", thread });
+function goalOf(granularity: DebugProtocol.SteppingGranularity | undefined): "statement" | "line" {
+  return granularity === "instruction" ? "statement" : "line";
 }
 
 function notLaunched(): UserError {
