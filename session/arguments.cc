@@ -83,8 +83,7 @@ int64_t Arguments::Whole(const std::string& name, int64_t least, int64_t largest
 std::vector<std::string> Arguments::Texts(const std::string& name) {
   std::vector<std::string> texts;
   const Json* value = Find(name);
-  if (value == nullptr) return texts;
-  bool good = value->is_array();
+  bool good = value != nullptr && value->is_array();
   for (size_t i = 0; good && i < value->size(); ++i) {
     good = (*value)[i].is_string();
     if (good) texts.push_back((*value)[i].get<std::string>());
@@ -146,6 +145,11 @@ bool Arguments::Flag(const std::string& name, bool missing) {
 
 int64_t Arguments::Whole(const std::string& name, int64_t least, int64_t largest, int64_t missing) {
   return Has(name) ? Whole(name, least, largest) : missing;
+}
+
+std::vector<std::string> Arguments::Texts(const std::string& name,
+                                          std::vector<std::string> missing) {
+  return Has(name) ? Texts(name) : std::move(missing);
 }
 
 void Arguments::AddUnread() {

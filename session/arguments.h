@@ -34,19 +34,23 @@ class Arguments {
   double Number(const std::string& name, double least, double largest);
   int64_t Whole(const std::string& name, int64_t least, int64_t largest);
   std::vector<std::string> Texts(const std::string& name);
-  std::map<std::string, std::string> TextsByName(const std::string& name);
   /// One of the words; the result is its index.
   size_t Word(const std::string& name, const std::vector<std::string_view>& words);
-  /// The objects in a list, each with its arguments. Join() is to be called with each when all its
-  /// members have been read: it adds its mistakes.
-  std::vector<Arguments> Objects(const std::string& name);
-  void Join(Arguments part);
 
   // The same with a value for a missing member.
 
   std::string Text(const std::string& name, std::string missing);
   bool Flag(const std::string& name, bool missing);
   int64_t Whole(const std::string& name, int64_t least, int64_t largest, int64_t missing);
+  std::vector<std::string> Texts(const std::string& name, std::vector<std::string> missing);
+
+  // Empty for a missing member.
+
+  std::map<std::string, std::string> TextsByName(const std::string& name);
+  /// The objects in a list, each with its arguments. Join() is to be called with each when all its
+  /// members have been read: it adds its mistakes.
+  std::vector<Arguments> Objects(const std::string& name);
+  void Join(Arguments part);
 
   /// Everything that was wrong. To be called once, after all members have been read.
   std::optional<Error> Mistakes();

@@ -1,6 +1,5 @@
 #include "session/host.h"
 
-#include <array>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -36,12 +35,6 @@ Error NoSession() {
   return MakeError(1, "no program is loaded: 'load' one first", "尚未加载程序：请先使用“load”");
 }
 
-compiler::Options ReadCompileOptions(Arguments* arguments) {
-  compiler::Options options;
-  options.structured = arguments->Flag("structured", false);
-  return options;
-}
-
 Walk ReadWalk(Arguments* arguments) {
   Walk walk;
   walk.goal = static_cast<Goal>(arguments->Word("goal", kGoals));
@@ -70,8 +63,8 @@ StopWishes ReadWishes(Arguments* arguments) {
     arguments->Join(std::move(item));
     wishes.lines.push_back(std::move(line));
   }
-  wishes.changes = arguments->Texts("changes");
-  wishes.conditions = arguments->Texts("conditions");
+  wishes.changes = arguments->Texts("changes", {});
+  wishes.conditions = arguments->Texts("conditions", {});
   wishes.faults = arguments->Flag("faults", true);
   wishes.refusals = arguments->Flag("refusals", true);
   wishes.requirements = arguments->Flag("requirements", true);
@@ -246,9 +239,9 @@ Result<Json> SessionHost::Requests::Hello(Arguments& arguments) {
 Result<Project> SessionHost::Requests::ReadFiles(Arguments& arguments) {
   const std::string main = arguments.Text("main");
   Files files(arguments.TextsByName("files"), reader_);
-  const compiler::Options options = ReadCompileOptions(&arguments);
+  const bool structured = arguments.Flag("structured", false);
   if (auto mistakes = arguments.Mistakes()) return *std::move(mistakes);
-  return ReadProject(main, files, options);
+  return ReadProject(main, files, structured);
 }
 
 Result<Json> SessionHost::Requests::Check(Arguments& arguments) {
@@ -261,7 +254,7 @@ Result<Json> SessionHost::Requests::Check(Arguments& arguments) {
 
 Result<Json> SessionHost::Requests::RunWhole(Arguments& arguments) {
   runtime::RunOptions options;
-  options.show = arguments.Texts("show");
+  options.show = arguments.Texts("show", {});
   auto project = ReadFiles(arguments);
   if (!project.ok()) return project.error();
   const compiler::Compilation& compilation = project.value().compilation;

@@ -43,7 +43,7 @@ Result<void> ReadScenario(const std::string& main, const Files& files, runtime::
   return {};
 }
 
-Result<void> ReadProgram(const Files& files, const compiler::Options& options, Project* project) {
+Result<void> ReadProgram(const Files& files, Project* project) {
   const std::string path = runtime::ProgramPath(project->scenario);
   auto text = files.Read(path);
   if (!text.ok()) return text.error();
@@ -55,10 +55,9 @@ Result<void> ReadProgram(const Files& files, const compiler::Options& options, P
     project->compilation.object = std::move(object).value();
     return {};
   }
-  compiler::Options all = runtime::CompileOptions(project->scenario);
-  all.structured = all.structured || options.structured;
   const auto reader = [&files](const std::string& name) { return files.Read(name); };
-  project->compilation = compiler::CompileText(path, std::move(text).value(), all, reader);
+  project->compilation = compiler::CompileText(path, std::move(text).value(),
+                                               runtime::CompileOptions(project->scenario), reader);
   return {};
 }
 
@@ -71,11 +70,12 @@ Result<std::string> Files::Read(const std::string& path) const {
                    "没有文件“{0}”：请随请求一起给出", path);
 }
 
-Result<Project> ReadProject(const std::string& main, const Files& files,
-                            const compiler::Options& options, runtime::ScenarioUse use) {
+Result<Project> ReadProject(const std::string& main, const Files& files, bool structured,
+                            runtime::ScenarioUse use) {
   Project project;
   if (auto read = ReadScenario(main, files, use, &project); !read.ok()) return read.error();
-  if (auto read = ReadProgram(files, options, &project); !read.ok()) return read.error();
+  if (structured) project.scenario.structured = true;
+  if (auto read = ReadProgram(files, &project); !read.ok()) return read.error();
   const std::string& policy = project.scenario.schedule;
   if (project.schedule == nullptr && policy.starts_with(runtime::kReplayPrefix)) {
     auto schedule = ReadSchedule(

@@ -38,11 +38,11 @@ struct Project {
   std::shared_ptr<const vm::Schedule> schedule;
 };
 
-/// Reads `main`: a scenario (.toml), a recording (.schedule or .sched), or a program that runs by
-/// itself. Fails if a file is missing, or is not what it should be, or if the scenario has keys
-/// that cannot be used for `use`; errors of the program are in the compilation.
-Result<Project> ReadProject(const std::string& main, const Files& files,
-                            const compiler::Options& options = {},
+/// Reads `main`: a scenario (.toml), a recording (.schedule), or a program that runs by itself. The
+/// program is structured C if `structured` or the scenario or the program says so. Fails if a file
+/// is missing, or is not what it should be, or if the scenario has keys that cannot be used for
+/// `use`; errors of the program are in the compilation.
+Result<Project> ReadProject(const std::string& main, const Files& files, bool structured = false,
                             runtime::ScenarioUse use = runtime::ScenarioUse::kRun);
 
 }  // namespace oncard::session

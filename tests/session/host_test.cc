@@ -86,6 +86,8 @@ TEST_F(HostTest, ReportsAllMistakesOfTheArguments) {
             "'goal' is wrong: one of step, statement, line, cycle, time, stop, rest, change\n"
             "'budget' is wrong: an integer from 1 to 1000000000\n"
             "'bugdet' is not an argument of this request; did you mean 'budget'?");
+  EXPECT_EQ(ErrorOf("trace", {{"from_ms", 0}, {"to_ms", 1}, {"points", 1}}),
+            "'names' is missing: a list of texts");
   EXPECT_EQ(ErrorOf("go_to"), "'moment' is missing: an integer from 0 to 9007199254740992");
   EXPECT_THAT(ErrorOf("go_to", {{"moment", 1}, {"ms", 1}}),
               HasSubstr("'moment' is not an argument"));
@@ -144,6 +146,8 @@ TEST_F(HostTest, ReadsStructuredCAndItsIncludes) {
   EXPECT_THAT(result["files"], SizeIs(2));
   Result("forward", {{"goal", "stop"}});
   EXPECT_EQ(Result("evaluate", {{"text", "s"}})["value"], 10);
+  // A recording says so itself.
+  EXPECT_THAT(Result("record")["scenario"].get<std::string>(), HasSubstr("structured = true"));
 }
 
 TEST_F(HostTest, AProgramWithErrorsIsNotLoaded) {

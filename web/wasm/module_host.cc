@@ -61,13 +61,13 @@ Result<Json> Explore(const Json& json, Language* language) {
   session::Arguments arguments(json);
   const std::string main = arguments.Text("main");
   const session::Files files(arguments.TextsByName("files"), {});
-  compiler::Options options;
-  options.structured = arguments.Flag("structured", false);
+  const bool structured = arguments.Flag("structured", false);
   const bool chinese = arguments.Has("language") && arguments.Word("language", {"en", "zh"}) == 1;
   if (auto mistakes = arguments.Mistakes()) return *std::move(mistakes);
   if (chinese) *language = Language::kChinese;
 
-  const auto project = session::ReadProject(main, files, options, runtime::ScenarioUse::kExplore);
+  const auto project =
+      session::ReadProject(main, files, structured, runtime::ScenarioUse::kExplore);
   if (!project.ok()) return project.error();
   const compiler::Compilation& compilation = project.value().compilation;
   Json answer = {{"compiled", compilation.ok()},
