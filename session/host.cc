@@ -76,7 +76,8 @@ StopWishes ReadWishes(Arguments* arguments) {
 // One function for each request. They read all arguments before they act, and return the result.
 class SessionHost::Requests {
  public:
-  explicit Requests(compiler::FileReader reader) : reader_(std::move(reader)) {}
+  Requests(compiler::FileReader reader, CommentReader comments)
+      : reader_(std::move(reader)), comments_(std::move(comments)) {}
 
   std::string Handle(std::string_view text);
 
@@ -121,6 +122,7 @@ class SessionHost::Requests {
   Json WalkAnswer(const Stop& stop) const;
 
   compiler::FileReader reader_;
+  CommentReader comments_;
   Language language_ = Language::kEnglish;
   std::optional<Session> session_;
   std::string events_;
@@ -241,7 +243,14 @@ Result<Project> SessionHost::Requests::ReadFiles(Arguments& arguments) {
   Files files(arguments.TextsByName("files"), reader_);
   const bool structured = arguments.Flag("structured", false);
   if (auto mistakes = arguments.Mistakes()) return *std::move(mistakes);
-  return ReadProject(main, files, structured);
+  auto project = ReadProject(main, files, structured);
+  if (!project.ok() || !comments_) return project;
+  auto& [scenario, compilation, schedule] = project.value();
+  // A scenario and a recording say everything themselves, and an object has no comments.
+  if (scenario.program != main || compilation.files.empty() || !compilation.ok()) return project;
+  auto read = comments_(main, compilation.files[0].text(), *compilation.object, &scenario);
+  if (!read.ok()) return read.error();
+  return project;
 }
 
 Result<Json> SessionHost::Requests::Check(Arguments& arguments) {
@@ -448,8 +457,8 @@ Result<Json> SessionHost::Requests::Record(Arguments& arguments) {
 
 // --- The host ------------------------------------------------------------------------------------
 
-SessionHost::SessionHost(compiler::FileReader reader)
-    : requests_(std::make_unique<Requests>(std::move(reader))) {}
+SessionHost::SessionHost(compiler::FileReader reader, CommentReader comments)
+    : requests_(std::make_unique<Requests>(std::move(reader), std::move(comments))) {}
 SessionHost::SessionHost(SessionHost&&) noexcept = default;
 SessionHost& SessionHost::operator=(SessionHost&&) noexcept = default;
 SessionHost::~SessionHost() = default;

@@ -7,12 +7,16 @@
 // Tested by tests/session/host_test.cc and tests/session/protocol_page_test.cc.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "base/result.h"
 #include "compiler/compiler.h"
+#include "runtime/scenario/scenario.h"
+#include "vm/object.h"
 
 namespace oncard::session {
 
@@ -24,10 +28,16 @@ struct RequestText {
   std::string_view arguments;  ///< their names, separated by blanks; optional ones in brackets
 };
 
+/// Completes the scenario of a source that runs by itself from the source's comments.
+using CommentReader = std::function<Result<void>(const std::string& path, std::string_view source,
+                                                 const vm::Object& object, runtime::Scenario*)>;
+
 class SessionHost {
  public:
   /// `reader` reads files that a request names without their content; empty: there are none.
-  explicit SessionHost(compiler::FileReader reader = {});
+  /// `comments` reads the comments of sources (explore/source_comments.h); empty: they are only
+  /// comments.
+  explicit SessionHost(compiler::FileReader reader = {}, CommentReader comments = {});
   SessionHost(SessionHost&&) noexcept;
   SessionHost& operator=(SessionHost&&) noexcept;
   ~SessionHost();

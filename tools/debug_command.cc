@@ -6,6 +6,7 @@
 
 #include "base/files.h"
 #include "base/limits.h"
+#include "explore/source_comments.h"
 #include "session/host.h"
 #include "tools/commands.h"
 
@@ -20,7 +21,7 @@ Result<std::string> ReadProjectFile(const std::string& path) {
 
 /// One request a line, until the input ends.
 int ServeStandardStreams(const Invocation& invocation) {
-  session::SessionHost host(ReadProjectFile);
+  session::SessionHost host(ReadProjectFile, explore::AddComments);
   std::ios::sync_with_stdio(false);
   for (std::string line; std::getline(std::cin, line);) {
     if (line.empty()) continue;

@@ -43,6 +43,19 @@ TEST(DebugCommand, WalksACounterexampleOfTheExplorer) {
   EXPECT_THAT(result.out, HasSubstr("\"failed\":[\"final: x == 2 does not hold: x is 1\"]"));
 }
 
+TEST(DebugCommand, TakesTheThreadsAndRequirementsOfASourceFromItsComments) {
+  const ScratchFolder scratch;
+  scratch.Write(
+      "p.c", "//@ final: x == 3\nint x;\nvoid t0()\n{\n  x = 1;\n}\nvoid t1()\n{\n  x = 2;\n}\n");
+  scratch.Write("requests",
+                "{\"request\":\"load\",\"arguments\":{\"main\":\"p.c\"}}\n"
+                "{\"request\":\"forward\",\"arguments\":{\"goal\":\"stop\"}}\n");
+  const ProcessResult result = RunProgram(
+      {"sh", "-c", ONCARD_BUILD_DIR "/bin/oncard debug --stdio < requests"}, scratch.path());
+  EXPECT_THAT(result.out, HasSubstr("\"thread\":1,\"function\":\"t1\""));
+  EXPECT_THAT(result.out, HasSubstr("\"failed\":[\"final: x == 3 does not hold: x is 2\"]"));
+}
+
 TEST(DebugCommand, NeedsItsStreams) {
   const ProcessResult result = RunOncard({"debug"});
   EXPECT_EQ(result.exit_code, 2);

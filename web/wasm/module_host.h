@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "explore/source_comments.h"
 #include "session/host.h"
 
 namespace oncard::web {
@@ -16,7 +17,7 @@ class ModuleHost {
   std::string Handle(std::string_view request);
 
  private:
-  session::SessionHost session_;
+  session::SessionHost session_{{}, explore::AddComments};
 };
 
 }  // namespace oncard::web
