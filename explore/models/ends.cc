@@ -41,8 +41,9 @@ End EndOf(const Model& model) {
 
 End EndOf(const CardModel& model, const CardModel::State& state) {
   End end;
-  ForEachGlobal(model.image()->object,
-                [&](const vm::Symbol&, uint32_t slot) { end.push_back(state.variables.slots[slot]); });
+  ForEachGlobal(model.image()->object, [&](const vm::Symbol&, uint32_t slot) {
+    end.push_back(state.variables.slots[slot]);
+  });
   for (const ThreadSetup& setup : model.setups()) {
     end.push_back(state.threads[static_cast<size_t>(setup.thread)].result);
   }
