@@ -1,0 +1,57 @@
+// The lessons of a folder, for bundlers and tests. Each has a folder NN-name, whose number is its
+// place in the order:
+//
+//   lesson.toml               title, hints, task and, where it applies, structured and scope
+//   text.en.md, text.zh.md    the text
+//   start.c, solution.c       the program as the student finds it, and one that passes
+//   task.toml                 the scenario of the task, with program = "start.c"
+//
+// Tested by test/collect.test.ts.
+
+import { readdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { fileURLToPath } from "node:url";
+
+import { parse } from "smol-toml";
+
+import { type Lesson, parseLesson } from "./lesson.js";
+
+export interface CollectedLesson {
+  /** Its folder. */
+  folder: string;
+  lesson: Lesson;
+  /** A program that passes. It is not part of the lesson. */
+  solution: string;
+}
+
+/** The lessons of this project. */
+export const lessonsFolder = fileURLToPath(new URL("../lessons", import.meta.url));
+
+/**
+ * Reads the lessons of a folder in their order.
+ * @throws {Error} a file is missing, or a lesson has a mistake; the message names both
+ */
+export function collectLessons(folder = lessonsFolder): CollectedLesson[] {
+  return readdirSync(folder)
+    .filter((name) => /^\d\d-/.test(name))
+    .sort()
+    .map((name) => collectLesson(join(folder, name), name.slice(3)));
+}
+
+function collectLesson(folder: string, id: string): CollectedLesson {
+  const read = (name: string) => readFileSync(join(folder, name), "utf8");
+  const parsed = parseLesson({
+    ...parse(read("lesson.toml")),
+    version: 1,
+    id,
+    text: { en: read("text.en.md"), zh: read("text.zh.md") },
+    files: { "start.c": read("start.c"), "task.toml": read("task.toml") },
+    program: "start.c",
+    main: "task.toml",
+  });
+  if ("mistakes" in parsed) {
+    const mistakes = parsed.mistakes.map(({ where, message }) => `${where}: ${message.en}`);
+    throw new Error(`${folder}: ${mistakes.join("; ")}`);
+  }
+  return { folder, lesson: parsed.lesson, solution: read("solution.c") };
+}

@@ -1,0 +1,126 @@
+import { type Lesson, limits, type Mistake, parseLesson } from "@oncard/lessons";
+import { describe, expect, test } from "vitest";
+
+function example(): Lesson {
+  return {
+    version: 1,
+    id: "first-lesson",
+    title: { en: "Title", zh: "标题" },
+    text: { en: "Text\n\twith `code`", zh: "正文" },
+    hints: [{ en: "Look.", zh: "看。" }],
+    files: { "start.c": "int x;\r\n", "task.toml": 'program = "start.c"\n' },
+    program: "start.c",
+    main: "task.toml",
+    task: "explore",
+    structured: true,
+    scope: ["axis1.prfPos"],
+  };
+}
+
+function mistakesOf(value: unknown): Mistake[] {
+  const parsed = parseLesson(value);
+  return "mistakes" in parsed ? parsed.mistakes : [];
+}
+
+test("a lesson is read as it was written", () => {
+  const written = JSON.parse(JSON.stringify(example())) as unknown;
+  expect(parseLesson(written)).toEqual({ lesson: example() });
+});
+
+test("structured and scope may be missing, and stay so", () => {
+  const { structured, scope, ...rest } = example();
+  expect([structured, scope]).toEqual([true, ["axis1.prfPos"]]);
+  expect(parseLesson(rest)).toStrictEqual({ lesson: rest });
+});
+
+test("a text in one language stands for both", () => {
+  const lesson = { ...example(), title: { zh: "标题" }, hints: [{ en: "Look." }] };
+  expect(parseLesson(lesson)).toMatchObject({
+    lesson: { title: { en: "标题", zh: "标题" }, hints: [{ en: "Look.", zh: "Look." }] },
+  });
+});
+
+test.each([
+  ["null", null],
+  ["a list", []],
+  ["a text", "lesson"],
+  ["nothing", undefined],
+])("%s is not a lesson", (_, value) => {
+  expect(mistakesOf(value)).toEqual([
+    { where: "", message: { en: "expected an object", zh: "应为对象" } },
+  ]);
+});
+
+const long = (size: number) => "x".repeat(size + 1);
+const manyFiles = Object.fromEntries(
+  Array.from({ length: limits.files + 1 }, (_, i) => [`f${i}.c`, "int x;"]),
+);
+
+describe("mistakes name their place and what was expected", () => {
+  test.each<[place: string, message: RegExp, change: Record<string, unknown>]>([
+    ["", /unknown key 'solution'; expected version, id/, { solution: "x = 1;" }],
+    ["version", /expected 1/, { version: 2 }],
+    ["id", /lower-case letters/, { id: "../x" }],
+    ["id", /the text has 65 characters; at most 64/, { id: long(limits.id) }],
+    ["title", /expected an object/, { title: "Title" }],
+    ["title", /expected a text 'en' or 'zh'/, { title: {} }],
+    ["title", /unknown key 'de'; expected en, zh/, { title: { en: "Title", de: "Titel" } }],
+    ["title.en", /expected a text/, { title: { en: 7 } }],
+    ["title.zh", /the text is empty/, { title: { en: "Title", zh: " " } }],
+    ["title.en", /at most 120/, { title: { en: long(limits.title) } }],
+    ["text.en", /at most 20000/, { text: { en: long(limits.text) } }],
+    ["text.zh", /control character/, { text: { zh: "a\u0000" } }],
+    ["text.en", /control character/, { text: { en: "turned \u202e round" } }],
+    ["hints", /expected a list/, { hints: { en: "Look." } }],
+    ["hints", /11 elements; at most 10/, { hints: Array(limits.hints + 1).fill({ en: "x" }) }],
+    ["hints[1].en", /expected a text/, { hints: [{ en: "x" }, { en: null }] }],
+    ["hints[0].en", /at most 2000/, { hints: [{ en: long(limits.hint) }] }],
+    ["files", /expected an object/, { files: [] }],
+    ["files", /17 files; at most 16/, { files: { ...manyFiles } }],
+    ["files", /'a\/b.c' is not a file name/, { files: { ...example().files, "a/b.c": "x" } }],
+    ["files", /'\.\.' is not a file name/, { files: { ...example().files, "..": "x" } }],
+    ["files", /is not a file name/, { files: { ...example().files, [`${long(64)}.c`]: "x" } }],
+    ["files.a.h", /expected a text/, { files: { ...example().files, "a.h": 1 } }],
+    ["files.a.h", /at most 65536/, { files: { ...example().files, "a.h": long(limits.file) } }],
+    ["program", /there is no 'other.c' in 'files'/, { program: "other.c" }],
+    ["program", /there is no 'toString' in 'files'/, { program: "toString" }],
+    ["program", /expected a name with the ending .c/, { program: "task.toml" }],
+    ["main", /expected a name with the ending .toml/, { main: "start.c" }],
+    ["main", /expected a text/, { main: ["task.toml"] }],
+    ["task", /expected 'run' or 'explore'/, { task: "prove" }],
+    ["structured", /expected true or false/, { structured: 1 }],
+    ["scope", /expected a list/, { scope: "axis1.prfPos" }],
+    ["scope[0]", /at most 64/, { scope: [long(limits.channel)] }],
+    ["scope", /at most 16/, { scope: Array(limits.scope + 1).fill("x") }],
+  ])("%s: %s", (place, message, change) => {
+    const mistakes = mistakesOf({ ...example(), ...change });
+    const found = mistakes.find(
+      ({ where, message: { en } }) => where === place && message.test(en),
+    );
+    expect(found, JSON.stringify(mistakes)).toBeDefined();
+    expect(found?.message.zh).toMatch(/[一-鿿]/);
+  });
+});
+
+test("a file cannot replace what objects inherit", () => {
+  const files = JSON.parse(
+    '{ "__proto__": "x", "start.c": "int x;", "task.toml": "x" }',
+  ) as unknown;
+  expect(mistakesOf({ ...example(), files })).toMatchObject([{ where: "files" }]);
+});
+
+test("every missing key is reported", () => {
+  const places = mistakesOf({}).map(({ where }) => where);
+  expect(places).toEqual([
+    ...["version", "id", "title", "text", "hints", "files", "program", "main", "task"],
+  ]);
+});
+
+test("mistakes are bounded in number and in length", () => {
+  const lesson = Object.fromEntries(
+    Array.from({ length: 100 }, (_, i) => [`${long(5000)}${i}`, 0]),
+  );
+  const mistakes = mistakesOf(lesson);
+  expect(mistakes).toHaveLength(limits.mistakes);
+  for (const { message } of mistakes) expect(message.en.length).toBeLessThan(300);
+});
