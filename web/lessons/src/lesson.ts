@@ -64,10 +64,8 @@ const keys = [
   ...["structured", "scope"],
 ];
 const fileName = /^[A-Za-z0-9_-]+(\.[A-Za-z0-9_-]+)+$/;
-// Everything else that does not print would hide from the reader what a file contains.
-// eslint-disable-next-line no-control-regex
-const unprintable =
-  /[\u0000-\u0008\u000b\u000c\u000e-\u001f\u007f\u200e\u200f\u202a-\u202e\u2066-\u2069]/;
+// Control characters, and marks that turn the direction of writing, would hide what a file contains.
+const unprintable = /[^\P{Cc}\t\n\r]|[\u200e\u200f\u202a-\u202e\u2066-\u2069]/u;
 
 /**
  * Reads a lesson from a value of JSON. A text may be given in one language only; it then stands for
