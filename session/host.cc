@@ -126,6 +126,8 @@ class SessionHost::Requests {
   Language language_ = Language::kEnglish;
   std::optional<Session> session_;
   std::string events_;
+  /// Files that this request needed and that do not exist.
+  std::vector<std::string> missing_;
   Json id_;
 };
 
@@ -168,6 +170,7 @@ std::span<const RequestText> SessionHost::RequestTexts() {
 
 std::string SessionHost::Requests::Handle(std::string_view text) {
   events_.clear();
+  missing_.clear();
   id_ = nullptr;
   auto answer = Answer(text);
   Json response = {{"id", id_}, {"ok", answer.ok()}};
@@ -176,6 +179,7 @@ std::string SessionHost::Requests::Handle(std::string_view text) {
   } else {
     response["error"] = answer.error().message.In(language_);
   }
+  if (!missing_.empty()) response["missing"] = missing_;
   return std::move(events_) + JsonText(response) + '\n';
 }
 
@@ -244,6 +248,7 @@ Result<Project> SessionHost::Requests::ReadFiles(Arguments& arguments) {
   const bool structured = arguments.Flag("structured", false);
   if (auto mistakes = arguments.Mistakes()) return *std::move(mistakes);
   auto project = ReadProject(main, files, structured);
+  missing_ = files.missing();
   if (!project.ok() || !comments_) return project;
   auto& [scenario, compilation, schedule] = project.value();
   // A scenario and a recording say everything themselves, and an object has no comments.

@@ -1,5 +1,6 @@
 #include "session/project.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/files.h"
@@ -61,11 +62,20 @@ Result<void> ReadProgram(const Files& files, Project* project) {
   return {};
 }
 
+void NoteMissing(const std::string& path, std::vector<std::string>* missing) {
+  if (std::ranges::find(*missing, path) == missing->end()) missing->push_back(path);
+}
+
 }  // namespace
 
 Result<std::string> Files::Read(const std::string& path) const {
   if (const auto found = texts_.find(path); found != texts_.end()) return found->second;
-  if (other_) return other_(path);
+  if (other_) {
+    auto text = other_(path);
+    if (!text.ok() && text.error().code == kNoSuchFile) NoteMissing(path, &missing_);
+    return text;
+  }
+  NoteMissing(path, &missing_);
   return MakeError(kNoSuchFile, "there is no file '{0}': give it with the request",
                    "没有文件“{0}”：请随请求一起给出", path);
 }

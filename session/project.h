@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/result.h"
 #include "compiler/compiler.h"
@@ -24,9 +25,13 @@ class Files {
 
   Result<std::string> Read(const std::string& path) const;
 
+  /// What was to be read and does not exist, in the order of the first attempts.
+  const std::vector<std::string>& missing() const { return missing_; }
+
  private:
   std::map<std::string, std::string> texts_;
   compiler::FileReader other_;
+  mutable std::vector<std::string> missing_;
 };
 
 /// What is needed to run a program.

@@ -177,6 +177,21 @@ TEST_F(HostTest, SaysWhichFileIsMissingOrWrong) {
       HasSubstr("s.toml:2:11: nothing is named 'y'"));
 }
 
+TEST_F(HostTest, ListsFilesThatAreMissing) {
+  const auto missing = [this](const std::string& main, const Json& files) {
+    return Ask("check", {{"main", main}, {"files", files}}).value("missing", Json());
+  };
+  EXPECT_EQ(missing("p.c", Json::object()), Json({"p.c"}));
+  EXPECT_EQ(missing("a/s.toml", {{"a/s.toml", "program = \"../p.c\"\n"}}), Json({"p.c"}));
+  const std::string including = "#include \"h.h\"\n#include \"h.h\"\nint f() {\n}\n";
+  const std::string scenario = "program = \"p.c\"\ninclude = [\"sub\"]\n";
+  EXPECT_EQ(missing("s.toml", {{"s.toml", scenario}, {"p.c", including}}),
+            Json({"h.h", "sub/h.h"}));
+  EXPECT_EQ(missing("p.c", {{"p.c", kRace}}), Json());
+  // The next request does not repeat them.
+  EXPECT_FALSE(Ask("hello").contains("missing"));
+}
+
 TEST_F(HostTest, ReadsFilesIfItHasAReader) {
   SessionHost host([](const std::string& path) -> oncard::Result<std::string> {
     if (path == "p.c") return std::string(kRace);
