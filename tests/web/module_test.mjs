@@ -144,6 +144,23 @@ test("an exploration finds a lost update", () => {
   assert.ok(ok, error);
   assert.equal(result.report.verdict, "FAILED");
   assert.match(result.text, /sum is 1, expected 2/);
+
+  // The schedule is a file that a session follows to the same end.
+  const { files } = request.arguments;
+  const replay = { main: "a.schedule", files: { ...files, "a.schedule": result.schedule } };
+  const { run } = answerTo({ id: 2, request: "run", arguments: replay }).result;
+  assert.equal(run.passed, false);
+  assert.match(run.failures[0].message, /sum is 1/);
+});
+
+test("an exploration says which file is missing, and keeps no schedule of a proof", () => {
+  const { arguments: good } = counting;
+  const files = { "a.toml": good.files["a.toml"] };
+  const request = { id: 1, request: "explore", arguments: { main: "a.toml", files } };
+  assert.deepEqual(answerTo(request).missing, ["a.c"]);
+  const { result } = answerTo({ ...counting, request: "explore" });
+  assert.equal(result.report.verdict, "PROVED");
+  assert.ok(!("schedule" in result));
 });
 
 test("nesting that is too deep for the stack is a diagnostic", () => {

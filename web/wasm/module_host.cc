@@ -6,6 +6,7 @@
 
 #include "base/json_text.h"
 #include "compiler/diagnostic_printer.h"
+#include "explore/failure_files.h"
 #include "explore/reports/report.h"
 #include "explore/scenario_exploration.h"
 #include "runtime/scenario/requirement.h"
@@ -56,8 +57,16 @@ Result<explore::Findings> Search(const Subject& subject, const std::string& sour
   return explore::ExploreScenario(scenario, subject.requirements, object, options);
 }
 
-/// `language` becomes that of the request.
-Result<Json> Explore(const Json& json, Language* language) {
+/// The schedule file of a failure, beside `main`.
+Result<std::string> ScheduleBeside(std::string_view main, const Subject& subject,
+                                   const vm::Object& object, const explore::Findings& findings) {
+  const std::string path = std::string(main.substr(0, main.rfind('.'))) + ".schedule";
+  return explore::FailureSchedule({subject.scenario, subject.requirements, object, findings.source},
+                                  findings, path);
+}
+
+/// `language` becomes that of the request, `missing` the files that it needs and did not bring.
+Result<Json> Explore(const Json& json, Language* language, std::vector<std::string>* missing) {
   session::Arguments arguments(json);
   const std::string main = arguments.Text("main");
   const session::Files files(arguments.TextsByName("files"), {});
@@ -68,6 +77,7 @@ Result<Json> Explore(const Json& json, Language* language) {
 
   const auto project =
       session::ReadProject(main, files, structured, runtime::ScenarioUse::kExplore);
+  *missing = files.missing();
   if (!project.ok()) return project.error();
   const compiler::Compilation& compilation = project.value().compilation;
   Json answer = {{"compiled", compilation.ok()},
@@ -79,10 +89,16 @@ Result<Json> Explore(const Json& json, Language* language) {
   auto subject = SubjectOf(main, source, project.value());
   if (!subject.ok()) return subject.error();
   auto findings = Search(subject.value(), source, *compilation.object, files);
+  *missing = files.missing();
   if (!findings.ok()) return findings.error();
   findings.value().source = source;
   answer["report"] = Json::parse(explore::JsonReport(findings.value()));
   answer["text"] = explore::TextReport(findings.value(), *language);
+  if (findings.value().exploration.failure) {
+    auto schedule = ScheduleBeside(main, subject.value(), *compilation.object, findings.value());
+    if (!schedule.ok()) return schedule.error();
+    answer["schedule"] = std::move(schedule).value();
+  }
   return answer;
 }
 
@@ -105,7 +121,8 @@ std::string ModuleHost::Handle(std::string_view text) {
   const Json* arguments = ArgumentsOfExplore(request);
   if (arguments == nullptr) return session_.Handle(text);
   Language language = Language::kEnglish;
-  const auto answer = Explore(*arguments, &language);
+  std::vector<std::string> missing;
+  const auto answer = Explore(*arguments, &language, &missing);
   const auto id = request.find("id");
   Json response = {{"id", id == request.end() ? Json() : *id}, {"ok", answer.ok()}};
   if (answer.ok()) {
@@ -113,6 +130,7 @@ std::string ModuleHost::Handle(std::string_view text) {
   } else {
     response["error"] = answer.error().message.In(language);
   }
+  if (!missing.empty()) response["missing"] = missing;
   return JsonText(response) + '\n';
 }
 
