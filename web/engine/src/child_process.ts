@@ -1,4 +1,4 @@
-// An engine in a process of its own: `oncard debug --stdio`.
+// An engine in a process of its own: `oncard debug --stdio`, or the module in module_process.ts.
 // Tested by test/child_process.test.ts.
 
 import { type ChildProcessWithoutNullStreams, spawn } from "node:child_process";
@@ -15,10 +15,18 @@ export class ChildProcessTransport implements Transport {
   #complaint = "";
   #closed = false;
 
-  /** @param executable path of `oncard`, or a name that is looked for in PATH */
-  constructor(executable: string) {
+  /**
+   * @param executable path of `oncard`, or a name that is looked for in PATH; or another program
+   * @param args with which it speaks the protocol on its standard streams
+   * @param environment of the process; that of this one without it
+   */
+  constructor(
+    executable: string,
+    args: readonly string[] = ["debug", "--stdio"],
+    environment: NodeJS.ProcessEnv = process.env,
+  ) {
     this.#executable = executable;
-    this.#child = spawn(executable, ["debug", "--stdio"], { windowsHide: true });
+    this.#child = spawn(executable, args, { windowsHide: true, env: environment });
   }
 
   connect(receiver: Receiver): void {

@@ -8,6 +8,7 @@ import type {
   Channel,
   Compiled,
   Evaluation,
+  ExploreAnswer,
   ForwardWalk,
   Hello,
   Language,
@@ -45,17 +46,24 @@ interface Answer {
   ok?: boolean;
   result?: unknown;
   error?: string;
+  /** Files that the request needs and that do not exist. */
+  missing?: string[];
 }
 
 interface Waiting {
   /** Takes the answer and its text. */
-  resolve: (answer: { result: unknown; text: string }) => void;
+  resolve: (answer: Answer & { text: string }) => void;
   reject: (why: Error) => void;
 }
 
 export class Engine {
   /** Called for each line of a log point. */
   onLog: (event: LogEvent) => void = () => undefined;
+  /**
+   * Reads a file that a project lacks, for an engine without a file system. The request is then
+   * repeated with it. Nothing if there is none.
+   */
+  supply: ((path: string) => Promise<string | undefined>) | undefined;
   /** Called when the engine ends by itself. */
   onEnded: (why: Error) => void = () => undefined;
 
@@ -89,14 +97,18 @@ export class Engine {
     return this.#request("hello", { protocol: protocolVersion, language });
   }
   check(project: Project): Promise<Compiled> {
-    return this.#request("check", { ...project });
+    return this.#requestWithFiles("check", project);
   }
   /** Runs a whole project beside the session. */
   run(project: Project, show: string[] = []): Promise<RunAnswer> {
-    return this.#request("run", { ...project, show });
+    return this.#requestWithFiles("run", project, { show });
+  }
+  /** Searches all interleavings; only the module answers this. */
+  explore(project: Project, language?: Language): Promise<ExploreAnswer> {
+    return this.#requestWithFiles("explore", project, { language });
   }
   load(project: Project): Promise<Loaded> {
-    return this.#request("load", { ...project });
+    return this.#requestWithFiles("load", project);
   }
   state(): Promise<State> {
     return this.#request("state");
@@ -184,10 +196,44 @@ export class Engine {
     return (await this.#exchange(request, args)).result as Result;
   }
 
-  #exchange(
+  /** Repeats a request until nothing that it lacks can be supplied. */
+  async #requestWithFiles<Result>(
+    request: string,
+    project: Project,
+    args: Record<string, unknown> = {},
+  ): Promise<Result> {
+    const files = { ...project.files };
+    for (;;) {
+      const answer = await this.#ask(request, { ...project, ...args, files });
+      if (!(await this.#addTo(files, answer.missing ?? []))) {
+        if (answer.ok) return answer.result as Result;
+        throw new RefusedError(answer.error);
+      }
+    }
+  }
+
+  /** True if one of the missing files could be supplied. */
+  async #addTo(files: Record<string, string>, missing: readonly string[]): Promise<boolean> {
+    let added = false;
+    for (const path of missing) {
+      const text = path in files ? undefined : await this.supply?.(path);
+      if (text === undefined) continue;
+      files[path] = text;
+      added = true;
+    }
+    return added;
+  }
+
+  async #exchange(
     request: string,
     args: Record<string, unknown>,
   ): Promise<{ result: unknown; text: string }> {
+    const { ok, result, error, text } = await this.#ask(request, args);
+    if (!ok) throw new RefusedError(error);
+    return { result, text };
+  }
+
+  #ask(request: string, args: Record<string, unknown>): Promise<Answer & { text: string }> {
     if (this.#ended) return Promise.reject(this.#ended);
     const id = ++this.#requests;
     return new Promise((resolve, reject) => {
@@ -214,11 +260,7 @@ export class Engine {
     const waiting = this.#waiting.get(message.id ?? 0);
     if (!waiting) return;
     this.#waiting.delete(message.id ?? 0);
-    if (message.ok) {
-      waiting.resolve({ result: message.result, text });
-    } else {
-      waiting.reject(new RefusedError(message.error));
-    }
+    waiting.resolve({ ...message, text });
   }
 
   #end(why: Error): void {

@@ -31,6 +31,28 @@ export interface Diagnostic {
   column: number;
   end_line: number;
   end_column: number;
+  notes: Note[];
+  fixits: Fixit[];
+}
+
+/** More about a message; without a place if it is about none. */
+export interface Note {
+  message: string;
+  file?: string;
+  line?: number;
+  column?: number;
+  end_line?: number;
+  end_column?: number;
+}
+
+/** A text that replaces what is between two places. */
+export interface Fixit {
+  file: string;
+  line: number;
+  column: number;
+  end_line: number;
+  end_column: number;
+  text: string;
 }
 
 export interface Compiled {
@@ -62,6 +84,15 @@ export interface Run {
 export interface RunAnswer extends Compiled {
   /** Missing if the program was not compiled. */
   run?: Run;
+}
+
+export interface ExploreAnswer extends Compiled {
+  /** What `oncard explore --format=json` prints; missing if the program was not compiled. */
+  report?: { verdict: "PROVED" | "PASSED" | "FAILED" | "INCOMPLETE"; culprit?: string };
+  /** The report for people. */
+  text?: string;
+  /** If something fails: a schedule file beside `main` that repeats it. */
+  schedule?: string;
 }
 
 export interface Thread {

@@ -11,7 +11,7 @@ test("there is a method for every request of the protocol", async () => {
     name.replace(/_(\w)/g, (_, letter: string) => letter.toUpperCase()),
   );
   expect(Object.getOwnPropertyNames(Engine.prototype).sort()).toEqual(
-    [...methods, "constructor", "close", "walkForward", "walkBack"].sort(),
+    [...methods, "constructor", "close", "explore", "walkForward", "walkBack"].sort(),
   );
 });
 

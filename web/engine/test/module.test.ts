@@ -1,21 +1,12 @@
-import { existsSync, readFileSync } from "node:fs";
+import { readFileSync } from "node:fs";
 
-import { Engine, ModuleTransport, type RequestHandler } from "@oncard/engine";
+import { Engine, ModuleTransport } from "@oncard/engine";
+import { EngineModule } from "@oncard/engine/engine_module.js";
 import { expect, test } from "vitest";
 
-import { startEngine, top } from "./support.js";
+import { startEngine, wasm, withoutModule } from "./support.js";
 
-/** What `./x wasm` builds; without it the module is not tested here. */
-const wasm = `${top}/build/web/oncard.wasm`;
-
-async function startModule(): Promise<RequestHandler> {
-  const { EngineModule } = (await import(`${top}/web/engine/engine_module.js`)) as {
-    EngineModule: { create(bytes: Uint8Array): Promise<RequestHandler> };
-  };
-  return EngineModule.create(readFileSync(wasm));
-}
-
-test.skipIf(!existsSync(wasm))("a session in the module is one in a process", async () => {
+test.skipIf(withoutModule)("a session in the module is one in a process", async () => {
   const walk = async (engine: Engine) => {
     const program = "int x;\nint f()\n{\n  x = 1;\n  x = 2;\n  return x;\n}\n";
     const log: unknown[] = [];
@@ -26,7 +17,9 @@ test.skipIf(!existsSync(wasm))("a session in the module is one in a process", as
     const back = await engine.walkBack({ goal: "change", name: "x" });
     return { log, end, back, variables: await engine.variables() };
   };
-  const inModule = await walk(new Engine(new ModuleTransport(await startModule())));
+  const inModule = await walk(
+    new Engine(new ModuleTransport(await EngineModule.create(readFileSync(wasm)))),
+  );
   expect(inModule).toEqual(await walk(startEngine()));
   expect(inModule.variables).toMatchObject([{ name: "x", value: 1 }]);
 });

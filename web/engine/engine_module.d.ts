@@ -1,0 +1,16 @@
+// Types of engine_module.js.
+
+/** The module ended within a request, or was given one that it cannot hold. */
+export class ModuleError extends Error {}
+
+export class EngineModule {
+  /** @param bytes the content of oncard.wasm */
+  static create(bytes: Uint8Array | ArrayBuffer): Promise<EngineModule>;
+  /** The version of oncard. */
+  get version(): string;
+  /**
+   * Answers a request, JSON as text or as its bytes, with lines of JSON.
+   * @throws ModuleError: it has lost everything that it knew, and has started anew
+   */
+  handle(request: string | Uint8Array): string;
+}
