@@ -2,7 +2,7 @@ import js from "@eslint/js";
 import tseslint from "typescript-eslint";
 
 export default tseslint.config(
-  { ignores: ["**/dist/**", "**/dist-test/**"] },
+  { ignores: ["**/dist/**", "**/dist-test/**", "**/*.d.ts"] },
   js.configs.recommended,
   {
     files: ["**/*.js"],
