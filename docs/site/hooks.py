@@ -1,0 +1,64 @@
+"""Gathers the pages of the site, which mkdocs calls before it builds.
+
+mkdocs reads the pages of one folder, but those of this project are in many, and lead to each other
+and to programs by relative links. So the pages of the navigation, and whatever they lead to, page by
+page, are copied to build/docs, in the same folders: every link stays what it is. With --strict,
+mkdocs fails at a link without a target; check.py then checks the anchors.
+"""
+
+import re
+import shutil
+from pathlib import Path
+
+LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
+FENCE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
+
+
+def links_of(page):
+    """The targets of the links to files, from the text of a page; links in code are none."""
+    targets = LINK.findall(FENCE.sub("", page))
+    return [target for target in targets if not re.match(r"[a-z]+:", target)]
+
+
+def reachable(root, first):
+    """The files that links lead to from `first`, those included, relative to `root`."""
+    found = {}
+    waiting = [root / page for page in first]
+    while waiting:
+        path = waiting.pop().resolve()
+        if path in found or not path.is_file() or root not in path.parents:
+            continue
+        found[path] = path.relative_to(root)
+        if path.suffix == ".md":
+            page = path.read_text(encoding="utf-8")
+            waiting += [path.parent / target for target in links_of(page)]
+    return sorted(found.values())
+
+
+def pages_of(navigation):
+    """The pages that a part of the navigation names."""
+    if isinstance(navigation, str):
+        return [navigation]
+    parts = navigation.values() if isinstance(navigation, dict) else navigation
+    return [page for part in parts for page in pages_of(part)]
+
+
+def on_config(config):
+    root = Path(config["config_file_path"]).resolve().parent
+    staged = root / "build" / "docs"
+    shutil.rmtree(staged, ignore_errors=True)
+    for path in reachable(root, pages_of(config["nav"])):
+        (staged / path).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(root / path, staged / path)
+    config["docs_dir"] = str(staged)
+    return config
+
+
+def on_page_markdown(markdown, **_):
+    """In tables, GitHub wants a bar in code escaped; Python-Markdown shows the backslash."""
+    code = re.compile(r"(`+)(.+?)\1")
+    rows = (
+        code.sub(lambda span: span[0].replace(r"\|", "|"), line) if line.startswith("|") else line
+        for line in markdown.split("\n")
+    )
+    return "\n".join(rows)

@@ -1,0 +1,85 @@
+"""The scripts of the documentation's site: python3 tests/docs/site_test.py"""
+
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "docs" / "site"))
+import check  # noqa: E402
+import hooks  # noqa: E402
+
+
+class Folder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = Path(folder.name).resolve()
+
+    def write(self, **files):
+        for name, text in files.items():
+            path = self.root / name.replace("__", "/").replace("_", ".")
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+
+
+class Gathering(Folder):
+    def test_links_are_those_to_files_outside_of_code(self):
+        page = "[a](a.md) ![b](b/b.svg) [c](c.md#d)\n```\n[e](e.md)\n```\n[f](http://f) [g](#g)\n"
+        self.assertEqual(hooks.links_of(page), ["a.md", "b/b.svg", "c.md"])
+
+    def test_pages_are_followed_from_page_to_page(self):
+        self.write(a_md="[b](x/b.md)", x__b_md="[c](../c.c) [a](../a.md)", c_c="[d](d.md)", d_md="")
+        found = [str(path) for path in hooks.reachable(self.root, ["a.md"])]
+        self.assertEqual(found, ["a.md", "c.c", "x/b.md"])
+
+    def test_files_that_do_not_exist_or_lie_outside_are_left_to_mkdocs(self):
+        self.write(x__a_md="[b](b.md) [c](../c.md)", c_md="")
+        found = [str(path) for path in hooks.reachable(self.root / "x", ["a.md"])]
+        self.assertEqual(found, ["a.md"])
+
+    def test_the_navigation_names_pages_at_any_depth(self):
+        navigation = ["a.md", {"B": "b.md"}, {"C": [{"D": "d.md"}, "e.md"]}]
+        self.assertEqual(hooks.pages_of(navigation), ["a.md", "b.md", "d.md", "e.md"])
+
+    def test_bars_in_the_code_of_tables_need_no_backslash(self):
+        page = "| `a \\| b` | c \\| d |\n\n`e \\| f`"
+        self.assertEqual(hooks.on_page_markdown(page), "| `a | b` | c \\| d |\n\n`e \\| f`")
+
+
+class Checking(Folder):
+    def mistakes(self, **files):
+        self.write(**files)
+        return [mistake.split(": ", 1)[1] for mistake in check.mistakes_of(self.root)]
+
+    def test_a_good_site_has_no_mistakes(self):
+        page = '<h1 id="top">A</h1><a href="x/b.html#p%20q">b</a><a href="#top">t</a><a href="x">x</a>'
+        other = '<p id="p q"></p><a href="https://example.com">e</a><a href="../index.html">i</a>'
+        self.assertEqual(self.mistakes(index_html=page, x__b_html=other, x__index_html=""), [])
+
+    def test_a_link_needs_a_target(self):
+        self.assertEqual(
+            self.mistakes(index_html='<a href="b.html">b</a><img src="c.svg">'),
+            ["leads to b.html, which does not exist", "leads to c.svg, which does not exist"],
+        )
+
+    def test_an_anchor_needs_a_place(self):
+        self.assertEqual(
+            self.mistakes(index_html='<a href="b.html#c">b</a>', b_html='<p id="d"></p>'),
+            ["leads to b.html#c, but there is no such place on that page"],
+        )
+
+    def test_nothing_comes_from_elsewhere(self):
+        page = '<script src="https://a/b.js"></script><link href="//c/d.css"><iframe src="http://e">'
+        style = 'a { background: url("https://f/g.png") url(data:image/png;base64,) url(h.png) }'
+        self.assertEqual(
+            self.mistakes(index_html=page, a_css=style),
+            [
+                f"requests {target} from elsewhere"
+                for target in ("https://a/b.js", "//c/d.css", "http://e", "https://f/g.png")
+            ],
+        )
+
+
+if __name__ == "__main__":
+    unittest.main()
