@@ -12,8 +12,10 @@ export interface LaunchConfig {
   structured: boolean;
   /** Nothing stops the run. */
   noDebug: boolean;
-  /** The program that is the engine. */
+  /** The command that is the engine. */
   oncard: string;
+  /** Path of the WebAssembly module that is the engine instead of it. */
+  module: string | undefined;
 }
 
 /** @throws UserError for a member that is missing or has another type */
@@ -28,12 +30,14 @@ export function readLaunchConfig(
       zh: "启动配置缺少“program”：应为 .c、.toml 或 .schedule 文件的路径",
     });
   }
+  const oncard = textIn(config, "oncard") ?? environment["ONCARD"];
   return {
     program: resolve(program),
     stopOnEntry: flagIn(config, "stopOnEntry"),
     structured: flagIn(config, "structured"),
     noDebug: flagIn(config, "noDebug"),
-    oncard: textIn(config, "oncard") ?? environment["ONCARD"] ?? "oncard",
+    oncard: oncard ?? "oncard",
+    module: oncard === undefined ? environment["ONCARD_MODULE"] : undefined,
   };
 }
 

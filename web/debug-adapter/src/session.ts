@@ -8,7 +8,7 @@ import { basename, dirname, join } from "node:path";
 import {
   type Compiled,
   type Diagnostic,
-  Engine,
+  type Engine,
   type Evaluation,
   type Language,
   RefusedError,
@@ -16,7 +16,6 @@ import {
   type Thread,
   type WalkResult,
 } from "@oncard/engine";
-import { ChildProcessTransport } from "@oncard/engine/child-process";
 import {
   ContinuedEvent,
   DebugSession,
@@ -37,6 +36,7 @@ import { type Command, commandHelp, readCommand } from "./console.js";
 import { type LaunchConfig, readLaunchConfig } from "./launch.js";
 import { bytesOf, readPlace } from "./memory.js";
 import { back, forward, type Movement, toNextStop, turnOf } from "./movements.js";
+import { startEngine } from "./start.js";
 import { readHits, Stops, type Wish } from "./stops.js";
 import { describeStop, languageOf, type Text, UserError } from "./texts.js";
 import { numberOf, Variables } from "./variables.js";
@@ -132,7 +132,7 @@ export class OncardSession extends DebugSession {
   }
 
   async #launch(config: LaunchConfig): Promise<void> {
-    const engine = new Engine(new ChildProcessTransport(config.oncard));
+    const engine = await startEngine(config);
     try {
       await engine.hello(this.#language);
       const { program, structured } = config;

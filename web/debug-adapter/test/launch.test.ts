@@ -3,7 +3,7 @@ import { dirname, join } from "node:path";
 
 import { describe, expect, test } from "vitest";
 
-import { folderOf, oncard, openEditor, programOf, sample } from "./support.js";
+import { folderOf, oncard, openEditor, programOf, sample, wasm, withoutModule } from "./support.js";
 
 const program = "int x;\nint f()\n{\n  x = 1;\n  return x;\n}\n";
 const endless = "int x;\nint f()\n{\nagain:\n  x = x + 1;\n  goto again;\n}\n";
@@ -237,4 +237,27 @@ test("the end of the engine ends the session", async () => {
   await terminated;
   expect(editor.output).toBe(`'${script}' has ended by signal SIGKILL\n`);
   await expect(editor.value("x")).rejects.toThrow("has ended by signal SIGKILL");
+});
+
+test.skipIf(withoutModule)(
+  "the module walks as the command does, without a file system",
+  async () => {
+    const walk = async (environment: Record<string, string | undefined>) => {
+      const editor = await openEditor({ ...process.env, ...environment });
+      await editor.enter(sample("01_sum/two_threads.toml"));
+      const seen = [await editor.move("next"), await editor.move("stepBack")];
+      const [sum] = await editor.variables(await editor.scope("Globals"));
+      await editor.request("continue", { threadId: 1 });
+      seen.push(await editor.stopped());
+      return { seen, sum, output: editor.output };
+    };
+    const withModule = await walk({ ONCARD: undefined, ONCARD_MODULE: wasm });
+    expect(withModule).toEqual(await walk({ ONCARD: oncard }));
+    expect(withModule.output).toMatch("passed");
+  },
+);
+
+test.skipIf(withoutModule)("a command comes before the module", async () => {
+  const editor = await openEditor({ ...process.env, ONCARD: "/nowhere", ONCARD_MODULE: wasm });
+  await expect(editor.launch(sample("01_sum/sum.c"))).rejects.toThrow("cannot start '/nowhere'");
 });

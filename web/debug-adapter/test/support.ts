@@ -11,7 +11,7 @@ import { onTestFinished } from "vitest";
 
 import { oncard } from "../../engine/test/support.js";
 
-export { oncard, sample } from "../../engine/test/support.js";
+export { oncard, sample, wasm, withoutModule } from "../../engine/test/support.js";
 
 export const adapter = fileURLToPath(new URL("../dist/adapter.js", import.meta.url));
 
