@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "explore/models/statement_access.h"
+#include "runtime/observe/statement_access.h"
 #include "runtime/scenario/scenario_start.h"
 #include "runtime/scenario/scenario_world.h"
 #include "vm/thread_words.h"

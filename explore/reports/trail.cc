@@ -6,9 +6,9 @@
 #include <set>
 #include <utility>
 
-#include "explore/models/statement_access.h"
 #include "explore/reports/race_orders.h"
 #include "runtime/observe/quantity.h"
+#include "runtime/observe/statement_access.h"
 #include "runtime/scenario/expectation.h"
 
 namespace oncard::explore {
@@ -22,13 +22,13 @@ constexpr int64_t kShownAtTheLimit = 40;
 /// A statement of a schedule and what it accessed.
 struct Touch {
   int thread = 0;
-  StatementAccess access;
+  runtime::StatementAccess access;
 };
 
-bool Writes(const StatementAccess& access, const Touched& touched) {
-  return std::ranges::any_of(access, [&](const Touched& each) {
+bool Writes(const runtime::StatementAccess& access, const runtime::Touched& touched) {
+  return std::ranges::any_of(access, [&](const runtime::Touched& each) {
     return each.write && each.resource == touched.resource &&
-           (each.number == touched.number || each.number == Touched::kAll);
+           (each.number == touched.number || each.number == runtime::Touched::kAll);
   });
 }
 
@@ -41,7 +41,7 @@ std::optional<RacingPair> PairOf(const std::vector<Touch>& touches, int64_t last
   const Touch& fatal = touches[statement];
   const auto pair_with = [&](size_t other) -> std::optional<RacingPair> {
     if (touches[other].thread == fatal.thread) return std::nullopt;
-    const Touched* both = FindDependence(fatal.access, touches[other].access);
+    const runtime::Touched* both = FindDependence(fatal.access, touches[other].access);
     if (both == nullptr) return std::nullopt;
     const auto [first, second] = std::minmax(statement, other);
     return RacingPair{NameOf(*both, object),

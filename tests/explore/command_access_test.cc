@@ -15,12 +15,12 @@
 #include <random>
 
 #include "base/random.h"
-#include "explore/models/statement_access.h"
 #include "gtcalls/card.h"
 #include "gtcalls/gts/catalogue.h"
 #include "gtcalls/gts/family.h"
 #include "gtcalls/gts/numbers.h"
 #include "motion/common/state_hash.h"
+#include "runtime/observe/statement_access.h"
 #include "runtime/sim/controller.h"
 #include "vm/thread_words.h"
 
@@ -29,6 +29,8 @@ namespace {
 
 using gtcalls::Command;
 using gtcalls::Resource;
+using runtime::StatementAccess;
+using runtime::Touched;
 
 constexpr int kCaller = 3;
 constexpr int kOther = 5;

@@ -1,5 +1,5 @@
-// The accesses of statements (explore/models/statement_access.h).
-#include "explore/models/statement_access.h"
+// The accesses of statements (runtime/observe/statement_access.h).
+#include "runtime/observe/statement_access.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +11,9 @@
 
 namespace oncard::explore {
 namespace {
+
+using runtime::StatementAccess;
+using runtime::Touched;
 
 /// The accesses of the statements of t0, one after the other; `!` marks writes.
 std::vector<std::string> AccessesOf(const std::string& source) {

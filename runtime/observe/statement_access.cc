@@ -1,4 +1,4 @@
-#include "explore/models/statement_access.h"
+#include "runtime/observe/statement_access.h"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <string_view>
 #include <variant>
 
-#include "explore/models/model.h"
+#include "runtime/observe/step_log.h"
 
-namespace oncard::explore {
+namespace oncard::runtime {
 namespace {
 
 using gtcalls::Resource;
@@ -16,7 +16,7 @@ using gtcalls::Resource;
 /// A thread's next statement with the current values of its operands.
 class NextStatement {
  public:
-  NextStatement(const runtime::Controller& controller, int thread)
+  NextStatement(const Controller& controller, int thread)
       : controller_(controller),
         machine_(controller.machine()),
         state_(machine_.thread(thread)),
@@ -155,7 +155,7 @@ class NextStatement {
     return true;
   }
 
-  const runtime::Controller& controller_;
+  const Controller& controller_;
   const vm::Machine& machine_;
   const vm::ThreadState& state_;
   const vm::Object& object_;
@@ -217,7 +217,7 @@ std::string_view NameOf(Resource resource) {
 
 }  // namespace
 
-StatementAccess NextAccess(const runtime::Controller& controller, int thread) {
+StatementAccess NextAccess(const Controller& controller, int thread) {
   return NextStatement(controller, thread).Access();
 }
 
@@ -233,11 +233,11 @@ const Touched* FindDependence(const StatementAccess& one, const StatementAccess&
 
 std::string NameOf(const Touched& touched, const vm::Object& object) {
   if (touched.resource == Resource::kVariable && touched.number != Touched::kAll) {
-    return NameOfSlot(object.globals, touched.number);
+    return NameOfSlot({true, 0, static_cast<uint16_t>(touched.number)}, 0, object);
   }
   const std::string_view name = NameOf(touched.resource);
   return touched.number == Touched::kAll ? std::string(name)
                                          : fmt::format("{} {}", name, touched.number);
 }
 
-}  // namespace oncard::explore
+}  // namespace oncard::runtime

@@ -14,7 +14,7 @@
 #include "gtcalls/catalogue.h"
 #include "runtime/sim/controller.h"
 
-namespace oncard::explore {
+namespace oncard::runtime {
 
 /// One resource, or all resources of its kind.
 struct Touched {
@@ -30,7 +30,7 @@ struct Touched {
 using StatementAccess = std::vector<Touched>;
 
 /// The accesses of the next statement of a running thread, for the current values of the variables.
-StatementAccess NextAccess(const runtime::Controller& controller, int thread);
+StatementAccess NextAccess(const Controller& controller, int thread);
 
 /// The first resource through which one depends on the other; empty if they are independent.
 const Touched* FindDependence(const StatementAccess& one, const StatementAccess& other);
@@ -38,4 +38,4 @@ const Touched* FindDependence(const StatementAccess& one, const StatementAccess&
 /// The name of a resource: `axis 1`, `crd 2`, a variable's name.
 std::string NameOf(const Touched& touched, const vm::Object& object);
 
-}  // namespace oncard::explore
+}  // namespace oncard::runtime
