@@ -110,6 +110,8 @@ class NextStatement {
     // Accesses of a thread to itself order nothing, and only time changes the clock.
     if (access.resource == Resource::kNone || access.resource == Resource::kThread) return;
     if (access.resource == Resource::kClock) return;
+    // The operand is the variable itself.
+    if (access.resource == Resource::kVariable) return;
     if (access.selector < 0 || Index(access.selector) >= operands.size()) {
       return Add(access.resource, Touched::kAll, access.write);
     }

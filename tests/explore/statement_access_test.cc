@@ -48,6 +48,12 @@ TEST(StatementAccessTest, CommandsTouchWhatTheCatalogueSays) {
                                 ""}));
 }
 
+// The variable's value is not the number of another one.
+TEST(StatementAccessTest, AWaitReadsItsVariable) {
+  EXPECT_EQ(AccessesOf("int a, b, go;\nint t0() {\n go = 1;\n GT_WaitForVarEq(&go, 1);\n}\n"),
+            (std::vector<std::string>{"go!", "go"}));
+}
+
 TEST(StatementAccessTest, AnElementSelectsAnAxisToo) {
   EXPECT_EQ(
       AccessesOf("int a[3];\nint t0() {\n int k;\n k = 1;\n a[1] = 4;\n GT_SetVel(a[k], 5);\n}\n"),
