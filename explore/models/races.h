@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "explore/models/model.h"
+#include "vm/race_clocks.h"
 
 namespace oncard::explore {
 
@@ -60,28 +61,8 @@ class RaceDetector {
   StateKey Key() const;
 
  private:
-  /// A thread's clock at an access, 0 for none, and the statement.
-  struct Access {
-    uint32_t clock = 0;
-    int position = 0;
-  };
-  using Clock = std::vector<uint32_t>;  ///< one element per thread
-  struct Cell {
-    std::vector<Access> reads;  ///< the latest access of every thread
-    std::vector<Access> writes;
-  };
-
-  Cell& CellAt(uint32_t cell);
-  Clock& SyncAt(uint32_t cell);
-  /// The access of another thread that nothing orders before this thread's current statement.
-  Race Unordered(const std::vector<Access>& accesses, bool writes, uint32_t cell,
-                 const RacingStatement& present) const;
-
   const SyncCells& sync_;
-  size_t threads_;
-  std::vector<Clock> clocks_;       ///< of the threads
-  std::vector<Cell> cells_;         ///< accesses so far; index: cell
-  std::vector<Clock> sync_clocks_;  ///< of synchronising cells; index: cell
+  vm::RaceClocks clocks_;
 };
 
 }  // namespace oncard::explore
