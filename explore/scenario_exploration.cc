@@ -117,7 +117,7 @@ Result<Findings> ExploreWithCard(const runtime::Scenario& scenario,
              "without GT commands separately",
              "只在纯变量程序中查找数据竞争：请单独探索不含 GT 指令的函数"});
   }
-  SyncCellsOf(scenario, object, &fit);
+  runtime::SyncGlobals(scenario, object, &fit);
   auto model = CardModel::Create(scenario, requirements, std::move(object), std::move(fit));
   if (!model.ok()) return model.error();
   Findings findings = FindingsOf(scenario, &model.value(), ExploreCard(&model.value(), options));
@@ -194,7 +194,7 @@ Result<Problem> ProblemOfScenario(const runtime::Scenario& scenario,
   auto started = runtime::StartScenario(scenario, std::move(object), &controller, &fit);
   if (!started.ok()) return started.error();
   runtime::TraceQuantities(scenario, controller, &fit);
-  SyncCells sync = SyncCellsOf(scenario, controller.machine().image()->object, &fit);
+  SyncCells sync = runtime::SyncGlobals(scenario, controller.machine().image()->object, &fit);
   auto model = Model::Create(controller.machine());
   if (!model.ok()) {
     // Binding a thread may have failed: the other problems are reported all the same.

@@ -204,24 +204,6 @@ std::optional<RaceRule> RaceRuleNamed(std::string_view name) {
   return static_cast<RaceRule>(found - runtime::kRaceRuleNames.begin());
 }
 
-SyncCells SyncCellsOf(const runtime::Scenario& scenario, const vm::Object& object,
-                      runtime::ScenarioFit* fit) {
-  SyncCells cells;
-  for (size_t i = 0; i < scenario.sync.size(); ++i) {
-    const std::string& name = scenario.sync[i];
-    const auto found = std::ranges::find(object.globals, name, &vm::Symbol::name);
-    if (found == object.globals.end()) {
-      fit->Add(runtime::PlaceOfText(scenario, "sync", i),
-               MakeMessage("no global variable is named '{0}'", "没有名为“{0}”的全局变量", name));
-      continue;
-    }
-    const size_t end = size_t{found->id} + found->slots();
-    if (cells.size() < end) cells.resize(end);
-    std::fill(cells.begin() + found->id, cells.begin() + static_cast<std::ptrdiff_t>(end), true);
-  }
-  return cells;
-}
-
 Fault FindFault(const Problem& problem, const Model& state) {
   for (int thread = 0; thread < state.thread_count(); ++thread) {
     const ThreadEnd end = state.End(thread);

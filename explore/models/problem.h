@@ -85,11 +85,6 @@ Problem BindProblem(Model model, const std::vector<Requirement>& requirements,
 /// The rule with a name: `any`, `benign`, `none`.
 std::optional<RaceRule> RaceRuleNamed(std::string_view name);
 
-/// The cells of the globals that a scenario's `sync` names, each a variable, an array or a
-/// structure's member. Adds unknown ones to `fit`.
-SyncCells SyncCellsOf(const runtime::Scenario& scenario, const vm::Object& object,
-                      runtime::ScenarioFit* fit);
-
 /// A fault of a state.
 struct Fault {
   enum class Kind : uint8_t {

@@ -8,6 +8,7 @@
 #include "base/markup.h"
 #include "explore/reports/culprit.h"
 #include "explore/reports/step_table.h"
+#include "runtime/observe/statement_access.h"
 
 namespace oncard::explore {
 namespace {
@@ -15,31 +16,13 @@ namespace {
 /// Maximum number of schedule segments in JSON; a longer schedule goes to a schedule file.
 constexpr size_t kSegmentsMax = 10'000;
 
-/// One of two statements that access the same data, as it is named in sentences.
-struct Party {
-  int thread = 0;
-  int line = 0;
-  bool writes = false;
-};
-
-Message DescribeParties(const std::string& what, const Party& first, const Party& second) {
-  const auto does = [](const Party& party) {
-    return party.writes ? Message{"writes", "写"} : Message{"reads", "读"};
-  };
-  return {
-      fmt::format("thread {} {} {} in line {}, thread {} {} it in line {}", first.thread,
-                  does(first).en, what, first.line, second.thread, does(second).en, second.line),
-      fmt::format("线程 {} 在第 {} 行{} {}，线程 {} 在第 {} 行{}它", first.thread, first.line,
-                  does(first).zh, what, second.thread, second.line, does(second).zh)};
-}
-
-Party PartyOf(const Subject& subject, const RacingStatement& statement) {
+runtime::PlacedAccess PartyOf(const Subject& subject, const RacingStatement& statement) {
   const ThreadSetup& setup = subject.threads[static_cast<size_t>(statement.thread)];
   const auto& function = subject.image->object.functions[static_cast<size_t>(setup.function)];
   return {setup.thread, function.lines[static_cast<size_t>(statement.position)], statement.writes};
 }
 
-Party PartyOf(const Findings& findings, const RacingPair::Statement& statement) {
+runtime::PlacedAccess PartyOf(const Findings& findings, const RacingPair::Statement& statement) {
   const TrailStep& step = findings.trail.steps[statement.step];
   return {step.log.thread, step.log.line, statement.writes};
 }
@@ -135,8 +118,9 @@ std::string SummaryOf(const Findings& findings, const Failure& failure,
                       failure.steps.size(), failure.preemptions),
           language, &text);
   if (trail.pair) {
-    const Message touched = DescribeParties(trail.pair->what, PartyOf(findings, trail.pair->first),
-                                            PartyOf(findings, trail.pair->second));
+    const Message touched =
+        runtime::DescribeRacingPair(trail.pair->what, PartyOf(findings, trail.pair->first),
+                                    PartyOf(findings, trail.pair->second));
     AddLine({"racing pair: " + touched.en, "竞争对：" + touched.zh}, language, &text);
   }
   if (trail.skipped > 0) {
@@ -184,11 +168,11 @@ std::string LeftOutText(const StepView& view, Language language) {
          '\n';
 }
 
-nlohmann::ordered_json PartiesJson(const std::string& what, const Party& first,
-                                   const Party& second) {
+nlohmann::ordered_json PartiesJson(const std::string& what, const runtime::PlacedAccess& first,
+                                   const runtime::PlacedAccess& second) {
   nlohmann::ordered_json json;
   json["what"] = what;
-  for (const Party& party : {first, second}) {
+  for (const runtime::PlacedAccess& party : {first, second}) {
     json["statements"].push_back(
         {{"thread", party.thread}, {"line", party.line}, {"writes", party.writes}});
   }
@@ -198,11 +182,8 @@ nlohmann::ordered_json PartiesJson(const std::string& what, const Party& first,
 }  // namespace
 
 Message DescribeRace(const Subject& subject, const Race& race) {
-  const Message parties =
-      DescribeParties(NameOfSlot(subject.image->object.globals, race.cell),
-                      PartyOf(subject, race.first), PartyOf(subject, race.second));
-  return {"data race: " + parties.en + ", and nothing orders the two",
-          "数据竞争：" + parties.zh + "，两者之间没有顺序"};
+  return runtime::DescribeDataRace(NameOfSlot(subject.image->object.globals, race.cell),
+                                   PartyOf(subject, race.first), PartyOf(subject, race.second));
 }
 
 std::string FailureText(const Findings& findings, const Failure& failure,

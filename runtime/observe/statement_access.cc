@@ -233,6 +233,60 @@ const Touched* FindDependence(const StatementAccess& one, const StatementAccess&
   return nullptr;
 }
 
+std::vector<bool> AwaitedGlobals(const vm::Object& object, const gtcalls::Catalogue& catalogue) {
+  std::vector<bool> slots;
+  const auto add = [&](const vm::Operand& operand) {
+    size_t begin = 0;
+    size_t end = 0;
+    if (const auto* variable = std::get_if<vm::Variable>(&operand)) {
+      if (variable->storage != vm::Storage::kGlobal) return;
+      begin = variable->id;
+      end = begin + 1;
+    } else if (const auto* element = std::get_if<vm::Element>(&operand)) {
+      if (element->storage != vm::Storage::kGlobal) return;
+      begin = element->base;
+      end = begin + element->size;
+    }
+    if (slots.size() < end) slots.resize(end);
+    for (size_t slot = begin; slot < end; ++slot) slots[slot] = true;
+  };
+  for (const vm::Function& function : object.functions) {
+    for (const vm::Instruction& instruction : function.instructions) {
+      if (instruction.opcode != vm::Opcode::kCommand) continue;
+      const gtcalls::Command* command = catalogue.Find(instruction.op);
+      if (command == nullptr) continue;
+      const auto writes_thread = [](const gtcalls::Access& access) {
+        return access.resource == Resource::kThread && access.write;
+      };
+      if (std::ranges::none_of(command->accesses, writes_thread)) continue;
+      for (const gtcalls::Access& access : command->accesses) {
+        if (access.resource != Resource::kVariable || access.selector < 0) continue;
+        add(instruction.operands[static_cast<size_t>(access.selector)]);
+      }
+    }
+  }
+  return slots;
+}
+
+Message DescribeRacingPair(const std::string& what, const PlacedAccess& first,
+                           const PlacedAccess& second) {
+  const auto does = [](const PlacedAccess& access) {
+    return access.writes ? Message{"writes", "写"} : Message{"reads", "读"};
+  };
+  return {
+      fmt::format("thread {} {} {} in line {}, thread {} {} it in line {}", first.thread,
+                  does(first).en, what, first.line, second.thread, does(second).en, second.line),
+      fmt::format("线程 {} 在第 {} 行{} {}，线程 {} 在第 {} 行{}它", first.thread, first.line,
+                  does(first).zh, what, second.thread, second.line, does(second).zh)};
+}
+
+Message DescribeDataRace(const std::string& what, const PlacedAccess& first,
+                         const PlacedAccess& second) {
+  const Message pair = DescribeRacingPair(what, first, second);
+  return {"data race: " + pair.en + ", and nothing orders the two",
+          "数据竞争：" + pair.zh + "，两者之间没有顺序"};
+}
+
 std::string NameOf(const Touched& touched, const vm::Object& object) {
   if (touched.resource == Resource::kVariable && touched.number != Touched::kAll) {
     return NameOfSlot({true, 0, static_cast<uint16_t>(touched.number)}, 0, object);

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "base/result.h"
 #include "gtcalls/catalogue.h"
 #include "runtime/sim/controller.h"
 
@@ -34,6 +35,24 @@ StatementAccess NextAccess(const Controller& controller, int thread);
 
 /// The first resource through which one depends on the other; empty if they are independent.
 const Touched* FindDependence(const StatementAccess& one, const StatementAccess& other);
+
+/// The globals whose values statements wait for: element n is true for slot n, missing ones are
+/// false.
+std::vector<bool> AwaitedGlobals(const vm::Object& object, const gtcalls::Catalogue& catalogue);
+
+/// One of two accesses to the same data, as it is named in sentences.
+struct PlacedAccess {
+  int thread = 0;
+  int line = 0;
+  bool writes = false;
+};
+
+/// `thread 0 writes x in line 3, thread 1 reads it in line 9`.
+Message DescribeRacingPair(const std::string& what, const PlacedAccess& first,
+                           const PlacedAccess& second);
+/// The same as a data race: nothing orders the two.
+Message DescribeDataRace(const std::string& what, const PlacedAccess& first,
+                         const PlacedAccess& second);
 
 /// The name of a resource: `axis 1`, `crd 2`, a variable's name.
 std::string NameOf(const Touched& touched, const vm::Object& object);

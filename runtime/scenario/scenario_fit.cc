@@ -55,4 +55,22 @@ std::vector<Quantity> TraceQuantities(const Scenario& scenario, const Controller
   return all;
 }
 
+std::vector<bool> SyncGlobals(const Scenario& scenario, const vm::Object& object,
+                              ScenarioFit* fit) {
+  std::vector<bool> slots;
+  for (size_t i = 0; i < scenario.sync.size(); ++i) {
+    const std::string& name = scenario.sync[i];
+    const auto found = std::ranges::find(object.globals, name, &vm::Symbol::name);
+    if (found == object.globals.end()) {
+      fit->Add(PlaceOfText(scenario, "sync", i),
+               MakeMessage("no global variable is named '{0}'", "没有名为“{0}”的全局变量", name));
+      continue;
+    }
+    const size_t end = size_t{found->id} + found->slots();
+    if (slots.size() < end) slots.resize(end);
+    std::fill(slots.begin() + found->id, slots.begin() + static_cast<std::ptrdiff_t>(end), true);
+  }
+  return slots;
+}
+
 }  // namespace oncard::runtime

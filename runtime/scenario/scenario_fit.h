@@ -38,4 +38,8 @@ class ScenarioFit {
 std::vector<Quantity> TraceQuantities(const Scenario& scenario, const Controller& controller,
                                       ScenarioFit* fit);
 
+/// The globals that a scenario's `sync` names: element n is true for slot n, missing ones are
+/// false. Adds unknown ones to `fit`.
+std::vector<bool> SyncGlobals(const Scenario& scenario, const vm::Object& object, ScenarioFit* fit);
+
 }  // namespace oncard::runtime

@@ -118,16 +118,5 @@ TEST(RacesTest, ClocksSeeRacesFarApart) {
   EXPECT_EQ(race_of({true, false}).cell, 1u);
 }
 
-TEST(RacesTest, UnknownSynchronisingVariablesAreRefused) {
-  const Problem problem = ProblemOf(HandOver(""));
-  runtime::Scenario scenario;
-  scenario.sync = {"flags", "flag", "d"};
-  runtime::ScenarioFit fit;
-  EXPECT_EQ(SyncCellsOf(scenario, problem.model.image().object, &fit), (SyncCells{false, true}));
-  EXPECT_EQ(fit.Failure()->message.en,
-            "no global variable is named 'flags'\n"
-            "no global variable is named 'd'");
-}
-
 }  // namespace
 }  // namespace oncard::explore

@@ -115,6 +115,18 @@ TEST(ScenarioFit, WhatStandsNowhereIsToldInWords) {
             "nothing is named 'r'");
 }
 
+TEST(ScenarioFit, SynchronisingVariablesAreGlobals) {
+  const vm::Object object = CompileForTest("int x, f[2], g;\nint t0() {\n int l;\n l = x;\n}\n");
+  Scenario scenario;
+  scenario.sync = {"flags", "f", "l"};
+  ScenarioFit fit;
+  EXPECT_EQ(SyncGlobals(scenario, object, &fit), (std::vector<bool>{false, true, true}));
+  ASSERT_TRUE(fit.Failure());
+  EXPECT_EQ(fit.Failure()->message.en,
+            "no global variable is named 'flags'\n"
+            "no global variable is named 'l'");
+}
+
 TEST(ScenarioFit, IsLookedAtWithoutARun) {
   const vm::Object object = CompileForTest(kProgram);
   EXPECT_TRUE(FitScenario(ScenarioForTest("expect = [\"n == 1\"]"), object).ok());
