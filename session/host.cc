@@ -48,7 +48,8 @@ Walk ReadWalk(Arguments* arguments) {
   return walk;
 }
 
-StopWishes ReadWishes(Arguments* arguments) {
+/// `races` is what a missing member means.
+StopWishes ReadWishes(Arguments* arguments, bool races) {
   StopWishes wishes;
   for (Arguments& item : arguments->Objects("lines")) {
     LineStop line;
@@ -68,6 +69,7 @@ StopWishes ReadWishes(Arguments* arguments) {
   wishes.faults = arguments->Flag("faults", true);
   wishes.refusals = arguments->Flag("refusals", true);
   wishes.requirements = arguments->Flag("requirements", true);
+  wishes.races = arguments->Flag("races", races);
   return wishes;
 }
 
@@ -114,7 +116,8 @@ class SessionHost::Requests {
 
   Result<Json> Answer(std::string_view text);
   /// Reads the files that a request brings.
-  Result<Project> ReadFiles(Arguments& arguments);
+  Result<Project> ReadFiles(Arguments& arguments,
+                            runtime::ScenarioUse use = runtime::ScenarioUse::kSession);
   /// For a request that needs a session and has no further arguments.
   std::optional<Error> Missing(Arguments& arguments) const;
   Json StateNow() const { return StateView(session_->run(), language_); }
@@ -142,7 +145,7 @@ const std::vector<SessionHost::Requests::Request>& SessionHost::Requests::All() 
       {{"back", "goal [thread] [name] [budget]"}, &Requests::Back},
       {{"step_thread", "thread"}, &Requests::StepThread},
       {{"go_to", "[moment] [ms]"}, &Requests::GoTo},
-      {{"set_stops", "[lines] [changes] [conditions] [faults] [refusals] [requirements]"},
+      {{"set_stops", "[lines] [changes] [conditions] [faults] [refusals] [requirements] [races]"},
        &Requests::SetStops},
       {{"variables", "[page]"}, &Requests::Variables},
       {{"slots", "page"}, &Requests::Slots},
@@ -242,12 +245,12 @@ Result<Json> SessionHost::Requests::Hello(Arguments& arguments) {
   return Json{{"protocol", kProtocolVersion}, {"requests", std::move(requests)}};
 }
 
-Result<Project> SessionHost::Requests::ReadFiles(Arguments& arguments) {
+Result<Project> SessionHost::Requests::ReadFiles(Arguments& arguments, runtime::ScenarioUse use) {
   const std::string main = arguments.Text("main");
   Files files(arguments.TextsByName("files"), reader_);
   const bool structured = arguments.Flag("structured", false);
   if (auto mistakes = arguments.Mistakes()) return *std::move(mistakes);
-  auto project = ReadProject(main, files, structured);
+  auto project = ReadProject(main, files, structured, use);
   missing_ = files.missing();
   if (!project.ok() || !comments_) return project;
   auto& [scenario, compilation, schedule] = project.value();
@@ -269,7 +272,7 @@ Result<Json> SessionHost::Requests::Check(Arguments& arguments) {
 Result<Json> SessionHost::Requests::RunWhole(Arguments& arguments) {
   runtime::RunOptions options;
   options.show = arguments.Texts("show", {});
-  auto project = ReadFiles(arguments);
+  auto project = ReadFiles(arguments, runtime::ScenarioUse::kRun);
   if (!project.ok()) return project.error();
   const compiler::Compilation& compilation = project.value().compilation;
   Json answer = {{"compiled", compilation.ok()},
@@ -362,9 +365,9 @@ Result<Json> SessionHost::Requests::GoTo(Arguments& arguments) {
 }
 
 Result<Json> SessionHost::Requests::SetStops(Arguments& arguments) {
-  const StopWishes wishes = ReadWishes(&arguments);
+  const StopWishes wishes = ReadWishes(&arguments, session_ && session_->ForbidsRaces());
   if (auto missing = Missing(arguments)) return *std::move(missing);
-  if (auto set = session_->stops().Set(wishes, session_->run()); !set.ok()) return set.error();
+  if (auto set = session_->SetStops(wishes); !set.ok()) return set.error();
   return Json{{"lines", session_->stops().lines()}};
 }
 

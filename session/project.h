@@ -48,6 +48,6 @@ struct Project {
 /// is missing, or is not what it should be, or if the scenario has keys that cannot be used for
 /// `use`; errors of the program are in the compilation.
 Result<Project> ReadProject(const std::string& main, const Files& files, bool structured = false,
-                            runtime::ScenarioUse use = runtime::ScenarioUse::kRun);
+                            runtime::ScenarioUse use = runtime::ScenarioUse::kSession);
 
 }  // namespace oncard::session

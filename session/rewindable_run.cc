@@ -146,7 +146,7 @@ int64_t RewindableRun::NextRecorded() const {
 // --- Forward -------------------------------------------------------------------------------------
 
 const StepReport& RewindableRun::Step() {
-  report_ = {NextStep(), -1, nullptr, {}};
+  report_ = {NextStep(), -1, nullptr, std::nullopt, {}};
   switch (report_.kind) {
     case StepKind::kHost:
       StepHost();
@@ -227,21 +227,17 @@ void RewindableRun::BeginCycle() {
 
 void RewindableRun::StepStatement() {
   vm::Machine& machine = controller_.machine();
-  if (const auto chosen = ChosenNow()) {
-    if (follows_schedule()) LeaveSchedule();
+  const auto chosen = ChosenNow();
+  if (follows_schedule() && (chosen || machine.NextThread() < 0)) LeaveSchedule();
+  report_.thread = chosen ? *chosen : machine.NextThread();
+  if (races_) report_.race = races_->BeforeStatement(controller_, report_.thread);
+  if (chosen) {
     machine.ExecuteOne(*chosen);
     machine.Execute(0);
-    report_.thread = *chosen;
   } else {
-    last_turn_.segments.clear();
-    machine.Record(&last_turn_);
-    if (machine.Execute(1) == 0) {
-      LeaveSchedule();
-      machine.Execute(1);
-    }
-    machine.Record(nullptr);
-    if (!last_turn_.segments.empty()) report_.thread = last_turn_.segments.front().thread;
+    machine.Execute(1);
   }
+  if (races_) races_->AfterStatement(controller_, report_.thread);
   --place_.statements_left;
   ++place_.moment;
 }
@@ -249,6 +245,11 @@ void RewindableRun::StepStatement() {
 void RewindableRun::ExecuteTo(int64_t last) {
   vm::Machine& machine = controller_.machine();
   while (place_.statements_left > 0 && moment() < last) {
+    if (races_) {
+      StepStatement();
+      if (machine.RunnableThreads() == 0) break;
+      continue;
+    }
     const int64_t executed = machine.Execute(std::min(place_.statements_left, last - moment()));
     place_.statements_left -= executed;
     place_.moment += executed;
@@ -280,7 +281,7 @@ void RewindableRun::Keep() {
   const auto at = std::ranges::lower_bound(kept_, moment(), {},
                                            [](const Kept& kept) { return kept.place.moment; });
   Kept present = {place_, agenda_.position(), vm::PackedState(machine().state()),
-                  controller_.Body()};
+                  controller_.Body(), races_};
   if (at != kept_.end() && at->place.moment == moment()) {
     *at = std::move(present);
   } else {
@@ -311,6 +312,7 @@ void RewindableRun::Restore(const Kept& kept) {
   kept.machine.Unpack(scratch_.get());
   controller_.machine().Restore(*scratch_);
   controller_.RestoreBody(kept.body);
+  races_ = kept.races;
   ShareWorld();
 }
 
@@ -345,6 +347,25 @@ void RewindableRun::GoToCycle(int64_t cycle) {
     return controller_.cycle() >= cycle && NextStep() == StepKind::kCycle;
   };
   while (moment() < head_ && !at_end()) Advance(head_);
+}
+
+// --- Data races ----------------------------------------------------------------------------------
+
+Result<void> RewindableRun::WatchRaces(bool on) {
+  if (on == races_.has_value()) return {};
+  if (!on) {
+    races_.reset();
+    for (Kept& kept : kept_) kept.races.reset();
+    return {};
+  }
+  auto watch = RaceWatch::Create(scenario_, controller_);
+  if (!watch.ok()) return watch.error();
+  const int64_t present = moment();
+  kept_.erase(kept_.begin() + 1, kept_.end());
+  kept_.front().races = std::move(watch).value();
+  Restore(kept_.front());
+  AdvanceTo(present);
+  return {};
 }
 
 // --- Changes -------------------------------------------------------------------------------------
@@ -455,7 +476,7 @@ Result<vm::Schedule> RewindableRun::Record() {
     scenario.until_us = now_us;
     scenario.limit_ms = std::max(scenario.limit_ms, (now_us + kMs - 1) / kMs);
   }
-  schedule.scenario = runtime::FormatScenario(scenario);
+  schedule.scenario = runtime::FormatScenario(runtime::ScenarioOfOneRun(scenario));
   return schedule;
 }
 

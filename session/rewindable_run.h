@@ -25,6 +25,7 @@
 #include "runtime/scenario/agenda.h"
 #include "runtime/scenario/scenario.h"
 #include "runtime/sim/controller.h"
+#include "session/race_watch.h"
 #include "vm/packed_state.h"
 #include "vm/schedule.h"
 
@@ -45,6 +46,7 @@ struct StepReport {
   StepKind kind = StepKind::kStatement;
   int thread = -1;                         ///< kStatement
   std::shared_ptr<const Refusal> refusal;  ///< kStatement: nullptr if no command was refused
+  std::optional<Message> race;             ///< kStatement: only while races are watched
   std::vector<Message> failed;             ///< kHost: expectations that did not hold, and why
 };
 
@@ -137,6 +139,13 @@ class RewindableRun {
   /// The last kept moment before `moment`; 0 for moment 0.
   int64_t KeptBefore(int64_t moment) const;
 
+  // --- Data races ------------------------------------------------------------------------------
+
+  /// From now on every step says which data race it completes; those before the present count, too.
+  /// Costs the execution of the run up to the present, and slows down all others. Fails with the
+  /// variables of the scenario's `sync` that the program does not have.
+  Result<void> WatchRaces(bool on);
+
   // --- Changes ---------------------------------------------------------------------------------
 
   /// The host writes a variable (quantity.h). Between two cycles the items of the scenario that are
@@ -178,6 +187,7 @@ class RewindableRun {
     runtime::Agenda::Position agenda;
     vm::PackedState machine;
     runtime::CardBody body;
+    std::optional<RaceWatch> races;
   };
   struct Choice {
     int64_t moment = 0;
@@ -248,7 +258,7 @@ class RewindableRun {
   int64_t keep_interval_ = kKeptInterval;
   std::shared_ptr<const motion::WorldEvents> world_events_;
   StepReport report_;
-  vm::Schedule last_turn_;  // of the thread that has just executed a statement
+  std::optional<RaceWatch> races_;
   std::unique_ptr<vm::MachineState> scratch_ = std::make_unique<vm::MachineState>();
   int64_t until_cycle_ = 0;
   int64_t limit_cycle_ = 0;

@@ -49,7 +49,24 @@ Result<Session> Session::Create(runtime::Scenario scenario, vm::Object object,
   if (!run.ok()) return run.error();
   auto stops = Stops::Create(*run.value());
   if (!stops.ok()) return stops.error();
-  return Session(std::move(run).value(), std::move(stops).value());
+  Session session(std::move(run).value(), std::move(stops).value());
+  if (session.ForbidsRaces()) {
+    StopWishes wishes;
+    wishes.races = true;
+    if (auto set = session.SetStops(wishes); !set.ok()) return set.error();
+  }
+  return session;
+}
+
+bool Session::ForbidsRaces() const { return run_->scenario().races != runtime::Scenario{}.races; }
+
+Result<void> Session::SetStops(const StopWishes& wishes) {
+  const bool watched = stops_.races();
+  if (auto watching = run_->WatchRaces(wishes.races); !watching.ok()) return watching;
+  auto set = stops_.Set(wishes, *run_);
+  // Watching again cannot fail.
+  if (!set.ok()) (void)run_->WatchRaces(watched);
+  return set;
 }
 
 // --- Forward -------------------------------------------------------------------------------------

@@ -42,13 +42,19 @@ struct Walk {
 
 class Session {
  public:
+  /// Stops as StopWishes has them, and at data races if the scenario does not allow all of them.
   /// Fails with everything that does not fit the program.
   static Result<Session> Create(runtime::Scenario scenario, vm::Object object,
                                 std::shared_ptr<const vm::Schedule> schedule = nullptr);
 
   RewindableRun& run() { return *run_; }
   const RewindableRun& run() const { return *run_; }
-  Stops& stops() { return stops_; }
+  const Stops& stops() const { return stops_; }
+  /// True if the scenario does not allow all data races.
+  bool ForbidsRaces() const;
+  /// Replaces all stops (Stops::Set). Fails with the first wish that cannot be fulfilled; then
+  /// nothing changes.
+  Result<void> SetStops(const StopWishes& wishes);
 
   /// Walks forward. Lines that LineStop::log asks for are appended to `log`. Fails if there is no
   /// such thread.

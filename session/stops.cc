@@ -130,6 +130,7 @@ Result<void> Stops::Set(const StopWishes& wishes, const RewindableRun& run) {
   stops.faults_ = wishes.faults;
   stops.refusals_ = wishes.refusals;
   stops.checks_requirements_ = wishes.requirements;
+  stops.races_ = wishes.races;
   stops.requirements_ = std::move(requirements_);
   stops.final_ = std::move(final_);
   // A line that was there before keeps its count.
@@ -152,7 +153,7 @@ std::vector<int> Stops::lines() const {
 }
 
 bool Stops::CheckEveryStep() const {
-  return !lines_.empty() || !values_.empty() || !conditions_.empty() ||
+  return !lines_.empty() || !values_.empty() || !conditions_.empty() || races_ ||
          (checks_requirements_ && !requirements_.empty());
 }
 
@@ -317,6 +318,7 @@ std::optional<Stop> Stops::CheckIncidents(const RewindableRun& run, const StepRe
   if (refusals_ && step.refusal != nullptr) {
     return Stop{StopReason::kRefusal, step.refusal->thread, -1, step.refusal->call};
   }
+  if (races_ && step.race) return Stop{StopReason::kRace, step.thread, -1, *step.race};
   if (checks_requirements_ && !step.failed.empty()) {
     return Stop{StopReason::kRequirement, -1, -1, step.failed.front()};
   }

@@ -35,6 +35,7 @@ struct StopWishes {
   bool faults = true;
   bool refusals = true;      ///< commands of threads whose code is not 0
   bool requirements = true;  ///< `always`, `never`, and expectations with an instant
+  bool races = false;        ///< data races, each pair of statements once
 };
 
 enum class StopReason : uint8_t {
@@ -44,6 +45,7 @@ enum class StopReason : uint8_t {
   kCondition,    ///< a condition has become true
   kFault,        ///< a thread has faulted
   kRefusal,      ///< a thread was refused a command
+  kRace,         ///< a data race
   kRequirement,  ///< a requirement or an expectation does not hold
   kScheduleEnd,  ///< the schedule that was followed is over
   kEnd,          ///< the scenario's run is over
@@ -84,6 +86,7 @@ class Stops {
   bool faults() const { return faults_; }
   bool refusals() const { return refusals_; }
   bool requirements() const { return checks_requirements_; }
+  bool races() const { return races_; }
 
   /// To be called before the first step of a walk: remembers the present values.
   void Begin(const RewindableRun& run);
@@ -132,6 +135,7 @@ class Stops {
   bool faults_ = true;
   bool refusals_ = true;
   bool checks_requirements_ = true;
+  bool races_ = false;
 
   std::array<uint16_t, vm::kThreadCount> pcs_{};
   uint32_t asleep_ = 0;  // threads that will arrive at a statement when they wake up

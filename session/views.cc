@@ -54,6 +54,8 @@ std::string_view ReasonName(StopReason reason) {
       return "condition";
     case StopReason::kFault:
       return "fault";
+    case StopReason::kRace:
+      return "race";
     case StopReason::kRefusal:
       return "refusal";
     case StopReason::kRequirement:

@@ -60,6 +60,8 @@ KeyUse UseOfKey(const KeyRule& rule, ScenarioUse use, bool explored) {
       return KeyUse::kUsed;
     case ScenarioUse::kRun:
       return rule.run;
+    case ScenarioUse::kSession:
+      return rule.run == KeyUse::kRefused ? rule.explore : rule.run;
     case ScenarioUse::kTest:
       return explored ? rule.explore : rule.run;
     case ScenarioUse::kExplore:

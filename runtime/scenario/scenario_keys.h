@@ -14,6 +14,7 @@ namespace oncard::runtime {
 enum class ScenarioUse : uint8_t {
   kText,     ///< only reading: nothing is rejected
   kRun,      ///< one run: `oncard run`, `replay`
+  kSession,  ///< a run that a user drives (`session/`), also of a scenario for the explorer
   kTest,     ///< kExplore when it has the key `explore`, otherwise kRun
   kExplore,  ///< all schedules: `oncard explore`
   kHost      ///< the card and surroundings of a host program: `oncard exec`

@@ -241,6 +241,7 @@ TEST(ParseScenario, RefusesWhatACommandCannotUse) {
   EXPECT_EQ(ErrorsOf(races, ScenarioUse::kTest), ErrorsOf(races, ScenarioUse::kRun));
   EXPECT_EQ(ErrorsOf(races + "explore = \"prove\"\n", ScenarioUse::kTest), "no error");
   EXPECT_EQ(ErrorsOf(races, ScenarioUse::kExplore), "no error");
+  EXPECT_EQ(ErrorsOf(races, ScenarioUse::kSession), "no error");
   EXPECT_EQ(ErrorsOf("expect = []\n", ScenarioUse::kHost), "no error");
   EXPECT_THAT(ErrorsOf("sync = []\n", ScenarioUse::kHost),
               StartsWith("s.toml:1:1: 'sync' cannot be used with a host program"));

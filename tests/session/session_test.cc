@@ -184,7 +184,7 @@ TEST_F(BackTest, ToTheBeginningOfALine) {
 TEST_F(BackTest, ToTheLastStop) {
   StopWishes wishes;
   wishes.changes = {"n"};
-  ASSERT_TRUE(session_.stops().Set(wishes, session_.run()).ok());
+  ASSERT_TRUE(session_.SetStops(wishes).ok());
   session_.run().AdvanceTo(1500);
   const double before = ValueOf("n", session_.run());
   EXPECT_EQ(Back(To(Goal::kStop), &session_).reason, StopReason::kChange);

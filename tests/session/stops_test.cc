@@ -37,13 +37,13 @@ Stop Next(Session* session, std::vector<LogLine>* log = nullptr) {
 }
 
 void Set(const StopWishes& wishes, Session* session) {
-  const auto set = session->stops().Set(wishes, session->run());
+  const auto set = session->SetStops(wishes);
   EXPECT_TRUE(set.ok()) << (set.ok() ? "" : set.error().message.en);
 }
 
 std::string ErrorOf(const StopWishes& wishes) {
   Session session = SessionOf(kLoop);
-  const auto set = session.stops().Set(wishes, session.run());
+  const auto set = session.SetStops(wishes);
   return set.ok() ? std::string() : set.error().message.en;
 }
 

@@ -37,7 +37,7 @@ import { type LaunchConfig, readLaunchConfig } from "./launch.js";
 import { bytesOf, readPlace } from "./memory.js";
 import { back, forward, type Movement, toNextStop, turnOf } from "./movements.js";
 import { startEngine } from "./start.js";
-import { readHits, Stops, type Wish } from "./stops.js";
+import { type Filter, readHits, Stops, usualFilters, type Wish } from "./stops.js";
 import { describeStop, languageOf, type Text, UserError } from "./texts.js";
 import { numberOf, Variables } from "./variables.js";
 import { judge, type Verdict } from "./verdict.js";
@@ -51,7 +51,7 @@ interface Launched {
   state: State;
 }
 
-const exceptionReasons = new Set(["fault", "refusal", "requirement"]);
+const exceptionReasons = new Set(["fault", "refusal", "requirement", "race"]);
 
 export class OncardSession extends DebugSession {
   readonly #environment: Readonly<Record<string, string | undefined>>;
@@ -86,10 +86,10 @@ export class OncardSession extends DebugSession {
     args: DebugProtocol.InitializeRequestArguments,
   ): void {
     this.#language = languageOf(args.locale);
-    const filter = (name: string, label: Text) => ({
+    const filter = (name: Filter, label: Text) => ({
       filter: name,
       label: this.#say(label),
-      default: true,
+      default: usualFilters.includes(name),
     });
     response.body = {
       supportsConfigurationDoneRequest: true,
@@ -104,6 +104,7 @@ export class OncardSession extends DebugSession {
         filter("fault", { en: "faults of threads", zh: "线程出错" }),
         filter("refusal", { en: "refused commands", zh: "命令被拒绝" }),
         filter("requirement", { en: "requirements that do not hold", zh: "要求不成立" }),
+        filter("race", { en: "data races", zh: "数据竞争" }),
       ],
       supportsStepBack: true,
       supportsSteppingGranularity: true,

@@ -15,12 +15,15 @@ export interface Wish {
   refused?: string;
 }
 
-export type Filter = "fault" | "refusal" | "requirement";
+export type Filter = "fault" | "refusal" | "requirement" | "race";
+
+/** Those that are set unless the user says otherwise. */
+export const usualFilters: readonly Filter[] = ["fault", "refusal", "requirement"];
 
 export class Stops {
   /** By source, and by kind for those that have no source. */
   readonly #wishes = new Map<string, Wish[]>();
-  #filters = new Set<string>(["fault", "refusal", "requirement"] satisfies Filter[]);
+  #filters = new Set<string>(usualFilters);
   #lines: Wish[] = [];
   #changes: Wish[] = [];
   #ids = 0;
@@ -75,6 +78,7 @@ export class Stops {
       faults: this.#filters.has("fault"),
       refusals: this.#filters.has("refusal"),
       requirements: this.#filters.has("requirement"),
+      races: this.#filters.has("race"),
     });
     this.#lines = good.filter(({ at }) => at && "line" in at);
     this.#changes = good.filter(({ at }) => at && "change" in at);

@@ -53,5 +53,6 @@ export function describeStop(stop: Stop, state: State): Text | undefined {
   }
   const own = stopTexts[stop.reason];
   if (!stop.text) return own;
-  return own && { en: `${own.en}: ${stop.text}`, zh: `${own.zh}：${stop.text}` };
+  if (!own) return { en: stop.text, zh: stop.text };
+  return { en: `${own.en}: ${stop.text}`, zh: `${own.zh}：${stop.text}` };
 }

@@ -179,14 +179,18 @@ describe("exceptions", () => {
     return [reason, info.exceptionId];
   }
 
+  const unordered = "int x;\nint f()\n{\n  x = 1;\n}\nint g()\n{\n  x = 2;\n}\n";
+  const both =
+    'program = "p.c"\n[[thread]]\nfunction = "f"\n[[thread]]\nfunction = "g"\nthread = 1\n';
   const always = 'program = "p.c"\nalways = ["x < 3"]\n[[thread]]\nfunction = "f"\n';
   test.each([
     ["fault", () => sample("05_arrays/out_of_bounds.toml")],
     ["refusal", () => programOf(refused)],
     ["requirement", () => join(folderOf({ "p.c": loop, "a.toml": always }), "a.toml")],
+    ["race", () => join(folderOf({ "p.c": unordered, "a.toml": both }), "a.toml")],
   ])("%s", async (filter, program) => {
     expect(await stopWith(program(), [filter])).toEqual(["exception", filter]);
-    const others = ["fault", "refusal", "requirement"].filter((other) => other !== filter);
+    const others = ["fault", "refusal", "requirement", "race"].filter((other) => other !== filter);
     expect(await stopWith(program(), others)).toEqual(["pause", "end"]);
   });
 

@@ -135,6 +135,7 @@ export type StopReason =
   | "condition"
   | "fault"
   | "refusal"
+  | "race"
   | "requirement"
   | "schedule-end"
   | "end"
@@ -188,6 +189,7 @@ export interface StopWishes {
   faults?: boolean;
   refusals?: boolean;
   requirements?: boolean;
+  races?: boolean;
 }
 
 export type Value = number | number[];
