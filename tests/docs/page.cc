@@ -73,4 +73,18 @@ std::vector<std::string> Links(std::string_view page) {
   return links;
 }
 
+std::vector<CodeBlock> CodeBlocks(std::string_view page) {
+  std::vector<CodeBlock> blocks;
+  bool in_code = false;
+  for (const std::string& line : Lines(page)) {
+    if (line.starts_with(kFence)) {
+      in_code = !in_code;
+      if (in_code) blocks.push_back({line.substr(kFence.size()), ""});
+    } else if (in_code) {
+      blocks.back().text += line + '\n';
+    }
+  }
+  return blocks;
+}
+
 }  // namespace oncard::docs

@@ -16,4 +16,15 @@ std::string Skeleton(std::string_view page);
 /// page itself; `file.md#place` is `file.md`. Links in code blocks are ignored.
 std::vector<std::string> Links(std::string_view page);
 
+/// A block between lines of three backquotes.
+struct CodeBlock {
+  /// What follows the backquotes: the language, and what else is said of the block.
+  std::string info;
+  /// Its lines, each with its end.
+  std::string text;
+};
+
+/// The code blocks of a page in their order.
+std::vector<CodeBlock> CodeBlocks(std::string_view page);
+
 }  // namespace oncard::docs
