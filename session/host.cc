@@ -14,6 +14,7 @@
 #include "runtime/scenario/result_json.h"
 #include "runtime/scenario/scenario_start.h"
 #include "session/arguments.h"
+#include "session/editor_requests.h"
 #include "session/project.h"
 #include "session/session.h"
 #include "session/views.h"
@@ -166,6 +167,7 @@ std::span<const RequestText> SessionHost::RequestTexts() {
   static const std::vector<RequestText> texts = [] {
     std::vector<RequestText> list;
     for (const auto& request : Requests::All()) list.push_back(request.text);
+    for (const EditorRequest& request : EditorRequests()) list.push_back(request.text);
     return list;
   }();
   return texts;
@@ -214,6 +216,12 @@ Result<Json> SessionHost::Requests::Answer(std::string_view text) {
     Arguments arguments(has_arguments ? request["arguments"] : none);
     return (this->*each.handler)(arguments);
   }
+  for (const EditorRequest& each : EditorRequests()) {
+    names.push_back(each.text.name);
+    if (each.text.name != name) continue;
+    Arguments arguments(has_arguments ? request["arguments"] : none);
+    return each.answer(arguments, {reader_, language_, &missing_});
+  }
   const std::string_view near = NearestName(name, names);
   if (!near.empty()) {
     return MakeError(1, "there is no request '{0}'; did you mean '{1}'?",
@@ -241,7 +249,7 @@ Result<Json> SessionHost::Requests::Hello(Arguments& arguments) {
   }
   language_ = chinese ? Language::kChinese : Language::kEnglish;
   Json requests = Json::object();
-  for (const Request& each : All()) requests[std::string(each.text.name)] = each.text.arguments;
+  for (const RequestText& each : RequestTexts()) requests[std::string(each.name)] = each.arguments;
   return Json{{"protocol", kProtocolVersion}, {"requests", std::move(requests)}};
 }
 

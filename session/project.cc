@@ -80,6 +80,26 @@ Result<std::string> Files::Read(const std::string& path) const {
                    "没有文件“{0}”：请随请求一起给出", path);
 }
 
+Result<ProgramSource> ReadProgramSource(const std::string& main, const Files& files,
+                                        bool structured) {
+  Project project;
+  if (auto read = ReadScenario(main, files, runtime::ScenarioUse::kRun, &project); !read.ok()) {
+    return read.error();
+  }
+  if (structured) project.scenario.structured = true;
+  ProgramSource source;
+  source.path = runtime::ProgramPath(project.scenario);
+  if (source.path.ends_with(".bin")) {
+    return MakeError(1, "'{0}' is an object file and has no source", "“{0}”是目标文件，没有源程序",
+                     source.path);
+  }
+  auto text = files.Read(source.path);
+  if (!text.ok()) return text.error();
+  source.text = std::move(text).value();
+  source.options = runtime::CompileOptions(project.scenario);
+  return source;
+}
+
 Result<Project> ReadProject(const std::string& main, const Files& files, bool structured,
                             runtime::ScenarioUse use) {
   Project project;

@@ -43,6 +43,17 @@ struct Project {
   std::shared_ptr<const vm::Schedule> schedule;
 };
 
+/// The source of a program.
+struct ProgramSource {
+  std::string path;
+  std::string text;
+  compiler::Options options;
+};
+
+/// The source that `main` or its scenario names. Fails like ReadProject(), and for an object file.
+Result<ProgramSource> ReadProgramSource(const std::string& main, const Files& files,
+                                        bool structured = false);
+
 /// Reads `main`: a scenario (.toml), a recording (.schedule), or a program that runs by itself. The
 /// program is structured C if `structured` or the scenario or the program says so. Fails if a file
 /// is missing, or is not what it should be, or if the scenario has keys that cannot be used for

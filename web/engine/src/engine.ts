@@ -7,21 +7,33 @@ import type {
   Card,
   Channel,
   Compiled,
+  Completion,
+  Description,
+  Edit,
   Evaluation,
   ExploreAnswer,
+  FileRange,
+  Fold,
   ForwardWalk,
   Hello,
+  Hint,
   Language,
   ListedFunction,
   Loaded,
   LogEvent,
+  OutlineEntry,
   Project,
+  Reference,
   RunAnswer,
+  Signature,
+  SourcePlace,
+  SourceProject,
   State,
   StopWishes,
   Turn,
   Variable,
   WalkResult,
+  Word,
 } from "./protocol.js";
 import { protocolVersion } from "./protocol.js";
 import type { Transport } from "./transport.js";
@@ -168,6 +180,41 @@ export class Engine {
   /** The texts of a schedule file and of its scenario, with the changes. */
   record(): Promise<{ schedule: string; scenario: string }> {
     return this.#request("record");
+  }
+
+  // --- Sources -----------------------------------------------------------------------------------
+
+  /** What the name or number at a place is; null if there is neither. */
+  describe(place: SourcePlace): Promise<Description | null> {
+    return this.#request("describe", { ...place });
+  }
+  /** The call around a place; null if there is none. */
+  signature(place: SourcePlace): Promise<Signature | null> {
+    return this.#request("signature", { ...place });
+  }
+  complete(place: SourcePlace): Promise<Completion> {
+    return this.#request("complete", { ...place });
+  }
+  outline(file: SourceProject): Promise<OutlineEntry[]> {
+    return this.#request("outline", { ...file });
+  }
+  definition(place: SourcePlace): Promise<FileRange[]> {
+    return this.#request("definition", { ...place });
+  }
+  references(place: SourcePlace, declaration = true): Promise<Reference[]> {
+    return this.#request("references", { ...place, declaration });
+  }
+  rename(place: SourcePlace, name: string): Promise<Edit[]> {
+    return this.#request("rename", { ...place, name });
+  }
+  tokens(file: SourceProject): Promise<Word[]> {
+    return this.#request("tokens", { ...file });
+  }
+  folds(file: SourceProject): Promise<Fold[]> {
+    return this.#request("folds", { ...file });
+  }
+  hints(file: SourceProject): Promise<Hint[]> {
+    return this.#request("hints", { ...file });
   }
 
   // --- Walks -------------------------------------------------------------------------------------

@@ -249,3 +249,144 @@ export interface LogEvent {
   thread: number;
   text: string;
 }
+
+// --- Sources -------------------------------------------------------------------------------------
+
+/** A file of a program; without `file` the program itself. */
+export interface SourceProject extends Project {
+  file?: string;
+}
+
+/** Lines and columns count from 1, columns in characters. */
+export interface SourcePlace extends SourceProject {
+  line: number;
+  column: number;
+}
+
+export interface Range {
+  line: number;
+  column: number;
+  end_line: number;
+  end_column: number;
+}
+
+export interface FileRange extends Range {
+  file: string;
+}
+
+export type SymbolKind =
+  | "function"
+  | "global"
+  | "local"
+  | "parameter"
+  | "label"
+  | "macro"
+  | "macro-parameter"
+  | "constant"
+  | "enum"
+  | "command"
+  | "member";
+
+/** A parameter of a command, or of a function or macro, which has only a name and a label. */
+export interface Parameter {
+  name: string;
+  label: string;
+  type?: string;
+  passing?: "input" | "output" | "unused";
+  unit?: string;
+  range?: string;
+  default?: string;
+  note?: string;
+}
+
+export interface Description {
+  kind: SymbolKind | "number";
+  markdown: string;
+  range: FileRange;
+  name?: string;
+  declaration?: string;
+  brief?: string;
+  callers?: string;
+  number?: number;
+  source?: string;
+  parameters?: Parameter[];
+  type?: string;
+  function?: string;
+  slot?: number;
+  value?: string;
+  thread_function?: boolean;
+  hex?: string;
+  raw?: number;
+}
+
+export interface Signature {
+  kind: "command" | "function" | "macro";
+  name: string;
+  label: string;
+  parameters: Parameter[];
+  brief?: string;
+  active?: number;
+  range: FileRange;
+}
+
+export interface Candidate {
+  label: string;
+  kind: SymbolKind | "value" | "type" | "keyword" | "directive";
+  detail?: string;
+  documentation?: string;
+  /** The text instead of the label. */
+  insert?: string;
+}
+
+export interface Completion {
+  range: FileRange;
+  items: Candidate[];
+  argument?: Parameter & { command: string; index: number };
+}
+
+export interface OutlineEntry {
+  kind: SymbolKind;
+  name: string;
+  detail: string;
+  range: FileRange;
+  name_range: FileRange;
+  thread_function?: boolean;
+  definition?: boolean;
+  children?: OutlineEntry[];
+}
+
+export interface Reference extends FileRange {
+  access: "declaration" | "read" | "write" | "read-write" | "call";
+}
+
+export interface Edit extends FileRange {
+  text: string;
+}
+
+export interface Word extends Range {
+  kind:
+    | SymbolKind
+    | "thread-function"
+    | "number"
+    | "string"
+    | "comment"
+    | "type"
+    | "keyword"
+    | "directive";
+  declaration?: boolean;
+  write?: boolean;
+}
+
+export interface Fold {
+  kind: "function" | "block" | "comment" | "directive";
+  line: number;
+  end_line: number;
+}
+
+export interface Hint extends FileRange {
+  kind: "argument" | "slot";
+  label: string;
+  name?: string;
+  unit?: string;
+  slot?: number;
+}

@@ -1,0 +1,183 @@
+#include "session/editor_requests.h"
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "editor/complete.h"
+#include "editor/describe.h"
+#include "editor/overview.h"
+#include "editor/places.h"
+#include "session/project.h"
+
+namespace oncard::session {
+namespace {
+
+// What a request is about.
+struct Subject {
+  editor::ProgramFiles program;
+  std::unique_ptr<editor::Analysis> analysis;
+  int file = 0;  // of the program's files
+
+  compiler::Compilation Compile() const {
+    return compiler::CompileText(program.path, program.text, program.options, program.reader);
+  }
+};
+
+// The arguments of a request about a file.
+struct Wish {
+  std::string main;
+  std::string file;
+  std::map<std::string, std::string> files;
+  bool structured = false;
+};
+
+Wish ReadWish(Arguments& arguments) {
+  Wish wish;
+  wish.main = arguments.Text("main");
+  wish.files = arguments.TextsByName("files");
+  wish.structured = arguments.Flag("structured", false);
+  wish.file = arguments.Text("file", {});
+  return wish;
+}
+
+Result<Subject> ReadSubject(Wish wish, const EditorContext& context) {
+  const auto files = std::make_shared<const Files>(std::move(wish.files), context.reader);
+  auto source = ReadProgramSource(wish.main, *files, wish.structured);
+  *context.missing = files->missing();
+  if (!source.ok()) return source.error();
+  Subject subject;
+  subject.program = {std::move(source.value().path), std::move(source.value().text),
+                     std::move(source.value().options),
+                     [files](const std::string& path) { return files->Read(path); }};
+  subject.analysis = std::make_unique<editor::Analysis>(
+      subject.program.path, subject.program.text, subject.program.options, subject.program.reader);
+  *context.missing = files->missing();
+  if (wish.file.empty() || wish.file == wish.main) return subject;
+  const auto file = subject.analysis->text.Find(wish.file);
+  if (!file) {
+    return MakeError(1, "the program '{0}' does not include '{1}'", "程序“{0}”未包含“{1}”",
+                     subject.program.path, wish.file);
+  }
+  subject.file = *file;
+  return subject;
+}
+
+// A request about a whole file.
+Result<Subject> ReadFile(Arguments& arguments, const EditorContext& context) {
+  Wish wish = ReadWish(arguments);
+  if (auto mistakes = arguments.Mistakes()) return *std::move(mistakes);
+  return ReadSubject(std::move(wish), context);
+}
+
+editor::Place ReadPlace(Arguments& arguments) {
+  constexpr int64_t kMax = std::numeric_limits<int>::max();
+  editor::Place place;
+  place.line = static_cast<int>(arguments.Whole("line", 1, kMax));
+  place.column = static_cast<int>(arguments.Whole("column", 1, kMax));
+  return place;
+}
+
+editor::Cursor CursorAt(const Subject& subject, editor::Place place) {
+  const auto& file = subject.analysis->text.file(subject.file).file;
+  return {subject.file, editor::OffsetOf(file, place)};
+}
+
+// A request about a place, answered by `answer(subject, cursor)`.
+template <typename Answer>
+Result<Json> AtPlace(Arguments& arguments, const EditorContext& context, const Answer& answer) {
+  Wish wish = ReadWish(arguments);
+  const editor::Place place = ReadPlace(arguments);
+  if (auto mistakes = arguments.Mistakes()) return *std::move(mistakes);
+  const auto subject = ReadSubject(std::move(wish), context);
+  if (!subject.ok()) return subject.error();
+  return answer(subject.value(), CursorAt(subject.value(), place));
+}
+
+const vm::Object* ObjectOf(const compiler::Compilation& compilation) {
+  return compilation.ok() ? &*compilation.object : nullptr;
+}
+
+Result<Json> Describe(Arguments& arguments, const EditorContext& context) {
+  return AtPlace(arguments, context, [&](const Subject& subject, editor::Cursor cursor) {
+    const auto compilation = subject.Compile();
+    return editor::Describe(*subject.analysis, cursor, ObjectOf(compilation), context.language);
+  });
+}
+
+Result<Json> Signature(Arguments& arguments, const EditorContext& context) {
+  return AtPlace(arguments, context, [&](const Subject& subject, editor::Cursor cursor) {
+    return editor::Signature(*subject.analysis, cursor, context.language);
+  });
+}
+
+Result<Json> Complete(Arguments& arguments, const EditorContext& context) {
+  return AtPlace(arguments, context, [&](const Subject& subject, editor::Cursor cursor) {
+    return editor::Complete(*subject.analysis, cursor, context.language);
+  });
+}
+
+Result<Json> Definition(Arguments& arguments, const EditorContext& context) {
+  return AtPlace(arguments, context, [](const Subject& subject, editor::Cursor cursor) {
+    return editor::Definition(*subject.analysis, cursor);
+  });
+}
+
+Result<Json> References(Arguments& arguments, const EditorContext& context) {
+  const bool declarations = arguments.Flag("declaration", true);
+  return AtPlace(arguments, context, [&](const Subject& subject, editor::Cursor cursor) {
+    return editor::References(*subject.analysis, cursor, declarations);
+  });
+}
+
+Result<Json> Rename(Arguments& arguments, const EditorContext& context) {
+  const std::string name = arguments.Text("name");
+  return AtPlace(arguments, context, [&](const Subject& subject, editor::Cursor cursor) {
+    return editor::Rename(*subject.analysis, subject.program, cursor, name);
+  });
+}
+
+Result<Json> Outline(Arguments& arguments, const EditorContext& context) {
+  const auto subject = ReadFile(arguments, context);
+  if (!subject.ok()) return subject.error();
+  return editor::Outline(*subject.value().analysis, subject.value().file);
+}
+
+Result<Json> Tokens(Arguments& arguments, const EditorContext& context) {
+  const auto subject = ReadFile(arguments, context);
+  if (!subject.ok()) return subject.error();
+  return editor::Tokens(*subject.value().analysis, subject.value().file);
+}
+
+Result<Json> Folds(Arguments& arguments, const EditorContext& context) {
+  const auto subject = ReadFile(arguments, context);
+  if (!subject.ok()) return subject.error();
+  return editor::Folds(*subject.value().analysis, subject.value().file);
+}
+
+Result<Json> Hints(Arguments& arguments, const EditorContext& context) {
+  const auto subject = ReadFile(arguments, context);
+  if (!subject.ok()) return subject.error();
+  const auto compilation = subject.value().Compile();
+  return editor::Hints(*subject.value().analysis, subject.value().file, ObjectOf(compilation));
+}
+
+constexpr EditorRequest kEditorRequests[] = {
+    {{"describe", "main [files] [structured] [file] line column"}, Describe},
+    {{"signature", "main [files] [structured] [file] line column"}, Signature},
+    {{"complete", "main [files] [structured] [file] line column"}, Complete},
+    {{"outline", "main [files] [structured] [file]"}, Outline},
+    {{"definition", "main [files] [structured] [file] line column"}, Definition},
+    {{"references", "main [files] [structured] [file] line column [declaration]"}, References},
+    {{"rename", "main [files] [structured] [file] line column name"}, Rename},
+    {{"tokens", "main [files] [structured] [file]"}, Tokens},
+    {{"folds", "main [files] [structured] [file]"}, Folds},
+    {{"hints", "main [files] [structured] [file]"}, Hints},
+};
+
+}  // namespace
+
+std::span<const EditorRequest> EditorRequests() { return kEditorRequests; }
+
+}  // namespace oncard::session

@@ -1,0 +1,84 @@
+#include "session/editor_requests.h"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "session/host.h"
+
+namespace oncard::session {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+constexpr const char* kSource = "#include \"h.h\"\nint f()\n{\n  GT_AxisOn(A);\n}\n";
+
+class EditorRequestsTest : public testing::Test {
+ protected:
+  Json Ask(const std::string& request, const Json& arguments) {
+    return Json::parse(
+        host_.Handle(Json{{"id", 1}, {"request", request}, {"arguments", arguments}}.dump()));
+  }
+  Json AskAt(const std::string& request, int line, int column, Json arguments) {
+    arguments["line"] = line;
+    arguments["column"] = column;
+    return Ask(request, arguments);
+  }
+
+  const Json files_ = {{"p.c", kSource},
+                       {"h.h", "#define A 1\n"},
+                       {"s.toml", "program = \"p.c\"\n[[thread]]\nfunction = \"f\"\n"}};
+  SessionHost host_;
+};
+
+TEST_F(EditorRequestsTest, TakeAProgramAScenarioOrAnIncludedFile) {
+  for (const char* main : {"p.c", "s.toml"}) {
+    const Json command = AskAt("describe", 4, 4, {{"main", main}, {"files", files_}});
+    EXPECT_EQ(command["result"]["name"], "GT_AxisOn");
+    const Json macro =
+        AskAt("describe", 1, 9, {{"main", main}, {"files", files_}, {"file", "h.h"}});
+    EXPECT_EQ(macro["result"]["name"], "A");
+  }
+  EXPECT_EQ(Ask("outline", {{"main", "p.c"}, {"files", files_}, {"file", "x.h"}})["error"],
+            "the program 'p.c' does not include 'x.h'");
+  EXPECT_EQ(Ask("outline", {{"main", "p.bin"}})["error"],
+            "'p.bin' is an object file and has no source");
+}
+
+TEST_F(EditorRequestsTest, KnowStructuredC) {
+  const Json files = {{"p.c", "enum { A = 3 };\n"}};
+  EXPECT_EQ(Ask("outline", {{"main", "p.c"}, {"files", files}})["result"].size(), 0u);
+  EXPECT_EQ(
+      Ask("outline", {{"main", "p.c"}, {"files", files}, {"structured", true}})["result"].size(),
+      1u);
+}
+
+TEST_F(EditorRequestsTest, ListMissingFiles) {
+  const Json answer = Ask("outline", {{"main", "p.c"}, {"files", {{"p.c", kSource}}}});
+  EXPECT_EQ(answer["ok"], true);
+  EXPECT_THAT(answer["missing"], ElementsAre("h.h"));
+}
+
+TEST_F(EditorRequestsTest, SpeakTheLanguageOfTheSession) {
+  Ask("hello", {{"language", "zh"}});
+  const Json answer = AskAt("describe", 4, 4, {{"main", "p.c"}, {"files", files_}});
+  EXPECT_THAT(answer["result"]["markdown"].get<std::string>(), HasSubstr("返回值"));
+}
+
+TEST_F(EditorRequestsTest, ReportMistakesOfTheArguments) {
+  EXPECT_EQ(Ask("rename", {{"main", "p.c"}, {"files", files_}, {"line", 0}})["error"],
+            "'name' is missing: a text\n'line' is wrong: an integer from 1 to 2147483647\n"
+            "'column' is missing: an integer from 1 to 2147483647");
+}
+
+TEST_F(EditorRequestsTest, TakePlacesBehindTheEnd) {
+  const Json arguments = {{"main", "p.c"}, {"files", files_}};
+  for (const char* request : {"describe", "signature", "complete", "definition", "references"}) {
+    EXPECT_EQ(AskAt(request, 1000000, 1, arguments)["ok"], true) << request;
+    EXPECT_EQ(AskAt(request, 4, 1000000, arguments)["ok"], true) << request;
+  }
+}
+
+}  // namespace
+}  // namespace oncard::session
