@@ -36,7 +36,8 @@ std::optional<Message> RaceWatch::BeforeStatement(const runtime::Controller& con
     return touched.resource != gtcalls::Resource::kVariable;
   });
   // A statement reads before it writes.
-  std::ranges::stable_partition(accesses, [](const auto& touched) { return !touched.write; });
+  std::stable_partition(accesses.begin(), accesses.end(),
+                        [](const runtime::Touched& touched) { return !touched.write; });
   for (const runtime::Touched& touched : accesses) {
     if (!touched.write && Synchronises(touched.number)) clocks_.Acquire(thread, touched.number);
   }
