@@ -9,6 +9,8 @@ import { textOnDisk } from "@oncard/engine/disk";
 
 import { beside, normal, pathOf } from "./paths.js";
 
+export { pathOf };
+
 /** A document that is open. */
 export interface OpenDocument {
   uri: string;

@@ -1,0 +1,25 @@
+// Everything that the extension adds to the editor itself; the rest is the language server.
+// Tested by test/contributions.test.ts.
+
+import { type Disposable, window } from "vscode";
+
+import { registerCommands } from "./commands";
+import { registerDebug } from "./debug";
+import type { Engines } from "./engines";
+import { registerLenses } from "./lenses";
+import { registerListing } from "./listing";
+import { registerTests } from "./scenario_tests";
+import { registerTasks } from "./tasks";
+
+export function registerFeatures(engines: Engines): Disposable[] {
+  const output = window.createOutputChannel("oncard");
+  return [
+    output,
+    ...registerDebug(engines),
+    ...registerCommands(engines, output),
+    ...registerListing(engines),
+    ...registerTests(engines),
+    registerTasks(engines),
+    registerLenses(),
+  ];
+}

@@ -1,0 +1,19 @@
+// What the extension itself says, in the language of the editor. Labels of commands and settings are
+// in package.nls.json and package.nls.zh-cn.json.
+
+import { env } from "vscode";
+
+import type { Language } from "@oncard/engine";
+
+export interface Text {
+  en: string;
+  zh: string;
+}
+
+export function language(): Language {
+  return env.language.toLowerCase().startsWith("zh") ? "zh" : "en";
+}
+
+export function say(text: Text): string {
+  return text[language()];
+}

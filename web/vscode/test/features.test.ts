@@ -1,0 +1,288 @@
+import { cpSync, existsSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+
+import { beforeEach, describe, expect, test } from "vitest";
+
+import { Engines, findInPath } from "../src/engines";
+import { registerFeatures } from "../src/features";
+import {
+  type CustomExecution,
+  type DebugAdapterExecutable,
+  debug,
+  documentAt,
+  editor,
+  env,
+  type FakeController,
+  ProcessExecution,
+  session,
+  type Task,
+  TestMessage,
+  TestRunProfileKind,
+  Uri,
+  window,
+  workspace,
+} from "./fake_vscode.js";
+import { folder, newFolder, oncard, provider, sample, withoutCommand } from "./support.js";
+
+/** The extension with the command. */
+function activate(): void {
+  editor.settings["oncard.path"] = oncard;
+  registerFeatures(new Engines(folder));
+}
+
+function show(path: string, languageId = "c"): void {
+  window.activeTextEditor = { document: documentAt(path, languageId) };
+}
+
+async function execute(command: string, ...args: unknown[]): Promise<void> {
+  await editor.commands.get(command)?.(...args);
+}
+
+beforeEach(() => {
+  editor.reset();
+});
+
+describe("the engine", () => {
+  test("is the command of the setting", () => {
+    editor.settings["oncard.path"] = "/somewhere/oncard";
+    expect(new Engines(folder).command()).toBe("/somewhere/oncard");
+  });
+
+  test("or the one in PATH", () => {
+    expect(findInPath({ PATH: `/nowhere:${join(oncard, "..")}` }, "linux")).toBe(oncard);
+    expect(findInPath({ PATH: "/nowhere::" }, "linux")).toBeUndefined();
+    expect(findInPath({}, "linux")).toBeUndefined();
+  });
+
+  test("or the module, if there is no command", () => {
+    withoutCommand();
+    expect(new Engines(folder).command()).toBeUndefined();
+  });
+});
+
+describe("debugging", () => {
+  const descriptor = () =>
+    provider<{ createDebugAdapterDescriptor(): DebugAdapterExecutable }>(
+      "adapter",
+    ).createDebugAdapterDescriptor();
+  const resolve = (config: object) =>
+    provider<{ resolveDebugConfiguration(folder: unknown, config: object): unknown }>(
+      "launch",
+    ).resolveDebugConfiguration(undefined, { type: "", name: "", request: "", ...config });
+
+  test("uses the command, or the module without one", () => {
+    activate();
+    expect(descriptor().options.env).toEqual({ ONCARD: oncard });
+    editor.settings["oncard.path"] = "";
+    withoutCommand();
+    const { command, args, options } = descriptor();
+    expect(command).toBe("node");
+    expect(args).toEqual([join(folder, "dist/adapter.js")]);
+    expect(options.env).toEqual({ ONCARD_MODULE: join(folder, "dist/oncard.wasm") });
+  });
+
+  test("without a configuration begins with the open file", () => {
+    activate();
+    show(sample("01_sum/two_threads.toml"), "toml");
+    expect(resolve({})).toMatchObject({
+      type: "oncard",
+      request: "launch",
+      program: sample("01_sum/two_threads.toml"),
+      stopOnEntry: true,
+    });
+    const config = { type: "oncard", request: "launch", name: "a", program: "/p.c" };
+    expect(resolve(config)).toEqual(config);
+  });
+
+  test("without an open file says what to do", () => {
+    activate();
+    env.language = "zh-cn";
+    expect(resolve({})).toBeUndefined();
+    expect(editor.shown).toEqual(["请先打开程序、场景或记录"]);
+  });
+
+  test("lets a thread of the call stack, or one that is picked, go next", async () => {
+    activate();
+    debug.activeDebugSession = session;
+    const threads = [
+      { id: 1, name: "0 add" },
+      { id: 2, name: "1 add" },
+    ];
+    editor.debugAnswers = { threads: { threads }, evaluate: { result: "" } };
+    await execute("oncard.runThreadNext", { threadId: 2 });
+    const chosen = { command: "evaluate", args: { expression: "thread 1", context: "repl" } };
+    expect(editor.requests).toEqual(["threads", chosen]);
+    editor.answers = [{ id: 1 }];
+    await execute("oncard.runThreadNext");
+    expect(editor.shown).toEqual(["0 add,1 add"]);
+    expect(editor.requests.at(-1)).toMatchObject({ args: { expression: "thread 0" } });
+  });
+
+  test("saves the schedule under a name, and says why not", async () => {
+    activate();
+    debug.activeDebugSession = session;
+    editor.answers = ["a.schedule", undefined, "../b", undefined, undefined];
+    editor.debugAnswers = { evaluate: { result: "/work/a.schedule" } };
+    await execute("oncard.saveSchedule");
+    expect(editor.shown.at(-1)).toBe("saved /work/a.schedule");
+    editor.debugAnswers = { evaluate: new Error("a name without a folder") };
+    await execute("oncard.saveSchedule");
+    expect(editor.shown.at(-1)).toBe("a name without a folder");
+    const asked = editor.requests.length;
+    await execute("oncard.saveSchedule");
+    expect(editor.requests).toHaveLength(asked);
+  });
+});
+
+describe("commands", () => {
+  test("run shows the values", async () => {
+    activate();
+    show(sample("01_sum/two_threads.toml"), "toml");
+    await execute("oncard.run");
+    expect(editor.shown).toContain("passed");
+  });
+
+  test("a program runs with the scenario that names it", async () => {
+    activate();
+    await execute("oncard.debug", Uri.file(sample("26_lost_update/sum.c")));
+    expect(editor.launched).toMatchObject([{ program: sample("26_lost_update/bounds.toml") }]);
+  });
+
+  test("the listing shows what each line becomes", async () => {
+    activate();
+    show(sample("01_sum/sum.c"));
+    await execute("oncard.showListing");
+    const uri = Uri.parse(editor.shown.at(-1) ?? "");
+    const text = await provider<{ provideTextDocumentContent(uri: unknown): Promise<string> }>(
+      "oncard-listing",
+    ).provideTextDocumentContent(uri);
+    await expect(text).toMatchFileSnapshot("listing.txt");
+  });
+});
+
+describe("tasks", () => {
+  interface Provider {
+    provideTasks(): Promise<Task[]>;
+    resolveTask(task: Pick<Task, "definition">): Task;
+  }
+
+  test("of a program and of a scenario", async () => {
+    activate();
+    const names = async () => {
+      const tasks = await provider<Provider>("tasks").provideTasks();
+      return tasks.map(({ name }) => name);
+    };
+    expect(await names()).toEqual([]);
+    show(sample("01_sum/sum.c"));
+    const ofProgram = ["build sum.c", "check sum.c", "run sum.c", "explore sum.c"];
+    expect(await names()).toEqual(ofProgram);
+    show(sample("01_sum/one_thread.toml"), "toml");
+    expect(await names()).toEqual(
+      ["run", "explore", "test"].map((each) => `${each} one_thread.toml`),
+    );
+  });
+
+  test("run the command", () => {
+    activate();
+    const definition = { type: "oncard", command: "check", file: "${workspaceFolder}/p.c" };
+    const { execution, definition: kept } = provider<Provider>("tasks").resolveTask({ definition });
+    expect(execution).toEqual(
+      new ProcessExecution(oncard, ["--lang=en", "check", "${workspaceFolder}/p.c"]),
+    );
+    expect(kept).toBe(definition);
+  });
+
+  test("that need the command say so", async () => {
+    activate();
+    editor.settings["oncard.path"] = "";
+    withoutCommand();
+    const definition = { type: "oncard", command: "build", file: "p.c" };
+    const { execution } = provider<Provider>("tasks").resolveTask({ definition });
+    const terminal = (await (execution as CustomExecution).callback()) as {
+      onDidWrite(listener: (text: string) => void): void;
+      onDidClose(listener: (code: number) => void): void;
+      open(): void;
+    };
+    let written = "";
+    terminal.onDidWrite((text) => (written += text));
+    const code = await new Promise((resolve) => {
+      terminal.onDidClose(resolve);
+      terminal.open();
+    });
+    expect({ code, written }).toEqual({
+      code: 2,
+      written: "building .bin and .ini files needs the oncard command: set oncard.path\r\n",
+    });
+  });
+});
+
+describe("lenses", () => {
+  const titles = async (path: string, languageId = "c") => {
+    const lenses = await provider<{
+      provideCodeLenses(document: unknown): Promise<{ command?: { title: string } }[]>;
+    }>("lenses").provideCodeLenses(documentAt(path, languageId));
+    return lenses.map(({ command }) => command?.title);
+  };
+
+  test("stand above programs and scenarios, in the language of the editor", async () => {
+    activate();
+    expect(await titles(sample("01_sum/sum.c"))).toEqual(["run", "debug", "explore"]);
+    env.language = "zh-cn";
+    const path = sample("01_sum/one_thread.toml");
+    expect(await titles(path, "toml")).toEqual(["运行", "调试", "探索"]);
+  });
+
+  test("but not above hosts, or if they are not wanted", async () => {
+    activate();
+    expect(await titles(sample("22_homing/host.c"))).toEqual([]);
+    editor.settings["oncard.codeLens"] = false;
+    expect(await titles(sample("01_sum/sum.c"))).toEqual([]);
+  });
+});
+
+describe("the test explorer", () => {
+  async function run(...paths: string[]): Promise<FakeController["results"]> {
+    activate();
+    workspace.files = paths.map((path) => Uri.file(path));
+    const [controller] = editor.controllers;
+    await controller?.resolveHandler();
+    const token = { isCancellationRequested: false, onCancellationRequested: () => undefined };
+    await controller?.profiles.get(TestRunProfileKind.Run)?.({}, token);
+    return controller?.results ?? {};
+  }
+
+  test("runs every scenario, and no other TOML file", async () => {
+    const other = sample("22_homing/homing.host.toml");
+    expect(existsSync(other)).toBe(true);
+    const scenario = sample("01_sum/two_threads.toml");
+    expect(await run(scenario, other)).toEqual({ "two_threads.toml": "passed" });
+  });
+
+  test("shows what does not hold at its line", async () => {
+    const copy = newFolder();
+    cpSync(sample("01_sum"), copy, { recursive: true });
+    const path = join(copy, "wrong.toml");
+    writeFileSync(
+      path,
+      'program = "sum.c"\nexpect = [\n  "sum == 1",\n]\n[[thread]]\nfunction = "add"\n',
+    );
+    const { "wrong.toml": messages } = await run(path);
+    const [first] = messages as TestMessage[];
+    expect(first?.message).toBe("sum == 1: sum is 0");
+    expect(first?.location).toMatchObject({ range: { start: { line: 2 } } });
+  });
+
+  test("shows mistakes of the scenario and of the program at their places", async () => {
+    const copy = newFolder();
+    writeFileSync(join(copy, "a.toml"), 'program = "p.c"\nexpec = []\n');
+    writeFileSync(join(copy, "b.toml"), 'program = "p.c"\n');
+    writeFileSync(join(copy, "p.c"), "int f()\n{\n  x = 1;\n}\n");
+    const results = await run(join(copy, "a.toml"), join(copy, "b.toml"));
+    const place = (name: string) => (results[name] as TestMessage[])[0]?.location;
+    expect(place("a.toml")).toMatchObject({ range: { start: { line: 1 } } });
+    expect(place("b.toml")).toMatchObject({
+      uri: { path: join(copy, "p.c") },
+      range: { start: { line: 2 } },
+    });
+  });
+});

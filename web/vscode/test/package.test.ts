@@ -1,0 +1,199 @@
+// The package: what is in it, and that it needs nothing else, as on a computer without the command.
+
+import { spawn } from "node:child_process";
+import { EventEmitter } from "node:events";
+import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createRequire, Module } from "node:module";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
+import { pathToFileURL } from "node:url";
+
+import { DebugClient } from "@vscode/debugadapter-testsupport";
+import type { DebugProtocol } from "@vscode/debugprotocol";
+import { afterAll, beforeAll, beforeEach, describe, expect, onTestFinished, test } from "vitest";
+import type { PublishDiagnosticsParams } from "vscode-languageserver";
+import {
+  createMessageConnection,
+  StreamMessageReader,
+  StreamMessageWriter,
+} from "vscode-languageserver/node.js";
+
+import { Engines } from "../src/engines";
+import { registerFeatures } from "../src/features";
+import { type CustomExecution, editor, type Task, Uri } from "./fake_vscode.js";
+import {
+  filesIn,
+  newFolder,
+  packed,
+  provider,
+  sample,
+  withoutCommand,
+  withoutModule,
+} from "./support.js";
+
+describe.skipIf(withoutModule)("the package", () => {
+  let work = "";
+  let files: Record<string, Uint8Array> = {};
+  /** The folder of the installed extension. */
+  let installed = "";
+
+  beforeAll(() => {
+    work = mkdtempSync(join(tmpdir(), "oncard-"));
+    files = filesIn(packed(work));
+    installed = join(work, "installed", "extension");
+    for (const [name, bytes] of Object.entries(files)) {
+      const path = join(work, "installed", name);
+      mkdirSync(dirname(path), { recursive: true });
+      writeFileSync(path, bytes);
+    }
+  });
+  afterAll(() => {
+    rmSync(work, { recursive: true, force: true });
+  });
+  beforeEach(() => {
+    editor.reset();
+    withoutCommand();
+  });
+
+  const textIn = (name: string) => new TextDecoder().decode(files[name]);
+
+  /** A copy of a sample that may be written to. */
+  function copyOf(name: string): string {
+    const folder = newFolder();
+    cpSync(sample(name), folder, { recursive: true });
+    return folder;
+  }
+
+  test("contains what it needs and nothing else", async () => {
+    await expect(`${Object.keys(files).join("\n")}\n`).toMatchFileSnapshot("files.txt");
+  });
+
+  test("every path of the manifest is inside", () => {
+    const paths = [...textIn("extension/package.json").matchAll(/"\.\/([^"]+)"/g)];
+    expect(paths.length).toBeGreaterThan(5);
+    for (const [, path] of paths) expect(files).toHaveProperty([`extension/${path ?? ""}`]);
+  });
+
+  test("the same tree gives the same bytes", () => {
+    const again = packed(newFolder());
+    expect(readFileSync(again).equals(readFileSync(join(work, "oncard.vsix")))).toBe(true);
+  });
+
+  test("has the licences of what it contains", () => {
+    const notices = textIn("extension/ThirdPartyNotices.txt");
+    for (const name of ["vscode-languageclient", "@vscode/debugadapter", "wasi-libc"]) {
+      expect(notices).toMatch(new RegExp(`^${name} `, "m"));
+    }
+    expect(textIn("extension/LICENSE.txt")).toContain("MIT");
+  });
+
+  test("the extension can be loaded, and needs only what the editor has", () => {
+    // Classes that the client extends are those of the editor.
+    const anything: unknown = new Proxy(
+      {},
+      { get: (_, name) => (name === "__esModule" ? false : EventEmitter) },
+    );
+    const loader = Module as unknown as { _load: (name: string, ...rest: unknown[]) => unknown };
+    const load = loader._load;
+    onTestFinished(() => {
+      loader._load = load;
+    });
+    loader._load = (name, ...rest) => (name === "vscode" ? anything : load(name, ...rest));
+    const extension = createRequire(import.meta.url)(
+      join(installed, "dist/extension.js"),
+    ) as object;
+    expect(extension).toHaveProperty("activate");
+  });
+
+  test("the language server shows mistakes", async () => {
+    const folder = newFolder();
+    writeFileSync(join(folder, "s.toml"), 'program = "p.c"\n');
+    const uri = pathToFileURL(join(folder, "p.c")).href;
+    const server = spawn(process.execPath, [join(installed, "dist/server.js"), "--stdio"], {
+      env: {},
+    });
+    const wire = createMessageConnection(
+      new StreamMessageReader(server.stdout),
+      new StreamMessageWriter(server.stdin),
+    );
+    onTestFinished(() => {
+      wire.dispose();
+      server.kill();
+    });
+    const found = new Promise<PublishDiagnosticsParams>((resolve) => {
+      wire.onNotification("textDocument/publishDiagnostics", resolve);
+    });
+    wire.listen();
+    await wire.sendRequest("initialize", { processId: null, rootUri: null, capabilities: {} });
+    await wire.sendNotification("initialized", {});
+    const textDocument = { uri, languageId: "c", version: 1, text: "int f()\n{\n  x = 1;\n}\n" };
+    await wire.sendNotification("textDocument/didOpen", { textDocument });
+    expect(await found).toMatchObject({ uri, diagnostics: [{ code: "MP027" }] });
+  });
+
+  test("a program is stepped forward and back", async () => {
+    registerFeatures(new Engines(installed));
+    const { args, options } = provider<{
+      createDebugAdapterDescriptor(): { args: string[]; options: { env: Record<string, string> } };
+    }>("adapter").createDebugAdapterDescriptor();
+    const client = new DebugClient(process.execPath, args[0] ?? "", "oncard", { env: options.env });
+    onTestFinished(() => client.stop());
+    await client.start();
+    await client.initializeRequest({ adapterID: "oncard", pathFormat: "path" });
+    const initialized = client.waitForEvent("initialized");
+    const config = { program: sample("01_sum/two_threads.toml"), stopOnEntry: true };
+    await client.launchRequest(config as DebugProtocol.LaunchRequestArguments);
+    await initialized;
+    const stopped = client.waitForEvent("stopped");
+    await client.configurationDoneRequest();
+    await stopped;
+    const lines: number[] = [];
+    for (const command of ["next", "next", "stepBack"]) {
+      const moved = client.waitForEvent("stopped");
+      await client.send(command, { threadId: 1 });
+      await moved;
+      const { body } = await client.stackTraceRequest({ threadId: 1 });
+      lines.push(body.stackFrames[0]?.line ?? 0);
+    }
+    expect(lines[2]).toBe(lines[0]);
+    expect(lines[1]).toBeGreaterThan(lines[0] ?? 0);
+  });
+
+  test("a counterexample of an exploration is opened in the debugger", async () => {
+    const folder = copyOf("26_lost_update");
+    registerFeatures(new Engines(installed));
+    editor.answers = ["Step through it"];
+    await editor.commands.get("oncard.explore")?.(Uri.file(join(folder, "lost.toml")));
+    expect(editor.shown.join("\n")).toMatch(/thread 0 wrote sum = 1 over thread 1's 7/);
+    expect(editor.shown.at(-1)).toBe("there is an interleaving that fails");
+    const program = join(folder, "lost.schedule");
+    expect(editor.launched).toMatchObject([{ type: "oncard", program }]);
+    expect(readFileSync(program, "utf8")).toMatch(/^run 0 4\nnext 16 1 sum = copy \+ i;$/m);
+  });
+
+  test.each([
+    ["explore", "26_lost_update", "lost.toml", 1, /does not hold/],
+    ["check", "01_sum", "sum.c", 0, /^$/],
+    ["run", "01_sum", "two_threads.toml", 0, /sum = 5050\r\npassed/],
+    ["test", "01_sum", "nothing.toml", 1, /cannot|no file/],
+  ])("the task %s works with the module: %s/%s", async (command, name, file, exitCode, text) => {
+    registerFeatures(new Engines(installed));
+    const definition = { type: "oncard", command, file: join(copyOf(name), file) };
+    const { execution } = provider<{ resolveTask(task: object): Task }>("tasks").resolveTask({
+      definition,
+    });
+    const terminal = (await (execution as CustomExecution).callback()) as {
+      onDidWrite(listener: (text: string) => void): void;
+      onDidClose(listener: (code: number) => void): void;
+      open(): void;
+    };
+    let written = "";
+    terminal.onDidWrite((each) => (written += each));
+    const code = await new Promise((resolve) => {
+      terminal.onDidClose(resolve);
+      terminal.open();
+    });
+    expect(written).toMatch(text);
+    expect(code).toBe(exitCode);
+  });
+});
