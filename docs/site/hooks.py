@@ -11,6 +11,9 @@ import shutil
 from pathlib import Path
 
 LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
+# Where the playground is built, and its place in the page that shows it.
+PLAYGROUND = Path("web/playground/dist/page")
+PLAYGROUND_PLACE = "<!-- playground -->"
 FENCE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
 
 
@@ -54,7 +57,24 @@ def on_config(config):
     return config
 
 
-def on_page_markdown(markdown, **_):
+def playground_in(root):
+    """What the page about the playground shows: the playground, or how one gets it."""
+    if not (root / PLAYGROUND / "index.html").is_file():
+        return "This site was built without the playground: build it first, then the site."
+    address = "../playground/index.html"
+    return (
+        f'<iframe src="{address}" title="playground" style="width: 100%; height: 85vh"></iframe>\n\n'
+        f'<a href="{address}">In a page of its own</a>'
+    )
+
+
+def on_post_build(config):
+    root = Path(config["config_file_path"]).resolve().parent
+    if (root / PLAYGROUND / "index.html").is_file():
+        shutil.copytree(root / PLAYGROUND, Path(config["site_dir"]) / "playground", dirs_exist_ok=True)
+
+
+def without_escapes_in_tables(markdown):
     """In tables, GitHub wants a bar in code escaped; Python-Markdown shows the backslash."""
     code = re.compile(r"(`+)(.+?)\1")
     rows = (
@@ -62,3 +82,8 @@ def on_page_markdown(markdown, **_):
         for line in markdown.split("\n")
     )
     return "\n".join(rows)
+
+
+def on_page_markdown(markdown, config, **_):
+    root = Path(config["config_file_path"]).resolve().parent
+    return without_escapes_in_tables(markdown).replace(PLAYGROUND_PLACE, playground_in(root))

@@ -44,7 +44,18 @@ class Gathering(Folder):
 
     def test_bars_in_the_code_of_tables_need_no_backslash(self):
         page = "| `a \\| b` | c \\| d |\n\n`e \\| f`"
-        self.assertEqual(hooks.on_page_markdown(page), "| `a | b` | c \\| d |\n\n`e \\| f`")
+        self.assertEqual(hooks.without_escapes_in_tables(page), "| `a | b` | c \\| d |\n\n`e \\| f`")
+
+    def test_the_playground_is_shown_and_copied_if_it_was_built(self):
+        config = {"config_file_path": str(self.root / "mkdocs.yml"), "site_dir": str(self.root / "s")}
+        page = f"# P\n\n{hooks.PLAYGROUND_PLACE}\n"
+        self.assertIn("without the playground", hooks.on_page_markdown(page, config))
+        hooks.on_post_build(config)
+        self.assertFalse((self.root / "s").exists())
+        self.write(web__playground__dist__page__index_html="<p>")
+        self.assertIn('<iframe src="../playground/index.html"', hooks.on_page_markdown(page, config))
+        hooks.on_post_build(config)
+        self.assertTrue((self.root / "s" / "playground" / "index.html").is_file())
 
 
 class Checking(Folder):
