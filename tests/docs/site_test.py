@@ -1,5 +1,7 @@
 """The scripts of the documentation's site: python3 tests/docs/site_test.py"""
 
+import json
+import re
 import sys
 import tempfile
 import unittest
@@ -7,6 +9,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "docs" / "site"))
 import check  # noqa: E402
+import chinese_search  # noqa: E402
 import hooks  # noqa: E402
 
 
@@ -56,6 +59,26 @@ class Gathering(Folder):
         self.assertIn('<iframe src="../playground/index.html"', hooks.on_page_markdown(page, config))
         hooks.on_post_build(config)
         self.assertTrue((self.root / "s" / "playground" / "index.html").is_file())
+
+
+class ChineseSearch(Folder):
+    def test_every_chinese_character_is_a_word_of_the_index(self):
+        index = {"config": {}, "docs": [{"title": "数据 page", "text": "a.b", "location": ""}]}
+        path = self.root / "search" / "search_index.json"
+        path.parent.mkdir()
+        path.write_text(json.dumps(index), encoding="utf-8")
+        chinese_search.on_post_build({"site_dir": str(self.root)})
+        index = json.loads(path.read_text(encoding="utf-8"))
+        separator = re.compile(index["config"]["separator"])
+        words = [word for word in separator.split(index["docs"][0]["title"]) if word]
+        self.assertEqual(words, ["数", "据", "page"])
+        self.assertEqual(separator.split(index["docs"][0]["text"]), ["a", "b"])
+
+    def test_pages_ask_for_words_in_this_way(self):
+        page = f"<head></head><script>{{{chinese_search.TRIMMING}}}</script>"
+        page = chinese_search.on_post_page(page)
+        self.assertIn("__search", page[: page.index("</head>")])
+        self.assertNotIn("trimmer", page)
 
 
 class Checking(Folder):
