@@ -58,6 +58,13 @@ describe.each(lessons)("$name", ({ folder, lesson, solution }) => {
     expect(/^explore = "prove"$/m.test(scenario)).toBe(lesson.task === "explore");
   });
 
+  test("no constant answers all questions", () => {
+    const results = [...scenario.matchAll(/thread\d+\.result == (-?\d+)/g)].map(
+      ([, value]) => value,
+    );
+    if (results.length > 0) expect(new Set(results).size).toBeGreaterThanOrEqual(3);
+  });
+
   test("the solution is not in the lesson", () => {
     expect(solution).not.toBe(start);
     expect(JSON.stringify(lesson)).not.toContain(JSON.stringify(solution).slice(1, -1));
