@@ -87,3 +87,9 @@ def without_escapes_in_tables(markdown):
 def on_page_markdown(markdown, config, **_):
     root = Path(config["config_file_path"]).resolve().parent
     return without_escapes_in_tables(markdown).replace(PLAYGROUND_PLACE, playground_in(root))
+
+
+def on_post_page(output, page, **_):
+    """Chinese pages say that they are: fonts and screen readers choose by it."""
+    chinese = page.file.src_path.endswith(".zh-CN.md")
+    return output.replace('<html lang="en"', '<html lang="zh-CN"', 1) if chinese else output

@@ -6,6 +6,7 @@ import sys
 import tempfile
 import unittest
 from pathlib import Path
+from types import SimpleNamespace
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "docs" / "site"))
 import check  # noqa: E402
@@ -59,6 +60,12 @@ class Gathering(Folder):
         self.assertIn('<iframe src="../playground/index.html"', hooks.on_page_markdown(page, config))
         hooks.on_post_build(config)
         self.assertTrue((self.root / "s" / "playground" / "index.html").is_file())
+
+    def test_chinese_pages_say_that_they_are(self):
+        for name, language in (("a.md", "en"), ("a.zh-CN.md", "zh-CN")):
+            page = SimpleNamespace(file=SimpleNamespace(src_path=name))
+            html = hooks.on_post_page('<html lang="en" class="a">', page)
+            self.assertEqual(html, f'<html lang="{language}" class="a">')
 
 
 class ChineseSearch(Folder):

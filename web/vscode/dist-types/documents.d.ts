@@ -4,8 +4,8 @@ import { type TextDocument } from "vscode";
 export declare function kindOf(document: TextDocument): Promise<Kind | undefined>;
 /** The text of all open files, and the path that the engine has for a document. */
 export declare function projectOf(document: TextDocument): {
-  main: string;
-  files: Record<string, string>;
+    main: string;
+    files: Record<string, string>;
 };
 /** The scenario with which a program runs, or the document itself. */
 export declare function mainOf(document: TextDocument): Promise<string>;

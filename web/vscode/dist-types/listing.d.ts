@@ -4,7 +4,4 @@ import type { Engines } from "./engines";
 export declare const listingScheme = "oncard-listing";
 export declare function registerListing(engines: Engines): Disposable[];
 /** Each line of a function with the card statements that it became. */
-export declare function listingText(
-  files: readonly SourceFile[],
-  functions: readonly ListedFunction[],
-): string;
+export declare function listingText(files: readonly SourceFile[], functions: readonly ListedFunction[]): string;

@@ -3,9 +3,9 @@ import type { Engines } from "./engines";
 export declare const taskCommands: readonly ["build", "check", "run", "explore", "test"];
 type Command = (typeof taskCommands)[number];
 interface OncardTask {
-  type: string;
-  command: Command;
-  file: string;
+    type: string;
+    command: Command;
+    file: string;
 }
 export declare const matchers: string[];
 export declare function registerTasks(engines: Engines): Disposable;
