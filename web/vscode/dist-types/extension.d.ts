@@ -1,2 +1,0 @@
-import type { ExtensionContext } from "vscode";
-export declare function activate({ extensionPath, subscriptions }: ExtensionContext): Promise<void>;
