@@ -186,35 +186,35 @@ export class Engine {
 
   /** What the name or number at a place is; null if there is neither. */
   describe(place: SourcePlace): Promise<Description | null> {
-    return this.#request("describe", { ...place });
+    return this.#requestWithFiles("describe", place);
   }
   /** The call around a place; null if there is none. */
   signature(place: SourcePlace): Promise<Signature | null> {
-    return this.#request("signature", { ...place });
+    return this.#requestWithFiles("signature", place);
   }
   complete(place: SourcePlace): Promise<Completion> {
-    return this.#request("complete", { ...place });
+    return this.#requestWithFiles("complete", place);
   }
   outline(file: SourceProject): Promise<OutlineEntry[]> {
-    return this.#request("outline", { ...file });
+    return this.#requestWithFiles("outline", file);
   }
   definition(place: SourcePlace): Promise<FileRange[]> {
-    return this.#request("definition", { ...place });
+    return this.#requestWithFiles("definition", place);
   }
   references(place: SourcePlace, declaration = true): Promise<Reference[]> {
-    return this.#request("references", { ...place, declaration });
+    return this.#requestWithFiles("references", place, { declaration });
   }
   rename(place: SourcePlace, name: string): Promise<Edit[]> {
-    return this.#request("rename", { ...place, name });
+    return this.#requestWithFiles("rename", place, { name });
   }
   tokens(file: SourceProject): Promise<Word[]> {
-    return this.#request("tokens", { ...file });
+    return this.#requestWithFiles("tokens", file);
   }
   folds(file: SourceProject): Promise<Fold[]> {
-    return this.#request("folds", { ...file });
+    return this.#requestWithFiles("folds", file);
   }
   hints(file: SourceProject): Promise<Hint[]> {
-    return this.#request("hints", { ...file });
+    return this.#requestWithFiles("hints", file);
   }
 
   // --- Walks -------------------------------------------------------------------------------------

@@ -2,17 +2,20 @@
 // It knows nothing about programs: it brings the documents to the engine, and converts positions.
 // Tested by test/server.test.ts and test/transcript.test.ts.
 
-import type { Engine } from "@oncard/engine";
+import { type Engine, RefusedError } from "@oncard/engine";
 import {
   CodeActionKind,
   type CodeActionParams,
   type CodeAction,
   type Connection,
   type Diagnostic,
+  ErrorCodes,
   type InitializeParams,
   type InitializeResult,
   type Position,
   type Range,
+  ResponseError,
+  type TextDocumentIdentifier,
   TextDocuments,
   TextDocumentSyncKind,
 } from "vscode-languageserver";
@@ -23,6 +26,7 @@ import { Diagnostics } from "./diagnostics.js";
 import { Documents } from "./documents.js";
 import { quickFixes } from "./fixes.js";
 import { pathOf } from "./paths.js";
+import { legend, Source } from "./sources.js";
 import { languageOf, wordsIn } from "./words.js";
 
 /** Starts an engine. It is called again after one has ended. */
@@ -49,6 +53,7 @@ export class LanguageServer {
     );
     connection.onInitialize((params) => this.#initialize(params));
     connection.onCodeAction((params) => this.#codeActions(params));
+    this.#answerAboutSources();
     connection.onDidChangeWatchedFiles(() => {
       this.#checkAll();
     });
@@ -79,6 +84,16 @@ export class LanguageServer {
           change: TextDocumentSyncKind.Incremental,
           save: true,
         },
+        hoverProvider: true,
+        signatureHelpProvider: { triggerCharacters: ["(", ","] },
+        completionProvider: { triggerCharacters: ["_", ".", "&", "#"] },
+        definitionProvider: true,
+        referencesProvider: true,
+        renameProvider: { prepareProvider: true },
+        documentSymbolProvider: true,
+        foldingRangeProvider: true,
+        semanticTokensProvider: { legend, full: true },
+        inlayHintProvider: true,
         codeActionProvider: { codeActionKinds: [CodeActionKind.QuickFix] },
       },
       serverInfo: { name: "oncard" },
@@ -139,6 +154,59 @@ export class LanguageServer {
     } catch (error) {
       this.#connection.console.error(error instanceof Error ? error.message : String(error));
       return undefined;
+    }
+  }
+
+  // --- Names -------------------------------------------------------------------------------------
+
+  #answerAboutSources(): void {
+    const connection = this.#connection;
+    connection.onHover((at) => this.#about(at, null, (source) => source.hover(at.position)));
+    connection.onSignatureHelp((at) =>
+      this.#about(at, null, (source) => source.signatureHelp(at.position)),
+    );
+    connection.onCompletion((at) =>
+      this.#about(at, [], (source) => source.completion(at.position)),
+    );
+    connection.onDefinition((at) =>
+      this.#about(at, [], (source) => source.definition(at.position)),
+    );
+    connection.onReferences((at) =>
+      this.#about(at, [], (source) =>
+        source.references(at.position, at.context.includeDeclaration),
+      ),
+    );
+    connection.onPrepareRename((at) =>
+      this.#about(at, null, (source) => source.renamed(at.position)),
+    );
+    connection.onRenameRequest((at) =>
+      this.#about(at, null, (source) => source.rename(at.position, at.newName)),
+    );
+    connection.onDocumentSymbol((at) => this.#about(at, [], (source) => source.symbols()));
+    connection.onFoldingRanges((at) => this.#about(at, [], (source) => source.folds()));
+    connection.languages.semanticTokens.on((at) =>
+      this.#about(at, { data: [] }, (source) => source.tokens()),
+    );
+    connection.languages.inlayHint.on((at) =>
+      this.#about(at, [], (source) => source.hints(at.range)),
+    );
+  }
+
+  /** Asks about a program; other documents have the answer `nothing`. */
+  async #about<Answer>(
+    { textDocument }: { textDocument: TextDocumentIdentifier },
+    nothing: Answer,
+    ask: (source: Source) => Promise<Answer>,
+  ): Promise<Answer> {
+    const document = this.#editor.get(textDocument.uri);
+    if (!document || (await this.#documents.kind(document)) !== "program") return nothing;
+    try {
+      return await this.#withEngine(async (engine) =>
+        ask(await Source.open(this.#documents, engine, pathOf(textDocument.uri))),
+      );
+    } catch (error) {
+      if (!(error instanceof RefusedError)) throw error;
+      throw new ResponseError(ErrorCodes.InvalidRequest, error.message);
     }
   }
 
