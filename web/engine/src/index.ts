@@ -2,3 +2,4 @@ export * from "./engine.js";
 export * from "./module.js";
 export * from "./protocol.js";
 export * from "./transport.js";
+export * from "./worker_transport.js";
