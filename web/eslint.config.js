@@ -11,11 +11,11 @@ export default tseslint.config(
     },
   },
   {
-    files: ["vitest.config.js", "**/*.mjs"],
+    files: ["vitest.config.js", "**/*.mjs", "playground/tools/*.js"],
     languageOptions: { globals: { URL: "readonly", console: "readonly", process: "readonly" } },
   },
   {
-    files: ["**/*.ts"],
+    files: ["**/*.ts", "**/*.tsx"],
     extends: [tseslint.configs.strictTypeChecked, tseslint.configs.stylisticTypeChecked],
     languageOptions: {
       parserOptions: {

@@ -1,0 +1,155 @@
+// The page itself: links, languages, colours, narrow screens, keys.
+
+import { expect, test } from "@playwright/test";
+
+import { atMaximum, editor, expectAccessible, open, openOwn, status, write } from "./support.js";
+
+test("a link opens the same project elsewhere, and the programs there stay", async ({
+  page,
+  browser,
+}) => {
+  await open(page);
+  await write(page, "int shared;\nint main()\n{\n  shared = 1;\n}\n");
+  await page.getByRole("button", { name: "Share" }).click();
+  const link = await page.getByRole("textbox", { name: "Link" }).inputValue();
+  const other = await (await browser.newContext()).newPage();
+  await open(other, "");
+  await write(other, "int mine;\nint main()\n{\n  mine = 1;\n}\n");
+  await other.goto(link);
+  await expect(editor(other)).toContainText("shared = 1");
+  await expect(other.getByRole("alert")).toContainText("opened from a link");
+  await other.getByLabel("Programs of this lesson").selectOption("0");
+  await expect(editor(other)).toContainText("mine = 1");
+  await other.context().close();
+});
+
+for (const [fragment, said] of [
+  ["#p1=abcdef", "This link is damaged"],
+  ["#p7=abcdef", "This link is of version 7"],
+  ["#somewhere", "is not a program of oncard"],
+  ["#lesson=nowhere", "There is no lesson 'nowhere' here."],
+] as const) {
+  test(`the link ${fragment} is explained`, async ({ page }) => {
+    await open(page, fragment);
+    await expect(page.getByRole("alert")).toContainText(said);
+    await expect(editor(page)).toContainText("int twice");
+  });
+}
+
+test("the page asks nobody else, and its policy is strict", async ({ page }) => {
+  const hosts = new Set<string>();
+  page.on("request", (request) => hosts.add(new URL(request.url()).host));
+  await open(page);
+  expect([...hosts]).toEqual([new URL(page.url()).host]);
+  const policy = await page
+    .locator('meta[http-equiv="Content-Security-Policy"]')
+    .getAttribute("content");
+  expect(policy).toContain("default-src 'none'");
+  expect(policy).not.toContain("unsafe-inline");
+});
+
+test("a module that ends starts again, and keeps the text", async ({ page }) => {
+  await page.addInitScript(() => {
+    const workers: Worker[] = [];
+    const { Worker: Original } = globalThis;
+    globalThis.Worker = class extends Original {
+      constructor(url: string | URL) {
+        super(url);
+        workers.push(this);
+      }
+    };
+    Object.assign(globalThis, { workers });
+  });
+  await open(page);
+  await page.evaluate(() => {
+    const { workers } = globalThis as unknown as { workers: Worker[] };
+    const message = new MessageEvent("message", { data: { ended: "the memory is full" } });
+    workers[0]?.dispatchEvent(message);
+  });
+  await expect(status(page)).toContainText("The simulated card has failed (the memory is full)");
+  await expect(editor(page)).toContainText("int twice");
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await expect(status(page)).toContainText(/[Ff]inished/);
+});
+
+test("Chinese, in texts and messages, also after a reload", async ({ page }) => {
+  await open(page);
+  await page.getByRole("button", { name: /中文|Chinese/ }).click();
+  await expect(page.getByRole("button", { name: "运行", exact: true })).toBeVisible();
+  await expect(page.locator("html")).toHaveAttribute("lang", "zh-CN");
+  await write(page, "int main()\n{\n  x = 1;\n}\n");
+  await expect(page.getByRole("region", { name: "编译器的消息" })).toContainText("未声明");
+  await page.reload();
+  await expect(page.getByRole("button", { name: "运行", exact: true })).toBeVisible();
+  await expectAccessible(page);
+});
+
+for (const colorScheme of ["light", "dark"] as const) {
+  test(`${colorScheme} colours have enough contrast`, async ({ page }) => {
+    await page.emulateMedia({ colorScheme });
+    await open(page);
+    await openOwn(page);
+    await atMaximum(page);
+    await page.getByRole("button", { name: "Run", exact: true }).click();
+    await expect(status(page)).toHaveText("Card: finished.");
+    await page.getByRole("checkbox", { name: "Cursors" }).check();
+    await write(page, "int main()\n{\n  x = 1\n}\n");
+    await expect(page.locator(".problem")).not.toHaveCount(0);
+    await expect(page.locator("html")).toHaveAttribute("data-theme", colorScheme);
+    await expectAccessible(page);
+  });
+}
+
+test("the colours can be chosen", async ({ page }) => {
+  await open(page);
+  await page.getByRole("button", { name: "Colours: system" }).click();
+  await page.getByRole("button", { name: "Colours: light" }).click();
+  await expect(page.locator("html")).toHaveAttribute("data-theme", "dark");
+});
+
+for (const width of [360, 390]) {
+  test(`a phone of ${width} pixels shows one panel at a time`, async ({ page }) => {
+    await page.setViewportSize({ width, height: 780 });
+    await open(page);
+    const panels = page.getByRole("navigation", { name: "Parts of the page" });
+    for (const name of ["Program", "Machine", "Timeline", "Scope", "Values", "Lesson"]) {
+      await panels.getByRole("button", { name }).click();
+      await expect(page.locator(".panel:visible")).toHaveCount(1);
+      const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+      expect(wide, name).toBeLessThanOrEqual(0);
+    }
+    await expectAccessible(page);
+  });
+}
+
+test("everything can be done with keys", async ({ page }) => {
+  await open(page);
+  const moment = page.getByText(/moment \d+ of \d+/);
+  await page.keyboard.press("F8");
+  await page.keyboard.press("F8");
+  await expect(moment).toHaveText(/moment 3 of 3/);
+  await page.keyboard.press("Shift+F8");
+  await expect(moment).toHaveText(/moment 2 of 3/);
+  await page.keyboard.press("F9");
+  await page.keyboard.press("Shift+F9");
+  await page.keyboard.press("F4");
+  await expect(moment).toHaveText(/moment 0 of/);
+  await page.keyboard.press("Control+.");
+  await expect(page.getByLabel("Speed")).toHaveValue("10");
+  await page.keyboard.press("Control+Enter");
+  await expect(status(page)).toContainText("Finished, but");
+  // The skip link leads to the program; Escape leaves the editor.
+  await page.evaluate(() => {
+    (document.activeElement as HTMLElement | null)?.blur();
+  });
+  await page.keyboard.press("Tab");
+  await expect(page.getByRole("link", { name: "Skip to the program" })).toBeFocused();
+  await page.keyboard.press("Enter");
+  await expect(page.getByRole("button", { name: "start.c" })).toBeFocused();
+  const cursor = page.getByRole("slider", { name: "Moment of the session" });
+  await cursor.focus();
+  await page.keyboard.press("Home");
+  await expect(cursor).toHaveAttribute("aria-valuenow", "0");
+  await page.keyboard.press("ArrowRight");
+  await expect(cursor).toHaveAttribute("aria-valuenow", "1");
+});

@@ -1,0 +1,159 @@
+// What a student does: write, mend, run, look, go back, explore, solve.
+
+import { expect, test } from "@playwright/test";
+
+import { atMaximum, editor, open, openOwn, status, text, write } from "./support.js";
+
+test("a wrong program is mended, runs, is measured and stepped back", async ({ page }) => {
+  await open(page);
+  await openOwn(page);
+  const program = await text(page);
+  await write(page, program.replace("trap.acc = 0.25;", "trap.acc = 0.25"));
+  const problem = page.getByRole("region", { name: "Messages of the compiler" });
+  await expect(problem).toContainText("expected ';'");
+  await expect(problem.locator("pre")).toContainText("^");
+  await problem.getByRole("button", { name: /^Fix/ }).click();
+  await expect(problem).toContainText("No messages");
+  expect(await text(page)).toBe(program);
+
+  await atMaximum(page);
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await expect(status(page)).toHaveText("Card: finished.");
+  await expect(page.locator('output[data-axis="1"]')).toHaveText("50000 pulse");
+
+  // The axis travels with 50 pulse/ms after 225 ms.
+  await page.getByRole("checkbox", { name: "Cursors" }).check();
+  await page.getByLabel("Cursor A, ms").fill("500");
+  await page.getByLabel("Cursor B, ms").fill("1400");
+  const readings = page.locator('tr[data-channel="axis1.prfVel"] td');
+  await expect(readings).toHaveText(["50", "0", "-50"]);
+
+  const moment = page.getByText(/moment \d+ of \d+/);
+  const end = await moment.textContent();
+  await page.getByRole("button", { name: "Step back" }).click();
+  await expect(moment).not.toHaveText(end ?? "");
+  await page.getByRole("button", { name: "Step", exact: true }).click();
+  await expect(page.locator(".cm-next")).toHaveCount(0); // the thread has ended again
+});
+
+test("exploring finds the lost update, and its run can be walked", async ({ page }) => {
+  await open(page, "#lesson=lost-update");
+  await page.getByRole("button", { name: "Explore" }).click();
+  const verdict = page.locator(".verdict");
+  await expect(verdict).toContainText("Failed: an interleaving breaks it.");
+  await expect(verdict.locator(".culprit")).toContainText(/thread \d wrote .* over thread/);
+  await expect(page.getByText("A recording is being followed.")).toBeVisible();
+  const cursor = page.getByRole("slider", { name: "Moment of the session" });
+  await expect(cursor).not.toHaveAttribute("aria-valuenow", "0");
+  const end = Number(await cursor.getAttribute("aria-valuenow"));
+  await page.getByRole("button", { name: "Step back" }).click();
+  await expect(cursor).toHaveAttribute("aria-valuenow", String(end - 1));
+  await page.getByRole("button", { name: "Step", exact: true }).click();
+  await expect(cursor).toHaveAttribute("aria-valuenow", String(end));
+
+  // Dragging the cursor to the left end rewinds to the start.
+  const track = await page.locator(".track").boundingBox();
+  if (!track) throw new Error("there is no timeline");
+  await page.mouse.move(track.x + track.width - 3, track.y + 10);
+  await page.mouse.down();
+  await page.mouse.move(track.x + 1, track.y + 10, { steps: 4 });
+  await page.mouse.up();
+  await expect(cursor).toHaveAttribute("aria-valuenow", "0");
+});
+
+test("the interleaving can be chosen", async ({ page }) => {
+  await open(page, "#lesson=lost-update");
+  await page.getByRole("button", { name: "Step", exact: true }).click();
+  const threads = page.getByRole("button", { name: "Threads" });
+  await threads.click();
+  const executed = (row: number) => page.locator(".values-panel tbody tr").nth(row).locator("td");
+  await page.getByRole("button", { name: /^Let thread 1 / }).click();
+  await expect(executed(1).nth(3)).toHaveText("1");
+  await page.getByRole("button", { name: /^Let thread 1 / }).click();
+  await expect(executed(1).nth(3)).toHaveText("2");
+});
+
+test("a task is solved, and the progress stays", async ({ page }) => {
+  await open(page);
+  await page.getByRole("button", { name: "Check" }).click();
+  const verdict = page.locator(".verdict");
+  await expect(verdict).toContainText("Not yet. This does not hold:");
+  const program = await text(page);
+  await write(page, program.replace("answer = 42", "answer = number + number"));
+  await page.getByRole("button", { name: "Check" }).click();
+  await expect(verdict).toContainText("Solved. All that the task asks holds.");
+  await expect(page.getByText("1 of 13 solved")).toBeVisible();
+  await page.reload();
+  await expect(page.getByText("1 of 13 solved")).toBeVisible();
+});
+
+test("hints open one by one", async ({ page }) => {
+  await open(page);
+  await expect(page.getByText("Hint 1 of")).toHaveCount(0);
+  await page.getByRole("button", { name: "Show a hint" }).click();
+  await expect(page.getByText(/Hint \d of/)).toHaveCount(1);
+});
+
+test("a reload keeps the text, a reset keeps what was written", async ({ page }) => {
+  await open(page);
+  await write(page, "int mine;\nint main()\n{\n  mine = 7;\n}\n");
+  await page.reload();
+  await expect(editor(page)).toContainText("mine = 7");
+  await page.getByRole("button", { name: "Reset" }).click();
+  await page.getByRole("dialog").getByRole("button", { name: "Reset" }).click();
+  await expect(editor(page)).not.toContainText("mine = 7");
+  await page.getByLabel("Programs of this lesson").selectOption("0");
+  await expect(editor(page)).toContainText("mine = 7");
+});
+
+test("an edit can be undone", async ({ page }) => {
+  await open(page);
+  const before = await text(page);
+  await write(page, "int x;");
+  await page.keyboard.press("Control+Z");
+  expect(await text(page)).toBe(before);
+});
+
+test("a program without an end leaves the page alive", async ({ page }) => {
+  await open(page);
+  await openOwn(page);
+  await write(page, "int x;\nint main()\n{\nagain:\n  x = x + 1;\n  goto again;\n}\n");
+  await expect(page.getByText("No messages")).toBeVisible();
+  await atMaximum(page);
+  await page.getByRole("button", { name: "scenario.toml" }).click();
+  await write(page, 'program = "program.c"\nlimit_ms = 1000000000\n');
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await expect(status(page)).toHaveText("Card running.");
+  await page.getByRole("button", { name: "Statements" }).click();
+  await expect(page.locator("table.listing")).toContainText("x := x + 1");
+  await page.getByRole("button", { name: "Pause" }).click();
+  await expect(status(page)).toHaveText("Card ready.");
+  // A check of the same program takes long, and can be stopped.
+  await page.getByRole("button", { name: "Check" }).click();
+  await page.getByRole("button", { name: "Stop" }).click();
+  await expect(page.locator(".verdict")).toContainText("stopped");
+});
+
+test("a fault and a refused command are said in words", async ({ page }) => {
+  await open(page);
+  await openOwn(page);
+  await write(page, "int a[3];\nint main()\n{\n  int i;\n  i = 7;\n  a[i] = 1;\n}\n");
+  await expect(page.getByText("No messages")).toBeVisible();
+  await page.getByRole("button", { name: "scenario.toml" }).click();
+  await write(page, 'program = "program.c"\n');
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await expect(status(page)).toContainText("fault of thread 0: index 7 is out of bounds");
+  await page.getByRole("button", { name: "program.c" }).click();
+  await write(page, "int main()\n{\n  GT_PrfJog(1);\n  GT_SetPos(1, 5);\n}\n");
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await expect(status(page)).toContainText("Command of thread 0 refused: GT_SetPos");
+});
+
+test("an input is switched", async ({ page }) => {
+  await open(page);
+  const input = page.getByRole("button", { name: "Input gpi 3" });
+  await input.click();
+  // It passes the card's filter.
+  for (let cycles = 0; cycles < 5; ++cycles) await page.keyboard.press("F9");
+  await expect(input).toHaveAttribute("aria-pressed", "true");
+});

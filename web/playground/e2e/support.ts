@@ -1,0 +1,75 @@
+// What the tests of the page have in common.
+
+import { createRequire } from "node:module";
+import { readFileSync } from "node:fs";
+
+import { expect, type Locator, type Page } from "@playwright/test";
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+/** Opens the page and waits until the card is there; errors of the page fail the test. */
+export async function open(page: Page, fragment = ""): Promise<void> {
+  page.on("pageerror", (error) => {
+    throw error;
+  });
+  page.on("console", (message) => {
+    if (message.type() === "error") throw new Error(message.text());
+  });
+  await page.goto(`./${fragment}`);
+  await expect(status(page)).toHaveText(/Card ready|控制卡就绪/);
+}
+
+export function status(page: Page): Locator {
+  return page.locator(".status-text");
+}
+
+export async function openOwn(page: Page): Promise<void> {
+  await page.getByLabel("Choose a lesson").selectOption("own");
+  await expect(page.getByRole("button", { name: "program.c" })).toBeVisible();
+  await expect(status(page)).toHaveText("Card ready.");
+}
+
+export function editor(page: Page): Locator {
+  return page.getByRole("textbox", { name: /^Text of|的文本$/ });
+}
+
+/** Replaces the text of the editor, by pasting. */
+export async function write(page: Page, text: string): Promise<void> {
+  await editor(page).click();
+  await page.keyboard.press("Control+A");
+  await editor(page).evaluate((element, pasted) => {
+    const clipboardData = new DataTransfer();
+    clipboardData.setData("text/plain", pasted);
+    element.dispatchEvent(
+      new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }),
+    );
+  }, text);
+}
+
+export async function text(page: Page): Promise<string> {
+  return (await editor(page).locator(".cm-line").allTextContents()).join("\n");
+}
+
+export async function atMaximum(page: Page): Promise<void> {
+  await page.getByLabel("Speed").selectOption("Infinity");
+}
+
+interface AxeResult {
+  violations: { id: string; help: string; nodes: { html: string; failureSummary?: string }[] }[];
+}
+
+/** Fails with what axe finds: WCAG 2.1 A and AA, contrast among them. */
+export async function expectAccessible(page: Page): Promise<void> {
+  await page.evaluate(axe);
+  const { violations } = await page.evaluate(async () => {
+    const { axe: checker } = globalThis as unknown as {
+      axe: { run: (options: unknown) => Promise<AxeResult> };
+    };
+    return checker.run({ runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa"] });
+  });
+  const found = violations.map(({ id, nodes }) => [
+    id,
+    ...nodes.map(({ html, failureSummary }) => `${html.slice(0, 160)} ${failureSummary ?? ""}`),
+  ]);
+  expect(found).toEqual([]);
+}

@@ -1,0 +1,143 @@
+// The page: the bar, the status line and the panels. On narrow screens one panel is shown at a time.
+
+import { signal } from "@preact/signals";
+import type { ComponentChildren } from "preact";
+
+import { StatusLine } from "./controls/status.js";
+import { Toolbar } from "./controls/toolbar.js";
+import { ProgramPanel } from "./editor/editor.js";
+import { LessonPanel } from "./lesson/lesson_panel.js";
+import { MachinePanel } from "./machine/machine.js";
+import { ValuesPanel } from "./panel/values.js";
+import { ScopePanel } from "./scope/scope.js";
+import type { ReadLink } from "./share/link.js";
+import { language } from "./store/settings.js";
+import { texts } from "./texts/texts.js";
+import { TimelinePanel } from "./timeline/timeline.js";
+import { allLessons } from "./workspace.js";
+
+const panels = ["lesson", "program", "machine", "timeline", "scope", "values"] as const;
+type Panel = (typeof panels)[number];
+
+/** The panel that narrow screens show. */
+const front = signal<Panel>("lesson");
+/** What the link of the address was. */
+export const link = signal<ReadLink>({ kind: "none" });
+
+function Box({ name, children }: { name: Panel; children: ComponentChildren }) {
+  return (
+    <section
+      class={`panel ${front.value === name ? "front" : ""}`}
+      aria-labelledby={`panel-${name}`}
+      id={name}
+    >
+      <h2 class="panel-title" id={`panel-${name}`}>
+        {texts.value.panels[name]}
+      </h2>
+      {children}
+    </section>
+  );
+}
+
+export function App() {
+  const t = texts.value;
+  return (
+    <>
+      <a
+        class="skip"
+        href="#program"
+        onClick={(event) => {
+          event.preventDefault();
+          front.value = "program";
+          document.querySelector<HTMLElement>("#program button")?.focus();
+        }}
+      >
+        {t.skip}
+      </a>
+      <Toolbar />
+      <StatusLine />
+      <LinkMessage />
+      <nav class="switcher" aria-label={t.panels.all}>
+        {panels.map((name) => (
+          <button
+            key={name}
+            type="button"
+            class="tab"
+            aria-pressed={front.value === name}
+            onClick={() => (front.value = name)}
+          >
+            {t.panels[name]}
+          </button>
+        ))}
+      </nav>
+      <main>
+        <div class="column">
+          <Box name="lesson">
+            <LessonPanel />
+          </Box>
+        </div>
+        <div class="column">
+          <Box name="program">
+            <ProgramPanel />
+          </Box>
+          <Box name="values">
+            <ValuesPanel />
+          </Box>
+        </div>
+        <div class="column">
+          <Box name="machine">
+            <MachinePanel />
+          </Box>
+          <Box name="timeline">
+            <TimelinePanel />
+          </Box>
+          <Box name="scope">
+            <ScopePanel />
+          </Box>
+        </div>
+      </main>
+    </>
+  );
+}
+
+function LinkMessage() {
+  const { share: t } = texts.value;
+  const read = link.value;
+  const said = (() => {
+    switch (read.kind) {
+      case "shared":
+        return t.opened;
+      case "newer":
+        return t.newer(read.version);
+      case "foreign":
+        return t.foreign;
+      case "broken":
+        return read.mistakes.length > 0 ? t.lesson : t.broken;
+      case "lesson":
+        return allLessons.value.some(({ id }) => id === read.id) ? "" : t.unknownLesson(read.id);
+      case "none":
+        return "";
+    }
+  })();
+  if (said === "") return null;
+  const mistakes = read.kind === "broken" ? read.mistakes : [];
+  return (
+    <div class="link-message" role="alert">
+      <div class="grow">
+        {said}
+        {mistakes.length > 0 && (
+          <ul>
+            {mistakes.map(({ where, message }) => (
+              <li key={where + message.en}>
+                <code>{where}</code> {message[language.value]}
+              </li>
+            ))}
+          </ul>
+        )}
+      </div>
+      <button type="button" class="quiet" onClick={() => (link.value = { kind: "none" })}>
+        {texts.value.close}
+      </button>
+    </div>
+  );
+}

@@ -1,0 +1,86 @@
+// What the reader can do with the card, and the keys for it: buttons and keys do the same.
+
+import { checkTask, explore } from "../lesson/checks.js";
+import { speed, speeds } from "../store/settings.js";
+import { bench, ready } from "../workspace.js";
+
+async function whenReady(action: () => Promise<void>): Promise<void> {
+  if (await ready()) await action();
+}
+
+export const actions = {
+  run: () => {
+    if (bench.running.value && bench.notice.value.kind === "running") bench.pause();
+    else void whenReady(() => bench.run());
+  },
+  start: () => void whenReady(() => bench.goTo({ moment: 0 })),
+  step: () => void whenReady(() => bench.stepStatement()),
+  back: () => void whenReady(() => bench.stepBack()),
+  cycle: () => void whenReady(() => bench.cycle()),
+  cycleBack: () => void whenReady(() => bench.cycleBack()),
+  slower: () => {
+    changeSpeed(-1);
+  },
+  faster: () => {
+    changeSpeed(1);
+  },
+  explore: () => void explore(),
+  check: () => void checkTask(),
+};
+
+export type Action = keyof typeof actions;
+
+function changeSpeed(by: number): void {
+  speed.value = speeds[speeds.indexOf(speed.value) + by] ?? speed.value;
+}
+
+/** A key with what is held beside it. */
+export interface Key {
+  key: string;
+  control?: boolean;
+  shift?: boolean;
+}
+
+export const keys: Record<Action, Key> = {
+  run: { key: "Enter", control: true },
+  explore: { key: "Enter", control: true, shift: true },
+  start: { key: "F4" },
+  step: { key: "F8" },
+  back: { key: "F8", shift: true },
+  cycle: { key: "F9" },
+  cycleBack: { key: "F9", shift: true },
+  slower: { key: ",", control: true },
+  faster: { key: ".", control: true },
+  check: { key: "F7" },
+};
+
+/** As keys are written: Ctrl+Enter. */
+export function keyText(action: Action): string {
+  const { key, control, shift } = keys[action];
+  return [...(control ? ["Ctrl"] : []), ...(shift ? ["Shift"] : []), key].join("+");
+}
+
+/** As ARIA writes keys. */
+export function ariaKeys(action: Action): string {
+  return keyText(action).replace("Ctrl", "Control");
+}
+
+/** Listens to the keys, before the editor does. */
+export function listenToKeys(): void {
+  window.addEventListener(
+    "keydown",
+    (event) => {
+      if (document.querySelector("dialog[open]")) return;
+      const control = event.ctrlKey || event.metaKey;
+      const found = Object.entries(keys).find(
+        ([, { key, control: ctrl = false, shift = false }]) =>
+          event.key === key && control === ctrl && event.shiftKey === shift && !event.altKey,
+      );
+      if (!found) return;
+      event.preventDefault();
+      event.stopPropagation();
+      actions[found[0] as Action]();
+    },
+    { capture: true },
+  );
+}

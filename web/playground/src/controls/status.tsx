@@ -1,0 +1,81 @@
+// The status line: what the card does, or why it has stopped, in words.
+
+import type { Stop } from "@oncard/engine";
+
+import type { Notice } from "../session/bench.js";
+import { keeps } from "../store/keep.js";
+import type { Texts } from "../texts/en.js";
+import { number, texts } from "../texts/texts.js";
+import { bench, edited } from "../workspace.js";
+
+type Tone = "" | "good" | "bad";
+
+function stopText({ status: t }: Texts, stop: Stop): [string, Tone] {
+  const { thread = 0, text = "", failed = [] } = stop;
+  switch (stop.reason) {
+    case "end": {
+      const over = bench.state.value?.over;
+      if (failed.length > 0) return [t.failed(failed.join("; ")), "bad"];
+      if (over === "deadlock") return [t.deadlock, "bad"];
+      return [over === "time-limit" ? t.finishedLimit : t.finished, "good"];
+    }
+    case "fault":
+      return [t.fault(thread, text), "bad"];
+    case "refusal":
+      return [t.refusal(thread, text), "bad"];
+    case "requirement":
+      return [t.requirement(text), "bad"];
+    case "schedule-end":
+      return [t.scheduleEnd, ""];
+    case "start":
+      return [t.start, ""];
+    case "budget":
+      return [t.budget, ""];
+    default:
+      return [t.stoppedAt, ""];
+  }
+}
+
+function noticeText(all: Texts, notice: Notice): [string, Tone] {
+  const { status: t } = all;
+  switch (notice.kind) {
+    case "starting":
+      return [t.starting, ""];
+    case "ready":
+      return [t.ready, ""];
+    case "running":
+      return [t.running, ""];
+    case "stopped":
+      return stopText(all, notice.stop);
+    case "not-compiled":
+      return [t.notCompiled, "bad"];
+    case "refused":
+      return [notice.message, "bad"];
+    case "engine-ended":
+      return [t.engineEnded(notice.message), "bad"];
+    case "no-engine":
+      return [t.noEngine(notice.message), "bad"];
+  }
+}
+
+export function StatusLine() {
+  const { status: t } = texts.value;
+  const [text, tone] = noticeText(texts.value, bench.notice.value);
+  const state = bench.state.value;
+  return (
+    <div class="status">
+      <span class={`status-text ${tone}`} role="status" aria-live="polite">
+        {text}
+      </span>
+      {edited.value && bench.loaded && <span class="tag accent">{t.edited}</span>}
+      {state?.follows_schedule && <span class="tag">{t.follows}</span>}
+      {!keeps.value && <span class="tag bad">{t.notKept}</span>}
+      <span class="grow" />
+      {state && (
+        <output class="muted small" aria-live="off">
+          {t.at(number(state.time_ms), state.moment, state.head)}
+        </output>
+      )}
+    </div>
+  );
+}

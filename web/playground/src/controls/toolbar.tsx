@@ -1,0 +1,175 @@
+// The bar at the top: run control, speed, explore, share, language and colours.
+
+import { useState } from "preact/hooks";
+
+import { verdict } from "../lesson/checks.js";
+import { Dialog } from "../panel/dialog.js";
+import { ShareDialog } from "../share/share_dialog.js";
+import { language, speed, speeds, theme } from "../store/settings.js";
+import { texts } from "../texts/texts.js";
+import { bench } from "../workspace.js";
+import { type Action, actions, ariaKeys, keyText } from "./actions.js";
+
+/** Drawings of 16 × 16. */
+const icons = {
+  run: "M4 2.5v11l9-5.5z",
+  pause: "M4 2.5h3v11h-3zM9 2.5h3v11h-3z",
+  start: "M1.5 2.5h2v11h-2zM9 2.5v11l-5-5.5zM14.5 2.5v11l-5-5.5z",
+  step: "M3 2.5v11l7-5.5zM11 2.5h2v11h-2z",
+  back: "M13 2.5v11l-7-5.5zM3 2.5h2v11h-2z",
+  cycle: "M2 2.5v11l6-5.5zM8 2.5v11l6-5.5z",
+  cycleBack: "M8 2.5v11l-6-5.5zM14 2.5v11l-6-5.5z",
+};
+
+function Tool({
+  action,
+  icon,
+}: {
+  action: Action & keyof typeof icons;
+  icon?: keyof typeof icons;
+}) {
+  const { controls: t } = texts.value;
+  const isPause = icon === "pause";
+  const text = isPause ? t.pause : t[action];
+  return (
+    <button
+      type="button"
+      class={`tool ${action === "run" ? "primary" : ""}`}
+      title={`${text} (${keyText(action)})`}
+      aria-keyshortcuts={ariaKeys(action)}
+      onClick={actions[action]}
+    >
+      <svg viewBox="0 0 16 16" aria-hidden="true">
+        <path d={icons[icon ?? action]} />
+      </svg>
+      <span class="tool-text">{text}</span>
+      <kbd aria-hidden="true">{keyText(action)}</kbd>
+    </button>
+  );
+}
+
+export function Toolbar() {
+  const { controls: t } = texts.value;
+  const [shown, setShown] = useState<"keys" | "share" | undefined>(undefined);
+  const isRunning = bench.notice.value.kind === "running";
+  const close = () => {
+    setShown(undefined);
+  };
+  return (
+    <header class="toolbar">
+      <h1>oncard</h1>
+      <div class="tools" role="toolbar" aria-label={t.all}>
+        <Tool action="run" icon={isRunning ? "pause" : "run"} />
+        <Tool action="start" />
+        <Tool action="back" />
+        <Tool action="step" />
+        <Tool action="cycleBack" />
+        <Tool action="cycle" />
+        <label class="knob">
+          <span>{t.speed}</span>
+          <select
+            value={String(speed.value)}
+            onChange={({ currentTarget }) => (speed.value = Number(currentTarget.value))}
+          >
+            {speeds.map((each) => (
+              <option key={each} value={String(each)}>
+                {each === Infinity ? t.max : `${each}×`}
+              </option>
+            ))}
+          </select>
+        </label>
+        <button
+          type="button"
+          class="tool explore"
+          disabled={verdict.value.kind === "busy"}
+          title={`${t.explore} (${keyText("explore")})`}
+          aria-keyshortcuts={ariaKeys("explore")}
+          onClick={actions.explore}
+        >
+          <svg viewBox="0 0 16 16" aria-hidden="true">
+            <path d="M2 7h4l4-4h4v2h-3.200l-3 3 3 3h3.200v2h-4l-4-4h-4z" />
+          </svg>
+          <span class="tool-text">{t.explore}</span>
+          <kbd aria-hidden="true">{keyText("explore")}</kbd>
+        </button>
+      </div>
+      <div class="row end grow">
+        <button
+          type="button"
+          class="quiet"
+          onClick={() => {
+            setShown("share");
+          }}
+        >
+          {t.share}
+        </button>
+        <button
+          type="button"
+          class="quiet"
+          onClick={() => {
+            setShown("keys");
+          }}
+        >
+          {t.keys}
+        </button>
+        <button
+          type="button"
+          class="quiet"
+          aria-label={texts.value.languageLabel}
+          lang={language.value === "zh" ? "en" : "zh-CN"}
+          onClick={() => (language.value = language.value === "zh" ? "en" : "zh")}
+        >
+          {texts.value.language}
+        </button>
+        <button
+          type="button"
+          class="quiet"
+          onClick={() => {
+            const order = ["system", "light", "dark"] as const;
+            theme.value = order[(order.indexOf(theme.value) + 1) % order.length] ?? "system";
+          }}
+        >
+          {texts.value.theme[theme.value]}
+        </button>
+      </div>
+      {shown === "keys" && <KeysDialog onClose={close} />}
+      {shown === "share" && <ShareDialog onClose={close} />}
+    </header>
+  );
+}
+
+function KeysDialog({ onClose }: { onClose: () => void }) {
+  const { keys: t } = texts.value;
+  const rows: Action[] = [
+    ...(["run", "start", "step", "back", "cycle", "cycleBack"] as const),
+    ...(["slower", "faster", "explore", "check"] as const),
+  ];
+  return (
+    <Dialog title={t.title} onClose={onClose}>
+      <table class="values">
+        <tbody>
+          {rows.map((action) => (
+            <tr key={action}>
+              <th scope="row">{t[action]}</th>
+              <td>
+                <kbd>{keyText(action)}</kbd>
+              </td>
+            </tr>
+          ))}
+          <tr>
+            <th scope="row">{t.tab}</th>
+            <td>
+              <kbd>Tab</kbd>
+            </td>
+          </tr>
+          <tr>
+            <th scope="row">{t.escape}</th>
+            <td>
+              <kbd>Esc</kbd>
+            </td>
+          </tr>
+        </tbody>
+      </table>
+    </Dialog>
+  );
+}

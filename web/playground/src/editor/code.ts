@@ -1,0 +1,204 @@
+// The editor of one text: CodeMirror with the language C, underlined messages, and marked lines.
+// It stands in a shadow root, where its styles need no exception in the page's security policy.
+
+import { autocompletion, closeBrackets, closeBracketsKeymap } from "@codemirror/autocomplete";
+import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
+import { cpp } from "@codemirror/lang-cpp";
+import {
+  bracketMatching,
+  HighlightStyle,
+  indentUnit,
+  syntaxHighlighting,
+} from "@codemirror/language";
+import { type Diagnostic as Underlined, lintGutter, setDiagnostics } from "@codemirror/lint";
+import { highlightSelectionMatches, search, searchKeymap } from "@codemirror/search";
+import { Compartment, EditorState, StateEffect, StateField } from "@codemirror/state";
+import {
+  Decoration,
+  type DecorationSet,
+  drawSelection,
+  EditorView,
+  highlightActiveLine,
+  keymap,
+  lineNumbers,
+} from "@codemirror/view";
+import { tags } from "@lezer/highlight";
+
+/** Lines that are marked, by their class. */
+export type MarkedLines = { line: number; class: string }[];
+
+const colours = HighlightStyle.define([
+  { tag: tags.comment, color: "var(--code-comment)" },
+  { tag: [tags.keyword, tags.controlKeyword], color: "var(--code-keyword)" },
+  { tag: [tags.typeName, tags.standard(tags.typeName)], color: "var(--code-type)" },
+  { tag: [tags.number, tags.string, tags.literal], color: "var(--code-number)" },
+  { tag: tags.labelName, color: "var(--code-label)" },
+  { tag: [tags.processingInstruction, tags.macroName], color: "var(--code-keyword)" },
+]);
+
+const look = EditorView.theme({
+  "&": { height: "100%", color: "var(--text)", backgroundColor: "var(--surface)" },
+  ".cm-scroller": { fontFamily: "var(--mono)", fontSize: "13px", lineHeight: "1.5" },
+  "&.cm-focused": { outline: "2px solid var(--accent)", outlineOffset: "-2px" },
+  ".cm-content": { caretColor: "var(--text)", padding: "6px 0" },
+  ".cm-cursor": { borderLeftColor: "var(--text)" },
+  ".cm-gutters": {
+    backgroundColor: "var(--surface)",
+    color: "var(--muted)",
+    border: "none",
+    borderRight: "1px solid var(--line)",
+  },
+  ".cm-activeLine, .cm-activeLineGutter": { backgroundColor: "var(--active-line)" },
+  ".cm-selectionBackground, &.cm-focused .cm-selectionBackground": {
+    background: "var(--selection) !important",
+  },
+  ".cm-next": {
+    backgroundColor: "var(--next-line) !important",
+    boxShadow: "inset 3px 0 var(--accent)",
+  },
+  ".cm-linked": { backgroundColor: "var(--linked-line)" },
+  ".cm-tooltip": {
+    backgroundColor: "var(--raised)",
+    color: "var(--text)",
+    border: "1px solid var(--line-strong)",
+  },
+  ".cm-panels": { backgroundColor: "var(--raised)", color: "var(--text)" },
+  ".cm-lint-marker": { width: "0.8em", height: "0.8em" },
+});
+
+const setMarks = StateEffect.define<MarkedLines>();
+const marks = StateField.define<DecorationSet>({
+  create: () => Decoration.none,
+  update(value, transaction) {
+    let next = value.map(transaction.changes);
+    for (const effect of transaction.effects) {
+      if (!effect.is(setMarks)) continue;
+      const { doc } = transaction.state;
+      const lines = effect.value.filter(({ line }) => line >= 1 && line <= doc.lines);
+      next = Decoration.set(
+        lines.map((mark) => Decoration.line({ class: mark.class }).range(doc.line(mark.line).from)),
+        true,
+      );
+    }
+    return next;
+  },
+  provide: (field) => EditorView.decorations.from(field),
+});
+
+export class CodeEditor {
+  readonly #view: EditorView;
+  readonly #language = new Compartment();
+  readonly #label = new Compartment();
+
+  constructor(
+    host: HTMLElement,
+    private readonly on: { edit: (text: string) => void; line: (line: number) => void },
+  ) {
+    const root = host.shadowRoot ?? host.attachShadow({ mode: "open" });
+    this.#view = new EditorView({
+      parent: root as unknown as HTMLElement,
+      root,
+      state: this.#state("", ""),
+    });
+  }
+
+  #state(name: string, text: string): EditorState {
+    return EditorState.create({
+      doc: text,
+      extensions: [
+        lineNumbers(),
+        history(),
+        drawSelection(),
+        bracketMatching(),
+        closeBrackets(),
+        autocompletion({ override: [] }),
+        highlightActiveLine(),
+        highlightSelectionMatches(),
+        search({ top: true }),
+        lintGutter(),
+        marks,
+        indentUnit.of("  "),
+        look,
+        syntaxHighlighting(colours),
+        this.#language.of(name.endsWith(".c") ? cpp() : []),
+        this.#label.of([]),
+        keymap.of([
+          ...closeBracketsKeymap,
+          ...defaultKeymap,
+          ...searchKeymap,
+          ...historyKeymap,
+          indentWithTab,
+        ]),
+        EditorView.updateListener.of((update) => {
+          if (update.docChanged) this.on.edit(update.state.doc.toString());
+          if (update.selectionSet || update.docChanged) {
+            const { main } = update.state.selection;
+            this.on.line(update.state.doc.lineAt(main.head).number);
+          }
+        }),
+      ],
+    });
+  }
+
+  /** Shows another text; what was done to the one before can no longer be undone. */
+  show(name: string, text: string): void {
+    this.#view.setState(this.#state(name, text));
+  }
+
+  /** Replaces the text by one edit, which can be undone. */
+  replace(text: string): void {
+    if (text === this.text) return;
+    const old = this.text;
+    let begin = 0;
+    while (begin < old.length && begin < text.length && old[begin] === text[begin]) ++begin;
+    let end = 0;
+    const most = Math.min(old.length, text.length) - begin;
+    while (end < most && old[old.length - 1 - end] === text[text.length - 1 - end]) ++end;
+    const insert = text.slice(begin, text.length - end);
+    this.#view.dispatch({ changes: { from: begin, to: old.length - end, insert } });
+  }
+
+  label(text: string): void {
+    const effects = this.#label.reconfigure(
+      EditorView.contentAttributes.of({ "aria-label": text, "aria-multiline": "true" }),
+    );
+    this.#view.dispatch({ effects });
+  }
+
+  underline(messages: Underlined[]): void {
+    const { length } = this.#view.state.doc;
+    const within = messages.map((each) => ({
+      ...each,
+      from: Math.min(each.from, length),
+      to: Math.min(each.to, length),
+    }));
+    this.#view.dispatch(setDiagnostics(this.#view.state, within));
+  }
+
+  mark(lines: MarkedLines): void {
+    this.#view.dispatch({ effects: setMarks.of(lines) });
+  }
+
+  /** Puts the cursor at an index and shows it. */
+  select(index: number, focus: boolean): void {
+    const anchor = Math.min(index, this.#view.state.doc.length);
+    this.#view.dispatch({ selection: { anchor }, scrollIntoView: true });
+    if (focus) this.#view.focus();
+  }
+
+  /** Shows a line without moving the cursor. */
+  reveal(line: number): void {
+    const { doc } = this.#view.state;
+    if (line < 1 || line > doc.lines) return;
+    const effects = EditorView.scrollIntoView(doc.line(line).from, { y: "nearest", yMargin: 40 });
+    this.#view.dispatch({ effects });
+  }
+
+  get text(): string {
+    return this.#view.state.doc.toString();
+  }
+
+  destroy(): void {
+    this.#view.destroy();
+  }
+}

@@ -1,0 +1,199 @@
+// The program: its files, its editor, and the compiler's messages under the text.
+
+import { signal } from "@preact/signals";
+import { useEffect, useRef, useState } from "preact/hooks";
+
+import { Dialog } from "../panel/dialog.js";
+import { language } from "../store/settings.js";
+import { texts } from "../texts/texts.js";
+import {
+  bench,
+  copyProgram,
+  diagnostics,
+  edit,
+  edited,
+  file,
+  files,
+  lesson,
+  opened,
+  openProgram,
+  removeProgram,
+  resetProgram,
+  shelf,
+} from "../workspace.js";
+import { CodeEditor, type MarkedLines } from "./code.js";
+import { indexOfPlace, withFixes } from "./offsets.js";
+import { Problems } from "./problems.js";
+
+/** The line of the program that the reader has chosen, in the editor or among the statements. */
+export const chosenLine = signal(0);
+
+let editor: CodeEditor | undefined;
+
+/** Shows a line of the program in the editor. */
+export function showLine(line: number): void {
+  if (file.value !== lesson.value.program) file.value = lesson.value.program;
+  chosenLine.value = line;
+  editor?.reveal(line);
+}
+
+/** Lines of the statements that the threads execute next, and the chosen line. */
+function markedLines(): MarkedLines {
+  const isLoaded = !edited.value && file.value === lesson.value.program;
+  const next = isLoaded
+    ? (bench.state.value?.threads ?? []).filter(({ state }) => state === "running")
+    : [];
+  const lines = new Set(next.map(({ line }) => line));
+  const marked = [...lines].map((line) => ({ line, class: "cm-next" }));
+  if (isLoaded && !lines.has(chosenLine.value)) {
+    marked.push({ line: chosenLine.value, class: "cm-linked" });
+  }
+  return marked;
+}
+
+export function ProgramPanel() {
+  return (
+    <>
+      <ProgramBar />
+      <Code />
+      <Problems
+        onShow={(diagnostic) => {
+          file.value = diagnostic.file;
+          const text = files.value[diagnostic.file] ?? "";
+          editor?.select(indexOfPlace(text, diagnostic.line, diagnostic.column), true);
+        }}
+        onFix={({ file: name, fixits }) => {
+          file.value = name;
+          editor?.replace(withFixes(files.value[name] ?? "", fixits));
+        }}
+      />
+    </>
+  );
+}
+
+function ProgramBar() {
+  const { editor: t } = texts.value;
+  const [asks, setAsks] = useState<"reset" | "remove" | undefined>(undefined);
+  const { programs, open } = shelf.value;
+  return (
+    <div class="bar">
+      <div class="tabs" role="group" aria-label={t.files}>
+        {Object.keys(files.value).map((name) => (
+          <button
+            key={name}
+            type="button"
+            class="tab"
+            aria-pressed={name === file.value}
+            onClick={() => (file.value = name)}
+          >
+            {name}
+          </button>
+        ))}
+      </div>
+      {lesson.value.structured && <span class="tag">{t.structured}</span>}
+      <div class="row end grow">
+        {programs.length > 1 && (
+          <select
+            aria-label={t.programs}
+            value={open}
+            onChange={({ currentTarget }) => {
+              openProgram(Number(currentTarget.value));
+            }}
+          >
+            {programs.map((_, index) => (
+              <option key={index} value={index}>
+                {t.program(index + 1)}
+              </option>
+            ))}
+          </select>
+        )}
+        <button type="button" class="quiet" onClick={copyProgram}>
+          {t.copy}
+        </button>
+        <button
+          type="button"
+          class="quiet"
+          onClick={() => {
+            setAsks("reset");
+          }}
+        >
+          {t.reset}
+        </button>
+        {programs.length > 1 && (
+          <button
+            type="button"
+            class="quiet"
+            onClick={() => {
+              setAsks("remove");
+            }}
+          >
+            {t.remove}
+          </button>
+        )}
+      </div>
+      {asks && (
+        <Dialog
+          title={asks === "reset" ? t.resetTitle : t.removeTitle}
+          onClose={() => {
+            setAsks(undefined);
+          }}
+          answer={{
+            text: asks === "reset" ? t.reset : t.remove,
+            onChosen: asks === "reset" ? resetProgram : removeProgram,
+          }}
+        >
+          <p>{asks === "reset" ? t.resetText : t.removeText}</p>
+        </Dialog>
+      )}
+    </div>
+  );
+}
+
+function Code() {
+  const host = useRef<HTMLDivElement>(null);
+  const name = file.value;
+  const number = opened.value;
+  useEffect(() => {
+    if (!host.current) return undefined;
+    const created = new CodeEditor(host.current, {
+      edit: (text) => {
+        edit(file.value, text);
+      },
+      line: (line) => {
+        if (file.value === lesson.value.program) chosenLine.value = line;
+      },
+    });
+    editor = created;
+    return () => {
+      created.destroy();
+      editor = undefined;
+    };
+  }, []);
+  useEffect(() => {
+    editor?.show(name, files.peek()[name] ?? "");
+  }, [name, number]);
+  useEffect(() => {
+    editor?.label(texts.value.editor.label(name));
+  }, [name, number, language.value]);
+  useEffect(() => {
+    const text = files.peek()[name] ?? "";
+    const here = diagnostics.value.filter((each) => each.file === name);
+    editor?.underline(
+      here.map((each) => ({
+        from: indexOfPlace(text, each.line, each.column),
+        to: indexOfPlace(text, each.end_line, each.end_column),
+        severity: each.severity === "note" ? "info" : each.severity,
+        message: each.message,
+      })),
+    );
+  }, [diagnostics.value, name, number, language.value]);
+  const marked = markedLines();
+  const shownLine = marked.find(({ class: kind }) => kind === "cm-next")?.line ?? 0;
+  useEffect(() => {
+    editor?.mark(marked);
+  }, [JSON.stringify(marked), name, number]);
+  useEffect(() => {
+    if (shownLine > 0 && bench.notice.peek().kind !== "running") editor?.reveal(shownLine);
+  }, [shownLine]);
+  return <div class="code" ref={host} />;
+}

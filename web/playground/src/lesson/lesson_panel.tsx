@@ -1,0 +1,128 @@
+// The lesson: the list with its progress, the text, hints that open one by one, and the check.
+
+import { signal } from "@preact/signals";
+
+import { keep, kept } from "../store/keep.js";
+import { language } from "../store/settings.js";
+import { texts } from "../texts/texts.js";
+import { allLessons, lesson, openLesson } from "../workspace.js";
+import { checkTask, forgetVerdict, isSolvedNow, solved, verdict } from "./checks.js";
+import { htmlOf } from "./markdown.js";
+import { ownProgram } from "./own_program.js";
+import { VerdictBox } from "./verdict.js";
+
+/** How many hints of a lesson are open. */
+const openHints = signal<Record<string, number>>(readHints(kept("hints")));
+
+function readHints(value: unknown): Record<string, number> {
+  if (typeof value !== "object" || value === null) return {};
+  return Object.fromEntries(
+    Object.entries(value).filter(
+      (entry): entry is [string, number] => typeof entry[1] === "number",
+    ),
+  );
+}
+
+function Text({ text }: { text: string }) {
+  // markdown.ts lets no HTML through.
+  return <div class="prose" dangerouslySetInnerHTML={{ __html: htmlOf(text) }} />;
+}
+
+export function LessonPanel() {
+  const { lessons: t } = texts.value;
+  const open = lesson.value;
+  const shown = Math.min(openHints.value[open.id] ?? 0, open.hints.length);
+  const list = allLessons.value.filter(({ id }) => id !== ownProgram.id);
+  const at = list.findIndex(({ id }) => id === open.id);
+  const next = at >= 0 ? list[at + 1] : undefined;
+  return (
+    <div class="lesson">
+      <div class="lesson-head">
+        <label class="visually-hidden" for="lesson-choice">
+          {t.open}
+        </label>
+        <select
+          id="lesson-choice"
+          value={open.id}
+          onChange={({ currentTarget }) => {
+            const chosen = allLessons.value.find(({ id }) => id === currentTarget.value);
+            forgetVerdict();
+            if (chosen) openLesson(chosen);
+          }}
+        >
+          {list.map(({ id, title }, index) => (
+            <option key={id} value={id}>
+              {index + 1}. {title[language.value]}
+              {solved.value.has(id) ? ` (${t.solved})` : ""}
+            </option>
+          ))}
+          <option value={ownProgram.id}>{ownProgram.title[language.value]}</option>
+        </select>
+        {list.length > 0 && (
+          <>
+            <progress
+              aria-label={t.list}
+              max={list.length}
+              value={list.filter(({ id }) => solved.value.has(id)).length}
+            />
+            <span class="small muted">
+              {t.progress(list.filter(({ id }) => solved.value.has(id)).length, list.length)}
+            </span>
+          </>
+        )}
+      </div>
+      <div
+        class="lesson-body scroll"
+        tabIndex={0}
+        role="group"
+        aria-label={open.title[language.value]}
+      >
+        <h2>{open.title[language.value]}</h2>
+        <Text text={open.text[language.value]} />
+        {open.hints.slice(0, shown).map((hint, index) => (
+          <section key={index} class="hint">
+            <h3>{t.hints(index + 1, open.hints.length)}</h3>
+            <Text text={hint[language.value]} />
+          </section>
+        ))}
+        {shown < open.hints.length && (
+          <button
+            type="button"
+            class="quiet"
+            onClick={() => {
+              openHints.value = { ...openHints.value, [open.id]: shown + 1 };
+              keep("hints", openHints.value);
+            }}
+          >
+            {t.hint} ({shown}/{open.hints.length})
+          </button>
+        )}
+      </div>
+      <div class="lesson-check">
+        <div class="row">
+          <span class="small muted grow">{t.task[open.task]}</span>
+          <button
+            type="button"
+            class="primary"
+            disabled={verdict.value.kind === "busy"}
+            onClick={() => void checkTask()}
+          >
+            {t.check}
+          </button>
+        </div>
+        <VerdictBox />
+        {isSolvedNow.value && next && (
+          <button
+            type="button"
+            onClick={() => {
+              forgetVerdict();
+              openLesson(next);
+            }}
+          >
+            {t.next}: {next.title[language.value]}
+          </button>
+        )}
+      </div>
+    </div>
+  );
+}

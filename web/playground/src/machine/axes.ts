@@ -1,0 +1,85 @@
+// What of the card the machine view shows: the axes that are used, and how far their stages reach.
+// Tested by test/axes.test.ts.
+
+import type { Card, CardPart } from "@oncard/engine";
+
+export interface AxisView {
+  axis: number;
+  position: number;
+  velocity: number;
+  servoOn: boolean;
+  moving: boolean;
+  alarm: boolean;
+  followingError: boolean;
+  positiveLimit: boolean;
+  negativeLimit: boolean;
+  home: boolean;
+}
+
+/** The ends of a stage, in pulses. */
+export interface Reach {
+  least: number;
+  largest: number;
+}
+
+function valueOf(part: CardPart, name: string): number {
+  return part.values.find((value) => value.name === name)?.value ?? 0;
+}
+
+/** Whether a pin of an input or output word is set; pins count from 1. */
+export function pin(card: Card, word: string, number: number): boolean {
+  const value = card.words.find(({ name }) => name === word)?.value ?? 0;
+  return ((value >> (number - 1)) & 1) === 1;
+}
+
+export function axesOf(card: Card): AxisView[] {
+  return card.parts
+    .filter(({ part }) => part === "axis")
+    .map((part) => ({
+      axis: part.number,
+      position: valueOf(part, "prfPos"),
+      velocity: valueOf(part, "prfVel"),
+      servoOn: valueOf(part, "servoOn") !== 0,
+      moving: valueOf(part, "moving") !== 0,
+      alarm: valueOf(part, "alarm") !== 0,
+      followingError: valueOf(part, "followingError") !== 0,
+      positiveLimit: pin(card, "limit_positive", part.number),
+      negativeLimit: pin(card, "limit_negative", part.number),
+      home: pin(card, "home", part.number),
+    }));
+}
+
+/** Whether a program has done something with an axis. */
+export function isUsed({ position, velocity, servoOn, moving }: AxisView): boolean {
+  return servoOn || moving || position !== 0 || velocity !== 0;
+}
+
+/** Axes that are named by channels such as `axis2.prfVel`. */
+export function axesNamed(channels: string[]): number[] {
+  return channels.flatMap((name) => {
+    const axis = /^axis(\d+)\./.exec(name)?.[1];
+    return axis === undefined ? [] : [Number(axis)];
+  });
+}
+
+/** 1, 2 or 5 times a power of ten that is not less. */
+export function roundUp(value: number): number {
+  if (!(value > 0) || !Number.isFinite(value)) return 1;
+  const power = 10 ** Math.floor(Math.log10(value));
+  const factor = [1, 2, 5, 10].find((each) => each * power >= value * (1 - 1e-9)) ?? 10;
+  return factor * power;
+}
+
+/** The reach that also contains a position: stages grow, they never shrink. */
+export function grown(reach: Reach | undefined, position: number): Reach {
+  const { least, largest } = reach ?? { least: 0, largest: 10_000 };
+  return {
+    least: position < least ? -roundUp(-position) : least,
+    largest: position > largest ? roundUp(position) : largest,
+  };
+}
+
+/** Where a position is on its stage, from 0 to 1. */
+export function placeOn({ least, largest }: Reach, position: number): number {
+  return (position - least) / (largest - least);
+}

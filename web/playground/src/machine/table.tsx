@@ -1,0 +1,72 @@
+// An XY table of two axes: where the tool is, and the way that it has taken.
+
+import { useAsked } from "../session/asked.js";
+import { number, texts } from "../texts/texts.js";
+import { bench } from "../workspace.js";
+import { type AxisView, placeOn, type Reach } from "./axes.js";
+
+const size = 200;
+const edge = 8;
+const pathPoints = 300;
+
+function onTable(part: number): number {
+  return edge + part * (size - 2 * edge);
+}
+
+export function Table(props: { x: AxisView; y: AxisView; reachX: Reach; reachY: Reach }) {
+  const { x, y, reachX, reachY } = props;
+  const { machine: t } = texts.value;
+  const path = usePath(x.axis, y.axis);
+  const left = (value: number) => onTable(placeOn(reachX, value));
+  const top = (value: number) => size - onTable(placeOn(reachY, value));
+  const atX = left(x.position);
+  const atY = top(y.position);
+  const points = [...path, [x.position, y.position] as const]
+    .map(([px, py]) => `${left(px).toFixed(1)},${top(py).toFixed(1)}`)
+    .join(" ");
+  return (
+    <svg
+      viewBox={`0 0 ${size} ${size}`}
+      role="img"
+      aria-label={t.tableLabel(number(x.position, 0), number(y.position, 0))}
+      class="table"
+    >
+      <rect x={edge} y={edge} width={size - 2 * edge} height={size - 2 * edge} class="table-bed" />
+      {[0.25, 0.5, 0.75].map((part) => (
+        <g key={part}>
+          <line
+            x1={onTable(part)}
+            x2={onTable(part)}
+            y1={edge}
+            y2={size - edge}
+            class="rail-tick"
+          />
+          <line
+            y1={onTable(part)}
+            y2={onTable(part)}
+            x1={edge}
+            x2={size - edge}
+            class="rail-tick"
+          />
+        </g>
+      ))}
+      <line x1={atX} x2={atX} y1={edge} y2={size - edge} class="gantry" />
+      <polyline points={points} class="way" />
+      <circle cx={atX} cy={atY} r="5" class="carriage" />
+    </svg>
+  );
+}
+
+/** The positions up to now. */
+function usePath(x: number, y: number): (readonly [number, number])[] {
+  const time = bench.state.value?.time_ms ?? 0;
+  const key = `${x} ${y} ${time} ${bench.history.value}`;
+  const ask = async () => {
+    if (time === 0) return [];
+    const engine = await bench.engine();
+    const names = [`axis${x}.prfPos`, `axis${y}.prfPos`];
+    const [xs, ys] = await engine.trace(names, 0, time, pathPoints);
+    return (xs?.largest ?? []).map((value, index) => [value, ys?.largest[index] ?? 0] as const);
+  };
+  return useAsked(key, ask, bench.running.value) ?? [];
+}

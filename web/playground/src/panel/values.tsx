@@ -1,0 +1,209 @@
+// Variables, threads, and the statements on the card beside the lines of the source.
+
+import type { ListedFunction, Variable } from "@oncard/engine";
+import { signal } from "@preact/signals";
+
+import { chosenLine, showLine } from "../editor/editor.js";
+import { number, texts } from "../texts/texts.js";
+import { bench, edited } from "../workspace.js";
+
+const tabs = ["variables", "threads", "listing"] as const;
+const tab = signal<(typeof tabs)[number]>("variables");
+
+export function ValuesPanel() {
+  const { values: t } = texts.value;
+  return (
+    <div class="values-panel">
+      <div class="tabs" role="group" aria-label={t.label}>
+        {tabs.map((each) => (
+          <button
+            key={each}
+            type="button"
+            class="tab"
+            aria-pressed={each === tab.value}
+            onClick={() => (tab.value = each)}
+          >
+            {t.tabs[each]}
+          </button>
+        ))}
+      </div>
+      <div class="scroll" tabIndex={0} role="group" aria-label={t.tabs[tab.value]}>
+        {!bench.state.value ? (
+          <p class="muted empty">{t.idle}</p>
+        ) : tab.value === "variables" ? (
+          <Variables />
+        ) : tab.value === "threads" ? (
+          <Threads />
+        ) : (
+          <Listing />
+        )}
+      </div>
+    </div>
+  );
+}
+
+function Variables() {
+  const { values: t } = texts.value;
+  const threads = bench.state.value?.threads ?? [];
+  return (
+    <>
+      <VariableTable title={t.globals} variables={bench.globals.value} />
+      {[...bench.locals.value].map(([page, variables]) => {
+        const functions = threads.filter((thread) => thread.page === page);
+        const names = functions.map(({ function: name }) => name).join(", ");
+        return <VariableTable key={page} title={t.locals(page, names)} variables={variables} />;
+      })}
+    </>
+  );
+}
+
+function VariableTable({ title, variables }: { title: string; variables: Variable[] }) {
+  const { values: t } = texts.value;
+  return (
+    <table class="values variables">
+      <caption>{title}</caption>
+      <tbody>
+        {variables.length === 0 && (
+          <tr>
+            <td class="muted">{t.none}</td>
+          </tr>
+        )}
+        {variables.map(({ path, type, value }) => (
+          <tr key={path}>
+            <th scope="row">{path}</th>
+            <td class="muted">{type}</td>
+            <td class="number">
+              {Array.isArray(value) ? (
+                <span class="array">
+                  {value
+                    .slice(0, 64)
+                    .map((each) => number(each))
+                    .join(", ")}
+                </span>
+              ) : (
+                <input
+                  type="number"
+                  step="any"
+                  class="narrow number"
+                  aria-label={t.change(path)}
+                  value={number(value, 6)}
+                  onChange={({ currentTarget }) => {
+                    const to = currentTarget.valueAsNumber;
+                    if (Number.isFinite(to)) void bench.write(path, to);
+                  }}
+                />
+              )}
+            </td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+function Threads() {
+  const { values: t } = texts.value;
+  return (
+    <table class="values">
+      <thead>
+        <tr>
+          <th scope="col">{t.thread}</th>
+          <th scope="col">{t.function}</th>
+          <th scope="col" class="number">
+            {t.page}
+          </th>
+          <th scope="col" class="number">
+            {t.line}
+          </th>
+          <th scope="col" class="number">
+            {t.executed}
+          </th>
+          <th scope="col">{t.status}</th>
+        </tr>
+      </thead>
+      <tbody>
+        {bench.state.value?.threads.map((thread) => (
+          <tr key={thread.thread} class={thread.state === "faulted" ? "bad" : ""}>
+            <th scope="row">{thread.thread}</th>
+            <td>{thread.function}</td>
+            <td class="number">{thread.page}</td>
+            <td class="number">
+              <button
+                type="button"
+                class="link"
+                onClick={() => {
+                  showLine(thread.line);
+                }}
+              >
+                {thread.line}
+              </button>
+            </td>
+            <td class="number">{thread.statements}</td>
+            <td>
+              {thread.status}
+              {thread.refused && ` (${thread.refused})`}
+            </td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+/** The next statement of each thread, as `function position`. */
+function nextStatements(): Set<string> {
+  const running = (bench.state.value?.threads ?? []).filter(({ state }) => state === "running");
+  return new Set(running.map(({ function: name, position }) => `${name} ${position}`));
+}
+
+function Listing() {
+  const next = nextStatements();
+  return (
+    <>
+      {bench.listing.value.map((listed) => (
+        <FunctionListing key={listed.name} listed={listed} next={next} />
+      ))}
+    </>
+  );
+}
+
+function FunctionListing({ listed, next }: { listed: ListedFunction; next: Set<string> }) {
+  const { values: t } = texts.value;
+  return (
+    <table class="values listing">
+      <caption>{listed.name}</caption>
+      <thead>
+        <tr>
+          <th scope="col" class="number">
+            {t.line}
+          </th>
+          <th scope="col">{t.statement}</th>
+        </tr>
+      </thead>
+      <tbody>
+        {listed.statements.map(({ line, text }, index) => {
+          const isLinked = !edited.value && line === chosenLine.value;
+          const isNext = next.has(`${listed.name} ${index}`);
+          return (
+            <tr key={index} class={`${isLinked ? "linked" : ""} ${isNext ? "next" : ""}`}>
+              <td class="number">
+                <button
+                  type="button"
+                  class="link"
+                  onClick={() => {
+                    showLine(line);
+                  }}
+                >
+                  {line}
+                </button>
+              </td>
+              <td>
+                <code>{text}</code>
+              </td>
+            </tr>
+          );
+        })}
+      </tbody>
+    </table>
+  );
+}

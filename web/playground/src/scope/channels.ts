@@ -1,0 +1,78 @@
+// The channels of the scope: which values can be shown, how they are scaled, and what is read at
+// cursors. Tested by test/channels.test.ts.
+
+import type { Card, Channel, Variable } from "@oncard/engine";
+
+import { roundUp } from "../machine/axes.js";
+import type { Sweep } from "./trigger.js";
+
+/** A channel as the reader has set it. */
+export interface Setting {
+  name: string;
+  /** Units per division; undefined: as large as fits. */
+  perDivision?: number;
+  /** Divisions upwards. */
+  offset: number;
+}
+
+/** Divisions above and below the middle. */
+export const divisions = 4;
+
+/** Names that `trace` understands: values of the card, its words, and variables. */
+export function channelNames(card: Card | undefined, variables: Variable[]): string[] {
+  return [
+    ...variables.flatMap(({ path, value }) =>
+      Array.isArray(value) ? value.slice(0, 16).map((_, index) => `${path}[${index}]`) : [path],
+    ),
+    ...(card?.parts ?? []).flatMap(({ values }) => values.map(({ path }) => path)),
+  ];
+}
+
+export function extremes({ least, largest }: Channel): { least: number; largest: number } {
+  let low = Infinity;
+  let high = -Infinity;
+  for (const value of least) low = Math.min(low, value);
+  for (const value of largest) high = Math.max(high, value);
+  return Number.isFinite(low) ? { least: low, largest: high } : { least: 0, largest: 0 };
+}
+
+/** Units per division: those that are set, or with which the channel fits. */
+export function unitsPerDivision(setting: Setting, channel: Channel): number {
+  if (setting.perDivision !== undefined && setting.perDivision > 0) return setting.perDivision;
+  const { least, largest } = extremes(channel);
+  const room = divisions - Math.min(Math.abs(setting.offset), divisions - 1);
+  return roundUp(Math.max(Math.abs(least), Math.abs(largest)) / room);
+}
+
+/** Where a value is drawn, in divisions from the middle. */
+export function inDivisions(value: number, perDivision: number, offset: number): number {
+  return value / perDivision + offset;
+}
+
+/** The values of a channel in the part of the sweep that contains a time. */
+export function readingAt(
+  sweep: Sweep,
+  name: string,
+  timeMs: number,
+): { least: number; largest: number } | undefined {
+  const channel = sweep.channels.find((each) => each.name === name);
+  if (!channel || timeMs < sweep.fromMs || timeMs > sweep.toMs) return undefined;
+  const parts = channel.least.length;
+  const part = Math.floor(((timeMs - sweep.fromMs) / (sweep.toMs - sweep.fromMs)) * parts);
+  const index = Math.min(parts - 1, part);
+  const low = channel.least[index];
+  const high = channel.largest[index];
+  return low === undefined || high === undefined ? undefined : { least: low, largest: high };
+}
+
+/** The values as a table: a row for each part, with the least and the largest value of each channel. */
+export function csvOf(sweep: Sweep): string {
+  const head = sweep.channels.flatMap(({ name }) => [`${name}.min`, `${name}.max`]);
+  const parts = sweep.channels[0]?.least.length ?? 0;
+  const width = (sweep.toMs - sweep.fromMs) / Math.max(1, parts);
+  const rows = Array.from({ length: parts }, (_, index) => [
+    Number((sweep.fromMs + index * width).toFixed(6)),
+    ...sweep.channels.flatMap(({ least, largest }) => [least[index] ?? "", largest[index] ?? ""]),
+  ]);
+  return [["time_ms", ...head], ...rows].map((row) => `${row.join(",")}\n`).join("");
+}

@@ -1,0 +1,148 @@
+// The knobs of the scope: sweep, time, trigger.
+
+import type { ComponentChildren } from "preact";
+
+import { number, texts } from "../texts/texts.js";
+import { bench } from "../workspace.js";
+import {
+  armedAt,
+  before,
+  channels,
+  edge,
+  level,
+  type Mode,
+  mode,
+  modes,
+  source,
+  spanMs,
+  spans,
+} from "./settings.js";
+import type { Edge } from "./trigger.js";
+
+function Knob(props: { label: string; children: ComponentChildren }) {
+  return (
+    <label class="knob">
+      <span>{props.label}</span>
+      {props.children}
+    </label>
+  );
+}
+
+export function Controls(props: {
+  trigger: number | undefined;
+  onCsv: () => void;
+  onPng: () => void;
+}) {
+  const { scope: t } = texts.value;
+  const triggers = mode.value === "auto" || mode.value === "single";
+  return (
+    <div class="bar wrap">
+      <Knob label={t.mode}>
+        <select
+          value={mode.value}
+          onChange={({ currentTarget }) => (mode.value = currentTarget.value as Mode)}
+        >
+          {modes.map((each) => (
+            <option key={each} value={each}>
+              {t.modes[each]}
+            </option>
+          ))}
+        </select>
+      </Knob>
+      {mode.value !== "whole" && (
+        <Knob label={t.span}>
+          <select
+            value={spanMs.value}
+            onChange={({ currentTarget }) => (spanMs.value = Number(currentTarget.value))}
+          >
+            {spans.map((each) => (
+              <option key={each} value={each}>
+                {each} ms
+              </option>
+            ))}
+          </select>
+        </Knob>
+      )}
+      {triggers && <TriggerKnobs />}
+      {mode.value === "single" && (
+        <button
+          type="button"
+          onClick={() => {
+            armedAt.value = bench.state.value?.time_ms ?? 0;
+          }}
+        >
+          {t.arm}
+        </button>
+      )}
+      {triggers && (
+        <output class="small muted">
+          {props.trigger === undefined ? t.armed : t.triggered(number(props.trigger))}
+        </output>
+      )}
+      <div class="row end grow">
+        <button type="button" class="quiet" aria-label={t.csvLabel} onClick={props.onCsv}>
+          {t.csv}
+        </button>
+        <button type="button" class="quiet" aria-label={t.pngLabel} onClick={props.onPng}>
+          {t.png}
+        </button>
+      </div>
+    </div>
+  );
+}
+
+function TriggerKnobs() {
+  const { scope: t } = texts.value;
+  return (
+    <>
+      <Knob label={t.source}>
+        <select
+          value={source.value}
+          onChange={({ currentTarget }) => (source.value = currentTarget.value)}
+        >
+          {channels.value.map(({ name }) => (
+            <option key={name} value={name}>
+              {name}
+            </option>
+          ))}
+        </select>
+      </Knob>
+      <Knob label={t.level}>
+        <input
+          type="number"
+          step="any"
+          class="narrow"
+          value={level.value}
+          onInput={({ currentTarget }) => {
+            const to = currentTarget.valueAsNumber;
+            if (Number.isFinite(to)) level.value = to;
+          }}
+        />
+      </Knob>
+      <Knob label={t.edge}>
+        <select
+          value={edge.value}
+          onChange={({ currentTarget }) => (edge.value = currentTarget.value as Edge)}
+        >
+          {(["rising", "falling", "either"] as const).map((each) => (
+            <option key={each} value={each}>
+              {t.edges[each]}
+            </option>
+          ))}
+        </select>
+      </Knob>
+      <Knob label={t.pre}>
+        <select
+          value={before.value}
+          onChange={({ currentTarget }) => (before.value = Number(currentTarget.value))}
+        >
+          {[0, 0.1, 0.25, 0.5, 0.75, 0.9].map((each) => (
+            <option key={each} value={each}>
+              {each * 100} %
+            </option>
+          ))}
+        </select>
+      </Knob>
+    </>
+  );
+}

@@ -1,0 +1,167 @@
+// The screen of the scope, drawn by uPlot: each channel as an envelope of its least and largest
+// values, so that no spike is lost.
+
+import uPlot from "uplot";
+
+import { divisions, inDivisions, type Setting, unitsPerDivision } from "./channels.js";
+import type { Sweep } from "./trigger.js";
+
+/** Colours by the place of a channel; those of the page's style. */
+export function channelColour(index: number): string {
+  return getComputedStyle(document.documentElement)
+    .getPropertyValue(`--channel-${index % 8}`)
+    .trim();
+}
+
+function colour(name: string): string {
+  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+}
+
+/** The envelope: at the time of each part its least and its largest value. */
+export function envelope(sweep: Sweep, settings: Setting[]): uPlot.AlignedData {
+  const parts = sweep.channels[0]?.least.length ?? 0;
+  const width = (sweep.toMs - sweep.fromMs) / Math.max(1, parts);
+  const times: number[] = [];
+  for (let index = 0; index < parts; ++index) {
+    const begin = sweep.fromMs + index * width;
+    times.push(begin, begin + width / 2);
+  }
+  const lines = settings.map((setting) => {
+    const channel = sweep.channels.find(({ name }) => name === setting.name);
+    if (!channel) return times.map(() => null);
+    const per = unitsPerDivision(setting, channel);
+    return channel.least.flatMap((low, index) => {
+      const high = channel.largest[index] ?? low;
+      const rises = (channel.least[index - 1] ?? low) <= low;
+      const pair = rises ? [low, high] : [high, low];
+      return pair.map((value) => inDivisions(value, per, setting.offset));
+    });
+  });
+  return [times, ...lines];
+}
+
+/** Cursors and the trigger, drawn over the lines; times in ms. */
+export interface Marks {
+  cursors: number[];
+  trigger?: number | undefined;
+}
+
+export class Plot {
+  #plot: uPlot | undefined;
+  #shape = "";
+  #marks: Marks = { cursors: [] };
+
+  constructor(private readonly host: HTMLElement) {}
+
+  draw(sweep: Sweep, settings: Setting[], marks: Marks, look: string): void {
+    this.#marks = marks;
+    const { clientWidth, clientHeight } = this.host;
+    const shape = `${settings.map(({ name }) => name).join(" ")} ${look}`;
+    const data = envelope(sweep, settings);
+    if (!this.#plot || this.#shape !== shape) {
+      this.#plot?.destroy();
+      this.#shape = shape;
+      this.#plot = new uPlot(this.#options(settings, clientWidth, clientHeight), data, this.host);
+    } else {
+      this.#plot.setSize({ width: clientWidth, height: clientHeight });
+      this.#plot.setData(data, false);
+    }
+    this.#plot.setScale("x", { min: sweep.fromMs, max: sweep.toMs });
+  }
+
+  #options(settings: Setting[], width: number, height: number): uPlot.Options {
+    const axis = {
+      stroke: colour("--muted"),
+      grid: { stroke: colour("--line"), width: 1 },
+      ticks: { show: false },
+      font: "11px system-ui, sans-serif",
+    };
+    return {
+      width,
+      height,
+      legend: { show: false },
+      cursor: { show: false },
+      padding: [6, 24, 0, 0],
+      scales: { x: { time: false }, y: { auto: false, range: [-divisions, divisions] } },
+      axes: [
+        { ...axis, size: 24 },
+        {
+          ...axis,
+          size: 8,
+          values: () => [],
+          splits: () => Array.from({ length: 2 * divisions + 1 }, (_, index) => index - divisions),
+        },
+      ],
+      series: [
+        {},
+        ...settings.map((_, index) => ({
+          stroke: channelColour(index),
+          width: 1.5,
+          points: { show: false },
+        })),
+      ],
+      hooks: {
+        draw: [
+          (plot) => {
+            this.#drawMarks(plot);
+          },
+        ],
+      },
+    };
+  }
+
+  #drawMarks(plot: uPlot): void {
+    const { ctx, bbox } = plot;
+    const ratio = devicePixelRatio;
+    const line = (time: number, stroke: string, dash: number[], name: string) => {
+      const x = plot.valToPos(time, "x", true);
+      if (x < bbox.left || x > bbox.left + bbox.width) return;
+      ctx.save();
+      ctx.strokeStyle = stroke;
+      ctx.fillStyle = stroke;
+      ctx.lineWidth = ratio;
+      ctx.setLineDash(dash.map((length) => length * ratio));
+      ctx.beginPath();
+      ctx.moveTo(x, bbox.top);
+      ctx.lineTo(x, bbox.top + bbox.height);
+      ctx.stroke();
+      ctx.font = `${11 * ratio}px system-ui, sans-serif`;
+      ctx.textAlign = "left";
+      ctx.fillText(name, x + 3 * ratio, bbox.top + 11 * ratio);
+      ctx.restore();
+    };
+    const { cursors, trigger } = this.#marks;
+    if (trigger !== undefined) line(trigger, colour("--warning"), [2, 3], "T");
+    cursors.forEach((time, index) => {
+      line(time, colour("--text"), [5, 3], index === 0 ? "A" : "B");
+    });
+  }
+
+  /** The time at a place of the screen, in pixels of the page. */
+  timeAt(clientX: number): number | undefined {
+    if (!this.#plot) return undefined;
+    const box = this.#plot.over.getBoundingClientRect();
+    return this.#plot.posToVal(clientX - box.left, "x");
+  }
+
+  /** The screen with its background as a picture. */
+  picture(): Promise<Blob | null> {
+    const { canvas } = this.#plot?.ctx ?? {};
+    if (!canvas) return Promise.resolve(null);
+    const copy = document.createElement("canvas");
+    copy.width = canvas.width;
+    copy.height = canvas.height;
+    const context = copy.getContext("2d");
+    if (!context) return Promise.resolve(null);
+    context.fillStyle = colour("--surface");
+    context.fillRect(0, 0, copy.width, copy.height);
+    context.drawImage(canvas, 0, 0);
+    return new Promise((resolve) => {
+      copy.toBlob(resolve);
+    });
+  }
+
+  destroy(): void {
+    this.#plot?.destroy();
+  }
+}

@@ -1,0 +1,180 @@
+// The oscilloscope: controls, the screen, cursors with their readings, and what can be saved.
+
+import { useEffect, useRef, useState } from "preact/hooks";
+
+import { useAsked } from "../session/asked.js";
+import { isDark } from "../store/settings.js";
+import { number, texts } from "../texts/texts.js";
+import { bench } from "../workspace.js";
+import { ChannelList } from "./channel_list.js";
+import { csvOf, readingAt } from "./channels.js";
+import { Controls } from "./controls.js";
+import { Plot } from "./plot.js";
+import { channels, cursors, type Shown, sweepKey, sweepNow } from "./settings.js";
+import type { Sweep } from "./trigger.js";
+
+const emptySweep: Sweep = { fromMs: 0, toMs: 1000, channels: [] };
+
+export function ScopePanel() {
+  const { scope: t } = texts.value;
+  const host = useRef<HTMLDivElement>(null);
+  const plot = useRef<Plot>();
+  const [size, setSize] = useState({ width: 600, height: 200 });
+  const parts = Math.max(100, Math.round(size.width));
+  const shown: Shown = useAsked(sweepKey(parts), () => sweepNow(parts), bench.running.value) ?? {
+    sweep: emptySweep,
+  };
+  const { sweep, trigger } = shown;
+
+  useEffect(() => {
+    const { current } = host;
+    if (!current) return undefined;
+    const screen = new Plot(current);
+    plot.current = screen;
+    const watch = new ResizeObserver(() => {
+      setSize({ width: current.clientWidth, height: current.clientHeight });
+    });
+    watch.observe(current);
+    return () => {
+      watch.disconnect();
+      screen.destroy();
+    };
+  }, []);
+
+  const look = isDark() ? "dark" : "light";
+  useEffect(() => {
+    if (size.width < 20 || size.height < 20) return;
+    plot.current?.draw(sweep, channels.value, { cursors: cursors.value ?? [], trigger }, look);
+  }, [sweep, trigger, channels.value, cursors.value, look, size]);
+
+  const held = useRef<0 | 1>(0);
+  const put = (which: 0 | 1, time: number) => {
+    const [a, b] = cursors.value ?? [sweep.fromMs, sweep.toMs];
+    const at = Math.max(0, time);
+    cursors.value = which === 0 ? [at, b] : [a, at];
+  };
+
+  return (
+    <div class="scope">
+      <Controls
+        trigger={trigger}
+        onCsv={() => {
+          save("oncard.csv", new Blob([csvOf(sweep)], { type: "text/csv" }));
+        }}
+        onPng={() => {
+          void plot.current?.picture().then((picture) => {
+            if (picture) save("oncard.png", picture);
+          });
+        }}
+      />
+      <div
+        class="screen"
+        ref={host}
+        role="img"
+        aria-label={`${t.label}: ${channels.value.map(({ name }) => name).join(", ")}`}
+        onPointerDown={(event) => {
+          const time = plot.current?.timeAt(event.clientX);
+          if (time === undefined) return;
+          event.currentTarget.setPointerCapture(event.pointerId);
+          const [a, b] = cursors.value ?? [sweep.fromMs, sweep.toMs];
+          held.current = event.shiftKey || Math.abs(time - b) < Math.abs(time - a) ? 1 : 0;
+          put(held.current, time);
+        }}
+        onPointerMove={(event) => {
+          if (!event.currentTarget.hasPointerCapture(event.pointerId)) return;
+          const time = plot.current?.timeAt(event.clientX);
+          if (time !== undefined) put(held.current, time);
+        }}
+      />
+      {channels.value.length === 0 && <p class="muted small note">{t.none}</p>}
+      <ChannelList sweep={sweep} />
+      <Cursors sweep={sweep} onPut={put} />
+    </div>
+  );
+}
+
+function Cursors(props: { sweep: Sweep; onPut: (which: 0 | 1, time: number) => void }) {
+  const { sweep, onPut } = props;
+  const { scope: t } = texts.value;
+  const isOn = cursors.value !== undefined;
+  const [a, b] = cursors.value ?? [0, 0];
+  const step = (sweep.toMs - sweep.fromMs) / 200;
+  return (
+    <div class="cursors">
+      <label class="row small">
+        <input
+          type="checkbox"
+          checked={isOn}
+          onChange={({ currentTarget }) => {
+            const quarter = (sweep.toMs - sweep.fromMs) / 4;
+            cursors.value = currentTarget.checked
+              ? [sweep.fromMs + quarter, sweep.toMs - quarter]
+              : undefined;
+          }}
+        />
+        {t.cursors}
+      </label>
+      {isOn && (
+        <div class="scroll" tabIndex={0} role="group" aria-label={t.cursors}>
+          <table class="values">
+            <thead>
+              <tr>
+                <th scope="col">{t.channel}</th>
+                {[a, b].map((time, index) => {
+                  const name = index === 0 ? "A" : "B";
+                  return (
+                    <th key={name} scope="col" class="number">
+                      <label>
+                        {name}{" "}
+                        <input
+                          type="number"
+                          class="cursor-time"
+                          aria-label={`${t.cursor(name)}, ms`}
+                          step={step}
+                          value={number(time)}
+                          onInput={({ currentTarget }) => {
+                            const to = currentTarget.valueAsNumber;
+                            if (Number.isFinite(to)) onPut(index === 0 ? 0 : 1, to);
+                          }}
+                        />{" "}
+                        ms
+                      </label>
+                    </th>
+                  );
+                })}
+                <th scope="col" class="number">
+                  {t.difference} {number(b - a)} ms
+                </th>
+              </tr>
+            </thead>
+            <tbody>
+              {channels.value.map(({ name }) => {
+                const atA = readingAt(sweep, name, a)?.largest;
+                const atB = readingAt(sweep, name, b)?.largest;
+                const both = atA !== undefined && atB !== undefined;
+                return (
+                  <tr key={name} data-channel={name}>
+                    <th scope="row">{name}</th>
+                    <td class="number">{atA === undefined ? "" : number(atA)}</td>
+                    <td class="number">{atB === undefined ? "" : number(atB)}</td>
+                    <td class="number">{both ? number(atB - atA) : ""}</td>
+                  </tr>
+                );
+              })}
+            </tbody>
+          </table>
+        </div>
+      )}
+    </div>
+  );
+}
+
+function save(name: string, content: Blob): void {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(content);
+  link.download = name;
+  link.click();
+  setTimeout(() => {
+    URL.revokeObjectURL(link.href);
+  }, 1000);
+}

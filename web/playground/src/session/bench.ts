@@ -1,0 +1,365 @@
+// The session of the page: one program on the card, driven by the reader. Its signals are what the
+// panels draw; every change of the moment ends in `#show`.
+
+import type {
+  Card,
+  Compiled,
+  ListedFunction,
+  Engine,
+  Project,
+  State,
+  Stop,
+  Variable,
+  WalkResult,
+} from "@oncard/engine";
+import { RefusedError } from "@oncard/engine";
+import { batch, signal } from "@preact/signals";
+
+import { language, speed } from "../store/settings.js";
+import { startEngine } from "./engines.js";
+
+/** What the status line says. */
+export type Notice =
+  | { kind: "starting" }
+  | { kind: "ready" }
+  | { kind: "running" }
+  | { kind: "stopped"; stop: Stop }
+  | { kind: "not-compiled" }
+  | { kind: "refused"; message: string }
+  | { kind: "engine-ended"; message: string }
+  | { kind: "no-engine"; message: string };
+
+/** How many steps a step of the reader may take until a thread executes a statement. */
+const stepsToStatement = 20_000;
+/** Steps in one request of a run; other requests are answered after them. */
+const slice = 40_000;
+/** So long after the end of its threads, in ms, a card without a rest is stopped. */
+const longestAfterEnd = 60_000;
+
+export class Bench {
+  readonly notice = signal<Notice>({ kind: "starting" });
+  readonly state = signal<State | undefined>(undefined);
+  readonly card = signal<Card | undefined>(undefined);
+  readonly globals = signal<Variable[]>([]);
+  /** Of each bound data page. */
+  readonly locals = signal<Map<number, Variable[]>>(new Map());
+  readonly listing = signal<ListedFunction[]>([]);
+  readonly running = signal(false);
+  /** Grows when values of the past may have changed: with each load, choice and change. */
+  readonly history = signal(0);
+
+  #engine: Promise<Engine> | undefined;
+  #work: Promise<unknown> = Promise.resolve();
+  /** The run that goes on until it is paused; whatever is done next ends it. */
+  #run: AbortController | undefined;
+  /** The present walk; a step is short, and ended by a pause alone. */
+  #walk: AbortController | undefined;
+  #head = 0;
+  #project: Project | undefined;
+
+  /** Whether a program is loaded. */
+  get loaded(): boolean {
+    return this.state.value !== undefined;
+  }
+
+  // --- Engine ------------------------------------------------------------------------------------
+
+  engine(): Promise<Engine> {
+    this.#engine ??= this.#start();
+    return this.#engine;
+  }
+
+  async #start(): Promise<Engine> {
+    try {
+      const engine = await startEngine();
+      engine.onEnded = ({ message }) => {
+        this.#engine = undefined;
+        this.pause();
+        this.#clear({ kind: "engine-ended", message });
+      };
+      await engine.hello(language.value);
+      return engine;
+    } catch (error) {
+      this.#engine = undefined;
+      const message = error instanceof Error ? error.message : String(error);
+      if (this.notice.value.kind !== "engine-ended") this.#clear({ kind: "no-engine", message });
+      throw error;
+    }
+  }
+
+  #clear(notice: Notice): void {
+    batch(() => {
+      this.notice.value = notice;
+      this.state.value = undefined;
+      this.card.value = undefined;
+      this.globals.value = [];
+      this.locals.value = new Map();
+      this.listing.value = [];
+      this.running.value = false;
+    });
+  }
+
+  /** The language of the engine's texts has changed. */
+  async speak(): Promise<void> {
+    await this.#then(async (engine) => {
+      await engine.hello(language.value);
+      if (this.loaded) await this.#show(await engine.state());
+    });
+  }
+
+  /** What the compiler says of a project. */
+  async check(project: Project): Promise<Compiled> {
+    return (await this.engine()).check(project);
+  }
+
+  // --- Loading -----------------------------------------------------------------------------------
+
+  /** Loads a project; the card is then before its first step. True if it compiles. */
+  async load(project: Project): Promise<boolean> {
+    let compiled = false;
+    await this.#then(async (engine) => {
+      this.#head = 0;
+      this.#project = project;
+      try {
+        const loaded = await engine.load(project);
+        compiled = loaded.compiled;
+        if (!loaded.compiled) {
+          this.#clear({ kind: "not-compiled" });
+          return;
+        }
+        this.listing.value = await engine.listing();
+        this.history.value++;
+        await this.#show(loaded.state, { kind: "ready" });
+      } catch (error) {
+        if (!(error instanceof RefusedError)) throw error;
+        this.#clear({ kind: "refused", message: error.message });
+      }
+    });
+    return compiled;
+  }
+
+  /** Loads a recording of this project and goes to its end. */
+  async loadRecording(project: Project, schedule: string): Promise<void> {
+    const main = project.main.replace(/\.[^.]*$/, ".schedule");
+    const files = { ...project.files, [main]: schedule };
+    if (!(await this.load({ ...project, main, files }))) return;
+    await this.#then(async (engine) => this.#arrived(await engine.walkForward({ goal: "stop" })));
+  }
+
+  /** What is loaded. */
+  get project(): Project | undefined {
+    return this.#project;
+  }
+
+  // --- Walks -------------------------------------------------------------------------------------
+
+  pause(): void {
+    this.#run?.abort();
+    this.#walk?.abort();
+  }
+
+  /** Runs at the speed that the reader has chosen, until something stops it. */
+  run(): Promise<void> {
+    const control = new AbortController();
+    const done = this.#walking(async (engine, signal) => {
+      this.notice.value = { kind: "running" };
+      let last = performance.now();
+      while (!signal.aborted) {
+        await nextFrame();
+        const now = performance.now();
+        // A page that was hidden does not run to catch up.
+        const passed = Math.min(now - last, 100);
+        last = now;
+        const result =
+          speed.value === Infinity
+            ? await this.#fast(engine)
+            : await engine.forward(
+                { goal: "time", ms: Math.max(passed * speed.value, 0.05) },
+                slice,
+              );
+        const stop = await this.#endOf(engine, result);
+        if (stop) {
+          await this.#show(stop.state, { kind: "stopped", stop: stop.stop });
+          return;
+        }
+        await this.#show(result.state);
+      }
+      this.notice.value = { kind: "ready" };
+    }, control);
+    this.#run = control;
+    return done;
+  }
+
+  /** As far as it gets until the next picture is due. */
+  async #fast(engine: Engine): Promise<WalkResult> {
+    const begin = performance.now();
+    for (;;) {
+      const over = this.state.value?.over !== undefined;
+      const result = await engine.forward({ goal: over ? "rest" : "stop" }, slice);
+      if (result.stop.reason !== "budget" || performance.now() - begin > 60) return result;
+    }
+  }
+
+  /** Why a run ends here; undefined if it goes on. The axes come to rest after the threads. */
+  async #endOf(engine: Engine, result: WalkResult): Promise<WalkResult | undefined> {
+    const { stop, state } = result;
+    if (!["goal", "budget", "end"].includes(stop.reason)) return result;
+    if (state.over === undefined) return undefined;
+    const rests = state.over !== "quiet" || !movesIn(await engine.card());
+    const since = (this.#overSince ??= state.time_ms);
+    if (!rests && state.time_ms - since < longestAfterEnd) return undefined;
+    return engine.forward({ goal: "stop" });
+  }
+  #overSince: number | undefined;
+
+  /** One statement, whichever thread is next; a cycle if no thread runs. */
+  stepStatement(): Promise<void> {
+    return this.#walking(async (engine, signal) => {
+      let { state } = { state: await engine.state() };
+      if (!state.threads.some((thread) => thread.state === "running")) {
+        return this.#arrived(await engine.forward({ goal: "cycle" }));
+      }
+      for (let steps = 0; steps < stepsToStatement && !signal.aborted; ++steps) {
+        const isStatement = state.next === "statement";
+        const result = await engine.forward({ goal: "step" });
+        if (isStatement || result.stop.reason !== "goal") return this.#arrived(result);
+        state = result.state;
+      }
+      return this.#show(state, { kind: "ready" });
+    });
+  }
+
+  /** To before the last statement, or cycle if none was executed in it. */
+  stepBack(): Promise<void> {
+    return this.#walking(async (engine, signal) => {
+      const { threads } = await engine.state();
+      const statements = threads.some((thread) => thread.statements > 0);
+      for (let steps = 0; steps < stepsToStatement && !signal.aborted; ++steps) {
+        const result = await engine.back({ goal: statements ? "step" : "cycle" });
+        const there = !statements || result.state.next === "statement";
+        if (there || result.stop.reason !== "goal") return this.#arrived(result);
+      }
+      return this.#show(await engine.state(), { kind: "ready" });
+    });
+  }
+
+  cycle(): Promise<void> {
+    return this.#walking(async (engine) => this.#arrived(await engine.forward({ goal: "cycle" })));
+  }
+
+  cycleBack(): Promise<void> {
+    return this.#walking(async (engine) => this.#arrived(await engine.back({ goal: "cycle" })));
+  }
+
+  /** To a moment that has been reached, or to a time. */
+  goTo(place: { moment: number } | { ms: number }): Promise<void> {
+    return this.#walking(async (engine) => this.#show(await engine.goTo(place), { kind: "ready" }));
+  }
+
+  /** Lets a thread execute the next statement, whatever the schedule says. */
+  stepThread(thread: number): Promise<void> {
+    return this.#walking(async (engine) => {
+      this.history.value++;
+      await this.#arrived(await engine.stepThread(thread));
+    });
+  }
+
+  setInput(type: string, index: number, level: number): Promise<void> {
+    return this.#changing((engine) => engine.setInput(type, index, level));
+  }
+
+  write(name: string, value: number): Promise<void> {
+    return this.#changing((engine) => engine.write(name, value));
+  }
+
+  #changing(change: (engine: Engine) => Promise<State>): Promise<void> {
+    // A change while the card runs does not stop it.
+    return this.#then(async (engine) => {
+      this.history.value++;
+      await this.#show(await change(engine));
+    }, true);
+  }
+
+  // --- Order -------------------------------------------------------------------------------------
+
+  /** Does a walk after those before. */
+  #walking(
+    walk: (engine: Engine, signal: AbortSignal) => Promise<void>,
+    control = new AbortController(),
+  ): Promise<void> {
+    return this.#then(async (engine) => {
+      if (!this.loaded) return;
+      this.#walk = control;
+      this.#overSince = undefined;
+      this.running.value = true;
+      try {
+        await walk(engine, control.signal);
+      } finally {
+        if (this.#walk === control) this.#walk = undefined;
+        this.running.value = false;
+      }
+    });
+  }
+
+  /** One after the other; refusals are said, the end of the engine has been. */
+  #then(work: (engine: Engine) => Promise<void>, besides = false): Promise<void> {
+    if (!besides) this.#run?.abort();
+    const after = besides ? Promise.resolve() : this.#work;
+    const done = after.then(async () => {
+      try {
+        await work(await this.engine());
+      } catch (error) {
+        if (error instanceof RefusedError) {
+          this.notice.value = { kind: "refused", message: error.message };
+        }
+      }
+    });
+    if (!besides) this.#work = done;
+    return done;
+  }
+
+  #arrived({ stop, state }: WalkResult): Promise<void> {
+    return this.#show(
+      state,
+      stop.reason === "goal" ? { kind: "ready" } : { kind: "stopped", stop },
+    );
+  }
+
+  async #show(state: State, notice?: Notice): Promise<void> {
+    const engine = await this.engine();
+    const pages = [...new Set(state.threads.map(({ page }) => page))];
+    const [card, globals, ...locals] = await Promise.all([
+      engine.card(),
+      engine.variables(),
+      ...pages.map((page) => engine.variables(page)),
+    ]);
+    batch(() => {
+      if (state.head < this.#head) this.history.value++;
+      this.#head = state.head;
+      this.state.value = state;
+      this.card.value = card;
+      this.globals.value = globals;
+      this.locals.value = new Map(pages.map((page, index) => [page, locals[index] ?? []]));
+      if (notice) this.notice.value = notice;
+    });
+  }
+}
+
+/** Whether an axis moves. */
+function movesIn({ parts }: Card): boolean {
+  return parts.some(
+    ({ part, values }) =>
+      part === "axis" && values.some(({ name, value }) => name === "moving" && value !== 0),
+  );
+}
+
+/** The next picture; a hidden page draws none. */
+function nextFrame(): Promise<void> {
+  return new Promise((resume) => {
+    const timer = setTimeout(resume, 100);
+    requestAnimationFrame(() => {
+      clearTimeout(timer);
+      resume();
+    });
+  });
+}

@@ -1,0 +1,29 @@
+// What this browser keeps. Where storage is refused (private windows, full disks) the page works
+// on, and says that nothing is kept.
+// Tested by test/keep.test.ts.
+
+import { signal } from "@preact/signals";
+
+/** False as soon as something could not be kept. */
+export const keeps = signal(true);
+
+const prefix = "oncard.";
+
+/** A kept value of JSON; undefined if there is none that can be read. */
+export function kept(key: string): unknown {
+  try {
+    const text = localStorage.getItem(prefix + key);
+    return text === null ? undefined : (JSON.parse(text) as unknown);
+  } catch {
+    return undefined;
+  }
+}
+
+export function keep(key: string, value: unknown): void {
+  try {
+    localStorage.setItem(prefix + key, JSON.stringify(value));
+    keeps.value = true;
+  } catch {
+    keeps.value = false;
+  }
+}

@@ -1,0 +1,62 @@
+// The programs of a reader: for each lesson a row of them, one of which is open. Nothing is thrown
+// away: a reset or a link adds one.
+// Tested by test/shelf.test.ts.
+
+import { limits } from "@oncard/lessons";
+
+/** The texts of a project by their names. */
+export type Files = Record<string, string>;
+
+export interface Shelf {
+  open: number;
+  programs: Files[];
+}
+
+/** Reads a shelf from what the browser has kept; undefined if it is none. */
+export function readShelf(value: unknown): Shelf | undefined {
+  if (typeof value !== "object" || value === null) return undefined;
+  const { open, programs } = value as Record<string, unknown>;
+  if (!Array.isArray(programs) || programs.length === 0 || !programs.every(isFiles)) {
+    return undefined;
+  }
+  const index = Number.isInteger(open) ? (open as number) : 0;
+  return { open: Math.min(Math.max(index, 0), programs.length - 1), programs };
+}
+
+export function isFiles(value: unknown): value is Files {
+  if (typeof value !== "object" || value === null || Array.isArray(value)) return false;
+  const texts = Object.entries(value);
+  return (
+    texts.length > 0 &&
+    texts.length <= limits.files &&
+    texts.every(([name, text]) => name.length <= limits.fileName && typeof text === "string")
+  );
+}
+
+export function sameFiles(a: Files, b: Files): boolean {
+  const names = Object.keys(a);
+  return names.length === Object.keys(b).length && names.every((name) => a[name] === b[name]);
+}
+
+export function openFiles(shelf: Shelf): Files {
+  return shelf.programs[shelf.open] ?? {};
+}
+
+export function withText(shelf: Shelf, name: string, text: string): Shelf {
+  const programs = shelf.programs.map((files, index) =>
+    index === shelf.open ? { ...files, [name]: text } : files,
+  );
+  return { ...shelf, programs };
+}
+
+/** Opens these files: a program that is already there, or a new one. */
+export function withProgram(shelf: Shelf, files: Files): Shelf {
+  const same = shelf.programs.findIndex((each) => sameFiles(each, files));
+  if (same >= 0) return { ...shelf, open: same };
+  return { open: shelf.programs.length, programs: [...shelf.programs, files] };
+}
+
+export function withoutOpen(shelf: Shelf): Shelf {
+  const programs = shelf.programs.filter((_, index) => index !== shelf.open);
+  return programs.length === 0 ? shelf : { open: Math.max(0, shelf.open - 1), programs };
+}

@@ -1,0 +1,250 @@
+// The timeline: a row for each thread, who ran when, and a cursor that can be dragged.
+
+import type { Thread } from "@oncard/engine";
+import { effect, signal } from "@preact/signals";
+import { useRef } from "preact/hooks";
+
+import { useAsked } from "../session/asked.js";
+import { number, texts } from "../texts/texts.js";
+import { bench } from "../workspace.js";
+import {
+  type Bar,
+  barsOf,
+  following,
+  momentAt,
+  type Span,
+  ticks,
+  wholeRun,
+  zoomed,
+} from "./rows.js";
+
+/** More turns than this are not asked for; the rest is marked as not shown. */
+const mostTurns = 50_000;
+
+/** Undefined: the whole run. */
+const span = signal<Span | undefined>(undefined);
+
+effect(() => {
+  const { value: state } = bench.state;
+  const now = span.peek();
+  if (!state || !now) return;
+  span.value = following(now, state.moment, state.head);
+});
+
+export function TimelinePanel() {
+  const { timeline: t } = texts.value;
+  const { value: state } = bench.state;
+  if (!state) return <p class="muted empty">{t.none}</p>;
+  const shown = span.value ?? wholeRun(state.head);
+  return (
+    <div class="timeline">
+      <div class="bar">
+        <output class="small muted">{t.position(state.moment, number(state.time_ms))}</output>
+        <div class="row end grow">
+          <Zoom shown={shown} factor={0.5} label={t.zoomIn} text="+" />
+          <Zoom shown={shown} factor={2} label={t.zoomOut} text="−" />
+          <button
+            type="button"
+            class="quiet"
+            aria-pressed={span.value === undefined}
+            onClick={() => (span.value = undefined)}
+          >
+            {t.whole}
+          </button>
+        </div>
+      </div>
+      <Rows span={shown} />
+      {state.head === 0 && <p class="muted small note">{t.none}</p>}
+    </div>
+  );
+}
+
+function Zoom(props: { shown: Span; factor: number; label: string; text: string }) {
+  const { shown, factor, label, text } = props;
+  return (
+    <button
+      type="button"
+      class="quiet"
+      aria-label={label}
+      title={label}
+      onClick={() => {
+        const { moment = 0, head = 0 } = bench.state.value ?? {};
+        span.value = zoomed(shown, factor, moment, head);
+      }}
+    >
+      {text}
+    </button>
+  );
+}
+
+function Rows({ span: shown }: { span: Span }) {
+  const { timeline: t } = texts.value;
+  const track = useRef<HTMLDivElement>(null);
+  const state = bench.state.value;
+  const head = state?.head ?? 0;
+  const moment = state?.moment ?? 0;
+  const key = `${shown.from} ${shown.to} ${head} ${bench.history.value}`;
+  const { bars, isCut } = useAsked(
+    key,
+    async () => {
+      if (head === 0) return { bars: [], isCut: false };
+      const engine = await bench.engine();
+      const turns = await engine.turns(shown.from, Math.min(shown.to, head), mostTurns);
+      return { bars: barsOf(turns, shown), isCut: turns.length === mostTurns };
+    },
+    bench.running.value,
+  ) ?? { bars: [], isCut: false };
+  const atCursor = (moment - shown.from) / (shown.to - shown.from);
+  const atHead = Math.min(1, (head - shown.from) / (shown.to - shown.from));
+
+  const drag = (event: PointerEvent) => {
+    const box = track.current?.getBoundingClientRect();
+    if (!box) return;
+    seek(momentAt(shown, (event.clientX - box.left) / box.width, head));
+  };
+  return (
+    <>
+      <div class="rows" role="group" aria-label={t.label}>
+        <div class="row-heads">
+          {state?.threads.map((thread) => (
+            <RowHead key={thread.thread} thread={thread} />
+          ))}
+        </div>
+        <div
+          class="track"
+          ref={track}
+          onPointerDown={(event) => {
+            event.currentTarget.setPointerCapture(event.pointerId);
+            drag(event);
+          }}
+          onPointerMove={(event) => {
+            if (event.currentTarget.hasPointerCapture(event.pointerId)) drag(event);
+          }}
+        >
+          {state?.threads.map((thread) => (
+            <Row key={thread.thread} thread={thread} bars={bars} head={atHead} />
+          ))}
+          <Scale span={shown} />
+          <div
+            class="cursor"
+            role="slider"
+            tabIndex={0}
+            aria-label={t.cursor}
+            aria-valuemin={0}
+            aria-valuemax={head}
+            aria-valuenow={moment}
+            aria-valuetext={t.position(moment, number(state?.time_ms ?? 0))}
+            ref={(element) => {
+              if (element) element.style.left = `${Math.min(1, Math.max(0, atCursor)) * 100}%`;
+            }}
+            onKeyDown={(event) => {
+              const page = Math.max(1, Math.round((shown.to - shown.from) / 10));
+              const steps: Record<string, number> = {
+                ArrowLeft: moment - 1,
+                ArrowRight: moment + 1,
+                PageUp: moment - page,
+                PageDown: moment + page,
+                Home: 0,
+                End: head,
+              };
+              const to = steps[event.key];
+              if (to === undefined) return;
+              event.preventDefault();
+              seek(Math.min(head, Math.max(0, to)));
+            }}
+          />
+        </div>
+      </div>
+      {isCut && <p class="muted small note">{t.cut}</p>}
+    </>
+  );
+}
+
+function RowHead({ thread }: { thread: Thread }) {
+  const { timeline: t } = texts.value;
+  const { thread: number_, function: name, ready } = thread;
+  const state =
+    thread.state === "faulted"
+      ? t.fault
+      : thread.state === "finished"
+        ? t.ended
+        : thread.waits
+          ? t.waits
+          : "";
+  return (
+    <div class="row-head" title={thread.status}>
+      <span class={`thread-name t${number_ % 8}`}>
+        {number_} {name}
+      </span>
+      {state !== "" && <span class={`lane-state ${thread.state}`}>{state}</span>}
+      <button
+        type="button"
+        class="quiet"
+        disabled={!ready}
+        aria-label={t.next(number_)}
+        title={t.next(number_)}
+        onClick={() => void bench.stepThread(number_)}
+      >
+        {t.nextShort}
+      </button>
+    </div>
+  );
+}
+
+function Row({ thread, bars, head }: { thread: Thread; bars: Bar[]; head: number }) {
+  const own = bars.filter((bar) => bar.thread === thread.thread);
+  return (
+    <div class={`lane t${thread.thread % 8}`}>
+      <svg viewBox="0 0 1000 20" preserveAspectRatio="none" aria-hidden="true">
+        <line x1="0" x2={head * 1000} y1="10" y2="10" class="lane-line" />
+        {own.map((bar) => (
+          <rect
+            key={bar.from}
+            x={bar.from * 1000}
+            width={Math.max(1.5, (bar.to - bar.from) * 1000 - 0.5)}
+            y="3"
+            height="14"
+            class="turn"
+          />
+        ))}
+      </svg>
+    </div>
+  );
+}
+
+function Scale({ span: shown }: { span: Span }) {
+  return (
+    <div class="scale" aria-hidden="true">
+      {ticks(shown, 6).map((mark) => (
+        <span
+          key={mark}
+          ref={(element) => {
+            if (!element) return;
+            element.style.left = `${((mark - shown.from) / (shown.to - shown.from)) * 100}%`;
+          }}
+        >
+          {mark}
+        </span>
+      ))}
+    </div>
+  );
+}
+
+// --- Going there: the last place that was wished for, when the one before has been reached ---------
+
+let wished: number | undefined;
+let isGoing = false;
+
+function seek(moment: number): void {
+  wished = moment;
+  if (isGoing) return;
+  isGoing = true;
+  void (async () => {
+    while (wished !== undefined) {
+      const to: number = wished;
+      wished = undefined;
+      await bench.goTo({ moment: to });
+    }
+    isGoing = false;
+  })();
+}

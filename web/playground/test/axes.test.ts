@@ -1,0 +1,56 @@
+import type { Card } from "@oncard/engine";
+import { expect, test } from "vitest";
+
+import { axesNamed, axesOf, grown, isUsed, pin, placeOn, roundUp } from "../src/machine/axes.js";
+
+const card: Card = {
+  parts: [1, 2].map((number) => ({
+    part: "axis",
+    number,
+    values: [
+      { name: "prfPos", path: `axis${number}.prfPos`, value: number === 2 ? 500 : 0 },
+      { name: "moving", path: `axis${number}.moving`, value: number === 2 ? 1 : 0 },
+    ],
+  })),
+  words: [
+    { name: "limit_positive", kind: "input", value: 0b10, pins: 8 },
+    { name: "gpo", kind: "output", value: 0x8000 },
+  ],
+};
+
+test("axes have the switches of their number", () => {
+  const [first, second] = axesOf(card);
+  expect(first).toMatchObject({ axis: 1, position: 0, moving: false, positiveLimit: false });
+  expect(second).toMatchObject({ axis: 2, position: 500, moving: true, positiveLimit: true });
+  expect(axesOf(card).map(isUsed)).toEqual([false, true]);
+});
+
+test("pins count from 1", () => {
+  expect(pin(card, "gpo", 16)).toBe(true);
+  expect(pin(card, "gpo", 15)).toBe(false);
+  expect(pin(card, "nothing", 1)).toBe(false);
+});
+
+test("axes that channels name", () => {
+  expect(axesNamed(["axis3.prfVel", "x", "axis12.prfPos", "crd1.x"])).toEqual([3, 12]);
+});
+
+test.each([
+  [0, 1],
+  [0.7, 1],
+  [1, 1],
+  [1.1, 2],
+  [30_000, 50_000],
+  [50_000, 50_000],
+  [51_000, 100_000],
+])("%d is rounded up to %d", (value, rounded) => {
+  expect(roundUp(value)).toBeCloseTo(rounded, 9);
+});
+
+test("a stage grows and never shrinks", () => {
+  const grownOnce = grown(undefined, 30_000);
+  expect(grownOnce).toEqual({ least: 0, largest: 50_000 });
+  expect(grown(grownOnce, 10)).toEqual(grownOnce);
+  expect(grown(grownOnce, -1500)).toEqual({ least: -2000, largest: 50_000 });
+  expect(placeOn(grownOnce, 25_000)).toBe(0.5);
+});

@@ -1,0 +1,70 @@
+import { expect, test } from "vitest";
+
+import { readLink, type Shared, writeLink } from "../src/share/link.js";
+
+const shared: Shared = {
+  lesson: "first-axis",
+  files: { "start.c": "int x; // 位置\n", "task.toml": 'program = "start.c"\n' },
+  program: "start.c",
+  main: "task.toml",
+  language: "zh",
+};
+
+const own = {
+  version: 1,
+  id: "mine",
+  title: { en: "Mine" },
+  text: { en: "Do it." },
+  hints: [],
+  files: shared.files,
+  program: "start.c",
+  main: "task.toml",
+  task: "run",
+};
+
+test("a link carries a project", () => {
+  expect(readLink(writeLink(shared))).toEqual({ kind: "shared", shared });
+});
+
+test("a link carries a teacher's lesson", () => {
+  const read = readLink(writeLink({ ...shared, own: own as never }));
+  expect(read).toMatchObject({ shared: { own: { id: "mine", text: { zh: "Do it." } } } });
+});
+
+test("a lesson with mistakes is not opened", () => {
+  const read = readLink(writeLink({ ...shared, own: { ...own, task: "guess" } as never }));
+  expect(read).toMatchObject({ kind: "broken", mistakes: [{ where: "task" }] });
+});
+
+test.each([
+  ["", { kind: "none" }],
+  ["#", { kind: "none" }],
+  ["#lesson=first-axis", { kind: "lesson", id: "first-axis" }],
+  ["#section-2", { kind: "foreign" }],
+  ["#lesson=<script>", { kind: "foreign" }],
+  ["#p2=abc", { kind: "newer", version: 2 }],
+  ["#p1=", { kind: "broken", mistakes: [] }],
+  ["#p1=%%%", { kind: "broken", mistakes: [] }],
+  [`#p1=${"A".repeat(3_000_000)}`, { kind: "broken", mistakes: [] }],
+])("the fragment %.20s", (fragment, read) => {
+  expect(readLink(fragment)).toEqual(read);
+});
+
+test("a link that was cut off anywhere is said to be broken", () => {
+  const link = writeLink(shared);
+  for (let length = 4; length < link.length - 1; length += 7) {
+    expect(readLink(link.slice(0, length))).toEqual({ kind: "broken", mistakes: [] });
+  }
+});
+
+test.each([
+  ["no files", { files: {} }],
+  ["files that are no texts", { files: { "start.c": 1, "task.toml": "" } }],
+  ["a file that is too large", { files: { ...shared.files, "start.c": "x".repeat(70_000) } }],
+  ["a program that is not there", { program: "other.c" }],
+  ["a name of every object", { main: "constructor" }],
+])("a link with %s is broken", (_, change) => {
+  expect(readLink(writeLink({ ...shared, ...change } as Shared))).toMatchObject({
+    kind: "broken",
+  });
+});

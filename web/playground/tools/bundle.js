@@ -1,0 +1,77 @@
+// Builds the page: static files in a folder, which any server of files can hand out.
+//   node tools/bundle.js FOLDER MODULE
+// MODULE is oncard.wasm. The licences of everything that is bundled are put beside it.
+
+import { copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { dirname, join, resolve } from "node:path";
+import { fileURLToPath } from "node:url";
+
+import { collectLessons } from "@oncard/lessons/collect";
+import { build } from "esbuild";
+
+const here = fileURLToPath(new URL("..", import.meta.url));
+
+/** The lessons as a module of the bundle. */
+const lessons = {
+  name: "lessons",
+  setup({ onResolve, onLoad }) {
+    onResolve({ filter: /^virtual:lessons$/ }, () => ({ path: "lessons", namespace: "lessons" }));
+    onLoad({ filter: /.*/, namespace: "lessons" }, () => ({
+      contents: JSON.stringify(collectLessons().map(({ lesson }) => lesson)),
+      loader: "json",
+    }));
+  },
+};
+
+/** The folder of the package that a bundled file belongs to; undefined for files of this project. */
+function packageOf(path) {
+  if (!path.includes("node_modules/")) return undefined;
+  let folder = dirname(path);
+  while (!existsSync(join(folder, "package.json")) || !nameIn(folder)) folder = dirname(folder);
+  return folder;
+}
+
+function nameIn(folder) {
+  return JSON.parse(readFileSync(join(folder, "package.json"), "utf8")).name;
+}
+
+function licenceOf(folder) {
+  const { name, version, license } = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
+  const file = ["LICENSE", "LICENSE.md", "LICENSE.txt", "LICENCE", "license"]
+    .map((each) => join(folder, each))
+    .find(existsSync);
+  const text = file ? readFileSync(file, "utf8").trim() : license;
+  return `${name} ${version} (${license})\n\n${text}\n`;
+}
+
+export async function bundle(folder, module) {
+  rmSync(folder, { recursive: true, force: true });
+  mkdirSync(folder, { recursive: true });
+  const { metafile } = await build({
+    absWorkingDir: here,
+    entryPoints: { main: "src/main.tsx", worker: "src/session/worker.ts" },
+    outdir: folder,
+    bundle: true,
+    minify: true,
+    sourcemap: false,
+    format: "esm",
+    target: ["chrome102", "firefox102", "safari15.4"],
+    jsx: "automatic",
+    jsxImportSource: "preact",
+    metafile: true,
+    legalComments: "none",
+    logLevel: "warning",
+    plugins: [lessons],
+  });
+  for (const file of ["index.html", "icon.svg"]) copyFileSync(join(here, file), join(folder, file));
+  copyFileSync(module, join(folder, "oncard.wasm"));
+  const packages = Object.keys(metafile.inputs).map((path) => packageOf(resolve(here, path)));
+  const others = [
+    ...new Set(packages.filter((path) => path && !nameIn(path).startsWith("@oncard/"))),
+  ];
+  const notices = others.sort().map(licenceOf);
+  writeFileSync(join(folder, "LICENSES.txt"), notices.join(`\n${"-".repeat(80)}\n\n`));
+}
+
+const [folder, module] = process.argv.slice(2);
+if (folder && module) await bundle(resolve(folder), resolve(module));
