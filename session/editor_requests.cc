@@ -5,6 +5,9 @@
 #include <optional>
 #include <utility>
 
+#include "compiler/diagnostic_printer.h"
+#include "compiler/fix_it_applier.h"
+#include "compiler/lowering/lowering.h"
 #include "editor/complete.h"
 #include "editor/describe.h"
 #include "editor/overview.h"
@@ -163,6 +166,71 @@ Result<Json> Hints(Arguments& arguments, const EditorContext& context) {
   return editor::Hints(*subject.value().analysis, subject.value().file, ObjectOf(compilation));
 }
 
+Json CompiledJson(const compiler::Compilation& compilation, Language language) {
+  return {{"compiled", compilation.ok()},
+          {"diagnostics", compiler::DiagnosticsJson(compilation, language)}};
+}
+
+// Requests about a whole program: their files are those that the compiler reads.
+Result<editor::ProgramFiles> ReadProgramFiles(Arguments& arguments, const EditorContext& context,
+                                              std::shared_ptr<const Files>* files) {
+  const std::string main = arguments.Text("main");
+  *files = std::make_shared<const Files>(arguments.TextsByName("files"), context.reader);
+  const bool structured = arguments.Flag("structured", false);
+  if (auto mistakes = arguments.Mistakes()) return *std::move(mistakes);
+  auto source = ReadProgramSource(main, **files, structured);
+  *context.missing = (*files)->missing();
+  if (!source.ok()) return source.error();
+  return editor::ProgramFiles{
+      std::move(source.value().path), std::move(source.value().text),
+      std::move(source.value().options),
+      [files = *files](const std::string& path) { return files->Read(path); }};
+}
+
+Result<Json> Fixes(Arguments& arguments, const EditorContext& context) {
+  std::shared_ptr<const Files> files;
+  auto program = ReadProgramFiles(arguments, context, &files);
+  if (!program.ok()) return program.error();
+  const auto& [path, text, options, reader] = program.value();
+  const auto corrected = compiler::ApplyAllFixIts(path, text, options, reader);
+  *context.missing = files->missing();
+  Json answer = CompiledJson(corrected.compilation, context.language);
+  answer["count"] = corrected.count;
+  answer["files"] = Json::array();
+  for (const auto& [name, changed] : corrected.files) {
+    answer["files"].push_back({{"path", name}, {"text", changed}});
+  }
+  return answer;
+}
+
+Result<Json> Lower(Arguments& arguments, const EditorContext& context) {
+  std::shared_ptr<const Files> files;
+  auto program = ReadProgramFiles(arguments, context, &files);
+  if (!program.ok()) return program.error();
+  const auto& [path, text, options, reader] = program.value();
+  if (!options.structured && !compiler::WantsStructured(text)) {
+    return MakeError(1, "'{0}' is not structured C: there is nothing to lower",
+                     "“{0}”不是结构化 C：无需转换", path);
+  }
+  compiler::Lowering lowering = compiler::LowerText(path, text, options, {}, reader);
+  *context.missing = files->missing();
+  const compiler::Compilation compilation = {
+      std::move(lowering.files), std::move(lowering.diagnostics), std::move(lowering.object)};
+  Json answer = CompiledJson(compilation, context.language);
+  if (!lowering.text) return answer;
+  answer["text"] = *lowering.text;
+  answer["origins"] = Json::array();
+  for (const compiler::SourceRange& origin : lowering.origins) {
+    if (origin.file < 0) {
+      answer["origins"].push_back(nullptr);
+      continue;
+    }
+    const compiler::SourceFile& file = compilation.files[static_cast<size_t>(origin.file)];
+    answer["origins"].push_back({{"file", file.path()}, {"line", file.LineOf(origin.begin)}});
+  }
+  return answer;
+}
+
 constexpr EditorRequest kEditorRequests[] = {
     {{"describe", "main [files] [structured] [file] line column"}, Describe},
     {{"signature", "main [files] [structured] [file] line column"}, Signature},
@@ -174,6 +242,8 @@ constexpr EditorRequest kEditorRequests[] = {
     {{"tokens", "main [files] [structured] [file]"}, Tokens},
     {{"folds", "main [files] [structured] [file]"}, Folds},
     {{"hints", "main [files] [structured] [file]"}, Hints},
+    {{"fixes", "main [files] [structured]"}, Fixes},
+    {{"lower", "main [files] [structured]"}, Lower},
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "runtime/scenario/scenario.h"
 #include "runtime/sim/program.h"
 #include "vm/disassembler.h"
+#include "vm/record.h"
 
 namespace oncard::session {
 namespace {
@@ -259,7 +260,8 @@ nlohmann::ordered_json ListingView(const RewindableRun& run) {
     for (size_t i = 0; i < function.instructions.size(); ++i) {
       statements.push_back(
           {{"line", function.lines[i]},
-           {"text", vm::DescribeInstruction(object, function, i, run.controller().commands())}});
+           {"text", vm::DescribeInstruction(object, function, i, run.controller().commands())},
+           {"words", vm::EncodeRecord(function.instructions[i])}});
     }
     functions.push_back(
         {{"name", function.name}, {"file", function.file}, {"statements", std::move(statements)}});

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "session/host.h"
@@ -70,6 +71,36 @@ TEST_F(EditorRequestsTest, ReportMistakesOfTheArguments) {
   EXPECT_EQ(Ask("rename", {{"main", "p.c"}, {"files", files_}, {"line", 0}})["error"],
             "'name' is missing: a text\n'line' is wrong: an integer from 1 to 2147483647\n"
             "'column' is missing: an integer from 1 to 2147483647");
+}
+
+TEST_F(EditorRequestsTest, FixAllMistakesInAllFiles) {
+  const Json files = {{"p.c", "#include \"h.h\"\nint f()\n{\n  return a\n}\n"}, {"h.h", "int a\n"}};
+  const Json result = Ask("fixes", {{"main", "p.c"}, {"files", files}})["result"];
+  EXPECT_EQ(result["compiled"], true);
+  EXPECT_EQ(result["count"], 2);
+  EXPECT_EQ(result["files"], Json::parse(R"([{"path": "h.h", "text": "int a;\n"},
+                            {"path": "p.c",
+                             "text": "#include \"h.h\"\nint f()\n{\n  return a;\n}\n"}])"));
+  const Json good = Ask("fixes", {{"main", "p.c"}, {"files", files_}})["result"];
+  EXPECT_EQ(good["count"], 0);
+  EXPECT_EQ(good["files"].size(), 0u);
+}
+
+TEST_F(EditorRequestsTest, LowerStructuredC) {
+  const Json files = {{"p.c", "int x;\nint f()\n{\n  while (x < 3) ++x;\n}\n"}};
+  const Json result =
+      Ask("lower", {{"main", "p.c"}, {"files", files}, {"structured", true}})["result"];
+  EXPECT_EQ(result["compiled"], true);
+  const std::string text = result["text"];
+  EXPECT_THAT(text, HasSubstr("goto"));
+  // Every line of the text has its origin.
+  EXPECT_EQ(static_cast<std::ptrdiff_t>(result["origins"].size()), std::ranges::count(text, '\n'));
+  EXPECT_EQ(Ask("lower", {{"main", "p.c"}, {"files", files}})["error"],
+            "'p.c' is not structured C: there is nothing to lower");
+  const Json broken = Ask(
+      "lower", {{"main", "p.c"}, {"files", {{"p.c", "int f( {"}}}, {"structured", true}})["result"];
+  EXPECT_EQ(broken["compiled"], false);
+  EXPECT_FALSE(broken.contains("text"));
 }
 
 TEST_F(EditorRequestsTest, TakePlacesBehindTheEnd) {

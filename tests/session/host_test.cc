@@ -6,6 +6,7 @@
 
 #include "base/limits.h"
 #include "tests/session/session_support.h"
+#include "vm/record.h"
 
 namespace oncard::session {
 namespace {
@@ -289,6 +290,10 @@ TEST_F(HostTest, ListsTheStatements) {
   EXPECT_EQ(listing[0]["name"], "f");
   EXPECT_EQ(listing[0]["statements"][1]["line"], 6);
   EXPECT_EQ(listing[0]["statements"][1]["text"], "a := a + 1");
+  const auto record =
+      vm::DecodeRecord(listing[0]["statements"][1]["words"].get<std::vector<uint16_t>>());
+  ASSERT_TRUE(record.ok());
+  EXPECT_EQ(record.value().instruction.opcode, vm::Opcode::kBinary);
 }
 
 TEST_F(HostTest, ShowsValuesOverTimeAndTurns) {

@@ -13,6 +13,7 @@ import type {
   Evaluation,
   ExploreAnswer,
   FileRange,
+  Fixes,
   Fold,
   ForwardWalk,
   Hello,
@@ -21,6 +22,7 @@ import type {
   ListedFunction,
   Loaded,
   LogEvent,
+  Lowered,
   OutlineEntry,
   Project,
   Reference,
@@ -215,6 +217,12 @@ export class Engine {
   }
   hints(file: SourceProject): Promise<Hint[]> {
     return this.#requestWithFiles("hints", file);
+  }
+  fixes(project: Project): Promise<Fixes> {
+    return this.#request("fixes", { ...project });
+  }
+  lower(project: Project): Promise<Lowered> {
+    return this.#request("lower", { ...project });
   }
 
   // --- Walks -------------------------------------------------------------------------------------

@@ -240,7 +240,8 @@ export interface Turn {
 export interface ListedFunction {
   name: string;
   file: string;
-  statements: { line: number; text: string }[];
+  /** With the words of the object file. */
+  statements: { line: number; text: string; words: number[] }[];
 }
 
 export interface LogEvent {
@@ -389,4 +390,18 @@ export interface Hint extends FileRange {
   name?: string;
   unit?: string;
   slot?: number;
+}
+
+/** A program after all fix-its, and what is left to be corrected. */
+export interface Fixes extends Compiled {
+  count: number;
+  /** Those that change. */
+  files: SourceFile[];
+}
+
+/** What structured C becomes on the card. */
+export interface Lowered extends Compiled {
+  text?: string;
+  /** For each line of the text. */
+  origins?: ({ file: string; line: number } | null)[];
 }

@@ -46,3 +46,17 @@ test("whole files", async () => {
     expect.objectContaining({ kind: "argument", label: "vel [pulse/ms]:", line: 5 }),
   );
 });
+
+test("corrections of a whole program", async () => {
+  const wrong = { main, files: { [main]: "int x;\nint f()\n{\n  x = 1 + 2 + 3\n}\n" } };
+  const { compiled, count, files: changed } = await startEngine().fixes(wrong);
+  expect({ compiled, count }).toEqual({ compiled: true, count: 2 });
+  expect(changed).toMatchObject([{ path: main }]);
+});
+
+test("structured C as the card's language", async () => {
+  const structured = "//@ structured\nint x;\nint f()\n{\n  x = x + 1;\n}\n";
+  const lowered = await startEngine().lower({ main, files: { [main]: structured } });
+  const line = lowered.text?.split("\n").findIndex((text) => text.includes("x = x + 1;")) ?? -1;
+  expect(lowered.origins?.[line]).toEqual({ file: main, line: 5 });
+});
