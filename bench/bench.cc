@@ -248,6 +248,10 @@ void MeasureTool() {
 
 int Main(int argc, char** argv) {
   const std::string what = argc == 2 ? argv[1] : "";
+  if (what == "editor") {
+    BenchEditor();
+    return 0;
+  }
   if (what == "session") {
     BenchSession();
     return 0;
@@ -261,7 +265,7 @@ int Main(int argc, char** argv) {
     return 0;
   }
   if (what != "vm") {
-    std::fprintf(stderr, "usage: oncard_bench vm|motion|explore|session\n");
+    std::fprintf(stderr, "usage: oncard_bench vm|motion|explore|session|editor\n");
     return 2;
   }
   runtime::Controller controller;

@@ -20,6 +20,9 @@ void BenchMotion();
 /// `oncard_bench explore`: how fast interleavings are searched, beside SPIN.
 void BenchExplore();
 
+/// `oncard_bench editor`: how long requests about a source take.
+void BenchEditor();
+
 /// `oncard_bench session`: how fast a session goes back.
 void BenchSession();
 
