@@ -13,6 +13,7 @@
 #include "editor/overview.h"
 #include "editor/places.h"
 #include "session/project.h"
+#include "session/scenario_help.h"
 
 namespace oncard::session {
 namespace {
@@ -57,7 +58,7 @@ Result<Subject> ReadSubject(Wish wish, const EditorContext& context) {
   subject.analysis = std::make_unique<editor::Analysis>(
       subject.program.path, subject.program.text, subject.program.options, subject.program.reader);
   *context.missing = files->missing();
-  if (wish.file.empty() || wish.file == wish.main) return subject;
+  if (wish.file.empty()) return subject;
   const auto file = subject.analysis->text.Find(wish.file);
   if (!file) {
     return MakeError(1, "the program '{0}' does not include '{1}'", "程序“{0}”未包含“{1}”",
@@ -89,13 +90,34 @@ editor::Cursor CursorAt(const Subject& subject, editor::Place place) {
 
 // A request about a place, answered by `answer(subject, cursor)`.
 template <typename Answer>
+Result<Json> AnswerAt(Wish wish, editor::Place place, const EditorContext& context,
+                      const Answer& answer) {
+  const auto subject = ReadSubject(std::move(wish), context);
+  if (!subject.ok()) return subject.error();
+  return answer(subject.value(), CursorAt(subject.value(), place));
+}
+
+template <typename Answer>
 Result<Json> AtPlace(Arguments& arguments, const EditorContext& context, const Answer& answer) {
   Wish wish = ReadWish(arguments);
   const editor::Place place = ReadPlace(arguments);
   if (auto mistakes = arguments.Mistakes()) return *std::move(mistakes);
-  const auto subject = ReadSubject(std::move(wish), context);
-  if (!subject.ok()) return subject.error();
-  return answer(subject.value(), CursorAt(subject.value(), place));
+  return AnswerAt(std::move(wish), place, context, answer);
+}
+
+// The same for a request that a scenario answers, too.
+template <typename ScenarioAnswer, typename Answer>
+Result<Json> AtPlaceOfAny(Arguments& arguments, const EditorContext& context,
+                          const ScenarioAnswer& scenario_answer, const Answer& answer) {
+  Wish wish = ReadWish(arguments);
+  const editor::Place place = ReadPlace(arguments);
+  if (auto mistakes = arguments.Mistakes()) return *std::move(mistakes);
+  if (!wish.file.ends_with(".toml")) return AnswerAt(std::move(wish), place, context, answer);
+  const Files files(std::move(wish.files), context.reader);
+  auto text = files.Read(wish.file);
+  *context.missing = files.missing();
+  if (!text.ok()) return text.error();
+  return scenario_answer({std::move(wish.file), std::move(text).value(), place}, context.language);
 }
 
 const vm::Object* ObjectOf(const compiler::Compilation& compilation) {
@@ -103,10 +125,11 @@ const vm::Object* ObjectOf(const compiler::Compilation& compilation) {
 }
 
 Result<Json> Describe(Arguments& arguments, const EditorContext& context) {
-  return AtPlace(arguments, context, [&](const Subject& subject, editor::Cursor cursor) {
-    const auto compilation = subject.Compile();
-    return editor::Describe(*subject.analysis, cursor, ObjectOf(compilation), context.language);
-  });
+  return AtPlaceOfAny(
+      arguments, context, DescribeScenario, [&](const Subject& subject, editor::Cursor cursor) {
+        const auto compilation = subject.Compile();
+        return editor::Describe(*subject.analysis, cursor, ObjectOf(compilation), context.language);
+      });
 }
 
 Result<Json> Signature(Arguments& arguments, const EditorContext& context) {
@@ -116,9 +139,10 @@ Result<Json> Signature(Arguments& arguments, const EditorContext& context) {
 }
 
 Result<Json> Complete(Arguments& arguments, const EditorContext& context) {
-  return AtPlace(arguments, context, [&](const Subject& subject, editor::Cursor cursor) {
-    return editor::Complete(*subject.analysis, cursor, context.language);
-  });
+  return AtPlaceOfAny(arguments, context, CompleteScenario,
+                      [&](const Subject& subject, editor::Cursor cursor) {
+                        return editor::Complete(*subject.analysis, cursor, context.language);
+                      });
 }
 
 Result<Json> Definition(Arguments& arguments, const EditorContext& context) {

@@ -301,7 +301,7 @@ export interface Parameter {
 }
 
 export interface Description {
-  kind: SymbolKind | "number";
+  kind: SymbolKind | "number" | "key" | "table";
   markdown: string;
   range: FileRange;
   name?: string;
@@ -332,7 +332,7 @@ export interface Signature {
 
 export interface Candidate {
   label: string;
-  kind: SymbolKind | "value" | "type" | "keyword" | "directive";
+  kind: SymbolKind | "value" | "type" | "keyword" | "directive" | "key" | "table";
   detail?: string;
   documentation?: string;
   /** The text instead of the label. */
