@@ -15,6 +15,13 @@ export default tseslint.config(
     languageOptions: { globals: { URL: "readonly", console: "readonly", process: "readonly" } },
   },
   {
+    // Its functions run in the page.
+    files: ["playground/tools/measure.js"],
+    languageOptions: {
+      globals: { document: "readonly", performance: "readonly", requestAnimationFrame: "readonly" },
+    },
+  },
+  {
     files: ["**/*.ts", "**/*.tsx"],
     extends: [tseslint.configs.strictTypeChecked, tseslint.configs.stylisticTypeChecked],
     languageOptions: {

@@ -69,6 +69,7 @@ export function ScopePanel() {
       />
       <div
         class="screen"
+        data-to-ms={sweep.toMs}
         ref={host}
         role="img"
         aria-label={`${t.label}: ${channels.value.map(({ name }) => name).join(", ")}`}
