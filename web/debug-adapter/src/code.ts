@@ -3,7 +3,7 @@
 import { basename, resolve } from "node:path";
 
 import type { ListedFunction, SourceFile, Thread } from "@oncard/engine";
-import { Source } from "@vscode/debugadapter";
+import { Source, StackFrame } from "@vscode/debugadapter";
 import type { DebugProtocol } from "@vscode/debugprotocol";
 
 interface Statement {
@@ -73,9 +73,17 @@ export class Code {
   // --- Statements --------------------------------------------------------------------------------
 
   /** The address of the statement that a thread executes next. */
-  addressOf(thread: Thread): string | undefined {
+  #addressOf(thread: Thread): string | undefined {
     const first = this.#addresses.get(thread.function);
     return first === undefined ? undefined : hexadecimal(first + thread.position);
+  }
+
+  /** Where a thread stands. */
+  frame(id: number, thread: Thread): StackFrame {
+    const frame = new StackFrame(id, thread.function, this.source(thread.file), thread.line, 1);
+    const address = this.#addressOf(thread);
+    if (address !== undefined) frame.instructionPointerReference = address;
+    return frame;
   }
 
   /** Exactly `count` rows, some of which may be outside of the program. */

@@ -1,7 +1,10 @@
 // The commands of the debug console; everything else typed there is evaluated.
 
+import { back, forward, type Movement, turnOf } from "./movements.js";
+
 export type Command =
-  | { do: "cycle" | "rest" | "help" }
+  | { do: "help" }
+  | { do: "cycle" | "rest" }
   | { do: "thread"; thread: number }
   | { do: "back"; name: string }
   | { do: "record"; file: string };
@@ -34,4 +37,17 @@ export function readCommand(text: string): Command | undefined {
   const file = /^record\s+(\S.*)$/.exec(line)?.[1];
   if (file !== undefined) return { do: "record", file };
   return undefined;
+}
+
+/** How a command moves the card. */
+export function movementOf(command: Exclude<Command, { do: "help" | "record" }>): Movement {
+  switch (command.do) {
+    case "cycle":
+    case "rest":
+      return forward({ goal: command.do });
+    case "thread":
+      return turnOf(command.thread);
+    case "back":
+      return back({ goal: "change", name: command.name });
+  }
 }

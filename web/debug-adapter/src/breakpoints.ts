@@ -1,0 +1,117 @@
+// Breakpoints as the editor sets and shows them.
+// Tested by test/breakpoints.test.ts.
+
+import type { DebugProtocol } from "@vscode/debugprotocol";
+
+import type { Editor } from "./editor.js";
+import { evaluateAt } from "./evaluation.js";
+import type { Launched } from "./launched.js";
+import { readHits, type Stops, type Wish } from "./stops.js";
+
+export class Breakpoints {
+  readonly #editor: Editor;
+  readonly #stops: Stops;
+
+  constructor(editor: Editor, stops: Stops) {
+    this.#editor = editor;
+    this.#stops = stops;
+  }
+
+  /** Replaces those of a source. */
+  async setLines(
+    launched: Launched,
+    { source, breakpoints }: DebugProtocol.SetBreakpointsArguments,
+  ): Promise<DebugProtocol.Breakpoint[]> {
+    const file = launched.code.fileOf(source);
+    const wishes = (breakpoints ?? []).map((each) => this.#lineWish(file, each));
+    const group = this.#stops.replace(`source ${source.path ?? source.name ?? ""}`, wishes);
+    await this.#install(launched);
+    return group.map((wish) => shown(wish, source));
+  }
+
+  async setFunctions(
+    launched: Launched,
+    { breakpoints }: DebugProtocol.SetFunctionBreakpointsArguments,
+  ): Promise<DebugProtocol.Breakpoint[]> {
+    const wishes = breakpoints.map(({ name, condition }) => {
+      const beginning = launched.code.beginning(name);
+      const refused = { en: `there is no function '${name}'`, zh: `没有函数“${name}”` };
+      return beginning
+        ? { at: { line: { ...beginning, condition: condition ?? "" } } }
+        : { refused: this.#editor.say(refused) };
+    });
+    const group = this.#stops.replace("functions", wishes);
+    await this.#install(launched);
+    return group.map((wish) => shown(wish));
+  }
+
+  async setData(
+    launched: Launched,
+    { breakpoints }: DebugProtocol.SetDataBreakpointsArguments,
+  ): Promise<DebugProtocol.Breakpoint[]> {
+    const wishes = breakpoints.map(({ dataId }) => ({ at: { change: dataId } }));
+    const group = this.#stops.replace("changes", wishes);
+    await this.#install(launched);
+    return group.map((wish) => shown(wish));
+  }
+
+  /** Whether changes of something can be waited for. */
+  async dataInfo(
+    launched: Launched,
+    { variablesReference, name, frameId }: DebugProtocol.DataBreakpointInfoArguments,
+  ): Promise<DebugProtocol.DataBreakpointInfoResponse["body"]> {
+    const path = variablesReference
+      ? await launched.variables.path(variablesReference, name)
+      : (await evaluateAt(launched, name, frameId)).path;
+    if (path !== undefined) {
+      return { dataId: path, description: path, accessTypes: ["write"], canPersist: true };
+    }
+    const description = this.#editor.say({ en: "this has no name", zh: "此项没有名称" });
+    return { dataId: null, description };
+  }
+
+  async setExceptions(launched: Launched, filters: readonly string[]): Promise<void> {
+    this.#stops.filter(filters);
+    await this.#install(launched);
+  }
+
+  /** A run without debugging stops nowhere. */
+  async #install({ config, engine }: Launched): Promise<void> {
+    if (!config.noDebug) await this.#stops.install(engine);
+  }
+
+  #lineWish(
+    file: string | undefined,
+    { line, condition, hitCondition, logMessage }: DebugProtocol.SourceBreakpoint,
+  ): Omit<Wish, "id"> {
+    if (file === undefined) {
+      const refused = {
+        en: "no statement of the program is in this file",
+        zh: "程序中没有语句在此文件中",
+      };
+      return { refused: this.#editor.say(refused) };
+    }
+    const hits = hitCondition ? readHits(hitCondition) : 0;
+    if (hits === undefined) {
+      const refused = {
+        en: `the hit condition '${hitCondition ?? ""}' must be a number: stop from this arrival on`,
+        zh: `命中条件“${hitCondition ?? ""}”应为数字：从该次到达起停止`,
+      };
+      return { refused: this.#editor.say(refused) };
+    }
+    const texts = { condition: condition ?? "", log: logMessage ?? "" };
+    return { at: { line: { file, line, hits, ...texts } } };
+  }
+}
+
+function shown(
+  { id, line, refused }: Wish,
+  source?: DebugProtocol.Source,
+): DebugProtocol.Breakpoint {
+  if (refused !== undefined) return { id, verified: false, message: refused };
+  return {
+    id,
+    verified: true,
+    ...(line !== undefined && source ? { line, source } : {}),
+  };
+}

@@ -1,0 +1,80 @@
+// The editor at the other end: what it is told, in its language.
+
+import { basename } from "node:path";
+
+import type { Diagnostic, Language } from "@oncard/engine";
+import { type Event, OutputEvent, Source } from "@vscode/debugadapter";
+import type { DebugProtocol } from "@vscode/debugprotocol";
+
+import { type Text, UserError } from "./texts.js";
+
+/** What carries messages to the editor. */
+export interface Wire {
+  sendResponse: (response: DebugProtocol.Response) => void;
+  sendEvent: (event: Event) => void;
+  /** Sends that a request has failed. */
+  sendFailure: (response: DebugProtocol.Response, why: string) => void;
+}
+
+export class Editor {
+  language: Language = "en";
+  readonly #wire: Wire;
+
+  constructor(wire: Wire) {
+    this.#wire = wire;
+  }
+
+  say(text: Text): string {
+    return text[this.language];
+  }
+
+  // --- Requests ----------------------------------------------------------------------------------
+
+  /** Sends the response when the work is done. */
+  answer(response: DebugProtocol.Response, work: () => Promise<void> | void): void {
+    Promise.resolve()
+      .then(work)
+      .then(() => {
+        this.send(response);
+      })
+      .catch((error: unknown) => {
+        this.fail(response, error);
+      });
+  }
+
+  send(response: DebugProtocol.Response): void {
+    this.#wire.sendResponse(response);
+  }
+
+  fail(response: DebugProtocol.Response, error: unknown): void {
+    const why =
+      error instanceof UserError
+        ? this.say(error.text)
+        : error instanceof Error
+          ? error.message
+          : "";
+    this.#wire.sendFailure(response, why);
+  }
+
+  // --- Events ------------------------------------------------------------------------------------
+
+  tell(event: Event): void {
+    this.#wire.sendEvent(event);
+  }
+
+  print(text: string, category: "console" | "stdout" | "stderr"): void {
+    this.tell(new OutputEvent(text, category));
+  }
+
+  showDiagnostic({ file, line, column, severity, message }: Diagnostic): void {
+    const place = `${file}:${line}:${column}`;
+    const event: Event & DebugProtocol.OutputEvent = new OutputEvent(
+      `${place}: ${severity}: ${message}\n`,
+      severity === "error" ? "stderr" : "console",
+    );
+    event.body.source = new Source(basename(file), file);
+    event.body.line = line;
+    event.body.column = column;
+    this.tell(event);
+  }
+}

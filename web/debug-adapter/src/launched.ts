@@ -1,0 +1,76 @@
+// What exists from a successful launch on, and how a launch succeeds.
+
+import type { Compiled, Engine, State, Thread } from "@oncard/engine";
+import { TerminatedEvent } from "@vscode/debugadapter";
+
+import { Code } from "./code.js";
+import type { Editor } from "./editor.js";
+import type { LaunchConfig } from "./launch.js";
+import { startEngine } from "./start.js";
+import type { Stops } from "./stops.js";
+import { UserError } from "./texts.js";
+import { Variables } from "./variables.js";
+
+export interface Launched {
+  readonly config: LaunchConfig;
+  readonly engine: Engine;
+  readonly code: Code;
+  readonly variables: Variables;
+  /** The card as it stands, or as it was last heard of while it moves. */
+  state: State;
+}
+
+/** Starts an engine with the program and installs the stops. */
+export async function launch(
+  config: LaunchConfig,
+  stops: Stops,
+  editor: Editor,
+): Promise<Launched> {
+  const engine = await startEngine(config);
+  try {
+    await engine.hello(editor.language);
+    const { program, structured } = config;
+    const loaded = await engine.load({ main: program, structured });
+    for (const each of loaded.diagnostics) editor.showDiagnostic(each);
+    if (!loaded.compiled) throw notCompiled(loaded, program);
+    const code = new Code(loaded.files, await engine.listing());
+    if (config.noDebug) stops.filter([]);
+    await stops.install(engine);
+    report(engine, editor);
+    return { config, engine, code, variables: new Variables(engine), state: loaded.state };
+  } catch (error) {
+    engine.close();
+    throw error;
+  }
+}
+
+/** What the engine says without having been asked. */
+function report(engine: Engine, editor: Editor): void {
+  engine.onLog = ({ thread, text }) => {
+    editor.print(`[${thread}] ${text}\n`, "console");
+  };
+  engine.onEnded = (why) => {
+    editor.print(`${why.message}\n`, "stderr");
+    editor.tell(new TerminatedEvent());
+  };
+}
+
+/** The card's thread with the editor's id of it or of its frame: 1 is added to its number. */
+export function threadOf({ state }: Launched, id: number): Thread {
+  const found = state.threads.find(({ thread }) => thread === id - 1);
+  if (found) return found;
+  throw new UserError({ en: `there is no thread ${id - 1}`, zh: `没有线程 ${id - 1}` });
+}
+
+export function notLaunched(): UserError {
+  return new UserError({ en: "nothing has been launched", zh: "尚未启动程序" });
+}
+
+function notCompiled({ diagnostics }: Compiled, program: string): UserError {
+  const first = diagnostics.find(({ severity }) => severity === "error");
+  const why = first ? `${first.file}:${first.line}:${first.column}: ${first.message}` : "";
+  return new UserError({
+    en: `${program} was not compiled: ${why}`,
+    zh: `${program} 未能编译：${why}`,
+  });
+}
