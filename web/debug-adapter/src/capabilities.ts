@@ -38,6 +38,8 @@ export function capabilities(editor: Editor): DebugProtocol.Capabilities {
     supportsSteppingGranularity: true,
     supportsGotoTargetsRequest: true,
     supportsEvaluateForHovers: true,
+    supportsCompletionsRequest: true,
+    completionTriggerCharacters: [".", "["],
     supportsSetVariable: true,
     supportsSetExpression: true,
     supportsLoadedSourcesRequest: true,

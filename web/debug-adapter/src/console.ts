@@ -1,5 +1,7 @@
 // The commands of the debug console; everything else typed there is evaluated.
 
+import type { State } from "@oncard/engine";
+
 import { back, forward, type Movement, turnOf } from "./movements.js";
 
 export type Command =
@@ -50,4 +52,16 @@ export function movementOf(command: Exclude<Command, { do: "help" | "record" }>)
     case "back":
       return back({ goal: "change", name: command.name });
   }
+}
+
+/** The commands that begin with what has been typed; behind those that end in a blank more follows. */
+export function commandsIn(typed: string, { threads }: State): string[] {
+  const ready = threads.filter((thread) => thread.ready).map(({ thread }) => `thread ${thread}`);
+  const all = ["cycle", "rest", ...ready, "back change ", "record ", "help"];
+  return all.filter((command) => command.startsWith(typed.trimStart()));
+}
+
+/** True if what has been typed is the beginning of a command that no name follows. */
+export function isCommandOnly(typed: string): boolean {
+  return /^\s*(?:(?:thread|back)\s+$|record\s)/.test(typed);
 }

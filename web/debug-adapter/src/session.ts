@@ -8,6 +8,7 @@ import type { DebugProtocol } from "@vscode/debugprotocol";
 
 import { Breakpoints } from "./breakpoints.js";
 import { capabilities } from "./capabilities.js";
+import { complete } from "./completions.js";
 import { type Command, commandHelp, movementOf, readCommand } from "./console.js";
 import { Editor } from "./editor.js";
 import { evaluate, setExpression, setVariable } from "./evaluation.js";
@@ -343,6 +344,25 @@ export class OncardSession extends DebugSession {
           this.#editor.fail(response, notLaunched());
         }
     }
+  }
+
+  protected override completionsRequest(
+    response: DebugProtocol.CompletionsResponse,
+    { text, line, column, frameId }: DebugProtocol.CompletionsArguments,
+  ): void {
+    this.#editor.answer(response, async () => {
+      const found = await complete(this.#now(), {
+        text,
+        line: line === undefined ? 1 : this.convertClientLineToDebugger(line),
+        column: this.convertClientColumnToDebugger(column),
+        frameId,
+      });
+      const targets = found.map(({ start = 1, ...rest }) => ({
+        ...rest,
+        start: this.convertDebuggerColumnToClient(start),
+      }));
+      response.body = { targets };
+    });
   }
 
   protected override loadedSourcesRequest(response: DebugProtocol.LoadedSourcesResponse): void {

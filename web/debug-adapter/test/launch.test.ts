@@ -29,6 +29,7 @@ test("the capabilities are those with tests", async () => {
       "supportsReadMemoryRequest",
     ],
     moving: ["supportsGotoTargetsRequest", "supportsStepBack", "supportsSteppingGranularity"],
+    completions: ["supportsCompletionsRequest", "completionTriggerCharacters"],
     variables: ["supportsEvaluateForHovers", "supportsSetExpression", "supportsSetVariable"],
   };
   expect(Object.keys(capabilities).sort()).toEqual(Object.values(tested).flat().sort());
