@@ -81,6 +81,8 @@ const completionKinds: Record<Candidate["kind"], CompletionItemKind> = {
   type: CompletionItemKind.Class,
   keyword: CompletionItemKind.Keyword,
   directive: CompletionItemKind.Keyword,
+  key: CompletionItemKind.Property,
+  table: CompletionItemKind.Module,
 };
 
 const symbolKinds: Record<OutlineEntry["kind"], SymbolKind> = {
