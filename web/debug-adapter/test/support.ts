@@ -75,9 +75,11 @@ export class Editor {
   /** Initializes, launches and stands where breakpoints are set. */
   async launch(program: string, config: Record<string, unknown> = {}): Promise<void> {
     await this.initialize();
-    const initialized = this.client.waitForEvent("initialized");
-    await this.client.launchRequest({ program, ...config } as DebugProtocol.LaunchRequestArguments);
-    await initialized;
+    // Together: nobody waits for the event any longer when the request fails.
+    await Promise.all([
+      this.client.waitForEvent("initialized"),
+      this.client.launchRequest({ program, ...config } as DebugProtocol.LaunchRequestArguments),
+    ]);
   }
 
   /** Launches and stands at the beginning. */
