@@ -219,10 +219,10 @@ export class Engine {
     return this.#requestWithFiles("hints", file);
   }
   fixes(project: Project): Promise<Fixes> {
-    return this.#request("fixes", { ...project });
+    return this.#requestWithFiles("fixes", project);
   }
   lower(project: Project): Promise<Lowered> {
-    return this.#request("lower", { ...project });
+    return this.#requestWithFiles("lower", project);
   }
 
   // --- Walks -------------------------------------------------------------------------------------

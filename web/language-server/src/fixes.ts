@@ -1,7 +1,7 @@
 // The compiler's corrections as code actions.
 // Tested by test/server.test.ts.
 
-import type { Fixit } from "@oncard/engine";
+import type { Engine, Fixit } from "@oncard/engine";
 import {
   type CodeAction,
   CodeActionKind,
@@ -36,6 +36,25 @@ export async function quickFixes(
     });
   }
   return actions;
+}
+
+/** One edit for everything that the compiler can correct; nothing if there is nothing. */
+export async function fixAll(
+  documents: Documents,
+  engine: Engine,
+  main: string,
+  words: Words,
+): Promise<CodeAction[]> {
+  const project = (await documents.scenarioOf(main)) ?? main;
+  const { count, files } = await engine.fixes({ main: project, files: documents.openTexts() });
+  if (count === 0) return [];
+  const changes: Record<string, TextEdit[]> = {};
+  for (const { path, text } of files) {
+    const file = beside(project, path);
+    const before = (await documents.text(file)) ?? "";
+    changes[uriOf(file)] = [{ range: new Lines(before).whole(), newText: text }];
+  }
+  return [{ title: words.fixAll, kind: CodeActionKind.SourceFixAll, edit: { changes } }];
 }
 
 async function editOf(

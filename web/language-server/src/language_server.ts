@@ -23,11 +23,13 @@ import { TextDocument } from "vscode-languageserver-textdocument";
 
 import { Checker, type Findings } from "./checker.js";
 import { Diagnostics } from "./diagnostics.js";
-import { Documents } from "./documents.js";
-import { quickFixes } from "./fixes.js";
+import { Documents, type Kind } from "./documents.js";
+import { fixAll, quickFixes } from "./fixes.js";
 import { pathOf } from "./paths.js";
 import { legend, Source } from "./sources.js";
 import { languageOf, wordsIn } from "./words.js";
+
+const allKinds: readonly Kind[] = ["program", "scenario"];
 
 /** Starts an engine. It is called again after one has ended. */
 export type EngineOpener = () => Promise<Engine>;
@@ -94,7 +96,9 @@ export class LanguageServer {
         foldingRangeProvider: true,
         semanticTokensProvider: { legend, full: true },
         inlayHintProvider: true,
-        codeActionProvider: { codeActionKinds: [CodeActionKind.QuickFix] },
+        codeActionProvider: {
+          codeActionKinds: [CodeActionKind.QuickFix, CodeActionKind.SourceFixAll],
+        },
       },
       serverInfo: { name: "oncard" },
     };
@@ -161,12 +165,14 @@ export class LanguageServer {
 
   #answerAboutSources(): void {
     const connection = this.#connection;
-    connection.onHover((at) => this.#about(at, null, (source) => source.hover(at.position)));
+    connection.onHover((at) =>
+      this.#about(at, null, (source) => source.hover(at.position), allKinds),
+    );
     connection.onSignatureHelp((at) =>
       this.#about(at, null, (source) => source.signatureHelp(at.position)),
     );
     connection.onCompletion((at) =>
-      this.#about(at, [], (source) => source.completion(at.position)),
+      this.#about(at, [], (source) => source.completion(at.position), allKinds),
     );
     connection.onDefinition((at) =>
       this.#about(at, [], (source) => source.definition(at.position)),
@@ -192,17 +198,19 @@ export class LanguageServer {
     );
   }
 
-  /** Asks about a program; other documents have the answer `nothing`. */
+  /** Asks about a document of these kinds; others have the answer `nothing`. */
   async #about<Answer>(
     { textDocument }: { textDocument: TextDocumentIdentifier },
     nothing: Answer,
-    ask: (source: Source) => Promise<Answer>,
+    ask: (source: Source, engine: Engine) => Promise<Answer>,
+    kinds: readonly Kind[] = ["program"],
   ): Promise<Answer> {
     const document = this.#editor.get(textDocument.uri);
-    if (!document || (await this.#documents.kind(document)) !== "program") return nothing;
+    const kind = document && (await this.#documents.kind(document));
+    if (kind === undefined || !kinds.includes(kind)) return nothing;
     try {
       return await this.#withEngine(async (engine) =>
-        ask(await Source.open(this.#documents, engine, pathOf(textDocument.uri))),
+        ask(await Source.open(this.#documents, engine, pathOf(textDocument.uri)), engine),
       );
     } catch (error) {
       if (!(error instanceof RefusedError)) throw error;
@@ -216,12 +224,19 @@ export class LanguageServer {
     const words = wordsIn(this.#language);
     const wanted = (kind: string) =>
       !context.only || context.only.some((only) => kind === only || kind.startsWith(`${only}.`));
-    if (!wanted(CodeActionKind.QuickFix)) return [];
     const path = pathOf(textDocument.uri);
     const here = this.#diagnostics
       .shown(textDocument.uri)
       .filter((each) => meets(each, range) || context.diagnostics.some((one) => same(one, each)));
-    return quickFixes(this.#documents, path, here, words);
+    const quick = wanted(CodeActionKind.QuickFix)
+      ? await quickFixes(this.#documents, path, here, words)
+      : [];
+    const all = wanted(CodeActionKind.SourceFixAll)
+      ? await this.#about({ textDocument }, [], (_, engine) =>
+          fixAll(this.#documents, engine, path, words),
+        )
+      : [];
+    return [...quick, ...all];
   }
 }
 

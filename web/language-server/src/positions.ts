@@ -37,6 +37,12 @@ export class Lines {
     return { line: line - 1, character };
   }
 
+  /** All of them. */
+  whole(): Range {
+    const end = this.position({ line: this.#lines.length + 1, column: 1 });
+    return { start: { line: 0, character: 0 }, end };
+  }
+
   range(range: PlaceRange): Range {
     const end = { line: range.end_line, column: range.end_column };
     return { start: this.position(range), end: this.position(end) };

@@ -145,7 +145,7 @@ test("quick fixes are the compiler's", async () => {
     editor.request<CodeAction[]>("textDocument/codeAction", {
       textDocument: { uri },
       range,
-      context: { diagnostics },
+      context: { diagnostics, only: ["quickfix"] },
     });
   const start = { line: 0, character: 0 };
   expect(await actionsFor({ start, end: start }, [])).toEqual([]);
@@ -154,6 +154,30 @@ test("quick fixes are the compiler's", async () => {
   expect(await actionsFor({ start, end: start }, [first])).toEqual(actions);
   expect(actions).toMatchObject([{ title: "change to ';'", kind: "quickfix", isPreferred: true }]);
   expect(edited(text, changesOf(actions[0]?.edit, uri))).toBe(text.replace("int n", "int n;"));
+});
+
+test("fix all corrects what can be corrected, again and again", async () => {
+  const folder = folderOf({ "s.toml": scenario });
+  const uri = uriOf(join(folder, "p.c"));
+  const text = "int n\nint f()\n{\n  n = 1\n  return n\n}\n";
+  const editor = await openEditor();
+  await editor.open(uri, text);
+  const start = { line: 0, character: 0 };
+  const [all, ...others] = await editor.request<CodeAction[]>("textDocument/codeAction", {
+    textDocument: { uri },
+    range: { start, end: start },
+    context: { diagnostics: [], only: ["source.fixAll"] },
+  });
+  expect(others).toEqual([]);
+  const corrected = text.replaceAll(/(int n|= 1|return n)/g, "$1;");
+  expect(edited(text, changesOf(all?.edit, uri))).toBe(corrected);
+  await editor.change(uri, corrected);
+  const none = await editor.request<CodeAction[]>("textDocument/codeAction", {
+    textDocument: { uri },
+    range: { start, end: start },
+    context: { diagnostics: [], only: ["source.fixAll"] },
+  });
+  expect(none).toEqual([]);
 });
 
 test("an engine that ends is started again", async () => {

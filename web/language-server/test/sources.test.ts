@@ -173,3 +173,20 @@ test("documents of others have no answers", async () => {
   const position = at("GT_SetVel");
   expect(await editor.request("textDocument/hover", { textDocument, position })).toBeNull();
 });
+
+test("hover and completion help with the keys of a scenario", async () => {
+  const folder = folderOf({ "p.c": text });
+  const uri = uriOf(join(folder, "s.toml"));
+  const editor = await openEditor();
+  await editor.open(uri, 'program = "p.c"\nuntil_ms = 5\n', "toml");
+  const hover = await editor.request<Hover>("textDocument/hover", {
+    textDocument: { uri },
+    position: { line: 1, character: 3 },
+  });
+  expect(JSON.stringify(hover.contents)).toMatch(/the run ends exactly at this time/);
+  const items = await editor.request<CompletionItem[]>("textDocument/completion", {
+    textDocument: { uri },
+    position: { line: 2, character: 0 },
+  });
+  expect(items.map(({ label }) => label)).toContain("limit_ms");
+});

@@ -56,7 +56,7 @@ test("a session", async () => {
   const [fix] = await wire.ask<CodeAction[]>("textDocument/codeAction", {
     textDocument: { uri },
     range,
-    context: { diagnostics: [] },
+    context: { diagnostics: [], only: ["quickfix"] },
   });
   const contentChanges = [{ range: fix?.edit?.changes?.[uri]?.[0]?.range, text: ";" }];
   await wire.tell("textDocument/didChange", { textDocument: { uri, version: 2 }, contentChanges });
