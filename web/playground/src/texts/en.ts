@@ -102,7 +102,6 @@ export const en = {
   },
 
   machine: {
-    label: "The machine",
     stage: (axis: number, position: string, velocity: string) =>
       `Axis ${axis}: position ${position} pulses, velocity ${velocity} pulses per ms`,
     axis: (axis: number) => `Axis ${axis}`,
@@ -113,7 +112,6 @@ export const en = {
     followingError: "following error",
     negative: "negative limit switch",
     positive: "positive limit switch",
-    home: "home switch",
     table: "XY table",
     tableLabel: (x: string, y: string) => `XY table at ${x}, ${y} pulses`,
     tableAxes: (x: number, y: number) => `axes ${x} and ${y}`,
@@ -127,7 +125,6 @@ export const en = {
 
   timeline: {
     label: "Timeline of the threads",
-    thread: (thread: number) => `Thread ${thread}`,
     next: (thread: number) => `Let thread ${thread} execute the next statement`,
     nextShort: "next",
     cursor: "Moment of the session",
@@ -144,19 +141,16 @@ export const en = {
 
   scope: {
     label: "Oscilloscope",
-    channels: "Channels",
     add: "Add a channel",
     remove: (name: string) => `Remove ${name}`,
     perDivision: (name: string) => `Units per division of ${name}`,
     offset: (name: string) => `Offset of ${name} in divisions`,
-    auto: "auto",
     channel: "Channel",
     scale: "per div",
     position: "offset",
     span: "Time",
     mode: "Sweep",
     modes: { whole: "whole run", auto: "auto", single: "single", roll: "roll" },
-    trigger: "Trigger",
     source: "Source",
     level: "Level",
     edge: "Edge",
@@ -172,7 +166,6 @@ export const en = {
     png: "PNG",
     pngLabel: "Save the picture as PNG",
     none: "No channel is shown. Add one below.",
-    timeAxis: "ms",
     difference: "Δ",
   },
 
@@ -182,9 +175,6 @@ export const en = {
     globals: "Global variables",
     locals: (page: number, name: string) => `Page ${page}: ${name}`,
     none: "no variables",
-    name: "name",
-    type: "type",
-    value: "value",
     change: (name: string) => `Change ${name}`,
     thread: "thread",
     function: "function",
@@ -193,12 +183,10 @@ export const en = {
     executed: "statements",
     status: "status",
     statement: "statement on the card",
-    words: "instruction words",
     idle: "Nothing is on the card.",
   },
 
   explore: {
-    title: "Explore",
     verdicts: {
       PROVED: "Proved: it holds in every interleaving of the threads.",
       PASSED: "Passed: no failure was found within the bounds.",
@@ -208,7 +196,6 @@ export const en = {
     opened:
       "The failing run is on the card now: step it back and forward, or drag the cursor of the timeline.",
     report: "Report",
-    notCompiled: "The program has errors: it cannot be explored.",
     stopped: "The exploration was stopped.",
   },
 
@@ -226,7 +213,6 @@ export const en = {
     proved: "Solved. It is proved for every interleaving.",
     failed: "Not yet. This does not hold:",
     broken: "The program has errors; mend them first.",
-    holds: "holds",
     next: "Next lesson",
     ended: {
       "time-limit": "The program did not end within the time of the scenario.",

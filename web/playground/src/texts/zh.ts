@@ -102,7 +102,6 @@ export const zh: Texts = {
   },
 
   machine: {
-    label: "机器",
     stage: (axis, position, velocity) =>
       `轴 ${axis}：位置 ${position} 脉冲，速度 ${velocity} 脉冲每毫秒`,
     axis: (axis) => `轴 ${axis}`,
@@ -113,7 +112,6 @@ export const zh: Texts = {
     followingError: "跟随误差越限",
     negative: "负限位开关",
     positive: "正限位开关",
-    home: "原点开关",
     table: "XY 平台",
     tableLabel: (x, y) => `XY 平台位于 ${x}, ${y} 脉冲`,
     tableAxes: (x, y) => `轴 ${x} 和轴 ${y}`,
@@ -127,7 +125,6 @@ export const zh: Texts = {
 
   timeline: {
     label: "线程的时间线",
-    thread: (thread) => `线程 ${thread}`,
     next: (thread) => `让线程 ${thread} 执行下一条语句`,
     nextShort: "下一个",
     cursor: "会话的时刻",
@@ -144,19 +141,16 @@ export const zh: Texts = {
 
   scope: {
     label: "示波器",
-    channels: "通道",
     add: "添加通道",
     remove: (name) => `移除 ${name}`,
     perDivision: (name) => `${name} 每格的量`,
     offset: (name) => `${name} 的偏移（格）`,
-    auto: "自动",
     channel: "通道",
     scale: "每格",
     position: "偏移",
     span: "时间",
     mode: "扫描",
     modes: { whole: "整个运行", auto: "自动", single: "单次", roll: "滚动" },
-    trigger: "触发",
     source: "信号源",
     level: "电平",
     edge: "边沿",
@@ -172,7 +166,6 @@ export const zh: Texts = {
     png: "PNG",
     pngLabel: "把图像存为 PNG",
     none: "没有显示的通道，请在下面添加。",
-    timeAxis: "ms",
     difference: "Δ",
   },
 
@@ -182,9 +175,6 @@ export const zh: Texts = {
     globals: "全局变量",
     locals: (page, name) => `数据页 ${page}：${name}`,
     none: "没有变量",
-    name: "名称",
-    type: "类型",
-    value: "值",
     change: (name) => `修改 ${name}`,
     thread: "线程",
     function: "函数",
@@ -193,12 +183,10 @@ export const zh: Texts = {
     executed: "语句数",
     status: "状态",
     statement: "卡上的语句",
-    words: "指令字",
     idle: "卡上没有程序。",
   },
 
   explore: {
-    title: "探索",
     verdicts: {
       PROVED: "已证明：在线程的每种交错下都成立。",
       PASSED: "通过：在界限内没有发现失败。",
@@ -207,7 +195,6 @@ export const zh: Texts = {
     },
     opened: "失败的运行现在就在卡上：可以前后单步，或拖动时间线的光标。",
     report: "报告",
-    notCompiled: "程序有错误，不能探索。",
     stopped: "探索已停止。",
   },
 
@@ -225,7 +212,6 @@ export const zh: Texts = {
     proved: "完成。已证明在每种交错下都成立。",
     failed: "还没有完成。以下不成立：",
     broken: "程序有错误，请先改正。",
-    holds: "成立",
     next: "下一课",
     ended: {
       "time-limit": "程序没有在场景规定的时间内结束。",
