@@ -9,6 +9,11 @@
 namespace oncard::compiler {
 namespace {
 
+// A correction can make the next one possible: each operation of a long expression takes a pass.
+// Some mistakes stay what they are, and the text would grow for ever, such as a missing semicolon
+// in the body of a macro.
+constexpr int kPassesMax = 500;
+
 // The part of a file that a diagnostic's edits cover. Insertions of declarations before the
 // diagnostic itself do not conflict with others.
 struct Stretch {
@@ -130,7 +135,7 @@ CorrectedProgram ApplyAllFixIts(const std::string& path, std::string text, const
   Options all = options;
   all.max_errors = 0;
   std::set<size_t> seen;
-  for (;;) {
+  for (int pass = 0; pass < kPassesMax; ++pass) {
     const Compilation compilation = CompileText(path, text, all, corrected_reader);
     std::map<int, std::vector<FixIt>> edits;
     const int count = Choose(compilation, &edits);

@@ -25,8 +25,7 @@ std::string ApplyEdits(const std::string& text, std::vector<FixIt> edits);
 
 /// Compiles, applies, and compiles again. If the ranges of fix-its touch, the first one is applied
 /// and the others are computed again, because each applies to the current text. Included files are
-/// corrected as well. Terminates, because an edit that leads back to an earlier text is the last
-/// one.
+/// corrected as well. Ends with an edit that leads back to an earlier text, and after many passes.
 CorrectedProgram ApplyAllFixIts(const std::string& path, std::string text, const Options& options,
                                 const FileReader& reader);
 

@@ -463,6 +463,16 @@ TEST(ApplyAllFixIts, CorrectsTypesFirst) {
   EXPECT_EQ(RunAndRead(*corrected.compilation.object, "v"), 4) << corrected.files.at("test.c");
 }
 
+// A semicolon after the call does not end the statement in the macro's body.
+TEST(ApplyAllFixIts, EndsWhereACorrectionDoesNotHelp) {
+  Options options;
+  options.structured = true;
+  const CorrectedProgram corrected =
+      ApplyAllFixIts("test.c", "#define CLEAR(n) do { for (i = 0; n\nvoid t0() {\n  CLEAR(3);\n}\n",
+                     options, ReaderOf({}));
+  EXPECT_FALSE(corrected.compilation.ok());
+}
+
 // Fix-its may be applied in any order, or one of them alone.
 TEST(Rewriter, DeclaresInEachFixItWhatItNeeds) {
   const std::string text =
