@@ -28,6 +28,22 @@ SourceFile::SourceFile(std::string path, std::string text)
   }
   // The line end of the last line does not begin a new line.
   if (line_starts_.size() > 1 && line_starts_.back() == text_.size()) line_starts_.pop_back();
+  FindTrailBytes();
+}
+
+void SourceFile::FindTrailBytes() {
+  const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
+  for (int line = 1; line <= line_count(); ++line) {
+    const std::string_view content = Line(line);
+    if (std::ranges::all_of(content, is_ascii)) continue;
+    const bool utf8 = IsUtf8(content);
+    const uint32_t begin = line_starts_[static_cast<size_t>(line - 1)];
+    for (size_t position = 0; position < content.size();) {
+      const size_t next =
+          std::min(position + CharacterLength(content.substr(position), utf8), content.size());
+      while (++position < next) trail_bytes_.push_back(begin + static_cast<uint32_t>(position));
+    }
+  }
 }
 
 std::string SourceFile::IniName() const {
@@ -55,18 +71,11 @@ int SourceFile::LineOf(uint32_t offset) const {
 }
 
 int SourceFile::ColumnOf(uint32_t offset) const {
-  const int line = LineOf(offset);
-  const size_t begin = line_starts_[static_cast<size_t>(line - 1)];
-  const std::string_view content = Line(line);
-  const size_t target = std::min<size_t>(offset, text_.size()) - begin;
-  const bool utf8 = IsUtf8(content);
-  int column = 1;
-  size_t position = 0;
-  while (position < target) {
-    position += position < content.size() ? CharacterLength(content.substr(position), utf8) : 1;
-    if (position <= target) ++column;
-  }
-  return column;
+  const uint32_t begin = line_starts_[static_cast<size_t>(LineOf(offset) - 1)];
+  offset = std::min(offset, static_cast<uint32_t>(text_.size()));
+  const auto trail_bytes = std::ranges::upper_bound(trail_bytes_, offset) -
+                           std::ranges::upper_bound(trail_bytes_, begin);
+  return static_cast<int>(offset - begin) - static_cast<int>(trail_bytes) + 1;
 }
 
 std::span<const DiagnosticInfo> DiagnosticTable() { return kDiagnostics; }

@@ -30,9 +30,12 @@ class SourceFile {
   int ColumnOf(uint32_t offset) const;
 
  private:
+  void FindTrailBytes();
+
   std::string path_;
   std::string text_;
   std::vector<uint32_t> line_starts_;
+  std::vector<uint32_t> trail_bytes_;  ///< offsets of bytes that do not begin a character
 };
 
 /// A range of a file's text: bytes [begin, end).

@@ -81,6 +81,13 @@ TEST(SourceFile, CountsCharactersNotBytes) {
   EXPECT_EQ(SourceFile("f.c", utf8).ColumnOf(static_cast<uint32_t>(utf8.find('x'))), 10);
   const std::string gbk = "/* \xB1\xE4\xC1\xBF */ x";
   EXPECT_EQ(SourceFile("f.c", gbk).ColumnOf(static_cast<uint32_t>(gbk.find('x'))), 10);
+  const SourceFile lines("f.c", utf8 + "\r\n" + utf8 + "\n" + gbk);
+  const auto second = static_cast<uint32_t>(utf8.size() + 2);
+  EXPECT_EQ(lines.ColumnOf(second + 3), 4);   // the first character
+  EXPECT_EQ(lines.ColumnOf(second + 4), 4);   // within it
+  EXPECT_EQ(lines.ColumnOf(second + 6), 5);   // the second one
+  EXPECT_EQ(lines.ColumnOf(second - 1), 12);  // the line end
+  EXPECT_EQ(lines.ColumnOf(second + 14 + 1 + 8), 7);
 }
 
 TEST(SourceFile, SkipsAByteOrderMark) {

@@ -121,6 +121,16 @@ TEST(Folds, AreFunctionsBlocksCommentsAndDirectives) {
   EXPECT_EQ(FoldsOf("}\n#endif\n#else\n"), "");
 }
 
+// A program in one line: a place is found without counting from its beginning.
+TEST(Tokens, OfALongLine) {
+  constexpr int kStatements = 100'000;
+  std::string text = "int x;/*值*/void f(){";
+  for (int i = 0; i < kStatements; ++i) text += "x=1;";
+  const AnalysedSource source(text + "}");
+  const Json tokens = Tokens(source.analysis(), 0);
+  EXPECT_EQ(tokens.back()["column"], 1 + 20 + 4 * (kStatements - 1) + 2);
+}
+
 // --- Hints ---------------------------------------------------------------------------------------
 
 std::string HintsOf(std::string_view text, bool structured = false) {
