@@ -25,4 +25,13 @@ std::string EscapeMarkup(std::string_view text) {
   return escaped;
 }
 
+std::string EscapeTableCell(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '|') escaped += '\\';
+    escaped += c;
+  }
+  return escaped;
+}
+
 }  // namespace oncard

@@ -2,22 +2,14 @@
 
 #include <fmt/format.h>
 
+#include "base/markup.h"
+
 namespace oncard::editor {
 namespace {
 
 using gtcalls::Command;
 using gtcalls::Parameter;
 using gtcalls::Passing;
-
-/// A cell of a table of Markdown.
-std::string Cell(std::string_view text) {
-  std::string cell;
-  for (const char c : text) {
-    if (c == '|') cell += '\\';
-    cell += c;
-  }
-  return cell;
-}
 
 std::string Elements(const Command& command, const Parameter& parameter, Language language) {
   Message text;
@@ -115,7 +107,7 @@ std::string CommandMarkdown(const Command& command, Language language) {
                                         : gtcalls::SpellScalar(parameter.type);
       text += fmt::format("| `{}` | `{}{}` | {} |\n", parameter.name, type,
                           IsPointer(parameter) ? " *" : "",
-                          Cell(ParameterNote(command, parameter, language)));
+                          EscapeTableCell(ParameterNote(command, parameter, language)));
     }
   }
   text += MakeMessage(

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/markup.h"
 #include "runtime/scenario/key_table.h"
 
 namespace oncard::runtime {
@@ -55,22 +56,13 @@ std::string ValueOf(const KeyType& type) {
   return "text or table";
 }
 
-/// A bar would end its cell.
-std::string Cell(std::string_view text) {
-  std::string cell;
-  for (const char c : text) {
-    if (c == '|') cell += '\\';
-    cell += c;
-  }
-  return cell;
-}
-
 std::string TableOf(const KeySection& section) {
   std::string table = "| key | value | meaning | without it |\n|---|---|---|---|\n";
   for (const KeyDescription& key : section.keys) {
-    table += fmt::format("| `{}` | {} | {} | {} |\n", key.name, Cell(ValueOf(key.type)),
-                         Cell(key.meaning.en),
-                         key.required() ? std::string("required") : Cell(key.standard.en));
+    table +=
+        fmt::format("| `{}` | {} | {} | {} |\n", key.name, EscapeTableCell(ValueOf(key.type)),
+                    EscapeTableCell(key.meaning.en),
+                    key.required() ? std::string("required") : EscapeTableCell(key.standard.en));
   }
   return table;
 }

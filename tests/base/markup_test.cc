@@ -11,5 +11,7 @@ TEST(EscapeMarkup, ReplacesWhatMeansSomething) {
   EXPECT_EQ(EscapeMarkup(""), "");
 }
 
+TEST(EscapeTableCell, KeepsBarsInTheCell) { EXPECT_EQ(EscapeTableCell("a|b | c"), "a\\|b \\| c"); }
+
 }  // namespace
 }  // namespace oncard
