@@ -244,16 +244,14 @@ void RewindableRun::StepStatement() {
 
 void RewindableRun::ExecuteTo(int64_t last) {
   vm::Machine& machine = controller_.machine();
-  while (place_.statements_left > 0 && moment() < last) {
+  while (place_.statements_left > 0 && moment() < last && machine.RunnableThreads() != 0) {
     if (races_) {
       StepStatement();
-      if (machine.RunnableThreads() == 0) break;
       continue;
     }
     const int64_t executed = machine.Execute(std::min(place_.statements_left, last - moment()));
     place_.statements_left -= executed;
     place_.moment += executed;
-    if (machine.RunnableThreads() == 0) break;
     if (executed == 0) LeaveSchedule();
   }
 }

@@ -132,6 +132,25 @@ TEST(RaceWatchTest, TheSameRacesAreMetOnTheWayBack) {
   EXPECT_EQ(RacesOnTheWay(&session), forward);
 }
 
+// In the cycles of the delay no thread can execute a statement.
+TEST(RaceWatchTest, MomentsAreTheSameAsWithoutIt) {
+  const std::string program =
+      "int x;\n"
+      "int t0()\n{\n  x = 1;\n  GT_Delay(3);\n  x = 2;\n}\n"
+      "int t1()\n{\n  int r;\n  GT_Delay(9);\n  r = x;\n}\n";
+  Session plain = SessionOf(program, kBoth);
+  Session watched = SessionOf(program, kBoth);
+  ASSERT_TRUE(Watch(&watched).ok());
+  ASSERT_TRUE(plain.Forward({}, nullptr).ok());
+  RacesOnTheWay(&watched);
+  ASSERT_EQ(watched.run().head(), plain.run().head());
+  for (int64_t moment = plain.run().head(); moment >= 0; --moment) {
+    plain.run().GoTo(moment);
+    watched.run().GoTo(moment);
+    EXPECT_EQ(watched.run().controller().Hash(), plain.run().controller().Hash()) << moment;
+  }
+}
+
 TEST(RaceWatchTest, ARecordingStaysTheSame) {
   Session plain = SessionOf(kHandOver, kBoth);
   Session watched = SessionOf(kHandOver, kBoth);
