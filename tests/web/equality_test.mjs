@@ -52,6 +52,15 @@ test("sessions that go forward and back give the same answers", (t) => {
   assert.ok(good > 1500);
 });
 
+test("questions about sources have the same answers", (t) => {
+  const answers = equalAnswersTo(
+    cases.filter(({ request }) => request.id.startsWith("source ")),
+  );
+  const good = answers.filter(({ ok }) => ok).length;
+  t.diagnostic(`${good} equal answers, ${answers.length - good} equal refusals`);
+  assert.ok(good > 3000);
+});
+
 test("explorations have the same verdicts", (t) => {
   const explorations = cases.filter(({ request }) => request.request === "explore");
   assert.ok(explorations.length > 5);

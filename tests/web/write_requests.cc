@@ -1,7 +1,7 @@
 // Writes requests to the module, one in each line, and beside them the answers of this computer's
-// build: whole runs of all scenarios in samples/ and of random programs, sessions with them, and
-// explorations of the samples that are for the explorer. tests/web/equality_test.mjs gives the
-// requests to the module.
+// build: whole runs of all scenarios in samples/ and of random programs, sessions with them, what
+// editors ask about the samples, and explorations of those that are for the explorer.
+// tests/web/equality_test.mjs gives the requests to the module.
 //   web_requests SAMPLES REQUESTS ANSWERS
 #include <fmt/format.h>
 
@@ -19,6 +19,7 @@
 #include "fixed_program.h"
 #include "moving_program.h"
 #include "random_program.h"
+#include "session/editor_requests.h"
 #include "structured_program.h"
 #include "web/wasm/module_host.h"
 
@@ -122,6 +123,26 @@ void AddWalk(Json load, std::vector<Json>* requests) {
   add("record", none);
 }
 
+/// What an editor asks about the program of a scenario, at some of its places.
+void AddQuestions(const std::string& path, const Json& files, std::vector<Json>* requests) {
+  for (const session::EditorRequest& each : session::EditorRequests()) {
+    Json request = RequestFor(each.text.name, path, files);
+    request["id"] = "source " + path;
+    Json& arguments = request["arguments"];
+    if (each.text.name == "rename") arguments["name"] = "renamed";
+    if (each.text.arguments.find("line") == std::string_view::npos) {
+      requests->push_back(std::move(request));
+      continue;
+    }
+    constexpr int kLines = 24;
+    for (int line = 1; line <= kLines; ++line) {
+      arguments["line"] = line;
+      arguments["column"] = 3 + line % 5;
+      requests->push_back(request);
+    }
+  }
+}
+
 /// A request for each scenario of a sample's folder, with all its files.
 void AddSample(const fs::path& folder, std::vector<Json>* requests) {
   Json files = Json::object();
@@ -135,6 +156,7 @@ void AddSample(const fs::path& folder, std::vector<Json>* requests) {
   for (const std::string& path : scenarios) {
     requests->push_back(RequestFor("run", path, files));
     AddWalk(RequestFor("load", path, files), requests);
+    AddQuestions(path, files, requests);
     if (files[path].get<std::string>().find("explore") == std::string::npos) continue;
     requests->push_back(RequestFor("explore", path, files));
   }
