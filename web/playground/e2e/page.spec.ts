@@ -120,6 +120,18 @@ for (const width of [360, 390]) {
     }
     await expectAccessible(page);
   });
+
+  test(`card statements and their words fit into ${width} pixels`, async ({ page }) => {
+    await page.setViewportSize({ width, height: 780 });
+    await open(page);
+    await page.getByRole("navigation").getByRole("button", { name: "Values" }).click();
+    await page.getByRole("button", { name: "Statements" }).click();
+    const list = page.getByRole("group", { name: "Statements" });
+    await expect(list.locator(".words").first()).toBeVisible();
+    const wide = await list.evaluate((each) => each.scrollWidth - each.clientWidth);
+    expect(wide).toBeLessThanOrEqual(0);
+    await expectAccessible(page);
+  });
 }
 
 test("everything can be done with keys", async ({ page }) => {

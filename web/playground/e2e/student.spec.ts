@@ -126,6 +126,7 @@ test("a program without an end leaves the page alive", async ({ page }) => {
   await expect(status(page)).toHaveText("Card running.");
   await page.getByRole("button", { name: "Statements" }).click();
   await expect(page.locator("table.listing")).toContainText("x := x + 1");
+  await expect(page.locator("table.listing .words").first()).toContainText("5040 0001 0000");
   await page.getByRole("button", { name: "Pause" }).click();
   await expect(status(page)).toHaveText("Card ready.");
   // A check of the same program takes long, and can be stopped.

@@ -1,7 +1,7 @@
 // Source and card statements side by side, as a document that follows its program.
 // Tested by test/listing.test.ts.
 
-import type { ListedFunction, SourceFile } from "@oncard/engine";
+import { type ListedFunction, recordText, type SourceFile } from "@oncard/engine";
 import {
   commands,
   type Disposable,
@@ -62,7 +62,7 @@ async function contentOf(engines: Engines, main: string): Promise<string> {
   }
 }
 
-/** Each line of a function with the card statements that it became. */
+/** Each line of a function with the card statements that it became, and their words. */
 export function listingText(
   files: readonly SourceFile[],
   functions: readonly ListedFunction[],
@@ -72,10 +72,12 @@ export function listingText(
     rows.push(`${name} (${file})`);
     const lines = linesOf(files, file);
     const width = Math.max(0, ...statements.map(({ line }) => shown(lines, line).length));
+    const textWidth = Math.max(0, ...statements.map(({ text }) => text.length));
     let last = 0;
-    statements.forEach(({ line, text }, index) => {
+    statements.forEach(({ line, text, words }, index) => {
       const source = line === last ? "" : `${String(line).padStart(5)} ${shown(lines, line)}`;
-      rows.push(`${source.padEnd(width + 6)} │ ${String(index).padStart(4)} ${text}`);
+      const statement = `${String(index).padStart(4)} ${text.padEnd(textWidth)}`;
+      rows.push(`${source.padEnd(width + 6)} │ ${statement} │ ${recordText(words)}`);
       last = line;
     });
     rows.push("");

@@ -1,6 +1,6 @@
 // Variables, threads, and the statements on the card beside the lines of the source.
 
-import type { ListedFunction, Variable } from "@oncard/engine";
+import { type ListedFunction, recordText, type Variable } from "@oncard/engine";
 import { signal } from "@preact/signals";
 
 import { chosenLine, showLine } from "../editor/editor.js";
@@ -178,10 +178,11 @@ function FunctionListing({ listed, next }: { listed: ListedFunction; next: Set<s
             {t.line}
           </th>
           <th scope="col">{t.statement}</th>
+          <th scope="col">{t.words}</th>
         </tr>
       </thead>
       <tbody>
-        {listed.statements.map(({ line, text }, index) => {
+        {listed.statements.map(({ line, text, words }, index) => {
           const isLinked = !edited.value && line === chosenLine.value;
           const isNext = next.has(`${listed.name} ${index}`);
           return (
@@ -199,6 +200,9 @@ function FunctionListing({ listed, next }: { listed: ListedFunction; next: Set<s
               </td>
               <td>
                 <code>{text}</code>
+              </td>
+              <td class="words">
+                <code>{recordText(words)}</code>
               </td>
             </tr>
           );

@@ -183,6 +183,7 @@ export const en = {
     executed: "statements",
     status: "status",
     statement: "statement on the card",
+    words: "instruction words",
     idle: "Nothing is on the card.",
   },
 

@@ -183,6 +183,7 @@ export const zh: Texts = {
     executed: "语句数",
     status: "状态",
     statement: "卡上的语句",
+    words: "指令字",
     idle: "卡上没有程序。",
   },
 
