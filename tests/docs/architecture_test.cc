@@ -28,7 +28,7 @@ const fs::path kRoot = ONCARD_SOURCE_DIR;
 using Rooms = std::map<std::string, std::set<std::string>>;
 
 std::vector<std::string> NamesIn(const std::string& cell) {
-  static const std::regex kName(R"(`([a-z0-9_/]+)`)");
+  static const std::regex kName(R"(`([a-z0-9_/-]+)`)");
   std::vector<std::string> names;
   for (std::sregex_iterator name(cell.begin(), cell.end(), kName), end; name != end; ++name) {
     names.push_back((*name)[1]);
@@ -36,11 +36,15 @@ std::vector<std::string> NamesIn(const std::string& cell) {
   return names;
 }
 
-/// Reads the rows `| room | owns | may include | must not know |` of a page.
-Rooms ReadRooms(const std::string& page) {
-  static const std::regex kRow(R"(\n\| `([a-z0-9_/]+)` \|[^|\n]*\|([^|\n]*)\|[^|\n]*\|)");
+/// Reads the table of a page whose first column is called `first`: the second column is what a room
+/// owns, the third one what it may include.
+Rooms ReadRooms(const std::string& page, const std::string& first = "room") {
+  static const std::regex kRow(R"(\n\| `([a-z0-9_/-]+)` \|[^|\n]*\|([^|\n]*)\|[^|\n]*\|)");
+  const size_t begin = page.find("\n| " + first + " |");
+  if (begin == std::string::npos) return {};
+  const std::string table = page.substr(begin, page.find("\n\n", begin) - begin);
   Rooms rooms;
-  for (std::sregex_iterator row(page.begin(), page.end(), kRow), end; row != end; ++row) {
+  for (std::sregex_iterator row(table.begin(), table.end(), kRow), end; row != end; ++row) {
     for (const std::string& name : NamesIn((*row)[2])) rooms[(*row)[1]].insert(name);
     rooms.try_emplace((*row)[1]);
   }
@@ -221,6 +225,24 @@ TEST(ArchitectureTest, SourcesIncludeWhatTheirRoomMay) {
     for (const std::string& other : may) {
       EXPECT_TRUE(included[room].contains(other)) << room << " never includes " << other;
     }
+  }
+}
+
+// A package of web/ names those that it uses in its package.json.
+TEST(ArchitectureTest, PackagesUseWhatTheTableSays) {
+  static const std::regex kPackage(R"re("@oncard/([a-z-]+)": ")re");
+  const Rooms packages = ReadRooms(ReadFile(kRoot / "docs/architecture.md").value(), "package");
+  EXPECT_FALSE(packages.empty());
+  for (const auto& entry : fs::directory_iterator(kRoot / "web")) {
+    if (!fs::exists(entry.path() / "package.json")) continue;
+    const std::string package = entry.path().lexically_relative(kRoot).generic_string();
+    ASSERT_TRUE(packages.contains(package)) << package;
+    const std::string text = ReadFile(entry.path() / "package.json").value();
+    std::set<std::string> used;
+    for (std::sregex_iterator each(text.begin(), text.end(), kPackage), end; each != end; ++each) {
+      used.insert("web/" + (*each)[1].str());
+    }
+    EXPECT_EQ(used, packages.at(package)) << package;
   }
 }
 
