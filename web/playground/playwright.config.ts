@@ -9,7 +9,9 @@ export default defineConfig({
   outputDir: "dist/e2e",
   fullyParallel: true,
   workers: 2,
-  timeout: 30_000,
+  // A busy computer takes its time; a page that does what it should waits for none of this.
+  timeout: 120_000,
+  expect: { timeout: 20_000 },
   reporter: "list",
   use: {
     ...devices["Desktop Chrome"],
@@ -18,8 +20,12 @@ export default defineConfig({
     locale: "en-US",
     launchOptions: {
       executablePath: process.env["CHROMIUM"] ?? "/usr/bin/chromium",
-      // Chromium's sandbox refuses to work for root.
-      args: process.getuid?.() === 0 ? ["--no-sandbox"] : [],
+      args: [
+        // Containers often have little shared memory.
+        "--disable-dev-shm-usage",
+        // Chromium's sandbox refuses to work for root.
+        ...(process.getuid?.() === 0 ? ["--no-sandbox"] : []),
+      ],
     },
   },
   webServer: {
