@@ -83,7 +83,7 @@ Result<std::string> Files::Read(const std::string& path) const {
 Result<ProgramSource> ReadProgramSource(const std::string& main, const Files& files,
                                         bool structured) {
   Project project;
-  if (auto read = ReadScenario(main, files, runtime::ScenarioUse::kRun, &project); !read.ok()) {
+  if (auto read = ReadScenario(main, files, runtime::ScenarioUse::kText, &project); !read.ok()) {
     return read.error();
   }
   if (structured) project.scenario.structured = true;

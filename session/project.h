@@ -50,7 +50,8 @@ struct ProgramSource {
   compiler::Options options;
 };
 
-/// The source that `main` or its scenario names. Fails like ReadProject(), and for an object file.
+/// The source that `main` or its scenario names, whatever the scenario is for. Fails like
+/// ReadProject(), and for an object file.
 Result<ProgramSource> ReadProgramSource(const std::string& main, const Files& files,
                                         bool structured = false);
 

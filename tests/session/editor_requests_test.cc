@@ -47,6 +47,16 @@ TEST_F(EditorRequestsTest, TakeAProgramAScenarioOrAnIncludedFile) {
             "'p.bin' is an object file and has no source");
 }
 
+// What a scenario is for makes no difference to its program.
+TEST_F(EditorRequestsTest, TakeAScenarioForTheExplorer) {
+  Json files = files_;
+  files["s.toml"] = "program = \"p.c\"\nraces = \"none\"\nsync = [\"a\"]\nexplore = \"prove\"\n";
+  const Json command = AskAt("describe", 4, 4, {{"main", "s.toml"}, {"files", files}});
+  ASSERT_TRUE(command["ok"]) << command;
+  EXPECT_EQ(command["result"]["name"], "GT_AxisOn");
+  EXPECT_EQ(Ask("fixes", {{"main", "s.toml"}, {"files", files}})["result"]["compiled"], true);
+}
+
 TEST_F(EditorRequestsTest, KnowStructuredC) {
   const Json files = {{"p.c", "enum { A = 3 };\n"}};
   EXPECT_EQ(Ask("outline", {{"main", "p.c"}, {"files", files}})["result"].size(), 0u);
