@@ -61,12 +61,11 @@ Result<Session> Session::Create(runtime::Scenario scenario, vm::Object object,
 bool Session::ForbidsRaces() const { return run_->scenario().races != runtime::Scenario{}.races; }
 
 Result<void> Session::SetStops(const StopWishes& wishes) {
-  const bool watched = stops_.races();
+  Stops stops = stops_;
+  if (auto set = stops.Set(wishes, *run_); !set.ok()) return set;
   if (auto watching = run_->WatchRaces(wishes.races); !watching.ok()) return watching;
-  auto set = stops_.Set(wishes, *run_);
-  // Watching again cannot fail.
-  if (!set.ok()) (void)run_->WatchRaces(watched);
-  return set;
+  stops_ = std::move(stops);
+  return {};
 }
 
 // --- Forward -------------------------------------------------------------------------------------

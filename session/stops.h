@@ -86,7 +86,6 @@ class Stops {
   bool faults() const { return faults_; }
   bool refusals() const { return refusals_; }
   bool requirements() const { return checks_requirements_; }
-  bool races() const { return races_; }
 
   /// To be called before the first step of a walk: remembers the present values.
   void Begin(const RewindableRun& run);
