@@ -37,42 +37,61 @@ struct Wish {
   bool structured = false;
 };
 
-Wish ReadWish(Arguments& arguments) {
+Wish ReadProgramWish(Arguments& arguments) {
   Wish wish;
   wish.main = arguments.Text("main");
   wish.files = arguments.TextsByName("files");
   wish.structured = arguments.Flag("structured", false);
+  return wish;
+}
+
+Wish ReadWish(Arguments& arguments) {
+  Wish wish = ReadProgramWish(arguments);
   wish.file = arguments.Text("file", {});
   return wish;
 }
 
-Result<Subject> ReadSubject(Wish wish, const EditorContext& context) {
+// The program of a request. Its reader notes in the context which files are missing.
+Result<editor::ProgramFiles> ReadProgramFiles(Wish wish, const EditorContext& context) {
   const auto files = std::make_shared<const Files>(std::move(wish.files), context.reader);
   auto source = ReadProgramSource(wish.main, *files, wish.structured);
   *context.missing = files->missing();
   if (!source.ok()) return source.error();
+  return editor::ProgramFiles{std::move(source.value().path), std::move(source.value().text),
+                              std::move(source.value().options),
+                              [files, &context](const std::string& path) {
+                                auto text = files->Read(path);
+                                *context.missing = files->missing();
+                                return text;
+                              }};
+}
+
+Result<Subject> ReadSubject(Wish wish, const EditorContext& context) {
+  const std::string file_name = wish.file;
+  auto program = ReadProgramFiles(std::move(wish), context);
+  if (!program.ok()) return program.error();
   Subject subject;
-  subject.program = {std::move(source.value().path), std::move(source.value().text),
-                     std::move(source.value().options),
-                     [files](const std::string& path) { return files->Read(path); }};
+  subject.program = std::move(program).value();
   subject.analysis = std::make_unique<editor::Analysis>(
       subject.program.path, subject.program.text, subject.program.options, subject.program.reader);
-  *context.missing = files->missing();
-  if (wish.file.empty()) return subject;
-  const auto file = subject.analysis->text.Find(wish.file);
+  if (file_name.empty()) return subject;
+  const auto file = subject.analysis->text.Find(file_name);
   if (!file) {
     return MakeError(1, "the program '{0}' does not include '{1}'", "程序“{0}”未包含“{1}”",
-                     subject.program.path, wish.file);
+                     subject.program.path, file_name);
   }
   subject.file = *file;
   return subject;
 }
 
-// A request about a whole file.
-Result<Subject> ReadFile(Arguments& arguments, const EditorContext& context) {
+// A request about a whole file, answered by `answer(subject)`.
+template <typename Answer>
+Result<Json> AboutFile(Arguments& arguments, const EditorContext& context, const Answer& answer) {
   Wish wish = ReadWish(arguments);
   if (auto mistakes = arguments.Mistakes()) return *std::move(mistakes);
-  return ReadSubject(std::move(wish), context);
+  const auto subject = ReadSubject(std::move(wish), context);
+  if (!subject.ok()) return subject.error();
+  return answer(subject.value());
 }
 
 editor::Place ReadPlace(Arguments& arguments) {
@@ -166,28 +185,28 @@ Result<Json> Rename(Arguments& arguments, const EditorContext& context) {
 }
 
 Result<Json> Outline(Arguments& arguments, const EditorContext& context) {
-  const auto subject = ReadFile(arguments, context);
-  if (!subject.ok()) return subject.error();
-  return editor::Outline(*subject.value().analysis, subject.value().file);
+  return AboutFile(arguments, context, [](const Subject& subject) {
+    return editor::Outline(*subject.analysis, subject.file);
+  });
 }
 
 Result<Json> Tokens(Arguments& arguments, const EditorContext& context) {
-  const auto subject = ReadFile(arguments, context);
-  if (!subject.ok()) return subject.error();
-  return editor::Tokens(*subject.value().analysis, subject.value().file);
+  return AboutFile(arguments, context, [](const Subject& subject) {
+    return editor::Tokens(*subject.analysis, subject.file);
+  });
 }
 
 Result<Json> Folds(Arguments& arguments, const EditorContext& context) {
-  const auto subject = ReadFile(arguments, context);
-  if (!subject.ok()) return subject.error();
-  return editor::Folds(*subject.value().analysis, subject.value().file);
+  return AboutFile(arguments, context, [](const Subject& subject) {
+    return editor::Folds(*subject.analysis, subject.file);
+  });
 }
 
 Result<Json> Hints(Arguments& arguments, const EditorContext& context) {
-  const auto subject = ReadFile(arguments, context);
-  if (!subject.ok()) return subject.error();
-  const auto compilation = subject.value().Compile();
-  return editor::Hints(*subject.value().analysis, subject.value().file, ObjectOf(compilation));
+  return AboutFile(arguments, context, [](const Subject& subject) {
+    const auto compilation = subject.Compile();
+    return editor::Hints(*subject.analysis, subject.file, ObjectOf(compilation));
+  });
 }
 
 Json CompiledJson(const compiler::Compilation& compilation, Language language) {
@@ -195,29 +214,18 @@ Json CompiledJson(const compiler::Compilation& compilation, Language language) {
           {"diagnostics", compiler::DiagnosticsJson(compilation, language)}};
 }
 
-// Requests about a whole program: their files are those that the compiler reads.
-Result<editor::ProgramFiles> ReadProgramFiles(Arguments& arguments, const EditorContext& context,
-                                              std::shared_ptr<const Files>* files) {
-  const std::string main = arguments.Text("main");
-  *files = std::make_shared<const Files>(arguments.TextsByName("files"), context.reader);
-  const bool structured = arguments.Flag("structured", false);
+// The program of a request that is not about one of its files.
+Result<editor::ProgramFiles> ReadWholeProgram(Arguments& arguments, const EditorContext& context) {
+  Wish wish = ReadProgramWish(arguments);
   if (auto mistakes = arguments.Mistakes()) return *std::move(mistakes);
-  auto source = ReadProgramSource(main, **files, structured);
-  *context.missing = (*files)->missing();
-  if (!source.ok()) return source.error();
-  return editor::ProgramFiles{
-      std::move(source.value().path), std::move(source.value().text),
-      std::move(source.value().options),
-      [files = *files](const std::string& path) { return files->Read(path); }};
+  return ReadProgramFiles(std::move(wish), context);
 }
 
 Result<Json> Fixes(Arguments& arguments, const EditorContext& context) {
-  std::shared_ptr<const Files> files;
-  auto program = ReadProgramFiles(arguments, context, &files);
+  const auto program = ReadWholeProgram(arguments, context);
   if (!program.ok()) return program.error();
   const auto& [path, text, options, reader] = program.value();
   const auto corrected = compiler::ApplyAllFixIts(path, text, options, reader);
-  *context.missing = files->missing();
   Json answer = CompiledJson(corrected.compilation, context.language);
   answer["count"] = corrected.count;
   answer["files"] = Json::array();
@@ -228,8 +236,7 @@ Result<Json> Fixes(Arguments& arguments, const EditorContext& context) {
 }
 
 Result<Json> Lower(Arguments& arguments, const EditorContext& context) {
-  std::shared_ptr<const Files> files;
-  auto program = ReadProgramFiles(arguments, context, &files);
+  const auto program = ReadWholeProgram(arguments, context);
   if (!program.ok()) return program.error();
   const auto& [path, text, options, reader] = program.value();
   if (!options.structured && !compiler::WantsStructured(text)) {
@@ -237,7 +244,6 @@ Result<Json> Lower(Arguments& arguments, const EditorContext& context) {
                      "“{0}”不是结构化 C：无需转换", path);
   }
   compiler::Lowering lowering = compiler::LowerText(path, text, options, {}, reader);
-  *context.missing = files->missing();
   const compiler::Compilation compilation = {
       std::move(lowering.files), std::move(lowering.diagnostics), std::move(lowering.object)};
   Json answer = CompiledJson(compilation, context.language);

@@ -18,7 +18,7 @@ bool IsWordCharacter(char c) {
 }
 
 // The line of a place, divided as far as it matters here.
-struct SceneLine {
+struct ScenarioLine {
   std::string table;  // the dotted name of the table that the line is in
   bool head = false;  // it begins with `[`
   bool comment = false;
@@ -42,8 +42,8 @@ std::string HeadOf(std::string_view line) {
   return name;
 }
 
-SceneLine ReadLine(const compiler::SourceFile& file, editor::Place place) {
-  SceneLine line;
+ScenarioLine ReadLine(const compiler::SourceFile& file, editor::Place place) {
+  ScenarioLine line;
   for (int i = std::min(place.line - 1, file.line_count()); i > 0 && line.table.empty(); --i) {
     line.table = HeadOf(file.Line(i));
   }
@@ -142,7 +142,8 @@ void AddTables(const Json& schema, const std::string& prefix, Language language,
   }
 }
 
-Json RangeOf(const compiler::SourceFile& file, const ScenarioPlace& where, const SceneLine& line) {
+Json RangeOf(const compiler::SourceFile& file, const ScenarioPlace& where,
+             const ScenarioLine& line) {
   const auto begin = static_cast<uint32_t>(line.text.data() - file.text().data());
   const auto column = [&](size_t at) {
     return line.text.empty() ? 1 : file.ColumnOf(begin + static_cast<uint32_t>(at));
@@ -154,7 +155,7 @@ Json RangeOf(const compiler::SourceFile& file, const ScenarioPlace& where, const
           {"end_column", column(line.word_end)}};
 }
 
-std::string KeyOf(const SceneLine& line) {
+std::string KeyOf(const ScenarioLine& line) {
   std::string key;
   for (const char c : line.text.substr(0, std::min(line.equals, line.text.size()))) {
     if (IsWordCharacter(c)) key += c;
@@ -170,7 +171,7 @@ Json SchemaIn(Language language) {
 
 Json CompleteScenario(const ScenarioPlace& where, Language language) {
   const compiler::SourceFile file(where.path, where.text);
-  const SceneLine line = ReadLine(file, where.place);
+  const ScenarioLine line = ReadLine(file, where.place);
   const Json schema = SchemaIn(language);
   Json items = Json::array();
   if (line.comment || line.other) {
@@ -200,7 +201,7 @@ Json CompleteScenario(const ScenarioPlace& where, Language language) {
 
 Json DescribeScenario(const ScenarioPlace& where, Language language) {
   const compiler::SourceFile file(where.path, where.text);
-  const SceneLine line = ReadLine(file, where.place);
+  const ScenarioLine line = ReadLine(file, where.place);
   const std::string name = line.head ? HeadOf(line.text) : KeyOf(line);
   if (line.comment || line.other || line.word_begin == line.word_end) return nullptr;
   const Json schema = SchemaIn(language);
