@@ -1,3 +1,4 @@
+export * from "./columns.js";
 export * from "./engine.js";
 export * from "./module.js";
 export * from "./protocol.js";

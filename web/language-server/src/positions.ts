@@ -2,6 +2,7 @@
 // (from 0, in UTF-16 code units).
 // Tested by test/positions.test.ts.
 
+import { columnOfIndex, indexOfColumn } from "@oncard/engine";
 import type { Position, Range } from "vscode-languageserver";
 
 /** A place as the engine gives it. */
@@ -30,11 +31,7 @@ export class Lines {
       const last = this.#lines.length - 1;
       return { line: last, character: this.#lines[last]?.length ?? 0 };
     }
-    let character = 0;
-    for (let left = column - 1; left > 0 && character < text.length; --left) {
-      character += widthAt(text, character);
-    }
-    return { line: line - 1, character };
+    return { line: line - 1, character: indexOfColumn(text, column) };
   }
 
   /** All of them. */
@@ -49,14 +46,6 @@ export class Lines {
   }
 
   place({ line, character }: Position): Place {
-    const text = this.#lines[line] ?? "";
-    let column = 1;
-    for (let at = 0; at < character && at < text.length; at += widthAt(text, at)) ++column;
-    return { line: line + 1, column };
+    return { line: line + 1, column: columnOfIndex(this.#lines[line] ?? "", character) };
   }
-}
-
-/** Code units of the character that begins there. */
-function widthAt(text: string, at: number): number {
-  return (text.codePointAt(at) ?? 0) > 0xffff ? 2 : 1;
 }

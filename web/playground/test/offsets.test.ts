@@ -8,10 +8,10 @@ test.each([
   [1, 1, 0],
   [1, 5, 4],
   [2, 1, 7],
-  [2, 4, 10], // before 轴, which has three bytes
-  [2, 7, 11], // behind it
-  [2, 12, 14], // behind the emoji: four bytes, two units
-  [2, 16, 18], // before b
+  [2, 4, 10], // before 轴
+  [2, 5, 11], // behind it
+  [2, 7, 14], // behind the emoji, which has two units
+  [2, 11, 18], // before b
   [3, 4, text.length],
   [1, 99, 6], // at most the end of the line
   [9, 1, text.length],
@@ -23,6 +23,6 @@ test("all fixes of a message are made at once", () => {
   const at = (line: number, column: number, end: number, put: string) => ({
     ...{ file: "p.c", line, column, end_line: line, end_column: end, text: put },
   });
-  const fixed = withFixes(text, [at(1, 5, 6, "longer"), at(2, 16, 17, "c"), at(1, 1, 1, "// ")]);
+  const fixed = withFixes(text, [at(1, 5, 6, "longer"), at(2, 11, 12, "c"), at(1, 1, 1, "// ")]);
   expect(fixed).toBe("// int longer;\n/* 轴 😀 */ c = 1;\nend");
 });
