@@ -36,6 +36,29 @@ test("a wrong program is mended, runs, is measured and stepped back", async ({ p
   await expect(page.locator(".cm-next")).toHaveCount(0); // the thread has ended again
 });
 
+test("a message is mended and shown from another file", async ({ page }) => {
+  await open(page);
+  await openOwn(page);
+  const program = await text(page);
+  const wrong = program.replace("trap.acc = 0.25;", "/* 加速度 */ trap.acc = 0.25");
+  await write(page, wrong);
+  const problem = page.getByRole("region", { name: "Messages of the compiler" });
+  await expect(problem).toContainText("expected ';'");
+  await page.getByRole("button", { name: "scenario.toml" }).click();
+  await expect(editor(page)).toContainText("program =");
+  await problem.getByRole("button", { name: /^Fix/ }).click();
+  await expect(problem).toContainText("No messages");
+  expect(await text(page)).toBe(
+    program.replace("trap.acc = 0.25;", "/* 加速度 */ trap.acc = 0.25;"),
+  );
+  // The correction can be undone, and the scenario is what it was.
+  await editor(page).press("Control+z");
+  await expect(problem).toContainText("expected ';'");
+  expect(await text(page)).toBe(wrong);
+  await page.getByRole("button", { name: "scenario.toml" }).click();
+  await expect(editor(page)).toContainText("program =");
+});
+
 test("exploring finds the lost update, and its run can be walked", async ({ page }) => {
   await open(page, "#lesson=lost-update");
   await page.getByRole("button", { name: "Explore" }).click();

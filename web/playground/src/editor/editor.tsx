@@ -29,12 +29,25 @@ import { Problems } from "./problems.js";
 export const chosenLine = signal(0);
 
 let editor: CodeEditor | undefined;
+/** What is to be done as soon as the editor shows the file that was asked for. */
+let awaited: ((shown: CodeEditor) => void) | undefined;
+
+/** Does something in the editor when it shows this file. */
+function inFile(name: string, work: (shown: CodeEditor) => void): void {
+  if (file.value === name) {
+    if (editor) work(editor);
+    return;
+  }
+  awaited = work;
+  file.value = name;
+}
 
 /** Shows a line of the program in the editor. */
 export function showLine(line: number): void {
-  if (file.value !== lesson.value.program) file.value = lesson.value.program;
   chosenLine.value = line;
-  editor?.reveal(line);
+  inFile(lesson.value.program, (shown) => {
+    shown.reveal(line);
+  });
 }
 
 /** Lines of the statements that the threads execute next, and the chosen line. */
@@ -57,14 +70,15 @@ export function ProgramPanel() {
       <ProgramBar />
       <Code />
       <Problems
-        onShow={(diagnostic) => {
-          file.value = diagnostic.file;
-          const text = files.value[diagnostic.file] ?? "";
-          editor?.select(indexOfPlace(text, diagnostic.line, diagnostic.column), true);
+        onShow={({ file: name, line, column }) => {
+          inFile(name, (shown) => {
+            shown.select(indexOfPlace(shown.text, line, column), true);
+          });
         }}
         onFix={({ file: name, fixits }) => {
-          file.value = name;
-          editor?.replace(withFixes(files.value[name] ?? "", fixits));
+          inFile(name, (shown) => {
+            shown.replace(withFixes(shown.text, fixits));
+          });
         }}
       />
     </>
@@ -170,7 +184,10 @@ function Code() {
     };
   }, []);
   useEffect(() => {
+    const work = awaited;
+    awaited = undefined;
     editor?.show(name, files.peek()[name] ?? "");
+    if (editor) work?.(editor);
   }, [name, number]);
   useEffect(() => {
     editor?.label(texts.value.editor.label(name));
