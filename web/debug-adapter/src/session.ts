@@ -3,6 +3,7 @@
 // requests apart; what they do is in the files beside it.
 // Tested by test/*.test.ts.
 
+import { languageOf } from "@oncard/engine";
 import { DebugSession, InitializedEvent, TerminatedEvent, Thread } from "@vscode/debugadapter";
 import type { DebugProtocol } from "@vscode/debugprotocol";
 
@@ -19,7 +20,7 @@ import { Mover } from "./mover.js";
 import { back, forward, type Movement, toNextStop, turnOf } from "./movements.js";
 import { record } from "./recording.js";
 import { Stops } from "./stops.js";
-import { languageOf, UserError } from "./texts.js";
+import { UserError } from "./texts.js";
 
 export class OncardSession extends DebugSession {
   readonly #environment: Readonly<Record<string, string | undefined>>;

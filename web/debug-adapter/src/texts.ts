@@ -1,7 +1,7 @@
 // The adapter's own words, in the language of the editor. What an engine says comes in that language
 // by itself.
 
-import type { Language, State, Stop } from "@oncard/engine";
+import type { State, Stop } from "@oncard/engine";
 
 export interface Text {
   en: string;
@@ -16,11 +16,6 @@ export class UserError extends Error {
     super(text.en);
     this.text = text;
   }
-}
-
-/** The language for a locale such as `zh-cn`. */
-export function languageOf(locale: string | undefined): Language {
-  return locale?.toLowerCase().startsWith("zh") ? "zh" : "en";
 }
 
 const overTexts: Record<NonNullable<State["over"]>, Text> = {

@@ -2,7 +2,7 @@
 // It knows nothing about programs: it brings the documents to the engine, and converts positions.
 // Tested by test/server.test.ts and test/transcript.test.ts.
 
-import { type Engine, RefusedError } from "@oncard/engine";
+import { type Engine, languageOf, RefusedError } from "@oncard/engine";
 import {
   CodeActionKind,
   type CodeActionParams,
@@ -27,7 +27,7 @@ import { Documents, type Kind } from "./documents.js";
 import { fixAll, quickFixes } from "./fixes.js";
 import { pathOf } from "./paths.js";
 import { legend, Source } from "./sources.js";
-import { languageOf, wordsIn } from "./words.js";
+import { wordsIn } from "./words.js";
 
 const allKinds: readonly Kind[] = ["program", "scenario"];
 

@@ -29,10 +29,6 @@ export function wordsIn(language: Language): Words {
   return language === "zh" ? chinese : english;
 }
 
-export function languageOf(locale: string | undefined): Language {
-  return locale?.toLowerCase().startsWith("zh") ? "zh" : "en";
-}
-
 /** Short enough for a menu. */
 function shownText(texts: readonly string[]): string {
   const text = texts.join(" … ").replace(/\s+/g, " ").trim();

@@ -3,7 +3,7 @@
 
 import { env } from "vscode";
 
-import type { Language } from "@oncard/engine";
+import { type Language, languageOf } from "@oncard/engine";
 
 export interface Text {
   en: string;
@@ -11,7 +11,7 @@ export interface Text {
 }
 
 export function language(): Language {
-  return env.language.toLowerCase().startsWith("zh") ? "zh" : "en";
+  return languageOf(env.language);
 }
 
 export function say(text: Text): string {

@@ -1,7 +1,7 @@
 // The reader's choices, kept in this browser: language, colours, speed.
 
 import { effect, signal } from "@preact/signals";
-import type { Language } from "@oncard/engine";
+import { type Language, languageOf } from "@oncard/engine";
 
 import { keep, kept } from "./keep.js";
 
@@ -18,12 +18,10 @@ interface Settings {
 const stored = kept("settings");
 const before: Settings = typeof stored === "object" && stored !== null ? stored : {};
 
-function languageOfBrowser(): Language {
-  return navigator.language.toLowerCase().startsWith("zh") ? "zh" : "en";
-}
-
 export const language = signal<Language>(
-  before.language === "en" || before.language === "zh" ? before.language : languageOfBrowser(),
+  before.language === "en" || before.language === "zh"
+    ? before.language
+    : languageOf(navigator.language),
 );
 export const theme = signal<Theme>(
   before.theme === "light" || before.theme === "dark" ? before.theme : "system",
