@@ -7,6 +7,7 @@
 namespace oncard::motion {
 
 void CrdPort::CarryOut(const BufferedCommand& command) {
+  if (block_ != nullptr) block_->Store();
   const auto item = static_cast<size_t>(command.item);
   const std::array<double, 4>& values = command.values;
   switch (command.kind) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "motion/cycle_block.h"
 #include "motion/happening.h"
 #include "motion/motion_state.h"
 
@@ -13,9 +14,10 @@ namespace oncard::motion {
 
 class CrdPort {
  public:
+  /// `block` has parts of the state in lanes, or is nullptr.
   CrdPort(MotionState& state, const MotionConfig& config, const HappeningObserver& observer,
-          size_t index)
-      : state_(state), config_(config), observer_(observer), index_(index) {}
+          size_t index, CycleBlock* block)
+      : state_(state), config_(config), observer_(observer), index_(index), block_(block) {}
 
   const CardDefaults& defaults() const { return config_.defaults; }
   Micros now() const { return state_.cycle * config_.cycle_us; }
@@ -35,6 +37,7 @@ class CrdPort {
   const MotionConfig& config_;
   const HappeningObserver& observer_;
   size_t index_;
+  CycleBlock* block_;
 };
 
 }  // namespace oncard::motion

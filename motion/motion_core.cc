@@ -2,6 +2,7 @@
 // Tested by tests/motion/motion_core_test.cc and axis_test.cc.
 #include "motion/motion_core.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -12,21 +13,105 @@
 namespace oncard::motion {
 namespace {
 
+/// Fewer cycles are not worth the way into lanes and back.
+constexpr int64_t kBlockMin = 8;
+/// How long a card that is not plain is advanced without lanes, at most.
+constexpr int64_t kTicksMax = 64;
+
 static_assert(kFieldsComplete<MotionState> && kFieldsComplete<Profile> && kFieldsComplete<Plant> &&
               kFieldsComplete<WorldEvent> && kFieldsComplete<WorldProgress>);
 
 }  // namespace
 
-MotionCore::MotionCore(const MotionConfig& config) : config_(config) { Reset(); }
+MotionCore::MotionCore(const MotionConfig& config)
+    : config_(config), kernel_(LaneKernels().front().run) {
+  Reset();
+}
 
 void MotionCore::Tick() {
+  BeginTick();
+  AdvanceProfiles();
+  FinishTick();
+}
+
+int64_t MotionCore::Advance(int64_t cycles) {
+  int64_t done = 0;
+  int64_t ticks = kBlockMin;
+  while (done < cycles && state_.reached.empty()) {
+    const int64_t left = cycles - done;
+    const int64_t block = left < kBlockMin ? 0 : AdvanceBlock(left);
+    done += block;
+    if (block >= kBlockMin) {
+      ticks = kBlockMin;
+      continue;
+    }
+    // What ends a block early often goes on in the next cycles.
+    const int64_t end = std::min(cycles, done + ticks);
+    for (; done < end && state_.reached.empty(); ++done) Tick();
+    ticks = std::min(2 * ticks, kTicksMax);
+  }
+  return done;
+}
+
+int64_t MotionCore::AdvanceBlock(int64_t cycles) {
+  CycleBlock block(state_, config_, kernel_);
+  const int64_t plain = block.Load(cycles);
+  if (plain == 0) return 0;
+  if (!block.plans()) return AdvanceBesideProfiles(block, plain);
+  const int64_t done = block.Run(plain);
+  if (done == 0) return 0;
+  block.Store();
+  state_.cycle += done;
+  state_.clock_cycle += done;
+  for (int64_t i = 0; i < done && state_.io.HasTimedOutputs(); ++i) {
+    state_.io.AdvanceOutputs(config_.cycle_us);
+  }
+  return done;
+}
+
+int64_t MotionCore::AdvanceBesideProfiles(CycleBlock& block, int64_t cycles) {
+  const bool encoders_are_read = EncodersAreRead();
+  block_ = &block;
+  int64_t done = 0;
+  bool goes_on = true;
+  while (goes_on && done < cycles) {
+    if (state_.io.HasTimedOutputs()) state_.io.AdvanceOutputs(config_.cycle_us);
+    ++state_.cycle;
+    ++state_.clock_cycle;
+    AdvanceProfiles();
+    block.TakeProfiles();
+    goes_on = !block.stored() && block.Run(1) == 1;
+    if (goes_on && encoders_are_read) block.StoreEncoders();
+    ++done;
+  }
+  block.Store();
+  block_ = nullptr;
+  if (!goes_on) FinishTick();
+  return done;
+}
+
+bool MotionCore::PathRuns() const {
+  return std::ranges::any_of(state_.crds, [](const Crd& crd) { return crd.run.running; });
+}
+
+bool MotionCore::EncodersAreRead() const {
+  const auto reads = [](const Profile& profile) {
+    const Master* master = profile.FollowedMaster();
+    return master != nullptr && (master->type == MasterType::kEncoder || master->encoder_side);
+  };
+  return std::ranges::any_of(state_.profiles, reads);
+}
+
+void MotionCore::BeginTick() {
   Surroundings(state_, config_).ApplyEvents();
   state_.io.SampleInputs();
   for (Adc& adc : state_.adcs) adc.Sample();
   state_.io.AdvanceOutputs(config_.cycle_us);
   ++state_.cycle;
   ++state_.clock_cycle;
-  AdvanceProfiles();
+}
+
+void MotionCore::FinishTick() {
   MapProfiles();
   const Readings present = readings();
   for (size_t i = 0; i < axis_count(); ++i) {

@@ -25,6 +25,7 @@
 #include <utility>
 
 #include "motion/crd_driver.h"
+#include "motion/cycle_block.h"
 #include "motion/drive_train.h"
 #include "motion/happening.h"
 #include "motion/homing.h"
@@ -59,6 +60,11 @@ class MotionCore {
 
   /// One profile cycle.
   void Tick();
+  /// At most `cycles` > 0 profile cycles, with the bits of as many ticks. Stops after a cycle in
+  /// which a path has reached commands for the owner of the core. Returns the number of cycles.
+  int64_t Advance(int64_t cycles);
+  /// Chooses what advances the lanes of Advance(); all kernels compute the same bits.
+  void UseKernel(LaneKernel kernel) { kernel_ = kernel; }
   /// GT_Reset: sets every register to its default and the clock to 0. Pins keep their levels, and
   /// the mechanics stay where they are.
   void Reset();
@@ -160,6 +166,8 @@ class MotionCore {
   }
   /// Begins or resumes a run; with `single_step` it ends after one segment.
   void StartCrd(size_t crd, size_t fifo, bool single_step) { driver(crd).Start(fifo, single_step); }
+  /// True if a coordinate system runs.
+  bool PathRuns() const;
   /// Stops a run along its path.
   void StopCrd(size_t crd, bool abrupt) { driver(crd).Stop(abrupt); }
 
@@ -195,14 +203,25 @@ class MotionCore {
   DriveTrain drives() { return {state_, config_}; }
   Origins origins() { return {state_, config_}; }
   CrdDriver driver(size_t crd) {
-    return {state_.crds[crd], CrdPort(state_, config_, observer_, crd)};
+    return {state_.crds[crd], CrdPort(state_, config_, observer_, crd, block_)};
   }
   HomingSequence homing(size_t axis) { return {state_.homing[axis], AxisPort(*this, axis)}; }
 
   void ResetAxes();
 
+  /// Advances a plain card as lanes, by at most `cycles`; returns by how many, 0 if the card is not
+  /// plain.
+  int64_t AdvanceBlock(int64_t cycles);
+  /// The same with profiles that are planned here, one cycle at a time.
+  int64_t AdvanceBesideProfiles(CycleBlock& block, int64_t cycles);
+  /// True if a profile or a path may read an encoder.
+  bool EncodersAreRead() const;
+
   // The steps of a tick.
+  void BeginTick();
   void AdvanceProfiles();
+  /// All that follows the planning of profiles.
+  void FinishTick();
   /// One that moves and is not driven.
   void AdvanceProfile(size_t index);
   /// The sample of the profile now, according to its mode.
@@ -233,6 +252,8 @@ class MotionCore {
   MotionConfig config_;
   MotionState state_;
   HappeningObserver observer_;
+  LaneKernel kernel_;
+  CycleBlock* block_ = nullptr;  // has parts of the state in lanes now
 };
 
 }  // namespace oncard::motion

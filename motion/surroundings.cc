@@ -65,6 +65,12 @@ void Surroundings::Apply(const WorldEvent& event) {
     case WorldEventKind::kSwitchConnected:
       state_.switches[event.index].connected = event.value != 0;
       break;
+    case WorldEventKind::kSwitchFirst:
+      state_.switches[event.index].first = event.value;
+      break;
+    case WorldEventKind::kSwitchLast:
+      state_.switches[event.index].last = event.value;
+      break;
   }
 }
 

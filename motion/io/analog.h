@@ -51,6 +51,8 @@ struct Adc {
   /// One profile cycle. Assumption: a filter time of n cycles takes an n-th of the difference in
   /// each; 0 and 1 pass everything.
   void Sample();
+  /// True if Sample() changes nothing as long as the voltage stays.
+  bool settled() const { return filtered == volts; }
   /// The converter's value: -32768 to 32767.
   int16_t Value() const;
   /// The same in volts.

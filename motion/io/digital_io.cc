@@ -3,6 +3,7 @@
 // Tested by tests/motion/digital_io_test.cc.
 #include "motion/io/digital_io.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace oncard::motion {
@@ -104,6 +105,15 @@ void DigitalIo::SetTiming(DoType type, int bit, const DoTiming& timing) {
   DoWord& word = At(type);
   word.timing[static_cast<size_t>(bit)] = timing;
   word.timed = WithBit(word.timed, bit, timing.flips_left != 0);
+}
+
+bool DigitalIo::InputsSettled() const {
+  return std::ranges::all_of(
+      inputs_, [](const DiWord& word) { return word.held == 0 && PinLevels(word) == word.levels; });
+}
+
+bool DigitalIo::HasTimedOutputs() const {
+  return std::ranges::any_of(outputs_, [](const DoWord& word) { return word.timed != 0; });
 }
 
 void DigitalIo::SampleInputs() {

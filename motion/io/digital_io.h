@@ -90,6 +90,10 @@ class DigitalIo {
   void SetPin(DiType type, int bit, bool level);
   /// The levels of the pins; a pin that is not driven has the level that reads 0.
   uint32_t Pins(DiType type) const;
+  /// True if the pin is driven from outside.
+  bool Driven(DiType type, int bit) const { return (At(type).driven >> bit & 1) != 0; }
+  /// True if SampleInputs() changes nothing as long as the pins keep their levels.
+  bool InputsSettled() const;
   /// Filtered levels with the senses applied: what GT_GetDi reads.
   uint32_t Read(DiType type) const {
     return (At(type).levels ^ At(type).inverted) & At(type).active;
@@ -130,6 +134,8 @@ class DigitalIo {
 
   /// One tick: samples the inputs and counts their edges.
   void SampleInputs();
+  /// True if an output has a reversal or a pulse train.
+  bool HasTimedOutputs() const;
   /// Advances the time of reversals and pulse trains.
   void AdvanceOutputs(int64_t microseconds);
   /// Treats the current levels of the pins as established: the filters accept them at once, and no

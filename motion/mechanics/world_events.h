@@ -13,16 +13,18 @@
 namespace oncard::motion {
 
 enum class WorldEventKind : uint8_t {
-  kPin,             ///< item: DiType, index: bit, value: level
-  kAdc,             ///< item: channel, value: volts
-  kModuleInputs,    ///< item: module, value: word
-  kModuleVoltage,   ///< item: module, index: channel, value: volts
-  kStall,           ///< item: motor, value: 1 stalled, 0 free
-  kHand,            ///< item: motor, value: velocity at which it is turned by hand, pulse/ms
-  kEncoderHeld,     ///< item: encoder, value: 1 held, 0 working
-  kEncoderNoise,    ///< item: encoder, index: seed, value: largest error in pulses
-  kEncoderDrift,    ///< item: encoder, value: pulse/ms
-  kSwitchConnected  ///< index: of MotionState::switches, value: 1 connected, 0 cut
+  kPin,              ///< item: DiType, index: bit, value: level
+  kAdc,              ///< item: channel, value: volts
+  kModuleInputs,     ///< item: module, value: word
+  kModuleVoltage,    ///< item: module, index: channel, value: volts
+  kStall,            ///< item: motor, value: 1 stalled, 0 free
+  kHand,             ///< item: motor, value: velocity at which it is turned by hand, pulse/ms
+  kEncoderHeld,      ///< item: encoder, value: 1 held, 0 working
+  kEncoderNoise,     ///< item: encoder, index: seed, value: largest error in pulses
+  kEncoderDrift,     ///< item: encoder, value: pulse/ms
+  kSwitchConnected,  ///< index: of MotionState::switches, value: 1 connected, 0 cut
+  kSwitchFirst,      ///< the same, value: PositionSwitch::first
+  kSwitchLast        ///< the same, value: PositionSwitch::last
 };
 
 /// Everything counts from 0.

@@ -51,6 +51,8 @@ struct JogMode {
   Sample At(Micros now);
   /// Something else has taken over; the registers stay.
   void Halt() { running = false; }
+  /// The plan that the output follows; nullptr while it is filtered.
+  const Plan* FollowedPlan() const { return running && !filtered ? &plan : nullptr; }
 
   auto Fields() const {
     return std::tie(parameters, velocity, running, plan, begin, smooth, filtered, step, step_at,

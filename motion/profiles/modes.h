@@ -62,6 +62,14 @@ concept IndependentMode = HasRun<Mode> && requires(Mode mode, Micros now, const 
   { mode.At(now) } -> std::same_as<Sample>;
 };
 
+/// An independent mode that can say that its output is nothing but that of a plan: `plan`, from
+/// `begin` on.
+template <typename Mode>
+concept PlannedMode = IndependentMode<Mode> && requires(const Mode mode) {
+  { mode.FollowedPlan() } -> std::same_as<const Plan*>;
+  { mode.begin } -> std::convertible_to<Micros>;
+};
+
 /// A mode whose output is a function of its master's.
 template <typename Mode>
 concept SlaveMode = HasRun<Mode> &&

@@ -56,6 +56,15 @@ void Profile::Advance(Micros instant) {
   });
 }
 
+std::pair<const Plan*, Micros> Profile::FollowedPlan() const {
+  if (stopping) return {&stop_plan, stop_begin};
+  std::pair<const Plan*, Micros> followed = {nullptr, 0};
+  VisitSelected(*this, [&]<typename Mode>(const Mode& selected) {
+    if constexpr (PlannedMode<Mode>) followed = {selected.FollowedPlan(), selected.begin};
+  });
+  return followed;
+}
+
 void Profile::AdvanceSlave(const MasterValue& master) {
   VisitSelected(*this, [&]<typename Mode>(Mode& selected) {
     if constexpr (SlaveMode<Mode>) now = selected.At(now, master);

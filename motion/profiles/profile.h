@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <tuple>
+#include <utility>
 
 #include "motion/common/card_defaults.h"
 #include "motion/common/sample.h"
@@ -55,6 +56,9 @@ struct Profile {
   void Advance(Micros instant);
   /// The same for a profile with a FollowedMaster().
   void AdvanceSlave(const MasterValue& master);
+  /// The plan that the output follows directly from the returned instant on, for a profile that
+  /// moves without a master; nullptr if the output is computed otherwise.
+  std::pair<const Plan*, Micros> FollowedPlan() const;
   /// Sets the position of a profile at rest.
   void SetPosition(double position) { now = AtRest(position); }
 

@@ -51,6 +51,8 @@ struct TrapMode {
   Sample At(Micros now);
   /// Something else has taken over; the registers stay.
   void Halt();
+  /// The plan that the output follows; nullptr if it is smoothed.
+  const Plan* FollowedPlan() const { return running && smooth == 0 ? &plan : nullptr; }
 
   auto Fields() const {
     return std::tie(parameters, target, velocity, running, plan, unplanned, begin, smooth, past);
