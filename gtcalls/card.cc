@@ -225,6 +225,7 @@ int64_t CardCommands::Elements(uint16_t number, size_t parameter, double first) 
 
 int16_t CardCommands::Execute(uint16_t number, vm::Machine&, int thread,
                               std::span<vm::CommandArgument> arguments) {
+  if (prepare_) prepare_();
   // The number was verified when the program was loaded.
   Call call{card_->family.catalogue.commands()[number - 1u], *card_, thread, arguments, {}};
   const int16_t code = ExecuteCommand(call);

@@ -95,6 +95,9 @@ class CardCommands final : public vm::CommandTable {
   /// Programs see only a code; the observer also receives the reason. An empty observer ends this.
   void ObserveRefusals(RefusalObserver observer) { observer_ = std::move(observer); }
 
+  /// Runs before every command: brings the card to the present. An empty function ends this.
+  void PrepareWith(std::function<void()> prepare) { prepare_ = std::move(prepare); }
+
   const vm::CommandShape* Find(uint16_t number) const override;
   int64_t Elements(uint16_t number, size_t parameter, double first) const override;
   int16_t Execute(uint16_t number, vm::Machine& machine, int thread,
@@ -103,6 +106,7 @@ class CardCommands final : public vm::CommandTable {
  private:
   Card* card_;
   RefusalObserver observer_;
+  std::function<void()> prepare_;
 };
 
 }  // namespace oncard::gtcalls

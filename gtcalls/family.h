@@ -66,6 +66,9 @@ struct Family {
   void (*after_tick)(Card& card);
   /// Runs before the threads' statements of each cycle, after their delays have ended.
   void (*before_threads)(Card& card);
+  /// True if the two above have work in every cycle. Otherwise after_tick has only work after a
+  /// tick in which a path reached commands for the owner of the core.
+  bool (*acts_each_cycle)(const CardView& card);
   /// True if variables of the program can still be written by something other than threads and the
   /// host.
   bool (*writes_variables)(const CardView& card);

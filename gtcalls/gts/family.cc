@@ -104,6 +104,11 @@ const Family& GtsFamily() {
       .after_tick = AfterTick,
       .before_threads =
           [](Card& card) { card.state<GtsState>().plc.Evaluate(card.machine, card.motion); },
+      .acts_each_cycle =
+          [](const CardView& card) {
+            const GtsState& state = card.state<GtsState>();
+            return state.mram.busy() || !state.plc.blocks.empty();
+          },
       .writes_variables =
           [](const CardView& card) {
             return !card.state<GtsState>().plc.blocks.empty() || WillWriteProgram(card.motion);

@@ -30,6 +30,12 @@ std::optional<motion::DiType> DiTypeOf(int number);
 /// The output word of MC_ENABLE, MC_CLEAR, MC_GPO; empty for other numbers.
 std::optional<motion::DoType> DoTypeOf(int number);
 
+/// Assumption: the stop types of GT_SetStopIo and GT_BufSetStopIo, as public host programs use
+/// them.
+inline constexpr int kAbruptStopType = 0;
+/// Assumption: this input number disables their stop input, like index -1 in a configuration.
+inline constexpr int kNoInput = -1;
+
 /// The homing of HOME_MODE_...; kNone for other numbers.
 motion::HomeMode HomeModeOf(int number);
 /// HOME_MODE_..., HOME_STAGE_..., HOME_ERROR_...; 0 for a mode kNone.

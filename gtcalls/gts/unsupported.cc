@@ -12,12 +12,12 @@ enum Reason {
 #include "gtcalls/gts/unsupported.def"
 };
 
-struct Row {
+struct UnsupportedRow {
   std::string_view command;
   Reason reason;
 };
 
-constexpr Row kRows[] = {
+constexpr UnsupportedRow kUnsupportedRows[] = {
 #define UNSUPPORTED(name, id) {#name, id},
 #include "gtcalls/gts/unsupported.def"
 };
@@ -29,9 +29,10 @@ const Message* WhyUnsupported(const Command& command) {
 #define REASON(id, en, zh) {en, zh},
 #include "gtcalls/gts/unsupported.def"
   };
-  const auto* row = std::find_if(std::begin(kRows), std::end(kRows),
-                                 [&](const Row& r) { return r.command == command.name; });
-  return row == std::end(kRows) ? nullptr : &kReasons[row->reason];
+  const auto* row =
+      std::find_if(std::begin(kUnsupportedRows), std::end(kUnsupportedRows),
+                   [&](const UnsupportedRow& r) { return r.command == command.name; });
+  return row == std::end(kUnsupportedRows) ? nullptr : &kReasons[row->reason];
 }
 
 }  // namespace oncard::gtcalls

@@ -13,11 +13,6 @@ namespace {
 using motion::Axis;
 using motion::InputChoice;
 
-/// Assumption: the stop types of GT_SetStopIo, as public host programs use them.
-constexpr int kAbruptStopType = 0;
-/// Assumption: this input number disables the stop input, like index -1 in a configuration.
-constexpr int kNoInput = -1;
-
 }  // namespace
 
 // --- Drive -----------------------------------------------------------------------------------

@@ -12,12 +12,8 @@ namespace {
 
 using motion::BufferedKind;
 
-/// Assumption: this input number disables the stop input, as for GT_SetStopIo.
-constexpr int kNoInput = -1;
-/// Assumption: GT_BufSetStopIo's stop types are those of GT_SetStopIo.
-constexpr int kAbruptStopType = 0;
 /// The time unit of GT_BufEnableDoBitPulse is that of GT_EnableDoBitPulse.
-constexpr double kPulseTimeUnitUs = kTimeUnitUs;
+constexpr double kBufferedPulseUnitUs = kTimeUnitUs;
 
 int16_t Append(Call& call, BufferedKind kind, int item, int detail,
                const std::array<double, 4>& values = {}) {
@@ -45,7 +41,7 @@ int ItemOf(motion::DoType type) { return static_cast<int>(type); }
 motion::DoType OutputWord(const Call& call) { return *DoTypeOf(call.integer(1)); }
 
 /// 0, or 7 with the reason if output type argument 1 has no output with the number in argument 2.
-int16_t CheckOutput(Call& call) {
+int16_t CheckOutputBit(Call& call) {
   const int width = DoWidth(OutputWord(call));
   if (call.integer(2) >= 1 && call.integer(2) <= width) return vm::kOk;
   return RefuseRange(call, "doIndex", call.value(2), width == 16 ? "[1, 16]" : "[1, 8]");
@@ -70,18 +66,18 @@ int16_t gts::GT_BufIO(Call& call) {
 }
 
 int16_t gts::GT_BufEnableDoBitPulse(Call& call) {
-  const int16_t code = CheckOutput(call);
+  const int16_t code = CheckOutputBit(call);
   if (code != vm::kOk) return code;
   if (call.integer(3) < 1) return RefuseRange(call, "highLevelTime", call.value(3), "[1, 65535]");
   if (call.integer(4) < 1) return RefuseRange(call, "lowLevelTime", call.value(4), "[1, 65535]");
   if (call.integer(5) < 0) return RefuseRange(call, "pulseNum", call.value(5), "[0, 2147483647]");
   return Append(call, BufferedKind::kPulses, ItemOf(OutputWord(call)), call.integer(2) - 1,
-                {call.value(3) * kPulseTimeUnitUs, call.value(4) * kPulseTimeUnitUs, call.value(5),
-                 call.value(6)});
+                {call.value(3) * kBufferedPulseUnitUs, call.value(4) * kBufferedPulseUnitUs,
+                 call.value(5), call.value(6)});
 }
 
 int16_t gts::GT_BufDisableDoBitPulse(Call& call) {
-  const int16_t code = CheckOutput(call);
+  const int16_t code = CheckOutputBit(call);
   if (code != vm::kOk) return code;
   return Append(call, BufferedKind::kStopPulses, ItemOf(OutputWord(call)), call.integer(2) - 1);
 }

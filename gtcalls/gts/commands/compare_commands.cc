@@ -38,7 +38,8 @@ int16_t CheckStopped(Call& call) {
                                  "通道 {0} 正在比较，请调用 GT_2DCompareStop", call.integer(0)));
 }
 
-int16_t RefuseMember(Call& call, std::string_view name, double value, double first, double last) {
+int16_t RefuseCompareMember(Call& call, std::string_view name, double value, double first,
+                            double last) {
   return call.Refuse(
       vm::kBadParameter,
       MakeMessage("T2DComparePrm.{0} is {1}; {2} to {3} is expected",
@@ -111,7 +112,7 @@ int16_t CheckSource(Call& call, double number, bool external) {
 }
 
 /// 0, or 7 if the card has no encoder with this number.
-int16_t CheckEncoder(Call& call, std::string_view name, double number) {
+int16_t CheckComparedEncoder(Call& call, std::string_view name, double number) {
   if (number >= 1 && call.card.motion.HasEncoder(static_cast<size_t>(number) - 1)) return vm::kOk;
   return call.Refuse(vm::kBadParameter,
                      MakeMessage("T2DComparePrm.{0} is {1}; this card has no such encoder",
@@ -123,7 +124,7 @@ int16_t CheckEncoder(Call& call, std::string_view name, double number) {
 int16_t gts::GT_2DCompareSetPrm(Call& call) {
   const std::span<double> cells = call.cells(1);
   for (const auto& [cell, name] : {std::pair{kEncX, "encx"}, {kEncY, "ency"}}) {
-    const int16_t code = CheckEncoder(call, name, cells[cell]);
+    const int16_t code = CheckComparedEncoder(call, name, cells[cell]);
     if (code != vm::kOk) return code;
   }
   const struct {
@@ -138,11 +139,11 @@ int16_t gts::GT_2DCompareSetPrm(Call& call) {
   for (const auto& bound : bounds) {
     const double value = cells[bound.cell];
     if (value < bound.first || value > bound.last) {
-      return RefuseMember(call, bound.name, value, bound.first, bound.last);
+      return RefuseCompareMember(call, bound.name, value, bound.first, bound.last);
     }
   }
   if (cells[kOutputType] == 0 && cells[kTime] < 1) {
-    return RefuseMember(call, "time", cells[kTime], 1, 32767);
+    return RefuseCompareMember(call, "time", cells[kTime], 1, 32767);
   }
   const bool two_dimensional = ModuleOf(call).parameters.two_dimensional;
   int16_t code = CheckSource(call, cells[kEncY], cells[kSource] != 0);

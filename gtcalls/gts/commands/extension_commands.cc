@@ -11,14 +11,14 @@ using motion::ExtensionModule;
 /// GT_GetStsExtMdl: 0 for a module that works, 1 for a fault.
 constexpr int kModuleFault = 1;
 
-ExtensionModule& ModuleOf(const Call& call) {
+ExtensionModule& ExtensionOf(const Call& call) {
   return call.card.motion.state().modules[static_cast<size_t>(call.integer(0))];
 }
-size_t ChannelOf(const Call& call) { return static_cast<size_t>(call.integer(1)); }
+size_t ExtensionChannelOf(const Call& call) { return static_cast<size_t>(call.integer(1)); }
 
 /// 0, or 1 with the reason if no such module is connected.
 int16_t CheckModule(Call& call) {
-  if (ModuleOf(call).present) return vm::kOk;
+  if (ExtensionOf(call).present) return vm::kOk;
   return call.Refuse(
       vm::kRefused,
       MakeMessage(
@@ -30,7 +30,7 @@ int16_t CheckModule(Call& call) {
 template <void (*function)(Call&, ExtensionModule&)>
 int16_t WithModule(Call& call) {
   const int16_t code = CheckModule(call);
-  if (code == vm::kOk) function(call, ModuleOf(call));
+  if (code == vm::kOk) function(call, ExtensionOf(call));
   return code;
 }
 
@@ -51,28 +51,29 @@ void GetIoBit(Call& call, ExtensionModule& module) {
 }
 
 void GetAdValue(Call& call, ExtensionModule& module) {
-  call.Set(2, motion::ModuleValue(module.input_volts[ChannelOf(call)]));
+  call.Set(2, motion::ModuleValue(module.input_volts[ExtensionChannelOf(call)]));
 }
 
 /// The converter's value for the voltage.
 void GetAdVoltage(Call& call, ExtensionModule& module) {
-  call.Set(2, motion::ModuleVolts(motion::ModuleValue(module.input_volts[ChannelOf(call)])));
+  call.Set(2,
+           motion::ModuleVolts(motion::ModuleValue(module.input_volts[ExtensionChannelOf(call)])));
 }
 
 void SetDaValue(Call& call, ExtensionModule& module) {
-  module.output_volts[ChannelOf(call)] =
+  module.output_volts[ExtensionChannelOf(call)] =
       motion::ModuleVolts(static_cast<uint16_t>(call.integer(2)));
 }
 
 void SetDaVoltage(Call& call, ExtensionModule& module) {
-  module.output_volts[ChannelOf(call)] = call.value(2);
+  module.output_volts[ExtensionChannelOf(call)] = call.value(2);
 }
 
 }  // namespace
 
 /// A missing module is the result of this command, not a reason to refuse it.
 int16_t gts::GT_GetStsExtMdl(Call& call) {
-  call.Set(2, ModuleOf(call).present ? 0 : kModuleFault);
+  call.Set(2, ExtensionOf(call).present ? 0 : kModuleFault);
   return vm::kOk;
 }
 

@@ -41,7 +41,7 @@ struct Bound {
   double minimum;
   double maximum;
 };
-constexpr double kLongMax = 2147483647;
+constexpr double kDistanceMax = 2147483647;
 constexpr Bound kBounds[] = {
     {kEdge, "edge", 0, 1},
     {kVelHigh, "velHigh", gts::kAboveZero, 32767},
@@ -49,9 +49,9 @@ constexpr Bound kBounds[] = {
     {kAcc, "acc", gts::kAboveZero, 32767},
     {kDec, "dec", gts::kAboveZero, 32767},
     {kSmoothTime, "smoothTime", 0, gts::kSmoothTimeMax},
-    {kSearchHomeDistance, "searchHomeDistance", 0, kLongMax},
-    {kSearchIndexDistance, "searchIndexDistance", 0, kLongMax},
-    {kEscapeStep, "escapeStep", 0, kLongMax},
+    {kSearchHomeDistance, "searchHomeDistance", 0, kDistanceMax},
+    {kSearchIndexDistance, "searchIndexDistance", 0, kDistanceMax},
+    {kEscapeStep, "escapeStep", 0, kDistanceMax},
 };
 
 int16_t RefuseMember(Call& call, std::string_view name, double value, double minimum,
@@ -82,7 +82,7 @@ int16_t CheckMembers(Call& call, motion::HomeMode mode) {
     return RefuseMember(call, "indexDir", cells[kIndexDir], -1, 1);
   }
   if ((cells[kPad2 + 1] == 1 || mode == motion::HomeMode::kLimit) && cells[kEscapeStep] == 0) {
-    return RefuseMember(call, "escapeStep", 0, 1, kLongMax);
+    return RefuseMember(call, "escapeStep", 0, 1, kDistanceMax);
   }
   return vm::kOk;
 }
@@ -112,7 +112,7 @@ int16_t RefuseHoming(Call& call, HomeError error) {
                   call.cells(1)[kMode]));
 }
 
-int16_t CheckIdle(Call& call) {
+int16_t CheckReadyToHome(Call& call) {
   int16_t code = CheckNotHoming(call, NumberOf(call));
   if (code == vm::kOk) code = CheckNoGantrySlave(call, NumberOf(call));
   return code == vm::kOk ? CheckAtRest(call, NumberOf(call)) : code;
@@ -125,7 +125,7 @@ int16_t gts::GT_GoHome(Call& call) {
   const auto mode = HomeModeOf(static_cast<int>(cells[kMode]));
   if (mode == motion::HomeMode::kNone) return RefuseHoming(call, HomeError::kMode);
   int16_t code = CheckMembers(call, mode);
-  if (code == vm::kOk) code = CheckIdle(call);
+  if (code == vm::kOk) code = CheckReadyToHome(call);
   if (code != vm::kOk) return code;
   const HomeError error = call.card.motion.CheckHoming(NumberOf(call), mode);
   if (error != HomeError::kNone) return RefuseHoming(call, error);
@@ -219,7 +219,7 @@ int16_t SearchSimply(Call& call, HomeKind kind, double velocity, double accelera
   const size_t axis = NumberOf(call);
   int16_t code = CheckPrepared(call);
   if (code == vm::kOk) code = CheckMode(call, axis, motion::ProfileMode::kTrap);
-  if (code == vm::kOk) code = CheckIdle(call);
+  if (code == vm::kOk) code = CheckReadyToHome(call);
   if (code != vm::kOk) return code;
   if (!AxisOf(call).servo_on) {
     return call.Refuse(vm::kRefused, MakeMessage("axis {0} is not enabled, call GT_AxisOn",
@@ -248,7 +248,7 @@ int16_t gts::GT_Index(Call& call) {
   int16_t code = CheckPrepared(call);
   if (code == vm::kOk && !homing.running && homing.kind == HomeKind::kHome && homing.found) {
     code = CheckMode(call, axis, motion::ProfileMode::kTrap);
-    if (code == vm::kOk) code = CheckIdle(call);
+    if (code == vm::kOk) code = CheckReadyToHome(call);
   }
   if (code != vm::kOk) return code;
   call.card.motion.SetIndexSearch(axis, call.integer(1), call.integer(2));

@@ -18,7 +18,7 @@ int16_t CheckWords(Call& call, int count) {
 }
 
 /// 0, or 1 during a transfer, which uses the buffer.
-int16_t CheckIdle(Call& call) {
+int16_t CheckNoAccess(Call& call) {
   if (!MramOf(call).busy()) return vm::kOk;
   return call.Refuse(vm::kRefused,
                      MakeMessage("the memory is being accessed, wait until GT_GetMRAMStatus gives "
@@ -29,7 +29,7 @@ int16_t CheckIdle(Call& call) {
 
 int16_t CheckAccess(Call& call, int count) {
   const int16_t code = CheckWords(call, count);
-  return code != vm::kOk ? code : CheckIdle(call);
+  return code != vm::kOk ? code : CheckNoAccess(call);
 }
 
 }  // namespace

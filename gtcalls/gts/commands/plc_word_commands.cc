@@ -17,7 +17,7 @@ namespace oncard::gtcalls {
 namespace {
 
 /// 0, or the refusal if a thread is executing the program.
-int16_t CheckIdle(Call& call) {
+int16_t CheckNoThreadActive(Call& call) {
   for (int i = 0; i < vm::kThreadCount; ++i) {
     const vm::ThreadState& thread = call.card.machine.thread(i);
     if (IsActive(thread)) return call.Refuse(vm::kRefused, DescribeThread(i, thread));
@@ -35,7 +35,7 @@ WordFunction* FindWords(PlcBlocks& plc, int id) {
 
 /// Clears the program memory: the loaded program and the words received.
 int16_t gts::GT_ClearPlc(Call& call) {
-  if (const int16_t code = CheckIdle(call)) return code;
+  if (const int16_t code = CheckNoThreadActive(call)) return code;
   call.card.state<GtsState>().plc = {};
   call.card.machine.Load(nullptr);
   return vm::kOk;
@@ -125,7 +125,7 @@ Result<vm::Object> Assemble(const std::vector<WordFunction>& functions) {
 int16_t LinkPendingWords(Call& call, int function_id) {
   PlcBlocks& plc = call.card.state<GtsState>().plc;
   if (!plc.functions_pending || FindWords(plc, function_id) == nullptr) return vm::kOk;
-  if (const int16_t code = CheckIdle(call)) return code;
+  if (const int16_t code = CheckNoThreadActive(call)) return code;
   auto object = Assemble(plc.functions);
   if (!object.ok()) return call.Refuse(vm::kBadParameter, object.error().message);
   const CardCommands commands(&call.card);

@@ -21,8 +21,8 @@ using motion::PvtTablePointer;
 /// Assumptions: limits of the arrays' elements; the manual gives one only for positions.
 constexpr double kTimeMax = 2147483647;
 constexpr double kVelocityMax = 32767;
-constexpr double kAccelerationMin = gts::kAboveZero;
-constexpr double kAccelerationMax = 1e9;
+constexpr double kElementAccelerationMin = gts::kAboveZero;
+constexpr double kElementAccelerationMax = 1e9;
 
 int16_t CheckPvt(Call& call, size_t profile) { return CheckMode(call, profile, ProfileMode::kPvt); }
 
@@ -174,8 +174,8 @@ std::vector<ContinuousRow> ContinuousRows(Call& call, size_t first, size_t count
   const size_t used = count - 1;
   if (!CheckPercents(call, first + 2, used) ||
       !CheckElements(call, first + 3, used, 0, kVelocityMax) ||
-      !CheckElements(call, first + 4, used, kAccelerationMin, kAccelerationMax) ||
-      !CheckElements(call, first + 5, used, kAccelerationMin, kAccelerationMax)) {
+      !CheckElements(call, first + 4, used, kElementAccelerationMin, kElementAccelerationMax) ||
+      !CheckElements(call, first + 5, used, kElementAccelerationMin, kElementAccelerationMax)) {
     return {};
   }
   std::vector<ContinuousRow> rows(count);

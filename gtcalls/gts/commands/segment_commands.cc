@@ -170,8 +170,8 @@ constexpr size_t kPositionCell = 2;
 constexpr size_t kRadiusCell = 10;
 constexpr size_t kDirectionCell = 11;
 constexpr size_t kCentreCell = 12;
-constexpr size_t kVelocityCell = 15;
-constexpr size_t kAccelerationCell = 16;
+constexpr size_t kSegmentVelocityCell = 15;
+constexpr size_t kSegmentAccelerationCell = 16;
 constexpr size_t kEndsAtRestCell = 17;
 constexpr size_t kEndVelocityCell = 33;
 
@@ -183,9 +183,10 @@ constexpr double kArcType = 1;
 /// range.
 bool CheckData(Call& call, bool arc) {
   const std::span<double> cells = call.cells(1);
-  bool good = cells[kVelocityCell] >= gts::kAboveZero && cells[kVelocityCell] < gts::kRateBound &&
-              cells[kAccelerationCell] >= gts::kAboveZero &&
-              cells[kAccelerationCell] < gts::kRateBound && cells[kEndVelocityCell] >= 0 &&
+  bool good = cells[kSegmentVelocityCell] >= gts::kAboveZero &&
+              cells[kSegmentVelocityCell] < gts::kRateBound &&
+              cells[kSegmentAccelerationCell] >= gts::kAboveZero &&
+              cells[kSegmentAccelerationCell] < gts::kRateBound && cells[kEndVelocityCell] >= 0 &&
               cells[kEndVelocityCell] < gts::kRateBound;
   for (size_t i = 0; i < motion::kCrdDimensionMax; ++i) {
     good = good && cells[kPositionCell + i] >= -gts::kPositionMax &&
@@ -217,8 +218,8 @@ int16_t AppendData(Call& call, bool arc) {
   request.end = start;
   for (size_t i = 0; i < CrdOf(call).dimension(); ++i) request.end[i] = cells[kPositionCell + i];
   request.dimension = 1;
-  request.velocity = cells[kVelocityCell];
-  request.acceleration = cells[kAccelerationCell];
+  request.velocity = cells[kSegmentVelocityCell];
+  request.acceleration = cells[kSegmentAccelerationCell];
   request.end_velocity = cells[kEndVelocityCell];
   request.ends_at_rest = cells[kEndsAtRestCell] != 0;
   if (arc) {

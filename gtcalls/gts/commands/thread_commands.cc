@@ -34,7 +34,9 @@ int RunCode(ThreadRun run) {
   return kRunStopped;
 }
 
-const ThreadState& ThreadOf(const Call& call) { return call.card.machine.thread(call.integer(0)); }
+const ThreadState& ThreadStateOf(const Call& call) {
+  return call.card.machine.thread(call.integer(0));
+}
 
 /// Returns the machine's code; if it is not 0, `before`, the state before the call, gives the
 /// reason.
@@ -53,7 +55,7 @@ Message WhyNotBound(const Call& call, int16_t code) {
                        "没有标识为 {0} 的函数；程序有 {1} 个函数，从 1 起编号", call.integer(1),
                        count);
   }
-  const ThreadState& state = ThreadOf(call);
+  const ThreadState& state = ThreadStateOf(call);
   if (IsActive(state)) return DescribeThread(call.integer(0), state);
   return DescribeTakenPage(call.integer(2));
 }
@@ -69,22 +71,22 @@ int16_t gts::GT_Bind(Call& call) {
 // --- Running --------------------------------------------------------------------------------
 
 int16_t gts::GT_RunThread(Call& call) {
-  const ThreadState before = ThreadOf(call);
+  const ThreadState before = ThreadStateOf(call);
   return Answer(call, call.card.machine.Run(call.integer(0)), before);
 }
 
 int16_t gts::GT_StopThread(Call& call) {
-  const ThreadState before = ThreadOf(call);
+  const ThreadState before = ThreadStateOf(call);
   return Answer(call, call.card.machine.StopThread(call.integer(0)), before);
 }
 
 int16_t gts::GT_PauseThread(Call& call) {
-  const ThreadState before = ThreadOf(call);
+  const ThreadState before = ThreadStateOf(call);
   return Answer(call, call.card.machine.Pause(call.integer(0)), before);
 }
 
 int16_t gts::GT_StepThread(Call& call) {
-  const ThreadState before = ThreadOf(call);
+  const ThreadState before = ThreadStateOf(call);
   const int16_t code = call.card.machine.Step(call.integer(0));
   if (code == vm::kRefused && before.run == ThreadRun::kPaused) {
     return call.Refuse(code, MakeMessage("thread {0} is in a delay or waits for a variable",
@@ -94,7 +96,7 @@ int16_t gts::GT_StepThread(Call& call) {
 }
 
 int16_t gts::GT_RunThreadToBreakpoint(Call& call) {
-  const ThreadState before = ThreadOf(call);
+  const ThreadState before = ThreadStateOf(call);
   const int16_t code = call.card.machine.RunToBreakpoint(call.integer(0), call.integer(1));
   if (code == vm::kBadParameter) {
     return call.Refuse(code, MakeMessage("the function has no statement on line {0}",
@@ -104,7 +106,7 @@ int16_t gts::GT_RunThreadToBreakpoint(Call& call) {
 }
 
 int16_t gts::GT_RunThreadPeriod(Call& call) {
-  const ThreadState before = ThreadOf(call);
+  const ThreadState before = ThreadStateOf(call);
   const int milliseconds = call.integer(1);
   return Answer(call,
                 call.card.machine.RunPeriodic(call.integer(0), CyclesFromMs(call, milliseconds),
@@ -129,7 +131,7 @@ double MsFromCycles(const Call& call, int64_t cycles) {
 }  // namespace
 
 int16_t gts::GT_GetThreadSts(Call& call) {
-  const ThreadState& state = ThreadOf(call);
+  const ThreadState& state = ThreadStateOf(call);
   call.Set(1, RunCode(state.run), 0);
   call.Set(1, state.error, 1);
   call.Set(1, ResultOf(state), 2);
@@ -138,7 +140,7 @@ int16_t gts::GT_GetThreadSts(Call& call) {
 }
 
 int16_t gts::GT_GetThreadTime(Call& call) {
-  const ThreadState& state = ThreadOf(call);
+  const ThreadState& state = ThreadStateOf(call);
   call.Set(1, MsFromCycles(call, state.period_cycles));
   call.Set(2, static_cast<double>(state.executed) / kStatementsPerMs);
   call.Set(3, static_cast<double>(state.executed_max) / kStatementsPerMs);
@@ -149,7 +151,7 @@ int16_t gts::GT_GetThreadTime(Call& call) {
 /// no counterpart here and is 0, `link` says whether the thread is bound, `count` counts overruns
 /// of a periodic thread.
 int16_t gts::GT_GetThread(Call& call) {
-  const ThreadState& state = ThreadOf(call);
+  const ThreadState& state = ThreadStateOf(call);
   const vm::Machine& machine = call.card.machine;
   const bool bound = state.run != ThreadRun::kUnbound;
   const size_t size =
