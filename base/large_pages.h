@@ -24,7 +24,9 @@ class LargePageAllocator {
 
   T* allocate(size_t count) {
     const size_t bytes = (count * sizeof(T) + kPage - 1) / kPage * kPage;
-    if (count * sizeof(T) < kLeast) return static_cast<T*>(::operator new(count * sizeof(T)));
+    if (count * sizeof(T) < kLeast) {
+      return static_cast<T*>(::operator new(count * sizeof(T), kSmallAlignment));
+    }
     void* block = ::operator new (bytes, std::align_val_t{kPage});
 #ifdef __linux__
     static_cast<void>(madvise(block, bytes, MADV_HUGEPAGE));  // a wish; without it, only slower
@@ -33,7 +35,7 @@ class LargePageAllocator {
   }
   void deallocate(T* block, size_t count) {
     if (count * sizeof(T) < kLeast) {
-      ::operator delete(block);
+      ::operator delete(block, kSmallAlignment);
     } else {
       ::operator delete (block, std::align_val_t{kPage});
     }
@@ -43,6 +45,7 @@ class LargePageAllocator {
  private:
   static constexpr size_t kPage = size_t{2} << 20;
   static constexpr size_t kLeast = 2 * kPage;
+  static constexpr std::align_val_t kSmallAlignment{alignof(T)};
 };
 
 }  // namespace oncard

@@ -1,6 +1,6 @@
 // The linker: turns a verified object into decoded code. One instruction of the object becomes one
-// Code, so that program counters, lines and jump displacements remain valid. Where two or three
-// neighbours are often executed together, the op of the first one combines them and the interpreter
+// Code, so that program counters, lines and jump displacements remain valid. Where neighbours are
+// often executed together, the op of the first one combines them and the interpreter
 // executes them with one dispatch; the others keep their own code for jumps that arrive between
 // them.
 // Tested by tests/vm/image_test.cc, tests/vm/machine_test.cc and the language tests.
@@ -77,11 +77,11 @@ class FunctionLinker {
       : object_(object), function_(function), commands_(commands) {}
 
   Result<ImageFunction> Link() {
-    linked_.code.reserve(function_.instructions.size() + kLookAhead);
+    linked_.code.reserve(function_.instructions.size() + 1);
     for (const Instruction& instruction : function_.instructions) {
       linked_.code.push_back(Decode(instruction));
     }
-    linked_.code.insert(linked_.code.end(), kLookAhead, Code{kEnd, 0, 0, 0});
+    linked_.code.push_back({kEnd, 0, 0, 0});
     if (linked_.constants.size() > kPackedIndexCount ||
         linked_.elements.size() > kPackedIndexCount) {
       return MakeError(2008,
@@ -92,8 +92,9 @@ class FunctionLinker {
     }
     FuseTests();
     FuseLoops();
-    FusePairs();
+    FuseSteps();
     FuseLastOfLoops();
+    FusePairs();
     return std::move(linked_);
   }
 
@@ -117,46 +118,77 @@ class FunctionLinker {
   Code DecodeBinary(const Instruction& instruction) {
     const auto& operands = instruction.operands;
     const uint16_t first = BinaryOp(instruction.op, instruction.type);
-    const uint16_t a = Pack(operands[0], instruction.type);
-    const uint16_t b = Pack(operands[1], instruction.type);
+    uint16_t a = Pack(operands[0], instruction.type);
+    uint16_t b = Pack(operands[1], instruction.type);
     const uint16_t d = Pack(operands[2], instruction.type);
+    if (ClassOf(a) == OperandClass::kConstant && Commutes(first)) std::swap(a, b);
     const bool shared = AnyShared(instruction);
-    const uint16_t variant =
-        BinaryVariantOf(ClassOf(a), ClassOf(b), ClassOf(d), instruction.type, shared);
+    const Forms forms{ClassOf(a), ClassOf(b), ClassOf(d), shared};
+    const bool is_int = instruction.type == DataType::kInt;
+    const uint16_t variant = is_int ? IntVariantOf(forms) : DoubleVariantOf(forms);
     const uint16_t op = static_cast<uint16_t>(first + variant);
-    if (variant == kVariantP || variant == kVariantS) return {op, a, b, d};
+    const bool packed = is_int ? variant == kVariantP || variant == kVariantS
+                               : variant == kDoubleVariantP || variant == kDoubleVariantS;
+    if (packed) return {op, a, b, d};
     return {op, IndexOf(a), IndexOf(b), IndexOf(d)};
   }
 
-  static uint16_t BinaryVariantOf(OperandClass a, OperandClass b, OperandClass d, DataType type,
-                                  bool shared) {
-    using enum OperandClass;
-    if (a == kLocal && b == kLocal && d == kLocal) return kVariantLL;
-    if (a == kLocal && b == kConstant && d == kLocal) return kVariantLK;
-    if (a == kConstant && b == kLocal && d == kLocal) return kVariantKL;
-    if (a == kLocal && b == kElement && d == kLocal && !shared) return kVariantLE;
-    if (type == DataType::kInt && a == kGlobal && d == kGlobal) {
-      if (b == kLocal) return kVariantGL;
-      if (b == kConstant) return kVariantGK;
+  // The classes of a binary operation's operands, and whether one of them is shared.
+  struct Forms {
+    OperandClass a, b, d;
+    bool shared;
+    bool Are(OperandClass first, OperandClass second, OperandClass target) const {
+      return a == first && b == second && d == target;
     }
-    return shared ? kVariantS : kVariantP;
+  };
+
+  static uint16_t IntVariantOf(const Forms& forms) {
+    using enum OperandClass;
+    if (forms.Are(kLocal, kLocal, kLocal)) return kVariantLL;
+    if (forms.Are(kLocal, kConstant, kLocal)) return kVariantLK;
+    if (forms.Are(kConstant, kLocal, kLocal)) return kVariantKL;
+    if (forms.Are(kGlobal, kLocal, kGlobal)) return kVariantGL;
+    if (forms.Are(kGlobal, kConstant, kGlobal)) return kVariantGK;
+    if (forms.Are(kGlobal, kLocal, kLocal)) return kVariantGLToL;
+    if (forms.Are(kGlobal, kConstant, kLocal)) return kVariantGKToL;
+    if (forms.Are(kLocal, kConstant, kGlobal)) return kVariantLKToG;
+    if (forms.shared) return kVariantS;
+    if (forms.Are(kLocal, kElement, kLocal)) return kVariantLE;
+    if (forms.Are(kElement, kConstant, kLocal)) return kVariantEK;
+    return kVariantP;
+  }
+
+  static uint16_t DoubleVariantOf(const Forms& forms) {
+    using enum OperandClass;
+    if (forms.Are(kLocal, kLocal, kLocal)) return kDoubleVariantLL;
+    if (forms.Are(kLocal, kConstant, kLocal)) return kDoubleVariantLK;
+    if (forms.Are(kConstant, kLocal, kLocal)) return kDoubleVariantKL;
+    if (forms.shared) return kDoubleVariantS;
+    return forms.Are(kLocal, kElement, kLocal) ? kDoubleVariantLE : kDoubleVariantP;
   }
 
   Code DecodeUnary(const Instruction& instruction) {
     const uint16_t first = UnaryOp(instruction.op, instruction.type);
     const uint16_t a = Pack(instruction.operands[0], instruction.type);
     const uint16_t d = Pack(instruction.operands[1], instruction.type);
-    if (ClassOf(d) == OperandClass::kLocal && ClassOf(a) == OperandClass::kLocal) {
-      return {static_cast<uint16_t>(first + kUnaryVariantL), IndexOf(a), 0, IndexOf(d)};
-    }
-    if (ClassOf(d) == OperandClass::kLocal && ClassOf(a) == OperandClass::kConstant) {
-      return {static_cast<uint16_t>(first + kUnaryVariantK), IndexOf(a), 0, IndexOf(d)};
-    }
-    const bool shared = AnyShared(instruction);
-    if (ClassOf(d) == OperandClass::kElement && ClassOf(a) == OperandClass::kLocal && !shared) {
-      return {static_cast<uint16_t>(first + kUnaryVariantLE), IndexOf(a), 0, IndexOf(d)};
-    }
-    return {static_cast<uint16_t>(first + (shared ? kUnaryVariantS : kUnaryVariantP)), a, 0, d};
+    const uint16_t variant = UnaryVariantOf(ClassOf(a), ClassOf(d), AnyShared(instruction));
+    const auto op = static_cast<uint16_t>(first + variant);
+    if (variant == kUnaryVariantP || variant == kUnaryVariantS) return {op, a, 0, d};
+    return {op, IndexOf(a), 0, IndexOf(d)};
+  }
+
+  static uint16_t UnaryVariantOf(OperandClass a, OperandClass d, bool shared) {
+    using enum OperandClass;
+    if (a == kLocal && d == kLocal) return kUnaryVariantL;
+    if (a == kConstant && d == kLocal) return kUnaryVariantK;
+    if (a == kGlobal && d == kLocal) return kUnaryVariantG;
+    if (a == kLocal && d == kGlobal) return kUnaryVariantLG;
+    if (a == kConstant && d == kGlobal) return kUnaryVariantKG;
+    if (shared) return kUnaryVariantS;
+    if (a == kElement && d == kLocal) return kUnaryVariantE;
+    if (a == kLocal && d == kElement) return kUnaryVariantLE;
+    if (a == kConstant && d == kElement) return kUnaryVariantKE;
+    return kUnaryVariantP;
   }
 
   Code DecodeJump(const Instruction& instruction) {
@@ -277,25 +309,27 @@ class FunctionLinker {
     }
   }
 
-  // Combines `x = x + K` with the goto to a loop's test when the test compares x, and any operation
-  // with a conditional jump that follows.
-  void FusePairs() {
+  // Combines `x = x + K` and `x = x + y` with the test that follows, or with the goto to a loop's
+  // test, when the test compares x; and any operation with a conditional jump that follows.
+  void FuseSteps() {
     auto& code = linked_.code;
     for (size_t i = 0; i + 1 < code.size(); ++i) {
       uint16_t& op = code[i].op;
       switch (code[i + 1].op) {
-#define COMPARE(name, value)                         \
-  case kLoop##name##LL:                              \
-    if (StepsLoop(i)) op = kIncrementLoop##name##LL; \
-    break;                                           \
-  case kLoop##name##LK:                              \
-    if (StepsLoop(i)) op = kIncrementLoop##name##LK; \
+#define FUSE_STEP(test)                                                            \
+  case kTest##test:                                                                \
+    if (op == kIntAddLK && Steps(code[i], code[i + 1])) op = kIncrementTest##test; \
+    break;                                                                         \
+  case kLoop##test:                                                                \
+    if (!Steps(code[i], TargetOf(i + 1))) break;                                   \
+    if (op == kIntAddLK) op = kIncrementLoop##test;                                \
+    if (op == kIntAddLL) op = kStepLoop##test;                                     \
     break;
+#define COMPARE(name, value) FUSE_STEP(name##LL) FUSE_STEP(name##LK)
 #include "vm/handlers.def"
+#undef FUSE_STEP
         case kIfLocal:
-          if (op >= kIntOpEnd) break;
-          if (op % kIntVariantCount == kVariantLL) op += kVariantLLIf - kVariantLL;
-          if (op % kIntVariantCount == kVariantLK) op += kVariantLKIf - kVariantLK;
+          FuseIf(op);
           break;
         default:
           break;
@@ -303,14 +337,27 @@ class FunctionLinker {
     }
   }
 
-  // True when instruction i increments the variable that is compared by the loop test to which the
-  // following goto leads.
-  bool StepsLoop(size_t i) const {
-    const Code& step = linked_.code[i];
-    const Code& loop = linked_.code[i + 1];
-    const auto target = static_cast<ptrdiff_t>(i) + 1 + static_cast<int16_t>(loop.d);
-    return step.op == kIntAddLK && step.a == step.d &&
-           linked_.code[static_cast<size_t>(target)].a == step.d;
+  // True when the target of an operation is its operand a, and that of the comparison `test`.
+  static bool Steps(const Code& step, const Code& test) {
+    return step.a == step.d && test.a == step.d;
+  }
+
+  // Where the goto at i leads.
+  const Code& TargetOf(size_t i) const {
+    const auto target = static_cast<ptrdiff_t>(i) + static_cast<int16_t>(linked_.code[i].d);
+    return linked_.code[static_cast<size_t>(target)];
+  }
+
+  // Makes an operation on ints the one that also executes the kIfLocal after it.
+  static void FuseIf(uint16_t& op) {
+    if (op >= kIntOpEnd) return;
+    const auto variant = static_cast<uint16_t>(op % kIntVariantCount);
+    for (const auto& [plain, fused] : {std::pair{kVariantLL, kVariantLLIf},
+                                       {kVariantLK, kVariantLKIf},
+                                       {kVariantEK, kVariantEKIf},
+                                       {kVariantGKToL, kVariantGKToLIf}}) {
+      if (variant == plain) op = static_cast<uint16_t>(op - plain + fused);
+    }
   }
 
   // Combines the last statement of a loop, `s = s + x` or `a[i] = x`, with the increment and the
@@ -334,6 +381,63 @@ class FunctionLinker {
         default:
           break;
       }
+    }
+  }
+
+  // Combines two copies, and two operations of one expression, unless one of them is already
+  // combined with others.
+  void FusePairs() {
+    auto& code = linked_.code;
+    for (size_t i = 0; i + 1 < code.size(); ++i) {
+      Code& first = code[i];
+      Code& second = code[i + 1];
+      if (first.op == second.op && first.op == kCopyIntL) {
+        first.op = kCopyIntTwice;
+      } else if (first.op == second.op && first.op == kCopyDoubleL) {
+        first.op = kCopyDoubleTwice;
+      } else if (second.a != first.d && second.b == first.d && Commutes(second.op)) {
+        std::swap(second.a, second.b);
+      }
+      FuseExpression(first, second);
+    }
+  }
+
+  // True when the operation is on two local slots and computes the same with its operands
+  // exchanged.
+  static bool Commutes(uint16_t op) {
+    switch (op) {
+      case kIntAddLL:
+      case kIntMultiplyLL:
+      case kIntAndLL:
+      case kIntOrLL:
+      case kIntXorLL:
+      case kDoubleAddLL:
+      case kDoubleMultiplyLL:
+        return true;
+      default:
+        return false;
+    }
+  }
+
+  static void FuseExpression(Code& first, const Code& second) {
+    // The subtractions whose operand b is the first operation's target.
+    constexpr uint16_t kIntFromLR = kDecodedOpCount;
+    constexpr uint16_t kDoubleFromLR = kIntFromLR + 1;
+    uint16_t op = second.op;
+    if (second.a != first.d) {
+      if (second.b != first.d) return;
+      if (op != kIntSubtractLL && op != kDoubleSubtractLL) return;
+      op = op == kIntSubtractLL ? kIntFromLR : kDoubleFromLR;
+    }
+    switch (uint32_t{first.op} << 16 | op) {
+#define PAIR(type, left, form, right, operand)                           \
+  case uint32_t{k##type##left##form} << 16 | k##type##right##L##operand: \
+    first.op = k##type##left##form##Then##right##operand;                \
+    break;
+      ONCARD_PAIRS(PAIR)
+#undef PAIR
+      default:
+        break;
     }
   }
 

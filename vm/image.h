@@ -53,7 +53,7 @@ struct CallSite {
 
 /// A function, ready to run.
 struct ImageFunction {
-  std::vector<Code> code;  ///< one per instruction, then the end markers
+  std::vector<Code> code;  ///< one per instruction, then kEnd
   std::vector<int64_t> constants;
   std::vector<ElementReference> elements;
   std::vector<CallSite> calls;

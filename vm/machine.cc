@@ -346,8 +346,8 @@ int64_t Machine::Execute(int64_t budget) {
   int64_t executed = 0;
   last_stop_ = Stop::kBudget;
   const SchedulerState& scheduler = state_->scheduler;
-  const bool one_statement_rounds = scheduler.policy.kind == PolicyKind::kRoundRobin &&
-                                    scheduler.policy.quantum == 1 && recording_ == nullptr;
+  const bool one_statement_rounds =
+      scheduler.policy.kind == PolicyKind::kRoundRobin && scheduler.policy.quantum == 1;
   for (uint32_t runnable = FinishSleepersAtEnd(); executed < budget && last_stop_ == Stop::kBudget;
        runnable = FinishSleepersAtEnd()) {
     const int64_t left = std::min(budget - executed, kInterpretMax);
@@ -358,15 +358,13 @@ int64_t Machine::Execute(int64_t budget) {
     if (one_statement_rounds) {
       const uint32_t members = RoundMembers();
       if (members == runnable && std::has_single_bit(members)) {
-        const int thread = std::countr_zero(members);
-        executed += RunTurn(thread, left);
-        state_->scheduler.next_thread = (thread + 1) % kThreadCount;
+        executed += RunAlone(std::countr_zero(members), std::min(left, UntilCheckpoint()));
         continue;
       }
       const int64_t rounds = left / std::popcount(members);
       // For a few rounds the preparation is not worthwhile.
       constexpr int64_t kRoundsMin = 4;
-      if (rounds >= kRoundsMin) {
+      if (rounds >= kRoundsMin && recording_ == nullptr) {
         const int64_t done = ExecuteRounds(members, rounds);
         executed += done;
         if (done > 0) continue;
@@ -374,6 +372,14 @@ int64_t Machine::Execute(int64_t budget) {
     }
     executed += ExecuteTurn(runnable, left);
   }
+  return executed;
+}
+
+int64_t Machine::RunAlone(int thread, int64_t statements) {
+  const int64_t executed = RunTurn(thread, statements);
+  state_->scheduler.next_thread = (thread + 1) % kThreadCount;
+  RecordTurn(thread, executed);
+  PassCheckpoint();
   return executed;
 }
 
@@ -419,6 +425,18 @@ void Machine::BeginCycle(int64_t cycle) {
     thread.overruns += missed;
     thread.next_start += (missed + 1) * thread.period_cycles;
   }
+}
+
+int64_t Machine::IdleCycles() const {
+  int64_t next = INT64_MAX;
+  for (const ThreadState& thread : state_->threads) {
+    if (thread.period_cycles != 0) next = std::min(next, thread.next_start);
+    if (CanContinue(thread)) return 0;
+    if (thread.run == ThreadRun::kRunning && thread.wake_cycle > state_->cycle) {
+      next = std::min(next, thread.wake_cycle);
+    }
+  }
+  return next == INT64_MAX ? next : std::max<int64_t>(0, next - state_->cycle - 1);
 }
 
 bool Machine::Quiet() const {

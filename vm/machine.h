@@ -187,6 +187,9 @@ class Machine {
   int NextThread() const;
   /// Advances the clock to a cycle (never backwards): wakes delayed threads, starts periodic ones.
   void BeginCycle(int64_t cycle);
+  /// Cycles from now on in which no thread can run, as long as nothing else writes variables;
+  /// INT64_MAX: for ever.
+  int64_t IdleCycles() const;
   /// True when no thread is running: all are unbound, stopped, paused or faulted, and none is
   /// periodic.
   bool Quiet() const;
@@ -228,6 +231,8 @@ class Machine {
   void Settle(const Frame& frame, Exit exit, int64_t executed);
   /// Executes up to `statements` of a thread; returns how many.
   int64_t RunTurn(int thread, int64_t statements);
+  /// The same for the only thread that can run, under the one-statement round robin.
+  int64_t RunAlone(int thread, int64_t statements);
   /// Ends the threads that have woken up with nothing left to execute, because their last statement
   /// put them to sleep. Returns the threads that can continue.
   uint32_t FinishSleepersAtEnd();

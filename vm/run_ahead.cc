@@ -5,6 +5,9 @@
 // in the order of the rounds. Afterwards every thread has executed exactly the statements that the
 // plain interleaving would have executed.
 //
+// Where shared statements are frequent, the rounds are executed as they are, until the first
+// statement that the rotation does not execute.
+//
 // This relies on a property of the command set: a command called from a program never changes
 // another thread's state.
 // Tested by tests/vm/run_ahead_test.cc, which compares it with the plain interleaving after every
@@ -17,6 +20,7 @@
 #include "vm/handlers.h"
 #include "vm/interpreter.h"
 #include "vm/machine.h"
+#include "vm/rotation.h"
 
 namespace oncard::vm {
 namespace {
@@ -24,6 +28,12 @@ namespace {
 // Rounds planned at once: enough to make entering the interpreter worthwhile for a private loop,
 // few enough for the calendar to stay in the cache.
 constexpr int64_t kWindow = 1024;
+
+// Where threads stop before nearly every statement, running ahead is slower than changing the
+// thread after each one (rotation.h). So a window with fewer statements than these for each stop is
+// followed by windows that begin with a rotation; then the statements are counted again.
+constexpr int64_t kStatementsPerStopMin = 4;
+constexpr int kRotatedWindows = 63;
 
 // The positions (bits) that are due in each round. Rounds are removed in ascending order; meanwhile
 // a position may be entered for any later round.
@@ -60,11 +70,11 @@ class Calendar {
 
 int64_t Machine::ExecuteRounds(uint32_t members, int64_t rounds) {
   struct Member {
-    Frame frame;
     int64_t executed = 0;
     bool alive = true;
   };
   std::array<Member, kThreadCount> order;
+  std::array<Frame, kThreadCount + 1> frames;  // with the room that a rotation needs
   int count = 0;
   const int first = state_->scheduler.next_thread;
   for (int i = 0; i < kThreadCount; ++i) {
@@ -73,25 +83,39 @@ int64_t Machine::ExecuteRounds(uint32_t members, int64_t rounds) {
     ThreadState& state = ThreadAt(thread);
     if (state.breakpoint_line != 0) return 0;
     state.wake_cycle = 0;
-    order[static_cast<size_t>(count++)].frame = MakeFrame(thread);
+    frames[static_cast<size_t>(count++)] = MakeFrame(thread);
   }
 
   Calendar calendar;
   // Positions that wait and have nothing left to execute: they finish as soon as the value is
   // reached, without a turn of their own.
   uint32_t ending = 0;
+  const auto frame_at = [&](int position) -> Frame& {
+    return frames[static_cast<size_t>(position)];
+  };
+  const auto all_alive = [&] {
+    return std::all_of(order.begin(), order.begin() + count,
+                       [](const Member& member) { return member.alive; });
+  };
+  const auto any_waits = [&] {
+    return std::any_of(frames.begin(), frames.begin() + count,
+                       [&](const Frame& frame) { return ThreadAt(frame.thread).waiting; });
+  };
   int64_t total = 0;
   int last_thread = -1;
+  int windows_to_rotate = 0;
   while (rounds > 0) {
     const int64_t window = std::min(rounds, kWindow);
     int64_t last_round = -1;
     int last_position = -1;
+    int64_t stops = 0;
+    const int64_t total_before = total;
 
     const auto enter = [&](int64_t round, int position) {
       if (round < window) calendar.Enter(round, position);
     };
     const auto wait = [&](int64_t round, int position) {
-      if (order[static_cast<size_t>(position)].frame.pc->op == kEnd) {
+      if (frame_at(position).pc->op == kEnd) {
         ending |= uint32_t{1} << position;
       } else {
         enter(round, position);
@@ -101,8 +125,9 @@ int64_t Machine::ExecuteRounds(uint32_t members, int64_t rounds) {
     // stop.
     const auto run = [&](int position, int64_t round, Reach reach) {
       Member& member = order[static_cast<size_t>(position)];
-      Exit exit = Interpret(member.frame, window - round, reach);
-      const int64_t executed = window - round - member.frame.left;
+      Frame& frame = frame_at(position);
+      Exit exit = Interpret(frame, window - round, reach);
+      const int64_t executed = window - round - frame.left;
       const int64_t next = round + executed;
       member.executed += executed;
       total += executed;
@@ -111,24 +136,25 @@ int64_t Machine::ExecuteRounds(uint32_t members, int64_t rounds) {
         last_round = next - 1;
         last_position = position;
       }
-      if (exit == Exit::kBudget && member.frame.pc->op == kEnd) {
-        exit = Interpret(member.frame, 0, Reach::kAll);
+      if (exit == Exit::kBudget && frame.pc->op == kEnd) {
+        exit = Interpret(frame, 0, Reach::kAll);
       }
-      const bool waits = exit == Exit::kBlocked && ThreadAt(member.frame.thread).waiting;
+      const bool waits = exit == Exit::kBlocked && ThreadAt(frame.thread).waiting;
       if (waits) {
         wait(next, position);
       } else if (exit == Exit::kShared) {
+        ++stops;
         enter(next, position);
       } else if (exit != Exit::kBudget) {
         member.alive = false;
-        Settle(member.frame, exit, member.executed);
+        Settle(frame, exit, member.executed);
       }
     };
 
     const auto finish = [&] {
       for (uint32_t rest = ending; rest != 0; rest &= rest - 1) {
         const int position = std::countr_zero(rest);
-        ThreadState& state = ThreadAt(order[static_cast<size_t>(position)].frame.thread);
+        ThreadState& state = ThreadAt(frame_at(position).thread);
         if (!CanContinue(state)) continue;
         ending &= ~(uint32_t{1} << position);
         state.waiting = false;
@@ -136,19 +162,30 @@ int64_t Machine::ExecuteRounds(uint32_t members, int64_t rounds) {
       }
     };
 
+    // The rounds before this one, and in it the statements of the positions before this one, are
+    // executed by a rotation.
+    RotationEnd rotated;
+    if (windows_to_rotate > 0 && !any_waits()) {
+      rotated = Rotate({frames.data(), static_cast<size_t>(count) + 1}, window);
+      last_round = rotated.position > 0 ? rotated.rounds : rotated.rounds - 1;
+      last_position = static_cast<int>(rotated.position > 0 ? rotated.position : count) - 1;
+    }
     for (int position = 0; position < count; ++position) {
-      const Member& member = order[static_cast<size_t>(position)];
+      Member& member = order[static_cast<size_t>(position)];
       if (!member.alive) continue;
-      if (ThreadAt(member.frame.thread).waiting) {
-        wait(0, position);
+      const int64_t round = rotated.rounds + (position < rotated.position ? 1 : 0);
+      member.executed += round;
+      total += round;
+      if (ThreadAt(frame_at(position).thread).waiting) {
+        wait(round, position);
       } else {
-        run(position, 0, Reach::kPrivateOnly);
+        run(position, round, Reach::kPrivateOnly);
       }
     }
     for (int64_t round = calendar.Next(0); round >= 0; round = calendar.Next(round + 1)) {
       for (uint32_t rest = calendar.TakeOut(round); rest != 0; rest &= rest - 1) {
         const int position = std::countr_zero(rest);
-        ThreadState& state = ThreadAt(order[static_cast<size_t>(position)].frame.thread);
+        ThreadState& state = ThreadAt(frame_at(position).thread);
         if (state.waiting && !CanContinue(state)) {
           enter(round + 1, position);
           continue;
@@ -159,13 +196,20 @@ int64_t Machine::ExecuteRounds(uint32_t members, int64_t rounds) {
       }
     }
     if (last_position < 0) break;
-    last_thread = order[static_cast<size_t>(last_position)].frame.thread;
+    last_thread = frame_at(last_position).thread;
     rounds -= window;
+    // The caller begins again with those that are left, so that they can rotate.
+    if (!all_alive()) break;
+    if (windows_to_rotate > 0) {
+      --windows_to_rotate;
+    } else if (total - total_before < stops * kStatementsPerStopMin) {
+      windows_to_rotate = kRotatedWindows;
+    }
   }
 
   for (int position = 0; position < count; ++position) {
     Member& member = order[static_cast<size_t>(position)];
-    if (member.alive) Settle(member.frame, Exit::kBudget, member.executed);
+    if (member.alive) Settle(frame_at(position), Exit::kBudget, member.executed);
   }
   if (last_thread >= 0) state_->scheduler.next_thread = (last_thread + 1) % kThreadCount;
   return total;

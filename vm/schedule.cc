@@ -15,6 +15,8 @@
 // Tested by tests/vm/schedule_test.cc.
 #include "vm/schedule.h"
 
+#include <charconv>
+#include <iterator>
 #include <optional>
 
 #include "base/files.h"
@@ -61,6 +63,21 @@ Error BadLine(const LineReader& reader, std::string_view expected_en,
                    reader.line_number(), expected_en, expected_zh);
 }
 
+void AppendNumber(std::string& text, int64_t number) {
+  char digits[20];
+  const auto end = std::to_chars(std::begin(digits), std::end(digits), number).ptr;
+  text.append(std::begin(digits), end);
+}
+
+// A long recording has millions of these lines, so they are put together without fmt.
+void AppendRun(std::string& text, const ScheduleSegment& segment) {
+  text += "run ";
+  AppendNumber(text, segment.thread);
+  text += ' ';
+  AppendNumber(text, segment.statements);
+  text += '\n';
+}
+
 }  // namespace
 
 std::string FormatSchedule(const Schedule& schedule) {
@@ -71,11 +88,13 @@ std::string FormatSchedule(const Schedule& schedule) {
     scenario_lines += fmt::format("{}{}\n", kScenarioPrefix, reader.Next());
   }
   text += fmt::format("scenario {}\n{}", scenario_line_count, scenario_lines);
+  constexpr size_t kShortLine = sizeof "run 0 1";
+  text.reserve(text.size() + schedule.segments.size() * kShortLine);
   int64_t total = 0;
   size_t checkpoint = 0;
   for (size_t i = 0; i < schedule.segments.size(); ++i) {
     const ScheduleSegment& segment = schedule.segments[i];
-    text += fmt::format("run {} {}\n", segment.thread, segment.statements);
+    AppendRun(text, segment);
     if (i < schedule.stops.size()) {
       const ScheduleStop& stop = schedule.stops[i];
       text += fmt::format("next {} {}{}{}\n", stop.line, stop.passes, stop.text.empty() ? "" : " ",

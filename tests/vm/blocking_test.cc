@@ -26,6 +26,19 @@ TEST_F(BlockingTest, DelayEndsWhenThatManyCyclesHaveBegun) {
   EXPECT_EQ(machine_.Execute(25), 3);
 }
 
+TEST_F(BlockingTest, IdleCyclesEndBeforeTheCycleInWhichAThreadCanRun) {
+  EXPECT_EQ(machine_.IdleCycles(), INT64_MAX) << "no program";
+  LoadAndStart({Command(kDelay, {ImmediateInt(3)}), CountUp(), Goto(-2)});
+  machine_.BeginCycle(10);
+  EXPECT_EQ(machine_.IdleCycles(), 0) << "about to run";
+  machine_.Execute(25);
+  EXPECT_EQ(machine_.IdleCycles(), 2) << "11 and 12";
+  machine_.BeginCycle(12);
+  EXPECT_EQ(machine_.IdleCycles(), 0);
+  machine_.Pause(0);
+  EXPECT_EQ(machine_.IdleCycles(), INT64_MAX) << "paused";
+}
+
 TEST_F(BlockingTest, DelayOfNothingDoesNotBlockAndLeavesNoTrace) {
   LoadAndStart({Command(kDelay, {ImmediateInt(0)}), CountUp(), Goto(-1)});
   machine_.BeginCycle(5);

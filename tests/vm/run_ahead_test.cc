@@ -143,6 +143,46 @@ TEST(RunAheadTest, ManyWindowsOfPrivateWorkBetweenSharedStatements) {
   }
 }
 
+// Threads whose statements nearly all access shared data, so that the machine changes the thread
+// after each one: what ends or holds up a thread comes at another round for each of them, and at
+// another statement of the round.
+class SharedWork : public testing::TestWithParam<Instruction> {};
+
+TEST_P(SharedWork, ContinuesWithTheOtherThreadsWhereOneIsHeldUp) {
+  constexpr Variable kCountdown = Local(0);
+  const Function function = MakeFunction({
+      Add(Global(0), Global(0), ImmediateInt(3)),
+      Binary(BinaryOperator::kXor, DataType::kInt, Global(0), Global(1), Global(2)),
+      Binary(BinaryOperator::kSubtract, DataType::kInt, kCountdown, ImmediateInt(1), kCountdown),
+      Jump(kCountdown, -3),
+      GetParam(),
+      Set(kCountdown, ImmediateInt(700)),
+      Add(Global(1), Global(1), Global(0)),
+      Goto(-7),
+  });
+  const Object object = MakeObject({function});
+  for (const int threads : {2, 5, 32}) {
+    Pair pair(object, 1);
+    for (int thread = 0; thread < threads; ++thread) {
+      pair.Bind({thread, 0, 31 - thread});
+      pair.Write({false, static_cast<uint8_t>(31 - thread), 0}, 400 + 37 * thread);
+      pair.Run(thread);
+    }
+    for (const int64_t rounds : {1, 1024, 2049, 3000, 5000, 9001}) {
+      ASSERT_TRUE(pair.Execute(rounds * threads + 1)) << threads << " threads, " << rounds;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Statements, SharedWork,
+    testing::Values(Return(kAlways, Global(0)), Return(Local(0), ImmediateInt(1)), Goto(1),
+                    Binary(BinaryOperator::kDivide, DataType::kInt, Global(0), Local(0), Global(3)),
+                    Set(Element{Storage::kLocal, 8, 4, Global(0)}, ImmediateInt(1)),
+                    Command(kWaitFor, {Global(0), ImmediateInt(30000)}),
+                    Command(kDelay, {ImmediateInt(5)}), Command(kUsePage, {ImmediateInt(40)}),
+                    Command(kAddToEach, {Global(8), ImmediateInt(2), ImmediateInt(1)})));
+
 // The flag is 1 for only one statement of another thread; the waiting thread has its turn then.
 TEST(RunAheadTest, WaitingThreadSeesWhatHoldsAtItsTurn) {
   const Object object = MakeObject({

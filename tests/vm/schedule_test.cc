@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/vm/program_builder.h"
 #include "tests/vm/random_program.h"
 
@@ -199,6 +201,36 @@ TEST_F(ReplayTest, ReplayOfAnyPolicyEndsInTheSameState) {
       EXPECT_EQ(machine_.Hash(), hash) << name << ' ' << seed;
     }
   }
+}
+
+// Statements that are executed at once run ahead of each other; one after the other they do not.
+TEST_F(ReplayTest, RecordingIsTheSameHoweverMuchIsExecutedAtOnce) {
+  int64_t in_the_middle = 0;
+  for (uint64_t seed = 1; seed <= 20; ++seed) {
+    RandomNumbers random(seed);
+    const RandomProgram program = MakeRandomProgram(random);
+    const auto record = [&](int64_t piece) {
+      Machine machine(&commands_);
+      StartProgram(program, {}, commands_, &machine);
+      Schedule schedule;
+      machine.Record(&schedule);
+      for (int64_t cycle = 1; cycle <= 2; ++cycle) {
+        for (int64_t left = 5500; left > 0; left -= piece) {
+          if (machine.Execute(std::min(piece, left)) == 0) break;
+        }
+        machine.BeginCycle(cycle);
+      }
+      machine.EndRecording();
+      return schedule;
+    };
+    const Schedule one_by_one = record(1);
+    in_the_middle += std::ranges::count_if(
+        one_by_one.checkpoints, [](const auto& at) { return at.statement == kCheckpointInterval; });
+    for (const int64_t piece : {37, 5500}) {
+      ASSERT_EQ(FormatSchedule(record(piece)), FormatSchedule(one_by_one)) << seed << ' ' << piece;
+    }
+  }
+  EXPECT_GT(in_the_middle, 0) << "some programs must come to the checkpoint in the middle";
 }
 
 TEST_F(ReplayTest, CheckpointsAreRecordedAndMet) {
