@@ -10,14 +10,22 @@ namespace oncard::compiler::lowering {
 
 std::string NameMaker::Make(std::string_view wish) {
   std::string name(wish.substr(0, vm::kNameLengthMax));
-  if (used_.insert(name).second) return name;
+  if (Take(name)) return name;
   int& number = next_.try_emplace(name, 2).first->second;
   for (;;) {
     const std::string suffix = fmt::format("_{}", number++);
     std::string candidate(wish.substr(0, vm::kNameLengthMax - suffix.size()));
     candidate += suffix;
-    if (used_.insert(candidate).second) return candidate;
+    if (Take(candidate)) return candidate;
   }
+}
+
+bool NameMaker::Take(const std::string& name) {
+  if (base_ != nullptr) {
+    const auto other = base_->used_.find(name);
+    if (other != base_->used_.end() && other->second < base_count_) return false;
+  }
+  return used_.try_emplace(name, used_.size()).second;
 }
 
 const Expression& WithoutParens(const Expression& expression) {

@@ -65,11 +65,21 @@ struct ArrayPlace {
 /// Makes names that are at most 31 characters long and different from each other.
 class NameMaker {
  public:
-  void Reserve(std::string_view name) { used_.emplace(name); }
+  NameMaker() = default;
+  /// The names are also different from those that `base` has now. It must outlive the maker; what
+  /// it makes later does not count.
+  explicit NameMaker(const NameMaker* base) : base_(base), base_count_(base->used_.size()) {}
+
+  void Reserve(std::string_view name) { used_.try_emplace(std::string(name), used_.size()); }
   std::string Make(std::string_view wish);
 
  private:
-  std::unordered_set<std::string> used_;
+  /// False if the name is used already.
+  bool Take(const std::string& name);
+
+  const NameMaker* base_ = nullptr;
+  size_t base_count_ = 0;
+  std::unordered_map<std::string, size_t> used_;  // with the number of names before each
   std::unordered_map<std::string, int> next_;
 };
 

@@ -76,12 +76,13 @@ Lowering LowerText(const std::string& path, std::string text, const Options& opt
                                                   reporter, lowering_options.optimize)
                                     .Lower(source.tree());
     if (!reporter.HasErrors()) {
+      const auto taken = lowering::SharedNames(program);
       for (lowering::LoweredFunction& function : program.functions) {
         lowering::RemoveUnusedLabels(function);
         if (lowering_options.optimize) {
           lowering::Optimize(program, function, options.double_format);
         }
-        lowering::ShareTemporaries(program, function);
+        lowering::ShareTemporaries(taken, program, function);
         result.costs.push_back(lowering::CostOf(program, function));
       }
       result.global_slots = lowering::GlobalSlots(program);

@@ -122,7 +122,7 @@ LoweredFunction Lowerer::LowerFunction(FunctionInfo& info) {
   const Function& syntax = *info.syntax;
   LoweredFunction function;
   out_ = &function;
-  names_ = global_names_;
+  names_ = NameMaker(&global_names_);
   label_names_ = NameMaker();
   variables_.clear();
   bodies_.clear();

@@ -143,12 +143,13 @@ Lowerer::Size Lowerer::TrySize(FunctionInfo& info) {
 // makes it fit the card at all: first all that are worth it, then all but those without which it is
 // no longer.
 void Lowerer::ChooseShared(FunctionInfo& info) {
+  // The marks of others mean nothing to a function without calls.
+  if (!share_bodies_ || info.calls.empty()) return;
   for (FunctionInfo& other : functions_) {
     other.shared = false;
     other.copies = 0;
     other.copied = 0;
   }
-  if (!share_bodies_ || info.calls.empty()) return;
   const Size inlined = TrySize(info);
   if (reporter_.HasErrors()) return;
   std::vector<FunctionInfo*> candidates;

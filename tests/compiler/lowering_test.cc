@@ -44,6 +44,15 @@ TEST(LoweringLimits, LabelsOfAFunction) {
   ExpectError("int v;\nvoid t0() {\n" + loops + "}\n", Codes{238}, 2, "1026 labels");
 }
 
+// What is done for a function must not grow with the number of all functions.
+TEST(LoweringLimits, TenThousandFunctions) {
+  std::string functions;
+  for (int i = 0; i < 10000; ++i) {
+    functions += fmt::format("int f{0}(int a) {{ int b = a + {0}; return b; }}\n", i);
+  }
+  ExpectError(functions, Codes{10}, 33, "'f32' is one too many");
+}
+
 // Each function calls the next one four times: 4^12 copies of the last if calls are inlined.
 TEST(LoweringLimits, CopiesOfCalledFunctions) {
   std::string functions = "int v;\nvoid f0() { v++; }\n";
@@ -206,6 +215,15 @@ TEST(Lowering, LinesKnowWhereTheyComeFrom) {
     return;
   }
   FAIL() << *lowering.text;
+}
+
+// The static local gets another name because of the local of t0; that does not rename locals of t1.
+TEST(Lowering, LocalsKeepTheirNamesBesideStatics) {
+  const Lowering lowering = Lower(
+      "int v;\nvoid t0() { int t1_n; t1_n = v + 1; v = t1_n; v = t1_n; }\n"
+      "void t1() { static int n; int t1_n; n++; t1_n = n + v; v = t1_n; v = t1_n; }\n");
+  ASSERT_TRUE(lowering.text.has_value());
+  EXPECT_THAT(*lowering.text, HasSubstr("  t1_n_2 = t1_n_2 + 1;\n  t1_n = t1_n_2 + v;\n"));
 }
 
 // The command is checked in the lowered text.

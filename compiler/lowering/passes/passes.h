@@ -2,6 +2,10 @@
 // moves one past another. Each is in a file of its own.
 #pragma once
 
+#include <string_view>
+#include <unordered_set>
+#include <vector>
+
 #include "compiler/lowering/ir.h"
 #include "vm/fixed_point.h"
 
@@ -32,8 +36,13 @@ void RemoveUnusedLabels(LoweredFunction& function);
 /// Removes assignments to locals that are never read.
 bool RemoveDeadStores(const Program& program, LoweredFunction& function);
 
-/// Lets temporaries with disjoint lifetimes share one, and names them.
-void ShareTemporaries(Program& program, LoweredFunction& function);
+/// The names of the globals and of the functions, for ShareTemporaries(). They belong to the
+/// program.
+std::unordered_set<std::string_view> SharedNames(const Program& program);
+
+/// Lets temporaries with disjoint lifetimes share one, and gives them names that are not taken.
+void ShareTemporaries(const std::unordered_set<std::string_view>& taken, Program& program,
+                      LoweredFunction& function);
 
 /// All optimising passes until nothing changes.
 void Optimize(const Program& program, LoweredFunction& function, vm::DoubleFormat format);

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
@@ -59,13 +60,19 @@ void Extend(Lifetime& lifetime, const std::vector<Loop>& loops) {
 
 }  // namespace
 
-void ShareTemporaries(Program& program, LoweredFunction& function) {
-  std::vector<Lifetime> lifetimes(program.variables.size());
-  std::unordered_set<std::string> names;
+std::unordered_set<std::string_view> SharedNames(const Program& program) {
+  std::unordered_set<std::string_view> names;
   for (const int global : program.globals) {
     names.insert(program.variables[static_cast<size_t>(global)].name);
   }
-  for (const LoweredFunction& other : program.functions) names.insert(other.name);
+  for (const LoweredFunction& function : program.functions) names.insert(function.name);
+  return names;
+}
+
+void ShareTemporaries(const std::unordered_set<std::string_view>& taken, Program& program,
+                      LoweredFunction& function) {
+  std::map<int, Lifetime> by_variable;
+  std::unordered_set<std::string> names;
   for (const int parameter : function.parameters) {
     names.insert(program.variables[static_cast<size_t>(parameter)].name);
   }
@@ -75,7 +82,7 @@ void ShareTemporaries(Program& program, LoweredFunction& function) {
       names.insert(info.name);
       return;
     }
-    Lifetime& lifetime = lifetimes[static_cast<size_t>(variable)];
+    Lifetime& lifetime = by_variable[variable];
     lifetime.variable = variable;
     if (lifetime.begin < 0) lifetime.begin = position;
     lifetime.end = position;
@@ -87,9 +94,12 @@ void ShareTemporaries(Program& program, LoweredFunction& function) {
       if (operand.index >= 0) use(operand.index, position);
     });
   }
-  std::erase_if(lifetimes, [](const Lifetime& lifetime) { return lifetime.variable < 0; });
   const std::vector<Loop> loops = LoopsOf(function);
-  for (Lifetime& lifetime : lifetimes) Extend(lifetime, loops);
+  std::vector<Lifetime> lifetimes;
+  for (auto& [variable, lifetime] : by_variable) {
+    Extend(lifetime, loops);
+    lifetimes.push_back(lifetime);
+  }
   std::stable_sort(lifetimes.begin(), lifetimes.end(),
                    [](const Lifetime& a, const Lifetime& b) { return a.begin < b.begin; });
 
@@ -101,7 +111,7 @@ void ShareTemporaries(Program& program, LoweredFunction& function) {
   };
   std::map<std::pair<vm::DataType, int>, Pool> pools;  // by type and shared body
   std::map<vm::DataType, int> counts;
-  std::vector<int> shared(program.variables.size(), -1);
+  std::unordered_map<int, int> shared;
   for (const Lifetime& lifetime : lifetimes) {
     const Variable& variable = program.variables[static_cast<size_t>(lifetime.variable)];
     const vm::DataType type = variable.type;
@@ -119,20 +129,20 @@ void ShareTemporaries(Program& program, LoweredFunction& function) {
       std::string name;
       do {
         name = fmt::format("{}{}", prefix, ++counts[type]);
-      } while (!names.insert(name).second);
+      } while (taken.contains(name) || !names.insert(name).second);
       program.variables[static_cast<size_t>(owner)].name = name;
     }
-    shared[static_cast<size_t>(lifetime.variable)] = owner;
+    shared[lifetime.variable] = owner;
     pool.busy.emplace(lifetime.end, owner);
   }
+  const auto replace = [&shared](int& variable) {
+    const auto owner = shared.find(variable);
+    if (owner != shared.end()) variable = owner->second;
+  };
   for (Instruction& instruction : function.code) {
-    ForEachOperand(instruction, [&shared](Operand& operand, bool /*written*/) {
-      if (operand.variable >= 0 && shared[static_cast<size_t>(operand.variable)] >= 0) {
-        operand.variable = shared[static_cast<size_t>(operand.variable)];
-      }
-      if (operand.index >= 0 && shared[static_cast<size_t>(operand.index)] >= 0) {
-        operand.index = shared[static_cast<size_t>(operand.index)];
-      }
+    ForEachOperand(instruction, [&replace](Operand& operand, bool /*written*/) {
+      replace(operand.variable);
+      replace(operand.index);
     });
   }
 }
