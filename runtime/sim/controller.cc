@@ -17,6 +17,7 @@
 
 #include <xxhash.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -31,6 +32,8 @@ namespace {
 
 /// rate [statements/ms] times cycle [us] gives thousandths of a statement.
 constexpr int64_t kStatementParts = 1000;
+/// The threads get at most this many cycles before motion gets them, too.
+constexpr int64_t kMotionLateMax = 1024;
 
 uint64_t HashOf(const gtcalls::FamilyState& state) {
   return motion::StateHash().Add(state).value();
@@ -44,7 +47,9 @@ Controller::Controller(const ControllerOptions& options)
       family_state_(options.family->new_state()),
       commands_(&card_),
       machine_(&commands_),
-      card_{*options.family, machine_, motion_, family_state_} {}
+      card_{*options.family, machine_, motion_, family_state_} {
+  commands_.PrepareWith([this] { CatchUp(); });
+}
 
 void Controller::LogRefusals(CardLog* log, int card) {
   ObserveRefusals([this, log, card](const gtcalls::Call& call, int16_t code) {
@@ -116,30 +121,93 @@ int16_t Controller::Execute(const gtcalls::Command& command,
 
 void Controller::AdvanceUs(int64_t microseconds) {
   pending_us_ += microseconds;
-  while (pending_us_ >= options_.motion.cycle_us) {
-    pending_us_ -= options_.motion.cycle_us;
-    RunCycle();
-  }
+  const int64_t cycles = pending_us_ / options_.motion.cycle_us;
+  pending_us_ -= cycles * options_.motion.cycle_us;
+  RunCycles(cycles);
 }
 
 void Controller::RunCycle() {
   const int64_t budget = BeginCycle();
-  if (state_observer_) {
-    ExecuteObserved(budget);
+  if (state_observer_ || cycle_host_) {
+    ExecuteInParts(budget);
   } else {
     machine_.Execute(budget);
   }
 }
 
-void Controller::ExecuteObserved(int64_t budget) {
+void Controller::RunCycles(int64_t cycles) {
+  while (cycles > 0) cycles -= RunSome(cycles);
+  CatchUp();
+}
+
+int64_t Controller::RunSome(int64_t limit) {
+  if (state_observer_ || cycle_host_ || family().acts_each_cycle(view())) {
+    CatchUp();
+    RunCycle();
+    return 1;
+  }
+  if (const int64_t idle = std::min(limit, IdleCycles()); idle > 0) {
+    RunIdle(idle);
+    return idle;
+  }
+  if (motion_.PathRuns()) {
+    CatchUp();
+    RunCycle();
+    return 1;
+  }
+  // Statements between two commands and motion do not see each other.
+  ++motion_late_;
+  machine_.BeginCycle(cycle() + motion_late_);
+  machine_.Execute(TakeBudget(1));
+  if (motion_late_ == kMotionLateMax) CatchUp();
+  return 1;
+}
+
+int64_t Controller::IdleCycles() const {
+  // A path may write a variable for which a thread waits.
+  if (motion_.PathRuns() && !machine_.Quiet()) return 0;
+  return machine_.IdleCycles();
+}
+
+void Controller::RunIdle(int64_t cycles) {
+  CatchUp();
+  for (int64_t left = cycles; left > 0;) {
+    left -= motion_.Advance(left);
+    family().after_tick(card_);
+  }
+  machine_.BeginCycle(cycle());
+  machine_.Execute(TakeBudget(cycles));
+}
+
+void Controller::CatchUp() {
+  while (motion_late_ > 0) motion_late_ -= motion_.Advance(motion_late_);
+}
+
+int64_t Controller::TakeBudget(int64_t cycles) {
+  pending_statements_ += cycles * options_.rate * options_.motion.cycle_us;
+  const int64_t budget = pending_statements_ / kStatementParts;
+  pending_statements_ %= kStatementParts;
+  return budget;
+}
+
+void Controller::ExecuteInParts(int64_t budget) {
   // Threads that wake up at the end of their function finish.
   machine_.Execute(0);
-  state_observer_();
-  for (; budget > 0; --budget) {
-    if (machine_.Execute(1) == 0) break;
-    state_observer_();
+  ShowState();
+  for (int64_t executed = 0; executed < budget;) {
+    const int64_t part = std::min(budget - executed, StatementsUntilHost(executed));
+    const int64_t done = machine_.Execute(shows_states() ? 1 : part);
+    if (done == 0) break;
+    ShowState();
     if (machine_.last_stop() != vm::Stop::kBudget) break;
+    executed += done;
   }
+}
+
+int64_t Controller::StatementsUntilHost(int64_t executed) {
+  if (!cycle_host_) return INT64_MAX;
+  if (executed >= host_acts_after_) host_acts_after_ = cycle_host_(executed);
+  return host_acts_after_ - executed;
 }
 
 int64_t Controller::BeginCycle() {
@@ -147,17 +215,21 @@ int64_t Controller::BeginCycle() {
   family().after_tick(card_);
   machine_.BeginCycle(cycle());
   family().before_threads(card_);
-  pending_statements_ += options_.rate * options_.motion.cycle_us;
-  const int64_t budget = pending_statements_ / kStatementParts;
-  pending_statements_ %= kStatementParts;
-  return budget;
+  host_acts_after_ = 0;
+  return TakeBudget(1);
 }
 
 RunEnd Controller::RunUntilQuiet(int64_t limit_cycles) {
-  for (int64_t ran = 0; !machine_.Quiet(); ++ran) {
+  const RunEnd end = RunSomeUntilQuiet(limit_cycles);
+  CatchUp();
+  return end;
+}
+
+RunEnd Controller::RunSomeUntilQuiet(int64_t limit_cycles) {
+  for (int64_t ran = 0; !machine_.Quiet();) {
     if (Deadlocked()) return RunEnd::kDeadlock;
     if (ran >= limit_cycles) return RunEnd::kTimeLimit;
-    RunCycle();
+    ran += RunSome(limit_cycles - ran);
     if (machine_.Quiet()) break;
     if (machine_.last_stop() == vm::Stop::kScheduleEnd) return RunEnd::kScheduleEnd;
     if (machine_.last_stop() == vm::Stop::kScheduleDiverged) return RunEnd::kScheduleDiverged;

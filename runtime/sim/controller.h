@@ -1,5 +1,5 @@
-// One card: virtual machine, motion core, state of its family and virtual time. Advance() is the
-// only place where statements, profile cycles, delays and events are interleaved; docs/vm-model.md
+// One card: virtual machine, motion core, state of its family and virtual time. This is the only
+// place where statements, profile cycles, delays and events are interleaved; docs/vm-model.md
 // gives the order.
 //
 // Virtual time counts profile cycles. The owner advances it: by host calls (each takes a time,
@@ -109,6 +109,8 @@ class Controller {
   /// Runs one profile cycle: motion tick, the part of the family, then the threads with their
   /// budget.
   void RunCycle();
+  /// As many of them. Motion is advanced several cycles at a time as long as no statement can tell.
+  void RunCycles(int64_t cycles);
   /// From now on RunCycle() calls the observer in every state: after the beginning of the cycle and
   /// after each statement. It must not change the card. An empty observer ends this.
   void ObserveStates(std::function<void()> observer) { state_observer_ = std::move(observer); }
@@ -117,6 +119,16 @@ class Controller {
   void ShowState() const {
     if (state_observer_) state_observer_();
   }
+  /// From now on every cycle lets the host act in the middle of it: `host` is called before the
+  /// first statement, and each time the threads have executed as many statements of the cycle as it
+  /// has returned, unless that was the last one. It gets their number, and may write variables. An
+  /// empty function ends this.
+  using CycleHost = std::function<int64_t(int64_t executed)>;
+  void LetHostAct(CycleHost host) { cycle_host_ = std::move(host); }
+  /// For callers that choose the order of statements themselves: to be called before each statement
+  /// of a cycle, with the number of those executed in it; the host acts if it is its turn. Returns
+  /// the number of statements after which it must be called again.
+  int64_t StatementsUntilHost(int64_t executed);
   /// RunCycle() without the threads: returns the number of statements that they may execute before
   /// the next cycle begins, for a caller that chooses their order.
   int64_t BeginCycle();
@@ -152,8 +164,19 @@ class Controller {
 
  private:
   void ObserveRefusals(gtcalls::RefusalObserver observer);
-  /// The threads' part of a cycle, statement by statement.
-  void ExecuteObserved(int64_t budget);
+  /// The threads' part of a cycle, with the observer and the host.
+  void ExecuteInParts(int64_t budget);
+  /// Runs at least one and at most `limit` cycles, after which motion may be late; returns their
+  /// number.
+  int64_t RunSome(int64_t limit);
+  /// Cycles in which no thread can run and nothing is done for the threads.
+  int64_t IdleCycles() const;
+  void RunIdle(int64_t cycles);
+  RunEnd RunSomeUntilQuiet(int64_t limit_cycles);
+  /// Brings motion to the cycle of the threads.
+  void CatchUp();
+  /// The statements of the next `cycles`, all threads together.
+  int64_t TakeBudget(int64_t cycles);
 
   ControllerOptions options_;
   motion::MotionCore motion_;
@@ -164,9 +187,12 @@ class Controller {
   std::vector<gtcalls::RefusalObserver> refusal_observers_;
   std::vector<HappeningListener> happening_listeners_;
   std::function<void()> state_observer_;
-  int64_t pending_us_ = 0;  // host time not yet converted to cycles
+  CycleHost cycle_host_;
+  int64_t host_acts_after_ = 0;  // statements of this cycle
+  int64_t pending_us_ = 0;       // host time not yet converted to cycles
   int64_t pending_statements_ =
-      0;  // rounding remainder of the last budget, in thousandths of a statement
+      0;                     // rounding remainder of the last budget, in thousandths of a statement
+  int64_t motion_late_ = 0;  // cycles that the threads have had and motion has not, inside a call
 };
 
 }  // namespace oncard::runtime

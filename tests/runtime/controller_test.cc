@@ -452,6 +452,24 @@ TEST(ControllerStateTest, ARestoredRunContinuesAsTheFirstOne) {
   EXPECT_EQ(card.controller.Hash(), later);
 }
 
+TEST(ControllerTimeTest, ARefusedCommandHasTheTimeOfItsCycleInALongWait) {
+  LoadedCard card(R"(int f()
+{
+  int axis;
+  axis = 99;
+  GT_Delay(3);
+  GT_SetVel(axis, 1);
+  return axis;
+}
+)");
+  RefusedCommands refused;
+  card.controller.CollectRefusals(&refused);
+  card.Run(0, 0);
+  card.controller.AdvanceUs(100'000);
+  ASSERT_EQ(refused.list().size(), 1u);
+  EXPECT_LT(refused.list().front().first_us, 5000);
+}
+
 TEST(ControllerStateTest, TheHashCoversEveryPart) {
   LoadedCard card(kSumProgram);
   const ControllerSnapshot clean = card.controller.Snapshot();
