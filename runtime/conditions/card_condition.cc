@@ -27,9 +27,28 @@ std::string QuantityName(const Condition::Name& name, const Controller& controll
 }  // namespace
 
 Result<CardCondition> CardCondition::Bind(Condition condition, const Controller& controller) {
-  std::vector<Quantity> quantities;
+  std::vector<std::string> names;
   for (const Condition::Name& name : condition.names()) {
-    const std::string full = QuantityName(name, controller);
+    names.push_back(QuantityName(name, controller));
+  }
+  return Bind(std::move(condition), names, controller);
+}
+
+Result<CardCondition> CardCondition::BindInThread(Condition condition, int thread,
+                                                  const Controller& controller) {
+  std::vector<std::string> names;
+  for (const Condition::Name& name : condition.names()) {
+    std::string local = NameInThread(name.Text(), thread, controller);
+    names.push_back(local == name.Text() ? QuantityName(name, controller) : std::move(local));
+  }
+  return Bind(std::move(condition), names, controller);
+}
+
+Result<CardCondition> CardCondition::Bind(Condition condition,
+                                          const std::vector<std::string>& names,
+                                          const Controller& controller) {
+  std::vector<Quantity> quantities;
+  for (const std::string& full : names) {
     auto found = ResolveQuantity(full, controller);
     if (!found.ok()) return found.error();
     if (found.value().size() != 1) {

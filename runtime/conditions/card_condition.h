@@ -17,6 +17,9 @@ class CardCondition {
   /// Resolves the names. Fails if one is unknown or the name of an array. A global hides anything
   /// else with its name. The result can be used with all controllers with the same program.
   static Result<CardCondition> Bind(Condition condition, const Controller& controller);
+  /// The same with the names as the function of a thread means them (NameInThread()).
+  static Result<CardCondition> BindInThread(Condition condition, int thread,
+                                            const Controller& controller);
 
   const Condition& condition() const { return condition_; }
   /// The quantities of the condition's names(), in their order.
@@ -32,6 +35,8 @@ class CardCondition {
   Message DescribeValues(const Controller& controller) const;
 
  private:
+  static Result<CardCondition> Bind(Condition condition, const std::vector<std::string>& names,
+                                    const Controller& controller);
   CardCondition(Condition condition, std::vector<Quantity> quantities)
       : condition_(std::move(condition)), quantities_(std::move(quantities)) {}
 

@@ -315,6 +315,15 @@ Result<std::vector<Quantity>> ResolveQuantity(std::string_view name, const Contr
   return UnknownName(name, candidates);
 }
 
+std::string NameInThread(std::string_view name, int thread, const Controller& controller) {
+  const vm::Machine& machine = controller.machine();
+  const vm::ThreadState& state = machine.thread(thread);
+  const bool local =
+      state.run != vm::ThreadRun::kUnbound &&
+      vm::FindLocal(*machine.image(), state.function, name.substr(0, name.find('['))) != nullptr;
+  return local ? fmt::format("page{}.{}", state.page, name) : std::string(name);
+}
+
 std::vector<Quantity> GlobalQuantities(const Controller& controller) {
   std::vector<Quantity> all;
   for (const vm::Symbol& symbol : GlobalsOf(controller.machine())) {

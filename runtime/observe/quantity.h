@@ -63,6 +63,10 @@ struct Quantity {
 /// suggests a similar one.
 Result<std::vector<Quantity>> ResolveQuantity(std::string_view name, const Controller& controller);
 
+/// A name as the function of a thread means it: `page3.i` for its local variable `i` on page 3,
+/// which hides a global; any other name unchanged.
+std::string NameInThread(std::string_view name, int thread, const Controller& controller);
+
 /// All global variables, in the order of their declaration.
 std::vector<Quantity> GlobalQuantities(const Controller& controller);
 

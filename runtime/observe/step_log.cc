@@ -181,19 +181,20 @@ RunEnd RunLogged(Controller* controller, int64_t limit_cycles, StepLog* log) {
   for (int64_t ran = 0; !machine.Quiet(); ++ran) {
     if (controller->Deadlocked()) return RunEnd::kDeadlock;
     if (ran >= limit_cycles) return RunEnd::kTimeLimit;
-    int64_t left = controller->BeginCycle();
+    const int64_t budget = controller->BeginCycle();
     machine.Execute(0);
     controller->ShowState();
-    while (left > 0) {
+    for (int64_t executed = 0; executed < budget;) {
+      const int64_t part = std::min(budget - executed, controller->StatementsUntilHost(executed));
       const bool logs = log->steps.size() < StepLog::kStepMax;
       if (logs) watch.Before();
-      const int64_t executed = machine.Execute(logs || controller->shows_states() ? 1 : left);
-      if (executed != 0) controller->ShowState();
+      const int64_t done = machine.Execute(logs || controller->shows_states() ? 1 : part);
+      if (done != 0) controller->ShowState();
       const int thread = logs ? watch.ThreadOfStep() : -1;
       if (thread >= 0) log->steps.push_back(watch.After(thread));
-      log->executed += executed;
-      if (executed == 0) break;
-      left -= executed;
+      log->executed += done;
+      if (done == 0 || machine.last_stop() != vm::Stop::kBudget) break;
+      executed += done;
     }
     if (machine.Quiet()) break;
     if (machine.last_stop() == vm::Stop::kScheduleEnd) return RunEnd::kScheduleEnd;

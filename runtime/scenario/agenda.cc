@@ -1,6 +1,7 @@
 #include "runtime/scenario/agenda.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "runtime/scenario/scenario_start.h"
@@ -45,11 +46,14 @@ void Agenda::ReadWrites(const Scenario& scenario, Controller* controller, Scenar
         continue;
       }
       for (size_t i = 0; i < written.values.size(); ++i) {
-        writes_.push_back(
-            {CycleOf(scenario, event.at_us), std::move(variables.value()[i]), written.values[i]});
+        writes_.push_back({CycleOf(scenario, event.at_us), event.after_statements.value_or(kAtEnd),
+                           std::move(variables.value()[i]), written.values[i]});
       }
     }
   }
+  std::stable_sort(writes_.begin(), writes_.end(), [](const Write& a, const Write& b) {
+    return std::tie(a.cycle, a.after_statements) < std::tie(b.cycle, b.after_statements);
+  });
   controller->Restore(before);
 }
 
@@ -65,6 +69,14 @@ const Agenda::Check* Agenda::TakeCheck(int64_t cycle) {
 const Agenda::Write* Agenda::TakeWrite(int64_t cycle) {
   if (!has_writes() || next_write().cycle > cycle) return nullptr;
   return &writes_[taken_.write++];
+}
+
+const Agenda::Write* Agenda::TakeWriteWithin(int64_t cycle, int64_t executed) {
+  return NextWithin(cycle) <= executed ? &writes_[taken_.write++] : nullptr;
+}
+
+int64_t Agenda::NextWithin(int64_t cycle) const {
+  return has_writes() && next_write().cycle == cycle ? next_write().after_statements : kAtEnd;
 }
 
 int64_t Agenda::NextCycle() const {

@@ -1,6 +1,7 @@
-// What a scenario has to do at the boundaries of profile cycles while its program runs: it
-// evaluates the expectations with an instant, then the host writes its variables. A run takes the
-// items that are due, in the order of time. Tested by tests/runtime/agenda_test.cc.
+// What a scenario has to do while its program runs: at the boundaries of profile cycles it
+// evaluates the expectations with an instant, then the host writes its variables; and the host can
+// write in the middle of a cycle. A run takes the items that are due, in the order of time. Tested
+// by tests/runtime/agenda_test.cc.
 #pragma once
 
 #include <cstddef>
@@ -16,6 +17,8 @@ namespace oncard::runtime {
 
 class Agenda {
  public:
+  static constexpr int64_t kAtEnd = INT64_MAX;
+
   /// An expectation with its names resolved.
   struct Check {
     std::string text;
@@ -25,6 +28,8 @@ class Agenda {
   /// The host writes one variable.
   struct Write {
     int64_t cycle = 0;
+    /// In the middle of the cycle, after so many of its statements; kAtEnd: at its end.
+    int64_t after_statements = kAtEnd;
     Quantity variable;
     double value = 0;
   };
@@ -43,9 +48,16 @@ class Agenda {
   /// True if an expectation names the error of the thread, so that a fault is no failure.
   bool ExpectsFault(int thread) const;
 
-  /// The next item that is due at the end of the cycle; nullptr: there is none.
+  /// The next item that is due at the end of the cycle; nullptr: there is none. Writes in the
+  /// middle of it that have not been taken there are due, too.
   const Check* TakeCheck(int64_t cycle);
   const Write* TakeWrite(int64_t cycle);
+  /// The next write that is due in the middle of the cycle, `executed` statements after its
+  /// beginning; nullptr: there is none.
+  const Write* TakeWriteWithin(int64_t cycle, int64_t executed);
+  /// After how many statements of the cycle the next write in the middle of it is due; kAtEnd:
+  /// there is none.
+  int64_t NextWithin(int64_t cycle) const;
   /// True if items are left.
   bool has_checks() const { return taken_.check < timed_.size(); }
   bool has_writes() const { return taken_.write < writes_.size(); }

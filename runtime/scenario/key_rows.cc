@@ -14,6 +14,8 @@ constexpr std::string_view kDoubleNames[] = {"32.16", "16.16"};
 constexpr Words kNone = {"none", "无"};
 constexpr Words kZero = {"0", "0"};
 
+/// The largest `rate` for the longest cycle.
+constexpr int64_t kCycleStatementsMax = 4'000'000;
 constexpr int64_t kCountMax = 1'000'000'000'000;
 constexpr int64_t kStatesMax = 4'000'000'000;
 
@@ -136,16 +138,16 @@ constexpr Key<Scenario> kScenarioKeys[] = {
      &Scenario::eventually},
     {{"races",
       KeyType::Choice(kRaceRuleNames),
-      {"for the explorer: which data races are allowed (`interleavings.md`)",
-       "供探索使用：允许哪些数据竞争（`interleavings.md`）"},
+      {"for explorations and sessions: which data races are allowed (`interleavings.md`)",
+       "供探索与会话使用：允许哪些数据竞争（`interleavings.md`）"},
       {"`any`", "`any`"},
       {kRefused, kUsed, kRefused}},
      &Scenario::races},
     {{"sync",
       KeyType::Texts(),
-      {"for the explorer: globals that synchronise threads and are not themselves checked for "
-       "races (`interleavings.md`)",
-       "供探索使用：用于线程同步的全局变量，其自身不检查竞争（`interleavings.md`）"},
+      {"for explorations and sessions: globals that synchronise threads and are not themselves "
+       "checked for races (`interleavings.md`)",
+       "供探索与会话使用：用于线程同步的全局变量，其自身不检查竞争（`interleavings.md`）"},
       kNone,
       {kRefused, kUsed, kRefused}},
      &Scenario::sync},
@@ -262,6 +264,13 @@ constexpr Key<HostEvent> kHostKeys[] = {
       kZero},
      &HostEvent::at_us,
      true},
+    {{"after_statements",
+      KeyType::Whole(0, kCycleStatementsMax - 1),
+      {"in the middle of the cycle at `at_ms`, when the threads have executed so many of its "
+       "statements; at its end if they execute fewer",
+       "在 `at_ms` 的周期中途，各线程在该周期内合计执行完这么多条语句时；不足时在周期末"},
+      {"at the end of that cycle", "在该周期末"}},
+     &HostEvent::after_statements},
     {{"set",
       KeyType::Values(),
       {"variables, as `GT_SetVarValue` writes them: `{ go = 1, \"page0.n\" = 5, a = [1, 2] }`",
@@ -294,12 +303,19 @@ std::span<const Key<KeyPress>> PressKeys() { return kPressKeys; }
 
 std::vector<KeySection> KeySections() {
   return {
-      SectionOf("", ScenarioKeys()),           SectionOf("explore", WishKeys()),
-      SectionOf("thread", ThreadKeys()),       SectionOf("world", WorldKeys()),
-      SectionOf("world.input", InputKeys()),   SectionOf("world.axis", MotorKeys()),
-      SectionOf("world.switch", SwitchKeys()), SectionOf("world.fault", FaultKeys()),
-      SectionOf("world.hand", HandKeys()),     SectionOf("world.analog", VoltageKeys()),
-      SectionOf("world.module", ModuleKeys()), SectionOf("host", HostKeys()),
+      SectionOf("", ScenarioKeys()),
+      SectionOf("explore", WishKeys()),
+      SectionOf("thread", ThreadKeys()),
+      SectionOf("world", WorldKeys()),
+      SectionOf("world.input", InputKeys()),
+      SectionOf("world.axis", MotorKeys()),
+      SectionOf("world.switch", SwitchKeys()),
+      SectionOf("world.move", MoveKeys()),
+      SectionOf("world.fault", FaultKeys()),
+      SectionOf("world.hand", HandKeys()),
+      SectionOf("world.analog", VoltageKeys()),
+      SectionOf("world.module", ModuleKeys()),
+      SectionOf("host", HostKeys()),
       SectionOf("keys", PressKeys()),
   };
 }

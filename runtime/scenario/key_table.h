@@ -131,6 +131,7 @@ std::span<const Key<World>> WorldKeys();
 std::span<const Key<InputEvent>> InputKeys();
 std::span<const Key<MotorSetup>> MotorKeys();
 std::span<const Key<SwitchSetup>> SwitchKeys();
+std::span<const Key<SwitchMove>> MoveKeys();
 std::span<const Key<WorldFault>> FaultKeys();
 std::span<const Key<HandTurn>> HandKeys();
 std::span<const Key<VoltageEvent>> VoltageKeys();

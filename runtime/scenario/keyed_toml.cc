@@ -47,7 +47,10 @@ void ReadValue(const toml::table& table, const KeyDescription& key, TomlKeys& ke
 
 void ReadValue(const toml::table& table, const KeyDescription& key, TomlKeys& keys,
                std::optional<int64_t>& value) {
-  if (table.contains(key.name)) value = keys.Time(table, key.name);
+  if (!table.contains(key.name)) return;
+  int64_t number = 0;
+  ReadValue(table, key, keys, number);
+  value = number;
 }
 
 void ReadValue(const toml::table& table, const KeyDescription& key, TomlKeys& keys,

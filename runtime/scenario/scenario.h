@@ -46,10 +46,13 @@ struct ThreadStart {
   bool operator==(const ThreadStart&) const = default;
 };
 
-/// The host writes variables, as by GT_SetVarValue.
+/// The host writes variables, as by GT_SetVarValue: between two cycles, or in the middle of one.
 struct HostEvent {
   int64_t at_us = 0;
   std::vector<InitialValue> values;
+  /// In the cycle at at_us, when the threads have executed so many of its statements; empty: after
+  /// all of them.
+  std::optional<int64_t> after_statements = {};
   bool operator==(const HostEvent&) const = default;
 };
 
@@ -105,7 +108,7 @@ struct Scenario {
   /// Names of the values in a trace; empty: as described at RunOptions::trace.
   std::vector<std::string> trace;
   std::vector<Expectation> expectations;
-  /// For the explorer: expressions that must hold at the end of every run.
+  /// Expressions that must hold at the end of every run.
   std::vector<std::string> final;
   /// Expressions that must hold, or not hold, in every state.
   std::vector<std::string> always;

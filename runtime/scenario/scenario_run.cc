@@ -43,6 +43,7 @@ class ScenarioRunner {
     if (auto failure = fit_.Failure()) return *std::move(failure);
     BeginTrace();
     BeginWatch();
+    BeginHost();
     if (options_.steps) result_.steps.emplace();
     Execute();
     Report();
@@ -148,6 +149,35 @@ class ScenarioRunner {
     controller_.ObserveStates([this, watch] { watch->ObserveState(controller_); });
   }
 
+  // --- The host --------------------------------------------------------------------------------
+
+  void ApplyDueWrites() {
+    while (const Agenda::Write* write = agenda_.TakeWrite(controller_.cycle())) Apply(*write);
+  }
+
+  void BeginHost() {
+    const auto within = [](const HostEvent& event) { return event.after_statements.has_value(); };
+    if (std::ranges::none_of(scenario_.host, within)) return;
+    controller_.LetHostAct([this](int64_t executed) {
+      const int64_t cycle = controller_.cycle();
+      bool wrote = false;
+      while (const Agenda::Write* write = agenda_.TakeWriteWithin(cycle, executed)) {
+        Apply(*write);
+        // Threads that waited for the value at the end of their function finish.
+        controller_.machine().Execute(0);
+        wrote = true;
+      }
+      if (wrote) controller_.ShowState();
+      return agenda_.NextWithin(cycle);
+    });
+  }
+
+  void Apply(const Agenda::Write& write) {
+    controller_.machine().Write(write.variable.slot, write.value);
+    if (!result_.trace) return;
+    result_.trace->Mark(controller_, fmt::format("{} = {}", write.variable.name, write.value));
+  }
+
   // --- The run ---------------------------------------------------------------------------------
 
   void Execute() {
@@ -173,7 +203,7 @@ class ScenarioRunner {
       const int64_t next = NextLook(last);
       const bool host_is_awaited = agenda_.has_writes();
       if (ended || (host_is_awaited && controller_.Deadlocked())) {
-        while (controller_.cycle() < next) controller_.RunCycle();
+        controller_.RunCycles(next - controller_.cycle());
         continue;
       }
       const int64_t cycles = next - controller_.cycle();
@@ -202,16 +232,6 @@ class ScenarioRunner {
   int64_t NextLook(int64_t last) const {
     if (result_.trace) return controller_.cycle() + 1;
     return std::min({last, controller_.cycle() + kLookCycles, agenda_.NextCycle()});
-  }
-
-  void ApplyDueWrites() {
-    while (const Agenda::Write* write = agenda_.TakeWrite(controller_.cycle())) {
-      controller_.machine().Write(write->variable.slot, write->value);
-      if (result_.trace) {
-        result_.trace->Mark(controller_,
-                            fmt::format("{} = {}", write->variable.name, write->value));
-      }
-    }
   }
 
   void EvaluateDue() {

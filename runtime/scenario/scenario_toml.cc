@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/files.h"
+#include "base/milliseconds.h"
 #include "runtime/scenario/key_table.h"
 #include "runtime/scenario/keyed_toml.h"
 #include "runtime/scenario/requirement.h"
@@ -162,7 +163,24 @@ class ScenarioReader : private TomlKeys {
       Fail(table.source(), {"'set' is missing: the variables to write, as in { go = 1 }",
                             "缺少“set”：要写入的变量，如 { go = 1 }"});
     }
+    if (event.after_statements) CheckAfterStatements(table, event);
     scenario_.host.push_back(std::move(event));
+  }
+
+  void CheckAfterStatements(const toml::table& table, const HostEvent& event) {
+    constexpr int64_t kUsPerMs = 1000;
+    const toml::source_region& place = table.get("after_statements")->source();
+    const int64_t most = (scenario_.rate * scenario_.cycle_us + kUsPerMs - 1) / kUsPerMs;
+    if (event.at_us == 0) {
+      Fail(place,
+           MakeMessage("no statement is executed at 0 ms: the first cycle is at {0} ms",
+                       "0 ms 时没有语句执行：第一个周期在 {0} ms", ToMs(scenario_.cycle_us)));
+    } else if (*event.after_statements >= most) {
+      Fail(place,
+           MakeMessage("a cycle has at most {0} statements: remove 'after_statements' for a write "
+                       "at its end",
+                       "一个周期至多 {0} 条语句：要在周期末写入，应去掉“after_statements”", most));
+    }
   }
 
   void ReadPress(const toml::table& table) {

@@ -72,6 +72,12 @@ void AddHands(const Scenario& scenario, WorldEvents& events) {
   }
 }
 
+void AddMove(const SwitchMove& move, WorldEvents& events) {
+  const uint16_t contact = FromZero(move.number);
+  events.push_back({move.at_us, WorldEventKind::kSwitchFirst, 0, contact, move.from});
+  events.push_back({move.at_us, WorldEventKind::kSwitchLast, 0, contact, move.to});
+}
+
 void AddModule(const ModuleEvent& module, WorldEvents& events) {
   const auto item = static_cast<uint8_t>(module.module);
   if (module.inputs) {
@@ -118,6 +124,7 @@ WorldEvents EventsOfWorld(const Scenario& scenario) {
   const World& world = scenario.world;
   WorldEvents events;
   for (const InputEvent& input : world.inputs) AddInput(input, events);
+  for (const SwitchMove& move : world.moves) AddMove(move, events);
   AddFaults(world.faults, events);
   AddHands(scenario, events);
   for (const VoltageEvent& voltage : world.voltages) {

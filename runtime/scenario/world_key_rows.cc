@@ -39,6 +39,10 @@ constexpr Key<World> kWorldKeys[] = {
       KeyType::Tables("world.switch"),
       {"a switch that the mechanics of an axis operate, below", "由轴的机械触动的开关"},
       {"none", "无"}}},
+    {{"move",
+      KeyType::Tables("world.move"),
+      {"a switch is moved, below", "移动开关"},
+      {"none", "无"}}},
     {{"fault",
       KeyType::Tables("world.fault"),
       {"a fault of the mechanics, the encoder, the drive or the wiring, below",
@@ -159,6 +163,23 @@ constexpr Key<SwitchSetup> kSwitchKeys[] = {
      &SwitchSetup::active_low},
 };
 
+constexpr Key<SwitchMove> kMoveKeys[] = {
+    {{"switch",
+      KeyType::Ordinal(),
+      {"which `[[world.switch]]`, in the order of the file", "第几个 `[[world.switch]]`"}}},
+    {{"from",
+      kPosition,
+      {"the position in pulses from which it is now operated", "此后开始触动的位置，单位脉冲"},
+      {"unlimited; an error without `to`", "不限；也没有 `to` 时为错误"}},
+     &SwitchMove::from},
+    {{"to",
+      kPosition,
+      {"the position in pulses up to which it is now operated", "此后停止触动的位置，单位脉冲"},
+      {"unlimited", "不限"}},
+     &SwitchMove::to},
+    {{"at_ms", KeyType::Time(), kTimeOfChange, kZero}, &SwitchMove::at_us, true},
+};
+
 constexpr Key<WorldFault> kFaultKeys[] = {
     {{"kind",
       KeyType::Choice(kFaultNames),
@@ -256,6 +277,7 @@ std::span<const Key<World>> WorldKeys() { return kWorldKeys; }
 std::span<const Key<InputEvent>> InputKeys() { return kInputKeys; }
 std::span<const Key<MotorSetup>> MotorKeys() { return kMotorKeys; }
 std::span<const Key<SwitchSetup>> SwitchKeys() { return kSwitchKeys; }
+std::span<const Key<SwitchMove>> MoveKeys() { return kMoveKeys; }
 std::span<const Key<WorldFault>> FaultKeys() { return kFaultKeys; }
 std::span<const Key<HandTurn>> HandKeys() { return kHandKeys; }
 std::span<const Key<VoltageEvent>> VoltageKeys() { return kVoltageKeys; }

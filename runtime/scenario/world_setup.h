@@ -50,6 +50,15 @@ struct SwitchSetup {
   bool operator==(const SwitchSetup&) const = default;
 };
 
+/// A switch is moved: from now on other positions operate it.
+struct SwitchMove {
+  int64_t at_us = 0;
+  int number = 1;  ///< of the switch, in the order of the file
+  double from = SwitchSetup{}.from;
+  double to = SwitchSetup{}.to;
+  bool operator==(const SwitchMove&) const = default;
+};
+
 enum class FaultKind : uint8_t {
   kStall,        ///< the motor does not move
   kLostEncoder,  ///< the encoder no longer counts
@@ -103,6 +112,7 @@ struct World {
   std::vector<InputEvent> inputs;  ///< in order of time
   std::vector<MotorSetup> motors;
   std::vector<SwitchSetup> switches;
+  std::vector<SwitchMove> moves;  ///< in order of time
   std::vector<WorldFault> faults;
   std::vector<HandTurn> hands;
   std::vector<VoltageEvent> voltages;  ///< in order of time

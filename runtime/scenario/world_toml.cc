@@ -29,12 +29,14 @@ class WorldReader {
     for (const toml::table* input : keys_.Tables(table, "input")) ReadInput(*input);
     for (const toml::table* motor : keys_.Tables(table, "axis")) ReadMotor(*motor);
     for (const toml::table* contact : keys_.Tables(table, "switch")) ReadSwitch(*contact);
+    for (const toml::table* move : keys_.Tables(table, "move")) ReadMove(*move);
     for (const toml::table* fault : keys_.Tables(table, "fault")) ReadFault(*fault);
     for (const toml::table* hand : keys_.Tables(table, "hand")) ReadHand(*hand);
     for (const toml::table* voltage : keys_.Tables(table, "analog")) ReadVoltage(*voltage);
     for (const toml::table* module : keys_.Tables(table, "module")) ReadModule(*module);
     CheckInputs(table);
     SortByTime(world_.inputs);
+    SortByTime(world_.moves);
     SortByTime(world_.voltages);
     SortByTime(world_.modules);
     return std::move(world_);
@@ -83,13 +85,7 @@ class WorldReader {
       Need(table, "index",
            {"there is no input with the number of the axis", "没有与轴号相同的输入"});
     }
-    if (!table.contains("from") && !table.contains("to")) {
-      keys_.Fail(table.source(), {"'from' or 'to' is missing: the position of the switch in pulses",
-                                  "缺少“from”或“to”：开关的位置，单位脉冲"});
-    } else if (contact.from > contact.to) {
-      keys_.Fail(table.source(),
-                 {"'from' is greater than 'to': exchange them", "“from”大于“to”：应对调"});
-    }
+    CheckPositions(table, contact.from, contact.to);
     if (std::ranges::any_of(world_.switches, [&](const SwitchSetup& other) {
           return other.type == contact.type && other.index == contact.index;
         })) {
@@ -98,6 +94,25 @@ class WorldReader {
                   "两个开关接到同一输入：应为其中一个指定其他“index”"});
     }
     world_.switches.push_back(contact);
+  }
+
+  void ReadMove(const toml::table& table) {
+    SwitchMove move;
+    ReadKeys(table, MoveKeys(), keys_, &move);
+    move.number = SwitchOf(table, {"there is no switch to move: describe it under [[world.switch]]",
+                                   "没有可移动的开关：应先在 [[world.switch]] 中描述"});
+    CheckPositions(table, move.from, move.to);
+    world_.moves.push_back(move);
+  }
+
+  void CheckPositions(const toml::table& table, double from, double to) {
+    if (!table.contains("from") && !table.contains("to")) {
+      keys_.Fail(table.source(), {"'from' or 'to' is missing: the position of the switch in pulses",
+                                  "缺少“from”或“to”：开关的位置，单位脉冲"});
+    } else if (from > to) {
+      keys_.Fail(table.source(),
+                 {"'from' is greater than 'to': exchange them", "“from”大于“to”：应对调"});
+    }
   }
 
   void ReadFault(const toml::table& table) {
@@ -110,7 +125,9 @@ class WorldReader {
     }
     fault.kind = static_cast<FaultKind>(keys_.Choice(table, "kind", kFaultNames, 0));
     if (fault.kind == FaultKind::kCutSwitch) {
-      fault.number = SwitchOf(table);
+      fault.number =
+          SwitchOf(table, {"there is no switch to cut: describe it under [[world.switch]]",
+                           "没有可断开的开关：应先在 [[world.switch]] 中描述"});
     } else {
       fault.number = AxisOf(table);
     }
@@ -258,12 +275,11 @@ class WorldReader {
     return static_cast<int>(axis);
   }
 
-  int SwitchOf(const toml::table& table) {
+  int SwitchOf(const toml::table& table, const Message& none) {
     Need(table, "switch",
          {"the number of the [[world.switch]], from 1", "[[world.switch]] 的序号，从 1 开始"});
     if (world_.switches.empty()) {
-      keys_.Fail(table.source(), {"there is no switch to cut: describe it under [[world.switch]]",
-                                  "没有可断开的开关：应先在 [[world.switch]] 中描述"});
+      keys_.Fail(table.source(), none);
       return 1;
     }
     const auto count = static_cast<int64_t>(world_.switches.size());
@@ -330,6 +346,13 @@ std::string FormatSwitch(const SwitchSetup& contact) {
                  }));
 }
 
+std::string FormatMove(const SwitchMove& move) {
+  return AsTable("[[world.move]]", WriteKeys(move, MoveKeys(), [&](std::string_view key) {
+                   return key == "switch" ? SpecialText(std::to_string(move.number))
+                                          : SpecialText();
+                 }));
+}
+
 std::string FormatFault(const WorldFault& fault) {
   const std::string_view number = fault.kind == FaultKind::kCutSwitch ? "switch" : "axis";
   const std::string_view amount = fault.kind == FaultKind::kNoise  ? "pulses"
@@ -375,6 +398,7 @@ std::string FormatWorld(const World& world, int axis_count) {
   for (const InputEvent& event : world.inputs) text += FormatInput(event);
   for (const MotorSetup& motor : world.motors) text += FormatMotor(motor);
   for (const SwitchSetup& contact : world.switches) text += FormatSwitch(contact);
+  for (const SwitchMove& move : world.moves) text += FormatMove(move);
   for (const WorldFault& fault : world.faults) text += FormatFault(fault);
   for (const HandTurn& turn : world.hands) text += FormatHand(turn, axis_count);
   for (const VoltageEvent& event : world.voltages) {

@@ -69,6 +69,23 @@ TEST_F(AgendaTest, CanBePutBack) {
   EXPECT_THAT(WritesDueAt(4), ElementsAre("x = 3", "y = 4"));
 }
 
+TEST_F(AgendaTest, WritesWithinACycleAreDueAfterTheirStatements) {
+  Read(
+      "[[host]]\nat_ms = 0.5\nset = { x = 1 }\n"
+      "[[host]]\nat_ms = 0.5\nafter_statements = 7\nset = { x = 2 }\n"
+      "[[host]]\nat_ms = 0.3\nafter_statements = 5\nset = { y = 3 }\n"
+      "[[host]]\nat_ms = 0.4\nafter_statements = 9\nset = { y = 4 }\n");
+  EXPECT_EQ(agenda_.NextCycle(), 2);
+  EXPECT_EQ(agenda_.NextWithin(1), Agenda::kAtEnd);
+  EXPECT_EQ(agenda_.NextWithin(2), 5);
+  EXPECT_EQ(agenda_.TakeWriteWithin(2, 4), nullptr);
+  ASSERT_NE(agenda_.TakeWriteWithin(2, 5), nullptr);
+  EXPECT_EQ(agenda_.TakeWriteWithin(2, 5), nullptr);
+  EXPECT_EQ(agenda_.NextWithin(2), 7);
+  // What has not been taken within the cycle is due at its end.
+  EXPECT_THAT(WritesDueAt(2), ElementsAre("x = 2", "y = 4", "x = 1"));
+}
+
 TEST_F(AgendaTest, ReadingChangesNothing) {
   Read("[[host]]\nat_ms = 1\nset = { x = 3 }\n");
   EXPECT_EQ(controller_->machine().state().globals[0], 0);

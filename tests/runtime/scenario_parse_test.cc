@@ -129,6 +129,34 @@ TEST(ParseScenario, ReadsTheHostsWritesAndWhatATraceHolds) {
   EXPECT_EQ(again.trace, s.trace);
 }
 
+TEST(ParseScenario, ReadsWritesInTheMiddleOfACycle) {
+  const Scenario s = Parse(
+      "program = \"p.c\"\n[[host]]\nat_ms = 10\nafter_statements = 24\nset = { go = 1 }\n"
+      "[[host]]\nat_ms = 10\nset = { go = 2 }\n");
+  ASSERT_EQ(s.host.size(), 2u);
+  EXPECT_EQ(s.host[0], (HostEvent{10000, {{"go", {1}}}, 24}));
+  EXPECT_EQ(s.host[1].after_statements, std::nullopt);
+  EXPECT_EQ(Parse(FormatScenario(s)).host, s.host);
+}
+
+TEST(ParseScenario, RefusesWritesAfterStatementsThatThereAreNot) {
+  const auto refusal = [](const std::string& text) {
+    const auto parsed =
+        ParseScenario("program = \"p.c\"\n" + text + "set = { go = 1 }\n", "s.toml");
+    return parsed.ok() ? Message() : parsed.error().message;
+  };
+  const Message many = refusal("rate = 99\n[[host]]\nat_ms = 1\nafter_statements = 25\n");
+  EXPECT_THAT(many.en, StartsWith("s.toml:5:20: a cycle has at most 25 statements"));
+  EXPECT_THAT(many.zh, HasSubstr("一个周期至多 25 条语句"));
+  EXPECT_EQ(refusal("rate = 99\n[[host]]\nat_ms = 1\nafter_statements = 24\n").en, "");
+  EXPECT_THAT(refusal("[[host]]\nafter_statements = 3\n").en,
+              HasSubstr("no statement is executed at 0 ms: the first cycle is at 0.25 ms"));
+  EXPECT_THAT(refusal("[[host]]\nat_ms = 1\nafter_statements = -1\n").en,
+              HasSubstr("'after_statements' must be a whole number from 0 to 3999999"));
+  EXPECT_THAT(refusal("[[host]]\nat_ms = 1\nafter_statements = 1.5\n").en,
+              HasSubstr("'after_statements' must be a whole number"));
+}
+
 TEST(ParseScenario, HasDefaults) {
   const Scenario s = Parse("program = \"p.c\"\n");
   EXPECT_EQ(s.schedule, "rr");

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "runtime/scenario/requirement_watch.h"
 #include "tests/runtime/scenario_support.h"
 
 namespace oncard::runtime {
@@ -340,6 +341,71 @@ TEST(Host, EndsAWaitThatNothingElseCanEnd) {
     EXPECT_EQ(result.threads[0].result, "7");
   }
   EXPECT_EQ(RunForTest(kWaits, "[[host]]\nat_ms = 10\nset = { go = 2 }\n").end, RunEnd::kDeadlock);
+}
+
+// Every thread counts, 25 statements in a cycle.
+constexpr const char* kCounts =
+    "int n;\nint go;\nint seen;\nint f()\n{\nl:\n  n = n + 1;\n  goto l;\n}\n"
+    "int g()\n{\n  GT_WaitForVarEq(&go, 1);\n}\n";
+
+/// The result of kCounts with a scenario, however it is run.
+ScenarioResult RunCounts(const std::string& scenario) {
+  const ScenarioResult plain = RunForTest(kCounts, scenario);
+  RunOptions options;
+  options.trace = options.steps = options.record = true;
+  const ScenarioResult watched = RunForTest(kCounts, scenario, options);
+  EXPECT_EQ(watched.hash, plain.hash) << scenario;
+  options = {};
+  options.replay = std::make_shared<const vm::Schedule>(*watched.schedule);
+  const Scenario observed = ScenarioForTest("always = [\"n >= 0\"]\n" + scenario);
+  const auto replayed = RunWithRequirements(observed, CompileForTest(kCounts), options);
+  EXPECT_TRUE(replayed.ok());
+  EXPECT_EQ(replayed.ok() ? replayed.value().hash : 0, plain.hash) << scenario;
+  EXPECT_TRUE(plain.passed()) << scenario;
+  return plain;
+}
+
+TEST(Host, WritesInTheMiddleOfACycle) {
+  // f increments n with every other statement: 13 times in the first cycle, 12 times in the second.
+  const auto n_after = [](const std::string& keys) {
+    const ScenarioResult result = RunCounts("until_ms = 0.5\n[[host]]\nset = { n = 100 }\n" + keys);
+    return result.values[0].elements[0];
+  };
+  EXPECT_EQ(n_after("at_ms = 0.25\n"), "112");
+  EXPECT_EQ(n_after("at_ms = 0.25\nafter_statements = 24\n"), "113");
+  EXPECT_EQ(n_after("at_ms = 0.25\nafter_statements = 20\n"), "115");
+  EXPECT_EQ(n_after("at_ms = 0.25\nafter_statements = 0\n"), "125");
+  EXPECT_EQ(n_after("at_ms = 0.5\nafter_statements = 23\n"), "101");
+}
+
+TEST(Host, WritesInTheOrderOfTheStatements) {
+  const ScenarioResult result = RunCounts(
+      "until_ms = 0.25\n[[host]]\nat_ms = 0.25\nafter_statements = 8\nset = { seen = 1 }\n"
+      "[[host]]\nat_ms = 0.25\nset = { go = 5 }\n"
+      "[[host]]\nat_ms = 0.2\nafter_statements = 3\nset = { seen = 2, go = 4 }\n");
+  EXPECT_EQ(result.values[1].elements[0], "5");
+  EXPECT_EQ(result.values[2].elements[0], "1");
+}
+
+TEST(Host, WakesAThreadInTheMiddleOfACycle) {
+  const auto run = [](const std::string& after, const std::string& expected) {
+    return RunCounts("until_ms = 1\nexpect = [\"thread0.run == " + expected +
+                     " @ 0.25ms\"]\n[[thread]]\nfunction = \"g\"\n[[host]]\nat_ms = 0.25\n" +
+                     "set = { go = 1 }\nafter_statements = " + after + "\n");
+  };
+  // At the end of its function the thread ends without a further statement.
+  EXPECT_EQ(run("1", "0").threads[0].statements, 1);
+  // It waits after its only statement: three are not executed.
+  EXPECT_EQ(run("3", "1").threads[0].run, vm::ThreadRun::kStopped);
+}
+
+TEST(Host, WritesAtTheEndOfACycleThatIsTooShort) {
+  const ScenarioResult result =
+      RunForTest("int go;\nint seen;\nint f()\n{\n  GT_WaitForVarEq(&go, 1);\n  seen = go;\n}\n",
+                 "expect = [\"go == 0 @ 0.25ms\", \"seen == 1\"]\n"
+                 "[[host]]\nat_ms = 0.25\nafter_statements = 9\nset = { go = 1 }\n");
+  EXPECT_TRUE(result.passed()) << result.failures.front().message.en;
+  EXPECT_EQ(result.end_ms, 0.5);
 }
 
 TEST(Host, CannotWriteUnknownVariablesOrValuesThatDoNotFit) {

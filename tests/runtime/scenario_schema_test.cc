@@ -137,6 +137,7 @@ TEST(ScenarioSchema, TakesWhatIsWritten) {
       "[[thread]]\nfunction = \"f\"\nperiod_ms = 5\ninit = { k = 1 }\n"
       "[[world.axis]]\naxis = 1\ndrive = \"velocity\"\n[[world.switch]]\naxis = 1\nfrom = 5\n"
       "active_low = true\n[[world.input]]\nvalue = 3\n[[world.module]]\nvolts = [1, -2.5]\n"
+      "[[world.move]]\nswitch = 1\nto = 9\nat_ms = 4\n"
       "[[world.fault]]\nkind = \"cut_switch\"\nswitch = 1\n[[host]]\nset = { n = 1 }\n";
   const auto scenario = ParseScenario(text, "s.toml");
   ASSERT_TRUE(scenario.ok()) << scenario.error().message.en;
@@ -192,6 +193,7 @@ INSTANTIATE_TEST_SUITE_P(
         WrongCase{"[[world.axis]]\naxis = 1\ndrive = \"hydraulic\"\n", "'drive' must be one of"},
         WrongCase{"[[world.switch]]\naxis = 1\nfrom = 1\nactive_low = 1\n",
                   "'active_low' must be true or false"},
+        WrongCase{"[[world.move]]\nfrom = 1\n", "'switch' is missing"},
         WrongCase{"[[world.fault]]\naxis = 1\n", "'kind' is missing"},
         WrongCase{"[[world.hand]]\naxis = 1\npulses = 1\n", "'until_ms' is missing"},
         WrongCase{"[[world.analog]]\nchannel = 1\n", "'volts' is missing"},
@@ -219,7 +221,7 @@ std::string FileWith(const KeySection& section, const KeyDescription& key, doubl
   std::string text = "program = \"p.c\"\n";
   if (path.empty()) return text + line;
   if (path == "explore") return text + fmt::format("explore = {{ {} = {} }}\n", key.name, number);
-  if (path == "world.fault" && key.name == "switch") {
+  if (path == "world.move" || (path == "world.fault" && key.name == "switch")) {
     text += "[[world.switch]]\naxis = 1\nfrom = 1\n";
   }
   return text + fmt::format("[[{}]]\n", path) + ContextOf(path + '.' + std::string(key.name)) +

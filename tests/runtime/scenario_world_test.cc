@@ -114,6 +114,35 @@ TEST(ScenarioWorld, ACutLimitSwitchStopsNothing) {
   EXPECT_GT(card.state().plants[0].position, 90000);
 }
 
+TEST(ScenarioWorld, ALimitSwitchIsMoved) {
+  WorldCard card(
+      "[[world.switch]]\naxis = 1\ntype = \"limit_positive\"\nfrom = 20000\n"
+      "[[world.move]]\nswitch = 1\nfrom = 40000\nat_ms = 100\n"
+      "[[world.move]]\nswitch = 1\nto = 0\nat_ms = 1500\n");
+  card.Jog(100);
+  card.RunUntil(390);
+  EXPECT_EQ(card.conditions() & motion::kPositiveLimitBit, 0u);
+  card.RunUntil(1000);
+  EXPECT_NE(card.conditions() & motion::kPositiveLimitBit, 0u);
+  EXPECT_GT(card.state().plants[0].position, 40000);
+  EXPECT_LT(card.state().plants[0].position, 40200);
+  const auto level = [&] { return card.state().io.Read(DiType::kLimitPositive) & 1; };
+  card.RunUntil(1500);
+  EXPECT_EQ(level(), 1u);
+  card.RunUntil(1502);
+  EXPECT_EQ(level(), 0u);
+}
+
+TEST(ScenarioWorld, ASwitchIsMovedUnderAnAxisThatStands) {
+  WorldCard card(
+      "[[world.switch]]\naxis = 1\nfrom = 500\nto = 600\n"
+      "[[world.move]]\nswitch = 1\nfrom = -10\nto = 10\nat_ms = 20\n");
+  card.RunUntil(20);
+  EXPECT_EQ(card.state().io.Pins(DiType::kHome), 0u);
+  card.RunUntil(20.25);
+  EXPECT_EQ(card.state().io.Pins(DiType::kHome), 1u);
+}
+
 TEST(ScenarioWorld, AStalledMachineExceedsTheFollowingError) {
   WorldCard card("[[world.fault]]\nkind = \"stall\"\naxis = 1\nat_ms = 500\n");
   card.Jog(100);
@@ -266,6 +295,15 @@ axis = 2
 index = 4
 from = 10
 to = 20
+[[world.move]]
+switch = 2
+to = 25.5
+at_ms = 9
+[[world.move]]
+switch = 1
+from = -2000
+to = -1000
+at_ms = 3
 [[world.fault]]
 kind = "cut_switch"
 switch = 2
@@ -309,6 +347,8 @@ TEST(ScenarioWorld, IsWrittenAsItIsRead) {
   EXPECT_EQ(first.axis_count, 12);
   EXPECT_EQ(first.world.switches[0].index, 2);
   EXPECT_EQ(first.world.switches[1].type, DiType::kHome);
+  EXPECT_EQ(first.world.moves[0].number, 1);
+  EXPECT_EQ(first.world.moves[1].to, 25.5);
   EXPECT_EQ(first.world.faults[0].until_us, 8250);
   const Scenario second = Parsed(FormatScenario(first));
   EXPECT_EQ(second.world, first.world);
@@ -357,6 +397,15 @@ TEST(ScenarioWorld, MistakesSayWhatToDo) {
       {"[[world.switch]]\naxis = 1\nfrom = 2\nto = 1\n", "'from' is greater than 'to'"},
       {"[[world.switch]]\naxis = 1\nfrom = 1\nactive_low = 1\n",
        "'active_low' must be true or false"},
+      {"[[world.move]]\nswitch = 1\nfrom = 2\n", "there is no switch to move"},
+      {"[[world.switch]]\naxis = 1\nto = 0\n[[world.move]]\nfrom = 1\n",
+       "'switch' is missing: the number of the [[world.switch]]"},
+      {"[[world.switch]]\naxis = 1\nto = 0\n[[world.move]]\nswitch = 2\nfrom = 1\n",
+       "'switch' must be a whole number from 1 to 1"},
+      {"[[world.switch]]\naxis = 1\nto = 0\n[[world.move]]\nswitch = 1\n",
+       "w.toml:5:1: 'from' or 'to' is missing"},
+      {"[[world.switch]]\naxis = 1\nto = 0\n[[world.move]]\nswitch = 1\nfrom = 2\nto = 1\n",
+       "'from' is greater than 'to'"},
       {"[[world.fault]]\naxis = 1\n", "'kind' is missing: one of stall, lost_encoder"},
       {"[[world.fault]]\nkind = \"stal\"\naxis = 1\n", "'kind' must be one of stall"},
       {"[[world.fault]]\nkind = \"noise\"\naxis = 1\n", "'pulses' is missing"},
