@@ -5,9 +5,14 @@
 #include <bit>
 #include <deque>
 #include <functional>
-#include <numeric>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
+
+#include "explore/engines/short_traces.h"
+#include "explore/engines/trace_names.h"
+#include "explore/engines/trace_plans.h"
 
 namespace oncard::explore {
 namespace {
@@ -20,42 +25,6 @@ struct Step {
   bool elsewhere = false;
 };
 
-/// A plan: sequences of steps with common prefixes, stored as a tree in a pool. Siblings are tried
-/// in their order.
-using PlanIndex = uint32_t;
-constexpr PlanIndex kNoPlan = ~PlanIndex{0};
-struct PlanNode {
-  Step step;
-  PlanIndex first_child = kNoPlan;
-  PlanIndex next_sibling = kNoPlan;
-};
-
-class PlanPool {
- public:
-  PlanNode& operator[](PlanIndex index) { return nodes_[index]; }
-  const PlanNode& operator[](PlanIndex index) const { return nodes_[index]; }
-  PlanIndex Take(const Step& step) {
-    PlanIndex index = free_;
-    if (index == kNoPlan) {
-      index = static_cast<PlanIndex>(nodes_.size());
-      nodes_.emplace_back();
-    } else {
-      free_ = nodes_[index].next_sibling;
-    }
-    nodes_[index] = {step, kNoPlan, kNoPlan};
-    return index;
-  }
-  /// Returns a node without children to the pool.
-  void Release(PlanIndex index) {
-    nodes_[index].next_sibling = free_;
-    free_ = index;
-  }
-
- private:
-  std::vector<PlanNode> nodes_;
-  PlanIndex free_ = kNoPlan;
-};
-
 /// A step that has been executed.
 struct Event {
   Step step;
@@ -65,7 +34,8 @@ struct Event {
   uint32_t number = 0;  ///< its position among the events of its thread, from 1
   /// The entries that it replaced (ForLatest()), in the order in which they were changed.
   std::array<uint32_t, AccessSet::kReadMax + 2> before{};
-  uint64_t trace = 0;  ///< identifies the trace up to and including this event; only set on request
+  uint64_t name = 0;   ///< NameEvent()
+  uint64_t trace = 0;  ///< the sum of the names up to this one
   std::vector<uint32_t>
       races;  ///< earlier events that it races with and whose reversal is not settled yet
 };
@@ -80,20 +50,43 @@ struct Frame {
 /// all its steps (kIndependent), or neither (kNo).
 enum class Initial : uint8_t { kNo, kFirst, kIndependent };
 
-/// Maximum number of traces whose keys are kept to count redundant ones: half a gigabyte.
-constexpr size_t kNotedTraceMax = size_t{1} << 26;
+/// An execution that the model has executed statement by statement.
+class ModelEnd : public TraceEnd {
+ public:
+  explicit ModelEnd(const Model& model) : model_(model) {}
+  const Model& State() override { return model_; }
+  uint32_t StateNumber() override { return kNoNumber; }
+  int64_t Statements() const override { return model_.depth(); }
+  std::vector<uint8_t> Threads() const override {
+    std::vector<uint8_t> threads;
+    for (int64_t i = 0; i < model_.depth(); ++i) {
+      threads.push_back(static_cast<uint8_t>(model_.StepThread(i)));
+    }
+    return threads;
+  }
+
+ private:
+  const Model& model_;
+};
 
 class Search {
  public:
-  Search(Model* model, const DporLimits& limits, const FinalVisitor& visit)
-      : model_(*model), limits_(limits), visit_(visit) {}
+  Search(Model* model, const DporLimits& limits, const FinalVisitor& visit, TraceNames* names)
+      : model_(*model), limits_(limits), visit_(visit), names_(*names) {}
 
-  DporResult Run(TraceUnit* unit) {
+  /// Goes on from a handover of the search of short traces, which has the result so far.
+  DporResult Run(TraceUnit* unit, const TraceHandover& handover, const DporResult& result) {
     const int64_t start = model_.depth();
+    result_ = result;
     threads_ = static_cast<size_t>(model_.thread_count());
     for (int thread = 0; thread < model_.thread_count(); ++thread) RunPrivate(thread);
     TakePrefix(*unit);
-    if (unit->frames.empty()) {
+    if (handover.begun) {
+      const std::span frames(handover.frames);
+      Restore(frames.first(frames.size() - 1));
+      RestoreState(frames.back());
+      Descend();
+    } else if (unit->frames.empty()) {
       Descend();
     } else {
       Restore(unit->frames);
@@ -101,7 +94,6 @@ class Search {
     Explore();
     const bool goes_on = !result_.complete && !result_.too_deep;
     unit->frames = goes_on ? Save() : std::vector<SavedFrame>{};
-    result_.redundant = CountRedundant();
     UndoTo(start);
     return result_;
   }
@@ -132,9 +124,7 @@ class Search {
 
  private:
   /// Executes a thread's statements up to the next one that accesses shared cells.
-  void RunPrivate(int thread) {
-    result_.steps += model_.StepPrivate(thread, limits_.depth - model_.depth());
-  }
+  void RunPrivate(int thread) { model_.StepPrivate(thread, limits_.depth - model_.depth()); }
 
   void UndoTo(int64_t depth) {
     while (model_.depth() > depth) model_.Undo();
@@ -201,36 +191,17 @@ class Search {
       for (const Step& step : frames_[i].sleep) {
         frame.sleep.push_back(static_cast<uint8_t>(step.thread));
       }
-      frame.plans = SavePlans(frames_[i].plans);
+      frame.plans = pool_.Save(frames_[i].plans);
       frame.races = events_[i].races;
       frames.push_back(std::move(frame));
     }
     return frames;
   }
-  std::vector<PlannedStep> SavePlans(PlanIndex first) const {
-    std::vector<PlannedStep> plans;
-    std::vector<PlanIndex> open = {first};
-    while (!open.empty()) {
-      const PlanIndex plan = open.back();
-      open.pop_back();
-      if (plan == kNoPlan) continue;
-      const PlanNode& node = pool_[plan];
-      PlannedStep planned = {static_cast<uint8_t>(node.step.thread), 0};
-      for (PlanIndex i = node.first_child; i != kNoPlan; i = pool_[i].next_sibling) ++planned.next;
-      plans.push_back(planned);
-      open.push_back(node.next_sibling);
-      open.push_back(node.first_child);
-    }
-    return plans;
-  }
 
   /// Executes the path of an interrupted search again.
-  void Restore(const std::vector<SavedFrame>& saved) {
+  void Restore(std::span<const SavedFrame> saved) {
     for (const SavedFrame& frame : saved) {
-      std::vector<Step> sleep = NextSteps(frame.sleep);
-      for (Step& step : sleep) step.elsewhere = SleepsElsewhere(frames_[count_], step.thread);
-      frames_[count_].sleep = std::move(sleep);
-      frames_[count_].plans = RestorePlans(frame.plans);
+      RestoreState(frame);
       Execute();
       // Keeps only the races that are not settled yet.
       std::vector<uint32_t>& races = events_[count_ - 1].races;
@@ -241,43 +212,35 @@ class Search {
       if (races.empty()) unsettled_.pop_back();
     }
   }
+  /// Restores what is known about the current state.
+  void RestoreState(const SavedFrame& saved) {
+    std::vector<Step> sleep = NextSteps(saved.sleep);
+    for (Step& step : sleep) step.elsewhere = SleepsElsewhere(frames_[count_], step.thread);
+    frames_[count_].sleep = std::move(sleep);
+    PlanRun run(this);
+    pool_.Restore(saved.plans, &run, &frames_[count_].plans);
+  }
   static bool SleepsElsewhere(const Frame& frame, int thread) {
     return std::ranges::any_of(frame.sleep, [&](const Step& asleep) {
       return asleep.thread == thread && asleep.elsewhere;
     });
   }
-  /// The accesses of planned steps are not saved; they are determined by executing the steps.
-  PlanIndex RestorePlans(const std::vector<PlannedStep>& plans) {
-    /// Plans that follow the same step.
-    struct Level {
-      size_t left = 0;               ///< number of plans still to be read
-      int64_t depth = 0;             ///< depth of the model before that step
-      PlanIndex before = kNoPlan;    ///< that step
-      PlanIndex previous = kNoPlan;  ///< the plan read last
-    };
-    PlanIndex first = kNoPlan;
-    std::vector<Level> levels = {{plans.size(), model_.depth()}};
-    for (const PlannedStep& planned : plans) {
-      for (; levels.back().left == 0; levels.pop_back()) UndoTo(levels.back().depth);
-      Level& level = levels.back();
-      --level.left;
-      const PlanIndex plan = pool_.Take(NextStep(planned.thread));
-      PlanIndex* link = &first;
-      if (level.previous != kNoPlan) {
-        link = &pool_[level.previous].next_sibling;
-      } else if (level.before != kNoPlan) {
-        link = &pool_[level.before].first_child;
-      }
-      *link = plan;
-      level.previous = plan;
-      if (planned.next == 0) continue;
-      levels.push_back({planned.next, model_.depth(), plan});
-      model_.Step(planned.thread);
-      RunPrivate(planned.thread);
+  /// The program, as PlanPool::Restore() executes plans.
+  class PlanRun {
+   public:
+    explicit PlanRun(Search* search) : search_(*search) {}
+    Step NextStep(int thread) const { return search_.NextStep(thread); }
+    bool Take(int thread) {
+      search_.model_.Step(thread);
+      search_.RunPrivate(thread);
+      return true;
     }
-    UndoTo(levels.front().depth);
-    return first;
-  }
+    int64_t depth() const { return search_.model_.depth(); }
+    void UndoTo(int64_t depth) { search_.UndoTo(depth); }
+
+   private:
+    Search& search_;
+  };
 
   // --- The search --------------------------------------------------------------------------------
 
@@ -324,7 +287,7 @@ class Search {
     if (frames_.size() < count_ + 2) frames_.resize(count_ + 2);
     const Frame& frame = frames_[count_];
     Frame& next = frames_[count_ + 1];
-    PlanNode& plan = pool_[frame.plans];
+    auto& plan = pool_[frame.plans];
     const Step step = plan.step;
     next.plans = plan.first_child;
     plan.first_child = kNoPlan;
@@ -337,7 +300,6 @@ class Search {
     const int64_t before = model_.depth();
     AppendEvent(step);
     model_.Step(step.thread);
-    ++result_.steps;
     RunPrivate(step.thread);
     events_[count_ - 1].statements = model_.depth() - before;
   }
@@ -351,6 +313,7 @@ class Search {
     event.races.clear();
     std::fill_n(event.clock.begin(), threads_, 0u);
     FindPredecessors(step);
+    uint64_t names = 0;
     for (size_t p = 0; p < predecessor_count_; ++p) {
       const uint32_t i = predecessors_[p];
       const Event& earlier = events_[i - 1];
@@ -360,11 +323,13 @@ class Search {
       for (size_t t = 0; t < threads_; ++t) {
         event.clock[t] = std::max(event.clock[t], earlier.clock[t]);
       }
+      names += earlier.name;
       if (earlier.step.thread != step.thread) event.races.push_back(i - 1);
     }
     event.number = ++event.clock[static_cast<size_t>(step.thread)];
     if (!event.races.empty()) unsettled_.push_back(static_cast<uint32_t>(count_));
-    if (limits_.count_redundant) NameTrace(&event);
+    event.name = NameEvent(step.thread, names);
+    event.trace = event.name + (count_ == 0 ? 0 : events_[count_ - 1].trace);
     ++count_;
     size_t changed = 0;
     ForLatest(step, [&](uint32_t* latest) {
@@ -413,45 +378,6 @@ class Search {
     return &latest_of_cell_[begin];
   }
 
-  /// Computes the trace's identifier from what happens before each of its events; it does not
-  /// depend on the order of independent events.
-  void NameTrace(Event* event) {
-    uint64_t name = static_cast<uint64_t>(event->step.thread);
-    for (size_t t = 0; t < threads_; ++t) {
-      name = (name ^ name >> 29 ^ event->clock[t]) * 0x9e3779b97f4a7c15ULL;
-    }
-    event->trace = (count_ == 0 ? 0 : events_[count_ - 1].trace) + (name ^ name >> 32);
-  }
-
-  /// Stores the identifier of the current trace.
-  void NoteTrace() {
-    if (traces_.size() == kNotedTraceMax) return;
-    traces_.push_back(count_ == 0 ? 0 : events_[count_ - 1].trace);
-  }
-  /// Counts the stored traces that were executed before. Sorting them at the end is much faster
-  /// than a look-up of each in a table that is larger than the processor's caches.
-  int64_t CountRedundant() {
-    // Distributes them by their first bits to parts that fit into a cache, which are then sorted.
-    constexpr int kPartBits = 12;
-    std::vector<size_t> ends(size_t{1} << kPartBits);
-    const auto part_of = [](uint64_t trace) {
-      return static_cast<size_t>(trace >> (64 - kPartBits));
-    };
-    for (const uint64_t trace : traces_) ++ends[part_of(trace)];
-    std::partial_sum(ends.begin(), ends.end(), ends.begin());
-    std::vector<size_t> begins = ends;
-    std::vector<uint64_t> parts(traces_.size());
-    for (const uint64_t trace : traces_) parts[--begins[part_of(trace)]] = trace;
-    int64_t redundant = 0;
-    for (size_t part = 0; part < ends.size(); ++part) {
-      const auto first = parts.begin() + static_cast<std::ptrdiff_t>(begins[part]);
-      const auto last = parts.begin() + static_cast<std::ptrdiff_t>(ends[part]);
-      std::sort(first, last);
-      redundant += last - std::unique(first, last);
-    }
-    return redundant;
-  }
-
   /// Undoes the last event: its step goes to the sleep set and its plan is completed.
   void Leave() {
     const Event& event = events_[--count_];
@@ -470,9 +396,10 @@ class Search {
 
   void Finish() {
     ++result_.executions;
-    if (limits_.count_redundant) NoteTrace();
+    if (limits_.count_redundant) names_.Add(count_ == 0 ? 0 : events_[count_ - 1].trace);
     const bool told = limits_.stop != nullptr && limits_.stop->load(std::memory_order_relaxed);
-    stopped_ = !visit_(model_) || told || result_.executions >= limits_.executions;
+    ModelEnd end(model_);
+    stopped_ = !visit_(&end) || told || result_.executions >= limits_.executions;
     ReverseRaces();
   }
 
@@ -580,11 +507,12 @@ class Search {
   Model& model_;
   const DporLimits& limits_;
   const FinalVisitor& visit_;
+  TraceNames& names_;
   size_t threads_ = 0;
   DporResult result_;
   bool stopped_ = false;
   size_t first_ = 0;  ///< the unit's first event; those before it are its prefix
-  PlanPool pool_;
+  PlanPool<Step> pool_;
   // They only grow, so that their memory is reused: events_[0..count_), frames_[0..count_].
   size_t count_ = 0;
   std::vector<Event> events_;
@@ -596,19 +524,27 @@ class Search {
   std::array<uint32_t, 1 + AccessSet::kReadMax + kThreadMax + 1> predecessors_{};
   size_t predecessor_count_ = 0;
   std::vector<uint32_t> unsettled_;  ///< events with races, the latest last
-  std::vector<uint64_t> traces_;
 };
 
 }  // namespace
 
 std::vector<TraceUnit> SplitTraces(Model* model, size_t count) {
   const DporLimits limits;
-  return Search(model, limits, {}).Split(count);
+  TraceNames names;
+  return Search(model, limits, {}, &names).Split(count);
 }
 
 DporResult ExploreUnit(Model* model, TraceUnit* unit, const DporLimits& limits,
                        const FinalVisitor& visit) {
-  return Search(model, limits, visit).Run(unit);
+  DporResult result;
+  TraceNames names;
+  std::optional<TraceHandover> handover = TraceHandover{};
+  if (!limits.general) {
+    handover = ExploreShortTraces(*model, limits, visit, unit, &result, &names);
+  }
+  if (handover) result = Search(model, limits, visit, &names).Run(unit, *handover, result);
+  if (limits.count_redundant) result.redundant = names.CountRepeated();
+  return result;
 }
 
 DporResult ExploreTraces(Model* model, const DporLimits& limits, const FinalVisitor& visit) {

@@ -11,7 +11,8 @@
 // reduction" (POPL 2014) gives the algorithm and its proof.
 //
 // A step of the search is one statement that accesses shared cells, together with the following
-// statements that do not. Deterministic; not thread-safe. Tested by tests/explore/dpor_test.cc.
+// statements that do not. Executions of few steps are searched by short_traces.h, in the same
+// order. Deterministic; not thread-safe. Tested by tests/explore/dpor_test.cc.
 #pragma once
 
 #include <atomic>
@@ -32,7 +33,6 @@ struct DporResult {
   int64_t redundant = 0;  ///< executions of a trace already seen; counted on request
   bool complete = false;  ///< everything was explored
   bool too_deep = false;  ///< an execution was longer than the limit; the search cannot continue
-  int64_t steps = 0;      ///< statements executed
 };
 
 struct DporLimits {
@@ -40,8 +40,11 @@ struct DporLimits {
   /// Maximum number of statements of one execution; this engine cannot explore programs that may
   /// run longer.
   int64_t depth = 1'000'000;
-  /// Stores the keys of the first 67 million traces to count redundant executions.
+  /// Stores identifiers of the first 67 million traces to count redundant executions.
   bool count_redundant = false;
+  /// Does not use the faster search of short executions (short_traces.h), whose results are the
+  /// same.
+  bool general = false;
   /// Set from another thread: the search ends soon.
   const std::atomic<bool>* stop = nullptr;
 };
@@ -80,8 +83,29 @@ struct TraceUnit {
 /// same units. A unit can be without traces; its search then ends with a blocked execution.
 std::vector<TraceUnit> SplitTraces(Model* model, size_t count);
 
-/// Called at the end of each execution with the model in its final state; false ends the search.
-using FinalVisitor = std::function<bool(const Model& model)>;
+/// An execution that has ended, as long as it is visited.
+class TraceEnd {
+ public:
+  static constexpr uint32_t kNoNumber = ~uint32_t{0};
+
+  TraceEnd() = default;
+  TraceEnd(const TraceEnd&) = delete;
+  TraceEnd& operator=(const TraceEnd&) = delete;
+  virtual ~TraceEnd() = default;
+
+  /// The final state. Its steps are only known to Threads().
+  virtual const Model& State() = 0;
+  /// Within one call of ExploreUnit() equal numbers belong to equal final states; kNoNumber if that
+  /// is not known. They are small enough to index a vector.
+  virtual uint32_t StateNumber() = 0;
+  /// Number of statements.
+  virtual int64_t Statements() const = 0;
+  /// The thread of each statement.
+  virtual std::vector<uint8_t> Threads() const = 0;
+};
+
+/// Called at the end of each execution; false ends the search.
+using FinalVisitor = std::function<bool(TraceEnd* end)>;
 
 /// Explores a unit from the point of its interruption. The model must be at the start of the whole
 /// search, and is left there. A search that ends early stores its progress in the unit.

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <limits>
 #include <queue>
+#include <span>
 #include <utility>
 
 #include "explore/models/key_set.h"
@@ -24,14 +24,11 @@ class PreemptionSearch {
         width_(static_cast<size_t>(graph.threads) + 1),
         parents_(graph.size() * width_) {}
 
-  /// Runs until a state with one of the flags is settled (true), or all states within `bound`
-  /// preemptions are (false). `settle` receives every state with its preemptions, some of them more
-  /// than once.
-  template <typename Settle>
-  bool Run(uint32_t flag, int bound, const Settle& settle) {
+  /// Runs until a state with one of the flags is settled (true), or all states are (false).
+  bool Run(uint32_t flag) {
     std::vector<Entry> preempted;
     if ((graph_.flags[0] & avoid_) == 0) preempted.push_back({});
-    for (preemptions_ = 0; !preempted.empty() && preemptions_ <= bound; ++preemptions_) {
+    for (preemptions_ = 0; !preempted.empty(); ++preemptions_) {
       after_preemption_.clear();
       std::queue<Entry> going_on;
       for (size_t i = 0; i < preempted.size() || !going_on.empty();) {
@@ -42,7 +39,6 @@ class PreemptionSearch {
         Parent& parent = parents_[IndexOf(entry.state, entry.last)];
         if (parent.settled) continue;
         parent = {entry.parent, entry.parent_last, true};
-        settle(entry.state, preemptions_);
         found_ = entry;
         if ((graph_.flags[entry.state] & flag) != 0) return true;
         Expand(entry, &going_on);
@@ -110,6 +106,174 @@ class PreemptionSearch {
   std::vector<Entry> after_preemption_;
 };
 
+/// The fewest preemptions to every state: for each number of preemptions, follows the steps that
+/// are free, which need no further one. Every step is followed once.
+class FreeSteps {
+ public:
+  FreeSteps(const StateGraph& graph, int bound)
+      : graph_(graph), bound_(bound), followed_(graph.size(), 0) {
+    fewest_.assign(graph.size(), static_cast<uint8_t>(bound + 1));
+  }
+
+  std::vector<uint8_t> Run() {
+    Reach(0, kAll);
+    for (; preemptions_ <= bound_ && !open_.empty(); ++preemptions_) {
+      Follow();
+      // From the states that were reached now, every step is one of the next round.
+      open_.clear();
+      for (const uint32_t state : std::exchange(reached_, {})) open_.push_back({state, kAll});
+    }
+    return std::move(fewest_);
+  }
+
+ private:
+  static constexpr uint32_t kAll = ~uint32_t{0};
+
+  void Follow() {
+    while (!open_.empty()) {
+      const auto [state, threads] = open_.back();
+      open_.pop_back();
+      const uint32_t free = threads & ~followed_[state];
+      followed_[state] |= threads;
+      for (int thread = 0; thread < graph_.threads; ++thread) {
+        if ((free >> thread & 1) == 0) continue;
+        const uint32_t next = graph_.Next(state, thread);
+        if (next == kNone) continue;
+        Reach(next, graph_.Next(next, thread) == kNone ? kAll : 1u << thread);
+      }
+    }
+  }
+  /// `free`: the threads that can step then without another preemption.
+  void Reach(uint32_t state, uint32_t free) {
+    if (fewest_[state] > preemptions_) {
+      fewest_[state] = static_cast<uint8_t>(preemptions_);
+      reached_.push_back(state);
+    }
+    if ((free & ~followed_[state]) != 0) open_.push_back({state, free});
+  }
+
+  struct Open {
+    uint32_t state;
+    uint32_t threads;
+  };
+
+  const StateGraph& graph_;
+  int bound_;
+  int preemptions_ = 0;
+  std::vector<uint32_t> followed_;  ///< bit n: the step of thread n
+  std::vector<uint8_t> fewest_;
+  std::vector<Open> open_;
+  std::vector<uint32_t> reached_;  ///< for the first time, with this number of preemptions
+};
+
+/// The search of all states, depth first. As soon as a state is entered, the keys of its successors
+/// are computed and their places in the set prefetched: most are looked up much later, and most of
+/// them are known, so that the model need not step there.
+class GraphBuilder {
+ public:
+  GraphBuilder(Model* model, const StateLimits& limits, const StateJudge& judge)
+      : model_(*model), limits_(limits), judge_(judge) {
+    graph_.threads = model->thread_count();
+    graph_.may_cycle = model->HasLoops();
+  }
+
+  StateGraph Build() {
+    const int64_t start = model_.depth();
+    for (int thread = 0; thread < graph_.threads; ++thread) Merge(thread);
+    bool added = false;
+    const uint32_t first = known_.FindOrAdd(model_.key(), &added);
+    Enter(first, 0);
+    while (!path_.empty() && !stopped_) {
+      if (path_.back().untried == 0) {
+        Undo(path_.back().statements);
+        path_.pop_back();
+      } else {
+        TakeNext();
+      }
+    }
+    Undo(model_.depth() - start);
+    graph_.complete = !stopped_;
+    return std::move(graph_);
+  }
+
+ private:
+  struct Visit {
+    uint32_t state;
+    uint32_t untried;    // threads
+    int64_t statements;  // of the step that led here
+  };
+
+  int64_t Merge(int thread) {
+    return limits_.merge_private ? model_.StepPrivate(thread, kMergedMax) : 0;
+  }
+  /// Returns the number of statements.
+  int64_t Take(int thread) {
+    model_.Step(thread);
+    return 1 + Merge(thread);
+  }
+  void Undo(int64_t statements) {
+    for (; statements > 0; --statements) model_.Undo();
+  }
+
+  /// Takes the next untried step of the last state on the path.
+  void TakeNext() {
+    Visit& visit = path_.back();
+    const int thread = std::countr_zero(visit.untried);
+    visit.untried &= visit.untried - 1;
+    bool added = false;
+    const uint32_t next = known_.FindOrAdd(ahead_.back(), &added);
+    ahead_.pop_back();
+    // What was prefetched before a long way may be gone.
+    if (ahead_.size() >= kSoon) known_.Prefetch(ahead_[ahead_.size() - kSoon]);
+    ++graph_.transitions;
+    graph_.successors[size_t{visit.state} * static_cast<size_t>(graph_.threads) +
+                      static_cast<size_t>(thread)] = next;
+    if (added) Enter(next, Take(thread));
+  }
+
+  /// A new state, which is the model's.
+  void Enter(uint32_t state, int64_t statements) {
+    LookAhead();
+    graph_.successors.resize(graph_.successors.size() + static_cast<size_t>(graph_.threads), kNone);
+    graph_.flags.push_back((model_.runnable() == 0 ? kTerminal : 0u) | judge_(model_));
+    if ((graph_.flags.back() & kBad) != 0) after_bad_ = std::min(after_bad_, graph_.size());
+    stopped_ = graph_.size() >= limits_.states ||
+               graph_.size() - std::min(after_bad_, graph_.size()) >= limits_.states_after_bad ||
+               (limits_.stop != nullptr && limits_.stop->load(std::memory_order_relaxed));
+    path_.push_back({state, model_.runnable(), statements});
+    if (limits_.progress != nullptr) {
+      limits_.progress->states.store(graph_.size(), std::memory_order_relaxed);
+      limits_.progress->frontier.store(static_cast<int64_t>(path_.size()),
+                                       std::memory_order_relaxed);
+    }
+  }
+
+  /// Appends the keys of the successors, that of the lowest thread last.
+  void LookAhead() {
+    const uint32_t runnable = model_.runnable();
+    ahead_.resize(ahead_.size() + static_cast<size_t>(std::popcount(runnable)));
+    StateKey* key = ahead_.data() + ahead_.size();
+    for (uint32_t untried = runnable; untried != 0; untried &= untried - 1) {
+      const int64_t statements = Take(std::countr_zero(untried));
+      *--key = model_.key();
+      known_.Prefetch(*key);
+      Undo(statements);
+    }
+  }
+
+  static constexpr size_t kSoon = 4;  ///< look-ups
+
+  Model& model_;
+  const StateLimits& limits_;
+  const StateJudge& judge_;
+  StateGraph graph_;
+  KeySet known_;
+  std::vector<Visit> path_;
+  std::vector<StateKey> ahead_;  ///< of the untried steps of the states on the path
+  bool stopped_ = false;
+  uint32_t after_bad_ = kNone;  ///< number of states when the first bad one was found
+};
+
 /// The steps of a shortest path between two states inside a set of states.
 std::vector<uint8_t> PathBetween(const StateGraph& graph, uint32_t from, uint32_t to,
                                  const std::function<bool(uint32_t)>& inside) {
@@ -139,76 +303,41 @@ std::vector<uint8_t> PathBetween(const StateGraph& graph, uint32_t from, uint32_
   return {};
 }
 
+/// For every state, the states with a step to it.
+class ReversedEdges {
+ public:
+  explicit ReversedEdges(const StateGraph& graph) : ends_(size_t{graph.size()} + 1, 0) {
+    for (const uint32_t next : graph.successors) {
+      if (next != kNone) ++ends_[next];
+    }
+    for (size_t state = 1; state < ends_.size(); ++state) ends_[state] += ends_[state - 1];
+    from_.resize(ends_.back());
+    // Filled from the ends to the beginnings.
+    for (size_t edge = 0; edge < graph.successors.size(); ++edge) {
+      const uint32_t next = graph.successors[edge];
+      if (next == kNone) continue;
+      from_[--ends_[next]] = static_cast<uint32_t>(edge / static_cast<size_t>(graph.threads));
+    }
+  }
+
+  std::span<const uint32_t> Of(uint32_t state) const {
+    return {from_.data() + ends_[state], from_.data() + ends_[state + 1]};
+  }
+
+ private:
+  std::vector<size_t> ends_;  ///< where the states of each begin; one more at the end
+  std::vector<uint32_t> from_;
+};
+
 }  // namespace
 
 StateGraph BuildStateGraph(Model* model, const StateLimits& limits, const StateJudge& judge) {
-  StateGraph graph;
-  graph.threads = model->thread_count();
-  KeySet known;
-  struct Visit {
-    uint32_t state;
-    uint32_t untried;    // threads
-    int64_t statements;  // of the step that led here
-  };
-  std::vector<Visit> path;
-  bool stopped = false;
-  uint32_t after_bad = kNone;  // number of states when the first bad one was found
-  const auto enter = [&](bool* added) {
-    const uint32_t state = known.FindOrAdd(model->key(), added);
-    if (!*added) return state;
-    graph.successors.resize(graph.successors.size() + static_cast<size_t>(graph.threads), kNone);
-    graph.flags.push_back((model->runnable() == 0 ? kTerminal : 0u) | judge(*model));
-    if ((graph.flags.back() & kBad) != 0) after_bad = std::min(after_bad, graph.size());
-    stopped = graph.size() >= limits.states ||
-              graph.size() - std::min(after_bad, graph.size()) >= limits.states_after_bad ||
-              (limits.stop != nullptr && limits.stop->load(std::memory_order_relaxed));
-    return state;
-  };
-  const auto undo = [&](int64_t statements) {
-    for (; statements > 0; --statements) model->Undo();
-  };
-  const int64_t start = model->depth();
-  const auto merge = [&](int thread) {
-    return limits.merge_private ? model->StepPrivate(thread, kMergedMax) : 0;
-  };
-  for (int thread = 0; thread < graph.threads; ++thread) merge(thread);
-  bool added = false;
-  path.push_back({enter(&added), model->runnable(), 0});
-  while (!path.empty()) {
-    Visit& visit = path.back();
-    if (visit.untried == 0 || stopped) {
-      undo(visit.statements);
-      path.pop_back();
-      continue;
-    }
-    const int thread = std::countr_zero(visit.untried);
-    visit.untried &= visit.untried - 1;
-    model->Step(thread);
-    const int64_t statements = 1 + merge(thread);
-    ++graph.transitions;
-    const uint32_t next = enter(&added);
-    graph.successors[size_t{visit.state} * static_cast<size_t>(graph.threads) +
-                     static_cast<size_t>(thread)] = next;
-    if (added) {
-      path.push_back({next, model->runnable(), statements});
-      if (limits.progress != nullptr) {
-        limits.progress->states.store(graph.size(), std::memory_order_relaxed);
-        limits.progress->frontier.store(static_cast<int64_t>(path.size()),
-                                        std::memory_order_relaxed);
-      }
-    } else {
-      undo(statements);
-    }
-  }
-  undo(model->depth() - start);
-  graph.complete = !stopped;
-  return graph;
+  return GraphBuilder(model, limits, judge).Build();
 }
 
 Path FewestPreemptions(const StateGraph& graph, uint32_t flag, uint32_t avoid) {
   PreemptionSearch search(graph, avoid);
-  const bool found = search.Run(flag, std::numeric_limits<int>::max() - 1, [](uint32_t, int) {});
-  return found ? search.PathToFound() : Path{};
+  return search.Run(flag) ? search.PathToFound() : Path{};
 }
 
 Path FewestSteps(const StateGraph& graph, uint32_t flag) {
@@ -237,12 +366,8 @@ Path FewestSteps(const StateGraph& graph, uint32_t flag) {
   return {};
 }
 
-std::vector<int> PreemptionsTo(const StateGraph& graph, int bound) {
-  std::vector<int> fewest(graph.size(), bound + 1);
-  PreemptionSearch(graph, 0).Run(0, bound, [&](uint32_t state, int preemptions) {
-    fewest[state] = std::min(fewest[state], preemptions);
-  });
-  return fewest;
+std::vector<uint8_t> PreemptionsTo(const StateGraph& graph, int bound) {
+  return FreeSteps(graph, bound).Run();
 }
 
 // Tarjan's algorithm without recursion.
@@ -292,6 +417,7 @@ std::vector<uint32_t> Components(const StateGraph& graph, uint32_t* count) {
 }
 
 Lasso FindFairCycle(const StateGraph& graph) {
+  if (!graph.may_cycle) return {};
   uint32_t count = 0;
   const std::vector<uint32_t> component = Components(graph, &count);
   // A finished thread never continues, so the runnable threads are the same in all states of a
@@ -341,6 +467,7 @@ Lasso FindFairCycle(const StateGraph& graph) {
 }
 
 bool IsCyclic(const StateGraph& graph) {
+  if (!graph.may_cycle) return false;
   uint32_t count = 0;
   Components(graph, &count);
   if (count < graph.size()) return true;
@@ -354,14 +481,10 @@ bool IsCyclic(const StateGraph& graph) {
 
 int64_t LastEscape(const StateGraph& graph, const std::vector<uint8_t>& path) {
   // Backwards from the good ends along the reversed edges, to a fixed point.
-  std::vector<std::vector<uint32_t>> before(graph.size());
+  const ReversedEdges before(graph);
   std::vector<uint8_t> escapes(graph.size(), 0);
   std::vector<uint32_t> open;
   for (uint32_t state = 0; state < graph.size(); ++state) {
-    for (int thread = 0; thread < graph.threads; ++thread) {
-      const uint32_t next = graph.Next(state, thread);
-      if (next != kNone) before[next].push_back(state);
-    }
     if ((graph.flags[state] & (kTerminal | kBad)) == kTerminal) {
       escapes[state] = 1;
       open.push_back(state);
@@ -370,7 +493,7 @@ int64_t LastEscape(const StateGraph& graph, const std::vector<uint8_t>& path) {
   while (!open.empty()) {
     const uint32_t state = open.back();
     open.pop_back();
-    for (const uint32_t previous : before[state]) {
+    for (const uint32_t previous : before.Of(state)) {
       if (escapes[previous] != 0) continue;
       escapes[previous] = 1;
       open.push_back(previous);

@@ -10,6 +10,7 @@
 #include <functional>
 #include <vector>
 
+#include "base/large_pages.h"
 #include "explore/engines/progress.h"
 #include "explore/models/model.h"
 
@@ -28,11 +29,13 @@ struct StateGraph {
   int threads = 0;
   /// For state s and thread t: element s * threads + t; kNone if the thread cannot execute a step
   /// there. The first state is 0.
-  std::vector<uint32_t> successors;
+  std::vector<uint32_t, LargePageAllocator<uint32_t>> successors;
   std::vector<uint32_t> flags;
   int64_t transitions = 0;
   /// False if the search was ended early; some successors are then missing.
   bool complete = false;
+  /// False if every step brings its thread nearer to its end.
+  bool may_cycle = true;
 
   uint32_t size() const { return static_cast<uint32_t>(flags.size()); }
   uint32_t Next(uint32_t state, int thread) const {
@@ -79,8 +82,9 @@ Path FewestPreemptions(const StateGraph& graph, uint32_t flag, uint32_t avoid = 
 /// A path with the fewest steps.
 Path FewestSteps(const StateGraph& graph, uint32_t flag);
 
-/// For every state the minimum of preemptions that reach it; bound + 1 if more are needed.
-std::vector<int> PreemptionsTo(const StateGraph& graph, int bound);
+/// For every state the minimum of preemptions that reach it; bound + 1 if more are needed. `bound`:
+/// 0 .. 254.
+std::vector<uint8_t> PreemptionsTo(const StateGraph& graph, int bound);
 
 /// A cycle that a fair schedule can repeat for ever: every thread that could run executes steps in
 /// it.

@@ -174,13 +174,13 @@ StateSearch SearchStates(const Problem& problem, const StateLimits& limits) {
   search.counts.complete = search.graph.complete;
   if (!search.counts.complete) return search;
 
-  const std::vector<int> preemptions = PreemptionsTo(search.graph, kPreemptionBounds - 1);
+  const std::vector<uint8_t> preemptions = PreemptionsTo(search.graph, kPreemptionBounds - 1);
   std::vector<int> fewest(globals.size(), kPreemptionBounds);
   size_t terminal = 0;
   for (uint32_t state = 0; state < search.graph.size(); ++state) {
     if ((search.graph.flags[state] & kTerminal) == 0) continue;
     int& best = fewest[final_of[terminal++]];
-    best = std::min(best, preemptions[state]);
+    best = std::min(best, int{preemptions[state]});
   }
   for (int bound = 0; bound < kPreemptionBounds; ++bound) {
     search.counts.finals_within.push_back(

@@ -16,14 +16,6 @@ std::vector<StateKey> SortedKeys(const KeySet& set) {
   return keys;
 }
 
-std::vector<uint8_t> StepsOf(const Model& model) {
-  std::vector<uint8_t> steps;
-  for (int64_t i = 0; i < model.depth(); ++i) {
-    steps.push_back(static_cast<uint8_t>(model.StepThread(i)));
-  }
-  return steps;
-}
-
 /// The number of failing executions among which a short one is selected.
 constexpr int64_t kFailingTried = 1000;
 
@@ -45,28 +37,48 @@ void SearchTraces(const Problem& problem, const TraceSearchLimits& limits, Trace
   KeySet globals;
   KeySet full;
   ProgramWalk walk(problem);
-  const auto goes_wrong = [&](const Model& state) {
-    if (problem.races == RaceRule::kAny) return static_cast<bool>(FindFault(problem, state));
+  const auto goes_wrong = [&](TraceEnd* end) {
+    if (problem.races == RaceRule::kAny) return static_cast<bool>(FindFault(problem, end->State()));
     walk.Restart();
-    for (int64_t i = 0; i < state.depth() && !walk.fault(); ++i) walk.Step(state.StepThread(i));
-    return static_cast<bool>(walk.fault());
-  };
-  const int64_t before = search->executions;
-  int64_t executions = 0;
-  int64_t after_bad = 0;
-  const auto visit = [&](const Model& state) {
-    ++executions;
-    if (limits.progress != nullptr) {
-      limits.progress->executions.store(before + executions, std::memory_order_relaxed);
+    for (const uint8_t thread : end->Threads()) {
+      walk.Step(thread);
+      if (walk.fault()) return true;
     }
+    return false;
+  };
+  // Of the unit that is searched: final states by their numbers. Only if they can be judged alone.
+  enum class Judged : uint8_t { kNot, kGood, kBad };
+  std::vector<Judged> judged;
+  const auto judge = [&](TraceEnd* end) {
+    const Model& state = end->State();
     if (full.Insert(state.FinalKey())) {
       globals.Insert(state.GlobalsKey());
       if (problem.requirements.empty()) search->ends.Add(EndOf(state));
     }
-    if (goes_wrong(state) && search->bad++ < kFailingTried) {
-      TakeSimpler(StepsOf(state), &search->failing);
+    return goes_wrong(end);
+  };
+  const auto is_bad = [&](TraceEnd* end) {
+    const uint32_t number =
+        problem.races == RaceRule::kAny ? end->StateNumber() : TraceEnd::kNoNumber;
+    if (number == TraceEnd::kNoNumber) return judge(end);
+    if (number >= judged.size()) judged.resize(size_t{number} + 1);
+    if (judged[number] == Judged::kNot) {
+      judged[number] = judge(end) ? Judged::kBad : Judged::kGood;
     }
-    if (search->bad > 0) after_bad += state.depth();
+    return judged[number] == Judged::kBad;
+  };
+  const int64_t before = search->executions;
+  int64_t executions = 0;
+  int64_t after_bad = 0;
+  const auto visit = [&](TraceEnd* end) {
+    ++executions;
+    if (limits.progress != nullptr) {
+      limits.progress->executions.store(before + executions, std::memory_order_relaxed);
+    }
+    if (is_bad(end) && search->bad++ < kFailingTried) {
+      TakeSimpler(end->Threads(), &search->failing);
+    }
+    if (search->bad > 0) after_bad += end->Statements();
     return after_bad <= limits.statements_after_bad;
   };
   while (!search->units.empty()) {
@@ -74,6 +86,7 @@ void SearchTraces(const Problem& problem, const TraceSearchLimits& limits, Trace
                                 .depth = limits.depth,
                                 .count_redundant = true,
                                 .stop = limits.stop};
+    judged.clear();
     const DporResult result = ExploreUnit(&model, &search->units.front(), of_unit, visit);
     search->executions += result.executions;
     search->blocked += result.blocked;

@@ -163,6 +163,14 @@ Model::Statement Model::Translate(const vm::Instruction& instruction, const Thre
   return statement;
 }
 
+bool Model::HasLoops() const {
+  return std::ranges::any_of(threads_, [](const Thread& thread) {
+    return std::ranges::any_of(thread.statements, [](const Statement& statement) {
+      return statement.opcode == Opcode::kJump && statement.displacement <= 0;
+    });
+  });
+}
+
 // --- Accesses ----------------------------------------------------------------------------------
 
 uint32_t Model::CellOf(const Operand& operand) const {
@@ -223,6 +231,32 @@ StateKey Model::FinalKey() const {
     AddToKey(thread.result_cell, cells_[thread.result_cell], &key);
   }
   return key;
+}
+
+// --- Parts of the state ------------------------------------------------------------------------
+
+bool Model::AccessesAreLocal() const {
+  return std::ranges::none_of(threads_, [](const Thread& thread) {
+    return std::ranges::any_of(thread.statements, [](const Statement& statement) {
+      return statement.a.index_shared || statement.b.index_shared || statement.target.index_shared;
+    });
+  });
+}
+
+std::span<const int64_t> Model::ThreadCells(int thread) const {
+  const Thread& owner = threads_[Index(thread)];
+  return std::span(cells_).subspan(owner.first_local, owner.result_cell + 1 - owner.first_local);
+}
+
+void Model::SetThreadCells(int thread, std::span<const int64_t> cells) {
+  std::ranges::copy(cells, &cells_[threads_[Index(thread)].first_local]);
+  runnable_ &= ~(1u << thread);
+  if (Running(thread)) runnable_ |= 1u << thread;
+}
+
+void Model::ForgetSteps() {
+  journal_.clear();
+  marks_.clear();
 }
 
 // --- Steps -------------------------------------------------------------------------------------

@@ -14,6 +14,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -77,6 +78,9 @@ class Model {
   /// Same pointer, shared.
   const std::shared_ptr<const vm::Image>& shared_image() const { return image_; }
 
+  /// True if a thread can jump back: otherwise every run ends.
+  bool HasLoops() const;
+
   // --- The current state. Threads are numbered from 0, in the order of their --- numbers on the
   // card --------------------------
 
@@ -109,6 +113,23 @@ class Model {
   /// The key of the globals, without and with the return values of the threads.
   StateKey GlobalsKey() const;
   StateKey FinalKey() const;
+
+  // --- Parts of the state (thread_states.h) ------------------------------------------------------
+
+  /// True if the cells that a statement accesses are determined by its thread alone: no index is
+  /// global.
+  bool AccessesAreLocal() const;
+  uint32_t global_count() const { return global_count_; }
+  /// Raw content of a global; cells are counted from 0.
+  int64_t Global(uint32_t cell) const { return cells_[cell]; }
+  /// The variables, position, end and return value of a thread.
+  std::span<const int64_t> ThreadCells(int thread) const;
+  /// Replace a part of the state, which no step may undo: only before the first step, and while the
+  /// key is not tracked.
+  void SetGlobal(uint32_t cell, int64_t value) { cells_[cell] = value; }
+  void SetThreadCells(int thread, std::span<const int64_t> cells);
+  /// Makes the current state the start: the steps before it cannot be undone any more.
+  void ForgetSteps();
 
   // --- Steps -------------------------------------------------------------------------------------
 

@@ -17,7 +17,7 @@ namespace {
 DporResult Count(const std::string& source, const DporLimits& limits = {.count_redundant = true}) {
   Problem problem = ProblemOf(source);
   problem.model.TrackKey(false);
-  return ExploreTraces(&problem.model, limits, [](const Model&) { return true; });
+  return ExploreTraces(&problem.model, limits, [](TraceEnd*) { return true; });
 }
 
 void ExpectTraces(const std::string& source, int64_t traces) {
@@ -89,8 +89,9 @@ TEST(DporTest, AnInterruptedSearchGoesOn) {
     DporResult result;
     do {
       result = ExploreUnit(&problem.model, &whole, {.executions = at_once, .count_redundant = true},
-                           [&](const Model& model) {
-                             ends.insert({model.FinalKey().low, model.FinalKey().high});
+                           [&](TraceEnd* end) {
+                             const StateKey key = end->State().FinalKey();
+                             ends.insert({key.low, key.high});
                              return true;
                            });
       executions += result.executions;
@@ -109,7 +110,7 @@ TEST(DporTest, UnitsHaveEveryTraceOnce) {
     int64_t executions = 0;
     for (TraceUnit& unit : units) {
       executions +=
-          ExploreUnit(&problem.model, &unit, {}, [](const Model&) { return true; }).executions;
+          ExploreUnit(&problem.model, &unit, {}, [](TraceEnd*) { return true; }).executions;
     }
     EXPECT_EQ(executions, 36) << count;
   }
@@ -123,7 +124,7 @@ TEST(DporTest, AnExecutionThatDoesNotEndIsGivenUp) {
 TEST(DporTest, TheModelIsLeftWhereItWas) {
   Problem problem = ProblemOf(Increments(2, 2));
   const StateKey before = problem.model.key();
-  ExploreTraces(&problem.model, {}, [](const Model&) { return true; });
+  ExploreTraces(&problem.model, {}, [](TraceEnd*) { return true; });
   EXPECT_EQ(problem.model.key(), before);
   EXPECT_EQ(problem.model.depth(), 0);
 }

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <random>
 
 #include "compiler/compiler.h"
 #include "explore/scenario_exploration.h"
@@ -81,6 +82,43 @@ std::string Peterson(bool broken) {
         "  if (cc) goto C;\n  a = turn;\n  cc = a == {1};\n  if (cc) goto W;\nC:\n  a = c;\n"
         "  a = a + 1;\n  c = a;\n  f{0} = 0;\n  return 0;\n}}\n",
         own, other, broken ? own : other);
+  }
+  return source;
+}
+
+std::string RandomThreads(uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto below = [&](uint64_t n) { return static_cast<int>(random() % n); };
+  std::string source = "int g[3];\n//@ final: g[0] != 2\n";
+  const int threads = 2 + below(2);
+  for (int thread = 0; thread < threads; ++thread) {
+    source += fmt::format("int t{}() {{\n  int r, k, c;\n", thread);
+    const int statements = 1 + below(threads == 2 ? 4 : 2);
+    bool skips = false;
+    for (int i = 0; i < statements; ++i) {
+      switch (below(6)) {
+        case 0:
+          source += fmt::format("  r = g[{}];\n", below(3));
+          break;
+        case 1:
+          source += fmt::format("  g[{}] = r + {};\n", below(3), 1 + below(2));
+          break;
+        case 2:
+          source += fmt::format("  g[{0}] = g[{0}] + 1;\n", below(3));
+          break;
+        case 3:
+          source += fmt::format("  g[{}] = g[{}];\n", below(3), below(3));
+          break;
+        case 4:
+          source += "  k = r & 1;\n  g[k] = 2;\n";
+          break;
+        default:
+          source += fmt::format("  c = g[{}] > 0;\n  if (c) goto E;\n", below(3));
+          skips = true;
+          break;
+      }
+    }
+    source += skips ? "E:\n  return r;\n}\n" : "  return r;\n}\n";
   }
   return source;
 }

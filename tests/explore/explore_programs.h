@@ -1,6 +1,7 @@
 // Programs with threads for the explorer's tests: compiled from text, bound as in comments.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "explore/models/card_model.h"
@@ -28,6 +29,9 @@ std::string Increments(int threads, int times);
 /// Peterson's lock around an increment, with loops that wait. With `broken`, each thread gives the
 /// turn to itself, so that both can enter.
 std::string Peterson(bool broken);
+
+/// Two or three threads with a few statements on three globals, without loops.
+std::string RandomThreads(uint64_t seed);
 
 /// Two threads that wait forever for each other's flag.
 std::string MutualWait();

@@ -1,55 +1,20 @@
 // Random programs with a few statements and variables: the executions of the dpor engine are the
-// traces found by brute force, and both engines find the same ends.
+// traces found by brute force, the graph of states is that of a plain search, and both engines find
+// the same ends.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
-#include <random>
 #include <set>
 
 #include "explore/engines/dpor.h"
+#include "explore/engines/state_graph.h"
 #include "explore/search/explorer.h"
 #include "explore_programs.h"
 
 namespace oncard::explore {
 namespace {
-
-std::string RandomThreads(uint64_t seed) {
-  std::mt19937_64 random(seed);
-  const auto below = [&](uint64_t n) { return static_cast<int>(random() % n); };
-  std::string source = "int g[3];\n//@ final: g[0] != 2\n";
-  const int threads = 2 + below(2);
-  for (int thread = 0; thread < threads; ++thread) {
-    source += fmt::format("int t{}() {{\n  int r, k, c;\n", thread);
-    const int statements = 1 + below(threads == 2 ? 4 : 2);
-    bool skips = false;
-    for (int i = 0; i < statements; ++i) {
-      switch (below(6)) {
-        case 0:
-          source += fmt::format("  r = g[{}];\n", below(3));
-          break;
-        case 1:
-          source += fmt::format("  g[{}] = r + {};\n", below(3), 1 + below(2));
-          break;
-        case 2:
-          source += fmt::format("  g[{0}] = g[{0}] + 1;\n", below(3));
-          break;
-        case 3:
-          source += fmt::format("  g[{}] = g[{}];\n", below(3), below(3));
-          break;
-        case 4:
-          source += "  k = r & 1;\n  g[k] = 2;\n";
-          break;
-        default:
-          source += fmt::format("  c = g[{}] > 0;\n  if (c) goto E;\n", below(3));
-          skips = true;
-          break;
-      }
-    }
-    source += skips ? "E:\n  return r;\n}\n" : "  return r;\n}\n";
-  }
-  return source;
-}
 
 /// The traces among all interleavings: for each the order of dependent statements, as the
 /// predecessors of every statement.
@@ -108,6 +73,113 @@ class BruteForce {
   std::set<std::pair<uint64_t, uint64_t>> ends_;
 };
 
+/// The graph of states, depth first, by a search that looks nothing up in advance.
+class PlainSearch {
+ public:
+  PlainSearch(const Problem& problem, bool merge, uint32_t limit)
+      : problem_(problem), model_(problem.model), merge_(merge), limit_(limit) {
+    graph_.threads = model_.thread_count();
+    for (int thread = 0; thread < graph_.threads; ++thread) Merge(thread);
+    Visit();
+    graph_.complete = graph_.size() < limit_;
+  }
+  const StateGraph& graph() const { return graph_; }
+
+ private:
+  void Merge(int thread) {
+    if (merge_) model_.StepPrivate(thread, kMergedMax);
+  }
+  uint32_t Visit() {
+    const auto [known, added] = numbers_.try_emplace(model_.key(), graph_.size());
+    const uint32_t state = known->second;
+    if (!added) return state;
+    graph_.flags.push_back((model_.runnable() == 0 ? kTerminal : 0u) |
+                           (FindFault(problem_, model_) ? kBad : 0u));
+    const auto threads = static_cast<size_t>(graph_.threads);
+    graph_.successors.resize(graph_.successors.size() + threads, StateGraph::kNone);
+    const Model here = model_;
+    for (size_t thread = 0; thread < threads && graph_.size() < limit_; ++thread) {
+      const int number = static_cast<int>(thread);
+      if (!here.Running(number)) continue;
+      model_ = here;
+      model_.Step(number);
+      Merge(number);
+      ++graph_.transitions;
+      const uint32_t next = Visit();
+      graph_.successors[state * threads + thread] = next;
+    }
+    return state;
+  }
+
+  const Problem& problem_;
+  Model model_;
+  bool merge_;
+  uint32_t limit_;
+  StateGraph graph_;
+  std::map<StateKey, uint32_t> numbers_;
+};
+
+TEST(RandomGraphsTest, AreThoseOfAPlainSearch) {
+  for (uint64_t seed = 0; seed < 200; ++seed) {
+    const Problem problem = ProblemOf(RandomThreads(seed));
+    for (const bool merge : {false, true}) {
+      for (const uint32_t limit : {1u, 7u, 60u, 1'000'000u}) {
+        SCOPED_TRACE(fmt::format("seed {}, merge {}, limit {}", seed, merge, limit));
+        const PlainSearch plain(problem, merge, limit);
+        Model model = problem.model;
+        const StateGraph graph = BuildStateGraph(
+            &model, {.states = limit, .merge_private = merge},
+            [&](const Model& state) { return FindFault(problem, state) ? kBad : 0u; });
+        EXPECT_EQ(graph.flags, plain.graph().flags);
+        EXPECT_EQ(graph.successors, plain.graph().successors);
+        EXPECT_EQ(graph.transitions, plain.graph().transitions);
+        EXPECT_EQ(graph.complete, plain.graph().complete);
+        EXPECT_EQ(model.depth(), 0);
+      }
+    }
+  }
+}
+
+/// The fewest preemptions to every state, by shortening ways through (state, last thread) until
+/// none becomes shorter.
+std::vector<uint8_t> PlainPreemptions(const StateGraph& graph, int bound) {
+  const auto none = static_cast<size_t>(graph.threads);  // has stepped last
+  std::vector<std::vector<int>> ways(graph.size(), std::vector<int>(none + 1, bound + 1));
+  ways[0][none] = 0;
+  for (bool shorter = true; shorter;) {
+    shorter = false;
+    for (uint32_t state = 0; state < graph.size(); ++state) {
+      for (size_t last = 0; last <= none; ++last) {
+        const bool goes_on =
+            last != none && graph.Next(state, static_cast<int>(last)) != StateGraph::kNone;
+        for (size_t thread = 0; thread < none; ++thread) {
+          const uint32_t next = graph.Next(state, static_cast<int>(thread));
+          if (next == StateGraph::kNone) continue;
+          const int way = ways[state][last] + (goes_on && thread != last ? 1 : 0);
+          if (way >= ways[next][thread]) continue;
+          ways[next][thread] = way;
+          shorter = true;
+        }
+      }
+    }
+  }
+  std::vector<uint8_t> fewest;
+  for (const std::vector<int>& way : ways) {
+    fewest.push_back(static_cast<uint8_t>(std::ranges::min(way)));
+  }
+  return fewest;
+}
+
+TEST(RandomGraphsTest, PreemptionsAreThoseOfTheShortestWays) {
+  for (uint64_t seed = 0; seed < 200; ++seed) {
+    const PlainSearch plain(ProblemOf(RandomThreads(seed)), false, 1'000'000);
+    for (const int bound : {0, 1, 3}) {
+      EXPECT_EQ(PreemptionsTo(plain.graph(), bound), PlainPreemptions(plain.graph(), bound))
+          << "seed " << seed << ", bound " << bound;
+    }
+  }
+}
+
 /// The races found in states are those found by clocks in all traces.
 TEST(RandomRacesTest, StatesAndClocksAgree) {
   for (uint64_t seed = 0; seed < 300; ++seed) {
@@ -131,7 +203,7 @@ int64_t ExecutionsOfUnits(const Problem& problem, size_t count) {
   for (TraceUnit& unit : SplitTraces(&model, count)) {
     DporResult result;
     do {
-      result = ExploreUnit(&model, &unit, {.executions = 2}, [](const Model&) { return true; });
+      result = ExploreUnit(&model, &unit, {.executions = 2}, [](TraceEnd*) { return true; });
       executions += result.executions;
     } while (!result.complete);
   }

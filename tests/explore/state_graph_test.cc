@@ -53,7 +53,7 @@ TEST(StateGraphTest, ThePathWithTheFewestPreemptionsLeadsThere) {
 
 TEST(StateGraphTest, PreemptionsToEveryState) {
   const StateGraph graph = GraphOf(Increments(2, 1));
-  const std::vector<int> fewest = PreemptionsTo(graph, 5);
+  const std::vector<uint8_t> fewest = PreemptionsTo(graph, 5);
   EXPECT_EQ(fewest[0], 0);
   // Both have read 0 and written 1, and neither has returned: one is preempted after its read, the
   // other after its write.

@@ -1,0 +1,145 @@
+#include "explore/models/thread_states.h"
+
+#include <algorithm>
+#include <span>
+
+namespace oncard::explore {
+namespace {
+
+/// Maximum number of different values of all states together.
+constexpr size_t kValueMax = size_t{1} << 23;
+
+bool SameCells(const AccessSet& a, const AccessSet& b) {
+  return a.write == b.write && std::ranges::equal(std::span(a.reads).first(a.read_count),
+                                                  std::span(b.reads).first(b.read_count));
+}
+
+}  // namespace
+
+ThreadStates::ThreadStates(const Model& model, int64_t statements, size_t state_max)
+    : start_(model), scratch_(model), statements_(statements), state_max_(state_max) {
+  for (Model* each : {&start_, &scratch_}) {
+    each->TrackKey(false);
+    each->ForgetSteps();
+  }
+  for (uint32_t cell = 0; cell < model.global_count(); ++cell) {
+    globals_.push_back(model.Global(cell));
+  }
+  state_nodes_ = static_cast<uint32_t>(model.thread_count());
+}
+
+std::optional<ThreadStates::Step> ThreadStates::Begin(int thread) {
+  scratch_ = start_;
+  const int64_t statements = scratch_.StepPrivate(thread, statements_);
+  if (statements >= statements_) return std::nullopt;
+  const uint32_t state = StateInScratch(thread);
+  if (state == kNone) return std::nullopt;
+  return Step{.next = state, .statements = static_cast<uint32_t>(statements)};
+}
+
+uint32_t ThreadStates::StateInScratch(int thread) {
+  const std::span<const int64_t> cells = scratch_.ThreadCells(thread);
+  auto node = static_cast<uint32_t>(thread);
+  for (const int64_t value : cells) {
+    uint32_t next = state_numbers_.Find(node, value);
+    if (next == kNone) {
+      next = state_nodes_++;
+      state_numbers_.Add(node, value, next);
+    }
+    node = next;
+  }
+  const uint32_t known = state_numbers_.Find(node, 0);
+  if (known != kNone) return known;
+  if (states_.size() == state_max_ || state_numbers_.size() > kValueMax) return kNone;
+  State state = {.thread = static_cast<uint8_t>(thread),
+                 .runs = scratch_.Running(thread),
+                 .cells = static_cast<uint32_t>(cells_.size())};
+  if (state.runs) {
+    const AccessSet access = scratch_.NextAccess(thread);
+    const auto number = NumberOf(access);
+    if (!number) return kNone;
+    state.access = *number;
+    if (access.read_count > 0) {
+      state.read = access.read_count == 1 ? access.reads[0] : kReadsSeveral;
+      state.steps = step_nodes_++;
+    }
+  }
+  cells_.insert(cells_.end(), cells.begin(), cells.end());
+  states_.push_back(state);
+  const auto number = static_cast<uint32_t>(states_.size() - 1);
+  state_numbers_.Add(node, 0, number);
+  return number;
+}
+
+std::optional<uint8_t> ThreadStates::NumberOf(const AccessSet& access) {
+  const auto known = std::ranges::find_if(
+      accesses_, [&](const AccessSet& other) { return SameCells(other, access); });
+  if (known != accesses_.end()) return static_cast<uint8_t>(known - accesses_.begin());
+  if (accesses_.size() == kAccessMax) return std::nullopt;
+  const size_t number = accesses_.size();
+  accesses_.push_back(access);
+  dependent_.push_back(0);
+  const uint32_t written = access.write;
+  if (written != AccessSet::kNone && std::ranges::find(written_, written) == written_.end()) {
+    written_.push_back(written);
+  }
+  for (size_t other = 0; other <= number; ++other) {
+    if (!access.DependsOn(accesses_[other])) continue;
+    dependent_[number] |= uint64_t{1} << other;
+    dependent_[other] |= uint64_t{1} << number;
+  }
+  return static_cast<uint8_t>(number);
+}
+
+const ThreadStates::Step* ThreadStates::AddStep(uint32_t state,
+                                                const std::vector<int64_t>& globals) {
+  const State from = states_[state];
+  if (steps_.size() == state_max_) return nullptr;
+  const AccessSet access = accesses_[from.access];
+  for (uint32_t i = 0; i < access.read_count; ++i) {
+    scratch_.SetGlobal(access.reads[i], globals[access.reads[i]]);
+  }
+  const size_t count = scratch_.ThreadCells(from.thread).size();
+  scratch_.SetThreadCells(from.thread, std::span(cells_).subspan(from.cells, count));
+  scratch_.Step(from.thread);
+  const ThreadEnd end = scratch_.End(from.thread);
+  Step step;
+  // A statement that fails does so before it writes.
+  if (access.write != AccessSet::kNone &&
+      (end == ThreadEnd::kRunning || end == ThreadEnd::kFinished)) {
+    step.cell = access.write;
+    step.value = scratch_.Global(access.write);
+  }
+  const int64_t statements = 1 + scratch_.StepPrivate(from.thread, statements_);
+  step.statements = static_cast<uint32_t>(statements);
+  step.next = statements > statements_ ? kNone : StateInScratch(from.thread);
+  scratch_.ForgetSteps();
+  if (step.next == kNone) return nullptr;
+  const auto number = static_cast<uint32_t>(steps_.size());
+  steps_.push_back(step);
+  if (access.read_count == 0) states_[state].steps = number;
+  uint32_t node = from.steps;
+  for (uint32_t i = 0; i < access.read_count; ++i) {
+    const int64_t value = globals[access.reads[i]];
+    const bool last = i + 1 == access.read_count;
+    uint32_t next = step_numbers_.Find(node, value);
+    if (next == kNone) {
+      next = last ? number : step_nodes_++;
+      step_numbers_.Add(node, value, next);
+    }
+    node = next;
+  }
+  return &steps_.back();
+}
+
+void ThreadStates::Load(const std::vector<uint32_t>& states, const std::vector<int64_t>& globals,
+                        Model* model) const {
+  for (const uint32_t number : states) {
+    const State& state = states_[number];
+    const size_t count = model->ThreadCells(state.thread).size();
+    model->SetThreadCells(state.thread, std::span(cells_).subspan(state.cells, count));
+  }
+  for (const uint32_t cell : written_) model->SetGlobal(cell, globals[cell]);
+}
+
+}  // namespace oncard::explore
