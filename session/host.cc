@@ -26,6 +26,7 @@ constexpr int64_t kMomentMax = int64_t{1} << 53;  // integers of JSON are exact 
 constexpr int64_t kStepsMax = 1'000'000'000;
 constexpr auto kMsMax = static_cast<double>(runtime::kTimeMsMax);
 constexpr int kPointsMax = 100'000;
+constexpr int kSwitchesMax = 7 * 16;  // one for each input
 constexpr int64_t kTurnsMax = 100'000;
 constexpr int64_t kTurnsDefault = 1000;
 
@@ -110,6 +111,7 @@ class SessionHost::Requests {
   Result<Json> Write(Arguments& arguments);
   Result<Json> SetInput(Arguments& arguments);
   Result<Json> SetVoltage(Arguments& arguments);
+  Result<Json> MoveSwitch(Arguments& arguments);
   Result<Json> Trace(Arguments& arguments);
   Result<Json> Turns(Arguments& arguments);
   Result<Json> Listing(Arguments& arguments);
@@ -151,14 +153,15 @@ const std::vector<SessionHost::Requests::Request>& SessionHost::Requests::All() 
       {{"variables", "[page]"}, &Requests::Variables},
       {{"slots", "page"}, &Requests::Slots},
       {{"card", ""}, &Requests::Card},
-      {{"evaluate", "text"}, &Requests::Evaluate},
+      {{"evaluate", "text [thread]"}, &Requests::Evaluate},
       {{"write", "name value"}, &Requests::Write},
       {{"set_input", "type index level"}, &Requests::SetInput},
       {{"set_voltage", "channel volts"}, &Requests::SetVoltage},
+      {{"move_switch", "switch [from] [to]"}, &Requests::MoveSwitch},
       {{"trace", "names from_ms to_ms points"}, &Requests::Trace},
       {{"turns", "from to [most]"}, &Requests::Turns},
       {{"listing", ""}, &Requests::Listing},
-      {{"record", ""}, &Requests::Record},
+      {{"record", "[path]"}, &Requests::Record},
   };
   return all;
 }
@@ -401,8 +404,12 @@ Result<Json> SessionHost::Requests::Card(Arguments& arguments) {
 
 Result<Json> SessionHost::Requests::Evaluate(Arguments& arguments) {
   const std::string text = arguments.Text("text");
+  std::optional<int> thread;
+  if (arguments.Has("thread")) {
+    thread = static_cast<int>(arguments.Whole("thread", 0, vm::kThreadCount - 1));
+  }
   if (auto missing = Missing(arguments)) return *std::move(missing);
-  return session::Evaluate(text, session_->run());
+  return session::Evaluate(text, thread, session_->run());
 }
 
 Result<Json> SessionHost::Requests::Trace(Arguments& arguments) {
@@ -463,12 +470,29 @@ Result<Json> SessionHost::Requests::SetVoltage(Arguments& arguments) {
   return StateNow();
 }
 
-Result<Json> SessionHost::Requests::Record(Arguments& arguments) {
+Result<Json> SessionHost::Requests::MoveSwitch(Arguments& arguments) {
+  constexpr double kPositionMax = 2147483648.0;
+  const auto number = static_cast<int>(arguments.Whole("switch", 1, kSwitchesMax));
+  const bool has_from = arguments.Has("from");
+  const bool has_to = arguments.Has("to");
+  runtime::SwitchMove move;
+  if (has_from) move.from = arguments.Number("from", -kPositionMax, kPositionMax);
+  if (has_to) move.to = arguments.Number("to", -kPositionMax, kPositionMax);
   if (auto missing = Missing(arguments)) return *std::move(missing);
-  const auto schedule = session_->run().Record();
-  if (!schedule.ok()) return schedule.error();
-  return Json{{"schedule", vm::FormatSchedule(schedule.value())},
-              {"scenario", schedule.value().scenario}};
+  if (!has_from && !has_to) {
+    return MakeError(1, "'from' or 'to' is missing: the position of the switch in pulses",
+                     "缺少“from”或“to”：开关的位置，单位脉冲");
+  }
+  auto done = session_->run().MoveSwitch(number, move.from, move.to);
+  if (!done.ok()) return done.error();
+  return StateNow();
+}
+
+Result<Json> SessionHost::Requests::Record(Arguments& arguments) {
+  const std::string path = arguments.Text("path", {});
+  if (auto missing = Missing(arguments)) return *std::move(missing);
+  const vm::Schedule schedule = session_->run().Record(path);
+  return Json{{"schedule", vm::FormatSchedule(schedule)}, {"scenario", schedule.scenario}};
 }
 
 // --- The host ------------------------------------------------------------------------------------

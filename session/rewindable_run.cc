@@ -89,6 +89,7 @@ runtime::Scenario RewindableRun::ScenarioWithChanges() const {
     if (change.write) InsertInTime(*change.write, &scenario.host);
     if (change.input) InsertInTime(*change.input, &scenario.world.inputs);
     if (change.voltage) InsertInTime(*change.voltage, &scenario.world.voltages);
+    if (change.move) InsertInTime(*change.move, &scenario.world.moves);
   }
   return scenario;
 }
@@ -96,8 +97,14 @@ runtime::Scenario RewindableRun::ScenarioWithChanges() const {
 // --- The present ---------------------------------------------------------------------------------
 
 StepKind RewindableRun::NextStep() const {
+  if (HostActsWithin()) return StepKind::kHost;
   if (place_.statements_left > 0) return StepKind::kStatement;
   return agenda_.NextCycle() <= controller_.cycle() ? StepKind::kHost : StepKind::kCycle;
+}
+
+bool RewindableRun::HostActsWithin() const {
+  return place_.statements_left > 0 &&
+         agenda_.NextWithin(controller_.cycle()) <= place_.statements_done;
 }
 
 int RewindableRun::NextThread() const {
@@ -205,6 +212,8 @@ Result<void> RewindableRun::StepThread(int thread) {
 }
 
 void RewindableRun::StepHost() {
+  ++place_.moment;
+  if (HostActsWithin()) return StepHostWithin();
   while (const runtime::Agenda::Check* check = agenda_.TakeCheck(controller_.cycle())) {
     if (check->condition.Holds(controller_)) continue;
     ++place_.failed;
@@ -215,13 +224,25 @@ void RewindableRun::StepHost() {
   while (const runtime::Agenda::Write* write = agenda_.TakeWrite(controller_.cycle())) {
     controller_.machine().Write(write->variable.slot, write->value);
   }
-  ++place_.moment;
+}
+
+void RewindableRun::StepHostWithin() {
+  vm::Machine& machine = controller_.machine();
+  const int64_t cycle = controller_.cycle();
+  while (const auto* write = agenda_.TakeWriteWithin(cycle, place_.statements_done)) {
+    machine.Write(write->variable.slot, write->value);
+    // Threads that waited for the value at the end of their function finish.
+    machine.Execute(0);
+  }
+  NoteState();
 }
 
 void RewindableRun::BeginCycle() {
   place_.statements_left = controller_.BeginCycle();
+  place_.statements_done = 0;
   // Threads that wake up at the end of their function finish.
   controller_.machine().Execute(0);
+  NoteState();
   ++place_.moment;
 }
 
@@ -238,19 +259,25 @@ void RewindableRun::StepStatement() {
     machine.Execute(1);
   }
   if (races_) races_->AfterStatement(controller_, report_.thread);
+  NoteState();
   --place_.statements_left;
+  ++place_.statements_done;
   ++place_.moment;
 }
 
 void RewindableRun::ExecuteTo(int64_t last) {
   vm::Machine& machine = controller_.machine();
   while (place_.statements_left > 0 && moment() < last && machine.RunnableThreads() != 0) {
-    if (races_) {
+    const int64_t until_host = agenda_.NextWithin(controller_.cycle()) - place_.statements_done;
+    if (until_host <= 0) return;
+    if (races_ || Awaits()) {
       StepStatement();
       continue;
     }
-    const int64_t executed = machine.Execute(std::min(place_.statements_left, last - moment()));
+    const int64_t executed =
+        machine.Execute(std::min({place_.statements_left, last - moment(), until_host}));
     place_.statements_left -= executed;
+    place_.statements_done += executed;
     place_.moment += executed;
     if (executed == 0) LeaveSchedule();
   }
@@ -259,14 +286,17 @@ void RewindableRun::ExecuteTo(int64_t last) {
 void RewindableRun::LeaveSchedule() { controller_.machine().SetPolicy(own_policy_); }
 
 void RewindableRun::Arrive() {
-  // A cycle's statements that no thread can use are lost.
-  if (machine().RunnableThreads() == 0) place_.statements_left = 0;
+  LoseStatements();
   auto change = std::ranges::lower_bound(changes_, moment(), {}, &Change::moment);
   for (; change != changes_.end() && change->moment == moment(); ++change) Apply(*change);
   NoteEnd();
   head_ = std::max(head_, moment());
   const auto after = FirstKeptAfter(moment());
   if (moment() - std::prev(after)->place.moment >= keep_interval_) Keep();
+}
+
+void RewindableRun::LoseStatements() {
+  if (machine().RunnableThreads() == 0 && !HostActsWithin()) place_.statements_left = 0;
 }
 
 void RewindableRun::NoteEnd() {
@@ -366,6 +396,27 @@ Result<void> RewindableRun::WatchRaces(bool on) {
   return {};
 }
 
+// --- What must hold at some time -----------------------------------------------------------------
+
+void RewindableRun::Await(std::vector<runtime::CardCondition> conditions) {
+  awaited_ = std::move(conditions);
+  place_.held.assign(awaited_.size(), false);
+  NoteState();
+  Keep();
+}
+
+bool RewindableRun::Awaits() const {
+  const std::vector<bool>& held = place_.held;
+  return place_.over_cycle < 0 && std::find(held.begin(), held.end(), false) != held.end();
+}
+
+void RewindableRun::NoteState() {
+  if (!Awaits()) return;
+  for (size_t i = 0; i < awaited_.size(); ++i) {
+    if (!place_.held[i]) place_.held[i] = awaited_[i].Holds(controller_);
+  }
+}
+
 // --- Changes -------------------------------------------------------------------------------------
 
 void RewindableRun::Cut() {
@@ -394,8 +445,11 @@ void RewindableRun::Apply(const Change& change) {
   for (size_t i = 0; i < change.variables.size(); ++i) {
     machine.Write(change.variables[i].slot, change.write->values.front().values[i]);
   }
+  if (!change.write->after_statements) return;
   // In the middle of a cycle threads that waited for the value at the end of their function finish.
-  if (change.within_cycle) machine.Execute(0);
+  machine.Execute(0);
+  NoteState();
+  LoseStatements();
 }
 
 Result<void> RewindableRun::WriteVariable(const std::string& name, double value) {
@@ -406,9 +460,9 @@ Result<void> RewindableRun::WriteVariable(const std::string& name, double value)
   if (!variables.ok()) return variables.error();
   if (NextStep() == StepKind::kHost) Step();
   Change change;
-  change.within_cycle = place_.statements_left > 0;
   change.variables.push_back(std::move(variables).value().front());
   change.write = runtime::HostEvent{controller_.cycle() * scenario_.cycle_us, {initial}};
+  if (place_.statements_left > 0) change.write->after_statements = place_.statements_done;
   AddChange(std::move(change));
   return {};
 }
@@ -423,6 +477,15 @@ Result<void> RewindableRun::SetInput(motion::DiType type, int index, bool level)
     return MakeError(7, "there is no input {0}[{1}]: it has pins 1 to {2}",
                      "没有输入 {0}[{1}]：其引脚为 1 至 {2}", runtime::InputWordName(type), index,
                      motion::DiWidth(type));
+  }
+  const auto& switches = scenario_.world.switches;
+  const auto wired = std::ranges::find_if(switches, [&](const runtime::SwitchSetup& contact) {
+    return contact.type == type && contact.index == index;
+  });
+  if (wired != switches.end()) {
+    return MakeError(1, "the input {0}[{1}] is wired to switch {2}: move the switch",
+                     "输入 {0}[{1}] 接在开关 {2} 上：请移动该开关", runtime::InputWordName(type),
+                     index, wired - switches.begin() + 1);
   }
   Change change;
   change.input = runtime::InputEvent{InputInstant(), type, index, level ? 1u : 0u};
@@ -441,6 +504,25 @@ Result<void> RewindableRun::SetVoltage(int channel, double volts) {
   return {};
 }
 
+Result<void> RewindableRun::MoveSwitch(int number, double from, double to) {
+  const size_t count = scenario_.world.switches.size();
+  if (count == 0) {
+    return MakeError(7, "the scenario has no switches: describe them under [[world.switch]]",
+                     "场景中没有开关：应在 [[world.switch]] 中描述");
+  }
+  if (number < 1 || static_cast<size_t>(number) > count) {
+    return MakeError(7, "there is no switch {0}: they are 1 to {1}",
+                     "没有开关 {0}：编号为 1 至 {1}", number, count);
+  }
+  if (from > to) {
+    return MakeError(7, "'from' is greater than 'to': exchange them", "“from”大于“to”：应对调");
+  }
+  Change change;
+  change.move = runtime::SwitchMove{InputInstant(), number, from, to};
+  AddChange(std::move(change));
+  return {};
+}
+
 void RewindableRun::UpdateWorld() {
   world_events_ = std::make_shared<const motion::WorldEvents>(EventsOfWorld(ScenarioWithChanges()));
   ShareWorld();
@@ -448,17 +530,7 @@ void RewindableRun::UpdateWorld() {
 
 // --- Recording -----------------------------------------------------------------------------------
 
-Result<vm::Schedule> RewindableRun::Record() {
-  for (const Change& change : changes_) {
-    if (change.moment > moment() || !change.within_cycle) continue;
-    return MakeError(1,
-                     "'{0}' was changed in the middle of the cycle at {1} ms, and the host of a "
-                     "scenario writes between cycles: go back, run to the end of the cycle, and "
-                     "change it there",
-                     "“{0}”在 {1} ms 的周期中途被修改，而场景中的主机只在周期之间写入："
-                     "请退回，运行到周期末再修改",
-                     change.write->values.front().name, ToMs(change.write->at_us));
-  }
+vm::Schedule RewindableRun::Record(const std::string& path) {
   vm::Schedule schedule;
   schedule.program_hash = image().hash;
   const int64_t present = moment();
@@ -474,6 +546,7 @@ Result<vm::Schedule> RewindableRun::Record() {
     scenario.until_us = now_us;
     scenario.limit_ms = std::max(scenario.limit_ms, (now_us + kMs - 1) / kMs);
   }
+  if (!path.empty()) scenario = runtime::MoveScenario(scenario, path);
   schedule.scenario = runtime::FormatScenario(runtime::ScenarioOfOneRun(scenario));
   return schedule;
 }

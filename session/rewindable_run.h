@@ -1,11 +1,12 @@
 // A scenario with its program as a sequence of moments that can be walked in both directions.
 //
 // From one moment to the next the card takes one *step*: the scenario acts between two cycles
-// (expectations of that instant, writes of the host), a profile cycle begins, or a thread executes
-// one statement. Moment 0 is before the first step. The scenario's policy decides which thread
-// executes a statement unless the user chooses one; variables and inputs can be changed between
-// two steps. Choices and changes are recorded, so that every moment up to head() can be reached
-// again, exactly. A choice or a change at an earlier moment discards what was after it.
+// (expectations of that instant, writes of the host) or in the middle of one (writes of the host),
+// a profile cycle begins, or a thread executes one statement. Moment 0 is before the first step.
+// The scenario's policy decides which thread executes a statement unless the user chooses one;
+// variables and inputs can be changed between two steps. Choices and changes are recorded, so that
+// every moment up to head() can be reached again, exactly. A choice or a change at an earlier
+// moment discards what was after it.
 //
 // Copies of the state are kept more densely near the present: at most kKeptMax, and executing again
 // from the nearest one takes a fraction of the way to it.
@@ -146,22 +147,36 @@ class RewindableRun {
   /// variables of the scenario's `sync` that the program does not have.
   Result<void> WatchRaces(bool on);
 
+  // --- What must hold at some time -------------------------------------------------------------
+
+  /// Notes from now on which conditions have held in a state of the scenario's run: the present
+  /// one, after the beginning of a cycle, and after a statement. To be called at moment 0. While
+  /// one has not held yet, every statement is executed by itself.
+  void Await(std::vector<runtime::CardCondition> conditions);
+  /// True if the condition with this number has held up to the present.
+  bool HasHeld(size_t condition) const { return place_.held[condition]; }
+
   // --- Changes ---------------------------------------------------------------------------------
 
-  /// The host writes a variable (quantity.h). Between two cycles the items of the scenario that are
-  /// due come first. Fails if there is no such variable or the value does not fit.
+  /// The host writes a variable (quantity.h). Items of the scenario that are due come first. Fails
+  /// if there is no such variable or the value does not fit.
   Result<void> WriteVariable(const std::string& name, double value);
   /// Changes the level of an input pin, or the voltage at an analogue input, from the next cycle
-  /// on. Numbers count from 1. Fails if there is no such input.
+  /// on. Numbers count from 1. Fails if there is no such input, or if a switch of the scenario's
+  /// world is wired to it.
   Result<void> SetInput(motion::DiType type, int index, bool level);
   Result<void> SetVoltage(int channel, double volts);
+  /// Moves a switch of the scenario's world, from the next cycle on: it is then operated from one
+  /// position to the other, in pulses; infinite ones are allowed. Fails if there is no such switch,
+  /// or `from` is greater than `to`.
+  Result<void> MoveSwitch(int number, double from, double to);
 
   // --- Recording -------------------------------------------------------------------------------
 
   /// The run up to this moment as a schedule with its scenario, which lasts longer than the
-  /// original one if the card went on after its end. Fails if a variable was changed in
-  /// the middle of a cycle, which a scenario cannot express.
-  Result<vm::Schedule> Record();
+  /// original one if the card went on after its end. The scenario's paths are relative to the file
+  /// `path`; empty: to the file from which the scenario was read.
+  vm::Schedule Record(const std::string& path = {});
   /// The threads of the steps from one moment to another, at most `most` segments.
   struct Turn {
     int64_t moment = 0;  ///< of its first statement
@@ -176,9 +191,11 @@ class RewindableRun {
   struct Place {
     int64_t moment = 0;
     int64_t statements_left = 0;
+    int64_t statements_done = 0;  ///< of this cycle
     int64_t refused = 0;
     int64_t failed = 0;
     int64_t over_cycle = -1;  ///< the cycle with whose end the scenario's run was over
+    std::vector<bool> held;   ///< which of the awaited conditions have held
     /// The last refused command of each thread.
     std::array<std::shared_ptr<const Refusal>, vm::kThreadCount> refusals{};
   };
@@ -193,14 +210,14 @@ class RewindableRun {
     int64_t moment = 0;
     int thread = 0;
   };
-  /// A change of a variable, or of an input.
+  /// A change of a variable, of an input, or of a switch.
   struct Change {
     int64_t moment = 0;
-    bool within_cycle = false;
     std::optional<runtime::HostEvent> write;
     std::vector<runtime::Quantity> variables;  ///< of `write`
     std::optional<runtime::InputEvent> input;
     std::optional<runtime::VoltageEvent> voltage;
+    std::optional<runtime::SwitchMove> move;
   };
   /// Notes the commands that threads are refused.
   class RefusalLog final : public runtime::CardLog {
@@ -221,7 +238,10 @@ class RewindableRun {
   std::optional<int> ChosenNow() const;
   /// The first moment after the present at which a choice or change is recorded.
   int64_t NextRecorded() const;
+  /// True if the host writes now, in the middle of a cycle.
+  bool HostActsWithin() const;
   void StepHost();
+  void StepHostWithin();
   void StepStatement();
   /// Begins a cycle without executing its statements.
   void BeginCycle();
@@ -231,7 +251,13 @@ class RewindableRun {
   /// To be called at the end of a step: applies recorded changes, keeps the state.
   void Arrive();
   void Apply(const Change& change);
+  /// A cycle's statements that no thread can use are lost.
+  void LoseStatements();
   void NoteEnd();
+  /// True while a condition is awaited that has not held yet.
+  bool Awaits() const;
+  /// Notes which awaited conditions hold in this state.
+  void NoteState();
   void Keep();
   void ThinOut();
   void Restore(const Kept& kept);
@@ -259,6 +285,7 @@ class RewindableRun {
   std::shared_ptr<const motion::WorldEvents> world_events_;
   StepReport report_;
   std::optional<RaceWatch> races_;
+  std::vector<runtime::CardCondition> awaited_;
   std::unique_ptr<vm::MachineState> scratch_ = std::make_unique<vm::MachineState>();
   int64_t until_cycle_ = 0;
   int64_t limit_cycle_ = 0;

@@ -49,6 +49,7 @@ Result<Session> Session::Create(runtime::Scenario scenario, vm::Object object,
   if (!run.ok()) return run.error();
   auto stops = Stops::Create(*run.value());
   if (!stops.ok()) return stops.error();
+  run.value()->Await(stops.value().Awaited());
   Session session(std::move(run).value(), std::move(stops).value());
   if (session.ForbidsRaces()) {
     StopWishes wishes;

@@ -78,9 +78,9 @@ Result<Stops> Stops::Create(const RewindableRun& run) {
   if (auto failure = fit.Failure()) return *std::move(failure);
   for (size_t i = 0; i < requirements.size(); ++i) {
     const runtime::Scope scope = requirements[i].scope;
-    // In one run, nothing says before its end whether something will hold at some time.
-    if (scope == runtime::Scope::kEventually) continue;
-    auto& list = scope == runtime::Scope::kFinal ? stops.final_ : stops.requirements_;
+    auto& list = scope == runtime::Scope::kFinal        ? stops.final_
+                 : scope == runtime::Scope::kEventually ? stops.eventually_
+                                                        : stops.requirements_;
     list.push_back({std::move(conditions[i]), scope == runtime::Scope::kNever, false, -1,
                     requirements[i].Title()});
   }
@@ -133,6 +133,7 @@ Result<void> Stops::Set(const StopWishes& wishes, const RewindableRun& run) {
   stops.races_ = wishes.races;
   stops.requirements_ = std::move(requirements_);
   stops.final_ = std::move(final_);
+  stops.eventually_ = std::move(eventually_);
   // A line that was there before keeps its count.
   for (Line& line : stops.lines_) {
     const auto same = [&](const Line& old) {
@@ -167,7 +168,20 @@ std::vector<Message> Stops::FailedAtEnd(const RewindableRun& run) const {
     check(each.text, each.condition);
   }
   for (const Truth& each : final_) check(each.title, each.condition);
+  for (size_t i = 0; i < eventually_.size(); ++i) {
+    if (run.HasHeld(i)) continue;
+    const Message values = eventually_[i].condition.DescribeValues(run.controller());
+    failed.push_back(MakeMessage("{0} held in no state of the run; at its end {1}",
+                                 "{0} 在整个运行中从未成立；结束时 {2}", eventually_[i].title,
+                                 values.en, values.zh));
+  }
   return failed;
+}
+
+std::vector<CardCondition> Stops::Awaited() const {
+  std::vector<CardCondition> conditions;
+  for (const Truth& each : eventually_) conditions.push_back(each.condition);
+  return conditions;
 }
 
 // --- Checks --------------------------------------------------------------------------------------

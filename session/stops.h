@@ -93,8 +93,10 @@ class Stops {
   std::optional<Stop> Check(const RewindableRun& run, const StepReport& step,
                             std::vector<LogLine>* log);
   /// The expectations without an instant and the `final` requirements that do not hold at the
-  /// present, and why.
+  /// present, and the `eventually` requirements that have not held up to it, and why.
   std::vector<Message> FailedAtEnd(const RewindableRun& run) const;
+  /// The conditions of the `eventually` requirements: for RewindableRun::Await().
+  std::vector<runtime::CardCondition> Awaited() const;
   /// After Check(): bit n is set if thread n has arrived at the beginning of a line with this step.
   uint32_t arrivals() const { return arrivals_; }
 
@@ -131,6 +133,7 @@ class Stops {
   std::vector<Truth> conditions_;
   std::vector<Truth> requirements_;  // `always` and `never` of the scenario
   std::vector<Truth> final_;
+  std::vector<Truth> eventually_;
   bool faults_ = true;
   bool refusals_ = true;
   bool checks_requirements_ = true;

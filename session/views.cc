@@ -1,5 +1,6 @@
 #include "session/views.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/milliseconds.h"
@@ -161,6 +162,17 @@ Json PartView(const runtime::MotionPart& part, size_t index, const RewindableRun
   return {{"part", part.name}, {"number", number}, {"values", std::move(values)}};
 }
 
+Json SwitchView(const motion::PositionSwitch& contact) {
+  Json json = {{"axis", contact.axis + 1},
+               {"type", runtime::InputWordName(contact.type)},
+               {"index", contact.bit + 1}};
+  if (std::isfinite(contact.first)) json["from"] = contact.first;
+  if (std::isfinite(contact.last)) json["to"] = contact.last;
+  json["active_low"] = contact.active_low;
+  json["connected"] = contact.connected;
+  return json;
+}
+
 }  // namespace
 
 nlohmann::ordered_json StateView(const RewindableRun& run, Language language) {
@@ -234,19 +246,30 @@ nlohmann::ordered_json CardView(const RewindableRun& run) {
     if (input) word["pins"] = motion::DiWidth(*input);
     words.push_back(std::move(word));
   }
-  return {{"parts", std::move(parts)}, {"words", std::move(words)}};
+  Json switches = Json::array();
+  for (const motion::PositionSwitch& contact : core.state().switches) {
+    switches.push_back(SwitchView(contact));
+  }
+  return {
+      {"parts", std::move(parts)}, {"words", std::move(words)}, {"switches", std::move(switches)}};
 }
 
-Result<nlohmann::ordered_json> Evaluate(const std::string& text, const RewindableRun& run) {
-  auto found = runtime::ResolveQuantity(text, run.controller());
+Result<nlohmann::ordered_json> Evaluate(const std::string& text, std::optional<int> thread,
+                                        const RewindableRun& run) {
+  using runtime::CardCondition;
+  const runtime::Controller& controller = run.controller();
+  const std::string name = thread ? runtime::NameInThread(text, *thread, controller) : text;
+  auto found = runtime::ResolveQuantity(name, controller);
   if (found.ok()) {
-    const bool array = found.value().size() != 1 || found.value().front().name != text;
+    const bool array = found.value().size() != 1 || found.value().front().name != name;
     Json values = ValuesView(found.value(), run);
-    return Json{{"value", array ? values : values.front()}};
+    return Json{{"value", array ? values : values.front()}, {"path", name}};
   }
   auto condition = runtime::ParseCondition(text);
   if (!condition.ok()) return condition.error();
-  auto bound = runtime::CardCondition::Bind(std::move(condition).value(), run.controller());
+  auto bound = thread
+                   ? CardCondition::BindInThread(std::move(condition).value(), *thread, controller)
+                   : CardCondition::Bind(std::move(condition).value(), controller);
   // A lone name that does not exist: the first error suggests a similar one.
   if (!bound.ok()) return bound.error();
   return Json{{"holds", bound.value().Holds(run.controller())}};

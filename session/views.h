@@ -3,6 +3,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,12 +25,13 @@ nlohmann::ordered_json PageView(const RewindableRun& run, int page);
 /// The 1024 slots of a data page as they are.
 nlohmann::ordered_json SlotsView(const RewindableRun& run, int page);
 
-/// Axes, profiles and the other parts of the card, its inputs and outputs.
+/// Axes, profiles and the other parts of the card, its inputs and outputs, and the switches.
 nlohmann::ordered_json CardView(const RewindableRun& run);
 
-/// A text of a user: the values of a name (quantity.h), or whether a condition holds. Fails if it
-/// is neither.
-Result<nlohmann::ordered_json> Evaluate(const std::string& text, const RewindableRun& run);
+/// A text of a user: the values of a name (quantity.h), or whether a condition holds; with a
+/// thread, as its function means the names. Fails if it is neither.
+Result<nlohmann::ordered_json> Evaluate(const std::string& text, std::optional<int> thread,
+                                        const RewindableRun& run);
 
 /// The functions of the program with the lines of their statements and their texts.
 nlohmann::ordered_json ListingView(const RewindableRun& run);

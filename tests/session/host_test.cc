@@ -366,6 +366,52 @@ TEST_F(HostTest, ChangesVariablesAndInputs) {
   EXPECT_THAT(ErrorOf("write", {{"name", "n"}, {"value", 1e12}}), HasSubstr("does not fit"));
 }
 
+TEST_F(HostTest, EvaluatesNamesAsAThreadMeansThem) {
+  Load(
+      "int k;\nint f()\n{\n  int i;\n  int b[3];\n  i = 7;\n  b[2] = 5;\n}\nint g()\n{\n  k = "
+      "1;\n}\n",
+      "[[thread]]\nthread = 3\npage = 9\nfunction = \"f\"\n"
+      "[[thread]]\nthread = 4\nfunction = \"g\"\n");
+  Result("forward", {{"goal", "stop"}});
+  const auto in_f = [this](const char* text) {
+    return Result("evaluate", {{"text", text}, {"thread", 3}});
+  };
+  EXPECT_EQ(in_f("i"), Json::parse(R"({"value":7,"path":"page9.i"})"));
+  EXPECT_EQ(in_f("k"), Json::parse(R"({"value":1,"path":"k"})"));
+  EXPECT_EQ(in_f("b[2]"), Json::parse(R"({"value":5,"path":"page9.b[2]"})"));
+  EXPECT_EQ(in_f("b")["value"], Json({0, 0, 5}));
+  EXPECT_EQ(in_f("i + b[2] == 12 && k == 1 && thread4.run == 0")["holds"], true);
+  EXPECT_THAT(ErrorOf("evaluate", {{"text", "b[2] == 5"}, {"thread", 4}}), HasSubstr("'b"));
+  EXPECT_THAT(ErrorOf("evaluate", {{"text", "i"}}), HasSubstr("nothing is named 'i'"));
+  EXPECT_THAT(ErrorOf("evaluate", {{"text", "k"}, {"thread", 32}}), HasSubstr("thread"));
+}
+
+TEST_F(HostTest, RecordsForAFileInAnotherFolder) {
+  Load(kMove, "until_ms = 1\n");
+  Result("forward", {{"goal", "stop"}});
+  const Json beside = Result("record");
+  EXPECT_THAT(beside["scenario"].get<std::string>(), HasSubstr("program = \"p.c\"\n"));
+  const Json apart = Result("record", {{"path", "runs/today/a.schedule"}});
+  EXPECT_THAT(apart["scenario"].get<std::string>(), HasSubstr("program = \"../../p.c\"\n"));
+  EXPECT_THAT(apart["schedule"].get<std::string>(), HasSubstr("| program = \"../../p.c\"\n"));
+}
+
+TEST_F(HostTest, MovesSwitches) {
+  Load(kMove, "until_ms = 20\n[[world.switch]]\naxis = 2\nfrom = 50\nactive_low = true\n");
+  EXPECT_EQ(Result("card")["switches"],
+            Json::parse(R"([{"axis":2,"type":"home","index":2,"from":50.0,"active_low":true,)"
+                        R"("connected":true}])"));
+  Result("move_switch", {{"switch", 1}, {"from", -10}, {"to", 10.5}});
+  Result("forward", {{"goal", "cycle"}});
+  Result("forward", {{"goal", "cycle"}});
+  const Json moved = Result("card")["switches"][0];
+  EXPECT_EQ(moved["from"], -10);
+  EXPECT_EQ(moved["to"], 10.5);
+  EXPECT_THAT(Result("record")["scenario"].get<std::string>(), HasSubstr("[[world.move]]"));
+  EXPECT_THAT(ErrorOf("move_switch", {{"switch", 1}}), HasSubstr("'from' or 'to' is missing"));
+  EXPECT_THAT(ErrorOf("move_switch", {{"switch", 2}, {"to", 0}}), HasSubstr("no switch 2"));
+}
+
 // --- The same requests give the same bytes -------------------------------------------------------
 
 TEST_F(HostTest, AnswersTheSameRequestsWithTheSameBytes) {

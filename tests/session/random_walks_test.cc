@@ -2,9 +2,11 @@
 // what it recorded leads to.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "base/random.h"
+#include "runtime/scenario/requirement_watch.h"
 #include "tests/session/session_support.h"
 
 namespace oncard::session {
@@ -25,13 +27,16 @@ std::vector<Walked> Programs() {
       {"race", kRace, kTwoThreads},
       {"random policy", kRace, "schedule = \"random:11\"\n" + std::string(kTwoThreads)},
       {"axis", kMove,
-       "until_ms = 60\n[[world.input]]\ntype = \"gpi\"\nindex = 1\nvalue = 1\nat_ms = 3\n"},
+       "until_ms = 60\n[[world.input]]\ntype = \"gpi\"\nindex = 1\nvalue = 1\nat_ms = 3\n"
+       "[[world.switch]]\naxis = 1\ntype = \"limit_positive\"\nfrom = 800\n"},
       {"handover",
        "int go;\nint n;\nint f()\n{\n  GT_WaitForVarEq(&go, 1);\n  n = n + 1;\n  go = 0;\n}\n"
        "int g()\n{\n  int i;\n  int c;\nloop:\n  i = i + 1;\n  GT_Delay(1);\n  c = i < 9;\n"
        "  if (c) goto loop;\n  go = 1;\n  n = n * 2;\n}\n",
        "schedule = \"pct:5:3\"\nlimit_ms = 50\n" + threads +
-           "[[host]]\nat_ms = 2\nset = { n = 100 }\n"},
+           "[[host]]\nat_ms = 2\nset = { n = 100 }\n"
+           "[[host]]\nat_ms = 3\nafter_statements = 4\nset = { n = 7, go = 1 }\n"
+           "[[host]]\nat_ms = 3\nafter_statements = 4\nset = { go = 0 }\n"},
       {"periodic",
        "int n;\nint a[4];\nint f()\n{\n  n = n + 1;\n  a[n] = n;\n}\nint g()\n{\n  int i;\nloop:\n"
        "  i = i + 1;\n  goto loop;\n}\n",
@@ -40,10 +45,15 @@ std::vector<Walked> Programs() {
   };
 }
 
+constexpr const char* kAwaited = "statements == 61 && clock < 30";
+
 class RandomWalk {
  public:
   RandomWalk(const Walked& walked, uint64_t seed)
-      : walked_(walked), session_(SessionOf(walked.program, walked.scenario)), random_(seed) {}
+      : walked_(walked),
+        session_(SessionOf(walked.program,
+                           "eventually = [\"" + std::string(kAwaited) + "\"]\n" + walked.scenario)),
+        random_(seed) {}
 
   /// Takes random steps in both directions, with choices and changes.
   void Go() {
@@ -57,26 +67,58 @@ class RandomWalk {
 
   /// The state to which the recording leads.
   uint64_t HashOfRecording() {
-    auto schedule = run().Record();
-    EXPECT_TRUE(schedule.ok()) << (schedule.ok() ? "" : schedule.error().message.en);
-    auto scenario = runtime::ParseScenario(schedule.value().scenario, "recorded.toml");
-    EXPECT_TRUE(scenario.ok());
+    const auto schedule = std::make_shared<const vm::Schedule>(run().Record());
+    const auto scenario = runtime::ParseScenario(schedule->scenario, "recorded.toml");
+    EXPECT_TRUE(scenario.ok()) << (scenario.ok() ? "" : scenario.error().message.en);
+    if (!scenario.ok()) return 0;
     runtime::RunOptions options;
-    options.replay = std::make_shared<const vm::Schedule>(std::move(schedule).value());
-    const auto result =
-        runtime::RunScenario(scenario.value(), runtime::CompileForTest(walked_.program), options);
+    options.replay = schedule;
+    const auto result = runtime::RunWithRequirements(
+        scenario.value(), runtime::CompileForTest(walked_.program), options);
     EXPECT_TRUE(result.ok()) << (result.ok() ? "" : result.error().message.en);
-    return result.ok() ? result.value().hash : 0;
+    if (!result.ok()) return 0;
+    EXPECT_EQ(HashOfSecondSession(scenario.value(), schedule), result.value().hash);
+    if (IsJudged(scenario.value())) {
+      const auto& failures = result.value().failures;
+      const bool held = std::ranges::none_of(failures, [](const runtime::ScenarioFailure& failure) {
+        return failure.message.en.find("held in no state") != std::string::npos;
+      });
+      EXPECT_EQ(run().HasHeld(0), held);
+    }
+    return result.value().hash;
   }
 
  private:
+  /// True if the recorded run judges the same states as the session has.
+  bool IsJudged(const runtime::Scenario& recorded) {
+    const bool over = run().Over() == RunOver::kQuiet || run().Over() == RunOver::kUntil;
+    return over && recorded.until_us == run().scenario().until_us;
+  }
+
+  /// The state after as much of the recording as this session has seen.
+  uint64_t HashOfSecondSession(const runtime::Scenario& scenario,
+                               std::shared_ptr<const vm::Schedule> schedule) {
+    auto second = RewindableRun::Create(scenario, runtime::CompileForTest(walked_.program),
+                                        std::move(schedule));
+    EXPECT_TRUE(second.ok());
+    if (!second.ok()) return 0;
+    RewindableRun& other = *second.value();
+    const auto behind = [&] {
+      return std::pair(other.controller().cycle(), other.machine().state().executed) <
+             std::pair(run().controller().cycle(), run().machine().state().executed);
+    };
+    while (behind()) other.Step();
+    while (other.NextStep() == StepKind::kHost) other.Step();
+    return other.controller().Hash();
+  }
+
   uint64_t Draw(uint64_t bound) { return RandomBelow(random_, bound); }
 
   void Move() {
     Walk walk;
     walk.thread = Draw(2) == 0 ? 0 : 3;
     walk.budget = 1 + static_cast<int64_t>(Draw(400));
-    switch (Draw(12)) {
+    switch (Draw(13)) {
       case 0:
       case 1:
         run().Step();
@@ -109,10 +151,13 @@ class RandomWalk {
         static_cast<void>(session_.Forward(walk, nullptr));
         break;
       case 10:
-        ToEndOfCycle();
-        static_cast<void>(run().WriteVariable(walked_.program.starts_with("int go") ? "go" : "n",
-                                              static_cast<double>(Draw(3))));
+        static_cast<void>(run().WriteVariable(Variable(), static_cast<double>(Draw(3))));
         break;
+      case 11: {
+        const auto from = static_cast<double>(Draw(3000));
+        static_cast<void>(run().MoveSwitch(1, from, from + static_cast<double>(Draw(500))));
+        break;
+      }
       default:
         static_cast<void>(
             run().SetInput(motion::DiType::kGpi, 1 + static_cast<int>(Draw(16)), Draw(2) == 0));
@@ -120,9 +165,9 @@ class RandomWalk {
     }
   }
 
-  // A scenario's host writes between cycles.
-  void ToEndOfCycle() {
-    while (run().NextStep() != StepKind::kCycle) run().Step();
+  std::string Variable() {
+    if (walked_.program == kRace) return "x";
+    return walked_.program.starts_with("int go") && Draw(2) == 0 ? "go" : "n";
   }
 
   const Walked& walked_;

@@ -29,13 +29,11 @@ uint64_t HashOfWholeRun(const std::string& program, const std::string& scenario)
 
 /// The hash at the end of a recording.
 uint64_t HashOfReplay(const std::string& program, RewindableRun* run) {
-  auto schedule = run->Record();
-  EXPECT_TRUE(schedule.ok()) << (schedule.ok() ? "" : schedule.error().message.en);
-  if (!schedule.ok()) return 0;
+  vm::Schedule schedule = run->Record();
   runtime::RunOptions options;
-  const auto scenario = runtime::ParseScenario(schedule.value().scenario, "recorded.toml");
+  const auto scenario = runtime::ParseScenario(schedule.scenario, "recorded.toml");
   EXPECT_TRUE(scenario.ok());
-  options.replay = std::make_shared<const vm::Schedule>(std::move(schedule).value());
+  options.replay = std::make_shared<const vm::Schedule>(std::move(schedule));
   const auto result =
       runtime::RunScenario(scenario.value(), runtime::CompileForTest(program), options);
   EXPECT_TRUE(result.ok()) << (result.ok() ? "" : result.error().message.en);
@@ -293,14 +291,89 @@ TEST(RewindableRun, AChangeBetweenCyclesIsRecordedAsTheHosts) {
   EXPECT_EQ(HashOfReplay(kMove, run.get()), run->controller().Hash());
 }
 
-TEST(RewindableRun, AChangeWithinACycleCannotBeRecorded) {
+TEST(RewindableRun, AChangeWithinACycleIsRecordedWithItsStatement) {
   const auto run = RunOf(kRace, kTwoThreads);
   run->AdvanceTo(3);
   ASSERT_TRUE(run->WriteVariable("x", 40).ok());
-  const auto schedule = run->Record();
-  ASSERT_FALSE(schedule.ok());
-  EXPECT_THAT(schedule.error().message.en, HasSubstr("'x' was changed in the middle of the cycle"));
-  EXPECT_EQ(run->moment(), 3);
+  EXPECT_THAT(runtime::FormatScenario(run->ScenarioWithChanges()),
+              HasSubstr("[[host]]\nat_ms = 0.25\nafter_statements = 2\nset = { \"x\" = 40 }"));
+  EXPECT_EQ(HashOfReplay(kRace, run.get()), run->controller().Hash());
+  HashesToTheEnd(run.get());
+  EXPECT_EQ(HashOfReplay(kRace, run.get()), run->controller().Hash());
+}
+
+// Without statements that can be executed the rest of the cycle is over.
+TEST(RewindableRun, AChangeWithinACycleCanStopAllThreads) {
+  const std::string waits =
+      "int go;\nint n;\nint f()\n{\n  GT_WaitForVarEq(&go, 0);\n  n = 2;\n}\n"
+      "int g()\n{\n  n = 7;\n  n = 1;\n}\n";
+  const auto run = RunOf(waits,
+                         "limit_ms = 5\n[[thread]]\nfunction = \"f\"\n"
+                         "[[thread]]\nthread = 1\nfunction = \"g\"\n[globals]\ngo = 1\n");
+  ASSERT_TRUE(run->StepThread(0).ok());
+  ASSERT_TRUE(run->WriteVariable("go", 0).ok());
+  ASSERT_TRUE(run->StepThread(1).ok());
+  ASSERT_TRUE(run->StepThread(1).ok());
+  EXPECT_GT(run->statements_left(), 0);
+  ASSERT_TRUE(run->WriteVariable("go", 1).ok());
+  EXPECT_EQ(run->statements_left(), 0);
+  EXPECT_EQ(HashOfReplay(waits, run.get()), run->controller().Hash());
+  ASSERT_TRUE(run->WriteVariable("go", 0).ok());
+  EXPECT_EQ(HashOfReplay(waits, run.get()), run->controller().Hash());
+  HashesToTheEnd(run.get());
+  EXPECT_EQ(ValueOf("n", *run), 2);
+  EXPECT_EQ(run->controller().cycle(), 2);
+  EXPECT_EQ(HashOfReplay(waits, run.get()), run->controller().Hash());
+}
+
+TEST(RewindableRun, TheHostOfAScenarioWritesInTheMiddleOfACycle) {
+  const std::string scenario =
+      std::string(kTwoThreads) + "[[host]]\nat_ms = 0.25\nafter_statements = 3\nset = { x = 7 }\n";
+  const auto run = RunOf(kRace, scenario);
+  while (run->NextStep() != StepKind::kHost) run->Step();
+  EXPECT_EQ(run->machine().state().executed, 3);
+  EXPECT_EQ(ValueOf("x", *run), 0);
+  EXPECT_EQ(run->NextThread(), -1);
+  run->Step();
+  EXPECT_EQ(ValueOf("x", *run), 7);
+  EXPECT_EQ(run->machine().state().executed, 3);
+  EXPECT_EQ(run->NextStep(), StepKind::kStatement);
+  HashesToTheEnd(run.get());
+  EXPECT_EQ(run->controller().Hash(), HashOfWholeRun(kRace, scenario));
+  const int64_t end = run->moment();
+  run->GoTo(0);
+  run->AdvanceTo(end);
+  EXPECT_EQ(run->controller().Hash(), HashOfWholeRun(kRace, scenario));
+}
+
+constexpr const char* kHomeSwitch =
+    "until_ms = 10\n[[world.switch]]\naxis = 1\nfrom = 500\nto = 600\n";
+
+TEST(RewindableRun, SwitchesAreMovedFromTheNextCycleOn) {
+  const auto run = RunOf(kRace, kHomeSwitch);
+  run->AdvanceTo(3);
+  ASSERT_TRUE(run->MoveSwitch(1, -5, 5).ok());
+  const int64_t moved = run->moment();
+  EXPECT_EQ(run->machine().state().cycle, 1);
+  HashesToTheEnd(run.get());
+  EXPECT_EQ(ValueOf("home[1]", *run), 1);
+  EXPECT_THAT(runtime::FormatScenario(run->ScenarioWithChanges()),
+              HasSubstr("[[world.move]]\nswitch = 1\nfrom = -5\nto = 5\nat_ms = 0.25\n"));
+  EXPECT_EQ(HashOfReplay(kRace, run.get()), run->controller().Hash());
+  run->GoTo(moved - 1);
+  run->Step();
+  EXPECT_EQ(ValueOf("home[1]", *run), 0);
+}
+
+TEST(RewindableRun, RefusesMovesThatAreNone) {
+  const auto run = RunOf(kRace, kHomeSwitch);
+  EXPECT_THAT(run->MoveSwitch(2, 0, 1).error().message.en, HasSubstr("they are 1 to 1"));
+  EXPECT_THAT(run->MoveSwitch(1, 2, 1).error().message.en, HasSubstr("greater than 'to'"));
+  EXPECT_THAT(RunOf(kRace)->MoveSwitch(1, 0, 1).error().message.en, HasSubstr("has no switches"));
+  // The file could not be read back.
+  EXPECT_THAT(run->SetInput(motion::DiType::kHome, 1, true).error().message.en,
+              HasSubstr("home[1] is wired to switch 1"));
+  EXPECT_TRUE(run->SetInput(motion::DiType::kHome, 2, true).ok());
 }
 
 TEST(RewindableRun, InputsAndVoltagesChangeFromTheNextCycleOn) {

@@ -124,10 +124,41 @@ TEST(Forward, TheEndSaysWhatDoesNotHold) {
   EXPECT_EQ(stop.failed[1].en, "final: x == 2 does not hold: x is 1");
 }
 
+TEST(Forward, JudgesAtTheEndWhatHasHeldAtSomeTime) {
+  const std::string scenario =
+      "eventually = [\"x == 1\", \"page0.a == 1\", \"x == 5\"]\n" + std::string(kTwoThreads);
+  Session session = SessionOf(kRace, scenario);
+  const Stop stop = Forward(To(Goal::kStop), &session);
+  EXPECT_EQ(stop.reason, StopReason::kEnd);
+  ASSERT_EQ(stop.failed.size(), 1u);
+  EXPECT_EQ(stop.failed[0].en, "eventually: x == 5 held in no state of the run; at its end x is 1");
+  EXPECT_EQ(stop.failed[0].zh, "eventually: x == 5 在整个运行中从未成立；结束时 x 为 1");
+
+  // Going back and changing the run changes what has held.
+  session.run().GoTo(3);
+  ASSERT_TRUE(session.run().WriteVariable("x", 5).ok());
+  EXPECT_TRUE(Forward(To(Goal::kStop), &session).failed.empty());
+  session.run().GoTo(2);
+  ASSERT_TRUE(session.run().StepThread(1 - session.run().NextThread()).ok());
+  EXPECT_EQ(Forward(To(Goal::kStop), &session).failed.size(), 1u);
+}
+
+// The states after the end of the run do not count.
+TEST(Forward, WhatHoldsAfterTheEndComesTooLate) {
+  Session session =
+      SessionOf(kRace, "until_ms = 5\neventually = [\"clock > 5\", \"clock == 5\"]\n" +
+                           std::string(kTwoThreads));
+  EXPECT_EQ(Forward(To(Goal::kStop), &session).failed.size(), 1u);
+  Walk walk = To(Goal::kTime);
+  walk.time_us = 3000;
+  Forward(walk, &session);
+  EXPECT_EQ(Forward(To(Goal::kStop), &session).failed.size(), 1u);
+}
+
 TEST(Forward, SaysWhereAScheduleEnds) {
   Session recorded = SessionOf(kRace, kTwoThreads);
   recorded.run().AdvanceTo(4);
-  const auto schedule = std::make_shared<const vm::Schedule>(recorded.run().Record().value());
+  const auto schedule = std::make_shared<const vm::Schedule>(recorded.run().Record());
   auto session = Session::Create(runtime::ScenarioForTest(kTwoThreads),
                                  runtime::CompileForTest(kRace), schedule);
   ASSERT_TRUE(session.ok());
