@@ -1,16 +1,23 @@
 // Breakpoints as the editor sets and shows them.
 // Tested by test/breakpoints.test.ts.
 
+import { Event } from "@vscode/debugadapter";
 import type { DebugProtocol } from "@vscode/debugprotocol";
 
+import type { Code } from "./code.js";
 import type { Editor } from "./editor.js";
 import { evaluateAt } from "./evaluation.js";
 import type { Launched } from "./launched.js";
 import { readHits, type Stops, type Wish } from "./stops.js";
 
+/** What the editor has asked for, in a program. */
+type Asked = (code: Code) => Omit<Wish, "id">[];
+
 export class Breakpoints {
   readonly #editor: Editor;
   readonly #stops: Stops;
+  /** By group. */
+  readonly #asked = new Map<string, Asked>();
 
   constructor(editor: Editor, stops: Stops) {
     this.#editor = editor;
@@ -22,37 +29,37 @@ export class Breakpoints {
     launched: Launched,
     { source, breakpoints }: DebugProtocol.SetBreakpointsArguments,
   ): Promise<DebugProtocol.Breakpoint[]> {
-    const file = launched.code.fileOf(source);
-    const wishes = (breakpoints ?? []).map((each) => this.#lineWish(file, each));
-    const group = this.#stops.replace(`source ${source.path ?? source.name ?? ""}`, wishes);
-    await this.#install(launched);
-    return group.map((wish) => shown(wish, source));
+    const group = `source ${source.path ?? source.name ?? ""}`;
+    const wishes = await this.#set(launched, group, (code) =>
+      (breakpoints ?? []).map((each) => this.#lineWish(code.fileOf(source), each)),
+    );
+    return wishes.map((wish) => shown(wish, source));
   }
 
   async setFunctions(
     launched: Launched,
     { breakpoints }: DebugProtocol.SetFunctionBreakpointsArguments,
   ): Promise<DebugProtocol.Breakpoint[]> {
-    const wishes = breakpoints.map(({ name, condition }) => {
-      const beginning = launched.code.beginning(name);
-      const refused = { en: `there is no function '${name}'`, zh: `没有函数“${name}”` };
-      return beginning
-        ? { at: { line: { ...beginning, condition: condition ?? "" } } }
-        : { refused: this.#editor.say(refused) };
-    });
-    const group = this.#stops.replace("functions", wishes);
-    await this.#install(launched);
-    return group.map((wish) => shown(wish));
+    const wishes = await this.#set(launched, "functions", (code) =>
+      breakpoints.map(({ name, condition }) => {
+        const beginning = code.beginning(name);
+        const refused = { en: `there is no function '${name}'`, zh: `没有函数“${name}”` };
+        return beginning
+          ? { at: { line: { ...beginning, condition: condition ?? "" } } }
+          : { refused: this.#editor.say(refused) };
+      }),
+    );
+    return wishes.map((wish) => shown(wish));
   }
 
   async setData(
     launched: Launched,
     { breakpoints }: DebugProtocol.SetDataBreakpointsArguments,
   ): Promise<DebugProtocol.Breakpoint[]> {
-    const wishes = breakpoints.map(({ dataId }) => ({ at: { change: dataId } }));
-    const group = this.#stops.replace("changes", wishes);
-    await this.#install(launched);
-    return group.map((wish) => shown(wish));
+    const wishes = await this.#set(launched, "changes", () =>
+      breakpoints.map(({ dataId }) => ({ at: { change: dataId } })),
+    );
+    return wishes.map((wish) => shown(wish));
   }
 
   /** Whether changes of something can be waited for. */
@@ -73,6 +80,29 @@ export class Breakpoints {
   async setExceptions(launched: Launched, filters: readonly string[]): Promise<void> {
     this.#stops.filter(filters);
     await this.#install(launched);
+  }
+
+  /** Sets all of them in another program, and tells the editor what has become of them. */
+  async renew(launched: Launched): Promise<void> {
+    const wishes = [...this.#asked].flatMap(([group, asked]) =>
+      this.#stops.renew(group, asked(launched.code)),
+    );
+    await this.#install(launched);
+    for (const wish of wishes) {
+      const event: DebugProtocol.BreakpointEvent["body"] = {
+        reason: "changed",
+        breakpoint: shown(wish),
+      };
+      this.#editor.tell(new Event("breakpoint", event));
+    }
+  }
+
+  /** Replaces those of a group. */
+  async #set(launched: Launched, group: string, asked: Asked): Promise<Wish[]> {
+    this.#asked.set(group, asked);
+    const wishes = this.#stops.replace(group, asked(launched.code));
+    await this.#install(launched);
+    return wishes;
   }
 
   /** A run without debugging stops nowhere. */
@@ -112,6 +142,7 @@ function shown(
   return {
     id,
     verified: true,
-    ...(line !== undefined && source ? { line, source } : {}),
+    ...(line === undefined ? {} : { line }),
+    ...(line !== undefined && source ? { source } : {}),
   };
 }

@@ -22,6 +22,7 @@ export function capabilities(editor: Editor): DebugProtocol.Capabilities {
   return {
     supportsConfigurationDoneRequest: true,
     supportsTerminateRequest: true,
+    supportsRestartRequest: true,
     supportsConditionalBreakpoints: true,
     supportsHitConditionalBreakpoints: true,
     supportsLogPoints: true,

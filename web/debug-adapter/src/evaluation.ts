@@ -2,7 +2,6 @@
 // Tested by test/variables.test.ts.
 
 import type { Evaluation } from "@oncard/engine";
-import { RefusedError } from "@oncard/engine";
 import type { DebugProtocol } from "@vscode/debugprotocol";
 
 import { type Launched, threadOf } from "./launched.js";
@@ -14,23 +13,15 @@ export interface Evaluated {
   path: string | undefined;
 }
 
-/** A name of the program is first looked for among the locals of the frame. */
+/** Names are first looked for among the locals of the frame. */
 export async function evaluateAt(
   launched: Launched,
   text: string,
   frameId?: number,
 ): Promise<Evaluated> {
-  const { engine } = launched;
-  if (frameId !== undefined && /^[A-Za-z_]\w*(?:\[\d+\])?$/.test(text)) {
-    const path = `page${threadOf(launched, frameId).page}.${text}`;
-    try {
-      return { evaluation: await engine.evaluate(path), path };
-    } catch (error) {
-      if (!(error instanceof RefusedError)) throw error;
-    }
-  }
-  const evaluation = await engine.evaluate(text);
-  return { evaluation, path: "value" in evaluation ? text : undefined };
+  const thread = frameId === undefined ? undefined : threadOf(launched, frameId).thread;
+  const evaluation = await launched.engine.evaluate(text, thread);
+  return { evaluation, path: "path" in evaluation ? evaluation.path : undefined };
 }
 
 /** What the editor shows of an expression. */

@@ -45,12 +45,14 @@ export class Mover {
     movement
       .walk(launched.engine, { signal: moving.signal, onSlice })
       .then((result) => {
-        this.#moving = undefined;
         onSlice(result);
+        // Nobody waits for a movement that was abandoned.
+        if (this.#moving !== moving) return undefined;
+        this.#moving = undefined;
         return this.#arrive(launched, result, movement);
       })
       .catch((error: unknown) => {
-        this.#moving = undefined;
+        if (this.#moving === moving) this.#moving = undefined;
         // An engine that has ended says so itself.
         if (!answered) this.#editor.fail(response, error);
       });
@@ -76,6 +78,14 @@ export class Mover {
   /** Ends a movement where the card is. */
   pause(): void {
     this.#moving?.abort();
+  }
+
+  /** Forgets the card: another one takes its place. */
+  abandon(): void {
+    this.#moving?.abort();
+    this.#moving = undefined;
+    this.#last = undefined;
+    this.#verdict = undefined;
   }
 
   /** The card stands before its first step. */

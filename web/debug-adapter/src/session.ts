@@ -89,12 +89,37 @@ export class OncardSession extends DebugSession {
   protected override configurationDoneRequest(
     response: DebugProtocol.ConfigurationDoneResponse,
   ): void {
+    this.#begin(response);
+  }
+
+  #begin(response: DebugProtocol.Response): void {
     if (this.#launched?.config.stopOnEntry) {
       this.sendResponse(response);
       this.#mover.enter(this.#launched);
     } else {
       this.#move(response, toNextStop);
     }
+  }
+
+  /** A program that cannot be launched leaves the card as it is. */
+  protected override restartRequest(
+    response: DebugProtocol.RestartResponse,
+    args: DebugProtocol.RestartArguments | undefined,
+  ): void {
+    const restart = async () => {
+      const before = this.#now();
+      const given = args?.arguments;
+      const config = given ? readLaunchConfig({ ...given }, this.#environment) : before.config;
+      const launched = await launch(config, this.#stops, this.#editor);
+      this.#mover.abandon();
+      before.engine.close();
+      this.#launched = launched;
+      await this.#breakpoints.renew(launched);
+      this.#begin(response);
+    };
+    restart().catch((error: unknown) => {
+      this.#editor.fail(response, error);
+    });
   }
 
   protected override terminateRequest(response: DebugProtocol.TerminateResponse): void {

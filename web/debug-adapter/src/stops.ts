@@ -35,6 +35,14 @@ export class Stops {
     return all;
   }
 
+  /** Replaces the breakpoints of a group by what they are in another program. */
+  renew(group: string, wishes: readonly Omit<Wish, "id">[]): Wish[] {
+    const before = this.#wishes.get(group) ?? [];
+    const all = wishes.map((wish, i) => ({ ...wish, id: before[i]?.id ?? ++this.#ids }));
+    this.#wishes.set(group, all);
+    return all;
+  }
+
   filter(filters: readonly string[]): void {
     this.#filters = new Set(filters);
   }

@@ -158,8 +158,9 @@ export class Engine {
   card(): Promise<Card> {
     return this.#request("card");
   }
-  evaluate(text: string): Promise<Evaluation> {
-    return this.#request("evaluate", { text });
+  /** With a thread, names are meant as in its function: its locals first. */
+  evaluate(text: string, thread?: number): Promise<Evaluation> {
+    return this.#request("evaluate", { text, thread });
   }
   write(name: string, value: number): Promise<State> {
     return this.#request("write", { name, value });
@@ -170,6 +171,10 @@ export class Engine {
   setVoltage(channel: number, volts: number): Promise<State> {
     return this.#request("set_voltage", { channel, volts });
   }
+  /** In pulses; on one side unlimited without a position. */
+  moveSwitch(number: number, from?: number, to?: number): Promise<State> {
+    return this.#request("move_switch", { switch: number, from, to });
+  }
   trace(names: string[], fromMs: number, toMs: number, points: number): Promise<Channel[]> {
     return this.#request("trace", { names, from_ms: fromMs, to_ms: toMs, points });
   }
@@ -179,9 +184,9 @@ export class Engine {
   listing(): Promise<ListedFunction[]> {
     return this.#request("listing");
   }
-  /** The texts of a schedule file and of its scenario, with the changes. */
-  record(): Promise<{ schedule: string; scenario: string }> {
-    return this.#request("record");
+  /** The texts of a schedule file and of its scenario, with the changes, for a file at `path`. */
+  record(path?: string): Promise<{ schedule: string; scenario: string }> {
+    return this.#request("record", { path });
   }
 
   // --- Sources -----------------------------------------------------------------------------------

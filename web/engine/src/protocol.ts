@@ -217,12 +217,25 @@ export interface CardWord {
   pins?: number;
 }
 
+/** As `[[world.switch]]` describes it. */
+export interface CardSwitch {
+  axis: number;
+  type: string;
+  index: number;
+  from?: number;
+  to?: number;
+  active_low: boolean;
+  connected: boolean;
+}
+
 export interface Card {
   parts: CardPart[];
   words: CardWord[];
+  switches: CardSwitch[];
 }
 
-export type Evaluation = { value: Value } | { holds: boolean };
+/** `path` is the whole name. */
+export type Evaluation = { value: Value; path: string } | { holds: boolean };
 
 export interface Channel {
   name: string;

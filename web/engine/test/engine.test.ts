@@ -70,10 +70,10 @@ test("variables, values and changes", async () => {
   const a = { name: "a", path: "a", type: "int", slot: 0, value: [0, 7] };
   expect(await engine.variables()).toEqual([a]);
   expect(await engine.variables(0)).toMatchObject([{ name: "b", path: "page0.b", value: 7 }]);
-  expect(await engine.evaluate("a[1]")).toEqual({ value: 7 });
+  expect(await engine.evaluate("a[1]")).toEqual({ value: 7, path: "a[1]" });
   expect(await engine.evaluate("a[1] > 7")).toEqual({ holds: false });
   await engine.write("a[1]", 9);
-  expect(await engine.evaluate("a")).toEqual({ value: [0, 9] });
+  expect(await engine.evaluate("a")).toEqual({ value: [0, 9], path: "a" });
   expect((await engine.slots(0)).slice(0, 2)).toEqual(BigInt64Array.of(7n, 0n));
 });
 

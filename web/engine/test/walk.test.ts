@@ -41,7 +41,7 @@ test("a walk back goes on until it arrives", async () => {
   await engine.walkForward({ goal: "stop" });
   const { state } = await engine.walkBack({ goal: "change", name: "x" }, { slice: 10 });
   expect(state.threads).toMatchObject([{ line: 6 }]);
-  expect(await engine.evaluate("x")).toEqual({ value: 499 });
+  expect(await engine.evaluate("x")).toEqual({ value: 499, path: "x" });
 });
 
 test("a program without an end can be paused, and goes on", async () => {
