@@ -1,7 +1,7 @@
 // What the reader works on: the open lesson or program of their own, its texts, and what the compiler
 // says of them. Every edit is kept at once.
 
-import type { Diagnostic, Project } from "@oncard/engine";
+import type { Description, Diagnostic, Project } from "@oncard/engine";
 import { type Lesson, parseLesson } from "@oncard/lessons";
 import { computed, effect, signal } from "@preact/signals";
 import lessons from "virtual:lessons";
@@ -53,6 +53,7 @@ function shelfOf({ id, files: start }: Lesson): Shelf {
 
 function show(next: Shelf): void {
   shelf.value = next;
+  bench.breakpoints.value = [];
   keep(`shelf.${lesson.value.id}`, next);
   if (!Object.hasOwn(files.value, file.value)) file.value = lesson.value.program;
   opened.value++;
@@ -122,6 +123,16 @@ export function shareLink(): string {
   };
   if (structured) shared.structured = true;
   if (linked.value.some((each) => each.id === id)) shared.own = lesson.value;
+  return addressOf(shared);
+}
+
+/** A link with which the lesson begins. */
+export function linkOfLesson(own: Lesson): string {
+  const { id, files: start, program, main } = own;
+  return addressOf({ lesson: id, own, files: start, program, main, language: language.value });
+}
+
+function addressOf(shared: Shared): string {
   return new URL(writeLink(shared), location.href).href;
 }
 
@@ -167,6 +178,23 @@ export async function reload(): Promise<boolean> {
 export async function ready(): Promise<boolean> {
   if (edited.value || !bench.loaded) return reload();
   return true;
+}
+
+/** Sets a breakpoint at a line of the program, or removes it. */
+export function toggleBreakpoint(line: number): void {
+  const before = bench.breakpoints.value;
+  const next = before.includes(line)
+    ? before.filter((each) => each !== line)
+    : [...before, line].sort((a, b) => a - b);
+  // What was edited has other lines; it is loaded with its breakpoints.
+  if (edited.value || !bench.loaded) bench.breakpoints.value = next;
+  else void bench.stopAt(next);
+}
+
+/** What is at a place of the open file. */
+export async function describe(line: number, column: number): Promise<Description | null> {
+  const engine = await bench.engine();
+  return engine.describe({ ...project.value, file: file.value, line, column });
 }
 
 /** Says everything again in the language that is chosen. */

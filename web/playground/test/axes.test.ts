@@ -16,6 +16,7 @@ const card: Card = {
     { name: "limit_positive", kind: "input", value: 0b10, pins: 8 },
     { name: "gpo", kind: "output", value: 0x8000 },
   ],
+  switches: [],
 };
 
 test("axes have the switches of their number", () => {

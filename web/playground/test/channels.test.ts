@@ -53,6 +53,7 @@ test("channels are the values of the card and the variables", () => {
       { part: "axis", number: 1, values: [{ name: "prfVel", path: "axis1.prfVel", value: 0 }] },
     ],
     words: [],
+    switches: [],
   };
   const variables = [
     { name: "a", path: "a", type: "int", slot: 0, value: [1, 2] },

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 
-import { indexOfPlace, withFixes } from "../src/editor/offsets.js";
+import { indexOfPlace, placeOfIndex, withFixes } from "../src/editor/offsets.js";
 
 const text = "int a;\n/* 轴 😀 */ b = 1;\nend";
 
@@ -16,6 +16,17 @@ test.each([
   [1, 99, 6], // at most the end of the line
   [9, 1, text.length],
 ])("line %i, column %i", (line, column, index) => {
+  expect(indexOfPlace(text, line, column)).toBe(index);
+});
+
+test.each([
+  [0, 1, 1],
+  [6, 1, 7],
+  [7, 2, 1],
+  [14, 2, 7], // behind the emoji, which has two units
+  [text.length, 3, 4],
+])("index %i", (index, line, column) => {
+  expect(placeOfIndex(text, index)).toEqual({ line, column });
   expect(indexOfPlace(text, line, column)).toBe(index);
 });
 

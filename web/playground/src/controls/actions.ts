@@ -2,7 +2,8 @@
 
 import { checkTask, explore } from "../lesson/checks.js";
 import { speed, speeds } from "../store/settings.js";
-import { bench, ready } from "../workspace.js";
+import { chosenLine } from "../editor/editor.js";
+import { bench, ready, toggleBreakpoint } from "../workspace.js";
 
 async function whenReady(action: () => Promise<void>): Promise<void> {
   if (await ready()) await action();
@@ -26,6 +27,9 @@ export const actions = {
   },
   explore: () => void explore(),
   check: () => void checkTask(),
+  breakpoint: () => {
+    if (chosenLine.value > 0) toggleBreakpoint(chosenLine.value);
+  },
 };
 
 export type Action = keyof typeof actions;
@@ -52,6 +56,7 @@ export const keys: Record<Action, Key> = {
   slower: { key: ",", control: true },
   faster: { key: ".", control: true },
   check: { key: "F7" },
+  breakpoint: { key: "F8", control: true },
 };
 
 /** As keys are written: Ctrl+Enter. */

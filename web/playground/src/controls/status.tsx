@@ -10,6 +10,11 @@ import { bench, edited } from "../workspace.js";
 
 type Tone = "" | "good" | "bad";
 
+/** Where a thread stands. */
+function lineOf(thread: number): number {
+  return bench.state.value?.threads.find((each) => each.thread === thread)?.line ?? 0;
+}
+
 function stopText({ status: t }: Texts, stop: Stop): [string, Tone] {
   const { thread = 0, text = "", failed = [] } = stop;
   switch (stop.reason) {
@@ -25,6 +30,8 @@ function stopText({ status: t }: Texts, stop: Stop): [string, Tone] {
       return [t.refusal(thread, text), "bad"];
     case "requirement":
       return [t.requirement(text), "bad"];
+    case "line":
+      return [t.breakpoint(thread, lineOf(thread)), ""];
     case "schedule-end":
       return [t.scheduleEnd, ""];
     case "start":

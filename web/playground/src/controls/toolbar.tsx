@@ -4,6 +4,7 @@ import { useState } from "preact/hooks";
 
 import { verdict } from "../lesson/checks.js";
 import { Dialog } from "../panel/dialog.js";
+import { LessonDialog } from "../share/lesson_dialog.js";
 import { ShareDialog } from "../share/share_dialog.js";
 import { language, speed, speeds, theme } from "../store/settings.js";
 import { texts } from "../texts/texts.js";
@@ -50,7 +51,7 @@ function Tool({
 
 export function Toolbar() {
   const { controls: t } = texts.value;
-  const [shown, setShown] = useState<"keys" | "share" | undefined>(undefined);
+  const [shown, setShown] = useState<"keys" | "share" | "teach" | undefined>(undefined);
   const isRunning = bench.notice.value.kind === "running";
   const close = () => {
     setShown(undefined);
@@ -107,6 +108,15 @@ export function Toolbar() {
           type="button"
           class="quiet"
           onClick={() => {
+            setShown("teach");
+          }}
+        >
+          {t.teach}
+        </button>
+        <button
+          type="button"
+          class="quiet"
+          onClick={() => {
             setShown("keys");
           }}
         >
@@ -133,6 +143,7 @@ export function Toolbar() {
         </button>
       </div>
       {shown === "keys" && <KeysDialog onClose={close} />}
+      {shown === "teach" && <LessonDialog onClose={close} />}
       {shown === "share" && <ShareDialog onClose={close} />}
     </header>
   );
@@ -142,7 +153,7 @@ function KeysDialog({ onClose }: { onClose: () => void }) {
   const { keys: t } = texts.value;
   const rows: Action[] = [
     ...(["run", "start", "step", "back", "cycle", "cycleBack"] as const),
-    ...(["slower", "faster", "explore", "check"] as const),
+    ...(["breakpoint", "slower", "faster", "explore", "check"] as const),
   ];
   return (
     <Dialog title={t.title} onClose={onClose}>
@@ -156,6 +167,12 @@ function KeysDialog({ onClose }: { onClose: () => void }) {
               </td>
             </tr>
           ))}
+          <tr>
+            <th scope="row">{t.describe}</th>
+            <td>
+              <kbd>F1</kbd>
+            </td>
+          </tr>
           <tr>
             <th scope="row">{t.tab}</th>
             <td>

@@ -24,6 +24,9 @@ import {
 } from "@codemirror/view";
 import { tags } from "@lezer/highlight";
 
+import { breakpointGutter, breakpointLines, setBreakpoints } from "./breakpoints.js";
+import { type Describe, descriptions } from "./descriptions.js";
+
 /** Lines that are marked, by their class. */
 export type MarkedLines = { line: number; class: string }[];
 
@@ -63,6 +66,12 @@ const look = EditorView.theme({
     border: "1px solid var(--line-strong)",
   },
   ".cm-panels": { backgroundColor: "var(--raised)", color: "var(--text)" },
+  ".cm-breakpoints .cm-gutterElement": { cursor: "pointer", minWidth: "1.1em" },
+  ".cm-breakpoint": { color: "var(--bad)", display: "block", textAlign: "center" },
+  ".cm-description": { maxWidth: "34em", maxHeight: "18em", overflow: "auto", padding: "2px 10px" },
+  ".cm-description p, .cm-description pre": { margin: "6px 0" },
+  ".cm-description pre": { whiteSpace: "pre-wrap" },
+  ".cm-description td, .cm-description th": { padding: "1px 8px 1px 0", textAlign: "left" },
   ".cm-lint-marker": { width: "0.8em", height: "0.8em" },
 });
 
@@ -92,7 +101,15 @@ export class CodeEditor {
 
   constructor(
     host: HTMLElement,
-    private readonly on: { edit: (text: string) => void; line: (line: number) => void },
+    private readonly on: {
+      edit: (text: string) => void;
+      line: (line: number) => void;
+      /** A click beside a line. */
+      toggle: (line: number) => void;
+      /** The text before breakpoints was edited: their lines now. */
+      moved: (lines: number[]) => void;
+      describe: Describe;
+    },
   ) {
     const root = host.shadowRoot ?? host.attachShadow({ mode: "open" });
     this.#view = new EditorView({
@@ -106,6 +123,9 @@ export class CodeEditor {
     return EditorState.create({
       doc: text,
       extensions: [
+        breakpointGutter((line) => {
+          this.on.toggle(line);
+        }),
         lineNumbers(),
         history(),
         drawSelection(),
@@ -117,6 +137,7 @@ export class CodeEditor {
         search({ top: true }),
         lintGutter(),
         marks,
+        descriptions(this.on.describe),
         indentUnit.of("  "),
         look,
         syntaxHighlighting(colours),
@@ -130,7 +151,11 @@ export class CodeEditor {
           indentWithTab,
         ]),
         EditorView.updateListener.of((update) => {
-          if (update.docChanged) this.on.edit(update.state.doc.toString());
+          if (update.docChanged) {
+            this.on.edit(update.state.doc.toString());
+            const [was, is] = [update.startState, update.state].map(breakpointLines);
+            if (String(was) !== String(is)) this.on.moved(is ?? []);
+          }
           if (update.selectionSet || update.docChanged) {
             const { main } = update.state.selection;
             this.on.line(update.state.doc.lineAt(main.head).number);
@@ -177,6 +202,11 @@ export class CodeEditor {
 
   mark(lines: MarkedLines): void {
     this.#view.dispatch({ effects: setMarks.of(lines) });
+  }
+
+  breakpoints(lines: readonly number[]): void {
+    if (String(lines) === String(breakpointLines(this.#view.state))) return;
+    this.#view.dispatch({ effects: setBreakpoints.of(lines) });
   }
 
   /** Puts the cursor at an index and shows it. */

@@ -9,6 +9,7 @@ import { texts } from "../texts/texts.js";
 import {
   bench,
   copyProgram,
+  describe,
   diagnostics,
   edit,
   edited,
@@ -20,9 +21,11 @@ import {
   removeProgram,
   resetProgram,
   shelf,
+  toggleBreakpoint,
 } from "../workspace.js";
 import { CodeEditor, type MarkedLines } from "./code.js";
-import { indexOfPlace, withFixes } from "./offsets.js";
+import { htmlOf } from "../lesson/markdown.js";
+import { indexOfPlace, placeOfIndex, withFixes } from "./offsets.js";
 import { Problems } from "./problems.js";
 
 /** The line of the program that the reader has chosen, in the editor or among the statements. */
@@ -69,6 +72,7 @@ export function ProgramPanel() {
     <>
       <ProgramBar />
       <Code />
+      <Breakpoints />
       <Problems
         onShow={({ file: name, line, column }) => {
           inFile(name, (shown) => {
@@ -163,18 +167,62 @@ function ProgramBar() {
   );
 }
 
+/** The breakpoints in words, for those who do not see or click beside the lines. */
+function Breakpoints() {
+  const { editor: t } = texts.value;
+  const lines = bench.breakpoints.value;
+  if (lines.length === 0) return null;
+  return (
+    <div class="breakpoints" role="group" aria-label={t.breakpoints}>
+      <span class="small muted">{t.breakpoints}:</span>
+      {lines.map((line) => (
+        <button
+          key={line}
+          type="button"
+          class="quiet"
+          aria-label={t.removeBreakpoint(line)}
+          title={t.removeBreakpoint(line)}
+          onClick={() => {
+            toggleBreakpoint(line);
+          }}
+        >
+          {line} ×
+        </button>
+      ))}
+    </div>
+  );
+}
+
 function Code() {
   const host = useRef<HTMLDivElement>(null);
   const name = file.value;
   const number = opened.value;
   useEffect(() => {
     if (!host.current) return undefined;
-    const created = new CodeEditor(host.current, {
+    const created: CodeEditor = new CodeEditor(host.current, {
       edit: (text) => {
         edit(file.value, text);
       },
       line: (line) => {
         if (file.value === lesson.value.program) chosenLine.value = line;
+      },
+      toggle: (line) => {
+        if (file.value === lesson.value.program) toggleBreakpoint(line);
+      },
+      moved: (lines) => {
+        bench.breakpoints.value = lines;
+      },
+      describe: async (index) => {
+        const { text } = created;
+        const { line, column } = placeOfIndex(text, index);
+        const found = await describe(line, column).catch(() => null);
+        if (!found || text !== created.text) return undefined;
+        const { range, markdown } = found;
+        return {
+          from: indexOfPlace(text, range.line, range.column),
+          to: indexOfPlace(text, range.end_line, range.end_column),
+          html: htmlOf(markdown),
+        };
       },
     });
     editor = created;
@@ -204,6 +252,10 @@ function Code() {
       })),
     );
   }, [diagnostics.value, name, number, language.value]);
+  const breakpoints = name === lesson.value.program ? bench.breakpoints.value : [];
+  useEffect(() => {
+    editor?.breakpoints(breakpoints);
+  }, [breakpoints, name, number]);
   const marked = markedLines();
   const shownLine = marked.find(({ class: kind }) => kind === "cm-next")?.line ?? 0;
   useEffect(() => {

@@ -1,6 +1,6 @@
 // Places of the compiler in the text of the editor. Tested by test/offsets.test.ts.
 
-import { type Fixit, indexOfColumn } from "@oncard/engine";
+import { columnOfIndex, type Fixit, indexOfColumn } from "@oncard/engine";
 
 /** The index of a place: line and column from 1. Places outside are at the end. */
 export function indexOfPlace(text: string, line: number, column: number): number {
@@ -13,6 +13,13 @@ export function indexOfPlace(text: string, line: number, column: number): number
   const end = text.indexOf("\n", begin);
   const whole = text.slice(begin, end < 0 ? text.length : end);
   return begin + indexOfColumn(whole, column);
+}
+
+/** The place of an index, as the compiler counts. */
+export function placeOfIndex(text: string, index: number): { line: number; column: number } {
+  const lines = text.slice(0, index).split("\n");
+  const before = lines.at(-1) ?? "";
+  return { line: lines.length, column: columnOfIndex(before, before.length) };
 }
 
 /** A text with all replacements of a message. */

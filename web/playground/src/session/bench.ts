@@ -45,6 +45,8 @@ export class Bench {
   readonly locals = signal<Map<number, Variable[]>>(new Map());
   readonly listing = signal<ListedFunction[]>([]);
   readonly running = signal(false);
+  /** Lines of the program before which a run stops, in their order. */
+  readonly breakpoints = signal<readonly number[]>([]);
   /** Grows when values of the past may have changed: with each load, choice and change. */
   readonly history = signal(0);
 
@@ -116,6 +118,12 @@ export class Bench {
 
   /** Loads a project; the card is then before its first step. True if it compiles. */
   async load(project: Project): Promise<boolean> {
+    const compiled = await this.#load(project);
+    if (compiled) await this.stopAt(this.breakpoints.value);
+    return compiled;
+  }
+
+  async #load(project: Project): Promise<boolean> {
     let compiled = false;
     await this.#then(async (engine) => {
       this.#head = 0;
@@ -138,12 +146,23 @@ export class Bench {
     return compiled;
   }
 
-  /** Loads a recording of this project and goes to its end. */
+  /** Loads a recording of this project and goes to its end, past all breakpoints. */
   async loadRecording(project: Project, schedule: string): Promise<void> {
     const main = project.main.replace(/\.[^.]*$/, ".schedule");
     const files = { ...project.files, [main]: schedule };
-    if (!(await this.load({ ...project, main, files }))) return;
+    if (!(await this.#load({ ...project, main, files }))) return;
     await this.#then(async (engine) => this.#arrived(await engine.walkForward({ goal: "stop" })));
+    await this.stopAt(this.breakpoints.value);
+  }
+
+  /** Replaces the breakpoints of what is loaded: each goes to the next line with a statement. */
+  stopAt(wished: readonly number[]): Promise<void> {
+    this.breakpoints.value = wished;
+    return this.#then(async (engine) => {
+      const lines = await accepted(engine, wished);
+      // Others have been wished for meanwhile.
+      if (this.breakpoints.value === wished) this.breakpoints.value = lines;
+    }, true);
   }
 
   /** What is loaded. */
@@ -343,6 +362,19 @@ export class Bench {
       if (notice) this.notice.value = notice;
     });
   }
+}
+
+/** The lines of breakpoints that the engine has set. Behind the last statement there is none. */
+async function accepted(engine: Engine, wished: readonly number[]): Promise<number[]> {
+  const last = Math.max(0, ...(await engine.listing()).flatMap(linesOf));
+  const { lines } = await engine.setStops({
+    lines: wished.filter((line) => line <= last).map((line) => ({ line })),
+  });
+  return [...new Set(lines)].sort((a, b) => a - b);
+}
+
+function linesOf({ statements }: ListedFunction): number[] {
+  return statements.map(({ line }) => line);
 }
 
 /** Whether an axis moves. */

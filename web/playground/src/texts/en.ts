@@ -34,6 +34,7 @@ export const en = {
     exploring: "Exploring: every interleaving of the threads is tried.",
     stop: "Stop",
     share: "Share",
+    teach: "Make a lesson",
     keys: "Keys",
   },
   keys: {
@@ -48,6 +49,8 @@ export const en = {
     faster: "Faster",
     explore: "Explore all interleavings",
     check: "Check the task",
+    breakpoint: "Breakpoint at the cursor's line, or none",
+    describe: "What the name at the cursor is",
     escape: "Leave the editor: then Tab moves on",
     tab: "Indent in the editor",
   },
@@ -64,6 +67,8 @@ export const en = {
     fault: (thread: number, text: string) => `Card: fault of thread ${thread}: ${text}`,
     refusal: (thread: number, text: string) => `Command of thread ${thread} refused: ${text}`,
     requirement: (text: string) => `Requirement: ${text}`,
+    breakpoint: (thread: number, line: number) =>
+      `Breakpoint: thread ${thread} is before line ${line}.`,
     scheduleEnd: "The recording is over.",
     start: "At the start.",
     budget: "Paused.",
@@ -99,6 +104,8 @@ export const en = {
     warning: "warning",
     note: "note",
     structured: "structured C",
+    breakpoints: "Breakpoints",
+    removeBreakpoint: (line: number) => `Remove the breakpoint at line ${line}`,
   },
 
   machine: {
@@ -219,6 +226,17 @@ export const en = {
       "time-limit": "The program did not end within the time of the scenario.",
       deadlock: "The threads wait for each other forever (deadlock).",
     } as Record<string, string>,
+  },
+
+  teach: {
+    title: "Make a lesson of this program",
+    text: "The student starts with the program as it is now, and its scenario is the task. Write in the language of the page; what you have written stays in this browser.",
+    name: "Title",
+    id: "Short name: lower-case letters, digits and hyphens",
+    body: "Text, in Markdown",
+    addHint: "Add a hint",
+    task: "How the task is checked",
+    missing: "There is a link when this is mended:",
   },
 
   share: {

@@ -36,6 +36,7 @@ export const zh: Texts = {
     exploring: "正在探索：尝试线程的所有交错。",
     stop: "停止",
     share: "分享",
+    teach: "编写课程",
     keys: "按键",
   },
   keys: {
@@ -50,6 +51,8 @@ export const zh: Texts = {
     faster: "更快",
     explore: "探索所有交错",
     check: "检查任务",
+    breakpoint: "在光标所在行设置或取消断点",
+    describe: "光标处的名称是什么",
     escape: "离开编辑器：之后 Tab 移到下一处",
     tab: "在编辑器中缩进",
   },
@@ -66,6 +69,7 @@ export const zh: Texts = {
     fault: (thread, text) => `控制卡：线程 ${thread} 出错：${text}`,
     refusal: (thread, text) => `线程 ${thread} 的指令被拒绝：${text}`,
     requirement: (text) => `要求：${text}`,
+    breakpoint: (thread, line) => `断点：线程 ${thread} 停在第 ${line} 行之前。`,
     scheduleEnd: "录制已放完。",
     start: "已在开始处。",
     budget: "已暂停。",
@@ -99,6 +103,8 @@ export const zh: Texts = {
     warning: "警告",
     note: "说明",
     structured: "结构化 C",
+    breakpoints: "断点",
+    removeBreakpoint: (line) => `取消第 ${line} 行的断点`,
   },
 
   machine: {
@@ -218,6 +224,17 @@ export const zh: Texts = {
       "time-limit": "程序没有在场景规定的时间内结束。",
       deadlock: "线程永远互相等待（死锁）。",
     },
+  },
+
+  teach: {
+    title: "把这个程序编成课程",
+    text: "学生从现在的程序开始，其场景即任务。请使用页面的语言编写；所写内容保存在此浏览器中。",
+    name: "标题",
+    id: "短名：小写字母、数字和连字符",
+    body: "正文（Markdown）",
+    addHint: "添加提示",
+    task: "任务的检查方式",
+    missing: "修正以下问题后即可得到链接：",
   },
 
   share: {

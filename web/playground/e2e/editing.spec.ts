@@ -1,0 +1,87 @@
+// The editor of the page: breakpoints, and what names are.
+
+import { expect, test } from "@playwright/test";
+
+import { atMaximum, editor, expectAccessible, open, openOwn, status, write } from "./support.js";
+
+const counting = "int x;\nint main()\n{\n  x = 1;\n  x = x + 1;\n  x = x * 3;\n  return x;\n}\n";
+
+test("a run stops at the breakpoints, which are set beside the lines", async ({ page }) => {
+  await open(page);
+  await openOwn(page);
+  await write(page, counting);
+  await expect(page.getByText("No messages")).toBeVisible();
+  const besides = async (line: number) => {
+    const text = await page
+      .locator(".cm-line")
+      .nth(line - 1)
+      .boundingBox();
+    const gutter = await page.locator(".cm-breakpoints").boundingBox();
+    if (!text || !gutter) throw new Error("there is no gutter");
+    await page.mouse.click(gutter.x + gutter.width / 2, text.y + text.height / 2);
+  };
+  const list = page.getByRole("group", { name: "Breakpoints" });
+  await besides(6);
+  await expect(list.getByRole("button")).toHaveText(["6 ×"]);
+  await expect(page.locator(".cm-breakpoint:visible")).toHaveCount(1);
+  // A line without a statement: the next one that has one.
+  await besides(3);
+  await expect(list.getByRole("button")).toHaveText(["4 ×", "6 ×"]);
+
+  await atMaximum(page);
+  const run = page.getByRole("button", { name: "Run", exact: true });
+  await run.click();
+  await expect(status(page)).toHaveText("Breakpoint: thread 0 is before line 4.");
+  await run.click();
+  await expect(status(page)).toHaveText("Breakpoint: thread 0 is before line 6.");
+  await expect(page.locator(".cm-next")).toHaveText("  x = x * 3;");
+  await expectAccessible(page);
+  await list.getByRole("button", { name: "Remove the breakpoint at line 6" }).click();
+  await besides(4);
+  await expect(list).toHaveCount(0);
+  await run.click();
+  await expect(status(page)).toHaveText(/^Finished/);
+});
+
+test("breakpoints move with their lines, and have a key", async ({ page }) => {
+  await open(page);
+  await openOwn(page);
+  await write(page, counting);
+  await expect(page.getByText("No messages")).toBeVisible();
+  await editor(page).press("Control+Home");
+  for (let line = 1; line < 5; ++line) await page.keyboard.press("ArrowDown");
+  await page.keyboard.press("Control+F8");
+  const list = page.getByRole("group", { name: "Breakpoints" });
+  await expect(list.getByRole("button")).toHaveText(["5 ×"]);
+  await page.keyboard.press("Control+Home");
+  await page.keyboard.type("int y;\n");
+  await expect(list.getByRole("button")).toHaveText(["6 ×"]);
+  await atMaximum(page);
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await expect(status(page)).toHaveText("Breakpoint: thread 0 is before line 6.");
+  // The scenario has no statements to stop at.
+  await page.getByRole("button", { name: "scenario.toml" }).click();
+  await expect(page.locator(".cm-breakpoint:visible")).toHaveCount(0);
+});
+
+test("names are described under the pointer and at the cursor", async ({ page }) => {
+  await open(page);
+  await openOwn(page);
+  await write(page, "int main()\n{\n  GT_ClrSts(1, 1);\n}\n");
+  await expect(page.getByText("No messages")).toBeVisible();
+  const description = page.locator(".cm-description");
+  await page.locator(".cm-line", { hasText: "GT_ClrSts" }).hover({ position: { x: 40, y: 8 } });
+  await expect(description).toContainText("GT_ClrSts");
+  await page.mouse.move(0, 0);
+  await expect(description).toHaveCount(0);
+
+  await editor(page).press("Control+Home");
+  for (const key of ["ArrowDown", "ArrowDown", "End", "ArrowLeft", "ArrowLeft", "ArrowLeft"]) {
+    await page.keyboard.press(key);
+  }
+  for (let left = 0; left < 8; ++left) await page.keyboard.press("ArrowLeft");
+  await page.keyboard.press("F1");
+  await expect(page.getByRole("status").and(description)).toContainText("GT_ClrSts");
+  await page.keyboard.press("Escape");
+  await expect(description).toHaveCount(0);
+});
