@@ -1,0 +1,80 @@
+// The extension in the editor itself: what a programmer sees and does.
+
+import { fileURLToPath } from "node:url";
+
+import { expect, type Locator, type Page, test } from "@playwright/test";
+
+const work = fileURLToPath(new URL("../dist/e2e-editor/work", import.meta.url));
+
+/** Puts the cursor at the end of a line. */
+async function goToLine(page: Page, line: number): Promise<void> {
+  await page.keyboard.press("Control+g");
+  await page.keyboard.type(`:${line}`);
+  await page.keyboard.press("Enter");
+  await page.keyboard.press("End");
+}
+
+/** Clicks on a lens. The editor draws lenses anew while their file changes, and then forgets clicks. */
+async function choose(page: Page, lens: string, effect: Locator): Promise<void> {
+  await page.keyboard.press("Control+Home");
+  await expect(async () => {
+    await page.locator(".codelens-decoration").first().getByText(lens, { exact: true }).click();
+    await expect(effect).not.toHaveCount(0, { timeout: 60_000 });
+  }).toPass();
+}
+
+/** The line at which the debugger stands. */
+async function expectStop(page: Page, text: string): Promise<void> {
+  const mark = page.locator(".debug-top-stack-frame-line");
+  await expect(mark).toHaveCount(1);
+  const lines = page.locator(".view-line", { hasText: text });
+  await expect
+    .poll(async () => {
+      const [at, line] = [await mark.boundingBox(), await lines.first().boundingBox()];
+      return at && line ? Math.abs(at.y - line.y) < 3 : false;
+    })
+    .toBe(true);
+}
+
+test("a program is mended, run, and debugged forward and back", async ({ page }) => {
+  await page.goto(`./?folder=${work}`);
+  await page.getByRole("treeitem", { name: "sum.c" }).dblclick();
+
+  await test.step("it is active", async () => {
+    const lenses = page.locator(".codelens-decoration").first();
+    await expect(lenses).toHaveText(/run.*debug.*explore/);
+  });
+
+  await test.step("a mistake is underlined, and its quick fix mends it", async () => {
+    const underlined = page.locator(".squiggly-error");
+    await page.locator(".view-line", { hasText: "sum = sum + i" }).click();
+    await goToLine(page, 17);
+    await page.keyboard.press("Backspace");
+    await expect(underlined).not.toHaveCount(0);
+    await page.keyboard.press("Control+.");
+    await expect(page.locator(".action-widget .action").first()).toContainText("';'");
+    await page.keyboard.press("Enter");
+    await expect(underlined).toHaveCount(0);
+    await expect(page.locator(".view-line", { hasText: "sum = sum + i;" })).toHaveCount(1);
+  });
+
+  await test.step("run says whether the scenario holds", async () => {
+    await choose(page, "run", page.locator(".output-view-content, .output-view"));
+    await expect(page.getByText("passed", { exact: true })).toBeVisible();
+  });
+
+  await test.step("debug stops at a breakpoint, and steps back", async () => {
+    await page.locator(".view-line", { hasText: "sum = sum + i" }).click();
+    await goToLine(page, 17);
+    await page.keyboard.press("F9");
+    await expect(page.locator(".codicon-debug-breakpoint")).not.toHaveCount(0);
+    await choose(page, "debug", page.locator(".debug-toolbar"));
+    await expectStop(page, "i = begin;");
+    await page.getByRole("button", { name: /^Continue/ }).click();
+    await expectStop(page, "sum = sum + i;");
+    await page.getByRole("button", { name: /^Step Back/ }).click();
+    await expectStop(page, "if (cc) goto lbl_end;");
+    await page.getByRole("button", { name: /^Stop/ }).click();
+    await expect(page.locator(".debug-top-stack-frame-line")).toHaveCount(0);
+  });
+});
