@@ -133,87 +133,121 @@ explore::Exploration Search(const Program& program, explore::EngineKind engine) 
 
 // --- SPIN ----------------------------------------------------------------------------------------
 
-/// Threads' variables are global in the model, so that they are part of the state.
-std::string PromelaOperand(const vm::Operand& operand, size_t thread) {
-  const auto name = [&](vm::Storage storage, int id) {
-    return storage == vm::Storage::kGlobal ? fmt::format("g[{}]", id)
-                                           : fmt::format("l{}[{}]", thread, id);
-  };
-  if (const auto* immediate = std::get_if<vm::Immediate>(&operand)) {
-    return fmt::format("({})", vm::IntFromFixed(immediate->raw));
-  }
-  if (const auto* variable = std::get_if<vm::Variable>(&operand)) {
-    return name(variable->storage, variable->id);
-  }
-  Fail("the translation knows no arrays");
-}
-
-std::string PromelaStatement(const vm::Instruction& instruction, size_t thread, size_t index) {
-  const auto operand = [&](size_t i) { return PromelaOperand(instruction.operands[i], thread); };
-  switch (instruction.opcode) {
-    case vm::Opcode::kUnary:
-      return fmt::format("{} = {}", operand(1), operand(0));
-    case vm::Opcode::kBinary:
-      return fmt::format("{} = {} {} {}", operand(2), operand(0),
-                         vm::FindBinaryOperator(instruction.op)->spelling, operand(1));
-    case vm::Opcode::kJump:
-      return fmt::format("if :: ({} != 0) -> goto L{} :: else fi", operand(0),
-                         static_cast<int64_t>(index) + instruction.displacement);
-    case vm::Opcode::kReturn:
-      return "goto LE";
-    case vm::Opcode::kCommand:
-      break;
-  }
-  Fail("the translation knows no GT commands");
-}
-
-std::string Promela(const vm::Object& object) {
-  std::string text = "int g[16];\n";
-  for (size_t thread = 0; thread < object.functions.size(); ++thread) {
-    text += fmt::format("int l{}[16];\n", thread);
-  }
-  for (size_t thread = 0; thread < object.functions.size(); ++thread) {
-    text += fmt::format("active proctype t{}() {{\n", thread);
-    const auto& instructions = object.functions[thread].instructions;
-    for (size_t i = 0; i < instructions.size(); ++i) {
-      text += fmt::format("L{}: {};\n", i, PromelaStatement(instructions[i], thread, i));
-    }
-    text += "LE: skip\n}\n";
-  }
-  return text;
-}
-
-/// The number of states that SPIN stores without partial-order reduction, and its time in seconds.
-struct SpinRun {
-  double states = 0;
-  double seconds = 0;
+/// How SPIN searches.
+enum class SpinSearch {
+  kEveryState,  ///< without its partial-order reduction
+  kReduced,     ///< with it
 };
 
-SpinRun RunSpin(const vm::Object& object) {
-  char folder[] = "/tmp/oncard-bench-XXXXXX";
-  if (mkdtemp(folder) == nullptr) Fail("cannot make a folder");
-  const std::string path = folder;
-  if (!WriteFileAtomically(path + "/model.pml", Promela(object)).ok()) Fail("cannot write a model");
-  const std::string prepare = fmt::format(
-      "cd {} && spin -a model.pml >/dev/null && gcc -O2 -DSAFETY -DNOREDUCE -o pan pan.c", path);
-  if (std::system(prepare.c_str()) != 0) Fail("SPIN cannot translate a program");
-  SpinRun run;
-  run.seconds = MeasureWall([&] {
-    const std::string command = fmt::format("cd {} && ./pan -m1000000 -w24 -E >out", path);
+/// The translation of an object. For the reduction, the variables of threads are local to their
+/// processes, because SPIN takes statements as independent if they access nothing global. Without
+/// it they are global, so that they remain part of the state when a process has ended.
+class PromelaModel {
+ public:
+  PromelaModel(const vm::Object& object, SpinSearch search) : object_(object), search_(search) {}
+
+  std::string Text() const {
+    std::string text = "int g[16];\n";
+    for (size_t thread = 0; thread < object_.functions.size(); ++thread) {
+      if (search_ == SpinSearch::kEveryState) text += fmt::format("int l{}[16];\n", thread);
+    }
+    for (size_t thread = 0; thread < object_.functions.size(); ++thread) {
+      text += fmt::format("active proctype t{}() {{\n", thread);
+      if (search_ == SpinSearch::kReduced) text += fmt::format("int l{}[16];\n", thread);
+      const auto& instructions = object_.functions[thread].instructions;
+      for (size_t i = 0; i < instructions.size(); ++i) {
+        text += fmt::format("L{}: {};\n", i, Statement(instructions[i], thread, i));
+      }
+      text += "LE: skip\n}\n";
+    }
+    return text;
+  }
+
+ private:
+  std::string Operand(const vm::Operand& operand, size_t thread) const {
+    if (const auto* immediate = std::get_if<vm::Immediate>(&operand)) {
+      return fmt::format("({})", vm::IntFromFixed(immediate->raw));
+    }
+    if (const auto* variable = std::get_if<vm::Variable>(&operand)) {
+      return variable->storage == vm::Storage::kGlobal
+                 ? fmt::format("g[{}]", variable->id)
+                 : fmt::format("l{}[{}]", thread, variable->id);
+    }
+    Fail("the translation knows no arrays");
+  }
+
+  std::string Statement(const vm::Instruction& instruction, size_t thread, size_t index) const {
+    const auto operand = [&](size_t i) { return Operand(instruction.operands[i], thread); };
+    switch (instruction.opcode) {
+      case vm::Opcode::kUnary:
+        return fmt::format("{} = {}", operand(1), operand(0));
+      case vm::Opcode::kBinary:
+        return fmt::format("{} = {} {} {}", operand(2), operand(0),
+                           vm::FindBinaryOperator(instruction.op)->spelling, operand(1));
+      case vm::Opcode::kJump:
+        return fmt::format("if :: ({} != 0) -> goto L{} :: else fi", operand(0),
+                           static_cast<int64_t>(index) + instruction.displacement);
+      case vm::Opcode::kReturn:
+        return "goto LE";
+      case vm::Opcode::kCommand:
+        break;
+    }
+    Fail("the translation knows no GT commands");
+  }
+
+  const vm::Object& object_;
+  SpinSearch search_;
+};
+
+/// SPIN's search program for an object, in a folder of its own.
+class SpinProgram {
+ public:
+  SpinProgram(const vm::Object& object, SpinSearch search) {
+    char folder[] = "/tmp/oncard-bench-XXXXXX";
+    if (mkdtemp(folder) == nullptr) Fail("cannot make a folder");
+    folder_ = folder;
+    if (!WriteFileAtomically(folder_ + "/model.pml", PromelaModel(object, search).Text()).ok()) {
+      Fail("cannot write a model");
+    }
+    const std::string command =
+        fmt::format("cd {} && spin -a model.pml >/dev/null && gcc -O2 -DSAFETY {} -o pan pan.c",
+                    folder_, search == SpinSearch::kEveryState ? "-DNOREDUCE" : "");
+    if (std::system(command.c_str()) != 0) Fail("SPIN cannot translate a program");
+  }
+  SpinProgram(const SpinProgram&) = delete;
+  SpinProgram& operator=(const SpinProgram&) = delete;
+  ~SpinProgram() { std::filesystem::remove_all(folder_); }
+
+  void Search() const {
+    const std::string command = fmt::format("cd {} && ./pan -m1000000 -w24 -E >out", folder_);
     if (std::system(command.c_str()) != 0) Fail("SPIN's search failed");
-  });
-  const auto report = ReadFile(path + "/out");
-  if (!report.ok()) Fail("SPIN gave no report");
-  const size_t end = report.value().find(" states, stored");
-  if (end == std::string::npos) Fail("SPIN's report names no states");
-  run.states = std::strtod(report.value().substr(report.value().rfind('\n', end)).c_str(), nullptr);
-  std::filesystem::remove_all(path);
-  return run;
-}
+  }
+
+  /// The number of states that the last search has stored.
+  double States() const {
+    const auto report = ReadFile(folder_ + "/out");
+    if (!report.ok()) Fail("SPIN gave no report");
+    const size_t end = report.value().find(" states, stored");
+    if (end == std::string::npos) Fail("SPIN's report names no states");
+    return std::strtod(report.value().substr(report.value().rfind('\n', end)).c_str(), nullptr);
+  }
+
+ private:
+  std::string folder_;
+};
 
 // --- What is measured ----------------------------------------------------------------------------
 
-void MeasureTraces(const char* name, const std::string& source) {
+/// Prints what was found, and the rate.
+double PrintRate(const char* name, double found, const char* of, double seconds) {
+  const double rate = found / seconds * 1e-6;
+  std::printf("%-28s %12.0f %s  %10.3f s %8.2f M/s\n", name, found, of, seconds, rate);
+  std::fflush(stdout);
+  return rate;
+}
+
+/// Returns the rate in millions of traces per second.
+double MeasureTraces(const char* name, const std::string& source) {
   const Program program = ProgramOf(source);
   double traces = 0;
   const double seconds = MeasureWall([&] {
@@ -221,21 +255,33 @@ void MeasureTraces(const char* name, const std::string& source) {
     if (found.traces->blocked != 0 || found.traces->redundant != 0) Fail("redundant executions");
     traces = static_cast<double>(found.traces->executions);
   });
-  std::printf("%-28s %12.0f traces  %10.3f s %8.2f M/s\n", name, traces, seconds,
-              traces / seconds * 1e-6);
+  return PrintRate(name, traces, "traces", seconds);
 }
 
-void MeasureStates(const char* name, const std::string& source) {
+/// Beside SPIN; returns the rate in millions of states per second.
+double MeasureStates(const char* name, const std::string& source) {
   const Program program = ProgramOf(source);
+  const SpinProgram every(program.object, SpinSearch::kEveryState);
+  const SpinProgram reduced(program.object, SpinSearch::kReduced);
   double states = 0;
-  const double seconds = MeasureWall([&] {
-    states = static_cast<double>(Search(program, explore::EngineKind::kStateful).states->states);
-  });
-  std::printf("%-28s %12.0f states  %10.3f s %8.2f M/s\n", name, states, seconds,
-              states / seconds * 1e-6);
-  const SpinRun spin = RunSpin(program.object);
-  std::printf("%-28s %12.0f states  %10.3f s %8.2f M/s\n", "  SPIN, no reduction", spin.states,
-              spin.seconds, spin.states / spin.seconds * 1e-6);
+  const auto samples = MeasureInTurns(
+      Clock::kWall, {
+                        [&] {
+                          const auto found = Search(program, explore::EngineKind::kStateful);
+                          states = static_cast<double>(found.states->states);
+                        },
+                        [&] { every.Search(); },
+                        [&] { reduced.Search(); },
+                    });
+  const double rate = PrintRate(name, states, "states", Shortest(samples[0]));
+  PrintRate("  SPIN, no reduction", every.States(), "states", Shortest(samples[1]));
+  PrintRate("  SPIN, partial order", reduced.States(), "states", Shortest(samples[2]));
+  const Ratio to_every = RatioOf(samples[0], samples[1]);
+  const Ratio to_reduced = RatioOf(samples[0], samples[2]);
+  std::printf("  time relative to SPIN: %.2f (%.2f..%.2f), with its reduction %.2f (%.2f..%.2f)\n",
+              to_every.shortest, to_every.low, to_every.high, to_reduced.shortest, to_reduced.low,
+              to_reduced.high);
+  return rate;
 }
 
 void MeasureCard(const char* name, const std::string& source) {
@@ -371,10 +417,14 @@ void MeasureStepsBack(int64_t steps) {
 }  // namespace
 
 void BenchExplore() {
-  MeasureTraces("3 threads x 3 increments", Increments(3, 3));
+  const double traces = MeasureTraces("3 threads x 3 increments", Increments(3, 3));
+  MeasureTraces("13 readers", Readers(13));
+  MeasureTraces("last zero of 13", LastZero(13));
   MeasureStates("3 threads x 3 increments", Increments(3, 3));
-  MeasureStates("4 threads x 2 increments", Increments(4, 2));
+  const double states = MeasureStates("4 threads x 2 increments", Increments(4, 2));
   MeasureStates("Peterson's lock", kLock);
+  std::printf("inc_3x3 dpor: %.2f M traces/s\n", traces);
+  std::printf("inc_4x2 stateful: %.2f M states/s\n", states);
   MeasureCard("a moving axis, two threads", kMove);
   MeasureLoop("Peterson's lock", kLock, explore::Verdict::kProved);
   MeasureLoop("a lock that looks, then takes", kNaiveLock, explore::Verdict::kFailed);

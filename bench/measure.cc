@@ -1,20 +1,40 @@
 #include "bench/measure.h"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <vector>
 
 namespace oncard::bench {
 namespace {
 
 constexpr int kRepetitions = 7;
 
-double Median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
+double Seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
+}
+
+double Now(Clock clock) {
+  switch (clock) {
+    case Clock::kCpu:
+      return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    case Clock::kChildren: {
+      rusage usage;
+      ::getrusage(RUSAGE_CHILDREN, &usage);
+      return Seconds(usage.ru_utime) + Seconds(usage.ru_stime);
+    }
+    case Clock::kWall:
+      break;
+  }
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double Measure(Clock clock, const std::function<void()>& work) {
+  return Shortest(MeasureInTurns(clock, {work}).front());
 }
 
 }  // namespace
@@ -24,25 +44,36 @@ void Fail(const std::string& why) {
   std::exit(1);
 }
 
-double MeasureCpu(const std::function<void()>& work) {
-  std::vector<double> seconds;
+double MeasureCpu(const std::function<void()>& work) { return Measure(Clock::kCpu, work); }
+
+double MeasureWall(const std::function<void()>& work) { return Measure(Clock::kWall, work); }
+
+std::vector<Samples> MeasureInTurns(Clock clock,
+                                    const std::vector<std::function<void()>>& contenders) {
+  std::vector<Samples> samples(contenders.size());
   for (int i = 0; i < kRepetitions; ++i) {
-    const std::clock_t start = std::clock();
-    work();
-    seconds.push_back(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    for (size_t contender = 0; contender < contenders.size(); ++contender) {
+      const double start = Now(clock);
+      contenders[contender]();
+      samples[contender].push_back(Now(clock) - start);
+    }
   }
-  return Median(seconds);
+  return samples;
 }
 
-double MeasureWall(const std::function<void()>& work) {
-  std::vector<double> seconds;
-  for (int i = 0; i < kRepetitions; ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    seconds.push_back(
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-  }
-  return Median(seconds);
+double Shortest(const Samples& samples) { return *std::ranges::min_element(samples); }
+
+Ratio RatioOf(const Samples& samples, const Samples& reference) {
+  std::vector<double> ratios;
+  for (size_t i = 0; i < samples.size(); ++i) ratios.push_back(samples[i] / reference[i]);
+  const auto [low, high] = std::ranges::minmax_element(ratios);
+  return {Shortest(samples) / Shortest(reference), *low, *high};
+}
+
+double GeometricMean(const std::vector<double>& values) {
+  double logarithms = 0;
+  for (const double value : values) logarithms += std::log(value);
+  return std::exp(logarithms / static_cast<double>(values.size()));
 }
 
 }  // namespace oncard::bench

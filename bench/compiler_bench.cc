@@ -1,0 +1,69 @@
+// A part of `oncard_bench vm`: how long it takes to compile a long program, and to lower and check
+// one in structured C. CPU time.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+#include "base/files.h"
+#include "bench/measure.h"
+#include "compiler/compiler.h"
+#include "compiler/lowering/lowering.h"
+
+namespace oncard::bench {
+namespace {
+
+void MeasureCompiler() {
+  constexpr int kStatements = 10'000;
+  std::string text = "int a[100];\nint f(int n)\n{\n    int i, x, cc;\n    i = 0;\n";
+  for (int i = 0; i < kStatements / 5; ++i) {
+    text += fmt::format(
+        "l{0}:\n    x = i * {1};\n    cc = x > n;\n    if (cc) goto l{0};\n    a[{2}] = x;\n"
+        "    i = i + 1;\n",
+        i % 1000, i, i % 100);
+    if (i % 1000 == 999)
+      text += "    return i;\n}\nint f" + std::to_string(i) +
+              "(int n)\n{\n    int i, x, cc;\n    i = 0;\n";
+  }
+  text += "    return i;\n}\n";
+  const double seconds = MeasureCpu([&] {
+    const auto compilation = compiler::CompileText("big.c", text, {}, compiler::ReadSource);
+    if (!compilation.ok()) Fail("the generated program does not compile");
+  });
+  std::printf("compile %d statements: %.1f ms\n", kStatements, seconds * 1e3);
+}
+
+// A program of structured C with 10 000 lines, in ten thread functions.
+void MeasureLowering() {
+  constexpr int kFunctions = 10;
+  constexpr int kParts = 100;
+  std::string text = "int a[100], m[8][8], limit;\ndouble gain;\n\n";
+  for (int f = 0; f < kFunctions; ++f) {
+    text += fmt::format("int f{}(int n) {{\n  int i, x = 0;\n  double y = 0.5;\n", f);
+    for (int part = 0; part < kParts; ++part) {
+      text += fmt::format(
+          "  for (i = 0; i < n; i++) {{\n    if (a[i] > limit && x != {0}) {{\n"
+          "      x += a[i] * {0} - (i & 3);\n    }} else {{\n      m[i & 7][x & 7] = -x;\n    }}\n"
+          "    y = y * gain + i;\n  }}\n  a[{0}] = x > {0} ? x : (int)y;\n\n",
+          part);
+    }
+    text += "  return x;\n}\n\n";
+  }
+  const double seconds = MeasureCpu([&] {
+    const auto lowering =
+        compiler::LowerText("big.c", text, {}, compiler::LoweringOptions(), compiler::ReadSource);
+    if (!lowering.text) Fail("the generated program cannot be lowered");
+  });
+  std::printf("lower and check %ld lines of structured C: %.1f ms\n",
+              static_cast<long>(std::count(text.begin(), text.end(), '\n')), seconds * 1e3);
+}
+
+}  // namespace
+
+void BenchCompiler() {
+  MeasureCompiler();
+  MeasureLowering();
+}
+
+}  // namespace oncard::bench

@@ -1,0 +1,108 @@
+// `oncard_bench run`: measures whole runs: a controller whose threads move axes, and the command
+// `oncard run` with and without a recording.
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bench/kernels.h"
+#include "bench/measure.h"
+#include "runtime/sim/controller.h"
+
+namespace oncard::bench {
+namespace {
+
+// --- In this process -----------------------------------------------------------------------------
+
+// Eight threads, each with an axis that they move back and forth.
+void MeasureAxes() {
+  constexpr int64_t kCycles = 200'000;
+  constexpr int kAxes = 8;
+  int64_t statements = 0;
+  const double seconds = MeasureCpu([&] {
+    runtime::Controller controller;
+    const gtcalls::CardCommands commands(&controller.card());
+    const auto image = LoadProgram(ONCARD_KERNELS "/axes.c", commands);
+    if (!controller.Load(image->object).ok()) Fail("cannot load the program of axes");
+    const Kernel drive = {"axes", "axis", 0, nullptr};
+    for (int axis = 1; axis <= kAxes; ++axis) {
+      StartKernel(controller.machine(), *image, drive, axis - 1, 0, axis);
+    }
+    for (int64_t cycle = 0; cycle < kCycles; ++cycle) controller.RunCycle();
+    statements = controller.machine().state().executed;
+    const vm::Symbol* moves = vm::FindLocal(*image, 0, "moves");
+    const vm::SlotAddress last = {false, kAxes - 1, moves->id, vm::DataType::kInt};
+    if (controller.machine().ReadRaw(last) < 10) Fail("the axes did not move");
+  });
+  const double simulated = static_cast<double>(kCycles) * 250e-6;
+  std::printf("8 threads, 8 axes: %.2f M statements/s, %.0f ns/cycle, %.0f x real time\n",
+              static_cast<double>(statements) / seconds / 1e6,
+              seconds * 1e9 / static_cast<double>(kCycles), simulated / seconds);
+}
+
+// --- The command ---------------------------------------------------------------------------------
+
+/// Runs `oncard` with these arguments; its output is of no interest.
+void RunTool(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "oncard");
+  std::vector<char*> words;
+  words.reserve(arguments.size() + 1);
+  for (std::string& argument : arguments) words.push_back(argument.data());
+  words.push_back(nullptr);
+  std::fflush(stdout);  // the child must not print it again
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const int nowhere = ::open("/dev/null", O_WRONLY);
+    if (::dup2(nowhere, STDOUT_FILENO) < 0 || ::dup2(nowhere, STDERR_FILENO) < 0) ::_exit(127);
+    ::execv(ONCARD_TOOL, words.data());
+    ::_exit(127);
+  }
+  int status = 0;
+  if (child < 0 || ::waitpid(child, &status, 0) != child || status != 0) Fail("oncard run failed");
+}
+
+/// The same run without and with a recording, processor time.
+void MeasureRecording(const char* what, const std::vector<std::string>& arguments,
+                      const std::string& file) {
+  std::vector<std::string> recording = arguments;
+  recording.insert(recording.end(), {"--record", file});
+  const auto samples = MeasureInTurns(Clock::kChildren, {
+                                                            [&] { RunTool(arguments); },
+                                                            [&] { RunTool(recording); },
+                                                        });
+  const Ratio ratio = RatioOf(samples[1], samples[0]);
+  std::printf("%s: %.3f s, with --record %.3f s: %.2f times as long (%.2f..%.2f), %ju KB\n", what,
+              Shortest(samples[0]), Shortest(samples[1]), ratio.shortest, ratio.low, ratio.high,
+              std::filesystem::file_size(file) / 1024);
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+void BenchRun() {
+  MeasureAxes();
+  const double start = MeasureWall([] { RunTool({"run", ONCARD_SUM_SAMPLE}); });
+  std::printf("oncard run of the sum sample: %.1f ms wall\n", start * 1e3);
+  char folder[] = "/tmp/oncard-bench-XXXXXX";
+  if (mkdtemp(folder) == nullptr) Fail("cannot make a folder");
+  const std::string file = std::string(folder) + "/recording.sched";
+  MeasureRecording("oncard run, 8 threads, 8 axes, 100 s", {"run", ONCARD_KERNELS "/axes.toml"},
+                   file);
+  const std::vector<std::string> one = {
+      "run", ONCARD_KERNELS "/collatz.c", "--thread", "0=collatz:n=100000", "--rate", "1000000"};
+  MeasureRecording("oncard run, 1 thread computes", one, file);
+  std::vector<std::string> eight = {"run", ONCARD_KERNELS "/collatz.c", "--rate", "1000000"};
+  for (int thread = 0; thread < 8; ++thread) {
+    const std::string number = std::to_string(thread);
+    eight.insert(eight.end(), {"--thread", number + "=collatz@" + number + ":n=5000"});
+  }
+  MeasureRecording("oncard run, 8 threads compute", eight, file);
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace oncard::bench
