@@ -55,8 +55,14 @@ StopWishes ReadWishes(Arguments* arguments, bool races) {
   StopWishes wishes;
   for (Arguments& item : arguments->Objects("lines")) {
     LineStop line;
-    line.file = item.Text("file", {});
-    line.line = static_cast<int>(item.Whole("line", 1, std::numeric_limits<uint16_t>::max()));
+    constexpr int64_t kPlaceMax = std::numeric_limits<uint16_t>::max();
+    if (item.Has("function")) {
+      line.function = item.Text("function");
+      line.position = static_cast<int>(item.Whole("position", 0, kPlaceMax, 0));
+    } else {
+      line.file = item.Text("file", {});
+      line.line = static_cast<int>(item.Whole("line", 1, kPlaceMax));
+    }
     if (item.Has("thread")) {
       line.thread = static_cast<int>(item.Whole("thread", 0, vm::kThreadCount - 1));
     }

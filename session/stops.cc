@@ -7,6 +7,7 @@
 #include "runtime/observe/quantity.h"
 #include "runtime/observe/thread_status.h"
 #include "runtime/scenario/requirement.h"
+#include "runtime/scenario/scenario_start.h"
 
 namespace oncard::session {
 namespace {
@@ -90,7 +91,21 @@ Result<Stops> Stops::Create(const RewindableRun& run) {
 Result<Stops::Line> Stops::ReadLine(const LineStop& wish, const RewindableRun& run) {
   Line line;
   line.wish = wish;
-  line.wish.line = LineWithStatement(run.image().object, wish.file, wish.line);
+  if (wish.function) {
+    const auto function = runtime::FunctionIndex(*wish.function, run.image());
+    if (!function.ok()) return function.error();
+    line.function = static_cast<size_t>(function.value());
+    const auto& lines = run.image().object.functions[line.function].lines;
+    const auto position = static_cast<size_t>(wish.position);
+    if (position >= lines.size()) {
+      return MakeError(1, "{0} has no statement at position {1}: it has {2} statements, from 0 on",
+                       "{0} 中没有位置为 {1} 的语句：共 {2} 条，自 0 起", *wish.function,
+                       wish.position, lines.size());
+    }
+    line.wish.line = lines[position];
+  } else {
+    line.wish.line = LineWithStatement(run.image().object, wish.file, wish.line);
+  }
   if (line.wish.line == 0) {
     return MakeError(1, "no statement of {0} is on line {1} or after it",
                      "{0} 的第 {1} 行及其后没有语句",
@@ -138,6 +153,7 @@ Result<void> Stops::Set(const StopWishes& wishes, const RewindableRun& run) {
   for (Line& line : stops.lines_) {
     const auto same = [&](const Line& old) {
       return old.wish.file == line.wish.file && old.wish.line == line.wish.line &&
+             old.wish.function == line.wish.function && old.wish.position == line.wish.position &&
              old.wish.thread == line.wish.thread && old.wish.condition == line.wish.condition;
     };
     const auto old = std::ranges::find_if(lines_, same);
@@ -190,6 +206,8 @@ void Stops::Begin(const RewindableRun& run) {
   const vm::Machine& machine = run.machine();
   const uint32_t runnable = machine.RunnableThreads();
   asleep_ = 0;
+  at_lines_ = ~0u;
+  reached_ = 0;
   arrivals_ = 0;
   for (int number = 0; number < vm::kThreadCount; ++number) {
     const vm::ThreadState& thread = machine.thread(number);
@@ -216,19 +234,22 @@ std::optional<Stop> Stops::Check(const RewindableRun& run, const StepReport& ste
   return value ? value : line;
 }
 
-// A thread arrives at a line when its next statement is the line's first, or when it comes from
-// another line; a thread that sleeps arrives when it wakes up.
+// A thread arrives at every statement, and at a line when its next statement is the line's first,
+// or when it comes from another line; a thread that sleeps arrives when it wakes up.
 void Stops::FindArrivals(const RewindableRun& run, const StepReport& step) {
   const vm::Machine& machine = run.machine();
-  arrivals_ = 0;
+  reached_ = 0;
   const auto runnable = [&](int number) { return (machine.RunnableThreads() >> number & 1) != 0; };
   if (step.kind == StepKind::kStatement && step.thread >= 0) {
     const vm::ThreadState& thread = machine.thread(step.thread);
     const auto& lines = run.image().object.functions[thread.function].lines;
     uint16_t& was = pcs_[static_cast<size_t>(step.thread)];
     const bool runs = thread.run == vm::ThreadRun::kRunning && thread.pc < lines.size();
-    if (runs && (lines[thread.pc] != lines[was] || thread.pc <= was)) {
-      (runnable(step.thread) ? arrivals_ : asleep_) |= 1u << step.thread;
+    const uint32_t bit = 1u << step.thread;
+    if (runs) {
+      const bool at_line = lines[thread.pc] != lines[was] || thread.pc <= was;
+      at_lines_ = at_line ? at_lines_ | bit : at_lines_ & ~bit;
+      (runnable(step.thread) ? reached_ : asleep_) |= bit;
     }
     was = thread.pc;
   }
@@ -237,27 +258,32 @@ void Stops::FindArrivals(const RewindableRun& run, const StepReport& step) {
     const bool runs = machine.thread(number).run == vm::ThreadRun::kRunning;
     if (runs && !runnable(number)) continue;
     asleep_ &= ~(1u << number);
-    if (runs) arrivals_ |= 1u << number;
+    if (runs) reached_ |= 1u << number;
   }
-  if (step.kind != StepKind::kCycle) return;
-  for (int number = 0; number < vm::kThreadCount; ++number) {
+  for (int number = 0; step.kind == StepKind::kCycle && number < vm::kThreadCount; ++number) {
     const vm::ThreadState& thread = machine.thread(number);
     if (!StartedNow(thread, run.controller().cycle())) continue;
     pcs_[static_cast<size_t>(number)] = thread.pc;
-    arrivals_ |= 1u << number;
+    reached_ |= 1u << number;
+    at_lines_ |= 1u << number;
   }
+  arrivals_ = reached_ & at_lines_;
 }
 
 std::optional<Stop> Stops::CheckLines(const RewindableRun& run, std::vector<LogLine>* log) {
   std::optional<Stop> stop;
-  if (arrivals_ == 0) return stop;
   for (size_t i = 0; i < lines_.size(); ++i) {
     Line& line = lines_[i];
-    for (uint32_t rest = arrivals_; rest != 0; rest &= rest - 1) {
+    const bool at_statement = line.wish.function.has_value();
+    for (uint32_t rest = at_statement ? reached_ : arrivals_; rest != 0; rest &= rest - 1) {
       const int number = std::countr_zero(rest);
       const vm::ThreadState& thread = run.machine().thread(number);
       const vm::Function& function = run.image().object.functions[thread.function];
-      if (function.lines[thread.pc] != line.wish.line) continue;
+      if (at_statement) {
+        if (thread.function != line.function || thread.pc != line.wish.position) continue;
+      } else if (function.lines[thread.pc] != line.wish.line) {
+        continue;
+      }
       if (!line.wish.file.empty() && function.file != line.wish.file) continue;
       if (line.wish.thread && *line.wish.thread != number) continue;
       if (line.condition && !line.condition->Holds(run.controller())) continue;

@@ -1,7 +1,7 @@
-// Where a run stops: breakpoints, changes of variables, conditions that become true, faults,
-// refused commands, requirements and expectations that do not hold. They are checked after every
-// step (rewindable_run.h) in both directions, and depend on nothing but the run.
-// Not thread-safe. Tested by tests/session/stops_test.cc.
+// Where a run stops: lines and statements, changes of variables, conditions that become true,
+// faults, refused commands, requirements and expectations that do not hold. They are checked after
+// every step (rewindable_run.h) in both directions, and depend on nothing but the run. Not
+// thread-safe. Tested by tests/session/stops_test.cc.
 #pragma once
 
 #include <array>
@@ -17,14 +17,16 @@
 
 namespace oncard::session {
 
-/// Before the first statement of a line.
+/// Before the first statement of a line, or before one card statement of a function.
 struct LineStop {
   std::string file;  ///< as in the program's functions; empty: any
   int line = 0;
-  std::optional<int> thread;  ///< empty: every thread
-  std::string condition;      ///< empty: always
-  int64_t hits = 0;           ///< only from this arrival on, counted since the stop was set
-  std::string log;            ///< not empty: this text is logged, `{name}` is a value; no stop
+  std::optional<std::string> function;  ///< then `position` counts, instead of `file` and `line`
+  int position = 0;                     ///< of the statement in the function, from 0
+  std::optional<int> thread;            ///< empty: every thread
+  std::string condition;                ///< empty: always
+  int64_t hits = 0;  ///< only from this arrival on, counted since the stop was set
+  std::string log;   ///< not empty: this text is logged, `{name}` is a value; no stop
 };
 
 /// All places where a run is to stop, as the user names them.
@@ -77,7 +79,7 @@ class Stops {
   /// Replaces all stops. Fails with the first wish that cannot be fulfilled; then nothing changes.
   /// A line without a statement is moved to the next one that has one: lines() says where.
   Result<void> Set(const StopWishes& wishes, const RewindableRun& run);
-  /// The line of each LineStop.
+  /// The line of each LineStop, also of those at a statement.
   std::vector<int> lines() const;
 
   /// True if every step must be checked: a stop can be anywhere, and not only where a thread
@@ -103,6 +105,7 @@ class Stops {
  private:
   struct Line {
     LineStop wish;
+    size_t function = 0;  ///< index of `wish.function`
     std::optional<runtime::CardCondition> condition;
     std::vector<std::variant<std::string, runtime::Quantity>> log;
     std::vector<int64_t> hits;  ///< moments, in order
@@ -140,8 +143,10 @@ class Stops {
   bool races_ = false;
 
   std::array<uint16_t, vm::kThreadCount> pcs_{};
-  uint32_t asleep_ = 0;  // threads that will arrive at a statement when they wake up
-  uint32_t arrivals_ = 0;
+  uint32_t asleep_ = 0;    // threads that will arrive at a statement when they wake up
+  uint32_t at_lines_ = 0;  // threads whose statement begins a line for them
+  uint32_t reached_ = 0;   // threads that have arrived at a statement with this step
+  uint32_t arrivals_ = 0;  // those of them that have arrived at a line
   int64_t fault_count_ = 0;
 };
 

@@ -7,11 +7,10 @@
 #include "runtime/scenario/scenario_world.h"
 
 namespace oncard::runtime {
-namespace {
 
-Result<int> FunctionId(const std::string& name, const vm::Image& image) {
+Result<int> FunctionIndex(const std::string& name, const vm::Image& image) {
   const int index = vm::FindFunction(image, name);
-  if (index >= 0) return index + 1;
+  if (index >= 0) return index;
   std::vector<std::string_view> names;
   for (const vm::Function& function : image.object.functions) names.push_back(function.name);
   const std::string_view near = NearestName(name, names);
@@ -22,6 +21,8 @@ Result<int> FunctionId(const std::string& name, const vm::Image& image) {
   return MakeError(1, "the program has no function '{0}'; did you mean '{1}'?",
                    "程序中没有函数“{0}”；是否为“{1}”？", name, near);
 }
+
+namespace {
 
 /// The threads of the scenario, or the default thread if it names none.
 Result<std::vector<ThreadStart>> ThreadsOf(const Scenario& scenario, const vm::Image& image) {
@@ -39,10 +40,10 @@ std::vector<ThreadStart> BindThreads(const std::vector<ThreadStart>& starts, vm:
                                      ScenarioFit* fit) {
   std::vector<ThreadStart> bound;
   for (const ThreadStart& start : starts) {
-    const auto id = FunctionId(start.function, *machine->image());
-    if (!id.ok()) {
-      fit->Add(start.function_place, id.error().message);
-    } else if (machine->Bind(start.thread, id.value(), start.page) != vm::kOk) {
+    const auto function = FunctionIndex(start.function, *machine->image());
+    if (!function.ok()) {
+      fit->Add(start.function_place, function.error().message);
+    } else if (machine->Bind(start.thread, function.value() + 1, start.page) != vm::kOk) {
       fit->Add(
           start.page_place,
           MakeMessage("thread {0} cannot have page {1}: another thread has it",

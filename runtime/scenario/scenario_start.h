@@ -26,6 +26,9 @@ Result<void> StartScenario(const Scenario& scenario, vm::Object object, Controll
 /// The same for a caller without checks of its own: also fails if anything does not fit.
 Result<void> StartScenario(const Scenario& scenario, vm::Object object, Controller* controller);
 
+/// Which of the program's functions has this name, from 0. Fails with the names that there are.
+Result<int> FunctionIndex(const std::string& name, const vm::Image& image);
+
 /// The policy that replays a schedule. Fails if it was recorded with another program.
 Result<vm::Policy> FollowSchedule(std::shared_ptr<const vm::Schedule> schedule,
                                   const vm::Image& image);

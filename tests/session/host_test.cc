@@ -345,6 +345,24 @@ TEST_F(HostTest, StopsAndLogs) {
   EXPECT_THAT(ErrorOf("set_stops", {{"conditions", {"y > 1"}}}), HasSubstr("nothing is named 'y'"));
 }
 
+TEST_F(HostTest, StopsAtStatements) {
+  Load(kRace, kTwoThreads);
+  // Each line has one statement. Without a position it is the first one.
+  const Json set = Result("set_stops", {{"lines",
+                                         {{{"function", "f"}, {"position", 2}, {"thread", 1}},
+                                          {{"function", "f"}, {"thread", 0}}}}});
+  EXPECT_EQ(set["lines"], Json({7, 5}));
+  EXPECT_EQ(Result("forward", {{"goal", "stop"}})["stop"],
+            Json({{"reason", "line"}, {"thread", 0}, {"number", 1}}));
+  const Json second = Result("forward", {{"goal", "stop"}});
+  EXPECT_EQ(second["stop"], Json({{"reason", "line"}, {"thread", 1}, {"number", 0}}));
+  EXPECT_EQ(second["state"]["threads"][1]["position"], 2);
+  EXPECT_THAT(ErrorOf("set_stops", {{"lines", {{{"function", "f"}, {"line", 5}}}}}),
+              HasSubstr("'lines[0].line' is not an argument"));
+  EXPECT_EQ(ErrorOf("set_stops", {{"lines", {{{"function", "f"}, {"position", 3}}}}}),
+            "f has no statement at position 3: it has 3 statements, from 0 on");
+}
+
 // --- Changes -------------------------------------------------------------------------------------
 
 TEST_F(HostTest, ChangesVariablesAndInputs) {

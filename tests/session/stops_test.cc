@@ -29,6 +29,13 @@ LineStop Line(int line) {
   return stop;
 }
 
+LineStop Statement(const std::string& function, int position) {
+  LineStop stop;
+  stop.function = function;
+  stop.position = position;
+  return stop;
+}
+
 /// Walks to the next stop.
 Stop Next(Session* session, std::vector<LogLine>* log = nullptr) {
   const auto stop = session->Forward({}, log);
@@ -150,6 +157,75 @@ TEST(Stops, APeriodicThreadArrivesAtItsFirstLineEachTime) {
   int stops = 0;
   while (Next(&session).reason == StopReason::kLine) ++stops;
   EXPECT_EQ(stops, 4);  // at 0, 3, 6 and 9 ms
+}
+
+// --- Statements ----------------------------------------------------------------------------------
+
+TEST(Stops, StopBeforeAStatementWithinALine) {
+  Session session = SessionOf("int x;\nint f()\n{\n  x = 1; x = 2; x = 3;\n  return x;\n}\n");
+  StopWishes wishes;
+  wishes.lines = {Statement("f", 2)};
+  Set(wishes, &session);
+  EXPECT_THAT(session.stops().lines(), ElementsAre(4));
+  const Stop stop = Next(&session);
+  EXPECT_EQ(stop.reason, StopReason::kLine);
+  EXPECT_EQ(stop.number, 0);
+  EXPECT_EQ(ValueOf("x", session.run()), 2);
+  EXPECT_EQ(session.run().machine().thread(0).pc, 2);
+  EXPECT_EQ(Next(&session).reason, StopReason::kEnd);
+}
+
+TEST(Stops, AStatementIsThatOfItsFunction) {
+  Session session =
+      SessionOf("int x;\nint f()\n{\n  x = 1;\n}\nint g()\n{\n  x = 2;\n}\n",
+                "[[thread]]\nfunction = \"f\"\n[[thread]]\nthread = 1\nfunction = \"g\"\n");
+  StopWishes wishes;
+  wishes.lines = {Statement("g", 0)};
+  Set(wishes, &session);
+  EXPECT_EQ(Next(&session).thread, 1);
+  EXPECT_EQ(Next(&session).reason, StopReason::kEnd);
+}
+
+TEST(Stops, AStatementHasTheOptionsOfALine) {
+  Session session = SessionOf(kLoop);
+  StopWishes wishes;
+  wishes.lines = {Statement("f", 1), Statement("f", 1), Statement("f", 1)};
+  wishes.lines[0].thread = 1;  // there is only thread 0
+  wishes.lines[1].log = "n is {n}";
+  wishes.lines[2].condition = "n != 2";
+  wishes.lines[2].hits = 3;
+  Set(wishes, &session);
+  std::vector<LogLine> log;
+  EXPECT_EQ(Next(&session, &log).number, 2);
+  EXPECT_EQ(ValueOf("n", session.run()), 4);  // 1, 3, 4
+  EXPECT_EQ(log.size(), 4u);
+}
+
+TEST(Stops, AThreadThatSleepsWithinALineArrivesAtItsStatementWhenItWakes) {
+  Session session = SessionOf("int x;\nint f()\n{\n  GT_Delay(3); x = 1;\n  return 0;\n}\n");
+  StopWishes wishes;
+  wishes.lines = {Statement("f", 1)};
+  Set(wishes, &session);
+  EXPECT_EQ(Next(&session).reason, StopReason::kLine);
+  EXPECT_GE(session.run().controller().cycle(), 3);
+  EXPECT_EQ(ValueOf("x", session.run()), 0);
+  // For a line, that is no arrival.
+  session.run().GoTo(0);
+  wishes.lines = {Line(4)};
+  Set(wishes, &session);
+  EXPECT_EQ(Next(&session).reason, StopReason::kLine);
+  EXPECT_EQ(Next(&session).reason, StopReason::kEnd);
+}
+
+TEST(Stops, AStatementThatDoesNotExistIsRefused) {
+  StopWishes wishes;
+  wishes.lines = {Statement("ff", 0)};
+  EXPECT_EQ(ErrorOf(wishes), "the program has no function 'ff'; did you mean 'f'?");
+  // The loop has 4 statements.
+  wishes.lines = {Statement("f", 4)};
+  EXPECT_EQ(ErrorOf(wishes), "f has no statement at position 4: it has 4 statements, from 0 on");
+  wishes.lines = {Statement("f", 3)};
+  EXPECT_EQ(ErrorOf(wishes), "");
 }
 
 // --- Values and conditions -----------------------------------------------------------------------
