@@ -1,6 +1,7 @@
 // Breakpoints as the editor sets and shows them.
 // Tested by test/breakpoints.test.ts.
 
+import type { LineStop } from "@oncard/engine";
 import { Event } from "@vscode/debugadapter";
 import type { DebugProtocol } from "@vscode/debugprotocol";
 
@@ -48,6 +49,16 @@ export class Breakpoints {
           ? { at: { line: { ...beginning, condition: condition ?? "" } } }
           : { refused: this.#editor.say(refused) };
       }),
+    );
+    return wishes.map((wish) => shown(wish));
+  }
+
+  async setInstructions(
+    launched: Launched,
+    { breakpoints }: DebugProtocol.SetInstructionBreakpointsArguments,
+  ): Promise<DebugProtocol.Breakpoint[]> {
+    const wishes = await this.#set(launched, "instructions", (code) =>
+      breakpoints.map((each) => this.#instructionWish(code, each)),
     );
     return wishes.map((wish) => shown(wish));
   }
@@ -112,7 +123,7 @@ export class Breakpoints {
 
   #lineWish(
     file: string | undefined,
-    { line, condition, hitCondition, logMessage }: DebugProtocol.SourceBreakpoint,
+    { line, logMessage, ...options }: DebugProtocol.SourceBreakpoint,
   ): Omit<Wish, "id"> {
     if (file === undefined) {
       const refused = {
@@ -121,16 +132,38 @@ export class Breakpoints {
       };
       return { refused: this.#editor.say(refused) };
     }
-    const hits = hitCondition ? readHits(hitCondition) : 0;
-    if (hits === undefined) {
+    return this.#wish({ file, line, log: logMessage ?? "" }, options);
+  }
+
+  #instructionWish(
+    code: Code,
+    { instructionReference, offset = 0, ...options }: DebugProtocol.InstructionBreakpoint,
+  ): Omit<Wish, "id"> {
+    const statement = code.statementAt(Number(instructionReference) + offset);
+    if (!statement) {
       const refused = {
-        en: `the hit condition '${hitCondition ?? ""}' must be a number: stop from this arrival on`,
-        zh: `命中条件“${hitCondition ?? ""}”应为数字：从该次到达起停止`,
+        en: "no statement of the program is at this address",
+        zh: "程序中没有语句在此地址",
       };
       return { refused: this.#editor.say(refused) };
     }
-    const texts = { condition: condition ?? "", log: logMessage ?? "" };
-    return { at: { line: { file, line, hits, ...texts } } };
+    const { function: name, position } = statement;
+    const wish = this.#wish({ function: name, position }, options);
+    return { ...wish, reason: "instruction breakpoint" };
+  }
+
+  /** A stop at a place with what the editor says of all of them. */
+  #wish(
+    at: LineStop,
+    { condition = "", hitCondition = "" }: { condition?: string; hitCondition?: string },
+  ): Omit<Wish, "id"> {
+    const hits = hitCondition === "" ? 0 : readHits(hitCondition);
+    if (hits !== undefined) return { at: { line: { ...at, condition, hits } } };
+    const refused = {
+      en: `the hit condition '${hitCondition}' must be a number: stop from this arrival on`,
+      zh: `命中条件“${hitCondition}”应为数字：从该次到达起停止`,
+    };
+    return { refused: this.#editor.say(refused) };
   }
 }
 

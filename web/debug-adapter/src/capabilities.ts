@@ -28,6 +28,7 @@ export function capabilities(editor: Editor): DebugProtocol.Capabilities {
     supportsLogPoints: true,
     supportsFunctionBreakpoints: true,
     supportsDataBreakpoints: true,
+    supportsInstructionBreakpoints: true,
     supportsExceptionInfoRequest: true,
     exceptionBreakpointFilters: [
       filter("fault"),

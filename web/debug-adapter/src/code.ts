@@ -8,6 +8,8 @@ import type { DebugProtocol } from "@vscode/debugprotocol";
 
 interface Statement {
   function: string;
+  /** In its function, from 0. */
+  position: number;
   file: string;
   line: number;
   text: string;
@@ -28,8 +30,8 @@ export class Code {
     this.#functions = functions;
     for (const { name, file, statements } of functions) {
       this.#addresses.set(name, firstAddress + this.#statements.length);
-      for (const statement of statements) {
-        this.#statements.push({ function: name, file, ...statement });
+      for (const [position, { line, text }] of statements.entries()) {
+        this.#statements.push({ function: name, position, file, line, text });
       }
     }
   }
@@ -76,6 +78,11 @@ export class Code {
   #addressOf(thread: Thread): string | undefined {
     const first = this.#addresses.get(thread.function);
     return first === undefined ? undefined : hexadecimal(first + thread.position);
+  }
+
+  /** The statement at an address of the disassembly. */
+  statementAt(address: number): { function: string; position: number } | undefined {
+    return this.#statements[address - firstAddress];
   }
 
   /** Where a thread stands. */

@@ -129,8 +129,9 @@ export class Mover {
     const text = describeStop(stop, state);
     if (text) this.#editor.print(`${this.#editor.say(text)}\n`, "console");
     const thread = stop.thread ?? movement.thread ?? state.next_thread;
-    const reason = reasonOf(stop, movement);
-    this.#tellStopped(state, reason, thread, text, this.#stops.reached(stop));
+    const wish = this.#stops.reached(stop);
+    const reason = wish?.reason ?? reasonOf(stop, movement);
+    this.#tellStopped(state, reason, thread, text, wish?.id);
   }
 
   #tellStopped(

@@ -260,6 +260,15 @@ export class OncardSession extends DebugSession {
     });
   }
 
+  protected override setInstructionBreakpointsRequest(
+    response: DebugProtocol.SetInstructionBreakpointsResponse,
+    args: DebugProtocol.SetInstructionBreakpointsArguments,
+  ): void {
+    this.#editor.answer(response, async () => {
+      response.body = { breakpoints: await this.#breakpoints.setInstructions(this.#now(), args) };
+    });
+  }
+
   protected override setExceptionBreakPointsRequest(
     response: DebugProtocol.SetExceptionBreakpointsResponse,
     { filters }: DebugProtocol.SetExceptionBreakpointsArguments,

@@ -9,6 +9,8 @@ export interface Wish {
   id: number;
   /** Missing if it was refused before the engine could be asked. */
   at?: { line: LineStop } | { change: string };
+  /** What the editor calls a stop at it, if that is not a breakpoint. */
+  reason?: "instruction breakpoint";
   /** The line to which it was moved. */
   line?: number;
   /** Why it is not installed. */
@@ -59,9 +61,9 @@ export class Stops {
   }
 
   /** The breakpoint at which the engine has stopped. */
-  reached(stop: Stop): number | undefined {
+  reached(stop: Stop): Wish | undefined {
     const wishes = stop.reason === "change" ? this.#changes : this.#lines;
-    return stop.number === undefined ? undefined : wishes[stop.number]?.id;
+    return stop.number === undefined ? undefined : wishes[stop.number];
   }
 
   /** All wishes that have not been refused. */

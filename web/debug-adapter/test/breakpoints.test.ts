@@ -135,6 +135,94 @@ test("of functions", async () => {
   expect([await editor.line(), await editor.value("x")]).toEqual([7, "2"]);
 });
 
+describe("of the disassembly", () => {
+  const line = "int x;\nint f()\n{\n  x = 1; x = 2; x = 3;\n  return x;\n}\n";
+
+  /** The references of the first statements. */
+  async function references(editor: Editor, count: number): Promise<string[]> {
+    const memoryReference = (await editor.frame()).instructionPointerReference;
+    const { instructions } = await editor.request<{
+      instructions: DebugProtocol.DisassembledInstruction[];
+    }>("disassemble", { memoryReference, instructionCount: count });
+    return instructions.map(({ address }) => address);
+  }
+
+  async function set(
+    editor: Editor,
+    breakpoints: DebugProtocol.InstructionBreakpoint[],
+  ): Promise<DebugProtocol.Breakpoint[]> {
+    const body = await editor.request<{ breakpoints: DebugProtocol.Breakpoint[] }>(
+      "setInstructionBreakpoints",
+      { breakpoints },
+    );
+    return body.breakpoints;
+  }
+
+  test("stop before a card statement within a line", async () => {
+    const editor = await launch(programOf(line));
+    const [first = "", , third = ""] = await references(editor, 3);
+    const answers = await set(editor, [
+      { instructionReference: first, offset: 1 },
+      { instructionReference: third },
+    ]);
+    expect(answers).toMatchObject([
+      { verified: true, line: 4 },
+      { verified: true, line: 4 },
+    ]);
+    expect(await editor.run()).toMatchObject({
+      reason: "instruction breakpoint",
+      hitBreakpointIds: [answers[0]?.id],
+    });
+    expect(await editor.value("x")).toBe("1");
+    expect(await editor.move("continue")).toMatchObject({ hitBreakpointIds: [answers[1]?.id] });
+    expect(await editor.value("x")).toBe("2");
+    expect(await editor.move("reverseContinue")).toMatchObject({
+      reason: "instruction breakpoint",
+      hitBreakpointIds: [answers[0]?.id],
+    });
+  });
+
+  test("stop if their condition holds, from an arrival on", async () => {
+    const editor = await launch(programOf(loop));
+    const [, second = ""] = await references(editor, 2);
+    const at = { instructionReference: second };
+    await set(editor, [{ ...at, condition: "x != 2", hitCondition: ">= 3" }]);
+    await editor.run();
+    expect(await editor.value("x")).toBe("4");
+  });
+
+  test("are refused where no statement is, and the others stay", async () => {
+    const editor = await launch(programOf(loop));
+    const [first = ""] = await references(editor, 1);
+    const answers = await set(editor, [
+      { instructionReference: first, offset: -1 },
+      { instructionReference: "main" },
+      { instructionReference: first, condition: "y >" },
+      { instructionReference: first, hitCondition: "% 2" },
+      { instructionReference: first },
+    ]);
+    const message = "no statement of the program is at this address";
+    expect(answers).toMatchObject([
+      { verified: false, message },
+      { verified: false, message },
+      { verified: false },
+      { verified: false, message: expect.stringContaining("must be a number") as string },
+      { verified: true },
+    ]);
+    expect(await editor.run()).toMatchObject({ hitBreakpointIds: [answers[4]?.id] });
+  });
+
+  test("are replaced, and stay when the program is launched again", async () => {
+    const editor = await launch(programOf(loop));
+    const [, second = "", third = ""] = await references(editor, 3);
+    await set(editor, [{ instructionReference: second }]);
+    const [point] = await set(editor, [{ instructionReference: third }]);
+    expect(await editor.run()).toMatchObject({ hitBreakpointIds: [point?.id] });
+    await editor.request("restart");
+    expect(await editor.stopped()).toMatchObject({ hitBreakpointIds: [point?.id] });
+  });
+});
+
 describe("of data", () => {
   test("stop after a change", async () => {
     const editor = await launch(sample("01_sum/two_threads.toml"));

@@ -20,6 +20,7 @@ test("the capabilities are those with tests", async () => {
       "supportsExceptionInfoRequest",
       "supportsFunctionBreakpoints",
       "supportsHitConditionalBreakpoints",
+      "supportsInstructionBreakpoints",
       "supportsLogPoints",
     ],
     launch: ["supportsConfigurationDoneRequest", "supportsTerminateRequest"],

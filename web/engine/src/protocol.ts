@@ -172,15 +172,23 @@ export type BackWalk =
   | ThreadGoal
   | { goal: "change"; name: string };
 
-export interface LineStop {
-  line: number;
-  /** As the threads of the state name it. */
-  file?: string;
+/** A line, or a card statement of a function. */
+export type StopPlace =
+  | {
+      line: number;
+      /** As the threads of the state name it. */
+      file?: string;
+    }
+  | { function: string; position?: number };
+
+export interface StopOptions {
   thread?: number;
   condition?: string;
   hits?: number;
   log?: string;
 }
+
+export type LineStop = StopPlace & StopOptions;
 
 export interface StopWishes {
   lines?: LineStop[];
