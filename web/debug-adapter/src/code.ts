@@ -72,6 +72,11 @@ export class Code {
     return found && first && { file: found.file, line: first.line };
   }
 
+  /** Of all functions. */
+  names(): string[] {
+    return this.#functions.map(({ name }) => name);
+  }
+
   // --- Statements --------------------------------------------------------------------------------
 
   /** The address of the statement that a thread executes next. */

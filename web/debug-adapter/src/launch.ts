@@ -8,6 +8,8 @@ export interface LaunchConfig {
   /** Absolute path of a program, a scenario or a recording. */
   program: string;
   stopOnEntry: boolean;
+  /** A function whose first statement the run stops at, once. */
+  stopAtFunction: string | undefined;
   /** The program is structured C. */
   structured: boolean;
   /** Nothing stops the run. */
@@ -34,6 +36,7 @@ export function readLaunchConfig(
   return {
     program: resolve(program),
     stopOnEntry: flagIn(config, "stopOnEntry"),
+    stopAtFunction: textIn(config, "stopAtFunction"),
     structured: flagIn(config, "structured"),
     noDebug: flagIn(config, "noDebug"),
     oncard: oncard ?? "oncard",

@@ -29,11 +29,15 @@ export async function launch(
   const engine = await startEngine(config);
   try {
     await engine.hello(editor.language);
-    const { program, structured } = config;
+    const { program, structured, stopAtFunction } = config;
     const loaded = await engine.load({ main: program, structured });
     for (const each of loaded.diagnostics) editor.showDiagnostic(each);
     if (!loaded.compiled) throw notCompiled(loaded, program);
     const code = new Code(loaded.files, await engine.listing());
+    if (stopAtFunction !== undefined && !code.beginning(stopAtFunction)) {
+      throw noFunction(stopAtFunction, code.names());
+    }
+    stops.once(config.noDebug ? undefined : stopAtFunction);
     if (config.noDebug) stops.filter([]);
     await stops.install(engine);
     report(engine, editor);
@@ -64,6 +68,14 @@ export function threadOf({ state }: Launched, id: number): Thread {
 
 export function notLaunched(): UserError {
   return new UserError({ en: "nothing has been launched", zh: "尚未启动程序" });
+}
+
+function noFunction(name: string, names: readonly string[]): UserError {
+  const all = names.join(", ");
+  return new UserError({
+    en: `'stopAtFunction' of the launch configuration: the program has no function '${name}' with statements; it has ${all}`,
+    zh: `启动配置的“stopAtFunction”：程序中没有含语句的函数“${name}”；只有 ${all}`,
+  });
 }
 
 function notCompiled({ diagnostics }: Compiled, program: string): UserError {

@@ -130,6 +130,7 @@ export class Mover {
     if (text) this.#editor.print(`${this.#editor.say(text)}\n`, "console");
     const thread = stop.thread ?? movement.thread ?? state.next_thread;
     const wish = this.#stops.reached(stop);
+    await this.#stops.passed(wish, launched.engine);
     const reason = wish?.reason ?? reasonOf(stop, movement);
     this.#tellStopped(state, reason, thread, text, wish?.id);
   }

@@ -10,7 +10,7 @@ export interface Wish {
   /** Missing if it was refused before the engine could be asked. */
   at?: { line: LineStop } | { change: string };
   /** What the editor calls a stop at it, if that is not a breakpoint. */
-  reason?: "instruction breakpoint";
+  reason?: "instruction breakpoint" | "entry";
   /** The line to which it was moved. */
   line?: number;
   /** Why it is not installed. */
@@ -21,6 +21,9 @@ export type Filter = "fault" | "refusal" | "requirement" | "race";
 
 /** Those that are set unless the user says otherwise. */
 export const usualFilters: readonly Filter[] = ["fault", "refusal", "requirement"];
+
+/** The group of a stop that the user did not set as a breakpoint. */
+const onceGroup = "once";
 
 export class Stops {
   /** By source, and by kind for those that have no source. */
@@ -47,6 +50,19 @@ export class Stops {
 
   filter(filters: readonly string[]): void {
     this.#filters = new Set(filters);
+  }
+
+  /** Stops once before the first statement of a function; before all others at the same place. */
+  once(name: string | undefined): void {
+    const wish: Omit<Wish, "id"> = { at: { line: { function: name ?? "" } }, reason: "entry" };
+    this.replace(onceGroup, name === undefined ? [] : [wish]);
+  }
+
+  /** Takes back the stop of `once`, if that is the wish. */
+  async passed(wish: Wish | undefined, engine: Engine): Promise<void> {
+    if (!wish || !this.#wishes.get(onceGroup)?.includes(wish)) return;
+    this.once(undefined);
+    await this.install(engine);
   }
 
   /** Installs everything; wishes that the engine refuses are marked. */

@@ -199,6 +199,67 @@ describe("at the end", () => {
   });
 });
 
+describe("stopAtFunction", () => {
+  // Thread 0 executes `f`, whose loop comes to the first statement again; thread 1 executes `g`.
+  const files = {
+    "p.c":
+      "int x;\nint f()\n{\n  int c;\nagain:\n  x = x + 1;\n  c = x < 3;\n" +
+      "  if (c) goto again;\n}\nint g()\n{\n  GT_Delay(2);\n  x = x + 10;\n}\n",
+    "both.toml":
+      'program = "p.c"\n[[thread]]\nfunction = "f"\n[[thread]]\nfunction = "g"\nthread = 1\n',
+  };
+
+  test("stops before the first statement of the function, once", async () => {
+    const editor = await openEditor();
+    await editor.launch(join(folderOf(files), "both.toml"), { stopAtFunction: "f" });
+    expect(await editor.run()).toMatchObject({ reason: "entry", threadId: 1 });
+    expect([await editor.line(), await editor.value("x")]).toEqual([6, "0"]);
+    expect(await editor.move("continue")).toMatchObject({ reason: "pause" });
+    expect(await editor.value("x")).toBe("13");
+  });
+
+  test("stops with the thread that executes it; breakpoints of the user stay", async () => {
+    const folder = folderOf(files);
+    const editor = await openEditor();
+    await editor.launch(join(folder, "both.toml"), { stopAtFunction: "g", stopOnEntry: true });
+    const points = [{ line: 8 }, { line: 12 }];
+    const [, last] = await editor.breakpoints(join(folder, "p.c"), points);
+    expect(await editor.run()).toMatchObject({ reason: "entry", threadId: 1 });
+    expect(await editor.move("continue")).toMatchObject({ reason: "entry", threadId: 2 });
+    expect(await editor.line(1)).toBe(12);
+    await editor.breakpoints(join(folder, "p.c"), points.slice(1));
+    await editor.move("reverseContinue");
+    expect(await editor.move("continue")).toMatchObject({ reason: "breakpoint", threadId: 2 });
+    expect(last).toMatchObject({ verified: true, line: 12 });
+  });
+
+  test("again when the program is launched again", async () => {
+    const editor = await openEditor();
+    await editor.launch(join(folderOf(files), "both.toml"), { stopAtFunction: "g" });
+    await editor.run();
+    await editor.request("restart");
+    expect(await editor.stopped()).toMatchObject({ reason: "entry", threadId: 2 });
+  });
+
+  test("not in a run without debugging", async () => {
+    const editor = await openEditor();
+    const program = join(folderOf(files), "both.toml");
+    await editor.launch(program, { stopAtFunction: "f", noDebug: true });
+    await Promise.all([
+      editor.client.waitForEvent("terminated"),
+      editor.client.configurationDoneRequest(),
+    ]);
+  });
+
+  test("a function that does not exist is an error", async () => {
+    const editor = await openEditor();
+    const launched = editor.launch(join(folderOf(files), "both.toml"), { stopAtFunction: "h" });
+    await expect(launched).rejects.toThrow(
+      "'stopAtFunction' of the launch configuration: the program has no function 'h' with statements; it has f, g",
+    );
+  });
+});
+
 test("a run without debugging stops nowhere and ends by itself", async () => {
   const editor = await openEditor();
   const path = sample("05_arrays/out_of_bounds.toml");

@@ -25,17 +25,21 @@ import { language, say } from "./texts";
 type Folder = string;
 
 export function registerCommands(engines: Engines, output: OutputChannel): Disposable[] {
-  const onFile = (name: string, work: (main: string) => Promise<unknown>) =>
-    commands.registerCommand(name, async (uri?: Uri) => {
+  type Work = (main: string, argument: unknown) => Promise<unknown>;
+  const onFile = (name: string, work: Work) =>
+    commands.registerCommand(name, async (uri?: Uri, argument?: unknown) => {
       const document = await documentOf(uri);
       // The engine reads what is not open from the disk.
       if (document && (!document.isDirty || (await document.save()))) {
-        await work(await mainOf(document));
+        await work(await mainOf(document), argument);
       }
     });
   return [
     onFile("oncard.run", (main) => run(engines, output, main)),
-    onFile("oncard.debug", async (main) => startDebugging(main)),
+    // Menus give other arguments than the lens of a function.
+    onFile("oncard.debug", async (main, name) =>
+      startDebugging(main, typeof name === "string" ? name : undefined),
+    ),
     onFile("oncard.explore", (main) => explore(engines, output, main)),
   ];
 }

@@ -61,8 +61,10 @@ function withoutEmpty(config: DebugConfiguration): Partial<DebugConfiguration> {
   return Object.fromEntries(Object.entries(config).filter(([, value]) => value !== ""));
 }
 
-export function startDebugging(program: string): Thenable<boolean> {
-  const config = { type: "oncard", request: "launch", name: "oncard", program, stopOnEntry: true };
+/** Stands before the first step, or before the first statement of a function. */
+export function startDebugging(program: string, stopAtFunction?: string): Thenable<boolean> {
+  const where = stopAtFunction === undefined ? { stopOnEntry: true } : { stopAtFunction };
+  const config = { type: "oncard", request: "launch", name: "oncard", program, ...where };
   return debug.startDebugging(undefined, config);
 }
 

@@ -20,6 +20,6 @@ export function registerFeatures(engines: Engines): Disposable[] {
     ...registerListing(engines),
     ...registerTests(engines),
     registerTasks(engines),
-    registerLenses(),
+    ...registerLenses(engines),
   ];
 }

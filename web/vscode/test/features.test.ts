@@ -217,19 +217,64 @@ describe("tasks", () => {
 });
 
 describe("lenses", () => {
+  interface Lens {
+    range: { start: { line: number } };
+    command?: { title: string; command: string; arguments?: unknown[] };
+  }
+  const lensesOf = (document: unknown) =>
+    provider<{ provideCodeLenses(document: unknown): Promise<Lens[]> }>("lenses").provideCodeLenses(
+      document,
+    );
   const titles = async (path: string, languageId = "c") => {
-    const lenses = await provider<{
-      provideCodeLenses(document: unknown): Promise<{ command?: { title: string } }[]>;
-    }>("lenses").provideCodeLenses(documentAt(path, languageId));
+    const lenses = await lensesOf(documentAt(path, languageId));
     return lenses.map(({ command }) => command?.title);
   };
 
   test("stand above programs and scenarios, in the language of the editor", async () => {
     activate();
-    expect(await titles(sample("01_sum/sum.c"))).toEqual(["run", "debug", "explore"]);
+    const above = ["run", "debug", "explore"];
+    expect((await titles(sample("01_sum/sum.c"))).slice(0, 3)).toEqual(above);
     env.language = "zh-cn";
     const path = sample("01_sum/one_thread.toml");
     expect(await titles(path, "toml")).toEqual(["运行", "调试", "探索"]);
+  });
+
+  test("stand above each function with which a thread can begin, where it is defined", async () => {
+    activate();
+    const path = join(newFolder(), "p.c");
+    const helper = "int twice(int x);\nint twice(int x)\n{\n  return 2 * x;\n}\n";
+    const threads = "int f()\n{\n  return twice(1);\n}\n\nvoid g()\n{\n}\n";
+    writeFileSync(path, `//@ structured\n${helper}${threads}`);
+    const document = documentAt(path);
+    const lenses = (await lensesOf(document)).slice(3);
+    expect(lenses).toMatchObject([
+      { range: { start: { line: 6 } }, command: { title: "debug f" } },
+      { range: { start: { line: 11 } }, command: { title: "debug g" } },
+    ]);
+    env.language = "zh-cn";
+    expect((await lensesOf(document)).at(-1)).toMatchObject({ command: { title: "调试 g" } });
+    const { command } = lenses[1] ?? {};
+    await execute(command?.command ?? "", ...(command?.arguments ?? []));
+    expect(editor.launched).toEqual([
+      { type: "oncard", request: "launch", name: "oncard", program: path, stopAtFunction: "g" },
+    ]);
+  });
+
+  test("debug a function with the scenario of its program", async () => {
+    activate();
+    const [, , , lens] = await lensesOf(documentAt(sample("01_sum/sum.c")));
+    await execute("oncard.debug", ...(lens?.command?.arguments ?? []));
+    // The first one by name.
+    const program = sample("01_sum/one_after_the_other.toml");
+    expect(editor.launched).toMatchObject([{ program, stopAtFunction: "add" }]);
+  });
+
+  test("of functions are missing if there is no engine", async () => {
+    activate();
+    editor.settings["oncard.path"] = "/nowhere/oncard";
+    expect(await titles(sample("01_sum/sum.c"))).toEqual(["run", "debug", "explore"]);
+    editor.settings["oncard.path"] = oncard;
+    expect(await titles(sample("01_sum/sum.c"))).toHaveLength(4);
   });
 
   test("but not above hosts, or if they are not wanted", async () => {
