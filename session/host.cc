@@ -120,6 +120,7 @@ class SessionHost::Requests {
   Result<Json> MoveSwitch(Arguments& arguments);
   Result<Json> Trace(Arguments& arguments);
   Result<Json> Turns(Arguments& arguments);
+  Result<Json> Spans(Arguments& arguments);
   Result<Json> Listing(Arguments& arguments);
   Result<Json> Record(Arguments& arguments);
 
@@ -166,6 +167,7 @@ const std::vector<SessionHost::Requests::Request>& SessionHost::Requests::All() 
       {{"move_switch", "switch [from] [to]"}, &Requests::MoveSwitch},
       {{"trace", "names from_ms to_ms points"}, &Requests::Trace},
       {{"turns", "from to [most]"}, &Requests::Turns},
+      {{"spans", "[from] [to] [most]"}, &Requests::Spans},
       {{"listing", ""}, &Requests::Listing},
       {{"record", "[path]"}, &Requests::Record},
   };
@@ -438,6 +440,15 @@ Result<Json> SessionHost::Requests::Turns(Arguments& arguments) {
   const int64_t most = arguments.Whole("most", 1, kTurnsMax, kTurnsDefault);
   if (auto missing = Missing(arguments)) return *std::move(missing);
   return TurnsView(session_->run().Turns(from, to, static_cast<size_t>(most)), session_->run());
+}
+
+Result<Json> SessionHost::Requests::Spans(Arguments& arguments) {
+  const int64_t from = arguments.Whole("from", 0, kMomentMax, 0);
+  const int64_t to = arguments.Whole("to", 0, kMomentMax, kMomentMax);
+  const int64_t most = arguments.Whole("most", 1, kTurnsMax, kTurnsDefault);
+  if (auto missing = Missing(arguments)) return *std::move(missing);
+  RewindableRun& run = session_->run();
+  return SpansView(run.Spans(from, to, static_cast<size_t>(most)), run, language_);
 }
 
 Result<Json> SessionHost::Requests::Listing(Arguments& arguments) {

@@ -21,6 +21,14 @@ void InsertInTime(Event event, std::vector<Event>* events) {
                  std::move(event));
 }
 
+/// True if nobody who looks at a thread in two states sees a difference.
+bool LooksSame(const RewindableRun::Span& span, const vm::ThreadState& now, bool waits) {
+  const vm::ThreadState& was = span.state;
+  if (was.run != now.run || was.function != now.function || span.waits != waits) return false;
+  // A thread that has executed something waits anew.
+  return !waits || was.executed == now.executed;
+}
+
 }  // namespace
 
 // --- What the card reports -----------------------------------------------------------------------
@@ -569,6 +577,41 @@ std::vector<RewindableRun::Turn> RewindableRun::Turns(int64_t from, int64_t to, 
   }
   GoTo(present);
   return turns;
+}
+
+std::vector<RewindableRun::Span> RewindableRun::Spans(int64_t from, int64_t to, size_t most) {
+  std::vector<Span> spans;
+  std::array<std::optional<size_t>, vm::kThreadCount> open;
+  const auto close = [&](std::optional<size_t>& number) {
+    if (!number) return;
+    spans[*number].to = moment();
+    spans[*number].to_cycle = controller_.cycle();
+    number.reset();
+  };
+  const int64_t present = moment();
+  GoTo(from);
+  for (bool full = false;;) {
+    const uint32_t runnable = machine().RunnableThreads();
+    for (int number = 0; number < vm::kThreadCount; ++number) {
+      const vm::ThreadState& thread = machine().thread(number);
+      auto& span = open[static_cast<size_t>(number)];
+      const bool waits = thread.run == vm::ThreadRun::kRunning && (runnable >> number & 1) == 0;
+      if (span && LooksSame(spans[*span], thread, waits)) continue;
+      close(span);
+      if (thread.run == vm::ThreadRun::kUnbound) continue;
+      full = full || spans.size() == most;
+      if (full) continue;
+      span = spans.size();
+      const int64_t cycle = controller_.cycle();
+      spans.push_back(
+          {number, waits, thread, machine().Line(number), moment(), moment(), cycle, cycle});
+    }
+    if (full || moment() >= std::min(to, head_)) break;
+    Step();
+  }
+  for (auto& span : open) close(span);
+  GoTo(present);
+  return spans;
 }
 
 }  // namespace oncard::session

@@ -185,6 +185,20 @@ class RewindableRun {
     int64_t statements = 0;
   };
   std::vector<Turn> Turns(int64_t from, int64_t to, size_t most);
+  /// A time in which a bound thread is in one state, and if it waits, waits for one thing.
+  struct Span {
+    int thread = 0;
+    bool waits = false;      ///< running, but for now it cannot execute a statement
+    vm::ThreadState state;   ///< at its beginning
+    int line = 0;            ///< likewise
+    int64_t from = 0;        ///< moments
+    int64_t to = 0;          ///< the moment of the next state, or the last one that was looked at
+    int64_t from_cycle = 0;  ///< of the card at these moments
+    int64_t to_cycle = 0;
+  };
+  /// The states of the threads from one moment to another, in the order of their beginnings. With
+  /// more than `most` of them, all end where the next one would begin.
+  std::vector<Span> Spans(int64_t from, int64_t to, size_t most);
 
  private:
   /// The part of the present that is not the card's.

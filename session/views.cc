@@ -74,10 +74,10 @@ std::string_view ReasonName(StopReason reason) {
   return "budget";
 }
 
-/// What a thread waits for.
-Json WaitView(const RewindableRun& run, const vm::ThreadState& thread) {
+/// What a thread waits for in a cycle.
+Json WaitView(const RewindableRun& run, const vm::ThreadState& thread, int64_t cycle) {
   const int64_t cycle_us = run.scenario().cycle_us;
-  if (thread.wake_cycle > run.machine().state().cycle) {
+  if (thread.wake_cycle > cycle) {
     return {{"until_ms", ToMs(thread.wake_cycle * cycle_us)}};
   }
   const vm::SlotAddress& slot = thread.wait_slot;
@@ -104,7 +104,7 @@ Json ThreadView(const RewindableRun& run, int number, Language language) {
   const bool runs = thread.run == vm::ThreadRun::kRunning;
   const bool ready = (run.machine().RunnableThreads() >> number & 1) != 0;
   json["ready"] = ready;
-  if (runs && !ready) json["waits"] = WaitView(run, thread);
+  if (runs && !ready) json["waits"] = WaitView(run, thread, run.machine().state().cycle);
   if (thread.period_cycles != 0) {
     json["next_start_ms"] = ToMs(thread.next_start * run.scenario().cycle_us);
   }
@@ -297,6 +297,27 @@ nlohmann::ordered_json ChannelsView(const std::vector<Session::Channel>& channel
   for (const Session::Channel& channel : channels) {
     json.push_back(
         {{"name", channel.name}, {"least", channel.least}, {"largest", channel.largest}});
+  }
+  return json;
+}
+
+nlohmann::ordered_json SpansView(const std::vector<RewindableRun::Span>& spans,
+                                 const RewindableRun& run, Language language) {
+  const int64_t cycle_us = run.scenario().cycle_us;
+  Json json = Json::array();
+  for (const RewindableRun::Span& span : spans) {
+    Json item = {{"thread", span.thread},
+                 {"state", runtime::ThreadStateName(span.state.run)},
+                 {"line", span.line},
+                 {"from", span.from},
+                 {"to", span.to},
+                 {"from_ms", ToMs(span.from_cycle * cycle_us)},
+                 {"to_ms", ToMs(span.to_cycle * cycle_us)}};
+    if (span.waits) item["waits"] = WaitView(run, span.state, span.from_cycle);
+    if (span.state.run == vm::ThreadRun::kFaulted) {
+      item["text"] = runtime::DescribeFault(span.state).In(language);
+    }
+    json.push_back(std::move(item));
   }
   return json;
 }

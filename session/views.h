@@ -37,6 +37,8 @@ Result<nlohmann::ordered_json> Evaluate(const std::string& text, std::optional<i
 nlohmann::ordered_json ListingView(const RewindableRun& run);
 
 nlohmann::ordered_json ChannelsView(const std::vector<Session::Channel>& channels);
+nlohmann::ordered_json SpansView(const std::vector<RewindableRun::Span>& spans,
+                                 const RewindableRun& run, Language language);
 nlohmann::ordered_json TurnsView(const std::vector<RewindableRun::Turn>& turns,
                                  const RewindableRun& run);
 

@@ -311,6 +311,32 @@ TEST_F(HostTest, ShowsValuesOverTimeAndTurns) {
               HasSubstr("must not be later than 'to_ms'"));
 }
 
+TEST_F(HostTest, ShowsWaitsAndFaultsOverTime) {
+  Load(
+      "int go;\nint a[3];\nint i;\n"
+      "int f()\n{\n  GT_WaitForVarEq(&go, 1);\n  i = 7;\n  a[i] = 1;\n}\n"
+      "int g()\n{\n  GT_Delay(2);\n  go = 1;\n}\n",
+      "cycle_us = 1000\n"
+      "[[thread]]\nfunction = \"f\"\n[[thread]]\nthread = 1\nfunction = \"g\"\n");
+  Result("set_stops", {{"faults", false}});
+  Result("forward", {{"goal", "stop"}});
+  const Json spans = Result("spans");
+  ASSERT_THAT(spans, SizeIs(8));
+  EXPECT_EQ(spans[2], Json({{"thread", 0},
+                            {"state", "running"},
+                            {"line", 6},
+                            {"from", 2},
+                            {"to", 6},
+                            {"from_ms", 1.0},
+                            {"to_ms", 3.0},
+                            {"waits", {{"name", "go"}, {"value", 1.0}}}}));
+  EXPECT_EQ(spans[3]["waits"], Json({{"until_ms", 3.0}}));
+  EXPECT_EQ(spans[7]["state"], "faulted");
+  EXPECT_EQ(spans[7]["text"], "index 7 is out of bounds: the array has elements 0 to 2");
+  EXPECT_THAT(Result("spans", {{"from", 4}, {"to", 4}}), SizeIs(2));
+  EXPECT_THAT(Result("spans", {{"most", 3}}), SizeIs(3));
+}
+
 // --- Walks ---------------------------------------------------------------------------------------
 
 TEST_F(HostTest, WalksForwardAndBack) {

@@ -1,7 +1,9 @@
 #include "session/rewindable_run.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include "runtime/observe/thread_status.h"
 #include "tests/session/session_support.h"
 
 namespace oncard::session {
@@ -416,6 +418,62 @@ TEST(RewindableRun, ListsTheTurnsOfThreads) {
   EXPECT_EQ(turns[0].moment, 1);
   EXPECT_EQ(run->moment(), end);
   EXPECT_EQ(run->Turns(0, end, 2).size(), 2u);
+}
+
+// --- Spans ---------------------------------------------------------------------------------------
+
+/// Thread 0 waits for thread 1, which sleeps for two cycles, and then faults.
+constexpr const char* kWaits =
+    "int go;\nint a[3];\nint i;\n"
+    "int f()\n{\n  GT_WaitForVarEq(&go, 1);\n  i = 7;\n  a[i] = 1;\n}\n"
+    "int g()\n{\n  GT_Delay(2);\n  go = 1;\n}\n";
+constexpr const char* kWaitsThreads =
+    "cycle_us = 1000\n[[thread]]\nfunction = \"f\"\n[[thread]]\nthread = 1\nfunction = \"g\"\n";
+
+/// `0 running 3-7`, or `waits` instead of the state.
+std::vector<std::string> Listed(const std::vector<RewindableRun::Span>& spans) {
+  std::vector<std::string> list;
+  for (const auto& span : spans) {
+    list.push_back(fmt::format("{} {} {}-{}", span.thread,
+                               span.waits ? "waits" : runtime::ThreadStateName(span.state.run),
+                               span.from, span.to));
+  }
+  return list;
+}
+
+TEST(RewindableRun, ListsTheStatesOfThreadsOverTime) {
+  const auto run = RunOf(kWaits, kWaitsThreads);
+  HashesToTheEnd(run.get());
+  const int64_t end = run->moment();
+  // Steps: cycle, wait, delay, cycle, cycle, `go = 1`, `i = 7`, the fault.
+  ASSERT_EQ(end, 8);
+  const auto spans = run->Spans(0, end, 100);
+  EXPECT_THAT(Listed(spans),
+              ElementsAre("0 running 0-2", "1 running 0-3", "0 waits 2-6", "1 waits 3-5",
+                          "1 running 5-6", "0 running 6-8", "1 finished 6-8", "0 faulted 8-8"));
+  // The delay: from the first cycle to the third.
+  EXPECT_EQ(spans[3].from_cycle, 1);
+  EXPECT_EQ(spans[3].to_cycle, 3);
+  EXPECT_EQ(spans[3].line, 12);
+  EXPECT_EQ(run->moment(), end);
+}
+
+TEST(RewindableRun, ListsTheStatesOfAPartOfTheRun) {
+  const auto run = RunOf(kWaits, kWaitsThreads);
+  HashesToTheEnd(run.get());
+  EXPECT_THAT(Listed(run->Spans(2, 4, 100)),
+              ElementsAre("0 waits 2-4", "1 running 2-3", "1 waits 3-4"));
+  // The fourth one would begin at moment 3.
+  EXPECT_THAT(Listed(run->Spans(0, 8, 3)),
+              ElementsAre("0 running 0-2", "1 running 0-3", "0 waits 2-3"));
+}
+
+TEST(RewindableRun, EachWaitIsASpanOfItsOwn) {
+  const auto run = RunOf("int f()\n{\n  GT_Delay(2);\n  GT_Delay(1);\n}\n", "cycle_us = 1000\n");
+  HashesToTheEnd(run.get());
+  EXPECT_THAT(Listed(run->Spans(0, run->moment(), 100)),
+              ElementsAre("0 running 0-2", "0 waits 2-4", "0 running 4-5", "0 waits 5-6",
+                          "0 finished 6-6"));
 }
 
 }  // namespace
