@@ -119,6 +119,7 @@ void AddWalk(Json load, std::vector<Json>* requests) {
   add("back", {{"goal", "stop"}, {"budget", 5000}});
   add("trace", {{"names", {"axis1.prfPos"}}, {"from_ms", 0}, {"to_ms", 10}, {"points", 20}});
   add("turns", {{"from", 0}, {"to", 1000}});
+  add("spans", none);
   add("listing", none);
   add("record", none);
 }

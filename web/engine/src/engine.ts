@@ -32,6 +32,7 @@ import type {
   SourceProject,
   State,
   StopWishes,
+  ThreadSpan,
   Turn,
   Variable,
   WalkResult,
@@ -180,6 +181,9 @@ export class Engine {
   }
   turns(from: number, to: number, most?: number): Promise<Turn[]> {
     return this.#request("turns", { from, to, most });
+  }
+  spans(from?: number, to?: number, most?: number): Promise<ThreadSpan[]> {
+    return this.#request("spans", { from, to, most });
   }
   listing(): Promise<ListedFunction[]> {
     return this.#request("listing");

@@ -95,6 +95,13 @@ export interface ExploreAnswer extends Compiled {
   schedule?: string;
 }
 
+/** Until a time, or until a variable has a value. */
+export interface Wait {
+  until_ms?: number;
+  name?: string;
+  value?: number;
+}
+
 export interface Thread {
   thread: number;
   function: string;
@@ -107,7 +114,7 @@ export interface Thread {
   error: number;
   status: string;
   ready: boolean;
-  waits?: { until_ms?: number; name?: string; value?: number };
+  waits?: Wait;
   next_start_ms?: number;
   result?: number;
   refused?: string;
@@ -256,6 +263,21 @@ export interface Turn {
   time_ms: number;
   thread: number;
   statements: number;
+}
+
+/** A time in which a thread was in one state. */
+export interface ThreadSpan {
+  thread: number;
+  state: Thread["state"];
+  line: number;
+  /** Moments. */
+  from: number;
+  to: number;
+  from_ms: number;
+  to_ms: number;
+  waits?: Wait;
+  /** Why the thread has faulted. */
+  text?: string;
 }
 
 export interface ListedFunction {

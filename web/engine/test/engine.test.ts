@@ -88,12 +88,16 @@ test("the card, its inputs and voltages", async () => {
   expect(adc?.values.find(({ name }) => name === "volts")?.value).toBeCloseTo(1.5, 2);
 });
 
-test("values over time, turns, the listing and a recording", async () => {
+test("values over time, turns, states, the listing and a recording", async () => {
   const engine = await engineOf(counter);
   await engine.walkForward({ goal: "stop" });
   const channel = { name: "x", least: [0], largest: [2] };
   expect(await engine.trace(["x"], 0, 1, 1)).toEqual([channel]);
   expect(await engine.turns(0, 4)).toMatchObject([{ thread: 0, statements: 3 }]);
+  expect(await engine.spans()).toMatchObject([
+    { thread: 0, state: "running", from: 0, to: 4 },
+    { thread: 0, state: "finished", from: 4, to: 4 },
+  ]);
   expect(await engine.listing()).toMatchObject([{ name: "f", statements: [{ line: 4 }, {}, {}] }]);
   expect((await engine.record()).schedule).toMatch(/^oncard-schedule 1\n/);
 });

@@ -2,7 +2,16 @@
 
 import { expect, test } from "@playwright/test";
 
-import { atMaximum, editor, open, openOwn, status, text, write } from "./support.js";
+import {
+  atMaximum,
+  editor,
+  expectAccessible,
+  open,
+  openOwn,
+  status,
+  text,
+  write,
+} from "./support.js";
 
 test("a wrong program is mended, runs, is measured and stepped back", async ({ page }) => {
   await open(page);
@@ -82,6 +91,21 @@ test("exploring finds the lost update, and its run can be walked", async ({ page
   await page.mouse.move(track.x + 1, track.y + 10, { steps: 4 });
   await page.mouse.up();
   await expect(cursor).toHaveAttribute("aria-valuenow", "0");
+});
+
+test("the timeline shows waits and faults of the past", async ({ page }) => {
+  await open(page);
+  await openOwn(page);
+  await atMaximum(page);
+  await write(page, "int i;\nint a[3];\nint main()\n{\n  GT_Delay(5);\n  i = 7;\n  a[i] = 1;\n}\n");
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  // The delay begins in the first cycle, at 0.25 ms.
+  const wait = page.getByRole("img", { name: "line 5: waits until 5.25 ms" });
+  await expect(wait).toHaveCount(1);
+  await expect(page.getByRole("img", { name: /^line 7: fault: index 7 is out of/ })).toHaveCount(1);
+  await page.getByRole("button", { name: "To the start" }).click();
+  await expect(wait).toHaveCount(1);
+  await expectAccessible(page);
 });
 
 test("the interleaving can be chosen", async ({ page }) => {

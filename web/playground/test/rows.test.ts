@@ -1,8 +1,10 @@
-import { expect, test } from "vitest";
+import type { ThreadSpan } from "@oncard/engine";
+import { describe, expect, test } from "vitest";
 
 import {
   barsOf,
   following,
+  marksOf,
   momentAt,
   moved,
   ticks,
@@ -39,6 +41,63 @@ test("turns that cannot be told apart become one bar", () => {
   const bars = barsOf(turns, { from: 0, to: 20_000 });
   expect(bars).toHaveLength(2);
   expect(bars[0]).toEqual({ thread: 0, from: 0, to: 19_997 / 20_000 });
+});
+
+describe("marks of states", () => {
+  const state = (from: number, to: number, rest: Partial<ThreadSpan> = {}): ThreadSpan => ({
+    thread: 0,
+    state: "running",
+    line: 7,
+    from,
+    to,
+    from_ms: 0.25,
+    to_ms: 0.5,
+    ...rest,
+  });
+  const waits = { until_ms: 3 };
+  const whole = { from: 0, to: 100 };
+
+  test("are waits and pauses as parts of the span, and faults where they happen", () => {
+    const spans = [
+      state(0, 10),
+      state(10, 40, { waits }),
+      state(20, 50, { thread: 1, state: "paused" }),
+      state(40, 50),
+      state(50, 100, { state: "faulted", text: "division by zero" }),
+      state(60, 100, { thread: 1, state: "finished" }),
+    ];
+    expect(marksOf(spans, whole)).toEqual([
+      { thread: 0, kind: "waits", from: 0.1, to: 0.4, of: spans[1] },
+      { thread: 1, kind: "paused", from: 0.2, to: 0.5, of: spans[2] },
+      { thread: 0, kind: "faulted", from: 0.5, to: 0.5, of: spans[4] },
+    ]);
+  });
+
+  test("are cut at the ends of the span; a fault before it has no mark", () => {
+    const spans = [
+      state(0, 60, { waits }),
+      state(40, 200, { thread: 1, state: "faulted" }),
+      state(90, 200, { waits }),
+    ];
+    expect(marksOf(spans, { from: 50, to: 100 })).toMatchObject([
+      { from: 0, to: 0.2 },
+      { from: 0.8, to: 1 },
+    ]);
+  });
+
+  test("of a fault in the last moment", () => {
+    expect(marksOf([state(100, 100, { state: "faulted" })], whole)).toMatchObject([
+      { kind: "faulted", from: 1, to: 1 },
+    ]);
+  });
+
+  test("that cannot be told apart become one, of which nothing more is said", () => {
+    const spans = Array.from({ length: 5000 }, (_, index) =>
+      state(2 * index, 2 * index + 1, { waits }),
+    );
+    const marks = marksOf(spans, { from: 0, to: 10_000 });
+    expect(marks).toEqual([{ thread: 0, kind: "waits", from: 0, to: 0.9999 }]);
+  });
 });
 
 test("a short run has room around it", () => {

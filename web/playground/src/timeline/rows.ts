@@ -2,7 +2,7 @@
 // statements within a cycle, where no time passes, lie beside each other.
 // Tested by test/rows.test.ts.
 
-import type { Turn } from "@oncard/engine";
+import type { ThreadSpan, Turn } from "@oncard/engine";
 
 /** Moments from `from` to `to`. */
 export interface Span {
@@ -69,6 +69,43 @@ export function barsOf(turns: Turn[], { from, to }: Span): Bar[] {
     }
   }
   return bars;
+}
+
+/** A time in which a thread does not run, or the place of its fault. */
+export interface Mark extends Bar {
+  kind: "waits" | "paused" | "faulted";
+  /** What is to be said of it; missing for several that cannot be told apart. */
+  of?: ThreadSpan;
+}
+
+/** The marks of the states, which are in their order. */
+export function marksOf(spans: ThreadSpan[], { from, to }: Span): Mark[] {
+  const part = (moment: number) => Math.min(1, Math.max(0, (moment - from) / (to - from)));
+  const marks: Mark[] = [];
+  const last = new Map<number, Mark>();
+  for (const each of spans) {
+    const kind = each.waits ? "waits" : each.state;
+    if (kind === "running" || kind === "finished") continue;
+    if (each.from > to || each.to < from || (kind === "faulted" && each.from < from)) continue;
+    const end = kind === "faulted" ? each.from : each.to;
+    const mark: Mark = {
+      thread: each.thread,
+      kind,
+      from: part(each.from),
+      to: part(end),
+      of: each,
+    };
+    const before = last.get(each.thread);
+    const isNear = before?.kind === kind && mark.from - before.to < together;
+    if (isNear && kind !== "faulted" && mark.to - mark.from < 4 * together) {
+      before.to = mark.to;
+      delete before.of;
+    } else {
+      marks.push(mark);
+      last.set(each.thread, mark);
+    }
+  }
+  return marks;
 }
 
 /** The moment at a part of the span, within the run. */

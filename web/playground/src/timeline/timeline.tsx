@@ -1,4 +1,5 @@
-// The timeline: a row for each thread, who ran when, and a cursor that can be dragged.
+// The timeline: a row for each thread, who ran, waited and faulted when, and a cursor that can be
+// dragged.
 
 import type { Thread } from "@oncard/engine";
 import { effect, signal } from "@preact/signals";
@@ -11,6 +12,8 @@ import {
   type Bar,
   barsOf,
   following,
+  type Mark,
+  marksOf,
   momentAt,
   type Span,
   ticks,
@@ -20,6 +23,8 @@ import {
 
 /** More turns than this are not asked for; the rest is marked as not shown. */
 const mostTurns = 50_000;
+/** The same for states of threads. */
+const mostSpans = 20_000;
 
 /** Undefined: the whole run. */
 const span = signal<Span | undefined>(undefined);
@@ -84,16 +89,26 @@ function Rows({ span: shown }: { span: Span }) {
   const head = state?.head ?? 0;
   const moment = state?.moment ?? 0;
   const key = `${shown.from} ${shown.to} ${head} ${bench.history.value}`;
-  const { bars, isCut } = useAsked(
-    key,
-    async () => {
-      if (head === 0) return { bars: [], isCut: false };
-      const engine = await bench.engine();
-      const turns = await engine.turns(shown.from, Math.min(shown.to, head), mostTurns);
-      return { bars: barsOf(turns, shown), isCut: turns.length === mostTurns };
-    },
-    bench.running.value,
-  ) ?? { bars: [], isCut: false };
+  const nothing = { bars: [], marks: [], isCut: false };
+  const { bars, marks, isCut } =
+    useAsked(
+      key,
+      async () => {
+        if (head === 0) return nothing;
+        const engine = await bench.engine();
+        const turns = await engine.turns(shown.from, Math.min(shown.to, head), mostTurns);
+        const isLong = turns.length === mostTurns;
+        // No further than what is shown of the turns: each moment costs time.
+        const end = isLong ? (turns.at(-1)?.moment ?? head) : Math.min(shown.to, head);
+        const spans = await engine.spans(shown.from, end, mostSpans);
+        return {
+          bars: barsOf(turns, shown),
+          marks: marksOf(spans, shown),
+          isCut: isLong || spans.length === mostSpans,
+        };
+      },
+      bench.running.value,
+    ) ?? nothing;
   const atCursor = (moment - shown.from) / (shown.to - shown.from);
   const atHead = Math.min(1, (head - shown.from) / (shown.to - shown.from));
 
@@ -122,7 +137,7 @@ function Rows({ span: shown }: { span: Span }) {
           }}
         >
           {state?.threads.map((thread) => (
-            <Row key={thread.thread} thread={thread} bars={bars} head={atHead} />
+            <Row key={thread.thread} thread={thread} bars={bars} marks={marks} head={atHead} />
           ))}
           <Scale span={shown} />
           <div
@@ -191,12 +206,19 @@ function RowHead({ thread }: { thread: Thread }) {
   );
 }
 
-function Row({ thread, bars, head }: { thread: Thread; bars: Bar[]; head: number }) {
-  const own = bars.filter((bar) => bar.thread === thread.thread);
+function Row(props: { thread: Thread; bars: Bar[]; marks: Mark[]; head: number }) {
+  const { thread, bars, marks, head } = props;
+  const isOwn = (each: Bar) => each.thread === thread.thread;
+  const own = bars.filter(isOwn);
+  const rests = marks.filter((mark) => isOwn(mark) && mark.kind !== "faulted");
+  const faults = marks.filter((mark) => isOwn(mark) && mark.kind === "faulted");
   return (
     <div class={`lane t${thread.thread % 8}`}>
-      <svg viewBox="0 0 1000 20" preserveAspectRatio="none" aria-hidden="true">
+      <svg viewBox="0 0 1000 20" preserveAspectRatio="none">
         <line x1="0" x2={head * 1000} y1="10" y2="10" class="lane-line" />
+        {rests.map((mark) => (
+          <StateMark key={mark.from} mark={mark} />
+        ))}
         {own.map((bar) => (
           <rect
             key={bar.from}
@@ -207,9 +229,50 @@ function Row({ thread, bars, head }: { thread: Thread; bars: Bar[]; head: number
             class="turn"
           />
         ))}
+        {faults.map((mark) => (
+          <StateMark key={mark.from} mark={mark} />
+        ))}
       </svg>
     </div>
   );
+}
+
+/** Of a thousand. A fault is marked before the moment after it, where the cursor then stands. */
+const faultWidth = 12;
+
+/** What a thread did when it did not run: a pale bar for a wait, a narrow one for a fault. */
+function StateMark({ mark: { kind, from, to, of } }: { mark: Mark }) {
+  const isFault = kind === "faulted";
+  const x = Math.max(0, from * 1000 - (isFault ? faultWidth : 0));
+  const name = titleOf(kind, of);
+  return (
+    <rect
+      role="img"
+      aria-label={name}
+      x={x}
+      width={isFault ? faultWidth : Math.max(1.5, (to - from) * 1000)}
+      y={isFault ? 0 : 6}
+      height={isFault ? 20 : 8}
+      class={`mark ${kind}`}
+    >
+      <title>{name}</title>
+    </rect>
+  );
+}
+
+function titleOf(kind: Mark["kind"], of: Mark["of"]): string {
+  const { timeline: t } = texts.value;
+  if (!of) return kind === "waits" ? t.waits : t.paused;
+  const { name, value, until_ms: until } = of.waits ?? {};
+  const what =
+    kind === "faulted"
+      ? t.faulted(of.text ?? "")
+      : kind === "paused"
+        ? t.paused
+        : until === undefined
+          ? t.waitsFor(name ?? t.variable, value ?? 0)
+          : t.waitsUntil(number(until));
+  return t.atLine(of.line, what);
 }
 
 function Scale({ span: shown }: { span: Span }) {
