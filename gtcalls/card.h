@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "base/result.h"
 #include "gtcalls/family.h"
 #include "gtcalls/family_state.h"
 #include "motion/motion_core.h"
@@ -40,6 +41,8 @@ struct Card {
   vm::Machine& machine;
   motion::MotionCore& motion;
   FamilyState& family_state;
+  /// Reads the files that commands name; empty: they are read from the file system.
+  std::function<Result<std::string>(const std::string& path)> read_file = {};
 
   CardView view() const { return {family, motion, family_state}; }
   /// The state of the family that the command belongs to.

@@ -28,4 +28,8 @@ size_t ElementsOnCard(const Parameter& parameter, const Card& card, double first
   return 1;
 }
 
+size_t CellsPerElement(const Parameter& parameter) {
+  return parameter.structure != nullptr ? static_cast<size_t>(CellCount(*parameter.structure)) : 1;
+}
+
 }  // namespace oncard::gtcalls

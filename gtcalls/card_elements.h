@@ -19,4 +19,7 @@ size_t CrdDimension(const Card& card, double crd);
 /// argument.
 size_t ElementsOnCard(const Parameter& parameter, const Card& card, double first);
 
+/// Number of cells for one element of a pointer parameter: one, or one per scalar of the structure.
+size_t CellsPerElement(const Parameter& parameter);
+
 }  // namespace oncard::gtcalls

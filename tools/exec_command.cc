@@ -14,6 +14,7 @@
 #include "base/files.h"
 #include "runtime/host/clock.h"
 #include "runtime/host/host_card.h"
+#include "runtime/scenario/call_record.h"
 #include "runtime/scenario/key_script.h"
 #include "runtime/scenario/scenario.h"
 #include "tools/commands.h"
@@ -34,6 +35,7 @@ struct ExecArguments {
   std::string card;
   std::string trace;
   std::string plot;
+  std::string record;
   bool gbk = false;
   bool strict_commands = false;
 };
@@ -89,9 +91,9 @@ void ExtendList(const char* name, const std::string& value, const char* separato
 /// The file to which the host library writes the gnuplot script.
 std::string ScriptPath(const ExecArguments& arguments) { return arguments.plot + ".gnuplot"; }
 
-/// Sets what the host library writes: the trace, and the gnuplot script.
-void RequestTrace(const ExecArguments& arguments) {
-  // The host may change its working directory.
+/// Sets what the host library writes: the trace, the gnuplot script, the record. The host may
+/// change its working directory.
+void RequestFiles(const ExecArguments& arguments) {
   const auto absolute = [](const std::string& path) {
     std::error_code error;
     return std::filesystem::absolute(path, error).string();
@@ -100,6 +102,21 @@ void RequestTrace(const ExecArguments& arguments) {
   if (!arguments.trace.empty()) files = absolute(arguments.trace);
   if (!arguments.plot.empty()) files += ':' + absolute(ScriptPath(arguments));
   if (!files.empty()) ::setenv("ONCARD_TRACE", files.c_str(), 1);
+  if (!arguments.record.empty()) {
+    ::setenv("ONCARD_RECORD", absolute(arguments.record).c_str(), 1);
+  }
+}
+
+/// Replaces an old record, so that none is left if the host opens no card. Fails if it cannot be
+/// written, or has no name of a record.
+Result<void> PrepareRecord(const std::string& path) {
+  if (!path.ends_with(runtime::kCallRecordEnding)) {
+    return MakeError(kExitUsage, "--record is '{0}'; the name of a record ends in {1}",
+                     "--record 为“{0}”；记录的文件名以 {1} 结尾", path, runtime::kCallRecordEnding);
+  }
+  auto written = WriteFileAtomically(path, runtime::FormatRecordHead());
+  if (!written.ok()) return Error{kExitUnreadable, written.error().message};
+  return {};
 }
 
 /// The host to which signals are forwarded; 0: they end the command.
@@ -185,7 +202,11 @@ int Exec(const ExecArguments& arguments, const Invocation& invocation) {
     if (!scenario.ok()) return Fail(invocation, kExitUnreadable, scenario.error().message);
     ::setenv("ONCARD_SCENARIO", arguments.scenario.c_str(), 1);
   }
-  RequestTrace(arguments);
+  if (!arguments.record.empty()) {
+    const auto ready = PrepareRecord(arguments.record);
+    if (!ready.ok()) return Fail(invocation, ready.error().code, ready.error().message);
+  }
+  RequestFiles(arguments);
   ::setenv("ONCARD_REFUSALS", arguments.strict_commands ? "strict" : "warn", 1);
   if (!arguments.keys.empty()) ::setenv("ONCARD_KEYS", arguments.keys.c_str(), 1);
   ::setenv("ONCARD_CLOCK", arguments.clock.c_str(), 1);
@@ -271,6 +292,12 @@ void AddExec(CLI::App& app, Invocation& invocation) {
                                    "绘制随时间变化的曲线，格式为 .svg 或 .png（需要 gnuplot）"}))
       ->type_name("FILE")
       ->check(CLI::Validator(CheckPictureName, ""));
+  command
+      ->add_option(
+          "--record", arguments->record,
+          invocation.Say({"write the calls of the host, for oncard replay",
+                          "写出主机程序的调用，供 oncard replay 使用"}))
+      ->type_name("FILE");
   AddStrictCommandsOption(*command, invocation, arguments->strict_commands);
 }
 

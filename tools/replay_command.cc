@@ -1,8 +1,11 @@
 // oncard replay: executes a recorded run again, statement by statement.
 #include "base/files.h"
+#include "base/milliseconds.h"
 #include "runtime/host/call_log.h"
 #include "runtime/scenario/adapted_schedule.h"
+#include "runtime/scenario/call_replay.h"
 #include "runtime/scenario/requirement_watch.h"
+#include "runtime/scenario/scenario_world.h"
 #include "tools/commands.h"
 #include "tools/run_report.h"
 #include "tools/run_views.h"
@@ -34,6 +37,55 @@ Result<vm::Schedule> Adapt(const runtime::Scenario& scenario, const runtime::Pro
     fmt::print(stderr, "{}\n", adapted.value().divergence->In(invocation.language));
   }
   return std::move(adapted.value().schedule);
+}
+
+/// Gives a card the calls of a host and says whether it does the same.
+Result<Message> ReplayCalls(runtime::CallRecord record) {
+  runtime::Controller controller(runtime::CardOptions(record.scenario));
+  runtime::SwitchOn(record, &controller);
+  const auto replay = runtime::CallReplay::Create(std::move(record), controller.commands());
+  if (!replay.ok()) return replay.error();
+  for (size_t i = 0; i < replay.value().size(); ++i) {
+    const int64_t time_us = replay.value().TimeUs(i);
+    controller.AdvanceUs(time_us - controller.NowUs());
+    const auto done = replay.value().Execute(i, &controller);
+    if (!done.deviation) continue;
+    return MakeError(1, "call {0} at {1} ms: {2}", "第 {0} 个调用，时刻 {1} ms：{3}", i + 1,
+                     ToMs(time_us), done.deviation->en, done.deviation->zh);
+  }
+  const size_t calls = replay.value().record().calls.size();
+  if (!replay.value().record().end) {
+    return MakeError(1,
+                     "the record has no end after {0} calls: the host was killed, or the file was "
+                     "cut",
+                     "记录在 {0} 个调用之后没有结束：主机程序被终止，或文件被截断", calls);
+  }
+  return MakeMessage("{0} calls in {1} ms as recorded, hash {2:016x}",
+                     "{0} 个调用，{1} ms，与记录一致，散列值 {2:016x}", calls,
+                     ToMs(controller.NowUs()), controller.Hash());
+}
+
+/// Replays the calls for all cards of a record.
+int ReplayHost(const std::string& path, const Invocation& invocation) {
+  const auto text = ReadFile(path);
+  if (!text.ok()) return Fail(invocation, kExitUnreadable, text.error().message);
+  auto records = runtime::ParseCallRecords(text.value(), path);
+  if (!records.ok()) return Fail(invocation, kExitUnreadable, records.error().message);
+  int code = kExitOk;
+  for (runtime::CallRecord& record : records.value()) {
+    const int card = record.card;
+    const int opening = record.opening;
+    const auto replayed = ReplayCalls(std::move(record));
+    const Message& what = replayed.ok() ? replayed.value() : replayed.error().message;
+    const Message of_card = MakeMessage("card {0}, opening {1}: {2}", "卡 {0}，第 {1} 次打开：{3}",
+                                        card, opening, what.en, what.zh);
+    if (replayed.ok()) {
+      PrintResult(of_card.In(invocation.language) + '\n');
+    } else {
+      code = Fail(invocation, kExitFailed, of_card);
+    }
+  }
+  return code;
 }
 
 int Replay(const ReplayArguments& arguments, const Invocation& invocation) {
@@ -70,17 +122,37 @@ int Replay(const ReplayArguments& arguments, const Invocation& invocation) {
                                    runtime::TitleOf(scenario.value()), invocation));
 }
 
+/// An option that the user has given; empty: none.
+std::string GivenOption(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (!option->get_positional() && option->count() > 0) return option->get_name();
+  }
+  return {};
+}
+
 }  // namespace
 
 void AddReplay(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<ReplayArguments>();
   CLI::App* command =
       AddCommand(app, invocation, "replay", {"repeat a recorded run exactly", "精确重放录制的调度"},
-                 [arguments, &invocation] { return Replay(*arguments, invocation); });
+                 [arguments, &app, &invocation] {
+                   if (!arguments->path.ends_with(runtime::kCallRecordEnding)) {
+                     return Replay(*arguments, invocation);
+                   }
+                   if (const std::string option = GivenOption(*app.get_subcommand("replay"));
+                       !option.empty()) {
+                     return Fail(invocation, kExitUsage,
+                                 MakeMessage("{0} is not for the record of a host program",
+                                             "{0} 不用于主机程序的记录", option));
+                   }
+                   return ReplayHost(arguments->path, invocation);
+                 });
   command
-      ->add_option("schedule", arguments->path,
-                   invocation.Say({"file written by 'oncard run --record'",
-                                   "由“oncard run --record”写出的文件"}))
+      ->add_option(
+          "schedule", arguments->path,
+          invocation.Say({"file written by 'oncard run --record' or 'oncard exec --record'",
+                          "由“oncard run --record”或“oncard exec --record”写出的文件"}))
       ->required()
       ->type_name("FILE");
   command->add_flag("--tolerant", arguments->tolerant,

@@ -377,7 +377,7 @@ std::string IniPathFor(const std::string& bin_path) {
   return bin_path.substr(0, bin_path.size() - ending).append(kIniEnding);
 }
 
-Result<Object> ReadObjectPair(const std::string& bin_path) {
+Result<Object> ReadObjectPair(const std::string& bin_path, ObjectFiles* content) {
   if (bin_path.size() > kObjectPathMax) {
     return MakeError(kObjectNotFound, "the name '{0}' has {1} bytes; {2} are allowed",
                      "文件名“{0}”有 {1} 字节；最多允许 {2} 字节", Printable(bin_path),
@@ -395,8 +395,9 @@ Result<Object> ReadObjectPair(const std::string& bin_path) {
   for (const Result<std::string>* file : {&files.first, &files.second}) {
     if (!file->ok()) return Error{kObjectDamaged, file->error().message};
   }
-  Result<Object> object =
-      ReadObject({std::move(files.first).value(), std::move(files.second).value()});
+  const ObjectFiles bytes = {std::move(files.first).value(), std::move(files.second).value()};
+  if (content != nullptr) *content = bytes;
+  Result<Object> object = ReadObject(bytes);
   if (!object.ok()) return At({bin_path, bin_path}, object.error());
   return object;
 }

@@ -22,7 +22,8 @@ Result<Object> ReadObject(const ObjectFiles& files);
 
 /// Reads `X.bin` and the `X.ini` beside it. Code 2007: no such `.bin`, a name too long, or one that
 /// does not end in `.bin`; 2008: no `.ini`, unreadable, or as ReadObject(); 7 as ReadObject().
-Result<Object> ReadObjectPair(const std::string& bin_path);
+/// `content` receives the bytes of both files if they could be read.
+Result<Object> ReadObjectPair(const std::string& bin_path, ObjectFiles* content = nullptr);
 
 /// The `.ini` that goes with a `.bin`: the same path with the ending exchanged.
 std::string IniPathFor(const std::string& bin_path);

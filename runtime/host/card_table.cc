@@ -27,6 +27,8 @@ void CardSlot::SwitchOff() {
     watch->Finish(controller.get());
   }
   const auto number = static_cast<int>(this - CardTable::OfProcess().slots.data());
+  if (recorder != nullptr) recorder->Close(number, {controller->NowUs(), controller->Hash()});
+  recorder = nullptr;
   HostRefusals::OfProcess().AddProgram(number, refused.list());
   refused = {};
   watch.reset();

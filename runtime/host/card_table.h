@@ -6,7 +6,10 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
+#include <vector>
 
+#include "runtime/host/call_recorder.h"
 #include "runtime/host/clock.h"
 #include "runtime/host/host_api.h"
 #include "runtime/host/host_scenario.h"
@@ -17,6 +20,13 @@ namespace oncard::runtime {
 
 /// Characters of a firmware version (GTS manual table 11-3).
 inline constexpr size_t kVersionLength = 18;
+
+/// What a call has read from files.
+struct RecordedFiles {
+  std::optional<vm::ObjectFiles> program;
+  std::vector<RecordedSource> sources;
+  std::optional<std::string> config;
+};
 
 /// The entry of one card number. `mutex` guards everything else and is held during a whole call.
 struct CardSlot {
@@ -31,6 +41,8 @@ struct CardSlot {
   std::array<char, kVersionLength + 1> version{};
   RefusedCommands refused;  ///< refused commands of motion programs since the card was opened
   MarshalledCall call;      ///< arguments of the call in progress
+  CallRecorder* recorder = nullptr;  ///< set while the card is open and its calls are recorded
+  RecordedFiles files;               ///< of the call in progress, if it is recorded
 
   /// Lets an open card catch up with the time of its host, including a call that takes `cost_us`.
   void CatchUp(int64_t cost_us);

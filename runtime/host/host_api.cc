@@ -22,6 +22,17 @@ int16_t Dispatch(const gtcalls::Command& command, const HostService* service, Ca
   return code;
 }
 
+void Record(const LoggedCall& made, bool read, CardSlot& slot) {
+  // Of the library's own commands these change the card.
+  const bool changes = made.command.name == "GT_Reset" || slot.files.program.has_value();
+  const bool acts = read && (FindHostService(made.command) == nullptr || changes);
+  RecordedCall call = RecordCall(made, acts);
+  call.program = std::move(slot.files.program);
+  call.sources = std::move(slot.files.sources);
+  call.config = std::move(slot.files.config);
+  slot.recorder->Write(made.card, call);
+}
+
 int16_t CallLockedCard(const gtcalls::Family& family, int card, CardSlot& slot,
                        const gtcalls::Command& command, std::span<const HostArgument> host) {
   const HostService* service = FindHostService(command);
@@ -35,6 +46,7 @@ int16_t CallLockedCard(const gtcalls::Family& family, int card, CardSlot& slot,
   const auto read =
       ReadArguments(command, host, open ? &slot.controller->card() : nullptr, &slot.call);
   const auto arguments = std::span(slot.call.arguments).first(host.size());
+  slot.files = {};
   Message reason;
   int16_t code = vm::kOk;
   if (!open && (service == nullptr || !service->before_open)) {
@@ -48,10 +60,12 @@ int16_t CallLockedCard(const gtcalls::Family& family, int card, CardSlot& slot,
     code = Dispatch(command, service, slot, arguments, &reason);
     if (code == vm::kOk) WriteOutputs(command, slot.call);
   }
+  const LoggedCall made = {time_us, card, vm::kHostCaller, command, arguments, code, reason};
+  // GT_Open is the beginning of the record, GT_Close its end.
+  if (open && slot.recorder != nullptr) Record(made, read.ok(), slot);
   CallLog* const log = CallLog::Wanted();
   const bool counts = code != vm::kOk && RefusalWishOfProcess() != RefusalWish::kNothing;
   if (log != nullptr || counts) {
-    const LoggedCall made = {time_us, card, vm::kHostCaller, command, arguments, code, reason};
     if (log != nullptr) log->Write(made);
     if (counts) HostRefusals::OfProcess().Add(made);
   }

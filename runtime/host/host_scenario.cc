@@ -224,7 +224,10 @@ void CardWatch::Fail(const Expectation& expectation, const Message& why) {
                               fmt::format("“{}”不成立：{}", expectation.text(), why.zh)}));
 }
 
-void LeaveJudgingToParent() { VerdictOfProcess().in_child = true; }
+void LeaveJudgingToParent() {
+  VerdictOfProcess().in_child = true;
+  if (CallRecorder* recorder = CallRecorder::Wanted()) recorder->LeaveToParent();
+}
 
 namespace {
 
@@ -258,6 +261,11 @@ bool ReportHost() {
     verdict.failures.push_back(
         {"the call log could not be written completely; its disk may be full",
          "调用日志未能完整写入；磁盘可能已满"});
+  }
+  if (const CallRecorder* recorder = CallRecorder::Wanted(); recorder && recorder->lost()) {
+    verdict.failures.push_back(
+        {"the record of calls could not be written completely; its disk may be full",
+         "调用记录未能完整写入；磁盘可能已满"});
   }
   for (const Message& warning : verdict.warnings) {
     Print({"warning: " + warning.en, "警告：" + warning.zh});

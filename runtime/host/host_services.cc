@@ -4,6 +4,8 @@
 #include <climits>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -70,7 +72,21 @@ int16_t Open(ServiceCall& call) {
   if (CardNumber(call) == 0) trace_files = TraceFilesFromEnvironment();
   const Scenario bare = BareCard(card.value());
   if (world == nullptr && !trace_files.empty()) world = std::make_shared<const Scenario>(bare);
-  slot.controller = std::make_unique<Controller>(CardOptions(world == nullptr ? bare : *world));
+  const Scenario& opened = world == nullptr ? bare : *world;
+  CallRecorder* const recorder = CallRecorder::Wanted();
+  if (recorder != nullptr) {
+    const auto recorded = recorder->Open(CardNumber(call), opened, world == nullptr);
+    if (!recorded.ok()) return call.Refuse(kOpenFailed, recorded.error().message);
+  }
+  slot.controller = std::make_unique<Controller>(CardOptions(opened));
+  slot.recorder = recorder;
+  if (recorder != nullptr) {
+    slot.controller->card().read_file = [&slot](const std::string& path) {
+      auto text = ReadFile(path, kConfigKind);
+      if (text.ok()) slot.files.config = text.value();
+      return text;
+    };
+  }
   // The log also shows what happens at power-on.
   if (CallLog* log = CallLog::Wanted(); log != nullptr) {
     slot.controller->LogRefusals(log, CardNumber(call));
@@ -209,10 +225,31 @@ int16_t Compile(ServiceCall& call) {
   return vm::kOk;
 }
 
+/// The sources of a program, as far as they are where its `.ini` says.
+std::vector<RecordedSource> SourcesBeside(const std::string& bin_path, const vm::Image& image) {
+  const std::filesystem::path folder = std::filesystem::path(bin_path).parent_path();
+  std::set<std::string> names;
+  for (const vm::Function& function : image.object.functions) names.insert(function.file);
+  std::vector<RecordedSource> sources;
+  for (const std::string& name : names) {
+    std::error_code failed;
+    const std::string path = std::filesystem::absolute(folder / name, failed).lexically_normal();
+    auto text = ReadFile(path, kSourceKind);
+    if (text.ok()) sources.push_back({path, std::move(text).value()});
+  }
+  return sources;
+}
+
 int16_t Download(ServiceCall& call) {
   Controller& controller = *call.slot.controller;
-  const auto loaded = controller.Download(call.text(0));
-  if (loaded.ok()) return vm::kOk;
+  vm::ObjectFiles content;
+  const auto loaded = controller.Download(call.text(0), &content);
+  if (loaded.ok()) {
+    if (call.slot.recorder == nullptr) return vm::kOk;
+    call.slot.files.program = std::move(content);
+    call.slot.files.sources = SourcesBeside(call.text(0), *controller.machine().image());
+    return vm::kOk;
+  }
   const auto code = static_cast<int16_t>(loaded.error().code);
   call.slot.no_program_code = code;
   return call.Refuse(code, loaded.error().message);

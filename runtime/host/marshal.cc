@@ -141,12 +141,6 @@ Result<void> ReadCells(const Parameter& parameter, const vm::CommandArgument& ar
 
 }  // namespace
 
-size_t CellsPerElement(const Parameter& parameter) {
-  return parameter.structure != nullptr
-             ? static_cast<size_t>(gtcalls::CellCount(*parameter.structure))
-             : 1;
-}
-
 Result<void> ReadArguments(const Command& command, std::span<const HostArgument> host,
                            const gtcalls::Card* card, MarshalledCall* call) {
   Result<void> result;

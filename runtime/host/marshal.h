@@ -39,8 +39,4 @@ Result<void> ReadArguments(const gtcalls::Command& command, std::span<const Host
 /// Copies the outputs to the host's memory.
 void WriteOutputs(const gtcalls::Command& command, const MarshalledCall& call);
 
-/// Number of doubles for one element of a pointer parameter: one, or one per scalar of the
-/// structure.
-size_t CellsPerElement(const gtcalls::Parameter& parameter);
-
 }  // namespace oncard::runtime

@@ -104,15 +104,31 @@ bool HasOutput(const Parameter& parameter, const vm::CommandArgument& argument) 
 
 }  // namespace
 
-std::string FormatCallAndCode(const gtcalls::Command& command,
-                              std::span<const vm::CommandArgument> arguments, int16_t code,
-                              const Message& reason, Language language) {
+std::string FormatInputs(const gtcalls::Command& command,
+                         std::span<const vm::CommandArgument> arguments) {
   std::string text = fmt::format("{}(", command.name);
   for (size_t i = 0; i < arguments.size(); ++i) {
     if (i > 0) text += ", ";
     text += ArgumentOf(command.parameters[i], arguments[i]);
   }
-  text += fmt::format(") = {}", code);
+  return text + ')';
+}
+
+std::string FormatOutputs(const gtcalls::Command& command,
+                          std::span<const vm::CommandArgument> arguments) {
+  std::string text;
+  for (size_t i = 0; i < arguments.size(); ++i) {
+    const Parameter& parameter = command.parameters[i];
+    if (!HasOutput(parameter, arguments[i])) continue;
+    text += fmt::format(", {}={}", parameter.name, ContentOf(parameter, arguments[i]));
+  }
+  return text;
+}
+
+std::string FormatCallAndCode(const gtcalls::Command& command,
+                              std::span<const vm::CommandArgument> arguments, int16_t code,
+                              const Message& reason, Language language) {
+  const std::string text = fmt::format("{} = {}", FormatInputs(command, arguments), code);
   const std::string& why = reason.In(language);
   return why.empty() ? text : text + ": " + why;
 }
@@ -123,12 +139,7 @@ std::string FormatCall(const LoggedCall& call, Language language) {
   if (call.caller != vm::kHostCaller) line += fmt::format("thread {}: ", call.caller);
   line += FormatCallAndCode(call.command, call.arguments, call.code, call.reason, language);
   if (call.code != 0 || !call.reason.In(language).empty()) return line;
-  for (size_t i = 0; i < call.arguments.size(); ++i) {
-    const Parameter& parameter = call.command.parameters[i];
-    if (!HasOutput(parameter, call.arguments[i])) continue;
-    line += fmt::format(", {}={}", parameter.name, ContentOf(parameter, call.arguments[i]));
-  }
-  return line;
+  return line + FormatOutputs(call.command, call.arguments);
 }
 
 std::string FormatHappening(int64_t time_us, int card, const Message& what, Language language) {

@@ -39,6 +39,14 @@ std::string FormatCallAndCode(const gtcalls::Command& command,
                               std::span<const vm::CommandArgument> arguments, int16_t code,
                               const Message& reason, Language language);
 
+/// A call with its inputs: `GT_Bind(40, 1, 0)`.
+std::string FormatInputs(const gtcalls::Command& command,
+                         std::span<const vm::CommandArgument> arguments);
+
+/// What a call has written: `, pValue=[5050]`.
+std::string FormatOutputs(const gtcalls::Command& command,
+                          std::span<const vm::CommandArgument> arguments);
+
 /// The line without its end.
 std::string FormatCall(const LoggedCall& call, Language language);
 

@@ -83,8 +83,8 @@ void Controller::ObserveRefusals(gtcalls::RefusalObserver observer) {
   });
 }
 
-Result<void> Controller::Download(const std::string& bin_path) {
-  auto object = vm::ReadObjectPair(bin_path);
+Result<void> Controller::Download(const std::string& bin_path, vm::ObjectFiles* content) {
+  auto object = vm::ReadObjectPair(bin_path, content);
   if (!object.ok()) return object.error();
   return Load(std::move(object).value());
 }
@@ -92,9 +92,13 @@ Result<void> Controller::Download(const std::string& bin_path) {
 Result<void> Controller::Load(vm::Object object) {
   auto image = vm::LinkObject(std::move(object), commands_);
   if (!image.ok()) return image.error();
-  family().forget_program(family_state_);
-  machine_.Load(std::move(image).value());
+  Load(std::move(image).value());
   return {};
+}
+
+void Controller::Load(std::shared_ptr<const vm::Image> image) {
+  family().forget_program(family_state_);
+  machine_.Load(std::move(image));
 }
 
 bool Controller::ProgramActs() const {

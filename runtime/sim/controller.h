@@ -85,9 +85,12 @@ class Controller {
 
   /// GT_Download: loads `X.bin` with the `X.ini` beside it. Codes 2007, 2008, 7 as GT_Download
   /// returns them. On failure the old program stays loaded and continues.
-  Result<void> Download(const std::string& bin_path);
+  /// `content` receives the bytes of both files if they could be read.
+  Result<void> Download(const std::string& bin_path, vm::ObjectFiles* content = nullptr);
   /// Loads an object that is in memory.
   Result<void> Load(vm::Object object);
+  /// The same for a program that has been linked with commands().
+  void Load(std::shared_ptr<const vm::Image> image);
   /// True if something of the program acts: one of its threads has been started since it was bound,
   /// or the family writes variables by itself (PLC blocks, buffered commands).
   bool ProgramActs() const;
@@ -106,6 +109,9 @@ class Controller {
 
   /// Advances time by microseconds; runs a profile cycle whenever a whole one has accumulated.
   void AdvanceUs(int64_t microseconds);
+  /// For callers that run cycles themselves: the host is so many microseconds after the beginning
+  /// of the present cycle, fewer than a cycle has.
+  void PlaceInCycle(int64_t microseconds) { pending_us_ = microseconds; }
   /// Runs one profile cycle: motion tick, the part of the family, then the threads with their
   /// budget.
   void RunCycle();

@@ -27,7 +27,8 @@ int16_t gts::GT_LoadConfig(Call& call) {
     const int16_t code = CheckAtRest(call, i);
     if (code != vm::kOk) return code;
   }
-  const auto text = ReadFile(path, kConfigKind);
+  const auto& read_file = call.card.read_file;
+  const auto text = read_file ? read_file(path) : ReadFile(path, kConfigKind);
   if (!text.ok()) return call.Refuse(kFileNotFound, text.error().message);
   const CardConfig config = ParseCardConfig(text.value());
   core.DisableGantry();

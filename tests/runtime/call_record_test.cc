@@ -1,0 +1,197 @@
+// Records of host calls: what is written is read back, and a card does the same again.
+#include "runtime/scenario/call_record.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gtcalls/gts/family.h"
+#include "runtime/scenario/call_replay.h"
+#include "runtime/scenario/scenario_world.h"
+#include "runtime/sim/controller.h"
+
+namespace oncard::runtime {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const gtcalls::Command& CommandOf(const std::string& name) {
+  return *gtcalls::GtsFamily().catalogue.Find(name);
+}
+
+RecordedCall::Argument Value(double value) {
+  RecordedCall::Argument argument;
+  argument.value = value;
+  return argument;
+}
+
+RecordedCall Call(int64_t time_us, const std::string& name,
+                  std::vector<RecordedCall::Argument> arguments) {
+  RecordedCall call;
+  call.time_us = time_us;
+  call.command = &CommandOf(name);
+  call.arguments = std::move(arguments);
+  return call;
+}
+
+/// A record of card 0 with these lines between its opening and its end.
+std::string Record(const std::string& lines) {
+  return FormatRecordHead() + FormatRecordedOpening(0, Scenario{}, true) + lines;
+}
+
+CallRecord Read(const std::string& text) {
+  auto records = ParseCallRecords(text, "host.calls");
+  EXPECT_TRUE(records.ok()) << records.error().message.en;
+  return records.ok() ? std::move(records.value().front()) : CallRecord{};
+}
+
+std::string ErrorOf(const std::string& text) {
+  const auto records = ParseCallRecords(text, "host.calls");
+  return records.ok() ? "" : records.error().message.en;
+}
+
+// --- Writing and reading -------------------------------------------------------------------------
+
+TEST(CallRecord, KeepsTheInputsOfACall) {
+  RecordedCall::Argument prm;
+  prm.cells = {0.5, 0.25, -0.0, 20};  // TTrapPrm: acc, dec, velStart, smoothTime
+  const CallRecord record =
+      Read(Record(FormatRecordedCall(0, Call(100, "GT_SetTrapPrm", {Value(2), prm}))));
+  ASSERT_EQ(record.calls.size(), 1u);
+  const RecordedCall& call = record.calls[0];
+  EXPECT_EQ(call.time_us, 100);
+  EXPECT_EQ(call.command->name, "GT_SetTrapPrm");
+  EXPECT_EQ(call.arguments[0].value, 2);
+  EXPECT_EQ(call.arguments[1].cells, prm.cells);
+  EXPECT_TRUE(std::signbit(call.arguments[1].cells[2]));
+}
+
+TEST(CallRecord, KeepsNumbersThatJsonDoesNotHave) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const CallRecord record =
+      Read(Record(FormatRecordedCall(0, Call(0, "GT_SetVel", {Value(1), Value(std::nan(""))})) +
+                  FormatRecordedCall(0, Call(0, "GT_SetVel", {Value(1), Value(-kInfinity)}))));
+  EXPECT_TRUE(std::isnan(record.calls[0].arguments[1].value));
+  EXPECT_EQ(record.calls[1].arguments[1].value, -kInfinity);
+}
+
+TEST(CallRecord, KeepsEveryByteOfAFile) {
+  std::string bytes;
+  for (int byte = 0; byte < 256; ++byte) bytes += static_cast<char>(byte);
+  RecordedCall call = Call(0, "GT_LoadConfig", {{}});
+  call.arguments[0].text = "\xB2\xE2.cfg";
+  call.config = bytes;
+  const CallRecord record = Read(Record(FormatRecordedCall(0, call)));
+  EXPECT_EQ(record.calls[0].arguments[0].text, "\xB2\xE2.cfg");
+  EXPECT_EQ(record.calls[0].config, bytes);
+}
+
+TEST(CallRecord, HasOneRecordForEachOpeningOfACard) {
+  const std::string text =
+      FormatRecordHead() + FormatRecordedOpening(3, Scenario{}, true) +
+      FormatRecordedOpening(1, Scenario{}, true) + FormatRecordedEnd(3, {0, 1}) +
+      FormatRecordedOpening(3, Scenario{}, true) + FormatRecordedEnd(3, {0, 2});
+  auto records = ParseCallRecords(text, "host.calls");
+  ASSERT_TRUE(records.ok());
+  ASSERT_EQ(records.value().size(), 3u);
+  EXPECT_EQ(ChooseCallRecord(records.value(), {}, 1).value().card, 1);
+  EXPECT_EQ(ChooseCallRecord(records.value(), 3, 2).value().end->hash, 2u);
+  EXPECT_EQ(ChooseCallRecord(records.value(), 3, 3).error().message.en,
+            "the record of card 3 has openings 1 to 2, not 3");
+  EXPECT_EQ(ChooseCallRecord(records.value(), 0, 1).error().message.en,
+            "the host has not opened card 0");
+}
+
+// --- Damaged records -----------------------------------------------------------------------------
+
+TEST(CallRecord, NamesTheFirstLineThatIsDamaged) {
+  const std::string good = FormatRecordedCall(0, Call(100, "GT_Stop", {Value(1), Value(0)}));
+  const std::string lines[] = {
+      good.substr(0, good.size() / 2),
+      "[]\n",
+      "{\"card\":0,\"us\":100,\"call\":\"GT_Halt\",\"in\":[],\"code\":0}\n",
+      "{\"card\":0,\"us\":100,\"call\":\"GT_Stop\",\"in\":[1],\"code\":0}\n",
+      "{\"card\":0,\"us\":100,\"call\":\"GT_Stop\",\"in\":[1,1.5],\"code\":0}\n",
+      "{\"card\":0,\"us\":100,\"call\":\"GT_Stop\",\"in\":[1,null],\"code\":0}\n",
+      "{\"card\":0,\"us\":100,\"call\":\"GT_Stop\",\"in\":[1,0],\"code\":\"0\"}\n",
+      "{\"card\":0,\"us\":99,\"call\":\"GT_Stop\",\"in\":[1,0],\"code\":0}\n",
+      "{\"card\":1,\"us\":100,\"call\":\"GT_Stop\",\"in\":[1,0],\"code\":0}\n",
+      "{\"card\":0,\"us\":100,\"call\":\"GT_SetTrapPrm\",\"in\":[1,[0]],\"code\":0}\n",
+      "{\"close\":0,\"us\":100,\"hash\":\"x\"}\n",
+  };
+  for (const std::string& line : lines) {
+    EXPECT_THAT(ErrorOf(Record(good + line)), StartsWith("host.calls:4: this is no line")) << line;
+  }
+}
+
+TEST(CallRecord, TellsAnotherFileFromARecord) {
+  EXPECT_THAT(ErrorOf(""), HasSubstr("this is no record of host calls"));
+  EXPECT_THAT(ErrorOf("{}\n"), HasSubstr("this is no record of host calls"));
+  EXPECT_THAT(ErrorOf("{\"oncard\":\"host calls\",\"format\":2}\n"),
+              HasSubstr("this record has format 2; this version reads 1"));
+  EXPECT_THAT(ErrorOf(FormatRecordHead()), HasSubstr("the host has opened no card"));
+}
+
+// --- Replay --------------------------------------------------------------------------------------
+
+/// What a replay of these lines finds wrong.
+std::string DeviationOf(const std::string& lines) {
+  const CallRecord record = Read(Record(lines));
+  Controller controller(CardOptions(record.scenario));
+  SwitchOn(record, &controller);
+  const auto replay = CallReplay::Create(record, controller.commands());
+  if (!replay.ok()) return replay.error().message.en;
+  for (size_t i = 0; i < replay.value().size(); ++i) {
+    controller.AdvanceUs(replay.value().TimeUs(i) - controller.NowUs());
+    const auto done = replay.value().Execute(i, &controller);
+    if (done.deviation) return done.deviation->en;
+  }
+  return {};
+}
+
+TEST(CallReplay, EndsWhereTheCardEnded) {
+  Controller card;
+  card.AdvanceUs(100);
+  std::array<vm::CommandArgument, 1> arguments;
+  arguments[0].value = 1;
+  ASSERT_EQ(card.Execute(CommandOf("GT_AxisOn"), arguments), 0);
+  card.AdvanceUs(1300);
+  const std::string call = FormatRecordedCall(0, Call(100, "GT_AxisOn", {Value(1)}));
+  EXPECT_EQ(DeviationOf(call + FormatRecordedEnd(0, {1400, card.Hash()})), "");
+  EXPECT_THAT(DeviationOf(call + FormatRecordedEnd(0, {1401, card.Hash()})),
+              HasSubstr("the card is in another state than it was"));
+}
+
+TEST(CallReplay, ComparesTheCodes) {
+  EXPECT_THAT(DeviationOf(FormatRecordedCall(0, Call(0, "GT_AxisOn", {Value(9)}))),
+              StartsWith("GT_AxisOn(9) returns 7 (parameter axis is 9; this card has 1 to 8) "
+                         "instead of 0 as in the record"));
+}
+
+TEST(CallReplay, ReadsNoMoreThanTheRecordHas) {
+  // Four values are announced, one is there.
+  RecordedCall::Argument values;
+  values.cells = {1};
+  RecordedCall::Argument info;
+  info.cells = {0, 0};
+  RecordedCall call = Call(0, "GT_SetVarValue", {Value(-1), info, values, Value(4)});
+  EXPECT_THAT(DeviationOf(FormatRecordedCall(0, call)),
+              HasSubstr("has inputs of another size than the card reads"));
+}
+
+TEST(CallReplay, RefusesADamagedProgram) {
+  RecordedCall call = Call(0, "GT_Download", {{}});
+  call.arguments[0].text = "sum.bin";
+  call.program = {"not a program", ""};
+  EXPECT_NE(DeviationOf(FormatRecordedCall(0, call)), "");
+}
+
+}  // namespace
+}  // namespace oncard::runtime
