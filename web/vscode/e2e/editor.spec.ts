@@ -18,7 +18,7 @@ async function goToLine(page: Page, line: number): Promise<void> {
 async function choose(page: Page, lens: string, effect: Locator): Promise<void> {
   await page.keyboard.press("Control+Home");
   await expect(async () => {
-    await page.locator(".codelens-decoration").first().getByText(lens, { exact: true }).click();
+    await page.locator(".codelens-decoration").getByText(lens, { exact: true }).click();
     await expect(effect).not.toHaveCount(0, { timeout: 60_000 });
   }).toPass();
 }
@@ -74,6 +74,15 @@ test("a program is mended, run, and debugged forward and back", async ({ page })
     await expectStop(page, "sum = sum + i;");
     await page.getByRole("button", { name: /^Step Back/ }).click();
     await expectStop(page, "if (cc) goto lbl_end;");
+    await page.getByRole("button", { name: /^Stop/ }).click();
+    await expect(page.locator(".debug-top-stack-frame-line")).toHaveCount(0);
+  });
+
+  await test.step("debug of a function stops at its first statement", async () => {
+    await choose(page, "debug add", page.locator(".debug-toolbar"));
+    await expectStop(page, "i = begin;");
+    await page.getByRole("button", { name: /^Continue/ }).click();
+    await expectStop(page, "sum = sum + i;");
     await page.getByRole("button", { name: /^Stop/ }).click();
     await expect(page.locator(".debug-top-stack-frame-line")).toHaveCount(0);
   });
