@@ -2,7 +2,7 @@
 // that no order of operands matters.
 #include "called_program.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <string_view>
 

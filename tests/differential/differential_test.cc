@@ -1,7 +1,7 @@
 // Random programs must compute with oncard exactly what they compute when compiled by g++: every
 // variable, every result, every fault, bit for bit. The programs are text, so this checks the
 // lexer, the parser, the translation, the linker's fused instructions and the arithmetic together.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <string>

@@ -1,6 +1,6 @@
 #include "fixed_program.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <string>
 #include <string_view>

@@ -1,7 +1,7 @@
 // Random programs of ordinary C, lowered with and without the passes, must compute with oncard what
 // the originals compute when compiled by gcc, plainly, optimised and with its sanitizer for
 // undefined behaviour. ONCARD_STRUCTURED_PROGRAMS=20000 tests more than the default number.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

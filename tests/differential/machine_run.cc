@@ -1,7 +1,7 @@
 // Sets variables by their symbols, runs, and reads them by their symbols.
 #include "machine_run.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "tests/compiler/memory_files.h"
 

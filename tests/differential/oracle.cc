@@ -3,7 +3,7 @@
 // cannot change.
 #include "oracle.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <xxhash.h>
 
 #include <cstdlib>

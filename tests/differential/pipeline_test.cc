@@ -1,6 +1,6 @@
 // Properties of every program between text and machine: the same text gives the same bytes, files
 // are read as they were written, layout and comments have no effect.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <random>

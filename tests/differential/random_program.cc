@@ -3,7 +3,7 @@
 // literals that mean the same in the language and in C++ when two of them are operands together.
 #include "random_program.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <string_view>

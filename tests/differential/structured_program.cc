@@ -2,7 +2,7 @@
 // most one variable and does not read it elsewhere.
 #include "structured_program.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <string_view>
 

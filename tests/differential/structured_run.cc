@@ -1,6 +1,6 @@
 #include "structured_run.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include "oracle.h"

@@ -1,7 +1,7 @@
 // Random programs of ordinary C, after all fix-its, must compute with oncard what the originals
 // compute when compiled by g++. ONCARD_STRUCTURED_PROGRAMS=10000 tests more than the default
 // number.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "typed_program.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <string_view>
 

@@ -6,11 +6,11 @@
 namespace oncard::gtcalls {
 namespace {
 
-constexpr double kInt = 1;
+constexpr double kIntType = 1;
 
 int16_t Bind(CommandTestCard& card, const char* name, double thread, double variable,
              std::vector<double> prm) {
-  std::vector<double> info = {variable, kInt};
+  std::vector<double> info = {variable, kIntType};
   return card.Call(name, {thread, &info, &prm});
 }
 

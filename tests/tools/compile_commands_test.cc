@@ -17,7 +17,6 @@ using Json = nlohmann::json;
 
 constexpr const char* kGood = "int sum;\nint f()\n{\n  sum = 3;\n  return sum;\n}\n";
 constexpr const char* kBad = "int f()\n{\n  return total;\n}\n";
-const std::string kSum = ONCARD_SOURCE_DIR "/samples/01_sum/sum.c";
 
 TEST(Build, WritesThePairBesideTheSourceAndSaysNothing) {
   const ScratchFolder scratch;

@@ -1,5 +1,5 @@
 // oncard explore with searches in files: interrupted, in parts, merged.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <xxhash.h>

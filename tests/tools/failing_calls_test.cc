@@ -1,7 +1,7 @@
 // Files are written while any system call fails or memory runs out at any point: the old files
 // remain, or the new ones exist; success means the new ones; and nothing else remains in the
 // folder.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

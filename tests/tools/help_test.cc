@@ -10,10 +10,6 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-const char* const kCommands[] = {"build",   "check",  "lower",  "explain", "run",
-                                 "test",    "replay", "dump",   "verify",  "exec",
-                                 "explore", "doctor", "schema", "debug"};
-
 class HelpTest : public testing::TestWithParam<const char*> {};
 
 TEST_P(HelpTest, IsGoldenInEnglish) {

@@ -1,6 +1,6 @@
 // Every limit of base/limits.h: documented in docs/limits.md, accepted at the limit, refused one
 // beyond it. The limits of the language itself are tested by tests/compiler/limits_test.cc.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -7,6 +7,15 @@
 
 namespace oncard::tools {
 
+/// All commands of oncard.
+inline constexpr const char* kCommands[] = {"build",   "check",  "lower",  "explain", "run",
+                                            "test",    "replay", "dump",   "verify",  "exec",
+                                            "explore", "doctor", "schema", "debug"};
+
+inline const std::string kSamples = ONCARD_SOURCE_DIR "/samples";
+/// The first sample, which adds numbers.
+inline const std::string kSum = kSamples + "/01_sum/sum.c";
+
 struct ProcessResult {
   int exit_code = -1;
   std::string out;

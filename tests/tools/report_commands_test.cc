@@ -13,9 +13,6 @@ using testing::HasSubstr;
 
 using Json = nlohmann::json;
 
-const char* const kCommands[] = {"build",  "check", "explain", "run",     "test",
-                                 "replay", "dump",  "verify",  "explore", "doctor"};
-
 // Two scenarios in folders, one of which fails.
 class TestCommandTest : public testing::Test {
  protected:

@@ -13,8 +13,6 @@ using testing::HasSubstr;
 
 using Json = nlohmann::json;
 
-const std::string kSamples = ONCARD_SOURCE_DIR "/samples";
-const std::string kSum = kSamples + "/01_sum/sum.c";
 const std::string kCounter = kSamples + "/07_shared_global/counter.c";
 
 TEST(Run, PrintsThreadsAndValues) {

@@ -17,7 +17,7 @@ using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 
 // Line 5 is one statement of C and several of the card.
-const std::string kSum =
+const std::string kStructuredSum =
     "int sum;\n"                           // 1
     "int f(int n) {\n"                     // 2
     "  int i;\n"                           // 3
@@ -36,22 +36,22 @@ class StructuredTest : public testing::Test {
 };
 
 TEST_F(StructuredTest, IsRefusedUnlessItIsAskedFor) {
-  folder_.Write("f.c", kSum);
+  folder_.Write("f.c", kStructuredSum);
   EXPECT_EQ(Run({"check", "f.c"}).exit_code, 1);
   EXPECT_EQ(Run({"check", "--structured", "f.c"}).exit_code, 0);
-  folder_.Write("f.c", kMarked + kSum);
+  folder_.Write("f.c", kMarked + kStructuredSum);
   EXPECT_EQ(Run({"check", "f.c"}).exit_code, 0);
 }
 
 TEST_F(StructuredTest, RunsAsCDoes) {
-  folder_.Write("f.c", kSum);
+  folder_.Write("f.c", kStructuredSum);
   const ProcessResult result = Run({"run", "--structured", "f.c", "--thread=0=f:n=4",
                                     "--expect=sum == 17", "--expect=thread0.result == 17"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
 }
 
 TEST_F(StructuredTest, IsAKeyOfAScenario) {
-  folder_.Write("f.c", kSum);
+  folder_.Write("f.c", kStructuredSum);
   const std::string scenario =
       "program = \"f.c\"\nexpect = [\"sum == 17\"]\n[[thread]]\nfunction = \"f\"\ninit.n = 4\n";
   folder_.Write("plain.toml", scenario);
@@ -62,7 +62,7 @@ TEST_F(StructuredTest, IsAKeyOfAScenario) {
 }
 
 TEST_F(StructuredTest, NamesLinesOfTheSource) {
-  folder_.Write("f.c", kSum);
+  folder_.Write("f.c", kStructuredSum);
   EXPECT_EQ(Run({"build", "--structured", "f.c"}).exit_code, 0);
   EXPECT_THAT(Run({"dump", "f.bin"}).out,
               AllOf(HasSubstr("'f' of f.c"), ContainsRegex("line 4 +i := 1 "),
@@ -134,11 +134,11 @@ TEST_F(StructuredTest, ShowsThatAStatementWithACallByAJumpIsNotAtomic) {
 }
 
 TEST_F(StructuredTest, IsNotCorrectedByFixIts) {
-  folder_.Write("f.c", kMarked + kSum);
+  folder_.Write("f.c", kMarked + kStructuredSum);
   const ProcessResult result = Run({"check", "--fix", "f.c"});
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.err, HasSubstr("use 'oncard lower'"));
-  EXPECT_EQ(ReadFile(folder_.path() + "/f.c").value(), kMarked + kSum);
+  EXPECT_EQ(ReadFile(folder_.path() + "/f.c").value(), kMarked + kStructuredSum);
 }
 
 }  // namespace
