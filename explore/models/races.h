@@ -22,7 +22,7 @@ struct RacingStatement {
   int thread = 0;    ///< number in the model
   int position = 0;  ///< index of the statement in its function
   bool writes = false;
-  auto operator<=>(const RacingStatement&) const = default;
+  auto operator<=>(const RacingStatement&) const = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// `first` belongs to the thread with the smaller number (FindRaces), or is the earlier one
@@ -33,7 +33,7 @@ struct Race {
   RacingStatement second;
 
   explicit operator bool() const { return cell != AccessSet::kNone; }
-  auto operator<=>(const Race&) const = default;
+  auto operator<=>(const Race&) const = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// Which races are failures.

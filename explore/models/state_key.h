@@ -11,7 +11,7 @@ namespace oncard::explore {
 struct StateKey {
   uint64_t low = 0;
   uint64_t high = 0;
-  auto operator<=>(const StateKey&) const = default;
+  auto operator<=>(const StateKey&) const = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// Scrambles a value at a place into 64 bits (the finaliser of MurmurHash3 over a Weyl step).

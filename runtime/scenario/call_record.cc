@@ -164,9 +164,10 @@ bool ReadArgument(const Parameter& parameter, const Json& json, RecordedCall::Ar
   if (argument->null) return true;
   if (parameter.passing == Passing::kText) {
     auto text = BytesOfText(json.is_string() ? json.get<std::string>() : "\xFF");
-    if (text) argument->text = *std::move(text);
+    if (!text) return false;
+    argument->text = *std::move(text);
     // The host's texts end with a NUL.
-    return text && argument->text.find('\0') == std::string::npos;
+    return argument->text.find('\0') == std::string::npos;
   }
   if (parameter.passing == Passing::kInput && json.is_array()) {
     return ReadCells(parameter, json, &argument->cells);
