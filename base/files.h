@@ -15,6 +15,9 @@ namespace oncard {
 /// The code of ReadFile's Error when there is no such file (GTS manual chapter 13, GT_Download).
 inline constexpr int kNoSuchFile = 2007;
 
+/// What some editors write at the beginning of a file in UTF-8.
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
 /// The bytes of a regular file. Fails when it is missing (kNoSuchFile), unreadable, larger than its
 /// kind allows (judged while reading, for files that grow), a folder, a device, a pipe or a socket:
 /// these never end or make the reader wait. `path` must not contain a NUL.

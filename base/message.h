@@ -2,7 +2,7 @@
 // Message that holds both, and the program that prints picks one.
 #pragma once
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <string>
 #include <string_view>

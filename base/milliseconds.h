@@ -1,7 +1,7 @@
 // The card's time is whole microseconds; people and files say milliseconds.
 #pragma once
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <cstdint>

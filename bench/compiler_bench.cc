@@ -1,6 +1,6 @@
 // A part of `oncard_bench vm`: how long it takes to compile a long program, and to lower and check
 // one in structured C. CPU time.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstdio>

@@ -1,7 +1,7 @@
 // `oncard_bench explore`: measures how fast interleavings are explored, compared with SPIN on the
 // same programs in the same run. The programs are translated to Promela statement by statement:
 // every statement of a motion program is one step of a process. Wall-clock time.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <chrono>

@@ -1,6 +1,6 @@
 #include "compiler/constant_folding.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <type_traits>

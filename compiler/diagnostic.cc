@@ -1,10 +1,11 @@
 // The table of diagnostics, and source files with their lines and columns.
 #include "compiler/diagnostic.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 
+#include "base/files.h"
 #include "compiler/text.h"
 
 namespace oncard::compiler {
@@ -14,8 +15,6 @@ constexpr DiagnosticInfo kDiagnostics[] = {
 #define DIAGNOSTIC(code, name, severity, slug, en, zh) {code, Severity::severity, slug, en, zh},
 #include "compiler/diagnostics.def"
 };
-
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 }  // namespace
 

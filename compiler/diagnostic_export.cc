@@ -1,7 +1,7 @@
 // Diagnostics in formats for programs: JSON lines, and SARIF 2.1.0 (OASIS standard, sections 3.13
 // to 3.57). Both end with a newline and depend only on their input.
 // Tested by tests/compiler/printer_export_test.cc.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <map>
 #include <nlohmann/json.hpp>

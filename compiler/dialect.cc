@@ -2,10 +2,11 @@
 
 #include <algorithm>
 
+#include "base/files.h"
+
 namespace oncard::compiler {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::string_view kMark = "//@";
 constexpr std::string_view kBlanks = " \t\r";
 

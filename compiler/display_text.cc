@@ -1,7 +1,7 @@
 // Tested by tests/compiler/printer_display_test.cc.
 #include "compiler/display_text.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <iconv.h>
 
 #include <algorithm>

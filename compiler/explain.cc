@@ -1,7 +1,7 @@
 // Tested by tests/compiler/explain_test.cc.
 #include "compiler/explain.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // Writes docs/diagnostics.md from diagnostics.def and explain_pages.def.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cctype>
 #include <cstdio>

@@ -1,6 +1,6 @@
 // Renews docs/structured.md and its translation: every code block after a line `<!-- lowered -->`
 // becomes what the code block before it is lowered to.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstdio>
 #include <string>

@@ -3,7 +3,7 @@
 // or a line end.
 #include "compiler/lexer.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cctype>

@@ -1,6 +1,6 @@
 #include "compiler/structured_refusals.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <string>

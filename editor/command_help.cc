@@ -1,6 +1,6 @@
 #include "editor/command_help.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/markup.h"
 

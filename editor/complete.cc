@@ -1,6 +1,6 @@
 #include "editor/complete.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "editor/overview.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 // Tested by tests/gtcalls/card_command_test.cc.
 #include "gtcalls/card.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cassert>

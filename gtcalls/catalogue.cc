@@ -1,7 +1,7 @@
 // Finds rows by name and formats them. Tested by tests/gtcalls/catalogue_test.cc.
 #include "gtcalls/catalogue.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

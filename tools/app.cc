@@ -1,6 +1,8 @@
 // The root of the command line.
 #include "tools/commands.h"
 
+#include <fmt/format.h>
+
 namespace oncard::tools {
 namespace {
 

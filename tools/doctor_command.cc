@@ -1,4 +1,5 @@
 // oncard doctor: shows versions, what this build supports, and what is missing.
+#include <fmt/format.h>
 #include <iconv.h>
 #include <toml++/impl/preprocessor.h>
 #include <xxhash.h>

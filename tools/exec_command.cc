@@ -1,5 +1,6 @@
 // oncard exec: runs a host program in virtual time.
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -293,10 +294,9 @@ void AddExec(CLI::App& app, Invocation& invocation) {
       ->type_name("FILE")
       ->check(CLI::Validator(CheckPictureName, ""));
   command
-      ->add_option(
-          "--record", arguments->record,
-          invocation.Say({"write the calls of the host, for oncard replay",
-                          "写出主机程序的调用，供 oncard replay 使用"}))
+      ->add_option("--record", arguments->record,
+                   invocation.Say({"write the calls of the host, for oncard replay",
+                                   "写出主机程序的调用，供 oncard replay 使用"}))
       ->type_name("FILE");
   AddStrictCommandsOption(*command, invocation, arguments->strict_commands);
 }

@@ -5,6 +5,8 @@
 #include "compiler/lowering/overview.h"
 #include "tools/commands.h"
 
+#include <fmt/format.h>
+
 namespace oncard::tools {
 namespace {
 

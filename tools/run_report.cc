@@ -1,5 +1,6 @@
 #include "tools/run_report.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "base/json_text.h"

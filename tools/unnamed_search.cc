@@ -1,6 +1,6 @@
 #include "tools/unnamed_search.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <filesystem>

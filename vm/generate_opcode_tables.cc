@@ -1,6 +1,6 @@
 // Writes docs/object-format.md with the table of opcodes and operators generated from opcodes.def.
 // The rest of the document is copied unchanged.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cctype>
 #include <initializer_list>

@@ -1,7 +1,7 @@
 // Errors of object files: GT_Download's return codes, and texts that say where.
 #pragma once
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <string>
 #include <string_view>

@@ -6,7 +6,7 @@
 // Tested by tests/vm/object_reader_test.cc and tests/vm/corruption_test.cc.
 #include "vm/object_reader.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstdint>

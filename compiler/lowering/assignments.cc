@@ -48,7 +48,7 @@ void Lowerer::AssignBoth(const Place& place, const Expression& expression) {
   const int end = NewLabel(construct, range, "end");
   const auto set = [this, &place, range](int64_t truth) {
     Value value;
-    value.operand = ConstantOperand(vm::DataType::kInt, truth);
+    value.operand = IntOperand(truth);
     Store(place, value, range, false);
   };
   BranchIf(expression, false, no);
@@ -156,7 +156,7 @@ Value Lowerer::LowerStep(const Expression& expression, bool value_used) {
   }
   const vm::OperatorInfo& info = *vm::FindBinaryOperator(expression.op.substr(0, 1));
   Value one;
-  one.operand = ConstantOperand(vm::DataType::kInt, 1);
+  one.operand = IntOperand(1);
   one.range = BasicType::kBool;
   const bool postfix = expression.kind == Expression::Kind::kPostfix;
   if (!postfix || !value_used) return Update(*place, info, one, expression, value_used);

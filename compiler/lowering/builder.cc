@@ -1,5 +1,5 @@
 // The smallest steps of the translation: statements, temporaries, labels and names.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // Calls of the program's own functions, and of abs and fabs. The statements of a function are
 // inserted where it is called, unless shared_bodies.cc lets them stand once.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 
@@ -83,7 +83,7 @@ bool Lowerer::BindArguments(const Expression& call, const FunctionInfo& info, Sc
     Symbol symbol;
     symbol.type = type;
     symbol.range = declarator.name_range;
-    symbol.offset = ConstantOperand(vm::DataType::kInt, 0);
+    symbol.offset = IntOperand(0);
     if (!declarator.sizes.empty()) {
       const Expression* start = &WithoutParens(argument);
       const bool address = start->kind == Expression::Kind::kUnary && start->op == "&";

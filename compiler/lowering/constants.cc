@@ -1,6 +1,6 @@
 // Constant expressions: what C computes while compiling, with C's types. Doubles are computed as
 // real numbers, and only the result is rounded to the card's fixed point.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 
@@ -186,7 +186,7 @@ Value Lowerer::ConstantValue(const TypedConstant& constant, SourceRange range) {
   Value result;
   result.type = result.range = constant.type;
   if (constant.type != BasicType::kDouble) {
-    result.operand = ConstantOperand(vm::DataType::kInt, constant.value.integer);
+    result.operand = IntOperand(constant.value.integer);
     const bool truth = constant.value.integer == 0 || constant.value.integer == 1;
     if (truth) result.range = BasicType::kBool;
     return result;

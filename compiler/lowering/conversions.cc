@@ -40,11 +40,11 @@ Value Lowerer::Convert(Value value, BasicType type, SourceRange range) {
     const bool is_signed = type == BasicType::kChar || type == BasicType::kShort;
     const bool byte = SizeOf(type) == 1;
     if (is_signed) {
-      const Operand count = ConstantOperand(vm::DataType::kInt, byte ? 24 : 16);
+      const Operand count = IntOperand(byte ? 24 : 16);
       value = Compute(vm::BinaryOperator::kShiftLeft, value.operand, count, BasicType::kInt, range);
       result = Compute(vm::BinaryOperator::kShiftRight, value.operand, count, type, range);
     } else {
-      const Operand mask = ConstantOperand(vm::DataType::kInt, byte ? UINT8_MAX : UINT16_MAX);
+      const Operand mask = IntOperand(byte ? UINT8_MAX : UINT16_MAX);
       result = Compute(vm::BinaryOperator::kAnd, value.operand, mask, type, range);
     }
   }

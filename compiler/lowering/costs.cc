@@ -1,6 +1,6 @@
 #include "compiler/lowering/costs.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <set>

@@ -1,5 +1,5 @@
 // Declarations: types, dimensions, scopes, and the names that variables get in the output.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 
@@ -261,7 +261,7 @@ void Lowerer::DeclareGlobal(const Declarator& declarator, const Type& type) {
            static_cast<int64_t>(declarator.name.size()), int64_t{vm::kNameLengthMax});
   }
   global_names_.Reserve(declarator.name);
-  symbol.offset = ConstantOperand(vm::DataType::kInt, 0);
+  symbol.offset = IntOperand(0);
   if (!symbol.invalid) {
     const int64_t count = SizeOfAll(symbol.dimensions);
     symbol.variable = NewGlobal(std::string(declarator.name), type, static_cast<int>(count),
@@ -276,7 +276,7 @@ void Lowerer::DeclareLocal(const Declarator& declarator, const Type& type, bool 
   Symbol symbol;
   symbol.type = type;
   symbol.range = declarator.name_range;
-  symbol.offset = ConstantOperand(vm::DataType::kInt, 0);
+  symbol.offset = IntOperand(0);
   SetDimensions(declarator, symbol);
   if (symbol.invalid) {
     Define(declarator.name, std::move(symbol));

@@ -125,7 +125,7 @@ void Lowerer::ClearElements(const Symbol& symbol, int64_t begin, int64_t end, So
   }
   const Operand index = NewTemporary(vm::DataType::kInt, range);
   const int loop = NewLabel("clear", range);
-  EmitCopy(index, ConstantOperand(vm::DataType::kInt, begin), range);
+  EmitCopy(index, IntOperand(begin), range);
   EmitLabel(loop, range);
   Operand target = ElementOperand(symbol, 0);
   target.index = index.variable;
@@ -134,10 +134,10 @@ void Lowerer::ClearElements(const Symbol& symbol, int64_t begin, int64_t end, So
   step.kind = Instruction::Kind::kBinary;
   step.target = index;
   step.a = index;
-  step.b = ConstantOperand(vm::DataType::kInt, 1);
+  step.b = IntOperand(1);
   Emit(std::move(step), range);
-  const Value more = Compute(vm::BinaryOperator::kLess, index,
-                             ConstantOperand(vm::DataType::kInt, end), BasicType::kInt, range);
+  const Value more =
+      Compute(vm::BinaryOperator::kLess, index, IntOperand(end), BasicType::kInt, range);
   EmitIf(more.operand, loop, range);
 }
 

@@ -130,4 +130,6 @@ inline Operand ConstantOperand(vm::DataType type, int64_t value) {
   return operand;
 }
 
+inline Operand IntOperand(int64_t value) { return ConstantOperand(vm::DataType::kInt, value); }
+
 }  // namespace oncard::compiler::lowering

@@ -97,9 +97,7 @@ std::optional<ArrayPlace> Lowerer::LowerArray(const Expression& expression) {
   int64_t row = 1;
   for (const int64_t dimension : array->dimensions) row *= dimension;
   Operand offset = value.operand;
-  const auto constant_int = [](int64_t number) {
-    return ConstantOperand(vm::DataType::kInt, number);
-  };
+  const auto constant_int = [](int64_t number) { return IntOperand(number); };
   if (constant) {
     offset = constant_int(offset.value * row);
   } else if (row != 1) {

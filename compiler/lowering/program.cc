@@ -1,5 +1,5 @@
 // The functions of a program: which of them are thread functions, and that none calls itself.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -15,7 +15,7 @@
 //
 // All of these variables belong to the page of the thread, so that no access to a global is added.
 // A function can have several bodies, one for each choice of arrays that it is called with.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <tuple>
@@ -31,8 +31,6 @@ namespace {
 
 // A call by a jump takes at least two statements, and two more to come back.
 constexpr size_t kWorthSharing = 3;
-
-Operand Int(int64_t value) { return ConstantOperand(vm::DataType::kInt, value); }
 
 }  // namespace
 
@@ -64,7 +62,7 @@ Value Lowerer::LowerSharedCall(const Expression& call, FunctionInfo& info, Scope
   SharedBody* body = FindBody(info, scope);
   const int back = NewLabel(name, call.range, body != nullptr ? "back" : "first");
   if (body != nullptr) {
-    EmitCopy(body->number, Int(static_cast<int64_t>(body->back.size())), call.range);
+    EmitCopy(body->number, IntOperand(static_cast<int64_t>(body->back.size())), call.range);
     body->back.push_back(back);
     EmitGoto(body->begin, call.range);
     EmitLabel(back, call.range);
@@ -82,7 +80,7 @@ Value Lowerer::LowerSharedCall(const Expression& call, FunctionInfo& info, Scope
     if (type != BasicType::kVoid) body->result = make("result", type);
     body->begin = NewLabel(fmt::format("lbl_{}", name));
     body->end = NewLabel(name, call.range, "end");
-    EmitCopy(body->number, Int(0), call.range);
+    EmitCopy(body->number, IntOperand(0), call.range);
     EmitLabel(body->begin, call.range);
     LowerBodyOf(call, info, std::move(scope), {body->id, body->end, body->result});
   }
@@ -107,7 +105,7 @@ void Lowerer::EmitWaysBack() {
     frame_->body = body->id;
     for (size_t i = body->back.size(); i-- > 0;) {
       const Value here = Compute(vm::BinaryOperator::kEqual, body->number,
-                                 Int(static_cast<int64_t>(i)), BasicType::kInt, range);
+                                 IntOperand(static_cast<int64_t>(i)), BasicType::kInt, range);
       EmitIf(here.operand, body->back[i], range);
     }
     EmitLabel(body->back[0], range);

@@ -43,7 +43,7 @@ void Lowerer::EmitStart(LoweredFunction& function) {
   for (const std::string& name : function.labels) label_names_.Reserve(name);
   const SourceRange range = function.header;
   BeginFullExpression(range);
-  const Operand one = ConstantOperand(vm::DataType::kInt, 1);
+  const Operand one = IntOperand(1);
   const auto add_one = [this, &one, range](int variable) {
     Instruction step;
     step.kind = Instruction::Kind::kBinary;

@@ -1,5 +1,5 @@
 // Statements other than loops and `switch`.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "compiler/lowering/lowerer.h"
 

@@ -1,6 +1,6 @@
 // `switch`: the value is compared with each case in turn, then the body follows as it is, so that
 // cases fall through and may stand anywhere in it.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <functional>
 
@@ -87,7 +87,7 @@ void Lowerer::LowerSwitch(const Statement& statement) {
     }
     value = Load(Convert(value, type, statement.value->range), statement.value->range);
     const auto compare = [&](vm::BinaryOperator op, int64_t number, SourceRange range) {
-      Value constant = {ConstantOperand(vm::DataType::kInt, number), type, type};
+      Value constant = {IntOperand(number), type, type};
       const bool relation = op != vm::BinaryOperator::kEqual;
       if (relation && type == BasicType::kUnsigned) {
         return CompareUnsigned(op, value, constant, range).operand;

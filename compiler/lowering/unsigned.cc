@@ -3,18 +3,12 @@
 #include "compiler/lowering/lowerer.h"
 
 namespace oncard::compiler::lowering {
-namespace {
-
-Operand Int(int64_t value) { return ConstantOperand(vm::DataType::kInt, value); }
-
-}  // namespace
-
 // Moving both operands by half the range keeps their order as signed ints.
 Value Lowerer::CompareUnsigned(vm::BinaryOperator op, const Value& a, const Value& b,
                                SourceRange range) {
   const auto move = [this, range](const Operand& operand) {
-    if (operand.IsConstant()) return Int(static_cast<int32_t>(operand.value ^ INT32_MIN));
-    return Compute(vm::BinaryOperator::kXor, operand, Int(INT32_MIN), BasicType::kInt, range)
+    if (operand.IsConstant()) return IntOperand(static_cast<int32_t>(operand.value ^ INT32_MIN));
+    return Compute(vm::BinaryOperator::kXor, operand, IntOperand(INT32_MIN), BasicType::kInt, range)
         .operand;
   };
   const Operand left = move(a.operand);
@@ -33,10 +27,11 @@ Value Lowerer::ShiftUnsignedRight(const Value& a, const Value& count, SourceRang
     if ((n.value & 31) == 0) return {number, BasicType::kUnsigned, BasicType::kUnsigned};
     const Operand shifted = compute(vm::BinaryOperator::kShiftRight, number, n);
     const int64_t mask = UINT32_MAX >> (n.value & 31);
-    return Compute(vm::BinaryOperator::kAnd, shifted, Int(mask), BasicType::kUnsigned, range);
+    return Compute(vm::BinaryOperator::kAnd, shifted, IntOperand(mask), BasicType::kUnsigned,
+                   range);
   }
-  const Operand signs = compute(vm::BinaryOperator::kShiftRight, Int(INT32_MIN), n);
-  const Operand above = compute(vm::BinaryOperator::kShiftLeft, signs, Int(1));
+  const Operand signs = compute(vm::BinaryOperator::kShiftRight, IntOperand(INT32_MIN), n);
+  const Operand above = compute(vm::BinaryOperator::kShiftLeft, signs, IntOperand(1));
   const Operand shifted = compute(vm::BinaryOperator::kShiftRight, number, n);
   const Operand below =
       Compute(vm::UnaryOperator::kInvert, above, BasicType::kUnsigned, range).operand;
@@ -59,14 +54,14 @@ Value Lowerer::DivideUnsigned(const Value& a, const Value& b, bool remainder, So
   const bool known_small = divisor.operand.IsConstant() && divisor.operand.value >= 0;
   if (!known_small) {
     EmitCopy(quotient, at_least_divisor(dividend), range);
-    const Value large = compute(vm::BinaryOperator::kLess, divisor.operand, Int(0));
+    const Value large = compute(vm::BinaryOperator::kLess, divisor.operand, IntOperand(0));
     EmitIf(large.operand, end, range);
   }
   Value half;
-  half.operand = Int(1);
+  half.operand = IntOperand(1);
   half = ShiftUnsignedRight(dividend, half, range);
   const Value part = compute(vm::BinaryOperator::kDivide, half.operand, divisor.operand);
-  const Value doubled = compute(vm::BinaryOperator::kShiftLeft, part.operand, Int(1));
+  const Value doubled = compute(vm::BinaryOperator::kShiftLeft, part.operand, IntOperand(1));
   const Value product = compute(vm::BinaryOperator::kMultiply, doubled.operand, divisor.operand);
   const Value rest = compute(vm::BinaryOperator::kSubtract, dividend.operand, product.operand);
   const Operand one_more = at_least_divisor(rest);

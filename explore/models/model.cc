@@ -1,6 +1,6 @@
 #include "explore/models/model.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <optional>

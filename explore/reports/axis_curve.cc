@@ -1,6 +1,6 @@
 #include "explore/reports/axis_curve.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

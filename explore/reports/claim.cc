@@ -1,6 +1,6 @@
 #include "explore/reports/claim.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <xxhash.h>
 
 #include <algorithm>

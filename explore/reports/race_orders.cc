@@ -1,6 +1,6 @@
 #include "explore/reports/race_orders.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "explore/search/search_file.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <xxhash.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Search files as text: JSON, docs/search-format.md. The reader checks the type and range of every
 // value. It does not check indices into the program; search_check.h does this with the program.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <xxhash.h>
 
 #include <algorithm>

@@ -26,13 +26,13 @@ PvtPiece AppendRamp(std::vector<PvtPiece>& pieces, PvtPiece from, double velocit
   const double peak = (velocity - from.velocity) / (time - change);
   const bool even = from.velocity == velocity;
   const double jerk = even || change == 0 ? 0 : peak / change;
-  struct Part {
+  struct Phase {
     double duration, acceleration, jerk;
   };
-  const std::array<Part, 3> parts = {{{even ? 0 : change, 0, jerk},
-                                      {even ? time : constant, peak, 0},
-                                      {even ? 0 : change, peak, -jerk}}};
-  for (const Part& part : parts) {
+  const std::array<Phase, 3> parts = {{{even ? 0 : change, 0, jerk},
+                                       {even ? time : constant, peak, 0},
+                                       {even ? 0 : change, peak, -jerk}}};
+  for (const Phase& part : parts) {
     if (!(part.duration > 0)) continue;
     from.acceleration = part.acceleration;
     from.jerk = part.jerk;

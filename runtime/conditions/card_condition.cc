@@ -1,6 +1,6 @@
 #include "runtime/conditions/card_condition.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

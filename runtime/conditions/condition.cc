@@ -1,6 +1,6 @@
 #include "runtime/conditions/condition.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

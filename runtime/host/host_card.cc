@@ -1,5 +1,6 @@
 #include "runtime/host/host_card.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cstdlib>
 #include <string>

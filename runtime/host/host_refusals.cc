@@ -1,7 +1,7 @@
 #include "runtime/host/host_refusals.h"
 #include "base/milliseconds.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstdlib>
 #include <string_view>

@@ -1,6 +1,6 @@
 #include "runtime/observe/motion_values.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 

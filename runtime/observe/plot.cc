@@ -1,6 +1,7 @@
 #include "runtime/observe/plot.h"
 #include "base/milliseconds.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <cmath>

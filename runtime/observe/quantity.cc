@@ -1,5 +1,6 @@
 #include "runtime/observe/quantity.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <optional>

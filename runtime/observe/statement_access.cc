@@ -1,6 +1,6 @@
 #include "runtime/observe/statement_access.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <string_view>

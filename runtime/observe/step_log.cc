@@ -1,6 +1,6 @@
 #include "runtime/observe/step_log.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <optional>

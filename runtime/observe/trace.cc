@@ -1,6 +1,7 @@
 #include "runtime/observe/trace.h"
 #include "base/milliseconds.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <bitset>
 #include <cmath>

@@ -12,7 +12,6 @@ using enum KeyUse;
 constexpr std::string_view kDoubleNames[] = {"32.16", "16.16"};
 
 constexpr Words kNone = {"none", "无"};
-constexpr Words kZero = {"0", "0"};
 
 /// The largest `rate` for the longest cycle.
 constexpr int64_t kCycleStatementsMax = 4'000'000;

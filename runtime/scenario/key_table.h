@@ -25,6 +25,9 @@ struct Words {
   std::string_view zh;
 };
 
+/// What a number that is missing counts as.
+inline constexpr Words kZero = {"0", "0"};
+
 enum class KeyKind : uint8_t {
   kText,
   kTexts,   ///< a list

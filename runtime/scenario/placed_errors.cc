@@ -1,6 +1,6 @@
 #include "runtime/scenario/placed_errors.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <tuple>

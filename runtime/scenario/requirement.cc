@@ -1,6 +1,6 @@
 #include "runtime/scenario/requirement.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 

@@ -1,7 +1,7 @@
 // Tested by tests/tools/run_command_test.cc.
 #include "runtime/scenario/result_json.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
 

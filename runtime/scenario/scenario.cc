@@ -1,6 +1,7 @@
 // Writes scenarios and reads the short forms of the command line. scenario_toml.cc reads files.
 #include "runtime/scenario/scenario.h"
 
+#include <fmt/format.h>
 #include <filesystem>
 
 #include "base/files.h"

@@ -1,6 +1,6 @@
 #include "runtime/scenario/scenario_fit.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <iterator>

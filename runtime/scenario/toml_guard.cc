@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string>
 
+#include "base/files.h"
 #include "base/limits.h"
 
 namespace oncard::runtime {
@@ -12,7 +13,6 @@ namespace {
 
 constexpr char kArray = '[';
 constexpr char kTable = '{';
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 class TomlScanner {
  public:

@@ -1,5 +1,6 @@
 #include "runtime/scenario/toml_keys.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 

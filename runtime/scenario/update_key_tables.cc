@@ -1,5 +1,5 @@
 // Writes a document with its tables of keys made anew: update_key_tables docs/scenarios.md
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/files.h"
 #include "runtime/scenario/key_document.h"

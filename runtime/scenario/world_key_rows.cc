@@ -23,7 +23,6 @@ constexpr std::string_view kInputNames[] = {
 
 constexpr KeyType kAxis = KeyType::Whole(1, static_cast<int64_t>(motion::kAxisMax));
 constexpr KeyType kPosition = KeyType::Number(-kPositionMax, kPositionMax);
-constexpr Words kZero = {"0", "0"};
 constexpr Words kTimeOfChange = {"the time of the change", "变化的时刻"};
 
 constexpr Key<World> kWorldKeys[] = {

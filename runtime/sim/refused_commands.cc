@@ -1,6 +1,6 @@
 #include "runtime/sim/refused_commands.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <filesystem>
 

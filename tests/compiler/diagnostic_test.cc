@@ -1,7 +1,7 @@
 // The table of diagnostics, columns, recovery, and a check that every code has a test.
 #include "compiler/diagnostic.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

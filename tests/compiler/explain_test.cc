@@ -1,7 +1,7 @@
 // Every diagnostic has a page in both languages, and its programs behave as the page says.
 #include "compiler/explain.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

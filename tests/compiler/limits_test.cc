@@ -1,5 +1,5 @@
 // Every limit of the language, at the limit and one beyond it.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

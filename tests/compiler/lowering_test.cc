@@ -3,7 +3,7 @@
 // tests/differential.
 #include "compiler/lowering/lowering.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Fix-its are valid edits: applying those of one diagnostic after the other results in a program
 // that compiles, and that computes what C would have computed.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

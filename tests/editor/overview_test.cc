@@ -1,6 +1,6 @@
 #include "editor/overview.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include "tests/editor/marked_source.h"

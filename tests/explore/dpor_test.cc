@@ -3,7 +3,7 @@
 // calculation.
 #include "explore/engines/dpor.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <set>

@@ -1,6 +1,6 @@
 #include "explore_programs.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstdio>
 #include <cstdlib>

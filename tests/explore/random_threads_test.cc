@@ -1,7 +1,7 @@
 // Random programs with a few statements and variables: the executions of the dpor engine are the
 // traces found by brute force, the graph of states is that of a plain search, and both engines find
 // the same ends.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

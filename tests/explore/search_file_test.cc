@@ -2,7 +2,7 @@
 // the command uses them.
 #include "explore/search/search_file.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <xxhash.h>

@@ -3,7 +3,7 @@
 // sets the number of random programs.
 #include "explore/engines/short_traces.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Random threads in structured C: the explorer decides about such a program what it decides about
 // the text to which it is lowered, by the same search. ONCARD_STRUCTURED_PROGRAMS=1000 tests more
 // than the default number.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -1,7 +1,7 @@
 // Remembered steps do what the model does (explore/models/thread_states.h, step_model.h).
 #include "explore/models/thread_states.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <map>

@@ -13,7 +13,7 @@
 //
 // What is reported and what is expected must be the same, code by code and line by line. Included
 // files carry their own expectations.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

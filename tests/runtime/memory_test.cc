@@ -1,5 +1,5 @@
 // The memory used by a card, counted by the allocator.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <atomic>

@@ -2,7 +2,7 @@
 // wrong with one key alone is wrong for both.
 #include "runtime/scenario/scenario_schema.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "tests/vm/reference_machine.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "tests/vm/program_builder.h"
 

@@ -1,6 +1,6 @@
 #include "vm/verifier.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <functional>

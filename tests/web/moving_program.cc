@@ -1,6 +1,6 @@
 #include "moving_program.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <random>
 

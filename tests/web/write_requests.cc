@@ -3,7 +3,7 @@
 // editors ask about the samples, and explorations of those that are for the explorer.
 // tests/web/equality_test.mjs gives the requests to the module.
 //   web_requests SAMPLES REQUESTS ANSWERS
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <filesystem>

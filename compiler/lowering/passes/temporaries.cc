@@ -2,7 +2,7 @@
 // the first to the last use; a loop that is entered within it belongs to it as a whole. What is in
 // use at a call by a jump must outlive a body that stands elsewhere in the text, so the temporaries
 // of a shared body are its own.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <map>

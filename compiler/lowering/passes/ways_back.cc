@@ -134,7 +134,7 @@ bool DecideWaysBack(LoweredFunction& function) {
       if (!Compares(instruction, number)) continue;
       const bool here = rest.erase(instruction.b.value) > 0;
       if (here && !rest.empty()) continue;
-      MakeCopy(instruction, ConstantOperand(vm::DataType::kInt, here ? 1 : 0));
+      MakeCopy(instruction, IntOperand(here ? 1 : 0));
       changed = true;
     }
   }

@@ -1,7 +1,7 @@
 // Runs scenarios under several policies and prints the result of each run in the format that
 // states.sh uses: FILE POLICY PROGRAM_HASH STATE_HASH, or `refused` for a scenario that is not a
 // single run.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "runtime/scenario/scenario.h"
 #include "runtime/scenario/scenario_run.h"
