@@ -16,6 +16,7 @@
 #include "session/arguments.h"
 #include "session/editor_requests.h"
 #include "session/project.h"
+#include "session/recorded_host.h"
 #include "session/session.h"
 #include "session/views.h"
 
@@ -25,13 +26,15 @@ namespace {
 constexpr int64_t kMomentMax = int64_t{1} << 53;  // integers of JSON are exact up to here
 constexpr int64_t kStepsMax = 1'000'000'000;
 constexpr auto kMsMax = static_cast<double>(runtime::kTimeMsMax);
+constexpr int kCardMax = 15;
+constexpr int kOpeningMax = 1'000'000;
 constexpr int kPointsMax = 100'000;
 constexpr int kSwitchesMax = 7 * 16;  // one for each input
 constexpr int64_t kTurnsMax = 100'000;
 constexpr int64_t kTurnsDefault = 1000;
 
-const std::vector<std::string_view> kGoals = {"step", "statement", "line", "cycle",
-                                              "time", "stop",      "rest", "change"};
+const std::vector<std::string_view> kGoals = {"step", "statement", "line",   "cycle", "time",
+                                              "stop", "rest",      "change", "call"};
 
 Error NoSession() {
   return MakeError(1, "no program is loaded: 'load' one first", "尚未加载程序：请先使用“load”");
@@ -86,8 +89,8 @@ StopWishes ReadWishes(Arguments* arguments, bool races) {
 // One function for each request. They read all arguments before they act, and return the result.
 class SessionHost::Requests {
  public:
-  Requests(compiler::FileReader reader, CommentReader comments)
-      : reader_(std::move(reader)), comments_(std::move(comments)) {}
+  Requests(compiler::FileReader reader, CommentReader comments, CallReader calls)
+      : reader_(std::move(reader)), comments_(std::move(comments)), calls_(calls) {}
 
   std::string Handle(std::string_view text);
 
@@ -124,6 +127,8 @@ class SessionHost::Requests {
   Result<Json> Listing(Arguments& arguments);
   Result<Json> Record(Arguments& arguments);
 
+  Result<Json> LoadCalls(const std::string& text, const std::string& path, std::optional<int> card,
+                         int opening);
   Result<Json> Answer(std::string_view text);
   /// Reads the files that a request brings.
   Result<Project> ReadFiles(Arguments& arguments,
@@ -136,6 +141,7 @@ class SessionHost::Requests {
 
   compiler::FileReader reader_;
   CommentReader comments_;
+  CallReader calls_ = nullptr;
   Language language_ = Language::kEnglish;
   std::optional<Session> session_;
   std::string events_;
@@ -149,7 +155,7 @@ const std::vector<SessionHost::Requests::Request>& SessionHost::Requests::All() 
       {{"hello", "[protocol] [language]"}, &Requests::Hello},
       {{"check", "main [files] [structured]"}, &Requests::Check},
       {{"run", "main [files] [structured] [show]"}, &Requests::RunWhole},
-      {{"load", "main [files] [structured]"}, &Requests::Load},
+      {{"load", "main [files] [structured] [card] [opening]"}, &Requests::Load},
       {{"state", ""}, &Requests::State},
       {{"forward", "goal [thread] [ms] [budget]"}, &Requests::Forward},
       {{"back", "goal [thread] [name] [budget]"}, &Requests::Back},
@@ -272,7 +278,7 @@ Result<Project> SessionHost::Requests::ReadFiles(Arguments& arguments, runtime::
   auto project = ReadProject(main, files, structured, use);
   missing_ = files.missing();
   if (!project.ok() || !comments_) return project;
-  auto& [scenario, compilation, schedule] = project.value();
+  auto& [scenario, compilation, schedule, calls] = project.value();
   // A scenario and a recording say everything themselves, and an object has no comments.
   if (scenario.program != main || compilation.files.empty() || !compilation.ok()) return project;
   auto read = comments_(main, compilation.files[0].text(), *compilation.object, &scenario);
@@ -284,7 +290,7 @@ Result<Json> SessionHost::Requests::Check(Arguments& arguments) {
   const auto project = ReadFiles(arguments);
   if (!project.ok()) return project.error();
   const compiler::Compilation& compilation = project.value().compilation;
-  return Json{{"compiled", compilation.ok()},
+  return Json{{"compiled", compilation.ok() || project.value().calls.has_value()},
               {"diagnostics", compiler::DiagnosticsJson(compilation, language_)}};
 }
 
@@ -306,8 +312,13 @@ Result<Json> SessionHost::Requests::RunWhole(Arguments& arguments) {
 }
 
 Result<Json> SessionHost::Requests::Load(Arguments& arguments) {
+  std::optional<int> card;
+  if (arguments.Has("card")) card = static_cast<int>(arguments.Whole("card", 0, kCardMax));
+  const auto opening = static_cast<int>(arguments.Whole("opening", 1, kOpeningMax, 1));
+  const std::string main = arguments.Text("main");
   auto project = ReadFiles(arguments);
   if (!project.ok()) return project.error();
+  if (project.value().calls) return LoadCalls(*project.value().calls, main, card, opening);
   compiler::Compilation& compilation = project.value().compilation;
   Json answer = {{"compiled", compilation.ok()},
                  {"diagnostics", compiler::DiagnosticsJson(compilation, language_)}};
@@ -321,6 +332,20 @@ Result<Json> SessionHost::Requests::Load(Arguments& arguments) {
   for (const compiler::SourceFile& file : compilation.files) {
     answer["files"].push_back({{"path", file.path()}, {"text", file.text()}});
   }
+  answer["state"] = StateNow();
+  return answer;
+}
+
+Result<Json> SessionHost::Requests::LoadCalls(const std::string& text, const std::string& path,
+                                              std::optional<int> card, int opening) {
+  if (calls_ == nullptr) {
+    return MakeError(1, "records of host calls are read by the 'oncard' command only",
+                     "主机调用记录只能由“oncard”命令读取");
+  }
+  auto loaded = calls_(text, path, card, opening);
+  if (!loaded.ok()) return loaded.error();
+  session_.emplace(std::move(loaded.value().session));
+  Json answer = std::move(loaded.value().answer);
   answer["state"] = StateNow();
   return answer;
 }
@@ -508,14 +533,19 @@ Result<Json> SessionHost::Requests::MoveSwitch(Arguments& arguments) {
 Result<Json> SessionHost::Requests::Record(Arguments& arguments) {
   const std::string path = arguments.Text("path", {});
   if (auto missing = Missing(arguments)) return *std::move(missing);
+  if (session_->run().calls() != nullptr) {
+    return MakeError(1, "the run of a host cannot be recorded as a schedule",
+                     "主机程序的运行不能录制为调度");
+  }
   const vm::Schedule schedule = session_->run().Record(path);
   return Json{{"schedule", vm::FormatSchedule(schedule)}, {"scenario", schedule.scenario}};
 }
 
 // --- The host ------------------------------------------------------------------------------------
 
-SessionHost::SessionHost(compiler::FileReader reader, CommentReader comments)
-    : requests_(std::make_unique<Requests>(std::move(reader), std::move(comments))) {}
+SessionHost::SessionHost(compiler::FileReader reader, CommentReader comments, CallReader calls)
+    : requests_(
+          std::make_unique<Requests>(std::move(reader), std::move(comments), std::move(calls))) {}
 SessionHost::SessionHost(SessionHost&&) noexcept = default;
 SessionHost& SessionHost::operator=(SessionHost&&) noexcept = default;
 SessionHost::~SessionHost() = default;

@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -32,12 +33,20 @@ struct RequestText {
 using CommentReader = std::function<Result<void>(const std::string& path, std::string_view source,
                                                  const vm::Object& object, runtime::Scenario*)>;
 
+struct RecordedHost;
+
+/// Reads the record of a host: its text, its path, and the card and opening that are wanted.
+using CallReader = Result<RecordedHost> (*)(const std::string& text, const std::string& path,
+                                            std::optional<int> card, int opening);
+
 class SessionHost {
  public:
   /// `reader` reads files that a request names without their content; empty: there are none.
   /// `comments` reads the comments of sources (explore/source_comments.h); empty: they are only
   /// comments.
-  explicit SessionHost(compiler::FileReader reader = {}, CommentReader comments = {});
+  /// `calls` reads the records of hosts (recorded_host.h); nullptr: they are refused.
+  explicit SessionHost(compiler::FileReader reader = {}, CommentReader comments = {},
+                       CallReader calls = nullptr);
   SessionHost(SessionHost&&) noexcept;
   SessionHost& operator=(SessionHost&&) noexcept;
   ~SessionHost();

@@ -62,6 +62,11 @@ Result<void> ReadProgram(const Files& files, Project* project) {
   return {};
 }
 
+Error NoProgram(const std::string& main) {
+  return MakeError(1, "'{0}' is a record of host calls, which is only for 'load'",
+                   "“{0}”是主机调用记录，只能用于“load”", main);
+}
+
 void NoteMissing(const std::string& path, std::vector<std::string>* missing) {
   if (std::ranges::find(*missing, path) == missing->end()) missing->push_back(path);
 }
@@ -83,6 +88,7 @@ Result<std::string> Files::Read(const std::string& path) const {
 Result<ProgramSource> ReadProgramSource(const std::string& main, const Files& files,
                                         bool structured) {
   Project project;
+  if (main.ends_with(runtime::kCallRecordEnding)) return NoProgram(main);
   if (auto read = ReadScenario(main, files, runtime::ScenarioUse::kText, &project); !read.ok()) {
     return read.error();
   }
@@ -103,6 +109,13 @@ Result<ProgramSource> ReadProgramSource(const std::string& main, const Files& fi
 Result<Project> ReadProject(const std::string& main, const Files& files, bool structured,
                             runtime::ScenarioUse use) {
   Project project;
+  if (main.ends_with(runtime::kCallRecordEnding)) {
+    if (use != runtime::ScenarioUse::kSession) return NoProgram(main);
+    auto text = files.Read(main);
+    if (!text.ok()) return text.error();
+    project.calls = std::move(text).value();
+    return project;
+  }
   if (auto read = ReadScenario(main, files, use, &project); !read.ok()) return read.error();
   if (structured) project.scenario.structured = true;
   if (auto read = ReadProgram(files, &project); !read.ok()) return read.error();

@@ -11,6 +11,7 @@
 
 #include "base/result.h"
 #include "compiler/compiler.h"
+#include "runtime/scenario/call_record.h"
 #include "runtime/scenario/scenario.h"
 #include "vm/schedule.h"
 
@@ -41,6 +42,8 @@ struct Project {
   compiler::Compilation compilation;
   /// The recording that is to be followed.
   std::shared_ptr<const vm::Schedule> schedule;
+  /// The text of a record of host calls, instead of all others.
+  std::optional<std::string> calls;
 };
 
 /// The source of a program.
@@ -55,7 +58,8 @@ struct ProgramSource {
 Result<ProgramSource> ReadProgramSource(const std::string& main, const Files& files,
                                         bool structured = false);
 
-/// Reads `main`: a scenario (.toml), a recording (.schedule), or a program that runs by itself. The
+/// Reads `main`: a scenario (.toml), a recording (.schedule), a record of host calls (.calls, only
+/// for ScenarioUse::kSession), or a program that runs by itself. The
 /// program is structured C if `structured` or the scenario or the program says so. Fails if a file
 /// is missing, or is not what it should be, or if the scenario has keys that cannot be used for
 /// `use`; errors of the program are in the compilation.

@@ -91,6 +91,18 @@ Result<void> RewindableRun::Start(vm::Object object, std::shared_ptr<const vm::S
   return {};
 }
 
+std::unique_ptr<RewindableRun> RewindableRun::CreateFromCalls(
+    runtime::Scenario scenario, std::unique_ptr<const runtime::HostCalls> calls) {
+  std::unique_ptr<RewindableRun> run(new RewindableRun(std::move(scenario)));
+  run->controller_.LogRefusals(&run->log_, 0);
+  if (!calls->bare()) runtime::ApplyWorld(run->scenario_, &run->controller_);
+  run->calls_ = std::move(calls);
+  run->lookup_ = std::make_unique<runtime::Controller>(runtime::CardOptions(run->scenario_));
+  run->UpdateWorld();
+  run->Keep();
+  return run;
+}
+
 runtime::Scenario RewindableRun::ScenarioWithChanges() const {
   runtime::Scenario scenario = scenario_;
   for (const Change& change : changes_) {
@@ -104,10 +116,27 @@ runtime::Scenario RewindableRun::ScenarioWithChanges() const {
 
 // --- The present ---------------------------------------------------------------------------------
 
+const vm::Image& RewindableRun::image() const {
+  static const vm::Image none;
+  const vm::Image* image = machine().image();
+  return image == nullptr ? none : *image;
+}
+
+const runtime::Controller& RewindableRun::CardWith(
+    const std::shared_ptr<const vm::Image>& program) const {
+  lookup_->Load(program);
+  return *lookup_;
+}
+
+bool RewindableRun::CallIsDue() const {
+  return CallIsLeft() && calls_->TimeUs(place_.calls) / scenario_.cycle_us <= controller_.cycle();
+}
+
 StepKind RewindableRun::NextStep() const {
   if (HostActsWithin()) return StepKind::kHost;
   if (place_.statements_left > 0) return StepKind::kStatement;
-  return agenda_.NextCycle() <= controller_.cycle() ? StepKind::kHost : StepKind::kCycle;
+  const bool host_acts = agenda_.NextCycle() <= controller_.cycle() || CallIsDue();
+  return host_acts ? StepKind::kHost : StepKind::kCycle;
 }
 
 bool RewindableRun::HostActsWithin() const {
@@ -124,6 +153,7 @@ int RewindableRun::NextThread() const {
 
 std::optional<RunOver> RewindableRun::Over() const {
   if (NextStep() != StepKind::kCycle) return std::nullopt;
+  if (calls_ != nullptr) return CallIsLeft() ? std::nullopt : std::optional(RunOver::kHostEnd);
   const int64_t cycle = controller_.cycle();
   if (until_cycle_ <= limit_cycle_ && cycle >= until_cycle_) return RunOver::kUntil;
   if (cycle >= limit_cycle_) return RunOver::kLimit;
@@ -161,7 +191,8 @@ int64_t RewindableRun::NextRecorded() const {
 // --- Forward -------------------------------------------------------------------------------------
 
 const StepReport& RewindableRun::Step() {
-  report_ = {NextStep(), -1, nullptr, std::nullopt, {}};
+  report_ = {};
+  report_.kind = NextStep();
   switch (report_.kind) {
     case StepKind::kHost:
       StepHost();
@@ -222,6 +253,7 @@ Result<void> RewindableRun::StepThread(int thread) {
 void RewindableRun::StepHost() {
   ++place_.moment;
   if (HostActsWithin()) return StepHostWithin();
+  if (CallIsDue()) return StepCall();
   while (const runtime::Agenda::Check* check = agenda_.TakeCheck(controller_.cycle())) {
     if (check->condition.Holds(controller_)) continue;
     ++place_.failed;
@@ -232,6 +264,30 @@ void RewindableRun::StepHost() {
   while (const runtime::Agenda::Write* write = agenda_.TakeWrite(controller_.cycle())) {
     controller_.machine().Write(write->variable.slot, write->value);
   }
+}
+
+void RewindableRun::StepCall() {
+  const size_t number = place_.calls++;
+  controller_.PlaceInCycle(calls_->TimeUs(number) % scenario_.cycle_us);
+  const vm::Image* const before = machine().image();
+  runtime::HostCalls::Done done = calls_->Execute(number, &controller_);
+  if (machine().image() != before) place_.refusals = {};
+  report_.call = true;
+  place_.last_call = std::make_shared<const Message>(done.text);
+  if (done.code != vm::kOk) {
+    ++place_.refused;
+    report_.refusal = std::make_shared<const Refusal>(Refusal{-1, done.code, done.text});
+  }
+  if (!done.deviation || HasBeenChanged()) return;
+  ++place_.deviations;
+  report_.deviation = std::move(done.deviation);
+}
+
+bool RewindableRun::HasBeenChanged() const {
+  const auto made_before = [this](const auto& recorded) {
+    return !recorded.empty() && recorded.front().moment < moment();
+  };
+  return made_before(choices_) || made_before(changes_);
 }
 
 void RewindableRun::StepHostWithin() {
@@ -246,6 +302,7 @@ void RewindableRun::StepHostWithin() {
 }
 
 void RewindableRun::BeginCycle() {
+  controller_.PlaceInCycle(0);
   place_.statements_left = controller_.BeginCycle();
   place_.statements_done = 0;
   // Threads that wake up at the end of their function finish.
@@ -316,8 +373,12 @@ void RewindableRun::NoteEnd() {
 void RewindableRun::Keep() {
   const auto at = std::ranges::lower_bound(kept_, moment(), {},
                                            [](const Kept& kept) { return kept.place.moment; });
-  Kept present = {place_, agenda_.position(), vm::PackedState(machine().state()),
-                  controller_.Body(), races_};
+  Kept present = {place_,
+                  agenda_.position(),
+                  machine().shared_image(),
+                  vm::PackedState(machine().state()),
+                  controller_.Body(),
+                  races_};
   if (at != kept_.end() && at->place.moment == moment()) {
     *at = std::move(present);
   } else {
@@ -346,6 +407,7 @@ void RewindableRun::Restore(const Kept& kept) {
   place_ = kept.place;
   agenda_.GoTo(kept.agenda);
   kept.machine.Unpack(scratch_.get());
+  if (machine().shared_image() != kept.program) controller_.machine().Load(kept.program);
   controller_.machine().Restore(*scratch_);
   controller_.RestoreBody(kept.body);
   races_ = kept.races;
@@ -389,6 +451,10 @@ void RewindableRun::GoToCycle(int64_t cycle) {
 
 Result<void> RewindableRun::WatchRaces(bool on) {
   if (on == races_.has_value()) return {};
+  if (on && calls_ != nullptr) {
+    return MakeError(1, "data races are not looked for where a host makes calls",
+                     "有主机调用时不查找数据竞争");
+  }
   if (!on) {
     races_.reset();
     for (Kept& kept : kept_) kept.races.reset();
@@ -532,7 +598,10 @@ Result<void> RewindableRun::MoveSwitch(int number, double from, double to) {
 }
 
 void RewindableRun::UpdateWorld() {
-  world_events_ = std::make_shared<const motion::WorldEvents>(EventsOfWorld(ScenarioWithChanges()));
+  const bool bare = calls_ != nullptr && calls_->bare() && changes_.empty();
+  world_events_ =
+      bare ? nullptr
+           : std::make_shared<const motion::WorldEvents>(EventsOfWorld(ScenarioWithChanges()));
   ShareWorld();
 }
 
@@ -603,8 +672,8 @@ std::vector<RewindableRun::Span> RewindableRun::Spans(int64_t from, int64_t to, 
       if (full) continue;
       span = spans.size();
       const int64_t cycle = controller_.cycle();
-      spans.push_back(
-          {number, waits, thread, machine().Line(number), moment(), moment(), cycle, cycle});
+      spans.push_back({number, waits, thread, machine().image(), machine().Line(number), moment(),
+                       moment(), cycle, cycle});
     }
     if (full || moment() >= std::min(to, head_)) break;
     Step();

@@ -2,11 +2,11 @@
 //
 // From one moment to the next the card takes one *step*: the scenario acts between two cycles
 // (expectations of that instant, writes of the host) or in the middle of one (writes of the host),
-// a profile cycle begins, or a thread executes one statement. Moment 0 is before the first step.
-// The scenario's policy decides which thread executes a statement unless the user chooses one;
-// variables and inputs can be changed between two steps. Choices and changes are recorded, so that
-// every moment up to head() can be reached again, exactly. A choice or a change at an earlier
-// moment discards what was after it.
+// a recorded host makes a call, a profile cycle begins, or a thread executes one statement. Moment
+// 0 is before the first step. The scenario's policy decides which thread executes a statement
+// unless the user chooses one; variables and inputs can be changed between two steps. Choices and
+// changes are recorded, so that every moment up to head() can be reached again, exactly. A choice
+// or a change at an earlier moment discards what was after it.
 //
 // Copies of the state are kept more densely near the present: at most kKeptMax, and executing again
 // from the nearest one takes a fraction of the way to it.
@@ -24,6 +24,7 @@
 #include "base/result.h"
 #include "runtime/conditions/card_condition.h"
 #include "runtime/scenario/agenda.h"
+#include "runtime/scenario/host_calls.h"
 #include "runtime/scenario/scenario.h"
 #include "runtime/sim/controller.h"
 #include "session/race_watch.h"
@@ -35,9 +36,9 @@ namespace oncard::session {
 /// What happens from one moment to the next.
 enum class StepKind : uint8_t { kHost, kCycle, kStatement };
 
-/// A GT command that a thread was refused.
+/// A GT command that a thread, or a recorded host, was refused.
 struct Refusal {
-  int thread = 0;
+  int thread = 0;  ///< -1: the recorded host
   int16_t code = 0;
   Message call;  ///< `GT_AxisOn(9) = 7: parameter axis is 9; the range is [1, 8]`
 };
@@ -49,6 +50,8 @@ struct StepReport {
   std::shared_ptr<const Refusal> refusal;  ///< kStatement: nullptr if no command was refused
   std::optional<Message> race;             ///< kStatement: only while races are watched
   std::vector<Message> failed;             ///< kHost: expectations that did not hold, and why
+  bool call = false;                       ///< kHost: a call of a recorded host
+  std::optional<Message> deviation;        ///< the card has not answered as it is recorded
 };
 
 /// Why the scenario's run is over.
@@ -57,6 +60,7 @@ enum class RunOver : uint8_t {
   kUntil,     ///< `until_ms`
   kLimit,     ///< `limit_ms`
   kDeadlock,  ///< all running threads wait for values that nothing changes any more
+  kHostEnd,   ///< the record of a host has no more calls
 };
 
 class RewindableRun {
@@ -72,12 +76,20 @@ class RewindableRun {
       runtime::Scenario scenario, vm::Object object,
       std::shared_ptr<const vm::Schedule> schedule = nullptr);
 
+  /// The card of a host, without a program before the first call. Of the scenario only the card and
+  /// its surroundings count.
+  static std::unique_ptr<RewindableRun> CreateFromCalls(
+      runtime::Scenario scenario, std::unique_ptr<const runtime::HostCalls> calls);
+
   RewindableRun(const RewindableRun&) = delete;
   RewindableRun& operator=(const RewindableRun&) = delete;
 
   const runtime::Controller& controller() const { return controller_; }
   const vm::Machine& machine() const { return controller_.machine(); }
-  const vm::Image& image() const { return *controller_.machine().image(); }
+  /// The program; one without functions as long as a recorded host has downloaded none.
+  const vm::Image& image() const;
+  /// A card with a program that a recorded host downloads, for those who look up names.
+  const runtime::Controller& CardWith(const std::shared_ptr<const vm::Image>& program) const;
   /// The scenario without changes.
   const runtime::Scenario& scenario() const { return scenario_; }
   /// The scenario with the changes that have been made up to head().
@@ -108,7 +120,17 @@ class RewindableRun {
     return agenda_.at_end();
   }
   /// True if the scenario has expectations or writes of the host after this moment.
-  bool scenario_goes_on() const { return agenda_.has_checks() || agenda_.has_writes(); }
+  bool scenario_goes_on() const {
+    return agenda_.has_checks() || agenda_.has_writes() || CallIsLeft();
+  }
+  /// The recorded calls of a host; nullptr: there is no such host.
+  const runtime::HostCalls* calls() const { return calls_.get(); }
+  /// How many of them have acted.
+  size_t calls_made() const { return place_.calls; }
+  /// The last one with its code; nullptr: none.
+  const Message* last_call() const { return place_.last_call.get(); }
+  /// Number of calls up to this moment that the card did not answer as it is recorded.
+  int64_t deviations() const { return place_.deviations; }
   /// The last refused command of a thread since it was started; nullptr: none.
   const Refusal* LastRefusal(int thread) const;
 
@@ -188,10 +210,11 @@ class RewindableRun {
   /// A time in which a bound thread is in one state, and if it waits, waits for one thing.
   struct Span {
     int thread = 0;
-    bool waits = false;      ///< running, but for now it cannot execute a statement
-    vm::ThreadState state;   ///< at its beginning
-    int line = 0;            ///< likewise
-    int64_t from = 0;        ///< moments
+    bool waits = false;                  ///< running, but for now it cannot execute a statement
+    vm::ThreadState state;               ///< at its beginning
+    const vm::Image* program = nullptr;  ///< the card's, likewise
+    int line = 0;                        ///< likewise
+    int64_t from = 0;                    ///< moments
     int64_t to = 0;          ///< the moment of the next state, or the last one that was looked at
     int64_t from_cycle = 0;  ///< of the card at these moments
     int64_t to_cycle = 0;
@@ -210,12 +233,16 @@ class RewindableRun {
     int64_t failed = 0;
     int64_t over_cycle = -1;  ///< the cycle with whose end the scenario's run was over
     std::vector<bool> held;   ///< which of the awaited conditions have held
+    size_t calls = 0;         ///< of the recorded host
+    int64_t deviations = 0;
+    std::shared_ptr<const Message> last_call;
     /// The last refused command of each thread.
     std::array<std::shared_ptr<const Refusal>, vm::kThreadCount> refusals{};
   };
   struct Kept {
     Place place;
     runtime::Agenda::Position agenda;
+    std::shared_ptr<const vm::Image> program;
     vm::PackedState machine;
     runtime::CardBody body;
     std::optional<RaceWatch> races;
@@ -254,7 +281,14 @@ class RewindableRun {
   int64_t NextRecorded() const;
   /// True if the host writes now, in the middle of a cycle.
   bool HostActsWithin() const;
+  /// True if calls of a recorded host are left.
+  bool CallIsLeft() const { return calls_ != nullptr && place_.calls < calls_->size(); }
+  /// True if one acts before the next cycle.
+  bool CallIsDue() const;
   void StepHost();
+  void StepCall();
+  /// True if the user has chosen or changed something before the present.
+  bool HasBeenChanged() const;
   void StepHostWithin();
   void StepStatement();
   /// Begins a cycle without executing its statements.
@@ -290,6 +324,8 @@ class RewindableRun {
   RefusalLog log_;
   runtime::Controller controller_;
   runtime::Agenda agenda_;
+  std::unique_ptr<const runtime::HostCalls> calls_;
+  std::unique_ptr<runtime::Controller> lookup_;  // of CardWith()
   Place place_;
   int64_t head_ = 0;
   std::vector<Choice> choices_;  // in order of moments

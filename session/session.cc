@@ -26,6 +26,13 @@ Result<void> CheckThreadRuns(const Walk& walk, const vm::Machine& machine) {
   return MakeError(1, "thread {0} does not run", "线程 {0} 没有运行", walk.thread);
 }
 
+/// Fails if a walk to a call is made where there are none.
+Result<void> CheckCalls(const Walk& walk, const RewindableRun& run) {
+  if (walk.goal != Goal::kCall || run.calls() != nullptr) return {};
+  return MakeError(1, "there are no calls of a host: load the record of one",
+                   "没有主机调用：请载入主机调用记录");
+}
+
 Result<std::vector<Quantity>> ResolveScalars(const std::vector<std::string>& names,
                                              const runtime::Controller& controller) {
   std::vector<Quantity> all;
@@ -59,6 +66,14 @@ Result<Session> Session::Create(runtime::Scenario scenario, vm::Object object,
   return session;
 }
 
+Result<Session> Session::CreateFromCalls(runtime::Scenario scenario,
+                                         std::unique_ptr<const runtime::HostCalls> calls) {
+  auto run = RewindableRun::CreateFromCalls(std::move(scenario), std::move(calls));
+  auto stops = Stops::Create(*run);
+  if (!stops.ok()) return stops.error();
+  return Session(std::move(run), std::move(stops).value());
+}
+
 bool Session::ForbidsRaces() const { return run_->scenario().races != runtime::Scenario{}.races; }
 
 Result<void> Session::SetStops(const StopWishes& wishes) {
@@ -77,6 +92,7 @@ Result<Stop> Session::Forward(const Walk& walk, std::vector<LogLine>* log) {
   if (walk.goal == Goal::kChange) {
     return MakeError(1, "a walk to a change of a value goes back", "到某个量变化处的行走只能后退");
   }
+  if (const auto has = CheckCalls(walk, *run_); !has.ok()) return has.error();
   const int64_t start = run_->moment();
   const runtime::Scenario& scenario = run_->scenario();
   const int64_t goal_cycle = run_->controller().cycle() + runtime::CycleOf(scenario, walk.time_us);
@@ -94,8 +110,9 @@ Result<Stop> Session::Forward(const Walk& walk, std::vector<LogLine>* log) {
     if (checks_all || look_closely) {
       step = run_->Step();
       if (auto stop = stops_.Check(*run_, step, log)) return *std::move(stop);
-    } else if (AdvanceUnchecked(start + walk.budget)) {
+    } else if (const size_t calls = run_->calls_made(); AdvanceUnchecked(start + walk.budget)) {
       step.kind = StepKind::kCycle;
+      step.call = run_->calls_made() != calls;
     } else {
       look_closely = true;
       continue;
@@ -126,6 +143,9 @@ std::optional<Stop> Session::Reached(const Walk& walk, const StepReport& step,
       return reached(between);
     case Goal::kTime:
       return reached(between && run_->controller().cycle() >= goal_cycle);
+    case Goal::kCall:
+      if (step.call) return Stop{StopReason::kGoal, -1, -1, *run_->last_call()};
+      return reached(run_->Over().has_value());
     case Goal::kStop:
     case Goal::kRest:
     case Goal::kChange:
@@ -139,8 +159,10 @@ bool Session::AdvanceUnchecked(int64_t last) {
   const int64_t faults = run_->machine().state().faults;
   const int64_t refused = run_->refused();
   const int64_t failed = run_->failed();
+  const int64_t deviations = run_->deviations();
   run_->Advance(last);
-  const bool stopped = (stops_.faults() && run_->machine().state().faults != faults) ||
+  const bool stopped = run_->deviations() != deviations ||
+                       (stops_.faults() && run_->machine().state().faults != faults) ||
                        (stops_.refusals() && run_->refused() != refused) ||
                        (stops_.requirements() && run_->failed() != failed);
   if (!stopped) return true;
@@ -167,6 +189,7 @@ Result<Stop> Session::StepThread(int thread) {
 
 Result<Stop> Session::Back(const Walk& walk) {
   if (const auto valid = CheckThread(walk); !valid.ok()) return valid.error();
+  if (const auto has = CheckCalls(walk, *run_); !has.ok()) return has.error();
   switch (walk.goal) {
     case Goal::kStep:
       if (run_->moment() == 0) return Stop{StopReason::kStart};
@@ -176,6 +199,7 @@ Result<Stop> Session::Back(const Walk& walk) {
     case Goal::kLine:
     case Goal::kCycle:
     case Goal::kStop:
+    case Goal::kCall:
       return SearchBack(LookFor(walk), walk.budget);
     case Goal::kChange: {
       auto watched = runtime::ResolveQuantity(walk.name, run_->controller());
@@ -206,6 +230,7 @@ Session::Look Session::LookFor(const Walk& walk) {
       return goal(run_->moment(), walk.thread);
     }
     if (walk.goal == Goal::kCycle && step.kind == StepKind::kCycle) return goal(before, -1);
+    if (walk.goal == Goal::kCall && step.call) return goal(before, -1);
     return std::nullopt;
   };
   return {[this] { stops_.Begin(*run_); }, look};

@@ -29,7 +29,8 @@ enum class Goal : uint8_t {
   kTime,       ///< for a time, rounded up to the end of a cycle; forward only
   kStop,       ///< until something stops it; forward also: until the scenario's run is over
   kRest,       ///< until no thread runs and no axis moves; forward only
-  kChange      ///< back to where a value last changed
+  kChange,     ///< back to where a value last changed
+  kCall        ///< one call of a recorded host
 };
 
 struct Walk {
@@ -46,6 +47,10 @@ class Session {
   /// Fails with everything that does not fit the program.
   static Result<Session> Create(runtime::Scenario scenario, vm::Object object,
                                 std::shared_ptr<const vm::Schedule> schedule = nullptr);
+
+  /// The card of a recorded host.
+  static Result<Session> CreateFromCalls(runtime::Scenario scenario,
+                                         std::unique_ptr<const runtime::HostCalls> calls);
 
   RewindableRun& run() { return *run_; }
   const RewindableRun& run() const { return *run_; }

@@ -17,7 +17,7 @@ using runtime::Quantity;
 
 /// The texts and values of a log line, of which the values are in braces.
 Result<std::vector<std::variant<std::string, Quantity>>> ReadLog(const std::string& log,
-                                                                 const RewindableRun& run) {
+                                                                 const runtime::Controller& card) {
   std::vector<std::variant<std::string, Quantity>> parts;
   for (size_t at = 0; at < log.size();) {
     const size_t open = log.find('{', at);
@@ -28,7 +28,7 @@ Result<std::vector<std::variant<std::string, Quantity>>> ReadLog(const std::stri
       return MakeError(1, "a brace in the log text '{0}' is not closed",
                        "日志文本“{0}”中的花括号未闭合", log);
     }
-    auto found = runtime::ResolveQuantity(log.substr(open + 1, close - open - 1), run.controller());
+    auto found = runtime::ResolveQuantity(log.substr(open + 1, close - open - 1), card);
     if (!found.ok()) return found.error();
     for (Quantity& quantity : found.value()) parts.emplace_back(std::move(quantity));
     at = close + 1;
@@ -36,10 +36,19 @@ Result<std::vector<std::variant<std::string, Quantity>>> ReadLog(const std::stri
   return parts;
 }
 
-Result<CardCondition> ReadCondition(const std::string& text, const RewindableRun& run) {
+Result<CardCondition> ReadCondition(const std::string& text, const runtime::Controller& card) {
   auto condition = runtime::ParseCondition(text);
   if (!condition.ok()) return condition.error();
-  return CardCondition::Bind(std::move(condition).value(), run.controller());
+  return CardCondition::Bind(std::move(condition).value(), card);
+}
+
+uint32_t FreshThreads(const vm::Machine& machine) {
+  uint32_t fresh = 0;
+  for (int number = 0; number < vm::kThreadCount; ++number) {
+    const vm::ThreadState& thread = machine.thread(number);
+    if (thread.run == vm::ThreadRun::kRunning && thread.executed == 0) fresh |= 1u << number;
+  }
+  return fresh;
 }
 
 Message DoesNotHold(const std::string& title, const CardCondition& condition,
@@ -60,10 +69,11 @@ int LineWithStatement(const vm::Object& object, const std::string& file, int lin
   return nearest;
 }
 
-/// True if a thread has just been started and has not executed a statement.
-bool StartedNow(const vm::ThreadState& thread, int64_t cycle) {
+/// True if a thread has been started with the beginning of this cycle and has not executed a
+/// statement. Those of a scenario are started with the first one.
+bool StartedNow(const vm::ThreadState& thread, int64_t cycle, bool of_scenario) {
   if (thread.run != vm::ThreadRun::kRunning || thread.executed != 0) return false;
-  return cycle == 1 ||
+  return (of_scenario && cycle == 1) ||
          (thread.period_cycles != 0 && thread.next_start - thread.period_cycles == cycle);
 }
 
@@ -88,14 +98,18 @@ Result<Stops> Stops::Create(const RewindableRun& run) {
   return stops;
 }
 
-Result<Stops::Line> Stops::ReadLine(const LineStop& wish, const RewindableRun& run) {
+Result<Stops::Line> Stops::ReadLine(const LineStop& wish, const runtime::Controller& card) {
+  static const vm::Image none;
+  const vm::Image* const program = card.machine().image();
+  const vm::Image& image = program == nullptr ? none : *program;
   Line line;
+  line.asked = wish;
   line.wish = wish;
   if (wish.function) {
-    const auto function = runtime::FunctionIndex(*wish.function, run.image());
+    const auto function = runtime::FunctionIndex(*wish.function, image);
     if (!function.ok()) return function.error();
     line.function = static_cast<size_t>(function.value());
-    const auto& lines = run.image().object.functions[line.function].lines;
+    const auto& lines = image.object.functions[line.function].lines;
     const auto position = static_cast<size_t>(wish.position);
     if (position >= lines.size()) {
       return MakeError(1, "{0} has no statement at position {1}: it has {2} statements, from 0 on",
@@ -104,7 +118,7 @@ Result<Stops::Line> Stops::ReadLine(const LineStop& wish, const RewindableRun& r
     }
     line.wish.line = lines[position];
   } else {
-    line.wish.line = LineWithStatement(run.image().object, wish.file, wish.line);
+    line.wish.line = LineWithStatement(image.object, wish.file, wish.line);
   }
   if (line.wish.line == 0) {
     return MakeError(1, "no statement of {0} is on line {1} or after it",
@@ -112,11 +126,11 @@ Result<Stops::Line> Stops::ReadLine(const LineStop& wish, const RewindableRun& r
                      wish.file.empty() ? std::string("the program") : wish.file, wish.line);
   }
   if (!wish.condition.empty()) {
-    auto condition = ReadCondition(wish.condition, run);
+    auto condition = ReadCondition(wish.condition, card);
     if (!condition.ok()) return condition.error();
     line.condition = std::move(condition).value();
   }
-  auto log = ReadLog(wish.log, run);
+  auto log = ReadLog(wish.log, card);
   if (!log.ok()) return log.error();
   line.log = std::move(log).value();
   return line;
@@ -124,23 +138,25 @@ Result<Stops::Line> Stops::ReadLine(const LineStop& wish, const RewindableRun& r
 
 Result<void> Stops::Set(const StopWishes& wishes, const RewindableRun& run) {
   Stops stops;
+  stops.wishes_ = wishes;
   for (const LineStop& wish : wishes.lines) {
-    auto line = ReadLine(wish, run);
-    if (!line.ok()) return line.error();
-    stops.lines_.push_back(std::move(line).value());
+    Line& line = stops.lines_.emplace_back();
+    line.asked = line.wish = wish;
   }
-  for (size_t i = 0; i < wishes.changes.size(); ++i) {
-    auto found = runtime::ResolveQuantity(wishes.changes[i], run.controller());
-    if (!found.ok()) return found.error();
-    for (Quantity& quantity : found.value()) {
-      stops.values_.push_back({std::move(quantity), 0, static_cast<int>(i)});
+  auto refused = stops.Bind(run.controller());
+  if (run.calls() != nullptr) {
+    for (const auto& program : run.calls()->programs()) {
+      Stops there = stops;
+      const auto refused_there = there.Bind(run.CardWith(program));
+      for (size_t i = 0; i < refused.size(); ++i) {
+        if (!refused[i] || refused_there[i]) continue;
+        refused[i].reset();
+        if (i < stops.lines_.size()) stops.lines_[i].wish = there.lines_[i].wish;
+      }
     }
   }
-  for (size_t i = 0; i < wishes.conditions.size(); ++i) {
-    auto condition = ReadCondition(wishes.conditions[i], run);
-    if (!condition.ok()) return condition.error();
-    stops.conditions_.push_back(
-        {std::move(condition).value(), true, false, static_cast<int>(i), wishes.conditions[i]});
+  for (auto& why : refused) {
+    if (why) return *std::move(why);
   }
   stops.faults_ = wishes.faults;
   stops.refusals_ = wishes.refusals;
@@ -163,6 +179,39 @@ Result<void> Stops::Set(const StopWishes& wishes, const RewindableRun& run) {
   return {};
 }
 
+std::vector<std::optional<Error>> Stops::Bind(const runtime::Controller& card) {
+  bound_ = card.machine().image();
+  std::vector<std::optional<Error>> refused;
+  // Notes whether a result is good.
+  const auto good = [&refused](const auto& result) {
+    refused.push_back(result.ok() ? std::nullopt : std::optional(result.error()));
+    return result.ok();
+  };
+  for (Line& line : lines_) {
+    auto read = ReadLine(line.asked, card);
+    line.rests = !good(read);
+    if (line.rests) continue;
+    read.value().hits = std::move(line.hits);
+    line = std::move(read).value();
+  }
+  values_.clear();
+  for (size_t i = 0; i < wishes_.changes.size(); ++i) {
+    auto found = runtime::ResolveQuantity(wishes_.changes[i], card);
+    if (!good(found)) continue;
+    for (Quantity& quantity : found.value()) {
+      values_.push_back({std::move(quantity), 0, static_cast<int>(i)});
+    }
+  }
+  conditions_.clear();
+  for (size_t i = 0; i < wishes_.conditions.size(); ++i) {
+    auto condition = ReadCondition(wishes_.conditions[i], card);
+    if (!good(condition)) continue;
+    conditions_.push_back(
+        {std::move(condition).value(), true, false, static_cast<int>(i), wishes_.conditions[i]});
+  }
+  return refused;
+}
+
 std::vector<int> Stops::lines() const {
   std::vector<int> lines;
   for (const Line& line : lines_) lines.push_back(line.wish.line);
@@ -170,12 +219,15 @@ std::vector<int> Stops::lines() const {
 }
 
 bool Stops::CheckEveryStep() const {
-  return !lines_.empty() || !values_.empty() || !conditions_.empty() || races_ ||
+  return !lines_.empty() || !wishes_.changes.empty() || !wishes_.conditions.empty() || races_ ||
          (checks_requirements_ && !requirements_.empty());
 }
 
 std::vector<Message> Stops::FailedAtEnd(const RewindableRun& run) const {
   std::vector<Message> failed;
+  if (const auto* calls = run.calls(); calls != nullptr) {
+    if (auto why = calls->Incomplete()) failed.push_back(*std::move(why));
+  }
   const auto check = [&](const std::string& title, const CardCondition& condition) {
     if (condition.Holds(run.controller())) return;
     failed.push_back(DoesNotHold(title, condition, run));
@@ -203,7 +255,9 @@ std::vector<CardCondition> Stops::Awaited() const {
 // --- Checks --------------------------------------------------------------------------------------
 
 void Stops::Begin(const RewindableRun& run) {
+  if (run.machine().image() != bound_) Bind(run.controller());
   const vm::Machine& machine = run.machine();
+  fresh_ = FreshThreads(machine);
   const uint32_t runnable = machine.RunnableThreads();
   asleep_ = 0;
   at_lines_ = ~0u;
@@ -215,14 +269,25 @@ void Stops::Begin(const RewindableRun& run) {
     const bool sleeps = thread.run == vm::ThreadRun::kRunning && (runnable >> number & 1) == 0;
     if (sleeps && thread.executed > 0) asleep_ |= 1u << number;
   }
+  for (Truth& truth : requirements_) truth.last = truth.condition.Holds(run.controller());
+  Remember(run);
+  fault_count_ = machine.state().faults;
+}
+
+void Stops::Remember(const RewindableRun& run) {
   for (Value& value : values_) value.last = ReadQuantity(value.quantity, run.controller());
   for (Truth& truth : conditions_) truth.last = truth.condition.Holds(run.controller());
-  for (Truth& truth : requirements_) truth.last = truth.condition.Holds(run.controller());
-  fault_count_ = machine.state().faults;
 }
 
 std::optional<Stop> Stops::Check(const RewindableRun& run, const StepReport& step,
                                  std::vector<LogLine>* log) {
+  if (run.machine().image() != bound_) {
+    // A host has downloaded another program, in which no thread runs yet.
+    Bind(run.controller());
+    Remember(run);
+    asleep_ = fresh_ = 0;
+    pcs_ = {};
+  }
   FindArrivals(run, step);
   // Each of them updates what it remembers, so all are called.
   std::optional<Stop> incident = CheckIncidents(run, step);
@@ -246,6 +311,7 @@ void Stops::FindArrivals(const RewindableRun& run, const StepReport& step) {
     uint16_t& was = pcs_[static_cast<size_t>(step.thread)];
     const bool runs = thread.run == vm::ThreadRun::kRunning && thread.pc < lines.size();
     const uint32_t bit = 1u << step.thread;
+    fresh_ &= ~bit;
     if (runs) {
       const bool at_line = lines[thread.pc] != lines[was] || thread.pc <= was;
       at_lines_ = at_line ? at_lines_ | bit : at_lines_ & ~bit;
@@ -262,18 +328,34 @@ void Stops::FindArrivals(const RewindableRun& run, const StepReport& step) {
   }
   for (int number = 0; step.kind == StepKind::kCycle && number < vm::kThreadCount; ++number) {
     const vm::ThreadState& thread = machine.thread(number);
-    if (!StartedNow(thread, run.controller().cycle())) continue;
+    if (!StartedNow(thread, run.controller().cycle(), run.calls() == nullptr)) continue;
     pcs_[static_cast<size_t>(number)] = thread.pc;
     reached_ |= 1u << number;
     at_lines_ |= 1u << number;
+    fresh_ |= 1u << number;
   }
+  if (step.call) FindStarted(machine);
   arrivals_ = reached_ & at_lines_;
+}
+
+// Threads that a call of the host has started.
+void Stops::FindStarted(const vm::Machine& machine) {
+  const uint32_t fresh = FreshThreads(machine);
+  const uint32_t started = fresh & ~fresh_;
+  fresh_ = fresh;
+  for (uint32_t rest = started; rest != 0; rest &= rest - 1) {
+    const auto number = static_cast<size_t>(std::countr_zero(rest));
+    pcs_[number] = machine.thread(static_cast<int>(number)).pc;
+  }
+  reached_ |= started;
+  at_lines_ |= started;
 }
 
 std::optional<Stop> Stops::CheckLines(const RewindableRun& run, std::vector<LogLine>* log) {
   std::optional<Stop> stop;
   for (size_t i = 0; i < lines_.size(); ++i) {
     Line& line = lines_[i];
+    if (line.rests) continue;
     const bool at_statement = line.wish.function.has_value();
     for (uint32_t rest = at_statement ? reached_ : arrivals_; rest != 0; rest &= rest - 1) {
       const int number = std::countr_zero(rest);
@@ -350,6 +432,7 @@ std::optional<Stop> Stops::CheckTruths(const RewindableRun& run, const StepRepor
 }
 
 std::optional<Stop> Stops::CheckIncidents(const RewindableRun& run, const StepReport& step) {
+  if (step.deviation) return Stop{StopReason::kDeviation, -1, -1, *step.deviation};
   const int64_t faults_before = std::exchange(fault_count_, run.machine().state().faults);
   if (faults_ && fault_count_ != faults_before && step.thread >= 0) {
     return Stop{StopReason::kFault, step.thread, -1,

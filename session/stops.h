@@ -35,7 +35,7 @@ struct StopWishes {
   std::vector<std::string> changes;     ///< names of variables or other values (quantity.h)
   std::vector<std::string> conditions;  ///< stop when one becomes true
   bool faults = true;
-  bool refusals = true;      ///< commands of threads whose code is not 0
+  bool refusals = true;      ///< commands of threads and of a recorded host whose code is not 0
   bool requirements = true;  ///< `always`, `never`, and expectations with an instant
   bool races = false;        ///< data races, each pair of statements once
 };
@@ -49,6 +49,7 @@ enum class StopReason : uint8_t {
   kRefusal,      ///< a thread was refused a command
   kRace,         ///< a data race
   kRequirement,  ///< a requirement or an expectation does not hold
+  kDeviation,    ///< the card does not answer a recorded host as it did
   kScheduleEnd,  ///< the schedule that was followed is over
   kEnd,          ///< the scenario's run is over
   kStart,        ///< the first moment
@@ -77,6 +78,7 @@ class Stops {
   static Result<Stops> Create(const RewindableRun& run);
 
   /// Replaces all stops. Fails with the first wish that cannot be fulfilled; then nothing changes.
+  /// Where a host downloads programs, a wish rests as long as the card has one without its names.
   /// A line without a statement is moved to the next one that has one: lines() says where.
   Result<void> Set(const StopWishes& wishes, const RewindableRun& run);
   /// The line of each LineStop, also of those at a statement.
@@ -104,7 +106,9 @@ class Stops {
 
  private:
   struct Line {
-    LineStop wish;
+    LineStop asked;
+    LineStop wish;        ///< with the line that has a statement
+    bool rests = false;   ///< the card has another program
     size_t function = 0;  ///< index of `wish.function`
     std::optional<runtime::CardCondition> condition;
     std::vector<std::variant<std::string, runtime::Quantity>> log;
@@ -124,13 +128,21 @@ class Stops {
   };
 
   Stops() = default;
-  static Result<Line> ReadLine(const LineStop& wish, const RewindableRun& run);
+  static Result<Line> ReadLine(const LineStop& wish, const runtime::Controller& card);
+  /// Resolves all names for the program that the card has. The result says for each line, then each
+  /// change, then each condition why it rests, if it does.
+  std::vector<std::optional<Error>> Bind(const runtime::Controller& card);
+  /// Remembers the present values.
+  void Remember(const RewindableRun& run);
   void FindArrivals(const RewindableRun& run, const StepReport& step);
+  void FindStarted(const vm::Machine& machine);
   std::optional<Stop> CheckLines(const RewindableRun& run, std::vector<LogLine>* log);
   std::optional<Stop> CheckValues(const RewindableRun& run, const StepReport& step);
   std::optional<Stop> CheckTruths(const RewindableRun& run, const StepReport& step);
   std::optional<Stop> CheckIncidents(const RewindableRun& run, const StepReport& step);
 
+  StopWishes wishes_;
+  const vm::Image* bound_ = nullptr;  // the program that the names belong to
   std::vector<Line> lines_;
   std::vector<Value> values_;
   std::vector<Truth> conditions_;
@@ -143,6 +155,7 @@ class Stops {
   bool races_ = false;
 
   std::array<uint16_t, vm::kThreadCount> pcs_{};
+  uint32_t fresh_ = 0;     // threads that run and have executed nothing
   uint32_t asleep_ = 0;    // threads that will arrive at a statement when they wake up
   uint32_t at_lines_ = 0;  // threads whose statement begins a line for them
   uint32_t reached_ = 0;   // threads that have arrived at a statement with this step

@@ -38,6 +38,8 @@ std::string_view OverName(RunOver over) {
       return "until";
     case RunOver::kLimit:
       return "time-limit";
+    case RunOver::kHostEnd:
+      return "host-end";
     case RunOver::kDeadlock:
       break;
   }
@@ -62,6 +64,8 @@ std::string_view ReasonName(StopReason reason) {
       return "refusal";
     case StopReason::kRequirement:
       return "requirement";
+    case StopReason::kDeviation:
+      return "deviation";
     case StopReason::kScheduleEnd:
       return "schedule-end";
     case StopReason::kEnd:
@@ -75,14 +79,15 @@ std::string_view ReasonName(StopReason reason) {
 }
 
 /// What a thread waits for in a cycle.
-Json WaitView(const RewindableRun& run, const vm::ThreadState& thread, int64_t cycle) {
+Json WaitView(const RewindableRun& run, const vm::ThreadState& thread, const vm::Image& program,
+              int64_t cycle) {
   const int64_t cycle_us = run.scenario().cycle_us;
   if (thread.wake_cycle > cycle) {
     return {{"until_ms", ToMs(thread.wake_cycle * cycle_us)}};
   }
   const vm::SlotAddress& slot = thread.wait_slot;
   Json json = Json::object();
-  const std::string name = runtime::NameOfSlot(slot, thread.function, run.image().object);
+  const std::string name = runtime::NameOfSlot(slot, thread.function, program.object);
   if (!name.empty()) json["name"] = name;
   json["value"] = slot.type == vm::DataType::kDouble ? vm::DoubleFromFixed(thread.wait_value)
                                                      : static_cast<double>(thread.wait_value);
@@ -104,7 +109,8 @@ Json ThreadView(const RewindableRun& run, int number, Language language) {
   const bool runs = thread.run == vm::ThreadRun::kRunning;
   const bool ready = (run.machine().RunnableThreads() >> number & 1) != 0;
   json["ready"] = ready;
-  if (runs && !ready) json["waits"] = WaitView(run, thread, run.machine().state().cycle);
+  if (runs && !ready)
+    json["waits"] = WaitView(run, thread, run.image(), run.machine().state().cycle);
   if (thread.period_cycles != 0) {
     json["next_start_ms"] = ToMs(thread.next_start * run.scenario().cycle_us);
   }
@@ -187,6 +193,16 @@ nlohmann::ordered_json StateView(const RewindableRun& run, Language language) {
   if (const int thread = run.NextThread(); thread >= 0) json["next_thread"] = thread;
   if (const auto over = run.Over()) json["over"] = OverName(*over);
   json["follows_schedule"] = run.follows_schedule();
+  if (const runtime::HostCalls* calls = run.calls()) {
+    json["host"] = {{"calls", calls->size()}, {"made", run.calls_made()}};
+    const vm::Image* program = run.machine().image();
+    if (program != nullptr) json["host"]["program"] = fmt::format("{:016x}", program->hash);
+    if (run.last_call() != nullptr) json["host"]["last"] = run.last_call()->In(language);
+    if (run.calls_made() < calls->size()) {
+      json["host"]["next"] = calls->Describe(run.calls_made());
+      json["host"]["next_ms"] = ToMs(calls->TimeUs(run.calls_made()));
+    }
+  }
   json["hash"] = fmt::format("{:016x}", controller.Hash());
   json["threads"] = Json::array();
   for (int number = 0; number < vm::kThreadCount; ++number) {
@@ -313,7 +329,7 @@ nlohmann::ordered_json SpansView(const std::vector<RewindableRun::Span>& spans,
                  {"to", span.to},
                  {"from_ms", ToMs(span.from_cycle * cycle_us)},
                  {"to_ms", ToMs(span.to_cycle * cycle_us)}};
-    if (span.waits) item["waits"] = WaitView(run, span.state, span.from_cycle);
+    if (span.waits) item["waits"] = WaitView(run, span.state, *span.program, span.from_cycle);
     if (span.state.run == vm::ThreadRun::kFaulted) {
       item["text"] = runtime::DescribeFault(span.state).In(language);
     }

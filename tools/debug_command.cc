@@ -7,7 +7,9 @@
 #include "base/files.h"
 #include "base/limits.h"
 #include "explore/source_comments.h"
+#include "runtime/scenario/call_record.h"
 #include "session/host.h"
+#include "session/recorded_host.h"
 #include "tools/commands.h"
 
 namespace oncard::tools {
@@ -15,13 +17,14 @@ namespace {
 
 /// Reads the files that a request does not bring: sources, scenarios, recordings, objects.
 Result<std::string> ReadProjectFile(const std::string& path) {
+  if (path.ends_with(runtime::kCallRecordEnding)) return ReadFile(path);
   const bool large = path.ends_with(".schedule") || path.ends_with(".bin");
   return ReadFile(path, large ? kScheduleKind : kSourceKind);
 }
 
 /// One request a line, until the input ends.
 int ServeStandardStreams(const Invocation& invocation) {
-  session::SessionHost host(ReadProjectFile, explore::AddComments);
+  session::SessionHost host(ReadProjectFile, explore::AddComments, session::OpenRecordedHost);
   std::ios::sync_with_stdio(false);
   for (std::string line; std::getline(std::cin, line);) {
     if (line.empty()) continue;

@@ -294,9 +294,10 @@ void AddExec(CLI::App& app, Invocation& invocation) {
       ->type_name("FILE")
       ->check(CLI::Validator(CheckPictureName, ""));
   command
-      ->add_option("--record", arguments->record,
-                   invocation.Say({"write the calls of the host, for oncard replay",
-                                   "写出主机程序的调用，供 oncard replay 使用"}))
+      ->add_option(
+          "--record", arguments->record,
+          invocation.Say({"write the calls of the host, for oncard debug and oncard replay",
+                          "写出主机程序的调用，供 oncard debug 和 oncard replay 使用"}))
       ->type_name("FILE");
   AddStrictCommandsOption(*command, invocation, arguments->strict_commands);
 }

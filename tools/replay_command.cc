@@ -54,12 +54,7 @@ Result<Message> ReplayCalls(runtime::CallRecord record) {
                      ToMs(time_us), done.deviation->en, done.deviation->zh);
   }
   const size_t calls = replay.value().record().calls.size();
-  if (!replay.value().record().end) {
-    return MakeError(1,
-                     "the record has no end after {0} calls: the host was killed, or the file was "
-                     "cut",
-                     "记录在 {0} 个调用之后没有结束：主机程序被终止，或文件被截断", calls);
-  }
+  if (auto incomplete = replay.value().Incomplete()) return Error{1, *std::move(incomplete)};
   return MakeMessage("{0} calls in {1} ms as recorded, hash {2:016x}",
                      "{0} 个调用，{1} ms，与记录一致，散列值 {2:016x}", calls,
                      ToMs(controller.NowUs()), controller.Hash());

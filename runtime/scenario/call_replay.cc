@@ -1,5 +1,6 @@
 #include "runtime/scenario/call_replay.h"
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <utility>
@@ -135,6 +136,14 @@ Result<CallReplay> CallReplay::Create(CallRecord record, const vm::CommandTable&
   return replay;
 }
 
+std::optional<Message> CallReplay::Incomplete() const {
+  if (record_.end) return std::nullopt;
+  return Message{
+      "the record ends before the host closed the card: the host was killed, or the file "
+      "was cut",
+      "记录在主机程序关闭该卡之前结束：主机程序被终止，或文件被截断"};
+}
+
 int64_t CallReplay::TimeUs(size_t number) const {
   return number < record_.calls.size() ? record_.calls[number].time_us : record_.end->time_us;
 }
@@ -145,7 +154,7 @@ std::string CallReplay::Describe(size_t number) const {
   return FormatInputs(*call.command, Arguments(call, nullptr).span());
 }
 
-CallReplay::Done CallReplay::Execute(size_t number, Controller* controller) const {
+HostCalls::Done CallReplay::Execute(size_t number, Controller* controller) const {
   if (number == record_.calls.size()) return ExecuteEnd(*controller);
   const RecordedCall& call = record_.calls[number];
   Done done;
@@ -173,7 +182,7 @@ CallReplay::Done CallReplay::Execute(size_t number, Controller* controller) cons
   return done;
 }
 
-CallReplay::Done CallReplay::ExecuteEnd(const Controller& controller) const {
+HostCalls::Done CallReplay::ExecuteEnd(const Controller& controller) const {
   Done done;
   done.text = {"GT_Close() = 0", "GT_Close() = 0"};
   const uint64_t hash = controller.Hash();
@@ -186,6 +195,34 @@ CallReplay::Done CallReplay::ExecuteEnd(const Controller& controller) const {
         hash, record_.end->hash);
   }
   return done;
+}
+
+Result<OpenedCalls> OpenCallRecord(const std::string& text, const std::string& path,
+                                   std::optional<int> card, int opening) {
+  auto records = ParseCallRecords(text, path);
+  if (!records.ok()) return records.error();
+  OpenedCalls opened;
+  for (const CallRecord& each : records.value()) {
+    opened.openings.push_back({each.card, each.opening, each.calls.size()});
+  }
+  auto record = ChooseCallRecord(std::move(records).value(), card, opening);
+  if (!record.ok()) return record.error();
+  for (RecordedCall& call : record.value().calls) {
+    for (RecordedSource& source : call.sources) {
+      const auto is_known = [&](const RecordedSource& known) {
+        return known.path == source.path && known.text == source.text;
+      };
+      if (std::ranges::any_of(opened.sources, is_known)) continue;
+      opened.sources.push_back(std::move(source));
+    }
+    call.sources.clear();
+  }
+  opened.scenario = record.value().scenario;
+  const Controller card_of_record(CardOptions(opened.scenario));
+  auto replay = CallReplay::Create(std::move(record).value(), card_of_record.commands());
+  if (!replay.ok()) return replay.error();
+  opened.calls = std::make_unique<const CallReplay>(std::move(replay).value());
+  return opened;
 }
 
 }  // namespace oncard::runtime

@@ -17,10 +17,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
 #include "runtime/scenario/call_record.h"
+#include "runtime/scenario/host_calls.h"
 #include "runtime/sim/controller.h"
 #include "vm/image.h"
 
@@ -29,31 +31,21 @@ namespace oncard::runtime {
 /// Puts a controller that was made with CardOptions() into the state in which the host opened it.
 void SwitchOn(const CallRecord& record, Controller* controller);
 
-class CallReplay {
+class CallReplay final : public HostCalls {
  public:
-  /// What a call has done.
-  struct Done {
-    /// As the call log writes it: `GT_GetFunId("add", pFunId) = 0`.
-    Message text;
-    int16_t code = 0;
-    /// The card does not answer as it is recorded, and how.
-    std::optional<Message> deviation;
-  };
-
   /// Fails if a program of the record is damaged.
   static Result<CallReplay> Create(CallRecord record, const vm::CommandTable& commands);
 
   const CallRecord& record() const { return record_; }
-  /// The programs that the host downloads, each as often as it does.
-  const std::vector<std::shared_ptr<const vm::Image>>& programs() const { return programs_; }
-  /// The calls, and the end of the record if it has one.
-  size_t size() const { return record_.calls.size() + (record_.end ? 1 : 0); }
-  /// When a call acts, in microseconds of the card.
-  int64_t TimeUs(size_t number) const;
-  /// The call with its inputs: `GT_Bind(0, 1, 0)`; the end: `GT_Close()`.
-  std::string Describe(size_t number) const;
-  /// Executes a call; the card's time must be TimeUs(). The end only compares.
-  Done Execute(size_t number, Controller* controller) const;
+  const std::vector<std::shared_ptr<const vm::Image>>& programs() const override {
+    return programs_;
+  }
+  bool bare() const override { return record_.bare; }
+  std::optional<Message> Incomplete() const override;
+  size_t size() const override { return record_.calls.size() + (record_.end ? 1 : 0); }
+  int64_t TimeUs(size_t number) const override;
+  std::string Describe(size_t number) const override;
+  Done Execute(size_t number, Controller* controller) const override;
 
  private:
   explicit CallReplay(CallRecord record) : record_(std::move(record)) {}
@@ -64,5 +56,25 @@ class CallReplay {
   std::vector<std::shared_ptr<const vm::Image>> programs_;
   std::vector<std::shared_ptr<const vm::Image>> program_of_;  ///< by call; nullptr: it loads none
 };
+
+/// The record of one card, ready for a run.
+struct OpenedCalls {
+  /// The beginning of one of the file's records.
+  struct Opening {
+    int card = 0;
+    int opening = 1;
+    size_t calls = 0;
+  };
+
+  Scenario scenario;  ///< the card and its surroundings
+  std::unique_ptr<const HostCalls> calls;
+  std::vector<RecordedSource> sources;  ///< of its programs, each once
+  std::vector<Opening> openings;        ///< all in the file
+};
+
+/// Reads the text of a record and chooses one card of it. Fails as ParseCallRecords(),
+/// ChooseCallRecord() and CallReplay::Create().
+Result<OpenedCalls> OpenCallRecord(const std::string& text, const std::string& path,
+                                   std::optional<int> card, int opening);
 
 }  // namespace oncard::runtime

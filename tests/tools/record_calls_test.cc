@@ -138,7 +138,7 @@ TEST(RecordCalls, ARecordWithoutItsEndIsAFailure) {
   host.Cut(text.size() - text.rfind("{\"close\""));
   const ProcessResult replay = host.Replay();
   EXPECT_EQ(replay.exit_code, 1);
-  EXPECT_THAT(replay.err, HasSubstr("the record has no end after"));
+  EXPECT_THAT(replay.err, HasSubstr("the record ends before the host closed the card"));
 }
 
 TEST(RecordCalls, AnOldRecordDoesNotStayWhenTheHostOpensNoCard) {

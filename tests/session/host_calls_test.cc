@@ -1,0 +1,290 @@
+// Sessions of the record of a host: its calls forward and back, across the programs that it
+// downloads.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "gtcalls/gts/family.h"
+#include "runtime/scenario/call_record.h"
+#include "runtime/scenario/scenario_world.h"
+#include "session/host.h"
+#include "session/recorded_host.h"
+#include "tests/runtime/scenario_support.h"
+#include "vm/object_writer.h"
+
+namespace oncard::session {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kFirst = "int a;\nint f()\n{\n  a = 1;\n  a = 2;\n}\n";
+constexpr const char* kSecond = "int b;\nint g()\n{\n  b = 10;\n  b = 20;\n  b = 30;\n}\n";
+
+/// A host that makes calls every 50 us, and their record.
+class RecordedHost {
+ public:
+  RecordedHost() : controller_(runtime::CardOptions(scenario_)) {
+    text_ = runtime::FormatRecordHead() + runtime::FormatRecordedOpening(0, scenario_, true);
+  }
+
+  void Call(const std::string& name, const std::vector<double>& values) {
+    std::vector<vm::CommandArgument> arguments(values.size());
+    for (size_t i = 0; i < values.size(); ++i) arguments[i].value = values[i];
+    const gtcalls::Command& command = *gtcalls::GtsFamily().catalogue.Find(name);
+    Message reason;
+    const int16_t code = controller_.Call(command, arguments, &reason);
+    Write(runtime::RecordCall(
+        {controller_.NowUs(), 0, vm::kHostCaller, command, arguments, code, reason}, true));
+  }
+  void Download(const std::string& name, const std::string& source) {
+    const vm::Object object = runtime::CompileForTest(source);
+    controller_.AdvanceUs(50);
+    EXPECT_TRUE(controller_.Load(object).ok());
+    runtime::RecordedCall call;
+    call.time_us = controller_.NowUs();
+    call.command = gtcalls::GtsFamily().catalogue.Find("GT_Download");
+    call.arguments.resize(1);
+    call.arguments[0].text = name + ".bin";
+    call.program = vm::WriteObject(object, false);
+    call.sources.push_back({"/programs/" + name + ".c", source});
+    Write(call);
+  }
+  /// Function 1 of the program on thread 0 and page 0.
+  void Start() {
+    Call("GT_Bind", {0, 1, 0});
+    Call("GT_RunThread", {0});
+  }
+  void Wait(int64_t microseconds) { controller_.AdvanceUs(microseconds); }
+  void Close() {
+    text_ += runtime::FormatRecordedEnd(0, {controller_.NowUs(), controller_.Hash()});
+  }
+
+  const std::string& text() const { return text_; }
+
+ private:
+  void Write(const runtime::RecordedCall& call) { text_ += runtime::FormatRecordedCall(0, call); }
+
+  runtime::Scenario scenario_;
+  runtime::Controller controller_;
+  std::string text_;
+};
+
+/// Both programs, one after the other.
+std::string TwoPrograms() {
+  RecordedHost host;
+  host.Download("first", kFirst);
+  host.Start();
+  host.Wait(1000);
+  host.Download("second", kSecond);
+  host.Start();
+  host.Wait(1000);
+  host.Close();
+  return host.text();
+}
+
+class HostCallsTest : public testing::Test {
+ protected:
+  Json Ask(const std::string& request, Json arguments = Json::object()) {
+    const Json message = {{"id", 1}, {"request", request}, {"arguments", std::move(arguments)}};
+    return Json::parse(host_.Handle(message.dump()));
+  }
+  Json Result(const std::string& request, Json arguments = Json::object()) {
+    const Json response = Ask(request, std::move(arguments));
+    EXPECT_TRUE(response["ok"]) << response;
+    return response["result"];
+  }
+  std::string ErrorOf(const std::string& request, Json arguments = Json::object()) {
+    const Json response = Ask(request, std::move(arguments));
+    EXPECT_FALSE(response["ok"]) << response;
+    return response.value("error", "");
+  }
+  Json Load(const std::string& record) {
+    return Result("load", {{"main", "h.calls"}, {"files", {{"h.calls", record}}}});
+  }
+  Json Forward(const std::string& goal) { return Result("forward", {{"goal", goal}}); }
+  Json Back(const std::string& goal) { return Result("back", {{"goal", goal}}); }
+  /// The names of the global variables.
+  std::vector<std::string> Globals() {
+    std::vector<std::string> names;
+    for (const Json& variable : Result("variables")) names.push_back(variable["name"]);
+    return names;
+  }
+
+  SessionHost host_ = SessionHost({}, {}, OpenRecordedHost);
+};
+
+// --- Calls ---------------------------------------------------------------------------------------
+
+TEST_F(HostCallsTest, BeginsWithoutAProgram) {
+  const Json loaded = Load(TwoPrograms());
+  EXPECT_EQ(loaded["state"]["threads"], Json::array());
+  EXPECT_EQ(loaded["state"]["host"]["next"], "GT_Download(\"first.bin\")");
+  EXPECT_EQ(loaded["files"][0]["path"], "/programs/first.c");
+  EXPECT_EQ(loaded["files"][1]["text"], kSecond);
+  EXPECT_EQ(loaded["cards"], Json::parse(R"([{"card": 0, "opening": 1, "calls": 6}])"));
+  EXPECT_EQ(Result("listing"), Json::array());
+  EXPECT_THAT(Globals(), ElementsAre());
+}
+
+TEST_F(HostCallsTest, AreStepsThatSayWhatTheyDid) {
+  Load(TwoPrograms());
+  Forward("call");
+  const Json second = Forward("call");
+  EXPECT_EQ(second["stop"]["reason"], "goal");
+  EXPECT_EQ(second["stop"]["text"], "GT_Bind(0, 1, 0) = 0");
+  EXPECT_EQ(second["state"]["host"]["last"], "GT_Bind(0, 1, 0) = 0");
+  EXPECT_EQ(second["state"]["host"]["next"], "GT_RunThread(0)");
+  EXPECT_EQ(second["state"]["host"]["made"], 2);
+  EXPECT_EQ(Back("call")["state"]["host"]["next"], "GT_Bind(0, 1, 0)");
+}
+
+TEST_F(HostCallsTest, EndWhereTheHostEnded) {
+  Load(TwoPrograms());
+  const Json end = Forward("stop");
+  EXPECT_EQ(end["stop"], Json::parse(R"({"reason": "end", "failed": []})"));
+  EXPECT_EQ(end["state"]["over"], "host-end");
+  EXPECT_EQ(end["state"]["host"]["last"], "GT_Close() = 0");
+  EXPECT_EQ(Result("evaluate", {{"text", "b"}})["value"], 30);
+}
+
+// --- Back ----------------------------------------------------------------------------------------
+
+TEST_F(HostCallsTest, GoingBackBringsTheProgramBack) {
+  Load(TwoPrograms());
+  Forward("stop");
+  EXPECT_THAT(Globals(), ElementsAre("b"));
+  for (int call = 0; call < 4; ++call) Back("call");  // the end, two of the second program, it
+  EXPECT_THAT(Globals(), ElementsAre("a"));
+  EXPECT_EQ(Result("evaluate", {{"text", "a"}})["value"], 2);
+  Result("go_to", {{"moment", 0}});
+  EXPECT_THAT(Globals(), ElementsAre());
+}
+
+TEST_F(HostCallsTest, EveryMomentIsReachedAgainExactly) {
+  Load(TwoPrograms());
+  std::vector<std::string> hashes = {Result("state")["hash"]};
+  while (!Result("state").contains("over")) hashes.push_back(Forward("step")["state"]["hash"]);
+  // In an order in which no moment follows the one before it.
+  for (size_t i = 0; i < hashes.size(); ++i) {
+    const size_t moment = i * 7 % hashes.size();
+    EXPECT_EQ(Result("go_to", {{"moment", moment}})["hash"], hashes[moment]) << moment;
+  }
+}
+
+// --- Stops ---------------------------------------------------------------------------------------
+
+TEST_F(HostCallsTest, ALineOfALaterProgramStops) {
+  Load(TwoPrograms());
+  const Json set = Result("set_stops", {{"lines", {{{"line", 6}, {"condition", "b == 20"}}}}});
+  EXPECT_EQ(set["lines"], Json::parse("[6]"));
+  const Json stop = Forward("stop");
+  EXPECT_EQ(stop["stop"]["reason"], "line");
+  EXPECT_EQ(stop["state"]["threads"][0]["function"], "g");
+}
+
+TEST_F(HostCallsTest, ThreadsThatACallStartsArriveAtTheirFirstLine) {
+  Load(TwoPrograms());
+  Result("set_stops", {{"lines", {{{"line", 4}}}}});
+  for (const std::string function : {"f", "g"}) {
+    const Json stop = Forward("stop");
+    EXPECT_EQ(stop["stop"]["reason"], "line");
+    EXPECT_EQ(stop["state"]["host"]["last"], "GT_RunThread(0) = 0");
+    EXPECT_EQ(stop["state"]["threads"][0]["function"], function);
+  }
+}
+
+TEST_F(HostCallsTest, ValuesOfALaterProgramStop) {
+  Load(TwoPrograms());
+  Result("set_stops", {{"changes", {"b"}}, {"conditions", {"a == 2"}}});
+  EXPECT_EQ(Forward("stop")["stop"]["text"], "a == 2 has become true");
+  EXPECT_EQ(Forward("stop")["stop"]["text"], "b has changed from 0 to 10");
+}
+
+TEST_F(HostCallsTest, ANameOfNoProgramIsRefused) {
+  Load(TwoPrograms());
+  EXPECT_NE(ErrorOf("set_stops", {{"changes", {"c"}}}), "");
+  EXPECT_NE(ErrorOf("set_stops", {{"conditions", {"c > 1"}}}), "");
+  EXPECT_NE(ErrorOf("set_stops", {{"lines", {{{"line", 99}}}}}), "");
+}
+
+TEST_F(HostCallsTest, ARefusedCallStops) {
+  RecordedHost host;
+  host.Call("GT_AxisOn", {9});
+  host.Close();
+  Load(host.text());
+  const Json stop = Forward("stop")["stop"];
+  EXPECT_EQ(stop["reason"], "refusal");
+  EXPECT_EQ(stop["text"], "GT_AxisOn(9) = 7: parameter axis is 9; this card has 1 to 8");
+  Result("go_to", {{"moment", 0}});
+  Result("set_stops", {{"refusals", false}});
+  EXPECT_EQ(Forward("stop")["stop"]["reason"], "end");
+}
+
+// --- Records that do not fit ---------------------------------------------------------------------
+
+/// The text with `to` in place of the first `from`.
+std::string Changed(std::string text, const std::string& from, const std::string& to) {
+  const size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+TEST_F(HostCallsTest, AnotherAnswerThanTheRecordedOneStops) {
+  Load(Changed(TwoPrograms(), "\"in\":[0,1,0],\"code\":0", "\"in\":[0,1,0],\"code\":1"));
+  Result("set_stops", {{"faults", false}, {"refusals", false}});
+  const Json stop = Forward("stop");
+  EXPECT_EQ(stop["stop"]["reason"], "deviation");
+  EXPECT_THAT(stop["stop"]["text"], HasSubstr("GT_Bind(0, 1, 0) returns 0 instead of 1"));
+  EXPECT_EQ(stop["state"]["host"]["made"], 2);
+}
+
+TEST_F(HostCallsTest, AfterAChangeOfTheUserAnswersAreNotCompared) {
+  Load(TwoPrograms());
+  Forward("call");
+  Result("write", {{"name", "a"}, {"value", 5}});
+  EXPECT_EQ(Forward("stop")["stop"]["reason"], "end");
+}
+
+TEST_F(HostCallsTest, ARecordWithoutAnEndSaysSo) {
+  const std::string text = TwoPrograms();
+  Load(text.substr(0, text.rfind("{\"close\"")));
+  const Json stop = Forward("stop")["stop"];
+  EXPECT_EQ(stop["reason"], "end");
+  EXPECT_THAT(stop["failed"][0], HasSubstr("the record ends before the host closed the card"));
+}
+
+TEST_F(HostCallsTest, ADamagedRecordIsRefused) {
+  const std::string text = TwoPrograms();
+  const Json arguments = {{"main", "h.calls"},
+                          {"files", {{"h.calls", text.substr(0, text.size() - 9)}}}};
+  EXPECT_THAT(ErrorOf("load", arguments), HasSubstr("h.calls:9: this is no line of a record"));
+}
+
+TEST_F(HostCallsTest, ACardThatWasNotOpenedIsRefused) {
+  const Json arguments = {
+      {"main", "h.calls"}, {"files", {{"h.calls", TwoPrograms()}}}, {"card", 1}};
+  EXPECT_EQ(ErrorOf("load", arguments), "the host has not opened card 1");
+}
+
+TEST_F(HostCallsTest, AHostWithoutAReaderRefusesRecords) {
+  host_ = SessionHost();
+  const Json arguments = {{"main", "h.calls"}, {"files", {{"h.calls", TwoPrograms()}}}};
+  EXPECT_THAT(ErrorOf("load", arguments), HasSubstr("read by the 'oncard' command only"));
+}
+
+TEST_F(HostCallsTest, WhatNeedsAProgramOfItsOwnIsRefused) {
+  const Json arguments = {{"main", "h.calls"}, {"files", {{"h.calls", TwoPrograms()}}}};
+  EXPECT_THAT(ErrorOf("run", arguments), HasSubstr("only for 'load'"));
+  EXPECT_THAT(ErrorOf("outline", arguments), HasSubstr("only for 'load'"));
+  Load(TwoPrograms());
+  EXPECT_THAT(ErrorOf("record"), HasSubstr("cannot be recorded as a schedule"));
+  EXPECT_THAT(ErrorOf("set_stops", {{"races", true}}), HasSubstr("data races are not looked for"));
+}
+
+}  // namespace
+}  // namespace oncard::session
