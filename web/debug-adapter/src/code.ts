@@ -36,6 +36,11 @@ export class Code {
     }
   }
 
+  /** The same files with the functions of another program. */
+  with(functions: readonly ListedFunction[]): Code {
+    return new Code(this.#files, functions);
+  }
+
   // --- Files -------------------------------------------------------------------------------------
 
   sources(): Source[] {
@@ -55,7 +60,10 @@ export class Code {
   /** The name that threads and statements have for a source; it has statements of its own. */
   fileOf(source: DebugProtocol.Source): string | undefined {
     const found = this.#find(source);
-    return found && this.#functions.find(({ file }) => isNamed(found.path, file))?.file;
+    if (!found) return undefined;
+    // It may belong to a program that a host has not downloaded yet.
+    if (this.#functions.length === 0) return basename(found.path);
+    return this.#functions.find(({ file }) => isNamed(found.path, file))?.file;
   }
 
   #find(source: DebugProtocol.Source): SourceFile | undefined {

@@ -58,8 +58,9 @@ const threadValues = ["result", "run", "error", "line", "page", "statements"];
 async function allNames(launched: Launched, frameId: number | undefined): Promise<Offer[]> {
   const { engine, state } = launched;
   const offers: Offer[] = [];
-  if (frameId !== undefined) {
-    const locals = await engine.variables(threadOf(launched, frameId).page);
+  const page = frameId === undefined ? -1 : threadOf(launched, frameId).page;
+  if (page >= 0) {
+    const locals = await engine.variables(page);
     offers.push(...locals.flatMap((each) => variable(each, each.name, ranks.local)));
   }
   const globals = (await engine.variables()).flatMap((each) =>

@@ -4,6 +4,7 @@
 import type { Evaluation } from "@oncard/engine";
 import type { DebugProtocol } from "@vscode/debugprotocol";
 
+import { hostThread } from "./host.js";
 import { type Launched, threadOf } from "./launched.js";
 import { numberOf } from "./variables.js";
 
@@ -19,7 +20,8 @@ export async function evaluateAt(
   text: string,
   frameId?: number,
 ): Promise<Evaluated> {
-  const thread = frameId === undefined ? undefined : threadOf(launched, frameId).thread;
+  const found = frameId === undefined ? undefined : threadOf(launched, frameId).thread;
+  const thread = found === hostThread ? undefined : found;
   const evaluation = await launched.engine.evaluate(text, thread);
   return { evaluation, path: "path" in evaluation ? evaluation.path : undefined };
 }

@@ -5,6 +5,7 @@ import { TerminatedEvent } from "@vscode/debugadapter";
 
 import { Code } from "./code.js";
 import type { Editor } from "./editor.js";
+import { threadOfHost, withRecord } from "./host.js";
 import type { LaunchConfig } from "./launch.js";
 import { startEngine } from "./start.js";
 import type { Stops } from "./stops.js";
@@ -14,27 +15,42 @@ import { Variables } from "./variables.js";
 export interface Launched {
   readonly config: LaunchConfig;
   readonly engine: Engine;
-  readonly code: Code;
+  /** Of the program that the card has. */
+  code: Code;
   readonly variables: Variables;
   /** The card as it stands, or as it was last heard of while it moves. */
   state: State;
 }
 
-/** Starts an engine with the program and installs the stops. */
+/** Starts an engine with the program, or with what a host does, and installs the stops. */
 export async function launch(
   config: LaunchConfig,
+  stops: Stops,
+  editor: Editor,
+): Promise<Launched> {
+  const { host } = config;
+  return host
+    ? withRecord(config, host, editor, (record) => open(config, record, stops, editor))
+    : open(config, config.program, stops, editor);
+}
+
+async function open(
+  config: LaunchConfig,
+  program: string,
   stops: Stops,
   editor: Editor,
 ): Promise<Launched> {
   const engine = await startEngine(config);
   try {
     await engine.hello(editor.language);
-    const { program, structured, stopAtFunction } = config;
-    const loaded = await engine.load({ main: program, structured });
+    const { structured, stopAtFunction, card } = config;
+    const opening = card === undefined ? {} : { card };
+    const loaded = await engine.load({ main: program, structured }, opening);
     for (const each of loaded.diagnostics) editor.showDiagnostic(each);
     if (!loaded.compiled) throw notCompiled(loaded, program);
     const code = new Code(loaded.files, await engine.listing());
-    if (stopAtFunction !== undefined && !code.beginning(stopAtFunction)) {
+    const known = loaded.state.host ?? code.beginning(stopAtFunction ?? "");
+    if (stopAtFunction !== undefined && !known) {
       throw noFunction(stopAtFunction, code.names());
     }
     stops.once(config.noDebug ? undefined : stopAtFunction);
@@ -61,9 +77,17 @@ function report(engine: Engine, editor: Editor): void {
 
 /** The card's thread with the editor's id of it or of its frame: 1 is added to its number. */
 export function threadOf({ state }: Launched, id: number): Thread {
-  const found = state.threads.find(({ thread }) => thread === id - 1);
+  const host = threadOfHost(state);
+  const threads = host ? [...state.threads, host] : state.threads;
+  const found = threads.find(({ thread }) => thread === id - 1);
   if (found) return found;
   throw new UserError({ en: `there is no thread ${id - 1}`, zh: `没有线程 ${id - 1}` });
+}
+
+/** To be called when the card has moved: a host may have downloaded another program. */
+export async function renewCode(launched: Launched, before: State): Promise<void> {
+  if (launched.state.host?.program === before.host?.program) return;
+  launched.code = launched.code.with(await launched.engine.listing());
 }
 
 export function notLaunched(): UserError {

@@ -6,13 +6,14 @@ import { ContinuedEvent, ExitedEvent, StoppedEvent, TerminatedEvent } from "@vsc
 import type { DebugProtocol } from "@vscode/debugprotocol";
 
 import type { Editor } from "./editor.js";
-import type { Launched } from "./launched.js";
+import { hostThread } from "./host.js";
+import { type Launched, renewCode } from "./launched.js";
 import type { Movement } from "./movements.js";
 import type { Stops } from "./stops.js";
 import { describeStop, type Text, UserError } from "./texts.js";
-import { judge, type Verdict } from "./verdict.js";
+import { judge, judgeHost, type Verdict } from "./verdict.js";
 
-const exceptionReasons = new Set(["fault", "refusal", "requirement", "race"]);
+const exceptionReasons = new Set(["fault", "refusal", "requirement", "race", "deviation"]);
 
 export class Mover {
   readonly #editor: Editor;
@@ -36,6 +37,7 @@ export class Mover {
     const moving = new AbortController();
     this.#moving = moving;
     let answered = false;
+    const before = launched.state;
     const onSlice = ({ state }: WalkResult) => {
       launched.state = state;
       launched.variables.reset();
@@ -44,8 +46,9 @@ export class Mover {
     };
     movement
       .walk(launched.engine, { signal: moving.signal, onSlice })
-      .then((result) => {
+      .then(async (result) => {
         onSlice(result);
+        await renewCode(launched, before);
         // Nobody waits for a movement that was abandoned.
         if (this.#moving !== moving) return undefined;
         this.#moving = undefined;
@@ -90,7 +93,7 @@ export class Mover {
 
   /** The card stands before its first step. */
   enter({ state }: Launched): void {
-    this.#tellStopped(state, "entry", state.next_thread);
+    this.#tellStopped(state, "entry", state.next_thread ?? hostOf(state));
   }
 
   /** The user goes on where the run is over. */
@@ -128,7 +131,13 @@ export class Mover {
     }
     const text = describeStop(stop, state);
     if (text) this.#editor.print(`${this.#editor.say(text)}\n`, "console");
-    const thread = stop.thread ?? movement.thread ?? state.next_thread;
+    const byHost = exceptionReasons.has(stop.reason);
+    const thread =
+      stop.thread ??
+      (byHost ? hostOf(state) : undefined) ??
+      movement.thread ??
+      state.next_thread ??
+      hostOf(state);
     const wish = this.#stops.reached(stop);
     await this.#stops.passed(wish, launched.engine);
     const reason = wish?.reason ?? reasonOf(stop, movement);
@@ -153,8 +162,8 @@ export class Mover {
     this.#editor.tell(event);
   }
 
-  async #showVerdict({ engine, config }: Launched): Promise<Verdict> {
-    this.#verdict = await judge(engine, config);
+  async #showVerdict({ engine, config, state }: Launched): Promise<Verdict> {
+    this.#verdict = state.host ? judgeHost(this.#last) : await judge(engine, config);
     const { exitCode, text } = this.#verdict;
     this.#editor.print(`${this.#editor.say(text)}\n`, exitCode === 0 ? "stdout" : "stderr");
     return this.#verdict;
@@ -169,4 +178,9 @@ function reasonOf({ reason }: Stop, movement: Movement): string {
   if (reason === "start") return "entry";
   if (reason === "budget") return "pause";
   return movement.reason;
+}
+
+/** The host where there is one: it acts where no thread does. */
+function hostOf({ host }: State): number | undefined {
+  return host && hostThread;
 }

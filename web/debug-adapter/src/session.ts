@@ -13,7 +13,8 @@ import { complete } from "./completions.js";
 import { type Command, commandHelp, movementOf, readCommand } from "./console.js";
 import { Editor } from "./editor.js";
 import { evaluate, setExpression, setVariable } from "./evaluation.js";
-import { readLaunchConfig } from "./launch.js";
+import { readConfig } from "./launch.js";
+import { hostThread, toLastCall, toNextCall } from "./host.js";
 import { launch, type Launched, notLaunched, threadOf } from "./launched.js";
 import { readMemory } from "./memory.js";
 import { Mover } from "./mover.js";
@@ -76,8 +77,20 @@ export class OncardSession extends DebugSession {
     response: DebugProtocol.LaunchResponse,
     args: DebugProtocol.LaunchRequestArguments,
   ): void {
+    this.#launch(response, { ...args });
+  }
+
+  /** A host program is run to its end and recorded; what it did can then be walked through. */
+  protected override attachRequest(
+    response: DebugProtocol.AttachResponse,
+    args: DebugProtocol.AttachRequestArguments,
+  ): void {
+    this.#launch(response, { ...args });
+  }
+
+  #launch(response: DebugProtocol.Response, args: Readonly<Record<string, unknown>>): void {
     this.#editor.answer(response, async () => {
-      const config = readLaunchConfig({ ...args }, this.#environment);
+      const config = readConfig(args, this.#environment);
       this.#launched = await launch(config, this.#stops, this.#editor);
       // After the response: breakpoints are asked for next.
       setImmediate(() => {
@@ -109,7 +122,7 @@ export class OncardSession extends DebugSession {
     const restart = async () => {
       const before = this.#now();
       const given = args?.arguments;
-      const config = given ? readLaunchConfig({ ...given }, this.#environment) : before.config;
+      const config = given ? readConfig({ ...given }, this.#environment) : before.config;
       const launched = await launch(config, this.#stops, this.#editor);
       this.#mover.abandon();
       before.engine.close();
@@ -152,7 +165,8 @@ export class OncardSession extends DebugSession {
     { threadId, granularity }: DebugProtocol.NextArguments,
   ): void {
     const thread = threadId - 1;
-    this.#move(response, forward({ goal: goalOf(granularity), thread }, thread));
+    const step = () => forward({ goal: goalOf(granularity), thread }, thread);
+    this.#move(response, thread === hostThread ? toNextCall : step());
   }
 
   protected override stepInRequest(
@@ -160,7 +174,8 @@ export class OncardSession extends DebugSession {
     { threadId }: DebugProtocol.StepInArguments,
   ): void {
     const thread = threadId - 1;
-    this.#move(response, forward({ goal: "statement", thread }, thread));
+    const step = () => forward({ goal: "statement", thread }, thread);
+    this.#move(response, thread === hostThread ? toNextCall : step());
   }
 
   protected override stepOutRequest(
@@ -175,7 +190,8 @@ export class OncardSession extends DebugSession {
     { threadId, granularity }: DebugProtocol.StepBackArguments,
   ): void {
     const thread = threadId - 1;
-    this.#move(response, back({ goal: goalOf(granularity), thread }, thread));
+    const step = () => back({ goal: goalOf(granularity), thread }, thread);
+    this.#move(response, thread === hostThread ? toLastCall : step());
   }
 
   protected override reverseContinueRequest(
@@ -285,12 +301,15 @@ export class OncardSession extends DebugSession {
   // --- Looking and changing ----------------------------------------------------------------------
 
   protected override threadsRequest(response: DebugProtocol.ThreadsResponse): void {
-    const threads = this.#launched?.state.threads ?? [];
-    response.body = {
-      threads: threads.map(
-        (each) => new Thread(each.thread + 1, `${each.thread} ${each.function}`),
-      ),
-    };
+    const state = this.#launched?.state;
+    const threads = (state?.threads ?? []).map(
+      (each) => new Thread(each.thread + 1, `${each.thread} ${each.function}`),
+    );
+    if (state?.host) {
+      const name = this.#editor.say({ en: "host", zh: "主机" });
+      threads.push(new Thread(hostThread + 1, name));
+    }
+    response.body = { threads };
     this.sendResponse(response);
   }
 

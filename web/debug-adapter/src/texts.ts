@@ -26,6 +26,7 @@ const overTexts: Record<NonNullable<State["over"]>, Text> = {
   },
   "time-limit": { en: "the run is over: the time limit", zh: "运行结束：已到时间上限" },
   deadlock: { en: "the run is over: a deadlock", zh: "运行结束：死锁" },
+  "host-end": { en: "the run is over: the host has ended", zh: "运行结束：主机程序已结束" },
 };
 
 const stopTexts: Partial<Record<Stop["reason"], Text>> = {
@@ -33,6 +34,7 @@ const stopTexts: Partial<Record<Stop["reason"], Text>> = {
   fault: { en: "the thread has faulted", zh: "线程出错" },
   refusal: { en: "a command was refused", zh: "命令被拒绝" },
   requirement: { en: "a requirement does not hold", zh: "要求不成立" },
+  deviation: { en: "the card answers otherwise", zh: "控制卡的回答不同" },
   "schedule-end": {
     en: "the recording is over; the scenario's policy goes on",
     zh: "记录已结束；此后按场景的调度策略运行",

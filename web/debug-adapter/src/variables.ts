@@ -5,6 +5,7 @@ import type {
   CardPart,
   CardWord,
   Engine,
+  HostState,
   State,
   Thread,
   Value,
@@ -58,7 +59,8 @@ export class Variables {
     const group = (name: string, group: Group) =>
       new Scope(name, this.#nodes.create({ kind: "group", group }), true);
     return [
-      locals,
+      // A host has none.
+      ...(thread.page < 0 ? [] : [locals]),
       new Scope("Globals", this.#nodes.create({ kind: "globals" })),
       group("Axes", "axes"),
       group("Inputs and outputs", "io"),
@@ -209,13 +211,15 @@ export class Variables {
           ...parts((part) => inputOutputParts.has(part)),
         ];
       case "card": {
-        const { threads, ...facts } = state;
+        const { threads, host, ...facts } = state;
         return [
-          ...Object.entries({ ...facts, threads: threads.length }).map(([name, value]) => ({
-            name,
-            value: String(value),
-            variablesReference: 0,
-          })),
+          ...Object.entries({ ...facts, ...namesOfHost(host), threads: threads.length }).map(
+            ([name, value]) => ({
+              name,
+              value: String(value),
+              variablesReference: 0,
+            }),
+          ),
           ...parts((part) => part !== "axis" && !inputOutputParts.has(part)),
         ];
       }
@@ -276,4 +280,11 @@ export function numberOf(text: string): number {
   const number = text.trim() === "" ? NaN : Number(text);
   if (Number.isFinite(number)) return number;
   throw new UserError({ en: `'${text}' is no number`, zh: `“${text}”不是数字` });
+}
+
+/** What is known of a host, among the facts of the card. */
+function namesOfHost(host: HostState | undefined): Record<string, string | number> {
+  if (!host) return {};
+  const { calls, made, last = "", next = "" } = host;
+  return { host_calls: calls, host_calls_made: made, last_call: last, next_call: next };
 }

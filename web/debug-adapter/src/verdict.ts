@@ -2,7 +2,7 @@
 
 import { dirname, join } from "node:path";
 
-import type { Engine } from "@oncard/engine";
+import type { Engine, Stop } from "@oncard/engine";
 import { RefusedError } from "@oncard/engine";
 
 import type { LaunchConfig } from "./launch.js";
@@ -35,4 +35,12 @@ export async function judge(engine: Engine, config: LaunchConfig): Promise<Verdi
     const why = error.message;
     return { exitCode: unknown, text: { en: `no verdict: ${why}`, zh: `无结论：${why}` } };
   }
+}
+
+/** A host has judged itself; here it counts whether the card has done the same again. */
+export function judgeHost(end: Stop | undefined): Verdict {
+  const why = (end?.failed ?? []).join("\n");
+  if (why !== "") return { exitCode: failed, text: { en: `failed\n${why}`, zh: `未通过\n${why}` } };
+  const text = { en: "the host's calls are over", zh: "主机调用已结束" };
+  return { exitCode: fulfilled, text };
 }

@@ -21,6 +21,7 @@ import type {
   Language,
   ListedFunction,
   Loaded,
+  Opening,
   LogEvent,
   Lowered,
   OutlineEntry,
@@ -122,8 +123,8 @@ export class Engine {
   explore(project: Project, language?: Language): Promise<ExploreAnswer> {
     return this.#requestWithFiles("explore", project, { language });
   }
-  load(project: Project): Promise<Loaded> {
-    return this.#requestWithFiles("load", project);
+  load(project: Project, opening: Opening = {}): Promise<Loaded> {
+    return this.#requestWithFiles("load", project, { ...opening });
   }
   state(): Promise<State> {
     return this.#request("state");

@@ -14,6 +14,12 @@ export interface Project {
   structured?: boolean;
 }
 
+/** Which record of a host is loaded. */
+export interface Opening {
+  card?: number;
+  opening?: number;
+}
+
 export interface Hello {
   protocol: number;
   /** All requests with their arguments. */
@@ -67,7 +73,32 @@ export interface SourceFile {
 
 export type Loaded =
   | { compiled: false; diagnostics: Diagnostic[] }
-  | { compiled: true; diagnostics: Diagnostic[]; files: SourceFile[]; state: State };
+  | {
+      compiled: true;
+      diagnostics: Diagnostic[];
+      files: SourceFile[];
+      cards?: RecordedCard[];
+      state: State;
+    };
+
+/** One of the records in the file of a host. */
+export interface RecordedCard {
+  card: number;
+  opening: number;
+  calls: number;
+}
+
+/** The calls of a recorded host. */
+export interface HostState {
+  /** With the end. */
+  calls: number;
+  made: number;
+  last?: string;
+  next?: string;
+  next_ms?: number;
+  /** The hash of the card's program. */
+  program?: string;
+}
 
 /** The result of a whole run, as `oncard run --format=json` writes it. */
 export interface Run {
@@ -129,8 +160,9 @@ export interface State {
   statements_left: number;
   next: "host" | "cycle" | "statement";
   next_thread?: number;
-  over?: "quiet" | "until" | "time-limit" | "deadlock";
+  over?: "quiet" | "until" | "time-limit" | "deadlock" | "host-end";
   follows_schedule: boolean;
+  host?: HostState;
   hash: string;
   threads: Thread[];
 }
@@ -144,6 +176,7 @@ export type StopReason =
   | "refusal"
   | "race"
   | "requirement"
+  | "deviation"
   | "schedule-end"
   | "end"
   | "start"
@@ -170,12 +203,12 @@ interface ThreadGoal {
 }
 
 export type ForwardWalk =
-  | { goal: "step" | "cycle" | "stop" | "rest" }
+  | { goal: "step" | "cycle" | "stop" | "rest" | "call" }
   | ThreadGoal
   | { goal: "time"; ms: number };
 
 export type BackWalk =
-  | { goal: "step" | "cycle" | "stop" }
+  | { goal: "step" | "cycle" | "stop" | "call" }
   | ThreadGoal
   | { goal: "change"; name: string };
 

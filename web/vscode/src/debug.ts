@@ -43,7 +43,8 @@ function adapterOf(engines: Engines): DebugAdapterDescriptor {
 
 /** Without launch.json, the open file is debugged. */
 function completed(config: DebugConfiguration): DebugConfiguration | undefined {
-  if (config.type !== "" && config["program"] !== undefined) return config;
+  const named = config["program"] ?? (config["host"] as unknown);
+  if (config.type !== "" && named !== undefined) return config;
   const file = window.activeTextEditor?.document.uri;
   if (file?.scheme !== "file") {
     const text = {
