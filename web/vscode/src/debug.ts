@@ -43,7 +43,7 @@ function adapterOf(engines: Engines): DebugAdapterDescriptor {
 
 /** Without launch.json, the open file is debugged. */
 function completed(config: DebugConfiguration): DebugConfiguration | undefined {
-  const named = config["program"] ?? (config["host"] as unknown);
+  const named: unknown = config["program"] ?? config["host"];
   if (config.type !== "" && named !== undefined) return config;
   const file = window.activeTextEditor?.document.uri;
   if (file?.scheme !== "file") {
