@@ -17,12 +17,19 @@ struct Target {
 };
 
 constexpr Target kTargets[] = {
-    {"source", FuzzSource},           {"structured", FuzzStructured},
-    {"object", FuzzObject},           {"disassembler", FuzzDisassembler},
-    {"scenario", FuzzScenario},       {"schedule", FuzzSchedule},
-    {"search", FuzzSearch},           {"config", FuzzConfig},
-    {"requirement", FuzzRequirement}, {"session", FuzzSession},
-    {"commands", FuzzCommands},       {"threads", FuzzCommandsOfThreads},
+    {"source", FuzzSource},
+    {"structured", FuzzStructured},
+    {"object", FuzzObject},
+    {"disassembler", FuzzDisassembler},
+    {"scenario", FuzzScenario},
+    {"schedule", FuzzSchedule},
+    {"search", FuzzSearch},
+    {"config", FuzzConfig},
+    {"requirement", FuzzRequirement},
+    {"session", FuzzSession},
+    {"commands", FuzzCommands},
+    {"threads", FuzzCommandsOfThreads},
+    {"calls", FuzzCalls},
 };
 
 const Target* ChosenTarget() {

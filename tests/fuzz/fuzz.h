@@ -30,6 +30,8 @@ void FuzzSchedule(std::string_view bytes);
 void FuzzSearch(std::string_view bytes);
 void FuzzConfig(std::string_view bytes);
 void FuzzRequirement(std::string_view bytes);
+/// The record of a host's calls, which are repeated.
+void FuzzCalls(std::string_view bytes);
 /// Requests of the session protocol, one a line.
 void FuzzSession(std::string_view bytes);
 /// Calls commands, from one thread of a host or from 32.

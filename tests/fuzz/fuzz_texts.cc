@@ -5,8 +5,10 @@
 #include "explore/scenario_exploration.h"
 #include "gtcalls/gts/card_config.h"
 #include "runtime/conditions/condition.h"
+#include "runtime/scenario/call_replay.h"
 #include "runtime/scenario/scenario.h"
 #include "runtime/scenario/scenario_run.h"
+#include "runtime/scenario/scenario_world.h"
 #include "runtime/sim/controller.h"
 #include "tests/fuzz/fuzz.h"
 #include "vm/schedule.h"
@@ -78,6 +80,22 @@ void FuzzConfig(std::string_view bytes) {
   gtcalls::ApplyCardConfig(config, &core);
   constexpr int kCycles = 20;
   for (int i = 0; i < kCycles; ++i) core.Tick();
+}
+
+void FuzzCalls(std::string_view bytes) {
+  auto opened = runtime::OpenCallRecord(std::string(bytes), "p.calls", std::nullopt, 1);
+  if (!opened.ok()) return;
+  const runtime::HostCalls& calls = *opened.value().calls;
+  runtime::Controller controller(runtime::CardOptions(opened.value().scenario));
+  constexpr int64_t kLastUs = 20'000;
+  for (size_t i = 0; i < calls.size(); ++i) {
+    const int64_t time = calls.TimeUs(i);
+    FUZZ_CHECK(time >= controller.NowUs());
+    if (time > kLastUs) return;
+    controller.AdvanceUs(time - controller.NowUs());
+    static_cast<void>(calls.Describe(i));
+    static_cast<void>(calls.Execute(i, &controller));
+  }
 }
 
 }  // namespace oncard::fuzz
