@@ -46,13 +46,26 @@ test("the settings are those that are read", () => {
   expect(Object.keys(contributes.configuration.properties).sort()).toEqual(names.sort());
 });
 
-test("the launch attributes are those of the debugger's page", () => {
+/** The names of the rows between two headings of the debugger's page. */
+function documented(from: string, to: string): string[] {
   const page = readFileSync(join(folder, "../../docs/debugger.md"), "utf8");
-  const rows = page.split("## Moving")[0] ?? "";
-  const documented = [...rows.matchAll(/^\| `(\w+)` \|/gm)].map(([, name]) => name);
+  const rows = page.split(from)[1]?.split(to)[0] ?? "";
+  return [...rows.matchAll(/^\| `(\w+)` \|/gm)].map(([, name]) => name ?? "");
+}
+
+test("the launch attributes are those of the debugger's page", () => {
   const [oncard] = contributes.debuggers;
   const attributes = Object.keys(oncard?.configurationAttributes.launch.properties ?? {});
-  expect(attributes.sort()).toEqual(documented.sort());
+  expect(attributes.sort()).toEqual(documented("## Launching", "## Moving").sort());
+});
+
+test("those of attaching are the host's and some of a launch", () => {
+  const [oncard] = contributes.debuggers;
+  const attributes = Object.keys(oncard?.configurationAttributes.attach.properties ?? {});
+  const ofLaunch = ["stopOnEntry", "stopAtFunction", "card", "oncard"];
+  const ofHost = documented("## A host program", "## A counterexample");
+  expect(ofHost).toContain("host");
+  expect(attributes.sort()).toEqual([...ofHost, ...ofLaunch].sort());
 });
 
 test("both languages have the same texts, and all that are used", () => {

@@ -63,7 +63,10 @@ export interface Manifest {
     snippets: { language: string; path: string }[];
     debuggers: {
       type: string;
-      configurationAttributes: { launch: { properties: Record<string, unknown> } };
+      configurationAttributes: {
+        launch: { properties: Record<string, unknown> };
+        attach: { properties: Record<string, unknown> };
+      };
     }[];
     grammars: { scopeName: string; path: string }[];
   };
