@@ -1,4 +1,4 @@
-# Toolchain for WebAssembly: Debian's packages clang-19, lld-19, llvm-19, libc++-19-dev-wasm32,
+# Toolchain for WebAssembly: Debian's packages binaryen, clang-19, lld-19, llvm-19, libc++-19-dev-wasm32,
 # libc++abi-19-dev-wasm32, libclang-rt-19-dev-wasm32 and wasi-libc. The preset `wasm` uses it.
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR wasm32)
