@@ -1,6 +1,7 @@
 // The session protocol: one request as JSON text in, lines of JSON out. The last line is the
 // response; lines before it are events that belong to the request. docs/session-protocol.md
-// describes requests and answers for clients; `oncard debug` and the WebAssembly module speak it.
+// describes requests and answers for clients; `oncard debug`, `oncard serve` and the WebAssembly
+// module speak it.
 //
 // The answers are a deterministic function of the requests, and of the files if there is a reader.
 // Any text is safe to give. Not thread-safe.

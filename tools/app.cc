@@ -141,6 +141,7 @@ void DescribeApp(CLI::App& app, Invocation& invocation) {
   AddExplore(app, invocation);
   AddReplay(app, invocation);
   AddDebug(app, invocation);
+  AddServe(app, invocation);
   AddDump(app, invocation);
   AddVerify(app, invocation);
   AddExec(app, invocation);

@@ -26,6 +26,7 @@ void AddVerify(CLI::App& app, Invocation& invocation);
 void AddExplore(CLI::App& app, Invocation& invocation);
 void AddReplay(CLI::App& app, Invocation& invocation);
 void AddDebug(CLI::App& app, Invocation& invocation);
+void AddServe(CLI::App& app, Invocation& invocation);
 void AddExec(CLI::App& app, Invocation& invocation);
 void AddSchema(CLI::App& app, Invocation& invocation);
 void AddDoctor(CLI::App& app, Invocation& invocation);

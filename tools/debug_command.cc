@@ -4,27 +4,15 @@
 #include <iostream>
 #include <string>
 
-#include "base/files.h"
-#include "base/limits.h"
-#include "explore/source_comments.h"
-#include "runtime/scenario/call_record.h"
-#include "session/host.h"
-#include "session/recorded_host.h"
 #include "tools/commands.h"
+#include "tools/project_session.h"
 
 namespace oncard::tools {
 namespace {
 
-/// Reads the files that a request does not bring: sources, scenarios, recordings, objects.
-Result<std::string> ReadProjectFile(const std::string& path) {
-  if (path.ends_with(runtime::kCallRecordEnding)) return ReadFile(path);
-  const bool large = path.ends_with(".schedule") || path.ends_with(".bin");
-  return ReadFile(path, large ? kScheduleKind : kSourceKind);
-}
-
 /// One request a line, until the input ends.
 int ServeStandardStreams(const Invocation& invocation) {
-  session::SessionHost host(ReadProjectFile, explore::AddComments, session::OpenRecordedHost);
+  session::SessionHost host = NewProjectSession();
   std::ios::sync_with_stdio(false);
   for (std::string line; std::getline(std::cin, line);) {
     if (line.empty()) continue;

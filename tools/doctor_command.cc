@@ -1,5 +1,6 @@
 // oncard doctor: shows versions, what this build supports, and what is missing.
 #include <fmt/format.h>
+#include <httplib.h>
 #include <iconv.h>
 #include <toml++/impl/preprocessor.h>
 #include <xxhash.h>
@@ -79,6 +80,7 @@ std::vector<Fact> Facts(const gtcalls::Family& family) {
        {"xxhash", "xxhash"},
        fmt::format("{}.{}.{}", XXH_VERSION_MAJOR, XXH_VERSION_MINOR, XXH_VERSION_RELEASE)},
       {"fast_float", {"fast_float", "fast_float"}, ONCARD_FAST_FLOAT_VERSION},
+      {"cpp_httplib", {"cpp-httplib", "cpp-httplib"}, CPPHTTPLIB_VERSION},
       {"cards", {"cards", "控制卡型号"}, fmt::to_string(fmt::join(gtcalls::kCardTypeNames, ", "))},
       {"commands", {"commands in the catalogue", "指令目录中的指令"}, count(commands.size())},
       {"commands_in_programs",

@@ -9,6 +9,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <utility>
 
 #include "base/files.h"
 
@@ -42,14 +43,16 @@ bool Catches(pid_t process, int signal) {
   return false;
 }
 
-/// Runs a program; `watch` is called with the process while it runs.
-template <typename Watch>
-ProcessResult RunWatched(const std::vector<std::string>& words, const std::string& folder,
-                         const std::vector<std::string>& environment, Watch watch) {
-  const ScratchFolder scratch;
-  const std::string out = scratch.path() + "/out";
-  const std::string err = scratch.path() + "/err";
-  std::vector<std::string> command = words;
+bool HasEnded(pid_t process) {
+  siginfo_t info{};
+  ::waitid(P_PID, static_cast<id_t>(process), &info, WEXITED | WNOHANG | WNOWAIT);
+  return info.si_pid != 0;
+}
+
+/// Starts a program whose output goes into two files. 0 if it cannot be started.
+pid_t Start(std::vector<std::string> command, const std::string& folder,
+            const std::vector<std::string>& environment, const std::string& out,
+            const std::string& err) {
   // The first definition of a variable is used.
   std::vector<std::string> variables = environment;
   variables.insert(variables.end(),
@@ -67,12 +70,27 @@ ProcessResult RunWatched(const std::vector<std::string>& words, const std::strin
   const int failure = ::posix_spawnp(&process, command[0].c_str(), &actions, nullptr,
                                      argument_pointers.data(), variable_pointers.data());
   ::posix_spawn_file_actions_destroy(&actions);
-  ProcessResult result;
-  if (failure != 0) return result;
-  watch(process);
+  return failure == 0 ? process : 0;
+}
+
+/// Waits for the end of a process; 128 plus the number of the signal that ended it.
+int ExitCodeOf(pid_t process) {
   int status = 0;
   ::waitpid(process, &status, 0);
-  result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+/// Runs a program; `watch` is called with the process while it runs.
+template <typename Watch>
+ProcessResult RunWatched(const std::vector<std::string>& command, const std::string& folder,
+                         const std::vector<std::string>& environment, Watch watch) {
+  const ScratchFolder scratch;
+  const pid_t process =
+      Start(command, folder, environment, scratch.path() + "/out", scratch.path() + "/err");
+  ProcessResult result;
+  if (process == 0) return result;
+  watch(process);
+  result.exit_code = ExitCodeOf(process);
   result.out = scratch.Read("out");
   result.err = scratch.Read("err");
   return result;
@@ -93,14 +111,34 @@ ProcessResult RunProgram(const std::vector<std::string>& command, const std::str
 ProcessResult InterruptOncard(const std::vector<std::string>& arguments, int signal,
                               const std::string& folder) {
   return RunWatched(OncardCommand(arguments), folder, {}, [signal](pid_t process) {
-    const auto ended = [process] {
-      siginfo_t info{};
-      ::waitid(P_PID, static_cast<id_t>(process), &info, WEXITED | WNOHANG | WNOWAIT);
-      return info.si_pid != 0;
-    };
-    while (!Catches(process, signal) && !ended()) ::usleep(1000);
+    while (!Catches(process, signal) && !HasEnded(process)) ::usleep(1000);
     ::kill(process, signal);
   });
+}
+
+RunningOncard::RunningOncard(const std::vector<std::string>& arguments, const std::string& copy) {
+  std::vector<std::string> command = OncardCommand(arguments);
+  if (!copy.empty()) command.front() = copy;
+  process_ = Start(command, {}, {}, scratch_.path() + "/out", scratch_.path() + "/err");
+}
+
+RunningOncard::~RunningOncard() {
+  if (process_ != 0) Stop(SIGKILL);
+}
+
+std::string RunningOncard::FirstLine() const {
+  for (;;) {
+    const bool ended = process_ == 0 || HasEnded(process_);
+    const std::string out = scratch_.Read("out");
+    const size_t end = out.find('\n');
+    if (end != std::string::npos || ended) return out.substr(0, end);
+    ::usleep(1000);
+  }
+}
+
+int RunningOncard::Stop(int signal) {
+  ::kill(process_, signal);
+  return ExitCodeOf(std::exchange(process_, 0));
 }
 
 ScratchFolder::ScratchFolder() {

@@ -1,6 +1,8 @@
 // Runs the oncard command and others, like a user but without a shell.
 #pragma once
 
+#include <sys/types.h>
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -10,7 +12,7 @@ namespace oncard::tools {
 /// All commands of oncard.
 inline constexpr const char* kCommands[] = {"build",   "check",  "lower",  "explain", "run",
                                             "test",    "replay", "dump",   "verify",  "exec",
-                                            "explore", "doctor", "schema", "debug"};
+                                            "explore", "doctor", "schema", "debug",   "serve"};
 
 inline const std::string kSamples = ONCARD_SOURCE_DIR "/samples";
 /// The first sample, which adds numbers.
@@ -52,6 +54,25 @@ class ScratchFolder {
 
  private:
   std::filesystem::path path_;
+};
+
+/// `oncard arguments...`, or a copy of oncard, with LANG=C while a test does something else; killed
+/// with the object.
+class RunningOncard {
+ public:
+  explicit RunningOncard(const std::vector<std::string>& arguments, const std::string& copy = {});
+  RunningOncard(const RunningOncard&) = delete;
+  RunningOncard& operator=(const RunningOncard&) = delete;
+  ~RunningOncard();
+
+  /// Waits for the first line on standard output, without its end; or for the end of the process.
+  std::string FirstLine() const;
+  /// Sends the signal; the exit code, or 128 plus the number of the signal that ended the process.
+  int Stop(int signal);
+
+ private:
+  const ScratchFolder scratch_;
+  pid_t process_ = 0;
 };
 
 /// Compares with tests/tools/golden/`name`. If ONCARD_REBASE is set in the environment, the file is

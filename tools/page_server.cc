@@ -1,0 +1,206 @@
+#include "tools/page_server.h"
+
+#include <fmt/format.h>
+#include <httplib.h>
+#include <sys/socket.h>
+
+#include <map>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <random>
+#include <utility>
+
+#include "base/json_text.h"
+#include "base/limits.h"
+
+namespace oncard::tools {
+namespace {
+
+/// A browser keeps up to six connections to a server, and each occupies a thread.
+constexpr size_t kThreads = 64;
+/// So many requests may use one connection: a run makes many short ones.
+constexpr size_t kRequestsOfConnection = 100'000;
+constexpr const char* kAddress = "127.0.0.1";
+constexpr const char* kJsonLines = "application/x-ndjson";
+
+enum Status : int { kOk = 200, kForbidden = 403, kNotFound = 404, kUnavailable = 503 };
+
+// Another program that listens on the same port would get some of the requests.
+void ShareNoPort(int socket) {
+  const int yes = 1;
+  ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+}
+
+}  // namespace
+
+struct PageServer::Session {
+  explicit Session(session::SessionHost made) : host(std::move(made)) {}
+
+  std::mutex mutex;
+  session::SessionHost host;
+};
+
+/// The sessions by their numbers. Thread-safe.
+class PageServer::Sessions {
+ public:
+  explicit Sessions(SessionMaker make) : make_(std::move(make)) {}
+
+  /// The number of a new session; nothing if there are too many.
+  std::optional<uint64_t> Open() {
+    const std::lock_guard lock(mutex_);
+    if (sessions_.size() == kSessionsMax) return std::nullopt;
+    sessions_.emplace(++last_, std::make_shared<Session>(make_()));
+    return last_;
+  }
+  /// nullptr if there is no such session.
+  std::shared_ptr<Session> Find(uint64_t number) {
+    const std::lock_guard lock(mutex_);
+    const auto found = sessions_.find(number);
+    return found == sessions_.end() ? nullptr : found->second;
+  }
+  /// False if there is no such session. A request that it is answering is answered to its end.
+  bool Close(uint64_t number) {
+    const std::lock_guard lock(mutex_);
+    return sessions_.erase(number) == 1;
+  }
+
+ private:
+  std::mutex mutex_;
+  SessionMaker make_;
+  std::map<uint64_t, std::shared_ptr<Session>> sessions_;
+  uint64_t last_ = 0;
+};
+
+class PageServer::Routes {
+ public:
+  Routes(const std::string& folder, std::string token, SessionMaker make, Language language)
+      : root_('/' + std::move(token)), sessions_(std::move(make)), language_(language) {
+    server_.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
+    server_.set_keep_alive_max_count(kRequestsOfConnection);
+    server_.set_payload_max_length(kRequestKind.bytes_max);
+    server_.set_tcp_nodelay(true);
+    server_.set_socket_options(ShareNoPort);
+    server_.set_default_headers({{"Cache-Control", "no-store"},
+                                 {"Cross-Origin-Resource-Policy", "same-origin"},
+                                 {"Referrer-Policy", "no-referrer"},
+                                 {"X-Content-Type-Options", "nosniff"}});
+    server_.set_mount_point(root_ + '/', folder);
+    // Before files are looked for. The body of a request is read first, and its handler asks then.
+    server_.set_pre_routing_handler(
+        [this](const httplib::Request& request, httplib::Response& response) {
+          const bool has_body = request.method == "POST" || request.method == "DELETE";
+          return has_body || Admits(request, response) ? httplib::Server::HandlerResponse::Unhandled
+                                                       : httplib::Server::HandlerResponse::Handled;
+        });
+    const std::string one = root_ + R"(/sessions/(\d{1,18}))";
+    AddPost(root_ + "/sessions", &Routes::Open);
+    AddPost(one, &Routes::Answer);
+    AddPost(one + "/close", &Routes::Close);
+    server_.Delete(one, Admitted(&Routes::Close));
+  }
+
+  Result<int> Bind(int port) {
+    if (port == 0) {
+      port_ = server_.bind_to_any_port(kAddress);
+    } else {
+      port_ = server_.bind_to_port(kAddress, port) ? port : -1;
+    }
+    if (port_ > 0) return port_;
+    return MakeError(0, "port {0} cannot be used: another program has it, or it is not allowed",
+                     "无法使用端口 {0}：已被其他程序占用，或没有权限", port);
+  }
+  void Serve() { server_.listen_after_bind(); }
+
+ private:
+  using Action = void (Routes::*)(const httplib::Request&, httplib::Response&);
+
+  httplib::Server::Handler Admitted(Action action) {
+    return [this, action](const httplib::Request& request, httplib::Response& response) {
+      if (Admits(request, response)) (this->*action)(request, response);
+    };
+  }
+  void AddPost(const std::string& pattern, Action action) {
+    server_.Post(pattern, Admitted(action));
+  }
+
+  /// True if a request is addressed to this server by a name of this computer, and comes from its
+  /// own page or from none. Otherwise refuses it.
+  bool Admits(const httplib::Request& request, httplib::Response& response) const {
+    const std::string host = request.get_header_value("Host");
+    const bool is_local =
+        host == fmt::format("{}:{}", kAddress, port_) || host == fmt::format("localhost:{}", port_);
+    const bool is_foreign =
+        request.has_header("Origin") && request.get_header_value("Origin") != "http://" + host;
+    if (is_local && !is_foreign) return true;
+    Refuse(response, kForbidden,
+           {"this server answers only its own page", "本服务器只回应自己的页面"});
+    return false;
+  }
+
+  void Refuse(httplib::Response& response, Status status, const Message& why) const {
+    const nlohmann::ordered_json answer = {
+        {"id", nullptr}, {"ok", false}, {"error", why.In(language_)}};
+    response.status = status;
+    response.set_content(JsonText(answer) + '\n', kJsonLines);
+  }
+
+  void Open(const httplib::Request& /*request*/, httplib::Response& response) {
+    if (const auto number = sessions_.Open()) {
+      const nlohmann::ordered_json answer = {{"ok", true}, {"session", *number}};
+      response.set_content(JsonText(answer) + '\n', kJsonLines);
+      return;
+    }
+    Refuse(response, kUnavailable,
+           MakeMessage("there are already {0} sessions: close a page, or start oncard serve anew",
+                       "已有 {0} 个会话：请关闭一个页面，或重新启动 oncard serve", kSessionsMax));
+  }
+
+  void Answer(const httplib::Request& request, httplib::Response& response) {
+    const std::shared_ptr<Session> session = sessions_.Find(Number(request));
+    if (session == nullptr) return RefuseUnknown(request, response);
+    const std::lock_guard lock(session->mutex);
+    response.set_content(session->host.Handle(request.body), kJsonLines);
+  }
+
+  void Close(const httplib::Request& request, httplib::Response& response) {
+    if (!sessions_.Close(Number(request))) return RefuseUnknown(request, response);
+    response.set_content("{\"ok\":true}\n", kJsonLines);
+  }
+
+  void RefuseUnknown(const httplib::Request& request, httplib::Response& response) const {
+    Refuse(response, kNotFound,
+           MakeMessage("there is no session {0}: it has ended, or is of an earlier oncard serve",
+                       "没有会话 {0}：已结束，或属于之前的 oncard serve", Number(request)));
+  }
+
+  // The pattern allows digits only, and no more than fit.
+  static uint64_t Number(const httplib::Request& request) {
+    return std::stoull(request.matches[1].str());
+  }
+
+  std::string root_;
+  Sessions sessions_;
+  Language language_;
+  int port_ = 0;
+  httplib::Server server_;
+};
+
+std::string RandomToken() {
+  std::random_device random;
+  std::string token;
+  for (int word = 0; word < 4; ++word) token += fmt::format("{:08x}", random());
+  return token;
+}
+
+PageServer::PageServer(const std::string& folder, std::string token, SessionMaker make,
+                       Language language)
+    : routes_(std::make_unique<Routes>(folder, std::move(token), std::move(make), language)) {}
+
+PageServer::~PageServer() = default;
+
+Result<int> PageServer::Bind(int port) { return routes_->Bind(port); }
+
+void PageServer::Serve() { routes_->Serve(); }
+
+}  // namespace oncard::tools
