@@ -7,15 +7,18 @@ import { expect, type Locator, type Page } from "@playwright/test";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
-/** Opens the page and waits until the card is there; errors of the page fail the test. */
-export async function open(page: Page, fragment = ""): Promise<void> {
+/**
+ * Opens the page and waits until the card is there; errors of the page fail the test.
+ * @param address a fragment, or where another server has the page
+ */
+export async function open(page: Page, address = ""): Promise<void> {
   page.on("pageerror", (error) => {
     throw error;
   });
   page.on("console", (message) => {
     if (message.type() === "error") throw new Error(message.text());
   });
-  await page.goto(`./${fragment}`);
+  await page.goto(address.startsWith("http") ? address : `./${address}`);
   await expect(status(page)).toHaveText(/Card ready|控制卡就绪/);
 }
 

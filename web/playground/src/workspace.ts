@@ -7,6 +7,7 @@ import { computed, effect, signal } from "@preact/signals";
 import lessons from "virtual:lessons";
 
 import { Bench } from "./session/bench.js";
+import { linkWith } from "./share/address.js";
 import { type ReadLink, type Shared, writeLink } from "./share/link.js";
 import { keep, kept } from "./store/keep.js";
 import { language } from "./store/settings.js";
@@ -133,7 +134,7 @@ export function linkOfLesson(own: Lesson): string {
 }
 
 function addressOf(shared: Shared): string {
-  return new URL(writeLink(shared), location.href).href;
+  return linkWith(writeLink(shared), location.href);
 }
 
 // --- Editing -------------------------------------------------------------------------------------

@@ -5,7 +5,7 @@ import type { Engine, ExploreAnswer, RunAnswer } from "@oncard/engine";
 import { RefusedError } from "@oncard/engine";
 import { computed, signal } from "@preact/signals";
 
-import { startEngine } from "../session/engines.js";
+import { startModule } from "../session/engines.js";
 import { keep, kept } from "../store/keep.js";
 import { language } from "../store/settings.js";
 import { bench, lesson, project } from "../workspace.js";
@@ -39,7 +39,7 @@ let engine: Promise<Engine> | undefined;
 let asked = 0;
 
 async function prover(): Promise<Engine> {
-  engine ??= startEngine();
+  engine ??= startModule();
   const started = await engine;
   started.onEnded = () => {
     engine = undefined;

@@ -1,6 +1,9 @@
-// Engines of this page: the module is fetched and compiled once, and each engine has a worker.
+// Engines of this page. The module is fetched and compiled once, and each engine that it makes has
+// a worker; if the page comes from `oncard serve`, its sessions are there instead.
 
-import { Engine, WorkerTransport } from "@oncard/engine";
+import { Engine, HttpTransport, WorkerTransport } from "@oncard/engine";
+
+import { hasEngineHere } from "../share/address.js";
 
 let module: Promise<WebAssembly.Module> | undefined;
 
@@ -12,10 +15,10 @@ async function fetchModule(): Promise<WebAssembly.Module> {
 }
 
 /**
- * A new engine in a worker of its own.
+ * A new engine in a worker of its own. Whatever it computes, closing it ends that at once.
  * @throws the module cannot be fetched or compiled
  */
-export async function startEngine(): Promise<Engine> {
+export async function startModule(): Promise<Engine> {
   module ??= fetchModule();
   try {
     const compiled = await module;
@@ -25,4 +28,19 @@ export async function startEngine(): Promise<Engine> {
     module = undefined; // the next attempt fetches it again
     throw error;
   }
+}
+
+/**
+ * A new engine for the session of the page: that of `oncard serve` if the page comes from there,
+ * otherwise the module.
+ * @throws the module cannot be fetched or compiled
+ */
+export async function startEngine(): Promise<Engine> {
+  if (!hasEngineHere(location.href)) return startModule();
+  const engine = new Engine(new HttpTransport(document.baseURI));
+  addEventListener("pagehide", ({ persisted }) => {
+    // A page that is kept may be shown again.
+    if (!persisted) engine.close();
+  });
+  return engine;
 }

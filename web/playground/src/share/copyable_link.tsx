@@ -23,6 +23,7 @@ export function CopyableLink({ link }: { link: string }) {
         {t.link}
         <textarea ref={field} readOnly rows={4} value={link} />
       </label>
+      {link.startsWith("#") && <p>{t.fragment}</p>}
       <div class="row">
         <button type="button" onClick={() => void copy()}>
           {t.copy}

@@ -249,6 +249,8 @@ export const en = {
     title: "Share this program",
     text: "The link carries the whole project: program, scenario, lesson and language. Nothing is sent to a server.",
     link: "Link",
+    fragment:
+      "This page has an address on this computer alone. Put the link behind the address of any playground.",
     copy: "Copy",
     copied: "Copied.",
     opened:
