@@ -84,6 +84,10 @@ nlohmann::ordered_json ParameterJson(const Command& command, const Parameter& pa
   return json;
 }
 
+std::string_view Brief(const Command& command, Language language) {
+  return language == Language::kChinese ? command.brief_zh : command.brief;
+}
+
 std::string Callers(const Command& command, Language language) {
   if (!command.in_motion_program) {
     return MakeMessage("can only be called by a host program", "只能由主机程序调用").In(language);
@@ -95,8 +99,10 @@ std::string Callers(const Command& command, Language language) {
 }
 
 std::string CommandMarkdown(const Command& command, Language language) {
-  std::string text = fmt::format("```c\n{}\n```\n{}; {}\n", Prototype(command), command.brief,
-                                 Callers(command, language));
+  const std::string_view brief = Brief(command, language);
+  const std::string callers = Callers(command, language);
+  std::string text = fmt::format("```c\n{}\n```\n", Prototype(command)) +
+                     MakeMessage("{0}; {1}\n", "{0}；{1}\n", brief, callers).In(language);
   if (!command.parameters.empty()) {
     text += MakeMessage("\n| parameter | type | unit, range |\n|---|---|---|\n",
                         "\n| 参数 | 类型 | 单位、范围 |\n|---|---|---|\n")

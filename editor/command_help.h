@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 #include "base/message.h"
 #include "gtcalls/catalogue.h"
@@ -24,6 +25,9 @@ nlohmann::ordered_json ParameterJson(const gtcalls::Command& command,
 /// What is worth knowing of a parameter in one line: `pulse/ms, (0, 32767]`; empty if nothing is.
 std::string ParameterNote(const gtcalls::Command& command, const gtcalls::Parameter& parameter,
                           Language language);
+
+/// What the command does, in one line.
+std::string_view Brief(const gtcalls::Command& command, Language language);
 
 /// Who may call the command.
 std::string Callers(const gtcalls::Command& command, Language language);

@@ -282,7 +282,7 @@ void Completion::Commands() {
     items_.push_back({{"label", command.name},
                       {"kind", "command"},
                       {"detail", Prototype(command)},
-                      {"documentation", command.brief}});
+                      {"documentation", Brief(command, language_)}});
   }
 }
 

@@ -121,7 +121,7 @@ Json DescribeSymbol(const Analysis& analysis, int index, const vm::Object* objec
                {"name", symbol.name},
                {"declaration", Declaration(analysis, symbol)}};
   if (symbol.kind == Symbol::Kind::kCommand) {
-    json["brief"] = symbol.command->brief;
+    json["brief"] = Brief(*symbol.command, language);
     json["callers"] = Callers(*symbol.command, language);
     json["number"] = symbol.command->number;
     json["source"] = symbol.command->source;
@@ -302,7 +302,7 @@ Json Signature(const Analysis& analysis, Cursor cursor, Language language) {
                {"name", callee.name},
                {"label", label},
                {"parameters", std::move(parameters)}};
-  if (callee.command != nullptr) json["brief"] = callee.command->brief;
+  if (callee.command != nullptr) json["brief"] = Brief(*callee.command, language);
   const size_t count = json["parameters"].size();
   if (call.argument < count) json["active"] = call.argument;
   json["range"] = RangeJson(analysis.text, call.name);

@@ -171,8 +171,9 @@ struct Command {
   Cost cost = Cost::kHostCall;
   std::span<const Access> accesses;
   std::span<const Parameter> parameters;
-  std::string_view brief;   ///< what it does, one line
-  std::string_view source;  ///< document and section that the row is based on
+  std::string_view brief;     ///< what it does, one line
+  std::string_view brief_zh;  ///< the same in Chinese
+  std::string_view source;    ///< document and section that the row is based on
 };
 
 /// A line of catalogue.def: the title of a topic, or a command.

@@ -152,5 +152,17 @@ TEST(Complete, GivesCommandsTheAddressOfVariables) {
   EXPECT_FALSE(again["items"][1].contains("insert"));
 }
 
+TEST(Complete, DocumentsCommandsInTheLanguageOfTheClient) {
+  const AnalysedSource source("int f()\n{\n  $0\n}\n");
+  const auto documentation = [&](Language language) {
+    const Json answer = Complete(source.analysis(), source.cursor(), language);
+    const std::vector<std::string> labels = LabelsOf(answer);
+    const auto index = std::ranges::find(labels, "GT_SetVel") - labels.begin();
+    return answer["items"].at(static_cast<size_t>(index)).value("documentation", "");
+  };
+  EXPECT_EQ(documentation(Language::kEnglish), "set the target velocity");
+  EXPECT_EQ(documentation(Language::kChinese), "设置目标速度");
+}
+
 }  // namespace
 }  // namespace oncard::editor

@@ -95,7 +95,20 @@ TEST(CommandHelp, HasTheTableOfParameters) {
             "the status of the thread\n\nsource: GTS manual ch. 13; no. " +
                 std::to_string(command->number) + ", tier A\n");
   EXPECT_THAT(CommandMarkdown(*command, Language::kChinese),
-              HasSubstr("| 参数 | 类型 | 单位、范围 |"));
+              HasSubstr("```\n设置目标速度；运动程序与主机程序均可调用\n\n"
+                        "| 参数 | 类型 | 单位、范围 |"));
+}
+
+TEST(CommandHelp, SaysInTheLanguageOfTheClientWhatACommandDoes) {
+  const AnalysedSource source("int f()\n{\n  GT_Set$0Vel(1, 2.0);\n}\n");
+  const Json english = Describe(source.analysis(), source.cursor(), nullptr, Language::kEnglish);
+  EXPECT_EQ(english["brief"], "set the target velocity");
+  const Json chinese = Describe(source.analysis(), source.cursor(), nullptr, Language::kChinese);
+  EXPECT_EQ(chinese["brief"], "设置目标速度");
+  const AnalysedSource call("int f()\n{\n  GT_SetVel(1, $02.0);\n}\n");
+  EXPECT_EQ(Signature(call.analysis(), call.cursor(), Language::kEnglish)["brief"],
+            "set the target velocity");
+  EXPECT_EQ(Signature(call.analysis(), call.cursor(), Language::kChinese)["brief"], "设置目标速度");
 }
 
 TEST(CommandHelp, DescribesEveryCommandInBothLanguages) {

@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace oncard::gtcalls {
@@ -149,6 +151,34 @@ TEST(CatalogueTest, EveryRowSaysWhatItDoesAndWhatItRestsOn) {
     EXPECT_FALSE(command.brief.empty()) << command.name;
     EXPECT_FALSE(command.brief.ends_with(".")) << command.name;
     EXPECT_FALSE(command.source.empty()) << command.name;
+  }
+}
+
+// Whether a text in UTF-8 has a character from U+4E00 to U+9FFF; these begin with E4 B8 to E9 BF.
+bool HasChineseCharacter(std::string_view text) {
+  return std::ranges::any_of(text, [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte >= 0xE4 && byte <= 0xE9;
+  });
+}
+
+TEST(CatalogueTest, EveryRowSaysInChineseWhatItDoes) {
+  for (const Command& command : GtsCatalogue().commands()) {
+    EXPECT_TRUE(HasChineseCharacter(command.brief_zh)) << command.name;
+    EXPECT_FALSE(command.brief_zh.ends_with("。")) << command.name;
+    EXPECT_FALSE(command.brief_zh.ends_with(".")) << command.name;
+    EXPECT_FALSE(HasChineseCharacter(command.brief)) << command.name;
+  }
+}
+
+TEST(CatalogueTest, CommandsDifferInBothLanguagesOrInNone) {
+  std::map<std::string_view, std::string_view> chinese;
+  std::map<std::string_view, std::string_view> english;
+  for (const Command& command : GtsCatalogue().commands()) {
+    EXPECT_EQ(chinese.emplace(command.brief, command.brief_zh).first->second, command.brief_zh)
+        << command.name;
+    EXPECT_EQ(english.emplace(command.brief_zh, command.brief).first->second, command.brief)
+        << command.name;
   }
 }
 
