@@ -544,8 +544,7 @@ Result<Json> SessionHost::Requests::Record(Arguments& arguments) {
 // --- The host ------------------------------------------------------------------------------------
 
 SessionHost::SessionHost(compiler::FileReader reader, CommentReader comments, CallReader calls)
-    : requests_(
-          std::make_unique<Requests>(std::move(reader), std::move(comments), std::move(calls))) {}
+    : requests_(std::make_unique<Requests>(std::move(reader), std::move(comments), calls)) {}
 SessionHost::SessionHost(SessionHost&&) noexcept = default;
 SessionHost& SessionHost::operator=(SessionHost&&) noexcept = default;
 SessionHost::~SessionHost() = default;
