@@ -13,6 +13,7 @@
 #include "session/host.h"
 #include "session/recorded_host.h"
 #include "tests/runtime/scenario_support.h"
+#include "tests/session/asking_test.h"
 #include "vm/object_writer.h"
 
 namespace oncard::session {
@@ -87,22 +88,10 @@ std::string TwoPrograms() {
   return host.text();
 }
 
-class HostCallsTest : public testing::Test {
+class HostCallsTest : public AskingTest {
  protected:
-  Json Ask(const std::string& request, Json arguments = Json::object()) {
-    const Json message = {{"id", 1}, {"request", request}, {"arguments", std::move(arguments)}};
-    return Json::parse(host_.Handle(message.dump()));
-  }
-  Json Result(const std::string& request, Json arguments = Json::object()) {
-    const Json response = Ask(request, std::move(arguments));
-    EXPECT_TRUE(response["ok"]) << response;
-    return response["result"];
-  }
-  std::string ErrorOf(const std::string& request, Json arguments = Json::object()) {
-    const Json response = Ask(request, std::move(arguments));
-    EXPECT_FALSE(response["ok"]) << response;
-    return response.value("error", "");
-  }
+  HostCallsTest() : AskingTest(SessionHost({}, {}, OpenRecordedHost)) {}
+
   Json Load(const std::string& record) {
     return Result("load", {{"main", "h.calls"}, {"files", {{"h.calls", record}}}});
   }
@@ -114,8 +103,6 @@ class HostCallsTest : public testing::Test {
     for (const Json& variable : Result("variables")) names.push_back(variable["name"]);
     return names;
   }
-
-  SessionHost host_ = SessionHost({}, {}, OpenRecordedHost);
 };
 
 // --- Calls ---------------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/limits.h"
+#include "tests/session/asking_test.h"
 #include "tests/session/session_support.h"
 #include "vm/record.h"
 
@@ -21,42 +22,14 @@ constexpr const char* kAxis =
     "int n;\ndouble d;\nint a[3];\nint f(int k)\n{\n  n = k;\n  d = 2.5;\n  a[1] = 7;\n"
     "  GT_AxisOn(9);\n  GT_Delay(100);\n  return n;\n}\n";
 
-class HostTest : public testing::Test {
+class HostTest : public AskingTest {
  protected:
-  /// The last line of the answer.
-  Json Ask(const std::string& request, Json arguments = Json::object()) {
-    const Json message = {{"id", ++id_}, {"request", request}, {"arguments", std::move(arguments)}};
-    const std::string answer = host_.Handle(message.dump());
-    EXPECT_EQ(answer.back(), '\n');
-    const size_t last = answer.find_last_of('\n', answer.size() - 2);
-    const size_t begin = last == std::string::npos ? 0 : last + 1;
-    events_ = answer.substr(0, begin);
-    const Json response = Json::parse(answer.substr(begin));
-    EXPECT_EQ(response["id"], id_);
-    return response;
-  }
-  /// The result of a request that must succeed.
-  Json Result(const std::string& request, Json arguments = Json::object()) {
-    const Json response = Ask(request, std::move(arguments));
-    EXPECT_TRUE(response["ok"]) << response;
-    return response["result"];
-  }
-  /// The error of one that must fail.
-  std::string ErrorOf(const std::string& request, Json arguments = Json::object()) {
-    const Json response = Ask(request, std::move(arguments));
-    EXPECT_FALSE(response["ok"]) << response;
-    return response.value("error", "");
-  }
   void Load(const std::string& program, const std::string& scenario = "") {
     const Json result = Result(
         "load", {{"main", "s.toml"},
                  {"files", {{"p.c", program}, {"s.toml", "program = \"p.c\"\n" + scenario}}}});
     EXPECT_TRUE(result["compiled"]) << result;
   }
-
-  SessionHost host_;
-  std::string events_;
-  int id_ = 0;
 };
 
 // --- Requests ------------------------------------------------------------------------------------
