@@ -219,8 +219,9 @@ class RecordReader {
   }
 
   Result<void> ReadHead(const Json& json) {
-    if (!json.is_object() || json.value("oncard", "") != kTitle) return NoRecord();
+    if (!json.is_object()) return NoRecord();
     LineReader line(json);
+    if (line.Text("oncard") != kTitle) return NoRecord();
     const int64_t format = line.Whole("format", 1, kWholeMax);
     if (!line.good()) return NoRecord();
     if (format == kFormat) return {};

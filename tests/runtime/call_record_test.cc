@@ -134,6 +134,8 @@ TEST(CallRecord, NamesTheFirstLineThatIsDamaged) {
 TEST(CallRecord, TellsAnotherFileFromARecord) {
   EXPECT_THAT(ErrorOf(""), HasSubstr("this is no record of host calls"));
   EXPECT_THAT(ErrorOf("{}\n"), HasSubstr("this is no record of host calls"));
+  EXPECT_THAT(ErrorOf("{\"oncard\":1,\"format\":1}\n"),
+              HasSubstr("this is no record of host calls"));
   EXPECT_THAT(ErrorOf("{\"oncard\":\"host calls\",\"format\":2}\n"),
               HasSubstr("this record has format 2; this version reads 1"));
   EXPECT_THAT(ErrorOf(FormatRecordHead()), HasSubstr("the host has opened no card"));
