@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <bit>
+#include <optional>
 #include <queue>
 #include <span>
 #include <utility>
 
 #include "explore/models/key_set.h"
+#include "explore/models/thread_states.h"
 
 namespace oncard::explore {
 namespace {
@@ -166,32 +168,221 @@ class FreeSteps {
   std::vector<uint32_t> reached_;  ///< for the first time, with this number of preemptions
 };
 
+/// A step that has not been taken.
+struct Ahead {
+  StateKey key;       ///< of the state that it leads to
+  uint32_t step = 0;  ///< for StepWalk
+};
+
+/// The current state of a search of all states: the model executes every step.
+class StatementWalk {
+ public:
+  /// Begins at the model's current state, in which private statements were merged if `merge` is
+  /// set.
+  StatementWalk(Model* model, bool merge) : model_(*model), merge_(merge) {}
+
+  const Model& State() const { return model_; }
+  uint32_t runnable() const { return model_.runnable(); }
+  bool failed() const {
+    for (int thread = 0; thread < model_.thread_count(); ++thread) {
+      if (Fails(model_.End(thread))) return true;
+    }
+    return false;
+  }
+  bool LookAhead(int thread, Ahead* ahead) {
+    const int64_t statements = Execute(thread);
+    ahead->key = model_.key();
+    Undo(statements);
+    return true;
+  }
+  void Take(int thread, const Ahead& /*ahead*/) { taken_.push_back(Execute(thread)); }
+  void Undo() {
+    Undo(taken_.back());
+    taken_.pop_back();
+  }
+
+ private:
+  /// Returns the number of statements.
+  int64_t Execute(int thread) {
+    model_.Step(thread);
+    return 1 + (merge_ ? model_.StepPrivate(thread, kMergedMax) : 0);
+  }
+  void Undo(int64_t statements) {
+    for (; statements > 0; --statements) model_.Undo();
+  }
+
+  Model& model_;
+  bool merge_;
+  std::vector<int64_t> taken_;  ///< for each step, the number of its statements
+};
+
+/// The same by remembered steps (thread_states.h), which is several times as fast, with the same
+/// keys.
+class StepWalk {
+ public:
+  /// From the same state as a StatementWalk of the model; its accesses must be local.
+  StepWalk(const Model& model, bool merge)
+      : known_(model, merge ? kMergedMax : ThreadStates::kSingleStatements),
+        globals_(known_.globals()),
+        cell_keys_(globals_.size()),
+        end_(known_.model()) {
+    for (uint32_t cell = 0; cell < globals_.size(); ++cell) {
+      AddToKey(cell, globals_[cell], &cell_keys_[cell]);
+    }
+    // What a step writes that writes no global.
+    globals_.push_back(0);
+    cell_keys_.emplace_back();
+  }
+
+  /// False if the walk is not possible.
+  bool Begin(StateKey key) {
+    key_ = key;
+    for (int thread = 0; thread < end_.thread_count(); ++thread) {
+      const auto begun = known_.Begin(thread);
+      if (!begun) return false;
+      now_.push_back(begun->next);
+      if (known_.Runs(begun->next)) runnable_ |= 1u << thread;
+    }
+    return true;
+  }
+
+  /// Valid until the next call.
+  const Model& State() {
+    known_.Load(now_, globals_, &end_);
+    return end_;
+  }
+  uint32_t runnable() const { return runnable_; }
+  bool failed() const { return failures_ > 0; }
+  /// False: the step is not known, and cannot be remembered.
+  bool LookAhead(int thread, Ahead* ahead) {
+    const uint32_t now = now_[Index(thread)];
+    const ThreadStates::Step* known = known_.StepOf(now, globals_);
+    if (known == nullptr) return false;
+    const uint32_t number = known_.NumberOf(known);
+    if (number >= moves_.size()) AddMoves();
+    const Move& move = moves_[number];
+    *ahead = {key_ ^ thread_keys_[now] ^ cell_keys_[move.cell] ^ move.key, number};
+    return true;
+  }
+  void Take(int thread, const Ahead& ahead) {
+    const Move& move = moves_[ahead.step];
+    uint32_t& now = now_[Index(thread)];
+    int64_t& value = globals_[move.cell];
+    StateKey& cell_key = cell_keys_[move.cell];
+    path_.push_back({key_, cell_key, value, move.cell, now, runnable_, thread, move.failed});
+    key_ = ahead.key;
+    cell_key = move.cell_key;
+    value = move.value;
+    now = move.next;
+    if (!known_.Runs(move.next)) runnable_ &= ~(1u << thread);
+    failures_ += move.failed ? 1 : 0;
+  }
+  void Undo() {
+    const Taken& taken = path_.back();
+    key_ = taken.key;
+    cell_keys_[taken.cell] = taken.cell_key;
+    globals_[taken.cell] = taken.value;
+    now_[Index(taken.thread)] = taken.now;
+    runnable_ = taken.runnable;
+    failures_ -= taken.failed ? 1 : 0;
+    path_.pop_back();
+  }
+  /// The threads of the steps to the current state.
+  std::vector<int> Threads() const {
+    std::vector<int> threads;
+    for (const Taken& taken : path_) threads.push_back(taken.thread);
+    return threads;
+  }
+
+ private:
+  /// What a known step does.
+  struct Move {
+    StateKey key;  ///< of what it writes and of the thread's next state
+    StateKey cell_key;
+    int64_t value = 0;
+    uint32_t cell = 0;
+    uint32_t next = 0;
+    bool failed = false;  ///< the thread ends with an error
+  };
+  /// What a step has changed.
+  struct Taken {
+    StateKey key;
+    StateKey cell_key;
+    int64_t value;
+    uint32_t cell;
+    uint32_t now;
+    uint32_t runnable;
+    int thread;
+    bool failed;
+  };
+
+  static size_t Index(int thread) { return static_cast<size_t>(thread); }
+
+  void AddMoves() {
+    while (moves_.size() < known_.step_count()) {
+      const ThreadStates::Step& step = known_.step(static_cast<uint32_t>(moves_.size()));
+      while (thread_keys_.size() < known_.state_count()) {
+        thread_keys_.push_back(known_.KeyOf(static_cast<uint32_t>(thread_keys_.size())));
+      }
+      Move move = {.key = {},
+                   .cell_key = {},
+                   .value = step.value,
+                   .cell = static_cast<uint32_t>(globals_.size() - 1),
+                   .next = step.next,
+                   .failed = known_.Failed(step.next)};
+      if (step.cell != AccessSet::kNone) {
+        move.cell = step.cell;
+        AddToKey(step.cell, step.value, &move.cell_key);
+      }
+      move.key = move.cell_key ^ thread_keys_[step.next];
+      moves_.push_back(move);
+    }
+  }
+
+  ThreadStates known_;
+  StateKey key_;
+  std::vector<int64_t> globals_;
+  std::vector<StateKey> cell_keys_;
+  std::vector<uint32_t> now_;  ///< the state of each thread
+  uint32_t runnable_ = 0;
+  int failures_ = 0;  ///< number of threads that ended with an error
+  std::vector<Move> moves_;
+  std::vector<StateKey> thread_keys_;  ///< of the known states of threads
+  std::vector<Taken> path_;
+  Model end_;
+};
+
 /// The search of all states, depth first. As soon as a state is entered, the keys of its successors
 /// are computed and their places in the set prefetched: most are looked up much later, and most of
-/// them are known, so that the model need not step there.
+/// them are known, so that no step need be taken there.
 class GraphBuilder {
  public:
-  GraphBuilder(Model* model, const StateLimits& limits, const StateJudge& judge)
-      : model_(*model), limits_(limits), judge_(judge) {
+  GraphBuilder(Model* model, const StateLimits& limits, const StateJudge& judge, Judged judged)
+      : model_(*model), limits_(limits), judge_(judge), judged_(judged) {
     graph_.threads = model->thread_count();
     graph_.may_cycle = model->HasLoops();
   }
 
   StateGraph Build() {
     const int64_t start = model_.depth();
+    std::optional<StepWalk> steps;
+    // A walk by steps has no model in most states.
+    if (judged_ == Judged::kEnds && model_.AccessesAreLocal()) {
+      steps.emplace(model_, limits_.merge_private);
+    }
     for (int thread = 0; thread < graph_.threads; ++thread) Merge(thread);
     bool added = false;
-    const uint32_t first = known_.FindOrAdd(model_.key(), &added);
-    Enter(first, 0);
-    while (!path_.empty() && !stopped_) {
-      if (path_.back().untried == 0) {
-        Undo(path_.back().statements);
-        path_.pop_back();
-      } else {
-        TakeNext();
+    current_ = known_.FindOrAdd(model_.key(), &added);
+    if (steps && steps->Begin(model_.key()) && Explore(&*steps)) {
+      // Everything was searched by steps.
+    } else {
+      StatementWalk walk(&model_, limits_.merge_private);
+      if (steps) {
+        for (const int thread : steps->Threads()) walk.Take(thread, {});
       }
+      Explore(&walk);
     }
-    Undo(model_.depth() - start);
+    while (model_.depth() > start) model_.Undo();
     graph_.complete = !stopped_;
     return std::move(graph_);
   }
@@ -199,66 +390,82 @@ class GraphBuilder {
  private:
   struct Visit {
     uint32_t state;
-    uint32_t untried;    // threads
-    int64_t statements;  // of the step that led here
+    uint32_t untried;  // threads
   };
 
-  int64_t Merge(int thread) {
-    return limits_.merge_private ? model_.StepPrivate(thread, kMergedMax) : 0;
-  }
-  /// Returns the number of statements.
-  int64_t Take(int thread) {
-    model_.Step(thread);
-    return 1 + Merge(thread);
-  }
-  void Undo(int64_t statements) {
-    for (; statements > 0; --statements) model_.Undo();
+  void Merge(int thread) {
+    if (limits_.merge_private) model_.StepPrivate(thread, kMergedMax);
   }
 
-  /// Takes the next untried step of the last state on the path.
-  void TakeNext() {
-    Visit& visit = path_.back();
-    const int thread = std::countr_zero(visit.untried);
-    visit.untried &= visit.untried - 1;
-    bool added = false;
-    const uint32_t next = known_.FindOrAdd(ahead_.back(), &added);
-    ahead_.pop_back();
-    // What was prefetched before a long way may be gone.
-    if (ahead_.size() >= kSoon) known_.Prefetch(ahead_[ahead_.size() - kSoon]);
-    ++graph_.transitions;
-    graph_.successors[size_t{visit.state} * static_cast<size_t>(graph_.threads) +
-                      static_cast<size_t>(thread)] = next;
-    if (added) Enter(next, Take(thread));
+  /// Searches from the state current_, which is new, and back along the path. False, and the walk
+  /// stands in a new state current_, if it is not able to look ahead there.
+  template <typename Walk>
+  bool Explore(Walk* walk) {
+    if (!Enter(walk)) return false;
+    while (!path_.empty() && !stopped_) {
+      Visit& visit = path_.back();
+      if (visit.untried == 0) {
+        path_.pop_back();
+        if (!path_.empty()) walk->Undo();
+        continue;
+      }
+      // Takes the next untried step.
+      const int thread = std::countr_zero(visit.untried);
+      visit.untried &= visit.untried - 1;
+      const Ahead ahead = ahead_.back();
+      ahead_.pop_back();
+      bool added = false;
+      current_ = known_.FindOrAdd(ahead.key, &added);
+      // What was prefetched before a long way may be gone.
+      if (ahead_.size() >= kSoon) known_.Prefetch(ahead_[ahead_.size() - kSoon].key);
+      ++graph_.transitions;
+      graph_.successors[size_t{visit.state} * static_cast<size_t>(graph_.threads) +
+                        static_cast<size_t>(thread)] = current_;
+      if (!added) continue;
+      walk->Take(thread, ahead);
+      if (!Enter(walk)) return false;
+    }
+    return true;
   }
 
-  /// A new state, which is the model's.
-  void Enter(uint32_t state, int64_t statements) {
-    LookAhead();
+  /// Enters the new state in which the walk stands. False, without a change: it cannot look ahead.
+  template <typename Walk>
+  bool Enter(Walk* walk) {
+    const uint32_t runnable = walk->runnable();
+    if (!LookAhead(runnable, walk)) return false;
     graph_.successors.resize(graph_.successors.size() + static_cast<size_t>(graph_.threads), kNone);
-    graph_.flags.push_back((model_.runnable() == 0 ? kTerminal : 0u) | judge_(model_));
-    if ((graph_.flags.back() & kBad) != 0) after_bad_ = std::min(after_bad_, graph_.size());
+    uint32_t flags = runnable == 0 ? kTerminal : 0u;
+    if (judged_ == Judged::kEveryState || runnable == 0 || walk->failed()) {
+      flags |= judge_(walk->State());
+    }
+    graph_.flags.push_back(flags);
+    if ((flags & kBad) != 0) after_bad_ = std::min(after_bad_, graph_.size());
     stopped_ = graph_.size() >= limits_.states ||
                graph_.size() - std::min(after_bad_, graph_.size()) >= limits_.states_after_bad ||
                (limits_.stop != nullptr && limits_.stop->load(std::memory_order_relaxed));
-    path_.push_back({state, model_.runnable(), statements});
+    path_.push_back({current_, runnable});
     if (limits_.progress != nullptr) {
       limits_.progress->states.store(graph_.size(), std::memory_order_relaxed);
       limits_.progress->frontier.store(static_cast<int64_t>(path_.size()),
                                        std::memory_order_relaxed);
     }
+    return true;
   }
 
-  /// Appends the keys of the successors, that of the lowest thread last.
-  void LookAhead() {
-    const uint32_t runnable = model_.runnable();
-    ahead_.resize(ahead_.size() + static_cast<size_t>(std::popcount(runnable)));
-    StateKey* key = ahead_.data() + ahead_.size();
-    for (uint32_t untried = runnable; untried != 0; untried &= untried - 1) {
-      const int64_t statements = Take(std::countr_zero(untried));
-      *--key = model_.key();
-      known_.Prefetch(*key);
-      Undo(statements);
+  /// Appends the steps of the threads that can run, that of the lowest thread last.
+  template <typename Walk>
+  bool LookAhead(uint32_t runnable, Walk* walk) {
+    const size_t before = ahead_.size();
+    ahead_.resize(before + static_cast<size_t>(std::popcount(runnable)));
+    Ahead* ahead = ahead_.data() + ahead_.size();
+    for (uint32_t left = runnable; left != 0; left &= left - 1) {
+      if (!walk->LookAhead(std::countr_zero(left), --ahead)) {
+        ahead_.resize(before);
+        return false;
+      }
+      known_.Prefetch(ahead->key);
     }
+    return true;
   }
 
   static constexpr size_t kSoon = 4;  ///< look-ups
@@ -266,10 +473,12 @@ class GraphBuilder {
   Model& model_;
   const StateLimits& limits_;
   const StateJudge& judge_;
+  Judged judged_;
   StateGraph graph_;
   KeySet known_;
+  uint32_t current_ = 0;  ///< the state that was looked up last
   std::vector<Visit> path_;
-  std::vector<StateKey> ahead_;  ///< of the untried steps of the states on the path
+  std::vector<Ahead> ahead_;  ///< the untried steps of the states on the path
   bool stopped_ = false;
   uint32_t after_bad_ = kNone;  ///< number of states when the first bad one was found
 };
@@ -331,8 +540,9 @@ class ReversedEdges {
 
 }  // namespace
 
-StateGraph BuildStateGraph(Model* model, const StateLimits& limits, const StateJudge& judge) {
-  return GraphBuilder(model, limits, judge).Build();
+StateGraph BuildStateGraph(Model* model, const StateLimits& limits, const StateJudge& judge,
+                           Judged judged) {
+  return GraphBuilder(model, limits, judge, judged).Build();
 }
 
 Path FewestPreemptions(const StateGraph& graph, uint32_t flag, uint32_t avoid) {

@@ -152,7 +152,9 @@ StateSearch SearchStates(const Problem& problem, const StateLimits& limits) {
   RaceSearch races(problem);
   std::vector<uint32_t> final_of;  // for each terminal state, in order, the number of its globals
   std::vector<uint32_t> end_of;    // for each state, the number of its end if it is one
-  search.graph = BuildStateGraph(&model, limits, [&](const Model& state) {
+  const bool every = problem.HasInvariants() || problem.races != RaceRule::kAny;
+  const Judged judged = every ? Judged::kEveryState : Judged::kEnds;
+  const auto judge = [&](const Model& state) {
     const bool bad = static_cast<bool>(FindFault(problem, state));
     uint32_t end = 0;
     if (state.runnable() == 0) {
@@ -165,7 +167,8 @@ StateSearch SearchStates(const Problem& problem, const StateLimits& limits) {
     if (problem.races != RaceRule::kAny) end_of.push_back(end);
     search.counts.bad_states += bad ? 1 : 0;
     return (bad ? kBad : 0u) | HoldingFlags(problem, state);
-  });
+  };
+  search.graph = BuildStateGraph(&model, limits, judge, judged);
   search.races = races.Finish(end_of, &search.graph);
   search.counts.states = search.graph.size();
   search.counts.transitions = search.graph.transitions;

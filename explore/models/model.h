@@ -65,6 +65,11 @@ std::string NameOfSlot(const std::vector<vm::Symbol>& symbols, uint32_t id);
 /// The state of a thread.
 enum class ThreadEnd : uint8_t { kRunning, kFinished, kDivisionByZero, kIndexOutOfBounds };
 
+/// True for the end with an error.
+constexpr bool Fails(ThreadEnd end) {
+  return end != ThreadEnd::kRunning && end != ThreadEnd::kFinished;
+}
+
 class Model {
  public:
   /// The running threads of a virtual machine, each at its first statement, and its current
@@ -124,6 +129,8 @@ class Model {
   int64_t Global(uint32_t cell) const { return cells_[cell]; }
   /// The variables, position, end and return value of a thread.
   std::span<const int64_t> ThreadCells(int thread) const;
+  /// The number of the first of them, for key().
+  uint32_t FirstThreadCell(int thread) const { return threads_[Index(thread)].first_local; }
   /// Replace a part of the state, which no step may undo: only before the first step, and while the
   /// key is not tracked.
   void SetGlobal(uint32_t cell, int64_t value) { cells_[cell] = value; }

@@ -206,10 +206,7 @@ std::optional<RaceRule> RaceRuleNamed(std::string_view name) {
 
 Fault FindFault(const Problem& problem, const Model& state) {
   for (int thread = 0; thread < state.thread_count(); ++thread) {
-    const ThreadEnd end = state.End(thread);
-    if (end != ThreadEnd::kRunning && end != ThreadEnd::kFinished) {
-      return {Fault::Kind::kThread, 0, thread};
-    }
+    if (Fails(state.End(thread))) return {Fault::Kind::kThread, 0, thread};
   }
   for (size_t i = 0; i < problem.requirements.size(); ++i) {
     const BoundRequirement& requirement = problem.requirements[i];

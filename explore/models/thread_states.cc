@@ -30,11 +30,29 @@ ThreadStates::ThreadStates(const Model& model, int64_t statements, size_t state_
 
 std::optional<ThreadStates::Step> ThreadStates::Begin(int thread) {
   scratch_ = start_;
-  const int64_t statements = scratch_.StepPrivate(thread, statements_);
-  if (statements >= statements_) return std::nullopt;
+  const auto statements = FinishStep(thread);
+  if (!statements) return std::nullopt;
   const uint32_t state = StateInScratch(thread);
   if (state == kNone) return std::nullopt;
-  return Step{.next = state, .statements = static_cast<uint32_t>(statements)};
+  return Step{.next = state, .statements = static_cast<uint32_t>(*statements)};
+}
+
+std::optional<int64_t> ThreadStates::FinishStep(int thread) {
+  if (statements_ == kSingleStatements) return 0;
+  const int64_t statements = scratch_.StepPrivate(thread, statements_);
+  if (statements >= statements_) return std::nullopt;
+  return statements;
+}
+
+StateKey ThreadStates::KeyOf(uint32_t state) const {
+  const int thread = states_[state].thread;
+  const size_t count = start_.ThreadCells(thread).size();
+  uint32_t cell = start_.FirstThreadCell(thread);
+  StateKey key;
+  for (const int64_t value : std::span(cells_).subspan(states_[state].cells, count)) {
+    AddToKey(cell++, value, &key);
+  }
+  return key;
 }
 
 uint32_t ThreadStates::StateInScratch(int thread) {
@@ -53,6 +71,7 @@ uint32_t ThreadStates::StateInScratch(int thread) {
   if (states_.size() == state_max_ || state_numbers_.size() > kValueMax) return kNone;
   State state = {.thread = static_cast<uint8_t>(thread),
                  .runs = scratch_.Running(thread),
+                 .failed = Fails(scratch_.End(thread)),
                  .cells = static_cast<uint32_t>(cells_.size())};
   if (state.runs) {
     const AccessSet access = scratch_.NextAccess(thread);
@@ -102,17 +121,16 @@ const ThreadStates::Step* ThreadStates::AddStep(uint32_t state,
   const size_t count = scratch_.ThreadCells(from.thread).size();
   scratch_.SetThreadCells(from.thread, std::span(cells_).subspan(from.cells, count));
   scratch_.Step(from.thread);
-  const ThreadEnd end = scratch_.End(from.thread);
   Step step;
   // A statement that fails does so before it writes.
-  if (access.write != AccessSet::kNone &&
-      (end == ThreadEnd::kRunning || end == ThreadEnd::kFinished)) {
+  if (access.write != AccessSet::kNone && !Fails(scratch_.End(from.thread))) {
     step.cell = access.write;
     step.value = scratch_.Global(access.write);
   }
-  const int64_t statements = 1 + scratch_.StepPrivate(from.thread, statements_);
-  step.statements = static_cast<uint32_t>(statements);
-  step.next = statements > statements_ ? kNone : StateInScratch(from.thread);
+  if (const auto more = FinishStep(from.thread)) {
+    step.statements = 1 + static_cast<uint32_t>(*more);
+    step.next = StateInScratch(from.thread);
+  }
   scratch_.ForgetSteps();
   if (step.next == kNone) return nullptr;
   const auto number = static_cast<uint32_t>(steps_.size());

@@ -2,9 +2,9 @@
 // each of them: a step that was executed once in a model is looked up from then on.
 //
 // A step is one statement that accesses globals, together with the following statements of its
-// thread that do not. What it does is determined by the values of its thread's variables and of the
-// globals that it reads. Deterministic; not thread-safe. Tested by
-// tests/explore/thread_states_test.cc.
+// thread that do not; or, on request, every statement is a step. What it does is determined by the
+// values of its thread's variables and of the globals that it reads. Deterministic; not
+// thread-safe. Tested by tests/explore/thread_states_test.cc.
 #pragma once
 
 #include <cstdint>
@@ -24,6 +24,8 @@ class ThreadStates {
   /// Maximum number of states, and of steps: where there are more, the next one is rarely known
   /// already.
   static constexpr size_t kStateMax = size_t{1} << 18;
+  /// Instead of a number of statements: every statement is a step.
+  static constexpr int64_t kSingleStatements = 0;
 
   /// A thread's step.
   struct Step {
@@ -35,7 +37,7 @@ class ThreadStates {
 
   /// For the threads of a program. The accesses of its statements must be local
   /// (Model::AccessesAreLocal()). Runs of statements that access no globals are given up if they
-  /// are longer than `statements`.
+  /// are not shorter than `statements`.
   ThreadStates(const Model& model, int64_t statements, size_t state_max = kStateMax);
 
   /// The state of a thread of the model after the statements at its beginning that access no
@@ -59,11 +61,22 @@ class ThreadStates {
   }
 
   bool Runs(uint32_t state) const { return states_[state].runs; }
+  /// True if the thread has ended with an error.
+  bool Failed(uint32_t state) const { return states_[state].failed; }
+  /// The part of Model::key() that belongs to the thread.
+  StateKey KeyOf(uint32_t state) const;
   /// What the next step of a thread that runs accesses, as a number less than kAccessMax.
   uint8_t AccessOf(uint32_t state) const { return states_[state].access; }
   /// Bit n: two steps with these accesses depend on each other; n is the number of the other one.
   size_t access_count() const { return dependent_.size(); }
   uint64_t dependent(uint8_t access) const { return dependent_[access]; }
+
+  /// Known states and steps are numbered from 0.
+  size_t state_count() const { return states_.size(); }
+  size_t step_count() const { return steps_.size(); }
+  const Step& step(uint32_t number) const { return steps_[number]; }
+  /// The number of a step that StepOf() has returned.
+  uint32_t NumberOf(const Step* step) const { return static_cast<uint32_t>(step - steps_.data()); }
 
   /// The globals that known accesses write; there may be more of them after later steps.
   const std::vector<uint32_t>& written() const { return written_; }
@@ -82,6 +95,7 @@ class ThreadStates {
   struct State {
     uint8_t thread = 0;
     bool runs = false;
+    bool failed = false;
     uint8_t access = 0;             ///< of the next step
     uint32_t read = kReadsNothing;  ///< the global that it reads
     uint32_t steps = kNone;         ///< the step, or its place in step_numbers_ if it reads globals
@@ -89,6 +103,9 @@ class ThreadStates {
   };
 
   const Step* AddStep(uint32_t state, const std::vector<int64_t>& globals);
+  /// Executes the statements of a thread in scratch_ that belong to the step before them. Returns
+  /// their number; empty if they are too many.
+  std::optional<int64_t> FinishStep(int thread);
   /// The number of the state of a thread in scratch_; kNone if there are too many.
   uint32_t StateInScratch(int thread);
   /// The number of an access; empty if there are too many.

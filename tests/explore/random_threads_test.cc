@@ -122,19 +122,24 @@ class PlainSearch {
 TEST(RandomGraphsTest, AreThoseOfAPlainSearch) {
   for (uint64_t seed = 0; seed < 200; ++seed) {
     const Problem problem = ProblemOf(RandomThreads(seed));
+    // The requirements apply to ends.
+    ASSERT_FALSE(problem.HasInvariants());
     for (const bool merge : {false, true}) {
       for (const uint32_t limit : {1u, 7u, 60u, 1'000'000u}) {
-        SCOPED_TRACE(fmt::format("seed {}, merge {}, limit {}", seed, merge, limit));
         const PlainSearch plain(problem, merge, limit);
-        Model model = problem.model;
-        const StateGraph graph = BuildStateGraph(
-            &model, {.states = limit, .merge_private = merge},
-            [&](const Model& state) { return FindFault(problem, state) ? kBad : 0u; });
-        EXPECT_EQ(graph.flags, plain.graph().flags);
-        EXPECT_EQ(graph.successors, plain.graph().successors);
-        EXPECT_EQ(graph.transitions, plain.graph().transitions);
-        EXPECT_EQ(graph.complete, plain.graph().complete);
-        EXPECT_EQ(model.depth(), 0);
+        for (const Judged judged : {Judged::kEveryState, Judged::kEnds}) {
+          SCOPED_TRACE(fmt::format("seed {}, merge {}, limit {}, judged {}", seed, merge, limit,
+                                   static_cast<int>(judged)));
+          Model model = problem.model;
+          const StateGraph graph = BuildStateGraph(
+              &model, {.states = limit, .merge_private = merge},
+              [&](const Model& state) { return FindFault(problem, state) ? kBad : 0u; }, judged);
+          EXPECT_EQ(graph.flags, plain.graph().flags);
+          EXPECT_EQ(graph.successors, plain.graph().successors);
+          EXPECT_EQ(graph.transitions, plain.graph().transitions);
+          EXPECT_EQ(graph.complete, plain.graph().complete);
+          EXPECT_EQ(model.depth(), 0);
+        }
       }
     }
   }

@@ -39,6 +39,54 @@ TEST(StateGraphTest, IndependentThreadsSpanACube) {
   EXPECT_EQ(CountFlags(graph, kTerminal), 1);
 }
 
+struct LongSearch {
+  const char* name;
+  std::string source;
+};
+
+/// Threads that write as many different elements as make more accesses than are remembered.
+std::string ManyElements() {
+  std::string source = "int x, a[70];\n";
+  for (int thread = 0; thread < 2; ++thread) {
+    source += "int t" + std::to_string(thread) + "() {\n  int v;\n  v = 1;\n";
+    for (int i = thread; i < 70; i += 2) source += "  a[" + std::to_string(i) + "] = v;\n";
+    source += "  x = x + v;\n  return x;\n}\n";
+  }
+  return source;
+}
+
+const LongSearch kLongSearches[] = {
+    // Element by element, each thread accesses what the other one does not know.
+    {"Accesses", ManyElements()},
+    {"States",
+     "int x;\nint t0() {\n  int i, c;\nL:\n  i = i + 1;\n  c = i < 100000;\n  if (c) goto L;\n"
+     "  x = x + 1;\n  return 0;\n}\nint t1() {\n  int v;\n  v = 1 / x;\n  return v;\n}\n"},
+    {"ElementsChosenByGlobals",
+     "int x, a[3];\nint t0() {\n  a[x] = 1;\n  x = a[2];\n  return 0;\n}\n"
+     "int t1() {\n  x = 2;\n  a[x] = 7;\n  x = 5;\n  return 0;\n}\n"},
+};
+
+// Where steps are not remembered any more, the search goes on by executing them.
+class LongSearchTest : public ::testing::TestWithParam<LongSearch> {};
+TEST_P(LongSearchTest, IsTheSameWithRememberedSteps) {
+  const Problem problem = ProblemOf(GetParam().source);
+  StateGraph graphs[2];
+  for (const Judged judged : {Judged::kEveryState, Judged::kEnds}) {
+    Model model = problem.model;
+    graphs[static_cast<int>(judged)] = BuildStateGraph(
+        &model, {}, [&](const Model& state) { return FindFault(problem, state) ? kBad : 0u; },
+        judged);
+    EXPECT_EQ(model.depth(), 0);
+  }
+  EXPECT_GT(graphs[0].size(), 10u);
+  EXPECT_TRUE(graphs[0].complete);
+  EXPECT_EQ(graphs[1].flags, graphs[0].flags);
+  EXPECT_EQ(graphs[1].successors, graphs[0].successors);
+  EXPECT_EQ(graphs[1].transitions, graphs[0].transitions);
+}
+INSTANTIATE_TEST_SUITE_P(Programs, LongSearchTest, ::testing::ValuesIn(kLongSearches),
+                         [](const auto& searched) { return searched.param.name; });
+
 TEST(StateGraphTest, ThePathWithTheFewestPreemptionsLeadsThere) {
   Problem problem = ProblemOf(Increments(3, 1));
   Model model = problem.model;
