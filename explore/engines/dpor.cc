@@ -25,6 +25,8 @@ struct Step {
   bool elsewhere = false;
 };
 
+int ThreadOf(const Step& step) { return step.thread; }
+
 /// A step that has been executed.
 struct Event {
   Step step;

@@ -23,12 +23,30 @@ constexpr size_t LastOf(Events events) {
 }
 constexpr size_t FirstOf(Events events) { return static_cast<size_t>(std::countr_zero(events)); }
 
-struct alignas(4) ShortStep {
-  uint8_t thread = 0;
-  uint8_t access = 0;  ///< StepModel::NextAccess()
+/// One word: a processor waits where parts are written and then read together.
+class ShortStep {
+ public:
+  ShortStep() = default;
+  ShortStep(int thread, uint8_t access)
+      : bits_(static_cast<uint32_t>(thread) | uint32_t{access} << kAccessShift) {}
+
+  uint8_t thread() const { return static_cast<uint8_t>(bits_); }
+  /// StepModel::NextAccess().
+  uint8_t access() const { return static_cast<uint8_t>(bits_ >> kAccessShift); }
   /// It is in the sleep set because another unit of the search begins with it.
-  bool elsewhere = false;
+  bool elsewhere() const { return (bits_ & kElsewhere) != 0; }
+  void SetElsewhere(bool elsewhere) {
+    bits_ = (bits_ & ~kElsewhere) | (elsewhere ? kElsewhere : 0u);
+  }
+
+ private:
+  static constexpr int kAccessShift = 8;
+  static constexpr uint32_t kElsewhere = 1u << 16;
+
+  uint32_t bits_ = 0;
 };
+
+int ThreadOf(const ShortStep& step) { return step.thread(); }
 
 /// A step that has been executed.
 struct ShortEvent {
@@ -65,9 +83,7 @@ struct ShortFrame {
 class ShortPlanRun {
  public:
   explicit ShortPlanRun(StepModel* program) : program_(*program) {}
-  ShortStep NextStep(int thread) const {
-    return {static_cast<uint8_t>(thread), program_.NextAccess(thread)};
-  }
+  ShortStep NextStep(int thread) const { return {thread, program_.NextAccess(thread)}; }
   bool Take(int thread) { return program_.Step(thread); }
   size_t depth() const { return program_.depth(); }
   void UndoTo(size_t depth) {
@@ -107,9 +123,7 @@ class ShortSearch : public TraceEnd {
   std::vector<uint8_t> Threads() const override { return program_.StatementThreads(); }
 
  private:
-  ShortStep NextStep(int thread) const {
-    return {static_cast<uint8_t>(thread), program_.NextAccess(thread)};
-  }
+  ShortStep NextStep(int thread) const { return {thread, program_.NextAccess(thread)}; }
   // --- Parts of a search -------------------------------------------------------------------------
 
   /// Executes the steps before the unit; no alternatives to them are tried. False if that is not
@@ -122,7 +136,7 @@ class ShortSearch : public TraceEnd {
     first_ = count_;
     for (const uint8_t thread : unit.sleep) {
       ShortStep step = NextStep(thread);
-      step.elsewhere = true;
+      step.SetElsewhere(true);
       frames_[count_].sleep.Add(step);
     }
     return true;
@@ -133,7 +147,7 @@ class ShortSearch : public TraceEnd {
     std::vector<SavedFrame> frames;
     for (size_t i = first_; i < count_ + (stuck ? 1 : 0); ++i) {
       SavedFrame frame;
-      for (const ShortStep& step : frames_[i].sleep) frame.sleep.push_back(step.thread);
+      for (const ShortStep& step : frames_[i].sleep) frame.sleep.push_back(step.thread());
       frame.plans = pool_.Save(frames_[i].plans);
       for (Events left = i < count_ ? events_[i].races : 0; left != 0;) {
         const size_t earlier = LastOf(left);
@@ -152,7 +166,7 @@ class ShortSearch : public TraceEnd {
       ShortSleep sleep;
       for (const uint8_t thread : frame.sleep) {
         ShortStep step = NextStep(thread);
-        step.elsewhere = SleepsElsewhere(frames_[count_], thread);
+        step.SetElsewhere(SleepsElsewhere(frames_[count_], thread));
         sleep.Add(step);
       }
       frames_[count_].sleep = sleep;
@@ -169,7 +183,7 @@ class ShortSearch : public TraceEnd {
   }
   static bool SleepsElsewhere(const ShortFrame& frame, int thread) {
     return std::ranges::any_of(frame.sleep, [&](const ShortStep& asleep) {
-      return asleep.thread == thread && asleep.elsewhere;
+      return asleep.thread() == thread && asleep.elsewhere();
     });
   }
 
@@ -203,7 +217,7 @@ class ShortSearch : public TraceEnd {
   /// Plans a step of any thread that is not in the sleep set.
   bool PlanFirst(ShortFrame* frame) {
     uint32_t awake = program_.runnable();
-    for (const ShortStep& asleep : frame->sleep) awake &= ~(1u << asleep.thread);
+    for (const ShortStep& asleep : frame->sleep) awake &= ~(1u << asleep.thread());
     if (awake == 0) return false;
     frame->plans = pool_.Take(NextStep(std::countr_zero(awake)));
     return true;
@@ -214,15 +228,15 @@ class ShortSearch : public TraceEnd {
     const ShortFrame& frame = frames_[count_];
     auto& plan = pool_[frame.plans];
     const ShortStep step = plan.step;
-    if (count_ == kEventMax || !program_.Step(step.thread)) return false;
+    if (count_ == kEventMax || !program_.Step(step.thread())) return false;
     while (access_count_ < program_.access_count()) AddAccess();
     ShortFrame& next = frames_[count_ + 1];
     next.plans = plan.first_child;
     plan.first_child = kNoPlan;
-    const uint64_t dependent = program_.Dependent(step.access);
+    const uint64_t dependent = program_.Dependent(step.access());
     next.sleep.Clear();
     for (const ShortStep& asleep : frame.sleep) {
-      if (asleep.thread != step.thread && (dependent >> asleep.access & 1) == 0) {
+      if (asleep.thread() != step.thread() && (dependent >> asleep.access() & 1) == 0) {
         next.sleep.Add(asleep);
       }
     }
@@ -234,7 +248,7 @@ class ShortSearch : public TraceEnd {
   void AddAccess() {
     const auto access = static_cast<uint8_t>(access_count_++);
     for (size_t i = 0; i < count_; ++i) {
-      if ((program_.Dependent(events_[i].step.access) >> access & 1) != 0) {
+      if ((program_.Dependent(events_[i].step.access()) >> access & 1) != 0) {
         dependent_on_[access] |= EventsOf(i);
       }
     }
@@ -243,11 +257,11 @@ class ShortSearch : public TraceEnd {
   /// Adds an event. Determines which events happen before it, and with which of them it races:
   /// those of other threads that immediately precede it in the happens-before order.
   void AppendEvent(const ShortStep& step, uint64_t dependent) {
-    const Events own = of_thread_[step.thread];
+    const Events own = of_thread_[step.thread()];
     Events before = 0;
     Events races = 0;
     uint64_t names = 0;
-    for (Events left = own | dependent_on_[step.access]; left != 0;) {
+    for (Events left = own | dependent_on_[step.access()]; left != 0;) {
       const size_t earlier = LastOf(left);
       before |= before_[earlier] | EventsOf(earlier);
       races |= EventsOf(earlier);
@@ -258,12 +272,12 @@ class ShortSearch : public TraceEnd {
     ShortEvent& event = events_[count_];
     event.step = step;
     event.races = races;
-    event.name = NameEvent(step.thread, names);
+    event.name = NameEvent(step.thread(), names);
     event.trace = event.name + (count_ == 0 ? 0 : events_[count_ - 1].trace);
     before_[count_] = before;
     const Events bit = EventsOf(count_);
     if (races != 0) unsettled_ |= bit;
-    of_thread_[step.thread] |= bit;
+    of_thread_[step.thread()] |= bit;
     for (uint64_t left = dependent; left != 0; left &= left - 1) {
       dependent_on_[static_cast<size_t>(std::countr_zero(left))] |= bit;
     }
@@ -275,8 +289,8 @@ class ShortSearch : public TraceEnd {
     const ShortStep step = events_[--count_].step;
     const Events rest = EventsBefore(count_);
     unsettled_ &= rest;
-    of_thread_[step.thread] &= rest;
-    for (uint64_t left = program_.Dependent(step.access); left != 0; left &= left - 1) {
+    of_thread_[step.thread()] &= rest;
+    for (uint64_t left = program_.Dependent(step.access()); left != 0; left &= left - 1) {
       dependent_on_[static_cast<size_t>(std::countr_zero(left))] &= rest;
     }
     program_.Undo();
@@ -326,12 +340,12 @@ class ShortSearch : public TraceEnd {
     const Events rest = ConcurrentWith(earlier) | EventsOf(later);
     ShortFrame& frame = frames_[earlier];
     for (const ShortStep& asleep : frame.sleep) {
-      const Events own = rest & of_thread_[asleep.thread];
+      const Events own = rest & of_thread_[asleep.thread()];
       if (!CanBegin(asleep, own, rest)) continue;
       // Another unit begins with this step, and this unit does not know what it finds. So sequences
       // after which the step leaves the sleep set must be tried, even if they could also come after
       // it.
-      if (own == 0 && asleep.elsewhere) continue;
+      if (own == 0 && asleep.elsewhere()) continue;
       return own != 0 && FirstOf(own) <= later;
     }
     Insert(rest, &frame.plans);
@@ -342,7 +356,7 @@ class ShortSearch : public TraceEnd {
   /// which those of its thread are `own`, or because it is independent of all.
   bool CanBegin(const ShortStep& step, Events own, Events rest) const {
     const Events first = own & (~own + 1);
-    return (rest & dependent_on_[step.access] & (first - 1)) == 0;
+    return (rest & dependent_on_[step.access()] & (first - 1)) == 0;
   }
 
   /// Adds a sequence of events to the plans unless one of them leads to it.
@@ -355,7 +369,7 @@ class ShortSearch : public TraceEnd {
       Events own = 0;
       for (; child != kNoPlan; child = pool_[child].next_sibling) {
         const ShortStep& step = pool_[child].step;
-        own = rest & of_thread_[step.thread];
+        own = rest & of_thread_[step.thread()];
         if (CanBegin(step, own, rest)) break;
         last = child;
       }

@@ -12,7 +12,7 @@ namespace oncard::explore {
 using PlanIndex = uint32_t;
 inline constexpr PlanIndex kNoPlan = ~PlanIndex{0};
 
-/// `Step` has a member `thread`.
+/// `ThreadOf(step)` is the thread of a `Step`.
 template <typename Step>
 class PlanPool {
  public:
@@ -50,7 +50,7 @@ class PlanPool {
       open.pop_back();
       if (plan == kNoPlan) continue;
       const Node& node = nodes_[plan];
-      PlannedStep planned = {static_cast<uint8_t>(node.step.thread), 0};
+      PlannedStep planned = {static_cast<uint8_t>(ThreadOf(node.step)), 0};
       for (PlanIndex i = node.first_child; i != kNoPlan; i = nodes_[i].next_sibling) ++planned.next;
       plans.push_back(planned);
       open.push_back(node.next_sibling);

@@ -2,7 +2,6 @@
 // Tested by tests/explore/thread_states_test.cc.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -96,11 +95,17 @@ class TupleTable {
       mixed ^= mixed >> 32;
     }
     size_t slot = mixed & (slots_.size() - 1);
-    while (slots_[slot] != kNone &&
-           !std::equal(tuple, tuple + width_, values_.data() + slots_[slot] * width_)) {
+    while (slots_[slot] != kNone && !IsTuple(slots_[slot], tuple)) {
       slot = (slot + 1) & (slots_.size() - 1);
     }
     return slot;
+  }
+  /// Tuples are short: a loop is faster than a call of a library.
+  bool IsTuple(uint32_t number, const int64_t* tuple) const {
+    const int64_t* const value = values_.data() + size_t{number} * width_;
+    size_t i = 0;
+    while (i < width_ && value[i] == tuple[i]) ++i;
+    return i == width_;
   }
   void Grow() {
     slots_.assign(2 * slots_.size(), kNone);
