@@ -5,21 +5,27 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "vm/machine.h"
 
 namespace oncard::vm {
 
-/// The values of all variables. Equal variables are packed equally: a page with only zeros is one
-/// that is not in use.
+/// The values of all variables, without the zeros after the last one that is not 0. Equal variables
+/// are packed equally: a page with only zeros is one that is not in use.
 struct PackedVariables {
-  std::vector<int64_t> slots;  ///< the globals, then the pages in use
-  uint32_t used_pages = 0;     ///< bit n: page n is among them
+  /// The globals, then the pages in use: of each the number of slots that follow, and these.
+  std::vector<int64_t> slots;
+  uint32_t used_pages = 0;  ///< bit n: page n is among them
 
   void Pack(const MachineState& state);
   /// Makes the variables of `state` equal to the packed ones.
   void Unpack(MachineState* state) const;
+  /// Those of the globals that are packed; the others are 0.
+  std::span<const int64_t> Globals() const {
+    return std::span(slots).subspan(1, static_cast<size_t>(slots.front()));
+  }
 };
 
 class PackedState {

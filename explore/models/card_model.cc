@@ -14,8 +14,15 @@ namespace oncard::explore {
 
 /// The state around the machine with its hash, by which states are distinguished.
 struct CardModel::Body {
+  /// The body after a number of cycles in which no command changes it.
+  struct Later {
+    int64_t cycles = 0;
+    std::weak_ptr<const Body> body;
+  };
+
   runtime::CardBody values;
   uint64_t hash = 0;
+  mutable std::vector<Later> later = {};  ///< those that states still have
 };
 
 namespace {
@@ -35,6 +42,14 @@ bool ChangesBody(const vm::Instruction& instruction, const gtcalls::Catalogue& c
            return access.write && access.resource != gtcalls::Resource::kThread &&
                   access.resource != gtcalls::Resource::kVariable;
          });
+}
+
+/// The values of all globals.
+std::vector<int64_t> GlobalsOf(const CardModel::State& state) {
+  const std::span<const int64_t> packed = state.variables.Globals();
+  std::vector<int64_t> globals(packed.begin(), packed.end());
+  globals.resize(vm::kSlotCount);
+  return globals;
 }
 
 StateKey KeyOfWords(const std::vector<int64_t>& words) {
@@ -73,7 +88,7 @@ Result<CardModel> CardModel::Create(const runtime::Scenario& scenario,
   if (auto failure = fit.Failure()) return *std::move(failure);
   // If no thread runs, the card continues until then, as in a run.
   if (scenario.until_us) model.last_instant_ = model.last_cycle_;
-  model.Save(nullptr, &model.initial_);
+  model.Save(&model.initial_);
   return model;
 }
 
@@ -175,7 +190,7 @@ void CardModel::JudgeThreads(State* state) const {
 
 CardModel::State CardModel::Start() {
   State state = Begin();
-  Save(nullptr, &state);
+  Save(&state);
   return state;
 }
 
@@ -195,20 +210,23 @@ CardModel::State CardModel::Step(const State& from, int thread) {
   const bool changes =
       before.pc < function.instructions.size() &&
       ChangesBody(function.instructions[before.pc], controller_->family().catalogue);
-  const int64_t cycle = controller_->cycle();
+  if (changes) held_ = nullptr;
   State state;
   state.left = from.left;
   state.served = from.served;
   state.reached = from.reached;
-  Advance(&state, thread);
-  const bool same_body = !changes && controller_->cycle() == cycle;
-  Save(same_body ? from.body : nullptr, &state);
+  Execute(&state, thread);
+  Save(&state);
   return state;
 }
 
 void CardModel::Advance(State* state, int thread) {
   // From here on the card no longer agrees with a kept state.
   held_ = nullptr;
+  Execute(state, thread);
+}
+
+void CardModel::Execute(State* state, int thread) {
   vm::Machine& machine = controller_->machine();
   const int number = setup(thread).thread;
   --state->left;
@@ -241,7 +259,7 @@ int64_t CardModel::AdvanceAlone(State* state, int thread, int64_t most) {
 
 CardModel::State CardModel::Whole(const State& state) {
   State whole = state;
-  Save(nullptr, &whole);
+  Save(&whole);
   return whole;
 }
 
@@ -270,7 +288,7 @@ void CardModel::Settle(State* state) {
         End(state);
       }
     } else {
-      state->left = controller_->BeginCycle();
+      state->left = BeginCycle();
       state->served = 0;
       controller_->machine().Execute(0);
       if (has_invariants_) JudgeState(state);
@@ -290,24 +308,48 @@ void CardModel::End(State* state) {
   for (;;) {
     JudgeInstant(state);
     if (state->fault || controller_->cycle() >= std::min(last_instant_, last_cycle_)) break;
-    controller_->BeginCycle();
+    BeginCycle();
     if (has_invariants_) JudgeState(state);
   }
   JudgeEnd(state);
 }
 
+int64_t CardModel::BeginCycle() {
+  const gtcalls::Family& family = controller_->family();
+  const gtcalls::CardView view = controller_->view();
+  if (family.acts_each_cycle(view) || family.writes_variables(view)) held_ = nullptr;
+  ++cycles_since_held_;
+  return controller_->BeginCycle();
+}
+
 // --- States --------------------------------------------------------------------------------------
 
-void CardModel::Save(const std::shared_ptr<const Body>& body, State* state) {
+void CardModel::Save(State* state) {
   const vm::MachineState& machine = controller_->machine().state();
   state->variables.Pack(machine);
   state->threads = machine.threads;
   state->executed = machine.executed;
-  state->body =
-      body != nullptr
-          ? body
-          : std::make_shared<const Body>(Body{controller_->Body(), controller_->BodyHash()});
+  state->body = CurrentBody();
   held_ = state->body;
+  cycles_since_held_ = 0;
+}
+
+std::shared_ptr<const CardModel::Body> CardModel::CurrentBody() const {
+  if (held_ != nullptr) {
+    if (cycles_since_held_ == 0) return held_;
+    for (const Body::Later& later : held_->later) {
+      if (later.cycles != cycles_since_held_) continue;
+      if (auto body = later.body.lock()) return body;
+    }
+  }
+  // Not std::make_shared(), which keeps the memory until nothing refers to the body weakly.
+  std::shared_ptr<const Body> body =
+      std::make_unique<const Body>(Body{controller_->Body(), controller_->BodyHash()});
+  if (held_ != nullptr) {
+    std::erase_if(held_->later, [](const Body::Later& later) { return later.body.expired(); });
+    held_->later.push_back({cycles_since_held_, body});
+  }
+  return body;
 }
 
 void CardModel::Load(const State& state) {
@@ -317,13 +359,16 @@ void CardModel::Load(const State& state) {
   machine.executed = state.executed;
   machine.cycle = state.body->values.motion.cycle;
   controller_->machine().Restore(machine);
-  if (held_ != state.body) controller_->RestoreBody(state.body->values);
+  if (held_ != state.body || cycles_since_held_ != 0) {
+    controller_->RestoreBody(state.body->values);
+  }
   held_ = state.body;
+  cycles_since_held_ = 0;
 }
 
 void CardModel::CopyVariables(State* state) const {
   const vm::MachineState& machine = controller_->machine().state();
-  state->variables.slots.assign(machine.globals.begin(), machine.globals.end());
+  state->variables.Pack(machine);
   state->threads = machine.threads;
 }
 
@@ -333,26 +378,25 @@ bool CardModel::NextDependOnEachOther(int a, int b) const {
 }
 
 StateKey CardModel::KeyOf(const State& state) const {
-  std::vector<int64_t> words = state.variables.slots;
-  words.push_back(state.variables.used_pages);
-  for (const ThreadState& thread : state.threads) {
+  words_.assign(state.variables.slots.begin(), state.variables.slots.end());
+  words_.push_back(state.variables.used_pages);
+  for (size_t number = 0; number < state.threads.size(); ++number) {
+    const ThreadState& thread = state.threads[number];
+    if (thread.run == vm::ThreadRun::kUnbound) continue;
+    words_.push_back(static_cast<int64_t>(number));
     const auto of_thread = vm::WordsOf(thread);
-    words.insert(words.end(), of_thread.begin(), of_thread.end() - kCountWords);
+    words_.insert(words_.end(), of_thread.begin(), of_thread.end() - kCountWords);
   }
-  words.insert(words.end(), {static_cast<int64_t>(state.body->hash), state.left,
-                             static_cast<int64_t>(state.served), state.ended, state.reached,
-                             static_cast<int64_t>(state.fault.kind)});
-  return KeyOfWords(words);
+  words_.insert(words_.end(), {static_cast<int64_t>(state.body->hash), state.left,
+                               static_cast<int64_t>(state.served), state.ended, state.reached,
+                               static_cast<int64_t>(state.fault.kind)});
+  return KeyOfWords(words_);
 }
 
-StateKey CardModel::GlobalsKey(const State& state) const {
-  const auto globals = state.variables.slots.begin();
-  return KeyOfWords({globals, globals + vm::kSlotCount});
-}
+StateKey CardModel::GlobalsKey(const State& state) const { return KeyOfWords(GlobalsOf(state)); }
 
 StateKey CardModel::FinalKey(const State& state) const {
-  const auto globals = state.variables.slots.begin();
-  std::vector<int64_t> words(globals, globals + vm::kSlotCount);
+  std::vector<int64_t> words = GlobalsOf(state);
   for (const ThreadState& thread : state.threads) words.push_back(thread.result);
   return KeyOfWords(words);
 }

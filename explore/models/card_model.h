@@ -122,16 +122,24 @@ class CardModel {
   void End(State* state);
   /// The threads that may execute the next statement, by number on the card.
   uint32_t Candidates(const State& state) const;
-  /// Copies the state of the card; keeps `body` if it is unchanged.
-  void Save(const std::shared_ptr<const Body>& body, State* state);
+  /// Executes a statement and what then happens without threads.
+  void Execute(State* state, int thread);
+  /// Returns the statements of the cycle.
+  int64_t BeginCycle();
+  /// Copies the state of the card.
+  void Save(State* state);
+  std::shared_ptr<const Body> CurrentBody() const;
 
   runtime::Scenario scenario_;
   std::shared_ptr<const vm::Image> image_;
   std::unique_ptr<runtime::RefusedCommands> refused_ = std::make_unique<runtime::RefusedCommands>();
   std::unique_ptr<runtime::Controller> controller_;
-  std::shared_ptr<const Body> held_;           ///< equal to the controller's body
+  /// The controller's body is this one after the given number of cycles; nullptr: it is not known.
+  std::shared_ptr<const Body> held_;
+  int64_t cycles_since_held_ = 0;
   State initial_;                              ///< before the first cycle
   std::unique_ptr<vm::MachineState> scratch_;  ///< large
+  mutable std::vector<int64_t> words_;         ///< of the state whose key is computed
   std::vector<ThreadSetup> setups_;
   std::vector<BoundRequirement> requirements_;
   uint32_t fault_expected_ = 0;  ///< threads whose error an expectation names

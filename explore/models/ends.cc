@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "runtime/observe/quantity.h"
@@ -41,8 +42,9 @@ End EndOf(const Model& model) {
 
 End EndOf(const CardModel& model, const CardModel::State& state) {
   End end;
+  const std::span<const int64_t> globals = state.variables.Globals();
   ForEachGlobal(model.image()->object, [&](const vm::Symbol&, uint32_t slot) {
-    end.push_back(state.variables.slots[slot]);
+    end.push_back(slot < globals.size() ? globals[slot] : 0);
   });
   for (const ThreadSetup& setup : model.setups()) {
     end.push_back(state.threads[static_cast<size_t>(setup.thread)].result);

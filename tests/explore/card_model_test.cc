@@ -130,6 +130,37 @@ TEST(CardModel, AStateThatIsPutBackGoesOnAsItDid) {
   }
 }
 
+// Bodies are shared between states; a run that is never revisited does not have them.
+TEST(CardModel, StatesThatAreVisitedInAnyOrderAreThoseOfRuns) {
+  const std::string source =
+      "int a;\nint t0() { GT_AxisOn(1); GT_PrfJog(1); GT_SetVel(1, 10); GT_Update(1); GT_Delay(2);"
+      " GT_Stop(1, 0); a = a + 1; return a; }\n"
+      "int t1() { GT_Delay(3); a = a + 2; GT_SetDo(12, a); GT_Delay(1); a = a * 2; return a; }\n";
+  const std::string keys = "rate = 3\n";
+  struct Walk {
+    std::vector<int> order;
+    CardModel::State state;
+  };
+  CardModel model = CardOf(source, keys);
+  std::vector<Walk> walks(8, Walk{{}, model.Start()});
+  std::mt19937_64 random(11);
+  const auto open = [](const Walk& walk) { return !walk.state.ended; };
+  while (std::ranges::any_of(walks, open)) {
+    Walk& walk = walks[random() % walks.size()];
+    if (!open(walk)) continue;
+    int thread = static_cast<int>(random() % 2);
+    if ((walk.state.choices >> thread & 1) == 0) thread = 1 - thread;
+    walk.state = model.Step(walk.state, thread);
+    walk.order.push_back(thread);
+  }
+  for (const Walk& walk : walks) {
+    CardModel straight = CardOf(source, keys);
+    CardModel::State state = straight.Begin();
+    for (const int thread : walk.order) straight.Advance(&state, thread);
+    EXPECT_EQ(straight.KeyOf(straight.Whole(state)), model.KeyOf(walk.state));
+  }
+}
+
 // A card that executes everything within one cycle has the same ends as the program alone, unless a
 // thread waits for another one.
 TEST(CardGraph, HasTheEndsOfTheProgramAlone) {

@@ -39,5 +39,25 @@ TEST_F(PackedStateTest, PagesThatWereNotInUseAreEmptied) {
   EXPECT_EQ(state.pages[7][3], 0);
 }
 
+TEST_F(PackedStateTest, EqualVariablesArePackedEqually) {
+  MachineState state = machine_.state();
+  PackedVariables before;
+  before.Pack(state);
+  EXPECT_TRUE(before.Globals().empty());
+  state.globals[20] = 5;
+  state.pages.Use(3)[900] = -1;
+  PackedVariables packed;
+  packed.Pack(state);
+  EXPECT_EQ(packed.Globals()[20], 5);
+  EXPECT_LT(packed.Globals().size(), 30u);
+  EXPECT_EQ(packed.used_pages, 8u);
+  state.globals[20] = 0;
+  state.pages.Use(3)[900] = 0;
+  state.pages.Use(4);
+  packed.Pack(state);
+  EXPECT_EQ(packed.slots, before.slots);
+  EXPECT_EQ(packed.used_pages, 0u);
+}
+
 }  // namespace
 }  // namespace oncard::vm
