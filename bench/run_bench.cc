@@ -1,17 +1,22 @@
-// `oncard_bench run`: measures whole runs: a controller whose threads move axes, and the command
-// `oncard run` with and without a recording.
+// `oncard_bench run`: measures whole runs: a controller whose threads move axes, the scenarios of
+// all samples, and the command `oncard run` with and without a recording.
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/kernels.h"
 #include "bench/measure.h"
+#include "compiler/compiler.h"
+#include "runtime/scenario/scenario_run.h"
 #include "runtime/sim/controller.h"
 
 namespace oncard::bench {
@@ -43,6 +48,41 @@ void MeasureAxes() {
   std::printf("8 threads, 8 axes: %.2f M statements/s, %.0f ns/cycle, %.0f x real time\n",
               static_cast<double>(statements) / seconds / 1e6,
               seconds * 1e9 / static_cast<double>(kCycles), simulated / seconds);
+}
+
+/// The scenario files of the samples, in order.
+std::vector<std::string> SampleScenarios() {
+  std::vector<std::string> paths;
+  for (const auto& file : std::filesystem::recursive_directory_iterator(ONCARD_SAMPLES)) {
+    if (file.path().extension() == ".toml") paths.push_back(file.path().string());
+  }
+  std::ranges::sort(paths);
+  return paths;
+}
+
+// From the object to the result, as `oncard run` without its start.
+void MeasureSamples() {
+  std::printf("%-34s %10s %10s %10s %8s\n", "scenarios of samples", "statements", "ms of run", "us",
+              "x time");
+  for (const std::string& path : SampleScenarios()) {
+    // Those of hosts have no program.
+    const auto scenario = runtime::LoadScenario(path, runtime::ScenarioUse::kRun);
+    if (!scenario.ok() || scenario.value().program.empty()) continue;
+    const auto compilation = compiler::Compile(runtime::ProgramPath(scenario.value()),
+                                               runtime::CompileOptions(scenario.value()));
+    if (!compilation.ok()) Fail("cannot compile the program of " + path);
+    runtime::ScenarioResult result;
+    const double seconds = MeasureCpu([&] {
+      auto run = runtime::RunScenario(scenario.value(), *compilation.object);
+      if (!run.ok()) Fail(run.error().message.en);
+      result = std::move(run).value();
+    });
+    const auto name = std::filesystem::relative(path, ONCARD_SAMPLES).string();
+    std::printf("%-34s %10jd %10.2f %10.1f %8.0f\n", name.c_str(),
+                static_cast<intmax_t>(result.statements), result.end_ms, seconds * 1e6,
+                result.end_ms * 1e-3 / seconds);
+  }
+  std::fflush(stdout);
 }
 
 // --- The command ---------------------------------------------------------------------------------
@@ -86,7 +126,10 @@ void MeasureRecording(const char* what, const std::vector<std::string>& argument
 
 void BenchRun() {
   MeasureAxes();
-  const double start = MeasureWall([] { RunTool({"run", ONCARD_SUM_SAMPLE}); });
+  MeasureSamples();
+  const double start = MeasureWall([] {
+    RunTool({"run", ONCARD_SAMPLES "/01_sum/one_thread.toml"});
+  });
   std::printf("oncard run of the sum sample: %.1f ms wall\n", start * 1e3);
   char folder[] = "/tmp/oncard-bench-XXXXXX";
   if (mkdtemp(folder) == nullptr) Fail("cannot make a folder");
