@@ -17,6 +17,7 @@
 #include "bench/measure.h"
 #include "compiler/compiler.h"
 #include "explore/engines/shrink.h"
+#include "explore/engines/trace_count.h"
 #include "explore/scenario_exploration.h"
 #include "runtime/scenario/scenario_start.h"
 #include "runtime/scenario/scenario_world.h"
@@ -351,6 +352,19 @@ explore::Problem ProblemOf(const Program& program) {
   return std::move(problem).value();
 }
 
+/// The traces of a search, without an execution for each.
+void MeasureCount(const char* name, const std::string& source) {
+  const explore::Problem problem = ProblemOf(ProgramOf(source));
+  double traces = 0;
+  const double seconds = MeasureWall([&] {
+    const auto count =
+        explore::CountTraces(problem.model, {}, [](const explore::Model&) { return true; });
+    if (!count) Fail("traces cannot be counted");
+    traces = static_cast<double>(count->traces);
+  });
+  PrintRate(name, traces, "counted", seconds);
+}
+
 /// How long it takes to simplify a random failing schedule.
 void MeasureShrinking(const char* name, const std::string& source) {
   const explore::Problem problem = ProblemOf(ProgramOf(source));
@@ -418,6 +432,8 @@ void MeasureStepsBack(int64_t steps) {
 
 void BenchExplore() {
   const double traces = MeasureTraces("3 threads x 3 increments", Increments(3, 3));
+  MeasureCount("  counted", Increments(3, 3));
+  MeasureCount("3 threads x 4 increments", Increments(3, 4));
   MeasureTraces("13 readers", Readers(13));
   MeasureTraces("last zero of 13", LastZero(13));
   MeasureStates("3 threads x 3 increments", Increments(3, 3));

@@ -1,0 +1,208 @@
+// The number of traces without an execution for each (explore/engines/trace_count.h) is the number
+// of executions of dpor.h.
+// ONCARD_TRACE_PROGRAMS sets the number of random programs.
+#include "explore/engines/trace_count.h"
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "explore/engines/dpor.h"
+#include "explore_programs.h"
+
+namespace oncard::explore {
+namespace {
+
+constexpr uint64_t kRandomPrograms = 300;
+
+uint64_t RandomPrograms() {
+  const char* number = std::getenv("ONCARD_TRACE_PROGRAMS");
+  return number == nullptr ? kRandomPrograms : std::strtoull(number, nullptr, 10);
+}
+
+/// What a search of all traces has found.
+struct TraceTotals {
+  int64_t traces = 0;
+  std::set<StateKey> ends;
+  int64_t longest = 0;  ///< statements of an execution; only known if each is executed
+
+  bool operator==(const TraceTotals& other) const {
+    return traces == other.traces && ends == other.ends;
+  }
+};
+
+std::optional<TraceTotals> CountOf(const std::string& source, const TraceCountLimits& limits = {}) {
+  const Problem problem = ProblemOf(source);
+  TraceTotals found;
+  const auto count = CountTraces(problem.model, limits, [&](const Model& end) {
+    EXPECT_EQ(end.runnable(), 0u);
+    found.ends.insert(end.FinalKey());
+    return true;
+  });
+  if (!count) return std::nullopt;
+  found.traces = count->traces;
+  return found;
+}
+
+TraceTotals ExecutionsOf(const std::string& source) {
+  Problem problem = ProblemOf(source);
+  problem.model.TrackKey(false);
+  TraceTotals found;
+  const DporResult result = ExploreTraces(&problem.model, {}, [&](TraceEnd* end) {
+    found.ends.insert(end->State().FinalKey());
+    found.longest = std::max(found.longest, end->Statements());
+    return true;
+  });
+  EXPECT_TRUE(result.complete);
+  found.traces = result.executions;
+  return found;
+}
+
+void ExpectExact(const std::string& source) {
+  const auto counted = CountOf(source);
+  ASSERT_TRUE(counted);
+  EXPECT_TRUE(*counted == ExecutionsOf(source));
+}
+
+std::string Replaced(std::string text, std::string_view from, std::string_view to) {
+  for (size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
+    text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
+/// Every thread does everything twice, in a loop.
+std::string Twice(const std::string& source) {
+  return Replaced(Replaced(source, "int r, k, c;\n", "int r, k, c, n;\nL:\n"), "  return r;\n",
+                  "  n = n + 1;\n  c = n < 2;\n  if (c) goto L;\n  return r;\n");
+}
+
+/// Two threads that write the same value to x so often: each order of the writes is a trace.
+std::string Writes(int first, int second) {
+  std::string source = "int x;\n";
+  for (const auto& [thread, times] : {std::pair(0, first), std::pair(1, second)}) {
+    source += fmt::format("int t{}() {{\n", thread);
+    for (int i = 0; i < times; ++i) source += "  x = 1;\n";
+    source += "  return 0;\n}\n";
+  }
+  return source;
+}
+
+TEST(TraceCountTest, LostUpdatesHaveTheCountsOfOtherTools) {
+  struct Case {
+    int threads;
+    int times;
+    int64_t traces;
+  };
+  for (const Case& c : {Case{2, 1, 4}, Case{2, 2, 34}, Case{2, 3, 328}, Case{3, 1, 36},
+                        Case{3, 2, 7134}, Case{3, 3, 1824912}}) {
+    const auto counted = CountOf(Increments(c.threads, c.times));
+    ASSERT_TRUE(counted);
+    EXPECT_EQ(counted->traces, c.traces);
+  }
+}
+
+TEST(TraceCountTest, RandomProgramsHaveTheCountAndTheEndsOfTheirExecutions) {
+  for (uint64_t seed = 0; seed < RandomPrograms(); ++seed) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    ExpectExact(RandomThreads(seed));
+    ExpectExact(Twice(RandomThreads(seed)));
+    if (HasFailure()) return;
+  }
+}
+
+TEST(TraceCountTest, StatementsThatAccessSeveralVariables) {
+  ExpectExact(
+      "int a, b, c;\n"
+      "int t0() {\n  a = b;\n  b = a + c;\n  return a;\n}\n"
+      "int t1() {\n  b = a + b;\n  c = a;\n  return b;\n}\n"
+      "int t2() {\n  c = b - a;\n  return c;\n}\n");
+}
+
+TEST(TraceCountTest, ThreadsThatFail) {
+  ExpectExact(
+      "int x, a[2];\n"
+      "int t0() {\n  int r;\n  r = 1 / x;\n  x = 7 / r;\n  return 0;\n}\n"
+      "int t1() {\n  int k;\n  x = 1;\n  k = x + 1;\n  a[k] = 3;\n  a[0] = 1;\n  return 0;\n}\n"
+      "int t2() {\n  x = 1 / x;\n  x = 2;\n  return 0;\n}\n");
+}
+
+TEST(TraceCountTest, ThreadsWithoutSharedVariables) {
+  ExpectExact("int t0() {\n  int r;\n  r = 1;\n  return r;\n}\nint t1() {\n  return 2;\n}\n");
+}
+
+// With 2^63 or more traces there is no count: binomial(66, 33) is below, binomial(67, 33) above.
+TEST(TraceCountTest, AsManyAsANumberCanHold) {
+  const auto most = CountOf(Writes(33, 33));
+  ASSERT_TRUE(most);
+  EXPECT_EQ(most->traces, 7'219'428'434'016'265'740);
+  EXPECT_FALSE(CountOf(Writes(34, 33)));
+}
+
+TEST(TraceCountTest, WithTooManyPairsThereIsNoCount) {
+  const Problem problem = ProblemOf(Increments(2, 2));
+  const auto good = [](const Model&) { return true; };
+  const auto whole = CountTraces(problem.model, {}, good);
+  ASSERT_TRUE(whole);
+  const auto exact = CountTraces(problem.model, {.pairs = whole->pairs}, good);
+  ASSERT_TRUE(exact);
+  EXPECT_EQ(exact->traces, 34);
+  for (size_t pairs = 0; pairs < whole->pairs; ++pairs) {
+    EXPECT_FALSE(CountTraces(problem.model, {.pairs = pairs}, good)) << pairs;
+  }
+}
+
+// Whatever the limit, there is a count exactly if all executions are shorter. The longest does not
+// come first, and not on every way to a state.
+TEST(TraceCountTest, WithALongerExecutionThereIsNoCount) {
+  const std::string source =
+      "int x;\n"
+      "int t0() {\n  int r;\n  r = x == 0;\n  if (r) goto E;\n  r = 1;\n  r = r - 1;\nE:\n"
+      "  r = 0;\n  x = 5;\n  return r;\n}\n"
+      "int t1() {\n  int r;\n  x = 3;\n  r = x;\n  r = 1;\n  return r;\n}\n";
+  const int64_t longest = ExecutionsOf(source).longest;
+  for (int64_t depth = 0; depth < longest + 5; ++depth) {
+    EXPECT_EQ(CountOf(source, {.depth = depth}).has_value(), depth > longest) << depth;
+  }
+}
+
+TEST(TraceCountTest, WhatDoesNotEndHasNoCount) {
+  for (const std::string& source :
+       {MutualWait(), Peterson(false), Peterson(true),
+        // Waits for ever only if it begins late.
+        std::string("int x;\nint t0() {\n  int c;\nL:\n  c = x == 1;\n  if (c) goto L;\n"
+                    "  return 0;\n}\nint t1() {\n  x = 1;\n  return 0;\n}\n"),
+        // Through ever new states, and without shared variables.
+        std::string("int x;\nint t0() {\nL:\n  x = x + 1;\n  goto L;\n  return 0;\n}\n"),
+        std::string("int x;\nint t0() {\nL:\n  goto L;\n  return 0;\n}\nint t1() {\n  x = 1;\n"
+                    "  return 0;\n}\n")}) {
+    EXPECT_FALSE(CountOf(source)) << source;
+  }
+}
+
+TEST(TraceCountTest, WhatCannotBeRememberedHasNoCount) {
+  EXPECT_FALSE(
+      CountOf("int a[2], i;\nint t0() {\n  i = 1;\n  return 0;\n}\n"
+              "int t1() {\n  a[i] = 1;\n  return 0;\n}\n"));
+  std::string many = "int a[70];\nint t0() {\n";
+  for (int i = 0; i < 70; ++i) many += fmt::format("  a[{}] = 1;\n", i);
+  EXPECT_FALSE(CountOf(many + "  return 0;\n}\n"));
+}
+
+TEST(TraceCountTest, ItEndsWhenItIsTold) {
+  const std::atomic<bool> stop = true;
+  EXPECT_FALSE(CountOf(Increments(2, 2), {.stop = &stop}));
+  int visits = 0;
+  EXPECT_FALSE(CountTraces(ProblemOf(Increments(2, 2)).model, {},
+                           [&](const Model&) { return ++visits < 2; }));
+  EXPECT_EQ(visits, 2);
+}
+
+}  // namespace
+}  // namespace oncard::explore
