@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "explore/engines/found_parts.h"
+#include "explore/engines/trace_count.h"
 #include "explore/engines/walk.h"
 #include "explore/models/key_set.h"
 
@@ -19,6 +20,60 @@ std::vector<StateKey> SortedKeys(const KeySet& set) {
 /// The number of failing executions among which a short one is selected.
 constexpr int64_t kFailingTried = 1000;
 
+/// When executions are counted: after so many, with so many pairs (TraceCountLimits), which takes
+/// about as long. If that is not enough, the search goes on until both have grown.
+struct CountPlan {
+  static constexpr size_t kPairsMax = size_t{1} << 20;
+
+  bool active = false;
+  int64_t after = 10'000;
+  size_t pairs = size_t{1} << 14;
+
+  void GrowUnless(bool bad) {
+    after *= 4;
+    pairs *= 4;
+    active = !bad && pairs <= kPairsMax;
+  }
+};
+
+/// Different ends of executions.
+struct FoundEnds {
+  KeySet globals;
+  KeySet full;
+  EndSet values;  ///< only if there are no requirements on results
+
+  void Add(const Problem& problem, const Model& state) {
+    if (!full.Insert(state.FinalKey())) return;
+    globals.Insert(state.GlobalsKey());
+    if (problem.requirements.empty()) values.Add(EndOf(state));
+  }
+  void MoveTo(TraceSearch* search) const {
+    for (const End& end : values.ends()) search->ends.Add(end);
+    search->globals = UnionOf(search->globals, SortedKeys(globals));
+    search->full = UnionOf(search->full, SortedKeys(full));
+  }
+};
+
+/// Replaces a search by the results of counting all its executions. False, without a change: that
+/// is not possible, or an end is bad; `bad` says that.
+bool CountAll(const Problem& problem, const TraceSearchLimits& limits, size_t pairs,
+              TraceSearch* search, bool* bad) {
+  FoundEnds ends;
+  const TraceCountLimits of_count = {.pairs = pairs, .depth = limits.depth, .stop = limits.stop};
+  const auto found = CountTraces(problem.model, of_count, [&](const Model& state) {
+    ends.Add(problem, state);
+    *bad = static_cast<bool>(FindFault(problem, state));
+    return !*bad;
+  });
+  if (!found) return false;
+  *search = {};
+  search->units.clear();
+  search->executions = found->traces;
+  search->counted = true;
+  ends.MoveTo(search);
+  return true;
+}
+
 }  // namespace
 
 TraceCounts TraceSearch::Counts() const {
@@ -28,14 +83,14 @@ TraceCounts TraceSearch::Counts() const {
           .bad_traces = bad,
           .final_globals = static_cast<int64_t>(globals.size()),
           .final_full = static_cast<int64_t>(full.size()),
-          .complete = complete()};
+          .complete = complete(),
+          .counted = counted};
 }
 
 void SearchTraces(const Problem& problem, const TraceSearchLimits& limits, TraceSearch* search) {
   Model model = problem.model;
   model.TrackKey(false);
-  KeySet globals;
-  KeySet full;
+  FoundEnds ends;
   ProgramWalk walk(problem);
   const auto goes_wrong = [&](TraceEnd* end) {
     if (problem.races == RaceRule::kAny) return static_cast<bool>(FindFault(problem, end->State()));
@@ -50,11 +105,7 @@ void SearchTraces(const Problem& problem, const TraceSearchLimits& limits, Trace
   enum class Judged : uint8_t { kNot, kGood, kBad };
   std::vector<Judged> judged;
   const auto judge = [&](TraceEnd* end) {
-    const Model& state = end->State();
-    if (full.Insert(state.FinalKey())) {
-      globals.Insert(state.GlobalsKey());
-      if (problem.requirements.empty()) search->ends.Add(EndOf(state));
-    }
+    ends.Add(problem, end->State());
     return goes_wrong(end);
   };
   const auto is_bad = [&](TraceEnd* end) {
@@ -81,8 +132,13 @@ void SearchTraces(const Problem& problem, const TraceSearchLimits& limits, Trace
     if (search->bad > 0) after_bad += end->Statements();
     return after_bad <= limits.statements_after_bad;
   };
+  // A search that has just begun as a whole can be counted as one.
+  CountPlan plan;
+  plan.active = limits.counts && problem.races == RaceRule::kAny && before == 0 &&
+                search->units == std::vector{TraceUnit{}};
   while (!search->units.empty()) {
-    const DporLimits of_unit = {.executions = limits.executions - executions,
+    const int64_t most = plan.active ? std::min(limits.executions, plan.after) : limits.executions;
+    const DporLimits of_unit = {.executions = most - executions,
                                 .depth = limits.depth,
                                 .count_redundant = true,
                                 .stop = limits.stop};
@@ -92,13 +148,18 @@ void SearchTraces(const Problem& problem, const TraceSearchLimits& limits, Trace
     search->blocked += result.blocked;
     search->redundant += result.redundant;
     search->too_deep = search->too_deep || result.too_deep;
-    if (!result.complete) break;
-    search->units.erase(search->units.begin());
     const bool told = limits.stop != nullptr && limits.stop->load(std::memory_order_relaxed);
-    if (told || executions >= limits.executions || after_bad > limits.statements_after_bad) break;
+    const bool over =
+        told || executions >= limits.executions || after_bad > limits.statements_after_bad;
+    if (result.complete) search->units.erase(search->units.begin());
+    if (over) break;
+    if (result.complete) continue;
+    if (!plan.active || result.too_deep) break;
+    bool bad = search->bad > 0;
+    if (!bad && CountAll(problem, limits, plan.pairs, search, &bad)) return;
+    plan.GrowUnless(bad);
   }
-  search->globals = UnionOf(search->globals, SortedKeys(globals));
-  search->full = UnionOf(search->full, SortedKeys(full));
+  ends.MoveTo(search);
 }
 
 void MergeInto(TraceSearch* search, const TraceSearch& other) {

@@ -25,6 +25,7 @@ struct TraceCounts {
   int64_t final_globals = 0;  ///< different values of the globals at the end
   int64_t final_full = 0;     ///< the same including the return values of the threads
   bool complete = false;
+  bool counted = false;  ///< most executions were counted, not executed (TraceSearch)
 };
 
 /// A search, or a part of one: the remaining work and the results so far.
@@ -35,6 +36,7 @@ struct TraceSearch {
   int64_t redundant = 0;  ///< without interruption in one unit
   int64_t bad = 0;
   bool too_deep = false;          ///< an execution was longer than the limit
+  bool counted = false;           ///< the executions are those of TraceSearchLimits::counts
   std::vector<StateKey> globals;  ///< different final values, in order
   std::vector<StateKey> full;     ///< the same including the return values of the threads
   /// Only if there are no requirements on results: different ones that were found.
@@ -52,6 +54,10 @@ struct TraceSearchLimits {
   /// How far the search continues after the first failing execution, as the sum of the executions'
   /// statements.
   int64_t statements_after_bad = INT64_MAX;
+  /// After some thousand executions of a whole search, all of which are good, those of all traces
+  /// are counted without executing each, if that is possible (trace_count.h) and all are good. The
+  /// results are those of executing them; their number is not limited.
+  bool counts = false;
   const std::atomic<bool>* stop = nullptr;
   SearchProgress* progress = nullptr;
 };

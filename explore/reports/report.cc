@@ -16,7 +16,12 @@ std::string CountsText(const Findings& findings, Language language) {
   const Exploration& exploration = findings.exploration;
   std::string text;
   const auto add = [&](const Message& message) { text += message.In(language) + '\n'; };
-  if (const auto& traces = exploration.traces) {
+  if (const auto& traces = exploration.traces; traces && traces->counted) {
+    add(MakeMessage(
+        "dpor: {0} executions, counted without executing each; {1} bad, {2} different ends",
+        "dpor：{0} 次执行（由计数得出，并未逐一执行），错误 {1}，不同结局 {2}", traces->executions,
+        traces->bad_traces, traces->final_full));
+  } else if (traces) {
     add(MakeMessage(
         "dpor: {0} executions ({1} blocked, {2} redundant), {3} bad, {4} different ends{5}",
         "dpor：{0} 次执行（阻塞 {1}，冗余 {2}），错误 {3}，不同结局 {4}{6}", traces->executions,

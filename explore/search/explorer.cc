@@ -120,6 +120,8 @@ TraceSearch TracesOf(const Problem& problem, const ExploreOptions& options,
                  {.executions = left,
                   .depth = options.depth_limit,
                   .statements_after_bad = AftermathOf(options).statements,
+                  .counts = options.engine == EngineKind::kAuto && options.begun == nullptr &&
+                            options.execution_limit >= ExploreOptions{}.execution_limit,
                   .stop = stop,
                   .progress = options.progress},
                  &search);

@@ -2,7 +2,8 @@
 //
 // Two engines can prove it: `dpor`, one execution per Mazurkiewicz trace, and `stateful`, the graph
 // of all states. Neither is always better; `auto` starts with a short first search (first_look.h),
-// then runs both at the same time on two cores. Programs that are too large can be sampled with
+// then runs both at the same time on two cores, the first one counting traces without an execution
+// for each where that is possible (trace_count.h). Programs that are too large can be sampled with
 // random schedules (sampler.h). A program that calls GT commands is explored together with its
 // card, by its state graph. Deterministic except for the counts of `auto` beside the verdict, and
 // for which of several failures it shows if the first search found none and there are too many
@@ -58,6 +59,7 @@ std::string_view VerdictName(Verdict verdict);
 
 struct ExploreOptions {
   EngineKind engine = EngineKind::kAuto;
+  /// kAuto: where it is lower, traces are never counted without executing each.
   int64_t execution_limit = 100'000'000;
   uint32_t state_limit = 50'000'000;
   /// Maximum number of statements of one execution; the dpor engine cannot handle longer ones.

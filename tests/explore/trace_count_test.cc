@@ -1,5 +1,5 @@
 // The number of traces without an execution for each (explore/engines/trace_count.h) is the number
-// of executions of dpor.h.
+// of executions of dpor.h, and a search that uses it (trace_search.h) has the same results.
 // ONCARD_TRACE_PROGRAMS sets the number of random programs.
 #include "explore/engines/trace_count.h"
 
@@ -14,6 +14,8 @@
 #include <utility>
 
 #include "explore/engines/dpor.h"
+#include "explore/engines/trace_search.h"
+#include "explore/search/explorer.h"
 #include "explore_programs.h"
 
 namespace oncard::explore {
@@ -92,6 +94,20 @@ std::string Writes(int first, int second) {
     source += "  return 0;\n}\n";
   }
   return source;
+}
+
+/// A thread that writes `x` and others that read it.
+std::string Readers(int readers) {
+  std::string source = "int x;\nint t0() {\n  x = 1;\n  return 0;\n}\n";
+  for (int thread = 1; thread <= readers; ++thread) {
+    source += fmt::format("int t{}() {{\n  int r;\n  r = x;\n  return r;\n}}\n", thread);
+  }
+  return source;
+}
+
+/// Increments whose threads each do it `times` times, with another requirement on the sum.
+std::string SumsThatAre(const std::string& required, int threads, int times) {
+  return Replaced(Increments(threads, times), fmt::format("x == {}", threads * times), required);
 }
 
 TEST(TraceCountTest, LostUpdatesHaveTheCountsOfOtherTools) {
@@ -202,6 +218,109 @@ TEST(TraceCountTest, ItEndsWhenItIsTold) {
   EXPECT_FALSE(CountTraces(ProblemOf(Increments(2, 2)).model, {},
                            [&](const Model&) { return ++visits < 2; }));
   EXPECT_EQ(visits, 2);
+}
+
+// --- Searches that count -------------------------------------------------------------------------
+
+TraceSearch SearchOf(const std::string& source, const TraceSearchLimits& limits) {
+  TraceSearch search;
+  SearchTraces(ProblemOf(source), limits, &search);
+  return search;
+}
+
+/// A search that may count finds what one that executes each trace finds. True if it has counted.
+bool SearchesAlike(const std::string& source, TraceSearchLimits limits = {}) {
+  const TraceSearch executed = SearchOf(source, limits);
+  limits.counts = true;
+  const TraceSearch found = SearchOf(source, limits);
+  EXPECT_FALSE(executed.counted);
+  EXPECT_EQ(found.units, executed.units);
+  EXPECT_EQ(found.executions, executed.executions);
+  EXPECT_EQ(found.blocked, executed.blocked);
+  EXPECT_EQ(found.redundant, executed.redundant);
+  EXPECT_EQ(found.bad, executed.bad);
+  EXPECT_EQ(found.too_deep, executed.too_deep);
+  EXPECT_EQ(found.globals, executed.globals);
+  EXPECT_EQ(found.full, executed.full);
+  EXPECT_EQ(found.ends.ends(), executed.ends.ends());
+  EXPECT_EQ(found.failing, executed.failing);
+  return found.counted;
+}
+
+TEST(CountingSearchTest, FindsWhatASearchOfExecutionsFinds) {
+  EXPECT_TRUE(SearchesAlike(SumsThatAre("x <= 10", 2, 5)));
+  EXPECT_TRUE(SearchesAlike(Replaced(Increments(2, 5), "//@ final: x == 10\n", "")));
+  EXPECT_FALSE(SearchesAlike(SumsThatAre("x <= 6", 3, 2))) << "few executions";
+}
+
+// With as many pairs as fit at the second time.
+TEST(CountingSearchTest, CountsAgainWithALargerBound) {
+  const TraceSearch found = SearchOf(SumsThatAre("x > 0", 3, 3), {.counts = true});
+  EXPECT_TRUE(found.counted);
+  EXPECT_EQ(found.executions, 1'824'912);
+  EXPECT_EQ(found.full.size(), 8u);
+}
+
+// Readers sleep in many ways, so that there are more pairs than traces.
+TEST(CountingSearchTest, ExecutesAllWhereThatIsLessWork) {
+  EXPECT_FALSE(SearchesAlike(Readers(14)));
+}
+
+// Executions that fail are executed: their schedules, and how far the search continues, are the
+// same. The first failure is among the first executions, or far behind them.
+TEST(CountingSearchTest, ExecutesThoseOfProgramsThatFail) {
+  EXPECT_FALSE(SearchesAlike(Increments(2, 5)));
+  const std::string late = SumsThatAre("x != 2", 2, 6);
+  EXPECT_FALSE(SearchesAlike(late));
+  EXPECT_FALSE(SearchesAlike(late, {.statements_after_bad = 1000}));
+  const TraceSearch first = SearchOf(late, {.statements_after_bad = 0, .counts = true});
+  EXPECT_GT(first.executions, 10'000);
+  EXPECT_EQ(first.bad, 1);
+}
+
+TEST(CountingSearchTest, ObservesTheLimitOfStatements) {
+  const std::string source = SumsThatAre("x <= 10", 2, 5);
+  const int64_t longest = ExecutionsOf(source).longest;
+  for (int64_t depth = longest - 1; depth < longest + 2; ++depth) {
+    EXPECT_EQ(SearchesAlike(source, {.depth = depth}), depth > longest);
+  }
+}
+
+TEST(CountingSearchTest, WhatWasStoppedGoesOnByExecutions) {
+  const Problem problem = ProblemOf(SumsThatAre("x <= 10", 2, 5));
+  const std::atomic<bool> stop = true;
+  TraceSearch search;
+  SearchTraces(problem, {.counts = true, .stop = &stop}, &search);
+  EXPECT_EQ(search.executions, 1);
+  SearchTraces(problem, {.counts = true}, &search);
+  EXPECT_TRUE(search.complete());
+  EXPECT_FALSE(search.counted);
+  EXPECT_EQ(search.executions, CountOf(SumsThatAre("x <= 10", 2, 5))->traces);
+}
+
+// The states are too many, so that the traces decide.
+TEST(CountingSearchTest, AutoReportsWhatDporReports) {
+  const Problem problem = ProblemOf(SumsThatAre("x <= 10", 2, 5));
+  const auto found = Explore(problem, {.state_limit = 10}).value();
+  const auto executed = Explore(problem, {.engine = EngineKind::kDpor}).value();
+  EXPECT_TRUE(found.traces->counted);
+  EXPECT_FALSE(executed.traces->counted);
+  EXPECT_EQ(found.verdict, Verdict::kProved);
+  EXPECT_EQ(found.verdict, executed.verdict);
+  EXPECT_EQ(found.engine, executed.engine);
+  EXPECT_EQ(found.traces->executions, executed.traces->executions);
+  EXPECT_EQ(found.traces->final_globals, executed.traces->final_globals);
+  EXPECT_EQ(found.traces->final_full, executed.traces->final_full);
+  EXPECT_EQ(found.traces->complete, executed.traces->complete);
+  EXPECT_EQ(found.ends, executed.ends);
+}
+
+// A limit of executions is one of those that are executed.
+TEST(CountingSearchTest, AutoDoesNotCountWhereExecutionsAreLimited) {
+  const Problem problem = ProblemOf(SumsThatAre("x <= 10", 2, 5));
+  const auto found = Explore(problem, {.execution_limit = 20'000, .state_limit = 10}).value();
+  EXPECT_EQ(found.verdict, Verdict::kIncomplete);
+  EXPECT_EQ(found.traces->executions, 20'000);
 }
 
 }  // namespace
