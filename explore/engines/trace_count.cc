@@ -2,13 +2,72 @@
 
 #include <algorithm>
 #include <bit>
+#include <map>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "explore/models/number_table.h"
 #include "explore/models/step_model.h"
+#include "explore/models/thread_future.h"
 
 namespace oncard::explore {
 namespace {
+
+/// What is known about the states of threads.
+class KnownStates {
+ public:
+  KnownStates(const Model& model, bool tells_locals) : tells_locals_(tells_locals) {
+    for (int thread = 0; thread < model.thread_count(); ++thread) {
+      futures_.emplace_back(model, thread);
+    }
+  }
+
+  /// To be called with every state of a thread that is met.
+  void Meet(int thread, StepModel* program) {
+    const uint32_t state = program->ThreadState(thread);
+    if (state < names_.size() && names_[state] != StepModel::kNone) return;
+    if (state >= names_.size()) {
+      names_.resize(size_t{state} + 1, StepModel::kNone);
+      accesses_.resize(size_t{state} + 1);
+    }
+    const Model& model = program->AsModel();
+    const ThreadFuture& future = futures_[static_cast<size_t>(thread)];
+    const int position = model.Position(thread);
+    const auto name = static_cast<uint32_t>(numbers_.size());
+    names_[state] = numbers_.try_emplace(KeyOf(model, thread, future), name).first->second;
+    if (!model.Running(thread)) return;
+    accesses_[state] = {BitsOf(model.NextAccess(thread)), future.Accesses(position)};
+  }
+
+  /// For each state a number: with equal ones, threads do the same from here on and their ends are
+  /// the same, apart from locals unless those are to be told apart.
+  const std::vector<uint32_t>& names() const { return names_; }
+  /// What the next step of a thread in a state accesses, and what it may access from there on.
+  const AccessBits& Next(uint32_t state) const { return accesses_[state].first; }
+  const AccessBits& Future(uint32_t state) const { return accesses_[state].second; }
+
+ private:
+  std::vector<int64_t> KeyOf(const Model& model, int thread, const ThreadFuture& future) const {
+    const std::span<const int64_t> cells = model.ThreadCells(thread);
+    std::vector<int64_t> key = {thread, static_cast<int64_t>(model.End(thread))};
+    if (tells_locals_) {
+      key.insert(key.end(), cells.begin(), cells.end());
+    } else if (model.Running(thread)) {
+      key.push_back(model.Position(thread));
+      for (const uint32_t slot : future.Locals(model.Position(thread))) key.push_back(cells[slot]);
+    } else {
+      key.push_back(model.ReturnValue(thread));
+    }
+    return key;
+  }
+
+  bool tells_locals_;
+  std::vector<ThreadFuture> futures_;
+  std::map<std::vector<int64_t>, uint32_t> numbers_;
+  std::vector<uint32_t> names_;
+  std::vector<std::pair<AccessBits, AccessBits>> accesses_;
+};
 
 /// What is known about a state and the threads that sleep in it.
 struct CountedPair {
@@ -30,10 +89,15 @@ struct CountedFrame {
 class TraceCounter {
  public:
   TraceCounter(const Model& model, const TraceCountLimits& limits, const CountVisitor& visit)
-      : program_(model, limits.depth), limits_(limits), visit_(visit) {}
+      : program_(model, limits.depth),
+        known_(model, limits.tells_locals),
+        limits_(limits),
+        visit_(visit) {}
 
   std::optional<TraceCount> Run() {
-    if (!program_.Begin() || !Enter(0)) return std::nullopt;
+    if (!program_.Begin()) return std::nullopt;
+    for (int thread = 0; thread < program_.thread_count(); ++thread) known_.Meet(thread, &program_);
+    if (!Enter(0)) return std::nullopt;
     while (!path_.empty()) {
       if (!(path_.back().awake != 0 ? Try() : Leave())) return std::nullopt;
     }
@@ -41,11 +105,12 @@ class TraceCounter {
   }
 
  private:
-  /// Each of these is false if there is no count.
+  // Each of these functions returns false if there is no count.
 
   /// Arrives in a state: looks the pair up, or begins to count it.
   bool Enter(uint32_t sleep) {
-    const uint32_t state = program_.StateNumber();
+    if (sleep != 0 && !CanWake(sleep)) return Add({.traces = 0});
+    const uint32_t state = program_.StateNumber(known_.names());
     if (state == StepModel::kNone) return false;
     const uint32_t known = numbers_.Find(state, sleep);
     if (known != NumberTable::kNone) return Add(pairs_[known]);
@@ -59,10 +124,27 @@ class TraceCounter {
       path_.push_back({.pair = pair, .awake = awake, .sleep = sleep});
       return true;
     }
-    // An end; if there are threads that sleep, another execution has counted what comes.
-    const bool ends = program_.runnable() == 0;
-    pairs_.push_back({.traces = ends ? 1 : 0});
-    return (!ends || visit_(program_.AsModel())) && Add(pairs_.back());
+    pairs_.push_back({.traces = 1});
+    return visit_(program_.AsModel()) && Add(pairs_.back());
+  }
+
+  /// Whether all threads that sleep can wake. If one cannot, what follows is counted elsewhere,
+  /// with its next step before it.
+  bool CanWake(uint32_t sleep) const {
+    AccessBits accesses;  // of threads that can take a step
+    uint32_t left = sleep;
+    for (uint32_t added = program_.runnable() & ~sleep; added != 0;) {
+      for (; added != 0; added &= added - 1) accesses.Add(known_.Future(StateOf(added)));
+      for (uint32_t asleep = left; asleep != 0; asleep &= asleep - 1) {
+        if (accesses.MayDependOn(known_.Next(StateOf(asleep)))) added |= asleep & (~asleep + 1);
+      }
+      left &= ~added;
+    }
+    return left == 0;
+  }
+  /// The state of the first one of threads.
+  uint32_t StateOf(uint32_t threads) const {
+    return program_.ThreadState(std::countr_zero(threads));
   }
 
   /// Executes the next step that is to be tried.
@@ -78,7 +160,9 @@ class TraceCounter {
     frame.awake &= frame.awake - 1;
     frame.sleep |= 1u << thread;
     frame.before = program_.statements();
-    return program_.Step(thread) && Enter(sleep);
+    if (!program_.Step(thread)) return false;
+    known_.Meet(thread, &program_);
+    return Enter(sleep);
   }
 
   /// Adds what was counted after a step, and undoes it.
@@ -103,6 +187,7 @@ class TraceCounter {
   }
 
   StepModel program_;
+  KnownStates known_;
   const TraceCountLimits& limits_;
   const CountVisitor& visit_;
   NumberTable numbers_;  ///< of pairs: a state and the threads that sleep, as bits

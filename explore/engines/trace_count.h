@@ -11,10 +11,15 @@
 //   do not sleep, in order, of count(state after t, {u in sleep or tried before t: the steps of u
 //   and t are independent})
 //
-// There are far fewer pairs than traces where many orders lead to the same states. A program has an
-// endless run exactly if a pair is met again while it is being counted: every run has an equivalent
-// one among those that the search begins, which are then as long as one likes, while there are at
-// most TraceCountLimits::pairs pairs. Steps are those of dpor.h and the count is its own.
+// There are far fewer pairs than traces where many orders lead to the same states. States are told
+// apart only by what matters from there on (thread_future.h): not by a local that is written before
+// it is read again. If a thread sleeps whose next step is independent of all that others may still
+// do, it never wakes, so the count is 0.
+//
+// A program has an endless run exactly if a pair is met again while it is being counted: of every
+// run, the search begins one that is equivalent, or it has put a step of a thread before it that
+// the run lacks. So some are as long as one likes, while the number of pairs is limited. Steps are
+// those of dpor.h, and so is the count.
 //
 // Deterministic; not thread-safe. Tested by tests/explore/trace_count_test.cc.
 #pragma once
@@ -30,10 +35,12 @@
 namespace oncard::explore {
 
 struct TraceCountLimits {
-  /// Maximum number of pairs. Each takes up to 100 bytes, and each different state some more.
+  /// Maximum number of pairs. Each takes up to 150 bytes, and each different state some more.
   size_t pairs = size_t{1} << 20;
   /// Every run must have fewer statements.
   int64_t depth = 1'000'000;
+  /// Ends that differ in locals alone are different; otherwise one of them is visited.
+  bool tells_locals = false;
   /// Set from another thread: the search ends soon, without a count.
   const std::atomic<bool>* stop = nullptr;
 };

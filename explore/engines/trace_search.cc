@@ -59,7 +59,14 @@ struct FoundEnds {
 bool CountAll(const Problem& problem, const TraceSearchLimits& limits, size_t pairs,
               TraceSearch* search, bool* bad) {
   FoundEnds ends;
-  const TraceCountLimits of_count = {.pairs = pairs, .depth = limits.depth, .stop = limits.stop};
+  const auto sees_locals = [](const BoundRequirement& requirement) {
+    return requirement.property.SeesLocals();
+  };
+  const TraceCountLimits of_count = {
+      .pairs = pairs,
+      .depth = limits.depth,
+      .tells_locals = std::ranges::any_of(problem.requirements, sees_locals),
+      .stop = limits.stop};
   const auto found = CountTraces(problem.model, of_count, [&](const Model& state) {
     ends.Add(problem, state);
     *bad = static_cast<bool>(FindFault(problem, state));

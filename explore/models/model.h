@@ -127,6 +127,8 @@ class Model {
   uint32_t global_count() const { return global_count_; }
   /// Raw content of a global; cells are counted from 0.
   int64_t Global(uint32_t cell) const { return cells_[cell]; }
+  /// Number of slots of a thread's locals.
+  uint32_t local_count(int thread) const { return threads_[Index(thread)].local_count; }
   /// The variables, position, end and return value of a thread.
   std::span<const int64_t> ThreadCells(int thread) const;
   /// The number of the first of them, for key().

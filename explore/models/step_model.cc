@@ -26,6 +26,16 @@ std::vector<uint8_t> StepModel::StatementThreads() const {
 
 uint32_t StepModel::StateNumber() {
   state_.assign(now_.begin(), now_.end());
+  return NumberWithGlobals();
+}
+
+uint32_t StepModel::StateNumber(const std::vector<uint32_t>& names) {
+  state_.clear();
+  for (const uint32_t state : now_) state_.push_back(names[state]);
+  return NumberWithGlobals();
+}
+
+uint32_t StepModel::NumberWithGlobals() {
   // Globals that no known step writes have their first values.
   for (const uint32_t cell : known_.written()) state_.push_back(globals_[cell]);
   return numbers_.NumberOf(state_);

@@ -75,6 +75,11 @@ class StepModel {
   std::vector<uint8_t> StatementThreads() const;
   /// A number of the current state: equal ones belong to equal states. kNone if there are too many.
   uint32_t StateNumber();
+  /// The state of a thread; different threads have different ones.
+  uint32_t ThreadState(int thread) const { return now_[Index(thread)]; }
+  /// As StateNumber(), where states of threads with the same name are the same: `names` has those
+  /// of the current ones. Only one of both is to be called.
+  uint32_t StateNumber(const std::vector<uint32_t>& names);
   /// The current state as a model, whose steps must not be undone; valid until the next call.
   const Model& AsModel() {
     known_.Load(now_, globals_, &end_);
@@ -86,6 +91,8 @@ class StepModel {
   static constexpr size_t kNumberMax = size_t{1} << 20;
 
   static size_t Index(int thread) { return static_cast<size_t>(thread); }
+
+  uint32_t NumberWithGlobals();
 
   /// A step that was executed.
   struct Taken {

@@ -161,6 +161,40 @@ TEST(TraceCountTest, AsManyAsANumberCanHold) {
   EXPECT_FALSE(CountOf(Writes(34, 33)));
 }
 
+// As many threads as there can be, most of which have nothing to do with each other.
+TEST(TraceCountTest, ThirtyTwoThreads) {
+  std::string source = "int x;\nint t0() {\n  x = 1;\n  return 0;\n}\n";
+  for (int thread = 1; thread < kThreadMax; ++thread) {
+    source += fmt::format("int a{0};\nint t{0}() {{\n  a{0} = {1};\n  return 0;\n}}\n", thread,
+                          thread < 10 ? "x" : "1");
+  }
+  const auto counted = CountOf(source);
+  ASSERT_TRUE(counted);
+  EXPECT_EQ(counted->traces, 1 << 9);
+}
+
+// A local that nothing reads any more does not tell states apart, unless it is asked for.
+TEST(TraceCountTest, EndsThatDifferInLocalsAreVisitedOnRequest) {
+  const Problem problem = ProblemOf(Increments(2, 3));
+  std::set<std::pair<StateKey, int64_t>> executed;
+  const auto note = [](const Model& end, std::set<std::pair<StateKey, int64_t>>* ends) {
+    ends->insert({end.FinalKey(), end.ThreadCells(0).front()});
+    return true;
+  };
+  Model model = problem.model;
+  model.TrackKey(false);
+  ExploreTraces(&model, {}, [&](TraceEnd* end) { return note(end->State(), &executed); });
+  for (const bool tells : {false, true}) {
+    std::set<std::pair<StateKey, int64_t>> visited;
+    const auto count = CountTraces(problem.model, {.tells_locals = tells},
+                                   [&](const Model& end) { return note(end, &visited); });
+    ASSERT_TRUE(count);
+    EXPECT_EQ(count->traces, 328);
+    EXPECT_EQ(visited.size(), tells ? executed.size() : 5u);
+    EXPECT_TRUE(std::ranges::includes(executed, visited));
+  }
+}
+
 TEST(TraceCountTest, WithTooManyPairsThereIsNoCount) {
   const Problem problem = ProblemOf(Increments(2, 2));
   const auto good = [](const Model&) { return true; };
@@ -255,10 +289,10 @@ TEST(CountingSearchTest, FindsWhatASearchOfExecutionsFinds) {
 
 // With as many pairs as fit at the second time.
 TEST(CountingSearchTest, CountsAgainWithALargerBound) {
-  const TraceSearch found = SearchOf(SumsThatAre("x > 0", 3, 3), {.counts = true});
+  const TraceSearch found = SearchOf(SumsThatAre("x > 0", 3, 4), {.counts = true});
   EXPECT_TRUE(found.counted);
-  EXPECT_EQ(found.executions, 1'824'912);
-  EXPECT_EQ(found.full.size(), 8u);
+  EXPECT_EQ(found.executions, 517'957'530);
+  EXPECT_EQ(found.full.size(), 11u);
 }
 
 // Readers sleep in many ways, so that there are more pairs than traces.
@@ -276,6 +310,11 @@ TEST(CountingSearchTest, ExecutesThoseOfProgramsThatFail) {
   const TraceSearch first = SearchOf(late, {.statements_after_bad = 0, .counts = true});
   EXPECT_GT(first.executions, 10'000);
   EXPECT_EQ(first.bad, 1);
+}
+
+TEST(CountingSearchTest, SeesTheLocalsThatAreRequired) {
+  EXPECT_TRUE(SearchesAlike(SumsThatAre("page0.t > 0", 2, 6)));
+  EXPECT_FALSE(SearchesAlike(SumsThatAre("page1.t != 2", 2, 6)));
 }
 
 TEST(CountingSearchTest, ObservesTheLimitOfStatements) {
