@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "explore/reports/claim.h"
 #include "explore_programs.h"
@@ -21,6 +22,16 @@ Findings FindingsOf(const Problem& problem, const Exploration& exploration,
   Findings findings = {SubjectOf(problem), exploration, {}, source};
   if (exploration.failure) findings.trail = Follow(problem, *exploration.failure);
   return findings;
+}
+
+/// Threads that each write another value to x.
+std::string Writers(int threads) {
+  std::string source = "int x;\n";
+  for (int i = 1; i <= threads; ++i) {
+    source += "int t" + std::to_string(i - 1) + "() {\n  x = " + std::to_string(i) +
+              ";\n  return 0;\n}\n";
+  }
+  return source;
 }
 
 TEST(ReportTest, AFailureIsATableOfThreads) {
@@ -55,6 +66,21 @@ TEST(ReportTest, AFullOneShowsEveryStatement) {
                                       Language::kEnglish, {.full = true});
   EXPECT_THAT(text, HasSubstr("     6     6  t = t + 1;   [t = 0]   t: 0 -> 1\n"));
   EXPECT_THAT(text, Not(HasSubstr("left out")));
+}
+
+// Only the text says that executions were counted: the numbers are the same.
+TEST(ReportTest, CountedExecutionsAreNotCalledExecuted) {
+  const Findings findings = explore::FindingsOf(Writers(8), ExploreOptions{.state_limit = 10});
+  EXPECT_THAT(TextReport(findings, Language::kEnglish),
+              HasSubstr("\ndpor: 40320 executions, counted without executing each; 0 bad, 8 "
+                        "different ends\n"));
+  EXPECT_THAT(TextReport(findings, Language::kChinese),
+              HasSubstr("\ndpor：40320 次执行（由计数得出，并未逐一执行），错误 0，不同结局 8\n"));
+  auto json = nlohmann::json::parse(JsonReport(findings));
+  const Findings executed =
+      explore::FindingsOf(Writers(8), ExploreOptions{.engine = EngineKind::kDpor});
+  const auto of_executed = nlohmann::json::parse(JsonReport(executed));
+  for (const auto& [key, value] : of_executed.items()) EXPECT_EQ(json[key], value) << key;
 }
 
 TEST(ReportTest, JsonHasTheCounts) {

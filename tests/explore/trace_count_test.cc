@@ -304,7 +304,7 @@ TEST(CountingSearchTest, ExecutesAllWhereThatIsLessWork) {
 // same. The first failure is among the first executions, or far behind them.
 TEST(CountingSearchTest, ExecutesThoseOfProgramsThatFail) {
   EXPECT_FALSE(SearchesAlike(Increments(2, 5)));
-  const std::string late = SumsThatAre("x != 2", 2, 6);
+  const std::string late = SumsThatAre("page1.t != 2", 2, 5);
   EXPECT_FALSE(SearchesAlike(late));
   EXPECT_FALSE(SearchesAlike(late, {.statements_after_bad = 1000}));
   const TraceSearch first = SearchOf(late, {.statements_after_bad = 0, .counts = true});
@@ -313,8 +313,8 @@ TEST(CountingSearchTest, ExecutesThoseOfProgramsThatFail) {
 }
 
 TEST(CountingSearchTest, SeesTheLocalsThatAreRequired) {
-  EXPECT_TRUE(SearchesAlike(SumsThatAre("page0.t > 0", 2, 6)));
-  EXPECT_FALSE(SearchesAlike(SumsThatAre("page1.t != 2", 2, 6)));
+  EXPECT_TRUE(SearchesAlike(SumsThatAre("page0.t > 1", 2, 5)));
+  EXPECT_FALSE(SearchesAlike(SumsThatAre("page1.t != 2", 2, 5)));
 }
 
 TEST(CountingSearchTest, ObservesTheLimitOfStatements) {
