@@ -362,7 +362,7 @@ void MeasureCount(const char* name, const std::string& source) {
     if (!count) Fail("traces cannot be counted");
     traces = static_cast<double>(count->traces);
   });
-  PrintRate(name, traces, "counted", seconds);
+  PrintRate(name, traces, "traces", seconds);
 }
 
 /// How long it takes to simplify a random failing schedule.
@@ -433,7 +433,7 @@ void MeasureStepsBack(int64_t steps) {
 void BenchExplore() {
   const double traces = MeasureTraces("3 threads x 3 increments", Increments(3, 3));
   MeasureCount("  counted", Increments(3, 3));
-  MeasureCount("3 threads x 4 increments", Increments(3, 4));
+  MeasureCount("3 x 4 increments, counted", Increments(3, 4));
   MeasureTraces("13 readers", Readers(13));
   MeasureTraces("last zero of 13", LastZero(13));
   MeasureStates("3 threads x 3 increments", Increments(3, 3));
