@@ -8,7 +8,7 @@ else()
 endif()
 # Where a preset compiles several sources as one, it spends most of its time on headers and templates
 # that they share.
-set(CMAKE_UNITY_BUILD_BATCH_SIZE 20)
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 24)
 add_library(oncard_options INTERFACE)
 target_include_directories(oncard_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR})
 target_compile_options(oncard_options INTERFACE

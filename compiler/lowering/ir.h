@@ -77,6 +77,14 @@ struct Instruction {
   bool Writes() const { return kind == Kind::kUnary || kind == Kind::kBinary; }
 };
 
+/// Replaces what an instruction does by a copy of a value to its target.
+inline void MakeCopy(Instruction& instruction, const Operand& value) {
+  instruction.kind = Instruction::Kind::kUnary;
+  instruction.unary = vm::UnaryOperator::kCopy;
+  instruction.a = value;
+  instruction.b = Operand();
+}
+
 /// A function whose statements stand once in a thread function that calls it several times.
 struct SharedCalls {
   std::string name;

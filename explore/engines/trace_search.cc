@@ -109,8 +109,8 @@ void SearchTraces(const Problem& problem, const TraceSearchLimits& limits, Trace
     return false;
   };
   // Of the unit that is searched: final states by their numbers. Only if they can be judged alone.
-  enum class Judged : uint8_t { kNot, kGood, kBad };
-  std::vector<Judged> judged;
+  enum class Judgement : uint8_t { kNot, kGood, kBad };
+  std::vector<Judgement> judged;
   const auto judge = [&](TraceEnd* end) {
     ends.Add(problem, end->State());
     return goes_wrong(end);
@@ -120,10 +120,10 @@ void SearchTraces(const Problem& problem, const TraceSearchLimits& limits, Trace
         problem.races == RaceRule::kAny ? end->StateNumber() : TraceEnd::kNoNumber;
     if (number == TraceEnd::kNoNumber) return judge(end);
     if (number >= judged.size()) judged.resize(size_t{number} + 1);
-    if (judged[number] == Judged::kNot) {
-      judged[number] = judge(end) ? Judged::kBad : Judged::kGood;
+    if (judged[number] == Judgement::kNot) {
+      judged[number] = judge(end) ? Judgement::kBad : Judgement::kGood;
     }
-    return judged[number] == Judged::kBad;
+    return judged[number] == Judgement::kBad;
   };
   const int64_t before = search->executions;
   int64_t executions = 0;

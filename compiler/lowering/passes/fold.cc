@@ -5,13 +5,6 @@
 namespace oncard::compiler::lowering {
 namespace {
 
-void MakeCopy(Instruction& instruction, const Operand& value) {
-  instruction.kind = Instruction::Kind::kUnary;
-  instruction.unary = vm::UnaryOperator::kCopy;
-  instruction.a = value;
-  instruction.b = Operand();
-}
-
 bool IsInt(const Operand& operand, int64_t value) {
   return operand.IsConstant() && operand.type == vm::DataType::kInt && operand.value == value;
 }

@@ -21,13 +21,6 @@ bool Assigns(const Instruction& instruction, int number) {
   return instruction.target.IsVariable() && instruction.target.variable == number;
 }
 
-void MakeCopy(Instruction& instruction, const Operand& value) {
-  instruction.kind = Instruction::Kind::kUnary;
-  instruction.unary = vm::UnaryOperator::kCopy;
-  instruction.a = value;
-  instruction.b = Operand();
-}
-
 // The calls of each shared body that a path reaches, by their numbers.
 class ReachedCalls {
  public:
