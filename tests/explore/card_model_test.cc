@@ -25,7 +25,7 @@ CardModel::State RunToEnd(CardModel* model, Choose choose, std::string* order = 
   return state;
 }
 
-int First(uint32_t choices) { return std::countr_zero(choices); }
+int FirstChoice(uint32_t choices) { return std::countr_zero(choices); }
 
 constexpr const char* kTwoThreads =
     "int a, b;\n"
@@ -36,7 +36,7 @@ TEST(CardModel, EveryThreadGetsAStatementInEveryCycle) {
   // 4 statements per cycle.
   CardModel model = CardOf(kTwoThreads, "rate = 16\n");
   std::string order;
-  RunToEnd(&model, First, &order);
+  RunToEnd(&model, FirstChoice, &order);
   EXPECT_EQ(order,
             "0001"
             "0011"
@@ -52,10 +52,10 @@ TEST(CardModel, EveryThreadGetsAStatementInEveryCycle) {
 
 TEST(CardModel, ACycleBeginsWhenItsStatementsAreUsedUp) {
   CardModel model = CardOf(kTwoThreads, "rate = 16\n");
-  RunToEnd(&model, First);
+  RunToEnd(&model, FirstChoice);
   EXPECT_EQ(model.controller().cycle(), 3);
   CardModel fast = CardOf(kTwoThreads, "rate = 100\n");
-  RunToEnd(&fast, First);
+  RunToEnd(&fast, FirstChoice);
   EXPECT_EQ(fast.controller().cycle(), 1);
 }
 
@@ -65,7 +65,7 @@ TEST(CardModel, AWaitingThreadTakesNoStatements) {
       "int t1() { GT_Delay(5); go = 1; return 0; }\n",
       {});
   std::string order;
-  const CardModel::State end = RunToEnd(&model, First, &order);
+  const CardModel::State end = RunToEnd(&model, FirstChoice, &order);
   EXPECT_EQ(order,
             "011"
             "01");
@@ -77,7 +77,7 @@ TEST(CardModel, AWaitingThreadTakesNoStatements) {
 TEST(CardModel, SaysHowARunEnds) {
   const auto fault = [](const char* program, const char* keys) {
     CardModel model = CardOf(program, keys);
-    return RunToEnd(&model, First).fault.kind;
+    return RunToEnd(&model, FirstChoice).fault.kind;
   };
   EXPECT_EQ(fault("int go;\nint t0() { GT_WaitForVarEq(&go, 1); return 0; }\n", ""),
             Fault::Kind::kDeadlock);
@@ -97,12 +97,12 @@ TEST(CardModel, MotionGoesOnUntilTheLastInstantThatIsAskedFor) {
   constexpr const char* kJog =
       "int t0() { GT_AxisOn(1); GT_PrfJog(1); GT_SetVel(1, 10); GT_Update(1); return 0; }\n";
   CardModel model = CardOf(kJog, "expect = [\"axis1.prfVel == 10 @ 50ms\"]\n");
-  EXPECT_FALSE(RunToEnd(&model, First).fault);
+  EXPECT_FALSE(RunToEnd(&model, FirstChoice).fault);
   EXPECT_EQ(model.controller().NowMs(), 50);
   // While an axis moves, an invariant is checked in every cycle.
   CardModel watched =
       CardOf(kJog, "expect = [\"axis1.moving == 1 @ 50ms\"]\nalways = [\"axis1.prfPos < 100\"]\n");
-  EXPECT_EQ(RunToEnd(&watched, First).fault.kind, Fault::Kind::kRequirement);
+  EXPECT_EQ(RunToEnd(&watched, FirstChoice).fault.kind, Fault::Kind::kRequirement);
   EXPECT_LT(watched.controller().NowMs(), 50);
 }
 
