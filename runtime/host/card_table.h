@@ -42,7 +42,7 @@ struct CardSlot {
   RefusedCommands refused;  ///< refused commands of motion programs since the card was opened
   MarshalledCall call;      ///< arguments of the call in progress
   CallRecorder* recorder = nullptr;  ///< set while the card is open and its calls are recorded
-  RecordedFiles files;               ///< of the call in progress, if it is recorded
+  std::optional<RecordedFiles> files;  ///< that the call in progress has read
 
   /// Lets an open card catch up with the time of its host, including a call that takes `cost_us`.
   void CatchUp(int64_t cost_us);

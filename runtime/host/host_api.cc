@@ -23,13 +23,14 @@ int16_t Dispatch(const gtcalls::Command& command, const HostService* service, Ca
 }
 
 void Record(const LoggedCall& made, bool read, CardSlot& slot) {
+  RecordedFiles files = slot.files ? *std::move(slot.files) : RecordedFiles();
   // Of the library's own commands these change the card.
-  const bool changes = made.command.name == "GT_Reset" || slot.files.program.has_value();
+  const bool changes = made.command.name == "GT_Reset" || files.program.has_value();
   const bool acts = read && (FindHostService(made.command) == nullptr || changes);
   RecordedCall call = RecordCall(made, acts);
-  call.program = std::move(slot.files.program);
-  call.sources = std::move(slot.files.sources);
-  call.config = std::move(slot.files.config);
+  call.program = std::move(files.program);
+  call.sources = std::move(files.sources);
+  call.config = std::move(files.config);
   slot.recorder->Write(made.card, call);
 }
 
@@ -46,7 +47,7 @@ int16_t CallLockedCard(const gtcalls::Family& family, int card, CardSlot& slot,
   const auto read =
       ReadArguments(command, host, open ? &slot.controller->card() : nullptr, &slot.call);
   const auto arguments = std::span(slot.call.arguments).first(host.size());
-  slot.files = {};
+  slot.files.reset();
   Message reason;
   int16_t code = vm::kOk;
   if (!open && (service == nullptr || !service->before_open)) {

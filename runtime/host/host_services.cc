@@ -83,7 +83,7 @@ int16_t Open(ServiceCall& call) {
   if (recorder != nullptr) {
     slot.controller->card().read_file = [&slot](const std::string& path) {
       auto text = ReadFile(path, kConfigKind);
-      if (text.ok()) slot.files.config = text.value();
+      if (text.ok()) slot.files.emplace().config = text.value();
       return text;
     };
   }
@@ -246,8 +246,9 @@ int16_t Download(ServiceCall& call) {
   const auto loaded = controller.Download(call.text(0), &content);
   if (loaded.ok()) {
     if (call.slot.recorder == nullptr) return vm::kOk;
-    call.slot.files.program = std::move(content);
-    call.slot.files.sources = SourcesBeside(call.text(0), *controller.machine().image());
+    RecordedFiles& files = call.slot.files.emplace();
+    files.program = std::move(content);
+    files.sources = SourcesBeside(call.text(0), *controller.machine().image());
     return vm::kOk;
   }
   const auto code = static_cast<int16_t>(loaded.error().code);

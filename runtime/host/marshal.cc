@@ -1,5 +1,7 @@
 #include "runtime/host/marshal.h"
 
+#include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <optional>
 
@@ -78,37 +80,63 @@ bool IsWordOfBits(const Parameter& parameter) {
   return parameter.unit == gtcalls::Unit::kMask || parameter.unit == gtcalls::Unit::kBits;
 }
 
-/// The value of a scalar argument.
-Result<double> ReadValue(const Parameter& parameter, const HostArgument& host) {
+/// The value of a scalar argument; empty for a long that does not fit 32 bits.
+std::optional<double> ReadValue(const Parameter& parameter, const HostArgument& host) {
   if (host.kind == HostArgument::Kind::kReal) return host.real;
   if (parameter.type != Scalar::kLong && parameter.type != Scalar::kUnsignedLong) {
     return static_cast<double>(host.integer);
   }
   const int64_t bits = IsWordOfBits(parameter) ? static_cast<int32_t>(host.integer) : host.integer;
-  const auto value = NarrowLong(bits, parameter.type == Scalar::kUnsignedLong);
-  if (!value.has_value()) return NotALong(parameter);
-  return *value;
+  return NarrowLong(bits, parameter.type == Scalar::kUnsignedLong);
 }
 
-/// The number of elements that a pointer argument refers to.
-Result<size_t> ElementCount(const Command& command, const Parameter& parameter,
-                            const gtcalls::Card* card, const MarshalledCall& call) {
+/// True if a command cannot have this pointer as its argument.
+bool IsBadPointer(const Parameter& parameter, const void* pointer) {
+  if (pointer == nullptr) return !parameter.nullable;
+  return parameter.passing != Passing::kLent && !IsAddress(pointer);
+}
+
+Error BadPointer(const Parameter& parameter, const void* pointer) {
+  if (pointer == nullptr) {
+    return MakeError(vm::kBadParameter, "parameter {} is NULL; pass the address of a variable",
+                     "参数 {} 为 NULL；应传入变量的地址", parameter.name);
+  }
+  return MakeError(
+      vm::kBadParameter, "parameter {} is the number {}; pass the address of a variable",
+      "参数 {} 为数值 {}；应传入变量的地址", parameter.name, reinterpret_cast<uintptr_t>(pointer));
+}
+
+/// The number of elements that a pointer argument refers to; empty if the parameter with the number
+/// is out of its range.
+std::optional<size_t> ElementCount(const Command& command, const Parameter& parameter,
+                                   const gtcalls::Card* card, const MarshalledCall& call) {
   if (parameter.per_dimension || parameter.per_offset) {
     return card == nullptr ? 0 : ElementsOnCard(parameter, *card, call.arguments[0].value);
   }
-  if (parameter.count_parameter < 0) return size_t{1};
+  if (parameter.count_parameter < 0) return 1;
   const auto index = static_cast<size_t>(parameter.count_parameter);
   const Parameter& counter = command.parameters[index];
   const double count = call.arguments[index].value;
-  if (!(count >= counter.minimum && count <= counter.maximum)) {
-    return MakeError(vm::kBadParameter, "parameter {} is {}; the range is {}",
-                     "参数 {} 为 {}；取值范围为 {}", counter.name, count, SpellRange(counter));
-  }
+  if (!(count >= counter.minimum && count <= counter.maximum)) return std::nullopt;
   return static_cast<size_t>(count);
+}
+
+Error BadCount(const Command& command, const Parameter& parameter, const MarshalledCall& call) {
+  const auto index = static_cast<size_t>(parameter.count_parameter);
+  const Parameter& counter = command.parameters[index];
+  return MakeError(vm::kBadParameter, "parameter {} is {}; the range is {}",
+                   "参数 {} 为 {}；取值范围为 {}", counter.name, call.arguments[index].value,
+                   SpellRange(counter));
 }
 
 bool HasCells(const Parameter& parameter) {
   return parameter.passing == Passing::kInput || parameter.passing == Passing::kOutput;
+}
+
+/// Calls `visit(index)` for each bit of `set`.
+template <typename Visit>
+void ForEachIn(uint32_t set, const Visit& visit) {
+  for (; set != 0; set &= set - 1) visit(static_cast<size_t>(std::countr_zero(set)));
 }
 
 /// Calls `visit(address, cells)` for each structure of a host's array.
@@ -148,6 +176,7 @@ Result<void> ReadArguments(const Command& command, std::span<const HostArgument>
     if (result.ok()) result = error;
   };
 
+  call->with_cells = 0;
   // Values first: among them are the counts that give the number of cells for the pointers.
   for (size_t i = 0; i < host.size(); ++i) {
     const Parameter& parameter = command.parameters[i];
@@ -155,75 +184,67 @@ Result<void> ReadArguments(const Command& command, std::span<const HostArgument>
     argument = {};
     if (parameter.passing == Passing::kValue) {
       const auto value = ReadValue(parameter, host[i]);
-      if (value.ok()) {
-        argument.value = value.value();
-      } else {
-        fail(value.error());
-      }
+      if (!value) fail(NotALong(parameter));
+      argument.value = value.value_or(0);
       continue;
     }
     argument.host = host[i].pointer;
     argument.null = argument.host == nullptr;
-    if (!argument.null && parameter.passing != Passing::kLent && !IsAddress(argument.host)) {
+    if (IsBadPointer(parameter, argument.host)) {
       argument.null = true;
-      fail(MakeError(vm::kBadParameter,
-                     "parameter {} is the number {}; pass the address of a variable",
-                     "参数 {} 为数值 {}；应传入变量的地址", parameter.name,
-                     reinterpret_cast<uintptr_t>(argument.host)));
-    } else if (argument.null && !parameter.nullable) {
-      fail(MakeError(vm::kBadParameter, "parameter {} is NULL; pass the address of a variable",
-                     "参数 {} 为 NULL；应传入变量的地址", parameter.name));
+      fail(BadPointer(parameter, argument.host));
     }
+    if (HasCells(parameter) && !argument.null) call->with_cells |= uint32_t{1} << i;
   }
 
-  std::array<size_t, gtcalls::kParameterMax> cell_counts{};
+  std::array<size_t, gtcalls::kParameterMax> cell_counts;
   size_t total = 0;
-  for (size_t i = 0; i < host.size(); ++i) {
+  ForEachIn(call->with_cells, [&](size_t i) {
     const Parameter& parameter = command.parameters[i];
-    if (!HasCells(parameter) || call->arguments[i].null) continue;
     const auto count = ElementCount(command, parameter, card, *call);
-    if (!count.ok()) {
-      fail(count.error());
+    if (!count) {
+      fail(BadCount(command, parameter, *call));
       call->arguments[i].null = true;
-      continue;
+      call->with_cells &= ~(uint32_t{1} << i);
+      return;
     }
-    cell_counts[i] = count.value() * CellsPerElement(parameter);
+    cell_counts[i] = *count * CellsPerElement(parameter);
     total += cell_counts[i];
-  }
+  });
 
-  call->cells.assign(total, 0.0);
-  std::span<double> free_cells = call->cells;
-  for (size_t i = 0; i < host.size(); ++i) {
+  if (call->cells.size() < total) call->cells.resize(total);
+  double* next_cell = call->cells.data();
+  std::fill_n(next_cell, total, 0.0);
+  ForEachIn(call->with_cells, [&](size_t i) {
     const Parameter& parameter = command.parameters[i];
     vm::CommandArgument& argument = call->arguments[i];
-    if (!HasCells(parameter) || argument.null) continue;
-    argument.cells = free_cells.first(cell_counts[i]);
-    free_cells = free_cells.subspan(cell_counts[i]);
-    if (parameter.passing != Passing::kInput) continue;
+    argument.cells = {next_cell, cell_counts[i]};
+    next_cell += cell_counts[i];
+    if (parameter.passing != Passing::kInput) return;
     const auto read = ReadCells(parameter, argument);
     if (!read.ok()) {
       fail(read.error());
       argument.null = true;
     }
-  }
+  });
   return result;
 }
 
 void WriteOutputs(const Command& command, const MarshalledCall& call) {
-  for (size_t i = 0; i < command.parameters.size(); ++i) {
+  ForEachIn(call.with_cells, [&](size_t i) {
     const Parameter& parameter = command.parameters[i];
     const vm::CommandArgument& argument = call.arguments[i];
-    if (parameter.passing != Passing::kOutput || argument.null) continue;
+    if (parameter.passing != Passing::kOutput) return;
     if (parameter.structure != nullptr) {
       ForEachStructure(parameter, argument, [&](char* host, std::span<double> cells) {
         StructureFromCells(*parameter.structure, cells, host);
       });
-      continue;
+      return;
     }
     for (size_t cell = 0; cell < argument.cells.size(); ++cell) {
       WriteScalar(parameter.type, argument.host, cell, argument.cells[cell]);
     }
-  }
+  });
 }
 
 }  // namespace oncard::runtime

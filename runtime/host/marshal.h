@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -25,6 +26,7 @@ namespace oncard::runtime {
 /// The arguments of one call in the form commands take. `cells` keeps its memory between calls.
 struct MarshalledCall {
   std::array<vm::CommandArgument, gtcalls::kParameterMax> arguments;
+  uint32_t with_cells = 0;  ///< bit n: argument n is a pointer to values, which are in its cells
   std::vector<double> cells;
 };
 

@@ -121,7 +121,7 @@ void VirtualTime::LeaveOutCallingThread() { left_out = ::syscall(SYS_gettid); }
 int64_t VirtualTime::Pass(int64_t ns) {
   std::unique_lock lock(mutex_);
   const int64_t now = After(ns);
-  now_ns_ = now;
+  now_ns_.store(now, std::memory_order_relaxed);
   const auto due = [&] { return !sleepers_.empty() && sleepers_.begin()->deadline_ns <= now; };
   if (due()) {
     changed_.notify_all();

@@ -119,12 +119,14 @@ int16_t Controller::Execute(const gtcalls::Command& command,
                             std::span<vm::CommandArgument> arguments, Message* reason) {
   gtcalls::Call call{command, card_, vm::kHostCaller, arguments, {}};
   const int16_t code = gtcalls::ExecuteCommand(call);
-  if (reason != nullptr) *reason = std::move(call.reason);
+  // Most commands have nothing to say.
+  if (reason != nullptr && !call.reason.en.empty()) *reason = std::move(call.reason);
   return code;
 }
 
 void Controller::AdvanceUs(int64_t microseconds) {
   pending_us_ += microseconds;
+  if (pending_us_ < options_.motion.cycle_us) return;
   const int64_t cycles = pending_us_ / options_.motion.cycle_us;
   pending_us_ -= cycles * options_.motion.cycle_us;
   RunCycles(cycles);

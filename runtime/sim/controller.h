@@ -97,8 +97,8 @@ class Controller {
 
   // --- Host calls ------------------------------------------------------------------------------
 
-  /// Executes a command for the host: first the time that it takes passes, then it acts. `reason`
-  /// explains a code other than 0.
+  /// Executes a command for the host: first the time that it takes passes, then it acts. `reason`,
+  /// empty before, explains a code other than 0.
   int16_t Call(const gtcalls::Command& command, std::span<vm::CommandArgument> arguments,
                Message* reason = nullptr);
   /// The same without advancing time, for callers that manage the clock themselves.
