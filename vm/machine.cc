@@ -20,9 +20,19 @@ namespace {
 bool IsThread(int thread) { return thread >= 0 && thread < kThreadCount; }
 uint32_t Bit(int thread) { return uint32_t{1} << thread; }
 
+// Running, or to be started again.
+bool IsAwake(const ThreadState& thread) {
+  return thread.run == ThreadRun::kRunning || thread.period_cycles > 0;
+}
+
 bool IsActive(const ThreadState& thread) {
-  return thread.run == ThreadRun::kRunning || thread.run == ThreadRun::kPaused ||
-         thread.period_cycles > 0;
+  return IsAwake(thread) || thread.run == ThreadRun::kPaused;
+}
+
+// Calls `visit(thread)` for each bit of `threads`, in ascending order.
+template <typename Visit>
+void ForEachThread(uint32_t threads, const Visit& visit) {
+  for (; threads != 0; threads &= threads - 1) visit(std::countr_zero(threads));
 }
 
 }  // namespace
@@ -46,6 +56,7 @@ void Machine::Load(std::shared_ptr<const Image> image) {
   const Policy policy = state_->scheduler.policy;
   image_ = std::move(image);
   *state_ = MachineState{};
+  awake_ = 0;
   state_->cycle = cycle;
   state_->scheduler = StartPolicy(policy);
 }
@@ -65,20 +76,22 @@ bool Machine::CanContinue(const ThreadState& thread) const {
   return thread.run == ThreadRun::kRunning && !Blocked(thread);
 }
 
-void Machine::Start(ThreadState& thread) {
-  thread.run = ThreadRun::kRunning;
-  thread.started = true;
-  thread.pc = 0;
-  thread.error = kOk;
-  thread.result_type = FunctionOf(thread).return_type;
-  thread.result = 0;
-  thread.fault_value = 0;
-  thread.fault_limit = 0;
-  thread.wake_cycle = 0;
-  thread.waiting = false;
-  thread.breakpoint_line = 0;
-  thread.executed = 0;
-  if (FunctionOf(thread).instructions.empty()) thread.run = ThreadRun::kStopped;
+void Machine::Start(int thread) {
+  awake_ |= Bit(thread);
+  ThreadState& state = ThreadAt(thread);
+  state.run = ThreadRun::kRunning;
+  state.started = true;
+  state.pc = 0;
+  state.error = kOk;
+  state.result_type = FunctionOf(state).return_type;
+  state.result = 0;
+  state.fault_value = 0;
+  state.fault_limit = 0;
+  state.wake_cycle = 0;
+  state.waiting = false;
+  state.breakpoint_line = 0;
+  state.executed = 0;
+  if (FunctionOf(state).instructions.empty()) state.run = ThreadRun::kStopped;
 }
 
 int16_t Machine::Bind(int thread, int function_id, int page) {
@@ -109,6 +122,7 @@ int16_t Machine::Run(int thread) {
     case ThreadRun::kRunning:
       return kRefused;
     case ThreadRun::kPaused:
+      awake_ |= Bit(thread);
       state.run = ThreadRun::kRunning;
       state.breakpoint_line = 0;
       return kOk;
@@ -117,7 +131,7 @@ int16_t Machine::Run(int thread) {
       break;
   }
   if (state.period_cycles > 0) return kRefused;
-  Start(state);
+  Start(thread);
   return kOk;
 }
 
@@ -143,6 +157,7 @@ int16_t Machine::Step(int thread) {
   if (!IsThread(thread)) return kBadParameter;
   const ThreadState before = ThreadAt(thread);
   if (before.run == ThreadRun::kPaused) {
+    awake_ |= Bit(thread);
     ThreadAt(thread).run = ThreadRun::kRunning;
   } else if (const int16_t code = Run(thread); code != kOk) {
     return code;
@@ -184,7 +199,7 @@ int16_t Machine::RunPeriodic(int thread, int64_t period_cycles, int16_t priority
   if (!IsThread(thread) || period_cycles < 1) return kBadParameter;
   ThreadState& state = ThreadAt(thread);
   if (state.run == ThreadRun::kUnbound || IsActive(state)) return kRefused;
-  Start(state);
+  Start(thread);
   state.period_cycles = period_cycles;
   state.next_start = state_->cycle + period_cycles;
   state.overruns = 0;
@@ -252,20 +267,20 @@ void Machine::SetPolicy(const Policy& policy) { state_->scheduler = StartPolicy(
 
 uint32_t Machine::RunnableThreads() const {
   uint32_t runnable = 0;
-  for (int thread = 0; thread < kThreadCount; ++thread) {
-    if (CanContinue(state_->threads[static_cast<size_t>(thread)])) runnable |= Bit(thread);
-  }
+  ForEachThread(awake_, [&](int number) {
+    if (CanContinue(thread(number))) runnable |= Bit(number);
+  });
   return runnable;
 }
 
 uint32_t Machine::RoundMembers() const {
   uint32_t members = 0;
-  for (int thread = 0; thread < kThreadCount; ++thread) {
-    const ThreadState& state = state_->threads[static_cast<size_t>(thread)];
+  ForEachThread(awake_, [&](int number) {
+    const ThreadState& state = thread(number);
     if (state.run == ThreadRun::kRunning && state.wake_cycle <= state_->cycle) {
-      members |= Bit(thread);
+      members |= Bit(number);
     }
-  }
+  });
   return members;
 }
 
@@ -323,16 +338,17 @@ int64_t Machine::RunTurn(int thread, int64_t statements) {
 
 uint32_t Machine::FinishSleepersAtEnd() {
   uint32_t runnable = 0;
-  for (int thread = 0; thread < kThreadCount; ++thread) {
+  ForEachThread(awake_, [&](int thread) {
     const ThreadState& state = ThreadAt(thread);
-    if (!CanContinue(state)) continue;
+    if (!IsAwake(state)) awake_ &= ~Bit(thread);
+    if (!CanContinue(state)) return;
     const bool slept = state.wake_cycle != 0 || state.waiting;
     if (slept && MakeFrame(thread).pc->op == kEnd) {
       RunTurn(thread, 0);
     } else {
       runnable |= Bit(thread);
     }
-  }
+  });
   return runnable;
 }
 
@@ -384,8 +400,10 @@ int64_t Machine::RunAlone(int thread, int64_t statements) {
 }
 
 Turn Machine::NextTurn(SchedulerState& scheduler, uint32_t runnable, int64_t budget) const {
-  std::array<int16_t, kThreadCount> priorities;
-  for (size_t i = 0; i < kThreadCount; ++i) priorities[i] = state_->threads[i].priority;
+  std::array<int16_t, kThreadCount> priorities{};
+  if (scheduler.policy.kind == PolicyKind::kPriority) {
+    for (size_t i = 0; i < kThreadCount; ++i) priorities[i] = state_->threads[i].priority;
+  }
   return BeginTurn(scheduler, runnable, budget, priorities);
 }
 
@@ -413,10 +431,11 @@ int64_t Machine::ExecuteTurn(uint32_t runnable, int64_t budget) {
 
 void Machine::BeginCycle(int64_t cycle) {
   state_->cycle = std::max(state_->cycle, cycle);
-  for (ThreadState& thread : state_->threads) {
-    if (thread.period_cycles == 0 || thread.next_start > state_->cycle) continue;
+  ForEachThread(awake_, [&](int number) {
+    ThreadState& thread = ThreadAt(number);
+    if (thread.period_cycles == 0 || thread.next_start > state_->cycle) return;
     if (thread.run == ThreadRun::kStopped) {
-      Start(thread);
+      Start(number);
     } else {
       ++thread.overruns;
     }
@@ -424,25 +443,27 @@ void Machine::BeginCycle(int64_t cycle) {
     const int64_t missed = (state_->cycle - thread.next_start) / thread.period_cycles;
     thread.overruns += missed;
     thread.next_start += (missed + 1) * thread.period_cycles;
-  }
+  });
 }
 
 int64_t Machine::IdleCycles() const {
   int64_t next = INT64_MAX;
-  for (const ThreadState& thread : state_->threads) {
-    if (thread.period_cycles != 0) next = std::min(next, thread.next_start);
-    if (CanContinue(thread)) return 0;
-    if (thread.run == ThreadRun::kRunning && thread.wake_cycle > state_->cycle) {
-      next = std::min(next, thread.wake_cycle);
+  for (uint32_t rest = awake_; rest != 0; rest &= rest - 1) {
+    const ThreadState& state = thread(std::countr_zero(rest));
+    if (state.period_cycles != 0) next = std::min(next, state.next_start);
+    if (CanContinue(state)) return 0;
+    if (state.run == ThreadRun::kRunning && state.wake_cycle > state_->cycle) {
+      next = std::min(next, state.wake_cycle);
     }
   }
   return next == INT64_MAX ? next : std::max<int64_t>(0, next - state_->cycle - 1);
 }
 
 bool Machine::Quiet() const {
-  return std::none_of(state_->threads.begin(), state_->threads.end(), [](const ThreadState& t) {
-    return t.run == ThreadRun::kRunning || t.period_cycles > 0;
-  });
+  for (uint32_t rest = awake_; rest != 0; rest &= rest - 1) {
+    if (IsAwake(thread(std::countr_zero(rest)))) return false;
+  }
+  return true;
 }
 
 // --- Recording -----------------------------------------------------------------------------------
@@ -488,6 +509,14 @@ void Machine::EndRecording() {
 }
 
 // --- State ---------------------------------------------------------------------------------------
+
+void Machine::Restore(const MachineState& state) {
+  *state_ = state;
+  awake_ = 0;
+  for (int number = 0; number < kThreadCount; ++number) {
+    if (IsAwake(thread(number))) awake_ |= Bit(number);
+  }
+}
 
 std::array<int64_t, kThreadWordCount> WordsOf(const ThreadState& thread) {
   return {static_cast<int64_t>(thread.run),

@@ -207,7 +207,7 @@ class Machine {
   const MachineState& state() const { return *state_; }
   const ThreadState& thread(int index) const { return state_->threads[static_cast<size_t>(index)]; }
   /// Restores a state taken from a virtual machine with the same image.
-  void Restore(const MachineState& state) { *state_ = state; }
+  void Restore(const MachineState& state);
   /// XXH64 of variables, threads and counters: the whole state except that of the policy and the
   /// number of faults. Equal states have equal hashes on every computer.
   uint64_t Hash() const;
@@ -224,7 +224,7 @@ class Machine {
   /// True if the thread neither sleeps nor waits for a value.
   bool CanContinue(const ThreadState& thread) const;
   /// Sets a bound thread to the first instruction of its function.
-  void Start(ThreadState& thread);
+  void Start(int thread);
   void PauseAtBreakpoint(ThreadState& thread) const;
   Frame MakeFrame(int thread);
   /// Applies the result of Interpret() to a thread.
@@ -254,6 +254,7 @@ class Machine {
   CommandTable* commands_;
   std::shared_ptr<const Image> image_;
   std::unique_ptr<MachineState> state_;  // large: keep Machine itself movable and small
+  uint32_t awake_ = 0;  // bit n: thread n may be running or periodic; the others are neither
   Schedule* recording_ = nullptr;
   std::vector<double> cells_;  // scratch of CallCommand(), kept to avoid allocation
   Stop last_stop_ = Stop::kBudget;
