@@ -377,13 +377,16 @@ int64_t Machine::Execute(int64_t budget) {
         executed += RunAlone(std::countr_zero(members), std::min(left, UntilCheckpoint()));
         continue;
       }
-      const int64_t rounds = left / std::popcount(members);
+      const int64_t rounds = std::min(left, UntilCheckpoint()) / std::popcount(members);
       // For a few rounds the preparation is not worthwhile.
       constexpr int64_t kRoundsMin = 4;
-      if (rounds >= kRoundsMin && recording_ == nullptr) {
+      if (rounds >= kRoundsMin) {
         const int64_t done = ExecuteRounds(members, rounds);
         executed += done;
-        if (done > 0) continue;
+        if (done > 0) {
+          PassCheckpoint();
+          continue;
+        }
       }
     }
     executed += ExecuteTurn(runnable, left);
@@ -475,6 +478,15 @@ void Machine::RecordTurn(int thread, int64_t statements) {
     segments.back().statements += statements;
   } else {
     segments.push_back({static_cast<uint8_t>(thread), statements});
+  }
+}
+
+void Machine::RecordRounds(std::span<const uint8_t> threads, int64_t rounds) {
+  if (threads.size() == 1) return RecordTurn(threads[0], rounds);
+  for (const uint8_t thread : threads) RecordTurn(thread, 1);
+  auto& segments = recording_->segments;
+  for (int64_t round = 1; round < rounds; ++round) {
+    for (const uint8_t thread : threads) segments.push_back({thread, 1});
   }
 }
 

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "vm/command_table.h"
@@ -245,6 +246,9 @@ class Machine {
   /// Writes the recording's checkpoint, or compares with the replay's. False: the hash differs.
   bool PassCheckpoint();
   void RecordTurn(int thread, int64_t statements);
+  /// As many rounds as given (> 0), in each of which every one of these threads executes one
+  /// statement, in this order.
+  void RecordRounds(std::span<const uint8_t> threads, int64_t rounds);
   /// Threads that take a turn each round: the runnable and those waiting for a value.
   uint32_t RoundMembers() const;
   /// Executes `rounds` whole rounds of the one-statement round robin; returns the number of

@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "vm/handlers.h"
@@ -66,6 +68,42 @@ class Calendar {
   std::array<uint64_t, kWindow / 64> occupied_{};
 };
 
+// For a recording: which positions (bits) execute a statement in which rounds of a window.
+class Attendance {
+ public:
+  // The position executes one in each round from `from` to before `to`.
+  void Enter(int position, int64_t from, int64_t to) {
+    if (from == to) return;
+    Change(from, position);
+    Change(to, position);
+  }
+
+  // Calls `visit(positions, rounds)` for rounds one after the other that are alike, and forgets
+  // them.
+  template <typename Visit>
+  void TakeOut(const Visit& visit) {
+    uint32_t positions = 0;
+    int64_t begin = 0;
+    for (size_t word = 0; word < occupied_.size(); ++word) {
+      for (uint64_t rest = std::exchange(occupied_[word], 0); rest != 0; rest &= rest - 1) {
+        const auto round = static_cast<int64_t>(word) * 64 + std::countr_zero(rest);
+        if (positions != 0 && round > begin) visit(positions, round - begin);
+        positions ^= std::exchange(changes_[static_cast<size_t>(round)], 0);
+        begin = round;
+      }
+    }
+  }
+
+ private:
+  void Change(int64_t round, int position) {
+    changes_[static_cast<size_t>(round)] ^= uint32_t{1} << position;
+    occupied_[static_cast<size_t>(round / 64)] |= uint64_t{1} << (round % 64);
+  }
+
+  std::array<uint32_t, kWindow + 1> changes_{};  // positions that begin or end with a round
+  std::array<uint64_t, kWindow / 64 + 1> occupied_{};
+};
+
 }  // namespace
 
 int64_t Machine::ExecuteRounds(uint32_t members, int64_t rounds) {
@@ -87,6 +125,8 @@ int64_t Machine::ExecuteRounds(uint32_t members, int64_t rounds) {
   }
 
   Calendar calendar;
+  std::optional<Attendance> attendance;
+  if (recording_ != nullptr) attendance.emplace();
   // Positions that wait and have nothing left to execute: they finish as soon as the value is
   // reached, without a turn of their own.
   uint32_t ending = 0;
@@ -131,6 +171,7 @@ int64_t Machine::ExecuteRounds(uint32_t members, int64_t rounds) {
       const int64_t next = round + executed;
       member.executed += executed;
       total += executed;
+      if (attendance) attendance->Enter(position, round, next);
       if (executed > 0 &&
           (next - 1 > last_round || (next - 1 == last_round && position > last_position))) {
         last_round = next - 1;
@@ -176,6 +217,7 @@ int64_t Machine::ExecuteRounds(uint32_t members, int64_t rounds) {
       const int64_t round = rotated.rounds + (position < rotated.position ? 1 : 0);
       member.executed += round;
       total += round;
+      if (attendance) attendance->Enter(position, 0, round);
       if (ThreadAt(frame_at(position).thread).waiting) {
         wait(round, position);
       } else {
@@ -194,6 +236,16 @@ int64_t Machine::ExecuteRounds(uint32_t members, int64_t rounds) {
         run(position, round, Reach::kOneThenPrivate);
         finish();
       }
+    }
+    if (attendance) {
+      attendance->TakeOut([&](uint32_t positions, int64_t how_many) {
+        std::array<uint8_t, kThreadCount> threads;
+        size_t thread_count = 0;
+        for (uint32_t rest = positions; rest != 0; rest &= rest - 1) {
+          threads[thread_count++] = static_cast<uint8_t>(frame_at(std::countr_zero(rest)).thread);
+        }
+        RecordRounds(std::span(threads).first(thread_count), how_many);
+      });
     }
     if (last_position < 0) break;
     last_thread = frame_at(last_position).thread;

@@ -130,6 +130,10 @@ int64_t ReferenceMachine::Execute(int64_t budget) {
     Thread& thread = threads[static_cast<size_t>(chosen)];
     Step(thread);
     ++executed;
+    if (segments.empty() || segments.back().thread != chosen) {
+      segments.push_back({static_cast<uint8_t>(chosen), 0});
+    }
+    ++segments.back().statements;
     --turn_left_;
     if (turn_left_ == 0 || !CanGoOn(thread)) {
       next_ = (next_ + 1) % threads.size();

@@ -7,9 +7,11 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "vm/machine.h"
 #include "vm/object.h"
+#include "vm/schedule.h"
 
 namespace oncard::vm {
 
@@ -52,6 +54,8 @@ class ReferenceMachine {
   std::array<std::array<int64_t, 1024>, 32> pages{};
   std::array<int64_t, 1024> globals{};
   std::array<Thread, 32> threads{};
+  /// What has been executed.
+  std::vector<ScheduleSegment> segments;
 
  private:
   // The slot of an operand; nullptr after a fault at its index.

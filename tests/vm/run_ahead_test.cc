@@ -1,5 +1,5 @@
 // The machine compared with the reference machine: after any number of statements its state must be
-// that of plain interleaving, however it is optimised.
+// that of plain interleaving, however it is optimised, and a recording must have the same order.
 #include <gtest/gtest.h>
 
 #include "tests/vm/program_builder.h"
@@ -9,10 +9,14 @@
 namespace oncard::vm {
 namespace {
 
+enum class Recorded : uint8_t { kNo, kYes };
+
 // Both machines with the same program in the same state.
 class Pair {
  public:
-  Pair(const Object& object, int64_t quantum) : reference(object, quantum), machine(&commands_) {
+  Pair(const Object& object, int64_t quantum, Recorded recorded = Recorded::kNo)
+      : reference(object, quantum), recorded_(recorded), machine(&commands_) {
+    if (recorded == Recorded::kYes) machine.Record(&schedule_);
     Policy policy;
     policy.quantum = quantum;
     machine.SetPolicy(policy);
@@ -51,6 +55,9 @@ class Pair {
     if (machine.last_stop() != stop) return testing::AssertionFailure() << "wrong reason to stop";
     const std::string difference = reference.Difference(machine);
     if (!difference.empty()) return testing::AssertionFailure() << difference;
+    if (recorded_ == Recorded::kYes && schedule_.segments != reference.segments) {
+      return testing::AssertionFailure() << "another order has been recorded";
+    }
     return testing::AssertionSuccess();
   }
 
@@ -58,6 +65,8 @@ class Pair {
 
  private:
   ThreadCommands commands_;
+  Recorded recorded_;
+  Schedule schedule_;
 
  public:
   Machine machine;
@@ -79,10 +88,10 @@ int64_t RandomBudget(RandomNumbers& random) {
 }
 
 // Runs a program in random pieces, while the clock advances and ended threads start again.
-testing::AssertionResult RunInPieces(uint64_t seed, int64_t quantum) {
+testing::AssertionResult RunInPieces(uint64_t seed, int64_t quantum, Recorded recorded) {
   RandomNumbers random(seed);
   const RandomProgram program = MakeRandomProgram(random);
-  Pair pair(program.object, quantum);
+  Pair pair(program.object, quantum, recorded);
   for (const auto& value : program.values) pair.Write(value.slot, value.raw);
   for (const auto& binding : program.bindings) {
     pair.Bind(binding);
@@ -109,8 +118,10 @@ class RandomPrograms : public testing::TestWithParam<int64_t> {};
 TEST_P(RandomPrograms, EndInTheReferenceStateAfterEveryPiece) {
   const int64_t quantum = GetParam();
   const uint64_t programs = quantum == 1 ? 3000 : 500;
-  for (uint64_t seed = 1; seed <= programs; ++seed) {
-    ASSERT_TRUE(RunInPieces(seed * 1000 + static_cast<uint64_t>(quantum), quantum));
+  for (uint64_t number = 1; number <= programs; ++number) {
+    const uint64_t seed = number * 1000 + static_cast<uint64_t>(quantum);
+    const Recorded recorded = number % 2 == 0 ? Recorded::kYes : Recorded::kNo;
+    ASSERT_TRUE(RunInPieces(seed, quantum, recorded));
   }
 }
 
@@ -133,7 +144,7 @@ TEST(RunAheadTest, ManyWindowsOfPrivateWorkBetweenSharedStatements) {
   };
   const Object object =
       MakeObject({loop(700, BinaryOperator::kAdd), loop(113, BinaryOperator::kMultiply)});
-  Pair pair(object, 1);
+  Pair pair(object, 1, Recorded::kYes);
   pair.Bind({4, 0, 9});
   pair.Bind({2, 1, 0});
   pair.Run(4);
@@ -162,7 +173,7 @@ TEST_P(SharedWork, ContinuesWithTheOtherThreadsWhereOneIsHeldUp) {
   });
   const Object object = MakeObject({function});
   for (const int threads : {2, 5, 32}) {
-    Pair pair(object, 1);
+    Pair pair(object, 1, threads == 5 ? Recorded::kYes : Recorded::kNo);
     for (int thread = 0; thread < threads; ++thread) {
       pair.Bind({thread, 0, 31 - thread});
       pair.Write({false, static_cast<uint8_t>(31 - thread), 0}, 400 + 37 * thread);
@@ -192,7 +203,7 @@ TEST(RunAheadTest, WaitingThreadSeesWhatHoldsAtItsTurn) {
       MakeFunction({Command(kWaitFor, {Global(0), ImmediateInt(1)})}),
   });
   for (const int64_t piece : {1, 2, 5, 17, 400}) {
-    Pair pair(object, 1);
+    Pair pair(object, 1, Recorded::kYes);
     for (int thread = 0; thread < 3; ++thread) {
       pair.Bind({thread, thread, thread});
       pair.Run(thread);
@@ -209,7 +220,7 @@ TEST(RunAheadTest, WaitAtTheEndOfAFunctionEndsAsSoonAsTheValueHolds) {
       MakeFunction({Goto(1), Goto(1), Set(Global(0), ImmediateInt(0)), Goto(-1)}),
   });
   for (const int64_t piece : {1, 3, 40}) {
-    Pair pair(object, 1);
+    Pair pair(object, 1, Recorded::kYes);
     for (int thread = 0; thread < 3; ++thread) {
       pair.Bind({thread, thread, thread});
       pair.Run(thread);
