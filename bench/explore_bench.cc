@@ -396,12 +396,12 @@ void MeasureReplays(int64_t pairs) {
       vm::Policy policy;
       policy.kind = vm::PolicyKind::kRandom;
       policy.seed = static_cast<uint64_t>(i);
-      const auto schedule = std::make_shared<vm::Schedule>();
-      machine.Record(schedule.get());
+      vm::Recording recording;
+      machine.Record(&recording);
       const uint64_t recorded = run(policy);
       machine.Record(nullptr);
       policy.kind = vm::PolicyKind::kReplay;
-      policy.schedule = schedule;
+      policy.schedule = std::make_shared<const vm::Schedule>(vm::ScheduleOf(recording));
       if (run(policy) != recorded) Fail("a replay ends in another state");
     }
   });

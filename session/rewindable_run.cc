@@ -608,15 +608,15 @@ void RewindableRun::UpdateWorld() {
 // --- Recording -----------------------------------------------------------------------------------
 
 vm::Schedule RewindableRun::Record(const std::string& path) {
-  vm::Schedule schedule;
-  schedule.program_hash = image().hash;
+  vm::Recording recording;
+  recording.program_hash = image().hash;
   const int64_t present = moment();
   Restore(kept_.front());
-  controller_.machine().Record(&schedule);
+  controller_.machine().Record(&recording);
   AdvanceTo(present);
   controller_.machine().EndRecording();
   const int64_t now_us = controller_.cycle() * scenario_.cycle_us;
-  if (!Over()) schedule.cut_us = now_us;
+  if (!Over()) recording.cut_us = now_us;
   runtime::Scenario scenario = ScenarioWithChanges();
   if (place_.over_cycle >= 0 && place_.over_cycle < controller_.cycle()) {
     constexpr int64_t kMs = 1000;
@@ -624,8 +624,8 @@ vm::Schedule RewindableRun::Record(const std::string& path) {
     scenario.limit_ms = std::max(scenario.limit_ms, (now_us + kMs - 1) / kMs);
   }
   if (!path.empty()) scenario = runtime::MoveScenario(scenario, path);
-  schedule.scenario = runtime::FormatScenario(runtime::ScenarioOfOneRun(scenario));
-  return schedule;
+  recording.scenario = runtime::FormatScenario(runtime::ScenarioOfOneRun(scenario));
+  return vm::ScheduleOf(recording);
 }
 
 std::vector<RewindableRun::Turn> RewindableRun::Turns(int64_t from, int64_t to, size_t most) {

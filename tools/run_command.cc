@@ -83,9 +83,9 @@ Result<runtime::Scenario> ScenarioOf(const RunArguments& arguments) {
 }
 
 int WriteRecording(const RunArguments& arguments, const runtime::Scenario& scenario,
-                   vm::Schedule schedule, const Invocation& invocation) {
-  schedule.scenario = runtime::FormatScenario(runtime::MoveScenario(scenario, arguments.record));
-  return WriteOutput(invocation, arguments.record, vm::FormatSchedule(schedule));
+                   vm::Recording recording, const Invocation& invocation) {
+  recording.scenario = runtime::FormatScenario(runtime::MoveScenario(scenario, arguments.record));
+  return WriteOutput(invocation, arguments.record, vm::FormatRecording(recording));
 }
 
 int Run(const RunArguments& arguments, const Invocation& invocation) {
@@ -105,7 +105,8 @@ int Run(const RunArguments& arguments, const Invocation& invocation) {
   }
 
   runtime::RunOptions options;
-  options.record = !arguments.record.empty();
+  vm::Recording recording;
+  if (!arguments.record.empty()) options.recording = &recording;
   options.show = arguments.show;
   ApplyViews(arguments.views, &options);
   options.strict_commands = arguments.strict_commands;
@@ -123,9 +124,9 @@ int Run(const RunArguments& arguments, const Invocation& invocation) {
   int code = ReportRun(result.value(), arguments.format, invocation);
   code = std::max(code, WriteViews(result.value(), arguments.views,
                                    runtime::TitleOf(scenario.value()), invocation));
-  if (options.record) {
-    code = std::max(code, WriteRecording(arguments, scenario.value(),
-                                         std::move(*result.value().schedule), invocation));
+  if (options.recording != nullptr) {
+    code = std::max(code,
+                    WriteRecording(arguments, scenario.value(), std::move(recording), invocation));
   }
   return code;
 }

@@ -472,22 +472,7 @@ bool Machine::Quiet() const {
 // --- Recording -----------------------------------------------------------------------------------
 
 void Machine::RecordTurn(int thread, int64_t statements) {
-  if (recording_ == nullptr || statements == 0) return;
-  auto& segments = recording_->segments;
-  if (!segments.empty() && segments.back().thread == thread) {
-    segments.back().statements += statements;
-  } else {
-    segments.push_back({static_cast<uint8_t>(thread), statements});
-  }
-}
-
-void Machine::RecordRounds(std::span<const uint8_t> threads, int64_t rounds) {
-  if (threads.size() == 1) return RecordTurn(threads[0], rounds);
-  for (const uint8_t thread : threads) RecordTurn(thread, 1);
-  auto& segments = recording_->segments;
-  for (int64_t round = 1; round < rounds; ++round) {
-    for (const uint8_t thread : threads) segments.push_back({thread, 1});
-  }
+  if (recording_ != nullptr && statements > 0) recording_->AddTurn(thread, statements);
 }
 
 int64_t Machine::UntilCheckpoint() const {

@@ -12,12 +12,12 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "vm/command_table.h"
 #include "vm/image.h"
 #include "vm/limits.h"
+#include "vm/recording.h"
 #include "vm/schedule.h"
 #include "vm/scheduler.h"
 
@@ -197,9 +197,8 @@ class Machine {
 
   // --- Recording -------------------------------------------------------------------------------
 
-  /// Appends what is executed to `schedule` until called with nullptr; the schedule must outlive
-  /// the recording.
-  void Record(Schedule* schedule) { recording_ = schedule; }
+  /// Appends what is executed to `recording` until called with nullptr or EndRecording().
+  void Record(Recording* recording) { recording_ = recording; }
   /// Ends a recording with a checkpoint of the present state.
   void EndRecording();
 
@@ -246,9 +245,6 @@ class Machine {
   /// Writes the recording's checkpoint, or compares with the replay's. False: the hash differs.
   bool PassCheckpoint();
   void RecordTurn(int thread, int64_t statements);
-  /// As many rounds as given (> 0), in each of which every one of these threads executes one
-  /// statement, in this order.
-  void RecordRounds(std::span<const uint8_t> threads, int64_t rounds);
   /// Threads that take a turn each round: the runnable and those waiting for a value.
   uint32_t RoundMembers() const;
   /// Executes `rounds` whole rounds of the one-statement round robin; returns the number of
@@ -259,7 +255,7 @@ class Machine {
   std::shared_ptr<const Image> image_;
   std::unique_ptr<MachineState> state_;  // large: keep Machine itself movable and small
   uint32_t awake_ = 0;  // bit n: thread n may be running or periodic; the others are neither
-  Schedule* recording_ = nullptr;
+  Recording* recording_ = nullptr;
   std::vector<double> cells_;  // scratch of CallCommand(), kept to avoid allocation
   Stop last_stop_ = Stop::kBudget;
 };

@@ -16,7 +16,6 @@
 #include <array>
 #include <bit>
 #include <optional>
-#include <span>
 #include <utility>
 
 #include "vm/handlers.h"
@@ -239,12 +238,12 @@ int64_t Machine::ExecuteRounds(uint32_t members, int64_t rounds) {
     }
     if (attendance) {
       attendance->TakeOut([&](uint32_t positions, int64_t how_many) {
-        std::array<uint8_t, kThreadCount> threads;
-        size_t thread_count = 0;
+        const int begins = frame_at(std::countr_zero(positions)).thread;
+        RecordedRounds alike = {0, static_cast<uint8_t>(begins), how_many};
         for (uint32_t rest = positions; rest != 0; rest &= rest - 1) {
-          threads[thread_count++] = static_cast<uint8_t>(frame_at(std::countr_zero(rest)).thread);
+          alike.threads |= uint32_t{1} << frame_at(std::countr_zero(rest)).thread;
         }
-        RecordRounds(std::span(threads).first(thread_count), how_many);
+        recording_->AddRounds(alike);
       });
     }
     if (last_position < 0) break;

@@ -1,4 +1,4 @@
-// The text of schedule files. Line by line:
+// The text of schedule files (schedule_text.h puts it together). Line by line:
 //
 //   oncard-schedule 1
 //   program 0123456789abcdef
@@ -15,39 +15,17 @@
 // Tested by tests/vm/schedule_test.cc.
 #include "vm/schedule.h"
 
-#include <charconv>
-#include <iterator>
+#include <fmt/core.h>
+
 #include <optional>
 
 #include "base/files.h"
 #include "base/number.h"
 #include "vm/limits.h"
+#include "vm/schedule_text.h"
 
 namespace oncard::vm {
 namespace {
-
-constexpr std::string_view kFirstLine = "oncard-schedule 1";
-
-class LineReader {
- public:
-  explicit LineReader(std::string_view text) : rest_(text) {}
-
-  bool AtEnd() const { return rest_.empty(); }
-  int line_number() const { return line_number_; }
-
-  std::string_view Next() {
-    ++line_number_;
-    const size_t end = rest_.find('\n');
-    std::string_view line = rest_.substr(0, end);
-    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
-    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-    return line;
-  }
-
- private:
-  std::string_view rest_;
-  int line_number_ = 0;
-};
 
 // Removes the first word, up to a space, and returns it.
 std::string_view TakeWord(std::string_view& line) {
@@ -63,54 +41,18 @@ Error BadLine(const LineReader& reader, std::string_view expected_en,
                    reader.line_number(), expected_en, expected_zh);
 }
 
-void AppendNumber(std::string& text, int64_t number) {
-  char digits[20];
-  const auto end = std::to_chars(std::begin(digits), std::end(digits), number).ptr;
-  text.append(std::begin(digits), end);
-}
-
-// A long recording has millions of these lines, so they are put together without fmt.
-void AppendRun(std::string& text, const ScheduleSegment& segment) {
-  text += "run ";
-  AppendNumber(text, segment.thread);
-  text += ' ';
-  AppendNumber(text, segment.statements);
-  text += '\n';
-}
-
 }  // namespace
 
 std::string FormatSchedule(const Schedule& schedule) {
-  std::string text = fmt::format("{}\nprogram {:016x}\n", kFirstLine, schedule.program_hash);
-  std::string scenario_lines;
-  int scenario_line_count = 0;
-  for (LineReader reader(schedule.scenario); !reader.AtEnd(); ++scenario_line_count) {
-    scenario_lines += fmt::format("{}{}\n", kScenarioPrefix, reader.Next());
-  }
-  text += fmt::format("scenario {}\n{}", scenario_line_count, scenario_lines);
+  ScheduleText text(schedule.program_hash, schedule.scenario, schedule.checkpoints);
   constexpr size_t kShortLine = sizeof "run 0 1";
-  text.reserve(text.size() + schedule.segments.size() * kShortLine);
-  int64_t total = 0;
-  size_t checkpoint = 0;
+  text.Reserve(schedule.segments.size() * kShortLine);
   for (size_t i = 0; i < schedule.segments.size(); ++i) {
-    const ScheduleSegment& segment = schedule.segments[i];
-    AppendRun(text, segment);
-    if (i < schedule.stops.size()) {
-      const ScheduleStop& stop = schedule.stops[i];
-      text += fmt::format("next {} {}{}{}\n", stop.line, stop.passes, stop.text.empty() ? "" : " ",
-                          stop.text);
-    }
-    total += segment.statements;
-    for (; checkpoint < schedule.checkpoints.size() &&
-           schedule.checkpoints[checkpoint].statement <= total;
-         ++checkpoint) {
-      text += fmt::format("check {} {:016x}\n", schedule.checkpoints[checkpoint].statement,
-                          schedule.checkpoints[checkpoint].hash);
-    }
+    text.AddRun(schedule.segments[i]);
+    if (i < schedule.stops.size()) text.AddNext(schedule.stops[i]);
+    text.AddChecks();
   }
-  if (schedule.cut_us) text += fmt::format("cut {}\n", *schedule.cut_us);
-  text += fmt::format("end {}\n", total);
-  return text;
+  return text.Finish(schedule.cut_us);
 }
 
 Result<Schedule> ParseSchedule(std::string_view text) {

@@ -68,10 +68,11 @@ class ScenarioRunner {
     if (!policy.ok()) return policy.error();
     replayed_ = policy.value().schedule;
     controller_.machine().SetPolicy(policy.value());
-    if (options_.record) {
-      result_.schedule.emplace();
-      result_.schedule->program_hash = image().hash;
-      controller_.machine().Record(&*result_.schedule);
+    recording_ = options_.record ? &own_recording_ : options_.recording;
+    if (recording_ != nullptr) {
+      *recording_ = {};
+      recording_->program_hash = image().hash;
+      controller_.machine().Record(recording_);
     }
     return {};
   }
@@ -252,7 +253,7 @@ class ScenarioRunner {
   void Report() {
     const vm::Machine& machine = controller_.machine();
     CheckReplay();
-    if (result_.schedule) FinishRecording(*result_.schedule);
+    if (recording_ != nullptr) FinishRecording();
     result_.end_ms = controller_.NowMs();
     result_.statements = machine.state().executed;
     result_.hash = controller_.Hash();
@@ -375,11 +376,12 @@ class ScenarioRunner {
     result_.interrupted = false;
   }
 
-  void FinishRecording(vm::Schedule& schedule) {
+  void FinishRecording() {
     controller_.machine().EndRecording();
     if (result_.interrupted || result_.end == RunEnd::kScheduleEnd) {
-      schedule.cut_us = controller_.cycle() * scenario_.cycle_us;
+      recording_->cut_us = controller_.cycle() * scenario_.cycle_us;
     }
+    if (options_.record) result_.schedule = vm::ScheduleOf(own_recording_);
   }
 
   void ReportThread(int number) {
@@ -416,6 +418,8 @@ class ScenarioRunner {
   std::vector<std::vector<Quantity>> shown_quantities_;
   std::vector<Quantity> traced_;  // from the scenario's `trace`
   ScenarioResult result_;
+  vm::Recording own_recording_;
+  vm::Recording* recording_ = nullptr;  // where the run is recorded
 };
 
 }  // namespace

@@ -24,6 +24,7 @@
 #include "runtime/scenario/scenario.h"
 #include "runtime/sim/controller.h"
 #include "vm/object.h"
+#include "vm/recording.h"
 #include "vm/schedule.h"
 
 namespace oncard::runtime {
@@ -34,6 +35,8 @@ struct RunOptions {
   std::shared_ptr<const vm::Schedule> replay;
   /// Record the executed schedule in ScenarioResult::schedule.
   bool record = false;
+  /// Records the executed schedule here instead, where a long run needs less memory.
+  vm::Recording* recording = nullptr;
   /// Names of the values to return at the end (quantity.h); empty: all global variables.
   std::vector<std::string> show;
   /// Record values over time in ScenarioResult::trace: the names in the scenario's `trace` or, if

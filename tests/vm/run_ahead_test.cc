@@ -16,7 +16,7 @@ class Pair {
  public:
   Pair(const Object& object, int64_t quantum, Recorded recorded = Recorded::kNo)
       : reference(object, quantum), recorded_(recorded), machine(&commands_) {
-    if (recorded == Recorded::kYes) machine.Record(&schedule_);
+    if (recorded == Recorded::kYes) machine.Record(&recording_);
     Policy policy;
     policy.quantum = quantum;
     machine.SetPolicy(policy);
@@ -55,7 +55,7 @@ class Pair {
     if (machine.last_stop() != stop) return testing::AssertionFailure() << "wrong reason to stop";
     const std::string difference = reference.Difference(machine);
     if (!difference.empty()) return testing::AssertionFailure() << difference;
-    if (recorded_ == Recorded::kYes && schedule_.segments != reference.segments) {
+    if (recorded_ == Recorded::kYes && ScheduleOf(recording_).segments != reference.segments) {
       return testing::AssertionFailure() << "another order has been recorded";
     }
     return testing::AssertionSuccess();
@@ -66,7 +66,7 @@ class Pair {
  private:
   ThreadCommands commands_;
   Recorded recorded_;
-  Schedule schedule_;
+  Recording recording_;
 
  public:
   Machine machine;

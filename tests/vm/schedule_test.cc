@@ -165,11 +165,11 @@ class ReplayTest : public MachineTest {
 
   Schedule RecordCounters(int64_t statements) {
     StartCounters(ParsePolicy("random:3").value());
-    Schedule schedule;
-    machine_.Record(&schedule);
+    Recording recording;
+    machine_.Record(&recording);
     machine_.Execute(statements);
     machine_.Record(nullptr);
-    return schedule;
+    return ScheduleOf(recording);
   }
 };
 
@@ -179,8 +179,8 @@ TEST_F(ReplayTest, ReplayOfAnyPolicyEndsInTheSameState) {
       RandomNumbers random(seed);
       const RandomProgram program = MakeRandomProgram(random);
       StartProgram(program, ParsePolicy(name).value(), commands_, &machine_);
-      Schedule schedule;
-      machine_.Record(&schedule);
+      Recording recording;
+      machine_.Record(&recording);
       const int64_t executed = machine_.Execute(300) + machine_.Execute(200);
       machine_.Record(nullptr);
       const uint64_t hash = machine_.Hash();
@@ -188,7 +188,7 @@ TEST_F(ReplayTest, ReplayOfAnyPolicyEndsInTheSameState) {
       EXPECT_EQ(machine_.Execute(500), executed);
       EXPECT_EQ(machine_.Hash(), hash) << "recording changes nothing";
 
-      const auto read = ParseSchedule(FormatSchedule(schedule));
+      const auto read = ParseSchedule(FormatRecording(recording));
       ASSERT_TRUE(read.ok());
       StartProgram(program, Replay(read.value()), commands_, &machine_);
       int64_t replayed = 0;
@@ -212,8 +212,8 @@ TEST_F(ReplayTest, RecordingIsTheSameHoweverMuchIsExecutedAtOnce) {
     const auto record = [&](int64_t piece) {
       Machine machine(&commands_);
       StartProgram(program, {}, commands_, &machine);
-      Schedule schedule;
-      machine.Record(&schedule);
+      Recording recording;
+      machine.Record(&recording);
       for (int64_t cycle = 1; cycle <= 2; ++cycle) {
         for (int64_t left = 5500; left > 0; left -= piece) {
           if (machine.Execute(std::min(piece, left)) == 0) break;
@@ -221,13 +221,14 @@ TEST_F(ReplayTest, RecordingIsTheSameHoweverMuchIsExecutedAtOnce) {
         machine.BeginCycle(cycle);
       }
       machine.EndRecording();
-      return schedule;
+      return recording;
     };
-    const Schedule one_by_one = record(1);
+    const Recording one_by_one = record(1);
     in_the_middle += std::ranges::count_if(
         one_by_one.checkpoints, [](const auto& at) { return at.statement == kCheckpointInterval; });
     for (const int64_t piece : {37, 5500}) {
-      ASSERT_EQ(FormatSchedule(record(piece)), FormatSchedule(one_by_one)) << seed << ' ' << piece;
+      ASSERT_EQ(FormatRecording(record(piece)), FormatRecording(one_by_one))
+          << seed << ' ' << piece;
     }
   }
   EXPECT_GT(in_the_middle, 0) << "some programs must come to the checkpoint in the middle";
@@ -265,13 +266,13 @@ TEST_F(ReplayTest, ThreadThatCannotRunIsADivergence) {
 
 TEST_F(ReplayTest, SingleStepsAreRecordedToo) {
   StartCounters({});
-  Schedule schedule;
-  machine_.Record(&schedule);
+  Recording recording;
+  machine_.Record(&recording);
   for (const int thread : {1, 1, 0, 1}) machine_.ExecuteOne(thread);
   machine_.Execute(1);
   machine_.Pause(1);
   machine_.Step(1);
-  EXPECT_EQ(schedule.segments,
+  EXPECT_EQ(ScheduleOf(recording).segments,
             (std::vector<ScheduleSegment>{{1, 2}, {0, 1}, {1, 1}, {0, 1}, {1, 1}}));
 }
 

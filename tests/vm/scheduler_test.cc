@@ -26,11 +26,11 @@ class SchedulerTest : public MachineTest {
 
   // The segments of the next `statements` statements.
   Segments Trace(int64_t statements) {
-    Schedule schedule;
-    machine_.Record(&schedule);
+    Recording recording;
+    machine_.Record(&recording);
     machine_.Execute(statements);
     machine_.Record(nullptr);
-    return schedule.segments;
+    return ScheduleOf(recording).segments;
   }
 };
 
