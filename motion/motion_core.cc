@@ -114,10 +114,12 @@ void MotionCore::BeginTick() {
 void MotionCore::FinishTick() {
   MapProfiles();
   const Readings present = readings();
+  const bool inputs = state_.io.AnyActive();
   for (size_t i = 0; i < axis_count(); ++i) {
     const Axis& axis = state_.axes[i];
     // Most axes have no latched condition and no cause to latch one.
-    if (axis.latched != 0 || present.ActiveCauses(axis) != 0) GuardAxis(i);
+    const bool cause = inputs ? present.ActiveCauses(axis) != 0 : present.BeyondSoftLimit(axis);
+    if (axis.latched != 0 || cause) GuardAxis(i);
   }
   if (state_.compensates) AdvanceCompensations();
   AdvanceDrives();

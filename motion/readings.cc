@@ -59,13 +59,10 @@ uint32_t Readings::ActiveCauses(const Axis& axis) const {
   if (axis.alarm_on && InputActive(axis.alarm)) causes |= kAlarmBit;
   if (InputActive(axis.smooth_stop)) causes |= kSmoothStopBit;
   if (InputActive(axis.abrupt_stop)) causes |= kAbruptStopBit;
-  const double position = axis.profile.position;
-  if ((axis.positive_limit_on && InputActive(axis.positive_limit)) ||
-      (axis.soft_positive != kNoPositiveLimit && position > axis.soft_positive)) {
+  if ((axis.positive_limit_on && InputActive(axis.positive_limit)) || BeyondPositiveLimit(axis)) {
     causes |= kPositiveLimitBit;
   }
-  if ((axis.negative_limit_on && InputActive(axis.negative_limit)) ||
-      (axis.soft_negative != kNoNegativeLimit && position < axis.soft_negative)) {
+  if ((axis.negative_limit_on && InputActive(axis.negative_limit)) || BeyondNegativeLimit(axis)) {
     causes |= kNegativeLimitBit;
   }
   return causes;

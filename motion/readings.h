@@ -63,6 +63,10 @@ class Readings {
   }
   /// The conditions to latch whose causes exist now; following errors are handled separately.
   uint32_t ActiveCauses(const Axis& axis) const;
+  /// True if the planned position is beyond a software limit: the only cause without an input.
+  bool BeyondSoftLimit(const Axis& axis) const {
+    return BeyondPositiveLimit(axis) || BeyondNegativeLimit(axis);
+  }
   /// True if |planned - measured| exceeds the limit of the axis' controller.
   bool FollowingErrorExceeded(size_t axis) const;
   /// True if an axis of the profile has a latched limit in a direction, given by its sign.
@@ -98,6 +102,13 @@ class Readings {
   }
 
  private:
+  static bool BeyondPositiveLimit(const Axis& axis) {
+    return axis.soft_positive != kNoPositiveLimit && axis.profile.position > axis.soft_positive;
+  }
+  static bool BeyondNegativeLimit(const Axis& axis) {
+    return axis.soft_negative != kNoNegativeLimit && axis.profile.position < axis.soft_negative;
+  }
+
   const MotionState& state_;
   size_t axis_count_;
 };

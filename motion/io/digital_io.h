@@ -98,6 +98,12 @@ class DigitalIo {
   uint32_t Read(DiType type) const {
     return (At(type).levels ^ At(type).inverted) & At(type).active;
   }
+  /// True if an input of any word reads 1.
+  bool AnyActive() const {
+    uint32_t any = 0;
+    for (const DiWord& word : inputs_) any |= (word.levels ^ word.inverted) & word.active;
+    return any != 0;
+  }
   /// Sets the senses of a whole word; takes effect at once.
   void SetInverted(DiType type, uint32_t mask);
   uint32_t inverted(DiType type) const { return At(type).inverted; }
