@@ -11,6 +11,9 @@
 namespace oncard::vm {
 namespace {
 
+/// True for statements in a row of one thread.
+bool IsAlone(const RecordedRounds& rounds) { return rounds.threads == uint32_t{1} << rounds.first; }
+
 /// The threads of a round, in their order.
 class ThreadsOf {
  public:
@@ -50,9 +53,9 @@ class Joined {
   ScheduleSegment last_;  // not passed on: more may follow
 };
 
-/// The characters of the rounds' lines, at most.
+/// About the characters of the rounds' lines.
 size_t Length(const RecordedRounds& rounds) {
-  if (std::has_single_bit(rounds.threads)) return 32;
+  if (IsAlone(rounds)) return sizeof "run 10 1";
   return static_cast<size_t>(rounds.rounds * std::popcount(rounds.threads)) * sizeof "run 10 1";
 }
 
@@ -75,10 +78,13 @@ Schedule ScheduleOf(const Recording& recording) {
   schedule.cut_us = recording.cut_us;
   Joined segments([&](const ScheduleSegment& segment) { schedule.segments.push_back(segment); });
   for (const RecordedRounds& rounds : recording.rounds) {
+    if (IsAlone(rounds)) {
+      segments.Add(rounds.first, rounds.rounds);
+      continue;
+    }
     const ThreadsOf threads(rounds);
-    const bool alone = threads.size() == 1;
-    for (int64_t round = 0; round < (alone ? 1 : rounds.rounds); ++round) {
-      for (const uint8_t thread : threads) segments.Add(thread, alone ? rounds.rounds : 1);
+    for (int64_t round = 0; round < rounds.rounds; ++round) {
+      for (const uint8_t thread : threads) segments.Add(thread, 1);
     }
   }
   segments.PassOn();
@@ -95,11 +101,11 @@ std::string FormatRecording(const Recording& recording) {
     text.AddChecks();
   });
   for (const RecordedRounds& rounds : recording.rounds) {
-    const ThreadsOf threads(rounds);
-    if (threads.size() == 1) {
+    if (IsAlone(rounds)) {
       segments.Add(rounds.first, rounds.rounds);
       continue;
     }
+    const ThreadsOf threads(rounds);
     const auto add_one = [&] {
       for (const uint8_t thread : threads) segments.Add(thread, 1);
     };
