@@ -139,12 +139,15 @@ void BenchRun() {
   const std::vector<std::string> one = {
       "run", ONCARD_KERNELS "/collatz.c", "--thread", "0=collatz:n=100000", "--rate", "1000000"};
   MeasureRecording("oncard run, 1 thread computes", one, file);
-  std::vector<std::string> eight = {"run", ONCARD_KERNELS "/collatz.c", "--rate", "1000000"};
-  for (int thread = 0; thread < 8; ++thread) {
-    const std::string number = std::to_string(thread);
-    eight.insert(eight.end(), {"--thread", number + "=collatz@" + number + ":n=5000"});
+  for (const char* rate : {"1000", "1000000"}) {
+    std::vector<std::string> eight = {"run", ONCARD_KERNELS "/collatz.c", "--rate", rate};
+    for (int thread = 0; thread < 8; ++thread) {
+      const std::string number = std::to_string(thread);
+      eight.insert(eight.end(), {"--thread", number + "=collatz@" + number + ":n=5000"});
+    }
+    const std::string what = std::string("oncard run, 8 threads compute, rate ") + rate;
+    MeasureRecording(what.c_str(), eight, file);
   }
-  MeasureRecording("oncard run, 8 threads compute", eight, file);
   std::filesystem::remove_all(folder);
 }
 
