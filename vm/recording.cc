@@ -14,6 +14,12 @@ namespace {
 /// True for statements in a row of one thread.
 bool IsAlone(const RecordedRounds& rounds) { return rounds.threads == uint32_t{1} << rounds.first; }
 
+/// True if a thread can be the next one of a round: it follows the others in their order.
+bool ComesAfter(const RecordedRounds& rounds, int thread) {
+  const int place = (thread - rounds.first + kThreadCount) % kThreadCount;
+  return std::rotr(rounds.threads, rounds.first) >> place == 0;
+}
+
 /// The threads of a round, in their order.
 class ThreadsOf {
  public:
@@ -60,6 +66,20 @@ size_t Length(const RecordedRounds& rounds) {
 }
 
 }  // namespace
+
+void Recording::AddTurn(int thread, int64_t statements) {
+  RecordedRounds* last = rounds.empty() ? nullptr : &rounds.back();
+  const bool begins =
+      last == nullptr || last->rounds != 1 || statements != 1 || !ComesAfter(*last, thread);
+  if (begins) return AddRounds({uint32_t{1} << thread, static_cast<uint8_t>(thread), statements});
+  last->threads |= uint32_t{1} << thread;
+  if (rounds.size() < 2) return;
+  // The round may be complete now.
+  RecordedRounds& before = last[-1];
+  if (before.threads != last->threads || before.first != last->first) return;
+  ++before.rounds;
+  rounds.pop_back();
+}
 
 void Recording::AddRounds(const RecordedRounds& added) {
   if (!rounds.empty() && rounds.back().threads == added.threads &&

@@ -28,10 +28,8 @@ struct Recording {
   std::vector<ScheduleCheckpoint> checkpoints;
   std::optional<int64_t> cut_us;
 
-  /// Appends `statements` > 0 in a row of one thread.
-  void AddTurn(int thread, int64_t statements) {
-    AddRounds({uint32_t{1} << thread, static_cast<uint8_t>(thread), statements});
-  }
+  /// Appends `statements` > 0 in a row of one thread. Turns that make rounds are found.
+  void AddTurn(int thread, int64_t statements);
   void AddRounds(const RecordedRounds& added);
 };
 

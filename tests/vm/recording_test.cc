@@ -36,6 +36,36 @@ TEST(RecordingTest, RoundsThatAreAlikeAreKeptOnce) {
   EXPECT_EQ(recording.rounds.size(), 2u) << "another order";
 }
 
+TEST(RecordingTest, TurnsThatMakeRoundsAreKeptAsRounds) {
+  Recording recording;
+  for (int i = 0; i < 1000; ++i) {
+    for (const int thread : {30, 2, 7}) recording.AddTurn(thread, 1);
+  }
+  ASSERT_EQ(recording.rounds.size(), 1u);
+  EXPECT_EQ(recording.rounds[0].threads, 1u << 30 | 1u << 2 | 1u << 7);
+  EXPECT_EQ(recording.rounds[0].first, 30);
+  EXPECT_EQ(recording.rounds[0].rounds, 1000);
+}
+
+TEST(RecordingTest, TurnsKeepTheirOrder) {
+  RandomNumbers random(5);
+  for (int i = 0; i < 3000; ++i) {
+    Recording recording;
+    Segments expected;
+    const auto threads = random.Between(1, 5);
+    auto thread = random.Between(0, 31);
+    for (int turn = 0; turn < 60; ++turn) {
+      thread = random.OneIn(8) ? random.Between(0, 31) : (thread + 7) % (7 * threads);
+      const int64_t statements = random.OneIn(8) ? 2 : 1;
+      recording.AddTurn(static_cast<int>(thread % 32), statements);
+      const auto number = static_cast<uint8_t>(thread % 32);
+      if (expected.empty() || expected.back().thread != number) expected.push_back({number, 0});
+      expected.back().statements += statements;
+    }
+    ASSERT_EQ(ScheduleOf(recording).segments, expected) << i;
+  }
+}
+
 // Rounds of one to four threads, and checkpoints at any of their statements.
 Recording RandomRecording(RandomNumbers& random) {
   Recording recording;
