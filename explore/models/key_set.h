@@ -21,7 +21,7 @@ class KeySet {
   KeySet() : lines_(kFirstSize) {}
 
   /// The number of a key; the next free one, from 0, when it is new.
-  uint32_t FindOrAdd(StateKey key, bool* added) {
+  uint32_t FindOrAdd(const StateKey& key, bool* added) {
     if (size_ >= most_) Grow();
     const Place place = PlaceOf(lines_, key);
     *added = place.line->numbers[place.slot] == kEmpty;
