@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <new>
+#include <vector>
 
 #ifdef __linux__
 #include <sys/mman.h>
@@ -44,8 +45,11 @@ class LargePageAllocator {
 
  private:
   static constexpr size_t kPage = size_t{2} << 20;
-  static constexpr size_t kLeast = 2 * kPage;
+  static constexpr size_t kLeast = kPage;
   static constexpr std::align_val_t kSmallAlignment{alignof(T)};
 };
+
+template <typename T>
+using LargeVector = std::vector<T, LargePageAllocator<T>>;
 
 }  // namespace oncard

@@ -29,8 +29,8 @@ struct StateGraph {
   int threads = 0;
   /// For state s and thread t: element s * threads + t; kNone if the thread cannot execute a step
   /// there. The first state is 0.
-  std::vector<uint32_t, LargePageAllocator<uint32_t>> successors;
-  std::vector<uint32_t> flags;
+  LargeVector<uint32_t> successors;
+  LargeVector<uint32_t> flags;
   int64_t transitions = 0;
   /// False if the search was ended early; some successors are then missing.
   bool complete = false;

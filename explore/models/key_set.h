@@ -46,6 +46,7 @@ class KeySet {
 
  private:
   static constexpr size_t kFirstSize = 64;
+  static constexpr size_t kSmall = size_t{1} << 14;
   static constexpr size_t kPerLine = 3;
   static constexpr uint32_t kEmpty = ~uint32_t{0};
 
@@ -59,7 +60,7 @@ class KeySet {
       numbers[slot] = number;
     }
   };
-  using Lines = std::vector<Line, LargePageAllocator<Line>>;
+  using Lines = LargeVector<Line>;
   struct Place {
     Line* line;
     size_t slot;
@@ -92,7 +93,8 @@ class KeySet {
     }
   }
   void Grow() {
-    Lines larger(lines_.size() + lines_.size() / 2);
+    // While the table is small, moving it costs more than room that is not used.
+    Lines larger(lines_.size() < kSmall ? 4 * lines_.size() : lines_.size() + lines_.size() / 2);
     ForEach(lines_, [&](StateKey key, uint32_t number) {
       const Place place = PlaceOf(larger, key);
       place.line->Put(place.slot, key, number);

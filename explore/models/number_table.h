@@ -59,7 +59,7 @@ class NumberTable {
     }
   }
 
-  std::vector<Slot, LargePageAllocator<Slot>> slots_;
+  LargeVector<Slot> slots_;
   int shift_ = 64 - kFirstBits;
   size_t size_ = 0;
 };
