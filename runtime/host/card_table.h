@@ -41,7 +41,7 @@ struct CardSlot {
   std::array<char, kVersionLength + 1> version{};
   RefusedCommands refused;  ///< refused commands of motion programs since the card was opened
   MarshalledCall call;      ///< arguments of the call in progress
-  CallRecorder* recorder = nullptr;  ///< set while the card is open and its calls are recorded
+  CallRecorder* recorder = nullptr;    ///< set while the card is open and its calls are recorded
   std::optional<RecordedFiles> files;  ///< that the call in progress has read
 
   /// Lets an open card catch up with the time of its host, including a call that takes `cost_us`.
