@@ -197,7 +197,8 @@ class Machine {
 
   // --- Recording -------------------------------------------------------------------------------
 
-  /// Appends what is executed to `recording` until called with nullptr or EndRecording().
+  /// Appends what is executed to `recording` until called with nullptr or EndRecording(); it must
+  /// exist until then.
   void Record(Recording* recording) { recording_ = recording; }
   /// Ends a recording with a checkpoint of the present state.
   void EndRecording();
