@@ -64,6 +64,33 @@ test("breakpoints move with their lines, and have a key", async ({ page }) => {
   await expect(page.locator(".cm-breakpoint:visible")).toHaveCount(0);
 });
 
+test("a breakpoint that was just set moves with an edit while the page is still busy", async ({
+  page,
+}) => {
+  // Frames and short timers come late, as on a computer with much other work.
+  await page.addInitScript(() => {
+    const timer = window.setTimeout.bind(window);
+    const late = (work: () => void, ms = 0) => timer(work, ms > 0 && ms <= 200 ? 2000 : ms);
+    window.setTimeout = late as typeof setTimeout;
+    window.requestAnimationFrame = (work) => {
+      return late(() => {
+        work(performance.now());
+      }, 16);
+    };
+    window.cancelAnimationFrame = window.clearTimeout.bind(window);
+  });
+  await open(page);
+  await openOwn(page);
+  await write(page, counting);
+  for (let line = 1; line < 5; ++line) await page.keyboard.press("ArrowUp");
+  await page.keyboard.press("Control+F8");
+  await page.keyboard.press("Control+Home");
+  await page.keyboard.type("int y;\n");
+  await expect(page.getByRole("group", { name: "Breakpoints" }).getByRole("button")).toHaveText([
+    "6 ×",
+  ]);
+});
+
 test("names are described under the pointer and at the cursor", async ({ page }) => {
   await open(page);
   await openOwn(page);

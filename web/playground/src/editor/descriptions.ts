@@ -1,4 +1,5 @@
 // What a name or number in the text is: under the pointer, and at the cursor with F1.
+// Tested by test/descriptions.test.ts.
 
 import { type Extension, StateEffect, StateField } from "@codemirror/state";
 import { type EditorView, hoverTooltip, keymap, showTooltip, type Tooltip } from "@codemirror/view";
@@ -30,8 +31,10 @@ export function descriptions(describe: Describe): Extension {
   const showAtCursor = (view: EditorView) => {
     const { state } = view;
     void tooltipAt(state.selection.main.head, true).then((tooltip) => {
-      // The text is another one meanwhile.
-      if (view.state === state) view.dispatch({ effects: setShown.of(tooltip) });
+      // The text or the cursor is another one meanwhile.
+      const { doc, selection } = view.state;
+      if (!doc.eq(state.doc) || !selection.eq(state.selection)) return;
+      view.dispatch({ effects: setShown.of(tooltip) });
     });
     return true;
   };

@@ -1,7 +1,7 @@
 // The program: its files, its editor, and the compiler's messages under the text.
 
 import { signal } from "@preact/signals";
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useLayoutEffect, useRef, useState } from "preact/hooks";
 
 import { Dialog } from "../panel/dialog.js";
 import { language } from "../store/settings.js";
@@ -193,11 +193,13 @@ function Breakpoints() {
   );
 }
 
+// Every effect is a layout effect: what the page shows around the editor is in the editor, too, before
+// the next key is pressed. A breakpoint that came later would miss an edit, and stand at another line.
 function Code() {
   const host = useRef<HTMLDivElement>(null);
   const name = file.value;
   const number = opened.value;
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (!host.current) return undefined;
     const created: CodeEditor = new CodeEditor(host.current, {
       edit: (text) => {
@@ -231,16 +233,16 @@ function Code() {
       editor = undefined;
     };
   }, []);
-  useEffect(() => {
+  useLayoutEffect(() => {
     const work = awaited;
     awaited = undefined;
     editor?.show(name, files.peek()[name] ?? "");
     if (editor) work?.(editor);
   }, [name, number]);
-  useEffect(() => {
+  useLayoutEffect(() => {
     editor?.label(texts.value.editor.label(name));
   }, [name, number, language.value]);
-  useEffect(() => {
+  useLayoutEffect(() => {
     const text = files.peek()[name] ?? "";
     const here = diagnostics.value.filter((each) => each.file === name);
     editor?.underline(
@@ -253,15 +255,15 @@ function Code() {
     );
   }, [diagnostics.value, name, number, language.value]);
   const breakpoints = name === lesson.value.program ? bench.breakpoints.value : [];
-  useEffect(() => {
+  useLayoutEffect(() => {
     editor?.breakpoints(breakpoints);
   }, [breakpoints, name, number]);
   const marked = markedLines();
   const shownLine = marked.find(({ class: kind }) => kind === "cm-next")?.line ?? 0;
-  useEffect(() => {
+  useLayoutEffect(() => {
     editor?.mark(marked);
   }, [JSON.stringify(marked), name, number]);
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (shownLine > 0 && bench.notice.peek().kind !== "running") editor?.reveal(shownLine);
   }, [shownLine]);
   return <div class="code" ref={host} />;
