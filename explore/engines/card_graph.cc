@@ -51,8 +51,7 @@ class CardSearch {
     const uint32_t number = numbers_.FindOrAdd(model_.KeyOf(state), &added);
     if (!added) return number;
     StateGraph& graph = result_.graph;
-    graph.successors.resize(graph.successors.size() + static_cast<size_t>(graph.threads),
-                            StateGraph::kNone);
+    graph.successors.Append(static_cast<size_t>(graph.threads), StateGraph::kNone);
     uint32_t flags = 0;
     if (state.ended) {
       flags |= kTerminal;
@@ -68,7 +67,7 @@ class CardSearch {
       ++result_.bad_states;
       first_bad_ = std::min(first_bad_, graph.size());
     }
-    graph.flags.push_back(flags);
+    graph.flags.Append(1, flags);
     if (!state.ended) waiting_.emplace_back(number, std::move(state));
     return number;
   }

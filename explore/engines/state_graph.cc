@@ -433,12 +433,12 @@ class GraphBuilder {
   bool Enter(Walk* walk) {
     const uint32_t runnable = walk->runnable();
     if (!LookAhead(runnable, walk)) return false;
-    graph_.successors.resize(graph_.successors.size() + static_cast<size_t>(graph_.threads), kNone);
+    graph_.successors.Append(static_cast<size_t>(graph_.threads), kNone);
     uint32_t flags = runnable == 0 ? kTerminal : 0u;
     if (judged_ == Judged::kEveryState || runnable == 0 || walk->failed()) {
       flags |= judge_(walk->State());
     }
-    graph_.flags.push_back(flags);
+    graph_.flags.Append(1, flags);
     if ((flags & kBad) != 0) after_bad_ = std::min(after_bad_, graph_.size());
     stopped_ = graph_.size() >= limits_.states ||
                graph_.size() - std::min(after_bad_, graph_.size()) >= limits_.states_after_bad ||

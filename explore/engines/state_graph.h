@@ -10,7 +10,7 @@
 #include <functional>
 #include <vector>
 
-#include "base/large_pages.h"
+#include "base/large_array.h"
 #include "explore/engines/progress.h"
 #include "explore/models/model.h"
 
@@ -29,8 +29,8 @@ struct StateGraph {
   int threads = 0;
   /// For state s and thread t: element s * threads + t; kNone if the thread cannot execute a step
   /// there. The first state is 0.
-  LargeVector<uint32_t> successors;
-  LargeVector<uint32_t> flags;
+  LargeArray<uint32_t> successors;
+  LargeArray<uint32_t> flags;
   int64_t transitions = 0;
   /// False if the search was ended early; some successors are then missing.
   bool complete = false;

@@ -4,9 +4,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
-#include "base/large_pages.h"
+#include "base/large_array.h"
 
 namespace oncard::explore {
 
@@ -19,12 +20,14 @@ class NumberTable {
   NumberTable() : slots_(size_t{1} << kFirstBits) {}
 
   /// The number that was added for a pair; kNone if there is none.
-  uint32_t Find(uint32_t first, int64_t value) const { return slots_[SlotOf(first, value)].number; }
+  uint32_t Find(uint32_t first, int64_t value) const {
+    return slots_[SlotOf(first, value)].number();
+  }
 
   /// Adds a pair that is not in the table; `number` is not kNone.
   void Add(uint32_t first, int64_t value, uint32_t number) {
     if (2 * ++size_ > slots_.size()) Grow();
-    slots_[SlotOf(first, value)] = {value, first, number};
+    slots_[SlotOf(first, value)] = {value, first, ~number};
   }
 
   size_t size() const { return size_; }
@@ -32,10 +35,13 @@ class NumberTable {
  private:
   static constexpr int kFirstBits = 10;
 
+  /// Zero bytes are a slot without a number.
   struct Slot {
-    int64_t value = 0;
-    uint32_t first = 0;
-    uint32_t number = kNone;
+    int64_t value;
+    uint32_t first;
+    uint32_t complement;  ///< of the number
+
+    uint32_t number() const { return ~complement; }
   };
 
   size_t SlotOf(uint32_t first, int64_t value) const {
@@ -43,7 +49,7 @@ class NumberTable {
         (static_cast<uint64_t>(value) ^ uint64_t{first} << 32) * 0x9e3779b97f4a7c15ULL +
         first * 0xd1b54a32d192ed03ULL;
     size_t slot = static_cast<size_t>((mixed ^ mixed >> 29) >> shift_);
-    while (slots_[slot].number != kNone &&
+    while (slots_[slot].number() != kNone &&
            (slots_[slot].value != value || slots_[slot].first != first)) {
       slot = (slot + 1) & (slots_.size() - 1);
     }
@@ -51,15 +57,14 @@ class NumberTable {
   }
 
   void Grow() {
-    decltype(slots_) old(slots_.size() * 2);
-    old.swap(slots_);
+    const LargeArray<Slot> old = std::exchange(slots_, LargeArray<Slot>(slots_.size() * 2));
     --shift_;
     for (const Slot& slot : old) {
-      if (slot.number != kNone) slots_[SlotOf(slot.first, slot.value)] = slot;
+      if (slot.number() != kNone) slots_[SlotOf(slot.first, slot.value)] = slot;
     }
   }
 
-  LargeVector<Slot> slots_;
+  LargeArray<Slot> slots_;
   int shift_ = 64 - kFirstBits;
   size_t size_ = 0;
 };

@@ -93,10 +93,10 @@ class PlainSearch {
     const auto [known, added] = numbers_.try_emplace(model_.key(), graph_.size());
     const uint32_t state = known->second;
     if (!added) return state;
-    graph_.flags.push_back((model_.runnable() == 0 ? kTerminal : 0u) |
-                           (FindFault(problem_, model_) ? kBad : 0u));
+    graph_.flags.Append(
+        1, (model_.runnable() == 0 ? kTerminal : 0u) | (FindFault(problem_, model_) ? kBad : 0u));
     const auto threads = static_cast<size_t>(graph_.threads);
-    graph_.successors.resize(graph_.successors.size() + threads, StateGraph::kNone);
+    graph_.successors.Append(threads, StateGraph::kNone);
     const Model here = model_;
     for (size_t thread = 0; thread < threads && graph_.size() < limit_; ++thread) {
       const int number = static_cast<int>(thread);

@@ -4,13 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <optional>
+#include <utility>
 
 namespace oncard::explore {
 namespace {
 
 using First = PairResult::First;
 
-/// Searches with given results.
+/// Searches with given results, which they give once.
 struct Searches {
   StateSearch states;
   TraceSearch traces;
@@ -19,7 +20,7 @@ struct Searches {
   PairResult Run() {
     return RunInTurn({.traces = [this](const std::atomic<bool>*,
                                        const SearchPair::TakesPause&) { return traces; },
-                      .states = [this](const std::atomic<bool>*) { return states; },
+                      .states = [this](const std::atomic<bool>*) { return std::move(states); },
                       .progress = progress});
   }
 };
