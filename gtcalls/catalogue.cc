@@ -106,6 +106,8 @@ std::string_view SpellUnit(Unit unit) {
       return "250 us";
     case Unit::kEighthMs:
       return "125 us";
+    case Unit::kKilohertz:
+      return "kHz";
     case Unit::kVolt:
       return "V";
     case Unit::kPercent:

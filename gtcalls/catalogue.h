@@ -119,6 +119,7 @@ enum class Unit : uint8_t {
   kCycle,      ///< profile cycles
   kQuarterMs,  ///< steps of 250 us
   kEighthMs,   ///< steps of 125 us
+  kKilohertz,
   kVolt,
   kPercent,
   kIndex,  ///< the number of an axis, channel, buffer, thread, ...

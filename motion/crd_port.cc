@@ -5,6 +5,32 @@
 #include "motion/origins.h"
 
 namespace oncard::motion {
+namespace {
+
+void CarryOutLaser(const BufferedCommand& command, Laser* laser) {
+  switch (command.kind) {
+    case BufferedKind::kLaserSwitch:
+      laser->on = command.detail != 0;
+      break;
+    case BufferedKind::kLaserPower:
+      laser->power = command.values[0];
+      laser->follows = false;
+      break;
+    case BufferedKind::kLaserFollow:
+      laser->follows = true;
+      laser->crd = static_cast<uint8_t>(command.detail);
+      laser->ratio = command.values[0];
+      laser->follow_bounds = {command.values[1], command.values[2]};
+      break;
+    case BufferedKind::kLaserSource:
+      laser->source = static_cast<LaserSource>(command.detail);
+      break;
+    default:
+      break;
+  }
+}
+
+}  // namespace
 
 void CrdPort::CarryOut(const BufferedCommand& command) {
   if (block_ != nullptr) block_->Store();
@@ -45,6 +71,21 @@ void CrdPort::CarryOut(const BufferedCommand& command) {
       if (state_.profiles[item].now.moving) break;
       Origins(state_, config_)
           .SetProfilePosition(item, state_.encoders[static_cast<size_t>(command.detail)].position);
+      break;
+    case BufferedKind::kComparePulse:
+      for (size_t channel = 0; channel < kHsioCount; ++channel) {
+        if (command.item != 0) {
+          state_.compare.SetLevel(channel, values[0] != 0);
+        } else {
+          state_.compare.Pulse(channel, now(), static_cast<int16_t>(values[1]));
+        }
+      }
+      break;
+    case BufferedKind::kLaserSwitch:
+    case BufferedKind::kLaserPower:
+    case BufferedKind::kLaserFollow:
+    case BufferedKind::kLaserSource:
+      CarryOutLaser(command, &state_.lasers.channels[item]);
       break;
     case BufferedKind::kOutside:
       state_.reached.push_back(command);

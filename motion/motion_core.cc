@@ -152,6 +152,7 @@ void MotionCore::Reset() {
   }
   state_.capture.Reset();
   state_.compare.Reset();
+  state_.lasers = {};
   state_.gantry = {};
   state_.homing.fill({});
   state_.homing_runs = false;

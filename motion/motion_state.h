@@ -21,6 +21,7 @@
 #include "motion/io/compare.h"
 #include "motion/io/digital_io.h"
 #include "motion/io/extension.h"
+#include "motion/io/laser.h"
 #include "motion/mechanics/plant.h"
 #include "motion/mechanics/switches_and_marks.h"
 #include "motion/mechanics/world_events.h"
@@ -71,6 +72,7 @@ struct MotionState {
   std::array<IndexMarks, kAxisMax> index_marks;
   CaptureUnit capture;
   CompareUnit compare;
+  Lasers lasers;
   Gantry gantry;
   std::array<Homing, kAxisMax> homing;
   bool homing_runs = false;  ///< any of them
@@ -83,7 +85,7 @@ struct MotionState {
     return std::tie(cycle, clock_cycle, io, profiles, pvt_tables, crds, axes, enable_axes,
                     compensations, compensates, encoders, encoder_faults, drives, plants, steps,
                     controls, dacs, adcs, modules, world, switches, index_marks, capture, compare,
-                    gantry, homing, homing_runs, reached);
+                    lasers, gantry, homing, homing_runs, reached);
   }
 };
 

@@ -68,6 +68,21 @@ uint32_t Readings::ActiveCauses(const Axis& axis) const {
   return causes;
 }
 
+double Readings::LaserPower(size_t index) const {
+  const Laser& laser = state_.lasers.channels[index];
+  const Crd& crd = state_.crds[laser.crd];
+  double velocity = crd.run.velocity;
+  if (laser.source == LaserSource::kMeasured) {
+    double sum = 0;
+    for (size_t i = 0; i < crd.dimension(); ++i) {
+      const double measured = state_.axes[static_cast<size_t>(crd.members[i])].encoder.velocity;
+      sum += measured * measured;
+    }
+    velocity = std::sqrt(sum);
+  }
+  return laser.Power(velocity);
+}
+
 bool Readings::FollowingErrorExceeded(size_t axis) const {
   const auto number = static_cast<int8_t>(axis);
   const double error = std::fabs(CommandedPosition(axis) - state_.axes[axis].encoder.position);

@@ -75,6 +75,9 @@ class Readings {
   bool InClosedLoop(size_t axis) const;
   bool IsGantrySlave(size_t axis) const { return state_.gantry.on && state_.gantry.slave == axis; }
 
+  /// The strength of a laser now, in the unit of its mode.
+  double LaserPower(size_t laser) const;
+
   /// The axis whose enable output enables a motor's drive; the axis with the same number if no axis
   /// commands it.
   size_t EnablingAxis(size_t plant) const {

@@ -22,6 +22,7 @@ inline constexpr std::string_view kCompiler = "accepted by the vendor's compiler
 inline constexpr std::string_view kCompilerAssumed =
     "accepted by the vendor's compiler; parameters assumed";
 inline constexpr std::string_view kHeader = "public header";
+inline constexpr std::string_view kLaserHeader = "public header and laser demonstrations";
 inline constexpr std::string_view kThreadHeader = "public header of the thread extensions";
 
 // --- Parameters ---------------------------------------------------------------------------------
@@ -46,6 +47,8 @@ constexpr Spec Thread() { return Index("thread", 0, kThreadLast); }
 constexpr Spec ThreadOrGlobals() { return Index("thread", -1, kThreadLast); }
 /// One of two high-speed output channels.
 constexpr Spec Channel(std::string_view name) { return Index(name, 0, 1); }
+/// In the unit of the laser's mode: percent, kHz or V.
+constexpr Spec LaserPower(std::string_view name) { return Double(name).Range(0, kRateBound); }
 constexpr Spec Module() { return Index("mdl", 0, kModuleLast); }
 constexpr Spec ModuleChannel() { return Index("chn", 0, kModuleChannelLast); }
 constexpr Spec DiType(std::string_view name) { return Short(name).Range(0, 6); }

@@ -6,7 +6,8 @@
 //   auto Fields() const { return std::tie(mode, position, table); }
 //
 // Members that are not listed are not part of the hash; kFieldsComplete<T> says at compile time
-// whether an aggregate's list is as long as the aggregate.
+// whether an aggregate's list is as long as the aggregate. A structure with a function in_use()
+// joins the hash only while that is true: what a card does not use does not change its hash.
 #pragma once
 
 // The state's layout, so that it can be a member.
@@ -80,10 +81,13 @@ class StateHash {
     return *this;
   }
 
-  /// Adds the members that a structure lists.
+  /// Adds the members that a structure lists; nothing if the structure says that it is not in use.
   template <typename T>
   requires requires(const T& value) { value.Fields(); }
   StateHash& Add(const T& value) {
+    if constexpr (requires { value.in_use(); }) {
+      if (!value.in_use()) return *this;
+    }
     std::apply([this](const auto&... fields) { (this->Add(fields), ...); }, value.Fields());
     return *this;
   }

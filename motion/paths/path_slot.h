@@ -27,6 +27,11 @@ enum class BufferedKind : uint8_t {
   kGear,          ///< item: profile; values: displacement, part of ramp up, part of ramp down
   kHold,          ///< the run pauses here until it is started again
   kSynchronise,   ///< item: profile; detail: encoder that gives its position
+  kComparePulse,  ///< item: 0 pulse, 1 level; values: level, us. At both high-speed outputs
+  kLaserSwitch,   ///< item: laser; detail: 1 on, 0 off
+  kLaserPower,    ///< item: laser; values[0]: power
+  kLaserFollow,   ///< item: laser; detail: coordinate system; values: ratio, least, most power
+  kLaserSource,   ///< item: laser; detail: LaserSource
   kOutside        ///< outside the motion core, whose owner carries it out (MotionState::reached)
                   ///< and gives the members their meaning
 };

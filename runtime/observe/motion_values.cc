@@ -136,6 +136,25 @@ constexpr MotionValue kHsioValues[] = {
          }),
 };
 
+const motion::Laser& LaserAt(const CardView& card, size_t index) {
+  return card.motion.state().lasers.channels[index];
+}
+
+double LaserPower(const CardView& card, size_t index) {
+  return card.motion.readings().LaserPower(index);
+}
+
+constexpr MotionValue kLaserValues[] = {
+    Flag("on", [](const CardView& card, size_t i) { return LaserAt(card, i).on ? 1.0 : 0.0; }),
+    {"power", NumberForm::kReal, Unit::kNone, LaserPower},
+    {"frequency", NumberForm::kReal, Unit::kKilohertz,
+     [](const CardView& card, size_t i) {
+       const motion::Laser& laser = LaserAt(card, i);
+       return laser.mode == motion::LaserMode::kFrequency ? LaserPower(card, i)
+                                                          : laser.pulse_frequency;
+     }},
+};
+
 constexpr std::array kParts = {
     MotionPart{"axis", AxisCount, kAxisValues},
     MotionPart{"profile", AxisCount, kProfileValues},
@@ -147,6 +166,7 @@ constexpr std::array kParts = {
     MotionPart{"dac", AxisCount, kDacValues},
     MotionPart{"adc", [](const MotionCore&) { return motion::kAdcCount; }, kAdcValues},
     MotionPart{kHsioPart, [](const MotionCore&) { return motion::kHsioCount; }, kHsioValues, 0},
+    MotionPart{"laser", [](const MotionCore&) { return motion::kLaserCount; }, kLaserValues, 0},
 };
 
 }  // namespace
@@ -163,6 +183,8 @@ std::string_view UnitName(Unit unit) {
       return "pulse/ms²";
     case Unit::kVolt:
       return "V";
+    case Unit::kKilohertz:
+      return "kHz";
   }
   return {};
 }

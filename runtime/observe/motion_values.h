@@ -23,9 +23,9 @@ enum class NumberForm : uint8_t {
   kFlag,        ///< 0 or 1
 };
 
-enum class Unit : uint8_t { kNone, kPulse, kPulsePerMs, kPulsePerMs2, kVolt };
+enum class Unit : uint8_t { kNone, kPulse, kPulsePerMs, kPulsePerMs2, kVolt, kKilohertz };
 
-/// The unit as text: "pulse", "pulse/ms", "pulse/ms²", "V"; empty for none.
+/// The unit as text: "pulse", "pulse/ms", "pulse/ms²", "V", "kHz"; empty for none.
 std::string_view UnitName(Unit unit);
 
 /// One value of every part of a kind.

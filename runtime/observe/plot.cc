@@ -179,6 +179,7 @@ class Picture {
         return panels_[2];
       case Unit::kNone:
       case Unit::kVolt:
+      case Unit::kKilohertz:
         break;
     }
     return panels_[4];

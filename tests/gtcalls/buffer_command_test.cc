@@ -42,6 +42,9 @@ TEST(Buffered, EveryCommandChecksItsRanges) {
                      {"GT_BufGearPercent", {1, 2, 100, 10, 10, 0}, 1},
                      {"GT_BufStopMotion", {1, 0}, 0},
                      {"GT_BufSynchPrfPos", {1, 1, 3, 0}, 0},
+                     {"GT_BufComparePulse", {1, 1, 0, 100, 0}, 0},
+                     {"GT_BufComparePulse", {1, 0, 0, 100, 0}, 7},
+                     {"GT_BufComparePulse", {1, 1, 0, 0, 0}, 7},
                      {"GT_BufSetLongVar", {1, 1023, 5, 0}, 0},
                      {"GT_BufSetLongVar", {1, 1024, 5, 0}, 7},
                      {"GT_BufSetDoubleVar", {1, 0, 0.5, 0}, 0}};
@@ -79,6 +82,30 @@ TEST(Buffered, ActBetweenSegments) {
   card.CyclesToEnd();
   EXPECT_EQ(card.Read("GT_GetPrfPos"), 200);
   EXPECT_EQ(card.Read("GT_GetPrfPos", 3), 50);
+}
+
+TEST(Buffered, APulseOrALevelIsPutOutBetweenSegments) {
+  CrdCommandCard card;
+  card.SetUp();
+  EXPECT_EQ(card.Line(100, 0), 0);
+  EXPECT_EQ(card.Call("GT_BufComparePulse", {1, 1, 0, 1500, 0}), 0);
+  EXPECT_EQ(card.Line(200, 0), 0);
+  EXPECT_EQ(card.Call("GT_BufComparePulse", {1, 1, 1, 0, 0}), 0);
+  EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 0);
+  const auto output = [&] {
+    return card.motion.state().compare.output(1).Level(card.motion.now());
+  };
+  card.Cycles(19);
+  EXPECT_FALSE(output());
+  // 1500 us from the cycle in which the first segment ends.
+  card.Cycle();
+  EXPECT_TRUE(output());
+  card.Cycle();
+  EXPECT_TRUE(output());
+  card.Cycle();
+  EXPECT_FALSE(output());
+  card.CyclesToEnd();
+  EXPECT_TRUE(output());
 }
 
 }  // namespace

@@ -60,6 +60,20 @@ TEST_F(MotionValuesTest, ReadsAuxiliaryEncodersAndHighSpeedOutputs) {
   EXPECT_FALSE(ResolveQuantity("encoder5.pos", small).ok());
 }
 
+TEST_F(MotionValuesTest, ReadsLasers) {
+  motion::Laser& laser = state().lasers.channels[1];
+  laser.on = true;
+  laser.power = 40;
+  laser.pulse_frequency = 10;
+  EXPECT_EQ(Read("laser0.on"), 0);
+  EXPECT_EQ(Read("laser1.on"), 1);
+  EXPECT_EQ(Read("laser1.power"), 40);
+  EXPECT_EQ(Read("laser1.frequency"), 10);
+  // The frequency itself is the power.
+  laser.mode = motion::LaserMode::kFrequency;
+  EXPECT_EQ(Read("laser1.frequency"), 40);
+}
+
 struct FlagCase {
   const char* name;
   uint32_t latched;

@@ -5,6 +5,7 @@
 #include <array>
 #include <span>
 
+#include "gtcalls/gts/commands/crd_support.h"
 #include "gtcalls/gts/commands/motion_support.h"
 
 namespace oncard::gtcalls {
@@ -57,8 +58,9 @@ int16_t gts::GT_2DCompareMode(Call& call) {
 
 namespace {
 
-/// Outputs a level or a pulse; the arguments from `first` on are level, type and time.
-int16_t PutOut(Call& call, size_t first, std::span<const size_t> channels) {
+/// 0, or 7 with the reason if the arguments from `first` on are no level, type and time of an
+/// output.
+int16_t CheckOutput(Call& call, size_t first) {
   const int level = call.integer(first);
   const int type = call.integer(first + 1);
   const int time = call.integer(first + 2);
@@ -72,6 +74,16 @@ int16_t PutOut(Call& call, size_t first, std::span<const size_t> channels) {
             "脉冲方式（outputType 为 0）下 level 应为 1，time 至少为 1 us",
             level, type, time));
   }
+  return vm::kOk;
+}
+
+/// Outputs a level or a pulse; the arguments from `first` on are level, type and time.
+int16_t PutOut(Call& call, size_t first, std::span<const size_t> channels) {
+  const int16_t code = CheckOutput(call, first);
+  if (code != vm::kOk) return code;
+  const int level = call.integer(first);
+  const int type = call.integer(first + 1);
+  const int time = call.integer(first + 2);
   for (const size_t channel : channels) {
     if (type != 0) {
       CompareOf(call).SetLevel(channel, level != 0);
@@ -93,6 +105,15 @@ int16_t gts::GT_2DComparePulse(Call& call) {
 int16_t gts::GT_ComparePulse(Call& call) {
   constexpr std::array<size_t, 2> kChannels = {0, 1};
   return PutOut(call, 0, kChannels);
+}
+
+int16_t gts::GT_BufComparePulse(Call& call) {
+  const int16_t code = CheckOutput(call, 1);
+  if (code != vm::kOk) return code;
+  motion::PathSlot slot;
+  slot.command = {
+      motion::BufferedKind::kComparePulse, call.integer(2), 0, {call.value(1), call.value(3)}};
+  return AppendSlot(call, slot);
 }
 
 namespace {
