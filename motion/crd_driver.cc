@@ -84,8 +84,8 @@ void CrdDriver::Advance() {
 void CrdDriver::TellRunEnd() const {
   const CrdFifo& fifo = crd_.active();
   if (fifo.executing || !fifo.slots.empty()) return;
-  if (!fifo.look_ahead.ring.empty()) {
-    card_.Tell(HappeningKind::kStarved, static_cast<double>(fifo.look_ahead.ring.CountSegments()));
+  if (!fifo.Ahead().empty()) {
+    card_.Tell(HappeningKind::kStarved, static_cast<double>(fifo.Ahead().CountSegments()));
   } else if (crd_.run.plan.end_velocity > 0) {
     card_.Tell(HappeningKind::kEndedMoving, crd_.run.plan.end_velocity);
   }

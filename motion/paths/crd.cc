@@ -11,90 +11,14 @@ namespace {
 static_assert(kFieldsComplete<Crd> && kFieldsComplete<CrdParameters> && kFieldsComplete<CrdFifo> &&
               kFieldsComplete<CrdRun> && kFieldsComplete<GearShare>);
 
-/// Rounding must not make an end velocity unreachable that can just be reached.
-constexpr double kReachSlack = 1 + 1e-9;
-
-/// Changes the velocity from `from` to `to` over `distance` with constant acceleration.
-void AppendRamp(double from, double to, double distance, Plan* plan) {
-  if (!(from + to > 0)) return;
-  plan->Append(2 * distance / (from + to), from, (to * to - from * from) / (2 * distance));
-}
-
 }  // namespace
-
-// --- Plans along a segment ---------------------------------------------------------------------
-
-Plan PlanSpan(const PathSpan& span) {
-  Plan plan;
-  plan.end_position = span.begin;
-  const double distance = span.end - span.begin;
-  const double acc = span.acceleration;
-  const double from = span.velocity;
-  double last = std::min(span.end_velocity, span.target);
-  if (distance > 0) {
-    const double square = from * from;
-    const double gain = 2 * acc * distance;
-    if (square - last * last >= gain) {
-      // Decelerate along the whole distance.
-      if (square - last * last > gain * kReachSlack) last = std::sqrt(square - gain);
-      AppendRamp(from, last, distance, &plan);
-    } else if (last * last - square >= gain) {
-      if (last * last - square > gain * kReachSlack) last = std::sqrt(square + gain);
-      AppendRamp(from, last, distance, &plan);
-    } else {
-      double peak = span.target;
-      if (from <= peak) {
-        // Ramps to the peak, even_time at it, a ramp to the end: v^2/a + v te = energy / a.
-        const double energy = acc * distance + (square + last * last) / 2;
-        const double te = span.even_time;
-        const double half = acc * te / 2;
-        const double root = std::sqrt(half * half + energy);
-        // root - half, which would lose precision for a short distance and a long even_time.
-        peak = std::min(peak, half == 0 ? root : energy / (root + half));
-        peak = std::max({peak, from, last});
-      }
-      const double rise = std::fabs(peak * peak - square) / (2 * acc);
-      const double fall = (peak * peak - last * last) / (2 * acc);
-      const double slope = from <= peak ? acc : -acc;
-      plan.Append(std::fabs(peak - from) / acc, from, slope);
-      if (peak > 0) plan.Append((distance - rise - fall) / peak, peak, 0);
-      plan.Append((peak - last) / acc, peak, -acc);
-    }
-  } else {
-    last = from;
-  }
-  plan.end_position = span.end;
-  plan.end_velocity = last;
-  return plan;
-}
-
-Plan PlanSpanStop(const PathSpan& span, double deceleration) {
-  Plan plan;
-  plan.end_position = span.begin;
-  const double distance = span.end - span.begin;
-  const double square = span.velocity * span.velocity;
-  if (!(distance > 0)) {
-    plan.end_velocity = span.velocity;
-    return plan;
-  }
-  const double last = std::min(span.end_velocity, span.velocity);
-  const double needed = (square - last * last) / (2 * distance);
-  const double dec = std::max(deceleration, needed);
-  if (square <= 2 * dec * distance) {
-    plan.Append(span.velocity / dec, span.velocity, -dec);
-    plan.end_position = std::min(plan.end_position, span.end);
-    return plan;
-  }
-  plan.end_velocity = std::sqrt(square - 2 * dec * distance);
-  AppendRamp(span.velocity, plan.end_velocity, distance, &plan);
-  plan.end_position = span.end;
-  return plan;
-}
 
 // --- FIFOs -------------------------------------------------------------------------------------
 
 bool CrdFifo::Append(const PathSlot& slot) {
-  if (!look_ahead.on()) {
+  if (planner.in_use()) {
+    if (!AppendPlanned(slot)) return false;
+  } else if (!look_ahead.on()) {
     if (space() == 0) return false;
     slots.Push(slot);
   } else {
@@ -108,7 +32,33 @@ bool CrdFifo::Append(const PathSlot& slot) {
   return true;
 }
 
+bool CrdFifo::AppendPlanned(const PathSlot& slot) {
+  // Commands before the first segment wait for nothing.
+  size_t leaving = planner->spans.empty() ? 1 : 0;
+  if (slot.is_segment) {
+    leaving = planner->spans.size() < planner->capacity ? 0 : planner->LeavingNext();
+  }
+  if (!is_virtual() && space() < leaving) return false;
+  planner->Push(slot);
+  for (size_t i = 0; i < leaving; ++i) TakePlanned(false);
+  return true;
+}
+
+void CrdFifo::TakePlanned(bool ended) {
+  const PathSlot slot = planner->Take(ended);
+  if (is_virtual()) {
+    planner->Pass(slot);
+  } else {
+    slots.Push(slot);
+  }
+}
+
 bool CrdFifo::Flush() {
+  if (planner.in_use()) planner->newest.rests = true;
+  while (planner.in_use() && !planner->ring.empty()) {
+    if (!is_virtual() && space() == 0) return false;
+    TakePlanned(true);
+  }
   while (!look_ahead.ring.empty()) {
     if (space() == 0) return false;
     slots.Push(look_ahead.Take());
@@ -119,7 +69,7 @@ bool CrdFifo::Flush() {
 bool Crd::Append(size_t fifo, const PathSlot& slot, Micros now) {
   CrdFifo& to = fifos[fifo];
   if (!to.Append(slot)) return false;
-  if (slot.is_segment || !slot.command.NeedsRest() || to.look_ahead.on()) return true;
+  if (slot.is_segment || !slot.command.NeedsRest() || to.looks_ahead()) return true;
   // The segment before must end at rest, even if it is being executed.
   if (PathSlot* before = to.slots.LastSegment()) {
     before->ends_at_rest = true;
@@ -134,6 +84,7 @@ void Crd::Clear(size_t fifo) {
   CrdFifo& cleared = fifos[fifo];
   cleared.slots.Clear();
   cleared.look_ahead.Clear();
+  if (cleared.planner.in_use()) cleared.planner->Clear();
   cleared.executing = false;
   cleared.path = 0;
   cleared.awaits_move = false;
@@ -177,6 +128,7 @@ void Crd::Start(size_t fifo, bool single_step, Micros now) {
   run.fifo = fifo;
   run.begin = now;
   run.single_step = single_step;
+  if (active().planner.in_use()) run.curve.squares.reserve(kCurveNodeMax);
   if (active().executing) run.plan = PlanCurrent();
   if (active().awaits_move) run.wait = CrdWait::kMove;
 }
@@ -223,12 +175,16 @@ PathSpan Crd::SpanOfCurrent() const {
           .target = std::min({slot.velocity * ratio, parameters.velocity_max, slot.velocity_limit}),
           .end_velocity = rests ? 0 : slot.end_velocity,
           .acceleration = slot.acceleration,
-          .even_time = static_cast<double>(parameters.even_time)};
+          .even_time = slot.planned.planned ? 0 : static_cast<double>(parameters.even_time)};
 }
 
-Plan Crd::PlanCurrent() const {
+Plan Crd::PlanCurrent() {
   const PathSpan span = SpanOfCurrent();
-  return run.stopping ? PlanSpanStop(span, run.stop_deceleration) : PlanSpan(span);
+  run.curve.squares.clear();
+  if (run.stopping) return PlanSpanStop(span, run.stop_deceleration);
+  if (!active().current.planned.curved || !(span.begin < span.end)) return PlanSpan(span);
+  BeginCurve(active().current, span, &run.curve);
+  return PlanCell(run.curve, span.end);
 }
 
 const BufferedCommand* Crd::Advance(Micros now) {
@@ -269,6 +225,11 @@ void Crd::EndPlan() {
   run.acceleration = 0;
   fifo.path = run.plan.end_position;
   const bool halted = run.stopping && run.velocity == 0;
+  if (run.curve.in_use() && !run.curve.AtLast()) {
+    ++run.curve.cell;
+    run.plan = PlanCell(run.curve, fifo.current.segment.length);
+    return;
+  }
   if (fifo.path >= fifo.current.segment.length) {
     position = fifo.current.segment.end;
     fifo.executing = false;

@@ -17,9 +17,12 @@
 #include <tuple>
 
 #include "motion/common/card_defaults.h"
+#include "motion/common/held.h"
 #include "motion/common/sizes.h"
 #include "motion/paths/look_ahead.h"
+#include "motion/paths/path_planner.h"
 #include "motion/paths/path_slot.h"
+#include "motion/paths/path_span.h"
 #include "motion/paths/segment.h"
 #include "motion/profiles/plan.h"
 #include "motion/profiles/profile.h"
@@ -49,28 +52,11 @@ struct CrdParameters {
   }
 };
 
-/// Parameters of the motion along the rest of a segment.
-struct PathSpan {
-  double begin = 0;         ///< position on the path where the motion begins
-  double end = 0;           ///< the segment's length
-  double velocity = 0;      ///< at `begin`
-  double target = 0;        ///< velocity to reach, > 0
-  double end_velocity = 0;  ///< at `end`; the nearest reachable one is taken
-  double acceleration = 0;
-  double even_time = 0;  ///< minimum time of the constant velocity, ms
-};
-
-/// Plans velocity -> target -> end_velocity. A velocity above the target is reduced to it first.
-Plan PlanSpan(const PathSpan& span);
-
-/// Decelerates to rest, or to the segment's end, where the stop continues in the next segment. The
-/// deceleration is at least what is needed to reach span.end_velocity at the end.
-Plan PlanSpanStop(const PathSpan& span, double deceleration);
-
 struct CrdFifo {
   SlotQueue slots;
   LookAhead look_ahead;
-  Coordinates tail{};  ///< where the last segment ends
+  Held<PathPlanner> planner;  ///< the multi-axis look-ahead, in place of `look_ahead`
+  Coordinates tail{};         ///< where the last segment ends
   bool executing =
       false;  ///< `current` has begun and not ended; if nothing runs, this is a breakpoint
   PathSlot current;
@@ -81,13 +67,17 @@ struct CrdFifo {
   int32_t user_number = 0;  ///< GT_SetUserSegNum, for future segments
 
   /// True if nothing is waiting or in execution.
-  bool idle() const {
-    return !executing && !awaits_move && slots.empty() && look_ahead.ring.empty();
-  }
+  bool idle() const { return !executing && !awaits_move && slots.empty() && Ahead().empty(); }
+  /// True if slots pass a look-ahead before they enter the FIFO.
+  bool looks_ahead() const { return look_ahead.on() || planner.in_use(); }
+  /// The slots in the look-ahead.
+  const SlotQueue& Ahead() const { return planner.in_use() ? planner->ring : look_ahead.ring; }
+  /// True if nothing reaches the FIFO, and only its time is computed.
+  bool is_virtual() const { return planner.in_use() && planner->virtual_run.on; }
   size_t space() const { return kCrdFifoSize - slots.size(); }
   /// Number of segments that have not ended.
   size_t Remaining() const {
-    return slots.CountSegments() + look_ahead.ring.CountSegments() + (executing ? 1 : 0);
+    return slots.CountSegments() + Ahead().CountSegments() + (executing ? 1 : 0);
   }
   /// Appends a slot; false if there is no space, and then nothing has changed.
   bool Append(const PathSlot& slot);
@@ -95,9 +85,13 @@ struct CrdFifo {
   bool Flush();
 
   auto Fields() const {
-    return std::tie(slots, look_ahead, tail, executing, current, path, awaits_move, move, done,
-                    user_number);
+    return std::tie(slots, look_ahead, planner, tail, executing, current, path, awaits_move, move,
+                    done, user_number);
   }
+
+  // Parts of the functions above.
+  bool AppendPlanned(const PathSlot& slot);
+  void TakePlanned(bool ended);
 };
 
 /// A profile outside the coordinate system that moves in proportion to one segment (GT_BufGear).
@@ -125,8 +119,9 @@ struct CrdRun {
   bool running = false;
   size_t fifo = 0;
   Micros begin = 0;
-  double at = 0;  ///< time since `begin` at which the plan, or the next slot, begins, ms
-  Plan plan;      ///< along the path of the segment
+  double at = 0;   ///< time since `begin` at which the plan, or the next slot, begins, ms
+  Plan plan;       ///< along the path of the segment, or of a cell of `curve`
+  CurveRun curve;  ///< of an arc whose axes hold it back
   double velocity = 0;
   double acceleration = 0;
   bool stopping = false;
@@ -137,7 +132,7 @@ struct CrdRun {
   BufferedCommand command;  ///< being carried out
 
   auto Fields() const {
-    return std::tie(running, fifo, begin, at, plan, velocity, acceleration, stopping,
+    return std::tie(running, fifo, begin, at, plan, curve, velocity, acceleration, stopping,
                     stop_deceleration, single_step, wait, wait_until, command);
   }
 };
@@ -212,7 +207,7 @@ struct Crd {
 
   // Parts of the functions above.
   PathSpan SpanOfCurrent() const;
-  Plan PlanCurrent() const;
+  Plan PlanCurrent();
   void EndPlan();
   void TakeSlot();
   void EndRun();

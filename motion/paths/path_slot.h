@@ -6,10 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <tuple>
-#include <vector>
 
+#include "motion/paths/item_queue.h"
 #include "motion/paths/segment.h"
 
 namespace oncard::motion {
@@ -51,6 +50,19 @@ struct BufferedCommand {
   auto Fields() const { return std::tie(kind, item, detail, values); }
 };
 
+/// What the path planner has decided about a segment (path_planner.h), besides its velocities.
+struct PlannedMotion {
+  bool planned = false;
+  /// The axes' limits change along the segment, an arc; its motion is planned piece by piece.
+  bool curved = false;
+  /// The largest velocity and acceleration of each coordinate, if curved.
+  Coordinates axis_velocity{};
+  Coordinates axis_acceleration{};
+
+  bool in_use() const { return planned; }
+  auto Fields() const { return std::tie(curved, axis_velocity, axis_acceleration); }
+};
+
 /// One element of a buffer.
 struct PathSlot {
   bool is_segment = false;
@@ -66,40 +78,17 @@ struct PathSlot {
   bool second_override = false;  ///< scaled by GT_SetOverride2
   int32_t user_number = 0;       ///< GT_SetUserSegNum
   int32_t given_number = 0;      ///< of the WN forms
+  PlannedMotion planned;
 
   auto Fields() const {
     return std::tie(is_segment, command, segment, velocity, acceleration, end_velocity,
-                    velocity_limit, ends_at_rest, second_override, user_number, given_number);
+                    velocity_limit, ends_at_rest, second_override, user_number, given_number,
+                    planned);
   }
 };
 
-/// A queue that does not allocate when elements are removed.
-struct SlotQueue {
-  std::vector<PathSlot> slots;
-  size_t head = 0;
-
-  size_t size() const { return slots.size() - head; }
-  bool empty() const { return head == slots.size(); }
-  PathSlot& front() { return slots[head]; }
-  PathSlot& back() { return slots.back(); }
-  PathSlot& At(size_t index) { return slots[head + index]; }
-  const PathSlot& At(size_t index) const { return slots[head + index]; }
-  void Push(const PathSlot& slot) {
-    // Removed elements are erased once they are half of all, so that each slot moves rarely.
-    if (head > 0 && head >= slots.size() / 2) {
-      slots.erase(slots.begin(), slots.begin() + static_cast<std::ptrdiff_t>(head));
-      head = 0;
-    }
-    slots.push_back(slot);
-  }
-  void Pop() {
-    if (++head < slots.size()) return;
-    Clear();
-  }
-  void Clear() {
-    slots.clear();
-    head = 0;
-  }
+/// The slots of a buffer.
+struct SlotQueue : ItemQueue<PathSlot> {
   size_t CountSegments() const {
     size_t count = 0;
     for (size_t i = head; i < slots.size(); ++i) count += slots[i].is_segment ? 1 : 0;
@@ -112,9 +101,6 @@ struct SlotQueue {
     }
     return nullptr;
   }
-
-  /// Removed elements are not part of the value.
-  auto Fields() const { return std::tuple(std::span(slots).subspan(head)); }
 };
 
 }  // namespace oncard::motion

@@ -1,0 +1,64 @@
+// What limits the speed along a path whose segments are planned together (path_planner.h).
+//
+// Any consistent units of length and time: a card uses pulses and ms; kUnlimited where there is no
+// limit. The corner and curvature formulas are assumptions (docs/assumptions.md). Source: manual of
+// the multi-axis look-ahead module, chapters 1 and 2 (GT_InitLookAheadEx). Tested by
+// tests/motion/path_planner_test.cc.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <tuple>
+
+#include "motion/paths/segment.h"
+
+namespace oncard::motion {
+
+inline constexpr double kUnlimited = std::numeric_limits<double>::max();
+/// Profiles that can have limits as followers (GT_SetFollowAxisParaLa).
+inline constexpr size_t kFollowerMax = 8;
+/// Assumption: 2 sin(15 degrees). Two lines that turn by less than 30 degrees are chords of a
+/// curve, whose radius is that of the circle through their three points; a larger turn is a corner.
+inline constexpr double kCurveTurnMax = 0.51763809020504152;
+
+/// What one axis may do.
+struct AxisLimits {
+  double velocity = kUnlimited;
+  double acceleration = kUnlimited;
+  double jump = kUnlimited;  ///< change of the velocity at once
+
+  auto Fields() const { return std::tie(velocity, acceleration, jump); }
+};
+
+struct PathLimits {
+  /// At a corner between the unit tangents t and u: v |u - t| <= acceleration * corner_time.
+  double corner_time = 0;
+  /// On a curve of radius R: v^2 <= radius_ratio * acceleration * R.
+  double radius_ratio = 1;
+  bool geometric = true;  ///< corners and curves limit the speed
+  /// Bit n: coordinate n counts in the length of the path. A segment that moves none of them is
+  /// measured with all coordinates.
+  uint32_t length_axes = 0xF;
+  std::array<AxisLimits, kCrdDimensionMax> axes;
+  std::array<AxisLimits, kFollowerMax> followers;  ///< of profiles that follow segments
+
+  auto Fields() const {
+    return std::tie(corner_time, radius_ratio, geometric, length_axes, axes, followers);
+  }
+};
+
+/// Measures the length of a segment with the coordinates of the set `axes`. A circle counts as a
+/// whole if any of its axes counts.
+void MeasureLength(uint32_t axes, Segment* segment);
+
+/// The largest speed at a corner: see PathLimits.
+double CornerSpeed(const PathLimits& limits, const Coordinates& before, const Coordinates& after,
+                   double acceleration);
+/// The radius of the circle through a, b and c, measured with the coordinates of `axes`; kUnlimited
+/// for a straight line, and where the path turns by more than a curve does.
+double RadiusThrough(uint32_t axes, const Coordinates& a, const Coordinates& b,
+                     const Coordinates& c);
+
+}  // namespace oncard::motion

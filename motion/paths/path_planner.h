@@ -1,0 +1,127 @@
+// The multi-axis look-ahead: how fast a path may be along its segments and from each to the next,
+// given a window of segments that follow, so that every limit of PathLimits is kept and the path
+// takes the shortest time.
+//
+// Slots enter with Push and leave with Take, in order. A segment leaves with an end velocity from
+// which all later limits can be kept, with rest at the end of the window. Within a segment the
+// motion is one ramp up, a constant velocity and one ramp down (PlanSpan), or on an arc whose axes
+// hold it back the motion of curved_span.h; both are the fastest between the velocities at their
+// ends, so that a window that covers the whole path gives the fastest path.
+//
+// With x the square of the speed, each segment is a function from the x after it to the largest x
+// before it, which never falls. Where even rest at the window's end and no end at all give the same
+// x, nothing that follows can change it: it is settled, and is not computed again. A window longer
+// than twice the distance to stop makes the cost of a segment independent of the window.
+//
+// Units: those of PathLimits; a card uses pulses and ms. Deterministic. Memory: the window. Not
+// safe for several threads at once. Source: manual of the multi-axis look-ahead module, chapter 1.
+// Tested by tests/motion/path_planner_test.cc.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+
+#include "motion/paths/curved_span.h"
+#include "motion/paths/item_queue.h"
+#include "motion/paths/path_limits.h"
+#include "motion/paths/path_slot.h"
+#include "motion/paths/path_span.h"
+
+namespace oncard::motion {
+
+/// The limits of a segment in the window. Speeds as squares.
+struct WindowSpan {
+  double length = 0;
+  double acceleration = 0;
+  double top = 0;       ///< the largest along it
+  double junction = 0;  ///< the largest at its start, because of the segment before and the corner
+  double reach = 0;     ///< the largest at its start from which all later limits can be kept
+  uint64_t slot = 0;    ///< number of its slot, counted from the first that was pushed
+  bool curved = false;  ///< as in PlannedMotion
+
+  auto Fields() const { return std::tie(length, acceleration, top, junction, reach, slot, curved); }
+};
+
+/// How the profiles that follow a segment move: change of position per length of path.
+using FollowSlopes = std::array<double, kFollowerMax>;
+
+/// What the next segment must know of the newest one.
+struct NewestSegment {
+  bool exists = false;
+  bool rests = false;  ///< the path is at rest after it
+  bool line = false;
+  Coordinates start{};
+  Coordinates tangent{};  ///< at its end
+  double commanded = 0;   ///< acceleration
+  FollowSlopes follow{};
+
+  auto Fields() const { return std::tie(exists, rests, line, start, tangent, commanded, follow); }
+};
+
+/// The time that a path would take (GT_InitLookAheadEx, motionMode 1).
+struct VirtualRun {
+  bool on = false;
+  double cycle = 0;                      ///< of the card, ms: moves begin and end with it
+  double time = 0;                       ///< ms
+  double velocity = 0;                   ///< at the end of what has passed
+  std::array<double, kAxisMax> moved{};  ///< where GT_BufMove has left the profiles
+  CurveRun curve;
+
+  bool in_use() const { return on; }
+  auto Fields() const { return std::tie(cycle, time, velocity, moved, curve); }
+};
+
+struct PathPlanner {
+  PathLimits limits{};
+  size_t capacity = 1;  ///< segments in the window (lookAheadNum)
+  SlotQueue ring{};
+  ItemQueue<WindowSpan> spans{};  ///< of the segments in the ring
+  uint64_t taken = 0;             ///< slots that have left
+  size_t settled = 0;             ///< spans whose `reach` cannot change any more, oldest first
+  double speed = 0;               ///< square at the start of the oldest segment
+  NewestSegment newest{};
+  FollowSlopes following{};  ///< displacements of GT_BufGear for the next segment
+  VirtualRun virtual_run{};
+
+  /// Adds a slot. A segment's length is measured with limits.length_axes by its owner.
+  void Push(const PathSlot& pushed);
+  /// The slots that leave when another segment enters: a segment and the commands after it.
+  size_t LeavingNext() const;
+  /// The oldest slot with its end velocity planned; the ring must not be empty. `ended`: the newest
+  /// segment is the path's last.
+  PathSlot Take(bool ended);
+  /// Adds the time of a slot that has left to virtual_run.
+  void Pass(const PathSlot& slot);
+  void Clear();
+
+  auto Fields() const {
+    return std::tie(limits, capacity, ring, spans, taken, settled, speed, newest, following,
+                    virtual_run);
+  }
+
+  // Parts of the functions above.
+  const PathSlot& SlotOf(const WindowSpan& span) const {
+    return ring.At(static_cast<size_t>(span.slot - taken));
+  }
+  void PushSegment(PathSlot& slot);
+  void LimitAxes(PathSlot& slot) const;
+  void LimitFollowers(const FollowSlopes& slopes, PathSlot& slot) const;
+  double JunctionBefore(const PathSlot& slot, double commanded, const FollowSlopes& slopes) const;
+  double LimitCurve(PathSlot& slot, double commanded);
+  double Before(const WindowSpan& span, double after) const;
+  double After(const WindowSpan& span, double after) const;
+  /// The square of a speed that every limit of the newest segment will allow, whatever follows.
+  double SureTop() const;
+  void PassBackward(bool ended);
+  void PassSegment(const PathSlot& slot);
+  void PassMove(const BufferedCommand& move);
+};
+
+/// Begins the motion along the rest of a curved segment.
+void BeginCurve(const PathSlot& slot, const PathSpan& span, CurveRun* run);
+/// The motion along the present cell of an arc with that length.
+Plan PlanCell(const CurveRun& run, double length);
+
+}  // namespace oncard::motion
