@@ -136,7 +136,7 @@ TEST(PathOptimum, LargerWindowsAreNeverSlower) {
     path.Arc(path.end(), 3, 0, true);
     path.limits.axes[0] = {60, 300, kUnlimited};
     double before = path.Time(1);
-    for (const size_t capacity : {2, 3, 4, 6, 8, 12, 20, 30, 61}) {
+    for (const size_t capacity : {2u, 3u, 4u, 6u, 8u, 12u, 20u, 30u, 61u}) {
       const double time = path.Time(capacity);
       EXPECT_LE(time, before * (1 + 1e-12)) << capacity;
       before = time;

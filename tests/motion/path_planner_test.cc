@@ -181,7 +181,7 @@ TEST(PathPlanner, CommandsThatNeedRestStopThePath) {
 
 TEST(PathPlanner, StopsInsideTheWindow) {
   // Lines of 1 mm: with a window of n, a segment may leave with v^2 = 2 * 500 * n.
-  for (const size_t window : {1, 2, 4, 8}) {
+  for (const size_t window : {1u, 2u, 4u, 8u}) {
     PlannedPath path;
     path.limits.geometric = false;
     for (int i = 1; i <= 40; ++i) path.Line({static_cast<double>(i), 0});
