@@ -16,6 +16,8 @@ std::string Elements(const Command& command, const Parameter& parameter, Languag
   if (parameter.count_parameter >= 0) {
     const auto count = static_cast<size_t>(parameter.count_parameter);
     text = MakeMessage("array of {0}", "数组，元素个数为 {0}", command.parameters[count].name);
+  } else if (parameter.array_size > 1) {
+    text = MakeMessage("array of {0}", "数组，元素个数为 {0}", parameter.array_size);
   } else if (parameter.per_dimension) {
     text = MakeMessage("one element per axis of the coordinate system", "坐标系每轴一个元素");
   } else if (parameter.per_offset) {

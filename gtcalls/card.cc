@@ -44,6 +44,8 @@ Bounds BoundsOf(Scalar type, Unit unit) {
       return {-32768, 32767};
     case Scalar::kUnsignedShort:
       return {0, 65535};
+    case Scalar::kInt:
+      return {-kLongMax - 1, kLongMax};
     case Scalar::kLong: {
       const bool bits = unit == Unit::kMask || unit == Unit::kBits;
       return {-kLongMax - 1, bits ? kUnsignedLongMax : kLongMax};

@@ -29,7 +29,8 @@ size_t ElementsOnCard(const Parameter& parameter, const Card& card, double first
 }
 
 size_t CellsPerElement(const Parameter& parameter) {
-  return parameter.structure != nullptr ? static_cast<size_t>(CellCount(*parameter.structure)) : 1;
+  return static_cast<size_t>(parameter.structure != nullptr ? CellCount(*parameter.structure)
+                                                            : parameter.array_size);
 }
 
 }  // namespace oncard::gtcalls

@@ -57,6 +57,8 @@ std::string_view SpellScalar(Scalar scalar) {
       return "short";
     case Scalar::kUnsignedShort:
       return "unsigned short";
+    case Scalar::kInt:
+      return "int";
     case Scalar::kLong:
       return "long";
     case Scalar::kUnsignedLong:
@@ -68,8 +70,9 @@ std::string_view SpellScalar(Scalar scalar) {
 }
 
 std::string DeclareParameter(const Parameter& parameter) {
-  const std::string_view type =
+  std::string_view type =
       parameter.structure != nullptr ? parameter.structure->name : SpellScalar(parameter.type);
+  if (!parameter.type_name.empty()) type = parameter.type_name;
   switch (parameter.passing) {
     case Passing::kValue:
       return fmt::format("{} {}", type, parameter.name);
@@ -96,6 +99,12 @@ std::string_view SpellUnit(Unit unit) {
       return "pulse/ms";
     case Unit::kPulsePerMs2:
       return "pulse/ms^2";
+    case Unit::kMillimetre:
+      return "mm";
+    case Unit::kMmPerS:
+      return "mm/s";
+    case Unit::kMmPerS2:
+      return "mm/s^2";
     case Unit::kMillisecond:
       return "ms";
     case Unit::kMicrosecond:

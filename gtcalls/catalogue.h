@@ -22,6 +22,7 @@ enum class Scalar : uint8_t {
   kUnsignedChar,
   kShort,
   kUnsignedShort,
+  kInt,  ///< 32 bits on every host, unlike kLong
   kLong,
   kUnsignedLong,
   kDouble
@@ -114,6 +115,9 @@ enum class Unit : uint8_t {
   kPulse,
   kPulsePerMs,
   kPulsePerMs2,
+  kMillimetre,
+  kMmPerS,
+  kMmPerS2,
   kMillisecond,
   kMicrosecond,
   kCycle,      ///< profile cycles
@@ -131,6 +135,8 @@ enum class Unit : uint8_t {
 struct Parameter {
   std::string_view name;
   Scalar type = Scalar::kShort;
+  /// The name of an enumeration of the header that stands for the type; empty: the type itself.
+  std::string_view type_name;
   const Structure* structure = nullptr;  ///< pointer to a structure; `type` is then unused
   Passing passing = Passing::kValue;
   Unit unit = Unit::kNone;
@@ -142,6 +148,8 @@ struct Parameter {
   std::string_view default_text;
   /// Pointer: the index of the parameter with the number of elements, -1 for one element.
   int count_parameter = -1;
+  /// Pointer to scalars without a count: their number.
+  int array_size = 1;
   /// Pointer: NULL is allowed (mostly because it is the default).
   bool nullable = false;
   /// Pointer without a count: one element per axis of the coordinate system that the first

@@ -16,6 +16,7 @@ BasicType TypeOfMember(const gtcalls::Member& member) {
       return BasicType::kShort;
     case gtcalls::Scalar::kUnsignedShort:
       return BasicType::kUnsignedShort;
+    case gtcalls::Scalar::kInt:
     case gtcalls::Scalar::kLong:
       return BasicType::kInt;
     case gtcalls::Scalar::kUnsignedLong:

@@ -33,6 +33,7 @@ constexpr Member Short(std::string_view name, int size = 0) { return {name, Scal
 constexpr Member UShort(std::string_view name, int size = 0) {
   return {name, Scalar::kUnsignedShort, size};
 }
+constexpr Member Int(std::string_view name, int size = 0) { return {name, Scalar::kInt, size}; }
 constexpr Member Long(std::string_view name, int size = 0) { return {name, Scalar::kLong, size}; }
 constexpr Member ULong(std::string_view name) { return {name, Scalar::kUnsignedLong}; }
 constexpr Member Double(std::string_view name, int size = 0) {
@@ -99,6 +100,12 @@ struct Spec {
     changed.count_name = count;
     return changed;
   }
+  /// The pointer refers to that many scalars.
+  constexpr Spec Array(int size) const {
+    Spec changed = *this;
+    changed.parameter.array_size = size;
+    return changed;
+  }
   constexpr Spec PerDimension() const {
     Spec changed = *this;
     changed.parameter.per_dimension = true;
@@ -128,6 +135,13 @@ constexpr Spec Scalars(Scalar type, std::string_view name, Passing passing = Pas
 constexpr Spec UChar(std::string_view name) { return Scalars(Scalar::kUnsignedChar, name); }
 constexpr Spec Short(std::string_view name) { return Scalars(Scalar::kShort, name); }
 constexpr Spec UShort(std::string_view name) { return Scalars(Scalar::kUnsignedShort, name); }
+constexpr Spec Int(std::string_view name) { return Scalars(Scalar::kInt, name); }
+/// A value of an enumeration of the header.
+constexpr Spec Enumeration(std::string_view type, std::string_view name) {
+  Spec spec = Int(name);
+  spec.parameter.type_name = type;
+  return spec;
+}
 constexpr Spec Long(std::string_view name) { return Scalars(Scalar::kLong, name); }
 constexpr Spec ULong(std::string_view name) { return Scalars(Scalar::kUnsignedLong, name); }
 constexpr Spec Double(std::string_view name) { return Scalars(Scalar::kDouble, name); }

@@ -49,7 +49,7 @@ HostArgument ToHostArgument(T argument) {
     result.kind = HostArgument::Kind::kReal;
     result.real = argument;
   } else {
-    static_assert(std::is_integral_v<T>);
+    static_assert(std::is_integral_v<T> || std::is_enum_v<T>);
     result.integer = static_cast<int64_t>(argument);
   }
   return result;

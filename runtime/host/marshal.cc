@@ -38,6 +38,8 @@ std::optional<double> ReadScalar(Scalar type, const void* host, size_t index) {
       return ReadElement<short>(host, index);
     case Scalar::kUnsignedShort:
       return ReadElement<unsigned short>(host, index);
+    case Scalar::kInt:
+      return ReadElement<int>(host, index);
     case Scalar::kLong:
       return NarrowLong(static_cast<const long*>(host)[index], false);
     case Scalar::kUnsignedLong:
@@ -58,6 +60,8 @@ void WriteScalar(Scalar type, void* host, size_t index, double value) {
       return WriteElement<short>(host, index, value);
     case Scalar::kUnsignedShort:
       return WriteElement<unsigned short>(host, index, value);
+    case Scalar::kInt:
+      return WriteElement<int>(host, index, value);
     case Scalar::kLong:
       return WriteElement<long>(host, index, value);
     case Scalar::kUnsignedLong:
