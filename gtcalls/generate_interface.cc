@@ -1,6 +1,7 @@
 // Writes the files that are derived from the catalogue of a family, at build time:
 //
 //   generate_interface FAMILY header FILE               its header, gts.h
+//   generate_interface FAMILY module-header FILE        the header of its module, LookAheadEx.h
 //   generate_interface FAMILY entry-points FILE         the library's functions
 //   generate_interface FAMILY multi-entry-points FILE   the same with a card number
 //   generate_interface FAMILY basic-entry-points FILE   the same for hosts of the vendor's header
@@ -26,6 +27,7 @@
 #include <iterator>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/files.h"
 #include "gtcalls/gts/interface_form.h"
@@ -94,6 +96,7 @@ std::string Describe(const Parameter& parameter, const Command& command) {
     const auto count = static_cast<size_t>(parameter.count_parameter);
     add(fmt::format("array of {}", command.parameters[count].name));
   }
+  if (parameter.array_size > 1) add(fmt::format("array of {}", parameter.array_size));
   if (parameter.per_dimension) add("one per axis of the coordinate system");
   if (parameter.per_offset) add("one per offset of the list");
   if (parameter.passing == Passing::kLent) add("not used by the simulated card");
@@ -151,9 +154,65 @@ void AppendPrototype(std::string* out, const InterfaceForm& form, const Command&
   *out += line + "\n";
 }
 
+bool IsOfModule(const HeaderModule& module, const Structure& structure) {
+  return std::find(module.structures.begin(), module.structures.end(), structure.name) !=
+         module.structures.end();
+}
+
+/// The commands of the module's header, or of the main one, with the topics before them.
+std::vector<Line> LinesOf(const InterfaceForm& form, bool module) {
+  std::vector<Line> lines;
+  bool in_module = false;
+  for (const Line& line : form.catalogue.lines()) {
+    if (line.command == nullptr) in_module = line.topic == form.module.topic;
+    if (in_module == module) lines.push_back(line);
+  }
+  return lines;
+}
+
+void AppendStructures(std::string* out, const InterfaceForm& form, bool module) {
+  *out += "\n/* --- Structures --- */\n";
+  for (const Structure& structure : form.catalogue.structures()) {
+    if (IsOfModule(form.module, structure) != module) continue;
+    Append(out, "\ntypedef struct {} {{\n", structure.name);
+    for (const Member& member : structure.members) AppendMember(out, member);
+    Append(out, "}} {};\n", structure.name);
+  }
+}
+
+/// What the prototypes of one header need, the prototypes, and the end of the header.
+void AppendPrototypes(std::string* out, const InterfaceForm& form, bool module) {
+  const std::string_view prefix = form.macro_prefix;
+  const std::vector<Line> lines = LinesOf(form, module);
+  Append(out,
+         "\n#ifdef {0}MULTI_CARD\n#define {0}CARD_ short cardNum,\n"
+         "#define {0}CARD_ONLY_ short cardNum\n",
+         prefix);
+  for (const Command& command : form.catalogue.commands()) {
+    const bool listed = std::any_of(lines.begin(), lines.end(),
+                                    [&](const Line& line) { return line.command == &command; });
+    if (listed && command.on_host)
+      Append(out, "#define {} {}\n", command.name, MultiCardName(form, command));
+  }
+  *out += form.one_card;
+  for (const Line& line : lines) {
+    if (line.command == nullptr) {
+      Append(out, "\n/* --- {} --- */\n", line.topic);
+      continue;
+    }
+    const Command& command = *line.command;
+    if (!command.on_host) continue;
+    AppendComment(out, command);
+    AppendPrototype(out, form, command);
+  }
+  for (const std::string_view macro : {"CARD_", "CARD_ONLY_", "DEFAULT_", "WIDE_"}) {
+    Append(out, "{}#undef {}{}\n", macro == "CARD_" ? "\n" : "", prefix, macro);
+  }
+  *out += "\n#endif\n";
+}
+
 std::string Header(const InterfaceForm& form) {
   const Catalogue& catalogue = form.catalogue;
-  const std::string_view prefix = form.macro_prefix;
   std::string out(form.head);
   out += "\n/* --- Constants --- */\n\n";
   for (const Constant& constant : catalogue.constants()) {
@@ -163,35 +222,15 @@ std::string Header(const InterfaceForm& form) {
       Append(&out, "#define {} {}\n", constant.name, constant.value);
     }
   }
-  out += "\n/* --- Structures --- */\n";
-  for (const Structure& structure : catalogue.structures()) {
-    Append(&out, "\ntypedef struct {} {{\n", structure.name);
-    for (const Member& member : structure.members) AppendMember(&out, member);
-    Append(&out, "}} {};\n", structure.name);
-  }
-  Append(&out,
-         "\n#ifdef {0}MULTI_CARD\n#define {0}CARD_ short cardNum,\n"
-         "#define {0}CARD_ONLY_ short cardNum\n",
-         prefix);
-  for (const Command& command : form.catalogue.commands()) {
-    if (command.on_host)
-      Append(&out, "#define {} {}\n", command.name, MultiCardName(form, command));
-  }
-  out += form.one_card;
-  for (const Line& line : catalogue.lines()) {
-    if (line.command == nullptr) {
-      Append(&out, "\n/* --- {} --- */\n", line.topic);
-      continue;
-    }
-    const Command& command = *line.command;
-    if (!command.on_host) continue;
-    AppendComment(&out, command);
-    AppendPrototype(&out, form, command);
-  }
-  for (const std::string_view macro : {"CARD_", "CARD_ONLY_", "DEFAULT_", "WIDE_"}) {
-    Append(&out, "{}#undef {}{}\n", macro == "CARD_" ? "\n" : "", prefix, macro);
-  }
-  out += "\n#endif\n";
+  AppendStructures(&out, form, false);
+  AppendPrototypes(&out, form, false);
+  return out;
+}
+
+std::string ModuleHeader(const InterfaceForm& form) {
+  std::string out(form.module.head);
+  AppendStructures(&out, form, true);
+  AppendPrototypes(&out, form, true);
   return out;
 }
 
@@ -204,10 +243,11 @@ std::string EntryPoints(const InterfaceForm& form, bool multi_card) {
   Append(&out,
          "// The library's entry points{}. Generated: do not edit.\n"
          "#include \"{}{}.h\"\n"
+         "#include \"{}.h\"\n"
          "#include \"runtime/host/host_api.h\"\n\n"
          "using oncard::runtime::CallFromHost;\n",
-         multi_card ? " with a card number" : "", form.catalogue.name(),
-         multi_card ? "_multi" : "");
+         multi_card ? " with a card number" : "", form.catalogue.name(), multi_card ? "_multi" : "",
+         form.module.file);
   for (const Command& command : form.catalogue.commands()) {
     if (!command.on_host) continue;
     std::string declarations = Declarations(command);
@@ -319,7 +359,7 @@ constexpr std::string_view kStructuresHead =
 #include "runtime/host/host_structures.h"
 
 #include "gtcalls/{0}/catalogue.h"
-#include "{0}.h"
+#include "{1}.h"
 
 namespace oncard::runtime {{
 namespace {{
@@ -362,7 +402,7 @@ void AppendVisit(std::string* out, const Member& member) {
 std::string StructureConversions(const InterfaceForm& form) {
   const Catalogue& catalogue = form.catalogue;
   std::string out;
-  Append(&out, kStructuresHead, catalogue.name());
+  Append(&out, kStructuresHead, catalogue.name(), form.module.file);
   std::string read_cases;
   std::string write_cases;
   std::string size_cases;
@@ -458,6 +498,7 @@ std::string Markdown(const InterfaceForm& form) {
 /// Empty for an unknown word.
 std::string Write(const InterfaceForm& form, std::string_view what) {
   if (what == "header") return Header(form);
+  if (what == "module-header") return ModuleHeader(form);
   if (what == "entry-points") return EntryPoints(form, false);
   if (what == "multi-entry-points") return EntryPoints(form, true);
   if (what == "basic-entry-points") return BasicEntryPoints(form);

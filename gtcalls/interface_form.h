@@ -9,6 +9,14 @@
 
 namespace oncard::gtcalls {
 
+/// Commands that a header of their own declares: the vendor delivers them as a module.
+struct HeaderModule {
+  std::string_view file;   ///< its name without .h
+  std::string_view topic;  ///< of its commands in the catalogue
+  std::string_view head;   ///< the header up to its structures
+  std::span<const std::string_view> structures;
+};
+
 struct InterfaceForm {
   const Catalogue& catalogue;
   /// The function that returns the catalogue, declared in catalogue.h in the family's folder.
@@ -29,6 +37,8 @@ struct InterfaceForm {
   std::string_view one_card;
   /// Structures with another layout in the vendor's basic header.
   std::span<const Structure> basic_layouts;
+  /// The module whose header includes the main one.
+  HeaderModule module;
 };
 
 }  // namespace oncard::gtcalls

@@ -11,6 +11,7 @@ void GtsState::Reset() {
   long_vars.fill(0);
   double_vars.fill(0);
   plc = {};
+  look_ahead = {};
 }
 
 }  // namespace oncard::gtcalls

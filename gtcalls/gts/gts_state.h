@@ -1,6 +1,6 @@
 // The state of a GTS card in addition to its motion core and virtual machine: its own numbered
-// variables, the ferroelectric memory and the PLC blocks. Plain data: copy it to keep it. Tested by
-// tests/gtcalls/gts_state_test.cc.
+// variables, the ferroelectric memory, the PLC blocks and the settings of look-ahead. Plain data:
+// copy it to keep it. Tested by tests/gtcalls/gts_state_test.cc.
 #pragma once
 
 #include <array>
@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "gtcalls/gts/limits.h"
+#include "gtcalls/gts/look_ahead_setup.h"
 #include "gtcalls/gts/mram.h"
 #include "gtcalls/gts/plc_blocks.h"
 
@@ -22,11 +23,12 @@ struct GtsState {
   std::array<int32_t, kUserVariableCount> long_vars{};
   std::array<double, kUserVariableCount> double_vars{};
   PlcBlocks plc;
+  std::array<LookAheadSetup, motion::kCrdCount> look_ahead;
 
   /// GT_Reset: clears everything except the ferroelectric memory itself, whose buffer is cleared.
   void Reset();
 
-  auto Fields() const { return std::tie(mram, long_vars, double_vars, plc); }
+  auto Fields() const { return std::tie(mram, long_vars, double_vars, plc, look_ahead); }
 };
 
 }  // namespace oncard::gtcalls

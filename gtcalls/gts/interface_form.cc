@@ -69,6 +69,53 @@ constexpr std::string_view kOneCard = R"(#define GTS_WIDE_(name)
 #endif
 )";
 
+constexpr std::string_view kLookAheadHead =
+    R"(/* Commands of the multi-axis look-ahead of GTS motion controllers, for C and C++. Generated: do
+   not edit.
+
+   In addition to the codes of gts.h:
+    102   the first three coordinates are those of the command before
+    103   GT_SetupLookAheadCrd has not been called
+    104   GT_InitLookAheadEx has not been called, or has failed
+    105   the library for five-axis machines is missing
+    107   a parameter is out of range, an arc is not possible, or commands of both kinds are mixed
+    110   the platform refuses: there is no such coordinate system, or it has fewer axes
+
+   Positions are in mm, velocities in mm/s, accelerations in mm/s^2. */
+#ifndef ONCARD_LOOK_AHEAD_EX_H_
+#define ONCARD_LOOK_AHEAD_EX_H_
+
+#include "gts.h"
+
+#ifdef __cplusplus
+#define GTS_DEFAULT_(value) = value
+#else
+#define GTS_DEFAULT_(value)
+#endif
+
+/* --- Constants --- */
+
+#define LA_AXIS_NUM 8
+
+#define AXIS_LIMIT_NONE 0
+#define AXIS_LIMIT_MAX_VEL 1
+#define AXIS_LIMIT_MAX_ACC 2
+#define AXIS_LIMIT_MAX_DV 4
+
+typedef enum EMachineMode {
+  NORMAL_THREE_AXIS = 0,
+  MULTI_AXES,
+  FIVE_AXIS,
+  FIVE_AXIS_WORK
+} EMachineMode;
+
+typedef enum EVelSettingDef { NORMAL_DEF_VEL = 0, NUM_DEF_VEL, CUT_DEF_VEL } EVelSettingDef;
+
+typedef enum EWorkLimitMode { WORK_LIMIT_INVALID = 0, WORK_LIMIT_VALID } EWorkLimitMode;
+)";
+
+constexpr std::string_view kLookAheadStructures[] = {"TLookAheadParameter", "TPreStartPos"};
+
 using namespace gts::structures;
 using namespace words::members;
 
@@ -83,9 +130,18 @@ constexpr Structure kBasicLayouts[] = {
 }  // namespace
 
 const InterfaceForm& GtsInterfaceForm() {
-  static const InterfaceForm kForm = {GtsCatalogue(), "GtsCatalogue", "GT_API", "GTS_",
-                                      "GT_",          "GTM_",         "GTX_",   kHead,
-                                      kOneCard,       kBasicLayouts};
+  static const InterfaceForm kForm = {
+      GtsCatalogue(),
+      "GtsCatalogue",
+      "GT_API",
+      "GTS_",
+      "GT_",
+      "GTM_",
+      "GTX_",
+      kHead,
+      kOneCard,
+      kBasicLayouts,
+      {"LookAheadEx", "Multi-axis look-ahead", kLookAheadHead, kLookAheadStructures}};
   return kForm;
 }
 

@@ -23,6 +23,9 @@ inline constexpr std::string_view kCompilerAssumed =
     "accepted by the vendor's compiler; parameters assumed";
 inline constexpr std::string_view kHeader = "public header";
 inline constexpr std::string_view kLaserHeader = "public header and laser demonstrations";
+inline constexpr std::string_view kLookAheadManual = "multi-axis look-ahead manual ch. 2";
+inline constexpr std::string_view kLookAheadNamed =
+    "named in the multi-axis look-ahead manual; public header";
 inline constexpr std::string_view kThreadHeader = "public header of the thread extensions";
 
 // --- Parameters ---------------------------------------------------------------------------------
@@ -64,6 +67,12 @@ constexpr Spec SynAcc() {
   return Double("synAcc").In(Unit::kPulsePerMs2).Range(kAboveZero, kBelow32767);
 }
 constexpr Spec VelEnd() { return Double("velEnd").In(Unit::kPulsePerMs).Range(0, kBelow32767); }
+/// Parameters of the multi-axis look-ahead: its commands check the ranges, with codes of their own.
+constexpr Spec ModuleCrd() { return Short("crd").In(Unit::kIndex); }
+constexpr Spec ModuleFifo() { return Short("fifo").Default("0"); }
+constexpr Spec Millimetres(std::string_view name) { return Double(name).In(Unit::kMillimetre); }
+constexpr Spec ModuleVel() { return Double("synVel").In(Unit::kMmPerS); }
+constexpr Spec ModuleAcc() { return Double("synAcc").In(Unit::kMmPerS2); }
 constexpr Spec Deceleration(std::string_view name) {
   return Double(name).In(Unit::kPulsePerMs2).Range(kAboveZero, 32767);
 }

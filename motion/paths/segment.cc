@@ -128,12 +128,13 @@ std::optional<Segment> MakeLine(const Coordinates& start, const Coordinates& end
 }
 
 std::optional<Segment> MakeArcWithRadius(const Coordinates& start, const Coordinates& end,
-                                         ArcPlane plane, double radius, bool counter_clockwise) {
+                                         ArcPlane plane, double radius, bool counter_clockwise,
+                                         double tolerance) {
   const double x = end[plane.first] - start[plane.first];
   const double y = end[plane.second] - start[plane.second];
   const double chord = std::sqrt(x * x + y * y);
   const double size = std::fabs(radius);
-  if (!(chord > 0) || !(size > 0) || chord / 2 - size > kArcTolerance) return std::nullopt;
+  if (!(chord > 0) || !(size > 0) || chord / 2 - size > tolerance) return std::nullopt;
   const double height = std::sqrt(std::fmax(0.0, size * size - chord * chord / 4));
   // Half of what a radius > 0 sweeps.
   const double half_sweep = height > 0 ? AngleOf(chord / 2, height) : kPi / 2;
@@ -146,13 +147,13 @@ std::optional<Segment> MakeArcWithRadius(const Coordinates& start, const Coordin
 
 std::optional<Segment> MakeArcAroundCentre(const Coordinates& start, const Coordinates& end,
                                            ArcPlane plane, double first, double second,
-                                           bool counter_clockwise) {
+                                           bool counter_clockwise, double tolerance) {
   const double radius = std::sqrt(first * first + second * second);
   const double x = end[plane.first] - (start[plane.first] + first);
   const double y = end[plane.second] - (start[plane.second] + second);
   const double end_radius = std::sqrt(x * x + y * y);
   // Written so that the check fails for a NaN.
-  if (!(radius > 0) || !(std::fabs(end_radius - radius) <= kArcTolerance)) return std::nullopt;
+  if (!(radius > 0) || !(std::fabs(end_radius - radius) <= tolerance)) return std::nullopt;
   double sweep = 2 * kPi;
   if (end[plane.first] != start[plane.first] || end[plane.second] != start[plane.second]) {
     // The angle between (-first, -second) and (x, y).

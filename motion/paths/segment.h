@@ -19,7 +19,8 @@ namespace oncard::motion {
 /// Coordinates X, Y, Z, A; unused ones are 0.
 using Coordinates = std::array<double, kCrdDimensionMax>;
 
-/// Assumption: by how much an arc's two radii, or half the chord and the radius, may differ.
+/// Assumption: by how much an arc's two radii, or half the chord and the radius, may differ, unless
+/// the caller says otherwise.
 inline constexpr double kArcTolerance = 1;
 
 enum class SegmentShape : uint8_t { kLine, kArc };
@@ -68,14 +69,16 @@ std::optional<Segment> MakeLine(const Coordinates& start, const Coordinates& end
 /// An arc or helix of a radius: a positive one sweeps at most 180 degrees, a negative one more.
 /// Empty when the chord is 0 or does not fit a circle of the radius.
 std::optional<Segment> MakeArcWithRadius(const Coordinates& start, const Coordinates& end,
-                                         ArcPlane plane, double radius, bool counter_clockwise);
+                                         ArcPlane plane, double radius, bool counter_clockwise,
+                                         double tolerance = kArcTolerance);
 
 /// An arc or helix around start + (first, second) in its plane; a full turn if start and end
 /// coincide. Empty when the radius is 0, or start and end differ in their distances from the
 /// centre.
 std::optional<Segment> MakeArcAroundCentre(const Coordinates& start, const Coordinates& end,
                                            ArcPlane plane, double first, double second,
-                                           bool counter_clockwise);
+                                           bool counter_clockwise,
+                                           double tolerance = kArcTolerance);
 
 /// The arc in X, Y, Z from start through `between` to end. Empty if the three points are not on a
 /// circle.

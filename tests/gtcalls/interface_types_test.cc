@@ -9,7 +9,7 @@
 #include "gtcalls/gts/rows.h"
 
 // Last, because its constants are macros.
-#include "gts.h"
+#include "LookAheadEx.h"
 
 namespace oncard::gtcalls {
 namespace {
@@ -34,6 +34,8 @@ constexpr bool IsScalar(Scalar scalar) {
       return std::is_same_v<T, short>;
     case Scalar::kUnsignedShort:
       return std::is_same_v<T, unsigned short>;
+    case Scalar::kInt:
+      return std::is_same_v<T, int>;
     case Scalar::kLong:
       return std::is_same_v<T, long>;
     case Scalar::kUnsignedLong:
@@ -49,7 +51,7 @@ constexpr bool Agrees(const Parameter& parameter) {
   using Target = std::remove_pointer_t<T>;
   switch (parameter.passing) {
     case Passing::kValue:
-      return IsScalar<T>(parameter.type);
+      return parameter.type_name.empty() ? IsScalar<T>(parameter.type) : std::is_enum_v<T>;
     case Passing::kText:
       return std::is_same_v<T, const char*>;
     case Passing::kTextOutput:

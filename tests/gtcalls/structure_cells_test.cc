@@ -10,7 +10,7 @@
 #include "runtime/host/host_structures.h"
 
 // Last, because its constants are macros.
-#include "gts.h"
+#include "LookAheadEx.h"
 
 namespace oncard::runtime {
 namespace {
@@ -54,6 +54,29 @@ TEST(StructureCellsTest, GiveBackNumbersWithinTheirTypes) {
 TEST(StructureCellsTest, CountArraysElementByElement) {
   EXPECT_EQ(ToCells("TCompensate2DTable", TCompensate2DTable{{1, 2}, {-3, 4}, {5, 6}}),
             (std::vector<double>{1, 2, -3, 4, 5, 6}));
+}
+
+TEST(StructureCellsTest, LookAheadParameters) {
+  TLookAheadParameter parameter = {};
+  parameter.lookAheadNum = 200;
+  parameter.time = 0.1;
+  parameter.radiusRatio = 0.01;
+  parameter.vMax[0] = 1;
+  parameter.aMax[1] = 2;
+  parameter.DVMax[2] = 3;
+  parameter.scale[3] = 4;
+  parameter.axisRelation[7] = 8;
+  std::strcpy(parameter.machineCfgFileName, "machine.cfg");
+  std::vector<double> cells(43);
+  cells[0] = 200;
+  cells[1] = 0.1;
+  cells[2] = 0.01;
+  cells[3] = 1;
+  cells[12] = 2;
+  cells[21] = 3;
+  cells[30] = 4;
+  cells[42] = 8;
+  EXPECT_EQ(ToCells("TLookAheadParameter", parameter), cells);
 }
 
 TEST(StructureCellsTest, LeaveTextOut) {

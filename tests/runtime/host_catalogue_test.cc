@@ -60,7 +60,8 @@ bool IsFrame(const Command& command) {
 }
 
 bool IsDocumented(int16_t code) {
-  constexpr int16_t kCodes[] = {0, 1, 7, 8, 2007, 2008};
+  // From 102 on those of the multi-axis look-ahead.
+  constexpr int16_t kCodes[] = {0, 1, 7, 8, 102, 103, 104, 105, 107, 110, 2007, 2008};
   return std::find(std::begin(kCodes), std::end(kCodes), code) != std::end(kCodes);
 }
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gts.h"
+#include "LookAheadEx.h"
 #include "runtime/sim/controller.h"
 
 namespace oncard::runtime {
@@ -217,6 +217,18 @@ TEST(MarshalTest, ANumberIsNoAddress) {
   const auto axis = static_cast<short>(1);
   auto* const number = reinterpret_cast<double*>(sizeof(double));
   EXPECT_EQ(Marshalled("GT_GetVel", axis, number).code(), 7);
+}
+
+// int has 32 bits on every host, as the enumerations of LookAheadEx.h.
+TEST(MarshalTest, AnArrayHasAsManyElementsAsItsRowSays) {
+  int modes[9] = {1, -2, 3, 4, 5, 6, 7, INT32_MAX, 99};
+  Marshalled call("GT_SetAxisLimitModeLa", static_cast<short>(1), modes);
+  ASSERT_EQ(call.code(), 0);
+  EXPECT_EQ(
+      std::vector<double>(call.call.arguments[1].cells.begin(), call.call.arguments[1].cells.end()),
+      (std::vector<double>{1, -2, 3, 4, 5, 6, 7, INT32_MAX}));
+  Marshalled mode("GT_SetupLookAheadCrd", static_cast<short>(1), MULTI_AXES);
+  EXPECT_EQ(mode.call.arguments[1].value, 1);
 }
 
 TEST(MarshalTest, LentMemoryIsNotTouched) {

@@ -377,12 +377,18 @@ int16_t gts::GT_GetCrdVel(Call& call) {
 }
 
 int16_t gts::GT_GetLookAheadSpace(Call& call) {
-  return Give(
-      call, [&] { return FifoOf(call).look_ahead.capacity - FifoOf(call).look_ahead.ring.size(); });
+  return Give(call, [&] {
+    const CrdFifo& fifo = FifoOf(call);
+    return fifo.planner.in_use() ? fifo.planner->capacity - fifo.planner->spans.size()
+                                 : fifo.look_ahead.capacity - fifo.look_ahead.ring.size();
+  });
 }
 
 int16_t gts::GT_GetLookAheadSegCount(Call& call) {
-  return Give(call, [&] { return FifoOf(call).look_ahead.ring.size(); });
+  return Give(call, [&] {
+    const CrdFifo& fifo = FifoOf(call);
+    return fifo.planner.in_use() ? fifo.planner->spans.size() : fifo.look_ahead.ring.size();
+  });
 }
 
 int16_t gts::GT_GetUserSegNum(Call& call) {
@@ -432,14 +438,15 @@ int16_t gts::GT_InitLookAhead(Call& call) {
   const int16_t code = CheckCrd(call, NumberOf(call));
   if (code != vm::kOk) return code;
   motion::LookAhead& look_ahead = FifoOf(call).look_ahead;
-  if (!look_ahead.ring.empty()) {
+  if (!FifoOf(call).Ahead().empty()) {
     return call.Refuse(vm::kRefused,
                        MakeMessage("the look-ahead buffer holds {0} segments, call GT_CrdData with "
                                    "NULL or GT_CrdClear first",
                                    "前瞻缓冲区中还有 {0} 段，请先以 NULL 调用 GT_CrdData 或调用 "
                                    "GT_CrdClear",
-                                   look_ahead.ring.size()));
+                                   FifoOf(call).Ahead().size()));
   }
+  FifoOf(call).planner.End();
   look_ahead.Clear();
   look_ahead.time = time;
   look_ahead.acceleration = acceleration;

@@ -1,5 +1,7 @@
 #include "gtcalls/gts/commands/crd_support.h"
 
+#include "gtcalls/gts/commands/look_ahead_support.h"
+
 namespace oncard::gtcalls {
 
 int16_t CheckCrd(Call& call, size_t crd) {
@@ -24,10 +26,31 @@ motion::Coordinates PathEnd(const Call& call) {
   return fifo.idle() ? call.card.motion.CrdPosition(NumberOf(call)) : fifo.tail;
 }
 
+void MeasureForPlanner(const Call& call, motion::Segment* segment) {
+  const motion::CrdFifo& fifo = FifoOf(call);
+  if (fifo.planner.in_use()) motion::MeasureLength(fifo.planner->limits.length_axes, segment);
+}
+
+int16_t CheckNotMixed(Call& call) {
+  if (!FifoOf(call).planner.in_use() || BufferOf(call).in_pulses) return vm::kOk;
+  return call.Refuse(
+      kLookAheadParameter,
+      MakeMessage("FIFO {0} of coordinate system {1} takes commands in mm since "
+                  "GT_InitLookAheadEx: use {2}Ex, or call GT_InitLookAheadPara or "
+                  "GT_InitLookAhead for commands in pulses",
+                  "调用 GT_InitLookAheadEx 之后，坐标系 {1} 的 FIFO {0} 只接受以毫米为单位的指令："
+                  "请使用 {2}Ex；如需使用以脉冲为单位的指令，请调用 GT_InitLookAheadPara 或 "
+                  "GT_InitLookAhead",
+                  FifoNumber(call), call.integer(0), call.command.name));
+}
+
 int16_t AppendSlot(Call& call, const motion::PathSlot& slot) {
-  const int16_t code = CheckCrd(call, NumberOf(call));
-  if (code != vm::kOk) return code;
-  const motion::Coordinates end = PathEnd(call);
+  int16_t code = CheckCrd(call, NumberOf(call));
+  if (code == vm::kOk) code = CheckNotMixed(call);
+  return code != vm::kOk ? code : AppendToFifo(call, slot, PathEnd(call));
+}
+
+int16_t AppendToFifo(Call& call, const motion::PathSlot& slot, const motion::Coordinates& end) {
   if (!call.card.motion.AppendToCrd(NumberOf(call), FifoNumber(call), slot)) {
     return call.Refuse(vm::kRefused,
                        MakeMessage("FIFO {0} of coordinate system {1} is full: wait until "

@@ -26,8 +26,16 @@ inline motion::CrdFifo& FifoOf(const Call& call) { return CrdOf(call).fifos[Fifo
 /// Where a segment appended now begins.
 motion::Coordinates PathEnd(const Call& call);
 
-/// Appends a slot to the command's FIFO: 0, or 1 with the reason when it is full.
+/// Measures the segment as the planner of the command's FIFO does, if it has one.
+void MeasureForPlanner(const Call& call, motion::Segment* segment);
+
+/// 0, or 107 with the reason when the command in pulses is for a FIFO that GT_InitLookAheadEx has
+/// prepared for commands in mm.
+int16_t CheckNotMixed(Call& call);
+/// Appends a slot of a command in pulses to its FIFO: 0, or 1 with the reason when it is full.
 int16_t AppendSlot(Call& call, const motion::PathSlot& slot);
+/// The same for all commands; `end` is where the path ends before.
+int16_t AppendToFifo(Call& call, const motion::PathSlot& slot, const motion::Coordinates& end);
 
 /// Coordinate systems (from 0) whose bits `mask` has; bit 0 is coordinate system 1.
 std::vector<size_t> CrdsOf(uint32_t mask);

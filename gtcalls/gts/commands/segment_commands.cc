@@ -1,108 +1,22 @@
 // Segments of a coordinate system: lines, arcs, helices. One function implements all these
-// commands: the names of a command's parameters say which numbers it takes; its own name says in
-// which plane it is, and whether it ends at rest (G0) or uses the second override.
+// commands (segment_request.h).
 // Source: the public header. Tested by tests/gtcalls/segment_command_test.cc.
 #include <algorithm>
 #include <optional>
-#include <string_view>
 
 #include "gtcalls/gts/commands/crd_support.h"
+#include "gtcalls/gts/commands/segment_request.h"
 #include "gtcalls/gts/numbers.h"
 #include "motion/paths/segment.h"
 
 namespace oncard::gtcalls {
 namespace {
 
-using motion::ArcPlane;
 using motion::Coordinates;
 using motion::PathSlot;
 using motion::Segment;
 
-bool Contains(std::string_view text, std::string_view part) {
-  return text.find(part) != std::string_view::npos;
-}
-
-/// The data of a segment command.
-struct Request {
-  Coordinates end{};
-  size_t dimension = 2;  ///< coordinates it needs
-  double velocity = 0;
-  double acceleration = 0;
-  double end_velocity = 0;
-  bool ends_at_rest = false;
-  bool second_override = false;
-  int32_t given_number = 0;
-  std::optional<double> radius;
-  std::array<double, 2> centre{};
-  size_t centre_count = 0;  ///< 0: no centre
-  std::array<double, 3> between{};
-  bool has_between = false;
-  bool counter_clockwise = false;
-  ArcPlane plane;
-};
-
-ArcPlane PlaneOf(std::string_view command) {
-  if (Contains(command, "ArcYZ") || Contains(command, "HelixYZ")) return motion::kYzPlane;
-  if (Contains(command, "ArcZX") || Contains(command, "HelixZX")) return motion::kZxPlane;
-  return motion::kXyPlane;
-}
-
-/// The coordinate of parameter x, y, z or a; 4 for other names.
-size_t CoordinateOf(std::string_view name) {
-  constexpr std::string_view kNames = "xyza";
-  return name.size() == 1 ? std::min(kNames.find(name[0]), kNames.size()) : kNames.size();
-}
-
-/// Reads the arguments; coordinates that are not parameters of the command keep the value in
-/// `start`.
-Request ReadRequest(const Call& call, const Coordinates& start) {
-  Request request;
-  request.end = start;
-  request.ends_at_rest = Contains(call.command.name, "G0");
-  request.second_override = Contains(call.command.name, "Override2");
-  request.plane = PlaneOf(call.command.name);
-  for (size_t i = 1; i < call.arguments.size(); ++i) {
-    const std::string_view name = call.command.parameters[i].name;
-    const double value = call.value(i);
-    if (const size_t coordinate = CoordinateOf(name); coordinate < motion::kCrdDimensionMax) {
-      request.end[coordinate] = value;
-      request.dimension = std::max(request.dimension, coordinate + 1);
-    } else if (name == "synVel") {
-      request.velocity = value;
-    } else if (name == "synAcc") {
-      request.acceleration = value;
-    } else if (name == "velEnd") {
-      request.end_velocity = value;
-    } else if (name == "segNum") {
-      request.given_number = call.integer(i);
-    } else if (name == "radius") {
-      request.radius = value;
-    } else if (name == "circleDir") {
-      request.counter_clockwise = value != 0;
-    } else if (name.ends_with("Center")) {
-      request.centre[request.centre_count++] = value;
-    } else if (name.starts_with("inter")) {
-      request.between[static_cast<size_t>(name.back() - 'X')] = value;
-      request.has_between = true;
-    }
-  }
-  return request;
-}
-
-std::optional<Segment> Shape(const Coordinates& start, const Request& request) {
-  if (request.radius.has_value()) {
-    return motion::MakeArcWithRadius(start, request.end, request.plane, *request.radius,
-                                     request.counter_clockwise);
-  }
-  if (request.centre_count > 0) {
-    return motion::MakeArcAroundCentre(start, request.end, request.plane, request.centre[0],
-                                       request.centre[1], request.counter_clockwise);
-  }
-  if (request.has_between) return motion::MakeArcThroughPoint(start, request.end, request.between);
-  return motion::MakeLine(start, request.end);
-}
-
-int16_t RefuseShape(Call& call, const Request& request) {
+int16_t RefuseShape(Call& call, const SegmentRequest& request) {
   if (request.radius.has_value()) {
     return call.Refuse(
         vm::kBadParameter,
@@ -131,7 +45,7 @@ int16_t RefuseShape(Call& call, const Request& request) {
                                  "插补段长度为零：终点与当前轨迹终点重合"));
 }
 
-int16_t AppendRequest(Call& call, const Coordinates& start, const Request& request) {
+int16_t AppendRequest(Call& call, const Coordinates& start, const SegmentRequest& request) {
   const motion::Crd& crd = CrdOf(call);
   if (request.dimension > crd.dimension()) {
     return call.Refuse(vm::kRefused,
@@ -139,8 +53,9 @@ int16_t AppendRequest(Call& call, const Coordinates& start, const Request& reque
                                    "坐标系 {0} 有 {1} 个轴；该插补段需要 {2} 个轴", call.integer(0),
                                    crd.dimension(), request.dimension));
   }
-  const std::optional<Segment> segment = Shape(start, request);
+  std::optional<Segment> segment = ShapeOf(start, request);
   if (!segment.has_value()) return RefuseShape(call, request);
+  MeasureForPlanner(call, &*segment);
   PathSlot slot;
   slot.is_segment = true;
   slot.segment = *segment;
@@ -159,7 +74,7 @@ int16_t AppendSegment(Call& call) {
   const int16_t code = CheckCrd(call, NumberOf(call));
   if (code != vm::kOk) return code;
   const Coordinates start = PathEnd(call);
-  return AppendRequest(call, start, ReadRequest(call, start));
+  return AppendRequest(call, start, ReadSegment(call, start));
 }
 
 // --- TCrdData --------------------------------------------------------------------------------
@@ -214,7 +129,7 @@ int16_t AppendData(Call& call, bool arc) {
   if (code != vm::kOk) return code;
   const std::span<double> cells = call.cells(1);
   const Coordinates start = PathEnd(call);
-  Request request;
+  SegmentRequest request;
   request.end = start;
   for (size_t i = 0; i < CrdOf(call).dimension(); ++i) request.end[i] = cells[kPositionCell + i];
   request.dimension = 1;
@@ -239,14 +154,15 @@ int16_t AppendData(Call& call, bool arc) {
 }
 
 int16_t FlushLookAhead(Call& call) {
-  const int16_t code = CheckCrd(call, NumberOf(call));
+  int16_t code = CheckCrd(call, NumberOf(call));
+  if (code == vm::kOk) code = CheckNotMixed(call);
   if (code != vm::kOk || FifoOf(call).Flush()) return code;
   return call.Refuse(vm::kRefused,
                      MakeMessage("FIFO {0} is full while the look-ahead buffer still holds {1}: "
                                  "call GT_CrdData with NULL again until it gives 0",
                                  "FIFO {0} 已满，前瞻缓冲区中还有 {1} 段：请再次以 NULL 调用 "
                                  "GT_CrdData，直到返回 0",
-                                 FifoNumber(call), FifoOf(call).look_ahead.ring.size()));
+                                 FifoNumber(call), FifoOf(call).Ahead().size()));
 }
 
 }  // namespace
