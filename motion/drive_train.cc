@@ -82,11 +82,15 @@ void DriveTrain::Keep(size_t axis, double difference) {
     if (state_.steps[i].axis == number) state_.steps[i].lead += difference;
     if (state_.controls[i].axis == number) state_.controls[i].reference -= difference;
   }
+  if (readings_.OnBus(axis)) state_.bus->axes[axis].lead += difference;
 }
 
 void DriveTrain::Advance() {
   const size_t count = axis_count();
-  for (size_t i = 0; i < count; ++i) AdvancePlant(i);
+  for (size_t i = 0; i < count; ++i) {
+    // The drives on a bus have moved their motors (bus_axes.h).
+    if (!readings_.OnBus(i)) AdvancePlant(i);
+  }
   for (size_t i = 0; i < count; ++i) {
     if (state_.encoder_faults[i].any()) AdvanceEncoderFault(i);
     CountEncoder(i);

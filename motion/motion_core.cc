@@ -114,7 +114,7 @@ void MotionCore::BeginTick() {
 void MotionCore::FinishTick() {
   MapProfiles();
   const Readings present = readings();
-  const bool inputs = state_.io.AnyActive();
+  const bool inputs = state_.io.AnyActive() || state_.bus;
   for (size_t i = 0; i < axis_count(); ++i) {
     const Axis& axis = state_.axes[i];
     // Most axes have no latched condition and no cause to latch one.
@@ -157,6 +157,7 @@ void MotionCore::Reset() {
   state_.homing.fill({});
   state_.homing_runs = false;
   state_.reached.clear();
+  if (state_.bus) bus_axes().Reset();
   LatchCauses();
 }
 
@@ -274,17 +275,29 @@ void MotionCore::AdvanceCompensations() {
 }
 
 void MotionCore::AdvanceDrives() {
+  if (state_.bus) return AdvanceDrivesWithBus();
   if (!Passages::Wanted(state_)) return drives().Advance();
   Passages passages(state_, config_);
   drives().Advance();
   passages.Finish();
 }
 
+void MotionCore::AdvanceDrivesWithBus() {
+  Passages passages(state_, config_);
+  bus_axes().Exchange();
+  drives().Advance();
+  if (Passages::Wanted(state_)) passages.Finish();
+  ForEachBit(bus_axes().Follow(), axis_count(), [&](size_t axis) {
+    drives().Disable(axis);
+    StopAxis(state_.axes[axis], true);
+  });
+}
+
 void MotionCore::JudgeControl(Control& control) {
   if (!control.active || control.axis < 0) return;
   const auto index = static_cast<size_t>(control.axis);
   const Axis& axis = state_.axes[index];
-  if (!axis.servo_on) return;
+  if (!axis.servo_on || !readings().FollowsPlan(index)) return;
   const double error = std::fabs(readings().CommandedPosition(index) - axis.encoder.position);
   if (error <= static_cast<double>(control.error_limit) && !drives().EncoderSilent(control)) return;
   FailControl(control, error);
@@ -344,13 +357,18 @@ void MotionCore::StartProfile(size_t index) {
 }
 
 void MotionCore::ServoOn(size_t axis) {
-  state_.axes[axis].servo_on = true;
-  EnableDrive(axis);
+  if (OnBus(axis)) {
+    bus_axes().Enable(axis, true);
+  } else {
+    state_.axes[axis].servo_on = true;
+    EnableDrive(axis);
+  }
   state_.io.Write(DoType::kEnable, EnableOutputs(axis), ~uint32_t{0});
 }
 
 void MotionCore::ServoOff(size_t axis) {
   state_.axes[axis].servo_on = false;
+  if (OnBus(axis)) bus_axes().Enable(axis, false);
   drives().Disable(axis);
   state_.io.Write(DoType::kEnable, EnableOutputs(axis), 0);
   StopAxis(state_.axes[axis], true);
@@ -377,6 +395,7 @@ uint32_t MotionCore::Conditions(size_t index) const {
 }
 
 void MotionCore::ClearStatus(size_t axis) {
+  if (OnBus(axis)) bus_axes().ResetFault(axis);
   uint32_t& latched = state_.axes[axis].latched;
   const uint32_t error = FollowingErrorExceeded(axis) ? latched & kFollowingErrorBit : 0;
   latched = readings().ActiveCauses(state_.axes[axis]) | error;
@@ -408,7 +427,7 @@ void MotionCore::RestartDrives() {
   drives().Wire();
   drives().KeepPulses();
   for (size_t i = 0; i < kAxisMax; ++i) {
-    if (state_.axes[i].servo_on) EnableDrive(i);
+    if (state_.axes[i].servo_on && !OnBus(i)) EnableDrive(i);
   }
 }
 
@@ -465,9 +484,24 @@ void MotionCore::SetIndexSearch(size_t index, int32_t distance, int32_t offset) 
   state_.homing_runs |= state_.homing[index].running;
 }
 
+// --- Axes on a bus -----------------------------------------------------------------------------
+
+void MotionCore::ConnectBus(bus::SlavesPointer configured, bus::SlavesPointer connected) {
+  state_.bus.Emplace().line = bus::Bus(std::move(configured), std::move(connected));
+  bus_axes().NumberAxes();
+}
+
+void MotionCore::TerminateBus() {
+  for (size_t i = 0; i < axis_count(); ++i) {
+    if (OnBus(i)) ServoOff(i);
+  }
+  state_.bus->line.Terminate();
+}
+
 // --- Outside the card --------------------------------------------------------------------------
 
 void MotionCore::PowerOn(std::shared_ptr<const WorldEvents> events) {
+  if (state_.bus) bus_axes().PowerOn();
   Surroundings(state_, config_).PowerOn(std::move(events));
   LatchCauses();
 }

@@ -24,6 +24,7 @@
 #include <memory>
 #include <utility>
 
+#include "motion/bus_axes.h"
 #include "motion/crd_driver.h"
 #include "motion/cycle_block.h"
 #include "motion/drive_train.h"
@@ -186,6 +187,18 @@ class MotionCore {
   /// found.
   void SetIndexSearch(size_t index, int32_t distance, int32_t offset);
 
+  // --- Axes on a bus ---------------------------------------------------------------------------
+
+  /// Gives the card a bus, to be called before PowerOn(): what an ENI file describes (nullptr:
+  /// there is none), and what is connected.
+  void ConnectBus(bus::SlavesPointer configured, bus::SlavesPointer connected);
+  /// The axes on it, for a card with a bus.
+  BusAxes bus_axes() { return {state_, config_}; }
+  /// True if the axis has a drive on a bus.
+  bool OnBus(size_t axis) const { return readings().OnBus(axis); }
+  /// GT_TerminateEcatComm: its axes stop abruptly, and their drives are switched off.
+  void TerminateBus();
+
   // --- Outside the card ------------------------------------------------------------------------
 
   /// Switches a new card on, given the events outside the card in order of time. Events at instant
@@ -233,6 +246,8 @@ class MotionCore {
   void AdvanceCompensations();
   /// Drives and encoders, with all that they pass inside the cycle if something depends on it.
   void AdvanceDrives();
+  /// The same with the drives on a bus.
+  void AdvanceDrivesWithBus();
   void JudgeControl(Control& control);
   /// Stops an axis whose following error exceeds its limit, or whose encoder is silent.
   void FailControl(const Control& control, double error);

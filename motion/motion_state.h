@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "motion/axis.h"
+#include "motion/bus_axis.h"
 #include "motion/common/card_defaults.h"
+#include "motion/common/rare.h"
 #include "motion/common/sizes.h"
 #include "motion/compensation.h"
 #include "motion/control.h"
@@ -80,12 +82,13 @@ struct MotionState {
   /// carries them out after the tick and empties the list; it gives it the capacity of a FIFO
   /// before it appends the first such command, so that a tick allocates nothing.
   std::vector<BufferedCommand> reached;
+  Rare<BusPart> bus;
 
   auto Fields() const {
     return std::tie(cycle, clock_cycle, io, profiles, pvt_tables, crds, axes, enable_axes,
                     compensations, compensates, encoders, encoder_faults, drives, plants, steps,
                     controls, dacs, adcs, modules, world, switches, index_marks, capture, compare,
-                    lasers, gantry, homing, homing_runs, reached);
+                    lasers, gantry, homing, homing_runs, reached, bus);
   }
 };
 

@@ -32,7 +32,7 @@ double Passages::PositionAt(size_t encoder, double fraction) const {
 
 double Passages::PositionWhere(size_t encoder, size_t motor, double place) const {
   const Encoder& counter = state_.encoders[encoder];
-  if (encoder == motor && counter.external && counter.active) {
+  if (encoder == motor && counter.external && counter.active && !readings_.OnBus(encoder)) {
     // Computed directly rather than with the fraction, which would not be exact.
     const double direction = counter.reversed == counter.wired_reversed ? 1 : -1;
     return counter.position - counter.source +

@@ -73,6 +73,10 @@ class Readings {
   bool LimitForbids(size_t profile, double direction) const;
   /// True if the axis' drive is commanded by a servo controller.
   bool InClosedLoop(size_t axis) const;
+  /// True if the axis has a drive on a bus.
+  bool OnBus(size_t axis) const { return state_.bus && state_.bus->axes[axis].on_bus(); }
+  /// False while the drive of a bus axis moves by itself.
+  bool FollowsPlan(size_t axis) const { return !OnBus(axis) || state_.bus->axes[axis].follows; }
   bool IsGantrySlave(size_t axis) const { return state_.gantry.on && state_.gantry.slave == axis; }
 
   /// The strength of a laser now, in the unit of its mode.
@@ -88,6 +92,9 @@ class Readings {
   /// The count of an encoder's source, with fractions of pulses.
   double SourcePosition(size_t index) const {
     const Encoder& encoder = state_.encoders[index];
+    if (OnBus(index)) [[unlikely]] {
+      return state_.bus->axes[index].feedback() + state_.encoder_faults[index].slip;
+    }
     if (!encoder.external) return state_.steps[index].position;
     const double direction = encoder.reversed == encoder.wired_reversed ? 1 : -1;
     return direction * state_.plants[index].position + state_.encoder_faults[index].slip;

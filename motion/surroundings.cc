@@ -71,6 +71,31 @@ void Surroundings::Apply(const WorldEvent& event) {
     case WorldEventKind::kSwitchLast:
       state_.switches[event.index].last = event.value;
       break;
+    case WorldEventKind::kBusProbe:
+    case WorldEventKind::kBusTerminal:
+    case WorldEventKind::kBusLost:
+    case WorldEventKind::kBusSilent:
+      ApplyToBus(event);
+      break;
+  }
+}
+
+void Surroundings::ApplyToBus(const WorldEvent& event) {
+  bus::Bus& line = state_.bus->line;
+  bus::SlaveState& slave = line.slave(event.item);
+  switch (event.kind) {
+    case WorldEventKind::kBusProbe:
+      // The drive has already seen the edge in the cycle before.
+      slave.drive->SetProbeLevel(event.index, event.value != 0);
+      break;
+    case WorldEventKind::kBusTerminal:
+      line.SetTerminal(event.item, event.index, static_cast<int64_t>(event.value));
+      break;
+    case WorldEventKind::kBusLost:
+      slave.lost = event.value != 0;
+      break;
+    default:
+      slave.silent = event.value != 0;
   }
 }
 

@@ -23,6 +23,8 @@ class Surroundings {
  private:
   /// Applies an event of the current instant.
   void Apply(const WorldEvent& event);
+  /// Applies one that concerns a slave of the card's bus.
+  void ApplyToBus(const WorldEvent& event);
   void DrivePin(const WorldEvent& event);
   Micros now() const { return now_; }
 

@@ -25,6 +25,8 @@
 #include <variant>
 #include <vector>
 
+#include "motion/common/rare.h"
+
 namespace oncard::motion {
 
 class StateHash {
@@ -78,6 +80,13 @@ class StateHash {
   StateHash& Add(const std::shared_ptr<const T>& value) {
     Add(value != nullptr);
     if (value != nullptr) Add(*value);
+    return *this;
+  }
+
+  /// Adds the part of a card that has it, and nothing otherwise.
+  template <typename T>
+  StateHash& Add(const Rare<T>& part) {
+    if (part) Add(*part);
     return *this;
   }
 

@@ -24,7 +24,12 @@ enum class WorldEventKind : uint8_t {
   kEncoderDrift,     ///< item: encoder, value: pulse/ms
   kSwitchConnected,  ///< index: of MotionState::switches, value: 1 connected, 0 cut
   kSwitchFirst,      ///< the same, value: PositionSwitch::first
-  kSwitchLast        ///< the same, value: PositionSwitch::last
+  kSwitchLast,       ///< the same, value: PositionSwitch::last
+  // Of a bus; item: slave.
+  kBusProbe,     ///< index: touch probe, value: level of its input
+  kBusTerminal,  ///< index: of a drive the ObjectId, else the entry of its inputs; value: its own
+  kBusLost,      ///< value 1: it does not answer any more
+  kBusSilent     ///< value 1: it does not answer to process data any more
 };
 
 /// Everything counts from 0.
