@@ -121,6 +121,14 @@ std::string_view SpellUnit(Unit unit) {
       return "V";
     case Unit::kPercent:
       return "%";
+    case Unit::kCount:
+      return "count";
+    case Unit::kCountPerSecond:
+      return "count/s";
+    case Unit::kPerMille:
+      return "1/1000 of the rated value";
+    case Unit::kByte:
+      return "byte";
     case Unit::kMask:
       return "bit n-1: number n";
     case Unit::kBits:

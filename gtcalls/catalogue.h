@@ -46,6 +46,7 @@ enum class Tier : uint8_t { kA, kB, kX };
 enum class Cost : uint8_t {
   kHostCall,     ///< 50 us: a fifth of the card's rate (GTS manual 10.2)
   kMillisecond,  ///< 1 ms: GT_Update, GT_PtStart, GT_GearStart, GT_FollowStart (manual chapter 7)
+  kMailbox,      ///< 4 ms: services of slaves on a bus (assumption)
   kNone          ///< no communication with the card: GT_Open, GT_Close, GT_Compile
 };
 
@@ -126,6 +127,10 @@ enum class Unit : uint8_t {
   kKilohertz,
   kVolt,
   kPercent,
+  kCount,           ///< of a drive's encoder on a bus
+  kCountPerSecond,  ///< the same
+  kPerMille,        ///< of a drive's rated torque or current
+  kByte,
   kIndex,  ///< the number of an axis, channel, buffer, thread, ...
   kMask,   ///< one bit per axis or coordinate system
   kBits    ///< one bit per input or output

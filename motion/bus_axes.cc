@@ -116,13 +116,13 @@ uint16_t BusAxes::ControlWordOf(size_t axis) const {
 void BusAxes::SendOutputs(size_t axis) {
   bus::Bus& line = state_.bus->line;
   BusAxis& own = link(axis);
-  line.SetOutput(SlaveOf(axis), ObjectId::kControlWord, ControlWordOf(axis));
+  line.SendOutput(SlaveOf(axis), ObjectId::kControlWord, ControlWordOf(axis));
   double target = own.counts;
   if (own.follows) target = Whole((readings_.CommandedPosition(axis) + own.lead) * own.unit());
   // Positions of 32 bits wrap.
   const auto counts = static_cast<uint32_t>(static_cast<int64_t>(target));
   if (ModeOf(axis) == DriveMode::kCyclicPosition) {
-    line.SetOutput(SlaveOf(axis), ObjectId::kTargetPosition, static_cast<int32_t>(counts));
+    line.SendOutput(SlaveOf(axis), ObjectId::kTargetPosition, static_cast<int32_t>(counts));
   }
 }
 
@@ -264,6 +264,13 @@ DriveMode BusAxes::ModeOf(size_t axis) const {
   const bus::Bus& line = state_.bus->line;
   const std::optional<int64_t> shown = line.Input(SlaveOf(axis), ObjectId::kModeDisplay);
   return shown ? static_cast<DriveMode>(*shown) : line.slave(SlaveOf(axis)).drive->mode();
+}
+
+DriveMode BusAxes::CommandedMode(size_t axis) const {
+  const bus::Bus& line = state_.bus->line;
+  const bus::ObjectValues& values = line.slave(SlaveOf(axis)).drive->values();
+  const auto output = line.Output(SlaveOf(axis), ObjectId::kMode);
+  return static_cast<DriveMode>(output.value_or(values[ObjectId::kMode]));
 }
 
 void BusAxes::SetScale(size_t axis, uint8_t exponent) {

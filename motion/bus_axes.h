@@ -59,6 +59,8 @@ class BusAxes {
   void SetMode(size_t axis, bus::DriveMode mode);
   /// The mode that the drive reports, or was given if its process data do not contain 6061h.
   bus::DriveMode ModeOf(size_t axis) const;
+  /// The mode that the drive was given and takes with the next cycle.
+  bus::DriveMode CommandedMode(size_t axis) const;
   /// GT_SetPosScale, for an axis at rest: nothing moves, and its positions stay.
   void SetScale(size_t axis, uint8_t exponent);
   /// The parameters as downloads; what does not fit an object counts as its limit. The first abort

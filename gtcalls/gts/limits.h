@@ -44,5 +44,9 @@ inline constexpr int kUserVariableLast = 1023;
 inline constexpr int kModuleLast = 15;
 /// Assumption: analogue channels of an extension module.
 inline constexpr int kModuleChannelLast = 7;
+/// Capacity: bytes of one access to the process image or to an object of a slave.
+inline constexpr int kBusBytesMax = 1486;
+/// Assumption: the largest exponent of GT_SetPosScale; the manual's example is 6.
+inline constexpr int kPosScaleMax = 30;
 
 }  // namespace oncard::gtcalls::gts

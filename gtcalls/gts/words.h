@@ -14,6 +14,7 @@ using namespace gtcalls::words;
 // --- Sources ------------------------------------------------------------------------------------
 
 inline constexpr std::string_view kManual = "GTS manual ch. 13";
+inline constexpr std::string_view kBusManual = "GTS manual S2 ch. 5 and 13";
 inline constexpr std::string_view kTable = "GTS manual table 10-2; public header";
 inline constexpr std::string_view kTableAssumed = "GTS manual table 10-2; parameters assumed";
 inline constexpr std::string_view kNamed = "named in the GTS manuals; public header";
@@ -52,6 +53,10 @@ constexpr Spec ThreadOrGlobals() { return Index("thread", -1, kThreadLast); }
 constexpr Spec Channel(std::string_view name) { return Index(name, 0, 1); }
 /// In the unit of the laser's mode: percent, kHz or V.
 constexpr Spec LaserPower(std::string_view name) { return Double(name).Range(0, kRateBound); }
+/// A slave of the bus, counted from 0 in the order of the line.
+constexpr Spec SlaveNumber(std::string_view name) { return UShort(name).In(Unit::kIndex); }
+/// A number of bytes that a host passes.
+constexpr Spec Bytes(Spec spec) { return spec.In(Unit::kByte).Range(1, kBusBytesMax); }
 constexpr Spec Module() { return Index("mdl", 0, kModuleLast); }
 constexpr Spec ModuleChannel() { return Index("chn", 0, kModuleChannelLast); }
 constexpr Spec DiType(std::string_view name) { return Short(name).Range(0, 6); }

@@ -18,12 +18,17 @@ Bus::Bus(SlavesPointer configured, SlavesPointer connected)
 
 // --- Communication -------------------------------------------------------------------------------
 
-InitOutcome Bus::Init(Micros now) {
+InitOutcome Bus::CheckInit() const {
   if (configured_ == nullptr) return InitOutcome::kNoConfiguration;
-  Terminate();
   if (slaves_.empty() || slaves_.front().lost) return InitOutcome::kNoSlaves;
   const bool lost = !Online(slaves_.size() - 1);
-  if (lost || FirstDifference(*configured_, *connected_)) return InitOutcome::kDifferent;
+  const bool different = lost || FirstDifference(*configured_, *connected_).has_value();
+  return different ? InitOutcome::kDifferent : InitOutcome::kDone;
+}
+
+InitOutcome Bus::Init(Micros now) {
+  if (const InitOutcome outcome = CheckInit(); outcome != InitOutcome::kDone) return outcome;
+  Terminate();
   places_ = PlacesOf(*configured_);
   image_ = ProcessImage(ImageSize(*configured_));
   phase_ = BusPhase::kInit;
@@ -90,8 +95,13 @@ bool Bus::HasOutput(size_t number, ObjectId id) const {
 bool Bus::SetOutput(size_t number, ObjectId id, int64_t value) {
   const std::optional<EntryPlace> place = PlaceOf(number, id, true);
   if (!place) return false;
-  image_.PutUnlessHeld(place->bit, place->bits, value);
+  image_.Put(place->bit, place->bits, value);
   return true;
+}
+
+void Bus::SendOutput(size_t number, ObjectId id, int64_t value) {
+  const std::optional<EntryPlace> place = PlaceOf(number, id, true);
+  if (place) image_.PutUnlessHeld(place->bit, place->bits, value);
 }
 
 void Bus::TakeOutputs() {

@@ -55,7 +55,10 @@ class Bus {
 
   // --- Communication -----------------------------------------------------------------------------
 
-  /// Begins communication at that instant; a bus that communicates begins again.
+  /// How Init() would end.
+  InitOutcome CheckInit() const;
+  /// Begins communication at that instant; a bus that communicates begins again. Unless it is done,
+  /// nothing changes.
   InitOutcome Init(Micros now);
   void Terminate();
   /// One cycle of the state machine, which ends at that instant. True when OP has just been
@@ -80,9 +83,10 @@ class Bus {
   const SlavePlace& place(size_t number) const { return places_[number]; }
   /// The input of a slave; empty if its process data do not contain the object.
   std::optional<int64_t> Input(size_t number, ObjectId id) const;
-  /// Sets an output of a drive from now on, by the controller; false if its process data do not
-  /// contain the object.
+  /// Sets an output of a drive; false if its process data do not contain the object.
   bool SetOutput(size_t number, ObjectId id, int64_t value);
+  /// The same for what the controller sends in every cycle, unless a host has just written it.
+  void SendOutput(size_t number, ObjectId id, int64_t value);
   std::optional<int64_t> Output(size_t number, ObjectId id) const;
   bool HasOutput(size_t number, ObjectId id) const;
   /// Slaves take their outputs (in OP), and give their inputs (in SAFE-OP and OP).

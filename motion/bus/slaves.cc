@@ -90,7 +90,8 @@ std::optional<SlaveDifference> FirstDifference(const Slaves& configured, const S
     if (number == configured.size()) return SlaveDifference{kUnexpected, number};
     const Slave& slave = connected[number];
     const Slave& wanted = configured[number];
-    if (wanted.vendor != slave.vendor || wanted.product != slave.product) {
+    const bool other_kind = (wanted.kind == SlaveKind::kDrive) != (slave.kind == SlaveKind::kDrive);
+    if (other_kind || wanted.vendor != slave.vendor || wanted.product != slave.product) {
       return SlaveDifference{kIdentity, number};
     }
     if (wanted.outputs != slave.outputs || wanted.inputs != slave.inputs) {

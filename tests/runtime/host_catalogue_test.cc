@@ -60,8 +60,8 @@ bool IsFrame(const Command& command) {
 }
 
 bool IsDocumented(int16_t code) {
-  // From 102 on those of the multi-axis look-ahead.
-  constexpr int16_t kCodes[] = {0, 1, 7, 8, 102, 103, 104, 105, 107, 110, 2007, 2008};
+  // From 102 on those of the multi-axis look-ahead; the negative ones are those of GT_InitEcatComm.
+  constexpr int16_t kCodes[] = {0, 1, 7, 8, 102, 103, 104, 105, 107, 110, 2007, 2008, -8, -9, -10};
   return std::find(std::begin(kCodes), std::end(kCodes), code) != std::end(kCodes);
 }
 

@@ -3,6 +3,7 @@
 // Tested by tests/gtcalls/axis_command_test.cc.
 #include <cstdlib>
 
+#include "gtcalls/gts/commands/bus_support.h"
 #include "gtcalls/gts/commands/crd_support.h"
 #include "gtcalls/gts/defaults.h"
 #include "gtcalls/gts/numbers.h"
@@ -30,7 +31,8 @@ int16_t gts::GT_AxisOn(Call& call) {
                                   "轴 {0} 的驱动器报警；请排除原因，未接驱动器时可调用 GT_AlarmOff",
                                   call.integer(0)));
   }
-  const int16_t code = CheckAxisAtRest(call, NumberOf(call));
+  int16_t code = CheckAxisAtRest(call, NumberOf(call));
+  if (code == vm::kOk) code = CheckBusStarted(call, NumberOf(call));
   if (code != vm::kOk) return code;
   call.card.motion.ServoOn(NumberOf(call));
   return vm::kOk;

@@ -1,6 +1,7 @@
 // Homing: smart (GT_GoHome) and simple (GT_Home and related commands).
 // Source: application notes on smart homing; public header and GE manual for the simple commands.
 // Tested by tests/gtcalls/home_command_test.cc.
+#include "gtcalls/gts/commands/bus_support.h"
 #include "gtcalls/gts/commands/motion_support.h"
 #include "gtcalls/gts/numbers.h"
 
@@ -115,6 +116,7 @@ int16_t RefuseHoming(Call& call, HomeError error) {
 int16_t CheckReadyToHome(Call& call) {
   int16_t code = CheckNotHoming(call, NumberOf(call));
   if (code == vm::kOk) code = CheckNoGantrySlave(call, NumberOf(call));
+  if (code == vm::kOk) code = CheckBusObeys(call, NumberOf(call));
   return code == vm::kOk ? CheckAtRest(call, NumberOf(call)) : code;
 }
 

@@ -1,5 +1,6 @@
 #include "gtcalls/gts/commands/motion_support.h"
 
+#include "gtcalls/gts/commands/bus_support.h"
 #include "gtcalls/gts/numbers.h"
 
 namespace oncard::gtcalls {
@@ -86,6 +87,7 @@ int16_t CheckMayStart(Call& call, size_t profile, double direction) {
     if ((axis.latched & (motion::kSmoothStopBit | motion::kAbruptStopBit)) != 0) {
       return refuse("stop input latched", "停止输入已锁存");
     }
+    if (const int16_t code = CheckBusObeys(call, i); code != vm::kOk) return code;
     const double along = axis.profile_scale.reverses() ? -direction : direction;
     if (along > 0 && (axis.latched & motion::kPositiveLimitBit) != 0) {
       return refuse("positive limit latched: move away from it", "正限位已锁存：请反向离开限位");

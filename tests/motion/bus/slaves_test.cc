@@ -24,7 +24,10 @@ TEST(Slaves, TheFirstDifferenceIsNamed) {
   other.product += 1;
   Slave longer = kConfigured[1];
   longer.inputs.push_back({0x6000, 2, 16});
+  Slave disguised = kConfigured[0];
+  disguised.kind = SlaveKind::kIo;
   const Case cases[] = {
+      {{disguised, kConfigured[1]}, What::kIdentity, 0},
       {{kConfigured[0]}, What::kMissing, 1},
       {{kConfigured[0], kConfigured[1], kConfigured[1]}, What::kUnexpected, 2},
       {{kConfigured[1], kConfigured[0]}, What::kIdentity, 0},
