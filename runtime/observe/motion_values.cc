@@ -155,6 +155,40 @@ constexpr MotionValue kLaserValues[] = {
      }},
 };
 
+/// Axes, on a card with a bus.
+size_t BusAxisCount(const MotionCore& core) { return core.state().bus ? core.axis_count() : 0; }
+
+const motion::bus::BusDrive& DriveAt(const CardView& card, size_t axis) {
+  const motion::BusPart& part = *card.motion.state().bus;
+  return *part.line.slave(static_cast<size_t>(part.axes[axis].slave)).drive;
+}
+
+/// A drive that the card's axis has on the bus and that is connected.
+bool HasDrive(const MotionCore& core, size_t axis) {
+  if (!core.OnBus(axis)) return false;
+  const motion::BusPart& part = *core.state().bus;
+  const auto slave = static_cast<size_t>(part.axes[axis].slave);
+  return slave < part.line.slave_count() && part.line.slave(slave).drive.has_value();
+}
+
+template <motion::bus::ObjectId kId>
+double DriveObject(const CardView& card, size_t axis) {
+  return static_cast<double>(DriveAt(card, axis).values()[kId]);
+}
+
+constexpr MotionValue kDriveValues[] = {
+    {"state", NumberForm::kWhole, Unit::kNone,
+     [](const CardView& card, size_t i) { return static_cast<double>(DriveAt(card, i).state()); }},
+    {"mode", NumberForm::kWhole, Unit::kNone, DriveObject<motion::bus::ObjectId::kModeDisplay>},
+    {"control", NumberForm::kWhole, Unit::kNone, DriveObject<motion::bus::ObjectId::kControlWord>},
+    {"status", NumberForm::kWhole, Unit::kNone, DriveObject<motion::bus::ObjectId::kStatusWord>},
+    {"pos", NumberForm::kReal, Unit::kNone, DriveObject<motion::bus::ObjectId::kPositionActual>},
+    {"homing", NumberForm::kWhole, Unit::kNone,
+     [](const CardView& card, size_t i) {
+       return static_cast<double>(DriveAt(card, i).homing().phase);
+     }},
+};
+
 constexpr std::array kParts = {
     MotionPart{"axis", AxisCount, kAxisValues},
     MotionPart{"profile", AxisCount, kProfileValues},
@@ -167,6 +201,7 @@ constexpr std::array kParts = {
     MotionPart{"adc", [](const MotionCore&) { return motion::kAdcCount; }, kAdcValues},
     MotionPart{kHsioPart, [](const MotionCore&) { return motion::kHsioCount; }, kHsioValues, 0},
     MotionPart{"laser", [](const MotionCore&) { return motion::kLaserCount; }, kLaserValues, 0},
+    MotionPart{"drive", BusAxisCount, kDriveValues, 1, HasDrive},
 };
 
 }  // namespace

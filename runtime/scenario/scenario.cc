@@ -90,6 +90,7 @@ std::string FormatScenario(const Scenario& scenario) {
   }
   for (const ThreadStart& start : scenario.threads) text += FormatThread(start);
   text += FormatWorld(scenario.world, scenario.axis_count);
+  text += FormatBus(scenario.bus);
   for (const HostEvent& event : scenario.host) {
     text += AsTable("[[host]]", WriteKeys(event, HostKeys()));
   }

@@ -15,6 +15,7 @@
 #include "compiler/compiler.h"
 #include "gtcalls/card_type.h"
 #include "motion/motion_core.h"
+#include "runtime/scenario/bus_setup.h"
 #include "runtime/scenario/expectation.h"
 #include "runtime/scenario/key_script.h"
 #include "runtime/scenario/placed_errors.h"
@@ -104,6 +105,7 @@ struct Scenario {
   /// The run ends at this time, whatever the threads do; empty: when all threads have stopped.
   std::optional<int64_t> until_us;
   World world;
+  BusSetup bus;
   std::vector<HostEvent> host;  ///< in order of time
   /// Names of the values in a trace; empty: as described at RunOptions::trace.
   std::vector<std::string> trace;

@@ -5,6 +5,7 @@
 
 #include "base/files.h"
 #include "base/milliseconds.h"
+#include "runtime/scenario/bus_toml.h"
 #include "runtime/scenario/key_table.h"
 #include "runtime/scenario/keyed_toml.h"
 #include "runtime/scenario/requirement.h"
@@ -69,6 +70,9 @@ class ScenarioReader : private TomlKeys {
     for (const toml::table* thread : Tables(table, "thread")) ReadThread(*thread);
     if (const toml::table* world = Table(table, "world")) {
       scenario_.world = ReadWorld(*world, scenario_.axis_count, *this);
+    }
+    if (const toml::table* bus = Table(table, "ethercat")) {
+      scenario_.bus = ReadBus(*bus, scenario_.axis_count, *this);
     }
     for (const toml::table* event : Tables(table, "host")) ReadHost(*event);
     std::stable_sort(scenario_.host.begin(), scenario_.host.end(),

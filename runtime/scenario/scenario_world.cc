@@ -100,6 +100,48 @@ void SetUpMotor(const MotorSetup& setup, motion::MotionCore& core) {
   core.PlaceMotor(index, setup.position);
 }
 
+/// The number of a slave among those that are connected.
+uint8_t ConnectedNumber(const BusSetup& bus, size_t slave) {
+  const auto end = bus.slaves.begin() + static_cast<std::ptrdiff_t>(slave);
+  return static_cast<uint8_t>(std::count_if(
+      bus.slaves.begin(), end, [](const BusSlaveSetup& each) { return !each.absent; }));
+}
+
+void AddBus(const BusSetup& bus, WorldEvents& events) {
+  for (size_t i = 0; i < bus.slaves.size(); ++i) {
+    const BusSlaveSetup& slave = bus.slaves[i];
+    if (slave.absent) continue;
+    const uint8_t number = ConnectedNumber(bus, i);
+    const auto add = [&](const std::optional<int64_t>& at, WorldEventKind kind) {
+      if (at) events.push_back({*at, kind, number, 0, 1});
+    };
+    add(slave.lost_at_us, WorldEventKind::kBusLost);
+    add(slave.silent_at_us, WorldEventKind::kBusSilent);
+  }
+  for (const BusInputEvent& event : bus.inputs) {
+    const auto number = static_cast<size_t>(event.slave);
+    const auto terminal = FindTerminal(SlaveOf(bus.slaves[number]), event.object);
+    if (bus.slaves[number].absent || !terminal) continue;
+    events.push_back({event.at_us,
+                      terminal->probe ? WorldEventKind::kBusProbe : WorldEventKind::kBusTerminal,
+                      ConnectedNumber(bus, number), terminal->item, event.value});
+  }
+}
+
+/// Slaves that an ENI file describes, and those that are connected.
+void ConnectBus(const BusSetup& bus, motion::MotionCore& core) {
+  if (bus.slaves.empty() && bus.configured.empty()) return;
+  motion::bus::Slaves configured;
+  motion::bus::Slaves connected;
+  for (const BusSlaveSetup& setup : bus.configured) configured.push_back(SlaveOf(setup));
+  for (const BusSlaveSetup& setup : bus.slaves) {
+    if (bus.configured.empty()) configured.push_back(SlaveOf(setup));
+    if (!setup.absent) connected.push_back(SlaveOf(setup));
+  }
+  core.ConnectBus(std::make_shared<const motion::bus::Slaves>(std::move(configured)),
+                  std::make_shared<const motion::bus::Slaves>(std::move(connected)));
+}
+
 motion::PositionSwitch SwitchOf(const SwitchSetup& setup) {
   return {.axis = FromZero(setup.axis),
           .type = setup.type,
@@ -132,6 +174,7 @@ WorldEvents EventsOfWorld(const Scenario& scenario) {
         {voltage.at_us, WorldEventKind::kAdc, FromZero(voltage.channel), 0, voltage.volts});
   }
   for (const ModuleEvent& module : world.modules) AddModule(module, events);
+  AddBus(scenario.bus, events);
   std::stable_sort(events.begin(), events.end(),
                    [](const WorldEvent& a, const WorldEvent& b) { return a.at < b.at; });
   return events;
@@ -150,6 +193,7 @@ void ApplyWorld(const Scenario& scenario, Controller* controller) {
   for (const ModuleEvent& module : world.modules) {
     core.state().modules[static_cast<size_t>(module.module)].present = true;
   }
+  ConnectBus(scenario.bus, core);
   core.PowerOn(std::make_shared<const WorldEvents>(EventsOfWorld(scenario)));
 }
 

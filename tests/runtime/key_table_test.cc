@@ -74,6 +74,8 @@ TEST(KeyTable, SaysTheValuesThatTheStructuresBeginWith) {
   ExpectStandards(HandKeys());
   ExpectStandards(VoltageKeys());
   ExpectStandards(ModuleKeys());
+  ExpectStandards(BusSlaveKeys());
+  ExpectStandards(BusInputKeys());
 }
 
 TEST(KeyTable, LeavesOutWhatHasItsStandardValue) {
