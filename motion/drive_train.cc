@@ -87,13 +87,14 @@ void DriveTrain::Keep(size_t axis, double difference) {
 
 void DriveTrain::Advance() {
   const size_t count = axis_count();
+  // The drives on a bus have moved their motors (bus_axes.h).
+  const bool bus = static_cast<bool>(state_.bus);
   for (size_t i = 0; i < count; ++i) {
-    // The drives on a bus have moved their motors (bus_axes.h).
-    if (!readings_.OnBus(i)) AdvancePlant(i);
+    if (!bus || !readings_.OnBus(i)) AdvancePlant(i);
   }
   for (size_t i = 0; i < count; ++i) {
     if (state_.encoder_faults[i].any()) AdvanceEncoderFault(i);
-    CountEncoder(i);
+    CountEncoder(i, bus);
   }
   if (HasAuxiliary(config_)) AdvanceAuxiliary();
   MapEncoders();
@@ -118,6 +119,7 @@ void DriveTrain::MapEncoders() {
 }
 
 void DriveTrain::AdvanceAuxiliary() {
+  constexpr bool kBus = false;  // auxiliary encoders are at the terminals
   for (size_t i = kAuxiliaryFirst; i < kAuxiliaryFirst + kAuxiliaryCount; ++i) {
     Plant& plant = state_.plants[i];
     const bool faulty = state_.encoder_faults[i].any();
@@ -125,7 +127,7 @@ void DriveTrain::AdvanceAuxiliary() {
     if (plant.hand == 0 && !faulty && state_.encoders[i].resting()) continue;
     if (plant.hand != 0) TurnByHand(plant);
     if (faulty) AdvanceEncoderFault(i);
-    CountEncoder(i);
+    CountEncoder(i, kBus);
   }
 }
 
@@ -208,9 +210,10 @@ double DriveTrain::MeasuredPosition(const Control& control) const {
          axis.encoder_scale.Apply(readings_.EncoderSource(index) - encoder.source);
 }
 
-void DriveTrain::CountEncoder(size_t index) {
+void DriveTrain::CountEncoder(size_t index, bool bus) {
   Encoder& encoder = state_.encoders[index];
-  const double source = readings_.EncoderSource(index);
+  const double place = bus ? readings_.SourcePosition(index) : readings_.TerminalPosition(index);
+  const double source = readings_.AsRead(index, place);
   if (source == encoder.source && encoder.resting()) return;
   const double cycle_ms = static_cast<double>(config_.cycle_us) / 1000;
   const double counted = encoder.active ? source - encoder.source : 0;

@@ -47,8 +47,8 @@ class DriveTrain {
   void MapEncoders();
   /// Applies the fault of an encoder for one cycle.
   void AdvanceEncoderFault(size_t index);
-  /// What its source has done in the cycle, after AdvanceEncoderFault().
-  void CountEncoder(size_t index);
+  /// What its source has done in the cycle, after AdvanceEncoderFault(); `bus`: the card has a bus.
+  void CountEncoder(size_t index, bool bus);
   /// The axis position from the controller's encoder now, between two ticks.
   double MeasuredPosition(const Control& control) const;
 

@@ -297,7 +297,7 @@ void MotionCore::JudgeControl(Control& control) {
   if (!control.active || control.axis < 0) return;
   const auto index = static_cast<size_t>(control.axis);
   const Axis& axis = state_.axes[index];
-  if (!axis.servo_on || !readings().FollowsPlan(index)) return;
+  if (!axis.servo_on) return;
   const double error = std::fabs(readings().CommandedPosition(index) - axis.encoder.position);
   if (error <= static_cast<double>(control.error_limit) && !drives().EncoderSilent(control)) return;
   FailControl(control, error);
@@ -305,6 +305,8 @@ void MotionCore::JudgeControl(Control& control) {
 
 void MotionCore::FailControl(const Control& control, double error) {
   const auto index = static_cast<size_t>(control.axis);
+  // A drive on a bus that moves by itself does not follow the plan.
+  if (!readings().FollowsPlan(index)) return;
   Axis& axis = state_.axes[index];
   const auto limit = static_cast<double>(control.error_limit);
   if (error > limit) {

@@ -54,11 +54,15 @@ bool Readings::InClosedLoop(size_t axis) const {
   return false;
 }
 
+bool Readings::BusAlarm(const Axis& axis) const {
+  if (!state_.bus) return false;
+  const auto index = static_cast<size_t>(&axis - state_.axes.data());
+  return OnBus(index) && state_.bus->axes[index].alarm;
+}
+
 uint32_t Readings::ActiveCauses(const Axis& axis) const {
   uint32_t causes = 0;
-  const auto index = static_cast<size_t>(&axis - state_.axes.data());
-  const bool bus_alarm = OnBus(index) && state_.bus->axes[index].alarm;
-  if (axis.alarm_on && (InputActive(axis.alarm) || bus_alarm)) causes |= kAlarmBit;
+  if (axis.alarm_on && (InputActive(axis.alarm) || BusAlarm(axis))) causes |= kAlarmBit;
   if (InputActive(axis.smooth_stop)) causes |= kSmoothStopBit;
   if (InputActive(axis.abrupt_stop)) causes |= kAbruptStopBit;
   if ((axis.positive_limit_on && InputActive(axis.positive_limit)) || BeyondPositiveLimit(axis)) {

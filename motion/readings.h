@@ -91,17 +91,20 @@ class Readings {
 
   /// The count of an encoder's source, with fractions of pulses.
   double SourcePosition(size_t index) const {
+    if (!OnBus(index)) return TerminalPosition(index);
+    return state_.bus->axes[index].feedback() + state_.encoder_faults[index].slip;
+  }
+  /// The same of an encoder at the terminals; a card without a bus has no others.
+  double TerminalPosition(size_t index) const {
     const Encoder& encoder = state_.encoders[index];
-    if (OnBus(index)) [[unlikely]] {
-      return state_.bus->axes[index].feedback() + state_.encoder_faults[index].slip;
-    }
     if (!encoder.external) return state_.steps[index].position;
     const double direction = encoder.reversed == encoder.wired_reversed ? 1 : -1;
     return direction * state_.plants[index].position + state_.encoder_faults[index].slip;
   }
   /// The same in whole pulses, with the reading error.
-  double EncoderSource(size_t index) const {
-    const double whole = Whole(SourcePosition(index));
+  double EncoderSource(size_t index) const { return AsRead(index, SourcePosition(index)); }
+  double AsRead(size_t index, double position) const {
+    const double whole = Whole(position);
     return state_.encoders[index].external ? whole + state_.encoder_faults[index].error : whole;
   }
   /// An encoder's position with fractions of pulses.
@@ -112,6 +115,8 @@ class Readings {
   }
 
  private:
+  /// True if the drive of an axis on a bus has a fault or does not answer.
+  bool BusAlarm(const Axis& axis) const;
   static bool BeyondPositiveLimit(const Axis& axis) {
     return axis.soft_positive != kNoPositiveLimit && axis.profile.position > axis.soft_positive;
   }

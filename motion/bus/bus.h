@@ -5,7 +5,7 @@
 // After Init() the state machine goes from INIT through PRE-OP and SAFE-OP to OP, one step in 50 ms
 // (assumption). A slave that is lost takes those behind it with it, as they are on one line
 // (assumption). Deterministic; not thread-safe. Source: GTS manual S2, 5.2.2; ETG.1000. Tested by
-// tests/motion/bus/bus_test.cc.
+// tests/motion/bus/bus_axes_test.cc.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 // The set-point that a drive makes by itself: in a profile or homing mode, and while it stops.
 // Velocity changes with a constant acceleration. Positions in counts, velocities in counts/ms,
-// accelerations in counts/ms^2. Tested by tests/motion/bus/ramp_test.cc.
+// accelerations in counts/ms^2. Tested by tests/motion/bus/drive_test.cc.
 #pragma once
 
 #include <tuple>

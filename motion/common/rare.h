@@ -1,7 +1,7 @@
 // A part of a state that few cards have. A card without it carries one pointer and nothing in its
 // hash, so that its hash is that of a card which does not know the part; with it, copies are deep
 // and the part is hashed after everything else. Not thread-safe. Tested by
-// tests/motion/bus/bus_test.cc.
+// tests/motion/bus/bus_axes_test.cc.
 #pragma once
 
 #include <memory>
