@@ -157,6 +157,8 @@ struct Parameter {
   int array_size = 1;
   /// Pointer: NULL is allowed (mostly because it is the default).
   bool nullable = false;
+  /// Output: also written when the command returns 1, to say why.
+  bool on_refusal = false;
   /// Pointer without a count: one element per axis of the coordinate system that the first
   /// parameter names.
   bool per_dimension = false;

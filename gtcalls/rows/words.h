@@ -116,6 +116,12 @@ struct Spec {
     changed.parameter.per_offset = true;
     return changed;
   }
+  /// An output that is also written when the command is refused.
+  constexpr Spec OnRefusal() const {
+    Spec changed = Output();
+    changed.parameter.on_refusal = true;
+    return changed;
+  }
   constexpr Spec Nullable() const {
     Spec changed = *this;
     changed.parameter.nullable = true;

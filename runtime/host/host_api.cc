@@ -59,7 +59,7 @@ int16_t CallLockedCard(const gtcalls::Family& family, int card, CardSlot& slot,
     reason = read.error().message;
   } else {
     code = Dispatch(command, service, slot, arguments, &reason);
-    if (code == vm::kOk) WriteOutputs(command, slot.call);
+    WriteOutputs(command, slot.call, code);
   }
   const LoggedCall made = {time_us, card, vm::kHostCaller, command, arguments, code, reason};
   // GT_Open is the beginning of the record, GT_Close its end.

@@ -234,11 +234,13 @@ Result<void> ReadArguments(const Command& command, std::span<const HostArgument>
   return result;
 }
 
-void WriteOutputs(const Command& command, const MarshalledCall& call) {
+void WriteOutputs(const Command& command, const MarshalledCall& call, int16_t code) {
+  if (code != vm::kOk && code != vm::kRefused) return;
   ForEachIn(call.with_cells, [&](size_t i) {
     const Parameter& parameter = command.parameters[i];
     const vm::CommandArgument& argument = call.arguments[i];
     if (parameter.passing != Passing::kOutput) return;
+    if (code != vm::kOk && !parameter.on_refusal) return;
     if (parameter.structure != nullptr) {
       ForEachStructure(parameter, argument, [&](char* host, std::span<double> cells) {
         StructureFromCells(*parameter.structure, cells, host);

@@ -38,7 +38,8 @@ struct MarshalledCall {
 Result<void> ReadArguments(const gtcalls::Command& command, std::span<const HostArgument> host,
                            const gtcalls::Card* card, MarshalledCall* call);
 
-/// Copies the outputs to the host's memory.
-void WriteOutputs(const gtcalls::Command& command, const MarshalledCall& call);
+/// Copies the outputs of a command with this code to the host's memory: all of a command that
+/// succeeded, and of one that was refused with 1 those that say why.
+void WriteOutputs(const gtcalls::Command& command, const MarshalledCall& call, int16_t code);
 
 }  // namespace oncard::runtime

@@ -162,7 +162,7 @@ TEST(MarshalTest, OutputsAreWrittenInTheHostsTypes) {
   cells[1] = -7;
   cells[2] = 0.5;
   cells[3] = 13;
-  WriteOutputs(call.command, call.call);
+  WriteOutputs(call.command, call.call, vm::kOk);
   EXPECT_EQ(status.run, 1);
   EXPECT_EQ(status.error, -7);
   EXPECT_EQ(status.result, 0.5);
@@ -171,8 +171,25 @@ TEST(MarshalTest, OutputsAreWrittenInTheHostsTypes) {
   long value = 0;
   Marshalled bits("GT_GetDi", static_cast<short>(4), &value);
   bits.call.arguments[1].cells[0] = -1;
-  WriteOutputs(bits.command, bits.call);
+  WriteOutputs(bits.command, bits.call, vm::kOk);
   EXPECT_EQ(value, -1);
+}
+
+TEST(MarshalTest, OfARefusedCommandOnlyTheAbortCodeIsWritten) {
+  unsigned char target[2] = {1, 2};
+  unsigned long size = 7;
+  unsigned long abort_code = 0;
+  Marshalled call("GT_EcatSDOUpload", static_cast<unsigned short>(0),
+                  static_cast<unsigned short>(0x6041), static_cast<unsigned char>(0), &target[0],
+                  2UL, &size, &abort_code);
+  ASSERT_EQ(call.code(), 0);
+  call.call.arguments[6].cells[0] = 0x06020000;
+  WriteOutputs(call.command, call.call, vm::kBadParameter);
+  EXPECT_EQ(abort_code, 0u);
+  WriteOutputs(call.command, call.call, vm::kRefused);
+  EXPECT_EQ(abort_code, 0x06020000u);
+  EXPECT_EQ(size, 7u);
+  EXPECT_EQ(target[0], 1);
 }
 
 TEST(MarshalTest, EveryElementOfAnArrayOfStructuresIsRead) {
@@ -192,7 +209,7 @@ TEST(MarshalTest, EveryElementOfAnArrayOfStructuresIsWrittenAndNoMore) {
   const auto cells = call.call.arguments[1].cells;
   ASSERT_EQ(cells.size(), 9u);
   for (size_t cell = 0; cell < cells.size(); ++cell) cells[cell] = static_cast<double>(10 + cell);
-  WriteOutputs(call.command, call.call);
+  WriteOutputs(call.command, call.call, vm::kOk);
   for (int i = 0; i < 3; ++i) {
     EXPECT_EQ(status[i].execute, 10 + 3 * i);
     EXPECT_EQ(status[i].done, 11 + 3 * i);
@@ -251,7 +268,7 @@ TEST(MarshalTest, AValueThatDoesNotFitTheHostsTypeIsCut) {
        {std::pair{1e300, SHRT_MAX}, std::pair{-1e300, SHRT_MIN},
         std::pair{std::numeric_limits<double>::quiet_NaN(), SHRT_MIN}}) {
     call.call.arguments[0].cells[0] = cell;
-    WriteOutputs(call.command, call.call);
+    WriteOutputs(call.command, call.call, vm::kOk);
     EXPECT_EQ(index, expected) << cell;
   }
 }
@@ -273,7 +290,7 @@ TEST(MarshalTest, EveryCommandTakesNullAndZeroWithoutACrash) {
           needs_pointer || (parameter.passing != gtcalls::Passing::kValue && !parameter.nullable);
     }
     EXPECT_EQ(read.ok(), !needs_pointer) << command.name;
-    WriteOutputs(command, call);
+    WriteOutputs(command, call, vm::kOk);
   }
 }
 
