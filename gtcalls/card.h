@@ -43,6 +43,8 @@ struct Card {
   FamilyState& family_state;
   /// Reads the files that commands name; empty: they are read from the file system.
   std::function<Result<std::string>(const std::string& path)> read_file = {};
+  /// Why the description of its bus cannot be used; empty: it can, or there is none.
+  Message bus_error = {};
 
   CardView view() const { return {family, motion, family_state}; }
   /// The state of the family that the command belongs to.

@@ -146,6 +146,7 @@ void DescribeApp(CLI::App& app, Invocation& invocation) {
   AddVerify(app, invocation);
   AddExec(app, invocation);
   AddSchema(app, invocation);
+  AddEni(app, invocation);
   AddDoctor(app, invocation);
   AddCompletion(app, invocation);
   AddMan(app, invocation);

@@ -29,6 +29,7 @@ void AddDebug(CLI::App& app, Invocation& invocation);
 void AddServe(CLI::App& app, Invocation& invocation);
 void AddExec(CLI::App& app, Invocation& invocation);
 void AddSchema(CLI::App& app, Invocation& invocation);
+void AddEni(CLI::App& app, Invocation& invocation);
 void AddDoctor(CLI::App& app, Invocation& invocation);
 /// Hidden commands for packagers.
 void AddCompletion(CLI::App& app, Invocation& invocation);

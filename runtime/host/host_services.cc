@@ -14,6 +14,7 @@
 #include "gts.h"
 #include "runtime/host/call_log.h"
 #include "runtime/host/clock.h"
+#include "runtime/host/host_bus.h"
 #include "runtime/host/host_card.h"
 #include "runtime/host/host_refusals.h"
 #include "runtime/host/host_signals.h"
@@ -72,10 +73,12 @@ int16_t Open(ServiceCall& call) {
   if (CardNumber(call) == 0) trace_files = TraceFilesFromEnvironment();
   const Scenario bare = BareCard(card.value());
   if (world == nullptr && !trace_files.empty()) world = std::make_shared<const Scenario>(bare);
-  const Scenario& opened = world == nullptr ? bare : *world;
+  Scenario opened = world == nullptr ? bare : *world;
+  const Message bus_error = TakeEni(FolderOfProgram(), &opened);
+  const bool bare_card = world == nullptr && opened.bus.slaves.empty();
   CallRecorder* const recorder = CallRecorder::Wanted();
   if (recorder != nullptr) {
-    const auto recorded = recorder->Open(CardNumber(call), opened, world == nullptr);
+    const auto recorded = recorder->Open(CardNumber(call), opened, bare_card);
     if (!recorded.ok()) return call.Refuse(kOpenFailed, recorded.error().message);
   }
   slot.controller = std::make_unique<Controller>(CardOptions(opened));
@@ -95,8 +98,9 @@ int16_t Open(ServiceCall& call) {
   if (world != nullptr) {
     slot.watch.emplace(world, CardNumber(call), std::move(trace_files));
     slot.watch->Listen(slot.controller.get());
-    ApplyWorld(*world, slot.controller.get());
   }
+  slot.controller->card().bus_error = bus_error;
+  if (!bare_card) ApplyWorld(opened, slot.controller.get());
   slot.clock.emplace(clock.value());
   const bool collects = RefusalWishOfProcess() != RefusalWish::kNothing;
   if (collects) slot.controller->CollectRefusals(&slot.refused);

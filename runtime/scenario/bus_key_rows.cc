@@ -39,9 +39,9 @@ constexpr Key<BusSlaveSetup> kBusSlaveKeys[] = {
     {{"outputs",
       KeyType::Texts(),
       {"its process data from the controller (RxPdo): `index[:subindex[:bits]]` with a hexadecimal "
-       "index, as in `\"6040\"` or `\"7010:1:16\"`, or `gap:bits`",
+       "index, as in `\"6040\"` or `\"7010:1:16\"`, or `gap:bits`; `[\"none\"]`: none",
        "控制器发往从站的过程数据（RxPdo）：`索引[:子索引[:位数]]`，索引为十六进制，如 `\"6040\"`、"
-       "`\"7010:1:16\"`，或 `gap:位数`"},
+       "`\"7010:1:16\"`，或 `gap:位数`；`[\"none\"]` 表示没有"},
       {"those of its kind: 6040 607A; 7000:1; F200:1 7010:1 7030:1 to 4",
        "由类型决定：6040 607A；7000:1；F200:1 7010:1 7030:1 至 4"}},
      &BusSlaveSetup::outputs},

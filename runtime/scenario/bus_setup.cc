@@ -17,6 +17,7 @@ using motion::bus::SlaveKind;
 
 constexpr uint8_t kTerminalBits = 16;
 constexpr int kBitsMax = 32;
+constexpr int kGapBitsMax = 255;
 constexpr std::string_view kGapName = "gap";
 constexpr std::string_view kProbeNames[] = {"probe1", "probe2"};
 
@@ -66,7 +67,7 @@ Result<PdoEntry> ParsePdoEntry(std::string_view text, SlaveKind kind) {
   }
   std::optional<int> bits;
   if (!rest.empty()) {
-    bits = NumberIn(rest, 10, kBitsMax);
+    bits = NumberIn(rest, 10, name == kGapName ? kGapBitsMax : kBitsMax);
     if (!bits || *bits == 0) return NotAnEntry(text);
   }
   if (name == kGapName) {
@@ -105,6 +106,7 @@ Slave SlaveOf(const BusSlaveSetup& setup) {
   const auto replace = [&](const std::vector<std::string>& texts, std::vector<PdoEntry>& entries) {
     if (texts.empty()) return;
     entries.clear();
+    if (texts.size() == 1 && texts.front() == kNoEntries) return;
     for (const std::string& text : texts) {
       if (const auto entry = ParsePdoEntry(text, setup.kind); entry.ok()) {
         entries.push_back(entry.value());
@@ -122,8 +124,12 @@ BusSlaveSetup SetupOf(const Slave& slave) {
   setup.axis = slave.axis + 1;
   setup.vendor = slave.vendor;
   setup.product = slave.product;
-  for (const PdoEntry& entry : slave.outputs) setup.outputs.push_back(FormatPdoEntry(entry));
-  for (const PdoEntry& entry : slave.inputs) setup.inputs.push_back(FormatPdoEntry(entry));
+  const auto spell = [](const std::vector<PdoEntry>& entries, std::vector<std::string>& texts) {
+    for (const PdoEntry& entry : entries) texts.push_back(FormatPdoEntry(entry));
+    if (texts.empty()) texts.emplace_back(kNoEntries);
+  };
+  spell(slave.outputs, setup.outputs);
+  spell(slave.inputs, setup.inputs);
   return setup;
 }
 

@@ -14,11 +14,15 @@
 
 namespace oncard::runtime {
 
+/// The only text of process data without entries.
+inline constexpr std::string_view kNoEntries = "none";
+
 /// A slave. In the order of the file they are numbered from 0, as commands count them.
 struct BusSlaveSetup {
   motion::bus::SlaveKind kind = motion::bus::SlaveKind::kDrive;
-  int axis = 0;                      ///< of a drive, from 1; 0: none
-  std::vector<std::string> outputs;  ///< process data: `6040`, `7010:1`; empty: those of the kind
+  int axis = 0;  ///< of a drive, from 1; 0: none
+  /// Process data: `6040`, `7010:1`; empty: those of the kind; kNoEntries alone: none.
+  std::vector<std::string> outputs;
   std::vector<std::string> inputs;
   std::optional<int64_t> vendor;  ///< empty: that of the kind
   std::optional<int64_t> product;

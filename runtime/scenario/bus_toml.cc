@@ -79,7 +79,9 @@ class BusReader {
 
   void CheckEntries(const toml::table& table, const char* key, const BusSlaveSetup& slave) {
     const bool outputs = std::string_view(key) == "outputs";
-    for (const std::string& text : outputs ? slave.outputs : slave.inputs) {
+    const std::vector<std::string>& texts = outputs ? slave.outputs : slave.inputs;
+    if (texts.size() == 1 && texts.front() == kNoEntries) return;
+    for (const std::string& text : texts) {
       const auto entry = ParsePdoEntry(text, slave.kind);
       if (!entry.ok()) {
         keys_.Fail(table.get(key)->source(), entry.error().message);

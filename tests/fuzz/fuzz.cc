@@ -25,6 +25,7 @@ constexpr Target kTargets[] = {
     {"schedule", FuzzSchedule},
     {"search", FuzzSearch},
     {"config", FuzzConfig},
+    {"eni", FuzzEni},
     {"requirement", FuzzRequirement},
     {"session", FuzzSession},
     {"commands", FuzzCommands},

@@ -28,6 +28,7 @@ void FuzzDisassembler(std::string_view bytes);
 void FuzzScenario(std::string_view bytes);
 void FuzzSchedule(std::string_view bytes);
 void FuzzSearch(std::string_view bytes);
+void FuzzEni(std::string_view bytes);
 void FuzzConfig(std::string_view bytes);
 void FuzzRequirement(std::string_view bytes);
 /// The record of a host's calls, which are repeated.

@@ -5,6 +5,7 @@
 #include "explore/scenario_exploration.h"
 #include "gtcalls/gts/card_config.h"
 #include "runtime/conditions/condition.h"
+#include "runtime/host/eni_file.h"
 #include "runtime/scenario/call_replay.h"
 #include "runtime/scenario/scenario.h"
 #include "runtime/scenario/scenario_run.h"
@@ -41,6 +42,22 @@ void FuzzScenario(std::string_view bytes) {
   runtime::RunOptions options;
   options.trace = true;
   static_cast<void>(runtime::RunScenario(scenario.value(), SeedProgram(), options));
+}
+
+void FuzzEni(std::string_view bytes) {
+  const auto slaves = runtime::ParseEni(bytes, "Gecat.eni");
+  if (!slaves.ok()) return;
+  const auto again = runtime::ParseEni(runtime::FormatEni(slaves.value()), "Gecat.eni");
+  FUZZ_CHECK(again.ok());
+  runtime::Scenario scenario;
+  for (const auto& slave : slaves.value()) {
+    scenario.bus.slaves.push_back(runtime::SetupOf(slave));
+    FUZZ_CHECK(runtime::SlaveOf(scenario.bus.slaves.back()) == slave);
+  }
+  runtime::Controller controller(runtime::CardOptions(scenario));
+  runtime::ApplyWorld(scenario, &controller);
+  if (!scenario.bus.slaves.empty()) controller.motion().state().bus->line.Init(0);
+  controller.RunCycles(700);
 }
 
 void FuzzSchedule(std::string_view bytes) {

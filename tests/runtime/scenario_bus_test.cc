@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "runtime/observe/quantity.h"
 #include "runtime/scenario/bus_setup.h"
 #include "runtime/scenario/scenario_world.h"
 
@@ -105,6 +106,31 @@ at_ms = 3
   ASSERT_TRUE(again.ok()) << again.error().message.en;
   EXPECT_EQ(again.value().bus, scenario.bus);
   EXPECT_EQ(FormatScenario(again.value()), FormatScenario(scenario));
+}
+
+TEST(ScenarioBus, ASlaveCanHaveNoProcessData) {
+  const Scenario scenario = Parsed("[[ethercat.slave]]\nkind = \"io\"\noutputs = [\"none\"]\n");
+  const motion::bus::Slave slave = SlaveOf(scenario.bus.slaves[0]);
+  EXPECT_TRUE(slave.outputs.empty());
+  EXPECT_EQ(SlaveOf(SetupOf(slave)), slave);
+}
+
+TEST(ScenarioBus, ConditionsNameItsDrives) {
+  BusOfScenario card("[[ethercat.slave]]\n[[ethercat.slave]]\naxis = 3\n");
+  card.Up();
+  card.controller().motion().ServoOn(2);
+  card.RunUntilMs(155);
+  const auto value = [&](const std::string& name) {
+    const auto found = ResolveQuantity(name, card.controller());
+    EXPECT_TRUE(found.ok()) << name;
+    return found.ok() ? ReadQuantity(found.value().front(), card.controller()) : -1;
+  };
+  EXPECT_EQ(value("drive3.state"), 4);
+  EXPECT_EQ(value("drive3.mode"), 8);
+  EXPECT_EQ(value("drive3.control"), 0x0F);
+  EXPECT_EQ(value("drive3.status"), 0x1237);
+  EXPECT_EQ(value("drive1.state"), 2);
+  EXPECT_FALSE(ResolveQuantity("drive2.state", card.controller()).ok());
 }
 
 TEST(ScenarioBus, AScenarioWithoutOneIsWrittenWithoutOne) {

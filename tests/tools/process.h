@@ -10,9 +10,9 @@
 namespace oncard::tools {
 
 /// All commands of oncard.
-inline constexpr const char* kCommands[] = {"build",   "check",  "lower",  "explain", "run",
-                                            "test",    "replay", "dump",   "verify",  "exec",
-                                            "explore", "doctor", "schema", "debug",   "serve"};
+inline constexpr const char* kCommands[] = {
+    "build",  "check", "lower",   "explain", "run",    "test", "replay", "dump",
+    "verify", "exec",  "explore", "doctor",  "schema", "eni",  "debug",  "serve"};
 
 inline const std::string kSamples = ONCARD_SOURCE_DIR "/samples";
 /// The first sample, which adds numbers.

@@ -53,6 +53,7 @@ Message DescribeDifference(const Bus& line) {
 // --- Communication -------------------------------------------------------------------------------
 
 int16_t gts::GT_InitEcatComm(Call& call) {
+  if (!call.card.bus_error.en.empty()) return call.Refuse(kSlavesDiffer, call.card.bus_error);
   Bus* line = LineOf(call);
   switch (line == nullptr ? InitOutcome::kNoConfiguration : line->CheckInit()) {
     case InitOutcome::kNoConfiguration:

@@ -1,0 +1,20 @@
+// The bus of a host program's card: Gecat.eni in the folder of the program, and the slaves of the
+// scenario. Safe to call from any thread. Tested by tests/runtime/eni_file_test.cc.
+#pragma once
+
+#include <string>
+
+#include "base/message.h"
+#include "runtime/scenario/scenario.h"
+
+namespace oncard::runtime {
+
+/// Adds what the ENI file in a folder describes to a scenario: the configuration of its bus and, if
+/// it has no slaves, the slaves. Does nothing if there is no such file. Returns why it cannot be
+/// used; empty if it can.
+Message TakeEni(const std::string& folder, Scenario* scenario);
+
+/// The folder of the program that runs; empty if it cannot be found.
+std::string FolderOfProgram();
+
+}  // namespace oncard::runtime
