@@ -71,7 +71,8 @@ TEST_P(RecordedSample, EndsInTheSameState) {
 
 INSTANTIATE_TEST_SUITE_P(Samples, RecordedSample,
                          testing::Values("14_pt_dynamic", "15_pvt", "19_arcs", "20_look_ahead",
-                                         "22_homing", "23_compare", "24_servo"));
+                                         "22_homing", "23_compare", "24_servo", "34_bus_homing",
+                                         "35_bus_probe", "36_bus_io"));
 
 class RecordedClient : public testing::TestWithParam<std::string> {};
 
