@@ -1,6 +1,7 @@
 #include "motion/crd_driver.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace oncard::motion {
 
@@ -49,8 +50,20 @@ bool CrdDriver::Append(size_t fifo, const PathSlot& slot) {
     wanted = std::min(slot.velocity, ahead.newest_velocity);
   }
   if (!crd_.Append(fifo, slot, card_.now())) return false;
+  if (slot.is_segment) TellJunction(crd_.fifos[fifo]);
   if (corner < wanted) card_.Tell(HappeningKind::kCornerLimited, corner, wanted);
   return true;
+}
+
+void CrdDriver::TellJunction(const CrdFifo& fifo) const {
+  if (!card_.observed() || !fifo.planner.in_use()) return;
+  const auto& spans = fifo.planner->spans;
+  if (spans.size() < 2) return;
+  const WindowSpan& newest = spans.back();
+  const double wanted = std::min(newest.top, spans.At(spans.size() - 2).top);
+  // 0 has been commanded.
+  if (newest.junction == 0 || newest.junction >= wanted) return;
+  card_.Tell(HappeningKind::kJunctionLimited, std::sqrt(newest.junction), std::sqrt(wanted));
 }
 
 void CrdDriver::Start(size_t fifo, bool single_step) {

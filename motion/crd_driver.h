@@ -31,6 +31,8 @@ class CrdDriver {
   void Advance();
 
  private:
+  /// Reports that a planner makes the corner before its newest segment slower than both segments.
+  void TellJunction(const CrdFifo& fifo) const;
   /// Reports that a run ended because its FIFO was empty.
   void TellRunEnd() const;
   /// Executes a buffered command, at the tick in which the segment before it ended.

@@ -23,11 +23,12 @@ enum class HappeningKind : uint8_t {
   kGantrySkew,      ///< of the master; `value`: the skew, `bound`: its limit, pulses
   kHeldAtLimit,     ///< of a profile: it would have moved towards a latched limit
   // Of a coordinate system.
-  kStarved,       ///< the FIFO is empty; `value`: segments in the look-ahead ring
-  kEndedMoving,   ///< the FIFO ran empty at the velocity `value`, which drops to 0
-  kMoveStopped,   ///< `value`: position of the profile `bound` that a modal GT_BufMove waits for
-  kCornerLimited  ///< a segment was appended: `value` is the velocity of the corner, `bound` the
-                  ///< commanded one
+  kStarved,         ///< the FIFO is empty; `value`: segments in the look-ahead ring
+  kEndedMoving,     ///< the FIFO ran empty at the velocity `value`, which drops to 0
+  kMoveStopped,     ///< `value`: position of the profile `bound` that a modal GT_BufMove waits for
+  kCornerLimited,   ///< a segment was appended: `value` is the velocity of the corner, `bound` the
+                    ///< commanded one
+  kJunctionLimited  ///< the same with the multi-axis look-ahead
 };
 
 struct Happening {

@@ -84,6 +84,14 @@ Message DescribeHappening(const motion::Happening& happening) {
           "GT_CrdStart continues the move",
           "坐标系 {0} 暂停：模态 GT_BufMove 的轴 {2} 在 {1} 处被停止，GT_CrdStart 将继续该运动",
           item, value, bound + 1);
+    case HappeningKind::kJunctionLimited:
+      return MakeMessage(
+          "coordinate system {0} passes the corner before this segment with at most {1} of {2} "
+          "pulse/ms, limited by synAcc or DVMax and the time constant of GT_InitLookAheadEx",
+          "坐标系 {0} 以不超过 {1} pulse/ms（直线段允许 {2}）通过该段之前的拐角，由 synAcc 或 "
+          "DVMax "
+          "与 GT_InitLookAheadEx 的时间常数决定",
+          item, value, bound);
     case HappeningKind::kCornerLimited:
       break;
   }

@@ -185,6 +185,22 @@ TEST(Happening, WhatLookAheadDoes) {
             "look-ahead buffer, call GT_CrdData with NULL until it returns 0");
 }
 
+TEST(Happening, WhatTheMultiAxisLookAheadDoes) {
+  TalkingCard card;
+  card.SetUpPath();
+  motion::PathLimits limits;
+  limits.corner_time = 5;
+  card.core.state().crds[0].fifos[0].planner.Begin({.limits = limits, .capacity = 20});
+  ASSERT_TRUE(card.Line({1000, 0}, 0));
+  ASSERT_TRUE(card.Line({2000, 0}, 0));
+  EXPECT_TRUE(card.said.empty());
+  ASSERT_TRUE(card.Line({2000, 1000}, 0));
+  ASSERT_EQ(card.said.size(), 1u);
+  // 1 * 5 / (2 sin 45 degrees).
+  EXPECT_THAT(card.said[0], HasSubstr("before this segment with at most 3.5355339"));
+  EXPECT_THAT(card.said[0], HasSubstr("of 100 pulse/ms, limited by synAcc or DVMax"));
+}
+
 TEST(Happening, IsNoPartOfTheState) {
   TalkingCard card;
   MotionCore silent({.axis_count = 8, .cycle_us = 1000});
