@@ -187,7 +187,7 @@ void MeasureRelief() {
   double fastest = 0;
   const double seconds = MeasureCpu([&] {
     motion::CrdFifo fifo;
-    fifo.planner.Begin({.limits = limits, .capacity = 200});
+    fifo.planner.Emplace({.limits = limits, .capacity = 200});
     left = 0;
     for (int i = 0; i < kSegments; ++i) {
       if (!fifo.Append(row[static_cast<size_t>(i % kRow)])) Fail("the FIFO is full");

@@ -56,7 +56,7 @@ bool CrdDriver::Append(size_t fifo, const PathSlot& slot) {
 }
 
 void CrdDriver::TellJunction(const CrdFifo& fifo) const {
-  if (!card_.observed() || !fifo.planner.in_use()) return;
+  if (!card_.observed() || !fifo.planner) return;
   const auto& spans = fifo.planner->spans;
   if (spans.size() < 2) return;
   const WindowSpan& newest = spans.back();

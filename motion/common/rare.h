@@ -33,6 +33,9 @@ class Rare {
     return *part_;
   }
 
+  /// Takes it away.
+  void Reset() { part_.reset(); }
+
   explicit operator bool() const { return part_ != nullptr; }
   T* operator->() { return part_.get(); }
   const T* operator->() const { return part_.get(); }

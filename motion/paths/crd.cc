@@ -16,7 +16,7 @@ static_assert(kFieldsComplete<Crd> && kFieldsComplete<CrdParameters> && kFieldsC
 // --- FIFOs -------------------------------------------------------------------------------------
 
 bool CrdFifo::Append(const PathSlot& slot) {
-  if (planner.in_use()) {
+  if (planner) {
     if (!AppendPlanned(slot)) return false;
   } else if (!look_ahead.on()) {
     if (space() == 0) return false;
@@ -54,8 +54,8 @@ void CrdFifo::TakePlanned(bool ended) {
 }
 
 bool CrdFifo::Flush() {
-  if (planner.in_use()) planner->newest.rests = true;
-  while (planner.in_use() && !planner->ring.empty()) {
+  if (planner) planner->newest.rests = true;
+  while (planner && !planner->ring.empty()) {
     if (!is_virtual() && space() == 0) return false;
     TakePlanned(true);
   }
@@ -84,7 +84,7 @@ void Crd::Clear(size_t fifo) {
   CrdFifo& cleared = fifos[fifo];
   cleared.slots.Clear();
   cleared.look_ahead.Clear();
-  if (cleared.planner.in_use()) cleared.planner->Clear();
+  if (cleared.planner) cleared.planner->Clear();
   cleared.executing = false;
   cleared.path = 0;
   cleared.awaits_move = false;
@@ -128,7 +128,7 @@ void Crd::Start(size_t fifo, bool single_step, Micros now) {
   run.fifo = fifo;
   run.begin = now;
   run.single_step = single_step;
-  if (active().planner.in_use()) run.curve.squares.reserve(kCurveNodeMax);
+  if (active().planner) run.curve.squares.reserve(kCurveNodeMax);
   if (active().executing) run.plan = PlanCurrent();
   if (active().awaits_move) run.wait = CrdWait::kMove;
 }

@@ -17,7 +17,7 @@
 #include <tuple>
 
 #include "motion/common/card_defaults.h"
-#include "motion/common/held.h"
+#include "motion/common/rare.h"
 #include "motion/common/sizes.h"
 #include "motion/paths/look_ahead.h"
 #include "motion/paths/path_planner.h"
@@ -55,7 +55,7 @@ struct CrdParameters {
 struct CrdFifo {
   SlotQueue slots;
   LookAhead look_ahead;
-  Held<PathPlanner> planner;  ///< the multi-axis look-ahead, in place of `look_ahead`
+  Rare<PathPlanner> planner;  ///< the multi-axis look-ahead, in place of `look_ahead`
   Coordinates tail{};         ///< where the last segment ends
   bool executing =
       false;  ///< `current` has begun and not ended; if nothing runs, this is a breakpoint
@@ -69,11 +69,11 @@ struct CrdFifo {
   /// True if nothing is waiting or in execution.
   bool idle() const { return !executing && !awaits_move && slots.empty() && Ahead().empty(); }
   /// True if slots pass a look-ahead before they enter the FIFO.
-  bool looks_ahead() const { return look_ahead.on() || planner.in_use(); }
+  bool looks_ahead() const { return look_ahead.on() || planner; }
   /// The slots in the look-ahead.
-  const SlotQueue& Ahead() const { return planner.in_use() ? planner->ring : look_ahead.ring; }
+  const SlotQueue& Ahead() const { return planner ? planner->ring : look_ahead.ring; }
   /// True if nothing reaches the FIFO, and only its time is computed.
-  bool is_virtual() const { return planner.in_use() && planner->virtual_run.on; }
+  bool is_virtual() const { return planner && planner->virtual_run.on; }
   size_t space() const { return kCrdFifoSize - slots.size(); }
   /// Number of segments that have not ended.
   size_t Remaining() const {

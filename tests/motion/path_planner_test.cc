@@ -209,7 +209,7 @@ TEST(PathPlanner, HoldsNoMoreSegmentsThanItsWindow) {
   PlannedPath path;
   for (int i = 1; i <= 50; ++i) path.Line({static_cast<double>(i), 0});
   CrdFifo fifo;
-  fifo.planner.Begin({.limits = path.limits, .capacity = 20});
+  fifo.planner.Emplace({.limits = path.limits, .capacity = 20});
   for (const PathSlot& slot : path.slots) ASSERT_TRUE(fifo.Append(slot));
   EXPECT_EQ(fifo.planner->spans.size(), 20u);
   EXPECT_EQ(fifo.slots.size(), 30u);
@@ -221,7 +221,7 @@ TEST(PathPlanner, AFullFifoRefusesASegmentAndKeepsWhatItHas) {
   PlannedPath path;
   for (int i = 1; i <= 4096 + 20 + 1; ++i) path.Line({static_cast<double>(i), 0});
   CrdFifo fifo;
-  fifo.planner.Begin({.limits = path.limits, .capacity = 20});
+  fifo.planner.Emplace({.limits = path.limits, .capacity = 20});
   for (size_t i = 0; i + 1 < path.slots.size(); ++i) ASSERT_TRUE(fifo.Append(path.slots[i])) << i;
   const uint64_t before = StateHash().Add(fifo).value();
   EXPECT_FALSE(fifo.Append(path.slots.back()));
@@ -237,7 +237,7 @@ TEST(PathPlanner, GoesOnFromRestAfterAFlush) {
   PlannedPath path;
   path.Line({50, 0}).Line({100, 0});
   CrdFifo fifo;
-  fifo.planner.Begin({.limits = path.limits, .capacity = 10});
+  fifo.planner.Emplace({.limits = path.limits, .capacity = 10});
   for (int round = 0; round < 2; ++round) {
     for (const PathSlot& slot : path.slots) ASSERT_TRUE(fifo.Append(slot));
     ASSERT_TRUE(fifo.Flush());
@@ -251,9 +251,9 @@ TEST(PathPlanner, GoesOnFromRestAfterAFlush) {
 TEST(PathPlanner, JoinsTheHashOnlyInUse) {
   CrdFifo without;
   CrdFifo with;
-  with.planner.Begin({});
+  with.planner.Emplace({});
   EXPECT_NE(StateHash().Add(with).value(), StateHash().Add(without).value());
-  with.planner.End();
+  with.planner.Reset();
   EXPECT_EQ(StateHash().Add(with).value(), StateHash().Add(without).value());
   EXPECT_EQ(StateHash().Add(without.planner).value(), StateHash().value());
   EXPECT_EQ(StateHash().Add(PlannedMotion{}).Add(CurveRun{}).value(), StateHash().value());
@@ -261,7 +261,7 @@ TEST(PathPlanner, JoinsTheHashOnlyInUse) {
 
 TEST(PathPlanner, IsCopiedWithTheStateThatHoldsIt) {
   CrdFifo fifo;
-  fifo.planner.Begin({.capacity = 7});
+  fifo.planner.Emplace({.capacity = 7});
   CrdFifo copy = fifo;
   copy.planner->capacity = 8;
   EXPECT_EQ(fifo.planner->capacity, 7u);

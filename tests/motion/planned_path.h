@@ -38,7 +38,7 @@ class PlannedPath {
   /// What leaves a window of `capacity` segments, in order.
   std::vector<PathSlot> Planned(size_t capacity) const {
     CrdFifo fifo;
-    fifo.planner.Begin({.limits = limits, .capacity = capacity});
+    fifo.planner.Emplace({.limits = limits, .capacity = capacity});
     std::vector<PathSlot> planned;
     const auto drain = [&] {
       for (; !fifo.slots.empty(); fifo.slots.Pop()) planned.push_back(fifo.slots.front());
@@ -55,7 +55,7 @@ class PlannedPath {
   /// The time of the path through a window.
   double Time(size_t capacity) const {
     CrdFifo fifo;
-    fifo.planner.Begin({.limits = limits, .capacity = capacity});
+    fifo.planner.Emplace({.limits = limits, .capacity = capacity});
     fifo.planner->virtual_run.on = true;
     for (const PathSlot& slot : slots) EXPECT_TRUE(fifo.Append(slot));
     EXPECT_TRUE(fifo.Flush());

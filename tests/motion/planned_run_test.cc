@@ -21,7 +21,7 @@ class PlannedRun {
  public:
   PlannedRun(const PlannedPath& path, size_t capacity, bool virtual_run = false)
       : path_(path), card(kCycleUs, 4, 50) {
-    card.fifo().planner.Begin({.limits = path.limits, .capacity = capacity});
+    card.fifo().planner.Emplace({.limits = path.limits, .capacity = capacity});
     card.fifo().planner->virtual_run.on = virtual_run;
     card.fifo().planner->virtual_run.cycle = kCycle;
     for (const PathSlot& slot : path.slots) EXPECT_TRUE(card.core.AppendToCrd(0, 0, slot));

@@ -190,7 +190,7 @@ TEST(Happening, WhatTheMultiAxisLookAheadDoes) {
   card.SetUpPath();
   motion::PathLimits limits;
   limits.corner_time = 5;
-  card.core.state().crds[0].fifos[0].planner.Begin({.limits = limits, .capacity = 20});
+  card.core.state().crds[0].fifos[0].planner.Emplace({.limits = limits, .capacity = 20});
   ASSERT_TRUE(card.Line({1000, 0}, 0));
   ASSERT_TRUE(card.Line({2000, 0}, 0));
   EXPECT_TRUE(card.said.empty());

@@ -379,15 +379,15 @@ int16_t gts::GT_GetCrdVel(Call& call) {
 int16_t gts::GT_GetLookAheadSpace(Call& call) {
   return Give(call, [&] {
     const CrdFifo& fifo = FifoOf(call);
-    return fifo.planner.in_use() ? fifo.planner->capacity - fifo.planner->spans.size()
-                                 : fifo.look_ahead.capacity - fifo.look_ahead.ring.size();
+    return fifo.planner ? fifo.planner->capacity - fifo.planner->spans.size()
+                        : fifo.look_ahead.capacity - fifo.look_ahead.ring.size();
   });
 }
 
 int16_t gts::GT_GetLookAheadSegCount(Call& call) {
   return Give(call, [&] {
     const CrdFifo& fifo = FifoOf(call);
-    return fifo.planner.in_use() ? fifo.planner->spans.size() : fifo.look_ahead.ring.size();
+    return fifo.planner ? fifo.planner->spans.size() : fifo.look_ahead.ring.size();
   });
 }
 
@@ -446,7 +446,7 @@ int16_t gts::GT_InitLookAhead(Call& call) {
                                    "GT_CrdClear",
                                    FifoOf(call).Ahead().size()));
   }
-  FifoOf(call).planner.End();
+  FifoOf(call).planner.Reset();
   look_ahead.Clear();
   look_ahead.time = time;
   look_ahead.acceleration = acceleration;

@@ -28,11 +28,11 @@ motion::Coordinates PathEnd(const Call& call) {
 
 void MeasureForPlanner(const Call& call, motion::Segment* segment) {
   const motion::CrdFifo& fifo = FifoOf(call);
-  if (fifo.planner.in_use()) motion::MeasureLength(fifo.planner->limits.length_axes, segment);
+  if (fifo.planner) motion::MeasureLength(fifo.planner->limits.length_axes, segment);
 }
 
 int16_t CheckNotMixed(Call& call) {
-  if (!FifoOf(call).planner.in_use() || BufferOf(call).in_pulses) return vm::kOk;
+  if (!FifoOf(call).planner || BufferOf(call).in_pulses) return vm::kOk;
   return call.Refuse(
       kLookAheadParameter,
       MakeMessage("FIFO {0} of coordinate system {1} takes commands in mm since "

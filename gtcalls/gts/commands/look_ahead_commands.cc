@@ -39,7 +39,7 @@ constexpr size_t kRelationCells = 35;
 constexpr double kFactorBound = 1e9;
 
 void DropPlanners(const Call& call) {
-  for (CrdFifo& fifo : CrdOf(call).fifos) fifo.planner.End();
+  for (CrdFifo& fifo : CrdOf(call).fifos) fifo.planner.Reset();
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ int16_t gts::GT_SetupLookAheadCrd(Call& call) {
   if (code != vm::kOk) return code;
   if (CheckCrd(call, NumberOf(call)) != vm::kOk) return kPlatformRefuses;
   for (const CrdFifo& fifo : CrdOf(call).fifos) {
-    if (fifo.planner.in_use() && !fifo.planner->ring.empty()) {
+    if (fifo.planner && !fifo.planner->ring.empty()) {
       return call.Refuse(kPlatformRefuses,
                          MakeMessage("the look-ahead still holds {0} commands: call GT_CrdDataEx "
                                      "with NULL until it gives 0, or GT_CrdClear",
@@ -288,7 +288,7 @@ void BeginPlanner(const Call& call, const PathLimits& limits, double window) {
   const motion::Coordinates start = PathEnd(call);
   fifo.look_ahead.Clear();
   fifo.look_ahead.capacity = 0;
-  fifo.planner.Begin({.limits = limits, .capacity = static_cast<size_t>(window)});
+  fifo.planner.Emplace({.limits = limits, .capacity = static_cast<size_t>(window)});
   fifo.tail = start;
   BufferOf(call) = {};
 }
