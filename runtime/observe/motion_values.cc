@@ -155,9 +155,6 @@ constexpr MotionValue kLaserValues[] = {
      }},
 };
 
-/// Axes, on a card with a bus.
-size_t BusAxisCount(const MotionCore& core) { return core.state().bus ? core.axis_count() : 0; }
-
 const motion::bus::BusDrive& DriveAt(const CardView& card, size_t axis) {
   const motion::BusPart& part = *card.motion.state().bus;
   return *part.line.slave(static_cast<size_t>(part.axes[axis].slave)).drive;
@@ -201,7 +198,7 @@ constexpr std::array kParts = {
     MotionPart{"adc", [](const MotionCore&) { return motion::kAdcCount; }, kAdcValues},
     MotionPart{kHsioPart, [](const MotionCore&) { return motion::kHsioCount; }, kHsioValues, 0},
     MotionPart{"laser", [](const MotionCore&) { return motion::kLaserCount; }, kLaserValues, 0},
-    MotionPart{"drive", BusAxisCount, kDriveValues, 1, HasDrive},
+    MotionPart{"drive", AxisCount, kDriveValues, 1, HasDrive},
 };
 
 }  // namespace

@@ -361,6 +361,7 @@ std::string FormatRecordedOpening(int card, const Scenario& scenario, bool bare)
   world.cycle_us = scenario.cycle_us;
   world.rate = scenario.rate;
   world.world = scenario.world;
+  world.bus = scenario.bus;
   return Line({{"open", card}, {"bare", bare}, {"scenario", FormatScenario(world)}});
 }
 

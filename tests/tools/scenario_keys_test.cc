@@ -76,6 +76,8 @@ const KeyCase kCases[] = {
      "final = [\"n == 2\"]\n[[thread]]\nfunction = \"g\"\n"},
     {"world", kInput, "expect = [\"n == 0\"]\n",
      "expect = [\"n == 0\"]\n[[world.input]]\nvalue = 5\nat_ms = 1\n"},
+    {"ethercat", kDelay, "final = [\"drive1.state == 0\"]\n",
+     "final = [\"drive1.state == 0\"]\n[[ethercat.slave]]\n"},
     {"host", kDelay, "final = [\"n == 1\"]\n",
      "final = [\"n == 1\"]\n[[host]]\nat_ms = 1\nset = { n = 4 }\n"},
 };

@@ -78,7 +78,7 @@ TEST(ProbesOfADrive, CaptureWithinOneCountOfTheMotor) {
   constexpr Micros kBegin = 300'000;
   for (Micros& at : instants) at = kBegin + static_cast<Micros>(random() % 1'000'000);
   std::ranges::sort(instants);
-  instants.erase(std::ranges::unique(instants).begin(), instants.end());
+  instants.erase(std::unique(instants.begin(), instants.end()), instants.end());
   WorldEvents events;
   bool level = false;
   for (const Micros at : instants) {
