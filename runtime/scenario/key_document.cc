@@ -12,7 +12,7 @@
 namespace oncard::runtime {
 namespace {
 
-constexpr std::string_view kEnd = "<!-- end -->\n";
+constexpr std::string_view kTableEnd = "<!-- end -->\n";
 
 std::string RangeOf(const KeyType& type) {
   if (!std::isfinite(type.largest)) return fmt::format("from {}", type.smallest);
@@ -97,7 +97,7 @@ bool Replace(const std::string& title, const std::string& table, std::string* do
   size_t first = document->find(begin);
   if (first == std::string::npos) return false;
   first += begin.size();
-  const size_t last = document->find(kEnd, first);
+  const size_t last = document->find(kTableEnd, first);
   if (last == std::string::npos) return false;
   document->replace(first, last - first, table);
   return true;
