@@ -61,8 +61,7 @@ void BusAxes::Reset() {
   for (BusAxis& each : state_.bus->axes) each = AfterReset(each);
 }
 
-// --- The cycle
-// -------------------------------------------------------------------------------------
+// --- The cycle ----------------------------------------------------------------------------------
 
 void BusAxes::Exchange() {
   bus::Bus& line = state_.bus->line;
@@ -220,16 +219,12 @@ void BusAxes::JudgeHoming(BusAxis& own, uint16_t status) {
   if (own.homing == BusHoming::kArmed) own.homing = BusHoming::kRuns;
   if (!judged) return;
   const bool rests = (status & bus::kStatusTargetReached) != 0;
-  if ((status & bus::kStatusHomingError) != 0) {
-    own.homing_status = kHomingFinished | kHomingFailed;
-  } else if ((status & bus::kStatusHomingAttained) != 0 && rests) {
-    own.homing_status = kHomingFinished | kHomingSucceeded;
-  } else if (bus::StateOf(status) != DriveState::kOperationEnabled) {
-    // Disabled, or a fault of the drive.
-    own.homing_status = kHomingFinished | kHomingFailed;
-  } else {
-    return;
-  }
+  // The drive says so, or it is disabled or has a fault.
+  const bool failed = (status & bus::kStatusHomingError) != 0;
+  const bool succeeded = !failed && rests && (status & bus::kStatusHomingAttained) != 0;
+  const bool ended = bus::StateOf(status) != DriveState::kOperationEnabled;
+  if (!failed && !succeeded && !ended) return;
+  own.homing_status = kHomingFinished | (succeeded ? kHomingSucceeded : kHomingFailed);
   own.homing = BusHoming::kNone;
 }
 
@@ -238,8 +233,7 @@ void BusAxes::Align(size_t axis) {
   link(axis).lead = link(axis).feedback() - readings_.CommandedPosition(axis);
 }
 
-// --- Commands
-// --------------------------------------------------------------------------------------
+// --- Commands -----------------------------------------------------------------------------------
 
 void BusAxes::Enable(size_t axis, bool on) {
   link(axis).enable = on;
