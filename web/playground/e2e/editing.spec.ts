@@ -91,6 +91,37 @@ test("a breakpoint that was just set moves with an edit while the page is still 
   ]);
 });
 
+test("a run that is asked for while the program is loaded stops at the breakpoints", async ({
+  page,
+}) => {
+  // The card learns of breakpoints late; the page counts what it has loaded.
+  await page.addInitScript(() => {
+    // eslint-disable-next-line @typescript-eslint/unbound-method
+    const post = Worker.prototype.postMessage;
+    let loads = 0;
+    Worker.prototype.postMessage = function (this: Worker, message: unknown) {
+      const asked = String(message);
+      if (asked.includes('"load"')) document.body.dataset["loads"] = String(++loads);
+      const send = () => {
+        post.call(this, message);
+      };
+      setTimeout(send, asked.includes('"set_stops"') ? 1500 : 0);
+    };
+  });
+  await open(page);
+  await openOwn(page);
+  const loads = page.locator("body");
+  const before = Number(await loads.getAttribute("data-loads"));
+  await write(page, counting);
+  await editor(page).press("Control+Home");
+  for (let line = 1; line < 5; ++line) await page.keyboard.press("ArrowDown");
+  await page.keyboard.press("Control+F8");
+  await atMaximum(page);
+  await expect(loads).toHaveAttribute("data-loads", String(before + 1));
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await expect(status(page)).toHaveText("Breakpoint: thread 0 is before line 5.");
+});
+
 test("names are described under the pointer and at the cursor", async ({ page }) => {
   await open(page);
   await openOwn(page);

@@ -116,14 +116,19 @@ export class Bench {
 
   // --- Loading -----------------------------------------------------------------------------------
 
-  /** Loads a project; the card is then before its first step. True if it compiles. */
-  async load(project: Project): Promise<boolean> {
-    const compiled = await this.#load(project);
-    if (compiled) await this.stopAt(this.breakpoints.value);
-    return compiled;
+  /**
+   * Loads a project with the breakpoints; the card is then before its first step. True if it
+   * compiles.
+   */
+  load(project: Project): Promise<boolean> {
+    return this.#load(project, (engine) => this.#setStops(engine));
   }
 
-  async #load(project: Project): Promise<boolean> {
+  /** @param prepare what comes before any walk, even one that was asked for meanwhile */
+  async #load(
+    project: Project,
+    prepare: (engine: Engine) => Promise<void> = () => Promise.resolve(),
+  ): Promise<boolean> {
     let compiled = false;
     await this.#then(async (engine) => {
       this.#head = 0;
@@ -136,6 +141,7 @@ export class Bench {
           return;
         }
         this.listing.value = await engine.listing();
+        await prepare(engine);
         this.history.value++;
         await this.#show(loaded.state, { kind: "ready" });
       } catch (error) {
@@ -158,11 +164,14 @@ export class Bench {
   /** Replaces the breakpoints of what is loaded: each goes to the next line with a statement. */
   stopAt(wished: readonly number[]): Promise<void> {
     this.breakpoints.value = wished;
-    return this.#then(async (engine) => {
-      const lines = await accepted(engine, wished);
-      // Others have been wished for meanwhile.
-      if (this.breakpoints.value === wished) this.breakpoints.value = lines;
-    }, true);
+    return this.#then((engine) => this.#setStops(engine), true);
+  }
+
+  async #setStops(engine: Engine): Promise<void> {
+    const wished = this.breakpoints.value;
+    const lines = await accepted(engine, wished);
+    // Others have been wished for meanwhile.
+    if (this.breakpoints.value === wished) this.breakpoints.value = lines;
   }
 
   /** What is loaded. */
