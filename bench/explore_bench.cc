@@ -259,21 +259,26 @@ double MeasureTraces(const char* name, const std::string& source) {
   return PrintRate(name, traces, "traces", seconds);
 }
 
+/// More than the searches of states need, SPIN's with its table of 2^24 states.
+constexpr size_t kSearchMemory = size_t{512} << 20;
+
 /// Beside SPIN; returns the rate in millions of states per second.
 double MeasureStates(const char* name, const std::string& source) {
   const Program program = ProgramOf(source);
   const SpinProgram every(program.object, SpinSearch::kEveryState);
   const SpinProgram reduced(program.object, SpinSearch::kReduced);
   double states = 0;
-  const auto samples = MeasureInTurns(
-      Clock::kWall, {
-                        [&] {
-                          const auto found = Search(program, explore::EngineKind::kStateful);
-                          states = static_cast<double>(found.states->states);
-                        },
-                        [&] { every.Search(); },
-                        [&] { reduced.Search(); },
-                    });
+  const auto samples = MeasureInTurns(Clock::kWall,
+                                      {
+                                          [&] {
+                                            const auto found =
+                                                Search(program, explore::EngineKind::kStateful);
+                                            states = static_cast<double>(found.states->states);
+                                          },
+                                          [&] { every.Search(); },
+                                          [&] { reduced.Search(); },
+                                      },
+                                      kSearchMemory);
   const double rate = PrintRate(name, states, "states", Shortest(samples[0]));
   PrintRate("  SPIN, no reduction", every.States(), "states", Shortest(samples[1]));
   PrintRate("  SPIN, partial order", reduced.States(), "states", Shortest(samples[2]));

@@ -7,7 +7,10 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <ctime>
+
+#include "base/large_array.h"
 
 namespace oncard::bench {
 namespace {
@@ -33,6 +36,13 @@ double Now(Clock clock) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+/// Uses memory and frees it.
+void UseMemory(size_t size) {
+  LargeBlock memory;
+  memory.Grow(size);
+  std::memset(memory.data(), 1, size);
+}
+
 double Measure(Clock clock, const std::function<void()>& work) {
   return Shortest(MeasureInTurns(clock, {work}).front());
 }
@@ -49,10 +59,12 @@ double MeasureCpu(const std::function<void()>& work) { return Measure(Clock::kCp
 double MeasureWall(const std::function<void()>& work) { return Measure(Clock::kWall, work); }
 
 std::vector<Samples> MeasureInTurns(Clock clock,
-                                    const std::vector<std::function<void()>>& contenders) {
+                                    const std::vector<std::function<void()>>& contenders,
+                                    size_t memory) {
   std::vector<Samples> samples(contenders.size());
   for (int i = 0; i < kRepetitions; ++i) {
     for (size_t contender = 0; contender < contenders.size(); ++contender) {
+      if (memory > 0) UseMemory(memory);
       const double start = Now(clock);
       contenders[contender]();
       samples[contender].push_back(Now(clock) - start);

@@ -3,6 +3,7 @@
 // computer down for a while slows all of them down.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -25,9 +26,12 @@ using Samples = std::vector<double>;
 double MeasureCpu(const std::function<void()>& work);
 /// Shortest wall-clock seconds of `work`.
 double MeasureWall(const std::function<void()>& work);
-/// Lets the contenders work in turns, one repetition each; the samples of each.
+/// Lets the contenders work in turns, one repetition each; the samples of each. Those that need
+/// much memory say how many bytes at most: a virtual computer has returned what was free for a
+/// while to its host, and gets it back slowly, so that as much is used before each repetition.
 std::vector<Samples> MeasureInTurns(Clock clock,
-                                    const std::vector<std::function<void()>>& contenders);
+                                    const std::vector<std::function<void()>>& contenders,
+                                    size_t memory = 0);
 
 double Shortest(const Samples& samples);
 
