@@ -7,14 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "gtcalls/gts/family.h"
-#include "runtime/scenario/call_record.h"
-#include "runtime/scenario/scenario_world.h"
 #include "session/host.h"
 #include "session/recorded_host.h"
-#include "tests/runtime/scenario_support.h"
+#include "tests/runtime/recording_host.h"
 #include "tests/session/asking_test.h"
-#include "vm/object_writer.h"
 
 namespace oncard::session {
 namespace {
@@ -26,58 +22,9 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kFirst = "int a;\nint f()\n{\n  a = 1;\n  a = 2;\n}\n";
 constexpr const char* kSecond = "int b;\nint g()\n{\n  b = 10;\n  b = 20;\n  b = 30;\n}\n";
 
-/// A host that makes calls every 50 us, and their record.
-class RecordedHost {
- public:
-  RecordedHost() : controller_(runtime::CardOptions(scenario_)) {
-    text_ = runtime::FormatRecordHead() + runtime::FormatRecordedOpening(0, scenario_, true);
-  }
-
-  void Call(const std::string& name, const std::vector<double>& values) {
-    std::vector<vm::CommandArgument> arguments(values.size());
-    for (size_t i = 0; i < values.size(); ++i) arguments[i].value = values[i];
-    const gtcalls::Command& command = *gtcalls::GtsFamily().catalogue.Find(name);
-    Message reason;
-    const int16_t code = controller_.Call(command, arguments, &reason);
-    Write(runtime::RecordCall(
-        {controller_.NowUs(), 0, vm::kHostCaller, command, arguments, code, reason}, true));
-  }
-  void Download(const std::string& name, const std::string& source) {
-    const vm::Object object = runtime::CompileForTest(source);
-    controller_.AdvanceUs(50);
-    EXPECT_TRUE(controller_.Load(object).ok());
-    runtime::RecordedCall call;
-    call.time_us = controller_.NowUs();
-    call.command = gtcalls::GtsFamily().catalogue.Find("GT_Download");
-    call.arguments.resize(1);
-    call.arguments[0].text = name + ".bin";
-    call.program = vm::WriteObject(object, false);
-    call.sources.push_back({"/programs/" + name + ".c", source});
-    Write(call);
-  }
-  /// Function 1 of the program on thread 0 and page 0.
-  void Start() {
-    Call("GT_Bind", {0, 1, 0});
-    Call("GT_RunThread", {0});
-  }
-  void Wait(int64_t microseconds) { controller_.AdvanceUs(microseconds); }
-  void Close() {
-    text_ += runtime::FormatRecordedEnd(0, {controller_.NowUs(), controller_.Hash()});
-  }
-
-  const std::string& text() const { return text_; }
-
- private:
-  void Write(const runtime::RecordedCall& call) { text_ += runtime::FormatRecordedCall(0, call); }
-
-  runtime::Scenario scenario_;
-  runtime::Controller controller_;
-  std::string text_;
-};
-
 /// Both programs, one after the other.
 std::string TwoPrograms() {
-  RecordedHost host;
+  runtime::RecordingHost host;
   host.Download("first", kFirst);
   host.Start();
   host.Wait(1000);
@@ -200,7 +147,7 @@ TEST_F(HostCallsTest, ANameOfNoProgramIsRefused) {
 }
 
 TEST_F(HostCallsTest, ARefusedCallStops) {
-  RecordedHost host;
+  runtime::RecordingHost host;
   host.Call("GT_AxisOn", {9});
   host.Close();
   Load(host.text());
