@@ -1,28 +1,11 @@
 /* Touch probe 1 captures every rising edge while the axis moves (GTS manual S2, example 5-3). Bit 6
    of the status changes with each capture. */
-#include "accepted.h"
-#include "gts.h"
+#include "bus.h"
 
 #define AXIS 1
-#define ENABLED 0x200      /* bit 9 of the status word */
 #define PROBE_ON 0x13      /* probe 1, continuous, rising edges */
 #define PROBE_CAPTURED 0x3 /* probe 1 is on, and has captured a rising edge */
 #define PROBE_AGAIN 0x40
-
-static void start_bus(void) {
-  short ready;
-  long status;
-  ACCEPTED(GT_Open(CHANNEL_PCI_ECAT, 1));
-  ACCEPTED(GT_InitEcatComm());
-  do {
-    ACCEPTED(GT_IsEcatReady(&ready));
-  } while (ready != 1);
-  ACCEPTED(GT_StartEcatComm());
-  ACCEPTED(GT_AxisOn(AXIS));
-  do {
-    ACCEPTED(GT_GetSts(AXIS, &status, 1, NULL));
-  } while (!(status & ENABLED));
-}
 
 int main(void) {
   unsigned short status;
@@ -30,7 +13,8 @@ int main(void) {
   long rise1, fall1, rise2, fall2;
   int captures = 0;
   TJogPrm jog = {1, 1, 0};
-  start_bus();
+  OpenBus();
+  Enable(AXIS);
   ACCEPTED(GT_PrfJog(AXIS));
   ACCEPTED(GT_SetJogPrm(AXIS, &jog));
   ACCEPTED(GT_SetVel(AXIS, 20));

@@ -2,8 +2,7 @@
    byte 14, four analogue inputs at 16, 16 digital outputs at 2, four analogue outputs at 4. */
 #include <string.h>
 
-#include "accepted.h"
-#include "gts.h"
+#include "bus.h"
 
 #define SLAVE 0
 
@@ -12,17 +11,12 @@ static unsigned word(const unsigned char* bytes) {
 }
 
 int main(void) {
-  short ready;
   unsigned char input[2];
   unsigned char analog[4];
   unsigned char output[2] = {0x34, 0x12};
   unsigned char analog_outputs[8] = {1, 0, 2, 0, 3, 0, 4, 0};
   unsigned char present[8];
-  ACCEPTED(GT_Open(CHANNEL_PCI_ECAT, 1));
-  ACCEPTED(GT_InitEcatComm());
-  do {
-    ACCEPTED(GT_IsEcatReady(&ready));
-  } while (ready != 1);
+  OpenBus();
 
   ACCEPTED(GT_EcatIOReadInput(SLAVE, 14, 2, input));
   ACCEPTED(GT_EcatIOReadInput(SLAVE, 20, 4, analog));
