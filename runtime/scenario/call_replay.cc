@@ -154,7 +154,7 @@ std::string CallReplay::Describe(size_t number) const {
   return FormatInputs(*call.command, Arguments(call, nullptr).span());
 }
 
-HostCalls::Done CallReplay::Execute(size_t number, Controller* controller) const {
+HostCalls::Done CallReplay::Perform(size_t number, Controller* controller, bool described) const {
   if (number == record_.calls.size()) return ExecuteEnd(*controller);
   const RecordedCall& call = record_.calls[number];
   Done done;
@@ -170,6 +170,7 @@ HostCalls::Done CallReplay::Execute(size_t number, Controller* controller) const
     done.code = Act(call, program_of_[number], &arguments, controller, &reason);
     if (done.code != call.code) done.deviation = Deviates(call, done.code, reason);
   }
+  if (!described) return done;
   const auto say = [&](Language language) {
     std::string text =
         FormatCallAndCode(*call.command, arguments.span(), done.code, reason, language);

@@ -45,11 +45,11 @@ class CallReplay final : public HostCalls {
   size_t size() const override { return record_.calls.size() + (record_.end ? 1 : 0); }
   int64_t TimeUs(size_t number) const override;
   std::string Describe(size_t number) const override;
-  Done Execute(size_t number, Controller* controller) const override;
 
  private:
   explicit CallReplay(CallRecord record) : record_(std::move(record)) {}
 
+  Done Perform(size_t number, Controller* controller, bool described) const override;
   Done ExecuteEnd(const Controller& controller) const;
 
   CallRecord record_;

@@ -40,8 +40,17 @@ class HostCalls {
   virtual int64_t TimeUs(size_t number) const = 0;
   /// The call with its inputs: `GT_Bind(0, 1, 0)`; the end: `GT_Close()`.
   virtual std::string Describe(size_t number) const = 0;
-  /// Executes a call; the card's time must be TimeUs(). The end only compares.
-  virtual Done Execute(size_t number, Controller* controller) const = 0;
+  /// Executes a call; the card must be in the cycle of TimeUs(). The end only compares.
+  Done Execute(size_t number, Controller* controller) const {
+    return Perform(number, controller, true);
+  }
+  /// The same without a text, which takes most of the time.
+  Done ExecuteSilently(size_t number, Controller* controller) const {
+    return Perform(number, controller, false);
+  }
+
+ private:
+  virtual Done Perform(size_t number, Controller* controller, bool described) const = 0;
 };
 
 }  // namespace oncard::runtime
