@@ -40,20 +40,6 @@ std::optional<End> SerialEnd(Walk* walk) {
   return walk->EndNow();
 }
 
-Findings FindingsOf(const runtime::Scenario& scenario, CardModel* model, Exploration exploration) {
-  Findings findings = {SubjectOf(*model), std::move(exploration), {}, {}};
-  Describe(scenario, &findings.subject);
-  if (findings.exploration.failure) {
-    findings.trail = Follow(model, *findings.exploration.failure);
-  } else if (findings.subject.requirements.empty()) {
-    CardWalk walk(model, false);
-    findings.start = walk.EndNow();
-    findings.serial_end = SerialEnd(&walk);
-  }
-  findings.refused = model->refused();
-  return findings;
-}
-
 /// Adds what the card does in the failing run, by running its schedule. A run that fails before its
 /// end has only the values up to there.
 void AddTrace(const runtime::Scenario& scenario, const vm::Object& object, Findings* findings) {
@@ -100,23 +86,7 @@ Result<Findings> ExploreWithCard(const runtime::Scenario& scenario,
                                  const std::vector<Requirement>& requirements, vm::Object object,
                                  const ExploreOptions& options) {
   runtime::ScenarioFit fit;
-  if (options.engine == EngineKind::kDpor) {
-    fit.Add(
-        PlaceOfEngine(scenario, options.engine),
-        {"time and the card are part of the states here: use the engine stateful, bounded, random, "
-         "pct or pos",
-         "此处时间与控制卡属于状态的一部分：请使用 stateful、bounded、random、pct 或 pos 引擎"});
-  }
-  if (options.merge_private) {
-    fit.Add({}, {"with the card every statement takes time: none can be merged",
-                 "带控制卡时每条语句都占用时间：不能合并"});
-  }
-  if (scenario.races != runtime::Scenario{}.races) {
-    fit.Add(runtime::PlaceOfText(scenario, "races"),
-            {"data races are found only in programs without GT commands: explore the functions "
-             "without GT commands separately",
-             "只在纯变量程序中查找数据竞争：请单独探索不含 GT 指令的函数"});
-  }
+  CheckCardSearch(scenario, options, &fit);
   runtime::SyncGlobals(scenario, object, &fit);
   auto model = CardModel::Create(scenario, requirements, std::move(object), std::move(fit));
   if (!model.ok()) return model.error();
@@ -165,8 +135,12 @@ void Describe(const runtime::Scenario& scenario, Subject* subject) {
   subject->races = *RaceRuleNamed(scenario.races);
   subject->sync = scenario.sync;
   if (!NeedsCard(scenario, subject->image->object)) return;
-  subject->card = CardConditions{scenario.rate,     scenario.cycle_us, scenario.axis_count,
-                                 scenario.limit_ms, scenario.until_us, scenario.world};
+  subject->card = CardConditionsOf(scenario);
+}
+
+CardConditions CardConditionsOf(const runtime::Scenario& scenario) {
+  return {scenario.rate,     scenario.cycle_us, scenario.axis_count,
+          scenario.limit_ms, scenario.until_us, scenario.world};
 }
 
 Findings FindingsOf(const runtime::Scenario& scenario, const Problem& problem,
@@ -181,6 +155,41 @@ Findings FindingsOf(const runtime::Scenario& scenario, const Problem& problem,
     findings.serial_end = SerialEnd(&walk);
   }
   return findings;
+}
+
+Findings FindingsOf(const runtime::Scenario& scenario, CardModel* model, Exploration exploration) {
+  Findings findings = {SubjectOf(*model), std::move(exploration), {}, {}};
+  Describe(scenario, &findings.subject);
+  if (findings.exploration.failure) {
+    findings.trail = Follow(model, *findings.exploration.failure);
+  } else if (findings.subject.requirements.empty()) {
+    CardWalk walk(model, false);
+    findings.start = walk.EndNow();
+    findings.serial_end = SerialEnd(&walk);
+  }
+  findings.refused = model->refused();
+  return findings;
+}
+
+void CheckCardSearch(const runtime::Scenario& scenario, const ExploreOptions& options,
+                     runtime::ScenarioFit* fit) {
+  if (options.engine == EngineKind::kDpor) {
+    fit->Add(
+        PlaceOfEngine(scenario, options.engine),
+        {"time and the card are part of the states here: use the engine stateful, bounded, random, "
+         "pct or pos",
+         "此处时间与控制卡属于状态的一部分：请使用 stateful、bounded、random、pct 或 pos 引擎"});
+  }
+  if (options.merge_private) {
+    fit->Add({}, {"with the card every statement takes time: none can be merged",
+                  "带控制卡时每条语句都占用时间：不能合并"});
+  }
+  if (scenario.races != runtime::Scenario{}.races) {
+    fit->Add(runtime::PlaceOfText(scenario, "races"),
+             {"data races are found only in programs without GT commands: explore the functions "
+              "without GT commands separately",
+              "只在纯变量程序中查找数据竞争：请单独探索不含 GT 指令的函数"});
+  }
 }
 
 Result<Problem> ProblemOfScenario(const runtime::Scenario& scenario,

@@ -32,6 +32,16 @@ void Describe(const runtime::Scenario& scenario, Subject* subject);
 Findings FindingsOf(const runtime::Scenario& scenario, const Problem& problem,
                     Exploration exploration);
 
+/// The same with a card; `model` is used up.
+Findings FindingsOf(const runtime::Scenario& scenario, CardModel* model, Exploration exploration);
+
+/// The card of a scenario, for Subject::card.
+CardConditions CardConditionsOf(const runtime::Scenario& scenario);
+
+/// What an exploration with a card cannot do: engines, merged statements, races.
+void CheckCardSearch(const runtime::Scenario& scenario, const ExploreOptions& options,
+                     runtime::ScenarioFit* fit);
+
 /// Checks only one schedule: follows it as far as the current program can
 /// (runtime/scenario/adapted_schedule.h). The verdict is kPassed, kFailed, or kIncomplete if the
 /// run does not end. Fails as ExploreScenario(), and when the schedule cannot be adapted.

@@ -6,8 +6,11 @@
 #include <optional>
 #include <utility>
 
+#include "base/files.h"
 #include "explore/failure_files.h"
+#include "explore/host_exploration.h"
 #include "explore/scenario_exploration.h"
+#include "runtime/scenario/call_record.h"
 #include "runtime/scenario/scenario_keys.h"
 #include "tools/commands.h"
 #include "tools/explore_options.h"
@@ -211,6 +214,36 @@ int Merge(const ExploreArguments& arguments, const Invocation& invocation) {
   return Report(arguments, invocation, subject, std::move(findings).value());
 }
 
+/// The record of a host program.
+int ExploreHost(const ExploreArguments& arguments, const Invocation& invocation) {
+  const std::pair<const char*, bool> unused[] = {
+      {"--save", !arguments.save.empty()},     {"--regression", !arguments.regression.empty()},
+      {"--search", !arguments.search.empty()}, {"--shard", !arguments.shard.empty()},
+      {"--structured", arguments.structured},  {"--races", arguments.races},
+      {"--benign", arguments.benign}};
+  for (const auto& [option, given] : unused) {
+    if (!given) continue;
+    return Fail(invocation, kExitUsage,
+                MakeMessage("{0} is not for the record of a host program",
+                            "{0} 不适用于主机程序的记录", option));
+  }
+  ExploreSubject subject;
+  explore::ExploreOptions options = OptionsOf(arguments, subject);
+  const int checked = CheckSettings(arguments, invocation, options.engine);
+  if (checked != kExitOk) return checked;
+  const std::string& path = arguments.paths.front();
+  const auto text = ReadFile(path);
+  if (!text.ok()) return Fail(invocation, kExitUnreadable, text.error().message);
+  SearchWatch watch(invocation,
+                    {.shows = arguments.progress, .seconds = arguments.seconds, .pauses = false});
+  options.progress = watch.progress();
+  auto findings = explore::ExploreRecord(text.value(), path, options);
+  if (!findings.ok()) return Fail(invocation, kExitUsage, findings.error().message);
+  subject.source = findings.value().source;
+  subject.scenario.program = findings.value().subject.program;
+  return Report(arguments, invocation, subject, std::move(findings).value());
+}
+
 int Explore(const ExploreArguments& arguments, const Invocation& invocation) {
   if (arguments.merge) return Merge(arguments, invocation);
   if (arguments.paths.size() > 1) {
@@ -219,6 +252,7 @@ int Explore(const ExploreArguments& arguments, const Invocation& invocation) {
                  "一次只能探索一个文件；多个文件用于 --merge"});
   }
   const std::string& input = arguments.paths.front();
+  if (input.ends_with(runtime::kCallRecordEnding)) return ExploreHost(arguments, invocation);
   ExploreSubject subject;
   if (input.ends_with(".search")) {
     explore::SearchFile file;

@@ -12,11 +12,11 @@ namespace oncard::tools {
 void AddExploreOptions(CLI::App& command, const Invocation& invocation,
                        ExploreArguments& arguments) {
   command
-      .add_option(
-          "file", arguments.paths,
-          invocation.Say({"scenario (.toml), a source with //@ comments, or an interrupted "
-                          "search (.search)",
-                          "场景文件（.toml）、带 //@ 注释的源程序，或中断的搜索（.search）"}))
+      .add_option("file", arguments.paths,
+                  invocation.Say({"scenario (.toml), a source with //@ comments, the record of a "
+                                  "host (.calls), or an interrupted search (.search)",
+                                  "场景文件（.toml）、带 //@ 注释的源程序、主机记录（.calls），"
+                                  "或中断的搜索（.search）"}))
       ->required()
       ->type_name("FILE");
   command

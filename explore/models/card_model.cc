@@ -59,25 +59,22 @@ StateKey KeyOfWords(const std::vector<int64_t>& words) {
 
 }  // namespace
 
+CardModel::CardModel(const runtime::Scenario& scenario)
+    : scenario_(scenario),
+      controller_(std::make_unique<runtime::Controller>(runtime::CardOptions(scenario))) {
+  controller_->CollectRefusals(refused_.get());
+}
+
 Result<CardModel> CardModel::Create(const runtime::Scenario& scenario,
                                     const std::vector<Requirement>& requirements, vm::Object object,
                                     runtime::ScenarioFit fit) {
-  CardModel model;
-  model.scenario_ = scenario;
-  model.controller_ = std::make_unique<runtime::Controller>(runtime::CardOptions(scenario));
+  CardModel model(scenario);
   runtime::Controller& controller = *model.controller_;
-  controller.CollectRefusals(model.refused_.get());
   auto started = runtime::StartScenario(scenario, std::move(object), &controller, &fit);
   if (!started.ok()) return started.error();
   // A run of a failing schedule traces them.
   runtime::TraceQuantities(scenario, controller, &fit);
-  model.image_ = controller.machine().shared_image();
-  model.scratch_ = std::make_unique<vm::MachineState>(controller.machine().state());
-  for (int number = 0; number < vm::kThreadCount; ++number) {
-    const ThreadState& thread = controller.machine().thread(number);
-    if (thread.run == vm::ThreadRun::kUnbound) continue;
-    model.setups_.push_back({number, thread.function, thread.page});
-  }
+  model.KeepThreads();
   const int64_t limit = runtime::CycleOf(scenario, scenario.limit_ms * 1000);
   model.last_cycle_ = limit;
   if (scenario.until_us && runtime::CycleOf(scenario, *scenario.until_us) <= limit) {
@@ -90,6 +87,39 @@ Result<CardModel> CardModel::Create(const runtime::Scenario& scenario,
   if (scenario.until_us) model.last_instant_ = model.last_cycle_;
   model.Save(&model.initial_);
   return model;
+}
+
+Result<CardModel> CardModel::CreateFromCalls(const runtime::Scenario& scenario,
+                                             const std::vector<Requirement>& requirements,
+                                             std::shared_ptr<const runtime::HostCalls> calls,
+                                             runtime::ScenarioFit fit) {
+  auto host = HostEvents::Create(scenario, std::move(calls));
+  if (!host.ok()) return host.error();
+  CardModel model(scenario);
+  model.host_ = std::make_shared<const HostEvents>(std::move(host).value());
+  model.host_->Prepare(scenario, model.controller_.get());
+  model.KeepThreads();
+  model.setups_ = model.host_->threads();
+  model.last_cycle_ = model.host_->end_cycle();
+  model.last_is_failure_ = !model.host_->cut();
+  if (model.last_is_failure_) {
+    model.last_cycle_ += runtime::CycleOf(scenario, scenario.limit_ms * 1000);
+  }
+  model.BindRequirements(requirements, &fit);
+  if (auto failure = fit.Failure()) return *std::move(failure);
+  model.Save(&model.initial_);
+  return model;
+}
+
+void CardModel::KeepThreads() {
+  const vm::Machine& machine = controller_->machine();
+  image_ = machine.shared_image();
+  scratch_ = std::make_unique<vm::MachineState>(machine.state());
+  for (int number = 0; number < vm::kThreadCount; ++number) {
+    const ThreadState& thread = machine.thread(number);
+    if (thread.run == vm::ThreadRun::kUnbound) continue;
+    setups_.push_back({number, thread.function, thread.page});
+  }
 }
 
 void CardModel::BindRequirements(const std::vector<Requirement>& requirements,
@@ -272,14 +302,16 @@ uint32_t CardModel::Candidates(const State& state) const {
 void CardModel::Settle(State* state) {
   const vm::Machine& machine = controller_->machine();
   while (!state->fault && !state->ended) {
-    if (machine.Quiet()) {
+    if (machine.Quiet() && !HostActs()) {
       state->finished = true;
       return End(state);
     }
     if (state->left > 0 && machine.RunnableThreads() != 0) break;
     JudgeInstant(state);
+    const bool host_acts = HostActs();
+    if (host_acts && !state->fault) ActAsHost(state);
     if (state->fault) break;
-    if (controller_->Deadlocked()) {
+    if (!host_acts && controller_->Deadlocked()) {
       state->fault.kind = Fault::Kind::kDeadlock;
     } else if (controller_->cycle() >= last_cycle_) {
       if (last_is_failure_) {
@@ -299,6 +331,17 @@ void CardModel::Settle(State* state) {
   const uint32_t candidates = Candidates(*state);
   for (int i = 0; i < thread_count(); ++i) {
     if ((candidates >> setup(i).thread & 1) != 0) state->choices |= 1u << i;
+  }
+}
+
+void CardModel::ActAsHost(State* state) {
+  held_ = nullptr;
+  if (const auto deviation = host_->Act(controller_.get())) {
+    state->fault.kind = Fault::Kind::kHostCall;
+    state->fault.call = deviation->call;
+    state->fault.code = deviation->code;
+  } else if (has_invariants_) {
+    JudgeState(state);
   }
 }
 

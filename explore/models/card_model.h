@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "explore/models/host_events.h"
 #include "explore/models/model.h"
 #include "explore/models/problem.h"
 #include "explore/models/state_key.h"
@@ -54,6 +55,15 @@ class CardModel {
                                   const std::vector<Requirement>& requirements, vm::Object object,
                                   runtime::ScenarioFit fit = {});
 
+  /// The card of a recorded host, at the call that starts the first thread; what must hold are the
+  /// requirements, and that calls are answered as in the record. The run ends where the host closed
+  /// the card if threads were running there; otherwise `limit_ms` later at the latest. Fails as
+  /// HostEvents::Create(), and when a requirement is no condition of the program.
+  static Result<CardModel> CreateFromCalls(const runtime::Scenario& scenario,
+                                           const std::vector<Requirement>& requirements,
+                                           std::shared_ptr<const runtime::HostCalls> calls,
+                                           runtime::ScenarioFit fit = {});
+
   /// The bound threads, in the order of their numbers on the card.
   int thread_count() const { return static_cast<int>(setups_.size()); }
   const ThreadSetup& setup(int thread) const { return setups_[static_cast<size_t>(thread)]; }
@@ -63,6 +73,8 @@ class CardModel {
   std::vector<Requirement> Requirements() const;
   /// True when there are none.
   bool asks_nothing() const { return requirements_.empty(); }
+  /// What the recorded host does; nullptr: there is none.
+  const std::shared_ptr<const HostEvents>& host() const { return host_; }
   /// The card, as the last Start(), Step() or Load() left it.
   const runtime::Controller& controller() const { return *controller_; }
   /// Commands that threads have been refused in any of the steps that were taken.
@@ -106,7 +118,10 @@ class CardModel {
     int64_t cycle = -1;  ///< an expectation with an instant: at the end of this cycle
   };
 
-  CardModel() = default;
+  /// With a card for the scenario.
+  explicit CardModel(const runtime::Scenario& scenario);
+  /// Takes the program and its threads from the card.
+  void KeepThreads();
   void BindRequirements(const std::vector<Requirement>& requirements, runtime::ScenarioFit* fit);
   bool Holds(const BoundRequirement& bound) const;
   /// Checks the final requirements without an instant, and the kEventually requirements.
@@ -120,6 +135,10 @@ class CardModel {
   void Settle(State* state);
   /// Ends the run and checks its final requirements.
   void End(State* state);
+  /// True if the host still does something now or later.
+  bool HostActs() const { return host_ != nullptr && host_->LeftAt(controller_->cycle()); }
+  /// Lets the host make the calls of the cycle.
+  void ActAsHost(State* state);
   /// The threads that may execute the next statement, by number on the card.
   uint32_t Candidates(const State& state) const;
   /// Executes a statement and what then happens without threads.
@@ -132,6 +151,7 @@ class CardModel {
 
   runtime::Scenario scenario_;
   std::shared_ptr<const vm::Image> image_;
+  std::shared_ptr<const HostEvents> host_;
   std::unique_ptr<runtime::RefusedCommands> refused_ = std::make_unique<runtime::RefusedCommands>();
   std::unique_ptr<runtime::Controller> controller_;
   /// The controller's body is this one after the given number of cycles; nullptr: it is not known.

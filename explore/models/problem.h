@@ -93,12 +93,15 @@ struct Fault {
     kThread,
     kDeadlock,   ///< threads wait for values that nothing can change any more
     kTimeLimit,  ///< threads are still running at the scenario's `limit_ms`
-    kRace        ///< two threads access a variable without an order
+    kRace,       ///< two threads access a variable without an order
+    kHostCall    ///< a call of the recorded host is not answered as in the record
   };
   Kind kind = Kind::kNone;
   int requirement = 0;  ///< kRequirement: which one is violated
   int thread = 0;       ///< kThread: the thread that ended with a fault, by its number in the model
   Race race = {};       ///< kRace
+  size_t call = 0;      ///< kHostCall: its number in the record
+  int16_t code = 0;     ///< kHostCall: what it returns
 
   explicit operator bool() const { return kind != Kind::kNone; }
 };

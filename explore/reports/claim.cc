@@ -76,10 +76,16 @@ ClaimEntry Asked(const Findings& findings) {
     built_in.zh += "，无活锁";
   }
   if (looked_for.limit) {
-    built_in.en += fmt::format(", all threads end before {} ms", subject.card->limit_ms);
-    built_in.zh += fmt::format("，所有线程在 {} ms 前结束", subject.card->limit_ms);
+    const char* since = subject.host != nullptr ? " after the host's end" : "";
+    const char* since_zh = subject.host != nullptr ? "主机结束后 " : " ";
+    built_in.en += fmt::format(", all threads end before {} ms{}", subject.card->limit_ms, since);
+    built_in.zh += fmt::format("，所有线程在{}{} ms 前结束", since_zh, subject.card->limit_ms);
   }
   entry.lines.push_back(std::move(built_in));
+  if (subject.host != nullptr) {
+    entry.lines.push_back({"every call of the host is answered with its recorded code",
+                           "主机每次调用的返回值与记录相同"});
+  }
   if (subject.races != RaceRule::kAny) {
     Message races =
         subject.races == RaceRule::kNone
@@ -114,7 +120,11 @@ ClaimEntry Program(const Subject& subject) {
   ClaimEntry entry = {{"program", "程序"}, {}};
   entry.lines.push_back(MakeMessage("{0}, object {1:016x}", "{0}，目标文件 {1:016x}",
                                     subject.program, subject.image->hash));
-  if (!subject.scenario.empty()) {
+  if (subject.host != nullptr) {
+    entry.lines.push_back(MakeMessage("host of {0}: {1} calls, {2:016x}",
+                                      "{0} 的主机：{1} 次调用，{2:016x}", subject.record,
+                                      subject.host->size(), subject.scenario_hash));
+  } else if (!subject.scenario.empty()) {
     entry.lines.push_back(MakeMessage("scenario {0}, {1:016x}", "场景 {0}，{1:016x}",
                                       subject.scenario, subject.scenario_hash));
   }
@@ -147,6 +157,11 @@ ClaimEntry Assumptions(const Subject& subject) {
   entry.lines.push_back(MakeMessage("rate {0} statements per ms, cycle {1} us, {2} axes",
                                     "速率每 ms {0} 条语句，周期 {1} us，{2} 轴", card.rate,
                                     card.cycle_us, card.axis_count));
+  if (subject.host != nullptr) {
+    entry.lines.push_back(
+        {"the host makes its recorded calls, each in the cycle of the record, whatever it reads",
+         "无论读到什么，主机都在记录的周期内发出所记录的调用"});
+  }
   entry.lines.push_back(card.world == runtime::World{}
                             ? Message{"world: ideal drives, inputs off, no events",
                                       "外部世界：理想驱动器，输入全关，无事件"}
@@ -367,7 +382,11 @@ void AddClaim(const Findings& findings, nlohmann::ordered_json* json) {
   if (!subject.sync.empty()) asked["sync"] = subject.sync;
   auto& program = (*json)["program"];
   program = {{"file", subject.program}, {"object", fmt::format("{:016x}", subject.image->hash)}};
-  if (!subject.scenario.empty()) program["scenario"] = subject.scenario;
+  if (subject.host != nullptr) {
+    program["host"] = {{"record", subject.record}, {"calls", subject.host->size()}};
+  } else if (!subject.scenario.empty()) {
+    program["scenario"] = subject.scenario;
+  }
   program["scenario_hash"] = fmt::format("{:016x}", subject.scenario_hash);
   for (const ThreadSetup& setup : subject.threads) {
     const auto function = static_cast<size_t>(setup.function);

@@ -41,9 +41,18 @@ Message DescribeFault(const Subject& subject, const Failure& failure) {
           "deadlock: every running thread waits for a variable that nothing can change any more",
           "死锁：所有运行中的线程都在等待不会再改变的变量"};
     case Fault::Kind::kTimeLimit:
+      if (subject.host != nullptr) {
+        return MakeMessage("threads still run {0} ms after the host closed the card",
+                           "主机关闭控制卡 {0} ms 后仍有线程在运行", subject.card->limit_ms);
+      }
       return {"threads still run at the scenario's limit_ms", "到场景的 limit_ms 时仍有线程在运行"};
     case Fault::Kind::kRace:
       return DescribeRace(subject, failure.fault.race);
+    case Fault::Kind::kHostCall: {
+      const std::string call = subject.host->calls().Describe(failure.fault.call);
+      return MakeMessage("the card does not answer {0} as in the record of the host",
+                         "控制卡对 {0} 的应答与主机记录不同", call);
+    }
     case Fault::Kind::kNone:
     case Fault::Kind::kRequirement:
       break;

@@ -182,6 +182,8 @@ Message DescribeActual(const Subject& subject, const Failure& failure,
     }
     case Fault::Kind::kDeadlock:
       return DescribeWaiting(controller);
+    case Fault::Kind::kHostCall:
+      return MakeMessage("it returns {0}", "返回 {0}", failure.fault.code);
     case Fault::Kind::kTimeLimit:
     case Fault::Kind::kRace:
     case Fault::Kind::kNone:
@@ -210,6 +212,7 @@ Subject SubjectOf(const CardModel& model) {
   subject.threads = model.setups();
   subject.image = model.image();
   subject.requirements = model.Requirements();
+  subject.host = model.host();
   return subject;
 }
 

@@ -30,10 +30,12 @@ struct Subject {
   std::vector<ThreadSetup> threads;
   std::shared_ptr<const vm::Image> image;
   std::vector<Requirement> requirements;
+  std::shared_ptr<const HostEvents> host = {};  ///< nullptr: no recorded host
   // Filled in by Describe() (scenario_exploration.h).
   std::string program = {};    ///< its file's name
   std::string scenario = {};   ///< its file's name; empty: a source with comments
-  uint64_t scenario_hash = 0;  ///< hash of the scenario without the program's path
+  std::string record = {};     ///< the file's name of the host's record; empty: no recorded host
+  uint64_t scenario_hash = 0;  ///< hash of the scenario without the program's path, or of the record
   RaceRule races = RaceRule::kAny;
   std::vector<std::string> sync = {};
   std::optional<CardConditions> card = {};  ///< empty: only variables, no time

@@ -43,12 +43,20 @@ class Recorded {
   }
   void Cut(size_t bytes) { folder_.Write("host.calls", text().substr(0, text().size() - bytes)); }
   ProcessResult Replay(const std::vector<std::string>& options = {}) const {
-    std::vector<std::string> arguments = {"replay", "host.calls"};
+    return RunWithRecord("replay", options);
+  }
+  ProcessResult Explore(const std::vector<std::string>& options = {}) const {
+    return RunWithRecord("explore", options);
+  }
+
+ private:
+  ProcessResult RunWithRecord(const std::string& command,
+                              const std::vector<std::string>& options) const {
+    std::vector<std::string> arguments = {command, "host.calls"};
     arguments.insert(arguments.end(), options.begin(), options.end());
     return RunOncard(arguments, folder_.path());
   }
 
- private:
   ScratchFolder folder_;
   ProcessResult exec_;
 };
@@ -163,6 +171,30 @@ TEST(RecordCalls, OptionsOfASchedulesReplayAreRefused) {
   const ProcessResult replay = host.Replay({"--show=sum"});
   EXPECT_EQ(replay.exit_code, 2);
   EXPECT_THAT(replay.err, HasSubstr("--show is not for the record of a host program"));
+}
+
+TEST(RecordCalls, OptionsThatAnExplorationOfAHostDoesNotHaveAreRefused) {
+  const Recorded host({"true"});
+  for (const char* option : {"--save=a.schedule", "--regression=a.toml", "--search=a.search",
+                             "--shard=1/2", "--structured", "--races", "--benign"}) {
+    const ProcessResult result = host.Explore({option});
+    EXPECT_EQ(result.exit_code, 2) << option;
+    EXPECT_THAT(result.err, HasSubstr("is not for the record of a host program")) << option;
+  }
+}
+
+TEST(RecordCalls, ARecordWithoutCallsIsNotExplored) {
+  const ProcessResult result = Recorded({"true"}).Explore();
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("the host has opened no card"));
+}
+
+TEST(RecordCalls, TheThreadsOfAHostAreExplored) {
+  const Recorded host({HostOfTests("two_threads_c"), "sum.c"});
+  EXPECT_EQ(host.exec().exit_code, 0) << host.exec().err;
+  const ProcessResult result = host.Explore({"--max-states=100"});
+  EXPECT_EQ(result.exit_code, 6);
+  EXPECT_THAT(result.out, HasSubstr("host of host.calls"));
 }
 
 }  // namespace

@@ -1,0 +1,99 @@
+#include "explore/models/host_events.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "runtime/scenario/scenario_world.h"
+
+namespace oncard::explore {
+namespace {
+
+using Setups = std::vector<ThreadSetup>;
+
+Setups SetupsOf(const vm::Machine& machine) {
+  Setups setups;
+  for (int number = 0; number < vm::kThreadCount; ++number) {
+    const vm::ThreadState& thread = machine.thread(number);
+    if (thread.run == vm::ThreadRun::kUnbound) continue;
+    setups.push_back({number, thread.function, thread.page});
+  }
+  return setups;
+}
+
+/// True if each bound thread still is what it was; others may have been added.
+bool Keeps(const Setups& before, const Setups& now) {
+  return std::ranges::includes(now, before, [](const ThreadSetup& a, const ThreadSetup& b) {
+    return std::tie(a.thread, a.function, a.page) < std::tie(b.thread, b.function, b.page);
+  });
+}
+
+void AdvanceTo(int64_t time_us, runtime::Controller* controller) {
+  controller->AdvanceUs(time_us - controller->NowUs());
+}
+
+void SwitchOn(const runtime::Scenario& scenario, const runtime::HostCalls& calls,
+              runtime::Controller* controller) {
+  if (!calls.bare()) runtime::ApplyWorld(scenario, controller);
+}
+
+}  // namespace
+
+Result<HostEvents> HostEvents::Create(const runtime::Scenario& scenario,
+                                      std::shared_ptr<const runtime::HostCalls> calls) {
+  HostEvents events(std::move(calls));
+  const runtime::HostCalls& host = *events.calls_;
+  const size_t count = host.size() - (host.Incomplete() ? 0 : 1);
+  runtime::Controller controller(runtime::CardOptions(scenario));
+  SwitchOn(scenario, host, &controller);
+  const vm::Image* program = nullptr;
+  for (size_t i = 0; i < host.size(); ++i) {
+    AdvanceTo(host.TimeUs(i), &controller);
+    const runtime::HostCalls::Done done = host.ExecuteSilently(i, &controller);
+    if (done.deviation) return Error{1, *done.deviation};
+    const vm::Machine& machine = controller.machine();
+    if (program == nullptr) {
+      if (machine.Quiet()) continue;
+      events.first_ = i;
+      program = machine.image();
+    }
+    if (i < count) events.cycles_.push_back(controller.cycle());
+    Setups setups = SetupsOf(machine);
+    const bool same = machine.image() == program && Keeps(events.threads_, setups);
+    events.threads_ = std::move(setups);
+    if (same) continue;
+    return MakeError(
+        1,
+        "the host changes the program or the function of a thread after it has started "
+        "threads: {0}; such a host cannot be explored",
+        "主机在启动线程之后更改了程序或线程的函数：{0}；无法探索这样的主机程序", host.Describe(i));
+  }
+  if (program == nullptr) {
+    return MakeError(1, "the host starts no thread of a program: there is nothing to explore",
+                     "主机程序未启动任何线程：没有可探索的内容");
+  }
+  events.end_cycle_ = controller.cycle();
+  events.cut_ = !controller.machine().Quiet();
+  return events;
+}
+
+void HostEvents::Prepare(const runtime::Scenario& scenario, runtime::Controller* controller) const {
+  SwitchOn(scenario, *calls_, controller);
+  for (size_t i = 0; i < first_; ++i) {
+    AdvanceTo(calls_->TimeUs(i), controller);
+    calls_->ExecuteSilently(i, controller);
+  }
+  AdvanceTo(calls_->TimeUs(first_), controller);
+}
+
+std::optional<HostEvents::Deviation> HostEvents::Act(runtime::Controller* controller) const {
+  const auto [begin, end] = std::ranges::equal_range(cycles_, controller->cycle());
+  for (auto each = begin; each != end; ++each) {
+    const size_t call = first_ + static_cast<size_t>(each - cycles_.begin());
+    const runtime::HostCalls::Done done = calls_->ExecuteSilently(call, controller);
+    if (done.deviation) return Deviation{call, done.code};
+  }
+  return std::nullopt;
+}
+
+}  // namespace oncard::explore
