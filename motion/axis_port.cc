@@ -6,7 +6,11 @@ namespace oncard::motion {
 
 bool AxisPort::enabled() const { return core_.state().axes[axis_].servo_on; }
 
-const Sample& AxisPort::now() const { return core_.state().profiles[axis_].now; }
+Sample AxisPort::now() const {
+  Sample now = core_.state().profiles[axis_].now;
+  now.moving = now.moving || !core_.ShaperSettled(axis_);
+  return now;
+}
 
 bool AxisPort::stopping() const { return core_.state().profiles[axis_].stopping; }
 

@@ -21,8 +21,9 @@ class AxisPort {
 
   size_t axis() const { return axis_; }
   bool enabled() const;
-  /// The profile's output, and whether it is being stopped.
-  const Sample& now() const;
+  /// The profile's output, which moves until the axis' input shaper has settled.
+  Sample now() const;
+  /// True if the profile is being stopped.
   bool stopping() const;
 
   /// The parameters of the moves that follow. Replanning allocates nothing later.

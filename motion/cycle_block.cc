@@ -34,7 +34,8 @@ CycleBlock::CycleBlock(MotionState& state, const MotionConfig& config, LaneKerne
 // --- Whether a card is plain -------------------------------------------------------------------
 
 bool CycleBlock::CardIsPlain() const {
-  if (state_.compensates || state_.gantry.on || state_.homing_runs || state_.bus) return false;
+  if (state_.compensates || state_.gantry.on || state_.homing_runs) return false;
+  if (state_.bus || state_.shapers) return false;
   if (state_.capture.armed() || state_.compare.active() || !state_.reached.empty()) return false;
   if (!state_.io.InputsSettled()) return false;
   return std::ranges::all_of(state_.adcs, &Adc::settled) && SwitchesRest() && AuxiliaryRests();

@@ -3,10 +3,11 @@
 //
 // A card is *plain* if in every cycle its axes only plan, move their drives and count. Then nothing
 // happens between them, and its state is in lanes from Load() to Store(). It is not plain while
-// inputs settle, something is armed, homing, a gantry or a compensation works, or an axis has a
-// latched condition, a cause for one, a map to other profiles or encoders, or a fault; a card with
-// a bus never is. What ends a block is known before (events, ends of pieces of plans) or found by
-// the kernel in the cycle in which it happens. Tested by tests/motion/cycle_block_test.cc.
+// inputs settle, something is armed, homing, a gantry, a compensation or an input shaper works, or
+// an axis has a latched condition, a cause for one, a map to other profiles or encoders, or a
+// fault; a card with a bus never is. What ends a block is known before (events, ends of pieces of
+// plans) or found by the kernel in the cycle in which it happens. Tested by
+// tests/motion/cycle_block_test.cc.
 #pragma once
 
 #include <array>

@@ -152,13 +152,13 @@ void DriveTrain::AdvancePlant(size_t index) {
   } else {
     plant.velocity = 0;
     if (plant.axis < 0 || !axis.servo_on) return;
-    const double commanded = readings_.CommandedPosition(axis_index);
+    const CommandedMotion commanded = readings_.Commanded(axis_index);
     if (plant.stalled) {
       // Pulses output in the meantime are lost.
-      plant.lead = plant.position - commanded;
+      plant.lead = plant.position - commanded.position;
     } else {
-      plant.position = commanded + plant.lead;
-      plant.velocity = axis.profile.velocity;
+      plant.position = commanded.position + plant.lead;
+      plant.velocity = commanded.velocity;
     }
   }
 }
@@ -172,11 +172,10 @@ void DriveTrain::AdvanceClosedLoop(size_t index) {
   Plant& plant = state_.plants[index];
   Control& control = state_.controls[static_cast<size_t>(plant.control)];
   const Drive& drive = state_.drives[index];
-  const Axis& axis = state_.axes[static_cast<size_t>(control.axis)];
-  const double commanded = readings_.CommandedPosition(static_cast<size_t>(control.axis));
+  const CommandedMotion commanded = readings_.Commanded(static_cast<size_t>(control.axis));
   const auto sub_steps = static_cast<int32_t>(config_.cycle_us / config_.servo_us);
   const double servo_ms = config_.ServoMs();
-  const double advance = (commanded - control.reference) / sub_steps;
+  const double advance = (commanded.position - control.reference) / sub_steps;
   const bool ideal = drive.kind == DriveKind::kIdeal;
   const double correction =
       state_.gantry.on ? state_.gantry.Correction(static_cast<size_t>(control.axis), state_.axes)
@@ -185,18 +184,17 @@ void DriveTrain::AdvanceClosedLoop(size_t index) {
     const double reference = control.reference + i * advance;
     const double error = reference - MeasuredPosition(control);
     state_.dacs[index].value =
-        control.Advance(error, axis.profile.velocity, axis.profile.acceleration, servo_ms) +
-        correction;
+        control.Advance(error, commanded.velocity, commanded.acceleration, servo_ms) + correction;
     if (ideal && !plant.stalled) plant.position = reference + advance + plant.lead;
     if (!ideal) plant.Advance(drive, state_.dacs[index].Output(), servo_ms);
   }
-  control.reference = commanded;
+  control.reference = commanded.position;
   if (!ideal) return;
-  plant.velocity = plant.stalled ? 0 : axis.profile.velocity;
+  plant.velocity = plant.stalled ? 0 : commanded.velocity;
   if (plant.stalled) {
-    plant.lead = plant.position - commanded;
+    plant.lead = plant.position - commanded.position;
   } else {
-    plant.position = commanded + plant.lead;
+    plant.position = commanded.position + plant.lead;
   }
 }
 

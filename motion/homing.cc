@@ -107,7 +107,7 @@ void HomingSequence::SearchIndexSimply() {
 
 void HomingSequence::Advance() {
   const HomeParameters& p = homing_.parameters;
-  const Sample& now = axis_.now();
+  const Sample now = axis_.now();
   if (homing_.failing) {
     homing_.running = homing_.failing = now.moving;
     return;

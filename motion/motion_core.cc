@@ -122,6 +122,7 @@ void MotionCore::FinishTick() {
     if (axis.latched != 0 || cause) GuardAxis(i);
   }
   if (state_.compensates) AdvanceCompensations();
+  if (state_.shapers) AdvanceShapers();
   AdvanceDrives();
   for (size_t i = 0; i < axis_count(); ++i) JudgeControl(state_.controls[i]);
   if (state_.gantry.on) JudgeGantry();
@@ -144,6 +145,7 @@ void MotionCore::Reset() {
   }
   state_.compensations.fill({});
   state_.compensates = false;
+  state_.shapers.Reset();
   drives().Reset();
   for (Adc& adc : state_.adcs) adc = {.volts = adc.volts, .filtered = adc.volts};
   for (ExtensionModule& module : state_.modules) {
@@ -274,6 +276,20 @@ void MotionCore::AdvanceCompensations() {
   }
 }
 
+void MotionCore::AdvanceShapers() {
+  const Readings present = readings();
+  for (size_t i = 0; i < axis_count(); ++i) {
+    InputShaper& shaper = (*state_.shapers)[i];
+    if (!shaper.on()) continue;
+    const CommandedMotion command = present.Unshaped(i);
+    if (state_.axes[i].servo_on && present.FollowsPlan(i)) {
+      shaper.Advance(state_.cycle, command);
+    } else {
+      shaper.Restart(command);
+    }
+  }
+}
+
 void MotionCore::AdvanceDrives() {
   if (state_.bus) return AdvanceDrivesWithBus();
   if (!Passages::Wanted(state_)) return drives().Advance();
@@ -332,7 +348,7 @@ void MotionCore::JudgeAxis(size_t index) {
   Axis& axis = state_.axes[index];
   if (!axis.band_set || !axis.active) return;
   const double error = std::fabs(readings().CommandedPosition(index) - axis.encoder.position);
-  const bool inside = error < axis.band && !AxisMoving(axis);
+  const bool inside = error < axis.band && !AxisMoving(axis) && ShaperSettled(index);
   if (inside && !axis.in_band) axis.in_band_since = now();
   axis.in_band = inside;
   axis.in_position = inside && now() - axis.in_band_since >= axis.band_time;
@@ -372,6 +388,7 @@ void MotionCore::ServoOff(size_t axis) {
   state_.axes[axis].servo_on = false;
   if (OnBus(axis)) bus_axes().Enable(axis, false);
   drives().Disable(axis);
+  if (state_.shapers) (*state_.shapers)[axis].Restart(readings().Unshaped(axis));
   state_.io.Write(DoType::kEnable, EnableOutputs(axis), 0);
   StopAxis(state_.axes[axis], true);
 }
@@ -455,6 +472,15 @@ void MotionCore::SetPitchTable(size_t axis, PitchTablePointer table) {
 void MotionCore::EnablePitchCompensation(size_t axis, bool on) {
   state_.compensations[axis].pitch_on = on;
   state_.compensates = true;
+}
+
+void MotionCore::SetInputShaper(size_t axis, size_t count, double k) {
+  if (!state_.shapers) {
+    if (count == 0) return;
+    state_.shapers.Emplace();
+  }
+  (*state_.shapers)[axis].Set(count, k, readings().Unshaped(axis));
+  if (std::ranges::none_of(*state_.shapers, &InputShaper::on)) state_.shapers.Reset();
 }
 
 // --- Gantry, homing ----------------------------------------------------------------------------

@@ -8,7 +8,7 @@
 //   2. profiles, in ascending order: independent modes and the slaves of anything but a coordinate
 //      system; coordinate systems; slaves of coordinate systems
 //   3. axes: mapping, alarm, stop inputs, limits; a stop replaces what was just planned
-//   4. compensation; servo and plants; encoders, captures
+//   4. compensation, input shapers; servo and plants; encoders, captures
 //   5. following error, in-position band, compare outputs
 //
 // The instant of a tick is the end of its cycle: a plan that is started between two ticks begins at
@@ -146,6 +146,12 @@ class MotionCore {
   /// GT_EnableLeadScrewComp; the axis must have a table to switch it on.
   void EnablePitchCompensation(size_t axis, bool on);
 
+  /// GT_SetAxisInputShaping, for an axis at rest whose shaper has settled: `count` in
+  /// [1, kShaperCyclesMax], or 0 to switch it off.
+  void SetInputShaper(size_t axis, size_t count, double k);
+  /// False while the input shaper of an axis has not yet passed all of a motion.
+  bool ShaperSettled(size_t axis) const { return readings().ShaperSettled(axis); }
+
   /// GT_EnableGantry, for two axes at rest without a gantry; GT_DisableGantry ends it.
   void EnableGantry(size_t master, size_t slave, double master_kp, double slave_kp);
   void DisableGantry();
@@ -244,6 +250,7 @@ class MotionCore {
   void MapProfiles();
   void GuardAxis(size_t index);
   void AdvanceCompensations();
+  void AdvanceShapers();
   /// Drives and encoders, with all that they pass inside the cycle if something depends on it.
   void AdvanceDrives();
   /// The same with the drives on a bus.

@@ -18,6 +18,7 @@
 #include "motion/encoder.h"
 #include "motion/gantry.h"
 #include "motion/homing.h"
+#include "motion/input_shaper.h"
 #include "motion/io/analog.h"
 #include "motion/io/capture.h"
 #include "motion/io/compare.h"
@@ -83,12 +84,14 @@ struct MotionState {
   /// before it appends the first such command, so that a tick allocates nothing.
   std::vector<BufferedCommand> reached;
   Rare<BusPart> bus;
+  /// Of all axes, if one of them is on.
+  Rare<std::array<InputShaper, kAxisMax>> shapers;
 
   auto Fields() const {
     return std::tie(cycle, clock_cycle, io, profiles, pvt_tables, crds, axes, enable_axes,
                     compensations, compensates, encoders, encoder_faults, drives, plants, steps,
                     controls, dacs, adcs, modules, world, switches, index_marks, capture, compare,
-                    lasers, gantry, homing, homing_runs, reached, bus);
+                    lasers, gantry, homing, homing_runs, reached, bus, shapers);
   }
 };
 

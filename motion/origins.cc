@@ -48,10 +48,12 @@ void Origins::SynchAxis(size_t index) {
     MovePlanned(index, readings_.MappedProfiles(axis));
   }
   state_.compensations[index].MoveOrigin(before, axis.profile.position);
+  RenameShaped(index);
   MoveMeasured(index, measured);
 }
 
 void Origins::ZeroAxis(size_t axis) {
+  EndShaping(axis);
   SetProfilePosition(axis, 0);
   SetEncoderPosition(axis, 0);
   SynchAxis(axis);
@@ -64,6 +66,7 @@ void Origins::ZeroAxis(size_t axis) {
   const double amount = compensation.Amount();
   compensation.origin += amount;
   drives_.Keep(axis, amount);
+  RenameShaped(axis);
 }
 
 void Origins::SetProfileScale(size_t axis, Scale scale) {
@@ -72,6 +75,7 @@ void Origins::SetProfileScale(size_t axis, Scale scale) {
   state_.axes[axis].profile.offset = 0;
   MovePlanned(axis, readings_.MappedProfiles(state_.axes[axis]));
   state_.compensations[axis].MoveOrigin(before, state_.axes[axis].profile.position);
+  RenameShaped(axis);
   if (!state_.gantry.on || state_.gantry.master != axis) return;
   Axis& follower = state_.axes[state_.gantry.slave];
   follower.profile_scale = scale;
@@ -109,12 +113,26 @@ void Origins::MoveAxis(size_t index, double position) {
   axis.profile.offset = position - readings_.MappedProfiles(axis);
 }
 
+void Origins::RenameShaped(size_t index) {
+  if (!state_.shapers) return;
+  InputShaper& shaper = (*state_.shapers)[index];
+  if (shaper.on()) shaper.Rename(readings_.Unshaped(index).position);
+}
+
+void Origins::EndShaping(size_t index) {
+  if (readings_.ShaperSettled(index)) return;
+  InputShaper& shaper = (*state_.shapers)[index];
+  drives_.Keep(index, shaper.addition.position);
+  shaper.Restart(readings_.Unshaped(index));
+}
+
 void Origins::KeepPlanned(size_t index) {
   Axis& axis = state_.axes[index];
   axis.profile.offset = axis.profile.position - readings_.MappedProfiles(axis);
 }
 
 void Origins::AlignWithEncoder(size_t index) {
+  EndShaping(index);
   Axis& axis = state_.axes[index];
   // The measured position includes the compensation.
   const double measured = axis.encoder.position - state_.compensations[index].Amount();
@@ -127,6 +145,7 @@ void Origins::AlignWithEncoder(size_t index) {
     SetProfilePosition(profile, measured * scale.alpha / scale.beta);
   }
   MoveAxis(index, measured);
+  RenameShaped(index);
 }
 
 }  // namespace oncard::motion

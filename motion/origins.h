@@ -43,6 +43,10 @@ class Origins {
   /// Changes the planned position of an axis; the second function also relative to the profiles.
   void MovePlanned(size_t axis, double position);
   void MoveAxis(size_t axis, double position);
+  /// The input shaper of an axis continues from another value of the commanded position.
+  void RenameShaped(size_t axis);
+  /// It forgets what it has not yet passed: the motion ends where the drive is now.
+  void EndShaping(size_t axis);
 
   MotionState& state_;
   size_t axis_count_;

@@ -34,6 +34,16 @@ MasterValue Readings::ValueOf(const Master& master) const {
   return {axis.encoder.position, axis.encoder.velocity, axis.encoder.acceleration};
 }
 
+CommandedMotion Readings::Commanded(size_t index) const {
+  CommandedMotion commanded = Unshaped(index);
+  if (!state_.shapers) return commanded;
+  const CommandedMotion& addition = Shaper(index).addition;
+  commanded.position += addition.position;
+  commanded.velocity += addition.velocity;
+  commanded.acceleration += addition.acceleration;
+  return commanded;
+}
+
 bool Readings::FollowsCrd(const Profile& profile) const {
   const Master* master = profile.FollowedMaster();
   if (master == nullptr || master->type == MasterType::kEncoder) return false;

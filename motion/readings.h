@@ -59,8 +59,22 @@ class Readings {
 
   /// The planned axis position that is sent to the drive.
   double CommandedPosition(size_t axis) const {
-    return state_.axes[axis].profile.position + state_.compensations[axis].Amount();
+    const double position =
+        state_.axes[axis].profile.position + state_.compensations[axis].Amount();
+    return state_.shapers ? position + Shaper(axis).addition.position : position;
   }
+  /// The same with velocity and acceleration.
+  CommandedMotion Commanded(size_t axis) const;
+  /// The same before the input shaper.
+  CommandedMotion Unshaped(size_t axis) const {
+    const AxisValue& planned = state_.axes[axis].profile;
+    return {planned.position + state_.compensations[axis].Amount(), planned.velocity,
+            planned.acceleration};
+  }
+  /// The input shaper of an axis, for a card with `shapers`.
+  const InputShaper& Shaper(size_t axis) const { return (*state_.shapers)[axis]; }
+  /// False while the input shaper of an axis has not yet passed all of a motion.
+  bool ShaperSettled(size_t axis) const { return !state_.shapers || Shaper(axis).settled(); }
   /// The conditions to latch whose causes exist now; following errors are handled separately.
   uint32_t ActiveCauses(const Axis& axis) const;
   /// True if the planned position is beyond a software limit: the only cause without an input.

@@ -193,12 +193,20 @@ inline void RandomPath(MotionCore& core, RandomNumbers& random) {
   core.StartCrd(0, 0, false);
 }
 
+/// Switches the input shaper of an axis at rest on or off.
+inline void RandomShaper(MotionCore& core, size_t axis, RandomNumbers& random) {
+  if (core.AxisMoving(core.state().axes[axis]) || !core.ShaperSettled(axis)) return;
+  const auto count = static_cast<size_t>(random.OneIn(4) ? 0 : 1 + random.Below(100));
+  core.SetInputShaper(axis, count, random.Between(0.25, 1));
+}
+
 /// Ends faults and what they have latched, so that a long run does not end with a card at rest.
 inline void Repair(MotionCore& core) {
   MotionState& state = core.state();
   state.encoder_faults.fill({});
   state.compensations.fill({});
   state.compensates = false;
+  state.shapers.Reset();
   for (size_t i = 0; i < core.axis_count(); ++i) {
     state.plants[i].stalled = false;
     state.plants[i].hand = 0;
@@ -243,6 +251,7 @@ inline void RandomCommand(MotionCore& core, RandomNumbers& random) {
       state.io.StartPulses(DoType::kGpo, random.Below(16), 1000, 3000, random.Below(20), true);
       break;
     case 6:
+      if (random.OneIn(3)) return RandomShaper(core, axis, random);
       core.SetBacklash(axis, {.value = random.OneIn(3) ? random.Below(30) : 0, .change = 0.5});
       break;
     case 7:
