@@ -22,6 +22,7 @@ static_assert(gts::kAxisMax <= motion::kAxisMax && gts::kCrdMax <= motion::kCrdC
               gts::kModuleLast < motion::kModuleCount &&
               gts::kModuleChannelLast < motion::kModuleChannels);
 static_assert(gts::kPositionMax <= motion::kPositionMax && gts::kAboveZero >= motion::kRateMin);
+static_assert(gts::kShaperCyclesMax <= motion::kShaperCyclesMax);
 static_assert(gts::kThreadLast < vm::kThreadCount && gts::kPageLast < vm::kPageCount);
 
 /// The code of GTS for "not supported by the firmware".

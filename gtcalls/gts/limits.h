@@ -31,6 +31,8 @@ inline constexpr double kPositionErrorMax = 2147483648.0;
 inline constexpr int kKvffFilterMax = 8;
 /// Assumption: the largest exponent of GT_SetAxisPrfVelFilter; the header names no range.
 inline constexpr int kVelocityFilterMax = 8;
+/// Assumption: the largest count of GT_SetAxisInputShaping, profile cycles.
+inline constexpr int kShaperCyclesMax = 1000;
 /// TTrapPrm.smoothTime, ms.
 inline constexpr int kSmoothTimeMax = 50;
 /// Positions captured in a row (GT_SetCaptureRepeat).

@@ -104,6 +104,26 @@ TEST(GoHome, EveryModeEndsAtItsOrigin) {
   }
 }
 
+TEST(GoHome, EndsAtTheSamePlaceWithAnInputShaper) {
+  for (const int count : {0, 250}) {
+    CommandTestCard card;
+    ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);
+    ASSERT_EQ(card.Call("GT_SetAxisInputShaping", {1, count > 0 ? 1 : 0, count, 0.8}), 0);
+    card.motion.state().index_marks[0] = {.offset = 0, .period = 1000};
+    AddSwitch(card, motion::DiType::kHome, 4300, 6000);
+    Cells cells = Example(card);
+    cells[0] = 22;
+    cells[3] = 1;
+    ASSERT_EQ(card.Call("GT_GoHome", {1, &cells}), 0);
+    RunToEnd(card);
+    EXPECT_EQ(Status(card)[2], 0) << count;
+    // The motor is there at once when homing has ended.
+    EXPECT_EQ(card.motion.state().plants[0].position, 5000) << count;
+    EXPECT_EQ(card.Call("GT_ZeroPos", {1, 1}), 0);
+    EXPECT_EQ(card.motion.state().encoders[0].position, 0) << count;
+  }
+}
+
 TEST(GoHome, LimitModeComesBackSlowly) {
   CommandTestCard card;
   ASSERT_EQ(card.Call("GT_AxisOn", {1}), 0);

@@ -1,5 +1,6 @@
-// Compensation of backlash and of the pitch error of lead screws. Source: public header; public
-// interface comments and a public note. Tested by tests/gtcalls/compensation_command_test.cc.
+// What is added to an axis' command: compensation of backlash and of the pitch error of lead
+// screws, and input shaping. Source: public header; public interface comments and a public note.
+// Tested by tests/gtcalls/compensation_command_test.cc and input_shaping_command_test.cc.
 #include <memory>
 #include <vector>
 
@@ -73,6 +74,29 @@ int16_t gts::GT_GetCompensate(Call& call) {
   call.Set(3, compensation.backlash_error);
   call.Set(4, AxisOf(call).encoder.position);
   call.Set(5, AxisOf(call).profile.position);
+  return vm::kOk;
+}
+
+/// Assumption: a zero-vibration shaper (motion/input_shaper.h). `count` and `k` mean nothing when
+/// it is switched off.
+int16_t gts::GT_SetAxisInputShaping(Call& call) {
+  const size_t axis = NumberOf(call);
+  const bool on = call.integer(1) != 0;
+  if (on && (call.integer(2) < 1 || call.value(3) < gts::kAboveZero)) {
+    return call.Refuse(vm::kBadParameter, MakeMessage("count {0} and k {1}: both must be above 0",
+                                                      "count 为 {0}，k 为 {1}：两者均须大于 0",
+                                                      call.integer(2), call.value(3)));
+  }
+  const int16_t code = CheckAxisAtRest(call, axis);
+  if (code != vm::kOk) return code;
+  if (!call.card.motion.ShaperSettled(axis)) {
+    return call.Refuse(
+        vm::kRefused,
+        MakeMessage("the input shaper of axis {0} has not yet output the whole motion",
+                    "轴 {0} 的输入整形器尚未输出全部运动", call.integer(0)));
+  }
+  call.card.motion.SetInputShaper(axis, on ? static_cast<size_t>(call.integer(2)) : 0,
+                                  on ? call.value(3) : 0);
   return vm::kOk;
 }
 
