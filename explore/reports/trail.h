@@ -35,7 +35,7 @@ struct Subject {
   std::string program = {};    ///< its file's name
   std::string scenario = {};   ///< its file's name; empty: a source with comments
   std::string record = {};     ///< the file's name of the host's record; empty: no recorded host
-  uint64_t scenario_hash = 0;  ///< hash of the scenario without the program's path, or of the record
+  uint64_t scenario_hash = 0;  ///< of the scenario without the program's path, or of the record
   RaceRule races = RaceRule::kAny;
   std::vector<std::string> sync = {};
   std::optional<CardConditions> card = {};  ///< empty: only variables, no time
