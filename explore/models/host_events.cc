@@ -87,7 +87,7 @@ void HostEvents::Prepare(const runtime::Scenario& scenario, runtime::Controller*
 }
 
 std::optional<HostEvents::Deviation> HostEvents::Act(runtime::Controller* controller) const {
-  const auto [begin, end] = std::ranges::equal_range(cycles_, controller->cycle());
+  const auto [begin, end] = std::equal_range(cycles_.begin(), cycles_.end(), controller->cycle());
   for (auto each = begin; each != end; ++each) {
     const size_t call = first_ + static_cast<size_t>(each - cycles_.begin());
     const runtime::HostCalls::Done done = calls_->ExecuteSilently(call, controller);
