@@ -26,8 +26,9 @@ Result<std::vector<Requirement>> ReadSources(const std::vector<runtime::Recorded
                        "what the host writes",
                        "{0} 含有初值（“//@ init:”）：使用主机记录时，初值由主机写入", source.path);
     }
-    scenario->races = problem.scenario.races;
-    scenario->sync = problem.scenario.sync;
+    const runtime::Scenario& said = problem.scenario;
+    if (said.races != runtime::Scenario{}.races) scenario->races = said.races;
+    scenario->sync.insert(scenario->sync.end(), said.sync.begin(), said.sync.end());
     requirements.insert(requirements.end(), problem.requirements.begin(),
                         problem.requirements.end());
   }

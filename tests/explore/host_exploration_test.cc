@@ -164,6 +164,17 @@ TEST(HostExplorationTest, RefusesDataRaces) {
               HasSubstr("data races are found only in programs without GT commands"));
 }
 
+TEST(HostExplorationTest, RefusesDataRacesOfAnySource) {
+  std::string record = RecordOf("//@ races: none\n" + Adding("x = x + 1;"));
+  const std::string one = R"("sources":[{)";
+  const size_t at = record.find(one);
+  ASSERT_NE(at, std::string::npos);
+  const size_t end = record.find("}]", at);
+  record.insert(end + 1, R"(,{"path":"/programs/more.c","text":"//@ final: x == 2\n"})");
+  EXPECT_THAT(RefusalOf(record),
+              HasSubstr("data races are found only in programs without GT commands"));
+}
+
 TEST(HostExplorationTest, RefusesARecordWhoseCallsTheCardAnswersOtherwise) {
   std::string record = RecordOf(Adding("x = x + 1;"));
   const size_t bind = record.find("GT_Bind");
