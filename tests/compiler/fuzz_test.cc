@@ -96,11 +96,13 @@ void Check(const std::string& text) {
     }
     std::vector<FixIt> edits = diagnostic.fixits;
     std::sort(edits.begin(), edits.end(), [](const FixIt& a, const FixIt& b) {
-      return std::pair(a.range.begin, a.range.end) < std::pair(b.range.begin, b.range.end);
+      return std::tuple(a.range.file, a.range.begin, a.range.end) <
+             std::tuple(b.range.file, b.range.begin, b.range.end);
     });
     for (size_t i = 0; i < edits.size(); ++i) {
       ASSERT_TRUE(inside(edits[i].range)) << text;
-      ASSERT_TRUE(i == 0 || edits[i - 1].range.end <= edits[i].range.begin)
+      ASSERT_TRUE(i == 0 || edits[i - 1].range.file != edits[i].range.file ||
+                  edits[i - 1].range.end <= edits[i].range.begin)
           << DiagnosticName(diagnostic.info->code) << " has edits that overlap\n"
           << text;
     }
