@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "runtime/observe/statement_access.h"
 #include "runtime/scenario/scenario_start.h"
@@ -74,7 +75,7 @@ Result<CardModel> CardModel::Create(const runtime::Scenario& scenario,
   if (!started.ok()) return started.error();
   // A run of a failing schedule traces them.
   runtime::TraceQuantities(scenario, controller, &fit);
-  model.KeepThreads();
+  model.KeepThreads(BoundThreads(controller.machine()));
   const int64_t limit = runtime::CycleOf(scenario, scenario.limit_ms * 1000);
   model.last_cycle_ = limit;
   if (scenario.until_us && runtime::CycleOf(scenario, *scenario.until_us) <= limit) {
@@ -98,8 +99,7 @@ Result<CardModel> CardModel::CreateFromCalls(const runtime::Scenario& scenario,
   CardModel model(scenario);
   model.host_ = std::make_shared<const HostEvents>(std::move(host).value());
   model.host_->Prepare(scenario, model.controller_.get());
-  model.KeepThreads();
-  model.setups_ = model.host_->threads();
+  model.KeepThreads(model.host_->threads());
   model.last_cycle_ = model.host_->end_cycle();
   model.last_is_failure_ = !model.host_->cut();
   if (model.last_is_failure_) {
@@ -111,15 +111,11 @@ Result<CardModel> CardModel::CreateFromCalls(const runtime::Scenario& scenario,
   return model;
 }
 
-void CardModel::KeepThreads() {
+void CardModel::KeepThreads(std::vector<ThreadSetup> threads) {
   const vm::Machine& machine = controller_->machine();
   image_ = machine.shared_image();
   scratch_ = std::make_unique<vm::MachineState>(machine.state());
-  for (int number = 0; number < vm::kThreadCount; ++number) {
-    const ThreadState& thread = machine.thread(number);
-    if (thread.run == vm::ThreadRun::kUnbound) continue;
-    setups_.push_back({number, thread.function, thread.page});
-  }
+  setups_ = std::move(threads);
 }
 
 void CardModel::BindRequirements(const std::vector<Requirement>& requirements,

@@ -120,8 +120,8 @@ class CardModel {
 
   /// With a card for the scenario.
   explicit CardModel(const runtime::Scenario& scenario);
-  /// Takes the program and its threads from the card.
-  void KeepThreads();
+  /// Takes the program from the card, and the threads that are to be explored.
+  void KeepThreads(std::vector<ThreadSetup> threads);
   void BindRequirements(const std::vector<Requirement>& requirements, runtime::ScenarioFit* fit);
   bool Holds(const BoundRequirement& bound) const;
   /// Checks the final requirements without an instant, and the kEventually requirements.

@@ -11,16 +11,6 @@ namespace {
 
 using Setups = std::vector<ThreadSetup>;
 
-Setups SetupsOf(const vm::Machine& machine) {
-  Setups setups;
-  for (int number = 0; number < vm::kThreadCount; ++number) {
-    const vm::ThreadState& thread = machine.thread(number);
-    if (thread.run == vm::ThreadRun::kUnbound) continue;
-    setups.push_back({number, thread.function, thread.page});
-  }
-  return setups;
-}
-
 /// True if each bound thread still is what it was; others may have been added.
 bool Keeps(const Setups& before, const Setups& now) {
   return std::ranges::includes(now, before, [](const ThreadSetup& a, const ThreadSetup& b) {
@@ -58,7 +48,7 @@ Result<HostEvents> HostEvents::Create(const runtime::Scenario& scenario,
       program = machine.image();
     }
     if (i < count) events.cycles_.push_back(controller.cycle());
-    Setups setups = SetupsOf(machine);
+    Setups setups = BoundThreads(machine);
     const bool same = machine.image() == program && Keeps(events.threads_, setups);
     events.threads_ = std::move(setups);
     if (same) continue;

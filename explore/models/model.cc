@@ -37,6 +37,16 @@ const vm::Symbol* SymbolOfSlot(const std::vector<vm::Symbol>& symbols, uint32_t 
 
 }  // namespace
 
+std::vector<ThreadSetup> BoundThreads(const vm::Machine& machine) {
+  std::vector<ThreadSetup> bound;
+  for (int number = 0; number < vm::kThreadCount; ++number) {
+    const vm::ThreadState& thread = machine.thread(number);
+    if (thread.run == vm::ThreadRun::kUnbound) continue;
+    bound.push_back({number, thread.function, thread.page});
+  }
+  return bound;
+}
+
 std::string NameOfSlot(const std::vector<vm::Symbol>& symbols, uint32_t id) {
   const vm::Symbol* symbol = SymbolOfSlot(symbols, id);
   if (symbol == nullptr) return {};

@@ -34,6 +34,9 @@ struct ThreadSetup {
   int page = 0;
 };
 
+/// The threads of a machine that a program is bound to, in the order of their numbers.
+std::vector<ThreadSetup> BoundThreads(const vm::Machine& machine);
+
 /// The shared cells that a statement reads and the one that it writes. Statements of different
 /// threads depend on each other if they access a common cell and one of them writes it.
 struct AccessSet {
