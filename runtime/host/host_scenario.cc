@@ -178,6 +178,8 @@ void CardWatch::Finish(Controller* controller) {
   }
   if (over_) WarnOfMovingAxes(*controller);
   WriteTrace(*controller);
+  // Names that a trace could not have are wrong without a trace too.
+  if (!trace_) TraceQuantities(*scenario_, *controller, &fit_);
   if (auto unfit = fit_.Failure()) {
     failures_.insert(failures_.begin(), std::move(unfit->message));
   }

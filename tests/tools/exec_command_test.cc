@@ -341,6 +341,14 @@ TEST(Exec, ReportsWhatIsNotAsExpectedWithAnExitCodeOfItsOwn) {
                                     "    1 | expect = ["));
 }
 
+TEST(Exec, NamesWhatItCannotTraceEvenWithoutATrace) {
+  const ScratchFolder folder;
+  const std::string scenario = folder.Write("s.toml", "trace = [\"axis1.prfPos\", \"do.gpo1\"]\n");
+  const ProcessResult result = Exec({"--scenario=" + scenario}, {Client("watched"), "0"});
+  EXPECT_EQ(result.exit_code, 120);
+  EXPECT_THAT(result.err, HasSubstr("oncard: " + scenario + ":1:26: nothing is named 'do.gpo1'\n"));
+}
+
 TEST(Exec, LeavesTheHostsOwnFailureAlone) {
   const ScratchFolder folder;
   const std::string scenario = folder.Write("s.toml", "expect = [\"gpo == 2\"]\n");
