@@ -173,17 +173,30 @@ double DriveObject(const CardView& card, size_t axis) {
   return static_cast<double>(DriveAt(card, axis).values()[kId]);
 }
 
+// As CiA 402 abbreviates them, with the gaps of its numbers.
+constexpr std::string_view kDriveModes[] = {"none", "PP", "",    "PV",  "PT", "",
+                                            "HM",   "",   "CSP", "CSV", "CST"};
+constexpr std::string_view kDriveStates[] = {
+    "not ready",         "switch-on disabled", "ready",          "switched on",
+    "operation enabled", "quick stop",         "fault reaction", "fault"};
+static_assert(std::size(kDriveStates) == motion::bus::kDriveStateCount);
+constexpr std::string_view kDriveHoming[] = {"none",   "search", "leave", "index",
+                                             "return", "done",   "failed"};
+
 constexpr MotionValue kDriveValues[] = {
     {"state", NumberForm::kWhole, Unit::kNone,
-     [](const CardView& card, size_t i) { return static_cast<double>(DriveAt(card, i).state()); }},
-    {"mode", NumberForm::kWhole, Unit::kNone, DriveObject<motion::bus::ObjectId::kModeDisplay>},
+     [](const CardView& card, size_t i) { return static_cast<double>(DriveAt(card, i).state()); },
+     kDriveStates},
+    {"mode", NumberForm::kWhole, Unit::kNone, DriveObject<motion::bus::ObjectId::kModeDisplay>,
+     kDriveModes},
     {"control", NumberForm::kWhole, Unit::kNone, DriveObject<motion::bus::ObjectId::kControlWord>},
     {"status", NumberForm::kWhole, Unit::kNone, DriveObject<motion::bus::ObjectId::kStatusWord>},
     {"pos", NumberForm::kReal, Unit::kNone, DriveObject<motion::bus::ObjectId::kPositionActual>},
     {"homing", NumberForm::kWhole, Unit::kNone,
      [](const CardView& card, size_t i) {
        return static_cast<double>(DriveAt(card, i).homing().phase);
-     }},
+     },
+     kDriveHoming},
 };
 
 constexpr std::array kParts = {

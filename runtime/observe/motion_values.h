@@ -34,6 +34,8 @@ struct MotionValue {
   NumberForm form = NumberForm::kReal;
   Unit unit = Unit::kNone;
   double (*read)(const gtcalls::CardView& card, size_t index) = nullptr;
+  /// What its numbers mean, from 0 on, with empty ones between; of a measure, none.
+  std::span<const std::string_view> names = {};
 };
 
 /// A kind of part.

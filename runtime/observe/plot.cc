@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace oncard::runtime {
@@ -64,7 +65,8 @@ struct Range {
 struct Panel {
   std::string label;
   std::vector<Curve> curves;
-  bool signals = false;  // stacked, one row each
+  bool signals = false;                          // stacked, one row each
+  std::span<const std::string_view> names = {};  // of the values
 };
 
 struct Path {
@@ -170,6 +172,7 @@ class Picture {
   }
 
   Panel& PanelOf(const Quantity& quantity) {
+    if (quantity.value != nullptr && !quantity.value->names.empty()) return NamedPanel(quantity);
     switch (quantity.unit()) {
       case Unit::kPulse:
         return panels_[quantity.value->name == "error" ? 3 : 0];
@@ -183,6 +186,15 @@ class Picture {
         break;
     }
     return panels_[4];
+  }
+
+  // The panel of a value that has names: 'drive state'. Before the signals.
+  Panel& NamedPanel(const Quantity& quantity) {
+    const std::string part = quantity.name.substr(0, quantity.name.find_first_of("0123456789"));
+    const std::string label = fmt::format("{} {}", part, quantity.value->name);
+    const auto found = std::ranges::find(panels_, label, &Panel::label);
+    if (found != panels_.end()) return *found;
+    return *panels_.insert(panels_.end() - 1, Panel{label, {}, false, quantity.value->names});
   }
 
   Panel& Signals() { return panels_.back(); }
@@ -397,6 +409,8 @@ class Picture {
                         : "set format x ''\nunset xlabel\n";
       if (panel.signals) {
         WriteSignalAxis(text, panel);
+      } else if (!panel.names.empty()) {
+        WriteNamedAxis(text, panel);
       } else {
         WriteValueAxis(text, panel);
       }
@@ -418,12 +432,28 @@ class Picture {
     text += "set grid noytics\n";
   }
 
-  static void WriteValueAxis(std::string& text, const Panel& panel) {
+  static Range RangeOfCurves(const Panel& panel) {
     Range range = RangeOf(panel.curves.front().points);
     for (const Curve& curve : panel.curves) {
       range.Include(RangeOf(curve.points).low);
       range.Include(RangeOf(curve.points).high);
     }
+    return range;
+  }
+
+  static void WriteNamedAxis(std::string& text, const Panel& panel) {
+    std::vector<std::string> tics;
+    for (size_t value = 0; value < panel.names.size(); ++value) {
+      if (panel.names[value].empty()) continue;
+      tics.push_back(fmt::format("{} {}", GnuplotString(panel.names[value]), value));
+    }
+    const Range range = RangeOfCurves(panel);
+    text += fmt::format("set yrange [{}:{}]\nset ytics ({}) scale 0\nunset ylabel\n",
+                        Number(range.low - 0.5), Number(range.high + 0.5), fmt::join(tics, ", "));
+  }
+
+  static void WriteValueAxis(std::string& text, const Panel& panel) {
+    const Range range = RangeOfCurves(panel);
     const double padding = range.size() * kPadding;
     text += fmt::format("set yrange [{}:{}]\nset ytics autofreq\n", Number(range.low - padding),
                         Number(range.high + padding));

@@ -1,7 +1,8 @@
 // A picture of a trace, as a script for gnuplot with the data inside: position, velocity,
-// acceleration and following error over time, variables and digital signals as steps, and the path
-// of every coordinate system. The same trace gives the same script, and the same version of gnuplot
-// the same bytes of SVG. The caller runs gnuplot. Tested by tests/runtime/plot_test.cc.
+// acceleration and following error over time, variables and digital signals as steps, the states of
+// drives by their names, and the path of every coordinate system. The same trace gives the same
+// script, and the same version of gnuplot the same bytes of SVG. The caller runs gnuplot. Tested by
+// tests/runtime/plot_test.cc.
 #pragma once
 
 #include <cstdint>

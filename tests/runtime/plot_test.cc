@@ -1,11 +1,15 @@
 #include "runtime/observe/plot.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "runtime/scenario/scenario_world.h"
 #include "tests/runtime/scenario_support.h"
 
 namespace oncard::runtime {
 namespace {
+
+using ::testing::HasSubstr;
 
 constexpr const char* kIdle = "int n;\nint f()\n{\n  return 0;\n}\n";
 
@@ -112,6 +116,36 @@ TEST_F(PlotTest, DrawsVariablesAsSteps) {
   const std::string script = Script();
   EXPECT_TRUE(Contains(script, "$p4c0 << EOD\n0 0\n0.5 7\n0.75 7\nEOD\n")) << script;
   EXPECT_TRUE(Contains(script, "plot $p4c0 with steps lw 2 lc rgb '#0072B2' title 'n'\n"));
+}
+
+TEST(PlotOfADrive, NamesItsStatesModesAndPhasesOfHoming) {
+  const Scenario scenario =
+      ParseScenario("program = \"x.c\"\n[[ethercat.slave]]\n[[ethercat.slave]]\n", "bus.toml")
+          .value();
+  Controller controller(CardOptions(scenario));
+  ApplyWorld(scenario, &controller);
+  motion::bus::Bus& bus = controller.motion().state().bus->line;
+  ASSERT_EQ(bus.Init(0), motion::bus::InitOutcome::kDone);
+  std::vector<TraceColumn> columns;
+  for (const char* name : {"drive1.state", "drive2.state", "drive1.mode"}) {
+    columns.push_back({ResolveQuantity(name, controller).value().front()});
+  }
+  Trace trace(std::move(columns));
+  trace.Sample(controller);
+  while (controller.NowMs() < 200) {
+    controller.RunCycle();
+    trace.Sample(controller);
+  }
+  trace.Finish(controller);
+  const std::string script = PlotScript(trace, {}).value();
+  EXPECT_THAT(script, HasSubstr("set yrange [-0.5:1.5]\nset ytics ('not ready' 0, "
+                                "'switch-on disabled' 1, 'ready' 2, 'switched on' 3, "
+                                "'operation enabled' 4, 'quick stop' 5, 'fault reaction' 6, "
+                                "'fault' 7) scale 0\n"));
+  EXPECT_THAT(script, HasSubstr("('none' 0, 'PP' 1, 'PV' 3, 'PT' 4, 'HM' 6, 'CSP' 8, 'CSV' 9, "
+                                "'CST' 10) scale 0\n"));
+  // The drives share a panel.
+  EXPECT_THAT(script, HasSubstr("title 'drive1.state', \\\n"));
 }
 
 TEST_F(PlotTest, MarksWhatTheHostDoes) {
