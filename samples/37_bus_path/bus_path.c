@@ -4,8 +4,8 @@
 //@ never: closed == 1 && opened == 0
 #define MC_GPO 12
 #define VALVE 1
-#define OPEN 0
-#define CLOSED 1
+#define OPEN 1
+#define CLOSED 0
 
 int opened;
 int closed;
