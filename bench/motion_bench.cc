@@ -1,12 +1,14 @@
 // `oncard_bench motion`: measures the time of a profile cycle per axis, how much faster than real
-// time a card runs, the time of a path segment, and the time of a command of the C API. CPU time,
-// the shortest of several repetitions.
+// time a card runs (also with its axes on a bus), the time of a path segment, and the time of a
+// command of the C API. CPU time, the shortest of several repetitions.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/measure.h"
@@ -108,6 +110,39 @@ void MeasureServo() {
   const motion::Axis& last = ticked.state().axes[ticked.axis_count() - 1];
   if (last.encoder.velocity < 5) Fail("the drives did not follow");
   std::printf("12 axes with servo: %.0f x real time\n", fastest);
+}
+
+// 12 drives on an EtherCAT bus follow jogging axes: state machines, exchange of the process image
+// and motors, cycle by cycle.
+void MeasureBus() {
+  constexpr int64_t kTicks = 200'000;
+  motion::MotionConfig config;
+  config.axis_count = 12;
+  motion::MotionCore core(config);
+  motion::bus::Slaves drives;
+  for (size_t i = 0; i < core.axis_count(); ++i) {
+    drives.push_back(motion::bus::DefaultSlave(motion::bus::SlaveKind::kDrive));
+    drives.back().axis = static_cast<int8_t>(i);
+  }
+  const auto slaves = std::make_shared<const motion::bus::Slaves>(std::move(drives));
+  core.ConnectBus(slaves, slaves);
+  motion::bus::Bus& bus = core.state().bus->line;
+  if (bus.Init(core.now()) != motion::bus::InitOutcome::kDone) Fail("the bus does not begin");
+  while (!bus.ready()) core.Tick();
+  bus.Start();
+  for (size_t i = 0; i < core.axis_count(); ++i) {
+    core.ServoOn(i);
+    motion::Profile& profile = core.state().profiles[i];
+    profile.mode = motion::ProfileMode::kJog;
+    profile.jog.velocity = 10;
+  }
+  for (int i = 0; i < 8; ++i) core.Tick();
+  for (size_t i = 0; i < core.axis_count(); ++i) core.StartProfile(i);
+  const double seconds = MeasureCpu([&] {
+    for (int64_t i = 0; i < kTicks; ++i) core.Tick();
+  });
+  if (core.state().plants[core.axis_count() - 1].position < 1e5) Fail("the drives did not follow");
+  PrintTicks("12 axes, Jog over the EtherCAT bus, 250 us", config, kTicks, seconds);
 }
 
 // A path of a million short lines with a look-ahead of 200, filled whenever the FIFO has space. The
@@ -245,6 +280,7 @@ void BenchMotion() {
   MeasureIdle();
   MeasureTrap();
   MeasureServo();
+  MeasureBus();
   MeasurePath();
   MeasureRelief();
   MeasureCalls();
