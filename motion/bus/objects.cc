@@ -71,10 +71,10 @@ ObjectValues::ObjectValues() {
 
 void ObjectValues::Set(ObjectId id, int64_t value) {
   const ObjectEntry& entry = EntryOf(id);
-  std::array<uint8_t, 4> bytes{};
-  const std::span<uint8_t> data = std::span(bytes).first(entry.bytes());
-  WriteNumber(value, data);
-  values_[static_cast<size_t>(id)] = ReadNumber(data, entry.is_signed());
+  const auto unused = static_cast<unsigned>(64 - 8 * entry.bytes());
+  const uint64_t upper = static_cast<uint64_t>(value) << unused;
+  values_[static_cast<size_t>(id)] = entry.is_signed() ? static_cast<int64_t>(upper) >> unused
+                                                       : static_cast<int64_t>(upper >> unused);
 }
 
 SdoAbort CheckUpload(const ObjectEntry& entry) {

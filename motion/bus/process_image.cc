@@ -4,11 +4,17 @@
 
 namespace oncard::motion::bus {
 
+// Both take as many bits of a byte at once as belong to the number.
+
 int64_t ProcessImage::Get(size_t bit, uint8_t bits, bool is_signed) const {
   uint64_t value = 0;
-  for (unsigned i = 0; i < bits; ++i) {
-    const size_t at = bit + i;
-    value |= uint64_t{bytes_[at / 8] >> (at % 8) & 1u} << i;
+  for (unsigned done = 0; done < bits;) {
+    const size_t at = bit + done;
+    const auto shift = static_cast<unsigned>(at % 8);
+    const unsigned count = std::min(8 - shift, bits - done);
+    const unsigned mask = (1u << count) - 1;
+    value |= uint64_t{bytes_[at / 8] >> shift & mask} << done;
+    done += count;
   }
   if (!is_signed) return static_cast<int64_t>(value);
   const unsigned unused = 64u - bits;
@@ -16,12 +22,14 @@ int64_t ProcessImage::Get(size_t bit, uint8_t bits, bool is_signed) const {
 }
 
 void ProcessImage::Put(size_t bit, uint8_t bits, int64_t value) {
-  for (unsigned i = 0; i < bits; ++i) {
-    const size_t at = bit + i;
-    const unsigned mask = 1u << (at % 8);
-    const bool one = (value >> i & 1) != 0;
-    const unsigned byte = bytes_[at / 8];
-    bytes_[at / 8] = static_cast<uint8_t>(one ? byte | mask : byte & ~mask);
+  for (unsigned done = 0; done < bits;) {
+    const size_t at = bit + done;
+    const auto shift = static_cast<unsigned>(at % 8);
+    const unsigned count = std::min(8 - shift, bits - done);
+    const unsigned mask = ((1u << count) - 1) << shift;
+    const unsigned put = static_cast<unsigned>(value >> done & 0xFF) << shift & mask;
+    bytes_[at / 8] = static_cast<uint8_t>((bytes_[at / 8] & ~mask) | put);
+    done += count;
   }
 }
 

@@ -90,6 +90,29 @@ TEST(ProcessImage, HasNumbersOfAnyLengthAtAnyBit) {
   EXPECT_EQ(image.Get(20, 12, false), 0);
 }
 
+TEST(ProcessImage, PutsEachBitOfANumberInItsPlaceAndNoOther) {
+  constexpr int64_t kValue = 0x1234'5678'9ABC'DEF1;
+  for (const int64_t value : {kValue, ~kValue, int64_t{-1}, int64_t{0}}) {
+    for (size_t bit = 0; bit < 16; ++bit) {
+      for (uint8_t bits = 1; bits <= 64; ++bits) {
+        ProcessImage image(10);
+        image.WriteByHost(0, std::vector<uint8_t>(10, 0x5A));
+        image.Put(bit, bits, value);
+        for (size_t at = 0; at < 80; ++at) {
+          const bool inside = at >= bit && at < bit + bits;
+          const int expected =
+              inside ? static_cast<int>(value >> (at - bit) & 1) : 0x5A >> at % 8 & 1;
+          ASSERT_EQ(image.bytes()[at / 8] >> at % 8 & 1, expected) << bit << " " << int{bits};
+        }
+        const unsigned unused = 64u - bits;
+        const uint64_t upper = static_cast<uint64_t>(value) << unused;
+        EXPECT_EQ(image.Get(bit, bits, true), static_cast<int64_t>(upper) >> unused);
+        EXPECT_EQ(image.Get(bit, bits, false), static_cast<int64_t>(upper >> unused));
+      }
+    }
+  }
+}
+
 TEST(ProcessImage, EndsBehindTheLastByte) {
   const ProcessImage image(4);
   EXPECT_TRUE(image.Contains(0, 4));
