@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "motion/motion_core.h"
+#include "tests/motion/bus/bus_card.h"
 
 namespace oncard::motion {
 namespace {
@@ -330,6 +331,68 @@ TEST(ShapedAxis, FeedsTheShapedVelocityForward) {
     return error;
   };
   EXPECT_LE(worst(25), worst(0) + 1);
+}
+
+TEST(ShapedAxis, OnABusSendsTheShapedCommandToItsDrive) {
+  constexpr int kCount = 40;
+  bus::BusCard card({bus::FullDrive(0)}, {.axis_count = 4, .cycle_us = 1000});
+  card.Power();
+  card.Enable();
+  card.core.SetInputShaper(0, kCount, 0.5);
+  Profile& profile = card.core.state().profiles[0];
+  profile.mode = ProfileMode::kTrap;
+  profile.trap.parameters = {2, 2, 0, 0};
+  profile.trap.velocity = 20;
+  profile.trap.target = 1003;
+  card.core.StartProfile(0);
+  std::vector<double> planned(kCount, 0.0);
+  for (int i = 0; i < 150; ++i) {
+    card.Ticks(1);
+    planned.push_back(profile.now.position);
+    // The target is sent in whole counts, and the drive moves to it in the same cycle.
+    const double shaped = (planned.back() + 0.5 * planned[static_cast<size_t>(i)]) / 1.5;
+    EXPECT_NEAR(card.motor().position, shaped, 0.5 + 1e-9) << i;
+  }
+  EXPECT_EQ(card.motor().position, 1003);
+  EXPECT_EQ(card.encoder(), 1003);
+  EXPECT_TRUE(card.core.ShaperSettled(0));
+}
+
+TEST(ShapedAxis, OnABusStaysWhereItIsWhenItIsEnabledAgain) {
+  bus::BusCard card({bus::FullDrive(0)}, {.axis_count = 4, .cycle_us = 1000});
+  card.Power();
+  card.Enable();
+  card.core.SetInputShaper(0, 40, 1);
+  Profile& profile = card.core.state().profiles[0];
+  profile.mode = ProfileMode::kJog;
+  profile.jog.velocity = 10;
+  card.core.StartProfile(0);
+  card.Ticks(30);
+  card.core.ServoOff(0);
+  card.core.StopProfile(0, true);
+  card.Ticks(5);
+  const double motor = card.motor().position;
+  card.core.ServoOn(0);
+  card.Ticks(60);
+  EXPECT_NEAR(card.motor().position, motor, 1);
+}
+
+TEST(ShapedAxis, OfAGantryMovesAsTheOtherIfThatIsShapedLikeIt) {
+  Move move(30, 0.7);
+  MotionCore& core = move.core;
+  move.Ticks(200);
+  core.SetInputShaper(1, 30, 0.7);
+  core.ServoOn(1);
+  core.EnableGantry(0, 1, 0, 0);
+  const double slave = core.state().plants[1].position;
+  core.state().profiles[0].trap.target = -500;
+  core.StartProfile(0);
+  for (int i = 0; i < 200; ++i) {
+    core.Tick();
+    ASSERT_NEAR(core.state().plants[1].position - slave, move.motor() - 1003, 1e-9) << i;
+  }
+  EXPECT_EQ(move.motor(), -500);
+  EXPECT_EQ(core.GantrySkew(), 0);
 }
 
 TEST(ShapedAxis, ForgetsEverythingAtReset) {
