@@ -332,6 +332,7 @@ void CardModel::Settle(State* state) {
 
 void CardModel::ActAsHost(State* state) {
   held_ = nullptr;
+  host_acted_until_ = controller_->cycle() + 1;
   if (const auto deviation = host_->Act(controller_.get())) {
     state->fault.kind = Fault::Kind::kHostCall;
     state->fault.call = deviation->call;
@@ -403,6 +404,7 @@ void CardModel::Load(const State& state) {
   }
   held_ = state.body;
   cycles_since_held_ = 0;
+  host_acted_until_ = controller_->cycle();
 }
 
 void CardModel::CopyVariables(State* state) const {

@@ -105,6 +105,9 @@ class CardModel {
   /// thing and one of them writes it.
   bool NextDependOnEachOther(int a, int b) const;
 
+  /// The cycle before which the host has made all its calls, in the current state of such a run.
+  int64_t host_acted_until() const { return host_acted_until_; }
+
   /// A key of everything that the future depends on.
   StateKey KeyOf(const State& state) const;
   /// Keys of the final values of the globals, without and with the return values of the threads.
@@ -157,6 +160,7 @@ class CardModel {
   /// The controller's body is this one after the given number of cycles; nullptr: it is not known.
   std::shared_ptr<const Body> held_;
   int64_t cycles_since_held_ = 0;
+  int64_t host_acted_until_ = 0;
   State initial_;                              ///< before the first cycle
   std::unique_ptr<vm::MachineState> scratch_;  ///< large
   mutable std::vector<int64_t> words_;         ///< of the state whose key is computed

@@ -76,10 +76,17 @@ void HostEvents::Prepare(const runtime::Scenario& scenario, runtime::Controller*
   AdvanceTo(calls_->TimeUs(first_), controller);
 }
 
+std::pair<size_t, size_t> HostEvents::CallsIn(int64_t first, int64_t end) const {
+  const auto number = [this](int64_t cycle) {
+    const auto place = std::lower_bound(cycles_.begin(), cycles_.end(), cycle);
+    return first_ + static_cast<size_t>(place - cycles_.begin());
+  };
+  return {number(first), number(end)};
+}
+
 std::optional<HostEvents::Deviation> HostEvents::Act(runtime::Controller* controller) const {
-  const auto [begin, end] = std::equal_range(cycles_.begin(), cycles_.end(), controller->cycle());
-  for (auto each = begin; each != end; ++each) {
-    const size_t call = first_ + static_cast<size_t>(each - cycles_.begin());
+  const auto [begin, end] = CallsIn(controller->cycle(), controller->cycle() + 1);
+  for (size_t call = begin; call != end; ++call) {
     const runtime::HostCalls::Done done = calls_->ExecuteSilently(call, controller);
     if (done.deviation) return Deviation{call, done.code};
   }

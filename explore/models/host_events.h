@@ -39,6 +39,9 @@ class HostEvents {
   void Prepare(const runtime::Scenario& scenario, runtime::Controller* controller) const;
   /// Makes the calls of the card's present cycle, at its end, up to a deviation.
   std::optional<Deviation> Act(runtime::Controller* controller) const;
+  /// The numbers of the calls in cycles from `first` on and before `end`: the first one, and the
+  /// one behind the last.
+  std::pair<size_t, size_t> CallsIn(int64_t first, int64_t end) const;
   /// True if calls of this cycle or of later ones exist.
   bool LeftAt(int64_t cycle) const { return !cycles_.empty() && cycle <= cycles_.back(); }
   /// The threads that the host binds, in the order of their numbers on the card.

@@ -147,6 +147,7 @@ StepView ViewOf(const Findings& findings, const Failure& failure,
   StepView view = {findings.subject, trail.steps, findings.source};
   view.detail = full ? Detail::kFull : Detail::kBrief;
   view.with_card = trail.with_card;
+  view.host = trail.host;
   view.trace = trail.trace ? &*trail.trace : nullptr;
   view.last_escape = failure.last_escape - trail.skipped;
   if (culprit) view.named = culprit->steps;

@@ -95,11 +95,15 @@ class RowMaker {
     for (size_t i = 0; i < shown_.size();) {
       const Loop loop = view_.detail == Detail::kFull ? Loop{} : LoopAt(i);
       const size_t once = loop.times == 0 ? 1 : loop.period;
-      for (size_t end = i + once; i < end; ++i) AddStep(shown_[i]);
+      for (size_t end = i + once; i < end; ++i) {
+        AddHostUpTo(shown_[i]);
+        AddStep(shown_[i]);
+      }
       if (loop.times == 0) continue;
       AddRepeat(i, loop);
       i += loop.period * (loop.times - 1);
     }
+    AddHostUpTo(view_.steps.size());
     return std::move(rows_);
   }
 
@@ -123,12 +127,19 @@ class RowMaker {
            std::ranges::any_of(step.writes, shared);
   }
 
+  /// True if the host has done something since the shown step before that one.
+  bool AfterHost(size_t shown) const {
+    const size_t previous = shown == 0 ? 0 : shown_[shown - 1] + 1;
+    const auto first = std::ranges::lower_bound(view_.host, previous, {}, &HostStep::before);
+    return first != view_.host.end() && first->before <= shown_[shown];
+  }
+
   bool Alike(size_t a, size_t b) const {
     const auto token = [&](size_t shown) {
       const LoggedStep& step = view_.steps[shown_[shown]].log;
       return std::tuple(step.thread, step.function, step.position);
     };
-    return token(a) == token(b) && !Named(shown_[a]) && !Named(shown_[b]);
+    return token(a) == token(b) && !Named(shown_[a]) && !Named(shown_[b]) && !AfterHost(b);
   }
 
   /// The loop that begins here and covers most statements; two repetitions do not count as a loop.
@@ -146,6 +157,16 @@ class RowMaker {
       if (times >= kTimesMin && period * times > best.period * best.times) best = {period, times};
     }
     return best;
+  }
+
+  void AddHostUpTo(size_t index) {
+    for (; host_ < view_.host.size() && view_.host[host_].before <= index; ++host_) {
+      StepRow row;
+      row.kind = StepRow::Kind::kHost;
+      row.at_ms = view_.host[host_].at_ms;
+      row.statement = MakeMessage("host: {0}", "主机：{0}", view_.host[host_].call).In(language_);
+      rows_.rows.push_back(std::move(row));
+    }
   }
 
   void AddStep(size_t index) {
@@ -235,6 +256,7 @@ class RowMaker {
   const vm::Object& object_;
   StatementTexts texts_;
   std::vector<size_t> shown_;
+  size_t host_ = 0;  ///< the next one of the host's calls
   bool has_time_ = false;
   double at_ms_ = 0;
   StepRows rows_;
@@ -373,6 +395,8 @@ class TextMaker {
     for (const StepRow& row : rows.rows) {
       if (row.kind == StepRow::Kind::kTime) {
         text_ += fmt::format("{} ms", row.at_ms) + curve_.BarAt(row.at_ms) + '\n';
+      } else if (row.kind == StepRow::Kind::kHost) {
+        text_ += fmt::format("{} ms  {}\n", row.at_ms, row.statement);
       } else {
         AddRow(row);
       }
@@ -400,7 +424,9 @@ class TextMaker {
       widths[i] = WidthOf(ThreadHead(view_.subject, i, language_));
     }
     for (const StepRow& row : rows) {
-      if (row.kind == StepRow::Kind::kTime || row.thread < 0) continue;
+      const bool has_column =
+          row.kind == StepRow::Kind::kStep || row.kind == StepRow::Kind::kRepeat;
+      if (!has_column || row.thread < 0) continue;
       int& own = widths[static_cast<size_t>(row.thread)];
       own = std::max(own, WidthOf(CellOf(row, language_)));
     }
@@ -487,9 +513,10 @@ std::string HtmlTable(const StepView& view, Language language) {
   }
   table += "</tr>\n";
   for (const StepRow& row : RowsOf(view, language).rows) {
-    if (row.kind == StepRow::Kind::kTime) {
-      table += fmt::format("<tr class=\"time\"><td colspan=\"{}\">{} ms</td></tr>\n", threads + 2,
-                           row.at_ms);
+    if (row.kind == StepRow::Kind::kTime || row.kind == StepRow::Kind::kHost) {
+      table +=
+          fmt::format("<tr class=\"time\"><td colspan=\"{}\">{} ms{}{}</td></tr>\n", threads + 2,
+                      row.at_ms, row.statement.empty() ? "" : "   ", EscapeMarkup(row.statement));
       continue;
     }
     const bool repeat = row.kind == StepRow::Kind::kRepeat;

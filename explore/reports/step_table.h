@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,20 +34,22 @@ struct StepView {
   bool with_card = false;                 ///< the instants are meaningful
   const runtime::Trace* trace = nullptr;  ///< trace of the run, for the curves of its axes
   std::vector<size_t> named = {};         ///< steps that are always shown
+  std::span<const HostStep> host = {};    ///< what the host does between the steps
   int64_t last_escape = -1;               ///< the step after which every continuation fails; marked
 };
 
 /// A line of a table.
 struct StepRow {
-  enum class Kind : uint8_t { kStep, kTime, kRepeat };
+  enum class Kind : uint8_t { kStep, kTime, kHost, kRepeat };
   Kind kind = Kind::kStep;
-  size_t step = 0;        ///< kStep: its index; kRepeat: the index of the first step left out
-  int thread = 0;         ///< column; kRepeat: -1 if threads take turns in the loop
-  double at_ms = 0;       ///< kTime
-  int line = 0;           ///< kStep
-  std::string statement;  ///< kStep: its text; kRepeat: `lines 15–19 × 48 more`
-  std::string read;       ///< `x = 3, a[1] = 0`
-  std::string written;    ///< `x: 3 -> 4`
+  size_t step = 0;   ///< kStep: its index; kRepeat: the index of the first step left out
+  int thread = 0;    ///< column; kRepeat: -1 if threads take turns in the loop
+  double at_ms = 0;  ///< kTime, kHost
+  int line = 0;      ///< kStep
+  /// kStep: its text; kHost: `host: GT_RunThread(0)`; kRepeat: `lines 15–19 × 48 more`.
+  std::string statement;
+  std::string read;     ///< `x = 3, a[1] = 0`
+  std::string written;  ///< `x: 3 -> 4`
   bool escape = false;
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -192,6 +193,36 @@ Message DescribeActual(const Subject& subject, const Failure& failure,
   return {};
 }
 
+/// The calls of a host beside a run of its threads.
+class HostFollower {
+ public:
+  /// From a run's beginning on, or from where a loaded state is.
+  HostFollower(const CardModel& model, const Fault& fault, bool from_beginning)
+      : model_(model),
+        fault_(fault),
+        done_(from_beginning ? std::numeric_limits<int64_t>::min() : model.host_acted_until()) {}
+
+  /// Adds the calls that have been made since the last time, before the step with that index.
+  void AddTo(std::vector<HostStep>* steps, size_t before) {
+    if (model_.host() == nullptr) return;
+    const runtime::HostCalls& calls = model_.host()->calls();
+    auto [call, end] = model_.host()->CallsIn(done_, model_.host_acted_until());
+    done_ = model_.host_acted_until();
+    // What follows a call that fails is not made.
+    if (fault_.kind == Fault::Kind::kHostCall) end = std::min(end, fault_.call + 1);
+    for (; call < end; ++call) {
+      if (!calls.ChangesCard(call)) continue;
+      steps->push_back(
+          {before, static_cast<double>(calls.TimeUs(call)) / 1000, calls.Describe(call)});
+    }
+  }
+
+ private:
+  const CardModel& model_;
+  const Fault& fault_;
+  int64_t done_;
+};
+
 }  // namespace
 
 Subject SubjectOf(const Problem& problem) {
@@ -259,6 +290,8 @@ Trail Follow(CardModel* model, const Failure& failure) {
     at = 0;
   }
   for (; at < skipped; ++at) model->Advance(&state, failure.steps[at]);
+  HostFollower host(*model, failure.fault, skipped == 0);
+  host.AddTo(&trail.host, 0);
   runtime::StepWatch watch(model->controller());
   for (size_t i = skipped; i < failure.steps.size(); ++i) {
     const uint8_t thread = failure.steps[i];
@@ -267,6 +300,7 @@ Trail Follow(CardModel* model, const Failure& failure) {
     watch.Before();
     model->Advance(&state, thread);
     trail.steps.push_back({thread, watch.After(number)});
+    host.AddTo(&trail.host, trail.steps.size());
   }
   trail.pair = PairOf(touches, failure.last_escape - trail.skipped, model->image()->object);
   trail.actual = DescribeActual(SubjectOf(*model), failure, model->controller());

@@ -50,6 +50,13 @@ struct TrailStep {
   runtime::LoggedStep log;
 };
 
+/// A call of a recorded host that changes the card.
+struct HostStep {
+  size_t before = 0;  ///< index of the statement that it precedes; their number: none
+  double at_ms = 0;
+  std::string call;  ///< `GT_SetVarValue(0, pVarInfo, pValue, 1)` with its inputs
+};
+
 /// The statement after which every continuation fails, and the nearest dependent one of another
 /// thread: a later one if there is any, because the other order would have executed that first.
 struct RacingPair {
@@ -78,6 +85,7 @@ struct Trail {
   int64_t skipped = 0;
   std::vector<TrailStep> steps;
   std::vector<TrailStep> cycle;
+  std::vector<HostStep> host;      ///< what the host does between these steps
   std::optional<RacingPair> pair;  ///< only if the states are known
   Message actual;                  ///< `sum is 3, expected 10`; empty if there are no values
   std::vector<RaceOrder> orders;   ///< of a data race: both, or none

@@ -154,6 +154,12 @@ std::string CallReplay::Describe(size_t number) const {
   return FormatInputs(*call.command, Arguments(call, nullptr).span());
 }
 
+bool CallReplay::ChangesCard(size_t number) const {
+  if (number == record_.calls.size()) return false;
+  const RecordedCall& call = record_.calls[number];
+  return call.acts && std::ranges::any_of(call.command->accesses, &gtcalls::Access::write);
+}
+
 HostCalls::Done CallReplay::Perform(size_t number, Controller* controller, bool described) const {
   if (number == record_.calls.size()) return ExecuteEnd(*controller);
   const RecordedCall& call = record_.calls[number];

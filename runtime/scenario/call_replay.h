@@ -45,6 +45,7 @@ class CallReplay final : public HostCalls {
   size_t size() const override { return record_.calls.size() + (record_.end ? 1 : 0); }
   int64_t TimeUs(size_t number) const override;
   std::string Describe(size_t number) const override;
+  bool ChangesCard(size_t number) const override;
 
  private:
   explicit CallReplay(CallRecord record) : record_(std::move(record)) {}

@@ -40,6 +40,8 @@ class HostCalls {
   virtual int64_t TimeUs(size_t number) const = 0;
   /// The call with its inputs: `GT_Bind(0, 1, 0)`; the end: `GT_Close()`.
   virtual std::string Describe(size_t number) const = 0;
+  /// False for a call that only reads, and for the end.
+  virtual bool ChangesCard(size_t number) const = 0;
   /// Executes a call; the card must be in the cycle of TimeUs(). The end only compares.
   Done Execute(size_t number, Controller* controller) const {
     return Perform(number, controller, true);

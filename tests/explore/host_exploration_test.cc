@@ -126,6 +126,27 @@ TEST(HostExplorationTest, ACallThatIsAnsweredOtherwiseIsAFailure) {
   EXPECT_THAT(report, HasSubstr("the card does not answer GT_RunThread(0) as in the record"));
 }
 
+TEST(HostExplorationTest, AFailureShowsWhatTheHostChangesInBetween) {
+  RecordingHost host;
+  host.Download("program",
+                "//@ never: x == 1 && stopped == 1\nint x, stopped;\n"
+                "int f()\n{\n  GT_Delay(1);\n  x = 1;\n  return 0;\n}\n"
+                "int g()\n{\n  GT_Delay(3);\n  stopped = 1;\n  return 0;\n}\n");
+  StartBoth(&host);
+  host.Wait(1500);
+  host.Call("GT_SetDo", {12, 5});
+  host.Wait(3000);
+  host.Close();
+  const Findings findings = Explored(host.text());
+  ASSERT_EQ(findings.exploration.verdict, Verdict::kFailed);
+  const std::string report = TextReport(findings, Language::kEnglish, {});
+  const size_t started = report.find("ms  host: GT_RunThread(1)\n");
+  const size_t first = report.find("x = 1;", started);
+  const size_t output = report.find("ms  host: GT_SetDo(12, 0x5)\n", first);
+  EXPECT_NE(report.find("stopped = 1;", output), std::string::npos) << report;
+  EXPECT_THAT(HtmlReport(findings, Language::kEnglish, {}), HasSubstr("host: GT_SetDo(12, 0x5)"));
+}
+
 TEST(HostExplorationTest, ARunThatTheHostCutsOffEndsThere) {
   const Findings findings = Explored(
       RecordOf("//@ always: n == 0 || n == 1\nint n;\nint f()\n{\nL:\n  n = 1;\n  goto L;\n}\n"

@@ -188,6 +188,20 @@ TEST(CallReplay, ReadsNoMoreThanTheRecordHas) {
               HasSubstr("has inputs of another size than the card reads"));
 }
 
+TEST(CallReplay, KnowsWhichCallsChangeTheCard) {
+  RecordedCall::Argument status;
+  status.null = true;
+  const CallRecord record =
+      Read(Record(FormatRecordedCall(0, Call(0, "GT_AxisOn", {Value(1)})) +
+                  FormatRecordedCall(0, Call(50, "GT_GetThreadSts", {Value(0), status})) +
+                  FormatRecordedEnd(0, {100, 0})));
+  const auto replay = CallReplay::Create(record, Controller().commands());
+  ASSERT_TRUE(replay.ok());
+  EXPECT_TRUE(replay.value().ChangesCard(0));
+  EXPECT_FALSE(replay.value().ChangesCard(1)) << "it reads";
+  EXPECT_FALSE(replay.value().ChangesCard(2)) << "the end";
+}
+
 TEST(CallReplay, RefusesADamagedProgram) {
   RecordedCall call = Call(0, "GT_Download", {{}});
   call.arguments[0].text = "sum.bin";
