@@ -28,7 +28,7 @@ bool CrdFifo::Append(const PathSlot& slot) {
     }
     look_ahead.Push(slot);
   }
-  if (slot.is_segment) tail = slot.segment.end;
+  if (slot.is_segment) Tail() = slot.segment.end;
   return true;
 }
 
@@ -70,14 +70,18 @@ bool Crd::Append(size_t fifo, const PathSlot& slot, Micros now) {
   CrdFifo& to = fifos[fifo];
   if (!to.Append(slot)) return false;
   if (slot.is_segment || !slot.command.NeedsRest() || to.looks_ahead()) return true;
-  // The segment before must end at rest, even if it is being executed.
-  if (PathSlot* before = to.slots.LastSegment()) {
-    before->ends_at_rest = true;
-  } else if (to.executing) {
-    to.current.ends_at_rest = true;
+  RestAfterLast(fifo, now);
+  return true;
+}
+
+void Crd::RestAfterLast(size_t fifo, Micros now) {
+  CrdFifo& of = fifos[fifo];
+  if (PathSlot* last = of.slots.LastSegment()) {
+    last->ends_at_rest = true;
+  } else if (of.executing) {
+    of.current.ends_at_rest = true;
     if (run.fifo == fifo) Replan(now);
   }
-  return true;
 }
 
 void Crd::Clear(size_t fifo) {

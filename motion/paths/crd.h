@@ -56,7 +56,7 @@ struct CrdFifo {
   SlotQueue slots;
   LookAhead look_ahead;
   Rare<PathPlanner> planner;  ///< the multi-axis look-ahead, in place of `look_ahead`
-  Coordinates tail{};         ///< where the last segment ends
+  Coordinates tail{};         ///< where the last segment ends; not of a virtual run
   bool executing =
       false;  ///< `current` has begun and not ended; if nothing runs, this is a breakpoint
   PathSlot current;
@@ -74,6 +74,8 @@ struct CrdFifo {
   const SlotQueue& Ahead() const { return planner ? planner->ring : look_ahead.ring; }
   /// True if nothing reaches the FIFO, and only its time is computed.
   bool is_virtual() const { return planner && planner->virtual_run.on; }
+  /// Where the last segment ends, also that of a virtual run, which never reaches the FIFO.
+  Coordinates& Tail() { return is_virtual() ? planner->virtual_run.end : tail; }
   size_t space() const { return kCrdFifoSize - slots.size(); }
   /// Number of segments that have not ended.
   size_t Remaining() const {
@@ -182,6 +184,8 @@ struct Crd {
   double VelocityLimit(const Segment& segment) const;
   /// Appends a slot to a FIFO; false if there is no space, and then nothing has changed.
   bool Append(size_t fifo, const PathSlot& slot, Micros now);
+  /// Makes the last segment of a FIFO end at rest, even if it is being executed.
+  void RestAfterLast(size_t fifo, Micros now);
   /// Empties a FIFO and its look-ahead ring, and discards the breakpoint.
   void Clear(size_t fifo);
 

@@ -305,6 +305,8 @@ void PathPlanner::Clear() {
   speed = 0;
   newest = {};
   following = {};
+  virtual_run.time = 0;
+  virtual_run.velocity = 0;
 }
 
 }  // namespace oncard::motion

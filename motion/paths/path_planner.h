@@ -66,11 +66,12 @@ struct VirtualRun {
   double cycle = 0;                      ///< of the card, ms: moves begin and end with it
   double time = 0;                       ///< ms
   double velocity = 0;                   ///< at the end of what has passed
+  Coordinates end{};                     ///< where the last segment ends
   std::array<double, kAxisMax> moved{};  ///< where GT_BufMove has left the profiles
   CurveRun curve;
 
   bool in_use() const { return on; }
-  auto Fields() const { return std::tie(cycle, time, velocity, moved, curve); }
+  auto Fields() const { return std::tie(cycle, time, velocity, end, moved, curve); }
 };
 
 struct PathPlanner {

@@ -9,6 +9,7 @@ namespace oncard::gtcalls {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // --- Order --------------------------------------------------------------------------------------
 
@@ -132,6 +133,31 @@ TEST(LookAheadOrder, JoinsTheHashOnlyInUse) {
   EXPECT_NE(motion::StateHash().Add(state).value(), before);
 }
 
+// Its path begins at rest, whatever end velocity a command without look-ahead has given.
+TEST(LookAheadOrder, SegmentsBeforeTheInitialisationEndAtRest) {
+  for (const bool moving : {false, true}) {
+    LookAheadCard card;
+    card.SetUp();
+    card.Expect(0, "GT_LnXY", {1, 10000, 0, 50., .5, 50., 0});
+    if (moving) {
+      card.Expect(0, "GT_CrdStart", {1, 0});
+      card.Cycles(50);
+    }
+    card.Expect(0, "GT_SetupLookAheadCrd", {1, 0});
+    EXPECT_EQ(card.Init(), 0);
+    EXPECT_EQ(card.LineEx(10, 10), 0);
+    EXPECT_EQ(card.Flush(), 0);
+    if (!moving) card.Expect(0, "GT_CrdStart", {1, 0});
+    const motion::Sample& along_y = card.motion.state().profiles[1].now;
+    while (card.motion.state().crds[0].run.running) {
+      const double before = along_y.velocity;
+      card.Cycle();
+      EXPECT_LE(std::fabs(along_y.velocity - before), 0.5 + 1e-9);
+    }
+    EXPECT_EQ(along_y.position, 10000);
+  }
+}
+
 // --- Ranges and modes ---------------------------------------------------------------------------
 
 TEST(LookAheadRanges, NumbersOfCoordinateSystemsAndBuffers) {
@@ -184,6 +210,43 @@ TEST(LookAheadRanges, Parameters) {
   EXPECT_EQ(card.Init(LookAheadCard::Parameters(), 2), 107);
 }
 
+// What is left in a host's structure must not slow down or break the path.
+TEST(LookAheadRanges, LimitsOfAxesThatTheCoordinateSystemDoesNotHave) {
+  LookAheadCard card;
+  card.SetUp(2);
+  card.Expect(0, "GT_SetupLookAheadCrd", {1, 1});
+  std::vector<double> cells = LookAheadCard::Parameters();
+  for (const size_t limit : {3, 11, 19}) cells[limit + 2] = -1e6;
+  EXPECT_EQ(card.Init(cells), 0);
+  EXPECT_EQ(card.LineEx(10, 0), 0);
+  EXPECT_EQ(card.fifo().planner->ring.back().acceleration, 0.5);
+  EXPECT_EQ(card.fifo().planner->ring.back().velocity_limit, 50);
+}
+
+TEST(LookAheadRanges, WhereAVirtualRunBegins) {
+  LookAheadCard card;
+  card.Prepare();
+  std::vector<double> cells = LookAheadCard::Parameters();
+  std::vector<double> position(8);
+  position[2] = kNan;  // an axis that the coordinate system does not have
+  card.Expect(0, "GT_InitLookAheadEx", {1, &cells, 0, 1, &position});
+  for (const double bad : {kNan, kInfinity, -kInfinity, 1e300, 1.1e6}) {
+    position[1] = bad;
+    card.Expect(107, "GT_InitLookAheadEx", {1, &cells, 0, 1, &position});
+  }
+  card.Expect(0, "GT_InitLookAheadEx", {1, &cells, 0, 0, &position});  // not used
+}
+
+TEST(LookAheadRanges, NullPointers) {
+  LookAheadCard card;
+  card.Prepare();
+  std::vector<double> modes(8);
+  card.Expect(7, "GT_InitLookAheadEx", {1, nullptr, 0, 0, nullptr});  // as everywhere
+  card.Expect(7, "GT_SetAxisLimitModeLa", {1, nullptr});
+  card.Expect(7, "GT_SetFollowAxisParaLa", {1, &modes, nullptr, &modes, &modes});
+  card.Expect(7, "GT_GetMotionTimeEx", {1, nullptr, 0});
+}
+
 TEST(LookAheadRanges, RelationOfAxes) {
   LookAheadCard card;
   card.SetUp();
@@ -205,6 +268,7 @@ TEST(LookAheadModes, FiveAxesHaveNoLibrary) {
     card.SetUp(4);
     card.Expect(0, "GT_SetupLookAheadCrd", {1, mode});
     EXPECT_EQ(card.Init(), 105);
+    card.Expect(105, "GT_InitLookAheadPara", {1, 200, 0.1, 0.01, 1000., 0});
     ExpectOfArcs(card, 107);
     EXPECT_EQ(card.LineEx(1, 1), 104);
   }
@@ -322,6 +386,28 @@ TEST(LookAheadInPulses, UsesThePlanner) {
   const double length = 300 * std::sqrt(1600.0 * 1600 + 1852.0 * 1852);
   EXPECT_EQ(card.Run(), std::ceil(length / 100 + 125));
   EXPECT_EQ(card.Position(0), 480000);
+}
+
+TEST(LookAheadInPulses, OnlyTheChosenAxesCountInTheLength) {
+  LookAheadCard card;
+  card.SetUp(4);
+  card.Expect(0, "GT_SetupLookAheadCrd", {1, 0});
+  card.Expect(0, "GT_SetAxisVelValidModeLa", {1, 0x9});
+  card.Expect(0, "GT_InitLookAheadPara", {1, 200, 0.1, 0.01, 1000., 0});
+  EXPECT_EQ(card.fifo().planner->limits.length_axes, 0x1u);
+}
+
+TEST(LookAheadInPulses, AtMostSixteenAuxiliaryCommandsInARow) {
+  LookAheadCard card;
+  card.SetUp();
+  card.Expect(0, "GT_InitLookAheadPara", {1, 200, 0.1, 0.01, 1000., 0});
+  for (int round = 0; round < 2; ++round) {
+    EXPECT_EQ(card.Line(100 * (round + 1), 0), 0);
+    for (int i = 0; i < 16; ++i) card.Expect(0, "GT_BufIO", {1, 12, 1, i % 2, 0});
+    card.Expect(107, "GT_BufIO", {1, 12, 1, 1, 0});
+  }
+  card.Expect(0, "GT_CrdData", {1, nullptr, 0});
+  card.Expect(0, "GT_BufIO", {1, 12, 1, 1, 0});
 }
 
 TEST(LookAheadInPulses, NeedsACoordinateSystemAndRanges) {

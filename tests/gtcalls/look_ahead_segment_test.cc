@@ -52,6 +52,27 @@ TEST(LookAheadLine, NeedsAsManyAxesAsItHasCoordinates) {
   card.Expect(110, "GT_ArcYZREx", {1, 1., 1., 1., 1, 50., 500., 0, 0, 0});
 }
 
+// Positions of axes are rounded when the coordinate system has an origin.
+TEST(LookAheadLine, ToTheSamePointIsRefusedAtAnyOrigin) {
+  for (int i = 1; i <= 20; ++i) {
+    LookAheadCard card;
+    std::vector<double> cells = CrdCommandCard::Parameters(2);
+    cells[12] = 1;  // setOriginFlag
+    cells[13] = -12345;
+    card.Expect(0, "GT_SetCrdPrm", {1, &cells});
+    card.Expect(0, "GT_SetupLookAheadCrd", {1, 0});
+    EXPECT_EQ(card.Init(), 0);
+    const double x = 1.0 / 3 + i;
+    EXPECT_EQ(card.LineEx(x, 0), 0);
+    EXPECT_EQ(card.Flush(), 0);
+    card.Run();
+    EXPECT_EQ(card.Init(), 0);
+    EXPECT_EQ(card.LineEx(x, 0), 102) << x;
+    EXPECT_EQ(card.Call("GT_ArcXYCEx", {1, x, 0., 10., 0., 1, 50., 500., 0, 0, 0}), 0);
+    EXPECT_NEAR(card.fifo().planner->ring.back().segment.length, 20000 * M_PI, 1e-6) << x;
+  }
+}
+
 TEST(LookAheadLine, ArgumentsOutOfRange) {
   LookAheadCard card;
   card.Prepare();
@@ -111,6 +132,20 @@ TEST(LookAheadArc, RadiiMayDifferByAHundredth) {
   }
 }
 
+// A hundredth may differ, whatever the decimal fractions become as binary ones.
+TEST(LookAheadArc, ExactlyAHundredthIsAllowed) {
+  for (double radius = 0.5; radius < 100; radius += 0.37) {
+    for (const double error : {0.01, -0.01}) {
+      LookAheadCard card;
+      card.Prepare();
+      EXPECT_EQ(ArcAround(card, radius, radius + error, 0, radius), 0) << radius;
+    }
+    LookAheadCard card;
+    card.Prepare();
+    card.Expect(0, "GT_ArcXYREx", {1, 2 * radius + 0.01, 0., radius, 1, 50., 500., 0, 0, 0});
+  }
+}
+
 TEST(LookAheadArc, ACentreMakesAFullCircle) {
   LookAheadCard card;
   card.Prepare();
@@ -159,6 +194,18 @@ TEST(LookAheadArc, EveryPlaneRunsToItsEnd) {
   EXPECT_EQ(card.Position(0), 30000);
   EXPECT_EQ(card.Position(1), 20000);
   EXPECT_EQ(card.Position(2), 30000);
+}
+
+// The manual gives this command alone a range.
+TEST(LookAheadArc, AHelixAroundACentreHasBoundedVelocityAndAcceleration) {
+  LookAheadCard card;
+  card.Prepare(3);
+  const auto helix = [&](double velocity, double acceleration) {
+    return card.Call("GT_HelixXYCZEx", {1, 1., 1., 5., 1., 0., 1, velocity, acceleration, 0, 0, 0});
+  };
+  EXPECT_EQ(helix(32767, 500), 107);
+  EXPECT_EQ(helix(50, 32767), 107);
+  EXPECT_EQ(helix(32766, 32766), 0);
 }
 
 TEST(LookAheadArc, Arguments) {
@@ -210,6 +257,16 @@ TEST(LookAheadAuxiliary, AtMostSixteenInARow) {
   card.Expect(107, "GT_BufDelayEx", {1, 1, 0});
   EXPECT_EQ(card.LineEx(20, 0), 0);
   card.Expect(0, "GT_BufIOEx", {1, 12, 1, 1, 0});
+}
+
+TEST(LookAheadAuxiliary, SixteenMayFollowAClearedBuffer) {
+  LookAheadCard card;
+  card.Prepare();
+  EXPECT_EQ(card.LineEx(10, 0), 0);
+  for (int i = 0; i < 16; ++i) card.Expect(0, "GT_BufIOEx", {1, 12, 1, i % 2, 0});
+  card.Expect(0, "GT_CrdClear", {1, 0});
+  for (int i = 0; i < 16; ++i) card.Expect(0, "GT_BufIOEx", {1, 12, 1, i % 2, 0});
+  card.Expect(107, "GT_BufIOEx", {1, 12, 1, 1, 0});
 }
 
 TEST(LookAheadAuxiliary, Ranges) {
@@ -308,6 +365,34 @@ TEST(LookAheadStart, ASegmentBeginsAtTheStartPoint) {
   EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 1);
 }
 
+TEST(LookAheadStart, AClearedBufferBeginsWhereTheAxesAre) {
+  LookAheadCard card;
+  card.Prepare();
+  EXPECT_EQ(card.Flush(), 0);
+  EXPECT_EQ(card.LineEx(5, 5), 0);
+  card.Expect(0, "GT_CrdClear", {1, 0});
+  EXPECT_EQ(card.LineEx(10, 5), 0);
+  EXPECT_EQ(card.fifo().planner->ring.back().segment.start[0], 0);
+}
+
+// A start point elsewhere must not make the axes jump.
+TEST(LookAheadStart, APathThatIsNotFinishedGoesOnWhereItEnds) {
+  for (const bool started : {false, true}) {
+    LookAheadCard card;
+    card.Prepare();
+    EXPECT_EQ(card.LineEx(10, 0), 0);
+    EXPECT_EQ(card.Flush(), 0);
+    if (started) card.Expect(0, "GT_CrdStart", {1, 0});
+    EXPECT_EQ(card.LineEx(50, 50), 0);
+    EXPECT_EQ(card.LineEx(60, 50), 0);
+    EXPECT_EQ(card.fifo().planner->ring.back().segment.start[0], 10000);
+    EXPECT_EQ(card.Flush(), 0);
+    if (!started) card.Expect(0, "GT_CrdStart", {1, 0});
+    card.CyclesToEnd();
+    EXPECT_EQ(card.Position(0), 60000);
+  }
+}
+
 TEST(LookAheadNumbers, TheUsersNumberIsThatOfTheSegmentUntilAnotherIsSet) {
   LookAheadCard card;
   card.Prepare();
@@ -355,6 +440,31 @@ TEST(LookAheadVirtual, BeginsWhereItIsTold) {
   card.Expect(0, "GT_InitLookAheadEx", {1, &cells, 0, 1, &position});
   EXPECT_EQ(card.LineEx(10, 0), 102);
   EXPECT_EQ(card.LineEx(60, 0), 0);
+  EXPECT_EQ(card.Flush(), 0);
+  // 50 mm at 50 mm/s and 500 mm/s^2.
+  EXPECT_NEAR(card.ReadFifo("GT_GetMotionTimeEx"), 1100, 1e-9);
+}
+
+TEST(LookAheadVirtual, LeavesThePathThatWaitsAsItIs) {
+  LookAheadCard card;
+  card.Prepare();
+  EXPECT_EQ(card.LineEx(10, 0), 0);
+  EXPECT_EQ(card.Flush(), 0);
+  EXPECT_EQ(card.Init(LookAheadCard::Parameters(), 1), 0);
+  EXPECT_EQ(card.LineEx(50, 50), 0);
+  EXPECT_EQ(card.Flush(), 0);
+  EXPECT_EQ(card.Init(), 0);
+  EXPECT_EQ(card.LineEx(20, 0), 0);
+  EXPECT_EQ(card.fifo().planner->ring.back().segment.start[0], 10000);
+}
+
+TEST(LookAheadVirtual, AClearedEstimateBeginsAnew) {
+  LookAheadCard card;
+  card.Prepare();
+  EXPECT_EQ(card.Init(LookAheadCard::Parameters(2), 1), 0);
+  for (int i = 1; i <= 10; ++i) EXPECT_EQ(card.LineEx(i * 10, 0), 0);
+  card.Expect(0, "GT_CrdClear", {1, 0});
+  EXPECT_EQ(card.LineEx(150, 0), 0);
   EXPECT_EQ(card.Flush(), 0);
   // 50 mm at 50 mm/s and 500 mm/s^2.
   EXPECT_NEAR(card.ReadFifo("GT_GetMotionTimeEx"), 1100, 1e-9);

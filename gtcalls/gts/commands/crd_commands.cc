@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "gtcalls/gts/commands/crd_support.h"
+#include "gtcalls/gts/commands/look_ahead_support.h"
 
 namespace oncard::gtcalls {
 namespace {
@@ -335,6 +335,9 @@ int16_t gts::GT_CrdClear(Call& call) {
   }
   if (code != vm::kOk) return code;
   CrdOf(call).Clear(FifoNumber(call));
+  // The look-ahead of the buffer is empty as well, and begins where the axes are.
+  BufferOf(call).auxiliaries = 0;
+  BufferOf(call).has_start = false;
   return vm::kOk;
 }
 

@@ -47,7 +47,13 @@ int16_t CheckNotMixed(Call& call) {
 int16_t AppendSlot(Call& call, const motion::PathSlot& slot) {
   int16_t code = CheckCrd(call, NumberOf(call));
   if (code == vm::kOk) code = CheckNotMixed(call);
-  return code != vm::kOk ? code : AppendToFifo(call, slot, PathEnd(call));
+  const bool planned = code == vm::kOk && FifoOf(call).planner;
+  if (planned && !slot.is_segment) code = CheckAuxiliaries(call);
+  if (code == vm::kOk) code = AppendToFifo(call, slot, PathEnd(call));
+  if (!planned || code != vm::kOk) return code;
+  LookAheadBuffer& buffer = BufferOf(call);
+  buffer.auxiliaries = slot.is_segment ? 0 : buffer.auxiliaries + 1;
+  return code;
 }
 
 int16_t AppendToFifo(Call& call, const motion::PathSlot& slot, const motion::Coordinates& end) {
@@ -59,7 +65,7 @@ int16_t AppendToFifo(Call& call, const motion::PathSlot& slot, const motion::Coo
                                    "后重新发送该指令",
                                    FifoNumber(call), call.integer(0)));
   }
-  if (!slot.is_segment) FifoOf(call).tail = end;
+  if (!slot.is_segment) FifoOf(call).Tail() = end;
   return vm::kOk;
 }
 

@@ -238,6 +238,11 @@ int16_t CheckInitialisation(Call& call) {
     if (axis > 0) code = CheckLimits(call, static_cast<size_t>(axis) - 1);
   }
   if (code == vm::kOk) code = CheckWhole(call, "motionMode", call.value(3), 0, 1);
+  if (code != vm::kOk || call.value(3) == 0 || !call.given(4)) return code;
+  for (size_t i = 0; i < CrdOf(call).dimension() && code == vm::kOk; ++i) {
+    code = CheckSize(call, "Pos in pulses", call.cells(4)[i] * cells[kScaleCells],
+                     -gts::kPositionMax, gts::kPositionMax + 1);
+  }
   return code;
 }
 
@@ -267,6 +272,8 @@ PathLimits LimitsOf(const Call& call) {
     const auto axis = static_cast<size_t>(cells[kRelationCells + i]) - 1;
     const bool counts = setup.mode != MachineMode::kThreeAxes || axis < 3;
     if (counts && (setup.length_axes >> axis & 1) != 0) limits.length_axes |= uint32_t{1} << i;
+    // The others' have not been checked.
+    if (i >= CrdOf(call).dimension()) continue;
     const int mode = setup.axis_limits[axis];
     AxisLimits& to = limits.axes[i];
     if ((mode & kLimitsVelocity) != 0)
@@ -286,6 +293,8 @@ PathLimits LimitsOf(const Call& call) {
 void BeginPlanner(const Call& call, const PathLimits& limits, double window) {
   CrdFifo& fifo = FifoOf(call);
   const motion::Coordinates start = PathEnd(call);
+  // The planner's path begins at rest, also after a segment with an end velocity.
+  if (!fifo.looks_ahead()) CrdOf(call).RestAfterLast(FifoNumber(call), call.card.motion.now());
   fifo.look_ahead.Clear();
   fifo.look_ahead.capacity = 0;
   fifo.planner.Emplace({.limits = limits, .capacity = static_cast<size_t>(window)});
@@ -295,16 +304,23 @@ void BeginPlanner(const Call& call, const PathLimits& limits, double window) {
 
 }  // namespace
 
+namespace {
+
+/// 0, or 105 in a five-axis mode.
+int16_t CheckLibrary(Call& call) {
+  if (!SetupOf(call).five_axes()) return vm::kOk;
+  return call.Refuse(kNoFiveAxisLibrary,
+                     MakeMessage("the library for five-axis machines is missing: use "
+                                 "NORMAL_THREE_AXIS or MULTI_AXES",
+                                 "缺少五轴机床配置库：请使用 NORMAL_THREE_AXIS 或 MULTI_AXES"));
+}
+
+}  // namespace
+
 int16_t gts::GT_InitLookAheadEx(Call& call) {
   int16_t code = CheckEstablished(call);
-  if (code != vm::kOk) return code;
-  if (SetupOf(call).five_axes()) {
-    return call.Refuse(kNoFiveAxisLibrary,
-                       MakeMessage("the library for five-axis machines is missing: use "
-                                   "NORMAL_THREE_AXIS or MULTI_AXES",
-                                   "缺少五轴机床配置库：请使用 NORMAL_THREE_AXIS 或 MULTI_AXES"));
-  }
-  code = CheckInitialisation(call);
+  if (code == vm::kOk) code = CheckLibrary(call);
+  if (code == vm::kOk) code = CheckInitialisation(call);
   if (code == vm::kOk) code = CheckDrained(call);
   if (code != vm::kOk) return code;
   BeginPlanner(call, LimitsOf(call), call.cells(1)[kWindowCell]);
@@ -318,8 +334,9 @@ int16_t gts::GT_InitLookAheadEx(Call& call) {
   for (size_t i = 0; i < run.moved.size(); ++i) {
     run.moved[i] = call.card.motion.state().profiles[i].now.position;
   }
+  run.end = fifo.tail;
   for (size_t i = 0; call.given(4) && i < CrdOf(call).dimension(); ++i) {
-    fifo.tail[i] = call.cells(4)[i] * buffer.scale;
+    run.end[i] = call.cells(4)[i] * buffer.scale;
   }
   return vm::kOk;
 }
@@ -336,7 +353,8 @@ int16_t gts::GT_InitLookAheadPara(Call& call) {
   }
   if (code != vm::kOk) return code;
   if (CheckCrd(call, NumberOf(call)) != vm::kOk) return kNotEstablished;
-  code = CheckDrained(call);
+  code = CheckLibrary(call);
+  if (code == vm::kOk) code = CheckDrained(call);
   if (code != vm::kOk) return code;
   LookAheadSetup& setup = SetupOf(call);
   // The manual's example calls nothing else before.
@@ -345,7 +363,7 @@ int16_t gts::GT_InitLookAheadPara(Call& call) {
   limits.corner_time = call.value(2) * 1000;
   limits.radius_ratio = call.value(3);
   limits.geometric = setup.geometric;
-  limits.length_axes = setup.mode == MachineMode::kThreeAxes ? 0x7 : 0xF;
+  limits.length_axes = setup.length_axes & (setup.mode == MachineMode::kThreeAxes ? 0x7 : 0xF);
   for (size_t i = 0; i < kLookAheadAxes; ++i) {
     if (!setup.followers[i].follows) continue;
     limits.followers[i] = LimitsOf(setup.followers[i], call.value(2), call.value(4));

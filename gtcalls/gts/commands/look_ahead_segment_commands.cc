@@ -19,15 +19,21 @@ using motion::Coordinates;
 using motion::PathSlot;
 using motion::Segment;
 
-/// By how much an arc's radii may differ, mm (manual, GT_ArcXYCEx). A difference that is allowed is
-/// spread over the arc.
-constexpr double kArcError = 0.01;
+/// By how much an arc's radii may differ, mm (manual, GT_ArcXYCEx), with room for rounding. A
+/// difference that is allowed is spread over the arc.
+constexpr double kArcError = 0.01 + 1e-9;
+/// Assumption: coordinates that differ by less are the same, pulses. The position of an axis is
+/// rounded when the coordinate system has an origin.
+constexpr double kSamePlace = 1e-6;
+/// GT_HelixXYCZEx: synVel and synAcc are below this, mm/s and mm/s^2 (manual).
+constexpr double kHelixBound = 32767;
 /// Assumption: how close to a half circle an arc in space may come, radians.
 constexpr double kHalfCircleError = 1e-6;
 
 /// Where a segment appended now begins.
 Coordinates StartOf(const Call& call) {
-  return BufferOf(call).has_start || FifoOf(call).is_virtual() ? FifoOf(call).tail : PathEnd(call);
+  return BufferOf(call).has_start || FifoOf(call).is_virtual() ? FifoOf(call).Tail()
+                                                               : PathEnd(call);
 }
 
 // --- Segments ----------------------------------------------------------------------------------
@@ -47,7 +53,7 @@ SegmentRequest ReadScaled(const Call& call, const Coordinates& start) {
     for (const Parameter& parameter : call.command.parameters) {
       given = given || (parameter.name.size() == 1 && parameter.name[0] == "xyza"[i]);
     }
-    if (!given) request.end[i] = start[i];
+    if (!given || std::fabs(request.end[i] - start[i]) < kSamePlace) request.end[i] = start[i];
   }
   if (request.radius.has_value()) *request.radius *= scale;
   for (double& value : request.centre) value *= scale;
@@ -69,8 +75,12 @@ int16_t CheckArguments(Call& call, const SegmentRequest& request) {
     code = CheckSize(call, "synAcc in pulse/ms^2", request.acceleration, gts::kAboveZero,
                      gts::kRateBound);
   }
+  const bool helix = call.command.name == "GT_HelixXYCZEx";
   for (size_t i = 1; i < call.arguments.size() && code == vm::kOk; ++i) {
     const std::string_view name = call.command.parameters[i].name;
+    if (helix && (name == "synVel" || name == "synAcc")) {
+      code = CheckSize(call, name, call.value(i), 0, kHelixBound);
+    }
     if (name == "circleDir" || name == "override2") {
       code = CheckWhole(call, name, call.value(i), 0, 1);
     }
@@ -175,7 +185,9 @@ int16_t AppendSegmentInMm(Call& call) {
   if (code != vm::kOk) return code;
   LookAheadBuffer& buffer = BufferOf(call);
   if (buffer.awaits_start) {
-    FifoOf(call).tail = request.end;
+    // A path that has not been executed yet goes on at its end, whichever point is given.
+    motion::CrdFifo& fifo = FifoOf(call);
+    if (fifo.idle() || fifo.is_virtual()) fifo.Tail() = request.end;
     buffer.awaits_start = false;
     buffer.has_start = true;
     return vm::kOk;
@@ -192,16 +204,6 @@ int16_t AppendSegmentInMm(Call& call) {
 }
 
 // --- Buffered commands -------------------------------------------------------------------------
-
-/// 0, or 107 with the reason when there have been too many auxiliary commands in a row.
-int16_t CheckAuxiliaries(Call& call) {
-  if (BufferOf(call).auxiliaries < kAuxiliaryMax) return vm::kOk;
-  return call.Refuse(
-      kLookAheadParameter,
-      MakeMessage("there are already {0} commands without motion in a row: append a "
-                  "segment first",
-                  "已连续调用 {0} 条缓冲区辅助指令：请先追加一段插补运动", kAuxiliaryMax));
-}
 
 /// Appends an auxiliary command. The first one after GT_CrdDataEx only makes a start point.
 int16_t AppendAuxiliary(Call& call, BufferedKind kind, int item, int detail,

@@ -77,6 +77,15 @@ int16_t CheckInitialised(Call& call) {
                   FifoNumber(call)));
 }
 
+int16_t CheckAuxiliaries(Call& call) {
+  if (BufferOf(call).auxiliaries < kAuxiliaryMax) return vm::kOk;
+  return call.Refuse(
+      kLookAheadParameter,
+      MakeMessage("there are already {0} commands without motion in a row: append a "
+                  "segment first",
+                  "已连续调用 {0} 条缓冲区辅助指令：请先追加一段插补运动", kAuxiliaryMax));
+}
+
 int16_t CheckDrained(Call& call) {
   const size_t held = FifoOf(call).Ahead().size();
   if (held == 0) return vm::kOk;

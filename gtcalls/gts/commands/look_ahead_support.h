@@ -44,6 +44,8 @@ int16_t CheckNumbers(Call& call);
 int16_t CheckEstablished(Call& call);
 /// The same, 104 before GT_InitLookAheadEx, and 107 if the buffer takes commands in pulses.
 int16_t CheckInitialised(Call& call);
+/// 0, or 107 with the reason when there have been too many auxiliary commands in a row.
+int16_t CheckAuxiliaries(Call& call);
 /// 0, or 110 with the reason while a look-ahead of the command's buffer holds segments.
 int16_t CheckDrained(Call& call);
 

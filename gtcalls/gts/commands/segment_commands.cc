@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "gtcalls/gts/commands/crd_support.h"
+#include "gtcalls/gts/commands/look_ahead_support.h"
 #include "gtcalls/gts/commands/segment_request.h"
 #include "gtcalls/gts/numbers.h"
 #include "motion/paths/segment.h"
@@ -156,7 +156,11 @@ int16_t AppendData(Call& call, bool arc) {
 int16_t FlushLookAhead(Call& call) {
   int16_t code = CheckCrd(call, NumberOf(call));
   if (code == vm::kOk) code = CheckNotMixed(call);
-  if (code != vm::kOk || FifoOf(call).Flush()) return code;
+  if (code != vm::kOk) return code;
+  if (FifoOf(call).Flush()) {
+    BufferOf(call).auxiliaries = 0;
+    return code;
+  }
   return call.Refuse(vm::kRefused,
                      MakeMessage("FIFO {0} is full while the look-ahead buffer still holds {1}: "
                                  "call GT_CrdData with NULL again until it gives 0",
