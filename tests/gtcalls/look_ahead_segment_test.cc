@@ -393,6 +393,36 @@ TEST(LookAheadStart, APathThatIsNotFinishedGoesOnWhereItEnds) {
   }
 }
 
+// Auxiliary commands reach the FIFO at once, the segment after them only later.
+TEST(LookAheadStart, ASegmentInTheLookAheadMustBeginWhereTheAxesAre) {
+  LookAheadCard card;
+  card.Prepare();
+  EXPECT_EQ(card.Flush(), 0);
+  EXPECT_EQ(card.LineEx(50, 50), 0);
+  card.Expect(0, "GT_BufIOEx", {1, 12, 1, 1, 0});
+  EXPECT_EQ(card.LineEx(60, 50), 0);
+  card.Expect(1, "GT_CrdStart", {1, 0});
+}
+
+TEST(LookAheadStart, ARunOfAuxiliaryCommandsDoesNotReachAStartPoint) {
+  for (const bool again : {false, true}) {
+    LookAheadCard card;
+    card.Prepare();
+    EXPECT_EQ(card.Flush(), 0);
+    EXPECT_EQ(card.LineEx(50, 50), 0);
+    card.Expect(0, "GT_BufDelayEx", {1, 100, 0});
+    EXPECT_EQ(card.Flush(), 0);
+    card.Expect(0, "GT_CrdStart", {1, 0});
+    if (again) {
+      EXPECT_EQ(card.Init(), 0);
+    } else {
+      EXPECT_EQ(card.LineEx(50, 50), 0);
+    }
+    EXPECT_EQ(card.LineEx(60, 50), 0);
+    EXPECT_EQ(card.fifo().planner->ring.back().segment.start[0], 0);
+  }
+}
+
 TEST(LookAheadNumbers, TheUsersNumberIsThatOfTheSegmentUntilAnotherIsSet) {
   LookAheadCard card;
   card.Prepare();

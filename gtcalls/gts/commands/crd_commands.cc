@@ -248,6 +248,10 @@ int16_t CheckStart(Call& call, size_t index, size_t number) {
   for (size_t i = 0; first == nullptr && i < fifo.slots.size(); ++i) {
     if (fifo.slots.At(i).is_segment) first = &fifo.slots.At(i);
   }
+  // The segments of a planner can follow commands without motion while these run.
+  if (first == nullptr && fifo.planner && !fifo.is_virtual() && !fifo.planner->spans.empty()) {
+    first = &fifo.planner->SlotOf(fifo.planner->spans.front());
+  }
   if (first == nullptr) return vm::kOk;
   const double path = fifo.executing ? fifo.path : 0;
   const motion::Coordinates start = path > 0 ? first->segment.PointAt(path) : first->segment.start;

@@ -292,7 +292,8 @@ PathLimits LimitsOf(const Call& call) {
 /// Begins a planner for the command's buffer.
 void BeginPlanner(const Call& call, const PathLimits& limits, double window) {
   CrdFifo& fifo = FifoOf(call);
-  const motion::Coordinates start = PathEnd(call);
+  const motion::Coordinates start =
+      fifo.Remaining() == 0 ? call.card.motion.CrdPosition(NumberOf(call)) : fifo.tail;
   // The planner's path begins at rest, also after a segment with an end velocity.
   if (!fifo.looks_ahead()) CrdOf(call).RestAfterLast(FifoNumber(call), call.card.motion.now());
   fifo.look_ahead.Clear();

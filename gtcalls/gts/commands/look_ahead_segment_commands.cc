@@ -32,8 +32,12 @@ constexpr double kHalfCircleError = 1e-6;
 
 /// Where a segment appended now begins.
 Coordinates StartOf(const Call& call) {
-  return BufferOf(call).has_start || FifoOf(call).is_virtual() ? FifoOf(call).Tail()
-                                                               : PathEnd(call);
+  motion::CrdFifo& fifo = FifoOf(call);
+  if (fifo.is_virtual()) return fifo.Tail();
+  if (!BufferOf(call).has_start) return PathEnd(call);
+  // What runs before the segment does not bring the axes to the start point.
+  const bool runs = CrdOf(call).run.running && &CrdOf(call).active() == &fifo;
+  return runs && fifo.Remaining() == 0 ? call.card.motion.CrdPosition(NumberOf(call)) : fifo.tail;
 }
 
 // --- Segments ----------------------------------------------------------------------------------
