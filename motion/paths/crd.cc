@@ -169,15 +169,40 @@ void Crd::EndMove(Micros now) {
   run.at = MsBetween(run.begin, now);
 }
 
+double Crd::FeedOf(const PathSlot& slot) const {
+  const double ratio = slot.second_override ? second_override : override_ratio;
+  return std::min({slot.velocity * ratio, parameters.velocity_max, slot.velocity_limit});
+}
+
+double Crd::EndOfCurrent() const {
+  const PathSlot& slot = active().current;
+  if (!slot.planned.planned || (override_ratio == 1 && second_override == 1)) {
+    return slot.end_velocity;
+  }
+  const SlotQueue& slots = active().slots;
+  const double most = slot.end_velocity * slot.end_velocity;
+  size_t count = 0;
+  for (double gain = 0; count < slots.size() && gain < most; ++count) {
+    gain += 2 * slots.At(count).acceleration * slots.At(count).segment.length;
+  }
+  double square = std::numeric_limits<double>::max();
+  for (size_t i = count; i-- > 0;) {
+    const PathSlot& next = slots.At(i);
+    if (!next.is_segment) continue;
+    const double end = next.ends_at_rest ? 0 : next.end_velocity;
+    square = SquareBefore(next, FeedOf(next) * FeedOf(next), std::min(square, end * end));
+  }
+  return std::sqrt(std::min(most, square));
+}
+
 PathSpan Crd::SpanOfCurrent() const {
   const PathSlot& slot = active().current;
-  const double ratio = slot.second_override ? second_override : override_ratio;
   const bool rests = slot.ends_at_rest || step_mode || run.single_step;
   return {.begin = active().path,
           .end = slot.segment.length,
           .velocity = run.velocity,
-          .target = std::min({slot.velocity * ratio, parameters.velocity_max, slot.velocity_limit}),
-          .end_velocity = rests ? 0 : slot.end_velocity,
+          .target = FeedOf(slot),
+          .end_velocity = rests ? 0 : EndOfCurrent(),
           .acceleration = slot.acceleration,
           .even_time = slot.planned.planned ? 0 : static_cast<double>(parameters.even_time)};
 }

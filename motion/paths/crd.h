@@ -210,6 +210,11 @@ struct Crd {
   }
 
   // Parts of the functions above.
+  /// The velocity of a segment with the override that applies to it.
+  double FeedOf(const PathSlot& slot) const;
+  /// The velocity at the end of the current segment: as planned, and with overrides also so that
+  /// no later segment of the FIFO is entered faster than its override allows.
+  double EndOfCurrent() const;
   PathSpan SpanOfCurrent() const;
   Plan PlanCurrent();
   void EndPlan();

@@ -10,12 +10,24 @@ namespace {
 
 static_assert(kFieldsComplete<AxisLimits> && kFieldsComplete<PathLimits> &&
               kFieldsComplete<WindowSpan> && kFieldsComplete<NewestSegment> &&
-              kFieldsComplete<PathPlanner> && kFieldsComplete<CurveRun>);
+              kFieldsComplete<PathPlanner> && kFieldsComplete<CurveRun> &&
+              kFieldsComplete<FollowRamps>);
 
 /// The largest speed with which a component of the tangent may change at once.
 double JumpSpeed(double jump, double before, double after) {
   const double change = std::fabs(after - before);
   return jump < kUnlimited && change > 1e-12 ? jump / change : kUnlimited;
+}
+
+/// The shorter of two parts that are not 0, or 0.
+double ShorterRamp(double up, double down) {
+  return up > 0 && down > 0 ? std::min(up, down) : std::max(up, down);
+}
+
+/// The slopes at the end of a segment at which they have these ramps.
+FollowSlopes WithoutRamps(FollowSlopes slopes, const std::array<double, kFollowerMax>& ramps) {
+  for (size_t i = 0; i < slopes.size(); ++i) slopes[i] = ramps[i] > 0 ? 0 : slopes[i];
+  return slopes;
 }
 
 /// The arc of a slot with what limits it.
@@ -32,6 +44,11 @@ void BeginCurve(const PathSlot& slot, const PathSpan& span, CurveRun* run) {
   run->begin = span.begin;
   run->step = (span.end - span.begin) / static_cast<double>(run->squares.size() - 1);
   run->cell = 0;
+}
+
+double SquareBefore(const PathSlot& slot, double top, double after) {
+  if (slot.planned.curved) return CurveReach(CurvedSpanOf(slot, top), after);
+  return std::min(top, after + 2 * slot.acceleration * slot.segment.length);
 }
 
 Plan PlanCell(const CurveRun& run, double length) {
@@ -77,9 +94,14 @@ void PathPlanner::LimitFollowers(const FollowSlopes& slopes, PathSlot& slot) con
     if (share * slot.velocity_limit > limits.followers[i].velocity) {
       slot.velocity_limit = limits.followers[i].velocity / share;
     }
-    if (share * slot.acceleration > limits.followers[i].acceleration) {
-      slot.acceleration = limits.followers[i].acceleration / share;
+    double allowed = limits.followers[i].acceleration;
+    const double ramp = ShorterRamp(ramps.up[i], ramps.down[i]) * slot.segment.length;
+    if (ramp > 0 && share > 0 && allowed < kUnlimited) {
+      // In a ramp the slope changes as well: half for that, and half for the path's acceleration.
+      allowed /= 2;
+      slot.velocity_limit = std::min(slot.velocity_limit, std::sqrt(allowed * ramp / share));
     }
+    if (share * slot.acceleration > allowed) slot.acceleration = allowed / share;
   }
 }
 
@@ -137,8 +159,12 @@ void PathPlanner::Push(const PathSlot& pushed) {
   const auto profile = static_cast<size_t>(slot.command.item);
   if (slot.command.kind == BufferedKind::kGear && profile < kFollowerMax) {
     // With ramps the slope is larger in between (GearShare).
-    following[profile] =
-        slot.command.values[0] / (1 - slot.command.values[1] / 2 - slot.command.values[2] / 2);
+    const double up = slot.command.values[1];
+    const double down = slot.command.values[2];
+    following[profile] = slot.command.values[0] / (1 - up / 2 - down / 2);
+    ramps.up[profile] = up;
+    ramps.down[profile] = down;
+    ramps.any = ramps.any || up > 0 || down > 0;
   }
 }
 
@@ -156,7 +182,7 @@ void PathPlanner::PushSegment(PathSlot& slot) {
   spans.Push({.length = slot.segment.length,
               .acceleration = slot.acceleration,
               .top = slot.velocity_limit * slot.velocity_limit,
-              .junction = JunctionBefore(slot, commanded, slopes),
+              .junction = JunctionBefore(slot, commanded, WithoutRamps(slopes, ramps.up)),
               .reach = 0,
               .slot = taken + ring.size() - 1,
               .curved = slot.planned.curved});
@@ -166,7 +192,8 @@ void PathPlanner::PushSegment(PathSlot& slot) {
             .start = slot.segment.start,
             .tangent = slot.segment.TangentAt(slot.segment.length),
             .commanded = commanded,
-            .follow = slopes};
+            .follow = WithoutRamps(slopes, ramps.down)};
+  ramps = {};
 }
 
 size_t PathPlanner::LeavingNext() const {
@@ -305,6 +332,7 @@ void PathPlanner::Clear() {
   speed = 0;
   newest = {};
   following = {};
+  ramps = {};
   virtual_run.time = 0;
   virtual_run.velocity = 0;
 }

@@ -47,6 +47,16 @@ struct WindowSpan {
 /// How the profiles that follow a segment move: change of position per length of path.
 using FollowSlopes = std::array<double, kFollowerMax>;
 
+/// The parts of a segment over which the slopes of its followers rise from 0 and fall to 0.
+struct FollowRamps {
+  bool any = false;
+  std::array<double, kFollowerMax> up{};
+  std::array<double, kFollowerMax> down{};
+
+  bool in_use() const { return any; }
+  auto Fields() const { return std::tie(any, up, down); }
+};
+
 /// What the next segment must know of the newest one.
 struct NewestSegment {
   bool exists = false;
@@ -55,7 +65,7 @@ struct NewestSegment {
   Coordinates start{};
   Coordinates tangent{};  ///< at its end
   double commanded = 0;   ///< acceleration
-  FollowSlopes follow{};
+  FollowSlopes follow{};  ///< at its end
 
   auto Fields() const { return std::tie(exists, rests, line, start, tangent, commanded, follow); }
 };
@@ -84,6 +94,7 @@ struct PathPlanner {
   double speed = 0;               ///< square at the start of the oldest segment
   NewestSegment newest{};
   FollowSlopes following{};  ///< displacements of GT_BufGear for the next segment
+  FollowRamps ramps{};       ///< theirs
   VirtualRun virtual_run{};
 
   /// Adds a slot. A segment's length is measured with limits.length_axes by its owner.
@@ -98,7 +109,7 @@ struct PathPlanner {
   void Clear();
 
   auto Fields() const {
-    return std::tie(limits, capacity, ring, spans, taken, settled, speed, newest, following,
+    return std::tie(limits, capacity, ring, spans, taken, settled, speed, newest, following, ramps,
                     virtual_run);
   }
 
@@ -122,6 +133,9 @@ struct PathPlanner {
 
 /// Begins the motion along the rest of a curved segment.
 void BeginCurve(const PathSlot& slot, const PathSpan& span, CurveRun* run);
+/// The largest square of the speed at a planned segment's start, at most `top`, from which `after`
+/// at its end, or less, can be reached.
+double SquareBefore(const PathSlot& slot, double top, double after);
 /// The motion along the present cell of an arc with that length.
 Plan PlanCell(const CurveRun& run, double length);
 

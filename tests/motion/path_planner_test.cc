@@ -132,12 +132,13 @@ TEST(PathPlanner, ALineThatMovesNoneOfTheAxesThatCountIsMeasuredWithAll) {
 }
 
 /// A line with a profile that follows it by `displacement`, between two without.
-std::vector<PathSlot> Followed(const AxisLimits& limits, double displacement) {
+std::vector<PathSlot> Followed(const AxisLimits& limits, double displacement, double up = 0,
+                               double down = 0) {
   PlannedPath path;
   path.limits.followers[4] = limits;
   path.Line({50, 0});
   PathSlot gear;
-  gear.command = {BufferedKind::kGear, 4, 0, {displacement}};
+  gear.command = {BufferedKind::kGear, 4, 0, {displacement, up, down}};
   path.slots.push_back(gear);
   path.Line({100, 0}).Line({150, 0});
   std::vector<PathSlot> planned = path.Planned(kWindow);
@@ -159,6 +160,25 @@ TEST(PathPlanner, AFollowerLimitsItsJumpAtBothEnds) {
   const auto planned = Followed({kUnlimited, kUnlimited, 4}, 25);
   EXPECT_NEAR(planned[0].end_velocity, 8, 1e-9);
   EXPECT_NEAR(planned[1].end_velocity, 8, 1e-9);
+}
+
+// The slope is displacement / (50 mm * (1 - (up + down) / 2)) between the ramps.
+TEST(PathPlanner, AFollowerWithRampsIsLimitedByItsLargestSlope) {
+  EXPECT_NEAR(Followed({10, kUnlimited, kUnlimited}, 25, 0.5, 0.5)[1].velocity_limit, 10, 1e-9);
+}
+
+TEST(PathPlanner, TheRampsOfAFollowerTakeHalfOfItsAcceleration) {
+  const auto planned = Followed({kUnlimited, 100, kUnlimited}, 25, 0.4, 0.2);
+  const double slope = 0.5 / 0.7;
+  EXPECT_NEAR(planned[1].acceleration, 50 / slope, 1e-9);
+  // The shorter ramp is 10 mm: v^2 slope / 10 mm is the other half.
+  EXPECT_NEAR(planned[1].velocity_limit, std::sqrt(50 * 10 / slope), 1e-9);
+}
+
+TEST(PathPlanner, AFollowerDoesNotJumpAtARamp) {
+  const auto planned = Followed({kUnlimited, kUnlimited, 4}, 25, 0.5, 0);
+  EXPECT_NEAR(planned[0].end_velocity, 100, 1e-9);
+  EXPECT_NEAR(planned[1].end_velocity, 4 / (0.5 / 0.75), 1e-9);
 }
 
 TEST(PathPlanner, ASegmentCanEndAtRest) {
@@ -193,6 +213,30 @@ TEST(PathPlanner, StopsInsideTheWindow) {
       fastest = std::max(fastest, planned[i].end_velocity);
     }
     EXPECT_NEAR(fastest, std::min(100.0, std::sqrt(1000.0 * static_cast<double>(window))), 1e-9);
+  }
+}
+
+// What can be kept at a segment's end depends on the window alone.
+TEST(PathPlanner, StopsInsideTheWindowOnAnyPath) {
+  RandomNumbers random(7);
+  for (const size_t window : {1u, 3u, 7u}) {
+    PlannedPath path;
+    path.limits.corner_time = 0.1;
+    for (int i = 0; i < 200; ++i) {
+      path.acceleration = random.Between(100, 1000);
+      Coordinates end = path.end();
+      end[0] += random.Between(0.1, 3);
+      end[1] += random.Between(-0.5, 0.5);
+      path.Line(end);
+    }
+    const std::vector<PathSlot> planned = path.Planned(window);
+    for (size_t i = 0; i < planned.size(); ++i) {
+      double square = 0;
+      for (size_t k = i + 1; k < std::min(i + 1 + window, planned.size()); ++k) {
+        square += 2 * planned[k].acceleration * planned[k].segment.length;
+      }
+      EXPECT_LE(planned[i].end_velocity * planned[i].end_velocity, square * (1 + 1e-9)) << i;
+    }
   }
 }
 

@@ -19,6 +19,8 @@ struct ReferencePath {
 
   /// The shortest time from rest to rest.
   double ShortestTime() const;
+  /// The largest square of the speed along a segment: as commanded, and on its curve.
+  double TopOf(size_t slot) const;
 
  private:
   struct Point {
@@ -36,7 +38,6 @@ struct ReferencePath {
   }
   double RadiusAt(size_t corner) const;
   double CornerTop(size_t corner, const Coordinates& before, const Coordinates& after) const;
-  double TopOf(size_t slot) const;
   void Extend(double square, const Point& point, double* low, double* high) const;
   std::vector<Point> Points() const;
 };
@@ -63,7 +64,9 @@ inline double ReferencePath::TopOf(size_t slot) const {
     if (radius < kUnlimited) top = std::min(top, limits.radius_ratio * acceleration * radius);
   };
   if (slots[slot].segment.shape == SegmentShape::kArc) {
-    curve(slots[slot].segment.radius, slots[slot].acceleration);
+    // On a helix the radius of curvature of its path.
+    const Segment& arc = slots[slot].segment;
+    curve(arc.length * arc.length / (arc.radius * arc.sweep * arc.sweep), slots[slot].acceleration);
     return top;
   }
   for (const size_t corner : {slot, slot + 1}) {

@@ -24,13 +24,24 @@ class PlannedRun {
     card.fifo().planner.Emplace({.limits = path.limits, .capacity = capacity});
     card.fifo().planner->virtual_run.on = virtual_run;
     card.fifo().planner->virtual_run.cycle = kCycle;
-    for (const PathSlot& slot : path.slots) EXPECT_TRUE(card.core.AppendToCrd(0, 0, slot));
+    for (const PathSlot& slot : path.slots) {
+      EXPECT_TRUE(card.core.AppendToCrd(0, 0, slot));
+      if (slot.is_segment) {
+        segments_.slots.push_back(slot);
+      } else if (slot.command.kind == BufferedKind::kGear) {
+        displacement_[static_cast<size_t>(slot.command.item)] += slot.command.values[0];
+      } else if (slot.command.NeedsRest()) {
+        segments_.slots.back().ends_at_rest = true;
+      }
+    }
+    segments_.limits = path.limits;
     EXPECT_TRUE(card.fifo().Flush());
   }
 
   /// Runs to the end and checks every cycle; the time in ms.
   double Run() {
     card.Start();
+    override_ = card.crd().override_ratio;
     double time = 0;
     for (; card.running() && time < 1e6; time += kCycle) {
       if (each_cycle) each_cycle(time);
@@ -38,10 +49,14 @@ class PlannedRun {
       if (!card.running()) continue;
       CheckAlong();
       CheckAxes();
+      CheckFollowers();
       CheckCorner();
       CheckOnPath();
     }
     for (size_t i = 0; i < 4; ++i) EXPECT_EQ(card.profile(i).position, path_.end()[i]) << i;
+    for (size_t i = 4; i < kFollowerMax; ++i) {
+      EXPECT_NEAR(card.profile(i).position, displacement_[i], 1e-6) << i;
+    }
     return time;
   }
 
@@ -52,19 +67,41 @@ class PlannedRun {
 
   void CheckAlong() {
     // As commanded, not as planned.
-    const PathSlot& slot = path_.slots[static_cast<size_t>(card.fifo().done)];
-    EXPECT_LE(card.crd().run.velocity, slot.velocity * (1 + 1e-9));
+    const auto index = static_cast<size_t>(card.fifo().done);
+    const PathSlot& slot = segments_.slots[index];
+    const double ratio = slot.second_override ? card.crd().second_override : override_;
+    const double velocity = card.crd().run.velocity;
+    EXPECT_LE(velocity, slot.velocity * ratio * (1 + 1e-9));
     EXPECT_LE(std::fabs(card.crd().run.acceleration), slot.acceleration * (1 + 1e-9));
-    if (path_.limits.geometric && slot.segment.shape == SegmentShape::kArc) {
-      const double limit = path_.limits.radius_ratio * slot.acceleration * slot.segment.radius;
-      EXPECT_LE(card.crd().run.velocity, std::sqrt(limit) * (1 + 1e-9));
+    // The curvature of an arc, or of the lines before and after.
+    EXPECT_LE(velocity, std::sqrt(segments_.TopOf(index)) * (1 + 1e-6));
+    // From and to rest within a cycle's acceleration.
+    if (card.fifo().done == segment_ + 1 && segments_.slots[index - 1].ends_at_rest) {
+      EXPECT_LE(velocity, slot.acceleration * kCycle * (1 + 1e-9));
+      EXPECT_LE(speed_, segments_.slots[index - 1].acceleration * kCycle * (1 + 1e-9));
     }
+    speed_ = velocity;
   }
   void CheckAxes() {
     for (size_t i = 0; i < 4; ++i) {
       const AxisLimits& axis = path_.limits.axes[i];
       EXPECT_LE(std::fabs(card.profile(i).velocity), axis.velocity * (1 + 1e-6)) << i;
       EXPECT_LE(std::fabs(card.profile(i).acceleration), axis.acceleration * (1 + 1e-6)) << i;
+    }
+  }
+  /// Profiles 5 to 8. With ramps their velocities tell the acceleration, from cycle to cycle.
+  void CheckFollowers() {
+    for (size_t i = 4; i < kFollowerMax; ++i) {
+      const AxisLimits& limit = path_.limits.followers[i];
+      const double velocity = card.profile(i).velocity;
+      if (limit.velocity < kUnlimited) {
+        EXPECT_LE(std::fabs(velocity), limit.velocity * (1 + 1e-9)) << i;
+        const double jump = card.fifo().done != segment_ ? limit.jump : 0;
+        EXPECT_LE(std::fabs(velocity - follower_[i]),
+                  jump + limit.acceleration * kCycle * (1 + 1e-6))
+            << i;
+      }
+      follower_[i] = velocity;
     }
   }
   /// From one cycle to the next the velocities change by the corner's jump and the accelerations.
@@ -80,8 +117,8 @@ class PlannedRun {
       velocity_[i] = card.profile(i).velocity;
     }
     if (card.fifo().done == segment_ + 1 && path_.limits.geometric) {
-      const PathSlot& before = path_.slots[static_cast<size_t>(segment_)];
-      const PathSlot& after = path_.slots[static_cast<size_t>(segment_) + 1];
+      const PathSlot& before = segments_.slots[static_cast<size_t>(segment_)];
+      const PathSlot& after = segments_.slots[static_cast<size_t>(segment_) + 1];
       // Along the path, and on arcs towards the centre.
       const double acceleration = std::max(before.acceleration, after.acceleration) *
                                   (1 + std::max(path_.limits.radius_ratio, 1.0));
@@ -91,14 +128,30 @@ class PlannedRun {
     }
     segment_ = card.fifo().done;
   }
+  /// In the plane of the arc the distance from the centre, across it the share of the angle.
+  void CheckOnArc(const Segment& arc) {
+    double forward = 0;
+    double aside = 0;
+    for (size_t i = 0; i < 4; ++i) {
+      const double off = card.profile(i).position - arc.centre[i];
+      forward += off * arc.toward_start[i];
+      aside += off * arc.sideways[i];
+    }
+    EXPECT_NEAR(std::sqrt(forward * forward + aside * aside), arc.radius, kOnPath);
+    double angle = std::atan2(aside, forward);
+    if (angle < -1e-9) angle += 2 * M_PI;
+    for (size_t i = 0; i < 4; ++i) {
+      const double along = card.profile(i).position - arc.centre[i] -
+                           forward * arc.toward_start[i] - aside * arc.sideways[i];
+      EXPECT_NEAR(along, arc.travel[i] * angle / arc.sweep, kOnPath) << i;
+    }
+  }
   void CheckOnPath() {
     const Segment& segment = current().segment;
     Coordinates off{};
     for (size_t i = 0; i < 4; ++i) off[i] = card.profile(i).position - segment.start[i];
     if (segment.shape == SegmentShape::kArc) {
-      const double x = card.profile(0).position - segment.centre[0];
-      const double y = card.profile(1).position - segment.centre[1];
-      EXPECT_NEAR(std::sqrt(x * x + y * y), segment.radius, kOnPath);
+      CheckOnArc(segment);
       return;
     }
     double along = 0;
@@ -113,8 +166,13 @@ class PlannedRun {
   }
 
   PlannedPath path_;
+  ReferencePath segments_;  ///< without commands between them
+  std::array<double, kFollowerMax> displacement_{};
   Coordinates velocity_{};  ///< of the axes, a cycle before
-  int32_t segment_ = 0;     ///< number of the segment a cycle before
+  std::array<double, kFollowerMax> follower_{};
+  double speed_ = 0;
+  double override_ = 1;  ///< the first one, at the start
+  int32_t segment_ = 0;  ///< number of the segment a cycle before
 
  public:
   CrdRunTest card;
@@ -153,6 +211,101 @@ TEST(PlannedRun, KeepsTheLimitsInEveryCycle) {
     SCOPED_TRACE(seed);
     PlannedRun run(RandomPath(seed, seed % 2 == 0, seed % 3 != 0), seed % 4 == 0 ? 3 : 12);
     run.Run();
+  }
+}
+
+/// Many short lines with small turns and some corners and stops; some have the second override.
+PlannedPath RandomCarving(uint32_t seed) {
+  RandomNumbers random(seed);
+  PlannedPath path;
+  path.limits.corner_time = 10;
+  path.limits.radius_ratio = 0.3;
+  if (seed % 2 == 0) path.limits.axes = {{{80, 0.5, 10}, {60, 0.4, 8}, {30, 0.3, 4}, {30, 0.2, 2}}};
+  double angle = 0;
+  for (int i = 0; i < 120; ++i) {
+    path.velocity = random.Between(60, 120);
+    path.acceleration = random.Between(0.4, 1.2);
+    angle += random.Between(0, 1) < 0.1 ? random.Between(-3, 3) : random.Between(-0.3, 0.3);
+    const double length = random.Between(20, 1500);
+    Coordinates end = path.end();
+    end[0] += length * std::cos(angle);
+    end[1] += length * std::sin(angle);
+    end[2] += random.Between(-0.1, 0.1) * length;
+    if (seed % 3 == 0) end[3] += random.Between(-0.3, 0.3) * length;
+    path.Line(end);
+    path.slots.back().second_override = i % 3 == 0;
+    if (random.Between(0, 1) < 0.04) path.Rest();
+  }
+  return path;
+}
+
+TEST(PlannedRun, KeepsTheLimitsOfCurvesMadeOfLines) {
+  for (uint32_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE(seed);
+    PlannedRun run(RandomCarving(seed), seed % 2 == 0 ? 5 : 200);
+    run.card.crd().second_override = 0.4;
+    run.Run();
+  }
+}
+
+// A slow segment is not entered faster than its override allows, also after several short ones.
+TEST(PlannedRun, SlowsDownBeforeSegmentsWithALowerOverride) {
+  for (const double ratio : {0.05, 0.4, 0.9}) {
+    PlannedPath path;
+    path.limits.geometric = false;
+    path.limits.axes[0] = {100, 0.5, kUnlimited};
+    path.acceleration = 1;
+    path.Line({10000, 0}).Line({10100, 0}).Arc({10100, 2000}, 0, 1000, true).Line({10000, 2000});
+    path.Line({5000, 2000});
+    path.slots.back().second_override = true;
+    path.Line({0, 2000});
+    PlannedRun run(path, 20);
+    run.card.crd().second_override = ratio;
+    run.Run();
+    PlannedRun all(path, 20);
+    all.card.crd().second_override = all.card.crd().override_ratio = ratio;
+    all.Run();
+  }
+}
+
+TEST(PlannedRun, KeepsTheLimitsOfFollowers) {
+  for (uint32_t seed = 1; seed <= 8; ++seed) {
+    SCOPED_TRACE(seed);
+    RandomNumbers random(seed + 100);
+    PlannedPath path = RandomPath(seed, seed % 2 == 0, seed % 3 == 0);
+    path.limits.followers[4] = {20, 0.2, 3};
+    path.limits.followers[5] = {50, 0.1, 1};
+    for (size_t at = path.slots.size(); at-- > 0;) {
+      for (int profile = 4; profile < 6; ++profile) {
+        if (random.Between(0, 1) < 0.4) continue;
+        PathSlot gear;
+        gear.command = {BufferedKind::kGear, profile, 0, {random.Between(-9000, 9000)}};
+        if (seed > 4) {
+          gear.command.values[1] = random.Between(0, 1) < 0.3 ? 0 : random.Between(0.05, 0.5);
+          gear.command.values[2] = random.Between(0, 1) < 0.3 ? 0 : random.Between(0.05, 0.5);
+        }
+        path.slots.insert(path.slots.begin() + static_cast<std::ptrdiff_t>(at), gear);
+      }
+    }
+    const double estimate = PlannedRun(path, 6, true).card.fifo().planner->virtual_run.time;
+    EXPECT_NEAR(PlannedRun(path, 6).Run(), estimate, kCycle);
+  }
+}
+
+TEST(PlannedRun, StaysOnHelicesAndInEveryPlane) {
+  for (const ArcPlane plane : {kXyPlane, kYzPlane, kZxPlane}) {
+    PlannedPath path;
+    path.limits.radius_ratio = 0.5;
+    path.limits.axes[plane.second] = {60, 0.3, kUnlimited};
+    path.acceleration = 1;
+    Coordinates end{};
+    end[plane.first] = 10000;
+    end[plane.second] = 10000;
+    end[plane.normal] = 7000;
+    path.Arc(end, 0, 10000, true, plane);
+    end[plane.normal] = -3000;
+    path.Arc(end, -3000, 0, false, plane);
+    PlannedRun(path, 5).Run();
   }
 }
 
