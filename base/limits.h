@@ -29,6 +29,8 @@ inline constexpr FileKind kSearchKind = {"a search file", "搜索文件", 1024 *
 inline constexpr FileKind kRequestKind = {"a request", "请求", 64 * kMebibyte};
 /// The vendor's .cfg.
 inline constexpr FileKind kConfigKind = {"a configuration", "配置文件", 1 * kMebibyte};
+/// A description of an EtherCAT bus: configuration tools write commands for each slave, too.
+inline constexpr FileKind kEniKind = {"an ENI file", "ENI 文件", 8 * kMebibyte};
 /// Files that oncard itself writes and reads back.
 inline constexpr FileKind kOwnKind = {"a file", "文件", 1024 * kMebibyte};
 

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <pugixml.hpp>
+#include <set>
 #include <utility>
 
 #include "motion/bus/objects.h"
@@ -21,14 +24,29 @@ constexpr uint16_t kControlWord = 0x6040;
 constexpr uint16_t kCouplerStatus = 0xF100;
 /// Longer entries are gaps.
 constexpr int64_t kEntryBitsMax = 32;
-constexpr int64_t kU32Max = 4'294'967'295;
+/// A PdoEntry has at most so many bits; longer gaps are several entries.
+constexpr int64_t kGapBitsMax = 255;
+constexpr int64_t kU16Max = 65'535;
+constexpr int64_t kI32Min = std::numeric_limits<int32_t>::min();
+constexpr int64_t kU32Max = std::numeric_limits<uint32_t>::max();
+
+/// The text of an element, also in CDATA or around a comment, without blanks at its ends.
+std::string TextOf(const pugi::xml_node& node) {
+  std::string text;
+  for (const pugi::xml_node& part : node.children()) text += part.value();
+  constexpr std::string_view kBlanks = " \t\r\n";
+  const size_t begin = text.find_first_not_of(kBlanks);
+  if (begin == std::string::npos) return {};
+  return text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
+}
 
 /// A whole number as ENI files write it: `17`, `#x11`, `0x11`.
 std::optional<int64_t> ReadNumber(std::string_view text) {
   int base = 10;
-  if (text.starts_with("#x") || text.starts_with("0x")) {
+  if (text.starts_with("#x") || text.starts_with("0x") || text.starts_with("0X")) {
     base = 16;
     text.remove_prefix(2);
+    if (text.starts_with("-")) return std::nullopt;
   }
   int64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
@@ -52,16 +70,22 @@ class EniReader {
     if (!config) {
       Fail(0, {"not an ENI file: the element EtherCATConfig/Config is missing",
                "不是 ENI 文件：缺少元素 EtherCATConfig/Config"});
+    } else if (const pugi::xml_node next = config.next_sibling("Config")) {
+      Fail(next, {"a second bus: a card has one, with one element Config",
+                  "第二条总线：一张卡只有一条总线，即一个 Config 元素"});
+    } else if (!config.child("Slave")) {
+      Fail(config, {"the file describes no slave", "文件没有描述任何从站"});
     }
     Slaves slaves;
     for (const pugi::xml_node& node : config.children("Slave")) {
+      if (error_) break;
+      CheckAddress(node.child("Info").child("PhysAddr"));
       slaves.push_back(ReadSlave(node));
       if (slaves.size() > motion::bus::kSlaveMax || ImageSize(slaves) > motion::bus::kImageMax) {
         Fail(node, MakeMessage("more than {0} slaves, or {1} bytes of process data",
                                "超过 {0} 个从站，或过程数据超过 {1} 字节", motion::bus::kSlaveMax,
                                motion::bus::kImageMax));
       }
-      if (error_) break;
     }
     if (error_) return *std::move(error_);
     NumberAxes(&slaves);
@@ -72,13 +96,14 @@ class EniReader {
   Slave ReadSlave(const pugi::xml_node& node) {
     Slave slave;
     const pugi::xml_node info = node.child("Info");
-    slave.vendor = static_cast<uint32_t>(Number(node, info, "VendorId", kU32Max));
-    slave.product = static_cast<uint32_t>(Number(node, info, "ProductCode", kU32Max));
+    // Numbers with the highest bit may be written as negative ones.
+    slave.vendor = static_cast<uint32_t>(Number(node, info, "VendorId", kU32Max, kI32Min));
+    slave.product = static_cast<uint32_t>(Number(node, info, "ProductCode", kU32Max, kI32Min));
     const pugi::xml_node data = node.child("ProcessData");
     slave.outputs = ReadPdos(data, "RxPdo");
     slave.inputs = ReadPdos(data, "TxPdo");
-    CheckLength(data.child("Send"), slave.outputs);
-    CheckLength(data.child("Recv"), slave.inputs);
+    CheckLength(data, "Send", slave.outputs);
+    CheckLength(data, "Recv", slave.inputs);
     const auto has = [](const std::vector<PdoEntry>& entries, uint16_t index) {
       return std::ranges::any_of(entries,
                                  [index](const PdoEntry& entry) { return entry.index == index; });
@@ -100,26 +125,38 @@ class EniReader {
     for (const pugi::xml_node& pdo : pdos) {
       if (some && !assigned(pdo)) continue;
       for (const pugi::xml_node& entry : pdo.children("Entry")) {
-        if (entries.size() >= motion::bus::kImageMax || error_) return entries;
-        entries.push_back(ReadEntry(entry));
+        // An entry has at least one bit, so the image is too large then.
+        if (entries.size() > 8 * motion::bus::kImageMax || error_) return entries;
+        ReadEntry(entry, &entries);
       }
     }
     return entries;
   }
 
-  PdoEntry ReadEntry(const pugi::xml_node& node) {
-    PdoEntry entry;
-    entry.index = static_cast<uint16_t>(Number(node, node, "Index", 0xFFFF));
-    entry.bits = static_cast<uint8_t>(Number(node, node, "BitLen", 255));
-    // A gap has no subindex.
-    if (entry.index != 0) {
-      entry.subindex = static_cast<uint8_t>(Number(node, node, "SubIndex", 255));
-    }
-    if (entry.bits == 0) {
+  void ReadEntry(const pugi::xml_node& node, std::vector<PdoEntry>* entries) {
+    const auto index = static_cast<uint16_t>(Number(node, node, "Index", kU16Max));
+    int64_t bits = Number(node, node, "BitLen", kU16Max);
+    // A gap, and an object that is one number, may have no subindex.
+    const bool numbered = index != 0 && node.child("SubIndex");
+    const int64_t subindex = numbered ? Number(node, node, "SubIndex", 255) : 0;
+    if (bits == 0) {
       Fail(node, {"BitLen is 0: an entry has at least 1 bit", "BitLen 为 0：条目至少 1 位"});
+    } else if (bits <= kEntryBitsMax) {
+      entries->push_back({index, static_cast<uint8_t>(subindex), static_cast<uint8_t>(bits)});
+      return;
     }
-    if (entry.bits > kEntryBitsMax) entry = {0, 0, entry.bits};
-    return entry;
+    for (; bits > 0; bits -= kGapBitsMax) {
+      entries->push_back({0, 0, static_cast<uint8_t>(std::min(bits, kGapBitsMax))});
+    }
+  }
+
+  /// Two slaves cannot have the same fixed address.
+  void CheckAddress(const pugi::xml_node& node) {
+    if (!node) return;
+    const int64_t address = Number(node, node.parent(), "PhysAddr", kU16Max);
+    if (addresses_.insert(address).second) return;
+    Fail(node, MakeMessage("PhysAddr {0} belongs to another slave", "PhysAddr {0} 已属于另一个从站",
+                           address));
   }
 
   /// A drive's objects have the length of its dictionary.
@@ -137,11 +174,16 @@ class EniReader {
     }
   }
 
-  /// The image has as many bits as the objects in it, up to whole bytes.
-  void CheckLength(const pugi::xml_node& image, const std::vector<PdoEntry>& entries) {
+  /// The image has as many bits as the objects in it, up to whole bytes. It may be in parts.
+  void CheckLength(const pugi::xml_node& data, const char* name,
+                   const std::vector<PdoEntry>& entries) {
+    const pugi::xml_node image = data.child(name);
     if (!image) return;
-    const auto bits = static_cast<size_t>(Number(image, image, "BitLength", kU32Max));
-    if ((bits + 7) / 8 == BytesOf(entries)) return;
+    int64_t bits = 0;
+    for (const pugi::xml_node& part : data.children(name)) {
+      bits += Number(part, part, "BitLength", kU32Max);
+    }
+    if (static_cast<size_t>((bits + 7) / 8) == BytesOf(entries)) return;
     Fail(image, MakeMessage("BitLength is {0}, but the objects take {1} bytes",
                             "BitLength 为 {0}，而对象共 {1} 字节", bits, BytesOf(entries)));
   }
@@ -156,13 +198,14 @@ class EniReader {
 
   /// The number in an element; `place` is named if there is none.
   int64_t Number(const pugi::xml_node& place, const pugi::xml_node& parent, const char* name,
-                 int64_t largest) {
+                 int64_t largest, int64_t smallest = 0) {
     const pugi::xml_node node = parent.child(name);
-    const std::optional<int64_t> value = ReadNumber(node.text().get());
-    if (value && *value >= 0 && *value <= largest) return *value;
+    const std::string text = TextOf(node);
+    const std::optional<int64_t> value = ReadNumber(text);
+    if (value && *value >= smallest && *value <= largest) return *value;
     Fail(node ? node : place,
-         MakeMessage("{0} is '{1}': a number from 0 to {2} is expected",
-                     "{0} 为“{1}”：应为 0 至 {2} 的数", name, node.text().get(), largest));
+         MakeMessage("{0} is '{1}': a number from {3} to {2} is expected",
+                     "{0} 为“{1}”：应为 {3} 至 {2} 的数", name, text, largest, smallest));
     return 0;
   }
 
@@ -184,6 +227,7 @@ class EniReader {
 
   const std::string_view text_;
   const std::string path_;
+  std::set<int64_t> addresses_;
   std::optional<Error> error_;
 };
 

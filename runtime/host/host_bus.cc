@@ -11,7 +11,7 @@ namespace oncard::runtime {
 Message TakeEni(const std::string& folder, Scenario* scenario) {
   const std::string path = (std::filesystem::path(folder) / kEniName).string();
   if (folder.empty() || !FileExists(path)) return {};
-  const auto text = ReadFile(path, kConfigKind);
+  const auto text = ReadFile(path, kEniKind);
   if (!text.ok()) return text.error().message;
   const auto described = ParseEni(text.value(), path);
   if (!described.ok()) return described.error().message;

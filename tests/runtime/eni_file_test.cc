@@ -89,8 +89,23 @@ TEST(EniFile, WhatIsWrongIsNamedWithItsPlace) {
       {"<a>", "not XML"},
       {"<a/>", "EtherCATConfig/Config is missing"},
       {Without(kFile, "<VendorId>#x2E1</VendorId>"), "Gecat.eni:5:4: VendorId is ''"},
-      {Without(kFile, "#x2E1", "#x1FFFFFFFF"), "a number from 0 to 4294967295"},
-      {Without(kFile, "#x2E1", "-1"), "VendorId is '-1'"},
+      {Without(kFile, "#x2E1", "#x1FFFFFFFF"), "a number from -2147483648 to 4294967295"},
+      {Without(kFile, "#x2E1", "-2147483649"), "VendorId is '-2147483649'"},
+      {Without(kFile, "#x2E1", "#x-1"), "VendorId is '#x-1'"},
+      {Without(kFile, "#x2E1", "#x"), "VendorId is '#x'"},
+      {Without(kFile, "<BitLen>16</BitLen>", ""), "BitLen is ''"},
+      {Without(kFile, "<BitLen>16</BitLen>", "<BitLen>65536</BitLen>"), "from 0 to 65535"},
+      {Without(kFile, "<Index>#x6040</Index>", ""), "Index is ''"},
+      {Without(kFile, "<BitLength>48</BitLength>", ""), "BitLength is ''"},
+      {Without(kFile, "<BitLength>48</BitLength>", "<BitLength>4294967295</BitLength>"),
+       "the objects take 6 bytes"},
+      {Without(kFile, "<VendorId>7", "<PhysAddr>1001</PhysAddr><VendorId>7"),
+       "PhysAddr 1001 belongs to another slave"},
+      {Without(kFile, "</Config>", "</Config><Config/>"), "a second bus"},
+      {"<EtherCATConfig><Config><Master/></Config></EtherCATConfig>", "describes no slave"},
+      {"<EtherCATInfo><Descriptions/></EtherCATInfo>", "not an ENI file"},
+      {"<e:EtherCATConfig xmlns:e='x'><e:Config/></e:EtherCATConfig>", "not an ENI file"},
+      {std::string(kFile).substr(0, 900), "not XML"},
       {Without(kFile, "<BitLen>16</BitLen>", "<BitLen>0</BitLen>"), "at least 1 bit"},
       {Without(kFile, "<BitLength>48</BitLength>", "<BitLength>64</BitLength>"),
        "BitLength is 64, but the objects take 6 bytes"},
@@ -102,6 +117,68 @@ TEST(EniFile, WhatIsWrongIsNamedWithItsPlace) {
     ASSERT_FALSE(slaves.ok()) << expected;
     EXPECT_THAT(slaves.error().message.en, HasSubstr(expected));
   }
+}
+
+/// As the tools of several vendors write it: a namespace, comments, CDATA, blanks around numbers,
+/// identities as negative numbers, images in parts, long gaps, objects without a subindex.
+TEST(EniFile, IsReadAsDifferentToolsWriteIt) {
+  constexpr char kText[] = R"(<?xml version="1.0" encoding="utf-8"?>
+<!-- made by a tool -->
+<EtherCATConfig xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" Version="1.3">
+ <Config>
+  <Master><Info><Destination>ffffffffffff</Destination><EtherType>a488</EtherType></Info>
+   <InitCmds><InitCmd><Cmd>8</Cmd><Data>00000000</Data></InitCmd></InitCmds></Master>
+  <!-- the only one -->
+  <Slave>
+   <Info><Name><![CDATA[Drive <1> & co]]></Name><PhysAddr> #x3E9 </PhysAddr>
+    <VendorId>-2147483646</VendorId><ProductCode><![CDATA[ 0X10 ]]></ProductCode></Info>
+   <ProcessData>
+    <Send><BitStart>0</BitStart><BitLength>32</BitLength></Send>
+    <Send><BitStart>64</BitStart><BitLength>16</BitLength></Send>
+    <Recv><BitStart>0</BitStart><BitLength>616</BitLength></Recv>
+    <Sm2><Type>Outputs</Type><Pdo>5632</Pdo></Sm2>
+    <RxPdo Fixed="true" Sm="2"><Index>#x1600</Index><Name><![CDATA[Outputs]]></Name>
+     <Entry><Index>
+       #x6040
+      </Index><BitLen>16</BitLen><DataType>UINT</DataType></Entry>
+     <Entry><Index>#x60<!-- target -->7A</Index><SubIndex>#x00</SubIndex><BitLen>32</BitLen></Entry>
+    </RxPdo>
+    <TxPdo Sm="3"><Index>#x1A00</Index>
+     <Entry><Index>#x6041</Index><SubIndex>0</SubIndex><BitLen>16</BitLen></Entry>
+     <Entry><Index>#x2000</Index><SubIndex>1</SubIndex><BitLen>600</BitLen></Entry>
+    </TxPdo>
+   </ProcessData>
+   <Mailbox><CoE><InitCmds><InitCmd><Data>0800</Data></InitCmd></InitCmds></CoE></Mailbox>
+  </Slave>
+ </Config>
+</EtherCATConfig>)";
+  const auto slaves = ParseEni(kText, "Gecat.eni");
+  ASSERT_TRUE(slaves.ok()) << slaves.error().message.en;
+  const auto& drive = slaves.value().front();
+  EXPECT_EQ(drive.vendor, 0x80000002u);
+  EXPECT_EQ(drive.product, 0x10u);
+  EXPECT_THAT(drive.outputs, ElementsAre(PdoEntry{0x6040, 0, 16}, PdoEntry{0x607A, 0, 32}));
+  EXPECT_THAT(drive.inputs, ElementsAre(PdoEntry{0x6041, 0, 16}, PdoEntry{0, 0, 255},
+                                        PdoEntry{0, 0, 255}, PdoEntry{0, 0, 90}));
+}
+
+TEST(EniFile, OfWindowsHasOtherEndsOfLinesAndAMark) {
+  std::string text = "\xEF\xBB\xBF";
+  for (const char c : std::string_view(kFile)) text += c == '\n' ? "\r\n" : std::string(1, c);
+  const auto slaves = ParseEni(text, "Gecat.eni");
+  ASSERT_TRUE(slaves.ok()) << slaves.error().message.en;
+  EXPECT_EQ(slaves.value(), ParseEni(kFile, "").value());
+}
+
+TEST(EniFile, ASlaveWithMoreObjectsThanTheImageHoldsIsRefused) {
+  std::string text =
+      "<EtherCATConfig><Config><Slave><Info><VendorId>1</VendorId><ProductCode>1</ProductCode>"
+      "</Info><ProcessData><TxPdo><Index>#x1A00</Index>";
+  for (int i = 0; i < 12'000; ++i) text += "<Entry><Index>0</Index><BitLen>1</BitLen></Entry>";
+  text += "</TxPdo></ProcessData></Slave></Config></EtherCATConfig>";
+  const auto slaves = ParseEni(text, "Gecat.eni");
+  ASSERT_FALSE(slaves.ok());
+  EXPECT_THAT(slaves.error().message.en, HasSubstr("1486 bytes of process data"));
 }
 
 TEST(EniFile, ABusThatIsTooLargeIsRefused) {

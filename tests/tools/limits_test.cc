@@ -48,7 +48,8 @@ INSTANTIATE_TEST_SUITE_P(
                     PageRow{"bytes of a schedule", kScheduleKind.bytes_max},
                     PageRow{"bytes of a search file", kSearchKind.bytes_max},
                     PageRow{"bytes of a request of a session", kRequestKind.bytes_max},
-                    PageRow{"bytes of a `.cfg`", kConfigKind.bytes_max}));
+                    PageRow{"bytes of a `.cfg`", kConfigKind.bytes_max},
+                    PageRow{"bytes of `Gecat.eni`", kEniKind.bytes_max}));
 
 struct LargeFile {
   const char* name;
