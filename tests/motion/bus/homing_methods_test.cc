@@ -102,12 +102,21 @@ TEST(HomingMethods, EndAtTheHomePositionOfTheStandardFromEverySide) {
   }
 }
 
+/// On both sides of the home switch, on it, and at both edges of it.
 TEST(HomingMethods, ToTheNextIndexMarkOrHereNeedNoSwitch) {
-  const std::pair<int, double> kCasesHere[] = {
-      {33, -20'750}, {34, -19'750}, {35, -20'000}, {37, -20'000}};
-  for (const auto& [method, expected] : kCasesHere) {
-    HomingCard card(-20'000);
-    Expect(card, method, -20'000, expected);
+  struct Row {
+    double start;
+    double left, right;  ///< the next marks
+  };
+  for (const Row& row :
+       {Row{-20'000, -20'750, -19'750}, Row{20'000, 19'250, 20'250}, Row{2000, 1250, 2250},
+        Row{kLeftEdge, 250, 1250}, Row{kRightEdge, 2250, 3250}}) {
+    const std::pair<int, double> kCasesHere[] = {
+        {33, row.left}, {34, row.right}, {35, row.start}, {37, row.start}};
+    for (const auto& [method, expected] : kCasesHere) {
+      HomingCard card(row.start);
+      Expect(card, method, row.start, expected);
+    }
   }
 }
 
