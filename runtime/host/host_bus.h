@@ -4,15 +4,14 @@
 
 #include <string>
 
-#include "base/message.h"
 #include "runtime/scenario/scenario.h"
 
 namespace oncard::runtime {
 
 /// Adds what the ENI file in a folder describes to a scenario: the configuration of its bus and, if
-/// it has no slaves, the slaves. Does nothing if there is no such file. Returns why it cannot be
-/// used; empty if it can.
-Message TakeEni(const std::string& folder, Scenario* scenario);
+/// it has no slaves, the slaves; or BusSetup::eni_error. Does nothing if there is no such file. A
+/// drive that is connected says which motor it moves; others have the axes that are free.
+void TakeEni(const std::string& folder, Scenario* scenario);
 
 /// The folder of the program that runs; empty if it cannot be found.
 std::string FolderOfProgram();

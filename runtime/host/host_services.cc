@@ -74,8 +74,8 @@ int16_t Open(ServiceCall& call) {
   const Scenario bare = BareCard(card.value());
   if (world == nullptr && !trace_files.empty()) world = std::make_shared<const Scenario>(bare);
   Scenario opened = world == nullptr ? bare : *world;
-  const Message bus_error = TakeEni(FolderOfProgram(), &opened);
-  const bool bare_card = world == nullptr && opened.bus.slaves.empty();
+  TakeEni(FolderOfProgram(), &opened);
+  const bool bare_card = world == nullptr && opened.bus == BusSetup();
   CallRecorder* const recorder = CallRecorder::Wanted();
   if (recorder != nullptr) {
     const auto recorded = recorder->Open(CardNumber(call), opened, bare_card);
@@ -99,7 +99,6 @@ int16_t Open(ServiceCall& call) {
     slot.watch.emplace(world, CardNumber(call), std::move(trace_files));
     slot.watch->Listen(slot.controller.get());
   }
-  slot.controller->card().bus_error = bus_error;
   if (!bare_card) ApplyWorld(opened, slot.controller.get());
   slot.clock.emplace(clock.value());
   const bool collects = RefusalWishOfProcess() != RefusalWish::kNothing;

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/message.h"
 #include "base/result.h"
 #include "motion/bus/slaves.h"
 
@@ -46,7 +47,14 @@ struct BusSetup {
   /// What the ENI file describes; empty: the slaves.
   std::vector<BusSlaveSetup> configured;
   std::vector<BusInputEvent> inputs;  ///< in order of time
-  bool operator==(const BusSetup&) const = default;
+  /// Why the ENI file of a host cannot be used; empty: it can, or there is none. No key of a
+  /// scenario: records of host calls keep it.
+  Message eni_error;
+
+  bool operator==(const BusSetup& other) const {
+    return slaves == other.slaves && configured == other.configured && inputs == other.inputs &&
+           eni_error.en == other.eni_error.en;
+  }
 };
 
 /// An entry of process data: `index[:subindex[:bits]]`, the index in hexadecimal, or `gap:bits`. An

@@ -237,6 +237,9 @@ class RecordReader {
     if (!line->good()) return Damaged();
     auto world = ParseScenario(scenario, path_, ScenarioUse::kText);
     if (!world.ok()) return world.error();
+    if (line->Has("eni") && !ReadMessage(line->At("eni"), &world.value().bus.eni_error)) {
+      return Damaged();
+    }
     CallRecord opened;
     opened.card = card;
     opened.bare = bare;
@@ -273,16 +276,19 @@ class RecordReader {
     }
     call.acts = !line->Has("library");
     if (line->Has("library")) {
-      const Json& reason = line->At("library");
-      if (!reason.is_array() || reason.size() != 2 || !reason[0].is_string() ||
-          !reason[1].is_string()) {
-        return Damaged();
-      }
-      call.reason = {reason[0].get<std::string>(), reason[1].get<std::string>()};
+      if (!ReadMessage(line->At("library"), &call.reason)) return Damaged();
     }
     if (!ReadFiles(line, &call)) return Damaged();
     record->calls.push_back(std::move(call));
     return {};
+  }
+
+  /// A message in both languages.
+  static bool ReadMessage(const Json& json, Message* message) {
+    const bool good =
+        json.is_array() && json.size() == 2 && json[0].is_string() && json[1].is_string();
+    if (good) *message = {json[0].get<std::string>(), json[1].get<std::string>()};
+    return good;
   }
 
   static bool ReadFiles(LineReader* line, RecordedCall* call) {
@@ -362,7 +368,10 @@ std::string FormatRecordedOpening(int card, const Scenario& scenario, bool bare)
   world.rate = scenario.rate;
   world.world = scenario.world;
   world.bus = scenario.bus;
-  return Line({{"open", card}, {"bare", bare}, {"scenario", FormatScenario(world)}});
+  Json json = {{"open", card}, {"bare", bare}, {"scenario", FormatScenario(world)}};
+  const Message& eni = scenario.bus.eni_error;
+  if (!eni.en.empty()) json["eni"] = {eni.en, eni.zh};
+  return Line(json);
 }
 
 std::string FormatRecordedCall(int card, const RecordedCall& call) {

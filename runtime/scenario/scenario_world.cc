@@ -194,6 +194,7 @@ void ApplyWorld(const Scenario& scenario, Controller* controller) {
     core.state().modules[static_cast<size_t>(module.module)].present = true;
   }
   ConnectBus(scenario.bus, core);
+  controller->card().bus_error = scenario.bus.eni_error;
   core.PowerOn(std::make_shared<const WorldEvents>(EventsOfWorld(scenario)));
 }
 

@@ -8,6 +8,8 @@
 
 #include "base/files.h"
 #include "runtime/host/host_bus.h"
+#include "runtime/scenario/call_record.h"
+#include "runtime/scenario/scenario_world.h"
 
 namespace oncard::runtime {
 namespace {
@@ -202,29 +204,102 @@ TEST(EniFile, IsReadBackAsItWasWritten) {
   EXPECT_EQ(again.value(), slaves);
 }
 
-TEST(EniFile, AScenarioTakesItFromTheFolderOfTheProgram) {
-  const std::string folder = ::testing::TempDir() + "/eni";
-  std::filesystem::create_directories(folder);
-  Scenario scenario;
-  EXPECT_TRUE(TakeEni(folder, &scenario).en.empty());
-  EXPECT_TRUE(scenario.bus.slaves.empty());
-  ASSERT_TRUE(WriteFileAtomically(folder + "/Gecat.eni", kFile).ok());
-  EXPECT_TRUE(TakeEni(folder, &scenario).en.empty());
-  ASSERT_EQ(scenario.bus.slaves.size(), 2u);
-  EXPECT_EQ(scenario.bus.slaves, scenario.bus.configured);
-  for (size_t i = 0; i < 2; ++i) {
-    EXPECT_EQ(SlaveOf(scenario.bus.slaves[i]), ParseEni(kFile, "").value()[i]);
+/// A folder with a file, or without one.
+class EniFolder : public ::testing::Test {
+ protected:
+  EniFolder() : folder_(::testing::TempDir() + "/eni") {
+    std::filesystem::create_directories(folder_);
   }
-  // Slaves of the scenario are what is connected; a drive keeps its motor.
-  BusSlaveSetup other;
-  other.axis = 5;
-  scenario.bus.slaves = {other};
-  EXPECT_TRUE(TakeEni(folder, &scenario).en.empty());
-  EXPECT_EQ(scenario.bus.slaves.size(), 1u);
-  EXPECT_EQ(scenario.bus.configured[0].axis, 5);
-  ASSERT_TRUE(WriteFileAtomically(folder + "/Gecat.eni", "<a>").ok());
-  EXPECT_THAT(TakeEni(folder, &scenario).en, HasSubstr("not XML"));
-  std::filesystem::remove_all(folder);
+  ~EniFolder() override { std::filesystem::remove_all(folder_); }
+  void Write(const std::string& text) {
+    ASSERT_TRUE(WriteFileAtomically(folder_ + "/Gecat.eni", text).ok());
+  }
+  /// The bus of a scenario with these slaves.
+  BusSetup Take(const std::vector<BusSlaveSetup>& slaves = {}, int axis_count = 8) {
+    Scenario scenario;
+    scenario.axis_count = axis_count;
+    scenario.bus.slaves = slaves;
+    TakeEni(folder_, &scenario);
+    return scenario.bus;
+  }
+
+  const std::string folder_;
+};
+
+Slaves Drives(size_t count) { return Slaves(count, DefaultSlave(SlaveKind::kDrive)); }
+
+BusSlaveSetup DriveOfAxis(int axis) {
+  BusSlaveSetup drive;
+  drive.axis = axis;
+  return drive;
+}
+
+TEST_F(EniFolder, WithoutAFileLeavesTheScenarioAsItIs) { EXPECT_EQ(Take(), BusSetup()); }
+
+TEST_F(EniFolder, DescribesTheSlavesOfAScenarioThatHasNone) {
+  Write(kFile);
+  const BusSetup bus = Take();
+  EXPECT_TRUE(bus.eni_error.en.empty());
+  ASSERT_EQ(bus.slaves.size(), 2u);
+  EXPECT_EQ(bus.slaves, bus.configured);
+  for (size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(SlaveOf(bus.slaves[i]), ParseEni(kFile, "").value()[i]);
+  }
+}
+
+TEST_F(EniFolder, DoesNotChangeWhatIsConnected) {
+  Write(kFile);
+  const BusSetup bus = Take({DriveOfAxis(5)});
+  EXPECT_EQ(bus.slaves.size(), 1u);
+  EXPECT_EQ(bus.configured.size(), 2u);
+  EXPECT_EQ(bus.configured[0].axis, 5);
+}
+
+TEST_F(EniFolder, TheOtherDrivesHaveTheAxesThatAreFree) {
+  Write(FormatEni(Drives(3)));
+  const BusSetup bus = Take({DriveOfAxis(2)});
+  EXPECT_EQ(bus.configured[0].axis, 2);
+  EXPECT_EQ(bus.configured[1].axis, 1);
+  EXPECT_EQ(bus.configured[2].axis, 3);
+}
+
+TEST_F(EniFolder, MoreDrivesThanAxesAreAMistake) {
+  Write(FormatEni(Drives(9)));
+  EXPECT_THAT(Take().eni_error.en, HasSubstr("more drives than the card has axes, 8"));
+  EXPECT_TRUE(Take({}, 12).eni_error.en.empty());
+}
+
+TEST_F(EniFolder, WhyTheFileCannotBeUsedIsKept) {
+  Write("<a>");
+  const BusSetup bus = Take({DriveOfAxis(1)});
+  EXPECT_THAT(bus.eni_error.en, HasSubstr("not XML"));
+  EXPECT_EQ(bus.slaves.size(), 1u);
+  EXPECT_TRUE(bus.configured.empty());
+}
+
+TEST_F(EniFolder, AFileThatIsTooLargeIsNotRead) {
+  Write(std::string(kEniKind.bytes_max + 1, ' '));
+  EXPECT_THAT(Take().eni_error.en, HasSubstr("an ENI file has at most 8388608"));
+}
+
+/// What the card of a record says, as the card of the host did.
+TEST_F(EniFolder, ARecordOfHostCallsKeepsIt) {
+  for (const std::string& text : {std::string("<a>"), FormatEni(Drives(9)), FormatEni(Drives(3))}) {
+    Write(text);
+    Scenario scenario;
+    scenario.bus = Take({DriveOfAxis(2)});
+    const auto records =
+        ParseCallRecords(FormatRecordHead() + FormatRecordedOpening(0, scenario, false) +
+                             FormatRecordedEnd(0, {0, 1}),
+                         "host.calls");
+    ASSERT_TRUE(records.ok()) << records.error().message.en;
+    const Scenario& again = records.value().front().scenario;
+    EXPECT_EQ(again.bus, scenario.bus);
+    EXPECT_EQ(again.bus.eni_error.zh, scenario.bus.eni_error.zh);
+    Controller controller(CardOptions(again));
+    ApplyWorld(again, &controller);
+    EXPECT_EQ(controller.card().bus_error.en, scenario.bus.eni_error.en);
+  }
 }
 
 }  // namespace
