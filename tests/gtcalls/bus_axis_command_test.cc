@@ -198,6 +198,50 @@ TEST(BusAxisCommands, HomeWithMethod3AsInTheManual) {
   EXPECT_GT(card.motor(), 19'500);
 }
 
+/// The same with the numbers of the manual, and as there the status is asked for in every cycle;
+/// then homing that is stopped. On cards with any profile cycle, which is that of the bus.
+TEST(BusAxisCommands, TheManualsCycleHomesAndStops) {
+  for (const int64_t cycle_us : {125, 250, 1000, 4000}) {
+    motion::MotionConfig config;
+    config.cycle_us = cycle_us;
+    BusCommandCard card({CompleteDrive(0)}, {}, config);
+    motion::PositionSwitch home;
+    home.first = 20'000;
+    home.last = 1e9;
+    card.motion.state().switches.push_back(home);
+    card.motion.state().index_marks[0] = {500, 1000};
+    card.Enable();
+    const int64_t step = (motion::bus::kBusStepUs + cycle_us - 1) / cycle_us;
+    EXPECT_EQ(card.motion.now(), (3 * step + 8) * cycle_us);
+    card.Expect(0, "GT_SetHomingMode", {1, 6});
+    card.Expect(0, "GT_SetEcatHomingPrm", {1, 3, 5000, 3000, 100'000, 0, 0});
+    card.Expect(0, "GT_StartEcatHoming", {1});
+    for (int i = 0, homed = 0; i < 4000 && homed < 10; ++i) {
+      card.Cycle();
+      if (card.Read("GT_GetEcatHomingStatus", {1}) != 3) continue;
+      ++homed;
+      card.Expect(0, "GT_SetHomingMode", {1, 8});
+    }
+    EXPECT_EQ(card.Read("GT_GetEcatHomingStatus", {1}), 3) << cycle_us;
+    EXPECT_EQ(card.motor(), 19'500) << cycle_us;
+    EXPECT_EQ(card.motion.state().profiles[0].now.position, 0) << cycle_us;
+
+    card.Expect(0, "GT_SetHomingMode", {1, 6});
+    card.Expect(0, "GT_SetEcatHomingPrm", {1, 27, 50, 3, 1, 0, 0});
+    card.Expect(0, "GT_StartEcatHoming", {1});
+    card.Cycles(static_cast<int>(100'000 / cycle_us));
+    EXPECT_NE(card.motion.state().plants[0].velocity, 0) << cycle_us;
+    card.Expect(0, "GT_StopEcatHoming", {1});
+    card.Expect(0, "GT_SetHomingMode", {1, 8});
+    card.Cycles(4);
+    EXPECT_EQ(card.motion.state().plants[0].velocity, 0) << cycle_us;
+    EXPECT_EQ(card.Read("GT_GetEcatHomingStatus", {1}), 0) << cycle_us;
+    EXPECT_EQ(card.motion.state().profiles[0].now.position, card.Read("GT_GetEcatEncPos", {1}))
+        << cycle_us;
+    EXPECT_EQ(card.Status() & (kEnabledBit | kAlarmBit), kEnabledBit) << cycle_us;
+  }
+}
+
 TEST(BusAxisCommands, HomingHasThreeConditions) {
   BusCommandCard card({CompleteDrive(0)});
   card.Up();

@@ -26,7 +26,9 @@ class BusCommandCard : public CommandTestCard {
  public:
   using Slaves = motion::bus::Slaves;
 
-  explicit BusCommandCard(Slaves slaves, motion::WorldEvents events = {}) {
+  explicit BusCommandCard(Slaves slaves, motion::WorldEvents events = {},
+                          const motion::MotionConfig& config = {})
+      : CommandTestCard(config) {
     auto shared = std::make_shared<const Slaves>(std::move(slaves));
     motion.ConnectBus(shared, shared);
     motion.PowerOn(std::make_shared<const motion::WorldEvents>(std::move(events)));
