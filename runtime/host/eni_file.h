@@ -1,8 +1,8 @@
 // EtherCAT network information files (ENI, ETG.2100), such as Gecat.eni: the slaves of a bus with
 // their identities and process data. Of a slave the reader takes VendorId and ProductCode of Info,
-// and the RxPdo and TxPdo of ProcessData that have a sync manager (`Sm`), or all if none has. Numbers
-// are `17`, `#x11` or `0x11`, also in CDATA. PhysAddr and the lengths of Send and Recv are checked.
-// Other elements are for masters that send frames, and are not read.
+// and the RxPdo and TxPdo of ProcessData that have a sync manager (`Sm`), or all if none has.
+// Numbers are `17`, `#x11` or `0x11`, also in CDATA. PhysAddr and the lengths of Send and Recv are
+// checked. Other elements are for masters that send frames, and are not read.
 //
 // A slave whose outputs contain 6040h is a drive; drives are axes 1, 2 ... in the order of the file
 // (assumption). Objects that a simulated drive does not have, and those of more than 32 bits, are
