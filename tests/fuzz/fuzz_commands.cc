@@ -1,7 +1,9 @@
 // Calls commands as a careless host does: any command, any number, NULL or large enough memory, in
-// any order, from one thread or many.
+// any order, from one thread or many. Half of the inputs of one thread only call commands of
+// coordinate systems, after the set-up of one with the multi-axis look-ahead.
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <filesystem>
@@ -11,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "LookAheadEx.h"
 #include "compiler/compiler.h"
 #include "gtcalls/gts/catalogue.h"
 #include "runtime/host/host_api.h"
@@ -110,7 +113,63 @@ class Host {
     }
   }
 
+  /// The same with the commands of a coordinate system that has a look-ahead, and GT_CrdStart.
+  void CallPath(int card, Bytes bytes) {
+    static const std::vector<const Command*> commands = PathCommands();
+    SetUpPath(card, bytes.Byte());
+    while (!bytes.empty()) {
+      Call(card, *commands[bytes.Value<uint16_t>() % commands.size()], &bytes);
+    }
+  }
+
  private:
+  static std::vector<const Command*> PathCommands() {
+    std::vector<const Command*> commands;
+    for (const Command& command : gtcalls::GtsCatalogue().commands()) {
+      const bool of_path = !command.parameters.empty() && command.parameters[0].name == "crd";
+      if (of_path || command.name == "GT_CrdStart") commands.push_back(&command);
+    }
+    return commands;
+  }
+
+  static void SetUpPath(int card, uint8_t choice) {
+    const auto call = [card](std::string_view name, std::initializer_list<HostArgument> given) {
+      std::vector<HostArgument> arguments(given);
+      const Command* command = gtcalls::GtsCatalogue().Find(name);
+      arguments.resize(command->parameters.size());
+      runtime::CallCard(card, command->number, arguments);
+    };
+    const auto number = [](int64_t value) {
+      HostArgument argument;
+      argument.integer = value;
+      return argument;
+    };
+    const auto pointer = [](void* to) {
+      HostArgument argument;
+      argument.kind = HostArgument::Kind::kPointer;
+      argument.pointer = to;
+      return argument;
+    };
+    TCrdPrm crd = {};
+    TLookAheadParameter parameter = {};
+    crd.dimension = 4;
+    crd.synVelMax = 500;
+    crd.synAccMax = 10;
+    for (short i = 0; i < 4; ++i) crd.profile[i] = static_cast<short>(i + 1);
+    parameter.lookAheadNum = 1 + choice / 8;
+    parameter.time = 0.01;
+    parameter.radiusRatio = 1;
+    parameter.scale[0] = 1000;
+    for (short i = 0; i < LA_AXIS_NUM; ++i) {
+      parameter.vMax[i] = parameter.aMax[i] = parameter.DVMax[i] = 500;
+      parameter.axisRelation[i] = static_cast<short>(i + 1);
+    }
+    call("GT_SetCrdPrm", {number(1), pointer(&crd)});
+    call("GT_SetupLookAheadCrd", {number(1), number(choice & 1)});
+    call("GT_InitLookAheadEx",
+         {number(1), pointer(&parameter), number(0), number(choice >> 1 & 1), pointer(nullptr)});
+  }
+
   HostArgument Argument(const Command& command, size_t index, Bytes* bytes) {
     const gtcalls::Parameter& parameter = command.parameters[index];
     HostArgument argument;
@@ -194,7 +253,11 @@ void Open(Host* host, int card) {
 void FuzzCommands(std::string_view bytes) {
   static Host host(Folder().names());
   Open(&host, 0);
-  host.CallAll(0, Bytes(bytes));
+  if (bytes.size() % 2 == 0) {
+    host.CallAll(0, Bytes(bytes));
+  } else {
+    host.CallPath(0, Bytes(bytes));
+  }
 }
 
 void FuzzCommandsOfThreads(std::string_view bytes) {
