@@ -73,30 +73,53 @@ std::string Producer(const std::string& svg) {
   return begin == std::string::npos ? "" : svg.substr(begin, svg.find('\n', begin) - begin);
 }
 
-// Draws the sample in this folder: a scenario with a program, or one of a host program.
-std::string DrawSample(const std::string& folder, const ScratchFolder& scratch) {
-  const std::string name = folder.substr(folder.find('_') + 1);
-  const std::string scenario = fmt::format("{}/samples/{}/{}", kSource, folder, name);
-  if (std::filesystem::exists(scenario + ".toml")) {
-    return Draw(scenario + ".toml", scratch, folder + ".svg");
-  }
-  const std::string host = fmt::format("{}/samples/sample_{}", ONCARD_BUILD_DIR, folder);
-  const ProcessResult result = RunOncard({"exec", "--scenario", scenario + ".host.toml", "--plot",
-                                          scratch.path() + "/host.svg", "--", host});
-  EXPECT_EQ(result.exit_code, 0) << result.err;
-  return scratch.Read("host.svg");
+// A picture of the documentation: "10_trap", or "32_multi_axis_look_ahead.lines" of one of a
+// sample's hosts.
+struct Pictured {
+  std::string folder;    // of the sample
+  std::string scenario;  // without its ending
+  std::string host;      // empty: a program of the card
+};
+
+Pictured PicturedBy(const std::string& picture) {
+  const size_t dot = picture.find('.');
+  Pictured sample;
+  sample.folder = kSource + "/samples/" + picture.substr(0, dot);
+  const std::string source =
+      dot == std::string::npos ? picture.substr(picture.find('_') + 1) : picture.substr(dot + 1);
+  sample.scenario = sample.folder + "/" + source;
+  if (std::filesystem::exists(sample.scenario + ".toml")) return sample;
+  std::string name = "sample_" + picture;
+  std::ranges::replace(name, '.', '_');
+  // A host that opens files has a folder of its own.
+  const std::string built = ONCARD_BUILD_DIR "/samples/";
+  const std::string own = built + picture + "/" + name;
+  sample.host = std::filesystem::exists(own) ? own : built + name;
+  return sample;
 }
 
-bool CanDraw(const std::string& folder) {
-  const bool needs_host = std::filesystem::exists(kSource + "/samples/" + folder + "/host.c");
-  return !needs_host || std::filesystem::exists(ONCARD_BUILD_DIR "/samples/sample_" + folder);
+std::string DrawSample(const Pictured& sample) {
+  const ScratchFolder scratch;
+  if (sample.host.empty()) return Draw(sample.scenario + ".toml", scratch, "picture.svg");
+  // Beside the files that the host may open.
+  for (const auto& entry : std::filesystem::directory_iterator(sample.folder)) {
+    std::filesystem::copy(entry.path(), scratch.path() + "/" + entry.path().filename().string());
+  }
+  const ProcessResult result = RunOncard({"exec", "--scenario", sample.scenario + ".host.toml",
+                                          "--plot", "picture.svg", "--", sample.host},
+                                         scratch.path());
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  return scratch.Read("picture.svg");
+}
+
+bool CanDraw(const Pictured& sample) {
+  return sample.host.empty() || std::filesystem::exists(sample.host);
 }
 
 // docs/pictures/10_trap.svg is the picture of samples/10_trap, and so on. After an intended change:
 // ./x pictures.
 TEST(Plot, PicturesOfTheDocumentationShowTheSamples) {
   REQUIRE_GNUPLOT();
-  const ScratchFolder scratch;
   std::vector<std::filesystem::path> pictures;
   for (const auto& entry : std::filesystem::directory_iterator(kSource + "/docs/pictures")) {
     // The others show the playground.
@@ -105,10 +128,10 @@ TEST(Plot, PicturesOfTheDocumentationShowTheSamples) {
   std::sort(pictures.begin(), pictures.end());
   ASSERT_FALSE(pictures.empty());
   for (const std::filesystem::path& picture : pictures) {
-    const std::string folder = picture.stem().string();
-    if (!CanDraw(folder)) continue;  // built with a sanitizer, without oncard exec
+    const Pictured sample = PicturedBy(picture.stem().string());
+    if (!CanDraw(sample)) continue;  // built with a sanitizer, without oncard exec
     const std::string committed = ReadFile(picture.string()).value();
-    const std::string drawn = DrawSample(folder, scratch);
+    const std::string drawn = DrawSample(sample);
     if (Producer(drawn) != Producer(committed)) {
       GTEST_SKIP() << "drawn by another gnuplot: " << Producer(committed);
     }

@@ -303,10 +303,6 @@ void BeginPlanner(const Call& call, const PathLimits& limits, double window) {
   BufferOf(call) = {};
 }
 
-}  // namespace
-
-namespace {
-
 /// 0, or 105 in a five-axis mode.
 int16_t CheckLibrary(Call& call) {
   if (!SetupOf(call).five_axes()) return vm::kOk;
