@@ -216,7 +216,7 @@ TEST(LookAheadRanges, LimitsOfAxesThatTheCoordinateSystemDoesNotHave) {
   card.SetUp(2);
   card.Expect(0, "GT_SetupLookAheadCrd", {1, 1});
   std::vector<double> cells = LookAheadCard::Parameters();
-  for (const size_t limit : {3, 11, 19}) cells[limit + 2] = -1e6;
+  for (const size_t limit : {3u, 11u, 19u}) cells[limit + 2] = -1e6;
   EXPECT_EQ(card.Init(cells), 0);
   EXPECT_EQ(card.LineEx(10, 0), 0);
   EXPECT_EQ(card.fifo().planner->ring.back().acceleration, 0.5);
