@@ -1,6 +1,7 @@
 // The EtherCAT bus: communication, process data, and objects of slaves.
 // Source: GTS manual S2, chapters 5 and 13. Tested by tests/gtcalls/bus_command_test.cc.
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "gtcalls/gts/commands/bus_support.h"
@@ -131,15 +132,19 @@ int16_t CheckBytes(Call& call, int offset, int count, size_t end) {
                                  "从 {0} 起的 {1} 个字节超出末尾 {2}", offset, count, end));
 }
 
-void CopyOut(const Call& call, size_t output, size_t offset) {
-  const std::span<double> cells = call.cells(output);
-  const std::span<const uint8_t> bytes = LineOf(call)->image().bytes();
-  for (size_t i = 0; i < cells.size(); ++i) cells[i] = bytes[offset + i];
+/// The cells of array `array` that a command may touch: argument `count` says how many.
+std::span<double> CountedCells(const Call& call, size_t array, size_t count) {
+  return call.cells(array).first(static_cast<size_t>(call.integer(count)));
 }
 
-std::vector<uint8_t> BytesOf(const Call& call, size_t input) {
+void CopyOut(const Call& call, std::span<double> cells, size_t offset) {
+  const std::span<const uint8_t> bytes = LineOf(call)->image().bytes();
+  std::ranges::copy(bytes.subspan(offset, cells.size()), cells.begin());
+}
+
+std::vector<uint8_t> BytesOf(std::span<const double> cells) {
   std::vector<uint8_t> bytes;
-  for (const double cell : call.cells(input)) bytes.push_back(static_cast<uint8_t>(cell));
+  for (const double cell : cells) bytes.push_back(static_cast<uint8_t>(cell));
   return bytes;
 }
 
@@ -166,7 +171,9 @@ int16_t gts::GT_GetEcatRawData(Call& call) {
   int16_t code = CheckBus(call);
   if (code != vm::kOk) return code;
   code = CheckBytes(call, call.integer(0), call.integer(1), LineOf(call)->image().size());
-  if (code == vm::kOk) CopyOut(call, 2, static_cast<size_t>(call.integer(0)));
+  if (code == vm::kOk) {
+    CopyOut(call, CountedCells(call, 2, 1), static_cast<size_t>(call.integer(0)));
+  }
   return code;
 }
 
@@ -175,7 +182,8 @@ int16_t gts::GT_SetEcatRawData(Call& call) {
   if (code != vm::kOk) return code;
   code = CheckBytes(call, call.integer(0), call.integer(1), LineOf(call)->image().size());
   if (code != vm::kOk) return code;
-  LineOf(call)->image().WriteByHost(static_cast<size_t>(call.integer(0)), BytesOf(call, 2));
+  LineOf(call)->image().WriteByHost(static_cast<size_t>(call.integer(0)),
+                                    BytesOf(CountedCells(call, 2, 1)));
   return vm::kOk;
 }
 
@@ -184,7 +192,9 @@ int16_t gts::GT_EcatIOReadInput(Call& call) {
   if (code != vm::kOk) return code;
   const SlavePlace& place = PlaceOf(call);
   code = CheckBytes(call, call.integer(1), call.integer(2), place.end() - place.outputs);
-  if (code == vm::kOk) CopyOut(call, 3, place.outputs + static_cast<size_t>(call.integer(1)));
+  if (code == vm::kOk) {
+    CopyOut(call, CountedCells(call, 3, 2), place.outputs + static_cast<size_t>(call.integer(1)));
+  }
   return code;
 }
 
@@ -195,7 +205,7 @@ int16_t gts::GT_EcatIOWriteOutput(Call& call) {
   code = CheckBytes(call, call.integer(1), call.integer(2), place.output_bytes);
   if (code != vm::kOk) return code;
   const size_t offset = place.outputs + static_cast<size_t>(call.integer(1));
-  LineOf(call)->image().WriteByHost(offset, BytesOf(call, 3));
+  LineOf(call)->image().WriteByHost(offset, BytesOf(CountedCells(call, 3, 2)));
   return vm::kOk;
 }
 
@@ -243,7 +253,7 @@ int16_t gts::GT_EcatSDODownload(Call& call) {
   if (line == nullptr) return EndService(call, SdoAbort::kTimeout, 5);
   const SdoAbort abort =
       line->Download(static_cast<size_t>(call.integer(0)), static_cast<uint16_t>(call.integer(1)),
-                     static_cast<uint8_t>(call.integer(2)), BytesOf(call, 3));
+                     static_cast<uint8_t>(call.integer(2)), BytesOf(CountedCells(call, 3, 4)));
   return EndService(call, abort, 5);
 }
 
@@ -257,9 +267,10 @@ int16_t gts::GT_EcatSDOUpload(Call& call) {
         line->Upload(static_cast<size_t>(call.integer(0)), static_cast<uint16_t>(call.integer(1)),
                      static_cast<uint8_t>(call.integer(2)), &data);
   }
-  if (abort == SdoAbort::kNone && data.size() > call.cells(3).size()) abort = SdoAbort::kLength;
+  const std::span<double> cells = CountedCells(call, 3, 4);
+  if (abort == SdoAbort::kNone && data.size() > cells.size()) abort = SdoAbort::kLength;
   if (abort != SdoAbort::kNone) return EndService(call, abort, 6);
-  std::ranges::copy(data, call.cells(3).begin());
+  std::ranges::copy(data, cells.begin());
   call.Set(5, static_cast<double>(data.size()));
   return EndService(call, abort, 6);
 }
