@@ -52,7 +52,11 @@ int16_t AppendSlot(Call& call, const motion::PathSlot& slot) {
   if (code == vm::kOk) code = AppendToFifo(call, slot, PathEnd(call));
   if (!planned || code != vm::kOk) return code;
   LookAheadBuffer& buffer = BufferOf(call);
-  buffer.auxiliaries = slot.is_segment ? 0 : buffer.auxiliaries + 1;
+  if (slot.is_segment) {
+    buffer.auxiliaries = 0;
+  } else {
+    ++buffer.auxiliaries;
+  }
   return code;
 }
 
