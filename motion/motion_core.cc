@@ -258,8 +258,10 @@ void MotionCore::GuardAxis(size_t index) {
   const double velocity = axis.profile.velocity;
   const bool into_limit = (velocity > 0 && (axis.latched & kPositiveLimitBit) != 0) ||
                           (velocity < 0 && (axis.latched & kNegativeLimitBit) != 0);
-  if (into_limit || (axis.latched & (kAlarmBit | kAbruptStopBit)) != 0) {
+  if ((axis.latched & (kAlarmBit | kAbruptStopBit)) != 0) {
     StopAxis(axis, true);
+  } else if (into_limit) {
+    StopAxisAtLimit(axis);
   } else if ((axis.latched & kSmoothStopBit) != 0) {
     StopAxis(axis, false);
   }
@@ -582,6 +584,15 @@ void MotionCore::LatchCauses() {
 
 void MotionCore::StopAxis(const Axis& axis, bool abrupt) {
   ForEachBit(axis.profile_map, axis_count(), [&](size_t profile) { StopProfile(profile, abrupt); });
+}
+
+void MotionCore::StopAxisAtLimit(const Axis& axis) {
+  ForEachBit(axis.profile_map, axis_count(), [&](size_t profile) {
+    const auto smooth = [&](const Crd& crd) {
+      return crd.limit_stop.smooth && crd.Drives(profile);
+    };
+    StopProfile(profile, !std::any_of(state_.crds.begin(), state_.crds.end(), smooth));
+  });
 }
 
 uint64_t MotionCore::Hash() const { return StateHash().Add(state_).value(); }

@@ -265,6 +265,8 @@ class MotionCore {
   void EnableDrive(size_t axis);
   /// Stops every profile that an axis maps.
   void StopAxis(const Axis& axis, bool abrupt);
+  /// The same at a limit: abruptly, unless its coordinate system stops smoothly there.
+  void StopAxisAtLimit(const Axis& axis);
   /// Latches the conditions whose causes exist before the first tick, as that tick would.
   void LatchCauses();
   void Tell(HappeningKind kind, size_t item, double value, double bound = 0) const;

@@ -31,8 +31,9 @@ std::optional<motion::DiType> DiTypeOf(int number);
 std::optional<motion::DoType> DoTypeOf(int number);
 
 /// Assumption: the stop types of GT_SetStopIo and GT_BufSetStopIo, as public host programs use
-/// them.
+/// them; the stop modes of GT_SetCrdLmtStopMode have the same numbers.
 inline constexpr int kAbruptStopType = 0;
+inline constexpr int kSmoothStopType = 1;
 /// Assumption: this input number disables their stop input, like index -1 in a configuration.
 inline constexpr int kNoInput = -1;
 

@@ -9,7 +9,7 @@ namespace oncard::motion {
 namespace {
 
 static_assert(kFieldsComplete<Crd> && kFieldsComplete<CrdParameters> && kFieldsComplete<CrdFifo> &&
-              kFieldsComplete<CrdRun> && kFieldsComplete<GearShare>);
+              kFieldsComplete<CrdRun> && kFieldsComplete<GearShare> && kFieldsComplete<LimitStop>);
 
 }  // namespace
 

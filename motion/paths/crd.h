@@ -139,6 +139,14 @@ struct CrdRun {
   }
 };
 
+/// How the path stops at a limit of one of its axes (GT_SetCrdLmtStopMode).
+struct LimitStop {
+  bool smooth = false;  ///< with the deceleration of a smooth stop, not of an abrupt one
+
+  bool in_use() const { return smooth; }
+  auto Fields() const { return std::tie(smooth); }
+};
+
 struct Crd {
   CrdParameters parameters;
   std::array<int32_t, kCrdDimensionMax> members{};  ///< profile of each coordinate, from 0
@@ -146,6 +154,7 @@ struct Crd {
   Coordinates position{};  ///< current position of the path
   double smooth_stop = CardDefaults{}.smooth_stop;
   double abrupt_stop = CardDefaults{}.abrupt_stop;
+  LimitStop limit_stop;
   double override_ratio = 1;   ///< GT_SetOverride
   double second_override = 1;  ///< GT_SetOverride2, for the segments that select it
   bool step_mode = false;
@@ -205,8 +214,9 @@ struct Crd {
   void EndMove(Micros now);
 
   auto Fields() const {
-    return std::tie(parameters, members, origin, position, smooth_stop, abrupt_stop, override_ratio,
-                    second_override, step_mode, axis_velocity_max, fifos, run, gears, gear_count);
+    return std::tie(parameters, members, origin, position, smooth_stop, abrupt_stop, limit_stop,
+                    override_ratio, second_override, step_mode, axis_velocity_max, fifos, run,
+                    gears, gear_count);
   }
 
   // Parts of the functions above.

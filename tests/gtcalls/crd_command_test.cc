@@ -234,6 +234,51 @@ TEST(SetCrdStopDec, GivesTheDecelerationOfStops) {
   EXPECT_EQ(card.Read("GT_GetPrfPos"), 175);
 }
 
+TEST(SetCrdLmtStopMode, ChoosesTheDecelerationOfStopsAtLimits) {
+  struct Case {
+    int mode;
+    double end;
+  };
+  // At 20 ms the path is at 150, beyond the limit, with 10 pulse/ms; it decelerates with 10 or with
+  // 2 pulse/ms^2.
+  for (const Case& c : {Case{0, 155}, Case{1, 175}}) {
+    CrdCommandCard card;
+    card.SetUp();
+    EXPECT_EQ(card.Call("GT_SetCrdStopDec", {1, 2, 10}), 0);
+    EXPECT_EQ(card.Call("GT_SetSoftLimit", {1, 145, -145}), 0);
+    EXPECT_EQ(card.Call("GT_SetCrdLmtStopMode", {1, c.mode}), 0);
+    EXPECT_EQ(card.Line(1000, 0), 0);
+    EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 0);
+    card.CyclesToEnd();
+    EXPECT_EQ(card.Read("GT_GetPrfPos"), c.end) << c.mode;
+  }
+}
+
+TEST(SetCrdLmtStopMode, IsReadBackAndSetBackBySetCrdPrm) {
+  CrdCommandCard card;
+  card.SetUp();
+  std::vector<double> mode(1, -1);
+  const auto expect_mode = [&](double expected) {
+    EXPECT_EQ(card.Call("GT_GetCrdLmtStopMode", {1, &mode}), 0);
+    EXPECT_EQ(mode[0], expected);
+  };
+  expect_mode(0);
+  EXPECT_EQ(card.Call("GT_SetCrdLmtStopMode", {1, 1}), 0);
+  expect_mode(1);
+  card.SetUp();
+  expect_mode(0);
+}
+
+TEST(SetCrdLmtStopMode, IsRefusedForOtherModesAndWithoutASystem) {
+  CrdCommandCard card;
+  std::vector<double> mode(1);
+  card.ExpectRefused(1, "GT_SetCrdLmtStopMode", {1, 0});
+  card.ExpectRefused(1, "GT_GetCrdLmtStopMode", {1, &mode});
+  card.SetUp();
+  card.ExpectRefused(7, "GT_SetCrdLmtStopMode", {1, 2});
+  card.ExpectRefused(7, "GT_SetCrdLmtStopMode", {1, -1});
+}
+
 TEST(SetCrdSingleMaxVel, LimitsThePathByItsAxes) {
   CrdCommandCard card;
   card.SetUp();

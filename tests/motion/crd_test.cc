@@ -216,6 +216,31 @@ TEST(CrdStop, ASoftLimitOfOneAxisStopsAll) {
   EXPECT_NEAR(test.profile(0).position / test.profile(1).position, 0.75, 1e-12);
 }
 
+TEST(CrdStop, ALimitStopsSmoothlyWhereTheSystemIsSetSo) {
+  CrdRunTest test;
+  test.crd().limit_stop.smooth = true;
+  test.crd().smooth_stop = 2;
+  test.core.state().axes[0].soft_positive = 145;
+  ASSERT_TRUE(test.Line({1000, 0}, 10, 1));
+  test.Start();
+  // The first tick beyond 145 is that at 20 ms, where the path has reached 150; 25 pulses stop it.
+  test.TicksToEnd();
+  EXPECT_EQ(test.profile(0).position, 175);
+}
+
+TEST(CrdStop, AnAlarmStopsAbruptlyAlsoWhereLimitsStopSmoothly) {
+  CrdRunTest test;
+  test.crd().limit_stop.smooth = true;
+  test.core.state().axes[0].soft_positive = 145;
+  ASSERT_TRUE(test.Line({1000, 0}, 10, 1));
+  test.Start();
+  test.RunUntil(19);
+  test.core.state().axes[0].latched = kAlarmBit;
+  // Both stop the path in the tick at 20 ms, where it has reached 150; smoothly it would go to 200.
+  test.TicksToEnd();
+  EXPECT_NEAR(test.profile(0).position, 150, 0.1);
+}
+
 TEST(CrdStop, DropsADelayUnderWay) {
   CrdRunTest test;
   ASSERT_TRUE(test.Delay(1000));

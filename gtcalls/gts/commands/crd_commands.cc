@@ -173,6 +173,19 @@ int16_t gts::GT_GetCrdStopDec(Call& call) {
   return vm::kOk;
 }
 
+int16_t gts::GT_SetCrdLmtStopMode(Call& call) {
+  const int16_t code = CheckCrd(call, NumberOf(call));
+  if (code == vm::kOk) CrdOf(call).limit_stop.smooth = call.integer(1) != kAbruptStopType;
+  return code;
+}
+
+int16_t gts::GT_GetCrdLmtStopMode(Call& call) {
+  const int16_t code = CheckCrd(call, NumberOf(call));
+  if (code != vm::kOk) return code;
+  call.Set(1, CrdOf(call).limit_stop.smooth ? kSmoothStopType : kAbruptStopType);
+  return vm::kOk;
+}
+
 namespace {
 
 /// The number of elements of argument 1 that belong to coordinates.
