@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "gtcalls/gts/commands/look_ahead_support.h"
+#include "gtcalls/gts/numbers.h"
 
 namespace oncard::gtcalls {
 namespace {
