@@ -76,8 +76,8 @@ TEST_F(HostBuild, FindsTheHeadersOfAConsoleProject) {
       "#include \"Stdafx.h\"\n#include <conio.h>\n#include \"gts.h\"\n",
       "#include \"STDAFX.H\"\n#include <MMSystem.h>\n#include <conio.h>\n#include <gts.h>\n",
       "#include <stdio.h>\n#include <WINDOWS.H>\n#include <Conio.h>\n#include <gts.h>\n",
-      "#include <iostream>\n#include <cmath>\n#include <windows.h>\n#include <conio.h>\n"
-      "#include <stdio.h>\n#include \"gts.h\"\nusing namespace std;\n",
+      ("#include <iostream>\n#include <cmath>\n#include <windows.h>\n#include <conio.h>\n"
+       "#include <stdio.h>\n#include \"gts.h\"\nusing namespace std;\n"),
   };
   for (const char* lines : includes) {
     const ProcessResult built = Build(std::string(lines) + kEcho);
