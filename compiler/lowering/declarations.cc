@@ -126,6 +126,7 @@ int Lowerer::VariableOf(const void* declaration, Variable::Role role, std::strin
 
 std::optional<std::vector<int64_t>> Lowerer::Dimensions(const Declarator& declarator) {
   std::vector<int64_t> dimensions;
+  int64_t elements = 1;  // of one row, if the number of rows is not known
   for (size_t i = 0; i < declarator.sizes.size(); ++i) {
     const Expression* size = declarator.sizes[i].get();
     if (size == nullptr) {
@@ -149,6 +150,12 @@ std::optional<std::vector<int64_t>> Lowerer::Dimensions(const Declarator& declar
       return std::nullopt;
     }
     dimensions.push_back(value->value.integer);
+    elements *= value->value.integer;
+    if (elements > vm::kSlotCount) {
+      Report(Code::kArraySize, size->range, declarator.name, std::to_string(elements),
+             int64_t{vm::kSlotCount});
+      return std::nullopt;
+    }
   }
   return dimensions;
 }

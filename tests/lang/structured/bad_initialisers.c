@@ -5,6 +5,7 @@ int b = a;  // expect error MP241
 int c[2] = {1, 2, 3};  // expect error MP242
 int d[2] = 5;  // expect error MP243
 int e[];  // expect error MP243
+int k[1024][1024][1024][1024][1024][1024][1024] = {{1}};  // expect error MP016
 int a;
 int f, f;
 void t0() {
