@@ -15,39 +15,53 @@ int64_t Product(const std::vector<int64_t>& dimensions, size_t from) {
                          int64_t{1}, [](int64_t a, int64_t b) { return a * b; });
 }
 
+// The level of what begins at a position among the elements of an array: the outermost row, or,
+// past all levels, an element.
+size_t LevelAt(int64_t position, const std::vector<int64_t>& dimensions, size_t outer) {
+  size_t level = outer + 1;
+  while (position % Product(dimensions, level) != 0) ++level;
+  return level;
+}
+
 }  // namespace
 
-// The values between braces in the order of the elements. Inner braces begin a row; without them
-// the values continue from row to row, as in C.
+// The value of a number, which may have braces; nullptr: 0, or an error.
+const Expression* Lowerer::ScalarValue(const Expression& value) {
+  const Expression* inner = &value;
+  while (inner->kind == Expression::Kind::kBraces) {
+    if (inner->operands.empty()) return nullptr;
+    if (inner->operands.size() > 1) {
+      Report(Code::kTooManyValues, inner->operands[1]->range, int64_t{1});
+      return nullptr;
+    }
+    inner = inner->operands[0].get();
+  }
+  return inner;
+}
+
+// The values between braces in the order of the elements, by C17 6.7.9, paragraphs 17 to 20: inner
+// braces hold the row or the element that begins there; without them the values continue from row
+// to row.
 bool Lowerer::Flatten(const Expression& braces, const std::vector<int64_t>& dimensions,
                       size_t level, int64_t base, Elements& elements) {
-  const int64_t row = Product(dimensions, level + 1);
-  const int64_t size = dimensions[level] * row;  // 0: as many as there are
+  const int64_t size = Product(dimensions, level);  // 0: as many as there are
   int64_t position = 0;
   for (const ExpressionPtr& item : braces.operands) {
-    const bool nested = item->kind == Expression::Kind::kBraces;
-    if (nested && level + 1 < dimensions.size()) {
-      position = (position + row - 1) / row * row;
-    }
     if (size > 0 && position >= size) {
       Report(Code::kTooManyValues, item->range, size);
       return false;
     }
     const size_t at = static_cast<size_t>(base + position);
     if (elements.size() <= at) elements.resize(at + 1, nullptr);
-    if (!nested) {
-      elements[at] = item.get();
-      ++position;
-    } else if (level + 1 < dimensions.size()) {
-      if (!Flatten(*item, dimensions, level + 1, base + position, elements)) return false;
-      position += row;
-    } else if (item->operands.size() == 1) {
-      elements[at] = item->operands[0].get();
-      ++position;
-    } else {
-      Report(Code::kTooManyValues, item->range, int64_t{1});
+    const size_t begun = item->kind == Expression::Kind::kBraces
+                             ? LevelAt(position, dimensions, level)
+                             : dimensions.size();
+    if (begun == dimensions.size()) {
+      elements[at] = ScalarValue(*item);
+    } else if (!Flatten(*item, dimensions, begun, base + position, elements)) {
       return false;
     }
+    position += Product(dimensions, begun);
   }
   return true;
 }
@@ -99,11 +113,8 @@ void Lowerer::InitialiseGlobal(const Declarator& declarator, const Symbol& symbo
     if (operand.value != 0) initial_values_.push_back({target, operand, expression.range});
   };
   if (symbol.dimensions.empty() && symbol.type.structure == nullptr) {
-    const Expression* value = declarator.initialiser.get();
-    if (value->kind == Expression::Kind::kBraces && value->operands.size() == 1) {
-      value = value->operands[0].get();
-    }
-    add(VariableOperand(symbol.variable), *value);
+    const Expression* value = ScalarValue(*declarator.initialiser);
+    if (value != nullptr) add(VariableOperand(symbol.variable), *value);
     return;
   }
   const std::optional<Elements> elements = ElementsOf(declarator, symbol);
@@ -146,10 +157,13 @@ void Lowerer::InitialiseLocal(const Declarator& declarator, const Symbol& symbol
   BeginFullExpression(declarator.range);
   const bool aggregate = !symbol.dimensions.empty() || symbol.type.structure != nullptr;
   if (!aggregate) {
-    if (value->kind == Expression::Kind::kBraces && value->operands.size() == 1) {
-      value = value->operands[0].get();
+    const Operand target = VariableOperand(symbol.variable);
+    value = ScalarValue(*value);
+    if (value != nullptr) {
+      AssignInto({target, symbol.type}, *value);
+    } else {
+      EmitCopy(target, ConstantOperand(target.type, 0), declarator.range);
     }
-    AssignInto({VariableOperand(symbol.variable), symbol.type}, *value);
     return;
   }
   if (symbol.type.structure != nullptr && value->kind != Expression::Kind::kBraces) {

@@ -206,6 +206,7 @@ class Lowerer {
   // --- initialisers.cc ---
   void InitialiseGlobal(const Declarator& declarator, const Symbol& symbol);
   void InitialiseLocal(const Declarator& declarator, const Symbol& symbol);
+  const Expression* ScalarValue(const Expression& value);
   bool Flatten(const Expression& braces, const std::vector<int64_t>& dimensions, size_t level,
                int64_t base, Elements& elements);
   std::optional<Elements> ElementsOf(const Declarator& declarator, const Symbol& symbol);

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "array_program.h"
 #include "called_program.h"
 #include "compiler/lowering/lowering.h"
 #include "fixed_program.h"
@@ -120,6 +121,10 @@ TEST(LoweredTest, LoweredTypesAndCallsComputeWhatGccComputes) {
 TEST(LoweredTest, LoweredDoublesComputeWhatGccComputes) { CheckAll(MakeFixedProgram, "fixed"); }
 
 TEST(LoweredTest, LoweredCallsComputeWhatGccComputes) { CheckAll(MakeCalledProgram, "called"); }
+
+TEST(LoweredTest, LoweredArraysHaveTheValuesThatGccGivesThem) {
+  CheckAll(MakeArrayProgram, "arrays");
+}
 
 constexpr int kCountedPrograms = 60;
 
