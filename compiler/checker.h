@@ -90,8 +90,14 @@ class Checker {
   // A block of C, or a `for` with its counters. Names declared in it end with it.
   struct Block {
     const Statement* statement = nullptr;  ///< nullptr: the body of the function
-    std::vector<std::string_view> names;
+    struct Name {
+      std::string_view name;
+      std::optional<size_t> outer;  ///< the block that declares it too
+    };
+    std::vector<Name> names;
   };
+  // What a new name means for others.
+  enum class NameUse : uint8_t { kFree, kHidesAnother, kTaken };
   // For the variables at the top of a function.
   struct InitialValues {
     std::vector<std::pair<const Declarator*, const Entity*>> list;
@@ -154,8 +160,8 @@ class Checker {
   bool CheckArraySizes(const Declarator& declarator, Entity& entity);
   bool ReserveSlots(const Declarator& declarator, Entity& entity);
   void AddSymbols(const Entity& entity);
-  bool ReportTakenName(std::string_view name, SourceRange range, bool local,
-                       const Declarator* declarator);
+  NameUse ReportTakenName(std::string_view name, SourceRange range, bool local,
+                          const Declarator* declarator);
   void CheckInitialiser(const Declarator& declarator, const Entity* entity,
                         const DeclaredType& type);
   void CorrectInitialValues();

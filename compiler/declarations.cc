@@ -81,8 +81,8 @@ Checker::DeclaredType Checker::ResolveType(const Specifiers& specifiers) {
 
 // Reports a name that is already in use. Locals of inner blocks and locals with the name of a
 // global are renamed, for which their declarator is needed.
-bool Checker::ReportTakenName(std::string_view name, SourceRange range, bool local,
-                              const Declarator* declarator) {
+Checker::NameUse Checker::ReportTakenName(std::string_view name, SourceRange range, bool local,
+                                          const Declarator* declarator) {
   const Entity* same = nullptr;
   if (local && function_ != nullptr) same = function_->locals.Find(name);
   const Entity* global = globals_.Find(name);
@@ -95,18 +95,18 @@ bool Checker::ReportTakenName(std::string_view name, SourceRange range, bool loc
                            MakeMessage("another variable of the function", "函数中另一个变量"));
       AddNote(diagnostic, same->range, MakeMessage("it is defined here", "其定义在此处"));
       if (declarator != nullptr) Rename(*declarator, diagnostic);
-      return true;
+      return NameUse::kHidesAnother;
     }
   }
   if (same != nullptr) {
     AddNote(reporter_.Report(Code::kRedefinition, range, name), same->range,
             MakeMessage("the first definition is here", "首次定义在此处"));
-    return true;
+    return NameUse::kTaken;
   }
   if (catalogue_.Find(name) != nullptr) {
     AddNote(reporter_.Report(Code::kRedefinition, range, name),
             MakeMessage("'{0}' is a GT command", "'{0}' 是 GT 指令", name));
-    return true;
+    return NameUse::kTaken;
   }
   if (local && global != nullptr) {
     const bool variable = global->kind == Entity::Kind::kVariable;
@@ -117,13 +117,13 @@ bool Checker::ReportTakenName(std::string_view name, SourceRange range, bool loc
     if (declarator != nullptr && global->kind != Entity::Kind::kMacro) {
       Rename(*declarator, diagnostic);
     }
-    return true;
+    return NameUse::kHidesAnother;
   }
-  return false;
+  return NameUse::kFree;
 }
 
 void Checker::DefineMacro(const Macro& macro) {
-  if (ReportTakenName(macro.name, macro.name_range, false, nullptr)) return;
+  if (ReportTakenName(macro.name, macro.name_range, false, nullptr) != NameUse::kFree) return;
   Entity entity;
   entity.kind = Entity::Kind::kMacro;
   entity.name = macro.name;
@@ -246,11 +246,10 @@ Entity* Checker::Declare(const Declarator& declarator, const DeclaredType& type,
   entity.words = type.words;
   entity.late = local && function_->statements_begun;
   Scope& scope = local ? function_->locals : globals_;
-  if (ReportTakenName(declarator.name, declarator.name_range, local,
-                      parameter ? nullptr : &declarator)) {
-    // After the report, a local that shadows a global can still be used in its function.
-    if (scope.Find(declarator.name) != nullptr) return nullptr;
-  }
+  const NameUse use = ReportTakenName(declarator.name, declarator.name_range, local,
+                                      parameter ? nullptr : &declarator);
+  if (use == NameUse::kTaken && scope.Find(declarator.name) != nullptr) return nullptr;
+  entity.hides = use == NameUse::kHidesAnother;
   if (declarator.pointer) {
     reporter_.Report(Code::kPointer, declarator.name_range, declarator.name);
     entity.invalid = true;
@@ -314,7 +313,7 @@ void Checker::CheckInitialiser(const Declarator& declarator, const Entity* entit
   }
   InitialValues& values = function_->initial_values;
   // The type's own errors are corrected first.
-  if (!usable || failed || type.is_static || type.is_const) values.good = false;
+  if (!usable || failed || entity->hides || type.is_static || type.is_const) values.good = false;
   if (values.bearer == nullptr) values.bearer = &diagnostic;
   values.list.emplace_back(&declarator, entity);
 }
@@ -336,8 +335,12 @@ void Checker::CorrectInitialValues() {
 }
 
 void Checker::OpenName(std::string_view name) {
-  if (!function_->open_names.emplace(name, function_->blocks.size() - 1).second) return;
-  function_->blocks.back().names.push_back(name);
+  const size_t block = function_->blocks.size() - 1;
+  const auto [open, added] = function_->open_names.emplace(name, block);
+  if (!added && open->second == block) return;
+  function_->blocks.back().names.push_back(
+      {name, added ? std::nullopt : std::optional<size_t>(open->second)});
+  open->second = block;
 }
 
 // Loops often declare the same counter again: one declaration at the top is enough for all of them,
@@ -345,9 +348,9 @@ void Checker::OpenName(std::string_view name) {
 const Entity* Checker::Reopen(const Declarator& declarator, const DeclaredType& type) {
   const Entity* known = function_->locals.Find(declarator.name);
   const bool again = known != nullptr && !function_->open_names.contains(declarator.name) &&
-                     !known->invalid && known->structure == nullptr && known->array_size == 0 &&
-                     declarator.sizes.empty() && known->words == type.words &&
-                     type.structure == nullptr && !type.is_const;
+                     !known->invalid && !known->hides && known->structure == nullptr &&
+                     known->array_size == 0 && declarator.sizes.empty() &&
+                     known->words == type.words && type.structure == nullptr && !type.is_const;
   if (!again) return nullptr;
   OpenName(declarator.name);
   return known;
@@ -365,7 +368,7 @@ void Checker::CheckLateDeclaration(const Statement& statement, const Place& plac
     if (entity != nullptr && !entity->invalid && entity->late) {
       declarations.push_back(fmt::format("{} {};", type.words, Source(declarator.head)));
     }
-    if (entity == nullptr || entity->invalid) all_good = false;
+    if (entity == nullptr || entity->invalid || entity->hides) all_good = false;
     declared.emplace_back(&declarator, entity);
   }
   failed_ = false;
@@ -457,7 +460,7 @@ void Checker::CheckFunction(const Function& syntax) {
     function_ = outer;
     return;
   }
-  if (!ReportTakenName(syntax.name, syntax.name_range, false, nullptr)) {
+  if (ReportTakenName(syntax.name, syntax.name_range, false, nullptr) == NameUse::kFree) {
     Entity entity;
     entity.kind = Entity::Kind::kFunction;
     entity.name = syntax.name;

@@ -465,8 +465,13 @@ void Checker::OpenBlock(const Statement* statement) {
 }
 
 void Checker::CloseBlock() {
-  for (const std::string_view name : function_->blocks.back().names) {
-    function_->open_names.erase(name);
+  for (const auto& [name, outer] : function_->blocks.back().names) {
+    if (outer) {
+      function_->open_names[name] = *outer;
+    } else {
+      function_->open_names.erase(name);
+    }
+    if (function_->locals.Find(name)->hides) function_->locals.End(name);
   }
   function_->blocks.pop_back();
 }
@@ -524,7 +529,7 @@ void Checker::CheckLoop(const Statement& statement, const Place& place) {
     for (const Declarator& declarator : statement.initial->declarators) {
       const Entity* entity = Reopen(declarator, type);
       if (entity == nullptr) entity = Declare(declarator, type, false);
-      if (entity == nullptr || entity->invalid) {
+      if (entity == nullptr || entity->invalid || entity->hides) {
         failed_ = true;
       } else if (entity->late) {
         declarations.push_back(fmt::format("{} {};", type.words, Source(declarator.head)));

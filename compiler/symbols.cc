@@ -4,16 +4,18 @@ namespace oncard::compiler {
 
 const Entity* Scope::Find(std::string_view name) const {
   const auto found = by_name_.find(name);
-  return found == by_name_.end() ? nullptr : &entities_[found->second];
+  return found == by_name_.end() || found->second.empty() ? nullptr
+                                                          : &entities_[found->second.back()];
 }
 
 Entity* Scope::Find(std::string_view name) {
   const auto found = by_name_.find(name);
-  return found == by_name_.end() ? nullptr : &entities_[found->second];
+  return found == by_name_.end() || found->second.empty() ? nullptr
+                                                          : &entities_[found->second.back()];
 }
 
 Entity& Scope::Add(Entity entity) {
-  by_name_.emplace(entity.name, entities_.size());
+  by_name_[entity.name].push_back(entities_.size());
   return entities_.emplace_back(std::move(entity));
 }
 

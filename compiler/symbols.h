@@ -29,6 +29,7 @@ struct Entity {
   // kVariable
   std::string_view words;  ///< of its type, as written
   bool late = false;       ///< declared after the first statement; a fix-it moves it
+  bool hides = false;      ///< another variable, until its block ends; it cannot move before that
   vm::DataType type = vm::DataType::kInt;
   vm::Storage storage = vm::Storage::kLocal;
   uint16_t id = 0;          ///< first slot
@@ -46,13 +47,15 @@ class Scope {
  public:
   const Entity* Find(std::string_view name) const;
   Entity* Find(std::string_view name);
-  /// Adds a name that is not there yet. References to entities stay valid.
+  /// Adds a name, which hides an entity that has it already. References to entities stay valid.
   Entity& Add(Entity entity);
+  /// Ends the last entity with a name that is there; the one that it hides is found again.
+  void End(std::string_view name) { by_name_.find(name)->second.pop_back(); }
   const std::deque<Entity>& entities() const { return entities_; }
 
  private:
   std::deque<Entity> entities_;
-  std::unordered_map<std::string_view, size_t> by_name_;
+  std::unordered_map<std::string_view, std::vector<size_t>> by_name_;  // the last one is found
 };
 
 /// Generates names that the program does not use.

@@ -192,6 +192,51 @@ const Foreign kBodies[] = {
     {"hidden_counter", "i = 7; for (int i = 0; i < 3; i++) v += i; v = v * 10 + i;", 37},
     {"hidden_twice",
      "for (int n = 0; n < 2; n++) { v += 100; for (int n = 0; n < 3; n++) v += n; }", 206},
+    {"hides_a_global", "counter = 5; { int counter; counter = 1; } v = counter;", 5},
+    {"counter_hides_a_global",
+     "counter = 5; for (int counter = 0; counter < 3; counter++) i += counter; v = counter * 10 + "
+     "i;",
+     53},
+    {"array_hides_a_global", "a[1] = 5; if (a[1]) { int a[4]; a[1] = 1; } v = a[1];", 5},
+    {"values_hide_a_global", "a[1] = 5; { int a[2] = {2, 3}; i = a[1]; } v = a[1] + i;", 8},
+    {"other_type_hides_a_global",
+     "counter = 7; { double counter; counter = 1.5; x = counter; } v = counter / 2 * 3 + x * 2;",
+     12},
+    {"two_blocks_hide_a_global",
+     "counter = 4; { int counter; counter = 1; i = counter; } { int counter; counter = 2; i += "
+     "counter; } v = counter * 10 + i;",
+     43},
+    {"two_counters_hide_a_global",
+     "counter = 9; for (int counter = 0; counter < 2; counter++) i++; for (int counter = 0; "
+     "counter "
+     "< 3; counter++) i++; v = counter * 10 + i;",
+     95},
+    {"block_in_block_hides_a_global",
+     "counter = 3; { int counter = 4; { int counter = 5; i = counter; } i = i * 10 + counter; } v "
+     "= "
+     "i * 10 + counter;",
+     543},
+    {"loop_around_a_hidden_global",
+     "do { int counter = 8; i += counter; } while (++counter < 3); v = i + counter;", 27},
+    {"branch_hides_a_global",
+     "counter = 2; if (counter == 2) { int counter = 6; v = counter; } else { int counter = 7; v = "
+     "counter; } v = v * 10 + counter;",
+     62},
+    {"hidden_in_a_switch",
+     "counter = 1; switch (counter) { case 1: { int counter = 5; v = counter; } case 2: v += "
+     "counter; "
+     "}",
+     6},
+    {"hidden_beside_a_value",
+     "counter = 5; again: j++; int n = counter, counter = 2; if (j < 2) goto again; v = n + "
+     "counter;",
+     7},
+    {"late_hides_a_global",
+     "counter = 5; again: i = counter; j++; int counter = 2; if (j < 2) goto again; v = i + "
+     "counter;",
+     7},
+    {"hidden_local_of_another_type", "i = 7; { double i; i = 1.5; x = i; } v = i / 2 * 3 + x * 2;",
+     12},
     {"other_type", "{ int n = 7; v = n; } { double n = 0.5; x = n * 2; } v += (int) x;", 8},
     {"local_const", "const int n = 3; v = n * 2;", 6},
     {"case_expressions", "i = 5; switch (i) { case 2 + 3: v = 1; break; case -5: v = 2; }", 1},
@@ -536,6 +581,14 @@ TEST(Rewriter, ShowsTheManualsFormOfALoop) {
   EXPECT_EQ(ApplyFixIts(compilation.files[0].text(), compilation.diagnostics[0]),
             "int v;\nint t0() {\n  int i;\n  int cc;\n  lbl_loop:\n  cc = i > 10;\n"
             "  if (cc) goto lbl_end;\n  v = i;\n  goto lbl_loop;\n  lbl_end:\n  return;\n}\n");
+}
+
+// An initial value moves below the declarations, where a name may mean another variable.
+TEST(Rewriter, RenamesBeforeItMovesInitialValues) {
+  const CorrectedProgram corrected =
+      CorrectString("int k;\nint t0() {\n  int n = k + 1, k = 4;\n  return n * k;\n}\n");
+  EXPECT_TRUE(corrected.compilation.ok());
+  EXPECT_THAT(corrected.files.at("test.c"), HasSubstr("n = k + 1;\n  k1 = 4;\n"));
 }
 
 TEST(Rewriter, TakesNamesThatAreFree) {

@@ -277,12 +277,12 @@ class Generator : RandomChoices {
     return text + Indent() + '}';
   }
 
-  // Declares a new name, or one that shadows another until the end of the block.
+  // Declares a new name, or one that hides a local or a global until the end of the block.
   std::string Declaration() {
     if (Chance(15)) return fmt::format("bool n = !({}), k = {};", Pure(1, "n"), Truth());
-    const std::string name = Pick({"n", "k", "x", "y"});
+    const std::string name = Pick({"n", "k", "x", "y", "g1", "g2"});
     std::string value = Pure(2, name);
-    // A shadowed variable is redeclared in C++ as well as in C; its own value is not read.
+    // A hidden variable is redeclared in C++ as well as in C; its own value is not read.
     return fmt::format("int {} = {};", name, value);
   }
 
@@ -308,7 +308,7 @@ class Generator : RandomChoices {
         text = fmt::format("do{} while ({});", Body(), LoopCondition());
         break;
       case 2: {
-        const std::string counter = Pick({"n", "k", "x"});
+        const std::string counter = Pick({"n", "k", "x", "g0"});
         counters_.push_back(counter);
         const std::string body = Body();
         counters_.pop_back();
