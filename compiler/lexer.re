@@ -196,9 +196,8 @@ void Lexer::AddFixed(const char* begin, const char* end) {
 void Lexer::AddBadNumber(Code code, const char* begin, const char* end) {
   const std::string_view text(begin, static_cast<size_t>(end - begin));
   if (code == Code::kOctal) {
-    std::string decimal(text.substr(std::min(text.find_first_not_of('0'), text.size())));
-    if (decimal.empty() || decimal[0] < '0' || decimal[0] > '9') decimal.insert(0, 1, '0');
-    Replace(reporter_.Report(code, Range(begin, end), text, decimal), Range(begin, end), decimal);
+    const std::string number = WithoutLeadingZero(text);
+    Replace(reporter_.Report(code, Range(begin, end), text, number), Range(begin, end), number);
   } else {
     Diagnostic& diagnostic = reporter_.Report(code, Range(begin, end), text);
     if (const std::string_view number = WithoutSuffix(text); !number.empty()) {

@@ -1,5 +1,7 @@
 #include "compiler/literal.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cctype>
 #include <string>
@@ -106,6 +108,14 @@ std::optional<Literal> ParseIntegerOfC(std::string_view text) {
   if (text.empty() || !AddDigits(text, base, literal)) return std::nullopt;
   literal.is_unsigned = *suffix || (literal.as_bits && literal.magnitude > INT32_MAX);
   return literal;
+}
+
+std::string WithoutLeadingZero(std::string_view text) {
+  const std::optional<Literal> value = ParseIntegerOfC(text);
+  if (value && value->magnitude <= INT32_MAX) return std::to_string(value->magnitude);
+  if (value && value->magnitude <= UINT32_MAX) return fmt::format("0x{:X}", value->magnitude);
+  const size_t first = text.find_first_of("123456789");
+  return first == std::string_view::npos ? "0" : std::string(text.substr(first));
 }
 
 Literal ParseFixed(std::string_view text) {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "vm/fixed_point.h"
@@ -34,6 +35,10 @@ inline constexpr uint64_t kHuge = uint64_t{1} << 62;
 
 /// Reads `12`, `0x1F` (suffixes removed). The digits must be well formed.
 Literal ParseInteger(std::string_view digits);
+/// A number of C that begins with 0 as one of the language, with the same value: 15 for `017`. The
+/// digits without the zeros where C has no such number (`08`), or one that takes more than 32 bits.
+std::string WithoutLeadingZero(std::string_view text);
+
 /// Reads an integer of structured C with its suffix: `12`, `0x1F`, `0b101`, octal `017`, `12UL`.
 /// Empty for anything else.
 std::optional<Literal> ParseIntegerOfC(std::string_view text);
