@@ -69,7 +69,10 @@ static inline UINT timeEndPeriod(UINT milliseconds) {
 }
 
 static inline void Sleep(DWORD milliseconds) {
-  oncard_host_sleep_ns((long long)milliseconds * 1000000);
+  long long left_ns = (long long)milliseconds * 1000000;
+  do {
+    left_ns = oncard_host_sleep_ns(left_ns);
+  } while (left_ns > 0);
 }
 
 static inline ULONGLONG GetTickCount64(void) {

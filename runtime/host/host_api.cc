@@ -1,8 +1,14 @@
 #include "runtime/host/host_api.h"
 
+#include <sys/uio.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <iterator>
 #include <mutex>
 
 #include "runtime/host/call_log.h"
+#include "runtime/host/call_scope.h"
 #include "runtime/host/card_number_hint.h"
 #include "runtime/host/card_table.h"
 #include "runtime/host/host_card.h"
@@ -73,6 +79,24 @@ int16_t CallLockedCard(const gtcalls::Family& family, int card, CardSlot& slot,
   return code;
 }
 
+/// A handler has interrupted another call of its thread. It may have interrupted anything, so only
+/// what signals allow is used; the call log is not. Says so once.
+int16_t RefuseInterruption(const gtcalls::Command& command) {
+  static std::atomic<bool> said = false;
+  if (said.exchange(true)) return vm::kRefused;
+  constexpr std::string_view kReason[] = {
+      " is refused: the signal handler that calls it has interrupted another call of its thread\n",
+      " 被拒绝：调用它的信号处理函数中断了同一线程的另一次调用\n"};
+  std::string_view parts[] = {"oncard: ", command.name,
+                              kReason[LanguageFromEnvironment() == Language::kChinese ? 1 : 0]};
+  iovec pieces[std::size(parts)];
+  for (size_t i = 0; i < std::size(parts); ++i) {
+    pieces[i] = {const_cast<char*>(parts[i].data()), parts[i].size()};
+  }
+  [[maybe_unused]] const ssize_t written = ::writev(STDERR_FILENO, pieces, std::size(pieces));
+  return vm::kRefused;
+}
+
 }  // namespace
 
 int16_t CallCard(int card, uint16_t number, std::span<const HostArgument> arguments) {
@@ -82,6 +106,8 @@ int16_t CallCard(int card, uint16_t number, std::span<const HostArgument> argume
   CardSlot& slot = table.slots[static_cast<size_t>(index)];
   const gtcalls::Family& family = LibraryFamily();
   const gtcalls::Command& command = *family.catalogue.Find(number);
+  const CallScope scope;
+  if (CallScope::Interrupts()) return RefuseInterruption(command);
   const std::lock_guard lock(slot.mutex);
   const int16_t code = CallLockedCard(family, index, slot, command, arguments);
   if (card == kSelectedCard) HintAtCardNumber(command, arguments, code);

@@ -5,39 +5,66 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "runtime/host/call_scope.h"
 #include "runtime/host/card_table.h"
 #include "runtime/host/host_keys.h"
 #include "runtime/host/host_scenario.h"
 #include "runtime/host/host_time.h"
 #include "runtime/host/virtual_time.h"
 
+using oncard::runtime::CallScope;
 using oncard::runtime::VirtualTime;
 
 #define ONCARD_EXPORT extern "C" __attribute__((visibility("default")))
 
+namespace {
+/// The number of a wait that a handler begins where it may not take a lock: it ends at once.
+constexpr long long kNoWait = -1;
+}  // namespace
+
 ONCARD_EXPORT int oncard_host_virtual() { return oncard::runtime::HostTimeIsVirtual() ? 1 : 0; }
 
-ONCARD_EXPORT long long oncard_host_time_ns() { return oncard::runtime::LookAtHostTimeNs(); }
+// In a handler that has interrupted another call of its thread these take no time and no lock.
 
-ONCARD_EXPORT void oncard_host_sleep_ns(long long duration_ns) {
-  oncard::runtime::SleepHostNs(duration_ns);
+ONCARD_EXPORT long long oncard_host_time_ns() {
+  const CallScope scope;
+  if (CallScope::Interrupts()) return oncard::runtime::HostTimeNs();
+  return oncard::runtime::LookAtHostTimeNs();
+}
+
+ONCARD_EXPORT long long oncard_host_sleep_ns(long long duration_ns) {
+  const CallScope scope;
+  if (CallScope::Interrupts()) return 0;
+  const long long left_ns = oncard::runtime::SleepHostNs(duration_ns);
   oncard::runtime::LookForEndOfHost();
+  return left_ns;
 }
 
 ONCARD_EXPORT void oncard_host_wait_begin(long long deadline_ns, oncard_host_wait* wait) {
+  const CallScope scope;
+  if (CallScope::Interrupts()) {
+    *wait = {deadline_ns, kNoWait};
+    return;
+  }
   const VirtualTime::Wait begun = VirtualTime::OfProcess().BeginWait(deadline_ns);
   *wait = {begun.deadline_ns, begun.number};
 }
 
 ONCARD_EXPORT long long oncard_host_wait_slice_ns(const oncard_host_wait* wait) {
+  const CallScope scope;
+  if (wait->number == kNoWait) return 0;
   return VirtualTime::OfProcess().NextSliceNs({wait->deadline_ns, wait->number});
 }
 
 ONCARD_EXPORT void oncard_host_wait_end(const oncard_host_wait* wait, int expired) {
+  const CallScope scope;
+  if (wait->number == kNoWait) return;
   VirtualTime::OfProcess().EndWait({wait->deadline_ns, wait->number}, expired != 0);
 }
 
 ONCARD_EXPORT int oncard_host_kbhit() {
+  const CallScope scope;
+  if (CallScope::Interrupts()) return 0;
   return oncard::runtime::HostKeys::OfProcess().Hit() ? 1 : 0;
 }
 
@@ -49,7 +76,10 @@ using oncard::runtime::CardSlot;
 using oncard::runtime::CardTable;
 
 /// Called when the host has ended, after its own destructors.
-__attribute__((destructor)) void JudgeHost() { oncard::runtime::FinishHost(); }
+__attribute__((destructor)) void JudgeHost() {
+  const CallScope scope;
+  oncard::runtime::FinishHost();
+}
 
 // A host may fork while another of its threads executes a command. The locks are taken before, so
 // that the child gets copies of the cards and of time in their state between two commands.

@@ -2,6 +2,8 @@
    library of `oncard exec` and for the headers of compat/. With ONCARD_CLOCK=virtual they use the
    virtual time of the process (virtual_time.h), otherwise the wall clock.
 
+   All may be called in a handler of a signal.
+
    In C, so that both sides can include it and dlsym() finds the names.
    Tested by tests/tools/exec_command_test.cc. */
 #ifndef ONCARD_RUNTIME_HOST_HOOKS_H_
@@ -16,8 +18,9 @@ int oncard_host_virtual(void);
 /** Nanoseconds since the start of the host. In virtual time reading takes a microsecond, so that
     time passes for a program that waits by reading a clock. */
 long long oncard_host_time_ns(void);
-/** Sleeps; in virtual time without delay. A duration of 0 or less only reads the clock. */
-void oncard_host_sleep_ns(long long duration_ns);
+/** Sleeps; in virtual time without delay. A duration of 0 or less only reads the clock. Returns
+   what is left of it if a signal ends the sleep, otherwise 0. */
+long long oncard_host_sleep_ns(long long duration_ns);
 /** A wait for an event with a deadline in virtual time (virtual_time.h). */
 struct oncard_host_wait {
   long long deadline_ns;

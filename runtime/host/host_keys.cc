@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "base/message.h"
+#include "runtime/host/call_scope.h"
 #include "runtime/host/host_scenario.h"
 #include "runtime/host/host_time.h"
 
@@ -96,9 +97,11 @@ bool HostKeys::Hit() {
 int HostKeys::Read() {
   const int key = ReadNext();
   if (key >= 0) return key;
-  std::unique_lock lock(mutex_);
-  if (++reads_after_end_ < kReadsAfterEnd) return key;
-  lock.unlock();
+  {
+    const CallScope scope;
+    const std::lock_guard lock(mutex_);
+    if (++reads_after_end_ < kReadsAfterEnd) return key;
+  }
   const Message message = MakeMessage(
       "the host has asked {0} times for a key after the last one; add the keys that make it end "
       "(--keys, ONCARD_KEYS or the scenario)",
@@ -109,15 +112,25 @@ int HostKeys::Read() {
   std::exit(kExitNoMoreKeys);
 }
 
-int HostKeys::ReadNext() {
-  if (scripted_) {
-    std::unique_lock lock(mutex_);
+int HostKeys::ReadScripted() {
+  Key key;
+  int64_t left_ns = 0;
+  {
+    const CallScope scope;
+    const std::lock_guard lock(mutex_);
     if (next_ == keys_.size()) return -1;
-    const Key key = keys_[next_++];
-    lock.unlock();
-    SleepHostNs(key.at_ns - LookAtHostTimeNs());
-    return key.character;
+    key = keys_[next_++];
+    left_ns = key.at_ns - LookAtHostTimeNs();
   }
+  do {  // a signal may end a sleep
+    const CallScope scope;
+    left_ns = SleepHostNs(left_ns);
+  } while (left_ns > 0);
+  return key.character;
+}
+
+int HostKeys::ReadNext() {
+  if (scripted_) return ReadScripted();
   OpenTerminal();
   std::fflush(stdout);
   unsigned char character = 0;

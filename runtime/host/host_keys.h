@@ -26,11 +26,12 @@ class HostKeys {
   int Read();
 
  private:
-  int ReadNext();
   struct Key {
-    int64_t at_ns;
-    unsigned char character;
+    int64_t at_ns = 0;
+    unsigned char character = 0;
   };
+  int ReadNext();
+  int ReadScripted();
 
   std::mutex mutex_;
   const bool scripted_;

@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstdint>
 
+#include "runtime/host/call_scope.h"
 #include "runtime/host/host_scenario.h"
 #include "runtime/host/virtual_time.h"
 
@@ -47,8 +48,16 @@ void* Watch(void* /*argument*/) {
 
 bool HasDefaultAction(int signal) {
   struct sigaction action {};
-  return ::sigaction(signal, nullptr, &action) == 0 && (action.sa_flags & SA_SIGINFO) == 0 &&
+  return SystemSigaction(signal, nullptr, &action) == 0 && (action.sa_flags & SA_SIGINFO) == 0 &&
          action.sa_handler == SIG_DFL;
+}
+
+/// The handler is entered at once, also during a call, which may last.
+void WatchSignal(int signal) {
+  struct sigaction action {};
+  action.sa_handler = WakeWatcher;
+  action.sa_flags = SA_RESTART;
+  SystemSigaction(signal, &action, nullptr);
 }
 
 }  // namespace
@@ -70,7 +79,7 @@ void WatchHostSignals() {
   if (!started) return;
   ::pthread_detach(thread);
   for (const int signal : kEndSignals) {
-    if (HasDefaultAction(signal)) std::signal(signal, WakeWatcher);
+    if (HasDefaultAction(signal)) WatchSignal(signal);
   }
 }
 

@@ -22,20 +22,25 @@ bool HostTimeIsVirtual() {
 
 int64_t LookAtHostTimeNs() {
   if (HostTimeIsVirtual()) return VirtualTime::OfProcess().Pass(kLookNs);
+  return HostTimeNs();
+}
+
+int64_t HostTimeNs() {
+  if (HostTimeIsVirtual()) return VirtualTime::OfProcess().NowNs();
   return CardClock::SteadyNanoseconds() - begin_ns;
 }
 
-void SleepHostNs(int64_t duration_ns) {
+int64_t SleepHostNs(int64_t duration_ns) {
   if (duration_ns <= 0) {
     LookAtHostTimeNs();
-    return;
+    return 0;
   }
-  if (HostTimeIsVirtual()) {
-    VirtualTime& time = VirtualTime::OfProcess();
-    time.SleepUntil(time.After(duration_ns));
-  } else {
+  if (!HostTimeIsVirtual()) {
     std::this_thread::sleep_for(std::chrono::nanoseconds(duration_ns));
+    return 0;
   }
+  VirtualTime& time = VirtualTime::OfProcess();
+  return time.SleepUntil(time.After(duration_ns));
 }
 
 }  // namespace oncard::runtime

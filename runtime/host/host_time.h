@@ -12,7 +12,10 @@ inline constexpr int64_t kLookNs = 1000;
 bool HostTimeIsVirtual();
 /// Nanoseconds since the library was loaded, after the time that the reading takes.
 int64_t LookAtHostTimeNs();
-/// Sleeps for this duration. Zero or less counts as reading the clock.
-void SleepHostNs(int64_t duration_ns);
+/// The same without taking time; safe in a handler of a signal.
+int64_t HostTimeNs();
+/// Sleeps for this duration. Zero or less counts as reading the clock. Returns what is left of it
+/// if a signal ends the sleep, otherwise 0.
+int64_t SleepHostNs(int64_t duration_ns);
 
 }  // namespace oncard::runtime

@@ -38,6 +38,17 @@ bool FindInLibgts(const char* name, Function** function) {
 
 timespec Calendar(const Hooks& hooks) { return ToTimespec(kCalendarBeginNs + hooks.time_ns()); }
 
+/// Sleeps; false if a signal ends the sleep: then `rest`, unless it is NULL, is what is left.
+bool SleepAndTell(const Hooks& hooks, long long duration_ns, timespec* rest) {
+  const long long left_ns = Sleep(hooks, duration_ns);
+  if (left_ns > 0 && rest != nullptr) *rest = ToTimespec(left_ns);
+  return left_ns <= 0;
+}
+
+/// The functions of a program that is linked with libgts are found here, so that its handlers of
+/// signals need not look for them.
+__attribute__((constructor)) void FindHooks() { VirtualHooks(); }
+
 }  // namespace
 
 const Hooks* VirtualHooks() {
@@ -99,8 +110,7 @@ ONCARD_EXPORT int nanosleep(const timespec* duration, timespec* rest) {
   const Hooks* hooks = VirtualHooks();
   if (hooks == nullptr) return ORIGINAL(nanosleep)(duration, rest);
   if (!IsValid(*duration)) return Fail(EINVAL);
-  Sleep(*hooks, ToNs(*duration));
-  return 0;
+  return SleepAndTell(*hooks, ToNs(*duration), rest) ? 0 : Fail(EINTR);
 }
 
 ONCARD_EXPORT int clock_nanosleep(clockid_t clock, int flags, const timespec* time,
@@ -111,34 +121,29 @@ ONCARD_EXPORT int clock_nanosleep(clockid_t clock, int flags, const timespec* ti
     return ORIGINAL(clock_nanosleep)(clock, flags, time, rest);
   }
   if (!IsValid(*time)) return EINVAL;
-  if ((flags & TIMER_ABSTIME) == 0) {
-    Sleep(*hooks, ToNs(*time));
-  } else {
-    Sleep(*hooks, ToNs(*time) - begin_ns - hooks->time_ns());
-  }
-  return 0;
+  const bool relative = (flags & TIMER_ABSTIME) == 0;
+  const long long duration_ns = relative ? ToNs(*time) : ToNs(*time) - begin_ns - hooks->time_ns();
+  return SleepAndTell(*hooks, duration_ns, relative ? rest : nullptr) ? 0 : EINTR;
 }
 
 ONCARD_EXPORT unsigned sleep(unsigned seconds) {
   const Hooks* hooks = VirtualHooks();
   if (hooks == nullptr) return ORIGINAL(sleep)(seconds);
-  Sleep(*hooks, seconds * kSecondNs);
-  return 0;
+  const long long left_ns = Sleep(*hooks, seconds * kSecondNs);
+  return static_cast<unsigned>((left_ns + kSecondNs - 1) / kSecondNs);
 }
 
 ONCARD_EXPORT int usleep(useconds_t microseconds) {
   const Hooks* hooks = VirtualHooks();
   if (hooks == nullptr) return ORIGINAL(usleep)(microseconds);
-  Sleep(*hooks, microseconds * 1000LL);
-  return 0;
+  return SleepAndTell(*hooks, microseconds * 1000LL, nullptr) ? 0 : Fail(EINTR);
 }
 
 ONCARD_EXPORT int thrd_sleep(const timespec* duration, timespec* rest) {
   const Hooks* hooks = VirtualHooks();
   if (hooks == nullptr) return ORIGINAL(thrd_sleep)(duration, rest);
   if (!IsValid(*duration)) return -2;  // below -1, which means a signal
-  Sleep(*hooks, ToNs(*duration));
-  return 0;
+  return SleepAndTell(*hooks, ToNs(*duration), rest) ? 0 : -1;
 }
 
 // --- Clocks --------------------------------------------------------------------------------------

@@ -76,10 +76,11 @@ class Uncancelled {
   int before_ = PTHREAD_CANCEL_ENABLE;
 };
 
-inline void Sleep(const Hooks& hooks, long long duration_ns) {
+/// Returns what is left of the duration if a signal ends the sleep, otherwise 0.
+inline long long Sleep(const Hooks& hooks, long long duration_ns) {
   pthread_testcancel();
   const Uncancelled sleep;
-  hooks.sleep_ns(duration_ns);
+  return hooks.sleep_ns(duration_ns);
 }
 
 /// Waits until `attempt` succeeds (true), or until an instant of virtual time (false).

@@ -44,8 +44,7 @@ long long DeadlineAfter(const Hooks& hooks, long long timeout_ns) {
 int Poll(const Hooks& hooks, pollfd* descriptors, nfds_t count, long long timeout_ns,
          const sigset_t* mask) {
   if (count == 0 && mask == nullptr) {
-    Sleep(hooks, timeout_ns);
-    return 0;
+    return Sleep(hooks, timeout_ns) > 0 ? Fail(EINTR) : 0;
   }
   return WaitForDescriptors(hooks, DeadlineAfter(hooks, timeout_ns), [&](const timespec* slice) {
     return ORIGINAL(ppoll)(descriptors, count, slice, mask);
@@ -129,9 +128,9 @@ ONCARD_EXPORT int select(int count, fd_set* read, fd_set* write, fd_set* except,
   const long long timeout_ns = ToNs(*timeout);
   Sets sets(read, write, except);
   if (sets.AreEmpty(count)) {
-    Sleep(*hooks, timeout_ns);
-    *timeout = {0, 0};
-    return 0;
+    const timespec left = ToTimespec(Sleep(*hooks, timeout_ns));
+    *timeout = {left.tv_sec, static_cast<suseconds_t>(left.tv_nsec / 1000)};
+    return left.tv_sec != 0 || left.tv_nsec != 0 ? Fail(EINTR) : 0;
   }
   const long long deadline_ns = DeadlineAfter(*hooks, timeout_ns);
   const int ready = Select(*hooks, count, &sets, deadline_ns, nullptr);
@@ -150,8 +149,7 @@ ONCARD_EXPORT int pselect(int count, fd_set* read, fd_set* write, fd_set* except
   }
   Sets sets(read, write, except);
   if (sets.AreEmpty(count) && mask == nullptr) {
-    Sleep(*hooks, ToNs(*timeout));
-    return 0;
+    return Sleep(*hooks, ToNs(*timeout)) > 0 ? Fail(EINTR) : 0;
   }
   return Select(*hooks, count, &sets, DeadlineAfter(*hooks, ToNs(*timeout)), mask);
 }

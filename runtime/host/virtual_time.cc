@@ -2,16 +2,19 @@
 
 #include <dirent.h>
 #include <fcntl.h>
+#include <linux/futex.h>
 #include <sys/syscall.h>
 #include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <climits>
 #include <cstdlib>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "runtime/host/call_scope.h"
 
 namespace oncard::runtime {
 namespace {
@@ -113,7 +116,20 @@ int64_t VirtualTime::Add(int64_t deadline_ns, ThreadId in_slices) {
 void VirtualTime::Remove(int64_t deadline_ns, int64_t number) {
   sleepers_.erase({deadline_ns, number, 0});
   ++changes_;
-  changed_.notify_all();
+  NotifyAll();
+}
+
+void VirtualTime::NotifyAll() {
+  changed_.fetch_add(1);
+  if (waiting_ > 0) ::syscall(SYS_futex, &changed_, FUTEX_WAKE_PRIVATE, INT_MAX, nullptr);
+}
+
+void VirtualTime::WaitForChange(std::unique_lock<std::mutex>* lock, int seen) {
+  ++waiting_;
+  lock->unlock();
+  ::syscall(SYS_futex, &changed_, FUTEX_WAIT_PRIVATE, seen, nullptr);
+  lock->lock();
+  --waiting_;
 }
 
 void VirtualTime::LeaveOutCallingThread() { left_out = ::syscall(SYS_gettid); }
@@ -122,12 +138,20 @@ int64_t VirtualTime::Pass(int64_t ns) {
   std::unique_lock lock(mutex_);
   const int64_t now = After(ns);
   now_ns_.store(now, std::memory_order_relaxed);
-  const auto due = [&] { return !sleepers_.empty() && sleepers_.begin()->deadline_ns <= now; };
-  if (due()) {
-    changed_.notify_all();
-    changed_.wait(lock, [&] { return !due(); });
-  }
+  if (!IsDue(now)) return now;
+  NotifyAll();
+  // A handler of a signal may have interrupted a wait of this thread, which cannot end before it.
+  const auto own = static_cast<ThreadId>(::syscall(SYS_gettid));
+  while (IsDue(now, own)) WaitForChange(&lock, changed_);
   return now;
+}
+
+bool VirtualTime::IsDue(int64_t now, ThreadId but_of) const {
+  for (const Sleeper& sleeper : sleepers_) {
+    if (sleeper.deadline_ns > now) return false;
+    if (but_of == 0 || sleeper.in_slices != but_of) return true;
+  }
+  return false;
 }
 
 bool VirtualTime::IsAlone(std::unique_lock<std::mutex>* lock, int64_t number) {
@@ -142,13 +166,16 @@ bool VirtualTime::IsAlone(std::unique_lock<std::mutex>* lock, int64_t number) {
   return others_wait && changes == changes_ && IsFirst(number);
 }
 
-void VirtualTime::SleepUntil(int64_t deadline_ns) {
+int64_t VirtualTime::SleepUntil(int64_t deadline_ns) {
   std::unique_lock lock(mutex_);
   const int64_t number = Add(deadline_ns, 0);
   long look_ns = kFirstLookNs;
+  const WakingSignals wake(&changed_);
   while (now_ns_ < deadline_ns) {
+    const int seen = changed_;
+    if (CallScope::HoldsSignal()) break;
     if (!IsFirst(number)) {
-      changed_.wait(lock);
+      WaitForChange(&lock, seen);
     } else if (IsAlone(&lock, number)) {
       now_ns_ = std::max(now_ns_.load(), deadline_ns);
     } else if (now_ns_ < deadline_ns) {
@@ -159,6 +186,7 @@ void VirtualTime::SleepUntil(int64_t deadline_ns) {
     }
   }
   Remove(deadline_ns, number);
+  return std::max(deadline_ns - now_ns_, int64_t{0});
 }
 
 VirtualTime::Wait VirtualTime::BeginWait(int64_t deadline_ns) {
@@ -182,7 +210,7 @@ void VirtualTime::EndWait(const Wait& wait, bool expired) {
 void VirtualTime::BecomeChild() {
   sleepers_.clear();
   ++changes_;
-  std::construct_at(&changed_);  // the threads that waited for it do not exist in the child
+  waiting_ = 0;
   mutex_.unlock();
 }
 

@@ -27,7 +27,6 @@
 #pragma once
 
 #include <atomic>
-#include <condition_variable>
 #include <cstdint>
 #include <functional>
 #include <mutex>
@@ -69,8 +68,9 @@ class VirtualTime {
   int64_t After(int64_t ns) const;
   /// The calling thread is busy for this duration; returns the time afterwards.
   int64_t Pass(int64_t ns);
-  /// Returns when the time has come.
-  void SleepUntil(int64_t deadline_ns);
+  /// Returns when the time has come, or a signal is held for the thread (call_scope.h): then what
+  /// is left of the sleep, otherwise 0.
+  int64_t SleepUntil(int64_t deadline_ns);
 
   /// The calling thread begins to wait for something until a deadline.
   Wait BeginWait(int64_t deadline_ns);
@@ -109,9 +109,17 @@ class VirtualTime {
   /// True if every other thread waits, and kept waiting during the check. Unlocks in between.
   bool IsAlone(std::unique_lock<std::mutex>* lock, int64_t number);
 
+  /// Wakes the threads in WaitForChange().
+  void NotifyAll();
+  /// Waits, unlocked, until changed_ is no longer as it was seen.
+  void WaitForChange(std::unique_lock<std::mutex>* lock, int seen);
+  /// True if the moment of a sleeper has come; waits of the thread `but_of` do not count.
+  bool IsDue(int64_t now, ThreadId but_of = 0) const;
+
   OthersWait others_wait_;
-  std::mutex mutex_;                 // guards what follows; now_ns_ is written under it
-  std::condition_variable changed_;  // a sleeper has come, gone, or is due
+  std::mutex mutex_;              // guards what follows; now_ns_ is written under it
+  std::atomic<int> changed_ = 0;  // a futex: a sleeper has gone or is due
+  int waiting_ = 0;               // threads in WaitForChange()
   std::set<Sleeper> sleepers_;
   int64_t next_number_ = 0;
   int64_t changes_ = 0;  // counts sleepers that came and went

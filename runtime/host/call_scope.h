@@ -1,0 +1,69 @@
+// Signals of a host and calls of libgts. A handler may call the card, as an emergency stop does,
+// and read clocks; it must not find the locks of libgts held by the thread that it has interrupted.
+// So a signal that arrives during a call waits until the call is over (host_handlers.cc), and a
+// sleep ends early for it, as a sleep of the operating system does. Where a signal cannot wait,
+// because it reports a fault or because its handler was installed without libgts, a call that finds
+// its thread inside another one is refused.
+//
+// Every function that takes a lock of libgts for a host opens a CallScope before.
+// Tested by tests/tools/exec_signals_test.cc.
+#pragma once
+
+#include <atomic>
+#include <csignal>
+#include <cstdint>
+
+namespace oncard::runtime {
+
+/// What a thread is doing, for the signals that interrupt it. Never allocated in a handler.
+struct CallState {
+  volatile std::sig_atomic_t depth = 0;  ///< open scopes
+  volatile uint64_t held = 0;            ///< bit n: signal n + 1 waits
+  /// A futex on which the thread sleeps, if a signal shall wake it.
+  std::atomic<int>* volatile asleep_on = nullptr;
+};
+
+#define ONCARD_CALL_STATE __attribute__((tls_model("initial-exec")))
+extern constinit thread_local CallState call_state ONCARD_CALL_STATE;
+
+/// While it exists signals of the thread wait. Its end is where they are handled.
+class CallScope {
+ public:
+  CallScope() {
+    call_state.depth = call_state.depth + 1;
+    std::atomic_signal_fence(std::memory_order_seq_cst);
+  }
+  CallScope(const CallScope&) = delete;
+  CallScope& operator=(const CallScope&) = delete;
+  ~CallScope() {
+    std::atomic_signal_fence(std::memory_order_seq_cst);
+    call_state.depth = call_state.depth - 1;
+    if (call_state.depth == 0 && call_state.held != 0) Deliver();
+  }
+
+  /// True in a handler that has interrupted a call of its thread: locks may be held.
+  static bool Interrupts() { return call_state.depth > 1; }
+  /// True if a signal waits for the end of the call.
+  static bool HoldsSignal() { return call_state.held != 0; }
+
+ private:
+  static void Deliver();
+};
+
+/// To be called by the handler of a signal, with its arguments. If the thread is in a call, keeps
+/// the signal for the end of the call, wakes the thread if it sleeps, and returns true.
+bool HoldSignal(int number, siginfo_t* info, void* context);
+
+/// While it exists a held signal changes the word, so that a wait for the futex returns.
+class WakingSignals {
+ public:
+  explicit WakingSignals(std::atomic<int>* word) { call_state.asleep_on = word; }
+  WakingSignals(const WakingSignals&) = delete;
+  WakingSignals& operator=(const WakingSignals&) = delete;
+  ~WakingSignals() { call_state.asleep_on = nullptr; }
+};
+
+/// The C library's sigaction(), which the one of libgts covers.
+int SystemSigaction(int number, const struct sigaction* wanted, struct sigaction* before);
+
+}  // namespace oncard::runtime
