@@ -120,6 +120,10 @@ class NextStatement {
     }
     const auto value = static_cast<uint32_t>(ValueOf(operands[Index(access.selector)]));
     if (access.mask) {
+      // The bits behind the axes are coordinate systems, which can have any axes.
+      if (value >> controller_.motion().axis_count() != 0) {
+        return Add(access.resource, Touched::kAll, access.write);
+      }
       for (uint32_t bit = 0; bit < 32; ++bit) {
         if ((value >> bit & 1) != 0) Add(access.resource, bit + 1, access.write);
       }

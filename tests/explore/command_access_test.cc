@@ -270,7 +270,7 @@ double Draw(const gtcalls::Parameter& parameter, uint64_t* random) {
       value = static_cast<double>(RandomBelow(*random, 13));
       break;
     case 3:
-      value = static_cast<double>(1u << RandomBelow(*random, 12));  // a mask with one axis
+      value = static_cast<double>(1u << RandomBelow(*random, 14));  // a mask with one bit
       break;
     case 1:
       value = static_cast<double>(1 + RandomBelow(*random, 3));

@@ -48,6 +48,14 @@ TEST(StatementAccessTest, CommandsTouchWhatTheCatalogueSays) {
                                 ""}));
 }
 
+// A coordinate system can have any axes.
+TEST(StatementAccessTest, ABitOfAMaskBehindTheAxesMayTouchAnyAxis) {
+  const auto accesses = AccessesOf(
+      "int t0() {\n GT_SynchAxisPos(2);\n GT_SynchAxisPos(4098);\n GT_Stop(256, 0);\n}\n");
+  EXPECT_EQ(accesses,
+            (std::vector<std::string>{"axis 2! encoder crd", "axis! encoder crd", "axis! crd!"}));
+}
+
 // The variable's value is not the number of another one.
 TEST(StatementAccessTest, AWaitReadsItsVariable) {
   EXPECT_EQ(AccessesOf("int a, b, go;\nint t0() {\n go = 1;\n GT_WaitForVarEq(&go, 1);\n}\n"),

@@ -111,20 +111,67 @@ TEST(CrdStart, StatusAndCounters) {
   EXPECT_EQ(card.Status(1) & kMoving, 0);
 }
 
-TEST(Stop, BitsBehindTheAxesStopCoordinateSystems) {
-  for (const auto& [axes, bit] : {std::pair{8, 8}, {12, 12}}) {
-    CrdCommandCard card({.axis_count = axes, .cycle_us = 1000});
-    card.SetUp();
-    EXPECT_EQ(card.Line(1000, 0), 0);
-    EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 0);
-    card.Cycles(20);
-    EXPECT_EQ(card.Call("GT_Stop", {1 << bit, 0}), 0);
-    card.CyclesToEnd();
-    EXPECT_EQ(card.Read("GT_GetPrfPos"), 200);
-    EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 0);
-    card.CyclesToEnd();
-    EXPECT_EQ(card.Read("GT_GetPrfPos"), 1000);
+/// A card with a bit of GT_Stop that is coordinate system 1 there.
+struct CrdBit {
+  int axes;
+  int bit;
+};
+
+TEST(Stop, Bits12And13AndOnSmallCards8And9AreCoordinateSystems) {
+  for (const auto& [axes, bit] : {CrdBit{4, 12}, {8, 12}, {12, 12}, {4, 8}, {8, 8}}) {
+    for (const bool abrupt : {false, true}) {
+      SCOPED_TRACE(testing::Message() << axes << " axes, bit " << bit << ", abrupt " << abrupt);
+      CrdCommandCard card({.axis_count = axes, .cycle_us = 1000});
+      card.SetUp();
+      EXPECT_EQ(card.Call("GT_SetCrdStopDec", {1, 1, 10}), 0);
+      EXPECT_EQ(card.Line(1000, 0), 0);
+      EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 0);
+      card.Cycles(20);
+      // 150 pulses in 20 ms: 50 while accelerating. From 10 pulse/ms: v^2 / (2 dec) more.
+      EXPECT_EQ(card.Call("GT_Stop", {1 << (bit + 1), 1 << (bit + 1)}), 0);
+      EXPECT_EQ(card.Call("GT_Stop", {1 << bit, abrupt ? 1 << bit : 0}), 0);
+      card.CyclesToEnd();
+      EXPECT_EQ(card.Read("GT_GetPrfPos"), abrupt ? 155 : 200);
+      EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 0);
+      card.CyclesToEnd();
+      EXPECT_EQ(card.Read("GT_GetPrfPos"), 1000);
+    }
   }
+}
+
+TEST(Stop, WithBothBitsOfACoordinateSystemIsAbruptIfOneIs) {
+  CrdCommandCard card;
+  card.SetUp();
+  EXPECT_EQ(card.Call("GT_SetCrdStopDec", {1, 1, 10}), 0);
+  EXPECT_EQ(card.Line(1000, 0), 0);
+  EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 0);
+  card.Cycles(20);
+  EXPECT_EQ(card.Call("GT_Stop", {1 << 12 | 1 << 8, 1 << 12}), 0);
+  card.CyclesToEnd();
+  EXPECT_EQ(card.Read("GT_GetPrfPos"), 155);
+}
+
+TEST(Stop, IgnoresTheOptionOfABitThatTheMaskDoesNotHave) {
+  CrdCommandCard card;
+  card.SetUp();
+  EXPECT_EQ(card.Line(1000, 0), 0);
+  EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 0);
+  card.Cycles(20);
+  EXPECT_EQ(card.Call("GT_Stop", {1 << 12, 1 << 8}), 0);
+  card.CyclesToEnd();
+  EXPECT_EQ(card.Read("GT_GetPrfPos"), 200);
+}
+
+TEST(Stop, OfACardWith12AxesTakesBits8And9AsAxes) {
+  CrdCommandCard card({.axis_count = 12, .cycle_us = 1000});
+  card.SetUp();
+  EXPECT_EQ(card.Line(1000, 0), 0);
+  EXPECT_EQ(card.Call("GT_CrdStart", {1, 0}), 0);
+  card.Cycles(20);
+  EXPECT_EQ(card.Call("GT_Stop", {3 << 8, 0}), 0);
+  EXPECT_TRUE(card.Running());
+  card.CyclesToEnd();
+  EXPECT_EQ(card.Read("GT_GetPrfPos"), 1000);
 }
 
 TEST(CrdClear, ForgetsTheBreakpoint) {

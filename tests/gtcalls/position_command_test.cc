@@ -121,6 +121,32 @@ TEST(SynchAxisPos, WorksOnTheMaskedAxes) {
   card.ExpectRefused(1, "GT_SynchAxisPos", {0});
 }
 
+TEST(SynchAxisPos, WorksOnTheAxesOfTheMaskedCoordinateSystems) {
+  const struct {
+    int axes;
+    int bit;
+  } rows[] = {{4, 12}, {8, 12}, {12, 12}, {4, 8}, {8, 8}};
+  for (const auto& [axes, bit] : rows) {
+    SCOPED_TRACE(testing::Message() << axes << " axes, bit " << bit);
+    AxisCommandCard card({.axis_count = axes, .cycle_us = 1000});
+    std::vector<double> parameters(21);
+    parameters[0] = 2;    // dimension
+    parameters[2] = 1;    // profile 2 is x
+    parameters[4] = 2;    // profile 4 is y
+    parameters[9] = 500;  // synVelMax
+    parameters[10] = 10;  // synAccMax
+    EXPECT_EQ(card.Call("GT_SetCrdPrm", {2, &parameters}), 0);
+    for (int axis = 1; axis <= 4; ++axis) {
+      EXPECT_EQ(card.Call("GT_SetPrfPos", {axis, 100 * axis}), 0);
+    }
+    EXPECT_EQ(card.Call("GT_SynchAxisPos", {1 << (bit + 1)}), 0);
+    EXPECT_EQ(card.Read("GT_GetAxisPrfPos", 1), 0);
+    EXPECT_EQ(card.Read("GT_GetAxisPrfPos", 2), 200);
+    EXPECT_EQ(card.Read("GT_GetAxisPrfPos", 3), 0);
+    EXPECT_EQ(card.Read("GT_GetAxisPrfPos", 4), 400);
+  }
+}
+
 TEST(ZeroPos, SetsEverythingOfItsAxesToZero) {
   AxisCommandCard card;
   for (const int axis : {1, 2, 3}) {

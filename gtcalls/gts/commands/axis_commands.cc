@@ -153,17 +153,17 @@ int16_t gts::GT_GetStopDec(Call& call) {
   return vm::kOk;
 }
 
-/// Bit n-1 of the mask: profile n. If the same bit of the option is 0 the stop is smooth, if it is
-/// 1 abrupt. The bits after the axes are coordinate systems.
+/// Bit n-1 of the mask: profile n; CrdBitsOf names those of coordinate systems. If the same bit of
+/// the option is 0 the stop is smooth, if it is 1 abrupt.
 int16_t gts::GT_Stop(Call& call) {
   const std::vector<size_t> profiles = SelectedProfiles(call);
-  const std::vector<size_t> crds = CrdsOfAxisMask(call, call.value(0));
+  const uint32_t mask = BitWord(call.value(0));
+  const std::vector<size_t> crds = CrdsOf(CrdBitsOf(call, mask));
   if (profiles.empty() && crds.empty()) return vm::kRefused;
   call.reason = {};
   const uint32_t abrupt = BitWord(call.value(1));
-  for (const size_t i : crds) {
-    call.card.motion.StopCrd(i, (abrupt >> (FirstCrdBit(call) + i) & 1) != 0);
-  }
+  const uint32_t abrupt_crds = CrdBitsOf(call, mask & abrupt);
+  for (const size_t i : crds) call.card.motion.StopCrd(i, (abrupt_crds >> i & 1) != 0);
   for (const size_t i : profiles) call.card.motion.StopCommanded(i, (abrupt >> i & 1) != 0);
   return vm::kOk;
 }

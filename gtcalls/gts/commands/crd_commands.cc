@@ -94,13 +94,12 @@ int16_t CheckParameters(Call& call) {
 
 int16_t CheckCrdAtRest(Call& call, size_t crd) {
   if (!call.card.motion.state().crds[crd].run.running) return vm::kOk;
-  const unsigned bit = FirstCrdBit(call) + static_cast<unsigned>(crd);
   return call.Refuse(vm::kRefused,
                      MakeMessage("coordinate system {0} is moving, call GT_Stop with bit {1} and "
                                  "wait until GT_CrdStatus gives run 0",
                                  "坐标系 {0} 正在运动，请以第 {1} 位调用 GT_Stop 并等待 "
                                  "GT_CrdStatus 的 run 为 0",
-                                 crd + 1, bit));
+                                 crd + 1, kFirstCrdBit + crd));
 }
 
 CrdParameters ParametersOf(const Call& call) {

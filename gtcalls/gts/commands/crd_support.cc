@@ -81,10 +81,11 @@ std::vector<size_t> CrdsOf(uint32_t mask) {
   return selected;
 }
 
-unsigned FirstCrdBit(const Call& call) { return call.card.motion.axis_count() > 8 ? 12 : 8; }
-
-std::vector<size_t> CrdsOfAxisMask(const Call& call, double mask) {
-  return CrdsOf(BitWord(mask) >> FirstCrdBit(call));
+uint32_t CrdBitsOf(const Call& call, uint32_t axis_mask) {
+  const bool small = call.card.motion.axis_count() <= kFirstCrdBitTo8Axes;
+  const uint32_t crds =
+      axis_mask >> kFirstCrdBit | (small ? axis_mask >> kFirstCrdBitTo8Axes : uint32_t{0});
+  return crds & ((uint32_t{1} << motion::kCrdCount) - 1);
 }
 
 }  // namespace oncard::gtcalls

@@ -40,10 +40,11 @@ int16_t AppendToFifo(Call& call, const motion::PathSlot& slot, const motion::Coo
 /// Coordinate systems (from 0) whose bits `mask` has; bit 0 is coordinate system 1.
 std::vector<size_t> CrdsOf(uint32_t mask);
 
-/// Coordinate systems that a mask of axes selects as well (GT_Stop): bits 8 and 9, on a card with
-/// 12 axes 12 and 13.
-std::vector<size_t> CrdsOfAxisMask(const Call& call, double mask);
-/// The bit of such a mask for coordinate system 1.
-unsigned FirstCrdBit(const Call& call);
+/// The bit of coordinate system 1 in a mask of axes (GT_Stop, GT_SynchAxisPos).
+inline constexpr unsigned kFirstCrdBit = 12;
+/// Assumption: its bit on cards of up to 8 axes, which have the other one too.
+inline constexpr unsigned kFirstCrdBitTo8Axes = 8;
+/// The coordinate systems whose bits such a mask has: bit 0 is coordinate system 1.
+uint32_t CrdBitsOf(const Call& call, uint32_t axis_mask);
 
 }  // namespace oncard::gtcalls
