@@ -26,8 +26,9 @@ void JogMode::Start(Micros now, const Sample& from) {
   // The filter continues from the last output, the plan from the last planned state.
   const double planned = running ? PlannedVelocity(now) : from.velocity;
   const double target = PlannedVelocityOf(velocity);
-  plan = PlanToVelocity(from.position, planned, target,
-                        {std::fabs(target), parameters.acc, parameters.dec, 0});
+  plan = PlanToVelocity(
+      from.position, planned, target,
+      {std::fabs(target), parameters.acc, DecelerationOf(parameters.acc, parameters.dec), 0});
   begin = now;
   smooth = parameters.smooth;
   filtered = smooth > 0;

@@ -20,7 +20,7 @@ namespace oncard::motion {
 /// TJogPrm; the defaults are assumptions, as in TrapParameters.
 struct JogParameters {
   double acc = 1;     ///< pulse/ms^2, > 0
-  double dec = 1;     ///< pulse/ms^2, > 0
+  double dec = 0;     ///< pulse/ms^2, > 0, or 0: not set, as acc
   double smooth = 0;  ///< in [0, 1)
 
   auto Fields() const { return std::tie(acc, dec, smooth); }

@@ -53,6 +53,9 @@ struct Plan {
   bool operator==(const Plan&) const = default;
 };
 
+/// The deceleration of a mode whose registers are `acc` and `dec`: 0 for `dec` that was not set.
+inline double DecelerationOf(double acc, double dec) { return dec == 0 ? acc : dec; }
+
 /// Velocity, acceleration, deceleration; all positive, or 0 as the velocity for standstill.
 struct MoveLimits {
   double velocity = 0;

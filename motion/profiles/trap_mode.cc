@@ -104,8 +104,8 @@ void TrapMode::Start(Micros now, const Sample& from) {
   }
   unplanned = raw;
   plan = PlanToPosition(raw.position, raw.velocity, target,
-                        {PlannedVelocityOf(std::fabs(velocity)), parameters.acc, parameters.dec,
-                         parameters.vel_start});
+                        {PlannedVelocityOf(std::fabs(velocity)), parameters.acc,
+                         DecelerationOf(parameters.acc, parameters.dec), parameters.vel_start});
   begin = now;
   running = plan.count > 0 || !past.empty();
 }

@@ -20,7 +20,7 @@ namespace oncard::motion {
 /// TTrapPrm. The defaults are assumptions: the manual gives none, and a card must not divide by 0.
 struct TrapParameters {
   double acc = 1;        ///< pulse/ms^2, > 0
-  double dec = 1;        ///< pulse/ms^2, > 0
+  double dec = 0;        ///< pulse/ms^2, > 0, or 0: not set, as acc
   double vel_start = 0;  ///< pulse/ms, >= 0
   int16_t smooth_time = 0;
 

@@ -77,11 +77,34 @@ TEST(TrapPrm, EveryMemberIsChecked) {
   }
 }
 
-TEST(TrapPrm, ADecelerationOfZeroIsTheAcceleration) {
+// 100 pulses with two ramps of a pulse/ms^2, not limited by the velocity: 2 sqrt(100 / a) ms.
+TEST(TrapPrm, ADecelerationThatWasNeverSetReads0AndFollowsTheAcceleration) {
   AxisCommandCard card;
-  std::vector<double> values = {0.25, 0, 0, 0};
+  EXPECT_EQ(Parameters(card, "GT_GetTrapPrm", 4), (std::vector<double>{1, 0, 0, 0}));
+  int target = 0;
+  for (const auto& [acc, cycles] : {std::pair{1, 20}, {4, 10}, {16, 5}}) {
+    std::vector<double> values = Parameters(card, "GT_GetTrapPrm", 4);
+    values[0] = acc;
+    EXPECT_EQ(card.Call("GT_SetTrapPrm", {1, &values}), 0);
+    EXPECT_EQ(Parameters(card, "GT_GetTrapPrm", 4)[1], 0);
+    EXPECT_EQ(card.Call("GT_SetPos", {1, target += 100}), 0);
+    EXPECT_EQ(card.Call("GT_SetVel", {1, 1000}), 0);
+    EXPECT_EQ(card.Update(1), 0);
+    card.Cycles(cycles - 1);
+    EXPECT_LT(card.Read("GT_GetPrfPos"), target) << acc;
+    card.Cycle();
+    EXPECT_EQ(card.Read("GT_GetPrfPos"), target) << acc;
+    card.CyclesToRest();
+  }
+}
+
+TEST(TrapPrm, ADecelerationOf0IsAgainThatOfTheAcceleration) {
+  AxisCommandCard card;
+  std::vector<double> values = {0.25, 0.5, 0, 0};
   EXPECT_EQ(card.Call("GT_SetTrapPrm", {1, &values}), 0);
-  EXPECT_EQ(Parameters(card, "GT_GetTrapPrm", 4)[1], 0.25);
+  values[1] = 0;
+  EXPECT_EQ(card.Call("GT_SetTrapPrm", {1, &values}), 0);
+  EXPECT_EQ(Parameters(card, "GT_GetTrapPrm", 4), values);
 }
 
 TEST(TrapPrm, IsSetAtRestInModeTrapAndReadInModeTrap) {
@@ -105,11 +128,30 @@ TEST(JogPrm, IsReadBackAtRestOnly) {
   card.ExpectRefused(1, "GT_GetJogPrm", {1, &values});
   EXPECT_EQ(card.Call("GT_PrfJog", {1}), 0);
   EXPECT_EQ(card.Call("GT_SetJogPrm", {1, &values}), 0);
-  EXPECT_EQ(Parameters(card, "GT_GetJogPrm", 3), (std::vector<double>{0.25, 0.25, 0.5}));
+  EXPECT_EQ(Parameters(card, "GT_GetJogPrm", 3), values);
   EXPECT_EQ(card.Call("GT_SetVel", {1, 10}), 0);
   EXPECT_EQ(card.Update(1), 0);
   card.ExpectRefused(1, "GT_SetJogPrm", {1, &values});
   card.ExpectRefused(1, "GT_GetJogPrm", {1, &values});
+}
+
+TEST(JogPrm, ADecelerationThatWasNeverSetReads0AndFollowsTheAcceleration) {
+  AxisCommandCard card;
+  EXPECT_EQ(card.Call("GT_PrfJog", {1}), 0);
+  EXPECT_EQ(Parameters(card, "GT_GetJogPrm", 3), (std::vector<double>{1, 0, 0}));
+  for (const int acc : {2, 5}) {
+    std::vector<double> values = Parameters(card, "GT_GetJogPrm", 3);
+    values[0] = acc;
+    EXPECT_EQ(card.Call("GT_SetJogPrm", {1, &values}), 0);
+    EXPECT_EQ(Parameters(card, "GT_GetJogPrm", 3)[1], 0);
+    for (const int velocity : {20, 0}) {
+      EXPECT_EQ(card.Call("GT_SetVel", {1, velocity}), 0);
+      EXPECT_EQ(card.Update(1), 0);
+      card.Cycle();
+      EXPECT_EQ(card.Read("GT_GetPrfVel"), velocity == 0 ? 20 - acc : acc);
+      card.Cycles(20);
+    }
+  }
 }
 
 TEST(JogPrm, EveryMemberIsChecked) {

@@ -24,16 +24,12 @@ bool CheckMember(Call& call, std::string_view name, double value, double minimum
   return false;
 }
 
-/// Checks acc and dec, the first two members of TTrapPrm and TJogPrm. dec may be 0.
+/// Checks acc and dec, the first two members of TTrapPrm and TJogPrm. dec is 0 until it is set: the
+/// manual makes acc its default.
 bool CheckAccelerations(Call& call) {
   const double dec = call.cells(1)[1];
   return CheckMember(call, "acc", call.cells(1)[0], kAccelerationMin, kAccelerationMax) &&
          (dec == 0 || CheckMember(call, "dec", dec, kAccelerationMin, kAccelerationMax));
-}
-
-/// Assumption: a dec of 0 means the value of acc, which the manual calls the default of dec.
-double DecelerationOf(const Call& call) {
-  return call.cells(1)[1] == 0 ? call.cells(1)[0] : call.cells(1)[1];
 }
 
 }  // namespace
@@ -52,7 +48,7 @@ int16_t gts::GT_SetTrapPrm(Call& call) {
   }
   const int16_t code = CheckModeAtRest(call, NumberOf(call), ProfileMode::kTrap);
   if (code != vm::kOk) return code;
-  ProfileOf(call).trap.parameters = {call.cells(1)[0], DecelerationOf(call), start,
+  ProfileOf(call).trap.parameters = {call.cells(1)[0], call.cells(1)[1], start,
                                      static_cast<int16_t>(smooth)};
   return vm::kOk;
 }
@@ -92,7 +88,7 @@ int16_t gts::GT_SetJogPrm(Call& call) {
   }
   const int16_t code = CheckModeAtRest(call, NumberOf(call), ProfileMode::kJog);
   if (code != vm::kOk) return code;
-  ProfileOf(call).jog.parameters = {call.cells(1)[0], DecelerationOf(call), smooth};
+  ProfileOf(call).jog.parameters = {call.cells(1)[0], call.cells(1)[1], smooth};
   return vm::kOk;
 }
 
