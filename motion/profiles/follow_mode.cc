@@ -40,7 +40,7 @@ void FollowMode::Start(const Sample& from, const MasterValue& value) {
 bool FollowMode::EventBetween(double before, double after) const {
   const bool up = before < event_position && event_position <= after;
   const bool down = before > event_position && event_position >= after;
-  return (up && event_direction >= 0) || (down && event_direction <= 0);
+  return event_direction > 0 ? up : down;
 }
 
 FollowSegment FollowMode::BeginOf(uint32_t index) const {

@@ -49,7 +49,7 @@ struct FollowMode {
   Master master;
   int32_t loop = 0;  ///< passes; < 1: endless (assumption: the default is endless)
   FollowEvent event = FollowEvent::kStart;
-  int8_t event_direction = 1;  ///< of the master at the event position; 0: either
+  int8_t event_direction = 1;  ///< of the master at the event position: 1, -1
   int32_t event_position = 0;
   bool large_memory = false;
   std::array<std::vector<FollowSegment>, 2> fifos;

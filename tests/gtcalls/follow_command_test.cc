@@ -79,6 +79,18 @@ TEST_F(FollowCommandTest, ParametersOutOfRange) {
   card_.Expect(7, "GT_FollowData", {2, -100, 60.0, 0, 0});
 }
 
+// The manual has 1 and -1 for both events.
+TEST_F(FollowCommandTest, TheMasterMovesForwardOrBackward) {
+  for (const int event : {1, 2}) {
+    card_.Expect(7, "GT_SetFollowEvent", {2, event, 0, 100});
+    EXPECT_EQ(card_.reason.en, "masterDir is 0; 1 is forward, -1 backward");
+    EXPECT_EQ(card_.reason.zh, "masterDir 为 0；1 为正向，-1 为负向");
+    for (const int direction : {1, -1}) {
+      card_.Expect(0, "GT_SetFollowEvent", {2, event, direction, 100});
+    }
+  }
+}
+
 TEST_F(FollowCommandTest, OtherModesRefuse) {
   std::vector<double> a(1);
   card_.Expect(1, "GT_SetFollowMaster", {3, 1, 2, 0});

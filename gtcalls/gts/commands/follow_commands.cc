@@ -58,6 +58,10 @@ int16_t gts::GT_GetFollowLoop(Call& call) {
 }
 
 int16_t gts::GT_SetFollowEvent(Call& call) {
+  if (call.integer(2) == 0) {
+    return call.Refuse(vm::kBadParameter, {"masterDir is 0; 1 is forward, -1 backward",
+                                           "masterDir 为 0；1 为正向，-1 为负向"});
+  }
   const int16_t code = CheckFollow(call);
   if (code != vm::kOk) return code;
   FollowMode& follow = FollowOf(call);
