@@ -146,6 +146,28 @@ TEST(Compare2D, MembersAndSourcesAreChecked) {
   }
 }
 
+TEST(Compare2D, EncodersAreThoseOfTheCardsAxes) {
+  for (const int axes : {4, 8, 12}) {
+    CommandTestCard card({.axis_count = axes});
+    for (const size_t cell : {0u, 1u}) {
+      for (const auto& [number, code] : {std::pair{0, 7},
+                                         {1, 0},
+                                         {axes, 0},
+                                         {axes + 1, 7},
+                                         {9, axes < 9 ? 7 : 0},
+                                         {11, axes < 11 ? 7 : 0}}) {
+        Cells prm = {1, 1, 1, 0, 0, 500, 3, 0};
+        prm[cell] = number;
+        EXPECT_EQ(card.Call("GT_2DCompareSetPrm", {0, &prm}), code) << axes << " axes: " << number;
+      }
+    }
+    Cells prm = {1, 13, 1, 0, 0, 500, 3, 0};
+    EXPECT_EQ(card.Call("GT_2DCompareSetPrm", {0, &prm}), 7);
+    EXPECT_EQ(card.reason.en,
+              "T2DComparePrm.ency is 13; 1 to " + std::to_string(axes) + " is expected");
+  }
+}
+
 TEST(Compare2D, StateIsChecked) {
   CommandTestCard card;
   EXPECT_EQ(card.Call("GT_2DCompareStart", {0}), 1);

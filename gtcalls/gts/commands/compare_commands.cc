@@ -132,12 +132,11 @@ int16_t CheckSource(Call& call, double number, bool external) {
                         "source 为 0 时编码器 {0} 应为内部脉冲计数器，请调用 GT_EncOff", number));
 }
 
-/// 0, or 7 if the card has no encoder with this number.
-int16_t CheckComparedEncoder(Call& call, std::string_view name, double number) {
-  if (number >= 1 && call.card.motion.HasEncoder(static_cast<size_t>(number) - 1)) return vm::kOk;
-  return call.Refuse(vm::kBadParameter,
-                     MakeMessage("T2DComparePrm.{0} is {1}; this card has no such encoder",
-                                 "T2DComparePrm.{0} 为 {1}；本控制卡没有该编码器", name, number));
+/// 0, or 7 if the number is not that of an axis, whose encoder is compared.
+int16_t CheckComparedAxis(Call& call, std::string_view name, double number) {
+  const int axes = call.card.motion.config().axis_count;
+  if (number >= 1 && number <= axes) return vm::kOk;
+  return RefuseCompareMember(call, name, number, 1, axes);
 }
 
 }  // namespace
@@ -145,7 +144,7 @@ int16_t CheckComparedEncoder(Call& call, std::string_view name, double number) {
 int16_t gts::GT_2DCompareSetPrm(Call& call) {
   const std::span<double> cells = call.cells(1);
   for (const auto& [cell, name] : {std::pair{kEncX, "encx"}, {kEncY, "ency"}}) {
-    const int16_t code = CheckComparedEncoder(call, name, cells[cell]);
+    const int16_t code = CheckComparedAxis(call, name, cells[cell]);
     if (code != vm::kOk) return code;
   }
   const struct {
