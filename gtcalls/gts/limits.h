@@ -25,8 +25,8 @@ inline constexpr double kAboveZero = 1e-9;
 inline constexpr double kRateBound = 32767;
 /// The open end of such a range: the nearest double below.
 inline constexpr double kBelow32767 = kRateBound - 0x1p-38;
-/// GT_SetPosErr.
-inline constexpr double kPositionErrorMax = 2147483648.0;
+/// Assumption: the manual has GT_SetPosErr take 2147483648 too, which its type long does not hold.
+inline constexpr double kPositionErrorMax = 2147483647;
 /// Assumption: the largest exponent of GT_SetKvffFilter.
 inline constexpr int kKvffFilterMax = 8;
 /// Assumption: the largest exponent of GT_SetAxisPrfVelFilter; the header names no range.

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <set>
@@ -285,6 +286,33 @@ TEST(CatalogueTest, WritersWriteAndReadersOnlyRead) {
   }
 }
 
+/// The numbers that the integer types of a card hold, as 32-bit hosts pass them.
+const std::map<Scalar, std::pair<double, double>> kHeld = {
+    {Scalar::kChar, {-128, 127}},
+    {Scalar::kUnsignedChar, {0, 255}},
+    {Scalar::kShort, {-32768, 32767}},
+    {Scalar::kUnsignedShort, {0, 65535}},
+    {Scalar::kInt, {-0x1p31, 0x1p31 - 1}},
+    {Scalar::kLong, {-0x1p31, 0x1p31 - 1}},
+    {Scalar::kUnsignedLong, {0, 0x1p32 - 1}}};
+
+TEST(CatalogueTest, NoRangeNamesNumbersThatItsTypeDoesNotHold) {
+  for (const Command& command : GtsCatalogue().commands()) {
+    for (const Parameter& parameter : command.parameters) {
+      const auto held = kHeld.find(parameter.type);
+      if (held == kHeld.end() || parameter.passing != Passing::kValue) continue;
+      const auto& [first, last] = held->second;
+      const std::string name = std::string(command.name) + " " + std::string(parameter.name);
+      if (std::isfinite(parameter.minimum)) {
+        EXPECT_GE(parameter.minimum, first) << name;
+      }
+      if (std::isfinite(parameter.maximum)) {
+        EXPECT_LE(parameter.maximum, last) << name;
+      }
+    }
+  }
+}
+
 // --- Ranges of the manual -----------------------------------------------------------------------
 
 struct RangeCase {
@@ -307,7 +335,7 @@ INSTANTIATE_TEST_SUITE_P(
         RangeCase{"GT_SetStopDec", "decAbruptStop", "[1e-09, 32767]"},
         RangeCase{"GT_ProfileScale", "alpha", "[-32766, 32766]"},
         RangeCase{"GT_EncScale", "beta", "[-32766, 32766]"},
-        RangeCase{"GT_SetPosErr", "error", "[1, 2147483648]"},
+        RangeCase{"GT_SetPosErr", "error", "[1, 2147483647]"},
         RangeCase{"GT_SetFollowLoop", "loop", "[-32768, 32767]"},
         RangeCase{"GT_SetPtLoop", "loop", "[0, inf)"}, RangeCase{"GT_PrfGear", "dir", "[-1, 1]"},
         RangeCase{"GT_LmtsOn", "limitType", "[-1, 1]"}, RangeCase{"GT_Bind", "thread", "[0, 31]"},

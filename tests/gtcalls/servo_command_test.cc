@@ -1,4 +1,5 @@
 // Servo controllers through their commands.
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include "tests/gtcalls/command_test_card.h"
@@ -96,8 +97,11 @@ TEST(PosErr, IsKeptAndCheckedAtBothEnds) {
   EXPECT_EQ(card.Call("GT_GetPosErr", {1, &error}), 0);
   EXPECT_EQ(error[0], 32767);
   for (const auto& [limit, code] :
-       {std::pair{0.0, 7}, {-1.0, 7}, {1.0, 0}, {2147483647.0, 0}, {2147483649.0, 7}}) {
+       {std::pair{0.0, 7}, {-1.0, 7}, {1.0, 0}, {2147483647.0, 0}, {2147483648.0, 7}}) {
     EXPECT_EQ(card.Call("GT_SetPosErr", {1, limit}), code) << limit;
+    if (code == 0) continue;
+    EXPECT_EQ(card.reason.en,
+              fmt::format("parameter error is {}; the range is [1, 2147483647]", limit));
   }
   EXPECT_EQ(card.Call("GT_GetPosErr", {1, &error}), 0);
   EXPECT_EQ(error[0], 2147483647.0);
