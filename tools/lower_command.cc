@@ -18,13 +18,15 @@ struct LowerOptions {
 
 // A table of what each thread function takes, its calls that are jumps, and the globals.
 std::string CostTable(const compiler::Lowering& lowering, const Invocation& invocation) {
-  std::string text = invocation.Say(MakeMessage("{0:<32}{1:>12}{2:>8}{3:>13}{4:>12}\n",
-                                                "{5:<30}{6:>10}{7:>6}{8:>9}{9:>10}\n", "function",
-                                                "statements", "labels", "temporaries", "page slots",
-                                                "函数", "语句", "标号", "临时变量", "页存储单元"));
+  const auto row = [](const auto&... cells) {
+    return fmt::format("{:<32}{:>12}{:>8}{:>13}{:>12}\n", cells...);
+  };
+  std::string text =
+      row(invocation.Say({"function", "函数"}), invocation.Say({"statements", "语句"}),
+          invocation.Say({"labels", "标号"}), invocation.Say({"temporaries", "临时变量"}),
+          invocation.Say({"page slots", "页存储单元"}));
   for (const compiler::FunctionCost& cost : lowering.costs) {
-    text += fmt::format("{:<32}{:>12}{:>8}{:>13}{:>12}\n", cost.name, cost.statements, cost.labels,
-                        cost.temporaries, cost.page_slots);
+    text += row(cost.name, cost.statements, cost.labels, cost.temporaries, cost.page_slots);
   }
   for (const compiler::FunctionCost& cost : lowering.costs) {
     for (const compiler::JumpCalls& jumps : cost.jumps) {

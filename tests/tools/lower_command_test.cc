@@ -66,6 +66,17 @@ TEST(Lower, ShowsTheCostOfEachFunction) {
   EXPECT_THAT(result.err, HasSubstr("global slots: 2"));
 }
 
+// A Chinese character takes two columns of a terminal, so the heads end where the numbers do.
+TEST(Lower, AlignsTheHeadsOfTheCostInChinese) {
+  const ScratchFolder scratch;
+  const ProcessResult result =
+      RunOncard({"lower", "--cost", "--lang", "zh", scratch.Write("p.c", "void t0() {}\n")});
+  EXPECT_EQ(result.err,
+            "函数                                    语句    标号     临时变量  页存储单元\n"
+            "t0                                         0       0            0           0\n"
+            "全局存储单元：0\n");
+}
+
 TEST(Lower, SaysWhichCallsAreJumps) {
   const ScratchFolder scratch;
   const std::string source =
