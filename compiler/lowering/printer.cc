@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "compiler/dialect.h"
 #include "compiler/literal.h"
 #include "vm/fixed_point.h"
 
@@ -22,6 +23,7 @@ class Printer {
       : program_(program), files_(files), annotate_(annotate) {}
 
   PrintedProgram Run() {
+    PrintToolComments();
     PrintConstants();
     for (const int global : program_.globals) {
       const Variable& variable = VariableAt(global);
@@ -41,6 +43,11 @@ class Printer {
   void Line(const std::string& text, SourceRange origin) {
     out_.text += text + '\n';
     out_.origins.push_back(origin);
+  }
+
+  // Separates what follows from what stands there.
+  void EmptyLine() {
+    if (!out_.text.empty() && !out_.text.ends_with("\n\n")) Line("", Nowhere());
   }
 
   const Variable& VariableAt(int number) const {
@@ -238,7 +245,7 @@ class Printer {
   }
 
   void PrintFunction(const LoweredFunction& function) {
-    if (!out_.text.empty()) Line("", Nowhere());
+    EmptyLine();
     std::string parameters;
     for (const int parameter : function.parameters) {
       if (!parameters.empty()) parameters += ", ";
@@ -267,6 +274,20 @@ class Printer {
     Line("}", function.end);
   }
 
+  // The explorer finds the program's requirements in these lines. All names in them are those of
+  // the lowered program, in structured C too.
+  void PrintToolComments() {
+    const std::string_view source = files_[0].text();
+    ForEachToolComment(source, [this, source](int /*number*/, std::string_view line) {
+      SourceRange range;
+      range.begin = static_cast<uint32_t>(line.data() - source.data());
+      range.end = range.begin + static_cast<uint32_t>(line.size());
+      Line(std::string(Trim(line)), range);
+    });
+    // A backslash at the end of the last one continues the comment with an empty line.
+    EmptyLine();
+  }
+
   // The constants that are used by their names, which nothing else in the program must have.
   void PrintConstants() {
     std::set<std::string_view> taken;
@@ -286,7 +307,7 @@ class Printer {
       Line(fmt::format("#define {} {}", constant.name, Spell(constant.value)), constant.range);
       names_.emplace(number, constant.name);
     }
-    if (!names_.empty()) Line("", Nowhere());
+    EmptyLine();
   }
 
   const Program& program_;

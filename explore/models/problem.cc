@@ -15,21 +15,6 @@
 namespace oncard::explore {
 namespace {
 
-constexpr std::string_view kMark = "//@";
-
-/// Calls `visit` with the number and text of every line that is a comment of the explorer.
-template <typename Visit>
-void ForEachComment(std::string_view source, Visit visit) {
-  int number = 1;
-  for (size_t begin = 0; begin < source.size(); ++number) {
-    const size_t end = std::min(source.find('\n', begin), source.size());
-    const std::string_view line = source.substr(begin, end - begin);
-    begin = end + 1;
-    if (number == 1 && compiler::WantsStructured(line)) continue;
-    if (Trim(line).starts_with(kMark)) visit(number, line);
-  }
-}
-
 /// Calls `visit` with every part of a comma-separated list.
 template <typename Visit>
 void ForEachPart(std::string_view text, Visit visit) {
@@ -53,7 +38,7 @@ class CommentReader {
   void Read(int number, std::string_view line) {
     number_ = number;
     line_ = line;
-    const std::string_view comment = Trim(line).substr(kMark.size());
+    const std::string_view comment = Trim(line).substr(compiler::kToolComment.size());
     const size_t colon = comment.find(':');
     const std::string_view key = Trim(comment.substr(0, colon));
     const std::string_view rest =
@@ -161,13 +146,14 @@ Result<CommentProblem> ReadComments(const std::string& path, std::string_view so
 
 Result<CommentProblem> ReadCommentLines(const std::string& path, std::string_view source) {
   CommentReader reader(path, source);
-  ForEachComment(source, [&](int number, std::string_view line) { reader.Read(number, line); });
+  compiler::ForEachToolComment(
+      source, [&](int number, std::string_view line) { reader.Read(number, line); });
   return reader.Finish();
 }
 
 int FirstCommentLine(std::string_view source) {
   int first = 0;
-  ForEachComment(source, [&](int number, std::string_view) {
+  compiler::ForEachToolComment(source, [&](int number, std::string_view) {
     if (first == 0) first = number;
   });
   return first;

@@ -217,6 +217,22 @@ TEST(Lowering, LinesKnowWhereTheyComeFrom) {
   FAIL() << *lowering.text;
 }
 
+// The explorer reads a program's requirements from such lines, wherever they stand.
+TEST(Lowering, CommentsForToolsAreKept) {
+  const Lowering lowering = Lower(
+      "//@ structured\n//@ init: v=1\r\n// not this\nint v;\nvoid t0() {\n  /*\n"
+      "  //@ always: v < 3 \\\n  */\n  v++;\n}\n//@ final: v == 2");
+  EXPECT_EQ(lowering.text.value(),
+            "//@ init: v=1\n//@ always: v < 3 \\\n//@ final: v == 2\n\nint v;\n\nvoid t0() {\n"
+            "  // 9: v++;\n  v = v + 1;\n}\n");
+  EXPECT_EQ(lowering.files[0].LineOf(lowering.origins[1].begin), 7);
+}
+
+TEST(Lowering, OnlyCommentsForToolsStandBeforeAFunction) {
+  EXPECT_EQ(Lower("//@ races: none \\\nint v;\nvoid t0() {}\n").text.value(),
+            "//@ races: none \\\n\nvoid t0() {\n}\n");
+}
+
 // The static local gets another name because of the local of t0; that does not rename locals of t1.
 TEST(Lowering, LocalsKeepTheirNamesBesideStatics) {
   const Lowering lowering = Lower(
