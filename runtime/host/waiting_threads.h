@@ -1,0 +1,106 @@
+// Whether the other threads of this process wait, asked from the operating system. Virtual time
+// (virtual_time.h) asks before every jump, so that the answer must be cheap:
+//
+// - The number of threads is the number of links of the folder /proc/self/task. If all of them are
+//   known to wait, nothing else is looked at. It counts threads that any library began.
+// - The files of each of the other threads stay open: `syscall` says `running` for a thread that
+//   does not wait, and `schedstat` how often it has run. A thread seen asleep still sleeps while
+//   that number has not changed, and what kind of wait it is in is asked only once.
+// - Kernels that do not count runs have `status`, which takes three times as long.
+//
+// A host may close descriptors that it does not know: the folder is compared with the one that was
+// opened, and all is opened anew. They are numbers that hosts do not get by themselves.
+//
+// Thread-safe. Linux only. Tested by tests/runtime/waiting_threads_test.cc.
+#pragma once
+
+#include <sys/types.h>
+
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace oncard::runtime {
+
+/// A thread, by its number in the operating system.
+using ThreadId = int;
+
+class WaitingThreads {
+ public:
+  WaitingThreads() = default;
+  WaitingThreads(const WaitingThreads&) = delete;
+  WaitingThreads& operator=(const WaitingThreads&) = delete;
+  ~WaitingThreads();
+
+  /// The process's own; never destroyed.
+  static WaitingThreads& OfProcess();
+
+  /// True if all threads of the process except the calling one wait. Threads `asleep` do: they are
+  /// not looked at. Threads `in_slices` wait for something again and again: they may have run from
+  /// one such wait to the next.
+  bool OthersWait(std::span<const ThreadId> asleep, std::span<const ThreadId> in_slices);
+
+  /// During its lifetime the calling thread does not belong to the host: it is not looked at.
+  class LeftOut {
+   public:
+    LeftOut();
+    LeftOut(const LeftOut&) = delete;
+    LeftOut& operator=(const LeftOut&) = delete;
+    ~LeftOut();
+  };
+
+  /// Around fork().
+  void LockForFork() { mutex_.lock(); }
+  void UnlockAfterFork() { mutex_.unlock(); }
+
+  /// How often threads were listed and looked at, to count what an answer costs.
+  struct Work {
+    long listings = 0;
+    long looks = 0;
+  };
+  Work work() const { return work_; }
+
+ private:
+  /// The files of a thread; -1: opened for each look.
+  struct Thread {
+    ThreadId id = 0;
+    int call = -1;       ///< `syscall`; -1 as well where the kernel does not count runs
+    int runs = -1;       ///< `schedstat`, or `status`
+    std::string asleep;  ///< what `runs` said when the thread was seen asleep
+  };
+  /// Those of which something is known.
+  struct Known {
+    std::span<const ThreadId> asleep;
+    std::span<const ThreadId> in_slices;
+    ThreadId caller = 0;
+  };
+  enum class Answer { kWait, kRun, kEnded };
+
+  /// The number of threads; 0 if the operating system does not say.
+  size_t Count();
+  /// Nothing if the folder is not open, or its descriptor is not ours any more.
+  std::optional<size_t> LinksOfFolder() const;
+  void OpenFolder();
+  void ListThreads();
+  void OpenFiles(Thread* thread) const;
+  void CloseFiles(const Thread& thread) const;
+  void CloseAll();
+  /// Looks at all threads but the known ones. The `second` time they must not have run since the
+  /// first.
+  Answer LookAtOthers(const Known& known, bool second);
+  Answer LookAt(Thread* thread, bool in_slices, bool second);
+  std::string Read(const Thread& thread, int file, const char* name) const;
+
+  std::mutex mutex_;  // guards what follows
+  pid_t process_ = 0;
+  int folder_ = -1;
+  dev_t device_ = 0;
+  ino_t inode_ = 0;
+  bool counts_runs_ = true;
+  std::vector<Thread> threads_;
+  Work work_;
+};
+
+}  // namespace oncard::runtime

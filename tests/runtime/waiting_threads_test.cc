@@ -1,0 +1,193 @@
+#include "runtime/host/waiting_threads.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace oncard::runtime {
+namespace {
+
+ThreadId OwnId() { return static_cast<ThreadId>(::syscall(SYS_gettid)); }
+
+/// Asks until the answer is yes: a thread needs a moment to fall asleep or to end.
+bool WaitInTheEnd(WaitingThreads* threads, std::span<const ThreadId> asleep = {}) {
+  for (int look = 0; look < 1'000'000; ++look) {
+    if (threads->OthersWait(asleep, {})) return true;
+    std::this_thread::yield();
+  }
+  return false;
+}
+
+/// A thread that waits for a lock until the end of the object.
+class WaitingThread {
+ public:
+  WaitingThread() : lock_(mutex_), thread_([this] { Wait(); }) {
+    while (id_ == 0) std::this_thread::yield();
+  }
+  ~WaitingThread() { End(); }
+  ThreadId id() const { return id_; }
+  /// Lets it work until it is to wait.
+  void Work() {
+    works_ = true;
+    lock_.unlock();
+    while (!works_now_) std::this_thread::yield();
+    lock_.lock();
+  }
+  void StopWorking() { works_ = false; }
+  void End() {
+    works_ = false;
+    ends_ = true;
+    if (lock_.owns_lock()) lock_.unlock();
+    if (thread_.joinable()) thread_.join();
+  }
+
+ private:
+  void Wait() {
+    id_ = OwnId();
+    while (!ends_) {
+      { const std::lock_guard wait(mutex_); }
+      while (works_) works_now_ = true;
+      works_now_ = false;
+    }
+  }
+
+  std::mutex mutex_;
+  std::unique_lock<std::mutex> lock_;
+  std::atomic<ThreadId> id_ = 0;
+  std::atomic<bool> works_ = false;
+  std::atomic<bool> works_now_ = false;
+  std::atomic<bool> ends_ = false;
+  std::thread thread_;
+};
+
+TEST(WaitingThreadsTest, ASingleThreadHasNobodyToLookAt) {
+  WaitingThreads threads;
+  EXPECT_TRUE(threads.OthersWait({}, {}));
+  EXPECT_EQ(threads.work().listings, 0);
+  EXPECT_EQ(threads.work().looks, 0);
+}
+
+TEST(WaitingThreadsTest, WhoIsKnownToSleepIsNotLookedAt) {
+  const WaitingThread one;
+  const WaitingThread other;
+  const ThreadId asleep[] = {one.id(), other.id()};
+  WaitingThreads threads;
+  for (int look = 0; look < 10; ++look) EXPECT_TRUE(threads.OthersWait(asleep, {}));
+  EXPECT_EQ(threads.work().listings, 0);
+  EXPECT_EQ(threads.work().looks, 0);
+}
+
+TEST(WaitingThreadsTest, AThreadThatWorksDoesNotWait) {
+  WaitingThread thread;
+  WaitingThreads threads;
+  EXPECT_TRUE(WaitInTheEnd(&threads));
+  thread.Work();
+  for (int look = 0; look < 100; ++look) EXPECT_FALSE(threads.OthersWait({}, {}));
+  thread.StopWorking();
+  EXPECT_TRUE(WaitInTheEnd(&threads));
+}
+
+TEST(WaitingThreadsTest, AThreadInSlicesThatWorksDoesNotWaitEither) {
+  WaitingThread thread;
+  const ThreadId in_slices[] = {thread.id()};
+  thread.Work();
+  WaitingThreads threads;
+  for (int look = 0; look < 100; ++look) EXPECT_FALSE(threads.OthersWait({}, in_slices));
+}
+
+TEST(WaitingThreadsTest, AThreadThatGoesOnWaitingIsLookedAtOnceEachTime) {
+  const WaitingThread thread;
+  WaitingThreads threads;
+  ASSERT_TRUE(WaitInTheEnd(&threads));
+  const WaitingThreads::Work before = threads.work();
+  for (int look = 0; look < 10; ++look) EXPECT_TRUE(threads.OthersWait({}, {}));
+  EXPECT_EQ(threads.work().looks - before.looks, 10);
+  EXPECT_EQ(threads.work().listings, before.listings);
+}
+
+TEST(WaitingThreadsTest, ThreadsThatComeAndGoAreListedAnew) {
+  WaitingThreads threads;
+  auto first = std::make_unique<WaitingThread>();
+  const WaitingThread second;
+  EXPECT_TRUE(WaitInTheEnd(&threads));
+  // One ends and another begins between two looks: their number stays.
+  first->End();
+  WaitingThread third;
+  third.Work();
+  for (int look = 0; look < 100; ++look) EXPECT_FALSE(threads.OthersWait({}, {}));
+  third.StopWorking();
+  EXPECT_TRUE(WaitInTheEnd(&threads));
+}
+
+TEST(WaitingThreadsTest, AThreadThatIsLeftOutMayWork) {
+  std::atomic<bool> left_out = false;
+  std::atomic<bool> ends = false;
+  std::thread worker([&] {
+    const WaitingThreads::LeftOut own;
+    left_out = true;
+    while (!ends) {
+    }
+  });
+  while (!left_out) std::this_thread::yield();
+  WaitingThreads threads;
+  EXPECT_TRUE(threads.OthersWait({}, {}));
+  const WaitingThread other;
+  EXPECT_TRUE(WaitInTheEnd(&threads));
+  ends = true;
+  worker.join();
+}
+
+TEST(WaitingThreadsTest, ManyThreadsAreLookedAtWithoutKeepingAllFilesOpen) {
+  std::vector<std::unique_ptr<WaitingThread>> many;
+  for (int i = 0; i < 100; ++i) many.push_back(std::make_unique<WaitingThread>());
+  WaitingThreads threads;
+  EXPECT_TRUE(WaitInTheEnd(&threads));
+  many.back()->Work();
+  EXPECT_FALSE(threads.OthersWait({}, {}));
+  many.back()->StopWorking();
+}
+
+TEST(WaitingThreadsTest, SurvivesAHostThatClosesAllDescriptors) {
+  WaitingThread thread;
+  WaitingThreads threads;
+  ASSERT_TRUE(WaitInTheEnd(&threads));
+  // The host then opens files of its own, which get the same numbers.
+  ::syscall(SYS_close_range, 700u, 1023u, 0u);
+  std::vector<int> of_host;
+  for (int i = 0; i < 16; ++i) {
+    const int low = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+    of_host.push_back(::fcntl(low, F_DUPFD_CLOEXEC, 768));
+    ::close(low);
+  }
+  EXPECT_TRUE(WaitInTheEnd(&threads));
+  thread.Work();
+  EXPECT_FALSE(threads.OthersWait({}, {}));
+  thread.StopWorking();
+  for (const int descriptor : of_host) EXPECT_EQ(::close(descriptor), 0) << "closed by us";
+}
+
+TEST(WaitingThreadsTest, AChildHasItsOwnThreads) {
+  WaitingThread thread;
+  WaitingThreads threads;
+  ASSERT_TRUE(WaitInTheEnd(&threads));
+  thread.Work();
+  ASSERT_FALSE(threads.OthersWait({}, {}));
+  const pid_t child = ::fork();
+  if (child == 0) ::_exit(threads.OthersWait({}, {}) ? 0 : 1);
+  int status = -1;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0);
+  thread.StopWorking();
+}
+
+}  // namespace
+}  // namespace oncard::runtime
