@@ -11,7 +11,7 @@
 
 #include "runtime/host/call_scope.h"
 #include "runtime/host/host_scenario.h"
-#include "runtime/host/virtual_time.h"
+#include "runtime/host/waiting_threads.h"
 
 namespace oncard::runtime {
 namespace {
@@ -33,7 +33,7 @@ extern "C" void WakeWatcher(int signal) {
 }
 
 void* Watch(void* /*argument*/) {
-  VirtualTime::LeaveOutCallingThread();
+  const WaitingThreads::LeftOut watcher;
   uint64_t signal = 0;
   // A direct system call: the C library's functions may be replaced by functions that lead back
   // here.

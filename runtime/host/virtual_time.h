@@ -7,6 +7,11 @@
 // a sleep that is handled here, for a lock, for another thread, or for input. Time never passes a
 // sleeper: a thread that advances time waits until the sleepers that are due have been woken.
 //
+// Each sleeper has a futex of its own. The thread that falls asleep last lets time jump and wakes
+// only those that are due, all at once. Where another thread still works and waits later, without a
+// sleep, a helper notices: a thread of libgts that looks again and again while there are sleepers
+// and nothing changes.
+//
 // A wait with a deadline for a condition, a lock or a descriptor is a sleeper too. It waits in the
 // operating system, so that it continues at once when the event occurs, but only in short slices,
 // and checks its deadline between them:
@@ -22,9 +27,12 @@
 // times are the same as long as only one of them runs at a time; threads that run in parallel can
 // race as usual.
 //
-// Thread-safe. Linux only: whether a thread waits is read from /proc.
+// Thread-safe. Linux only: whether a thread waits is asked in waiting_threads.h.
 // Tested by tests/runtime/virtual_time_test.cc.
 #pragma once
+
+#include <pthread.h>
+#include <sys/types.h>
 
 #include <atomic>
 #include <cstdint>
@@ -34,17 +42,16 @@
 #include <span>
 #include <tuple>
 #include <utility>
-#include <vector>
+
+#include "runtime/host/waiting_threads.h"
 
 namespace oncard::runtime {
 
 class VirtualTime {
  public:
-  /// A thread, by its number in the operating system.
-  using ThreadId = int;
-  /// True if all threads of the process except the calling one wait. Threads `in_slices` are in
-  /// waits with a deadline and may be between two slices.
-  using OthersWait = std::function<bool(std::span<const ThreadId> in_slices)>;
+  /// WaitingThreads::OthersWait().
+  using OthersWait =
+      std::function<bool(std::span<const ThreadId> asleep, std::span<const ThreadId> in_slices)>;
   /// A wait with a deadline, from BeginWait() to EndWait().
   struct Wait {
     int64_t deadline_ns = 0;
@@ -54,10 +61,11 @@ class VirtualTime {
   /// The end of virtual time, after 146 years.
   static constexpr int64_t kEndNs = INT64_MAX / 2;
 
-  explicit VirtualTime(OthersWait others_wait = OtherThreadsWait)
+  explicit VirtualTime(OthersWait others_wait = OthersOfProcessWait)
       : others_wait_(std::move(others_wait)) {}
   VirtualTime(const VirtualTime&) = delete;
   VirtualTime& operator=(const VirtualTime&) = delete;
+  ~VirtualTime();
 
   /// The process's own.
   static VirtualTime& OfProcess();
@@ -80,49 +88,67 @@ class VirtualTime {
   /// Ends the wait; if it `expired`, time is now at least its deadline.
   void EndWait(const Wait& wait, bool expired);
 
-  /// Around fork(): the child continues with only the thread that forked, and no other thread
-  /// waits.
-  void LockForFork() { mutex_.lock(); }
-  void UnlockAfterFork() { mutex_.unlock(); }
+  /// Around fork(), for the process's own: the child continues with only the thread that forked,
+  /// and no other thread waits.
+  void LockForFork();
+  void UnlockAfterFork();
   void BecomeChild();
 
-  /// Asks the operating system.
-  static bool OtherThreadsWait(std::span<const ThreadId> in_slices);
-  /// The calling thread does not belong to the host: it is no longer checked for waiting.
-  static void LeaveOutCallingThread();
-
  private:
+  /// What a sleeping thread waits for, on its stack.
+  struct Bed {
+    std::atomic<int> changes = 0;  ///< a futex
+    bool woken = false;            ///< guarded by mutex_, as is the next
+    bool is_going = false;         ///< counted in going_
+  };
   /// The time to wake, and the order of arrival among equal times.
   struct Sleeper {
     int64_t deadline_ns;
     int64_t number;
-    ThreadId in_slices;  ///< a thread in a wait with a deadline; 0 for a sleep
+    ThreadId thread = 0;
+    Bed* bed = nullptr;  ///< null: a wait in slices
     bool operator<(const Sleeper& other) const {
       return std::tie(deadline_ns, number) < std::tie(other.deadline_ns, other.number);
     }
   };
 
-  /// Adds a sleeper and returns its number.
-  int64_t Add(int64_t deadline_ns, ThreadId in_slices);
-  void Remove(int64_t deadline_ns, int64_t number);
-  bool IsFirst(int64_t number) const { return sleepers_.begin()->number == number; }
-  /// True if every other thread waits, and kept waiting during the check. Unlocks in between.
-  bool IsAlone(std::unique_lock<std::mutex>* lock, int64_t number);
+  static bool OthersOfProcessWait(std::span<const ThreadId> asleep,
+                                  std::span<const ThreadId> in_slices);
 
-  /// Wakes the threads in WaitForChange().
-  void NotifyAll();
-  /// Waits, unlocked, until changed_ is no longer as it was seen.
-  void WaitForChange(std::unique_lock<std::mutex>* lock, int seen);
-  /// True if the moment of a sleeper has come; waits of the thread `but_of` do not count.
-  bool IsDue(int64_t now, ThreadId but_of = 0) const;
+  void Add(const Sleeper& sleeper);
+  void Remove(int64_t deadline_ns, int64_t number);
+  void AdvanceTo(int64_t ns);
+  /// Lets time jump to the first sleeper and wakes those that are due, if every other thread waits;
+  /// the first in slices finds that out itself. True if someone was woken. Unlocks in between.
+  bool Jump(std::unique_lock<std::mutex>* lock);
+  /// Wakes the sleepers whose moment has come; true if there was one.
+  bool WakeDue();
+  /// True if every other thread waits, and kept waiting during the check. Unlocks in between.
+  bool IsAlone(std::unique_lock<std::mutex>* lock);
+  /// True while sleepers whose moment has come have not gone on; waits of `own` do not count.
+  bool IsPassingSomeone(int64_t now, ThreadId own) const;
+  /// Tells threads in Pass() that a sleeper has gone.
+  void TellPassing();
+
+  /// Makes the helper look; false if it cannot be started.
+  bool CallHelper();
+  bool StartHelper();
+  void Help();
 
   OthersWait others_wait_;
-  std::mutex mutex_;              // guards what follows; now_ns_ is written under it
-  std::atomic<int> changed_ = 0;  // a futex: a sleeper has gone or is due
-  int waiting_ = 0;               // threads in WaitForChange()
+  std::mutex mutex_;  // guards what follows, but not the atomic members
   std::set<Sleeper> sleepers_;
   int64_t next_number_ = 0;
-  int64_t changes_ = 0;  // counts sleepers that came and went
+  int64_t changes_ = 0;        // counts sleepers that came and went
+  int going_ = 0;              // sleepers that were woken and have not gone on yet
+  int passing_ = 0;            // threads in Pass() that wait for them
+  std::atomic<int> gone_ = 0;  // a futex for these
+  pid_t helped_process_ = 0;   // the process whose helper runs
+  pthread_t helper_{};
+  bool helper_rests_ = false;
+  bool ends_ = false;
+  std::atomic<int> helper_calls_ = 0;  // a futex for the helper that rests
+  std::atomic<int64_t> first_deadline_ns_ = INT64_MAX;
   std::atomic<int64_t> now_ns_ = 0;
 };
 
