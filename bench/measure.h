@@ -54,6 +54,9 @@ void BenchCompiler();
 /// `oncard_bench run`: how long whole runs take, and what recording them costs.
 void BenchRun();
 
+/// A part of BenchRun(): how fast host programs run.
+void BenchHosts();
+
 /// `oncard_bench motion`: what a profile cycle and a command cost.
 void BenchMotion();
 

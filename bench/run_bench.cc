@@ -1,7 +1,6 @@
 // `oncard_bench run`: measures whole runs: a controller whose threads move axes, the scenarios of
-// all samples, and the command `oncard run` with and without a recording.
-#include <fcntl.h>
-#include <sys/wait.h>
+// all samples, and the command `oncard run` with and without a recording. Hosts are in
+// host_bench.cc.
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,6 +14,7 @@
 
 #include "bench/kernels.h"
 #include "bench/measure.h"
+#include "bench/tool.h"
 #include "compiler/compiler.h"
 #include "runtime/scenario/scenario_run.h"
 #include "runtime/sim/controller.h"
@@ -87,25 +87,6 @@ void MeasureSamples() {
 
 // --- The command ---------------------------------------------------------------------------------
 
-/// Runs `oncard` with these arguments; its output is of no interest.
-void RunTool(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), "oncard");
-  std::vector<char*> words;
-  words.reserve(arguments.size() + 1);
-  for (std::string& argument : arguments) words.push_back(argument.data());
-  words.push_back(nullptr);
-  std::fflush(stdout);  // the child must not print it again
-  const pid_t child = ::fork();
-  if (child == 0) {
-    const int nowhere = ::open("/dev/null", O_WRONLY);
-    if (::dup2(nowhere, STDOUT_FILENO) < 0 || ::dup2(nowhere, STDERR_FILENO) < 0) ::_exit(127);
-    ::execv(ONCARD_TOOL, words.data());
-    ::_exit(127);
-  }
-  int status = 0;
-  if (child < 0 || ::waitpid(child, &status, 0) != child || status != 0) Fail("oncard run failed");
-}
-
 /// The same run without and with a recording, processor time.
 void MeasureRecording(const char* what, const std::vector<std::string>& arguments,
                       const std::string& file) {
@@ -149,6 +130,7 @@ void BenchRun() {
     MeasureRecording(what.c_str(), eight, file);
   }
   std::filesystem::remove_all(folder);
+  BenchHosts();
 }
 
 }  // namespace oncard::bench
