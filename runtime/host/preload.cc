@@ -10,6 +10,7 @@
 // preload_locks.cc has the time-outs of locks and conditions, preload_descriptors.cc those of
 // descriptors. The processor-time clocks are not changed.
 // Tested by tests/tools/exec_command_test.cc.
+#include <sys/syscall.h>
 #include <sys/times.h>
 #include <threads.h>
 #include <unistd.h>
@@ -37,6 +38,13 @@ bool FindInLibgts(const char* name, Function** function) {
 }
 
 timespec Calendar(const Hooks& hooks) { return ToTimespec(kCalendarBeginNs + hooks.time_ns()); }
+
+/// What the kernel says to a clock function whose pointer is no address. The C library reads these
+/// clocks without the kernel, and would crash.
+template <typename A, typename B>
+int AskKernel(long number, A a, B b) {
+  return static_cast<int>(ORIGINAL(syscall)(number, a, b));
+}
 
 /// Sleeps; false if a signal ends the sleep: then `rest`, unless it is NULL, is what is left.
 bool SleepAndTell(const Hooks& hooks, long long duration_ns, timespec* rest) {
@@ -108,7 +116,7 @@ using namespace oncard::preload;
 
 ONCARD_EXPORT int nanosleep(const timespec* duration, timespec* rest) {
   const Hooks* hooks = VirtualHooks();
-  if (hooks == nullptr) return ORIGINAL(nanosleep)(duration, rest);
+  if (hooks == nullptr || !IsAddress(duration)) return ORIGINAL(nanosleep)(duration, rest);
   if (!IsValid(*duration)) return Fail(EINVAL);
   return SleepAndTell(*hooks, ToNs(*duration), rest) ? 0 : Fail(EINTR);
 }
@@ -117,7 +125,7 @@ ONCARD_EXPORT int clock_nanosleep(clockid_t clock, int flags, const timespec* ti
                                   timespec* rest) {
   const Hooks* hooks = VirtualHooks();
   const long long begin_ns = BeginOf(clock);
-  if (hooks == nullptr || begin_ns < 0) {
+  if (hooks == nullptr || begin_ns < 0 || !IsAddress(time)) {
     return ORIGINAL(clock_nanosleep)(clock, flags, time, rest);
   }
   if (!IsValid(*time)) return EINVAL;
@@ -141,7 +149,7 @@ ONCARD_EXPORT int usleep(useconds_t microseconds) {
 
 ONCARD_EXPORT int thrd_sleep(const timespec* duration, timespec* rest) {
   const Hooks* hooks = VirtualHooks();
-  if (hooks == nullptr) return ORIGINAL(thrd_sleep)(duration, rest);
+  if (hooks == nullptr || !IsAddress(duration)) return ORIGINAL(thrd_sleep)(duration, rest);
   if (!IsValid(*duration)) return -2;  // below -1, which means a signal
   return SleepAndTell(*hooks, ToNs(*duration), rest) ? 0 : -1;
 }
@@ -152,6 +160,7 @@ ONCARD_EXPORT int clock_gettime(clockid_t clock, timespec* time) noexcept {
   const Hooks* hooks = VirtualHooks();
   const long long begin_ns = BeginOf(clock);
   if (hooks == nullptr || begin_ns < 0) return ORIGINAL(clock_gettime)(clock, time);
+  if (!IsAddress(time)) return AskKernel(SYS_clock_gettime, clock, time);
   *time = ToTimespec(begin_ns + hooks->time_ns());
   return 0;
 }
@@ -159,6 +168,7 @@ ONCARD_EXPORT int clock_gettime(clockid_t clock, timespec* time) noexcept {
 ONCARD_EXPORT int gettimeofday(timeval* __restrict time, void* __restrict zone) noexcept {
   const Hooks* hooks = VirtualHooks();
   if (hooks == nullptr) return ORIGINAL(gettimeofday)(time, zone);
+  if (!IsAddress(time)) return AskKernel(SYS_gettimeofday, time, zone);
   const timespec now = Calendar(*hooks);
   *time = {now.tv_sec, now.tv_nsec / 1000};
   return 0;
@@ -174,7 +184,8 @@ ONCARD_EXPORT time_t time(time_t* result) noexcept {
 
 ONCARD_EXPORT int timespec_get(timespec* time, int base) noexcept {
   const Hooks* hooks = VirtualHooks();
-  if (hooks == nullptr || base != TIME_UTC) return ORIGINAL(timespec_get)(time, base);
+  if (hooks == nullptr || base != TIME_UTC || !IsAddress(time))
+    return ORIGINAL(timespec_get)(time, base);
   *time = Calendar(*hooks);
   return base;
 }

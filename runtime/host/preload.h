@@ -57,6 +57,13 @@ inline bool IsValid(const timespec& time) {
   return time.tv_sec >= 0 && time.tv_nsec >= 0 && time.tv_nsec < kSecondNs;
 }
 
+/// False for NULL and what else can be no address. Such a pointer is left to the C library, which
+/// says EFAULT where the kernel reads it.
+inline bool IsAddress(const void* pointer) {
+  constexpr unsigned long kPageSize = 4096;  // the lowest memory is never mapped
+  return reinterpret_cast<unsigned long>(pointer) >= kPageSize;
+}
+
 /// Sets errno and returns -1.
 inline int Fail(int error) {
   errno = error;

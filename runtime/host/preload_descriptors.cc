@@ -71,6 +71,11 @@ struct Sets {
       if (of_host[i] != nullptr) asked[i] = *of_host[i];
     }
   }
+  /// False if there is a pointer to no set.
+  static bool AreSets(const fd_set* read, const fd_set* write, const fd_set* except) {
+    const auto is_set = [](const fd_set* set) { return set == nullptr || IsAddress(set); };
+    return is_set(read) && is_set(write) && is_set(except);
+  }
   bool AreEmpty(int count) const {
     return IsEmpty(count, of_host[0]) && IsEmpty(count, of_host[1]) && IsEmpty(count, of_host[2]);
   }
@@ -113,7 +118,7 @@ ONCARD_EXPORT int poll(pollfd* descriptors, nfds_t count, int timeout_ms) {
 ONCARD_EXPORT int ppoll(pollfd* descriptors, nfds_t count, const timespec* timeout,
                         const sigset_t* mask) {
   const Hooks* hooks = VirtualHooks();
-  if (hooks == nullptr || timeout == nullptr || !IsValid(*timeout)) {
+  if (hooks == nullptr || !IsAddress(timeout) || !IsValid(*timeout)) {
     return ORIGINAL(ppoll)(descriptors, count, timeout, mask);
   }
   return Poll(*hooks, descriptors, count, ToNs(*timeout), mask);
@@ -121,8 +126,8 @@ ONCARD_EXPORT int ppoll(pollfd* descriptors, nfds_t count, const timespec* timeo
 
 ONCARD_EXPORT int select(int count, fd_set* read, fd_set* write, fd_set* except, timeval* timeout) {
   const Hooks* hooks = VirtualHooks();
-  if (hooks == nullptr || timeout == nullptr || count > FD_SETSIZE || timeout->tv_sec < 0 ||
-      timeout->tv_usec < 0) {
+  if (hooks == nullptr || !IsAddress(timeout) || count > FD_SETSIZE || timeout->tv_sec < 0 ||
+      timeout->tv_usec < 0 || !Sets::AreSets(read, write, except)) {
     return ORIGINAL(select)(count, read, write, except, timeout);
   }
   const long long timeout_ns = ToNs(*timeout);
@@ -144,7 +149,8 @@ ONCARD_EXPORT int select(int count, fd_set* read, fd_set* write, fd_set* except,
 ONCARD_EXPORT int pselect(int count, fd_set* read, fd_set* write, fd_set* except,
                           const timespec* timeout, const sigset_t* mask) {
   const Hooks* hooks = VirtualHooks();
-  if (hooks == nullptr || timeout == nullptr || count > FD_SETSIZE || !IsValid(*timeout)) {
+  if (hooks == nullptr || !IsAddress(timeout) || count > FD_SETSIZE || !IsValid(*timeout) ||
+      !Sets::AreSets(read, write, except)) {
     return ORIGINAL(pselect)(count, read, write, except, timeout, mask);
   }
   Sets sets(read, write, except);
@@ -174,7 +180,7 @@ ONCARD_EXPORT int epoll_pwait(int epoll, epoll_event* events, int count, int tim
 ONCARD_EXPORT int epoll_pwait2(int epoll, epoll_event* events, int count, const timespec* timeout,
                                const sigset_t* mask) {
   const Hooks* hooks = VirtualHooks();
-  if (hooks == nullptr || timeout == nullptr || !IsValid(*timeout)) {
+  if (hooks == nullptr || !IsAddress(timeout) || !IsValid(*timeout)) {
     return ORIGINAL(epoll_pwait2)(epoll, events, count, timeout, mask);
   }
   return Epoll(*hooks, epoll, events, count, ToNs(*timeout), mask);

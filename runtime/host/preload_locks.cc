@@ -55,7 +55,7 @@ int TakeUntil(const Hooks& hooks, long long begin_ns, const timespec& until, con
 
 /// True if the wait is handled here; the C library reports errors in its arguments.
 bool IsOurs(const Hooks* hooks, clockid_t clock, const timespec* until) {
-  return hooks != nullptr && BeginOf(clock) >= 0 && until->tv_nsec >= 0 &&
+  return hooks != nullptr && BeginOf(clock) >= 0 && IsAddress(until) && until->tv_nsec >= 0 &&
          until->tv_nsec < kSecondNs;
 }
 
@@ -348,7 +348,7 @@ ONCARD_EXPORT int mq_timedsend(mqd_t queue, const char* text, size_t size, unsig
 ONCARD_EXPORT int pthread_clockjoin_np(pthread_t thread, void** result, clockid_t clock,
                                        const timespec* until) {
   const Hooks* hooks = VirtualHooks();
-  if (until == nullptr || !IsOurs(hooks, clock, until)) {
+  if (!IsOurs(hooks, clock, until)) {
     return ORIGINAL(pthread_clockjoin_np)(thread, result, clock, until);
   }
   pthread_testcancel();
@@ -359,7 +359,7 @@ ONCARD_EXPORT int pthread_clockjoin_np(pthread_t thread, void** result, clockid_
 
 ONCARD_EXPORT int pthread_timedjoin_np(pthread_t thread, void** result, const timespec* until) {
   const Hooks* hooks = VirtualHooks();
-  if (until == nullptr || !IsOurs(hooks, CLOCK_REALTIME, until)) {
+  if (!IsOurs(hooks, CLOCK_REALTIME, until)) {
     return ORIGINAL(pthread_timedjoin_np)(thread, result, until);
   }
   return pthread_clockjoin_np(thread, result, CLOCK_REALTIME, until);
@@ -368,7 +368,7 @@ ONCARD_EXPORT int pthread_timedjoin_np(pthread_t thread, void** result, const ti
 ONCARD_EXPORT int sigtimedwait(const sigset_t* __restrict signals, siginfo_t* __restrict info,
                                const timespec* __restrict timeout) {
   const Hooks* hooks = VirtualHooks();
-  if (hooks == nullptr || timeout == nullptr || !IsValid(*timeout)) {
+  if (hooks == nullptr || !IsAddress(timeout) || !IsValid(*timeout)) {
     return ORIGINAL(sigtimedwait)(signals, info, timeout);
   }
   pthread_testcancel();
@@ -402,7 +402,7 @@ ONCARD_EXPORT long syscall(long number, ...) noexcept {
   const auto plain = [&] { return ORIGINAL(syscall)(number, a[0], a[1], a[2], a[3], a[4], a[5]); };
   const long operation = a[1] & FUTEX_CMD_MASK;
   if (number != SYS_futex || (operation != FUTEX_WAIT && operation != FUTEX_WAIT_BITSET) ||
-      timeout == nullptr) {
+      !IsAddress(timeout) || !IsAddress(word)) {
     return plain();
   }
   const Hooks* hooks = VirtualHooks();

@@ -135,6 +135,11 @@ TEST(Exec, SleepsWithoutEndGoToTheEndOfTime) {
   EXPECT_EQ(Exec({}, {Client("waits"), "forever"}).out, "the end\n");
 }
 
+TEST(Exec, PointersThatAreNoneAreErrors) {
+  const ProcessResult result = Exec({}, {Client("bad_pointers")});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+}
+
 TEST(Exec, TimesCountsVirtualTime) {
   EXPECT_EQ(Exec({}, {Client("waits"), "times"}).out, "150 ticks\n");
 }
