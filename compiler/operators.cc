@@ -18,7 +18,7 @@ using vm::Precedence;
 // Operators that are tokens of their own in the grammar, because C gives them other meanings too or
 // motion programs do not have them.
 const std::vector<OperatorToken>& TokensOfC() {
-  static const std::vector<OperatorToken> tokens = {
+  static const auto& tokens = *new const std::vector<OperatorToken>{
       {"*", Kind::kStar},   {"&", Kind::kAnd},    {"+", Kind::kPlus},
       {"-", Kind::kMinus},  {"++", Kind::kStep},  {"--", Kind::kStep},
       {"=", Kind::kAssign}, {"->", Kind::kArrow}, {"?", Kind::kQuestion}};
@@ -103,7 +103,8 @@ std::vector<bool> TruthsOf(const vm::OperatorInfo& comparison) {
 }  // namespace
 
 const OperatorToken* LeadingOperator(std::string_view text) {
-  static const TokensByFirst tokens = MakeTokens();
+  // Never destroyed: a host may compile a program while it exits.
+  static const auto& tokens = *new const TokensByFirst(MakeTokens());
   if (text.empty()) return nullptr;
   for (const OperatorToken& token : tokens[static_cast<unsigned char>(text.front())]) {
     if (text.starts_with(token.spelling)) return &token;

@@ -18,9 +18,11 @@ namespace {
 }  // namespace gts
 
 const Catalogue& GtsCatalogue() {
-  static const Catalogue kCatalogue({"gts", gts::kCommands, gts::kShapes, gts::kLines,
-                                     gts::structures::Table::kRows, gts::kConstants});
-  return kCatalogue;
+  // Never destroyed: objects of a host may make calls while the process exits.
+  static const Catalogue& catalogue =
+      *new const Catalogue({"gts", gts::kCommands, gts::kShapes, gts::kLines,
+                            gts::structures::Table::kRows, gts::kConstants});
+  return catalogue;
 }
 
 }  // namespace oncard::gtcalls

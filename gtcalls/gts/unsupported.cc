@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <string_view>
+#include <vector>
 
 namespace oncard::gtcalls {
 namespace {
@@ -25,14 +26,15 @@ constexpr UnsupportedRow kUnsupportedRows[] = {
 }  // namespace
 
 const Message* WhyUnsupported(const Command& command) {
-  static const Message kReasons[] = {
+  // Never destroyed: objects of a host may make calls while the process exits.
+  static const auto& reasons = *new const std::vector<Message>{
 #define REASON(id, en, zh) {en, zh},
 #include "gtcalls/gts/unsupported.def"
   };
   const auto* row =
       std::find_if(std::begin(kUnsupportedRows), std::end(kUnsupportedRows),
                    [&](const UnsupportedRow& r) { return r.command == command.name; });
-  return row == std::end(kUnsupportedRows) ? nullptr : &kReasons[row->reason];
+  return row == std::end(kUnsupportedRows) ? nullptr : &reasons[row->reason];
 }
 
 }  // namespace oncard::gtcalls

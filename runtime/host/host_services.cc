@@ -343,7 +343,8 @@ std::vector<const HostService*> ServicesByNumber() {
 }  // namespace
 
 const HostService* FindHostService(const gtcalls::Command& command) {
-  static const std::vector<const HostService*> services = ServicesByNumber();
+  // Never destroyed: objects of the host may make calls while the process exits.
+  static const auto& services = *new const std::vector<const HostService*>(ServicesByNumber());
   return services[command.number - 1u];
 }
 

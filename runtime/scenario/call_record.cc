@@ -102,7 +102,7 @@ class LineReader {
   bool good() const { return good_; }
   bool Has(const char* name) const { return json_.contains(name); }
   const Json& At(const char* name) {
-    static const Json none;
+    static const Json& none = *new const Json;
     const auto found = json_.find(name);
     if (found != json_.end()) return *found;
     good_ = false;

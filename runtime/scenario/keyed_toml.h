@@ -81,13 +81,14 @@ using SpecialText = std::optional<std::string>;
 template <typename Structure, typename Special>
 std::vector<std::string> WriteKeys(const Structure& structure, std::span<const Key<Structure>> rows,
                                    Special special) {
-  static const Structure kStandard = {};
+  // Never destroyed: it is used while a host exits.
+  static const Structure& standard = *new const Structure{};
   std::vector<std::string> written;
   for (const Key<Structure>& row : rows) {
     SpecialText text = special(row.about.name);
     const auto write = [&](auto member) {
       if constexpr (!std::is_same_v<decltype(member), std::monostate>) {
-        if (!row.always_written && structure.*member == kStandard.*member) return;
+        if (!row.always_written && structure.*member == standard.*member) return;
         text = FormatValue(row.about.type, structure.*member);
       }
     };

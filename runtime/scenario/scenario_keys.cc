@@ -43,14 +43,15 @@ Message DescribeUnusedSetting(const SearchSetting& setting, std::string_view nam
 }
 
 std::span<const KeyRule> ScenarioKeyRules() {
-  static const std::vector<KeyRule> rules = [] {
+  // Never destroyed: it is used while a host exits.
+  static const auto& rules = *new const std::vector<KeyRule>([] {
     std::vector<KeyRule> all;
     for (const Key<Scenario>& key : ScenarioKeys()) {
       const KeyUses& uses = key.about.uses;
       all.push_back({key.about.name, uses.run, uses.explore, uses.host});
     }
     return all;
-  }();
+  }());
   return rules;
 }
 

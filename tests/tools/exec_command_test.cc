@@ -425,6 +425,22 @@ TEST(Exec, EndsAHostThatOnlyWaits) {
   EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
 }
 
+TEST(Exec, AGlobalObjectOfTheHostMayCallTheCardAtTheEnd) {
+  const ScratchFolder folder;
+  folder.Write("sum.c", ReadFile(ONCARD_SOURCE_DIR "/samples/01_sum/sum.c").value());
+  const std::vector<std::string> commands[] = {
+      {Client("global_object")},
+      {ONCARD_BUILD_DIR "/bin/oncard", "exec", "--trace=t.csv", "--record=h.calls", "--",
+       Client("global_object")}};
+  for (const std::vector<std::string>& command : commands) {
+    const ProcessResult result = RunProgram(command, folder.path());
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out, "the end\nfailed 0, unsupported 8\n");
+  }
+  EXPECT_THAT(folder.Read("t.csv"), StartsWith("time_ms"));
+  EXPECT_THAT(folder.Read("h.calls"), HasSubstr("\"close\""));
+}
+
 TEST(Exec, SaysWhichCallsWereRefused) {
   const ProcessResult result = Exec({}, {Client("refused")});
   EXPECT_EQ(result.exit_code, 0);
