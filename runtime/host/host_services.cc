@@ -53,6 +53,7 @@ Scenario BareCard(const gtcalls::CardType* named) {
   Scenario scenario;
   scenario.card = type.name;
   scenario.axis_count = type.axis_count;
+  scenario.limit_ms = kTimeMsMax;
   return scenario;
 }
 

@@ -190,6 +190,15 @@ TEST(Exec, LogsAndTracesWhatTheCardDoesAtPowerOn) {
   EXPECT_THAT(scratch.Read("t.json"), HasSubstr("{\"name\":\"" + alarm + "\",\"cat\":\"card\""));
 }
 
+TEST(Exec, ATraceWithoutAScenarioSetsNoLimit) {
+  const ScratchFolder scratch;
+  // 62 s of the card; the limit of a run is 60 s.
+  const ProcessResult result =
+      Exec({"--trace", scratch.path() + "/t.csv"}, {Client("sleeper"), "7", "60"});
+  EXPECT_EQ(result.exit_code, 7) << result.err;
+  EXPECT_THAT(scratch.Read("t.csv"), HasSubstr("\n62126"));
+}
+
 TEST(Exec, DrawsTheFirstCard) {
   if (!std::filesystem::exists("/usr/bin/gnuplot")) {
     GTEST_SKIP() << "gnuplot is not installed: apt-get install gnuplot-nox";
