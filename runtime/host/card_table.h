@@ -18,9 +18,6 @@
 
 namespace oncard::runtime {
 
-/// Characters of a firmware version (GTS manual table 11-3).
-inline constexpr size_t kVersionLength = 18;
-
 /// What a call has read from files.
 struct RecordedFiles {
   std::optional<vm::ObjectFiles> program;
@@ -37,8 +34,6 @@ struct CardSlot {
   /// The code that GT_GetFunId and GT_GetVarId return without a program: that of the failed
   /// GT_Download, or 1 if it has not been called.
   int16_t no_program_code = 1;
-  /// The text whose address GT_GetVersion returns.
-  std::array<char, kVersionLength + 1> version{};
   RefusedCommands refused;  ///< refused commands of motion programs since the card was opened
   MarshalledCall call;      ///< arguments of the call in progress
   CallRecorder* recorder = nullptr;    ///< set while the card is open and its calls are recorded

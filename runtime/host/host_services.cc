@@ -31,7 +31,7 @@ constexpr int16_t kNameNotFound = 2008;
 /// Versions and dates of both firmwares, in the layout of GTS manual table 11-3. Assumption: the
 /// number of this project's release and a fixed date are used for both.
 constexpr std::string_view kFirmwareVersion = "010260101010260101";
-static_assert(kFirmwareVersion.size() == kVersionLength);
+static_assert(kFirmwareVersion.size() == 18);
 
 /// Bytes of a network adapter's address.
 constexpr size_t kMacAddressLength = 6;
@@ -120,9 +120,12 @@ int16_t Reset(ServiceCall& call) {
   return vm::kOk;
 }
 
+/// Each call gives a block of its own: a .NET host frees what it is given.
 int16_t GetVersion(ServiceCall& call) {
-  std::copy(kFirmwareVersion.begin(), kFirmwareVersion.end(), call.slot.version.begin());
-  *static_cast<char**>(call.arguments[0].host) = call.slot.version.data();
+  auto* const text = static_cast<char*>(std::malloc(kFirmwareVersion.size() + 1));
+  if (text == nullptr) return call.Refuse(vm::kRefused, {"no memory is left", "内存不足"});
+  *std::copy(kFirmwareVersion.begin(), kFirmwareVersion.end(), text) = '\0';
+  *static_cast<char**>(call.arguments[0].host) = text;
   return vm::kOk;
 }
 

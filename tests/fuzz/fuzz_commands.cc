@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <memory>
@@ -101,8 +102,13 @@ class Host {
     for (size_t i = 0; i < command.parameters.size(); ++i) {
       arguments[i] = Argument(command, i, bytes);
     }
-    return runtime::CallCard(card, command.number,
-                             std::span(arguments).first(command.parameters.size()));
+    const int16_t code = runtime::CallCard(card, command.number,
+                                           std::span(arguments).first(command.parameters.size()));
+    // The host owns the text that it is given.
+    if (code == 0 && command.name == "GT_GetVersion") {
+      std::free(*static_cast<char**>(arguments[0].pointer));
+    }
+    return code;
   }
 
   void CallAll(int card, Bytes bytes) {

@@ -271,6 +271,18 @@ TEST_F(OpenCard, TheVersionHasEighteenCharacters) {
   const std::string text = version;
   ASSERT_EQ(text.size(), 18u);
   EXPECT_EQ(text.find_first_not_of("0123456789"), std::string::npos);
+  std::free(version);
+}
+
+TEST_F(OpenCard, EachVersionIsMemoryThatTheHostMayFree) {
+  char* first = nullptr;
+  char* second = nullptr;
+  ASSERT_EQ(GT_GetVersion(&first), 0);
+  ASSERT_EQ(GT_GetVersion(&second), 0);
+  EXPECT_NE(first, second);
+  std::free(first);
+  EXPECT_STREQ(second, "010260101010260101");
+  std::free(second);
 }
 
 TEST_F(OpenCard, TheNetworkAddressIsLocalAndNamesTheCard) {

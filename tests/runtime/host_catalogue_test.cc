@@ -38,7 +38,13 @@ class Caller {
         arguments[i].integer = static_cast<int64_t>(value);
       }
     }
-    return CallCard(3, command.number, std::span(arguments).first(command.parameters.size()));
+    const int16_t code =
+        CallCard(3, command.number, std::span(arguments).first(command.parameters.size()));
+    // The host owns the text that it is given.
+    if (code == 0 && command.name == "GT_GetVersion") {
+      std::free(*static_cast<char**>(arguments[0].pointer));
+    }
+    return code;
   }
   int16_t Call(const char* name) { return Call(*gtcalls::GtsCatalogue().Find(name), 0, false); }
 

@@ -1,4 +1,6 @@
 /* A host with calls of all kinds, to test the call log. */
+#include <stdlib.h>
+
 #include "check.h"
 #include "gts.h"
 
@@ -28,6 +30,7 @@ int main(void) {
   ACCEPTED(GT_RunThread(0));
   ACCEPTED(GT_SetDo(MC_GPO, 0xFFFF));
   ACCEPTED(GT_GetVersion(&version));
+  free(version);
   ACCEPTED(GT_GetClock(&clock, NULL));
   ACCEPTED(GT_Close());
   return 0;
