@@ -28,8 +28,8 @@ Message MakeMessage(std::string_view en, std::string_view zh, const Args&... arg
   return {fmt::format(fmt::runtime(en), args...), fmt::format(fmt::runtime(zh), args...)};
 }
 
-/// The language selected by LC_ALL, LC_MESSAGES and LANG (in this order): Chinese when the first
-/// one that is set and not empty starts with "zh", English otherwise.
+/// The language selected by ONCARD_LANG, LC_ALL, LC_MESSAGES and LANG (in this order): Chinese when
+/// the first one that is set and not empty starts with "zh", English otherwise.
 Language LanguageFromEnvironment();
 
 }  // namespace oncard

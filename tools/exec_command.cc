@@ -208,6 +208,8 @@ int Exec(const ExecArguments& arguments, const Invocation& invocation) {
     if (!ready.ok()) return Fail(invocation, ready.error().code, ready.error().message);
   }
   RequestFiles(arguments);
+  // Not LC_ALL, which would change the host's own texts.
+  ::setenv("ONCARD_LANG", invocation.language == Language::kChinese ? "zh" : "en", 1);
   ::setenv("ONCARD_REFUSALS", arguments.strict_commands ? "strict" : "warn", 1);
   if (!arguments.keys.empty()) ::setenv("ONCARD_KEYS", arguments.keys.c_str(), 1);
   ::setenv("ONCARD_CLOCK", arguments.clock.c_str(), 1);

@@ -14,6 +14,7 @@ TEST(Message, FormatsBothLanguagesFromTheSameArguments) {
 }
 
 struct EnvironmentCase {
+  const char* own;
   const char* lc_all;
   const char* lc_messages;
   const char* lang;
@@ -24,6 +25,7 @@ class LanguageFromEnvironmentTest : public testing::TestWithParam<EnvironmentCas
 
 TEST_P(LanguageFromEnvironmentTest, FirstSetVariableDecides) {
   const EnvironmentCase& c = GetParam();
+  ::setenv("ONCARD_LANG", c.own, 1);
   ::setenv("LC_ALL", c.lc_all, 1);
   ::setenv("LC_MESSAGES", c.lc_messages, 1);
   ::setenv("LANG", c.lang, 1);
@@ -32,10 +34,11 @@ TEST_P(LanguageFromEnvironmentTest, FirstSetVariableDecides) {
 
 INSTANTIATE_TEST_SUITE_P(
     Cases, LanguageFromEnvironmentTest,
-    testing::Values(EnvironmentCase{"", "", "", Language::kEnglish},
-                    EnvironmentCase{"", "", "zh_CN.UTF-8", Language::kChinese},
-                    EnvironmentCase{"", "en_US.UTF-8", "zh_CN.UTF-8", Language::kEnglish},
-                    EnvironmentCase{"zh_TW.UTF-8", "en_US.UTF-8", "C", Language::kChinese}));
+    testing::Values(EnvironmentCase{"", "", "", "", Language::kEnglish},
+                    EnvironmentCase{"", "", "", "zh_CN.UTF-8", Language::kChinese},
+                    EnvironmentCase{"", "", "en_US.UTF-8", "zh_CN.UTF-8", Language::kEnglish},
+                    EnvironmentCase{"", "zh_TW.UTF-8", "en_US.UTF-8", "C", Language::kChinese},
+                    EnvironmentCase{"en", "zh_TW.UTF-8", "", "", Language::kEnglish}));
 
 }  // namespace
 }  // namespace oncard
