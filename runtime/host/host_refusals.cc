@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <string_view>
+#include <utility>
 
 namespace oncard::runtime {
 
@@ -23,17 +24,27 @@ HostRefusals& HostRefusals::OfProcess() {
 
 void HostRefusals::Add(const LoggedCall& call) {
   const std::lock_guard lock(mutex_);
-  const auto [entry, added] =
-      known_.try_emplace({call.card, call.command.number, call.code}, list_.size());
-  if (!added) {
-    ++list_[entry->second].count;
+  std::vector<Reason>& reasons = known_[{call.card, call.command.number, call.code}];
+  if (Refusal* known = Find(call, &reasons)) {
+    ++known->count;
     return;
   }
+  const bool others = reasons.size() == kRefusalReasons;
+  reasons.push_back({others ? std::string() : call.reason.en, list_.size()});
   const auto text = [&](Language language) {
     return FormatCallAndCode(call.command, call.arguments, call.code, call.reason, language);
   };
-  list_.push_back(
-      {call.card, {text(Language::kEnglish), text(Language::kChinese)}, call.time_us, 1});
+  Message what = others ? MakeMessage("{0} = {1} for other reasons", "{0} = {1}，其他原因",
+                                      call.command.name, call.code)
+                        : Message{text(Language::kEnglish), text(Language::kChinese)};
+  list_.push_back({call.card, std::move(what), call.time_us, 1});
+}
+
+HostRefusals::Refusal* HostRefusals::Find(const LoggedCall& call, std::vector<Reason>* reasons) {
+  for (const Reason& reason : *reasons) {
+    if (reason.text == call.reason.en) return &list_[reason.position];
+  }
+  return reasons->size() > kRefusalReasons ? &list_[reasons->back().position] : nullptr;
 }
 
 void HostRefusals::AddProgram(int card, const std::vector<RefusedCommand>& refused) {

@@ -1,5 +1,5 @@
 // Refused commands of a host program and of the motion programs of its cards: for the host, each
-// command and code of a card once with its first call; for motion programs, each place. `oncard
+// command and reason of a card once with its first call; for motion programs, each place. `oncard
 // exec` requests the list with ONCARD_REFUSALS; it is printed when the host ends. Thread-safe.
 // Tested by tests/tools/exec_command_test.cc.
 #pragma once
@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <mutex>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -25,6 +26,10 @@ enum class RefusalWish : uint8_t {
 
 RefusalWish RefusalWishOfProcess();
 
+/// So many reasons are told apart for each command and code of a card; reasons with values in them
+/// can be without number.
+inline constexpr size_t kRefusalReasons = 8;
+
 class HostRefusals {
  public:
   static HostRefusals& OfProcess();
@@ -34,7 +39,8 @@ class HostRefusals {
   /// Records the refused commands of a card's motion programs.
   void AddProgram(int card, const std::vector<RefusedCommand>& refused);
   /// `card 0: GT_AxisOn(9) = 7: ... (first at 0.25 ms, 3 times)`, then `card 0: p.c:12: thread 0 f:
-  /// ...`, each in the order of the first calls.
+  /// ...`, each in the order of the first calls. After kRefusalReasons reasons: `card 0: GT_AxisOn
+  /// = 7 for other reasons (first at 2 ms, 40 times)`.
   std::vector<Message> Describe();
 
  private:
@@ -45,9 +51,17 @@ class HostRefusals {
     int64_t count = 0;
   };
 
+  /// A reason, and the position in the list; the last of kRefusalReasons + 1 is for all others.
+  struct Reason {
+    std::string text;
+    size_t position = 0;
+  };
+  /// What a call is refused for, in the list; nullptr if it is new.
+  Refusal* Find(const LoggedCall& call, std::vector<Reason>* reasons);
+
   std::mutex mutex_;
-  /// Card, command and code, and the position in the list.
-  std::map<std::tuple<int, uint16_t, int16_t>, size_t> known_;
+  /// By card, command and code.
+  std::map<std::tuple<int, uint16_t, int16_t>, std::vector<Reason>> known_;
   std::vector<Refusal> list_;
   std::vector<Message> of_programs_;
 };

@@ -380,9 +380,12 @@ TEST(Exec, RunsAHostOfTheVendorsBasicHeader) {
   // The host tests how a NULL structure is handled.
   EXPECT_EQ(result.err,
             "oncard: warning: card 0: GT_SetTrigger(1, NULL) = 7: parameter pTrigger is NULL; pass "
-            "the address of a variable (first at 0.45 ms, 2 times)\n"
+            "the address of a variable (at 0.45 ms)\n"
             "oncard: warning: card 0: GT_GetTrigger(1, NULL) = 7: parameter pTrigger is NULL; pass "
-            "the address of a variable (at 0.5 ms)\n");
+            "the address of a variable (at 0.5 ms)\n"
+            "oncard: warning: card 0: GT_SetTrigger(0, {encoder=2, probeType=1, probeIndex=3, "
+            "sense=0, offset=40, loop=0, windowOnly=1, firstPosition=-1000000, "
+            "lastPosition=2000000}) = 7: parameter i is 0; the range is [1, 12] (at 0.55 ms)\n");
 }
 
 TEST(Exec, SaysThatAHostHasTheVendorsHeaderOfSeveralCards) {
@@ -458,6 +461,29 @@ TEST(Exec, SaysWhichCallsWereRefused) {
   const ProcessResult strict = Exec({"--strict-commands"}, {Client("refused")});
   EXPECT_EQ(strict.exit_code, 120);
   EXPECT_THAT(strict.err, HasSubstr("oncard: card 0: GT_AxisOn(9) = 7: "));
+}
+
+TEST(Exec, CountsRefusedCallsByReason) {
+  const ProcessResult few = Exec({}, {Client("refused"), "2"});
+  EXPECT_THAT(few.err, HasSubstr("GT_ClrSts(100, 1) = 7: parameter axis is 100; the range is "));
+  EXPECT_THAT(few.err, HasSubstr("GT_ClrSts(101, 1) = 7: parameter axis is 101; the range is "));
+  EXPECT_THAT(few.err, Not(HasSubstr("other reasons")));
+  const ProcessResult many = Exec({}, {Client("refused"), "30"});
+  EXPECT_THAT(many.err, HasSubstr("GT_ClrSts(107, 1) = 7: parameter axis is 107; "));
+  EXPECT_THAT(many.err, Not(HasSubstr("GT_ClrSts(108, 1)")));
+  // 30 reasons, each twice, of which 8 are told apart. Calls take 50 us: GT_Open, four of the
+  // others and two for each of the eight come before.
+  EXPECT_THAT(many.err, HasSubstr("warning: card 0: GT_ClrSts = 7 for other reasons (first at 1.05 "
+                                  "ms, 44 times)\n"));
+}
+
+TEST(Exec, SpeaksTheLanguageOfTheOption) {
+  const ProcessResult chinese =
+      RunOncard({"--lang=zh", "exec", "--", Client("refused")}, {}, {"LC_ALL=C"});
+  EXPECT_THAT(chinese.err, HasSubstr("oncard: 警告：卡 0：GT_AxisOn(9) = 7: "));
+  const ProcessResult english =
+      RunOncard({"--lang=en", "exec", "--", Client("refused")}, {}, {"LC_ALL=zh_CN.UTF-8"});
+  EXPECT_THAT(english.err, HasSubstr("oncard: warning: card 0: GT_AxisOn(9) = 7: "));
 }
 
 class ExecSignalTest : public testing::TestWithParam<int> {};
