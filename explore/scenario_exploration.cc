@@ -278,11 +278,13 @@ Result<Findings> ExploreScenario(const runtime::Scenario& scenario,
 }
 
 Result<Findings> ExploreAsWished(const runtime::Scenario& scenario, const vm::Object& object,
-                                 std::string_view source) {
+                                 std::string_view source, SearchProgress* progress) {
   const runtime::ExploreWish& wish = *scenario.explore;
   const std::vector<Requirement> requirements = RequirementsOf(scenario);
   if (wish.follow.empty()) {
-    return ExploreScenario(scenario, requirements, object, OptionsOf(wish));
+    ExploreOptions options = OptionsOf(wish);
+    options.progress = progress;
+    return ExploreScenario(scenario, requirements, object, options);
   }
   const auto schedule = vm::LoadSchedule(runtime::PathFromScenario(scenario, wish.follow));
   if (!schedule.ok()) return schedule.error();

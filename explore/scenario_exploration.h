@@ -57,8 +57,8 @@ Result<Findings> ExploreScenario(const runtime::Scenario& scenario,
                                  const std::vector<Requirement>& requirements, vm::Object object,
                                  const ExploreOptions& options);
 
-/// Explores a scenario according to its key `explore`.
+/// Explores a scenario according to its key `explore`. `progress` can stop it.
 Result<Findings> ExploreAsWished(const runtime::Scenario& scenario, const vm::Object& object,
-                                 std::string_view source);
+                                 std::string_view source, SearchProgress* progress = nullptr);
 
 }  // namespace oncard::explore

@@ -45,7 +45,9 @@ std::vector<Message> Unpack(const nlohmann::ordered_json& packed) {
 std::string Pack(const TestOutcome& outcome) {
   const nlohmann::ordered_json packed = {{"failures", Pack(outcome.failures)},
                                          {"warnings", Pack(outcome.warnings)},
+                                         {"reasons", Pack({outcome.nothing, outcome.skipped})},
                                          {"time_ms", outcome.time_ms},
+                                         {"search_ms", outcome.search_ms},
                                          {"statements", outcome.statements},
                                          {"interrupted", outcome.interrupted}};
   return JsonText(packed);
@@ -57,7 +59,11 @@ bool Unpack(const std::string& text, TestOutcome* outcome) {
   if (!packed.is_object()) return false;
   outcome->failures = Unpack(packed.at("failures"));
   outcome->warnings = Unpack(packed.at("warnings"));
+  const std::vector<Message> reasons = Unpack(packed.at("reasons"));
+  outcome->nothing = reasons.at(0);
+  outcome->skipped = reasons.at(1);
   outcome->time_ms = packed.at("time_ms");
+  outcome->search_ms = packed.at("search_ms");
   outcome->statements = packed.at("statements");
   outcome->interrupted = packed.at("interrupted");
   return true;

@@ -95,7 +95,8 @@ void SearchWatch::Watch() {
       return;
     }
     if (options_.shows) {
-      PrintDiagnostics(invocation_.Say(ProgressText(progress_, passed.count())) + '\n');
+      PrintDiagnostics(options_.title + (options_.title.empty() ? "" : ": ") +
+                       invocation_.Say(ProgressText(progress_, passed.count())) + '\n');
     }
     if (options_.pauses && now - kept >= kKept) {
       kept = now;

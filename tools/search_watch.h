@@ -7,6 +7,7 @@
 #include <condition_variable>
 #include <csignal>
 #include <mutex>
+#include <string>
 #include <thread>
 
 #include "explore/engines/progress.h"
@@ -15,9 +16,10 @@
 namespace oncard::tools {
 
 struct WatchOptions {
-  bool shows = false;   ///< shows the progress every second in a line on standard error
-  double seconds = 0;   ///< time limit of the search; 0: none
-  bool pauses = false;  ///< the search pauses every minute (SearchProgress::pausing)
+  bool shows = false;      ///< shows the progress every second in a line on standard error
+  double seconds = 0;      ///< time limit of the search; 0: none
+  bool pauses = false;     ///< the search pauses every minute (SearchProgress::pausing)
+  std::string title = {};  ///< stands before the progress; empty: nothing
 };
 
 /// Only one at a time. During its lifetime a signal stops the search; the same signal again ends
@@ -31,7 +33,9 @@ class SearchWatch {
 
   /// For the search.
   explore::SearchProgress* progress() { return &progress_; }
+  /// A signal stopped the search, or its time limit did.
   bool interrupted() const { return progress_.interrupted; }
+  bool out_of_time() const { return progress_.out_of_time; }
 
  private:
   void Watch();

@@ -1,18 +1,24 @@
 // oncard test: runs every scenario in files and folders, with its program or with many.
 #include <glob.h>
 
+#include <unistd.h>
+
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <thread>
 
 #include "compiler/diagnostic_printer.h"
+#include "compiler/display_text.h"
 #include "explore/scenario_exploration.h"
 #include "explore/source_comments.h"
 #include "runtime/host/call_log.h"
+#include "runtime/scenario/requirement.h"
 #include "runtime/scenario/requirement_watch.h"
 #include "tools/commands.h"
 #include "tools/isolation.h"
 #include "tools/run_report.h"
+#include "tools/search_watch.h"
 #include "tools/stop_signals.h"
 #include "tools/test_report.h"
 
@@ -24,6 +30,8 @@ struct TestArguments {
   std::vector<std::string> programs;
   int jobs = 0;
   std::optional<int> timeout_s;
+  double search_s = 60;  ///< of an exploration; 0: no limit
+  bool progress = false;
   std::string format = "text";
   bool strict_commands = false;
   bool structured = false;
@@ -83,22 +91,63 @@ Message DescribeDiagnostics(const compiler::Compilation& compilation) {
   return message;
 }
 
+/// A test in its process, and what it was asked for.
+struct Testing {
+  const TestArguments& arguments;
+  const Invocation& invocation;
+  const StopSignals& signals;
+};
+
+/// True if the test can fail for another reason than that its threads do not end well.
+bool ChecksSomething(const runtime::Scenario& scenario) {
+  if (!scenario.expectations.empty() || !runtime::RequirementsOf(scenario).empty()) return true;
+  // An exploration also looks for data races, and a failure that is expected is a requirement.
+  return scenario.explore &&
+         (scenario.races != runtime::Scenario{}.races ||
+          scenario.explore->verdict == explore::VerdictName(explore::Verdict::kFailed));
+}
+
+/// True if the search was cut short, so that its verdict says nothing of what was asked.
+bool ReportCutSearch(const SearchWatch& watch, double limit_s, explore::Verdict verdict,
+                     TestOutcome* outcome) {
+  const bool searched =
+      verdict == explore::Verdict::kProved || verdict == explore::Verdict::kFailed;
+  if (searched || !watch.interrupted()) return false;
+  if (watch.out_of_time()) {
+    outcome->failures.push_back(MakeMessage(
+        "the search was ended by the time limit of {0} s before it was complete: --time sets the "
+        "limit",
+        "搜索在完成前达到时间上限 {0} 秒：可用 --time 设定上限", limit_s));
+  } else {
+    outcome->interrupted = true;
+    outcome->failures.push_back({"interrupted", "被中断"});
+  }
+  return true;
+}
+
 // Explores instead of running: the verdict must be the one in the scenario.
 void ExploreTest(const runtime::Scenario& scenario, const runtime::ProgramLoad& load,
-                 bool strict_commands, TestOutcome* outcome) {
+                 const Testing& testing, TestOutcome* outcome) {
   const std::string source = load.compilation ? load.compilation->files[0].text() : std::string();
-  auto findings = explore::ExploreAsWished(scenario, *load.object, source);
+  SearchWatch watch(testing.invocation, {.shows = testing.arguments.progress,
+                                         .seconds = testing.arguments.search_s,
+                                         .title = compiler::DisplayText(outcome->Title())});
+  const auto begin = std::chrono::steady_clock::now();
+  auto findings = explore::ExploreAsWished(scenario, *load.object, source, watch.progress());
+  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
+  outcome->search_ms = taken.count();
   if (!findings.ok()) {
     outcome->failures.push_back(findings.error().message);
     return;
   }
   findings.value().source = source;
   for (const runtime::RefusedCommand& refused : findings.value().refused) {
-    auto& list = strict_commands ? outcome->failures : outcome->warnings;
+    auto& list = testing.arguments.strict_commands ? outcome->failures : outcome->warnings;
     list.push_back(runtime::DescribeRefusedPlace(refused, runtime::ProgramPath(scenario)));
   }
-  const std::string_view verdict = explore::VerdictName(findings.value().exploration.verdict);
-  if (verdict == scenario.explore->verdict) return;
+  const explore::Verdict verdict = findings.value().exploration.verdict;
+  if (ReportCutSearch(watch, testing.arguments.search_s, verdict, outcome)) return;
+  if (explore::VerdictName(verdict) == scenario.explore->verdict) return;
   const auto report = [&](Language language) {
     std::string text = explore::TextReport(findings.value(), language);
     while (text.ends_with('\n')) text.pop_back();
@@ -109,14 +158,40 @@ void ExploreTest(const runtime::Scenario& scenario, const runtime::ProgramLoad& 
                                           report(Language::kChinese)));
 }
 
-TestOutcome RunTest(TestOutcome outcome, const TestArguments& arguments,
-                    const StopSignals& signals) {
+/// Runs once; requirements are checked in that run.
+void RunOnce(const runtime::Scenario& scenario, vm::Object object, const Testing& testing,
+             TestOutcome* outcome) {
+  runtime::RunOptions options;
+  options.strict_commands = testing.arguments.strict_commands;
+  options.stop = testing.signals.stop();
+  options.log = runtime::CallLog::Wanted();
+  const auto result = runtime::RunWithRequirements(scenario, std::move(object), options);
+  if (!result.ok()) {
+    outcome->failures.push_back(result.error().message);
+    return;
+  }
+  outcome->time_ms = result.value().end_ms;
+  outcome->statements = result.value().statements;
+  for (const runtime::ScenarioFailure& failure : result.value().failures) {
+    outcome->failures.push_back(
+        {FormatFailure(failure, Language::kEnglish), FormatFailure(failure, Language::kChinese)});
+  }
+  outcome->warnings.insert(outcome->warnings.end(), result.value().warnings.begin(),
+                           result.value().warnings.end());
+  if (result.value().interrupted) {
+    outcome->interrupted = true;
+    outcome->failures.push_back(
+        MakeMessage("interrupted at {0} ms", "在 {0} ms 被中断", result.value().end_ms));
+  }
+}
+
+TestOutcome RunTest(TestOutcome outcome, const Testing& testing) {
   auto scenario = runtime::LoadScenario(outcome.path, runtime::ScenarioUse::kTest);
   if (!scenario.ok()) {
     outcome.failures.push_back(scenario.error().message);
     return outcome;
   }
-  if (arguments.structured) scenario.value().structured = true;
+  if (testing.arguments.structured) scenario.value().structured = true;
   if (!outcome.program.empty()) {
     scenario.value().program = runtime::PathToScenario(scenario.value(), outcome.program);
   }
@@ -132,32 +207,14 @@ TestOutcome RunTest(TestOutcome outcome, const TestArguments& arguments,
         explore::DescribeUnusedComments(scenario.value(), load.compilation->files[0].text());
     if (unused) outcome.warnings.push_back(*unused);
   }
+  if (!ChecksSomething(scenario.value())) {
+    outcome.nothing = {"checks nothing: it has no expectation and no requirement",
+                       "未检查任何内容：既没有期望也没有要求"};
+  }
   if (scenario.value().explore) {
-    ExploreTest(scenario.value(), load, arguments.strict_commands, &outcome);
-    return outcome;
-  }
-  runtime::RunOptions options;
-  options.strict_commands = arguments.strict_commands;
-  options.stop = signals.stop();
-  options.log = runtime::CallLog::Wanted();
-  const auto result =
-      runtime::RunWithRequirements(scenario.value(), std::move(*load.object), options);
-  if (!result.ok()) {
-    outcome.failures.push_back(result.error().message);
-    return outcome;
-  }
-  outcome.time_ms = result.value().end_ms;
-  outcome.statements = result.value().statements;
-  for (const runtime::ScenarioFailure& failure : result.value().failures) {
-    outcome.failures.push_back(
-        {FormatFailure(failure, Language::kEnglish), FormatFailure(failure, Language::kChinese)});
-  }
-  outcome.warnings.insert(outcome.warnings.end(), result.value().warnings.begin(),
-                          result.value().warnings.end());
-  if (result.value().interrupted) {
-    outcome.interrupted = true;
-    outcome.failures.push_back(
-        MakeMessage("interrupted at {0} ms", "在 {0} ms 被中断", result.value().end_ms));
+    ExploreTest(scenario.value(), load, testing, &outcome);
+  } else {
+    RunOnce(scenario.value(), std::move(*load.object), testing, &outcome);
   }
   return outcome;
 }
@@ -178,17 +235,16 @@ Result<std::vector<std::string>> FindAll(
 // Every scenario with every program, or with its own.
 std::vector<IsolatedTest> ListTests(const std::vector<std::string>& scenarios,
                                     const std::vector<std::string>& programs,
-                                    const TestArguments& arguments, const StopSignals& signals) {
+                                    const Testing& testing) {
   std::vector<IsolatedTest> tests;
   const auto add = [&](const std::string& scenario, const std::string& program) {
     TestOutcome named;
     named.path = scenario;
     named.program = program;
-    tests.push_back(
-        {named, [named, &arguments, &signals] { return RunTest(named, arguments, signals); }});
+    tests.push_back({named, [named, &testing] { return RunTest(named, testing); }});
   };
   for (const std::string& scenario : scenarios) {
-    if (arguments.programs.empty()) add(scenario, {});
+    if (testing.arguments.programs.empty()) add(scenario, {});
     for (const std::string& program : programs) add(scenario, program);
   }
   return tests;
@@ -205,9 +261,9 @@ int Test(const TestArguments& arguments, const Invocation& invocation) {
       arguments.jobs > 0 ? arguments.jobs : static_cast<int>(std::thread::hardware_concurrency());
   constexpr int kClassTimeout = 60;
   isolation.timeout_s = arguments.timeout_s.value_or(programs.value().empty() ? 0 : kClassTimeout);
-  const std::vector<TestOutcome> outcomes =
-      RunIsolated(ListTests(scenarios.value(), programs.value(), arguments, signals), isolation,
-                  *signals.stop());
+  const Testing testing = {arguments, invocation, signals};
+  const std::vector<TestOutcome> outcomes = RunIsolated(
+      ListTests(scenarios.value(), programs.value(), testing), isolation, *signals.stop());
   if (outcomes.empty()) {
     return Fail(invocation, kExitUnreadable,
                 {"no scenario (.toml) found", "未找到场景文件（.toml）"});
@@ -223,16 +279,17 @@ int Test(const TestArguments& arguments, const Invocation& invocation) {
   } else {
     PrintResult(FormatTestText(outcomes, invocation.language, invocation.color));
   }
-  const bool passed = std::all_of(outcomes.begin(), outcomes.end(),
-                                  [](const TestOutcome& outcome) { return outcome.passed(); });
+  const bool failed = std::ranges::any_of(
+      outcomes, [](const TestOutcome& outcome) { return outcome.status() == TestStatus::kFailed; });
   if (std::ranges::any_of(outcomes, &TestOutcome::interrupted)) return kExitIncomplete;
-  return passed ? kExitOk : kExitFailed;
+  return failed ? kExitFailed : kExitOk;
 }
 
 }  // namespace
 
 void AddTest(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<TestArguments>();
+  arguments->progress = ::isatty(STDERR_FILENO) == 1;
   CLI::App* command =
       AddCommand(app, invocation, "test",
                  {"run scenarios and report which expectations fail", "运行场景并报告未满足的期望"},
@@ -267,6 +324,17 @@ void AddTest(CLI::App& app, Invocation& invocation) {
                           "0）"}))
       ->type_name("SECONDS")
       ->check(CLI::Range(0, 86'400).description(""));
+  command
+      ->add_option("--time", arguments->search_s,
+                   invocation.Say({"an exploration that takes longer has failed; 0: no limit "
+                                   "(default 60)",
+                                   "耗时更长的探索视为失败；0 为不限（默认 60）"}))
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.0, 1e9).description(""));
+  command->add_flag("--progress", arguments->progress,
+                    invocation.Say({"show the progress of explorations every second (default on a "
+                                    "terminal)",
+                                    "每秒显示探索进度（终端上默认开启）"}));
   AddStructuredOption(*command, invocation, arguments->structured);
   AddStrictCommandsOption(*command, invocation, arguments->strict_commands);
   AddFormatOption(*command, invocation, arguments->format, {"text", "junit", "tap", "json", "csv"});

@@ -1,5 +1,7 @@
 #include "tools/test_report.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -10,58 +12,189 @@
 namespace oncard::tools {
 namespace {
 
-size_t CountPassed(const std::vector<TestOutcome>& outcomes) {
-  return static_cast<size_t>(std::count_if(outcomes.begin(), outcomes.end(),
-                                           [](const TestOutcome& o) { return o.passed(); }));
+size_t CountOf(const std::vector<TestOutcome>& outcomes, TestStatus status) {
+  return static_cast<size_t>(
+      std::ranges::count(outcomes, status, [](const TestOutcome& o) { return o.status(); }));
 }
 
-Message Warning(const Message& text) { return {"warning: " + text.en, "警告：" + text.zh}; }
+/// As CSV and JSON name it.
+std::string_view NameOf(TestStatus status, std::string_view passed, std::string_view failed) {
+  switch (status) {
+    case TestStatus::kPassed:
+      return passed;
+    case TestStatus::kFailed:
+      return failed;
+    case TestStatus::kNothing:
+      return "nothing";
+    case TestStatus::kSkipped:
+      break;
+  }
+  return "skipped";
+}
+
+/// The lines of a text, safe to show.
+std::vector<std::string> LinesOf(std::string_view text) {
+  std::vector<std::string> lines;
+  for (size_t begin = 0; begin <= text.size();) {
+    const size_t end = std::min(text.find('\n', begin), text.size());
+    lines.push_back(compiler::DisplayText(text.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  return lines;
+}
+
+/// The message with its names made safe: a line end in one does not begin a line of the report.
+std::string TextOf(const Message& message, const TestOutcome& outcome, Language language) {
+  std::string text = message.In(language);
+  for (const std::string& name : {outcome.path, outcome.program}) {
+    const std::string shown = compiler::DisplayText(name);
+    if (shown == name) continue;
+    for (size_t at = 0; (at = text.find(name, at)) != std::string::npos; at += shown.size()) {
+      text.replace(at, name.size(), shown);
+    }
+  }
+  return text;
+}
+
+std::vector<std::string> TextsOf(const std::vector<Message>& messages, const TestOutcome& outcome,
+                                 Language language) {
+  std::vector<std::string> texts;
+  texts.reserve(messages.size());
+  for (const Message& message : messages) texts.push_back(TextOf(message, outcome, language));
+  return texts;
+}
+
+std::vector<std::string> FailuresOf(const TestOutcome& outcome, Language language) {
+  return TextsOf(outcome.failures, outcome, language);
+}
+
+std::vector<std::string> WarningsOf(const TestOutcome& outcome, Language language) {
+  std::vector<std::string> texts = TextsOf(outcome.warnings, outcome, language);
+  const Message warning = {"warning: ", "警告："};
+  for (std::string& text : texts) text.insert(0, warning.In(language));
+  return texts;
+}
+
+/// What stands below the name of a test, without why it is neither passed nor failed.
+std::vector<std::string> DetailsOf(const TestOutcome& outcome, Language language) {
+  std::vector<std::string> texts = FailuresOf(outcome, language);
+  const std::vector<std::string> warnings = WarningsOf(outcome, language);
+  texts.insert(texts.end(), warnings.begin(), warnings.end());
+  return texts;
+}
+
+/// Empty unless the test is neither passed nor failed.
+std::string WhyOf(const TestOutcome& outcome, Language language) {
+  if (outcome.status() == TestStatus::kFailed) return {};
+  return compiler::DisplayText(outcome.why().In(language));
+}
 
 std::string EscapeXml(std::string_view text) { return EscapeMarkup(compiler::DisplayText(text)); }
+
+/// A name that is no directive of TAP, which `#` begins.
+std::string EscapeTap(std::string_view text) {
+  std::string escaped;
+  for (const char c : compiler::DisplayText(text)) {
+    if (c == '#' || c == '\\') escaped += '\\';
+    escaped += c;
+  }
+  return escaped;
+}
+
+/// A cell of CSV. An apostrophe before what would be a formula makes it a text.
+std::string CellOf(const std::string& text) {
+  constexpr std::string_view kFormulas = "=+-@";
+  std::string quoted = "\"";
+  if (!text.empty() && kFormulas.find(text.front()) != std::string_view::npos) quoted += '\'';
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string CellOfLines(const std::vector<std::string>& texts) {
+  std::vector<std::string> lines;
+  for (const std::string& text : texts) {
+    for (std::string& line : LinesOf(text)) lines.push_back(std::move(line));
+  }
+  return CellOf(fmt::to_string(fmt::join(lines, "\n")));
+}
+
+std::string MarkOf(TestStatus status, bool color) {
+  switch (status) {
+    case TestStatus::kPassed:
+      return color ? "\x1b[32mok\x1b[0m  " : "ok  ";
+    case TestStatus::kFailed:
+      return color ? "\x1b[1;31mFAIL\x1b[0m" : "FAIL";
+    case TestStatus::kNothing:
+      return color ? "\x1b[33mnone\x1b[0m" : "none";
+    case TestStatus::kSkipped:
+      break;
+  }
+  return color ? "\x1b[33mskip\x1b[0m" : "skip";
+}
+
+/// The counts in one line.
+std::string SummaryOf(const std::vector<TestOutcome>& outcomes, Language language) {
+  Message text =
+      MakeMessage("{0} passed, {1} failed", "{0} 个通过，{1} 个失败",
+                  CountOf(outcomes, TestStatus::kPassed), CountOf(outcomes, TestStatus::kFailed));
+  if (const size_t nothing = CountOf(outcomes, TestStatus::kNothing); nothing > 0) {
+    const Message more = MakeMessage(", {0} checked nothing", "，{0} 个未检查任何内容", nothing);
+    text = {text.en + more.en, text.zh + more.zh};
+  }
+  if (const size_t skipped = CountOf(outcomes, TestStatus::kSkipped); skipped > 0) {
+    const Message more = MakeMessage(", {0} skipped", "，{0} 个跳过", skipped);
+    text = {text.en + more.en, text.zh + more.zh};
+  }
+  return text.In(language) + '\n';
+}
+
+/// `<testcase classname="" name="" time=""`, still open.
+std::string JunitHead(const TestOutcome& outcome) {
+  const bool other = !outcome.program.empty();
+  const std::string of_class =
+      other ? fmt::format(" classname=\"{}\"", EscapeXml(outcome.path)) : std::string();
+  return fmt::format("  <testcase{} name=\"{}\" time=\"{:.6f}\"", of_class,
+                     EscapeXml(other ? outcome.program : outcome.path),
+                     (outcome.time_ms + outcome.search_ms) / 1000);
+}
 
 }  // namespace
 
 std::string FormatTestText(const std::vector<TestOutcome>& outcomes, Language language,
                            bool color) {
-  const std::string ok = color ? "\x1b[32mok\x1b[0m  " : "ok  ";
-  const std::string fail = color ? "\x1b[1;31mFAIL\x1b[0m" : "FAIL";
   std::string text;
   for (const TestOutcome& outcome : outcomes) {
-    text += fmt::format("{} {}\n", outcome.passed() ? ok : fail, outcome.Title());
-    for (const Message& failure : outcome.failures) {
-      text += fmt::format("     {}\n", failure.In(language));
-    }
-    for (const Message& warning : outcome.warnings) {
-      text += fmt::format("     {}\n", Warning(warning).In(language));
+    text += fmt::format("{} {}\n", MarkOf(outcome.status(), color),
+                        compiler::DisplayText(outcome.Title()));
+    const std::string why = WhyOf(outcome, language);
+    if (!why.empty()) text += fmt::format("     {}\n", why);
+    for (const std::string& detail : DetailsOf(outcome, language)) {
+      text += fmt::format("     {}\n", fmt::join(LinesOf(detail), "\n"));
     }
   }
-  const size_t passed = CountPassed(outcomes);
-  return text + MakeMessage("{0} passed, {1} failed\n", "{0} 个通过，{1} 个失败\n", passed,
-                            outcomes.size() - passed)
-                    .In(language);
+  return text + SummaryOf(outcomes, language);
 }
 
 std::string FormatTestJunit(const std::vector<TestOutcome>& outcomes, Language language) {
   std::string text = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<testsuite name=\"oncard\" tests=\"{}\" failures=\"{}\">\n",
-      outcomes.size(), outcomes.size() - CountPassed(outcomes));
+      "<testsuite name=\"oncard\" tests=\"{}\" failures=\"{}\" skipped=\"{}\">\n",
+      outcomes.size(), CountOf(outcomes, TestStatus::kFailed),
+      CountOf(outcomes, TestStatus::kNothing) + CountOf(outcomes, TestStatus::kSkipped));
   for (const TestOutcome& outcome : outcomes) {
-    const bool other = !outcome.program.empty();
-    if (other) text += fmt::format("  <testcase classname=\"{}\"", EscapeXml(outcome.path));
-    text += fmt::format("{} name=\"{}\" time=\"{:.6f}\"", other ? "" : "  <testcase",
-                        EscapeXml(other ? outcome.program : outcome.path), outcome.time_ms / 1000);
-    if (outcome.passed() && outcome.warnings.empty()) {
+    text += JunitHead(outcome);
+    if (outcome.status() == TestStatus::kPassed && outcome.warnings.empty()) {
       text += "/>\n";
       continue;
     }
     text += ">\n";
-    for (const Message& failure : outcome.failures) {
-      text += fmt::format("    <failure message=\"{}\"/>\n", EscapeXml(failure.In(language)));
+    for (const std::string& failure : FailuresOf(outcome, language)) {
+      text += fmt::format("    <failure message=\"{}\"/>\n", EscapeXml(failure));
     }
-    for (const Message& warning : outcome.warnings) {
-      text += fmt::format("    <system-err>{}</system-err>\n",
-                          EscapeXml(Warning(warning).In(language)));
+    const std::string why = WhyOf(outcome, language);
+    if (!why.empty()) text += fmt::format("    <skipped message=\"{}\"/>\n", EscapeXml(why));
+    for (const std::string& warning : WarningsOf(outcome, language)) {
+      text += fmt::format("    <system-err>{}</system-err>\n", EscapeXml(warning));
     }
     text += "  </testcase>\n";
   }
@@ -72,35 +205,27 @@ std::string FormatTestTap(const std::vector<TestOutcome>& outcomes, Language lan
   std::string text = fmt::format("TAP version 13\n1..{}\n", outcomes.size());
   for (size_t i = 0; i < outcomes.size(); ++i) {
     const TestOutcome& outcome = outcomes[i];
-    text += fmt::format("{} {} - {}\n", outcome.passed() ? "ok" : "not ok", i + 1, outcome.Title());
-    for (const Message& failure : outcome.failures) {
-      text += fmt::format("# {}\n", compiler::DisplayText(failure.In(language)));
-    }
-    for (const Message& warning : outcome.warnings) {
-      text += fmt::format("# {}\n", compiler::DisplayText(Warning(warning).In(language)));
+    const std::string why = WhyOf(outcome, language);
+    text +=
+        fmt::format("{} {} - {}{}{}\n", outcome.status() == TestStatus::kFailed ? "not ok" : "ok",
+                    i + 1, EscapeTap(outcome.Title()), why.empty() ? "" : " # SKIP ", why);
+    for (const std::string& detail : DetailsOf(outcome, language)) {
+      text += fmt::format("# {}\n", fmt::join(LinesOf(detail), "\n# "));
     }
   }
   return text;
 }
 
 std::string FormatTestCsv(const std::vector<TestOutcome>& outcomes, Language language) {
-  const auto cell = [](std::string_view text) {
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + '"';
-  };
-  const auto lines = [&](const std::vector<Message>& messages) {
-    std::string joined;
-    for (const Message& message : messages) {
-      joined += (joined.empty() ? "" : "\n") + message.In(language);
-    }
-    return cell(joined);
-  };
   std::string text = "scenario,program,passed,time_ms,statements,failures,warnings\r\n";
   for (const TestOutcome& outcome : outcomes) {
-    text += fmt::format("{},{},{},{},{},{},{}\r\n", cell(outcome.path), cell(outcome.program),
-                        outcome.passed() ? "yes" : "no", outcome.time_ms, outcome.statements,
-                        lines(outcome.failures), lines(outcome.warnings));
+    std::vector<std::string> warnings = TextsOf(outcome.warnings, outcome, language);
+    const std::string why = WhyOf(outcome, language);
+    if (!why.empty()) warnings.insert(warnings.begin(), why);
+    text += fmt::format("{},{},{},{},{},{},{}\r\n", CellOf(compiler::DisplayText(outcome.path)),
+                        CellOf(compiler::DisplayText(outcome.program)),
+                        NameOf(outcome.status(), "yes", "no"), outcome.time_ms, outcome.statements,
+                        CellOfLines(FailuresOf(outcome, language)), CellOfLines(warnings));
   }
   return text;
 }
@@ -109,22 +234,23 @@ std::string FormatTestJson(const std::vector<TestOutcome>& outcomes, Language la
   using Json = nlohmann::ordered_json;
   Json tests = Json::array();
   for (const TestOutcome& outcome : outcomes) {
-    Json failures = Json::array();
-    for (const Message& failure : outcome.failures) failures.push_back(failure.In(language));
-    Json warnings = Json::array();
-    for (const Message& warning : outcome.warnings) warnings.push_back(warning.In(language));
     Json test = {{"path", outcome.path}};
     if (!outcome.program.empty()) test["program"] = outcome.program;
-    test["passed"] = outcome.passed();
+    test["passed"] = outcome.status() == TestStatus::kPassed;
+    test["status"] = NameOf(outcome.status(), "passed", "failed");
+    const std::string why = WhyOf(outcome, language);
+    if (!why.empty()) test["why"] = why;
     test["time_ms"] = outcome.time_ms;
     test["statements"] = outcome.statements;
-    test["failures"] = std::move(failures);
-    test["warnings"] = std::move(warnings);
+    test["failures"] = FailuresOf(outcome, language);
+    test["warnings"] = TextsOf(outcome.warnings, outcome, language);
     tests.push_back(std::move(test));
   }
-  const size_t passed = CountPassed(outcomes);
-  const Json document = {
-      {"passed", passed}, {"failed", outcomes.size() - passed}, {"tests", std::move(tests)}};
+  const Json document = {{"passed", CountOf(outcomes, TestStatus::kPassed)},
+                         {"failed", CountOf(outcomes, TestStatus::kFailed)},
+                         {"checked_nothing", CountOf(outcomes, TestStatus::kNothing)},
+                         {"skipped", CountOf(outcomes, TestStatus::kSkipped)},
+                         {"tests", std::move(tests)}};
   return JsonText(document, 2) + '\n';
 }
 

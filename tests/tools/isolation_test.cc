@@ -37,14 +37,20 @@ TEST(RunIsolated, GivesWhatTheWorkGives) {
   TestOutcome made;
   made.failures = {{"one \xff", "一"}, {"two", "二"}};
   made.warnings = {{"three", "三"}};
+  made.nothing = {"four", "四"};
+  made.skipped = {"five", "五"};
   made.time_ms = 0.1;
+  made.search_ms = 0.2;
   made.statements = 7;
   const TestOutcome outcome = RunOne([&] { return made; }, kGoOn);
   ASSERT_EQ(outcome.failures.size(), 2u);
   EXPECT_EQ(outcome.failures[0].en, "one \xEF\xBF\xBD");
   EXPECT_EQ(outcome.failures[1].zh, "二");
   EXPECT_EQ(outcome.warnings.at(0).en, "three");
+  EXPECT_EQ(outcome.nothing.zh, "四");
+  EXPECT_EQ(outcome.skipped.en, "five");
   EXPECT_EQ(outcome.time_ms, 0.1);
+  EXPECT_EQ(outcome.search_ms, 0.2);
   EXPECT_EQ(outcome.statements, 7);
   EXPECT_FALSE(outcome.interrupted);
 }
@@ -112,7 +118,7 @@ TEST(RunIsolated, AnEndlessWorkHarmsNoOther) {
   EXPECT_EQ(outcomes[0].failures.at(0).en, "it took longer than 1 s: --timeout sets the limit");
   EXPECT_FALSE(outcomes[0].interrupted);
   for (size_t i = 1; i < 4; ++i) {
-    EXPECT_TRUE(outcomes[i].passed());
+    EXPECT_EQ(outcomes[i].status(), TestStatus::kPassed);
     EXPECT_EQ(outcomes[i].warnings.at(0).en, outcomes[i].path);
   }
 }

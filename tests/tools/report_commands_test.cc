@@ -55,7 +55,7 @@ TEST_F(TestCommandTest, SpeaksChinese) {
 TEST_F(TestCommandTest, WritesJunit) {
   EXPECT_EQ(Test({"--format=junit", "."}).out,
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-            "<testsuite name=\"oncard\" tests=\"2\" failures=\"1\">\n"
+            "<testsuite name=\"oncard\" tests=\"2\" failures=\"1\" skipped=\"0\">\n"
             "  <testcase name=\"./a/bad.toml\" time=\"0.000250\">\n"
             "    <failure message=\"thread0.result == 8: thread0.result is 7\"/>\n"
             "    <failure message=\"gpo &lt; 0: gpo is 0\"/>\n"
@@ -100,6 +100,178 @@ TEST_F(TestCommandTest, IsNotSatisfiedWithNothing) {
   scratch_.Write("empty/keep", "");
   EXPECT_EQ(Test({"empty"}).exit_code, 3);
   EXPECT_EQ(Test({"nowhere"}).exit_code, 3);
+}
+
+// --- Scenarios that are explored ----------------------------------------------------------------
+
+// Three threads with 200 passes each: the search takes far longer than any limit below.
+constexpr const char* kManySchedules =
+    "int n;\nint f()\n{\n  int i, c;\n  i = 0;\nl:\n  n = n + i;\n  n = n * 3;\n  i = i + 1;\n"
+    "  c = i < 200;\n  if (c) goto l;\n}\n";
+constexpr const char* kThreeThreads =
+    "[[thread]]\nfunction = \"f\"\n[[thread]]\nthread = 1\nfunction = \"f\"\n"
+    "[[thread]]\nthread = 2\nfunction = \"f\"\n";
+
+class ExploredTest : public TestCommandTest {
+ protected:
+  void Write(const std::string& explore, const char* program = kManySchedules) {
+    scratch_.Write("p.c", program);
+    scratch_.Write("e.toml", "program = \"p.c\"\nfinal = [\"n >= 0 || n < 0\"]\nexplore = " +
+                                 explore + '\n' + kThreeThreads);
+  }
+};
+
+TEST_F(ExploredTest, IsNoProofWhenItsTimeIsOver) {
+  for (const char* explore :
+       {"\"prove\"", "{ verdict = \"INCOMPLETE\" }",
+        "{ engine = \"random\", verdict = \"PASSED\", runs = 1000000000000 }"}) {
+    Write(explore);
+    const ProcessResult result = Test({"e.toml", "--time=0.02"});
+    EXPECT_EQ(result.exit_code, 1) << explore;
+    EXPECT_THAT(result.out, HasSubstr("FAIL e.toml\n     the search was ended by the time limit of "
+                                      "0.02 s before it was complete: --time sets the limit\n"))
+        << explore;
+  }
+  EXPECT_THAT(Test({"--lang=zh", "e.toml", "--time=0.02"}).out,
+              HasSubstr("搜索在完成前达到时间上限 0.02 秒：可用 --time 设定上限"));
+}
+
+TEST_F(ExploredTest, KeepsTheFailureFoundInItsTime) {
+  Write("{ engine = \"random\", verdict = \"FAILED\", runs = 1000000000000 }",
+        "int n, z;\nint f()\n{\n  n = 1 / z;\n}\n");
+  EXPECT_EQ(Test({"e.toml", "--time=5"}).out, "ok   e.toml\n1 passed, 0 failed\n");
+}
+
+TEST_F(ExploredTest, ShowsItsProgressWithItsName) {
+  Write("\"prove\"");
+  EXPECT_THAT(Test({"e.toml", "--time=1.5", "--progress"}).err,
+              testing::ContainsRegex("e\\.toml: [0-9]+ executions"));
+  EXPECT_EQ(Test({"e.toml", "--time=1.5"}).err, "") << "standard error is no terminal";
+}
+
+TEST_F(ExploredTest, HasTheTimeOfItsSearchInJunit) {
+  Write("\"prove\"", "int n;\nint f()\n{\n  n = 1;\n}\n");
+  const std::string report = Test({"e.toml", "--format=junit"}).out;
+  EXPECT_THAT(report, testing::ContainsRegex("name=\"e\\.toml\" time=\"[0-9.]*[1-9][0-9]*\"/>"));
+}
+
+// --- Scenarios that check nothing ---------------------------------------------------------------
+
+class EmptyTest : public TestCommandTest {
+ protected:
+  EmptyTest() { scratch_.Write("nothing.toml", "program = \"p.c\"\n"); }
+};
+
+TEST_F(EmptyTest, IsNoPass) {
+  const ProcessResult result = Test({"b/good.toml", "nothing.toml"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.out,
+            "ok   b/good.toml\n"
+            "none nothing.toml\n"
+            "     checks nothing: it has no expectation and no requirement\n"
+            "1 passed, 0 failed, 1 checked nothing\n");
+  EXPECT_THAT(Test({"--lang=zh", "nothing.toml"}).out,
+              HasSubstr("未检查任何内容：既没有期望也没有要求\n"
+                        "0 个通过，0 个失败，1 个未检查任何内容\n"));
+}
+
+TEST_F(EmptyTest, IsSaidInEveryReport) {
+  EXPECT_EQ(Test({"nothing.toml", "--format=junit"}).out,
+            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+            "<testsuite name=\"oncard\" tests=\"1\" failures=\"0\" skipped=\"1\">\n"
+            "  <testcase name=\"nothing.toml\" time=\"0.000250\">\n"
+            "    <skipped message=\"checks nothing: it has no expectation and no requirement\"/>\n"
+            "  </testcase>\n"
+            "</testsuite>\n");
+  EXPECT_EQ(
+      Test({"nothing.toml", "--format=tap"}).out,
+      "TAP version 13\n1..1\n"
+      "ok 1 - nothing.toml # SKIP checks nothing: it has no expectation and no requirement\n");
+  EXPECT_EQ(Test({"nothing.toml", "--format=csv"}).out,
+            "scenario,program,passed,time_ms,statements,failures,warnings\r\n"
+            "\"nothing.toml\",\"\",nothing,0.25,1,\"\",\"checks nothing: it has no expectation and "
+            "no requirement\"\r\n");
+  const Json json = Json::parse(Test({"nothing.toml", "--format=json"}).out);
+  EXPECT_EQ(json["passed"], 0);
+  EXPECT_EQ(json["checked_nothing"], 1);
+  EXPECT_EQ(json["tests"][0]["status"], "nothing");
+  EXPECT_EQ(json["tests"][0]["passed"], false);
+  EXPECT_EQ(json["tests"][0]["why"], "checks nothing: it has no expectation and no requirement");
+}
+
+TEST_F(EmptyTest, FailsAsAnyOther) {
+  scratch_.Write("p.c", "int n, z;\nint f()\n{\n  n = 1 / z;\n}\n");
+  EXPECT_THAT(Test({"nothing.toml"}).out, HasSubstr("0 passed, 1 failed\n"));
+}
+
+struct Demand {
+  const char* keys;
+  bool checks;
+};
+
+class DemandTest : public EmptyTest, public testing::WithParamInterface<Demand> {};
+
+TEST_P(DemandTest, DecidesWhetherAnythingIsChecked) {
+  scratch_.Write("nothing.toml", std::string("program = \"p.c\"\n") + GetParam().keys);
+  scratch_.Write("p.c", "int n;\nint f()\n{\n  n = 7;\n}\n");
+  const Json json = Json::parse(Test({"nothing.toml", "--format=json"}).out);
+  EXPECT_EQ(json["tests"][0]["status"], GetParam().checks ? "passed" : "nothing")
+      << json["tests"][0];
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Keys, DemandTest,
+    testing::Values(Demand{"", false}, Demand{"expect = [\"n == 7\"]\n", true},
+                    Demand{"expect = []\n", false}, Demand{"final = [\"n == 7\"]\n", true},
+                    Demand{"always = [\"n < 8\"]\n", true}, Demand{"never = [\"n > 7\"]\n", true},
+                    Demand{"eventually = [\"n == 7\"]\n", true},
+                    Demand{"explore = \"prove\"\n", false},
+                    Demand{"explore = \"prove\"\nraces = \"none\"\n", true},
+                    Demand{"explore = \"prove\"\nfinal = [\"n == 7\"]\n", true},
+                    Demand{"explore = { verdict = \"FAILED\" }\nfinal = [\"n == 8\"]\n", true}));
+
+TEST_F(EmptyTest, AFailureThatIsExpectedIsChecked) {
+  scratch_.Write("p.c", "int n, z;\nint f()\n{\n  n = 1 / z;\n}\n");
+  scratch_.Write("nothing.toml", "program = \"p.c\"\nexplore = { verdict = \"FAILED\" }\n");
+  EXPECT_EQ(Test({"nothing.toml"}).out, "ok   nothing.toml\n1 passed, 0 failed\n");
+}
+
+// --- Names of files -----------------------------------------------------------------------------
+
+class NameTest : public TestCommandTest {
+ protected:
+  /// The report of a scenario with this name; it has a program that cannot be found.
+  std::string Report(const std::string& name, const std::string& format) {
+    scratch_.Write(name, "program = \"x.c\"\n");
+    return Test({name, "--format=" + format}).out;
+  }
+};
+
+TEST_F(NameTest, ForgesNoLine) {
+  const std::string name = "a\nok 2 - b.toml";
+  EXPECT_THAT(Report(name, "tap"), testing::StartsWith("TAP version 13\n1..1\n"
+                                                       "not ok 1 - a<0A>ok 2 - b.toml\n# "));
+  for (const char* format : {"text", "tap"}) {
+    EXPECT_THAT(Report(name, format), testing::Not(HasSubstr("\nok"))) << format;
+  }
+  EXPECT_THAT(Report(name, "csv"), HasSubstr("\r\n\"a<0A>ok 2 - b.toml\",\"\",no,"));
+  EXPECT_THAT(Report(name, "junit"), HasSubstr("name=\"a&lt;0A&gt;ok 2 - b.toml\""));
+}
+
+TEST_F(NameTest, IsNoDirectiveOfTap) {
+  EXPECT_THAT(Report("a # SKIP \\.toml", "tap"), HasSubstr("not ok 1 - a \\# SKIP \\\\.toml\n"));
+}
+
+TEST_F(NameTest, IsNoFormula) {
+  for (const char* name : {"=HYPERLINK(1).toml", "+1.toml", "@a.toml"}) {
+    EXPECT_THAT(Report(name, "csv"), HasSubstr(std::string("\r\n\"'") + name + "\",")) << name;
+  }
+}
+
+TEST_F(NameTest, DoesNothingToATerminal) {
+  for (const char* format : {"text", "tap", "csv", "junit", "json"}) {
+    EXPECT_THAT(Report("a\x1b]0;b\x07.toml", format), testing::Not(HasSubstr("\x1b"))) << format;
+  }
 }
 
 // --- One scenario with many programs -------------------------------------------------------------
