@@ -17,9 +17,9 @@ class BusReader {
 
   BusSetup Read(const toml::table& table) {
     ReadKeys(table, BusKeys(), keys_, &bus_);
-    bus_.slaves = ReadSlaves(table, "slave", BusSlaveKeys());
-    bus_.configured = ReadSlaves(table, "configured", ConfiguredSlaveKeys());
-    for (const toml::table* input : keys_.Tables(table, "input")) ReadInput(*input);
+    bus_.slaves = ReadSlaves(table, "ethercat.slave", BusSlaveKeys());
+    bus_.configured = ReadSlaves(table, "ethercat.configured", ConfiguredSlaveKeys());
+    for (const toml::table* input : keys_.Tables(table, "ethercat.input")) ReadInput(*input);
     std::stable_sort(
         bus_.inputs.begin(), bus_.inputs.end(),
         [](const BusInputEvent& a, const BusInputEvent& b) { return a.at_us < b.at_us; });
@@ -27,11 +27,11 @@ class BusReader {
   }
 
  private:
-  std::vector<BusSlaveSetup> ReadSlaves(const toml::table& table, std::string_view key,
+  std::vector<BusSlaveSetup> ReadSlaves(const toml::table& table, std::string_view path,
                                         std::span<const Key<BusSlaveSetup>> rows) {
     std::vector<BusSlaveSetup> slaves;
     motion::bus::Slaves described;
-    for (const toml::table* each : keys_.Tables(table, key)) {
+    for (const toml::table* each : keys_.Tables(table, path)) {
       BusSlaveSetup slave = ReadSlave(*each, rows, slaves);
       described.push_back(SlaveOf(slave));
       slaves.push_back(std::move(slave));

@@ -6,6 +6,7 @@
 
 #include "base/milliseconds.h"
 #include "base/nearest.h"
+#include "runtime/scenario/key_table.h"
 
 namespace oncard::runtime {
 namespace {
@@ -21,11 +22,30 @@ size_t OffsetOf(std::string_view line, toml::source_index column) {
   return offset;
 }
 
+bool IsKeyOfFile(std::string_view key) {
+  return std::ranges::any_of(ScenarioKeys(),
+                             [&](const Key<Scenario>& row) { return row.about.name == key; });
+}
+
+/// For a key of the file that stands in a table.
+Message DescribeKeyOfFile(std::string_view key, const toml::table& table) {
+  if (table.is_inline()) {
+    return MakeMessage("'{0}' is a key of the whole file: move it out of this table",
+                       "“{0}”是整个文件的键：应移到此表之外", key);
+  }
+  return MakeMessage("'{0}' is a key of the whole file: move it above the first table",
+                     "“{0}”是整个文件的键：应移到第一个表之前", key);
+}
+
 }  // namespace
 
 void TomlKeys::CheckKeys(const toml::table& table, std::span<const std::string_view> known) {
   for (const auto& [key, node] : table) {
     if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+    if (!node.is_table() && !node.is_array_of_tables() && IsKeyOfFile(key.str())) {
+      Fail(key.source(), DescribeKeyOfFile(key.str(), table));
+      continue;
+    }
     const std::string_view near = NearestName(key.str(), known);
     if (near.empty()) {
       Fail(key.source(),
@@ -153,8 +173,9 @@ const toml::table* TomlKeys::Table(const toml::table& table, std::string_view ke
   return node->as_table();
 }
 
-std::vector<const toml::table*> TomlKeys::Tables(const toml::table& table, std::string_view key) {
+std::vector<const toml::table*> TomlKeys::Tables(const toml::table& table, std::string_view path) {
   std::vector<const toml::table*> tables;
+  const std::string_view key = path.substr(path.rfind('.') + 1);
   const toml::node* node = table.get(key);
   if (node == nullptr) return tables;
   const toml::array* list = node->as_array();
@@ -162,8 +183,8 @@ std::vector<const toml::table*> TomlKeys::Tables(const toml::table& table, std::
     for (const toml::node& item : *list) tables.push_back(item.as_table());
   }
   if (list == nullptr || std::find(tables.begin(), tables.end(), nullptr) != tables.end()) {
-    Fail(node->source(), MakeMessage("'{0}' must be a list of tables, each under [[{0}]]",
-                                     "“{0}”应为表的列表，每项写在 [[{0}]] 之下", key));
+    Fail(node->source(), MakeMessage("'{0}' must be a list of tables, each under [[{1}]]",
+                                     "“{0}”应为表的列表，每项写在 [[{1}]] 之下", key, path));
     return {};
   }
   return tables;
@@ -185,7 +206,9 @@ std::vector<InitialValue> TomlKeys::Values(const toml::table& table) {
     } else {
       add(node);
     }
-    if (!numbers) {
+    if (!numbers && IsKeyOfFile(key.str())) {
+      Fail(key.source(), DescribeKeyOfFile(key.str(), table));
+    } else if (!numbers) {
       Fail(key.source(), MakeMessage("'{0}' must be a number or a list of numbers",
                                      "“{0}”应为数字或数字列表", key.str()));
     }

@@ -29,7 +29,8 @@ class TomlKeys {
   TomlKeys(std::string path, std::string_view text, TextMargin margin = {})
       : file_(std::make_shared<const TextFile>(std::move(path), text, margin)) {}
 
-  /// Adds an error for each unknown key, with a suggestion of the most similar known one.
+  /// Adds an error for each unknown key, with a suggestion: to move a key of the file above the
+  /// first table, or the most similar known key.
   void CheckKeys(const toml::table& table, std::span<const std::string_view> known);
   /// Does not change `value` if the key is absent.
   void Text(const toml::table& table, std::string_view key, std::string& value);
@@ -53,7 +54,8 @@ class TomlKeys {
                 std::span<const std::string_view> names, size_t absent);
   /// NULL if the key is missing or not a table.
   const toml::table* Table(const toml::table& table, std::string_view key);
-  std::vector<const toml::table*> Tables(const toml::table& table, std::string_view key);
+  /// The tables under [[path]]; the last part of the path is their key in `table`.
+  std::vector<const toml::table*> Tables(const toml::table& table, std::string_view path);
   /// `name = number` and `name = [number, ...]`, in the order of the file.
   std::vector<InitialValue> Values(const toml::table& table);
   void Fail(const toml::source_region& place, const Message& message);

@@ -26,14 +26,14 @@ class WorldReader {
 
   World Read(const toml::table& table) {
     ReadKeys(table, WorldKeys(), keys_, &world_);
-    for (const toml::table* input : keys_.Tables(table, "input")) ReadInput(*input);
-    for (const toml::table* motor : keys_.Tables(table, "axis")) ReadMotor(*motor);
-    for (const toml::table* contact : keys_.Tables(table, "switch")) ReadSwitch(*contact);
-    for (const toml::table* move : keys_.Tables(table, "move")) ReadMove(*move);
-    for (const toml::table* fault : keys_.Tables(table, "fault")) ReadFault(*fault);
-    for (const toml::table* hand : keys_.Tables(table, "hand")) ReadHand(*hand);
-    for (const toml::table* voltage : keys_.Tables(table, "analog")) ReadVoltage(*voltage);
-    for (const toml::table* module : keys_.Tables(table, "module")) ReadModule(*module);
+    for (const toml::table* input : keys_.Tables(table, "world.input")) ReadInput(*input);
+    for (const toml::table* motor : keys_.Tables(table, "world.axis")) ReadMotor(*motor);
+    for (const toml::table* contact : keys_.Tables(table, "world.switch")) ReadSwitch(*contact);
+    for (const toml::table* move : keys_.Tables(table, "world.move")) ReadMove(*move);
+    for (const toml::table* fault : keys_.Tables(table, "world.fault")) ReadFault(*fault);
+    for (const toml::table* hand : keys_.Tables(table, "world.hand")) ReadHand(*hand);
+    for (const toml::table* voltage : keys_.Tables(table, "world.analog")) ReadVoltage(*voltage);
+    for (const toml::table* module : keys_.Tables(table, "world.module")) ReadModule(*module);
     CheckInputs(table);
     SortByTime(world_.inputs);
     SortByTime(world_.moves);

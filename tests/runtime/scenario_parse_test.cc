@@ -227,7 +227,19 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{"program = \"p.c\"\n[globals]\nx = \"1\"\n",
                 "s.toml:3:1: 'x' must be a number or a list of numbers"},
         BadCase{"program = \"p.c\"\n[thread]\nfunction = \"f\"\n",
-                "s.toml:2:1: 'thread' must be a list of tables, each under [[thread]]"}));
+                "s.toml:2:1: 'thread' must be a list of tables, each under [[thread]]"},
+        BadCase{"program = \"p.c\"\n[world.input]\nvalue = 1\n",
+                "s.toml:2:1: 'input' must be a list of tables, each under [[world.input]]"},
+        BadCase{"program = \"p.c\"\n[ethercat.slave]\n",
+                "s.toml:2:1: 'slave' must be a list of tables, each under [[ethercat.slave]]"},
+        BadCase{"program = \"p.c\"\n[[thread]]\nfunction = \"f\"\nexpect = [\"n == 1\"]\n",
+                "s.toml:4:1: 'expect' is a key of the whole file: move it above the first table"},
+        BadCase{"program = \"p.c\"\n[[world.input]]\nvalue = 1\nrate = 9\n",
+                "s.toml:4:1: 'rate' is a key of the whole file: move it above the first table"},
+        BadCase{"program = \"p.c\"\n[globals]\nn = 1\nexpect = [\"n == 1\"]\n",
+                "s.toml:4:1: 'expect' is a key of the whole file: move it above the first table"},
+        BadCase{"program = \"p.c\"\nexplore = { limit_ms = 5 }\n",
+                "s.toml:2:13: 'limit_ms' is a key of the whole file: move it out of this table"}));
 
 TEST(ParseScenario, ShowsEverythingThatIsWrongInItsPlace) {
   EXPECT_THAT(ErrorsOf("rat = 5\ntitle = \"轴\"; \nrate = 0\n"),
