@@ -50,6 +50,8 @@ std::string ValueOf(const KeyType& type) {
       return "table";
     case KeyKind::kTables:
       return "tables";
+    case KeyKind::kEither:
+      return "table or tables";
     case KeyKind::kWish:
       break;
   }

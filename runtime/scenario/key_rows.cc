@@ -180,9 +180,12 @@ constexpr Key<Scenario> kScenarioKeys[] = {
       KeyType::Table("ethercat"),
       {"the EtherCAT bus of the card, below", "控制卡的 EtherCAT 总线"},
       {"no bus", "没有总线"}}},
+    // The uses are those of the tables; the reader decides about the table.
     {{"host",
-      KeyType::Tables("host"),
-      {"the host writes variables, below", "主机写入变量"},
+      KeyType::Either("host program", "host"),
+      {"a table: the host program that `oncard test` runs; tables: the host writes variables, "
+       "below",
+       "一个表：`oncard test` 运行的主机程序；多个表：主机写入变量"},
       kNone,
       {kUsed, kRefused, kRefused}}},
 };
@@ -259,6 +262,34 @@ constexpr Key<ThreadStart> kThreadKeys[] = {
      true},
 };
 
+constexpr Key<HostProgram> kHostProgramKeys[] = {
+    {{"source",
+      KeyType::Text(),
+      {"a host in C or C++, relative to the scenario's folder, which is compiled and linked with "
+       "`libgts`",
+       "C 或 C++ 主机程序，相对于场景所在文件夹；会被编译并与 `libgts` 链接"},
+      {"an error without `command`", "没有 `command` 时为错误"}},
+     &HostProgram::source},
+    {{"flags",
+      KeyType::Texts(),
+      {"further options of the compiler for `source`: `[\"-I..\", \"-O2\"]`",
+       "编译 `source` 时的其它编译选项：`[\"-I..\", \"-O2\"]`"},
+      kNone},
+     &HostProgram::flags},
+    {{"arguments",
+      KeyType::Texts(),
+      {"arguments of the host of `source`", "`source` 的主机程序的参数"},
+      kNone},
+     &HostProgram::arguments},
+    {{"command",
+      KeyType::Texts(),
+      {"a host that is there already, with its arguments: `[\"./host\", \"1\"]`, `[\"python3\", "
+       "\"host.py\"]`",
+       "已有的主机程序及其参数：`[\"./host\", \"1\"]`、`[\"python3\", \"host.py\"]`"},
+      {"an error without `source`", "没有 `source` 时为错误"}},
+     &HostProgram::command},
+};
+
 constexpr Key<HostEvent> kHostKeys[] = {
     {{"at_ms",
       KeyType::Time(),
@@ -301,6 +332,7 @@ KeySection SectionOf(std::string_view path, std::span<const Key<Structure>> rows
 std::span<const Key<Scenario>> ScenarioKeys() { return kScenarioKeys; }
 std::span<const Key<ExploreWish>> WishKeys() { return kWishKeys; }
 std::span<const Key<ThreadStart>> ThreadKeys() { return kThreadKeys; }
+std::span<const Key<HostProgram>> HostProgramKeys() { return kHostProgramKeys; }
 std::span<const Key<HostEvent>> HostKeys() { return kHostKeys; }
 std::span<const Key<KeyPress>> PressKeys() { return kPressKeys; }
 
@@ -322,6 +354,7 @@ std::vector<KeySection> KeySections() {
       SectionOf("ethercat.slave", BusSlaveKeys()),
       SectionOf("ethercat.configured", ConfiguredSlaveKeys()),
       SectionOf("ethercat.input", BusInputKeys()),
+      SectionOf("host program", HostProgramKeys()),
       SectionOf("host", HostKeys()),
       SectionOf("keys", PressKeys()),
   };

@@ -41,6 +41,7 @@ enum class KeyKind : uint8_t {
   kValues,  ///< a table of variables: each a number or a list of numbers
   kTable,   ///< one table of its own section
   kTables,  ///< several
+  kEither,  ///< one table of its own section, or several of another one
   kWish     ///< "prove", or a table of its own section
 };
 
@@ -53,7 +54,9 @@ struct KeyType {
   int64_t step = 1;                                ///< kWhole: a multiple of it
   size_t count = 0;                                ///< kNumbers: at most so many
   std::span<const std::string_view> choices = {};  ///< kChoice
-  std::string_view section = {};                   ///< kTable, kTables, kWish: KeySection::path
+  /// KeySection::path of kTable, kTables, kWish, and of the one table of kEither.
+  std::string_view section = {};
+  std::string_view several = {};  ///< kEither: that of the tables
 
   static constexpr KeyType Text() { return {}; }
   static constexpr KeyType Texts() { return {.kind = KeyKind::kTexts}; }
@@ -85,6 +88,9 @@ struct KeyType {
   }
   static constexpr KeyType Tables(std::string_view section) {
     return {.kind = KeyKind::kTables, .section = section};
+  }
+  static constexpr KeyType Either(std::string_view section, std::string_view several) {
+    return {.kind = KeyKind::kEither, .section = section, .several = several};
   }
   static constexpr KeyType Wish(std::string_view section) {
     return {.kind = KeyKind::kWish, .section = section};
@@ -129,6 +135,7 @@ struct Key {
 std::span<const Key<Scenario>> ScenarioKeys();
 std::span<const Key<ExploreWish>> WishKeys();
 std::span<const Key<ThreadStart>> ThreadKeys();
+std::span<const Key<HostProgram>> HostProgramKeys();
 std::span<const Key<HostEvent>> HostKeys();
 std::span<const Key<KeyPress>> PressKeys();
 std::span<const Key<World>> WorldKeys();

@@ -77,6 +77,9 @@ std::string FormatScenario(const Scenario& scenario) {
       return AsInlineTable(WriteKeys(*scenario.explore, WishKeys()));
     }
     if (key == "keys") return FormatPresses(scenario.keys);
+    if (key == "host" && scenario.host_program) {
+      return AsInlineTable(WriteKeys(*scenario.host_program, HostProgramKeys()));
+    }
     if (key == "globals") return "";  // after the keys without a table
     return std::nullopt;
   };
@@ -136,6 +139,9 @@ Scenario MoveScenario(const Scenario& scenario, const std::string& path) {
   };
   moved.program = move(scenario.program);
   for (std::string& folder : moved.include_folders) folder = move(folder);
+  if (moved.host_program && !moved.host_program->source.empty()) {
+    moved.host_program->source = move(moved.host_program->source);
+  }
   if (moved.explore && !moved.explore->follow.empty()) {
     moved.explore->follow = move(moved.explore->follow);
   }

@@ -47,6 +47,15 @@ struct ThreadStart {
   bool operator==(const ThreadStart&) const = default;
 };
 
+/// The host program that a test runs: a source that is compiled, or a command.
+struct HostProgram {
+  std::string source;                  ///< relative to the scenario's folder
+  std::vector<std::string> flags;      ///< of the compiler
+  std::vector<std::string> arguments;  ///< of the compiled program
+  std::vector<std::string> command;    ///< the program and its arguments
+  bool operator==(const HostProgram&) const = default;
+};
+
 /// The host writes variables, as by GT_SetVarValue: between two cycles, or in the middle of one.
 struct HostEvent {
   int64_t at_us = 0;
@@ -106,6 +115,8 @@ struct Scenario {
   std::optional<int64_t> until_us;
   World world;
   BusSetup bus;
+  /// Of a scenario for a host; those of the keys `host` exclude each other.
+  std::optional<HostProgram> host_program = {};
   std::vector<HostEvent> host;  ///< in order of time
   /// Names of the values in a trace; empty: as described at RunOptions::trace.
   std::vector<std::string> trace;

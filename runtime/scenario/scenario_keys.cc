@@ -73,6 +73,13 @@ KeyUse UseOfKey(const KeyRule& rule, ScenarioUse use, bool explored) {
   return rule.host;
 }
 
+Message DescribeRefusedHostProgram() {
+  return {
+      "'host' names a host program, which only 'oncard test' and 'oncard exec' run: give this "
+      "command a motion program",
+      "“host”给出的是主机程序，只有“oncard test”和“oncard exec”能运行；此命令需要运动程序"};
+}
+
 Message DescribeRefusedKey(std::string_view key, ScenarioUse use) {
   if (use == ScenarioUse::kHost) {
     return MakeMessage(

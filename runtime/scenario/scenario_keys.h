@@ -15,7 +15,7 @@ enum class ScenarioUse : uint8_t {
   kText,     ///< only reading: nothing is rejected
   kRun,      ///< one run: `oncard run`, `replay`
   kSession,  ///< a run that a user drives (`session/`), also of a scenario for the explorer
-  kTest,     ///< kExplore when it has the key `explore`, otherwise kRun
+  kTest,     ///< kHost if it has a host program, kExplore if it has `explore`, otherwise kRun
   kExplore,  ///< all schedules: `oncard explore`
   kHost      ///< the card and surroundings of a host program: `oncard exec`
 };
@@ -39,6 +39,9 @@ std::span<const KeyRule> ScenarioKeyRules();
 
 /// How a key of ScenarioKeyRules() is treated; `explored`: the file has `explore`.
 KeyUse UseOfKey(const KeyRule& rule, ScenarioUse use, bool explored);
+
+/// Why the table `host` is rejected, which names a host program.
+Message DescribeRefusedHostProgram();
 
 /// Why a key is rejected, and which command can use it.
 Message DescribeRefusedKey(std::string_view key, ScenarioUse use);

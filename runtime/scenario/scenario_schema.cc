@@ -88,6 +88,10 @@ class SchemaWriter {
         return ObjectOf(type.section);
       case KeyKind::kTables:
         return {{"type", "array"}, {"items", ObjectOf(type.section)}};
+      case KeyKind::kEither:
+        return {
+            {"anyOf", Json::array({ObjectOf(type.section),
+                                   Json{{"type", "array"}, {"items", ObjectOf(type.several)}}})}};
       case KeyKind::kWish:
         return {{"anyOf", Json::array({Json{{"const", "prove"}}, ObjectOf(type.section)})}};
     }

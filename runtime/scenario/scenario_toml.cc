@@ -37,6 +37,9 @@ class ScenarioReader : private TomlKeys {
       Fail(error.source(),
            MakeMessage("not TOML: {0}", "不符合 TOML 语法：{0}", error.description()));
     } else {
+      if (use_ == ScenarioUse::kTest && NamesHostProgram(parsed.table())) {
+        use_ = ScenarioUse::kHost;
+      }
       CheckUses(parsed.table());
       ReadScenario(parsed.table());
     }
@@ -45,10 +48,21 @@ class ScenarioReader : private TomlKeys {
   }
 
  private:
+  static bool NamesHostProgram(const toml::table& table) {
+    const toml::node* host = table.get("host");
+    return host != nullptr && host->is_table();
+  }
+
   void CheckUses(const toml::table& table) {
     for (const auto& [key, node] : table) {
       const auto rule = std::ranges::find(ScenarioKeyRules(), key.str(), &KeyRule::name);
       if (rule == ScenarioKeyRules().end()) continue;
+      if (key.str() == "host" && node.is_table()) {
+        if (use_ != ScenarioUse::kHost && use_ != ScenarioUse::kText) {
+          Fail(key.source(), DescribeRefusedHostProgram());
+        }
+        continue;
+      }
       if (UseOfKey(*rule, use_, table.contains("explore")) == KeyUse::kRefused) {
         Fail(key.source(), DescribeRefusedKey(key.str(), use_));
       }
@@ -59,7 +73,7 @@ class ScenarioReader : private TomlKeys {
     // A host program has no time limit unless the file sets one.
     if (use_ == ScenarioUse::kHost) scenario_.limit_ms = kTimeMsMax;
     ReadKeys(table, ScenarioKeys(), *this, &scenario_);
-    if (use_ != ScenarioUse::kHost && !table.contains("program")) {
+    if (use_ != ScenarioUse::kHost && !table.contains("program") && !NamesHostProgram(table)) {
       Fail(table.source(), {"'program' is missing: name a .c or .bin file",
                             "缺少“program”：应给出 .c 或 .bin 文件"});
     }
@@ -74,7 +88,11 @@ class ScenarioReader : private TomlKeys {
     if (const toml::table* bus = Table(table, "ethercat")) {
       scenario_.bus = ReadBus(*bus, scenario_.axis_count, *this);
     }
-    for (const toml::table* event : Tables(table, "host")) ReadHost(*event);
+    if (NamesHostProgram(table)) {
+      ReadHostProgram(*table.get("host")->as_table());
+    } else {
+      for (const toml::table* event : Tables(table, "host")) ReadHost(*event);
+    }
     std::stable_sort(scenario_.host.begin(), scenario_.host.end(),
                      [](const HostEvent& a, const HostEvent& b) { return a.at_us < b.at_us; });
     ReadExpectations(table);
@@ -158,6 +176,24 @@ class ScenarioReader : private TomlKeys {
       }
     }
     scenario_.threads.push_back(std::move(start));
+  }
+
+  void ReadHostProgram(const toml::table& table) {
+    HostProgram host;
+    ReadKeys(table, HostProgramKeys(), *this, &host);
+    if (host.source.empty() == host.command.empty()) {
+      Fail(table.source(), {"'host' must name either a 'source', as in { source = \"host.c\" }, or "
+                            "a 'command', as in { command = [\"./host\"] }",
+                            "“host”应给出“source”，如 { source = \"host.c\" }，或“command”，如 "
+                            "{ command = [\"./host\"] }，二者取一"});
+    }
+    for (const char* key : {"flags", "arguments"}) {
+      if (host.command.empty() || !table.contains(key)) continue;
+      Fail(table.get(key)->source(),
+           MakeMessage("'{0}' is only for a 'source': write it into 'command', or remove it",
+                       "“{0}”只用于“source”：应写入“command”，或去掉", key));
+    }
+    scenario_.host_program = std::move(host);
   }
 
   void ReadHost(const toml::table& table) {
@@ -270,7 +306,7 @@ class ScenarioReader : private TomlKeys {
   }
 
   const std::string_view text_;
-  const ScenarioUse use_;
+  ScenarioUse use_;
   const gtcalls::CardType* const host_card_;
   Scenario scenario_;
 };

@@ -35,6 +35,7 @@ TEST(KeyTable, HasEverySectionOnce) {
     described.insert(section.path);
     for (const KeyDescription& key : section.keys) {
       if (!key.type.section.empty()) named.insert(key.type.section);
+      if (!key.type.several.empty()) named.insert(key.type.several);
     }
   }
   EXPECT_EQ(described, named);

@@ -239,7 +239,49 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{"program = \"p.c\"\n[globals]\nn = 1\nexpect = [\"n == 1\"]\n",
                 "s.toml:4:1: 'expect' is a key of the whole file: move it above the first table"},
         BadCase{"program = \"p.c\"\nexplore = { limit_ms = 5 }\n",
-                "s.toml:2:13: 'limit_ms' is a key of the whole file: move it out of this table"}));
+                "s.toml:2:13: 'limit_ms' is a key of the whole file: move it out of this table"},
+        BadCase{"program = \"p.c\"\nhost = 5\n",
+                "s.toml:2:8: 'host' must be a list of tables, each under [[host]]"},
+        BadCase{"host = {}\n",
+                "s.toml:1:8: 'host' must name either a 'source', as in { source = \"host.c\" }, or "
+                "a 'command', as in { command = [\"./host\"] }"},
+        BadCase{"host = { source = \"h.c\", command = [\"./h\"] }\n",
+                "s.toml:1:8: 'host' must name either a 'source', as in { source = \"host.c\" }, or "
+                "a 'command', as in { command = [\"./host\"] }"},
+        BadCase{"host = { command = [\"./h\"], flags = [\"-O2\"] }\n",
+                "s.toml:1:37: 'flags' is only for a 'source': write it into 'command', or remove "
+                "it"},
+        BadCase{"host = { command = [\"./h\"], arguments = [\"1\"] }\n",
+                "s.toml:1:41: 'arguments' is only for a 'source': write it into 'command', or "
+                "remove it"},
+        BadCase{"host = { source = \"h.c\", flag = [\"-O2\"] }\n",
+                "s.toml:1:26: unknown key 'flag'; did you mean 'flags'?"}));
+
+TEST(ParseScenario, ReadsTheHostProgram) {
+  const Scenario built =
+      Parse("host = { source = \"h.c\", flags = [\"-I..\"], arguments = [\"1\", \"2\"] }\n");
+  EXPECT_EQ(built.host_program, (HostProgram{"h.c", {"-I.."}, {"1", "2"}, {}}));
+  EXPECT_EQ(built.program, "");
+  const Scenario ready = Parse("[host]\ncommand = [\"./h\", \"1\"]\n");
+  EXPECT_EQ(ready.host_program, (HostProgram{"", {}, {}, {"./h", "1"}}));
+  for (const Scenario& scenario : {built, ready}) {
+    EXPECT_EQ(Parse(FormatScenario(scenario)).host_program, scenario.host_program);
+    EXPECT_THAT(scenario.host, testing::IsEmpty());
+  }
+}
+
+TEST(ParseScenario, GivesAHostProgramOnlyToThoseWhoRunOne) {
+  const std::string text = "host = { source = \"h.c\" }\nexpect = [\"gpo == 0\"]\n";
+  for (const ScenarioUse use : {ScenarioUse::kRun, ScenarioUse::kSession, ScenarioUse::kExplore}) {
+    EXPECT_EQ(ErrorsOf(text, use).substr(0, 45), "s.toml:1:1: 'host' names a host program, whic");
+  }
+  EXPECT_EQ(ErrorsOf(text, ScenarioUse::kTest), "no error");
+  EXPECT_EQ(ErrorsOf(text, ScenarioUse::kHost), "no error");
+  EXPECT_THAT(ErrorsOf("program = \"p.c\"\n" + text, ScenarioUse::kTest),
+              StartsWith("s.toml:1:1: 'program' cannot be used with a host program"));
+  EXPECT_THAT(ErrorsOf("[[host]]\nset = { n = 1 }\n", ScenarioUse::kHost),
+              StartsWith("s.toml:1:3: 'host' cannot be used with a host program"));
+}
 
 TEST(ParseScenario, ShowsEverythingThatIsWrongInItsPlace) {
   EXPECT_THAT(ErrorsOf("rat = 5\ntitle = \"轴\"; \nrate = 0\n"),
@@ -372,10 +414,12 @@ TEST(MoveScenario, KeepsTheFilesReachable) {
   s.path = "a/b/s.toml";
   s.program = "../p.c";
   s.include_folders = {"inc"};
+  s.host_program = {{"../h.c", {}, {}, {}}};
   const Scenario moved = MoveScenario(s, "a/out/x.schedule");
   EXPECT_EQ(moved.program, "../p.c");
   EXPECT_EQ(moved.include_folders, std::vector<std::string>{"../b/inc"});
   EXPECT_EQ(ProgramPath(moved), "a/p.c");
+  EXPECT_EQ(moved.host_program->source, "../h.c");
 }
 
 }  // namespace

@@ -186,6 +186,8 @@ INSTANTIATE_TEST_SUITE_P(
         WrongCase{"[thread]\nfunction = \"f\"\n", "'thread' must be a list of tables"},
         WrongCase{"[[thread]]\nthread = 1\n", "'function' is missing"},
         WrongCase{"[[host]]\nat_ms = 1\n", "'set' is missing"},
+        WrongCase{"host = { command = \"./h\" }\n", "'command' must be a list of strings"},
+        WrongCase{"host = { sauce = \"h.c\" }\n", "unknown key 'sauce'"},
         WrongCase{"keys = [{ at_ms = 1 }]\n", "'text' is missing"},
         WrongCase{"[[world.input]]\nat_ms = 1\n", "'value' is missing"},
         WrongCase{"[[world.input]]\ntype = \"knob\"\nvalue = 1\n", "no inputs are named 'knob'"},
@@ -235,8 +237,8 @@ bool Takes(const KeySection& section, const KeyDescription& key, double value) {
   while (!path.empty()) {
     const size_t dot = std::min(path.find('.'), path.size());
     schema = &(*schema)["properties"][std::string(path.substr(0, dot))];
-    if (schema->contains("items")) schema = &(*schema)["items"];
     if (schema->contains("anyOf")) schema = &(*schema)["anyOf"][1];
+    if (schema->contains("items")) schema = &(*schema)["items"];
     path.remove_prefix(std::min(dot + 1, path.size()));
   }
   const Json json =
