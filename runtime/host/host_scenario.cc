@@ -14,6 +14,7 @@
 #include "runtime/host/card_table.h"
 #include "runtime/host/host_card.h"
 #include "runtime/host/host_refusals.h"
+#include "runtime/host/host_report.h"
 #include "runtime/observe/moving_axes.h"
 #include "runtime/observe/trace_file.h"
 #include "runtime/scenario/expectation.h"
@@ -24,6 +25,7 @@ namespace {
 /// What the watches of the cards have found, and how the host ended.
 struct Verdict {
   std::mutex mutex;
+  double end_ms = 0;  ///< the latest end of a card's time
   std::vector<Message> failures;
   std::vector<Message> warnings;
   std::vector<Message> held;
@@ -185,6 +187,7 @@ void CardWatch::Finish(Controller* controller) {
   }
   Verdict& verdict = VerdictOfProcess();
   const std::lock_guard lock(verdict.mutex);
+  verdict.end_ms = std::max(verdict.end_ms, controller->NowMs());
   verdict.failures.insert(verdict.failures.end(), failures_.begin(), failures_.end());
   verdict.warnings.insert(verdict.warnings.end(), warnings_.begin(), warnings_.end());
   verdict.held.insert(verdict.held.end(), held_.begin(), held_.end());
@@ -249,7 +252,7 @@ std::optional<Message> NeverChecked(const Verdict& verdict) {
                  "主机程序没有打开任何卡：场景中的条件均未检查"};
 }
 
-/// Prints what was found. True if there are failures.
+/// Reports what was found. True if there are failures.
 bool ReportHost() {
   Verdict& verdict = VerdictOfProcess();
   const std::lock_guard lock(verdict.mutex);
@@ -269,6 +272,8 @@ bool ReportHost() {
         {"the record of calls could not be written completely; its disk may be full",
          "调用记录未能完整写入；磁盘可能已满"});
   }
+  const HostReport report = {verdict.end_ms, verdict.failures, verdict.warnings, verdict.held};
+  if (AppendHostReport(report)) return !verdict.failures.empty();
   for (const Message& warning : verdict.warnings) {
     Print({"warning: " + warning.en, "警告：" + warning.zh});
   }

@@ -1,0 +1,74 @@
+#include "runtime/host/host_report.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "base/json_text.h"
+
+namespace oncard::runtime {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json Pack(const std::vector<Message>& messages) {
+  Json packed = Json::array();
+  for (const Message& message : messages) packed.push_back({message.en, message.zh});
+  return packed;
+}
+
+/// False if the member is no list of pairs of texts.
+bool Unpack(const Json& object, const char* name, std::vector<Message>* messages) {
+  const auto list = object.find(name);
+  if (list == object.end() || !list->is_array()) return false;
+  for (const Json& message : *list) {
+    if (!message.is_array() || message.size() != 2 || !message[0].is_string() ||
+        !message[1].is_string()) {
+      return false;
+    }
+    messages->push_back({message[0], message[1]});
+  }
+  return true;
+}
+
+bool Unpack(const Json& line, HostReport* report) {
+  if (!line.is_object() || !line.contains("end_ms") || !line["end_ms"].is_number()) return false;
+  report->end_ms = std::max(report->end_ms, line["end_ms"].get<double>());
+  return Unpack(line, "failures", &report->failures) &&
+         Unpack(line, "warnings", &report->warnings) && Unpack(line, "held", &report->held);
+}
+
+}  // namespace
+
+bool AppendHostReport(const HostReport& report) {
+  const char* const path = std::getenv("ONCARD_REPORT");
+  if (path == nullptr || *path == '\0') return false;
+  const Json json = {{"end_ms", report.end_ms},
+                     {"failures", Pack(report.failures)},
+                     {"warnings", Pack(report.warnings)},
+                     {"held", Pack(report.held)}};
+  const std::string line = JsonText(json) + '\n';
+  const int file = ::open(path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (file < 0) return false;
+  const bool written = ::write(file, line.data(), line.size()) == static_cast<ssize_t>(line.size());
+  ::close(file);
+  return written;
+}
+
+Result<HostReport> ReadHostReports(std::string_view lines) {
+  HostReport report;
+  while (!lines.empty()) {
+    const std::string_view line = lines.substr(0, lines.find('\n'));
+    if (!Unpack(Json::parse(line, nullptr, false), &report)) {
+      return MakeError(1, "the report of the host is damaged", "主机程序的报告已损坏");
+    }
+    lines.remove_prefix(std::min(line.size() + 1, lines.size()));
+  }
+  return report;
+}
+
+}  // namespace oncard::runtime
