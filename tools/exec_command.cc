@@ -26,8 +26,6 @@
 namespace oncard::tools {
 namespace {
 
-constexpr const char* kPreloadLibrary = "liboncard_host.so";
-
 struct ExecArguments {
   std::vector<std::string> host;
   std::string scenario;
@@ -40,27 +38,6 @@ struct ExecArguments {
   bool gbk = false;
   bool strict_commands = false;
 };
-
-/// The folders of libgts and the preload library; empty if they were not found.
-struct LibraryFolders {
-  std::string own;       ///< 64-bit: beside the command, or in ../lib
-  std::string of32bits;  ///< for 32-bit hosts: ../lib32
-};
-
-LibraryFolders FindLibraries() {
-  std::error_code error;
-  const auto binary = std::filesystem::read_symlink("/proc/self/exe", error);
-  const auto has_library = [&error](const std::filesystem::path& folder) {
-    return std::filesystem::exists(folder / kPreloadLibrary, error);
-  };
-  const auto beside = binary.parent_path();
-  const auto above = beside.parent_path();
-  LibraryFolders found;
-  if (has_library(above / "lib")) found.own = (above / "lib").string();
-  if (has_library(beside)) found.own = beside.string();
-  if (has_library(above / "lib32")) found.of32bits = (above / "lib32").string();
-  return found;
-}
 
 /// The message about a missing library; empty if none is missing.
 Message MissingLibrary(const LibraryFolders& folders, const std::string& host) {

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
 #include <string_view>
 #include <system_error>
 
@@ -34,7 +35,34 @@ std::string FindProgram(const std::string& name) {
   }
 }
 
+std::filesystem::path FolderOfCommand() {
+  std::error_code ignored;
+  return std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
+}
+
+/// The first of the folders that holds the file; empty if none does.
+std::string FolderWith(const char* file, std::initializer_list<std::filesystem::path> folders) {
+  std::error_code ignored;
+  for (const auto& folder : folders) {
+    if (std::filesystem::exists(folder / file, ignored)) return folder.string();
+  }
+  return {};
+}
+
 }  // namespace
+
+LibraryFolders FindLibraries() {
+  const auto beside = FolderOfCommand();
+  const auto above = beside.parent_path();
+  return {FolderWith(kPreloadLibrary, {beside, above / "lib"}),
+          FolderWith(kPreloadLibrary, {above / "lib32"})};
+}
+
+HeaderFolders FindHeaders() {
+  const auto include = FolderOfCommand().parent_path() / "include";
+  return {FolderWith("gts.h", {include}),
+          FolderWith("windows.h", {include / "compat", include / "oncard" / "compat"})};
+}
 
 bool IsProgramOf32Bits(const std::string& name) {
   std::array<char, EI_NIDENT> begin{};
