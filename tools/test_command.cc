@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <thread>
@@ -16,6 +17,7 @@
 #include "runtime/scenario/requirement.h"
 #include "runtime/scenario/requirement_watch.h"
 #include "tools/commands.h"
+#include "tools/host_tests.h"
 #include "tools/isolation.h"
 #include "tools/run_report.h"
 #include "tools/search_watch.h"
@@ -37,8 +39,11 @@ struct TestArguments {
   bool structured = false;
 };
 
-// The ending of scenarios for host programs, which `oncard exec` runs.
+// The ending of scenarios for host programs, which need not name one.
 constexpr std::string_view kHostScenario = ".host.toml";
+
+// Seconds for each of many programs, and for a host: they can be endless.
+constexpr int kTimeout = 60;
 
 // The scenarios in a folder and its subfolders, sorted by path; for a file the file itself.
 Result<std::vector<std::string>> FindScenarios(const std::string& path) {
@@ -55,8 +60,7 @@ Result<std::vector<std::string>> FindScenarios(const std::string& path) {
   using Iterator = std::filesystem::recursive_directory_iterator;
   for (Iterator entry(path, error); !error && entry != Iterator(); entry.increment(error)) {
     const std::string name = entry->path().filename().string();
-    if (name.ends_with(".toml") && !name.ends_with(kHostScenario))
-      found.push_back(entry->path().generic_string());
+    if (name.ends_with(".toml")) found.push_back(entry->path().generic_string());
   }
   if (error) {
     return MakeError(1, "cannot read the folder '{0}': {1}", "无法读取文件夹“{0}”：{1}", path,
@@ -80,6 +84,29 @@ Result<std::vector<std::string>> FindPrograms(const std::string& pattern) {
   return MakeError(1, "cannot search for '{0}'", "无法查找“{0}”", pattern);
 }
 
+/// A new folder, removed with the object.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::error_code error;
+    const auto folder = std::filesystem::temp_directory_path(error) / "oncard-test.XXXXXX";
+    path_ = folder.string();
+    if (error || ::mkdtemp(path_.data()) == nullptr) path_.clear();
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  /// Empty if there is none.
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
 // A failed compilation as one message: its diagnostics in the format of `check`.
 Message DescribeDiagnostics(const compiler::Compilation& compilation) {
   Message message;
@@ -96,6 +123,7 @@ struct Testing {
   const TestArguments& arguments;
   const Invocation& invocation;
   const StopSignals& signals;
+  const std::string& scratch;  ///< a folder for all tests; empty: none could be made
 };
 
 /// True if the test can fail for another reason than that its threads do not end well.
@@ -185,10 +213,59 @@ void RunOnce(const runtime::Scenario& scenario, vm::Object object, const Testing
   }
 }
 
-TestOutcome RunTest(TestOutcome outcome, const Testing& testing) {
-  auto scenario = runtime::LoadScenario(outcome.path, runtime::ScenarioUse::kTest);
+/// Replaces the host by the program that the outcome names. Fails if the host is a command.
+bool ReplaceHost(runtime::Scenario* scenario, TestOutcome* outcome) {
+  if (outcome->program.empty()) return true;
+  if (!scenario->host_program) scenario->host_program.emplace();
+  if (!scenario->host_program->command.empty()) {
+    outcome->failures.push_back(
+        {"the host is a command, which --program cannot replace: name a 'source' in 'host'",
+         "主机程序是命令，--program 不能代替它：应在“host”中给出“source”"});
+    return false;
+  }
+  scenario->host_program->source = runtime::PathToScenario(*scenario, outcome->program);
+  return true;
+}
+
+/// Builds and runs a host program.
+void TestHost(runtime::Scenario scenario, const std::string& scratch, const Testing& testing,
+              TestOutcome* outcome) {
+  if (!ReplaceHost(&scenario, outcome)) return;
+  if (!scenario.host_program) {
+    outcome->skipped = {
+        "skipped: it names no host program: add host = { source = \"host.c\" } or host = { command "
+        "= [\"./host\"] } to the file",
+        "已跳过：未给出主机程序：应在文件中加上 host = { source = \"host.c\" } 或 host = { command "
+        "= [\"./host\"] }"};
+    return;
+  }
+  std::error_code error;
+  std::filesystem::create_directory(scratch, error);
+  if (testing.scratch.empty() || error) {
+    outcome->failures.push_back(
+        {"no temporary folder can be made for it", "无法为其创建临时文件夹"});
+    return;
+  }
+  RunHostTest(
+      scenario,
+      {testing.arguments.strict_commands, testing.arguments.timeout_s.value_or(kTimeout), scratch},
+      testing.invocation, outcome);
+  if (!testing.signals.stopped()) return;
+  outcome->interrupted = true;
+  outcome->failures = {{"interrupted", "被中断"}};
+}
+
+/// `scratch`: a folder that the test may make for itself.
+TestOutcome RunTest(TestOutcome outcome, const std::string& scratch, const Testing& testing) {
+  const bool of_host = outcome.path.ends_with(kHostScenario);
+  auto scenario = runtime::LoadScenario(
+      outcome.path, of_host ? runtime::ScenarioUse::kHost : runtime::ScenarioUse::kTest);
   if (!scenario.ok()) {
     outcome.failures.push_back(scenario.error().message);
+    return outcome;
+  }
+  if (of_host || scenario.value().host_program) {
+    TestHost(std::move(scenario).value(), scratch, testing, &outcome);
     return outcome;
   }
   if (testing.arguments.structured) scenario.value().structured = true;
@@ -241,7 +318,9 @@ std::vector<IsolatedTest> ListTests(const std::vector<std::string>& scenarios,
     TestOutcome named;
     named.path = scenario;
     named.program = program;
-    tests.push_back({named, [named, &testing] { return RunTest(named, testing); }});
+    const std::string scratch = fmt::format("{}/{}", testing.scratch, tests.size());
+    tests.push_back(
+        {named, [named, scratch, &testing] { return RunTest(named, scratch, testing); }});
   };
   for (const std::string& scenario : scenarios) {
     if (testing.arguments.programs.empty()) add(scenario, {});
@@ -259,9 +338,9 @@ int Test(const TestArguments& arguments, const Invocation& invocation) {
   IsolationOptions isolation;
   isolation.jobs =
       arguments.jobs > 0 ? arguments.jobs : static_cast<int>(std::thread::hardware_concurrency());
-  constexpr int kClassTimeout = 60;
-  isolation.timeout_s = arguments.timeout_s.value_or(programs.value().empty() ? 0 : kClassTimeout);
-  const Testing testing = {arguments, invocation, signals};
+  isolation.timeout_s = arguments.timeout_s.value_or(programs.value().empty() ? 0 : kTimeout);
+  const ScratchFolder scratch;
+  const Testing testing = {arguments, invocation, signals, scratch.path()};
   const std::vector<TestOutcome> outcomes = RunIsolated(
       ListTests(scenarios.value(), programs.value(), testing), isolation, *signals.stop());
   if (outcomes.empty()) {
@@ -319,9 +398,9 @@ void AddTest(CLI::App& app, Invocation& invocation) {
       ->add_option(
           "--timeout", arguments->timeout_s,
           invocation.Say({"a test that takes longer has failed; 0: no limit (default 60 with "
-                          "--program, otherwise 0)",
-                          "耗时更长的测试视为失败；0 为不限（使用 --program 时默认 60，否则为 "
-                          "0）"}))
+                          "--program and for host programs, otherwise 0)",
+                          "耗时更长的测试视为失败；0 为不限（使用 --program 时和主机程序默认 60，"
+                          "否则为 0）"}))
       ->type_name("SECONDS")
       ->check(CLI::Range(0, 86'400).description(""));
   command

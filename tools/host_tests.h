@@ -1,0 +1,26 @@
+// Host programs as tests: builds the host of a scenario and runs it under `oncard exec`. Tested by
+// tests/tools/host_tests_test.cc.
+#pragma once
+
+#include <string>
+
+#include "runtime/scenario/scenario.h"
+#include "tools/invocation.h"
+#include "tools/test_report.h"
+
+namespace oncard::tools {
+
+struct HostTestOptions {
+  bool strict_commands = false;
+  /// Seconds of the wall clock that the compiler and the host may each take; 0: no limit.
+  int limit_s = 0;
+  /// A folder that exists, for the compiled host and its report.
+  std::string scratch;
+};
+
+/// Adds to `outcome` what became of Scenario::host_program, which runs in the scenario's folder. To
+/// be called while the process has only one thread.
+void RunHostTest(const runtime::Scenario& scenario, const HostTestOptions& options,
+                 const Invocation& invocation, TestOutcome* outcome);
+
+}  // namespace oncard::tools
