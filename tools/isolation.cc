@@ -16,6 +16,7 @@
 #include <string>
 
 #include "base/json_text.h"
+#include "tools/child_process.h"
 #include "tools/invocation.h"
 
 namespace oncard::tools {
@@ -144,6 +145,7 @@ class IsolatedRuns {
     }
     int ends[2] = {};
     const bool piped = ::pipe2(ends, O_CLOEXEC) == 0;
+    const pid_t self = ::getpid();
     const pid_t process = piped ? ::fork() : -1;
     if (process < 0) {
       outcome.failures.push_back(MakeMessage("cannot start a process for it: {0}",
@@ -156,9 +158,13 @@ class IsolatedRuns {
     }
     if (process == 0) {
       ::close(ends[0]);
+      ::setpgid(0, 0);
+      DieWithParent(self);
       WorkAndEnd(tests_[test].work, ends[1]);
     }
     ::close(ends[1]);
+    // Also done by the child: whoever is first. Its group is killed with whatever it has started.
+    ::setpgid(process, process);
     Child child;
     child.test = test;
     child.process = process;
@@ -189,10 +195,10 @@ class IsolatedRuns {
     if (stop_ && !child->told_to_stop) {
       child->told_to_stop = true;
       child->killed_at = Clock::now() + kTimeToEnd;
-      ::kill(child->process, SIGTERM);
+      ::kill(-child->process, SIGTERM);
     }
     if (child->killed_at && Clock::now() >= *child->killed_at) {
-      ::kill(child->process, SIGKILL);
+      ::kill(-child->process, SIGKILL);
       End(child);
     }
   }

@@ -23,9 +23,11 @@ struct IsolationOptions {
   int timeout_s = 0;
 };
 
-/// The outcomes in the order of the tests. A child that crashes or ends unexpectedly has failed. If
-/// `stop` is set meanwhile, children get SIGTERM, and are killed if they do not end soon; tests
-/// that have not begun are not run. To be called while the process has only one thread.
+/// The outcomes in the order of the tests. Each child is the leader of a process group of its own,
+/// with which it is stopped or killed, and dies with the caller. A child that crashes or ends
+/// unexpectedly has failed. If `stop` is set meanwhile, children get SIGTERM, and are killed if
+/// they do not end soon; tests that have not begun are not run. To be called while the process has
+/// only one thread.
 std::vector<TestOutcome> RunIsolated(const std::vector<IsolatedTest>& tests,
                                      const IsolationOptions& options,
                                      const std::atomic<bool>& stop);

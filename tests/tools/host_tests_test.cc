@@ -1,7 +1,11 @@
 // Host programs as tests: `oncard test` builds and runs the host that a scenario names.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <unistd.h>
 
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -205,6 +209,49 @@ TEST_F(HostTestsTest, RefusedCommandsAreWarningsOrFailures) {
   EXPECT_THAT(std::string(OnlyTest({"t"})["warnings"][0]), HasSubstr("GT_AxisOn(99) = 7"));
   EXPECT_THAT(std::string(OnlyTest({"t", "--strict-commands"})["failures"][0]),
               HasSubstr("GT_AxisOn(99) = 7"));
+}
+
+// --- The end of the command ----------------------------------------------------------------------
+
+/// The processes that a process has started.
+std::vector<pid_t> ChildrenOf(pid_t process) {
+  const std::string id = std::to_string(process);
+  std::ifstream list("/proc/" + id + "/task/" + id + "/children");
+  std::vector<pid_t> children;
+  for (pid_t child = 0; list >> child;) children.push_back(child);
+  return children;
+}
+
+/// Waits until there is one.
+pid_t ChildOf(pid_t process) {
+  for (int look = 0; look < 1000; ++look) {
+    const auto children = ChildrenOf(process);
+    if (!children.empty()) return children.front();
+    ::usleep(10'000);
+  }
+  return 0;
+}
+
+/// Waits until the process has ended.
+bool Ends(pid_t process) {
+  for (int look = 0; look < 1000; ++look) {
+    std::ifstream status("/proc/" + std::to_string(process) + "/stat");
+    std::string id, name, state;
+    if (!(status >> id >> name >> state) || state == "Z") return true;
+    ::usleep(10'000);
+  }
+  return false;
+}
+
+TEST_F(HostTestsTest, NothingSurvivesTheDeathOfTheCommand) {
+  scratch_.Write("t/a.toml", "host = { command = [\"sh\", \"-c\", \"while true; do :; done\"] }\n");
+  RunningOncard oncard({"test", scratch_.path() + "/t", "--timeout=0"});
+  const pid_t test = ChildOf(oncard.process());
+  const pid_t host = ChildOf(test);
+  ASSERT_GT(host, 0);
+  EXPECT_EQ(oncard.Stop(SIGKILL), 128 + SIGKILL);
+  EXPECT_TRUE(Ends(test));
+  EXPECT_TRUE(Ends(host));
 }
 
 }  // namespace

@@ -67,6 +67,7 @@ class RunningOncard {
 
   /// Waits for the first line on standard output, without its end; or for the end of the process.
   std::string FirstLine() const;
+  pid_t process() const { return process_; }
   /// Sends the signal; the exit code, or 128 plus the number of the signal that ended the process.
   int Stop(int signal);
 
