@@ -187,7 +187,9 @@ class StagedFile {
     if (!place.ok()) return place.error();
     place_ = std::move(place).value();
     if (S_ISDIR(place_.info.st_mode)) {
-      return MakeError(1, "cannot write '{0}': it is a folder", "无法写入“{0}”：它是文件夹", path_);
+      return MakeError(1, "cannot write '{0}': it is a folder; name a file in it, as in '{1}'",
+                       "无法写入“{0}”：它是文件夹；应给出其中的文件名，如“{1}”", path_,
+                       path_.ends_with('/') ? path_ + "NAME" : path_ + "/NAME");
     }
     if (!Replaces()) return {};
     // A file that the user has made read-only is not replaced.

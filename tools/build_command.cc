@@ -1,4 +1,7 @@
 // oncard build: compiles motion programs to object pairs.
+#include <filesystem>
+#include <system_error>
+
 #include "base/files.h"
 #include "tools/commands.h"
 #include "tools/compile_arguments.h"
@@ -32,6 +35,15 @@ int BuildOne(const BuildOptions& options, const std::string& source, const Invoc
 }
 
 int Build(const BuildOptions& options, const Invocation& invocation) {
+  std::error_code ignored;
+  if (std::filesystem::exists(options.folder, ignored) &&
+      !std::filesystem::is_directory(options.folder, ignored)) {
+    return Fail(invocation, kExitUsage,
+                MakeMessage("'{0}' is a file: -o names the folder of the objects, whose names are "
+                            "those of the sources",
+                            "“{0}”是文件：-o 给出目标文件所在的文件夹，目标文件与源文件同名",
+                            options.folder));
+  }
   int code = kExitOk;
   for (const std::string& source : options.sources) {
     code = std::max(code, BuildOne(options, source, invocation));

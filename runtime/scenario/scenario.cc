@@ -59,6 +59,16 @@ Error BadThreadStart(std::string_view text) {
                    "“{0}”不是线程描述：应为 N=函数[@页][:变量=值,...]", text);
 }
 
+/// Reads the number of a thread or a page.
+Result<int> ReadIndex(std::string_view number, int count, const Message& what,
+                      std::string_view text) {
+  const auto index = ReadWhole<int>(number);
+  if (!index) return BadThreadStart(text);
+  if (*index >= 0 && *index < count) return *index;
+  return MakeError(1, "{0} {1} in '{2}': it must be from 0 to {3}",
+                   "“{2}”中的{4} {1}：应为 0 至 {3}", what.en, *index, text, count - 1, what.zh);
+}
+
 }  // namespace
 
 TextPlace PlaceOfText(const Scenario& scenario, std::string_view key, size_t index) {
@@ -160,17 +170,17 @@ Result<ThreadStart> ParseThreadStart(std::string_view text) {
   ThreadStart start;
   const size_t equals = text.find('=');
   if (equals == std::string_view::npos) return BadThreadStart(text);
-  const auto thread = ReadWhole<int>(text.substr(0, equals));
-  if (!thread || *thread < 0 || *thread >= vm::kThreadCount) return BadThreadStart(text);
-  start.thread = *thread;
-  start.page = *thread;
+  const auto thread = ReadIndex(text.substr(0, equals), vm::kThreadCount, {"thread", "线程"}, text);
+  if (!thread.ok()) return thread.error();
+  start.thread = thread.value();
+  start.page = thread.value();
   const std::string_view target = text.substr(equals + 1);
   const size_t colon = target.find(':');
   std::string_view function = target.substr(0, colon);
   if (const size_t at = function.find('@'); at != std::string_view::npos) {
-    const auto page = ReadWhole<int>(function.substr(at + 1));
-    if (!page || *page < 0 || *page >= vm::kPageCount) return BadThreadStart(text);
-    start.page = *page;
+    const auto page = ReadIndex(function.substr(at + 1), vm::kPageCount, {"page", "数据页"}, text);
+    if (!page.ok()) return page.error();
+    start.page = page.value();
     function = function.substr(0, at);
   }
   if (function.empty()) return BadThreadStart(text);

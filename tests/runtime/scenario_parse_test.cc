@@ -409,6 +409,15 @@ TEST(ParseThreadStart, ReadsTheShortForm) {
   }
 }
 
+TEST(ParseThreadStart, SaysWhichNumbersThereAre) {
+  EXPECT_EQ(ParseThreadStart("32=add").error().message.en,
+            "thread 32 in '32=add': it must be from 0 to 31");
+  EXPECT_EQ(ParseThreadStart("-1=add").error().message.zh, "“-1=add”中的线程 -1：应为 0 至 31");
+  EXPECT_EQ(ParseThreadStart("0=add@32").error().message.en,
+            "page 32 in '0=add@32': it must be from 0 to 31");
+  EXPECT_THAT(ParseThreadStart("x=add").error().message.en, StartsWith("'x=add' is not a thread"));
+}
+
 TEST(MoveScenario, KeepsTheFilesReachable) {
   Scenario s;
   s.path = "a/b/s.toml";

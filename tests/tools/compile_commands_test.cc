@@ -60,6 +60,23 @@ TEST(Build, ExitsWithThreeWhenAFileCannotBeRead) {
   EXPECT_THAT(result.err, HasSubstr("/nonexistent/p.c"));
 }
 
+TEST(Build, SaysWhatItsOutputIs) {
+  const ScratchFolder scratch;
+  scratch.Write("p.c", "int n;\nint f()\n{\n  n = 1;\n}\n");
+  scratch.Write("sub/keep", "");
+  const ProcessResult built = RunOncard({"build", "p.c", "-o", "p.c"}, scratch.path());
+  EXPECT_EQ(built.exit_code, 2);
+  EXPECT_EQ(built.err,
+            "oncard: 'p.c' is a file: -o names the folder of the objects, whose names are those of "
+            "the sources\n");
+  for (const char* folder : {"sub", "sub/"}) {
+    const ProcessResult lowered = RunOncard({"lower", "p.c", "-o", folder}, scratch.path());
+    EXPECT_EQ(lowered.exit_code, 3);
+    EXPECT_EQ(lowered.err, std::string("oncard: cannot write '") + folder +
+                               "': it is a folder; name a file in it, as in 'sub/NAME'\n");
+  }
+}
+
 TEST(Build, RefusesAnObject) { EXPECT_EQ(RunOncard({"build", "p.bin"}).exit_code, 2); }
 
 TEST(Build, StoresTheWidthOfDouble) {
