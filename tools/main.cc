@@ -2,6 +2,7 @@
 // does the rest. CLI11 reports errors by exceptions, which are caught here.
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <optional>
@@ -43,10 +44,15 @@ bool UseColor(std::string_view when) {
   return capable && ::isatty(STDERR_FILENO) == 1;
 }
 
+// Its name is that of the command.
+bool IsExtras(const CLI::ParseError& error) {
+  return error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
+}
+
 Message DescribeMistake(const CLI::ParseError& error) {
   const std::string name = error.get_name();
   std::string_view kind = "命令行有误";
-  if (name == "ExtrasError") kind = "多余的参数";
+  if (IsExtras(error)) kind = "多余的参数";
   if (name == "RequiredError") kind = "缺少必需的参数";
   if (name == "ValidationError" || name == "ConversionError") kind = "参数值不合法";
   if (name == "ArgumentMismatch") kind = "参数个数不对";
@@ -64,14 +70,46 @@ Message DescribeUnknownCommand(const CLI::App& app, const std::string& word) {
                      "没有命令“{0}”；是否为“{1}”？", word, near);
 }
 
+// The first word that looks like an option and is none; empty if there is none.
+std::string UnknownOption(const CLI::App& app, const CLI::ParseError& error) {
+  if (!IsExtras(error) && error.get_name() != "RequiredError") return {};
+  std::vector<std::string> words = app.remaining(true);
+  const auto word = std::ranges::find_if(
+      words, [](const std::string& each) { return each.size() > 1 && each.starts_with('-'); });
+  return word == words.end() ? std::string() : word->substr(0, word->find('='));
+}
+
+// Suggests options of the command, and those that every command has, similar to an unknown one.
+Message DescribeUnknownOption(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> names;
+  const auto add = [&names](const CLI::App* command) {
+    for (const CLI::Option* option : command->get_options()) {
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+  };
+  for (const CLI::App* chosen : app.get_subcommands()) add(chosen);
+  add(&app);
+  const std::vector<std::string_view> candidates(names.begin(), names.end());
+  const std::string_view near = NearestName(word, candidates);
+  if (near.empty()) return MakeMessage("there is no option '{0}'", "没有选项“{0}”", word);
+  return MakeMessage("there is no option '{0}'; did you mean '{1}'?",
+                     "没有选项“{0}”；是否为“{1}”？", word, near);
+}
+
+Message DescribeWords(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<std::string> words = app.remaining();
+  if (const std::string option = UnknownOption(app, error); !option.empty()) {
+    return DescribeUnknownOption(app, option);
+  }
+  const bool unknown =
+      app.get_subcommands().empty() && !words.empty() && !words.front().starts_with('-');
+  return unknown ? DescribeUnknownCommand(app, words.front()) : DescribeMistake(error);
+}
+
 int ReportMistake(const CLI::App& app, const CLI::ParseError& error, const Invocation& invocation) {
   std::string command = app.get_name();
   for (const CLI::App* chosen : app.get_subcommands()) command += ' ' + chosen->get_name();
-  const std::vector<std::string> words = app.remaining();
-  const bool unknown =
-      app.get_subcommands().empty() && !words.empty() && !words.front().starts_with('-');
-  Fail(invocation, kExitUsage,
-       unknown ? DescribeUnknownCommand(app, words.front()) : DescribeMistake(error));
+  Fail(invocation, kExitUsage, DescribeWords(app, error));
   PrintDiagnostics(invocation.Say(
       MakeMessage("run '{0} --help' for its usage\n", "运行“{0} --help”查看用法\n", command)));
   return kExitUsage;

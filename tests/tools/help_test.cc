@@ -90,5 +90,49 @@ TEST(Mistake, IsReportedInChinese) {
   EXPECT_THAT(result.err, HasSubstr("缺少必需的参数"));
 }
 
+// --- Words that are no option ------------------------------------------------------------------
+
+struct WrongOption {
+  std::vector<std::string> words;
+  const char* said;
+};
+
+class WrongOptionTest : public testing::TestWithParam<WrongOption> {};
+
+TEST_P(WrongOptionTest, IsNamedWithTheNearestOne) {
+  const ProcessResult result = RunOncard(GetParam().words);
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, testing::StartsWith(std::string("oncard: ") + GetParam().said + '\n'));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Words, WrongOptionTest,
+    testing::Values(
+        WrongOption{{"run", "s.c", "--untill", "5"},
+                    "there is no option '--untill'; did you mean '--until'?"},
+        WrongOption{{"run", "s.c", "--untill=5"},
+                    "there is no option '--untill'; did you mean '--until'?"},
+        WrongOption{{"run", "--untill=5"},
+                    "there is no option '--untill'; did you mean '--until'?"},
+        WrongOption{{"run", "s.c", "-until", "5"},
+                    "there is no option '-until'; did you mean '--until'?"},
+        WrongOption{{"build", "s.c", "--structurd"},
+                    "there is no option '--structurd'; did you mean '--structured'?"},
+        WrongOption{{"check", "s.c", "--fixx"},
+                    "there is no option '--fixx'; did you mean '--fix'?"},
+        WrongOption{{"lower", "s.c", "--ouput", "o.c"},
+                    "there is no option '--ouput'; did you mean '--output'?"},
+        WrongOption{{"test", "a", "--job=2"}, "there is no option '--job'; did you mean '--jobs'?"},
+        WrongOption{{"explore", "a", "--timee=2"},
+                    "there is no option '--timee'; did you mean '--time'?"},
+        WrongOption{{"exec", "--senario=x", "--", "ls"},
+                    "there is no option '--senario'; did you mean '--scenario'?"},
+        WrongOption{{"doctor", "--langg=zh"},
+                    "there is no option '--langg'; did you mean '--lang'?"},
+        WrongOption{{"--verson"}, "there is no option '--verson'; did you mean '--version'?"},
+        WrongOption{{"run", "s.c", "-q"}, "there is no option '-q'"},
+        WrongOption{{"--lang=zh", "run", "s.c", "--untill"},
+                    "没有选项“--untill”；是否为“--until”？"}));
+
 }  // namespace
 }  // namespace oncard::tools
