@@ -102,6 +102,14 @@ TEST(Lowering, CountsWhatAFunctionTakes) {
   EXPECT_EQ(lowering.global_slots, 4);
 }
 
+TEST(Lowering, LocalsThatOnlyFeedThemselvesAreLeftOut) {
+  const Lowering lowering = Lower(
+      "int v;\nvoid t0() {\n  int n = 0, m = 0;\n  while (v > 0) { v--; n = n + m; m = n + 1; "
+      "}\n}\n");
+  ASSERT_TRUE(lowering.text.has_value());
+  EXPECT_THAT(*lowering.text, testing::Not(HasSubstr("\n  n = ")));
+}
+
 // The calls of the first thread function that are jumps: `f 2, g 3`.
 std::string JumpsOf(const std::string& program) {
   const Lowering lowering = Lower(program);

@@ -1,54 +1,36 @@
 // Assignments to locals that no path reads. What they read is not read any more, and a division or
 // an index that would fault does not fault: C leaves both open.
 #include <algorithm>
+#include <utility>
 
 #include "compiler/lowering/passes/passes.h"
 
 namespace oncard::compiler::lowering {
 namespace {
 
-// Sets of variables as bits. Only those that a block reads before it writes them have one: all
-// others live in one block.
-class Liveness {
+// The assignments whose values are needed, found from the statements that do something else than to
+// assign a local, backwards: what they read is needed, then what those assignments read. A variable
+// is looked for in a block once, so the work is that of the places where variables live.
+class NeededStores {
  public:
-  Liveness(const Program& program, LoweredFunction& function)
-      : program_(program), code_(function.code) {
+  NeededStores(const Program& program, LoweredFunction& function)
+      : program_(program), code_(function.code), needed_(code_.size()) {
     FindBlocks(LabelPositions(function));
-    FindCrossing();
-    Solve();
+    FindStores();
+    for (size_t i = 0; i < code_.size(); ++i) {
+      if (!StoresLocal(code_[i])) Need(i);
+    }
+    while (!open_.empty()) {
+      const size_t next = open_.back();
+      open_.pop_back();
+      ForEachRead(code_[next], [&](int variable) { Search(variable, next); });
+    }
   }
 
-  bool RemoveDead() {
-    std::vector<char> dead(code_.size());
-    std::vector<char> live(program_.variables.size());
-    for (size_t b = 0; b < blocks_.size(); ++b) {
-      const Block& block = blocks_[b];
-      std::vector<int> touched;
-      const auto set = [&live, &touched](int variable, char value) {
-        live[static_cast<size_t>(variable)] = value;
-        touched.push_back(variable);
-      };
-      for (size_t bit = 0; bit < crossing_.size(); ++bit) {
-        if (Test(block.out, bit)) set(crossing_[bit], 1);
-      }
-      for (size_t i = block.end; i-- > block.begin;) {
-        const Instruction& instruction = code_[i];
-        const Operand& target = instruction.target;
-        if (instruction.Writes() && target.IsVariable() &&
-            IsLocalNumber(program_, target.variable)) {
-          if (live[static_cast<size_t>(target.variable)] == 0) {
-            dead[i] = 1;
-            continue;
-          }
-          set(target.variable, 0);
-        }
-        ForEachRead(instruction, [&set](int variable) { set(variable, 1); });
-      }
-      for (const int variable : touched) live[static_cast<size_t>(variable)] = 0;
-    }
+  bool RemoveOthers() {
     size_t kept = 0;
     for (size_t i = 0; i < code_.size(); ++i) {
-      if (dead[i] != 0) continue;
+      if (needed_[i] == 0) continue;
       if (kept != i) code_[kept] = std::move(code_[i]);
       ++kept;
     }
@@ -58,19 +40,16 @@ class Liveness {
   }
 
  private:
-  using Bits = std::vector<uint64_t>;
   struct Block {
     size_t begin = 0;
     size_t end = 0;
-    int next[2] = {-1, -1};
-    Bits used;  // read before they are written
-    Bits written;
-    Bits in;
-    Bits out;
+    std::vector<int> before;  // the blocks that lead to it
   };
 
-  static bool Test(const Bits& bits, size_t bit) { return (bits[bit / 64] >> (bit % 64) & 1) != 0; }
-  static void Set(Bits& bits, size_t bit) { bits[bit / 64] |= uint64_t{1} << (bit % 64); }
+  bool StoresLocal(const Instruction& instruction) const {
+    return instruction.Writes() && instruction.target.IsVariable() &&
+           IsLocalNumber(program_, instruction.target.variable);
+  }
 
   template <typename Visitor>
   static void ForEachRead(const Instruction& instruction, const Visitor& visit) {
@@ -81,7 +60,7 @@ class Liveness {
   }
 
   void FindBlocks(const std::vector<int>& positions) {
-    std::vector<int> block_of(code_.size(), -1);
+    block_of_.assign(code_.size(), -1);
     for (size_t i = 0; i < code_.size(); ++i) {
       const bool begins = i == 0 || code_[i].kind == Instruction::Kind::kLabel ||
                           code_[i - 1].kind == Instruction::Kind::kGoto ||
@@ -92,80 +71,88 @@ class Liveness {
         blocks_.back().begin = i;
       }
       blocks_.back().end = i + 1;
-      block_of[i] = static_cast<int>(blocks_.size()) - 1;
+      block_of_[i] = static_cast<int>(blocks_.size()) - 1;
     }
     for (size_t b = 0; b < blocks_.size(); ++b) {
       const Instruction& last = code_[blocks_[b].end - 1];
       const bool falls =
           last.kind != Instruction::Kind::kGoto && last.kind != Instruction::Kind::kReturn;
-      if (falls && b + 1 < blocks_.size()) blocks_[b].next[0] = static_cast<int>(b) + 1;
+      if (falls && b + 1 < blocks_.size()) blocks_[b + 1].before.push_back(static_cast<int>(b));
       if (last.kind == Instruction::Kind::kGoto || last.kind == Instruction::Kind::kIf) {
         const int position = positions[static_cast<size_t>(last.label)];
-        blocks_[b].next[1] = block_of[static_cast<size_t>(position)];
+        const int target = block_of_[static_cast<size_t>(position)];
+        blocks_[static_cast<size_t>(target)].before.push_back(static_cast<int>(b));
       }
     }
   }
 
-  void FindCrossing() {
-    bit_of_.assign(program_.variables.size(), -1);
-    std::vector<int> written_in(program_.variables.size(), -1);
-    for (size_t b = 0; b < blocks_.size(); ++b) {
-      const int number = static_cast<int>(b);
-      for (size_t i = blocks_[b].begin; i < blocks_[b].end; ++i) {
-        ForEachRead(code_[i], [&](int variable) {
-          const size_t v = static_cast<size_t>(variable);
-          if (written_in[v] == number || bit_of_[v] >= 0 || !IsLocalNumber(program_, variable)) {
-            return;
-          }
-          bit_of_[v] = static_cast<int>(crossing_.size());
-          crossing_.push_back(variable);
-        });
-        if (code_[i].Writes() && code_[i].target.IsVariable()) {
-          written_in[static_cast<size_t>(code_[i].target.variable)] = number;
-        }
-      }
+  void FindStores() {
+    const size_t variables = program_.variables.size();
+    searched_.resize(variables);
+    first_store_.assign(variables + 1, 0);
+    for (const Instruction& instruction : code_) {
+      if (StoresLocal(instruction)) ++first_store_[Target(instruction) + 1];
     }
-    for (Block& block : blocks_) {
-      const Bits none((crossing_.size() + 63) / 64);
-      block.used = block.written = block.in = block.out = none;
-      for (size_t i = block.begin; i < block.end; ++i) {
-        ForEachRead(code_[i], [&](int variable) {
-          const int bit = bit_of_[static_cast<size_t>(variable)];
-          if (bit >= 0 && !Test(block.written, static_cast<size_t>(bit))) {
-            Set(block.used, static_cast<size_t>(bit));
-          }
-        });
-        if (!code_[i].Writes() || !code_[i].target.IsVariable()) continue;
-        const int bit = bit_of_[static_cast<size_t>(code_[i].target.variable)];
-        if (bit >= 0) Set(block.written, static_cast<size_t>(bit));
+    for (size_t v = 0; v < variables; ++v) first_store_[v + 1] += first_store_[v];
+    stores_.resize(first_store_[variables]);
+    std::vector<size_t> next(first_store_.begin(), first_store_.end() - 1);
+    for (size_t i = 0; i < code_.size(); ++i) {
+      if (StoresLocal(code_[i])) stores_[next[Target(code_[i])]++] = i;
+    }
+  }
+
+  static size_t Target(const Instruction& instruction) {
+    return static_cast<size_t>(instruction.target.variable);
+  }
+
+  void Need(size_t statement) {
+    if (needed_[statement] != 0) return;
+    needed_[statement] = 1;
+    open_.push_back(statement);
+  }
+
+  // Needs the assignments that give a variable its value before a statement.
+  void Search(int variable, size_t statement) {
+    if (!IsLocalNumber(program_, variable)) return;
+    const size_t v = static_cast<size_t>(variable);
+    ends_.assign(1, {block_of_[statement], statement});
+    while (!ends_.empty()) {
+      const auto [b, end] = ends_.back();
+      ends_.pop_back();
+      const Block& block = blocks_[static_cast<size_t>(b)];
+      const auto first = stores_.begin() + static_cast<std::ptrdiff_t>(first_store_[v]);
+      const auto last = stores_.begin() + static_cast<std::ptrdiff_t>(first_store_[v + 1]);
+      const auto after = std::lower_bound(first, last, end);
+      if (after != first && *(after - 1) >= block.begin) {
+        Need(*(after - 1));
+      } else if (BeginSearch(v, static_cast<size_t>(b))) {
+        for (const int before : block.before) {
+          ends_.emplace_back(before, blocks_[static_cast<size_t>(before)].end);
+        }
       }
     }
   }
 
-  void Solve() {
-    for (bool changed = true; changed;) {
-      changed = false;
-      for (size_t b = blocks_.size(); b-- > 0;) {
-        Block& block = blocks_[b];
-        for (size_t word = 0; word < block.in.size(); ++word) {
-          uint64_t out = 0;
-          for (const int next : block.next) {
-            if (next >= 0) out |= blocks_[static_cast<size_t>(next)].in[word];
-          }
-          block.out[word] = out;
-          const uint64_t in = block.used[word] | (out & ~block.written[word]);
-          changed |= in != block.in[word];
-          block.in[word] = in;
-        }
-      }
-    }
+  // False if the variable has been looked for before this block.
+  bool BeginSearch(size_t variable, size_t block) {
+    std::vector<uint64_t>& searched = searched_[variable];
+    searched.resize((blocks_.size() + 63) / 64);
+    const uint64_t bit = uint64_t{1} << (block % 64);
+    if ((searched[block / 64] & bit) != 0) return false;
+    searched[block / 64] |= bit;
+    return true;
   }
 
   const Program& program_;
   std::vector<Instruction>& code_;
+  std::vector<char> needed_;  // statements
   std::vector<Block> blocks_;
-  std::vector<int> crossing_;  // variables, by bit
-  std::vector<int> bit_of_;
+  std::vector<int> block_of_;        // by statement
+  std::vector<size_t> first_store_;  // among `stores_`, by variable
+  std::vector<size_t> stores_;       // statements that assign each local, in their order
+  std::vector<size_t> open_;         // needed statements whose operands are to be looked for
+  std::vector<std::pair<int, size_t>> ends_;     // blocks to be searched, and up to where
+  std::vector<std::vector<uint64_t>> searched_;  // blocks, by variable
 };
 
 // Arrays and structures that are only written.
@@ -190,10 +177,8 @@ bool RemoveUnreadAggregates(const Program& program, LoweredFunction& function) {
 }  // namespace
 
 bool RemoveDeadStores(const Program& program, LoweredFunction& function) {
-  bool removed = RemoveUnreadAggregates(program, function);
-  // What only removed statements read is dead then.
-  while (Liveness(program, function).RemoveDead()) removed = true;
-  return removed;
+  const bool removed = RemoveUnreadAggregates(program, function);
+  return NeededStores(program, function).RemoveOthers() || removed;
 }
 
 }  // namespace oncard::compiler::lowering
