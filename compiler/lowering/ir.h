@@ -117,6 +117,8 @@ struct Program {
   std::vector<int> globals;         ///< in the order of their declarations
   std::vector<LoweredFunction> functions;
   std::vector<SourceRange> statements;  ///< the full expressions of C, by Instruction::statement
+  /// Statements of all attempts to find out which calls should be jumps: the work of that.
+  int64_t tried_statements = 0;
 };
 
 /// Calls `visit(Operand&, bool written)` for every operand of an instruction, those that it reads

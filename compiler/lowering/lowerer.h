@@ -113,6 +113,8 @@ class Lowerer {
     bool shared = false;  // its calls are jumps
     int copies = 0;       // how often it is inlined
     size_t copied = 0;    // statements of the longest copy
+    size_t as_jumps = 0;  // what its bodies and their calls take
+    size_t as_copies = 0;
   };
   struct Symbol {
     enum class Kind : uint8_t { kVariable, kConstant, kFunction };
@@ -147,7 +149,7 @@ class Lowerer {
   };
   // The statements of a function that stand once for several calls.
   struct SharedBody {
-    const FunctionInfo* function = nullptr;
+    FunctionInfo* function = nullptr;
     Scope scope;  // its parameters
     int id = 0;   // from 1
     int begin = -1;
@@ -167,6 +169,7 @@ class Lowerer {
     bool stopped = false;
     int labels = 0;  // or the limit, if they are fewer
     int statements = 0;
+    size_t translated = 0;  // statements, before the passes
   };
   // A value that a global has before the first thread starts.
   struct InitialValue {
@@ -307,6 +310,7 @@ class Lowerer {
   SharedBody* FindBody(const FunctionInfo& info, const Scope& scope);
   Value LowerSharedCall(const Expression& call, FunctionInfo& info, Scope scope);
   void EmitWaysBack();
+  void CompareBodies();
 
   // --- commands.cc ---
   void LowerCommand(const Expression& call, const gtcalls::Command& command);

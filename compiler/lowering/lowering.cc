@@ -75,6 +75,7 @@ Lowering LowerText(const std::string& path, std::string text, const Options& opt
     lowering::Program program = lowering::Lowerer(options, source.files(), source.macro_uses(),
                                                   reporter, lowering_options.optimize)
                                     .Lower(source.tree());
+    result.tried_statements = program.tried_statements;
     if (!reporter.HasErrors()) {
       const auto taken = lowering::SharedNames(program);
       for (lowering::LoweredFunction& function : program.functions) {

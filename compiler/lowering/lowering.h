@@ -51,6 +51,9 @@ struct Lowering {
   std::vector<SourceRange> origins;
   std::vector<FunctionCost> costs;
   int global_slots = 0;
+  /// Statements that were translated and given to the passes to find out which calls should be
+  /// jumps. It grows with the program as the time for that does.
+  int64_t tried_statements = 0;
 };
 
 /// Lowers a program that is in memory under the name `path`; includes go through `reader`.

@@ -32,6 +32,13 @@ namespace {
 // A call by a jump takes at least two statements, and two more to come back.
 constexpr size_t kWorthSharing = 3;
 
+// What a call by a jump takes beside its arguments: two statements to come, two to come back.
+constexpr size_t kJumpCost = 4;
+
+// So many statements are translated to find out, by leaving out one function after the other, which
+// calls of a thread function become jumps. If it takes more, it is found by their sizes.
+constexpr size_t kTriedMax = 5'000;
+
 }  // namespace
 
 // The body for the arrays of a call, nullptr if there is none yet.
@@ -93,6 +100,7 @@ Value Lowerer::LowerSharedCall(const Expression& call, FunctionInfo& info, Scope
 
 // After each body the ways back to its calls. The first one goes on where the body ends.
 void Lowerer::EmitWaysBack() {
+  CompareBodies();
   std::vector<Instruction> code = std::exchange(out_->code, {});
   for (Instruction& instruction : code) {
     const int label = instruction.kind == Instruction::Kind::kLabel ? instruction.label : -1;
@@ -122,6 +130,8 @@ Lowerer::Size Lowerer::TrySize(FunctionInfo& info) {
   LoweredFunction function = LowerFunction(info);
   Size size;
   size.stopped = stopped_;
+  size.translated = function.code.size();
+  program_.tried_statements += static_cast<int64_t>(function.code.size());
   if (!stopped_) {
     RemoveUnusedLabels(function);
     Optimize(program_, function, options_.double_format);
@@ -166,13 +176,53 @@ void Lowerer::ChooseShared(FunctionInfo& info) {
   };
   mark(true);
   Size best = TrySize(info);
-  for (FunctionInfo* candidate : candidates) {
-    candidate->shared = false;
+  if (candidates.size() * best.translated <= kTriedMax) {
+    for (FunctionInfo* candidate : candidates) {
+      candidate->shared = false;
+      const Size size = TrySize(info);
+      candidate->shared = shorter(best, size);
+      if (!candidate->shared) best = size;
+    }
+  } else {
+    for (FunctionInfo* candidate : candidates) {
+      candidate->shared = candidate->as_jumps < candidate->as_copies;
+    }
     const Size size = TrySize(info);
-    candidate->shared = shorter(best, size);
-    if (!candidate->shared) best = size;
+    if (shorter(best, size)) {
+      mark(true);
+    } else {
+      best = size;
+    }
   }
   if (!shorter(best, inlined)) mark(false);
+}
+
+// Compares what the statements of the bodies take once, with the jumps, and once for each call.
+// Those of bodies within a body are not its own.
+void Lowerer::CompareBodies() {
+  std::unordered_map<int, SharedBody*> begins;
+  std::unordered_map<int, SharedBody*> ends;
+  for (SharedBody& body : bodies_) {
+    FunctionInfo& info = *body.function;
+    info.as_jumps = info.as_copies = 0;
+    begins.emplace(body.begin, &body);
+    ends.emplace(body.end, &body);
+  }
+  std::vector<std::pair<SharedBody*, size_t>> open;  // with their own statements
+  for (const Instruction& instruction : out_->code) {
+    if (instruction.kind != Instruction::Kind::kLabel) {
+      if (!open.empty()) ++open.back().second;
+      continue;
+    }
+    if (const auto begun = begins.find(instruction.label); begun != begins.end()) {
+      open.emplace_back(begun->second, 0);
+    }
+    if (!ends.contains(instruction.label)) continue;
+    const auto [body, own] = open.back();
+    open.pop_back();
+    body->function->as_jumps += own + kJumpCost * body->back.size();
+    body->function->as_copies += own * body->back.size();
+  }
 }
 
 void Lowerer::LowerThreadFunction(FunctionInfo& info) {

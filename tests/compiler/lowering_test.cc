@@ -102,6 +102,34 @@ TEST(Lowering, CountsWhatAFunctionTakes) {
   EXPECT_EQ(lowering.global_slots, 4);
 }
 
+// A thread function that calls each of some functions three times.
+std::string ManyCalls(int functions) {
+  std::string text = "int g, h;\n";
+  std::string calls;
+  for (int i = 0; i < functions; ++i) {
+    text += fmt::format(
+        "int f{0}(int a) {{ int b = a ^ g, c = b * {0};\n  if (b > c) h += a;\n"
+        "  g -= c; h ^= b; g += a * c; h -= b | a;\n  return g + c; }}\n",
+        i);
+    calls += fmt::format("  g = f{0}(h);\n  h = f{0}(g) + f{0}(1);\n", i);
+  }
+  return text + "void t0() {\n" + calls + "}\n";
+}
+
+// Of a long program not every choice of calls is tried, so the work grows as the program does.
+TEST(Lowering, TriesToShortenCallsInLinearTime) {
+  const auto tried = [](int functions) { return Lower(ManyCalls(functions)).tried_statements; };
+  const int64_t some = tried(50);
+  EXPECT_GT(some, 0);
+  EXPECT_LE(tried(100), some * 21 / 10);
+}
+
+TEST(Lowering, SharesTheBodiesOfManyFunctions) {
+  const Lowering lowering = Lower(ManyCalls(100));
+  ASSERT_TRUE(lowering.text.has_value());
+  EXPECT_EQ(lowering.costs[0].jumps.size(), 100u);
+}
+
 TEST(Lowering, LocalsThatOnlyFeedThemselvesAreLeftOut) {
   const Lowering lowering = Lower(
       "int v;\nvoid t0() {\n  int n = 0, m = 0;\n  while (v > 0) { v--; n = n + m; m = n + 1; "
