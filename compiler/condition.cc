@@ -22,11 +22,17 @@ Value OfInt(int64_t value) { return {static_cast<uint64_t>(value), false}; }
 
 std::optional<Value> OfLiteral(const Expression& expression) {
   const Literal& literal = expression.literal;
-  if (literal.kind != Literal::Kind::kInteger || literal.invalid) return std::nullopt;
-  if (literal.magnitude >= kHuge) return std::nullopt;
-  const bool character = expression.text.starts_with('\'');
-  const bool suffix = !character && expression.text.find_first_of("uU") != std::string_view::npos;
-  return Value{literal.negative ? 0 - literal.magnitude : literal.magnitude, suffix};
+  if (literal.kind != Literal::Kind::kInteger) return std::nullopt;
+  const std::optional<IntegerOfC> integer = ReadIntegerOfC(expression.text);
+  if (!integer) {  // a character, or the value of `defined`
+    if (literal.invalid) return std::nullopt;
+    return Value{literal.negative ? 0 - literal.magnitude : literal.magnitude, false};
+  }
+  if (!integer->bits) return std::nullopt;
+  const bool fits = *integer->bits <= static_cast<uint64_t>(INT64_MAX);
+  // As in C, only digits that stand for bits become unsigned by themselves.
+  if (!fits && integer->decimal && !integer->is_unsigned) return std::nullopt;
+  return Value{*integer->bits, integer->is_unsigned || !fits};
 }
 
 std::optional<Value> Divide(std::string_view op, Value a, Value b, bool is_unsigned) {
@@ -65,24 +71,26 @@ std::optional<Value> Apply(std::string_view op, Value a, Value b) {
   return std::nullopt;
 }
 
-std::optional<Value> Evaluate(const Expression& expression);
+std::optional<Value> Evaluate(const Expression& expression, bool live);
 
-std::optional<Value> EvaluateBinary(const Expression& expression) {
-  const std::optional<Value> left = Evaluate(*expression.operands[0]);
+std::optional<Value> EvaluateBinary(const Expression& expression, bool live) {
+  const std::optional<Value> left = Evaluate(*expression.operands[0], live);
   if (!left) return std::nullopt;
   const bool is_and = expression.op == "&&";
-  if (is_and || expression.op == "||") {
-    if ((left->bits != 0) != is_and) return OfInt(is_and ? 0 : 1);
-    const std::optional<Value> right = Evaluate(*expression.operands[1]);
-    if (!right) return std::nullopt;
-    return OfInt(right->bits != 0 ? 1 : 0);
-  }
-  const std::optional<Value> right = Evaluate(*expression.operands[1]);
-  return right ? Apply(expression.op, *left, *right) : std::nullopt;
+  const bool logical = is_and || expression.op == "||";
+  const bool known = logical && (left->bits != 0) != is_and;
+  const std::optional<Value> right = Evaluate(*expression.operands[1], live && !known);
+  if (!right) return std::nullopt;
+  if (known) return OfInt(is_and ? 0 : 1);
+  if (logical) return OfInt(right->bits != 0 ? 1 : 0);
+  const std::optional<Value> value = Apply(expression.op, *left, *right);
+  // What is not evaluated has a type all the same; it may divide by zero.
+  if (!value && !live) return Value{0, left->is_unsigned || right->is_unsigned};
+  return value;
 }
 
-std::optional<Value> EvaluateUnary(const Expression& expression) {
-  const std::optional<Value> value = Evaluate(*expression.operands[0]);
+std::optional<Value> EvaluateUnary(const Expression& expression, bool live) {
+  const std::optional<Value> value = Evaluate(*expression.operands[0], live);
   if (!value) return std::nullopt;
   if (expression.op == "-") return Value{0 - value->bits, value->is_unsigned};
   if (expression.op == "+") return value;
@@ -91,23 +99,33 @@ std::optional<Value> EvaluateUnary(const Expression& expression) {
   return std::nullopt;
 }
 
-std::optional<Value> Evaluate(const Expression& expression) {
+// Both branches have one type: unsigned, if one of them is.
+std::optional<Value> EvaluateConditional(const Expression& expression, bool live) {
+  const std::optional<Value> condition = Evaluate(*expression.operands[0], live);
+  if (!condition) return std::nullopt;
+  const bool holds = condition->bits != 0;
+  const std::optional<Value> yes = Evaluate(*expression.operands[1], live && holds);
+  const std::optional<Value> no = Evaluate(*expression.operands[2], live && !holds);
+  if (!yes || !no) return std::nullopt;
+  return Value{holds ? yes->bits : no->bits, yes->is_unsigned || no->is_unsigned};
+}
+
+// The value of an expression; if it is not `live`, C does not evaluate it, and only its type
+// counts.
+std::optional<Value> Evaluate(const Expression& expression, bool live) {
   switch (expression.kind) {
     case EKind::kLiteral:
       return OfLiteral(expression);
     case EKind::kName:
       return OfInt(expression.text == "true" ? 1 : 0);
     case EKind::kParen:
-      return Evaluate(*expression.operands[0]);
+      return Evaluate(*expression.operands[0], live);
     case EKind::kUnary:
-      return EvaluateUnary(expression);
+      return EvaluateUnary(expression, live);
     case EKind::kBinary:
-      return EvaluateBinary(expression);
-    case EKind::kConditional: {
-      const std::optional<Value> condition = Evaluate(*expression.operands[0]);
-      if (!condition) return std::nullopt;
-      return Evaluate(*expression.operands[condition->bits != 0 ? 1 : 2]);
-    }
+      return EvaluateBinary(expression, live);
+    case EKind::kConditional:
+      return EvaluateConditional(expression, live);
     default:
       return std::nullopt;
   }
@@ -118,7 +136,7 @@ std::optional<Value> Evaluate(const Expression& expression) {
 std::optional<bool> EvaluateCondition(std::span<const Token> condition) {
   const TokenExpression expression(condition, Dialect::kStructured);
   if (expression.get() == nullptr) return std::nullopt;
-  const std::optional<Value> value = Evaluate(*expression.get());
+  const std::optional<Value> value = Evaluate(*expression.get(), true);
   if (!value) return std::nullopt;
   return value->bits != 0;
 }

@@ -157,18 +157,8 @@ void Lexer::AddIntegerOfC(const char* begin, const char* end) {
     Add(Kind::kInteger, begin, end, *literal);
     return;
   }
-  const size_t suffix = std::min(text.find_last_not_of("lLuU") + 1, text.size());
-  const bool is_long_long = text.find("ll", suffix) != std::string_view::npos ||
-                            text.find("LL", suffix) != std::string_view::npos;
   const bool decimal = text.find_first_not_of("0123456789") == std::string_view::npos;
-  if (is_long_long && ParseIntegerOfC(text.substr(0, suffix))) {
-    reporter_.Report(Code::kLongLong, Range(begin, end), text);
-    Literal literal;
-    literal.invalid = true;
-    Add(Kind::kInteger, begin, end, literal);
-  } else {
-    AddBadNumber(decimal ? Code::kOctal : Code::kMalformedLiteral, begin, end);
-  }
+  AddBadNumber(decimal ? Code::kOctal : Code::kMalformedLiteral, begin, end);
 }
 
 void Lexer::AddOctal(const char* begin, const char* end) {

@@ -18,42 +18,58 @@ int DigitOf(char c) {
   return (c | 0x20) - 'a' + 10;
 }
 
-// Adds digits to a literal; false if one of them is none of the base.
-bool AddDigits(std::string_view digits, uint64_t base, Literal& literal) {
+// Reads digits into 64 bits; `bits` is empty if they do not fit. False if one is none of the base.
+bool ReadDigits(std::string_view digits, uint64_t base, std::optional<uint64_t>* bits) {
+  *bits = 0;
   for (const char c : digits) {
     if (std::isxdigit(static_cast<unsigned char>(c)) == 0) return false;
     const uint64_t digit = static_cast<uint64_t>(DigitOf(c));
     if (digit >= base) return false;
-    literal.magnitude = std::min(kHuge, literal.magnitude * base + digit);
+    if (!bits->has_value()) continue;
+    if (**bits > (UINT64_MAX - digit) / base) {
+      bits->reset();
+    } else {
+      *bits = **bits * base + digit;
+    }
   }
   return true;
 }
 
-// Removes a suffix `u`, `l`, `ul` or `lu`. Returns whether it has a `u`, or nothing if it is none
-// of these.
-std::optional<bool> TakeSuffix(std::string_view& text) {
+struct Suffix {
+  bool is_unsigned = false;
+  bool is_long_long = false;
+};
+
+// Removes a suffix of C: `u`, `l`, `ll`, or `u` with one of the others. Empty if it is none.
+std::optional<Suffix> TakeSuffix(std::string_view& text) {
   const auto take = [&text](char wanted) {
     if (text.empty() || (text.back() | 0x20) != wanted) return false;
     text.remove_suffix(1);
     return true;
   };
-  const bool first = take('u');
+  Suffix suffix;
+  const bool last = take('u');
+  const char l = text.empty() ? '\0' : text.back();
   const bool is_long = take('l');
-  const bool second = take('u');
-  if (first && second) return std::nullopt;
-  if (!is_long && second) return std::nullopt;
-  return first || second;
+  if (is_long && !text.empty() && text.back() == l) {
+    suffix.is_long_long = true;
+    text.remove_suffix(1);
+  }
+  const bool first = take('u');
+  if (first && (last || !is_long)) return std::nullopt;
+  suffix.is_unsigned = first || last;
+  return suffix;
 }
 
 // The value of the digits after a backslash: `x1F` or up to three octal ones.
 std::optional<int> EscapeValue(std::string_view digits) {
-  Literal literal;
   const bool hexadecimal = !digits.empty() && digits[0] == 'x';
   if (hexadecimal) digits.remove_prefix(1);
   if (digits.empty() || (!hexadecimal && digits.size() > 3)) return std::nullopt;
-  if (!AddDigits(digits, hexadecimal ? 16 : 8, literal)) return std::nullopt;
-  if (literal.magnitude > UINT8_MAX) return std::nullopt;
-  return static_cast<int8_t>(static_cast<uint8_t>(literal.magnitude));
+  std::optional<uint64_t> bits;
+  if (!ReadDigits(digits, hexadecimal ? 16 : 8, &bits)) return std::nullopt;
+  if (!bits || *bits > UINT8_MAX) return std::nullopt;
+  return static_cast<int8_t>(static_cast<uint8_t>(*bits));
 }
 
 // Doubles the decimal fraction 0.DDD in place and returns the digit carried before the point.
@@ -94,19 +110,31 @@ Literal ParseInteger(std::string_view digits) {
   return literal;
 }
 
-std::optional<Literal> ParseIntegerOfC(std::string_view text) {
+std::optional<IntegerOfC> ReadIntegerOfC(std::string_view text) {
   const bool octal = text.size() > 1 && text[0] == '0';
   const char mark = octal ? static_cast<char>(text[1] | 0x20) : '\0';
-  const std::optional<bool> suffix = TakeSuffix(text);
+  const std::optional<Suffix> suffix = TakeSuffix(text);
   if (!suffix) return std::nullopt;
   uint64_t base = octal ? 8 : 10;
   if (mark == 'x') base = 16;
   if (mark == 'b') base = 2;
   if (mark == 'x' || mark == 'b') text.remove_prefix(std::min<size_t>(2, text.size()));
+  IntegerOfC integer;
+  if (text.empty() || !ReadDigits(text, base, &integer.bits)) return std::nullopt;
+  integer.decimal = base == 10;
+  integer.is_unsigned = suffix->is_unsigned;
+  integer.is_long_long = suffix->is_long_long;
+  return integer;
+}
+
+std::optional<Literal> ParseIntegerOfC(std::string_view text) {
+  const std::optional<IntegerOfC> integer = ReadIntegerOfC(text);
+  if (!integer) return std::nullopt;
   Literal literal;
-  literal.as_bits = base != 10;
-  if (text.empty() || !AddDigits(text, base, literal)) return std::nullopt;
-  literal.is_unsigned = *suffix || (literal.as_bits && literal.magnitude > INT32_MAX);
+  literal.as_bits = !integer->decimal;
+  literal.magnitude = std::min(kHuge, integer->bits.value_or(kHuge));
+  literal.is_unsigned = integer->is_unsigned || (literal.as_bits && literal.magnitude > INT32_MAX);
+  literal.invalid = integer->is_long_long;
   return literal;
 }
 

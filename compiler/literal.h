@@ -39,8 +39,18 @@ Literal ParseInteger(std::string_view digits);
 /// digits without the zeros where C has no such number (`08`), or one that takes more than 32 bits.
 std::string WithoutLeadingZero(std::string_view text);
 
-/// Reads an integer of structured C with its suffix: `12`, `0x1F`, `0b101`, octal `017`, `12UL`.
-/// Empty for anything else.
+/// An integer as C's preprocessor sees it.
+struct IntegerOfC {
+  std::optional<uint64_t> bits;  ///< empty if it has more than 64
+  bool decimal = false;
+  bool is_unsigned = false;   ///< its suffix has a `u`
+  bool is_long_long = false;  ///< its suffix has `ll`
+};
+/// Reads `12`, `0x1F`, `0b101`, octal `017`, with a suffix of C: `12UL`, `12LL`. Empty for anything
+/// else.
+std::optional<IntegerOfC> ReadIntegerOfC(std::string_view text);
+/// The same text as a number of structured C. One of long long, which it does not have, is invalid:
+/// the preprocessor reports it where it is used.
 std::optional<Literal> ParseIntegerOfC(std::string_view text);
 /// Reads `12.5`, `.5`, `3.`, `1e-3`. Rounds half away from zero. The text must be well formed.
 Literal ParseFixed(std::string_view text);

@@ -93,8 +93,15 @@ void Preprocessor::AddText(std::span<const Token> text) {
   for (const Token& token : expanded) Emit(token);
 }
 
-// What the parser gets: only now a word is known not to be a macro.
+// What the parser gets: only now a word is known not to be a macro, and a number not to be one of
+// the 64 bits that conditions have.
 void Preprocessor::Emit(Token token) {
+  if (token.kind == Kind::kInteger && token.literal.invalid) {
+    const std::optional<IntegerOfC> integer = ReadIntegerOfC(token.text);
+    if (integer && integer->is_long_long) {
+      reporter_.Report(Code::kLongLong, token.range, token.text);
+    }
+  }
   if (token.kind == Kind::kName) {
     if (token.text == "true" || token.text == "false") {
       token = NumberToken(token, token.text == "true");

@@ -118,11 +118,40 @@ INSTANTIATE_TEST_SUITE_P(
                     IntegerCase{"0x7FFFFFFF", 2147483647, true},
                     IntegerCase{"0x80000000", 2147483648, true, true},
                     IntegerCase{"0xAu", 10, true, true}, IntegerCase{"2147483648", 2147483648},
-                    IntegerCase{"99999999999999999999999", kHuge}));
+                    IntegerCase{"99999999999999999999999", kHuge},
+                    IntegerCase{"0x40000000000000001", kHuge, true, true},
+                    IntegerCase{"0xFFFFFFFFFFFFFFFF", kHuge, true, true}));
+
+TEST(IntegerOfC, OfLongLongIsInvalid) {
+  for (const char* text : {"1ll", "1ull", "1LLU", "0x1uLL"}) {
+    const std::optional<Literal> literal = ParseIntegerOfC(text);
+    ASSERT_TRUE(literal.has_value()) << text;
+    EXPECT_TRUE(literal->invalid) << text;
+  }
+  EXPECT_FALSE(ParseIntegerOfC("1ul")->invalid);
+}
+
+struct BitsCase {
+  const char* text;
+  std::optional<uint64_t> bits;
+};
+
+TEST(IntegerOfC, HasAllBitsOfThePreprocessor) {
+  for (const BitsCase& row : {BitsCase{"0xFFFFFFFFFFFFFFFF", 18446744073709551615u},
+                              BitsCase{"18446744073709551615u", 18446744073709551615u},
+                              BitsCase{"9223372036854775807LL", 9223372036854775807u},
+                              BitsCase{"18446744073709551616", std::nullopt},
+                              BitsCase{"0x10000000000000000", std::nullopt},
+                              BitsCase{"0x40000000000000001", std::nullopt}}) {
+    const std::optional<IntegerOfC> integer = ReadIntegerOfC(row.text);
+    ASSERT_TRUE(integer.has_value()) << row.text;
+    EXPECT_EQ(integer->bits, row.bits) << row.text;
+  }
+}
 
 TEST(IntegerOfC, RefusesOtherTexts) {
-  for (const char* text : {"", "u", "09", "0b2", "0b", "0x", "0xG", "1ll", "1uu", "1lul", "1ull",
-                           "1f", "1.0", "12a", "-1", "1'000"}) {
+  for (const char* text : {"", "u", "09", "0b2", "0b", "0x", "0xG", "1lL", "1uu", "1lul", "1lll",
+                           "1f", "1.0", "12a", "-1", "1ulu", "1llul", "1'000"}) {
     EXPECT_FALSE(ParseIntegerOfC(text).has_value()) << text;
   }
 }

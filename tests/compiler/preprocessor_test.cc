@@ -146,6 +146,10 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"#if 1\n#else\n#else\n#endif\n", "MP214:3"},
         Case{"#if 1\n#else\n#elif 1\n#endif\n", "MP214:3"}, Case{"#if\n#endif", "MP215:1"},
         Case{"#if 1 +\n#endif", "MP215:1"}, Case{"#if 1.5\n#endif", "MP215:1"},
+        Case{"#if 9223372036854775808\n#endif", "MP215:1"},
+        Case{"#if 0x10000000000000000\n#endif", "MP215:1"},
+        Case{"#if 1lL\n#endif", "MP003:1 MP215:1"}, Case{"#if 1 ? 2 : 1.5\n#endif", "MP215:1"},
+        Case{"#define N 1LL\n#if N\na\n#endif", "a"}, Case{"#define N 1LL\nN", "MP200:2"},
         Case{"#if 1 / 0\n#endif", "MP215:1"}, Case{"#if defined\n#endif", "MP215:1"},
         Case{"#if defined(N\n#endif", "MP215:1"}, Case{"#if a = 1\n#endif", "MP215:1"},
         Case{"#ifdef\n#endif", "MP128:1"}, Case{"#ifdef 1\n#else\na\n#endif", "MP128:1"}));
@@ -175,11 +179,29 @@ TEST(Condition, IsComputedAsInC) {
                            "2 * 3 >= 6",
                            "2 <= 2",
                            "1 != 2",
-                           "4611686018427387903 + 1 > 0"}) {
+                           "4611686018427387903 + 1 > 0",
+                           "(1 ? -1 : 0u) > 0",
+                           "(0 ? 1 / 0u : -1) > 0",
+                           "(1 ? -1 : 0 && 0u) < 0",
+                           "(1 ? -1 : 1u << 1) > 0",
+                           "(1 ? -1 : !0u) < 0",
+                           "1 ? 1 : 1 / 0",
+                           "0 || (1 ? 2 : 3 % 0)",
+                           "9223372036854775807 > 1",
+                           "-9223372036854775807 - 1 < 0",
+                           "0xFFFFFFFFFFFFFFFF == -1",
+                           "0xFFFFFFFFFFFFFFFF > 0x7FFFFFFFFFFFFFFF",
+                           "0x8000000000000000 > 0",
+                           "0x7FFFFFFFFFFFFFFF + 0 > -1",
+                           "18446744073709551615u == ~0u",
+                           "01777777777777777777777 == -1",
+                           "-1 < 1LL",
+                           "-1 > 0ull && 1LLU",
+                           "12l == 12 && 12lu == 12"}) {
     EXPECT_EQ(Words(std::string("#if ") + text + "\nyes\n#endif"), "yes") << text;
   }
-  for (const char* text :
-       {"0", "1 == 2", "2 < 1", "0 || 0", "1 && 0", "false", "!1", "0 ? 1 : 0"}) {
+  for (const char* text : {"0", "1 == 2", "2 < 1", "0 || 0", "1 && 0", "false", "!1", "0 ? 1 : 0",
+                           "(1 ? -1 : 0u) < 0", "-1 > 9223372036854775807"}) {
     EXPECT_EQ(Words(std::string("#if ") + text + "\nyes\n#endif"), "") << text;
   }
 }
