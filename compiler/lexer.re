@@ -1,6 +1,6 @@
 // The scanner. Bytes above 0x7F are only allowed in comments and file names, where GBK and UTF-8
 // need not be distinguished: the second byte of a GBK character is never a quote, a star, a slash
-// or a line end.
+// or a line end. It can be a backslash, which structured C would see.
 #include "compiler/lexer.h"
 
 #include <fmt/core.h>
@@ -83,7 +83,6 @@ class Lexer {
   void AddString(const char* begin, const char* end);
   const char* EndOfString(const char* begin, const char* end, const char* limit) const;
   const char* SkipComment(const char* begin, const char* limit);
-  const char* EndOfLineComment(const char* end, const char* limit) const;
   const char* Continuation(const char* begin, const char* end, const char* limit);
   const char* Operator(const char* begin, const char* limit);
   const char* IllegalCharacters(const char* begin, const char* limit);
@@ -227,12 +226,13 @@ void Lexer::AddString(const char* begin, const char* end) {
 }
 
 // The end of a string that the rules have read up to a quote: in structured C a quote after a
-// backslash does not end it.
+// backslash does not end it, but one after a GBK character whose second byte is 0x5C does.
 const char* Lexer::EndOfString(const char* begin, const char* end, const char* limit) const {
   if (!structured_) return end;
-  for (end = begin + 1; end < limit && *end != '\n'; ++end) {
+  for (end = begin + 1; end < limit && *end != '\n';) {
     if (*end == '"') return end + 1;
-    if (*end == '\\' && end + 1 < limit && end[1] != '\n') ++end;
+    const bool escape = *end == '\\' && end + 1 < limit && end[1] != '\n';
+    end += escape ? 2 : CharacterLength({end, static_cast<size_t>(limit - end)}, utf8_);
   }
   return end;
 }
@@ -267,19 +267,6 @@ const char* Lexer::SkipComment(const char* begin, const char* limit) {
   const bool lines = rest.substr(0, close).find('\n') != std::string_view::npos;
   if (lines && !structured_) new_line_ = true;
   return begin + close + 2;
-}
-
-// In structured C a `\` at the end of the line continues a comment.
-const char* Lexer::EndOfLineComment(const char* end, const char* limit) const {
-  const auto continues = [this](const char* at) {
-    while (at > text_.data() && (at[-1] == '\r' || at[-1] == ' ' || at[-1] == '\t')) --at;
-    return at > text_.data() && at[-1] == '\\';
-  };
-  while (structured_ && end < limit && continues(end)) {
-    ++end;
-    while (end < limit && *end != '\n') ++end;
-  }
-  return end;
 }
 
 // A `\` at the end of a line, which continues it in structured C. C would also join two halves of a
@@ -378,7 +365,11 @@ void Lexer::Scan(const char* cursor, const char* limit) {
       $                       { return; }
       [ \t\r\f\v]+            { continue; }
       "\n"                    { new_line_ = true; continue; }
-      "//" [^\n]*             { cursor = EndOfLineComment(cursor, limit); continue; }
+      "//" {
+        const size_t comment = static_cast<size_t>(begin - text_.data());
+        cursor = text_.data() + EndOfLineComment(text_, comment, structured_, utf8_);
+        continue;
+      }
       "\\" [ \t\r]* "\n"       { cursor = Continuation(begin, cursor, limit); continue; }
       "/*"                    { cursor = SkipComment(begin, limit); continue; }
 

@@ -52,4 +52,18 @@ size_t CharacterLength(std::string_view text, bool utf8) {
   return pair ? 2 : 1;
 }
 
+size_t EndOfLineComment(std::string_view text, size_t begin, bool continued, bool utf8) {
+  if (!continued) return std::min(text.find('\n', begin), text.size());
+  bool backslash = false;  // the last character that is no blank
+  for (size_t at = begin; at < text.size();) {
+    const char c = text[at];
+    if (c == '\n' && !backslash) return at;
+    const size_t length = CharacterLength(text.substr(at), utf8);
+    const bool blank = c == ' ' || c == '\t' || c == '\r';
+    if (!blank) backslash = length == 1 && c == '\\';
+    at += length;
+  }
+  return text.size();
+}
+
 }  // namespace oncard::compiler

@@ -20,20 +20,17 @@ using Kind = compiler::Parser::token;
 // Deeper files are not read; the compiler refuses them.
 constexpr int kIncludeDepthMax = 32;
 
-// Where a `//` comment ends: in structured C a `\` at the end of the line continues it.
-size_t EndOfLineComment(std::string_view text, size_t begin, bool structured) {
-  for (size_t end = begin;; ++end) {
-    end = std::min(text.find('\n', end), text.size());
-    if (end == text.size() || !structured) return end;
-    size_t last = end;
-    while (last > begin && (text[last - 1] == '\r' || text[last - 1] == ' ')) --last;
-    if (last == begin || text[last - 1] != '\\') return end;
-  }
-}
+// What decides where comments end.
+struct CommentedText {
+  std::string_view text;
+  bool structured = false;
+  bool utf8 = false;
+};
 
 // The comments between two tokens: nothing else but blanks and `\` stands there.
-void AddComments(std::string_view text, size_t begin, size_t end, int file, bool structured,
+void AddComments(const CommentedText& source, size_t begin, size_t end, int file,
                  std::vector<SourceRange>* comments) {
+  const std::string_view text = source.text;
   for (size_t at = begin; at < end;) {
     if (text[at] != '/') {
       ++at;
@@ -44,7 +41,7 @@ void AddComments(std::string_view text, size_t begin, size_t end, int file, bool
       const size_t found = text.find("*/", at + 2);
       if (found != std::string_view::npos) close = found + 2;
     } else {
-      close = EndOfLineComment(text, at, structured);
+      close = compiler::EndOfLineComment(text, at, source.structured, source.utf8);
       if (close > at && text[close - 1] == '\r') --close;
     }
     close = std::max(std::min(close, end), at + 1);
@@ -76,12 +73,13 @@ void ProgramText::Add(compiler::SourceFile source, const compiler::Options& opti
   token_count_ += file.tokens.size();
 
   const std::string_view text = file.file.text();
+  const CommentedText source_text = {text, structured(), compiler::IsUtf8(text)};
   uint32_t before = 0;
   for (const Token& token : file.tokens) {
-    AddComments(text, before, token.range.begin, index, structured(), &file.comments);
+    AddComments(source_text, before, token.range.begin, index, &file.comments);
     before = std::max(before, token.range.end);
   }
-  AddComments(text, before, text.size(), index, structured(), &file.comments);
+  AddComments(source_text, before, text.size(), index, &file.comments);
 
   const std::span<const Token> tokens = file.tokens;
   for (size_t i = 0; i < tokens.size();) {

@@ -206,6 +206,22 @@ TEST(Condition, IsComputedAsInC) {
   }
 }
 
+// 0xD4 0x5C is one character of GBK, whose second byte is that of a backslash. The Latin small
+// letter o with a stroke is valid UTF-8: there the byte is a backslash.
+TEST(Lines, ContinueAfterABackslashButNotAfterHalfACharacter) {
+  EXPECT_EQ(Words("a // \\\nb\nc"), "a c");
+  EXPECT_EQ(Words("a // \\ \t\r\nb \\\nc\nd"), "a d");
+  EXPECT_EQ(Words("a // \xD4\\\nb\nc"), "a b c");
+  EXPECT_EQ(Words("a // \xD4\\ \r\nb"), "a b");
+  EXPECT_EQ(Words("a // \xD4\\\\\nb\nc"), "a c");
+  EXPECT_EQ(Words("a // \xC3\xB8\\\nb\nc"), "a c");
+  EXPECT_EQ(Words("a // \\"), "a");
+}
+
+TEST(Include, NameMayEndInAGbkCharacterWithTheByteOfABackslash) {
+  EXPECT_EQ(Words("#include \"\xD4\\\"\nb", {{"\xD4\\", "a\n"}}), "a b");
+}
+
 TEST(Include, FilesMayIncludeOthersAndGuardThemselves) {
   const MemoryFiles files = {
       {"a.h", "#ifndef A_H\n#define A_H\n#include \"folder/b.h\"\na\n#endif\n"},

@@ -99,6 +99,13 @@ TEST(Tokens, HaveCommentsOfSeveralLines) {
                                       "end_line": 2, "end_column": 8})"));
 }
 
+// The second byte of the last character is that of a backslash, in GBK (0xD45C).
+TEST(Tokens, HaveCommentsThatEndInGbk) {
+  EXPECT_EQ(WordsOf("// \xD4\\\nint x;\n", kStructured), "// \xD4\\:comment int:type x:global!");
+  EXPECT_EQ(WordsOf("// a\\\nint x;\nint y;", kStructured),
+            "// a\\\nint x;:comment int:type y:global!");
+}
+
 // --- Folds ---------------------------------------------------------------------------------------
 
 std::string FoldsOf(std::string_view text) {
