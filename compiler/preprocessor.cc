@@ -9,7 +9,6 @@
 #include "compiler/include_files.h"
 #include "compiler/lexer.h"
 #include "compiler/parser.hh"
-#include "vm/limits.h"
 
 namespace oncard::compiler {
 namespace {
@@ -102,13 +101,8 @@ void Preprocessor::Emit(Token token) {
       reporter_.Report(Code::kLongLong, token.range, token.text);
     }
   }
-  if (token.kind == Kind::kName) {
-    if (token.text == "true" || token.text == "false") {
-      token = NumberToken(token, token.text == "true");
-    } else if (token.text.size() > vm::kNameLengthMax && long_names_.insert(token.text).second) {
-      reporter_.Report(Code::kNameTooLong, token.range, token.text,
-                       static_cast<int64_t>(token.text.size()), int64_t{vm::kNameLengthMax});
-    }
+  if (token.kind == Kind::kName && (token.text == "true" || token.text == "false")) {
+    token = NumberToken(token, token.text == "true");
   }
   tokens_.push_back(token);
 }

@@ -76,7 +76,6 @@ class Preprocessor {
   SourceRange program_include_;       // the #include of the program that is being obeyed
   std::vector<SourceRange> skipped_;  // text that is not read
   std::set<std::string> once_;        // files with #pragma once
-  std::unordered_set<std::string_view> long_names_;
 };
 
 }  // namespace oncard::compiler

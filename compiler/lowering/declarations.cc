@@ -251,6 +251,13 @@ void Lowerer::SetDimensions(const Declarator& declarator, Symbol& symbol) {
   symbol.dimensions[0] = (static_cast<int64_t>(elements->size()) + width - 1) / width;
 }
 
+// Globals and thread functions keep their names. All others are abbreviated in the output.
+void Lowerer::CheckNameLength(std::string_view name, SourceRange range) {
+  if (name.size() <= vm::kNameLengthMax) return;
+  Report(Code::kNameTooLong, range, name, static_cast<int64_t>(name.size()),
+         int64_t{vm::kNameLengthMax});
+}
+
 void Lowerer::DeclareGlobal(const Declarator& declarator, const Type& type) {
   Symbol symbol;
   symbol.type = type;
@@ -263,10 +270,7 @@ void Lowerer::DeclareGlobal(const Declarator& declarator, const Type& type) {
     return;
   }
   SetDimensions(declarator, symbol);
-  if (declarator.name.size() > vm::kNameLengthMax) {
-    Report(Code::kNameTooLong, declarator.name_range, declarator.name,
-           static_cast<int64_t>(declarator.name.size()), int64_t{vm::kNameLengthMax});
-  }
+  CheckNameLength(declarator.name, declarator.name_range);
   global_names_.Reserve(declarator.name);
   symbol.offset = IntOperand(0);
   if (!symbol.invalid) {

@@ -192,6 +192,7 @@ class Lowerer {
   bool HasWord(const Specifiers& specifiers, std::string_view word) const;
   void LowerDeclaration(const Statement& statement);
   void DefineEnumeration(const Enumeration& enumeration);
+  void CheckNameLength(std::string_view name, SourceRange range);
   void DeclareGlobal(const Declarator& declarator, const Type& type);
   void DeclareLocal(const Declarator& declarator, const Type& type, bool is_static);
   bool DeclareConstant(const Declarator& declarator, const Type& type);

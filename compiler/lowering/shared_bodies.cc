@@ -226,6 +226,7 @@ void Lowerer::CompareBodies() {
 }
 
 void Lowerer::LowerThreadFunction(FunctionInfo& info) {
+  CheckNameLength(info.syntax->name, info.syntax->name_range);
   ChooseShared(info);
   program_.functions.push_back(LowerFunction(info));
   if (stopped_) Report(Code::kLoweredTooLong, info.syntax->name_range, info.syntax->name);
