@@ -44,7 +44,7 @@ class ParserDriver {
 
   // --- Building blocks of the tree that need the reporter -------------------------------------
 
-  /// Replaces a tree that is too deep by an error node.
+  /// Replaces a tree that is too deep or too high by an error node.
   ExpressionPtr LimitDepth(ExpressionPtr expression);
   StatementPtr LimitDepth(StatementPtr statement);
 
@@ -82,6 +82,7 @@ class ParserDriver {
                         SourceRange range);
 
  private:
+  bool Fits(const Levels& levels, SourceRange range);
   int KindOf(const Token& token);
   bool BeginsValues() const;
   bool AfterEnumName() const;

@@ -23,8 +23,18 @@ struct Token {
   bool on_new_line = false;
 };
 
-/// Trees are processed recursively; deeper ones are rejected with MP130.
+/// What is nested deeper is rejected with MP130.
 inline constexpr int kDepthMax = 200;
+/// Operators in a row, as in a sum, and branches in a row, as in `else if`, are not nested, but
+/// each is one level of the tree. Trees are processed recursively; higher ones are rejected with
+/// MP138.
+inline constexpr int kHeightMax = 1000;
+
+/// How deep a tree is nested, and how many levels it has above its leaves.
+struct Levels {
+  int depth = 1;
+  int height = 0;
+};
 
 struct Expression;
 using ExpressionPtr = std::unique_ptr<Expression>;
@@ -60,7 +70,7 @@ struct Expression {
   Literal literal;
   TypeNamePtr type;
   std::vector<ExpressionPtr> operands;
-  int depth = 1;
+  Levels levels;
 };
 
 /// A constant of an enum.
@@ -167,7 +177,7 @@ struct Statement {
   std::vector<Declarator> declarators;
   std::unique_ptr<Function> function;
   int macro = -1;
-  int depth = 1;
+  Levels levels;
 };
 
 /// A #define.

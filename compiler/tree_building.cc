@@ -6,17 +6,49 @@
 namespace oncard::compiler {
 namespace {
 
-int DepthOf(const ExpressionPtr& expression) { return expression ? expression->depth : 0; }
-int DepthOf(const StatementPtr& statement) { return statement ? statement->depth : 0; }
-
-int DepthOf(const TypeName& type) {
-  int depth = 0;
-  for (const ExpressionPtr& size : type.sizes) depth = std::max(depth, DepthOf(size));
-  if (type.specifiers.enumeration == nullptr) return depth;
-  for (const Enumerator& constant : type.specifiers.enumeration->enumerators) {
-    depth = std::max(depth, DepthOf(constant.value));
+// The levels of a node, below which are these.
+class LevelsAbove {
+ public:
+  template <typename Node>
+  void Nest(const std::unique_ptr<Node>& below) {
+    Add(below, 1);
   }
-  return depth;
+  /// For the next one in a row, as in a sum.
+  template <typename Node>
+  void Continue(const std::unique_ptr<Node>& below) {
+    Add(below, 0);
+  }
+  void Nest(const TypeName& type) {
+    for (const ExpressionPtr& size : type.sizes) Nest(size);
+    if (type.specifiers.enumeration == nullptr) return;
+    for (const Enumerator& constant : type.specifiers.enumeration->enumerators) {
+      Nest(constant.value);
+    }
+  }
+  Levels levels() const { return levels_; }
+
+ private:
+  template <typename Node>
+  void Add(const std::unique_ptr<Node>& below, int deeper) {
+    if (below == nullptr) return;
+    levels_.depth = std::max(levels_.depth, below->levels.depth + deeper);
+    levels_.height = std::max(levels_.height, below->levels.height + 1);
+  }
+
+  Levels levels_;
+};
+
+// The operand in which a row of operators goes on.
+bool ContinuesRow(Expression::Kind kind, size_t operand) {
+  switch (kind) {
+    case Expression::Kind::kBinary:
+    case Expression::Kind::kComma:
+      return operand == 0;
+    case Expression::Kind::kConditional:
+      return operand == 2;
+    default:
+      return false;
+  }
 }
 
 template <typename... Operands>
@@ -37,36 +69,48 @@ ExpressionPtr MakeOperation(Expression::Kind kind, const Token* op, SourceRange 
 
 }  // namespace
 
-ExpressionPtr ParserDriver::LimitDepth(ExpressionPtr expression) {
-  int depth = 0;
-  for (const ExpressionPtr& operand : expression->operands) {
-    depth = std::max(depth, DepthOf(operand));
-  }
-  if (expression->type != nullptr) depth = std::max(depth, DepthOf(*expression->type));
-  expression->depth = depth + 1;
-  if (expression->depth <= kDepthMax) return expression;
+// Reports a tree that is too deep or too high, once in each statement.
+bool ParserDriver::Fits(const Levels& levels, SourceRange range) {
+  const bool deep = levels.depth > kDepthMax;
+  if (!deep && levels.height <= kHeightMax) return true;
   if (!too_deep_reported_) {
-    reporter_.Report(Code::kTooDeep, expression->range, int64_t{kDepthMax});
+    reporter_.Report(deep ? Code::kTooDeep : Code::kTooLong, range,
+                     int64_t{deep ? kDepthMax : kHeightMax});
     too_deep_reported_ = true;
   }
+  return false;
+}
+
+ExpressionPtr ParserDriver::LimitDepth(ExpressionPtr expression) {
+  LevelsAbove above;
+  for (size_t i = 0; i < expression->operands.size(); ++i) {
+    if (ContinuesRow(expression->kind, i)) {
+      above.Continue(expression->operands[i]);
+    } else {
+      above.Nest(expression->operands[i]);
+    }
+  }
+  if (expression->type != nullptr) above.Nest(*expression->type);
+  expression->levels = above.levels();
+  if (Fits(expression->levels, expression->range)) return expression;
   return MakeExpression(Expression::Kind::kError, expression->range);
 }
 
 StatementPtr ParserDriver::LimitDepth(StatementPtr statement) {
-  int depth = std::max(
-      {DepthOf(statement->initial), DepthOf(statement->body), DepthOf(statement->else_body)});
-  for (const StatementPtr& item : statement->items) depth = std::max(depth, DepthOf(item));
+  LevelsAbove above;
+  above.Nest(statement->initial);
+  above.Nest(statement->body);
+  if (statement->else_body != nullptr && statement->else_body->kind == Statement::Kind::kIf) {
+    above.Continue(statement->else_body);
+  } else {
+    above.Nest(statement->else_body);
+  }
+  for (const StatementPtr& item : statement->items) above.Nest(item);
   if (statement->function != nullptr) {
-    for (const StatementPtr& item : statement->function->body) {
-      depth = std::max(depth, DepthOf(item));
-    }
+    for (const StatementPtr& item : statement->function->body) above.Nest(item);
   }
-  statement->depth = depth + 1;
-  if (statement->depth <= kDepthMax) return statement;
-  if (!too_deep_reported_) {
-    reporter_.Report(Code::kTooDeep, statement->keyword, int64_t{kDepthMax});
-    too_deep_reported_ = true;
-  }
+  statement->levels = above.levels();
+  if (Fits(statement->levels, statement->keyword)) return statement;
   return MakeStatement(Statement::Kind::kError, statement->range);
 }
 

@@ -35,6 +35,7 @@ const std::map<int, std::string> kWithoutPrograms = {
     {10, "takes 33 functions"},
     {122, "takes 32768 statements"},
     {130, "takes hundreds of parentheses"},
+    {138, "takes a thousand operators"},
     {238, "takes hundreds of loops"},
     {239, "takes thousands of calls"},
 };

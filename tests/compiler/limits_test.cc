@@ -82,6 +82,18 @@ TEST(Limits, ArraySizes) {
   EXPECT_EQ(CodesOf(CompileString("int a[1024];\n" + Function("return a[1024];\n"))), Codes{17});
 }
 
+// The language has no sums at all: the message shows how to write them, as long as it can.
+TEST(Limits, OperatorsInARow) {
+  const auto sum = [](int terms) {
+    return "int v;\n" +
+           Function("v = v" + Repeat(terms - 1, [](int) { return std::string(" + v"); }) + ";\n");
+  };
+  EXPECT_EQ(CodesOf(CompileString(sum(201))), Codes{100});
+  EXPECT_EQ(CodesOf(CompileString(sum(1000))), Codes{100});
+  EXPECT_EQ(CodesOf(CompileString(sum(1001))), Codes{138});
+  EXPECT_EQ(CodesOf(CompileString(sum(100'000))), Codes{138});
+}
+
 TEST(Limits, Errors) {
   std::string body;
   for (int i = 0; i < 60; ++i) body += fmt::format("u{} = 1;\n", i);

@@ -84,6 +84,52 @@ TEST(LoweringLimits, LevelsOfCalls) {
   ExpectError(functions, Codes{130}, 18, "16 levels");
 }
 
+std::string Times(int count, const std::string& piece) {
+  std::string text;
+  for (int i = 0; i < count; ++i) text += piece;
+  return text;
+}
+
+std::string Assigning(const std::string& value) {
+  return "int v;\nvoid t0() {\n  v = " + value + ";\n}\n";
+}
+
+// A row is not nested: its length has a limit of its own.
+TEST(LoweringLimits, OperatorsInARow) {
+  for (const char* next : {" + v", " - v", ", v"}) {
+    EXPECT_TRUE(Lower(Assigning("v" + Times(999, next))).text.has_value()) << next;
+    ExpectError(Assigning("v" + Times(1000, next)), Codes{138}, 3, "1000");
+  }
+  // Each of these takes a level or a label more.
+  for (const char* next : {" - v * v", " && v", " ? v : v"}) {
+    EXPECT_TRUE(Lower(Assigning("v" + Times(300, next))).text.has_value()) << next;
+    ExpectError(Assigning("v" + Times(1000, next)), Codes{138}, 3, "1000");
+  }
+  ExpectError(Assigning("v" + Times(100'000, " + v")), Codes{138}, 3, "1000");
+  ExpectError(Assigning("v" + Times(100'000, " ? v : v")), Codes{138}, 3, "1000");
+  // Every level is short and not deep, but all of them together are a high tree.
+  ExpectError(Assigning(Times(99, "(") + "v" + Times(99, Times(20, " + v") + ")")), Codes{138}, 3,
+              "1000");
+}
+
+TEST(LoweringLimits, LevelsOfParentheses) {
+  const auto nested = [](int count) {
+    return Assigning(Times(count, "(v + ") + "v" + Times(count, ")"));
+  };
+  EXPECT_TRUE(Lower(nested(99)).text.has_value());
+  ExpectError(nested(100), Codes{130}, 3, "200");
+}
+
+TEST(LoweringLimits, BranchesInARow) {
+  const auto ladder = [](int count) {
+    return "int v;\nvoid t0() {\n  if (v == 1) v = 2;\n" +
+           Times(count - 1, "else if (v == 3) v = 4;\n") + "}\n";
+  };
+  EXPECT_TRUE(Lower(ladder(300)).text.has_value());
+  // The last 1000 of them would fit.
+  ExpectError(ladder(20'000), Codes{138}, 2 + 20'000 - 1000, "1000");
+}
+
 TEST(LoweringLimits, SlotsOfTheGlobalsNameTheLargest) {
   ExpectError("int a[100], b[700],\n  c[300];\nvoid t0() { a[0] = b[0] + c[0]; }\n", Codes{237}, 2,
               "1100 slots of 1024; the largest: b (700), c (300), a (100)");
