@@ -1,4 +1,5 @@
-// The text format. Each diagnostic has a headline, the source line with a caret under the first
+// The text format. Each diagnostic has a headline, the source line, or of a long one what is around
+// the place, with a caret under the first
 // character and tildes under the rest, its notes in the same format, and the lines with its fix-its
 // applied, marked with +. The formats for programs are in diagnostic_export.cc.
 // Tested by tests/compiler/printer_text_test.cc.
@@ -132,9 +133,11 @@ class TextPrinter {
     const std::string_view source = file.text();
     const size_t block_end = LineBegin(file, last_line) + file.Line(last_line).size();
     std::string block;
+    std::vector<std::pair<size_t, size_t>> edited;  // places in the block
     size_t position = LineBegin(file, first_line);
     for (const FixIt& edit : edits) {
       block += source.substr(position, edit.range.begin - position);
+      edited.emplace_back(block.size(), block.size() + edit.text.size());
       block += edit.text;
       position = edit.range.end;
     }
@@ -144,11 +147,22 @@ class TextPrinter {
       const size_t end = std::min(block.find('\n', begin), block.size());
       std::string_view line = std::string_view(block).substr(begin, end - begin);
       if (line.ends_with('\r')) line.remove_suffix(1);
-      text_ += fmt::format("{} {}\n", gutter,
-                           Styled(kGreen, fmt::format("+{}", Indented(DisplayLine(line).text()))));
+      const auto [from, to] = FirstIn(edited, begin, end);
+      const std::string shown = Indented(ExcerptOf(line, from - begin, to - begin).text);
+      text_ += fmt::format("{} {}\n", gutter, Styled(kGreen, fmt::format("+{}", shown)));
       gutter.assign(gutter.size(), ' ');
       begin = end + 1;
     }
+  }
+
+  // The part of the first place that is between two others; nothing at `begin`, if there is none.
+  static std::pair<size_t, size_t> FirstIn(std::span<const std::pair<size_t, size_t>> places,
+                                           size_t begin, size_t end) {
+    const auto found = std::find_if(places.begin(), places.end(), [begin, end](const auto& place) {
+      return place.first <= end && place.second >= begin;
+    });
+    if (found == places.end()) return {begin, begin};
+    return {std::max(found->first, begin), std::min(found->second, end)};
   }
 
   static uint32_t LineBegin(const SourceFile& file, int line) {

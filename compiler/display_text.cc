@@ -15,6 +15,7 @@ namespace oncard::compiler {
 namespace {
 
 constexpr int kTabWidth = 8;
+constexpr std::string_view kEllipsis = "...";
 
 struct CodeRange {
   char32_t first;
@@ -176,6 +177,7 @@ DisplayLine::DisplayLine(std::string_view line) {
     const auto character = utf8 ? DecodeUtf8(line, offset) : gbk->Decode(line, offset);
     const size_t size = character ? character->size : 1;
     columns_.insert(columns_.end(), size, column);
+    offsets_.insert(offsets_.end(), size, text_.size());
     if (line[offset] == '\t') {
       const int width = kTabWidth - column % kTabWidth;
       text_.append(static_cast<size_t>(width), ' ');
@@ -186,10 +188,45 @@ DisplayLine::DisplayLine(std::string_view line) {
     offset += size;
   }
   columns_.push_back(column);
+  offsets_.push_back(text_.size());
 }
 
 int DisplayLine::ColumnOf(size_t offset) const {
   return columns_[std::min(offset, columns_.size() - 1)];
+}
+
+size_t DisplayLine::OffsetOf(int column) const {
+  const auto found = std::lower_bound(columns_.begin(), columns_.end(), column);
+  return std::min(static_cast<size_t>(found - columns_.begin()), columns_.size() - 1);
+}
+
+std::string_view DisplayLine::Shown(size_t begin, size_t end) const {
+  return std::string_view(text_).substr(offsets_[begin], offsets_[end] - offsets_[begin]);
+}
+
+Excerpt ExcerptOf(std::string_view line, size_t begin, size_t end) {
+  const DisplayLine shown(line);
+  const int first = shown.ColumnOf(begin);
+  const int last = std::max(first, shown.ColumnOf(end));
+  const int width = shown.ColumnOf(line.size());
+  if (width <= kExcerptColumns) return {shown.text(), first, last};
+  // What is marked stands in the middle, but the room is used up; what does not fit is cut.
+  const int ellipsis = static_cast<int>(kEllipsis.size());
+  const int room = kExcerptColumns - 2 * ellipsis;
+  const int marked = std::min(last - first, room);
+  const int left = std::clamp(first - (room - marked) / 2, 0, width - room);
+  const size_t from = shown.OffsetOf(left);
+  size_t to = shown.OffsetOf(left + room);
+  // Half of a wide character does not fit.
+  if (shown.ColumnOf(to) > left + room) to = shown.OffsetOf(shown.ColumnOf(to - 1));
+  Excerpt excerpt;
+  if (from > 0) excerpt.text = kEllipsis;
+  const int moved = static_cast<int>(excerpt.text.size()) - shown.ColumnOf(from);
+  excerpt.text += shown.Shown(from, to);
+  if (to < line.size()) excerpt.text += kEllipsis;
+  excerpt.begin = first + moved;
+  excerpt.end = std::min(last, shown.ColumnOf(to)) + moved;
+  return excerpt;
 }
 
 std::string DisplayText(std::string_view text) {
@@ -205,14 +242,13 @@ std::string DisplayText(std::string_view text) {
 
 std::string FormatExcerpt(std::string_view line, int number, size_t begin, size_t end,
                           std::string_view style, std::string_view reset) {
-  const DisplayLine shown(line);
-  const int first = shown.ColumnOf(begin);
-  const int width = shown.ColumnOf(end) - first;
+  const Excerpt excerpt = ExcerptOf(line, begin, end);
+  const int width = excerpt.end - excerpt.begin;
   std::string underline = "^";
   if (width > 1) underline.append(static_cast<size_t>(width - 1), '~');
-  const std::string margin = shown.text().empty() ? "" : " ";
-  return fmt::format("{:5} |{}{}\n      | {}{}{}{}", number, margin, shown.text(),
-                     std::string(static_cast<size_t>(first), ' '), style, underline, reset);
+  const std::string margin = excerpt.text.empty() ? "" : " ";
+  return fmt::format("{:5} |{}{}\n      | {}{}{}{}", number, margin, excerpt.text,
+                     std::string(static_cast<size_t>(excerpt.begin), ' '), style, underline, reset);
 }
 
 }  // namespace oncard::compiler

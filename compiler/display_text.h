@@ -21,17 +21,35 @@ class DisplayLine {
   /// Terminal column (from 0) at which the character that holds byte `offset` begins; offsets at or
   /// past the end give the width of the whole line.
   int ColumnOf(size_t offset) const;
+  /// The byte at which the first character begins that is at a column or behind it.
+  size_t OffsetOf(int column) const;
+  /// What is shown for the bytes from `begin` to `end`, which do not part a character.
+  std::string_view Shown(size_t begin, size_t end) const;
 
  private:
   std::string text_;
-  std::vector<int> columns_;  // of each byte, then of the end
+  std::vector<int> columns_;     // of each byte, then of the end
+  std::vector<size_t> offsets_;  // the same in text_
 };
+
+/// Longer lines are shown only around what is marked in them, with `...` for the rest.
+inline constexpr int kExcerptColumns = 120;
+
+/// A line, or the part around the bytes from `begin` to `end`: UTF-8, and the columns in it at
+/// which these bytes begin and end.
+struct Excerpt {
+  std::string text;
+  int begin = 0;
+  int end = 0;
+};
+Excerpt ExcerptOf(std::string_view line, size_t begin, size_t end);
 
 /// A name or message made safe for a terminal: bytes that are not UTF-8 and control characters show
 /// as `<1B>`.
 std::string DisplayText(std::string_view text);
 
-/// A line of source and below it a caret with an underline, for the bytes from `begin` to `end`:
+/// An excerpt of a line of source and below it a caret with an underline, for the bytes from
+/// `begin` to `end`:
 ///
 ///     2 | rate = 0
 ///       |        ^

@@ -6,7 +6,29 @@
 
 #include <algorithm>
 
+#include "compiler/text.h"
+
 namespace oncard::compiler {
+namespace {
+
+// What a message quotes is shortened beyond this number of bytes: its beginning and its end remain.
+constexpr size_t kQuotedMax = 400;
+constexpr size_t kEndOfQuoted = 40;
+
+std::string Shortened(const std::string& text) {
+  if (text.size() <= kQuotedMax) return text;
+  const bool utf8 = IsUtf8(text);
+  const std::string_view whole = text;
+  const auto next_character = [whole, utf8](size_t from, size_t at_least) {
+    while (from < at_least) from += CharacterLength(whole.substr(from), utf8);
+    return from;
+  };
+  const size_t cut = next_character(0, kQuotedMax - kEndOfQuoted);
+  const size_t end = next_character(cut, whole.size() - kEndOfQuoted);
+  return std::string(whole.substr(0, cut)).append("...").append(whole.substr(end));
+}
+
+}  // namespace
 
 Diagnostic& Reporter::Add(Code code, SourceRange range, const std::vector<Message>& arguments) {
   Diagnostic& diagnostic = diagnostics_.emplace_back();
@@ -16,8 +38,8 @@ Diagnostic& Reporter::Add(Code code, SourceRange range, const std::vector<Messag
   fmt::dynamic_format_arg_store<fmt::format_context> en;
   fmt::dynamic_format_arg_store<fmt::format_context> zh;
   for (const Message& argument : arguments) {
-    en.push_back(argument.en);
-    zh.push_back(argument.zh);
+    en.push_back(Shortened(argument.en));
+    zh.push_back(Shortened(argument.zh));
   }
   diagnostic.message = {fmt::vformat(diagnostic.info->en, en),
                         fmt::vformat(diagnostic.info->zh, zh)};

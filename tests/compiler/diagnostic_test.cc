@@ -167,6 +167,19 @@ TEST(Diagnostics, OfUnreadableFiles) {
   EXPECT_EQ(compilation.files[0].path(), "nowhere/at/all.c");
 }
 
+// A message names what it is about also if that has the length of a file.
+TEST(Diagnostics, QuoteTheBeginAndTheEndOfWhatIsLong) {
+  const std::string name = "begin" + std::string(12'000, 'x') + "end";
+  const Compilation compilation = CompileString("int t0() {\n  return " + name + ";\n}\n");
+  ASSERT_EQ(CodesOf(compilation), (Codes{2, 27}));
+  for (const Diagnostic& diagnostic : compilation.diagnostics) {
+    EXPECT_THAT(diagnostic.message.en, HasSubstr("'beginxxx"));
+    EXPECT_THAT(diagnostic.message.en, HasSubstr("xxx...xxx"));
+    EXPECT_THAT(diagnostic.message.zh, HasSubstr("xxxend'"));
+    EXPECT_LT(diagnostic.message.en.size(), 600u);
+  }
+}
+
 TEST(Diagnostics, SuggestTheNearestName) {
   const Compilation compilation = CompileString("int position;\nint t0() {\n  positon = 1;\n}\n");
   ASSERT_EQ(CodesOf(compilation), Codes{27});

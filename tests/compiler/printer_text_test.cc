@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sstream>
+#include <string>
+
 #include "compiler/diagnostic_printer.h"
 #include "tests/compiler/printer_support.h"
 
@@ -8,6 +11,8 @@ namespace oncard::compiler {
 namespace {
 
 using testing::EndsWith;
+using testing::HasSubstr;
+using testing::StartsWith;
 
 std::string Print(const Compilation& compilation, Language language = Language::kEnglish) {
   return PrintText(compilation, {.language = language, .color = false});
@@ -47,6 +52,96 @@ TEST(PrintText, AlignsCaretsBehindTabsAndWideCharacters) {
             "    1 |         /* 轴 */ foo = 1;\n"
             "      |                  ^~~\n"
             "1 error\n");
+}
+
+struct LongLine {
+  const char* name;
+  std::string before;  // what stands before the place, and behind it
+  std::string after;
+};
+
+void PrintTo(const LongLine& row, std::ostream* out) { *out << row.name; }
+
+std::string Times(int count, const std::string& piece) {
+  std::string text;
+  for (int i = 0; i < count; ++i) text += piece;
+  return text;
+}
+
+class LongLineTest : public testing::TestWithParam<LongLine> {};
+
+// The caret is under the place, whose column on the terminal is the number of columns before it:
+// two for each character of the Chinese text, one for each other one.
+TEST_P(LongLineTest, IsShownAroundThePlace) {
+  const LongLine& row = GetParam();
+  Compilation compilation = CompilationOf(row.before + "foo" + row.after + "\n");
+  Report(compilation, kUndeclared, "foo", {"m", "m"});
+  std::istringstream printed(Print(compilation));
+  std::string headline;
+  std::string line;
+  std::string carets;
+  std::getline(printed, headline);
+  std::getline(printed, line);
+  std::getline(printed, carets);
+  const std::string gutter = "    1 | ";
+  ASSERT_THAT(line, StartsWith(gutter));
+  ASSERT_THAT(carets, StartsWith("      | "));
+  ASSERT_THAT(carets, EndsWith("^~~"));
+  const size_t place = line.find("foo");
+  ASSERT_NE(place, std::string::npos);
+  const auto columns = [](std::string_view text) {
+    size_t count = 0;
+    for (size_t i = 0; i < text.size(); ++count) {
+      const bool wide = (text[i] & 0xF0) == 0xE0;  // a character of three bytes
+      if (wide) ++count;
+      i += wide ? 3 : 1;
+    }
+    return count;
+  };
+  EXPECT_EQ(carets.find('^'), columns(line.substr(0, place)));
+  EXPECT_LE(columns(line), gutter.size() + 120);
+  EXPECT_GE(columns(line), gutter.size() + 110);  // the room is used
+  EXPECT_EQ(line.substr(gutter.size(), 3) == "...", row.before.size() > 120);
+  EXPECT_EQ(line.ends_with("..."), row.after.size() > 120);
+}
+
+INSTANTIATE_TEST_SUITE_P(PrintText, LongLineTest,
+                         testing::Values(LongLine{"begin", "", Times(12'000, "x")},
+                                         LongLine{"near_begin", "ab ", Times(12'000, " x")},
+                                         LongLine{"middle", Times(6'000, "x "), Times(6'000, " x")},
+                                         LongLine{"end", Times(12'000, "x "), ""},
+                                         LongLine{"wide", Times(500, "轴") + ' ', Times(500, "轴")},
+                                         LongLine{"wide_odd", 'x' + Times(500, "轴") + ' ',
+                                                  ' ' + Times(500, "轴")},
+                                         LongLine{"wide_end", Times(500, "轴") + " x ", ""},
+                                         LongLine{"tabs", Times(100, "x\t"), Times(100, "\tx")}),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+TEST(PrintText, CutsWhatIsMarkedToTheExcerpt) {
+  Compilation compilation = CompilationOf(Times(200, "a") + '"' + Times(12'000, "x") + "\"\n");
+  Report(compilation, kUndeclared, '"' + Times(12'000, "x") + '"', {"m", "m"});
+  EXPECT_EQ(Print(compilation),
+            "p.c:1:201: error MP027: m [undeclared]\n"
+            "    1 | ...\"" +
+                Times(113, "x") +
+                "...\n"
+                "      |    ^" +
+                Times(113, "~") +
+                "\n"
+                "1 error\n");
+}
+
+TEST(PrintText, ShowsLongLinesOfFixItsAroundTheEdit) {
+  Compilation compilation = CompilationOf(Times(6'000, "a ") + "foo" + Times(6'000, " b") + "\n");
+  Diagnostic& diagnostic = Report(compilation, kUndeclared, "foo", {"m", "m"});
+  diagnostic.fixits.push_back({diagnostic.range, "FOO"});
+  std::istringstream printed(Print(compilation));
+  std::string line;
+  for (int i = 0; i < 4; ++i) std::getline(printed, line);
+  EXPECT_THAT(line, StartsWith("    1 + ..."));
+  EXPECT_THAT(line, HasSubstr(" a FOO b "));
+  EXPECT_THAT(line, EndsWith("..."));
+  EXPECT_EQ(line.size(), std::string("    1 + ").size() + 120);
 }
 
 TEST(PrintText, ConvertsGbkComments) {
