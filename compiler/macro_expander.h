@@ -9,6 +9,7 @@
 #include <span>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct MacroDefinition {
   bool has_parameters = false;  ///< also with none in its parentheses
   std::vector<std::string_view> parameters;
   std::vector<Token> body;
+  std::vector<int> parameter_of;  ///< for each token of the body: the parameter it names, or -1
 };
 
 /// Which macros a text uses, and where.
@@ -52,7 +54,8 @@ class MacroExpander {
   void Undefine(std::string_view name) { macros_.erase(name); }
 
   /// Appends the tokens of a text to `out`, with macros expanded. Tokens from the body of a macro
-  /// get the range of its use. False if the texts expanded so far have more than kTokenMax tokens.
+  /// get the range of its use. False if it took more than kTokenMax tokens to expand the texts so
+  /// far: those of the texts, and what macros were replaced by.
   bool Expand(std::span<const Token> text, std::vector<Token>* out);
 
   MacroUses& uses() { return uses_; }
@@ -62,34 +65,42 @@ class MacroExpander {
     Token token;
     bool final = false;  ///< the name of a macro that is not expanded any more
   };
+  using Pieces = std::span<const Piece>;
   // Tokens that are read next, of the macro that they come from.
   struct Source {
-    std::vector<Piece> pieces;
+    std::vector<Piece> own;  // what `pieces` are, unless they are in another source
+    Pieces pieces;
     size_t next = 0;
     const MacroDefinition* macro = nullptr;
   };
-  using Arguments = std::vector<std::vector<Piece>>;
+  // Arguments stand in a source, unless they are in several.
+  struct Arguments {
+    std::vector<Pieces> pieces;
+    std::deque<std::vector<Piece>> own;
+  };
   struct Expansion {
-    std::vector<Source> sources;                  // the innermost is the last
-    std::vector<const MacroDefinition*> outside;  // those around an argument
+    std::vector<Source> sources;  // the innermost is the last
     int depth = 0;
   };
 
   void Run(Expansion& expansion, std::vector<Piece>* out);
-  static const Piece* Peek(Expansion& expansion);
-  static bool IsActive(const Expansion& expansion, const MacroDefinition& macro);
+  const Piece* Peek(Expansion& expansion);
+  void Enter(Expansion& expansion, const MacroDefinition& macro, std::vector<Piece> body);
   bool ReadArguments(Expansion& expansion, const MacroDefinition& macro, SourceRange* use,
                      Arguments* arguments);
-  std::vector<Piece> Substitute(const Expansion& expansion, const MacroDefinition& macro,
-                                const Arguments& arguments, SourceRange use);
+  static bool FindArguments(Source& source, SourceRange* use, Arguments* arguments);
+  bool CollectArguments(Expansion& expansion, SourceRange* use, Arguments* arguments);
+  bool Substitute(const Expansion& expansion, const MacroDefinition& macro,
+                  const Arguments& arguments, SourceRange use, std::vector<Piece>* body);
   static Piece Invalid(SourceRange range);
   bool Count(size_t tokens);
 
   Reporter& reporter_;
   std::deque<MacroDefinition> definitions_;
   std::unordered_map<std::string_view, const MacroDefinition*> macros_;
+  std::unordered_set<const MacroDefinition*> open_;  // those whose bodies are being read
   MacroUses uses_;
-  size_t count_ = 0;
+  size_t count_ = 0;  // tokens that were copied
 };
 
 }  // namespace oncard::compiler

@@ -85,8 +85,8 @@ void Preprocessor::AddFile(SourceFile file, uint32_t inclusion_point, int depth)
 void Preprocessor::AddText(std::span<const Token> text) {
   std::vector<Token> expanded;
   if (!macros_.Expand(text, &expanded)) {
-    files_.Refuse(MakeMessage("the program has more than {0} tokens with its macros expanded",
-                              "宏展开后，程序的记号超过 {0} 个", kTokenMax));
+    files_.Refuse(MakeMessage("expanding its macros takes more than {0} tokens",
+                              "展开宏需要的记号超过 {0} 个", kTokenMax));
     return;
   }
   for (const Token& token : expanded) Emit(token);
@@ -290,6 +290,7 @@ void Preprocessor::Define(Line line, SourceRange whole) {
 // Reads `(a, b)`; `next` becomes the place after it.
 bool Preprocessor::ReadParameters(Line line, size_t* next, MacroDefinition* macro) {
   size_t at = *next + 1;
+  std::unordered_set<std::string_view> known;
   const auto kind_at = [&line](size_t i) {
     return i < line.size() ? line[i].kind : static_cast<int>(Kind::kEnd);
   };
@@ -320,8 +321,7 @@ bool Preprocessor::ReadParameters(Line line, size_t* next, MacroDefinition* macr
       return false;
     }
     const std::string_view text = line[at].text;
-    if (std::find(macro->parameters.begin(), macro->parameters.end(), text) !=
-        macro->parameters.end()) {
+    if (!known.insert(text).second) {
       reporter_.Report(Code::kRedefinition, line[at].range, text);
       return false;
     }

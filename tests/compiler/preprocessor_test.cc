@@ -269,6 +269,30 @@ TEST(Macro, ExpansionIsLimited) {
   EXPECT_TRUE(Words(deep + "x" + std::string(1000, ')')).starts_with("MP130:2"));
 }
 
+// What the arguments of nested macros are replaced by counts at every level; the arguments do not.
+TEST(Macro, ArgumentsAreCountedWhenTheyAreCopied) {
+  const auto nested = [](int levels, int words) {
+    std::string text = "#define F(a) a\n";
+    for (int i = 0; i < levels; ++i) text += "F(";
+    for (int i = 0; i < words; ++i) text += "x ";
+    return text + std::string(static_cast<size_t>(levels), ')');
+  };
+  EXPECT_EQ(Words(nested(190, 5'000)).size(), 2u * 5'000 - 1);  // 950 000 and 6 000 tokens
+  EXPECT_EQ(Words(nested(190, 6'000)), "MP022:1");
+  EXPECT_EQ(Words(nested(1, 500'000)).size(), 2u * 500'000 - 1);
+  // Those that begin in a macro and end behind it are put together.
+  EXPECT_EQ(Words("#define F(a, b) b a\n#define OPEN F(1, \nOPEN 2) OPEN F(3, 4))"), "2 1 4 3 1");
+}
+
+// Each macro is replaced while the one before it is: none of them is searched for the others.
+TEST(Macro, ChainOfManyIsExpanded) {
+  std::string chain = "#define X0 x\n";
+  for (int i = 1; i <= 50'000; ++i) {
+    chain += "#define X" + std::to_string(i) + " X" + std::to_string(i - 1) + "\n";
+  }
+  EXPECT_EQ(Words(chain + "X50000"), "x");
+}
+
 // Words of a body stand at the use of the macro, for messages; arguments where they are written.
 TEST(Macro, TokensOfItsBodyHaveThePlaceOfItsUse) {
   Reporter reporter;

@@ -53,5 +53,18 @@ TEST_F(OutOfMemory, ATestHasFailedAndTheOthersRun) {
   EXPECT_THAT(ended.out + ended.err, HasSubstr("t.toml")) << ended.out;
 }
 
+// 60 KB of source: the arguments of all levels together would take 1.5 GB.
+TEST_F(OutOfMemory, NestedMacrosTakeNoneForEachLevel) {
+  std::string program = "//@ structured\n#define F(a) a\nint v = ";
+  for (int i = 0; i < 190; ++i) program += "F(";
+  program += "1";
+  for (int i = 0; i < 30'000; ++i) program += "+1";
+  scratch_.Write("deep.c", program + std::string(190, ')') + ";\n");
+  const ProcessResult ended = Run("check deep.c");
+  EXPECT_EQ(ended.exit_code, 1) << ended.err;
+  EXPECT_THAT(ended.out + ended.err,
+              HasSubstr("expanding its macros takes more than 1048576 tokens"));
+}
+
 }  // namespace
 }  // namespace oncard::tools
