@@ -1,8 +1,10 @@
-// oncard explain: shows the page of a diagnostic or of structured C, or lists the diagnostics about
-// a word.
+// oncard explain: shows the page of a diagnostic, of a return code or of structured C, or lists the
+// diagnostics about a word.
+#include "base/number.h"
 #include "compiler/explain.h"
 #include "compiler/explain_search.h"
 #include "compiler/lowering/overview.h"
+#include "gtcalls/gts/return_codes.h"
 #include "tools/commands.h"
 
 #include <fmt/format.h>
@@ -26,7 +28,13 @@ int Explain(const std::vector<std::string>& words, const Invocation& invocation)
     PrintResult(compiler::StructuredOverview(invocation.language));
     return kExitOk;
   }
+  // A number can be both, but with MP in front of it only a diagnostic.
+  std::optional<Message> return_code;
+  if (const auto number = ReadWhole<int>(text)) return_code = gtcalls::ReturnCodePage(*number);
+  if (return_code) PrintResult(return_code->In(invocation.language));
   const std::vector<int> codes = compiler::SearchDiagnostics(text);
+  if (return_code && !codes.empty()) PrintResult("\n");
+  if (return_code && codes.empty()) return kExitOk;
   if (codes.empty()) return Fail(invocation, kExitUsage, compiler::AdviseSearch(text));
   PrintResult(codes.size() == 1 ? *compiler::ExplainPage(codes[0], invocation.language)
                                 : compiler::ExplainList(codes, invocation.language));
@@ -37,17 +45,17 @@ int Explain(const std::vector<std::string>& words, const Invocation& invocation)
 
 void AddExplain(CLI::App& app, Invocation& invocation) {
   const auto words = std::make_shared<std::vector<std::string>>();
-  CLI::App* command =
-      AddCommand(app, invocation, "explain",
-                 {"explain a diagnostic, with a program that causes it and its correction",
-                  "解释一条诊断，附出错程序及其修改"},
-                 [words, &invocation] { return Explain(*words, invocation); });
+  CLI::App* command = AddCommand(
+      app, invocation, "explain",
+      {"explain a diagnostic or the return code of a GT command", "解释一条诊断或 GT 指令的返回值"},
+      [words, &invocation] { return Explain(*words, invocation); });
   command
       ->add_option(
           "code", *words,
-          invocation.Say({"number (27), name (undeclared) or words (goto); without it all "
-                          "codes are listed",
-                          "编号（27）、名称（undeclared）或词（goto）；省略则列出全部代码"}))
+          invocation.Say(
+              {"number (27), name (undeclared), words (goto) or return code (7, -6); "
+               "without it all codes are listed",
+               "编号（27）、名称（undeclared）、词（goto）或返回值（7、-6）；省略则列出全部代码"}))
       ->type_name("CODE");
 }
 

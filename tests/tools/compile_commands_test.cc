@@ -9,6 +9,7 @@
 namespace oncard::tools {
 namespace {
 
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
@@ -269,6 +270,17 @@ TEST(Explain, PrintsThePageOfACode) {
   EXPECT_NE(RunOncard({"--lang=zh", "explain", "MP027"}).out, page);
 }
 
+// A number may be a diagnostic, too: its page follows.
+TEST(Explain, KnowsReturnCodes) {
+  const std::string seven = RunOncard({"explain", "7"}).out;
+  EXPECT_THAT(seven, StartsWith("return code 7\n\nany command\n    an argument is out of range"));
+  EXPECT_THAT(seven, EndsWith("\n\n" + RunOncard({"explain", "MP007"}).out));
+  EXPECT_THAT(RunOncard({"explain", "MP007"}).out, Not(HasSubstr("return code")));
+  EXPECT_THAT(RunOncard({"explain", "-6"}).out,
+              HasSubstr("GT_Open\n    the card cannot be opened"));
+  EXPECT_THAT(RunOncard({"--lang=zh", "explain", "2008"}).out, StartsWith("返回值 2008\n"));
+}
+
 TEST(Explain, ListsAllCodesWithoutOne) {
   const std::string list = RunOncard({"explain"}).out;
   EXPECT_THAT(list, HasSubstr("MP027  undeclared\n"));
@@ -282,7 +294,7 @@ TEST(Explain, ListsThePagesThatContainAllWords) {
 }
 
 TEST(Explain, SaysWhatToTryWhenItKnowsNothing) {
-  for (const char* name : {"MP999", "MPx", "-1", "undeclard"}) {
+  for (const char* name : {"MP999", "MPx", "-99", "undeclard"}) {
     const ProcessResult result = RunOncard({"explain", "--", name});
     EXPECT_EQ(result.exit_code, 2) << name;
     EXPECT_EQ(result.out, "") << name;
