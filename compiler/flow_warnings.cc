@@ -1,8 +1,13 @@
 #include "compiler/flow_warnings.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <deque>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "vm/arithmetic.h"
 
@@ -18,11 +23,23 @@ using vm::Symbol;
 constexpr std::string_view kUpdate = "GT_Update";
 constexpr std::string_view kWaitForUpdate[] = {"GT_SetPos", "GT_SetVel"};
 
+// What sets up a trap or jog motion, which GT_Update then starts; the first argument is the axis.
+constexpr std::string_view kSetsUp[] = {"GT_PrfTrap",   "GT_PrfJog", "GT_SetTrapPrm",
+                                        "GT_SetJogPrm", "GT_SetPos", "GT_SetVel"};
+
 constexpr int kNone = -1;
 
 bool IsCommand(const Instruction& instruction, std::string_view name,
                const gtcalls::Catalogue& catalogue) {
   return instruction.opcode == Opcode::kCommand && catalogue.Find(instruction.op)->name == name;
+}
+
+// The value of a command's first argument, if it is a whole number.
+std::optional<int64_t> FirstNumber(const Instruction& instruction) {
+  const auto* number = std::get_if<vm::Immediate>(&instruction.operands[0]);
+  constexpr int64_t kOne = int64_t{1} << vm::kFractionBits;
+  if (number == nullptr || number->raw % kOne != 0) return std::nullopt;
+  return number->raw / kOne;
 }
 
 bool IsAlways(const Instruction& instruction) {
@@ -166,6 +183,38 @@ class Paths {
   Edges next_, before_;
 };
 
+// Sets of axes as a mask has them: bit n-1 for axis n.
+using AxisBits = uint64_t;
+constexpr int64_t kAxesOfMask = 32;
+/// Another bit: axes whose numbers are not known.
+constexpr AxisBits kUnknownAxis = AxisBits{1} << kAxesOfMask;
+
+AxisBits BitOf(std::optional<int64_t> axis) {
+  return axis && *axis >= 1 && *axis <= kAxesOfMask ? AxisBits{1} << (*axis - 1) : kUnknownAxis;
+}
+
+// `axis 3`, `axes 1, 2`; and `1 << (1 - 1) | 1 << (2 - 1)`.
+struct AxisNames {
+  Message names;
+  std::string bits;
+};
+
+AxisNames NamesOf(AxisBits axes) {
+  if (axes == 0) return {{"no axis", "没有轴"}, "0"};
+  std::vector<int64_t> numbers;
+  for (int64_t axis = 1; axis <= kAxesOfMask; ++axis) {
+    if ((axes & BitOf(axis)) != 0) numbers.push_back(axis);
+  }
+  AxisNames result;
+  result.names.en =
+      fmt::format("{} {}", numbers.size() == 1 ? "axis" : "axes", fmt::join(numbers, ", "));
+  result.names.zh = fmt::format("轴 {}", fmt::join(numbers, "、"));
+  for (const int64_t axis : numbers) {
+    result.bits += fmt::format("{}1 << ({} - 1)", result.bits.empty() ? "" : " | ", axis);
+  }
+  return result;
+}
+
 class FunctionWarnings {
  public:
   FunctionWarnings(const vm::Function& function, const FunctionPlaces& places,
@@ -251,6 +300,35 @@ class FunctionWarnings {
     });
   }
 
+  /// The axes that the function sets up.
+  AxisBits SetsUp() const {
+    AxisBits axes = 0;
+    for (size_t i = 0; i < code_.size(); ++i) {
+      if (reached_[i]) axes |= SetUpBy(code_[i]);
+    }
+    return axes;
+  }
+
+  /// Warns of masks without any axis that the function has set up before: those that are the number
+  /// of such an axis, and those of axes that nothing in the program sets up.
+  void WrongMask(AxisBits of_program) {
+    if (!CallsUpdate()) return;
+    const std::vector<AxisBits> set_up = MayBeSetUp();
+    for (size_t i = 0; i < code_.size(); ++i) {
+      if (!reached_[i] || !IsCommand(code_[i], kUpdate, catalogue_)) continue;
+      const std::optional<int64_t> number = FirstNumber(code_[i]);
+      if (!number) continue;
+      const AxisBits mask = static_cast<uint32_t>(*number);
+      const AxisBits before = set_up[i];
+      if (before == 0 || (before & (kUnknownAxis | mask)) != 0) continue;
+      const bool elsewhere = (of_program & (kUnknownAxis | mask)) != 0;
+      if (elsewhere && (before & BitOf(number)) == 0) continue;
+      const AxisNames right = NamesOf(before);
+      reporter_.Report(Code::kUpdateMask, places_.statements[i], *number, NamesOf(mask).names,
+                       right.names, static_cast<int64_t>(before), std::string_view(right.bits));
+    }
+  }
+
   void MissingUpdate() {
     std::vector<size_t> updates;
     for (size_t i = 0; i < code_.size(); ++i) {
@@ -268,6 +346,33 @@ class FunctionWarnings {
   }
 
  private:
+  AxisBits SetUpBy(const Instruction& instruction) const {
+    const bool sets_up = std::any_of(
+        std::begin(kSetsUp), std::end(kSetsUp),
+        [&](std::string_view name) { return IsCommand(instruction, name, catalogue_); });
+    return sets_up ? BitOf(FirstNumber(instruction)) : 0;
+  }
+
+  // For each position the axes that a path to it sets up.
+  std::vector<AxisBits> MayBeSetUp() const {
+    std::vector<AxisBits> before(code_.size() + 1);
+    std::vector<size_t> open;
+    for (size_t i = 0; i < code_.size(); ++i) {
+      if (reached_[i] && SetUpBy(code_[i]) != 0) open.push_back(i);
+    }
+    while (!open.empty()) {
+      const size_t at = open.back();
+      open.pop_back();
+      const AxisBits after = before[at] | (at < code_.size() ? SetUpBy(code_[at]) : 0);
+      for (const size_t next : paths_.After(at)) {
+        if ((after & ~before[next]) == 0) continue;
+        before[next] |= after;
+        open.push_back(next);
+      }
+    }
+    return before;
+  }
+
   bool IsParameter(int variable) const { return locals_[variable].id < places_.parameter_slots; }
 
   std::vector<std::vector<bool>> MayBeWritten() const {
@@ -345,7 +450,10 @@ void WarnAboutFlow(const vm::Object& object, const std::vector<FunctionPlaces>& 
   // Another thread may call GT_Update for the registers that this one sets.
   const bool updates = std::any_of(functions.begin(), functions.end(),
                                    [](const auto& function) { return function.CallsUpdate(); });
+  AxisBits set_up = 0;
+  for (const FunctionWarnings& function : functions) set_up |= function.SetsUp();
   for (FunctionWarnings& function : functions) {
+    function.WrongMask(set_up);
     function.Unreachable();
     function.EndlessLoop();
     function.NeverWritten();

@@ -1,7 +1,7 @@
 // Warnings about programs that compile but are very likely wrong, found in the translated
 // statements: code that is never reached, variables never written or never read, loops that never
-// end. Each warns only of what is true on every path, so that correct programs have none. Tested by
-// tests/lang/warnings.
+// end, masks of axes that were not set up. Each warns only of what is true on every path, so that
+// correct programs have none. Tested by tests/lang/warnings.
 #pragma once
 
 #include <cstdint>
