@@ -19,6 +19,29 @@ void ApplyWarningOptions(const Options& options, Reporter& reporter) {
   for (Diagnostic& diagnostic : reporter.diagnostics()) diagnostic.severity = Severity::kError;
 }
 
+// So many errors of the card's language make it worth a look whether a program is structured C.
+constexpr std::ptrdiff_t kErrorsOfStructured = 6;
+
+bool IsError(const Diagnostic& diagnostic) { return diagnostic.severity == Severity::kError; }
+
+// Replaces the errors of a program that has none as structured C by one that says so.
+void RecognizeStructured(const std::string& text, const Options& options, const FileReader& reader,
+                         Compilation* compilation) {
+  std::vector<Diagnostic>& found = compilation->diagnostics;
+  if (std::count_if(found.begin(), found.end(), IsError) < kErrorsOfStructured) return;
+  const std::string& path = compilation->files[0].path();
+  Options lenient = options;
+  lenient.warnings_are_errors = false;
+  const Lowering lowering = LowerText(path, text, lenient, {}, reader);
+  if (std::any_of(lowering.diagnostics.begin(), lowering.diagnostics.end(), IsError)) return;
+  Reporter reporter;
+  const SourceRange place = std::find_if(found.begin(), found.end(), IsError)->range;
+  Diagnostic& diagnostic = reporter.Report(Code::kUnmarkedStructured, place);
+  InsertBefore(diagnostic, SourceRange{}, std::string(kStructuredLine) + '\n');
+  found.clear();
+  found.push_back(std::move(diagnostic));
+}
+
 }  // namespace
 
 bool ReadWarningOption(std::string_view text, Options* options) {
@@ -40,7 +63,12 @@ bool ReadWarningOption(std::string_view text, Options* options) {
 Compilation CompileText(const std::string& path, std::string text, const Options& options,
                         const FileReader& reader) {
   if (!options.structured && !WantsStructured(text)) {
-    return CompileCardText(path, std::move(text), options, reader);
+    if (!options.recognize_structured) {
+      return CompileCardText(path, std::move(text), options, reader);
+    }
+    Compilation compilation = CompileCardText(path, text, options, reader);
+    RecognizeStructured(text, options, reader, &compilation);
+    return compilation;
   }
   Lowering lowering = LowerText(path, std::move(text), options, {}, reader);
   return {std::move(lowering.files), std::move(lowering.diagnostics), std::move(lowering.object)};

@@ -31,6 +31,8 @@ struct Options {
   const gtcalls::Catalogue* catalogue = &gtcalls::GtsCatalogue();
   /// The program is structured C (docs/structured.md) even if its first line does not say so.
   bool structured = false;
+  /// Structured C that does not say so gets one error, and not one for each of its constructs.
+  bool recognize_structured = true;
 };
 
 /// Reads `error`, or `no-` with the slug of a warning, into the options unless they are nullptr.

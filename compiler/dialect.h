@@ -15,6 +15,9 @@ enum class Dialect : uint8_t {
   kStructured  ///< C with loops, nested expressions and functions
 };
 
+/// The first line of a program of structured C.
+inline constexpr std::string_view kStructuredLine = "//@ structured";
+
 /// Whether a program's first line is `//@ structured`, with any blanks around its words. A byte
 /// order mark before it does not matter.
 bool WantsStructured(std::string_view text);

@@ -134,6 +134,7 @@ CorrectedProgram ApplyAllFixIts(const std::string& path, std::string text, const
   };
   Options all = options;
   all.max_errors = 0;
+  all.recognize_structured = false;
   std::set<size_t> seen;
   for (int pass = 0; pass < kPassesMax; ++pass) {
     const Compilation compilation = CompileText(path, text, all, corrected_reader);
@@ -150,7 +151,8 @@ CorrectedProgram ApplyAllFixIts(const std::string& path, std::string text, const
     const auto program = corrected.files.find(path);
     if (program != corrected.files.end()) text = program->second;
   }
-  corrected.compilation = CompileText(path, std::move(text), options, corrected_reader);
+  all.max_errors = options.max_errors;
+  corrected.compilation = CompileText(path, std::move(text), all, corrected_reader);
   return corrected;
 }
 

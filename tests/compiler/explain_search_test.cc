@@ -70,7 +70,7 @@ TEST(ExplainSearch, SaysWhatToTry) {
     const char* advice;
   };
   const Case cases[] = {
-      {"138", "there are MP000 to MP050, MP100 to MP137"},
+      {"141", "there are MP000 to MP050, MP100 to MP140"},
       {"undeclard", "did you mean 'undeclared'?"},
       {"Wile-Loop", "did you mean 'while-loop'?"},
       {"quaternion", "a word such as goto"},

@@ -1,3 +1,4 @@
+// As structured C all but the last of these would be right: then there would be one error.
 int a, b, c;
 int t0() {
   a += 2; // expect error MP106
@@ -11,5 +12,6 @@ int t0() {
   a = (int) (b + 1); // expect error MP100
   a = abs(b - c); // expect error MP100
   a = 1, b = 2; // expect error MP100
+  d = 1; // expect error MP027
   return 0;
 }
