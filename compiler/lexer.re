@@ -12,6 +12,7 @@
 #include <unordered_set>
 
 #include "base/number.h"
+#include "compiler/header_types.h"
 #include "compiler/operators.h"
 #include "compiler/parser.hh"
 #include "compiler/text.h"
@@ -34,10 +35,14 @@ struct Keyword {
 constexpr Keyword kStructuredKeywords[] = {
     {"bool", Kind::kBool},          {"_Bool", Kind::kBool},         {"volatile", Kind::kQualifier},
     {"register", Kind::kQualifier}, {"auto", Kind::kQualifier},     {"inline", Kind::kQualifier},
+    {"__volatile", Kind::kQualifier}, {"__volatile__", Kind::kQualifier},
+    {"__inline", Kind::kQualifier}, {"__inline__", Kind::kQualifier},
     {"asm", Kind::kReserved},       {"__asm", Kind::kReserved},     {"__asm__", Kind::kReserved},
     {"_Generic", Kind::kReserved},  {"_Atomic", Kind::kReserved},   {"_Complex", Kind::kReserved},
     {"_Alignas", Kind::kReserved},  {"_Alignof", Kind::kReserved},  {"_Noreturn", Kind::kReserved},
-    {"restrict", Kind::kReserved},  {"__attribute__", Kind::kReserved},
+    {"restrict", Kind::kReserved},  {"__restrict", Kind::kReserved},
+    {"__restrict__", Kind::kReserved}, {"__extension__", Kind::kReserved},
+    {"__attribute", Kind::kReserved}, {"__attribute__", Kind::kReserved},
     {"_Static_assert", Kind::kReserved}, {"_Thread_local", Kind::kReserved}};
 
 // The text before the suffix of a C floating-point number; empty for any other text.
@@ -75,6 +80,7 @@ class Lexer {
   void AddIntegerOfC(const char* begin, const char* end);
   void AddOctal(const char* begin, const char* end);
   void AddOtherNumber(const char* begin, const char* end);
+  const char* AddWideCharacter(const char* begin, const char* end);
   void AddCharacter(const char* begin, const char* end);
   void AddFixed(const char* begin, const char* end);
   void AddBadNumber(Code code, const char* begin, const char* end);
@@ -122,6 +128,11 @@ void Lexer::AddEllipsis(const char* begin, const char* end) {
 void Lexer::AddName(const char* begin, const char* end) {
   const std::string_view name(begin, static_cast<size_t>(end - begin));
   if (structured_) {
+    // The types of C's headers are read as types, so that there is one message about each.
+    if (!TypeForHeaderType(name).empty()) {
+      Add(Kind::kInt, begin, end);
+      return;
+    }
     for (const Keyword& keyword : kStructuredKeywords) {
       if (keyword.text != name) continue;
       Add(keyword.kind, begin, end);
@@ -234,6 +245,21 @@ const char* Lexer::EndOfString(const char* begin, const char* end, const char* l
     const bool escape = *end == '\\' && end + 1 < limit && end[1] != '\n';
     end += escape ? 2 : CharacterLength({end, static_cast<size_t>(limit - end)}, utf8_);
   }
+  return end;
+}
+
+// L'x': a character as well, which keeps its value; in the card's language a name before one.
+const char* Lexer::AddWideCharacter(const char* begin, const char* end) {
+  const char* const quote = std::find(begin, end, '\'');
+  if (!structured_) {
+    AddName(begin, quote);
+    return quote;
+  }
+  const std::string_view text(begin, static_cast<size_t>(end - begin));
+  Replace(reporter_.Report(Code::kNotACharacter, Range(begin, end), text), Range(begin, quote), "");
+  Literal literal;
+  literal.invalid = true;
+  Add(Kind::kInteger, begin, end, literal);
   return end;
 }
 
@@ -381,6 +407,10 @@ void Lexer::Scan(const char* cursor, const char* limit) {
       ["] [^"\n]* ["]? {
         cursor = EndOfString(begin, cursor, limit);
         AddString(begin, cursor);
+        continue;
+      }
+      ("L" | "u" | "U" | "u8") ['] ([^'\\\n] | [\\] [^\n])* ['] {
+        cursor = AddWideCharacter(begin, cursor);
         continue;
       }
       ['] ([^'\\\n] | [\\] [^\n])* ['] { AddCharacter(begin, cursor); continue; }

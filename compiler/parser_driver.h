@@ -42,6 +42,9 @@ class ParserDriver {
   /// True if recovery does not get past a token; the rest of the file is then skipped.
   bool Stalled() const { return errors_here_ > kErrorsHereMax; }
 
+  /// Refuses a second function in one declaration, `int f(int a), g(int a);`.
+  void RefuseOtherFunction(const Token* name);
+
   // --- Building blocks of the tree that need the reporter -------------------------------------
 
   /// Replaces a tree that is too deep or too high by an error node.
@@ -91,6 +94,8 @@ class ParserDriver {
   void RememberNames(size_t begin, size_t end);
   void ReportReservedWord(const Token& token);
   bool ReportUntranslatable(bool operand);
+  void RemoveWord(Diagnostic& diagnostic) const;
+  void DefineType(Diagnostic& diagnostic) const;
   bool ReportSlip(const std::function<bool(Parser::symbol_kind_type)>& expects);
   const Token* UntypedFunction() const;
   bool AfterUntypedParameters() const;

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "compiler/checker.h"
+#include "compiler/header_types.h"
 #include "compiler/tree_walk.h"
 
 namespace oncard::compiler {
@@ -17,27 +18,39 @@ using SKind = Statement::Kind;
 
 constexpr std::string_view kTypes =
     "void, bool, char, short, int, long, double, an enum, TTrapPrm, TJogPrm, TPid";
-constexpr std::string_view kStorage[] = {"static", "const",    "extern", "volatile",
-                                         "auto",   "register", "inline"};
+constexpr std::string_view kStorage[] = {"static",     "const",        "extern",    "volatile",
+                                         "__volatile", "__volatile__", "auto",      "register",
+                                         "inline",     "__inline",     "__inline__"};
 
 bool IsIn(std::string_view word, std::initializer_list<std::string_view> words) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
+// What a message calls a declarator that may have no name.
+std::string_view NameOrWord(const Declarator& declarator) {
+  return declarator.name.empty() ? "*" : declarator.name;
+}
+
 class Refusals {
  public:
-  Refusals(const Options& options, Reporter& reporter) : options_(options), reporter_(reporter) {}
+  Refusals(const std::unordered_set<std::string_view>& skipped_names, const Options& options,
+           Reporter& reporter)
+      : skipped_names_(skipped_names), options_(options), reporter_(reporter) {}
 
   void VisitTopLevel(const Statement& item);
 
  private:
-  enum class Use : uint8_t { kVariable, kParameter, kFunction, kCast };
+  // A pointer is reported by itself: its type may be void.
+  enum class Use : uint8_t { kVariable, kParameter, kFunction, kCast, kPointer };
 
   void VisitFunction(const Function& function);
   void VisitStatement(const Statement& statement);
   void VisitBody(const Statement* body, std::string_view word);
   void VisitDeclaration(const Statement& statement);
-  void VisitDeclarator(const Declarator& declarator);
+  Diagnostic& ReportPointer(const Declarator& declarator, SourceRange place);
+  void VisitSizesAndValues(const Declarator& declarator);
+  bool ReportHeaderType(const Specifiers& specifiers, std::string_view base,
+                        std::string_view spelled);
   void VisitSpecifiers(const Specifiers& specifiers, Use use);
   void VisitType(const TypeName& type);
   void Visit(const Expression* expression);
@@ -46,6 +59,7 @@ class Refusals {
   void TooLarge(const Expression& number, const Message& type, const Message& lowest,
                 const Message& highest);
 
+  const std::unordered_set<std::string_view>& skipped_names_;
   const Options& options_;
   Reporter& reporter_;
   std::string_view function_;  // the one whose body is visited
@@ -89,8 +103,14 @@ void Refusals::VisitFunction(const Function& function) {
     const bool nothing = function.parameters.size() == 1 && declarator.name.empty() &&
                          specifiers.words.size() == 1 && specifiers.words[0]->text == "void";
     if (nothing && !declarator.pointer && declarator.sizes.empty()) continue;
-    VisitSpecifiers(specifiers, Use::kParameter);
-    VisitDeclarator(declarator);
+    VisitSpecifiers(specifiers, declarator.pointer ? Use::kPointer : Use::kParameter);
+    if (declarator.pointer) {
+      AddNote(ReportPointer(declarator,
+                            declarator.name.empty() ? parameter.range : declarator.name_range),
+              MakeMessage("an array as a parameter is written '{0}[]'; its elements may be changed",
+                          "数组参数写作 '{0}[]'，其元素可以修改", NameOrWord(declarator)));
+    }
+    VisitSizesAndValues(declarator);
     if (!function.prototype && declarator.name.empty()) {
       SourceRange end = parameter.range;
       end.begin = end.end;
@@ -136,15 +156,25 @@ void Refusals::VisitBody(const Statement* body, std::string_view word) {
 }
 
 void Refusals::VisitDeclaration(const Statement& statement) {
-  VisitSpecifiers(statement.specifiers, Use::kVariable);
-  for (const Declarator& declarator : statement.declarators) VisitDeclarator(declarator);
+  const std::vector<Declarator>& declarators = statement.declarators;
+  const bool pointers = std::any_of(declarators.begin(), declarators.end(),
+                                    [](const Declarator& one) { return one.pointer; });
+  VisitSpecifiers(statement.specifiers, pointers ? Use::kPointer : Use::kVariable);
+  for (const Declarator& declarator : declarators) {
+    if (declarator.pointer) {
+      AddNote(ReportPointer(declarator, declarator.name_range),
+              MakeMessage("use the variable or the array itself, with an index in place of '{0}'",
+                          "请直接使用变量或数组，并以下标代替 '{0}'", NameOrWord(declarator)));
+    }
+    VisitSizesAndValues(declarator);
+  }
 }
 
-void Refusals::VisitDeclarator(const Declarator& declarator) {
-  if (declarator.pointer) {
-    const SourceRange range = declarator.name.empty() ? declarator.range : declarator.name_range;
-    reporter_.Report(Code::kPointer, range, declarator.name);
-  }
+Diagnostic& Refusals::ReportPointer(const Declarator& declarator, SourceRange place) {
+  return reporter_.Report(Code::kPointer, place, NameOrWord(declarator));
+}
+
+void Refusals::VisitSizesAndValues(const Declarator& declarator) {
   for (const ExpressionPtr& size : declarator.sizes) Visit(size.get());
   Visit(declarator.initialiser.get());
 }
@@ -177,8 +207,9 @@ void Refusals::VisitSpecifiers(const Specifiers& specifiers, Use use) {
                        MakeMessage("leave it out", "请去掉它"));
     }
     if (std::find(std::begin(kStorage), std::end(kStorage), text) != std::end(kStorage)) {
-      const bool allowed = use == Use::kVariable || use == Use::kFunction ||
-                           IsIn(text, {"const", "volatile", "register", "extern"});
+      const bool allowed =
+          use == Use::kVariable || use == Use::kFunction || use == Use::kPointer ||
+          IsIn(text, {"const", "volatile", "__volatile", "__volatile__", "register", "extern"});
       good = good && allowed;
       continue;
     }
@@ -209,13 +240,33 @@ void Refusals::VisitSpecifiers(const Specifiers& specifiers, Use use) {
            (IsIn(base, {"", "int"}) || (base == "char" && !sized));
   } else {
     const gtcalls::Structure* structure = options_.catalogue->FindStructure(base);
-    good = good && (IsIn(base, {"bool", "_Bool", "char", "int", "double", "enum"}) ||
-                    (base == "void" && (use == Use::kFunction || use == Use::kCast)) ||
-                    (structure != nullptr && structure->in_motion_program));
+    good =
+        good &&
+        (IsIn(base, {"bool", "_Bool", "char", "int", "double", "enum"}) ||
+         (base == "void" && (use == Use::kFunction || use == Use::kCast || use == Use::kPointer)) ||
+         (structure != nullptr && structure->in_motion_program));
   }
-  if (good) return;
+  if (ReportHeaderType(specifiers, base, spelled)) return;
+  const bool skipped = specifiers.words.size() == 1 && skipped_names_.contains(base);
+  if (good || skipped) return;
   reporter_.Report(Code::kNotAType, specifiers.range, ToMessage(fmt::format("'{}'", spelled)),
                    kTypes);
+}
+
+// Reports `int32_t` and others, with the type to write instead.
+bool Refusals::ReportHeaderType(const Specifiers& specifiers, std::string_view base,
+                                std::string_view spelled) {
+  const std::string_view type = TypeForHeaderType(base);
+  if (type.empty()) return false;
+  const auto word = std::find_if(specifiers.words.begin(), specifiers.words.end(),
+                                 [base](const Token* one) { return one->text == base; });
+  if (type.ends_with("long long")) {
+    reporter_.Report(Code::kLongLong, specifiers.range, spelled);
+  } else {
+    const SourceRange range = (*word)->range;
+    Replace(reporter_.Report(Code::kForeignType, range, base, type), range, std::string(type));
+  }
+  return true;
 }
 
 void Refusals::VisitType(const TypeName& type) {
@@ -299,8 +350,10 @@ void Refusals::TooLarge(const Expression& number, const Message& type, const Mes
 
 }  // namespace
 
-void RefuseUntranslatable(const Tree& tree, const Options& options, Reporter& reporter) {
-  Refusals refusals(options, reporter);
+void RefuseUntranslatable(const Tree& tree,
+                          const std::unordered_set<std::string_view>& skipped_names,
+                          const Options& options, Reporter& reporter) {
+  Refusals refusals(skipped_names, options, reporter);
   for (const StatementPtr& item : tree.items) refusals.VisitTopLevel(*item);
 }
 

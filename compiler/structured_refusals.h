@@ -3,6 +3,9 @@
 // left to compiler/lowering. Tested by tests/lang/structured.
 #pragma once
 
+#include <string_view>
+#include <unordered_set>
+
 #include "compiler/compiler.h"
 #include "compiler/reporter.h"
 #include "compiler/syntax.h"
@@ -15,6 +18,10 @@ namespace oncard::compiler {
 ///   qualifier, and in prototypes `extern`; an enum is defined in a declaration only;
 /// - there are no pointers; `&` is an argument of a call; functions are called by name;
 /// - numbers fit their types; `-2147483648` is the only use of a decimal 2147483648.
-void RefuseUntranslatable(const Tree& tree, const Options& options, Reporter& reporter);
+/// Nothing is said about types with `skipped_names`, which may have been defined in text with
+/// errors.
+void RefuseUntranslatable(const Tree& tree,
+                          const std::unordered_set<std::string_view>& skipped_names,
+                          const Options& options, Reporter& reporter);
 
 }  // namespace oncard::compiler

@@ -19,8 +19,8 @@ StructuredSource::StructuredSource(const std::string& path, std::string text,
   Parser parser(driver);
   parser.parse();
   tree_ = std::move(driver.tree);
-  RefuseUntranslatable(tree_, options, reporter);
   skipped_names_ = driver.skipped_names();
+  RefuseUntranslatable(tree_, skipped_names_, options, reporter);
 }
 
 StructuredSource::StructuredSource(StructuredSource&&) noexcept = default;

@@ -1,6 +1,7 @@
 // The messages of syntax errors: what is missing, or which construct of C cannot be there.
 #include <algorithm>
 #include <functional>
+#include <string>
 
 #include "compiler/lexer.h"
 #include "compiler/parser_driver.h"
@@ -19,7 +20,10 @@ Message WhyNotForTheCard(std::string_view word) {
         "each member",
         "只有 TTrapPrm、TJogPrm 和 TPid 三种结构；请为每个成员声明一个变量或数组");
   }
-  if (word == "typedef") return MakeMessage("write the type itself", "请直接写出类型");
+  if (word == "typedef") {
+    return MakeMessage("write the type itself, or #define the name",
+                       "请直接写出类型，或用 #define 定义名称");
+  }
   if (word.find("asm") != std::string_view::npos) {
     return MakeMessage("the card does not run machine code", "控制卡不能运行机器码");
   }
@@ -87,8 +91,54 @@ bool ParserDriver::ReportUntranslatable(bool operand) {
   } else {
     return false;
   }
-  reporter_.Report(Code::kNotForTheCard, found.range, word, why);
+  Diagnostic& diagnostic = reporter_.Report(Code::kNotForTheCard, found.range, word, why);
+  if (word.starts_with("__attribute") || word == "__extension__") RemoveWord(diagnostic);
+  if (word == "typedef") DefineType(diagnostic);
   return true;
+}
+
+// Removes the last token, and the parentheses behind it.
+void ParserDriver::RemoveWord(Diagnostic& diagnostic) const {
+  SourceRange range = last_->range;
+  int depth = 0;
+  for (size_t i = next_; i < tokens_.size() && tokens_[i].range.file == range.file; ++i) {
+    if (tokens_[i].kind == Kind::kOpenParen) ++depth;
+    if (tokens_[i].kind == Kind::kCloseParen) --depth;
+    if (depth > 0) continue;
+    if (tokens_[i].kind == Kind::kCloseParen) range = Join(range, tokens_[i].range);
+    break;
+  }
+  Replace(diagnostic, range, "");
+}
+
+// `typedef unsigned char byte;` as `#define byte unsigned char`, if the type is that simple.
+void ParserDriver::DefineType(Diagnostic& diagnostic) const {
+  size_t name = next_;
+  std::string type;
+  for (; name < tokens_.size() && IsTypeWord(tokens_[name].kind); ++name) {
+    if (!type.empty()) type += ' ';
+    type += tokens_[name].text;
+  }
+  if (type.empty() || name + 1 >= tokens_.size()) return;
+  const Token& end = tokens_[name + 1];
+  if (tokens_[name].kind != Kind::kName || end.kind != Kind::kSemicolon) return;
+  const bool in_one_file = tokens_[name].range.file == last_->range.file;
+  const bool followed = name + 2 < tokens_.size() && !tokens_[name + 2].on_new_line;
+  if (!in_one_file || !last_->on_new_line || followed) return;
+  Replace(diagnostic, Join(last_->range, end.range),
+          "#define " + std::string(tokens_[name].text) + ' ' + type);
+}
+
+void ParserDriver::RefuseOtherFunction(const Token* name) {
+  skipped_names_.insert(name->text);
+  if (dialect_ == Dialect::kCard) {
+    reporter_.Report(Code::kUnexpected, name->range, DescribeToken(*name),
+                     MakeMessage("a declaration of its own", "单独的声明"));
+    return;
+  }
+  reporter_.Report(
+      Code::kNotForTheCard, name->range, name->text,
+      MakeMessage("declare each function in a statement of its own", "请用单独的语句声明每个函数"));
 }
 
 // A syntax error for which structured C knows better than the expected tokens what is meant.

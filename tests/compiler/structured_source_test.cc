@@ -1,12 +1,14 @@
 // Structured C as a tree: what the front end accepts, and the shape that it gives it.
 #include "compiler/structured_source.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
 #include "compiler/dialect.h"
+#include "compiler/fix_it_applier.h"
 #include "tests/compiler/compiler_support.h"
 #include "tests/compiler/tree_text.h"
 
@@ -118,6 +120,45 @@ INSTANTIATE_TEST_SUITE_P(
             "(decl static int calls=0) (decl enum { kLocal=3 })"},
         Row{"a = b = c ? d, e : f ? g : h;", "(= a (= b (? c (, d e) (? f g h))))"}));
 
+// The text with the fix-its of what is reported about it.
+std::string Corrected(const std::string& text) {
+  Reporter reporter;
+  const StructuredSource source("test.c", text, {}, NoFiles(), reporter);
+  std::vector<FixIt> edits;
+  for (const Diagnostic& diagnostic : reporter.diagnostics()) {
+    edits.insert(edits.end(), diagnostic.fixits.begin(), diagnostic.fixits.end());
+  }
+  return ApplyEdits(text, edits);
+}
+
+TEST(StructuredFixIts, MakeWordsOfOtherCompilersThoseOfStructuredC) {
+  const Row rows[] = {
+      {"int32_t a;\nuint8_t b = (int16_t)1;", "int a;\nunsigned char b = (short)1;"},
+      {"void t0() { v = L'x' + u8'\\n'; }", "void t0() { v = 'x' + '\\n'; }"},
+      {"int a;\ntypedef unsigned char byte;\nbyte b;",
+       "int a;\n#define byte unsigned char\nbyte b;"},
+      {"int a __attribute__((aligned(4)));", "int a ;"},
+      {"__extension__ int a;", " int a;"},
+      // A directive needs its own line, and a macro is no array.
+      {"int a; typedef int word;\nword b;", "int a; typedef int word;\nword b;"},
+      {"typedef int word; word b;", "typedef int word; word b;"},
+      {"typedef int row[3];\nrow b;", "typedef int row[3];\nrow b;"},
+      {"typedef struct { int x; } s;\n", "typedef struct { int x; } s;\n"},
+  };
+  for (const Row& row : rows) EXPECT_EQ(Corrected(row.text), row.tree) << row.text;
+}
+
+TEST(StructuredMessages, SayWhatToWriteInsteadOfAPointer) {
+  Reporter reporter;
+  const StructuredSource source("test.c", "void f(int *list) {}\nint *place;\n", {}, NoFiles(),
+                                reporter);
+  ASSERT_EQ(reporter.diagnostics().size(), 2u);
+  ASSERT_EQ(reporter.diagnostics()[0].notes.size(), 1u);
+  EXPECT_THAT(reporter.diagnostics()[0].notes[0].message.en, testing::HasSubstr("'list[]'"));
+  ASSERT_EQ(reporter.diagnostics()[1].notes.size(), 1u);
+  EXPECT_THAT(reporter.diagnostics()[1].notes[0].message.en, testing::HasSubstr("an index"));
+}
+
 TEST(DialectTest, FirstLineSelectsStructuredC) {
   for (const char* text : {"//@ structured", "//@ structured\nint a;", "//@structured\r\nint a;",
                            "\xEF\xBB\xBF  //@  structured  \n"}) {
@@ -139,6 +180,7 @@ TEST(DialectTest, WordsOfStructuredCKeepTheirMeaningInTheCardsLanguage) {
            {"int t0() { return sizeof(int); }", {115}},
            {"int volatile; int inline; int asm; int t0() { return volatile; }", {}},
            {"int bool; int t0() { return bool; }", {}},
+           {"int int32_t; int __inline__; int L; int t0() { return int32_t; }", {}},
            {"int f(int []); int t0() { return 0; }", {128}},
            {"int a[2] = {}; int t0() { return a[0]; }", {127, 24, 27}},
            {"int a; int t0() { switch (a) { case 1 ... 2: a = 1; } return a; }", {105, 128}},

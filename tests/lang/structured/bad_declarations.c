@@ -1,0 +1,18 @@
+//@ structured
+int v;
+void f(void *p) {} // expect error MP129
+void g(int *, int k) {} // expect error MP129 // expect error MP128
+int up(int a), down(int a); // expect error MP206
+int left(void), *right(int a), both(); // expect error MP206 // expect error MP206
+int up(int a) { return a; }
+__attribute__((noinline)) int attributed(int a) { return a; } // expect error MP206
+int aligned __attribute__((aligned(4))); // expect error MP206
+__extension__ int extended; // expect error MP206
+typedef unsigned char byte; // expect error MP206
+byte first;
+void t0() {
+  void *p; // expect error MP129
+  byte third = 1;
+  int *q = 0, r; // expect error MP129
+  v = third + first + attributed(1) + up(aligned) + down(1);
+}
