@@ -62,14 +62,20 @@ std::optional<std::string> BytesOfText(std::string_view text) {
   return bytes;
 }
 
-/// JSON has no infinite numbers.
-Json NumberJson(double value) {
-  if (std::isnan(value)) return "nan";
-  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+/// Appends a number; JSON has no infinite ones.
+void AppendJsonNumber(double value, std::string* line) {
   const bool whole =
       value == std::trunc(value) && std::fabs(value) < static_cast<double>(kWholeMax);
-  if (whole && !(value == 0 && std::signbit(value))) return static_cast<int64_t>(value);
-  return value;
+  if (whole && !(value == 0 && std::signbit(value))) {
+    const fmt::format_int number(static_cast<int64_t>(value));
+    line->append(number.data(), number.size());
+  } else if (std::isnan(value)) {
+    *line += "\"nan\"";
+  } else if (std::isinf(value)) {
+    *line += value > 0 ? "\"inf\"" : "\"-inf\"";
+  } else {
+    *line += JsonText(value);
+  }
 }
 
 std::optional<double> NumberOf(const Json& json) {
@@ -80,14 +86,30 @@ std::optional<double> NumberOf(const Json& json) {
   return std::nullopt;
 }
 
-Json ArgumentJson(const Parameter& parameter, const RecordedCall::Argument& argument) {
-  if (parameter.passing == Passing::kValue) return NumberJson(argument.value);
-  if (argument.null) return nullptr;
-  if (parameter.passing == Passing::kText) return TextOfBytes(argument.text);
-  if (parameter.passing != Passing::kInput || argument.unread) return true;
-  Json cells = Json::array();
-  for (const double cell : argument.cells) cells.push_back(NumberJson(cell));
-  return cells;
+/// Appends to a line `[`, what `append` makes of each element, and `]`.
+template <typename Elements, typename Append>
+void AppendList(const Elements& elements, const Append& append, std::string* line) {
+  *line += '[';
+  for (const auto& element : elements) {
+    if (line->back() != '[') *line += ',';
+    append(element);
+  }
+  *line += ']';
+}
+
+void AppendArgument(const Parameter& parameter, const RecordedCall::Argument& argument,
+                    std::string* line) {
+  if (parameter.passing == Passing::kValue) return AppendJsonNumber(argument.value, line);
+  if (argument.null) {
+    *line += "null";
+  } else if (parameter.passing == Passing::kText) {
+    *line += JsonText(TextOfBytes(argument.text));
+  } else if (parameter.passing != Passing::kInput || argument.unread) {
+    *line += "true";
+  } else {
+    AppendList(
+        argument.cells, [line](double cell) { AppendJsonNumber(cell, line); }, line);
+  }
 }
 
 std::string Line(const Json& json) { return JsonText(json) + '\n'; }
@@ -334,6 +356,7 @@ RecordedCall RecordCall(const LoggedCall& call, bool acts) {
   recorded.code = call.code;
   recorded.acts = acts;
   if (!acts) recorded.reason = call.reason;
+  recorded.arguments.reserve(call.arguments.size());
   for (size_t i = 0; i < call.arguments.size(); ++i) {
     const vm::CommandArgument& from = call.arguments[i];
     RecordedCall::Argument argument;
@@ -374,16 +397,20 @@ std::string FormatRecordedOpening(int card, const Scenario& scenario, bool bare)
   return Line(json);
 }
 
+// Called for each call of a host: only what few calls have becomes a document first.
 std::string FormatRecordedCall(int card, const RecordedCall& call) {
-  Json in = Json::array();
-  for (size_t i = 0; i < call.arguments.size(); ++i) {
-    in.push_back(ArgumentJson(call.command->parameters[i], call.arguments[i]));
-  }
-  Json json = {{"card", card},
-               {"us", call.time_us},
-               {"call", call.command->name},
-               {"in", std::move(in)},
-               {"code", call.code}};
+  std::string line = fmt::format(R"({{"card":{},"us":{},"call":"{}","in":)", card, call.time_us,
+                                 call.command->name);
+  const auto* parameter = call.command->parameters.data();
+  AppendList(
+      call.arguments,
+      [&](const RecordedCall::Argument& argument) {
+        AppendArgument(*parameter++, argument, &line);
+      },
+      &line);
+  line += R"(,"code":)";
+  AppendJsonNumber(call.code, &line);
+  Json json = Json::object();
   if (!call.acts) json["library"] = {call.reason.en, call.reason.zh};
   if (call.config) json["config"] = TextOfBytes(*call.config);
   if (call.program) {
@@ -395,7 +422,9 @@ std::string FormatRecordedCall(int card, const RecordedCall& call) {
           {{"path", TextOfBytes(source.path)}, {"text", TextOfBytes(source.text)}});
     }
   }
-  return Line(json);
+  if (json.empty()) return line + "}\n";
+  line += ',';
+  return line.append(Line(json), 1);
 }
 
 std::string FormatRecordedEnd(int card, const CallRecord::End& end) {

@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <iterator>
 #include <string_view>
-#include <vector>
 
 namespace oncard::runtime {
 namespace {
@@ -12,86 +13,116 @@ using gtcalls::Parameter;
 using gtcalls::Passing;
 using gtcalls::Scalar;
 
-std::string CString(std::string_view text) {
-  std::string quoted = "\"";
+// Each function appends to the line. A host may make millions of calls.
+
+void AppendText(std::string_view text, std::string* line) {
+  *line += '"';
   for (const char c : text) {
     if (c == '"' || c == '\\') {
-      quoted += {'\\', c};
+      *line += {'\\', c};
     } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) {
-      quoted += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+      *line += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
     } else {
-      quoted += c;
+      *line += c;
     }
   }
-  return quoted + '"';
+  *line += '"';
 }
 
-std::string ListOf(std::span<const double> cells) {
-  return fmt::format("[{}]", fmt::join(cells, ", "));
+void AppendInteger(int64_t value, std::string* line) {
+  const fmt::format_int number(value);
+  line->append(number.data(), number.size());
 }
 
-/// The text of a scalar: masks and bit words as hexadecimal numbers with the width of their type.
-std::string NumberOf(const Parameter& parameter, double value) {
+/// The shortest number that is this one. Whole ones, the usual case, without looking for it.
+void AppendNumber(double value, std::string* line) {
+  constexpr double kWithoutExponent = 1e15;
+  if (std::fabs(value) < kWithoutExponent && value == std::trunc(value) &&
+      !(value == 0 && std::signbit(value))) {
+    return AppendInteger(static_cast<int64_t>(value), line);
+  }
+  fmt::format_to(std::back_inserter(*line), "{}", value);
+}
+
+/// Appends `[`, what `append` makes of each cell, and `]`.
+template <typename Append>
+void AppendList(std::span<const double> cells, const Append& append, std::string* line) {
+  *line += '[';
+  for (size_t i = 0; i < cells.size(); ++i) {
+    if (i > 0) *line += ", ";
+    append(cells[i], line);
+  }
+  *line += ']';
+}
+
+/// A scalar: masks and bit words as hexadecimal numbers with the width of their type.
+void AppendScalar(const Parameter& parameter, double value, std::string* line) {
   if (parameter.unit != gtcalls::Unit::kMask && parameter.unit != gtcalls::Unit::kBits) {
-    return fmt::format("{}", value);
+    return AppendNumber(value, line);
   }
   const auto bits = static_cast<uint32_t>(static_cast<int64_t>(value));
   const bool narrow = parameter.type == Scalar::kShort || parameter.type == Scalar::kUnsignedShort;
-  return fmt::format("{:#x}", narrow ? bits & 0xFFFF : bits);
+  fmt::format_to(std::back_inserter(*line), "{:#x}", narrow ? bits & 0xFFFF : bits);
 }
 
 /// A structure's members with names, without those that are not cells; removes its cells from
 /// `cells`.
-std::string StructureOf(const gtcalls::Structure& structure, std::span<const double>* cells) {
-  std::string text = "{";
+void AppendStructure(const gtcalls::Structure& structure, std::span<const double>* cells,
+                     std::string* line) {
+  *line += '{';
   for (const gtcalls::Member& member : structure.members) {
     if (member.pointer || (member.type == Scalar::kChar && member.structure == nullptr)) continue;
-    if (text.size() > 1) text += ", ";
-    text += member.name;
-    text += '=';
+    if (line->back() != '{') *line += ", ";
+    *line += member.name;
+    *line += '=';
     if (member.structure != nullptr) {
-      text += StructureOf(*member.structure, cells);
+      AppendStructure(*member.structure, cells, line);
       continue;
     }
     const size_t count = member.array_size == 0 ? 1 : static_cast<size_t>(member.array_size);
     const auto part = cells->first(count);
     *cells = cells->subspan(count);
-    text += member.array_size == 0 ? fmt::format("{}", part[0]) : ListOf(part);
+    if (member.array_size == 0) {
+      AppendNumber(part[0], line);
+    } else {
+      AppendList(part, AppendNumber, line);
+    }
   }
-  return text + '}';
+  *line += '}';
 }
 
 /// The values that a pointer refers to.
-std::string ContentOf(const Parameter& parameter, const vm::CommandArgument& argument) {
+void AppendContent(const Parameter& parameter, const vm::CommandArgument& argument,
+                   std::string* line) {
   if (parameter.passing == Passing::kTextOutput) {
-    return CString(*static_cast<const char* const*>(argument.host));
+    return AppendText(*static_cast<const char* const*>(argument.host), line);
   }
   if (parameter.structure == nullptr) {
-    std::vector<std::string> numbers;
-    for (const double cell : argument.cells) numbers.push_back(NumberOf(parameter, cell));
-    return fmt::format("[{}]", fmt::join(numbers, ", "));
+    return AppendList(
+        argument.cells,
+        [&parameter](double cell, std::string* to) { AppendScalar(parameter, cell, to); }, line);
   }
   std::span<const double> cells = argument.cells;
-  if (parameter.count_parameter < 0) return StructureOf(*parameter.structure, &cells);
-  std::string text = "[";
+  if (parameter.count_parameter < 0) return AppendStructure(*parameter.structure, &cells, line);
+  *line += '[';
   while (!cells.empty()) {
-    if (text.size() > 1) text += ", ";
-    text += StructureOf(*parameter.structure, &cells);
+    if (line->back() != '[') *line += ", ";
+    AppendStructure(*parameter.structure, &cells, line);
   }
-  return text + ']';
+  *line += ']';
 }
 
-std::string ArgumentOf(const Parameter& parameter, const vm::CommandArgument& argument) {
-  if (parameter.passing == Passing::kValue) return NumberOf(parameter, argument.value);
-  // A pointer that was not read because its count is out of range is not NULL for the host.
-  if (argument.null) return argument.host == nullptr ? "NULL" : std::string(parameter.name);
-  switch (parameter.passing) {
-    case Passing::kText:
-      return CString(static_cast<const char*>(argument.host));
-    case Passing::kInput:
-      return ContentOf(parameter, argument);
-    default:
-      return std::string(parameter.name);
+void AppendArgument(const Parameter& parameter, const vm::CommandArgument& argument,
+                    std::string* line) {
+  if (parameter.passing == Passing::kValue) return AppendScalar(parameter, argument.value, line);
+  if (argument.null && argument.host == nullptr) {
+    *line += "NULL";
+  } else if (!argument.null && parameter.passing == Passing::kText) {
+    AppendText(static_cast<const char*>(argument.host), line);
+  } else if (!argument.null && parameter.passing == Passing::kInput) {
+    AppendContent(parameter, argument, line);
+  } else {  // an output, or an input that was not read because its count is out of range
+    *line += parameter.name;
   }
 }
 
@@ -102,44 +133,72 @@ bool HasOutput(const Parameter& parameter, const vm::CommandArgument& argument) 
          (parameter.passing == Passing::kOutput && !argument.cells.empty());
 }
 
+void AppendInputs(const gtcalls::Command& command, std::span<const vm::CommandArgument> arguments,
+                  std::string* line) {
+  *line += command.name;
+  *line += '(';
+  for (size_t i = 0; i < arguments.size(); ++i) {
+    if (i > 0) *line += ", ";
+    AppendArgument(command.parameters[i], arguments[i], line);
+  }
+  *line += ')';
+}
+
+void AppendOutputs(const gtcalls::Command& command, std::span<const vm::CommandArgument> arguments,
+                   std::string* line) {
+  for (size_t i = 0; i < arguments.size(); ++i) {
+    const Parameter& parameter = command.parameters[i];
+    if (!HasOutput(parameter, arguments[i])) continue;
+    *line += ", ";
+    *line += parameter.name;
+    *line += '=';
+    AppendContent(parameter, arguments[i], line);
+  }
+}
+
+void AppendCallAndCode(const gtcalls::Command& command,
+                       std::span<const vm::CommandArgument> arguments, int16_t code,
+                       const std::string& why, std::string* line) {
+  AppendInputs(command, arguments, line);
+  *line += " = ";
+  AppendInteger(code, line);
+  if (why.empty()) return;
+  *line += ": ";
+  *line += why;
+}
+
 }  // namespace
 
 std::string FormatInputs(const gtcalls::Command& command,
                          std::span<const vm::CommandArgument> arguments) {
-  std::string text = fmt::format("{}(", command.name);
-  for (size_t i = 0; i < arguments.size(); ++i) {
-    if (i > 0) text += ", ";
-    text += ArgumentOf(command.parameters[i], arguments[i]);
-  }
-  return text + ')';
+  std::string text;
+  AppendInputs(command, arguments, &text);
+  return text;
 }
 
 std::string FormatOutputs(const gtcalls::Command& command,
                           std::span<const vm::CommandArgument> arguments) {
   std::string text;
-  for (size_t i = 0; i < arguments.size(); ++i) {
-    const Parameter& parameter = command.parameters[i];
-    if (!HasOutput(parameter, arguments[i])) continue;
-    text += fmt::format(", {}={}", parameter.name, ContentOf(parameter, arguments[i]));
-  }
+  AppendOutputs(command, arguments, &text);
   return text;
 }
 
 std::string FormatCallAndCode(const gtcalls::Command& command,
                               std::span<const vm::CommandArgument> arguments, int16_t code,
                               const Message& reason, Language language) {
-  const std::string text = fmt::format("{} = {}", FormatInputs(command, arguments), code);
-  const std::string& why = reason.In(language);
-  return why.empty() ? text : text + ": " + why;
+  std::string text;
+  AppendCallAndCode(command, arguments, code, reason.In(language), &text);
+  return text;
 }
 
 std::string FormatCall(const LoggedCall& call, Language language) {
   std::string line =
       fmt::format("{}.{:03} card{} ", call.time_us / 1000, call.time_us % 1000, call.card);
   if (call.caller != vm::kHostCaller) line += fmt::format("thread {}: ", call.caller);
-  line += FormatCallAndCode(call.command, call.arguments, call.code, call.reason, language);
-  if (call.code != 0 || !call.reason.In(language).empty()) return line;
-  return line + FormatOutputs(call.command, call.arguments);
+  const std::string& why = call.reason.In(language);
+  AppendCallAndCode(call.command, call.arguments, call.code, why, &line);
+  if (call.code == 0 && why.empty()) AppendOutputs(call.command, call.arguments, &line);
+  return line;
 }
 
 std::string FormatHappening(int64_t time_us, int card, const Message& what, Language language) {
