@@ -5,9 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "base/message.h"
+#include "base/result.h"
 #include "gtcalls/card_type.h"
 #include "gtcalls/catalogue.h"
 #include "gtcalls/family_state.h"
@@ -72,6 +74,11 @@ struct Family {
   /// True if variables of the program can still be written by something other than threads and the
   /// host.
   bool (*writes_variables)(const CardView& card);
+  /// What survives that the card is switched off, as the text of a file.
+  std::string (*memory_text)(const FamilyState& state);
+  /// Puts it back into a card that is switched on. Fails, without a change, with the first line
+  /// that is not as it must be; `path` is the file's name in the message.
+  Result<void> (*restore_memory)(std::string_view text, std::string_view path, FamilyState& state);
 
   /// The configuration of a card's motion core, with the defaults of the family.
   motion::MotionConfig Configured(motion::MotionConfig config) const {

@@ -2,12 +2,14 @@
 
 #include <array>
 #include <string_view>
+#include <utility>
 
 #include "gtcalls/gts/buffered_values.h"
 #include "gtcalls/gts/catalogue.h"
 #include "gtcalls/gts/commands/commands.h"
 #include "gtcalls/gts/defaults.h"
 #include "gtcalls/gts/limits.h"
+#include "gtcalls/gts/mram_text.h"
 #include "gtcalls/gts/profile_modes.h"
 #include "gtcalls/gts/status_word.h"
 #include "gtcalls/gts/unsupported.h"
@@ -81,6 +83,13 @@ FamilyState NewState() { return GtsState(); }
 
 GtsState& StateIn(FamilyState& state) { return *std::get_if<GtsState>(&state); }
 
+Result<void> RestoreMemory(std::string_view text, std::string_view path, FamilyState& state) {
+  auto mram = ParseMram(text, path);
+  if (!mram.ok()) return mram.error();
+  StateIn(state).mram = std::move(mram).value();
+  return {};
+}
+
 void AfterTick(Card& card) {
   WriteReachedValues(card);
   card.state<GtsState>().mram.Advance(card.motion.now());
@@ -118,6 +127,9 @@ const Family& GtsFamily() {
           [](const CardView& card) {
             return !card.state<GtsState>().plc.blocks.empty() || WillWriteProgram(card.motion);
           },
+      .memory_text =
+          [](const FamilyState& state) { return FormatMram(std::get_if<GtsState>(&state)->mram); },
+      .restore_memory = RestoreMemory,
   };
   return kFamily;
 }

@@ -25,6 +25,9 @@ class Mram {
   /// Words of the buffer; addresses below kMramWords.
   int16_t Word(int address) const { return At(buffer_, address); }
   void SetWord(int address, int16_t value) { Put(address, value, &buffer_); }
+  /// Words of the memory itself, which survive that the power goes off.
+  int16_t Kept(int address) const { return At(memory_, address); }
+  void Keep(int address, int16_t value) { Put(address, value, &memory_); }
   /// Begins to copy words from `address` on; they arrive at the end of the transfer time.
   void Start(motion::Micros now, int address, int count, MramAccess access);
   /// Aborts a transfer; words that have not arrived are not copied.
