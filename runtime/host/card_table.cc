@@ -29,6 +29,11 @@ void CardSlot::SwitchOff() {
   const auto number = static_cast<int>(this - CardTable::OfProcess().slots.data());
   if (recorder != nullptr) recorder->Close(number, {controller->NowUs(), controller->Hash()});
   recorder = nullptr;
+  if (memory && !HostIsJudgedByParent()) {
+    const auto kept = memory->Keep(*controller);
+    if (!kept.ok()) FailHost(OfCard(number, kept.error().message));
+  }
+  memory.reset();
   HostRefusals::OfProcess().AddProgram(number, refused.list());
   refused = {};
   watch.reset();

@@ -12,6 +12,7 @@
 #include "runtime/host/call_recorder.h"
 #include "runtime/host/clock.h"
 #include "runtime/host/host_api.h"
+#include "runtime/host/host_memory.h"
 #include "runtime/host/host_scenario.h"
 #include "runtime/host/marshal.h"
 #include "runtime/sim/controller.h"
@@ -34,6 +35,7 @@ struct CardSlot {
   /// The code that GT_GetFunId and GT_GetVarId return without a program: that of the failed
   /// GT_Download, or 1 if it has not been called.
   int16_t no_program_code = 1;
+  std::optional<CardMemory> memory;  ///< set while the card is open and has a file for it
   RefusedCommands refused;  ///< refused commands of motion programs since the card was opened
   MarshalledCall call;      ///< arguments of the call in progress
   CallRecorder* recorder = nullptr;    ///< set while the card is open and its calls are recorded

@@ -204,9 +204,8 @@ void CardWatch::FinishRequirements(const Controller& controller, bool in_order) 
   for (const Message& held : requirements_->DescribeHeld()) held_.push_back(OfCard(held));
 }
 
-Message CardWatch::OfCard(const Message& message) const {
-  return {fmt::format("card {}: {}", card_, message.en),
-          fmt::format("卡 {}：{}", card_, message.zh)};
+Message OfCard(int card, const Message& message) {
+  return {fmt::format("card {}: {}", card, message.en), fmt::format("卡 {}：{}", card, message.zh)};
 }
 
 void CardWatch::WarnOfMovingAxes(const Controller& controller) {
@@ -232,6 +231,14 @@ void CardWatch::Fail(const Expectation& expectation, const Message& why) {
 void LeaveJudgingToParent() {
   VerdictOfProcess().in_child = true;
   if (CallRecorder* recorder = CallRecorder::Wanted()) recorder->LeaveToParent();
+}
+
+bool HostIsJudgedByParent() { return VerdictOfProcess().in_child; }
+
+void FailHost(Message failure) {
+  Verdict& verdict = VerdictOfProcess();
+  const std::lock_guard lock(verdict.mutex);
+  verdict.failures.push_back(std::move(failure));
 }
 
 namespace {

@@ -28,6 +28,9 @@ Result<std::shared_ptr<const Scenario>> ScenarioFromEnvironment();
 /// is written (trace_file.h).
 std::vector<std::string> TraceFilesFromEnvironment();
 
+/// With the number of the card before it.
+Message OfCard(int card, const Message& message);
+
 /// The expectations and requirements of a scenario on one card, from its opening on, and the trace
 /// of the card.
 class CardWatch {
@@ -57,8 +60,7 @@ class CardWatch {
   void Judge(const Expectation& expectation, const Controller& controller);
   void Fail(const Expectation& expectation, const Message& why);
   void FinishRequirements(const Controller& controller, bool in_order);
-  /// With the number of the card before it.
-  Message OfCard(const Message& message) const;
+  Message OfCard(const Message& message) const { return runtime::OfCard(card_, message); }
   int64_t CycleOf(int64_t microseconds) const;
   void WarnOfMovingAxes(const Controller& controller);
 
@@ -89,6 +91,9 @@ inline constexpr int kExitNoMoreKeys = 121;
 void FinishHost();
 /// Called in a child of fork(): only the parent reports results and writes files.
 void LeaveJudgingToParent();
+bool HostIsJudgedByParent();
+/// Something that makes the host fail, to be reported when it ends.
+void FailHost(Message failure);
 /// The same from another thread while the host still runs: leaves the cards closed and locked, so
 /// that no thread of the host can use them any more.
 void ConcludeHost();

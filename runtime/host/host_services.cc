@@ -16,6 +16,7 @@
 #include "runtime/host/clock.h"
 #include "runtime/host/host_bus.h"
 #include "runtime/host/host_card.h"
+#include "runtime/host/host_memory.h"
 #include "runtime/host/host_refusals.h"
 #include "runtime/host/host_signals.h"
 #include "runtime/scenario/scenario_world.h"
@@ -76,7 +77,9 @@ int16_t Open(ServiceCall& call) {
   if (world == nullptr && !trace_files.empty()) world = std::make_shared<const Scenario>(bare);
   Scenario opened = world == nullptr ? bare : *world;
   TakeEni(FolderOfProgram(), &opened);
-  const bool bare_card = world == nullptr && opened.bus == BusSetup();
+  auto memory = TakeMemory(CardNumber(call), &opened);
+  if (!memory.ok()) return call.Refuse(kOpenFailed, memory.error().message);
+  const bool bare_card = world == nullptr && opened.bus == BusSetup() && opened.memory.empty();
   CallRecorder* const recorder = CallRecorder::Wanted();
   if (recorder != nullptr) {
     const auto recorded = recorder->Open(CardNumber(call), opened, bare_card);
@@ -84,6 +87,7 @@ int16_t Open(ServiceCall& call) {
   }
   slot.controller = std::make_unique<Controller>(CardOptions(opened));
   slot.recorder = recorder;
+  slot.memory = std::move(memory).value();
   if (recorder != nullptr) {
     slot.controller->card().read_file = [&slot](const std::string& path) {
       auto text = ReadFile(path, kConfigKind);
@@ -104,7 +108,7 @@ int16_t Open(ServiceCall& call) {
   slot.clock.emplace(clock.value());
   const bool collects = RefusalWishOfProcess() != RefusalWish::kNothing;
   if (collects) slot.controller->CollectRefusals(&slot.refused);
-  if (slot.watch || collects) WatchHostSignals();
+  if (slot.watch || slot.memory || collects) WatchHostSignals();
   slot.no_program_code = vm::kRefused;
   return vm::kOk;
 }

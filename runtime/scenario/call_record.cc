@@ -262,6 +262,7 @@ class RecordReader {
     if (line->Has("eni") && !ReadMessage(line->At("eni"), &world.value().bus.eni_error)) {
       return Damaged();
     }
+    if (line->Has("mram") && !ReadMemory(line, &world.value())) return Damaged();
     CallRecord opened;
     opened.card = card;
     opened.bare = bare;
@@ -269,6 +270,13 @@ class RecordReader {
     opened.scenario = std::move(world).value();
     openings_[card].push_back(std::move(opened));
     return {};
+  }
+
+  static bool ReadMemory(LineReader* line, Scenario* scenario) {
+    const gtcalls::Family& family = gtcalls::GtsFamily();
+    gtcalls::FamilyState state = family.new_state();
+    scenario->memory = line->Text("mram");
+    return line->good() && family.restore_memory(scenario->memory, "", state).ok();
   }
 
   /// The opening of the card that a line belongs to; nullptr: the card is not open.
@@ -394,6 +402,7 @@ std::string FormatRecordedOpening(int card, const Scenario& scenario, bool bare)
   Json json = {{"open", card}, {"bare", bare}, {"scenario", FormatScenario(world)}};
   const Message& eni = scenario.bus.eni_error;
   if (!eni.en.empty()) json["eni"] = {eni.en, eni.zh};
+  if (!scenario.memory.empty()) json["mram"] = scenario.memory;
   return Line(json);
 }
 

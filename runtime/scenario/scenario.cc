@@ -152,6 +152,7 @@ Scenario MoveScenario(const Scenario& scenario, const std::string& path) {
   if (moved.host_program && !moved.host_program->source.empty()) {
     moved.host_program->source = move(moved.host_program->source);
   }
+  if (!moved.mram.empty()) moved.mram = move(moved.mram);
   if (moved.explore && !moved.explore->follow.empty()) {
     moved.explore->follow = move(moved.explore->follow);
   }

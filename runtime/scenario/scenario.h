@@ -139,6 +139,11 @@ struct Scenario {
   /// If set, `oncard test` explores the scenario.
   std::optional<ExploreWish> explore;
   std::vector<KeyPress> keys;  ///< of a host program, in order of time
+  /// The file of the card's memory that survives power-off, for a host program; empty: none.
+  std::string mram = {};
+  /// What that memory holds when the card is switched on, as Family::memory_text() of the card
+  /// gives it; empty: it is clear. No key: it is in the file, or in the record of a host.
+  std::string memory = {};
 };
 
 /// Reads TOML text. The error contains all mistakes, each with its own lines: `path:line:column:

@@ -93,6 +93,12 @@ Message DescribeRefusedKey(std::string_view key, ScenarioUse use) {
     return {"'keys' are pressed for a host program: only 'oncard exec' can use them; remove them",
             "“keys”供主机程序使用：只有“oncard exec”能使用；应去掉"};
   }
+  if (key == "mram") {
+    return {
+        "'mram' is for a host program, only hosts can read and write this memory: only 'oncard "
+        "exec' can use it; remove it",
+        "“mram”供主机程序使用，只有主机能读写该存储器：只有“oncard exec”能使用；应去掉"};
+  }
   if (key == "host") {
     return {
         "a scenario with [[host]] cannot be explored: start the threads with the values that the "

@@ -1,6 +1,7 @@
 #include "runtime/scenario/scenario_world.h"
 
 #include <algorithm>
+#include <cassert>
 #include <memory>
 
 namespace oncard::runtime {
@@ -195,6 +196,12 @@ void ApplyWorld(const Scenario& scenario, Controller* controller) {
   }
   ConnectBus(scenario.bus, core);
   controller->card().bus_error = scenario.bus.eni_error;
+  if (!scenario.memory.empty()) {
+    // Who has read it from a file or a record has checked it.
+    [[maybe_unused]] const auto restored = controller->family().restore_memory(
+        scenario.memory, scenario.mram, controller->card().family_state);
+    assert(restored.ok());
+  }
   core.PowerOn(std::make_shared<const WorldEvents>(EventsOfWorld(scenario)));
 }
 

@@ -62,6 +62,7 @@ const KeyCase kCases[] = {
     {"until_ms", kDelay, "", "until_ms = 5\n"},
     {"trace", kAdd, "", "trace = [\"nothing\"]\n"},
     {"keys", kAdd, "", "keys = [{ at_ms = 1, text = \"q\" }]\n"},
+    {"mram", kAdd, "", "mram = \"m.mram\"\n"},
     {"expect", kAdd, "", "expect = [\"n == 1\"]\n"},
     {"final", kAdd, "", "final = [\"n == 1\"]\n"},
     {"always", kTwo, "", "always = [\"n != 1\"]\n"},
