@@ -1,12 +1,16 @@
 // Search files as text: JSON, docs/search-format.md. The reader checks the type and range of every
 // value. It does not check indices into the program; search_check.h does this with the program.
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <xxhash.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/json_text.h"
 #include "base/number.h"
@@ -15,10 +19,11 @@
 namespace oncard::explore {
 namespace {
 
-using Json = nlohmann::ordered_json;
+/// Not the ordered one, which looks at all keys of an object for each that it reads.
+using Json = nlohmann::json;
 
 constexpr std::string_view kKind = "oncard search";
-constexpr int kVersion = 3;
+constexpr int kVersion = 4;
 
 /// Maximum nesting of objects and lists in a search file.
 constexpr int kNestingMax = 16;
@@ -27,70 +32,160 @@ constexpr int64_t kCountMax = 1'000'000'000'000'000;
 
 // --- Writing -------------------------------------------------------------------------------------
 
-Json ToJson(const std::vector<PlannedStep>& plans) {
-  Json json = Json::array();
-  for (const PlannedStep& plan : plans) {
-    json.push_back(plan.thread);
-    json.push_back(plan.next);
+/// Writes the text directly: as a document in memory, the plans of a long search would take several
+/// times the space of the search, and longer than many a time limit leaves.
+class TextWriter {
+ public:
+  std::string Take() { return std::exchange(text_, {}); }
+
+  /// Begins a value: the next one of the list, or that with a key of the object.
+  void Next() {
+    if (const char last = text_.empty() ? '[' : text_.back(); last != '[' && last != '{') {
+      text_ += ',';
+    }
   }
-  return json;
-}
-
-Json ToJson(const TraceUnit& unit) {
-  Json json = {{"prefix", unit.prefix}, {"sleep", unit.sleep}};
-  for (const SavedFrame& frame : unit.frames) {
-    json["frames"].push_back(
-        {{"sleep", frame.sleep}, {"plans", ToJson(frame.plans)}, {"races", frame.races}});
+  void Next(std::string_view key) {
+    Next();
+    fmt::format_to(std::back_inserter(text_), "\"{}\":", key);
   }
-  return json;
+  void Open(char bracket) { text_ += bracket; }
+  void Close(char bracket) { text_ += bracket; }
+
+  void Put(std::string_view key, int64_t number) {
+    Next(key);
+    PutNumber(number);
+  }
+  void PutUnsigned(std::string_view key, uint64_t number) {
+    Next(key);
+    PutNumber(number);
+  }
+  void PutFlag(std::string_view key, bool flag) {
+    Next(key);
+    text_ += flag ? "true" : "false";
+  }
+  void PutText(std::string_view key, std::string_view text) {
+    Next(key);
+    text_ += JsonText(nlohmann::ordered_json(text));
+  }
+  template <typename Number>
+  void PutList(std::string_view key, const std::vector<Number>& numbers) {
+    Next(key);
+    PutNumbers(numbers);
+  }
+  void PutPlans(std::string_view key, const std::vector<PlannedStep>& plans) {
+    Next(key);
+    Open('[');
+    for (const PlannedStep& plan : plans) {
+      Next();
+      PutNumber(plan.thread);
+      Next();
+      PutNumber(plan.next);
+    }
+    Close(']');
+  }
+  void PutKeys(std::string_view key, const std::vector<StateKey>& keys) {
+    Next(key);
+    Open('[');
+    for (const StateKey& state : keys) {
+      Next();
+      fmt::format_to(std::back_inserter(text_), "\"{:016x}{:016x}\"", state.low, state.high);
+    }
+    Close(']');
+  }
+  void PutEnds(std::string_view key, const EndSet& ends) {
+    Next(key);
+    Open('[');
+    for (const End& end : ends.ends()) {
+      Next();
+      PutNumbers(end);
+    }
+    Close(']');
+  }
+
+ private:
+  template <typename Number>
+  void PutNumber(Number number) {
+    const fmt::format_int digits(number);
+    text_.append(digits.data(), digits.size());
+  }
+  template <typename Number>
+  void PutNumbers(const std::vector<Number>& numbers) {
+    Open('[');
+    for (const Number number : numbers) {
+      Next();
+      PutNumber(number);
+    }
+    Close(']');
+  }
+
+  std::string text_;
+};
+
+void PutUnit(const TraceUnit& unit, TextWriter* writer) {
+  writer->Next();
+  writer->Open('{');
+  writer->PutList("prefix", unit.prefix);
+  writer->PutList("sleep", unit.sleep);
+  if (!unit.frames.empty()) {
+    writer->Next("frames");
+    writer->Open('[');
+    for (const SavedFrame& frame : unit.frames) {
+      writer->Next();
+      writer->Open('{');
+      writer->PutList("sleep", frame.sleep);
+      writer->PutPlans("plans", frame.plans);
+      writer->PutList("races", frame.races);
+      writer->Close('}');
+    }
+    writer->Close(']');
+  }
+  writer->Close('}');
 }
 
-Json ToJson(const std::vector<StateKey>& keys) {
-  Json json = Json::array();
-  for (const StateKey& key : keys) json.push_back(fmt::format("{:016x}{:016x}", key.low, key.high));
-  return json;
+void PutTraces(const TraceSearch& traces, TextWriter* writer) {
+  writer->Next("units");
+  writer->Open('[');
+  for (const TraceUnit& unit : traces.units) PutUnit(unit, writer);
+  writer->Close(']');
+  writer->Put("executions", traces.executions);
+  writer->Put("blocked", traces.blocked);
+  writer->Put("redundant", traces.redundant);
+  writer->Put("bad", traces.bad);
+  writer->PutFlag("too_deep", traces.too_deep);
+  writer->PutKeys("globals", traces.globals);
+  writer->PutKeys("full", traces.full);
+  writer->PutEnds("results", traces.ends);
+  writer->PutList("failing", traces.failing);
 }
 
-Json ToJson(const EndSet& ends) {
-  Json json = Json::array();
-  for (const End& end : ends.ends()) json.push_back(end);
-  return json;
+void PutSamples(const SearchFile& file, TextWriter* writer) {
+  writer->PutUnsigned("seed", file.seed);
+  writer->Put("depth", file.depth);
+  writer->Put("runs_of_all", file.runs);
+  writer->Put("runs_cut", file.runs_cut);
+  writer->Put("runs", file.samples.runs);
+  writer->Put("bad", file.samples.bad);
+  writer->Put("cut", file.samples.cut);
+  writer->Put("longest", file.samples.longest);
+  writer->PutKeys("ends", file.samples.ends);
+  writer->PutEnds("results", file.samples.values);
+  writer->PutList("failing", file.samples.failing);
 }
 
-Json ToJson(const TraceSearch& traces) {
-  Json json = {{"units", Json::array()},
-               {"executions", traces.executions},
-               {"blocked", traces.blocked},
-               {"redundant", traces.redundant},
-               {"bad", traces.bad},
-               {"too_deep", traces.too_deep},
-               {"globals", ToJson(traces.globals)},
-               {"full", ToJson(traces.full)},
-               {"results", ToJson(traces.ends)},
-               {"failing", traces.failing}};
-  for (const TraceUnit& unit : traces.units) json["units"].push_back(ToJson(unit));
-  return json;
-}
-
-Json SamplesToJson(const SearchFile& file) {
-  return {{"seed", file.seed},
-          {"depth", file.depth},
-          {"runs_of_all", file.runs},
-          {"runs_cut", file.runs_cut},
-          {"runs", file.samples.runs},
-          {"bad", file.samples.bad},
-          {"cut", file.samples.cut},
-          {"longest", file.samples.longest},
-          {"ends", ToJson(file.samples.ends)},
-          {"results", ToJson(file.samples.values)},
-          {"failing", file.samples.failing}};
-}
+/// Before the checksum, which is the last value.
+constexpr std::string_view kCheck = ",\"check\":\"";
 
 /// The checksum of everything before it, so that manual changes are noticed. It is no protection.
-std::string CheckOf(Json json) {
-  json.erase("check");
-  const std::string text = JsonText(json);
-  return fmt::format("{:016x}", XXH64(text.data(), text.size(), 0));
+std::string CheckOf(std::string_view before) {
+  return fmt::format("{:016x}", XXH64(before.data(), before.size(), 0));
+}
+
+/// True if the text ends in the checksum of what is before it.
+bool IsUnchanged(std::string_view text) {
+  const size_t at = text.rfind(kCheck);
+  if (at == std::string_view::npos) return false;
+  const std::string_view check = text.substr(at + kCheck.size());
+  return check.substr(0, check.find('"')) == CheckOf(text.substr(0, at));
 }
 
 // --- Reading -------------------------------------------------------------------------------------
@@ -356,17 +451,28 @@ EngineKind EngineFrom(TypedReader& reader, const Value& value) {
 }  // namespace
 
 std::string FormatSearchFile(const SearchFile& file) {
-  Json json = {{"kind", kKind},       {"version", kVersion},
-               {"input", file.input}, {"problem", fmt::format("{:016x}", file.problem)},
-               {"races", file.races}, {"engine", EngineName(file.engine)},
-               {"parts", file.parts}, {"held", file.held}};
-  if (file.engine == EngineKind::kDpor) {
-    json["traces"] = ToJson(file.traces);
+  TextWriter writer;
+  writer.Open('{');
+  writer.PutText("kind", kKind);
+  writer.Put("version", kVersion);
+  writer.PutText("input", file.input);
+  writer.PutText("problem", fmt::format("{:016x}", file.problem));
+  writer.PutText("races", file.races);
+  writer.PutText("engine", EngineName(file.engine));
+  writer.Put("parts", file.parts);
+  writer.PutList("held", file.held);
+  const bool traced = file.engine == EngineKind::kDpor;
+  writer.Next(traced ? "traces" : "samples");
+  writer.Open('{');
+  if (traced) {
+    PutTraces(file.traces, &writer);
   } else {
-    json["samples"] = SamplesToJson(file);
+    PutSamples(file, &writer);
   }
-  json["check"] = CheckOf(json);
-  return JsonText(json, 1) + '\n';
+  writer.Close('}');
+  std::string text = writer.Take();
+  const std::string check = CheckOf(text);
+  return text.append(kCheck).append(check).append("\"}\n");
 }
 
 Result<SearchFile> ParseSearchFile(std::string_view text) {
@@ -383,7 +489,7 @@ Result<SearchFile> ParseSearchFile(std::string_view text) {
     return MakeError(1, "the file is of another version: expected {0}", "文件版本不符：应为 {0}",
                      kVersion);
   }
-  if (json.value("check", Json()) != CheckOf(json)) {
+  if (!IsUnchanged(text)) {
     return MakeError(1, "the file has been modified: explore again", "文件已被改动：请重新探索");
   }
   TypedReader reader;

@@ -92,14 +92,38 @@ TEST(SearchFileTest, LongPlansDoNotNest) {
   EXPECT_EQ(read.value().traces.units, file.traces.units);
 }
 
+/// What a search is saved in must not take longer than the search.
+TEST(SearchFileTest, APlannedStepTakesFewBytes) {
+  SearchFile file;
+  file.held = {1};
+  const size_t without = FormatSearchFile(file).size();
+  SavedFrame frame;
+  frame.plans.assign(1000, {7, 2});
+  file.traces.units = {{{}, {}, {frame}}};
+  EXPECT_LT(FormatSearchFile(file).size(), without + 1000 * std::string("7,2,").size() + 100);
+}
+
+/// The reader must not look at all keys for each of them.
+TEST(SearchFileTest, AnObjectWithManyKeysIsReadInOneGo) {
+  SearchFile file;
+  file.held = {1};
+  std::string keys = "{";
+  for (int i = 0; i < 300'000; ++i) keys += fmt::format("{}\"{:x}\":0", i == 0 ? "" : ",", i);
+  std::string text = FormatSearchFile(file);
+  text = text.substr(0, text.rfind(",\"check\"")) + ",\"more\":" + keys + "}";
+  text += fmt::format(",\"check\":\"{:016x}\"}}", XXH64(text.data(), text.size(), 0));
+  const auto read = ParseSearchFile(text);
+  EXPECT_TRUE(read.ok()) << read.error().message.en;
+}
+
 /// The text of a file with another value at a path, and the matching check value.
 std::string WithValue(const SearchFile& file, const std::string& place, const std::string& value) {
   auto json = nlohmann::ordered_json::parse(FormatSearchFile(file));
   json[nlohmann::ordered_json::json_pointer(place)] = nlohmann::ordered_json::parse(value);
   json.erase("check");
-  const std::string text = json.dump();
-  json["check"] = fmt::format("{:016x}", XXH64(text.data(), text.size(), 0));
-  return json.dump();
+  std::string text = json.dump();
+  text.pop_back();  // the check is the last value, of the text before it
+  return fmt::format("{},\"check\":\"{:016x}\"}}", text, XXH64(text.data(), text.size(), 0));
 }
 
 struct BadValue {
