@@ -14,6 +14,9 @@ namespace {
 constexpr std::chrono::seconds kShown{1};
 /// How often a search is saved: if the process is killed, at most this much is lost.
 constexpr std::chrono::seconds kKept{60};
+/// The search ends so much of the time limit before it: then a failure is made simpler, for so long
+/// at most, and what is left of the search is saved.
+constexpr double kReserved = 0.06;
 
 /// The search that a signal stops.
 std::atomic<explore::SearchProgress*> watched{nullptr};
@@ -78,21 +81,28 @@ SearchWatch::~SearchWatch() {
 void SearchWatch::Watch() {
   const auto start = std::chrono::steady_clock::now();
   const std::chrono::duration<double> given(options_.seconds);
+  const std::chrono::duration<double> searched = given * (1 - kReserved);
   auto kept = start;
   const auto next = [&]() -> std::chrono::duration<double> {
     if (options_.seconds == 0) return kShown;
-    const std::chrono::duration<double> left = start + given - std::chrono::steady_clock::now();
+    const auto end = progress_.out_of_time ? given : searched;
+    const std::chrono::duration<double> left = start + end - std::chrono::steady_clock::now();
     return std::min<std::chrono::duration<double>>(left, kShown);
   };
   std::unique_lock lock(mutex_);
   while (!changed_.wait_for(lock, next(), [this] { return over_; })) {
     const auto now = std::chrono::steady_clock::now();
     const std::chrono::duration<double> passed = now - start;
-    if (options_.seconds > 0 && passed >= given) {
+    if (progress_.out_of_time) {
+      if (passed < given) continue;
+      progress_.hurried = true;
+      return;
+    }
+    if (options_.seconds > 0 && passed >= searched) {
       progress_.out_of_time = true;
       progress_.interrupted = true;
       progress_.stop = true;
-      return;
+      continue;
     }
     if (options_.shows) {
       PrintDiagnostics(options_.title + (options_.title.empty() ? "" : ": ") +

@@ -3,6 +3,7 @@
 #include <bit>
 #include <utility>
 
+#include "explore/engines/progress.h"
 #include "explore/engines/walk.h"
 #include "explore/models/key_set.h"
 
@@ -58,7 +59,7 @@ class BoundedSearch {
         return true;
       }
       if (visited_.size() >= options_.state_limit) return false;
-      if (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed)) return false;
+      if (IsTold(options_.stop)) return false;
       Visit& visit = path.back();
       if (visit.untried == 0) {
         path.pop_back();

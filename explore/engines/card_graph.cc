@@ -24,9 +24,7 @@ class CardSearch {
       if (graph.size() - std::min(first_bad_, graph.size()) > limits_.states_after_bad) {
         return Finish(false);
       }
-      if (limits_.stop != nullptr && limits_.stop->load(std::memory_order_relaxed)) {
-        return Finish(false);
-      }
+      if (IsTold(limits_.stop)) return Finish(false);
       if (limits_.progress != nullptr) {
         limits_.progress->states.store(graph.size(), std::memory_order_relaxed);
         limits_.progress->frontier.store(static_cast<int64_t>(waiting_.size()),

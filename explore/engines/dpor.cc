@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "explore/engines/progress.h"
 #include "explore/engines/short_traces.h"
 #include "explore/engines/trace_names.h"
 #include "explore/engines/trace_plans.h"
@@ -92,6 +93,7 @@ class Search {
       Descend();
     } else {
       Restore(unit->frames);
+      ReverseRaces();
     }
     Explore();
     const bool goes_on = !result_.complete && !result_.too_deep;
@@ -266,6 +268,7 @@ class Search {
       }
       if (frames_[count_].plans == kNoPlan && !PlanFirst(&frames_[count_])) {
         ++result_.blocked;
+        stopped_ = IsTold(limits_.stop);
         ReverseRaces();
         return;
       }
@@ -399,17 +402,21 @@ class Search {
   void Finish() {
     ++result_.executions;
     if (limits_.count_redundant) names_.Add(count_ == 0 ? 0 : events_[count_ - 1].trace);
-    const bool told = limits_.stop != nullptr && limits_.stop->load(std::memory_order_relaxed);
     ModelEnd end(model_);
-    stopped_ = !visit_(&end) || told || result_.executions >= limits_.executions;
+    stopped_ = !visit_(&end) || IsTold(limits_.stop) || result_.executions >= limits_.executions;
     ReverseRaces();
   }
 
-  /// Plans the reversals of the races of an execution.
+  /// Plans the reversals of the races of an execution. If the search is told to end, those that are
+  /// left are planned when it goes on (Restore()).
   void ReverseRaces() {
     std::erase_if(unsettled_, [this](uint32_t later) {
       std::vector<uint32_t>& races = events_[later].races;
-      std::erase_if(races, [&](uint32_t earlier) { return Reverse(earlier, later); });
+      std::erase_if(races, [&](uint32_t earlier) {
+        const bool told = IsTold(limits_.stop);
+        stopped_ = stopped_ || told;
+        return !told && Reverse(earlier, later);
+      });
       return races.empty();
     });
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "explore/engines/progress.h"
 
 namespace oncard::explore {
 namespace {
@@ -53,13 +54,14 @@ double Descend(Model* model, uint64_t* random, int64_t depth) {
 
 }  // namespace
 
-TraceEstimate EstimateTraces(Model* model, int descents, uint64_t seed, int64_t depth) {
+TraceEstimate EstimateTraces(Model* model, int descents, uint64_t seed, int64_t depth,
+                             const std::atomic<bool>* stop) {
   uint64_t random = seed;
   double sum = 0;
   double squares = 0;
   for (int i = 0; i < descents; ++i) {
     const double ways = Descend(model, &random, depth);
-    if (ways < 0) return {};
+    if (ways < 0 || IsTold(stop)) return {};
     sum += ways;
     squares += ways * ways;
   }

@@ -4,6 +4,7 @@
 // tests/explore/estimate_test.cc.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 
 #include "explore/models/model.h"
@@ -16,7 +17,9 @@ struct TraceEstimate {
 };
 
 /// Executes `descents` descents from the model's current state, and leaves the model in that state.
-/// The estimate is abandoned if a descent exceeds `depth` statements.
-TraceEstimate EstimateTraces(Model* model, int descents, uint64_t seed, int64_t depth);
+/// The estimate is abandoned if a descent exceeds `depth` statements, or `stop` is set from another
+/// thread.
+TraceEstimate EstimateTraces(Model* model, int descents, uint64_t seed, int64_t depth,
+                             const std::atomic<bool>* stop = nullptr);
 
 }  // namespace oncard::explore

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "explore/engines/bounded_search.h"
+#include "explore/engines/progress.h"
 #include "explore/engines/sampler.h"
 #include "explore/engines/shrink.h"
 #include "explore/engines/walk.h"
@@ -27,7 +28,7 @@ constexpr int64_t kSerialStatements = 8'000'000;
 constexpr int64_t kKeptEvery = 100'000;
 
 /// Runs the threads one after the other, each as long as it can run.
-FirstLook LookAtThreadsInTurn(CardModel* model) {
+FirstLook LookAtThreadsInTurn(CardModel* model, const std::atomic<bool>* stop) {
   /// The earlier of the two latest states kept: it is far enough before the end to show how the end
   /// was reached.
   struct Kept {
@@ -41,7 +42,7 @@ FirstLook LookAtThreadsInTurn(CardModel* model) {
   int last = 0;
   while (!walk.fault() && !walk.ended()) {
     const auto taken = static_cast<int64_t>(steps.size());
-    if (taken == kSerialStatements) return {};
+    if (taken == kSerialStatements || IsTold(stop)) return {};
     if (taken >= latest.steps + kKeptEvery) {
       kept = std::exchange(latest, {std::make_shared<CardModel::State>(walk.WholeState()), taken});
     }
@@ -74,7 +75,7 @@ FirstLook LookFirst(const Problem& problem, const std::atomic<bool>* stop) {
 }
 
 FirstLook LookFirstAtCard(CardModel* model, const std::atomic<bool>* stop) {
-  FirstLook in_turn = LookAtThreadsInTurn(model);
+  FirstLook in_turn = LookAtThreadsInTurn(model, stop);
   if (in_turn.found()) return in_turn;
   BoundedCounts few = SearchCardBounded(model, {.state_limit = kCardStates, .stop = stop});
   if (few.bad) return {std::move(few.failing), true};

@@ -6,6 +6,11 @@
 
 namespace oncard::explore {
 
+/// True if the work that is given `flag` is to end; nullptr: never.
+inline bool IsTold(const std::atomic<bool>* flag) {
+  return flag != nullptr && flag->load(std::memory_order_relaxed);
+}
+
 struct SearchProgress {
   /// Set by the watcher: the search ends soon and reports what it knows.
   std::atomic<bool> stop{false};
@@ -15,6 +20,9 @@ struct SearchProgress {
   std::atomic<bool> pausing{false};
   /// Set before `stop` if the time limit is the reason.
   std::atomic<bool> out_of_time{false};
+  /// Set some time after `stop`: what has been found is reported as it is, without making it
+  /// simpler.
+  std::atomic<bool> hurried{false};
   /// Set before the search: it first estimates how many executions there are.
   bool estimates = false;
   // Set by the search.

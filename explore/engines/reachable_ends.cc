@@ -36,9 +36,11 @@ class EndSets {
 
 }  // namespace
 
-std::vector<uint32_t> ReachableEnds(const StateGraph& graph, const std::vector<uint32_t>& end_of) {
+std::vector<uint32_t> ReachableEnds(const StateGraph& graph, const std::vector<uint32_t>& end_of,
+                                    const std::atomic<bool>* hurried) {
   uint32_t count = 0;
-  const std::vector<uint32_t> component = Components(graph, &count);
+  const std::vector<uint32_t> component = Components(graph, &count, hurried);
+  if (IsTold(hurried)) return {};
   std::vector<std::vector<uint32_t>> members(count);
   for (uint32_t state = 0; state < graph.size(); ++state) {
     members[component[state]].push_back(state);
@@ -50,6 +52,7 @@ std::vector<uint32_t> ReachableEnds(const StateGraph& graph, const std::vector<u
   for (const std::vector<uint32_t>& states : members) {
     uint32_t all = none;
     for (const uint32_t state : states) {
+      if (IsTold(hurried)) return {};
       if ((graph.flags[state] & kTerminal) != 0) {
         all = sets.Union(all, sets.NumberOf({end_of[state]}));
       }

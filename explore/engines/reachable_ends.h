@@ -11,8 +11,10 @@
 namespace oncard::explore {
 
 /// For each state the set of ends that can be reached from it, as a number: equal sets have equal
-/// numbers. `end_of` gives the end of each terminal state.
-std::vector<uint32_t> ReachableEnds(const StateGraph& graph, const std::vector<uint32_t>& end_of);
+/// numbers. `end_of` gives the end of each terminal state. Empty if `hurried` is set from another
+/// thread.
+std::vector<uint32_t> ReachableEnds(const StateGraph& graph, const std::vector<uint32_t>& end_of,
+                                    const std::atomic<bool>* hurried = nullptr);
 
 /// True if the two orders of a race in a state lead to different ends.
 bool OrderMatters(const StateGraph& graph, const std::vector<uint32_t>& ends, uint32_t state,

@@ -22,12 +22,11 @@ class Sampler {
     if (options_.kind == SamplerKind::kPct) length_ = MeasureLength();
     KeySet ends;
     for (; counts_.runs < options_.runs; ++counts_.runs) {
-      if (options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed)) break;
-      if (statements_ >= options_.all_statements) break;
+      if (IsTold(options_.stop) || statements_ >= options_.all_statements) break;
       if (options_.until_bad && counts_.bad > 0) break;
       SeedRun(options_.first_run + counts_.runs);
       DrawPriorities();
-      RunOnce();
+      if (!RunOnce()) break;
       if (walk_.finished() && ends.Insert(walk_.EndKey()) && walk_.asks_nothing()) {
         counts_.values.Add(walk_.EndNow());
       }
@@ -57,11 +56,13 @@ class Sampler {
     return static_cast<uint64_t>(std::max<int64_t>(statements, 1));
   }
 
-  void RunOnce() {
+  /// False, and the run does not count, if the search is told to end.
+  bool RunOnce() {
     walk_.Restart();
     steps_.clear();
     bool wrong = static_cast<bool>(walk_.fault());
     while (!wrong && !walk_.ended()) {
+      if (IsTold(options_.stop)) return false;
       if (static_cast<int64_t>(steps_.size()) >= options_.statement_limit) {
         ++counts_.cut;
         break;
@@ -74,6 +75,7 @@ class Sampler {
     statements_ += static_cast<int64_t>(steps_.size());
     counts_.longest = std::max(counts_.longest, static_cast<int64_t>(steps_.size()));
     if (wrong && counts_.bad++ == 0) counts_.failing = steps_;
+    return true;
   }
 
   void DrawPriorities() {

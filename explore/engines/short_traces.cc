@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "explore/engines/progress.h"
 #include "explore/engines/trace_plans.h"
 #include "explore/models/step_model.h"
 
@@ -110,6 +111,7 @@ class ShortSearch : public TraceEnd {
       Descend();
     } else {
       if (!Restore(unit->frames)) return TraceHandover{};
+      ReverseRaces();
     }
     Explore();
     if (stuck_) return TraceHandover{true, Save(true)};
@@ -203,6 +205,7 @@ class ShortSearch : public TraceEnd {
     while (program_.runnable() != 0) {
       if (frames_[count_].plans == kNoPlan && !PlanFirst(&frames_[count_])) {
         ++result_.blocked;
+        stopped_ = IsTold(limits_.stop);
         ReverseRaces();
         return;
       }
@@ -304,8 +307,7 @@ class ShortSearch : public TraceEnd {
   void Finish() {
     ++result_.executions;
     if (limits_.count_redundant) names_.Add(count_ == 0 ? 0 : events_[count_ - 1].trace);
-    const bool told = limits_.stop != nullptr && limits_.stop->load(std::memory_order_relaxed);
-    stopped_ = !visit_(this) || told || result_.executions >= limits_.executions;
+    stopped_ = !visit_(this) || IsTold(limits_.stop) || result_.executions >= limits_.executions;
     ReverseRaces();
   }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "explore/engines/progress.h"
 #include "explore/engines/walk.h"
 
 namespace oncard::explore {
@@ -57,10 +58,12 @@ struct Way {
 template <typename Walk>
 class Shrinker {
  public:
-  Shrinker(Walk walk, int64_t effort) : walk_(std::move(walk)), effort_(effort) {}
+  Shrinker(Walk walk, int64_t effort, const std::atomic<bool>* hurried)
+      : walk_(std::move(walk)), effort_(effort), hurried_(hurried) {}
 
   Failure Run(const std::vector<uint8_t>& steps) {
     Way best = Follow(TurnsOf(steps));
+    tries_ = true;
     while (effort_ > 0 && Improve(&best)) {
     }
     return FailureOf(std::move(best));
@@ -91,7 +94,7 @@ class Shrinker {
       last = thread;
       --effort_;
     };
-    const auto going = [&] { return !walk_.fault() && !walk_.ended(); };
+    const auto going = [&] { return !walk_.fault() && !walk_.ended() && !GivesUp(); };
     for (const Turn& turn : turns) {
       for (int64_t i = 0; i < turn.steps && going(); ++i) {
         if ((walk_.choices() >> turn.thread & 1) == 0) break;
@@ -115,10 +118,13 @@ class Shrinker {
     return way;
   }
 
+  /// A schedule that is only tried need not be followed to its end.
+  bool GivesUp() const { return tries_ && IsTold(hurried_); }
+
   /// Replaces the schedule by the first simpler one, if there is any.
   bool Improve(Way* best) {
     const std::vector<Turn> turns = TurnsOf(best->steps);
-    for (size_t i = 0; i < turns.size() && effort_ > 0; ++i) {
+    for (size_t i = 0; i < turns.size() && effort_ > 0 && !GivesUp(); ++i) {
       std::vector<Turn> joined;
       if (JoinWithNext(turns, i, &joined) && Try(joined, best)) return true;
       std::vector<Turn> without = turns;
@@ -140,6 +146,8 @@ class Shrinker {
 
   Walk walk_;
   int64_t effort_;
+  const std::atomic<bool>* hurried_;
+  bool tries_ = false;  ///< the given schedule has been followed
   bool ended_ = false;
 };
 
@@ -169,25 +177,27 @@ void TakeRacingStatements(const Problem& problem, Failure* failure) {
   failure->preemptions = CountPreemptions(&model, failure->steps);
 }
 
-Failure Shrink(const Problem& problem, const std::vector<uint8_t>& steps) {
-  Failure failure = Shrinker(ProgramWalk(problem), kProgramEffort).Run(steps);
+Failure Shrink(const Problem& problem, const std::vector<uint8_t>& steps,
+               const std::atomic<bool>* hurried) {
+  Failure failure = Shrinker(ProgramWalk(problem), kProgramEffort, hurried).Run(steps);
   TakeRacingStatements(problem, &failure);
   return failure;
 }
 
-Failure ShrinkCard(CardModel* model, const std::vector<uint8_t>& steps) {
-  return Shrinker(CardWalk(model, false), kCardEffort).Run(steps);
+Failure ShrinkCard(CardModel* model, const std::vector<uint8_t>& steps,
+                   const std::atomic<bool>* hurried) {
+  return Shrinker(CardWalk(model, false), kCardEffort, hurried).Run(steps);
 }
 
 FollowedRun TakeSteps(const Problem& problem, const std::vector<uint8_t>& steps) {
-  Shrinker shrinker(ProgramWalk(problem), kProgramEffort);
+  Shrinker shrinker(ProgramWalk(problem), kProgramEffort, nullptr);
   FollowedRun run = {shrinker.Take(steps), shrinker.ended()};
   TakeRacingStatements(problem, &run.failure);
   return run;
 }
 
 FollowedRun TakeCardSteps(CardModel* model, const std::vector<uint8_t>& steps) {
-  Shrinker shrinker(CardWalk(model, false), kCardEffort);
+  Shrinker shrinker(CardWalk(model, false), kCardEffort, nullptr);
   return {shrinker.Take(steps), shrinker.ended()};
 }
 

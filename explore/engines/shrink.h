@@ -2,6 +2,7 @@
 // Deterministic. Tested by tests/explore/shrink_test.cc.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -24,10 +25,13 @@ void TakeRacingStatements(const Problem& problem, Failure* failure);
 /// A schedule that still leads to a fault, with as few preemptions, and then statements, as can be
 /// reached by joining, shortening and removing turns of threads one by one; parts that do not
 /// contribute to the fault are removed. `steps` must lead to a fault. Where the state graph is
-/// known, FewestPreemptions() (state_graph.h) is exact instead.
-Failure Shrink(const Problem& problem, const std::vector<uint8_t>& steps);
+/// known, FewestPreemptions() (state_graph.h) is exact instead. Once `hurried` is set from another
+/// thread, the simplest schedule so far is taken.
+Failure Shrink(const Problem& problem, const std::vector<uint8_t>& steps,
+               const std::atomic<bool>* hurried = nullptr);
 /// The same with a card.
-Failure ShrinkCard(CardModel* model, const std::vector<uint8_t>& steps);
+Failure ShrinkCard(CardModel* model, const std::vector<uint8_t>& steps,
+                   const std::atomic<bool>* hurried = nullptr);
 
 /// A schedule that was followed.
 struct FollowedRun {

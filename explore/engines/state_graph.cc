@@ -20,13 +20,15 @@ constexpr uint32_t kNone = StateGraph::kNone;
 /// preemption, and entries added without one.
 class PreemptionSearch {
  public:
-  PreemptionSearch(const StateGraph& graph, uint32_t avoid)
+  PreemptionSearch(const StateGraph& graph, uint32_t avoid, const std::atomic<bool>* hurried)
       : graph_(graph),
         avoid_(avoid),
+        hurried_(hurried),
         width_(static_cast<size_t>(graph.threads) + 1),
         parents_(graph.size() * width_) {}
 
-  /// Runs until a state with one of the flags is settled (true), or all states are (false).
+  /// Runs until a state with one of the flags is settled (true), or all states are (false). False
+  /// also when told to end.
   bool Run(uint32_t flag) {
     std::vector<Entry> preempted;
     if ((graph_.flags[0] & avoid_) == 0) preempted.push_back({});
@@ -38,6 +40,7 @@ class PreemptionSearch {
                            (i < preempted.size() && preempted[i].steps < going_on.front().steps);
         const Entry entry = first ? preempted[i++] : going_on.front();
         if (!first) going_on.pop();
+        if (IsTold(hurried_)) return false;
         Parent& parent = parents_[IndexOf(entry.state, entry.last)];
         if (parent.settled) continue;
         parent = {entry.parent, entry.parent_last, true};
@@ -101,6 +104,7 @@ class PreemptionSearch {
 
   const StateGraph& graph_;
   uint32_t avoid_;
+  const std::atomic<bool>* hurried_;
   size_t width_;
   std::vector<Parent> parents_;
   int preemptions_ = 0;
@@ -112,14 +116,14 @@ class PreemptionSearch {
 /// are free, which need no further one. Every step is followed once.
 class FreeSteps {
  public:
-  FreeSteps(const StateGraph& graph, int bound)
-      : graph_(graph), bound_(bound), followed_(graph.size(), 0) {
+  FreeSteps(const StateGraph& graph, int bound, const std::atomic<bool>* hurried)
+      : graph_(graph), bound_(bound), hurried_(hurried), followed_(graph.size(), 0) {
     fewest_.assign(graph.size(), static_cast<uint8_t>(bound + 1));
   }
 
   std::vector<uint8_t> Run() {
     Reach(0, kAll);
-    for (; preemptions_ <= bound_ && !open_.empty(); ++preemptions_) {
+    for (; preemptions_ <= bound_ && !open_.empty() && !IsTold(hurried_); ++preemptions_) {
       Follow();
       // From the states that were reached now, every step is one of the next round.
       open_.clear();
@@ -132,7 +136,7 @@ class FreeSteps {
   static constexpr uint32_t kAll = ~uint32_t{0};
 
   void Follow() {
-    while (!open_.empty()) {
+    while (!open_.empty() && !IsTold(hurried_)) {
       const auto [state, threads] = open_.back();
       open_.pop_back();
       const uint32_t free = threads & ~followed_[state];
@@ -161,6 +165,7 @@ class FreeSteps {
 
   const StateGraph& graph_;
   int bound_;
+  const std::atomic<bool>* hurried_;
   int preemptions_ = 0;
   std::vector<uint32_t> followed_;  ///< bit n: the step of thread n
   std::vector<uint8_t> fewest_;
@@ -403,6 +408,11 @@ class GraphBuilder {
   bool Explore(Walk* walk) {
     if (!Enter(walk)) return false;
     while (!path_.empty() && !stopped_) {
+      // Many steps in a row may lead to known states.
+      if (IsTold(limits_.stop)) {
+        stopped_ = true;
+        break;
+      }
       Visit& visit = path_.back();
       if (visit.untried == 0) {
         path_.pop_back();
@@ -439,10 +449,12 @@ class GraphBuilder {
       flags |= judge_(walk->State());
     }
     graph_.flags.Append(1, flags);
-    if ((flags & kBad) != 0) after_bad_ = std::min(after_bad_, graph_.size());
+    if ((flags & kBad) != 0 && after_bad_ == kNone) {
+      after_bad_ = graph_.size();
+      graph_.way_to_bad = WayHere();
+    }
     stopped_ = graph_.size() >= limits_.states ||
-               graph_.size() - std::min(after_bad_, graph_.size()) >= limits_.states_after_bad ||
-               (limits_.stop != nullptr && limits_.stop->load(std::memory_order_relaxed));
+               graph_.size() - std::min(after_bad_, graph_.size()) >= limits_.states_after_bad;
     path_.push_back({current_, runnable});
     if (limits_.progress != nullptr) {
       limits_.progress->states.store(graph_.size(), std::memory_order_relaxed);
@@ -450,6 +462,18 @@ class GraphBuilder {
                                        std::memory_order_relaxed);
     }
     return true;
+  }
+
+  /// The steps to the state current_.
+  std::vector<uint8_t> WayHere() const {
+    std::vector<uint8_t> way;
+    for (size_t i = 0; i < path_.size(); ++i) {
+      const uint32_t next = i + 1 < path_.size() ? path_[i + 1].state : current_;
+      int thread = 0;
+      while (graph_.Next(path_[i].state, thread) != next) ++thread;
+      way.push_back(static_cast<uint8_t>(thread));
+    }
+    return way;
   }
 
   /// Appends the steps of the threads that can run, that of the lowest thread last.
@@ -545,8 +569,10 @@ StateGraph BuildStateGraph(Model* model, const StateLimits& limits, const StateJ
   return GraphBuilder(model, limits, judge, judged).Build();
 }
 
-Path FewestPreemptions(const StateGraph& graph, uint32_t flag, uint32_t avoid) {
-  PreemptionSearch search(graph, avoid);
+Path FewestPreemptions(const StateGraph& graph, uint32_t flag, uint32_t avoid,
+                       const std::atomic<bool>* hurried) {
+  if (IsTold(hurried)) return {};
+  PreemptionSearch search(graph, avoid, hurried);
   return search.Run(flag) ? search.PathToFound() : Path{};
 }
 
@@ -576,12 +602,14 @@ Path FewestSteps(const StateGraph& graph, uint32_t flag) {
   return {};
 }
 
-std::vector<uint8_t> PreemptionsTo(const StateGraph& graph, int bound) {
-  return FreeSteps(graph, bound).Run();
+std::vector<uint8_t> PreemptionsTo(const StateGraph& graph, int bound,
+                                   const std::atomic<bool>* hurried) {
+  return FreeSteps(graph, bound, hurried).Run();
 }
 
 // Tarjan's algorithm without recursion.
-std::vector<uint32_t> Components(const StateGraph& graph, uint32_t* count) {
+std::vector<uint32_t> Components(const StateGraph& graph, uint32_t* count,
+                                 const std::atomic<bool>* hurried) {
   struct Visit {
     uint32_t state;
     int next_thread;
@@ -599,7 +627,7 @@ std::vector<uint32_t> Components(const StateGraph& graph, uint32_t* count) {
     path.push_back({state, 0});
   };
   enter(0);
-  while (!path.empty()) {
+  while (!path.empty() && !IsTold(hurried)) {
     Visit& visit = path.back();
     const uint32_t state = visit.state;
     if (visit.next_thread < graph.threads) {
@@ -626,10 +654,11 @@ std::vector<uint32_t> Components(const StateGraph& graph, uint32_t* count) {
   return component;
 }
 
-Lasso FindFairCycle(const StateGraph& graph) {
+Lasso FindFairCycle(const StateGraph& graph, const std::atomic<bool>* hurried) {
   if (!graph.may_cycle) return {};
   uint32_t count = 0;
-  const std::vector<uint32_t> component = Components(graph, &count);
+  const std::vector<uint32_t> component = Components(graph, &count, hurried);
+  if (IsTold(hurried)) return {};
   // A finished thread never continues, so the runnable threads are the same in all states of a
   // component.
   std::vector<uint32_t> able(count, 0);
@@ -676,10 +705,11 @@ Lasso FindFairCycle(const StateGraph& graph) {
   return {};
 }
 
-bool IsCyclic(const StateGraph& graph) {
+bool IsCyclic(const StateGraph& graph, const std::atomic<bool>* hurried) {
   if (!graph.may_cycle) return false;
   uint32_t count = 0;
-  Components(graph, &count);
+  Components(graph, &count, hurried);
+  if (IsTold(hurried)) return false;
   if (count < graph.size()) return true;
   for (uint32_t state = 0; state < graph.size(); ++state) {
     for (int thread = 0; thread < graph.threads; ++thread) {

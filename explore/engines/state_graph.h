@@ -34,6 +34,8 @@ struct StateGraph {
   int64_t transitions = 0;
   /// False if the search was ended early; some successors are then missing.
   bool complete = false;
+  /// The steps that first led to a kBad state, if there is one: not the simplest ones.
+  std::vector<uint8_t> way_to_bad;
   /// False if every step brings its thread nearer to its end.
   bool may_cycle = true;
 
@@ -57,6 +59,11 @@ struct StateLimits {
   /// Set from another thread: the search ends soon.
   const std::atomic<bool>* stop = nullptr;
   SearchProgress* progress = nullptr;
+
+  /// Set from another thread: what is computed from the states also ends soon.
+  const std::atomic<bool>* hurried() const {
+    return progress == nullptr ? nullptr : &progress->hurried;
+  }
 };
 
 /// Called once for each state, in the order of their numbers; returns its flags except kTerminal.
@@ -85,15 +92,18 @@ struct Path {
 
 /// A path with the fewest preemptions, and among those with the fewest steps, to a state with one
 /// of the flags; without passing or reaching states with a flag to `avoid`. A preemption is a
-/// switch away from a thread that could have continued.
-Path FewestPreemptions(const StateGraph& graph, uint32_t flag, uint32_t avoid = 0);
+/// switch away from a thread that could have continued. Not found also if `hurried` is set from
+/// another thread.
+Path FewestPreemptions(const StateGraph& graph, uint32_t flag, uint32_t avoid = 0,
+                       const std::atomic<bool>* hurried = nullptr);
 
 /// A path with the fewest steps.
 Path FewestSteps(const StateGraph& graph, uint32_t flag);
 
 /// For every state the minimum of preemptions that reach it; bound + 1 if more are needed. `bound`:
-/// 0 .. 254.
-std::vector<uint8_t> PreemptionsTo(const StateGraph& graph, int bound);
+/// 0 .. 254. Not known for all if `hurried` is set from another thread.
+std::vector<uint8_t> PreemptionsTo(const StateGraph& graph, int bound,
+                                   const std::atomic<bool>* hurried = nullptr);
 
 /// A cycle that a fair schedule can repeat for ever: every thread that could run executes steps in
 /// it.
@@ -102,14 +112,16 @@ struct Lasso {
   std::vector<uint8_t> stem;   ///< path to the first state of the cycle
   std::vector<uint8_t> cycle;  ///< path back to it
 };
-Lasso FindFairCycle(const StateGraph& graph);
+/// Not found also if `hurried` is set from another thread.
+Lasso FindFairCycle(const StateGraph& graph, const std::atomic<bool>* hurried = nullptr);
 
 /// Strongly connected components: for each state the number of its component. A component's
-/// successors have smaller numbers.
-std::vector<uint32_t> Components(const StateGraph& graph, uint32_t* count);
+/// successors have smaller numbers. Not known for all if `hurried` is set from another thread.
+std::vector<uint32_t> Components(const StateGraph& graph, uint32_t* count,
+                                 const std::atomic<bool>* hurried = nullptr);
 
-/// True if some run never ends.
-bool IsCyclic(const StateGraph& graph);
+/// True if some run never ends; false also if `hurried` is set from another thread.
+bool IsCyclic(const StateGraph& graph, const std::atomic<bool>* hurried = nullptr);
 
 /// How many steps of a path can be executed before no terminal state that is not bad can be reached
 /// any more; -1 if none can be reached from the start.

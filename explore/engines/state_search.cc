@@ -41,9 +41,14 @@ class RaceSearch {
   }
 
   /// Flags the states with races that are not allowed. `end_of` as for ReachableEnds().
-  std::vector<FoundRace> Finish(const std::vector<uint32_t>& end_of, StateGraph* graph) const {
+  /// The graph counts as incomplete if `hurried` was set before that was known.
+  std::vector<FoundRace> Finish(const std::vector<uint32_t>& end_of,
+                                const std::atomic<bool>* hurried, StateGraph* graph) const {
     std::vector<uint32_t> ends;
-    if (!states_.empty() && graph->complete) ends = ReachableEnds(*graph, end_of);
+    if (!states_.empty() && graph->complete) {
+      ends = ReachableEnds(*graph, end_of, hurried);
+      graph->complete = !ends.empty();
+    }
     std::vector<FoundRace> races;
     for (const auto& entry : states_) {
       const Race& race = entry.first;
@@ -65,11 +70,12 @@ class RaceSearch {
 };
 
 /// A run that ends without ever reaching a state in which a kEventually requirement holds.
-std::optional<Failure> WayWithout(const Problem& problem, const StateGraph& graph) {
+std::optional<Failure> WayWithout(const Problem& problem, const StateGraph& graph,
+                                  const std::atomic<bool>* hurried) {
   uint32_t flag = kFirstHolds;
   for (size_t i = 0; i < problem.requirements.size(); ++i) {
     if (problem.requirements[i].scope != Scope::kEventually) continue;
-    if (auto way = WayTo(graph, kTerminal, flag)) {
+    if (auto way = WayTo(graph, kTerminal, flag, hurried)) {
       way->fault = {Fault::Kind::kRequirement, static_cast<int>(i), 0};
       return way;
     }
@@ -140,6 +146,22 @@ void Unmerge(const Problem& problem, Failure* failure) {
   failure->preemptions = CountPreemptions(&model, failure->steps);
 }
 
+/// The way on which the search found the first bad state.
+Failure FirstWayToBad(const StateGraph& graph) {
+  Failure failure;
+  failure.steps = graph.way_to_bad;
+  uint32_t state = 0;
+  for (size_t i = 0; i < failure.steps.size(); ++i) {
+    const uint8_t thread = failure.steps[i];
+    const bool leaves = i > 0 && failure.steps[i - 1] != thread;
+    if (leaves && graph.Next(state, failure.steps[i - 1]) != StateGraph::kNone) {
+      ++failure.preemptions;
+    }
+    state = graph.Next(state, thread);
+  }
+  return failure;
+}
+
 }  // namespace
 
 StateSearch SearchStates(const Problem& problem, const StateLimits& limits) {
@@ -169,7 +191,7 @@ StateSearch SearchStates(const Problem& problem, const StateLimits& limits) {
     return (bad ? kBad : 0u) | HoldingFlags(problem, state);
   };
   search.graph = BuildStateGraph(&model, limits, judge, judged);
-  search.races = races.Finish(end_of, &search.graph);
+  search.races = races.Finish(end_of, limits.hurried(), &search.graph);
   search.counts.states = search.graph.size();
   search.counts.transitions = search.graph.transitions;
   search.counts.final_globals = globals.size();
@@ -177,7 +199,9 @@ StateSearch SearchStates(const Problem& problem, const StateLimits& limits) {
   search.counts.complete = search.graph.complete;
   if (!search.counts.complete) return search;
 
-  const std::vector<uint8_t> preemptions = PreemptionsTo(search.graph, kPreemptionBounds - 1);
+  const std::vector<uint8_t> preemptions =
+      PreemptionsTo(search.graph, kPreemptionBounds - 1, limits.hurried());
+  if (IsTold(limits.hurried())) return search;
   std::vector<int> fewest(globals.size(), kPreemptionBounds);
   size_t terminal = 0;
   for (uint32_t state = 0; state < search.graph.size(); ++state) {
@@ -192,8 +216,9 @@ StateSearch SearchStates(const Problem& problem, const StateLimits& limits) {
   return search;
 }
 
-std::optional<Failure> WayTo(const StateGraph& graph, uint32_t flag, uint32_t avoid) {
-  Path path = FewestPreemptions(graph, flag, avoid);
+std::optional<Failure> WayTo(const StateGraph& graph, uint32_t flag, uint32_t avoid,
+                             const std::atomic<bool>* hurried) {
+  Path path = FewestPreemptions(graph, flag, avoid, hurried);
   if (!path.found) return std::nullopt;
   Failure failure;
   failure.steps = std::move(path.steps);
@@ -206,7 +231,8 @@ std::optional<Failure> WayTo(const StateGraph& graph, uint32_t flag, uint32_t av
   return failure;
 }
 
-std::optional<Failure> FailureIn(const Problem& problem, const StateSearch& search) {
+std::optional<Failure> FailureIn(const Problem& problem, const StateSearch& search,
+                                 const std::atomic<bool>* hurried) {
   const StateGraph& graph = search.graph;
   const auto in_statements = [&](std::optional<Failure> failure) {
     if (failure && search.merged) Unmerge(problem, &*failure);
@@ -218,13 +244,15 @@ std::optional<Failure> FailureIn(const Problem& problem, const StateSearch& sear
     return model;
   };
   if (search.counts.bad_states > 0) {
-    if (auto bad = in_statements(WayTo(graph, kBad))) {
+    auto way = WayTo(graph, kBad, 0, hurried);
+    if (!way && IsTold(hurried)) way = FirstWayToBad(graph);
+    if (auto bad = in_statements(std::move(way))) {
       bad->fault = FindFault(problem, walk_to_end(*bad));
       return bad;
     }
   }
-  if (auto without = in_statements(WayWithout(problem, graph))) return without;
-  if (Lasso lasso = graph.complete ? FindFairCycle(graph) : Lasso{}; lasso.found) {
+  if (auto without = in_statements(WayWithout(problem, graph, hurried))) return without;
+  if (Lasso lasso = graph.complete ? FindFairCycle(graph, hurried) : Lasso{}; lasso.found) {
     Failure failure;
     failure.livelock = true;
     failure.steps = std::move(lasso.stem);
@@ -238,7 +266,7 @@ std::optional<Failure> FailureIn(const Problem& problem, const StateSearch& sear
     return failure;
   }
   if (search.races.empty()) return std::nullopt;
-  auto racing = in_statements(WayTo(graph, kRacing));
+  auto racing = in_statements(WayTo(graph, kRacing, 0, hurried));
   if (!racing) return std::nullopt;
   racing->last_escape = -1;
   racing->fault.kind = Fault::Kind::kRace;

@@ -49,11 +49,14 @@ struct StateSearch {
 StateSearch SearchStates(const Problem& problem, const StateLimits& limits);
 
 /// The path to a state with one of the flags that avoids states with others; the caller fills in
-/// its fault. Empty if there is none.
-std::optional<Failure> WayTo(const StateGraph& graph, uint32_t flag, uint32_t avoid = 0);
+/// its fault. Empty if there is none, or if `hurried` is set from another thread.
+std::optional<Failure> WayTo(const StateGraph& graph, uint32_t flag, uint32_t avoid = 0,
+                             const std::atomic<bool>* hurried = nullptr);
 
 /// The failure in the graph: in a state, at the end of a run, in an infinite run, or by a race;
-/// empty if there is none.
-std::optional<Failure> FailureIn(const Problem& problem, const StateSearch& search);
+/// empty if there is none. If `hurried` is set from another thread, it is not the simplest one, and
+/// one that is not in a single state may be missed.
+std::optional<Failure> FailureIn(const Problem& problem, const StateSearch& search,
+                                 const std::atomic<bool>* hurried = nullptr);
 
 }  // namespace oncard::explore

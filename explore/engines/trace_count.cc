@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "explore/engines/progress.h"
 #include "explore/models/number_table.h"
 #include "explore/models/step_model.h"
 #include "explore/models/thread_future.h"
@@ -114,8 +115,7 @@ class TraceCounter {
     if (state == StepModel::kNone) return false;
     const uint32_t known = numbers_.Find(state, sleep);
     if (known != NumberTable::kNone) return Add(pairs_[known]);
-    const bool told = limits_.stop != nullptr && limits_.stop->load(std::memory_order_relaxed);
-    if (told || pairs_.size() >= limits_.pairs) return false;
+    if (IsTold(limits_.stop) || pairs_.size() >= limits_.pairs) return false;
     const auto pair = static_cast<uint32_t>(pairs_.size());
     numbers_.Add(state, sleep, pair);
     const uint32_t awake = program_.runnable() & ~sleep;

@@ -155,9 +155,8 @@ void SearchTraces(const Problem& problem, const TraceSearchLimits& limits, Trace
     search->blocked += result.blocked;
     search->redundant += result.redundant;
     search->too_deep = search->too_deep || result.too_deep;
-    const bool told = limits.stop != nullptr && limits.stop->load(std::memory_order_relaxed);
-    const bool over =
-        told || executions >= limits.executions || after_bad > limits.statements_after_bad;
+    const bool over = IsTold(limits.stop) || executions >= limits.executions ||
+                      after_bad > limits.statements_after_bad;
     if (result.complete) search->units.erase(search->units.begin());
     if (over) break;
     if (result.complete) continue;

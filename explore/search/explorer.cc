@@ -21,6 +21,11 @@ const std::atomic<bool>* StopOf(const ExploreOptions& options) {
   return options.progress == nullptr ? nullptr : &options.progress->stop;
 }
 
+/// SearchProgress::hurried.
+const std::atomic<bool>* HurriedOf(const ExploreOptions& options) {
+  return options.progress == nullptr ? nullptr : &options.progress->hurried;
+}
+
 /// Why a search is incomplete: it was stopped, or reached this limit.
 Message WhyIncomplete(const ExploreOptions& options, Message limit) {
   if (options.progress != nullptr && options.progress->stop) {
@@ -145,23 +150,24 @@ StateLimits StatesOf(const ExploreOptions& options, const std::atomic<bool>* sto
 /// first in an order that depends on the clock as little as possible.
 std::optional<Failure> FailureOf(const Problem& problem, const FirstLook& look,
                                  const std::optional<TraceSearch>& traces,
-                                 const std::optional<StateSearch>& states) {
+                                 const std::optional<StateSearch>& states,
+                                 const std::atomic<bool>* hurried) {
   if (states && states->counts.complete) {
-    if (auto failure = FailureIn(problem, *states)) return failure;
+    if (auto failure = FailureIn(problem, *states, hurried)) return failure;
   }
   if (look.found()) {
-    Failure failure = Shrink(problem, look.failing);
+    Failure failure = Shrink(problem, look.failing, hurried);
     failure.fewest_preemptions = look.fewest_preemptions;
     return failure;
   }
   const bool traced = traces && !traces->failing.empty();
-  if (traced && traces->complete()) return Shrink(problem, traces->failing);
+  if (traced && traces->complete()) return Shrink(problem, traces->failing, hurried);
   if (states && !states->counts.complete) {
-    auto failure = FailureIn(problem, *states);
+    auto failure = FailureIn(problem, *states, hurried);
     if (failure && failure->fault.kind == Fault::Kind::kRace) return failure;
-    if (failure) return Shrink(problem, failure->steps);
+    if (failure) return Shrink(problem, failure->steps, hurried);
   }
-  if (traced) return Shrink(problem, traces->failing);
+  if (traced) return Shrink(problem, traces->failing, hurried);
   return std::nullopt;
 }
 
@@ -171,7 +177,7 @@ Exploration Conclude(const Problem& problem, const ExploreOptions& options, cons
   Exploration exploration;
   exploration.engine = engine;
   if (traces) exploration.traces = traces->Counts();
-  exploration.failure = FailureOf(problem, look, traces, states);
+  exploration.failure = FailureOf(problem, look, traces, states, HurriedOf(options));
   if (traces) exploration.ends = traces->ends.ends();
   if (states) {
     exploration.merged = states->merged;
@@ -179,8 +185,10 @@ Exploration Conclude(const Problem& problem, const ExploreOptions& options, cons
     exploration.states = std::move(states->counts);
     exploration.races = std::move(states->races);
   }
-  const bool complete =
-      (traces && traces->complete()) || (exploration.states && exploration.states->complete);
+  // What is not in a single state may have been missed in a hurry.
+  const bool stated =
+      exploration.states && exploration.states->complete && !IsTold(HurriedOf(options));
+  const bool complete = (traces && traces->complete()) || stated;
   if (exploration.failure) {
     exploration.verdict = Verdict::kFailed;
   } else if (complete) {
@@ -247,14 +255,14 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
   if (const auto sampling = SamplingOf(options)) {
     Exploration exploration = ConcludeSamples(options.engine, Sample(problem, *sampling));
     if (exploration.samples->bad > 0) {
-      exploration.failure = Shrink(problem, exploration.samples->failing);
+      exploration.failure = Shrink(problem, exploration.samples->failing, HurriedOf(options));
     }
     return exploration;
   }
   if (options.engine == EngineKind::kBounded) {
     Exploration exploration = ConcludeBounded(SearchBounded(problem, BoundsOf(options)), options);
     if (exploration.bounded->bad) {
-      exploration.failure = Shrink(problem, exploration.bounded->failing);
+      exploration.failure = Shrink(problem, exploration.bounded->failing, HurriedOf(options));
       exploration.failure->fewest_preemptions = problem.races == RaceRule::kAny;
     }
     return exploration;
@@ -277,7 +285,8 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
   if (options.progress != nullptr && options.progress->estimates &&
       engine != EngineKind::kStateful) {
     Model model = problem.model;
-    const TraceEstimate estimate = EstimateTraces(&model, kDescents, options.seed, kDescentDepth);
+    const TraceEstimate estimate =
+        EstimateTraces(&model, kDescents, options.seed, kDescentDepth, StopOf(options));
     options.progress->expected = estimate.traces;
     options.progress->expected_error = estimate.error;
   }
@@ -320,14 +329,14 @@ Exploration ExploreCard(CardModel* model, const ExploreOptions& options) {
   if (const auto sampling = SamplingOf(options)) {
     Exploration exploration = ConcludeSamples(options.engine, SampleCard(model, *sampling));
     if (exploration.samples->bad > 0) {
-      exploration.failure = ShrinkCard(model, exploration.samples->failing);
+      exploration.failure = ShrinkCard(model, exploration.samples->failing, HurriedOf(options));
     }
     return exploration;
   }
   if (options.engine == EngineKind::kBounded) {
     Exploration exploration = ConcludeBounded(SearchCardBounded(model, BoundsOf(options)), options);
     if (exploration.bounded->bad) {
-      exploration.failure = ShrinkCard(model, exploration.bounded->failing);
+      exploration.failure = ShrinkCard(model, exploration.bounded->failing, HurriedOf(options));
       exploration.failure->fewest_preemptions = true;
     }
     return exploration;
@@ -356,10 +365,11 @@ Exploration ExploreCard(CardModel* model, const ExploreOptions& options) {
     for (const uint8_t thread : exploration.failure->steps) walk.Step(thread);
     exploration.failure->fault = walk.fault();
   } else if (look.found()) {
-    exploration.failure = look.failure ? std::move(look.failure) : ShrinkCard(model, look.failing);
+    exploration.failure = look.failure ? std::move(look.failure)
+                                       : ShrinkCard(model, look.failing, HurriedOf(options));
     exploration.failure->fewest_preemptions = look.fewest_preemptions;
   } else if (exploration.failure) {
-    exploration.failure = ShrinkCard(model, exploration.failure->steps);
+    exploration.failure = ShrinkCard(model, exploration.failure->steps, HurriedOf(options));
   }
   if (exploration.failure) {
     exploration.verdict = Verdict::kFailed;

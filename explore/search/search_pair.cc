@@ -4,17 +4,27 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 namespace oncard::explore {
 namespace {
 
-/// When one search has a result, the other may continue counting for this fraction of the time that
-/// has passed, and at least for kGraceMin.
-constexpr double kGracePart = 0.3;
+/// See SearchPair::grace_part.
 constexpr std::chrono::milliseconds kGraceMin{10};
 /// How often is checked whether both searches must be stopped.
-constexpr std::chrono::milliseconds kStopPolled{50};
+constexpr std::chrono::milliseconds kStopPolled{5};
+
+/// Starts a thread; false if the system cannot.
+template <typename Work>
+bool Start(const Work& work, std::thread* thread) {
+  try {
+    *thread = std::thread(work);
+  } catch (const std::system_error&) {
+    return false;
+  }
+  return true;
+}
 
 }  // namespace
 
@@ -42,21 +52,30 @@ PairResult RunPair(const SearchPair& pair) {
     if (stop) stop_traces = true;
     return !stop;
   };
-  std::thread tracing([&] {
+  const auto trace = [&] {
     result.traces = pair.traces(&stop_traces, take_pause);
     report(First::kTraces, result.traces->complete() || result.traces->bad > 0);
-  });
-  std::thread stating([&] {
+  };
+  const auto state = [&] {
     result.states = pair.states(&stop);
     const StateCounts& counts = result.states.counts;
-    const bool cyclic = counts.complete && IsCyclic(result.states.graph);
+    const std::atomic<bool>* hurried = pair.progress == nullptr ? nullptr : &pair.progress->hurried;
+    const bool cyclic = counts.complete && IsCyclic(result.states.graph, hurried);
     {
       const std::lock_guard lock(mutex);
       endless = cyclic;
       stated = true;
     }
     report(First::kStates, counts.complete || counts.bad_states > 0);
-  });
+  };
+  std::thread tracing;
+  std::thread stating;
+  if (!Start(trace, &tracing)) return RunInTurn(pair);
+  if (!Start(state, &stating)) {
+    stop_traces = true;
+    tracing.join();
+    return RunInTurn(pair);
+  }
   {
     std::unique_lock lock(mutex);
     const auto done = [&] {
@@ -69,9 +88,13 @@ PairResult RunPair(const SearchPair& pair) {
       stop_traces = true;
     }
     const auto passed = std::chrono::steady_clock::now() - start;
-    const auto grace = std::max<std::chrono::nanoseconds>(
-        kGraceMin, std::chrono::duration_cast<std::chrono::nanoseconds>(passed * kGracePart));
-    answered.wait_for(lock, grace, [&] { return running == 0 || endless; });
+    const std::chrono::duration<double> grace =
+        std::max<std::chrono::duration<double>>(kGraceMin, passed * pair.grace_part);
+    const auto counted = [&] { return running == 0 || endless; };
+    const auto interrupted = [&] { return pair.progress != nullptr && pair.progress->interrupted; };
+    while (!interrupted() && !answered.wait_for(lock, kStopPolled, counted)) {
+      if (std::chrono::steady_clock::now() - start > passed + grace) break;
+    }
     stop = true;
     stop_traces = true;
   }

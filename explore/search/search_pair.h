@@ -24,6 +24,9 @@ struct SearchPair {
   std::function<StateSearch(const std::atomic<bool>* stop)> states;
   /// The problem is known to have a failure: the search of states continues to its own end.
   bool known_bad = false;
+  /// When one search has a result, the other may continue counting for this part of the time that
+  /// has passed, and at least for some milliseconds, unless the progress is interrupted.
+  double grace_part = 0.3;
   SearchProgress* progress = nullptr;  ///< requests to stop; nullptr: none
 };
 
@@ -35,8 +38,9 @@ struct PairResult {
   First first = First::kNeither;  ///< the search that first had an answer
 };
 
-/// Runs both at the same time; each is stopped some time after the other has a result. A build
-/// without threads has RunInTurn() in its place (search_pair_without_threads.cc).
+/// Runs both at the same time; each is stopped some time after the other has a result. If the
+/// system cannot start two threads, or in a build without threads (search_pair_without_threads.cc),
+/// as RunInTurn().
 PairResult RunPair(const SearchPair& pair);
 
 /// Runs the search of states, whose number is limited, and that of traces only if the first one has

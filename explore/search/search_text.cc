@@ -78,7 +78,7 @@ class TextWriter {
     for (const PlannedStep& plan : plans) {
       Next();
       PutNumber(plan.thread);
-      Next();
+      text_ += ',';
       PutNumber(plan.next);
     }
     Close(']');
@@ -105,6 +105,10 @@ class TextWriter {
  private:
   template <typename Number>
   void PutNumber(Number number) {
+    if (number >= 0 && number <= 9) {
+      text_ += static_cast<char>('0' + number);
+      return;
+    }
     const fmt::format_int digits(number);
     text_.append(digits.data(), digits.size());
   }
