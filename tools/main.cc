@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <optional>
 #include <span>
+#include <system_error>
 
 #include "base/nearest.h"
 #include "tools/command_tree.h"
@@ -134,6 +135,11 @@ int Main(int argc, char** argv) {
     app.exit(wish);
   } catch (const CLI::ParseError& error) {
     invocation.exit_code = ReportMistake(app, error, invocation);
+  } catch (const std::system_error& error) {
+    invocation.exit_code =
+        Fail(invocation, kExitIncomplete,
+             MakeMessage("the system refuses what the command needs, such as another thread: {0}",
+                         "系统拒绝了该命令所需的资源，例如再启动一个线程：{0}", error.what()));
   }
   return FinishOutput(invocation, invocation.exit_code);
 }

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <system_error>
 #include <thread>
 
 #include "base/files.h"
@@ -48,7 +49,10 @@ int Serve(const ServeArguments& arguments, const Invocation& invocation) {
   const StopSignals signals;
   std::atomic<bool> failed = false;
   std::thread thread([&server, &failed] {
-    server.Serve();
+    try {
+      server.Serve();
+    } catch (const std::system_error&) {  // a thread for connections cannot be started
+    }
     failed = true;
   });
   PrintResult(fmt::format("http://127.0.0.1:{}/{}/?engine=here\n", port.value(), token));
