@@ -78,10 +78,24 @@ class FolderLock {
   Descriptor folder_;
 };
 
+// 16 hexadecimal digits: a number of 64 bits.
+constexpr size_t kTemporaryDigits = 16;
+
+/// True for names that TemporaryName() gives.
+bool IsTemporaryName(std::string_view name) {
+  if (!name.starts_with(kTemporaryPrefix) || !name.ends_with(kTemporaryEnding)) return false;
+  if (name.size() != kTemporaryPrefix.size() + kTemporaryDigits + kTemporaryEnding.size()) {
+    return false;
+  }
+  const std::string_view digits = name.substr(kTemporaryPrefix.size(), kTemporaryDigits);
+  return digits.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
 Result<std::string> TemporaryName(const std::string& folder, const std::string& path) {
   uint64_t number = 0;
   if (::getrandom(&number, sizeof number, 0) != sizeof number) return WriteError(path);
-  return fmt::format("{}{}{:016x}{}", folder, kTemporaryPrefix, number, kTemporaryEnding);
+  return fmt::format("{}{}{:0{}x}{}", folder, kTemporaryPrefix, number, kTemporaryDigits,
+                     kTemporaryEnding);
 }
 
 /// Removes the temporary files of writers that were killed.
@@ -89,8 +103,7 @@ void Sweep(const std::string& folder) {
   DIR* entries = ::opendir(folder.c_str());
   if (entries == nullptr) return;
   while (const dirent* entry = ::readdir(entries)) {
-    const std::string_view name = entry->d_name;
-    if (!name.starts_with(kTemporaryPrefix) || !name.ends_with(kTemporaryEnding)) continue;
+    if (!IsTemporaryName(entry->d_name)) continue;
     const Descriptor file(::openat(::dirfd(entries), entry->d_name,
                                    O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
     struct stat info;

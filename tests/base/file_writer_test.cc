@@ -134,6 +134,20 @@ TEST_F(FileWriterTest, RemovesTemporaryFilesOfKilledWritersOnly) {
   ::close(writer);
 }
 
+TEST_F(FileWriterTest, RemovesOnlyNamesThatAWriterGives) {
+  const Strings foreign = {".oncard-.tmp",
+                           ".oncard-00000000000000AA.tmp",
+                           ".oncard-00000000000000aa0.tmp",
+                           ".oncard-000000000000aa.tmp",
+                           ".oncard-my-own-notes-of2.tmp",
+                           ".oncard-tmp"};
+  for (const std::string& name : foreign) {
+    ::close(::open(Path(name).c_str(), O_WRONLY | O_CREAT, 0600));
+  }
+  ASSERT_TRUE(WriteFileAtomically(Path("f"), "x").ok());
+  for (const std::string& name : foreign) EXPECT_TRUE(std::filesystem::exists(Path(name))) << name;
+}
+
 TEST_F(FileWriterTest, FollowsNoLinkInPlaceOfATemporaryFile) {
   ASSERT_TRUE(WriteFileAtomically(Path("victim"), "kept").ok());
   std::filesystem::create_symlink("victim", folder_ / ".oncard-00000000000000aa.tmp");
