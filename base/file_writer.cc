@@ -188,8 +188,8 @@ class StagedFile {
   /// Undoes all files of this thread that are not in their places. Allocates nothing.
   static void UndoAll() {
     for (StagedFile* file = newest_; file != nullptr; file = file->before_) {
-      file->BringBack();
       file->PutBack();
+      file->BringBack();
       file->Remove();
     }
   }
@@ -237,20 +237,31 @@ class StagedFile {
     return {};
   }
 
-  /// The same, but keeps the old content, for PutBack(). Where the file system cannot exchange two
-  /// names, nothing is kept.
+  /// The same, but keeps the old file, if there is one, for PutBack().
   Result<void> Exchange() {
-    if (!Replaces() || ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, place_.path.c_str(),
-                                   RENAME_EXCHANGE) != 0) {
-      return Put();
+    if (!Replaces()) return Put();
+    if (::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, place_.path.c_str(), RENAME_EXCHANGE) ==
+        0) {
+      exchanged_ = true;
+      placed_ = true;
+      return {};
     }
-    exchanged_ = true;
-    placed_ = true;
-    return {};
+    // There is no old file, or the file system cannot exchange two names.
+    auto result = TakeAway();
+    if (result.ok()) result = Put();
+    created_ = result.ok();
+    if (!result.ok()) BringBack();
+    return result;
   }
 
   /// Undoes Exchange().
   void PutBack() {
+    if (created_) {
+      created_ = false;
+      placed_ = false;
+      if (away_.empty()) ::unlink(place_.path.c_str());
+      BringBack();
+    }
     if (!exchanged_) return;
     exchanged_ = false;
     placed_ = false;
@@ -344,6 +355,7 @@ class StagedFile {
   std::string away_;
   bool placed_ = false;
   bool exchanged_ = false;
+  bool created_ = false;  ///< put into its place without exchanging names
   // Kept open for their locks.
   std::optional<Descriptor> old_;
   std::optional<Descriptor> new_;
@@ -380,6 +392,7 @@ Result<void> WritePairAtomically(const std::string& first_path, std::string_view
     if (!result.ok()) first_file.PutBack();
   }
   if (result.ok()) {
+    first_file.Forget();
     second_file.Forget();
   } else {
     second_file.BringBack();

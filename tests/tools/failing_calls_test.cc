@@ -73,6 +73,19 @@ TEST_P(FailingCallTest, LeavesOnePairOfObjectFiles) {
   });
 }
 
+TEST_P(FailingCallTest, LeavesNoHalfOfANewPair) {
+  if (GetParam() == std::string("fchmod")) GTEST_SKIP() << "a new file takes over no mode";
+  const ScratchFolder folder;
+  folder.Write("p.c", kNew);
+  TestCalls([&](int at) {
+    std::filesystem::remove(folder.path() + "/p.bin");
+    std::filesystem::remove(folder.path() + "/p.ini");
+    const ProcessResult result = RunFailing({"build", "p.c"}, folder.path(), GetParam(), at);
+    EXPECT_EQ(FileCount(folder.path()), result.exit_code == 0 ? 3u : 1u) << GetParam() << ':' << at;
+    return result.err.find("injected") != std::string::npos;
+  });
+}
+
 TEST_P(FailingCallTest, LeavesOneSchedule) {
   const ScratchFolder folder;
   folder.Write("p.c", kNew);
