@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/json_reader.h"
 #include "base/json_text.h"
 #include "base/limits.h"
 #include "base/milliseconds.h"
@@ -210,9 +211,11 @@ Result<Json> SessionHost::Requests::Answer(std::string_view text) {
     return MakeError(1, "a request has at most {0} bytes", "请求最多 {0} 字节",
                      kRequestKind.bytes_max);
   }
-  const Json request = Json::parse(text, nullptr, false);
+  const Json request = ReadJson(text);
   if (!request.is_object()) {
-    return MakeError(1, "a request is a JSON object in one line", "请求应为一行 JSON 对象");
+    return MakeError(1,
+                     "a request is a JSON object in one line, with at most {0} keys in each object",
+                     "请求应为一行 JSON 对象，其中每个对象最多 {0} 个键", kJsonKeysMax);
   }
   if (const auto id = request.find("id"); id != request.end()) {
     if (id->is_number_integer() || id->is_string()) id_ = *id;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "base/limits.h"
 #include "tests/session/asking_test.h"
@@ -42,6 +43,9 @@ TEST_F(HostTest, RefusesWhatIsNoRequest) {
     EXPECT_THAT(response["error"].get<std::string>(), HasSubstr("JSON object")) << text;
   }
   EXPECT_THAT(host_.Handle(std::string(100'000, '[')), HasSubstr("JSON object"));
+  std::string many = R"({"id": 1, "request": "state", "arguments": {"0": 0)";
+  for (int i = 1; i <= 1000; ++i) many += ", \"" + std::to_string(i) + "\": 0";
+  EXPECT_THAT(host_.Handle(many + "}}"), HasSubstr("at most 1000 keys"));
   EXPECT_THAT(host_.Handle("{\"id\": {}, \"request\": \"state\"}"), HasSubstr("'id' must be"));
   EXPECT_THAT(host_.Handle("{\"id\": 1}"), HasSubstr("'request' is missing"));
   EXPECT_THAT(host_.Handle("{\"id\": 1, \"request\": \"state\", \"argument\": {}}"),
