@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/json_reader.h"
 #include "base/json_text.h"
 #include "gtcalls/card_elements.h"
 #include "gtcalls/gts/family.h"
@@ -206,7 +207,11 @@ class RecordReader {
     while (!text_.empty()) {
       ++line_;
       const size_t end = text_.find('\n');
-      const auto read = ReadLine(text_.substr(0, end));
+      const std::string_view line = text_.substr(0, end);
+      // The file was cut while its last line was written: the record ends before it.
+      const bool cut = end == std::string_view::npos && line_ > 1 && !Json::accept(line);
+      if (cut) break;
+      const auto read = ReadLine(line);
       if (!read.ok()) return read.error();
       text_.remove_prefix(end == std::string_view::npos ? text_.size() : end + 1);
     }
@@ -231,7 +236,7 @@ class RecordReader {
   }
 
   Result<void> ReadLine(std::string_view text) {
-    const Json json = Json::parse(text, nullptr, false);
+    const Json json = ReadJson(text);
     if (line_ == 1) return ReadHead(json);
     if (!json.is_object()) return Damaged();
     LineReader line(json);

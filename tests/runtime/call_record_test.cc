@@ -114,7 +114,7 @@ TEST(CallRecord, HasOneRecordForEachOpeningOfACard) {
 TEST(CallRecord, NamesTheFirstLineThatIsDamaged) {
   const std::string good = FormatRecordedCall(0, Call(100, "GT_Stop", {Value(1), Value(0)}));
   const std::string lines[] = {
-      good.substr(0, good.size() / 2),
+      good.substr(0, good.size() / 2) + '\n',
       "[]\n",
       "{\"card\":0,\"us\":100,\"call\":\"GT_Halt\",\"in\":[],\"code\":0}\n",
       "{\"card\":0,\"us\":100,\"call\":\"GT_Stop\",\"in\":[1],\"code\":0}\n",
@@ -128,6 +128,15 @@ TEST(CallRecord, NamesTheFirstLineThatIsDamaged) {
   };
   for (const std::string& line : lines) {
     EXPECT_THAT(ErrorOf(Record(good + line)), StartsWith("host.calls:4: this is no line")) << line;
+  }
+}
+
+TEST(CallRecord, EndsBeforeALastLineThatWasCut) {
+  const std::string good = FormatRecordedCall(0, Call(100, "GT_Stop", {Value(1), Value(0)}));
+  for (size_t size = 0; size < good.size() - 1; ++size) {
+    const CallRecord record = Read(Record(good + good.substr(0, size)));
+    EXPECT_EQ(record.calls.size(), 1u) << size;
+    EXPECT_FALSE(record.end) << size;
   }
 }
 

@@ -195,7 +195,7 @@ TEST_F(HostCallsTest, ARecordWithoutAnEndSaysSo) {
 TEST_F(HostCallsTest, ADamagedRecordIsRefused) {
   const std::string text = TwoPrograms();
   const Json arguments = {{"main", "h.calls"},
-                          {"files", {{"h.calls", text.substr(0, text.size() - 9)}}}};
+                          {"files", {{"h.calls", text.substr(0, text.size() - 9) + "\n"}}}};
   EXPECT_THAT(ErrorOf("load", arguments), HasSubstr("h.calls:9: this is no line of a record"));
 }
 
