@@ -9,18 +9,23 @@
 #include "runtime/scenario/key_table.h"
 
 namespace oncard::runtime {
-namespace {
 
-/// The byte index of a character, which is counted from 1.
-size_t OffsetOf(std::string_view line, toml::source_index column) {
-  size_t offset = 0;
-  for (toml::source_index i = 1; i < column && offset < line.size(); ++i) {
-    do {
-      ++offset;
-    } while (offset < line.size() && (static_cast<unsigned char>(line[offset]) & 0xC0) == 0x80);
+size_t ColumnFinder::OffsetOf(std::string_view line, toml::source_index column) {
+  if (line.data() != line_ || column < column_) {
+    line_ = line.data();
+    column_ = 1;
+    offset_ = 0;
   }
-  return offset;
+  for (; column_ < column && offset_ < line.size(); ++column_) {
+    do {
+      ++offset_;
+      ++walked_;
+    } while (offset_ < line.size() && (static_cast<unsigned char>(line[offset_]) & 0xC0) == 0x80);
+  }
+  return offset_;
 }
+
+namespace {
 
 bool IsKeyOfFile(std::string_view key) {
   return std::ranges::any_of(ScenarioKeys(),
@@ -242,8 +247,9 @@ TextPlace TomlKeys::TextPlaceOf(const toml::source_region& place) const {
   const auto column = static_cast<int>(place.begin.column);
   const std::string_view text = file_->Line(line);
   const bool one_line = place.end.line == place.begin.line;
-  return {file_, line, column, OffsetOf(text, place.begin.column),
-          OffsetOf(text, one_line ? place.end.column : place.begin.column + 1)};
+  const size_t begin = columns_.OffsetOf(text, place.begin.column);
+  const size_t end = columns_.OffsetOf(text, one_line ? place.end.column : place.begin.column + 1);
+  return {file_, line, column, begin, end};
 }
 
 }  // namespace oncard::runtime

@@ -23,6 +23,22 @@
 
 namespace oncard::runtime {
 
+/// Finds the bytes of characters. It walks on from the one that was found last, so that many places
+/// of one line, in their order, take one walk.
+class ColumnFinder {
+ public:
+  /// The byte index of a character of a line in UTF-8; `column` is counted from 1.
+  size_t OffsetOf(std::string_view line, toml::source_index column);
+  /// Number of bytes walked so far.
+  size_t walked() const { return walked_; }
+
+ private:
+  const char* line_ = nullptr;
+  toml::source_index column_ = 1;
+  size_t offset_ = 0;  ///< of column_
+  size_t walked_ = 0;
+};
+
 class TomlKeys {
  public:
   /// `path` names the file in errors, `text` is its content within a margin.
@@ -71,6 +87,7 @@ class TomlKeys {
 
  private:
   std::shared_ptr<const TextFile> file_;
+  mutable ColumnFinder columns_;
   PlacedErrors errors_;
 };
 
