@@ -479,6 +479,15 @@ void AppendRow(std::string* out, const Command& command) {
          command.brief, parameters, command.source);
 }
 
+/// The notes on a topic, a paragraph each.
+void AppendNotes(std::string* out, const InterfaceForm& form, std::string_view topic) {
+  bool of_topic = false;
+  for (const TopicLine& line : form.topics) {
+    if (!line.topic.empty()) of_topic = line.topic == topic;
+    if (of_topic && !line.note.empty()) Append(out, "{}\n\n", line.note);
+  }
+}
+
 std::string Markdown(const InterfaceForm& form) {
   const Catalogue& catalogue = form.catalogue;
   std::string out;
@@ -489,6 +498,7 @@ std::string Markdown(const InterfaceForm& form) {
       continue;
     }
     Append(&out, "\n## {}\n\n", line.topic);
+    AppendNotes(&out, form, line.topic);
     out += "| no. | command | where | tier | what it does | parameters | source |\n";
     out += "|---|---|---|---|---|---|---|\n";
   }

@@ -17,6 +17,12 @@ struct HeaderModule {
   std::span<const std::string_view> structures;
 };
 
+/// The title of a topic, or a note on the one before it.
+struct TopicLine {
+  std::string_view topic;
+  std::string_view note;
+};
+
 struct InterfaceForm {
   const Catalogue& catalogue;
   /// The function that returns the catalogue, declared in catalogue.h in the family's folder.
@@ -39,6 +45,8 @@ struct InterfaceForm {
   std::span<const Structure> basic_layouts;
   /// The module whose header includes the main one.
   HeaderModule module;
+  /// The topics of the catalogue with their notes, for the documentation.
+  std::span<const TopicLine> topics;
 };
 
 }  // namespace oncard::gtcalls

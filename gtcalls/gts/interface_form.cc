@@ -127,6 +127,13 @@ constexpr Structure kBasicLayouts[] = {
 #include "gtcalls/gts/basic_layouts.def"
 };
 
+constexpr TopicLine kTopics[] = {
+#define COMMAND(...)
+#define TOPIC(title) {title, {}},
+#define NOTE(text) {{}, text},
+#include "gtcalls/gts/catalogue.def"
+};
+
 }  // namespace
 
 const InterfaceForm& GtsInterfaceForm() {
@@ -141,7 +148,8 @@ const InterfaceForm& GtsInterfaceForm() {
       kHead,
       kOneCard,
       kBasicLayouts,
-      {"LookAheadEx", "Multi-axis look-ahead", kLookAheadHead, kLookAheadStructures}};
+      {"LookAheadEx", "Multi-axis look-ahead", kLookAheadHead, kLookAheadStructures},
+      kTopics};
   return kForm;
 }
 
