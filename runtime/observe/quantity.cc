@@ -325,6 +325,28 @@ std::string NameInThread(std::string_view name, int thread, const Controller& co
   return local ? fmt::format("page{}.{}", state.page, name) : std::string(name);
 }
 
+bool IsOfProgram(QuantityKind kind) {
+  switch (kind) {
+    case QuantityKind::kVariable:
+    case QuantityKind::kThreadRun:
+    case QuantityKind::kThreadResult:
+    case QuantityKind::kThreadError:
+    case QuantityKind::kThreadLine:
+    case QuantityKind::kThreadPage:
+    case QuantityKind::kThreadStatements:
+      return true;
+    case QuantityKind::kInputWord:
+    case QuantityKind::kInputBit:
+    case QuantityKind::kOutputWord:
+    case QuantityKind::kOutputBit:
+    case QuantityKind::kMotion:
+    case QuantityKind::kClock:
+    case QuantityKind::kStatements:
+      break;
+  }
+  return false;
+}
+
 std::vector<Quantity> GlobalQuantities(const Controller& controller) {
   std::vector<Quantity> all;
   for (const vm::Symbol& symbol : GlobalsOf(controller.machine())) {

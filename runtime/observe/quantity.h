@@ -67,6 +67,9 @@ Result<std::vector<Quantity>> ResolveQuantity(std::string_view name, const Contr
 /// which hides a global; any other name unchanged.
 std::string NameInThread(std::string_view name, int thread, const Controller& controller);
 
+/// True for what only a program has: its variables and its threads.
+bool IsOfProgram(QuantityKind kind);
+
 /// All global variables, in the order of their declaration.
 std::vector<Quantity> GlobalQuantities(const Controller& controller);
 

@@ -15,27 +15,8 @@ Message Joined(const Message& first, const Message& values) {
 
 /// True if a condition names something that only a program has.
 bool NamesProgram(const CardCondition& condition) {
-  return std::ranges::any_of(condition.quantities(), [](const Quantity& quantity) {
-    switch (quantity.kind) {
-      case QuantityKind::kVariable:
-      case QuantityKind::kThreadRun:
-      case QuantityKind::kThreadResult:
-      case QuantityKind::kThreadError:
-      case QuantityKind::kThreadLine:
-      case QuantityKind::kThreadPage:
-      case QuantityKind::kThreadStatements:
-        return true;
-      case QuantityKind::kInputWord:
-      case QuantityKind::kInputBit:
-      case QuantityKind::kOutputWord:
-      case QuantityKind::kOutputBit:
-      case QuantityKind::kMotion:
-      case QuantityKind::kClock:
-      case QuantityKind::kStatements:
-        break;
-    }
-    return false;
-  });
+  return std::ranges::any_of(condition.quantities(),
+                             [](const Quantity& quantity) { return IsOfProgram(quantity.kind); });
 }
 
 }  // namespace
