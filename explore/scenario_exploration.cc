@@ -251,6 +251,7 @@ Result<Findings> FollowSchedule(const runtime::Scenario& scenario,
     auto exploration =
         explore(SubjectOf(card), [&](const auto& steps) { return TakeCardSteps(&card, steps); });
     if (!exploration.ok()) return exploration.error();
+    BoundByHorizon(card.horizon(), &exploration.value());
     Findings findings = FindingsOf(scenario, &card, std::move(exploration).value());
     AddTrace(scenario, object, &findings);
     return findings;

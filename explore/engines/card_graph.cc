@@ -51,10 +51,7 @@ class CardSearch {
     StateGraph& graph = result_.graph;
     graph.successors.Append(static_cast<size_t>(graph.threads), StateGraph::kNone);
     uint32_t flags = 0;
-    if (state.ended) {
-      flags |= kTerminal;
-      result_.cut = result_.cut || (!state.finished && !state.fault);
-    }
+    if (state.ended) flags |= kTerminal;
     if (state.finished) {
       globals_.Insert(model_.GlobalsKey(state));
       const bool new_end = full_.Insert(model_.FinalKey(state));

@@ -14,7 +14,6 @@ struct CardGraph {
   int64_t final_globals = 0;  ///< different values of the globals at the end
   int64_t final_full = 0;     ///< the same including the return values of the threads
   EndSet ends;                ///< if there are no requirements on results
-  bool cut = false;           ///< some run ended because `until_ms` came
 };
 
 /// Explores from the start of the run, the states with the fewest statements first.

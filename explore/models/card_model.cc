@@ -6,6 +6,8 @@
 #include <bit>
 #include <utility>
 
+#include "base/milliseconds.h"
+#include "runtime/observe/moving_axes.h"
 #include "runtime/observe/statement_access.h"
 #include "runtime/scenario/scenario_start.h"
 #include "runtime/scenario/scenario_world.h"
@@ -45,6 +47,13 @@ bool ChangesBody(const vm::Instruction& instruction, const gtcalls::Catalogue& c
          });
 }
 
+/// True if a condition names more than variables and threads.
+bool NamesCard(const runtime::CardCondition& condition) {
+  return !std::ranges::all_of(condition.quantities(), [](const runtime::Quantity& quantity) {
+    return runtime::IsOfProgram(quantity.kind);
+  });
+}
+
 /// The values of all globals.
 std::vector<int64_t> GlobalsOf(const CardModel::State& state) {
   const std::span<const int64_t> packed = state.variables.Globals();
@@ -81,6 +90,7 @@ Result<CardModel> CardModel::Create(const runtime::Scenario& scenario,
   if (scenario.until_us && runtime::CycleOf(scenario, *scenario.until_us) <= limit) {
     model.last_cycle_ = runtime::CycleOf(scenario, *scenario.until_us);
     model.last_is_failure_ = false;
+    model.horizon_.at_ms = ToMs(*scenario.until_us);
   }
   model.BindRequirements(requirements, &fit);
   if (auto failure = fit.Failure()) return *std::move(failure);
@@ -104,6 +114,8 @@ Result<CardModel> CardModel::CreateFromCalls(const runtime::Scenario& scenario,
   model.last_is_failure_ = !model.host_->cut();
   if (model.last_is_failure_) {
     model.last_cycle_ += runtime::CycleOf(scenario, scenario.limit_ms * 1000);
+  } else {
+    model.horizon_.at_ms = ToMs(model.last_cycle_ * scenario.cycle_us);
   }
   model.BindRequirements(requirements, &fit);
   if (auto failure = fit.Failure()) return *std::move(failure);
@@ -148,8 +160,11 @@ void CardModel::BindRequirements(const std::vector<Requirement>& requirements,
       runtime::ReadRequirements<runtime::CardCondition>(requirements, *controller_, fit);
   if (conditions.size() < requirements.size()) return;
   for (size_t i = 0; i < requirements.size(); ++i) {
+    const Scope scope = requirements[i].scope;
+    has_invariants_ = has_invariants_ || scope != Scope::kFinal;
+    const bool of_every_state = scope == Scope::kAlways || scope == Scope::kNever;
+    watches_card_ = watches_card_ || (of_every_state && NamesCard(conditions[i]));
     requirements_.push_back({requirements[i], std::move(conditions[i])});
-    has_invariants_ = has_invariants_ || requirements[i].scope != Scope::kFinal;
   }
 }
 
@@ -352,6 +367,17 @@ void CardModel::End(State* state) {
     if (has_invariants_) JudgeState(state);
   }
   JudgeEnd(state);
+  if (!state->fault) NoteHorizon();
+}
+
+void CardModel::NoteHorizon() {
+  if (horizon_.at_ms || watches_card_) horizon_.axes |= runtime::MovingAxes(*controller_);
+  const auto& threads = controller_->machine().state().threads;
+  for (size_t number = 0; number < threads.size(); ++number) {
+    const ThreadState& thread = threads[number];
+    const bool runs = thread.run == vm::ThreadRun::kRunning || thread.period_cycles > 0;
+    if (runs) horizon_.threads |= 1u << number;
+  }
 }
 
 int64_t CardModel::BeginCycle() {

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "explore/models/horizon.h"
 #include "explore/models/host_events.h"
 #include "explore/models/model.h"
 #include "explore/models/problem.h"
@@ -77,6 +78,9 @@ class CardModel {
   const std::shared_ptr<const HostEvents>& host() const { return host_; }
   /// The card, as the last Start(), Step() or Load() left it.
   const runtime::Controller& controller() const { return *controller_; }
+  /// What still went on where the runs that were taken ended without a failure. Axes are noted if
+  /// every run ends at an instant, or if a requirement on every state names the card.
+  const Horizon& horizon() const { return horizon_; }
   /// Commands that threads have been refused in any of the steps that were taken.
   const std::vector<runtime::RefusedCommand>& refused() const { return refused_->list(); }
 
@@ -138,6 +142,8 @@ class CardModel {
   void Settle(State* state);
   /// Ends the run and checks its final requirements.
   void End(State* state);
+  /// Notes what still goes on at the end of a run.
+  void NoteHorizon();
   /// True if the host still does something now or later.
   bool HostActs() const { return host_ != nullptr && host_->LeftAt(controller_->cycle()); }
   /// Lets the host make the calls of the cycle.
@@ -168,6 +174,8 @@ class CardModel {
   std::vector<BoundRequirement> requirements_;
   uint32_t fault_expected_ = 0;  ///< threads whose error an expectation names
   bool has_invariants_ = false;  ///< or kEventually
+  bool watches_card_ = false;    ///< a requirement on every state names more than the program
+  Horizon horizon_;
   int64_t last_cycle_ = 0;       ///< `until_ms` or `limit_ms`
   bool last_is_failure_ = true;  ///< it is `limit_ms`
   int64_t last_instant_ = 0;     ///< cycle of the last expectation with an instant, or `until_ms`

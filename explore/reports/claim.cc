@@ -177,6 +177,8 @@ ClaimEntry Bounds(const Findings& findings) {
   if (const auto& card = findings.subject.card; card && !BuiltInOf(findings).limit) {
     const double until_ms = ToMs(*card->until_us);
     add(MakeMessage("the first {0} ms", "前 {0} ms", until_ms));
+  } else if (exploration.horizon) {
+    add({"until the threads have ended", "到线程结束为止"});
   }
   if (exploration.bounded) {
     add(MakeMessage("preemptions: at most {0}", "抢占：最多 {0} 次",
@@ -408,6 +410,12 @@ void AddClaim(const Findings& findings, nlohmann::ordered_json* json) {
   }
   auto& bounds = (*json)["bounds"] = nlohmann::ordered_json::array();
   for (const Message& line : Bounds(findings).lines) bounds.push_back(line.en);
+  if (const Horizon& horizon = findings.exploration.horizon) {
+    auto& json_horizon = (*json)["horizon"];
+    if (horizon.at_ms) json_horizon["ms"] = *horizon.at_ms;
+    json_horizon["moving_axes"] = NumbersOf(horizon.axes, 1);
+    json_horizon["running_threads"] = NumbersOf(horizon.threads, 0);
+  }
   (*json)["oncard"] = ONCARD_VERSION;
   const auto results = ResultsOf(findings);
   if (!results) return;

@@ -325,7 +325,9 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
   return Conclude(problem, options, look, std::move(traces), std::move(states), engine);
 }
 
-Exploration ExploreCard(CardModel* model, const ExploreOptions& options) {
+namespace {
+
+Exploration SearchCard(CardModel* model, const ExploreOptions& options) {
   if (const auto sampling = SamplingOf(options)) {
     Exploration exploration = ConcludeSamples(options.engine, SampleCard(model, *sampling));
     if (exploration.samples->bad > 0) {
@@ -377,13 +379,28 @@ Exploration ExploreCard(CardModel* model, const ExploreOptions& options) {
     exploration.why =
         WhyIncomplete(options, MakeMessage("the limit of {0} states was reached",
                                            "已达到 {0} 个状态的上限", options.state_limit));
-  } else if (found.cut) {
+  } else if (model->horizon()) {
     exploration.verdict = Verdict::kPassed;
-    exploration.why = {"no failure up to the scenario's until_ms; threads are still running then",
-                       "在场景的 until_ms 之前没有错误；此时仍有线程在运行"};
   } else {
     exploration.verdict = Verdict::kProved;
   }
+  return exploration;
+}
+
+}  // namespace
+
+void BoundByHorizon(const Horizon& horizon, Exploration* exploration) {
+  if (exploration->verdict != Verdict::kPassed || !horizon) return;
+  exploration->horizon = horizon;
+  const Message bound = DescribeHorizon(horizon);
+  Message& why = exploration->why;
+  why = why.en.empty() ? Message{"no failure " + bound.en, "未出错，" + bound.zh}
+                       : Message{why.en + "; " + bound.en, why.zh + "；" + bound.zh};
+}
+
+Exploration ExploreCard(CardModel* model, const ExploreOptions& options) {
+  Exploration exploration = SearchCard(model, options);
+  BoundByHorizon(model->horizon(), &exploration);
   return exploration;
 }
 

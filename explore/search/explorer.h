@@ -49,7 +49,7 @@ std::string_view EngineName(EngineKind engine);
 /// In the order of kVerdictNames (runtime/scenario/search_names.h).
 enum class Verdict : uint8_t {
   kProved,     ///< no interleaving fails
-  kPassed,     ///< none that was tried fails; others were not tried, or only up to `until_ms`
+  kPassed,     ///< none that was tried fails; others were not tried, or only up to a horizon
   kFailed,     ///< one fails; Exploration::failure shows it
   kIncomplete  ///< a limit was reached before the search was complete
 };
@@ -87,7 +87,8 @@ struct ExploreOptions {
 struct Exploration {
   Verdict verdict = Verdict::kIncomplete;
   EngineKind engine = EngineKind::kAuto;  ///< the engine that reached the verdict
-  Message why;                            ///< kPassed, kIncomplete: the bound that was reached
+  Message why;      ///< kPassed, kIncomplete: the bound that was reached
+  Horizon horizon;  ///< with a card: what goes on where its runs end
   std::optional<TraceCounts> traces;
   TraceSearch search;  ///< kAuto, kDpor: the search to continue if it is not complete
   std::optional<StateCounts> states;
@@ -106,6 +107,9 @@ Exploration ConcludeSamples(EngineKind engine, SampleCounts samples);
 
 /// Explores. Fails when the engine cannot answer the problem's requirements.
 Result<Exploration> Explore(const Problem& problem, const ExploreOptions& options);
+
+/// Adds to kPassed what still goes on where the runs of a card end.
+void BoundByHorizon(const Horizon& horizon, Exploration* exploration);
 
 /// The same for a card: the graph of all its states, or random schedules.
 Exploration ExploreCard(CardModel* model, const ExploreOptions& options);
