@@ -46,9 +46,10 @@ class Tutorial : public testing::TestWithParam<std::string> {
     fs::create_directory_symlink(ONCARD_BUILD_DIR, folder_.path() + "/build");
   }
 
-  /// What appears when the lines of a block are typed.
-  ProcessResult Type(const std::string& lines) {
-    return RunProgram({"sh", "-c", "exec 2>&1\n" + lines}, folder_.path());
+  /// What appears when the lines of a block are typed, in a language.
+  ProcessResult Type(const std::string& lines, const std::string& locale = "C") {
+    return RunProgram({"sh", "-c", "exec 2>&1\nexport LC_ALL=" + locale + "\n" + lines},
+                      folder_.path());
   }
 
   const ScratchFolder folder_;
@@ -72,6 +73,21 @@ TEST_P(Tutorial, ShowsWhatAppears) {
     }
   }
   EXPECT_GT(commands, 0u);
+}
+
+// What selects lines of an output finds them in both languages.
+TEST_P(Tutorial, ShowsAsMuchInChinese) {
+  const std::vector<CodeBlock> blocks = CodeBlocks(ReadFile(kTutorials / GetParam()).value());
+  for (size_t i = 0; i < blocks.size(); ++i) {
+    if (const std::string title = TitleOf(blocks[i]); !title.empty()) {
+      folder_.Write(title, blocks[i].text);
+    } else if (blocks[i].info == "sh") {
+      const std::string out = Type(blocks[i].text, "zh_CN.UTF-8").out;
+      const bool shown = i + 1 < blocks.size() && blocks[i + 1].info == "text";
+      const std::string expected = shown ? blocks[i + 1].text : "";
+      EXPECT_EQ(std::ranges::count(out, '\n'), std::ranges::count(expected, '\n')) << out;
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Pages, Tutorial, testing::ValuesIn(Tutorials()), [](const auto& page) {
