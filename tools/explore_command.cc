@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -119,12 +120,15 @@ int ReportRefused(const ExploreArguments& arguments, const Invocation& invocatio
 
 /// Writes the requested output. Returns the exit code.
 int Report(const ExploreArguments& arguments, const Invocation& invocation,
-           const ExploreSubject& subject, explore::Findings findings) {
-  findings.source = subject.source;
+           const ExploreSubject& subject, explore::Findings* found) {
+  found->source = subject.source;
+  const explore::Findings& findings = *found;
   const explore::ReportOptions shown = {arguments.full, OutputWidth()};
   PrintResult(arguments.format == "json"
                   ? explore::JsonReport(findings)
                   : explore::TextReport(findings, invocation.language, shown));
+  // Where both streams are read together, what is said of files comes after the verdict.
+  std::fflush(stdout);
   if (!arguments.report.empty()) {
     const std::string report = arguments.report.ends_with(".html")
                                    ? explore::HtmlReport(findings, invocation.language, shown)
@@ -161,7 +165,7 @@ int ExploreKept(const ExploreArguments& arguments, const Invocation& invocation,
   auto findings = GoOn(subject, options, keep, &file);
   if (!findings.ok()) return Fail(invocation, kExitUsage, findings.error().message);
   if (written != kExitOk || !keep(file)) return written;
-  return Report(arguments, invocation, subject, std::move(findings).value());
+  return Report(arguments, invocation, subject, &findings.value());
 }
 
 SubjectReading ReadingOf(const ExploreArguments& arguments) {
@@ -211,7 +215,7 @@ int Merge(const ExploreArguments& arguments, const Invocation& invocation) {
   }
   auto findings = ConcludeSearch(subject, file);
   if (!findings.ok()) return Fail(invocation, kExitUsage, findings.error().message);
-  return Report(arguments, invocation, subject, std::move(findings).value());
+  return Report(arguments, invocation, subject, &findings.value());
 }
 
 /// The record of a host program.
@@ -241,7 +245,7 @@ int ExploreHost(const ExploreArguments& arguments, const Invocation& invocation)
   if (!findings.ok()) return Fail(invocation, kExitUsage, findings.error().message);
   subject.source = findings.value().source;
   subject.scenario.program = findings.value().subject.program;
-  return Report(arguments, invocation, subject, std::move(findings).value());
+  return Report(arguments, invocation, subject, &findings.value());
 }
 
 int Explore(const ExploreArguments& arguments, const Invocation& invocation) {
@@ -270,7 +274,7 @@ int Explore(const ExploreArguments& arguments, const Invocation& invocation) {
   if (arguments.engine.empty() && wish && !wish->follow.empty()) {
     auto findings = explore::ExploreAsWished(subject.scenario, subject.object, subject.source);
     if (!findings.ok()) return Fail(invocation, kExitUsage, findings.error().message);
-    return Report(arguments, invocation, subject, std::move(findings).value());
+    return Report(arguments, invocation, subject, &findings.value());
   }
   explore::ExploreOptions options = OptionsOf(arguments, subject);
   const int checked = CheckSettings(arguments, invocation, options.engine);
@@ -284,9 +288,9 @@ int Explore(const ExploreArguments& arguments, const Invocation& invocation) {
   auto findings =
       explore::ExploreScenario(subject.scenario, subject.requirements, subject.object, options);
   if (!findings.ok()) return Fail(invocation, kExitUsage, findings.error().message);
+  const int reported = Report(arguments, invocation, subject, &findings.value());
   const int kept = unnamed.End(findings.value().exploration, watch.interrupted());
-  if (kept != kExitOk) return kept;
-  return Report(arguments, invocation, subject, std::move(findings).value());
+  return kept != kExitOk ? kept : reported;
 }
 
 }  // namespace

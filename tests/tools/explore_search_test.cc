@@ -13,6 +13,7 @@ namespace oncard::tools {
 namespace {
 
 using testing::HasSubstr;
+using testing::StartsWith;
 
 std::string Increments() {
   std::string source = "int x;\n//@ final: x <= 6\n";
@@ -175,6 +176,11 @@ TEST_F(ExploreSearch, ASearchThatCannotBeKeptSaysSoWhenItIsEnded) {
   EXPECT_EQ(ended.exit_code, 6) << ended.out;
   EXPECT_THAT(ended.err,
               HasSubstr("the search could not be saved: the search of a program with its card"));
+  // The verdict comes first where both are read together.
+  const ProcessResult together = RunProgram(
+      {"sh", "-c", "exec " ONCARD_BUILD_DIR "/bin/oncard explore card.toml --time=0.2 2>&1"},
+      scratch_.path());
+  EXPECT_THAT(together.out, StartsWith("INCOMPLETE\n"));
 }
 
 TEST_F(ExploreSearch, MergedPartsShowTheResults) {
