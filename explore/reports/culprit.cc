@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace oncard::explore {
@@ -48,40 +50,85 @@ struct StaleUse {
   size_t use = 0;
 };
 
-/// Which of two uses is reported: one that overwrites before one that decides, and that before one
-/// that computes; then one involved in the statement after which every end is bad; then the later
-/// one.
+/// Which of two uses is reported: the higher one, and of equal ones the later one.
 struct UseRank {
-  int64_t last_escape = -1;
+  bool agrees = false;  ///< it is between the threads of the racing pair, about its variable or
+                        ///< one of its statements
+  bool synchronises = false;  ///< its variable is there to order the threads
+  int kind = 0;               ///< overwriting ranks over deciding, and that over computing
+  bool fatal = false;         ///< it involves the statement after which every end is bad
 
-  std::pair<int, bool> Of(const StaleUse& use) const {
-    const auto fatal = static_cast<size_t>(last_escape);
-    const bool escapes =
-        last_escape >= 0 && (use.write == fatal || use.use == fatal || use.read == fatal);
-    switch (use.kind) {
+  bool operator>=(const UseRank& other) const {
+    const auto ordered = [](const UseRank& rank) {
+      return std::tuple(rank.agrees, !rank.synchronises, rank.kind, rank.fatal);
+    };
+    return ordered(*this) >= ordered(other);
+  }
+};
+
+/// Ranks uses by what is known of the failure.
+class UseJudge {
+ public:
+  UseJudge(const Subject& subject, const Trail& trail, int64_t last_escape)
+      : subject_(subject), trail_(trail), last_escape_(last_escape) {}
+
+  UseRank Of(const StaleUse& use) const {
+    return {Agrees(use), Synchronises(use), KindRank(use.kind),
+            last_escape_ >= 0 && Involves(use, static_cast<size_t>(last_escape_))};
+  }
+  bool Agrees(const StaleUse& use) const {
+    if (!trail_.pair) return true;
+    const RacingPair& pair = *trail_.pair;
+    const auto thread = [&](size_t step) { return trail_.steps[step].thread; };
+    const std::set<int> of_pair = {thread(pair.first.step), thread(pair.second.step)};
+    if (of_pair != std::set<int>{thread(use.use), thread(use.write)}) return false;
+    return NameOf(use) == pair.what || Involves(use, pair.first.step) ||
+           Involves(use, pair.second.step);
+  }
+
+ private:
+  static int KindRank(StaleUse::Kind kind) {
+    switch (kind) {
       case StaleUse::Kind::kOverwrites:
-        return {2, escapes};
+        return 2;
       case StaleUse::Kind::kDecides:
-        return {1, escapes};
+        return 1;
       case StaleUse::Kind::kComputes:
         break;
     }
-    return {0, escapes};
+    return 0;
   }
+  static bool Involves(const StaleUse& use, size_t step) {
+    return use.write == step || use.use == step || use.read == step;
+  }
+  std::string NameOf(const StaleUse& use) const {
+    return runtime::NameOf(trail_.steps[use.read].log, use.value.slot, subject_.image->object);
+  }
+  bool Synchronises(const StaleUse& use) const {
+    const std::string name = NameOf(use);
+    const std::string variable = name.substr(0, name.find('['));
+    return std::ranges::find(subject_.sync, variable) != subject_.sync.end();
+  }
+
+  const Subject& subject_;
+  const Trail& trail_;
+  int64_t last_escape_;
 };
 
 /// Follows values from globals through locals and decisions, and keeps the use to be reported.
 class Flow {
  public:
-  Flow(const std::vector<TrailStep>& steps, int64_t last_escape) : rank_{last_escape} {
-    for (now_ = 0; now_ < steps.size(); ++now_) Take(steps[now_]);
+  Flow(const Trail& trail, const UseJudge& judge) : judge_(judge) {
+    for (now_ = 0; now_ < trail.steps.size(); ++now_) {
+      Take(trail.steps[now_], trail.matters[now_]);
+    }
   }
   const std::optional<StaleUse>& use() const { return use_; }
 
  private:
   static int KeyOf(const SlotAddress& local) { return local.page * vm::kSlotCount + local.id; }
 
-  void Take(const TrailStep& step) {
+  void Take(const TrailStep& step, bool matters) {
     Sources sources;
     for (const SlotValue& read : step.log.reads) {
       if (read.slot.global) {
@@ -93,7 +140,7 @@ class Flow {
     const bool acts = step.log.command || std::ranges::any_of(step.log.writes, [](const auto& w) {
                         return w.slot.global;
                       });
-    if (acts) {
+    if (acts && matters) {
       for (const Source& source : sources) Judge(source, KindOf(source, step), step.thread);
       for (const Source& source : decisions_[step.thread]) {
         Judge(source, StaleUse::Kind::kDecides, step.thread);
@@ -105,9 +152,10 @@ class Flow {
         locals_[KeyOf(write.slot)] = sources;
         continue;
       }
+      if (write.before == write.after) continue;
       Writers& writers = writers_[write.slot.id];
       if (writers.last && writers.last->thread != step.thread) writers.other = writers.last;
-      writers.last = GlobalWrite{now_, step.thread};
+      writers.last = GlobalWrite{now_, step.thread, write.after};
     }
   }
 
@@ -118,27 +166,29 @@ class Flow {
     return back ? StaleUse::Kind::kOverwrites : StaleUse::Kind::kComputes;
   }
 
-  /// Checks whether another thread has written what the source read.
+  /// Checks whether another thread has changed what the source read.
   void Judge(const Source& source, StaleUse::Kind kind, int thread) {
     const Writers& writers = writers_[source.value.slot.id];
     const auto& write =
         writers.last && writers.last->thread != thread ? writers.last : writers.other;
     if (!write || write->thread == thread || write->step <= source.step) return;
+    if (write->value == source.value.raw) return;
     const StaleUse use = {kind, source.value, source.step, write->step, now_};
-    if (!use_ || rank_.Of(use) >= rank_.Of(*use_)) use_ = use;
+    if (!use_ || judge_.Of(use) >= judge_.Of(*use_)) use_ = use;
   }
 
   struct GlobalWrite {
     size_t step = 0;
     int thread = 0;
+    int64_t value = 0;
   };
-  /// The latest write of a global, and the latest write by another thread than that one.
+  /// The latest change of a global, and the latest write by another thread than that one.
   struct Writers {
     std::optional<GlobalWrite> last;
     std::optional<GlobalWrite> other;
   };
 
-  UseRank rank_;
+  const UseJudge& judge_;
   size_t now_ = 0;
   std::map<int, Sources> locals_;     ///< by page and slot
   std::map<int, Sources> decisions_;  ///< of each thread, the latest one
@@ -246,8 +296,9 @@ std::optional<Culprit> FindCulprit(const Subject& subject, const Failure& failur
                             failure.fault.kind == Fault::Kind::kDeadlock;
   if (told_already) return std::nullopt;
   const CulpritDescriber describer(subject, trail);
-  const Flow flow(trail.steps, failure.last_escape);
-  if (flow.use()) return describer.Describe(*flow.use());
+  const UseJudge judge(subject, trail, failure.last_escape - trail.skipped);
+  const Flow flow(trail, judge);
+  if (flow.use() && judge.Agrees(*flow.use())) return describer.Describe(*flow.use());
   if (trail.pair) return describer.Describe(*trail.pair);
   return std::nullopt;
 }

@@ -1,6 +1,8 @@
 // The step that caused a failure, in one sentence: a write over a value that the writer had not
 // seen, a decision based on an outdated value, or else the nearest pair of statements that should
-// have been executed in the other order. Deterministic. Tested by tests/explore/failure_test.cc.
+// have been executed in the other order. It speaks only of what contributed to the failure
+// (relevance.h), and of the threads of the racing pair. Deterministic. Tested by
+// tests/explore/failure_test.cc.
 #pragma once
 
 #include <cstddef>

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "explore/reports/race_orders.h"
+#include "explore/reports/relevance.h"
 #include "runtime/observe/quantity.h"
 #include "runtime/observe/statement_access.h"
 #include "runtime/scenario/expectation.h"
@@ -33,17 +34,16 @@ bool Writes(const runtime::StatementAccess& access, const runtime::Touched& touc
   });
 }
 
-/// Pairs a statement with the nearest statement of another thread that depends on it: a later one,
-/// which would come first in the other order, otherwise an earlier one.
-std::optional<RacingPair> PairOf(const std::vector<Touch>& touches, int64_t last_escape,
-                                 const vm::Object& object) {
-  const auto statement = static_cast<size_t>(last_escape);
-  if (last_escape < 0 || statement >= touches.size()) return std::nullopt;
+/// Pairs a statement with the nearest statement of another thread that depends on it and is
+/// accepted: a later one, which would come first in the other order, otherwise an earlier one.
+template <typename Accept>
+std::optional<RacingPair> NearestPair(const std::vector<Touch>& touches, size_t statement,
+                                      const vm::Object& object, const Accept& accepts) {
   const Touch& fatal = touches[statement];
   const auto pair_with = [&](size_t other) -> std::optional<RacingPair> {
     if (touches[other].thread == fatal.thread) return std::nullopt;
     const runtime::Touched* both = FindDependence(fatal.access, touches[other].access);
-    if (both == nullptr) return std::nullopt;
+    if (both == nullptr || !accepts(other, *both)) return std::nullopt;
     const auto [first, second] = std::minmax(statement, other);
     return RacingPair{NameOf(*both, object),
                       {first, Writes(touches[first].access, *both)},
@@ -56,6 +56,23 @@ std::optional<RacingPair> PairOf(const std::vector<Touch>& touches, int64_t last
     if (auto pair = pair_with(i)) return pair;
   }
   return std::nullopt;
+}
+
+std::optional<RacingPair> PairOf(const std::vector<Touch>& touches,
+                                 const std::vector<bool>& matters, int64_t last_escape,
+                                 const SyncCells& sync, const vm::Object& object) {
+  const auto statement = static_cast<size_t>(last_escape);
+  if (last_escape < 0 || statement >= touches.size()) return std::nullopt;
+  const auto synchronises = [&](const runtime::Touched& touched) {
+    return touched.resource == gtcalls::Resource::kVariable && touched.number < sync.size() &&
+           sync[touched.number];
+  };
+  const auto contributes = [&](size_t other, const runtime::Touched& touched) {
+    return matters[other] && !synchronises(touched);
+  };
+  if (auto pair = NearestPair(touches, statement, object, contributes)) return pair;
+  return NearestPair(touches, statement, object,
+                     [](size_t, const runtime::Touched&) { return true; });
 }
 
 /// A card with a program whose variables have the values that they have in a model.
@@ -265,7 +282,9 @@ Trail Follow(const Problem& problem, const Failure& failure) {
     }
   };
   follow(failure.steps, &trail.steps);
-  trail.pair = PairOf(touches, failure.last_escape, subject.image->object);
+  trail.matters = StepsThatMatter(subject, failure, trail.steps);
+  trail.pair =
+      PairOf(touches, trail.matters, failure.last_escape, problem.sync, subject.image->object);
   if (!failure.livelock) trail.actual = DescribeActual(subject, failure, *controller);
   follow(failure.cycle, &trail.cycle);
   trail.orders = BothOrders(problem, failure);
@@ -302,8 +321,11 @@ Trail Follow(CardModel* model, const Failure& failure) {
     trail.steps.push_back({thread, watch.After(number)});
     host.AddTo(&trail.host, trail.steps.size());
   }
-  trail.pair = PairOf(touches, failure.last_escape - trail.skipped, model->image()->object);
-  trail.actual = DescribeActual(SubjectOf(*model), failure, model->controller());
+  const Subject subject = SubjectOf(*model);
+  trail.matters = StepsThatMatter(subject, failure, trail.steps);
+  trail.pair = PairOf(touches, trail.matters, failure.last_escape - trail.skipped, {},
+                      subject.image->object);
+  trail.actual = DescribeActual(subject, failure, model->controller());
   return trail;
 }
 

@@ -58,7 +58,8 @@ struct HostStep {
 };
 
 /// The statement after which every continuation fails, and the nearest dependent one of another
-/// thread: a later one if there is any, because the other order would have executed that first.
+/// thread: a later one if there is any, because the other order would have executed that first. One
+/// that contributed to the failure comes before one that did not, and synchronising variables last.
 struct RacingPair {
   struct Statement {
     size_t step = 0;  ///< index in Trail::steps
@@ -84,6 +85,7 @@ struct Trail {
   /// Number of statements before `steps`, for a run that is too long to be shown completely.
   int64_t skipped = 0;
   std::vector<TrailStep> steps;
+  std::vector<bool> matters;  ///< for each of them: it contributed to the failure (relevance.h)
   std::vector<TrailStep> cycle;
   std::vector<HostStep> host;      ///< what the host does between these steps
   std::optional<RacingPair> pair;  ///< only if the states are known

@@ -49,6 +49,69 @@ TEST(FailureTest, ADecisionOnWhatNoLongerHolds) {
               HasSubstr("because it had read stop = 0 at step 1; thread 1 had set it to 1"));
 }
 
+/// The cause that is told of a given schedule; `fatal`: the statement after which every end is bad.
+std::string CauseOf(const std::string& source, const std::vector<uint8_t>& steps,
+                    int64_t fatal = -1, const std::vector<std::string>& sync = {}) {
+  const Problem problem = ProblemOf(source);
+  Failure failure;
+  failure.steps = steps;
+  failure.last_escape = fatal;
+  failure.fault.kind = Fault::Kind::kRequirement;
+  const Trail trail = Follow(problem, failure);
+  Subject subject = SubjectOf(problem);
+  subject.sync = sync;
+  const auto culprit = FindCulprit(subject, failure, trail);
+  return culprit ? culprit->sentence.en : "";
+}
+
+/// Threads that add 1 to a variable, each in three statements; x is 2 if none is lost.
+constexpr const char* kAddToX =
+    "int t0() {\n  int t;\n  t = x;\n  t = t + 1;\n  x = t;\n}\n"
+    "int t1() {\n  int t;\n  t = x;\n  t = t + 1;\n  x = t;\n}\n";
+constexpr const char* kLostX =
+    "thread 0 wrote x = 1 over thread 1's 1 at step 6, because it had read x = 0 at step 1, before "
+    "thread 1 wrote it at step 4";
+
+TEST(FailureTest, AVariableThatDoesNotReachTheRequirementIsNoCause) {
+  const std::string lamps =
+      "int t2() {\n  int l;\n  l = lamp;\n  lamp = l + 1;\n}\n"
+      "int t3() {\n  int l;\n  l = lamp;\n  lamp = l + 1;\n}\n";
+  EXPECT_EQ(CauseOf("int x, lamp;\n//@ final: x == 2\n" + (kAddToX + lamps),
+                    {0, 1, 1, 1, 0, 0, 2, 3, 3, 2}),
+            kLostX);
+}
+
+TEST(FailureTest, AWriteThatChangesNothingIsNoCause) {
+  const std::string again =
+      "int t2() {\n  int l;\n  l = x;\n  x = l;\n}\n"
+      "int t3() {\n  int l;\n  l = x;\n  x = l;\n}\n";
+  EXPECT_EQ(
+      CauseOf("int x;\n//@ final: x == 2\n" + (kAddToX + again), {0, 1, 1, 1, 0, 0, 2, 3, 3, 2}),
+      kLostX);
+}
+
+TEST(FailureTest, AVariableThatSynchronisesIsTheLastToBeBlamed) {
+  const char* source =
+      "int x, y, f;\n//@ final: y == 1 && f == 2\n"
+      "int t0() {\n  int a;\n  int b;\n  a = x;\n  b = f;\n  b = b + 1;\n  f = b;\n  y = a;\n}\n"
+      "int t1() {\n  int c;\n  x = 1;\n  c = f;\n  c = c + 1;\n  f = c;\n}\n";
+  const std::vector<uint8_t> steps = {0, 0, 1, 1, 1, 1, 0, 0, 0};
+  EXPECT_THAT(CauseOf(source, steps), StartsWith("thread 0 wrote f = 1 over thread 1's 1"));
+  EXPECT_THAT(CauseOf(source, steps, -1, {"f"}), StartsWith("thread 0 used x = 0 at step 9"));
+}
+
+TEST(FailureTest, TheCauseIsThatOfTheRacingPair) {
+  const std::string others =
+      "int t2() {\n  int l;\n  l = z;\n  z = l + 1;\n}\n"
+      "int t3() {\n  int l;\n  l = z;\n  z = l + 1;\n}\n";
+  const std::string source =
+      "int x, y, z;\n//@ final: y == 1 && z < 9\n"
+      "int t0() {\n  int a;\n  a = x;\n  y = a;\n}\nint t1() {\n  x = 1;\n}\n" +
+      others;
+  EXPECT_THAT(CauseOf(source, {0, 1, 2, 3, 3, 2, 0}, 0),
+              StartsWith("thread 0 used x = 0 at step 7, which it had read at step 1; thread 1"));
+}
+
 TEST(FailureTest, AReadBeforeTheWrite) {
   const Told told = Tell(
       "int ready, got;\n"

@@ -1,0 +1,115 @@
+#include "explore/reports/relevance.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "runtime/scenario/expectation.h"
+
+namespace oncard::explore {
+namespace {
+
+using runtime::LoggedStep;
+using runtime::SlotChange;
+using runtime::SlotValue;
+
+/// Follows a run backward from its failure.
+class BackwardSlice {
+ public:
+  BackwardSlice(const Subject& subject, const std::vector<TrailStep>& steps)
+      : subject_(subject), steps_(steps), matters_(steps.size(), false) {}
+
+  std::vector<bool> Of(const Failure& failure) {
+    switch (failure.fault.kind) {
+      case Fault::Kind::kRequirement:
+        BeginWith(subject_.requirements[static_cast<size_t>(failure.fault.requirement)].text);
+        break;
+      case Fault::Kind::kThread:
+        BeginWithLastStepOf(failure.fault.thread);
+        break;
+      default:
+        return std::vector<bool>(steps_.size(), true);
+    }
+    for (size_t i = steps_.size(); i-- > 0;) Visit(i);
+    return std::move(matters_);
+  }
+
+ private:
+  static int KeyOf(const vm::SlotAddress& slot) {
+    return (slot.global ? 0 : (slot.page + 1) * vm::kSlotCount) + slot.id;
+  }
+
+  void BeginWith(const std::string& text) {
+    auto expectation = runtime::ParseExpectation(text);
+    if (!expectation.ok()) return;
+    for (const runtime::Condition::Name& name : expectation.value().condition.names()) Need(name);
+  }
+
+  /// What a name of the requirement depends on.
+  void Need(const runtime::Condition::Name& name) {
+    const vm::Symbol* global = vm::FindGlobal(*subject_.image, name.base);
+    if (global != nullptr) {
+      needed_.insert(global->id + name.index.value_or(0));
+      return;
+    }
+    for (size_t i = 0; i < subject_.threads.size(); ++i) {
+      const ThreadSetup& setup = subject_.threads[i];
+      const std::string number = std::to_string(setup.thread);
+      if (name.base == "ret" + number || name.base == "thread" + number + ".result") {
+        return BeginWithLastStepOf(static_cast<int>(i));
+      }
+      const std::string page = "page" + std::to_string(setup.page) + '.';
+      if (!name.base.starts_with(page)) continue;
+      const vm::Symbol* local =
+          vm::FindLocal(*subject_.image, setup.function, name.base.substr(page.size()));
+      if (local == nullptr) continue;
+      vm::SlotAddress slot;
+      slot.global = false;
+      slot.page = static_cast<uint8_t>(setup.page);
+      slot.id = static_cast<uint16_t>(local->id + name.index.value_or(0));
+      needed_.insert(KeyOf(slot));
+      return;
+    }
+    card_ = true;
+  }
+
+  void BeginWithLastStepOf(int thread) {
+    for (size_t i = steps_.size(); i-- > 0;) {
+      if (steps_[i].thread != thread) continue;
+      matters_[i] = true;
+      return;
+    }
+  }
+
+  void Visit(size_t index) {
+    const TrailStep& step = steps_[index];
+    const LoggedStep& log = step.log;
+    const bool controls = log.decides && threads_.contains(step.thread);
+    const bool writes = std::ranges::any_of(
+        log.writes, [&](const SlotChange& write) { return needed_.contains(KeyOf(write.slot)); });
+    if (!matters_[index] && !writes && !controls && !(card_ && log.command)) return;
+    matters_[index] = true;
+    threads_.insert(step.thread);
+    for (const SlotChange& write : log.writes) {
+      if (write.before != write.after) needed_.erase(KeyOf(write.slot));
+    }
+    for (const SlotValue& read : log.reads) needed_.insert(KeyOf(read.slot));
+    card_ = card_ || (log.command && writes);
+  }
+
+  const Subject& subject_;
+  const std::vector<TrailStep>& steps_;
+  std::vector<bool> matters_;
+  std::set<int> needed_;   ///< slots whose present values matter
+  std::set<int> threads_;  ///< with a later step that matters
+  bool card_ = false;      ///< the state of the card matters
+};
+
+}  // namespace
+
+std::vector<bool> StepsThatMatter(const Subject& subject, const Failure& failure,
+                                  const std::vector<TrailStep>& steps) {
+  return BackwardSlice(subject, steps).Of(failure);
+}
+
+}  // namespace oncard::explore
