@@ -66,6 +66,9 @@ std::vector<uint8_t> StepsOf(const Subject& subject, const vm::Schedule& schedul
   return steps;
 }
 
+/// True for a verdict that no schedule which was searched fails.
+bool IsGood(Verdict verdict) { return verdict == Verdict::kProved || verdict == Verdict::kPassed; }
+
 Result<Findings> ExploreProgram(const runtime::Scenario& scenario,
                                 const std::vector<Requirement>& requirements, vm::Object object,
                                 const ExploreOptions& options) {
@@ -73,7 +76,10 @@ Result<Findings> ExploreProgram(const runtime::Scenario& scenario,
   if (!problem.ok()) return problem.error();
   auto exploration = Explore(problem.value(), options);
   if (!exploration.ok()) return exploration.error();
-  return FindingsOf(scenario, problem.value(), std::move(exploration).value());
+  const bool good = IsGood(exploration.value().verdict);
+  Findings findings = FindingsOf(scenario, problem.value(), std::move(exploration).value());
+  if (good) findings.untested = UntestedOf(problem.value());
+  return findings;
 }
 
 /// The place where the scenario names the engine; empty if it names another one.
@@ -90,7 +96,11 @@ Result<Findings> ExploreWithCard(const runtime::Scenario& scenario,
   runtime::SyncGlobals(scenario, object, &fit);
   auto model = CardModel::Create(scenario, requirements, std::move(object), std::move(fit));
   if (!model.ok()) return model.error();
-  Findings findings = FindingsOf(scenario, &model.value(), ExploreCard(&model.value(), options));
+  Exploration exploration = ExploreCard(&model.value(), options);
+  std::vector<Message> untested = model.value().Untested();
+  const bool good = IsGood(exploration.verdict);
+  Findings findings = FindingsOf(scenario, &model.value(), std::move(exploration));
+  if (good) findings.untested = std::move(untested);
   AddTrace(scenario, model.value().image()->object, &findings);
   return findings;
 }

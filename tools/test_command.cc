@@ -173,6 +173,8 @@ void ExploreTest(const runtime::Scenario& scenario, const runtime::ProgramLoad& 
     auto& list = testing.arguments.strict_commands ? outcome->failures : outcome->warnings;
     list.push_back(runtime::DescribeRefusedPlace(refused, runtime::ProgramPath(scenario)));
   }
+  const std::vector<Message>& untested = findings.value().untested;
+  outcome->warnings.insert(outcome->warnings.end(), untested.begin(), untested.end());
   const explore::Verdict verdict = findings.value().exploration.verdict;
   if (ReportCutSearch(watch, testing.arguments.search_s, verdict, outcome)) return;
   if (explore::VerdictName(verdict) == scenario.explore->verdict) return;

@@ -166,6 +166,34 @@ void CardModel::BindRequirements(const std::vector<Requirement>& requirements,
     watches_card_ = watches_card_ || (of_every_state && NamesCard(conditions[i]));
     requirements_.push_back({requirements[i], std::move(conditions[i])});
   }
+  BindGuards();
+}
+
+void CardModel::BindGuards() {
+  for (BoundRequirement& bound : requirements_) {
+    bound.guard = runtime::GuardOf(bound.requirement);
+    if (!bound.guard) continue;
+    auto matters = runtime::CardCondition::Bind(bound.guard->matters, *controller_);
+    if (matters.ok()) bound.matters = std::move(matters).value();
+  }
+}
+
+std::vector<Message> CardModel::Untested() const {
+  std::vector<Message> texts;
+  for (const BoundRequirement& bound : requirements_) {
+    const Scope scope = bound.requirement.scope;
+    if (!bound.judged && scope != Scope::kEventually) {
+      texts.push_back(MakeMessage("no run came to where '{0}' is checked",
+                                  "没有运行到达检查“{0}”的时刻", bound.requirement.Title()));
+    } else if (bound.matters && !bound.mattered) {
+      texts.push_back(runtime::DescribeVacuous(bound.requirement, *bound.guard));
+    }
+  }
+  for (Message& late :
+       runtime::DescribeLateEvents(scenario_.world, latest_end_ * scenario_.cycle_us, true)) {
+    texts.push_back(std::move(late));
+  }
+  return texts;
 }
 
 std::vector<Requirement> CardModel::Requirements() const {
@@ -177,6 +205,8 @@ std::vector<Requirement> CardModel::Requirements() const {
 // --- What must hold ------------------------------------------------------------------------------
 
 bool CardModel::Holds(const BoundRequirement& bound) const {
+  bound.judged = true;
+  bound.mattered = bound.mattered || (bound.matters && bound.matters->Holds(*controller_));
   return bound.condition.Holds(*controller_) != (bound.requirement.scope == Scope::kNever);
 }
 
@@ -371,6 +401,7 @@ void CardModel::End(State* state) {
 }
 
 void CardModel::NoteHorizon() {
+  latest_end_ = std::max(latest_end_, controller_->cycle());
   if (horizon_.at_ms || watches_card_) horizon_.axes |= runtime::MovingAxes(*controller_);
   const auto& threads = controller_->machine().state().threads;
   for (size_t number = 0; number < threads.size(); ++number) {

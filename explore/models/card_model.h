@@ -14,6 +14,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@
 #include "explore/models/problem.h"
 #include "explore/models/state_key.h"
 #include "runtime/scenario/scenario.h"
+#include "runtime/scenario/vacuity.h"
 #include "runtime/sim/controller.h"
 #include "vm/packed_state.h"
 
@@ -81,6 +83,8 @@ class CardModel {
   /// What still went on where the runs that were taken ended without a failure. Axes are noted if
   /// every run ends at an instant, or if a requirement on every state names the card.
   const Horizon& horizon() const { return horizon_; }
+  /// What none of the runs that were taken has put to the test (runtime/scenario/vacuity.h).
+  std::vector<Message> Untested() const;
   /// Commands that threads have been refused in any of the steps that were taken.
   const std::vector<runtime::RefusedCommand>& refused() const { return refused_->list(); }
 
@@ -123,6 +127,10 @@ class CardModel {
     Requirement requirement;
     runtime::CardCondition condition;
     int64_t cycle = -1;  ///< an expectation with an instant: at the end of this cycle
+    std::optional<runtime::Guard> guard = {};
+    std::optional<runtime::CardCondition> matters = {};  ///< of the guard
+    mutable bool mattered = false;
+    mutable bool judged = false;
   };
 
   /// With a card for the scenario.
@@ -130,6 +138,7 @@ class CardModel {
   /// Takes the program from the card, and the threads that are to be explored.
   void KeepThreads(std::vector<ThreadSetup> threads);
   void BindRequirements(const std::vector<Requirement>& requirements, runtime::ScenarioFit* fit);
+  void BindGuards();
   bool Holds(const BoundRequirement& bound) const;
   /// Checks the final requirements without an instant, and the kEventually requirements.
   void JudgeEnd(State* state) const;
@@ -176,6 +185,7 @@ class CardModel {
   bool has_invariants_ = false;  ///< or kEventually
   bool watches_card_ = false;    ///< a requirement on every state names more than the program
   Horizon horizon_;
+  int64_t latest_end_ = 0;       ///< cycle in which the longest run that was taken ended
   int64_t last_cycle_ = 0;       ///< `until_ms` or `limit_ms`
   bool last_is_failure_ = true;  ///< it is `limit_ms`
   int64_t last_instant_ = 0;     ///< cycle of the last expectation with an instant, or `until_ms`

@@ -111,6 +111,22 @@ class CommentReader {
   runtime::PlacedErrors errors_;
 };
 
+void BindGuard(const Requirement& requirement, const Model& model, BoundRequirement* bound) {
+  auto guard = runtime::GuardOf(requirement);
+  if (!guard) return;
+  auto matters = Property::Bind(guard->matters, model);
+  if (!matters.ok()) return;
+  bound->guard = std::move(guard);
+  bound->matters = std::move(matters).value();
+  bound->mattered = std::make_shared<std::atomic<bool>>(false);
+}
+
+/// Notes where the right side of a requirement matters.
+void LookForGuard(const BoundRequirement& bound, const Model& state) {
+  if (!bound.matters || bound.mattered->load(std::memory_order_relaxed)) return;
+  if (bound.matters->Holds(state)) bound.mattered->store(true, std::memory_order_relaxed);
+}
+
 bool HasFunction(const vm::Object& object, const std::string& name) {
   for (const vm::Function& function : object.functions) {
     if (function.name == name) return true;
@@ -179,8 +195,19 @@ Problem BindProblem(Model model, const std::vector<Requirement>& requirements,
                            "“eventually”表达式超过 {0} 个", kEventuallyMax));
     }
     problem.requirements.push_back({requirements[i].scope, std::move(properties[i])});
+    BindGuard(requirements[i], problem.model, &problem.requirements.back());
   }
   return problem;
+}
+
+std::vector<Message> UntestedOf(const Problem& problem) {
+  std::vector<Message> texts;
+  for (const BoundRequirement& bound : problem.requirements) {
+    if (!bound.matters || bound.mattered->load()) continue;
+    const Requirement requirement = {bound.scope, bound.property.text()};
+    texts.push_back(runtime::DescribeVacuous(requirement, *bound.guard));
+  }
+  return texts;
 }
 
 std::optional<RaceRule> RaceRuleNamed(std::string_view name) {
@@ -198,6 +225,7 @@ Fault FindFault(const Problem& problem, const Model& state) {
     const BoundRequirement& requirement = problem.requirements[i];
     if (requirement.scope == Scope::kEventually) continue;
     if (requirement.scope == Scope::kFinal && state.runnable() != 0) continue;
+    LookForGuard(requirement, state);
     if (requirement.property.Holds(state) == (requirement.scope == Scope::kNever)) {
       return {Fault::Kind::kRequirement, static_cast<int>(i), 0};
     }

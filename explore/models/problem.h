@@ -15,7 +15,9 @@
 // Tested by tests/explore/problem_test.cc.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,6 +30,7 @@
 #include "runtime/scenario/requirement.h"
 #include "runtime/scenario/scenario.h"
 #include "runtime/scenario/scenario_fit.h"
+#include "runtime/scenario/vacuity.h"
 #include "vm/object.h"
 
 namespace oncard::explore {
@@ -62,6 +65,11 @@ Result<CommentProblem> ReadComments(const std::string& path, std::string_view so
 struct BoundRequirement {
   Scope scope = Scope::kFinal;
   Property property;
+  std::optional<runtime::Guard> guard = {};
+  std::optional<Property> matters = {};  ///< of the guard
+  /// Whether the guard has held in a state that was checked by any search of the problem, in any
+  /// thread of the computer; only if there is a guard.
+  std::shared_ptr<std::atomic<bool>> mattered = {};
 };
 
 /// Maximum number of `eventually` requirements of a problem.
@@ -81,6 +89,9 @@ struct Problem {
 /// many, to `fit`; the problem is not usable then.
 Problem BindProblem(Model model, const std::vector<Requirement>& requirements,
                     runtime::ScenarioFit* fit);
+
+/// What the searches so far have not put to the test (runtime/scenario/vacuity.h).
+std::vector<Message> UntestedOf(const Problem& problem);
 
 /// The rule with a name: `any`, `benign`, `none`.
 std::optional<RaceRule> RaceRuleNamed(std::string_view name);

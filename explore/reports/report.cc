@@ -82,6 +82,9 @@ std::string TextReport(const Findings& findings, Language language, const Report
   const Exploration& exploration = findings.exploration;
   std::string text = std::string(VerdictName(exploration.verdict)) + '\n';
   if (!exploration.why.en.empty()) text += exploration.why.In(language) + '\n';
+  for (const Message& remark : findings.untested) {
+    text += MakeMessage("remark: {0}", "注意：{1}", remark.en, remark.zh).In(language) + '\n';
+  }
   text += ClaimText(findings, language);
   text += CountsText(findings, language);
   if (exploration.failure) {
@@ -95,6 +98,7 @@ std::string JsonReport(const Findings& findings) {
   nlohmann::ordered_json json;
   json["verdict"] = VerdictName(exploration.verdict);
   json["engine"] = EngineName(exploration.engine);
+  for (const Message& remark : findings.untested) json["untested"].push_back(remark.en);
   AddClaim(findings, &json);
   if (const auto& traces = exploration.traces) {
     json["executions"] = traces->executions;
@@ -154,6 +158,9 @@ std::string HtmlReport(const Findings& findings, Language language, const Report
       chinese ? "zh" : "en", verdict, kPageStyle);
   if (!exploration.why.en.empty()) {
     page += fmt::format("<p>{}</p>\n", EscapeMarkup(exploration.why.In(language)));
+  }
+  for (const Message& remark : findings.untested) {
+    page += fmt::format("<p>{}</p>\n", EscapeMarkup(remark.In(language)));
   }
   page += ClaimHtml(findings, language);
   page += fmt::format("<pre>{}</pre>\n", EscapeMarkup(CountsText(findings, language)));

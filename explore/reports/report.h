@@ -27,6 +27,8 @@ struct Findings {
   std::string source;
   /// Commands that were refused in some explored schedule.
   std::vector<runtime::RefusedCommand> refused = {};
+  /// What a verdict without a failure has not put to the test.
+  std::vector<Message> untested = {};
   // Only if there are no requirements on results:
   End start = {};  ///< the values before the first statement
   std::optional<End> serial_end =

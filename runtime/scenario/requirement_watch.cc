@@ -25,7 +25,8 @@ RequirementWatch::RequirementWatch(std::vector<Requirement> requirements, std::s
     : program_path_(std::move(program_path)) {
   for (Requirement& requirement : requirements) {
     observes_states_ = observes_states_ || requirement.scope != Scope::kFinal;
-    watched_.push_back({std::move(requirement), std::nullopt});
+    auto guard = GuardOf(requirement);
+    watched_.push_back({std::move(requirement), std::nullopt, std::move(guard)});
   }
 }
 
@@ -36,7 +37,10 @@ void RequirementWatch::Begin(const Controller& controller, ScenarioFit* fit) {
   for (const Watched& watched : watched_) requirements.push_back(watched.requirement);
   auto conditions = ReadRequirements<CardCondition>(requirements, controller, fit);
   if (conditions.size() < watched_.size()) return;
-  for (size_t i = 0; i < watched_.size(); ++i) watched_[i].condition = std::move(conditions[i]);
+  for (size_t i = 0; i < watched_.size(); ++i) {
+    watched_[i].condition = std::move(conditions[i]);
+    BindGuard(controller, &watched_[i]);
+  }
   RememberThreads(controller);
 }
 
@@ -76,7 +80,14 @@ void RequirementWatch::Bind(const Controller& controller, Watched* watched) cons
     watched->missing = {"no thread of a program has been started", "没有启动任何程序的线程"};
   } else {
     watched->condition = std::move(bound).value();
+    BindGuard(controller, watched);
   }
+}
+
+void RequirementWatch::BindGuard(const Controller& controller, Watched* watched) {
+  if (!watched->guard) return;
+  auto bound = CardCondition::Bind(watched->guard->matters, controller);
+  if (bound.ok()) watched->matters = std::move(bound).value();
 }
 
 // --- States --------------------------------------------------------------------------------------
@@ -86,6 +97,7 @@ void RequirementWatch::ObserveState(const Controller& controller) {
     const Scope scope = watched.requirement.scope;
     if (watched.settled() || !watched.condition || scope == Scope::kFinal) continue;
     if (watched.states++ == 0) watched.since_ms = controller.NowMs();
+    watched.LookForGuard(controller);
     const bool holds = watched.condition->Holds(controller);
     if (holds == (scope == Scope::kAlways)) continue;
     if (scope == Scope::kEventually) {
@@ -107,6 +119,7 @@ void RequirementWatch::End(const Controller& controller) {
         watched.condition ? watched.condition->DescribeValues(controller) : Message();
     if (watched.requirement.scope == Scope::kFinal && watched.condition) {
       ++watched.states;
+      watched.LookForGuard(controller);
       if (watched.condition->Holds(controller)) {
         watched.held_ms = controller.NowMs();
       } else {
@@ -189,6 +202,15 @@ std::vector<Message> RequirementWatch::DescribeHeld() const {
   return held;
 }
 
+std::vector<Message> RequirementWatch::DescribeVacuous() const {
+  std::vector<Message> vacuous;
+  for (const Watched& watched : watched_) {
+    if (watched.violated || watched.mattered || watched.states == 0 || !watched.matters) continue;
+    vacuous.push_back(runtime::DescribeVacuous(watched.requirement, *watched.guard));
+  }
+  return vacuous;
+}
+
 Result<ScenarioResult> RunWithRequirements(const Scenario& scenario, vm::Object object,
                                            RunOptions options) {
   RequirementWatch watch(RequirementsOf(scenario), ProgramPath(scenario));
@@ -197,6 +219,9 @@ Result<ScenarioResult> RunWithRequirements(const Scenario& scenario, vm::Object 
   if (!result.ok()) return result;
   std::vector<ScenarioFailure>& failures = result.value().failures;
   failures.insert(failures.end(), watch.failures().begin(), watch.failures().end());
+  for (Message& vacuous : watch.DescribeVacuous()) {
+    result.value().warnings.push_back(std::move(vacuous));
+  }
   return result;
 }
 

@@ -18,6 +18,7 @@
 #include "runtime/scenario/requirement.h"
 #include "runtime/scenario/run_watch.h"
 #include "runtime/scenario/scenario_run.h"
+#include "runtime/scenario/vacuity.h"
 #include "vm/image.h"
 
 namespace oncard::runtime {
@@ -42,6 +43,8 @@ class RequirementWatch : public RunWatch {
   void AddUnchecked(const Message& prefix, ScenarioFit* fit) const;
   /// What has been checked and has held, and in which states, one text for each requirement.
   std::vector<Message> DescribeHeld() const;
+  /// Of what has been checked: the requirements whose right side mattered in no state (vacuity.h).
+  std::vector<Message> DescribeVacuous() const;
 
   /// The requirements that did not hold, in the order in which they failed, each once.
   const std::vector<ScenarioFailure>& failures() const { return failures_; }
@@ -50,12 +53,18 @@ class RequirementWatch : public RunWatch {
   struct Watched {
     Requirement requirement;
     std::optional<CardCondition> condition;  ///< empty while its names do not exist
-    Message missing = {};                    ///< why they do not
+    std::optional<Guard> guard = {};
+    std::optional<CardCondition> matters = {};  ///< of the guard, with the condition
+    bool mattered = false;
+    Message missing = {};  ///< why its names do not exist
     bool violated = false;
     std::optional<double> held_ms = {};  ///< kEventually: when it held; kFinal: the end
     int64_t states = 0;                  ///< in which it has been checked
     double since_ms = 0;                 ///< the first of them
 
+    void LookForGuard(const Controller& controller) {
+      mattered = mattered || (matters && matters->Holds(controller));
+    }
     bool settled() const { return violated || held_ms.has_value(); }
   };
 
@@ -75,6 +84,8 @@ class RequirementWatch : public RunWatch {
   Names NamesNow(const Controller& controller) const;
   void Bind(const Controller& controller, Watched* watched) const;
 
+  /// Binds the guard of a requirement whose condition is bound.
+  static void BindGuard(const Controller& controller, Watched* watched);
   void Fail(Watched* watched, Message message);
   /// A description of the current point of the run: after which statement, and when.
   Message Place(const Controller& controller) const;

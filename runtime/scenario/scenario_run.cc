@@ -9,6 +9,7 @@
 #include "runtime/scenario/agenda.h"
 #include "runtime/scenario/scenario_start.h"
 #include "runtime/scenario/scenario_world.h"
+#include "runtime/scenario/vacuity.h"
 #include "runtime/sim/program.h"
 
 namespace oncard::runtime {
@@ -268,6 +269,7 @@ class ScenarioRunner {
       result_.warnings.push_back(std::move(axis));
     }
     WarnOfMissedWrites();
+    WarnOfLateEvents();
     for (size_t i = 0; i < shown_.size(); ++i) {
       ShownValue value;
       value.name = shown_[i];
@@ -318,6 +320,14 @@ class ScenarioRunner {
                     "makes it last longer",
                     "运行在 {0} ms 结束，早于主机在 {2} ms 写入 {1}：可用“until_ms”使运行继续",
                     result_.end_ms, write.variable.name, ToMs(at_us)));
+  }
+
+  void WarnOfLateEvents() {
+    if (result_.interrupted) return;
+    const int64_t end_us = controller_.cycle() * scenario_.cycle_us;
+    for (Message& late : DescribeLateEvents(scenario_.world, end_us, false)) {
+      result_.warnings.push_back(std::move(late));
+    }
   }
 
   // True if the run ended as intended.

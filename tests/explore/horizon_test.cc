@@ -14,7 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr const char* kJog =
+constexpr const char* kJogging =
     "int n;\nint t0() { GT_AxisOn(1); GT_PrfJog(1); GT_SetVel(1, 10); GT_Update(1); return 0; }\n";
 /// A move of 40 pulses at up to 10 pulses per ms and 1 pulse per ms2: it ends before 20 ms.
 constexpr const char* kMove =
@@ -42,9 +42,10 @@ TEST_P(HorizonTest, IsNamedWhereSomethingStillGoesOn) {
 INSTANTIATE_TEST_SUITE_P(
     Verdicts, HorizonTest,
     ::testing::Values(
-        HorizonCase{"AnAxisMovesAtUntil", kJog, "until_ms = 30\nalways = [\"axis1.prfPos < 5000\"]",
+        HorizonCase{"AnAxisMovesAtUntil", kJogging,
+                    "until_ms = 30\nalways = [\"axis1.prfPos < 5000\"]",
                     "no failure up to 30 ms: axis 1 still moves"},
-        HorizonCase{"WhateverIsRequired", kJog, "until_ms = 30\nfinal = [\"n == 0\"]",
+        HorizonCase{"WhateverIsRequired", kJogging, "until_ms = 30\nfinal = [\"n == 0\"]",
                     "no failure up to 30 ms: axis 1 still moves"},
         HorizonCase{"AnAxisHasCome", kMove, "until_ms = 30\nalways = [\"axis1.prfPos < 5000\"]",
                     ""},
@@ -57,15 +58,16 @@ INSTANTIATE_TEST_SUITE_P(
                     " return 0; }\n",
                     "until_ms = 2",
                     "no failure up to 2 ms: axis 2 still moves, thread 0 still runs"},
-        HorizonCase{"AllCardStatesWithoutUntil", kJog, "always = [\"axis1.prfPos < 5000\"]",
+        HorizonCase{"AllCardStatesWithoutUntil", kJogging, "always = [\"axis1.prfPos < 5000\"]",
                     "no failure up to the end of the threads: axis 1 still moves"},
-        HorizonCase{"VariablesRestWithoutUntil", kJog, "always = [\"n == 0\"]", ""},
-        HorizonCase{"AnInstantWithoutUntil", kJog, "expect = [\"axis1.moving == 1 @ 30ms\"]", ""}),
+        HorizonCase{"VariablesRestWithoutUntil", kJogging, "always = [\"n == 0\"]", ""},
+        HorizonCase{"AnInstantWithoutUntil", kJogging, "expect = [\"axis1.moving == 1 @ 30ms\"]",
+                    ""}),
     [](const auto& test) { return test.param.name; });
 
 TEST(HorizonReport, SaysSoInEveryForm) {
   const Findings findings =
-      FindingsOf(kJog, "until_ms = 30\nalways = [\"axis1.prfPos < 5000\"]", {});
+      FindingsOf(kJogging, "until_ms = 30\nalways = [\"axis1.prfPos < 5000\"]", {});
   EXPECT_THAT(TextReport(findings, Language::kEnglish),
               HasSubstr("PASSED\nno failure up to 30 ms: axis 1 still moves\n"));
   EXPECT_THAT(TextReport(findings, Language::kChinese),
@@ -82,12 +84,56 @@ TEST(HorizonReport, SaysSoInEveryForm) {
 
 TEST(HorizonReport, EnginesThatTrySomeSchedulesHaveOneToo) {
   const char* keys = "until_ms = 30\nalways = [\"axis1.prfPos < 5000\"]";
-  EXPECT_EQ(FindingsOf(kJog, keys, {.engine = EngineKind::kBounded, .preemption_limit = 1})
+  EXPECT_EQ(FindingsOf(kJogging, keys, {.engine = EngineKind::kBounded, .preemption_limit = 1})
                 .exploration.why.en,
             "no schedule with at most 1 preemptions fails; up to 30 ms: axis 1 still moves");
   EXPECT_EQ(
-      FindingsOf(kJog, keys, {.engine = EngineKind::kRandom, .runs = 3}).exploration.why.en,
+      FindingsOf(kJogging, keys, {.engine = EngineKind::kRandom, .runs = 3}).exploration.why.en,
       "none of 3 random schedules fails; others were not tried; up to 30 ms: axis 1 still moves");
+}
+
+// --- What was not put to the test ----------------------------------------------------------------
+
+std::vector<std::string> UntestedOf(const Findings& findings) {
+  std::vector<std::string> texts;
+  for (const Message& text : findings.untested) texts.push_back(text.en);
+  return texts;
+}
+
+TEST(UntestedTest, ALeftSideThatNeverHoldsIsSaidBesideAProof) {
+  const std::string threads = "int t0() {\n  x = 1;\n}\nint t1() {\n  y = x;\n}\n";
+  for (const EngineKind engine : {EngineKind::kAuto, EngineKind::kStateful}) {
+    const auto untested = [&](const std::string& requirement) {
+      return UntestedOf(
+          FindingsOf("int x, y;\n//@ " + requirement + "\n" + threads, {.engine = engine}));
+    };
+    EXPECT_THAT(untested("never: x == 2 && y == 0"),
+                testing::ElementsAre("'never: x == 2 && y == 0' was met by its left side alone: "
+                                     "'x == 2' never held"));
+    EXPECT_THAT(untested("final: !(x == 2) || y == 7"),
+                testing::ElementsAre("'final: !(x == 2) || y == 7' was met by its left side alone: "
+                                     "'!(x == 2)' always held"));
+    EXPECT_THAT(untested("never: x == 1 && y == 2"), testing::IsEmpty());
+    // A requirement that fails has been put to the test.
+    EXPECT_THAT(untested("never: x == 2 && y == 0\n//@ final: y == 1"), testing::IsEmpty());
+  }
+}
+
+TEST(UntestedTest, ACardAlsoTellsOfLateEvents) {
+  const char* keys =
+      "never = [\"axis1.moving == 1 && n == 1\", \"axis2.moving == 1 && n == 0\"]\nuntil_ms = 30\n"
+      "[[world.input]]\nat_ms = 500\ntype = \"gpi\"\nindex = 1\nvalue = 1\n";
+  const Findings findings = FindingsOf(kMove, keys, {});
+  EXPECT_THAT(UntestedOf(findings),
+              testing::ElementsAre(
+                  "'never: axis2.moving == 1 && n == 0' was met by its left side alone: "
+                  "'axis2.moving == 1' never held",
+                  "no run lasts until [[world.input]] at 500 ms: the last one ends at 30 ms "
+                  "('until_ms' makes it last longer)"));
+  EXPECT_THAT(TextReport(findings, Language::kEnglish), HasSubstr("PROVED\nremark: 'never: axis2"));
+  EXPECT_THAT(TextReport(findings, Language::kChinese), HasSubstr("PROVED\n注意：“never: axis2"));
+  EXPECT_EQ(nlohmann::json::parse(JsonReport(findings))["untested"].size(), 2u);
+  EXPECT_THAT(HtmlReport(findings, Language::kEnglish), HasSubstr("<p>no run lasts until"));
 }
 
 TEST(HorizonText, NamesSeveralAndSpeaksChinese) {
