@@ -453,7 +453,10 @@ class GraphBuilder {
       after_bad_ = graph_.size();
       graph_.way_to_bad = WayHere();
     }
-    stopped_ = graph_.size() >= limits_.states ||
+    const bool enough_good =
+        after_bad_ == kNone && limits_.most_while_good != nullptr &&
+        graph_.size() >= limits_.most_while_good->load(std::memory_order_relaxed);
+    stopped_ = graph_.size() >= limits_.states || enough_good ||
                graph_.size() - std::min(after_bad_, graph_.size()) >= limits_.states_after_bad;
     path_.push_back({current_, runnable});
     if (limits_.progress != nullptr) {

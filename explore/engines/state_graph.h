@@ -58,6 +58,8 @@ struct StateLimits {
   bool merge_private = false;
   /// Set from another thread: the search ends soon.
   const std::atomic<bool>* stop = nullptr;
+  /// A further limit that another thread can lower, as long as no state is kBad; nullptr: none.
+  const std::atomic<uint32_t>* most_while_good = nullptr;
   SearchProgress* progress = nullptr;
 
   /// Set from another thread: what is computed from the states also ends soon.

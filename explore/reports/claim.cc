@@ -203,9 +203,11 @@ ClaimEntry Bounds(const Findings& findings) {
 std::vector<ClaimEntry> EntriesOf(const Findings& findings) {
   std::vector<ClaimEntry> entries = {Asked(findings), NotAsked(findings), Program(findings.subject),
                                      Assumptions(findings.subject), Bounds(findings)};
+  const Exploration& exploration = findings.exploration;
+  const EngineKind engine = exploration.paired ? EngineKind::kAuto : exploration.engine;
   entries.push_back({{"by", "工具"},
                      {MakeMessage("oncard {0}, engine {1}", "oncard {0}，{1} 引擎", ONCARD_VERSION,
-                                  EngineName(findings.exploration.engine))}});
+                                  EngineName(engine))}});
   std::erase_if(entries, [](const ClaimEntry& entry) { return entry.lines.empty(); });
   return entries;
 }

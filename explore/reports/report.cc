@@ -12,48 +12,70 @@
 namespace oncard::explore {
 namespace {
 
+Message CountsOf(const TraceCounts& traces) {
+  if (traces.counted) {
+    return MakeMessage(
+        "dpor: {0} executions, counted without executing each; {1} bad, {2} different ends",
+        "dpor：{0} 次执行（由计数得出，并未逐一执行），错误 {1}，不同结局 {2}", traces.executions,
+        traces.bad_traces, traces.final_full);
+  }
+  return MakeMessage(
+      "dpor: {0} executions ({1} blocked, {2} redundant), {3} bad, {4} different ends{5}",
+      "dpor：{0} 次执行（阻塞 {1}，冗余 {2}），错误 {3}，不同结局 {4}{6}", traces.executions,
+      traces.blocked, traces.redundant, traces.bad_traces, traces.final_full,
+      traces.complete ? "" : "; not all", traces.complete ? "" : "；未搜索完");
+}
+
+Message CountsOf(const StateCounts& states) {
+  return MakeMessage("stateful: {0} states, {1} transitions, {2} bad, {3} different ends{4}",
+                     "stateful：{0} 个状态，{1} 次转移，错误 {2}，不同结局 {3}{5}", states.states,
+                     states.transitions, states.bad_states, states.final_full,
+                     states.complete ? "" : "; not all", states.complete ? "" : "；未搜索完");
+}
+
+Message CountsOf(const BoundedCounts& bounded) {
+  return MakeMessage(
+      "bounded: {0} states, {1} different ends, schedules with at most {2} preemptions{3}",
+      "bounded：{0} 个状态，不同结局 {1}，抢占不超过 {2} 次的调度{4}", bounded.states,
+      bounded.different_ends, bounded.preemptions, bounded.bad ? "; up to a bad one" : "",
+      bounded.bad ? "；至首个出错者为止" : "");
+}
+
+Message CountsOf(const SampleCounts& samples, EngineKind engine) {
+  return MakeMessage(
+      "{0}: {1} runs ({2} given up), {3} bad, {4} different ends, {5} statements at most",
+      "{0}：{1} 次运行（放弃 {2}），错误 {3}，不同结局 {4}，最多 {5} 条语句", EngineName(engine),
+      samples.runs, samples.cut, samples.bad, samples.ends.size(), samples.longest);
+}
+
 std::string CountsText(const Findings& findings, Language language) {
   const Exploration& exploration = findings.exploration;
   std::string text;
   const auto add = [&](const Message& message) { text += message.In(language) + '\n'; };
-  if (const auto& traces = exploration.traces; traces && traces->counted) {
-    add(MakeMessage(
-        "dpor: {0} executions, counted without executing each; {1} bad, {2} different ends",
-        "dpor：{0} 次执行（由计数得出，并未逐一执行），错误 {1}，不同结局 {2}", traces->executions,
-        traces->bad_traces, traces->final_full));
-  } else if (traces) {
-    add(MakeMessage(
-        "dpor: {0} executions ({1} blocked, {2} redundant), {3} bad, {4} different ends{5}",
-        "dpor：{0} 次执行（阻塞 {1}，冗余 {2}），错误 {3}，不同结局 {4}{6}", traces->executions,
-        traces->blocked, traces->redundant, traces->bad_traces, traces->final_full,
-        traces->complete ? "" : "; not all", traces->complete ? "" : "；未搜索完"));
-  }
-  if (const auto& bounded = exploration.bounded) {
-    add(MakeMessage(
-        "bounded: {0} states, {1} different ends, schedules with at most {2} preemptions{3}",
-        "bounded：{0} 个状态，不同结局 {1}，抢占不超过 {2} 次的调度{4}", bounded->states,
-        bounded->different_ends, bounded->preemptions, bounded->bad ? "; up to a bad one" : "",
-        bounded->bad ? "；至首个出错者为止" : ""));
-  }
-  if (const auto& samples = exploration.samples) {
-    add(MakeMessage(
-        "{0}: {1} runs ({2} given up), {3} bad, {4} different ends, {5} statements at most",
-        "{0}：{1} 次运行（放弃 {2}），错误 {3}，不同结局 {4}，最多 {5} 条语句",
-        EngineName(exploration.engine), samples->runs, samples->cut, samples->bad,
-        samples->ends.size(), samples->longest));
-  }
-  if (const auto& states = exploration.states) {
-    add(MakeMessage("stateful: {0} states, {1} transitions, {2} bad, {3} different ends{4}",
-                    "stateful：{0} 个状态，{1} 次转移，错误 {2}，不同结局 {3}{5}", states->states,
-                    states->transitions, states->bad_states, states->final_full,
-                    states->complete ? "" : "; not all", states->complete ? "" : "；未搜索完"));
-  }
+  if (exploration.traces) add(CountsOf(*exploration.traces));
+  if (exploration.bounded) add(CountsOf(*exploration.bounded));
+  if (exploration.samples) add(CountsOf(*exploration.samples, exploration.engine));
+  if (exploration.states) add(CountsOf(*exploration.states));
   for (const FoundRace& found : exploration.races) {
     const Message race = DescribeRace(findings.subject, found.race);
     const Message benign = {" (benign)", "（无害）"};
     add({race.en + (found.benign ? benign.en : ""), race.zh + (found.benign ? benign.zh : "")});
   }
   return text;
+}
+
+/// The counts of a page, which do not depend on the clock: of two engines that ran beside each
+/// other the number of ends, which both find, or with a failure the states, which are then searched
+/// to their end.
+std::string LastingCountsText(const Findings& findings, Language language) {
+  const Exploration& exploration = findings.exploration;
+  if (!exploration.paired || exploration.verdict == Verdict::kIncomplete) {
+    return CountsText(findings, language);
+  }
+  const StateCounts& states = *exploration.states;
+  if (exploration.failure) return CountsOf(states).In(language) + '\n';
+  const int64_t ends = states.complete ? states.final_full : exploration.traces->final_full;
+  return MakeMessage("auto: {0} different ends", "auto：不同结局 {0}", ends).In(language) + '\n';
 }
 
 // --- HTML ----------------------------------------------------------------------------------------
@@ -163,7 +185,7 @@ std::string HtmlReport(const Findings& findings, Language language, const Report
     page += fmt::format("<p>{}</p>\n", EscapeMarkup(remark.In(language)));
   }
   page += ClaimHtml(findings, language);
-  page += fmt::format("<pre>{}</pre>\n", EscapeMarkup(CountsText(findings, language)));
+  page += fmt::format("<pre>{}</pre>\n", EscapeMarkup(LastingCountsText(findings, language)));
   if (exploration.failure) {
     page += FailureHtml(findings, *exploration.failure, options, language);
   }

@@ -160,14 +160,12 @@ std::optional<Failure> FailureOf(const Problem& problem, const FirstLook& look,
     failure.fewest_preemptions = look.fewest_preemptions;
     return failure;
   }
-  const bool traced = traces && !traces->failing.empty();
-  if (traced && traces->complete()) return Shrink(problem, traces->failing, hurried);
   if (states && !states->counts.complete) {
     auto failure = FailureIn(problem, *states, hurried);
     if (failure && failure->fault.kind == Fault::Kind::kRace) return failure;
     if (failure) return Shrink(problem, failure->steps, hurried);
   }
-  if (traced) return Shrink(problem, traces->failing, hurried);
+  if (traces && !traces->failing.empty()) return Shrink(problem, traces->failing, hurried);
   return std::nullopt;
 }
 
@@ -294,6 +292,7 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
   if (options.engine == EngineKind::kAuto && !options.all && options.begun == nullptr) {
     look = LookFirst(problem, StopOf(options));
   }
+  const bool paired = engine == EngineKind::kAuto;
   std::optional<TraceSearch> traces;
   std::optional<StateSearch> states;
   ExploreOptions searched = options;
@@ -312,8 +311,10 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
                        return TracesOf(problem, searched, stop, takes_pause);
                      },
                  .states =
-                     [&](const std::atomic<bool>* stop) {
-                       return SearchStates(problem, StatesOf(searched, stop));
+                     [&](const std::atomic<bool>* stop, const std::atomic<uint32_t>* most) {
+                       StateLimits limits = StatesOf(searched, stop);
+                       limits.most_while_good = most;
+                       return SearchStates(problem, limits);
                      },
                  .known_bad = look.found(),
                  .progress = options.progress});
@@ -322,7 +323,10 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
     traces = std::move(both.traces);
     states = std::move(both.states);
   }
-  return Conclude(problem, options, look, std::move(traces), std::move(states), engine);
+  Exploration exploration =
+      Conclude(problem, options, look, std::move(traces), std::move(states), engine);
+  exploration.paired = paired;
+  return exploration;
 }
 
 namespace {

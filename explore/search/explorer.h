@@ -6,8 +6,8 @@
 // for each where that is possible (trace_count.h). Programs that are too large can be sampled with
 // random schedules (sampler.h). A program that calls GT commands is explored together with its
 // card, by its state graph. Deterministic except for the counts of `auto` beside the verdict, and
-// for which of several failures it shows if the first search found none and there are too many
-// states. docs/interleavings.md says which engine is suitable when. Tested by
+// for which of several failures it shows if the first search found none and there are more than
+// kStatesBesideFailure states. docs/interleavings.md says which engine is suitable when. Tested by
 // tests/explore/explorer_test.cc.
 #pragma once
 
@@ -87,6 +87,9 @@ struct ExploreOptions {
 struct Exploration {
   Verdict verdict = Verdict::kIncomplete;
   EngineKind engine = EngineKind::kAuto;  ///< the engine that reached the verdict
+  /// Two engines ran beside each other: which one reached the verdict, and what the other one had
+  /// counted by then, depends on the clock.
+  bool paired = false;
   Message why;      ///< kPassed, kIncomplete: the bound that was reached
   Horizon horizon;  ///< with a card: what goes on where its runs end
   std::optional<TraceCounts> traces;

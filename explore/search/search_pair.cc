@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <limits>
 #include <mutex>
 #include <system_error>
 #include <thread>
@@ -38,7 +39,9 @@ PairResult RunPair(const SearchPair& pair) {
   std::atomic<bool> pause{false};  // the search of traces was stopped for a pause
   int running = 2;
   bool endless = false;  // the search of traces will never be complete
-  bool stated = false;   // the search of states has ended
+  bool bad = pair.known_bad;
+  std::atomic<uint32_t> most{std::numeric_limits<uint32_t>::max()};
+  bool stated = false;  // the search of states has ended
   const auto start = std::chrono::steady_clock::now();
   const auto report = [&](First search, bool answers) {
     const std::lock_guard lock(mutex);
@@ -54,10 +57,15 @@ PairResult RunPair(const SearchPair& pair) {
   };
   const auto trace = [&] {
     result.traces = pair.traces(&stop_traces, take_pause);
+    if (result.traces->bad > 0) {
+      const std::lock_guard lock(mutex);
+      bad = true;
+      most = kStatesBesideFailure;
+    }
     report(First::kTraces, result.traces->complete() || result.traces->bad > 0);
   };
   const auto state = [&] {
-    result.states = pair.states(&stop);
+    result.states = pair.states(&stop, &most);
     const StateCounts& counts = result.states.counts;
     const std::atomic<bool>* hurried = pair.progress == nullptr ? nullptr : &pair.progress->hurried;
     const bool cyclic = counts.complete && IsCyclic(result.states.graph, hurried);
@@ -79,7 +87,7 @@ PairResult RunPair(const SearchPair& pair) {
   {
     std::unique_lock lock(mutex);
     const auto done = [&] {
-      return running == 0 || (pair.known_bad ? stated : result.first != First::kNeither);
+      return running == 0 || (bad ? stated : result.first != First::kNeither);
     };
     while (!answered.wait_for(lock, kStopPolled, done)) {
       if (pair.progress == nullptr || !pair.progress->stop) continue;

@@ -21,7 +21,9 @@ struct SearchPair {
 
   /// Both searches end soon after `stop` is set.
   std::function<TraceSearch(const std::atomic<bool>* stop, const TakesPause& takes_pause)> traces;
-  std::function<StateSearch(const std::atomic<bool>* stop)> states;
+  /// That of states also ends at `most` states while it has found no failure (StateLimits).
+  std::function<StateSearch(const std::atomic<bool>* stop, const std::atomic<uint32_t>* most)>
+      states;
   /// The problem is known to have a failure: the search of states continues to its own end.
   bool known_bad = false;
   /// When one search has a result, the other may continue counting for this part of the time that
@@ -38,9 +40,15 @@ struct PairResult {
   First first = First::kNeither;  ///< the search that first had an answer
 };
 
-/// Runs both at the same time; each is stopped some time after the other has a result. If the
-/// system cannot start two threads, or in a build without threads (search_pair_without_threads.cc),
-/// as RunInTurn().
+/// How many states the search of states may reach, without a failure of its own, once the search of
+/// traces has found one.
+inline constexpr uint32_t kStatesBesideFailure = 4'000'000;
+
+/// Runs both at the same time; each is stopped some time after the other has a result. When a
+/// failure is known, the search of states goes on to its own end, so that the failure that is shown
+/// does not depend on which search was the first, up to kStatesBesideFailure states. If the system
+/// cannot start two threads, or in a build without threads (search_pair_without_threads.cc), as
+/// RunInTurn().
 PairResult RunPair(const SearchPair& pair);
 
 /// Runs the search of states, whose number is limited, and that of traces only if the first one has

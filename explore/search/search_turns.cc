@@ -8,7 +8,7 @@ PairResult RunInTurn(const SearchPair& pair) {
   const std::atomic<bool>* stop = pair.progress == nullptr ? &never : &pair.progress->stop;
   const auto take_pause = [&] { return pair.progress != nullptr && pair.progress->TakePause(); };
   PairResult result;
-  result.states = pair.states(stop);
+  result.states = pair.states(stop, nullptr);
   const StateCounts& counts = result.states.counts;
   if (counts.complete || counts.bad_states > 0) {
     result.first = First::kStates;

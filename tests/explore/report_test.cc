@@ -107,6 +107,25 @@ TEST(ReportTest, JsonHasTheCounts) {
   EXPECT_THAT(json["culprit"].get<std::string>(), HasSubstr("because it had read x = 0"));
 }
 
+// Of the two engines of `auto` either may be the first to answer: a limit of the other one makes
+// it.
+TEST(ReportTest, APageDoesNotShowWhichEngineAnswered) {
+  for (const char* requirement : {"//@ final: x >= 2\n", ""}) {
+    std::string source = Increments(3, 2);
+    source = requirement + source.substr(0, source.find("//@")) +
+             source.substr(source.find('\n', source.find("//@")) + 1);
+    const Findings both = explore::FindingsOf(source, {});
+    ASSERT_EQ(both.exploration.verdict, Verdict::kProved);
+    const Findings traces = explore::FindingsOf(source, {.state_limit = 10});
+    ASSERT_EQ(traces.exploration.engine, EngineKind::kDpor);
+    const Findings states = explore::FindingsOf(source, {.execution_limit = 10});
+    ASSERT_EQ(states.exploration.engine, EngineKind::kStateful);
+    const std::string page = HtmlReport(both, Language::kEnglish);
+    EXPECT_EQ(HtmlReport(traces, Language::kEnglish), page);
+    EXPECT_EQ(HtmlReport(states, Language::kEnglish), page);
+  }
+}
+
 TEST(ReportTest, ThePageNeedsNothingElse) {
   const std::string source = Increments(2, 1);
   const Problem problem = ProblemOf(source);

@@ -1,9 +1,12 @@
-// Two searches one after the other (explore/search/search_pair.h).
+// Two searches of one problem (explore/search/search_pair.h).
 #include "explore/search/search_pair.h"
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <limits>
 #include <optional>
+#include <thread>
 #include <utility>
 
 namespace oncard::explore {
@@ -20,7 +23,8 @@ struct Searches {
   PairResult Run() {
     return RunInTurn({.traces = [this](const std::atomic<bool>*,
                                        const SearchPair::TakesPause&) { return traces; },
-                      .states = [this](const std::atomic<bool>*) { return std::move(states); },
+                      .states = [this](const std::atomic<bool>*,
+                                       const std::atomic<uint32_t>*) { return std::move(states); },
                       .progress = progress});
   }
 };
@@ -76,6 +80,27 @@ TEST(SearchesInTurnTest, ARequestToSaveDoesNotEndThem) {
   paused.progress = &progress;
   paused.traces = CompleteTraces();
   EXPECT_EQ(paused.Run().first, First::kTraces);
+}
+
+// Whichever search is the first to know of a failure, that of states shows it, so it must be over.
+TEST(SearchesAtOnceTest, AFailureOfTheTracesIsShownByTheStates) {
+  TraceSearch failing;
+  failing.bad = 1;
+  bool told_to_end = false;
+  const PairResult answer = RunPair(
+      {.traces = [&](const std::atomic<bool>*, const SearchPair::TakesPause&) { return failing; },
+       .states =
+           [&](const std::atomic<bool>* stop, const std::atomic<uint32_t>* most) {
+             while (*most == std::numeric_limits<uint32_t>::max()) std::this_thread::yield();
+             // Longer than the grace of a search that is not awaited.
+             std::this_thread::sleep_for(std::chrono::milliseconds(50));
+             told_to_end = *stop;
+             StateSearch search;
+             search.counts.bad_states = 1;
+             return search;
+           }});
+  EXPECT_FALSE(told_to_end);
+  EXPECT_EQ(answer.states.counts.bad_states, 1);
 }
 
 }  // namespace

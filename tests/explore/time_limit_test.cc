@@ -115,7 +115,7 @@ SearchPair AnswerAndEndless() {
                 return TraceSearch{};
               },
           .states =
-              [](const std::atomic<bool>*) {
+              [](const std::atomic<bool>*, const std::atomic<uint32_t>*) {
                 StateSearch answer;
                 answer.counts.complete = true;
                 answer.graph.may_cycle = false;
