@@ -230,8 +230,16 @@ int16_t CardCommands::Execute(uint16_t number, vm::Machine&, int thread,
   if (prepare_) prepare_();
   // The number was verified when the program was loaded.
   Call call{card_->family.catalogue.commands()[number - 1u], *card_, thread, arguments, {}};
+  const int16_t code = Execute(call);
+  if (code != vm::kOk && refusals_) refusals_(call, code);
+  return code;
+}
+
+int16_t CardCommands::Execute(Call& call) {
+  if (observer_ == nullptr) return ExecuteCommand(call);
+  observer_->BeforeCommand(call);
   const int16_t code = ExecuteCommand(call);
-  if (code != vm::kOk && observer_) observer_(call, code);
+  observer_->AfterCommand(call, code);
   return code;
 }
 

@@ -88,6 +88,20 @@ struct Call {
 /// refused command changes nothing.
 int16_t ExecuteCommand(Call& call);
 
+/// Sees each command that a card executes for a host or a motion program. It must not change the
+/// card.
+class CommandObserver {
+ public:
+  CommandObserver() = default;
+  CommandObserver(const CommandObserver&) = delete;
+  CommandObserver& operator=(const CommandObserver&) = delete;
+  virtual ~CommandObserver() = default;
+
+  virtual void BeforeCommand(const Call& call) = 0;
+  /// `code` is that which the caller gets; other than 0, the command has changed nothing.
+  virtual void AfterCommand(const Call& call, int16_t code) = 0;
+};
+
 /// Receives each refused command of a motion-program thread, with its code.
 using RefusalObserver = std::function<void(const Call& call, int16_t code)>;
 
@@ -98,7 +112,10 @@ class CardCommands final : public vm::CommandTable {
   explicit CardCommands(Card* card) : card_(card) {}
 
   /// Programs see only a code; the observer also receives the reason. An empty observer ends this.
-  void ObserveRefusals(RefusalObserver observer) { observer_ = std::move(observer); }
+  void ObserveRefusals(RefusalObserver observer) { refusals_ = std::move(observer); }
+
+  /// From now on shows the observer all commands; nullptr ends this. It must exist until then.
+  void ObserveCommands(CommandObserver* observer) { observer_ = observer; }
 
   /// Runs before every command: brings the card to the present. An empty function ends this.
   void PrepareWith(std::function<void()> prepare) { prepare_ = std::move(prepare); }
@@ -107,10 +124,13 @@ class CardCommands final : public vm::CommandTable {
   int64_t Elements(uint16_t number, size_t parameter, double first) const override;
   int16_t Execute(uint16_t number, vm::Machine& machine, int thread,
                   std::span<vm::CommandArgument> arguments) override;
+  /// Executes a call of the card's host or of a thread, as ExecuteCommand(), and shows it.
+  int16_t Execute(Call& call);
 
  private:
   Card* card_;
-  RefusalObserver observer_;
+  CommandObserver* observer_ = nullptr;
+  RefusalObserver refusals_;
   std::function<void()> prepare_;
 };
 

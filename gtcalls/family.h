@@ -28,6 +28,17 @@ struct CardView;
 /// A function that executes one command. Returns 0, or the code of a refused command.
 using CommandFunction = int16_t (*)(Call& call);
 
+/// What a command means for the motions of single axes, for those who watch how programs use a
+/// card.
+enum class MotionRole : uint8_t {
+  kNone,
+  kTarget,       ///< sets where the next start leads; the first parameter is the profile
+  kVelocity,     ///< sets how fast the next start moves; the same
+  kCommit,       ///< starts the profiles of a mask with what has been set
+  kStart,        ///< starts the profiles of a mask, or an axis, in another way
+  kAcknowledge,  ///< forgets why axes stopped: the first one and their number
+};
+
 /// A family of cards. There is one constant object for each (gts/family.h).
 struct Family {
   /// As in the names of its header and library: `gts`.
@@ -41,6 +52,7 @@ struct Family {
   int16_t not_open;
   /// The reason why a command has no function; nullptr for commands of the host library.
   const Message* (*why_unsupported)(const Command& command);
+  MotionRole (*motion_role)(const Command& command);
   /// Acts after every command that the card has been given, refused ones included, with its return
   /// code; returns the code that the caller gets. nullptr: the code is kept.
   int16_t (*finish)(Call& call, int16_t code);

@@ -440,6 +440,7 @@ void Machine::BeginCycle(int64_t cycle) {
     if (thread.run == ThreadRun::kStopped) {
       Start(number);
     } else {
+      if (overrun_observer_) overrun_observer_(number);
       ++thread.overruns;
     }
     // Starts that were skipped because the clock jumped are not executed later.

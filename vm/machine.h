@@ -10,8 +10,10 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "vm/command_table.h"
@@ -188,6 +190,11 @@ class Machine {
   int NextThread() const;
   /// Advances the clock to a cycle (never backwards): wakes delayed threads, starts periodic ones.
   void BeginCycle(int64_t cycle);
+  /// From now on calls `observer` when a periodic thread has to start anew and still runs, before
+  /// that is counted; an empty function ends this. It must not change the machine.
+  void ObserveOverruns(std::function<void(int thread)> observer) {
+    overrun_observer_ = std::move(observer);
+  }
   /// Cycles from now on in which no thread can run, as long as nothing else writes variables;
   /// INT64_MAX: for ever.
   int64_t IdleCycles() const;
@@ -257,6 +264,7 @@ class Machine {
   std::unique_ptr<MachineState> state_;  // large: keep Machine itself movable and small
   uint32_t awake_ = 0;  // bit n: thread n may be running or periodic; the others are neither
   Recording* recording_ = nullptr;
+  std::function<void(int)> overrun_observer_;
   std::vector<double> cells_;  // scratch of CallCommand(), kept to avoid allocation
   Stop last_stop_ = Stop::kBudget;
 };

@@ -9,6 +9,7 @@
 #include "gtcalls/gts/commands/commands.h"
 #include "gtcalls/gts/defaults.h"
 #include "gtcalls/gts/limits.h"
+#include "gtcalls/gts/motion_roles.h"
 #include "gtcalls/gts/mram_text.h"
 #include "gtcalls/gts/profile_modes.h"
 #include "gtcalls/gts/status_word.h"
@@ -105,6 +106,7 @@ const Family& GtsFamily() {
       .not_supported = kNotSupported,
       .not_open = kNotOpen,
       .why_unsupported = WhyUnsupported,
+      .motion_role = GtsMotionRole,
       .finish = nullptr,
       .card_types = kCardTypes,
       .default_card = kDefaultCard,

@@ -64,10 +64,25 @@ void Controller::LogHappenings(CardLog* log, int card) {
 
 void Controller::ListenToHappenings(HappeningListener listener) {
   happening_listeners_.push_back(std::move(listener));
+  PassHappeningsOn();
+}
+
+void Controller::PassHappeningsOn() {
   motion_.Observe([this](const motion::Happening& happening) {
+    if (observer_ != nullptr) observer_->Happened(happening);
+    if (happening_listeners_.empty()) return;
     const Message what = DescribeHappening(happening);
     for (const HappeningListener& each : happening_listeners_) each(motion_.now(), what);
   });
+}
+
+void Controller::ObserveWith(CardObserver* observer) {
+  observer_ = observer;
+  commands_.ObserveCommands(observer);
+  machine_.ObserveOverruns(observer == nullptr
+                               ? std::function<void(int)>()
+                               : [observer](int thread) { observer->Overran(thread); });
+  PassHappeningsOn();
 }
 
 void Controller::CollectRefusals(RefusedCommands* refused) {
@@ -118,7 +133,7 @@ int16_t Controller::Call(const gtcalls::Command& command, std::span<vm::CommandA
 int16_t Controller::Execute(const gtcalls::Command& command,
                             std::span<vm::CommandArgument> arguments, Message* reason) {
   gtcalls::Call call{command, card_, vm::kHostCaller, arguments, {}};
-  const int16_t code = gtcalls::ExecuteCommand(call);
+  const int16_t code = commands_.Execute(call);
   // Most commands have nothing to say.
   if (reason != nullptr && !call.reason.en.empty()) *reason = std::move(call.reason);
   return code;
@@ -147,7 +162,7 @@ void Controller::RunCycles(int64_t cycles) {
 }
 
 int64_t Controller::RunSome(int64_t limit) {
-  if (state_observer_ || cycle_host_ || family().acts_each_cycle(view())) {
+  if (EachCycleCounts()) {
     CatchUp();
     RunCycle();
     return 1;
@@ -263,6 +278,7 @@ void Controller::Reset() {
   motion_.Reset();
   family().reset(family_state_);
   machine_.Load(nullptr);
+  if (observer_ != nullptr) observer_->Reset();
 }
 
 ControllerSnapshot Controller::Snapshot() const { return {machine_.state(), Body()}; }

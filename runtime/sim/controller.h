@@ -20,6 +20,7 @@
 #include "gtcalls/gts/family.h"
 #include "motion/motion_core.h"
 #include "runtime/sim/call_text.h"
+#include "runtime/sim/card_observer.h"
 #include "runtime/sim/refused_commands.h"
 #include "vm/image.h"
 #include "vm/machine.h"
@@ -77,6 +78,9 @@ class Controller {
   /// From now on reports to the observer what the card does by itself, and the time in us.
   using HappeningListener = std::function<void(int64_t time_us, const Message& what)>;
   void ListenToHappenings(HappeningListener listener);
+  /// From now on shows the observer what the card does; nullptr ends this. It must exist until
+  /// then. There is one at a time.
+  void ObserveWith(CardObserver* observer);
   /// From now on adds every refused command of a thread to the list. The list must exist as long as
   /// the controller runs.
   void CollectRefusals(RefusedCommands* refused);
@@ -170,6 +174,12 @@ class Controller {
 
  private:
   void ObserveRefusals(gtcalls::RefusalObserver observer);
+  /// Lets the motion core report to all who listen.
+  void PassHappeningsOn();
+  /// True if every cycle must be computed by itself, as someone sees it.
+  bool EachCycleCounts() const {
+    return state_observer_ || cycle_host_ || family().acts_each_cycle(view());
+  }
   /// The threads' part of a cycle, with the observer and the host.
   void ExecuteInParts(int64_t budget);
   /// Runs at least one and at most `limit` cycles, after which motion may be late; returns their
@@ -192,6 +202,7 @@ class Controller {
   gtcalls::Card card_;
   std::vector<gtcalls::RefusalObserver> refusal_observers_;
   std::vector<HappeningListener> happening_listeners_;
+  CardObserver* observer_ = nullptr;
   std::function<void()> state_observer_;
   CycleHost cycle_host_;
   int64_t host_acts_after_ = 0;  // statements of this cycle

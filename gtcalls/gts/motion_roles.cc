@@ -1,0 +1,29 @@
+#include "gtcalls/gts/motion_roles.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace oncard::gtcalls {
+namespace {
+
+struct RoleRow {
+  std::string_view command;
+  MotionRole role;
+};
+
+constexpr RoleRow kRoleRows[] = {
+    {"GT_SetPos", MotionRole::kTarget},     {"GT_SetVel", MotionRole::kVelocity},
+    {"GT_Update", MotionRole::kCommit},     {"GT_PtStart", MotionRole::kStart},
+    {"GT_PvtStart", MotionRole::kStart},    {"GT_GearStart", MotionRole::kStart},
+    {"GT_FollowStart", MotionRole::kStart}, {"GT_Home", MotionRole::kStart},
+    {"GT_GoHome", MotionRole::kStart},      {"GT_ClrSts", MotionRole::kAcknowledge},
+};
+
+}  // namespace
+
+MotionRole GtsMotionRole(const Command& command) {
+  const auto* row = std::ranges::find(kRoleRows, command.name, &RoleRow::command);
+  return row == std::end(kRoleRows) ? MotionRole::kNone : row->role;
+}
+
+}  // namespace oncard::gtcalls
