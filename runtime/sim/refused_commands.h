@@ -11,16 +11,14 @@
 
 #include "base/message.h"
 #include "gtcalls/card.h"
+#include "runtime/sim/command_place.h"
 
 namespace oncard::runtime {
 
 /// A statement whose command gave a code other than 0.
 struct RefusedCommand {
-  int thread = 0;        ///< the first thread that reached it
-  std::string function;  ///< of the program
-  std::string file;      ///< of the source; `line` 0: not known
-  int line = 0;
-  Message call;  ///< `GT_AxisOn(9) = 7: parameter axis is 9; the range is [1, 8]`
+  CommandPlace place;  ///< with the first thread that reached it
+  Message call;        ///< `GT_AxisOn(9) = 7: parameter axis is 9; the range is [1, 8]`
   int16_t code = 0;
   int64_t first_us = 0;  ///< of the card's time
   int64_t count = 0;
