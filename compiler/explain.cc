@@ -94,7 +94,18 @@ std::vector<Piece> Pieces(std::string_view text) {
 
 int ColumnsOf(std::string_view text) { return DisplayLine(text).ColumnOf(text.size()); }
 
-// Appends one paragraph in lines of at most kPageWidth columns.
+void AppendProgram(std::string& page, std::string_view title, std::string_view program) {
+  page += fmt::format("\n{}\n\n", title);
+  while (!program.empty()) {
+    const std::string_view line = program.substr(0, program.find('\n'));
+    if (!line.empty()) page += fmt::format("{}{}", kIndent, line);
+    page += '\n';
+    program.remove_prefix(std::min(program.size(), line.size() + 1));
+  }
+}
+
+}  // namespace
+
 void AppendWrapped(std::string& page, std::string_view text, std::string_view indent) {
   int column = 0;
   for (const Piece& piece : Pieces(text)) {
@@ -113,18 +124,6 @@ void AppendWrapped(std::string& page, std::string_view text, std::string_view in
   }
   page += '\n';
 }
-
-void AppendProgram(std::string& page, std::string_view title, std::string_view program) {
-  page += fmt::format("\n{}\n\n", title);
-  while (!program.empty()) {
-    const std::string_view line = program.substr(0, program.find('\n'));
-    if (!line.empty()) page += fmt::format("{}{}", kIndent, line);
-    page += '\n';
-    program.remove_prefix(std::min(program.size(), line.size() + 1));
-  }
-}
-
-}  // namespace
 
 const Explanation* FindExplanation(int code) {
   const auto row = std::find_if(std::begin(kExplanations), std::end(kExplanations),

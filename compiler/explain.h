@@ -43,6 +43,8 @@ Message MessagePattern(int code);
 /// The whole page, plain text of at most 80 columns that ends in a line end; nothing for an unknown
 /// code.
 std::optional<std::string> ExplainPage(int code, Language language);
+/// Appends a paragraph to a page, in lines of at most 80 columns that begin with the indent.
+void AppendWrapped(std::string& page, std::string_view text, std::string_view indent);
 /// Number, slug and message of each of the codes, which exist; text as of ExplainPage().
 std::string ExplainList(std::span<const int> codes, Language language);
 

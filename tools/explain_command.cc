@@ -17,8 +17,22 @@ int ListCodes() {
   for (const compiler::DiagnosticInfo& info : compiler::DiagnosticTable()) {
     list += fmt::format("{}  {}\n", compiler::DiagnosticName(info.code), info.slug);
   }
+  for (const runtime::CardWarningInfo& info : runtime::CardWarningTable()) {
+    list += fmt::format("card   {}\n", info.name);
+  }
   PrintResult(list);
   return kExitOk;
+}
+
+/// The page of a warning of the card's supervisor.
+std::string CardPage(const runtime::CardWarningInfo& info, Language language) {
+  const bool chinese = language == Language::kChinese;
+  std::string page =
+      fmt::format("{} ({})\n\n", info.name, chinese ? "运行警告" : "warning of runs");
+  compiler::AppendWrapped(page, chinese ? info.zh : info.en, "    ");
+  page += '\n';
+  compiler::AppendWrapped(page, chinese ? info.why_zh : info.why_en, "");
+  return page;
 }
 
 int Explain(const std::vector<std::string>& words, const Invocation& invocation) {
@@ -26,6 +40,10 @@ int Explain(const std::vector<std::string>& words, const Invocation& invocation)
   if (text.empty()) return ListCodes();
   if (text == compiler::kStructuredTopic) {
     PrintResult(compiler::StructuredOverview(invocation.language));
+    return kExitOk;
+  }
+  if (const runtime::CardWarningInfo* info = runtime::FindCardWarning(text)) {
+    PrintResult(CardPage(*info, invocation.language));
     return kExitOk;
   }
   // A number can be both, but with MP in front of it only a diagnostic.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/markup.h"
+#include "runtime/observe/card_warnings.h"
 #include "runtime/scenario/key_table.h"
 
 namespace oncard::runtime {
@@ -93,6 +94,14 @@ std::string TableOfUses() {
   return table;
 }
 
+std::string TableOfWarnings() {
+  std::string table = "| name | meaning |\n|---|---|\n";
+  for (const CardWarningInfo& info : CardWarningTable()) {
+    table += fmt::format("| `{}` | {} |\n", info.name, EscapeTableCell(info.en));
+  }
+  return table;
+}
+
 /// Puts a table into its place; false if there is none.
 bool Replace(const std::string& title, const std::string& table, std::string* document) {
   const std::string begin = fmt::format("<!-- begin {} -->\n", title);
@@ -120,6 +129,7 @@ Result<std::string> UpdateKeyTables(std::string document) {
     if (!done.ok()) return done.error();
   }
   if (const auto done = replace("uses", TableOfUses()); !done.ok()) return done.error();
+  if (const auto done = replace("warnings", TableOfWarnings()); !done.ok()) return done.error();
   return document;
 }
 

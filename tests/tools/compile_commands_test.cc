@@ -9,6 +9,7 @@
 namespace oncard::tools {
 namespace {
 
+using testing::AllOf;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
@@ -284,6 +285,15 @@ TEST(Explain, KnowsReturnCodes) {
 TEST(Explain, ListsAllCodesWithoutOne) {
   const std::string list = RunOncard({"explain"}).out;
   EXPECT_THAT(list, HasSubstr("MP027  undeclared\n"));
+  EXPECT_THAT(list, HasSubstr("card   drive-off\n"));
+}
+
+TEST(Explain, HasAPageForEachWarningOfRuns) {
+  EXPECT_THAT(RunOncard({"explain", "update-mask"}).out,
+              AllOf(StartsWith("update-mask (warning of runs)\n\n    the mask of a start"),
+                    HasSubstr("axis 3 is 1 << 2")));
+  EXPECT_THAT(RunOncard({"--lang=zh", "explain", "drive-off"}).out,
+              StartsWith("drive-off (运行警告)\n\n    轴在伺服使能关闭时运动\n"));
 }
 
 TEST(Explain, ListsThePagesThatContainAllWords) {
