@@ -97,6 +97,29 @@ CLI::Option* AddWarningOption(CLI::App& command, const Invocation& invocation,
           ""));
 }
 
+CLI::Option* AddSilentOption(CLI::App& command, const Invocation& invocation,
+                             std::vector<std::string>& silent) {
+  return command
+      .add_option("-W", silent,
+                  invocation.Say({"-Wno-NAME switches a warning about the card off (repeatable)",
+                                  "-Wno-名称 不报告控制卡的某种警告（可重复）"}))
+      ->type_name("WARNING")
+      ->allow_extra_args(false)
+      ->check(CLI::Validator(
+          [](const std::string& value) {
+            return runtime::ReadSilentWarning(value, nullptr)
+                       ? std::string()
+                       : "expected no-NAME, where NAME is in the brackets of a warning";
+          },
+          ""));
+}
+
+runtime::CardWarnings SilentOf(const std::vector<std::string>& silent) {
+  runtime::CardWarnings warnings;
+  for (const std::string& name : silent) runtime::ReadSilentWarning(name, &warnings);
+  return warnings;
+}
+
 CLI::Option* AddStrictCommandsOption(CLI::App& command, const Invocation& invocation,
                                      bool& strict) {
   return command.add_flag(

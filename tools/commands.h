@@ -6,7 +6,9 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
+#include <vector>
 
+#include "runtime/observe/card_warnings.h"
 #include "tools/invocation.h"
 
 namespace oncard::tools {
@@ -48,6 +50,10 @@ CLI::Option* AddMaxErrorsOption(CLI::App& command, const Invocation& invocation,
 /// `-Werror`, `-Wno-NAME`: one value for each, without the W.
 CLI::Option* AddWarningOption(CLI::App& command, const Invocation& invocation,
                               std::vector<std::string>& warnings);
+/// `-Wno-NAME`: one value for each warning of the supervisor that is switched off, without the W.
+CLI::Option* AddSilentOption(CLI::App& command, const Invocation& invocation,
+                             std::vector<std::string>& silent);
+runtime::CardWarnings SilentOf(const std::vector<std::string>& silent);
 CLI::Option* AddStrictCommandsOption(CLI::App& command, const Invocation& invocation, bool& strict);
 CLI::Option* AddFormatOption(CLI::App& command, const Invocation& invocation, std::string& format,
                              const std::vector<std::string>& choices);

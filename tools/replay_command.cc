@@ -21,6 +21,7 @@ struct ReplayArguments {
   bool tolerant = false;
   RunViews views;
   bool strict_commands = false;
+  std::vector<std::string> silent;
 };
 
 /// The schedule adapted to the current program; reports the part that it cannot follow.
@@ -106,6 +107,7 @@ int Replay(const ReplayArguments& arguments, const Invocation& invocation) {
   options.show = arguments.show;
   ApplyViews(arguments.views, &options);
   options.strict_commands = arguments.strict_commands;
+  options.silent = SilentOf(arguments.silent);
   const StopSignals signals;
   options.stop = signals.stop();
   options.log = runtime::CallLog::Wanted();
@@ -162,6 +164,7 @@ void AddReplay(CLI::App& app, Invocation& invocation) {
       ->allow_extra_args(false);
   AddViewOptions(*command, invocation, arguments->views);
   AddStrictCommandsOption(*command, invocation, arguments->strict_commands);
+  AddSilentOption(*command, invocation, arguments->silent);
   AddFormatOption(*command, invocation, arguments->format, {"text", "json"});
 }
 

@@ -31,6 +31,7 @@ struct RunArguments {
   std::string record;
   RunViews views;
   bool strict_commands = false;
+  std::vector<std::string> silent;
   std::string format = "text";
 };
 
@@ -110,6 +111,7 @@ int Run(const RunArguments& arguments, const Invocation& invocation) {
   options.show = arguments.show;
   ApplyViews(arguments.views, &options);
   options.strict_commands = arguments.strict_commands;
+  options.silent = SilentOf(arguments.silent);
   const StopSignals signals;
   options.stop = signals.stop();
   options.log = runtime::CallLog::Wanted();
@@ -225,6 +227,7 @@ void AddRun(CLI::App& app, Invocation& invocation) {
       ->check(CLI::IsMember({"32.16", "16.16"}).description(""));
   AddStructuredOption(*command, invocation, arguments->structured);
   AddStrictCommandsOption(*command, invocation, arguments->strict_commands);
+  AddSilentOption(*command, invocation, arguments->silent);
   AddFormatOption(*command, invocation, arguments->format, {"text", "json"});
 }
 

@@ -5,6 +5,7 @@
 #include "base/files.h"
 #include "base/milliseconds.h"
 #include "runtime/observe/moving_axes.h"
+#include "runtime/observe/supervisor.h"
 #include "runtime/observe/thread_status.h"
 #include "runtime/scenario/agenda.h"
 #include "runtime/scenario/scenario_start.h"
@@ -24,7 +25,10 @@ constexpr int64_t kLookCycles = 1000;
 class ScenarioRunner {
  public:
   ScenarioRunner(const Scenario& scenario, const RunOptions& options)
-      : scenario_(scenario), options_(options), controller_(CardOptions(scenario)) {}
+      : scenario_(scenario),
+        options_(options),
+        controller_(CardOptions(scenario)),
+        supervisor_(&controller_, options.silent) {}
 
   Result<ScenarioResult> Run(vm::Object object) {
     if (options_.log != nullptr) {
@@ -263,6 +267,8 @@ class ScenarioRunner {
       if (machine.thread(thread).run != vm::ThreadRun::kUnbound) ReportThread(thread);
     }
     ReportRefusedCommands();
+    if (!result_.interrupted) supervisor_.JudgeEnd();
+    ReportFindings();
     if (!result_.interrupted) JudgeEnd();
     if (came_to_cut_ && result_.interrupted) ReportCut();
     for (Message& axis : DescribeMovingAxes(controller_)) {
@@ -302,12 +308,22 @@ class ScenarioRunner {
 
   void ReportRefusedCommands() {
     for (const RefusedCommand& refused : refused_.list()) {
-      Message text = DescribeRefusedCommand(refused, ProgramPath(scenario_));
-      if (options_.strict_commands) {
-        Fail({}, std::move(text));
-      } else {
-        result_.warnings.push_back(std::move(text));
-      }
+      WarnOfProgram(DescribeRefusedCommand(refused, ProgramPath(scenario_)));
+    }
+  }
+
+  void ReportFindings() {
+    for (const CardFinding& finding : supervisor_.findings()) {
+      WarnOfProgram(DescribeFinding(finding, ProgramPath(scenario_)));
+    }
+  }
+
+  // Of what the program does; a failure if the run is strict.
+  void WarnOfProgram(Message text) {
+    if (options_.strict_commands) {
+      Fail({}, std::move(text));
+    } else {
+      result_.warnings.push_back(std::move(text));
     }
   }
 
@@ -419,6 +435,7 @@ class ScenarioRunner {
   const RunOptions& options_;
   RefusedCommands refused_;
   Controller controller_;
+  Supervisor supervisor_;
   ScenarioFit fit_;
   std::shared_ptr<const vm::Schedule> replayed_;
   Agenda agenda_;

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "runtime/observe/card_warnings.h"
 #include "runtime/observe/step_log.h"
 #include "runtime/observe/trace.h"
 #include "runtime/scenario/run_watch.h"
@@ -44,8 +45,11 @@ struct RunOptions {
   bool trace = false;
   /// Record the effect of every statement in ScenarioResult::steps.
   bool steps = false;
-  /// A refused command of a thread is a failure, not only a warning.
+  /// A refused command of a thread is a failure, not only a warning; so is what the supervisor
+  /// warns of.
   bool strict_commands = false;
+  /// What the supervisor (supervisor.h) does not warn of.
+  CardWarnings silent = {};
   /// If set from outside, for instance by a signal handler, the run ends early, and the result
   /// contains what was recorded until then.
   const std::atomic<bool>* stop = nullptr;
@@ -94,8 +98,8 @@ struct ScenarioResult {
   std::vector<ThreadReport> threads;  ///< bound ones, by number
   std::vector<ShownValue> values;
   std::vector<ScenarioFailure> failures;
-  /// Warnings: refused commands of threads, axes that are still moving, events of the host after
-  /// the end of the run.
+  /// Warnings: refused commands of threads, findings of the supervisor, axes that are still moving,
+  /// events of the host after the end of the run.
   std::vector<Message> warnings;
   std::optional<vm::Schedule> schedule;
   std::optional<Trace> trace;

@@ -1,0 +1,341 @@
+#include "runtime/observe/supervisor.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace oncard::runtime {
+
+using gtcalls::MotionRole;
+using motion::ProfileMode;
+
+struct Supervisor::CallSite {
+  static constexpr int16_t kNone = -2;
+
+  uint64_t program = 0;
+  int16_t caller = kNone;  ///< thread, or vm::kHostCaller
+  // Of a thread.
+  uint16_t function = 0;
+  uint16_t instruction = 0;
+  // Of the host.
+  uint16_t command = 0;
+  std::array<double, 2> values{};  ///< the first arguments
+
+  bool known() const { return caller != kNone; }
+};
+
+struct Supervisor::History {
+  struct Profile {
+    CallSite set_up;    ///< sets values that no start has taken over
+    CallSite left_out;  ///< a later start of the same caller, without this profile
+  };
+
+  std::array<Profile, motion::kAxisMax> profiles;
+  uint32_t set_up = 0;        ///< profiles for which a target or a velocity has ever been set
+  uint32_t velocity_set = 0;  ///< the same for a velocity
+};
+
+namespace {
+
+/// True if a command may start a motion: it writes axes or coordinate systems.
+bool MayStartMotion(const gtcalls::Command& command) {
+  using gtcalls::Resource;
+  return std::ranges::any_of(command.accesses, [](const gtcalls::Access& access) {
+    return access.write &&
+           (access.resource == Resource::kAxis || access.resource == Resource::kCrd ||
+            access.resource == Resource::kEverything);
+  });
+}
+
+/// The profiles that a command of kCommit or kStart names.
+uint32_t SelectedMask(const gtcalls::Call& call) {
+  if (call.command.parameters[0].unit != gtcalls::Unit::kMask) {
+    return uint32_t{1} << (call.integer(0) - 1);
+  }
+  return static_cast<uint32_t>(static_cast<int64_t>(call.value(0)));
+}
+
+/// `1, 2`.
+std::string ListOf(uint32_t mask) {
+  std::vector<size_t> numbers;
+  motion::ForEachBit(mask, motion::kAxisMax, [&](size_t axis) { numbers.push_back(axis + 1); });
+  return fmt::format("{}", fmt::join(numbers, ", "));
+}
+
+/// True if another profile follows this one as its master.
+bool IsMaster(const motion::MotionState& state, size_t profile) {
+  return std::ranges::any_of(state.profiles, [&](const motion::Profile& slave) {
+    const motion::Master* master = slave.SelectedMaster();
+    return master != nullptr && master->chosen && master->index == profile &&
+           master->type != motion::MasterType::kEncoder;
+  });
+}
+
+}  // namespace
+
+// --- Texts ---------------------------------------------------------------------------------------
+
+namespace {
+
+Message DescribeNamedFinding(const CardFinding& finding, const std::string& program_path,
+                             const Message& when) {
+  const Message place = DescribePlace(finding.place, program_path);
+  const std::string_view name = InfoOf(finding.warning).name;
+  return {fmt::format("{}{}{} [{}]", place.en, finding.text.en, when.en, name),
+          fmt::format("{}{}{} [{}]", place.zh, finding.text.zh, when.zh, name)};
+}
+
+}  // namespace
+
+Message DescribeFindingPlace(const CardFinding& finding, const std::string& program_path) {
+  return DescribeNamedFinding(finding, program_path, {});
+}
+
+Message DescribeFinding(const CardFinding& finding, const std::string& program_path) {
+  return DescribeNamedFinding(finding, program_path,
+                              DescribeOccurrences(finding.first_us, finding.count));
+}
+
+// --- Beginning -----------------------------------------------------------------------------------
+
+Supervisor::Supervisor(Controller* controller, CardWarnings silent)
+    : controller_(*controller), silent_(silent), history_(std::make_shared<History>()) {
+  const gtcalls::Family& family = controller_.family();
+  for (const gtcalls::Command& command : family.catalogue.commands()) {
+    kinds_.push_back({family.motion_role(command), MayStartMotion(command)});
+  }
+  controller->ObserveWith(this);
+}
+
+Supervisor::~Supervisor() { controller_.ObserveWith(nullptr); }
+
+Supervisor::History& Supervisor::Present() {
+  if (history_.use_count() > 1) history_ = std::make_shared<History>(*history_);
+  return *history_;
+}
+
+void Supervisor::Reset() { history_ = std::make_shared<History>(); }
+
+// --- Places --------------------------------------------------------------------------------------
+
+Supervisor::CallSite Supervisor::SiteOf(const gtcalls::Call& call) const {
+  CallSite site;
+  site.caller = static_cast<int16_t>(call.caller);
+  if (call.caller == vm::kHostCaller) {
+    site.command = call.command.number;
+    for (size_t i = 0; i < std::min(site.values.size(), call.arguments.size()); ++i) {
+      site.values[i] = call.value(i);
+    }
+    return site;
+  }
+  const vm::ThreadState& thread = controller_.machine().thread(call.caller);
+  site.program = controller_.machine().image()->hash;
+  site.function = thread.function;
+  site.instruction = thread.pc;
+  return site;
+}
+
+CommandPlace Supervisor::PlaceOfSite(const CallSite& site) const {
+  const vm::Image* image = controller_.machine().image();
+  if (site.caller != vm::kHostCaller) {
+    if (image == nullptr || image->hash != site.program) return {};
+    return PlaceOfInstruction(controller_.machine(), site.caller, site.function, site.instruction);
+  }
+  const gtcalls::Command& command = *controller_.family().catalogue.Find(site.command);
+  CommandPlace place;
+  place.call = command.name;
+  if (command.parameters.size() > site.values.size()) return place;
+  std::vector<vm::CommandArgument> arguments(command.parameters.size());
+  for (size_t i = 0; i < arguments.size(); ++i) arguments[i].value = site.values[i];
+  place.call = FormatInputs(command, arguments);
+  return place;
+}
+
+// --- Commands ------------------------------------------------------------------------------------
+
+void Supervisor::BeforeCommand(const gtcalls::Call& call) {
+  if (KindOf(call.command).moves) moving_before_ = Moving();
+}
+
+void Supervisor::AfterCommand(const gtcalls::Call& call, int16_t code) {
+  const CommandKind kind = KindOf(call.command);
+  if (code != vm::kOk || !kind.moves) return;
+  switch (kind.role) {
+    case MotionRole::kTarget:
+    case MotionRole::kVelocity:
+      NoteSetUp(call, kind.role);
+      break;
+    case MotionRole::kCommit:
+      NoteCommit(call);
+      break;
+    case MotionRole::kStart:
+      NoteStart(SelectedMask(call));
+      break;
+    case MotionRole::kAcknowledge:
+    case MotionRole::kNone:
+      break;
+  }
+  const uint32_t begun = Moving() & ~moving_before_;
+  if (begun == 0) return;
+  NoteStart(begun);
+  motion::ForEachBit(begun, motion::kAxisMax, [&](size_t profile) { CheckDrive(call, profile); });
+}
+
+void Supervisor::NoteStart(uint32_t profiles) {
+  motion::ForEachBit(profiles, controller_.motion().axis_count(),
+                     [&](size_t profile) { Present().profiles[profile] = {}; });
+}
+
+uint32_t Supervisor::Moving() const {
+  const motion::MotionCore& core = controller_.motion();
+  uint32_t moving = 0;
+  for (size_t i = 0; i < core.axis_count(); ++i) {
+    if (core.state().profiles[i].now.moving) moving |= uint32_t{1} << i;
+  }
+  return moving;
+}
+
+void Supervisor::NoteSetUp(const gtcalls::Call& call, MotionRole role) {
+  const auto index = static_cast<size_t>(call.integer(0)) - 1;
+  History& history = Present();
+  history.set_up |= uint32_t{1} << index;
+  if (role == MotionRole::kVelocity) history.velocity_set |= uint32_t{1} << index;
+  // In mode Trap a velocity alone leads nowhere.
+  const ProfileMode mode = controller_.motion().state().profiles[index].mode;
+  const bool leads = role == MotionRole::kTarget || mode == ProfileMode::kJog;
+  if (leads) history.profiles[index].set_up = SiteOf(call);
+}
+
+void Supervisor::NoteCommit(const gtcalls::Call& call) {
+  const uint32_t mask = SelectedMask(call);
+  CheckMask(call, mask);
+  NoteLeftOut(call, mask);
+  motion::ForEachBit(mask, controller_.motion().axis_count(),
+                     [&](size_t profile) { CheckVelocity(call, profile); });
+  NoteStart(mask);
+}
+
+bool Supervisor::AwaitsStart(size_t index) const {
+  const motion::Profile& profile = controller_.motion().state().profiles[index];
+  if (!history_->profiles[index].set_up.known()) return false;
+  switch (profile.mode) {
+    case ProfileMode::kTrap:
+      return profile.trap.target != profile.now.position;
+    case ProfileMode::kJog:
+      return profile.jog.velocity != 0;
+    default:
+      return false;
+  }
+}
+
+void Supervisor::CheckMask(const gtcalls::Call& call, uint32_t mask) {
+  if ((mask & history_->set_up) != 0) return;
+  Message text = MakeMessage("the mask starts axis {0}, for which nothing has been set",
+                             "掩码启动了未设置过运动参数的轴 {0}", ListOf(mask));
+  uint32_t waiting = 0;
+  for (size_t i = 0; i < controller_.motion().axis_count(); ++i) {
+    if (AwaitsStart(i)) waiting |= uint32_t{1} << i;
+  }
+  if (waiting != 0) {
+    const Message hint = MakeMessage("; the mask of axis {0} is {1}", "；轴 {0} 的掩码为 {1}",
+                                     ListOf(waiting), waiting);
+    text = {text.en + hint.en, text.zh + hint.zh};
+    // Enough has been said of them.
+    motion::ForEachBit(waiting, motion::kAxisMax,
+                       [&](size_t profile) { Present().profiles[profile].set_up = {}; });
+  }
+  Add(CardWarning::kUpdateMask, call, std::move(text));
+}
+
+void Supervisor::NoteLeftOut(const gtcalls::Call& call, uint32_t mask) {
+  for (size_t i = 0; i < controller_.motion().axis_count(); ++i) {
+    const History::Profile& profile = history_->profiles[i];
+    if ((mask >> i & 1) != 0 || profile.left_out.known() || !AwaitsStart(i)) continue;
+    if (profile.set_up.caller == call.caller) Present().profiles[i].left_out = SiteOf(call);
+  }
+}
+
+void Supervisor::CheckVelocity(const gtcalls::Call& call, size_t index) {
+  const uint32_t bit = uint32_t{1} << index;
+  // An axis that moves is stopped by a start with the velocity 0.
+  if ((moving_before_ & bit) != 0) return;
+  const motion::Profile& profile = controller_.motion().state().profiles[index];
+  const bool set = (history_->velocity_set & bit) != 0;
+  const bool in_place =
+      profile.mode == ProfileMode::kTrap
+          ? profile.trap.velocity == 0 && profile.trap.target != profile.now.position
+          : profile.jog.velocity == 0 && !set;
+  if (!in_place) return;
+  Add(CardWarning::kNoVelocity, call,
+      set ? MakeMessage("axis {0} is started with the velocity 0 and does not move",
+                        "轴 {0} 以速度 0 启动，不会运动", index + 1)
+          : MakeMessage("axis {0} is started without a velocity and does not move, call GT_SetVel",
+                        "轴 {0} 启动时未设置速度，不会运动，请调用 GT_SetVel", index + 1));
+}
+
+void Supervisor::CheckDrive(const gtcalls::Call& call, size_t index) {
+  const motion::MotionState& state = controller_.motion().state();
+  std::optional<size_t> off;
+  for (size_t i = 0; i < controller_.motion().axis_count(); ++i) {
+    const motion::Axis& axis = state.axes[i];
+    if (!axis.active || (axis.profile_map >> index & 1) == 0) continue;
+    if (axis.servo_on) return;
+    if (!off) off = i;
+  }
+  // A profile without an axis, or one that only leads others, needs no drive.
+  if (!off || IsMaster(state, index)) return;
+  Add(CardWarning::kDriveOff, call,
+      MakeMessage("axis {0} moves while its drive is off, call GT_AxisOn first",
+                  "轴 {0} 在伺服使能关闭时运动，请先调用 GT_AxisOn", *off + 1));
+}
+
+// --- The end of a run ----------------------------------------------------------------------------
+
+void Supervisor::JudgeEnd() {
+  for (size_t i = 0; i < controller_.motion().axis_count(); ++i) JudgeLeftOut(i);
+}
+
+void Supervisor::JudgeLeftOut(size_t i) {
+  const History::Profile& profile = history_->profiles[i];
+  if (silent_.Has(CardWarning::kUpdateMask)) return;
+  if (profile.left_out.known() && AwaitsStart(i)) {
+    Add(KeyOf(CardWarning::kUpdateMask, profile.left_out, i), PlaceOfSite(profile.left_out),
+        MakeMessage(
+            "the mask leaves out axis {0}, which is set up and never started; its mask is {1}",
+            "掩码未包括已设置的轴 {0}，此后也没有启动它；其掩码为 {1}", i + 1, uint32_t{1} << i),
+        controller_.NowUs());
+  }
+}
+
+// --- Findings ------------------------------------------------------------------------------------
+
+Supervisor::Key Supervisor::KeyOf(CardWarning warning, const CallSite& site, size_t axis) const {
+  Key key = KeyOf(warning, site);
+  std::get<std::string>(key) += fmt::format(" {}", axis);
+  return key;
+}
+
+Supervisor::Key Supervisor::KeyOf(CardWarning warning, const CallSite& site) const {
+  if (site.caller == vm::kHostCaller) return {warning, 0, 0, 0, PlaceOfSite(site).call};
+  return {warning, site.program, site.function, site.instruction, {}};
+}
+
+void Supervisor::Add(CardWarning warning, const gtcalls::Call& call, Message text) {
+  if (silent_.Has(warning)) return;
+  Add(KeyOf(warning, SiteOf(call)), PlaceOf(call), std::move(text), controller_.NowUs());
+}
+
+CardFinding& Supervisor::Add(Key key, CommandPlace place, Message text, int64_t at_us) {
+  const auto [entry, added] = known_.try_emplace(std::move(key), findings_.size());
+  if (added) {
+    findings_.push_back(
+        {std::get<CardWarning>(entry->first), std::move(place), std::move(text), at_us, 0});
+  }
+  CardFinding& finding = findings_[entry->second];
+  ++finding.count;
+  return finding;
+}
+
+}  // namespace oncard::runtime

@@ -1,0 +1,111 @@
+// The card's supervisor: watches a card as a motion engineer would, and warns of what succeeds but
+// cannot be meant (card_warnings.def), each place of a program and each call of a host once.
+//
+// It looks at the commands that the card executes and at what the card reports by itself, not at
+// cycles, so it costs nothing while nothing happens. It never changes the card. What it has to
+// remember of a run is a value, which can be put back with a state of the card.
+//
+// Deterministic; not thread-safe. Tested by tests/runtime/supervisor_test.cc.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "base/message.h"
+#include "runtime/observe/card_warnings.h"
+#include "runtime/sim/command_place.h"
+#include "runtime/sim/controller.h"
+
+namespace oncard::runtime {
+
+/// Something to warn of.
+struct CardFinding {
+  CardWarning warning;
+  CommandPlace place;
+  Message text;
+  int64_t first_us = 0;  ///< of the card's time
+  int64_t count = 0;     ///< 0: it belongs to the end of the run
+};
+
+/// `p.c:12: thread 0 f: axis 1 ...`, the file relative to the program, and `[drive-off]`.
+Message DescribeFindingPlace(const CardFinding& finding, const std::string& program_path);
+/// The same with ` (first at 0.25 ms, 3 times)` before the name.
+Message DescribeFinding(const CardFinding& finding, const std::string& program_path);
+
+class Supervisor final : public CardObserver {
+ public:
+  /// What has happened on a card so far.
+  struct History;
+  using HistoryPointer = std::shared_ptr<History>;  ///< shared: it is copied before a change
+
+  /// Watches the controller from now on; it must exist as long as this object. Warnings in `silent`
+  /// are not looked for.
+  explicit Supervisor(Controller* controller, CardWarnings silent = {});
+  ~Supervisor() override;
+
+  /// In the order of their first occurrence.
+  const std::vector<CardFinding>& findings() const { return findings_; }
+  /// To be called at the end of a run that was not interrupted: adds what only the end shows.
+  void JudgeEnd();
+
+  /// What it remembers of the present run, to be put back with a state of the card.
+  HistoryPointer history() const { return history_; }
+  void PutBack(HistoryPointer history) { history_ = std::move(history); }
+
+  void BeforeCommand(const gtcalls::Call& call) override;
+  void AfterCommand(const gtcalls::Call& call, int16_t code) override;
+  void Happened(const motion::Happening&) override {}
+  void Overran(int) override {}
+  void Reset() override;
+
+ private:
+  /// A call that may have to be named later.
+  struct CallSite;
+  /// What is known of a command.
+  struct CommandKind {
+    gtcalls::MotionRole role = gtcalls::MotionRole::kNone;
+    bool moves = false;  ///< it may start motions
+  };
+
+  /// The history, to be changed.
+  History& Present();
+  CommandKind KindOf(const gtcalls::Command& command) const { return kinds_[command.number - 1u]; }
+  CallSite SiteOf(const gtcalls::Call& call) const;
+  CommandPlace PlaceOfSite(const CallSite& site) const;
+
+  void NoteSetUp(const gtcalls::Call& call, gtcalls::MotionRole role);
+  /// Profiles begin to move, or would begin if they had a velocity.
+  void NoteStart(uint32_t profiles);
+  void NoteCommit(const gtcalls::Call& call);
+  void NoteLeftOut(const gtcalls::Call& call, uint32_t mask);
+  void CheckMask(const gtcalls::Call& call, uint32_t mask);
+  void CheckVelocity(const gtcalls::Call& call, size_t profile);
+  void CheckDrive(const gtcalls::Call& call, size_t profile);
+  /// True if the profile has values that a start would make it move to.
+  bool AwaitsStart(size_t profile) const;
+  /// The profiles that move.
+  uint32_t Moving() const;
+
+  void Add(CardWarning warning, const gtcalls::Call& call, Message text);
+  /// Warning, program, function, instruction, and the call of a host.
+  using Key = std::tuple<CardWarning, uint64_t, int, int, std::string>;
+  Key KeyOf(CardWarning warning, const CallSite& site) const;
+  /// The same for each axis that the call started.
+  Key KeyOf(CardWarning warning, const CallSite& site, size_t axis) const;
+  CardFinding& Add(Key key, CommandPlace place, Message text, int64_t at_us);
+  void JudgeLeftOut(size_t profile);
+
+  Controller& controller_;
+  CardWarnings silent_;
+  std::vector<CommandKind> kinds_;  ///< by the numbers of commands
+  HistoryPointer history_;
+  uint32_t moving_before_ = 0;  ///< the command that is being executed
+  std::map<Key, size_t> known_;
+  std::vector<CardFinding> findings_;
+};
+
+}  // namespace oncard::runtime

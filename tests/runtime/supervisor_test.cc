@@ -1,0 +1,191 @@
+// What the supervisor warns of, and what it does not.
+#include "runtime/observe/supervisor.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/runtime/scenario_support.h"
+
+namespace oncard::runtime {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+std::vector<std::string> WarningsOf(const std::string& program, const std::string& scenario = "",
+                                    const RunOptions& options = {}) {
+  std::vector<std::string> texts;
+  for (const Message& message : RunForTest(program, scenario, options).warnings) {
+    texts.push_back(message.en);
+  }
+  return texts;
+}
+
+/// A function whose statements begin in line 3, after the declarations of that line.
+std::string Program(const std::string& statements) {
+  return "int sts, clock, moving;\nint f()\n{\n" + statements + "  return 0;\n}\n";
+}
+
+/// Waits until an axis rests.
+std::string WaitFor(int axis) {
+  const std::string n = std::to_string(axis);
+  return "lbl" + n + ":\n  GT_GetSts(" + n +
+         ", &sts, 1, &clock);\n  moving = sts & 0x400;\n  if (moving) goto lbl" + n + ";\n";
+}
+
+// --- drive-off -----------------------------------------------------------------------------------
+
+TEST(DriveOff, IsWarnedOfWhereTheMotionStarts) {
+  const auto warnings =
+      WarningsOf(Program("  GT_PrfTrap(2);\n  GT_SetVel(2, 10);\n"
+                         "  GT_SetPos(2, 100);\n  GT_Update(2);\n" +
+                         WaitFor(2)));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_THAT(warnings[0], StartsWith("p.c:7: thread 0 f: axis 2 moves while its drive is off"));
+  EXPECT_THAT(warnings[0], HasSubstr(" [drive-off]"));
+}
+
+TEST(DriveOff, IsNothingOfAnAxisThatIsOn) {
+  EXPECT_THAT(WarningsOf(Program("  GT_AxisOn(2);\n  GT_PrfTrap(2);\n  GT_SetVel(2, 10);\n"
+                                 "  GT_SetPos(2, 100);\n  GT_Update(2);\n" +
+                                 WaitFor(2))),
+              IsEmpty());
+}
+
+TEST(DriveOff, IsNothingOfAMasterThatOnlyLeads) {
+  EXPECT_THAT(
+      WarningsOf(Program("  GT_AxisOn(2);\n  GT_PrfGear(2, 0);\n  GT_SetGearMaster(2, 1, 2, 0);\n"
+                         "  GT_SetGearRatio(2, 1, 1, 0);\n  GT_GearStart(2);\n"
+                         "  GT_PrfTrap(1);\n  GT_SetVel(1, 10);\n  GT_SetPos(1, 100);\n"
+                         "  GT_Update(1);\n" +
+                         WaitFor(1) + "  GT_Stop(2, 0);\n")),
+      IsEmpty());
+}
+
+TEST(DriveOff, IsToldOncePerPlace) {
+  const auto warnings = WarningsOf(
+      "int sts, clock, moving, n, more;\nint f()\n{\n  GT_PrfTrap(1);\n  GT_SetVel(1, 10);\n"
+      "again:\n  n = n + 1;\n  GT_SetPos(1, n);\n  GT_Update(1);\n" +
+      WaitFor(1) + "  more = n < 3;\n  if (more) goto again;\n  return 0;\n}\n");
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_THAT(warnings[0], HasSubstr(", 3 times)"));
+}
+
+// --- update-mask ---------------------------------------------------------------------------------
+
+TEST(UpdateMask, IsNotTheNumberOfAnAxis) {
+  const auto warnings =
+      WarningsOf(Program("  GT_AxisOn(3);\n  GT_PrfTrap(3);\n"
+                         "  GT_SetVel(3, 10);\n  GT_SetPos(3, 100);\n"
+                         "  GT_Update(3);\n"));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_THAT(warnings[0],
+              StartsWith("p.c:8: thread 0 f: the mask starts axis 1, 2, for which nothing has been "
+                         "set; the mask of axis 3 is 4"));
+  EXPECT_THAT(warnings[0], HasSubstr(" [update-mask]"));
+}
+
+TEST(UpdateMask, LeavesNoAxisOutThatIsNeverStarted) {
+  const auto warnings =
+      WarningsOf(Program("  GT_AxisOn(1);\n  GT_AxisOn(2);\n  GT_PrfTrap(1);\n  GT_PrfTrap(2);\n"
+                         "  GT_SetVel(1, 10);\n  GT_SetVel(2, 10);\n  GT_SetPos(1, 100);\n"
+                         "  GT_SetPos(2, 100);\n  GT_Update(1);\n" +
+                         WaitFor(1)));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_THAT(warnings[0],
+              StartsWith("p.c:12: thread 0 f: the mask leaves out axis 2, which is set "
+                         "up and never started; its mask is 2"));
+}
+
+TEST(UpdateMask, MayStartAxesOneAfterTheOther) {
+  EXPECT_THAT(
+      WarningsOf(Program("  GT_AxisOn(1);\n  GT_AxisOn(2);\n  GT_PrfTrap(1);\n  GT_PrfTrap(2);\n"
+                         "  GT_SetVel(1, 10);\n  GT_SetVel(2, 10);\n  GT_SetPos(1, 100);\n"
+                         "  GT_SetPos(2, 100);\n  GT_Update(1);\n" +
+                         WaitFor(1) + "  GT_Update(2);\n" + WaitFor(2))),
+      IsEmpty());
+}
+
+TEST(UpdateMask, OfAnotherThreadLeavesNothingOut) {
+  const std::string program =
+      "int a, b;\nint f()\n{\n  GT_AxisOn(1);\n  GT_PrfTrap(1);\n  GT_SetVel(1, 10);\n"
+      "  GT_SetPos(1, 100);\n  GT_Delay(10);\n  GT_AxisOff(1);\n  return 0;\n}\n"
+      "int g()\n{\n  GT_AxisOn(2);\n  GT_PrfTrap(2);\n  GT_SetVel(2, 100);\n  GT_SetPos(2, 10);\n"
+      "  GT_Delay(2);\n  GT_Update(2);\n  GT_Delay(100);\n  return 0;\n}\n";
+  EXPECT_THAT(WarningsOf(program,
+                         "[[thread]]\nthread = 0\nfunction = \"f\"\n"
+                         "[[thread]]\nthread = 1\nfunction = \"g\"\n"),
+              IsEmpty());
+}
+
+// --- no-velocity ---------------------------------------------------------------------------------
+
+TEST(NoVelocity, IsWarnedOfWhenItWasNeverSet) {
+  const auto warnings = WarningsOf(
+      Program("  GT_AxisOn(1);\n  GT_PrfTrap(1);\n  GT_SetPos(1, 100);\n  GT_Update(1);\n"));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_THAT(warnings[0], StartsWith("p.c:7: thread 0 f: axis 1 is started without a velocity"));
+  EXPECT_THAT(warnings[0], HasSubstr(" [no-velocity]"));
+}
+
+TEST(NoVelocity, IsWarnedOfWhenItIsZero) {
+  EXPECT_THAT(WarningsOf(Program("  GT_AxisOn(1);\n  GT_PrfTrap(1);\n  GT_SetVel(1, 0);\n"
+                                 "  GT_SetPos(1, 100);\n  GT_Update(1);\n")),
+              ElementsAre(HasSubstr("axis 1 is started with the velocity 0")));
+}
+
+TEST(NoVelocity, MayStopAJog) {
+  EXPECT_THAT(WarningsOf(Program("  GT_AxisOn(1);\n  GT_PrfJog(1);\n  GT_SetVel(1, 10);\n"
+                                 "  GT_Update(1);\n  GT_Delay(50);\n  GT_SetVel(1, 0);\n"
+                                 "  GT_Update(1);\n" +
+                                 WaitFor(1) + "  GT_Update(1);\n")),
+              IsEmpty());
+}
+
+// --- All of them ---------------------------------------------------------------------------------
+
+constexpr const char* kWithoutVelocity =
+    "  GT_AxisOn(1);\n  GT_PrfTrap(1);\n  GT_SetPos(1, 100);\n  GT_Update(1);\n";
+
+TEST(Supervisor, FailsARunThatIsStrict) {
+  RunOptions options;
+  options.strict_commands = true;
+  const ScenarioResult result = RunForTest(Program(kWithoutVelocity), "", options);
+  ASSERT_EQ(result.failures.size(), 1u);
+  EXPECT_THAT(result.failures[0].message.en, HasSubstr("[no-velocity]"));
+  EXPECT_THAT(result.warnings, IsEmpty());
+}
+
+TEST(Supervisor, IsSilentAboutWhatIsSwitchedOff) {
+  RunOptions options;
+  ASSERT_TRUE(ReadSilentWarning("no-no-velocity", &options.silent));
+  EXPECT_THAT(WarningsOf(Program(kWithoutVelocity), "", options), IsEmpty());
+  ASSERT_FALSE(ReadSilentWarning("no-such", &options.silent));
+  ASSERT_FALSE(ReadSilentWarning("no-velocity", &options.silent));
+}
+
+TEST(Supervisor, SpeaksChinese) {
+  const ScenarioResult result = RunForTest(Program(kWithoutVelocity), "");
+  ASSERT_EQ(result.warnings.size(), 1u);
+  EXPECT_THAT(result.warnings[0].zh,
+              StartsWith("p.c:7：线程 0 f：轴 1 启动时未设置速度，不会运动，请调用 GT_SetVel"));
+}
+
+TEST(CardWarnings, HaveNamesOfTheirOwnAndTextsInBothLanguages) {
+  std::set<std::string_view> names;
+  for (const CardWarningInfo& info : CardWarningTable()) {
+    EXPECT_TRUE(names.insert(info.name).second) << info.name;
+    EXPECT_EQ(FindCardWarning(info.name), &info);
+    EXPECT_EQ(&InfoOf(info.warning), &info);
+    for (const std::string_view text : {info.en, info.zh, info.why_en, info.why_zh}) {
+      EXPECT_NE(text, "") << info.name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace oncard::runtime
