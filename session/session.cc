@@ -174,7 +174,7 @@ bool Session::AdvanceUnchecked(int64_t last) {
 bool Session::Rests() const {
   const bool still = run_->machine().Quiet() || run_->controller().Deadlocked();
   return still && run_->NextStep() == StepKind::kCycle && !run_->scenario_goes_on() &&
-         runtime::DescribeMovingAxes(run_->controller()).empty();
+         runtime::MovingAxes(run_->controller()) == 0;
 }
 
 Result<Stop> Session::StepThread(int thread) {

@@ -209,7 +209,9 @@ Message OfCard(int card, const Message& message) {
 }
 
 void CardWatch::WarnOfMovingAxes(const Controller& controller) {
-  for (const Message& axis : DescribeMovingAxes(controller)) warnings_.push_back(OfCard(axis));
+  motion::ForEachBit(MovingAxes(controller), motion::kAxisMax, [&](size_t axis) {
+    warnings_.push_back(OfCard(DescribeMovingAxis(controller, axis)));
+  });
 }
 
 void CardWatch::Judge(const Expectation& expectation, const Controller& controller) {

@@ -1,18 +1,18 @@
 // Axes that are still moving when a run ends.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "base/message.h"
 #include "runtime/sim/controller.h"
 
 namespace oncard::runtime {
 
-/// Bit n: axis n + 1 is moving now.
+/// Bit n: axis n + 1 is moving now. A slave that follows a resting master is not.
 uint32_t MovingAxes(const Controller& controller);
 
-/// A text for each moving axis: its number, the time, its velocity and position.
-std::vector<Message> DescribeMovingAxes(const Controller& controller);
+/// The number of an axis that moves (from 0), the time, its velocity and position.
+Message DescribeMovingAxis(const Controller& controller, size_t axis);
 
 }  // namespace oncard::runtime

@@ -6,6 +6,10 @@
 #include <array>
 #include <optional>
 
+#include "base/milliseconds.h"
+#include "runtime/observe/moving_axes.h"
+#include "runtime/sim/happening_text.h"
+
 namespace oncard::runtime {
 
 using gtcalls::MotionRole;
@@ -30,9 +34,20 @@ struct Supervisor::History {
   struct Profile {
     CallSite set_up;    ///< sets values that no start has taken over
     CallSite left_out;  ///< a later start of the same caller, without this profile
+    CallSite started;   ///< the last start
+    /// What has stopped the axis of the same number; nobody has taken note of it yet.
+    std::optional<motion::Happening> stop;
+    int64_t stopped_us = 0;
+  };
+  /// Of a periodic thread.
+  struct Overruns {
+    int64_t last_start = 0;  ///< the last one that was missed, in cycles
+    int64_t missed = 0;      ///< starts that the same run has missed
+    int64_t longest = 0;     ///< the largest of those numbers
   };
 
   std::array<Profile, motion::kAxisMax> profiles;
+  std::array<Overruns, vm::kThreadCount> overruns{};
   uint32_t set_up = 0;        ///< profiles for which a target or a velocity has ever been set
   uint32_t velocity_set = 0;  ///< the same for a velocity
 };
@@ -62,6 +77,38 @@ std::string ListOf(uint32_t mask) {
   std::vector<size_t> numbers;
   motion::ForEachBit(mask, motion::kAxisMax, [&](size_t axis) { numbers.push_back(axis + 1); });
   return fmt::format("{}", fmt::join(numbers, ", "));
+}
+
+/// True if a report of the card says why an axis that moved, or whose drive was on, has stopped.
+bool StopsAxis(const motion::MotionCore& core, const motion::Happening& happening) {
+  using motion::HappeningKind;
+  const motion::MotionState& state = core.state();
+  const size_t item = happening.item;
+  switch (happening.kind) {
+    case HappeningKind::kPositiveLimitSwitch:
+    case HappeningKind::kNegativeLimitSwitch:
+    case HappeningKind::kPositiveSoftLimit:
+    case HappeningKind::kNegativeSoftLimit:
+      // Homing goes to limits.
+      return core.AxisMoving(state.axes[item]) && !state.homing[item].running;
+    case HappeningKind::kSmoothStopInput:
+    case HappeningKind::kAbruptStopInput:
+      return core.AxisMoving(state.axes[item]);
+    case HappeningKind::kAlarm:
+      return state.axes[item].servo_on;
+    case HappeningKind::kFollowingError:
+    case HappeningKind::kEncoderSilent:
+    case HappeningKind::kGantrySkew:
+    case HappeningKind::kHeldAtLimit:
+      return true;
+    case HappeningKind::kStarved:
+    case HappeningKind::kEndedMoving:
+    case HappeningKind::kMoveStopped:
+    case HappeningKind::kCornerLimited:
+    case HappeningKind::kJunctionLimited:
+      break;
+  }
+  return false;
 }
 
 /// True if another profile follows this one as its master.
@@ -171,21 +218,32 @@ void Supervisor::AfterCommand(const gtcalls::Call& call, int16_t code) {
       NoteCommit(call);
       break;
     case MotionRole::kStart:
-      NoteStart(SelectedMask(call));
+      NoteStart(call, SelectedMask(call));
       break;
     case MotionRole::kAcknowledge:
+      NoteAcknowledged(call);
+      break;
     case MotionRole::kNone:
       break;
   }
   const uint32_t begun = Moving() & ~moving_before_;
   if (begun == 0) return;
-  NoteStart(begun);
+  NoteStart(call, begun);
   motion::ForEachBit(begun, motion::kAxisMax, [&](size_t profile) { CheckDrive(call, profile); });
 }
 
-void Supervisor::NoteStart(uint32_t profiles) {
-  motion::ForEachBit(profiles, controller_.motion().axis_count(),
-                     [&](size_t profile) { Present().profiles[profile] = {}; });
+void Supervisor::NoteStart(const gtcalls::Call& call, uint32_t profiles) {
+  motion::ForEachBit(profiles, controller_.motion().axis_count(), [&](size_t profile) {
+    Present().profiles[profile] = {
+        .set_up = {}, .left_out = {}, .started = SiteOf(call), .stop = {}};
+  });
+}
+
+void Supervisor::NoteAcknowledged(const gtcalls::Call& call) {
+  const auto first = static_cast<size_t>(call.integer(0)) - 1;
+  for (size_t i = first; i < first + static_cast<size_t>(call.integer(1)); ++i) {
+    if (history_->profiles[i].stop) Present().profiles[i].stop.reset();
+  }
 }
 
 uint32_t Supervisor::Moving() const {
@@ -214,7 +272,7 @@ void Supervisor::NoteCommit(const gtcalls::Call& call) {
   NoteLeftOut(call, mask);
   motion::ForEachBit(mask, controller_.motion().axis_count(),
                      [&](size_t profile) { CheckVelocity(call, profile); });
-  NoteStart(mask);
+  NoteStart(call, mask);
 }
 
 bool Supervisor::AwaitsStart(size_t index) const {
@@ -291,10 +349,79 @@ void Supervisor::CheckDrive(const gtcalls::Call& call, size_t index) {
                   "轴 {0} 在伺服使能关闭时运动，请先调用 GT_AxisOn", *off + 1));
 }
 
+// --- What the card does by itself ----------------------------------------------------------------
+
+void Supervisor::Happened(const motion::Happening& happening) {
+  if (!StopsAxis(controller_.motion(), happening)) return;
+  if (history_->profiles[happening.item].stop) return;
+  History::Profile& profile = Present().profiles[happening.item];
+  profile.stop = happening;
+  profile.stopped_us = controller_.motion().now();
+}
+
+void Supervisor::Overran(int number) {
+  if (silent_.Has(CardWarning::kPeriodOverrun)) return;
+  const vm::Machine& machine = controller_.machine();
+  const vm::ThreadState& thread = machine.thread(number);
+  History::Overruns& overruns = Present().overruns[static_cast<size_t>(number)];
+  // A run that misses the next start, too, is still the same.
+  const bool same =
+      overruns.missed > 0 && overruns.last_start + thread.period_cycles == thread.next_start;
+  overruns.missed = same ? overruns.missed + 1 : 1;
+  overruns.last_start = thread.next_start;
+  overruns.longest = std::max(overruns.longest, overruns.missed);
+  const int64_t cycle_us = controller_.options().motion.cycle_us;
+  const double period_ms = ToMs(thread.period_cycles * cycle_us);
+  CardFinding& finding =
+      Add({CardWarning::kPeriodOverrun, machine.image()->hash, thread.function, number, {}},
+          PlaceOfInstruction(machine, number, thread.function, thread.pc), {},
+          machine.state().cycle * cycle_us);
+  finding.text = MakeMessage(
+      "the thread overruns its period of {0} ms here, its longest run lasts more than {1} ms",
+      "线程在此处超出其周期 {0} ms，最长一次运行超过 {1} ms", period_ms,
+      period_ms * static_cast<double>(overruns.longest));
+}
+
 // --- The end of a run ----------------------------------------------------------------------------
 
 void Supervisor::JudgeEnd() {
-  for (size_t i = 0; i < controller_.motion().axis_count(); ++i) JudgeLeftOut(i);
+  const motion::MotionCore& core = controller_.motion();
+  for (size_t i = 0; i < core.axis_count(); ++i) {
+    JudgeStop(i);
+    JudgeLeftOut(i);
+  }
+  JudgeWorkLeft();
+}
+
+void Supervisor::JudgeWorkLeft() {
+  if (silent_.Has(CardWarning::kWorkLeft)) return;
+  motion::ForEachBit(MovingAxes(controller_), motion::kAxisMax, [&](size_t axis) {
+    const CallSite& site = history_->profiles[axis].started;
+    Add(KeyOf(CardWarning::kWorkLeft, site, axis), PlaceOfSite(site),
+        DescribeMovingAxis(controller_, axis), controller_.NowUs())
+        .count = 0;
+  });
+  const motion::MotionState& state = controller_.motion().state();
+  for (size_t crd = 0; crd < state.crds.size(); ++crd) {
+    for (size_t fifo = 0; fifo < state.crds[crd].fifos.size(); ++fifo) {
+      const size_t left = state.crds[crd].fifos[fifo].Remaining();
+      if (left == 0 || state.crds[crd].run.running) continue;
+      Add({CardWarning::kWorkLeft, 0, static_cast<int>(crd), static_cast<int>(fifo), "fifo"}, {},
+          MakeMessage("coordinate system {0} rests at the end of the run with segments left in its "
+                      "FIFO {1}: {2}",
+                      "运行结束时坐标系 {0} 静止，其 FIFO {1} 中还有 {2} 段未执行", crd + 1, fifo,
+                      left),
+          controller_.NowUs())
+          .count = 0;
+    }
+  }
+}
+
+void Supervisor::JudgeStop(size_t index) {
+  const History::Profile& profile = history_->profiles[index];
+  if (!profile.stop || silent_.Has(CardWarning::kAxisStopped)) return;
+  Add(KeyOf(CardWarning::kAxisStopped, profile.started, index), PlaceOfSite(profile.started),
+      DescribeHappening(*profile.stop), profile.stopped_us);
 }
 
 void Supervisor::JudgeLeftOut(size_t i) {

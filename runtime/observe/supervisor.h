@@ -58,8 +58,8 @@ class Supervisor final : public CardObserver {
 
   void BeforeCommand(const gtcalls::Call& call) override;
   void AfterCommand(const gtcalls::Call& call, int16_t code) override;
-  void Happened(const motion::Happening&) override {}
-  void Overran(int) override {}
+  void Happened(const motion::Happening& happening) override;
+  void Overran(int thread) override;
   void Reset() override;
 
  private:
@@ -79,7 +79,8 @@ class Supervisor final : public CardObserver {
 
   void NoteSetUp(const gtcalls::Call& call, gtcalls::MotionRole role);
   /// Profiles begin to move, or would begin if they had a velocity.
-  void NoteStart(uint32_t profiles);
+  void NoteStart(const gtcalls::Call& call, uint32_t profiles);
+  void NoteAcknowledged(const gtcalls::Call& call);
   void NoteCommit(const gtcalls::Call& call);
   void NoteLeftOut(const gtcalls::Call& call, uint32_t mask);
   void CheckMask(const gtcalls::Call& call, uint32_t mask);
@@ -97,7 +98,9 @@ class Supervisor final : public CardObserver {
   /// The same for each axis that the call started.
   Key KeyOf(CardWarning warning, const CallSite& site, size_t axis) const;
   CardFinding& Add(Key key, CommandPlace place, Message text, int64_t at_us);
+  void JudgeStop(size_t axis);
   void JudgeLeftOut(size_t profile);
+  void JudgeWorkLeft();
 
   Controller& controller_;
   CardWarnings silent_;

@@ -4,7 +4,6 @@
 
 #include "base/files.h"
 #include "base/milliseconds.h"
-#include "runtime/observe/moving_axes.h"
 #include "runtime/observe/supervisor.h"
 #include "runtime/observe/thread_status.h"
 #include "runtime/scenario/agenda.h"
@@ -271,9 +270,6 @@ class ScenarioRunner {
     ReportFindings();
     if (!result_.interrupted) JudgeEnd();
     if (came_to_cut_ && result_.interrupted) ReportCut();
-    for (Message& axis : DescribeMovingAxes(controller_)) {
-      result_.warnings.push_back(std::move(axis));
-    }
     WarnOfMissedWrites();
     WarnOfLateEvents();
     for (size_t i = 0; i < shown_.size(); ++i) {

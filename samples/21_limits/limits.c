@@ -35,5 +35,6 @@ lbl_back:
   moving = sts & IN_MOTION;
   if (moving) goto lbl_back;
   at_switch = sts;
+  GT_ClrSts(1, 1);
   return 0;
 }

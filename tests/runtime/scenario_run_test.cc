@@ -7,6 +7,7 @@
 namespace oncard::runtime {
 namespace {
 
+using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 constexpr const char* kCount = "int n;\nint f(int k)\n{\n  n = n + k;\n  return n;\n}\n";
@@ -143,7 +144,7 @@ TEST(RunScenario, SaysThatAnAxisStillMovesAtTheEnd) {
   ASSERT_EQ(result.warnings.size(), 1u);
   EXPECT_THAT(
       result.warnings[0].en,
-      StartsWith("axis 1 still moves at the end of the run, at 500 ms: velocity 35 pulse/ms, "));
+      HasSubstr(": axis 1 still moves at the end of the run, at 500 ms: velocity 35 pulse/ms, "));
   EXPECT_TRUE(RunForTest(kCount, "until_ms = 500").warnings.empty());
 }
 

@@ -146,6 +146,82 @@ TEST(NoVelocity, MayStopAJog) {
               IsEmpty());
 }
 
+// --- axis-stopped --------------------------------------------------------------------------------
+
+constexpr const char* kIntoSoftLimit =
+    "  GT_AxisOn(1);\n  GT_SetSoftLimit(1, 50, -50);\n  GT_PrfTrap(1);\n  GT_SetVel(1, 10);\n"
+    "  GT_SetPos(1, 1000);\n  GT_Update(1);\n";
+
+TEST(AxisStopped, SaysWhichLimitEndedTheMotionOfWhichStart) {
+  const auto warnings = WarningsOf(Program(kIntoSoftLimit + WaitFor(1)));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_THAT(warnings[0],
+              StartsWith("p.c:9: thread 0 f: axis 1 passed its positive soft limit 50 at "));
+  EXPECT_THAT(warnings[0], HasSubstr(" [axis-stopped]"));
+}
+
+TEST(AxisStopped, IsNothingOnceTheProgramHasTakenNote) {
+  EXPECT_THAT(WarningsOf(Program(kIntoSoftLimit + WaitFor(1) + "  GT_ClrSts(1, 1);\n")), IsEmpty());
+  EXPECT_THAT(WarningsOf(Program(kIntoSoftLimit + WaitFor(1) +
+                                 "  GT_SetPos(1, 0);\n  GT_Update(1);\nback:\n"
+                                 "  GT_GetSts(1, &sts, 1, &clock);\n  moving = sts & 0x400;\n"
+                                 "  if (moving) goto back;\n")),
+              IsEmpty());
+}
+
+TEST(AxisStopped, TellsOfASwitchAndOfAStopInput) {
+  const std::string jog =
+      "  GT_AxisOn(1);\n  GT_PrfJog(1);\n  GT_SetVel(1, 10);\n  GT_Update(1);\n  GT_Delay(50);\n";
+  EXPECT_THAT(WarningsOf(Program(jog),
+                         "[[world.input]]\ntype = \"limit_positive\"\nindex = 1\nvalue = 1\n"
+                         "at_ms = 20\n"),
+              ElementsAre(HasSubstr("axis 1 reached its positive limit switch")));
+  EXPECT_THAT(WarningsOf(Program(jog),
+                         "[[world.input]]\ntype = \"alarm\"\nindex = 1\nvalue = 1\nat_ms = 20\n"),
+              ElementsAre(HasSubstr("the drive of axis 1 reports an alarm")));
+}
+
+// --- period-overrun ------------------------------------------------------------------------------
+
+TEST(PeriodOverrun, SaysHowOftenAndHowLong) {
+  // 450 statements of 100 in a millisecond last 4.5 ms: runs begin at 0, 6 and 12 ms, and each
+  // misses the starts 2 and 4 ms after its own.
+  const std::string program =
+      "int i, more;\nint f()\n{\n  i = 0;\nlbl:\n  i = i + 1;\n  more = i < 149;\n"
+      "  if (more) goto lbl;\n  i = 1;\n  return 0;\n}\n";
+  const auto warnings = WarningsOf(program,
+                                   "until_ms = 17.5\n[[thread]]\nthread = 3\nfunction = \"f\"\n"
+                                   "period_ms = 2\n");
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_THAT(warnings[0], StartsWith("p.c:"));
+  EXPECT_THAT(warnings[0],
+              HasSubstr("thread 3 f: the thread overruns its period of 2 ms here, its longest run "
+                        "lasts more than 4 ms (first at 2 ms, 6 times) [period-overrun]"));
+}
+
+TEST(PeriodOverrun, IsNothingOfAThreadInTime) {
+  EXPECT_THAT(
+      WarningsOf("int i;\nint f()\n{\n  i = i + 1;\n  return 0;\n}\n",
+                 "until_ms = 20\n[[thread]]\nthread = 3\nfunction = \"f\"\nperiod_ms = 2\n"),
+      IsEmpty());
+}
+
+// --- work-left -----------------------------------------------------------------------------------
+
+TEST(WorkLeft, IsAnAxisThatMovesWhenTheRunEnds) {
+  EXPECT_THAT(WarningsOf(Program("  GT_AxisOn(1);\n  GT_PrfJog(1);\n  GT_SetVel(1, 10);\n"
+                                 "  GT_Update(1);\n  GT_Delay(50);\n")),
+              ElementsAre(StartsWith("p.c:7: thread 0 f: axis 1 still moves at the end")));
+}
+
+TEST(WorkLeft, IsNotASlaveWhoseMasterRests) {
+  EXPECT_THAT(WarningsOf(Program("  GT_AxisOn(2);\n  GT_PrfGear(2, 0);\n"
+                                 "  GT_SetGearMaster(2, 1, 2, 0);\n"
+                                 "  GT_SetGearRatio(2, 1, 1, 0);\n  GT_GearStart(2);\n"
+                                 "  GT_Delay(10);\n")),
+              IsEmpty());
+}
+
 // --- All of them ---------------------------------------------------------------------------------
 
 constexpr const char* kWithoutVelocity =
