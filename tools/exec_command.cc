@@ -37,6 +37,7 @@ struct ExecArguments {
   std::string record;
   bool gbk = false;
   bool strict_commands = false;
+  std::vector<std::string> silent;
 };
 
 /// The message about a missing library; empty if none is missing.
@@ -188,6 +189,8 @@ int Exec(const ExecArguments& arguments, const Invocation& invocation) {
   // Not LC_ALL, which would change the host's own texts.
   ::setenv("ONCARD_LANG", invocation.language == Language::kChinese ? "zh" : "en", 1);
   ::setenv("ONCARD_REFUSALS", arguments.strict_commands ? "strict" : "warn", 1);
+  const std::string silent = fmt::to_string(fmt::join(arguments.silent, ","));
+  ::setenv("ONCARD_SILENT", silent.c_str(), 1);
   if (!arguments.keys.empty()) ::setenv("ONCARD_KEYS", arguments.keys.c_str(), 1);
   ::setenv("ONCARD_CLOCK", arguments.clock.c_str(), 1);
 
@@ -279,6 +282,7 @@ void AddExec(CLI::App& app, Invocation& invocation) {
                           "写出主机程序的调用，供 oncard debug 和 oncard replay 使用"}))
       ->type_name("FILE");
   AddStrictCommandsOption(*command, invocation, arguments->strict_commands);
+  AddSilentOption(*command, invocation, arguments->silent);
 }
 
 }  // namespace oncard::tools

@@ -36,6 +36,11 @@ void CardSlot::SwitchOff() {
   memory.reset();
   HostRefusals::OfProcess().AddProgram(number, refused.list());
   refused = {};
+  if (supervisor) {
+    supervisor->JudgeEnd();
+    HostRefusals::OfProcess().AddFindings(number, supervisor->findings());
+  }
+  supervisor.reset();
   watch.reset();
   controller.reset();
   clock.reset();

@@ -15,6 +15,7 @@
 #include "runtime/host/host_memory.h"
 #include "runtime/host/host_scenario.h"
 #include "runtime/host/marshal.h"
+#include "runtime/observe/supervisor.h"
 #include "runtime/sim/controller.h"
 
 namespace oncard::runtime {
@@ -37,9 +38,10 @@ struct CardSlot {
   int16_t no_program_code = 1;
   std::optional<CardMemory> memory;  ///< set while the card is open and has a file for it
   RefusedCommands refused;  ///< refused commands of motion programs since the card was opened
-  MarshalledCall call;      ///< arguments of the call in progress
-  CallRecorder* recorder = nullptr;    ///< set while the card is open and its calls are recorded
-  std::optional<RecordedFiles> files;  ///< that the call in progress has read
+  std::optional<Supervisor> supervisor;  ///< set while the card is open and warnings are wanted
+  MarshalledCall call;                   ///< arguments of the call in progress
+  CallRecorder* recorder = nullptr;      ///< set while the card is open and its calls are recorded
+  std::optional<RecordedFiles> files;    ///< that the call in progress has read
 
   /// Lets an open card catch up with the time of its host, including a call that takes `cost_us`.
   void CatchUp(int64_t cost_us);

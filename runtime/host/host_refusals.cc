@@ -1,8 +1,8 @@
 #include "runtime/host/host_refusals.h"
-#include "base/milliseconds.h"
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <string_view>
 #include <utility>
@@ -14,6 +14,18 @@ RefusalWish RefusalWishOfProcess() {
   const std::string_view wish = setting == nullptr ? "" : setting;
   if (wish == "strict") return RefusalWish::kStrict;
   return wish == "warn" ? RefusalWish::kWarn : RefusalWish::kNothing;
+}
+
+CardWarnings SilentWarningsOfProcess() {
+  const char* setting = std::getenv("ONCARD_SILENT");
+  CardWarnings silent;
+  std::string_view rest = setting == nullptr ? "" : setting;
+  while (!rest.empty()) {
+    const std::string_view name = rest.substr(0, rest.find(','));
+    ReadSilentWarning(name, &silent);
+    rest.remove_prefix(std::min(name.size() + 1, rest.size()));
+  }
+  return silent;
 }
 
 HostRefusals& HostRefusals::OfProcess() {
@@ -56,16 +68,20 @@ void HostRefusals::AddProgram(int card, const std::vector<RefusedCommand>& refus
   }
 }
 
+void HostRefusals::AddFindings(int card, const std::vector<CardFinding>& findings) {
+  const std::lock_guard lock(mutex_);
+  for (const CardFinding& finding : findings) {
+    const Message text = DescribeFinding(finding, {});
+    of_programs_.push_back(
+        {fmt::format("card {}: {}", card, text.en), fmt::format("卡 {}：{}", card, text.zh)});
+  }
+}
+
 std::vector<Message> HostRefusals::Describe() {
   const std::lock_guard lock(mutex_);
   std::vector<Message> texts;
   for (const Refusal& refusal : list_) {
-    const double at_ms = ToMs(refusal.first_us);
-    Message when = {fmt::format(" (at {} ms)", at_ms), fmt::format("（{} ms 时）", at_ms)};
-    if (refusal.count > 1) {
-      when = MakeMessage(" (first at {0} ms, {1} times)", "（首次在 {0} ms，共 {1} 次）", at_ms,
-                         refusal.count);
-    }
+    const Message when = DescribeOccurrences(refusal.first_us, refusal.count);
     texts.push_back({fmt::format("card {}: {}{}", refusal.card, refusal.call.en, when.en),
                      fmt::format("卡 {}：{}{}", refusal.card, refusal.call.zh, when.zh)});
   }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/message.h"
+#include "runtime/observe/supervisor.h"
 #include "runtime/sim/call_text.h"
 #include "runtime/sim/refused_commands.h"
 
@@ -30,6 +31,9 @@ RefusalWish RefusalWishOfProcess();
 /// can be without number.
 inline constexpr size_t kRefusalReasons = 8;
 
+/// The warnings of the supervisor that ONCARD_SILENT switches off: `no-NAME`, separated by commas.
+CardWarnings SilentWarningsOfProcess();
+
 class HostRefusals {
  public:
   static HostRefusals& OfProcess();
@@ -38,6 +42,8 @@ class HostRefusals {
   void Add(const LoggedCall& call);
   /// Records the refused commands of a card's motion programs.
   void AddProgram(int card, const std::vector<RefusedCommand>& refused);
+  /// Records what the supervisor of a card has found.
+  void AddFindings(int card, const std::vector<CardFinding>& findings);
   /// `card 0: GT_AxisOn(9) = 7: ... (first at 0.25 ms, 3 times)`, then `card 0: p.c:12: thread 0 f:
   /// ...`, each in the order of the first calls. After kRefusalReasons reasons: `card 0: GT_AxisOn
   /// = 7 for other reasons (first at 2 ms, 40 times)`.

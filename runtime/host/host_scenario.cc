@@ -15,7 +15,6 @@
 #include "runtime/host/host_card.h"
 #include "runtime/host/host_refusals.h"
 #include "runtime/host/host_report.h"
-#include "runtime/observe/moving_axes.h"
 #include "runtime/observe/trace_file.h"
 #include "runtime/scenario/expectation.h"
 
@@ -178,7 +177,6 @@ void CardWatch::Finish(Controller* controller) {
                                     "卡 {0}：到时间上限 {1} ms 时主机程序仍在运行", card_,
                                     scenario_->limit_ms));
   }
-  if (over_) WarnOfMovingAxes(*controller);
   WriteTrace(*controller);
   // Names that a trace could not have are wrong without a trace too.
   if (!trace_) TraceQuantities(*scenario_, *controller, &fit_);
@@ -206,12 +204,6 @@ void CardWatch::FinishRequirements(const Controller& controller, bool in_order) 
 
 Message OfCard(int card, const Message& message) {
   return {fmt::format("card {}: {}", card, message.en), fmt::format("卡 {}：{}", card, message.zh)};
-}
-
-void CardWatch::WarnOfMovingAxes(const Controller& controller) {
-  motion::ForEachBit(MovingAxes(controller), motion::kAxisMax, [&](size_t axis) {
-    warnings_.push_back(OfCard(DescribeMovingAxis(controller, axis)));
-  });
 }
 
 void CardWatch::Judge(const Expectation& expectation, const Controller& controller) {

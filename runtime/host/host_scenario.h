@@ -62,7 +62,6 @@ class CardWatch {
   void FinishRequirements(const Controller& controller, bool in_order);
   Message OfCard(const Message& message) const { return runtime::OfCard(card_, message); }
   int64_t CycleOf(int64_t microseconds) const;
-  void WarnOfMovingAxes(const Controller& controller);
 
   std::shared_ptr<const Scenario> scenario_;
   int card_;

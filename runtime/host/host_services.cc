@@ -107,7 +107,10 @@ int16_t Open(ServiceCall& call) {
   if (!bare_card) ApplyWorld(opened, slot.controller.get());
   slot.clock.emplace(clock.value());
   const bool collects = RefusalWishOfProcess() != RefusalWish::kNothing;
-  if (collects) slot.controller->CollectRefusals(&slot.refused);
+  if (collects) {
+    slot.controller->CollectRefusals(&slot.refused);
+    slot.supervisor.emplace(slot.controller.get(), SilentWarningsOfProcess());
+  }
   if (slot.watch || slot.memory || collects) WatchHostSignals();
   slot.no_program_code = vm::kRefused;
   return vm::kOk;

@@ -21,6 +21,8 @@ int main(void) {
   crd.profile[0] = 1;
   crd.profile[1] = 2;
   ACCEPTED(GT_Open(0, 1));
+  ACCEPTED(GT_AxisOn(1));
+  ACCEPTED(GT_AxisOn(2));
   ACCEPTED(GT_SetCrdPrm(CRD, &crd));
   ACCEPTED(GT_LaserPowerMode(DUTY, 100, 0, LASER, 0));
   ACCEPTED(GT_LaserOutFrq(10, LASER));

@@ -486,6 +486,22 @@ TEST(Exec, SpeaksTheLanguageOfTheOption) {
   EXPECT_THAT(english.err, HasSubstr("oncard: warning: card 0: GT_AxisOn(9) = 7: "));
 }
 
+TEST(Exec, SaysWhatCannotBeMeant) {
+  const ProcessResult result = Exec({}, {Client("careless")});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.err, HasSubstr("oncard: warning: card 0: GT_Update(0x3): the mask starts axis "
+                                    "1, 2, for which nothing has been set; the mask of axis 3 is "
+                                    "4 (at "));
+  EXPECT_THAT(result.err, HasSubstr("card 0: GT_Update(0x8): axis 4 moves while its drive is off"));
+  EXPECT_THAT(result.err, HasSubstr("card 0: GT_Update(0x8): axis 4 still moves at the end of the "
+                                    "run"));
+  const ProcessResult silent =
+      Exec({"-Wno-drive-off", "-Wno-update-mask", "-Wno-work-left"}, {Client("careless")});
+  EXPECT_EQ(silent.exit_code, 0);
+  EXPECT_EQ(silent.err, "");
+  EXPECT_EQ(Exec({"--strict-commands"}, {Client("careless")}).exit_code, 120);
+}
+
 class ExecSignalTest : public testing::TestWithParam<int> {};
 
 TEST_P(ExecSignalTest, WritesTheTraceBeforeTheHostEnds) {
