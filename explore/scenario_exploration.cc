@@ -178,6 +178,7 @@ Findings FindingsOf(const runtime::Scenario& scenario, CardModel* model, Explora
     findings.serial_end = SerialEnd(&walk);
   }
   findings.refused = model->refused();
+  findings.card = model->found();
   return findings;
 }
 

@@ -106,16 +106,26 @@ int CheckSettings(const ExploreArguments& arguments, const Invocation& invocatio
   return kExitOk;
 }
 
-/// Reports which commands of threads were refused. Returns the exit code for that.
+/// Reports which commands of threads were refused, and what the supervisor has found. Returns the
+/// exit code for that.
 int ReportRefused(const ExploreArguments& arguments, const Invocation& invocation,
                   const ExploreSubject& subject, const explore::Findings& findings) {
-  for (const runtime::RefusedCommand& refused : findings.refused) {
-    const Message text =
-        runtime::DescribeRefusedPlace(refused, runtime::ProgramPath(subject.scenario));
+  const auto warn = [&](const Message& text) {
     PrintDiagnostics(invocation.Say(
         MakeMessage("oncard: warning: {0}\n", "oncard: 警告：{1}\n", text.en, text.zh)));
+  };
+  for (const runtime::RefusedCommand& refused : findings.refused) {
+    warn(runtime::DescribeRefusedPlace(refused, runtime::ProgramPath(subject.scenario)));
   }
-  return arguments.strict_commands && !findings.refused.empty() ? kExitFailed : kExitOk;
+  const runtime::CardWarnings silent = SilentOf(arguments.silent);
+  bool found = false;
+  for (const runtime::CardFinding& finding : findings.card) {
+    if (silent.Has(finding.warning)) continue;
+    found = true;
+    warn(runtime::DescribeFindingPlace(finding, runtime::ProgramPath(subject.scenario)));
+  }
+  const bool any = found || !findings.refused.empty();
+  return arguments.strict_commands && any ? kExitFailed : kExitOk;
 }
 
 /// Writes the requested output. Returns the exit code.
@@ -306,6 +316,7 @@ void AddExplore(CLI::App& app, Invocation& invocation) {
                  [arguments, &invocation] { return Explore(*arguments, invocation); });
   AddExploreOptions(*command, invocation, *arguments);
   AddStrictCommandsOption(*command, invocation, arguments->strict_commands);
+  AddSilentOption(*command, invocation, arguments->silent);
   AddFormatOption(*command, invocation, arguments->format, {"text", "json"});
 }
 

@@ -36,6 +36,7 @@ struct ExploreArguments {
   double seconds = 0;  ///< 0: no limit
   bool all = false;
   bool strict_commands = false;
+  std::vector<std::string> silent;
 };
 
 /// Declares them; parsing the command line fills in `arguments`, which must outlive the command.

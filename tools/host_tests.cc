@@ -179,6 +179,7 @@ void RunHostTest(const runtime::Scenario& scenario, const HostTestOptions& optio
                  invocation.language == Language::kChinese ? "--lang=zh" : "--lang=en", "exec",
                  "--scenario=" + name};
   if (options.strict_commands) child.words.emplace_back("--strict-commands");
+  for (const std::string& warning : options.silent) child.words.push_back("-W" + warning);
   child.words.emplace_back("--");
   child.words.insert(child.words.end(), host->begin(), host->end());
   child.folder = FolderOf(scenario);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "runtime/scenario/scenario.h"
 #include "tools/invocation.h"
@@ -12,6 +13,7 @@ namespace oncard::tools {
 
 struct HostTestOptions {
   bool strict_commands = false;
+  std::vector<std::string> silent;  ///< warnings that are switched off, each as `no-NAME`
   /// Seconds of the wall clock that the compiler and the host may each take; 0: no limit.
   int limit_s = 0;
   /// A folder that exists, for the compiled host and its report.

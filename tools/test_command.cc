@@ -36,6 +36,7 @@ struct TestArguments {
   bool progress = false;
   std::string format = "text";
   bool strict_commands = false;
+  std::vector<std::string> silent;
   bool structured = false;
 };
 
@@ -169,9 +170,14 @@ void ExploreTest(const runtime::Scenario& scenario, const runtime::ProgramLoad& 
     return;
   }
   findings.value().source = source;
+  auto& list = testing.arguments.strict_commands ? outcome->failures : outcome->warnings;
   for (const runtime::RefusedCommand& refused : findings.value().refused) {
-    auto& list = testing.arguments.strict_commands ? outcome->failures : outcome->warnings;
     list.push_back(runtime::DescribeRefusedPlace(refused, runtime::ProgramPath(scenario)));
+  }
+  const runtime::CardWarnings silent = SilentOf(testing.arguments.silent);
+  for (const runtime::CardFinding& finding : findings.value().card) {
+    if (silent.Has(finding.warning)) continue;
+    list.push_back(runtime::DescribeFindingPlace(finding, runtime::ProgramPath(scenario)));
   }
   const std::vector<Message>& untested = findings.value().untested;
   outcome->warnings.insert(outcome->warnings.end(), untested.begin(), untested.end());
@@ -193,6 +199,7 @@ void RunOnce(const runtime::Scenario& scenario, vm::Object object, const Testing
              TestOutcome* outcome) {
   runtime::RunOptions options;
   options.strict_commands = testing.arguments.strict_commands;
+  options.silent = SilentOf(testing.arguments.silent);
   options.stop = testing.signals.stop();
   options.log = runtime::CallLog::Wanted();
   const auto result = runtime::RunWithRequirements(scenario, std::move(object), options);
@@ -248,10 +255,10 @@ void TestHost(runtime::Scenario scenario, const std::string& scratch, const Test
         {"no temporary folder can be made for it", "无法为其创建临时文件夹"});
     return;
   }
-  RunHostTest(
-      scenario,
-      {testing.arguments.strict_commands, testing.arguments.timeout_s.value_or(kTimeout), scratch},
-      testing.invocation, outcome);
+  RunHostTest(scenario,
+              {testing.arguments.strict_commands, testing.arguments.silent,
+               testing.arguments.timeout_s.value_or(kTimeout), scratch},
+              testing.invocation, outcome);
   if (!testing.signals.stopped()) return;
   outcome->interrupted = true;
   outcome->failures = {{"interrupted", "被中断"}};
@@ -418,6 +425,7 @@ void AddTest(CLI::App& app, Invocation& invocation) {
                                     "每秒显示探索进度（终端上默认开启）"}));
   AddStructuredOption(*command, invocation, arguments->structured);
   AddStrictCommandsOption(*command, invocation, arguments->strict_commands);
+  AddSilentOption(*command, invocation, arguments->silent);
   AddFormatOption(*command, invocation, arguments->format, {"text", "junit", "tap", "json", "csv"});
 }
 

@@ -71,7 +71,8 @@ StateKey KeyOfWords(const std::vector<int64_t>& words) {
 
 CardModel::CardModel(const runtime::Scenario& scenario)
     : scenario_(scenario),
-      controller_(std::make_unique<runtime::Controller>(runtime::CardOptions(scenario))) {
+      controller_(std::make_unique<runtime::Controller>(runtime::CardOptions(scenario))),
+      supervisor_(std::make_unique<runtime::Supervisor>(controller_.get())) {
   controller_->CollectRefusals(refused_.get());
 }
 
@@ -397,6 +398,7 @@ void CardModel::End(State* state) {
     if (has_invariants_) JudgeState(state);
   }
   JudgeEnd(state);
+  supervisor_->JudgeEnd();
   if (!state->fault) NoteHorizon();
 }
 
@@ -427,6 +429,7 @@ void CardModel::Save(State* state) {
   state->threads = machine.threads;
   state->executed = machine.executed;
   state->body = CurrentBody();
+  state->history = supervisor_->history();
   held_ = state->body;
   cycles_since_held_ = 0;
 }
@@ -459,6 +462,7 @@ void CardModel::Load(const State& state) {
   if (held_ != state.body || cycles_since_held_ != 0) {
     controller_->RestoreBody(state.body->values);
   }
+  supervisor_->PutBack(state.history);
   held_ = state.body;
   cycles_since_held_ = 0;
   host_acted_until_ = controller_->cycle();

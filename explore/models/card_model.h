@@ -24,6 +24,7 @@
 #include "explore/models/model.h"
 #include "explore/models/problem.h"
 #include "explore/models/state_key.h"
+#include "runtime/observe/supervisor.h"
 #include "runtime/scenario/scenario.h"
 #include "runtime/scenario/vacuity.h"
 #include "runtime/sim/controller.h"
@@ -42,7 +43,8 @@ class CardModel {
     std::array<vm::ThreadState, vm::kThreadCount> threads{};
     int64_t executed = 0;
     std::shared_ptr<const Body> body;
-    int64_t left = 0;       ///< statements of the cycle that are left
+    runtime::Supervisor::HistoryPointer history;  ///< does not influence the future
+    int64_t left = 0;                             ///< statements of the cycle that are left
     uint32_t served = 0;    ///< threads that have executed one in the cycle, by number on the card
     bool ended = false;     ///< the run is over: nothing that the scenario requires is left
     bool finished = false;  ///< the run ended because no thread runs any more
@@ -87,6 +89,8 @@ class CardModel {
   std::vector<Message> Untested() const;
   /// Commands that threads have been refused in any of the steps that were taken.
   const std::vector<runtime::RefusedCommand>& refused() const { return refused_->list(); }
+  /// What the supervisor has found in them.
+  const std::vector<runtime::CardFinding>& found() const { return supervisor_->findings(); }
 
   /// The first state in which a thread can run, or the end.
   State Start();
@@ -172,6 +176,7 @@ class CardModel {
   std::shared_ptr<const HostEvents> host_;
   std::unique_ptr<runtime::RefusedCommands> refused_ = std::make_unique<runtime::RefusedCommands>();
   std::unique_ptr<runtime::Controller> controller_;
+  std::unique_ptr<runtime::Supervisor> supervisor_;
   /// The controller's body is this one after the given number of cycles; nullptr: it is not known.
   std::shared_ptr<const Body> held_;
   int64_t cycles_since_held_ = 0;

@@ -13,6 +13,7 @@
 #include "explore/models/ends.h"
 #include "explore/reports/trail.h"
 #include "explore/search/explorer.h"
+#include "runtime/observe/supervisor.h"
 #include "runtime/sim/refused_commands.h"
 #include "vm/schedule.h"
 
@@ -29,6 +30,8 @@ struct Findings {
   std::vector<runtime::RefusedCommand> refused = {};
   /// What a verdict without a failure has not put to the test.
   std::vector<Message> untested = {};
+  /// What the supervisor has found in some explored schedule.
+  std::vector<runtime::CardFinding> card = {};
   // Only if there are no requirements on results:
   End start = {};  ///< the values before the first statement
   std::optional<End> serial_end =

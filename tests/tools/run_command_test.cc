@@ -235,6 +235,30 @@ TEST(Run, WarnsOfRefusedCommandsOrFailsByThem) {
   EXPECT_EQ(RunOncard({"explore", "--strict-commands", "s.toml"}, scratch.path()).exit_code, 1);
 }
 
+TEST(Run, WarnsOfWhatCannotBeMeantOrFailsByIt) {
+  const ScratchFolder scratch;
+  scratch.Write("p.c",
+                "int f()\n{\n  GT_AxisOn(1);\n  GT_PrfTrap(1);\n  GT_SetPos(1, 100);\n"
+                "  GT_Update(1);\n  return 0;\n}\n");
+  scratch.Write("s.toml", "program = \"p.c\"\n");
+  const std::string place = "p.c:6: thread 0 f: axis 1 is started without a velocity";
+  const auto run = [&](const std::vector<std::string>& arguments) {
+    return RunOncard(arguments, scratch.path());
+  };
+  EXPECT_THAT(run({"run", "p.c"}).err, HasSubstr("oncard: warning: " + place));
+  EXPECT_THAT(run({"test", "s.toml"}).out, HasSubstr("     warning: " + place));
+  EXPECT_THAT(run({"explore", "s.toml"}).err, HasSubstr("oncard: warning: " + place));
+  for (const std::string command : {"run", "test", "explore"}) {
+    EXPECT_EQ(run({command, "s.toml"}).exit_code, 0) << command;
+    EXPECT_EQ(run({command, "--strict-commands", "s.toml"}).exit_code, 1) << command;
+    const ProcessResult silent = run({command, "--strict-commands", "-Wno-no-velocity", "s.toml"});
+    EXPECT_EQ(silent.exit_code, 0) << command << silent.err;
+    EXPECT_EQ(run({command, "-Wno-such", "s.toml"}).exit_code, 2) << command;
+  }
+  const Json report = Json::parse(run({"run", "--format=json", "s.toml"}).out);
+  EXPECT_THAT(report["warnings"][0].get<std::string>(), HasSubstr("[no-velocity]"));
+}
+
 TEST(Run, ExitCodesTellWhatWentWrong) {
   const ScratchFolder scratch;
   EXPECT_EQ(RunOncard({"run", "/nonexistent.c"}).exit_code, 3);
