@@ -122,9 +122,9 @@ describe("debugging", () => {
     activate();
     debug.activeDebugSession = session;
     editor.answers = ["a.schedule", undefined, "../b", undefined, undefined];
-    editor.debugAnswers = { evaluate: { result: "/work/a.schedule" } };
+    editor.debugAnswers = { evaluate: { result: "/a/b.schedule" } };
     await execute("oncard.saveSchedule");
-    expect(editor.shown.at(-1)).toBe("saved /work/a.schedule");
+    expect(editor.shown.at(-1)).toBe("saved /a/b.schedule");
     editor.debugAnswers = { evaluate: new Error("a name without a folder") };
     await execute("oncard.saveSchedule");
     expect(editor.shown.at(-1)).toBe("a name without a folder");
