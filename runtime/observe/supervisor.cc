@@ -326,7 +326,7 @@ void Supervisor::CheckVelocity(const gtcalls::Call& call, size_t index) {
           ? profile.trap.velocity == 0 && profile.trap.target != profile.now.position
           : profile.jog.velocity == 0 && !set;
   if (!in_place) return;
-  Add(CardWarning::kNoVelocity, call,
+  Add(CardWarning::kNoVelocity, call, index,
       set ? MakeMessage("axis {0} is started with the velocity 0 and does not move",
                         "轴 {0} 以速度 0 启动，不会运动", index + 1)
           : MakeMessage("axis {0} is started without a velocity and does not move, call GT_SetVel",
@@ -344,7 +344,7 @@ void Supervisor::CheckDrive(const gtcalls::Call& call, size_t index) {
   }
   // A profile without an axis, or one that only leads others, needs no drive.
   if (!off || IsMaster(state, index)) return;
-  Add(CardWarning::kDriveOff, call,
+  Add(CardWarning::kDriveOff, call, *off,
       MakeMessage("axis {0} moves while its drive is off, call GT_AxisOn first",
                   "轴 {0} 在伺服使能关闭时运动，请先调用 GT_AxisOn", *off + 1));
 }
@@ -452,6 +452,11 @@ Supervisor::Key Supervisor::KeyOf(CardWarning warning, const CallSite& site) con
 void Supervisor::Add(CardWarning warning, const gtcalls::Call& call, Message text) {
   if (silent_.Has(warning)) return;
   Add(KeyOf(warning, SiteOf(call)), PlaceOf(call), std::move(text), controller_.NowUs());
+}
+
+void Supervisor::Add(CardWarning warning, const gtcalls::Call& call, size_t axis, Message text) {
+  if (silent_.Has(warning)) return;
+  Add(KeyOf(warning, SiteOf(call), axis), PlaceOf(call), std::move(text), controller_.NowUs());
 }
 
 CardFinding& Supervisor::Add(Key key, CommandPlace place, Message text, int64_t at_us) {

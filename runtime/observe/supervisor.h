@@ -92,6 +92,8 @@ class Supervisor final : public CardObserver {
   uint32_t Moving() const;
 
   void Add(CardWarning warning, const gtcalls::Call& call, Message text);
+  /// The same for one of the axes that the call concerns.
+  void Add(CardWarning warning, const gtcalls::Call& call, size_t axis, Message text);
   /// Warning, program, function, instruction, and the call of a host.
   using Key = std::tuple<CardWarning, uint64_t, int, int, std::string>;
   Key KeyOf(CardWarning warning, const CallSite& site) const;

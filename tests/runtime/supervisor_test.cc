@@ -14,6 +14,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 std::vector<std::string> WarningsOf(const std::string& program, const std::string& scenario = "",
@@ -73,6 +74,19 @@ TEST(DriveOff, IsToldOncePerPlace) {
       WaitFor(1) + "  more = n < 3;\n  if (more) goto again;\n  return 0;\n}\n");
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_THAT(warnings[0], HasSubstr(", 3 times)"));
+}
+
+TEST(DriveOff, IsToldOfEachAxisThatACallStarts) {
+  const auto warnings =
+      WarningsOf(Program("  GT_PrfTrap(1);\n  GT_PrfTrap(2);\n  GT_SetVel(1, 10);\n"
+                         "  GT_SetVel(2, 10);\n  GT_SetPos(1, 100);\n  GT_SetPos(2, 100);\n"
+                         "  GT_Update(3);\n" +
+                         WaitFor(1) + WaitFor(2)));
+  EXPECT_THAT(warnings, ElementsAre(HasSubstr("axis 1 moves while its drive is off"),
+                                    HasSubstr("axis 2 moves while its drive is off")));
+  for (const std::string& warning : warnings) {
+    EXPECT_THAT(warning, Not(HasSubstr("times")));
+  }
 }
 
 // --- update-mask ---------------------------------------------------------------------------------
