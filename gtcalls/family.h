@@ -35,7 +35,6 @@ enum class MotionRole : uint8_t {
   kTarget,       ///< sets where the next start leads; the first parameter is the profile
   kVelocity,     ///< sets how fast the next start moves; the same
   kCommit,       ///< starts the profiles of a mask with what has been set
-  kStart,        ///< starts the profiles of a mask, or an axis, in another way
   kAcknowledge,  ///< forgets why axes stopped: the first one and their number
 };
 

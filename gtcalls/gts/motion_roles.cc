@@ -12,11 +12,10 @@ struct RoleRow {
 };
 
 constexpr RoleRow kRoleRows[] = {
-    {"GT_SetPos", MotionRole::kTarget},     {"GT_SetVel", MotionRole::kVelocity},
-    {"GT_Update", MotionRole::kCommit},     {"GT_PtStart", MotionRole::kStart},
-    {"GT_PvtStart", MotionRole::kStart},    {"GT_GearStart", MotionRole::kStart},
-    {"GT_FollowStart", MotionRole::kStart}, {"GT_Home", MotionRole::kStart},
-    {"GT_GoHome", MotionRole::kStart},      {"GT_ClrSts", MotionRole::kAcknowledge},
+    {"GT_SetPos", MotionRole::kTarget},
+    {"GT_SetVel", MotionRole::kVelocity},
+    {"GT_Update", MotionRole::kCommit},
+    {"GT_ClrSts", MotionRole::kAcknowledge},
 };
 
 }  // namespace

@@ -64,11 +64,8 @@ bool MayStartMotion(const gtcalls::Command& command) {
   });
 }
 
-/// The profiles that a command of kCommit or kStart names.
+/// The profiles that a command of kCommit names.
 uint32_t SelectedMask(const gtcalls::Call& call) {
-  if (call.command.parameters[0].unit != gtcalls::Unit::kMask) {
-    return uint32_t{1} << (call.integer(0) - 1);
-  }
   return static_cast<uint32_t>(static_cast<int64_t>(call.value(0)));
 }
 
@@ -216,9 +213,6 @@ void Supervisor::AfterCommand(const gtcalls::Call& call, int16_t code) {
       break;
     case MotionRole::kCommit:
       NoteCommit(call);
-      break;
-    case MotionRole::kStart:
-      NoteStart(call, SelectedMask(call));
       break;
     case MotionRole::kAcknowledge:
       NoteAcknowledged(call);

@@ -18,7 +18,7 @@ TEST(MotionRoles, BelongToCommandsThatNameProfilesFirst) {
     const Parameter& first = command.parameters[0];
     EXPECT_TRUE(first.unit == Unit::kMask || first.axis_number) << command.name;
   }
-  EXPECT_EQ(with_role, 10);
+  EXPECT_EQ(with_role, 4);
 }
 
 TEST(MotionRoles, AreThoseOfTheManual) {
@@ -26,7 +26,7 @@ TEST(MotionRoles, AreThoseOfTheManual) {
   EXPECT_EQ(role("GT_SetPos"), MotionRole::kTarget);
   EXPECT_EQ(role("GT_SetVel"), MotionRole::kVelocity);
   EXPECT_EQ(role("GT_Update"), MotionRole::kCommit);
-  EXPECT_EQ(role("GT_PtStart"), MotionRole::kStart);
+  EXPECT_EQ(role("GT_PtStart"), MotionRole::kNone);
   EXPECT_EQ(role("GT_ClrSts"), MotionRole::kAcknowledge);
   EXPECT_EQ(role("GT_Stop"), MotionRole::kNone);
 }
