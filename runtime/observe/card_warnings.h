@@ -1,11 +1,9 @@
 // The names of the supervisor's warnings: a row for each in card_warnings.def. Tested by
-// tests/runtime/card_warnings_test.cc.
+// tests/runtime/supervisor_test.cc.
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
-#include <string>
 #include <string_view>
 
 #include "base/message.h"

@@ -1,5 +1,5 @@
 // One who looks at a card while it runs: at the commands that it executes, and at what it does
-// without one. It must not change the card. Tested by tests/runtime/controller_test.cc.
+// without one. It must not change the card. Tested by tests/runtime/supervisor_test.cc.
 #pragma once
 
 #include "gtcalls/card.h"

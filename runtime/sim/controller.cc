@@ -162,7 +162,7 @@ void Controller::RunCycles(int64_t cycles) {
 }
 
 int64_t Controller::RunSome(int64_t limit) {
-  if (EachCycleCounts()) {
+  if (state_observer_ || cycle_host_ || family().acts_each_cycle(view())) {
     CatchUp();
     RunCycle();
     return 1;

@@ -176,10 +176,6 @@ class Controller {
   void ObserveRefusals(gtcalls::RefusalObserver observer);
   /// Lets the motion core report to all who listen.
   void PassHappeningsOn();
-  /// True if every cycle must be computed by itself, as someone sees it.
-  bool EachCycleCounts() const {
-    return state_observer_ || cycle_host_ || family().acts_each_cycle(view());
-  }
   /// The threads' part of a cycle, with the observer and the host.
   void ExecuteInParts(int64_t budget);
   /// Runs at least one and at most `limit` cycles, after which motion may be late; returns their
