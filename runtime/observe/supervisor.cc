@@ -43,7 +43,6 @@ struct Supervisor::History {
   struct Overruns {
     int64_t last_start = 0;  ///< the last one that was missed, in cycles
     int64_t missed = 0;      ///< starts that the same run has missed
-    int64_t longest = 0;     ///< the largest of those numbers
   };
 
   std::array<Profile, motion::kAxisMax> profiles;
@@ -363,7 +362,8 @@ void Supervisor::Overran(int number) {
       overruns.missed > 0 && overruns.last_start + thread.period_cycles == thread.next_start;
   overruns.missed = same ? overruns.missed + 1 : 1;
   overruns.last_start = thread.next_start;
-  overruns.longest = std::max(overruns.longest, overruns.missed);
+  int64_t& longest = longest_runs_[static_cast<size_t>(number)];
+  longest = std::max(longest, overruns.missed);
   const int64_t cycle_us = controller_.options().motion.cycle_us;
   const double period_ms = ToMs(thread.period_cycles * cycle_us);
   CardFinding& finding =
@@ -373,7 +373,7 @@ void Supervisor::Overran(int number) {
   finding.text = MakeMessage(
       "the thread overruns its period of {0} ms here, its longest run lasts more than {1} ms",
       "线程在此处超出其周期 {0} ms，最长一次运行超过 {1} ms", period_ms,
-      period_ms * static_cast<double>(overruns.longest));
+      period_ms * static_cast<double>(longest));
 }
 
 // --- The end of a run ----------------------------------------------------------------------------

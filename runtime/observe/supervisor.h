@@ -8,6 +8,7 @@
 // Deterministic; not thread-safe. Tested by tests/runtime/supervisor_test.cc.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -110,6 +111,8 @@ class Supervisor final : public CardObserver {
   HistoryPointer history_;
   uint32_t moving_before_ = 0;  ///< the command that is being executed
   std::map<Key, size_t> known_;
+  /// Of each periodic thread, in periods: belongs to its finding, not to the history.
+  std::array<int64_t, vm::kThreadCount> longest_runs_{};
   std::vector<CardFinding> findings_;
 };
 
