@@ -397,8 +397,9 @@ void CardModel::End(State* state) {
     BeginCycle();
     if (has_invariants_) JudgeState(state);
   }
+  // A failure has cut the run before its end.
+  if (!state->fault) supervisor_->JudgeEnd();
   JudgeEnd(state);
-  supervisor_->JudgeEnd();
   if (!state->fault) NoteHorizon();
 }
 

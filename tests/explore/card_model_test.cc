@@ -193,5 +193,23 @@ TEST(ExploreCard, TellsAProofFromABound) {
   EXPECT_EQ(ExploreCard(&large, {.state_limit = 50}).verdict, Verdict::kIncomplete);
 }
 
+// --- Findings of the supervisor ------------------------------------------------------------------
+
+constexpr const char* kJog =
+    "int t0() { GT_AxisOn(1); GT_PrfJog(1); GT_SetVel(1, 10); GT_Update(1); return 0; }\n";
+
+TEST(CardFindings, SayAtTheEndThatAnAxisStillMoves) {
+  const Findings findings = FindingsOf(kJog, "until_ms = 30\n", {});
+  ASSERT_EQ(findings.card.size(), 1u);
+  EXPECT_EQ(findings.card[0].warning, runtime::CardWarning::kWorkLeft);
+}
+
+TEST(CardFindings, SayNothingOfTheEndOfARunThatAFailureCuts) {
+  const Findings findings =
+      FindingsOf(kJog, "until_ms = 30\nalways = [\"axis1.prfPos < 20\"]\n", {});
+  EXPECT_EQ(findings.exploration.verdict, Verdict::kFailed);
+  EXPECT_TRUE(findings.card.empty());
+}
+
 }  // namespace
 }  // namespace oncard::explore
