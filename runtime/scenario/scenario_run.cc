@@ -335,7 +335,7 @@ class ScenarioRunner {
   }
 
   void WarnOfLateEvents() {
-    if (result_.interrupted) return;
+    if (result_.interrupted || !InOrder()) return;
     const int64_t end_us = controller_.cycle() * scenario_.cycle_us;
     for (Message& late : DescribeLateEvents(scenario_.world, end_us, false)) {
       result_.warnings.push_back(std::move(late));

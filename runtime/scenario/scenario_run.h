@@ -98,9 +98,9 @@ struct ScenarioResult {
   std::vector<ThreadReport> threads;  ///< bound ones, by number
   std::vector<ShownValue> values;
   std::vector<ScenarioFailure> failures;
-  /// Warnings: refused commands of threads, findings of the supervisor, writes of the host and
-  /// events of the world after the end of the run; from RunWithRequirements() also requirements
-  /// that no state put to the test (vacuity.h).
+  /// Warnings: refused commands of threads, findings of the supervisor, writes of the host after
+  /// the end of the run, events of the world after an end that was intended; from
+  /// RunWithRequirements() also requirements that no state put to the test (vacuity.h).
   std::vector<Message> warnings;
   std::optional<vm::Schedule> schedule;
   std::optional<Trace> trace;

@@ -12,6 +12,7 @@ using ::testing::StartsWith;
 
 constexpr const char* kCount = "int n;\nint f(int k)\n{\n  n = n + k;\n  return n;\n}\n";
 constexpr const char* kSpin = "int n;\nint f()\n{\nlbl:\n  n = n + 1;\n  goto lbl;\n}\n";
+constexpr const char* kWait = "int go;\nint f()\n{\n  GT_WaitForVarEq(&go, 1);\n  return 1;\n}\n";
 
 /// The first line of the error.
 std::string ErrorOf(const std::string& program, const std::string& scenario) {
@@ -165,6 +166,22 @@ TEST(RunScenario, SaysThatTheHostCameTooLate) {
             "longer");
 }
 
+TEST(RunScenario, NamesLateEventsOnlyWhereUntilMsMakesItLastLonger) {
+  const std::string late = "[[world.input]]\nvalue = 1\nat_ms = 100\n";
+  const ScenarioResult quiet = RunForTest(kCount, late);
+  ASSERT_EQ(quiet.warnings.size(), 1u);
+  EXPECT_EQ(quiet.warnings[0].en,
+            "the run ended at 0.25 ms, before [[world.input]] at 100 ms: 'until_ms' makes it last "
+            "longer");
+  EXPECT_EQ(RunForTest(kSpin, "until_ms = 5\n" + late).warnings.size(), 1u);
+  const ScenarioResult limited = RunForTest(kSpin, "limit_ms = 5\n" + late);
+  EXPECT_EQ(limited.end, RunEnd::kTimeLimit);
+  EXPECT_TRUE(limited.warnings.empty());
+  const ScenarioResult stuck = RunForTest(kWait, late);
+  EXPECT_EQ(stuck.end, RunEnd::kDeadlock);
+  EXPECT_TRUE(stuck.warnings.empty());
+}
+
 TEST(RunScenario, StopsOnRequestAndKeepsItsResults) {
   const std::atomic<bool> stop = true;
   RunOptions options;
@@ -217,8 +234,7 @@ TEST(RunScenario, DescribesFaultsWithTheirValues) {
 }
 
 TEST(RunScenario, NoticesADeadlock) {
-  const ScenarioResult result =
-      RunForTest("int go;\nint f()\n{\n  GT_WaitForVarEq(&go, 1);\n  return 1;\n}\n", "");
+  const ScenarioResult result = RunForTest(kWait, "");
   EXPECT_EQ(result.end, RunEnd::kDeadlock);
   EXPECT_FALSE(result.passed());
   EXPECT_THAT(result.threads[0].status.en, StartsWith("waiting at p.c:"));
