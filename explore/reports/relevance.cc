@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <set>
 #include <string>
+#include <utility>
 
+#include "runtime/observe/quantity.h"
 #include "runtime/scenario/expectation.h"
 
 namespace oncard::explore {
@@ -16,8 +18,9 @@ using runtime::SlotValue;
 /// Follows a run backward from its failure.
 class BackwardSlice {
  public:
-  BackwardSlice(const Subject& subject, const std::vector<TrailStep>& steps)
-      : subject_(subject), steps_(steps), matters_(steps.size(), false) {}
+  BackwardSlice(const Subject& subject, const runtime::Controller& controller,
+                const std::vector<TrailStep>& steps)
+      : subject_(subject), controller_(controller), steps_(steps), matters_(steps.size(), false) {}
 
   std::vector<bool> Of(const Failure& failure) {
     switch (failure.fault.kind) {
@@ -42,35 +45,27 @@ class BackwardSlice {
   void BeginWith(const std::string& text) {
     auto expectation = runtime::ParseExpectation(text);
     if (!expectation.ok()) return;
-    for (const runtime::Condition::Name& name : expectation.value().condition.names()) Need(name);
+    const auto bound =
+        runtime::CardCondition::Bind(std::move(expectation.value().condition), controller_);
+    if (!bound.ok()) return;
+    for (const runtime::Quantity& quantity : bound.value().quantities()) Need(quantity);
   }
 
-  /// What a name of the requirement depends on.
-  void Need(const runtime::Condition::Name& name) {
-    const vm::Symbol* global = vm::FindGlobal(*subject_.image, name.base);
-    if (global != nullptr) {
-      needed_.insert(global->id + name.index.value_or(0));
+  /// What a value that the requirement names depends on.
+  void Need(const runtime::Quantity& quantity) {
+    if (quantity.kind == runtime::QuantityKind::kVariable) {
+      needed_.insert(KeyOf(quantity.slot));
       return;
     }
+    if (!runtime::IsOfProgram(quantity.kind)) {
+      card_ = true;
+      return;
+    }
+    // The error of a thread can be what a command has returned.
+    card_ = card_ || quantity.kind == runtime::QuantityKind::kThreadError;
     for (size_t i = 0; i < subject_.threads.size(); ++i) {
-      const ThreadSetup& setup = subject_.threads[i];
-      const std::string number = std::to_string(setup.thread);
-      if (name.base == "ret" + number || name.base == "thread" + number + ".result") {
-        return BeginWithLastStepOf(static_cast<int>(i));
-      }
-      const std::string page = "page" + std::to_string(setup.page) + '.';
-      if (!name.base.starts_with(page)) continue;
-      const vm::Symbol* local =
-          vm::FindLocal(*subject_.image, setup.function, name.base.substr(page.size()));
-      if (local == nullptr) continue;
-      vm::SlotAddress slot;
-      slot.global = false;
-      slot.page = static_cast<uint8_t>(setup.page);
-      slot.id = static_cast<uint16_t>(local->id + name.index.value_or(0));
-      needed_.insert(KeyOf(slot));
-      return;
+      if (subject_.threads[i].thread == quantity.thread) BeginWithLastStepOf(static_cast<int>(i));
     }
-    card_ = true;
   }
 
   void BeginWithLastStepOf(int thread) {
@@ -98,6 +93,7 @@ class BackwardSlice {
   }
 
   const Subject& subject_;
+  const runtime::Controller& controller_;
   const std::vector<TrailStep>& steps_;
   std::vector<bool> matters_;
   std::set<int> needed_;   ///< slots whose present values matter
@@ -108,8 +104,9 @@ class BackwardSlice {
 }  // namespace
 
 std::vector<bool> StepsThatMatter(const Subject& subject, const Failure& failure,
+                                  const runtime::Controller& controller,
                                   const std::vector<TrailStep>& steps) {
-  return BackwardSlice(subject, steps).Of(failure);
+  return BackwardSlice(subject, controller, steps).Of(failure);
 }
 
 }  // namespace oncard::explore

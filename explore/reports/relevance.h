@@ -12,9 +12,11 @@
 
 namespace oncard::explore {
 
-/// For every step of a trail. If the requirement names the card, every GT command contributes; if
-/// the failure is not that of a requirement or of a thread, every step does.
+/// For every step of a trail that has led the controller to where it is. If the requirement names
+/// the card or the error of a thread, every GT command contributes; if the failure is not that of a
+/// requirement or of a thread, every step does.
 std::vector<bool> StepsThatMatter(const Subject& subject, const Failure& failure,
+                                  const runtime::Controller& controller,
                                   const std::vector<TrailStep>& steps);
 
 }  // namespace oncard::explore

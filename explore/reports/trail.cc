@@ -282,7 +282,7 @@ Trail Follow(const Problem& problem, const Failure& failure) {
     }
   };
   follow(failure.steps, &trail.steps);
-  trail.matters = StepsThatMatter(subject, failure, trail.steps);
+  trail.matters = StepsThatMatter(subject, failure, *controller, trail.steps);
   trail.pair =
       PairOf(touches, trail.matters, failure.last_escape, problem.sync, subject.image->object);
   if (!failure.livelock) trail.actual = DescribeActual(subject, failure, *controller);
@@ -322,7 +322,7 @@ Trail Follow(CardModel* model, const Failure& failure) {
     host.AddTo(&trail.host, trail.steps.size());
   }
   const Subject subject = SubjectOf(*model);
-  trail.matters = StepsThatMatter(subject, failure, trail.steps);
+  trail.matters = StepsThatMatter(subject, failure, model->controller(), trail.steps);
   trail.pair = PairOf(touches, trail.matters, failure.last_escape - trail.skipped, {},
                       subject.image->object);
   trail.actual = DescribeActual(subject, failure, model->controller());

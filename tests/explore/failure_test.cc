@@ -123,6 +123,26 @@ TEST(FailureTest, AReadBeforeTheWrite) {
               HasSubstr("thread 0 read ready = 0 at step 1, before thread 1 wrote ready = 1"));
 }
 
+TEST(FailureTest, TheStateOfAThreadIsTheWorkOfItsStatements) {
+  const Findings findings = FindingsOf(
+      "int x;\nint t0() {\n  GT_AxisOn(1);\n  x = 1;\n}\n"
+      "int t1() {\n  int h;\n  h = x;\n  if (h) goto E;\n  h = 2;\nE:\n  return h;\n}\n",
+      "expect = [\"thread1.run == 1\"]\n", {});
+  const Trail& trail = findings.trail;
+  bool commanded = false;
+  size_t last = trail.steps.size();
+  for (size_t i = 0; i < trail.steps.size(); ++i) {
+    const TrailStep& step = trail.steps[i];
+    commanded = commanded || step.log.command;
+    EXPECT_FALSE(step.log.command && trail.matters[i]);
+    EXPECT_TRUE(!step.log.decides || trail.matters[i]);
+    if (step.thread == 1) last = i;
+  }
+  EXPECT_TRUE(commanded);
+  ASSERT_LT(last, trail.steps.size());
+  EXPECT_TRUE(trail.matters[last]);
+}
+
 struct ActualCase {
   const char* requirement;
   const char* actual;
