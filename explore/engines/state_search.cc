@@ -146,19 +146,14 @@ void Unmerge(const Problem& problem, Failure* failure) {
   failure->preemptions = CountPreemptions(&model, failure->steps);
 }
 
-/// The way on which the search found the first bad state.
-Failure FirstWayToBad(const StateGraph& graph) {
+/// The way on which the search found the first bad state; of merged statements, Unmerge() counts
+/// the preemptions.
+Failure FirstWayToBad(const Problem& problem, const StateSearch& search) {
   Failure failure;
-  failure.steps = graph.way_to_bad;
-  uint32_t state = 0;
-  for (size_t i = 0; i < failure.steps.size(); ++i) {
-    const uint8_t thread = failure.steps[i];
-    const bool leaves = i > 0 && failure.steps[i - 1] != thread;
-    if (leaves && graph.Next(state, failure.steps[i - 1]) != StateGraph::kNone) {
-      ++failure.preemptions;
-    }
-    state = graph.Next(state, thread);
-  }
+  failure.steps = search.graph.way_to_bad;
+  if (search.merged) return failure;
+  Model model = problem.model;
+  failure.preemptions = CountPreemptions(&model, failure.steps);
   return failure;
 }
 
@@ -245,7 +240,7 @@ std::optional<Failure> FailureIn(const Problem& problem, const StateSearch& sear
   };
   if (search.counts.bad_states > 0) {
     auto way = WayTo(graph, kBad, 0, hurried);
-    if (!way && IsTold(hurried)) way = FirstWayToBad(graph);
+    if (!way && IsTold(hurried)) way = FirstWayToBad(problem, search);
     if (auto bad = in_statements(std::move(way))) {
       bad->fault = FindFault(problem, walk_to_end(*bad));
       return bad;

@@ -95,6 +95,20 @@ TEST(TimeLimitTest, AHurriedAnalysisOfStatesShowsTheFirstWayToAFault) {
   EXPECT_FALSE(found.value().failure->fewest_preemptions);
 }
 
+TEST(TimeLimitTest, TheFirstWayToAFaultHasItsPreemptionsWhereStatesAreMissing) {
+  const Problem problem = ProblemOf(Increments(2, 2));
+  // The search ends in the first state that is bad: what else follows those before is not known.
+  StateSearch search;
+  for (uint32_t states = 1; search.counts.bad_states == 0; ++states) {
+    search = SearchStates(problem, {.states = states});
+  }
+  ASSERT_FALSE(search.counts.complete);
+  const auto failure = FailureIn(problem, search, &kTold);
+  ASSERT_TRUE(failure);
+  Model model = problem.model;
+  EXPECT_EQ(failure->preemptions, CountPreemptions(&model, failure->steps));
+}
+
 TEST(TimeLimitTest, AHurriedAnalysisOfStatesProvesNothing) {
   const Problem problem = ProblemOf(Peterson(false));
   const ExploreOptions options = {.engine = EngineKind::kStateful};
