@@ -17,6 +17,7 @@
 #include "tools/explore_options.h"
 #include "tools/explore_search.h"
 #include "tools/explore_subject.h"
+#include "tools/program_warnings.h"
 #include "tools/search_watch.h"
 #include "tools/terminal.h"
 #include "tools/unnamed_search.h"
@@ -110,22 +111,13 @@ int CheckSettings(const ExploreArguments& arguments, const Invocation& invocatio
 /// exit code for that.
 int ReportRefused(const ExploreArguments& arguments, const Invocation& invocation,
                   const ExploreSubject& subject, const explore::Findings& findings) {
-  const auto warn = [&](const Message& text) {
+  const std::vector<Message> warnings =
+      ProgramWarnings(findings, SilentOf(arguments.silent), runtime::ProgramPath(subject.scenario));
+  for (const Message& text : warnings) {
     PrintDiagnostics(invocation.Say(
         MakeMessage("oncard: warning: {0}\n", "oncard: 警告：{1}\n", text.en, text.zh)));
-  };
-  for (const runtime::RefusedCommand& refused : findings.refused) {
-    warn(runtime::DescribeRefusedPlace(refused, runtime::ProgramPath(subject.scenario)));
   }
-  const runtime::CardWarnings silent = SilentOf(arguments.silent);
-  bool found = false;
-  for (const runtime::CardFinding& finding : findings.card) {
-    if (silent.Has(finding.warning)) continue;
-    found = true;
-    warn(runtime::DescribeFindingPlace(finding, runtime::ProgramPath(subject.scenario)));
-  }
-  const bool any = found || !findings.refused.empty();
-  return arguments.strict_commands && any ? kExitFailed : kExitOk;
+  return arguments.strict_commands && !warnings.empty() ? kExitFailed : kExitOk;
 }
 
 /// Writes the requested output. Returns the exit code.

@@ -19,6 +19,7 @@
 #include "tools/commands.h"
 #include "tools/host_tests.h"
 #include "tools/isolation.h"
+#include "tools/program_warnings.h"
 #include "tools/run_report.h"
 #include "tools/search_watch.h"
 #include "tools/stop_signals.h"
@@ -171,14 +172,9 @@ void ExploreTest(const runtime::Scenario& scenario, const runtime::ProgramLoad& 
   }
   findings.value().source = source;
   auto& list = testing.arguments.strict_commands ? outcome->failures : outcome->warnings;
-  for (const runtime::RefusedCommand& refused : findings.value().refused) {
-    list.push_back(runtime::DescribeRefusedPlace(refused, runtime::ProgramPath(scenario)));
-  }
-  const runtime::CardWarnings silent = SilentOf(testing.arguments.silent);
-  for (const runtime::CardFinding& finding : findings.value().card) {
-    if (silent.Has(finding.warning)) continue;
-    list.push_back(runtime::DescribeFindingPlace(finding, runtime::ProgramPath(scenario)));
-  }
+  const std::vector<Message> warnings = ProgramWarnings(
+      findings.value(), SilentOf(testing.arguments.silent), runtime::ProgramPath(scenario));
+  list.insert(list.end(), warnings.begin(), warnings.end());
   const std::vector<Message>& untested = findings.value().untested;
   outcome->warnings.insert(outcome->warnings.end(), untested.begin(), untested.end());
   const explore::Verdict verdict = findings.value().exploration.verdict;
