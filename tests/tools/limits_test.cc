@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "base/files.h"
+#include "base/json_reader.h"
 #include "base/limits.h"
 #include "tests/tools/process.h"
 
@@ -48,6 +49,9 @@ INSTANTIATE_TEST_SUITE_P(
                     PageRow{"bytes of a schedule", kScheduleKind.bytes_max},
                     PageRow{"bytes of a search file", kSearchKind.bytes_max},
                     PageRow{"bytes of a request of a session", kRequestKind.bytes_max},
+                    PageRow{"keys of one object in a request of a session or in a line of a record "
+                            "of host calls",
+                            kJsonKeysMax},
                     PageRow{"bytes of a `.cfg`", kConfigKind.bytes_max},
                     PageRow{"bytes of `Gecat.eni`", kEniKind.bytes_max}));
 
