@@ -9,6 +9,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Every key of an object takes at least as much: `"":0` and a comma or brace.
+constexpr size_t kKeyBytesMin = 5;
+
 /// Counts the keys of each object without keeping anything; ends at the first one too many.
 class KeyCount : public nlohmann::json_sax<Json> {
  public:
@@ -43,7 +46,8 @@ class KeyCount : public nlohmann::json_sax<Json> {
 
 Json ReadJson(std::string_view text) {
   KeyCount count;
-  if (!Json::sax_parse(text, &count)) return Json(Json::value_t::discarded);
+  const bool counts = text.size() > kKeyBytesMin * kJsonKeysMax;
+  if (counts && !Json::sax_parse(text, &count)) return Json(Json::value_t::discarded);
   return Json::parse(text, nullptr, false);
 }
 

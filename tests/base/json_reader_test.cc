@@ -35,5 +35,12 @@ TEST(JsonReaderTest, LimitsTheKeysOfEachObject) {
   EXPECT_TRUE(ReadJson("[" + ObjectOf(kJsonKeysMax + 1, "{}") + "]").is_discarded());
 }
 
+TEST(JsonReaderTest, LimitsTheKeysOfTheShortestObject) {
+  std::string text = "{\"\":0";
+  for (size_t keys = 1; keys < kJsonKeysMax; ++keys) text += ",\"\":0";
+  EXPECT_TRUE(ReadJson(text + "}").is_object());
+  EXPECT_TRUE(ReadJson(text + ",\"\":0}").is_discarded());
+}
+
 }  // namespace
 }  // namespace oncard
