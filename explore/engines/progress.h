@@ -43,4 +43,9 @@ struct SearchProgress {
   }
 };
 
+/// SearchProgress::hurried, for IsTold().
+inline const std::atomic<bool>* HurriedOf(const SearchProgress* progress) {
+  return progress == nullptr ? nullptr : &progress->hurried;
+}
+
 }  // namespace oncard::explore

@@ -61,11 +61,6 @@ struct StateLimits {
   /// A further limit that another thread can lower, as long as no state is kBad; nullptr: none.
   const std::atomic<uint32_t>* most_while_good = nullptr;
   SearchProgress* progress = nullptr;
-
-  /// Set from another thread: what is computed from the states also ends soon.
-  const std::atomic<bool>* hurried() const {
-    return progress == nullptr ? nullptr : &progress->hurried;
-  }
 };
 
 /// Called once for each state, in the order of their numbers; returns its flags except kTerminal.

@@ -186,7 +186,9 @@ StateSearch SearchStates(const Problem& problem, const StateLimits& limits) {
     return (bad ? kBad : 0u) | HoldingFlags(problem, state);
   };
   search.graph = BuildStateGraph(&model, limits, judge, judged);
-  search.races = races.Finish(end_of, limits.hurried(), &search.graph);
+  // What is computed from the states also ends soon when it is told to.
+  const std::atomic<bool>* hurried = HurriedOf(limits.progress);
+  search.races = races.Finish(end_of, hurried, &search.graph);
   search.counts.states = search.graph.size();
   search.counts.transitions = search.graph.transitions;
   search.counts.final_globals = globals.size();
@@ -195,8 +197,8 @@ StateSearch SearchStates(const Problem& problem, const StateLimits& limits) {
   if (!search.counts.complete) return search;
 
   const std::vector<uint8_t> preemptions =
-      PreemptionsTo(search.graph, kPreemptionBounds - 1, limits.hurried());
-  if (IsTold(limits.hurried())) return search;
+      PreemptionsTo(search.graph, kPreemptionBounds - 1, hurried);
+  if (IsTold(hurried)) return search;
   std::vector<int> fewest(globals.size(), kPreemptionBounds);
   size_t terminal = 0;
   for (uint32_t state = 0; state < search.graph.size(); ++state) {

@@ -21,11 +21,6 @@ const std::atomic<bool>* StopOf(const ExploreOptions& options) {
   return options.progress == nullptr ? nullptr : &options.progress->stop;
 }
 
-/// SearchProgress::hurried.
-const std::atomic<bool>* HurriedOf(const ExploreOptions& options) {
-  return options.progress == nullptr ? nullptr : &options.progress->hurried;
-}
-
 /// Why a search is incomplete: it was stopped, or reached this limit.
 Message WhyIncomplete(const ExploreOptions& options, Message limit) {
   if (options.progress != nullptr && options.progress->stop) {
@@ -175,7 +170,7 @@ Exploration Conclude(const Problem& problem, const ExploreOptions& options, cons
   Exploration exploration;
   exploration.engine = engine;
   if (traces) exploration.traces = traces->Counts();
-  exploration.failure = FailureOf(problem, look, traces, states, HurriedOf(options));
+  exploration.failure = FailureOf(problem, look, traces, states, HurriedOf(options.progress));
   if (traces) exploration.ends = traces->ends.ends();
   if (states) {
     exploration.merged = states->merged;
@@ -185,7 +180,7 @@ Exploration Conclude(const Problem& problem, const ExploreOptions& options, cons
   }
   // What is not in a single state may have been missed in a hurry.
   const bool stated =
-      exploration.states && exploration.states->complete && !IsTold(HurriedOf(options));
+      exploration.states && exploration.states->complete && !IsTold(HurriedOf(options.progress));
   const bool complete = (traces && traces->complete()) || stated;
   if (exploration.failure) {
     exploration.verdict = Verdict::kFailed;
@@ -253,14 +248,16 @@ Result<Exploration> Explore(const Problem& problem, const ExploreOptions& option
   if (const auto sampling = SamplingOf(options)) {
     Exploration exploration = ConcludeSamples(options.engine, Sample(problem, *sampling));
     if (exploration.samples->bad > 0) {
-      exploration.failure = Shrink(problem, exploration.samples->failing, HurriedOf(options));
+      exploration.failure =
+          Shrink(problem, exploration.samples->failing, HurriedOf(options.progress));
     }
     return exploration;
   }
   if (options.engine == EngineKind::kBounded) {
     Exploration exploration = ConcludeBounded(SearchBounded(problem, BoundsOf(options)), options);
     if (exploration.bounded->bad) {
-      exploration.failure = Shrink(problem, exploration.bounded->failing, HurriedOf(options));
+      exploration.failure =
+          Shrink(problem, exploration.bounded->failing, HurriedOf(options.progress));
       exploration.failure->fewest_preemptions = problem.races == RaceRule::kAny;
     }
     return exploration;
@@ -335,14 +332,16 @@ Exploration SearchCard(CardModel* model, const ExploreOptions& options) {
   if (const auto sampling = SamplingOf(options)) {
     Exploration exploration = ConcludeSamples(options.engine, SampleCard(model, *sampling));
     if (exploration.samples->bad > 0) {
-      exploration.failure = ShrinkCard(model, exploration.samples->failing, HurriedOf(options));
+      exploration.failure =
+          ShrinkCard(model, exploration.samples->failing, HurriedOf(options.progress));
     }
     return exploration;
   }
   if (options.engine == EngineKind::kBounded) {
     Exploration exploration = ConcludeBounded(SearchCardBounded(model, BoundsOf(options)), options);
     if (exploration.bounded->bad) {
-      exploration.failure = ShrinkCard(model, exploration.bounded->failing, HurriedOf(options));
+      exploration.failure =
+          ShrinkCard(model, exploration.bounded->failing, HurriedOf(options.progress));
       exploration.failure->fewest_preemptions = true;
     }
     return exploration;
@@ -371,11 +370,13 @@ Exploration SearchCard(CardModel* model, const ExploreOptions& options) {
     for (const uint8_t thread : exploration.failure->steps) walk.Step(thread);
     exploration.failure->fault = walk.fault();
   } else if (look.found()) {
-    exploration.failure = look.failure ? std::move(look.failure)
-                                       : ShrinkCard(model, look.failing, HurriedOf(options));
+    exploration.failure = look.failure
+                              ? std::move(look.failure)
+                              : ShrinkCard(model, look.failing, HurriedOf(options.progress));
     exploration.failure->fewest_preemptions = look.fewest_preemptions;
   } else if (exploration.failure) {
-    exploration.failure = ShrinkCard(model, exploration.failure->steps, HurriedOf(options));
+    exploration.failure =
+        ShrinkCard(model, exploration.failure->steps, HurriedOf(options.progress));
   }
   if (exploration.failure) {
     exploration.verdict = Verdict::kFailed;

@@ -67,8 +67,7 @@ PairResult RunPair(const SearchPair& pair) {
   const auto state = [&] {
     result.states = pair.states(&stop, &most);
     const StateCounts& counts = result.states.counts;
-    const std::atomic<bool>* hurried = pair.progress == nullptr ? nullptr : &pair.progress->hurried;
-    const bool cyclic = counts.complete && IsCyclic(result.states.graph, hurried);
+    const bool cyclic = counts.complete && IsCyclic(result.states.graph, HurriedOf(pair.progress));
     {
       const std::lock_guard lock(mutex);
       endless = cyclic;
