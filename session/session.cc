@@ -21,8 +21,7 @@ Result<void> CheckThread(const Walk& walk) {
 /// Fails if a walk forward waits for a thread that executes nothing.
 Result<void> CheckThreadRuns(const Walk& walk, const vm::Machine& machine) {
   if (walk.goal != Goal::kStatement && walk.goal != Goal::kLine) return {};
-  const vm::ThreadState& thread = machine.thread(walk.thread);
-  if (thread.run == vm::ThreadRun::kRunning || thread.period_cycles != 0) return {};
+  if (vm::IsAwake(machine.thread(walk.thread))) return {};
   return MakeError(1, "thread {0} does not run", "线程 {0} 没有运行", walk.thread);
 }
 

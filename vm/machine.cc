@@ -20,11 +20,6 @@ namespace {
 bool IsThread(int thread) { return thread >= 0 && thread < kThreadCount; }
 uint32_t Bit(int thread) { return uint32_t{1} << thread; }
 
-// Running, or to be started again.
-bool IsAwake(const ThreadState& thread) {
-  return thread.run == ThreadRun::kRunning || thread.period_cycles > 0;
-}
-
 bool IsActive(const ThreadState& thread) {
   return IsAwake(thread) || thread.run == ThreadRun::kPaused;
 }

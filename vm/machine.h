@@ -72,6 +72,11 @@ struct ThreadState {
   int64_t executed_max = 0;  ///< largest `executed` of a completed periodic run
 };
 
+/// True for a thread that is running, or is to be started again.
+inline bool IsAwake(const ThreadState& thread) {
+  return thread.run == ThreadRun::kRunning || thread.period_cycles > 0;
+}
+
 /// The data pages. Few programs use more than a handful of the 32, so it records which ones have
 /// ever been accessed for writing: the others are all 0 and need not be copied.
 class DataPages {

@@ -408,9 +408,7 @@ void CardModel::NoteHorizon() {
   if (horizon_.at_ms || watches_card_) horizon_.axes |= runtime::MovingAxes(*controller_);
   const auto& threads = controller_->machine().state().threads;
   for (size_t number = 0; number < threads.size(); ++number) {
-    const ThreadState& thread = threads[number];
-    const bool runs = thread.run == vm::ThreadRun::kRunning || thread.period_cycles > 0;
-    if (runs) horizon_.threads |= 1u << number;
+    if (vm::IsAwake(threads[number])) horizon_.threads |= 1u << number;
   }
 }
 

@@ -119,8 +119,7 @@ void Controller::Load(std::shared_ptr<const vm::Image> image) {
 bool Controller::ProgramActs() const {
   return family().writes_variables(view()) ||
          std::ranges::any_of(machine_.state().threads, [](const vm::ThreadState& thread) {
-           return thread.started || thread.run == vm::ThreadRun::kRunning ||
-                  thread.period_cycles != 0;
+           return thread.started || vm::IsAwake(thread);
          });
 }
 

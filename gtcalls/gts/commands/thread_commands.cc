@@ -180,8 +180,7 @@ int16_t gts::GT_GetThread(Call& call) {
 }
 
 bool IsActive(const vm::ThreadState& thread) {
-  return thread.run == ThreadRun::kRunning || thread.run == ThreadRun::kPaused ||
-         thread.period_cycles > 0;
+  return vm::IsAwake(thread) || thread.run == ThreadRun::kPaused;
 }
 
 Message DescribeThread(int thread, const vm::ThreadState& state) {
