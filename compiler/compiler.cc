@@ -22,7 +22,8 @@ void ApplyWarningOptions(const Options& options, Reporter& reporter) {
 // So many errors of the card's language make it worth a look whether a program is structured C.
 constexpr std::ptrdiff_t kErrorsOfStructured = 6;
 
-bool IsError(const Diagnostic& diagnostic) { return diagnostic.severity == Severity::kError; }
+// A warning stays one if warnings are errors.
+bool IsError(const Diagnostic& diagnostic) { return diagnostic.info->severity == Severity::kError; }
 
 // Replaces the errors of a program that has none as structured C by one that says so.
 void RecognizeStructured(const std::string& text, const Options& options, const FileReader& reader,

@@ -167,6 +167,17 @@ TEST(Diagnostics, OfUnreadableFiles) {
   EXPECT_EQ(compilation.files[0].path(), "nowhere/at/all.c");
 }
 
+// Warnings that are errors are no sign of another language.
+TEST(Diagnostics, DoNotTakeAProgramWithWarningsForStructuredC) {
+  Options options;
+  options.warnings_are_errors = true;
+  const Compilation compilation = CompileString(
+      "int t0() {\n  int a, b, c, d, e, f;\n  a = 1;\n  b = 1;\n  c = 1;\n  d = 1;\n  e = 1;\n"
+      "  f = 1;\n  return 0;\n}\n",
+      options);
+  EXPECT_EQ(CodesOf(compilation), Codes(6, 137));
+}
+
 // A message names what it is about also if that has the length of a file.
 TEST(Diagnostics, QuoteTheBeginAndTheEndOfWhatIsLong) {
   const std::string name = "begin" + std::string(12'000, 'x') + "end";
