@@ -67,8 +67,12 @@ Compilation CompileText(const std::string& path, std::string text, const Options
     if (!options.recognize_structured) {
       return CompileCardText(path, std::move(text), options, reader);
     }
-    Compilation compilation = CompileCardText(path, text, options, reader);
+    // Errors that are not shown count as well.
+    Options all = options;
+    all.max_errors = 0;
+    Compilation compilation = CompileCardText(path, text, all, reader);
     RecognizeStructured(text, options, reader, &compilation);
+    LimitErrors(compilation.diagnostics, options.max_errors);
     return compilation;
   }
   Lowering lowering = LowerText(path, std::move(text), options, {}, reader);

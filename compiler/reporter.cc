@@ -96,6 +96,10 @@ void SortAndLimit(std::vector<Diagnostic>& diagnostics, const std::vector<uint32
   };
   std::stable_sort(diagnostics.begin(), diagnostics.end(),
                    [&key](const Diagnostic& a, const Diagnostic& b) { return key(a) < key(b); });
+  LimitErrors(diagnostics, max_errors);
+}
+
+void LimitErrors(std::vector<Diagnostic>& diagnostics, int max_errors) {
   if (max_errors <= 0) return;
   int errors = 0;
   for (size_t i = 0; i < diagnostics.size(); ++i) {

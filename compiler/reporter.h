@@ -60,8 +60,10 @@ void InsertAfter(Diagnostic& diagnostic, SourceRange range, std::string text);
 
 /// Sorts diagnostics, which come from the lexer, the parser and the checker in turn, by their
 /// places in the source, those of an included file at its #include: `inclusion` has for each file
-/// the offset in the program. After `max_errors` errors (0: no limit) a note counts the others.
+/// the offset in the program. Then limits their number.
 void SortAndLimit(std::vector<Diagnostic>& diagnostics, const std::vector<uint32_t>& inclusion,
                   int max_errors);
+/// Removes what follows after `max_errors` errors (0: no limit); a note counts the others.
+void LimitErrors(std::vector<Diagnostic>& diagnostics, int max_errors);
 
 }  // namespace oncard::compiler

@@ -178,6 +178,16 @@ TEST(Diagnostics, DoNotTakeAProgramWithWarningsForStructuredC) {
   EXPECT_EQ(CodesOf(compilation), Codes(6, 137));
 }
 
+TEST(Diagnostics, RecognizeStructuredCWhateverTheLimitOfErrors) {
+  const std::string text =
+      "int v;\nint t0() {\n  v++;\n  v++;\n  v++;\n  v++;\n  v++;\n  v++;\n  return v;\n}\n";
+  for (const int limit : {0, 1, 5, 6}) {
+    Options options;
+    options.max_errors = limit;
+    EXPECT_EQ(CodesOf(CompileString(text, options)), Codes{140}) << limit;
+  }
+}
+
 // A message names what it is about also if that has the length of a file.
 TEST(Diagnostics, QuoteTheBeginAndTheEndOfWhatIsLong) {
   const std::string name = "begin" + std::string(12'000, 'x') + "end";
