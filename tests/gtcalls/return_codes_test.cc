@@ -48,6 +48,30 @@ TEST(ReturnCodes, OfTheManualHaveAPage) {
   for (const int code : {2, 27, -2, 99, 2009}) EXPECT_FALSE(ReturnCodePage(code)) << code;
 }
 
+TEST(ReturnCodes, NameTheVariablesThatGtOpenReads) {
+  const std::optional<Message> page = ReturnCodePage(-6);
+  ASSERT_TRUE(page.has_value());
+  for (const char* what : {"ONCARD_CLOCK", "ONCARD_CARD", "ONCARD_MRAM"}) {
+    EXPECT_NE(page->en.find(what), std::string::npos) << what;
+    EXPECT_NE(page->zh.find(what), std::string::npos) << what;
+  }
+}
+
+TEST(ReturnCodes, SayWhyAProgramIsNotCompiled) {
+  const std::optional<Message> page = ReturnCodePage(1);
+  ASSERT_TRUE(page.has_value());
+  EXPECT_TRUE(page->en.ends_with(
+      "\n\n"
+      "GT_Compile\n"
+      "    the program has errors, or .bin and .ini cannot be written\n"
+      "    look at pMessage and pLineNo of TCompileInfo, or use 'oncard check'\n"));
+  EXPECT_TRUE(
+      page->zh.ends_with("\n\n"
+                         "GT_Compile\n"
+                         "    程序有错误，或无法写入 .bin 和 .ini\n"
+                         "    请查看 TCompileInfo 的 pMessage 和 pLineNo，或使用“oncard check”\n"));
+}
+
 TEST(ReturnCodes, HaveEachMeaningInBothLanguages) {
   const std::optional<Message> page = ReturnCodePage(2008);
   ASSERT_TRUE(page.has_value());
