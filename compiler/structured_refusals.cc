@@ -8,19 +8,18 @@
 
 #include "compiler/checker.h"
 #include "compiler/header_types.h"
+#include "compiler/parser.hh"
 #include "compiler/tree_walk.h"
 
 namespace oncard::compiler {
 namespace {
 
+using Kind = Parser::token;
 using EKind = Expression::Kind;
 using SKind = Statement::Kind;
 
 constexpr std::string_view kTypes =
     "void, bool, char, short, int, long, double, an enum, TTrapPrm, TJogPrm, TPid";
-constexpr std::string_view kStorage[] = {"static",     "const",        "extern",    "volatile",
-                                         "__volatile", "__volatile__", "auto",      "register",
-                                         "inline",     "__inline",     "__inline__"};
 
 bool IsIn(std::string_view word, std::initializer_list<std::string_view> words) {
   return std::find(words.begin(), words.end(), word) != words.end();
@@ -206,7 +205,8 @@ void Refusals::VisitSpecifiers(const Specifiers& specifiers, Use use) {
       reporter_.Report(Code::kReservedWord, word->range, text,
                        MakeMessage("leave it out", "请去掉它"));
     }
-    if (std::find(std::begin(kStorage), std::end(kStorage), text) != std::end(kStorage)) {
+    if (word->kind == Kind::kStatic || word->kind == Kind::kConst || word->kind == Kind::kExtern ||
+        word->kind == Kind::kQualifier) {
       const bool allowed =
           use == Use::kVariable || use == Use::kFunction || use == Use::kPointer ||
           IsIn(text, {"const", "volatile", "__volatile", "__volatile__", "register", "extern"});
