@@ -178,9 +178,11 @@ Result<Json> Rename(const Analysis& analysis, const ProgramFiles& program, Curso
   const Analysis renamed(program.path, text, program.options, reader);
   if (auto refused = RefuseOtherMeaning(analysis, renamed, name)) return *std::move(refused);
 
-  const auto before =
-      compiler::CompileText(program.path, program.text, program.options, program.reader);
-  const auto after = compiler::CompileText(program.path, text, program.options, reader);
+  // One error in place of all the others would hide those of the new name.
+  compiler::Options options = program.options;
+  options.recognize_structured = false;
+  const auto before = compiler::CompileText(program.path, program.text, options, program.reader);
+  const auto after = compiler::CompileText(program.path, text, options, reader);
   if (ErrorCount(after) > ErrorCount(before)) {
     const auto first =
         std::ranges::find_if(after.diagnostics, [&name](const compiler::Diagnostic& each) {

@@ -162,6 +162,14 @@ constexpr RenameCase kRenameCases[] = {
      "'b' would mean something else in line 4 of p.c: the name is taken; choose another one"},
     {"a rule of the compiler", "int a;\nint f()\n{\n  int b$0;\n  b = 1;\n}\n", "a",
      "the local 'a' has the name of a global variable; choose another name"},
+    {"a rule of the compiler in structured C that does not say so",
+     "int a;\nint c;\nvoid f()\n{\n  int b$0;\n  b = 1;\n  b++;\n  b++;\n  b++;\n  b++;\n  b++;\n"
+     "  b++;\n  c = b;\n}\n",
+     "a", "the local 'a' has the name of a global variable; choose another name"},
+    {"a word of structured C that does not say so",
+     "int a$0;\nvoid f()\n{\n  a++;\n  a++;\n  a++;\n  a++;\n  a++;\n  a++;\n}\n", "bool",
+     "int bool;\nvoid f()\n{\n  bool++;\n  bool++;\n  bool++;\n"
+     "  bool++;\n  bool++;\n  bool++;\n}\n"},
     {"a macro that is used with two meanings",
      "#define M (a)\nint f(int $0a)\n{\n  return M;\n}\nint g(int a)\n{\n  return M;\n}\n", "b",
      "'a' stands in a macro that is used where it means different things", kStructured},
