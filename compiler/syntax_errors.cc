@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 
+#include "compiler/header_types.h"
 #include "compiler/lexer.h"
 #include "compiler/parser_driver.h"
 
@@ -111,17 +112,22 @@ void ParserDriver::RemoveWord(Diagnostic& diagnostic) const {
   Replace(diagnostic, range, "");
 }
 
-// `typedef unsigned char byte;` as `#define byte unsigned char`, if the type is that simple.
+// `typedef unsigned char byte;` as `#define byte unsigned char`, if the type is that simple. The
+// names of C's header types are words of a type, too.
 void ParserDriver::DefineType(Diagnostic& diagnostic) const {
   size_t name = next_;
   std::string type;
-  for (; name < tokens_.size() && IsTypeWord(tokens_[name].kind); ++name) {
+  for (; name + 1 < tokens_.size() && tokens_[name + 1].kind != Kind::kSemicolon &&
+         IsTypeWord(tokens_[name].kind);
+       ++name) {
     if (!type.empty()) type += ' ';
     type += tokens_[name].text;
   }
   if (type.empty() || name + 1 >= tokens_.size()) return;
   const Token& end = tokens_[name + 1];
-  if (tokens_[name].kind != Kind::kName || end.kind != Kind::kSemicolon) return;
+  const bool is_name =
+      tokens_[name].kind == Kind::kName || !TypeForHeaderType(tokens_[name].text).empty();
+  if (!is_name || end.kind != Kind::kSemicolon) return;
   const bool in_one_file = tokens_[name].range.file == last_->range.file;
   const bool followed = name + 2 < tokens_.size() && !tokens_[name + 2].on_new_line;
   if (!in_one_file || !last_->on_new_line || followed) return;

@@ -137,12 +137,14 @@ TEST(StructuredFixIts, MakeWordsOfOtherCompilersThoseOfStructuredC) {
       {"void t0() { v = L'x' + u8'\\n'; }", "void t0() { v = 'x' + '\\n'; }"},
       {"int a;\ntypedef unsigned char byte;\nbyte b;",
        "int a;\n#define byte unsigned char\nbyte b;"},
+      {"typedef unsigned char uint8_t;\nint b;", "#define uint8_t unsigned char\nint b;"},
       {"int a __attribute__((aligned(4)));", "int a ;"},
       {"__extension__ int a;", " int a;"},
       // A directive needs its own line, and a macro is no array.
       {"int a; typedef int word;\nword b;", "int a; typedef int word;\nword b;"},
       {"typedef int word; word b;", "typedef int word; word b;"},
       {"typedef int row[3];\nrow b;", "typedef int row[3];\nrow b;"},
+      {"typedef unsigned int;\n", "typedef unsigned int;\n"},
       {"typedef struct { int x; } s;\n", "typedef struct { int x; } s;\n"},
   };
   for (const Row& row : rows) EXPECT_EQ(Corrected(row.text), row.tree) << row.text;
