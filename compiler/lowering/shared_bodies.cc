@@ -201,12 +201,12 @@ void Lowerer::ChooseShared(FunctionInfo& info) {
 // Those of bodies within a body are not its own.
 void Lowerer::CompareBodies() {
   std::unordered_map<int, SharedBody*> begins;
-  std::unordered_map<int, SharedBody*> ends;
+  std::unordered_set<int> ends;
   for (SharedBody& body : bodies_) {
     FunctionInfo& info = *body.function;
     info.as_jumps = info.as_copies = 0;
     begins.emplace(body.begin, &body);
-    ends.emplace(body.end, &body);
+    ends.insert(body.end);
   }
   std::vector<std::pair<SharedBody*, size_t>> open;  // with their own statements
   for (const Instruction& instruction : out_->code) {
