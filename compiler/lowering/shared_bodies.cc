@@ -29,7 +29,7 @@
 namespace oncard::compiler::lowering {
 namespace {
 
-// A call by a jump takes at least two statements, and two more to come back.
+// Copies that are not longer are not worth jumps.
 constexpr size_t kWorthSharing = 3;
 
 // What a call by a jump takes beside its arguments: two statements to come, two to come back.

@@ -11,6 +11,7 @@ struct RoleRow {
   MotionRole role;
 };
 
+// compiler/flow_warnings.cc names the first three, too.
 constexpr RoleRow kRoleRows[] = {
     {"GT_SetPos", MotionRole::kTarget},
     {"GT_SetVel", MotionRole::kVelocity},
