@@ -10,6 +10,7 @@
 
 #include "compiler/dialect.h"
 #include "compiler/literal.h"
+#include "compiler/text.h"
 #include "vm/fixed_point.h"
 
 namespace oncard::compiler::lowering {
@@ -178,10 +179,16 @@ class Printer {
     const size_t end = text.find_first_of("\r\n");
     std::string line(text.substr(0, end));
     line.erase(0, std::min(line.find_first_not_of(" \t"), line.size()));
-    // A backslash at the end would continue the comment.
-    while (!line.empty() && (line.back() == ' ' || line.back() == '\t' || line.back() == '\\')) {
-      line.pop_back();
+    // A backslash at the end, but not as half of a GBK character, would continue the comment.
+    const bool utf8 = IsUtf8(line);
+    size_t kept = 0;
+    for (size_t at = 0; at < line.size();) {
+      const std::string_view rest = std::string_view(line).substr(at);
+      const std::string_view character = rest.substr(0, CharacterLength(rest, utf8));
+      at += character.size();
+      if (character != " " && character != "\t" && character != "\\") kept = at;
     }
+    line.resize(kept);
     return end != std::string_view::npos && end > 0 &&
                    text.find_first_not_of(" \t\r\n", end) != std::string_view::npos
                ? line + " ..."

@@ -315,6 +315,15 @@ TEST(Lowering, OnlyCommentsForToolsStandBeforeAFunction) {
             "//@ races: none \\\n\nvoid t0() {\n}\n");
 }
 
+// The second byte of the first comment's last character is that of a backslash, in GBK (0xD45C).
+TEST(Lowering, LinesOfCEndWithoutABackslashButNotWithHalfACharacter) {
+  const Lowering lowering =
+      Lower("int a, b;\nvoid t0() {\n  a = 1; // \xD4\\\n  b = 2; /* \\ \\\n */\n}\n");
+  ASSERT_TRUE(lowering.text.has_value());
+  EXPECT_THAT(*lowering.text, HasSubstr("  // 3: a = 1; // \xD4\\\n"));
+  EXPECT_THAT(*lowering.text, HasSubstr("  // 4: b = 2; /*\n"));
+}
+
 // The static local gets another name because of the local of t0; that does not rename locals of t1.
 TEST(Lowering, LocalsKeepTheirNamesBesideStatics) {
   const Lowering lowering = Lower(
