@@ -270,8 +270,10 @@ class ScenarioRunner {
     ReportFindings();
     if (!result_.interrupted) JudgeEnd();
     if (came_to_cut_ && result_.interrupted) ReportCut();
-    WarnOfMissedWrites();
-    WarnOfLateEvents();
+    if (!result_.interrupted && InOrder()) {
+      WarnOfMissedWrites();
+      WarnOfLateEvents();
+    }
     for (size_t i = 0; i < shown_.size(); ++i) {
       ShownValue value;
       value.name = shown_[i];
@@ -335,7 +337,6 @@ class ScenarioRunner {
   }
 
   void WarnOfLateEvents() {
-    if (result_.interrupted || !InOrder()) return;
     const int64_t end_us = controller_.cycle() * scenario_.cycle_us;
     for (Message& late : DescribeLateEvents(scenario_.world, end_us, false)) {
       result_.warnings.push_back(std::move(late));

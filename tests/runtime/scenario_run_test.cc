@@ -182,6 +182,13 @@ TEST(RunScenario, NamesLateEventsOnlyWhereUntilMsMakesItLastLonger) {
   EXPECT_TRUE(stuck.warnings.empty());
 }
 
+TEST(RunScenario, NamesNoMissedWriteAfterTheTimeLimit) {
+  const ScenarioResult limited =
+      RunForTest(kSpin, "limit_ms = 5\n[[host]]\nat_ms = 10\nset = { n = 1 }\n");
+  EXPECT_EQ(limited.end, RunEnd::kTimeLimit);
+  EXPECT_TRUE(limited.warnings.empty());
+}
+
 TEST(RunScenario, StopsOnRequestAndKeepsItsResults) {
   const std::atomic<bool> stop = true;
   RunOptions options;
