@@ -18,6 +18,7 @@ namespace oncard::runtime {
 /// What a thread is doing, for the signals that interrupt it. Never allocated in a handler.
 struct CallState {
   volatile std::sig_atomic_t depth = 0;  ///< open scopes
+  volatile std::sig_atomic_t waits = 0;  ///< with a deadline, outside of scopes (virtual_time.h)
   volatile uint64_t held = 0;            ///< bit n: signal n + 1 waits
   /// A futex on which the thread sleeps, if a signal shall wake it.
   std::atomic<int>* volatile asleep_on = nullptr;

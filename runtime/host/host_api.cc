@@ -14,6 +14,7 @@
 #include "runtime/host/host_card.h"
 #include "runtime/host/host_refusals.h"
 #include "runtime/host/host_services.h"
+#include "runtime/host/virtual_time.h"
 
 namespace oncard::runtime {
 namespace {
@@ -108,6 +109,8 @@ int16_t CallCard(int card, uint16_t number, std::span<const HostArgument> argume
   const gtcalls::Command& command = *family.catalogue.Find(number);
   const CallScope scope;
   if (CallScope::Interrupts()) return RefuseInterruption(command);
+  // A thread that has the card may wait for the wait that this handler has interrupted.
+  if (call_state.waits != 0) VirtualTime::OfProcess().LetOthersPass();
   const std::lock_guard lock(slot.mutex);
   const int16_t code = CallLockedCard(family, index, slot, command, arguments);
   if (card == kSelectedCard) HintAtCardNumber(command, arguments, code);

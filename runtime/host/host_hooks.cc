@@ -12,6 +12,7 @@
 #include "runtime/host/host_time.h"
 #include "runtime/host/virtual_time.h"
 
+using oncard::runtime::call_state;
 using oncard::runtime::CallScope;
 using oncard::runtime::VirtualTime;
 
@@ -46,6 +47,7 @@ ONCARD_EXPORT void oncard_host_wait_begin(long long deadline_ns, oncard_host_wai
     *wait = {deadline_ns, kNoWait};
     return;
   }
+  call_state.waits = call_state.waits + 1;
   const VirtualTime::Wait begun = VirtualTime::OfProcess().BeginWait(deadline_ns);
   *wait = {begun.deadline_ns, begun.number};
 }
@@ -60,6 +62,7 @@ ONCARD_EXPORT void oncard_host_wait_end(const oncard_host_wait* wait, int expire
   const CallScope scope;
   if (wait->number == kNoWait) return;
   VirtualTime::OfProcess().EndWait({wait->deadline_ns, wait->number}, expired != 0);
+  call_state.waits = call_state.waits - 1;
 }
 
 ONCARD_EXPORT int oncard_host_kbhit() {

@@ -109,7 +109,7 @@ bool VirtualTime::IsPassingSomeone(int64_t now, ThreadId own) const {
   if (going_ > 0) return true;
   for (const Sleeper& sleeper : sleepers_) {
     if (sleeper.deadline_ns > now) return false;
-    if (sleeper.thread != own) return true;
+    if (sleeper.thread != own && !sleeper.interrupted) return true;
   }
   return false;
 }
@@ -210,6 +210,8 @@ VirtualTime::Wait VirtualTime::BeginWait(int64_t deadline_ns) {
 
 int64_t VirtualTime::NextSliceNs(const Wait& wait) {
   std::unique_lock lock(mutex_);
+  const auto own = sleepers_.find({wait.deadline_ns, wait.number});
+  if (own != sleepers_.end()) own->interrupted = false;
   if (now_ns_ >= wait.deadline_ns) return 0;
   if (sleepers_.begin()->number != wait.number) return kOtherSliceNs;
   return IsAlone(&lock) || now_ns_ >= wait.deadline_ns ? 0 : kFirstSliceNs;
@@ -220,6 +222,15 @@ void VirtualTime::EndWait(const Wait& wait, bool expired) {
   if (expired) AdvanceTo(wait.deadline_ns);
   Remove(wait.deadline_ns, wait.number);
   WakeDue();
+}
+
+void VirtualTime::LetOthersPass() {
+  const ThreadId own = CallingThread();
+  const std::lock_guard lock(mutex_);
+  for (const Sleeper& sleeper : sleepers_) {
+    if (sleeper.thread == own) sleeper.interrupted = true;
+  }
+  TellPassing();
 }
 
 // --- The helper ----------------------------------------------------------------------------------

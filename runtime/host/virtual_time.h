@@ -23,6 +23,9 @@
 //   const bool came = it came by now;  // a last look, without waiting
 //   time.EndWait(wait, !came);
 //
+// Between two checks a handler of a signal may run, for which the wait cannot end. It lets time
+// pass the deadline before it waits for another thread (LetOthersPass).
+//
 // A host with one thread therefore sees exactly the same times in every run. With several threads,
 // times are the same as long as only one of them runs at a time; threads that run in parallel can
 // race as usual.
@@ -87,6 +90,9 @@ class VirtualTime {
   int64_t NextSliceNs(const Wait& wait);
   /// Ends the wait; if it `expired`, time is now at least its deadline.
   void EndWait(const Wait& wait, bool expired);
+  /// To be called in a handler of a signal that has interrupted waits of the calling thread: time
+  /// may pass the deadline of each until its next check.
+  void LetOthersPass();
 
   /// Around fork(), for the process's own: the child continues with only the thread that forked,
   /// and no other thread waits.
@@ -106,7 +112,8 @@ class VirtualTime {
     int64_t deadline_ns;
     int64_t number;
     ThreadId thread = 0;
-    Bed* bed = nullptr;  ///< null: a wait in slices
+    Bed* bed = nullptr;                ///< null: a wait in slices
+    mutable bool interrupted = false;  ///< a handler runs during the wait
     bool operator<(const Sleeper& other) const {
       return std::tie(deadline_ns, number) < std::tie(other.deadline_ns, other.number);
     }
@@ -125,7 +132,8 @@ class VirtualTime {
   bool WakeDue();
   /// True if every other thread waits, and kept waiting during the check. Unlocks in between.
   bool IsAlone(std::unique_lock<std::mutex>* lock);
-  /// True while sleepers whose moment has come have not gone on; waits of `own` do not count.
+  /// True while sleepers whose moment has come have not gone on; waits of `own` and those that a
+  /// handler has interrupted do not count.
   bool IsPassingSomeone(int64_t now, ThreadId own) const;
   /// Tells threads in Pass() that a sleeper has gone.
   void TellPassing();

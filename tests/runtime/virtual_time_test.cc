@@ -120,6 +120,40 @@ TEST(VirtualTimeTest, AWaitGoesOnWhileAThreadWorksOrAnotherDeadlineIsEarlier) {
   time.EndWait(late, true);
 }
 
+// Its thread cannot end the wait before the handler has returned.
+TEST(VirtualTimeTest, PassesAWaitThatAHandlerHasInterrupted) {
+  VirtualTime time([](auto, auto) { return false; });
+  const VirtualTime::Wait wait = time.BeginWait(10 * kMs);
+  std::atomic<bool> passed = false;
+  std::thread other([&] {
+    time.Pass(20 * kMs);
+    passed = true;
+  });
+  while (time.NowNs() < 20 * kMs) std::this_thread::yield();
+  EXPECT_FALSE(passed);
+  time.LetOthersPass();
+  other.join();
+  EXPECT_EQ(time.NextSliceNs(wait), 0);
+  time.EndWait(wait, true);
+  EXPECT_EQ(time.NowNs(), 20 * kMs);
+}
+
+TEST(VirtualTimeTest, WaitsForAWaitThatGoesOnAfterAHandler) {
+  VirtualTime time([](auto, auto) { return false; });
+  const VirtualTime::Wait wait = time.BeginWait(10 * kMs);
+  time.LetOthersPass();
+  EXPECT_GT(time.NextSliceNs(wait), 0);
+  std::atomic<bool> passed = false;
+  std::thread other([&] {
+    time.Pass(20 * kMs);
+    passed = true;
+  });
+  while (time.NowNs() < 20 * kMs) std::this_thread::yield();
+  EXPECT_FALSE(passed);
+  time.EndWait(wait, true);
+  other.join();
+}
+
 TEST(VirtualTimeTest, EndsWithTheLastMomentInsteadOfOverflowing) {
   VirtualTime time([](auto, auto) { return true; });
   EXPECT_EQ(time.After(INT64_MAX), VirtualTime::kEndNs);

@@ -40,6 +40,12 @@ TEST_P(ExecHandlerTest, EndsTheHost) {
   }
 }
 
+// The other thread has the card, and waits until the interrupted wait is over.
+TEST_P(ExecHandlerTest, CallsACardThatAnotherThreadHas) {
+  const ProcessResult result = Interrupt(GetParam(), "wait", 30);
+  EXPECT_EQ(result.out, "30 handled, unexpected 0, none refused\n") << result.exit_code;
+}
+
 TEST_P(ExecHandlerTest, ReadsClocksAndSleeps) {
   const ProcessResult result = Interrupt(GetParam(), "clock", 300);
   EXPECT_EQ(result.out, "300 handled, unexpected 0, none refused\n") << result.exit_code;

@@ -2,6 +2,8 @@
    arguments are what the handler does, and how many signals arrive while the host makes calls:
 
      stop close exit    GT_Stop; also GT_Close; also GT_Close and exit(3) at the last signal
+     wait               GT_Stop and reads of the status, during waits with a deadline, which time
+                        passes meanwhile; another thread calls the card
      clock              all that POSIX allows in a handler and that depends on time
      direct             GT_Stop in a handler of which libgts does not know, as in a host that loads
                         libgts itself
@@ -30,9 +32,10 @@ typedef int (*SetAction)(int, const struct sigaction*, struct sigaction*);
 
 static const char* mode;
 static int wanted;
-static pthread_t host_thread;
+static pthread_t host_thread, caller;
 static volatile sig_atomic_t handled, unexpected, refused;
 static volatile int over;
+static int never[2]; /* a pipe into which nothing is written */
 static struct timespec latest;
 static sem_t done;
 
@@ -57,6 +60,13 @@ static void ReadClocks(void) {
   if (select(0, NULL, NULL, NULL, &at_once) != 0) unexpected = 5;
 }
 
+/* 2 ms; a wait takes 1 ms. */
+static void ReadStatus(void) {
+  long status;
+  int times;
+  for (times = 0; times < 40; ++times) Expect(GT_GetSts(1, &status, 1, NULL), 0);
+}
+
 static void OnSignal(int number) {
   (void)number;
   if (IsMode("sleep")) return;
@@ -64,6 +74,7 @@ static void OnSignal(int number) {
     ReadClocks();
   } else {
     Expect(GT_Stop(1, 0), IsMode("direct") ? 1 : 0);
+    if (IsMode("wait")) ReadStatus();
   }
   handled = handled + 1;
   if (IsMode("close")) {
@@ -112,6 +123,11 @@ static void Listen(void) {
   }
 }
 
+static void* CallToo(void* unused) {
+  while (!over) ReadStatus();
+  return unused;
+}
+
 /* Never waits, so that virtual time cannot go on to the end of a sleep. */
 static void* DisturbSleeps(void* unused) {
   while (!over) pthread_kill(host_thread, SIGINT);
@@ -147,12 +163,19 @@ int main(int argc, char** argv) {
   ACCEPTED(GT_Open(0, 1));
   ACCEPTED(GT_AxisOn(1));
   CHECK_EQ(pthread_create(&sender, NULL, IsMode("sleep") ? DisturbSleeps : SendSignals, NULL), 0);
+  if (IsMode("wait")) {
+    CHECK_EQ(pipe(never), 0);
+    CHECK_EQ(pthread_create(&caller, NULL, CallToo, NULL), 0);
+  }
   if (IsMode("sleep")) {
     Sleep();
     over = 1;
   }
   while (!over) {
-    if (IsMode("clock")) {
+    if (IsMode("wait")) {
+      struct pollfd nothing = {never[0], POLLIN, 0};
+      CHECK_EQ(poll(&nothing, 1, 1) <= 0, 1);
+    } else if (IsMode("clock")) {
       clock_gettime(CLOCK_MONOTONIC, &now);
       nanosleep(&shortly, NULL);
     } else if (GT_GetPrfPos(1, &position, 1, NULL) == -1) {
@@ -161,6 +184,7 @@ int main(int argc, char** argv) {
     }
   }
   pthread_join(sender, NULL);
+  if (IsMode("wait")) pthread_join(caller, NULL);
   printf("%d handled, unexpected %d, %s\n", (int)handled, (int)unexpected,
          refused > 0 ? "some refused" : "none refused");
   return 0;
