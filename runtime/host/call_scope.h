@@ -30,13 +30,17 @@ extern constinit thread_local CallState call_state ONCARD_CALL_STATE;
 /// While it exists signals of the thread wait. Its end is where they are handled.
 class CallScope {
  public:
-  CallScope() {
+  CallScope() { Begin(); }
+  CallScope(const CallScope&) = delete;
+  CallScope& operator=(const CallScope&) = delete;
+  ~CallScope() { End(); }
+
+  /// A scope that is no block of a function.
+  static void Begin() {
     call_state.depth = call_state.depth + 1;
     std::atomic_signal_fence(std::memory_order_seq_cst);
   }
-  CallScope(const CallScope&) = delete;
-  CallScope& operator=(const CallScope&) = delete;
-  ~CallScope() {
+  static void End() {
     std::atomic_signal_fence(std::memory_order_seq_cst);
     call_state.depth = call_state.depth - 1;
     if (call_state.depth == 0 && call_state.held != 0) Deliver();

@@ -85,8 +85,10 @@ __attribute__((destructor)) void JudgeHost() {
 }
 
 // A host may fork while another of its threads executes a command. The locks are taken before, so
-// that the child gets copies of the cards and of time in their state between two commands.
+// that the child gets copies of the cards and of time in their state between two commands. Signals
+// wait until they are free again.
 void LockEverything() {
+  CallScope::Begin();
   for (CardSlot& slot : CardTable::OfProcess().slots) slot.mutex.lock();
   VirtualTime::OfProcess().LockForFork();
 }
@@ -96,11 +98,13 @@ void UnlockCards() {
 void UnlockParent() {
   VirtualTime::OfProcess().UnlockAfterFork();
   UnlockCards();
+  CallScope::End();
 }
 void UnlockChild() {
   VirtualTime::OfProcess().BecomeChild();
   UnlockCards();
   oncard::runtime::LeaveJudgingToParent();
+  CallScope::End();
 }
 
 /// If `oncard exec` reads the host's output, it is line-buffered as on a terminal.

@@ -46,6 +46,12 @@ TEST_P(ExecHandlerTest, CallsACardThatAnotherThreadHas) {
   EXPECT_EQ(result.out, "30 handled, unexpected 0, none refused\n") << result.exit_code;
 }
 
+// All locks are taken for fork().
+TEST_P(ExecHandlerTest, StopsAnAxisWhileTheHostForks) {
+  const ProcessResult result = Interrupt(GetParam(), "fork", 300);
+  EXPECT_EQ(result.out, "300 handled, unexpected 0, none refused\n") << result.exit_code;
+}
+
 TEST_P(ExecHandlerTest, ReadsClocksAndSleeps) {
   const ProcessResult result = Interrupt(GetParam(), "clock", 300);
   EXPECT_EQ(result.out, "300 handled, unexpected 0, none refused\n") << result.exit_code;

@@ -4,6 +4,7 @@
      stop close exit    GT_Stop; also GT_Close; also GT_Close and exit(3) at the last signal
      wait               GT_Stop and reads of the status, during waits with a deadline, which time
                         passes meanwhile; another thread calls the card
+     fork               GT_Stop, while the host makes child processes
      clock              all that POSIX allows in a handler and that depends on time
      direct             GT_Stop in a handler of which libgts does not know, as in a host that loads
                         libgts itself
@@ -22,6 +23,7 @@
 #include <string.h>
 #include <sys/select.h>
 #include <sys/syscall.h>
+#include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -149,6 +151,14 @@ static void Sleep(void) {
   CHECK_EQ(errno, EINTR);
 }
 
+static void MakeChild(void) {
+  int status = -1;
+  const pid_t child = fork();
+  if (child == 0) _exit(0);
+  CHECK_EQ(waitpid(child, &status, 0), child);
+  CHECK_EQ(status, 0);
+}
+
 int main(int argc, char** argv) {
   pthread_t sender;
   double position = 0;
@@ -175,6 +185,8 @@ int main(int argc, char** argv) {
     if (IsMode("wait")) {
       struct pollfd nothing = {never[0], POLLIN, 0};
       CHECK_EQ(poll(&nothing, 1, 1) <= 0, 1);
+    } else if (IsMode("fork")) {
+      MakeChild();
     } else if (IsMode("clock")) {
       clock_gettime(CLOCK_MONOTONIC, &now);
       nanosleep(&shortly, NULL);
