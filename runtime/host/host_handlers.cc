@@ -128,6 +128,11 @@ Signal SetHandler(int number, Signal handler, int flags) {
   return ::sigaction(number, &wanted, &before) == 0 ? before.sa_handler : SIG_ERR;
 }
 
+/// In a child of fork() the thread that had locked the table does not exist.
+__attribute__((constructor)) void UnlockActionsInChildren() {
+  pthread_atfork(nullptr, nullptr, [] { changing.clear(); });
+}
+
 }  // namespace
 
 #define ONCARD_EXPORT extern "C" __attribute__((visibility("default")))

@@ -4,7 +4,8 @@
      stop close exit    GT_Stop; also GT_Close; also GT_Close and exit(3) at the last signal
      wait               GT_Stop and reads of the status, during waits with a deadline, which time
                         passes meanwhile; another thread calls the card
-     fork               GT_Stop, while the host makes child processes
+     fork               GT_Stop, while the host makes child processes and another thread sets
+                        handlers
      clock              all that POSIX allows in a handler and that depends on time
      direct             GT_Stop in a handler of which libgts does not know, as in a host that loads
                         libgts itself
@@ -34,7 +35,7 @@ typedef int (*SetAction)(int, const struct sigaction*, struct sigaction*);
 
 static const char* mode;
 static int wanted;
-static pthread_t host_thread, caller;
+static pthread_t host_thread, other;
 static volatile sig_atomic_t handled, unexpected, refused;
 static volatile int over;
 static int never[2]; /* a pipe into which nothing is written */
@@ -151,10 +152,19 @@ static void Sleep(void) {
   CHECK_EQ(errno, EINTR);
 }
 
+static void* SetHandlers(void* unused) {
+  while (!over) signal(SIGUSR1, SIG_IGN);
+  return unused;
+}
+
 static void MakeChild(void) {
   int status = -1;
   const pid_t child = fork();
-  if (child == 0) _exit(0);
+  if (child == 0) {
+    alarm(20);
+    signal(SIGUSR1, SIG_DFL);
+    _exit(0);
+  }
   CHECK_EQ(waitpid(child, &status, 0), child);
   CHECK_EQ(status, 0);
 }
@@ -175,8 +185,9 @@ int main(int argc, char** argv) {
   CHECK_EQ(pthread_create(&sender, NULL, IsMode("sleep") ? DisturbSleeps : SendSignals, NULL), 0);
   if (IsMode("wait")) {
     CHECK_EQ(pipe(never), 0);
-    CHECK_EQ(pthread_create(&caller, NULL, CallToo, NULL), 0);
+    CHECK_EQ(pthread_create(&other, NULL, CallToo, NULL), 0);
   }
+  if (IsMode("fork")) CHECK_EQ(pthread_create(&other, NULL, SetHandlers, NULL), 0);
   if (IsMode("sleep")) {
     Sleep();
     over = 1;
@@ -196,7 +207,7 @@ int main(int argc, char** argv) {
     }
   }
   pthread_join(sender, NULL);
-  if (IsMode("wait")) pthread_join(caller, NULL);
+  if (IsMode("wait") || IsMode("fork")) pthread_join(other, NULL);
   printf("%d handled, unexpected %d, %s\n", (int)handled, (int)unexpected,
          refused > 0 ? "some refused" : "none refused");
   return 0;
