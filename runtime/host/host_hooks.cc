@@ -34,9 +34,12 @@ ONCARD_EXPORT long long oncard_host_time_ns() {
 }
 
 ONCARD_EXPORT long long oncard_host_sleep_ns(long long duration_ns) {
-  const CallScope scope;
-  if (CallScope::Interrupts()) return 0;
+  {
+    const CallScope scope;
+    if (CallScope::Interrupts()) return 0;
+  }
   const long long left_ns = oncard::runtime::SleepHostNs(duration_ns);
+  const CallScope scope;
   oncard::runtime::LookForEndOfHost();
   return left_ns;
 }

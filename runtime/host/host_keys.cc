@@ -123,7 +123,6 @@ int HostKeys::ReadScripted() {
     left_ns = key.at_ns - LookAtHostTimeNs();
   }
   do {  // a signal may end a sleep
-    const CallScope scope;
     left_ns = SleepHostNs(left_ns);
   } while (left_ns > 0);
   return key.character;

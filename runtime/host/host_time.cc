@@ -4,6 +4,7 @@
 #include <string_view>
 #include <thread>
 
+#include "runtime/host/call_scope.h"
 #include "runtime/host/clock.h"
 #include "runtime/host/virtual_time.h"
 
@@ -31,12 +32,13 @@ int64_t HostTimeNs() {
 }
 
 int64_t SleepHostNs(int64_t duration_ns) {
-  if (duration_ns <= 0) {
-    LookAtHostTimeNs();
+  if (!HostTimeIsVirtual()) {
+    if (duration_ns > 0) std::this_thread::sleep_for(std::chrono::nanoseconds(duration_ns));
     return 0;
   }
-  if (!HostTimeIsVirtual()) {
-    std::this_thread::sleep_for(std::chrono::nanoseconds(duration_ns));
+  const CallScope scope;
+  if (duration_ns <= 0) {
+    LookAtHostTimeNs();
     return 0;
   }
   VirtualTime& time = VirtualTime::OfProcess();

@@ -15,7 +15,8 @@ int64_t LookAtHostTimeNs();
 /// The same without taking time; safe in a handler of a signal.
 int64_t HostTimeNs();
 /// Sleeps for this duration. Zero or less counts as reading the clock. Returns what is left of it
-/// if a signal ends the sleep, otherwise 0.
+/// if a signal ends the sleep, otherwise 0. To be called outside of a CallScope: with the wall
+/// clock handlers of signals run during the sleep, which then goes on.
 int64_t SleepHostNs(int64_t duration_ns);
 
 }  // namespace oncard::runtime

@@ -59,6 +59,9 @@ TEST_P(ExecHandlerTest, ReadsClocksAndSleeps) {
 
 TEST_P(ExecHandlerTest, EndsSleeps) { EXPECT_EQ(Interrupt(GetParam(), "sleep", 0).exit_code, 0); }
 
+// As Sleep() of compat/windows.h does; what is left of such a sleep is slept after the handler.
+TEST(ExecRealSleepTest, LetsHandlersRun) { EXPECT_EQ(Interrupt(false, "nap", 5).exit_code, 3); }
+
 TEST_P(ExecHandlerTest, IsRefusedWhereTheSignalCannotWait) {
   const ProcessResult result = Interrupt(GetParam(), "direct", 300);
   EXPECT_EQ(result.out, "300 handled, unexpected 0, some refused\n") << result.exit_code;

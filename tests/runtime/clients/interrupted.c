@@ -6,6 +6,7 @@
                         passes meanwhile; another thread calls the card
      fork               GT_Stop, while the host makes child processes and another thread sets
                         handlers
+     nap                as exit, but the host does nothing but sleep for ten minutes
      clock              all that POSIX allows in a handler and that depends on time
      direct             GT_Stop in a handler of which libgts does not know, as in a host that loads
                         libgts itself
@@ -30,6 +31,7 @@
 
 #include "check.h"
 #include "gts.h"
+#include "oncard_host.h"
 
 typedef int (*SetAction)(int, const struct sigaction*, struct sigaction*);
 
@@ -84,7 +86,7 @@ static void OnSignal(int number) {
     Expect(GT_Close(), 0); /* the host opens it again */
     return;
   }
-  if (IsMode("exit") && handled == wanted) {
+  if ((IsMode("exit") || IsMode("nap")) && handled == wanted) {
     Expect(GT_Close(), 0);
     exit(unexpected != 0 ? 4 : 3);
   }
@@ -198,6 +200,8 @@ int main(int argc, char** argv) {
       CHECK_EQ(poll(&nothing, 1, 1) <= 0, 1);
     } else if (IsMode("fork")) {
       MakeChild();
+    } else if (IsMode("nap")) {
+      oncard_host_sleep_ns(600000000000LL);
     } else if (IsMode("clock")) {
       clock_gettime(CLOCK_MONOTONIC, &now);
       nanosleep(&shortly, NULL);
