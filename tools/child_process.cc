@@ -49,7 +49,8 @@ void Keep(std::string_view more, std::string* output) {
   if (output->size() > kOutputKept) output->erase(0, output->size() - kOutputKept);
 }
 
-/// Reads the output until the program has ended; kills it at its limit.
+/// Reads the output until the program has ended; kills it at its limit. What it has left in the
+/// background may print up to the limit, too.
 ChildEnd ReadToEnd(const ChildProgram& program, pid_t process, int output) {
   ChildEnd end;
   const auto limit = ChildClock::now() + std::chrono::seconds(program.limit_s);
@@ -67,9 +68,11 @@ ChildEnd ReadToEnd(const ChildProgram& program, pid_t process, int output) {
     } else if (process == 0) {
       open = false;
     }
-    if (process != 0 && program.limit_s > 0 && ChildClock::now() >= limit) {
-      end.out_of_time = true;
-      ::kill(process, SIGKILL);
+    if (program.limit_s > 0 && ChildClock::now() >= limit) {
+      if (process != 0) {
+        end.out_of_time = true;
+        ::kill(process, SIGKILL);
+      }
       open = false;
     }
   }

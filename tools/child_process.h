@@ -1,4 +1,5 @@
-// Runs a program to its end and keeps what it prints. Tested by tests/tools/host_tests_test.cc.
+// Runs a program to its end and keeps what it prints. Tested by tests/tools/child_process_test.cc
+// and host_tests_test.cc.
 #pragma once
 
 #include <string>
