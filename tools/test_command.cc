@@ -251,9 +251,11 @@ void TestHost(runtime::Scenario scenario, const std::string& scratch, const Test
         {"no temporary folder can be made for it", "无法为其创建临时文件夹"});
     return;
   }
+  // Where a test has a limit, it is the only one: of two, either could be reached first.
+  const bool limited = testing.arguments.timeout_s || !testing.arguments.programs.empty();
   RunHostTest(scenario,
-              {testing.arguments.strict_commands, testing.arguments.silent,
-               testing.arguments.timeout_s.value_or(kTimeout), scratch},
+              {testing.arguments.strict_commands, testing.arguments.silent, limited ? 0 : kTimeout,
+               scratch},
               testing.invocation, outcome);
   if (!testing.signals.stopped()) return;
   outcome->interrupted = true;
