@@ -18,6 +18,7 @@
 #include "runtime/host/host_scenario.h"
 #include "tools/child_process.h"
 #include "tools/host_program.h"
+#include "tools/isolation.h"
 
 namespace oncard::tools {
 namespace {
@@ -72,11 +73,6 @@ Message WithOutput(Message failure, const std::string& output) {
   if (lines.empty()) return failure;
   return {failure.en + "; its output ends with:\n" + lines,
           failure.zh + "；其输出的末尾为：\n" + lines};
-}
-
-Message TookTooLong(int limit_s) {
-  return MakeMessage("it took longer than {0} s: --timeout sets the limit",
-                     "耗时超过 {0} 秒：可用 --timeout 设定上限", limit_s);
 }
 
 /// How a program ended that did not end with 0.

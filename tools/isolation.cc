@@ -215,9 +215,7 @@ class IsolatedRuns {
     if (child->told_to_stop) {
       outcome.failures.push_back({"interrupted", "被中断"});
     } else if (child->killed_at && Clock::now() >= *child->killed_at) {
-      outcome.failures.push_back(MakeMessage("it took longer than {0} s: --timeout sets the limit",
-                                             "耗时超过 {0} 秒：可用 --timeout 设定上限",
-                                             options_.timeout_s));
+      outcome.failures.push_back(TookTooLong(options_.timeout_s));
     } else {
       outcome.failures.push_back(DescribeEnd(status));
     }
@@ -232,6 +230,11 @@ class IsolatedRuns {
 };
 
 }  // namespace
+
+Message TookTooLong(int limit_s) {
+  return MakeMessage("it took longer than {0} s: --timeout sets the limit",
+                     "耗时超过 {0} 秒：可用 --timeout 设定上限", limit_s);
+}
 
 std::vector<TestOutcome> RunIsolated(const std::vector<IsolatedTest>& tests,
                                      const IsolationOptions& options,
