@@ -187,7 +187,6 @@ void CardWatch::Finish(Controller* controller) {
   const std::lock_guard lock(verdict.mutex);
   verdict.end_ms = std::max(verdict.end_ms, controller->NowMs());
   verdict.failures.insert(verdict.failures.end(), failures_.begin(), failures_.end());
-  verdict.warnings.insert(verdict.warnings.end(), warnings_.begin(), warnings_.end());
   verdict.held.insert(verdict.held.end(), held_.begin(), held_.end());
 }
 

@@ -70,7 +70,6 @@ class CardWatch {
   std::optional<RequirementWatch> requirements_;  ///< when the scenario has some
   ScenarioFit fit_;
   std::vector<Message> failures_;
-  std::vector<Message> warnings_;
   std::vector<Message> held_;      ///< requirements, and over what
   std::optional<int64_t> end_us_;  ///< of the card's time
   bool over_ = false;
