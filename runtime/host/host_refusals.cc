@@ -1,11 +1,11 @@
 #include "runtime/host/host_refusals.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <string_view>
 #include <utility>
+
+#include "runtime/host/host_scenario.h"
 
 namespace oncard::runtime {
 
@@ -62,18 +62,14 @@ HostRefusals::Refusal* HostRefusals::Find(const LoggedCall& call, std::vector<Re
 void HostRefusals::AddProgram(int card, const std::vector<RefusedCommand>& refused) {
   const std::lock_guard lock(mutex_);
   for (const RefusedCommand& command : refused) {
-    const Message text = DescribeRefusedCommand(command, {});
-    of_programs_.push_back(
-        {fmt::format("card {}: {}", card, text.en), fmt::format("卡 {}：{}", card, text.zh)});
+    of_programs_.push_back(OfCard(card, DescribeRefusedCommand(command, {})));
   }
 }
 
 void HostRefusals::AddFindings(int card, const std::vector<CardFinding>& findings) {
   const std::lock_guard lock(mutex_);
   for (const CardFinding& finding : findings) {
-    const Message text = DescribeFinding(finding, {});
-    of_programs_.push_back(
-        {fmt::format("card {}: {}", card, text.en), fmt::format("卡 {}：{}", card, text.zh)});
+    of_programs_.push_back(OfCard(card, DescribeFinding(finding, {})));
   }
 }
 
@@ -82,8 +78,7 @@ std::vector<Message> HostRefusals::Describe() {
   std::vector<Message> texts;
   for (const Refusal& refusal : list_) {
     const Message when = DescribeOccurrences(refusal.first_us, refusal.count);
-    texts.push_back({fmt::format("card {}: {}{}", refusal.card, refusal.call.en, when.en),
-                     fmt::format("卡 {}：{}{}", refusal.card, refusal.call.zh, when.zh)});
+    texts.push_back(OfCard(refusal.card, {refusal.call.en + when.en, refusal.call.zh + when.zh}));
   }
   texts.insert(texts.end(), of_programs_.begin(), of_programs_.end());
   return texts;
