@@ -245,8 +245,7 @@ void TestHost(runtime::Scenario scenario, const std::string& scratch, const Test
     return;
   }
   std::error_code error;
-  std::filesystem::create_directory(scratch, error);
-  if (testing.scratch.empty() || error) {
+  if (testing.scratch.empty() || !std::filesystem::create_directory(scratch, error)) {
     outcome->failures.push_back(
         {"no temporary folder can be made for it", "无法为其创建临时文件夹"});
     return;

@@ -169,6 +169,15 @@ TEST_F(HostTestsTest, IsEndedWithAllItHasStarted) {
             "it took longer than 1 s: --timeout sets the limit");
 }
 
+TEST_F(HostTestsTest, FailsWithoutATemporaryFolder) {
+  Write("a.toml", kSource);
+  EXPECT_EQ(Test({"t"}, {"TMPDIR=" + scratch_.path() + "/none"}).out,
+            "FAIL t/a.toml\n"
+            "     no temporary folder can be made for it\n"
+            "0 passed, 1 failed\n");
+  EXPECT_FALSE(std::filesystem::exists("/0")) << "the name of the test's folder in it";
+}
+
 TEST_F(HostTestsTest, OtherHostsTakeItsPlace) {
   Write("a.toml", kSource);
   scratch_.Write("t/b.host.toml", "expect = [\"axis1.prfPos == 100\"]\n");
