@@ -91,8 +91,10 @@ class ScratchFolder {
  public:
   ScratchFolder() {
     std::error_code error;
-    const auto folder = std::filesystem::temp_directory_path(error) / "oncard-test.XXXXXX";
-    path_ = folder.string();
+    auto folder = std::filesystem::temp_directory_path(error);
+    // The compiler and the host run in other folders.
+    if (!error) folder = std::filesystem::absolute(folder, error);
+    path_ = (folder / "oncard-test.XXXXXX").string();
     if (error || ::mkdtemp(path_.data()) == nullptr) path_.clear();
   }
   ~ScratchFolder() {

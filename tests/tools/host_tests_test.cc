@@ -169,6 +169,12 @@ TEST_F(HostTestsTest, IsEndedWithAllItHasStarted) {
             "it took longer than 1 s: --timeout sets the limit");
 }
 
+TEST_F(HostTestsTest, ItsTemporaryFolderMayBeRelative) {
+  Write("a.toml", kSource);
+  scratch_.Write("temporary/file", "");
+  EXPECT_EQ(Test({"t"}, {"TMPDIR=temporary"}).out, "ok   t/a.toml\n1 passed, 0 failed\n");
+}
+
 TEST_F(HostTestsTest, FailsWithoutATemporaryFolder) {
   Write("a.toml", kSource);
   EXPECT_EQ(Test({"t"}, {"TMPDIR=" + scratch_.path() + "/none"}).out,
