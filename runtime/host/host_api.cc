@@ -101,13 +101,13 @@ int16_t RefuseInterruption(const gtcalls::Command& command) {
 }  // namespace
 
 int16_t CallCard(int card, uint16_t number, std::span<const HostArgument> arguments) {
+  const CallScope scope;
   CardTable& table = CardTable::OfProcess();
   const int index = card == kSelectedCard ? table.selected.load() : card;
   if (index < 0 || index >= kCardCount) return vm::kBadParameter;
   CardSlot& slot = table.slots[static_cast<size_t>(index)];
   const gtcalls::Family& family = LibraryFamily();
   const gtcalls::Command& command = *family.catalogue.Find(number);
-  const CallScope scope;
   if (CallScope::Interrupts()) return RefuseInterruption(command);
   // A thread that has the card may wait for the wait that this handler has interrupted.
   if (call_state.waits != 0) VirtualTime::OfProcess().LetOthersPass();
