@@ -2,7 +2,7 @@
    library of `oncard exec` and for the headers of compat/. With ONCARD_CLOCK=virtual they use the
    virtual time of the process (virtual_time.h), otherwise the wall clock.
 
-   All may be called in a handler of a signal.
+   All but oncard_host_getch may be called in a handler of a signal.
 
    In C, so that both sides can include it and dlsym() finds the names.
    Tested by tests/tools/exec_command_test.cc. */
