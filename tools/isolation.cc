@@ -30,37 +30,27 @@ constexpr auto kTimeToEnd = std::chrono::seconds(2);
 
 // --- An outcome as text ----------------------------------------------------------------------
 
-nlohmann::ordered_json Pack(const std::vector<Message>& messages) {
-  nlohmann::ordered_json packed = nlohmann::ordered_json::array();
-  for (const Message& message : messages) packed.push_back({message.en, message.zh});
-  return packed;
-}
-
-std::vector<Message> Unpack(const nlohmann::ordered_json& packed) {
-  std::vector<Message> messages;
-  for (const nlohmann::ordered_json& message : packed)
-    messages.push_back({message.at(0), message.at(1)});
-  return messages;
-}
-
 std::string Pack(const TestOutcome& outcome) {
-  const nlohmann::ordered_json packed = {{"failures", Pack(outcome.failures)},
-                                         {"warnings", Pack(outcome.warnings)},
-                                         {"reasons", Pack({outcome.nothing, outcome.skipped})},
-                                         {"time_ms", outcome.time_ms},
-                                         {"search_ms", outcome.search_ms},
-                                         {"statements", outcome.statements},
-                                         {"interrupted", outcome.interrupted}};
+  const nlohmann::ordered_json packed = {
+      {"failures", JsonOfMessages(outcome.failures)},
+      {"warnings", JsonOfMessages(outcome.warnings)},
+      {"reasons", JsonOfMessages({outcome.nothing, outcome.skipped})},
+      {"time_ms", outcome.time_ms},
+      {"search_ms", outcome.search_ms},
+      {"statements", outcome.statements},
+      {"interrupted", outcome.interrupted}};
   return JsonText(packed);
 }
 
 /// False if the text is incomplete.
 bool Unpack(const std::string& text, TestOutcome* outcome) {
   const nlohmann::ordered_json packed = nlohmann::ordered_json::parse(text, nullptr, false);
-  if (!packed.is_object()) return false;
-  outcome->failures = Unpack(packed.at("failures"));
-  outcome->warnings = Unpack(packed.at("warnings"));
-  const std::vector<Message> reasons = Unpack(packed.at("reasons"));
+  std::vector<Message> reasons;
+  if (!packed.is_object() || !ReadMessages(packed.at("failures"), &outcome->failures) ||
+      !ReadMessages(packed.at("warnings"), &outcome->warnings) ||
+      !ReadMessages(packed.at("reasons"), &reasons)) {
+    return false;
+  }
   outcome->nothing = reasons.at(0);
   outcome->skipped = reasons.at(1);
   outcome->time_ms = packed.at("time_ms");

@@ -15,24 +15,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json Pack(const std::vector<Message>& messages) {
-  Json packed = Json::array();
-  for (const Message& message : messages) packed.push_back({message.en, message.zh});
-  return packed;
-}
-
-/// False if the member is no list of pairs of texts.
+/// False if the member is no list of messages.
 bool Unpack(const Json& object, const char* name, std::vector<Message>* messages) {
   const auto list = object.find(name);
-  if (list == object.end() || !list->is_array()) return false;
-  for (const Json& message : *list) {
-    if (!message.is_array() || message.size() != 2 || !message[0].is_string() ||
-        !message[1].is_string()) {
-      return false;
-    }
-    messages->push_back({message[0], message[1]});
-  }
-  return true;
+  return list != object.end() && ReadMessages(*list, messages);
 }
 
 bool Unpack(const Json& line, HostReport* report) {
@@ -48,9 +34,9 @@ bool AppendHostReport(const HostReport& report) {
   const char* const path = std::getenv("ONCARD_REPORT");
   if (path == nullptr || *path == '\0') return false;
   const Json json = {{"end_ms", report.end_ms},
-                     {"failures", Pack(report.failures)},
-                     {"warnings", Pack(report.warnings)},
-                     {"held", Pack(report.held)}};
+                     {"failures", JsonOfMessages(report.failures)},
+                     {"warnings", JsonOfMessages(report.warnings)},
+                     {"held", JsonOfMessages(report.held)}};
   const std::string line = JsonText(json) + '\n';
   const int file = ::open(path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (file < 0) return false;

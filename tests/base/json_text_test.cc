@@ -18,5 +18,23 @@ TEST(JsonText, EscapesControlCharacters) { EXPECT_EQ(JsonText({"\x1B\n"}), R"(["
 
 TEST(JsonText, IndentsWhenAsked) { EXPECT_EQ(JsonText({1, 2}, 2), "[\n  1,\n  2\n]"); }
 
+TEST(JsonText, ReadsMessagesThatItHasWritten) {
+  const std::vector<Message> written = {{"axis", "轴"}, {"", ""}};
+  EXPECT_EQ(JsonText(JsonOfMessages(written)), R"([["axis","轴"],["",""]])");
+  std::vector<Message> read;
+  ASSERT_TRUE(ReadMessages(JsonOfMessages(written), &read));
+  ASSERT_EQ(read.size(), 2u);
+  EXPECT_EQ(read[0].en, "axis");
+  EXPECT_EQ(read[0].zh, "轴");
+}
+
+TEST(JsonText, ReadsNothingElseAsMessages) {
+  for (const char* text : {"null", "{}", R"(["axis"])", R"([["axis"]])", R"([["axis", 1]])",
+                           R"([["axis", "轴", ""]])", R"([[null, "轴"]])"}) {
+    std::vector<Message> read;
+    EXPECT_FALSE(ReadMessages(nlohmann::ordered_json::parse(text), &read)) << text;
+  }
+}
+
 }  // namespace
 }  // namespace oncard
