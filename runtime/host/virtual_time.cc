@@ -42,8 +42,6 @@ void WakeAll(std::atomic<int>* word) {
   ::syscall(SYS_futex, word, FUTEX_WAKE_PRIVATE, INT_MAX, nullptr);
 }
 
-ThreadId CallingThread() { return static_cast<ThreadId>(::syscall(SYS_gettid)); }
-
 }  // namespace
 
 VirtualTime& VirtualTime::OfProcess() {

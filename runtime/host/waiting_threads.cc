@@ -28,8 +28,6 @@ constexpr size_t kOwnLinks = 2;
 /// Threads that do not belong to the host; 0: none.
 std::array<std::atomic<ThreadId>, 8> left_out{};
 
-ThreadId CallingThread() { return static_cast<ThreadId>(::syscall(SYS_gettid)); }
-
 bool IsIn(std::span<const ThreadId> threads, ThreadId id) {
   return std::find(threads.begin(), threads.end(), id) != threads.end();
 }
@@ -66,6 +64,8 @@ bool IsWaiting(std::string_view state) {
 }
 
 }  // namespace
+
+ThreadId CallingThread() { return static_cast<ThreadId>(::syscall(SYS_gettid)); }
 
 WaitingThreads& WaitingThreads::OfProcess() {
   // Never destroyed: other threads of the host may still sleep while the process exits.

@@ -26,6 +26,7 @@ namespace oncard::runtime {
 
 /// A thread, by its number in the operating system.
 using ThreadId = int;
+ThreadId CallingThread();
 
 class WaitingThreads {
  public:
