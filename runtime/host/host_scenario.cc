@@ -152,7 +152,7 @@ void CardWatch::BeginTrace(const Controller& controller) {
 }
 
 void CardWatch::WriteTrace(const Controller& controller) {
-  if (!trace_) return;
+  if (!trace_ || HostIsJudgedByParent()) return;
   trace_->Finish(controller);
   for (const std::string& file : trace_files_) {
     const auto text = TraceText(*trace_, file, TitleOf(*scenario_));

@@ -199,6 +199,17 @@ TEST(Exec, ATraceWithoutAScenarioSetsNoLimit) {
   EXPECT_THAT(scratch.Read("t.csv"), HasSubstr("\n62126"));
 }
 
+TEST(Exec, LeavesTheTraceToTheParentOfAChild) {
+  const ScratchFolder scratch;
+  const std::string trace = scratch.path() + "/t.csv";
+  EXPECT_EQ(Exec({"--trace", trace}, {Client("memory"), "close"}).exit_code, 0);
+  const std::string alone = scratch.Read("t.csv");
+  EXPECT_THAT(alone, StartsWith("time_ms"));
+  const ProcessResult result = Exec({"--trace", trace}, {Client("memory"), "late"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(scratch.Read("t.csv"), alone);
+}
+
 TEST(Exec, DrawsTheFirstCard) {
   if (!std::filesystem::exists("/usr/bin/gnuplot")) {
     GTEST_SKIP() << "gnuplot is not installed: apt-get install gnuplot-nox";

@@ -4,6 +4,7 @@
      leave   the host ends without doing so
      abort   it is killed before
      child   a child of fork() closes the card, its parent does not change it
+     late    a child closes the card, without a call before, after its parent has
      twice   the card is closed and opened again, then counted once more
      second  card 1 instead of 0 */
 #define GTS_MULTI_CARD
@@ -33,6 +34,24 @@ static void count(short card) {
   transfer(card, 1);
 }
 
+static int close_before_a_child(short card) {
+  int closed[2];
+  char none;
+  int status = -1;
+  CHECK_EQ(pipe(closed), 0);
+  if (fork() == 0) {
+    close(closed[1]);
+    CHECK_EQ(read(closed[0], &none, 1), 0);
+    ACCEPTED(GT_Close(card));
+    return 0;
+  }
+  count(card);
+  ACCEPTED(GT_Close(card));
+  close(closed[1]);
+  wait(&status);
+  return status;
+}
+
 int main(int argc, char** argv) {
   const char* end = argc > 1 ? argv[1] : "close";
   const short card = strcmp(end, "second") == 0 ? 1 : 0;
@@ -41,6 +60,7 @@ int main(int argc, char** argv) {
     printf("GT_Open = %d\n", code);
     return 3;
   }
+  if (strcmp(end, "late") == 0) return close_before_a_child(card);
   if (strcmp(end, "child") == 0) {
     pid_t child = fork();
     if (child != 0) {
