@@ -119,6 +119,7 @@ void VirtualTime::TellPassing() {
 // --- Sleepers ------------------------------------------------------------------------------------
 
 void VirtualTime::Add(const Sleeper& sleeper) {
+  MarkInterrupted(sleeper.thread);
   sleepers_.insert(sleeper);
   ++changes_;
   first_deadline_ns_ = sleepers_.begin()->deadline_ns;
@@ -129,6 +130,19 @@ void VirtualTime::Remove(int64_t deadline_ns, int64_t number) {
   ++changes_;
   first_deadline_ns_ = sleepers_.empty() ? INT64_MAX : sleepers_.begin()->deadline_ns;
   TellPassing();
+}
+
+// A thread that begins something during a wait is in a handler that has interrupted it.
+void VirtualTime::MarkInterrupted(ThreadId thread) {
+  for (const Sleeper& sleeper : sleepers_) {
+    if (sleeper.thread == thread) sleeper.interrupted = true;
+  }
+}
+
+const VirtualTime::Sleeper* VirtualTime::First() const {
+  const auto first = std::find_if(sleepers_.begin(), sleepers_.end(),
+                                  [](const Sleeper& sleeper) { return !sleeper.interrupted; });
+  return first == sleepers_.end() ? nullptr : &*first;
 }
 
 bool VirtualTime::WakeDue() {
@@ -167,8 +181,9 @@ bool VirtualTime::IsAlone(std::unique_lock<std::mutex>* lock) {
 
 bool VirtualTime::Jump(std::unique_lock<std::mutex>* lock) {
   if (WakeDue()) return true;
-  if (sleepers_.empty() || sleepers_.begin()->bed == nullptr || !IsAlone(lock)) return false;
-  AdvanceTo(sleepers_.begin()->deadline_ns);
+  const Sleeper* const first = First();
+  if (first == nullptr || first->bed == nullptr || !IsAlone(lock)) return false;
+  AdvanceTo(first->deadline_ns);
   return WakeDue();
 }
 
@@ -209,9 +224,14 @@ VirtualTime::Wait VirtualTime::BeginWait(int64_t deadline_ns) {
 int64_t VirtualTime::NextSliceNs(const Wait& wait) {
   std::unique_lock lock(mutex_);
   const auto own = sleepers_.find({wait.deadline_ns, wait.number});
-  if (own != sleepers_.end()) own->interrupted = false;
+  if (own != sleepers_.end()) {
+    own->interrupted = false;
+  } else {
+    // A handler has called fork(), and the child goes on with the wait.
+    Add({wait.deadline_ns, wait.number, CallingThread(), nullptr});
+  }
   if (now_ns_ >= wait.deadline_ns) return 0;
-  if (sleepers_.begin()->number != wait.number) return kOtherSliceNs;
+  if (First()->number != wait.number) return kOtherSliceNs;
   return IsAlone(&lock) || now_ns_ >= wait.deadline_ns ? 0 : kFirstSliceNs;
 }
 
@@ -223,11 +243,8 @@ void VirtualTime::EndWait(const Wait& wait, bool expired) {
 }
 
 void VirtualTime::LetOthersPass() {
-  const ThreadId own = CallingThread();
   const std::lock_guard lock(mutex_);
-  for (const Sleeper& sleeper : sleepers_) {
-    if (sleeper.thread == own) sleeper.interrupted = true;
-  }
+  MarkInterrupted(CallingThread());
   TellPassing();
 }
 

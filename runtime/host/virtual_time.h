@@ -124,6 +124,9 @@ class VirtualTime {
 
   void Add(const Sleeper& sleeper);
   void Remove(int64_t deadline_ns, int64_t number);
+  void MarkInterrupted(ThreadId thread);
+  /// The first whose thread does not do something else in a handler; nullptr if there is none.
+  const Sleeper* First() const;
   void AdvanceTo(int64_t ns);
   /// Lets time jump to the first sleeper and wakes those that are due, if every other thread waits;
   /// the first in slices finds that out itself. True if someone was woken. Unlocks in between.

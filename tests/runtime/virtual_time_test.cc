@@ -154,6 +154,29 @@ TEST(VirtualTimeTest, WaitsForAWaitThatGoesOnAfterAHandler) {
   other.join();
 }
 
+TEST(VirtualTimeTest, AHandlerMaySleepBeyondTheWaitThatItInterrupts) {
+  VirtualTime time([](auto, auto) { return true; });
+  const VirtualTime::Wait wait = time.BeginWait(10 * kMs);
+  EXPECT_EQ(time.SleepUntil(50 * kMs), 0);
+  EXPECT_EQ(time.NowNs(), 50 * kMs);
+  const VirtualTime::Wait of_handler = time.BeginWait(70 * kMs);
+  EXPECT_EQ(time.NextSliceNs(of_handler), 0);
+  time.EndWait(of_handler, true);
+  EXPECT_EQ(time.NextSliceNs(wait), 0) << "its deadline has passed";
+  time.EndWait(wait, true);
+  EXPECT_EQ(time.NowNs(), 70 * kMs);
+}
+
+TEST(VirtualTimeTest, AChildGoesOnWithTheWaitInWhichItWasForked) {
+  VirtualTime time([](auto, auto) { return true; });
+  const VirtualTime::Wait wait = time.BeginWait(10 * kMs);
+  time.LockForFork();
+  time.BecomeChild();
+  EXPECT_EQ(time.NextSliceNs(wait), 0);
+  time.EndWait(wait, true);
+  EXPECT_EQ(time.NowNs(), 10 * kMs);
+}
+
 TEST(VirtualTimeTest, EndsWithTheLastMomentInsteadOfOverflowing) {
   VirtualTime time([](auto, auto) { return true; });
   EXPECT_EQ(time.After(INT64_MAX), VirtualTime::kEndNs);
