@@ -92,6 +92,8 @@ __attribute__((destructor)) void JudgeHost() {
 // wait until they are free again.
 void LockEverything() {
   CallScope::Begin();
+  // A handler may fork, and a thread that has a card may wait for the wait that it has interrupted.
+  if (call_state.waits != 0) VirtualTime::OfProcess().LetOthersPass();
   for (CardSlot& slot : CardTable::OfProcess().slots) slot.mutex.lock();
   VirtualTime::OfProcess().LockForFork();
 }

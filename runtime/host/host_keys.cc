@@ -117,9 +117,12 @@ int HostKeys::ReadScripted() {
   int64_t left_ns = 0;
   {
     const CallScope scope;
-    const std::lock_guard lock(mutex_);
-    if (next_ == keys_.size()) return -1;
-    key = keys_[next_++];
+    {
+      const std::lock_guard lock(mutex_);
+      if (next_ == keys_.size()) return -1;
+      key = keys_[next_++];
+    }
+    // Without the lock: time may have to wait for a thread whose handler asks for keys.
     left_ns = key.at_ns - LookAtHostTimeNs();
   }
   do {  // a signal may end a sleep
