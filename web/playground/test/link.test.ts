@@ -1,6 +1,8 @@
-import { expect, test } from "vitest";
+import lzString from "lz-string";
+import { expect, test, vi } from "vitest";
 
 import { readLink, type Shared, writeLink } from "../src/share/link.js";
+import { packedRun } from "./packed_run.js";
 
 const shared: Shared = {
   lesson: "first-axis",
@@ -48,6 +50,22 @@ test.each([
   [`#p1=${"A".repeat(3_000_000)}`, { kind: "broken", mistakes: [] }],
 ])("the fragment %.20s", (fragment, read) => {
   expect(readLink(fragment)).toEqual(read);
+});
+
+test("a link that holds a gigabyte is not unpacked", () => {
+  const unpack = vi.spyOn(lzString, "decompressFromEncodedURIComponent");
+  const link = `#p1=${packedRun(45_000)}`;
+  expect(link.length).toBeLessThan(140_000);
+  expect(readLink(link)).toEqual({ kind: "broken", mistakes: [] });
+  expect(unpack).not.toHaveBeenCalled();
+  expect(readLink(writeLink(shared)).kind).toBe("shared");
+  expect(unpack).toHaveBeenCalledOnce();
+  unpack.mockRestore();
+});
+
+test("a link whose + became a space is read", () => {
+  const link = writeLink({ ...shared, files: { ...shared.files, "start.c": "int a+b; ?>~" } });
+  expect(readLink(link.replaceAll("+", " "))).toEqual(readLink(link));
 });
 
 test("a link that was cut off anywhere is said to be broken", () => {

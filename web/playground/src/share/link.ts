@@ -7,6 +7,7 @@ import type { Language } from "@oncard/engine";
 import lzString from "lz-string";
 
 import { type Files, isFiles } from "../store/shelf.js";
+import { unpackedLength } from "./unpacked_length.js";
 
 export interface Shared {
   /** The lesson that it belongs to; none: a program of its own. */
@@ -30,6 +31,8 @@ export type ReadLink =
 
 /** Longer fragments are not read; they could not hold a project either. */
 const longest = 2_000_000;
+/** Nor could longer texts: two times all files of a lesson, every character as `\u0000`. */
+const longestUnpacked = 16_000_000;
 
 export function writeLink(shared: Shared): string {
   return `#p1=${lzString.compressToEncodedURIComponent(JSON.stringify(shared))}`;
@@ -56,8 +59,11 @@ export function readLink(fragment: string): ReadLink {
 
 function unpack(text: string): unknown {
   if (text.length > longest) return undefined;
+  // Some programs turn a + of an address into a space.
+  const packed = text.replaceAll(" ", "+");
+  if (unpackedLength(packed, longestUnpacked) === undefined) return undefined;
   try {
-    return JSON.parse(lzString.decompressFromEncodedURIComponent(text));
+    return JSON.parse(lzString.decompressFromEncodedURIComponent(packed));
   } catch {
     return undefined;
   }
