@@ -52,6 +52,22 @@ Value Lowerer::LowerCall(const Expression& expression) {
   return LowerOwnCall(expression, *symbol->function);
 }
 
+// `data + 1` where a parameter is an array: there are no pointers, but an array may begin at an
+// element.
+bool Lowerer::RefuseArraySum(const Expression& argument) {
+  if (argument.kind != Expression::Kind::kBinary || argument.op != "+") return false;
+  const Expression* array = argument.operands[0].get();
+  const Expression* number = argument.operands[1].get();
+  if (!IsArray(*array)) std::swap(array, number);
+  if (!IsArray(*array)) return false;
+  const std::string element = fmt::format("&{}[{}]", Source(array->range), Source(number->range));
+  Diagnostic* diagnostic = Report(
+      Code::kMisuse, argument.range, Source(argument.range), MakeMessage("a pointer", "指针"),
+      MakeMessage("the address of an element: {0}", "元素的地址：{0}", element));
+  if (diagnostic != nullptr) Replace(*diagnostic, argument.range, element);
+  return true;
+}
+
 // Gives the parameters their values. All arguments are computed before the first is assigned.
 bool Lowerer::BindArguments(const Expression& call, const FunctionInfo& info, Scope& scope) {
   const Function& syntax = *info.syntax;
@@ -91,6 +107,7 @@ bool Lowerer::BindArguments(const Expression& call, const FunctionInfo& info, Sc
       if (address) {
         start = &WithoutParens(*start->operands[0]);
       }
+      if (!address && RefuseArraySum(*start)) return false;
       array = LowerArray(*start);
       std::optional<std::vector<int64_t>> dimensions = Dimensions(declarator);
       if (!array || !dimensions) return false;

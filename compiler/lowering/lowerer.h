@@ -300,6 +300,7 @@ class Lowerer {
   Value LowerCall(const Expression& expression);
   Value LowerOwnCall(const Expression& call, FunctionInfo& info);
   void LowerBodyOf(const Expression& call, FunctionInfo& info, Scope scope, const BodyEnd& end);
+  bool RefuseArraySum(const Expression& argument);
   bool BindArguments(const Expression& call, const FunctionInfo& info, Scope& scope);
   Value LowerMagnitude(const Expression& call, bool real);
 

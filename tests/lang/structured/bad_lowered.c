@@ -1,7 +1,7 @@
 //@ structured
 // What the names and types of a program forbid.
 const int limit = 3;
-int v, rows[2][3];
+int v, rows[2][3], line[4];
 double real;
 int twice(int a) { return a * 2; }
 int first(int row[]) { return row[0]; }
@@ -16,6 +16,7 @@ void t0(int n) {
   v = nothing();  // expect error MP232
   v = missing(1);  // expect error MP246
   v = first(rows);  // expect error MP244
+  v = first(line + 1);  // expect error MP031
   v = unknown;  // expect error MP027
   goto nowhere;  // expect error MP020
   break;  // expect error MP234
