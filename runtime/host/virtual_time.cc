@@ -88,7 +88,7 @@ int64_t VirtualTime::Pass(int64_t ns) {
   } while (!now_ns_.compare_exchange_weak(before, now));
   if (now < first_deadline_ns_) return now;
 
-  std::unique_lock lock(mutex_);
+  std::unique_lock<std::mutex> lock = Enter();
   WakeDue();
   // A handler of a signal may have interrupted a wait of this thread, which cannot end before it.
   const ThreadId own = CallingThread();
@@ -114,6 +114,15 @@ bool VirtualTime::IsPassingSomeone(int64_t now, ThreadId own) const {
 
 void VirtualTime::TellPassing() {
   if (passing_ > 0) WakeAll(&gone_);
+}
+
+// A thread that waits for the lock, or was woken and has not gone on, looks asleep.
+std::unique_lock<std::mutex> VirtualTime::Enter() {
+  ++entering_;
+  std::unique_lock lock(mutex_);
+  --entering_;
+  ++visits_;
+  return lock;
 }
 
 // --- Sleepers ------------------------------------------------------------------------------------
@@ -166,6 +175,7 @@ bool VirtualTime::WakeDue() {
 }
 
 bool VirtualTime::IsAlone(std::unique_lock<std::mutex>* lock) {
+  if (going_ > 0) return false;
   const ThreadId own = CallingThread();
   std::vector<ThreadId> asleep;
   std::vector<ThreadId> in_slices;
@@ -173,10 +183,11 @@ bool VirtualTime::IsAlone(std::unique_lock<std::mutex>* lock) {
     if (sleeper.thread != own) (sleeper.bed ? asleep : in_slices).push_back(sleeper.thread);
   }
   const int64_t changes = changes_;
+  const int64_t visits = visits_;
   lock->unlock();
   const bool others_wait = others_wait_(asleep, in_slices);
   lock->lock();
-  return others_wait && changes == changes_;
+  return others_wait && changes == changes_ && visits == visits_ && entering_ == 0;
 }
 
 bool VirtualTime::Jump(std::unique_lock<std::mutex>* lock) {
@@ -190,7 +201,7 @@ bool VirtualTime::Jump(std::unique_lock<std::mutex>* lock) {
 int64_t VirtualTime::SleepUntil(int64_t deadline_ns) {
   Bed bed;
   const WakingSignals wake(&bed.changes);
-  std::unique_lock lock(mutex_);
+  std::unique_lock<std::mutex> lock = Enter();
   const Sleeper own = {deadline_ns, next_number_++, CallingThread(), &bed};
   Add(own);
   while (!bed.woken) {
@@ -215,14 +226,14 @@ int64_t VirtualTime::SleepUntil(int64_t deadline_ns) {
 }
 
 VirtualTime::Wait VirtualTime::BeginWait(int64_t deadline_ns) {
-  const std::lock_guard lock(mutex_);
+  const std::unique_lock<std::mutex> lock = Enter();
   const Sleeper own = {deadline_ns, next_number_++, CallingThread(), nullptr};
   Add(own);
   return {deadline_ns, own.number};
 }
 
 int64_t VirtualTime::NextSliceNs(const Wait& wait) {
-  std::unique_lock lock(mutex_);
+  std::unique_lock<std::mutex> lock = Enter();
   const auto own = sleepers_.find({wait.deadline_ns, wait.number});
   if (own != sleepers_.end()) {
     own->interrupted = false;
@@ -236,14 +247,14 @@ int64_t VirtualTime::NextSliceNs(const Wait& wait) {
 }
 
 void VirtualTime::EndWait(const Wait& wait, bool expired) {
-  const std::lock_guard lock(mutex_);
+  const std::unique_lock<std::mutex> lock = Enter();
   if (expired) AdvanceTo(wait.deadline_ns);
   Remove(wait.deadline_ns, wait.number);
   WakeDue();
 }
 
 void VirtualTime::LetOthersPass() {
-  const std::lock_guard lock(mutex_);
+  const std::unique_lock<std::mutex> lock = Enter();
   MarkInterrupted(CallingThread());
   TellPassing();
 }
@@ -298,7 +309,7 @@ void VirtualTime::Help() {
 // --- fork() --------------------------------------------------------------------------------------
 
 void VirtualTime::LockForFork() {
-  mutex_.lock();
+  Enter().release();
   WaitingThreads::OfProcess().LockForFork();
 }
 
@@ -311,6 +322,7 @@ void VirtualTime::BecomeChild() {
   sleepers_.clear();
   first_deadline_ns_ = INT64_MAX;
   ++changes_;
+  entering_ = 0;
   going_ = 0;
   passing_ = 0;
   UnlockAfterFork();

@@ -122,6 +122,8 @@ class VirtualTime {
   static bool OthersOfProcessWait(std::span<const ThreadId> asleep,
                                   std::span<const ThreadId> in_slices);
 
+  /// Locks, for a thread of the host. Whoever looks whether the others wait sees that it came.
+  std::unique_lock<std::mutex> Enter();
   void Add(const Sleeper& sleeper);
   void Remove(int64_t deadline_ns, int64_t number);
   void MarkInterrupted(ThreadId thread);
@@ -151,6 +153,7 @@ class VirtualTime {
   std::set<Sleeper> sleepers_;
   int64_t next_number_ = 0;
   int64_t changes_ = 0;        // counts sleepers that came and went
+  int64_t visits_ = 0;         // counts threads that have come in
   int going_ = 0;              // sleepers that were woken and have not gone on yet
   int passing_ = 0;            // threads in Pass() that wait for them
   std::atomic<int> gone_ = 0;  // a futex for these
@@ -159,6 +162,7 @@ class VirtualTime {
   bool helper_rests_ = false;
   bool ends_ = false;
   std::atomic<int> helper_calls_ = 0;  // a futex for the helper that rests
+  std::atomic<int> entering_ = 0;      // threads that wait for the lock in Enter()
   std::atomic<int64_t> first_deadline_ns_ = INT64_MAX;
   std::atomic<int64_t> now_ns_ = 0;
 };
