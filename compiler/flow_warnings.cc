@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <deque>
 #include <optional>
 #include <string>
@@ -183,6 +184,47 @@ class Paths {
   Edges next_, before_;
 };
 
+// A set of variables for each position in a function.
+class VariableSets {
+ public:
+  VariableSets(size_t positions, size_t variables)
+      : words_((variables + kBits - 1) / kBits), bits_(positions * words_) {}
+
+  bool Has(size_t position, int variable) const {
+    return (bits_[Word(position, variable)] & Bit(variable)) != 0;
+  }
+  /// True if it was not there.
+  bool Insert(size_t position, int variable) {
+    if (Has(position, variable)) return false;
+    bits_[Word(position, variable)] |= Bit(variable);
+    return true;
+  }
+  /// Adds the set of another position; true if that changes something.
+  bool Join(size_t position, size_t other) {
+    uint64_t added = 0;
+    for (size_t i = 0; i < words_; ++i) {
+      uint64_t& bits = bits_[position * words_ + i];
+      const uint64_t more = bits_[other * words_ + i] & ~bits;
+      bits |= more;
+      added |= more;
+    }
+    return added != 0;
+  }
+
+ private:
+  static constexpr size_t kBits = 64;
+
+  size_t Word(size_t position, int variable) const {
+    return position * words_ + static_cast<size_t>(variable) / kBits;
+  }
+  static uint64_t Bit(int variable) {
+    return uint64_t{1} << (static_cast<size_t>(variable) % kBits);
+  }
+
+  size_t words_;
+  std::vector<uint64_t> bits_;
+};
+
 // Sets of axes as a mask has them: bit n-1 for axis n.
 using AxisBits = uint64_t;
 constexpr int64_t kAxesOfMask = 32;
@@ -263,12 +305,12 @@ class FunctionWarnings {
   // Variables that are read although no path has written them before.
   void NeverWritten() {
     std::vector<bool> reported(locals_.size());
-    const std::vector<std::vector<bool>> written = MayBeWritten();
+    const VariableSets written = MayBeWritten();
     for (size_t i = 0; i < code_.size(); ++i) {
       if (!reached_[i]) continue;
       for (const int variable : finder_.Find(code_[i]).reads) {
         const size_t index = static_cast<size_t>(variable);
-        if (IsParameter(variable) || written[i][index] || reported[index]) continue;
+        if (IsParameter(variable) || written.Has(i, variable) || reported[index]) continue;
         reported[index] = true;
         reporter_.Report(Code::kNeverWritten, places_.statements[i], locals_[variable].name);
       }
@@ -375,8 +417,9 @@ class FunctionWarnings {
 
   bool IsParameter(int variable) const { return locals_[variable].id < places_.parameter_slots; }
 
-  std::vector<std::vector<bool>> MayBeWritten() const {
-    std::vector<std::vector<bool>> before(code_.size() + 1, std::vector<bool>(locals_.size()));
+  // For each position the locals that a path to it writes.
+  VariableSets MayBeWritten() const {
+    VariableSets before(code_.size() + 1, locals_.size());
     std::vector<bool> seen(code_.size() + 1);
     std::vector<size_t> open = {0};
     seen[0] = true;
@@ -384,19 +427,14 @@ class FunctionWarnings {
       const size_t at = open.back();
       open.pop_back();
       if (at == code_.size()) continue;
-      std::vector<bool> after = before[at];
       const Uses uses = finder_.Find(code_[at]);
-      for (const int variable : uses.writes) after[static_cast<size_t>(variable)] = true;
-      for (const int variable : uses.addresses) after[static_cast<size_t>(variable)] = true;
       for (const size_t next : paths_.After(at)) {
-        bool changed = !seen[next];
+        bool changed = before.Join(next, at);
+        for (const int variable : uses.writes) changed |= before.Insert(next, variable);
+        for (const int variable : uses.addresses) changed |= before.Insert(next, variable);
+        if (seen[next] && !changed) continue;
         seen[next] = true;
-        for (size_t i = 0; i < after.size(); ++i) {
-          if (!after[i] || before[next][i]) continue;
-          before[next][i] = true;
-          changed = true;
-        }
-        if (changed) open.push_back(next);
+        open.push_back(next);
       }
     }
     return before;
