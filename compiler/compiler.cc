@@ -76,7 +76,8 @@ Compilation CompileText(const std::string& path, std::string text, const Options
     return compilation;
   }
   Lowering lowering = LowerText(path, std::move(text), options, {}, reader);
-  return {std::move(lowering.files), std::move(lowering.diagnostics), std::move(lowering.object)};
+  return {std::move(lowering.files), std::move(lowering.diagnostics), std::move(lowering.object),
+          std::move(lowering.places)};
 }
 
 Compilation CompileCardText(const std::string& path, std::string text, const Options& options,
@@ -101,7 +102,12 @@ Compilation CompileCardText(const std::string& path, std::string text, const Opt
   ApplyWarningOptions(options, reporter);
 
   Compilation compilation;
-  if (!reporter.HasErrors()) compilation.object = std::move(object);
+  if (!reporter.HasErrors()) {
+    compilation.object = std::move(object);
+    for (const FunctionPlaces& places : checker.places()) {
+      compilation.places.push_back(places.statements);
+    }
+  }
   compilation.diagnostics.assign(std::make_move_iterator(reporter.diagnostics().begin()),
                                  std::make_move_iterator(reporter.diagnostics().end()));
   SortAndLimit(compilation.diagnostics, directives.inclusion_points(), options.max_errors);

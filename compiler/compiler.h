@@ -53,6 +53,9 @@ struct Compilation {
   std::vector<Diagnostic> diagnostics;
   /// Present when there is no error.
   std::optional<vm::Object> object;
+  /// For each function of the object, what each of its instructions comes from: a statement, or in
+  /// structured C a part of one. File -1: nothing.
+  std::vector<std::vector<SourceRange>> places;
 
   bool ok() const { return object.has_value(); }
 };

@@ -245,7 +245,8 @@ Result<Json> Lower(Arguments& arguments, const EditorContext& context) {
   }
   compiler::Lowering lowering = compiler::LowerText(path, text, options, {}, reader);
   const compiler::Compilation compilation = {
-      std::move(lowering.files), std::move(lowering.diagnostics), std::move(lowering.object)};
+      std::move(lowering.files), std::move(lowering.diagnostics), std::move(lowering.object),
+      std::move(lowering.places)};
   Json answer = CompiledJson(compilation, context.language);
   if (!lowering.text) return answer;
   answer["text"] = *lowering.text;

@@ -12,17 +12,21 @@
 namespace oncard::compiler {
 namespace {
 
+// The place in C of a place in the lowered text; file -1: none.
+SourceRange OriginOf(const SourceRange& range, const SourceFile& text,
+                     const std::vector<SourceRange>& origins) {
+  const size_t line = static_cast<size_t>(text.LineOf(range.begin)) - 1;
+  SourceRange nowhere;
+  nowhere.file = -1;
+  return line < origins.size() ? origins[line] : nowhere;
+}
+
 // The compiler's diagnostics of the lowered text, at the places of C. The same statement may stand
 // in the text several times.
 void Translate(const Compilation& compilation, const std::vector<SourceRange>& origins,
                Reporter& reporter) {
   const SourceFile& text = compilation.files[0];
-  const auto origin = [&](const SourceRange& range) {
-    const size_t line = static_cast<size_t>(text.LineOf(range.begin)) - 1;
-    SourceRange nowhere;
-    nowhere.file = -1;
-    return line < origins.size() ? origins[line] : nowhere;
-  };
+  const auto origin = [&](const SourceRange& range) { return OriginOf(range, text, origins); };
   for (const Diagnostic& diagnostic : compilation.diagnostics) {
     const SourceRange place = origin(diagnostic.range);
     const bool known = std::any_of(reporter.diagnostics().begin(), reporter.diagnostics().end(),
@@ -99,6 +103,12 @@ Lowering LowerText(const std::string& path, std::string text, const Options& opt
           MoveLines(program.functions[i].header, source.files(), printed.origins,
                     &compilation.object->functions[i]);
         }
+        for (std::vector<SourceRange>& places : compilation.places) {
+          for (SourceRange& place : places) {
+            place = OriginOf(place, compilation.files[0], printed.origins);
+          }
+        }
+        result.places = std::move(compilation.places);
         result.object = std::move(compilation.object);
         result.text = std::move(printed.text);
       }

@@ -47,6 +47,8 @@ struct Lowering {
   std::optional<std::string> text;
   /// What the compiler makes of that text; the lines of its functions are those of C.
   std::optional<vm::Object> object;
+  /// As in Compilation, in C.
+  std::vector<std::vector<SourceRange>> places;
   /// For each line of the text the place in C that it comes from; file -1: none.
   std::vector<SourceRange> origins;
   std::vector<FunctionCost> costs;
