@@ -68,7 +68,7 @@ Result<Findings> ExploreRecord(const std::string& text, const std::string& path,
   subject.scenario_hash = XXH64(text.data(), text.size(), 0);
   subject.card = CardConditionsOf(scenario);
   if (card.host()->cut()) subject.card->until_us = card.host()->end_cycle() * scenario.cycle_us;
-  if (!sources.empty()) findings.source = sources.front().text;
+  if (!sources.empty()) findings.source.text = sources.front().text;
   return findings;
 }
 

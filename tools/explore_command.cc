@@ -26,7 +26,7 @@ namespace oncard::tools {
 namespace {
 
 explore::Explored ExploredOf(const ExploreSubject& subject) {
-  return {subject.scenario, subject.requirements, subject.object, subject.source};
+  return {subject.scenario, subject.requirements, subject.object, subject.source.text};
 }
 
 /// Writes the failing schedule. Returns the exit code.
@@ -274,7 +274,7 @@ int Explore(const ExploreArguments& arguments, const Invocation& invocation) {
   ApplyRaceRule(arguments, &subject);
   const auto& wish = subject.scenario.explore;
   if (arguments.engine.empty() && wish && !wish->follow.empty()) {
-    auto findings = explore::ExploreAsWished(subject.scenario, subject.object, subject.source);
+    auto findings = explore::ExploreAsWished(subject.scenario, subject.object, subject.source.text);
     if (!findings.ok()) return Fail(invocation, kExitUsage, findings.error().message);
     return Report(arguments, invocation, subject, &findings.value());
   }

@@ -16,8 +16,8 @@ int ReadSource(const Invocation& invocation, const std::string& path, SubjectRea
   const int loaded =
       LoadOrReport(invocation, path, runtime::CompileOptions(alone), reading.json, &load);
   if (loaded != kExitOk) return loaded;
-  subject->source = load.compilation ? load.compilation->files[0].text() : std::string();
-  auto read = explore::ReadComments(path, subject->source, *load.object);
+  if (load.compilation) subject->source = explore::TextOf(*load.compilation);
+  auto read = explore::ReadComments(path, subject->source.text, *load.object);
   if (!read.ok()) return Fail(invocation, kExitUsage, read.error().message);
   subject->scenario = std::move(read.value().scenario);
   subject->scenario.structured = reading.structured;
@@ -37,7 +37,7 @@ int ReadScenario(const Invocation& invocation, const std::string& path, SubjectR
   const int loaded = LoadOrReport(invocation, runtime::ProgramPath(subject->scenario),
                                   runtime::CompileOptions(subject->scenario), reading.json, &load);
   if (loaded != kExitOk) return loaded;
-  subject->source = load.compilation ? load.compilation->files[0].text() : std::string();
+  if (load.compilation) subject->source = explore::TextOf(*load.compilation);
   subject->object = std::move(*load.object);
   return kExitOk;
 }

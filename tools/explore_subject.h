@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "explore/models/problem.h"
+#include "explore/reports/statement_texts.h"
 #include "runtime/scenario/scenario.h"
 #include "tools/invocation.h"
 
@@ -15,7 +16,7 @@ struct ExploreSubject {
   runtime::Scenario scenario;
   std::vector<explore::Requirement> requirements;
   vm::Object object;
-  std::string source;  ///< of a program that was compiled
+  explore::ProgramText source;  ///< of a program that was compiled
 };
 
 /// How its program is read.

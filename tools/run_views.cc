@@ -23,9 +23,8 @@ std::string FormatHappenings(const runtime::Trace& trace, const Invocation& invo
 }
 
 /// The run statement by statement, with a column per thread (explore/reports/step_table.h).
-/// `source` is the program's text, or empty.
-std::string FormatSteps(const runtime::ScenarioResult& result, std::string_view source, bool full,
-                        const Invocation& invocation) {
+std::string FormatSteps(const runtime::ScenarioResult& result, const explore::ProgramText& source,
+                        bool full, const Invocation& invocation) {
   const runtime::StepLog& log = *result.steps;
   if (log.steps.empty()) return {};
   explore::Subject subject;
@@ -87,7 +86,8 @@ void ApplyViews(const RunViews& views, runtime::RunOptions* options) {
 void PrintSteps(const runtime::ScenarioResult& result, const runtime::ProgramLoad& load,
                 const RunViews& views, const std::string& format, const Invocation& invocation) {
   if (!result.steps || format != "text") return;
-  const std::string source = load.compilation ? load.compilation->files[0].text() : std::string();
+  explore::ProgramText source;
+  if (load.compilation) source = explore::TextOf(*load.compilation);
   PrintResult(FormatSteps(result, source, views.full, invocation));
 }
 

@@ -160,19 +160,20 @@ bool ReportCutSearch(const SearchWatch& watch, double limit_s, explore::Verdict 
 // Explores instead of running: the verdict must be the one in the scenario.
 void ExploreTest(const runtime::Scenario& scenario, const runtime::ProgramLoad& load,
                  const Testing& testing, TestOutcome* outcome) {
-  const std::string source = load.compilation ? load.compilation->files[0].text() : std::string();
+  explore::ProgramText source;
+  if (load.compilation) source = explore::TextOf(*load.compilation);
   SearchWatch watch(testing.invocation, {.shows = testing.arguments.progress,
                                          .seconds = testing.arguments.search_s,
                                          .title = compiler::DisplayText(outcome->Title())});
   const auto begin = std::chrono::steady_clock::now();
-  auto findings = explore::ExploreAsWished(scenario, *load.object, source, watch.progress());
+  auto findings = explore::ExploreAsWished(scenario, *load.object, source.text, watch.progress());
   const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
   outcome->search_ms = taken.count();
   if (!findings.ok()) {
     outcome->failures.push_back(findings.error().message);
     return;
   }
-  findings.value().source = source;
+  findings.value().source = std::move(source);
   auto& list = testing.arguments.strict_commands ? outcome->failures : outcome->warnings;
   const std::vector<Message> warnings = ProgramWarnings(
       findings.value(), SilentOf(testing.arguments.silent), runtime::ProgramPath(scenario));

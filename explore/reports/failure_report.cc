@@ -89,9 +89,9 @@ Message DescribeSplit(const Findings& findings, const Culprit& culprit) {
   const runtime::LoggedStep& use = findings.trail.steps[culprit.steps.back()].log;
   const StatementTexts texts(findings.source, findings.subject.image->object);
   const std::string text = texts.Of(read);
-  const bool one = read.thread == use.thread && read.line == use.line &&
-                   read.position != use.position && text == texts.Of(use);
-  if (!one || text.empty()) return {};
+  const bool one =
+      read.thread == use.thread && read.position != use.position && texts.InOneStatement(read, use);
+  if (!one) return {};
   return MakeMessage(
       "steps {0} and {1} belong to one statement of line {2}, '{3}': other threads can run between "
       "them",

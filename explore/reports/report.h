@@ -11,6 +11,7 @@
 
 #include "base/message.h"
 #include "explore/models/ends.h"
+#include "explore/reports/statement_texts.h"
 #include "explore/reports/trail.h"
 #include "explore/search/explorer.h"
 #include "runtime/observe/supervisor.h"
@@ -23,9 +24,8 @@ namespace oncard::explore {
 struct Findings {
   Subject subject;
   Exploration exploration;
-  Trail trail;  ///< of the failure
-  /// The program's text, whose lines are shown; empty: only line numbers.
-  std::string source;
+  Trail trail;         ///< of the failure
+  ProgramText source;  ///< whose statements are shown; without a text: only line numbers
   /// Commands that were refused in some explored schedule.
   std::vector<runtime::RefusedCommand> refused = {};
   /// What a verdict without a failure has not put to the test.

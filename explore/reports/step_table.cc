@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -17,65 +16,6 @@ namespace oncard::explore {
 namespace {
 
 using runtime::LoggedStep;
-
-// --- Statements of a line ------------------------------------------------------------------------
-
-std::string_view FirstWord(std::string_view text) {
-  const auto in_word = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-  };
-  size_t size = 0;
-  while (size < text.size() && in_word(text[size])) ++size;
-  return text.substr(0, size);
-}
-
-/// The statement in a piece of text between two semicolons, without what precedes it: braces, the
-/// head of a function, labels; empty for a declaration.
-std::string_view Statement(std::string_view piece) {
-  const size_t brace = piece.find_last_of("{}");
-  if (brace != std::string_view::npos) piece.remove_prefix(brace + 1);
-  for (;;) {
-    piece = Trim(piece);
-    const std::string_view label = FirstWord(piece);
-    const std::string_view behind = Trim(piece.substr(label.size()));
-    if (label.empty() || !behind.starts_with(':')) break;
-    piece = behind.substr(1);
-  }
-  constexpr std::array<std::string_view, 6> kTypes = {"int",   "double",   "long",
-                                                      "short", "unsigned", "const"};
-  const std::string_view word = FirstWord(piece);
-  const bool declares = std::ranges::find(kTypes, word) != kTypes.end();
-  return declares ? std::string_view{} : piece;
-}
-
-/// A line without its comments.
-std::string WithoutComments(std::string_view line) {
-  std::string text;
-  while (!line.empty()) {
-    const size_t begin = std::min(line.find("/*"), line.find("//"));
-    text += line.substr(0, begin);
-    if (begin == std::string_view::npos || line.substr(begin, 2) == "//") break;
-    const size_t end = line.find("*/", begin + 2);
-    if (end == std::string_view::npos) break;
-    line.remove_prefix(end + 2);
-  }
-  return text;
-}
-
-/// The statements of a line, each with its semicolon.
-std::vector<std::string> StatementsOf(std::string_view line) {
-  const std::string text = WithoutComments(line);
-  std::vector<std::string> statements;
-  for (size_t begin = 0; begin < text.size();) {
-    const size_t end = text.find(';', begin);
-    if (end == std::string::npos) break;
-    const std::string_view piece = std::string_view(text).substr(begin, end + 1 - begin);
-    const std::string_view statement = Statement(piece);
-    if (statement.size() > 1) statements.emplace_back(statement);
-    begin = end + 1;
-  }
-  return statements;
-}
 
 // --- Rows ----------------------------------------------------------------------------------------
 
@@ -470,27 +410,6 @@ class TextMaker {
 };
 
 }  // namespace
-
-StatementTexts::StatementTexts(std::string_view source, const vm::Object& object)
-    : object_(object) {
-  for (size_t begin = 0; begin < source.size();) {
-    const size_t end = std::min(source.find('\n', begin), source.size());
-    lines_.push_back(compiler::DisplayLine(Trim(source.substr(begin, end - begin))).text());
-    begin = end + 1;
-  }
-}
-
-std::string StatementTexts::Of(const LoggedStep& step) const {
-  if (step.line <= 0 || static_cast<size_t>(step.line) > lines_.size()) return {};
-  const std::string& line = lines_[static_cast<size_t>(step.line) - 1];
-  const std::vector<uint16_t>& lines = object_.functions[static_cast<size_t>(step.function)].lines;
-  const std::vector<std::string> statements = StatementsOf(line);
-  const auto instructions = std::ranges::count(lines, static_cast<uint16_t>(step.line));
-  if (statements.size() < 2 || instructions != static_cast<int64_t>(statements.size())) return line;
-  const auto before =
-      std::count(lines.begin(), lines.begin() + step.position, static_cast<uint16_t>(step.line));
-  return statements[static_cast<size_t>(before)];
-}
 
 StepRows RowsOf(const StepView& view, Language language) { return RowMaker(view, language).Make(); }
 

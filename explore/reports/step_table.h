@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/message.h"
+#include "explore/reports/statement_texts.h"
 #include "explore/reports/trail.h"
 
 namespace oncard::explore {
@@ -29,7 +30,7 @@ enum class Detail : uint8_t {
 struct StepView {
   const Subject& subject;
   const std::vector<TrailStep>& steps;
-  std::string_view source;  ///< the program's text; empty: only line numbers
+  const ProgramText& source;  ///< without a text: only line numbers
   Detail detail = Detail::kBrief;
   bool with_card = false;                 ///< the instants are meaningful
   const runtime::Trace* trace = nullptr;  ///< trace of the run, for the curves of its axes
@@ -69,17 +70,5 @@ std::string TextTable(const StepView& view, int width, Language language);
 
 /// A <table>, beside the curves of the axes.
 std::string HtmlTable(const StepView& view, Language language);
-
-/// The text of a step's statement: its part of the line if each statement of the line is one
-/// instruction, otherwise the whole line; empty without a source.
-class StatementTexts {
- public:
-  StatementTexts(std::string_view source, const vm::Object& object);
-  std::string Of(const runtime::LoggedStep& step) const;
-
- private:
-  const vm::Object& object_;
-  std::vector<std::string> lines_;  ///< element n: line n + 1, without surrounding blanks
-};
 
 }  // namespace oncard::explore

@@ -19,7 +19,7 @@ using testing::StartsWith;
 
 Findings FindingsOf(const Problem& problem, const Exploration& exploration,
                     const std::string& source = {}) {
-  Findings findings = {SubjectOf(problem), exploration, {}, source};
+  Findings findings = {SubjectOf(problem), exploration, {}, {source}};
   if (exploration.failure) findings.trail = Follow(problem, *exploration.failure);
   return findings;
 }

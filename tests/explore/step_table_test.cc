@@ -22,7 +22,7 @@ using testing::HasSubstr;
 class StepTableTest : public ::testing::Test {
  protected:
   StepView View(const std::string& source, std::vector<uint8_t> threads, Detail detail) {
-    source_ = source;
+    source_.text = source;
     const Problem problem = ProblemOf(source);
     Failure failure;
     failure.steps = std::move(threads);
@@ -34,7 +34,7 @@ class StepTableTest : public ::testing::Test {
     return view;
   }
 
-  std::string source_;
+  ProgramText source_;
   Trail trail_;
   Subject subject_;
 };
@@ -87,23 +87,6 @@ TEST_F(StepTableTest, NamedStepsAreNeverHidden) {
   EXPECT_THAT(
       text, HasSubstr("    82     7  sum = sum + i;   [sum = 190]   sum: 190 -> 210   <- from here "
                       "on every continuation fails"));
-}
-
-TEST_F(StepTableTest, OneStatementOfALineIsShown) {
-  const StepView view = View(
-      "int x, y;\nint t0() { int v; x = 1; y = 2; return 0; }\n"
-      "int t1() { x = 5; /* two; */ y = 6; // three;\n  return 0; }\n"
-      "int t2() { x = 7; return 0; } int t3() { x = 8; return 0; }\n",
-      {0, 0, 0, 1, 1, 2}, Detail::kFull);
-  const StepRows rows = RowsOf(view, Language::kEnglish);
-  ASSERT_EQ(rows.rows.size(), 6u);
-  EXPECT_EQ(rows.rows[0].statement, "x = 1;");
-  EXPECT_EQ(rows.rows[1].statement, "y = 2;");
-  EXPECT_EQ(rows.rows[2].statement, "return 0;");
-  EXPECT_EQ(rows.rows[3].statement, "x = 5;");
-  EXPECT_EQ(rows.rows[4].statement, "y = 6;");
-  // If it is not clear which part is meant, the whole line is shown.
-  EXPECT_EQ(rows.rows[5].statement, "int t2() { x = 7; return 0; } int t3() { x = 8; return 0; }");
 }
 
 TEST_F(StepTableTest, FitsTheTerminal) {

@@ -120,15 +120,26 @@ TEST_F(StructuredTest, HasTheVerdictOfItsLoweredProgram) {
 }
 
 TEST_F(StructuredTest, ShowsCounterexamplesInTheSource) {
-  folder_.Write("t.c",
-                "//@ final: n == 2\nint n;\nint t0() { n = abs(n) + 1; }\nint t1() {\n  n++;\n}\n");
+  folder_.Write(
+      "t.c",
+      "//@ final: n == 2\nint n, m;\nint t0() { n = abs(n) + 1; m = 1; }\nint t1() {\n  n++;\n}\n");
   const ProcessResult result = Run({"explore", "--structured", "t.c"});
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.out,
-              AllOf(HasSubstr("FAILED"), HasSubstr("     3  int t0() { n = abs(n) + 1; }"),
-                    HasSubstr(" 5  n++;"),
-                    HasSubstr("steps 1 and 3 belong to one statement of line 3, 'int "
-                              "t0() { n = abs(n) + 1; }': other threads can run ")));
+  EXPECT_THAT(
+      result.out,
+      AllOf(HasSubstr("FAILED"), HasSubstr("     3  n = abs(n) + 1;   "), HasSubstr(" 5  n++;"),
+            HasSubstr("steps 1 and 3 belong to one statement of line 3, 'n = abs(n) + "
+                      "1;': other threads can run ")));
+}
+
+TEST_F(StructuredTest, TwoStatementsOfALineAreNotOne) {
+  folder_.Write("t.c",
+                "//@ structured\n//@ final: n == 2\nint n;\n"
+                "void t0() { int v; v = n * 1; n = v + 1; }\nvoid t1() { n++; }\n");
+  const ProcessResult result = Run({"explore", "t.c"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.out, AllOf(HasSubstr("     4  n = v + 1;   "), HasSubstr("     5  n++;   "),
+                                Not(HasSubstr("belong to one statement"))));
 }
 
 // The value of n waits in a temporary while f runs, elsewhere in the thread function.

@@ -61,8 +61,8 @@ Result<explore::Findings> Search(const Subject& subject, const std::string& sour
 Result<std::string> ScheduleBeside(std::string_view main, const Subject& subject,
                                    const vm::Object& object, const explore::Findings& findings) {
   const std::string path = std::string(main.substr(0, main.rfind('.'))) + ".schedule";
-  return explore::FailureSchedule({subject.scenario, subject.requirements, object, findings.source},
-                                  findings, path);
+  return explore::FailureSchedule(
+      {subject.scenario, subject.requirements, object, findings.source.text}, findings, path);
 }
 
 /// `language` becomes that of the request, `missing` the files that it needs and did not bring.
@@ -84,14 +84,13 @@ Result<Json> Explore(const Json& json, Language* language, std::vector<std::stri
                  {"diagnostics", compiler::DiagnosticsJson(compilation, *language)}};
   if (!compilation.ok()) return answer;
 
-  // An object has no source.
-  const std::string source = compilation.files.empty() ? "" : compilation.files.front().text();
-  auto subject = SubjectOf(main, source, project.value());
+  explore::ProgramText source = explore::TextOf(compilation);
+  auto subject = SubjectOf(main, source.text, project.value());
   if (!subject.ok()) return subject.error();
-  auto findings = Search(subject.value(), source, *compilation.object, files);
+  auto findings = Search(subject.value(), source.text, *compilation.object, files);
   *missing = files.missing();
   if (!findings.ok()) return findings.error();
-  findings.value().source = source;
+  findings.value().source = std::move(source);
   answer["report"] = Json::parse(explore::JsonReport(findings.value()));
   answer["text"] = explore::TextReport(findings.value(), *language);
   if (findings.value().exploration.failure) {
