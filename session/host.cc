@@ -1,5 +1,6 @@
 #include "session/host.h"
 
+#include <atomic>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -94,6 +95,7 @@ class SessionHost::Requests {
       : reader_(std::move(reader)), comments_(std::move(comments)), calls_(calls) {}
 
   std::string Handle(std::string_view text);
+  void End() { ended_ = true; }
 
  private:
   friend class SessionHost;
@@ -145,6 +147,7 @@ class SessionHost::Requests {
   CallReader calls_ = nullptr;
   Language language_ = Language::kEnglish;
   std::optional<Session> session_;
+  std::atomic<bool> ended_ = false;
   std::string events_;
   /// Files that this request needed and that do not exist.
   std::vector<std::string> missing_;
@@ -307,6 +310,7 @@ Result<Json> SessionHost::Requests::RunWhole(Arguments& arguments) {
                  {"diagnostics", compiler::DiagnosticsJson(compilation, language_)}};
   if (!compilation.ok()) return answer;
   options.replay = project.value().schedule;
+  options.stop = &ended_;
   const auto result =
       runtime::RunWithRequirements(project.value().scenario, *compilation.object, options);
   if (!result.ok()) return result.error();
@@ -331,6 +335,7 @@ Result<Json> SessionHost::Requests::Load(Arguments& arguments) {
                       std::move(project.value().schedule));
   if (!session.ok()) return session.error();
   session_.emplace(std::move(session).value());
+  session_->EndEarly(&ended_);
   answer["files"] = Json::array();
   for (const compiler::SourceFile& file : compilation.files) {
     answer["files"].push_back({{"path", file.path()}, {"text", file.text()}});
@@ -348,6 +353,7 @@ Result<Json> SessionHost::Requests::LoadCalls(const std::string& text, const std
   auto loaded = calls_(text, path, card, opening);
   if (!loaded.ok()) return loaded.error();
   session_.emplace(std::move(loaded.value().session));
+  session_->EndEarly(&ended_);
   Json answer = std::move(loaded.value().answer);
   answer["state"] = StateNow();
   return answer;
@@ -553,5 +559,7 @@ SessionHost& SessionHost::operator=(SessionHost&&) noexcept = default;
 SessionHost::~SessionHost() = default;
 
 std::string SessionHost::Handle(std::string_view request) { return requests_->Handle(request); }
+
+void SessionHost::End() { requests_->End(); }
 
 }  // namespace oncard::session

@@ -58,6 +58,10 @@ class SessionHost {
   /// Executes one request. Every line of the answer ends in a newline.
   std::string Handle(std::string_view request);
 
+  /// Nobody wants answers any more: the walk or run of a Handle() in another thread ends early, and
+  /// so do later ones. Thread-safe.
+  void End();
+
  private:
   class Requests;
   std::unique_ptr<Requests> requests_;

@@ -4,6 +4,7 @@
 #include <httplib.h>
 #include <sys/socket.h>
 
+#include <atomic>
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -17,8 +18,10 @@
 namespace oncard::tools {
 namespace {
 
-/// A browser keeps up to six connections to a server, and each occupies a thread.
-constexpr size_t kThreads = 64;
+/// A browser keeps up to six connections to a server, and each occupies a thread. More requests
+/// than these at a time are no page's, and refused: threads are left for the other sessions.
+constexpr int kRequestsOfSession = 6;
+constexpr size_t kThreads = (kSessionsMax + 4) * kRequestsOfSession;
 /// So many requests may use one connection: a run makes many short ones.
 constexpr size_t kRequestsOfConnection = 100'000;
 constexpr const char* kAddress = "127.0.0.1";
@@ -37,9 +40,30 @@ void ShareNoPort(int socket) {
 struct PageServer::Session {
   explicit Session(session::SessionHost made) : host(std::move(made)) {}
 
-  std::mutex mutex;
+  std::atomic<int> requests = 0;  ///< that are being answered, or wait for that
+  std::mutex mutex;               ///< of Handle()
   session::SessionHost host;
 };
+
+namespace {
+
+/// Counts a request as long as it lives.
+class Counted {
+ public:
+  explicit Counted(std::atomic<int>* count) : count_(count), number_(++*count) {}
+  Counted(const Counted&) = delete;
+  Counted& operator=(const Counted&) = delete;
+  ~Counted() { --*count_; }
+
+  /// With this one.
+  int number() const { return number_; }
+
+ private:
+  std::atomic<int>* count_;
+  int number_;
+};
+
+}  // namespace
 
 /// The sessions by their numbers. Thread-safe.
 class PageServer::Sessions {
@@ -59,10 +83,14 @@ class PageServer::Sessions {
     const auto found = sessions_.find(number);
     return found == sessions_.end() ? nullptr : found->second;
   }
-  /// False if there is no such session. A request that it is answering is answered to its end.
+  /// Ends a session, and the run that it is at. False if there is no such session.
   bool Close(uint64_t number) {
     const std::lock_guard lock(mutex_);
-    return sessions_.erase(number) == 1;
+    const auto found = sessions_.find(number);
+    if (found == sessions_.end()) return false;
+    found->second->host.End();
+    sessions_.erase(found);
+    return true;
   }
 
  private:
@@ -159,6 +187,14 @@ class PageServer::Routes {
   void Answer(const httplib::Request& request, httplib::Response& response) {
     const std::shared_ptr<Session> session = sessions_.Find(Number(request));
     if (session == nullptr) return RefuseUnknown(request, response);
+    const Counted request_of_session(&session->requests);
+    if (request_of_session.number() > kRequestsOfSession) {
+      return Refuse(response, kUnavailable,
+                    MakeMessage("{0} requests of session {1} wait already: send the next one after "
+                                "an answer",
+                                "会话 {1} 已有 {0} 个请求在等待：请收到回答后再发送",
+                                kRequestsOfSession, Number(request)));
+    }
     const std::lock_guard lock(session->mutex);
     response.set_content(session->host.Handle(request.body), kJsonLines);
   }

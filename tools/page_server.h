@@ -43,7 +43,7 @@ class PageServer {
   /// Takes a port, 0: any that is free. Returns its number; fails if another program has it.
   Result<int> Bind(int port);
   /// Answers requests, in several threads, as long as the process lives; to be called once, after
-  /// Bind(). Requests of one session wait for each other. Returns only on a failure.
+  /// Bind(). Requests of one session wait for each other, six at most. Returns only on a failure.
   void Serve();
 
  private:

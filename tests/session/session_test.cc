@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <atomic>
+
 #include "tests/session/session_support.h"
 
 namespace oncard::session {
@@ -240,6 +242,17 @@ TEST_F(BackTest, WithoutAStopToTheStart) {
   session_.run().AdvanceTo(1500);
   EXPECT_EQ(Back(To(Goal::kStop), &session_).reason, StopReason::kStart);
   EXPECT_EQ(session_.run().moment(), 0);
+}
+
+TEST_F(BackTest, WalksEndWhereTheyAreWhenTheirEndIsWanted) {
+  std::atomic<bool> wanted = true;
+  session_.EndEarly(&wanted);
+  session_.run().AdvanceTo(1500);
+  EXPECT_EQ(Forward(To(Goal::kRest), &session_).reason, StopReason::kBudget);
+  EXPECT_EQ(Back(To(Goal::kStop), &session_).reason, StopReason::kBudget);
+  EXPECT_EQ(session_.run().moment(), 1500);
+  wanted = false;
+  EXPECT_EQ(Back(To(Goal::kStop), &session_).reason, StopReason::kStart);
 }
 
 TEST_F(BackTest, ABudgetEndsTheSearch) {

@@ -4,10 +4,14 @@
 #include <httplib.h>
 #include <signal.h>
 
+#include <atomic>
+#include <chrono>
+#include <future>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <regex>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -198,6 +202,70 @@ TEST_F(ServeTest, RefusesMoreThanSixteenSessions) {
               HasSubstr("there are already 16 sessions"));
   Post(last + "/close");
   EXPECT_EQ(Post("sessions").status, 200);
+}
+
+/// A session that walks for hours unless something ends it.
+class LongWalk {
+ public:
+  LongWalk(int port, std::string address)
+      : client_("127.0.0.1", port), address_(std::move(address)) {
+    client_.set_read_timeout(60);
+    client_.Post(
+        address_,
+        R"({"id":1,"request":"load","arguments":{"main":"p.c","files":{"p.c":"int x;\nint f()\n{\nL:\n  x = 1;\n  goto L;\n}\n"}}})",
+        "text/plain");
+    answer_ = std::async(std::launch::async, [this] {
+      const auto response = client_.Post(
+          address_,
+          R"({"id":2,"request":"forward","arguments":{"goal":"rest","budget":1000000000}})",
+          "text/plain");
+      return response ? response->body : std::string();
+    });
+  }
+  bool Goes() const {
+    return answer_.wait_for(std::chrono::milliseconds(300)) == std::future_status::timeout;
+  }
+  /// The moment at which it ended.
+  int64_t End() { return Json::parse(answer_.get())["result"]["state"]["moment"]; }
+
+ private:
+  httplib::Client client_;
+  std::string address_;
+  std::future<std::string> answer_;
+};
+
+TEST_F(ServeTest, ClosingASessionEndsItsWalk) {
+  const std::string session = Open();
+  LongWalk walk(port_, root_ + session);
+  ASSERT_TRUE(walk.Goes());
+  EXPECT_EQ(Post(session + "/close").status, 200);
+  EXPECT_LT(walk.End(), 1'000'000'000);
+}
+
+// More than there are threads: if all waited for the session, nobody else would be answered.
+TEST_F(ServeTest, RequestsOfOneSessionLeaveThreadsForOthers) {
+  constexpr int kRequests = 130;
+  constexpr int kWaiting = 5;  // beside the walk
+  const std::string session = Open();
+  LongWalk walk(port_, root_ + session);
+  ASSERT_TRUE(walk.Goes());
+  std::atomic<int> refused = 0;
+  std::vector<std::future<void>> requests;
+  for (int i = 0; i < kRequests; ++i) {
+    requests.push_back(std::async(std::launch::async, [&] {
+      httplib::Client client("127.0.0.1", port_);
+      client.set_read_timeout(60);
+      const auto response = client.Post(root_ + session, kHello, "text/plain");
+      if (response && response->status == 503) ++refused;
+    }));
+  }
+  for (int i = 0; i < 300 && refused < kRequests - kWaiting; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  EXPECT_EQ(refused, kRequests - kWaiting);
+  EXPECT_EQ(Post(Open(), kHello).status, 200);
+  EXPECT_EQ(Post(session + "/close").status, 200);
+  EXPECT_LT(walk.End(), 1'000'000'000);
 }
 
 TEST_F(ServeTest, EndsWithZeroAtASignal) {
