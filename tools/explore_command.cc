@@ -155,8 +155,10 @@ int ExploreKept(const ExploreArguments& arguments, const Invocation& invocation,
                 const ExploreSubject& subject, const std::string& path, explore::SearchFile file) {
   const int checked = CheckSettings(arguments, invocation, file.engine);
   if (checked != kExitOk) return checked;
-  SearchWatch watch(invocation,
-                    {.shows = arguments.progress, .seconds = arguments.seconds, .pauses = true});
+  SearchWatch watch(invocation, {.shows = arguments.progress,
+                                 .seconds = arguments.seconds,
+                                 .memory_mib = arguments.memory_mib,
+                                 .pauses = true});
   explore::ExploreOptions options = OptionsOf(arguments, subject);
   options.progress = watch.progress();
   int written = kExitOk;
@@ -240,8 +242,10 @@ int ExploreHost(const ExploreArguments& arguments, const Invocation& invocation)
   const std::string& path = arguments.paths.front();
   const auto text = ReadFile(path);
   if (!text.ok()) return Fail(invocation, kExitUnreadable, text.error().message);
-  SearchWatch watch(invocation,
-                    {.shows = arguments.progress, .seconds = arguments.seconds, .pauses = false});
+  SearchWatch watch(invocation, {.shows = arguments.progress,
+                                 .seconds = arguments.seconds,
+                                 .memory_mib = arguments.memory_mib,
+                                 .pauses = false});
   options.progress = watch.progress();
   auto findings = explore::ExploreRecord(text.value(), path, options);
   if (!findings.ok()) return Fail(invocation, kExitUsage, findings.error().message);
@@ -284,6 +288,7 @@ int Explore(const ExploreArguments& arguments, const Invocation& invocation) {
   UnnamedSearch unnamed(invocation, input, subject, options);
   SearchWatch watch(invocation, {.shows = arguments.progress,
                                  .seconds = arguments.seconds,
+                                 .memory_mib = arguments.memory_mib,
                                  .pauses = unnamed.searches_traces()});
   options.progress = watch.progress();
   options.keep = [&unnamed](const explore::TraceSearch& search) { unnamed.Keep(search); };

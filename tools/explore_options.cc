@@ -114,6 +114,13 @@ void AddExploreOptions(CLI::App& command, const Invocation& invocation,
                                   "搜索超过该秒数后结束，并给出已知结果"}))
       ->type_name("SECONDS")
       ->check(CLI::Range(0.001, 1e9).description(""));
+  command
+      .add_option(
+          "--memory", arguments.memory_mib,
+          invocation.Say({"end it when it occupies so much; without it, half of what is free",
+                          "占用内存达到该值时结束；默认为可用内存的一半"}))
+      ->type_name("MIB")
+      ->check(CLI::Range(int64_t{1}, int64_t{1} << 30).description(""));
   command.add_flag("--all", arguments.all,
                    invocation.Say({"continue after a failure, so that all are counted",
                                    "出错后继续搜索，以统计全部错误"}));

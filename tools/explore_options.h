@@ -33,7 +33,8 @@ struct ExploreArguments {
   bool merge = false;
   bool full = false;
   bool progress = false;
-  double seconds = 0;  ///< 0: no limit
+  double seconds = 0;      ///< 0: no limit
+  int64_t memory_mib = 0;  ///< 0: half of what is there
   bool all = false;
   bool strict_commands = false;
   std::vector<std::string> silent;

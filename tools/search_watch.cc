@@ -8,10 +8,15 @@
 #include <cstdio>
 #include <string>
 
+#include "tools/memory_use.h"
+
 namespace oncard::tools {
 namespace {
 
 constexpr std::chrono::seconds kShown{1};
+/// How often the memory is looked at: a search takes up to half a gigabyte in a second.
+constexpr std::chrono::milliseconds kLook{100};
+constexpr int64_t kMiB = 1024 * 1024;
 /// How often a search is saved: if the process is killed, at most this much is lost.
 constexpr std::chrono::seconds kKept{60};
 /// The search ends so much of the time limit before it: then a failure is made simpler, for so long
@@ -63,8 +68,7 @@ SearchWatch::SearchWatch(const Invocation& invocation, const WatchOptions& optio
     const bool ignored = before_[i].sa_handler == SIG_IGN;
     if (kSignals[i] != SIGHUP || !ignored) ::sigaction(kSignals[i], &stops, nullptr);
   }
-  if (options.shows || options.pauses || options.seconds > 0)
-    watching_ = std::thread([this] { Watch(); });
+  watching_ = std::thread([this] { Watch(); });
 }
 
 SearchWatch::~SearchWatch() {
@@ -73,21 +77,30 @@ SearchWatch::~SearchWatch() {
     over_ = true;
   }
   changed_.notify_all();
-  if (watching_.joinable()) watching_.join();
+  watching_.join();
   for (size_t i = 0; i < kSignals.size(); ++i) ::sigaction(kSignals[i], &before_[i], nullptr);
   watched = nullptr;
 }
 
+void SearchWatch::End(std::atomic<bool>* why) {
+  *why = true;
+  progress_.interrupted = true;
+  progress_.stop = true;
+}
+
 void SearchWatch::Watch() {
+  const int64_t memory =
+      options_.memory_mib > 0 ? options_.memory_mib * kMiB : MemoryInUse() + MemoryLeft() / 2;
   const auto start = std::chrono::steady_clock::now();
   const std::chrono::duration<double> given(options_.seconds);
   const std::chrono::duration<double> searched = given * (1 - kReserved);
   auto kept = start;
+  auto shown = start;
   const auto next = [&]() -> std::chrono::duration<double> {
-    if (options_.seconds == 0) return kShown;
+    if (options_.seconds == 0) return kLook;
     const auto end = progress_.out_of_time ? given : searched;
     const std::chrono::duration<double> left = start + end - std::chrono::steady_clock::now();
-    return std::min<std::chrono::duration<double>>(left, kShown);
+    return std::min<std::chrono::duration<double>>(left, kLook);
   };
   std::unique_lock lock(mutex_);
   while (!changed_.wait_for(lock, next(), [this] { return over_; })) {
@@ -99,12 +112,12 @@ void SearchWatch::Watch() {
       return;
     }
     if (options_.seconds > 0 && passed >= searched) {
-      progress_.out_of_time = true;
-      progress_.interrupted = true;
-      progress_.stop = true;
+      End(&progress_.out_of_time);
       continue;
     }
-    if (options_.shows) {
+    if (!progress_.out_of_memory && MemoryInUse() > memory) End(&progress_.out_of_memory);
+    if (options_.shows && now - shown >= kShown) {
+      shown = now;
       PrintDiagnostics(options_.title + (options_.title.empty() ? "" : ": ") +
                        invocation_.Say(ProgressText(progress_, passed.count())) + '\n');
     }

@@ -1,11 +1,13 @@
 // Watches a running search: shows its progress, saves it every minute, and ends it early on SIGINT
-// (Ctrl-C), SIGTERM (Slurm before the time limit) and SIGHUP (a closed terminal), or when its time
-// limit is reached.
+// (Ctrl-C), SIGTERM (Slurm before the time limit) and SIGHUP (a closed terminal), or when its limit
+// of time or memory is reached.
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <condition_variable>
 #include <csignal>
+#include <cstdint>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -18,6 +20,7 @@ namespace oncard::tools {
 struct WatchOptions {
   bool shows = false;      ///< shows the progress every second in a line on standard error
   double seconds = 0;      ///< time limit of the search; 0: none
+  int64_t memory_mib = 0;  ///< limit of what the process occupies; 0: half of what is there
   bool pauses = false;     ///< the search pauses every minute (SearchProgress::pausing)
   std::string title = {};  ///< stands before the progress; empty: nothing
 };
@@ -33,12 +36,14 @@ class SearchWatch {
 
   /// For the search.
   explore::SearchProgress* progress() { return &progress_; }
-  /// A signal stopped the search, or its time limit did.
+  /// A signal stopped the search, or a limit did.
   bool interrupted() const { return progress_.interrupted; }
   bool out_of_time() const { return progress_.out_of_time; }
 
  private:
   void Watch();
+  /// The search ends; SearchProgress says why.
+  void End(std::atomic<bool>* why);
 
   static constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP};
 

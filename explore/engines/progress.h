@@ -18,8 +18,9 @@ struct SearchProgress {
   /// (kept_search.h).
   std::atomic<bool> interrupted{false};
   std::atomic<bool> pausing{false};
-  /// Set before `stop` if the time limit is the reason.
+  /// Set before `stop` if the limit of time, or of memory, is the reason.
   std::atomic<bool> out_of_time{false};
+  std::atomic<bool> out_of_memory{false};
   /// Set some time after `stop`: what has been found is reported as it is, without making it
   /// simpler.
   std::atomic<bool> hurried{false};

@@ -24,6 +24,7 @@ const std::atomic<bool>* StopOf(const ExploreOptions& options) {
 /// Why a search is incomplete: it was stopped, or reached this limit.
 Message WhyIncomplete(const ExploreOptions& options, Message limit) {
   if (options.progress != nullptr && options.progress->stop) {
+    if (options.progress->out_of_memory) return {"the memory limit was reached", "内存已到上限"};
     return options.progress->out_of_time ? Message{"the time limit was reached", "时间已到"}
                                          : Message{"it was interrupted", "已中断"};
   }

@@ -88,18 +88,36 @@ TEST(Explore, AFaultThatNeedsNoPreemptionIsFoundAtOnce) {
   EXPECT_EQ(json["min_preemptions_to_bad"], 0);
 }
 
-TEST(Explore, ASearchEndsWhenItsTimeIsOver) {
-  const ScratchFolder scratch;
-  scratch.Write("p.c", Replaced(kLostUpdate, "g == 2", "g < 3"));
-  const ProcessResult in_time = RunOncard({"explore", "p.c", "--time=600"}, scratch.path());
-  EXPECT_EQ(in_time.exit_code, 0) << in_time.err;
+/// A search of many seconds.
+std::string LongSearch() {
   std::string large = "int x;\n//@ final: x >= 0\n";
   for (int thread = 0; thread < 8; ++thread) {
     large += "int t" + std::to_string(thread) + "()\n{\n  int t;\n";
     for (int i = 0; i < 50; ++i) large += "  t = x;\n  x = t + 1;\n";
     large += "}\n";
   }
-  scratch.Write("large.c", large);
+  return large;
+}
+
+TEST(Explore, ASearchEndsWhenItsMemoryIsFull) {
+  const ScratchFolder scratch;
+  scratch.Write("large.c", LongSearch());
+  // --all changes nothing: the engine that is chosen without an option.
+  for (const char* option : {"--all", "--engine=dpor", "--engine=stateful", "--engine=bounded"}) {
+    const ProcessResult full =
+        RunOncard({"explore", "large.c", option, "--memory=1"}, scratch.path());
+    EXPECT_EQ(full.exit_code, 6) << full.err;
+    EXPECT_THAT(full.out, StartsWith("INCOMPLETE\nthe memory limit was reached\n")) << option;
+  }
+  EXPECT_EQ(RunOncard({"explore", "large.c", "--memory=0"}, scratch.path()).exit_code, 2);
+}
+
+TEST(Explore, ASearchEndsWhenItsTimeIsOver) {
+  const ScratchFolder scratch;
+  scratch.Write("p.c", Replaced(kLostUpdate, "g == 2", "g < 3"));
+  const ProcessResult in_time = RunOncard({"explore", "p.c", "--time=600"}, scratch.path());
+  EXPECT_EQ(in_time.exit_code, 0) << in_time.err;
+  scratch.Write("large.c", LongSearch());
   const ProcessResult late = RunOncard({"explore", "large.c", "--time=0.2"}, scratch.path());
   EXPECT_EQ(late.exit_code, 6) << late.err;
   EXPECT_THAT(late.out, StartsWith("INCOMPLETE\nthe time limit was reached\n"));
