@@ -76,8 +76,7 @@ Compilation CompileText(const std::string& path, std::string text, const Options
     return compilation;
   }
   Lowering lowering = LowerText(path, std::move(text), options, {}, reader);
-  return {std::move(lowering.files), std::move(lowering.diagnostics), std::move(lowering.object),
-          std::move(lowering.places)};
+  return TakeCompilation(lowering);
 }
 
 Compilation CompileCardText(const std::string& path, std::string text, const Options& options,

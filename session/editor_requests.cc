@@ -244,9 +244,7 @@ Result<Json> Lower(Arguments& arguments, const EditorContext& context) {
                      "“{0}”不是结构化 C：无需转换", path);
   }
   compiler::Lowering lowering = compiler::LowerText(path, text, options, {}, reader);
-  const compiler::Compilation compilation = {
-      std::move(lowering.files), std::move(lowering.diagnostics), std::move(lowering.object),
-      std::move(lowering.places)};
+  const compiler::Compilation compilation = compiler::TakeCompilation(lowering);
   Json answer = CompiledJson(compilation, context.language);
   if (!lowering.text) return answer;
   answer["text"] = *lowering.text;

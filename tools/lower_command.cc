@@ -51,9 +51,7 @@ int Lower(const LowerOptions& options, const Invocation& invocation) {
   compiler::Lowering lowering =
       compiler::LowerText(options.source, std::move(text).value(), OptionsOf(options.compile),
                           options.lowering, compiler::ReadSource);
-  compiler::Compilation report;
-  report.files = std::move(lowering.files);
-  report.diagnostics = std::move(lowering.diagnostics);
+  const compiler::Compilation report = compiler::TakeCompilation(lowering);
   const compiler::PrintOptions print = {invocation.language, invocation.color};
   PrintDiagnostics(options.diagnostics == "json" ? compiler::PrintJson(report, print)
                                                  : compiler::PrintText(report, print));

@@ -123,4 +123,9 @@ Lowering LowerText(const std::string& path, std::string text, const Options& opt
   return result;
 }
 
+Compilation TakeCompilation(Lowering& lowering) {
+  return {std::move(lowering.files), std::move(lowering.diagnostics), std::move(lowering.object),
+          std::move(lowering.places)};
+}
+
 }  // namespace oncard::compiler

@@ -62,4 +62,7 @@ struct Lowering {
 Lowering LowerText(const std::string& path, std::string text, const Options& options,
                    const LoweringOptions& lowering_options, const FileReader& reader);
 
+/// Takes what a compilation has out of it.
+Compilation TakeCompilation(Lowering& lowering);
+
 }  // namespace oncard::compiler

@@ -45,8 +45,7 @@ const std::set<int> kFollowedByUndeclared = {21, 22, 36, 37};
 
 Compilation CompileStructured(const std::string& program, const FileReader& reader) {
   Lowering lowering = LowerText("program.c", program, {}, {}, reader);
-  return {std::move(lowering.files), std::move(lowering.diagnostics), std::move(lowering.object),
-          std::move(lowering.places)};
+  return TakeCompilation(lowering);
 }
 
 Compilation CompileExample(int code, std::string_view program) {
