@@ -30,6 +30,15 @@ std::string ExitCodeFooter(const Invocation& invocation) {
   return text;
 }
 
+/// -W, which may be given several times; `check` says what is wrong with a value.
+CLI::Option* AddW(CLI::App& command, std::vector<std::string>& values, const std::string& help,
+                  std::string (*check)(const std::string& value)) {
+  return command.add_option("-W", values, help)
+      ->type_name("WARNING")
+      ->allow_extra_args(false)
+      ->check(CLI::Validator([check](const std::string& value) { return check(value); }, ""));
+}
+
 }  // namespace
 
 CLI::App* AddCommand(CLI::App& app, Invocation& invocation, const std::string& name,
@@ -80,38 +89,27 @@ CLI::Option* AddMaxErrorsOption(CLI::App& command, const Invocation& invocation,
 
 CLI::Option* AddWarningOption(CLI::App& command, const Invocation& invocation,
                               std::vector<std::string>& warnings) {
-  return command
-      .add_option(
-          "-W", warnings,
-          invocation.Say(
-              {"-Werror turns warnings into errors, -Wno-NAME switches one off (repeatable)",
-               "-Werror 把警告当作错误，-Wno-名称 不报告某种警告（可重复）"}))
-      ->type_name("WARNING")
-      ->allow_extra_args(false)
-      ->check(CLI::Validator(
-          [](const std::string& value) {
-            return compiler::ReadWarningOption(value, nullptr)
-                       ? std::string()
-                       : "expected error or no-NAME, where NAME is in the brackets of a warning";
-          },
-          ""));
+  return AddW(
+      command, warnings,
+      invocation.Say({"-Werror turns warnings into errors, -Wno-NAME switches one off (repeatable)",
+                      "-Werror 把警告当作错误，-Wno-名称 不报告某种警告（可重复）"}),
+      [](const std::string& value) {
+        return compiler::ReadWarningOption(value, nullptr)
+                   ? std::string()
+                   : "expected error or no-NAME, where NAME is in the brackets of a warning";
+      });
 }
 
 CLI::Option* AddSilentOption(CLI::App& command, const Invocation& invocation,
                              std::vector<std::string>& silent) {
-  return command
-      .add_option("-W", silent,
-                  invocation.Say({"-Wno-NAME switches a warning about the card off (repeatable)",
-                                  "-Wno-名称 不报告控制卡的某种警告（可重复）"}))
-      ->type_name("WARNING")
-      ->allow_extra_args(false)
-      ->check(CLI::Validator(
-          [](const std::string& value) {
-            return runtime::ReadSilentWarning(value, nullptr)
-                       ? std::string()
-                       : "expected no-NAME, where NAME is in the brackets of a warning";
-          },
-          ""));
+  return AddW(command, silent,
+              invocation.Say({"-Wno-NAME switches a warning about the card off (repeatable)",
+                              "-Wno-名称 不报告控制卡的某种警告（可重复）"}),
+              [](const std::string& value) {
+                return runtime::ReadSilentWarning(value, nullptr)
+                           ? std::string()
+                           : "expected no-NAME, where NAME is in the brackets of a warning";
+              });
 }
 
 runtime::CardWarnings SilentOf(const std::vector<std::string>& silent) {
