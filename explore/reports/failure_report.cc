@@ -88,7 +88,6 @@ Message DescribeSplit(const Findings& findings, const Culprit& culprit) {
   const runtime::LoggedStep& read = findings.trail.steps[culprit.steps.front()].log;
   const runtime::LoggedStep& use = findings.trail.steps[culprit.steps.back()].log;
   const StatementTexts texts(findings.source, findings.subject.image->object);
-  const std::string text = texts.Of(read);
   const bool one =
       read.thread == use.thread && read.position != use.position && texts.InOneStatement(read, use);
   if (!one) return {};
@@ -96,7 +95,7 @@ Message DescribeSplit(const Findings& findings, const Culprit& culprit) {
       "steps {0} and {1} belong to one statement of line {2}, '{3}': other threads can run between "
       "them",
       "第 {0} 步和第 {1} 步同属第 {2} 行的语句“{3}”：其间其他线程可以执行",
-      culprit.steps.front() + 1, culprit.steps.back() + 1, read.line, text);
+      culprit.steps.front() + 1, culprit.steps.back() + 1, read.line, texts.Of(read));
 }
 
 /// What is wrong, its cause and how it is reached, one line each.

@@ -1,5 +1,7 @@
 #include "explore/reports/statement_texts.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -21,12 +23,16 @@ std::string_view FirstWord(std::string_view text) {
   return text.substr(0, size);
 }
 
-/// A statement without blanks and labels.
+std::string_view WithoutBlanks(std::string_view text) {
+  return text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+}
+
+/// A statement without the blanks and labels before it.
 std::string_view WithoutLabels(std::string_view piece) {
   for (;;) {
-    piece = Trim(piece);
+    piece = WithoutBlanks(piece);
     const std::string_view label = FirstWord(piece);
-    const std::string_view behind = Trim(piece.substr(label.size()));
+    const std::string_view behind = WithoutBlanks(piece.substr(label.size()));
     if (label.empty() || !behind.starts_with(':')) return piece;
     piece = behind.substr(1);
   }
@@ -38,112 +44,141 @@ bool Declares(std::string_view statement) {
   return std::ranges::find(kTypes, FirstWord(statement)) != kTypes.end();
 }
 
-/// A line with blanks for its comments.
-std::string WithoutComments(std::string_view line) {
-  std::string text(line);
-  for (size_t at = 0; at + 1 < text.size(); ++at) {
-    if (text[at] != '/' || (text[at + 1] != '*' && text[at + 1] != '/')) continue;
-    const size_t close = text[at + 1] == '/' ? std::string::npos : text.find("*/", at + 2);
-    const size_t end = close == std::string::npos ? text.size() : close + 2;
-    std::fill(text.begin() + static_cast<std::ptrdiff_t>(at),
-              text.begin() + static_cast<std::ptrdiff_t>(end), ' ');
+/// A program with blanks for its comments and directives; line ends stay.
+std::string CodeOf(std::string_view text) {
+  std::string code(text);
+  for (size_t at = 0; at < code.size();) {
+    const std::string_view rest = std::string_view(code).substr(at);
+    size_t size = 0;
+    if (rest.starts_with("//") || rest.starts_with('#')) size = rest.find('\n');
+    if (rest.starts_with("/*")) size = rest.find("*/", 2);
+    if (size == 0) {
+      ++at;
+      continue;
+    }
+    const size_t close = rest.starts_with("/*") ? 2 : 0;
+    const size_t end = size == std::string_view::npos ? code.size() : at + size + close;
+    for (; at < end; ++at) {
+      if (code[at] != '\n') code[at] = ' ';
+    }
   }
-  return text;
+  return code;
 }
 
 }  // namespace
 
 ProgramText TextOf(const compiler::Compilation& compilation) {
   if (compilation.files.empty()) return {};
-  return {compilation.files[0].text(), compilation.places};
+  const compiler::SourceFile& program = compilation.files[0];
+  return {program.text(), program.IniName(), compilation.places};
 }
 
 StatementTexts::StatementTexts(const ProgramText& program, const vm::Object& object)
-    : program_(program), object_(object) {
-  const std::string_view source = program.text;
-  for (size_t begin = 0; begin < source.size();) {
-    const size_t end = std::min(source.find('\n', begin), source.size());
-    Line line;
-    line.begin = begin;
-    line.text = compiler::DisplayLine(source.substr(begin, end - begin)).text();
-    const std::string code = WithoutComments(line.text);
-    line.parts = PartsOf(code);
-    line.alone = line.parts.size() == 1 &&
-                 Trim(code) == Trim(std::string_view(code).substr(
-                                   line.parts[0].begin, line.parts[0].end - line.parts[0].begin));
-    lines_.push_back(std::move(line));
+    : program_(program), object_(object), code_(CodeOf(program.text)) {
+  for (size_t begin = 0; begin < code_.size();) {
+    const size_t end = std::min(code_.find('\n', begin), code_.size());
+    lines_.push_back({begin, end});
     begin = end + 1;
   }
+  FindParts();
 }
 
-/// The statements of a line, each with its semicolon, and what stands before and between them.
-std::vector<StatementTexts::Part> StatementTexts::PartsOf(const std::string& code) {
-  std::vector<Part> parts;
+/// What ends in a semicolon, without the braces and the head of the function before it.
+void StatementTexts::FindParts() {
   int depth = 0;  // of parentheses: a `for` has semicolons in them
   size_t begin = 0;
-  for (size_t at = 0; at < code.size(); ++at) {
-    const char c = code[at];
+  for (size_t at = 0; at < code_.size(); ++at) {
+    const char c = code_[at];
     depth += c == '(' ? 1 : c == ')' ? -1 : 0;
-    const bool brace = c == '{' || c == '}';
-    if (c == ';' && depth <= 0) {
-      Part part = {begin, at + 1, {}, false};
-      part.statement = WithoutLabels(std::string_view(code).substr(begin, at + 1 - begin));
-      part.declares = Declares(part.statement);
-      if (part.statement.size() > 1) parts.push_back(std::move(part));
+    const bool ends = c == ';' && depth <= 0;
+    if (ends) {
+      const std::string_view labelled =
+          WithoutBlanks(std::string_view(code_).substr(begin, at + 1 - begin));
+      const std::string_view text = WithoutLabels(labelled);
+      if (text.size() > 1) {
+        parts_.push_back(
+            {at + 1 - labelled.size(), {at + 1 - text.size(), at + 1}, Declares(text)});
+      }
     }
-    if (brace || (c == ';' && depth <= 0)) begin = at + 1;
+    if (ends || c == '{' || c == '}') {
+      begin = at + 1;
+      depth = 0;
+    }
   }
-  return parts;
 }
 
-const StatementTexts::Line* StatementTexts::LineOf(const LoggedStep& step) const {
-  if (step.line <= 0 || static_cast<size_t>(step.line) > lines_.size()) return nullptr;
-  return &lines_[static_cast<size_t>(step.line) - 1];
+bool StatementTexts::IsAlone(const Part& part, Span line) const {
+  const std::string_view code = std::string_view(code_).substr(0, line.end);
+  const size_t first = code.find_first_not_of(" \t\r", line.begin);
+  const size_t last = code.find_last_not_of(" \t\r");
+  return part.begin <= first && last + 1 == part.statement.end;
 }
 
-const StatementTexts::Part* StatementTexts::PlacedPart(const Line& line,
-                                                       const compiler::SourceRange& place) const {
-  const size_t end = std::min(program_.text.find('\n', line.begin), program_.text.size());
-  if (place.file != 0 || place.begin < line.begin || place.begin >= end) return nullptr;
-  const std::string_view before =
-      std::string_view(program_.text).substr(line.begin, place.begin - line.begin);
-  const size_t at = compiler::DisplayLine(before).text().size();
-  const auto found = std::ranges::find_if(
-      line.parts, [at](const Part& part) { return part.begin <= at && at < part.end; });
-  return found == line.parts.end() ? nullptr : &*found;
+std::string StatementTexts::Shown(Span span) const {
+  const std::string_view text =
+      std::string_view(program_.text).substr(span.begin, span.end - span.begin);
+  return compiler::DisplayLine(Trim(text)).text();
 }
 
-const StatementTexts::Part* StatementTexts::PartOf(const Line& line, const LoggedStep& step) const {
-  const size_t function = static_cast<size_t>(step.function);
-  const size_t position = static_cast<size_t>(step.position);
-  if (function < program_.places.size() && position < program_.places[function].size()) {
-    return PlacedPart(line, program_.places[function][position]);
+bool StatementTexts::IsOfFile(const LoggedStep& step) const {
+  return program_.file.empty() ||
+         object_.functions[static_cast<size_t>(step.function)].file == program_.file;
+}
+
+StatementTexts::Span StatementTexts::LineOf(const LoggedStep& step) const {
+  const auto line = static_cast<size_t>(step.line);
+  return step.line > 0 && line <= lines_.size() ? lines_[line - 1] : Span{};
+}
+
+const StatementTexts::Part* StatementTexts::PartAt(size_t place) const {
+  const auto behind =
+      std::ranges::upper_bound(parts_, place, {}, [](const Part& part) { return part.begin; });
+  if (behind == parts_.begin()) return nullptr;
+  const Part& part = *std::prev(behind);
+  return place < part.statement.end ? &part : nullptr;
+}
+
+/// Without places: if each statement of the line is one instruction, as in the card's language, or
+/// the line has only one.
+const StatementTexts::Part* StatementTexts::CountedPart(const LoggedStep& step) const {
+  const Span line = LineOf(step);
+  std::vector<const Part*> statements;
+  for (const Part& part : parts_) {
+    if (line.Has(part.statement) && !part.declares) statements.push_back(&part);
   }
-  // Without places: if each statement is one instruction, as in the card's language.
-  const std::vector<uint16_t>& lines = object_.functions[function].lines;
+  if (statements.size() == 1 && IsAlone(*statements.front(), line)) return statements.front();
+  const std::vector<uint16_t>& lines = object_.functions[static_cast<size_t>(step.function)].lines;
   const auto number = static_cast<uint16_t>(step.line);
-  auto before = std::count(lines.begin(), lines.begin() + step.position, number);
-  const auto statements =
-      std::ranges::count_if(line.parts, [](const Part& part) { return !part.declares; });
-  if (std::ranges::count(lines, number) != statements) return nullptr;
-  for (const Part& part : line.parts) {
-    if (!part.declares && before-- == 0) return &part;
-  }
-  return nullptr;
+  if (std::ranges::count(lines, number) != static_cast<int64_t>(statements.size())) return nullptr;
+  const auto before = std::count(lines.begin(), lines.begin() + step.position, number);
+  return statements[static_cast<size_t>(before)];
+}
+
+const StatementTexts::Part* StatementTexts::PartOf(const LoggedStep& step) const {
+  if (!IsOfFile(step)) return nullptr;
+  const auto function = static_cast<size_t>(step.function);
+  const auto position = static_cast<size_t>(step.position);
+  const auto& places = program_.places;
+  if (function >= places.size() || position >= places[function].size()) return CountedPart(step);
+  const compiler::SourceRange& place = places[function][position];
+  return place.file == 0 ? PartAt(place.begin) : nullptr;
 }
 
 std::string StatementTexts::Of(const LoggedStep& step) const {
-  const Line* line = LineOf(step);
-  if (line == nullptr) return {};
-  const Part* part = line->alone ? nullptr : PartOf(*line, step);
-  return part != nullptr ? part->statement : std::string(Trim(line->text));
+  const Span line = LineOf(step);
+  if (program_.text.empty()) return {};
+  if (!IsOfFile(step)) {
+    return fmt::format("{}:{}", object_.functions[static_cast<size_t>(step.function)].file,
+                       step.line);
+  }
+  const Part* part = PartOf(step);
+  const bool apart = part != nullptr && line.Has(part->statement) && !IsAlone(*part, line);
+  return Shown(apart ? part->statement : line);
 }
 
 bool StatementTexts::InOneStatement(const LoggedStep& one, const LoggedStep& other) const {
-  const Line* line = LineOf(one);
-  if (line == nullptr || one.function != other.function || one.line != other.line) return false;
-  const Part* part = PartOf(*line, one);
-  return line->alone || (part != nullptr && part == PartOf(*line, other));
+  const Part* part = PartOf(one);
+  return part != nullptr && part == PartOf(other);
 }
 
 }  // namespace oncard::explore

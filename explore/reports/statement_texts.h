@@ -2,7 +2,6 @@
 // tests/explore/statement_texts_test.cc.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +11,8 @@
 namespace oncard::explore {
 
 struct ProgramText {
-  std::string text;  ///< empty: unknown
+  std::string text;       ///< empty: unknown
+  std::string file = {};  ///< as vm::Function::file has it; empty: that of all functions
   /// As in compiler::Compilation; empty for a program that was not compiled now.
   std::vector<std::vector<compiler::SourceRange>> places = {};
 };
@@ -27,35 +27,42 @@ class StatementTexts {
   StatementTexts(const ProgramText& program, const vm::Object& object);
 
   /// The text of a step's statement. A line that is a statement is shown as it is, with its
-  /// comment; so is one with several where it is not known which of them is meant. Empty without a
-  /// source.
+  /// comment; so is one with a part of a longer statement, or where it is not known which of
+  /// several is meant. `file:line` for a function of an included file; empty without a source.
   std::string Of(const runtime::LoggedStep& step) const;
-  /// True if both are known to belong to one statement of one line.
+  /// True if both are known to belong to one statement.
   bool InOneStatement(const runtime::LoggedStep& one, const runtime::LoggedStep& other) const;
 
  private:
-  /// A statement in the line's text.
-  struct Part {
+  /// Bytes of the program's text.
+  struct Span {
     size_t begin = 0;
     size_t end = 0;
-    std::string statement;  ///< without what precedes it: braces, the head of a function, labels
+
+    bool Has(const Span& other) const { return begin <= other.begin && other.end <= end; }
+  };
+  struct Part {
+    size_t begin = 0;  ///< of its labels
+    Span statement;    ///< with its semicolon
     bool declares = false;
   };
-  struct Line {
-    size_t begin = 0;  ///< in the program's text
-    std::string text;  ///< as it is shown
-    std::vector<Part> parts;
-    bool alone = false;  ///< it is one statement, and nothing else
-  };
 
-  static std::vector<Part> PartsOf(const std::string& code);
-  const Line* LineOf(const runtime::LoggedStep& step) const;
-  const Part* PartOf(const Line& line, const runtime::LoggedStep& step) const;
-  const Part* PlacedPart(const Line& line, const compiler::SourceRange& place) const;
+  void FindParts();
+  bool IsOfFile(const runtime::LoggedStep& step) const;
+  /// Without its line end; empty for an unknown line.
+  Span LineOf(const runtime::LoggedStep& step) const;
+  const Part* PartOf(const runtime::LoggedStep& step) const;
+  const Part* PartAt(size_t place) const;
+  const Part* CountedPart(const runtime::LoggedStep& step) const;
+  /// True if the line has nothing else.
+  bool IsAlone(const Part& part, Span line) const;
+  std::string Shown(Span span) const;
 
   const ProgramText& program_;
   const vm::Object& object_;
-  std::vector<Line> lines_;  ///< element n: line n + 1
+  std::string code_;         ///< the text with blanks for comments and directives
+  std::vector<Span> lines_;  ///< element n: line n + 1
+  std::vector<Part> parts_;  ///< in their order
 };
 
 }  // namespace oncard::explore

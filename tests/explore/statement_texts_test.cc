@@ -21,8 +21,9 @@ runtime::LoggedStep StepAt(const vm::Object& object, int function, int position)
 /// A program, and the statements of its first function: what is shown for each instruction.
 class Statements {
  public:
-  explicit Statements(const std::string& source)
-      : compilation_(compiler::CompileText("p.c", source, {}, compiler::NoFiles())) {}
+  explicit Statements(const std::string& source,
+                      const compiler::FileReader& reader = compiler::NoFiles())
+      : compilation_(compiler::CompileText("p.c", source, {}, reader)) {}
 
   bool ok() const { return compilation_.ok(); }
   const vm::Object& object() const { return *compilation_.object; }
@@ -61,10 +62,11 @@ using Texts = std::vector<std::string>;
 
 TEST(StatementTextsTest, OfALineWithSeveralAreShownAlone) {
   const Statements program(
-      "int x, y;\nint t0() { int v; x = 1; /* two; */ L: y = 2; return 0; } // three;\n");
+      "int x, y;\nint t0() { int v; x = 1; /* two; */ L: y = 2; // three;\n  x = 3; return "
+      "0;\n}\n");
   ASSERT_TRUE(program.ok());
   for (const bool placed : {true, false}) {
-    EXPECT_EQ(program.Shown(placed), (Texts{"x = 1;", "y = 2;", "return 0;"})) << placed;
+    EXPECT_EQ(program.Shown(placed), (Texts{"x = 1;", "y = 2;", "x = 3;", "return 0;"})) << placed;
     EXPECT_FALSE(program.InOne(placed, 0, 1));
   }
 }
@@ -99,6 +101,27 @@ TEST(StatementTextsTest, OfStructuredCAreThoseOfTheSource) {
   EXPECT_TRUE(program.InOne(true, 0, 2));
   EXPECT_FALSE(program.InOne(true, 2, 3));
   EXPECT_FALSE(program.InOne(false, 0, 2));
+}
+
+TEST(StatementTextsTest, MayHaveSeveralLines) {
+  const Statements program(
+      "//@ structured\nint n;\nvoid t0() {\n  n = n * 2  // first;\n      + n * 3;\n  n = 1;\n}\n");
+  ASSERT_TRUE(program.ok());
+  EXPECT_EQ(program.Shown(true).front(), "n = n * 2  // first;");
+  EXPECT_TRUE(program.InOne(true, 0, 2));
+  EXPECT_FALSE(program.InOne(true, 2, 3));
+}
+
+TEST(StatementTextsTest, OfAnIncludedFileAreNotThoseOfTheProgram) {
+  const Statements program(
+      "//@ structured\n#include \"t0.h\"\nvoid t1() { n = 3; }\n",
+      [](const std::string&) -> Result<std::string> {
+        return std::string("int n;\nint v;\nvoid t0() { v = n; n = v * 2 + 1; }\n");
+      });
+  ASSERT_TRUE(program.ok());
+  EXPECT_EQ(program.Shown(true).front(), "t0.h:3");
+  EXPECT_FALSE(program.InOne(true, 0, 1));
+  EXPECT_EQ(program.Shown(true, 1).front(), "n = 3;");
 }
 
 TEST(StatementTextsTest, AreUnknownWithoutASource) {
