@@ -89,25 +89,24 @@ int64_t VirtualTime::Pass(int64_t ns) {
   if (now < first_deadline_ns_) return now;
 
   std::unique_lock<std::mutex> lock = Enter();
+  MarkInterrupted(CallingThread());
   WakeDue();
-  // A handler of a signal may have interrupted a wait of this thread, which cannot end before it.
-  const ThreadId own = CallingThread();
   ++passing_;
-  while (IsPassingSomeone(now, own)) {
+  while (IsPassingSomeone(now)) {
     const int seen = gone_;
     lock.unlock();
     WaitFor(&gone_, seen);
-    lock.lock();
+    lock = Enter();
   }
   --passing_;
   return now;
 }
 
-bool VirtualTime::IsPassingSomeone(int64_t now, ThreadId own) const {
+bool VirtualTime::IsPassingSomeone(int64_t now) const {
   if (going_ > 0) return true;
   for (const Sleeper& sleeper : sleepers_) {
     if (sleeper.deadline_ns > now) return false;
-    if (sleeper.thread != own && !sleeper.interrupted) return true;
+    if (!sleeper.interrupted) return true;
   }
   return false;
 }
@@ -141,11 +140,14 @@ void VirtualTime::Remove(int64_t deadline_ns, int64_t number) {
   TellPassing();
 }
 
-// A thread that begins something during a wait is in a handler that has interrupted it.
+// A thread that begins something during a wait is in a handler that has interrupted it: the wait
+// cannot end before the handler, and others do not wait for it.
 void VirtualTime::MarkInterrupted(ThreadId thread) {
+  bool any = false;
   for (const Sleeper& sleeper : sleepers_) {
-    if (sleeper.thread == thread) sleeper.interrupted = true;
+    if (sleeper.thread == thread && !sleeper.interrupted) sleeper.interrupted = any = true;
   }
+  if (any) TellPassing();
 }
 
 const VirtualTime::Sleeper* VirtualTime::First() const {
@@ -180,7 +182,9 @@ bool VirtualTime::IsAlone(std::unique_lock<std::mutex>* lock) {
   std::vector<ThreadId> asleep;
   std::vector<ThreadId> in_slices;
   for (const Sleeper& sleeper : sleepers_) {
-    if (sleeper.thread != own) (sleeper.bed ? asleep : in_slices).push_back(sleeper.thread);
+    // Who has interrupted a wait runs.
+    if (sleeper.thread == own || sleeper.interrupted) continue;
+    (sleeper.bed ? asleep : in_slices).push_back(sleeper.thread);
   }
   const int64_t changes = changes_;
   const int64_t visits = visits_;
@@ -219,7 +223,7 @@ int64_t VirtualTime::SleepUntil(int64_t deadline_ns) {
     } else {
       RealSleep(kLastLookNs);
     }
-    lock.lock();
+    lock = Enter();
   }
   if (bed.is_going && --going_ == 0) TellPassing();
   return 0;
@@ -256,7 +260,6 @@ void VirtualTime::EndWait(const Wait& wait, bool expired) {
 void VirtualTime::LetOthersPass() {
   const std::unique_lock<std::mutex> lock = Enter();
   MarkInterrupted(CallingThread());
-  TellPassing();
 }
 
 // --- The helper ----------------------------------------------------------------------------------

@@ -139,7 +139,7 @@ class VirtualTime {
   bool IsAlone(std::unique_lock<std::mutex>* lock);
   /// True while sleepers whose moment has come have not gone on; waits of `own` and those that a
   /// handler has interrupted do not count.
-  bool IsPassingSomeone(int64_t now, ThreadId own) const;
+  bool IsPassingSomeone(int64_t now) const;
   /// Tells threads in Pass() that a sleeper has gone.
   void TellPassing();
 

@@ -145,6 +145,24 @@ TEST(VirtualTimeTest, PassesAWaitThatAHandlerHasInterrupted) {
   EXPECT_EQ(time.NowNs(), 20 * kMs);
 }
 
+// As two threads that wait for a signal each, whose handlers look at the clock.
+TEST(VirtualTimeTest, HandlersThatLetTimePassDoNotWaitForEachOther) {
+  VirtualTime time([](auto, auto) { return false; });
+  std::atomic<int> waiting = 0;
+  const auto handle = [&] {
+    const VirtualTime::Wait wait = time.BeginWait(10 * kMs);
+    ++waiting;
+    while (waiting < 2) std::this_thread::yield();
+    time.Pass(20 * kMs);
+    EXPECT_EQ(time.NextSliceNs(wait), 0);
+    time.EndWait(wait, true);
+  };
+  std::thread other(handle);
+  handle();
+  other.join();
+  EXPECT_EQ(time.NowNs(), 40 * kMs);
+}
+
 TEST(VirtualTimeTest, WaitsForAWaitThatGoesOnAfterAHandler) {
   VirtualTime time([](auto, auto) { return false; });
   const VirtualTime::Wait wait = time.BeginWait(10 * kMs);
