@@ -81,12 +81,13 @@ bool StopsAxis(const motion::MotionCore& core, const motion::Happening& happenin
   const motion::MotionState& state = core.state();
   const size_t item = happening.item;
   switch (happening.kind) {
+    // An axis moves away from a limit freely; homing goes to limits.
     case HappeningKind::kPositiveLimitSwitch:
-    case HappeningKind::kNegativeLimitSwitch:
     case HappeningKind::kPositiveSoftLimit:
+      return state.axes[item].profile.velocity > 0 && !state.homing[item].running;
+    case HappeningKind::kNegativeLimitSwitch:
     case HappeningKind::kNegativeSoftLimit:
-      // Homing goes to limits.
-      return core.AxisMoving(state.axes[item]) && !state.homing[item].running;
+      return state.axes[item].profile.velocity < 0 && !state.homing[item].running;
     case HappeningKind::kSmoothStopInput:
     case HappeningKind::kAbruptStopInput:
       return core.AxisMoving(state.axes[item]);

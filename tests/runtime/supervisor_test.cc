@@ -195,6 +195,15 @@ TEST(AxisStopped, TellsOfASwitchAndOfAStopInput) {
               ElementsAre(HasSubstr("the drive of axis 1 reports an alarm")));
 }
 
+TEST(AxisStopped, IsNothingOfALimitThatTheAxisMovesAwayFrom) {
+  EXPECT_THAT(WarningsOf(Program("  GT_AxisOn(1);\n  GT_PrfJog(1);\n  GT_SetVel(1, -10);\n"
+                                 "  GT_Update(1);\n  GT_Delay(50);\n  GT_Stop(1, 0);\n" +
+                                 WaitFor(1)),
+                         "[[world.input]]\ntype = \"limit_positive\"\nindex = 1\nvalue = 1\n"
+                         "at_ms = 20\n"),
+              IsEmpty());
+}
+
 // --- period-overrun ------------------------------------------------------------------------------
 
 // 450 statements of 100 in a millisecond last 4.5 ms: runs begin at 0, 6 and 12 ms, and each misses
