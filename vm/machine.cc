@@ -20,10 +20,6 @@ namespace {
 bool IsThread(int thread) { return thread >= 0 && thread < kThreadCount; }
 uint32_t Bit(int thread) { return uint32_t{1} << thread; }
 
-bool IsActive(const ThreadState& thread) {
-  return IsAwake(thread) || thread.run == ThreadRun::kPaused;
-}
-
 // Calls `visit(thread)` for each bit of `threads`, in ascending order.
 template <typename Visit>
 void ForEachThread(uint32_t threads, const Visit& visit) {

@@ -77,6 +77,11 @@ inline bool IsAwake(const ThreadState& thread) {
   return thread.run == ThreadRun::kRunning || thread.period_cycles > 0;
 }
 
+/// True for a thread that is in the middle of its function, or is to be started again.
+inline bool IsActive(const ThreadState& thread) {
+  return IsAwake(thread) || thread.run == ThreadRun::kPaused;
+}
+
 /// The data pages. Few programs use more than a handful of the 32, so it records which ones have
 /// ever been accessed for writing: the others are all 0 and need not be copied.
 class DataPages {

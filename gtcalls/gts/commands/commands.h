@@ -23,9 +23,6 @@ namespace gts {
 #include "gtcalls/gts/catalogue.def"
 }  // namespace gts
 
-/// True if the thread is in the middle of its function, or will be started again by its period.
-bool IsActive(const vm::ThreadState& thread);
-
 /// Why a thread is not in the state that a command needs: its state, and what to call first.
 Message DescribeThread(int thread, const vm::ThreadState& state);
 

@@ -179,10 +179,6 @@ int16_t gts::GT_GetThread(Call& call) {
   return vm::kOk;
 }
 
-bool IsActive(const vm::ThreadState& thread) {
-  return vm::IsAwake(thread) || thread.run == ThreadRun::kPaused;
-}
-
 Message DescribeThread(int thread, const vm::ThreadState& state) {
   switch (state.run) {
     case ThreadRun::kUnbound:
