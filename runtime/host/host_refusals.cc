@@ -1,10 +1,10 @@
 #include "runtime/host/host_refusals.h"
 
-#include <algorithm>
 #include <cstdlib>
 #include <string_view>
 #include <utility>
 
+#include "base/split.h"
 #include "runtime/host/host_scenario.h"
 
 namespace oncard::runtime {
@@ -19,11 +19,8 @@ RefusalWish RefusalWishOfProcess() {
 CardWarnings SilentWarningsOfProcess() {
   const char* setting = std::getenv("ONCARD_SILENT");
   CardWarnings silent;
-  std::string_view rest = setting == nullptr ? "" : setting;
-  while (!rest.empty()) {
-    const std::string_view name = rest.substr(0, rest.find(','));
+  for (const std::string_view name : Split(setting == nullptr ? "" : setting, ',')) {
     ReadSilentWarning(name, &silent);
-    rest.remove_prefix(std::min(name.size() + 1, rest.size()));
   }
   return silent;
 }

@@ -10,6 +10,7 @@
 #include <mutex>
 
 #include "base/files.h"
+#include "base/split.h"
 #include "runtime/host/call_log.h"
 #include "runtime/host/card_table.h"
 #include "runtime/host/host_card.h"
@@ -57,11 +58,8 @@ Result<std::shared_ptr<const Scenario>> ScenarioFromEnvironment() {
 std::vector<std::string> TraceFilesFromEnvironment() {
   const char* names = std::getenv("ONCARD_TRACE");
   std::vector<std::string> files;
-  std::string_view rest = names == nullptr ? "" : names;
-  while (!rest.empty()) {
-    const std::string_view name = rest.substr(0, rest.find(':'));
+  for (const std::string_view name : Split(names == nullptr ? "" : names, ':')) {
     if (!name.empty()) files.emplace_back(name);
-    rest.remove_prefix(std::min(name.size() + 1, rest.size()));
   }
   return files;
 }

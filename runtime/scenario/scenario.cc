@@ -6,6 +6,7 @@
 
 #include "base/files.h"
 #include "base/number.h"
+#include "base/split.h"
 #include "base/trim.h"
 #include "runtime/scenario/key_table.h"
 #include "runtime/scenario/keyed_toml.h"
@@ -13,16 +14,6 @@
 
 namespace oncard::runtime {
 namespace {
-
-std::vector<std::string_view> Split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (size_t begin = 0;;) {
-    const size_t end = text.find(separator, begin);
-    parts.push_back(text.substr(begin, end - begin));
-    if (end == std::string_view::npos) return parts;
-    begin = end + 1;
-  }
-}
 
 /// Empty when there are none.
 std::string FormatExpectations(const std::vector<Expectation>& expectations) {
