@@ -48,7 +48,7 @@ struct RunOptions {
   /// A refused command of a thread is a failure, not only a warning; so is what the supervisor
   /// warns of.
   bool strict_commands = false;
-  /// What the supervisor (supervisor.h) does not warn of.
+  /// Warnings of the supervisor (supervisor.h) that are not reported.
   CardWarnings silent = {};
   /// If set from outside, for instance by a signal handler, the run ends early, and the result
   /// contains what was recorded until then.
@@ -98,9 +98,9 @@ struct ScenarioResult {
   std::vector<ThreadReport> threads;  ///< bound ones, by number
   std::vector<ShownValue> values;
   std::vector<ScenarioFailure> failures;
-  /// Warnings: refused commands of threads, findings of the supervisor, writes of the host after
-  /// the end of the run, events of the world after an end that was intended; from
-  /// RunWithRequirements() also requirements that no state put to the test (vacuity.h).
+  /// Warnings: refused commands of threads, findings of the supervisor, writes of the host and
+  /// events of the world after an end that was intended; from RunWithRequirements() also
+  /// requirements that no state put to the test (vacuity.h).
   std::vector<Message> warnings;
   std::optional<vm::Schedule> schedule;
   std::optional<Trace> trace;
