@@ -8,13 +8,7 @@
 #include "runtime/host/host_scenario.h"
 
 namespace oncard::runtime {
-
-RefusalWish RefusalWishOfProcess() {
-  const char* setting = std::getenv("ONCARD_REFUSALS");
-  const std::string_view wish = setting == nullptr ? "" : setting;
-  if (wish == "strict") return RefusalWish::kStrict;
-  return wish == "warn" ? RefusalWish::kWarn : RefusalWish::kNothing;
-}
+namespace {
 
 CardWarnings SilentWarningsOfProcess() {
   const char* setting = std::getenv("ONCARD_SILENT");
@@ -23,6 +17,15 @@ CardWarnings SilentWarningsOfProcess() {
     ReadSilentWarning(name, &silent);
   }
   return silent;
+}
+
+}  // namespace
+
+RefusalWish RefusalWishOfProcess() {
+  const char* setting = std::getenv("ONCARD_REFUSALS");
+  const std::string_view wish = setting == nullptr ? "" : setting;
+  if (wish == "strict") return RefusalWish::kStrict;
+  return wish == "warn" ? RefusalWish::kWarn : RefusalWish::kNothing;
 }
 
 HostRefusals& HostRefusals::OfProcess() {
@@ -65,7 +68,9 @@ void HostRefusals::AddProgram(int card, const std::vector<RefusedCommand>& refus
 
 void HostRefusals::AddFindings(int card, const std::vector<CardFinding>& findings) {
   const std::lock_guard lock(mutex_);
+  const CardWarnings silent = SilentWarningsOfProcess();
   for (const CardFinding& finding : findings) {
+    if (silent.Has(finding.warning)) continue;
     of_programs_.push_back(OfCard(card, DescribeFinding(finding, {})));
   }
 }

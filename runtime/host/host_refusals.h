@@ -1,6 +1,7 @@
 // Refused commands of a host program and of the motion programs of its cards: for the host, each
-// command and reason of a card once with its first call; for motion programs, each place. `oncard
-// exec` requests the list with ONCARD_REFUSALS; it is printed when the host ends. Thread-safe.
+// command and reason of a card once with its first call; for motion programs, each place. And what
+// the supervisors of its cards have found. `oncard exec` requests the list with ONCARD_REFUSALS; it
+// is printed when the host ends. Thread-safe.
 // Tested by tests/tools/exec_command_test.cc.
 #pragma once
 
@@ -31,9 +32,6 @@ RefusalWish RefusalWishOfProcess();
 /// can be without number.
 inline constexpr size_t kRefusalReasons = 8;
 
-/// The warnings of the supervisor that ONCARD_SILENT switches off: `no-NAME`, separated by commas.
-CardWarnings SilentWarningsOfProcess();
-
 class HostRefusals {
  public:
   static HostRefusals& OfProcess();
@@ -42,7 +40,8 @@ class HostRefusals {
   void Add(const LoggedCall& call);
   /// Records the refused commands of a card's motion programs.
   void AddProgram(int card, const std::vector<RefusedCommand>& refused);
-  /// Records what the supervisor of a card has found.
+  /// Records what the supervisor of a card has found, but for the warnings that ONCARD_SILENT
+  /// switches off: `no-NAME`, separated by commas.
   void AddFindings(int card, const std::vector<CardFinding>& findings);
   /// `card 0: GT_AxisOn(9) = 7: ... (first at 0.25 ms, 3 times)`, then `card 0: p.c:12: thread 0 f:
   /// ...`, each in the order of the first calls. After kRefusalReasons reasons: `card 0: GT_AxisOn

@@ -84,8 +84,8 @@ inline constexpr int kExitNotAsExpected = 120;
 inline constexpr int kExitNoMoreKeys = 121;
 
 /// Called when the host ends: checks the cards that are still open, and reports failed expectations
-/// and requirements, the requirements that held, and refused commands on standard error. If there
-/// are failures and the host ended with 0, ends the process with kExitNotAsExpected.
+/// and requirements, the requirements that held, refused commands and what the supervisors of the
+/// cards have found on standard error. If there are failures and the host ended with 0, ends the process with kExitNotAsExpected.
 void FinishHost();
 /// Called in a child of fork(): only the parent reports results and writes files.
 void LeaveJudgingToParent();

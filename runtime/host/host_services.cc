@@ -109,7 +109,7 @@ int16_t Open(ServiceCall& call) {
   const bool collects = RefusalWishOfProcess() != RefusalWish::kNothing;
   if (collects) {
     slot.controller->CollectRefusals(&slot.refused);
-    slot.supervisor.emplace(slot.controller.get(), SilentWarningsOfProcess());
+    slot.supervisor.emplace(slot.controller.get());
   }
   if (slot.watch || slot.memory || collects) WatchHostSignals();
   slot.no_program_code = vm::kRefused;

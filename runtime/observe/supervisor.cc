@@ -144,8 +144,8 @@ Message DescribeFinding(const CardFinding& finding, const std::string& program_p
 
 // --- Beginning -----------------------------------------------------------------------------------
 
-Supervisor::Supervisor(Controller* controller, CardWarnings silent)
-    : controller_(*controller), silent_(silent), history_(std::make_shared<History>()) {
+Supervisor::Supervisor(Controller* controller)
+    : controller_(*controller), history_(std::make_shared<History>()) {
   const gtcalls::Family& family = controller_.family();
   for (const gtcalls::Command& command : family.catalogue.commands()) {
     kinds_.push_back({family.motion_role(command), MayStartMotion(command)});
@@ -354,7 +354,6 @@ void Supervisor::Happened(const motion::Happening& happening) {
 }
 
 void Supervisor::Overran(int number) {
-  if (silent_.Has(CardWarning::kPeriodOverrun)) return;
   const vm::Machine& machine = controller_.machine();
   const vm::ThreadState& thread = machine.thread(number);
   History::Overruns& overruns = Present().overruns[static_cast<size_t>(number)];
@@ -389,7 +388,6 @@ void Supervisor::JudgeEnd() {
 }
 
 void Supervisor::JudgeWorkLeft() {
-  if (silent_.Has(CardWarning::kWorkLeft)) return;
   motion::ForEachBit(MovingAxes(controller_), motion::kAxisMax, [&](size_t axis) {
     const CallSite& site = history_->profiles[axis].started;
     Add(KeyOf(CardWarning::kWorkLeft, site, axis), PlaceOfSite(site),
@@ -414,14 +412,13 @@ void Supervisor::JudgeWorkLeft() {
 
 void Supervisor::JudgeStop(size_t index) {
   const History::Profile& profile = history_->profiles[index];
-  if (!profile.stop || silent_.Has(CardWarning::kAxisStopped)) return;
+  if (!profile.stop) return;
   Add(KeyOf(CardWarning::kAxisStopped, profile.started, index), PlaceOfSite(profile.started),
       DescribeHappening(*profile.stop), profile.stopped_us);
 }
 
 void Supervisor::JudgeLeftOut(size_t i) {
   const History::Profile& profile = history_->profiles[i];
-  if (silent_.Has(CardWarning::kUpdateMask)) return;
   if (profile.left_out.known() && AwaitsStart(i)) {
     Add(KeyOf(CardWarning::kUpdateMask, profile.left_out, i), PlaceOfSite(profile.left_out),
         MakeMessage(
@@ -445,12 +442,10 @@ Supervisor::Key Supervisor::KeyOf(CardWarning warning, const CallSite& site) con
 }
 
 void Supervisor::Add(CardWarning warning, const gtcalls::Call& call, Message text) {
-  if (silent_.Has(warning)) return;
   Add(KeyOf(warning, SiteOf(call)), PlaceOf(call), std::move(text), controller_.NowUs());
 }
 
 void Supervisor::Add(CardWarning warning, const gtcalls::Call& call, size_t axis, Message text) {
-  if (silent_.Has(warning)) return;
   Add(KeyOf(warning, SiteOf(call), axis), PlaceOf(call), std::move(text), controller_.NowUs());
 }
 

@@ -43,12 +43,11 @@ class Supervisor final : public CardObserver {
   struct History;
   using HistoryPointer = std::shared_ptr<History>;  ///< shared: it is copied before a change
 
-  /// Watches the controller from now on; it must exist as long as this object. Warnings in `silent`
-  /// are not looked for.
-  explicit Supervisor(Controller* controller, CardWarnings silent = {});
+  /// Watches the controller from now on; it must exist as long as this object.
+  explicit Supervisor(Controller* controller);
   ~Supervisor() override;
 
-  /// In the order of their first occurrence.
+  /// In the order of their first occurrence. Who reports them leaves out what is silenced.
   const std::vector<CardFinding>& findings() const { return findings_; }
   /// To be called at the end of a run that was not interrupted: adds what only the end shows.
   void JudgeEnd();
@@ -106,7 +105,6 @@ class Supervisor final : public CardObserver {
   void JudgeWorkLeft();
 
   Controller& controller_;
-  CardWarnings silent_;
   std::vector<CommandKind> kinds_;  ///< by the numbers of commands
   HistoryPointer history_;
   uint32_t moving_before_ = 0;  ///< the command that is being executed

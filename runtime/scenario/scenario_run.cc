@@ -27,7 +27,7 @@ class ScenarioRunner {
       : scenario_(scenario),
         options_(options),
         controller_(CardOptions(scenario)),
-        supervisor_(&controller_, options.silent) {}
+        supervisor_(&controller_) {}
 
   Result<ScenarioResult> Run(vm::Object object) {
     if (options_.log != nullptr) {
@@ -312,6 +312,7 @@ class ScenarioRunner {
 
   void ReportFindings() {
     for (const CardFinding& finding : supervisor_.findings()) {
+      if (options_.silent.Has(finding.warning)) continue;
       WarnOfProgram(DescribeFinding(finding, ProgramPath(scenario_)));
     }
   }
