@@ -185,6 +185,7 @@ void CardWatch::Finish(Controller* controller) {
   const std::lock_guard lock(verdict.mutex);
   verdict.end_ms = std::max(verdict.end_ms, controller->NowMs());
   verdict.failures.insert(verdict.failures.end(), failures_.begin(), failures_.end());
+  verdict.warnings.insert(verdict.warnings.end(), warnings_.begin(), warnings_.end());
   verdict.held.insert(verdict.held.end(), held_.begin(), held_.end());
 }
 
@@ -197,6 +198,9 @@ void CardWatch::FinishRequirements(const Controller& controller, bool in_order) 
                                 fmt::format("“{}”{}", failure.expectation, failure.message.zh)}));
   }
   for (const Message& held : requirements_->DescribeHeld()) held_.push_back(OfCard(held));
+  for (const Message& vacuous : requirements_->DescribeVacuous()) {
+    warnings_.push_back(OfCard(vacuous));
+  }
 }
 
 Message OfCard(int card, const Message& message) {

@@ -70,6 +70,7 @@ class CardWatch {
   std::optional<RequirementWatch> requirements_;  ///< when the scenario has some
   ScenarioFit fit_;
   std::vector<Message> failures_;
+  std::vector<Message> warnings_;
   std::vector<Message> held_;      ///< requirements, and over what
   std::optional<int64_t> end_us_;  ///< of the card's time
   bool over_ = false;
@@ -84,8 +85,9 @@ inline constexpr int kExitNotAsExpected = 120;
 inline constexpr int kExitNoMoreKeys = 121;
 
 /// Called when the host ends: checks the cards that are still open, and reports failed expectations
-/// and requirements, the requirements that held, refused commands and what the supervisors of the
-/// cards have found on standard error. If there are failures and the host ended with 0, ends the process with kExitNotAsExpected.
+/// and requirements, the requirements that held, refused commands, and what the supervisors of the
+/// cards have found, on standard error. If there are failures and the host ended with 0, ends the
+/// process with kExitNotAsExpected.
 void FinishHost();
 /// Called in a child of fork(): only the parent reports results and writes files.
 void LeaveJudgingToParent();

@@ -37,6 +37,14 @@ TEST(ExecRequirements, SaysWhatHeldAndOverWhat) {
             HasSubstr("'eventually: sum == 4950': held at "), Not(HasSubstr("does not"))));
 }
 
+TEST(ExecRequirements, SayWhatNoStatePutToTheTest) {
+  const ProcessResult result = ExecSum("never = [\"sum > 6000 && sum < 7000\"]\n");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err,
+              HasSubstr("oncard: warning: card 0: 'never: sum > 6000 && sum < 7000' was "
+                        "met by its left side alone: 'sum > 6000' never held"));
+}
+
 TEST(ExecRequirements, ReportsWhatDoesNotHoldAsARunDoes) {
   const ProcessResult result = ExecSum(
       "always = [\"sum < 3\"]\nnever = [\"sum == 10\"]\nfinal = [\"sum == 5051\"]\n"
