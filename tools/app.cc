@@ -106,9 +106,13 @@ CLI::Option* AddSilentOption(CLI::App& command, const Invocation& invocation,
               invocation.Say({"-Wno-NAME switches a warning about the card off (repeatable)",
                               "-Wno-名称 不报告控制卡的某种警告（可重复）"}),
               [](const std::string& value) {
-                return runtime::ReadSilentWarning(value, nullptr)
-                           ? std::string()
-                           : "expected no-NAME, where NAME is in the brackets of a warning";
+                if (runtime::ReadSilentWarning(value, nullptr)) return std::string();
+                std::vector<std::string_view> names;
+                for (const runtime::CardWarningInfo& info : runtime::CardWarningTable()) {
+                  names.push_back(info.name);
+                }
+                return fmt::format("expected no-NAME, where NAME is a warning about the card: {}",
+                                   fmt::join(names, ", "));
               });
 }
 
@@ -122,8 +126,10 @@ CLI::Option* AddStrictCommandsOption(CLI::App& command, const Invocation& invoca
                                      bool& strict) {
   return command.add_flag(
       "--strict-commands", strict,
-      invocation.Say({"fail when a GT command returns a code other than 0 (by default a warning)",
-                      "GT 指令返回值不为 0 时视为失败（默认仅警告）"}));
+      invocation.Say(
+          {"fail when a GT command returns a code other than 0, or the card's supervisor "
+           "warns (by default warnings)",
+           "GT 指令返回值不为 0 或有运行警告时视为失败（默认仅警告）"}));
 }
 
 CLI::Option* AddFormatOption(CLI::App& command, const Invocation& invocation, std::string& format,
