@@ -6,6 +6,7 @@
 #include "explore/engines/sampler.h"
 #include "runtime/scenario/search_names.h"
 #include "tools/commands.h"
+#include "tools/search_watch.h"
 
 namespace oncard::tools {
 
@@ -120,7 +121,7 @@ void AddExploreOptions(CLI::App& command, const Invocation& invocation,
           invocation.Say({"end it when it occupies so much; without it, half of what is free",
                           "占用内存达到该值时结束；默认为可用内存的一半"}))
       ->type_name("MIB")
-      ->check(CLI::Range(int64_t{1}, int64_t{1} << 30).description(""));
+      ->check(CLI::Range(int64_t{1}, kMemoryMibMax).description(""));
   command.add_flag("--all", arguments.all,
                    invocation.Say({"continue after a failure, so that all are counted",
                                    "出错后继续搜索，以统计全部错误"}));

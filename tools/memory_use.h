@@ -1,15 +1,19 @@
-// How much memory this process has, and how much there is.
+// How much memory this process has, and how much there is. Tested by
+// tests/tools/memory_use_test.cc.
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
 
 namespace oncard::tools {
 
 /// Bytes of memory that this process occupies; 0: unknown.
 int64_t MemoryInUse();
 
-/// Bytes that programs can still take: of the computer, or of the control group of this process (a
-/// container, a job of a cluster) if that has a limit and less is left in it. 0: unknown.
-int64_t MemoryLeft();
+/// Bytes that programs can still take: of the computer, or of the container in which they run, if
+/// that has a limit (control groups, version 2) and less is left in it. What only keeps files can
+/// be taken. Nothing: unknown. `root` stands before the paths of the system's files.
+std::optional<int64_t> MemoryLeft(const std::string& root = {});
 
 }  // namespace oncard::tools

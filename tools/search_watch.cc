@@ -6,6 +6,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <optional>
 #include <string>
 
 #include "tools/memory_use.h"
@@ -16,7 +17,7 @@ namespace {
 constexpr std::chrono::seconds kShown{1};
 /// How often the memory is looked at: a search takes up to half a gigabyte in a second.
 constexpr std::chrono::milliseconds kLook{100};
-constexpr int64_t kMiB = 1024 * 1024;
+constexpr int64_t kMiB = int64_t{1} << 20;
 /// How often a search is saved: if the process is killed, at most this much is lost.
 constexpr std::chrono::seconds kKept{60};
 /// The search ends so much of the time limit before it: then a failure is made simpler, for so long
@@ -88,9 +89,14 @@ void SearchWatch::End(std::atomic<bool>* why) {
   progress_.stop = true;
 }
 
+int64_t SearchWatch::MemoryLimit() const {
+  if (options_.memory_mib > 0) return options_.memory_mib * kMiB;
+  const std::optional<int64_t> left = MemoryLeft();
+  return left ? MemoryInUse() + *left / 2 / options_.searches : INT64_MAX;
+}
+
 void SearchWatch::Watch() {
-  const int64_t memory =
-      options_.memory_mib > 0 ? options_.memory_mib * kMiB : MemoryInUse() + MemoryLeft() / 2;
+  const int64_t memory = MemoryLimit();
   const auto start = std::chrono::steady_clock::now();
   const std::chrono::duration<double> given(options_.seconds);
   const std::chrono::duration<double> searched = given * (1 - kReserved);

@@ -17,10 +17,14 @@
 
 namespace oncard::tools {
 
+/// A larger limit of memory is refused.
+inline constexpr int64_t kMemoryMibMax = int64_t{1} << 30;
+
 struct WatchOptions {
   bool shows = false;      ///< shows the progress every second in a line on standard error
   double seconds = 0;      ///< time limit of the search; 0: none
-  int64_t memory_mib = 0;  ///< limit of what the process occupies; 0: half of what is there
+  int64_t memory_mib = 0;  ///< limit of what the process occupies; 0: its part of what is there
+  int searches = 1;        ///< processes that search at a time, and share half of what is there
   bool pauses = false;     ///< the search pauses every minute (SearchProgress::pausing)
   std::string title = {};  ///< stands before the progress; empty: nothing
 };
@@ -39,8 +43,11 @@ class SearchWatch {
   /// A signal stopped the search, or a limit did.
   bool interrupted() const { return progress_.interrupted; }
   bool out_of_time() const { return progress_.out_of_time; }
+  bool out_of_memory() const { return progress_.out_of_memory; }
 
  private:
+  /// What the process may occupy, in bytes.
+  int64_t MemoryLimit() const;
   void Watch();
   /// The search ends; SearchProgress says why.
   void End(std::atomic<bool>* why);

@@ -33,7 +33,8 @@ struct TestArguments {
   std::vector<std::string> programs;
   int jobs = 0;
   std::optional<int> timeout_s;
-  double search_s = 60;  ///< of an exploration; 0: no limit
+  double search_s = 60;    ///< of an exploration; 0: no limit
+  int64_t search_mib = 0;  ///< the same; 0: those at a time share half of what is free
   bool progress = false;
   std::string format = "text";
   bool strict_commands = false;
@@ -128,6 +129,7 @@ struct Testing {
   const Invocation& invocation;
   const StopSignals& signals;
   const std::string& scratch;  ///< a folder for all tests; empty: none could be made
+  int jobs = 1;                ///< tests that run at a time
 };
 
 /// True if the test can fail for another reason than that its threads do not end well.
@@ -150,6 +152,11 @@ bool ReportCutSearch(const SearchWatch& watch, double limit_s, explore::Verdict 
         "the search was ended by the time limit of {0} s before it was complete: --time sets the "
         "limit",
         "搜索在完成前达到时间上限 {0} 秒：可用 --time 设定上限", limit_s));
+  } else if (watch.out_of_memory()) {
+    outcome->failures.push_back(
+        {"the search was ended by its limit of memory before it was complete: --memory sets the "
+         "limit",
+         "搜索在完成前达到内存上限：可用 --memory 设定上限"});
   } else {
     outcome->interrupted = true;
     outcome->failures.push_back({"interrupted", "被中断"});
@@ -164,6 +171,8 @@ void ExploreTest(const runtime::Scenario& scenario, const runtime::ProgramLoad& 
   if (load.compilation) source = explore::TextOf(*load.compilation);
   SearchWatch watch(testing.invocation, {.shows = testing.arguments.progress,
                                          .seconds = testing.arguments.search_s,
+                                         .memory_mib = testing.arguments.search_mib,
+                                         .searches = testing.jobs,
                                          .title = compiler::DisplayText(outcome->Title())});
   const auto begin = std::chrono::steady_clock::now();
   auto findings = explore::ExploreAsWished(scenario, *load.object, source.text, watch.progress());
@@ -349,7 +358,7 @@ int Test(const TestArguments& arguments, const Invocation& invocation) {
       arguments.jobs > 0 ? arguments.jobs : static_cast<int>(std::thread::hardware_concurrency());
   isolation.timeout_s = arguments.timeout_s.value_or(programs.value().empty() ? 0 : kTimeout);
   const ScratchFolder scratch;
-  const Testing testing = {arguments, invocation, signals, scratch.path()};
+  const Testing testing = {arguments, invocation, signals, scratch.path(), isolation.jobs};
   const std::vector<TestOutcome> outcomes = RunIsolated(
       ListTests(scenarios.value(), programs.value(), testing), isolation, *signals.stop());
   if (outcomes.empty()) {
@@ -419,6 +428,15 @@ void AddTest(CLI::App& app, Invocation& invocation) {
                                    "耗时更长的探索视为失败；0 为不限（默认 60）"}))
       ->type_name("SECONDS")
       ->check(CLI::Range(0.0, 1e9).description(""));
+  command
+      ->add_option(
+          "--memory", arguments->search_mib,
+          invocation.Say({"an exploration that occupies more has failed (default: those at "
+                          "a time share half of what is free)",
+                          "占用内存更多的探索视为失败（默认：同时进行的探索共用可用内存的"
+                          "一半）"}))
+      ->type_name("MIB")
+      ->check(CLI::Range(int64_t{1}, kMemoryMibMax).description(""));
   command->add_flag("--progress", arguments->progress,
                     invocation.Say({"show the progress of explorations every second (default on a "
                                     "terminal)",

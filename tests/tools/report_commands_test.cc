@@ -136,6 +136,14 @@ TEST_F(ExploredTest, IsNoProofWhenItsTimeIsOver) {
               HasSubstr("搜索在完成前达到时间上限 0.02 秒：可用 --time 设定上限"));
 }
 
+TEST_F(ExploredTest, IsNoProofWhenItsMemoryIsFull) {
+  Write("{ engine = \"random\", verdict = \"PASSED\", runs = 1000000000000 }");
+  const ProcessResult result = Test({"e.toml", "--memory=1"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.out, HasSubstr("FAIL e.toml\n     the search was ended by its limit of memory "
+                                    "before it was complete: --memory sets the limit\n"));
+}
+
 TEST_F(ExploredTest, KeepsTheFailureFoundInItsTime) {
   Write("{ engine = \"random\", verdict = \"FAILED\", runs = 1000000000000 }",
         "int n, z;\nint f()\n{\n  n = 1 / z;\n}\n");
