@@ -41,7 +41,8 @@ struct PageServer::Session {
   explicit Session(session::SessionHost made) : host(std::move(made)) {}
 
   std::atomic<int> requests = 0;  ///< that are being answered, or wait for that
-  std::mutex mutex;               ///< of Handle()
+  std::atomic<bool> closed = false;
+  std::mutex mutex;  ///< of Handle()
   session::SessionHost host;
 };
 
@@ -88,6 +89,7 @@ class PageServer::Sessions {
     const std::lock_guard lock(mutex_);
     const auto found = sessions_.find(number);
     if (found == sessions_.end()) return false;
+    found->second->closed = true;
     found->second->host.End();
     sessions_.erase(found);
     return true;
@@ -196,6 +198,7 @@ class PageServer::Routes {
                                 kRequestsOfSession, Number(request)));
     }
     const std::lock_guard lock(session->mutex);
+    if (session->closed) return RefuseUnknown(request, response);
     response.set_content(session->host.Handle(request.body), kJsonLines);
   }
 
