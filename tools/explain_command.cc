@@ -44,6 +44,11 @@ int Explain(const std::vector<std::string>& words, const Invocation& invocation)
   }
   if (const runtime::CardWarningInfo* info = runtime::FindCardWarning(text)) {
     PrintResult(CardPage(*info, invocation.language));
+    // A warning of the compiler may have the same name.
+    for (const compiler::DiagnosticInfo& diagnostic : compiler::DiagnosticTable()) {
+      if (diagnostic.slug != text) continue;
+      PrintResult('\n' + *compiler::ExplainPage(diagnostic.code, invocation.language));
+    }
     return kExitOk;
   }
   // A number can be both, but with MP in front of it only a diagnostic.

@@ -291,7 +291,7 @@ TEST(Explain, ListsAllCodesWithoutOne) {
 TEST(Explain, HasAPageForEachWarningOfRuns) {
   EXPECT_THAT(RunOncard({"explain", "update-mask"}).out,
               AllOf(StartsWith("update-mask (warning of runs)\n\n    the mask of a start"),
-                    HasSubstr("axis 3 is 1 << 2")));
+                    HasSubstr("axis 3 is 1 << 2"), HasSubstr("\n\nMP139 ")));
   EXPECT_THAT(RunOncard({"--lang=zh", "explain", "drive-off"}).out,
               StartsWith("drive-off (运行警告)\n\n    轴在伺服使能关闭时运动\n"));
 }
