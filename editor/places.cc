@@ -178,8 +178,9 @@ Result<Json> Rename(const Analysis& analysis, const ProgramFiles& program, Curso
   const Analysis renamed(program.path, text, program.options, reader);
   if (auto refused = RefuseOtherMeaning(analysis, renamed, name)) return *std::move(refused);
 
-  // One error in place of all the others would hide those of the new name.
+  // Errors that are not shown, or one in place of all the others, would hide those of the new name.
   compiler::Options options = program.options;
+  options.max_errors = 0;
   options.recognize_structured = false;
   const auto before = compiler::CompileText(program.path, program.text, options, program.reader);
   const auto after = compiler::CompileText(program.path, text, options, reader);

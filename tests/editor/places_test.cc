@@ -166,6 +166,16 @@ constexpr RenameCase kRenameCases[] = {
      "int a;\nint c;\nvoid f()\n{\n  int b$0;\n  b = 1;\n  b++;\n  b++;\n  b++;\n  b++;\n  b++;\n"
      "  b++;\n  c = b;\n}\n",
      "a", "the local 'a' has the name of a global variable; choose another name"},
+    {"a rule of the compiler behind all errors that are shown",
+     "int a;\nvoid f()\n{\n  int b$0;\n"
+     "  b++; b++; b++; b++; b++; b++; b++; b++; b++; b++;\n"
+     "  b++; b++; b++; b++; b++; b++; b++; b++; b++; b++;\n"
+     "  b++; b++; b++; b++; b++; b++; b++; b++; b++; b++;\n"
+     "  b++; b++; b++; b++; b++; b++; b++; b++; b++; b++;\n"
+     "  b++; b++; b++; b++; b++; b++; b++; b++; b++; b++;\n"
+     "  b++; b++; b++; b++; b++; b++; b++; b++; b++; b++;\n"
+     "}\n",
+     "a", "the local 'a' has the name of a global variable; choose another name"},
     {"a word of structured C that does not say so",
      "int a$0;\nvoid f()\n{\n  a++;\n  a++;\n  a++;\n  a++;\n  a++;\n  a++;\n}\n", "bool",
      "int bool;\nvoid f()\n{\n  bool++;\n  bool++;\n  bool++;\n"
