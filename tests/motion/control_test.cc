@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "motion/motion_core.h"
+#include "tests/motion/core_run.h"
 
 namespace oncard::motion {
 namespace {
@@ -91,17 +92,6 @@ MotionCore ServoCore(const PidSet& pid, double tau = 2) {
   core.SetClosedLoop(0, true);
   core.ServoOn(0);
   return core;
-}
-
-void Jog(MotionCore& core, double velocity) {
-  Profile& profile = core.state().profiles[0];
-  profile.mode = ProfileMode::kJog;
-  profile.jog.velocity = velocity;
-  profile.Start(core.now());
-}
-
-void Ticks(MotionCore& core, int count) {
-  for (int i = 0; i < count; ++i) core.Tick();
 }
 
 double Error(const MotionCore& core) {

@@ -8,15 +8,12 @@
 #include <set>
 
 #include "motion/motion_core.h"
+#include "tests/motion/core_run.h"
 
 namespace oncard::motion {
 namespace {
 
 constexpr size_t kX = 0;
-
-void Ticks(MotionCore& core, int count) {
-  for (int i = 0; i < count; ++i) core.Tick();
-}
 
 /// Axis 1, enabled; its profile jogs at 10 pulse/ms, which it reaches within one tick.
 void StartJog(MotionCore& core, double velocity = 10) {
@@ -88,10 +85,6 @@ TEST(Encoder, AnInactiveOneCountsNothing) {
   core.state().encoders[kX].active = true;
   Ticks(core, 40);
   EXPECT_NEAR(Position(core), 100, 1);
-}
-
-void Happen(MotionCore& core, WorldEvents events) {
-  core.PowerOn(std::make_shared<const WorldEvents>(std::move(events)));
 }
 
 TEST(EncoderFault, AHeldEncoderLosesWhatTheMotorDoes) {

@@ -4,13 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "motion/motion_core.h"
+#include "tests/motion/core_run.h"
 
 namespace oncard::motion {
 namespace {
-
-void Ticks(MotionCore& core, int count) {
-  for (int i = 0; i < count; ++i) core.Tick();
-}
 
 /// Axes 1 and 2 in closed loop; at the same voltage the second drive is a tenth slower.
 MotionCore UnevenCore(double coupling) {
@@ -23,13 +20,6 @@ MotionCore UnevenCore(double coupling) {
   }
   core.EnableGantry(0, 1, coupling, coupling);
   return core;
-}
-
-void Jog(MotionCore& core, double velocity) {
-  Profile& profile = core.state().profiles[0];
-  profile.mode = ProfileMode::kJog;
-  profile.jog.velocity = velocity;
-  profile.Start(core.now());
 }
 
 TEST(Gantry, TheSlaveMovesAsItsMasterFromWhereItIs) {

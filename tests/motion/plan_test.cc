@@ -10,7 +10,7 @@
 namespace oncard::motion {
 namespace {
 
-constexpr double kExact = 1e-9;
+constexpr double kPlanExact = 1e-9;
 
 struct ExpectedPiece {
   double duration;
@@ -23,7 +23,7 @@ void ExpectPieces(const Plan& plan, const std::vector<ExpectedPiece>& expected) 
   for (size_t i = 0; i < expected.size(); ++i) {
     EXPECT_NEAR(plan.pieces[i].duration, expected[i].duration, 1e-4) << "piece " << i;
     EXPECT_NEAR(plan.pieces[i].velocity, expected[i].velocity, 1e-4) << "piece " << i;
-    EXPECT_NEAR(plan.pieces[i].acceleration, expected[i].acceleration, kExact) << "piece " << i;
+    EXPECT_NEAR(plan.pieces[i].acceleration, expected[i].acceleration, kPlanExact) << "piece " << i;
   }
 }
 
@@ -51,7 +51,7 @@ TEST(PlanToPosition, ATrapezoidRisesCruisesAndFalls) {
   // 50 / 0.25 = 200 ms over 5000 pulses; 50 / 0.125 = 400 ms over 10000; 35000 / 50 = 700 ms.
   const Plan plan = PlanToPosition(0, 0, 50000, kExample71);
   ExpectPieces(plan, {{200, 0, 0.25}, {700, 50, 0}, {400, 50, -0.125}});
-  EXPECT_NEAR(plan.duration, 1300, kExact);
+  EXPECT_NEAR(plan.duration, 1300, kPlanExact);
   ExpectContinuous(plan, 0, 50000);
 }
 
@@ -71,8 +71,8 @@ TEST(PlanToPosition, AShortMoveIsATriangle) {
 
 TEST(PlanToPosition, AMoveThatJustReachesItsVelocityDoesNotCruise) {
   const Plan plan = PlanToPosition(0, 0, 15000, kExample71);
-  EXPECT_NEAR(plan.duration, 600, kExact);
-  EXPECT_NEAR(plan.At(200).velocity, 50, kExact);
+  EXPECT_NEAR(plan.duration, 600, kPlanExact);
+  EXPECT_NEAR(plan.At(200).velocity, 50, kPlanExact);
 }
 
 TEST(PlanToPosition, NothingMovesAtTheTargetOrWithoutVelocity) {
@@ -175,7 +175,7 @@ TEST(PlanToPosition, AFasterMoveThatIsTooShortPeaksBelowItsVelocity) {
 TEST(PlanToPosition, AVelocityOfZeroInMotionStops) {
   const Plan plan = PlanToPosition(0, 10, 5000, {.acceleration = 1, .deceleration = 0.5});
   ExpectPieces(plan, {{20, 10, -0.5}});
-  EXPECT_NEAR(plan.end_position, 100, kExact);
+  EXPECT_NEAR(plan.end_position, 100, kPlanExact);
 }
 
 TEST(PlanToPosition, RandomMovesUseTheirLimitsAndNothingElse) {
@@ -245,7 +245,7 @@ TEST(PlanToVelocity, GrowsWithAccelerationAndShrinksWithDeceleration) {
     ExpectPieces(plan, c.pieces);
     const Sample later = plan.At(plan.duration + 8);
     EXPECT_EQ(later.velocity, c.to);
-    EXPECT_NEAR(later.position, plan.At(plan.duration).position + 8 * c.to, kExact);
+    EXPECT_NEAR(later.position, plan.At(plan.duration).position + 8 * c.to, kPlanExact);
     EXPECT_EQ(later.moving, c.to != 0);
   }
 }
@@ -276,8 +276,8 @@ TEST(PlanAt, GivesEveryPieceItsOwnInstants) {
                      {1299, 49999.9375, 0.125, -0.125}};
   for (const auto& c : cases) {
     const Sample sample = plan.At(c.t);
-    EXPECT_NEAR(sample.position, c.position, kExact) << c.t;
-    EXPECT_NEAR(sample.velocity, c.velocity, kExact) << c.t;
+    EXPECT_NEAR(sample.position, c.position, kPlanExact) << c.t;
+    EXPECT_NEAR(sample.velocity, c.velocity, kPlanExact) << c.t;
     EXPECT_EQ(sample.acceleration, c.acceleration) << c.t;
     EXPECT_TRUE(sample.moving) << c.t;
   }

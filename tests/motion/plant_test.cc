@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "motion/motion_core.h"
+#include "tests/motion/core_run.h"
 
 namespace oncard::motion {
 namespace {
@@ -42,17 +43,6 @@ TEST(VelocityDrive, FrictionMissesTheCommandedSpeed) {
     double output, speed;
   } const cases[] = {{0, 0}, {999, 0}, {-999, 0}, {1000, 0}, {3000, 2}, {-3000, -2}};
   for (const auto& c : cases) EXPECT_NEAR(drive.Commanded(c.output), c.speed, 1e-12) << c.output;
-}
-
-void Jog(MotionCore& core, double velocity) {
-  Profile& profile = core.state().profiles[0];
-  profile.mode = ProfileMode::kJog;
-  profile.jog.velocity = velocity;
-  profile.Start(core.now());
-}
-
-void Ticks(MotionCore& core, int count) {
-  for (int i = 0; i < count; ++i) core.Tick();
 }
 
 TEST(IdealDrive, FollowsExactlyByPulsesAndInClosedLoop) {

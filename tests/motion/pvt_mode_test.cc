@@ -15,7 +15,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-constexpr double kExact = 1e-8;
+constexpr double kPvtExact = 1e-8;
 
 const Values kTimes617 = {0, 1200, 2000, 3000, 3800, 5000};
 const Values kPositions617 = {0, 9750, 24483, 44483, 59216, 68966};
@@ -43,10 +43,10 @@ struct PvtRun : ProfileRun {
   }
 };
 
-void ExpectMotion(const Sample& sample, double position, double velocity, double acceleration) {
-  EXPECT_NEAR(sample.position, position, kExact);
-  EXPECT_NEAR(sample.velocity, velocity, kExact);
-  EXPECT_NEAR(sample.acceleration, acceleration, kExact);
+void ExpectSample(const Sample& sample, double position, double velocity, double acceleration) {
+  EXPECT_NEAR(sample.position, position, kPvtExact);
+  EXPECT_NEAR(sample.velocity, velocity, kPvtExact);
+  EXPECT_NEAR(sample.acceleration, acceleration, kPvtExact);
 }
 
 /// Integrates the table's own velocity to positions, with 100 midpoints per ms: position and
@@ -73,10 +73,10 @@ TEST(PvtTable, Example617IsCubicBetweenItsPoints) {
     PvtRun run(cycle_us);
     run.Start(Example617());
     // The cubic term of the first interval is 0: p = t + 0.0059375 t^2.
-    ExpectMotion(run.At(600), 600 + 0.0059375 * 360000, 1 + 0.011875 * 600, 0.011875);
-    ExpectMotion(run.At(1200), 9750, 15.25, 2 * (3 * 14733.0 / 800 - 2 * 15.25 - 20) / 800);
-    ExpectMotion(run.At(2500), 34483, 20, 0);
-    ExpectMotion(run.At(3800), 59216, 15.25, -0.011875);
+    ExpectSample(run.At(600), 600 + 0.0059375 * 360000, 1 + 0.011875 * 600, 0.011875);
+    ExpectSample(run.At(1200), 9750, 15.25, 2 * (3 * 14733.0 / 800 - 2 * 15.25 - 20) / 800);
+    ExpectSample(run.At(2500), 34483, 20, 0);
+    ExpectSample(run.At(3800), 59216, 15.25, -0.011875);
     EXPECT_EQ(run.At(5000), AtRest(68966));
   }
 }
@@ -84,10 +84,10 @@ TEST(PvtTable, Example617IsCubicBetweenItsPoints) {
 TEST(PvtTable, ExtendedPointsHaveAVelocityOnEachSide) {
   const PvtTable table = PvtFromVelocities(Values{0, 100, 200}, Values{0, 100, 300},
                                            Values{1, 2, 99}, Values{99, 1, 2});
-  ExpectMotion(table.At(50), 50, 1, 0);
-  ExpectMotion(table.At(99), 99, 1, 0);
-  ExpectMotion(table.At(100), 100, 2, 0);
-  ExpectMotion(table.At(150), 200, 2, 0);
+  ExpectSample(table.At(50), 50, 1, 0);
+  ExpectSample(table.At(99), 99, 1, 0);
+  ExpectSample(table.At(100), 100, 2, 0);
+  ExpectSample(table.At(150), 200, 2, 0);
 }
 
 // --- Spline ------------------------------------------------------------------------------------
@@ -99,13 +99,13 @@ TEST(PvtSpline, Example618HasItsSlopesAndCoefficients) {
   const Values positions = {0, 20000, 40000, 20000, 0};
   const auto cubics = SplineCoefficients(times, positions, 0, 0);
   const double slopes[] = {0, 60, 0, -60, 0};
-  for (size_t i = 0; i < 5; ++i) EXPECT_NEAR(cubics[i].c, slopes[i], kExact) << i;
-  EXPECT_NEAR(cubics[0].b, 0.12, kExact);
+  for (size_t i = 0; i < 5; ++i) EXPECT_NEAR(cubics[i].c, slopes[i], kPvtExact) << i;
+  EXPECT_NEAR(cubics[0].b, 0.12, kPvtExact);
   EXPECT_NEAR(cubics[0].a, -8e-5, 1e-15);
-  EXPECT_NEAR(cubics[4].b, 0.12, kExact);
+  EXPECT_NEAR(cubics[4].b, 0.12, kPvtExact);
   const PvtTable table = PvtFromCubics(times, positions, cubics);
-  ExpectMotion(table.At(250), 6250, 45, 0.12);
-  ExpectMotion(table.At(1250), 33750, -45, -0.12);
+  ExpectSample(table.At(250), 6250, 45, 0.12);
+  ExpectSample(table.At(1250), 33750, -45, -0.12);
 }
 
 TEST(PvtSpline, UnequalIntervalsHaveContinuousAcceleration) {
@@ -137,14 +137,14 @@ TEST(PvtPercent, AccelerationIsATrapezoidOfTheRightArea) {
   constexpr double kPeak = 10.0 / 350;
   constexpr double kJerk = kPeak / 150;
   EXPECT_EQ(table->pieces.size(), 8U);
-  ExpectMotion(table->At(2075), kJerk * 75 * 75 * 75 / 6, kJerk * 75 * 75 / 2, kPeak / 2);
+  ExpectSample(table->At(2075), kJerk * 75 * 75 * 75 / 6, kJerk * 75 * 75 / 2, kPeak / 2);
   // To the middle: 150 ms up (150^2 / 6, then at 75), 100 ms constant.
   constexpr double kHalf = kPeak * (150 * 150 / 6 + 75 * 100 + 100 * 100 / 2);
-  ExpectMotion(table->At(2250), kHalf, 5, kPeak);
-  ExpectMotion(table->At(2500), 2500, 10, 0);
-  ExpectMotion(table->At(3000), 7500, 10, 0);
-  ExpectMotion(table->At(3750), 15000 - kHalf, 5, -kPeak);
-  ExpectMotion(table->At(4500), 15000, 0, 0);
+  ExpectSample(table->At(2250), kHalf, 5, kPeak);
+  ExpectSample(table->At(2500), 2500, 10, 0);
+  ExpectSample(table->At(3000), 7500, 10, 0);
+  ExpectSample(table->At(3750), 15000 - kHalf, 5, -kPeak);
+  ExpectSample(table->At(4500), 15000, 0, 0);
   ExpectSmooth(*table, kPeak);
 }
 
@@ -164,24 +164,24 @@ TEST(PvtContinuous, ReachesTheMaximumWhenThereIsRoom) {
   // Peak 0.1 and 60 percent: 10 takes 10 / (0.1 * 0.7) ms; both ramps together 10/0.07 * 10 pulses.
   const std::vector<ContinuousRow> rows = {{0, 0, 60, 10, 0.1, 0.1}, {10000, 0}};
   constexpr double kRamp = 10 / 0.07;
-  EXPECT_NEAR(ContinuousTimes(rows)[1], 2 * kRamp + (10000 - 10 * kRamp) / 10, kExact);
+  EXPECT_NEAR(ContinuousTimes(rows)[1], 2 * kRamp + (10000 - 10 * kRamp) / 10, kPvtExact);
   const PvtTable table = PvtFromLimits(rows, 0);
   EXPECT_EQ(table.pieces.size(), 7U);
-  ExpectMotion(table.At(kRamp / 2), table.At(kRamp / 2).position, 5, 0.1);
-  ExpectMotion(table.At(kRamp + 10), 5 * kRamp + 100, 10, 0);
-  ExpectMotion(table.At(table.end), 10000, 0, 0);
+  ExpectSample(table.At(kRamp / 2), table.At(kRamp / 2).position, 5, 0.1);
+  ExpectSample(table.At(kRamp + 10), 5 * kRamp + 100, 10, 0);
+  ExpectSample(table.At(table.end), 10000, 0, 0);
   ExpectSmooth(table, 0.1);
 }
 
 TEST(PvtContinuous, AShortDistanceReachesLess) {
   // acc 0.1, dec 0.05, no smoothing, 1500 pulses: v^2 (5 + 10) = 1500, 10 in 100 and 200 ms.
   const std::vector<ContinuousRow> rows = {{0, 0, 0, 50, 0.1, 0.05}, {-1500, 0}};
-  EXPECT_NEAR(ContinuousTimes(rows)[1], 300, kExact);
+  EXPECT_NEAR(ContinuousTimes(rows)[1], 300, kPvtExact);
   const PvtTable table = PvtFromLimits(rows, 20);
   EXPECT_EQ(table.begin, 20);
-  EXPECT_NEAR(table.end, 320, kExact);
-  ExpectMotion(table.At(70), -125, -5, -0.1);
-  ExpectMotion(table.At(220), -1250, -5, 0.05);
+  EXPECT_NEAR(table.end, 320, kPvtExact);
+  ExpectSample(table.At(70), -125, -5, -0.1);
+  ExpectSample(table.At(220), -1250, -5, 0.05);
   EXPECT_EQ(table.travel, -1500);
 }
 
@@ -190,7 +190,7 @@ TEST(PvtContinuous, IntervalsJoinAtTheirVelocities) {
       {100, 0, 40, 8, 0.02, 0.03}, {5000, 5, 100, 5, 1, 1}, {6000, 5, 0, 9, 0.1, 0.05}, {9000, 1}};
   const Values times = ContinuousTimes(rows);
   const PvtTable table = PvtFromLimits(rows, 0);
-  EXPECT_NEAR(times[2] - times[1], 200, kExact);
+  EXPECT_NEAR(times[2] - times[1], 200, kPvtExact);
   for (size_t i = 0; i < rows.size(); ++i) {
     EXPECT_NEAR(table.At(times[i]).position, rows[i].position - 100, 1e-6) << i;
     EXPECT_NEAR(table.At(times[i]).velocity, rows[i].velocity, 1e-6) << i;
@@ -223,9 +223,9 @@ TEST(PvtRun, TheFirstTimeDelaysOnceAndLoopsAddUp) {
     EXPECT_EQ(waiting.velocity, 0);
     EXPECT_TRUE(waiting.moving);
     for (int pass = 0; pass < 3; ++pass) {
-      ExpectMotion(run.At(3000 + 3000 * pass), 50 + 7500 + 15000 * pass, 10, 0);
+      ExpectSample(run.At(3000 + 3000 * pass), 50 + 7500 + 15000 * pass, 10, 0);
       EXPECT_EQ(run.profile.pvt.loop_count, pass);
-      EXPECT_NEAR(run.profile.pvt.time, 3000, kExact);
+      EXPECT_NEAR(run.profile.pvt.time, 3000, kPvtExact);
     }
     EXPECT_TRUE(run.At(10996).moving);
     EXPECT_EQ(run.At(11000), AtRest(45050));
@@ -241,13 +241,13 @@ TEST(PvtRun, AnotherTableIsTakenAtTheEndOfThePass) {
   run.At(150);
   run.profile.pvt.Select(
       7, Share(PvtFromVelocities(Values{40, 140}, Values{0, 200}, Values{2, 2}, Values{2, 2})));
-  ExpectMotion(run.At(199), 199, 1, 0);
+  ExpectSample(run.At(199), 199, 1, 0);
   EXPECT_EQ(run.profile.pvt.current, 3);
-  ExpectMotion(run.At(200), 200, 2, 0);
+  ExpectSample(run.At(200), 200, 2, 0);
   EXPECT_EQ(run.profile.pvt.current, 7);
-  ExpectMotion(run.At(250), 300, 2, 0);
-  EXPECT_NEAR(run.profile.pvt.time, 90, kExact);
-  ExpectMotion(run.At(400), 600, 2, 0);
+  ExpectSample(run.At(250), 300, 2, 0);
+  EXPECT_NEAR(run.profile.pvt.time, 90, kPvtExact);
+  ExpectSample(run.At(400), 600, 2, 0);
 }
 
 TEST(PvtRun, ProfilesShareATableAndKeepIt) {
@@ -283,7 +283,7 @@ TEST(PvtRun, PassesShorterThanACycleAreCounted) {
   PvtRun run(4000);
   run.profile.pvt.loop_target = 1000;
   run.Start(Share(PvtFromVelocities(Values{0, 0.25}, Values{0, 1}, Values{4, 4}, Values{4, 4})));
-  ExpectMotion(run.At(100), 400, 4, 0);
+  ExpectSample(run.At(100), 400, 4, 0);
   EXPECT_EQ(run.At(252), AtRest(1000));
 }
 

@@ -15,7 +15,7 @@
 namespace oncard::motion {
 namespace {
 
-constexpr double kExact = 1e-7;
+constexpr double kTrapExact = 1e-7;
 
 /// The mean of an unsmoothed motion over the last `smooth` ms by brute force: 4000 midpoints.
 template <typename Raw>
@@ -27,9 +27,9 @@ double BruteMean(const Raw& raw, double t, double smooth) {
 }
 
 void ExpectSample(const Sample& sample, double position, double velocity, double acceleration) {
-  EXPECT_NEAR(sample.position, position, kExact);
-  EXPECT_NEAR(sample.velocity, velocity, kExact);
-  EXPECT_NEAR(sample.acceleration, acceleration, kExact);
+  EXPECT_NEAR(sample.position, position, kTrapExact);
+  EXPECT_NEAR(sample.velocity, velocity, kTrapExact);
+  EXPECT_NEAR(sample.acceleration, acceleration, kTrapExact);
   EXPECT_TRUE(sample.moving);
 }
 
@@ -141,7 +141,7 @@ TEST(TrapSmoothing, LongerThanTheAccelerationItLimitsThePeak) {
   run.MoveTo(1000, 10);
   double peak = 0;
   while (run.Tick().moving) peak = std::max(peak, run.profile.now.acceleration);
-  EXPECT_NEAR(peak, 0.25, kExact);
+  EXPECT_NEAR(peak, 0.25, kTrapExact);
   // 10 + 90 + 10 ms and 40.
   EXPECT_EQ(run.now, 150000);
   EXPECT_EQ(run.profile.now, AtRest(1000));
@@ -191,7 +191,7 @@ TEST(TrapSmoothing, OutOfAStopItStartsWithTheVelocityThatIsThere) {
   run.At(500);
   run.Stop(1);
   run.At(510);
-  EXPECT_NEAR(run.profile.now.velocity, 40, kExact);
+  EXPECT_NEAR(run.profile.now.velocity, 40, kTrapExact);
   ConstraintChecker checker({.velocity = 50, .acceleration = 0.25}, 0.25, run.profile.now);
   run.MoveTo(50000, 50);
   while (run.Tick().moving) ASSERT_TRUE(checker.Next(run.profile.now));

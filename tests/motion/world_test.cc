@@ -6,13 +6,10 @@
 #include <memory>
 
 #include "motion/motion_core.h"
+#include "tests/motion/core_run.h"
 
 namespace oncard::motion {
 namespace {
-
-void Happen(MotionCore& core, WorldEvents events) {
-  core.PowerOn(std::make_shared<const WorldEvents>(std::move(events)));
-}
 
 TEST(WorldEvent, ActsInTheCycleThatBeginsAtItsInstantOrNext) {
   struct {

@@ -12,7 +12,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-constexpr const char* kProgram = "int x;\nint y;\nint f()\n{\n  x = 1;\n  return 0;\n}\n";
+constexpr const char* kAgendaProgram = "int x;\nint y;\nint f()\n{\n  x = 1;\n  return 0;\n}\n";
 
 class AgendaTest : public testing::Test {
  protected:
@@ -20,7 +20,8 @@ class AgendaTest : public testing::Test {
   void Read(const std::string& text) {
     const Scenario scenario = ScenarioForTest(text);
     controller_ = std::make_unique<Controller>(CardOptions(scenario));
-    EXPECT_TRUE(StartScenario(scenario, CompileForTest(kProgram), controller_.get(), &fit_).ok());
+    EXPECT_TRUE(
+        StartScenario(scenario, CompileForTest(kAgendaProgram), controller_.get(), &fit_).ok());
     agenda_.Read(scenario, controller_.get(), &fit_);
   }
   std::vector<std::string> ChecksDueAt(int64_t cycle) {

@@ -52,7 +52,7 @@ CallRecord Read(const std::string& text) {
   return records.ok() ? std::move(records.value().front()) : CallRecord{};
 }
 
-std::string ErrorOf(const std::string& text) {
+std::string RecordsError(const std::string& text) {
   const auto records = ParseCallRecords(text, "host.calls");
   return records.ok() ? "" : records.error().message.en;
 }
@@ -127,7 +127,8 @@ TEST(CallRecord, NamesTheFirstLineThatIsDamaged) {
       "{\"close\":0,\"us\":100,\"hash\":\"x\"}\n",
   };
   for (const std::string& line : lines) {
-    EXPECT_THAT(ErrorOf(Record(good + line)), StartsWith("host.calls:4: this is no line")) << line;
+    EXPECT_THAT(RecordsError(Record(good + line)), StartsWith("host.calls:4: this is no line"))
+        << line;
   }
 }
 
@@ -141,13 +142,13 @@ TEST(CallRecord, EndsBeforeALastLineThatWasCut) {
 }
 
 TEST(CallRecord, TellsAnotherFileFromARecord) {
-  EXPECT_THAT(ErrorOf(""), HasSubstr("this is no record of host calls"));
-  EXPECT_THAT(ErrorOf("{}\n"), HasSubstr("this is no record of host calls"));
-  EXPECT_THAT(ErrorOf("{\"oncard\":1,\"format\":1}\n"),
+  EXPECT_THAT(RecordsError(""), HasSubstr("this is no record of host calls"));
+  EXPECT_THAT(RecordsError("{}\n"), HasSubstr("this is no record of host calls"));
+  EXPECT_THAT(RecordsError("{\"oncard\":1,\"format\":1}\n"),
               HasSubstr("this is no record of host calls"));
-  EXPECT_THAT(ErrorOf("{\"oncard\":\"host calls\",\"format\":2}\n"),
+  EXPECT_THAT(RecordsError("{\"oncard\":\"host calls\",\"format\":2}\n"),
               HasSubstr("this record has format 2; this version reads 1"));
-  EXPECT_THAT(ErrorOf(FormatRecordHead()), HasSubstr("the host has opened no card"));
+  EXPECT_THAT(RecordsError(FormatRecordHead()), HasSubstr("the host has opened no card"));
 }
 
 // --- Replay --------------------------------------------------------------------------------------

@@ -32,7 +32,7 @@ bool HoldsHere(const Condition& condition) {
   return condition.Holds([&](size_t name) { return kValues.at(condition.names()[name].Text()); });
 }
 
-std::string ErrorOf(const std::string& text) {
+std::string ConditionError(const std::string& text) {
   const auto parsed = ParseCondition(text);
   return parsed.ok() ? "" : parsed.error().message.en;
 }
@@ -125,7 +125,7 @@ struct Mistake {
 class ConditionMistake : public testing::TestWithParam<Mistake> {};
 
 TEST_P(ConditionMistake, IsNamed) {
-  EXPECT_EQ(ErrorOf(GetParam().text), GetParam().error) << GetParam().text;
+  EXPECT_EQ(ConditionError(GetParam().text), GetParam().error) << GetParam().text;
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -176,12 +176,12 @@ constexpr const char* kAloneTolerance =
 TEST(ConditionTolerance, StandsAfterAnEqualityOnly) {
   for (const char* text : {"x < 1 +- 1", "x +- 1", "x +- 1 == 3", "x == 1 +- 1 +- 1",
                            "x == (1 +- 1)", "x == 1 || y +- 1"}) {
-    EXPECT_THAT(ErrorOf(text), HasSubstr(kAloneTolerance)) << text;
+    EXPECT_THAT(ConditionError(text), HasSubstr(kAloneTolerance)) << text;
   }
   for (const char* text : {"x == 1 +-", "x == 1 +- -1", "x == 1 +- y", "x == 1 +- (1)"}) {
-    EXPECT_THAT(ErrorOf(text), HasSubstr("a positive number is missing after '+-'")) << text;
+    EXPECT_THAT(ConditionError(text), HasSubstr("a positive number is missing after '+-'")) << text;
   }
-  EXPECT_EQ(ErrorOf("x == 1 +- 1 + 1"), "'+' is not expected in 'x == 1 +- 1 + 1'");
+  EXPECT_EQ(ConditionError("x == 1 +- 1 + 1"), "'+' is not expected in 'x == 1 +- 1 + 1'");
 }
 
 TEST(ConditionTolerance, IsKnown) {
@@ -215,7 +215,7 @@ TEST(ConditionInstant, IsReadWhereItIsAllowed) {
     EXPECT_THAT(parsed.error().message.en, HasSubstr("a time in ms or s is missing after '@'"))
         << text;
   }
-  EXPECT_EQ(ErrorOf("x == 3 @ 5ms"),
+  EXPECT_EQ(ConditionError("x == 3 @ 5ms"),
             "'x == 3 @ 5ms' has an instant, which only 'expect' can have: leave out '@' and what "
             "follows it");
 }
@@ -255,22 +255,22 @@ std::string Times(int count, const std::string& text) {
 /// Untrusted text must not use up memory or stack.
 TEST(ConditionLimits, DeepAndLongTextsAreRefused) {
   constexpr int kDepth = Condition::kNestingMax;
-  EXPECT_EQ(ErrorOf(Times(kDepth, "(") + "x" + Times(kDepth, ")")), "");
-  EXPECT_THAT(ErrorOf(Times(kDepth + 1, "(") + "x" + Times(kDepth + 1, ")")),
+  EXPECT_EQ(ConditionError(Times(kDepth, "(") + "x" + Times(kDepth, ")")), "");
+  EXPECT_THAT(ConditionError(Times(kDepth + 1, "(") + "x" + Times(kDepth + 1, ")")),
               HasSubstr("nested too deeply: at most 100"));
   // Closed parentheses do not count any more.
-  EXPECT_THAT(ErrorOf(Times(60, "(!x) + -y + ") + "1"), Not(HasSubstr("too deeply")));
+  EXPECT_THAT(ConditionError(Times(60, "(!x) + -y + ") + "1"), Not(HasSubstr("too deeply")));
   for (const char* prefix : {"(", "!", "-", "+ ", "!("}) {
-    const std::string error = ErrorOf(Times(100'000, prefix) + "x");
+    const std::string error = ConditionError(Times(100'000, prefix) + "x");
     EXPECT_THAT(error, HasSubstr("nested too deeply: at most 100")) << prefix;
     EXPECT_LT(error.size(), 200u);
   }
-  EXPECT_EQ(ErrorOf("x" + Times(63, "+x")), "");
-  EXPECT_EQ(ErrorOf("x" + Times(64, "+x")),
+  EXPECT_EQ(ConditionError("x" + Times(63, "+x")), "");
+  EXPECT_EQ(ConditionError("x" + Times(64, "+x")),
             "'x" + Times(39, "+x") + "+...' is too long: at most 128 names, numbers and operators");
-  EXPECT_THAT(ErrorOf("x" + Times(100'000, "+x")), HasSubstr("too long: at most 128"));
-  EXPECT_LT(ErrorOf(Times(100'000, "轴")).size(), 300u);
-  EXPECT_LT(ErrorOf(Times(100'000, "9") + "x").size(), 300u);
+  EXPECT_THAT(ConditionError("x" + Times(100'000, "+x")), HasSubstr("too long: at most 128"));
+  EXPECT_LT(ConditionError(Times(100'000, "轴")).size(), 300u);
+  EXPECT_LT(ConditionError(Times(100'000, "9") + "x").size(), 300u);
 }
 
 // A zero byte is treated like any other invalid character.

@@ -17,13 +17,13 @@ using motion::bus::SlaveKind;
 
 constexpr char kHeader[] = "program = \"x.c\"\n";
 
-Scenario Parsed(const std::string& text) {
+Scenario ParsedBus(const std::string& text) {
   auto scenario = ParseScenario(kHeader + text, "bus.toml");
   EXPECT_TRUE(scenario.ok()) << (scenario.ok() ? "" : scenario.error().message.en);
   return scenario.ok() ? std::move(scenario).value() : Scenario();
 }
 
-std::string ErrorOf(const std::string& text) {
+std::string BusError(const std::string& text) {
   const auto scenario = ParseScenario(kHeader + text, "bus.toml");
   EXPECT_FALSE(scenario.ok());
   return scenario.ok() ? "" : scenario.error().message.en;
@@ -33,7 +33,7 @@ std::string ErrorOf(const std::string& text) {
 class BusOfScenario {
  public:
   explicit BusOfScenario(const std::string& text)
-      : scenario_(Parsed(text)), controller_(CardOptions(scenario_)) {
+      : scenario_(ParsedBus(text)), controller_(CardOptions(scenario_)) {
     ApplyWorld(scenario_, &controller_);
   }
   void Up() {
@@ -54,7 +54,7 @@ class BusOfScenario {
 };
 
 TEST(ScenarioBus, DrivesGetTheNextAxisUnlessTheySayAnother) {
-  const Scenario scenario = Parsed(R"([[ethercat.slave]]
+  const Scenario scenario = ParsedBus(R"([[ethercat.slave]]
 [[ethercat.slave]]
 kind = "io"
 [[ethercat.slave]]
@@ -69,7 +69,7 @@ axis = 7
 }
 
 TEST(ScenarioBus, ProcessDataNameObjects) {
-  const Scenario scenario = Parsed(R"([[ethercat.slave]]
+  const Scenario scenario = ParsedBus(R"([[ethercat.slave]]
 outputs = ["6040", "607A", "60FE"]
 inputs = ["6041", "6064"]
 [[ethercat.slave]]
@@ -86,7 +86,7 @@ inputs = ["6000:1:1", "gap:7", "6000:2"]
 }
 
 TEST(ScenarioBus, IsWrittenSoThatItIsReadBack) {
-  const Scenario scenario = Parsed(R"([[ethercat.slave]]
+  const Scenario scenario = ParsedBus(R"([[ethercat.slave]]
 outputs = ["6040", "607A"]
 lost_at_ms = 12.5
 [[ethercat.slave]]
@@ -109,7 +109,7 @@ at_ms = 3
 }
 
 TEST(ScenarioBus, ASlaveCanHaveNoProcessData) {
-  const Scenario scenario = Parsed("[[ethercat.slave]]\nkind = \"io\"\noutputs = [\"none\"]\n");
+  const Scenario scenario = ParsedBus("[[ethercat.slave]]\nkind = \"io\"\noutputs = [\"none\"]\n");
   const motion::bus::Slave slave = SlaveOf(scenario.bus.slaves[0]);
   EXPECT_TRUE(slave.outputs.empty());
   EXPECT_EQ(SlaveOf(SetupOf(slave)), slave);
@@ -134,7 +134,7 @@ TEST(ScenarioBus, ConditionsNameItsDrives) {
 }
 
 TEST(ScenarioBus, AScenarioWithoutOneIsWrittenWithoutOne) {
-  EXPECT_EQ(FormatScenario(Parsed("")).find("ethercat"), std::string::npos);
+  EXPECT_EQ(FormatScenario(ParsedBus("")).find("ethercat"), std::string::npos);
 }
 
 TEST(ScenarioBus, EveryMistakeHasItsMessage) {
@@ -157,13 +157,13 @@ TEST(ScenarioBus, EveryMistakeHasItsMessage) {
       {"[[ethercat.slave]]\n[[ethercat.input]]\nslave = 0\nvalue = 2", "'object' is missing"},
   };
   for (const auto& [text, expected] : kCases)
-    EXPECT_THAT(ErrorOf(text), HasSubstr(expected)) << text;
+    EXPECT_THAT(BusError(text), HasSubstr(expected)) << text;
 }
 
 TEST(ScenarioBus, TheImageOfAllSlavesIsLimited) {
   std::string text;
   for (int i = 0; i < 63; ++i) text += "[[ethercat.slave]]\nkind = \"coupler\"\n";
-  EXPECT_THAT(ErrorOf(text), HasSubstr("more than 1486 bytes"));
+  EXPECT_THAT(BusError(text), HasSubstr("more than 1486 bytes"));
 }
 
 TEST(ScenarioBus, TerminalsShowWhatTheScenarioSays) {

@@ -7,7 +7,7 @@ namespace {
 
 // --- Quantities ----------------------------------------------------------------------------------
 
-constexpr const char* kProgram =
+constexpr const char* kNamesProgram =
     "int sum;\nint a[3];\ndouble x;\nTTrapPrm trap;\nint gpo;\n"
     "int f(int n)\n{\n  int b[2];\n  b[1] = n;\n  return n;\n}\n"
     "int g(int m)\n{\n  return m;\n}\n";
@@ -15,7 +15,7 @@ constexpr const char* kProgram =
 class QuantityTest : public testing::Test {
  protected:
   void SetUp() override {
-    ASSERT_TRUE(controller_.Load(CompileForTest(kProgram)).ok());
+    ASSERT_TRUE(controller_.Load(CompileForTest(kNamesProgram)).ok());
     ASSERT_EQ(controller_.machine().Bind(0, 1, 4), 0);
   }
   std::vector<std::string> Names(const std::string& name) {

@@ -13,14 +13,14 @@ using ::testing::HasSubstr;
 
 using motion::DiType;
 
-Scenario Parsed(std::string_view text) {
+Scenario ParsedWorld(std::string_view text) {
   auto scenario = ParseScenario(text, "world.toml");
   EXPECT_TRUE(scenario.ok()) << scenario.error().message.en;
   return std::move(scenario).value();
 }
 
 TEST(ScenarioWorld, InputsActInTheCycleThatBeginsAtTheirInstantOrNext) {
-  const Scenario scenario = Parsed(R"(program = "x.c"
+  const Scenario scenario = ParsedWorld(R"(program = "x.c"
 [[world.input]]
 type = "home"
 index = 2
@@ -50,7 +50,7 @@ at_ms = 0.5
 }
 
 TEST(ScenarioWorld, GtResetLeavesTheWorldAlone) {
-  const Scenario scenario = Parsed(R"(program = "x.c"
+  const Scenario scenario = ParsedWorld(R"(program = "x.c"
 [[world.input]]
 index = 1
 value = 1
@@ -68,7 +68,7 @@ at_ms = 1
 class WorldCard {
  public:
   explicit WorldCard(const std::string& world)
-      : scenario_(Parsed("program = \"x.c\"\n" + world)), controller_(CardOptions(scenario_)) {
+      : scenario_(ParsedWorld("program = \"x.c\"\n" + world)), controller_(CardOptions(scenario_)) {
     ApplyWorld(scenario_, &controller_);
   }
   motion::MotionState& state() { return controller_.motion().state(); }
@@ -343,34 +343,34 @@ at_ms = 2
 )";
 
 TEST(ScenarioWorld, IsWrittenAsItIsRead) {
-  const Scenario first = Parsed(kWholeWorld);
+  const Scenario first = ParsedWorld(kWholeWorld);
   EXPECT_EQ(first.axis_count, 12);
   EXPECT_EQ(first.world.switches[0].index, 2);
   EXPECT_EQ(first.world.switches[1].type, DiType::kHome);
   EXPECT_EQ(first.world.moves[0].number, 1);
   EXPECT_EQ(first.world.moves[1].to, 25.5);
   EXPECT_EQ(first.world.faults[0].until_us, 8250);
-  const Scenario second = Parsed(FormatScenario(first));
+  const Scenario second = ParsedWorld(FormatScenario(first));
   EXPECT_EQ(second.world, first.world);
   EXPECT_EQ(second.axis_count, 12);
   const Scenario wheel =
-      Parsed("program = \"x.c\"\n[[world.hand]]\nencoder = 11\npulses = 5\nuntil_ms = 4\n");
+      ParsedWorld("program = \"x.c\"\n[[world.hand]]\nencoder = 11\npulses = 5\nuntil_ms = 4\n");
   EXPECT_EQ(wheel.world.hands[0].number, 11);
-  EXPECT_EQ(Parsed(FormatScenario(wheel)).world, wheel.world);
+  EXPECT_EQ(ParsedWorld(FormatScenario(wheel)).world, wheel.world);
 }
 
 TEST(ScenarioWorld, TheCardSaysHowManyAxesThereAre) {
-  const Scenario scenario = Parsed("program = \"x.c\"\ncard = \"GTS-1200\"\n");
+  const Scenario scenario = ParsedWorld("program = \"x.c\"\ncard = \"GTS-1200\"\n");
   EXPECT_EQ(scenario.axis_count, 12);
   EXPECT_EQ(CardOptions(scenario).motion.axis_count, 12);
   EXPECT_EQ(CardOptions(scenario).family->name, "gts");
   const std::string text = FormatScenario(scenario);
   EXPECT_THAT(text, HasSubstr("card = \"GTS-1200\"\naxes = 12\n"));
-  EXPECT_EQ(Parsed(text).card, "GTS-1200");
+  EXPECT_EQ(ParsedWorld(text).card, "GTS-1200");
 }
 
 TEST(ScenarioWorld, ACardWithoutANameHasEightAxes) {
-  const Scenario scenario = Parsed("program = \"x.c\"\n");
+  const Scenario scenario = ParsedWorld("program = \"x.c\"\n");
   EXPECT_EQ(scenario.axis_count, 8);
   EXPECT_THAT(FormatScenario(scenario), Not(HasSubstr("card")));
 }
@@ -456,7 +456,7 @@ TEST(ScenarioWorld, MistakesSayWhatToDo) {
 
 TEST(ScenarioWorld, TheCardHasTheScenariosCycleAndRate) {
   const ControllerOptions options =
-      CardOptions(Parsed("program = \"x.c\"\ncycle_us = 1000\nrate = 40"));
+      CardOptions(ParsedWorld("program = \"x.c\"\ncycle_us = 1000\nrate = 40"));
   EXPECT_EQ(options.motion.cycle_us, 1000);
   EXPECT_EQ(options.rate, 40);
 }

@@ -1,6 +1,7 @@
 // What each operator yields, one value of each worked out by hand, and the values at the edges. The
 // interpreter executes the same rows (image_test.cc).
 #include "vm/arithmetic.h"
+#include "tests/vm/raw_doubles.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +10,6 @@
 namespace oncard::vm {
 namespace {
 
-constexpr int kWide = WrapShift(DoubleFormat::k32_16);
-constexpr int64_t kOne = 65536;
 constexpr int64_t kIntMin = INT32_MIN;
 constexpr int64_t kIntMax = INT32_MAX;
 

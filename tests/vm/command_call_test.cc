@@ -44,8 +44,8 @@ class OneCommand final : public CommandTable {
 constexpr DataType kIntSlot[] = {DataType::kInt};
 constexpr DataType kDoubleSlot[] = {DataType::kDouble};
 constexpr DataType kPairSlots[] = {DataType::kInt, DataType::kDouble};
-constexpr ParameterShape kInt = {"value", false, kIntSlot, -1};
-constexpr ParameterShape kDouble = {"value", false, kDoubleSlot, -1};
+constexpr ParameterShape kIntInput = {"value", false, kIntSlot, -1};
+constexpr ParameterShape kDoubleInput = {"value", false, kDoubleSlot, -1};
 constexpr ParameterShape kIntOut = {"out", true, kIntSlot, -1};
 constexpr ParameterShape kDoubleOut = {"out", true, kDoubleSlot, -1};
 constexpr ParameterShape kPair = {"pair", true, kPairSlots, -1};
@@ -97,17 +97,19 @@ class CommandCallTest : public testing::Test {
 };
 
 Element A(Storage storage, Storage index) { return {storage, 2, 4, {index, 0}}; }
-constexpr Storage kL = Storage::kLocal;
-constexpr Storage kG = Storage::kGlobal;
+constexpr Storage kLocalStorage = Storage::kLocal;
+constexpr Storage kGlobalStorage = Storage::kGlobal;
 
 // --- Inputs --------------------------------------------------------------------------------------
 
 TEST_F(CommandCallTest, ValuesOfEveryKindArrive) {
   values_ = {{0, 2}, {1, -7}, {4, 44}, {6, -0x18000}};
   std::vector<double> seen;
-  Call({kInt, kInt, kInt, kInt, kInt, kInt, kDouble, kDouble, kDouble},
-       {ImmediateInt(INT32_MIN), Local(1), Global(1), A(kL, kL), A(kG, kL), A(kL, kG), Raw(0x8000),
-        Local(6), Global(6)},
+  Call({kIntInput, kIntInput, kIntInput, kIntInput, kIntInput, kIntInput, kDoubleInput,
+        kDoubleInput, kDoubleInput},
+       {ImmediateInt(INT32_MIN), Local(1), Global(1), A(kLocalStorage, kLocalStorage),
+        A(kGlobalStorage, kLocalStorage), A(kLocalStorage, kGlobalStorage), Raw(0x8000), Local(6),
+        Global(6)},
        [&](auto arguments) {
          for (const auto& argument : arguments) seen.push_back(argument.value);
          return kOk;
@@ -118,7 +120,7 @@ TEST_F(CommandCallTest, ValuesOfEveryKindArrive) {
 
 TEST_F(CommandCallTest, IntArgumentIsTheLowHalfOfItsSlot) {
   values_ = {{1, (int64_t{1} << 40) + 5}};
-  Call({kInt}, {Local(1)}, [](auto arguments) {
+  Call({kIntInput}, {Local(1)}, [](auto arguments) {
     EXPECT_EQ(arguments[0].value, 5);
     return kOk;
   });
@@ -126,7 +128,7 @@ TEST_F(CommandCallTest, IntArgumentIsTheLowHalfOfItsSlot) {
 
 TEST_F(CommandCallTest, OutputsHoldTheOldValuesFirst) {
   values_ = {{2, 10}, {3, 11}, {6, 0x4000}};
-  Call({kInts, kInt, kDoubleOut}, {Local(2), ImmediateInt(2), Global(6)}, [](auto arguments) {
+  Call({kInts, kIntInput, kDoubleOut}, {Local(2), ImmediateInt(2), Global(6)}, [](auto arguments) {
     EXPECT_EQ(arguments[0].cells.size(), 2u);
     EXPECT_EQ(arguments[0].cells[0], 10);
     EXPECT_EQ(arguments[0].cells[1], 11);
@@ -138,7 +140,7 @@ TEST_F(CommandCallTest, OutputsHoldTheOldValuesFirst) {
 TEST_F(CommandCallTest, TheCardSaysHowManyElementsThereAre) {
   const ParameterShape list = {"list", true, kIntSlot, -1, true};
   values_ = {{2, 10}, {3, 11}, {4, 12}};
-  Call({kInt, list}, {ImmediateInt(2), Local(2)}, [](auto arguments) {
+  Call({kIntInput, list}, {ImmediateInt(2), Local(2)}, [](auto arguments) {
     EXPECT_EQ(arguments[1].cells.size(), 3u);
     EXPECT_EQ(arguments[1].cells[2], 12);
     arguments[1].cells[2] = 22;
@@ -146,14 +148,14 @@ TEST_F(CommandCallTest, TheCardSaysHowManyElementsThereAre) {
   });
   EXPECT_EQ(LocalRaw(4), 22);
   EXPECT_EQ(LocalRaw(5), 0);
-  Call({kInt, list}, {ImmediateInt(4), Local(2)}, [](auto) { return kOk; });
+  Call({kIntInput, list}, {ImmediateInt(4), Local(2)}, [](auto) { return kOk; });
   EXPECT_EQ(thread().error, static_cast<int>(Fault::kOutputBeyondStorage));
   EXPECT_EQ(table_->calls, 0);
 }
 
 TEST_F(CommandCallTest, AddressNamesItsSlot) {
   values_ = {{0, 3}};
-  Call({kIntOut, kDoubleOut}, {A(kG, kL), Local(7)}, [](auto arguments) {
+  Call({kIntOut, kDoubleOut}, {A(kGlobalStorage, kLocalStorage), Local(7)}, [](auto arguments) {
     EXPECT_TRUE(arguments[0].slot.global);
     EXPECT_EQ(arguments[0].slot.id, 5);
     EXPECT_EQ(arguments[0].slot.type, DataType::kInt);
@@ -224,21 +226,21 @@ TEST_F(CommandCallTest, StructureIsWrittenMemberByMember) {
 }
 
 TEST_F(CommandCallTest, OutputGoesToTheElementThatTheIndexNames) {
-  for (const Storage array : {kL, kG}) {
-    for (const Storage index : {kL, kG}) {
+  for (const Storage array : {kLocalStorage, kGlobalStorage}) {
+    for (const Storage index : {kLocalStorage, kGlobalStorage}) {
       values_ = {{0, 3}};
       Call({kIntOut}, {A(array, index)}, [](auto arguments) {
         arguments[0].cells[0] = 99;
         return kOk;
       });
-      EXPECT_EQ(array == kL ? LocalRaw(5) : GlobalRaw(5), 99);
+      EXPECT_EQ(array == kLocalStorage ? LocalRaw(5) : GlobalRaw(5), 99);
     }
   }
 }
 
 TEST_F(CommandCallTest, RefusedCommandWritesNothing) {
   values_ = {{2, 1}, {3, 2}};
-  Call({kInts, kInt}, {Local(2), ImmediateInt(2)}, [](auto arguments) -> int16_t {
+  Call({kInts, kIntInput}, {Local(2), ImmediateInt(2)}, [](auto arguments) -> int16_t {
     arguments[0].cells[0] = arguments[0].cells[1] = 77;
     return 7;
   });
@@ -264,16 +266,25 @@ TEST_F(CommandCallTest, CountFromAVariableMayReachTheEndOfTheArray) {
     int32_t index;
     int32_t count;
     int64_t limit;  // slots up to the end of the array
-  } kCases[] = {{Local(2), 0, 4, 4},         {Local(2), 0, 5, 4},        {Local(3), 0, 3, 3},
-                {Local(3), 0, 4, 3},         {Global(5), 0, 1, 1},       {Global(5), 0, 2, 1},
-                {A(kL, kL), 1, 3, 3},        {A(kL, kL), 1, 4, 3},       {A(kG, kG), 3, 1, 1},
-                {A(kG, kG), 3, 2, 1},        {Local(2), 0, 0, 4},        {Local(2), 0, -5, 4},
-                {Local(2), 0, INT32_MAX, 4}, {Local(2), 0, INT32_MIN, 4}};
+  } kCases[] = {{Local(2), 0, 4, 4},
+                {Local(2), 0, 5, 4},
+                {Local(3), 0, 3, 3},
+                {Local(3), 0, 4, 3},
+                {Global(5), 0, 1, 1},
+                {Global(5), 0, 2, 1},
+                {A(kLocalStorage, kLocalStorage), 1, 3, 3},
+                {A(kLocalStorage, kLocalStorage), 1, 4, 3},
+                {A(kGlobalStorage, kGlobalStorage), 3, 1, 1},
+                {A(kGlobalStorage, kGlobalStorage), 3, 2, 1},
+                {Local(2), 0, 0, 4},
+                {Local(2), 0, -5, 4},
+                {Local(2), 0, INT32_MAX, 4},
+                {Local(2), 0, INT32_MIN, 4}};
   for (const auto& c : kCases) {
     values_ = {{0, c.index}, {1, c.count}};
     size_t cells = 0;
     double seen = 0;
-    Call({kInts, kInt}, {c.first, Local(1)}, [&](auto arguments) {
+    Call({kInts, kIntInput}, {c.first, Local(1)}, [&](auto arguments) {
       cells = arguments[0].cells.size();
       seen = arguments[1].value;
       return kOk;
@@ -294,7 +305,7 @@ TEST_F(CommandCallTest, CountFromAVariableMayReachTheEndOfTheArray) {
 
 TEST_F(CommandCallTest, CountOfStructuresCountsTheirSlots) {
   values_ = {{1, 2}};
-  Call({kPairs, kInt}, {Local(9), ImmediateInt(1)}, [](auto arguments) {
+  Call({kPairs, kIntInput}, {Local(9), ImmediateInt(1)}, [](auto arguments) {
     EXPECT_EQ(arguments[0].cells.size(), 2u);
     return kOk;
   });
@@ -303,8 +314,8 @@ TEST_F(CommandCallTest, CountOfStructuresCountsTheirSlots) {
 
 TEST_F(CommandCallTest, IndexOutOfBoundsFaultsBeforeTheCommand) {
   values_ = {{0, 4}};
-  for (const ParameterShape& parameter : {kInt, kIntOut}) {
-    Call({parameter}, {A(kL, kL)}, [](auto) { return kOk; });
+  for (const ParameterShape& parameter : {kIntInput, kIntOut}) {
+    Call({parameter}, {A(kLocalStorage, kLocalStorage)}, [](auto) { return kOk; });
     EXPECT_EQ(table_->calls, 0);
     EXPECT_EQ(thread().error, static_cast<int16_t>(Fault::kIndexOutOfBounds));
     EXPECT_EQ(thread().fault_value, 4);

@@ -6,13 +6,12 @@
 #include <limits>
 
 #include "base/random.h"
+#include "tests/vm/raw_doubles.h"
 
 namespace oncard::vm {
 namespace {
 
-constexpr int kWide = WrapShift(DoubleFormat::k32_16);
 constexpr int kNarrow = WrapShift(DoubleFormat::k16_16);
-constexpr int64_t kOne = 65536;
 constexpr int64_t kWideMax = (int64_t{1} << 47) - 1;
 constexpr int64_t kWideMin = -(int64_t{1} << 47);
 constexpr int64_t kNarrowMax = (int64_t{1} << 31) - 1;

@@ -442,7 +442,7 @@ TEST(BinTest, FilesOfDifferentProgramsAreRefused) {
 
 // --- Limits --------------------------------------------------------------------------------------
 
-Object WithFunctions(int count) {
+Object WithEmptyFunctions(int count) {
   Object object;
   for (int i = 0; i < count; ++i) {
     Function function;
@@ -454,8 +454,8 @@ Object WithFunctions(int count) {
 }
 
 TEST(ObjectLimitTest, Functions) {
-  ExpectRoundTrip(WithFunctions(kFunctionMax), false);
-  EXPECT_EQ(MessageOf(WriteObject(WithFunctions(kFunctionMax + 1), false), 7),
+  ExpectRoundTrip(WithEmptyFunctions(kFunctionMax), false);
+  EXPECT_EQ(MessageOf(WriteObject(WithEmptyFunctions(kFunctionMax + 1), false), 7),
             "the program has more than 32 functions");
 }
 
@@ -573,7 +573,7 @@ TEST_F(ObjectPairTest, DamageIs2008AndNamesTheFile) {
 }
 
 TEST_F(ObjectPairTest, TooManyFunctionsAre7) {
-  const ObjectFiles files = WriteObject(WithFunctions(33), false);
+  const ObjectFiles files = WriteObject(WithEmptyFunctions(33), false);
   Write("many.bin", files.bin);
   Write("many.ini", files.ini);
   EXPECT_EQ(ErrorOf(Path("many.bin")).code, 7);

@@ -70,23 +70,23 @@ const CommandShape* FakeCommands::Find(uint16_t number) const {
 int16_t FakeCommands::Execute(uint16_t, Machine&, int, std::span<CommandArgument>) { return 0; }
 
 Object SumObject() {
-  constexpr Variable kSum = Global(0);
+  constexpr Variable kTotal = Global(0);
   constexpr Variable kBegin = Local(0);
   constexpr Variable kEnd = Local(1);
-  constexpr Variable kI = Local(2);
+  constexpr Variable kCounter = Local(2);
   constexpr Variable kCc = Local(3);
   Function add;
   add.name = "add";
   add.file = "sum.c";
   add.return_type = DataType::kInt;
   add.instructions = {
-      Unary(UnaryOperator::kCopy, DataType::kInt, kBegin, kI),
-      Binary(BinaryOperator::kGreater, DataType::kInt, kI, kEnd, kCc),
+      Unary(UnaryOperator::kCopy, DataType::kInt, kBegin, kCounter),
+      Binary(BinaryOperator::kGreater, DataType::kInt, kCounter, kEnd, kCc),
       Jump(kCc, 4),
-      Binary(BinaryOperator::kAdd, DataType::kInt, kSum, kI, kSum),
-      Binary(BinaryOperator::kAdd, DataType::kInt, kI, ImmediateInt(1), kI),
+      Binary(BinaryOperator::kAdd, DataType::kInt, kTotal, kCounter, kTotal),
+      Binary(BinaryOperator::kAdd, DataType::kInt, kCounter, ImmediateInt(1), kCounter),
       Jump(ImmediateInt(1), -4),
-      Return(ImmediateInt(1), kSum),
+      Return(ImmediateInt(1), kTotal),
   };
   add.lines = {13, 15, 16, 17, 18, 19, 21};
   add.variables = {{"begin", 0, DataType::kInt, 0},

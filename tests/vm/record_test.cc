@@ -14,14 +14,14 @@ namespace {
 
 using Words = std::vector<uint16_t>;
 
-struct Sample {
+struct RecordSample {
   std::string name;
   Instruction instruction;
   Words words;
 };
 
 // The expected words are derived by hand from the layout in docs/object-format.md.
-std::vector<Sample> Samples() {
+std::vector<RecordSample> RecordSamples() {
   const Element local_by_local{Storage::kLocal, 4, 3, Local(9)};
   const Element global_by_local{Storage::kGlobal, 4, 3, Local(9)};
   const Element local_by_global{Storage::kLocal, 4, 3, Global(9)};
@@ -79,7 +79,7 @@ std::vector<Sample> Samples() {
   };
 }
 
-class RecordTest : public testing::TestWithParam<Sample> {};
+class RecordTest : public testing::TestWithParam<RecordSample> {};
 
 TEST_P(RecordTest, EncodesToTheWords) {
   EXPECT_EQ(EncodeRecord(GetParam().instruction), GetParam().words);
@@ -105,7 +105,7 @@ TEST_P(RecordTest, IsRefusedWhenCutOffAnywhere) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Samples, RecordTest, testing::ValuesIn(Samples()),
+INSTANTIATE_TEST_SUITE_P(RecordSamples, RecordTest, testing::ValuesIn(RecordSamples()),
                          [](const auto& row) { return row.param.name; });
 
 struct BadRecord {

@@ -7,7 +7,7 @@
 namespace oncard::vm {
 namespace {
 
-constexpr int64_t kOne = 65536;  // the raw double 1.0
+constexpr int64_t kRawOne = 65536;  // the raw double 1.0
 
 constexpr int kDivisionByZero = 100;
 constexpr int kIndexOutOfBounds = 101;
@@ -222,7 +222,7 @@ int64_t* ReferenceMachine::Place(Thread& thread, const Operand& operand) {
 
 bool ReferenceMachine::Load(Thread& thread, const Operand& operand, DataType type, int64_t* value) {
   if (const auto* literal = std::get_if<Immediate>(&operand)) {
-    *value = type == DataType::kDouble ? literal->raw : literal->raw / kOne;
+    *value = type == DataType::kDouble ? literal->raw : literal->raw / kRawOne;
     return true;
   }
   const int64_t* place = Place(thread, operand);
@@ -253,10 +253,10 @@ bool ReferenceMachine::StepUnary(Thread& thread, const Instruction& instruction)
       *target = WrapDouble(a < 0 ? -a : a);
       break;
     case UnaryOperator::kToInt:
-      *target = AsInt(a / kOne);
+      *target = AsInt(a / kRawOne);
       break;
     case UnaryOperator::kToDouble:
-      *target = WrapDouble(__int128{a} * kOne);
+      *target = WrapDouble(__int128{a} * kRawOne);
       break;
   }
   return true;
@@ -286,10 +286,10 @@ bool ReferenceMachine::StepBinary(Thread& thread, const Instruction& instruction
       *target = WrapDouble(__int128{a} - b);
       break;
     case BinaryOperator::kMultiply:
-      *target = WrapDouble(__int128{a} * b / kOne);
+      *target = WrapDouble(__int128{a} * b / kRawOne);
       break;
     case BinaryOperator::kDivide:
-      *target = WrapDouble(__int128{a} * kOne / b);
+      *target = WrapDouble(__int128{a} * kRawOne / b);
       break;
     default:  // the comparisons are the same for all numbers
       *target = IntResult(op, a, b);

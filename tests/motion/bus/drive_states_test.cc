@@ -13,12 +13,12 @@ constexpr DriveState kStates[] = {
     kOperationEnabled, kQuickStopActive,  kFaultReactionActive, kFault};
 
 /// For each command the next states, in the order of kStates.
-struct Row {
+struct TransitionRow {
   uint16_t control;
   DriveState next[kDriveStateCount];
 };
 
-constexpr Row kTable[] = {
+constexpr TransitionRow kTable[] = {
     // disable voltage
     {0x00,
      {kSwitchOnDisabled, kSwitchOnDisabled, kSwitchOnDisabled, kSwitchOnDisabled, kSwitchOnDisabled,
@@ -42,7 +42,7 @@ constexpr Row kTable[] = {
 };
 
 TEST(DriveStates, FollowTheTableOfTheStandard) {
-  for (const Row& row : kTable) {
+  for (const TransitionRow& row : kTable) {
     for (int i = 0; i < kDriveStateCount; ++i) {
       EXPECT_EQ(NextState(kStates[i], row.control, row.control), row.next[i])
           << std::hex << row.control << " in " << NameOf(kStates[i]);

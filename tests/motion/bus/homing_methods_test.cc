@@ -22,13 +22,13 @@ constexpr int32_t kOffset = -77;
 
 enum class HomeSwitch : uint8_t { kZone, kToTheRight, kToTheLeft };
 
-struct Case {
+struct HomingCase {
   int method;
   HomeSwitch home;
   double expected;  ///< where the motor ends
 };
 
-constexpr Case kCases[] = {
+constexpr HomingCase kCases[] = {
     {1, HomeSwitch::kZone, -49'750},     {2, HomeSwitch::kZone, 49'250},
     {3, HomeSwitch::kToTheRight, 250},   {4, HomeSwitch::kToTheRight, 1250},
     {5, HomeSwitch::kToTheLeft, 3250},   {6, HomeSwitch::kToTheLeft, 2250},
@@ -94,7 +94,7 @@ void Expect(HomingCard& card, int method, double start, double expected) {
 }
 
 TEST(HomingMethods, EndAtTheHomePositionOfTheStandardFromEverySide) {
-  for (const Case& each : kCases) {
+  for (const HomingCase& each : kCases) {
     for (const double start : kStarts) {
       HomingCard card(start, each.home);
       Expect(card, each.method, start, each.expected);
