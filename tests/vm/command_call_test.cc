@@ -97,8 +97,6 @@ class CommandCallTest : public testing::Test {
 };
 
 Element A(Storage storage, Storage index) { return {storage, 2, 4, {index, 0}}; }
-constexpr Storage kLocalStorage = Storage::kLocal;
-constexpr Storage kGlobalStorage = Storage::kGlobal;
 
 // --- Inputs --------------------------------------------------------------------------------------
 
@@ -107,9 +105,8 @@ TEST_F(CommandCallTest, ValuesOfEveryKindArrive) {
   std::vector<double> seen;
   Call({kIntInput, kIntInput, kIntInput, kIntInput, kIntInput, kIntInput, kDoubleInput,
         kDoubleInput, kDoubleInput},
-       {ImmediateInt(INT32_MIN), Local(1), Global(1), A(kLocalStorage, kLocalStorage),
-        A(kGlobalStorage, kLocalStorage), A(kLocalStorage, kGlobalStorage), Raw(0x8000), Local(6),
-        Global(6)},
+       {ImmediateInt(INT32_MIN), Local(1), Global(1), A(kL, kL), A(kG, kL), A(kL, kG), Raw(0x8000),
+        Local(6), Global(6)},
        [&](auto arguments) {
          for (const auto& argument : arguments) seen.push_back(argument.value);
          return kOk;
@@ -155,7 +152,7 @@ TEST_F(CommandCallTest, TheCardSaysHowManyElementsThereAre) {
 
 TEST_F(CommandCallTest, AddressNamesItsSlot) {
   values_ = {{0, 3}};
-  Call({kIntOut, kDoubleOut}, {A(kGlobalStorage, kLocalStorage), Local(7)}, [](auto arguments) {
+  Call({kIntOut, kDoubleOut}, {A(kG, kL), Local(7)}, [](auto arguments) {
     EXPECT_TRUE(arguments[0].slot.global);
     EXPECT_EQ(arguments[0].slot.id, 5);
     EXPECT_EQ(arguments[0].slot.type, DataType::kInt);
@@ -226,14 +223,14 @@ TEST_F(CommandCallTest, StructureIsWrittenMemberByMember) {
 }
 
 TEST_F(CommandCallTest, OutputGoesToTheElementThatTheIndexNames) {
-  for (const Storage array : {kLocalStorage, kGlobalStorage}) {
-    for (const Storage index : {kLocalStorage, kGlobalStorage}) {
+  for (const Storage array : {kL, kG}) {
+    for (const Storage index : {kL, kG}) {
       values_ = {{0, 3}};
       Call({kIntOut}, {A(array, index)}, [](auto arguments) {
         arguments[0].cells[0] = 99;
         return kOk;
       });
-      EXPECT_EQ(array == kLocalStorage ? LocalRaw(5) : GlobalRaw(5), 99);
+      EXPECT_EQ(array == kL ? LocalRaw(5) : GlobalRaw(5), 99);
     }
   }
 }
@@ -266,20 +263,11 @@ TEST_F(CommandCallTest, CountFromAVariableMayReachTheEndOfTheArray) {
     int32_t index;
     int32_t count;
     int64_t limit;  // slots up to the end of the array
-  } kCases[] = {{Local(2), 0, 4, 4},
-                {Local(2), 0, 5, 4},
-                {Local(3), 0, 3, 3},
-                {Local(3), 0, 4, 3},
-                {Global(5), 0, 1, 1},
-                {Global(5), 0, 2, 1},
-                {A(kLocalStorage, kLocalStorage), 1, 3, 3},
-                {A(kLocalStorage, kLocalStorage), 1, 4, 3},
-                {A(kGlobalStorage, kGlobalStorage), 3, 1, 1},
-                {A(kGlobalStorage, kGlobalStorage), 3, 2, 1},
-                {Local(2), 0, 0, 4},
-                {Local(2), 0, -5, 4},
-                {Local(2), 0, INT32_MAX, 4},
-                {Local(2), 0, INT32_MIN, 4}};
+  } kCases[] = {{Local(2), 0, 4, 4},         {Local(2), 0, 5, 4},        {Local(3), 0, 3, 3},
+                {Local(3), 0, 4, 3},         {Global(5), 0, 1, 1},       {Global(5), 0, 2, 1},
+                {A(kL, kL), 1, 3, 3},        {A(kL, kL), 1, 4, 3},       {A(kG, kG), 3, 1, 1},
+                {A(kG, kG), 3, 2, 1},        {Local(2), 0, 0, 4},        {Local(2), 0, -5, 4},
+                {Local(2), 0, INT32_MAX, 4}, {Local(2), 0, INT32_MIN, 4}};
   for (const auto& c : kCases) {
     values_ = {{0, c.index}, {1, c.count}};
     size_t cells = 0;
@@ -315,7 +303,7 @@ TEST_F(CommandCallTest, CountOfStructuresCountsTheirSlots) {
 TEST_F(CommandCallTest, IndexOutOfBoundsFaultsBeforeTheCommand) {
   values_ = {{0, 4}};
   for (const ParameterShape& parameter : {kIntInput, kIntOut}) {
-    Call({parameter}, {A(kLocalStorage, kLocalStorage)}, [](auto) { return kOk; });
+    Call({parameter}, {A(kL, kL)}, [](auto) { return kOk; });
     EXPECT_EQ(table_->calls, 0);
     EXPECT_EQ(thread().error, static_cast<int16_t>(Fault::kIndexOutOfBounds));
     EXPECT_EQ(thread().fault_value, 4);

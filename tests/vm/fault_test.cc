@@ -19,8 +19,6 @@ struct FaultCase {
   int64_t limit;
 };
 
-constexpr Storage kL = Storage::kLocal;
-constexpr Storage kG = Storage::kGlobal;
 constexpr DataType kInt = DataType::kInt;
 constexpr DataType kDouble = DataType::kDouble;
 

@@ -37,6 +37,10 @@ class ThreadCommands final : public CommandTable {
                   std::span<CommandArgument> arguments) override;
 };
 
+// For tables of places.
+inline constexpr Storage kL = Storage::kLocal;
+inline constexpr Storage kG = Storage::kGlobal;
+
 inline const Immediate kAlways = ImmediateInt(1);
 
 /// `goto` over `displacement` instructions.
