@@ -4,43 +4,41 @@
 #include <gtest/gtest.h>
 
 #include "motion/motion_core.h"
+#include "tests/motion/slave_axes.h"
 
 namespace oncard::motion {
 namespace {
 
 using enum FollowSegmentType;
 
-constexpr size_t kFollowMaster = 0;
-constexpr size_t kFollowSlave = 1;
-
 class FollowTest : public ::testing::Test {
  protected:
   explicit FollowTest(int64_t cycle_us = 250) : core_({.axis_count = 8, .cycle_us = cycle_us}) {
-    profile(kFollowSlave).mode = ProfileMode::kFollow;
-    follow().master = {true, MasterType::kProfile, kFollowMaster, false};
+    profile(kSlave).mode = ProfileMode::kFollow;
+    follow().master = {true, MasterType::kProfile, kMaster, false};
   }
 
   Profile& profile(size_t index) { return core_.state().profiles[index]; }
-  FollowMode& follow() { return profile(kFollowSlave).follow; }
-  const Sample& Slave() { return profile(kFollowSlave).now; }
-  double Ratio() { return Slave().velocity / profile(kFollowMaster).now.velocity; }
+  FollowMode& follow() { return profile(kSlave).follow; }
+  const Sample& Slave() { return profile(kSlave).now; }
+  double Ratio() { return Slave().velocity / profile(kMaster).now.velocity; }
 
   void Jog(double acc, double velocity) {
-    profile(kFollowMaster).mode = ProfileMode::kJog;
-    profile(kFollowMaster).jog.parameters = {acc, acc, 0};
-    profile(kFollowMaster).jog.velocity = velocity;
-    core_.StartProfile(kFollowMaster);
+    profile(kMaster).mode = ProfileMode::kJog;
+    profile(kMaster).jog.parameters = {acc, acc, 0};
+    profile(kMaster).jog.velocity = velocity;
+    core_.StartProfile(kMaster);
   }
   void Start(uint8_t fifo = 0) {
     follow().fifo = fifo;
-    core_.StartProfile(kFollowSlave);
+    core_.StartProfile(kSlave);
   }
   void RunTo(double ms) {
     while (core_.now() < static_cast<Micros>(ms * 1000)) core_.Tick();
   }
   /// Runs until the master reaches a position.
   void RunMasterTo(double position) {
-    while (profile(kFollowMaster).now.position < position) core_.Tick();
+    while (profile(kMaster).now.position < position) core_.Tick();
   }
 
   MotionCore core_;
@@ -86,7 +84,7 @@ TEST_F(FollowTest, ContinueTakesTheRatioOfThePassBefore) {
   Jog(1000, 10);
   Start();
   follow().switching = true;
-  const double begin = profile(kFollowMaster).now.position;
+  const double begin = profile(kMaster).now.position;
   const auto ratio_at = [&](double master) {
     RunMasterTo(begin + master - 1e-9);
     return Ratio();
@@ -134,13 +132,13 @@ TEST_F(FollowTest, EvenAndStopSegments) {
   follow().loop = 1;
   Jog(1000, 10);
   Start();
-  const double begin = profile(kFollowMaster).now.position;
+  const double begin = profile(kMaster).now.position;
   RunMasterTo(begin + 600);
   EXPECT_NEAR(Ratio(), 0.5, 1e-9);
-  const double x = profile(kFollowMaster).now.position - begin;
+  const double x = profile(kMaster).now.position - begin;
   EXPECT_NEAR(Slave().position, x / 2, 1e-9);
   RunMasterTo(begin + 1500);
-  EXPECT_NEAR(Ratio(), 2 * (1 - (profile(kFollowMaster).now.position - begin - 1000) / 1000), 1e-9);
+  EXPECT_NEAR(Ratio(), 2 * (1 - (profile(kMaster).now.position - begin - 1000) / 1000), 1e-9);
 }
 
 TEST_F(FollowTest, TheLastPassEndsTheRunAtTheTablesEnd) {
@@ -160,9 +158,9 @@ TEST_F(FollowTest, AMasterThatTurnsBackTakesTheSlaveBack) {
   Start();
   RunMasterTo(45000);
   Jog(1000, -50);
-  while (profile(kFollowMaster).now.position > 30000) core_.Tick();
-  EXPECT_NEAR(Slave().position, 10000 + profile(kFollowMaster).now.position - 20000, 1e-6);
-  while (profile(kFollowMaster).now.position > -1000) core_.Tick();
+  while (profile(kMaster).now.position > 30000) core_.Tick();
+  EXPECT_NEAR(Slave().position, 10000 + profile(kMaster).now.position - 20000, 1e-6);
+  while (profile(kMaster).now.position > -1000) core_.Tick();
   EXPECT_EQ(Slave().position, 0);
   EXPECT_EQ(Slave().velocity, 0);
 }
@@ -180,7 +178,7 @@ TEST_F(FollowTest, AMasterMayGoTheNegativeWay) {
   Jog(1000, -10);
   Start();
   RunTo(51);
-  EXPECT_NEAR(Slave().position, -profile(kFollowMaster).now.position / 2, 1e-9);
+  EXPECT_NEAR(Slave().position, -profile(kMaster).now.position / 2, 1e-9);
 }
 
 class FollowCycleTest : public FollowTest, public ::testing::WithParamInterface<int64_t> {

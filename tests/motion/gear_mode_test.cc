@@ -5,12 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "motion/motion_core.h"
+#include "tests/motion/slave_axes.h"
 
 namespace oncard::motion {
 namespace {
-
-constexpr size_t kMaster = 0;
-constexpr size_t kSlave = 1;
 
 class GearTest : public ::testing::Test {
  protected:
