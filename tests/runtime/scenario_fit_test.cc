@@ -8,10 +8,8 @@
 namespace oncard::runtime {
 namespace {
 
-constexpr const char* kFitProgram = "int n;\nint f(int k)\n{\n  n = n + k;\n  return n;\n}\n";
-
 Message MisfitOf(const Scenario& scenario, const RunOptions& options = {}) {
-  const auto result = RunScenario(scenario, CompileForTest(kFitProgram), options);
+  const auto result = RunScenario(scenario, CompileForTest(kCount), options);
   return result.ok() ? Message{"it fits", "相符"} : result.error().message;
 }
 
@@ -128,7 +126,7 @@ TEST(ScenarioFit, SynchronisingVariablesAreGlobals) {
 }
 
 TEST(ScenarioFit, IsLookedAtWithoutARun) {
-  const vm::Object object = CompileForTest(kFitProgram);
+  const vm::Object object = CompileForTest(kCount);
   EXPECT_TRUE(FitScenario(ScenarioForTest("expect = [\"n == 1\"]"), object).ok());
   const Scenario other = ScenarioForTest("expect = [\"m == 1\"]\n[globals]\nq = 1\n");
   const auto fits = FitScenario(other, object);

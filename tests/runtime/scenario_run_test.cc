@@ -10,8 +10,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-constexpr const char* kCount = "int n;\nint f(int k)\n{\n  n = n + k;\n  return n;\n}\n";
-constexpr const char* kSpin = "int n;\nint f()\n{\nlbl:\n  n = n + 1;\n  goto lbl;\n}\n";
 constexpr const char* kWait = "int go;\nint f()\n{\n  GT_WaitForVarEq(&go, 1);\n  return 1;\n}\n";
 
 /// The first line of the error.

@@ -11,6 +11,11 @@
 
 namespace oncard::runtime {
 
+/// Adds its argument to `n`.
+inline constexpr const char* kCount = "int n;\nint f(int k)\n{\n  n = n + k;\n  return n;\n}\n";
+/// Counts `n` up for ever.
+inline constexpr const char* kSpin = "int n;\nint f()\n{\nlbl:\n  n = n + 1;\n  goto lbl;\n}\n";
+
 inline vm::Object CompileForTest(const std::string& text) {
   compiler::Compilation compilation = compiler::CompileText("p.c", text, {}, compiler::NoFiles());
   EXPECT_TRUE(compilation.ok()) << compiler::PrintText(compilation, {});

@@ -12,8 +12,6 @@ using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-constexpr const char* kTracedLoop = "int n;\nint f()\n{\nlbl:\n  n = n + 1;\n  goto lbl;\n}\n";
-
 Trace TraceOf(const std::string& program, const std::string& scenario,
               const std::vector<std::string>& show = {}) {
   RunOptions options;
@@ -24,21 +22,20 @@ Trace TraceOf(const std::string& program, const std::string& scenario,
 
 TEST(Trace, KeepsTheCyclesInWhichSomethingChanged) {
   // Two statements per iteration, 25 per cycle.
-  EXPECT_EQ(TraceOf(kTracedLoop, "until_ms = 0.5", {"n"}).Csv(),
+  EXPECT_EQ(TraceOf(kSpin, "until_ms = 0.5", {"n"}).Csv(),
             "time_ms,n,gpo\n0,0,0\n0.25,13,0\n0.5,25,0\n");
 }
 
 TEST(Trace, HoldsWhatTheScenarioNames) {
-  EXPECT_EQ(
-      TraceOf(kTracedLoop, "until_ms = 0.5\ntrace = [\"axis2.prfPos\", \"gpo[1]\", \"n\"]").Csv(),
-      "time_ms,axis2.prfPos,gpo[1],n\n0,0.0,0,0\n0.25,0.0,0,13\n0.5,0.0,0,25\n");
+  EXPECT_EQ(TraceOf(kSpin, "until_ms = 0.5\ntrace = [\"axis2.prfPos\", \"gpo[1]\", \"n\"]").Csv(),
+            "time_ms,axis2.prfPos,gpo[1],n\n0,0.0,0,0\n0.25,0.0,0,13\n0.5,0.0,0,25\n");
 }
 
 TEST(Trace, RefusesAnUnknownName) {
   RunOptions options;
   options.trace = true;
-  const auto result = RunScenario(ScenarioForTest("trace = [\"axis2.prfPso\"]"),
-                                  CompileForTest(kTracedLoop), options);
+  const auto result =
+      RunScenario(ScenarioForTest("trace = [\"axis2.prfPso\"]"), CompileForTest(kSpin), options);
   ASSERT_FALSE(result.ok());
   EXPECT_THAT(result.error().message.en, HasSubstr("did you mean 'axis2.prfPos'"));
 }
@@ -129,7 +126,7 @@ TEST(Trace, WritesWhenThreadsRan) {
 TEST(Trace, MarksWhatTheCardDoesByItself) {
   // The alarm is active at power-on; axis 2 reaches its limit switch during the move, 1 ms and the
   // filter time late.
-  const std::string json = TraceOf(kTracedLoop,
+  const std::string json = TraceOf(kSpin,
                                    "until_ms = 3\n[[world.input]]\ntype = \"alarm\"\nindex = 1\n"
                                    "value = 1\n[[world.input]]\ntype = \"limit_positive\"\n"
                                    "index = 2\nvalue = 1\nat_ms = 1\n")
@@ -146,7 +143,7 @@ TEST(Trace, MarksWhatTheCardDoesByItself) {
 
 TEST(Trace, MarksWhatTheHostWrites) {
   const std::string json =
-      TraceOf(kTracedLoop, "until_ms = 2\n[[host]]\nat_ms = 1\nset = { n = 5 }\n").Json();
+      TraceOf(kSpin, "until_ms = 2\n[[host]]\nat_ms = 1\nset = { n = 5 }\n").Json();
   EXPECT_THAT(json, HasSubstr(R"({"name":"n = 5","cat":"host","ph":"i")"));
 }
 
