@@ -1,7 +1,7 @@
 # Compiler options of all targets: warnings are errors, results must not depend on floating-point
 # contraction, and the shared library exports only the C API. -O2 is as fast as CMake's -O3 in ./x
-# bench vm and compiles faster. Sanitizers need it, too: with -O1 clang inlines nothing, compiles hardly
-# faster, and tests of cards take twice as long.
+# bench vm and compiles faster. Sanitizers need it, too: with -O1 clang inlines nothing, compiles
+# hardly faster, and tests of cards take twice as long.
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
 # Where a preset compiles several sources as one, it spends most of its time on headers and templates
 # that they share.
