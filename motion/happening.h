@@ -22,6 +22,9 @@ enum class HappeningKind : uint8_t {
   kEncoderSilent,   ///< `value`: velocity of the encoder, `bound`: the least, pulse/ms
   kGantrySkew,      ///< of the master; `value`: the skew, `bound`: its limit, pulses
   kHeldAtLimit,     ///< of a profile: it would have moved towards a latched limit
+  // Of an axis, beyond what its drive and mechanics can follow (DriveLimits); `bound`: the limit.
+  kTooFast,   ///< `value`: its planned velocity, pulse/ms
+  kTooSteep,  ///< `value`: change of its velocity in a cycle, pulse/ms^2
   // Of a coordinate system.
   kStarved,         ///< the FIFO is empty; `value`: segments in the look-ahead ring
   kEndedMoving,     ///< the FIFO ran empty at the velocity `value`, which drops to 0

@@ -17,6 +17,8 @@ namespace {
 constexpr int64_t kBlockMin = 8;
 /// How long a card that is not plain is advanced without lanes, at most.
 constexpr int64_t kTicksMax = 64;
+/// What an axis may exceed its limits by, relative to them.
+constexpr double kLimitTolerance = 1e-6;
 
 static_assert(kFieldsComplete<MotionState> && kFieldsComplete<Profile> && kFieldsComplete<Plant> &&
               kFieldsComplete<WorldEvent> && kFieldsComplete<WorldProgress>);
@@ -236,10 +238,31 @@ void MotionCore::MapProfiles() {
     Axis& axis = state_.axes[i];
     if (!axis.active) continue;
     const MasterValue planned = present.PlannedAxis(axis);
+    const MasterValue before = {axis.profile.position, axis.profile.velocity,
+                                axis.profile.acceleration};
     axis.profile.position = planned.position;
     axis.profile.velocity = planned.velocity;
     axis.profile.acceleration = planned.acceleration;
     axis.profile.filter.Add(axis.profile.velocity);
+    if (config_.drive_limits[i].any()) JudgeLimits(i, before);
+  }
+}
+
+void MotionCore::JudgeLimits(size_t index, const MasterValue& before) const {
+  const auto begins = [](double last, double now, double limit) {
+    // A motion at the limit itself is rounded.
+    const double most = limit * (1 + kLimitTolerance);
+    return std::abs(now) > most && std::abs(last) <= most;
+  };
+  const DriveLimits& limits = config_.drive_limits[index];
+  const double velocity = state_.axes[index].profile.velocity;
+  if (begins(before.velocity, velocity, limits.velocity)) {
+    Tell(HappeningKind::kTooFast, index, velocity, limits.velocity);
+  }
+  // A path also changes the velocity at a corner at once, with no acceleration that is planned.
+  const double steepness = (velocity - before.velocity) / MsBetween(0, config_.cycle_us);
+  if (begins(before.acceleration, steepness, limits.acceleration)) {
+    Tell(HappeningKind::kTooSteep, index, steepness, limits.acceleration);
   }
 }
 

@@ -213,6 +213,9 @@ class MotionCore {
   void PowerOn(std::shared_ptr<const WorldEvents> events);
   /// Sets the position of a motor by hand; the encoder does not count this.
   void PlaceMotor(size_t motor, double position);
+  /// Reports from now on what the axis is planned to do beyond these limits, which it does all the
+  /// same.
+  void WatchLimits(size_t axis, const DriveLimits& limits) { config_.drive_limits[axis] = limits; }
 
   /// XXH64 of the whole state.
   uint64_t Hash() const;
@@ -248,6 +251,8 @@ class MotionCore {
   /// The same for a profile at rest, which must not begin to move towards a latched limit.
   void BeginProfile(size_t index);
   void MapProfiles();
+  /// Reports that an axis begins to exceed what it can follow; `before` is the cycle before.
+  void JudgeLimits(size_t index, const MasterValue& before) const;
   void GuardAxis(size_t index);
   void AdvanceCompensations();
   void AdvanceShapers();

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <tuple>
 #include <vector>
 
@@ -34,12 +35,23 @@
 
 namespace oncard::motion {
 
-/// Sizes and timing of a card.
+/// What the drive and the mechanics of an axis can follow. The card does not know it and plans
+/// beyond it.
+struct DriveLimits {
+  static constexpr double kNone = std::numeric_limits<double>::infinity();
+  double velocity = kNone;      ///< pulse/ms, > 0
+  double acceleration = kNone;  ///< pulse/ms^2, > 0
+
+  bool any() const { return velocity < kNone || acceleration < kNone; }
+};
+
+/// Sizes and timing of a card, and what does not change outside it.
 struct MotionConfig {
   int axis_count = 8;      ///< 4, 8 or 12
   int64_t cycle_us = 250;  ///< profile cycle; a multiple of servo_us, at most 4000
   int64_t servo_us = 125;  ///< servo sub-step
   CardDefaults defaults = {};
+  std::array<DriveLimits, kAxisMax> drive_limits = {};
 
   double ServoMs() const { return static_cast<double>(servo_us) / 1000; }
 };

@@ -1,0 +1,88 @@
+// What is reported of an axis that is planned beyond what its drive can follow.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "motion/motion_core.h"
+#include "tests/motion/core_run.h"
+
+namespace oncard::motion {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+using Kinds = std::vector<HappeningKind>;
+
+/// Axis 1 accelerates by 0.5 pulse/ms^2 to 10 pulse/ms, in 20 ms, and slows down as fast.
+struct LimitedRun {
+  explicit LimitedRun(const DriveLimits& limits) {
+    core.WatchLimits(0, limits);
+    core.Observe([this](const Happening& happening) { happenings.push_back(happening); });
+    core.ServoOn(0);
+    core.state().profiles[0].jog.parameters = {.acc = 0.5, .dec = 0.5};
+    Jog(core, 10);
+  }
+  Kinds kinds() const {
+    Kinds kinds;
+    for (const Happening& happening : happenings) kinds.push_back(happening.kind);
+    return kinds;
+  }
+
+  MotionCore core{{.cycle_us = 1000}};
+  std::vector<Happening> happenings;
+};
+
+TEST(DriveLimits, TheVelocityIsReportedOnceWhenItBecomesTooHigh) {
+  LimitedRun run({.velocity = 4});
+  Ticks(run.core, 8);
+  EXPECT_THAT(run.kinds(), IsEmpty());
+  Ticks(run.core, 100);
+  ASSERT_THAT(run.kinds(), ElementsAre(HappeningKind::kTooFast));
+  EXPECT_EQ(run.happenings[0].item, 0u);
+  EXPECT_NEAR(run.happenings[0].value, 4.5, 1e-9);
+  EXPECT_EQ(run.happenings[0].bound, 4);
+}
+
+TEST(DriveLimits, TheChangeOfVelocityIsReportedWhenItBegins) {
+  LimitedRun run({.acceleration = 0.25});
+  Ticks(run.core, 100);
+  ASSERT_THAT(run.kinds(), ElementsAre(HappeningKind::kTooSteep));
+  EXPECT_NEAR(run.happenings[0].value, 0.5, 1e-9);
+  Jog(run.core, -10);
+  Ticks(run.core, 100);
+  EXPECT_THAT(run.kinds(), ElementsAre(HappeningKind::kTooSteep, HappeningKind::kTooSteep));
+  EXPECT_NEAR(run.happenings[1].value, -0.5, 1e-9);
+}
+
+TEST(DriveLimits, AVelocityThatDropsAtOnceIsTooSteep) {
+  LimitedRun run({.acceleration = 1});
+  Ticks(run.core, 50);
+  EXPECT_THAT(run.kinds(), IsEmpty());
+  // 10 pulse/ms to 0 within a cycle.
+  run.core.state().profiles[0].Stop(run.core.now(), 1000);
+  Ticks(run.core, 1);
+  ASSERT_THAT(run.kinds(), ElementsAre(HappeningKind::kTooSteep));
+  EXPECT_NEAR(run.happenings[0].value, -10, 1e-9);
+}
+
+TEST(DriveLimits, AreNotExceededByAMotionAtThem) {
+  LimitedRun run({.velocity = 10, .acceleration = 0.5});
+  Ticks(run.core, 100);
+  Jog(run.core, -10);
+  Ticks(run.core, 100);
+  EXPECT_THAT(run.kinds(), IsEmpty());
+}
+
+TEST(DriveLimits, AreReportedAlikeOfManyCyclesAtOnce) {
+  LimitedRun each({.velocity = 4, .acceleration = 0.25});
+  Ticks(each.core, 300);
+  LimitedRun block({.velocity = 4, .acceleration = 0.25});
+  block.core.Advance(300);
+  EXPECT_EQ(block.kinds(), each.kinds());
+  EXPECT_EQ(block.core.Hash(), each.core.Hash());
+}
+
+}  // namespace
+}  // namespace oncard::motion
