@@ -98,6 +98,8 @@ bool StopsAxis(const motion::MotionCore& core, const motion::Happening& happenin
     case HappeningKind::kGantrySkew:
     case HappeningKind::kHeldAtLimit:
       return true;
+    case HappeningKind::kTooFast:
+    case HappeningKind::kTooSteep:
     case HappeningKind::kStarved:
     case HappeningKind::kEndedMoving:
     case HappeningKind::kMoveStopped:
@@ -345,7 +347,19 @@ void Supervisor::CheckDrive(const gtcalls::Call& call, size_t index) {
 
 // --- What the card does by itself ----------------------------------------------------------------
 
+void Supervisor::NoteBeyondLimit(const motion::Happening& happening) {
+  const CallSite& site = history_->profiles[happening.item].started;
+  Key key = KeyOf(CardWarning::kAxisLimit, site, happening.item);
+  std::get<std::string>(key) +=
+      happening.kind == motion::HappeningKind::kTooFast ? " velocity" : " acceleration";
+  Add(std::move(key), PlaceOfSite(site), DescribeHappening(happening), controller_.NowUs());
+}
+
 void Supervisor::Happened(const motion::Happening& happening) {
+  if (happening.kind == motion::HappeningKind::kTooFast ||
+      happening.kind == motion::HappeningKind::kTooSteep) {
+    return NoteBeyondLimit(happening);
+  }
   if (!StopsAxis(controller_.motion(), happening)) return;
   if (history_->profiles[happening.item].stop) return;
   History::Profile& profile = Present().profiles[happening.item];

@@ -100,6 +100,8 @@ class Supervisor final : public CardObserver {
   /// The same for each axis that the call started.
   Key KeyOf(CardWarning warning, const CallSite& site, size_t axis) const;
   CardFinding& Add(Key key, CommandPlace place, Message text, int64_t at_us);
+  /// An axis begins to move beyond what its drive can follow.
+  void NoteBeyondLimit(const motion::Happening& happening);
   void JudgeStop(size_t axis);
   void JudgeLeftOut(size_t profile);
   void JudgeWorkLeft();

@@ -99,6 +99,7 @@ void SetUpMotor(const MotorSetup& setup, motion::MotionCore& core) {
   }
   core.state().index_marks[index] = {setup.index_offset, setup.index_period};
   core.PlaceMotor(index, setup.position);
+  core.WatchLimits(index, {setup.max_vel, setup.max_acc});
 }
 
 /// The number of a slave among those that are connected.

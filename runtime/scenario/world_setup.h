@@ -14,6 +14,7 @@
 #include "motion/io/digital_io.h"
 #include "motion/mechanics/plant.h"
 #include "motion/mechanics/switches_and_marks.h"
+#include "motion/motion_state.h"
 
 namespace oncard::runtime {
 
@@ -36,6 +37,8 @@ struct MotorSetup {
   double position = 0;  ///< at power-on, pulses; the encoder reads 0 there
   double index_offset = 0;
   double index_period = motion::IndexMarks{}.period;  ///< pulses; 0: no index marks
+  double max_vel = motion::DriveLimits::kNone;        ///< pulse/ms that it can follow
+  double max_acc = motion::DriveLimits::kNone;        ///< pulse/ms^2
   bool operator==(const MotorSetup&) const = default;
 };
 

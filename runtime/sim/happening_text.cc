@@ -64,6 +64,15 @@ Message DescribeHappening(const motion::Happening& happening) {
     case HappeningKind::kHeldAtLimit:
       return MakeMessage("profile {0} is held at {1}: it would move towards a latched limit",
                          "规划器 {0} 停在 {1}：其运动方向上的限位已锁存", item, value);
+    case HappeningKind::kTooFast:
+      return MakeMessage(
+          "axis {0} is planned with {1} pulse/ms, its drive follows up to {2} (max_vel)",
+          "轴 {0} 的规划速度为 {1} pulse/ms，其驱动器最多为 {2}（max_vel）", item, value, bound);
+    case HappeningKind::kTooSteep:
+      return MakeMessage(
+          "the velocity of axis {0} changes by {1} pulse/ms^2, its drive follows up to {2} "
+          "(max_acc)",
+          "轴 {0} 的速度变化为 {1} pulse/ms²，其驱动器最多为 {2}（max_acc）", item, value, bound);
     case HappeningKind::kStarved:
       return MakeMessage(
           "coordinate system {0} ends its run: the FIFO is empty while {1} segments wait in the "

@@ -359,6 +359,19 @@ TEST(ScenarioWorld, IsWrittenAsItIsRead) {
   EXPECT_EQ(ParsedWorld(FormatScenario(wheel)).world, wheel.world);
 }
 
+TEST(ScenarioWorld, TheLimitsOfAnAxisAreWrittenAsTheyAreRead) {
+  const Scenario scenario =
+      ParsedWorld("program = \"x.c\"\n[[world.axis]]\naxis = 3\nmax_vel = 20\nmax_acc = 0.5\n");
+  ASSERT_EQ(scenario.world.motors.size(), 1u);
+  EXPECT_EQ(scenario.world.motors[0].max_vel, 20);
+  EXPECT_EQ(scenario.world.motors[0].max_acc, 0.5);
+  const std::string written = "program = \"x.c\"\n" + FormatWorld(scenario.world, 8);
+  EXPECT_EQ(ParsedWorld(written).world, scenario.world);
+  Controller controller(CardOptions(scenario));
+  ApplyWorld(scenario, &controller);
+  EXPECT_EQ(controller.motion().config().drive_limits[2].velocity, 20);
+}
+
 TEST(ScenarioWorld, TheCardSaysHowManyAxesThereAre) {
   const Scenario scenario = ParsedWorld("program = \"x.c\"\ncard = \"GTS-1200\"\n");
   EXPECT_EQ(scenario.axis_count, 12);

@@ -204,6 +204,30 @@ TEST(AxisStopped, IsNothingOfALimitThatTheAxisMovesAwayFrom) {
               IsEmpty());
 }
 
+// --- axis-limit ----------------------------------------------------------------------------------
+
+constexpr const char* kTo1000 =
+    "  GT_AxisOn(1);\n  GT_PrfJog(1);\n  GT_SetVel(1, 10);\n  GT_Update(1);\n  GT_Delay(50);\n"
+    "  GT_Stop(1, 0);\n";
+
+TEST(AxisLimit, TellsOfTheVelocityAndTheAccelerationOfAStart) {
+  EXPECT_THAT(WarningsOf(Program(kTo1000 + WaitFor(1)), "[[world.axis]]\naxis = 1\nmax_vel = 5\n"),
+              ElementsAre(AllOf(StartsWith("p.c:7: thread 0 f: axis 1 is planned with "),
+                                HasSubstr(" pulse/ms, its drive follows up to 5 (max_vel) ("),
+                                HasSubstr(" [axis-limit]"))));
+  EXPECT_THAT(
+      WarningsOf(Program(kTo1000 + WaitFor(1)), "[[world.axis]]\naxis = 1\nmax_acc = 0.001\n"),
+      ElementsAre(AllOf(StartsWith("p.c:7: thread 0 f: the velocity of axis 1 changes by "),
+                        HasSubstr(" its drive follows up to 0.001 (max_acc) ("))));
+}
+
+TEST(AxisLimit, IsNothingOfOtherAxesAndAtTheLimitItself) {
+  EXPECT_THAT(WarningsOf(Program(kTo1000 + WaitFor(1)), "[[world.axis]]\naxis = 1\nmax_vel = 10\n"),
+              IsEmpty());
+  EXPECT_THAT(WarningsOf(Program(kTo1000 + WaitFor(1)), "[[world.axis]]\naxis = 2\nmax_vel = 5\n"),
+              IsEmpty());
+}
+
 // --- period-overrun ------------------------------------------------------------------------------
 
 // 450 statements of 100 in a millisecond last 4.5 ms: runs begin at 0, 6 and 12 ms, and each misses
