@@ -251,6 +251,38 @@ uint32_t Supervisor::Moving() const {
   return moving;
 }
 
+bool Supervisor::OfTwoThreads(const gtcalls::Call& call, const CallSite& earlier) const {
+  if (call.caller == vm::kHostCaller || !earlier.known()) return false;
+  if (earlier.caller == vm::kHostCaller || earlier.caller == call.caller) return false;
+  return vm::IsActive(controller_.machine().thread(earlier.caller));
+}
+
+void Supervisor::CheckTarget(const gtcalls::Call& call, size_t index) {
+  const CallSite& waiting = history_->profiles[index].set_up;
+  if (!OfTwoThreads(call, waiting)) return;
+  Add(CardWarning::kTwoThreads, call, index,
+      MakeMessage("axis {0} gets a target while the one that thread {1} has set in line {2} is not "
+                  "started yet; unless the threads wait for each other, either can be lost",
+                  "轴 {0} 设置目标时，线程 {1} 在第 {2} 行设置的目标尚未启动；若两线程互不等待，"
+                  "其中之一可能丢失",
+                  index + 1, waiting.caller, PlaceOfSite(waiting).line));
+}
+
+void Supervisor::CheckChange(const gtcalls::Call& call, size_t index) {
+  const motion::Profile& profile = controller_.motion().state().profiles[index];
+  const History::Profile& known = history_->profiles[index];
+  if (profile.mode != ProfileMode::kTrap || (moving_before_ >> index & 1) == 0) return;
+  // A start by which another thread changes its own motion, or a velocity, is no new target.
+  if (known.set_up.caller != call.caller || !OfTwoThreads(call, known.started)) return;
+  Add(CardWarning::kTwoThreads, call, index,
+      MakeMessage(
+          "axis {0} gets a new target while it still moves for thread {1}, which started it "
+          "in line {2}; unless the threads wait for each other, either can be lost",
+          "轴 {0} 还在为线程 {1}（第 {2} 行启动）运动时改变目标；若两线程互不等待，其中之一"
+          "可能丢失",
+          index + 1, known.started.caller, PlaceOfSite(known.started).line));
+}
+
 void Supervisor::NoteSetUp(const gtcalls::Call& call, MotionRole role) {
   const auto index = static_cast<size_t>(call.integer(0)) - 1;
   History& history = Present();
@@ -258,6 +290,7 @@ void Supervisor::NoteSetUp(const gtcalls::Call& call, MotionRole role) {
   if (role == MotionRole::kVelocity) history.velocity_set |= uint32_t{1} << index;
   // In mode Trap a velocity alone leads nowhere.
   const ProfileMode mode = controller_.motion().state().profiles[index].mode;
+  if (mode == ProfileMode::kTrap && role == MotionRole::kTarget) CheckTarget(call, index);
   const bool leads = role == MotionRole::kTarget || mode == ProfileMode::kJog;
   if (leads) history.profiles[index].set_up = SiteOf(call);
 }
@@ -266,8 +299,10 @@ void Supervisor::NoteCommit(const gtcalls::Call& call) {
   const uint32_t mask = SelectedMask(call);
   CheckMask(call, mask);
   NoteLeftOut(call, mask);
-  motion::ForEachBit(mask, controller_.motion().axis_count(),
-                     [&](size_t profile) { CheckVelocity(call, profile); });
+  motion::ForEachBit(mask, controller_.motion().axis_count(), [&](size_t profile) {
+    CheckVelocity(call, profile);
+    CheckChange(call, profile);
+  });
   NoteStart(call, mask);
 }
 

@@ -78,6 +78,13 @@ class Supervisor final : public CardObserver {
   CommandPlace PlaceOfSite(const CallSite& site) const;
 
   void NoteSetUp(const gtcalls::Call& call, gtcalls::MotionRole role);
+  /// True if a call and an earlier one are of two threads, and that of the earlier one has not
+  /// ended.
+  bool OfTwoThreads(const gtcalls::Call& call, const CallSite& earlier) const;
+  /// A target is set while the one of another thread is not started yet.
+  void CheckTarget(const gtcalls::Call& call, size_t profile);
+  /// A start changes where an axis goes that moves for another thread.
+  void CheckChange(const gtcalls::Call& call, size_t profile);
   /// Profiles begin to move, or would begin if they had a velocity.
   void NoteStart(const gtcalls::Call& call, uint32_t profiles);
   void NoteAcknowledged(const gtcalls::Call& call);

@@ -204,6 +204,48 @@ TEST(AxisStopped, IsNothingOfALimitThatTheAxisMovesAwayFrom) {
               IsEmpty());
 }
 
+// --- two-threads ---------------------------------------------------------------------------------
+
+/// Thread 0 executes f(), whose statements begin in line 4, thread 1 g().
+std::vector<std::string> WarningsOfTwo(const std::string& f, const std::string& g) {
+  return WarningsOf(Program(f) + "int g()\n{\n" + g + "  return 0;\n}\n",
+                    "[[thread]]\nthread = 0\nfunction = \"f\"\n"
+                    "[[thread]]\nthread = 1\nfunction = \"g\"\n");
+}
+
+constexpr const char* kOwnTarget =
+    "  GT_AxisOn(1);\n  GT_PrfTrap(1);\n  GT_SetVel(1, 10);\n  GT_SetPos(1, 1000);\n";
+
+TEST(TwoThreads, AreToldOfATargetThatIsLost) {
+  const auto warnings =
+      WarningsOfTwo(std::string(kOwnTarget) + "  GT_Delay(10);\n  GT_Update(1);\n" + WaitFor(1),
+                    "  GT_Delay(5);\n  GT_SetPos(1, 500);\n  GT_Delay(2);\n");
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_THAT(warnings[0],
+              HasSubstr(" thread 1 g: axis 1 gets a target while the one that thread 0 "
+                        "has set in line 7 is not started yet"));
+  EXPECT_THAT(warnings[0], HasSubstr(" [two-threads]"));
+}
+
+TEST(TwoThreads, AreToldOfAMotionThatIsSentElsewhere) {
+  EXPECT_THAT(
+      WarningsOfTwo(std::string(kOwnTarget) + "  GT_Update(1);\n" + WaitFor(1),
+                    "  GT_Delay(5);\n  GT_SetPos(1, 500);\n  GT_Update(1);\n"),
+      ElementsAre(HasSubstr(" thread 1 g: axis 1 gets a new target while it still moves for "
+                            "thread 0, which started it in line 8")));
+}
+
+TEST(TwoThreads, MayChangeAVelocityAndTakeTurns) {
+  EXPECT_THAT(WarningsOfTwo(std::string(kOwnTarget) + "  GT_Update(1);\n" + WaitFor(1),
+                            "  GT_Delay(5);\n  GT_SetVel(1, 20);\n  GT_Update(1);\n"),
+              IsEmpty());
+  // The other thread has ended.
+  EXPECT_THAT(
+      WarningsOfTwo(kOwnTarget,
+                    "  GT_Delay(50);\n  GT_SetPos(1, 500);\n  GT_Update(1);\n  GT_Delay(500);\n"),
+      IsEmpty());
+}
+
 // --- axis-limit ----------------------------------------------------------------------------------
 
 constexpr const char* kTo1000 =
