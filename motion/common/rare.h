@@ -37,6 +37,8 @@ class Rare {
   void Reset() { part_.reset(); }
 
   explicit operator bool() const { return part_ != nullptr; }
+  /// nullptr: the card does not have it.
+  const T* get() const { return part_.get(); }
   T* operator->() { return part_.get(); }
   const T* operator->() const { return part_.get(); }
   T& operator*() { return *part_; }

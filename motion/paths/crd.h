@@ -71,7 +71,10 @@ struct CrdFifo {
   /// True if slots pass a look-ahead before they enter the FIFO.
   bool looks_ahead() const { return look_ahead.on() || planner; }
   /// The slots in the look-ahead.
-  const SlotQueue& Ahead() const { return planner ? planner->ring : look_ahead.ring; }
+  const SlotQueue& Ahead() const {
+    const PathPlanner* const own = planner.get();
+    return own != nullptr ? own->ring : look_ahead.ring;
+  }
   /// True if nothing reaches the FIFO, and only its time is computed.
   bool is_virtual() const { return planner && planner->virtual_run.on; }
   /// Where the last segment ends, also that of a virtual run, which never reaches the FIFO.
