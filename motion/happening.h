@@ -24,7 +24,7 @@ enum class HappeningKind : uint8_t {
   kHeldAtLimit,     ///< of a profile: it would have moved towards a latched limit
   // Of an axis, beyond what its drive and mechanics can follow (DriveLimits); `bound`: the limit.
   kTooFast,   ///< `value`: its planned velocity, pulse/ms
-  kTooSteep,  ///< `value`: change of its velocity in a cycle, pulse/ms^2
+  kTooSteep,  ///< `value`: its planned acceleration, or the mean one of a cycle, pulse/ms^2
   // Of a coordinate system.
   kStarved,         ///< the FIFO is empty; `value`: segments in the look-ahead ring
   kEndedMoving,     ///< the FIFO ran empty at the velocity `value`, which drops to 0

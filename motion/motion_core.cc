@@ -238,31 +238,32 @@ void MotionCore::MapProfiles() {
     Axis& axis = state_.axes[i];
     if (!axis.active) continue;
     const MasterValue planned = present.PlannedAxis(axis);
-    const MasterValue before = {axis.profile.position, axis.profile.velocity,
-                                axis.profile.acceleration};
+    if (config_.drive_limits[i].any()) JudgeLimits(i, planned);
     axis.profile.position = planned.position;
     axis.profile.velocity = planned.velocity;
     axis.profile.acceleration = planned.acceleration;
     axis.profile.filter.Add(axis.profile.velocity);
-    if (config_.drive_limits[i].any()) JudgeLimits(i, before);
   }
 }
 
-void MotionCore::JudgeLimits(size_t index, const MasterValue& before) const {
+void MotionCore::JudgeLimits(size_t index, const MasterValue& planned) const {
   const auto begins = [](double last, double now, double limit) {
     // A motion at the limit itself is rounded.
     const double most = limit * (1 + kLimitTolerance);
     return std::abs(now) > most && std::abs(last) <= most;
   };
   const DriveLimits& limits = config_.drive_limits[index];
-  const double velocity = state_.axes[index].profile.velocity;
-  if (begins(before.velocity, velocity, limits.velocity)) {
-    Tell(HappeningKind::kTooFast, index, velocity, limits.velocity);
+  const auto& before = state_.axes[index].profile;
+  if (begins(before.velocity, planned.velocity, limits.velocity)) {
+    Tell(HappeningKind::kTooFast, index, planned.velocity, limits.velocity);
   }
-  // A path also changes the velocity at a corner at once, with no acceleration that is planned.
-  const double steepness = (velocity - before.velocity) / MsBetween(0, config_.cycle_us);
-  if (begins(before.acceleration, steepness, limits.acceleration)) {
-    Tell(HappeningKind::kTooSteep, index, steepness, limits.acceleration);
+  // At a corner a path changes the velocity at once, with no acceleration that is planned; a ramp
+  // that begins within the cycle has changed it little.
+  const double mean = (planned.velocity - before.velocity) / MsBetween(0, config_.cycle_us);
+  const double steepest =
+      std::abs(mean) > std::abs(planned.acceleration) ? mean : planned.acceleration;
+  if (begins(before.acceleration, steepest, limits.acceleration)) {
+    Tell(HappeningKind::kTooSteep, index, steepest, limits.acceleration);
   }
 }
 

@@ -251,8 +251,8 @@ class MotionCore {
   /// The same for a profile at rest, which must not begin to move towards a latched limit.
   void BeginProfile(size_t index);
   void MapProfiles();
-  /// Reports that an axis begins to exceed what it can follow; `before` is the cycle before.
-  void JudgeLimits(size_t index, const MasterValue& before) const;
+  /// Reports that an axis begins to exceed what it can follow with what is planned for this cycle.
+  void JudgeLimits(size_t index, const MasterValue& planned) const;
   void GuardAxis(size_t index);
   void AdvanceCompensations();
   void AdvanceShapers();

@@ -6,6 +6,7 @@
 
 #include "motion/motion_core.h"
 #include "tests/motion/core_run.h"
+#include "tests/motion/crd_run.h"
 
 namespace oncard::motion {
 namespace {
@@ -65,6 +66,44 @@ TEST(DriveLimits, AVelocityThatDropsAtOnceIsTooSteep) {
   Ticks(run.core, 1);
   ASSERT_THAT(run.kinds(), ElementsAre(HappeningKind::kTooSteep));
   EXPECT_NEAR(run.happenings[0].value, -10, 1e-9);
+}
+
+TEST(DriveLimits, ARampThatBeginsWithinACycleIsTooSteep) {
+  CrdRunTest test;
+  test.core.WatchLimits(0, {.acceleration = 5});
+  std::vector<Happening> happenings;
+  test.core.Observe([&](const Happening& happening) { happenings.push_back(happening); });
+  // 10 pulse/ms is reached at 100, after 20 ms, and the first line ends at 20.5 ms. The second one
+  // gains 4 pulse/ms up to the end of that cycle, and slows down from 20 pulse/ms to rest.
+  ASSERT_TRUE(test.Line({105}, 10, 0.5, 10));
+  ASSERT_TRUE(test.Line({500}, 20, 8));
+  test.Start();
+  test.RunUntil(20);
+  EXPECT_THAT(happenings, IsEmpty());
+  test.RunUntil(21);
+  ASSERT_EQ(happenings.size(), 1u);
+  EXPECT_EQ(happenings[0].kind, HappeningKind::kTooSteep);
+  EXPECT_NEAR(happenings[0].value, 8, 1e-9);
+  test.TicksToEnd();
+  ASSERT_EQ(happenings.size(), 2u);
+  EXPECT_NEAR(happenings[1].value, -8, 1e-9);
+}
+
+TEST(DriveLimits, ACornerIsTooSteepForTheAxisThatTurnsAwayAndTheOneThatBegins) {
+  CrdRunTest test;
+  for (size_t axis = 0; axis < 2; ++axis) test.core.WatchLimits(axis, {.acceleration = 1});
+  std::vector<Happening> happenings;
+  test.core.Observe([&](const Happening& happening) { happenings.push_back(happening); });
+  // 10 pulse/ms is reached at 100, after 20 ms, and the corner after 21 ms.
+  ASSERT_TRUE(test.Line({110}, 10, 0.5, 10));
+  ASSERT_TRUE(test.Line({110, 200}, 10, 0.5));
+  test.Start();
+  test.TicksToEnd();
+  ASSERT_EQ(happenings.size(), 2u);
+  EXPECT_EQ(happenings[0].item, 0u);
+  EXPECT_NEAR(happenings[0].value, -10, 1e-9);
+  EXPECT_EQ(happenings[1].item, 1u);
+  EXPECT_NEAR(happenings[1].value, 10, 1e-9);
 }
 
 TEST(DriveLimits, AreNotExceededByAMotionAtThem) {
