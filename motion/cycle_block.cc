@@ -61,7 +61,7 @@ bool CycleBlock::SwitchesRest() const {
 
 bool CycleBlock::AxisIsPlain(size_t index) const {
   const Axis& axis = state_.axes[index];
-  if (config_.drive_limits[index].any()) return false;
+  if (config_.drive_limits[index].any()) return false;  // judged in each cycle
   if (!axis.active || axis.latched != 0 || readings_.ActiveCauses(axis) != 0) return false;
   if (!MapsOnly(axis.profile_map, index) || !MapsOnly(axis.encoder_map, index)) return false;
   if (axis.profile_scale.alpha != axis.profile_scale.beta) return false;

@@ -45,7 +45,7 @@ struct DriveLimits {
   bool any() const { return velocity < kNone || acceleration < kNone; }
 };
 
-/// Sizes and timing of a card, and what does not change outside it.
+/// Sizes and timing of a card, and what its drives can follow.
 struct MotionConfig {
   int axis_count = 8;      ///< 4, 8 or 12
   int64_t cycle_us = 250;  ///< profile cycle; a multiple of servo_us, at most 4000

@@ -11,8 +11,9 @@ constexpr double kPositionMax = 2147483648.0;
 constexpr double kTauMsMax = 10'000;
 constexpr int64_t kNoiseMax = 1'000'000;
 constexpr double kSlipMax = 1000;
-/// Least velocity and acceleration that a limit of an axis can be, pulse/ms and pulse/ms^2.
+/// What a limit of an axis can be: of its velocity, pulse/ms, and of its acceleration, pulse/ms^2.
 constexpr double kFollowedMin = 0.001;
+constexpr double kFollowedMax = kWorldVelocityMax;
 
 /// The widest word of inputs.
 constexpr int kInputsMax = 16;
@@ -134,14 +135,14 @@ constexpr Key<MotorSetup> kMotorKeys[] = {
      &MotorSetup::index_period,
      true},
     {{"max_vel",
-      KeyType::Number(kFollowedMin, kWorldVelocityMax),
+      KeyType::Number(kFollowedMin, kFollowedMax),
       {"pulse/ms that the drive and the mechanics can follow; the warning `axis-limit` tells of a "
        "planned velocity beyond it",
        "驱动器与机械能够跟随的速度，pulse/ms；规划速度超过时以 `axis-limit` 警告"},
       {"no limit", "不限"}},
      &MotorSetup::max_vel},
     {{"max_acc",
-      KeyType::Number(kFollowedMin, kWorldVelocityMax),
+      KeyType::Number(kFollowedMin, kFollowedMax),
       {"the same for the change of the planned velocity, pulse/ms^2",
        "规划速度的变化率的同类极限，pulse/ms^2"},
       {"no limit", "不限"}},
