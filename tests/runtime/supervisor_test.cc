@@ -11,6 +11,7 @@
 namespace oncard::runtime {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -26,7 +27,7 @@ std::vector<std::string> WarningsOf(const std::string& program, const std::strin
   return texts;
 }
 
-/// A function whose statements begin in line 3, after the declarations of that line.
+/// A function whose statements begin in line 4.
 std::string Program(const std::string& statements) {
   return "int sts, clock, moving;\nint f()\n{\n" + statements + "  return 0;\n}\n";
 }
@@ -37,6 +38,10 @@ std::string WaitFor(int axis) {
   return "lbl" + n + ":\n  GT_GetSts(" + n +
          ", &sts, 1, &clock);\n  moving = sts & 0x400;\n  if (moving) goto lbl" + n + ";\n";
 }
+
+/// Axis 1 jogs for 50 ms, and goes on.
+const std::string kJogging =
+    "  GT_AxisOn(1);\n  GT_PrfJog(1);\n  GT_SetVel(1, 10);\n  GT_Update(1);\n  GT_Delay(50);\n";
 
 // --- drive-off -----------------------------------------------------------------------------------
 
@@ -184,13 +189,11 @@ TEST(AxisStopped, IsNothingOnceTheProgramHasTakenNote) {
 }
 
 TEST(AxisStopped, TellsOfASwitchAndOfAStopInput) {
-  const std::string jog =
-      "  GT_AxisOn(1);\n  GT_PrfJog(1);\n  GT_SetVel(1, 10);\n  GT_Update(1);\n  GT_Delay(50);\n";
-  EXPECT_THAT(WarningsOf(Program(jog),
+  EXPECT_THAT(WarningsOf(Program(kJogging),
                          "[[world.input]]\ntype = \"limit_positive\"\nindex = 1\nvalue = 1\n"
                          "at_ms = 20\n"),
               ElementsAre(HasSubstr("axis 1 reached its positive limit switch")));
-  EXPECT_THAT(WarningsOf(Program(jog),
+  EXPECT_THAT(WarningsOf(Program(kJogging),
                          "[[world.input]]\ntype = \"alarm\"\nindex = 1\nvalue = 1\nat_ms = 20\n"),
               ElementsAre(HasSubstr("the drive of axis 1 reports an alarm")));
 }
@@ -206,7 +209,7 @@ TEST(AxisStopped, IsNothingOfALimitThatTheAxisMovesAwayFrom) {
 
 // --- two-threads ---------------------------------------------------------------------------------
 
-/// Thread 0 executes f(), whose statements begin in line 4, thread 1 g().
+/// Thread 0 executes f(), as in Program(), thread 1 g().
 std::vector<std::string> WarningsOfTwo(const std::string& f, const std::string& g) {
   return WarningsOf(Program(f) + "int g()\n{\n" + g + "  return 0;\n}\n",
                     "[[thread]]\nthread = 0\nfunction = \"f\"\n"
@@ -248,26 +251,22 @@ TEST(TwoThreads, MayChangeAVelocityAndTakeTurns) {
 
 // --- axis-limit ----------------------------------------------------------------------------------
 
-constexpr const char* kTo1000 =
-    "  GT_AxisOn(1);\n  GT_PrfJog(1);\n  GT_SetVel(1, 10);\n  GT_Update(1);\n  GT_Delay(50);\n"
-    "  GT_Stop(1, 0);\n";
+/// Axis 1 jogs for 50 ms and stops.
+std::string JogAndStop() { return Program(kJogging + "  GT_Stop(1, 0);\n" + WaitFor(1)); }
 
 TEST(AxisLimit, TellsOfTheVelocityAndTheAccelerationOfAStart) {
-  EXPECT_THAT(WarningsOf(Program(kTo1000 + WaitFor(1)), "[[world.axis]]\naxis = 1\nmax_vel = 5\n"),
+  EXPECT_THAT(WarningsOf(JogAndStop(), "[[world.axis]]\naxis = 1\nmax_vel = 5\n"),
               ElementsAre(AllOf(StartsWith("p.c:7: thread 0 f: axis 1 is planned with "),
                                 HasSubstr(" pulse/ms, its drive follows up to 5 (max_vel) ("),
                                 HasSubstr(" [axis-limit]"))));
-  EXPECT_THAT(
-      WarningsOf(Program(kTo1000 + WaitFor(1)), "[[world.axis]]\naxis = 1\nmax_acc = 0.001\n"),
-      ElementsAre(AllOf(StartsWith("p.c:7: thread 0 f: the velocity of axis 1 changes by "),
-                        HasSubstr(" its drive follows up to 0.001 (max_acc) ("))));
+  EXPECT_THAT(WarningsOf(JogAndStop(), "[[world.axis]]\naxis = 1\nmax_acc = 0.001\n"),
+              ElementsAre(AllOf(StartsWith("p.c:7: thread 0 f: the velocity of axis 1 changes by "),
+                                HasSubstr(" its drive follows up to 0.001 (max_acc) ("))));
 }
 
 TEST(AxisLimit, IsNothingOfOtherAxesAndAtTheLimitItself) {
-  EXPECT_THAT(WarningsOf(Program(kTo1000 + WaitFor(1)), "[[world.axis]]\naxis = 1\nmax_vel = 10\n"),
-              IsEmpty());
-  EXPECT_THAT(WarningsOf(Program(kTo1000 + WaitFor(1)), "[[world.axis]]\naxis = 2\nmax_vel = 5\n"),
-              IsEmpty());
+  EXPECT_THAT(WarningsOf(JogAndStop(), "[[world.axis]]\naxis = 1\nmax_vel = 10\n"), IsEmpty());
+  EXPECT_THAT(WarningsOf(JogAndStop(), "[[world.axis]]\naxis = 2\nmax_vel = 5\n"), IsEmpty());
 }
 
 // --- period-overrun ------------------------------------------------------------------------------
