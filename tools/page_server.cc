@@ -5,10 +5,9 @@
 #include <sys/socket.h>
 
 #include <atomic>
-#include <map>
+#include <chrono>
 #include <mutex>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <random>
 #include <utility>
 
@@ -35,19 +34,6 @@ void ShareNoPort(int socket) {
   ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
 }
 
-}  // namespace
-
-struct PageServer::Session {
-  explicit Session(session::SessionHost made) : host(std::move(made)) {}
-
-  std::atomic<int> requests = 0;  ///< that are being answered, or wait for that
-  std::atomic<bool> closed = false;
-  std::mutex mutex;  ///< of Handle()
-  session::SessionHost host;
-};
-
-namespace {
-
 /// Counts a request as long as it lives.
 class Counted {
  public:
@@ -66,45 +52,9 @@ class Counted {
 
 }  // namespace
 
-/// The sessions by their numbers. Thread-safe.
-class PageServer::Sessions {
- public:
-  explicit Sessions(SessionMaker make) : make_(std::move(make)) {}
-
-  /// The number of a new session; nothing if there are too many.
-  std::optional<uint64_t> Open() {
-    const std::lock_guard lock(mutex_);
-    if (sessions_.size() == kSessionsMax) return std::nullopt;
-    sessions_.emplace(++last_, std::make_shared<Session>(make_()));
-    return last_;
-  }
-  /// nullptr if there is no such session.
-  std::shared_ptr<Session> Find(uint64_t number) {
-    const std::lock_guard lock(mutex_);
-    const auto found = sessions_.find(number);
-    return found == sessions_.end() ? nullptr : found->second;
-  }
-  /// Ends a session, and the run that it is at. False if there is no such session.
-  bool Close(uint64_t number) {
-    const std::lock_guard lock(mutex_);
-    const auto found = sessions_.find(number);
-    if (found == sessions_.end()) return false;
-    found->second->closed = true;
-    found->second->host.End();
-    sessions_.erase(found);
-    return true;
-  }
-
- private:
-  std::mutex mutex_;
-  SessionMaker make_;
-  std::map<uint64_t, std::shared_ptr<Session>> sessions_;
-  uint64_t last_ = 0;
-};
-
 class PageServer::Routes {
  public:
-  Routes(const std::string& folder, std::string token, SessionMaker make, Language language)
+  Routes(const std::string& folder, std::string token, PageSessions::Maker make, Language language)
       : root_('/' + std::move(token)), sessions_(std::move(make)), language_(language) {
     server_.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
     server_.set_keep_alive_max_count(kRequestsOfConnection);
@@ -176,7 +126,7 @@ class PageServer::Routes {
   }
 
   void Open(const httplib::Request& /*request*/, httplib::Response& response) {
-    if (const auto number = sessions_.Open()) {
+    if (const auto number = sessions_.Open(Now())) {
       const nlohmann::ordered_json answer = {{"ok", true}, {"session", *number}};
       response.set_content(JsonText(answer) + '\n', kJsonLines);
       return;
@@ -187,7 +137,7 @@ class PageServer::Routes {
   }
 
   void Answer(const httplib::Request& request, httplib::Response& response) {
-    const std::shared_ptr<Session> session = sessions_.Find(Number(request));
+    const std::shared_ptr<PageSession> session = sessions_.Use(Number(request), Now());
     if (session == nullptr) return RefuseUnknown(request, response);
     const Counted request_of_session(&session->requests);
     if (request_of_session.number() > kRequestsOfSession) {
@@ -213,13 +163,14 @@ class PageServer::Routes {
                        "没有会话 {0}：已结束，或属于之前的 oncard serve", Number(request)));
   }
 
+  static PageSessions::Time Now() { return std::chrono::steady_clock::now(); }
   // The pattern allows digits only, and no more than fit.
   static uint64_t Number(const httplib::Request& request) {
     return std::stoull(request.matches[1].str());
   }
 
   std::string root_;
-  Sessions sessions_;
+  PageSessions sessions_;
   Language language_;
   int port_ = 0;
   httplib::Server server_;
@@ -232,7 +183,7 @@ std::string RandomToken() {
   return token;
 }
 
-PageServer::PageServer(const std::string& folder, std::string token, SessionMaker make,
+PageServer::PageServer(const std::string& folder, std::string token, PageSessions::Maker make,
                        Language language)
     : routes_(std::make_unique<Routes>(folder, std::move(token), std::move(make), language)) {}
 

@@ -12,30 +12,24 @@
 // docs/session-protocol.md describes it for clients. Tested by tests/tools/serve_command_test.cc.
 #pragma once
 
-#include <cstdint>
-#include <functional>
 #include <memory>
 #include <string>
 
 #include "base/message.h"
 #include "base/result.h"
-#include "session/host.h"
+#include "tools/page_sessions.h"
 
 namespace oncard::tools {
-
-/// More sessions at a time are refused.
-inline constexpr size_t kSessionsMax = 16;
 
 /// 128 random bits in hexadecimal.
 std::string RandomToken();
 
 class PageServer {
  public:
-  using SessionMaker = std::function<session::SessionHost()>;
-
   /// Hands out the files of `folder`. `make` makes the sessions; it is called by one thread at a
   /// time. `language` is that of error messages.
-  PageServer(const std::string& folder, std::string token, SessionMaker make, Language language);
+  PageServer(const std::string& folder, std::string token, PageSessions::Maker make,
+             Language language);
   ~PageServer();
   PageServer(const PageServer&) = delete;
   PageServer& operator=(const PageServer&) = delete;
@@ -47,8 +41,6 @@ class PageServer {
   void Serve();
 
  private:
-  struct Session;
-  class Sessions;
   class Routes;
   std::unique_ptr<Routes> routes_;
 };
