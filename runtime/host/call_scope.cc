@@ -9,6 +9,8 @@
 #include <bit>
 #include <cerrno>
 
+#include "runtime/host/calling_thread.h"
+
 namespace oncard::runtime {
 
 constinit thread_local CallState call_state ONCARD_CALL_STATE;
@@ -29,8 +31,8 @@ bool HoldSignal(int number, siginfo_t* info, void* context) {
   const int error = errno;
   ::sigaddset(&static_cast<ucontext_t*>(context)->uc_sigmask, number);
   call_state.held = call_state.held | uint64_t{1} << (number - 1);
-  const long process = ::getpid();
-  const long thread = ::syscall(SYS_gettid);
+  const long process = CallingProcess();
+  const long thread = CallingThread();
   if (::syscall(SYS_rt_tgsigqueueinfo, process, thread, number, info) != 0) {
     ::syscall(SYS_tgkill, process, thread, number);
   }

@@ -20,7 +20,8 @@ constexpr int kEndSignals[] = {SIGINT, SIGTERM, SIGHUP};
 
 /// The handler writes the number of the signal to it.
 int wake_descriptor = -1;
-/// A child process of the host inherits the handler, but not the thread.
+/// A child process of the host inherits the handler, but not the thread. The operating system is
+/// asked who is a child: that of vfork() has the memory of its parent.
 pid_t watched_process = 0;
 
 extern "C" void WakeWatcher(int signal) {

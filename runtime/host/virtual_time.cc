@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "runtime/host/call_scope.h"
+#include "runtime/host/calling_thread.h"
 
 namespace oncard::runtime {
 namespace {
@@ -58,7 +59,7 @@ bool VirtualTime::OthersOfProcessWait(std::span<const ThreadId> asleep,
 VirtualTime::~VirtualTime() {
   {
     const std::lock_guard lock(mutex_);
-    if (helped_process_ != ::getpid()) return;
+    if (helped_process_ != CallingProcess()) return;
     ends_ = true;
     WakeAll(&helper_calls_);
   }
@@ -265,7 +266,7 @@ void VirtualTime::LetOthersPass() {
 // --- The helper ----------------------------------------------------------------------------------
 
 bool VirtualTime::CallHelper() {
-  if (helped_process_ != ::getpid()) return StartHelper();
+  if (helped_process_ != CallingProcess()) return StartHelper();
   if (helper_rests_) WakeAll(&helper_calls_);
   helper_rests_ = false;
   return true;
@@ -284,7 +285,7 @@ bool VirtualTime::StartHelper() {
   helper_rests_ = false;
   const bool started = ::pthread_create(&helper_, nullptr, help, this) == 0;
   ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  if (started) helped_process_ = ::getpid();
+  if (started) helped_process_ = CallingProcess();
   return started;
 }
 

@@ -46,6 +46,7 @@
 #include <tuple>
 #include <utility>
 
+#include "runtime/host/calling_thread.h"
 #include "runtime/host/waiting_threads.h"
 
 namespace oncard::runtime {

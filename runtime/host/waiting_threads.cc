@@ -3,7 +3,6 @@
 #include <dirent.h>
 #include <fcntl.h>
 #include <sys/stat.h>
-#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -65,8 +64,6 @@ bool IsWaiting(std::string_view state) {
 
 }  // namespace
 
-ThreadId CallingThread() { return static_cast<ThreadId>(::syscall(SYS_gettid)); }
-
 WaitingThreads& WaitingThreads::OfProcess() {
   // Never destroyed: other threads of the host may still sleep while the process exits.
   static WaitingThreads& threads = *new WaitingThreads;
@@ -125,7 +122,7 @@ void WaitingThreads::OpenFolder() {
 }
 
 size_t WaitingThreads::Count() {
-  const pid_t process = ::getpid();
+  const pid_t process = CallingProcess();
   if (process != process_) {
     // A child after fork() has one thread, and the files of its parent.
     for (auto& out : left_out) {

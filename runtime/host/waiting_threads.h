@@ -22,11 +22,9 @@
 #include <string>
 #include <vector>
 
-namespace oncard::runtime {
+#include "runtime/host/calling_thread.h"
 
-/// A thread, by its number in the operating system.
-using ThreadId = int;
-ThreadId CallingThread();
+namespace oncard::runtime {
 
 class WaitingThreads {
  public:
