@@ -20,8 +20,14 @@ void CardSlot::CatchUp(int64_t cost_us) {
   clock->CaughtUp();
 }
 
+void CardSlot::FindEarliestEnd() {
+  const auto end_us = watch ? watch->end_us() : std::nullopt;
+  earliest_end_ns = end_us ? clock->EarliestNs(*end_us - controller->NowUs()) : INT64_MAX;
+}
+
 void CardSlot::SwitchOff() {
   if (controller == nullptr) return;
+  earliest_end_ns = INT64_MAX;
   if (watch) {
     if (!watch->over()) CatchUp(0);
     watch->Finish(controller.get());

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <atomic>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -27,12 +28,16 @@ struct RecordedFiles {
   std::optional<std::string> config;
 };
 
-/// The entry of one card number. `mutex` guards everything else and is held during a whole call.
+/// The entry of one card number. `mutex` guards everything that is not atomic and is held during a
+/// whole call.
 struct CardSlot {
   std::mutex mutex;
   std::unique_ptr<Controller> controller;  ///< nullptr while the card is not open
   std::optional<CardClock> clock;          ///< set while the card is open
   std::optional<CardWatch> watch;          ///< set while the card is open and there is a scenario
+  /// The virtual time before which the scenario cannot be over (0: at any moment): who sleeps locks
+  /// no card until then.
+  std::atomic<int64_t> earliest_end_ns = INT64_MAX;
   /// The code that GT_GetFunId and GT_GetVarId return without a program: that of the failed
   /// GT_Download, or 1 if it has not been called.
   int16_t no_program_code = 1;
@@ -45,6 +50,9 @@ struct CardSlot {
 
   /// Lets an open card catch up with the time of its host, including a call that takes `cost_us`.
   void CatchUp(int64_t cost_us);
+  /// Sets `earliest_end_ns`. GT_Reset, after which the time of an open card begins anew, only makes
+  /// the end later.
+  void FindEarliestEnd();
   /// Closes the card if it is open, after it has caught up to at most the end of its scenario.
   void SwitchOff();
 };

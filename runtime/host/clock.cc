@@ -60,6 +60,10 @@ void CardClock::CaughtUp() {
   if (spent_ns > kBehindLimitNs && spent_us > static_cast<double>(taken_us_)) last_ns_ = now_ns;
 }
 
+int64_t CardClock::EarliestNs(int64_t microseconds) const {
+  return setting_.kind == ClockKind::kVirtual ? last_ns_ + microseconds * 1000 : 0;
+}
+
 int64_t CardClock::SteadyNanoseconds() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(
              std::chrono::steady_clock::now().time_since_epoch())

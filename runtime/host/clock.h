@@ -65,6 +65,10 @@ class CardClock {
   /// simulated time, and longer than kBehindLimitNs, the difference is dropped.
   void CaughtUp();
 
+  /// The virtual time at which TakeUs(0) returns this much; 0 with the real-time clock, where it
+  /// may do so at any moment.
+  int64_t EarliestNs(int64_t microseconds) const;
+
   /// The system's steady clock.
   static int64_t SteadyNanoseconds();
 

@@ -16,6 +16,7 @@
 #include "runtime/host/host_card.h"
 #include "runtime/host/host_refusals.h"
 #include "runtime/host/host_report.h"
+#include "runtime/host/virtual_time.h"
 #include "runtime/observe/trace_file.h"
 #include "runtime/scenario/expectation.h"
 
@@ -339,11 +340,14 @@ void EndHostIfOver(CardSlot* locked) {
 }
 
 void LookForEndOfHost() {
+  const int64_t now_ns = VirtualTime::OfProcess().NowNs();
   for (CardSlot& slot : CardTable::OfProcess().slots) {
+    if (now_ns < slot.earliest_end_ns) continue;
     const std::unique_lock lock(slot.mutex, std::try_to_lock);
-    if (!lock.owns_lock() || !slot.watch || !slot.watch->HasEnd()) continue;
+    if (!lock.owns_lock() || !slot.watch) continue;
     slot.CatchUp(0);
     EndHostIfOver(&slot);
+    slot.FindEarliestEnd();
   }
 }
 

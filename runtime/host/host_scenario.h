@@ -47,8 +47,8 @@ class CardWatch {
   void AdvanceUs(Controller* controller, int64_t microseconds);
   /// True if the card has reached `until_ms` or `limit_ms` of the scenario.
   bool over() const { return over_; }
-  /// True when the scenario has such an end.
-  bool HasEnd() const { return end_us_.has_value(); }
+  /// The instant of the card's time at which the scenario ends, if it does.
+  std::optional<int64_t> end_us() const { return end_us_; }
   /// To be called when the card is closed or the host has ended: checks the remaining expectations,
   /// `final` and `eventually`, and passes the results to FinishHost().
   void Finish(Controller* controller);
@@ -71,8 +71,8 @@ class CardWatch {
   ScenarioFit fit_;
   std::vector<Message> failures_;
   std::vector<Message> warnings_;
-  std::vector<Message> held_;      ///< requirements, and over what
-  std::optional<int64_t> end_us_;  ///< of the card's time
+  std::vector<Message> held_;  ///< requirements, and over what
+  std::optional<int64_t> end_us_;
   bool over_ = false;
   std::vector<std::string> trace_files_;
   std::optional<Trace> trace_;  // since the card was opened, when there are files
@@ -101,8 +101,8 @@ void ConcludeHost();
 /// checked and reported: with 0, or with kExitNotAsExpected if there are failures. `locked` is the
 /// card whose lock the caller holds.
 void EndHostIfOver(CardSlot* locked);
-/// Lets the cards whose scenario has an end catch up, and ends the process if one has reached it.
-/// For hosts that only wait.
+/// Lets the cards whose scenario may be over catch up, and ends the process if it is. For hosts
+/// that only wait.
 void LookForEndOfHost();
 
 }  // namespace oncard::runtime

@@ -106,6 +106,7 @@ int16_t Open(ServiceCall& call) {
   }
   if (!bare_card) ApplyWorld(opened, slot.controller.get());
   slot.clock.emplace(clock.value());
+  slot.FindEarliestEnd();
   const bool collects = RefusalWishOfProcess() != RefusalWish::kNothing;
   if (collects) {
     slot.controller->CollectRefusals(&slot.refused);

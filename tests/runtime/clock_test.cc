@@ -46,6 +46,24 @@ TEST(CardClockTest, VirtualTimeIsTheCostOfTheCallsAndWhatTheHostLetPass) {
   EXPECT_EQ(clock.TakeUs(0), 1);
 }
 
+TEST(CardClockTest, VirtualTimeTellsWhenMicrosecondsWillHavePassed) {
+  VirtualTime time;
+  time.Pass(7'000'900);
+  CardClock clock({ClockKind::kVirtual, 1}, CardClock::SteadyNanoseconds, time);
+  EXPECT_EQ(clock.TakeUs(50), 50);
+  const int64_t earliest_ns = clock.EarliestNs(3);
+  EXPECT_EQ(earliest_ns, 7'053'900);
+  time.Pass(earliest_ns - time.NowNs() - 1);
+  EXPECT_EQ(clock.TakeUs(0), 2);
+  time.Pass(1);
+  EXPECT_EQ(clock.TakeUs(0), 1);
+}
+
+TEST(CardClockTest, RealTimeMayPassAtAnyMoment) {
+  CardClock clock({ClockKind::kReal, 1}, [] { return 5 * kMillisecondNs; });
+  EXPECT_EQ(clock.EarliestNs(3), 0);
+}
+
 TEST(CardClockTest, CardsShareTheVirtualTime) {
   VirtualTime time;
   CardClock first({ClockKind::kVirtual, 1}, CardClock::SteadyNanoseconds, time);
