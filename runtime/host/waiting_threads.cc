@@ -2,7 +2,6 @@
 
 #include <dirent.h>
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -17,8 +16,6 @@ namespace {
 
 /// Files of more threads are not kept open: a process may have few descriptors.
 constexpr size_t kKeptThreads = 64;
-/// Our descriptors are above those that a host gets, and below the usual limit of 1024.
-constexpr int kFirstDescriptor = 768;
 /// How often threads that end and begin during the look are listed anew.
 constexpr int kListingsOfOneLook = 3;
 /// A folder has two links besides those of its subfolders.
@@ -33,16 +30,6 @@ bool IsIn(std::span<const ThreadId> threads, ThreadId id) {
 
 bool IsLeftOut(ThreadId id) {
   return std::any_of(left_out.begin(), left_out.end(), [id](const auto& out) { return out == id; });
-}
-
-/// Opens a file with a descriptor that hosts do not use.
-int OpenKept(const std::string& path, int flags) {
-  const int low = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | flags);
-  if (low < 0) return low;
-  const int high = ::fcntl(low, F_DUPFD_CLOEXEC, kFirstDescriptor);
-  if (high < 0) return low;
-  ::close(low);
-  return high;
 }
 
 std::string PathOf(ThreadId id, const char* name) {
@@ -86,21 +73,13 @@ WaitingThreads::LeftOut::~LeftOut() {
   }
 }
 
-std::optional<size_t> WaitingThreads::LinksOfFolder() const {
-  struct stat status {};
-  if (folder_ < 0 || ::fstat(folder_, &status) != 0) return std::nullopt;
-  if (status.st_dev != device_ || status.st_ino != inode_) return std::nullopt;
-  return status.st_nlink;
-}
-
 // Where the host has closed our descriptors, those with their numbers are its own.
 void WaitingThreads::CloseAll() {
-  if (LinksOfFolder()) {
+  if (folder_.Status()) {
     for (const Thread& thread : threads_) CloseFiles(thread);
-    ::close(folder_);
   }
   threads_.clear();
-  folder_ = -1;
+  folder_.Close();
 }
 
 void WaitingThreads::CloseFiles(const Thread& thread) const {
@@ -109,11 +88,8 @@ void WaitingThreads::CloseFiles(const Thread& thread) const {
 }
 
 void WaitingThreads::OpenFolder() {
-  struct stat status {};
-  folder_ = OpenKept("/proc/self/task", O_DIRECTORY);
-  if (folder_ < 0 || ::fstat(folder_, &status) != 0) return;
-  device_ = status.st_dev;
-  inode_ = status.st_ino;
+  folder_.Reset(::open("/proc/self/task", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!folder_.Status()) return;
   // Kernels that do not count runs say "0 0 0".
   const int runs = ::open("/proc/thread-self/schedstat", O_RDONLY | O_CLOEXEC);
   char first = '0';
@@ -131,18 +107,21 @@ size_t WaitingThreads::Count() {
     process_ = process;
     CloseAll();
   }
-  auto links = LinksOfFolder();
-  if (!links) {
+  auto folder = folder_.Status();
+  if (!folder) {
     CloseAll();
     OpenFolder();
-    links = LinksOfFolder();
+    folder = folder_.Status();
   }
-  return links && *links > kOwnLinks ? *links - kOwnLinks : 0;
+  return folder && folder->st_nlink > kOwnLinks ? folder->st_nlink - kOwnLinks : 0;
 }
 
 void WaitingThreads::OpenFiles(Thread* thread) const {
-  if (counts_runs_) thread->call = OpenKept(PathOf(thread->id, "syscall"), 0);
-  thread->runs = OpenKept(PathOf(thread->id, counts_runs_ ? "schedstat" : "status"), 0);
+  const auto open = [thread](const char* name) {
+    return MoveToKept(::open(PathOf(thread->id, name).c_str(), O_RDONLY | O_CLOEXEC));
+  };
+  if (counts_runs_) thread->call = open("syscall");
+  thread->runs = open(counts_runs_ ? "schedstat" : "status");
 }
 
 void WaitingThreads::ListThreads() {

@@ -8,8 +8,7 @@
 //   that number has not changed, and what kind of wait it is in is asked only once.
 // - Kernels that do not count runs have `status`, which takes three times as long.
 //
-// A host may close descriptors that it does not know: the folder is compared with the one that was
-// opened, and all is opened anew. They are numbers that hosts do not get by themselves.
+// If the host has closed the descriptor of the folder (kept_descriptor.h), all is opened anew.
 //
 // Thread-safe. Linux only. Tested by tests/runtime/waiting_threads_test.cc.
 #pragma once
@@ -17,12 +16,12 @@
 #include <sys/types.h>
 
 #include <mutex>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "runtime/host/calling_thread.h"
+#include "runtime/host/kept_descriptor.h"
 
 namespace oncard::runtime {
 
@@ -79,8 +78,6 @@ class WaitingThreads {
 
   /// The number of threads; 0 if the operating system does not say.
   size_t Count();
-  /// Nothing if the folder is not open, or its descriptor is not ours any more.
-  std::optional<size_t> LinksOfFolder() const;
   void OpenFolder();
   void ListThreads();
   void OpenFiles(Thread* thread) const;
@@ -94,9 +91,7 @@ class WaitingThreads {
 
   std::mutex mutex_;  // guards what follows
   pid_t process_ = 0;
-  int folder_ = -1;
-  dev_t device_ = 0;
-  ino_t inode_ = 0;
+  KeptDescriptor folder_;
   bool counts_runs_ = true;
   std::vector<Thread> threads_;
   Work work_;
