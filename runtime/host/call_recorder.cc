@@ -7,6 +7,19 @@
 #include "runtime/host/clock.h"
 
 namespace oncard::runtime {
+namespace {
+
+Error OpenError(const std::string& path) {
+  if (errno == EWOULDBLOCK) {
+    return MakeError(kOpenFailed,
+                     "cannot write the record of calls '{}': another process is writing it",
+                     "无法写入调用记录“{}”：另一进程正在写入", path);
+  }
+  return MakeError(kOpenFailed, "cannot write the record of calls '{}': {}",
+                   "无法写入调用记录“{}”：{}", path, std::strerror(errno));
+}
+
+}  // namespace
 
 CallRecorder* CallRecorder::Wanted() {
   // Never destroyed: other threads of the host may still make calls while the process exits.
@@ -23,12 +36,8 @@ CallRecorder* CallRecorder::Wanted() {
 Result<void> CallRecorder::Open(int card, const Scenario& scenario, bool bare) {
   const std::lock_guard lock(mutex_);
   if (in_child_) return {};
-  if (file_ == nullptr) {
-    file_ = std::fopen(path_.c_str(), "we");
-    if (file_ == nullptr) {
-      return MakeError(kOpenFailed, "cannot write the record of calls '{}': {}",
-                       "无法写入调用记录“{}”：{}", path_, std::strerror(errno));
-    }
+  if (!file_.is_open()) {
+    if (!file_.Open(path_)) return OpenError(path_);
     WriteLine(FormatRecordHead());
   }
   WriteLine(FormatRecordedOpening(card, scenario, bare));
@@ -46,16 +55,20 @@ void CallRecorder::Close(int card, const CallRecord::End& end) {
   WriteLine(FormatRecordedEnd(card, end));
 }
 
+void CallRecorder::Finish() {
+  const std::lock_guard lock(mutex_);
+  file_.Finish();
+}
+
 void CallRecorder::LeaveToParent() {
   const std::lock_guard lock(mutex_);
-  in_child_ = file_ != nullptr;
+  in_child_ = in_child_ || file_.is_open();
+  file_.Abandon();
 }
 
 void CallRecorder::WriteLine(const std::string& line) {
-  if (file_ == nullptr || lost_ || in_child_) return;
-  // A host that is killed leaves all of its calls.
-  const bool written = std::fwrite(line.data(), 1, line.size(), file_) == line.size();
-  if (std::fflush(file_) != 0 || !written) lost_ = true;
+  if (in_child_ || lost_) return;
+  lost_ = !file_.Append(line);
 }
 
 }  // namespace oncard::runtime

@@ -2,11 +2,11 @@
 // Tested by tests/tools/record_calls_test.cc.
 #pragma once
 
-#include <cstdio>
 #include <mutex>
 #include <string>
 
 #include "base/result.h"
+#include "runtime/host/mapped_file.h"
 #include "runtime/scenario/call_record.h"
 
 namespace oncard::runtime {
@@ -26,6 +26,8 @@ class CallRecorder {
   Result<void> Open(int card, const Scenario& scenario, bool bare);
   void Write(int card, const RecordedCall& call);
   void Close(int card, const CallRecord::End& end);
+  /// To be called when the host ends: the file gets its true size.
+  void Finish();
   /// In a child of fork(): its calls are not recorded if those of its parent are.
   void LeaveToParent();
   /// True if a line could not be written, for example because the disk is full. Nothing is written
@@ -37,7 +39,7 @@ class CallRecorder {
 
   std::string path_;
   std::mutex mutex_;
-  std::FILE* file_ = nullptr;
+  MappedFile file_;  // a host that is killed leaves all of its calls
   bool lost_ = false;
   bool in_child_ = false;
 };

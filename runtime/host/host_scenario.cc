@@ -270,7 +270,9 @@ bool ReportHost() {
         {"the call log could not be written completely; its disk may be full",
          "调用日志未能完整写入；磁盘可能已满"});
   }
-  if (const CallRecorder* recorder = CallRecorder::Wanted(); recorder && recorder->lost()) {
+  CallRecorder* const recorder = CallRecorder::Wanted();
+  if (recorder != nullptr) recorder->Finish();
+  if (recorder != nullptr && recorder->lost()) {
     verdict.failures.push_back(
         {"the record of calls could not be written completely; its disk may be full",
          "调用记录未能完整写入；磁盘可能已满"});

@@ -201,7 +201,10 @@ bool ReadArgument(const Parameter& parameter, const Json& json, RecordedCall::Ar
 
 class RecordReader {
  public:
-  RecordReader(std::string_view text, const std::string& path) : text_(text), path_(path) {}
+  /// A zero byte ends the record: the file of a host that was killed has more of them, and can have
+  /// a part of the line that was being written after the first.
+  RecordReader(std::string_view text, const std::string& path)
+      : text_(text.substr(0, text.find('\0'))), path_(path) {}
 
   Result<std::vector<CallRecord>> Read() {
     while (!text_.empty()) {

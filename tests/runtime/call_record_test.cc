@@ -141,6 +141,18 @@ TEST(CallRecord, EndsBeforeALastLineThatWasCut) {
   }
 }
 
+TEST(CallRecord, EndsAtTheFirstZeroByte) {
+  const std::string good = FormatRecordedCall(0, Call(100, "GT_Stop", {Value(1), Value(0)}));
+  const std::string zeros(5000, '\0');
+  // The line that was being written when the host was killed lacks its first byte.
+  for (const std::string& rest : {std::string(), good.substr(1), good.substr(1, 20)}) {
+    const CallRecord record = Read(Record(good) + '\0' + rest + zeros);
+    EXPECT_EQ(record.calls.size(), 1u) << rest;
+    EXPECT_FALSE(record.end) << rest;
+  }
+  EXPECT_THAT(RecordsError(zeros), HasSubstr("this is no record of host calls"));
+}
+
 TEST(CallRecord, TellsAnotherFileFromARecord) {
   EXPECT_THAT(RecordsError(""), HasSubstr("this is no record of host calls"));
   EXPECT_THAT(RecordsError("{}\n"), HasSubstr("this is no record of host calls"));

@@ -1,11 +1,16 @@
 // `oncard exec --record` and `oncard replay` of what it wrote: the samples and clients of the
 // tests.
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 
+#include <csignal>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "base/descriptor.h"
 #include "base/files.h"
 #include "tests/tools/process.h"
 
@@ -14,10 +19,20 @@ namespace {
 
 using testing::HasSubstr;
 using testing::MatchesRegex;
+using testing::Not;
 using testing::StartsWith;
 
 std::string HostOfTests(const std::string& name) {
   return std::string(ONCARD_BUILD_DIR "/tests/runtime/") + name;
+}
+
+/// How often `part` is in a text.
+int CountOf(std::string_view part, std::string_view text) {
+  int count = 0;
+  for (size_t at = text.find(part); at != std::string_view::npos; at = text.find(part, at + 1)) {
+    ++count;
+  }
+  return count;
 }
 
 /// A folder in which a host has been recorded in `host.calls`.
@@ -155,6 +170,60 @@ TEST(RecordCalls, AnOldRecordDoesNotStayWhenTheHostOpensNoCard) {
   const ProcessResult replay = host.Replay();
   EXPECT_EQ(replay.exit_code, 3);
   EXPECT_THAT(replay.err, HasSubstr("the host has opened no card"));
+}
+
+// --- Hosts that do not end, and records that cannot be written -----------------------------------
+
+TEST(RecordCalls, AllCallsOfAHostThatIsKilledAreThere) {
+  constexpr int kTimes = 20'000;  // more than is mapped at a time
+  const Recorded host({HostOfTests("endless"), std::to_string(kTimes)});
+  EXPECT_EQ(host.exec().exit_code, 128 + SIGKILL);
+  EXPECT_EQ(CountOf("\"call\":\"GT_ClrSts\"", host.text()), kTimes);
+  const ProcessResult replay = host.Replay();
+  EXPECT_EQ(replay.exit_code, 1);
+  EXPECT_THAT(replay.err, HasSubstr("the record ends before the host closed the card"));
+  EXPECT_EQ(host.Explore({"--max-states=100"}).exit_code, 2) << "it starts no thread";
+}
+
+TEST(RecordCalls, AHostThatEndsInOrderLeavesOnlyItsCalls) {
+  const Recorded host({HostOfTests("one_thread_c"), "sum.c"});
+  EXPECT_EQ(host.text().find('\0'), std::string::npos);
+}
+
+TEST(RecordCalls, AChildRecordsNothing) {
+  const Recorded host({HostOfTests("memory"), "child"});
+  EXPECT_EQ(host.exec().exit_code, 0) << host.exec().err;
+  EXPECT_THAT(host.text(), Not(HasSubstr("\"call\"")));
+  EXPECT_EQ(CountOf("\"close\"", host.text()), 1);
+  EXPECT_EQ(host.Replay().exit_code, 0);
+}
+
+/// A host that writes the record `path`, and the call log on standard error.
+ProcessResult RecordTo(const std::string& path) {
+  return RunOncard({"exec", "--", HostOfTests("trap_move")}, {},
+                   {"ONCARD_RECORD=" + path, "ONCARD_LOG=calls"});
+}
+
+TEST(RecordCalls, ARecordThatCannotBeWrittenFailsTheOpeningOfTheCard) {
+  EXPECT_THAT(RecordTo("/nowhere/host.calls").err,
+              HasSubstr("GT_Open(0, 1) = -6: cannot write the record of calls "
+                        "'/nowhere/host.calls': No such file or directory"));
+}
+
+TEST(RecordCalls, ARecordIsWrittenByOneHostAtATime) {
+  const ScratchFolder folder;
+  const std::string path = folder.Write("host.calls", "of another\n");
+  const Descriptor other(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  ASSERT_EQ(::flock(other.get(), LOCK_EX), 0);
+  EXPECT_THAT(RecordTo(path).err, HasSubstr("= -6: cannot write the record of calls '" + path +
+                                            "': another process is writing it"));
+  EXPECT_EQ(folder.Read("host.calls"), "of another\n");
+}
+
+TEST(RecordCalls, ARecordThatIsNotCompleteIsAFailure) {
+  const ProcessResult result = RecordTo("/dev/full");
+  EXPECT_EQ(result.exit_code, 120);
+  EXPECT_THAT(result.err, HasSubstr("the record of calls could not be written completely"));
 }
 
 // --- Options -------------------------------------------------------------------------------------
