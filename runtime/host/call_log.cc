@@ -47,17 +47,29 @@ CallLog* CallLog::Wanted() {
   return log.enabled() ? &log : nullptr;
 }
 
-void CallLog::Write(const LoggedCall& call) { WriteLine(FormatCall(call, language_)); }
+void CallLog::Write(const LoggedCall& call) {
+  const std::lock_guard lock(mutex_);
+  AppendCall(call, language_, &line_);
+  EndLine();
+}
 
 void CallLog::Write(int64_t time_us, int card, const Message& what) {
-  WriteLine(FormatHappening(time_us, card, what, language_));
+  const std::lock_guard lock(mutex_);
+  AppendHappening(time_us, card, what, language_, &line_);
+  EndLine();
 }
 
 void CallLog::WriteLine(const std::string& line) {
-  const std::string text = line + '\n';
   const std::lock_guard lock(mutex_);
-  const bool written = std::fwrite(text.data(), 1, text.size(), stream_) == text.size();
+  line_ = line;
+  EndLine();
+}
+
+void CallLog::EndLine() {
+  line_ += '\n';
+  const bool written = std::fwrite(line_.data(), 1, line_.size(), stream_) == line_.size();
   if (std::fflush(stream_) != 0 || !written) lost_ = true;
+  line_.clear();
 }
 
 }  // namespace oncard::runtime

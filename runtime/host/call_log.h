@@ -14,7 +14,10 @@
 
 namespace oncard::runtime {
 
-/// The destination of the lines. Thread-safe: each line is written in one piece.
+/// The destination of the lines. Thread-safe: each line is written in one piece, by a system call
+/// of its own. Shared memory, through which the record of calls is written (mapped_file.h), would
+/// be faster. But this log is read while it grows: `tail -f` would see a megabyte of zero bytes
+/// first, and `grep` would take the file for a binary one.
 class CallLog final : public CardLog {
  public:
   /// `setting` is the value of ONCARD_LOG: empty for no log, `calls` for standard error,
@@ -39,9 +42,12 @@ class CallLog final : public CardLog {
 
  private:
   void WriteLine(const std::string& line);
+  /// Writes and clears line_. The caller holds the lock.
+  void EndLine();
 
   Language language_;
   std::mutex mutex_;
+  std::string line_;  // the one in progress; its memory is used again for the next
   std::FILE* stream_ = nullptr;
   std::atomic<bool> lost_ = false;
 };

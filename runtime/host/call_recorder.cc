@@ -45,9 +45,10 @@ Result<void> CallRecorder::Open(int card, const Scenario& scenario, bool bare) {
 }
 
 void CallRecorder::Write(int card, const RecordedCall& call) {
-  const std::string line = FormatRecordedCall(card, call);
   const std::lock_guard lock(mutex_);
-  WriteLine(line);
+  line_.clear();
+  AppendRecordedCall(card, call, &line_);
+  WriteLine(line_);
 }
 
 void CallRecorder::Close(int card, const CallRecord::End& end) {

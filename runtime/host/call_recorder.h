@@ -39,7 +39,8 @@ class CallRecorder {
 
   std::string path_;
   std::mutex mutex_;
-  MappedFile file_;  // a host that is killed leaves all of its calls
+  std::string line_;  // the one in progress; its memory is used again for the next
+  MappedFile file_;   // a host that is killed leaves all of its calls
   bool lost_ = false;
   bool in_child_ = false;
 };

@@ -63,13 +63,17 @@ std::optional<std::string> BytesOfText(std::string_view text) {
   return bytes;
 }
 
+void AppendWhole(int64_t value, std::string* line) {
+  const fmt::format_int number(value);
+  line->append(number.data(), number.size());
+}
+
 /// Appends a number; JSON has no infinite ones.
 void AppendJsonNumber(double value, std::string* line) {
   const bool whole =
       value == std::trunc(value) && std::fabs(value) < static_cast<double>(kWholeMax);
   if (whole && !(value == 0 && std::signbit(value))) {
-    const fmt::format_int number(static_cast<int64_t>(value));
-    line->append(number.data(), number.size());
+    AppendWhole(static_cast<int64_t>(value), line);
   } else if (std::isnan(value)) {
     *line += "\"nan\"";
   } else if (std::isinf(value)) {
@@ -111,6 +115,23 @@ void AppendArgument(const Parameter& parameter, const RecordedCall::Argument& ar
     AppendList(
         argument.cells, [line](double cell) { AppendJsonNumber(cell, line); }, line);
   }
+}
+
+/// The members of a call that few calls have.
+Json RareMembers(const RecordedCall& call) {
+  Json json = Json::object();
+  if (!call.acts) json["library"] = {call.reason.en, call.reason.zh};
+  if (call.config) json["config"] = TextOfBytes(*call.config);
+  if (call.program) {
+    json["bin"] = TextOfBytes(call.program->bin);
+    json["ini"] = TextOfBytes(call.program->ini);
+    json["sources"] = Json::array();
+    for (const RecordedSource& source : call.sources) {
+      json["sources"].push_back(
+          {{"path", TextOfBytes(source.path)}, {"text", TextOfBytes(source.text)}});
+    }
+  }
+  return json;
 }
 
 std::string Line(const Json& json) { return JsonText(json) + '\n'; }
@@ -414,34 +435,28 @@ std::string FormatRecordedOpening(int card, const Scenario& scenario, bool bare)
   return Line(json);
 }
 
-// Called for each call of a host: only what few calls have becomes a document first.
-std::string FormatRecordedCall(int card, const RecordedCall& call) {
-  std::string line = fmt::format(R"({{"card":{},"us":{},"call":"{}","in":)", card, call.time_us,
-                                 call.command->name);
+// Only what few calls have becomes a document first.
+void AppendRecordedCall(int card, const RecordedCall& call, std::string* text) {
+  *text += R"({"card":)";
+  AppendWhole(card, text);
+  *text += R"(,"us":)";
+  AppendWhole(call.time_us, text);
+  *text += R"(,"call":")";
+  *text += call.command->name;
+  *text += R"(","in":)";
   const auto* parameter = call.command->parameters.data();
   AppendList(
       call.arguments,
-      [&](const RecordedCall::Argument& argument) {
-        AppendArgument(*parameter++, argument, &line);
-      },
-      &line);
-  line += R"(,"code":)";
-  AppendJsonNumber(call.code, &line);
-  Json json = Json::object();
-  if (!call.acts) json["library"] = {call.reason.en, call.reason.zh};
-  if (call.config) json["config"] = TextOfBytes(*call.config);
-  if (call.program) {
-    json["bin"] = TextOfBytes(call.program->bin);
-    json["ini"] = TextOfBytes(call.program->ini);
-    json["sources"] = Json::array();
-    for (const RecordedSource& source : call.sources) {
-      json["sources"].push_back(
-          {{"path", TextOfBytes(source.path)}, {"text", TextOfBytes(source.text)}});
-    }
+      [&](const RecordedCall::Argument& argument) { AppendArgument(*parameter++, argument, text); },
+      text);
+  *text += R"(,"code":)";
+  AppendWhole(call.code, text);
+  if (!call.acts || call.config || call.program) {
+    *text += ',';
+    text->append(Line(RareMembers(call)), 1);
+  } else {
+    *text += "}\n";
   }
-  if (json.empty()) return line + "}\n";
-  line += ',';
-  return line.append(Line(json), 1);
 }
 
 std::string FormatRecordedEnd(int card, const CallRecord::End& end) {

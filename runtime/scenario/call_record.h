@@ -78,7 +78,8 @@ RecordedCall RecordCall(const LoggedCall& call, bool acts);
 std::string FormatRecordHead();
 /// A card is opened. Of the scenario only the card and, unless it is bare, its world are kept.
 std::string FormatRecordedOpening(int card, const Scenario& scenario, bool bare);
-std::string FormatRecordedCall(int card, const RecordedCall& call);
+/// Appended to a text, which a host with millions of calls uses again for each.
+void AppendRecordedCall(int card, const RecordedCall& call, std::string* text);
 std::string FormatRecordedEnd(int card, const CallRecord::End& end);
 
 /// Reads the records of all cards, in the order of their numbers, then of their openings; at least

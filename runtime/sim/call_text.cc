@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <string_view>
@@ -34,6 +36,23 @@ void AppendInteger(int64_t value, std::string* line) {
   line->append(number.data(), number.size());
 }
 
+/// Bits as `0x1f`.
+void AppendHex(uint32_t bits, std::string* line) {
+  std::array<char, 8> digits;
+  char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), bits, 16).ptr;
+  *line += "0x";
+  line->append(digits.data(), end);
+}
+
+/// When, in milliseconds, and on which card: `12.250 card0`.
+void AppendPlace(int64_t time_us, int card, std::string* line) {
+  AppendInteger(time_us / 1000, line);
+  *line += '.';
+  for (const int64_t unit : {100, 10, 1}) *line += static_cast<char>('0' + time_us / unit % 10);
+  *line += " card";
+  AppendInteger(card, line);
+}
+
 /// The shortest number that is this one. Whole ones, the usual case, without looking for it.
 void AppendNumber(double value, std::string* line) {
   constexpr double kWithoutExponent = 1e15;
@@ -62,7 +81,7 @@ void AppendScalar(const Parameter& parameter, double value, std::string* line) {
   }
   const auto bits = static_cast<uint32_t>(static_cast<int64_t>(value));
   const bool narrow = parameter.type == Scalar::kShort || parameter.type == Scalar::kUnsignedShort;
-  fmt::format_to(std::back_inserter(*line), "{:#x}", narrow ? bits & 0xFFFF : bits);
+  AppendHex(narrow ? bits & 0xFFFF : bits, line);
 }
 
 /// A structure's members with names, without those that are not cells; removes its cells from
@@ -191,19 +210,24 @@ std::string FormatCallAndCode(const gtcalls::Command& command,
   return text;
 }
 
-std::string FormatCall(const LoggedCall& call, Language language) {
-  std::string line =
-      fmt::format("{}.{:03} card{} ", call.time_us / 1000, call.time_us % 1000, call.card);
-  if (call.caller != vm::kHostCaller) line += fmt::format("thread {}: ", call.caller);
+void AppendCall(const LoggedCall& call, Language language, std::string* line) {
+  AppendPlace(call.time_us, call.card, line);
+  *line += ' ';
+  if (call.caller != vm::kHostCaller) {
+    *line += "thread ";
+    AppendInteger(call.caller, line);
+    *line += ": ";
+  }
   const std::string& why = call.reason.In(language);
-  AppendCallAndCode(call.command, call.arguments, call.code, why, &line);
-  if (call.code == 0 && why.empty()) AppendOutputs(call.command, call.arguments, &line);
-  return line;
+  AppendCallAndCode(call.command, call.arguments, call.code, why, line);
+  if (call.code == 0 && why.empty()) AppendOutputs(call.command, call.arguments, line);
 }
 
-std::string FormatHappening(int64_t time_us, int card, const Message& what, Language language) {
-  return fmt::format("{}.{:03} card{}: {}", time_us / 1000, time_us % 1000, card,
-                     what.In(language));
+void AppendHappening(int64_t time_us, int card, const Message& what, Language language,
+                     std::string* line) {
+  AppendPlace(time_us, card, line);
+  *line += ": ";
+  *line += what.In(language);
 }
 
 }  // namespace oncard::runtime

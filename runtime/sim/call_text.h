@@ -47,11 +47,12 @@ std::string FormatInputs(const gtcalls::Command& command,
 std::string FormatOutputs(const gtcalls::Command& command,
                           std::span<const vm::CommandArgument> arguments);
 
-/// The line without its end.
-std::string FormatCall(const LoggedCall& call, Language language);
+/// Appends the line of a call, without its end.
+void AppendCall(const LoggedCall& call, Language language, std::string* line);
 
-/// The line of something that a card did by itself, without its end.
-std::string FormatHappening(int64_t time_us, int card, const Message& what, Language language);
+/// Appends the line of something that a card did by itself, without its end.
+void AppendHappening(int64_t time_us, int card, const Message& what, Language language,
+                     std::string* line);
 
 /// Takes note of calls, and of what cards do by themselves. A card that has one writes to it while
 /// it runs.

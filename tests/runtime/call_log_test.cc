@@ -15,13 +15,19 @@ namespace {
 
 using Arguments = std::array<vm::CommandArgument, gtcalls::kParameterMax>;
 
+std::string Line(const LoggedCall& call, Language language = Language::kEnglish) {
+  std::string line;
+  AppendCall(call, language, &line);
+  return line;
+}
+
 /// The log line of a call of card 0 after 12.25 ms.
 std::string Line(std::string_view name, const Arguments& arguments, int16_t code = 0,
                  const Message& reason = {}, Language language = Language::kEnglish) {
   const gtcalls::Command& command = *gtcalls::GtsCatalogue().Find(name);
-  return FormatCall({12'250, 0, vm::kHostCaller, command,
-                     std::span(arguments).first(command.parameters.size()), code, reason},
-                    language);
+  return Line({12'250, 0, vm::kHostCaller, command,
+               std::span(arguments).first(command.parameters.size()), code, reason},
+              language);
 }
 
 vm::CommandArgument Value(double value) {
@@ -45,16 +51,14 @@ vm::CommandArgument Null() {
   return argument;
 }
 
-TEST(FormatCallTest, NoArguments) {
-  EXPECT_EQ(Line("GT_Reset", {}), "12.250 card0 GT_Reset() = 0");
-}
+TEST(CallTextTest, NoArguments) { EXPECT_EQ(Line("GT_Reset", {}), "12.250 card0 GT_Reset() = 0"); }
 
-TEST(FormatCallTest, ValuesAsShortAsTheyCanBe) {
+TEST(CallTextTest, ValuesAsShortAsTheyCanBe) {
   EXPECT_EQ(Line("GT_SetDoubleVar", {Value(3), Value(0.1)}),
             "12.250 card0 GT_SetDoubleVar(3, 0.1) = 0");
 }
 
-TEST(FormatCallTest, MasksAndBitWordsInHexAsWideAsTheirTypes) {
+TEST(CallTextTest, MasksAndBitWordsInHexAsWideAsTheirTypes) {
   EXPECT_EQ(Line("GT_SetDo", {Value(12), Value(-1)}), "12.250 card0 GT_SetDo(12, 0xffffffff) = 0");
   EXPECT_EQ(Line("GT_Update", {Value(5)}), "12.250 card0 GT_Update(0x5) = 0");
   EXPECT_EQ(Line("GT_CrdStart", {Value(3), Value(-1)}),
@@ -64,21 +68,21 @@ TEST(FormatCallTest, MasksAndBitWordsInHexAsWideAsTheirTypes) {
             "12.250 card0 GT_GetDi(4, pValue) = 0, pValue=[0x8001]");
 }
 
-TEST(FormatCallTest, ArraysOfStructuresOneAfterTheOther) {
+TEST(CallTextTest, ArraysOfStructuresOneAfterTheOther) {
   std::array<double, 4> points = {1, 2, 3, 4};
   EXPECT_EQ(Line("GT_2DCompareData", {Value(0), Value(2), Cells(points), Value(1)}),
             "12.250 card0 GT_2DCompareData(0, 2, [{px=1, py=2}, {px=3, py=4}], 1) = 0");
 }
 
-TEST(FormatCallTest, TheThreadThatWasRefused) {
+TEST(CallTextTest, TheThreadThatWasRefused) {
   const Message reason = {"axis 1 is not in Trap mode", "轴 1 不在点位模式"};
   const gtcalls::Command& update = *gtcalls::GtsCatalogue().Find("GT_Update");
   std::array<vm::CommandArgument, 1> mask = {Value(1)};
-  EXPECT_EQ(FormatCall({12'250, 0, 3, update, mask, 1, reason}, Language::kEnglish),
+  EXPECT_EQ(Line({12'250, 0, 3, update, mask, 1, reason}),
             "12.250 card0 thread 3: GT_Update(0x1) = 1: axis 1 is not in Trap mode");
 }
 
-TEST(FormatCallTest, OutputsByNameAndThenWithTheirContent) {
+TEST(CallTextTest, OutputsByNameAndThenWithTheirContent) {
   double clock = 12;
   EXPECT_EQ(Line("GT_GetClock", {Cells({&clock, 1}), Null()}),
             "12.250 card0 GT_GetClock(pClock, NULL) = 0, pClock=[12]");
@@ -88,20 +92,20 @@ TEST(FormatCallTest, OutputsByNameAndThenWithTheirContent) {
             "pThreadSts={run=0, error=0, result=5050, line=21}");
 }
 
-TEST(FormatCallTest, InputsWithTheirContent) {
+TEST(CallTextTest, InputsWithTheirContent) {
   std::array<double, 2> info = {4, 1};
   std::array<double, 3> values = {1, 2.5, -3};
   EXPECT_EQ(Line("GT_SetVarValue", {Value(-1), Cells(info), Cells(values), Value(3)}),
             "12.250 card0 GT_SetVarValue(-1, {id=4, dataType=1}, [1, 2.5, -3], 3) = 0");
 }
 
-TEST(FormatCallTest, TextIsQuotedWithControlCharactersVisible) {
+TEST(CallTextTest, TextIsQuotedWithControlCharactersVisible) {
   EXPECT_EQ(Line("GT_Download", {Text("a\\b\"c\n\x7F.bin")}),
             "12.250 card0 GT_Download(\"a\\\\b\\\"c\\x0a\\x7f.bin\") = 0");
   EXPECT_EQ(Line("GT_Download", {Text("程序.bin")}), "12.250 card0 GT_Download(\"程序.bin\") = 0");
 }
 
-TEST(FormatCallTest, ATextOutputWithItsText) {
+TEST(CallTextTest, ATextOutputWithItsText) {
   const char* version = "010260101010260101";
   Arguments arguments;
   arguments[0].host = &version;
@@ -109,7 +113,7 @@ TEST(FormatCallTest, ATextOutputWithItsText) {
             "12.250 card0 GT_GetVersion(pVersion) = 0, pVersion=\"010260101010260101\"");
 }
 
-TEST(FormatCallTest, ARefusalWithItsReasonAndWithoutOutputs) {
+TEST(CallTextTest, ARefusalWithItsReasonAndWithoutOutputs) {
   double clock = 99;
   const Message reason = {"card 0 is not open", "卡 0 未打开"};
   EXPECT_EQ(Line("GT_GetClock", {Cells({&clock, 1}), Null()}, -1, reason),
@@ -119,14 +123,12 @@ TEST(FormatCallTest, ARefusalWithItsReasonAndWithoutOutputs) {
   EXPECT_EQ(Line("GT_Reset", {}, 1), "12.250 card0 GT_Reset() = 1");
 }
 
-TEST(FormatCallTest, TimeInMillisecondsWithThreeDecimals) {
+TEST(CallTextTest, TimeInMillisecondsWithThreeDecimals) {
   const Message reason;
   const gtcalls::Command& reset = *gtcalls::GtsCatalogue().Find("GT_Reset");
-  EXPECT_EQ(FormatCall({50, 15, vm::kHostCaller, reset, {}, 0, reason}, Language::kEnglish),
-            "0.050 card15 GT_Reset() = 0");
-  EXPECT_EQ(
-      FormatCall({3'600'000'007, 3, vm::kHostCaller, reset, {}, 0, reason}, Language::kEnglish),
-      "3600000.007 card3 GT_Reset() = 0");
+  EXPECT_EQ(Line({50, 15, vm::kHostCaller, reset, {}, 0, reason}), "0.050 card15 GT_Reset() = 0");
+  EXPECT_EQ(Line({3'600'000'007, 3, vm::kHostCaller, reset, {}, 0, reason}),
+            "3600000.007 card3 GT_Reset() = 0");
 }
 
 TEST(CallLogTest, IsOffUnlessAskedFor) { EXPECT_FALSE(CallLog("", Language::kEnglish).enabled()); }

@@ -41,6 +41,12 @@ RecordedCall Call(int64_t time_us, const std::string& name,
   return call;
 }
 
+std::string LineOf(const RecordedCall& call) {
+  std::string line;
+  AppendRecordedCall(0, call, &line);
+  return line;
+}
+
 /// A record of card 0 with these lines between its opening and its end.
 std::string Record(const std::string& lines) {
   return FormatRecordHead() + FormatRecordedOpening(0, Scenario{}, true) + lines;
@@ -62,8 +68,7 @@ std::string RecordsError(const std::string& text) {
 TEST(CallRecord, KeepsTheInputsOfACall) {
   RecordedCall::Argument prm;
   prm.cells = {0.5, 0.25, -0.0, 20};  // TTrapPrm: acc, dec, velStart, smoothTime
-  const CallRecord record =
-      Read(Record(FormatRecordedCall(0, Call(100, "GT_SetTrapPrm", {Value(2), prm}))));
+  const CallRecord record = Read(Record(LineOf(Call(100, "GT_SetTrapPrm", {Value(2), prm}))));
   ASSERT_EQ(record.calls.size(), 1u);
   const RecordedCall& call = record.calls[0];
   EXPECT_EQ(call.time_us, 100);
@@ -76,8 +81,8 @@ TEST(CallRecord, KeepsTheInputsOfACall) {
 TEST(CallRecord, KeepsNumbersThatJsonDoesNotHave) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const CallRecord record =
-      Read(Record(FormatRecordedCall(0, Call(0, "GT_SetVel", {Value(1), Value(std::nan(""))})) +
-                  FormatRecordedCall(0, Call(0, "GT_SetVel", {Value(1), Value(-kInfinity)}))));
+      Read(Record(LineOf(Call(0, "GT_SetVel", {Value(1), Value(std::nan(""))})) +
+                  LineOf(Call(0, "GT_SetVel", {Value(1), Value(-kInfinity)}))));
   EXPECT_TRUE(std::isnan(record.calls[0].arguments[1].value));
   EXPECT_EQ(record.calls[1].arguments[1].value, -kInfinity);
 }
@@ -88,7 +93,7 @@ TEST(CallRecord, KeepsEveryByteOfAFile) {
   RecordedCall call = Call(0, "GT_LoadConfig", {{}});
   call.arguments[0].text = "\xB2\xE2.cfg";
   call.config = bytes;
-  const CallRecord record = Read(Record(FormatRecordedCall(0, call)));
+  const CallRecord record = Read(Record(LineOf(call)));
   EXPECT_EQ(record.calls[0].arguments[0].text, "\xB2\xE2.cfg");
   EXPECT_EQ(record.calls[0].config, bytes);
 }
@@ -112,7 +117,7 @@ TEST(CallRecord, HasOneRecordForEachOpeningOfACard) {
 // --- Damaged records -----------------------------------------------------------------------------
 
 TEST(CallRecord, NamesTheFirstLineThatIsDamaged) {
-  const std::string good = FormatRecordedCall(0, Call(100, "GT_Stop", {Value(1), Value(0)}));
+  const std::string good = LineOf(Call(100, "GT_Stop", {Value(1), Value(0)}));
   const std::string lines[] = {
       good.substr(0, good.size() / 2) + '\n',
       "[]\n",
@@ -133,7 +138,7 @@ TEST(CallRecord, NamesTheFirstLineThatIsDamaged) {
 }
 
 TEST(CallRecord, EndsBeforeALastLineThatWasCut) {
-  const std::string good = FormatRecordedCall(0, Call(100, "GT_Stop", {Value(1), Value(0)}));
+  const std::string good = LineOf(Call(100, "GT_Stop", {Value(1), Value(0)}));
   for (size_t size = 0; size < good.size() - 1; ++size) {
     const CallRecord record = Read(Record(good + good.substr(0, size)));
     EXPECT_EQ(record.calls.size(), 1u) << size;
@@ -142,7 +147,7 @@ TEST(CallRecord, EndsBeforeALastLineThatWasCut) {
 }
 
 TEST(CallRecord, EndsAtTheFirstZeroByte) {
-  const std::string good = FormatRecordedCall(0, Call(100, "GT_Stop", {Value(1), Value(0)}));
+  const std::string good = LineOf(Call(100, "GT_Stop", {Value(1), Value(0)}));
   const std::string zeros(5000, '\0');
   // The line that was being written when the host was killed lacks its first byte.
   for (const std::string& rest : {std::string(), good.substr(1), good.substr(1, 20)}) {
@@ -187,14 +192,14 @@ TEST(CallReplay, EndsWhereTheCardEnded) {
   arguments[0].value = 1;
   ASSERT_EQ(card.Execute(CommandOf("GT_AxisOn"), arguments), 0);
   card.AdvanceUs(1300);
-  const std::string call = FormatRecordedCall(0, Call(100, "GT_AxisOn", {Value(1)}));
+  const std::string call = LineOf(Call(100, "GT_AxisOn", {Value(1)}));
   EXPECT_EQ(DeviationOf(call + FormatRecordedEnd(0, {1400, card.Hash()})), "");
   EXPECT_THAT(DeviationOf(call + FormatRecordedEnd(0, {1401, card.Hash()})),
               HasSubstr("the card is in another state than it was"));
 }
 
 TEST(CallReplay, ComparesTheCodes) {
-  EXPECT_THAT(DeviationOf(FormatRecordedCall(0, Call(0, "GT_AxisOn", {Value(9)}))),
+  EXPECT_THAT(DeviationOf(LineOf(Call(0, "GT_AxisOn", {Value(9)}))),
               StartsWith("GT_AxisOn(9) returns 7 (parameter axis is 9; this card has 1 to 8) "
                          "instead of 0 as in the record"));
 }
@@ -206,17 +211,16 @@ TEST(CallReplay, ReadsNoMoreThanTheRecordHas) {
   RecordedCall::Argument info;
   info.cells = {0, 0};
   RecordedCall call = Call(0, "GT_SetVarValue", {Value(-1), info, values, Value(4)});
-  EXPECT_THAT(DeviationOf(FormatRecordedCall(0, call)),
+  EXPECT_THAT(DeviationOf(LineOf(call)),
               HasSubstr("has inputs of another size than the card reads"));
 }
 
 TEST(CallReplay, KnowsWhichCallsChangeTheCard) {
   RecordedCall::Argument status;
   status.null = true;
-  const CallRecord record =
-      Read(Record(FormatRecordedCall(0, Call(0, "GT_AxisOn", {Value(1)})) +
-                  FormatRecordedCall(0, Call(50, "GT_GetThreadSts", {Value(0), status})) +
-                  FormatRecordedEnd(0, {100, 0})));
+  const CallRecord record = Read(Record(LineOf(Call(0, "GT_AxisOn", {Value(1)})) +
+                                        LineOf(Call(50, "GT_GetThreadSts", {Value(0), status})) +
+                                        FormatRecordedEnd(0, {100, 0})));
   const auto replay = CallReplay::Create(record, Controller().commands());
   ASSERT_TRUE(replay.ok());
   EXPECT_TRUE(replay.value().ChangesCard(0));
@@ -228,7 +232,7 @@ TEST(CallReplay, RefusesADamagedProgram) {
   RecordedCall call = Call(0, "GT_Download", {{}});
   call.arguments[0].text = "sum.bin";
   call.program = {"not a program", ""};
-  EXPECT_NE(DeviationOf(FormatRecordedCall(0, call)), "");
+  EXPECT_NE(DeviationOf(LineOf(call)), "");
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ class RecordingHost {
   const std::string& text() const { return text_; }
 
  private:
-  void Write(const RecordedCall& call) { text_ += FormatRecordedCall(0, call); }
+  void Write(const RecordedCall& call) { AppendRecordedCall(0, call, &text_); }
 
   Scenario scenario_;
   Controller controller_;
