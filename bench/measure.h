@@ -54,8 +54,8 @@ void BenchCompiler();
 /// `oncard_bench run`: how long whole runs take, and what recording them costs.
 void BenchRun();
 
-/// A part of BenchRun(): how fast host programs run.
-void BenchHosts();
+/// A part of BenchRun(): how fast host programs run. Files are written into the folder.
+void BenchHosts(const std::string& folder);
 
 /// `oncard_bench motion`: what a profile cycle and a command cost.
 void BenchMotion();

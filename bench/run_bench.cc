@@ -129,8 +129,8 @@ void BenchRun() {
     const std::string what = std::string("oncard run, 8 threads compute, rate ") + rate;
     MeasureRecording(what.c_str(), eight, file);
   }
+  BenchHosts(folder);
   std::filesystem::remove_all(folder);
-  BenchHosts();
 }
 
 }  // namespace oncard::bench
