@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 
 #include "base/milliseconds.h"
@@ -51,7 +52,21 @@ struct Supervisor::History {
   uint32_t velocity_set = 0;  ///< the same for a velocity
 };
 
+struct Supervisor::Found {
+  std::vector<CardFinding> findings;
+  std::map<Key, size_t> known;  ///< where they are
+  /// Of each periodic thread, in periods: belongs to its finding, not to the history.
+  std::array<int64_t, vm::kThreadCount> longest_runs{};
+};
+
 namespace {
+
+/// A shared value, to be changed: others who have it keep it as it was.
+template <typename Value>
+Value& Own(std::shared_ptr<Value>* shared) {
+  if (shared->use_count() > 1) *shared = std::make_shared<Value>(**shared);
+  return **shared;
+}
 
 /// True if a command may start a motion: it writes axes or coordinate systems.
 bool MayStartMotion(const gtcalls::Command& command) {
@@ -147,7 +162,9 @@ Message DescribeFinding(const CardFinding& finding, const std::string& program_p
 // --- Beginning -----------------------------------------------------------------------------------
 
 Supervisor::Supervisor(Controller* controller)
-    : controller_(*controller), history_(std::make_shared<History>()) {
+    : controller_(*controller),
+      history_(std::make_shared<History>()),
+      found_(std::make_shared<Found>()) {
   const gtcalls::Family& family = controller_.family();
   for (const gtcalls::Command& command : family.catalogue.commands()) {
     kinds_.push_back({family.motion_role(command), MayStartMotion(command)});
@@ -157,10 +174,9 @@ Supervisor::Supervisor(Controller* controller)
 
 Supervisor::~Supervisor() { controller_.ObserveWith(nullptr); }
 
-Supervisor::History& Supervisor::Present() {
-  if (history_.use_count() > 1) history_ = std::make_shared<History>(*history_);
-  return *history_;
-}
+Supervisor::History& Supervisor::Present() { return Own(&history_); }
+
+Supervisor::Found& Supervisor::PresentFound() { return Own(&found_); }
 
 void Supervisor::Reset() { history_ = std::make_shared<History>(); }
 
@@ -411,7 +427,7 @@ void Supervisor::Overran(int number) {
       overruns.missed > 0 && overruns.last_start + thread.period_cycles == thread.next_start;
   overruns.missed = same ? overruns.missed + 1 : 1;
   overruns.last_start = thread.next_start;
-  int64_t& longest = longest_runs_[static_cast<size_t>(number)];
+  int64_t& longest = PresentFound().longest_runs[static_cast<size_t>(number)];
   longest = std::max(longest, overruns.missed);
   const int64_t cycle_us = controller_.options().motion.cycle_us;
   const double period_ms = ToMs(thread.period_cycles * cycle_us);
@@ -428,12 +444,29 @@ void Supervisor::Overran(int number) {
 // --- The end of a run ----------------------------------------------------------------------------
 
 void Supervisor::JudgeEnd() {
+  const size_t before = findings().size();
   const motion::MotionCore& core = controller_.motion();
   for (size_t i = 0; i < core.axis_count(); ++i) {
     JudgeStop(i);
     JudgeLeftOut(i);
   }
   JudgeWorkLeft();
+  for (size_t i = before; i < findings().size(); ++i) PresentFound().findings[i].at_end = true;
+}
+
+void Supervisor::ForgetEnd() {
+  if (std::ranges::none_of(findings(), &CardFinding::at_end)) return;
+  Found& found = PresentFound();
+  std::vector<size_t> indices;  // of those that stay
+  size_t staying = 0;
+  for (const CardFinding& finding : found.findings) {
+    indices.push_back(staying);
+    if (!finding.at_end) ++staying;
+  }
+  std::erase_if(found.known,
+                [&](const auto& entry) { return found.findings[entry.second].at_end; });
+  for (auto& [key, index] : found.known) index = indices[index];
+  std::erase_if(found.findings, [](const CardFinding& finding) { return finding.at_end; });
 }
 
 void Supervisor::JudgeWorkLeft() {
@@ -479,6 +512,8 @@ void Supervisor::JudgeLeftOut(size_t i) {
 
 // --- Findings ------------------------------------------------------------------------------------
 
+const std::vector<CardFinding>& Supervisor::findings() const { return found_->findings; }
+
 Supervisor::Key Supervisor::KeyOf(CardWarning warning, const CallSite& site, size_t axis) const {
   Key key = KeyOf(warning, site);
   std::get<std::string>(key) += fmt::format(" {}", axis);
@@ -499,12 +534,13 @@ void Supervisor::Add(CardWarning warning, const gtcalls::Call& call, size_t axis
 }
 
 CardFinding& Supervisor::Add(Key key, CommandPlace place, Message text, int64_t at_us) {
-  const auto [entry, added] = known_.try_emplace(std::move(key), findings_.size());
+  Found& found = PresentFound();
+  const auto [entry, added] = found.known.try_emplace(std::move(key), found.findings.size());
   if (added) {
-    findings_.push_back(
+    found.findings.push_back(
         {std::get<CardWarning>(entry->first), std::move(place), std::move(text), at_us, 0});
   }
-  CardFinding& finding = findings_[entry->second];
+  CardFinding& finding = found.findings[entry->second];
   ++finding.count;
   return finding;
 }

@@ -3,14 +3,13 @@
 //
 // It looks at the commands that the card executes and at what the card reports by itself, not at
 // cycles, so it costs nothing while nothing happens. It never changes the card. What it has to
-// remember of a run is a value, which can be put back with a state of the card.
+// remember of a run, and what it has found, are values. Both can be put back with a state of the
+// card; who looks at many runs puts back the first one only.
 //
 // Deterministic; not thread-safe. Tested by tests/runtime/supervisor_test.cc.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <string>
 #include <tuple>
@@ -30,6 +29,7 @@ struct CardFinding {
   Message text;
   int64_t first_us = 0;  ///< of the card's time
   int64_t count = 0;     ///< 0: it belongs to the end of the run
+  bool at_end = false;   ///< only the end of the run shows it
 };
 
 /// `p.c:12: thread 0 f: axis 1 ...`, the file relative to the program, and `[drive-off]`.
@@ -42,19 +42,27 @@ class Supervisor final : public CardObserver {
   /// What has happened on a card so far.
   struct History;
   using HistoryPointer = std::shared_ptr<History>;  ///< shared: it is copied before a change
+  /// What it has found so far.
+  struct Found;
+  using FoundPointer = std::shared_ptr<Found>;  ///< the same
 
   /// Watches the controller from now on; it must exist as long as this object.
   explicit Supervisor(Controller* controller);
   ~Supervisor() override;
 
   /// In the order of their first occurrence. Who reports them leaves out what is silenced.
-  const std::vector<CardFinding>& findings() const { return findings_; }
+  const std::vector<CardFinding>& findings() const;
   /// To be called at the end of a run that was not interrupted: adds what only the end shows.
   void JudgeEnd();
+  /// Takes that back: the run goes on.
+  void ForgetEnd();
 
   /// What it remembers of the present run, to be put back with a state of the card.
   HistoryPointer history() const { return history_; }
   void PutBack(HistoryPointer history) { history_ = std::move(history); }
+  /// What it has found up to now, to be put back likewise.
+  FoundPointer found() const { return found_; }
+  void PutBack(FoundPointer found) { found_ = std::move(found); }
 
   void BeforeCommand(const gtcalls::Call& call) override;
   void AfterCommand(const gtcalls::Call& call, int16_t code) override;
@@ -73,6 +81,8 @@ class Supervisor final : public CardObserver {
 
   /// The history, to be changed.
   History& Present();
+  /// What was found, to be changed.
+  Found& PresentFound();
   CommandKind KindOf(const gtcalls::Command& command) const { return kinds_[command.number - 1u]; }
   CallSite SiteOf(const gtcalls::Call& call) const;
   CommandPlace PlaceOfSite(const CallSite& site) const;
@@ -116,11 +126,8 @@ class Supervisor final : public CardObserver {
   Controller& controller_;
   std::vector<CommandKind> kinds_;  ///< by the numbers of commands
   HistoryPointer history_;
+  FoundPointer found_;
   uint32_t moving_before_ = 0;  ///< the command that is being executed
-  std::map<Key, size_t> known_;
-  /// Of each periodic thread, in periods: belongs to its finding, not to the history.
-  std::array<int64_t, vm::kThreadCount> longest_runs_{};
-  std::vector<CardFinding> findings_;
 };
 
 }  // namespace oncard::runtime

@@ -349,6 +349,47 @@ TEST(Supervisor, IsSilentAboutWhatIsSwitchedOff) {
   ASSERT_FALSE(ReadSilentWarning("no-velocity", &options.silent));
 }
 
+// Axis 2 jogs all the time. From 5 ms on, axis 1 starts three times with its drive off.
+const std::string kJogAndThreeStarts =
+    "int sts, clock, moving, n, more;\nint f()\n{\n  GT_AxisOn(2);\n  GT_PrfJog(2);\n"
+    "  GT_SetVel(2, 10);\n  GT_Update(2);\n  GT_Delay(5);\n  GT_PrfTrap(1);\n"
+    "  GT_SetVel(1, 10);\nagain:\n  n = n + 1;\n  GT_SetPos(1, n);\n  GT_Update(1);\n" +
+    WaitFor(1) + "  GT_Delay(20);\n  more = n < 3;\n  if (more) goto again;\n  return 0;\n}\n";
+
+/// The names of the findings with their numbers.
+std::vector<std::string> NamesOf(const Supervisor& supervisor) {
+  std::vector<std::string> names;
+  for (const CardFinding& finding : supervisor.findings()) {
+    names.push_back(fmt::format("{} {}", InfoOf(finding.warning).name, finding.count));
+  }
+  return names;
+}
+
+TEST(Supervisor, TakesBackWhatItHasFoundAndWhatTheEndHasShown) {
+  Controller controller;
+  ASSERT_TRUE(controller.Load(CompileForTest(kJogAndThreeStarts)).ok());
+  Supervisor supervisor(&controller);
+  ASSERT_EQ(controller.machine().Bind(0, 1, 0), vm::kOk);
+  ASSERT_EQ(controller.machine().Run(0), vm::kOk);
+  controller.RunCycles(16);
+  const Supervisor::FoundPointer nothing = supervisor.found();
+  EXPECT_THAT(NamesOf(supervisor), IsEmpty());
+  supervisor.JudgeEnd();
+  const Supervisor::FoundPointer end = supervisor.found();
+  EXPECT_THAT(NamesOf(supervisor), ElementsAre("work-left 0"));
+  // The run goes on all the same: what it shows stays when the end is forgotten.
+  controller.RunCycles(40);
+  EXPECT_THAT(NamesOf(supervisor), ElementsAre("work-left 0", "drive-off 1"));
+  supervisor.ForgetEnd();
+  EXPECT_THAT(NamesOf(supervisor), ElementsAre("drive-off 1"));
+  controller.RunCycles(400);
+  EXPECT_THAT(NamesOf(supervisor), ElementsAre("drive-off 3"));
+  supervisor.PutBack(end);
+  EXPECT_THAT(NamesOf(supervisor), ElementsAre("work-left 0"));
+  supervisor.PutBack(nothing);
+  EXPECT_THAT(NamesOf(supervisor), IsEmpty());
+}
+
 TEST(Supervisor, SpeaksChinese) {
   const ScenarioResult result = RunForTest(Program(kWithoutVelocity), "");
   ASSERT_EQ(result.warnings.size(), 1u);
