@@ -103,10 +103,10 @@ std::unique_ptr<RewindableRun> RewindableRun::CreateFromCalls(
   return run;
 }
 
-runtime::Scenario RewindableRun::ScenarioWithChanges() const {
+runtime::Scenario RewindableRun::ScenarioWithWrites(int64_t last) const {
   runtime::Scenario scenario = scenario_;
   for (const Change& change : changes_) {
-    if (change.write) InsertInTime(*change.write, &scenario.host);
+    if (change.write && change.moment <= last) InsertInTime(*change.write, &scenario.host);
     if (change.input) InsertInTime(*change.input, &scenario.world.inputs);
     if (change.voltage) InsertInTime(*change.voltage, &scenario.world.voltages);
     if (change.move) InsertInTime(*change.move, &scenario.world.moves);
@@ -617,7 +617,7 @@ vm::Schedule RewindableRun::Record(const std::string& path) {
   controller_.machine().EndRecording();
   const int64_t now_us = controller_.cycle() * scenario_.cycle_us;
   if (!Over()) recording.cut_us = now_us;
-  runtime::Scenario scenario = ScenarioWithChanges();
+  runtime::Scenario scenario = ScenarioWithWrites(present);
   if (place_.over_cycle >= 0 && place_.over_cycle < controller_.cycle()) {
     constexpr int64_t kMs = 1000;
     scenario.until_us = now_us;

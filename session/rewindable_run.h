@@ -93,7 +93,7 @@ class RewindableRun {
   /// The scenario without changes.
   const runtime::Scenario& scenario() const { return scenario_; }
   /// The scenario with the changes that have been made up to head().
-  runtime::Scenario ScenarioWithChanges() const;
+  runtime::Scenario ScenarioWithChanges() const { return ScenarioWithWrites(INT64_MAX); }
 
   // --- The present -----------------------------------------------------------------------------
 
@@ -313,6 +313,9 @@ class RewindableRun {
   /// Discards what was recorded after the present.
   void Cut();
   void AddChange(Change change);
+  /// The scenario with the writes up to a moment, and with all other changes: the events of the
+  /// world that are still to come belong to the state of the card.
+  runtime::Scenario ScenarioWithWrites(int64_t last) const;
   /// The instant from which a change of an input acts.
   int64_t InputInstant() const;
   /// Gives the card the events of the scenario with its changes.

@@ -304,6 +304,19 @@ TEST(RewindableRun, AChangeWithinACycleIsRecordedWithItsStatement) {
   EXPECT_EQ(HashOfReplay(kRace, run.get()), run->controller().Hash());
 }
 
+TEST(RewindableRun, ARecordingLeavesOutWritesAfterThePresent) {
+  const std::string program = "int go;\nint f()\n{\n  GT_WaitForVarEq(&go, 1);\n}\n";
+  const auto run = RunOf(program);
+  while (!run->Over()) run->Step();
+  const int64_t end = run->moment();
+  run->AdvanceTo(end + 8);
+  ASSERT_TRUE(run->WriteVariable("go", 1).ok());
+  run->GoTo(end);
+  EXPECT_EQ(run->Over(), RunOver::kDeadlock);
+  // A write that is still to come would let the recorded run go on.
+  EXPECT_EQ(HashOfReplay(program, run.get()), run->controller().Hash());
+}
+
 // Without statements that can be executed the rest of the cycle is over.
 TEST(RewindableRun, AChangeWithinACycleCanStopAllThreads) {
   const std::string waits =
