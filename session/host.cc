@@ -83,6 +83,7 @@ StopWishes ReadWishes(Arguments* arguments, bool races) {
   wishes.refusals = arguments->Flag("refusals", true);
   wishes.requirements = arguments->Flag("requirements", true);
   wishes.races = arguments->Flag("races", races);
+  wishes.warnings = arguments->Flag("warnings", false);
   return wishes;
 }
 
@@ -165,7 +166,8 @@ const std::vector<SessionHost::Requests::Request>& SessionHost::Requests::All() 
       {{"back", "goal [thread] [name] [budget]"}, &Requests::Back},
       {{"step_thread", "thread"}, &Requests::StepThread},
       {{"go_to", "[moment] [ms]"}, &Requests::GoTo},
-      {{"set_stops", "[lines] [changes] [conditions] [faults] [refusals] [requirements] [races]"},
+      {{"set_stops",
+        "[lines] [changes] [conditions] [faults] [refusals] [requirements] [races] [warnings]"},
        &Requests::SetStops},
       {{"variables", "[page]"}, &Requests::Variables},
       {{"slots", "page"}, &Requests::Slots},

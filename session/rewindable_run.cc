@@ -49,7 +49,10 @@ void RewindableRun::RefusalLog::Write(const runtime::LoggedCall& call) {
 // --- Start ---------------------------------------------------------------------------------------
 
 RewindableRun::RewindableRun(runtime::Scenario scenario)
-    : scenario_(std::move(scenario)), log_(this), controller_(runtime::CardOptions(scenario_)) {}
+    : scenario_(std::move(scenario)),
+      log_(this),
+      controller_(runtime::CardOptions(scenario_)),
+      supervisor_(&controller_) {}
 
 Result<std::unique_ptr<RewindableRun>> RewindableRun::Create(
     runtime::Scenario scenario, vm::Object object, std::shared_ptr<const vm::Schedule> schedule) {
@@ -351,6 +354,7 @@ void RewindableRun::ExecuteTo(int64_t last) {
 void RewindableRun::LeaveSchedule() { controller_.machine().SetPolicy(own_policy_); }
 
 void RewindableRun::Arrive() {
+  NoteFindings();
   LoseStatements();
   auto change = std::ranges::lower_bound(changes_, moment(), {}, &Change::moment);
   for (; change != changes_.end() && change->moment == moment(); ++change) Apply(*change);
@@ -365,7 +369,27 @@ void RewindableRun::LoseStatements() {
 }
 
 void RewindableRun::NoteEnd() {
-  if (place_.over_cycle < 0 && Over()) place_.over_cycle = controller_.cycle();
+  if (!Over()) return;
+  if (place_.over_cycle < 0) place_.over_cycle = controller_.cycle();
+  if (place_.end_judged) return;
+  place_.end_judged = true;
+  supervisor_.JudgeEnd();
+  NoteFindings();
+}
+
+void RewindableRun::ForgetEnd() {
+  place_.end_judged = false;
+  supervisor_.ForgetEnd();
+  place_.findings = findings().size();
+}
+
+void RewindableRun::NoteFindings() {
+  const size_t noted = std::exchange(place_.findings, findings().size());
+  if (noted == place_.findings) return;
+  place_.warned += static_cast<int64_t>(place_.findings - noted);
+  if (!report_.warning) {
+    report_.warning = DescribeFindingPlace(findings()[noted], ProgramPath(scenario_));
+  }
 }
 
 // --- Kept states ---------------------------------------------------------------------------------
@@ -378,6 +402,8 @@ void RewindableRun::Keep() {
                   machine().shared_image(),
                   vm::PackedState(machine().state()),
                   controller_.Body(),
+                  supervisor_.history(),
+                  supervisor_.found(),
                   races_};
   if (at != kept_.end() && at->place.moment == moment()) {
     *at = std::move(present);
@@ -410,6 +436,8 @@ void RewindableRun::Restore(const Kept& kept) {
   if (machine().shared_image() != kept.program) controller_.machine().Load(kept.program);
   controller_.machine().Restore(*scratch_);
   controller_.RestoreBody(kept.body);
+  supervisor_.PutBack(kept.history);
+  supervisor_.PutBack(kept.found);
   races_ = kept.races;
   ShareWorld();
 }
@@ -514,6 +542,7 @@ void RewindableRun::AddChange(Change change) {
 }
 
 void RewindableRun::Apply(const Change& change) {
+  ForgetEnd();
   if (!change.write) return;
   vm::Machine& machine = controller_.machine();
   for (size_t i = 0; i < change.variables.size(); ++i) {

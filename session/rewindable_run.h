@@ -23,6 +23,7 @@
 
 #include "base/result.h"
 #include "runtime/conditions/card_condition.h"
+#include "runtime/observe/supervisor.h"
 #include "runtime/scenario/agenda.h"
 #include "runtime/scenario/host_calls.h"
 #include "runtime/scenario/scenario.h"
@@ -52,6 +53,7 @@ struct StepReport {
   std::vector<Message> failed;             ///< kHost: expectations that did not hold, and why
   bool call = false;                       ///< kHost: a call of a recorded host
   std::optional<Message> deviation;        ///< the card has not answered as it is recorded
+  std::optional<Message> warning;          ///< the first of the supervisor's findings that are new
 };
 
 /// Why the scenario's run is over.
@@ -133,6 +135,11 @@ class RewindableRun {
   int64_t deviations() const { return place_.deviations; }
   /// The last refused command of a thread since it was started; nullptr: none.
   const Refusal* LastRefusal(int thread) const;
+  /// What the supervisor has found up to this moment. What the end of the run has shown stays while
+  /// the card goes on, until something is changed.
+  const std::vector<runtime::CardFinding>& findings() const { return supervisor_.findings(); }
+  /// Grows with each new finding, and not otherwise.
+  int64_t warned() const { return place_.warned; }
 
   // --- Forward ---------------------------------------------------------------------------------
 
@@ -232,6 +239,9 @@ class RewindableRun {
     int64_t refused = 0;
     int64_t failed = 0;
     int64_t over_cycle = -1;  ///< the cycle with whose end the scenario's run was over
+    bool end_judged = false;  ///< by the supervisor, since the last change
+    size_t findings = 0;      ///< of the supervisor, that have been noted
+    int64_t warned = 0;       ///< warned()
     std::vector<bool> held;   ///< which of the awaited conditions have held
     size_t calls = 0;         ///< of the recorded host
     int64_t deviations = 0;
@@ -245,6 +255,8 @@ class RewindableRun {
     std::shared_ptr<const vm::Image> program;
     vm::PackedState machine;
     runtime::CardBody body;
+    runtime::Supervisor::HistoryPointer history;
+    runtime::Supervisor::FoundPointer found;
     std::optional<RaceWatch> races;
   };
   struct Choice {
@@ -299,6 +311,10 @@ class RewindableRun {
   /// To be called at the end of a step: applies recorded changes, keeps the state.
   void Arrive();
   void Apply(const Change& change);
+  /// After a change the run may go on: its end is judged again.
+  void ForgetEnd();
+  /// Notes what the supervisor has found since this was called last.
+  void NoteFindings();
   /// A cycle's statements that no thread can use are lost.
   void LoseStatements();
   void NoteEnd();
@@ -326,6 +342,7 @@ class RewindableRun {
   vm::Policy own_policy_;  ///< of the scenario, after the schedule
   RefusalLog log_;
   runtime::Controller controller_;
+  runtime::Supervisor supervisor_;
   runtime::Agenda agenda_;
   std::unique_ptr<const runtime::HostCalls> calls_;
   std::unique_ptr<runtime::Controller> lookup_;  // of CardWith()

@@ -159,11 +159,13 @@ bool Session::AdvanceUnchecked(int64_t last) {
   const int64_t refused = run_->refused();
   const int64_t failed = run_->failed();
   const int64_t deviations = run_->deviations();
+  const int64_t warned = run_->warned();
   run_->Advance(last);
   const bool stopped = run_->deviations() != deviations ||
                        (stops_.faults() && run_->machine().state().faults != faults) ||
                        (stops_.refusals() && run_->refused() != refused) ||
-                       (stops_.requirements() && run_->failed() != failed);
+                       (stops_.requirements() && run_->failed() != failed) ||
+                       (stops_.warnings() && run_->warned() != warned);
   if (!stopped) return true;
   run_->GoTo(from);
   stops_.Begin(*run_);

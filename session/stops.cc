@@ -162,6 +162,7 @@ Result<void> Stops::Set(const StopWishes& wishes, const RewindableRun& run) {
   stops.refusals_ = wishes.refusals;
   stops.checks_requirements_ = wishes.requirements;
   stops.races_ = wishes.races;
+  stops.warnings_ = wishes.warnings;
   stops.requirements_ = std::move(requirements_);
   stops.final_ = std::move(final_);
   stops.eventually_ = std::move(eventually_);
@@ -444,6 +445,9 @@ std::optional<Stop> Stops::CheckIncidents(const RewindableRun& run, const StepRe
   if (races_ && step.race) return Stop{StopReason::kRace, step.thread, -1, *step.race};
   if (checks_requirements_ && !step.failed.empty()) {
     return Stop{StopReason::kRequirement, -1, -1, step.failed.front()};
+  }
+  if (warnings_ && step.warning) {
+    return Stop{StopReason::kWarning, step.thread, -1, *step.warning};
   }
   return std::nullopt;
 }

@@ -1,7 +1,7 @@
 // Where a run stops: lines and statements, changes of variables, conditions that become true,
-// faults, refused commands, requirements and expectations that do not hold. They are checked after
-// every step (rewindable_run.h) in both directions, and depend on nothing but the run. Not
-// thread-safe. Tested by tests/session/stops_test.cc.
+// faults, refused commands, requirements and expectations that do not hold, data races, warnings of
+// the card's supervisor. They are checked after every step (rewindable_run.h) in both directions,
+// and depend on nothing but the run. Not thread-safe. Tested by tests/session/stops_test.cc.
 #pragma once
 
 #include <array>
@@ -38,6 +38,7 @@ struct StopWishes {
   bool refusals = true;      ///< commands of threads and of a recorded host whose code is not 0
   bool requirements = true;  ///< `always`, `never`, and expectations with an instant
   bool races = false;        ///< data races, each pair of statements once
+  bool warnings = false;     ///< of the card's supervisor, each once
 };
 
 enum class StopReason : uint8_t {
@@ -48,6 +49,7 @@ enum class StopReason : uint8_t {
   kFault,        ///< a thread has faulted
   kRefusal,      ///< a thread was refused a command
   kRace,         ///< a data race
+  kWarning,      ///< the card's supervisor warns
   kRequirement,  ///< a requirement or an expectation does not hold
   kDeviation,    ///< the card does not answer a recorded host as it did
   kScheduleEnd,  ///< the schedule that was followed is over
@@ -85,11 +87,12 @@ class Stops {
   std::vector<int> lines() const;
 
   /// True if every step must be checked: a stop can be anywhere, and not only where a thread
-  /// faults, is refused a command, or an expectation fails.
+  /// faults, is refused a command, an expectation fails, or the supervisor warns.
   bool CheckEveryStep() const;
   bool faults() const { return faults_; }
   bool refusals() const { return refusals_; }
   bool requirements() const { return checks_requirements_; }
+  bool warnings() const { return warnings_; }
 
   /// To be called before the first step of a walk: remembers the present values.
   void Begin(const RewindableRun& run);
@@ -153,6 +156,7 @@ class Stops {
   bool refusals_ = true;
   bool checks_requirements_ = true;
   bool races_ = false;
+  bool warnings_ = false;
 
   std::array<uint16_t, vm::kThreadCount> pcs_{};
   uint32_t fresh_ = 0;     // threads that run and have executed nothing

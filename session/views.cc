@@ -60,6 +60,8 @@ std::string_view ReasonName(StopReason reason) {
       return "fault";
     case StopReason::kRace:
       return "race";
+    case StopReason::kWarning:
+      return "warning";
     case StopReason::kRefusal:
       return "refusal";
     case StopReason::kRequirement:
@@ -91,6 +93,20 @@ Json WaitView(const RewindableRun& run, const vm::ThreadState& thread, const vm:
   if (!name.empty()) json["name"] = name;
   json["value"] = slot.type == vm::DataType::kDouble ? vm::DoubleFromFixed(thread.wait_value)
                                                      : static_cast<double>(thread.wait_value);
+  return json;
+}
+
+Json WarningView(const runtime::CardFinding& finding, Language language) {
+  const runtime::CommandPlace& place = finding.place;
+  Json json = {{"name", runtime::InfoOf(finding.warning).name},
+               {"text", finding.text.In(language)},
+               {"time_ms", ToMs(finding.first_us)}};
+  if (place.thread >= 0) json["thread"] = place.thread;
+  if (place.line > 0) {
+    json["file"] = place.file;
+    json["line"] = place.line;
+  }
+  if (!place.call.empty()) json["call"] = place.call;
   return json;
 }
 
@@ -208,6 +224,10 @@ nlohmann::ordered_json StateView(const RewindableRun& run, Language language) {
   for (int number = 0; number < vm::kThreadCount; ++number) {
     if (run.machine().thread(number).run == vm::ThreadRun::kUnbound) continue;
     json["threads"].push_back(ThreadView(run, number, language));
+  }
+  json["warnings"] = Json::array();
+  for (const runtime::CardFinding& finding : run.findings()) {
+    json["warnings"].push_back(WarningView(finding, language));
   }
   return json;
 }

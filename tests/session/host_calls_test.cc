@@ -86,6 +86,23 @@ TEST_F(HostCallsTest, EndWhereTheHostEnded) {
   EXPECT_EQ(Result("evaluate", {{"text", "b"}})["value"], 30);
 }
 
+TEST_F(HostCallsTest, AreWhatTheSupervisorWarnsOf) {
+  runtime::RecordingHost host;
+  host.Call("GT_PrfJog", {1});
+  host.Call("GT_SetVel", {1, 10});
+  host.Call("GT_Update", {1});
+  host.Wait(1000);
+  host.Close();
+  Load(host.text());
+  const Json warnings = Forward("stop")["state"]["warnings"];
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_EQ(warnings[0]["name"], "drive-off");
+  EXPECT_EQ(warnings[0]["call"], "GT_Update(0x1)");
+  EXPECT_FALSE(warnings[0].contains("thread"));
+  EXPECT_FALSE(warnings[0].contains("line"));
+  EXPECT_EQ(warnings[1]["name"], "work-left");
+}
+
 // --- Back ----------------------------------------------------------------------------------------
 
 TEST_F(HostCallsTest, GoingBackBringsTheProgramBack) {

@@ -218,6 +218,27 @@ TEST_F(HostTest, ShowsWhyACommandWasRefused) {
   EXPECT_EQ(thread["refused"], stopped["stop"]["text"]);
 }
 
+TEST_F(HostTest, ShowsWhatTheSupervisorWarnsOf) {
+  Load(kUnpowered);
+  EXPECT_EQ(Result("state")["warnings"], Json::array());
+  Result("set_stops", {{"warnings", true}});
+  const Json stop = Result("forward", {{"goal", "stop"}});
+  EXPECT_EQ(stop["stop"]["reason"], "warning");
+  EXPECT_THAT(stop["stop"]["text"].get<std::string>(), HasSubstr("[drive-off]"));
+  EXPECT_EQ(stop["state"]["warnings"],
+            Json({{{"name", "drive-off"},
+                   {"text", "axis 1 moves while its drive is off, call GT_AxisOn first"},
+                   {"time_ms", 0.25},
+                   {"thread", 0},
+                   {"file", "p.c"},
+                   {"line", 6}}}));
+  Result("hello", {{"language", "zh"}});
+  EXPECT_EQ(Result("state")["warnings"][0]["text"],
+            "轴 1 在伺服使能关闭时运动，请先调用 GT_AxisOn");
+  Result("set_stops");
+  EXPECT_THAT(Result("forward", {{"goal", "stop"}})["state"]["warnings"], SizeIs(2));
+}
+
 TEST_F(HostTest, ShowsVariables) {
   Load(kAxis, "[[thread]]\nfunction = \"f\"\npage = 5\ninit = { k = 4 }\n");
   Result("forward", {{"goal", "cycle"}});

@@ -1,5 +1,5 @@
-// A session may be driven in any way: in the end its state is the one that straight execution of
-// what it recorded leads to.
+// A session may be driven in any way: in the end its state and its warnings are those that straight
+// execution of what it recorded leads to.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ struct Walked {
 };
 
 // Threads that race, wait for each other and for the host, sleep, fault and start periodically,
-// with and without axes that move.
+// with and without axes that move, or move axes as nobody means it.
 std::vector<Walked> Programs() {
   const std::string threads =
       "[[thread]]\nfunction = \"f\"\n[[thread]]\nthread = 3\nfunction = \"g\"\n";
@@ -42,10 +42,40 @@ std::vector<Walked> Programs() {
        "  i = i + 1;\n  goto loop;\n}\n",
        "until_ms = 12\n[[thread]]\nfunction = \"f\"\nperiod_ms = 2\n"
        "[[thread]]\nthread = 3\nfunction = \"g\"\n"},
+      {"warnings",
+       "int n;\nint f()\n{\n  GT_PrfJog(1);\n  GT_SetVel(1, 10);\n  GT_Update(1);\n"
+       "  GT_WaitForVarEq(&n, 2);\n  GT_Update(2);\n}\n"
+       "int g()\n{\n  int i;\n  int c;\n  GT_PrfTrap(2);\nloop:\n  i = i + 1;\n"
+       "  GT_SetPos(2, i);\n  GT_Delay(1);\n  GT_Update(2);\n  c = i < 9;\n"
+       "  if (c) goto loop;\n}\n",
+       "limit_ms = 30\n" + threads +
+           "[[world.switch]]\naxis = 1\ntype = \"limit_positive\"\nfrom = 100\n"},
   };
 }
 
 constexpr const char* kAwaited = "statements == 61 && clock < 30";
+
+/// What the supervisor warns of up to the present, with what only the end shows or without.
+std::vector<std::string> WarningTexts(const RewindableRun& run, bool with_end) {
+  std::vector<std::string> texts;
+  for (const runtime::CardFinding& finding : run.findings()) {
+    if (finding.at_end && !with_end) continue;
+    texts.push_back(DescribeFinding(finding, ProgramPath(run.scenario())).en);
+  }
+  return texts;
+}
+
+/// What it warns of in a whole run.
+std::vector<std::string> WarningTexts(const runtime::ScenarioResult& result) {
+  std::vector<std::string> texts;
+  for (const Message& warning : result.warnings) {
+    const auto names = [&warning](const runtime::CardWarningInfo& info) {
+      return warning.en.ends_with(fmt::format(" [{}]", info.name));
+    };
+    if (std::ranges::any_of(runtime::CardWarningTable(), names)) texts.push_back(warning.en);
+  }
+  return texts;
+}
 
 class RandomWalk {
  public:
@@ -79,6 +109,7 @@ class RandomWalk {
     if (!result.ok()) return 0;
     EXPECT_EQ(HashOfSecondSession(scenario.value(), schedule), result.value().hash);
     if (IsJudged(scenario.value())) {
+      EXPECT_EQ(WarningTexts(run(), true), WarningTexts(result.value()));
       const auto& failures = result.value().failures;
       const bool held = std::ranges::none_of(failures, [](const runtime::ScenarioFailure& failure) {
         return failure.message.en.find("held in no state") != std::string::npos;
@@ -109,6 +140,7 @@ class RandomWalk {
     };
     while (behind()) other.Step();
     while (other.NextStep() == StepKind::kHost) other.Step();
+    EXPECT_EQ(WarningTexts(run(), false), WarningTexts(other, false));
     return other.controller().Hash();
   }
 
@@ -186,9 +218,11 @@ TEST(RandomWalks, EndWhereStraightExecutionDoes) {
       ASSERT_EQ(walk.HashOfRecording(), hash) << walked.name << ", seed " << seed;
       // Going back and forth does not matter.
       const int64_t moment = walk.run().moment();
+      const auto warnings = WarningTexts(walk.run(), true);
       walk.run().GoTo(moment / 2);
       walk.run().GoTo(moment);
       ASSERT_EQ(walk.run().controller().Hash(), hash) << walked.name << ", seed " << seed;
+      ASSERT_EQ(WarningTexts(walk.run(), true), warnings) << walked.name << ", seed " << seed;
     }
   }
 }

@@ -180,6 +180,87 @@ TEST(RewindableRun, KeepsFewStatesOfALongRun) {
   EXPECT_EQ(run->controller().Hash(), end);
 }
 
+// --- Warnings ------------------------------------------------------------------------------------
+
+TEST(RewindableRun, GoingBackTakesWarningsBack) {
+  const auto run = RunOf(kUnpowered);
+  while (run->findings().empty()) run->Step();
+  const int64_t warned = run->moment();
+  EXPECT_EQ(run->last_step().kind, StepKind::kStatement);
+  EXPECT_THAT(run->last_step().warning->en, HasSubstr("[drive-off]"));
+  while (!run->Over()) run->Step();
+  EXPECT_THAT(run->last_step().warning->en, HasSubstr("[work-left]"));
+  EXPECT_THAT(WarningsOf(*run), ElementsAre("drive-off", "work-left"));
+  run->GoTo(run->moment() - 1);
+  EXPECT_THAT(WarningsOf(*run), ElementsAre("drive-off"));
+  run->GoTo(warned - 1);
+  EXPECT_THAT(WarningsOf(*run), ElementsAre());
+  run->GoTo(warned);
+  EXPECT_THAT(WarningsOf(*run), ElementsAre("drive-off"));
+  run->GoTo(run->head());
+  EXPECT_THAT(WarningsOf(*run), ElementsAre("drive-off", "work-left"));
+}
+
+TEST(RewindableRun, GoingBackTakesBackWhatTheSupervisorRemembers) {
+  const auto run = RunOf(
+      "int n;\nint f()\n{\n  GT_PrfTrap(1);\n  GT_SetPos(1, 100);\n  n = 1;\n}\n"
+      "int g()\n{\n  GT_SetPos(1, 200);\n  n = 2;\n}\n",
+      "[[thread]]\nfunction = \"f\"\n[[thread]]\nthread = 1\nfunction = \"g\"\n");
+  ASSERT_TRUE(run->StepThread(0).ok());
+  const int64_t in_mode_trap = run->moment();
+  ASSERT_TRUE(run->StepThread(0).ok());
+  // From there, thread 1 is the first one to set a target.
+  run->GoTo(in_mode_trap);
+  ASSERT_TRUE(run->StepThread(1).ok());
+  EXPECT_THAT(WarningsOf(*run), ElementsAre());
+  ASSERT_TRUE(run->StepThread(0).ok());
+  EXPECT_THAT(WarningsOf(*run), ElementsAre("two-threads"));
+}
+
+TEST(RewindableRun, WarnsAsAWholeRunDoes) {
+  const auto run = RunOf(kUnpowered);
+  while (!run->Over()) run->Advance(INT64_MAX);
+  std::vector<std::string> texts;
+  for (const runtime::CardFinding& finding : run->findings()) {
+    texts.push_back(DescribeFinding(finding, "p.c").en);
+  }
+  std::vector<std::string> wanted;
+  for (const Message& warning : runtime::RunForTest(kUnpowered, "").warnings) {
+    wanted.push_back(warning.en);
+  }
+  EXPECT_EQ(texts, wanted);
+}
+
+TEST(RewindableRun, ForgetsWhatTheEndHasShownWhenAChangeLetsTheRunGoOn) {
+  // The thread waits for ever, while the axis moves.
+  const auto run = RunOf(
+      "int go;\nint f()\n{\n  GT_AxisOn(1);\n  GT_PrfJog(1);\n  GT_SetVel(1, 10);\n"
+      "  GT_Update(1);\n  GT_WaitForVarEq(&go, 1);\n  GT_Stop(1, 0);\n  GT_Delay(100);\n}\n");
+  while (!run->Over()) run->Step();
+  EXPECT_EQ(run->Over(), RunOver::kDeadlock);
+  EXPECT_THAT(WarningsOf(*run), ElementsAre("work-left"));
+  // As long as nothing is changed it stays: the scenario's run has ended there.
+  run->Step();
+  EXPECT_THAT(WarningsOf(*run), ElementsAre("work-left"));
+  ASSERT_TRUE(run->WriteVariable("go", 1).ok());
+  const int64_t changed = run->moment();
+  EXPECT_THAT(WarningsOf(*run), ElementsAre());
+  while (!run->Over()) run->Step();
+  EXPECT_EQ(run->Over(), RunOver::kQuiet);
+  EXPECT_THAT(WarningsOf(*run), ElementsAre());
+  run->GoTo(changed - 1);
+  EXPECT_THAT(WarningsOf(*run), ElementsAre("work-left"));
+  run->Step();
+  EXPECT_THAT(WarningsOf(*run), ElementsAre());
+}
+
+TEST(RewindableRun, JudgesTheEndAgainAfterAChangeThatLeavesTheRunOver) {
+  const auto run = RunOf(kUnpowered);
+  while (!run->Over()) run->Step();
+  ASSERT_TRUE(run->WriteVariable("n", 5).ok());
+  EXPECT_THAT(WarningsOf(*run), ElementsAre("drive-off", "work-left"));
+}
+
 // --- Choices -------------------------------------------------------------------------------------
 
 TEST(RewindableRun, TheUserChoosesTheNextThread) {

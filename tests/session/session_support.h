@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "session/session.h"
 #include "tests/runtime/scenario_support.h"
@@ -65,5 +66,26 @@ inline constexpr const char* kMove =
     "  n = n + 1;\n"
     "  goto loop;\n"
     "}\n";
+
+/// An axis jogs from line 6 on with its drive off, and still does when the run ends.
+inline constexpr const char* kUnpowered =
+    "int n;\n"
+    "int f()\n"
+    "{\n"
+    "  GT_PrfJog(1);\n"
+    "  GT_SetVel(1, 10);\n"
+    "  GT_Update(1);\n"
+    "  GT_Delay(5);\n"
+    "  n = 1;\n"
+    "}\n";
+
+/// The names of the supervisor's findings up to the present.
+inline std::vector<std::string> WarningsOf(const RewindableRun& run) {
+  std::vector<std::string> names;
+  for (const runtime::CardFinding& finding : run.findings()) {
+    names.emplace_back(InfoOf(finding.warning).name);
+  }
+  return names;
+}
 
 }  // namespace oncard::session

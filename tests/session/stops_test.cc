@@ -287,6 +287,37 @@ TEST(Stops, DoNotStopThereIfThatIsNotWanted) {
   EXPECT_EQ(Next(&session).reason, StopReason::kEnd);
 }
 
+TEST(Stops, StopAtWarningsInBothDirectionsIfThatIsWanted) {
+  Session session = SessionOf(kUnpowered);
+  EXPECT_EQ(Next(&session).reason, StopReason::kEnd);
+  session.run().GoTo(0);
+  StopWishes wishes;
+  wishes.warnings = true;
+  Set(wishes, &session);
+  const Stop first = Next(&session);
+  EXPECT_EQ(first.reason, StopReason::kWarning);
+  EXPECT_EQ(first.thread, 0);
+  EXPECT_EQ(first.text.en,
+            "p.c:6: thread 0 f: axis 1 moves while its drive is off, call GT_AxisOn first "
+            "[drive-off]");
+  const int64_t warned = session.run().moment();
+  // With the statement that moves it.
+  session.run().GoTo(warned - 1);
+  EXPECT_EQ(session.run().machine().Line(0), 6);
+  session.run().GoTo(warned);
+  const Stop at_end = Next(&session);
+  EXPECT_EQ(at_end.reason, StopReason::kWarning);
+  EXPECT_THAT(at_end.text.en, HasSubstr("axis 1 still moves at the end"));
+  EXPECT_TRUE(session.run().Over());
+  EXPECT_EQ(Next(&session).reason, StopReason::kEnd);
+  const auto back = session.Back({});
+  ASSERT_TRUE(back.ok());
+  EXPECT_EQ(back.value().reason, StopReason::kWarning);
+  EXPECT_EQ(back.value().text.en, first.text.en);
+  EXPECT_EQ(session.run().moment(), warned);
+  EXPECT_EQ(session.Back({}).value().reason, StopReason::kStart);
+}
+
 TEST(Stops, StopWhereRequirementsStopHolding) {
   Session session = SessionOf(kLoop, "always = [\"n < 3\"]\nnever = [\"n == 5\"]\n");
   const Stop always = Next(&session);
