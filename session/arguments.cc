@@ -116,6 +116,21 @@ size_t Arguments::Word(const std::string& name, const std::vector<std::string_vi
   return 0;
 }
 
+std::vector<size_t> Arguments::Words(const std::string& name,
+                                     const std::vector<std::string_view>& words) {
+  std::vector<size_t> indices;
+  for (const std::string& word : Texts(name, {})) {
+    const auto found = std::ranges::find(words, std::string_view(word));
+    if (found != words.end()) {
+      indices.push_back(static_cast<size_t>(found - words.begin()));
+    } else {
+      Expect(name, MakeMessage("a list of {0}; there is no '{1}'", "应为列表，可含：{0}；没有“{1}”",
+                               fmt::to_string(fmt::join(words, ", ")), word));
+    }
+  }
+  return indices;
+}
+
 std::vector<Arguments> Arguments::Objects(const std::string& name) {
   std::vector<Arguments> objects;
   const Json* value = Find(name);

@@ -46,6 +46,8 @@ class Arguments {
 
   // Empty for a missing member.
 
+  /// A list of these words; the result is their indices.
+  std::vector<size_t> Words(const std::string& name, const std::vector<std::string_view>& words);
   std::map<std::string, std::string> TextsByName(const std::string& name);
   /// The objects in a list, each with its arguments. Join() is to be called with each when all its
   /// members have been read: it adds its mistakes.

@@ -42,6 +42,19 @@ Error NoSession() {
   return MakeError(1, "no program is loaded: 'load' one first", "尚未加载程序：请先使用“load”");
 }
 
+/// The supervisor's warnings that are left out.
+runtime::CardWarnings ReadSilent(Arguments* arguments) {
+  std::vector<std::string_view> names;
+  for (const runtime::CardWarningInfo& info : runtime::CardWarningTable()) {
+    names.push_back(info.name);
+  }
+  runtime::CardWarnings silent;
+  for (const size_t index : arguments->Words("silent", names)) {
+    silent.Add(runtime::CardWarningTable()[index].warning);
+  }
+  return silent;
+}
+
 Walk ReadWalk(Arguments* arguments) {
   Walk walk;
   walk.goal = static_cast<Goal>(arguments->Word("goal", kGoals));
@@ -132,7 +145,8 @@ class SessionHost::Requests {
   Result<Json> Record(Arguments& arguments);
 
   Result<Json> LoadCalls(const std::string& text, const std::string& path, std::optional<int> card,
-                         int opening);
+                         int opening, runtime::CardWarnings silent);
+  void Begin(Session session, runtime::CardWarnings silent);
   Result<Json> Answer(std::string_view text);
   /// Reads the files that a request brings.
   Result<Project> ReadFiles(Arguments& arguments,
@@ -159,8 +173,8 @@ const std::vector<SessionHost::Requests::Request>& SessionHost::Requests::All() 
   static const std::vector<Request> all = {
       {{"hello", "[protocol] [language]"}, &Requests::Hello},
       {{"check", "main [files] [structured]"}, &Requests::Check},
-      {{"run", "main [files] [structured] [show]"}, &Requests::RunWhole},
-      {{"load", "main [files] [structured] [card] [opening]"}, &Requests::Load},
+      {{"run", "main [files] [structured] [show] [silent]"}, &Requests::RunWhole},
+      {{"load", "main [files] [structured] [card] [opening] [silent]"}, &Requests::Load},
       {{"state", ""}, &Requests::State},
       {{"forward", "goal [thread] [ms] [budget]"}, &Requests::Forward},
       {{"back", "goal [thread] [name] [budget]"}, &Requests::Back},
@@ -305,6 +319,7 @@ Result<Json> SessionHost::Requests::Check(Arguments& arguments) {
 Result<Json> SessionHost::Requests::RunWhole(Arguments& arguments) {
   runtime::RunOptions options;
   options.show = arguments.Texts("show", {});
+  options.silent = ReadSilent(&arguments);
   auto project = ReadFiles(arguments, runtime::ScenarioUse::kRun);
   if (!project.ok()) return project.error();
   const compiler::Compilation& compilation = project.value().compilation;
@@ -324,10 +339,11 @@ Result<Json> SessionHost::Requests::Load(Arguments& arguments) {
   std::optional<int> card;
   if (arguments.Has("card")) card = static_cast<int>(arguments.Whole("card", 0, kCardMax));
   const auto opening = static_cast<int>(arguments.Whole("opening", 1, kOpeningMax, 1));
+  const runtime::CardWarnings silent = ReadSilent(&arguments);
   const std::string main = arguments.Text("main");
   auto project = ReadFiles(arguments);
   if (!project.ok()) return project.error();
-  if (project.value().calls) return LoadCalls(*project.value().calls, main, card, opening);
+  if (project.value().calls) return LoadCalls(*project.value().calls, main, card, opening, silent);
   compiler::Compilation& compilation = project.value().compilation;
   Json answer = {{"compiled", compilation.ok()},
                  {"diagnostics", compiler::DiagnosticsJson(compilation, language_)}};
@@ -336,8 +352,7 @@ Result<Json> SessionHost::Requests::Load(Arguments& arguments) {
       Session::Create(std::move(project.value().scenario), *std::move(compilation.object),
                       std::move(project.value().schedule));
   if (!session.ok()) return session.error();
-  session_.emplace(std::move(session).value());
-  session_->EndEarly(&ended_);
+  Begin(std::move(session).value(), silent);
   answer["files"] = Json::array();
   for (const compiler::SourceFile& file : compilation.files) {
     answer["files"].push_back({{"path", file.path()}, {"text", file.text()}});
@@ -347,18 +362,24 @@ Result<Json> SessionHost::Requests::Load(Arguments& arguments) {
 }
 
 Result<Json> SessionHost::Requests::LoadCalls(const std::string& text, const std::string& path,
-                                              std::optional<int> card, int opening) {
+                                              std::optional<int> card, int opening,
+                                              runtime::CardWarnings silent) {
   if (calls_ == nullptr) {
     return MakeError(1, "records of host calls are read by the 'oncard' command only",
                      "主机调用记录只能由“oncard”命令读取");
   }
   auto loaded = calls_(text, path, card, opening);
   if (!loaded.ok()) return loaded.error();
-  session_.emplace(std::move(loaded.value().session));
-  session_->EndEarly(&ended_);
+  Begin(std::move(loaded.value().session), silent);
   Json answer = std::move(loaded.value().answer);
   answer["state"] = StateNow();
   return answer;
+}
+
+void SessionHost::Requests::Begin(Session session, runtime::CardWarnings silent) {
+  session_.emplace(std::move(session));
+  session_->EndEarly(&ended_);
+  session_->run().Silence(silent);
 }
 
 // --- Walks ---------------------------------------------------------------------------------------

@@ -384,11 +384,11 @@ void RewindableRun::ForgetEnd() {
 }
 
 void RewindableRun::NoteFindings() {
-  const size_t noted = std::exchange(place_.findings, findings().size());
-  if (noted == place_.findings) return;
-  place_.warned += static_cast<int64_t>(place_.findings - noted);
-  if (!report_.warning) {
-    report_.warning = DescribeFindingPlace(findings()[noted], ProgramPath(scenario_));
+  for (; place_.findings < findings().size(); ++place_.findings) {
+    const runtime::CardFinding& finding = findings()[place_.findings];
+    if (IsSilent(finding)) continue;
+    ++place_.warned;
+    if (!report_.warning) report_.warning = DescribeFindingPlace(finding, ProgramPath(scenario_));
   }
 }
 

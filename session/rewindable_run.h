@@ -53,7 +53,7 @@ struct StepReport {
   std::vector<Message> failed;             ///< kHost: expectations that did not hold, and why
   bool call = false;                       ///< kHost: a call of a recorded host
   std::optional<Message> deviation;        ///< the card has not answered as it is recorded
-  std::optional<Message> warning;          ///< the first of the supervisor's findings that are new
+  std::optional<Message> warning;          ///< the first of the supervisor's that are new
 };
 
 /// Why the scenario's run is over.
@@ -138,8 +138,11 @@ class RewindableRun {
   /// What the supervisor has found up to this moment. What the end of the run has shown stays while
   /// the card goes on, until something is changed.
   const std::vector<runtime::CardFinding>& findings() const { return supervisor_.findings(); }
-  /// Grows with each new finding, and not otherwise.
+  /// Grows with each new finding that is not silenced, and not otherwise.
   int64_t warned() const { return place_.warned; }
+  /// Findings of these kinds are no warnings. To be called at moment 0.
+  void Silence(runtime::CardWarnings silent) { silent_ = silent; }
+  bool IsSilent(const runtime::CardFinding& finding) const { return silent_.Has(finding.warning); }
 
   // --- Forward ---------------------------------------------------------------------------------
 
@@ -343,6 +346,7 @@ class RewindableRun {
   RefusalLog log_;
   runtime::Controller controller_;
   runtime::Supervisor supervisor_;
+  runtime::CardWarnings silent_;
   runtime::Agenda agenda_;
   std::unique_ptr<const runtime::HostCalls> calls_;
   std::unique_ptr<runtime::Controller> lookup_;  // of CardWith()

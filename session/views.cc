@@ -227,7 +227,7 @@ nlohmann::ordered_json StateView(const RewindableRun& run, Language language) {
   }
   json["warnings"] = Json::array();
   for (const runtime::CardFinding& finding : run.findings()) {
-    json["warnings"].push_back(WarningView(finding, language));
+    if (!run.IsSilent(finding)) json["warnings"].push_back(WarningView(finding, language));
   }
   return json;
 }

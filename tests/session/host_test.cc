@@ -239,6 +239,21 @@ TEST_F(HostTest, ShowsWhatTheSupervisorWarnsOf) {
   EXPECT_THAT(Result("forward", {{"goal", "stop"}})["state"]["warnings"], SizeIs(2));
 }
 
+TEST_F(HostTest, LeavesOutWarningsThatAreSilenced) {
+  const Json project = {
+      {"main", "p.c"}, {"files", {{"p.c", kUnpowered}}}, {"silent", {"drive-off"}}};
+  Result("load", project);
+  Result("set_stops", {{"warnings", true}});
+  const Json stop = Result("forward", {{"goal", "stop"}});
+  EXPECT_THAT(stop["stop"]["text"].get<std::string>(), HasSubstr("[work-left]"));
+  ASSERT_THAT(stop["state"]["warnings"], SizeIs(1));
+  EXPECT_EQ(stop["state"]["warnings"][0]["name"], "work-left");
+  EXPECT_THAT(Result("run", project)["run"]["warnings"], SizeIs(1));
+  EXPECT_THAT(ErrorOf("load", {{"main", "p.c"}, {"silent", {"drive-on"}}}),
+              AllOf(HasSubstr("'silent' is wrong: a list of drive-off, update-mask, "),
+                    HasSubstr("; there is no 'drive-on'")));
+}
+
 TEST_F(HostTest, ShowsVariables) {
   Load(kAxis, "[[thread]]\nfunction = \"f\"\npage = 5\ninit = { k = 4 }\n");
   Result("forward", {{"goal", "cycle"}});
