@@ -2,7 +2,7 @@
 
 import { basename } from "node:path";
 
-import type { Diagnostic, Language } from "@oncard/engine";
+import type { CardWarning, Diagnostic, Language } from "@oncard/engine";
 import { type Event, OutputEvent, Source } from "@vscode/debugadapter";
 import type { DebugProtocol } from "@vscode/debugprotocol";
 
@@ -75,6 +75,21 @@ export class Editor {
     event.body.source = new Source(basename(file), file);
     event.body.line = line;
     event.body.column = column;
+    this.tell(event);
+  }
+
+  /** @param source the file of the warning, as far as it is known */
+  showWarning({ name, text, file, line, call }: CardWarning, source?: Source): void {
+    const place = file === undefined ? call : `${file}:${line ?? 0}`;
+    const what = this.say({ en: `warning: ${text}`, zh: `警告：${text}` });
+    const event: Event & DebugProtocol.OutputEvent = new OutputEvent(
+      `${place === undefined ? "" : `${place}: `}${what} [${name}]\n`,
+      "console",
+    );
+    if (source && line !== undefined) {
+      event.body.source = source;
+      event.body.line = line;
+    }
     this.tell(event);
   }
 }

@@ -12,8 +12,16 @@ import type { Movement } from "./movements.js";
 import type { Stops } from "./stops.js";
 import { describeStop, type Text, UserError } from "./texts.js";
 import { judge, judgeHost, type Verdict } from "./verdict.js";
+import { Warnings } from "./warnings.js";
 
-const exceptionReasons = new Set(["fault", "refusal", "requirement", "race", "deviation"]);
+const exceptionReasons = new Set([
+  "fault",
+  "refusal",
+  "requirement",
+  "race",
+  "warning",
+  "deviation",
+]);
 
 export class Mover {
   readonly #editor: Editor;
@@ -22,6 +30,7 @@ export class Mover {
   #moving: AbortController | undefined;
   #last: Stop | undefined;
   #verdict: Verdict | undefined;
+  #warnings = new Warnings();
 
   constructor(editor: Editor, stops: Stops) {
     this.#editor = editor;
@@ -43,6 +52,7 @@ export class Mover {
       launched.variables.reset();
       if (!answered) this.#editor.send(response);
       answered = true;
+      if (this.#moving === moving) this.#warnings.show(launched, this.#editor);
     };
     movement
       .walk(launched.engine, { signal: moving.signal, onSlice })
@@ -89,6 +99,7 @@ export class Mover {
     this.#moving = undefined;
     this.#last = undefined;
     this.#verdict = undefined;
+    this.#warnings = new Warnings();
   }
 
   /** The card stands before its first step. */
@@ -130,7 +141,10 @@ export class Mover {
       await this.#showVerdict(launched);
     }
     const text = describeStop(stop, state);
-    if (text) this.#editor.print(`${this.#editor.say(text)}\n`, "console");
+    // A warning has just been shown.
+    if (text && stop.reason !== "warning") {
+      this.#editor.print(`${this.#editor.say(text)}\n`, "console");
+    }
     const byHost = exceptionReasons.has(stop.reason);
     const thread =
       stop.thread ??

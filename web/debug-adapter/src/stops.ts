@@ -17,7 +17,7 @@ export interface Wish {
   refused?: string;
 }
 
-export type Filter = "fault" | "refusal" | "requirement" | "race";
+export type Filter = "fault" | "refusal" | "requirement" | "race" | "warning";
 
 /** Those that are set unless the user says otherwise. */
 export const usualFilters: readonly Filter[] = ["fault", "refusal", "requirement"];
@@ -105,6 +105,7 @@ export class Stops {
       refusals: this.#filters.has("refusal"),
       requirements: this.#filters.has("requirement"),
       races: this.#filters.has("race"),
+      warnings: this.#filters.has("warning"),
     });
     this.#lines = good.filter(({ at }) => at && "line" in at);
     this.#changes = good.filter(({ at }) => at && "change" in at);

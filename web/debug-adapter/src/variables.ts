@@ -211,15 +211,14 @@ export class Variables {
           ...parts((part) => inputOutputParts.has(part)),
         ];
       case "card": {
-        const { threads, host, ...facts } = state;
+        const { threads, warnings, host, ...facts } = state;
+        const counts = { threads: threads.length, warnings: warnings.length };
         return [
-          ...Object.entries({ ...facts, ...namesOfHost(host), threads: threads.length }).map(
-            ([name, value]) => ({
-              name,
-              value: String(value),
-              variablesReference: 0,
-            }),
-          ),
+          ...Object.entries({ ...facts, ...namesOfHost(host), ...counts }).map(([name, value]) => ({
+            name,
+            value: String(value),
+            variablesReference: 0,
+          })),
           ...parts((part) => part !== "axis" && !inputOutputParts.has(part)),
         ];
       }

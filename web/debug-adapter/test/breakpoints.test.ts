@@ -3,7 +3,15 @@ import { join } from "node:path";
 import type { DebugProtocol } from "@vscode/debugprotocol";
 import { describe, expect, test } from "vitest";
 
-import { type Editor, folderOf, only, openEditor, programOf, sample } from "./support.js";
+import {
+  type Editor,
+  folderOf,
+  only,
+  openEditor,
+  programOf,
+  sample,
+  unpowered,
+} from "./support.js";
 
 const loop = `int x;
 int f()
@@ -276,9 +284,11 @@ describe("exceptions", () => {
     ["refusal", () => programOf(refused)],
     ["requirement", () => join(folderOf({ "p.c": loop, "a.toml": always }), "a.toml")],
     ["race", () => join(folderOf({ "p.c": unordered, "a.toml": both }), "a.toml")],
+    ["warning", () => programOf(unpowered)],
   ])("%s", async (filter, program) => {
     expect(await stopWith(program(), [filter])).toEqual(["exception", filter]);
-    const others = ["fault", "refusal", "requirement", "race"].filter((other) => other !== filter);
+    const all = ["fault", "refusal", "requirement", "race", "warning"];
+    const others = all.filter((other) => other !== filter);
     expect(await stopWith(program(), others)).toEqual(["pause", "end"]);
   });
 

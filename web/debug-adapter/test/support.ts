@@ -30,6 +30,10 @@ export function programOf(text: string, name = "p.c"): string {
   return join(folderOf({ [name]: text }), name);
 }
 
+/** Jogs an axis from line 6 on with its drive off; it still moves at the end of the run. */
+export const unpowered =
+  "int n;\nint f()\n{\n  GT_PrfJog(1);\n  GT_SetVel(1, 10);\n  GT_Update(1);\n  GT_Delay(5);\n  n = 1;\n}\n";
+
 type Stopped = DebugProtocol.StoppedEvent["body"];
 
 export class Editor {

@@ -151,6 +151,18 @@ export interface Thread {
   refused?: string;
 }
 
+/** What the card's supervisor warns of; its place in the program, or the call of the host. */
+export interface CardWarning {
+  name: string;
+  text: string;
+  /** Of its first occurrence. */
+  time_ms: number;
+  thread?: number;
+  file?: string;
+  line?: number;
+  call?: string;
+}
+
 export interface State {
   moment: number;
   head: number;
@@ -165,6 +177,8 @@ export interface State {
   host?: HostState;
   hash: string;
   threads: Thread[];
+  /** Up to this moment. */
+  warnings: CardWarning[];
 }
 
 export type StopReason =
@@ -175,6 +189,7 @@ export type StopReason =
   | "fault"
   | "refusal"
   | "race"
+  | "warning"
   | "requirement"
   | "deviation"
   | "schedule-end"
@@ -238,6 +253,7 @@ export interface StopWishes {
   refusals?: boolean;
   requirements?: boolean;
   races?: boolean;
+  warnings?: boolean;
 }
 
 export type Value = number | number[];
