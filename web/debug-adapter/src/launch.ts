@@ -24,6 +24,8 @@ export interface LaunchConfig {
   stopAtFunction: string | undefined;
   /** The program is structured C. */
   structured: boolean;
+  /** Names of warnings of the card that are left out. */
+  silent: string[];
   /** Nothing stops the run. */
   noDebug: boolean;
   /** The command that is the engine. */
@@ -52,6 +54,7 @@ export function readLaunchConfig(
     stopOnEntry: flagIn(config, "stopOnEntry"),
     stopAtFunction: textIn(config, "stopAtFunction"),
     structured: flagIn(config, "structured"),
+    silent: textsIn(config, "silent"),
     noDebug: flagIn(config, "noDebug"),
     oncard: oncard ?? "oncard",
     module: oncard === undefined ? environment["ONCARD_MODULE"] : undefined,

@@ -43,9 +43,9 @@ async function open(
   const engine = await startEngine(config);
   try {
     await engine.hello(editor.language);
-    const { structured, stopAtFunction, card } = config;
-    const opening = card === undefined ? {} : { card };
-    const loaded = await engine.load({ main: program, structured }, opening);
+    const { structured, stopAtFunction, card, silent } = config;
+    const options = card === undefined ? { silent } : { silent, card };
+    const loaded = await engine.load({ main: program, structured }, options);
     for (const each of loaded.diagnostics) editor.showDiagnostic(each);
     if (!loaded.compiled) throw notCompiled(loaded, program);
     const code = new Code(loaded.files, await engine.listing());

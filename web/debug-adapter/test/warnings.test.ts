@@ -59,6 +59,21 @@ test("a stop at a warning names it, and it is written once", async () => {
   expect(editor.output).toBe(`${driveOff} [drive-off]\n`);
 });
 
+test("those that are not wanted are left out", async () => {
+  const editor = await openEditor();
+  const warnings = warningsOf(editor);
+  await editor.launch(programOf(unpowered), { silent: ["drive-off"] });
+  await editor.run();
+  expect(warnings).toHaveLength(1);
+  expect(warnings[0]?.output).toContain("[work-left]");
+});
+
+test("one that does not exist cannot be left out", async () => {
+  const editor = await openEditor();
+  const launched = editor.launch(programOf(unpowered), { silent: ["drive-on"] });
+  await expect(launched).rejects.toThrow("there is no 'drive-on'");
+});
+
 test("in the editor's language", async () => {
   const editor = await openEditor();
   await editor.initialize({ locale: "zh-cn" });

@@ -21,7 +21,7 @@ import type {
   Language,
   ListedFunction,
   Loaded,
-  Opening,
+  LoadOptions,
   LogEvent,
   Lowered,
   OutlineEntry,
@@ -123,8 +123,8 @@ export class Engine {
   explore(project: Project, language?: Language): Promise<ExploreAnswer> {
     return this.#requestWithFiles("explore", project, { language });
   }
-  load(project: Project, opening: Opening = {}): Promise<Loaded> {
-    return this.#requestWithFiles("load", project, { ...opening });
+  load(project: Project, options: LoadOptions = {}): Promise<Loaded> {
+    return this.#requestWithFiles("load", project, { ...options });
   }
   state(): Promise<State> {
     return this.#request("state");

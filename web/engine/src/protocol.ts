@@ -14,10 +14,13 @@ export interface Project {
   structured?: boolean;
 }
 
-/** Which record of a host is loaded. */
-export interface Opening {
+/** How a project is loaded. */
+export interface LoadOptions {
+  /** Which record of a host. */
   card?: number;
   opening?: number;
+  /** Names of warnings of the card that are left out. */
+  silent?: readonly string[];
 }
 
 export interface Hello {

@@ -62,7 +62,7 @@ test("the launch attributes are those of the debugger's page", () => {
 test("those of attaching are the host's and some of a launch", () => {
   const [oncard] = contributes.debuggers;
   const attributes = Object.keys(oncard?.configurationAttributes.attach.properties ?? {});
-  const ofLaunch = ["stopOnEntry", "stopAtFunction", "card", "oncard"];
+  const ofLaunch = ["stopOnEntry", "stopAtFunction", "silent", "card", "oncard"];
   const ofHost = documented("## A host program", "## A counterexample");
   expect(ofHost).toContain("host");
   expect(attributes.sort()).toEqual([...ofHost, ...ofLaunch].sort());
