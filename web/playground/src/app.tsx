@@ -9,6 +9,7 @@ import { ProgramPanel } from "./editor/editor.js";
 import { LessonPanel } from "./lesson/lesson_panel.js";
 import { MachinePanel } from "./machine/machine.js";
 import { ValuesPanel } from "./panel/values.js";
+import { front, type Panel, panels } from "./panels.js";
 import { ScopePanel } from "./scope/scope.js";
 import type { ReadLink } from "./share/link.js";
 import { language } from "./store/settings.js";
@@ -16,11 +17,6 @@ import { texts } from "./texts/texts.js";
 import { TimelinePanel } from "./timeline/timeline.js";
 import { allLessons } from "./workspace.js";
 
-const panels = ["lesson", "program", "machine", "timeline", "scope", "values"] as const;
-type Panel = (typeof panels)[number];
-
-/** The panel that narrow screens show. */
-const front = signal<Panel>("lesson");
 /** What the link of the address was. */
 export const link = signal<ReadLink>({ kind: "none" });
 
