@@ -107,6 +107,18 @@ test("the colours can be chosen", async ({ page }) => {
   await expect(page.locator("html")).toHaveAttribute("data-theme", "dark");
 });
 
+for (const width of [1000, 1280, 1440]) {
+  test(`the buttons of the bar do not overlap at ${width} pixels`, async ({ page }) => {
+    await page.setViewportSize({ width, height: 800 });
+    await open(page);
+    const explore = await page.getByRole("button", { name: "Explore" }).boundingBox();
+    const share = await page.getByRole("button", { name: "Share" }).boundingBox();
+    if (!explore || !share) throw new Error("a button is missing");
+    const beside = share.x >= explore.x + explore.width;
+    expect(beside || share.y >= explore.y + explore.height).toBe(true);
+  });
+}
+
 for (const width of [360, 390]) {
   test(`a phone of ${width} pixels shows one panel at a time`, async ({ page }) => {
     await page.setViewportSize({ width, height: 780 });
