@@ -2,7 +2,16 @@
 
 import { expect, test } from "@playwright/test";
 
-import { atMaximum, editor, expectAccessible, open, openOwn, status, write } from "./support.js";
+import {
+  atMaximum,
+  editor,
+  expectAccessible,
+  open,
+  openOwn,
+  runUnpowered,
+  status,
+  write,
+} from "./support.js";
 
 test("a link opens the same project elsewhere, and the programs there stay", async ({
   page,
@@ -145,6 +154,22 @@ for (const width of [360, 390]) {
     await expectAccessible(page);
   });
 }
+
+test("the number of warnings leads to their list on a phone", async ({ page }) => {
+  await open(page);
+  await runUnpowered(page);
+  await page.setViewportSize({ width: 390, height: 844 });
+  await page.getByRole("button", { name: "2 warnings" }).click();
+  const list = page.getByRole("group", { name: "Warnings" });
+  await expect(list).toBeFocused();
+  await expect(list).toContainText("axis 1 moves while its drive is off");
+  const wide = await list.evaluate((each) => each.scrollWidth - each.clientWidth);
+  expect(wide).toBeLessThanOrEqual(0);
+  await expectAccessible(page);
+  await list.getByRole("button", { name: "6" }).first().click();
+  await expect(editor(page)).toBeVisible();
+  await expect(page.locator(".cm-linked")).toHaveText("  GT_Update(1);");
+});
 
 test("everything can be done with keys", async ({ page }) => {
   await open(page);

@@ -8,6 +8,7 @@ import {
   expectAccessible,
   open,
   openOwn,
+  runUnpowered,
   status,
   text,
   write,
@@ -195,6 +196,29 @@ test("a fault and a refused command are said in words", async ({ page }) => {
   await write(page, "int main()\n{\n  GT_PrfJog(1);\n  GT_SetPos(1, 5);\n}\n");
   await page.getByRole("button", { name: "Run", exact: true }).click();
   await expect(status(page)).toContainText("Command of thread 0 refused: GT_SetPos");
+});
+
+test("warnings of the card are counted, listed and taken back", async ({ page }) => {
+  await open(page);
+  await runUnpowered(page);
+  const mark = page.getByRole("button", { name: "2 warnings" });
+  await mark.click();
+  const list = page.getByRole("group", { name: "Warnings" });
+  await expect(list).toBeFocused();
+  const rows = list.locator("tbody tr");
+  await expect(rows.first()).toContainText("axis 1 moves while its drive is off");
+  await expect(rows.first().locator("td").last()).toHaveText("0.25");
+  await expect(rows.last()).toContainText("work-left");
+  await expectAccessible(page);
+  await rows.first().getByRole("button", { name: "6" }).click();
+  await page.getByRole("button", { name: "Statements" }).click();
+  await expect(page.locator("tr.linked").first()).toContainText("GT_Update");
+  await page.getByRole("button", { name: "Warnings", exact: true }).click();
+  await page.getByRole("button", { name: "To the start" }).click();
+  await expect(mark).toHaveCount(0);
+  await expect(list).toHaveText("There are no warnings up to this moment.");
+  await page.getByRole("button", { name: /中文|Chinese/ }).click();
+  await expect(page.getByText("到此刻为止没有警告。")).toBeVisible();
 });
 
 test("an input is switched", async ({ page }) => {

@@ -53,6 +53,18 @@ export async function text(page: Page): Promise<string> {
   return (await editor(page).locator(".cm-line").allTextContents()).join("\n");
 }
 
+/** Runs a program that jogs an axis from line 6 on with its drive off, to the end of the run. */
+export async function runUnpowered(page: Page): Promise<void> {
+  await openOwn(page);
+  await write(
+    page,
+    "int n;\nint main()\n{\n  GT_PrfJog(1);\n  GT_SetVel(1, 10);\n  GT_Update(1);\n}\n",
+  );
+  await expect(page.getByText("No messages")).toBeVisible();
+  await atMaximum(page);
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+}
+
 export async function atMaximum(page: Page): Promise<void> {
   await page.getByLabel("Speed").selectOption("Infinity");
 }

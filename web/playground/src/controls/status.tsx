@@ -2,6 +2,7 @@
 
 import type { Stop } from "@oncard/engine";
 
+import { showWarnings } from "../panel/values.js";
 import type { Notice } from "../session/bench.js";
 import { keeps } from "../store/keep.js";
 import type { Texts } from "../texts/en.js";
@@ -69,12 +70,20 @@ export function StatusLine() {
   const { status: t } = texts.value;
   const [text, tone] = noticeText(texts.value, bench.notice.value);
   const state = bench.state.value;
+  const warnings = state?.warnings.length ?? 0;
   return (
     <div class="status">
       <span class={`status-text ${tone}`} role="status" aria-live="polite">
         {text}
       </span>
       {edited.value && bench.loaded && <span class="tag accent">{t.edited}</span>}
+      <span aria-live="polite">
+        {warnings > 0 && (
+          <button type="button" class="tag warning" onClick={showWarnings}>
+            {t.warnings(warnings)}
+          </button>
+        )}
+      </span>
       {state?.follows_schedule && <span class="tag">{t.follows}</span>}
       {!keeps.value && <span class="tag bad">{t.notKept}</span>}
       <span class="grow" />

@@ -4,6 +4,7 @@ import { signal } from "@preact/signals";
 import { useLayoutEffect, useRef, useState } from "preact/hooks";
 
 import { Dialog } from "../panel/dialog.js";
+import { front } from "../panels.js";
 import { language } from "../store/settings.js";
 import { texts } from "../texts/texts.js";
 import {
@@ -47,6 +48,7 @@ function inFile(name: string, work: (shown: CodeEditor) => void): void {
 
 /** Shows a line of the program in the editor. */
 export function showLine(line: number): void {
+  front.value = "program";
   chosenLine.value = line;
   inFile(lesson.value.program, (shown) => {
     shown.reveal(line);

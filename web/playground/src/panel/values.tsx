@@ -1,14 +1,24 @@
-// Variables, threads, and the statements on the card beside the lines of the source.
+// Variables, threads, the statements on the card beside the lines of the source, and warnings.
 
 import { type ListedFunction, recordText, type Variable } from "@oncard/engine";
 import { signal } from "@preact/signals";
 
 import { chosenLine, showLine } from "../editor/editor.js";
+import { front } from "../panels.js";
 import { number, texts } from "../texts/texts.js";
 import { bench, edited } from "../workspace.js";
 
-const tabs = ["variables", "threads", "listing"] as const;
+const tabs = ["variables", "threads", "listing", "warnings"] as const;
 const tab = signal<(typeof tabs)[number]>("variables");
+
+/** Shows the warnings of the card, and leads the keyboard to them once they are drawn. */
+export function showWarnings(): void {
+  front.value = "values";
+  tab.value = "warnings";
+  requestAnimationFrame(() => {
+    document.querySelector<HTMLElement>(".values-panel > .scroll")?.focus();
+  });
+}
 
 export function ValuesPanel() {
   const { values: t } = texts.value;
@@ -34,8 +44,10 @@ export function ValuesPanel() {
           <Variables />
         ) : tab.value === "threads" ? (
           <Threads />
-        ) : (
+        ) : tab.value === "listing" ? (
           <Listing />
+        ) : (
+          <Warnings />
         )}
       </div>
     </div>
@@ -143,6 +155,51 @@ function Threads() {
               {thread.status}
               {thread.refused && ` (${thread.refused})`}
             </td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+/** What the card's supervisor warns of up to the present moment. */
+function Warnings() {
+  const { values: t } = texts.value;
+  const warnings = bench.state.value?.warnings ?? [];
+  if (warnings.length === 0) return <p class="muted empty">{t.noWarnings}</p>;
+  return (
+    <table class="values">
+      <thead>
+        <tr>
+          <th scope="col" class="number">
+            {t.line}
+          </th>
+          <th scope="col">{t.warning}</th>
+          <th scope="col" class="number">
+            {t.time}
+          </th>
+        </tr>
+      </thead>
+      <tbody>
+        {warnings.map(({ name, text, time_ms: ms, line }, index) => (
+          <tr key={index}>
+            <td class="number">
+              {line !== undefined && (
+                <button
+                  type="button"
+                  class="link"
+                  onClick={() => {
+                    showLine(line);
+                  }}
+                >
+                  {line}
+                </button>
+              )}
+            </td>
+            <td>
+              {text} <span class="tag warning">{name}</span>
+            </td>
+            <td class="number">{number(ms)}</td>
           </tr>
         ))}
       </tbody>

@@ -76,6 +76,7 @@ export const en = {
     notCompiled: "The program has errors; nothing is on the card.",
     edited: "The program was edited: it is loaded anew when it runs.",
     follows: "A recording is being followed.",
+    warnings: (count: number) => (count === 1 ? "1 warning" : `${count} warnings`),
     engineEnded: (why: string) =>
       `The simulated card has failed (${why}). The texts are kept; Run starts it again.`,
     noEngine: (why: string) =>
@@ -184,7 +185,12 @@ export const en = {
 
   values: {
     label: "Values",
-    tabs: { variables: "Variables", threads: "Threads", listing: "Statements" },
+    tabs: {
+      variables: "Variables",
+      threads: "Threads",
+      listing: "Statements",
+      warnings: "Warnings",
+    },
     globals: "Global variables",
     locals: (page: number, name: string) => `Page ${page}: ${name}`,
     none: "no variables",
@@ -197,6 +203,9 @@ export const en = {
     status: "status",
     statement: "statement on the card",
     words: "instruction words",
+    warning: "warning of the card",
+    time: "ms",
+    noWarnings: "There are no warnings up to this moment.",
     idle: "Nothing is on the card.",
   },
 

@@ -77,6 +77,7 @@ export const zh: Texts = {
     notCompiled: "程序有错误，卡上没有程序。",
     edited: "程序已修改，运行时会重新装载。",
     follows: "正在按录制运行。",
+    warnings: (count) => `${count} 条警告`,
     engineEnded: (why) => `模拟的控制卡出了故障（${why}）。文本已保留；点“运行”会重新启动它。`,
     noEngine: (why) => `无法启动模拟的控制卡（${why}）。文本已保留；请重新载入页面再试。`,
     notKept: "此浏览器不保存任何内容：请分享链接，否则关闭页面后文本会丢失。",
@@ -183,7 +184,7 @@ export const zh: Texts = {
 
   values: {
     label: "数值",
-    tabs: { variables: "变量", threads: "线程", listing: "语句" },
+    tabs: { variables: "变量", threads: "线程", listing: "语句", warnings: "警告" },
     globals: "全局变量",
     locals: (page, name) => `数据页 ${page}：${name}`,
     none: "没有变量",
@@ -196,6 +197,9 @@ export const zh: Texts = {
     status: "状态",
     statement: "卡上的语句",
     words: "指令字",
+    warning: "控制卡的警告",
+    time: "ms",
+    noWarnings: "到此刻为止没有警告。",
     idle: "卡上没有程序。",
   },
 
