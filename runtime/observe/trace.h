@@ -11,6 +11,7 @@
 
 #include "base/message.h"
 #include "runtime/observe/quantity.h"
+#include "runtime/observe/row_log.h"
 
 namespace oncard::runtime {
 
@@ -19,13 +20,6 @@ struct TraceColumn {
   /// Dropped at the end if the value has not changed by more than `threshold`.
   bool only_if_changed = false;
   double threshold = 0;
-};
-
-struct TraceRow {
-  int64_t time_us = 0;
-  std::vector<double> values;  ///< one per column
-  /// A high-speed output changed inside a cycle; the other values are those of the row before.
-  bool inside_cycle = false;
 };
 
 /// A thread was running from one instant to the other.
