@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/markup.h"
 #include "base/milliseconds.h"
@@ -29,34 +30,39 @@ AxisCurve::AxisCurve(const runtime::Trace* trace) : trace_(trace) {
   if (trace == nullptr || trace->rows().empty()) return;
   for (size_t column = 0; column < trace->columns().size(); ++column) {
     if (!trace->columns()[column].quantity.name.ends_with(kPosition)) continue;
-    Line line = {column, trace->rows().front().values[column], 0};
-    line.greatest = line.least;
-    for (const runtime::TraceRow& row : trace->rows()) {
-      line.least = std::min(line.least, row.values[column]);
-      line.greatest = std::max(line.greatest, row.values[column]);
-    }
-    if (line.greatest > line.least) lines_.push_back(line);
+    const runtime::RowLog::Range range = trace->rows().RangeOf(column);
+    if (range.greatest > range.least) lines_.push_back({column, range.least, range.greatest});
   }
 }
 
-double AxisCurve::ValueAt(const Line& line, double at_ms) const {
-  double value = trace_->rows().front().values[line.column];
-  for (const runtime::TraceRow& row : trace_->rows()) {
-    if (MsOf(row) > at_ms) break;
-    value = row.values[line.column];
+void AxisCurve::ReadUpTo(double at_ms) {
+  if (!reader_ || at_ms < at_ms_) {
+    std::vector<size_t> columns;
+    for (const Line& line : lines_) columns.push_back(line.column);
+    reader_.emplace(trace_->rows(), std::move(columns));
+    reader_->Next();
+    // Also before the first row.
+    positions_ = reader_->row().values;
+    has_next_ = reader_->Next();
   }
-  return value;
+  at_ms_ = at_ms;
+  while (has_next_ && MsOf(reader_->row()) <= at_ms) {
+    positions_ = reader_->row().values;
+    has_next_ = reader_->Next();
+  }
 }
 
-std::string AxisCurve::BarAt(double at_ms) const {
+std::string AxisCurve::BarAt(double at_ms) {
+  if (lines_.empty()) return {};
+  ReadUpTo(at_ms);
   std::string bars;
-  for (const Line& line : lines_) {
-    const double value = ValueAt(line, at_ms);
-    const double part = (value - line.least) / (line.greatest - line.least);
+  for (size_t i = 0; i < lines_.size(); ++i) {
+    const Line& line = lines_[i];
+    const double part = (positions_[i] - line.least) / (line.greatest - line.least);
     std::string bar(kBarWidth, ' ');
     bar[static_cast<size_t>(std::lround(part * (kBarWidth - 1)))] = '*';
-    bars +=
-        fmt::format("   {} {:.6g} |{}|", trace_->columns()[line.column].quantity.name, value, bar);
+    bars += fmt::format("   {} {:.6g} |{}|", trace_->columns()[line.column].quantity.name,
+                        positions_[i], bar);
   }
   return bars;
 }
@@ -64,7 +70,7 @@ std::string AxisCurve::BarAt(double at_ms) const {
 std::vector<double> AxisCurve::TailAfter(double at_ms) const {
   std::vector<double> instants;
   if (lines_.empty()) return instants;
-  const double end = MsOf(trace_->rows().back());
+  const double end = MsOf(trace_->rows().last());
   const double cycle = ToMs(trace_->cycle_us());
   const auto cycles = static_cast<int64_t>(std::lround((end - at_ms) / cycle));
   const int64_t rows = std::min<int64_t>(kTailRows, cycles);
@@ -83,7 +89,7 @@ std::string AxisCurve::Svg() const {
     least = std::min(least, line.least);
     greatest = std::max(greatest, line.greatest);
   }
-  const double end = std::max(MsOf(trace_->rows().back()), MsOf(trace_->rows().front()) + 1e-3);
+  const double end = std::max(MsOf(trace_->rows().last()), MsOf(trace_->rows().front()) + 1e-3);
   constexpr double kMargin = 20;
   std::string svg = fmt::format(
       "<svg width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" role=\"img\">\n"
@@ -94,8 +100,10 @@ std::string AxisCurve::Svg() const {
   for (size_t i = 0; i < lines_.size(); ++i) {
     std::string points;
     double last_y = 0;
-    for (const runtime::TraceRow& row : trace_->rows()) {
-      const double part = (row.values[lines_[i].column] - least) / (greatest - least);
+    runtime::RowLog::Reader reader(trace_->rows(), {lines_[i].column});
+    while (reader.Next()) {
+      const runtime::TraceRow& row = reader.row();
+      const double part = (row.values.front() - least) / (greatest - least);
       const double x = MsOf(row) / end * kPictureWidth;
       last_y = kPictureHeight - kMargin - part * (kPictureHeight - 2 * kMargin);
       points += fmt::format("{}{:.1f},{:.1f}", points.empty() ? "" : " ", x, last_y);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,9 @@ class AxisCurve {
   explicit AxisCurve(const runtime::Trace* trace);
 
   /// The positions at an instant, each with a mark between the least and the greatest of the run:
-  /// `   axis1.prfPos 12.5 |    *     |`. Empty without a curve.
-  std::string BarAt(double at_ms) const;
+  /// `   axis1.prfPos 12.5 |    *     |`. Empty without a curve. Fast for one instant after the
+  /// other.
+  std::string BarAt(double at_ms);
   /// Some later instants, up to the end of the run, while anything moves.
   std::vector<double> TailAfter(double at_ms) const;
   /// A picture for a page; empty without a curve.
@@ -30,10 +32,15 @@ class AxisCurve {
     double least = 0;
     double greatest = 0;
   };
-  double ValueAt(const Line& line, double at_ms) const;
+  void ReadUpTo(double at_ms);
 
   const runtime::Trace* trace_;
   std::vector<Line> lines_;
+  // Where BarAt() is.
+  double at_ms_ = 0;
+  std::vector<double> positions_;                  // of the lines, at that instant
+  std::optional<runtime::RowLog::Reader> reader_;  // at the next row
+  bool has_next_ = false;
 };
 
 }  // namespace oncard::explore

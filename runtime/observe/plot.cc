@@ -140,7 +140,7 @@ class Picture {
   explicit Picture(const Trace& trace) : trace_(trace) {
     for (size_t i = 0; i < trace.columns().size(); ++i) AddColumn(i);
     AddPaths();
-    if (!trace.rows().empty()) end_ms_ = ToMs(trace.rows().back().time_us);
+    if (!trace.rows().empty()) end_ms_ = ToMs(trace.rows().last().time_us);
     if (end_ms_ <= 0) end_ms_ = 1;
   }
 
@@ -212,15 +212,17 @@ class Picture {
   // cycle before it changes.
   std::vector<Point> Points(size_t column) const {
     std::vector<Point> points;
-    const TraceRow* before = nullptr;
-    for (const TraceRow& row : trace_.rows()) {
+    std::optional<TraceRow> before;
+    RowLog::Reader reader(trace_.rows(), {column});
+    while (reader.Next()) {
+      const TraceRow& row = reader.row();
       // Within a cycle only outputs are known.
       if (row.inside_cycle && trace_.form(column) == NumberForm::kReal) continue;
-      if (before != nullptr && row.time_us - before->time_us > trace_.cycle_us()) {
-        points.push_back({ToMs(row.time_us - trace_.cycle_us()), before->values[column]});
+      if (before && row.time_us - before->time_us > trace_.cycle_us()) {
+        points.push_back({ToMs(row.time_us - trace_.cycle_us()), before->values.front()});
       }
-      points.push_back({ToMs(row.time_us), row.values[column]});
-      before = &row;
+      points.push_back({ToMs(row.time_us), row.values.front()});
+      before = row;
     }
     return points;
   }
@@ -297,9 +299,11 @@ class Picture {
     Path path;
     path.label_x = fmt::format("{} [pulse]", x);
     path.label_y = fmt::format("{} [pulse]", y);
-    Range height{trace_.rows().front().values[*column_y], trace_.rows().front().values[*column_y]};
-    for (const TraceRow& row : trace_.rows()) {
-      const Point point{row.values[*column_x], row.values[*column_y]};
+    const double first_y = trace_.rows().front().values[*column_y];
+    Range height{first_y, first_y};
+    RowLog::Reader reader(trace_.rows(), {*column_x, *column_y});
+    while (reader.Next()) {
+      const Point point{reader.row().values[0], reader.row().values[1]};
       height.Include(point.y);
       const std::vector<Point>& points = path.curve.points;
       if (points.empty() || points.back().x != point.x || points.back().y != point.y) {

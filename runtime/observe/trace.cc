@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bitset>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace oncard::runtime {
@@ -116,27 +117,27 @@ Trace::Trace(std::vector<TraceColumn> columns) {
         [&](const TraceColumn& earlier) { return earlier.quantity.name == column.quantity.name; });
     if (!known) columns_.push_back(std::move(column));
   }
+  rows_ = RowLog(columns_.size());
 }
 
 void Trace::Sample(const Controller& controller) {
-  TraceRow row;
-  row.time_us = TimeOf(controller);
-  if (!rows_.empty() && row.time_us > sampled_us_) AddOutputEdges(controller, row.time_us);
-  sampled_us_ = row.time_us;
-  row.values.reserve(columns_.size());
+  const int64_t time_us = TimeOf(controller);
+  if (!rows_.empty() && time_us > sampled_us_) AddOutputEdges(controller, time_us);
+  sampled_us_ = time_us;
+  sample_.clear();
   for (const TraceColumn& column : columns_) {
-    row.values.push_back(ReadQuantity(column.quantity, controller));
+    sample_.push_back(ReadQuantity(column.quantity, controller));
   }
-  SampleThreads(controller, row.time_us);
+  SampleThreads(controller, time_us);
   if (rows_.empty()) {
     cycle_us_ = controller.options().motion.cycle_us;
     for (const TraceColumn& column : columns_) {
       forms_.push_back(FormOfQuantity(column.quantity, controller));
     }
-  } else if (rows_.back().values == row.values) {
+  } else if (rows_.last().values == sample_) {
     return;
   }
-  rows_.push_back(std::move(row));
+  rows_.Add(time_us, sample_);
 }
 
 void Trace::AddOutputEdges(const Controller& controller, int64_t time_us) {
@@ -159,10 +160,8 @@ void Trace::AddOutputEdges(const Controller& controller, int64_t time_us) {
   std::stable_sort(changes.begin(), changes.end(),
                    [](const Change& a, const Change& b) { return a.at_us < b.at_us; });
   for (const Change& change : changes) {
-    if (rows_.back().time_us < change.at_us) {
-      rows_.push_back({change.at_us, rows_.back().values, true});
-    }
-    rows_.back().values[change.column] = change.level;
+    if (rows_.last().time_us < change.at_us) rows_.Repeat(change.at_us, true);
+    rows_.SetLast(change.column, change.level);
   }
 }
 
@@ -186,11 +185,10 @@ void Trace::SampleThreads(const Controller& controller, int64_t time_us) {
 
 void Trace::Finish(const Controller& controller) {
   Sample(controller);
-  TraceRow last = rows_.back();
-  last.time_us = TimeOf(controller);
-  if (rows_.back().time_us != last.time_us) rows_.push_back(std::move(last));
+  const TraceRow& last = rows_.last();
+  if (last.time_us != sampled_us_) rows_.Repeat(sampled_us_, last.inside_cycle);
   for (TraceSpan& span : open_) {
-    span.end_us = TimeOf(controller);
+    span.end_us = sampled_us_;
     spans_.push_back(std::move(span));
   }
   open_.clear();
@@ -202,37 +200,30 @@ void Trace::Mark(const Controller& controller, std::string text) {
 }
 
 void Trace::DropUnchanged() {
-  std::vector<bool> kept(columns_.size());
+  std::vector<size_t> kept;
   for (size_t i = 0; i < columns_.size(); ++i) {
-    kept[i] = !columns_[i].only_if_changed ||
-              std::any_of(rows_.begin(), rows_.end(), [&](const TraceRow& row) {
-                return std::fabs(row.values[i] - rows_.front().values[i]) > columns_[i].threshold;
-              });
-  }
-  const auto compact = [&](auto& values) {
-    size_t count = 0;
-    for (size_t i = 0; i < kept.size(); ++i) {
-      if (!kept[i]) continue;
-      if (count != i) values[count] = std::move(values[i]);
-      ++count;
+    const double first = rows_.front().values[i];
+    const RowLog::Range range = rows_.RangeOf(i);
+    const double change = std::max(range.greatest - first, first - range.least);
+    if (columns_[i].only_if_changed && !(change > columns_[i].threshold)) continue;
+    if (kept.size() != i) {
+      columns_[kept.size()] = std::move(columns_[i]);
+      forms_[kept.size()] = forms_[i];
     }
-    values.resize(count);
-  };
-  for (TraceRow& row : rows_) compact(row.values);
-  compact(forms_);
-  compact(columns_);
-  // Removes rows that only differed in the dropped columns; the first and the last row remain.
-  const auto same = [&](const TraceRow& a, const TraceRow& b) { return a.values == b.values; };
-  TraceRow last = rows_.back();
-  rows_.erase(std::unique(rows_.begin(), rows_.end(), same), rows_.end());
-  if (rows_.back().time_us != last.time_us) rows_.push_back(std::move(last));
+    kept.push_back(i);
+  }
+  columns_.resize(kept.size());
+  forms_.resize(kept.size());
+  rows_.Keep(kept);
 }
 
 std::string Trace::Csv() const {
   std::string text = "time_ms";
   for (const TraceColumn& column : columns_) text += ',' + column.quantity.name;
   text += '\n';
-  for (const TraceRow& row : rows_) {
+  RowLog::Reader reader(rows_);
+  while (reader.Next()) {
+    const TraceRow& row = reader.row();
     text += FormatMs(row.time_us);
     for (size_t i = 0; i < row.values.size(); ++i) {
       text += ',' + FormatNumber(row.values[i], forms_[i]);
@@ -259,14 +250,16 @@ std::string Trace::Vcd() const {
   }
   if (!scope.empty()) text += "$upscope $end\n";
   text += "$upscope $end\n$enddefinitions $end\n";
-  const TraceRow* before = nullptr;
-  for (const TraceRow& row : rows_) {
+  RowLog::Reader reader(rows_);
+  std::vector<double> before;  // empty in the first row
+  while (reader.Next()) {
+    const TraceRow& row = reader.row();
     text += fmt::format("#{}\n", row.time_us);
     for (size_t i = 0; i < row.values.size(); ++i) {
-      if (before != nullptr && before->values[i] == row.values[i]) continue;
+      if (!before.empty() && before[i] == row.values[i]) continue;
       text += VcdChange(row.values[i], forms_[i], VcdCode(i));
     }
-    before = &row;
+    before = row.values;
   }
   return text;
 }
@@ -294,14 +287,16 @@ std::string Trace::Json() const {
         JsonString(mark.text.en), mark.by_card ? "card" : "host", vm::kThreadCount, mark.time_us));
   }
   for (size_t i = 0; i < columns_.size(); ++i) {
-    const TraceRow* before = nullptr;
-    for (const TraceRow& row : rows_) {
-      if (before == nullptr || before->values[i] != row.values[i]) {
+    RowLog::Reader reader(rows_, {i});
+    std::optional<double> before;
+    while (reader.Next()) {
+      const double value = reader.row().values.front();
+      if (before != value) {
         events.push_back(fmt::format(
             R"({{"name":"{}","ph":"C","pid":1,"ts":{},"args":{{"value":{}}}}})",
-            columns_[i].quantity.name, row.time_us, FormatNumber(row.values[i], forms_[i])));
+            columns_[i].quantity.name, reader.row().time_us, FormatNumber(value, forms_[i])));
       }
-      before = &row;
+      before = value;
     }
   }
   return fmt::format("{{\"displayTimeUnit\":\"ms\",\"traceEvents\":[\n{}\n]}}\n",

@@ -59,7 +59,7 @@ class Trace {
   void Mark(TraceMark mark) { marks_.push_back(std::move(mark)); }
 
   const std::vector<TraceColumn>& columns() const { return columns_; }
-  const std::vector<TraceRow>& rows() const { return rows_; }
+  const RowLog& rows() const { return rows_; }
   const std::vector<TraceSpan>& spans() const { return spans_; }
   const std::vector<TraceMark>& marks() const { return marks_; }
   NumberForm form(size_t column) const { return forms_[column]; }
@@ -83,7 +83,8 @@ class Trace {
 
   std::vector<TraceColumn> columns_;
   std::vector<NumberForm> forms_;  // of the columns, known with the first row
-  std::vector<TraceRow> rows_;
+  RowLog rows_;
+  std::vector<double> sample_;    // the values that are being sampled
   std::vector<TraceSpan> spans_;  // in order of their ends
   std::vector<TraceSpan> open_;   // threads that run now
   std::vector<TraceMark> marks_;

@@ -129,18 +129,19 @@ TEST(AxisCurveTest, DrawsWhereTheAxisIs) {
   options.trace = true;
   const auto run = runtime::RunScenario(scenario.value(), *compilation.object, options);
   ASSERT_TRUE(run.ok());
-  const AxisCurve curve(&*run.value().trace);
+  AxisCurve curve(&*run.value().trace);
   EXPECT_EQ(curve.BarAt(0), "   axis1.prfPos 0 |*                               |");
   const std::vector<double> tail = curve.TailAfter(0);
   ASSERT_EQ(tail.size(), 8u);
   EXPECT_EQ(tail.back(), run.value().end_ms);
   EXPECT_THAT(curve.BarAt(tail.back()), EndsWith("|                               *|"));
+  EXPECT_THAT(curve.BarAt(0), EndsWith("|*                               |")) << "again";
   EXPECT_THAT(curve.Svg(), HasSubstr("<polyline"));
   EXPECT_THAT(curve.Svg(), HasSubstr("axis1.prfPos"));
 }
 
 TEST(AxisCurveTest, WithoutMotionThereIsNone) {
-  const AxisCurve curve(nullptr);
+  AxisCurve curve(nullptr);
   EXPECT_EQ(curve.BarAt(0), "");
   EXPECT_EQ(curve.Svg(), "");
   EXPECT_TRUE(curve.TailAfter(0).empty());

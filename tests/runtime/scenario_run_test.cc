@@ -135,7 +135,7 @@ TEST(RunScenario, TracesUntilTheEndThatIsAskedFor) {
   options.trace = true;
   const ScenarioResult result =
       RunForTest(kJog, "until_ms = 60\ntrace = [\"axis1.prfVel\"]", options);
-  EXPECT_EQ(result.trace->rows().back().time_us, 60'000);
+  EXPECT_EQ(result.trace->rows().last().time_us, 60'000);
 }
 
 TEST(RunScenario, SaysThatAnAxisStillMovesAtTheEnd) {
