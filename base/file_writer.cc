@@ -125,6 +125,16 @@ bool WriteAll(int descriptor, std::string_view content) {
   return true;
 }
 
+/// The same for all pieces; errno is that of the first failure.
+bool WriteAll(int descriptor, const TextSource& content) {
+  int failure = 0;
+  content([&](std::string_view piece) {
+    if (failure == 0 && !WriteAll(descriptor, piece)) failure = errno;
+  });
+  errno = failure;
+  return failure == 0;
+}
+
 /// What a path refers to, links followed.
 struct Place {
   std::string path;  ///< with links in its last part resolved
@@ -194,8 +204,8 @@ class StagedFile {
     }
   }
 
-  Result<void> Stage(std::string_view content) {
-    content_ = content;
+  Result<void> Stage(TextSource content) {
+    content_ = std::move(content);
     auto place = FindPlace(path_);
     if (!place.ok()) return place.error();
     place_ = std::move(place).value();
@@ -215,7 +225,7 @@ class StagedFile {
     signals_.emplace();
     Sweep(FolderOf(place_.path));
     const Descriptor file(Create());
-    if (file.get() < 0 || !WriteAll(file.get(), content) || !TakeOver(file.get()) ||
+    if (file.get() < 0 || !WriteAll(file.get(), content_) || !TakeOver(file.get()) ||
         ::fsync(file.get()) != 0) {
       return WriteError(path_);
     }
@@ -349,7 +359,7 @@ class StagedFile {
   static thread_local StagedFile* newest_;
   StagedFile* const before_ = newest_;
   std::string path_;
-  std::string_view content_;
+  TextSource content_;
   Place place_;
   std::string temporary_;
   std::string away_;
@@ -369,8 +379,12 @@ thread_local StagedFile* StagedFile::newest_ = nullptr;
 void UndoWrites() { StagedFile::UndoAll(); }
 
 Result<void> WriteFileAtomically(const std::string& path, std::string_view content) {
+  return WriteFileAtomically(path, SourceOf(content));
+}
+
+Result<void> WriteFileAtomically(const std::string& path, TextSource content) {
   StagedFile file(path);
-  if (auto result = file.Stage(content); !result.ok()) return result;
+  if (auto result = file.Stage(std::move(content)); !result.ok()) return result;
   return file.Put();
 }
 
@@ -381,8 +395,8 @@ Result<void> WritePairAtomically(const std::string& first_path, std::string_view
   const FolderLock lock(FolderOf(first_path), LOCK_EX);
   StagedFile first_file(first_path);
   StagedFile second_file(second_path);
-  if (auto result = first_file.Stage(first); !result.ok()) return result;
-  if (auto result = second_file.Stage(second); !result.ok()) return result;
+  if (auto result = first_file.Stage(SourceOf(first)); !result.ok()) return result;
+  if (auto result = second_file.Stage(SourceOf(second)); !result.ok()) return result;
   // The second file is moved away while the first one changes: if the process is killed in between,
   // the pair is incomplete, but never a mixture of two pairs.
   if (auto result = second_file.TakeAway(); !result.ok()) return result;

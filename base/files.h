@@ -9,6 +9,7 @@
 
 #include "base/limits.h"
 #include "base/result.h"
+#include "base/text_pieces.h"
 
 namespace oncard {
 
@@ -30,6 +31,9 @@ Result<std::string> ReadFile(const std::string& path, const FileKind& kind = kOw
 /// removed; one whose writer was killed is removed by the next write into the folder. SIGHUP,
 /// SIGINT, SIGQUIT and SIGTERM are blocked in the calling thread until the file is complete.
 Result<void> WriteFileAtomically(const std::string& path, std::string_view content);
+/// The same for content that is made while it is written. After a failure the remaining pieces are
+/// ignored.
+Result<void> WriteFileAtomically(const std::string& path, TextSource content);
 
 /// Writes two files of one folder that belong together: both are complete on disk before either is
 /// renamed, and a failure leaves the old pair. Several writers take turns. A writer that is killed

@@ -26,6 +26,8 @@ Result<void> WriteFileAtomically(const std::string& path, std::string_view) {
   return NotWritten(path);
 }
 
+Result<void> WriteFileAtomically(const std::string& path, TextSource) { return NotWritten(path); }
+
 Result<void> WritePairAtomically(const std::string& first_path, std::string_view,
                                  const std::string&, std::string_view) {
   return NotWritten(first_path);

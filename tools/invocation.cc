@@ -5,6 +5,7 @@
 #include <cstring>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "base/files.h"
 #include "compiler/diagnostic_printer.h"
@@ -36,7 +37,11 @@ int FinishOutput(const Invocation& invocation, int code) {
 }
 
 int WriteOutput(const Invocation& invocation, const std::string& path, std::string_view content) {
-  const auto written = WriteFileAtomically(path, content);
+  return WriteOutput(invocation, path, SourceOf(content));
+}
+
+int WriteOutput(const Invocation& invocation, const std::string& path, TextSource content) {
+  const auto written = WriteFileAtomically(path, std::move(content));
   return written.ok() ? kExitOk : Fail(invocation, kExitUnreadable, written.error().message);
 }
 

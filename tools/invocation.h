@@ -8,6 +8,7 @@
 
 #include "base/message.h"
 #include "base/result.h"
+#include "base/text_pieces.h"
 #include "compiler/compiler.h"
 #include "runtime/sim/program.h"
 
@@ -66,6 +67,8 @@ int Fail(const Invocation& invocation, int code, const Message& message);
 
 /// Writes a file; reports a failure. Returns the exit code.
 int WriteOutput(const Invocation& invocation, const std::string& path, std::string_view content);
+/// The same for content that is made while it is written.
+int WriteOutput(const Invocation& invocation, const std::string& path, TextSource content);
 
 /// Loads a program and reports its diagnostics in the chosen format (`text` or `json`). Returns the
 /// exit code; the object is present if that is kExitOk.

@@ -1,6 +1,7 @@
 #include "tools/run_views.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/milliseconds.h"
 #include "explore/reports/step_table.h"
@@ -95,12 +96,12 @@ int WriteViews(const runtime::ScenarioResult& result, const RunViews& views,
                const std::string& title, const Invocation& invocation) {
   int code = kExitOk;
   if (!views.trace.empty()) {
-    const auto text = runtime::TraceText(*result.trace, views.trace, title);
+    auto text = runtime::TraceText(*result.trace, views.trace, title);
     if (!text.ok()) return Fail(invocation, kExitFailed, text.error().message);
-    code = WriteOutput(invocation, views.trace, text.value());
+    code = WriteOutput(invocation, views.trace, std::move(text).value());
   }
   if (!views.plot.empty()) {
-    const auto script = runtime::TraceText(*result.trace, views.plot + ".gnuplot", title);
+    const auto script = runtime::PictureScript(*result.trace, views.plot, title);
     if (!script.ok()) return Fail(invocation, kExitFailed, script.error().message);
     code = std::max(code, WritePicture(invocation, views.plot, script.value()));
   }

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <mutex>
+#include <utility>
 
 #include "base/files.h"
 #include "base/split.h"
@@ -154,8 +155,9 @@ void CardWatch::WriteTrace(const Controller& controller) {
   if (!trace_ || HostIsJudgedByParent()) return;
   trace_->Finish(controller);
   for (const std::string& file : trace_files_) {
-    const auto text = TraceText(*trace_, file, TitleOf(*scenario_));
-    const auto written = text.ok() ? WriteFileAtomically(file, text.value()) : text.error();
+    auto text = TraceText(*trace_, file, TitleOf(*scenario_));
+    const auto written =
+        text.ok() ? WriteFileAtomically(file, std::move(text).value()) : text.error();
     if (!written.ok()) failures_.push_back(written.error().message);
   }
 }

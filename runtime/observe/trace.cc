@@ -217,10 +217,11 @@ void Trace::DropUnchanged() {
   rows_.Keep(kept);
 }
 
-std::string Trace::Csv() const {
-  std::string text = "time_ms";
+void Trace::WriteCsv(const TextSink& sink) const {
+  TextBuffer text(sink);
+  text += "time_ms";
   for (const TraceColumn& column : columns_) text += ',' + column.quantity.name;
-  text += '\n';
+  text += "\n";
   RowLog::Reader reader(rows_);
   while (reader.Next()) {
     const TraceRow& row = reader.row();
@@ -228,13 +229,13 @@ std::string Trace::Csv() const {
     for (size_t i = 0; i < row.values.size(); ++i) {
       text += ',' + FormatNumber(row.values[i], forms_[i]);
     }
-    text += '\n';
+    text += "\n";
   }
-  return text;
 }
 
-std::string Trace::Vcd() const {
-  std::string text = "$timescale 1 us $end\n$scope module oncard $end\n";
+void Trace::WriteVcd(const TextSink& sink) const {
+  TextBuffer text(sink);
+  text += "$timescale 1 us $end\n$scope module oncard $end\n";
   std::string scope;
   for (size_t i = 0; i < columns_.size() && i < forms_.size(); ++i) {
     const std::string& name = columns_[i].quantity.name;
@@ -261,30 +262,33 @@ std::string Trace::Vcd() const {
     }
     before = row.values;
   }
-  return text;
 }
 
-std::string Trace::Json() const {
+void Trace::WriteJson(const TextSink& sink) const {
+  TextBuffer text(sink);
+  const auto add = [&text](std::string_view event) {
+    text += ",\n";
+    text += event;
+  };
   // Threads first, by number, then the marks' own row.
-  std::vector<std::string> events;
-  events.emplace_back(
-      R"({"name":"process_name","ph":"M","pid":1,"tid":0,"args":{"name":"oncard"}})");
+  text += "{\"displayTimeUnit\":\"ms\",\"traceEvents\":[\n";
+  text += R"({"name":"process_name","ph":"M","pid":1,"tid":0,"args":{"name":"oncard"}})";
   std::vector<int> named;
   for (const TraceSpan& span : spans_) {
     if (std::find(named.begin(), named.end(), span.thread) == named.end()) {
       named.push_back(span.thread);
-      events.push_back(fmt::format(
+      add(fmt::format(
           R"({{"name":"thread_name","ph":"M","pid":1,"tid":{},"args":{{"name":"thread {}"}}}})",
           span.thread, span.thread));
     }
-    events.push_back(fmt::format(
-        R"({{"name":{},"cat":"thread","ph":"X","pid":1,"tid":{},"ts":{},"dur":{}}})",
-        JsonString(span.function), span.thread, span.begin_us, span.end_us - span.begin_us));
+    add(fmt::format(R"({{"name":{},"cat":"thread","ph":"X","pid":1,"tid":{},"ts":{},"dur":{}}})",
+                    JsonString(span.function), span.thread, span.begin_us,
+                    span.end_us - span.begin_us));
   }
   for (const TraceMark& mark : marks_) {
-    events.push_back(fmt::format(
-        R"({{"name":{},"cat":"{}","ph":"i","s":"p","pid":1,"tid":{},"ts":{}}})",
-        JsonString(mark.text.en), mark.by_card ? "card" : "host", vm::kThreadCount, mark.time_us));
+    add(fmt::format(R"({{"name":{},"cat":"{}","ph":"i","s":"p","pid":1,"tid":{},"ts":{}}})",
+                    JsonString(mark.text.en), mark.by_card ? "card" : "host", vm::kThreadCount,
+                    mark.time_us));
   }
   for (size_t i = 0; i < columns_.size(); ++i) {
     RowLog::Reader reader(rows_, {i});
@@ -292,15 +296,14 @@ std::string Trace::Json() const {
     while (reader.Next()) {
       const double value = reader.row().values.front();
       if (before != value) {
-        events.push_back(fmt::format(
-            R"({{"name":"{}","ph":"C","pid":1,"ts":{},"args":{{"value":{}}}}})",
-            columns_[i].quantity.name, reader.row().time_us, FormatNumber(value, forms_[i])));
+        add(fmt::format(R"({{"name":"{}","ph":"C","pid":1,"ts":{},"args":{{"value":{}}}}})",
+                        columns_[i].quantity.name, reader.row().time_us,
+                        FormatNumber(value, forms_[i])));
       }
       before = value;
     }
   }
-  return fmt::format("{{\"displayTimeUnit\":\"ms\",\"traceEvents\":[\n{}\n]}}\n",
-                     fmt::join(events, ",\n"));
+  text += "\n]}\n";
 }
 
 }  // namespace oncard::runtime

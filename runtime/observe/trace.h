@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/message.h"
+#include "base/text_pieces.h"
 #include "runtime/observe/quantity.h"
 #include "runtime/observe/row_log.h"
 
@@ -67,13 +68,13 @@ class Trace {
   int64_t cycle_us() const { return cycle_us_; }
 
   /// `time_ms,sum,gpo`, then a line per row.
-  std::string Csv() const;
+  void WriteCsv(const TextSink& sink) const;
   /// Value change dump (IEEE 1364 clause 18), time scale 1 us: ints as 32-bit words, flags as
   /// wires, doubles as reals. Columns of one part of the card share a scope.
-  std::string Vcd() const;
+  void WriteVcd(const TextSink& sink) const;
   /// Trace events for chrome://tracing and Perfetto: a counter per column, a thread of durations
   /// for every thread that ran, instants for marks.
-  std::string Json() const;
+  void WriteJson(const TextSink& sink) const;
 
  private:
   void SampleThreads(const Controller& controller, int64_t time_us);

@@ -2,6 +2,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -104,6 +105,43 @@ TEST_F(FileWriterTest, WritesToADeviceWithoutReplacingIt) {
   ASSERT_FALSE(full.ok());
   EXPECT_EQ(full.error().message.en, "cannot write '/dev/full': No space left on device");
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+}
+
+TEST_F(FileWriterTest, WritesContentThatIsMadeInPieces) {
+  const TextSource pieces = [](const TextSink& sink) {
+    for (const char* piece : {"a", "", "bc"}) sink(piece);
+  };
+  ASSERT_TRUE(WriteFileAtomically(Path("f"), pieces).ok());
+  EXPECT_EQ(ReadFile(Path("f")).value(), "abc");
+}
+
+// The first piece fits, the second one does not.
+TEST_F(FileWriterTest, LeavesTheOldFileWhenOnePieceCannotBeWritten) {
+  ASSERT_TRUE(WriteFileAtomically(Path("f"), "old").ok());
+  rlimit before = {};
+  ::getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit small = {1000, before.rlim_max};
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  ::setrlimit(RLIMIT_FSIZE, &small);
+  int made = 0;
+  const auto written = WriteFileAtomically(Path("f"), [&made](const TextSink& sink) {
+    for (; made < 3; ++made) sink(std::string(600, 'x'));
+  });
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  ASSERT_FALSE(written.ok());
+  EXPECT_EQ(written.error().message.en, "cannot write '" + Path("f") + "': File too large");
+  EXPECT_EQ(made, 3);
+  EXPECT_EQ(ReadFile(Path("f")).value(), "old");
+  EXPECT_EQ(Names(), Strings{"f"});
+}
+
+TEST_F(FileWriterTest, SaysWhyADeviceDoesNotTakeOnePiece) {
+  const auto full = WriteFileAtomically("/dev/full", [](const TextSink& sink) {
+    for (const char* piece : {"", "text", "more"}) sink(piece);
+  });
+  ASSERT_FALSE(full.ok());
+  EXPECT_EQ(full.error().message.en, "cannot write '/dev/full': No space left on device");
 }
 
 TEST_F(FileWriterTest, LeavesAReadOnlyFileAlone) {

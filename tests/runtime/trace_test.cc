@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "tests/runtime/scenario_support.h"
 
 namespace oncard::runtime {
@@ -20,14 +22,24 @@ Trace TraceOf(const std::string& program, const std::string& scenario,
   return *RunForTest(program, scenario, options).trace;
 }
 
+std::string Whole(const TextSource& source) {
+  std::string text;
+  source([&](std::string_view piece) { text += piece; });
+  return text;
+}
+
+std::string Csv(const Trace& trace) { return Whole(std::bind_front(&Trace::WriteCsv, &trace)); }
+std::string Vcd(const Trace& trace) { return Whole(std::bind_front(&Trace::WriteVcd, &trace)); }
+std::string Json(const Trace& trace) { return Whole(std::bind_front(&Trace::WriteJson, &trace)); }
+
 TEST(Trace, KeepsTheCyclesInWhichSomethingChanged) {
   // Two statements per iteration, 25 per cycle.
-  EXPECT_EQ(TraceOf(kSpin, "until_ms = 0.5", {"n"}).Csv(),
+  EXPECT_EQ(Csv(TraceOf(kSpin, "until_ms = 0.5", {"n"})),
             "time_ms,n,gpo\n0,0,0\n0.25,13,0\n0.5,25,0\n");
 }
 
 TEST(Trace, HoldsWhatTheScenarioNames) {
-  EXPECT_EQ(TraceOf(kSpin, "until_ms = 0.5\ntrace = [\"axis2.prfPos\", \"gpo[1]\", \"n\"]").Csv(),
+  EXPECT_EQ(Csv(TraceOf(kSpin, "until_ms = 0.5\ntrace = [\"axis2.prfPos\", \"gpo[1]\", \"n\"]")),
             "time_ms,axis2.prfPos,gpo[1],n\n0,0.0,0,0\n0.25,0.0,0,13\n0.5,0.0,0,25\n");
 }
 
@@ -44,7 +56,7 @@ TEST(Trace, ShowsInputsAndOutputsThatChange) {
   const Trace trace =
       TraceOf("int f()\n{\n  GT_SetDoBit(11, 2, 1);\n  GT_Delay(2);\n  return 0;\n}\n",
               "[[world.input]]\ntype = \"home\"\nindex = 3\nvalue = 1\nat_ms = 0.25\n");
-  EXPECT_EQ(trace.Csv(), "time_ms,gpo,home,clear\n0,0,0,0\n0.25,0,0,2\n1,0,4,2\n2.25,0,4,2\n");
+  EXPECT_EQ(Csv(trace), "time_ms,gpo,home,clear\n0,0,0,0\n0.25,0,0,2\n1,0,4,2\n2.25,0,4,2\n");
 }
 
 // An axis that moves without a program: the state of the core is set directly.
@@ -69,7 +81,7 @@ Trace MovingAxis() {
 }
 
 TEST(Trace, ShowsTheAxesThatMoveAndNoOthers) {
-  const std::string csv = MovingAxis().Csv();
+  const std::string csv = Csv(MovingAxis());
   EXPECT_THAT(
       csv, StartsWith(
                "time_ms,axis3.prfPos,axis3.prfVel,axis3.prfAcc\n0,0.0,0.0,0.0\n0.25,0.125,1.0,4.0\n"
@@ -79,7 +91,7 @@ TEST(Trace, ShowsTheAxesThatMoveAndNoOthers) {
 }
 
 TEST(Trace, WritesRealsAndScopesForWaveformViewers) {
-  const std::string vcd = MovingAxis().Vcd();
+  const std::string vcd = Vcd(MovingAxis());
   EXPECT_THAT(vcd, StartsWith("$timescale 1 us $end\n$scope module oncard $end\n"
                               "$scope module axis3 $end\n$var real 64 ! prfPos $end\n"));
   EXPECT_THAT(vcd, HasSubstr("$upscope $end\n$upscope $end\n$enddefinitions $end\n#0\nr0.0 !\n"));
@@ -92,19 +104,19 @@ constexpr const char* kPulse =
 
 TEST(Trace, ShowsPulsesOfHighSpeedOutputsInsideACycle) {
   const Trace trace = TraceOf(kPulse, "");
-  EXPECT_EQ(trace.Csv(), "time_ms,gpo,hsio0,hsio1\n0,0,0,0\n0.25,0,1,1\n0.35,0,0,0\n1.25,0,0,0\n");
-  EXPECT_THAT(trace.Vcd(), HasSubstr("#350\n0\"\n0#\n"));
-  EXPECT_THAT(trace.Json(),
+  EXPECT_EQ(Csv(trace), "time_ms,gpo,hsio0,hsio1\n0,0,0,0\n0.25,0,1,1\n0.35,0,0,0\n1.25,0,0,0\n");
+  EXPECT_THAT(Vcd(trace), HasSubstr("#350\n0\"\n0#\n"));
+  EXPECT_THAT(Json(trace),
               HasSubstr(R"({"name":"hsio1","ph":"C","pid":1,"ts":350,"args":{"value":0}})"));
 }
 
 TEST(Trace, HoldsTheOutputThatTheScenarioNames) {
-  EXPECT_EQ(TraceOf(kPulse, "trace = [\"hsio1\"]").Csv(),
+  EXPECT_EQ(Csv(TraceOf(kPulse, "trace = [\"hsio1\"]")),
             "time_ms,hsio1\n0,0\n0.25,1\n0.35,0\n1.25,0\n");
 }
 
 TEST(Trace, WritesTraceEvents) {
-  const std::string json = MovingAxis().Json();
+  const std::string json = Json(MovingAxis());
   for (const char* event :
        {R"({"name":"axis3.prfPos","ph":"C","pid":1,"ts":250,"args":{"value":0.125}})",
         R"({"name":"start \"3\"","cat":"host","ph":"i","s":"p","pid":1,"tid":32,"ts":0})"}) {
@@ -113,9 +125,8 @@ TEST(Trace, WritesTraceEvents) {
 }
 
 TEST(Trace, WritesWhenThreadsRan) {
-  const std::string json = TraceOf("int f()\n{\n  GT_Delay(2);\n  return 0;\n}\n",
-                                   "[[thread]]\nthread = 3\nfunction = \"f\"\n")
-                               .Json();
+  const std::string json = Json(TraceOf("int f()\n{\n  GT_Delay(2);\n  return 0;\n}\n",
+                                        "[[thread]]\nthread = 3\nfunction = \"f\"\n"));
   for (const char* event :
        {R"({"name":"thread_name","ph":"M","pid":1,"tid":3,"args":{"name":"thread 3"}})",
         R"({"name":"f","cat":"thread","ph":"X","pid":1,"tid":3,"ts":0,"dur":2250})"}) {
@@ -126,11 +137,11 @@ TEST(Trace, WritesWhenThreadsRan) {
 TEST(Trace, MarksWhatTheCardDoesByItself) {
   // The alarm is active at power-on; axis 2 reaches its limit switch during the move, 1 ms and the
   // filter time late.
-  const std::string json = TraceOf(kSpin,
-                                   "until_ms = 3\n[[world.input]]\ntype = \"alarm\"\nindex = 1\n"
-                                   "value = 1\n[[world.input]]\ntype = \"limit_positive\"\n"
-                                   "index = 2\nvalue = 1\nat_ms = 1\n")
-                               .Json();
+  const std::string json =
+      Json(TraceOf(kSpin,
+                   "until_ms = 3\n[[world.input]]\ntype = \"alarm\"\nindex = 1\n"
+                   "value = 1\n[[world.input]]\ntype = \"limit_positive\"\n"
+                   "index = 2\nvalue = 1\nat_ms = 1\n"));
   for (
       const char* event :
       {R"({"name":"the drive of axis 1 reports an alarm at 0: it is switched off","cat":"card",)"
@@ -141,9 +152,22 @@ TEST(Trace, MarksWhatTheCardDoesByItself) {
   }
 }
 
+// Every format passes on pieces of bounded size, however long the run is.
+TEST(Trace, IsNeverInMemoryAsAWholeText) {
+  const Trace trace = TraceOf(kSpin, "until_ms = 5000", {"n"});
+  for (const auto write : {&Trace::WriteCsv, &Trace::WriteVcd, &Trace::WriteJson}) {
+    size_t pieces = 0;
+    (trace.*write)([&](std::string_view piece) {
+      ++pieces;
+      EXPECT_LE(piece.size(), TextBuffer::kPieceSize + 200);
+    });
+    EXPECT_GE(pieces, 3u);
+  }
+}
+
 TEST(Trace, MarksWhatTheHostWrites) {
   const std::string json =
-      TraceOf(kSpin, "until_ms = 2\n[[host]]\nat_ms = 1\nset = { n = 5 }\n").Json();
+      Json(TraceOf(kSpin, "until_ms = 2\n[[host]]\nat_ms = 1\nset = { n = 5 }\n"));
   EXPECT_THAT(json, HasSubstr(R"({"name":"n = 5","cat":"host","ph":"i")"));
 }
 
