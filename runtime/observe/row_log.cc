@@ -17,6 +17,12 @@ void Include(double value, RowLog::Range* range) {
   range->greatest = std::max(range->greatest, value);
 }
 
+// The last row says when the log ends.
+bool AddsNothing(const RowLog::Reader& reader, const TraceRow& before) {
+  const TraceRow& row = reader.row();
+  return row.values == before.values && (!reader.AtLast() || row.time_us == before.time_us);
+}
+
 std::vector<size_t> AllColumns(size_t count) {
   std::vector<size_t> columns(count);
   std::iota(columns.begin(), columns.end(), size_t{0});
@@ -75,17 +81,45 @@ void RowLog::PackLast() {
 }
 
 void RowLog::Keep(const std::vector<size_t>& columns) {
-  RowLog kept(columns.size());
+  const bool all_differ = AllRowsDiffer(columns);
+  RemoveOtherColumns(columns);
+  if (!all_differ) RemoveEqualRows();
+}
+
+bool RowLog::AllRowsDiffer(const std::vector<size_t>& columns) const {
   Reader reader(*this, columns);
+  if (!reader.Next()) return true;
+  TraceRow before = reader.row();
+  while (reader.Next()) {
+    if (AddsNothing(reader, before)) return false;
+    before = reader.row();
+  }
+  return true;
+}
+
+void RowLog::RemoveOtherColumns(const std::vector<size_t>& columns) {
+  const auto keep = [&columns](auto& values) {
+    if (values.empty()) return;  // of no row yet
+    for (size_t i = 0; i < columns.size(); ++i) {
+      if (columns[i] != i) values[i] = std::move(values[columns[i]]);
+    }
+    values.resize(columns.size());
+  };
+  keep(columns_);
+  keep(ranges_);
+  keep(first_.values);
+  keep(before_);
+  keep(last_.values);
+}
+
+void RowLog::RemoveEqualRows() {
+  RowLog kept(columns_.size());
+  Reader reader(*this);
   while (reader.Next()) {
     const TraceRow& row = reader.row();
-    if (!kept.empty() && kept.last_.values == row.values) continue;
+    if (!kept.empty() && AddsNothing(reader, kept.last_)) continue;
     kept.Add(row.time_us, row.values);
     kept.last_.inside_cycle = row.inside_cycle;
-  }
-  if (!empty() && kept.last_.time_us != last_.time_us) {
-    kept.Add(last_.time_us, reader.row().values);
-    kept.last_.inside_cycle = last_.inside_cycle;
   }
   *this = std::move(kept);
 }

@@ -46,12 +46,15 @@ class RowLog {
   void Repeat(int64_t time_us, bool inside_cycle);
   /// Changes a value in the last row.
   void SetLast(size_t column, double value) { last_.values[column] = value; }
-  /// Removes the other columns, and rows that then equal the one before; a row at the last instant
-  /// remains.
+  /// Removes the columns other than these, which are in order, and rows that then equal the one
+  /// before; a row at the last instant remains.
   void Keep(const std::vector<size_t>& columns);
 
  private:
   void PackLast();
+  bool AllRowsDiffer(const std::vector<size_t>& columns) const;
+  void RemoveOtherColumns(const std::vector<size_t>& columns);
+  void RemoveEqualRows();
 
   PackedColumn instants_;  // see PackLast()
   // A column ends with its last change; the same value follows up to the last packed row.
@@ -75,6 +78,8 @@ class RowLog::Reader {
   bool Next();
   /// The current row.
   const TraceRow& row() const { return row_; }
+  /// True if it is the last one.
+  bool AtLast() const { return read_ > log_->packed_; }
 
  private:
   const RowLog* log_;

@@ -118,6 +118,40 @@ TEST(RowLog, KeepsRowsThatDifferInTheKeptColumns) {
   EXPECT_EQ(log.RangeOf(0).greatest, 2);
 }
 
+TEST(RowLog, KeepsEveryRowWhenAllDiffer) {
+  RowLog log(3);
+  Add(&log, 0, {1, 2, 3});
+  Add(&log, 1, {1, 9, 4});
+  Add(&log, 2, {1, 9, 5});
+  log.Keep({2});
+  EXPECT_EQ(RowsOf(log), (Rows{"0: 3", "1: 4", "2: 5"}));
+  EXPECT_EQ(log.RangeOf(0).least, 3);
+  Add(&log, 3, {6});
+  EXPECT_EQ(RowsOf(log).back(), "3: 6");
+  EXPECT_EQ(log.front().values, std::vector{3.0});
+}
+
+TEST(RowLog, KeepsOneRowOfTheLastInstant) {
+  RowLog log(2);
+  Add(&log, 0, {1, 2});
+  Add(&log, 1, {2, 2});
+  Add(&log, 1, {2, 3});
+  log.Keep({0});
+  EXPECT_EQ(RowsOf(log), (Rows{"0: 1", "1: 2"}));
+  log.Repeat(2, false);
+  log.Keep({0});
+  EXPECT_EQ(RowsOf(log), (Rows{"0: 1", "1: 2", "2: 2"}));
+}
+
+TEST(RowLog, KeepsColumnsOfNoRowAndOfOne) {
+  RowLog log(2);
+  log.Keep({1});
+  Add(&log, 0, {7});
+  EXPECT_EQ(RowsOf(log), Rows{"0: 7"});
+  log.Keep({});
+  EXPECT_EQ(RowsOf(log), Rows{"0:"});
+}
+
 // Eight axes that always move, for 100 s: with their parabolas and lines, jerks from one to the
 // next, and what rounding adds to both.
 TEST(RowLog, TakesAFewBytesForEveryValueOfMovingAxes) {
