@@ -16,9 +16,16 @@ const motion::Axis& AxisAt(const CardView& card, size_t index) {
   return card.motion.state().axes[index];
 }
 
+/// For conditions that come and go with the state of the axis.
 template <uint32_t kBit>
 double HasCondition(const CardView& card, size_t index) {
   return (card.motion.Conditions(index) & kBit) != 0 ? 1 : 0;
+}
+
+/// For conditions that stay until GT_ClrSts.
+template <uint32_t kBit>
+double HasLatched(const CardView& card, size_t index) {
+  return (AxisAt(card, index).latched & kBit) != 0 ? 1 : 0;
 }
 
 constexpr MotionValue Flag(std::string_view name,
@@ -45,12 +52,12 @@ constexpr MotionValue kAxisValues[] = {
      }},
     {"sts", NumberForm::kWhole, Unit::kNone,
      [](const CardView& card, size_t i) -> double { return card.StatusWord(i); }},
-    Flag("alarm", HasCondition<motion::kAlarmBit>),
-    Flag("followingError", HasCondition<motion::kFollowingErrorBit>),
-    Flag("posLimit", HasCondition<motion::kPositiveLimitBit>),
-    Flag("negLimit", HasCondition<motion::kNegativeLimitBit>),
-    Flag("smoothStop", HasCondition<motion::kSmoothStopBit>),
-    Flag("abruptStop", HasCondition<motion::kAbruptStopBit>),
+    Flag("alarm", HasLatched<motion::kAlarmBit>),
+    Flag("followingError", HasLatched<motion::kFollowingErrorBit>),
+    Flag("posLimit", HasLatched<motion::kPositiveLimitBit>),
+    Flag("negLimit", HasLatched<motion::kNegativeLimitBit>),
+    Flag("smoothStop", HasLatched<motion::kSmoothStopBit>),
+    Flag("abruptStop", HasLatched<motion::kAbruptStopBit>),
     Flag("servoOn", HasCondition<motion::kServoOnBit>),
     Flag("moving", HasCondition<motion::kMovingBit>),
     Flag("inPosition", HasCondition<motion::kInPositionBit>),

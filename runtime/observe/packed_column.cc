@@ -1,8 +1,8 @@
 #include "runtime/observe/packed_column.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -41,28 +41,6 @@ ShortDifference Shortened(Prediction prediction, uint64_t difference) {
 
 }  // namespace
 
-// Only sums of doubles, so that every compiler and computer gets the same bits. Those of a NaN
-// would depend on the order of its operands.
-uint64_t ValueHistory::Predict(Prediction prediction) const {
-  const double rise = last_ - second_;
-  double value = last_;
-  if (prediction == Prediction::kLine) value = last_ + rise;
-  if (prediction == Prediction::kParabola) value = last_ + (rise + (rise - (second_ - third_)));
-  return std::bit_cast<uint64_t>(std::isnan(value) ? last_ : value);
-}
-
-void PackedColumn::Append(double value) {
-  const auto bits = std::bit_cast<uint64_t>(value);
-  if (run_.count != 0 && history_.Predict(run_.prediction) == bits) {
-    ++run_.count;
-  } else {
-    EndRun();
-    if (!BeginRun(bits)) AddDifference(bits);
-  }
-  history_.Push(value);
-  ++size_;
-}
-
 void PackedColumn::Repeat(size_t count) {
   if (count == 0) return;
   if (run_.prediction != Prediction::kSame) EndRun();
@@ -71,13 +49,25 @@ void PackedColumn::Repeat(size_t count) {
   size_ += count;
 }
 
-bool PackedColumn::BeginRun(uint64_t bits) {
+void PackedColumn::AppendUnexpected(uint64_t bits) {
+  EndRun();
+  ShortDifference shortest;
   for (const Prediction prediction : kPredictions) {
-    if (history_.Predict(prediction) != bits) continue;
-    run_ = {prediction, 1};
-    return true;
+    const uint64_t difference = bits - history_.Predict(prediction);
+    if (difference == 0) {
+      run_ = {prediction, 1};
+      return;
+    }
+    const ShortDifference other = Shortened(prediction, difference);
+    if (other.length < shortest.length) shortest = other;
   }
-  return false;
+  std::array<uint8_t, 9> token;
+  token[0] = static_cast<uint8_t>(static_cast<unsigned>(shortest.prediction) << 6 |
+                                  (shortest.length - 1) << 3 | shortest.zeros);
+  for (unsigned i = 0; i < shortest.length; ++i) {
+    token[i + 1] = static_cast<uint8_t>(shortest.digits >> (8 * i));
+  }
+  bytes_.insert(bytes_.end(), token.data(), token.data() + 1 + shortest.length);
 }
 
 void PackedColumn::EndRun() {
@@ -91,19 +81,6 @@ void PackedColumn::EndRun() {
     bytes_.push_back(static_cast<uint8_t>(rest));
   }
   run_.count = 0;
-}
-
-void PackedColumn::AddDifference(uint64_t bits) {
-  ShortDifference shortest;
-  for (const Prediction prediction : kPredictions) {
-    const ShortDifference other = Shortened(prediction, bits - history_.Predict(prediction));
-    if (other.length < shortest.length) shortest = other;
-  }
-  bytes_.push_back(static_cast<uint8_t>(static_cast<unsigned>(shortest.prediction) << 6 |
-                                        (shortest.length - 1) << 3 | shortest.zeros));
-  for (unsigned i = 0; i < shortest.length; ++i) {
-    bytes_.push_back(static_cast<uint8_t>(shortest.digits >> (8 * i)));
-  }
 }
 
 void PackedColumn::Reader::ReadToken() {
@@ -136,12 +113,6 @@ void PackedColumn::Reader::ReadToken() {
     left_ += size_t{byte & 0x7Fu} << shift;
     if (byte < 0x80) return;
   }
-}
-
-double PackedColumn::Reader::Advance() {
-  const auto value = std::bit_cast<double>(history_.Predict(prediction_) + difference_);
-  history_.Push(value);
-  return value;
 }
 
 }  // namespace oncard::runtime

@@ -5,6 +5,8 @@
 // are read in order. Tested by tests/runtime/packed_column_test.cc.
 #pragma once
 
+#include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -18,8 +20,15 @@ enum class Prediction : uint8_t { kSame, kLine, kParabola };
 class ValueHistory {
  public:
   double last() const { return last_; }
-  /// The bits of the value that a prediction gives.
-  uint64_t Predict(Prediction prediction) const;
+  /// The bits of the value that a prediction gives. Only sums of doubles, so that every compiler
+  /// and computer gets the same bits; those of a NaN would depend on the order of its operands.
+  uint64_t Predict(Prediction prediction) const {
+    const double rise = last_ - second_;
+    double value = last_;
+    if (prediction == Prediction::kLine) value = last_ + rise;
+    if (prediction == Prediction::kParabola) value = last_ + (rise + (rise - (second_ - third_)));
+    return std::bit_cast<uint64_t>(std::isnan(value) ? last_ : value);
+  }
   void Push(double value) {
     third_ = second_;
     second_ = last_;
@@ -41,7 +50,16 @@ class PackedColumn {
   /// Memory that the values take.
   size_t bytes() const { return bytes_.capacity(); }
 
-  void Append(double value);
+  void Append(double value) {
+    const auto bits = std::bit_cast<uint64_t>(value);
+    if (run_.count != 0 && history_.Predict(run_.prediction) == bits) {
+      ++run_.count;
+    } else {
+      AppendUnexpected(bits);
+    }
+    history_.Push(value);
+    ++size_;
+  }
   /// Appends the last value `count` times. There must be one unless `count` is 0.
   void Repeat(size_t count);
 
@@ -52,9 +70,9 @@ class PackedColumn {
     size_t count = 0;
   };
 
-  bool BeginRun(uint64_t bits);
+  /// Ends the run and begins another one, or adds a difference.
+  void AppendUnexpected(uint64_t bits);
   void EndRun();
-  void AddDifference(uint64_t bits);
 
   std::vector<uint8_t> bytes_;
   Run run_;  // the end of the column, not yet in bytes_
@@ -71,12 +89,13 @@ class PackedColumn::Reader {
   double Next() {
     if (left_ == 0) ReadToken();
     --left_;
-    return Advance();
+    const auto value = std::bit_cast<double>(history_.Predict(prediction_) + difference_);
+    history_.Push(value);
+    return value;
   }
 
  private:
   void ReadToken();
-  double Advance();
 
   const PackedColumn* column_;
   size_t at_ = 0;  // in the bytes of the column

@@ -118,16 +118,14 @@ Trace::Trace(std::vector<TraceColumn> columns) {
     if (!known) columns_.push_back(std::move(column));
   }
   rows_ = RowLog(columns_.size());
+  sample_.resize(columns_.size());
 }
 
 void Trace::Sample(const Controller& controller) {
   const int64_t time_us = TimeOf(controller);
   if (!rows_.empty() && time_us > sampled_us_) AddOutputEdges(controller, time_us);
   sampled_us_ = time_us;
-  sample_.clear();
-  for (const TraceColumn& column : columns_) {
-    sample_.push_back(ReadQuantity(column.quantity, controller));
-  }
+  ReadColumns(controller);
   SampleThreads(controller, time_us);
   if (rows_.empty()) {
     cycle_us_ = controller.options().motion.cycle_us;
@@ -138,6 +136,16 @@ void Trace::Sample(const Controller& controller) {
     return;
   }
   rows_.Add(time_us, sample_);
+}
+
+void Trace::ReadColumns(const Controller& controller) {
+  const gtcalls::CardView card = controller.view();
+  for (size_t i = 0; i < columns_.size(); ++i) {
+    const Quantity& quantity = columns_[i].quantity;
+    // Nearly all columns are values of the motion core.
+    sample_[i] = quantity.kind == QuantityKind::kMotion ? quantity.value->read(card, quantity.index)
+                                                        : ReadQuantity(quantity, controller);
+  }
 }
 
 void Trace::AddOutputEdges(const Controller& controller, int64_t time_us) {
@@ -170,12 +178,13 @@ void Trace::SampleThreads(const Controller& controller, int64_t time_us) {
   for (int thread = 0; thread < vm::kThreadCount; ++thread) {
     const vm::ThreadState& state = machine.thread(thread);
     const bool runs = state.run == vm::ThreadRun::kRunning;
-    const auto open = std::find_if(open_.begin(), open_.end(),
-                                   [&](const TraceSpan& span) { return span.thread == thread; });
-    if (runs && open == open_.end()) {
+    if (runs == running_[static_cast<size_t>(thread)]) continue;
+    running_.flip(static_cast<size_t>(thread));
+    if (runs) {
       const std::string& function = machine.image()->object.functions[state.function].name;
       open_.push_back({thread, function, time_us, time_us});
-    } else if (!runs && open != open_.end()) {
+    } else {
+      const auto open = std::ranges::find(open_, thread, &TraceSpan::thread);
       open->end_us = time_us;
       spans_.push_back(std::move(*open));
       open_.erase(open);
@@ -192,6 +201,7 @@ void Trace::Finish(const Controller& controller) {
     spans_.push_back(std::move(span));
   }
   open_.clear();
+  running_.reset();
   DropUnchanged();
 }
 
@@ -214,6 +224,7 @@ void Trace::DropUnchanged() {
   }
   columns_.resize(kept.size());
   forms_.resize(kept.size());
+  sample_.resize(kept.size());
   rows_.Keep(kept);
 }
 

@@ -4,6 +4,7 @@
 // tests/tools/run_command_test.cc.
 #pragma once
 
+#include <bitset>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -77,6 +78,8 @@ class Trace {
   void WriteJson(const TextSink& sink) const;
 
  private:
+  /// Reads the current values into sample_.
+  void ReadColumns(const Controller& controller);
   void SampleThreads(const Controller& controller, int64_t time_us);
   /// Adds rows for the edges of high-speed outputs since the last sample.
   void AddOutputEdges(const Controller& controller, int64_t time_us);
@@ -87,7 +90,8 @@ class Trace {
   RowLog rows_;
   std::vector<double> sample_;    // the values that are being sampled
   std::vector<TraceSpan> spans_;  // in order of their ends
-  std::vector<TraceSpan> open_;   // threads that run now
+  std::vector<TraceSpan> open_;   // of the threads that run now
+  std::bitset<vm::kThreadCount> running_;
   std::vector<TraceMark> marks_;
   int64_t cycle_us_ = 0;
   int64_t sampled_us_ = 0;  // the last sample
