@@ -1,8 +1,10 @@
 #include "runtime/observe/quantity.h"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
 
 #include "base/nearest.h"
@@ -419,22 +421,29 @@ NumberForm FormOf(DataType type) {
 
 std::string FormatNumber(double value, NumberForm form) {
   std::string text;
+  AppendNumber(value, form, &text);
+  return text;
+}
+
+void AppendNumber(double value, NumberForm form, std::string* text) {
+  const auto out = std::back_inserter(*text);
+  const size_t begin = text->size();
   switch (form) {
     case NumberForm::kWhole:
     case NumberForm::kFlag:
-      return fmt::format("{}", static_cast<int64_t>(value));
+      fmt::format_to(out, FMT_COMPILE("{}"), static_cast<int64_t>(value));
+      return;
     case NumberForm::kFixedPoint:
       // Up to 16 decimal places, because numbers without an exponent are required.
-      text = fmt::format("{:.16f}", value);
-      text.erase(text.find_last_not_of('0') + 1);
-      if (text.ends_with('.')) text += '0';
-      return text;
+      fmt::format_to(out, FMT_COMPILE("{:.16f}"), value);
+      text->erase(text->find_last_not_of('0') + 1);
+      if (text->ends_with('.')) *text += '0';
+      return;
     case NumberForm::kReal:
-      break;
+      fmt::format_to(out, FMT_COMPILE("{}"), value);
+      if (text->find_first_of(".en", begin) == std::string::npos) *text += ".0";
+      return;
   }
-  text = fmt::format("{}", value);
-  if (text.find_first_of(".en") == std::string::npos) text += ".0";
-  return text;
 }
 
 std::span<const std::string_view> WordNames() {

@@ -84,6 +84,8 @@ NumberForm FormOf(vm::DataType type);
 
 /// A value as text: `5050`, `12.5`, `3.0`, with the shortest digits that represent it exactly.
 std::string FormatNumber(double value, NumberForm form);
+/// The same at the end of a text.
+void AppendNumber(double value, NumberForm form, std::string* text);
 
 /// Names of all input and output words.
 std::span<const std::string_view> WordNames();

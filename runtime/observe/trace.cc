@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <bit>
 #include <bitset>
 #include <cmath>
 #include <optional>
@@ -47,18 +48,25 @@ std::string VcdCode(size_t index) {
   return code;
 }
 
-std::string VcdChange(double value, NumberForm form, const std::string& code) {
+void AppendVcdChange(double value, NumberForm form, const std::string& code, std::string* text) {
   switch (form) {
     case NumberForm::kFlag:
-      return fmt::format("{}{}\n", value != 0 ? 1 : 0, code);
+      *text += value != 0 ? '1' : '0';
+      break;
     case NumberForm::kReal:
     case NumberForm::kFixedPoint:
-      return fmt::format("r{} {}\n", FormatNumber(value, form), code);
+      *text += 'r';
+      AppendNumber(value, form, text);
+      *text += ' ';
+      break;
     case NumberForm::kWhole:
+      *text += 'b';
+      *text += std::bitset<32>(static_cast<uint32_t>(static_cast<int64_t>(value))).to_string();
+      *text += ' ';
       break;
   }
-  const auto bits = std::bitset<32>(static_cast<uint32_t>(static_cast<int64_t>(value)));
-  return fmt::format("b{} {}\n", bits.to_string(), code);
+  *text += code;
+  *text += '\n';
 }
 
 std::string VcdType(NumberForm form) {
@@ -234,13 +242,25 @@ void Trace::WriteCsv(const TextSink& sink) const {
   for (const TraceColumn& column : columns_) text += ',' + column.quantity.name;
   text += "\n";
   RowLog::Reader reader(rows_);
+  // Most values equal those of the row before, to the bit: their texts are used again.
+  std::vector<double> before(columns_.size());
+  std::vector<std::string> cells(columns_.size());
+  std::string line;
   while (reader.Next()) {
     const TraceRow& row = reader.row();
-    text += FormatMs(row.time_us);
-    for (size_t i = 0; i < row.values.size(); ++i) {
-      text += ',' + FormatNumber(row.values[i], forms_[i]);
+    line = FormatMs(row.time_us);
+    for (size_t i = 0; i < cells.size(); ++i) {
+      const double value = row.values[i];
+      if (cells[i].empty() ||
+          std::bit_cast<uint64_t>(value) != std::bit_cast<uint64_t>(before[i])) {
+        cells[i] = ',';
+        AppendNumber(value, forms_[i], &cells[i]);
+        before[i] = value;
+      }
+      line += cells[i];
     }
-    text += "\n";
+    line += '\n';
+    text += line;
   }
 }
 
@@ -262,14 +282,19 @@ void Trace::WriteVcd(const TextSink& sink) const {
   }
   if (!scope.empty()) text += "$upscope $end\n";
   text += "$upscope $end\n$enddefinitions $end\n";
+  std::vector<std::string> codes;
+  for (size_t i = 0; i < columns_.size(); ++i) codes.push_back(VcdCode(i));
   RowLog::Reader reader(rows_);
   std::vector<double> before;  // empty in the first row
+  std::string change;
   while (reader.Next()) {
     const TraceRow& row = reader.row();
     text += fmt::format("#{}\n", row.time_us);
     for (size_t i = 0; i < row.values.size(); ++i) {
       if (!before.empty() && before[i] == row.values[i]) continue;
-      text += VcdChange(row.values[i], forms_[i], VcdCode(i));
+      change.clear();
+      AppendVcdChange(row.values[i], forms_[i], codes[i], &change);
+      text += change;
     }
     before = row.values;
   }
@@ -304,12 +329,18 @@ void Trace::WriteJson(const TextSink& sink) const {
   for (size_t i = 0; i < columns_.size(); ++i) {
     RowLog::Reader reader(rows_, {i});
     std::optional<double> before;
+    std::string event =
+        fmt::format(R"({{"name":"{}","ph":"C","pid":1,"ts":)", columns_[i].quantity.name);
+    const size_t head = event.size();
     while (reader.Next()) {
       const double value = reader.row().values.front();
       if (before != value) {
-        add(fmt::format(R"({{"name":"{}","ph":"C","pid":1,"ts":{},"args":{{"value":{}}}}})",
-                        columns_[i].quantity.name, reader.row().time_us,
-                        FormatNumber(value, forms_[i])));
+        event.resize(head);
+        event += fmt::to_string(reader.row().time_us);
+        event += R"(,"args":{"value":)";
+        AppendNumber(value, forms_[i], &event);
+        event += "}}";
+        add(event);
       }
       before = value;
     }

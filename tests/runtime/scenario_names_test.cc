@@ -116,5 +116,15 @@ TEST(FormatNumber, GivesTheExactValue) {
   EXPECT_EQ(FormatNumber(1e-9, NumberForm::kReal), "1e-09");
 }
 
+TEST(AppendNumber, LooksOnlyAtTheNumber) {
+  std::string text = "1.e";
+  AppendNumber(3, NumberForm::kReal, &text);
+  text += ".0";
+  AppendNumber(0, NumberForm::kFixedPoint, &text);
+  text += "00";
+  AppendNumber(0, NumberForm::kWhole, &text);
+  EXPECT_EQ(text, "1.e3.0.00.0000");
+}
+
 }  // namespace
 }  // namespace oncard::runtime

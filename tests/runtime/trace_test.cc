@@ -152,6 +152,24 @@ TEST(Trace, MarksWhatTheCardDoesByItself) {
   }
 }
 
+TEST(Trace, WritesTheSignOfAZero) {
+  Controller controller;
+  ASSERT_TRUE(controller.Load(CompileForTest("int f()\n{\n  return 0;\n}\n")).ok());
+  std::vector<TraceColumn> columns;
+  for (const char* name : {"axis1.prfPos", "axis2.prfPos"}) {
+    columns.push_back({ResolveQuantity(name, controller).value().front()});
+  }
+  Trace trace(std::move(columns));
+  for (const auto& [first, second] : {std::pair{0.0, 1.0}, {-0.0, 2.0}, {0.0, 3.0}}) {
+    controller.RunCycle();
+    controller.motion().state().axes[0].profile.position = first;
+    controller.motion().state().axes[1].profile.position = second;
+    trace.Sample(controller);
+  }
+  EXPECT_EQ(Csv(trace),
+            "time_ms,axis1.prfPos,axis2.prfPos\n0.25,0.0,1.0\n0.5,-0.0,2.0\n0.75,0.0,3.0\n");
+}
+
 // Every format passes on pieces of bounded size, however long the run is.
 TEST(Trace, IsNeverInMemoryAsAWholeText) {
   const Trace trace = TraceOf(kSpin, "until_ms = 5000", {"n"});
