@@ -224,7 +224,7 @@ void RewindableRun::Advance(int64_t last) {
 }
 
 void RewindableRun::AdvanceTo(int64_t last) {
-  while (moment() < last) Advance(last);
+  while (moment() < last && !EndIsWanted()) Advance(last);
 }
 
 Result<void> RewindableRun::CheckThread(int thread) {
@@ -472,7 +472,7 @@ void RewindableRun::GoToCycle(int64_t cycle) {
   const auto at_end = [&] {
     return controller_.cycle() >= cycle && NextStep() == StepKind::kCycle;
   };
-  while (moment() < head_ && !at_end()) Advance(head_);
+  while (moment() < head_ && !at_end() && !EndIsWanted()) Advance(head_);
 }
 
 // --- Data races ----------------------------------------------------------------------------------
@@ -661,7 +661,7 @@ std::vector<RewindableRun::Turn> RewindableRun::Turns(int64_t from, int64_t to, 
   std::vector<Turn> turns;
   const int64_t present = moment();
   GoTo(from);
-  while (moment() < std::min(to, head_)) {
+  while (moment() < std::min(to, head_) && !EndIsWanted()) {
     const int64_t at = moment();
     const StepReport& step = Step();
     if (step.kind != StepKind::kStatement) continue;
@@ -704,7 +704,7 @@ std::vector<RewindableRun::Span> RewindableRun::Spans(int64_t from, int64_t to, 
       spans.push_back({number, waits, thread, machine().image(), machine().Line(number), moment(),
                        moment(), cycle, cycle});
     }
-    if (full || moment() >= std::min(to, head_)) break;
+    if (full || moment() >= std::min(to, head_) || EndIsWanted()) break;
     Step();
   }
   for (auto& span : open) close(span);

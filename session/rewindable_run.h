@@ -15,6 +15,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -160,6 +161,11 @@ class RewindableRun {
   /// A thread executes the next statement of this cycle, or of the next one if this one has no
   /// statements left. Fails if it cannot run; then nothing has changed.
   Result<void> StepThread(int thread);
+
+  /// While it is true, all that takes more than a few steps ends early, at any moment on its way:
+  /// for who needs the run no more. It must outlive the run; another thread may set it.
+  void EndEarly(const std::atomic<bool>* wanted) { end_wanted_ = wanted; }
+  bool EndIsWanted() const { return end_wanted_ != nullptr && *end_wanted_; }
 
   // --- Back ------------------------------------------------------------------------------------
 
@@ -349,6 +355,7 @@ class RewindableRun {
   runtime::CardWarnings silent_;
   runtime::Agenda agenda_;
   std::unique_ptr<const runtime::HostCalls> calls_;
+  const std::atomic<bool>* end_wanted_ = nullptr;
   std::unique_ptr<runtime::Controller> lookup_;  // of CardWith()
   Place place_;
   int64_t head_ = 0;

@@ -104,7 +104,8 @@ Result<Stop> Session::Forward(const Walk& walk, std::vector<LogLine>* log) {
       return Stop{StopReason::kEnd, -1, -1, {}, stops_.FailedAtEnd(*run_)};
     }
     if (walk.goal == Goal::kRest && Rests()) return Stop{StopReason::kGoal};
-    if (run_->moment() - start >= walk.budget || EndIsWanted()) return Stop{StopReason::kBudget};
+    if (run_->moment() - start >= walk.budget || run_->EndIsWanted())
+      return Stop{StopReason::kBudget};
     StepReport step;
     if (checks_all || look_closely) {
       step = run_->Step();
@@ -258,7 +259,7 @@ Session::Look Session::LookForChange(std::vector<Quantity> quantities) const {
 Stop Session::SearchBack(const Look& look, int64_t budget) {
   const int64_t present = run_->moment();
   for (int64_t end = present; end > 0;) {
-    if (present - end >= budget || EndIsWanted()) {
+    if (present - end >= budget || run_->EndIsWanted()) {
       run_->GoTo(end);
       return {StopReason::kBudget};
     }
@@ -319,7 +320,7 @@ Result<std::vector<Session::Channel>> Session::Trace(const std::vector<std::stri
   run_->GoToCycle(from_us / run_->scenario().cycle_us);
   for (;;) {
     const int64_t time_us = run_->controller().cycle() * run_->scenario().cycle_us;
-    if (time_us > to_us || EndIsWanted()) break;
+    if (time_us > to_us || run_->EndIsWanted()) break;
     if (time_us >= from_us) add(time_us);
     if (run_->moment() >= present) break;
     // To the end of the next cycle.

@@ -58,9 +58,9 @@ class Session {
   const Stops& stops() const { return stops_; }
   /// True if the scenario does not allow all data races.
   bool ForbidsRaces() const;
-  /// While it is true, walks end with StopReason::kBudget, and Trace() with what it has. It must
-  /// outlive the session; another thread may set it.
-  void EndEarly(const std::atomic<bool>* wanted) { end_wanted_ = wanted; }
+  /// While it is true, walks end with StopReason::kBudget, and whatever executes a part of the run
+  /// again ends early (RewindableRun::EndEarly).
+  void EndEarly(const std::atomic<bool>* wanted) { run_->EndEarly(wanted); }
 
   /// Replaces all stops (Stops::Set). Fails with the first wish that cannot be fulfilled; then
   /// nothing changes.
@@ -115,11 +115,8 @@ class Session {
   Look LookFor(const Walk& walk);
   Look LookForChange(std::vector<runtime::Quantity> quantities) const;
 
-  bool EndIsWanted() const { return end_wanted_ != nullptr && *end_wanted_; }
-
   std::unique_ptr<RewindableRun> run_;
   Stops stops_;
-  const std::atomic<bool>* end_wanted_ = nullptr;
 };
 
 }  // namespace oncard::session

@@ -13,6 +13,7 @@ using ::testing::AllOf;
 using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 /// The hashes of all moments of a run from the present to the end of its scenario.
 std::vector<uint64_t> HashesToTheEnd(RewindableRun* run) {
@@ -181,6 +182,25 @@ TEST(RewindableRun, KeepsFewStatesOfALongRun) {
 }
 
 // --- Warnings ------------------------------------------------------------------------------------
+
+TEST(RewindableRun, EndsEarlyWhateverItIsAt) {
+  const auto run =
+      RunOf("int x;\nint f()\n{\nL:\n  x = x + 1;\n  goto L;\n}\n", "until_ms = 100000\n");
+  constexpr int64_t kFar = 300'000;
+  run->AdvanceTo(kFar);
+  const std::atomic<bool> wanted = true;
+  run->EndEarly(&wanted);
+  run->GoTo(kFar - 1);
+  EXPECT_LT(run->moment(), kFar - 1);
+  run->GoTo(0);
+  EXPECT_THAT(run->Turns(0, kFar, 1000), IsEmpty());
+  EXPECT_EQ(run->Spans(0, kFar, 1000).size(), 1u);
+  EXPECT_EQ(run->moment(), 0);
+  run->GoToCycle(1000);
+  EXPECT_LT(run->controller().cycle(), 1000);
+  run->Record();
+  EXPECT_EQ(run->moment(), 0);
+}
 
 TEST(RewindableRun, GoingBackTakesWarningsBack) {
   const auto run = RunOf(kUnpowered);

@@ -245,9 +245,9 @@ TEST_F(BackTest, WithoutAStopToTheStart) {
 }
 
 TEST_F(BackTest, WalksEndWhereTheyAreWhenTheirEndIsWanted) {
+  session_.run().AdvanceTo(1500);
   std::atomic<bool> wanted = true;
   session_.EndEarly(&wanted);
-  session_.run().AdvanceTo(1500);
   EXPECT_EQ(Forward(To(Goal::kRest), &session_).reason, StopReason::kBudget);
   EXPECT_EQ(Back(To(Goal::kStop), &session_).reason, StopReason::kBudget);
   EXPECT_EQ(session_.run().moment(), 1500);
