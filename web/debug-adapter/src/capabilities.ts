@@ -11,7 +11,7 @@ const filterLabels: Record<Filter, Text> = {
   refusal: { en: "refused commands", zh: "命令被拒绝" },
   requirement: { en: "requirements that do not hold", zh: "要求不成立" },
   race: { en: "data races", zh: "数据竞争" },
-  warning: { en: "warnings of the card", zh: "卡的警告" },
+  warning: { en: "warnings of the card", zh: "控制卡的警告" },
 };
 
 export function capabilities(editor: Editor): DebugProtocol.Capabilities {

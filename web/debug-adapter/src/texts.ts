@@ -34,7 +34,7 @@ const stopTexts: Partial<Record<Stop["reason"], Text>> = {
   fault: { en: "the thread has faulted", zh: "线程出错" },
   refusal: { en: "a command was refused", zh: "命令被拒绝" },
   requirement: { en: "a requirement does not hold", zh: "要求不成立" },
-  warning: { en: "a warning of the card", zh: "卡的警告" },
+  warning: { en: "a warning of the card", zh: "控制卡的警告" },
   deviation: { en: "the card answers otherwise", zh: "控制卡的回答不同" },
   "schedule-end": {
     en: "the recording is over; the scenario's policy goes on",
