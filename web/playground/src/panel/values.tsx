@@ -113,6 +113,21 @@ function VariableTable({ title, variables }: { title: string; variables: Variabl
   );
 }
 
+/** Leads to a line of the program. */
+function LineLink({ line }: { line: number }) {
+  return (
+    <button
+      type="button"
+      class="link"
+      onClick={() => {
+        showLine(line);
+      }}
+    >
+      {line}
+    </button>
+  );
+}
+
 function Threads() {
   const { values: t } = texts.value;
   return (
@@ -140,15 +155,7 @@ function Threads() {
             <td>{thread.function}</td>
             <td class="number">{thread.page}</td>
             <td class="number">
-              <button
-                type="button"
-                class="link"
-                onClick={() => {
-                  showLine(thread.line);
-                }}
-              >
-                {thread.line}
-              </button>
+              <LineLink line={thread.line} />
             </td>
             <td class="number">{thread.statements}</td>
             <td>
@@ -183,19 +190,7 @@ function Warnings() {
       <tbody>
         {warnings.map(({ name, text, time_ms: ms, line }, index) => (
           <tr key={index}>
-            <td class="number">
-              {line !== undefined && (
-                <button
-                  type="button"
-                  class="link"
-                  onClick={() => {
-                    showLine(line);
-                  }}
-                >
-                  {line}
-                </button>
-              )}
-            </td>
+            <td class="number">{line !== undefined && <LineLink line={line} />}</td>
             <td>
               {text} <span class="tag warning">{name}</span>
             </td>
@@ -245,15 +240,7 @@ function FunctionListing({ listed, next }: { listed: ListedFunction; next: Set<s
           return (
             <tr key={index} class={`${isLinked ? "linked" : ""} ${isNext ? "next" : ""}`}>
               <td class="number">
-                <button
-                  type="button"
-                  class="link"
-                  onClick={() => {
-                    showLine(line);
-                  }}
-                >
-                  {line}
-                </button>
+                <LineLink line={line} />
               </td>
               <td>
                 <code>{text}</code>
