@@ -14,12 +14,19 @@ function warningsOf(editor: Editor): DebugProtocol.OutputEvent["body"][] {
   return outputs;
 }
 
-test("a warning is written with its place, without a stop", async () => {
+/** Runs the program to its end. */
+async function run(config: Record<string, unknown> = {}) {
   const editor = await openEditor();
   const warnings = warningsOf(editor);
   const path = programOf(unpowered);
-  await editor.launch(path);
-  expect((await editor.run()).reason).toBe("pause");
+  await editor.launch(path, config);
+  const { reason } = await editor.run();
+  return { editor, warnings, path, reason };
+}
+
+test("a warning is written with its place, without a stop", async () => {
+  const { warnings, path, reason } = await run();
+  expect(reason).toBe("pause");
   expect(warnings).toMatchObject([
     { category: "console", output: `${driveOff} [drive-off]\n`, source: { path }, line: 6 },
     { category: "console", source: { path }, line: 6 },
@@ -28,20 +35,14 @@ test("a warning is written with its place, without a stop", async () => {
 });
 
 test("going back and forward again does not repeat it", async () => {
-  const editor = await openEditor();
-  const warnings = warningsOf(editor);
-  await editor.launch(programOf(unpowered));
-  await editor.run();
+  const { editor, warnings } = await run();
   await editor.move("reverseContinue");
   await editor.move("continue");
   expect(warnings).toHaveLength(2);
 });
 
 test("a restart begins anew", async () => {
-  const editor = await openEditor();
-  const warnings = warningsOf(editor);
-  await editor.launch(programOf(unpowered));
-  await editor.run();
+  const { editor, warnings } = await run();
   await editor.request("restart");
   await editor.stopped();
   expect(warnings).toHaveLength(4);
@@ -60,10 +61,7 @@ test("a stop at a warning names it, and it is written once", async () => {
 });
 
 test("those that are not wanted are left out", async () => {
-  const editor = await openEditor();
-  const warnings = warningsOf(editor);
-  await editor.launch(programOf(unpowered), { silent: ["drive-off"] });
-  await editor.run();
+  const { warnings } = await run({ silent: ["drive-off"] });
   expect(warnings).toHaveLength(1);
   expect(warnings[0]?.output).toContain("[work-left]");
 });
