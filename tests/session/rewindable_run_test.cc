@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <atomic>
+
 #include "runtime/observe/thread_status.h"
 #include "tests/session/session_support.h"
 
@@ -181,8 +183,6 @@ TEST(RewindableRun, KeepsFewStatesOfALongRun) {
   EXPECT_EQ(run->controller().Hash(), end);
 }
 
-// --- Warnings ------------------------------------------------------------------------------------
-
 TEST(RewindableRun, EndsEarlyWhateverItIsAt) {
   const auto run =
       RunOf("int x;\nint f()\n{\nL:\n  x = x + 1;\n  goto L;\n}\n", "until_ms = 100000\n");
@@ -201,6 +201,8 @@ TEST(RewindableRun, EndsEarlyWhateverItIsAt) {
   run->Record();
   EXPECT_EQ(run->moment(), 0);
 }
+
+// --- Warnings ------------------------------------------------------------------------------------
 
 TEST(RewindableRun, GoingBackTakesWarningsBack) {
   const auto run = RunOf(kUnpowered);
