@@ -121,6 +121,7 @@ void CrdDriver::StartMove(const BufferedCommand& command) {
   profile.trap.target = static_cast<int32_t>(command.values[0]);
   profile.trap.velocity = command.values[1];
   profile.Start(card_.now());
+  card_.TellDriveOff(command.item);
   if (command.detail != 0) crd_.AwaitMove(command);
 }
 
@@ -150,6 +151,7 @@ void CrdDriver::StartGear(const BufferedCommand& command) {
   Profile& profile = card_.profile(command.item);
   if (profile.now.moving || crd_.gear_count == crd_.gears.size()) return;
   profile.driven = true;
+  card_.TellDriveOff(command.item);
   crd_.gears[crd_.gear_count++] = {command.item,      profile.now.position, command.values[0],
                                    command.values[1], command.values[2],    false};
 }

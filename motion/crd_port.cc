@@ -3,6 +3,7 @@
 #include <array>
 
 #include "motion/origins.h"
+#include "motion/readings.h"
 
 namespace oncard::motion {
 namespace {
@@ -31,6 +32,12 @@ void CarryOutLaser(const BufferedCommand& command, Laser* laser) {
 }
 
 }  // namespace
+
+void CrdPort::TellDriveOff(int32_t profile) const {
+  if (!observer_) return;
+  const auto axis = Readings(state_, config_).AxisWithDriveOff(static_cast<size_t>(profile));
+  if (axis) observer_({HappeningKind::kMovedByPath, *axis, 0, static_cast<double>(index_)});
+}
 
 void CrdPort::CarryOut(const BufferedCommand& command) {
   if (block_ != nullptr) block_->Store();

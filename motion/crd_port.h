@@ -31,6 +31,8 @@ class CrdPort {
   void Tell(HappeningKind kind, double value, double bound = 0) const {
     if (observer_) observer_({kind, index_, value, bound});
   }
+  /// Tells of an axis that the profile begins to move while the drive is off.
+  void TellDriveOff(int32_t profile) const;
 
  private:
   MotionState& state_;

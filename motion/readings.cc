@@ -4,6 +4,17 @@
 
 namespace oncard::motion {
 
+std::optional<size_t> Readings::AxisWithDriveOff(size_t profile) const {
+  std::optional<size_t> off;
+  for (size_t i = 0; i < axis_count_; ++i) {
+    const Axis& axis = state_.axes[i];
+    if (!axis.active || (axis.profile_map >> profile & 1) == 0) continue;
+    if (axis.servo_on) return std::nullopt;
+    if (!off) off = i;
+  }
+  return off;
+}
+
 MasterValue Readings::PlannedAxis(const Axis& axis) const {
   MasterValue sum;
   ForEachBit(axis.profile_map, axis_count_, [&](size_t profile) {

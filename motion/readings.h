@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "motion/common/rounding.h"
 #include "motion/motion_state.h"
@@ -37,6 +38,9 @@ class Readings {
                [&](size_t profile) { moving = moving || state_.profiles[profile].now.moving; });
     return moving;
   }
+  /// The axis that a profile moves although the drive is off; nullopt if it moves none, or one
+  /// whose drive is on.
+  std::optional<size_t> AxisWithDriveOff(size_t profile) const;
   /// The mapped sum of an axis' profiles or encoders, without the offset.
   double MappedProfiles(const Axis& axis) const {
     double sum = 0;

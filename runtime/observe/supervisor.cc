@@ -113,6 +113,7 @@ bool StopsAxis(const motion::MotionCore& core, const motion::Happening& happenin
     case HappeningKind::kGantrySkew:
     case HappeningKind::kHeldAtLimit:
       return true;
+    case HappeningKind::kMovedByPath:
     case HappeningKind::kTooFast:
     case HappeningKind::kTooSteep:
     case HappeningKind::kStarved:
@@ -381,16 +382,10 @@ void Supervisor::CheckVelocity(const gtcalls::Call& call, size_t index) {
 }
 
 void Supervisor::CheckDrive(const gtcalls::Call& call, size_t index) {
-  const motion::MotionState& state = controller_.motion().state();
-  std::optional<size_t> off;
-  for (size_t i = 0; i < controller_.motion().axis_count(); ++i) {
-    const motion::Axis& axis = state.axes[i];
-    if (!axis.active || (axis.profile_map >> index & 1) == 0) continue;
-    if (axis.servo_on) return;
-    if (!off) off = i;
-  }
+  const motion::MotionCore& core = controller_.motion();
+  const std::optional<size_t> off = core.readings().AxisWithDriveOff(index);
   // A profile without an axis, or one that only leads others, needs no drive.
-  if (!off || IsMaster(state, index)) return;
+  if (!off || IsMaster(core.state(), index)) return;
   Add(CardWarning::kDriveOff, call, *off,
       MakeMessage("axis {0} moves while its drive is off, call GT_AxisOn first",
                   "轴 {0} 在伺服使能关闭时运动，请先调用 GT_AxisOn", *off + 1));
@@ -406,7 +401,19 @@ void Supervisor::NoteBeyondLimit(const motion::Happening& happening) {
   Add(std::move(key), PlaceOfSite(site), DescribeHappening(happening), controller_.NowUs());
 }
 
+void Supervisor::NoteMovedByPath(const motion::Happening& happening) {
+  const motion::MotionState& state = controller_.motion().state();
+  bool leads = false;
+  motion::ForEachBit(state.axes[happening.item].profile_map, motion::kAxisMax,
+                     [&](size_t profile) { leads = leads || IsMaster(state, profile); });
+  if (leads) return;
+  Add({CardWarning::kDriveOff, 0, static_cast<int>(happening.bound),
+       static_cast<int>(happening.item), "path"},
+      {}, DescribeHappening(happening), controller_.NowUs());
+}
+
 void Supervisor::Happened(const motion::Happening& happening) {
+  if (happening.kind == motion::HappeningKind::kMovedByPath) return NoteMovedByPath(happening);
   if (happening.kind == motion::HappeningKind::kTooFast ||
       happening.kind == motion::HappeningKind::kTooSteep) {
     return NoteBeyondLimit(happening);

@@ -119,6 +119,8 @@ class Supervisor final : public CardObserver {
   CardFinding& Add(Key key, CommandPlace place, Message text, int64_t at_us);
   /// An axis begins to move beyond what its drive can follow.
   void NoteBeyondLimit(const motion::Happening& happening);
+  /// A path begins to move an axis whose drive is off.
+  void NoteMovedByPath(const motion::Happening& happening);
   void JudgeStop(size_t axis);
   void JudgeLeftOut(size_t profile);
   void JudgeWorkLeft();

@@ -64,6 +64,13 @@ Message DescribeHappening(const motion::Happening& happening) {
     case HappeningKind::kHeldAtLimit:
       return MakeMessage("profile {0} is held at {1}: it would move towards a latched limit",
                          "规划器 {0} 停在 {1}：其运动方向上的限位已锁存", item, value);
+    case HappeningKind::kMovedByPath:
+      return MakeMessage(
+          "GT_BufMove or GT_BufGear of coordinate system {1} moves axis {0} while its drive is "
+          "off, call GT_AxisOn first",
+          "坐标系 {1} 的 GT_BufMove 或 GT_BufGear 使轴 {0} 在伺服使能关闭时运动，请先调用 "
+          "GT_AxisOn",
+          item, bound + 1);
     case HappeningKind::kTooFast:
       return MakeMessage(
           "axis {0} is planned with {1} pulse/ms, its drive follows up to {2} (max_vel)",

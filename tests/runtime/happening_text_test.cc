@@ -143,6 +143,7 @@ TEST(Happening, APathThatRunsDryAndAPathThatWaits) {
       (Lines{"coordinate system 1 stops at once from 5 pulse/ms: the FIFO is empty and velEnd of "
              "the last segment is not 0, append segments sooner or end with velEnd 0"}));
   card.said.clear();
+  card.core.ServoOn(4);
   motion::PathSlot move;
   move.command = {motion::BufferedKind::kMove, 4, 1, {1000, 10, 1}};
   ASSERT_TRUE(card.core.AppendToCrd(0, 0, move));
@@ -156,6 +157,23 @@ TEST(Happening, APathThatRunsDryAndAPathThatWaits) {
   EXPECT_EQ(card.said.at(0).substr(0, 67),
             "coordinate system 1 pauses: axis 5 of a modal GT_BufMove was stoppe");
   EXPECT_NEAR(card.core.state().profiles[4].now.position, place, 1);
+}
+
+TEST(Happening, AnAxisThatAPathMovesWhileItsDriveIsOff) {
+  TalkingCard card;
+  card.SetUpPath();
+  motion::PathSlot command;
+  command.command = {motion::BufferedKind::kMove, 4, 0, {1000, 10, 1}};
+  ASSERT_TRUE(card.core.AppendToCrd(0, 0, command));
+  command.command = {motion::BufferedKind::kGear, 5, 0, {1000}};
+  ASSERT_TRUE(card.core.AppendToCrd(0, 0, command));
+  ASSERT_TRUE(card.Line({1000, 0}, 0));
+  card.core.StartCrd(0, 0, false);
+  card.Ticks(200);
+  EXPECT_EQ(card.said, (Lines{"GT_BufMove or GT_BufGear of coordinate system 1 moves axis 5 while "
+                              "its drive is off, call GT_AxisOn first",
+                              "GT_BufMove or GT_BufGear of coordinate system 1 moves axis 6 while "
+                              "its drive is off, call GT_AxisOn first"}));
 }
 
 TEST(Happening, WhatLookAheadDoes) {

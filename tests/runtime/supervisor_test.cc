@@ -94,6 +94,50 @@ TEST(DriveOff, IsToldOfEachAxisThatACallStarts) {
   }
 }
 
+/// A path of axes 1 and 2 that begins with a command for another axis.
+std::vector<std::string> WarningsOfPath(const motion::BufferedCommand& command,
+                                        const std::set<size_t>& on) {
+  Controller controller;
+  Supervisor supervisor(&controller);
+  motion::MotionCore& core = controller.motion();
+  for (const size_t axis : on) core.ServoOn(axis);
+  motion::CrdParameters parameters;
+  parameters.dimension = 2;
+  parameters.profile = {1, 2};
+  parameters.velocity_max = 100;
+  parameters.acceleration_max = 10;
+  core.SetUpCrd(0, parameters);
+  motion::PathSlot slot;
+  slot.command = command;
+  EXPECT_TRUE(core.AppendToCrd(0, 0, slot));
+  slot = {};
+  slot.is_segment = true;
+  slot.segment = *motion::MakeLine({}, {100, 0});
+  slot.velocity = 10;
+  slot.acceleration = 1;
+  EXPECT_TRUE(core.AppendToCrd(0, 0, slot));
+  core.StartCrd(0, 0, false);
+  controller.RunCycles(200);
+  std::vector<std::string> texts;
+  for (const CardFinding& finding : supervisor.findings()) {
+    texts.push_back(DescribeFinding(finding, "").en);
+  }
+  return texts;
+}
+
+TEST(DriveOff, IsWarnedOfAnAxisThatAPathStarts) {
+  using motion::BufferedKind;
+  for (const motion::BufferedCommand& command :
+       {motion::BufferedCommand{BufferedKind::kMove, 2, 0, {50, 10, 1}},
+        motion::BufferedCommand{BufferedKind::kGear, 2, 0, {50}}}) {
+    EXPECT_THAT(WarningsOfPath(command, {0, 1}),
+                ElementsAre(AllOf(HasSubstr("of coordinate system 1 moves axis 3 while its drive "
+                                            "is off, call GT_AxisOn first (at 0.25 ms)"),
+                                  HasSubstr("[drive-off]"))));
+    EXPECT_THAT(WarningsOfPath(command, {0, 1, 2}), IsEmpty());
+  }
+}
+
 // --- update-mask ---------------------------------------------------------------------------------
 
 TEST(UpdateMask, IsNotTheNumberOfAnAxis) {
