@@ -19,6 +19,7 @@
 #include "runtime/host/host_memory.h"
 #include "runtime/host/host_refusals.h"
 #include "runtime/host/host_signals.h"
+#include "runtime/host/host_time.h"
 #include "runtime/scenario/scenario_world.h"
 #include "vm/object_writer.h"
 
@@ -63,6 +64,7 @@ int16_t Open(ServiceCall& call) {
   if (slot.controller != nullptr) {
     return call.Refuse(kOpenFailed, {"the card is already open", "该卡已打开"});
   }
+  ReadHostTimeSetting();
   const char* setting = std::getenv("ONCARD_CLOCK");
   const auto clock = ParseClockSetting(setting == nullptr ? "" : setting);
   if (!clock.ok()) return call.Refuse(kOpenFailed, clock.error().message);

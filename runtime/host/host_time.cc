@@ -1,5 +1,6 @@
 #include "runtime/host/host_time.h"
 
+#include <atomic>
 #include <cstdlib>
 #include <string_view>
 #include <thread>
@@ -11,14 +12,23 @@
 namespace oncard::runtime {
 namespace {
 
+enum class TimeKind : uint8_t { kUnread, kReal, kVirtual };
+constinit std::atomic<TimeKind> known_time = TimeKind::kUnread;
+
 /// The steady clock is not read in virtual time, where reading a clock takes time.
 const int64_t begin_ns = HostTimeIsVirtual() ? 0 : CardClock::SteadyNanoseconds();
 
 }  // namespace
 
-bool HostTimeIsVirtual() {
+void ReadHostTimeSetting() {
   const char* setting = std::getenv("ONCARD_CLOCK");
-  return setting != nullptr && std::string_view(setting) == "virtual";
+  const bool is_virtual = setting != nullptr && std::string_view(setting) == "virtual";
+  known_time = is_virtual ? TimeKind::kVirtual : TimeKind::kReal;
+}
+
+bool HostTimeIsVirtual() {
+  if (known_time == TimeKind::kUnread) ReadHostTimeSetting();
+  return known_time == TimeKind::kVirtual;
 }
 
 int64_t LookAtHostTimeNs() {

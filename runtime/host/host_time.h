@@ -9,7 +9,11 @@ namespace oncard::runtime {
 /// The virtual time that reading a clock or the keyboard takes.
 inline constexpr int64_t kLookNs = 1000;
 
+/// By ONCARD_CLOCK as the library found it when it was loaded, or as GT_Open has read it since: the
+/// environment is not searched at each sleep, nor in a handler of a signal.
 bool HostTimeIsVirtual();
+/// Reads ONCARD_CLOCK again.
+void ReadHostTimeSetting();
 /// Nanoseconds since the library was loaded, after the time that the reading takes.
 int64_t LookAtHostTimeNs();
 /// The same without taking time; safe in a handler of a signal.
