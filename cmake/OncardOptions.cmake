@@ -3,6 +3,24 @@
 # bench vm and compiles faster. Sanitizers need it, too: with -O1 clang inlines nothing, compiles
 # hardly faster, and tests of cards take twice as long.
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
+# Sources that were compiled before are not compiled again where ccache works, most of them not even
+# in another clone. It fails where it cannot write, as in a home that is read-only. It is told that
+# the times of included files and of precompiled headers mean nothing: their contents decide.
+find_program(ONCARD_CCACHE ccache)
+if(ONCARD_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  execute_process(
+    COMMAND ${ONCARD_CCACHE} ${CMAKE_CXX_COMPILER} -c -x c++ /dev/null
+      -o ${PROJECT_BINARY_DIR}/ccache_works.o
+    RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
+  if(NOT failed)
+    set(sloppiness pch_defines,time_macros,include_file_mtime,include_file_ctime)
+    foreach(language C CXX)
+      set(CMAKE_${language}_COMPILER_LAUNCHER
+        ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}
+        CCACHE_SLOPPINESS=${sloppiness} ${ONCARD_CCACHE})
+    endforeach()
+  endif()
+endif()
 # Where a preset compiles several sources as one, it spends most of its time on headers and templates
 # that they share.
 set(CMAKE_UNITY_BUILD_BATCH_SIZE 24)
