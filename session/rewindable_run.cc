@@ -67,7 +67,7 @@ Result<void> RewindableRun::Start(vm::Object object, std::shared_ptr<const vm::S
   runtime::ScenarioFit fit;
   auto started = runtime::StartScenario(scenario_, std::move(object), &controller_, &fit);
   if (!started.ok()) return started;
-  agenda_.Read(scenario_, &controller_, &fit);
+  course_.Read(scenario_, &controller_, &fit);
   if (!scenario_.schedule.starts_with(runtime::kReplayPrefix)) {
     auto policy = vm::ParsePolicy(scenario_.schedule);
     if (policy.ok()) {
@@ -86,9 +86,6 @@ Result<void> RewindableRun::Start(vm::Object object, std::shared_ptr<const vm::S
     if (!replay.ok()) return replay.error();
     controller_.machine().SetPolicy(replay.value());
   }
-  limit_cycle_ = runtime::CycleOf(scenario_, scenario_.limit_ms * 1000);
-  until_cycle_ =
-      scenario_.until_us ? runtime::CycleOf(scenario_, *scenario_.until_us) : limit_cycle_ + 1;
   UpdateWorld();
   Keep();
   return {};
@@ -138,13 +135,13 @@ bool RewindableRun::CallIsDue() const {
 StepKind RewindableRun::NextStep() const {
   if (HostActsWithin()) return StepKind::kHost;
   if (place_.statements_left > 0) return StepKind::kStatement;
-  const bool host_acts = agenda_.NextCycle() <= controller_.cycle() || CallIsDue();
+  const bool host_acts = course_.agenda().NextCycle() <= controller_.cycle() || CallIsDue();
   return host_acts ? StepKind::kHost : StepKind::kCycle;
 }
 
 bool RewindableRun::HostActsWithin() const {
   return place_.statements_left > 0 &&
-         agenda_.NextWithin(controller_.cycle()) <= place_.statements_done;
+         course_.agenda().NextWithin(controller_.cycle()) <= place_.statements_done;
 }
 
 int RewindableRun::NextThread() const {
@@ -154,16 +151,12 @@ int RewindableRun::NextThread() const {
   return thread >= 0 ? thread : std::countr_zero(machine().RunnableThreads());
 }
 
-std::optional<RunOver> RewindableRun::Over() const {
+std::optional<runtime::RunOver> RewindableRun::Over() const {
   if (NextStep() != StepKind::kCycle) return std::nullopt;
-  if (calls_ != nullptr) return CallIsLeft() ? std::nullopt : std::optional(RunOver::kHostEnd);
-  const int64_t cycle = controller_.cycle();
-  if (until_cycle_ <= limit_cycle_ && cycle >= until_cycle_) return RunOver::kUntil;
-  if (cycle >= limit_cycle_) return RunOver::kLimit;
-  if (agenda_.has_checks() || scenario_.until_us) return std::nullopt;
-  if (machine().Quiet()) return RunOver::kQuiet;
-  if (!agenda_.has_writes() && controller_.Deadlocked()) return RunOver::kDeadlock;
-  return std::nullopt;
+  if (calls_ != nullptr) {
+    return CallIsLeft() ? std::nullopt : std::optional(runtime::RunOver::kHostEnd);
+  }
+  return course_.Over(controller_);
 }
 
 bool RewindableRun::follows_schedule() const {
@@ -257,16 +250,14 @@ void RewindableRun::StepHost() {
   ++place_.moment;
   if (HostActsWithin()) return StepHostWithin();
   if (CallIsDue()) return StepCall();
-  while (const runtime::Agenda::Check* check = agenda_.TakeCheck(controller_.cycle())) {
-    if (check->condition.Holds(controller_)) continue;
+  const auto judge = [this](const runtime::Agenda::Check& check) {
+    if (check.condition.Holds(controller_)) return;
     ++place_.failed;
-    const Message why = runtime::DescribeFailure(check->condition, controller_);
+    const Message why = runtime::DescribeFailure(check.condition, controller_);
     report_.failed.push_back(
-        {fmt::format("{}: {}", check->text, why.en), fmt::format("{}：{}", check->text, why.zh)});
-  }
-  while (const runtime::Agenda::Write* write = agenda_.TakeWrite(controller_.cycle())) {
-    controller_.machine().Write(write->variable.slot, write->value);
-  }
+        {fmt::format("{}: {}", check.text, why.en), fmt::format("{}：{}", check.text, why.zh)});
+  };
+  course_.Act(&controller_, judge, [](const runtime::Agenda::Write&) {});
 }
 
 void RewindableRun::StepCall() {
@@ -294,13 +285,7 @@ bool RewindableRun::HasBeenChanged() const {
 }
 
 void RewindableRun::StepHostWithin() {
-  vm::Machine& machine = controller_.machine();
-  const int64_t cycle = controller_.cycle();
-  while (const auto* write = agenda_.TakeWriteWithin(cycle, place_.statements_done)) {
-    machine.Write(write->variable.slot, write->value);
-    // Threads that waited for the value at the end of their function finish.
-    machine.Execute(0);
-  }
+  course_.ActWithin(&controller_, place_.statements_done, [](const runtime::Agenda::Write&) {});
   NoteState();
 }
 
@@ -336,7 +321,8 @@ void RewindableRun::StepStatement() {
 void RewindableRun::ExecuteTo(int64_t last) {
   vm::Machine& machine = controller_.machine();
   while (place_.statements_left > 0 && moment() < last && machine.RunnableThreads() != 0) {
-    const int64_t until_host = agenda_.NextWithin(controller_.cycle()) - place_.statements_done;
+    const int64_t until_host =
+        course_.agenda().NextWithin(controller_.cycle()) - place_.statements_done;
     if (until_host <= 0) return;
     if (races_ || Awaits()) {
       StepStatement();
@@ -398,7 +384,7 @@ void RewindableRun::Keep() {
   const auto at = std::ranges::lower_bound(kept_, moment(), {},
                                            [](const Kept& kept) { return kept.place.moment; });
   Kept present = {place_,
-                  agenda_.position(),
+                  course_.position(),
                   machine().shared_image(),
                   vm::PackedState(machine().state()),
                   controller_.Body(),
@@ -431,7 +417,7 @@ void RewindableRun::ThinOut() {
 
 void RewindableRun::Restore(const Kept& kept) {
   place_ = kept.place;
-  agenda_.GoTo(kept.agenda);
+  course_.GoTo(kept.course);
   kept.machine.Unpack(scratch_.get());
   if (machine().shared_image() != kept.program) controller_.machine().Load(kept.program);
   controller_.machine().Restore(*scratch_);

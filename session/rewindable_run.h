@@ -25,8 +25,8 @@
 #include "base/result.h"
 #include "runtime/conditions/card_condition.h"
 #include "runtime/observe/supervisor.h"
-#include "runtime/scenario/agenda.h"
 #include "runtime/scenario/host_calls.h"
+#include "runtime/scenario/run_course.h"
 #include "runtime/scenario/scenario.h"
 #include "runtime/sim/controller.h"
 #include "session/race_watch.h"
@@ -55,15 +55,6 @@ struct StepReport {
   bool call = false;                       ///< kHost: a call of a recorded host
   std::optional<Message> deviation;        ///< the card has not answered as it is recorded
   std::optional<Message> warning;          ///< the first of the supervisor's that are new
-};
-
-/// Why the scenario's run is over.
-enum class RunOver : uint8_t {
-  kQuiet,     ///< no thread runs any more
-  kUntil,     ///< `until_ms`
-  kLimit,     ///< `limit_ms`
-  kDeadlock,  ///< all running threads wait for values that nothing changes any more
-  kHostEnd,   ///< the record of a host has no more calls
 };
 
 class RewindableRun {
@@ -110,7 +101,7 @@ class RewindableRun {
   /// statement.
   int NextThread() const;
   /// Set if a run of the scenario is over at this moment. The card can go on.
-  std::optional<RunOver> Over() const;
+  std::optional<runtime::RunOver> Over() const;
   /// True if a schedule was given and is still followed: it has not ended, its threads could run,
   /// and the user has chosen no other one.
   bool follows_schedule() const;
@@ -120,11 +111,11 @@ class RewindableRun {
   int64_t failed() const { return place_.failed; }
   /// The expectations without an instant.
   const std::vector<runtime::Agenda::Check>& expectations_at_end() const {
-    return agenda_.at_end();
+    return course_.agenda().at_end();
   }
   /// True if the scenario has expectations or writes of the host after this moment.
   bool scenario_goes_on() const {
-    return agenda_.has_checks() || agenda_.has_writes() || CallIsLeft();
+    return course_.agenda().has_checks() || course_.agenda().has_writes() || CallIsLeft();
   }
   /// The recorded calls of a host; nullptr: there is no such host.
   const runtime::HostCalls* calls() const { return calls_.get(); }
@@ -260,7 +251,7 @@ class RewindableRun {
   };
   struct Kept {
     Place place;
-    runtime::Agenda::Position agenda;
+    runtime::RunCourse::Position course;
     std::shared_ptr<const vm::Image> program;
     vm::PackedState machine;
     runtime::CardBody body;
@@ -353,7 +344,7 @@ class RewindableRun {
   runtime::Controller controller_;
   runtime::Supervisor supervisor_;
   runtime::CardWarnings silent_;
-  runtime::Agenda agenda_;
+  runtime::RunCourse course_;
   std::unique_ptr<const runtime::HostCalls> calls_;
   const std::atomic<bool>* end_wanted_ = nullptr;
   std::unique_ptr<runtime::Controller> lookup_;  // of CardWith()
@@ -368,8 +359,6 @@ class RewindableRun {
   std::optional<RaceWatch> races_;
   std::vector<runtime::CardCondition> awaited_;
   std::unique_ptr<vm::MachineState> scratch_ = std::make_unique<vm::MachineState>();
-  int64_t until_cycle_ = 0;
-  int64_t limit_cycle_ = 0;
 };
 
 }  // namespace oncard::session

@@ -30,17 +30,17 @@ std::string_view StepName(StepKind kind) {
   return "statement";
 }
 
-std::string_view OverName(RunOver over) {
+std::string_view OverName(runtime::RunOver over) {
   switch (over) {
-    case RunOver::kQuiet:
+    case runtime::RunOver::kQuiet:
       return "quiet";
-    case RunOver::kUntil:
+    case runtime::RunOver::kUntil:
       return "until";
-    case RunOver::kLimit:
+    case runtime::RunOver::kLimit:
       return "time-limit";
-    case RunOver::kHostEnd:
+    case runtime::RunOver::kHostEnd:
       return "host-end";
-    case RunOver::kDeadlock:
+    case runtime::RunOver::kDeadlock:
       break;
   }
   return "deadlock";

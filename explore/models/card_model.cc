@@ -86,17 +86,14 @@ Result<CardModel> CardModel::Create(const runtime::Scenario& scenario,
   // A run of a failing schedule traces them.
   runtime::TraceQuantities(scenario, controller, &fit);
   model.KeepThreads(BoundThreads(controller.machine()));
-  const int64_t limit = runtime::CycleOf(scenario, scenario.limit_ms * 1000);
-  model.last_cycle_ = limit;
-  if (scenario.until_us && runtime::CycleOf(scenario, *scenario.until_us) <= limit) {
-    model.last_cycle_ = runtime::CycleOf(scenario, *scenario.until_us);
-    model.last_is_failure_ = false;
+  model.bounds_ = runtime::RunBounds::Of(scenario);
+  if (model.bounds_.kind_of_last() == runtime::RunOver::kUntil) {
     model.horizon_.at_ms = ToMs(*scenario.until_us);
   }
   model.BindRequirements(requirements, &fit);
   if (auto failure = fit.Failure()) return *std::move(failure);
   // If no thread runs, the card continues until then, as in a run.
-  if (scenario.until_us) model.last_instant_ = model.last_cycle_;
+  if (scenario.until_us) model.last_instant_ = model.bounds_.last();
   model.Save(&model.initial_);
   return model;
 }
@@ -111,12 +108,12 @@ Result<CardModel> CardModel::CreateFromCalls(const runtime::Scenario& scenario,
   model.host_ = std::make_shared<const HostEvents>(std::move(host).value());
   model.host_->Prepare(scenario, model.controller_.get());
   model.KeepThreads(model.host_->threads());
-  model.last_cycle_ = model.host_->end_cycle();
-  model.last_is_failure_ = !model.host_->cut();
-  if (model.last_is_failure_) {
-    model.last_cycle_ += runtime::CycleOf(scenario, scenario.limit_ms * 1000);
+  const int64_t end = model.host_->end_cycle();
+  if (model.host_->cut()) {
+    model.bounds_.until = end;
+    model.horizon_.at_ms = ToMs(end * scenario.cycle_us);
   } else {
-    model.horizon_.at_ms = ToMs(model.last_cycle_ * scenario.cycle_us);
+    model.bounds_.limit = end + runtime::CycleOf(scenario, scenario.limit_ms * 1000);
   }
   model.BindRequirements(requirements, &fit);
   if (auto failure = fit.Failure()) return *std::move(failure);
@@ -149,7 +146,7 @@ void CardModel::BindRequirements(const std::vector<Requirement>& requirements,
     if (expectation.at_us) {
       requirement.cycle = runtime::CycleOf(scenario_, *expectation.at_us);
       last_instant_ = std::max(last_instant_, requirement.cycle);
-      if (requirement.cycle > last_cycle_) {
+      if (requirement.cycle > bounds_.last()) {
         fit->Add(expectation.place,
                  MakeMessage("the expectation '{0}' is later than the end of the run",
                              "期望“{0}”的时刻在运行结束之后", expectation.text()));
@@ -355,8 +352,8 @@ void CardModel::Settle(State* state) {
     if (state->fault) break;
     if (!host_acts && controller_->Deadlocked()) {
       state->fault.kind = Fault::Kind::kDeadlock;
-    } else if (controller_->cycle() >= last_cycle_) {
-      if (last_is_failure_) {
+    } else if (controller_->cycle() >= bounds_.last()) {
+      if (bounds_.kind_of_last() == runtime::RunOver::kLimit) {
         state->fault.kind = Fault::Kind::kTimeLimit;
       } else {
         End(state);
@@ -393,7 +390,7 @@ void CardModel::End(State* state) {
   // If no thread runs, the card continues until the last requested instant.
   for (;;) {
     JudgeInstant(state);
-    if (state->fault || controller_->cycle() >= std::min(last_instant_, last_cycle_)) break;
+    if (state->fault || controller_->cycle() >= std::min(last_instant_, bounds_.last())) break;
     BeginCycle();
     if (has_invariants_) JudgeState(state);
   }

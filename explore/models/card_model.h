@@ -25,6 +25,7 @@
 #include "explore/models/problem.h"
 #include "explore/models/state_key.h"
 #include "runtime/observe/supervisor.h"
+#include "runtime/scenario/run_course.h"
 #include "runtime/scenario/scenario.h"
 #include "runtime/scenario/vacuity.h"
 #include "runtime/sim/controller.h"
@@ -190,10 +191,9 @@ class CardModel {
   bool has_invariants_ = false;  ///< or kEventually
   bool watches_card_ = false;    ///< a requirement on every state names more than the program
   Horizon horizon_;
-  int64_t latest_end_ = 0;       ///< cycle in which the longest run that was taken ended
-  int64_t last_cycle_ = 0;       ///< `until_ms` or `limit_ms`
-  bool last_is_failure_ = true;  ///< it is `limit_ms`
-  int64_t last_instant_ = 0;     ///< cycle of the last expectation with an instant, or `until_ms`
+  int64_t latest_end_ = 0;  ///< cycle in which the longest run that was taken ended
+  runtime::RunBounds bounds_;
+  int64_t last_instant_ = 0;  ///< cycle of the last expectation with an instant, or `until_ms`
 };
 
 }  // namespace oncard::explore

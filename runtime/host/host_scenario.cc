@@ -20,6 +20,7 @@
 #include "runtime/host/virtual_time.h"
 #include "runtime/observe/trace_file.h"
 #include "runtime/scenario/expectation.h"
+#include "runtime/scenario/scenario_start.h"
 
 namespace oncard::runtime {
 namespace {
@@ -82,15 +83,12 @@ CardWatch::CardWatch(std::shared_ptr<const Scenario> scenario, int card,
   if (auto requirements = RequirementsOf(*scenario_); !requirements.empty()) {
     requirements_.emplace(std::move(requirements), std::string());
   }
-  const int64_t limit_us = CycleOf(scenario_->limit_ms * 1000) * scenario_->cycle_us;
-  if (scenario_->limit_ms < kTimeMsMax) end_us_ = limit_us;
-  if (scenario_->until_us) {
-    end_us_ = std::min(CycleOf(*scenario_->until_us) * scenario_->cycle_us, limit_us);
-  }
+  bounds_ = RunBounds::Of(*scenario_);
 }
 
-int64_t CardWatch::CycleOf(int64_t microseconds) const {
-  return (microseconds + scenario_->cycle_us - 1) / scenario_->cycle_us;
+std::optional<int64_t> CardWatch::end_us() const {
+  if (!scenario_->until_us && scenario_->limit_ms >= kTimeMsMax) return std::nullopt;
+  return bounds_.last() * scenario_->cycle_us;
 }
 
 void CardWatch::Listen(Controller* controller) {
@@ -111,12 +109,12 @@ void CardWatch::Listen(Controller* controller) {
 void CardWatch::AdvanceUs(Controller* controller, int64_t microseconds) {
   if (requirements_) requirements_->Follow(*controller);
   int64_t end_us = controller->NowUs() + microseconds;
-  if (end_us_ && end_us >= *end_us_) {
-    end_us = *end_us_;
+  if (const auto last_us = this->end_us(); last_us && end_us >= *last_us) {
+    end_us = *last_us;
     over_ = true;
   }
   for (; next_ < timed_.size(); ++next_) {
-    const int64_t due_us = CycleOf(*timed_[next_]->at_us) * scenario_->cycle_us;
+    const int64_t due_us = CycleOf(*scenario_, *timed_[next_]->at_us) * scenario_->cycle_us;
     if (due_us > end_us) break;
     if (due_us > controller->NowUs()) AdvanceTracedUs(controller, due_us - controller->NowUs());
     Judge(*timed_[next_], *controller);
@@ -170,8 +168,7 @@ void CardWatch::Finish(Controller* controller) {
   for (const Expectation& expectation : scenario_->expectations) {
     if (!expectation.at_us) Judge(expectation, *controller);
   }
-  const bool in_order =
-      !over_ || (scenario_->until_us && controller->NowUs() >= *scenario_->until_us);
+  const bool in_order = !over_ || bounds_.kind_of_last() == RunOver::kUntil;
   if (requirements_) FinishRequirements(*controller, in_order);
   if (!in_order) {
     failures_.push_back(MakeMessage("card {0}: the host still runs at the time limit of {1} ms",

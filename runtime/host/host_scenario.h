@@ -13,6 +13,7 @@
 #include "base/result.h"
 #include "runtime/observe/trace.h"
 #include "runtime/scenario/requirement_watch.h"
+#include "runtime/scenario/run_course.h"
 #include "runtime/scenario/scenario.h"
 #include "runtime/scenario/scenario_fit.h"
 #include "runtime/sim/controller.h"
@@ -48,7 +49,7 @@ class CardWatch {
   /// True if the card has reached `until_ms` or `limit_ms` of the scenario.
   bool over() const { return over_; }
   /// The instant of the card's time at which the scenario ends, if it does.
-  std::optional<int64_t> end_us() const { return end_us_; }
+  std::optional<int64_t> end_us() const;
   /// To be called when the card is closed or the host has ended: checks the remaining expectations,
   /// `final` and `eventually`, and passes the results to FinishHost().
   void Finish(Controller* controller);
@@ -61,7 +62,6 @@ class CardWatch {
   void Fail(const Expectation& expectation, const Message& why);
   void FinishRequirements(const Controller& controller, bool in_order);
   Message OfCard(const Message& message) const { return runtime::OfCard(card_, message); }
-  int64_t CycleOf(int64_t microseconds) const;
 
   std::shared_ptr<const Scenario> scenario_;
   int card_;
@@ -72,7 +72,7 @@ class CardWatch {
   std::vector<Message> failures_;
   std::vector<Message> warnings_;
   std::vector<Message> held_;  ///< requirements, and over what
-  std::optional<int64_t> end_us_;
+  RunBounds bounds_;
   bool over_ = false;
   std::vector<std::string> trace_files_;
   std::optional<Trace> trace_;  // since the card was opened, when there are files

@@ -6,7 +6,7 @@
 #include "base/milliseconds.h"
 #include "runtime/observe/supervisor.h"
 #include "runtime/observe/thread_status.h"
-#include "runtime/scenario/agenda.h"
+#include "runtime/scenario/run_course.h"
 #include "runtime/scenario/scenario_start.h"
 #include "runtime/scenario/scenario_world.h"
 #include "runtime/scenario/vacuity.h"
@@ -94,7 +94,7 @@ class ScenarioRunner {
 
   // Resolves all names.
   void FindNames() {
-    agenda_.Read(scenario_, &controller_, &fit_);
+    course_.Read(scenario_, &controller_, &fit_);
     FindShown();
     traced_ = TraceQuantities(scenario_, controller_, &fit_);
     if (options_.watch != nullptr) options_.watch->Begin(controller_, &fit_);
@@ -156,29 +156,17 @@ class ScenarioRunner {
 
   // --- The host --------------------------------------------------------------------------------
 
-  void ApplyDueWrites() {
-    while (const Agenda::Write* write = agenda_.TakeWrite(controller_.cycle())) Apply(*write);
-  }
-
   void BeginHost() {
     const auto within = [](const HostEvent& event) { return event.after_statements.has_value(); };
     if (std::ranges::none_of(scenario_.host, within)) return;
     controller_.LetHostAct([this](int64_t executed) {
-      const int64_t cycle = controller_.cycle();
-      bool wrote = false;
-      while (const Agenda::Write* write = agenda_.TakeWriteWithin(cycle, executed)) {
-        Apply(*write);
-        // Threads that waited for the value at the end of their function finish.
-        controller_.machine().Execute(0);
-        wrote = true;
-      }
-      if (wrote) controller_.ShowState();
-      return agenda_.NextWithin(cycle);
+      const auto mark = [this](const Agenda::Write& write) { Mark(write); };
+      if (course_.ActWithin(&controller_, executed, mark)) controller_.ShowState();
+      return course_.agenda().NextWithin(controller_.cycle());
     });
   }
 
-  void Apply(const Agenda::Write& write) {
-    controller_.machine().Write(write.variable.slot, write.value);
+  void Mark(const Agenda::Write& write) {
     if (!result_.trace) return;
     result_.trace->Mark(controller_, fmt::format("{} = {}", write.variable.name, write.value));
   }
@@ -186,45 +174,55 @@ class ScenarioRunner {
   // --- The run ---------------------------------------------------------------------------------
 
   void Execute() {
-    const int64_t limit = CycleOf(scenario_, scenario_.limit_ms * 1000);
-    const int64_t until = scenario_.until_us ? CycleOf(scenario_, *scenario_.until_us) : limit + 1;
-    const int64_t cut_off = CutOfReplay();
-    const int64_t last = std::min({limit, until, cut_off});
-    bool ended = false;
-    for (;;) {
-      EvaluateDue();
-      ApplyDueWrites();
+    const int64_t last = std::min(course_.bounds().last(), CutOfReplay());
+    do {
+      course_.Act(
+          &controller_, [this](const Agenda::Check& check) { EvaluateNow(check); },
+          [this](const Agenda::Write& write) { Mark(write); });
       if (result_.trace) result_.trace->Sample(controller_);
-      if (controller_.cycle() >= last) {
-        came_to_cut_ = last == cut_off;
-        break;
-      }
-      if (options_.stop != nullptr && *options_.stop) {
-        result_.interrupted = true;
-        break;
-      }
-      if (!ended) ended = controller_.machine().Quiet();
-      if (ended && !agenda_.has_checks() && !scenario_.until_us) break;
-      const int64_t next = NextLook(last);
-      const bool host_is_awaited = agenda_.has_writes();
-      if (ended || (host_is_awaited && controller_.Deadlocked())) {
-        controller_.RunCycles(next - controller_.cycle());
-        continue;
-      }
-      const int64_t cycles = next - controller_.cycle();
-      const RunEnd end = result_.steps ? RunLogged(&controller_, cycles, &*result_.steps)
-                                       : controller_.RunUntilQuiet(cycles);
-      ended = end != RunEnd::kTimeLimit && !(end == RunEnd::kDeadlock && host_is_awaited);
-      if (ended) result_.end = end;
-      came_to_cut_ = end == RunEnd::kScheduleEnd && cut_off != kNever;
-      if (end == RunEnd::kScheduleEnd || end == RunEnd::kScheduleDiverged) break;
-    }
-    result_.reached_until = scenario_.until_us && controller_.cycle() >= until;
-    const bool over = ended || controller_.machine().Quiet();
-    const bool cut = scenario_.until_us && controller_.cycle() >= limit && !result_.reached_until;
+    } while (GoesOn(last) && RunOn(last));
+    const RunBounds& bounds = course_.bounds();
+    result_.reached_until = bounds.until && controller_.cycle() >= *bounds.until;
+    const bool over = ended_ || controller_.machine().Quiet();
+    const bool cut = bounds.until && controller_.cycle() >= bounds.limit && !result_.reached_until;
     if (!over || (cut && result_.end == RunEnd::kQuiet)) result_.end = RunEnd::kTimeLimit;
     result_.interrupted = result_.interrupted || came_to_cut_;
     if (result_.trace) result_.trace->Finish(controller_);
+  }
+
+  // At a boundary of cycles, where the scenario has acted.
+  bool GoesOn(int64_t last) {
+    if (controller_.cycle() >= last) {
+      came_to_cut_ = last == CutOfReplay();
+      return false;
+    }
+    if (options_.stop != nullptr && *options_.stop) {
+      result_.interrupted = true;
+      return false;
+    }
+    const auto over = course_.Over(controller_);
+    if (over == RunOver::kDeadlock) {
+      ended_ = true;
+      result_.end = RunEnd::kDeadlock;
+    }
+    return !over;
+  }
+
+  // Up to the next boundary at which something is to be done. False if a replay cannot go on.
+  bool RunOn(int64_t last) {
+    const int64_t cycles = NextLook(last) - controller_.cycle();
+    const bool host_is_awaited = course_.agenda().has_writes();
+    if (!ended_) ended_ = controller_.machine().Quiet();
+    if (ended_ || (host_is_awaited && controller_.Deadlocked())) {
+      controller_.RunCycles(cycles);
+      return true;
+    }
+    const RunEnd end = result_.steps ? RunLogged(&controller_, cycles, &*result_.steps)
+                                     : controller_.RunUntilQuiet(cycles);
+    ended_ = end != RunEnd::kTimeLimit && !(end == RunEnd::kDeadlock && host_is_awaited);
+    if (ended_) result_.end = end;
+    came_to_cut_ = end == RunEnd::kScheduleEnd && CutOfReplay() != kNever;
+    return end != RunEnd::kScheduleEnd && end != RunEnd::kScheduleDiverged;
   }
 
   // The cycle at which a recorded run was cut off.
@@ -236,11 +234,7 @@ class ScenarioRunner {
   // The cycle up to which the run can continue without an action from here.
   int64_t NextLook(int64_t last) const {
     if (result_.trace) return controller_.cycle() + 1;
-    return std::min({last, controller_.cycle() + kLookCycles, agenda_.NextCycle()});
-  }
-
-  void EvaluateDue() {
-    while (const Agenda::Check* check = agenda_.TakeCheck(controller_.cycle())) EvaluateNow(*check);
+    return std::min({last, controller_.cycle() + kLookCycles, course_.NextCycle()});
   }
 
   void EvaluateNow(const Agenda::Check& check) {
@@ -287,11 +281,11 @@ class ScenarioRunner {
   }
 
   void JudgeEnd() {
-    while (const Agenda::Check* check = agenda_.TakeCheck(kNever)) {
+    while (const Agenda::Check* check = course_.TakeMissed()) {
       Fail(check->text, MakeMessage("the run ended before, at {0} ms",
                                     "运行在此之前结束，时刻 {0} ms", result_.end_ms));
     }
-    for (const Agenda::Check& check : agenda_.at_end()) EvaluateNow(check);
+    for (const Agenda::Check& check : course_.agenda().at_end()) EvaluateNow(check);
     if (options_.watch != nullptr && InOrder()) options_.watch->End(controller_);
     ReportEnd();
   }
@@ -327,8 +321,8 @@ class ScenarioRunner {
   }
 
   void WarnOfMissedWrites() {
-    if (!agenda_.has_writes()) return;
-    const Agenda::Write& write = agenda_.next_write();
+    if (!course_.agenda().has_writes()) return;
+    const Agenda::Write& write = course_.agenda().next_write();
     const int64_t at_us = write.cycle * scenario_.cycle_us;
     result_.warnings.push_back(
         MakeMessage("the run ended at {0} ms, before the host writes {1} at {2} ms: 'until_ms' "
@@ -422,7 +416,7 @@ class ScenarioRunner {
     report.result = ResultText(thread);
     report.place = SourcePlace(ProgramPath(scenario_), function, thread.pc);
     report.status = DescribeStatus(thread, report.place);
-    if (thread.run == vm::ThreadRun::kFaulted && !agenda_.ExpectsFault(number)) {
+    if (thread.run == vm::ThreadRun::kFaulted && !course_.agenda().ExpectsFault(number)) {
       Fail({}, {fmt::format("thread {} {}: {}", number, function.name, report.status.en),
                 fmt::format("线程 {} {}：{}", number, function.name, report.status.zh)});
     }
@@ -436,7 +430,8 @@ class ScenarioRunner {
   Supervisor supervisor_;
   ScenarioFit fit_;
   std::shared_ptr<const vm::Schedule> replayed_;
-  Agenda agenda_;
+  RunCourse course_;
+  bool ended_ = false;  // no thread can execute a statement any more, whatever the host writes
   std::vector<TraceMark> at_power_on_;
   bool came_to_cut_ = false;  // the recorded run was cut off, and this one is there
   std::vector<std::string> shown_;

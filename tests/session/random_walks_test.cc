@@ -122,7 +122,8 @@ class RandomWalk {
  private:
   /// True if the recorded run judges the same states as the session has.
   bool IsJudged(const runtime::Scenario& recorded) {
-    const bool over = run().Over() == RunOver::kQuiet || run().Over() == RunOver::kUntil;
+    const bool over =
+        run().Over() == runtime::RunOver::kQuiet || run().Over() == runtime::RunOver::kUntil;
     return over && recorded.until_us == run().scenario().until_us;
   }
 

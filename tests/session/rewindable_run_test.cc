@@ -60,7 +60,7 @@ TEST(RewindableRun, StepsAreCyclesAndStatements) {
   }
   EXPECT_THAT(threads, ElementsAre(0, 1, 0, 1, 0, 1));
   EXPECT_EQ(run->moment(), 7);
-  EXPECT_EQ(run->Over(), RunOver::kQuiet);
+  EXPECT_EQ(run->Over(), runtime::RunOver::kQuiet);
 }
 
 TEST(RewindableRun, EndsInTheStateOfAWholeRun) {
@@ -73,7 +73,7 @@ TEST(RewindableRun, EndsInTheStateOfAWholeRun) {
   const std::string move = "until_ms = 40\n";
   const auto run = RunOf(kMove, move);
   HashesToTheEnd(run.get());
-  EXPECT_EQ(run->Over(), RunOver::kUntil);
+  EXPECT_EQ(run->Over(), runtime::RunOver::kUntil);
   EXPECT_EQ(run->controller().Hash(), HashOfWholeRun(kMove, move));
 }
 
@@ -139,11 +139,11 @@ TEST(RewindableRun, KnowsWhyTheRunIsOver) {
     return *run->Over();
   };
   constexpr const char* kWait = "int go;\nint f()\n{\n  GT_WaitForVarEq(&go, 1);\n  return 0;\n}\n";
-  EXPECT_EQ(over(kWait, ""), RunOver::kDeadlock);
-  EXPECT_EQ(over(kWait, "[[host]]\nat_ms = 1\nset = { go = 1 }\n"), RunOver::kQuiet);
-  EXPECT_EQ(over(kRace, ""), RunOver::kQuiet);
-  EXPECT_EQ(over(kMove, "until_ms = 1\n"), RunOver::kUntil);
-  EXPECT_EQ(over(kMove, "limit_ms = 2\n"), RunOver::kLimit);
+  EXPECT_EQ(over(kWait, ""), runtime::RunOver::kDeadlock);
+  EXPECT_EQ(over(kWait, "[[host]]\nat_ms = 1\nset = { go = 1 }\n"), runtime::RunOver::kQuiet);
+  EXPECT_EQ(over(kRace, ""), runtime::RunOver::kQuiet);
+  EXPECT_EQ(over(kMove, "until_ms = 1\n"), runtime::RunOver::kUntil);
+  EXPECT_EQ(over(kMove, "limit_ms = 2\n"), runtime::RunOver::kLimit);
 }
 
 TEST(RewindableRun, DoesNotStartWhatDoesNotFit) {
@@ -259,7 +259,7 @@ TEST(RewindableRun, ForgetsWhatTheEndHasShownWhenAChangeLetsTheRunGoOn) {
       "int go;\nint f()\n{\n  GT_AxisOn(1);\n  GT_PrfJog(1);\n  GT_SetVel(1, 10);\n"
       "  GT_Update(1);\n  GT_WaitForVarEq(&go, 1);\n  GT_Stop(1, 0);\n  GT_Delay(100);\n}\n");
   while (!run->Over()) run->Step();
-  EXPECT_EQ(run->Over(), RunOver::kDeadlock);
+  EXPECT_EQ(run->Over(), runtime::RunOver::kDeadlock);
   EXPECT_THAT(WarningsOf(*run), ElementsAre("work-left"));
   // As long as nothing is changed it stays: the scenario's run has ended there.
   run->Step();
@@ -268,7 +268,7 @@ TEST(RewindableRun, ForgetsWhatTheEndHasShownWhenAChangeLetsTheRunGoOn) {
   const int64_t changed = run->moment();
   EXPECT_THAT(WarningsOf(*run), ElementsAre());
   while (!run->Over()) run->Step();
-  EXPECT_EQ(run->Over(), RunOver::kQuiet);
+  EXPECT_EQ(run->Over(), runtime::RunOver::kQuiet);
   EXPECT_THAT(WarningsOf(*run), ElementsAre());
   run->GoTo(changed - 1);
   EXPECT_THAT(WarningsOf(*run), ElementsAre("work-left"));
@@ -355,7 +355,7 @@ TEST(RewindableRun, FollowsAScheduleUntilItEndsOrTheUserChooses) {
   ASSERT_TRUE(run.value()->StepThread(other).ok());
   EXPECT_FALSE(run.value()->follows_schedule());
   HashesToTheEnd(run.value().get());
-  EXPECT_EQ(run.value()->Over(), RunOver::kQuiet);
+  EXPECT_EQ(run.value()->Over(), runtime::RunOver::kQuiet);
 }
 
 TEST(RewindableRun, RefusesAScheduleOfAnotherProgram) {
@@ -415,7 +415,7 @@ TEST(RewindableRun, ARecordingLeavesOutWritesAfterThePresent) {
   run->AdvanceTo(end + 8);
   ASSERT_TRUE(run->WriteVariable("go", 1).ok());
   run->GoTo(end);
-  EXPECT_EQ(run->Over(), RunOver::kDeadlock);
+  EXPECT_EQ(run->Over(), runtime::RunOver::kDeadlock);
   // A write that is still to come would let the recorded run go on.
   EXPECT_EQ(HashOfReplay(program, run.get()), run->controller().Hash());
 }

@@ -55,7 +55,7 @@ TEST(Forward, ALineEndsWhereTheNextOneBegins) {
   EXPECT_EQ(session.run().machine().Line(0), 5);
   EXPECT_EQ(ValueOf("x", session.run()), 2);
   Forward(To(Goal::kLine), &session);
-  EXPECT_EQ(session.run().Over(), RunOver::kQuiet);
+  EXPECT_EQ(session.run().Over(), runtime::RunOver::kQuiet);
 }
 
 TEST(Forward, ACycleGoesToItsEnd) {
