@@ -40,8 +40,7 @@ class BusAxes {
   /// The card is reset: registers of the axes, not the communication.
   void Reset();
 
-  // --- The cycle
-  // -----------------------------------------------------------------------------------
+  // --- The cycle ---------------------------------------------------------------------------------
 
   /// Before encoders count: outputs, drives with their motors, inputs.
   void Exchange();
@@ -49,8 +48,7 @@ class BusAxes {
   /// one bit each.
   uint32_t Follow();
 
-  // --- Commands
-  // ------------------------------------------------------------------------------------
+  // --- Commands ----------------------------------------------------------------------------------
 
   void Enable(size_t axis, bool on);
   /// Resets a fault of the drive.

@@ -89,8 +89,8 @@ class Model {
   /// True if a thread can jump back: otherwise every run ends.
   bool HasLoops() const;
 
-  // --- The current state. Threads are numbered from 0, in the order of their --- numbers on the
-  // card --------------------------
+  // --- The current state -------------------------------------------------------------------------
+  // Threads are numbered from 0, in the order of their numbers on the card.
 
   bool Running(int thread) const { return End(thread) == ThreadEnd::kRunning; }
   ThreadEnd End(int thread) const {

@@ -75,8 +75,7 @@ class Bus {
   /// The same, and it exchanges process data.
   bool Answers(size_t number) const { return Online(number) && !slaves_[number].silent; }
 
-  // --- Process data
-  // --------------------------------------------------------------------------------
+  // --- Process data ------------------------------------------------------------------------------
 
   ProcessImage& image() { return image_; }
   const ProcessImage& image() const { return image_; }
