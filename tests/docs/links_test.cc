@@ -1,10 +1,11 @@
-// Every link in the documentation refers to a file, and every folder in the root README's table has
-// a README.
+// Every link in the documentation refers to a file, every table has a heading, and every folder in
+// the root README's table has a README.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <regex>
+#include <sstream>
 
 #include "base/files.h"
 #include "tests/docs/page.h"
@@ -13,6 +14,7 @@ namespace oncard::docs {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
 namespace fs = std::filesystem;
@@ -60,6 +62,36 @@ TEST(LinksTest, LeadToFiles) {
     }
   }
   EXPECT_GT(links, 0u);
+}
+
+/// The numbers of lines at which a table begins without a line of dashes below its heading.
+std::vector<size_t> HeadlessTables(const std::string& page) {
+  std::vector<size_t> lines;
+  std::istringstream text(page);
+  std::string before;
+  std::string line;
+  bool begins = false;
+  bool is_code = false;
+  for (size_t number = 1; std::getline(text, line); ++number) {
+    if (begins && !line.starts_with("|--") && !line.starts_with("| --"))
+      lines.push_back(number - 1);
+    if (line.starts_with("```")) is_code = !is_code;
+    begins = !is_code && line.starts_with("|") && !before.starts_with("|");
+    before = line;
+  }
+  return lines;
+}
+
+TEST(TablesTest, AreCutByABlankLine) {
+  EXPECT_THAT(HeadlessTables("| a | b |\n|---|---|\n| 1 | 2 |\n\n| 3 | 4 |\n| 5 | 6 |\n"
+                             "```\n| code |\n```\n"),
+              ElementsAre(5));
+}
+
+TEST(TablesTest, HaveHeadings) {
+  for (const fs::path& page : Pages()) {
+    EXPECT_THAT(HeadlessTables(ReadFile(page).value()), IsEmpty()) << page;
+  }
 }
 
 TEST(ReadmeTest, EveryFolderHasTheOneThatItsRowPromises) {
