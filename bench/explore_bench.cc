@@ -21,6 +21,7 @@
 #include "explore/scenario_exploration.h"
 #include "runtime/scenario/scenario_start.h"
 #include "runtime/scenario/scenario_world.h"
+#include "tests/explore/explore_programs.h"
 #include "vm/fixed_point.h"
 
 namespace oncard::bench {
@@ -36,18 +37,6 @@ std::string Increments(int threads, int times) {
   }
   return source;
 }
-
-/// Peterson's lock, which waits in a loop.
-constexpr const char* kLock =
-    "int f0, f1, turn, c;\n//@ final: c == 2\n"
-    "int t0() {\n  int a, cc;\n  f0 = 1;\n  turn = 1;\nW:\n  a = f1;\n  cc = a == 0;\n"
-    "  if (cc) goto C;\n  a = turn;\n  cc = a == 1;\n  if (cc) goto W;\nC:\n  a = c;\n  a = a + "
-    "1;\n"
-    "  c = a;\n  f0 = 0;\n  return 0;\n}\n"
-    "int t1() {\n  int a, cc;\n  f1 = 1;\n  turn = 0;\nW:\n  a = f0;\n  cc = a == 0;\n"
-    "  if (cc) goto C;\n  a = turn;\n  cc = a == 0;\n  if (cc) goto W;\nC:\n  a = c;\n  a = a + "
-    "1;\n"
-    "  c = a;\n  f1 = 0;\n  return 0;\n}\n";
 
 /// A lock that tests and sets in two statements.
 constexpr const char* kNaiveLock =
@@ -443,11 +432,11 @@ void BenchExplore() {
   MeasureTraces("last zero of 13", LastZero(13));
   MeasureStates("3 threads x 3 increments", Increments(3, 3));
   const double states = MeasureStates("4 threads x 2 increments", Increments(4, 2));
-  MeasureStates("Peterson's lock", kLock);
+  MeasureStates("Peterson's lock", explore::Peterson(false));
   std::printf("inc_3x3 dpor: %.2f M traces/s\n", traces);
   std::printf("inc_4x2 stateful: %.2f M states/s\n", states);
   MeasureCard("a moving axis, two threads", kMove);
-  MeasureLoop("Peterson's lock", kLock, explore::Verdict::kProved);
+  MeasureLoop("Peterson's lock", explore::Peterson(false), explore::Verdict::kProved);
   MeasureLoop("a lock that looks, then takes", kNaiveLock, explore::Verdict::kFailed);
   MeasureAuto("4 threads x 2 increments", Increments(4, 2), explore::EngineKind::kStateful);
   MeasureAuto("9 writers", Writers(9), explore::EngineKind::kStateful);
