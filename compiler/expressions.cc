@@ -61,6 +61,7 @@ const Entity* Checker::Lookup(std::string_view name) const {
   return globals_.Find(name);
 }
 
+// A constant may be negated once: `-1`, `-LIMIT`. The card's compiler computes nothing else.
 std::optional<Literal> Checker::ConstantOf(const Expression& expression) const {
   if (expression.kind == Expression::Kind::kLiteral) return expression.literal;
   if (expression.kind == Expression::Kind::kName) {
@@ -79,6 +80,9 @@ std::optional<Literal> Checker::ConstantOf(const Expression& expression) const {
   return std::nullopt;
 }
 
+// A name that nobody declares is, in this order: a command without its parentheses, a constant of
+// gts.h, `true` or `false`, a name that is written wrongly, a macro that is missing. Each name is
+// reported once in a function.
 void Checker::ReportUndeclared(const Expression& expression) {
   const std::string_view name = expression.text;
   failed_ = true;
@@ -156,6 +160,7 @@ std::optional<TypedOperand> Checker::LiteralOperand(const Literal& literal, Sour
   return operand;
 }
 
+// Only a literal takes the type that its statement needs: 1 beside a double is 1.0.
 bool Checker::Adapt(TypedOperand& operand, DataType type) {
   if (!operand.literal) return operand.type == type;
   if (type == DataType::kInt && operand.literal->kind == Literal::Kind::kFixed) return false;

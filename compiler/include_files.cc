@@ -8,6 +8,7 @@
 namespace oncard::compiler {
 namespace {
 
+/// The card has nothing of what they declare: messages advise to remove the line.
 constexpr std::string_view kHeadersOfC[] = {
     "assert.h",   "complex.h",  "ctype.h",  "errno.h",       "fenv.h",    "float.h",
     "inttypes.h", "iso646.h",   "limits.h", "locale.h",      "math.h",    "setjmp.h",
@@ -47,6 +48,7 @@ IncludedFile FindInclude(const std::string& name, const std::vector<std::string>
       file.text = std::move(content).value();
       return file;
     }
+    // A file that is there and cannot be read is not looked for elsewhere.
     if (content.error().code != kNoSuchFile) {
       file.unreadable = content.error().message;
       return file;

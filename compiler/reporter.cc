@@ -88,6 +88,7 @@ void InsertAfter(Diagnostic& diagnostic, SourceRange range, std::string text) {
 
 void SortAndLimit(std::vector<Diagnostic>& diagnostics, const std::vector<uint32_t>& inclusion,
                   int max_errors) {
+  // What an included file says stands where the program includes it.
   const auto key = [&inclusion](const Diagnostic& diagnostic) {
     const SourceRange& range = diagnostic.range;
     const uint32_t in_program =

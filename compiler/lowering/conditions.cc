@@ -1,4 +1,5 @@
-// Conditions as jumps: `&&` and `||` compute their right side only if C does.
+// Conditions as jumps: `&&` and `||` compute their right side only if C does. BranchIf(c, when, l)
+// jumps to l if c is true (`when`) or false, and otherwise goes on with the next statement.
 #include "compiler/lowering/lowerer.h"
 #include "compiler/operators.h"
 
@@ -18,6 +19,7 @@ void Lowerer::BranchOnValue(const Value& value, bool when, int label, SourceRang
   } else if (!when) {
     condition = Compute(vm::UnaryOperator::kNot, condition, BasicType::kInt, range).operand;
   } else if (condition.kind == Operand::Kind::kElement) {
+    // The condition of an 'if' is a variable.
     const Operand loaded = NewTemporary(vm::DataType::kInt, range);
     EmitCopy(loaded, condition, range);
     condition = loaded;
@@ -55,16 +57,19 @@ void Lowerer::BranchIf(const Expression& condition, bool when, int label) {
   if (inner.kind == Expression::Kind::kBinary && (inner.op == "&&" || inner.op == "||")) {
     const bool decided_by = inner.op == "||";  // the value of the left side that decides
     if (decided_by == when) {
+      // Either side alone leads to the label.
       BranchIf(*inner.operands[0], when, label);
       BranchIf(*inner.operands[1], when, label);
       return;
     }
+    // The left side alone leads past both.
     const int end = NewLabel(inner.op == "||" ? "or" : "and", range, "end");
     BranchIf(*inner.operands[0], decided_by, end);
     BranchIf(*inner.operands[1], when, label);
     EmitLabel(end, range);
     return;
   }
+  // The opposite comparison saves the statement that negates it.
   if (inner.kind == Expression::Kind::kBinary && !when) {
     const vm::OperatorInfo* info = vm::FindBinaryOperator(inner.op);
     const vm::OperatorInfo* opposite =
@@ -103,6 +108,7 @@ Value Lowerer::LowerConditional(const Expression& expression) {
     EmitLabel(end, expression.range);
     return {Operand(), BasicType::kVoid, BasicType::kVoid};
   }
+  // Both sides assign the same temporary.
   const Operand result = NewTemporary(DataTypeOf(type), expression.range);
   AssignBoth({result, Type{type}}, expression);
   return {result, type, type};

@@ -1,4 +1,6 @@
-// Expressions that compute a value from operands.
+// Expressions that compute a value from operands. A statement of the card has one operator, so that
+// each operator of C becomes a statement with a temporary of its own as its target; what only
+// renames a value (parentheses, a plus, a conversion that changes no bit) becomes none.
 #include "compiler/lowering/lowerer.h"
 
 namespace oncard::compiler::lowering {
@@ -14,6 +16,7 @@ Value Lowerer::Compute(vm::BinaryOperator op, const Operand& a, const Operand& b
   instruction.target = NewTemporary(vm::ResultOf(info, a.type), range);
   const Operand target = instruction.target;
   Emit(std::move(instruction), range);
+  // The type is that of C; the range tells those who convert or compare it that it is 0 or 1.
   const bool truth = vm::IsComparison(info) || vm::IsLogical(info);
   return {target, type, truth ? BasicType::kBool : type};
 }
@@ -76,6 +79,7 @@ Value Lowerer::LowerUnary(const Expression& expression) {
   const Expression& inner = *expression.operands[0];
   if (op == "!") {
     const Expression& negated = WithoutParens(inner);
+    // `!(a && b)` is decided by jumps, as `a && b` is: one value, without a `!` of its own.
     const bool jumps =
         negated.kind == Expression::Kind::kBinary && (negated.op == "&&" || negated.op == "||");
     if (jumps) return LowerLogical(expression);
@@ -93,6 +97,7 @@ Value Lowerer::LowerUnary(const Expression& expression) {
   const BasicType type = Promoted(value.type);
   if (op == "+") return {value.operand, type, value.range};
   if (op == "-") {
+    // The card has no unary minus.
     return Compute(vm::BinaryOperator::kSubtract, ConstantOperand(value.operand.type, 0),
                    value.operand, type, expression.range);
   }
@@ -120,6 +125,7 @@ Value Lowerer::Arithmetic(const vm::OperatorInfo& info, Value a, Value b,
   b = Convert(b, shift ? Promoted(b.type) : type, range);
   const auto op = static_cast<vm::BinaryOperator>(info.number);
   const bool comparison = vm::IsComparison(info);
+  // The operators of the card are signed. Those whose result differs are made of several.
   if (type == BasicType::kUnsigned) {
     if (info.precedence == vm::Precedence::kRelation) return CompareUnsigned(op, a, b, range);
     if (op == vm::BinaryOperator::kShiftRight) return ShiftUnsignedRight(a, b, range);
@@ -144,6 +150,7 @@ Value Lowerer::LowerBinary(const Expression& expression) {
 Value Lowerer::LowerValue(const Expression& expression) {
   using Kind = Expression::Kind;
   if (stopped_) return {};
+  // Constants first: what C computes when it compiles costs the card nothing.
   if (const std::optional<TypedConstant> constant = Evaluate(expression)) {
     return ConstantValue(*constant, expression.range);
   }

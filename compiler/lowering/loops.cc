@@ -1,4 +1,5 @@
-// Loops. The condition stands before the body, negated, as one writes it by hand.
+// Loops. The condition stands before the body, negated, as one writes it by hand. While a body is
+// lowered, the last element of `targets` says where its `break` and its `continue` lead.
 #include "compiler/lowering/lowerer.h"
 
 namespace oncard::compiler::lowering {
@@ -35,6 +36,7 @@ void Lowerer::LowerFor(const Statement& statement) {
   const int begin = NewLabel("for", statement.keyword);
   const int next = NewLabel("for", statement.keyword, "next");
   const int end = NewLabel("for", statement.keyword, "end");
+  // The scope of what the head declares.
   scopes_.emplace_back();
   if (statement.initial != nullptr) LowerStatement(*statement.initial);
   SourceRange head = statement.keyword;
