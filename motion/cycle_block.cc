@@ -5,8 +5,16 @@
 #include <cmath>
 #include <limits>
 
+#include "motion/lane_uses.h"
+
 namespace oncard::motion {
 namespace {
+
+static_assert(kLaneUsesComplete<MotionState> && kLaneUsesComplete<Profile> &&
+              kLaneUsesComplete<Sample> && kLaneUsesComplete<Axis> &&
+              kLaneUsesComplete<AxisValue> && kLaneUsesComplete<Encoder> &&
+              kLaneUsesComplete<Plant> && kLaneUsesComplete<Step> && kLaneUsesComplete<Control> &&
+              kLaneUsesComplete<Dac>);
 
 constexpr double kNoBound = std::numeric_limits<double>::infinity();
 constexpr int64_t kNoLimit = std::numeric_limits<int64_t>::max();

@@ -5,7 +5,8 @@
 // happens between them, and its state is in lanes from Load() to Store(). It is not plain while
 // inputs settle, something is armed, homing, a gantry, a compensation or an input shaper works, or
 // an axis has a latched condition, a cause for one, a map to other profiles or encoders, or a
-// fault; a card with a bus never is. What ends a block is known before (events, ends of pieces of
+// fault; a card with a bus never is. lane_uses.h says of every member of the state what lanes do
+// with it. What ends a block is known before (events, ends of pieces of
 // plans) or found by the kernel in the cycle in which it happens. Tested by
 // tests/motion/cycle_block_test.cc.
 #pragma once
