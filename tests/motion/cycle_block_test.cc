@@ -5,87 +5,27 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <cstdlib>
-#include <memory>
 #include <string>
-#include <vector>
 
 #include "motion/motion_core.h"
+#include "tests/motion/cycle_counter.h"
 #include "tests/motion/random_world.h"
+#include "tests/motion/twins.h"
 
 namespace oncard::motion {
 namespace {
-
-/// A number from the environment, so that the comparison can be run for longer than in the tests.
-int Setting(const char* name, int normal) {
-  const char* text = std::getenv(name);
-  return text == nullptr ? normal : std::atoi(text);
-}
-
-/// Two cards that are given the same commands, one of them advanced by ticks.
-class Twins {
- public:
-  explicit Twins(uint64_t seed) : Twins(RandomCard(seed), RandomCard(seed)) {}
-  Twins(std::unique_ptr<MotionCore> ticks, std::unique_ptr<MotionCore> lanes)
-      : ticks_(std::move(ticks)), lanes_(std::move(lanes)) {
-    ticks_->Observe(
-        [this](const Happening& happening) { happened_[0] += Text(happening, *ticks_); });
-    lanes_->Observe(
-        [this](const Happening& happening) { happened_[1] += Text(happening, *lanes_); });
-  }
-
-  MotionCore& ticks() { return *ticks_; }
-  MotionCore& lanes() { return *lanes_; }
-  const std::string& happened() const { return happened_[1]; }
-  template <typename Change>
-  void Both(Change change) {
-    change(*ticks_);
-    change(*lanes_);
-  }
-  void Advance(int64_t cycles) {
-    for (int64_t i = 0; i < cycles; ++i) ticks_->Tick();
-    for (int64_t done = 0; done < cycles;) {
-      done += lanes_->Advance(cycles - done);
-      lanes_->state().reached.clear();
-    }
-  }
-  void ExpectEqual() {
-    EXPECT_EQ(ticks_->Hash(), lanes_->Hash());
-    EXPECT_EQ(happened_[0], happened_[1]);
-  }
-
- private:
-  static std::string Text(const Happening& happening, const MotionCore& core) {
-    return std::to_string(core.state().cycle) + ":" +
-           std::to_string(static_cast<int>(happening.kind)) + "/" + std::to_string(happening.item) +
-           "=" + std::to_string(happening.value) + " ";
-  }
-
-  std::unique_ptr<MotionCore> ticks_;
-  std::unique_ptr<MotionCore> lanes_;
-  std::array<std::string, 2> happened_;
-};
-
-/// A kernel that counts the cycles that lanes have advanced.
-int64_t cycles_in_lanes = 0;
-LaneKernel counted_kernel = nullptr;
-int64_t CountCycles(const LaneConstants& constants, LaneStates& states, int64_t cycles) {
-  const int64_t done = counted_kernel(constants, states, cycles);
-  cycles_in_lanes += done;
-  return done;
-}
 
 TEST(CycleBlock, AdvancesRandomCardsAsTicksDo) {
   const int worlds = Setting("ONCARD_WORLDS", 60);
   const int cycles = Setting("ONCARD_WORLD_CYCLES", 6000);
   const int first = Setting("ONCARD_WORLD_FIRST", 1);
   const std::span<const NamedLaneKernel> kernels = LaneKernels();
+  CycleCounter counter;
   for (int world = first; world < first + worlds; ++world) {
     SCOPED_TRACE("world " + std::to_string(world));
     const auto seed = static_cast<uint64_t>(world);
     Twins twins(seed);
-    counted_kernel = kernels[seed % kernels.size()].run;
-    twins.lanes().UseKernel(CountCycles);
+    counter.Count(twins.lanes(), kernels[seed % kernels.size()].run);
     RandomNumbers random(~seed);
     for (int64_t cycle = 0; cycle < cycles && !testing::Test::HasFailure();) {
       const uint64_t commands = random.Next();
@@ -104,25 +44,9 @@ TEST(CycleBlock, AdvancesRandomCardsAsTicksDo) {
   }
   // The rest are cards with something that lanes cannot do.
   const double share =
-      static_cast<double>(cycles_in_lanes) / (static_cast<double>(worlds) * cycles);
+      static_cast<double>(counter.cycles()) / (static_cast<double>(worlds) * cycles);
   std::printf("%.0f %% of the cycles in lanes\n", 100 * share);
   EXPECT_GT(share, 0.15);
-}
-
-/// Twelve axes under servo control that jog.
-std::unique_ptr<MotionCore> ServoCard() {
-  auto core = std::make_unique<MotionCore>(MotionConfig{.axis_count = 12});
-  for (size_t i = 0; i < core->axis_count(); ++i) {
-    core->state().drives[i] = VelocityDrive(100, 2, 0, core->config().ServoMs());
-    core->state().controls[i].sets[0] = {.kp = 20, .kvff = 300};
-    core->SetClosedLoop(i, true);
-    core->ServoOn(i);
-    Profile& profile = core->state().profiles[i];
-    profile.mode = ProfileMode::kJog;
-    profile.jog.velocity = 10 + static_cast<double>(i);
-    core->StartProfile(i);
-  }
-  return core;
 }
 
 TEST(CycleBlock, EveryKernelComputesTheSameBits) {
