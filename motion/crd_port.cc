@@ -40,7 +40,7 @@ void CrdPort::TellDriveOff(int32_t profile) const {
 }
 
 void CrdPort::CarryOut(const BufferedCommand& command) {
-  if (block_ != nullptr) block_->Store();
+  block_.Leave();
   const auto item = static_cast<size_t>(command.item);
   const std::array<double, 4>& values = command.values;
   switch (command.kind) {

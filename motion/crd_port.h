@@ -14,9 +14,9 @@ namespace oncard::motion {
 
 class CrdPort {
  public:
-  /// `block` has parts of the state in lanes, or is nullptr.
+  /// `block` may have parts of the state in lanes.
   CrdPort(MotionState& state, const MotionConfig& config, const HappeningObserver& observer,
-          size_t index, CycleBlock* block)
+          size_t index, CycleBlock& block)
       : state_(state), config_(config), observer_(observer), index_(index), block_(block) {}
 
   const CardDefaults& defaults() const { return config_.defaults; }
@@ -39,7 +39,7 @@ class CrdPort {
   const MotionConfig& config_;
   const HappeningObserver& observer_;
   size_t index_;
-  CycleBlock* block_;
+  CycleBlock& block_;
 };
 
 }  // namespace oncard::motion

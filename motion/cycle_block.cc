@@ -17,7 +17,6 @@ static_assert(kLaneUsesComplete<MotionState> && kLaneUsesComplete<Profile> &&
               kLaneUsesComplete<Dac>);
 
 constexpr double kNoBound = std::numeric_limits<double>::infinity();
-constexpr int64_t kNoLimit = std::numeric_limits<int64_t>::max();
 
 int64_t Choice(bool chosen) { return chosen ? kChosen : 0; }
 
@@ -36,8 +35,8 @@ double ExactReciprocal(double value) {
 
 }  // namespace
 
-CycleBlock::CycleBlock(MotionState& state, const MotionConfig& config, LaneKernel kernel)
-    : state_(state), config_(config), kernel_(kernel), readings_(state, config) {}
+CycleBlock::CycleBlock(MotionState& state, const MotionConfig& config, LaneKernel run)
+    : state_(state), config_(config), kernel_(run), readings_(state, config) {}
 
 // --- Whether a card is plain -------------------------------------------------------------------
 
@@ -103,7 +102,7 @@ std::optional<LaneKind> CycleBlock::ServoKind(size_t index) const {
 int64_t CycleBlock::CyclesBeforeEvent() const {
   const WorldProgress& world = state_.world;
   if (world.events == nullptr || static_cast<size_t>(world.next) >= world.events->size()) {
-    return kNoLimit;
+    return kNoEnd;
   }
   const Micros left = (*world.events)[static_cast<size_t>(world.next)].at - now();
   // An event acts at the begin of the first cycle that begins at its instant or later.
@@ -111,52 +110,81 @@ int64_t CycleBlock::CyclesBeforeEvent() const {
 }
 
 int64_t CycleBlock::CyclesInBand(const Axis& axis) const {
-  if (!axis.band_set) return kNoLimit;
-  if (!axis.in_band) return axis.in_position ? 0 : kNoLimit;
+  if (!axis.band_set) return kNoEnd;
+  if (!axis.in_band) return axis.in_position ? 0 : kNoEnd;
   const Micros left = axis.band_time - (now() - axis.in_band_since);
-  if (axis.in_position) return left <= config_.cycle_us ? kNoLimit : 0;
+  if (axis.in_position) return left <= config_.cycle_us ? kNoEnd : 0;
   return left <= 0 ? 0 : (left - 1) / config_.cycle_us;
 }
 
 // --- Into lanes --------------------------------------------------------------------------------
 
-int64_t CycleBlock::Load(int64_t limit) {
-  if (!CardIsPlain()) return 0;
-  int64_t cycles = std::min(limit, CyclesBeforeEvent());
+bool CycleBlock::Enter(int64_t cycles) {
+  if (loaded_) return true;
+  if (wait_ > 0) {
+    --wait_;
+    return false;
+  }
+  if ((cycles >= kWorthwhile || FollowPlans()) && Load()) return true;
+  Wait();
+  return false;
+}
+
+void CycleBlock::Wait() {
+  // What ends a block early often goes on in the next cycles.
+  wait_ = next_wait_;
+  next_wait_ = std::min(2 * next_wait_, kWaitMax);
+}
+
+void CycleBlock::Retry() {
+  wait_ = 0;
+  next_wait_ = kWorthwhile;
+}
+
+bool CycleBlock::Load() {
+  if (!CardIsPlain()) return false;
+  int64_t cycles = CyclesBeforeEvent();
   std::array<LaneKind, kAxisMax> kinds{};
   for (size_t i = 0; i < axis_count() && cycles > 0; ++i) {
     const std::optional<LaneKind> kind = KindOf(i);
-    if (!kind || !AxisIsPlain(i)) return 0;
+    if (!kind || !AxisIsPlain(i)) return false;
     kinds[i] = *kind;
     cycles = std::min(cycles, CyclesInBand(state_.axes[i]));
   }
-  if (cycles == 0) return 0;
+  if (cycles == 0) return false;
   AssignLanes(kinds);
-  plans_ = std::ranges::none_of(state_.crds, [](const Crd& crd) { return crd.run.running; });
-  for (size_t i = 0; i < axis_count(); ++i) {
-    const Profile& profile = state_.profiles[i];
-    if (!profile.now.moving || profile.driven) continue;
-    if (profile.FollowedMaster() != nullptr || profile.FollowedPlan().first == nullptr) {
-      plans_ = false;
-    }
-  }
+  plans_ = FollowPlans();
+  piece_ends_.fill(kNoEnd);
   for (size_t i = 0; i < axis_count(); ++i) {
     LoadAxis(i);
     LoadControl(i);
     LoadDrive(i);
     LoadEncoder(i);
     LoadProfile(i);
-    const Profile& profile = state_.profiles[i];
-    if (!plans_ || !profile.now.moving || profile.driven) continue;
-    const auto [plan, begin] = profile.FollowedPlan();
-    cycles = std::min(cycles, LoadPlan(i, *plan, begin));
+    if (plans_) LoadPlan(i);
   }
+  FindEndOfPieces();
   for (const PositionSwitch& contact : state_.switches) LoadSwitch(contact);
   LoadTiming();
   // Kinds of lanes that do not use a value leave it as it is in both states.
   lanes_.other() = lanes_.current();
-  stored_ = false;
-  return cycles;
+  loaded_ = true;
+  loaded_at_ = state_.cycle;
+  end_ = Ahead(cycles);
+  return true;
+}
+
+bool CycleBlock::FollowPlans() const {
+  if (std::ranges::any_of(state_.crds, [](const Crd& crd) { return crd.run.running; }))
+    return false;
+  return std::all_of(state_.profiles.begin(), state_.profiles.begin() + config_.axis_count,
+                     [](const Profile& profile) {
+                       return !profile.now.moving || profile.driven || FollowsPlan(profile);
+                     });
+}
+
+bool CycleBlock::FollowsPlan(const Profile& profile) {
+  return profile.FollowedMaster() == nullptr && profile.FollowedPlan().first != nullptr;
 }
 
 void CycleBlock::LoadTiming() {
@@ -170,6 +198,10 @@ void CycleBlock::LoadTiming() {
 
 void CycleBlock::AssignLanes(const std::array<LaneKind, kAxisMax>& kinds) {
   kind_of_ = kinds;
+  // Unused lanes rest at 0.
+  constants_ = {};
+  lanes_.now = 0;
+  lanes_.current() = {};
   size_t next = 0;
   for (size_t kind = 0; kind < kLaneKindCount; ++kind) {
     constants_.begin[kind] = next;
@@ -180,9 +212,9 @@ void CycleBlock::AssignLanes(const std::array<LaneKind, kAxisMax>& kinds) {
       }
     }
     next = (next + kLaneGroup - 1) / kLaneGroup * kLaneGroup;
-    constants_.end[kind] = next;
+    ends_[kind] = next;
   }
-  // Unused lanes rest at 0.
+  constants_.end = ends_;
   constants_.soft_positive.fill(kNoBound);
   constants_.soft_negative.fill(-kNoBound);
   constants_.feed_divisor.fill(1);
@@ -298,20 +330,33 @@ void CycleBlock::LoadProfile(size_t index) {
   values.moving[lane] = Choice(sample.moving);
 }
 
-int64_t CycleBlock::LoadPlan(size_t index, const Plan& plan, Micros begin) {
+void CycleBlock::LoadPlan(size_t index) {
+  const Profile& profile = state_.profiles[index];
   const size_t lane = lane_of_[index];
-  const double cycle_ms = static_cast<double>(config_.cycle_us) / 1000;
-  double t = MsBetween(begin, now() + config_.cycle_us);
+  if (!profile.now.moving || profile.driven) {
+    constants_.planned[lane] = 0;
+    constants_.clock_us[lane] = 0;
+    piece_ends_[index] = kNoEnd;
+    return;
+  }
+  const auto [plan, begin] = profile.FollowedPlan();
   constants_.planned[lane] = kChosen;
   constants_.clock_us[lane] = static_cast<double>(config_.cycle_us);
   lanes_.current().elapsed_us[lane] = static_cast<double>(now() - begin);
+  piece_ends_[index] = Ahead(LoadPiece(lane, *plan, begin));
+}
+
+int64_t CycleBlock::LoadPiece(size_t lane, const Plan& plan, Micros begin) {
+  for (Lane& earlier : constants_.earlier) earlier[lane] = 0;
+  double t = MsBetween(begin, now() + config_.cycle_us);
   if (t >= plan.duration) {
     if (plan.end_velocity == 0) return 0;
     constants_.earlier[0][lane] = plan.duration;
     constants_.earlier_count = std::max(constants_.earlier_count, size_t{1});
     constants_.piece_position[lane] = plan.end_position;
     constants_.piece_velocity[lane] = plan.end_velocity;
-    return kNoLimit;
+    constants_.piece_acceleration[lane] = 0;
+    return kNoEnd;
   }
   size_t i = 0;
   for (; i + 1 < plan.count && t >= plan.pieces[i].duration; ++i) {
@@ -323,9 +368,20 @@ int64_t CycleBlock::LoadPlan(size_t index, const Plan& plan, Micros begin) {
   constants_.piece_position[lane] = piece.position;
   constants_.piece_velocity[lane] = piece.velocity;
   constants_.piece_acceleration[lane] = piece.acceleration;
-  // A cycle is left over, so that rounding does not decide which piece an instant belongs to.
-  const double cycles = (piece.duration - t) / cycle_ms;
-  return cycles < 9e18 ? static_cast<int64_t>(cycles) : kNoLimit;
+  // A cycle is left over, so that rounding does not decide which piece an instant belongs to. The
+  // next one has been decided as the plan itself does.
+  const double cycle_ms = static_cast<double>(config_.cycle_us) / 1000;
+  const double cycles = std::max(1.0, (piece.duration - t) / cycle_ms);
+  return cycles < 9e18 ? static_cast<int64_t>(cycles) : kNoEnd;
+}
+
+void CycleBlock::FindEndOfPieces() { pieces_end_ = std::ranges::min(piece_ends_); }
+
+void CycleBlock::LoadNextPieces() {
+  for (size_t i = 0; i < axis_count(); ++i) {
+    if (piece_ends_[i] <= state_.cycle) LoadPlan(i);
+  }
+  FindEndOfPieces();
 }
 
 // --- In lanes ----------------------------------------------------------------------------------
@@ -334,12 +390,27 @@ void CycleBlock::TakeProfiles() {
   for (size_t i = 0; i < axis_count(); ++i) LoadProfile(i);
 }
 
+void CycleBlock::TakeStart(size_t index) {
+  const Profile& profile = state_.profiles[index];
+  if (profile.now.moving && !profile.driven && !FollowsPlan(profile)) return Leave();
+  LoadProfile(index);
+  LoadPlan(index);
+  FindEndOfPieces();
+  constants_.end = ends_;
+}
+
+int64_t CycleBlock::CyclesAhead() {
+  if (pieces_end_ <= state_.cycle) LoadNextPieces();
+  return std::min(end_, pieces_end_) - state_.cycle;
+}
+
 int64_t CycleBlock::Run(int64_t cycles) {
-  if (!plans_ || cycles == 1) return kernel_(constants_, lanes_, cycles);
+  if (still()) return cycles;
   if (kernel_(constants_, lanes_, 1) == 0) return 0;
-  TrimStillGroups();
-  const bool still = constants_.begin == constants_.end;
-  return 1 + (still ? cycles - 1 : kernel_(constants_, lanes_, cycles - 1));
+  shown_ = false;
+  if (plans_) TrimStillGroups();
+  if (cycles == 1 || still()) return cycles;
+  return 1 + kernel_(constants_, lanes_, cycles - 1);
 }
 
 void CycleBlock::TrimStillGroups() {
@@ -370,23 +441,69 @@ bool CycleBlock::GroupIsStill(size_t first) const {
 
 // --- Out of lanes ------------------------------------------------------------------------------
 
-void CycleBlock::Store() {
-  if (stored_) return;
-  stored_ = true;
-  for (size_t i = 0; i < axis_count(); ++i) StoreAxis(i);
-  StoreEncoders();
+void CycleBlock::Unload() {
+  Show();
+  loaded_ = false;
+  if (state_.cycle - loaded_at_ >= kWorthwhile) {
+    Retry();
+  } else {
+    Wait();
+  }
+}
+
+void CycleBlock::ShowAll() {
+  shown_ = true;
+  for (size_t i = 0; i < axis_count(); ++i) {
+    StoreProfile(i);
+    StoreAxis(i);
+    StoreEncoder(i);
+    StoreDrive(i);
+  }
+}
+
+void CycleBlock::ShowEncoders() {
+  for (size_t i = 0; i < axis_count(); ++i) {
+    StoreEncoder(i);
+    StoreAxis(i);
+  }
+}
+
+void CycleBlock::StoreProfile(size_t index) {
+  const LaneValues& values = lanes_.current();
+  const size_t lane = lane_of_[index];
+  if (constants_.planned[lane] == 0) return;
+  Sample& sample = state_.profiles[index].now;
+  sample.position = values.position[lane];
+  sample.velocity = values.velocity[lane];
+  sample.acceleration = values.acceleration[lane];
 }
 
 void CycleBlock::StoreAxis(size_t index) {
   const LaneValues& values = lanes_.current();
   const size_t lane = lane_of_[index];
-  const Sample sample = {values.position[lane], values.velocity[lane], values.acceleration[lane],
-                         values.moving[lane] != 0};
-  if (plans_ && constants_.planned[lane] != 0) state_.profiles[index].now = sample;
   AxisValue& planned = state_.axes[index].profile;
-  planned.position = (0.0 + sample.position) + planned.offset;
-  planned.velocity = 0.0 + sample.velocity;
-  planned.acceleration = 0.0 + sample.acceleration;
+  planned.position = (0.0 + values.position[lane]) + planned.offset;
+  planned.velocity = 0.0 + values.velocity[lane];
+  planned.acceleration = 0.0 + values.acceleration[lane];
+  AxisValue& measured = state_.axes[index].encoder;
+  measured.position = values.measured[lane];
+  measured.velocity = 0.0 + values.count_velocity[lane];
+  measured.acceleration = 0.0 + values.count_acceleration[lane];
+}
+
+void CycleBlock::StoreEncoder(size_t index) {
+  const LaneValues& values = lanes_.current();
+  const size_t lane = lane_of_[index];
+  Encoder& encoder = state_.encoders[index];
+  encoder.source = values.source[lane];
+  encoder.position = values.count[lane];
+  encoder.velocity = values.count_velocity[lane];
+  encoder.acceleration = values.count_acceleration[lane];
+}
+
+void CycleBlock::StoreDrive(size_t index) {
+  const LaneValues& values = lanes_.current();
+  const size_t lane = lane_of_[index];
   Plant& plant = state_.plants[index];
   plant.position = values.motor[lane];
   plant.velocity = values.motor_velocity[lane];
@@ -399,22 +516,6 @@ void CycleBlock::StoreAxis(size_t index) {
   control.error_before = values.error_before[lane];
   control.feed = values.feed[lane];
   state_.dacs[index].value = values.output[lane];
-}
-
-void CycleBlock::StoreEncoders() {
-  const LaneValues& values = lanes_.current();
-  for (size_t i = 0; i < axis_count(); ++i) {
-    const size_t lane = lane_of_[i];
-    Encoder& encoder = state_.encoders[i];
-    encoder.source = values.source[lane];
-    encoder.position = values.count[lane];
-    encoder.velocity = values.count_velocity[lane];
-    encoder.acceleration = values.count_acceleration[lane];
-    AxisValue& measured = state_.axes[i].encoder;
-    measured.position = values.measured[lane];
-    measured.velocity = 0.0 + encoder.velocity;
-    measured.acceleration = 0.0 + encoder.acceleration;
-  }
 }
 
 }  // namespace oncard::motion

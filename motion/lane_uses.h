@@ -148,6 +148,9 @@ struct Joined<Members<kMembers...>> {
   static constexpr size_t kCount = sizeof...(kMembers);
 };
 
+template <typename Struct, typename Member>
+LaneUses<Struct> UsesOfStructWith(Member Struct::*);
+
 }  // namespace internal
 
 /// True if the lists of a structure name each of its members once.
@@ -159,5 +162,10 @@ inline constexpr bool kLaneUsesComplete = [] {
   return All::kDistinct && kFieldsComplete<Struct> &&
          All::kCount == std::tuple_size_v<decltype(std::declval<const Struct&>().Fields())>;
 }();
+
+/// True if lanes may hold a newer value of the member than the state.
+template <auto kMember>
+inline constexpr bool kLaned =
+    decltype(internal::UsesOfStructWith(kMember))::Laned::template kTimes<kMember> != 0;
 
 }  // namespace oncard::motion

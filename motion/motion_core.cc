@@ -13,10 +13,6 @@
 namespace oncard::motion {
 namespace {
 
-/// Fewer cycles are not worth the way into lanes and back.
-constexpr int64_t kBlockMin = 8;
-/// How long a card that is not plain is advanced without lanes, at most.
-constexpr int64_t kTicksMax = 64;
 /// What an axis may exceed its limits by, relative to them.
 constexpr double kLimitTolerance = 1e-6;
 
@@ -26,43 +22,39 @@ static_assert(kFieldsComplete<MotionState> && kFieldsComplete<Profile> && kField
 }  // namespace
 
 MotionCore::MotionCore(const MotionConfig& config)
-    : config_(config), kernel_(LaneKernels().front().run) {
+    : config_(config), block_(state_, config_, LaneKernels().front().run) {
   Reset();
 }
 
+MotionCore::MotionCore(const MotionCore& other)
+    : config_(other.config_),
+      state_(other.state()),
+      observer_(other.observer_),
+      block_(state_, config_, other.block_.kernel()) {}
+
 void MotionCore::Tick() {
+  block_.Leave();
   BeginTick();
   AdvanceProfiles();
   FinishTick();
 }
 
 int64_t MotionCore::Advance(int64_t cycles) {
+  if (cycles >= CycleBlock::kWorthwhile) block_.Retry();
   int64_t done = 0;
-  int64_t ticks = kBlockMin;
   while (done < cycles && state_.reached.empty()) {
-    const int64_t left = cycles - done;
-    const int64_t block = left < kBlockMin ? 0 : AdvanceBlock(left);
-    done += block;
-    if (block >= kBlockMin) {
-      ticks = kBlockMin;
-      continue;
-    }
-    // What ends a block early often goes on in the next cycles.
-    const int64_t end = std::min(cycles, done + ticks);
-    for (; done < end && state_.reached.empty(); ++done) Tick();
-    ticks = std::min(2 * ticks, kTicksMax);
+    const int64_t block = AdvanceBlock(cycles - done);
+    if (block == 0) Tick();
+    done += std::max(block, int64_t{1});
   }
   return done;
 }
 
 int64_t MotionCore::AdvanceBlock(int64_t cycles) {
-  CycleBlock block(state_, config_, kernel_);
-  const int64_t plain = block.Load(cycles);
-  if (plain == 0) return 0;
-  if (!block.plans()) return AdvanceBesideProfiles(block, plain);
-  const int64_t done = block.Run(plain);
-  if (done == 0) return 0;
-  block.Store();
+  if (!block_.Enter(cycles)) return 0;
+  const int64_t ahead = std::min(cycles, block_.CyclesAhead());
+  if (!block_.plans()) return AdvanceBesideProfiles(ahead);
+  const int64_t done = ahead > 0 ? block_.Run(ahead) : 0;
   state_.cycle += done;
   state_.clock_cycle += done;
   for (int64_t i = 0; i < done && state_.io.HasTimedOutputs(); ++i) {
@@ -71,9 +63,8 @@ int64_t MotionCore::AdvanceBlock(int64_t cycles) {
   return done;
 }
 
-int64_t MotionCore::AdvanceBesideProfiles(CycleBlock& block, int64_t cycles) {
+int64_t MotionCore::AdvanceBesideProfiles(int64_t cycles) {
   const bool encoders_are_read = EncodersAreRead();
-  block_ = &block;
   int64_t done = 0;
   bool goes_on = true;
   while (goes_on && done < cycles) {
@@ -81,13 +72,12 @@ int64_t MotionCore::AdvanceBesideProfiles(CycleBlock& block, int64_t cycles) {
     ++state_.cycle;
     ++state_.clock_cycle;
     AdvanceProfiles();
-    block.TakeProfiles();
-    goes_on = !block.stored() && block.Run(1) == 1;
-    if (goes_on && encoders_are_read) block.StoreEncoders();
+    block_.TakeProfiles();
+    goes_on = block_.loaded() && block_.Run(1) == 1;
+    if (goes_on && encoders_are_read) block_.ShowEncoders();
     ++done;
   }
-  block.Store();
-  block_ = nullptr;
+  block_.Leave();
   if (!goes_on) FinishTick();
   return done;
 }
@@ -133,6 +123,7 @@ void MotionCore::FinishTick() {
 }
 
 void MotionCore::Reset() {
+  block_.Leave();
   state_.clock_cycle = 0;
   state_.io.Reset(config_.defaults.filter_ticks);
   state_.pvt_tables.fill(nullptr);
@@ -185,7 +176,7 @@ int64_t MotionCore::ClockMs() const { return ClockUs() / 1000; }
 // --- Steps of a tick ---------------------------------------------------------------------------
 
 void MotionCore::AdvanceProfiles() {
-  const Readings present = readings();
+  const Readings present = unlaned();
   bool crd_slaves = false;
   for (size_t i = 0; i < axis_count(); ++i) {
     const Profile& profile = state_.profiles[i];
@@ -198,7 +189,7 @@ void MotionCore::AdvanceProfiles() {
     }
   }
   for (size_t i = 0; i < kCrdCount; ++i) {
-    if (state_.crds[i].run.running) driver(i).Advance();
+    if (state_.crds[i].run.running) driver(state_, i).Advance();
   }
   if (!crd_slaves) return;
   for (size_t i = 0; i < axis_count(); ++i) {
@@ -214,7 +205,8 @@ void MotionCore::AdvanceProfile(size_t index) {
 void MotionCore::SampleProfile(size_t index) {
   Profile& profile = state_.profiles[index];
   if (const Master* master = profile.FollowedMaster(); master != nullptr) {
-    profile.AdvanceSlave(ReadMaster(*master));
+    // Beside lanes the encoders have been copied to the state.
+    profile.AdvanceSlave(Readings(state_, config_).ValueOf(*master));
   } else {
     profile.Advance(now());
   }
@@ -225,7 +217,7 @@ void MotionCore::BeginProfile(size_t index) {
   const double begin = profile.now.position;
   SampleProfile(index);
   if (profile.now.position == begin) return;
-  if (!readings().LimitForbids(index, profile.now.position - begin)) return;
+  if (!unlaned().LimitForbids(index, profile.now.position - begin)) return;
   // A motion that a latched limit would stop does not start.
   profile.now = {begin, 0, 0, true};
   Tell(HappeningKind::kHeldAtLimit, index, begin);
@@ -392,26 +384,27 @@ void MotionCore::AdvanceHomings() {
 // --- Axes and profiles -------------------------------------------------------------------------
 
 void MotionCore::StartProfile(size_t index) {
-  Profile& profile = state_.profiles[index];
-  if (const Master* master = profile.SelectedMaster(); master != nullptr) {
-    profile.StartSlave(ReadMaster(*master));
-  } else {
-    profile.Start(now());
+  if (const Master* master = state_.profiles[index].SelectedMaster(); master != nullptr) {
+    const MasterValue value = ReadMaster(*master);
+    return state().profiles[index].StartSlave(value);
   }
+  block_.ShowProfile(index);
+  state_.profiles[index].Start(now());
+  if (block_.loaded()) block_.TakeStart(index);
 }
 
 void MotionCore::ServoOn(size_t axis) {
   if (OnBus(axis)) {
     bus_axes().Enable(axis, true);
   } else {
-    state_.axes[axis].servo_on = true;
+    state().axes[axis].servo_on = true;
     EnableDrive(axis);
   }
-  state_.io.Write(DoType::kEnable, EnableOutputs(axis), ~uint32_t{0});
+  state().io.Write(DoType::kEnable, EnableOutputs(axis), ~uint32_t{0});
 }
 
 void MotionCore::ServoOff(size_t axis) {
-  state_.axes[axis].servo_on = false;
+  state().axes[axis].servo_on = false;
   if (OnBus(axis)) bus_axes().Enable(axis, false);
   drives().Disable(axis);
   if (state_.shapers) (*state_.shapers)[axis].Restart(readings().Unshaped(axis));
@@ -428,7 +421,7 @@ uint32_t MotionCore::EnableOutputs(size_t axis) const {
 }
 
 uint32_t MotionCore::Conditions(size_t index) const {
-  const Axis& axis = state_.axes[index];
+  const Axis& axis = state_.axes[index];  // lanes hold none of its conditions
   uint32_t conditions = axis.latched;
   if (axis.servo_on) conditions |= kServoOnBit;
   if (AxisMoving(axis)) {
@@ -441,17 +434,17 @@ uint32_t MotionCore::Conditions(size_t index) const {
 
 void MotionCore::ClearStatus(size_t axis) {
   if (OnBus(axis)) bus_axes().ResetFault(axis);
-  uint32_t& latched = state_.axes[axis].latched;
+  uint32_t& latched = state().axes[axis].latched;
   const uint32_t error = FollowingErrorExceeded(axis) ? latched & kFollowingErrorBit : 0;
   latched = readings().ActiveCauses(state_.axes[axis]) | error;
 }
 
 void MotionCore::StopProfile(size_t profile, bool abrupt) {
-  for (size_t i = 0; i < kCrdCount && state_.profiles[profile].driven; ++i) {
+  Profile& stopped = state().profiles[profile];
+  for (size_t i = 0; i < kCrdCount && stopped.driven; ++i) {
     if (state_.crds[i].Drives(profile)) StopCrd(i, abrupt);
   }
-  if (state_.profiles[profile].driven) return;
-  Profile& stopped = state_.profiles[profile];
+  if (stopped.driven) return;
   stopped.Stop(now(), abrupt ? stopped.abrupt_stop : stopped.smooth_stop);
 }
 
@@ -477,59 +470,60 @@ void MotionCore::RestartDrives() {
 }
 
 void MotionCore::SetEncoderSense(size_t encoder, bool reversed) {
-  state_.encoders[encoder].reversed = reversed;
+  state().encoders[encoder].reversed = reversed;
   RebaseEncoder(encoder);
 }
 
 void MotionCore::SetEncoderExternal(size_t encoder, bool external) {
-  state_.encoders[encoder].external = external;
+  state().encoders[encoder].external = external;
   RebaseEncoder(encoder);
 }
 
 void MotionCore::SetBacklash(size_t axis, const Backlash& backlash) {
-  state_.compensations[axis].SetBacklash(backlash);
+  state().compensations[axis].SetBacklash(backlash);
   state_.compensates = true;
 }
 
 void MotionCore::SetPitchTable(size_t axis, PitchTablePointer table) {
-  state_.compensations[axis].pitch_table = std::move(table);
+  state().compensations[axis].pitch_table = std::move(table);
 }
 
 void MotionCore::EnablePitchCompensation(size_t axis, bool on) {
-  state_.compensations[axis].pitch_on = on;
+  state().compensations[axis].pitch_on = on;
   state_.compensates = true;
 }
 
 void MotionCore::SetInputShaper(size_t axis, size_t count, double k) {
-  if (!state_.shapers) {
+  auto& shapers = state().shapers;
+  if (!shapers) {
     if (count == 0) return;
-    state_.shapers.Emplace();
+    shapers.Emplace();
   }
-  (*state_.shapers)[axis].Set(count, k, readings().Unshaped(axis));
-  if (std::ranges::none_of(*state_.shapers, &InputShaper::on)) state_.shapers.Reset();
+  (*shapers)[axis].Set(count, k, readings().Unshaped(axis));
+  if (std::ranges::none_of(*shapers, &InputShaper::on)) shapers.Reset();
 }
 
 // --- Gantry, homing ----------------------------------------------------------------------------
 
 void MotionCore::EnableGantry(size_t master, size_t slave, double master_kp, double slave_kp) {
-  state_.gantry.Begin(master, slave, master_kp, slave_kp, state_.axes);
+  state().gantry.Begin(master, slave, master_kp, slave_kp, state_.axes);
   origins().KeepPlanned(slave);
 }
 
 void MotionCore::DisableGantry() {
   if (!state_.gantry.on) return;
-  state_.gantry.End(state_.axes);
+  state().gantry.End(state_.axes);
   origins().KeepPlanned(state_.gantry.slave);
 }
 
 void MotionCore::BeginHoming(size_t index, const HomeParameters& parameters) {
-  state_.homing_runs = true;
+  state().homing_runs = true;
   homing(index).Begin(parameters);
 }
 
 void MotionCore::BeginSimpleHoming(size_t index, HomeKind kind, int32_t position, double velocity,
                                    double acceleration, int32_t offset) {
-  state_.homing_runs = true;
+  state().homing_runs = true;
   homing(index).BeginSimple(kind, position, velocity, acceleration, offset);
 }
 
@@ -541,7 +535,7 @@ void MotionCore::SetIndexSearch(size_t index, int32_t distance, int32_t offset) 
 // --- Axes on a bus -----------------------------------------------------------------------------
 
 void MotionCore::ConnectBus(bus::SlavesPointer configured, bus::SlavesPointer connected) {
-  state_.bus.Emplace().line = bus::Bus(std::move(configured), std::move(connected));
+  state().bus.Emplace().line = bus::Bus(std::move(configured), std::move(connected));
   bus_axes().NumberAxes();
 }
 
@@ -556,12 +550,12 @@ void MotionCore::TerminateBus() {
 
 void MotionCore::PowerOn(std::shared_ptr<const WorldEvents> events) {
   if (state_.bus) bus_axes().PowerOn();
-  Surroundings(state_, config_).PowerOn(std::move(events));
+  Surroundings(state(), config_).PowerOn(std::move(events));
   LatchCauses();
 }
 
 void MotionCore::PlaceMotor(size_t motor, double position) {
-  Plant& plant = state_.plants[motor];
+  Plant& plant = state().plants[motor];
   plant.lead += position - plant.position;
   plant.position = position;
   RebaseEncoder(motor);
@@ -619,6 +613,6 @@ void MotionCore::StopAxisAtLimit(const Axis& axis) {
   });
 }
 
-uint64_t MotionCore::Hash() const { return StateHash().Add(state_).value(); }
+uint64_t MotionCore::Hash() const { return StateHash().Add(state()).value(); }
 
 }  // namespace oncard::motion

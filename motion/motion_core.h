@@ -1,8 +1,8 @@
 // The motion core: digital I/O, profiles, coordinate systems, axes, encoders, servo, captures,
 // compare outputs, and the mechanics around the card.
 //
-// All state is plain data in MotionState: a snapshot is a copy. Only Tick() advances time, always
-// in this order:
+// All state is plain data in MotionState: a snapshot is a copy. Tick() advances time, always in
+// this order:
 //
 //   1. the world's events of the instant act on the pins; inputs are sampled, timed outputs advance
 //   2. profiles, in ascending order: independent modes and the slaves of anything but a coordinate
@@ -12,7 +12,9 @@
 //   5. following error, in-position band, compare outputs
 //
 // The instant of a tick is the end of its cycle: a plan that is started between two ticks begins at
-// the instant of the earlier one.
+// the instant of the earlier one. Advance() computes the same; while nothing but motion happens,
+// lanes hold the newest values of the axes (cycle_block.h), and whoever looks at the state gets
+// them copied.
 //
 // Deterministic: integers and IEEE basic operations only. Nothing is allocated in a tick. Not
 // thread-safe: one caller at a time. Functions assume valid numbers (indices from 0) and a state
@@ -30,6 +32,7 @@
 #include "motion/drive_train.h"
 #include "motion/happening.h"
 #include "motion/homing.h"
+#include "motion/lane_uses.h"
 #include "motion/motion_state.h"
 #include "motion/origins.h"
 #include "motion/readings.h"
@@ -39,13 +42,49 @@ namespace oncard::motion {
 class MotionCore {
  public:
   explicit MotionCore(const MotionConfig& config);
+  MotionCore(const MotionCore& other);
+  MotionCore& operator=(const MotionCore&) = delete;
+  ~MotionCore() = default;
 
   const MotionConfig& config() const { return config_; }
-  const MotionState& state() const { return state_; }
-  MotionState& state() { return state_; }
+  /// The whole state as it is now. References into it show and change the card until Advance().
+  const MotionState& state() const {
+    block_.Show();
+    return state_;
+  }
+  /// The same to change it. Takes the card out of its lanes: who only reads uses a const core.
+  MotionState& state() {
+    block_.Leave();
+    return state_;
+  }
+  /// One profile, axis or encoder as it is now, without the way through all others.
+  const Profile& profile(size_t index) const {
+    block_.ShowProfile(index);
+    return state_.profiles[index];
+  }
+  const Axis& axis(size_t index) const {
+    block_.ShowAxis(index);
+    return state_.axes[index];
+  }
+  const Encoder& encoder(size_t index) const {
+    block_.ShowEncoder(index);
+    return state_.encoders[index];
+  }
+  /// A part of the state that lanes never hold: `part<&MotionState::io>()`.
+  template <auto kMember>
+  const auto& part() const {
+    static_assert(!kLaned<kMember>, "lanes may hold newer values");
+    return state_.*kMember;
+  }
+  /// A member that lanes never hold of one axis: `part<&MotionState::axes, &Axis::latched>(index)`.
+  template <auto kMember, auto kOfEach>
+  const auto& part(size_t index) const {
+    static_assert(!kLaned<kOfEach>, "lanes may hold newer values");
+    return (state_.*kMember)[index].*kOfEach;
+  }
   size_t axis_count() const { return static_cast<size_t>(config_.axis_count); }
   /// What follows from the state at this instant.
-  Readings readings() const { return {state_, config_}; }
+  Readings readings() const { return {state(), config_}; }
   /// From now on reports to `observer` what the card does by itself; the observer must not change
   /// the card.
   void Observe(HappeningObserver observer) { observer_ = std::move(observer); }
@@ -65,10 +104,12 @@ class MotionCore {
   /// which a path has reached commands for the owner of the core. Returns the number of cycles.
   int64_t Advance(int64_t cycles);
   /// Chooses what advances the lanes of Advance(); all kernels compute the same bits.
-  void UseKernel(LaneKernel kernel) { kernel_ = kernel; }
+  void UseKernel(LaneKernel kernel) { block_.UseKernel(kernel); }
   /// GT_Reset: sets every register to its default and the clock to 0. Pins keep their levels, and
   /// the mechanics stay where they are.
   void Reset();
+  /// Profile cycles since power-on.
+  int64_t cycle() const { return state_.cycle; }
   /// The instant of the last tick.
   Micros now() const { return state_.cycle * config_.cycle_us; }
   /// Milliseconds since the last Reset(), rounded down.
@@ -86,7 +127,7 @@ class MotionCore {
   /// or stop at once.
   uint32_t Conditions(size_t axis) const;
   /// True if a profile that the axis maps is moving.
-  bool AxisMoving(const Axis& axis) const { return readings().AxisMoving(axis); }
+  bool AxisMoving(const Axis& axis) const { return unlaned().AxisMoving(axis); }
   /// An encoder's position with fractions of pulses.
   double CountedPosition(size_t encoder) const { return readings().CountedPosition(encoder); }
   /// Begins the run of a profile in its mode (GT_Update, GT_GearStart ...), which must not be Crd.
@@ -94,7 +135,7 @@ class MotionCore {
   /// The current sample of a master, for a slave that starts or follows.
   MasterValue ReadMaster(const Master& master) const { return readings().ValueOf(master); }
   /// Level of an input as GT_GetDi reads it; false if there is none.
-  bool InputActive(const InputChoice& input) const { return readings().InputActive(input); }
+  bool InputActive(const InputChoice& input) const { return unlaned().InputActive(input); }
   /// The enable outputs that follow an axis.
   uint32_t EnableOutputs(size_t axis) const;
   /// Forgets the latched conditions whose cause is gone (GT_ClrSts).
@@ -116,7 +157,7 @@ class MotionCore {
   /// pulses.
   void SetClosedLoop(size_t axis, bool closed) { drives().SetClosedLoop(axis, closed); }
   /// True if the axis' drive is commanded by a servo controller.
-  bool InClosedLoop(size_t axis) const { return readings().InClosedLoop(axis); }
+  bool InClosedLoop(size_t axis) const { return unlaned().InClosedLoop(axis); }
   /// True if |planned - measured| exceeds the limit of the axis' controller.
   bool FollowingErrorExceeded(size_t axis) const { return readings().FollowingErrorExceeded(axis); }
   /// Connects motors, pulse outputs and controllers according to the configuration; to be called
@@ -150,14 +191,14 @@ class MotionCore {
   /// [1, kShaperCyclesMax], or 0 to switch it off.
   void SetInputShaper(size_t axis, size_t count, double k);
   /// False while the input shaper of an axis has not yet passed all of a motion.
-  bool ShaperSettled(size_t axis) const { return readings().ShaperSettled(axis); }
+  bool ShaperSettled(size_t axis) const { return unlaned().ShaperSettled(axis); }
 
   /// GT_EnableGantry, for two axes at rest without a gantry; GT_DisableGantry ends it.
   void EnableGantry(size_t master, size_t slave, double master_kp, double slave_kp);
   void DisableGantry();
   /// How far the measured slave is ahead of the master since the gantry began, pulses.
-  double GantrySkew() const { return state_.gantry.Skew(state_.axes); }
-  bool IsGantrySlave(size_t axis) const { return readings().IsGantrySlave(axis); }
+  double GantrySkew() const { return state_.gantry.Skew(state().axes); }
+  bool IsGantrySlave(size_t axis) const { return unlaned().IsGantrySlave(axis); }
 
   // --- Coordinate systems ------------------------------------------------------------------------
 
@@ -165,7 +206,7 @@ class MotionCore {
   void SetUpCrd(size_t crd, CrdParameters parameters) { driver(crd).SetUp(parameters); }
   /// The positions of the member profiles, relative to the origin.
   Coordinates CrdPosition(size_t crd) const {
-    return PositionOf(state_.crds[crd], state_.profiles);
+    return PositionOf(state().crds[crd], state().profiles);
   }
   /// Appends a slot to a FIFO; false when there is no room.
   bool AppendToCrd(size_t crd, size_t fifo, const PathSlot& slot) {
@@ -199,9 +240,9 @@ class MotionCore {
   /// there is none), and what is connected.
   void ConnectBus(bus::SlavesPointer configured, bus::SlavesPointer connected);
   /// The axes on it, for a card with a bus.
-  BusAxes bus_axes() { return {state_, config_}; }
+  BusAxes bus_axes() { return {state(), config_}; }
   /// True if the axis has a drive on a bus.
-  bool OnBus(size_t axis) const { return readings().OnBus(axis); }
+  bool OnBus(size_t axis) const { return unlaned().OnBus(axis); }
   /// GT_TerminateEcatComm: its axes stop abruptly, and their drives are switched off.
   void TerminateBus();
 
@@ -215,19 +256,26 @@ class MotionCore {
   void PlaceMotor(size_t motor, double position);
   /// Reports from now on what the axis is planned to do beyond these limits, which it does all the
   /// same.
-  void WatchLimits(size_t axis, const DriveLimits& limits) { config_.drive_limits[axis] = limits; }
+  void WatchLimits(size_t axis, const DriveLimits& limits) {
+    block_.Leave();
+    config_.drive_limits[axis] = limits;
+  }
 
   /// XXH64 of the whole state.
   uint64_t Hash() const;
 
  private:
   // The parts of the core that work on its state.
-  DriveTrain drives() { return {state_, config_}; }
-  Origins origins() { return {state_, config_}; }
-  CrdDriver driver(size_t crd) {
-    return {state_.crds[crd], CrdPort(state_, config_, observer_, crd, block_)};
+  DriveTrain drives() { return {state(), config_}; }
+  Origins origins() { return {state(), config_}; }
+  CrdDriver driver(size_t crd) { return driver(state(), crd); }
+  HomingSequence homing(size_t axis) { return {state().homing[axis], AxisPort(*this, axis)}; }
+  /// The same for a path beside which lanes move the drives.
+  CrdDriver driver(MotionState& state, size_t crd) {
+    return {state.crds[crd], CrdPort(state, config_, observer_, crd, block_)};
   }
-  HomingSequence homing(size_t axis) { return {state_.homing[axis], AxisPort(*this, axis)}; }
+  /// Readings of what lanes never hold.
+  Readings unlaned() const { return {state_, config_}; }
 
   void ResetAxes();
 
@@ -235,7 +283,7 @@ class MotionCore {
   /// plain.
   int64_t AdvanceBlock(int64_t cycles);
   /// The same with profiles that are planned here, one cycle at a time.
-  int64_t AdvanceBesideProfiles(CycleBlock& block, int64_t cycles);
+  int64_t AdvanceBesideProfiles(int64_t cycles);
   /// True if a profile or a path may read an encoder.
   bool EncodersAreRead() const;
 
@@ -279,10 +327,12 @@ class MotionCore {
   void TellCauses(size_t index, uint32_t causes) const;
 
   MotionConfig config_;
+  // The steps of a tick use it as it is, after the lanes have been left. All else begins with
+  // state(), or says what it knows of lanes.
   MotionState state_;
   HappeningObserver observer_;
-  LaneKernel kernel_;
-  CycleBlock* block_ = nullptr;  // has parts of the state in lanes now
+  // Reading the state copies what the lanes hold.
+  mutable CycleBlock block_;
 };
 
 }  // namespace oncard::motion

@@ -1,0 +1,263 @@
+// Lanes stay loaded from one call to the next, and nobody can see it: what a card shows after each
+// of random short ways, reads, starts and commands is what one advanced by ticks shows.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "motion/cycle_block.h"
+#include "motion/motion_core.h"
+#include "tests/motion/cycle_counter.h"
+#include "tests/motion/random_world.h"
+#include "tests/motion/twins.h"
+
+namespace oncard::motion {
+namespace {
+
+void ExpectSameBits(double a, double b) {
+  EXPECT_EQ(std::bit_cast<uint64_t>(a), std::bit_cast<uint64_t>(b)) << a << ", " << b;
+}
+
+void ExpectSameSample(const motion::Sample& a, const motion::Sample& b) {
+  ExpectSameBits(a.position, b.position);
+  ExpectSameBits(a.velocity, b.velocity);
+  ExpectSameBits(a.acceleration, b.acceleration);
+  EXPECT_EQ(a.moving, b.moving);
+}
+
+void ExpectSameValue(const AxisValue& a, const AxisValue& b) {
+  ExpectSameBits(a.position, b.position);
+  ExpectSameBits(a.velocity, b.velocity);
+  ExpectSameBits(a.acceleration, b.acceleration);
+}
+
+/// Reads something of an axis as a command would.
+void ExpectSameRead(const MotionCore& ticks, const MotionCore& lanes, size_t axis, int what) {
+  switch (what) {
+    case 0:
+      return ExpectSameSample(ticks.profile(axis).now, lanes.profile(axis).now);
+    case 1:
+      ExpectSameValue(ticks.axis(axis).profile, lanes.axis(axis).profile);
+      return ExpectSameValue(ticks.axis(axis).encoder, lanes.axis(axis).encoder);
+    case 2:
+      ExpectSameBits(ticks.encoder(axis).position, lanes.encoder(axis).position);
+      return ExpectSameBits(ticks.encoder(axis).velocity, lanes.encoder(axis).velocity);
+    case 3:
+      EXPECT_EQ(ticks.Conditions(axis), lanes.Conditions(axis));
+      return ExpectSameBits(ticks.CountedPosition(axis), lanes.CountedPosition(axis));
+    case 4:
+      EXPECT_EQ(ticks.FollowingErrorExceeded(axis), lanes.FollowingErrorExceeded(axis));
+      return ExpectSameBits(ticks.state().plants[axis].velocity,
+                            lanes.state().plants[axis].velocity);
+    default:
+      return;
+  }
+}
+
+/// Changes a register of a profile, and perhaps starts it.
+void RandomStart(MotionCore& core, size_t axis, RandomNumbers& random) {
+  const ProfileMode mode = core.part<&MotionState::profiles, &Profile::mode>(axis);
+  if (mode != ProfileMode::kTrap && mode != ProfileMode::kJog) return;
+  if (core.part<&MotionState::profiles, &Profile::driven>(axis)) return;
+  if (random.OneIn(30)) {
+    Profile& changed = core.state().profiles[axis];
+    changed.jog.parameters.smooth = 0;
+    changed.trap.parameters.smooth_time = 0;
+    changed.jog.velocity = random.Between(-20, 20);
+    changed.trap.target = random.Below(20'000) - 10'000;
+    changed.trap.velocity = random.Between(0.5, 40);
+  }
+  if (!random.OneIn(4)) core.StartProfile(axis);
+}
+
+/// What happens to random cards between two ways.
+struct Habit {
+  const char* name;
+  int longest_way;  ///< cycles
+  int reads;        ///< at most
+  int one_start_in;
+  int one_command_in;
+  int64_t least_in_lanes;  ///< of 36 000 cycles: many cards have something that lanes cannot do
+};
+
+constexpr Habit kHabits[] = {
+    {"single cycles", 1, 0, 40, 200, 5000},     {"reads in every cycle", 1, 3, 40, 200, 5000},
+    {"short ways", 20, 2, 20, 30, 10'000},      {"starts in every cycle", 2, 1, 1, 100, 4000},
+    {"commands all the time", 6, 1, 4, 2, 200},
+};
+
+TEST(LoadedLanes, ShowWhatTicksShow) {
+  const int worlds = Setting("ONCARD_WORLDS", 12);
+  for (const Habit& habit : kHabits) {
+    CycleCounter counter;
+    for (int world = 1; world <= worlds && !testing::Test::HasFailure(); ++world) {
+      SCOPED_TRACE(std::string(habit.name) + ", world " + std::to_string(world));
+      const auto seed = static_cast<uint64_t>(world);
+      Twins twins(seed);
+      counter.Count(twins.lanes());
+      RandomNumbers random(seed * 77);
+      for (int64_t cycle = 0; cycle < 3000 && !testing::Test::HasFailure();) {
+        const int64_t way = 1 + random.Below(habit.longest_way);
+        twins.Advance(way);
+        cycle += way;
+        const size_t axis_count = twins.ticks().axis_count();
+        for (int i = random.Below(habit.reads + 1); i > 0; --i) {
+          const auto axis = static_cast<size_t>(random.Below(static_cast<int>(axis_count)));
+          ExpectSameRead(twins.ticks(), twins.lanes(), axis, random.Below(5));
+        }
+        const auto axis = static_cast<size_t>(random.Below(static_cast<int>(axis_count)));
+        const uint64_t choices = random.Next();
+        if (random.OneIn(habit.one_start_in)) {
+          twins.Both([&](MotionCore& core) {
+            RandomNumbers same(choices);
+            RandomStart(core, axis, same);
+          });
+        }
+        if (random.OneIn(habit.one_command_in)) {
+          twins.Both([&](MotionCore& core) {
+            RandomNumbers same(choices);
+            RandomCommand(core, same);
+          });
+        }
+        if (random.OneIn(8)) twins.ExpectEqual();
+      }
+      twins.ExpectEqual();
+    }
+    EXPECT_GT(counter.cycles(), habit.least_in_lanes) << habit.name;
+  }
+}
+
+/// What changes a card without asking for its state.
+struct Change {
+  const char* name;
+  void (*change)(MotionCore& core);
+};
+
+constexpr Change kChanges[] = {
+    {"Tick", [](MotionCore& core) { core.Tick(); }},
+    {"Reset", [](MotionCore& core) { core.Reset(); }},
+    {"ServoOn", [](MotionCore& core) { core.ServoOn(1); }},
+    {"ServoOff", [](MotionCore& core) { core.ServoOff(1); }},
+    {"StartProfile", [](MotionCore& core) { core.StartProfile(1); }},
+    {"ClearStatus", [](MotionCore& core) { core.ClearStatus(1); }},
+    {"StopProfile", [](MotionCore& core) { core.StopProfile(1, false); }},
+    {"StopCommanded", [](MotionCore& core) { core.StopCommanded(1, true); }},
+    {"SetProfilePosition", [](MotionCore& core) { core.SetProfilePosition(11, 7); }},
+    {"SetEncoderPosition", [](MotionCore& core) { core.SetEncoderPosition(1, 7); }},
+    {"SetClosedLoop", [](MotionCore& core) { core.SetClosedLoop(1, false); }},
+    {"Wire", [](MotionCore& core) { core.Wire(); }},
+    {"RestartDrives", [](MotionCore& core) { core.RestartDrives(); }},
+    {"RebaseEncoder", [](MotionCore& core) { core.RebaseEncoder(1); }},
+    {"SetEncoderSense", [](MotionCore& core) { core.SetEncoderSense(1, true); }},
+    {"SetEncoderExternal", [](MotionCore& core) { core.SetEncoderExternal(1, false); }},
+    {"SynchAxis", [](MotionCore& core) { core.SynchAxis(1); }},
+    {"ZeroAxis", [](MotionCore& core) { core.ZeroAxis(11); }},
+    {"SetProfileScale",
+     [](MotionCore& core) {
+       core.SetProfileScale(11, {2, 1});
+     }},
+    {"SetEncoderScale",
+     [](MotionCore& core) {
+       core.SetEncoderScale(1, {2, 1});
+     }},
+    {"SetBacklash", [](MotionCore& core) { core.SetBacklash(1, {.value = 9, .change = 0.5}); }},
+    {"SetInputShaper", [](MotionCore& core) { core.SetInputShaper(11, 9, 0.5); }},
+    {"EnableGantry", [](MotionCore& core) { core.EnableGantry(10, 11, 1, 1); }},
+    {"SetUpCrd",
+     [](MotionCore& core) {
+       core.SetUpCrd(0, {.dimension = 2, .profile = {1, 2}});
+     }},
+    {"BeginHoming", [](MotionCore& core) { core.BeginHoming(11, {.mode = HomeMode::kLimit}); }},
+    {"PlaceMotor", [](MotionCore& core) { core.PlaceMotor(1, 7); }},
+    {"WatchLimits",
+     [](MotionCore& core) {
+       core.WatchLimits(9, {.velocity = 25});
+       core.StartProfile(9);
+     }},
+};
+
+TEST(LoadedLanes, MakeRoomForWhateverChangesTheCard) {
+  const auto card = [] {
+    auto core = ServoCard();
+    for (const size_t resting : {size_t{10}, size_t{11}}) core->StopProfile(resting, true);
+    core->state().profiles[9].jog.velocity = 30;  // of its next start
+    return core;
+  };
+  for (const Change& change : kChanges) {
+    SCOPED_TRACE(change.name);
+    Twins twins(card(), card());
+    twins.Advance(301);
+    twins.Both(change.change);
+    twins.ExpectEqual();
+    twins.Advance(50);
+    twins.ExpectEqual();
+  }
+}
+
+// --- What keeps a card in lanes ----------------------------------------------------------------
+
+/// Lets a card with twelve jogging axes pass 1000 single cycles, with something after each; returns
+/// the number of those in lanes.
+template <typename After>
+int64_t CyclesInLanes(After after) {
+  const auto core = ServoCard();
+  CycleCounter counter;
+  counter.Count(*core);
+  for (int i = 0; i < 1000; ++i) {
+    core->Advance(1);
+    after(*core, i);
+  }
+  return counter.cycles();
+}
+
+/// The cycles that pass before lanes are loaded first, and those in which a plan's next piece is
+/// loaded.
+constexpr int64_t kMostCycles = 1000 - 20;
+
+TEST(LoadedLanes, StayLoadedBetweenSingleCycles) {
+  EXPECT_GE(CyclesInLanes([](MotionCore&, int) {}), kMostCycles);
+}
+
+TEST(LoadedLanes, StayLoadedWhileTheStateIsRead) {
+  EXPECT_GE(CyclesInLanes([](const MotionCore& core, int cycle) {
+              const size_t axis = static_cast<size_t>(cycle) % core.axis_count();
+              EXPECT_NE(core.profile(axis).now.position, 0);
+              EXPECT_NE(core.state().profiles[axis].now.position, 0);
+              EXPECT_NE(core.Conditions(axis) & kMovingBit, 0u);
+            }),
+            kMostCycles);
+}
+
+TEST(LoadedLanes, StayLoadedWhenAProfileIsStarted) {
+  EXPECT_GE(CyclesInLanes([](MotionCore& core, int cycle) {
+              core.StartProfile(static_cast<size_t>(cycle) % core.axis_count());
+            }),
+            kMostCycles);
+}
+
+TEST(LoadedLanes, AreNotLoadedAgainAfterEachOfManyChanges) {
+  EXPECT_LE(CyclesInLanes([](MotionCore& core, int) { core.state().axes[0].band = 5; }), 100);
+}
+
+TEST(LoadedLanes, AreLoadedSoonAfterTheLastChange) {
+  EXPECT_GE(CyclesInLanes([](MotionCore& core, int cycle) {
+              if (cycle < 500) core.state().axes[0].band = 5;
+            }),
+            400);
+}
+
+TEST(LoadedLanes, AreNotSharedWithACopy) {
+  const auto core = ServoCard();
+  core->Advance(100);
+  MotionCore copy = *core;
+  EXPECT_EQ(copy.Hash(), core->Hash());
+  copy.Advance(50);
+  EXPECT_NE(copy.Hash(), core->Hash());
+  core->Advance(50);
+  EXPECT_EQ(copy.Hash(), core->Hash());
+}
+
+}  // namespace
+}  // namespace oncard::motion
